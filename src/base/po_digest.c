@@ -1,0 +1,16 @@
+#include "po_digest.h"
+
+#include <stdint.h>
+#include <stdio.h>
+
+#include <nettle/sha2.h>
+
+void po_digest_bytes(const void *bytes, size_t size, char digest[PO_DIGEST_LENGTH]) {
+  struct sha256_ctx context;
+  uint8_t raw[SHA256_DIGEST_SIZE];
+  sha256_init(&context);
+  sha256_update(&context, size, bytes);
+  sha256_digest(&context, sizeof raw, raw);
+  for (size_t i = 0; i < sizeof raw; ++i)
+    snprintf(digest + 2 * i, 3, "%02x", raw[i]);
+}

@@ -1,0 +1,12 @@
+/* SHA-256, to know a text again. */
+#ifndef PO_DIGEST_H
+#define PO_DIGEST_H
+
+#include <stddef.h>
+
+enum { PO_DIGEST_LENGTH = 65 }; /* 64 hexadecimal digits and the NUL */
+
+/* The SHA-256 (FIPS 180-4) of `size` bytes, in lower-case hexadecimal. */
+void po_digest_bytes(const void *bytes, size_t size, char digest[PO_DIGEST_LENGTH]);
+
+#endif

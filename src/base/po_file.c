@@ -1,0 +1,196 @@
+#include "po_file.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "po_memory.h"
+
+/* Far above any case, reference or record; keeps a device or a wrong file from filling memory. */
+static const size_t LONGEST_FILE = (size_t)256 << 20;
+
+static po_status read_descriptor(int file, const char *path, char **data, size_t *size) {
+  size_t length = 0, capacity = 0;
+  char *bytes = NULL;
+  for (;;) {
+    if (length + 1 >= capacity) {
+      capacity = capacity ? 2 * capacity : 65536;
+      char *larger = capacity <= 2 * LONGEST_FILE ? po_resize(bytes, capacity, 1) : NULL;
+      if (!larger) {
+        free(bytes);
+        return po_fail(PO_CANNOT_READ, "%s is longer than %zu bytes", path, LONGEST_FILE);
+      }
+      bytes = larger;
+    }
+    const ssize_t got = read(file, bytes + length, capacity - length - 1);
+    if (got == 0)
+      break;
+    if (got < 0 && errno == EINTR)
+      continue;
+    if (got < 0) {
+      free(bytes);
+      return po_fail(PO_CANNOT_READ, "%s cannot be read: %s", path, strerror(errno));
+    }
+    length += (size_t)got;
+  }
+  bytes[length] = '\0';
+  *data = bytes;
+  *size = length;
+  return PO_OK;
+}
+
+po_status po_file_read(const char *path, char **data, size_t *size) {
+  const int file = open(path, O_RDONLY | O_CLOEXEC);
+  if (file < 0)
+    return po_fail(PO_CANNOT_READ, "%s cannot be opened: %s", path, strerror(errno));
+  const po_status status = read_descriptor(file, path, data, size);
+  close(file);
+  return status;
+}
+
+static int write_all(int file, const char *data, size_t size) {
+  while (size > 0) {
+    const ssize_t put = write(file, data, size);
+    if (put < 0 && errno == EINTR)
+      continue;
+    if (put < 0)
+      return errno;
+    data += put;
+    size -= (size_t)put;
+  }
+  return 0;
+}
+
+/* Writes and closes; 0 or the errno. A disk may report that it is full as late as fsync or close.
+ */
+static int write_and_close(int file, const char *data, size_t size, bool flush) {
+  int error = write_all(file, data, size);
+  if (!error && flush && fsync(file) != 0)
+    error = errno;
+  if (close(file) != 0 && !error)
+    error = errno;
+  return error;
+}
+
+static po_status write_in_place(const char *path, const char *data, size_t size) {
+  const int file = open(path, O_WRONLY | O_CLOEXEC);
+  const int error = file < 0 ? errno : write_and_close(file, data, size, false);
+  if (error)
+    return po_fail(PO_CANNOT_WRITE, "%s cannot be written: %s", path, strerror(error));
+  return PO_OK;
+}
+
+static po_status write_beside(const char *path, const char *data, size_t size) {
+  char beside[PATH_MAX];
+  if (snprintf(beside, sizeof beside, "%s.part-%ld", path, (long)getpid()) >= (int)sizeof beside)
+    return po_fail(PO_CANNOT_WRITE, "%s cannot be written: the name is too long", path);
+  const int file = open(beside, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0)
+    return po_fail(PO_CANNOT_WRITE, "%s cannot be written: %s", path, strerror(errno));
+  int error = write_and_close(file, data, size, true);
+  if (!error && rename(beside, path) != 0)
+    error = errno;
+  if (error) {
+    unlink(beside);
+    return po_fail(PO_CANNOT_WRITE, "%s cannot be written: %s", path, strerror(error));
+  }
+  return PO_OK;
+}
+
+po_status po_file_write(const char *path, const char *data, size_t size) {
+  struct stat found;
+  if (stat(path, &found) == 0 && !S_ISREG(found.st_mode) && !S_ISDIR(found.st_mode))
+    return write_in_place(path, data, size);
+  return write_beside(path, data, size);
+}
+
+po_status po_folder_make(const char *path) {
+  char part[PATH_MAX];
+  const size_t length = strlen(path);
+  if (length == 0 || length >= sizeof part)
+    return po_fail(PO_CANNOT_WRITE, "the folder '%s' cannot be made: its name is %s", path,
+                   length ? "too long" : "empty");
+  memcpy(part, path, length + 1);
+  for (size_t i = 1; i <= length; ++i) {
+    if (path[i] != '/' && path[i] != '\0')
+      continue;
+    part[i] = '\0';
+    struct stat found;
+    if (mkdir(part, 0777) != 0) {
+      const int error =
+          errno == EEXIST && stat(part, &found) == 0 && !S_ISDIR(found.st_mode) ? ENOTDIR : errno;
+      if (error != EEXIST)
+        return po_fail(PO_CANNOT_WRITE, "the folder %s cannot be made: %s: %s", path, part,
+                       strerror(error));
+    }
+    part[i] = path[i];
+  }
+  return PO_OK;
+}
+
+bool po_path_exists(const char *path) {
+  struct stat found;
+  return stat(path, &found) == 0;
+}
+
+char *po_path_join(const char *folder, const char *name) {
+  if (name[0] == '/' || folder[0] == '\0')
+    return po_copy_text(name);
+  const size_t length = strlen(folder) + strlen(name) + 2;
+  char *path = po_resize(NULL, length, 1);
+  if (path)
+    snprintf(path, length, "%s%s%s", folder, folder[strlen(folder) - 1] == '/' ? "" : "/", name);
+  return path;
+}
+
+static int name_order(const void *a, const void *b) {
+  return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+static po_status names_add(char ***names, size_t *count, const char *name) {
+  char **larger = po_resize(*names, *count + 1, sizeof **names);
+  if (!larger)
+    return PO_NO_MEMORY;
+  *names = larger;
+  larger[*count] = po_copy_text(name);
+  if (!larger[*count])
+    return PO_NO_MEMORY;
+  *count += 1;
+  return PO_OK;
+}
+
+po_status po_folder_list(const char *path, const char *ending, char ***names, size_t *count) {
+  *names = NULL;
+  *count = 0;
+  DIR *folder = opendir(path);
+  if (!folder)
+    return po_fail(PO_CANNOT_READ, "the folder %s cannot be read: %s", path, strerror(errno));
+  po_status status = PO_OK;
+  const size_t tail = strlen(ending);
+  for (struct dirent *entry; !status && (entry = readdir(folder));) {
+    const size_t length = strlen(entry->d_name);
+    if (entry->d_name[0] != '.' && length > tail &&
+        strcmp(entry->d_name + length - tail, ending) == 0)
+      status = names_add(names, count, entry->d_name);
+  }
+  closedir(folder);
+  if (status) {
+    po_names_free(*names, *count);
+    *names = NULL;
+    *count = 0;
+  } else if (*count)
+    qsort(*names, *count, sizeof **names, name_order);
+  return status;
+}
+
+void po_names_free(char **names, size_t count) {
+  for (size_t i = 0; i < count; ++i)
+    free(names[i]);
+  free(names);
+}

@@ -1,0 +1,19 @@
+/* Checked, aligned allocation. */
+#ifndef PO_MEMORY_H
+#define PO_MEMORY_H
+
+#include <stddef.h>
+
+/* `count` zeroed objects of `size` bytes, aligned to a cache line (so that the BLAS kernels take
+ * the same path, and give the same bits, in every run), or NULL with a message when there is no
+ * memory or count*size overflows. Free with free(). A count of 0 gives a valid pointer. */
+void *po_allocate(size_t count, size_t size);
+
+/* As realloc for arrays that grow, checked for overflow; on failure NULL, a message, and the old
+ * array untouched. Not aligned: for records, not for linear algebra. */
+void *po_resize(void *array, size_t count, size_t size);
+
+/* A copy of a string, or NULL with a message. */
+char *po_copy_text(const char *text);
+
+#endif

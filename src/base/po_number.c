@@ -1,0 +1,69 @@
+#include "po_number.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void po_number_print(double value, char text[PO_NUMBER_LENGTH]) {
+  if (isnan(value)) {
+    strcpy(text, "nan");
+    return;
+  }
+  for (int digits = 15; digits <= 17; ++digits) {
+    snprintf(text, PO_NUMBER_LENGTH, "%.*g", digits, value);
+    if (strtod(text, NULL) == value)
+      return;
+  }
+}
+
+/* strtod alone would take hexadecimal, "nan", "infinity" and leading blanks. */
+static bool number_is_decimal(const char *text) {
+  const char *c = text + (*text == '+' || *text == '-');
+  const size_t whole = strspn(c, "0123456789");
+  c += whole;
+  size_t fraction = 0;
+  if (*c == '.') {
+    fraction = strspn(c + 1, "0123456789");
+    c += 1 + fraction;
+  }
+  if (whole + fraction == 0)
+    return false;
+  if (*c == 'e' || *c == 'E') {
+    c += 1;
+    c += *c == '+' || *c == '-';
+    const size_t exponent = strspn(c, "0123456789");
+    if (exponent == 0)
+      return false;
+    c += exponent;
+  }
+  return *c == '\0';
+}
+
+bool po_number_parse(const char *text, double *value) {
+  if (!number_is_decimal(text))
+    return false;
+  errno = 0;
+  const double number = strtod(text, NULL);
+  if (errno == ERANGE || !isfinite(number))
+    return false;
+  *value = number;
+  return true;
+}
+
+bool po_number_parse_or_infinity(const char *text, double *value) {
+  if (strcmp(text, "inf") == 0) {
+    *value = (double)INFINITY;
+    return true;
+  }
+  return po_number_parse(text, value);
+}
+
+bool po_number_parse_count(const char *text, size_t *value) {
+  const size_t digits = strlen(text);
+  if (digits == 0 || digits > 15 || strspn(text, "0123456789") != digits)
+    return false;
+  *value = (size_t)strtoull(text, NULL, 10);
+  return true;
+}

@@ -1,0 +1,56 @@
+#include "po_status.h"
+
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdio.h>
+
+enum { MESSAGE_LENGTH = 1024 };
+static _Thread_local char message[MESSAGE_LENGTH];
+
+const char *po_status_text(po_status status) {
+  switch (status) {
+#define PO_STATUS_TEXT(name, value, text)                                                          \
+  case name:                                                                                       \
+    return text;
+    PO_STATUS_LIST(PO_STATUS_TEXT)
+#undef PO_STATUS_TEXT
+  }
+  return "unknown status";
+}
+
+const char *po_status_name(po_status status) {
+  static _Thread_local char name[64];
+  const char *upper = "PO_UNKNOWN";
+  switch (status) {
+#define PO_STATUS_NAME(id, value, text)                                                            \
+  case id:                                                                                         \
+    upper = #id;                                                                                   \
+    break;
+    PO_STATUS_LIST(PO_STATUS_NAME)
+#undef PO_STATUS_NAME
+  }
+  size_t i = 0;
+  for (const char *c = upper + 3; *c && i + 1 < sizeof name; ++c)
+    name[i++] = (char)tolower((unsigned char)*c);
+  name[i] = '\0';
+  return name;
+}
+
+po_status po_fail(po_status status, const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(message, sizeof message, format, arguments);
+  va_end(arguments);
+  for (char *c = message; *c; ++c)
+    if (*c == '\n' || *c == '\r')
+      *c = ' ';
+  return status;
+}
+
+const char *po_message(void) {
+  return message;
+}
+
+void po_message_clear(void) {
+  message[0] = '\0';
+}

@@ -1,0 +1,58 @@
+#include "po_text.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_memory.h"
+
+static bool text_reserve(po_text *text, size_t extra) {
+  if (text->failed)
+    return false;
+  const size_t needed = text->length + extra + 1;
+  if (needed <= text->capacity)
+    return true;
+  const size_t capacity = needed > 2 * text->capacity ? needed : 2 * text->capacity;
+  char *data = po_resize(text->data, capacity, 1);
+  if (!data) {
+    text->failed = true;
+    return false;
+  }
+  text->data = data;
+  text->capacity = capacity;
+  return true;
+}
+
+void po_text_add(po_text *text, const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  va_list again;
+  va_copy(again, arguments);
+  const int length = vsnprintf(NULL, 0, format, arguments);
+  va_end(arguments);
+  if (length < 0)
+    text->failed = true;
+  else if (text_reserve(text, (size_t)length)) {
+    vsnprintf(text->data + text->length, (size_t)length + 1, format, again);
+    text->length += (size_t)length;
+  }
+  va_end(again);
+}
+
+void po_text_add_bytes(po_text *text, const char *bytes, size_t size) {
+  if (!text_reserve(text, size))
+    return;
+  memcpy(text->data + text->length, bytes, size);
+  text->length += size;
+  text->data[text->length] = '\0';
+}
+
+const char *po_text_string(const po_text *text) {
+  return text->data ? text->data : "";
+}
+
+void po_text_clear(po_text *text) {
+  free(text->data);
+  *text = (po_text){0};
+}

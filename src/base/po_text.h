@@ -1,0 +1,29 @@
+/* A string that grows. */
+#ifndef PO_TEXT_H
+#define PO_TEXT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Zero-initialise, add, use `data` (NUL-terminated once something was added), clear. When memory
+ * runs out `failed` stays set, further additions are ignored, and po_message() says so. */
+typedef struct {
+  char *data;
+  size_t length;
+  size_t capacity;
+  bool failed;
+} po_text;
+
+/* Appends, printf style. */
+void po_text_add(po_text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Appends `size` bytes as they are. */
+void po_text_add_bytes(po_text *text, const char *bytes, size_t size);
+
+/* The string so far; "" when nothing was added. */
+const char *po_text_string(const po_text *text);
+
+/* Frees and zeroes. */
+void po_text_clear(po_text *text);
+
+#endif

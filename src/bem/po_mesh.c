@@ -1,0 +1,47 @@
+/* The user's choice of a mesh: names, defaults and limits. */
+#include <string.h>
+
+#include "po_surface.h"
+
+static const char *const SCHEMES[] = {[PO_RING] = "ring", [PO_TRIANGLE] = "triangle"};
+static const char *const GRADINGS[] = {[PO_UNIFORM] = "uniform", [PO_GRADED] = "graded"};
+
+/* Fewer nodes resolve nothing; more would need gigabytes for a matrix that a finer scheme spares.
+ */
+enum { LEAST_NODES = 8, MOST_NODES = 4000 };
+
+po_mesh po_mesh_default(void) {
+  return (po_mesh){.scheme = PO_TRIANGLE, .grading = PO_UNIFORM, .nodes = 501};
+}
+
+po_status po_mesh_check(const po_mesh *mesh) {
+  if ((int)mesh->scheme < 0 || mesh->scheme > PO_TRIANGLE)
+    return po_fail(PO_BAD_INPUT, "scheme is %d: expected ring or triangle", (int)mesh->scheme);
+  if ((int)mesh->grading < 0 || mesh->grading > PO_GRADED)
+    return po_fail(PO_BAD_INPUT, "grading is %d: expected uniform or graded", (int)mesh->grading);
+  if (mesh->nodes < LEAST_NODES || mesh->nodes > MOST_NODES)
+    return po_fail(PO_BAD_INPUT, "nodes is %zu: expected %d to %d", mesh->nodes, LEAST_NODES,
+                   MOST_NODES);
+  return PO_OK;
+}
+
+const char *po_scheme_name(po_scheme scheme) {
+  return SCHEMES[scheme];
+}
+const char *po_grading_name(po_grading grading) {
+  return GRADINGS[grading];
+}
+
+static int find(const char *const *names, int count, const char *name) {
+  for (int i = 0; i < count; ++i)
+    if (!strcmp(names[i], name))
+      return i;
+  return -1;
+}
+
+int po_scheme_of_name(const char *name) {
+  return find(SCHEMES, PO_TRIANGLE + 1, name);
+}
+int po_grading_of_name(const char *name) {
+  return find(GRADINGS, PO_GRADED + 1, name);
+}

@@ -1,0 +1,84 @@
+#include "po_panel.h"
+
+#include <math.h>
+
+#include "po_kernel.h"
+
+po_status po_panel_rule_fill(size_t order, po_panel_rule *rule) {
+  rule->order = order;
+  po_status status = po_gauss_rule(order, rule->node, rule->weight);
+  if (!status)
+    status = po_near_tables_fill(&rule->near);
+  if (!status)
+    po_barycentric_weights(order, rule->node, rule->barycentric);
+  return status;
+}
+
+static double cube(double x) {
+  return x * x * x;
+}
+
+void po_panel_nodes(const po_panel_rule *rule, po_panel panel, double *node, double *weight,
+                    double *length) {
+  const double begin = panel.begin, span = panel.end - panel.begin;
+  for (size_t j = 0; j < rule->order; ++j) {
+    const double x = rule->node[j], w = rule->weight[j];
+    if (isinf(panel.end)) {
+      node[j] = begin / x;
+      length[j] = w * begin / (x * x);
+      weight[j] = w * begin * begin / cube(x); /* Gauss is exact: degree order - 1 + 3 */
+    } else {
+      node[j] = begin + span * x;
+      length[j] = w * span;
+      weight[j] = w * span * node[j];
+    }
+  }
+}
+
+/* The panel's variable x at radius r. */
+static double variable_of(po_panel panel, double r) {
+  if (isinf(panel.end))
+    return r > 0.0 ? panel.begin / r : INFINITY;
+  return (r - panel.begin) / (panel.end - panel.begin);
+}
+
+/* G(r, s) s ds/dx (times (x)^6 on an infinite panel) at a point of a near rule. */
+static double integrand(po_panel panel, double r, const po_near_point *point) {
+  if (isinf(panel.end)) {
+    const double x = point->x, s = panel.begin / x;
+    /* r - s = s (x - x0) / x0 with x0 = begin / r */
+    const double difference = s * point->offset * r / panel.begin;
+    return po_kernel(r + s, difference) * panel.begin * panel.begin * cube(x);
+  }
+  const double span = panel.end - panel.begin, s = panel.begin + span * point->x;
+  return po_kernel(r + s, span * point->offset) * s * span;
+}
+
+uint64_t po_panel_influence(const po_panel_rule *rule, po_panel panel, double r, double *row,
+                            size_t stride) {
+  const size_t order = rule->order;
+  const double x0 = variable_of(panel, r);
+  double value[PO_PANEL_MAX_ORDER];
+  if (r == 0.0 || po_near_is_far(x0, order)) { /* on the axis G s = 2 */
+    double node[PO_PANEL_MAX_ORDER], weight[PO_PANEL_MAX_ORDER], length[PO_PANEL_MAX_ORDER];
+    po_panel_nodes(rule, panel, node, weight, length);
+    po_kernel_row(r, node, order, value);
+    for (size_t j = 0; j < order; ++j)
+      row[j * stride] = value[j] * weight[j];
+    return order;
+  }
+  /* The kernel's other singularity is at s = -r: in x twice as far from x0 as the axis is. */
+  const double mirror = isinf(panel.end) ? 2.0 * x0 : 2.0 * r / (panel.end - panel.begin);
+  po_near_point point[PO_NEAR_MAX_POINTS];
+  const size_t count = po_near_rule(&rule->near, x0, mirror, point);
+  double sum[PO_PANEL_MAX_ORDER] = {0.0};
+  for (size_t q = 0; q < count; ++q) {
+    const double factor = point[q].weight * integrand(panel, r, &point[q]);
+    po_lagrange(order, rule->node, rule->barycentric, point[q].x, value);
+    for (size_t j = 0; j < order; ++j)
+      sum[j] += factor * value[j];
+  }
+  for (size_t j = 0; j < order; ++j)
+    row[j * stride] = isinf(panel.end) ? sum[j] / cube(rule->node[j] * rule->node[j]) : sum[j];
+  return count;
+}

@@ -1,0 +1,188 @@
+#include "po_surface.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include <gsl/gsl_math.h>
+
+#include "po_element.h"
+#include "po_memory.h"
+#include "po_panel.h"
+#include "po_shape.h"
+
+enum { WAVE_ORDER = 12, TAIL_ORDER = 16, MOST_WAVES = 64 };
+
+/* A graded mesh has its nodes at r_max sinh(GRADING x)/sinh(GRADING), x equally spaced: the
+ * elements at the axis are 0.3 times, those at the edge three times as long as equal ones. */
+static const double GRADING = 3.0;
+
+/* Beyond the core the bodies must be well apart
+ * (undeformed gap of 20 eps and more) up to the deepest approach. Pull-off happens before the JKR
+ * contact radius at zero load, 2.42 Gamma (W = 0 in Eq 7), grown by the greatest enhancement of the
+ * effective work of adhesion that Eq 24 would allow, w_eff^(1/3) each, bounded where internal
+ * cracks end it (A / lambda ~ 0.1 and w_eff ~ 8 in the paper's Fig 11). */
+double po_surface_core(const po_scene *scene, double deepest) {
+  if (isfinite(scene->outer_radius))
+    return scene->outer_radius;
+  double enhancement = 1.0;
+  if (po_scene_is_wavy(scene)) {
+    const double ratio = scene->amplitude / scene->wavelength;
+    const double johnson2 = 2.0 * sqrt(gsl_pow_3(scene->tabor) / scene->radius) /
+                            (M_PI * M_PI * ratio * ratio * scene->wavelength);
+    enhancement = fmin(8.0, gsl_pow_2(1.0 + 1.0 / sqrt(M_PI * johnson2)));
+  }
+  const double contact_gap = 0.5 * gsl_pow_2(2.42) * scene->tabor * pow(enhancement, 2.0 / 3.0);
+  const double gap = 20.0 + 2.0 * contact_gap + fmax(isnan(deepest) ? 0.0 : deepest, 0.0);
+  return sqrt(2.0 * scene->radius * gap);
+}
+
+static size_t waves_to_resolve(const po_scene *scene, double core_radius) {
+  if (!po_scene_is_wavy(scene))
+    return 0;
+  const double end = po_averaging_radius(scene, core_radius);
+  return (size_t)fmin(MOST_WAVES, round((end - core_radius) / scene->wavelength));
+}
+
+/* What the parts of a surface are: `core` nodes of the scheme, then `waves` panels, then a tail. */
+typedef struct {
+  po_mesh mesh;
+  double core_radius, wavelength;
+  size_t core, waves;
+  bool bounded;
+  double *edge; /* core + 1 ring edges, or core triangle nodes */
+} parts;
+
+static po_status plan_parts(const po_scene *scene, const po_mesh *mesh, double core_radius,
+                            parts *p) {
+  p->mesh = *mesh;
+  p->bounded = isfinite(scene->outer_radius);
+  p->core_radius = p->bounded ? scene->outer_radius : po_averaging_phase(scene, core_radius);
+  p->wavelength = scene->wavelength;
+  p->core = mesh->nodes;
+  p->waves = p->bounded ? 0 : waves_to_resolve(scene, p->core_radius);
+  p->edge = po_allocate(mesh->nodes + 1, sizeof *p->edge);
+  if (!p->edge)
+    return PO_NO_MEMORY;
+  const size_t elements = mesh->scheme == PO_RING ? mesh->nodes : mesh->nodes - 1;
+  for (size_t j = 0; j <= elements; ++j) {
+    const double x = (double)j / (double)elements;
+    p->edge[j] =
+        p->core_radius * (mesh->grading == PO_GRADED ? sinh(GRADING * x) / sinh(GRADING) : x);
+  }
+  return PO_OK;
+}
+
+static po_panel wave_panel(const parts *p, size_t wave) {
+  const double begin = p->core_radius + (double)wave * p->wavelength;
+  return (po_panel){begin, begin + p->wavelength};
+}
+
+static po_panel tail_panel(const parts *p) {
+  return (po_panel){p->core_radius + (double)p->waves * p->wavelength, INFINITY};
+}
+
+static void place_core(const parts *p, po_surface *s) {
+  if (p->mesh.scheme == PO_RING) {
+    po_ring_weights(p->core, p->edge, s->weight);
+    for (size_t j = 0; j < p->core; ++j) {
+      s->node[j] = 0.5 * (p->edge[j] + p->edge[j + 1]);
+      s->length[j] = p->edge[j + 1] - p->edge[j];
+    }
+    return;
+  }
+  po_triangle_weights(p->core, p->edge, s->weight);
+  for (size_t j = 0; j < p->core; ++j) {
+    const double left = j ? p->edge[j - 1] : p->edge[j];
+    const double right = j + 1 < p->core ? p->edge[j + 1] : p->edge[j];
+    s->node[j] = p->edge[j];
+    s->length[j] = 0.5 * (right - left);
+  }
+}
+
+static po_surface *allocate_surface(size_t n, bool elastic) {
+  po_surface *s = po_allocate(1, sizeof *s);
+  if (!s)
+    return NULL;
+  s->n = n;
+  s->node = po_allocate(n, sizeof *s->node);
+  s->weight = po_allocate(n, sizeof *s->weight);
+  s->length = po_allocate(n, sizeof *s->length);
+  s->influence = elastic ? po_allocate(n * n, sizeof *s->influence) : NULL;
+  if (s->node && s->weight && s->length && (s->influence || !elastic))
+    return s;
+  po_surface_destroy(s);
+  return NULL;
+}
+
+static po_status fill_influence(const parts *p, const po_panel_rule *wave,
+                                const po_panel_rule *tail, po_surface *s) {
+  po_triangle *triangle = NULL;
+  if (p->mesh.scheme == PO_TRIANGLE) {
+    const po_status status = po_triangle_create(p->core, p->edge, &triangle);
+    if (status)
+      return status;
+  }
+  for (size_t i = 0; i < s->n; ++i) {
+    const double r = s->node[i];
+    double *row = s->influence + i;
+    s->kernel_evaluations += triangle ? po_triangle_influence(triangle, r, row, s->n)
+                                      : po_ring_influence(p->core, p->edge, r, row, s->n);
+    size_t j = p->core;
+    for (size_t w = 0; w < p->waves; ++w, j += WAVE_ORDER)
+      s->kernel_evaluations += po_panel_influence(wave, wave_panel(p, w), r, row + j * s->n, s->n);
+    if (!p->bounded)
+      s->kernel_evaluations += po_panel_influence(tail, tail_panel(p), r, row + j * s->n, s->n);
+  }
+  po_triangle_destroy(triangle);
+  return PO_OK;
+}
+
+po_status po_surface_create(const po_scene *scene, const po_mesh *mesh, double core_radius,
+                            bool elastic, po_surface **surface) {
+  po_panel_rule wave, tail;
+  parts p = {.edge = NULL};
+  po_surface *s = NULL;
+  po_status status = po_scene_check(scene);
+  if (!status)
+    status = po_mesh_check(mesh);
+  if (!status)
+    status = plan_parts(scene, mesh, core_radius, &p);
+  if (!status)
+    status = po_panel_rule_fill(WAVE_ORDER, &wave);
+  if (!status)
+    status = po_panel_rule_fill(TAIL_ORDER, &tail);
+  if (status)
+    goto done;
+  s = allocate_surface(p.core + p.waves * WAVE_ORDER + (p.bounded ? 0 : TAIL_ORDER), elastic);
+  if (!s) {
+    status = PO_NO_MEMORY;
+    goto done;
+  }
+  s->core_radius = p.core_radius;
+  place_core(&p, s);
+  size_t j = p.core;
+  for (size_t w = 0; w < p.waves; ++w, j += WAVE_ORDER)
+    po_panel_nodes(&wave, wave_panel(&p, w), s->node + j, s->weight + j, s->length + j);
+  s->resolved = p.bounded || !po_scene_is_wavy(scene) ? s->n : j;
+  if (!p.bounded)
+    po_panel_nodes(&tail, tail_panel(&p), s->node + j, s->weight + j, s->length + j);
+  status = elastic ? fill_influence(&p, &wave, &tail, s) : PO_OK;
+done:
+  free(p.edge);
+  if (status) {
+    po_surface_destroy(s);
+    s = NULL;
+  }
+  *surface = s;
+  return status;
+}
+
+void po_surface_destroy(po_surface *surface) {
+  if (!surface)
+    return;
+  free(surface->node);
+  free(surface->weight);
+  free(surface->length);
+  free(surface->influence);
+  free(surface);
+}

@@ -1,0 +1,47 @@
+#include "po_hermite.h"
+
+#include <gsl/gsl_poly.h>
+#include <math.h>
+
+po_hermite po_hermite_at(double x, double h) {
+  const double t = x / h, u = 1.0 - t;
+  return (po_hermite){.f0 = (1.0 + 2.0 * t) * u * u,
+                      .d0 = x * u * u,
+                      .f1 = t * t * (3.0 - 2.0 * t),
+                      .d1 = -x * t * u};
+}
+
+/* With t = x/h the derivative, times h, is c + 2 b t + 3 a t^2. */
+typedef struct {
+  double a, b, c;
+} derivative;
+
+static derivative derivative_of(double f0, double d0, double f1, double d1, double h) {
+  const double c = d0 * h, e = d1 * h, jump = f1 - f0;
+  return (derivative){.a = c + e - 2.0 * jump, .b = 3.0 * jump - 2.0 * c - e, .c = c};
+}
+
+size_t po_hermite_extrema(double f0, double d0, double f1, double d1, double h, double x[2]) {
+  const derivative q = derivative_of(f0, d0, f1, d1, h);
+  double root[2];
+  const int found = gsl_poly_solve_quadratic(3.0 * q.a, 2.0 * q.b, q.c, &root[0], &root[1]);
+  size_t count = 0;
+  for (int i = 0; i < found; ++i)
+    if (root[i] > 0.0 && root[i] < 1.0)
+      x[count++] = root[i] * h;
+  return count;
+}
+
+double po_hermite_least_rate(double f0, double d0, double f1, double d1, double h) {
+  const derivative q = derivative_of(f0, d0, f1, d1, h);
+  const double end = d1 * h, largest = fmax(fabs(q.c), fabs(end));
+  if (q.c * end <= 0.0)
+    return 0.0;
+  double least = fmin(fabs(q.c), fabs(end));
+  const double vertex = -q.b / (3.0 * q.a);
+  if (vertex > 0.0 && vertex < 1.0) {
+    const double there = q.c + q.b * vertex;
+    least = there * end <= 0.0 ? 0.0 : fmin(least, fabs(there));
+  }
+  return least / largest;
+}

@@ -1,0 +1,23 @@
+/* Cubic interpolation of a curve from values and slopes at two ends. */
+#ifndef PO_HERMITE_H
+#define PO_HERMITE_H
+
+#include <stddef.h>
+
+/* The four cubic Hermite functions at x for the ends 0 and h: weights of f(0), f'(0), f(h), f'(h).
+ * x may lie outside (0, h): then they extrapolate. */
+typedef struct {
+  double f0, d0, f1, d1;
+} po_hermite;
+
+po_hermite po_hermite_at(double x, double h);
+
+/* Zeros in the open interval (0, h) of the derivative of the cubic with these end values and
+ * slopes, ascending. Returned: how many (0, 1 or 2), in x. */
+size_t po_hermite_extrema(double f0, double d0, double f1, double d1, double h, double x[2]);
+
+/* The least |derivative| of that cubic on [0, h] in parts of the larger one at the ends; 0 when it
+ * vanishes there. */
+double po_hermite_least_rate(double f0, double d0, double f1, double d1, double h);
+
+#endif

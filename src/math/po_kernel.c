@@ -1,0 +1,79 @@
+#include "po_kernel.h"
+
+#include <math.h>
+
+double po_kernel(double sum, double difference) {
+  double a = sum, b = fabs(difference);
+  if (b == 0.0)
+    return INFINITY;
+  /* Quadratic convergence: when a - b is below the square root of the rounding unit, one more mean
+   * is exact. */
+  while (a - b > 1.5e-8 * a) {
+    const double mean = 0.5 * (a + b);
+    b = sqrt(a * b);
+    a = mean;
+  }
+  return 4.0 / (a + b);
+}
+
+/* Steps of the mean after which (a + b)/2 is exact to rounding when b/a >= ratio at the start. */
+static int steps_for(double ratio) {
+  int steps = 0;
+  for (double a = 1.0, b = ratio; a - b > 1.5e-8 * a; ++steps) {
+    const double mean = 0.5 * (a + b);
+    b = sqrt(a * b);
+    a = mean;
+  }
+  return steps;
+}
+
+enum { BLOCK = 64 };
+
+void po_kernel_row(double r, const double *s, size_t n, double *kernel) {
+  for (size_t first = 0; first < n; first += BLOCK) {
+    const size_t count = n - first < BLOCK ? n - first : BLOCK;
+    double a[BLOCK], b[BLOCK], least = 1.0;
+    for (size_t j = 0; j < count; ++j) {
+      a[j] = r + s[first + j];
+      b[j] = fabs(r - s[first + j]);
+      const double ratio = b[j] / a[j];
+      least = ratio < least ? ratio : least;
+    }
+    for (int steps = steps_for(least); steps > 0; --steps)
+      for (size_t j = 0; j < count; ++j) {
+        const double mean = 0.5 * (a[j] + b[j]);
+        b[j] = sqrt(a[j] * b[j]);
+        a[j] = mean;
+      }
+    for (size_t j = 0; j < count; ++j)
+      kernel[first + j] = 4.0 / (a[j] + b[j]);
+  }
+}
+
+/* K and E of modulus k, with kp = sqrt(1 - k^2) given so that it does not cancel; kp > 0.
+ * E = K (1 - sum 2^(n-1) c_n^2) over the steps of the mean, c_0 = k. */
+static void elliptic(double k, double kp, double *K, double *E) {
+  double a = 1.0, b = kp, c = k, power = 0.5, sum = power * c * c;
+  while (fabs(c) > 1e-9) { /* c falls quadratically: the next term is below 1e-18 */
+    c = 0.5 * (a - b);
+    const double mean = 0.5 * (a + b);
+    b = sqrt(a * b);
+    a = mean;
+    power *= 2.0;
+    sum += power * c * c;
+  }
+  *K = M_PI_2 / a;
+  *E = *K * (1.0 - sum);
+}
+
+double po_disc_deflection(double c, double r) {
+  if (c == 0.0)
+    return 0.0;
+  if (r == c)
+    return c;
+  const double large = c > r ? c : r, small = c > r ? r : c;
+  const double k = small / large, kp = sqrt((large - small) * (large + small)) / large;
+  double K, E;
+  elliptic(k, kp, &K, &E);
+  return c > r ? c * E : r * (E - kp * kp * K);
+}

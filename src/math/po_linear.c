@@ -1,0 +1,42 @@
+#include "po_linear.h"
+
+#include <cblas.h>
+#include <lapacke.h>
+
+extern void openblas_set_num_threads(int threads);
+extern char *openblas_get_config(void);
+
+void po_linear_single_thread(void) {
+  openblas_set_num_threads(1);
+}
+
+const char *po_linear_library(void) {
+  return openblas_get_config();
+}
+
+po_status po_linear_factorize(size_t n, double *a, size_t stride, int *pivots) {
+  const lapack_int info = LAPACKE_dgetrf_work(LAPACK_COL_MAJOR, (lapack_int)n, (lapack_int)n, a,
+                                              (lapack_int)stride, pivots);
+  return info > 0 ? PO_SINGULAR : PO_OK;
+}
+
+void po_linear_solve(size_t n, const double *a, size_t stride, const int *pivots, double *x) {
+  LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', (lapack_int)n, 1, a, (lapack_int)stride, pivots, x,
+                      (lapack_int)n);
+}
+
+void po_linear_apply(size_t rows, size_t columns, const double *a, size_t stride, const double *x,
+                     double *y) {
+  cblas_dgemv(CblasColMajor, CblasNoTrans, (int)rows, (int)columns, 1.0, a, (int)stride, x, 1, 0.0,
+              y, 1);
+}
+
+void po_linear_apply_transposed(size_t rows, size_t columns, const double *a, size_t stride,
+                                const double *x, double *y) {
+  cblas_dgemv(CblasColMajor, CblasTrans, (int)rows, (int)columns, 1.0, a, (int)stride, x, 1, 0.0, y,
+              1);
+}
+
+double po_linear_dot(size_t n, const double *x, const double *y) {
+  return cblas_ddot((int)n, x, 1, y, 1);
+}

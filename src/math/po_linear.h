@@ -1,0 +1,33 @@
+/* Dense linear algebra: the only file that names LAPACKE and CBLAS. Matrices are flat,
+ * column-major. */
+#ifndef PO_LINEAR_H
+#define PO_LINEAR_H
+
+#include <stddef.h>
+
+#include "po_status.h"
+
+/* Keeps OpenBLAS to one thread: solves run in parallel, not the algebra inside them. Call once. */
+void po_linear_single_thread(void);
+
+/* "OpenBLAS 0.3.21 ..." : the library this process runs on. */
+const char *po_linear_library(void);
+
+/* LU in place with partial pivoting. Given: a, n x n with leading dimension `stride`; pivots, n.
+ * Status: PO_SINGULAR when a pivot is exactly zero. */
+po_status po_linear_factorize(size_t n, double *a, size_t stride, int *pivots);
+
+/* Solves with the factors; x, n, holds the right-hand side and then the solution. */
+void po_linear_solve(size_t n, const double *a, size_t stride, const int *pivots, double *x);
+
+/* y = A x, A rows x columns with leading dimension `stride`. */
+void po_linear_apply(size_t rows, size_t columns, const double *a, size_t stride, const double *x,
+                     double *y);
+
+/* The same with the transpose: y (columns) = A^T x (rows). */
+void po_linear_apply_transposed(size_t rows, size_t columns, const double *a, size_t stride,
+                                const double *x, double *y);
+
+double po_linear_dot(size_t n, const double *x, const double *y);
+
+#endif

@@ -1,0 +1,46 @@
+#include "po_scene.h"
+
+#include <math.h>
+
+po_scene po_scene_default(void) {
+  return (po_scene){.tabor = 1.0, .radius = 100.0, .outer_radius = INFINITY};
+}
+
+static po_status require(bool holds, const char *key, double value, const char *expected) {
+  return holds ? PO_OK : po_fail(PO_BAD_INPUT, "%s is %g: expected %s", key, value, expected);
+}
+
+po_status po_scene_check(const po_scene *scene) {
+  po_status status = require(isfinite(scene->tabor) && scene->tabor >= 0.0, "tabor", scene->tabor,
+                             "a finite number >= 0");
+  if (!status)
+    status = require(isfinite(scene->amplitude) && scene->amplitude >= 0.0, "amplitude",
+                     scene->amplitude, "a finite number >= 0");
+  if (!status)
+    status = require(isfinite(scene->wavelength) && scene->wavelength >= 0.0, "wavelength",
+                     scene->wavelength, "a finite number >= 0");
+  if (!status)
+    status = require(scene->amplitude == 0.0 || scene->wavelength > 0.0, "wavelength",
+                     scene->wavelength, "a finite number > 0 when amplitude is not 0");
+  if (!status)
+    status = require(isfinite(scene->radius) && scene->radius > 0.0, "radius", scene->radius,
+                     "a finite number > 0");
+  if (!status)
+    status = require(scene->outer_radius > 0.0, "outer_radius", scene->outer_radius,
+                     "a number > 0, or inf");
+  return status;
+}
+
+bool po_scene_is_wavy(const po_scene *scene) {
+  return scene->amplitude > 0.0;
+}
+
+double po_scene_gamma(const po_scene *scene) {
+  return sqrt(scene->radius * scene->tabor);
+}
+
+double po_scene_alpha(const po_scene *scene) {
+  if (!po_scene_is_wavy(scene))
+    return 0.0;
+  return scene->amplitude * scene->radius / (scene->wavelength * scene->wavelength);
+}

@@ -1,0 +1,98 @@
+/* Quadrature rules against integrals known in closed form. */
+#include <math.h>
+
+#include "po_hermite.h"
+#include "po_near_rule.h"
+#include "run.h"
+
+START_TEST(gauss_is_exact) {
+  double node[9], weight[9], sum = 0.0;
+  ck_assert_int_eq(po_gauss_rule(9, node, weight), PO_OK);
+  for (int i = 0; i < 9; ++i)
+    sum += weight[i] * pow(node[i], 17.0);
+  ck_assert_double_eq_tol(sum, 1.0 / 18.0, 1e-16);
+}
+END_TEST
+
+START_TEST(log_rule_takes_powers_times_log) { /* integral of x^k ln x = -1/(k + 1)^2 */
+  double node[PO_LOG_RULE_POINTS], weight[PO_LOG_RULE_POINTS], log_sum = 0.0, sum = 0.0;
+  po_log_rule(node, weight);
+  for (int i = 0; i < PO_LOG_RULE_POINTS; ++i) {
+    log_sum += weight[i] * pow(node[i], _i) * log(node[i]);
+    sum += weight[i] * pow(node[i], _i);
+  }
+  ck_assert_double_eq_tol(log_sum * (_i + 1.0) * (_i + 1.0), -1.0, 1e-13);
+  ck_assert_double_eq_tol(sum * (_i + 1.0), 1.0, 1e-13);
+}
+END_TEST
+
+/* The integral of ln|x - x0| over (0, 1), and of x times it. */
+static double log_moment(double x0, int power) {
+  const double a = fabs(x0), b = fabs(1.0 - x0), right = 1.0 - x0;
+  const double zeroth = (b > 0.0 ? right * log(b) : 0.0) + (a > 0.0 ? x0 * log(a) : 0.0) - 1.0;
+  if (power == 0)
+    return zeroth;
+  const double first = (b > 0.0 ? 0.5 * right * right * log(b) : 0.0) -
+                       (a > 0.0 ? 0.5 * x0 * x0 * log(a) : 0.0) - 0.25 * (right * right - x0 * x0);
+  return first + x0 * zeroth;
+}
+
+static const double PLACES[] = {-1.7,   -0.31, -1e-3, -1e-9, 0.0,    1e-12,
+                                0.2385, 0.5,   0.99,  1.0,   1.0003, 2.6};
+enum { PLACE_COUNT = sizeof PLACES / sizeof *PLACES };
+
+START_TEST(near_rule_takes_the_logarithm_anywhere) {
+  static const double MIRRORS[] = {1e-6, 0.13, 5.0};
+  po_near_tables tables;
+  ck_assert_int_eq(po_near_tables_fill(&tables), PO_OK);
+  for (int m = 0; m < 3; ++m)
+    for (int power = 0; power < 2; ++power) {
+      static po_near_point point[PO_NEAR_MAX_POINTS];
+      const size_t count = po_near_rule(&tables, PLACES[_i], MIRRORS[m], point);
+      ck_assert_uint_le(count, PO_NEAR_MAX_POINTS);
+      double sum = 0.0;
+      for (size_t q = 0; q < count; ++q)
+        sum += point[q].weight * log(fabs(point[q].offset)) * (power ? point[q].x : 1.0);
+      ck_assert_double_eq_tol(sum, log_moment(PLACES[_i], power), 3e-14);
+    }
+}
+END_TEST
+
+START_TEST(lagrange_reproduces_a_polynomial) {
+  double node[7], weight[7], barycentric[7], value[7], sum = 0.0;
+  ck_assert_int_eq(po_gauss_rule(7, node, weight), PO_OK);
+  po_barycentric_weights(7, node, barycentric);
+  po_lagrange(7, node, barycentric, 0.2385, value);
+  for (int j = 0; j < 7; ++j)
+    sum += value[j] * pow(node[j] - 0.4, 6.0);
+  ck_assert_double_eq_tol(sum, pow(0.2385 - 0.4, 6.0), 1e-16);
+  po_lagrange(7, node, barycentric, node[3], value);
+  ck_assert_double_eq(value[3], 1.0);
+  ck_assert_double_eq(value[2], 0.0);
+}
+END_TEST
+
+START_TEST(hermite_is_exact_for_cubics) { /* f = x^3 - 2 x^2 + 0.3 x on (0, 1.7), and outside */
+  const double h = 1.7, f1 = h * h * h - 2.0 * h * h + 0.3 * h, d1 = 3.0 * h * h - 4.0 * h + 0.3;
+  const double x = 2.2;
+  const po_hermite w = po_hermite_at(x, h);
+  ck_assert_double_eq_tol(w.d0 * 0.3 + w.f1 * f1 + w.d1 * d1, x * x * x - 2.0 * x * x + 0.3 * x,
+                          1e-14);
+  double at[2];
+  ck_assert_uint_eq(po_hermite_extrema(0.0, 0.3, f1, d1, h, at), 2);
+  ck_assert_double_eq_tol(at[0], (4.0 - sqrt(16.0 - 3.6)) / 6.0, 1e-14);
+  ck_assert_double_eq_tol(at[1], (4.0 + sqrt(16.0 - 3.6)) / 6.0, 1e-14);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_test(tests, gauss_is_exact);
+  tcase_add_loop_test(tests, log_rule_takes_powers_times_log, 0, 20);
+  tcase_add_loop_test(tests, near_rule_takes_the_logarithm_anywhere, 0, PLACE_COUNT);
+  tcase_add_test(tests, lagrange_reproduces_a_polynomial);
+  tcase_add_test(tests, hermite_is_exact_for_cubics);
+}
+
+int main(void) {
+  return run_case("quadrature", add);
+}
