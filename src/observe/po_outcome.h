@@ -1,0 +1,114 @@
+/* One scene, solved: what is asked, and what was read off the branch. */
+#ifndef PO_OUTCOME_H
+#define PO_OUTCOME_H
+
+#include <signal.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "po_scene.h"
+#include "po_status.h"
+#include "po_surface.h"
+
+enum {
+  PO_WANT_CURVE = 1,   /* the points of the branch */
+  PO_WANT_PROFILE = 2, /* gap and traction over the radius at one equilibrium */
+};
+
+typedef struct {
+  po_scene scene;
+  po_mesh mesh;            /* scheme, grading, number of nodes */
+  double approach_start;   /* where the trace begins, in eps; NAN: far out, found by itself */
+  double approach_end;     /* where it ends, in eps; NAN: once the pull-off is certain */
+  unsigned want;           /* PO_WANT_... */
+  double profile_approach; /* in eps, first passage along the branch; NAN: at pull-off */
+  const volatile sig_atomic_t *stop; /* asked now and then: nonzero stops the solve; may be NULL */
+} po_request;
+
+/* Kinds of landmark: the folds in approach and the extrema of the load along the branch. */
+typedef enum {
+  PO_JUMP_IN,  /* fold: approach has a local maximum along the branch, the surfaces jump closer */
+  PO_JUMP_OUT, /* fold: approach has a local minimum along the branch, the surfaces jump apart */
+  PO_MINIMUM,  /* the load has a local minimum (a pull-off candidate) */
+  PO_MAXIMUM,  /* the load has a local maximum */
+} po_landmark_kind;
+
+/* "jump_in", "jump_out", "minimum", "maximum". */
+const char *po_landmark_kind_name(po_landmark_kind kind);
+
+typedef struct {
+  po_landmark_kind kind;
+  double approach;       /* Delta / eps */
+  double load;           /* W / (pi w R), signed, > 0 compressive */
+  double contact_radius; /* in eps, see po_contact.h */
+  double position;       /* arclength along the branch, to order landmarks among points */
+  int unstable_modes;    /* of the equilibria just after it, in displacement control */
+} po_landmark;
+
+typedef struct {
+  double position;       /* arclength along the branch */
+  double approach;       /* Delta / eps */
+  double load;           /* W / (pi w R), > 0 compressive */
+  double contact_radius; /* in eps */
+  int unstable_modes;    /* 0: stable at fixed approach */
+} po_curve_point;
+
+typedef struct {
+  double radius;   /* r / eps */
+  double gap;      /* H = h / eps - 1 */
+  double traction; /* P = p mu eps / w, > 0 compressive */
+} po_profile_point;
+
+/* Deterministic counters of work, and the time. */
+typedef struct {
+  uint64_t points;             /* converged equilibria */
+  uint64_t newton_iterations;  /* corrector iterations */
+  uint64_t factorizations;     /* LU factorisations */
+  uint64_t kernel_evaluations; /* of G(r, s), or of F(c, r) for rings */
+  uint64_t nodes;              /* unknowns of the surface (the largest, when it changes) */
+  uint64_t factorized_nodes;   /* largest order of a factorised matrix */
+  double seconds;              /* wall time */
+} po_work;
+
+typedef struct {
+  po_status status;  /* PO_OK: complete; else what is below is what was had until then */
+  char reason[256];  /* why the status is not PO_OK; "" otherwise */
+  bool rigid;        /* solved without elasticity */
+  double start, end; /* first and last approach traced, in eps */
+  bool has_pull_off; /* whether the fields of pull_off are set */
+  struct {
+    double force;          /* |min W| over the traced branch, / (pi w R) */
+    double approach;       /* where, in eps */
+    double contact_radius; /* there, in eps */
+    double error_estimate; /* of the force; NAN: not estimated by this scheme */
+  } pull_off;
+  po_landmark *folds; /* along the branch */
+  size_t fold_count;
+  po_landmark *extrema; /* along the branch */
+  size_t extremum_count;
+  po_curve_point *curve; /* along the branch, landmarks included; NULL unless wanted */
+  size_t curve_count;
+  po_profile_point *profile; /* NULL unless wanted */
+  size_t profile_count;
+  double profile_approach; /* where it was taken */
+  po_work work;
+} po_outcome;
+
+/* A request with every field at its default (po_scene_default, po_mesh_default, the rest NAN or 0).
+ */
+po_request po_request_default(void);
+
+/* PO_BAD_INPUT, naming the key that is wrong, its value and what is expected. */
+po_status po_request_check(const po_request *request);
+
+/* Traces the branch of a scene and reads off what the request wants.
+ * Given: a request. Returned: an outcome, to be given to po_outcome_clear whatever the status.
+ * Status: that of the outcome: PO_OK; PO_STEP_TOO_SMALL, PO_TOO_MANY_POINTS, PO_NOT_CONVERGED,
+ * PO_INTERRUPTED (with reason, and with what was found until then); PO_BAD_INPUT, PO_NO_MEMORY. */
+po_status po_observe(const po_request *request, po_outcome *outcome);
+
+/* Frees the arrays of an outcome and zeroes it. */
+void po_outcome_clear(po_outcome *outcome);
+
+#endif

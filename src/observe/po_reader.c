@@ -1,0 +1,155 @@
+#include "po_reader.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_contact.h"
+#include "po_law.h"
+#include "po_memory.h"
+
+/* A contact that comes this close to the end of the meshed surface is cut off by it. */
+static const double GREATEST_CONTACT = 0.9;
+
+/* In wavelengths: contact beyond that at the last minimum without a new one; how far beyond
+ * pull-off the next wave's minimum is at least (they are a wavelength apart, a little less at
+ * first); and the end of the first trough. Minima in between are ripples. */
+static const double QUIET_WAVES = 1.5, NEXT_WAVE = 0.8, FIRST_TROUGH = 0.5;
+
+static double contact_radius_of(const po_reader *r, const po_branch_point *p) {
+  return p->gap ? po_contact_radius(r->surface->resolved, r->surface->node, p->gap)
+                : po_contact_radius_rigid(&r->request->scene, p->approach);
+}
+
+/* Room for one more in an array that doubles. */
+static bool grow(po_reader *r, void **array, size_t count, size_t *room, size_t size) {
+  if (count < *room)
+    return true;
+  const size_t larger = *room ? 2 * *room : 64;
+  void *moved = po_resize(*array, larger, size);
+  if (!moved) {
+    r->status = PO_NO_MEMORY;
+    return false;
+  }
+  *array = moved;
+  *room = larger;
+  return true;
+}
+
+static void add_curve_point(po_reader *r, const po_branch_point *p, double contact_radius) {
+  po_outcome *o = r->outcome;
+  if (!(r->request->want & PO_WANT_CURVE) ||
+      !grow(r, (void **)&o->curve, o->curve_count, &r->curve_room, sizeof *o->curve))
+    return;
+  o->curve[o->curve_count++] = (po_curve_point){.position = p->position,
+                                                .approach = p->approach,
+                                                .load = p->load,
+                                                .contact_radius = contact_radius,
+                                                .unstable_modes = p->unstable_modes};
+}
+
+static po_landmark_kind kind_of(po_point_kind kind) {
+  switch (kind) {
+  case PO_POINT_APPROACH_MAX:
+    return PO_JUMP_IN;
+  case PO_POINT_APPROACH_MIN:
+    return PO_JUMP_OUT;
+  case PO_POINT_LOAD_MAX:
+    return PO_MAXIMUM;
+  default:
+    return PO_MINIMUM;
+  }
+}
+
+static void add_landmark(po_reader *r, const po_branch_point *p, double contact_radius) {
+  po_outcome *o = r->outcome;
+  const po_landmark_kind kind = kind_of(p->kind);
+  const bool fold = kind == PO_JUMP_IN || kind == PO_JUMP_OUT;
+  po_landmark **list = fold ? &o->folds : &o->extrema;
+  size_t *count = fold ? &o->fold_count : &o->extremum_count;
+  if (!grow(r, (void **)list, *count, fold ? &r->fold_room : &r->extremum_room, sizeof **list))
+    return;
+  (*list)[(*count)++] = (po_landmark){.kind = kind,
+                                      .approach = p->approach,
+                                      .load = p->load,
+                                      .contact_radius = contact_radius,
+                                      .position = p->position,
+                                      .unstable_modes = p->unstable_modes};
+}
+
+static void keep_profile(po_reader *r, const po_branch_point *p) {
+  r->has_profile = true;
+  r->profile_approach = p->approach;
+  if (!p->gap) /* rigid: the gap is known from the approach */
+    return;
+  memcpy(r->gap, p->gap, r->surface->n * sizeof *p->gap);
+}
+
+static void note_minimum(po_reader *r, const po_branch_point *p, double contact_radius) {
+  po_outcome *o = r->outcome;
+  if (!o->has_pull_off || p->load < r->pull_off_load) {
+    o->has_pull_off = true;
+    r->pull_off_load = p->load;
+    o->pull_off.force = fabs(p->load);
+    o->pull_off.approach = p->approach;
+    o->pull_off.contact_radius = contact_radius;
+    o->pull_off.error_estimate = NAN;
+    if ((r->request->want & PO_WANT_PROFILE) && isnan(r->request->profile_approach))
+      keep_profile(r, p);
+  }
+  const double wavelength = r->request->scene.wavelength;
+  r->risen = r->risen || (p->load > 0.0 && contact_radius > FIRST_TROUGH * wavelength &&
+                          contact_radius > o->pull_off.contact_radius + NEXT_WAVE * wavelength);
+  r->last_contact_radius = contact_radius;
+}
+
+/* No deeper minimum lies ahead. The minima of the load are what the outer edge of the contact makes
+ * as it climbs over one wave after another; their sequence follows the lower edge of the Kesari-Lew
+ * envelope, which falls to a single minimum and rises ever after. So at a stable point under
+ * compression: when there are no waves; when the next wave's minimum was compressive itself; or
+ * when the surfaces are pushed as hard as they were pulled and the contact grew over more than a
+ * wave without a minimum. tests/unit/test_observe.c traces twice as far and finds none. */
+static bool pull_off_is_certain(const po_reader *r, const po_branch_point *p,
+                                double contact_radius) {
+  const po_outcome *o = r->outcome;
+  if (!isnan(r->request->approach_end) || !o->has_pull_off || p->unstable_modes > 0 ||
+      p->load <= 0.0)
+    return false;
+  const po_scene *scene = &r->request->scene;
+  return !po_scene_is_wavy(scene) || r->risen ||
+         (p->load > o->pull_off.force &&
+          contact_radius > r->last_contact_radius + QUIET_WAVES * scene->wavelength);
+}
+
+bool po_reader_visit(const po_branch_point *p, void *data) {
+  po_reader *r = data;
+  po_outcome *o = r->outcome;
+  if (r->request->stop && *r->request->stop) {
+    r->status = po_fail(PO_INTERRUPTED, "interrupted at approach %.6g", p->approach);
+    return true;
+  }
+  if (!r->begun && !(p->approach >= r->begin))
+    return false;
+  if (!r->begun)
+    o->start = p->approach;
+  r->begun = true;
+  o->end = p->approach;
+  const double contact_radius = contact_radius_of(r, p);
+  add_curve_point(r, p, contact_radius);
+  if (p->kind == PO_POINT_STATION && !r->has_profile && (r->request->want & PO_WANT_PROFILE) &&
+      p->approach == r->request->profile_approach)
+    keep_profile(r, p);
+  if (p->kind != PO_POINT_STEP && p->kind != PO_POINT_STATION)
+    add_landmark(r, p, contact_radius);
+  if (p->kind == PO_POINT_LOAD_MIN)
+    note_minimum(r, p, contact_radius);
+  if (!r->status && p->gap && contact_radius > GREATEST_CONTACT * r->surface->core_radius) {
+    if (isinf(r->request->scene.outer_radius))
+      r->status = po_fail(PO_OUT_OF_DOMAIN,
+                          "the contact radius %.6g reached the end of the meshed surface, %.6g, at "
+                          "approach %.6g",
+                          contact_radius, r->surface->core_radius, p->approach);
+    return true; /* a bounded surface is used up */
+  }
+  return r->status || pull_off_is_certain(r, p, contact_radius);
+}

@@ -1,0 +1,28 @@
+/* Reads landmarks, curve, pull-off and profile off a branch as it is traced. */
+#ifndef PO_READER_H
+#define PO_READER_H
+
+#include "po_branch.h"
+#include "po_outcome.h"
+
+typedef struct {
+  const po_request *request;
+  const po_surface *surface; /* nodes only when rigid */
+  po_outcome *outcome;
+  double begin; /* points at a smaller approach are not recorded before it is reached */
+  bool begun;
+  double pull_off_load;       /* the deepest minimum so far */
+  double last_contact_radius; /* at the last minimum */
+  bool risen;                 /* a later wave's minimum was compressive */
+  double *gap;                /* of the profile wanted, at the nodes; NULL when rigid */
+  bool has_profile;
+  double profile_approach;
+  size_t extremum_room, fold_room, curve_room;
+  po_status status;
+} po_reader;
+
+/* A po_branch_visit; data is the reader. Ends the trace when stopped, out of memory, at trouble, or
+ * (without an approach_end) when the pull-off is certain. */
+bool po_reader_visit(const po_branch_point *point, void *data);
+
+#endif

@@ -1,0 +1,297 @@
+#include "po_branch.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_branch_internal.h"
+#include "po_hermite.h"
+#include "po_memory.h"
+
+/* Weight of the approach in the metric, against gaps in parts of 1 + H. */
+static const double APPROACH_WEIGHT = 0.05;
+/* Nodes with 1 + H above this do not count in the metric. */
+static const double FAR_GAP = 10.0;
+/* Error of the prediction, in parts of 1 + H, that a step aims at, and that it may have. */
+static const double AIMED_ERROR = 0.02, GREATEST_ERROR = 0.2;
+/* Cosine below which the tangent turned too far in one step. */
+static const double LEAST_COSINE = 0.7;
+/* Cosine of tangent and border below which the border is renewed. */
+static const double OLD_BORDER = 0.5;
+/* Part of 1 + H that a prediction may take from a gap. */
+static const double GREATEST_CLOSING = 0.6;
+static const double FIRST_STEP = 0.05, SHORTEST_STEP = 1e-9;
+/* Feedback of the undeformed gap below which the start is safe. */
+static const double SAFE_FEEDBACK = 0.25;
+enum { MOST_DOUBLINGS = 40 };
+
+po_branch_options po_branch_options_default(void) {
+  return (po_branch_options){.station = NAN,
+                             .end = NAN,
+                             .largest_step = INFINITY,
+                             .largest_load_step = INFINITY,
+                             .most_points = 30000};
+}
+
+double point_approach(const tracer *t, const branch_point *p) {
+  return p->state[t->e->n];
+}
+double point_approach_rate(const tracer *t, const branch_point *p) {
+  return p->tangent[t->e->n];
+}
+
+static void set_metric(tracer *t, const double *state) {
+  const po_surface *s = t->e->surface;
+  const double per_length = 1.0 / sqrt(2.0 * t->e->radius);
+  for (size_t j = 0; j < t->e->n; ++j) {
+    const double h = 1.0 + state[j];
+    t->metric[j] = h < FAR_GAP ? s->length[j] * per_length / (h * h) : 0.0;
+  }
+  t->metric[t->e->n] = APPROACH_WEIGHT;
+}
+
+void finish_point(tracer *t, branch_point *p) {
+  double sum = 0.0;
+  set_metric(t, p->state);
+  for (size_t j = 0; j <= t->e->n; ++j)
+    sum += t->metric[j] * p->tangent[j] * p->tangent[j];
+  const double scale = 1.0 / sqrt(sum);
+  for (size_t j = 0; j <= t->e->n; ++j)
+    p->tangent[j] *= scale;
+  p->load = po_equilibrium_load(t->e);
+  p->load_rate = po_equilibrium_load_rate(t->e, p->tangent);
+}
+
+double along_border(const tracer *t, const double *vector) {
+  double sum = 0.0;
+  for (size_t j = 0; j <= t->e->n; ++j)
+    sum += t->e->border[j] * vector[j];
+  return sum;
+}
+
+double border_distance(const tracer *t, const double *to, const double *from) {
+  double sum = 0.0;
+  for (size_t j = 0; j <= t->e->n; ++j)
+    sum += t->e->border[j] * (to[j] - from[j]);
+  return sum;
+}
+
+po_status refactorize(tracer *t, const branch_point *at, const double *state) {
+  set_metric(t, at->state);
+  for (size_t j = 0; j <= t->e->n; ++j)
+    t->border[j] = t->metric[j] * at->tangent[j];
+  return po_equilibrium_factorize(t->e, state, t->border);
+}
+
+void visit_point(tracer *t, const branch_point *p, po_point_kind kind) {
+  const po_branch_point point = {.kind = kind,
+                                 .position = p->position,
+                                 .approach = point_approach(t, p),
+                                 .load = p->load,
+                                 .approach_rate = point_approach_rate(t, p),
+                                 .load_rate = p->load_rate,
+                                 .unstable_modes = t->unstable_modes,
+                                 .gap = p->state,
+                                 .traction = t->e->traction};
+  if (t->options->visit(&point, t->options->data))
+    t->ended = true;
+}
+
+double po_branch_start(po_equilibrium *e) {
+  double approach = -2.0;
+  for (int k = 0; k < MOST_DOUBLINGS; ++k, approach *= 2.0) {
+    for (size_t j = 0; j < e->n; ++j)
+      e->right[j] = e->shape[j] - approach;
+    po_equilibrium_evaluate(e, e->right);
+    if (po_equilibrium_feedback(e) < SAFE_FEEDBACK)
+      break;
+  }
+  return approach;
+}
+
+/* The first equilibrium: Newton at fixed approach from the undeformed gap. */
+static po_status start(tracer *t) {
+  po_equilibrium *e = t->e;
+  branch_point *p = &t->current;
+  const double approach = po_branch_start(e);
+  for (size_t j = 0; j < e->n; ++j)
+    p->state[j] = e->shape[j] - approach;
+  p->state[e->n] = approach;
+  memset(t->border, 0, (e->n + 1) * sizeof *t->border);
+  t->border[e->n] = 1.0;
+  memcpy(t->predicted, p->state, (e->n + 1) * sizeof *p->state);
+  po_status status = po_equilibrium_factorize(e, p->state, t->border);
+  if (!status)
+    status = po_equilibrium_correct(e, p->state, t->predicted, 0.0);
+  if (!status)
+    status = po_equilibrium_tangent(e, p->tangent);
+  if (status)
+    return po_fail(status, "no equilibrium found far out, at approach %g", approach);
+  finish_point(t, p);
+  return PO_OK;
+}
+
+/* Fills predicted: the state at `distance` along the border. Returned: whether every gap stays
+ * open. */
+static bool predict(tracer *t, double distance) {
+  const size_t n = t->e->n;
+  const branch_point *c = &t->current, *b = &t->previous;
+  const double rate = along_border(t, c->tangent);
+  const double back = t->has_previous ? border_distance(t, b->state, c->state) : 0.0;
+  const double back_rate = t->has_previous ? along_border(t, b->tangent) : 0.0;
+  const bool cubic = back * rate < 0.0 && back_rate * rate > 0.0;
+  const po_hermite w =
+      cubic ? po_hermite_at(distance, back) : (po_hermite){1.0, distance, 0.0, 0.0};
+  bool open = true;
+  for (size_t j = 0; j <= n; ++j) {
+    /* about the current state, so that the weights' sum of one does not cancel */
+    t->predicted[j] = c->state[j] + w.d0 * c->tangent[j] / rate;
+    if (cubic)
+      t->predicted[j] += w.f1 * (b->state[j] - c->state[j]) + w.d1 * b->tangent[j] / back_rate;
+    if (j < n && !(1.0 + t->predicted[j] > (1.0 - GREATEST_CLOSING) * (1.0 + c->state[j])))
+      open = false;
+  }
+  return open;
+}
+
+/* Largest difference of the corrected gaps from the predicted, in parts of 1 + H. */
+static double prediction_error(const tracer *t) {
+  double largest = 0.0;
+  for (size_t j = 0; j < t->e->n; ++j)
+    largest = fmax(largest, fabs(t->next.state[j] - t->predicted[j]) / (1.0 + t->next.state[j]));
+  return largest;
+}
+
+static double cosine(tracer *t) {
+  double dot = 0.0, of_current = 0.0, of_next = 0.0;
+  for (size_t j = 0; j <= t->e->n; ++j) { /* metric is that of the next point */
+    const double a = t->current.tangent[j], b = t->next.tangent[j], m = t->metric[j];
+    dot += m * a * b;
+    of_current += m * a * a;
+    of_next += m * b * b;
+  }
+  return dot / sqrt(of_current * of_next);
+}
+
+/* Corrects the prediction and takes the tangent there with the factors in hand, or new ones. */
+static po_status correct(tracer *t, double step) {
+  po_status status = PO_NOT_CONVERGED;
+  for (int fresh = t->e->factorized ? 0 : 1; status && fresh < 2; ++fresh) {
+    if (fresh) {
+      const bool open = predict(t, step * along_border(t, t->current.tangent));
+      if (!open)
+        return PO_NOT_CONVERGED;
+      status = refactorize(t, &t->current, t->predicted);
+      if (status)
+        return PO_NOT_CONVERGED;
+    }
+    const double distance = step * along_border(t, t->current.tangent);
+    if (!predict(t, distance))
+      return PO_NOT_CONVERGED;
+    memcpy(t->next.state, t->predicted, (t->e->n + 1) * sizeof *t->predicted);
+    status = po_equilibrium_correct(t->e, t->next.state, t->current.state, distance);
+    if (!status)
+      status = po_equilibrium_tangent(t->e, t->next.tangent);
+  }
+  return status;
+}
+
+/* One attempt at a step. Returned: the factor for the next step; status says whether it is taken.
+ */
+static double try_step(tracer *t, double step, po_status *status) {
+  *status = correct(t, step);
+  if (*status) {
+    t->e->factorized = false;
+    return 0.5;
+  }
+  const double error = prediction_error(t);
+  finish_point(t, &t->next);
+  if (error > GREATEST_ERROR || cosine(t) < LEAST_COSINE) {
+    *status = PO_NOT_CONVERGED;
+    t->e->factorized = false;
+    return fmax(0.25, fmin(0.7, pow(AIMED_ERROR / error, 0.25)));
+  }
+  if (along_border(t, t->next.tangent) < OLD_BORDER)
+    t->e->factorized = false;
+  return fmax(0.4, fmin(2.0, pow(AIMED_ERROR / fmax(error, 1e-30), 0.25)));
+}
+
+/* The step, cut to what the options allow. */
+static double allowed_step(const tracer *t) {
+  const double approach_rate = fabs(point_approach_rate(t, &t->current));
+  const double load_rate = fabs(t->current.load_rate);
+  double step = t->step;
+  step = fmin(step, t->options->largest_step / fmax(approach_rate, 1e-300));
+  return fmin(step, t->options->largest_load_step / fmax(load_rate, 1e-300));
+}
+
+/* Takes one step: next is a new point of the branch. */
+static po_status advance(tracer *t) {
+  for (;;) {
+    const double step = allowed_step(t);
+    if (step < SHORTEST_STEP)
+      return po_fail(PO_STEP_TOO_SMALL,
+                     "the branch could not be followed with the shortest step past approach %.6g, "
+                     "load %.6g",
+                     point_approach(t, &t->current), t->current.load);
+    po_status status;
+    const double factor = try_step(t, step, &status);
+    t->step = step * factor;
+    if (!status) {
+      t->next.position = t->current.position + step;
+      return PO_OK;
+    }
+  }
+}
+
+static void shift(tracer *t) {
+  const branch_point oldest = t->previous;
+  t->previous = t->current;
+  t->current = t->next;
+  t->next = oldest;
+  t->has_previous = true;
+}
+
+static bool allocate_point(branch_point *p, size_t n) {
+  p->state = po_allocate(n + 1, sizeof *p->state);
+  p->tangent = po_allocate(n + 1, sizeof *p->tangent);
+  return p->state && p->tangent;
+}
+
+static void free_point(branch_point *p) {
+  free(p->state);
+  free(p->tangent);
+}
+
+po_status po_branch_trace(po_equilibrium *equilibrium, const po_branch_options *options) {
+  tracer t = {.e = equilibrium, .options = options, .step = FIRST_STEP};
+  const size_t n = equilibrium->n;
+  branch_point *const points[] = {&t.previous, &t.current, &t.next, &t.inner};
+  bool had = true;
+  for (int k = 0; k < 4; ++k)
+    had = allocate_point(points[k], n) && had;
+  t.border = po_allocate(n + 1, sizeof *t.border);
+  t.metric = po_allocate(n + 1, sizeof *t.metric);
+  t.predicted = po_allocate(n + 1, sizeof *t.predicted);
+  po_status status = had && t.border && t.metric && t.predicted ? PO_OK : PO_NO_MEMORY;
+  if (!status)
+    status = start(&t);
+  if (!status)
+    visit_point(&t, &t.current, PO_POINT_STEP);
+  while (!status && !t.ended) {
+    status = advance(&t);
+    if (!status)
+      status = visit_interval(&t);
+    if (!status && ++t.points > options->most_points)
+      status =
+          po_fail(PO_TOO_MANY_POINTS, "more than %zu points, the last at approach %.6g, load %.6g",
+                  options->most_points, point_approach(&t, &t.next), t.next.load);
+    shift(&t);
+  }
+  for (int k = 0; k < 4; ++k)
+    free_point(points[k]);
+  free(t.border);
+  free(t.metric);
+  free(t.predicted);
+  return status;
+}

@@ -1,0 +1,49 @@
+/* What the files of the tracer share. */
+#ifndef PO_BRANCH_INTERNAL_H
+#define PO_BRANCH_INTERNAL_H
+
+#include "po_branch.h"
+
+/* A point of the branch: state and unit tangent, n + 1 each. */
+typedef struct {
+  double *state, *tangent;
+  double position, load, load_rate;
+} branch_point;
+
+typedef struct {
+  po_equilibrium *e;
+  const po_branch_options *options;
+  branch_point previous, current, next; /* current and next are the ends of the last step */
+  branch_point inner;                   /* a point between them */
+  double *border, *metric, *predicted;  /* n + 1 */
+  double step;                          /* arclength to try */
+  bool has_previous;
+  bool station_met;
+  int unstable_modes;
+  size_t points;
+  bool ended;
+} tracer;
+
+/* Approach of a point, and its rate along the branch. */
+double point_approach(const tracer *t, const branch_point *p);
+double point_approach_rate(const tracer *t, const branch_point *p);
+
+/* Scales a tangent, known up to length, to the metric at its state and sets the load and its rate.
+ */
+void finish_point(tracer *t, branch_point *p);
+
+/* Sets the border from a point's tangent and factorises at a state. */
+po_status refactorize(tracer *t, const branch_point *at, const double *state);
+
+/* border . tangent and border . (to - from) of the border in force. */
+double along_border(const tracer *t, const double *vector);
+double border_distance(const tracer *t, const double *to, const double *from);
+
+/* Finds, orders and visits what lies between current and next: folds, extrema, the station, the
+ * end. Sets t->ended when the trace is to end. */
+po_status visit_interval(tracer *t);
+
+/* Tells the visitor of a point. */
+void visit_point(tracer *t, const branch_point *p, po_point_kind kind);
+
+#endif

@@ -1,0 +1,291 @@
+#include "po_equilibrium.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_law.h"
+#include "po_linear.h"
+#include "po_memory.h"
+#include "po_shape.h"
+
+/* A correction is done when no gap changes by more than this part of 1 + H: the digits that the
+ * influence sums leave (1e-14), with a margin. */
+static const double CONVERGED = 2e-13;
+/* When rounding keeps it from there, this much is accepted if it no longer falls. */
+static const double STAGNATED = 1e-10;
+/* Chord iterations slower than this, on the mean of two (nodes left out lag one behind), cost more
+ * than a new factorisation. */
+static const double SLOWEST = 0.3;
+/* Share of 1 + H that one iteration may take from a gap. */
+static const double GREATEST_CLOSING = 0.7;
+/* A change of a gap, in parts of 1 + H, that no prediction is off by. */
+static const double GREATEST_CHANGE = 1e3;
+enum { MOST_ITERATIONS = 20 };
+
+/* What the first factorisation leaves out: costs one iteration, saves most of the matrix. */
+static const double NEGLECT = 1e-3;
+
+po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface,
+                                po_equilibrium **equilibrium) {
+  const size_t n = surface->n;
+  po_equilibrium *e = po_allocate(1, sizeof *e);
+  *equilibrium = e;
+  if (!e)
+    return PO_NO_MEMORY;
+  e->surface = surface;
+  e->n = n;
+  e->radius = scene->radius;
+  e->amplitude = scene->amplitude;
+  e->coupling = scene->tabor * sqrt(scene->tabor / scene->radius);
+  e->neglect = NEGLECT;
+  double **const vectors[] = {&e->shape,  &e->reach, &e->traction, &e->slope,  &e->deflection,
+                              &e->border, &e->right, &e->scratch,  &e->measure};
+  bool had = true;
+  for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
+    had = (*vectors[k] = po_allocate(n + 1, sizeof(double))) && had;
+  e->index = po_allocate(n, sizeof *e->index);
+  e->pivots = po_allocate(n + 1, sizeof *e->pivots);
+  e->matrix = po_allocate((n + 1) * (n + 1), sizeof *e->matrix);
+  if (!had || !e->index || !e->pivots || !e->matrix) {
+    po_equilibrium_destroy(e);
+    *equilibrium = NULL;
+    return PO_NO_MEMORY;
+  }
+  for (size_t j = 0; j < n; ++j) {
+    const double r = surface->node[j];
+    e->shape[j] = j < surface->resolved ? po_shape(scene, r) : po_shape_mean(scene, r);
+    for (size_t i = 0; i < n; ++i)
+      e->reach[j] = fmax(e->reach[j], fabs(surface->influence[i + n * j]));
+  }
+  return PO_OK;
+}
+
+void po_equilibrium_destroy(po_equilibrium *e) {
+  if (!e)
+    return;
+  double *const vectors[] = {e->shape,  e->reach, e->traction, e->slope,   e->deflection,
+                             e->border, e->right, e->scratch,  e->measure, e->matrix};
+  for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
+    free(vectors[k]);
+  free(e->index);
+  free(e->pivots);
+  free(e);
+}
+
+void po_equilibrium_evaluate(po_equilibrium *e, const double *state) {
+  const size_t resolved = e->surface->resolved;
+  for (size_t j = 0; j < e->n; ++j) {
+    const po_law law = j < resolved ? po_law_at(state[j]) : po_law_averaged(state[j], e->amplitude);
+    e->traction[j] = law.traction;
+    e->slope[j] = law.slope;
+  }
+}
+
+double po_equilibrium_load(const po_equilibrium *e) {
+  return 2.0 / e->radius * po_linear_dot(e->n, e->surface->weight, e->traction);
+}
+
+double po_equilibrium_load_rate(const po_equilibrium *e, const double *change) {
+  double sum = 0.0;
+  for (size_t j = 0; j < e->n; ++j)
+    sum += e->surface->weight[j] * e->slope[j] * change[j];
+  return 2.0 / e->radius * sum;
+}
+
+double po_equilibrium_feedback(const po_equilibrium *e) {
+  double largest = 0.0;
+  for (size_t i = 0; i < e->n; ++i) {
+    double sum = 0.0;
+    for (size_t j = 0; j < e->n; ++j)
+      sum += fabs(e->surface->influence[i + e->n * j] * e->slope[j]);
+    largest = fmax(largest, sum);
+  }
+  return e->coupling * largest;
+}
+
+/* deflection = coupling * G load */
+static void deflect(po_equilibrium *e, const double *load) {
+  po_linear_apply(e->n, e->n, e->surface->influence, e->n, load, e->deflection);
+  for (size_t i = 0; i < e->n; ++i)
+    e->deflection[i] *= e->coupling;
+}
+
+static int by_measure(const void *left, const void *right, void *data) {
+  const double *measure = data;
+  const double a = measure[*(const size_t *)left], b = measure[*(const size_t *)right];
+  const size_t i = *(const size_t *)left, j = *(const size_t *)right;
+  return a != b ? (a < b ? 1 : -1) : (i < j ? -1 : i > j); /* descending; ties by place */
+}
+
+/* Orders the nodes by what leaving them out would cost, and keeps those that matter or are in the
+ * border. */
+static void choose_active(po_equilibrium *e, const double *border) {
+  for (size_t j = 0; j < e->n; ++j) {
+    e->index[j] = j;
+    e->measure[j] = border[j] != 0.0 ? INFINITY : e->coupling * fabs(e->slope[j]) * e->reach[j];
+  }
+  qsort_r(e->index, e->n, sizeof *e->index, by_measure, e->measure);
+  double left_out = 0.0;
+  e->active = e->n;
+  while (e->active > 0) {
+    left_out += e->measure[e->index[e->active - 1]];
+    if (!(left_out <= e->neglect))
+      break;
+    --e->active;
+  }
+}
+
+po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const double *border) {
+  po_equilibrium_evaluate(e, state);
+  if (border != e->border)
+    memcpy(e->border, border, (e->n + 1) * sizeof *border);
+  choose_active(e, e->border);
+  const size_t m = e->active, order = m + 1;
+  for (size_t b = 0; b < m; ++b) {
+    const size_t j = e->index[b];
+    const double *column = e->surface->influence + e->n * j, factor = -e->coupling * e->slope[j];
+    double *to = e->matrix + order * b;
+    for (size_t a = 0; a < m; ++a)
+      to[a] = factor * column[e->index[a]];
+    to[b] += 1.0;
+    to[m] = e->border[j];
+  }
+  for (size_t a = 0; a < m; ++a)
+    e->matrix[a + order * m] = 1.0;
+  e->matrix[m + order * m] = e->border[e->n];
+  const po_status status = po_linear_factorize(order, e->matrix, order, e->pivots);
+  e->factorized = !status;
+  ++e->work.factorizations;
+  if (order > e->work.factorized_nodes)
+    e->work.factorized_nodes = order;
+  return status;
+}
+
+/* border . (state - base) */
+static double distance_of(const po_equilibrium *e, const double *state, const double *base) {
+  double sum = e->border[e->n] * (state[e->n] - base[e->n]);
+  for (size_t a = 0; a < e->active; ++a) {
+    const size_t j = e->index[a];
+    sum += e->border[j] * (state[j] - base[j]);
+  }
+  return sum;
+}
+
+/* One Newton step of the active nodes and the approach; the others are set from their own
+ * equations. Returned: the largest change of a gap in parts of 1 + H, or NaN. */
+static double newton_step(po_equilibrium *e, double *state, const double *base, double distance) {
+  const size_t n = e->n, m = e->active;
+  double *right = e->right, *change = e->scratch;
+  po_equilibrium_evaluate(e, state);
+  deflect(e, e->traction);
+  for (size_t a = 0; a < m; ++a) {
+    const size_t i = e->index[a];
+    right[a] = e->shape[i] - state[n] + e->deflection[i] - state[i];
+  }
+  right[m] = distance - distance_of(e, state, base);
+  po_linear_solve(m + 1, e->matrix, m + 1, e->pivots, right);
+  for (size_t a = 0; a < m; ++a)
+    change[e->index[a]] = right[a];
+  change[n] = right[m];
+  for (size_t b = m; b < n; ++b) {
+    const size_t i = e->index[b];
+    change[i] = e->shape[i] - state[n] - change[n] + e->deflection[i] - state[i];
+  }
+  double largest = 0.0, closing = 0.0;
+  for (size_t j = 0; j < n; ++j) {
+    const double relative = change[j] / (1.0 + state[j]);
+    if (!(fabs(relative) <= largest))
+      largest = fabs(relative);
+    if (-relative > closing)
+      closing = -relative;
+  }
+  if (!isfinite(largest))
+    return NAN;
+  const double share = closing > GREATEST_CLOSING ? GREATEST_CLOSING / closing : 1.0;
+  for (size_t j = 0; j <= n; ++j)
+    state[j] += share * change[j];
+  return largest;
+}
+
+/* How an iteration converges: the sizes of its last three changes. */
+typedef struct {
+  double now, before, earlier;
+} progress;
+
+static void note_change(progress *p, double change) {
+  p->earlier = p->before;
+  p->before = p->now;
+  p->now = change;
+}
+
+static bool too_slow(const progress *p) {
+  return p->now > SLOWEST * SLOWEST * p->earlier;
+}
+
+/* Whether what is left is below rounding: this change was, or the next will be; or it is small and
+ * rounding keeps it from falling. */
+static bool is_converged(const progress *p, double scale) {
+  const double rate = fmax(p->now / p->before, p->before / p->earlier);
+  return p->now < CONVERGED * scale ||
+         (rate < SLOWEST && 2.0 * rate * p->now < CONVERGED * scale) ||
+         (p->now < STAGNATED * scale && too_slow(p));
+}
+
+po_status po_equilibrium_correct(po_equilibrium *e, double *state, const double *base,
+                                 double distance) {
+  progress p = {NAN, NAN, NAN}; /* comparisons with what has not happened yet are false */
+  for (int iteration = 0; iteration < MOST_ITERATIONS; ++iteration) {
+    note_change(&p, newton_step(e, state, base, distance));
+    ++e->work.newton_iterations;
+    if (!(p.now < GREATEST_CHANGE))
+      return PO_NOT_CONVERGED;
+    if (is_converged(&p, 1.0)) {
+      po_equilibrium_evaluate(e, state);
+      ++e->work.points;
+      return PO_OK;
+    }
+    if (p.now < GREATEST_CLOSING && too_slow(&p))
+      return PO_NOT_CONVERGED;
+  }
+  return PO_NOT_CONVERGED;
+}
+
+po_status po_equilibrium_tangent(po_equilibrium *e, double *tangent) {
+  const size_t n = e->n, m = e->active;
+  double *right = e->right;
+  memset(tangent, 0, (n + 1) * sizeof *tangent);
+  progress p = {NAN, NAN, NAN};
+  for (int iteration = 0; iteration < MOST_ITERATIONS; ++iteration) {
+    for (size_t j = 0; j < n; ++j)
+      e->scratch[j] = e->slope[j] * tangent[j];
+    deflect(e, e->scratch);
+    right[m] = 1.0 - e->border[n] * tangent[n];
+    for (size_t a = 0; a < m; ++a) {
+      const size_t i = e->index[a];
+      right[a] = e->deflection[i] - tangent[n] - tangent[i];
+      right[m] -= e->border[i] * tangent[i];
+    }
+    po_linear_solve(m + 1, e->matrix, m + 1, e->pivots, right);
+    double change = fabs(right[m]), size = fabs(tangent[n] + right[m]);
+    tangent[n] += right[m];
+    for (size_t a = 0; a < m; ++a) {
+      const size_t i = e->index[a];
+      tangent[i] += right[a];
+      change = fmax(change, fabs(right[a]));
+      size = fmax(size, fabs(tangent[i]));
+    }
+    for (size_t b = m; b < n; ++b) {
+      const size_t i = e->index[b];
+      tangent[i] = e->deflection[i] - tangent[n];
+    }
+    note_change(&p, change);
+    if (!isfinite(change) || !isfinite(size))
+      return PO_NOT_CONVERGED;
+    if (iteration > 0 && is_converged(&p, size))
+      return PO_OK;
+    if (too_slow(&p))
+      return PO_NOT_CONVERGED;
+  }
+  return PO_NOT_CONVERGED;
+}

@@ -1,0 +1,80 @@
+/* Equilibria of the discretised boundary value problem, Eqs 15-16.
+ *
+ * In units of eps, with p = P/mu the law of Eq 16 and G the influence matrix of the surface:
+ *   H_i + approach - shape_i - coupling * sum_j G_ij p(H_j) = 0,   coupling = mu^(3/2) / sqrt(R),
+ * (the mu Gamma^-1 of Eq 15 times the mu of Eq 16), and W/(pi w R) = (2/R) sum_j weight_j p(H_j),
+ * Eq 17.
+ *
+ * A state is an array of n + 1: the gaps H, then the approach. A border is a linear condition on a
+ * state: it makes the Jacobian square and regular at folds. Where tractions hardly respond to the
+ * gap the columns of the Jacobian are those of the unit matrix to within `neglect`: these nodes are
+ * left out of the factorisation and follow by iteration. */
+#ifndef PO_EQUILIBRIUM_H
+#define PO_EQUILIBRIUM_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "po_scene.h"
+#include "po_surface.h"
+
+typedef struct {
+  uint64_t points, newton_iterations, factorizations;
+  uint64_t factorized_nodes; /* largest order */
+} po_solve_work;
+
+typedef struct {
+  const po_surface *surface;
+  size_t n;
+  double radius, amplitude, coupling;
+  double *shape;      /* n: undeformed gap */
+  double *reach;      /* n: largest coefficient of each column of the influence matrix */
+  double *traction;   /* n: p, at the state last evaluated */
+  double *slope;      /* n: dp/dH */
+  double *deflection; /* n: coupling * G p, or the same of a change of state */
+  double *border;     /* n + 1: the condition in force; zero at nodes left out */
+  size_t active;      /* nodes in the factorisation */
+  size_t *index;      /* n: the active nodes first, then the others */
+  double *matrix;     /* bordered Jacobian of the active nodes, factorised; active + 1 square */
+  int *pivots;        /* active + 1 */
+  double *right, *scratch; /* n + 1 */
+  double *measure;         /* n: coupling * |slope| * reach, when choosing nodes */
+  double neglect;          /* sum of the measures left out */
+  bool factorized;
+  po_solve_work work;
+} po_equilibrium;
+
+/* Status: PO_NO_MEMORY. The surface must outlive the object. */
+po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface,
+                                po_equilibrium **equilibrium);
+void po_equilibrium_destroy(po_equilibrium *equilibrium);
+
+/* Sets traction and slope from the gaps of a state, every 1 + H > 0. */
+void po_equilibrium_evaluate(po_equilibrium *e, const double *state);
+
+/* W/(pi w R), Eq 17, of the state last evaluated; and its change per change of state. */
+double po_equilibrium_load(const po_equilibrium *e);
+double po_equilibrium_load_rate(const po_equilibrium *e, const double *change);
+
+/* A bound of how much the tractions' response to the gap could feed on itself: the largest row sum
+ * of coupling |G| |dp/dH| at the state last evaluated. Below 1 the equilibrium near it is unique.
+ */
+double po_equilibrium_feedback(const po_equilibrium *e);
+
+/* Factorises the bordered Jacobian at a state. Given: border, n + 1 (copied).
+ * Status: PO_SINGULAR. */
+po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const double *border);
+
+/* Moves a state onto the equilibrium with border . (state - base) = distance, by Newton's method
+ * with the factors in hand. Every 1 + H stays positive. Afterwards traction and slope are those of
+ * the state. Given: state, a prediction. Status: PO_NOT_CONVERGED when it does not contract fast
+ * enough: the state is then of no use. */
+po_status po_equilibrium_correct(po_equilibrium *e, double *state, const double *base,
+                                 double distance);
+
+/* The tangent of the branch at a state last evaluated, with border . tangent = 1, by the factors in
+ * hand and iteration. Status: PO_NOT_CONVERGED when the factors are too old for that. */
+po_status po_equilibrium_tangent(po_equilibrium *e, double *tangent);
+
+#endif

@@ -1,0 +1,186 @@
+#include "po_rigid.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+#include <gsl/gsl_roots.h>
+#include <math.h>
+
+#include "po_law.h"
+#include "po_shape.h"
+
+/* The elastic approach of the surfaces, in eps, is at most 2 coupling integral |p| dr, about
+ * 3 mu^(3/2); the load changes by at most twice that per eps. */
+static const double ELASTIC_EFFECT = 6.0, NEGLIGIBLE_LOAD = 1e-8;
+
+/* Relative accuracy asked of each piece of the quadrature, and what is small against any load. */
+static const double PIECE_ACCURACY = 1e-12, SMALL = 1e-14;
+enum { INTERVALS = 200 };
+
+/* Steps in x = 1 - approach, the distance from the centre's core. */
+static const double STEP_RATIO = 0.97;
+
+/* Load of the central crest at which the trace ends when it has no other end: all the rest of the
+ * surface pulls with at most 2, Bradley's pull-off. */
+static const double CENTRE_LOAD = 4.0;
+
+bool po_rigid_suffices(const po_scene *scene) {
+  return ELASTIC_EFFECT * pow(scene->tabor, 1.5) <= NEGLIGIBLE_LOAD;
+}
+
+typedef struct {
+  const po_scene *scene;
+  double approach, begin; /* begin: of the tail, where the waves are averaged */
+  bool slope;             /* integrate dp/dH instead of p */
+} integral;
+
+static double resolved(double r, void *data) {
+  const integral *q = data;
+  const po_law law = po_law_at(po_shape(q->scene, r) - q->approach);
+  return (q->slope ? law.slope : law.traction) * r;
+}
+
+static double averaged(double t, void *data) { /* r = begin / t */
+  const integral *q = data;
+  const double r = q->begin / t;
+  const po_law law = po_law_averaged(po_shape_mean(q->scene, r) - q->approach, q->scene->amplitude);
+  return (q->slope ? law.slope : law.traction) * r * r / t;
+}
+
+/* Where the resolved part ends, and the length of its pieces: half waves, so that each holds one
+ * crest or trough; for a smooth sphere, pieces that double. */
+static double next_edge(const integral *q, double r) {
+  if (po_scene_is_wavy(q->scene))
+    return r + 0.5 * q->scene->wavelength;
+  return fmax(2.0 * r, sqrt(2.0 * q->scene->radius * (1.0 - q->approach)));
+}
+
+static po_status integrate(integral *q, gsl_integration_workspace *space, double *sum) {
+  const po_scene *scene = q->scene;
+  const bool bounded = isfinite(scene->outer_radius);
+  const double reach = sqrt(2.0 * scene->radius * (4.0 + fmax(0.0, q->approach)));
+  const double end =
+      bounded ? scene->outer_radius : po_averaging_radius(scene, po_averaging_phase(scene, reach));
+  gsl_function f = {resolved, q};
+  double part, error;
+  *sum = 0.0;
+  int failed = 0;
+  for (double r = 0.0; r < end && !failed;) {
+    const double to = fmin(next_edge(q, r), end);
+    failed = gsl_integration_qag(&f, r, to, SMALL, PIECE_ACCURACY, INTERVALS, GSL_INTEG_GAUSS21,
+                                 space, &part, &error);
+    failed = failed == GSL_EROUND ? 0 : failed; /* as good as rounding lets it be */
+    *sum += part;
+    r = to;
+  }
+  if (!bounded && !failed) {
+    q->begin = end;
+    f.function = averaged;
+    failed = gsl_integration_qag(&f, 0.0, 1.0, SMALL, PIECE_ACCURACY, INTERVALS, GSL_INTEG_GAUSS21,
+                                 space, &part, &error);
+    failed = failed == GSL_EROUND ? 0 : failed;
+    *sum += part;
+  }
+  return failed ? po_fail(PO_NOT_CONVERGED,
+                          "the quadrature of the rigid load failed at approach %g: %s", q->approach,
+                          gsl_strerror(failed))
+                : PO_OK;
+}
+
+po_status po_rigid_load(const po_scene *scene, double approach, double *load, double *load_rate) {
+  gsl_set_error_handler_off(); /* errors are statuses here, never an abort */
+  gsl_integration_workspace *space = gsl_integration_workspace_alloc(INTERVALS);
+  if (!space)
+    return po_fail(PO_NO_MEMORY, "no memory for a quadrature");
+  integral q = {.scene = scene, .approach = approach};
+  double sum = 0.0, sum_of_slope = 0.0;
+  po_status status = integrate(&q, space, &sum);
+  q.slope = true;
+  if (!status)
+    status = integrate(&q, space, &sum_of_slope);
+  *load = 2.0 / scene->radius * sum;
+  *load_rate = -2.0 / scene->radius * sum_of_slope; /* dH = -d approach */
+  gsl_integration_workspace_free(space);
+  return status;
+}
+
+typedef struct {
+  const po_scene *scene;
+  const po_branch_options *options;
+  po_status status;
+  bool ended;
+} rigid_tracer;
+
+static double rate_at(double approach, void *data) {
+  rigid_tracer *t = data;
+  double load = 0.0, rate = 0.0;
+  const po_status status = po_rigid_load(t->scene, approach, &load, &rate);
+  t->status = t->status ? t->status : status;
+  return rate;
+}
+
+static double visit(rigid_tracer *t, double begin, double approach, po_point_kind kind) {
+  po_branch_point point = {
+      .kind = kind, .position = approach - begin, .approach = approach, .approach_rate = 1.0};
+  const po_status status = po_rigid_load(t->scene, approach, &point.load, &point.load_rate);
+  t->status = t->status ? t->status : status;
+  if (!t->status && t->options->visit(&point, t->options->data))
+    t->ended = true;
+  return point.load_rate;
+}
+
+/* The approach between two at which the rate of the load vanishes. */
+static double extremum(rigid_tracer *t, double low, double high) {
+  gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+  if (!solver) {
+    t->status = po_fail(PO_NO_MEMORY, "no memory for a root");
+    return low;
+  }
+  gsl_function f = {rate_at, t};
+  gsl_root_fsolver_set(solver, &f, low, high);
+  double root = low;
+  do { /* ends: Brent's bracket always shrinks */
+    gsl_root_fsolver_iterate(solver);
+    root = gsl_root_fsolver_root(solver);
+    low = gsl_root_fsolver_x_lower(solver);
+    high = gsl_root_fsolver_x_upper(solver);
+  } while (!t->status && gsl_root_test_interval(low, high, 1e-13, 1e-14) == GSL_CONTINUE);
+  gsl_root_fsolver_free(solver);
+  return root;
+}
+
+/* Approach at which the central crest, of radius R/(1 + 4 pi^2 alpha) (Eq 18), pushes with
+ * CENTRE_LOAD: the repulsive term of Eq 23. */
+static double last_approach(const po_scene *scene) {
+  const double crest = 1.0 / (1.0 + 4.0 * M_PI * M_PI * po_scene_alpha(scene));
+  return 1.0 - pow(2.0 * crest / (3.0 * CENTRE_LOAD), 0.125);
+}
+
+po_status po_rigid_trace(const po_scene *scene, double begin, const po_branch_options *options) {
+  rigid_tracer t = {.scene = scene, .options = options};
+  const double end = isnan(options->end) ? last_approach(scene) : options->end;
+  if (!(end < 1.0))
+    return po_fail(PO_BAD_INPUT, "approach_end is %g: rigid bodies cannot come closer than 1", end);
+  const double station = options->station;
+  double approach = begin, rate = visit(&t, begin, begin, PO_POINT_STEP);
+  while (!t.ended && !t.status && approach < end) {
+    const double step = fmin((1.0 - approach) * (1.0 - STEP_RATIO), options->largest_step);
+    const double next = fmin(approach + step, end);
+    const double next_rate = rate_at(next, &t);
+    double at[2] = {NAN, NAN};
+    po_point_kind kind[2] = {PO_POINT_STATION, rate < 0.0 ? PO_POINT_LOAD_MIN : PO_POINT_LOAD_MAX};
+    if (station > approach && station <= next)
+      at[0] = station;
+    if (!t.status && rate * next_rate < 0.0)
+      at[1] = extremum(&t, approach, next);
+    const int first = at[1] < at[0]; /* in order; false when either is NaN */
+    for (int k = 0; k < 2 && !t.ended && !t.status; ++k) {
+      const int i = first ? 1 - k : k;
+      if (!isnan(at[i]))
+        visit(&t, begin, at[i], kind[i]);
+    }
+    if (!t.ended && !t.status)
+      rate = visit(&t, begin, next, PO_POINT_STEP);
+    approach = next;
+  }
+  return t.status;
+}

@@ -1,0 +1,23 @@
+/* The rigid limit: no elasticity, the load by quadrature of Eq 17 over the undeformed gap. */
+#ifndef PO_RIGID_H
+#define PO_RIGID_H
+
+#include <stdbool.h>
+
+#include "po_branch.h"
+
+/* Whether elasticity changes the load by less than 1e-8. */
+bool po_rigid_suffices(const po_scene *scene);
+
+/* W/(pi w R) of the rigid bodies at an approach < 1, and its derivative by the approach.
+ * Given: scene (its Tabor parameter is not read). Returned: load and load_rate; status
+ * PO_NOT_CONVERGED when the quadrature fails. Accuracy: 1e-10 of max(1, |load|)
+ * (tests/test_rigid.c). */
+po_status po_rigid_load(const po_scene *scene, double approach, double *load, double *load_rate);
+
+/* Visits the loading curve as po_branch_trace does: points, extrema of the load, station and end;
+ * without an end, until the central crest alone pushes harder than all else can pull. gap and
+ * traction of the points are NULL: the gap is shape - approach. `begin`: first approach, eps. */
+po_status po_rigid_trace(const po_scene *scene, double begin, const po_branch_options *options);
+
+#endif

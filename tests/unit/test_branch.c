@@ -1,0 +1,198 @@
+/* The branch: folds, extrema, stability, stations, ends; and that nothing is skipped. */
+#include <gsl/gsl_eigen.h>
+#include <math.h>
+#include <string.h>
+
+#include "po_branch.h"
+#include "run.h"
+
+enum { MOST = 64 };
+
+typedef struct {
+  po_branch_point point[MOST];
+  int count, steps, sign_changes, wrong_modes;
+  double last_approach, last_rate, rise_of_load, work; /* integral of load d approach */
+  po_equilibrium *e;
+} seen;
+
+static bool look(const po_branch_point *p, void *data) {
+  seen *s = data;
+  if (p->kind != PO_POINT_STEP && s->count < MOST)
+    s->point[s->count++] = *p;
+  if (p->kind == PO_POINT_STEP) {
+    ++s->steps;
+    if (s->last_rate * p->approach_rate < 0.0)
+      ++s->sign_changes;
+    s->last_rate = p->approach_rate;
+  }
+  s->last_approach = p->approach;
+  return p->load > 0.5 && p->unstable_modes == 0;
+}
+
+/* Traces a smooth sphere on triangles; returned: the landmarks. */
+static seen trace(double tabor, size_t nodes, double outer, double station) {
+  po_scene scene = po_scene_default();
+  scene.tabor = tabor;
+  scene.outer_radius = outer;
+  const po_mesh mesh = {PO_TRIANGLE, PO_UNIFORM, nodes};
+  po_surface *surface = NULL;
+  po_equilibrium *e = NULL;
+  ck_assert_int_eq(po_surface_create(&scene, &mesh, po_surface_core(&scene, NAN), true, &surface),
+                   PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(&scene, surface, &e), PO_OK);
+  seen s = {.e = e};
+  po_branch_options options = po_branch_options_default();
+  options.visit = look;
+  options.data = &s;
+  options.station = station;
+  ck_assert_int_eq(po_branch_trace(e, &options), PO_OK);
+  po_equilibrium_destroy(e);
+  po_surface_destroy(surface);
+  return s;
+}
+
+static int count_of(const seen *s, po_point_kind kind) {
+  int count = 0;
+  for (int k = 0; k < s->count; ++k)
+    count += s->point[k].kind == kind;
+  return count;
+}
+
+/* S-shaped from mu = 0.697 on (our notes), not from 1. At 0.70 the two folds are 1.2e-4 apart in
+ * approach (reference/feng_landmarks.csv) and were once stepped over. */
+START_TEST(smooth_sphere_folds_from_0_697_on) {
+  const seen below = trace(0.69, 801, INFINITY, NAN), above = trace(0.70, 801, INFINITY, NAN);
+  ck_assert_int_eq(count_of(&below, PO_POINT_APPROACH_MAX), 0);
+  ck_assert_int_eq(count_of(&above, PO_POINT_APPROACH_MAX), 1);
+  ck_assert_int_eq(count_of(&above, PO_POINT_APPROACH_MIN), 1);
+  ck_assert_int_eq(count_of(&above, PO_POINT_LOAD_MIN), 1);
+}
+END_TEST
+
+START_TEST(folds_alternate_and_account_for_every_turn) {
+  const seen s =
+      trace(3.0, 301, INFINITY, NAN); /* coarse: some folds are the mesh's, none is missed */
+  int turns = 0;
+  po_point_kind last = PO_POINT_APPROACH_MIN;
+  for (int k = 0; k < s.count; ++k) {
+    const po_point_kind kind = s.point[k].kind;
+    if (kind != PO_POINT_APPROACH_MAX && kind != PO_POINT_APPROACH_MIN)
+      continue;
+    ck_assert_int_ne(kind, last);
+    last = kind;
+    ++turns;
+    ck_assert_double_eq_tol(s.point[k].approach_rate, 0.0, 1e-5);
+  }
+  ck_assert_int_ge(turns, 2);
+  ck_assert_int_eq(turns % 2, 0);
+  ck_assert_int_le(s.sign_changes, turns);
+  ck_assert_int_eq((turns - s.sign_changes) % 2, 0);
+}
+END_TEST
+
+START_TEST(
+    landmarks_are_converged) { /* the same to 1e-10 on the same mesh with another step history */
+  const seen a = trace(1.3, 201, 60.0, NAN), b = trace(1.3, 201, 60.0, -1.9);
+  ck_assert_int_eq(a.count + 1, b.count); /* the station */
+  for (int k = 0, j = 0; k < a.count; ++k, ++j) {
+    if (b.point[j].kind == PO_POINT_STATION) {
+      ck_assert_double_eq_tol(b.point[j].approach, -1.9, 1e-11);
+      ++j;
+    }
+    ck_assert_int_eq(a.point[k].kind, b.point[j].kind);
+    ck_assert_double_eq_tol(a.point[k].approach, b.point[j].approach, 1e-6);
+    ck_assert_double_eq_tol(a.point[k].load, b.point[j].load, 1e-10);
+    if (a.point[k].kind == PO_POINT_APPROACH_MAX || a.point[k].kind == PO_POINT_APPROACH_MIN)
+      ck_assert_double_eq_tol(a.point[k].approach, b.point[j].approach, 1e-10);
+  }
+}
+END_TEST
+
+/* Number of eigenvalues of the Jacobian I - coupling G diag(slope) below zero: the unstable modes,
+ * counted from the matrix instead of from the turns of the curve. */
+static int unstable_modes_of(const po_equilibrium *e) {
+  const size_t n = e->n;
+  gsl_matrix *m = gsl_matrix_alloc(n, n);
+  gsl_vector_complex *values = gsl_vector_complex_alloc(n);
+  gsl_eigen_nonsymm_workspace *space = gsl_eigen_nonsymm_alloc(n);
+  for (size_t i = 0; i < n; ++i)
+    for (size_t j = 0; j < n; ++j)
+      gsl_matrix_set(m, i, j,
+                     (i == j) - e->coupling * e->surface->influence[i + n * j] * e->slope[j]);
+  gsl_eigen_nonsymm(m, values, space);
+  int below = 0;
+  for (size_t i = 0; i < n; ++i)
+    below += GSL_REAL(gsl_vector_complex_get(values, i)) < 0.0;
+  gsl_matrix_free(m);
+  gsl_vector_complex_free(values);
+  gsl_eigen_nonsymm_free(space);
+  return below;
+}
+
+static bool count_modes(const po_branch_point *p, void *data) {
+  seen *s = data;
+  if (p->kind == PO_POINT_STEP && ++s->steps % 4 == 0)
+    s->wrong_modes += unstable_modes_of(s->e) != p->unstable_modes;
+  return p->load > 0.5 && p->unstable_modes == 0;
+}
+
+START_TEST(stability_from_the_turns_is_that_of_the_eigenvalues) {
+  static const double SCENES[][3] = {{1.5, 0.0, 0.0}, {5.0, 0.0, 0.0}, {3.0, 1.0, 20.0}};
+  const po_scene scene = {SCENES[_i][0], SCENES[_i][1], SCENES[_i][2], 100.0, 60.0};
+  const po_mesh mesh = {PO_TRIANGLE, PO_UNIFORM, 81};
+  po_surface *surface = NULL;
+  seen s = {.count = 0};
+  ck_assert_int_eq(po_surface_create(&scene, &mesh, 60.0, true, &surface), PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(&scene, surface, &s.e), PO_OK);
+  po_branch_options options = po_branch_options_default();
+  options.visit = count_modes;
+  options.data = &s;
+  ck_assert_int_eq(po_branch_trace(s.e, &options), PO_OK);
+  ck_assert_int_eq(s.wrong_modes, 0);
+  po_equilibrium_destroy(s.e);
+  po_surface_destroy(surface);
+}
+END_TEST
+
+static bool never(const po_branch_point *p, void *data) {
+  (void)p;
+  (void)data;
+  return false;
+}
+
+START_TEST(end_is_met_and_points_are_limited) {
+  po_scene scene = po_scene_default();
+  const po_mesh mesh = {PO_RING, PO_GRADED, 101};
+  po_surface *surface = NULL;
+  po_equilibrium *e = NULL;
+  seen s = {.count = 0};
+  ck_assert_int_eq(po_surface_create(&scene, &mesh, po_surface_core(&scene, 2.385), true, &surface),
+                   PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(&scene, surface, &e), PO_OK);
+  po_branch_options options = po_branch_options_default();
+  options.visit = look;
+  options.data = &s;
+  options.end = 1.385;
+  ck_assert_int_eq(po_branch_trace(e, &options), PO_OK);
+  ck_assert_double_eq_tol(s.last_approach, 1.385, 1e-11);
+  options.visit = never;
+  options.end = NAN;
+  options.most_points = 17;
+  ck_assert_int_eq(po_branch_trace(e, &options), PO_TOO_MANY_POINTS);
+  ck_assert_ptr_nonnull(strstr(po_message(), "17 points"));
+  po_equilibrium_destroy(e);
+  po_surface_destroy(surface);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_test(tests, smooth_sphere_folds_from_0_697_on);
+  tcase_add_test(tests, folds_alternate_and_account_for_every_turn);
+  tcase_add_test(tests, landmarks_are_converged);
+  tcase_add_loop_test(tests, stability_from_the_turns_is_that_of_the_eigenvalues, 0, 3);
+  tcase_add_test(tests, end_is_met_and_points_are_limited);
+}
+
+int main(void) {
+  return run_case("branch", add);
+}

@@ -1,0 +1,93 @@
+/* Observed order: halving the elements divides the errors of pull-off and folds by four, towards
+ * the independent reference (reference/feng_landmarks.csv, mu = 1, to 1e-10). */
+#include <math.h>
+#include <stdio.h>
+
+#include "po_branch.h"
+#include "po_outcome.h"
+#include "run.h"
+
+static const double FORCE = 1.67066477647629, APPROACH = -0.873379514904682;
+static const double JUMP_IN = -1.62921671169182, JUMP_OUT = -1.74343014358001;
+
+typedef struct {
+  double force, approach, jump_in, jump_out;
+} errors;
+
+static errors errors_of(po_scheme scheme, po_grading grading, size_t elements) {
+  po_request request = po_request_default();
+  request.mesh = (po_mesh){scheme, grading, elements + (scheme == PO_TRIANGLE)};
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_uint_eq(o.fold_count, 2);
+  const errors e = {o.pull_off.force - FORCE, o.pull_off.approach - APPROACH,
+                    o.folds[0].approach - JUMP_IN, o.folds[1].approach - JUMP_OUT};
+  po_outcome_clear(&o);
+  return e;
+}
+
+START_TEST(second_order) {
+  const po_scheme scheme = _i / 2 ? PO_TRIANGLE : PO_RING;
+  const po_grading grading = _i % 2 ? PO_GRADED : PO_UNIFORM;
+  errors e[3];
+  for (int k = 0; k < 3; ++k) {
+    e[k] = errors_of(scheme, grading, (size_t)250 << k);
+    printf("%s %s N = %zu: force %+.2e approach %+.2e folds %+.2e %+.2e\n", po_scheme_name(scheme),
+           po_grading_name(grading), (size_t)250 << k, e[k].force, e[k].approach, e[k].jump_in,
+           e[k].jump_out);
+  }
+  /* over two halvings, 16 to within half an order */
+  ck_assert_double_ge(fabs(e[0].jump_in / e[2].jump_in), 8.0);
+  ck_assert_double_ge(fabs(e[0].jump_out / e[2].jump_out), 8.0);
+  ck_assert_double_ge(fabs(e[0].force / e[2].force), 8.0);
+  ck_assert_double_lt(fabs(e[1].force), 1e-4);
+  ck_assert_double_lt(fabs(e[2].approach), 1e-3);
+}
+END_TEST
+
+static bool deepest(const po_branch_point *p, void *data) {
+  double *least = data;
+  *least = fmin(*least, p->load);
+  return p->load > 0.2 && p->unstable_modes == 0;
+}
+
+/* Pull-off with elements of a given size up to a given core radius, Gauss panels beyond. */
+static double pull_off(const po_scene *scene, double core, double size) {
+  const po_mesh mesh = {PO_TRIANGLE, PO_UNIFORM, (size_t)(core / size + 1.5)};
+  po_surface *surface = NULL;
+  po_equilibrium *e = NULL;
+  double least = 0.0;
+  ck_assert_int_eq(po_surface_create(scene, &mesh, core, true, &surface), PO_OK);
+  ck_assert_double_eq_tol(surface->core_radius, core, 1e-12);
+  ck_assert_int_eq(po_equilibrium_create(scene, surface, &e), PO_OK);
+  po_branch_options options = po_branch_options_default();
+  options.visit = deepest;
+  options.data = &least;
+  ck_assert_int_eq(po_branch_trace(e, &options), PO_OK);
+  po_equilibrium_destroy(e);
+  po_surface_destroy(surface);
+  return least;
+}
+
+/* The far tail of an unbounded surface is right to 1e-8: where the elements end and the panels
+ * begin does not matter, once the elements' own error (h^2) is extrapolated away. */
+START_TEST(tail_is_right_to_1e_8) {
+  const po_scene scene = {1.0, _i ? 0.3 : 0.0, 15.0, 100.0, INFINITY};
+  double load[2];
+  for (int k = 0; k < 2; ++k) {
+    const double core = k ? 90.0 : 60.0, h = 0.25;
+    load[k] = (4.0 * pull_off(&scene, core, 0.5 * h) - pull_off(&scene, core, h)) / 3.0;
+  }
+  printf("%s: %.10f %.10f\n", _i ? "wavy" : "smooth", load[0], load[1]);
+  ck_assert_double_eq_tol(load[0], load[1], 1e-8);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_loop_test(tests, second_order, 0, 4);
+  tcase_add_loop_test(tests, tail_is_right_to_1e_8, 0, 2);
+}
+
+int main(void) {
+  return run_case("convergence", add);
+}

@@ -1,0 +1,193 @@
+/* What is read off a branch: pull-off against known values, ends, profiles, and that the trace does
+ * not end before the pull-off is behind. */
+#include <math.h>
+#include <string.h>
+
+#include "po_contact.h"
+#include "po_law.h"
+#include "po_outcome.h"
+#include "po_shape.h"
+#include "run.h"
+
+static po_request request_of(double tabor, double amplitude, double wavelength, double outer) {
+  po_request request = po_request_default();
+  request.scene.tabor = tabor;
+  request.scene.amplitude = amplitude;
+  request.scene.wavelength = wavelength;
+  request.scene.outer_radius = outer;
+  request.mesh.nodes = 301;
+  return request;
+}
+
+/* A code comparison from an unrelated ring solver (our notes, 4.7), each +- 3e-5. */
+START_TEST(smooth_sphere_against_another_code) {
+  static const double KNOWN[][3] = {
+      {1.0, 1.67067, -0.8734}, {2.0, 1.5836, -1.6581}, {3.0, 1.55104, -2.4263}};
+  po_request request = request_of(KNOWN[_i][0], 0.0, 0.0, INFINITY);
+  request.mesh.nodes = 501;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  /* second order: the cohesive zone, about eps sqrt(R)/mu wide, has some 20 elements at mu = 3 */
+  ck_assert_double_eq_tol(o.pull_off.force, KNOWN[_i][1],
+                          3e-5 + 4e-5 * KNOWN[_i][0] * KNOWN[_i][0]);
+  ck_assert_double_eq_tol(o.pull_off.approach, KNOWN[_i][2],
+                          1e-4 + 8e-4 * KNOWN[_i][0] * KNOWN[_i][0]);
+  po_outcome_clear(&o);
+}
+END_TEST
+
+/* No deeper pull-off beyond the point where the trace ends by itself: the same scene, far deeper.
+ */
+START_TEST(pull_off_is_behind_when_the_trace_ends) {
+  static const double SCENES[][3] = {{2.385, 0.0, 0.0}, {3.0, 1.0, 20.0}, {1.0, 3.0, 12.0},
+                                     {0.3, 6.0, 25.0},  {2.0, 0.1, 30.0}, {3.0, 0.5, 7.0}};
+  po_request request = request_of(SCENES[_i][0], SCENES[_i][1], SCENES[_i][2], 90.0);
+  po_outcome near, far;
+  ck_assert_int_eq(po_observe(&request, &near), PO_OK);
+  request.approach_end = near.end + 2.0 * fabs(near.end - near.pull_off.approach);
+  ck_assert_int_eq(po_observe(&request, &far), PO_OK);
+  ck_assert_double_gt(far.end, near.end);
+  ck_assert_double_eq_tol(near.pull_off.force, far.pull_off.force, 1e-9);
+  ck_assert_double_eq_tol(near.pull_off.approach, far.pull_off.approach, 1e-5);
+  po_outcome_clear(&near);
+  po_outcome_clear(&far);
+}
+END_TEST
+
+START_TEST(curve_holds_its_landmarks_in_order) {
+  po_request request = request_of(3.0, 1.0, 20.0, 100.0);
+  request.want = PO_WANT_CURVE;
+  request.approach_start = -6.5;
+  request.approach_end = 1.0;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_double_ge(o.curve[0].approach, -6.5);
+  ck_assert_double_eq_tol(o.end, 1.0, 1e-10);
+  double least = 0.0;
+  for (size_t k = 1; k < o.curve_count; ++k) {
+    ck_assert_double_gt(o.curve[k].position, o.curve[k - 1].position);
+    least = fmin(least, o.curve[k].load);
+  }
+  ck_assert_double_eq(least, -o.pull_off.force);
+  ck_assert_uint_ge(o.fold_count, 4);
+  ck_assert_int_eq(o.folds[0].kind, PO_JUMP_IN);
+  ck_assert_int_eq(o.folds[0].unstable_modes, 1);
+  po_outcome_clear(&o);
+}
+END_TEST
+
+START_TEST(profile_is_an_equilibrium) { /* at pull-off; and at an approach asked for */
+  po_request request = request_of(1.3, 0.7, 23.85, 100.0);
+  request.want = PO_WANT_PROFILE;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_double_eq(o.profile_approach, o.pull_off.approach);
+  double load = 0.0; /* W/(pi w R) = 2/(R mu) integral of P r dr, by the trapezoidal rule */
+  for (size_t k = 1; k < o.profile_count; ++k) {
+    const po_profile_point *a = &o.profile[k - 1], *b = &o.profile[k];
+    load += 0.5 * (b->radius - a->radius) * (a->traction * a->radius + b->traction * b->radius);
+  }
+  load *= 2.0 / (request.scene.radius * request.scene.tabor);
+  ck_assert_double_eq_tol(-load, o.pull_off.force, 1e-3);
+  po_outcome_clear(&o);
+  request.profile_approach = -1.385;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_double_eq_tol(o.profile_approach, -1.385, 1e-10);
+  po_outcome_clear(&o);
+}
+END_TEST
+
+START_TEST(rigid_scene_is_solved_without_a_surface) {
+  po_request request = request_of(0.0, 1.0, 20.0, INFINITY); /* alpha = 0.25 */
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert(o.rigid);
+  ck_assert_uint_eq(o.work.kernel_evaluations, 0);
+  ck_assert_uint_eq(o.work.nodes, 0);
+  ck_assert_double_eq_tol(o.pull_off.force, 0.7410559, 1e-7);
+  po_outcome_clear(&o);
+  request.scene.wavelength = 1000.0; /* alpha = 1e-4 */
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_double_eq_tol(o.pull_off.force, 1.992148, 1e-6);
+  po_outcome_clear(&o);
+}
+END_TEST
+
+START_TEST(small_tabor_goes_to_the_rigid_limit) { /* elastic at 1e-4, by another code path */
+  po_request request = request_of(1e-4, 1.0, 20.0, INFINITY);
+  request.mesh.nodes = 801;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert(!o.rigid);
+  ck_assert_double_eq_tol(o.pull_off.force, 0.7410559, 3e-4);
+  po_outcome_clear(&o);
+}
+END_TEST
+
+START_TEST(unbounded_and_cut_differ_by_the_tail) { /* notes, 2: 1.0e-3 of the load at R = 100 */
+  po_request request = request_of(1.0, 0.0, 0.0, 100.0);
+  po_outcome cut, whole;
+  ck_assert_int_eq(po_observe(&request, &cut), PO_OK);
+  request.scene.outer_radius = INFINITY;
+  ck_assert_int_eq(po_observe(&request, &whole), PO_OK);
+  ck_assert_double_eq_tol(whole.pull_off.force - cut.pull_off.force, 1.0e-3, 2e-4);
+  po_outcome_clear(&cut);
+  po_outcome_clear(&whole);
+}
+END_TEST
+
+START_TEST(stop_ends_a_solve) {
+  volatile sig_atomic_t stop = 1;
+  po_request request = request_of(1.0, 0.0, 0.0, INFINITY);
+  request.stop = &stop;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_INTERRUPTED);
+  ck_assert_ptr_nonnull(strstr(o.reason, "interrupted"));
+  po_outcome_clear(&o);
+}
+END_TEST
+
+START_TEST(bad_requests_are_refused) {
+  po_request request = request_of(1.0, 0.0, 0.0, INFINITY);
+  po_outcome o;
+  request.mesh.nodes = 3;
+  ck_assert_int_eq(po_observe(&request, &o), PO_BAD_INPUT);
+  ck_assert_ptr_nonnull(strstr(o.reason, "nodes is 3"));
+  request.mesh.nodes = 100;
+  request.approach_start = 1.0;
+  request.approach_end = -1.0;
+  ck_assert_int_eq(po_observe(&request, &o), PO_BAD_INPUT);
+  request.scene.tabor = NAN;
+  ck_assert_int_eq(po_observe(&request, &o), PO_BAD_INPUT);
+}
+END_TEST
+
+START_TEST(contact_radius_is_where_tension_peaks) {
+  const double node[4] = {0.0, 1.0, 2.0, 3.0};
+  const double gap[4] = {0.0, 0.9, PO_LAW_PEAK_GAP - 0.1,
+                         PO_LAW_PEAK_GAP + 0.3}; /* a groove at 1 */
+  ck_assert_double_eq_tol(po_contact_radius(4, node, gap), 2.25, 1e-14);
+  const double open[2] = {0.3, 0.9};
+  ck_assert_double_eq(po_contact_radius(2, node, open), 0.0);
+  const po_scene scene = {0.0, 1.0, 20.0, 100.0, INFINITY};
+  const double r = po_contact_radius_rigid(&scene, 0.385);
+  ck_assert_double_eq_tol(po_shape(&scene, r), 0.385 + PO_LAW_PEAK_GAP, 1e-12);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_loop_test(tests, smooth_sphere_against_another_code, 0, 3);
+  tcase_add_loop_test(tests, pull_off_is_behind_when_the_trace_ends, 0, 6);
+  tcase_add_test(tests, curve_holds_its_landmarks_in_order);
+  tcase_add_test(tests, profile_is_an_equilibrium);
+  tcase_add_test(tests, rigid_scene_is_solved_without_a_surface);
+  tcase_add_test(tests, small_tabor_goes_to_the_rigid_limit);
+  tcase_add_test(tests, unbounded_and_cut_differ_by_the_tail);
+  tcase_add_test(tests, stop_ends_a_solve);
+  tcase_add_test(tests, bad_requests_are_refused);
+  tcase_add_test(tests, contact_radius_is_where_tension_peaks);
+}
+
+int main(void) {
+  return run_case("observe", add);
+}

@@ -1,0 +1,134 @@
+/* The rigid limit against Bradley and against brute-force quadrature of Eq 22. */
+#include <math.h>
+
+#include "po_law.h"
+#include "po_rigid.h"
+#include "run.h"
+
+static const double APPROACHES[] = {-30.0, -2.385, -0.3, 0.0, 0.385, 0.8};
+
+/* Eq 23, written out here: theory and solve do not know each other. */
+static double bradley(double approach) {
+  const double x = 1.0 - approach;
+  return -2.0 * (4.0 * pow(x, 6.0) - 1.0) / (3.0 * pow(x, 8.0));
+}
+
+START_TEST(smooth_is_bradley) {
+  const po_scene scene = {0.0, 0.0, 0.0, 83.0, INFINITY};
+  const double approach = APPROACHES[_i];
+  double load = NAN, rate = NAN;
+  ck_assert_int_eq(po_rigid_load(&scene, approach, &load, &rate), PO_OK);
+  ck_assert_double_eq_tol(load, bradley(approach), 1e-10 * fmax(1.0, fabs(load)));
+  const double x = 1.0 - approach, exact = -16.0 / 3.0 * (pow(x, -3.0) - pow(x, -9.0));
+  ck_assert_double_eq_tol(rate, exact, 1e-10 * fmax(1.0, fabs(exact)));
+}
+END_TEST
+
+/* Eq 22 by a fine midpoint sum in theta with the first Euler-Maclaurin term at 0; beyond 400
+ * periods the mean gap. */
+static double eq_22(double alpha, double amplitude, double approach) {
+  const double step = 4e-4 * M_PI, end = 800.0 * M_PI;
+  const double x0 = 1.0 / (1.0 - approach);
+  double sum = -step * step / 24.0 * (pow(x0, 3.0) - pow(x0, 9.0));
+  for (double theta = 0.5 * step; theta < end; theta += step) {
+    const double gap =
+        -approach + amplitude * (theta * theta / (8.0 * M_PI * M_PI * alpha) + 1.0 - cos(theta));
+    const double x = 1.0 / (1.0 + gap), x3 = x * x * x;
+    sum += (x3 - x3 * x3 * x3) * theta * step;
+  }
+  const double curvature = amplitude / (8.0 * M_PI * M_PI * alpha);
+  sum += pow(curvature * end * end + amplitude + 1.0 - approach, -2.0) / (4.0 * curvature);
+  return -4.0 * amplitude / (3.0 * M_PI * M_PI * alpha) * sum;
+}
+
+static const double WAVES[][3] = {
+    /* alpha, A, approach */
+    {0.25, 1.0, 0.2},
+    {0.25, 1.0, -1.3},
+    {2.385, 0.7, 0.31},
+    {0.03, 5.0, -0.4},
+    {1.1, 40.0, 0.1}};
+
+START_TEST(wavy_is_eq_22) {
+  const double alpha = WAVES[_i][0], amplitude = WAVES[_i][1], approach = WAVES[_i][2];
+  const double radius = 77.0;
+  const po_scene scene = {0.0, amplitude, sqrt(amplitude * radius / alpha), radius, INFINITY};
+  double load = NAN, rate = NAN;
+  ck_assert_int_eq(po_rigid_load(&scene, approach, &load, &rate), PO_OK);
+  ck_assert_double_eq_tol(load, eq_22(alpha, amplitude, approach), 2e-9);
+  double up, down, unused;
+  po_rigid_load(&scene, approach + 1e-5, &up, &unused);
+  po_rigid_load(&scene, approach - 1e-5, &down, &unused);
+  ck_assert_double_eq_tol(rate, (up - down) / 2e-5, 1e-6 * fmax(1.0, fabs(rate)));
+}
+END_TEST
+
+START_TEST(cut_surface_loses_the_tail) { /* integral of (1 + H)^-3 over r > r_max = R, exactly */
+  const po_scene whole = {0.0, 0.0, 0.0, 100.0, INFINITY}, cut = {0.0, 0.0, 0.0, 100.0, 100.0};
+  double a = NAN, b = NAN, rate;
+  po_rigid_load(&whole, 0.0, &a, &rate);
+  po_rigid_load(&cut, 0.0, &b, &rate);
+  const double x = 1.0 / 51.0; /* 1 + H at r = R */
+  ck_assert_double_eq_tol(a - b, -16.0 / 3.0 * (x * x / 2.0 - pow(x, 8.0) / 8.0), 1e-11);
+}
+END_TEST
+
+typedef struct {
+  int minima, stations, points;
+  double force, approach, last;
+} seen;
+
+static bool look(const po_branch_point *p, void *data) {
+  seen *s = data;
+  ++s->points;
+  s->last = p->approach;
+  s->stations += p->kind == PO_POINT_STATION;
+  if (p->kind == PO_POINT_LOAD_MIN) {
+    ++s->minima;
+    s->force = -p->load;
+    s->approach = p->approach;
+  }
+  return false;
+}
+
+START_TEST(trace_finds_pull_off_and_station) {
+  const po_scene scene = {0.0, 0.0, 0.0, 83.0, INFINITY};
+  seen s = {0, 0, 0, 0.0, 0.0, 0.0};
+  po_branch_options options = po_branch_options_default();
+  options.visit = look;
+  options.data = &s;
+  options.station = -0.7;
+  options.end = 0.385;
+  ck_assert_int_eq(po_rigid_trace(&scene, -5.0, &options), PO_OK);
+  ck_assert_int_eq(s.minima, 1);
+  ck_assert_int_eq(s.stations, 1);
+  ck_assert_double_eq_tol(s.force, 2.0, 1e-10);
+  ck_assert_double_eq_tol(s.approach, 0.0, 1e-8);
+  ck_assert_double_eq_tol(s.last, 0.385, 1e-15);
+  options.end = 1.0;
+  ck_assert_int_eq(po_rigid_trace(&scene, -5.0, &options), PO_BAD_INPUT);
+}
+END_TEST
+
+START_TEST(rigid_only_where_elasticity_is_nothing) {
+  po_scene scene = po_scene_default();
+  scene.tabor = 1e-4; /* the paper's own rigid runs are elastic */
+  ck_assert(!po_rigid_suffices(&scene));
+  scene.tabor = 1e-7;
+  ck_assert(po_rigid_suffices(&scene));
+  scene.tabor = 0.0;
+  ck_assert(po_rigid_suffices(&scene));
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_loop_test(tests, smooth_is_bradley, 0, sizeof APPROACHES / sizeof *APPROACHES);
+  tcase_add_loop_test(tests, wavy_is_eq_22, 0, sizeof WAVES / sizeof *WAVES);
+  tcase_add_test(tests, cut_surface_loses_the_tail);
+  tcase_add_test(tests, trace_finds_pull_off_and_station);
+  tcase_add_test(tests, rigid_only_where_elasticity_is_nothing);
+}
+
+int main(void) {
+  return run_case("rigid", add);
+}
