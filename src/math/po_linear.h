@@ -17,6 +17,9 @@ const char *po_linear_library(void);
  * Status: PO_SINGULAR when a pivot is exactly zero. */
 po_status po_linear_factorize(size_t n, double *a, size_t stride, int *pivots);
 
+/* Sign of the determinant, from the factors. */
+int po_linear_sign(size_t n, const double *a, size_t stride, const int *pivots);
+
 /* Solves with the factors; x, n, holds the right-hand side and then the solution. */
 void po_linear_solve(size_t n, const double *a, size_t stride, const int *pivots, double *x);
 

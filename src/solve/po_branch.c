@@ -206,13 +206,17 @@ static double try_step(tracer *t, double step, po_status *status) {
   }
   const double error = prediction_error(t);
   finish_point(t, &t->next);
-  if (error > GREATEST_ERROR || cosine(t) < LEAST_COSINE) {
+  if (error > GREATEST_ERROR || cosine(t) < LEAST_COSINE || t->e->orientation < 0) {
     *status = PO_NOT_CONVERGED;
     t->e->factorized = false;
     return fmax(0.25, fmin(0.7, pow(AIMED_ERROR / error, 0.25)));
   }
-  if (along_border(t, t->next.tangent) < OLD_BORDER)
+  t->next.position = t->current.position + step;
+  *status = find_events(t);
+  if (*status || along_border(t, t->next.tangent) < OLD_BORDER)
     t->e->factorized = false;
+  if (*status)
+    return 0.5;
   return fmax(0.4, fmin(2.0, pow(AIMED_ERROR / fmax(error, 1e-30), 0.25)));
 }
 
@@ -237,11 +241,16 @@ static po_status advance(tracer *t) {
     po_status status;
     const double factor = try_step(t, step, &status);
     t->step = step * factor;
-    if (!status) {
-      t->next.position = t->current.position + step;
+    if (!status)
       return PO_OK;
-    }
   }
+}
+
+static double least_gap(const tracer *t, const branch_point *p) {
+  double least = INFINITY;
+  for (size_t j = 0; j < t->e->n; ++j)
+    least = fmin(least, p->state[j]);
+  return least;
 }
 
 static void shift(tracer *t) {
@@ -278,10 +287,14 @@ po_status po_branch_trace(po_equilibrium *equilibrium, const po_branch_options *
     status = start(&t);
   if (!status)
     visit_point(&t, &t.current, PO_POINT_STEP);
+  const double begin_gap = status ? 0.0 : least_gap(&t, &t.current);
   while (!status && !t.ended) {
     status = advance(&t);
+    if (!status && least_gap(&t, &t.next) > begin_gap)
+      status = po_fail(PO_NOT_CONVERGED, "the branch led back to where it began, at approach %.6g",
+                       point_approach(&t, &t.next));
     if (!status)
-      status = visit_interval(&t);
+      status = visit_step(&t);
     if (!status && ++t.points > options->most_points)
       status =
           po_fail(PO_TOO_MANY_POINTS, "more than %zu points, the last at approach %.6g, load %.6g",

@@ -10,11 +10,29 @@ typedef struct {
   double position, load, load_rate;
 } branch_point;
 
+typedef enum { OF_APPROACH, OF_LOAD, AT_STATION, AT_END } event_kind;
+
+/* Something to be told of inside a step. */
+typedef struct {
+  event_kind of;
+  double low, high;     /* bracket, as a distance from current along the border */
+  double f_low, f_high; /* the function whose root is the event, at either end */
+  double root;
+} branch_event;
+
+enum { MOST_EVENTS = 32 };
+
+typedef struct {
+  branch_event list[MOST_EVENTS];
+  size_t count;
+} branch_events;
+
 typedef struct {
   po_equilibrium *e;
   const po_branch_options *options;
   branch_point previous, current, next; /* current and next are the ends of the last step */
   branch_point inner;                   /* a point between them */
+  branch_events events;                 /* between them, in order */
   double *border, *metric, *predicted;  /* n + 1 */
   double step;                          /* arclength to try */
   bool has_previous;
@@ -39,9 +57,12 @@ po_status refactorize(tracer *t, const branch_point *at, const double *state);
 double along_border(const tracer *t, const double *vector);
 double border_distance(const tracer *t, const double *to, const double *from);
 
-/* Finds, orders and visits what lies between current and next: folds, extrema, the station, the
- * end. Sets t->ended when the trace is to end. */
-po_status visit_interval(tracer *t);
+/* Finds and orders what lies between current and next: folds, extrema, the station, the end.
+ * Status: PO_NOT_CONVERGED when the step is too long for that. */
+po_status find_events(tracer *t);
+
+/* Visits the events found and then next. Sets t->ended when the trace is to end. */
+po_status visit_step(tracer *t);
 
 /* Tells the visitor of a point. */
 void visit_point(tracer *t, const branch_point *p, po_point_kind kind);

@@ -156,6 +156,7 @@ po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const
   e->matrix[m + order * m] = e->border[e->n];
   const po_status status = po_linear_factorize(order, e->matrix, order, e->pivots);
   e->factorized = !status;
+  e->orientation = status ? 0 : po_linear_sign(order, e->matrix, order, e->pivots);
   ++e->work.factorizations;
   if (order > e->work.factorized_nodes)
     e->work.factorized_nodes = order;

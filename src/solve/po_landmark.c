@@ -7,27 +7,13 @@
 #include "po_branch_internal.h"
 #include "po_hermite.h"
 
-enum { MOST_ROOT_STEPS = 40, MOST_SPLITS = 14, MOST_EVENTS = 32 };
+enum { MOST_ROOT_STEPS = 40, MOST_SPLITS = 14 };
 
 /* A landmark is located when the value it is the extremum of changes by less than this. */
 static const double LOCATED = 1e-12;
 
 /* A rate that falls to this part of that at the ends of an interval may change sign unseen. */
 static const double SUSPECT = 0.4;
-
-typedef enum { OF_APPROACH, OF_LOAD, AT_STATION, AT_END } quantity;
-
-typedef struct {
-  quantity of;
-  double low, high;     /* bracket, as a distance from current along the border */
-  double f_low, f_high; /* the function whose root is the event, at either end */
-  double root;
-} event;
-
-typedef struct {
-  event list[MOST_EVENTS];
-  size_t count;
-} events;
 
 /* A point of the interval as a function of the distance along the border. */
 typedef struct {
@@ -70,18 +56,18 @@ static po_status solve_inner(tracer *t, double distance) {
   return PO_OK;
 }
 
-static double target_of(const tracer *t, quantity of) {
+static double target_of(const tracer *t, event_kind of) {
   return of == AT_STATION ? t->options->station : t->options->end;
 }
 
 /* The function whose root is the event. */
-static double event_value(const tracer *t, quantity of, const sample *s) {
+static double event_value(const tracer *t, event_kind of, const sample *s) {
   return of <= OF_LOAD ? s->rate[of] : s->value[OF_APPROACH] - target_of(t, of);
 }
 
-/* Whether two extrema of a quantity hide between two samples, by the cubic between them, or might:
- * its rate falls far below that at the ends without changing sign. */
-static bool is_suspect(const sample *a, const sample *b, quantity q) {
+/* Whether two extrema of a event_kind hide between two samples, by the cubic between them, or
+ * might: its rate falls far below that at the ends without changing sign. */
+static bool is_suspect(const sample *a, const sample *b, event_kind q) {
   const double whole = b->at - a->at;
   double at[2];
   if (a->rate[q] * b->rate[q] > 0.0)
@@ -90,7 +76,8 @@ static bool is_suspect(const sample *a, const sample *b, quantity q) {
 }
 
 /* Collects the events between two samples; halves the interval while extrema may hide in it. */
-static po_status collect(tracer *t, const sample *a, const sample *b, int splits, events *found) {
+static po_status collect(tracer *t, const sample *a, const sample *b, int splits,
+                         branch_events *found) {
   const bool split = is_suspect(a, b, OF_APPROACH) || is_suspect(a, b, OF_LOAD);
   if (split && splits < MOST_SPLITS) {
     po_status status = solve_inner(t, 0.5 * (a->at + b->at));
@@ -100,7 +87,7 @@ static po_status collect(tracer *t, const sample *a, const sample *b, int splits
     status = collect(t, a, &middle, splits + 1, found);
     return status ? status : collect(t, &middle, b, splits + 1, found);
   }
-  for (quantity q = OF_APPROACH; q <= AT_END; ++q) {
+  for (event_kind q = OF_APPROACH; q <= AT_END; ++q) {
     if (q == AT_STATION && t->station_met)
       continue;
     const double low = event_value(t, q, a), high = event_value(t, q, b);
@@ -108,14 +95,14 @@ static po_status collect(tracer *t, const sample *a, const sample *b, int splits
       if (found->count == MOST_EVENTS)
         return PO_NOT_CONVERGED;
       found->list[found->count++] =
-          (event){.of = q, .low = a->at, .high = b->at, .f_low = low, .f_high = high};
+          (branch_event){.of = q, .low = a->at, .high = b->at, .f_low = low, .f_high = high};
     }
   }
   return PO_OK;
 }
 
 /* Narrows an event's bracket to its root by the Illinois variant of false position. */
-static po_status locate(tracer *t, event *ev) {
+static po_status locate(tracer *t, branch_event *ev) {
   double low = ev->low, high = ev->high, f_low = ev->f_low, f_high = ev->f_high;
   int side = 0;
   for (int k = 0; k < MOST_ROOT_STEPS; ++k) {
@@ -145,7 +132,7 @@ static po_status locate(tracer *t, event *ev) {
   return PO_OK;
 }
 
-static po_point_kind kind_of(const event *ev) {
+static po_point_kind kind_of(const branch_event *ev) {
   if (ev->of > OF_LOAD)
     return PO_POINT_STATION;
   const bool rising = ev->f_low > 0.0;
@@ -166,7 +153,7 @@ static int change_of_modes(po_point_kind kind, double load_rate) {
 }
 
 /* Solves the event's point and visits it. */
-static po_status visit_event(tracer *t, const event *ev) {
+static po_status visit_event(tracer *t, const branch_event *ev) {
   const po_status status = solve_inner(t, ev->root);
   if (status)
     return status;
@@ -181,22 +168,28 @@ static po_status visit_event(tracer *t, const event *ev) {
 }
 
 static int by_root(const void *left, const void *right) {
-  const double a = ((const event *)left)->root, b = ((const event *)right)->root;
+  const double a = ((const branch_event *)left)->root, b = ((const branch_event *)right)->root;
   return (a > b) - (a < b);
 }
 
-po_status visit_interval(tracer *t) {
-  events found = {.count = 0};
+po_status find_events(tracer *t) {
+  branch_events *found = &t->events;
   const sample a = sample_of(t, &t->current), b = sample_of(t, &t->next);
-  po_status status = collect(t, &a, &b, 0, &found);
-  for (size_t k = 0; k < found.count && !status; ++k)
-    status = locate(t, &found.list[k]);
-  qsort(found.list, found.count, sizeof *found.list, by_root); /* next is ahead: distances > 0 */
-  for (size_t k = 0; k < found.count && !status && !t->ended; ++k)
-    status = visit_event(t, &found.list[k]);
+  found->count = 0;
+  po_status status = collect(t, &a, &b, 0, found);
+  for (size_t k = 0; k < found->count && !status; ++k)
+    status = locate(t, &found->list[k]);
+  qsort(found->list, found->count, sizeof *found->list, by_root); /* next is ahead: distances > 0 */
+  return status;
+}
+
+po_status visit_step(tracer *t) {
+  po_status status = PO_OK;
+  for (size_t k = 0; k < t->events.count && !status && !t->ended; ++k)
+    status = visit_event(t, &t->events.list[k]);
   if (status)
-    return po_fail(status, "a landmark could not be located between approach %.6g and %.6g",
-                   a.value[OF_APPROACH], b.value[OF_APPROACH]);
+    return po_fail(status, "a landmark was lost between approach %.6g and %.6g",
+                   point_approach(t, &t->current), point_approach(t, &t->next));
   if (!t->ended) { /* the visitor reads the tractions of the point it is told of */
     po_equilibrium_evaluate(t->e, t->next.state);
     visit_point(t, &t->next, PO_POINT_STEP);
