@@ -6,9 +6,9 @@
 static const char *const SCHEMES[] = {[PO_RING] = "ring", [PO_TRIANGLE] = "triangle"};
 static const char *const GRADINGS[] = {[PO_UNIFORM] = "uniform", [PO_GRADED] = "graded"};
 
-/* Fewer nodes resolve nothing; more would need gigabytes for a matrix that a finer scheme spares.
+/* Fewer nodes resolve nothing; more would take a solve beyond 200 MB, which a finer scheme spares.
  */
-enum { LEAST_NODES = 8, MOST_NODES = 4000 };
+enum { LEAST_NODES = 8, MOST_NODES = 2500 };
 
 po_mesh po_mesh_default(void) {
   return (po_mesh){.scheme = PO_TRIANGLE, .grading = PO_UNIFORM, .nodes = 501};

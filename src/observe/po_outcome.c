@@ -12,8 +12,8 @@
 #include "po_rigid.h"
 #include "po_shape.h"
 
-/* Steps of a curve that is to be drawn: of approach, and of load. */
-static const double CURVE_STEP = 0.25, CURVE_LOAD_STEP = 0.1;
+/* How far a wanted curve may lie from the straight lines between its points. */
+static const double CURVE_SAGITTA = 2e-3;
 
 /* Where a rigid trace starts: the load there is below 2 % of pull-off. */
 static const double RIGID_START = -10.0;
@@ -43,10 +43,9 @@ static po_branch_options options_of(const po_request *request, po_reader *reader
   options.end = request->approach_end;
   if (request->want & PO_WANT_PROFILE)
     options.station = request->profile_approach;
-  if (request->want & PO_WANT_CURVE) {
-    options.largest_step = CURVE_STEP;
-    options.largest_load_step = CURVE_LOAD_STEP;
-  }
+  options.begin = request->approach_start;
+  if (request->want & PO_WANT_CURVE)
+    options.largest_sagitta = CURVE_SAGITTA;
   options.visit = po_reader_visit;
   options.data = reader;
   return options;
@@ -75,10 +74,9 @@ static po_status trace_rigid(const po_request *request, po_reader *reader) {
   const po_branch_options options = options_of(request, reader);
   reader->outcome->rigid = true;
   reader->begun = true;
-  const double begin =
-      isnan(request->approach_start)
-          ? fmin(RIGID_START, isnan(request->approach_end) ? RIGID_START : 2.0 * RIGID_START)
-          : request->approach_start;
+  double begin = request->approach_start;
+  if (isnan(begin))
+    begin = RIGID_START + fmin(0.0, isnan(request->approach_end) ? 0.0 : request->approach_end);
   return po_rigid_trace(&request->scene, begin, &options);
 }
 

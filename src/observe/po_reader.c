@@ -130,7 +130,7 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
   }
   if (!r->begun && !(p->approach >= r->begin))
     return false;
-  if (!r->begun)
+  if (isnan(o->start))
     o->start = p->approach;
   r->begun = true;
   o->end = p->approach;

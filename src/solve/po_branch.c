@@ -26,11 +26,8 @@ static const double SAFE_FEEDBACK = 0.25;
 enum { MOST_DOUBLINGS = 40 };
 
 po_branch_options po_branch_options_default(void) {
-  return (po_branch_options){.station = NAN,
-                             .end = NAN,
-                             .largest_step = INFINITY,
-                             .largest_load_step = INFINITY,
-                             .most_points = 30000};
+  return (po_branch_options){
+      .station = NAN, .end = NAN, .begin = NAN, .largest_sagitta = INFINITY, .most_points = 30000};
 }
 
 double point_approach(const tracer *t, const branch_point *p) {
@@ -83,18 +80,39 @@ po_status refactorize(tracer *t, const branch_point *at, const double *state) {
   return po_equilibrium_factorize(t->e, state, t->border);
 }
 
+po_branch_point seen_point(const tracer *t, const branch_point *p, po_point_kind kind) {
+  return (po_branch_point){.kind = kind,
+                           .position = p->position,
+                           .approach = point_approach(t, p),
+                           .load = p->load,
+                           .approach_rate = point_approach_rate(t, p),
+                           .load_rate = p->load_rate,
+                           .unstable_modes = t->unstable_modes,
+                           .gap = p->state};
+}
+
 void visit_point(tracer *t, const branch_point *p, po_point_kind kind) {
-  const po_branch_point point = {.kind = kind,
-                                 .position = p->position,
-                                 .approach = point_approach(t, p),
-                                 .load = p->load,
-                                 .approach_rate = point_approach_rate(t, p),
-                                 .load_rate = p->load_rate,
-                                 .unstable_modes = t->unstable_modes,
-                                 .gap = p->state,
-                                 .traction = t->e->traction};
+  po_branch_point point = seen_point(t, p, kind);
+  po_equilibrium_evaluate(t->e, p->state);
+  point.traction = t->e->traction;
   if (t->options->visit(&point, t->options->data))
     t->ended = true;
+}
+
+void copy_point(const tracer *t, const branch_point *from, branch_point *to) {
+  branch_point copy = *from;
+  copy.state = to->state;
+  copy.tangent = to->tangent;
+  memcpy(copy.state, from->state, (t->e->n + 1) * sizeof *copy.state);
+  memcpy(copy.tangent, from->tangent, (t->e->n + 1) * sizeof *copy.tangent);
+  *to = copy;
+}
+
+double po_branch_sagitta(const po_branch_point *from, const po_branch_point *to) {
+  const double cross = from->approach_rate * to->load_rate - from->load_rate * to->approach_rate;
+  const double dot = from->approach_rate * to->approach_rate + from->load_rate * to->load_rate;
+  return 0.125 * fabs(atan2(cross, dot)) *
+         hypot(to->approach - from->approach, to->load - from->load);
 }
 
 double po_branch_start(po_equilibrium *e) {
@@ -113,7 +131,7 @@ double po_branch_start(po_equilibrium *e) {
 static po_status start(tracer *t) {
   po_equilibrium *e = t->e;
   branch_point *p = &t->current;
-  const double approach = po_branch_start(e);
+  const double approach = fmin(po_branch_start(e), t->options->begin); /* begin may be NaN */
   for (size_t j = 0; j < e->n; ++j)
     p->state[j] = e->shape[j] - approach;
   p->state[e->n] = approach;
@@ -211,6 +229,13 @@ static double try_step(tracer *t, double step, po_status *status) {
     t->e->factorized = false;
     return fmax(0.25, fmin(0.7, pow(AIMED_ERROR / error, 0.25)));
   }
+  const po_branch_point from = seen_point(t, &t->current, PO_POINT_STEP);
+  const po_branch_point to = seen_point(t, &t->next, PO_POINT_STEP);
+  const double sagitta = po_branch_sagitta(&from, &to) / t->options->largest_sagitta;
+  if (sagitta > 1.0) {
+    *status = PO_NOT_CONVERGED;
+    return fmax(0.25, 0.8 / sqrt(sagitta));
+  }
   t->next.position = t->current.position + step;
   *status = find_events(t);
   if (*status || along_border(t, t->next.tangent) < OLD_BORDER)
@@ -220,19 +245,10 @@ static double try_step(tracer *t, double step, po_status *status) {
   return fmax(0.4, fmin(2.0, pow(AIMED_ERROR / fmax(error, 1e-30), 0.25)));
 }
 
-/* The step, cut to what the options allow. */
-static double allowed_step(const tracer *t) {
-  const double approach_rate = fabs(point_approach_rate(t, &t->current));
-  const double load_rate = fabs(t->current.load_rate);
-  double step = t->step;
-  step = fmin(step, t->options->largest_step / fmax(approach_rate, 1e-300));
-  return fmin(step, t->options->largest_load_step / fmax(load_rate, 1e-300));
-}
-
 /* Takes one step: next is a new point of the branch. */
 static po_status advance(tracer *t) {
   for (;;) {
-    const double step = allowed_step(t);
+    const double step = t->step;
     if (step < SHORTEST_STEP)
       return po_fail(PO_STEP_TOO_SMALL,
                      "the branch could not be followed with the shortest step past approach %.6g, "
@@ -279,6 +295,8 @@ po_status po_branch_trace(po_equilibrium *equilibrium, const po_branch_options *
   bool had = true;
   for (int k = 0; k < 4; ++k)
     had = allocate_point(points[k], n) && had;
+  for (int k = 0; k < MOST_EVENTS; ++k)
+    had = allocate_point(&t.at_event[k], n) && had;
   t.border = po_allocate(n + 1, sizeof *t.border);
   t.metric = po_allocate(n + 1, sizeof *t.metric);
   t.predicted = po_allocate(n + 1, sizeof *t.predicted);
@@ -294,7 +312,7 @@ po_status po_branch_trace(po_equilibrium *equilibrium, const po_branch_options *
       status = po_fail(PO_NOT_CONVERGED, "the branch led back to where it began, at approach %.6g",
                        point_approach(&t, &t.next));
     if (!status)
-      status = visit_step(&t);
+      visit_step(&t);
     if (!status && ++t.points > options->most_points)
       status =
           po_fail(PO_TOO_MANY_POINTS, "more than %zu points, the last at approach %.6g, load %.6g",
@@ -303,6 +321,8 @@ po_status po_branch_trace(po_equilibrium *equilibrium, const po_branch_options *
   }
   for (int k = 0; k < 4; ++k)
     free_point(points[k]);
+  for (int k = 0; k < MOST_EVENTS; ++k)
+    free_point(&t.at_event[k]);
   free(t.border);
   free(t.metric);
   free(t.predicted);

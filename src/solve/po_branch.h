@@ -39,14 +39,18 @@ typedef struct {
 typedef bool (*po_branch_visit)(const po_branch_point *point, void *data);
 
 typedef struct {
-  double station;           /* approach at which an exact point is wanted; NAN: none */
-  double end;               /* approach at which the trace ends, if met; NAN: none */
-  double largest_step;      /* greatest change of approach in one step, in eps */
-  double largest_load_step; /* greatest change of load in one step (predicted) */
+  double station; /* approach at which an exact point is wanted; NAN: none */
+  double end;     /* approach at which the trace ends, if met; NAN: none */
+  double begin;   /* the trace starts here when that is farther out than it needs; NAN: no */
+  double largest_sagitta; /* of a step's chord, in the plane of approach and load: how far from the
+                             curve a drawing by straight lines may be */
   size_t most_points;
   po_branch_visit visit;
   void *data;
 } po_branch_options;
+
+/* The sagitta of the chord between two points, from the turn of the curve between them. */
+double po_branch_sagitta(const po_branch_point *from, const po_branch_point *to);
 
 /* No station, no end, steps free, 30000 points; visit to be set. */
 po_branch_options po_branch_options_default(void);

@@ -18,9 +18,11 @@ typedef struct {
   double low, high;     /* bracket, as a distance from current along the border */
   double f_low, f_high; /* the function whose root is the event, at either end */
   double root;
+  size_t place; /* in at_event */
 } branch_event;
 
-enum { MOST_EVENTS = 32 };
+/* A step with more is too long. */
+enum { MOST_EVENTS = 8 };
 
 typedef struct {
   branch_event list[MOST_EVENTS];
@@ -33,6 +35,7 @@ typedef struct {
   branch_point previous, current, next; /* current and next are the ends of the last step */
   branch_point inner;                   /* a point between them */
   branch_events events;                 /* between them, in order */
+  branch_point at_event[MOST_EVENTS];   /* their points, in the order they were found */
   double *border, *metric, *predicted;  /* n + 1 */
   double step;                          /* arclength to try */
   bool has_previous;
@@ -62,7 +65,13 @@ double border_distance(const tracer *t, const double *to, const double *from);
 po_status find_events(tracer *t);
 
 /* Visits the events found and then next. Sets t->ended when the trace is to end. */
-po_status visit_step(tracer *t);
+void visit_step(tracer *t);
+
+/* A point as the visitor sees it, but for the tractions. */
+po_branch_point seen_point(const tracer *t, const branch_point *p, po_point_kind kind);
+
+/* Copies a point; `to` has its own arrays. */
+void copy_point(const tracer *t, const branch_point *from, branch_point *to);
 
 /* Tells the visitor of a point. */
 void visit_point(tracer *t, const branch_point *p, po_point_kind kind);

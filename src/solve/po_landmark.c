@@ -94,8 +94,13 @@ static po_status collect(tracer *t, const sample *a, const sample *b, int splits
     if ((low < 0.0 && high >= 0.0) || (low > 0.0 && high <= 0.0)) {
       if (found->count == MOST_EVENTS)
         return PO_NOT_CONVERGED;
-      found->list[found->count++] =
-          (branch_event){.of = q, .low = a->at, .high = b->at, .f_low = low, .f_high = high};
+      found->list[found->count] = (branch_event){.of = q,
+                                                 .low = a->at,
+                                                 .high = b->at,
+                                                 .f_low = low,
+                                                 .f_high = high,
+                                                 .place = found->count};
+      ++found->count;
     }
   }
   return PO_OK;
@@ -115,6 +120,7 @@ static po_status locate(tracer *t, branch_event *ev) {
     ev->root = at;
     /* how far the extremum's value, or the station's approach, may still be */
     const double left = ev->of <= OF_LOAD ? 0.5 * fabs(f * (high - low)) : fabs(f);
+    copy_point(t, &t->inner, &t->at_event[ev->place]);
     if (left < LOCATED)
       return PO_OK;
     const bool is_high = (f < 0.0) == (f_high < 0.0);
@@ -152,19 +158,15 @@ static int change_of_modes(po_point_kind kind, double load_rate) {
   return 0;
 }
 
-/* Solves the event's point and visits it. */
-static po_status visit_event(tracer *t, const branch_event *ev) {
-  const po_status status = solve_inner(t, ev->root);
-  if (status)
-    return status;
+static void visit_event(tracer *t, const branch_event *ev) {
+  const branch_point *p = &t->at_event[ev->place];
   const po_point_kind kind = kind_of(ev);
-  t->unstable_modes += change_of_modes(kind, t->inner.load_rate);
+  t->unstable_modes += change_of_modes(kind, p->load_rate);
   if (ev->of == AT_STATION)
     t->station_met = true;
-  visit_point(t, &t->inner, kind);
+  visit_point(t, p, kind);
   if (ev->of == AT_END)
     t->ended = true;
-  return PO_OK;
 }
 
 static int by_root(const void *left, const void *right) {
@@ -183,16 +185,9 @@ po_status find_events(tracer *t) {
   return status;
 }
 
-po_status visit_step(tracer *t) {
-  po_status status = PO_OK;
-  for (size_t k = 0; k < t->events.count && !status && !t->ended; ++k)
-    status = visit_event(t, &t->events.list[k]);
-  if (status)
-    return po_fail(status, "a landmark was lost between approach %.6g and %.6g",
-                   point_approach(t, &t->current), point_approach(t, &t->next));
-  if (!t->ended) { /* the visitor reads the tractions of the point it is told of */
-    po_equilibrium_evaluate(t->e, t->next.state);
+void visit_step(tracer *t) {
+  for (size_t k = 0; k < t->events.count && !t->ended; ++k)
+    visit_event(t, &t->events.list[k]);
+  if (!t->ended)
     visit_point(t, &t->next, PO_POINT_STEP);
-  }
-  return PO_OK;
 }

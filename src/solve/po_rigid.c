@@ -106,6 +106,7 @@ po_status po_rigid_load(const po_scene *scene, double approach, double *load, do
 typedef struct {
   const po_scene *scene;
   const po_branch_options *options;
+  double begin;
   po_status status;
   bool ended;
 } rigid_tracer;
@@ -118,14 +119,18 @@ static double rate_at(double approach, void *data) {
   return rate;
 }
 
-static double visit(rigid_tracer *t, double begin, double approach, po_point_kind kind) {
+/* Fills a point of the loading curve. */
+static po_branch_point solve(rigid_tracer *t, double approach, po_point_kind kind) {
   po_branch_point point = {
-      .kind = kind, .position = approach - begin, .approach = approach, .approach_rate = 1.0};
+      .kind = kind, .position = approach - t->begin, .approach = approach, .approach_rate = 1.0};
   const po_status status = po_rigid_load(t->scene, approach, &point.load, &point.load_rate);
   t->status = t->status ? t->status : status;
-  if (!t->status && t->options->visit(&point, t->options->data))
+  return point;
+}
+
+static void visit(rigid_tracer *t, const po_branch_point *point) {
+  if (!t->status && !t->ended && t->options->visit(point, t->options->data))
     t->ended = true;
-  return point.load_rate;
 }
 
 /* The approach between two at which the rate of the load vanishes. */
@@ -155,32 +160,43 @@ static double last_approach(const po_scene *scene) {
   return 1.0 - pow(2.0 * crest / (3.0 * CENTRE_LOAD), 0.125);
 }
 
+/* Visits what lies between two points, in order. */
+static void visit_between(rigid_tracer *t, const po_branch_point *from, const po_branch_point *to) {
+  double at[2] = {NAN, NAN};
+  const po_point_kind kind[2] = {PO_POINT_STATION,
+                                 from->load_rate < 0.0 ? PO_POINT_LOAD_MIN : PO_POINT_LOAD_MAX};
+  const double station = t->options->station;
+  if (station > from->approach && station <= to->approach)
+    at[0] = station;
+  if (from->load_rate * to->load_rate < 0.0)
+    at[1] = extremum(t, from->approach, to->approach);
+  const int first = at[1] < at[0]; /* false when either is NaN */
+  for (int k = 0; k < 2; ++k) {
+    const int i = first ? 1 - k : k;
+    if (isnan(at[i]))
+      continue;
+    const po_branch_point point = solve(t, at[i], kind[i]);
+    visit(t, &point);
+  }
+}
+
 po_status po_rigid_trace(const po_scene *scene, double begin, const po_branch_options *options) {
-  rigid_tracer t = {.scene = scene, .options = options};
+  rigid_tracer t = {.scene = scene, .options = options, .begin = begin};
   const double end = isnan(options->end) ? last_approach(scene) : options->end;
   if (!(end < 1.0))
     return po_fail(PO_BAD_INPUT, "approach_end is %g: rigid bodies cannot come closer than 1", end);
-  const double station = options->station;
-  double approach = begin, rate = visit(&t, begin, begin, PO_POINT_STEP);
-  while (!t.ended && !t.status && approach < end) {
-    const double step = fmin((1.0 - approach) * (1.0 - STEP_RATIO), options->largest_step);
-    const double next = fmin(approach + step, end);
-    const double next_rate = rate_at(next, &t);
-    double at[2] = {NAN, NAN};
-    po_point_kind kind[2] = {PO_POINT_STATION, rate < 0.0 ? PO_POINT_LOAD_MIN : PO_POINT_LOAD_MAX};
-    if (station > approach && station <= next)
-      at[0] = station;
-    if (!t.status && rate * next_rate < 0.0)
-      at[1] = extremum(&t, approach, next);
-    const int first = at[1] < at[0]; /* in order; false when either is NaN */
-    for (int k = 0; k < 2 && !t.ended && !t.status; ++k) {
-      const int i = first ? 1 - k : k;
-      if (!isnan(at[i]))
-        visit(&t, begin, at[i], kind[i]);
+  po_branch_point from = solve(&t, begin, PO_POINT_STEP);
+  visit(&t, &from);
+  while (!t.ended && !t.status && from.approach < end) {
+    double step = (1.0 - from.approach) * (1.0 - STEP_RATIO);
+    po_branch_point to = solve(&t, fmin(from.approach + step, end), PO_POINT_STEP);
+    while (!t.status && po_branch_sagitta(&from, &to) > options->largest_sagitta) {
+      step *= 0.5;
+      to = solve(&t, fmin(from.approach + step, end), PO_POINT_STEP);
     }
-    if (!t.ended && !t.status)
-      rate = visit(&t, begin, next, PO_POINT_STEP);
-    approach = next;
+    visit_between(&t, &from, &to);
+    visit(&t, &to);
+    from = to;
   }
   return t.status;
 }

@@ -102,6 +102,7 @@ START_TEST(rigid_scene_is_solved_without_a_surface) {
   po_outcome o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert(o.rigid);
+  ck_assert_double_eq(o.start, -10.0);
   ck_assert_uint_eq(o.work.kernel_evaluations, 0);
   ck_assert_uint_eq(o.work.nodes, 0);
   ck_assert_double_eq_tol(o.pull_off.force, 0.7410559, 1e-7);
