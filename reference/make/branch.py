@@ -1,0 +1,226 @@
+"""Equilibrium branch of an adhesive axisymmetric contact (Eqs 10-17).
+
+Normalised unknowns: gap H(u) and approach D, with
+
+    F = H + D - shape(u) - mu * deflection[P(H)] = 0                   (Eq 16)
+    P(H) = -(8/3) mu [(1+H)^-3 - (1+H)^-9],  W = 2 int P u du       (Eqs 9, 15)
+
+The branch is followed by arclength in the three numbers Y = (D, W, H(0)): they
+do not depend on the mesh, so a state can be moved to another mesh at any point.
+The tangent (dD, dW, dH0)/ds has unit length; dD/ds = 0 is a fold (jump under
+displacement control), dW/ds = 0 an extremum of the load.
+"""
+
+from dataclasses import dataclass
+from typing import Callable
+
+import numpy as np
+
+from copson import TRACTION_DECAY, Surface, dyadic_edges, legendre_transform
+
+APPROACH, LOAD, CENTRE = 0, 1, 2        # components of Y
+
+NEWTON_ROUNDS = 12
+NEWTON_DONE = 1e-9      # last relative update; the error left is its square
+CLOSEST_GAP = 0.5       # one update may at most halve the distance 1 + H
+
+
+class NotConverged(Exception):
+    """Newton's method failed; the caller shortens its step."""
+
+
+@dataclass(frozen=True)
+class Problem:
+    """What is pressed: Tabor parameter, undeformed gap shape(u) at zero
+    approach, and the radius `outer` of the surface (None = unbounded)."""
+    tabor: float
+    shape: Callable
+    outer: float = None
+
+    def traction(self, gap):
+        h3 = (1.0 + gap)**-3
+        return -(8.0 / 3.0) * self.tabor * (h3 - h3**3)
+
+    def slope(self, gap):
+        """dP/dH."""
+        x = 1.0 / (1.0 + gap)
+        return 8.0 * self.tabor * (x**4 - 3.0 * x**10)
+
+
+def smooth_sphere(tabor):
+    """Feng's problem: A = 0, parabola mu u^2/2, unbounded half-space."""
+    return Problem(tabor, lambda u: 0.5 * tabor * u**2)
+
+
+@dataclass(frozen=True)
+class Level:
+    """A refinement level: nodes a panel, nodes of the mapped panel, tolerance
+    on unresolved traction, start of the mapped panel (relative), additional
+    quadrature points."""
+    order: int
+    tail: int
+    tolerance: float
+    cut: float = 1.0
+    extra: int = 0
+
+    def cut_radius(self, problem):
+        """Start of the mapped panel: well outside both the range of the
+        attraction, sqrt(2/mu), and any contact area met here (u < 3)."""
+        return self.cut * max(6.0 * np.sqrt(2.0 / problem.tabor), 10.0)
+
+
+# The tail order and the cut vary too, so that comparing levels tests everything.
+TRACE = Level(order=14, tail=16, tolerance=1e-8)
+FINE_TRACE = Level(order=16, tail=18, tolerance=1e-9)
+POLISH = (Level(order=14, tail=18, tolerance=1e-10),
+          Level(order=18, tail=22, tolerance=1e-12, cut=1.21),
+          Level(order=22, tail=28, tolerance=1e-13, cut=1.37, extra=8))
+
+LEAST_LEVEL = 3         # coarsest panels: 1/8 of the finite part
+MOST_LEVEL = 22
+EDGE_LEVEL = 18         # halvings towards the edge of a bounded surface: the error left is
+                        # about 2^-18 of the (already tiny) traction there
+REMESH_FACTOR = 100.0   # re-mesh while tracing at this multiple of the tolerance
+MESH_ROUNDS = 8
+
+
+@dataclass
+class State:
+    """A converged equilibrium with its unit tangent."""
+    surface: Surface
+    gap: np.ndarray
+    approach: float
+    load: float
+    centre: float
+    gap_rate: np.ndarray = None
+    rate: np.ndarray = None             # d(D, W, H0)/ds
+
+    @property
+    def y(self):
+        return np.array([self.approach, self.load, self.centre])
+
+
+def make_surface(problem, level, unresolved, least=LEAST_LEVEL):
+    """Adaptive panels with a mapped panel to infinity, or on a bounded surface
+    panels graded to its edge, where the traction jumps to zero."""
+    if problem.outer is None:
+        edges = dyadic_edges(level.cut_radius(problem), unresolved, least, MOST_LEVEL)
+        return Surface(edges, level.order, level.tail, level.extra)
+    graded = problem.outer * (1.0 - 0.5**EDGE_LEVEL)
+    edges = dyadic_edges(problem.outer, lambda low, high: unresolved(low, high) or (
+        high == problem.outer and low < graded), least, MOST_LEVEL)
+    return Surface(edges, level.order, 0, level.extra)
+
+
+def correct(problem, surface, gap, approach, direction, target, previous=None):
+    """Newton's method for F = 0 together with direction . Y = target.
+
+    Returns the State; its tangent points the way of `previous` (a rate), or of
+    `direction` if that is None."""
+    shape = problem.shape(surface.u)
+    operator = problem.tabor * surface.deflection
+    n = surface.size
+    gap = gap.copy()
+    matrix = np.empty((n + 1, n + 1))
+    rhs = np.zeros((n + 1, 2))
+    rhs[n, 1] = 1.0
+    done = False
+    for _ in range(NEWTON_ROUNDS):
+        p, slope = problem.traction(gap), problem.slope(gap)
+        y = np.array([approach, surface.load(p), surface.centre @ gap[:surface.order]])
+        # rows scaled by 1/(1+|H|): the far gap is huge and of no consequence
+        scale = 1.0 / (1.0 + np.abs(gap))
+        matrix[:n, :n] = -operator * slope[None, :]
+        matrix[:n, :n].flat[::n + 1] += 1.0
+        matrix[:n, n] = 1.0
+        matrix[:n] *= scale[:, None]
+        matrix[n, :n] = direction[LOAD] * surface.weights * slope
+        matrix[n, :surface.order] += direction[CENTRE] * surface.centre
+        matrix[n, n] = direction[APPROACH]
+        rhs[:n, 0] = -(gap + approach - shape - operator @ p) * scale
+        rhs[n, 0] = target - direction @ y
+        solution = np.linalg.solve(matrix, rhs)
+        if done:
+            break
+        step = solution[:, 0]
+        if not np.isfinite(step).all():
+            raise NotConverged
+        shrink = np.max(-step[:n] / (1.0 + gap))
+        damping = min(1.0, CLOSEST_GAP / shrink) if shrink > 0 else 1.0
+        gap += damping * step[:n]
+        approach += damping * step[n]
+        size = max(np.max(np.abs(step[:n]) * scale), abs(step[n]))
+        done = damping == 1.0 and size < NEWTON_DONE
+    else:
+        raise NotConverged
+    rate = solution[:, 1]
+    y_rate = np.array([rate[n], surface.weights @ (slope * rate[:n]),
+                       surface.centre @ rate[:surface.order]])
+    sense = y_rate @ (direction if previous is None else previous)
+    norm = np.copysign(np.linalg.norm(y_rate), sense)
+    return State(surface, gap, approach, y[LOAD], y[CENTRE], rate[:n] / norm, y_rate / norm)
+
+
+def advance(problem, state, distance):
+    """The equilibrium `distance` further along (measured along the tangent)."""
+    return correct(problem, state.surface, state.gap + distance * state.gap_rate,
+                   state.approach + distance * state.rate[APPROACH],
+                   state.rate, state.rate @ state.y + distance)
+
+
+def unresolved(problem, state):
+    """Per panel: unresolved part of the traction and of its rate of change."""
+    surface = state.surface
+    return np.maximum(surface.roughness(problem.traction(state.gap)),
+                      surface.roughness(problem.slope(state.gap) * state.gap_rate))
+
+
+def remesh(problem, state, level, direction=None, target=None):
+    """Move `state` to a mesh of `level` adapted to it and re-converge with
+    direction . Y = target (as it stands: the state's own rate and Y); repeated
+    until the mesh no longer asks to be cut finer."""
+    if direction is None:
+        direction, target = state.rate, state.rate @ state.y
+    probe, _, to_legendre = legendre_transform(level.order)
+    for _ in range(MESH_ROUNDS):
+        old = state.surface
+        p = problem.traction(state.gap)
+        p_rate = problem.slope(state.gap) * state.gap_rate
+        sizes = np.abs(p).max(), np.abs(p_rate).max()
+        old_width = np.append(np.diff(old.edges), np.inf)
+        refine = np.append(unresolved(problem, state) > level.tolerance, False)
+
+        def rough(low, high):
+            # the old interpolant says nothing on scales below its own panels:
+            # cut those at most once, and only if they are unresolved
+            inside = np.arange(np.searchsorted(old.edges, low * (1 + 1e-12), "right") - 1,
+                               np.searchsorted(old.edges, high * (1 - 1e-12), "left"))
+            inside = inside[inside <= old.panels]
+            if len(inside) == 0 or high - low <= 0.51 * old_width[inside].min():
+                return False
+            if len(inside) == 1 and high - low <= 1.01 * old_width[inside[0]]:
+                return bool(refine[inside[0]])
+            u = np.sqrt(low**2 + 0.5 * (probe + 1.0) * (high**2 - low**2))
+            return any(np.abs(to_legendre[-2:] @ old.interpolate(f, u, TRACTION_DECAY)).max()
+                       > level.tolerance * size for f, size in zip((p, p_rate), sizes))
+
+        surface = make_surface(problem, level, rough)
+        same = (len(surface.edges) == len(old.edges) and surface.order == old.order
+                and surface.tail == old.tail and np.allclose(surface.edges, old.edges))
+        if same:
+            return state
+        # the elastic part of the gap is smooth everywhere: interpolate that
+        elastic = state.gap + state.approach - problem.shape(old.u)
+        gap = (old.interpolate(elastic, surface.u, 1) - state.approach
+               + problem.shape(surface.u))
+        state = correct(problem, surface, gap, state.approach, direction, target, state.rate)
+    return state
+
+
+def start(problem, approach, level):
+    """The nearly undeformed state far out, found at fixed approach."""
+    surface = make_surface(problem, level, lambda low, high: False, least=5)
+    shape = problem.shape(surface.u)
+    state = correct(problem, surface, shape - approach, approach,
+                    np.array([1.0, 0.0, 0.0]), approach)
+    return remesh(problem, state, level)

@@ -1,0 +1,132 @@
+"""Following a branch, and the folds and load extrema on it."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import brentq, minimize_scalar, newton
+
+from branch import (APPROACH, LOAD, POLISH, REMESH_FACTOR, TRACE, NotConverged, advance,
+                    remesh, start, unresolved)
+
+# Step control of the trace: the tangent in (D, W, H0) turns by about TURN per step.
+TURN = 0.12
+LONGEST_STEP = 0.25
+SHORTEST_STEP = 1e-7
+GROWTH = 1.25             # of the step, at most, after a success
+MOST_STEPS = 5000
+
+LOCATE_TOLERANCE = 1e-9   # of a landmark on the trace mesh; polishing goes on from there
+POLISH_PASSES = 2         # the landmark may move a little off the mesh first adapted
+FIRST_SECANT = 1e-5       # second point of the secant method, in arclength
+SECANT_ROUNDS = 12
+SECANT_DONE = 1e-12       # last change in arclength
+
+
+@dataclass(frozen=True)
+class Landmark:
+    component: int          # APPROACH: fold, LOAD: extremum of the load
+    sense: int              # +1: the component's rate goes from < 0 to > 0 (a minimum)
+    state: object
+
+    @property
+    def kind(self):
+        return {(APPROACH, -1): "fold_in", (APPROACH, 1): "fold_out",
+                (LOAD, 1): "minimum", (LOAD, -1): "maximum"}[self.component, self.sense]
+
+
+def trace(problem, level=TRACE, first_approach=-12.0, last_load=1.0, refine=1.0):
+    """States along the branch from far out until the load exceeds last_load;
+    refine > 1 shortens the steps."""
+    turn, longest = TURN / refine, LONGEST_STEP / refine
+    state = start(problem, first_approach, level)
+    states, step = [state], 0.1
+    for _ in range(MOST_STEPS):
+        if unresolved(problem, state).max() > REMESH_FACTOR * level.tolerance:
+            state = remesh(problem, state, level)
+        try:
+            following = advance(problem, state, step)
+            angle = np.arccos(min(1.0, following.rate @ state.rate))
+        except NotConverged:
+            angle = np.inf
+        if angle > 2.0 * turn:
+            step *= 0.5
+            if step < SHORTEST_STEP:
+                raise NotConverged(f"tabor {problem.tabor}: trace stuck at Y = {state.y}")
+            continue
+        state = following
+        states.append(state)
+        if state.load > last_load:
+            return states
+        step = min(longest, step * min(GROWTH, turn / max(angle, 1e-3)))
+    raise NotConverged(f"tabor {problem.tabor}: too many steps")
+
+
+def _between(problem, first, last):
+    """Function distance -> state from `first` on, and the distance to `last`."""
+    return (lambda d: advance(problem, first, d)), first.rate @ (last.y - first.y)
+
+
+def insert_near_misses(problem, states):
+    """Where |dD/ds| or |dW/ds| dips between points without changing sign, look
+    at the bottom of the dip: a close pair of landmarks must not be missed."""
+    out = list(states)
+    for component in (APPROACH, LOAD):
+        i = 1
+        while i < len(out) - 1:
+            f = [s.rate[component] for s in out[i - 1:i + 2]]
+            if f[0] * f[1] > 0 and f[1] * f[2] > 0 and abs(f[1]) < min(abs(f[0]), abs(f[2])):
+                sign = np.sign(f[1])
+                go, length = _between(problem, out[i - 1], out[i + 1])
+                found = minimize_scalar(lambda d: sign * go(d).rate[component],
+                                        bounds=(0.0, length), method="bounded",
+                                        options={"xatol": 1e-6 * length})
+                if found.fun < 0:
+                    new = go(found.x)
+                    at = i if out[i - 1].rate @ (new.y - out[i].y) < 0 else i + 1
+                    out.insert(at, new)
+                    i += 1
+            i += 1
+    return out
+
+
+def find_landmarks(problem, states):
+    """All folds and load extrema along a trace, in order."""
+    states = insert_near_misses(problem, states)
+    marks = []
+    for a, b in zip(states, states[1:]):
+        here = []
+        for component in (APPROACH, LOAD):
+            if a.rate[component] * b.rate[component] < 0:
+                go, length = _between(problem, a, b)
+                d = brentq(lambda d: go(d).rate[component], 0.0, length, xtol=LOCATE_TOLERANCE)
+                here.append((d, Landmark(component, int(np.sign(b.rate[component])), go(d))))
+        marks += [mark for _, mark in sorted(here, key=lambda pair: pair[0])]
+    return marks
+
+
+def polish(problem, mark, level):
+    """The landmark converged on a mesh of `level`."""
+    state, f = mark.state, mark.component
+    for _ in range(POLISH_PASSES):
+        state = remesh(problem, state, level)
+        distance = newton(lambda d: advance(problem, state, d).rate[f], 0.0, x1=FIRST_SECANT,
+                          tol=SECANT_DONE, maxiter=SECANT_ROUNDS, disp=False)
+        state = advance(problem, state, distance)
+    return Landmark(f, mark.sense, state)
+
+
+def converge(solve, levels=POLISH):
+    """Solve on every level.  Returns the values of the finest level and the
+    largest difference of the other levels from it."""
+    values = np.array([solve(level) for level in levels])
+    return values[-1], np.abs(values - values[-1]).max(axis=0)
+
+
+def landmark_kinds(marks):
+    return [mark.kind for mark in marks]
+
+
+def pull_off(rows):
+    """The row (kind, ...) of the global minimum of the load; rows carry
+    attributes kind and load."""
+    return min((r for r in rows if r.kind == "minimum"), key=lambda r: r.load)

@@ -1,0 +1,119 @@
+"""Exact results the operator and the solver of smooth_sphere.py must meet."""
+
+from math import pi, sin
+
+import numpy as np
+from scipy.integrate import quad
+from scipy.special import ellipkm1, ive
+
+from branch import POLISH, TRACE, smooth_sphere
+from copson import Surface, dyadic_edges
+from landmarks import find_landmarks, polish, trace
+
+OPERATOR_TOLERANCE = 1e-13    # a few hundred roundings
+RIGID_TOLERANCE = 1e-8        # beyond mu^1.5 = 1e-9, the order of the elastic correction
+RIGID_TABOR = 1e-6
+KERNEL_TOLERANCE = 1e-11       # limited by the adaptive quadrature
+QUAD = {"epsabs": 1e-12, "epsrel": 1e-12, "limit": 400}
+UNIFORM, CUT = 4, 8.0         # 2^4 equal panels up to s = 8
+
+
+def _check(name, error, tolerance):
+    print(f"{name:62s} {error:.1e}  (allowed {tolerance:.0e})")
+    if not error <= tolerance:
+        raise ValueError(f"self-test: {name}: error {error:.1e}")
+
+
+def _unbounded():
+    return Surface(dyadic_edges(CUT, lambda low, high: False, UNIFORM, UNIFORM), 16, 24)
+
+
+def gaussian():
+    """p = exp(-s^2) -> sqrt(pi) exp(-r^2/2) I0(r^2/2)."""
+    s = _unbounded()
+    p = np.exp(-s.q)
+    exact = np.sqrt(pi) * ive(0, 0.5 * s.q)
+    _check("Gaussian: deflection, relative, all radii",
+           np.abs(s.deflection @ p / exact - 1).max(), OPERATOR_TOLERANCE)
+    _check("Gaussian: load 1", abs(s.load(p) - 1), OPERATOR_TOLERANCE)
+
+
+def power():
+    """p = (1+s^2)^-3, the decay of the far traction: g = (3 pi/16)(1+t^2)^(-5/2)."""
+    s = _unbounded()
+    p = (1.0 + s.q)**-3
+
+    def exact(r):
+        f = lambda phi: 0.75 * (1.0 + (r * sin(phi))**2)**-2.5
+        marks = [0.0] + [m / r for m in (1.0, 4.0, 16.0, 64.0) if m < r] + [pi / 2]
+        return sum(quad(f, a, b, epsabs=0, epsrel=1e-13, limit=200)[0]
+                   for a, b in zip(marks, marks[1:]))
+
+    far = np.array([exact(r) for r in s.u])
+    _check("(1+s^2)^-3: deflection, relative, to the last far node",
+           np.abs(s.deflection @ p / far - 1).max(), OPERATOR_TOLERANCE)
+    _check("(1+s^2)^-3: load 1/2", abs(s.load(p) - 0.5), OPERATOR_TOLERANCE)
+
+
+def hertz():
+    """p = sqrt(1-s^2) on the bounded surface s < 1 -> (pi/4)(2-r^2)."""
+    edges = np.append(1.0 - 0.5**np.arange(30), 1.0)      # graded to the edge
+    s = Surface(edges, 16, 0)
+    p = np.sqrt(1.0 - s.q)
+    _check("Hertz: deflection, r < 1",
+           np.abs(s.deflection @ p - pi / 4 * (2 - s.q)).max(), OPERATOR_TOLERANCE)
+    _check("Hertz: load 2/3", abs(s.load(p) - 2 / 3), OPERATOR_TOLERANCE)
+
+
+def reciprocity():
+    """Betti: the work of one traction on the deflection of another is mutual."""
+    s = _unbounded()
+    one, two = np.exp(-s.q), (1.0 + s.q)**-3 * np.cos(s.q / (1.0 + s.q))
+    a, b = s.load(one * (s.deflection @ two)), s.load(two * (s.deflection @ one))
+    _check("reciprocity, relative", abs(a / b - 1), OPERATOR_TOLERANCE)
+
+
+def bradley():
+    """Rigid limit, Eq 23: pull-off 2 at approach 0."""
+    problem = smooth_sphere(RIGID_TABOR)
+    marks = find_landmarks(problem, trace(problem, TRACE, -4.0, 1.0))
+    state = polish(problem, marks[-1], POLISH[1]).state
+    x = 1.0 - state.approach
+    _check("rigid limit: one landmark only", len(marks) - 1, 0)
+    _check("rigid limit: pull-off 2", abs(state.load + 2.0), RIGID_TOLERANCE)
+    _check("rigid limit: load of Eq 23 at the same approach",
+           abs(state.load + 2 * (4 * x**6 - 1) / (3 * x**8)), RIGID_TOLERANCE)
+
+
+def kernel():
+    """Pull-off at mu = 1: Eq 16 between the nodes, with the elliptic kernel of
+    Eq 12 in its place (the one use of it) integrated by an adaptive rule."""
+    problem = smooth_sphere(1.0)
+    mark = find_landmarks(problem, trace(problem))[-1]
+    state = polish(problem, mark, POLISH[1]).state
+    s = state.surface
+    elastic = state.gap + state.approach - problem.shape(s.u)
+
+    def gap(v):
+        v = np.array([v])
+        return s.interpolate(elastic, v, 1) - state.approach + problem.shape(v)
+
+    def integrand(v, u):
+        ratio = min(u, v) / max(u, v)
+        green = 4.0 / (pi * max(u, v)) * ellipkm1((1.0 - ratio) * (1.0 + ratio))
+        return green * problem.traction(gap(v))[0] * v
+
+    worst = 0.0
+    for u in (0.377, 1.213, 2.719):
+        # v = u -+ z^3 takes the edge off the logarithm at v = u
+        inside = quad(lambda z: 3 * z**2 * integrand(u - z**3, u), 0.0, u**(1 / 3), **QUAD)[0]
+        outside = quad(lambda z: 3 * z**2 * integrand(u + z**3, u), 0.0, 1.5, **QUAD)[0]
+        beyond = quad(lambda z: integrand(1.0 / z, u) / z**2, 0.0, 1.0 / (u + 1.5**3), **QUAD)[0]
+        here = gap(u)[0] + state.approach - problem.shape(u)
+        worst = max(worst, abs(here - problem.tabor * (inside + outside + beyond)))
+    _check("Eq 16 with the kernel of Eq 12 at the pull-off of mu = 1", worst, KERNEL_TOLERANCE)
+
+
+def run():
+    for test in (gaussian, power, hertz, reciprocity, bradley, kernel):
+        test()

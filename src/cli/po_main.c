@@ -1,0 +1,64 @@
+/* pulloff: adhesion of a sphere with axisymmetric waviness, solved, checked and reported. */
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "po_options.h"
+#include "po_verbs.h"
+
+static const struct {
+  const char *name;
+  int (*run)(int argc, char **argv);
+  const char *summary;
+} VERBS[] = {
+    {"solve", po_verb_solve, "solve one scene given by flags"},
+    {"list", po_verb_list, "list the cases"},
+    {"plan", po_verb_plan, "say what would be computed for a case, and why"},
+    {"run", po_verb_run, "solve cases and keep their records"},
+    {"verify", po_verb_verify, "run what is missing and print a verdict for every check"},
+    {"report", po_verb_report, "write the report of a run"},
+};
+
+static void print_help(void) {
+  puts("Usage: pulloff VERB [OPTION]...\n"
+       "Adhesion of a sphere with axisymmetric waviness under the Lennard-Jones law:\n"
+       "solved, checked against reference data, reported.\n");
+  for (size_t i = 0; i < sizeof VERBS / sizeof *VERBS; ++i)
+    printf("  %-8s %s\n", VERBS[i].name, VERBS[i].summary);
+  puts("\n  --help     this text, or that of a verb\n"
+       "  --version  the version\n\n"
+       "Exit codes: 0 all well, 1 a check is outside its tolerance, 2 bad usage or input,\n"
+       "3 a solve failed, 4 a file could not be read or written, 130 interrupted.\n\n"
+       "Example: pulloff solve --tabor 1 --json");
+}
+
+static int run_verb(int argc, char **argv) {
+  if (argc < 2) {
+    po_fail(PO_BAD_INPUT, "no verb is given: expected solve, list, plan, run, verify or report");
+    return po_options_end(PO_BAD_INPUT);
+  }
+  if (strcmp(argv[1], "--help") == 0) {
+    print_help();
+    return PO_EXIT_OK;
+  }
+  if (strcmp(argv[1], "--version") == 0) {
+    puts("pulloff " PULLOFF_VERSION);
+    return PO_EXIT_OK;
+  }
+  for (size_t i = 0; i < sizeof VERBS / sizeof *VERBS; ++i)
+    if (strcmp(argv[1], VERBS[i].name) == 0)
+      return VERBS[i].run(argc - 1, argv + 1);
+  po_fail(PO_BAD_INPUT, "unknown verb %.80s: expected solve, list, plan, run, verify or report",
+          argv[1]);
+  return po_options_end(PO_BAD_INPUT);
+}
+
+int main(int argc, char **argv) {
+  const int code = run_verb(argc, argv);
+  /* What was printed may still fail to arrive, e.g. on a full disk. */
+  if ((fflush(stdout) != 0 || ferror(stdout)) && code == PO_EXIT_OK) {
+    po_fail(PO_CANNOT_WRITE, "standard output cannot be written: %s", strerror(errno));
+    return po_options_end(PO_CANNOT_WRITE);
+  }
+  return code;
+}

@@ -1,0 +1,61 @@
+#include "po_options.h"
+
+#include <stdio.h>
+
+int po_options_next(const po_options *options) {
+  opterr = 0;
+  int index = 0;
+  const int at = optind ? optind : 1;
+  const int found = getopt_long(options->argc, options->argv, ":", options->options, &index);
+  const char *given = at < options->argc ? options->argv[optind > 1 ? optind - 1 : at] : "";
+  switch (found) {
+  case PO_OPTION_HELP:
+    fputs(options->help, stdout);
+    return PO_OPTION_HELP;
+  case ':':
+    po_fail(PO_BAD_INPUT, "the option %s of %s needs a value (see pulloff %s --help)", given,
+            options->verb, options->verb);
+    return PO_OPTION_BAD;
+  case '?':
+    po_fail(PO_BAD_INPUT, "unknown option %s of %s (see pulloff %s --help)", given, options->verb,
+            options->verb);
+    return PO_OPTION_BAD;
+  default:
+    return found;
+  }
+}
+
+po_status po_options_refuse(const char *option, const char *value, const char *expected) {
+  return po_fail(PO_BAD_INPUT, "--%s is %.80s: expected %s", option, *value ? value : "empty",
+                 expected);
+}
+
+po_status po_options_no_operands(const po_options *options) {
+  if (optind >= options->argc)
+    return PO_OK;
+  return po_fail(PO_BAD_INPUT, "%s takes no %.80s (see pulloff %s --help)", options->verb,
+                 options->argv[optind], options->verb);
+}
+
+static int exit_code(po_status status) {
+  switch (status) {
+  case PO_OK:
+    return PO_EXIT_OK;
+  case PO_BAD_INPUT:
+    return PO_EXIT_USAGE;
+  case PO_CANNOT_READ:
+  case PO_CANNOT_WRITE:
+  case PO_MISSING_TOOL:
+    return PO_EXIT_FILE;
+  case PO_INTERRUPTED:
+    return PO_EXIT_INTERRUPTED;
+  default:
+    return PO_EXIT_SOLVE;
+  }
+}
+
+int po_options_end(po_status status) {
+  if (status)
+    fprintf(stderr, "pulloff: %s\n", *po_message() ? po_message() : po_status_text(status));
+  return exit_code(status);
+}

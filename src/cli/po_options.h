@@ -1,0 +1,46 @@
+/* Command lines: long options read the same way, refused with one line, by every verb. */
+#ifndef PO_OPTIONS_H
+#define PO_OPTIONS_H
+
+#include <getopt.h>
+#include <stddef.h>
+
+#include "po_status.h"
+
+/* Exit codes of the program. */
+enum {
+  PO_EXIT_OK = 0,
+  PO_EXIT_OUTSIDE = 1,      /* a check is outside its tolerance */
+  PO_EXIT_USAGE = 2,        /* bad usage or bad input */
+  PO_EXIT_SOLVE = 3,        /* a solve failed */
+  PO_EXIT_FILE = 4,         /* a file could not be read or written, a tool is missing */
+  PO_EXIT_INTERRUPTED = 130 /* 128 + SIGINT, as shells say it */
+};
+
+enum { PO_OPTION_HELP = 1000, PO_OPTION_DONE = -1, PO_OPTION_BAD = -2 };
+
+/* A reader of one command line. */
+typedef struct {
+  const char *verb;
+  const char *help; /* printed by --help */
+  const struct option *options;
+  int argc;
+  char **argv;
+} po_options;
+
+/* The next option: its `val`; PO_OPTION_DONE when only operands are left (from optind on);
+ * PO_OPTION_HELP when --help was asked for and printed; PO_OPTION_BAD when it is unknown, or lacks
+ * its argument, with the message of po_fail. */
+int po_options_next(const po_options *options);
+
+/* Refuses the value of an option: PO_BAD_INPUT. */
+po_status po_options_refuse(const char *option, const char *value, const char *expected);
+
+/* Refuses operands where a verb takes none. */
+po_status po_options_no_operands(const po_options *options);
+
+/* Prints the message of a status as `pulloff: ...` on standard error; the exit code that belongs to
+ * it. */
+int po_options_end(po_status status);
+
+#endif

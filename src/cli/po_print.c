@@ -1,0 +1,72 @@
+#include "po_print.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "po_input.h"
+#include "po_json.h"
+
+po_status po_print_json(const po_request *request, const po_outcome *outcome) {
+  json_t *document = json_object();
+  json_object_set_new(document, "schema", json_string("pulloff/1"));
+  json_t *found = po_json_outcome(request, outcome);
+  const bool whole = found && json_object_update_missing(document, found) == 0;
+  json_decref(found);
+  if (request->want & PO_WANT_CURVE)
+    json_object_set_new(document, "curve", po_json_curve(outcome));
+  if (request->want & PO_WANT_PROFILE) {
+    json_object_set_new(document, "profile_approach", po_json_number(outcome->profile_approach));
+    json_object_set_new(document, "profile", po_json_profile(outcome));
+  }
+  po_text text = {0};
+  const po_status status = po_json_print(whole ? document : NULL, &text);
+  if (!status)
+    fputs(text.data, stdout);
+  po_text_clear(&text);
+  json_decref(document);
+  return status;
+}
+
+static void print_landmarks(const po_landmark *list, size_t count) {
+  for (size_t i = 0; i < count; ++i)
+    printf("%-9s %16.10f %16.10f %14.6g %9d\n", po_landmark_kind_name(list[i].kind),
+           list[i].approach, list[i].load, list[i].contact_radius, list[i].unstable_modes);
+}
+
+static void print_input(const po_request *request) {
+  printf("scene   ");
+  for (int key = 0; key < PO_KEY_COUNT; ++key) {
+    char text[PO_NUMBER_LENGTH];
+    if (key == PO_KEY_WAVELENGTH && request->scene.amplitude == 0)
+      continue;
+    if (isnan(po_key_number(request, (po_key)key)))
+      continue;
+    po_key_print(request, (po_key)key, text);
+    printf(" %s %s", po_key_name((po_key)key), text);
+  }
+  printf("\n");
+}
+
+po_status po_print_text(const po_request *request, const po_outcome *outcome) {
+  print_input(request);
+  printf("status   %s%s%s\n", po_status_name(outcome->status), outcome->rigid ? ", rigid" : "",
+         outcome->has_pull_off ? "" : ", no pull-off found");
+  if (outcome->has_pull_off) {
+    printf("pull-off force %.10g at approach %.10g, contact radius %.6g", outcome->pull_off.force,
+           outcome->pull_off.approach, outcome->pull_off.contact_radius);
+    if (isfinite(outcome->pull_off.error_estimate))
+      printf(", error about %.1e", outcome->pull_off.error_estimate);
+    printf("\n");
+  }
+  if (outcome->fold_count + outcome->extremum_count) {
+    printf("%-9s %16s %16s %14s %9s\n", "", "approach", "load", "contact radius", "unstable");
+    print_landmarks(outcome->folds, outcome->fold_count);
+    print_landmarks(outcome->extrema, outcome->extremum_count);
+  }
+  printf(
+      "work     %llu points, %llu Newton iterations, %llu factorisations of %llu nodes, %.3g s\n",
+      (unsigned long long)outcome->work.points, (unsigned long long)outcome->work.newton_iterations,
+      (unsigned long long)outcome->work.factorizations,
+      (unsigned long long)outcome->work.factorized_nodes, outcome->work.seconds);
+  return PO_OK;
+}

@@ -1,0 +1,54 @@
+/* What run and verify share: options, choosing cases, running them. */
+#ifndef PO_SESSION_H
+#define PO_SESSION_H
+
+#include <stdbool.h>
+
+#include "po_catalog.h"
+#include "po_options.h"
+#include "po_run.h"
+
+typedef struct {
+  unsigned suites;
+  po_run_options options;
+  po_catalog catalog;
+  po_case_run *runs; /* one a case of the catalog */
+} po_session;
+
+/* The options every such verb takes, for its table, and their values. */
+enum {
+  PO_SESSION_SUITE = 1,
+  PO_SESSION_OUTPUT,
+  PO_SESSION_JOBS,
+  PO_SESSION_FRESH,
+  PO_SESSION_NEXT
+};
+// clang-format off
+#define PO_SESSION_OPTIONS                                                                         \
+  {"suite", required_argument, NULL, PO_SESSION_SUITE},                                            \
+  {"output", required_argument, NULL, PO_SESSION_OUTPUT},                                          \
+  {"jobs", required_argument, NULL, PO_SESSION_JOBS},                                              \
+  {"fresh", no_argument, NULL, PO_SESSION_FRESH},                                                  \
+  {"help", no_argument, NULL, PO_OPTION_HELP}
+// clang-format on
+
+/* A session with the defaults. */
+po_session po_session_default(void);
+
+/* Takes one option of the table above. Status: PO_BAD_INPUT. */
+po_status po_session_option(po_session *session, int option);
+
+/* Reads, checks and plans the cases named by the operands (or the suites), all before anything is
+ * run; then runs them. Status: as po_run. */
+po_status po_session_run(po_session *session, char *const *names, size_t count);
+
+/* Solves that failed, and checks not within, of all cases. */
+size_t po_session_failures(const po_session *session);
+size_t po_session_outside(const po_session *session);
+
+void po_session_clear(po_session *session);
+
+/* The suites of a comma-separated list added to *suites. Status: PO_BAD_INPUT. */
+po_status po_session_suites(const char *list, unsigned *suites);
+
+#endif

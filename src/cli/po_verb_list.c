@@ -1,0 +1,91 @@
+#include <stdio.h>
+#include <string.h>
+
+#include <jansson.h>
+
+#include "po_environment.h"
+#include "po_json.h"
+#include "po_session.h"
+#include "po_verbs.h"
+
+static const char HELP[] = "Usage: pulloff list [OPTION]...\n"
+                           "Lists the cases.\n\n"
+                           "  --suite S[,S]   only those of these suites\n"
+                           "  --json          one JSON document\n"
+                           "  --help          this text\n\n"
+                           "Example: pulloff list --suite paper\n";
+
+enum { SUITE = 1, JSON };
+
+static const struct option OPTIONS[] = {{"suite", required_argument, NULL, SUITE},
+                                        {"json", no_argument, NULL, JSON},
+                                        {"help", no_argument, NULL, PO_OPTION_HELP},
+                                        {NULL, 0, NULL, 0}};
+
+static void print_table(const po_catalog *catalog) {
+  printf("%-14s %-7s %6s %6s  %-20s %s\n", "case", "figure", "points", "checks", "suites", "title");
+  for (size_t i = 0; i < catalog->count; ++i) {
+    const po_case *kase = catalog->cases[i];
+    char suites[64] = "";
+    for (unsigned k = 0; k < kase->file->suite_names_count; ++k)
+      snprintf(suites + strlen(suites), sizeof suites - strlen(suites), "%s%s", k ? "," : "",
+               kase->file->suite_names[k]);
+    printf("%-14s %-7s %6zu %6u  %-20s %s\n", kase->file->name,
+           kase->file->figure ? kase->file->figure : "-", kase->point_count,
+           kase->file->checks_count, suites, kase->file->title);
+  }
+}
+
+static json_t *case_json(const po_case *kase) {
+  const po_case_file *file = kase->file;
+  json_t *suites = json_array();
+  for (unsigned k = 0; k < file->suite_names_count; ++k)
+    json_array_append_new(suites, json_string(file->suite_names[k]));
+  return json_pack("{s:s, s:s, s:s, s:s?, s:s?, s:o, s:I, s:i}", "case", file->name, "title",
+                   file->title, "file", kase->shown, "figure", file->figure, "equations",
+                   file->equations, "suites", suites, "points", (json_int_t)kase->point_count,
+                   "checks", (int)file->checks_count);
+}
+
+static po_status print_json(const po_catalog *catalog) {
+  json_t *cases = json_array();
+  for (size_t i = 0; i < catalog->count; ++i)
+    json_array_append_new(cases, case_json(catalog->cases[i]));
+  json_t *document = json_pack("{s:s, s:o}", "schema", "pulloff-list/1", "cases", cases);
+  po_text text = {0};
+  const po_status status = po_json_print(document, &text);
+  if (!status)
+    fputs(text.data, stdout);
+  po_text_clear(&text);
+  json_decref(document);
+  return status;
+}
+
+int po_verb_list(int argc, char **argv) {
+  const po_options options = {"list", HELP, OPTIONS, argc, argv};
+  po_catalog catalog = {0};
+  po_status status = PO_OK;
+  unsigned suites = 0;
+  bool json = false;
+  int option = 0;
+  while (!status && (option = po_options_next(&options)) > 0) {
+    if (option == PO_OPTION_HELP)
+      return PO_EXIT_OK;
+    if (option == JSON)
+      json = true;
+    else
+      status = po_session_suites(optarg, &suites);
+  }
+  if (option == PO_OPTION_BAD)
+    status = PO_BAD_INPUT;
+  if (!status)
+    status = po_options_no_operands(&options);
+  if (!status)
+    status = po_catalog_open(po_environment_data(), NULL, 0, suites, &catalog);
+  if (!status && json)
+    status = print_json(&catalog);
+  else if (!status)
+    print_table(&catalog);
+  po_catalog_close(&catalog);
+  return po_options_end(status);
+}

@@ -1,0 +1,46 @@
+#include <stdio.h>
+
+#include "po_catalog.h"
+#include "po_environment.h"
+#include "po_options.h"
+#include "po_plan.h"
+#include "po_verbs.h"
+
+static const char HELP[] =
+    "Usage: pulloff plan CASE...\n"
+    "Says what would be computed for a case, what would not, and why. Solves nothing.\n\n"
+    "  --help   this text\n\n"
+    "Example: pulloff plan fig03\n";
+
+static const struct option OPTIONS[] = {{"help", no_argument, NULL, PO_OPTION_HELP},
+                                        {NULL, 0, NULL, 0}};
+
+static po_status print_plan(const po_case *kase) {
+  po_plan *plan = NULL;
+  const po_status status = po_plan_create(kase, po_environment_data(), &plan);
+  if (status)
+    return status;
+  printf("%s: %s\n", kase->file->name, kase->file->title);
+  for (size_t i = 0; i < plan->line_count; ++i)
+    printf("  %s\n", plan->lines[i]);
+  po_plan_destroy(plan);
+  return PO_OK;
+}
+
+int po_verb_plan(int argc, char **argv) {
+  const po_options options = {"plan", HELP, OPTIONS, argc, argv};
+  po_catalog catalog = {0};
+  const int option = po_options_next(&options);
+  if (option == PO_OPTION_HELP)
+    return PO_EXIT_OK;
+  po_status status = option == PO_OPTION_BAD ? PO_BAD_INPUT : PO_OK;
+  if (!status && optind == argc)
+    status = po_fail(PO_BAD_INPUT, "plan needs the name of a case (see pulloff plan --help)");
+  if (!status)
+    status =
+        po_catalog_open(po_environment_data(), argv + optind, (size_t)(argc - optind), 0, &catalog);
+  for (size_t i = 0; !status && i < catalog.count; ++i)
+    status = print_plan(catalog.cases[i]);
+  po_catalog_close(&catalog);
+  return po_options_end(status);
+}

@@ -1,0 +1,101 @@
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "po_environment.h"
+#include "po_file.h"
+#include "po_options.h"
+#include "po_verbs.h"
+
+static const char HELP[] = "Usage: pulloff report [OPTION]...\n"
+                           "Writes report.html and report.pdf from the records of a run.\n\n"
+                           "  --run DIR      the records (build/run)\n"
+                           "  --output DIR   where the report goes (build/report)\n"
+                           "  --help         this text\n\n"
+                           "Example: pulloff report --run build/run --output build/report\n";
+
+enum { RUN = 1, OUTPUT };
+
+static const struct option OPTIONS[] = {{"run", required_argument, NULL, RUN},
+                                        {"output", required_argument, NULL, OUTPUT},
+                                        {"help", no_argument, NULL, PO_OPTION_HELP},
+                                        {NULL, 0, NULL, 0}};
+
+/* Whether a program can be started: as a path, or by the folders of PATH. */
+static bool is_program(const char *name) {
+  if (strchr(name, '/'))
+    return access(name, X_OK) == 0;
+  const char *path = getenv("PATH");
+  while (path && *path) {
+    char file[4096];
+    const size_t length = strcspn(path, ":");
+    snprintf(file, sizeof file, "%.*s/%s", (int)length, path, name);
+    if (access(file, X_OK) == 0)
+      return true;
+    path += length + (path[length] == ':');
+  }
+  return false;
+}
+
+static const char *python(void) {
+  const char *chosen = getenv("PULLOFF_PYTHON");
+  return chosen && *chosen ? chosen : PULLOFF_PYTHON;
+}
+
+static po_status check_means(const char *script, const char *run) {
+  if (!po_path_exists(script))
+    return po_fail(PO_CANNOT_READ, "%s cannot be read: it is not there", script);
+  if (!po_path_exists(run))
+    return po_fail(PO_CANNOT_READ, "there is no run in %s: expected one (pulloff run)", run);
+  if (!is_program(python()))
+    return po_fail(PO_MISSING_TOOL, "%s is not there: expected Python to write the report",
+                   python());
+  if (!is_program("gnuplot"))
+    return po_fail(PO_MISSING_TOOL, "gnuplot is not there: expected it on PATH to draw figures");
+  return PO_OK;
+}
+
+/* Runs the script and waits. Its own messages go where ours go; its exit code is ours. */
+static int run_script(const char *script, const char *run, const char *output) {
+  fflush(stdout);
+  const pid_t child = fork();
+  if (child == 0) {
+    execlp(python(), python(), script, "--run", run, "--output", output, (char *)NULL);
+    fprintf(stderr, "pulloff: %s cannot be started: %s\n", python(), strerror(errno));
+    _exit(PO_EXIT_FILE);
+  }
+  int ending = 0;
+  while (child > 0 && waitpid(child, &ending, 0) < 0)
+    if (errno != EINTR)
+      break;
+  if (child < 0) {
+    po_fail(PO_MISSING_TOOL, "%s cannot be started: %s", python(), strerror(errno));
+    return po_options_end(PO_MISSING_TOOL);
+  }
+  if (WIFSIGNALED(ending))
+    return 128 + WTERMSIG(ending);
+  return WEXITSTATUS(ending);
+}
+
+int po_verb_report(int argc, char **argv) {
+  const po_options options = {"report", HELP, OPTIONS, argc, argv};
+  const char *run = "build/run", *output = "build/report";
+  int option = 0;
+  while ((option = po_options_next(&options)) > 0) {
+    if (option == PO_OPTION_HELP)
+      return PO_EXIT_OK;
+    *(option == RUN ? &run : &output) = optarg;
+  }
+  po_status status = option == PO_OPTION_BAD ? PO_BAD_INPUT : po_options_no_operands(&options);
+  char *script = po_path_join(po_environment_data(), "reports/make_report.py");
+  if (!status)
+    status = script ? check_means(script, run) : PO_NO_MEMORY;
+  if (!status)
+    status = po_folder_make(output);
+  const int code = status ? po_options_end(status) : run_script(script, run, output);
+  free(script);
+  return code;
+}

@@ -1,0 +1,43 @@
+#include <stdio.h>
+
+#include "po_session.h"
+#include "po_verbs.h"
+
+static const char HELP[] =
+    "Usage: pulloff run [OPTION]... [CASE]...\n"
+    "Solves cases, points side by side, and keeps a record of each. What an earlier run left and\n"
+    "still holds is kept. CASE is a name (see pulloff list) or the path of a YAML file; without\n"
+    "any, all cases.\n\n"
+    "  --suite S[,S]   the cases of these suites: smoke, paper, extreme, precision\n"
+    "  --output DIR    where the records go (build/run)\n"
+    "  --jobs N        points solved side by side (all cores); the numbers do not depend on it\n"
+    "  --fresh         solve again what is there\n"
+    "  --help          this text\n\n"
+    "Example: pulloff run fig03 --jobs 2\n";
+
+static const struct option OPTIONS[] = {PO_SESSION_OPTIONS, {NULL, 0, NULL, 0}};
+
+int po_verb_run(int argc, char **argv) {
+  const po_options options = {"run", HELP, OPTIONS, argc, argv};
+  po_session session = po_session_default();
+  po_status status = PO_OK;
+  int option = 0;
+  while (!status && (option = po_options_next(&options)) > 0) {
+    if (option == PO_OPTION_HELP)
+      return PO_EXIT_OK;
+    status = po_session_option(&session, option);
+  }
+  if (option == PO_OPTION_BAD)
+    status = PO_BAD_INPUT;
+  if (!status)
+    status = po_session_run(&session, argv + optind, (size_t)(argc - optind));
+  const size_t failures = status ? 0 : po_session_failures(&session);
+  int code = po_options_end(status);
+  if (failures) {
+    fprintf(stderr, "pulloff: %zu solves failed, see the records in %s\n", failures,
+            session.options.output);
+    code = PO_EXIT_SOLVE;
+  }
+  po_session_clear(&session);
+  return code;
+}

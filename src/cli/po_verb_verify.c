@@ -1,0 +1,76 @@
+#include <stdio.h>
+
+#include "po_file.h"
+#include "po_session.h"
+#include "po_text.h"
+#include "po_verbs.h"
+#include "po_verdicts.h"
+
+static const char HELP[] =
+    "Usage: pulloff verify [OPTION]... [CASE]...\n"
+    "Runs what is missing of the cases, sets every number beside its reference and prints the\n"
+    "verdicts. Exit code 1 when a check is outside its tolerance, 3 when a solve failed.\n\n"
+    "  --suite S[,S]   the cases of these suites: smoke, paper, extreme, precision\n"
+    "  --output DIR    where the records are (build/run)\n"
+    "  --jobs N        points solved side by side (all cores); the numbers do not depend on it\n"
+    "  --fresh         solve again what is there\n"
+    "  --tap           print TAP 13, one line a check\n"
+    "  --junit FILE    write JUnit XML, too\n"
+    "  --help          this text\n\n"
+    "Example: pulloff verify --suite smoke\n";
+
+enum { TAP = PO_SESSION_NEXT, JUNIT };
+
+static const struct option OPTIONS[] = {PO_SESSION_OPTIONS,
+                                        {"tap", no_argument, NULL, TAP},
+                                        {"junit", required_argument, NULL, JUNIT},
+                                        {NULL, 0, NULL, 0}};
+
+static po_status print(const po_session *session, bool tap, const char *junit) {
+  po_text text = {0};
+  if (tap)
+    po_verdicts_tap(session->runs, session->catalog.count, &text);
+  else
+    po_verdicts_table(session->runs, session->catalog.count, &text);
+  fputs(po_text_string(&text), stdout);
+  po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
+  po_text_clear(&text);
+  if (status || !junit)
+    return status;
+  po_verdicts_junit(session->runs, session->catalog.count, &text);
+  status = text.failed ? PO_NO_MEMORY : po_file_write(junit, text.data, text.length);
+  po_text_clear(&text);
+  return status;
+}
+
+int po_verb_verify(int argc, char **argv) {
+  const po_options options = {"verify", HELP, OPTIONS, argc, argv};
+  po_session session = po_session_default();
+  po_status status = PO_OK;
+  bool tap = false;
+  const char *junit = NULL;
+  int option = 0;
+  while (!status && (option = po_options_next(&options)) > 0) {
+    if (option == PO_OPTION_HELP)
+      return PO_EXIT_OK;
+    if (option == TAP)
+      tap = true;
+    else if (option == JUNIT)
+      junit = optarg;
+    else
+      status = po_session_option(&session, option);
+  }
+  if (option == PO_OPTION_BAD)
+    status = PO_BAD_INPUT;
+  if (!status)
+    status = po_session_run(&session, argv + optind, (size_t)(argc - optind));
+  if (!status)
+    status = print(&session, tap, junit);
+  int code = po_options_end(status);
+  if (!status && po_session_failures(&session))
+    code = PO_EXIT_SOLVE;
+  else if (!status && po_session_outside(&session))
+    code = PO_EXIT_OUTSIDE;
+  po_session_clear(&session);
+  return code;
+}

@@ -1,0 +1,13 @@
+/* The verbs of the program. Each reads its command line (argv[0] is the verb) and returns the exit
+ * code. */
+#ifndef PO_VERBS_H
+#define PO_VERBS_H
+
+int po_verb_solve(int argc, char **argv);
+int po_verb_list(int argc, char **argv);
+int po_verb_plan(int argc, char **argv);
+int po_verb_run(int argc, char **argv);
+int po_verb_verify(int argc, char **argv);
+int po_verb_report(int argc, char **argv);
+
+#endif

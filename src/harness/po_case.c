@@ -1,0 +1,103 @@
+#include "po_case.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_case_parse.h"
+#include "po_file.h"
+#include "po_memory.h"
+#include "po_schema.h"
+
+static const char *const QUANTITIES[PO_QUANTITY_COUNT] = {
+    [PO_PULL_OFF_FORCE] = "pull_off_force",
+    [PO_PULL_OFF_APPROACH] = "pull_off_approach",
+    [PO_FOLD_COUNT] = "fold_count",
+    [PO_FOLDS] = "folds",
+    [PO_EXTREMA] = "extrema",
+    [PO_CURVE] = "curve",
+};
+
+static const char *const KINDS[] = {"abs", "rel", "ulp"};
+
+const char *po_quantity_name(po_quantity quantity) {
+  return QUANTITIES[quantity];
+}
+
+const char *po_tolerance_kind_name(po_tolerance_kind kind) {
+  return KINDS[kind];
+}
+
+const char *const PO_SUITE_NAMES = "smoke, paper, extreme or precision";
+
+unsigned po_suite_of_name(const char *name) {
+  static const char *const NAMES[] = {"smoke", "paper", "extreme", "precision"};
+  for (unsigned i = 0; i < 4; ++i)
+    if (strcmp(name, NAMES[i]) == 0)
+      return 1u << i;
+  return 0;
+}
+
+bool po_axis_holds(const po_axis *axis, const po_request *request) {
+  const int key = po_key_of_name(axis->key);
+  for (unsigned i = 0; key >= 0 && i < axis->values_count; ++i)
+    if (po_key_matches(request, (po_key)key, axis->values[i]))
+      return true;
+  return false;
+}
+
+bool po_check_concerns(const po_check *check, const po_request *request) {
+  for (unsigned i = 0; i < check->when_count; ++i)
+    if (!po_axis_holds(&check->when[i], request))
+      return false;
+  return true;
+}
+
+double po_check_allowance(const po_check *check, double expected) {
+  switch (check->kind) {
+  case PO_TOLERANCE_REL:
+    return check->tolerance * fabs(expected);
+  case PO_TOLERANCE_ULP:
+    return check->tolerance * (nextafter(fabs(expected), (double)INFINITY) - fabs(expected));
+  default:
+    return check->tolerance;
+  }
+}
+
+po_status po_case_read(const char *path, const char *shown, po_case **result) {
+  *result = NULL;
+  po_yaml *yaml = NULL;
+  po_case *kase = po_allocate(1, sizeof *kase);
+  po_status status = kase ? PO_OK : PO_NO_MEMORY;
+  if (!status && (!(kase->path = po_copy_text(path)) || !(kase->shown = po_copy_text(shown))))
+    status = PO_NO_MEMORY;
+  if (!status)
+    status = po_file_read(path, &kase->source, &kase->source_size);
+  if (!status)
+    status = po_yaml_create(shown, kase->source, kase->source_size, &yaml);
+  if (!status)
+    status = po_schema_load(yaml, kase->source, kase->source_size, &kase->file);
+  if (!status)
+    status = po_case_parse(kase, yaml);
+  po_yaml_destroy(yaml);
+  if (status)
+    po_case_destroy(kase);
+  else
+    *result = kase;
+  return status;
+}
+
+void po_case_destroy(po_case *kase) {
+  if (!kase)
+    return;
+  for (size_t i = 0; kase->points && i < kase->point_count; ++i)
+    free(kase->points[i].label);
+  free(kase->points);
+  po_schema_free(kase->file);
+  free(kase->source);
+  free(kase->shown);
+  free(kase->path);
+  free(kase);
+}

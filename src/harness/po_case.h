@@ -1,0 +1,123 @@
+/* A case: scenes to solve, what is wanted of them, and the checks their numbers must pass. */
+#ifndef PO_CASE_H
+#define PO_CASE_H
+
+#include <stddef.h>
+
+#include "po_input.h"
+#include "po_outcome.h"
+#include "po_status.h"
+
+typedef enum {
+  PO_SUITE_SMOKE = 1,
+  PO_SUITE_PAPER = 2,
+  PO_SUITE_EXTREME = 4,
+  PO_SUITE_PRECISION = 8,
+} po_suite;
+
+/* What a case wants; the first three come with every branch. */
+typedef enum {
+  PO_CASE_PULL_OFF = 1,
+  PO_CASE_FOLDS = 2,
+  PO_CASE_EXTREMA = 4,
+  PO_CASE_CURVE = 8,
+  PO_CASE_PROFILE = 16,
+} po_case_want;
+
+typedef enum {
+  PO_PULL_OFF_FORCE,
+  PO_PULL_OFF_APPROACH,
+  PO_FOLD_COUNT,
+  PO_FOLDS,
+  PO_EXTREMA,
+  PO_CURVE,
+  PO_QUANTITY_COUNT
+} po_quantity;
+
+typedef enum { PO_TOLERANCE_ABS, PO_TOLERANCE_REL, PO_TOLERANCE_ULP } po_tolerance_kind;
+
+/* One swept key and its values, as written. */
+typedef struct {
+  char *key;
+  char **values;
+  unsigned values_count;
+} po_axis;
+
+/* A check as written in the file; parsed values beside it. */
+typedef struct {
+  char *quantity_text;
+  char *reference;
+  char *tolerance_text;
+  char *kind_text;
+  char *because;
+  po_axis *when; /* the points it concerns: all these must match; none: every point */
+  unsigned when_count;
+  po_quantity quantity;
+  double tolerance;
+  po_tolerance_kind kind;
+  size_t line; /* of the tolerance in the file */
+} po_check;
+
+/* One scene of the sweep. */
+typedef struct {
+  char id[24]; /* "0", "1"...: in the order of the sweep */
+  char *label; /* "tabor=1 nodes=501", or "scene" without a sweep */
+  po_request request;
+} po_point;
+
+/* The scene as written; NULL: not given. */
+typedef struct {
+  char *values[PO_KEY_COUNT];
+} po_scene_words;
+
+/* What the file says, filled by libcyaml, then checked and parsed. */
+typedef struct {
+  char *name;
+  char *title;
+  char *figure;    /* NULL: none */
+  char *equations; /* NULL: none */
+  char *figure_script;
+  char **suite_names;
+  unsigned suite_names_count;
+  po_scene_words scene;
+  po_axis *sweep;
+  unsigned sweep_count;
+  char *repeats_text;
+  char **want_names;
+  unsigned want_names_count;
+  po_check *checks;
+  unsigned checks_count;
+} po_case_file;
+
+typedef struct {
+  char *path;   /* where it was read */
+  char *shown;  /* how messages and records call it, e.g. "cases/fig03.yaml" */
+  char *source; /* the text of the file */
+  size_t source_size;
+  po_case_file *file;
+  unsigned suites;  /* of po_suite */
+  unsigned want;    /* of po_case_want */
+  unsigned repeats; /* how often each solve is timed */
+  po_point *points;
+  size_t point_count;
+} po_case;
+
+/* Reads and checks one case file. `shown` is its name in messages.
+ * Status: PO_BAD_INPUT with one line `file:line: path is VALUE: expected ...`; PO_CANNOT_READ. */
+po_status po_case_read(const char *path, const char *shown, po_case **result);
+void po_case_destroy(po_case *kase);
+
+/* Whether a condition (or a whole list of them) holds for a scene. */
+bool po_axis_holds(const po_axis *axis, const po_request *request);
+bool po_check_concerns(const po_check *check, const po_request *request);
+
+/* Names, as in case files. */
+const char *po_quantity_name(po_quantity quantity);
+const char *po_tolerance_kind_name(po_tolerance_kind kind);
+unsigned po_suite_of_name(const char *name); /* 0: none of that name */
+extern const char *const PO_SUITE_NAMES;     /* "smoke, paper, extreme or precision" */
+
+/* The tolerance of a check around an expected value, as an absolute number. */
+double po_check_allowance(const po_check *check, double expected);
+
+#endif

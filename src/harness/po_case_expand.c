@@ -1,0 +1,62 @@
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "po_case_parse.h"
+#include "po_memory.h"
+#include "po_text.h"
+
+/* More points than this in one case is a slip of the pen, not a study. */
+static const size_t MOST_POINTS = 100000;
+
+static po_status count_points(po_case *kase, const po_yaml *yaml) {
+  size_t count = 1;
+  for (unsigned i = 0; i < kase->file->sweep_count; ++i) {
+    count *= kase->file->sweep[i].values_count;
+    if (count > MOST_POINTS)
+      return po_fail(PO_BAD_INPUT, "%s:%zu: sweep has more than %zu points: expected fewer",
+                     po_yaml_name(yaml), po_yaml_line(yaml, "sweep"), MOST_POINTS);
+  }
+  kase->point_count = count;
+  kase->points = po_allocate(count, sizeof *kase->points);
+  return kase->points ? PO_OK : PO_NO_MEMORY;
+}
+
+/* Point number `index` of the product, the last key of the sweep turning fastest. */
+static po_status fill_point(const po_case *kase, size_t index, const po_yaml *yaml) {
+  po_point *point = &kase->points[index];
+  const po_case_file *file = kase->file;
+  point->request = po_request_default();
+  for (int key = 0; key < PO_KEY_COUNT; ++key)
+    if (file->scene.values[key])
+      po_key_set(&point->request, (po_key)key, file->scene.values[key]);
+  size_t block = kase->point_count;
+  po_text label = {0};
+  for (unsigned i = 0; i < file->sweep_count; ++i) {
+    const po_axis *axis = &file->sweep[i];
+    block /= axis->values_count;
+    const char *value = axis->values[index / block % axis->values_count];
+    po_key_set(&point->request, (po_key)po_key_of_name(axis->key), value);
+    po_text_add(&label, "%s%s=%s", i ? " " : "", axis->key, value);
+  }
+  if (!file->sweep_count)
+    po_text_add(&label, "scene");
+  snprintf(point->id, sizeof point->id, "%zu", index);
+  point->label = label.data;
+  if (label.failed)
+    return PO_NO_MEMORY;
+  if (po_request_check(&point->request) == PO_OK)
+    return PO_OK;
+  char *why = po_copy_text(po_message());
+  const po_status status =
+      po_fail(PO_BAD_INPUT, "%s:%zu: scene (%s): %s", po_yaml_name(yaml),
+              po_yaml_line(yaml, "scene"), point->label, why ? why : "refused");
+  free(why);
+  return status;
+}
+
+po_status po_case_expand(po_case *kase, const po_yaml *yaml) {
+  po_status status = count_points(kase, yaml);
+  for (size_t i = 0; !status && i < kase->point_count; ++i)
+    status = fill_point(kase, i, yaml);
+  return status;
+}

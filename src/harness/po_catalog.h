@@ -1,0 +1,20 @@
+/* The cases there are, and choosing among them. */
+#ifndef PO_CATALOG_H
+#define PO_CATALOG_H
+
+#include "po_case.h"
+
+typedef struct {
+  po_case **cases;
+  size_t count;
+} po_catalog;
+
+/* Reads and checks the cases asked for. A name without '/' and ".yaml" is a case of
+ * data_folder/cases, of which then all files are read, so that a slip in any shows; else it is the
+ * path of a case file. Without names: all cases of the folder that belong to one of `suites` (0:
+ * all). Status: PO_BAD_INPUT (a bad file, an unknown name, a name in two files), PO_CANNOT_READ. */
+po_status po_catalog_open(const char *data_folder, char *const *names, size_t name_count,
+                          unsigned suites, po_catalog *catalog);
+void po_catalog_close(po_catalog *catalog);
+
+#endif

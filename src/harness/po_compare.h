@@ -1,0 +1,20 @@
+/* Our numbers beside those of the references. */
+#ifndef PO_COMPARE_H
+#define PO_COMPARE_H
+
+#include "po_result.h"
+
+/* Compares the outcome of one point with what the reference of one check says, and adds the
+ * results. Status: PO_CANNOT_READ when the reference lacks a column; PO_NO_MEMORY. An outcome that
+ * lacks the quantity, or a reference that does not speak of the scene, is a verdict and no failure.
+ */
+po_status po_compare(const po_case *kase, size_t point, const po_check *check,
+                     const po_reference *reference, const po_outcome *outcome, po_results *results);
+
+/* Refuses a tolerance tighter than the uncertainty of what it is compared with: such a check could
+ * fail, or pass, by the fault of the reference. Status: PO_BAD_INPUT with the line of the
+ * tolerance. */
+po_status po_compare_check_tolerance(const po_case *kase, const po_check *check, unsigned number,
+                                     const po_reference *reference);
+
+#endif

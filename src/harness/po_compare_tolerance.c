@@ -1,0 +1,58 @@
+#include <math.h>
+#include <stdlib.h>
+
+#include "po_compare.h"
+
+static po_status refuse(const po_case *kase, const po_check *check, unsigned number,
+                        const po_reference *reference, double uncertainty) {
+  char text[PO_NUMBER_LENGTH];
+  po_number_print(uncertainty, text);
+  return po_fail(PO_BAD_INPUT,
+                 "%s:%zu: checks[%u].tolerance is %s: expected at least %s, the uncertainty of %s "
+                 "itself",
+                 kase->shown, check->line, number, check->tolerance_text, text, reference->name);
+}
+
+static bool too_tight(const po_check *check, double expected, double uncertainty) {
+  return !isnan(uncertainty) && po_check_allowance(check, expected) < uncertainty;
+}
+
+static po_status check_points(const po_case *kase, const po_check *check, unsigned number,
+                              const po_reference *reference, const po_request *request) {
+  /* Where ours will run is not known yet: from far out to contact. */
+  po_curve_point ends[] = {{.approach = -10}, {.approach = 0.2}};
+  const po_outcome everywhere = {.start = -10, .end = 0.2, .curve = ends, .curve_count = 2};
+  po_reference_point *points = NULL;
+  size_t count = 0;
+  po_status status =
+      po_reference_points(reference, check->quantity, request, &everywhere, &points, &count);
+  for (size_t i = 0; !status && i < count; ++i) {
+    if (too_tight(check, points[i].approach, points[i].approach_uncertainty))
+      status = refuse(kase, check, number, reference, points[i].approach_uncertainty);
+    else if (too_tight(check, points[i].load, points[i].load_uncertainty))
+      status = refuse(kase, check, number, reference, points[i].load_uncertainty);
+  }
+  free(points);
+  return status;
+}
+
+po_status po_compare_check_tolerance(const po_case *kase, const po_check *check, unsigned number,
+                                     const po_reference *reference) {
+  for (size_t i = 0; i < kase->point_count; ++i) {
+    const po_request *request = &kase->points[i].request;
+    if (!po_check_concerns(check, request))
+      continue;
+    po_status status = PO_OK;
+    if (check->quantity == PO_FOLDS || check->quantity == PO_EXTREMA || check->quantity == PO_CURVE)
+      status = check_points(kase, check, number, reference, request);
+    else {
+      po_reference_number expected = {0};
+      status = po_reference_find(reference, check->quantity, request, &expected);
+      if (!status && too_tight(check, expected.value, expected.uncertainty))
+        status = refuse(kase, check, number, reference, expected.uncertainty);
+    }
+    if (status && status != PO_NOT_FOUND)
+      return status;
+  }
+  return PO_OK;
+}

@@ -1,0 +1,152 @@
+#include "po_curve.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "po_memory.h"
+#include "po_plane.h"
+
+/* A curve, the part of it that is compared, and the folds in that part. */
+typedef struct {
+  const po_plane_point *points;
+  size_t count;
+  size_t first, last; /* of the compared points */
+  size_t *folds;      /* indices of points where the approach turns */
+  size_t fold_count;
+} po_track;
+
+/* The branch begins far out, at small approach, and ends in contact, at large: what one curve has
+ * ahead of the other's start, and beyond its end, has no counterpart. Beside the ends a steep curve
+ * is beyond in load rather than in approach. */
+static void track_trim(po_track *track, const po_track *other) {
+  const po_stretch whole = {other->points, other->count, 0, other->count - 1};
+  const double start = other->points[0].approach, end = other->points[other->count - 1].approach;
+  track->first = 0;
+  track->last = track->count - 1;
+  while (track->first < track->last && (track->points[track->first].approach < start ||
+                                        po_plane_foot(track->points[track->first], &whole).before))
+    track->first += 1;
+  while (track->last > track->first && (track->points[track->last].approach > end ||
+                                        po_plane_foot(track->points[track->last], &whole).beyond))
+    track->last -= 1;
+}
+
+static po_status track_find_folds(po_track *track) {
+  track->folds = po_allocate(track->count, sizeof *track->folds);
+  if (!track->folds)
+    return PO_NO_MEMORY;
+  double before = 0;
+  for (size_t i = track->first; i < track->last; ++i) {
+    const double step = track->points[i + 1].approach - track->points[i].approach;
+    if (step * before < 0)
+      track->folds[track->fold_count++] = i;
+    if (step != 0)
+      before = step;
+  }
+  return PO_OK;
+}
+
+/* From fold k - 1 to fold k; the first and last stretch run to the ends of the curve. The curve may
+ * turn beside the point where it is seen to turn, so one element more belongs to it. */
+static po_stretch track_stretch(const po_track *track, size_t k) {
+  size_t from = k == 0 ? 0 : track->folds[k - 1];
+  size_t to = k == track->fold_count ? track->count - 1 : track->folds[k];
+  from -= from > 0;
+  to += to + 1 < track->count;
+  return (po_stretch){track->points, track->count, from, to};
+}
+
+static po_stretch track_whole(const po_track *track) {
+  return (po_stretch){track->points, track->count, 0, track->count - 1};
+}
+
+/* The stretch point i is on. */
+static size_t track_stretch_of(const po_track *track, size_t i) {
+  size_t k = 0;
+  while (k < track->fold_count && i > track->folds[k])
+    ++k;
+  return k;
+}
+
+/* The largest distance of the compared points of `a` from `b`: from the corresponding stretch when
+ * the folds correspond. Whether one so far off lies within the tolerance of another stretch, too.
+ */
+static void measure(const po_track *a, const po_track *b, double tolerance,
+                    po_curve_verdict *verdict) {
+  for (size_t i = a->first; i <= a->last; ++i) {
+    const po_plane_point point = a->points[i];
+    const po_stretch stretch =
+        verdict->same_folds ? track_stretch(b, track_stretch_of(a, i)) : track_whole(b);
+    const double distance = po_plane_foot(point, &stretch).distance;
+    if (distance > verdict->distance) {
+      verdict->distance = distance;
+      verdict->where = point;
+    }
+    if (distance > tolerance && verdict->same_folds && !verdict->note[0]) {
+      const po_stretch whole = track_whole(b);
+      if (po_plane_foot(point, &whole).distance <= tolerance)
+        snprintf(verdict->note, sizeof verdict->note,
+                 "different branch near approach %.4g, load %.4g", point.approach, point.load);
+    }
+  }
+}
+
+static double fold_distance(const po_track *a, size_t i, const po_track *b, size_t j) {
+  const po_plane_point p = a->points[a->folds[i]], q = b->points[b->folds[j]];
+  return hypot(p.approach - q.approach, p.load - q.load);
+}
+
+/* With unequal numbers of folds: names the fold of the longer list that is furthest from any of the
+ * other; its neighbours of the same pair are told by the counts. */
+static void name_fold(const po_track *ours, const po_track *reference, po_curve_verdict *verdict) {
+  const bool missing = reference->fold_count > ours->fold_count;
+  const po_track *more = missing ? reference : ours, *fewer = missing ? ours : reference;
+  double furthest = -1;
+  size_t named = 0;
+  for (size_t i = 0; i < more->fold_count; ++i) {
+    double nearest = (double)INFINITY;
+    for (size_t j = 0; j < fewer->fold_count; ++j)
+      nearest = fmin(nearest, fold_distance(more, i, fewer, j));
+    if (nearest > furthest) {
+      furthest = nearest;
+      named = i;
+    }
+  }
+  const po_plane_point fold = more->points[more->folds[named]];
+  snprintf(verdict->note, sizeof verdict->note,
+           "%s fold near approach %.4g, load %.4g (%zu folds, reference %zu)",
+           missing ? "missing" : "spurious", fold.approach, fold.load, ours->fold_count,
+           reference->fold_count);
+}
+
+po_status po_curve_compare(const po_plane_point *ours, size_t count,
+                           const po_plane_point *reference, size_t reference_count,
+                           double tolerance, po_curve_verdict *verdict) {
+  *verdict = (po_curve_verdict){0};
+  if (count < 2 || reference_count < 2)
+    return PO_OK;
+  po_track a = {.points = ours, .count = count};
+  po_track b = {.points = reference, .count = reference_count};
+  track_trim(&a, &b);
+  track_trim(&b, &a);
+  po_status status = PO_OK;
+  if (a.last - a.first < 1 || b.last - b.first < 1)
+    goto done;
+  status = track_find_folds(&a);
+  if (!status)
+    status = track_find_folds(&b);
+  if (status)
+    goto done;
+  verdict->compared = b.last - b.first + 1;
+  verdict->left_out = reference_count - verdict->compared;
+  verdict->same_folds = a.fold_count == b.fold_count;
+  if (!verdict->same_folds)
+    name_fold(&a, &b, verdict);
+  measure(&b, &a, tolerance, verdict);
+  measure(&a, &b, tolerance, verdict);
+done:
+  free(a.folds);
+  free(b.folds);
+  return status;
+}

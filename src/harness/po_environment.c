@@ -1,0 +1,86 @@
+#include "po_environment.h"
+
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/utsname.h>
+#include <time.h>
+
+#include <cyaml/cyaml.h>
+#include <gsl/gsl_version.h>
+
+#include "po_file.h"
+#include "po_linear.h"
+#include "po_text.h"
+
+#ifdef __clang__
+#define COMPILER "clang " __clang_version__
+#else
+#define COMPILER "gcc " __VERSION__
+#endif
+
+json_t *po_environment_versions(void) {
+  return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s}", "pulloff", PULLOFF_VERSION, "compiler",
+                   COMPILER, "gsl", gsl_version, "openblas", po_linear_library(), "lapacke",
+                   PULLOFF_LAPACKE_VERSION, "jansson", jansson_version_str(), "libcyaml",
+                   cyaml_version_str);
+}
+
+/* The rest of the first line of a file that begins with `start`, after the separator and blanks and
+ * without quotes; "unknown" when there is none. */
+static void find_line(const char *path, const char *start, char *text, size_t size) {
+  snprintf(text, size, "unknown");
+  FILE *file = fopen(path, "r");
+  char line[512];
+  while (file && fgets(line, sizeof line, file)) {
+    if (strncmp(line, start, strlen(start)) != 0)
+      continue;
+    const char *value = line + strlen(start);
+    value += strspn(value, " \t:=\"");
+    snprintf(text, size, "%.*s", (int)strcspn(value, "\"\n"), value);
+    break;
+  }
+  if (file)
+    fclose(file);
+}
+
+int po_environment_cores(void) {
+  return omp_get_num_procs();
+}
+
+json_t *po_environment_describe(int jobs) {
+  char system[256], processor[256], date[32];
+  struct utsname name;
+  find_line("/etc/os-release", "PRETTY_NAME", system, sizeof system);
+  find_line("/proc/cpuinfo", "model name", processor, sizeof processor);
+  if (uname(&name) != 0)
+    snprintf(name.machine, sizeof name.machine, "unknown");
+  const time_t now = time(NULL);
+  struct tm utc;
+  gmtime_r(&now, &utc);
+  strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return json_pack("{s:s, s:s, s:s, s:i, s:i, s:s}", "system", system, "machine", name.machine,
+                   "processor", processor, "cores", po_environment_cores(), "jobs", jobs, "date",
+                   date);
+}
+
+void po_environment_digest(char digest[PO_DIGEST_LENGTH]) {
+  char *program = NULL;
+  size_t size = 0;
+  po_text text = {0};
+  po_text_add(&text, "%s|%s|%s|", PULLOFF_VERSION, COMPILER, po_linear_library());
+  if (po_file_read("/proc/self/exe", &program, &size) == PO_OK) {
+    char own[PO_DIGEST_LENGTH];
+    po_digest_bytes(program, size, own);
+    po_text_add(&text, "%s", own);
+  }
+  free(program);
+  po_digest_bytes(po_text_string(&text), text.length, digest);
+  po_text_clear(&text);
+}
+
+const char *po_environment_data(void) {
+  const char *folder = getenv("PULLOFF_DATA");
+  return folder && *folder ? folder : PULLOFF_DATA_FOLDER;
+}

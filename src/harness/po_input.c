@@ -1,0 +1,169 @@
+#include "po_input.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_text.h"
+
+typedef enum { ANY_NUMBER, NOT_NEGATIVE, POSITIVE, POSITIVE_OR_INFINITE, COUNT, NAME } po_domain;
+
+static const struct {
+  const char *name;
+  po_domain domain;
+  const char *expected;
+} KEYS[PO_KEY_COUNT] = {
+    [PO_KEY_TABOR] = {"tabor", NOT_NEGATIVE, "a finite number >= 0"},
+    [PO_KEY_AMPLITUDE] = {"amplitude", NOT_NEGATIVE, "a finite number >= 0"},
+    [PO_KEY_WAVELENGTH] = {"wavelength", POSITIVE, "a finite number > 0"},
+    [PO_KEY_RADIUS] = {"radius", POSITIVE, "a finite number > 0"},
+    [PO_KEY_OUTER_RADIUS] = {"outer_radius", POSITIVE_OR_INFINITE, "a finite number > 0, or inf"},
+    [PO_KEY_SCHEME] = {"scheme", NAME, "ring or triangle"},
+    [PO_KEY_GRADING] = {"grading", NAME, "uniform or graded"},
+    [PO_KEY_NODES] = {"nodes", COUNT, "a whole number > 0"},
+    [PO_KEY_APPROACH_START] = {"approach_start", ANY_NUMBER, "a finite number"},
+    [PO_KEY_APPROACH_END] = {"approach_end", ANY_NUMBER, "a finite number"},
+};
+
+int po_key_of_name(const char *name) {
+  for (int key = 0; key < PO_KEY_COUNT; ++key)
+    if (strcmp(KEYS[key].name, name) == 0)
+      return key;
+  return -1;
+}
+
+const char *po_key_name(po_key key) {
+  return KEYS[key].name;
+}
+
+const char *po_key_expected(po_key key) {
+  return KEYS[key].expected;
+}
+
+bool po_key_is_number(po_key key) {
+  return KEYS[key].domain != NAME;
+}
+
+/* Where the number of a key lives; NULL for names and counts. */
+static double *key_place(po_request *request, po_key key) {
+  switch (key) {
+  case PO_KEY_TABOR:
+    return &request->scene.tabor;
+  case PO_KEY_AMPLITUDE:
+    return &request->scene.amplitude;
+  case PO_KEY_WAVELENGTH:
+    return &request->scene.wavelength;
+  case PO_KEY_RADIUS:
+    return &request->scene.radius;
+  case PO_KEY_OUTER_RADIUS:
+    return &request->scene.outer_radius;
+  case PO_KEY_APPROACH_START:
+    return &request->approach_start;
+  case PO_KEY_APPROACH_END:
+    return &request->approach_end;
+  default:
+    return NULL;
+  }
+}
+
+static bool set_name(po_request *request, po_key key, const char *text) {
+  const int found = key == PO_KEY_SCHEME ? po_scheme_of_name(text) : po_grading_of_name(text);
+  if (found < 0)
+    return false;
+  if (key == PO_KEY_SCHEME)
+    request->mesh.scheme = (po_scheme)found;
+  else
+    request->mesh.grading = (po_grading)found;
+  return true;
+}
+
+static bool domain_parse(po_domain domain, const char *text, double *value) {
+  switch (domain) {
+  case ANY_NUMBER:
+    return po_number_parse(text, value);
+  case NOT_NEGATIVE:
+    return po_number_parse(text, value) && *value >= 0;
+  case POSITIVE:
+    return po_number_parse(text, value) && *value > 0;
+  case POSITIVE_OR_INFINITE:
+    return po_number_parse_or_infinity(text, value) && *value > 0;
+  default:
+    return false;
+  }
+}
+
+bool po_key_set(po_request *request, po_key key, const char *text) {
+  if (KEYS[key].domain == NAME)
+    return set_name(request, key, text);
+  if (KEYS[key].domain == COUNT) {
+    size_t count = 0;
+    if (!po_number_parse_count(text, &count) || count == 0)
+      return false;
+    request->mesh.nodes = count;
+    return true;
+  }
+  double value = 0;
+  if (!domain_parse(KEYS[key].domain, text, &value))
+    return false;
+  *key_place(request, key) = value;
+  return true;
+}
+
+double po_key_number(const po_request *request, po_key key) {
+  po_request copy = *request;
+  const double *place = key_place(&copy, key);
+  if (place)
+    return *place;
+  if (key == PO_KEY_NODES)
+    return (double)request->mesh.nodes;
+  return key == PO_KEY_SCHEME ? (double)request->mesh.scheme : (double)request->mesh.grading;
+}
+
+void po_key_print(const po_request *request, po_key key, char text[PO_NUMBER_LENGTH]) {
+  if (key == PO_KEY_SCHEME)
+    snprintf(text, PO_NUMBER_LENGTH, "%s", po_scheme_name(request->mesh.scheme));
+  else if (key == PO_KEY_GRADING)
+    snprintf(text, PO_NUMBER_LENGTH, "%s", po_grading_name(request->mesh.grading));
+  else if (key == PO_KEY_NODES)
+    snprintf(text, PO_NUMBER_LENGTH, "%zu", request->mesh.nodes);
+  else if (isnan(po_key_number(request, key)))
+    snprintf(text, PO_NUMBER_LENGTH, "auto");
+  else
+    po_number_print(po_key_number(request, key), text);
+}
+
+bool po_key_matches(const po_request *request, po_key key, const char *text) {
+  po_request wanted = *request;
+  if (!po_key_set(&wanted, key, text))
+    return false;
+  const double a = po_key_number(request, key), b = po_key_number(&wanted, key);
+  return a == b || fabs(a - b) <= 4 * DBL_EPSILON * fabs(b);
+}
+
+/* A key need not be said when it is what the solver chooses, or nothing looks at it. */
+static bool key_is_idle(const po_request *request, po_key key) {
+  const bool smooth = request->scene.amplitude == 0;
+  return (key == PO_KEY_AMPLITUDE && smooth) || (key == PO_KEY_WAVELENGTH && smooth) ||
+         isnan(po_key_number(request, key));
+}
+
+char *po_input_command(const po_request *request) {
+  po_text command = {0};
+  po_text_add(&command, "pulloff solve");
+  for (int key = 0; key < PO_KEY_COUNT; ++key) {
+    if (key_is_idle(request, (po_key)key))
+      continue;
+    char value[PO_NUMBER_LENGTH], flag[PO_NUMBER_LENGTH];
+    po_key_print(request, (po_key)key, value);
+    snprintf(flag, sizeof flag, "%s", KEYS[key].name);
+    for (char *c = flag; *c; ++c)
+      if (*c == '_')
+        *c = '-';
+    po_text_add(&command, " --%s %s", flag, value);
+  }
+  if (command.failed)
+    po_text_clear(&command);
+  return command.data;
+}

@@ -1,0 +1,101 @@
+#include "po_json.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "po_input.h"
+
+json_t *po_json_number(double value) {
+  return isfinite(value) ? json_real(value) : json_null();
+}
+
+json_t *po_json_input(const po_request *request) {
+  json_t *object = json_object();
+  for (int key = 0; key < PO_KEY_COUNT; ++key) {
+    const double value = po_key_number(request, (po_key)key);
+    char text[PO_NUMBER_LENGTH];
+    po_key_print(request, (po_key)key, text);
+    json_t *item = NULL;
+    if (!po_key_is_number((po_key)key) || isinf(value))
+      item = json_string(text);
+    else if (key == PO_KEY_NODES)
+      item = json_integer((json_int_t)request->mesh.nodes);
+    else
+      item = po_json_number(value);
+    json_object_set_new(object, po_key_name((po_key)key), item);
+  }
+  return object;
+}
+
+static json_t *pull_off(const po_outcome *outcome) {
+  if (!outcome->has_pull_off)
+    return json_null();
+  return json_pack("{s:o, s:o, s:o, s:o}", "force", po_json_number(outcome->pull_off.force),
+                   "approach", po_json_number(outcome->pull_off.approach), "contact_radius",
+                   po_json_number(outcome->pull_off.contact_radius), "error_estimate",
+                   po_json_number(outcome->pull_off.error_estimate));
+}
+
+static json_t *landmarks(const po_landmark *list, size_t count) {
+  json_t *array = json_array();
+  for (size_t i = 0; i < count; ++i)
+    json_array_append_new(
+        array,
+        json_pack("{s:o, s:o, s:s, s:o, s:o, s:i}", "approach", po_json_number(list[i].approach),
+                  "load", po_json_number(list[i].load), "kind", po_landmark_kind_name(list[i].kind),
+                  "contact_radius", po_json_number(list[i].contact_radius), "position",
+                  po_json_number(list[i].position), "unstable_modes", list[i].unstable_modes));
+  return array;
+}
+
+static json_t *work(const po_work *done) {
+  return json_pack("{s:I, s:I, s:I, s:I, s:I, s:I, s:o}", "points", (json_int_t)done->points,
+                   "newton_iterations", (json_int_t)done->newton_iterations, "factorizations",
+                   (json_int_t)done->factorizations, "kernel_evaluations",
+                   (json_int_t)done->kernel_evaluations, "nodes", (json_int_t)done->nodes,
+                   "factorized_nodes", (json_int_t)done->factorized_nodes, "seconds",
+                   po_json_number(done->seconds));
+}
+
+json_t *po_json_outcome(const po_request *request, const po_outcome *outcome) {
+  return json_pack("{s:o, s:s, s:s, s:b, s:o, s:o, s:o, s:o, s:o, s:o}", "input",
+                   po_json_input(request), "status", po_status_name(outcome->status), "reason",
+                   outcome->reason, "rigid", (int)outcome->rigid, "start",
+                   po_json_number(outcome->start), "end", po_json_number(outcome->end), "pull_off",
+                   pull_off(outcome), "folds", landmarks(outcome->folds, outcome->fold_count),
+                   "extrema", landmarks(outcome->extrema, outcome->extremum_count), "work",
+                   work(&outcome->work));
+}
+
+json_t *po_json_curve(const po_outcome *outcome) {
+  json_t *array = json_array();
+  for (size_t i = 0; i < outcome->curve_count; ++i) {
+    const po_curve_point *p = &outcome->curve[i];
+    json_array_append_new(
+        array,
+        json_pack("{s:o, s:o, s:o, s:o, s:i}", "position", po_json_number(p->position), "approach",
+                  po_json_number(p->approach), "load", po_json_number(p->load), "contact_radius",
+                  po_json_number(p->contact_radius), "unstable_modes", p->unstable_modes));
+  }
+  return array;
+}
+
+json_t *po_json_profile(const po_outcome *outcome) {
+  json_t *array = json_array();
+  for (size_t i = 0; i < outcome->profile_count; ++i) {
+    const po_profile_point *p = &outcome->profile[i];
+    json_array_append_new(array, json_pack("{s:o, s:o, s:o}", "radius", po_json_number(p->radius),
+                                           "gap", po_json_number(p->gap), "traction",
+                                           po_json_number(p->traction)));
+  }
+  return array;
+}
+
+po_status po_json_print(const json_t *document, po_text *text) {
+  char *dump = document ? json_dumps(document, JSON_INDENT(2) | JSON_REAL_PRECISION(17)) : NULL;
+  if (!dump)
+    return po_fail(PO_NO_MEMORY, "no memory for a JSON document");
+  po_text_add(text, "%s\n", dump);
+  free(dump);
+  return text->failed ? PO_NO_MEMORY : PO_OK;
+}

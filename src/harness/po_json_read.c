@@ -1,0 +1,94 @@
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "po_json.h"
+#include "po_memory.h"
+
+/* A number, or NaN for null and what is absent. */
+static double number_of(const json_t *object, const char *key) {
+  const json_t *item = json_object_get(object, key);
+  return json_is_number(item) ? json_number_value(item) : (double)NAN;
+}
+
+static uint64_t count_of(const json_t *object, const char *key) {
+  return (uint64_t)json_integer_value(json_object_get(object, key));
+}
+
+static bool read_status(const json_t *object, po_outcome *outcome) {
+  const char *name = json_string_value(json_object_get(object, "status"));
+#define MATCH(id, value, text)                                                                     \
+  if (name && strcmp(name, po_status_name(id)) == 0) {                                             \
+    outcome->status = id;                                                                          \
+    return true;                                                                                   \
+  }
+  PO_STATUS_LIST(MATCH)
+#undef MATCH
+  return false;
+}
+
+static bool read_kind(const json_t *object, po_landmark_kind *kind) {
+  const char *name = json_string_value(json_object_get(object, "kind"));
+  for (int k = PO_JUMP_IN; name && k <= PO_MAXIMUM; ++k)
+    if (strcmp(name, po_landmark_kind_name((po_landmark_kind)k)) == 0) {
+      *kind = (po_landmark_kind)k;
+      return true;
+    }
+  return false;
+}
+
+static po_status read_landmarks(const json_t *array, po_landmark **list, size_t *count) {
+  const size_t size = json_array_size(array);
+  *list = po_allocate(size, sizeof **list);
+  if (!*list)
+    return PO_NO_MEMORY;
+  *count = size;
+  for (size_t i = 0; i < size; ++i) {
+    const json_t *item = json_array_get(array, i);
+    po_landmark *landmark = &(*list)[i];
+    if (!read_kind(item, &landmark->kind))
+      return po_fail(PO_BAD_INPUT, "landmark %zu has no kind", i);
+    landmark->approach = number_of(item, "approach");
+    landmark->load = number_of(item, "load");
+    landmark->contact_radius = number_of(item, "contact_radius");
+    landmark->position = number_of(item, "position");
+    landmark->unstable_modes = (int)json_integer_value(json_object_get(item, "unstable_modes"));
+  }
+  return PO_OK;
+}
+
+static void read_work(const json_t *object, po_work *work) {
+  work->points = count_of(object, "points");
+  work->newton_iterations = count_of(object, "newton_iterations");
+  work->factorizations = count_of(object, "factorizations");
+  work->kernel_evaluations = count_of(object, "kernel_evaluations");
+  work->nodes = count_of(object, "nodes");
+  work->factorized_nodes = count_of(object, "factorized_nodes");
+  work->seconds = number_of(object, "seconds");
+}
+
+po_status po_json_read_outcome(const json_t *object, po_outcome *outcome) {
+  *outcome = (po_outcome){0};
+  if (!read_status(object, outcome))
+    return po_fail(PO_BAD_INPUT, "a point has no status");
+  const char *reason = json_string_value(json_object_get(object, "reason"));
+  snprintf(outcome->reason, sizeof outcome->reason, "%s", reason ? reason : "");
+  outcome->rigid = json_is_true(json_object_get(object, "rigid"));
+  outcome->start = number_of(object, "start");
+  outcome->end = number_of(object, "end");
+  const json_t *pull_off = json_object_get(object, "pull_off");
+  outcome->has_pull_off = json_is_object(pull_off);
+  outcome->pull_off.force = number_of(pull_off, "force");
+  outcome->pull_off.approach = number_of(pull_off, "approach");
+  outcome->pull_off.contact_radius = number_of(pull_off, "contact_radius");
+  outcome->pull_off.error_estimate = number_of(pull_off, "error_estimate");
+  read_work(json_object_get(object, "work"), &outcome->work);
+  po_status status =
+      read_landmarks(json_object_get(object, "folds"), &outcome->folds, &outcome->fold_count);
+  if (!status)
+    status = read_landmarks(json_object_get(object, "extrema"), &outcome->extrema,
+                            &outcome->extremum_count);
+  if (status)
+    po_outcome_clear(outcome);
+  return status;
+}

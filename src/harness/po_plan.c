@@ -1,0 +1,97 @@
+#include "po_plan.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_compare.h"
+#include "po_environment.h"
+#include "po_memory.h"
+#include "po_plan_words.h"
+#include "po_text.h"
+
+po_request po_plan_request(const po_plan *plan, size_t point) {
+  po_request request = plan->kase->points[point].request;
+  request.want = plan->want;
+  return request;
+}
+
+static void decide(po_plan *plan) {
+  const po_case *kase = plan->kase;
+  plan->want = 0;
+  if (kase->want & PO_CASE_CURVE)
+    plan->want |= PO_WANT_CURVE;
+  if (kase->want & PO_CASE_PROFILE)
+    plan->want |= PO_WANT_PROFILE;
+  for (unsigned i = 0; i < kase->file->checks_count; ++i)
+    if (kase->file->checks[i].quantity == PO_CURVE)
+      plan->want |= PO_WANT_CURVE;
+}
+
+static po_status open_references(po_plan *plan, const char *data_folder) {
+  const po_case_file *file = plan->kase->file;
+  plan->references = po_allocate(file->checks_count, sizeof *plan->references);
+  if (!plan->references)
+    return PO_NO_MEMORY;
+  po_status status = PO_OK;
+  for (unsigned i = 0; !status && i < file->checks_count; ++i) {
+    status = po_reference_open(data_folder, file->checks[i].reference, &plan->references[i]);
+    if (!status)
+      status =
+          po_compare_check_tolerance(plan->kase, &file->checks[i], i + 1, &plan->references[i]);
+  }
+  return status;
+}
+
+static po_status make_keys(po_plan *plan) {
+  const po_case *kase = plan->kase;
+  po_text text = {0};
+  char program[PO_DIGEST_LENGTH];
+  po_environment_digest(program);
+  po_text_add(&text, "%s|%u|%u|", program, plan->want, kase->repeats);
+  for (size_t i = 0; i < kase->point_count; ++i) {
+    char *command = po_input_command(&kase->points[i].request);
+    po_text_add(&text, "%s|", command ? command : "");
+    text.failed = text.failed || !command;
+    free(command);
+  }
+  po_digest_bytes(po_text_string(&text), text.length, plan->solve_key);
+  for (unsigned i = 0; i < kase->file->checks_count; ++i)
+    po_text_add(&text, "%s|", plan->references[i].digest);
+  po_text_add_bytes(&text, kase->source, kase->source_size);
+  po_digest_bytes(po_text_string(&text), text.length, plan->key);
+  const po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
+  po_text_clear(&text);
+  return status;
+}
+
+po_status po_plan_create(const po_case *kase, const char *data_folder, po_plan **result) {
+  *result = NULL;
+  po_plan *plan = po_allocate(1, sizeof *plan);
+  if (!plan)
+    return PO_NO_MEMORY;
+  plan->kase = kase;
+  decide(plan);
+  po_status status = open_references(plan, data_folder);
+  if (!status)
+    status = make_keys(plan);
+  if (!status)
+    status = po_plan_tell(plan);
+  if (status)
+    po_plan_destroy(plan);
+  else
+    *result = plan;
+  return status;
+}
+
+void po_plan_destroy(po_plan *plan) {
+  if (!plan)
+    return;
+  for (unsigned i = 0; plan->references && i < plan->kase->file->checks_count; ++i)
+    po_reference_close(&plan->references[i]);
+  free(plan->references);
+  for (size_t i = 0; i < plan->line_count; ++i)
+    free(plan->lines[i]);
+  free(plan->lines);
+  free(plan);
+}

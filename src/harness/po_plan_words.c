@@ -1,0 +1,138 @@
+#include "po_plan_words.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "po_memory.h"
+#include "po_rigid.h"
+
+static po_status say(po_plan *plan, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+static po_status say(po_plan *plan, const char *format, ...) {
+  char **lines = po_resize(plan->lines, plan->line_count + 1, sizeof *lines);
+  char *line = po_allocate(400, 1);
+  if (lines)
+    plan->lines = lines;
+  if (!lines || !line) {
+    free(line);
+    return PO_NO_MEMORY;
+  }
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(line, 400, format, arguments);
+  va_end(arguments);
+  lines[plan->line_count++] = line;
+  return PO_OK;
+}
+
+/* Of how many points something holds. */
+typedef struct {
+  size_t points, rigid, smooth, cut, to_end;
+} census;
+
+static census take_census(const po_case *kase) {
+  census count = {.points = kase->point_count};
+  for (size_t i = 0; i < kase->point_count; ++i) {
+    const po_request *request = &kase->points[i].request;
+    count.rigid += po_rigid_suffices(&request->scene) ? 1 : 0;
+    count.smooth += po_scene_is_wavy(&request->scene) ? 0 : 1;
+    count.cut += isfinite(request->scene.outer_radius) ? 1 : 0;
+    count.to_end += isnan(request->approach_end) ? 0 : 1;
+  }
+  return count;
+}
+
+static po_status tell_scenes(po_plan *plan, const census *n) {
+  po_status status = say(plan, "solve %zu %s: each traced as one branch from far out", n->points,
+                         n->points == 1 ? "scene" : "scenes");
+  if (!status && n->rigid)
+    status = say(plan,
+                 "no influence matrix for %zu rigid %s: elasticity would change the load by less "
+                 "than 1e-8",
+                 n->rigid, n->rigid == 1 ? "scene" : "scenes");
+  if (!status && n->rigid < n->points)
+    status = say(plan, "one influence matrix for each of %zu elastic %s", n->points - n->rigid,
+                 n->points - n->rigid == 1 ? "scene" : "scenes");
+  if (!status && n->smooth)
+    status = say(plan, "no waviness for %zu smooth %s: amplitude is 0", n->smooth,
+                 n->smooth == 1 ? "scene" : "scenes");
+  if (!status && n->cut < n->points)
+    status = say(plan, "the load beyond the mesh added for %zu %s: outer_radius is inf",
+                 n->points - n->cut, n->points - n->cut == 1 ? "scene" : "scenes");
+  if (!status && n->to_end < n->points)
+    status = say(plan, "no branch beyond the pull-off once that is certain: approach_end is not "
+                       "given");
+  if (!status && n->to_end)
+    status = say(plan, "%zu %s traced up to approach_end", n->to_end,
+                 n->to_end == 1 ? "branch" : "branches");
+  return status;
+}
+
+static po_status tell_wants(po_plan *plan) {
+  const po_case *kase = plan->kase;
+  po_status status = say(plan, "read off each branch: pull-off, folds, extrema of the load");
+  if (!status)
+    status = plan->want & PO_WANT_CURVE
+                 ? say(plan, "keep the points of the branch: %s",
+                       kase->want & PO_CASE_CURVE ? "the case wants the curve"
+                                                  : "a check compares the curve")
+                 : say(plan, "no points of the branch kept: nothing wants the curve");
+  if (!status)
+    status = plan->want & PO_WANT_PROFILE
+                 ? say(plan, "gap and traction at pull-off: the case wants the profile")
+                 : say(plan, "no profiles: the case does not want them");
+  if (!status && kase->repeats > 1)
+    status = say(plan, "each solve %u times, alone on the machine: the times are the result",
+                 kase->repeats);
+  if (!status)
+    status = kase->file->figure_script ? say(plan, "figure by script %s", kase->file->figure_script)
+                                       : say(plan, "no figure: the case names no script");
+  return status;
+}
+
+/* Whether the reference says anything of a point. */
+static bool is_spoken_of(const po_reference *reference, const po_check *check,
+                         const po_request *request) {
+  po_reference_number number;
+  po_reference_point *points = NULL;
+  size_t count = 0;
+  if (check->quantity <= PO_FOLD_COUNT)
+    return po_reference_find(reference, check->quantity, request, &number) == PO_OK;
+  const po_status status =
+      po_reference_points(reference, check->quantity, request, NULL, &points, &count);
+  free(points);
+  return status == PO_OK;
+}
+
+static po_status tell_checks(po_plan *plan) {
+  const po_case *kase = plan->kase;
+  if (!kase->file->checks_count)
+    return say(plan, "nothing is compared: the case has no checks");
+  po_status status = PO_OK;
+  for (unsigned i = 0; !status && i < kase->file->checks_count; ++i) {
+    const po_check *check = &kase->file->checks[i];
+    size_t concerned = 0, spoken = 0;
+    for (size_t k = 0; k < kase->point_count; ++k)
+      if (po_check_concerns(check, &kase->points[k].request)) {
+        concerned += 1;
+        spoken += is_spoken_of(&plan->references[i], check, &kase->points[k].request);
+      }
+    status = say(plan, "compare %s with %s at %zu of %zu points, to %s %s", check->quantity_text,
+                 check->reference, concerned, kase->point_count, check->tolerance_text,
+                 check->kind_text);
+    if (!status && spoken < concerned)
+      status = say(plan, "  but %s does not speak of %zu of these", check->reference,
+                   concerned - spoken);
+  }
+  return status;
+}
+
+po_status po_plan_tell(po_plan *plan) {
+  const census count = take_census(plan->kase);
+  po_status status = tell_scenes(plan, &count);
+  if (!status)
+    status = tell_wants(plan);
+  return status ? status : tell_checks(plan);
+}

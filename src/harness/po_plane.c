@@ -1,0 +1,147 @@
+#include "po_plane.h"
+
+#include <math.h>
+
+static po_plane_point minus(po_plane_point a, po_plane_point b) {
+  return (po_plane_point){a.approach - b.approach, a.load - b.load};
+}
+
+static double dot(po_plane_point a, po_plane_point b) {
+  return a.approach * b.approach + a.load * b.load;
+}
+
+static double length(po_plane_point a) {
+  return hypot(a.approach, a.load);
+}
+
+/* The derivative at point i with respect to the length along the chords. */
+static po_plane_point tangent(const po_stretch *s, size_t i) {
+  const po_plane_point *p = s->points;
+  const size_t middle = i == 0 ? 1 : i == s->count - 1 ? s->count - 2 : i;
+  if (s->count < 3 || length(minus(p[middle], p[middle - 1])) == 0 ||
+      length(minus(p[middle + 1], p[middle])) == 0) {
+    const size_t j = i + 1 < s->count ? i : i - 1;
+    const po_plane_point chord = minus(p[j + 1], p[j]);
+    const double size = length(chord);
+    return size > 0 ? (po_plane_point){chord.approach / size, chord.load / size} : chord;
+  }
+  const po_plane_point left = minus(p[middle], p[middle - 1]),
+                       right = minus(p[middle + 1], p[middle]);
+  const double l = length(left), r = length(right);
+  /* Slopes of the two chords, blended by the parabola through the three points. */
+  const double at = i < middle ? -l : i > middle ? r : 0;
+  const double a = (r - 2 * at) / (l + r), b = (l + 2 * at) / (l + r);
+  return (po_plane_point){a * left.approach / l + b * right.approach / r,
+                          a * left.load / l + b * right.load / r};
+}
+
+/* The cubic between points i and i + 1 at t in [0, 1], and its derivative in t. */
+typedef struct {
+  po_plane_point p, q, u, v;
+} po_cubic;
+
+static po_cubic cubic_of(const po_stretch *s, size_t i) {
+  const po_plane_point chord = minus(s->points[i + 1], s->points[i]);
+  const double size = length(chord);
+  po_plane_point u = tangent(s, i), v = tangent(s, i + 1);
+  return (po_cubic){s->points[i], s->points[i + 1],
+                    (po_plane_point){size * u.approach, size * u.load},
+                    (po_plane_point){size * v.approach, size * v.load}};
+}
+
+static double hermite(double p, double q, double u, double v, double t) {
+  const double rest = q - p;
+  return p + t * (u + t * ((3 * rest - 2 * u - v) + t * (u + v - 2 * rest)));
+}
+
+static double hermite_slope(double p, double q, double u, double v, double t) {
+  const double rest = q - p;
+  return u + t * (2 * (3 * rest - 2 * u - v) + t * 3 * (u + v - 2 * rest));
+}
+
+static po_plane_point cubic_at(const po_cubic *c, double t) {
+  return (po_plane_point){hermite(c->p.approach, c->q.approach, c->u.approach, c->v.approach, t),
+                          hermite(c->p.load, c->q.load, c->u.load, c->v.load, t)};
+}
+
+static po_plane_point cubic_slope(const po_cubic *c, double t) {
+  return (po_plane_point){
+      hermite_slope(c->p.approach, c->q.approach, c->u.approach, c->v.approach, t),
+      hermite_slope(c->p.load, c->q.load, c->u.load, c->v.load, t)};
+}
+
+static double clamp(double t) {
+  return t < 0 ? 0 : t > 1 ? 1 : t;
+}
+
+static double chord_parameter(po_plane_point point, po_plane_point p, po_plane_point q) {
+  const po_plane_point chord = minus(q, p);
+  const double square = dot(chord, chord);
+  return square > 0 ? clamp(dot(minus(point, p), chord) / square) : 0;
+}
+
+static double chord_distance(po_plane_point point, po_plane_point p, po_plane_point q) {
+  const double t = chord_parameter(point, p, q);
+  return length(minus(point, (po_plane_point){p.approach + t * (q.approach - p.approach),
+                                              p.load + t * (q.load - p.load)}));
+}
+
+/* Gauss-Newton on the foot of the normal; from the foot on the chord it needs two or three steps.
+ */
+static double cubic_foot(po_plane_point point, const po_cubic *c, double *foot) {
+  enum { STEPS = 8 };
+  double t = chord_parameter(point, c->p, c->q);
+  double least = length(minus(point, cubic_at(c, t)));
+  *foot = t;
+  for (int i = 0; i < STEPS; ++i) {
+    const po_plane_point slope = cubic_slope(c, t);
+    const double square = dot(slope, slope);
+    if (square == 0)
+      break;
+    t = clamp(t + dot(minus(point, cubic_at(c, t)), slope) / square);
+    const double distance = length(minus(point, cubic_at(c, t)));
+    if (distance <= least) {
+      least = distance;
+      *foot = t;
+    }
+  }
+  return least;
+}
+
+static size_t nearest_chord(po_plane_point point, const po_stretch *stretch) {
+  size_t nearest = stretch->from;
+  double least = (double)INFINITY;
+  for (size_t i = stretch->from; i < stretch->to; ++i) {
+    const double distance = chord_distance(point, stretch->points[i], stretch->points[i + 1]);
+    if (distance < least) {
+      least = distance;
+      nearest = i;
+    }
+  }
+  return nearest;
+}
+
+po_foot po_plane_foot(po_plane_point point, const po_stretch *stretch) {
+  const po_plane_point *p = stretch->points;
+  if (stretch->to <= stretch->from)
+    return (po_foot){.distance = length(minus(point, p[stretch->from]))};
+  const size_t nearest = nearest_chord(point, stretch);
+  /* The cubic bulges from its chord: the nearest may be one element on. */
+  const size_t from = nearest > stretch->from ? nearest - 1 : nearest;
+  const size_t to = nearest + 1 < stretch->to ? nearest + 1 : nearest;
+  po_foot foot = {.distance = (double)INFINITY};
+  for (size_t i = from; i <= to; ++i) {
+    const po_cubic cubic = cubic_of(stretch, i);
+    double t = 0;
+    const double distance = cubic_foot(point, &cubic, &t);
+    if (distance >= foot.distance)
+      continue;
+    const size_t last = stretch->count - 2;
+    foot = (po_foot){
+        .distance = distance,
+        .before = i == 0 && t == 0 && dot(minus(point, cubic.p), cubic.u) < 0,
+        .beyond = i == last && t == 1 && dot(minus(point, cubic.q), cubic.v) > 0,
+    };
+  }
+  return foot;
+}

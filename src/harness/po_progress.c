@@ -1,0 +1,74 @@
+#include "po_progress.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <time.h>
+#include <unistd.h>
+
+/* Seconds between plain lines: a log shows life without filling up. */
+static const double PLAIN_INTERVAL = 2;
+
+double po_progress_clock(void) {
+  struct timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static void clear_line(po_progress *progress) {
+  if (progress->width)
+    fprintf(stderr, "\r%*s\r", (int)progress->width, "");
+  progress->width = 0;
+}
+
+static void span(double seconds, char text[32]) {
+  if (seconds < 90)
+    snprintf(text, 32, "%.0f s", seconds);
+  else
+    snprintf(text, 32, "%.0f min %02d s", (seconds - (double)((int)seconds % 60)) / 60,
+             (int)seconds % 60);
+}
+
+static void show(po_progress *progress, const char *what) {
+  char elapsed[32], remaining[32], line[160];
+  const double spent = po_progress_clock() - progress->begin;
+  const size_t left = progress->total - progress->done;
+  span(spent, elapsed);
+  span(progress->done ? spent / (double)progress->done * (double)left : 0, remaining);
+  const int width =
+      progress->done
+          ? snprintf(line, sizeof line, "%zu/%zu points, %s elapsed, about %s remaining (%.60s)",
+                     progress->done, progress->total, elapsed, remaining, what)
+          : snprintf(line, sizeof line, "0/%zu points", progress->total);
+  clear_line(progress);
+  fprintf(stderr, progress->live ? "%s" : "%s\n", line);
+  progress->width = progress->live ? (size_t)width : 0;
+  progress->last = po_progress_clock();
+}
+
+void po_progress_begin(po_progress *progress, size_t total) {
+  const double now = po_progress_clock();
+  *progress =
+      (po_progress){.live = isatty(STDERR_FILENO) == 1, .total = total, .begin = now, .last = now};
+  if (total && progress->live)
+    show(progress, "");
+}
+
+void po_progress_step(po_progress *progress, const char *what) {
+  progress->done += 1;
+  if (progress->live || po_progress_clock() - progress->last > PLAIN_INTERVAL)
+    show(progress, what);
+}
+
+void po_progress_say(po_progress *progress, const char *format, ...) {
+  clear_line(progress);
+  va_list arguments;
+  va_start(arguments, format);
+  vfprintf(stderr, format, arguments);
+  va_end(arguments);
+  fputc('\n', stderr);
+  progress->last = po_progress_clock();
+}
+
+void po_progress_end(po_progress *progress) {
+  clear_line(progress);
+}

@@ -1,0 +1,158 @@
+#include "po_record.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "po_environment.h"
+#include "po_file.h"
+#include "po_json.h"
+#include "po_tables.h"
+
+static json_t *text_or_null(const char *text) {
+  return text ? json_string(text) : json_null();
+}
+
+static json_t *suites(const po_case *kase) {
+  json_t *array = json_array();
+  for (unsigned i = 0; i < kase->file->suite_names_count; ++i)
+    json_array_append_new(array, json_string(kase->file->suite_names[i]));
+  return array;
+}
+
+static json_t *sweep(const po_case *kase, size_t point) {
+  json_t *object = json_object();
+  for (unsigned i = 0; i < kase->file->sweep_count; ++i) {
+    const char *name = kase->file->sweep[i].key;
+    json_t *input = po_json_input(&kase->points[point].request);
+    json_object_set(object, name, json_object_get(input, name));
+    json_decref(input);
+  }
+  return object;
+}
+
+static json_t *seconds_all(const po_case_run *run, size_t point) {
+  const unsigned repeats = run->plan->kase->repeats;
+  json_t *array = json_array();
+  for (unsigned i = 0; i < repeats; ++i)
+    json_array_append_new(array, po_json_number(run->seconds[point * repeats + i]));
+  return array;
+}
+
+static void table_name(char name[64], const char *what, const po_point *point) {
+  snprintf(name, 64, "%s-%s.csv", what, point->id);
+}
+
+/* Writes the curve or the profile of a point, if there is one, and says so in its entry: the name
+ * of the file and the checksum of its rows, by which a table that is not of this record is told. */
+static po_status add_table(const po_case_run *run, size_t index, bool profile, const char *folder,
+                           json_t *entry) {
+  const po_point *point = &run->plan->kase->points[index];
+  const po_outcome *outcome = &run->outcomes[index];
+  const char *what = profile ? "profile" : "curve";
+  char name[64], digest_key[32], digest[PO_DIGEST_LENGTH];
+  table_name(name, what, point);
+  json_object_set_new(entry, what, json_null());
+  if ((profile ? outcome->profile_count : outcome->curve_count) == 0)
+    return PO_OK;
+  char *path = po_path_join(folder, name);
+  if (!path)
+    return PO_NO_MEMORY;
+  const po_status status = profile ? po_tables_write_profile(path, &point->request, outcome, digest)
+                                   : po_tables_write_curve(path, &point->request, outcome, digest);
+  free(path);
+  snprintf(digest_key, sizeof digest_key, "%s_sha256", what);
+  json_object_set_new(entry, what, json_string(name));
+  json_object_set_new(entry, digest_key, json_string(digest));
+  return status;
+}
+
+static po_status add_tables(const po_case_run *run, const char *folder, json_t *record) {
+  json_t *points = json_object_get(record, "points");
+  po_status status = PO_OK;
+  for (size_t i = 0; !status && i < run->plan->kase->point_count; ++i) {
+    status = add_table(run, i, false, folder, json_array_get(points, i));
+    if (!status)
+      status = add_table(run, i, true, folder, json_array_get(points, i));
+  }
+  return status;
+}
+
+static json_t *point_json(const po_case_run *run, size_t index) {
+  const po_case *kase = run->plan->kase;
+  const po_point *point = &kase->points[index];
+  const po_outcome *outcome = &run->outcomes[index];
+  json_t *object = po_json_outcome(&point->request, outcome);
+  char *command = po_input_command(&point->request);
+  json_object_set_new(object, "id", json_string(point->id));
+  json_object_set_new(object, "label", json_string(point->label));
+  json_object_set_new(object, "sweep", sweep(kase, index));
+  json_object_set_new(object, "seconds_all", seconds_all(run, index));
+  json_object_set_new(object, "command", text_or_null(command));
+  free(command);
+  return object;
+}
+
+static json_t *check_json(const po_case *kase, const po_result *item) {
+  const po_check *check = item->check;
+  char command[128];
+  snprintf(command, sizeof command, "pulloff verify %s", kase->file->name);
+  return json_pack(
+      "{s:s, s:s, s:s, s:o, s:o, s:o, s:s, s:f, s:o, s:o, s:s, s:s, s:s, s:s, s:s, s:s}", "id",
+      item->id, "point", kase->points[item->point].id, "quantity", item->quantity, "obtained",
+      po_json_number(item->obtained), "expected", po_json_number(item->expected), "error",
+      po_json_number(item->error), "kind", check->kind_text, "tolerance", check->tolerance,
+      "reference_uncertainty", po_json_number(item->uncertainty), "ratio",
+      po_json_number(item->ratio), "ledger", po_ledger_name(item->ledger), "verdict",
+      po_verdict_name(item->verdict), "note", item->note, "reference", check->reference, "because",
+      check->because, "command", command);
+}
+
+static json_t *lists(const po_case_run *run, json_t *record) {
+  json_t *plan = json_array(), *points = json_array(), *checks = json_array();
+  for (size_t i = 0; i < run->plan->line_count; ++i)
+    json_array_append_new(plan, json_string(run->plan->lines[i]));
+  for (size_t i = 0; i < run->plan->kase->point_count; ++i)
+    json_array_append_new(points, point_json(run, i));
+  for (size_t i = 0; i < run->results.count; ++i)
+    json_array_append_new(checks, check_json(run->plan->kase, &run->results.items[i]));
+  json_object_set_new(record, "plan", plan);
+  json_object_set_new(record, "points", points);
+  json_object_set_new(record, "checks", checks);
+  return record;
+}
+
+static json_t *record_json(const po_case_run *run, int jobs) {
+  const po_case *kase = run->plan->kase;
+  const po_case_file *file = kase->file;
+  char command[128];
+  snprintf(command, sizeof command, "pulloff run %s", file->name);
+  json_t *record = json_pack(
+      "{s:s, s:s, s:s, s:o, s:o, s:o, s:s, s:s, s:s, s:o, s:s, s:o, s:o, s:s, s:o}", "schema",
+      "pulloff-record/1", "case", file->name, "title", file->title, "figure",
+      text_or_null(file->figure), "equations", text_or_null(file->equations), "suites",
+      suites(kase), "file", kase->shown, "key", run->plan->key, "solve_key", run->plan->solve_key,
+      "figure_script", text_or_null(file->figure_script), "command", command, "versions",
+      po_environment_versions(), "environment", po_environment_describe(jobs), "verdict",
+      po_case_run_verdict(run), "seconds", po_json_number(run->elapsed));
+  return record ? lists(run, record) : NULL;
+}
+
+po_status po_record_write(const po_case_run *run, const char *output, int jobs) {
+  char *folder = po_path_join(output, run->plan->kase->file->name);
+  char *path = folder ? po_path_join(folder, "record.json") : NULL;
+  json_t *record = record_json(run, jobs);
+  po_text text = {0};
+  po_status status = path ? po_folder_make(folder) : PO_NO_MEMORY;
+  if (!status)
+    status = add_tables(run, folder, record);
+  if (!status)
+    status = po_json_print(record, &text);
+  if (!status)
+    status = po_file_write(path, text.data, text.length);
+  po_text_clear(&text);
+  json_decref(record);
+  free(path);
+  free(folder);
+  return status;
+}

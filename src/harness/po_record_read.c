@@ -1,0 +1,82 @@
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_file.h"
+#include "po_json.h"
+#include "po_record.h"
+#include "po_tables.h"
+
+static const char *string_of(const json_t *object, const char *key) {
+  const char *text = json_string_value(json_object_get(object, key));
+  return text ? text : "";
+}
+
+static po_status read_table(const json_t *point, bool profile, bool needed, const char *folder,
+                            po_outcome *outcome) {
+  const char *name = string_of(point, profile ? "profile" : "curve");
+  const char *digest = string_of(point, profile ? "profile_sha256" : "curve_sha256");
+  if (!*name)
+    return needed && outcome->status == PO_OK ? PO_NOT_FOUND : PO_OK;
+  char *path = po_path_join(folder, name);
+  if (!path)
+    return PO_NO_MEMORY;
+  const po_status status = profile ? po_tables_read_profile(path, digest, outcome)
+                                   : po_tables_read_curve(path, digest, outcome);
+  free(path);
+  return status;
+}
+
+static po_status read_point(po_case_run *run, size_t index, const json_t *point,
+                            const char *folder) {
+  const unsigned repeats = run->plan->kase->repeats;
+  po_outcome *outcome = &run->outcomes[index];
+  const json_t *seconds = json_object_get(point, "seconds_all");
+  if (strcmp(string_of(point, "id"), run->plan->kase->points[index].id) != 0 ||
+      json_array_size(seconds) != repeats)
+    return PO_NOT_FOUND;
+  po_status status = po_json_read_outcome(point, outcome);
+  for (unsigned i = 0; i < repeats; ++i)
+    run->seconds[index * repeats + i] = json_number_value(json_array_get(seconds, i));
+  if (!status)
+    status = read_table(point, false, run->plan->want & PO_WANT_CURVE, folder, outcome);
+  if (!status)
+    status = read_table(point, true, run->plan->want & PO_WANT_PROFILE, folder, outcome);
+  return status;
+}
+
+static po_status read_record(po_case_run *run, const json_t *record, const char *folder) {
+  const json_t *points = json_object_get(record, "points");
+  if (strcmp(string_of(record, "solve_key"), run->plan->solve_key) != 0 ||
+      json_array_size(points) != run->plan->kase->point_count)
+    return PO_NOT_FOUND;
+  po_status status = PO_OK;
+  for (size_t i = 0; !status && i < run->plan->kase->point_count; ++i)
+    status = read_point(run, i, json_array_get(points, i), folder);
+  if (!status) {
+    snprintf(run->old_key, sizeof run->old_key, "%s", string_of(record, "key"));
+    run->elapsed = json_number_value(json_object_get(record, "seconds"));
+    run->kept = run->finished = true;
+    run->pending = 0;
+  } else
+    for (size_t i = 0; i < run->plan->kase->point_count; ++i)
+      po_outcome_clear(&run->outcomes[i]);
+  return status;
+}
+
+po_status po_record_read(po_case_run *run, const char *output) {
+  char *folder = po_path_join(output, run->plan->kase->file->name);
+  char *path = folder ? po_path_join(folder, "record.json") : NULL;
+  char *bytes = NULL;
+  size_t size = 0;
+  po_status status = path && po_file_read(path, &bytes, &size) == PO_OK ? PO_OK : PO_NOT_FOUND;
+  json_t *record = status ? NULL : json_loadb(bytes, size, JSON_REJECT_DUPLICATES, NULL);
+  if (!status)
+    status = record && read_record(run, record, folder) == PO_OK ? PO_OK : PO_NOT_FOUND;
+  json_decref(record);
+  free(bytes);
+  free(path);
+  free(folder);
+  return status;
+}

@@ -1,0 +1,265 @@
+#include "po_reference.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_file.h"
+#include "po_memory.h"
+#include "po_reference_bradley.h"
+
+static const char *const LEDGERS[] = {"oracle", "published", "pin"};
+
+const char *po_ledger_name(po_ledger ledger) {
+  return LEDGERS[ledger];
+}
+
+static po_status check_headers(po_reference *reference) {
+  static const char *const NEEDED[] = {"what",        "source",    "kind",    "method", "units",
+                                       "uncertainty", "generator", "command", "date",   "sha256"};
+  const po_csv *table = &reference->table;
+  for (size_t i = 0; i < sizeof NEEDED / sizeof *NEEDED; ++i) {
+    const po_csv_header *header = po_csv_find_header(table, NEEDED[i]);
+    if (!header)
+      return po_fail(PO_CANNOT_READ, "%s:%zu: the header %s is missing: expected '# %s: ...' above",
+                     table->path, table->column_line, NEEDED[i], NEEDED[i]);
+    if (!*header->value)
+      return po_fail(PO_CANNOT_READ, "%s:%zu: the header %s is empty", table->path, header->line,
+                     NEEDED[i]);
+  }
+  const po_csv_header *digest = po_csv_find_header(table, "sha256");
+  if (strcmp(digest->value, table->data_digest) != 0)
+    return po_fail(PO_CANNOT_READ,
+                   "%s:%zu: sha256 is %.16s...: expected %.16s..., that of the rows (damaged, or "
+                   "edited by hand)",
+                   table->path, digest->line, digest->value, table->data_digest);
+  const po_csv_header *kind = po_csv_find_header(table, "kind");
+  for (unsigned i = 0; i < 3; ++i)
+    if (strcmp(kind->value, LEDGERS[i]) == 0) {
+      reference->ledger = (po_ledger)i;
+      return PO_OK;
+    }
+  return po_fail(PO_CANNOT_READ, "%s:%zu: kind is %s: expected oracle, published or pin",
+                 table->path, kind->line, kind->value);
+}
+
+static po_status check_selectors(const po_csv *table) {
+  po_request request = po_request_default();
+  for (size_t c = 0; c < table->column_count; ++c) {
+    const int key = po_key_of_name(table->columns[c]);
+    for (size_t r = 0; key >= 0 && r < table->row_count; ++r)
+      if (!po_key_set(&request, (po_key)key, po_csv_cell(table, r, c)))
+        return po_fail(PO_CANNOT_READ, "%s:%zu: %s is %s: expected %s", table->path,
+                       table->lines[r], table->columns[c], po_csv_cell(table, r, c),
+                       po_key_expected((po_key)key));
+  }
+  for (size_t i = 0; i < table->header_count; ++i) {
+    const po_csv_header *header = &table->headers[i];
+    const int key = po_key_of_name(header->key);
+    if (key >= 0 && !po_key_set(&request, (po_key)key, header->value))
+      return po_fail(PO_CANNOT_READ, "%s:%zu: %s is %s: expected %s", table->path, header->line,
+                     header->key, header->value, po_key_expected((po_key)key));
+  }
+  return PO_OK;
+}
+
+po_status po_reference_open(const char *data_folder, const char *name, po_reference *reference) {
+  *reference = (po_reference){.name = name};
+  if (strcmp(name, "bradley") == 0) {
+    reference->is_bradley = true;
+    po_digest_bytes(name, strlen(name), reference->digest);
+    return PO_OK;
+  }
+  char *path = po_path_join(data_folder, name), *bytes = NULL;
+  size_t size = 0;
+  po_status status = path ? po_file_read(path, &bytes, &size) : PO_NO_MEMORY;
+  if (!status) {
+    po_digest_bytes(bytes, size, reference->digest);
+    status = po_csv_read(path, name, &reference->table);
+  }
+  free(bytes);
+  free(path);
+  if (!status)
+    status = check_headers(reference);
+  if (!status)
+    status = check_selectors(&reference->table);
+  if (status)
+    po_reference_close(reference);
+  return status;
+}
+
+void po_reference_close(po_reference *reference) {
+  po_csv_clear(&reference->table);
+  *reference = (po_reference){0};
+}
+
+/* Whether the headers, and the cells of a row, that name scene keys hold for a scene. */
+static bool headers_hold(const po_csv *table, const po_request *request) {
+  for (size_t i = 0; i < table->header_count; ++i) {
+    const int key = po_key_of_name(table->headers[i].key);
+    if (key >= 0 && !po_key_matches(request, (po_key)key, table->headers[i].value))
+      return false;
+  }
+  return true;
+}
+
+static bool row_holds(const po_csv *table, size_t row, const po_request *request) {
+  for (size_t c = 0; c < table->column_count; ++c) {
+    const int key = po_key_of_name(table->columns[c]);
+    if (key >= 0 && !po_key_matches(request, (po_key)key, po_csv_cell(table, row, c)))
+      return false;
+  }
+  return true;
+}
+
+static po_status need_column(const po_csv *table, const char *name, size_t *column) {
+  const int found = po_csv_find_column(table, name);
+  if (found < 0)
+    return po_fail(PO_CANNOT_READ, "%s:%zu: the column %s is missing", table->path,
+                   table->column_line, name);
+  *column = (size_t)found;
+  return PO_OK;
+}
+
+/* The uncertainty of a cell: column `name`, else column uncertainty, else that header as a number.
+ */
+static po_status uncertainty_of(const po_csv *table, size_t row, const char *name, double *value) {
+  *value = (double)NAN;
+  int column = po_csv_find_column(table, name);
+  if (column < 0)
+    column = po_csv_find_column(table, "uncertainty");
+  if (column >= 0) {
+    const po_status status = po_csv_number(table, row, (size_t)column, value);
+    if (!status && *value < 0)
+      return po_fail(PO_CANNOT_READ, "%s:%zu: %s is negative: expected a number >= 0", table->path,
+                     table->lines[row], table->columns[column]);
+    return status;
+  }
+  const po_csv_header *header = po_csv_find_header(table, "uncertainty");
+  double number = 0;
+  if (po_number_parse(header->value, &number))
+    *value = number;
+  return PO_OK;
+}
+
+static po_status find_pull_off(const po_csv *table, po_quantity quantity, const po_request *request,
+                               po_reference_number *number) {
+  const char *name = quantity == PO_PULL_OFF_FORCE ? "force" : "approach";
+  const char *doubt = quantity == PO_PULL_OFF_FORCE ? "force_uncertainty" : "approach_uncertainty";
+  size_t column = 0;
+  po_status status = need_column(table, name, &column);
+  if (status)
+    return status;
+  size_t found = 0, at = 0;
+  for (size_t row = 0; row < table->row_count; ++row)
+    if (row_holds(table, row, request)) {
+      at = row;
+      found += 1;
+    }
+  if (found > 1)
+    return po_fail(PO_CANNOT_READ, "%s:%zu: a second row for the same scene: expected one",
+                   table->path, table->lines[at]);
+  if (!found)
+    return PO_NOT_FOUND;
+  status = po_csv_number(table, at, column, &number->value);
+  return status ? status : uncertainty_of(table, at, doubt, &number->uncertainty);
+}
+
+static po_status count_folds(const po_reference *reference, const po_request *request,
+                             po_reference_number *number) {
+  po_reference_point *folds = NULL;
+  size_t count = 0;
+  const po_status status = po_reference_points(reference, PO_FOLDS, request, NULL, &folds, &count);
+  free(folds);
+  *number = (po_reference_number){.value = (double)count, .uncertainty = 0};
+  return status;
+}
+
+po_status po_reference_find(const po_reference *reference, po_quantity quantity,
+                            const po_request *request, po_reference_number *number) {
+  if (reference->is_bradley)
+    return po_bradley_find(quantity, request, number);
+  if (!headers_hold(&reference->table, request))
+    return PO_NOT_FOUND;
+  if (quantity == PO_FOLD_COUNT)
+    return count_folds(reference, request, number);
+  return find_pull_off(&reference->table, quantity, request, number);
+}
+
+static po_status read_kind(const po_csv *table, size_t row, size_t column, po_landmark_kind *kind) {
+  const char *text = po_csv_cell(table, row, column);
+  for (int k = PO_JUMP_IN; k <= PO_MAXIMUM; ++k)
+    if (strcmp(text, po_landmark_kind_name((po_landmark_kind)k)) == 0) {
+      *kind = (po_landmark_kind)k;
+      return PO_OK;
+    }
+  /* Other words for the two folds: where a loading, and an unloading, test leaves the branch. */
+  if (strcmp(text, "fold_in") == 0 || strcmp(text, "fold_out") == 0) {
+    *kind = strcmp(text, "fold_in") == 0 ? PO_JUMP_IN : PO_JUMP_OUT;
+    return PO_OK;
+  }
+  return po_fail(PO_CANNOT_READ,
+                 "%s:%zu: kind is %s: expected jump_in, jump_out, minimum or maximum", table->path,
+                 table->lines[row], text);
+}
+
+static bool kind_fits(po_quantity quantity, po_landmark_kind kind) {
+  const bool is_fold = kind == PO_JUMP_IN || kind == PO_JUMP_OUT;
+  return quantity == PO_FOLDS ? is_fold : !is_fold;
+}
+
+/* One row as a point; *fits is false when it is a landmark of the other sort. */
+static po_status read_point(const po_csv *table, size_t row, po_quantity quantity,
+                            po_reference_point *point, bool *fits) {
+  size_t approach = 0, load = 0, kind = 0;
+  po_status status = need_column(table, "approach", &approach);
+  if (!status)
+    status = need_column(table, "load", &load);
+  if (!status && quantity != PO_CURVE)
+    status = need_column(table, "kind", &kind);
+  if (!status && quantity != PO_CURVE)
+    status = read_kind(table, row, kind, &point->kind);
+  if (!status)
+    status = po_csv_number(table, row, approach, &point->approach);
+  if (!status)
+    status = po_csv_number(table, row, load, &point->load);
+  if (!status)
+    status = uncertainty_of(table, row, "approach_uncertainty", &point->approach_uncertainty);
+  if (!status)
+    status = uncertainty_of(table, row, "load_uncertainty", &point->load_uncertainty);
+  *fits = !status && (quantity == PO_CURVE || kind_fits(quantity, point->kind));
+  return status;
+}
+
+po_status po_reference_points(const po_reference *reference, po_quantity quantity,
+                              const po_request *request, const po_outcome *outcome,
+                              po_reference_point **points, size_t *count) {
+  *points = NULL;
+  *count = 0;
+  if (reference->is_bradley)
+    return po_bradley_points(quantity, request, outcome, points, count);
+  const po_csv *table = &reference->table;
+  if (!headers_hold(table, request))
+    return PO_NOT_FOUND;
+  po_reference_point *list = po_allocate(table->row_count, sizeof *list);
+  po_status status = list ? PO_OK : PO_NO_MEMORY;
+  size_t rows = 0, kept = 0;
+  for (size_t row = 0; !status && row < table->row_count; ++row) {
+    bool fits = false;
+    if (!row_holds(table, row, request))
+      continue;
+    rows += 1;
+    status = read_point(table, row, quantity, &list[kept], &fits);
+    kept += fits;
+  }
+  if (!status && rows == 0)
+    status = PO_NOT_FOUND;
+  if (status) {
+    free(list);
+    return status;
+  }
+  *points = list;
+  *count = kept;
+  return PO_OK;
+}

@@ -1,0 +1,64 @@
+/* Reference data: numbers from elsewhere that ours are set beside.
+ *
+ * A reference is a table (reference/NAME.csv) or the closed form named "bradley". In a table a
+ * column with the name of a scene key (tabor, ...) says which scene a row is for, a header with
+ * such a name says it for all rows, and the other columns are named as in the records: force,
+ * approach                 of the pull-off (force_uncertainty, approach_uncertainty) kind,
+ * approach, load            of a landmark (approach_uncertainty, load_uncertainty) approach, load
+ * of a point of the curve (uncertainty) Rows for one scene follow the branch. */
+#ifndef PO_REFERENCE_H
+#define PO_REFERENCE_H
+
+#include "po_case.h"
+#include "po_csv.h"
+#include "po_outcome.h"
+#include "po_status.h"
+
+typedef enum { PO_LEDGER_ORACLE, PO_LEDGER_PUBLISHED, PO_LEDGER_PIN } po_ledger;
+
+typedef struct {
+  const char *name; /* as the case names it */
+  po_ledger ledger;
+  bool is_bradley; /* the closed form; else the table */
+  po_csv table;
+  char digest[PO_DIGEST_LENGTH]; /* of the whole file; of the name for a closed form */
+} po_reference;
+
+/* What a reference says of one number. */
+typedef struct {
+  double value;
+  double uncertainty; /* absolute; NAN: not given */
+} po_reference_number;
+
+/* A point of a reference curve or a landmark. */
+typedef struct {
+  double approach;
+  double load;
+  double approach_uncertainty;
+  double load_uncertainty;
+  po_landmark_kind kind; /* of landmarks */
+} po_reference_point;
+
+/* "oracle", "published", "pin". */
+const char *po_ledger_name(po_ledger ledger);
+
+/* Opens the reference a case names, relative to the data folder, and checks it: the headers what,
+ * source, kind, method, units, uncertainty, generator, command, date, sha256, and the checksum.
+ * Status: PO_CANNOT_READ with file and line. `name` must outlive the reference. */
+po_status po_reference_open(const char *data_folder, const char *name, po_reference *reference);
+void po_reference_close(po_reference *reference);
+
+/* What it says of `quantity` (pull_off_force, pull_off_approach, fold_count) for a scene.
+ * Status: PO_NOT_FOUND: nothing, of this scene; PO_CANNOT_READ: a column is missing or not a
+ * number. */
+po_status po_reference_find(const po_reference *reference, po_quantity quantity,
+                            const po_request *request, po_reference_number *number);
+
+/* Its folds, extrema or curve points (by `quantity`) for a scene, along the branch: *points of
+ * *count, to be freed. `outcome` says where ours ran, for a closed form that has no end of its own.
+ * Status: as above. */
+po_status po_reference_points(const po_reference *reference, po_quantity quantity,
+                              const po_request *request, const po_outcome *outcome,
+                              po_reference_point **points, size_t *count);
+
+#endif

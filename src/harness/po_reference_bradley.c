@@ -1,0 +1,80 @@
+#include "po_reference_bradley.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "po_bradley.h"
+#include "po_memory.h"
+
+/* Points of the sampled curve lie about so far apart, in the plane of approach and load, near
+ * contact: a cubic through them follows the curve, whose radius of curvature is 1/32 at the minimum
+ * and nowhere less, to 1e-8. Far out, where it straightens as x^-4, they lie further apart, as x^2
+ * / FAR. */
+static const double SPACING = 0.002;
+static const double FAR = 2;
+
+/* Where nothing is compared: beyond, the load is far above any a contact test sees. */
+static const double LARGEST_APPROACH = 0.45;
+
+static bool speaks_of(const po_request *request) {
+  return request->scene.amplitude == 0 && isinf(request->scene.outer_radius);
+}
+
+po_status po_bradley_find(po_quantity quantity, const po_request *request,
+                          po_reference_number *number) {
+  if (!speaks_of(request))
+    return PO_NOT_FOUND;
+  /* The minimum -2 at approach 0; approach is a single-valued parameter, so there is no fold. */
+  *number = (po_reference_number){.value = quantity == PO_PULL_OFF_FORCE ? 2 : 0, .uncertainty = 0};
+  return PO_OK;
+}
+
+static po_reference_point point_at(double approach) {
+  const double x = 1 - approach;
+  const double larger_term = fmax(8 / (3 * x * x), 2 / (3 * pow(x, 8)));
+  return (po_reference_point){.approach = approach,
+                              .load = po_bradley_load(approach),
+                              .load_uncertainty = 4 * DBL_EPSILON * larger_term};
+}
+
+/* The next approach about SPACING further along the curve. */
+static double step_from(double approach) {
+  const double h = 1e-6;
+  const double slope = (po_bradley_load(approach + h) - po_bradley_load(approach - h)) / (2 * h);
+  const double x = 1 - approach;
+  return approach + SPACING * fmax(1, x * x / FAR) / sqrt(1 + slope * slope);
+}
+
+static po_status sample(double start, double end, po_reference_point **points, size_t *count) {
+  size_t capacity = 0;
+  for (double approach = start;; approach = fmin(step_from(approach), end)) {
+    if (*count == capacity) {
+      capacity = capacity ? 2 * capacity : 1024;
+      po_reference_point *larger = po_resize(*points, capacity, sizeof *larger);
+      if (!larger)
+        return PO_NO_MEMORY;
+      *points = larger;
+    }
+    (*points)[(*count)++] = point_at(approach);
+    if (approach >= end)
+      return PO_OK;
+  }
+}
+
+po_status po_bradley_points(po_quantity quantity, const po_request *request,
+                            const po_outcome *outcome, po_reference_point **points, size_t *count) {
+  if (!speaks_of(request))
+    return PO_NOT_FOUND;
+  if (quantity == PO_CURVE && outcome && outcome->curve_count)
+    return sample(fmin(outcome->curve[0].approach, LARGEST_APPROACH),
+                  fmin(outcome->curve[outcome->curve_count - 1].approach, LARGEST_APPROACH), points,
+                  count);
+  *points = po_allocate(1, sizeof **points);
+  if (!*points)
+    return PO_NO_MEMORY;
+  if (quantity == PO_EXTREMA) {
+    **points = (po_reference_point){.approach = 0, .load = -2, .kind = PO_MINIMUM};
+    *count = 1;
+  }
+  return PO_OK;
+}

@@ -1,0 +1,213 @@
+#include "po_run.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_compare.h"
+#include "po_environment.h"
+#include "po_file.h"
+#include "po_linear.h"
+#include "po_memory.h"
+#include "po_progress.h"
+#include "po_record.h"
+
+po_status po_case_run_create(po_plan *plan, po_case_run *run) {
+  const size_t points = plan->kase->point_count;
+  *run = (po_case_run){.plan = plan, .pending = points};
+  run->outcomes = po_allocate(points, sizeof *run->outcomes);
+  run->seconds = po_allocate(points * plan->kase->repeats, sizeof *run->seconds);
+  return run->outcomes && run->seconds ? PO_OK : PO_NO_MEMORY;
+}
+
+void po_case_run_clear(po_case_run *run) {
+  for (size_t i = 0; run->outcomes && i < run->plan->kase->point_count; ++i)
+    po_outcome_clear(&run->outcomes[i]);
+  free(run->outcomes);
+  free(run->seconds);
+  po_results_clear(&run->results);
+  po_plan_destroy(run->plan);
+  *run = (po_case_run){0};
+}
+
+size_t po_case_run_failures(const po_case_run *run) {
+  size_t count = 0;
+  for (size_t i = 0; i < run->plan->kase->point_count; ++i)
+    count += run->outcomes[i].status != PO_OK;
+  return count;
+}
+
+size_t po_case_run_outside(const po_case_run *run) {
+  size_t count = 0;
+  for (size_t i = 0; i < run->results.count; ++i)
+    count += run->results.items[i].verdict != PO_WITHIN;
+  return count;
+}
+
+const char *po_case_run_verdict(const po_case_run *run) {
+  if (po_case_run_failures(run))
+    return "failed";
+  return po_case_run_outside(run) ? "outside" : "within";
+}
+
+/* What the threads of a run share. */
+typedef struct {
+  po_case_run *runs;
+  const po_run_options *options;
+  int jobs;
+  po_progress progress;
+  bool broken;      /* something but a solve failed: no more is started */
+  po_status status; /* why, and its message, which po_fail keeps by thread */
+  char message[512];
+} po_crew;
+
+typedef struct {
+  size_t run, point;
+} po_task;
+
+static bool must_end(const po_crew *crew) {
+  bool broken;
+#pragma omp atomic read
+  broken = crew->broken;
+  return broken || (crew->options->stop && *crew->options->stop);
+}
+
+/* Inside the critical section. */
+static void give_up(po_crew *crew, po_status status) {
+  if (crew->broken)
+    return;
+  crew->status = status;
+  snprintf(crew->message, sizeof crew->message, "%s", po_message());
+#pragma omp atomic write
+  crew->broken = true;
+}
+
+static po_status compare_all(po_case_run *run) {
+  const po_case *kase = run->plan->kase;
+  po_status status = PO_OK;
+  for (unsigned c = 0; !status && c < kase->file->checks_count; ++c)
+    for (size_t i = 0; !status && i < kase->point_count; ++i)
+      status = po_compare(kase, i, &kase->file->checks[c], &run->plan->references[c],
+                          &run->outcomes[i], &run->results);
+  return status;
+}
+
+/* Compares and writes the record of a case whose last point is there. */
+static po_status finish_case(po_crew *crew, po_case_run *run) {
+  run->finished = true;
+  po_status status = compare_all(run);
+  if (!status && strcmp(run->old_key, run->plan->key) != 0)
+    status = po_record_write(run, crew->options->output, crew->jobs);
+  if (!status)
+    po_progress_say(&crew->progress, "%s: %zu points, %zu checks: %s%s",
+                    run->plan->kase->file->name, run->plan->kase->point_count, run->results.count,
+                    po_case_run_verdict(run), run->kept ? " (kept)" : "");
+  return status;
+}
+
+static int ascending(const void *a, const void *b) {
+  const double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+static double median(const double *values, unsigned count) {
+  double sorted[1000]; /* as many as a case may repeat */
+  memcpy(sorted, values, count * sizeof *sorted);
+  qsort(sorted, count, sizeof *sorted, ascending);
+  return count % 2 ? sorted[count / 2] : (sorted[count / 2 - 1] + sorted[count / 2]) / 2;
+}
+
+/* Solves one point, as often as the case repeats; the outcome is that of the first time. */
+static void solve_point(const po_crew *crew, po_case_run *run, size_t point) {
+  const unsigned repeats = run->plan->kase->repeats;
+  po_request request = po_plan_request(run->plan, point);
+  po_outcome *outcome = &run->outcomes[point];
+  request.stop = crew->options->stop;
+  double *seconds = run->seconds + point * repeats;
+  for (unsigned i = 0; i < repeats && !must_end(crew); ++i) {
+    po_outcome again = {0};
+    const po_status status = po_observe(&request, i ? &again : outcome);
+    if (i == 0 && status && !outcome->reason[0])
+      snprintf(outcome->reason, sizeof outcome->reason, "%.250s", po_message());
+    seconds[i] = i ? again.work.seconds : outcome->work.seconds;
+    po_outcome_clear(&again);
+  }
+  outcome->work.seconds = median(seconds, repeats);
+}
+
+static void do_task(po_crew *crew, const po_task *task) {
+  po_case_run *run = &crew->runs[task->run];
+  const double begin = po_progress_clock();
+  solve_point(crew, run, task->point);
+  const bool stopped = crew->options->stop && *crew->options->stop;
+#pragma omp critical(po_run_finish)
+  if (!stopped) {
+    run->elapsed += po_progress_clock() - begin;
+    run->pending -= 1;
+    char what[128];
+    snprintf(what, sizeof what, "%.40s %.60s", run->plan->kase->file->name,
+             run->plan->kase->points[task->point].label);
+    po_progress_step(&crew->progress, what);
+    const po_status status = run->pending == 0 ? finish_case(crew, run) : PO_OK;
+    if (status)
+      give_up(crew, status);
+  }
+}
+
+/* The points to solve: first those that may run side by side, then those that are timed. */
+static po_task *list_tasks(const po_crew *crew, size_t count, size_t *shared, size_t *total) {
+  size_t pending = 0;
+  for (size_t r = 0; r < count; ++r)
+    pending += crew->runs[r].pending;
+  po_task *tasks = po_allocate(pending, sizeof *tasks);
+  *total = 0;
+  for (int timed = 0; tasks && timed < 2; ++timed) {
+    for (size_t r = 0; r < count; ++r) {
+      const po_case_run *run = &crew->runs[r];
+      if (run->finished || (run->plan->kase->repeats > 1) != timed)
+        continue;
+      for (size_t p = 0; p < run->plan->kase->point_count; ++p)
+        tasks[(*total)++] = (po_task){r, p};
+    }
+    if (!timed)
+      *shared = *total;
+  }
+  return tasks;
+}
+
+static po_status work_through(po_crew *crew, size_t count) {
+  size_t shared = 0, total = 0;
+  po_task *tasks = list_tasks(crew, count, &shared, &total);
+  if (!tasks)
+    return PO_NO_MEMORY;
+  po_progress_begin(&crew->progress, total);
+#pragma omp parallel for schedule(dynamic) num_threads(crew->jobs)
+  for (size_t i = 0; i < shared; ++i)
+    if (!must_end(crew))
+      do_task(crew, &tasks[i]);
+  for (size_t i = shared; i < total; ++i)
+    if (!must_end(crew))
+      do_task(crew, &tasks[i]);
+  po_progress_end(&crew->progress);
+  free(tasks);
+  if (crew->broken)
+    return po_fail(crew->status, "%s", crew->message);
+  if (crew->options->stop && *crew->options->stop)
+    return po_fail(PO_INTERRUPTED, "interrupted; finished cases are kept in %s, run again to go on",
+                   crew->options->output);
+  return PO_OK;
+}
+
+po_status po_run(po_case_run *runs, size_t count, const po_run_options *options) {
+  po_crew crew = {.runs = runs, .options = options};
+  crew.jobs = options->jobs > 0 ? options->jobs : po_environment_cores();
+  po_linear_single_thread();
+  po_status status = po_folder_make(options->output);
+  po_progress_begin(&crew.progress, 0);
+  for (size_t i = 0; !status && i < count; ++i)
+    if (!options->fresh && po_record_read(&runs[i], options->output) == PO_OK)
+      status = finish_case(&crew, &runs[i]);
+  return status ? status : work_through(&crew, count);
+}

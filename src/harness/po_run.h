@@ -1,0 +1,44 @@
+/* Solves the points of cases, in parallel, and keeps a record of each case. */
+#ifndef PO_RUN_H
+#define PO_RUN_H
+
+#include <signal.h>
+
+#include "po_plan.h"
+#include "po_result.h"
+
+/* One case on its way through a run. */
+typedef struct {
+  po_plan *plan;
+  po_outcome *outcomes;           /* one a point */
+  double *seconds;                /* points x repeats, row after row: how long each solve took */
+  size_t pending;                 /* points not solved yet */
+  bool kept;                      /* the outcomes are those of an earlier run */
+  bool finished;                  /* all outcomes are there */
+  char old_key[PO_DIGEST_LENGTH]; /* of the record they were read from */
+  po_results results;
+  double elapsed; /* seconds spent on its solves */
+} po_case_run;
+
+typedef struct {
+  const char *output;                /* the folder of the run */
+  int jobs;                          /* threads; 0: all cores */
+  bool fresh;                        /* solve even what is there */
+  const volatile sig_atomic_t *stop; /* nonzero: end soon */
+} po_run_options;
+
+/* Solves what is not there already, compares, writes the records.
+ * Status: PO_INTERRUPTED, finished cases kept; PO_CANNOT_WRITE; PO_CANNOT_READ (a reference);
+ * PO_NO_MEMORY. A solve that fails is no failure of the run: see po_case_run_verdict. */
+po_status po_run(po_case_run *runs, size_t count, const po_run_options *options);
+
+/* "within", "outside" (some check is, or could not be made), "failed" (some solve did). */
+const char *po_case_run_verdict(const po_case_run *run);
+size_t po_case_run_failures(const po_case_run *run); /* solves */
+size_t po_case_run_outside(const po_case_run *run);  /* checks not within */
+
+/* Allocates what a run of this plan needs; takes the plan. */
+po_status po_case_run_create(po_plan *plan, po_case_run *run);
+void po_case_run_clear(po_case_run *run);
+
+#endif

@@ -1,0 +1,124 @@
+#include "po_tables.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_csv.h"
+#include "po_file.h"
+#include "po_input.h"
+#include "po_memory.h"
+
+/* Writes `rows`, the line of column names included, under headers; clears it. */
+static po_status write_table(const char *path, const po_request *request, const char *what,
+                             const char *units, po_text *rows, char *digest) {
+  char own[PO_DIGEST_LENGTH];
+  char *command = po_input_command(request);
+  po_text text = {0};
+  po_digest_bytes(po_text_string(rows), rows->length, own);
+  po_text_add(&text, "# what: %s\n# units: %s\n# command: %s\n# sha256: %s\n", what, units,
+              command ? command : "", own);
+  po_text_add_bytes(&text, po_text_string(rows), rows->length);
+  const bool failed = text.failed || rows->failed || !command;
+  const po_status status = failed ? PO_NO_MEMORY : po_file_write(path, text.data, text.length);
+  if (digest)
+    memcpy(digest, own, sizeof own);
+  free(command);
+  po_text_clear(rows);
+  po_text_clear(&text);
+  return status;
+}
+
+po_status po_tables_write_curve(const char *path, const po_request *request,
+                                const po_outcome *outcome, char *digest) {
+  po_text rows = {0};
+  po_text_add(&rows, "position,approach,load,contact_radius,unstable_modes\n");
+  for (size_t i = 0; i < outcome->curve_count; ++i) {
+    const po_curve_point *p = &outcome->curve[i];
+    const double row[] = {p->position, p->approach, p->load, p->contact_radius,
+                          (double)p->unstable_modes};
+    po_csv_add_row(&rows, row, sizeof row / sizeof *row);
+  }
+  return write_table(path, request, "load against approach along the branch",
+                     "approach and contact_radius in epsilon; load in pi w R, compressive > 0; "
+                     "position: arclength along the branch",
+                     &rows, digest);
+}
+
+po_status po_tables_write_profile(const char *path, const po_request *request,
+                                  const po_outcome *outcome, char *digest) {
+  po_text rows = {0};
+  char approach[PO_NUMBER_LENGTH], what[100];
+  po_number_print(outcome->profile_approach, approach);
+  snprintf(what, sizeof what, "gap and traction over the radius at approach %s", approach);
+  po_text_add(&rows, "radius,gap,traction\n");
+  for (size_t i = 0; i < outcome->profile_count; ++i) {
+    const po_profile_point *p = &outcome->profile[i];
+    po_csv_add_row(&rows, (const double[]){p->radius, p->gap, p->traction}, 3);
+  }
+  return write_table(path, request, what,
+                     "radius and approach in epsilon; gap H = h/epsilon - 1; traction P = p mu "
+                     "epsilon / w, compressive > 0",
+                     &rows, digest);
+}
+
+/* Reads a table whose columns must be `names`, in any order; *values is row after row in theirs. */
+static po_status read_numbers(const char *path, const char *digest, const char *const *names,
+                              size_t count, double **values, size_t *rows) {
+  po_csv csv;
+  po_status status = po_csv_read(path, path, &csv);
+  if (status)
+    return status;
+  *rows = csv.row_count;
+  *values = po_allocate(csv.row_count * count, sizeof **values);
+  if (!*values)
+    status = PO_NO_MEMORY;
+  else if (strcmp(digest, csv.data_digest) != 0)
+    status = po_fail(PO_CANNOT_READ, "%s is not the table of this record", path);
+  for (size_t c = 0; !status && c < count; ++c) {
+    const int column = po_csv_find_column(&csv, names[c]);
+    if (column < 0)
+      status = po_fail(PO_CANNOT_READ, "%s:%zu: the column %s is missing", path, csv.column_line,
+                       names[c]);
+    for (size_t r = 0; !status && r < csv.row_count; ++r)
+      status = po_csv_number(&csv, r, (size_t)column, &(*values)[r * count + c]);
+  }
+  po_csv_clear(&csv);
+  if (status) {
+    free(*values);
+    *values = NULL;
+  }
+  return status;
+}
+
+po_status po_tables_read_curve(const char *path, const char *digest, po_outcome *outcome) {
+  static const char *const NAMES[] = {"position", "approach", "load", "contact_radius",
+                                      "unstable_modes"};
+  double *values = NULL;
+  size_t rows = 0;
+  po_status status = read_numbers(path, digest, NAMES, 5, &values, &rows);
+  if (!status && !(outcome->curve = po_allocate(rows, sizeof *outcome->curve)))
+    status = PO_NO_MEMORY;
+  for (size_t i = 0; !status && i < rows; ++i) {
+    const double *v = values + 5 * i;
+    outcome->curve[i] = (po_curve_point){v[0], v[1], v[2], v[3], (int)v[4]};
+    outcome->curve_count = rows;
+  }
+  free(values);
+  return status;
+}
+
+po_status po_tables_read_profile(const char *path, const char *digest, po_outcome *outcome) {
+  static const char *const NAMES[] = {"radius", "gap", "traction"};
+  double *values = NULL;
+  size_t rows = 0;
+  po_status status = read_numbers(path, digest, NAMES, 3, &values, &rows);
+  if (!status && !(outcome->profile = po_allocate(rows, sizeof *outcome->profile)))
+    status = PO_NO_MEMORY;
+  for (size_t i = 0; !status && i < rows; ++i) {
+    outcome->profile[i] = (po_profile_point){values[3 * i], values[3 * i + 1], values[3 * i + 2]};
+    outcome->profile_count = rows;
+  }
+  free(values);
+  return status;
+}

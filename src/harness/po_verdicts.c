@@ -1,0 +1,147 @@
+#include "po_verdicts.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static void number_or_dash(double value, int digits, char text[32]) {
+  if (isfinite(value))
+    snprintf(text, 32, "%.*g", digits, value);
+  else
+    strcpy(text, "-");
+}
+
+static void ratio_or_dash(double value, char text[24]) {
+  if (isfinite(value))
+    snprintf(text, 24, value < 1e5 ? "%.3f" : "%.2e", value);
+  else
+    strcpy(text, "-");
+}
+
+/* A curve has no one number; its largest distance from the reference stands for it. */
+static void table_line(const po_case_run *run, const po_result *item, po_text *text) {
+  char obtained[32], expected[32], ratio[24];
+  const bool curve = item->check->quantity == PO_CURVE;
+  number_or_dash(curve ? item->error : item->obtained, 9, obtained);
+  number_or_dash(curve && isfinite(item->error) ? 0 : item->expected, 9, expected);
+  ratio_or_dash(item->ratio, ratio);
+  po_text_add(text, "%-12s %-18s %-24s %14s %14s %9s  %-9s %s%s%s\n", run->plan->kase->file->name,
+              item->quantity, run->plan->kase->points[item->point].label, obtained, expected, ratio,
+              po_ledger_name(item->ledger), po_verdict_name(item->verdict),
+              item->verdict != PO_WITHIN && item->note[0] ? ": " : "",
+              item->verdict != PO_WITHIN ? item->note : "");
+}
+
+void po_verdicts_table(const po_case_run *runs, size_t count, po_text *text) {
+  size_t checks = 0, outside = 0, failures = 0;
+  po_text_add(text, "%-12s %-18s %-24s %14s %14s %9s  %-9s %s\n", "case", "quantity", "point",
+              "obtained", "expected", "|err|/tol", "ledger", "verdict");
+  for (size_t r = 0; r < count; ++r) {
+    const po_case_run *run = &runs[r];
+    for (size_t i = 0; i < run->results.count; ++i)
+      table_line(run, &run->results.items[i], text);
+    for (size_t i = 0; i < run->plan->kase->point_count; ++i)
+      if (run->outcomes[i].status != PO_OK)
+        po_text_add(text, "%-12s %-18s %-24s failed: %s\n", run->plan->kase->file->name, "solve",
+                    run->plan->kase->points[i].label, run->outcomes[i].reason);
+    checks += run->results.count;
+    outside += po_case_run_outside(run);
+    failures += po_case_run_failures(run);
+  }
+  po_text_add(text, "%zu checks within, %zu not, %zu solves failed\n", checks - outside, outside,
+              failures);
+}
+
+/* What there is to say of a check that is not within. */
+static void explain(const po_result *item, char text[400]) {
+  char obtained[32], expected[32], error[32];
+  number_or_dash(item->obtained, 17, obtained);
+  number_or_dash(item->expected, 17, expected);
+  number_or_dash(item->error, 6, error);
+  snprintf(text, 400, "%s: obtained %s, expected %s, error %s, tolerance %s %s%s%s",
+           po_verdict_name(item->verdict), obtained, expected, error, item->check->tolerance_text,
+           item->check->kind_text, item->note[0] ? "; " : "", item->note);
+}
+
+static void tap_check(const po_case_run *run, const po_result *item, size_t number, po_text *text) {
+  po_text_add(text, "%s %zu - %s %s\n", item->verdict == PO_WITHIN ? "ok" : "not ok", number,
+              run->plan->kase->file->name, item->id);
+  if (item->verdict == PO_WITHIN)
+    return;
+  char why[400];
+  explain(item, why);
+  po_text_add(text, "# %s\n", why);
+}
+
+void po_verdicts_tap(const po_case_run *runs, size_t count, po_text *text) {
+  size_t total = 0, number = 0;
+  for (size_t r = 0; r < count; ++r)
+    total += runs[r].results.count + po_case_run_failures(&runs[r]);
+  po_text_add(text, "TAP version 13\n1..%zu\n", total);
+  for (size_t r = 0; r < count; ++r) {
+    const po_case_run *run = &runs[r];
+    for (size_t i = 0; i < run->results.count; ++i)
+      tap_check(run, &run->results.items[i], ++number, text);
+    for (size_t i = 0; i < run->plan->kase->point_count; ++i)
+      if (run->outcomes[i].status != PO_OK)
+        po_text_add(text, "not ok %zu - %s solve/%s\n# %s\n", ++number, run->plan->kase->file->name,
+                    run->plan->kase->points[i].label, run->outcomes[i].reason);
+  }
+}
+
+static void add_escaped(po_text *text, const char *string) {
+  for (const char *c = string; *c; ++c) {
+    const char *entity = *c == '&'   ? "&amp;"
+                         : *c == '<' ? "&lt;"
+                         : *c == '>' ? "&gt;"
+                         : *c == '"' ? "&quot;"
+                                     : NULL;
+    if (entity)
+      po_text_add(text, "%s", entity);
+    else
+      po_text_add_bytes(text, c, 1);
+  }
+}
+
+static void junit_test(const char *kase, const char *id, const char *failure, double seconds,
+                       po_text *text) {
+  po_text_add(text, "    <testcase classname=\"%s\" name=\"", kase);
+  add_escaped(text, id);
+  po_text_add(text, "\" time=\"%.3f\"", seconds);
+  if (failure) {
+    po_text_add(text, "><failure message=\"");
+    add_escaped(text, failure);
+    po_text_add(text, "\"/></testcase>\n");
+  } else
+    po_text_add(text, "/>\n");
+}
+
+static void junit_suite(const po_case_run *run, po_text *text) {
+  const po_case *kase = run->plan->kase;
+  const size_t failures = po_case_run_failures(run);
+  po_text_add(text, "  <testsuite name=\"%s\" tests=\"%zu\" failures=\"%zu\" time=\"%.3f\">\n",
+              kase->file->name, run->results.count + failures, po_case_run_outside(run) + failures,
+              run->elapsed);
+  for (size_t i = 0; i < run->results.count; ++i) {
+    const po_result *item = &run->results.items[i];
+    char failure[400];
+    explain(item, failure);
+    junit_test(kase->file->name, item->id, item->verdict == PO_WITHIN ? NULL : failure,
+               run->outcomes[item->point].work.seconds, text);
+  }
+  for (size_t i = 0; i < kase->point_count; ++i)
+    if (run->outcomes[i].status != PO_OK) {
+      char id[300];
+      snprintf(id, sizeof id, "solve/%s", kase->points[i].label);
+      junit_test(kase->file->name, id, run->outcomes[i].reason, run->outcomes[i].work.seconds,
+                 text);
+    }
+  po_text_add(text, "  </testsuite>\n");
+}
+
+void po_verdicts_junit(const po_case_run *runs, size_t count, po_text *text) {
+  po_text_add(text, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n");
+  for (size_t r = 0; r < count; ++r)
+    junit_suite(&runs[r], text);
+  po_text_add(text, "</testsuites>\n");
+}

@@ -1,0 +1,196 @@
+#include "po_yaml.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <yaml.h>
+
+#include "po_memory.h"
+
+struct po_yaml {
+  char *name;
+  yaml_document_t document;
+  bool loaded;
+};
+
+/* The value of `key` in a mapping, or NULL; *line is set to the line of the key. */
+static yaml_node_t *mapping_find(yaml_document_t *document, const yaml_node_t *mapping,
+                                 const char *key, size_t length, size_t *line) {
+  for (yaml_node_pair_t *pair = mapping->data.mapping.pairs.start;
+       pair < mapping->data.mapping.pairs.top; ++pair) {
+    const yaml_node_t *name = yaml_document_get_node(document, pair->key);
+    if (name->type == YAML_SCALAR_NODE && name->data.scalar.length == length &&
+        memcmp(name->data.scalar.value, key, length) == 0) {
+      *line = name->start_mark.line + 1;
+      return yaml_document_get_node(document, pair->value);
+    }
+  }
+  return NULL;
+}
+
+static po_status check_mapping(const po_yaml *yaml, yaml_document_t *document,
+                               const yaml_node_t *mapping) {
+  for (yaml_node_pair_t *pair = mapping->data.mapping.pairs.start;
+       pair < mapping->data.mapping.pairs.top; ++pair) {
+    const yaml_node_t *key = yaml_document_get_node(document, pair->key);
+    const size_t line = key->start_mark.line + 1;
+    if (key->type != YAML_SCALAR_NODE)
+      return po_fail(PO_BAD_INPUT, "%s:%zu: a key is not a word: expected key: value", yaml->name,
+                     line);
+    const char *text = (const char *)key->data.scalar.value;
+    size_t first = 0;
+    if (mapping_find(document, mapping, text, key->data.scalar.length, &first) !=
+        yaml_document_get_node(document, pair->value))
+      return po_fail(PO_BAD_INPUT, "%s:%zu: %s is given twice, first on line %zu: expected it once",
+                     yaml->name, line, text, first);
+  }
+  return PO_OK;
+}
+
+/* With an alias one node has two places, and a line in a message could be of either. */
+static po_status check_tree(const po_yaml *yaml, yaml_document_t *document) {
+  const ptrdiff_t count = document->nodes.top - document->nodes.start;
+  int *uses = po_allocate((size_t)count + 1, sizeof *uses);
+  if (!uses)
+    return PO_NO_MEMORY;
+  po_status status = PO_OK;
+  for (int i = 1; !status && i <= count; ++i) {
+    const yaml_node_t *node = yaml_document_get_node(document, i);
+    if (node->type == YAML_MAPPING_NODE) {
+      status = check_mapping(yaml, document, node);
+      for (yaml_node_pair_t *p = node->data.mapping.pairs.start;
+           !status && p < node->data.mapping.pairs.top; ++p)
+        uses[p->value] += 1;
+    } else if (node->type == YAML_SEQUENCE_NODE)
+      for (yaml_node_item_t *p = node->data.sequence.items.start; p < node->data.sequence.items.top;
+           ++p)
+        uses[*p] += 1;
+  }
+  for (int i = 1; !status && i <= count; ++i)
+    if (uses[i] > 1)
+      status = po_fail(PO_BAD_INPUT, "%s:%zu: an alias refers to this: expected none", yaml->name,
+                       yaml_document_get_node(document, i)->start_mark.line + 1);
+  free(uses);
+  return status;
+}
+
+static po_status parse(po_yaml *yaml, yaml_parser_t *parser) {
+  if (!yaml_parser_load(parser, &yaml->document))
+    return po_fail(PO_BAD_INPUT, "%s:%zu: not YAML: %s", yaml->name, parser->problem_mark.line + 1,
+                   parser->problem ? parser->problem : "unreadable");
+  yaml->loaded = true;
+  const yaml_node_t *root = yaml_document_get_root_node(&yaml->document);
+  if (!root)
+    return po_fail(PO_BAD_INPUT, "%s:1: the file is empty: expected a case", yaml->name);
+  if (root->type != YAML_MAPPING_NODE)
+    return po_fail(PO_BAD_INPUT, "%s:%zu: not a case: expected key: value", yaml->name,
+                   root->start_mark.line + 1);
+  const po_status status = check_tree(yaml, &yaml->document);
+  if (status)
+    return status;
+  yaml_document_t more;
+  if (!yaml_parser_load(parser, &more))
+    return po_fail(PO_BAD_INPUT, "%s:%zu: not YAML: %s", yaml->name, parser->problem_mark.line + 1,
+                   parser->problem ? parser->problem : "unreadable");
+  const yaml_node_t *second = yaml_document_get_root_node(&more);
+  const size_t line = second ? second->start_mark.line + 1 : 0;
+  yaml_document_delete(&more);
+  if (second)
+    return po_fail(PO_BAD_INPUT, "%s:%zu: a second document begins: expected one case a file",
+                   yaml->name, line);
+  return PO_OK;
+}
+
+po_status po_yaml_create(const char *name, const char *bytes, size_t size, po_yaml **yaml) {
+  *yaml = NULL;
+  if (memchr(bytes, '\0', size))
+    return po_fail(PO_BAD_INPUT, "%s:1: not text, it holds a zero byte: expected a case", name);
+  po_yaml *made = po_allocate(1, sizeof *made);
+  if (!made)
+    return PO_NO_MEMORY;
+  yaml_parser_t parser;
+  po_status status = PO_OK;
+  made->name = po_copy_text(name);
+  if (!made->name || !yaml_parser_initialize(&parser))
+    status = po_fail(PO_NO_MEMORY, "%s: no memory for the parser", name);
+  else {
+    yaml_parser_set_input_string(&parser, (const unsigned char *)bytes, size);
+    status = parse(made, &parser);
+    yaml_parser_delete(&parser);
+  }
+  if (status)
+    po_yaml_destroy(made);
+  else
+    *yaml = made;
+  return status;
+}
+
+void po_yaml_destroy(po_yaml *yaml) {
+  if (!yaml)
+    return;
+  if (yaml->loaded)
+    yaml_document_delete(&yaml->document);
+  free(yaml->name);
+  free(yaml);
+}
+
+const char *po_yaml_name(const po_yaml *yaml) {
+  return yaml->name;
+}
+
+/* Follows a path; the node, or NULL when it is absent, and the line where the way ended. */
+static yaml_node_t *find(const po_yaml *yaml, const char *path, size_t *line) {
+  yaml_document_t *document = (yaml_document_t *)&yaml->document; /* libyaml knows no const */
+  yaml_node_t *node = yaml_document_get_root_node(document);
+  *line = node->start_mark.line + 1;
+  while (*path && node) {
+    if (*path == '[') {
+      char *end = NULL;
+      const long item = strtol(path + 1, &end, 10);
+      path = *end == ']' ? end + 1 : end;
+      if (node->type != YAML_SEQUENCE_NODE || item < 1 ||
+          item > node->data.sequence.items.top - node->data.sequence.items.start)
+        return NULL;
+      node = yaml_document_get_node(document, node->data.sequence.items.start[item - 1]);
+      *line = node->start_mark.line + 1;
+    } else {
+      path += *path == '.';
+      const size_t length = strcspn(path, ".[");
+      if (node->type != YAML_MAPPING_NODE)
+        return NULL;
+      node = mapping_find(document, node, path, length, line);
+      path += length;
+    }
+  }
+  return node;
+}
+
+size_t po_yaml_line(const po_yaml *yaml, const char *path) {
+  size_t line = 1;
+  find(yaml, path, &line);
+  return line;
+}
+
+const char *po_yaml_value(const po_yaml *yaml, const char *path) {
+  size_t line = 1;
+  const yaml_node_t *node = find(yaml, path, &line);
+  if (!node)
+    return NULL;
+  if (node->type == YAML_MAPPING_NODE)
+    return "a mapping";
+  if (node->type == YAML_SEQUENCE_NODE)
+    return "a list";
+  return (const char *)node->data.scalar.value;
+}
+
+po_status po_yaml_refuse(const po_yaml *yaml, const char *path, const char *expected) {
+  const char *value = po_yaml_value(yaml, path);
+  const size_t line = po_yaml_line(yaml, path);
+  if (!value)
+    return po_fail(PO_BAD_INPUT, "%s:%zu: %s is missing: expected %s", yaml->name, line, path,
+                   expected);
+  return po_fail(PO_BAD_INPUT, "%s:%zu: %s is %.80s: expected %s", yaml->name, line, path,
+                 *value ? value : "empty", expected);
+}

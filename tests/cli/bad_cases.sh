@@ -1,0 +1,106 @@
+#!/bin/sh
+# Bad case files: one line with file, line, path, value and what was expected; exit code 2; nothing written.
+# shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154
+. "$(dirname "$0")/lib.sh"
+. "$here/data.sh"
+file=$PULLOFF_DATA/cases/good.yaml
+
+# spoilt SED-SCRIPT MESSAGE: the good case, edited, is refused.
+spoilt() {
+  restore
+  sed -i "$1" "$file"
+  expect 2 "pulloff: cases/good.yaml:$2" run --output out
+  check 'nothing is written' test ! -e out
+}
+
+restore
+expect 0 '*good: 1 points, 1 checks: within' run --output out0
+expect 2 'pulloff: no case is named nobody: expected one of good' run nobody
+expect 2 'pulloff: cases and --suite are given: expected one of them' run good --suite smoke
+expect 2 'pulloff: there is no such case in *' run --suite extreme
+expect 4 'pulloff: absent.yaml cannot be opened: No such file or directory' run absent.yaml
+
+spoilt 's/radius: 100/radius: -3/' '7: scene.radius is -3: expected a finite number > 0'
+spoilt 's/radius: 100/radius: nan/' '7: scene.radius is nan: expected a finite number > 0'
+spoilt 's/radius: 100/radius: .inf/' '7: scene.radius is .inf: expected a finite number > 0'
+spoilt 's/radius: 100/radius: inf/' '7: scene.radius is inf: expected a finite number > 0'
+spoilt 's/radius: 100/radius: wide/' '7: scene.radius is wide: expected a finite number > 0'
+spoilt 's/radius: 100/radius: [100]/' '7: scene.radius is a list: expected a finite number > 0'
+spoilt 's/radius: 100/radius:/' '7: scene.radius is empty: expected a finite number > 0'
+spoilt 's/radius: 100/radius: 1e400/' '7: scene.radius is 1e400: expected a finite number > 0'
+spoilt 's/outer_radius: inf/outer_radius: -1/' \
+  '8: scene.outer_radius is -1: expected a finite number > 0, or inf'
+spoilt 's/outer_radius: inf/outer_radius: nan/' \
+  '8: scene.outer_radius is nan: expected a finite number > 0, or inf'
+spoilt 's/nodes: 101/nodes: 3.5/' '10: scene.nodes is 3.5: expected a whole number > 0'
+spoilt 's/nodes: 101/nodes: -5/' '10: scene.nodes is -5: expected a whole number > 0'
+spoilt 's/scheme: triangle/scheme: cube/' '9: scene.scheme is cube: expected ring or triangle'
+spoilt 's/  radius: 100/  radios: 100/' \
+  '7: scene.radios is unknown: expected one of tabor, amplitude, wavelength, radius, *'
+spoilt '/  radius/d' '4: scene.radius is missing: expected a finite number > 0, here or in the sweep'
+spoilt 's/amplitude: 0/amplitude: 1/' \
+  '4: scene.wavelength is missing: expected a finite number > 0, here or in the sweep'
+spoilt 's/  radius: 100/  radius: 100\n  radius: 50/' \
+  '8: radius is given twice, first on line 7: expected it once'
+spoilt 's/^name: good/name: good\nname: bad/' \
+  '2: name is given twice, first on line 1: expected it once'
+spoilt '/^name/d' '1: name is missing: expected letters, digits, _ and -'
+spoilt 's/^name: good/name: ..\/good/' '1: name is ../good: expected letters, digits, _ and -'
+spoilt '/^want/d' '*: want is missing: expected a list of pull_off, folds, extrema, curve, profile'
+spoilt 's/want: .*/want: pull_off/' '11: want is pull_off: expected a list of pull_off, *'
+spoilt 's/want: .*/want: [pudding]/' \
+  '11: want[[]1[]] is pudding: expected pull_off, folds, extrema, curve or profile'
+spoilt 's/want: .*/want: []/' '11: want is a list: expected a list of pull_off, *'
+spoilt 's/suites: .*/suites: [dessert]/' \
+  '3: suites[[]1[]] is dessert: expected smoke, paper, extreme or precision'
+spoilt 's/^title: .*/flavour: sweet/' '2: flavour is unknown: expected one of name, title, figure, *'
+spoilt 's/^scene:/scene: 3\nscenery:/' '4: scene is 3: expected a mapping of scene keys'
+spoilt 's/^want/repeats: 0\nwant/' '11: repeats is 0: expected a whole number from 1 to 1000'
+spoilt 's/^want/sweep:\n  - key: colour\n    values: [1]\nwant/' \
+  '12: sweep[[]1[]].key is colour: expected a key of the scene'
+spoilt 's/^want/sweep:\n  - key: tabor\n    values: [1]\nwant/' \
+  '12: sweep[[]1[]].key is tabor: expected a key that the scene does not fix'
+spoilt 's/^want/sweep:\n  - key: approach_end\n    values: [1, nan]\nwant/' \
+  '13: sweep[[]1[]].values[[]2[]] is nan: expected a finite number'
+spoilt 's/^want/sweep:\n  - key: approach_end\n    values: [0.1, 0.10]\nwant/' \
+  '13: sweep[[]1[]].values[[]2[]] is 0.10: expected each value once'
+spoilt 's/^want/sweep:\n  - key: approach_end\nwant/' \
+  '12: sweep[[]1[]].values is missing: expected a list of values'
+spoilt 's/pull_off_force/pull_on/' '13: checks[[]1[]].quantity is pull_on: expected pull_off_force, *'
+spoilt 's/tolerance: 1e-9/tolerance: 0/' \
+  '15: checks[[]1[]].tolerance is 0: expected a finite number > 0'
+spoilt 's/tolerance: 1e-9/tolerance: .nan/' \
+  '15: checks[[]1[]].tolerance is .nan: expected a finite number > 0'
+spoilt 's/kind: abs/kind: roughly/' \
+  '16: checks[[]1[]].kind is roughly: expected abs, rel or ulp'
+spoilt '/because/d' '*: checks[[]1[]].because is missing: expected the reason for the tolerance'
+spoilt 's/because: .*/because: ""/' \
+  '17: checks[[]1[]].because is empty: expected the reason for the tolerance'
+spoilt 's/because: .*/because: "  "/' \
+  '17: checks[[]1[]].because is   : expected the reason for the tolerance'
+spoilt 's/because: .*/&\n    when: [{key: tabor, values: [3]}]/' \
+  '18: checks[[]1[]].when is a list: expected a condition that holds for some point'
+spoilt 's/because: .*/&\n    whence: 3/' '18: checks[[]1[]].whence is unknown: expected one of *'
+spoilt 's/^  tabor: 0/\ttabor: 0/' '*: not YAML: found character that cannot start any token'
+spoilt 's/^want: .*/want: [pull_off/' '*: not YAML: *'
+spoilt 's/^  tabor: 0/  tabor: \&x 0\n  grading: *x/' '5: an alias refers to this: expected none'
+spoilt '$a---\nname: more' '*: a second document begins: expected one case a file'
+
+restore
+: >"$file"
+expect 2 'pulloff: cases/good.yaml:1: the file is empty: expected a case' list
+printf '\177ELF\002\001\000\000\000' >"$file"
+expect 2 'pulloff: cases/good.yaml:1: not text, it holds a zero byte: expected a case' list
+printf '\377\376\375name' >"$file"
+expect 2 'pulloff: cases/good.yaml:1: not YAML: *' list
+printf '%s\n' '- a' '- b' >"$file"
+expect 2 'pulloff: cases/good.yaml:1: not a case: expected key: value' list
+
+restore
+cp "$file" "$PULLOFF_DATA/cases/twin.yaml"
+expect 2 'pulloff: cases/twin.yaml: name is good: expected another, it is that of cases/good.yaml' \
+  run good
+restore
+mv "$PULLOFF_DATA/cases" "$PULLOFF_DATA/elsewhere"
+expect 4 'pulloff: the folder */cases cannot be read: No such file or directory' list
+finish

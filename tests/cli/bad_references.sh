@@ -1,0 +1,72 @@
+#!/bin/sh
+# Bad reference tables: one line with file and line; exit code 4 (unreadable, damaged) or 2 (the case asks more
+# than they can give).
+# shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154
+. "$(dirname "$0")/lib.sh"
+. "$here/data.sh"
+table=$PULLOFF_DATA/reference/table.csv
+
+refused() { # CODE MESSAGE
+  expect "$1" "pulloff: $2" verify good --output out
+  check 'nothing is solved' test ! -e out/good
+  restore
+}
+
+rm "$table"
+refused 4 '*/reference/table.csv cannot be opened: No such file or directory'
+rm "$table" && mkdir "$table"
+refused 4 '*/reference/table.csv cannot be read: Is a directory'
+: >"$table"
+refused 4 'reference/table.csv is empty: expected a table'
+printf 'a\000b\n' >"$table"
+refused 4 'reference/table.csv is not text: it holds a zero byte'
+sed -i 's/^0,2,0/0,2.1,0/' "$table"
+refused 4 'reference/table.csv:10: sha256 is *: expected *, that of the rows*'
+sed -i '/^# units/d' "$table"
+refused 4 'reference/table.csv:10: the header units is missing: expected *'
+sed -i 's/^# units:.*/# units:/' "$table"
+refused 4 'reference/table.csv:5: the header units is empty'
+sed -i 's/^# kind:.*/# kind: rumour/' "$table"
+refused 4 'reference/table.csv:3: kind is rumour: expected oracle, published or pin'
+sed -i 's/^# units.*/# units without a colon/' "$table"
+refused 4 "reference/table.csv:5: '# units without a colon' is not a header: *"
+sed -i 's/^# units.*/&\n&/' "$table"
+refused 4 'reference/table.csv:6: the header units is given twice'
+write_table "$table" tabor,approach 0,0
+refused 4 'reference/table.csv:11: the column force is missing'
+write_table "$table" tabor,force,force 0,2,2
+refused 4 'reference/table.csv:11: the column force is given twice'
+write_table "$table" tabor,force,approach 0,2,0 1,2
+refused 4 'reference/table.csv:13: the row has 2 cells: expected 3'
+write_table "$table" tabor,force,approach 0,2,0 1,2,3,4
+refused 4 'reference/table.csv:13: the row has 4 cells: expected 3'
+write_table "$table" tabor,force,approach 0,,0
+refused 4 'reference/table.csv:12: the cell of column force is empty'
+write_table "$table" tabor,force,approach 0,two,0
+refused 4 'reference/table.csv:12: force is two: expected a finite number'
+write_table "$table" tabor,force,approach 0,nan,0
+refused 4 'reference/table.csv:12: force is nan: expected a finite number'
+write_table "$table" tabor,force,approach -1,2,0
+refused 4 'reference/table.csv:12: tabor is -1: expected a finite number >= 0'
+write_table "$table" tabor,force,approach 0,2,0 0,2,0
+refused 4 'reference/table.csv:13: a second row for the same scene: expected one'
+truncate -s -1 "$table"
+refused 4 'reference/table.csv:12: the last line does not end: the file is truncated'
+write_table "$table" tabor,force,approach,force_uncertainty 0,2,0,1e-6
+refused 2 'cases/good.yaml:15: checks[[]1[]].tolerance is 1e-9: expected at least 1e-06, *'
+
+# A reference that does not speak of the scene is a verdict: not passed, not an error.
+write_table "$table" tabor,force,approach 1,1.6,0
+expect 1 '*' verify good --output out
+check 'the verdict says so' grep -q missing_reference "$work/stdout"
+restore
+write_table "$table" tabor,force,approach 0,1.9,0
+expect 1 '*' verify good --output out
+check 'a wrong number is outside' grep -q outside "$work/stdout"
+expect 1 '*' verify good --output out --tap --junit junit.xml
+check 'not ok in TAP' grep -q '^not ok 1 - good pull_off_force/table/scene$' "$work/stdout"
+check 'a failure in JUnit' grep -q '<failure message="outside: obtained 2,' junit.xml
+restore
+expect 0 '*' verify good --output out --tap
+check 'ok in TAP' grep -q '^ok 1 - good pull_off_force/table/scene$' "$work/stdout"
+finish

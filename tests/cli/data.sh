@@ -1,0 +1,54 @@
+# A data folder of its own, with one quick good case and one good reference, to be spoilt.
+# shellcheck shell=sh disable=SC2154
+export PULLOFF_DATA="$work/data"
+mkdir -p "$PULLOFF_DATA/cases" "$PULLOFF_DATA/reference"
+
+write_case() { # FILE
+  cat >"$1" <<'CASE'
+name: good
+title: A rigid sphere
+suites: [smoke]
+scene:
+  tabor: 0
+  amplitude: 0
+  radius: 100
+  outer_radius: inf
+  scheme: triangle
+  nodes: 101
+want: [pull_off]
+checks:
+  - quantity: pull_off_force
+    reference: reference/table.csv
+    tolerance: 1e-9
+    kind: abs
+    because: it has a closed form
+CASE
+}
+
+# Rows under a header whose checksum is right, whatever the rows.
+write_table() { # FILE COLUMNS ROW...
+  into=$1
+  shift
+  printf '%s\n' "$@" >"$work/rows"
+  cat >"$into" <<TABLE
+# what: pull-off of the rigid sphere
+# source: by hand
+# kind: oracle
+# method: closed form
+# units: those of the harness
+# uncertainty: 0
+# generator: none
+# command: none
+# date: 2026-11-21
+# sha256: $(sha256sum <"$work/rows" | cut -d' ' -f1)
+TABLE
+  cat "$work/rows" >>"$into"
+}
+
+restore() {
+  rm -rf "$PULLOFF_DATA/cases" "$PULLOFF_DATA/reference"
+  mkdir -p "$PULLOFF_DATA/cases" "$PULLOFF_DATA/reference"
+  write_case "$PULLOFF_DATA/cases/good.yaml"
+  write_table "$PULLOFF_DATA/reference/table.csv" tabor,force,approach 0,2,0
+}
+restore

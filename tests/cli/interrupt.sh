@@ -1,0 +1,69 @@
+#!/bin/sh
+# Ctrl-C: the run ends by itself with exit code 130, finished cases are kept whole, the next run goes on.
+# And: the numbers do not depend on how many points are solved side by side.
+# shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154
+. "$(dirname "$0")/lib.sh"
+. "$here/data.sh"
+
+write_long() { # NAME NODES
+  cat >"$PULLOFF_DATA/cases/$1.yaml" <<CASE
+name: $1
+title: Elastic spheres
+suites: [smoke]
+scene: {radius: 100, outer_radius: inf, scheme: triangle, nodes: $2}
+sweep:
+  - key: tabor
+    values: [0.9, 1.1, 1.3, 1.5, 1.7, 1.9]
+want: [pull_off, curve]
+CASE
+}
+
+interrupt() { # SIGNAL
+  "$program" run --output run --jobs 2 2>"$work/stderr" &
+  child=$!
+  tries=0
+  until [ -s run/good/record.json ] || [ $tries -gt 200 ]; do
+    sleep 0.05
+    tries=$((tries + 1))
+  done
+  sleep 0.2
+  kill -"$1" $child
+  wait $child
+}
+
+write_long long 801
+# A shell gives its background jobs SIGINT ignored; the program must hear it all the same.
+interrupt INT
+check 'exit code 130 after SIGINT' test $? -eq 130
+check 'it says so' grep -q 'pulloff: interrupted; finished cases are kept in run' "$work/stderr"
+check 'the finished case is kept' test -s run/good/record.json
+check 'the other has no record' test ! -e run/long/record.json
+interrupt TERM
+check 'exit code 130 after SIGTERM' test $? -eq 130
+expect_line() { check "$1: $2" grep -q "^$2" "$work/stderr"; }
+rm "$PULLOFF_DATA/cases/long.yaml"
+write_long long 101
+"$program" run --output run --jobs 2 2>"$work/stderr"
+check 'the next run goes on' test $? -eq 0
+expect_line 'finished before' 'good: 1 points, 1 checks: within (kept)'
+expect_line 'finished now' 'long: 6 points, 0 checks: within'
+"$program" run --output run 2>"$work/stderr"
+expect_line 'all kept' 'long: 6 points, 0 checks: within (kept)'
+
+"$program" solve --tabor 3 --nodes 1501 --json >out.json 2>"$work/stderr" &
+child=$!
+sleep 0.7
+kill -INT $child
+wait $child
+check 'exit code 130 of an interrupted solve' test $? -eq 130
+check 'whose document says so' grep -q '"status": "interrupted"' out.json
+
+"$program" run long --output alone --jobs 1 2>"$work/stderr"
+for i in 0 1 2 3 4 5; do
+  check "curve $i does not depend on --jobs" cmp run/long/curve-$i.csv alone/long/curve-$i.csv
+done
+strip() { grep -v -E '"(seconds|date|jobs)"|^ *[0-9.]+(e-[0-9]+)?$' "$1"; }
+strip run/long/record.json >two
+strip alone/long/record.json >one
+check 'nor does the record, but for times' cmp one two
+finish

@@ -1,0 +1,49 @@
+#!/bin/sh
+# What is kept and what is done again: solves when the scenes change, comparisons when the checks or the
+# references do, nothing when nothing did.
+# shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154
+. "$(dirname "$0")/lib.sh"
+. "$here/data.sh"
+file=$PULLOFF_DATA/cases/good.yaml
+record=run/good/record.json
+
+expect 0 'good: 1 points, 1 checks: within' run --output run
+cp "$record" first.json
+expect 0 'good: 1 points, 1 checks: within (kept)' run --output run
+check 'a kept record is not written again' cmp first.json "$record"
+
+sed -i 's/tolerance: 1e-9/tolerance: 1e-8/' "$file"
+expect 0 'good: 1 points, 1 checks: within (kept)' run --output run
+check 'a new tolerance is compared again' grep -q '"tolerance": 1.*e-0*8' "$record"
+
+write_table "$PULLOFF_DATA/reference/table.csv" tabor,force,approach 0,2.5,0
+expect 0 'good: 1 points, 1 checks: outside (kept)' run --output run
+check 'so is a new reference' grep -q '"expected": 2.5' "$record"
+check 'with the verdict of the case' grep -q '"verdict": "outside"' "$record"
+
+write_table "$PULLOFF_DATA/reference/table.csv" tabor,force,approach 0,2,0
+sed -i 's/approach_end.*//; s/^  nodes: 101/  nodes: 101\n  approach_end: 0.1/' "$file"
+expect 0 'good: 1 points, 1 checks: within' run --output run
+expect 0 'good: 1 points, 1 checks: within' run --output run --fresh
+
+sed -i 's/^want: .*/want: [pull_off, curve, profile]/' "$file"
+expect 0 'good: 1 points, 1 checks: within' run --output run
+check 'a curve is wanted: there it is' test -s run/good/curve-0.csv
+check 'a profile is wanted: there it is' test -s run/good/profile-0.csv
+expect 0 'good: 1 points, 1 checks: within (kept)' run --output run
+rm run/good/curve-0.csv
+expect 0 'good: 1 points, 1 checks: within' run --output run
+check 'a lost curve is made again' test -s run/good/curve-0.csv
+cp run/good/curve-0.csv curve.csv
+sed -i 's/^\(0,[^,]*\),[^,]*/\1,7/' run/good/curve-0.csv
+expect 0 'good: 1 points, 1 checks: within' run --output run
+check 'so is one that was changed' cmp curve.csv run/good/curve-0.csv
+
+sed -i 's/^want/repeats: 3\nwant/' "$file"
+expect 0 'good: 1 points, 1 checks: within' run --output run
+check 'three times for three repeats' test 3 -eq \
+  "$(sed -n '/"seconds_all"/,/\]/p' "$record" | grep -c '[0-9]')"
+expect 0 '*' verify good --output run --junit out.xml
+check 'verify reads the kept run' grep -q 'kept' "$work/stderr"
+check 'JUnit counts' grep -q '<testsuite name="good" tests="1" failures="0"' out.xml
+finish

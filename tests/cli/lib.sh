@@ -1,0 +1,55 @@
+# What the tests of the command line share. Sourced with the program as $1; all happens in $work, which is
+# removed at the end.
+# shellcheck shell=sh disable=SC2034
+here=$(cd "$(dirname "$0")" && pwd)
+program=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 99
+passed=0
+failed=0
+
+tell() { # ok|not-ok, what was tried, what went wrong
+  if [ "$1" = ok ]; then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    printf 'FAILED: %s\n  %s\n' "$2" "$3"
+    [ -s "$work/stderr" ] && sed 's/^/  stderr: /' "$work/stderr"
+  fi
+}
+
+# expect CODE MESSAGE ARGUMENT...: the program ends with CODE; standard error is the one line MESSAGE
+# (a shell pattern; '': nothing). The program sees $program_path as PATH when that is set.
+expect() {
+  code=$1
+  message=$2
+  shift 2
+  PATH=${program_path:-$PATH} "$program" "$@" >"$work/stdout" 2>"$work/stderr"
+  got=$?
+  line=$(cat "$work/stderr")
+  lines=$(wc -l <"$work/stderr")
+  if [ "$got" -ne "$code" ]; then
+    tell not-ok "pulloff $*" "exit code $got: expected $code"
+  elif [ -n "$message" ] && [ "$lines" -ne 1 ]; then
+    tell not-ok "pulloff $*" "$lines lines on standard error: expected 1"
+  else
+    # shellcheck disable=SC2254 # a pattern is meant
+    case $line in
+    $message) tell ok ;;
+    *) tell not-ok "pulloff $*" "expected: $message" ;;
+    esac
+  fi
+}
+
+# check WHAT COMMAND...: the command succeeds.
+check() {
+  what=$1
+  shift
+  if "$@"; then tell ok; else tell not-ok "$what" "$*"; fi
+}
+
+finish() {
+  printf '%s passed, %s failed\n' "$passed" "$failed"
+  [ "$failed" -eq 0 ]
+}

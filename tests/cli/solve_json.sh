@@ -1,0 +1,50 @@
+#!/bin/sh
+# solve: one JSON document and nothing else, of the documented form; the tables; the exit codes.
+# shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154
+. "$(dirname "$0")/lib.sh"
+python=${PYTHON:-python3}
+
+expect 0 '' solve --tabor 1 --nodes 101 --want curve,profile --json
+cat >look.py <<'LOOK'
+import json, math, sys
+
+def refuse(word):
+    raise ValueError(word)
+
+d = json.load(sys.stdin, parse_constant=refuse)
+assert d["schema"] == "pulloff/1" and d["status"] == "ok" and d["reason"] == ""
+assert list(d["input"]) == ["tabor", "amplitude", "wavelength", "radius", "outer_radius", "scheme",
+                            "grading", "nodes", "approach_start", "approach_end"], list(d["input"])
+assert d["input"]["outer_radius"] == "inf" and d["input"]["nodes"] == 101
+p = d["pull_off"]
+assert abs(p["force"] - 1.67067) < 1e-3 and abs(p["approach"] + 0.8734) < 2e-3
+assert set(p) == {"force", "approach", "contact_radius", "error_estimate"}
+assert [f["kind"] for f in d["folds"]] == ["jump_in", "jump_out"]
+assert [e["kind"] for e in d["extrema"]] == ["minimum"]
+assert set(d["folds"][0]) >= {"approach", "load", "kind", "contact_radius", "unstable_modes"}
+assert set(d["work"]) == {"points", "newton_iterations", "factorizations", "kernel_evaluations",
+                          "nodes", "factorized_nodes", "seconds"}
+c = d["curve"]
+assert len(c) > 10 and set(c[0]) == {"position", "approach", "load", "contact_radius",
+                                     "unstable_modes"}
+assert all(a["position"] <= b["position"] for a, b in zip(c, c[1:]))
+assert min(q["load"] for q in c) == -p["force"]
+assert len(d["profile"]) > 10 and set(d["profile"][0]) == {"radius", "gap", "traction"}
+assert all(q["gap"] > -1 for q in d["profile"])
+assert math.isclose(d["profile_approach"], p["approach"])
+LOOK
+check 'the document is of the documented form' "$python" look.py <"$work/stdout"
+expect 0 '' solve --tabor 1 --nodes 101 --json --curve curve.csv --profile profile.csv
+check 'the curve has its columns' grep -q '^position,approach,load,contact_radius,unstable_modes$' \
+  curve.csv
+check 'the profile has its columns' grep -q '^radius,gap,traction$' profile.csv
+expect 0 '' solve --tabor 1 --nodes 101
+check 'for people: the pull-off' grep -q '^pull-off force 1.67' "$work/stdout"
+expect 0 '' solve --tabor 0 --json
+check 'rigid' grep -q '"rigid": true' "$work/stdout"
+
+# The same numbers every time, to the last bit.
+"$program" solve --tabor 2 --nodes 101 --want curve --json | grep -v seconds >first
+"$program" solve --tabor 2 --nodes 101 --want curve --json | grep -v seconds >second
+check 'a solve repeats to the last bit' cmp first second
+finish

@@ -1,0 +1,52 @@
+#!/bin/sh
+# Bad usage: one line that names what is wrong, exit code 2; help with an example for every verb.
+# shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154
+. "$(dirname "$0")/lib.sh"
+
+man_page=$here/../../src/cli/pulloff.1
+expect 2 'pulloff: no verb is given: expected solve, list, plan, run, verify or report'
+expect 2 'pulloff: unknown verb dance: expected solve, list, *' dance
+expect 0 '' --version
+expect 0 '' --help
+for verb in solve list plan run verify report; do
+  expect 0 '' "$verb" --help
+  check "help of $verb has an example" grep -q "^Example: pulloff $verb" "$work/stdout"
+  for option in $(sed -n 's/^ *\(--[a-z-]*\).*/\1/p' "$work/stdout"); do
+    check "the man page has $option of $verb" \
+      grep -q -e "$(echo "$option" | sed 's/-/\\\\-/g')" "$man_page"
+  done
+  expect 2 "pulloff: unknown option --frobnicate of $verb (see pulloff $verb --help)" \
+    "$verb" --frobnicate
+done
+
+expect 2 'pulloff: --tabor is abc: expected a finite number >= 0' solve --tabor abc
+expect 2 'pulloff: --tabor is nan: expected a finite number >= 0' solve --tabor nan
+expect 2 'pulloff: --tabor is inf: expected a finite number >= 0' solve --tabor inf
+expect 2 'pulloff: --tabor is 0x1p3: expected a finite number >= 0' solve --tabor 0x1p3
+expect 2 'pulloff: --tabor is 1 : expected a finite number >= 0' solve --tabor '1 '
+expect 2 'pulloff: --tabor is empty: expected a finite number >= 0' solve --tabor ''
+expect 2 'pulloff: --tabor is 1e999: expected a finite number >= 0' solve --tabor 1e999
+expect 2 'pulloff: the option --tabor of solve needs a value (see pulloff solve --help)' \
+  solve --tabor
+expect 2 'pulloff: --radius is -3: expected a finite number > 0' solve --radius -3
+expect 2 'pulloff: --radius is 0: expected a finite number > 0' solve --radius 0
+expect 2 'pulloff: --outer-radius is nan: expected a finite number > 0, or inf' \
+  solve --outer-radius nan
+expect 2 'pulloff: --scheme is square: expected ring or triangle' solve --scheme square
+expect 2 'pulloff: --grading is steep: expected uniform or graded' solve --grading steep
+expect 2 'pulloff: --nodes is 2.5: expected a whole number > 0' solve --nodes 2.5
+expect 2 'pulloff: --nodes is -7: expected a whole number > 0' solve --nodes -7
+expect 2 'pulloff: *nodes*expected*' solve --nodes 999999999999
+expect 2 'pulloff: --want is sugar: expected curve, profile or both*' solve --want sugar
+expect 2 'pulloff: --want is curve,: expected curve, profile or both*' solve --want curve,
+expect 2 'pulloff: --amplitude is given without --wavelength: expected both' solve --amplitude 1
+expect 2 'pulloff: *approach_end*' solve --approach-start 1 --approach-end 0
+expect 2 'pulloff: solve takes no leftover*' solve --tabor 0 leftover
+expect 2 'pulloff: plan needs the name of a case*' plan
+expect 2 'pulloff: --jobs is 0: expected a whole number > 0' run --jobs 0
+expect 2 'pulloff: --jobs is many: expected a whole number > 0' run --jobs many
+expect 2 'pulloff: --output is empty: expected the name of a folder' run --output ''
+expect 2 'pulloff: --suite is dessert: expected smoke, paper, extreme or precision' \
+  run --suite dessert
+expect 2 'pulloff: list takes no smoke*' list smoke
+finish

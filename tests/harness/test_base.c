@@ -1,0 +1,224 @@
+/* Text, numbers, digests, files and tables: what the harness stands on. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "po_csv.h"
+#include "po_digest.h"
+#include "po_file.h"
+#include "po_number.h"
+#include "po_text.h"
+#include "run.h"
+
+static char folder[] = "/tmp/pulloff-test-XXXXXX";
+static char path[64];
+
+static void make_folder(void) {
+  strcpy(folder, "/tmp/pulloff-test-XXXXXX");
+  ck_assert_ptr_nonnull(mkdtemp(folder));
+  snprintf(path, sizeof path, "%s/file", folder);
+}
+
+static void remove_folder(void) {
+  unlink(path);
+  rmdir(folder);
+}
+
+static const struct {
+  double value;
+  const char *text;
+} PRINTED[] = {{0.1, "0.1"},
+               {1.0 / 3.0, "0.333333333333333"},
+               {2.0 / 3.0, "0.6666666666666666"},
+               {-2.385e-7, "-2.385e-07"},
+               {0.1 + 0.2, "0.30000000000000004"},
+               {5e-324, "4.94065645841247e-324"},
+               {1e22, "1e+22"},
+               {-0.0, "-0"}};
+
+START_TEST(number_prints_short_and_exact) {
+  char text[PO_NUMBER_LENGTH];
+  po_number_print(PRINTED[_i].value, text);
+  ck_assert(strtod(text, NULL) == PRINTED[_i].value);
+  if (_i != 1) /* 1/3 needs 16 digits */
+    ck_assert_str_eq(text, PRINTED[_i].text);
+}
+END_TEST
+
+START_TEST(number_prints_what_is_not_finite) {
+  char text[PO_NUMBER_LENGTH];
+  po_number_print(-(double)INFINITY, text);
+  ck_assert_str_eq(text, "-inf");
+  po_number_print(-(double)NAN, text);
+  ck_assert_str_eq(text, "nan");
+}
+END_TEST
+
+static const struct {
+  const char *text;
+  bool taken;
+  double value;
+} PARSED[] = {
+    {"2.385", true, 2.385}, {"-1e-3", true, -1e-3}, {"+.5", true, 0.5},     {"5.", true, 5},
+    {"1E5", true, 1e5},     {"", false, 0},         {".", false, 0},        {"1e", false, 0},
+    {"1 ", false, 0},       {" 1", false, 0},       {"nan", false, 0},      {"inf", false, 0},
+    {"0x10", false, 0},     {"1,5", false, 0},      {"1e999", false, 0},    {"1e-999", false, 0},
+    {"--1", false, 0},      {"1.2.3", false, 0},    {"infinity", false, 0}, {"1f", false, 0}};
+
+START_TEST(number_parses_strictly) {
+  double value = -77;
+  ck_assert_int_eq(po_number_parse(PARSED[_i].text, &value), PARSED[_i].taken);
+  ck_assert_double_eq(value, PARSED[_i].taken ? PARSED[_i].value : -77);
+}
+END_TEST
+
+START_TEST(number_takes_infinity_where_allowed) {
+  double value = 0;
+  ck_assert(po_number_parse_or_infinity("inf", &value) && isinf(value));
+  ck_assert(!po_number_parse_or_infinity("-inf", &value));
+  ck_assert(!po_number_parse_or_infinity("nan", &value));
+  size_t count = 0;
+  ck_assert(po_number_parse_count("501", &count) && count == 501);
+  ck_assert(!po_number_parse_count("", &count) && !po_number_parse_count("5.0", &count));
+  ck_assert(!po_number_parse_count("-5", &count) && !po_number_parse_count("+5", &count));
+  ck_assert(!po_number_parse_count("99999999999999999999", &count));
+}
+END_TEST
+
+/* FIPS 180-4 examples. */
+START_TEST(digest_is_sha256) {
+  char digest[PO_DIGEST_LENGTH];
+  po_digest_bytes("abc", 3, digest);
+  ck_assert_str_eq(digest, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  po_digest_bytes("", 0, digest);
+  ck_assert_str_eq(digest, "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+}
+END_TEST
+
+START_TEST(text_grows) {
+  po_text text = {0};
+  ck_assert_str_eq(po_text_string(&text), "");
+  for (int i = 0; i < 1000; ++i)
+    po_text_add(&text, "%03d,", i);
+  po_text_add_bytes(&text, "end", 3);
+  ck_assert_uint_eq(text.length, 4003);
+  ck_assert_str_eq(text.data + 3996, "999,end");
+  po_text_clear(&text);
+}
+END_TEST
+
+START_TEST(file_is_written_whole_or_not_at_all) {
+  char *data = NULL;
+  size_t size = 0;
+  ck_assert_int_eq(po_file_write(path, "first", 5), PO_OK);
+  ck_assert_int_eq(po_file_write(path, "second\0x", 8), PO_OK);
+  ck_assert_int_eq(po_file_read(path, &data, &size), PO_OK);
+  ck_assert_uint_eq(size, 8);
+  ck_assert(memcmp(data, "second\0x", 9) == 0);
+  free(data);
+  /* Over a folder: refused, and the folder holds nothing new. */
+  char **names = NULL;
+  size_t count = 0;
+  ck_assert_int_eq(po_file_write(folder, "x", 1), PO_CANNOT_WRITE);
+  ck_assert_int_eq(po_folder_list(folder, "e", &names, &count), PO_OK);
+  ck_assert_uint_eq(count, 1);
+  ck_assert_str_eq(names[0], "file");
+  po_names_free(names, count);
+  ck_assert_int_eq(po_file_write("/dev/full", "x", 1), PO_CANNOT_WRITE);
+  ck_assert_ptr_nonnull(strstr(po_message(), "No space left"));
+  ck_assert_int_eq(po_file_read(folder, &data, &size), PO_CANNOT_READ);
+  ck_assert_int_eq(po_folder_make(path), PO_CANNOT_WRITE);
+  ck_assert_int_eq(po_folder_make(folder), PO_OK);
+}
+END_TEST
+
+static po_status read_text(const char *text, po_csv *csv) {
+  ck_assert_int_eq(po_file_write(path, text, strlen(text)), PO_OK);
+  return po_csv_read(path, "t.csv", csv);
+}
+
+START_TEST(csv_reads_headers_columns_rows) {
+  po_csv csv;
+  double value = 0;
+  ck_assert_int_eq(read_text("# what: a: b\n#units:\na,b\n1,2\n2.385,-4e3\n", &csv), PO_OK);
+  ck_assert_str_eq(po_csv_find_header(&csv, "what")->value, "a: b");
+  ck_assert_str_eq(po_csv_find_header(&csv, "units")->value, "");
+  ck_assert_ptr_null(po_csv_find_header(&csv, "why"));
+  ck_assert_int_eq(po_csv_find_column(&csv, "b"), 1);
+  ck_assert_int_eq(po_csv_find_column(&csv, "c"), -1);
+  ck_assert_uint_eq(csv.row_count, 2);
+  ck_assert_uint_eq(csv.lines[1], 5);
+  ck_assert_int_eq(po_csv_number(&csv, 1, 1, &value), PO_OK);
+  ck_assert_double_eq(value, -4e3);
+  char digest[PO_DIGEST_LENGTH];
+  po_digest_bytes("a,b\n1,2\n2.385,-4e3\n", 19, digest);
+  ck_assert_str_eq(csv.data_digest, digest);
+  po_csv_clear(&csv);
+}
+END_TEST
+
+static const struct {
+  const char *text;
+  const char *message;
+} DAMAGED[] = {
+    {"", "t.csv is empty: expected a table"},
+    {"# what: x\n", "t.csv:2: there is no line of column names"},
+    {"a,b\n1\n", "t.csv:2: the row has 1 cell: expected 2"},
+    {"a,b\n1,2,3\n", "t.csv:2: the row has 3 cells: expected 2"},
+    {"a,b\n1,2\n\n", "t.csv:3: the row has 0 cells: expected 2"},
+    {"a,b\n1,\n", "t.csv:2: the cell of column b is empty"},
+    {"a,a\n1,2\n", "t.csv:1: the column a is given twice"},
+    {"a,\n1,2\n", "t.csv:1: column 2 has no name"},
+    {"a,b\n1,2", "t.csv:2: the last line does not end: the file is truncated"},
+    {"# x\na\n1\n", "t.csv:1: '# x' is not a header: expected '# key: value'"},
+    {"# x: 1\n# x: 2\na\n1\n", "t.csv:2: the header x is given twice"},
+};
+
+START_TEST(csv_refuses_damage) {
+  po_csv csv;
+  ck_assert_int_eq(read_text(DAMAGED[_i].text, &csv), PO_CANNOT_READ);
+  ck_assert_str_eq(po_message(), DAMAGED[_i].message);
+}
+END_TEST
+
+START_TEST(csv_rows_read_back_exactly) {
+  const double values[] = {0.1, 1.0 / 3.0, -2.385e-300};
+  po_text text = {0};
+  po_csv csv;
+  po_text_add(&text, "a,b,c\n");
+  for (int i = 0; i < 100; ++i)
+    po_csv_add_row(&text, values, 3);
+  ck_assert_int_eq(read_text(text.data, &csv), PO_OK);
+  ck_assert_uint_eq(csv.row_count, 100);
+  for (size_t c = 0; c < 3; ++c) {
+    double value = 0;
+    ck_assert_int_eq(po_csv_number(&csv, 99, c, &value), PO_OK);
+    ck_assert(value == values[c]);
+  }
+  po_csv_clear(&csv);
+  po_text_clear(&text);
+}
+END_TEST
+
+#define COUNT(table) (int)(sizeof(table) / sizeof *(table))
+
+static void add(TCase *tests) {
+  tcase_add_checked_fixture(tests, make_folder, remove_folder);
+  tcase_add_loop_test(tests, number_prints_short_and_exact, 0, COUNT(PRINTED));
+  tcase_add_test(tests, number_prints_what_is_not_finite);
+  tcase_add_loop_test(tests, number_parses_strictly, 0, COUNT(PARSED));
+  tcase_add_test(tests, number_takes_infinity_where_allowed);
+  tcase_add_test(tests, digest_is_sha256);
+  tcase_add_test(tests, text_grows);
+  tcase_add_test(tests, file_is_written_whole_or_not_at_all);
+  tcase_add_test(tests, csv_reads_headers_columns_rows);
+  tcase_add_loop_test(tests, csv_refuses_damage, 0, COUNT(DAMAGED));
+  tcase_add_test(tests, csv_rows_read_back_exactly);
+}
+
+int main(void) {
+  return run_case("base", add);
+}

@@ -1,0 +1,206 @@
+/* Our numbers beside a reference: verdicts of made-up outcomes, known before. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "po_bradley.h"
+#include "po_compare.h"
+#include "po_csv.h"
+#include "po_file.h"
+#include "run.h"
+
+static char folder[] = "/tmp/pulloff-test-XXXXXX";
+static char case_path[64], table_path[64];
+static po_case *kase;
+static po_reference reference;
+static po_results results;
+
+static const char CASE[] = "name: made\n"
+                           "title: Made up\n"
+                           "suites: [smoke]\n"
+                           "scene: {radius: 100, outer_radius: inf, scheme: ring, nodes: 50}\n"
+                           "sweep: [{key: tabor, values: [1, 2]}]\n"
+                           "want: [pull_off]\n"
+                           "checks:\n"
+                           "  - {quantity: %s, reference: %s, tolerance: %s, kind: %s,\n"
+                           "     because: it is made up}\n";
+
+static const char ROWS[] = "tabor,index,kind,approach,load,uncertainty\n"
+                           "1,1,jump_in,-1.6,-0.7,1e-9\n"
+                           "1,2,jump_out,-1.7,-1.0,1e-9\n"
+                           "1,3,minimum,-0.9,-1.67,1e-9\n"
+                           "1,4,maximum,5,3,1e-9\n";
+
+static void setup(void) {
+  strcpy(folder, "/tmp/pulloff-test-XXXXXX");
+  ck_assert_ptr_nonnull(mkdtemp(folder));
+  snprintf(case_path, sizeof case_path, "%s/made.yaml", folder);
+  snprintf(table_path, sizeof table_path, "%s/table.csv", folder);
+  po_text text = {0};
+  char digest[PO_DIGEST_LENGTH];
+  po_digest_bytes(ROWS, strlen(ROWS), digest);
+  po_text_add(&text,
+              "# what: w\n# source: s\n# kind: published\n# method: m\n# units: u\n"
+              "# uncertainty: 1e-9\n# generator: g\n# command: c\n# date: d\n# sha256: %s\n%s",
+              digest, ROWS);
+  ck_assert_int_eq(po_file_write(table_path, text.data, text.length), PO_OK);
+  po_text_clear(&text);
+}
+
+static void teardown(void) {
+  po_results_clear(&results);
+  po_reference_close(&reference);
+  po_case_destroy(kase);
+  unlink(case_path);
+  unlink(table_path);
+  rmdir(folder);
+}
+
+static void load(const char *quantity, const char *name, const char *tolerance, const char *kind) {
+  po_text text = {0};
+  po_text_add(&text, CASE, quantity, name, tolerance, kind);
+  ck_assert_int_eq(po_file_write(case_path, text.data, text.length), PO_OK);
+  po_text_clear(&text);
+  ck_assert_msg(po_case_read(case_path, "made.yaml", &kase) == PO_OK, "%s", po_message());
+  ck_assert_msg(po_reference_open(folder, kase->file->checks[0].reference, &reference) == PO_OK,
+                "%s", po_message());
+}
+
+static void compare(size_t point, const po_outcome *outcome) {
+  ck_assert_int_eq(po_compare(kase, point, &kase->file->checks[0], &reference, outcome, &results),
+                   PO_OK);
+}
+
+static po_landmark FOLDS[] = {{.kind = PO_JUMP_IN, .approach = -1.6001, .load = -0.7},
+                              {.kind = PO_JUMP_OUT, .approach = -1.7, .load = -1.0}};
+
+static const struct {
+  const char *tolerance, *kind;
+  double force;
+  po_verdict verdict;
+} FORCES[] = {
+    {"1e-3", "abs", 2.0009, PO_WITHIN},    {"1e-3", "abs", 2.0011, PO_OUTSIDE},
+    {"1e-3", "rel", 2.0019, PO_WITHIN},    {"1e-3", "rel", 1.9979, PO_OUTSIDE},
+    {"4", "ulp", 2.0, PO_WITHIN},          {"4", "ulp", 2.0 + 8e-16, PO_WITHIN},
+    {"4", "ulp", 2.0 + 4e-15, PO_OUTSIDE},
+};
+
+START_TEST(force_within_and_outside) {
+  load("pull_off_force", "bradley", FORCES[_i].tolerance, FORCES[_i].kind);
+  const po_outcome outcome = {.has_pull_off = true, .pull_off = {.force = FORCES[_i].force}};
+  compare(0, &outcome);
+  ck_assert_uint_eq(results.count, 1);
+  ck_assert_int_eq(results.items[0].verdict, FORCES[_i].verdict);
+  ck_assert_double_eq(results.items[0].expected, 2);
+  ck_assert_str_eq(results.items[0].id, "pull_off_force/bradley/tabor=1");
+}
+END_TEST
+
+START_TEST(failed_solve_has_no_result) {
+  load("pull_off_force", "bradley", "1", "abs");
+  const po_outcome outcome = {.status = PO_STEP_TOO_SMALL,
+                              .reason = "stuck",
+                              .has_pull_off = true,
+                              .pull_off = {2, 0, 0, 0}};
+  compare(0, &outcome);
+  ck_assert_int_eq(results.items[0].verdict, PO_NO_RESULT);
+  ck_assert_str_eq(results.items[0].note, "stuck");
+}
+END_TEST
+
+START_TEST(folds_one_by_one) {
+  load("folds", "table.csv", "1e-3", "abs");
+  const po_outcome outcome = {.start = -10, .end = 2, .folds = FOLDS, .fold_count = 2};
+  compare(0, &outcome);
+  ck_assert_uint_eq(results.count, 5); /* the number, then approach and load of each */
+  for (size_t i = 0; i < 5; ++i)
+    ck_assert_int_eq(results.items[i].verdict, PO_WITHIN);
+  ck_assert_str_eq(results.items[1].quantity, "fold_approach");
+  ck_assert_double_eq_tol(results.items[1].ratio, 0.1, 1e-9);
+  ck_assert_double_eq(results.items[1].uncertainty, 1e-9);
+  ck_assert_str_eq(results.items[4].id, "folds/table/tabor=1/jump_out-2/load");
+  ck_assert_int_eq(results.items[4].ledger, PO_LEDGER_PUBLISHED);
+}
+END_TEST
+
+START_TEST(missing_and_spurious_landmarks_are_named) {
+  load("folds", "table.csv", "1e-3", "abs");
+  const po_outcome none = {.start = -10, .end = 2};
+  compare(0, &none);
+  ck_assert_int_eq(results.items[0].verdict, PO_OUTSIDE);
+  ck_assert_ptr_nonnull(strstr(results.items[0].note, "missing jump_"));
+  po_landmark three[] = {FOLDS[0], FOLDS[1], {.kind = PO_JUMP_IN, .approach = 0.5, .load = 1}};
+  const po_outcome more = {.start = -10, .end = 2, .folds = three, .fold_count = 3};
+  compare(0, &more);
+  ck_assert_int_eq(results.items[1].verdict, PO_OUTSIDE);
+  ck_assert_str_eq(results.items[1].note,
+                   "spurious jump_in near approach 0.5, load 1 (3 found, reference 2)");
+}
+END_TEST
+
+START_TEST(landmarks_beyond_the_trace_are_not_asked_for) {
+  load("extrema", "table.csv", "1e-3", "abs");
+  po_landmark minimum = {.kind = PO_MINIMUM, .approach = -0.9, .load = -1.67};
+  const po_outcome outcome = {.start = -10, .end = 2, .extrema = &minimum, .extremum_count = 1};
+  compare(0, &outcome);
+  ck_assert_uint_eq(results.count, 3);
+  for (size_t i = 0; i < 3; ++i)
+    ck_assert_int_eq(results.items[i].verdict, PO_WITHIN);
+}
+END_TEST
+
+START_TEST(a_scene_the_reference_does_not_know) {
+  load("folds", "table.csv", "1e-3", "abs");
+  const po_outcome outcome = {.start = -10, .end = 2, .folds = FOLDS, .fold_count = 2};
+  compare(1, &outcome);
+  ck_assert_uint_eq(results.count, 1);
+  ck_assert_int_eq(results.items[0].verdict, PO_MISSING_REFERENCE);
+}
+END_TEST
+
+START_TEST(tolerance_tighter_than_the_reference) {
+  load("folds", "table.csv", "1e-10", "abs");
+  ck_assert_int_eq(po_compare_check_tolerance(kase, &kase->file->checks[0], 1, &reference),
+                   PO_BAD_INPUT);
+  ck_assert_str_eq(po_message(), "made.yaml:8: checks[1].tolerance is 1e-10: expected at least "
+                                 "1e-09, the uncertainty of table.csv itself");
+}
+END_TEST
+
+START_TEST(curve_of_the_closed_form) {
+  load("curve", "bradley", "1e-5", "abs");
+  enum { N = 500 };
+  po_curve_point curve[N];
+  for (int i = 0; i < N; ++i) {
+    const double approach = -6 + 6.2 * (1 - pow(1 - i / (N - 1.0), 2));
+    curve[i] = (po_curve_point){.approach = approach, .load = po_bradley_load(approach)};
+  }
+  po_outcome outcome = {.start = -6, .end = 0.2, .curve = curve, .curve_count = N};
+  compare(0, &outcome);
+  ck_assert_int_eq(results.items[0].verdict, PO_WITHIN);
+  for (int i = 0; i < N; ++i)
+    curve[i].load += 1e-4;
+  compare(0, &outcome);
+  ck_assert_int_eq(results.items[1].verdict, PO_OUTSIDE);
+  ck_assert_double_eq_tol(results.items[1].error, 1e-4, 3e-6);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_checked_fixture(tests, setup, teardown);
+  tcase_add_loop_test(tests, force_within_and_outside, 0, (int)(sizeof FORCES / sizeof *FORCES));
+  tcase_add_test(tests, failed_solve_has_no_result);
+  tcase_add_test(tests, folds_one_by_one);
+  tcase_add_test(tests, missing_and_spurious_landmarks_are_named);
+  tcase_add_test(tests, landmarks_beyond_the_trace_are_not_asked_for);
+  tcase_add_test(tests, a_scene_the_reference_does_not_know);
+  tcase_add_test(tests, tolerance_tighter_than_the_reference);
+  tcase_add_test(tests, curve_of_the_closed_form);
+}
+
+int main(void) {
+  return run_case("compare", add);
+}

@@ -1,0 +1,137 @@
+/* Curves compared as curves: what the comparison must see, and what it must not mind. */
+#include <check.h>
+#include <math.h>
+#include <string.h>
+
+#include "po_curve.h"
+#include "po_plane.h"
+#include "run.h"
+
+enum { MOST = 1000 };
+static po_plane_point ours[MOST], theirs[MOST];
+
+/* approach = 3 s^3 - s, load = -2 + 2 s + s^2 / 2: folds at s = -1/3 and 1/3. Points are at
+ * different places on the two curves, so that only the curves themselves can agree. */
+static size_t s_curve(po_plane_point *points, size_t count, double from, double to, double shift) {
+  for (size_t i = 0; i < count; ++i) {
+    const double t = (double)i / (double)(count - 1);
+    const double s = from + (to - from) * (t + 0.05 * sin(9 * t) * t * (1 - t));
+    points[i] = (po_plane_point){3 * s * s * s - s + shift, -2 + 2 * s + 0.5 * s * s};
+  }
+  return count;
+}
+
+static po_curve_verdict compare(size_t count, size_t reference_count, double tolerance) {
+  po_curve_verdict verdict;
+  ck_assert_int_eq(po_curve_compare(ours, count, theirs, reference_count, tolerance, &verdict),
+                   PO_OK);
+  return verdict;
+}
+
+START_TEST(distance_from_a_circle) {
+  po_plane_point circle[41];
+  for (int i = 0; i < 41; ++i)
+    circle[i] = (po_plane_point){2.385 * cos(0.05 * i), 2.385 * sin(0.05 * i)};
+  const po_stretch stretch = {circle, 41, 0, 40};
+  for (double angle = 0.11; angle < 1.8; angle += 0.17) {
+    const po_plane_point on = {2.385 * cos(angle), 2.385 * sin(angle)};
+    const po_plane_point off = {2.4 * cos(angle), 2.4 * sin(angle)};
+    ck_assert_double_lt(po_plane_foot(on, &stretch).distance, 2e-6);
+    ck_assert_double_eq_tol(po_plane_foot(off, &stretch).distance, 0.015, 2e-6);
+  }
+}
+END_TEST
+
+START_TEST(same_curve_other_points) {
+  const size_t n = s_curve(ours, 400, -1, 1, 0), m = s_curve(theirs, 173, -1, 1, 0);
+  const po_curve_verdict found = compare(n, m, 1e-3);
+  ck_assert(found.same_folds);
+  ck_assert_uint_eq(found.compared, m);
+  ck_assert_double_lt(found.distance, 1e-4);
+  ck_assert_str_eq(found.note, "");
+}
+END_TEST
+
+START_TEST(error_shrinks_with_the_points) {
+  const size_t m = s_curve(theirs, 800, -1, 1, 0);
+  const double coarse = compare(s_curve(ours, 50, -1, 1, 0), m, 1).distance;
+  const double fine = compare(s_curve(ours, 100, -1, 1, 0), m, 1).distance;
+  ck_assert_double_gt(coarse / fine, 6.0); /* third order or better */
+}
+END_TEST
+
+START_TEST(shift_is_seen_as_its_normal_part) {
+  const size_t n = s_curve(ours, 400, -1, 1, 1e-2), m = s_curve(theirs, 300, -1, 1, 0);
+  const po_curve_verdict found = compare(n, m, 1e-3);
+  ck_assert(found.same_folds);
+  ck_assert_double_eq_tol(found.distance, 1e-2,
+                          1e-4); /* where the curve stands upright: at folds */
+}
+END_TEST
+
+START_TEST(only_the_common_range_is_compared) {
+  const size_t n = s_curve(ours, 400, -1, 1, 0), m = s_curve(theirs, 300, -1.3, 1.2, 0);
+  const po_curve_verdict found = compare(n, m, 1e-3);
+  ck_assert_double_lt(found.distance, 1e-4);
+  ck_assert_uint_gt(found.left_out, 0);
+  ck_assert_uint_eq(found.left_out + found.compared, m);
+}
+END_TEST
+
+START_TEST(nothing_in_common_is_nothing_compared) {
+  const size_t n = s_curve(ours, 100, -1, 1, 0), m = s_curve(theirs, 100, -1, 1, 50);
+  ck_assert_uint_eq(compare(n, m, 1e-3).compared, 0);
+  ck_assert_uint_eq(compare(1, m, 1e-3).compared, 0);
+}
+END_TEST
+
+/* A branch that jumps where the true one folds. */
+START_TEST(missing_folds_are_named) {
+  size_t n = s_curve(ours, 200, -1, -0.34, 0);
+  n += s_curve(ours + n, 200, 0.7, 1, 0);
+  const po_curve_verdict found = compare(n, s_curve(theirs, 300, -1, 1, 0), 1e-3);
+  ck_assert(!found.same_folds);
+  ck_assert_ptr_nonnull(strstr(found.note, "missing fold near approach"));
+  ck_assert_double_gt(found.distance, 0.05);
+}
+END_TEST
+
+START_TEST(spurious_folds_are_named) {
+  const size_t n = s_curve(ours, 400, -1, 1, 0), m = s_curve(theirs, 400, -1, 1, 0);
+  /* A hop of the contact edge: a small loop on the last stretch. */
+  for (size_t i = 350; i < 358; ++i)
+    ours[i].approach -= 0.09 * sin(3.14159265 * (double)(i - 350) / 8);
+  const po_curve_verdict found = compare(n, m, 1e-3);
+  ck_assert(!found.same_folds);
+  ck_assert_ptr_nonnull(strstr(found.note, "spurious fold near approach"));
+}
+END_TEST
+
+/* A branch that turns back on itself at the first fold and jumps to the last stretch: it has as
+ * many folds as the true one, but what should be its middle stretch lies on the first. */
+START_TEST(another_branch_is_named) {
+  size_t n = s_curve(ours, 200, -1, -1.0 / 3, 0);
+  n += s_curve(ours + n, 200, -0.34, -0.65, 0);
+  n += s_curve(ours + n, 200, 0.4, 1, 0);
+  const po_curve_verdict found = compare(n, s_curve(theirs, 400, -1, 1, 0), 1e-3);
+  ck_assert(found.same_folds);
+  ck_assert(found.distance > 1e-3);
+  ck_assert_ptr_nonnull(strstr(found.note, "different branch near approach"));
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_test(tests, distance_from_a_circle);
+  tcase_add_test(tests, same_curve_other_points);
+  tcase_add_test(tests, error_shrinks_with_the_points);
+  tcase_add_test(tests, shift_is_seen_as_its_normal_part);
+  tcase_add_test(tests, only_the_common_range_is_compared);
+  tcase_add_test(tests, nothing_in_common_is_nothing_compared);
+  tcase_add_test(tests, missing_folds_are_named);
+  tcase_add_test(tests, spurious_folds_are_named);
+  tcase_add_test(tests, another_branch_is_named);
+}
+
+int main(void) {
+  return run_case("curve", add);
+}
