@@ -30,7 +30,7 @@ class Landmark:
 
     @property
     def kind(self):
-        return {(APPROACH, -1): "fold_in", (APPROACH, 1): "fold_out",
+        return {(APPROACH, -1): "jump_in", (APPROACH, 1): "jump_out",
                 (LOAD, 1): "minimum", (LOAD, -1): "maximum"}[self.component, self.sense]
 
 

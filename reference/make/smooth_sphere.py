@@ -158,7 +158,7 @@ def write_landmarks(folder, solved):
                      bound(SAFETY * r.spread[1]), bound(SAFETY * r.spread[0])))
     write_table(folder / LANDMARKS, header(
         f"folds in approach and extrema of load along the branch from approach {FAR:g} to "
-        f"load {FIRM:g}, in order; smooth sphere. fold_in: local maximum of approach, fold_out: "
+        f"load {FIRM:g}, in order; smooth sphere. jump_in: local maximum of approach, jump_out: "
         "local minimum of approach, minimum and maximum: of the load along the branch",
         BOUND_IN_WORDS, evidence),
         "tabor index kind approach load approach_uncertainty load_uncertainty".split(), table)

@@ -194,11 +194,6 @@ static po_status read_kind(const po_csv *table, size_t row, size_t column, po_la
       *kind = (po_landmark_kind)k;
       return PO_OK;
     }
-  /* Other words for the two folds: where a loading, and an unloading, test leaves the branch. */
-  if (strcmp(text, "fold_in") == 0 || strcmp(text, "fold_out") == 0) {
-    *kind = strcmp(text, "fold_in") == 0 ? PO_JUMP_IN : PO_JUMP_OUT;
-    return PO_OK;
-  }
   return po_fail(PO_CANNOT_READ,
                  "%s:%zu: kind is %s: expected jump_in, jump_out, minimum or maximum", table->path,
                  table->lines[row], text);

@@ -13,7 +13,7 @@
 #include "po_shape.h"
 
 /* How far a wanted curve may lie from the straight lines between its points. */
-static const double CURVE_SAGITTA = 2e-3;
+static const double CURVE_SAGITTA = 5e-4;
 
 /* Where a rigid trace starts: the load there is below 2 % of pull-off. */
 static const double RIGID_START = -10.0;
