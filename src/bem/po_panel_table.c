@@ -1,0 +1,144 @@
+#include "po_panel_table.h"
+
+#include <math.h>
+#include <threads.h>
+
+#include "po_kernel.h"
+
+enum { ORDER = PO_TABLE_ORDER };
+
+/* How a target lies to a source: its level less the source's, and its place in units of the finer
+ * of the two. */
+typedef struct {
+  int level, place;
+} shape;
+
+/* Itself; neighbours of equal size; of half the size; of double size. */
+static const shape LOG_SHAPES[PO_LOG_SHAPES] = {{0, 0}, {0, -1},  {0, 1}, {1, -1},
+                                                {1, 2}, {-1, -2}, {-1, 1}};
+static const shape AXIS_SHAPES[PO_AXIS_SHAPES] = {{0, 0}, {0, 1}, {1, 2}};
+
+static shape shape_of(po_leaf target, po_leaf source) {
+  const int level = (int)target.level - (int)source.level;
+  int64_t place = (int64_t)target.index - (int64_t)source.index;
+  if (level == 1)
+    place = (int64_t)target.index - 2 * (int64_t)source.index;
+  else if (level == -1)
+    place = 2 * (int64_t)target.index - (int64_t)source.index;
+  return (shape){level, place > 99 ? 99 : place < -99 ? -99 : (int)place};
+}
+
+static int find(const shape *shapes, int count, shape s) {
+  for (int k = 0; k < count; ++k)
+    if (shapes[k].level == s.level && shapes[k].place == s.place)
+      return k;
+  return -1;
+}
+
+/* Place of the target's node i in the source's variable x. */
+static double node_in_source(const po_panel_rule *rule, shape s, size_t i) {
+  const double size = s.level == 1 ? 0.5 : s.level == -1 ? 2.0 : 1.0;
+  const double unit = s.level == 1 ? 0.5 : 1.0;
+  return unit * s.place + size * rule->node[i];
+}
+
+static void fill_logarithm(const po_panel_rule *rule, shape s, po_panel_block block) {
+  static const double NO_MIRROR = 1e300;
+  for (size_t i = 0; i < ORDER; ++i) {
+    po_near_point point[PO_NEAR_MAX_POINTS];
+    double value[ORDER];
+    const size_t count = po_near_rule(&rule->near, node_in_source(rule, s, i), NO_MIRROR, point);
+    for (size_t j = 0; j < ORDER; ++j)
+      block[i][j] = 0.0;
+    for (size_t q = 0; q < count; ++q) {
+      const double factor = point[q].weight * log(fabs(point[q].offset));
+      po_lagrange(ORDER, rule->node, rule->barycentric, point[q].x, value);
+      for (size_t j = 0; j < ORDER; ++j)
+        block[i][j] += factor * value[j];
+    }
+  }
+}
+
+static po_panel_table table;
+static po_status table_status;
+static once_flag table_once = ONCE_FLAG_INIT;
+
+static void fill_table(void) {
+  table_status = po_panel_rule_fill(ORDER, &table.rule);
+  if (table_status)
+    return;
+  for (int k = 0; k < PO_LOG_SHAPES; ++k)
+    fill_logarithm(&table.rule, LOG_SHAPES[k], table.logarithm[k]);
+  for (int k = 0; k < PO_AXIS_SHAPES; ++k)
+    for (size_t i = 0; i < ORDER; ++i)
+      po_panel_influence(&table.rule, (po_panel){0.0, 1.0},
+                         node_in_source(&table.rule, AXIS_SHAPES[k], i), table.axis[k][i], 1);
+}
+
+const po_panel_table *po_panel_table_get(void) {
+  call_once(&table_once, fill_table);
+  return table_status ? NULL : &table;
+}
+
+/* G = a ln|r - s| + b times s h: the logarithm's part by its weights, the rest by Gauss's. */
+static void near_block(const po_panel_table *t, po_leaf target, po_leaf source, int k,
+                       po_panel_block block) {
+  const double begin = po_leaf_begin(source), size = po_leaf_end(source) - begin;
+  const double from = po_leaf_begin(target), reach = po_leaf_end(target) - from,
+               log_size = log(size);
+  for (size_t i = 0; i < ORDER; ++i) {
+    const double r = from + reach * t->rule.node[i];
+    const double x0 = node_in_source(
+        &t->rule, (shape){(int)target.level - (int)source.level, shape_of(target, source).place},
+        i);
+    for (size_t j = 0; j < ORDER; ++j) {
+      const double x = t->rule.node[j], s = begin + size * x, distance = size * fabs(x0 - x);
+      const double root = 2.0 * sqrt(r * s);
+      const double sum = r + s;
+      /* 1/agm(sum, root) = kernel/2 with the difference `root` */
+      const double a = -2.0 / M_PI * po_kernel(sum, root);
+      const double b = distance > 0.0 ? po_kernel(sum, distance) - a * log(distance)
+                                      : 2.0 * log(8.0 * r) / (M_PI * r);
+      const double log_weight = t->logarithm[k][i][j] + log_size * t->rule.weight[j];
+      block[i][j] = s * size * (a * log_weight + b * t->rule.weight[j]);
+    }
+  }
+}
+
+static void far_block(const po_panel_table *t, po_leaf target, po_leaf source,
+                      po_panel_block block) {
+  const double begin = po_leaf_begin(source), size = po_leaf_end(source) - begin;
+  const double from = po_leaf_begin(target), reach = po_leaf_end(target) - from;
+  double s[ORDER], weight[ORDER];
+  for (size_t j = 0; j < ORDER; ++j) {
+    s[j] = begin + size * t->rule.node[j];
+    weight[j] = size * s[j] * t->rule.weight[j];
+  }
+  for (size_t i = 0; i < ORDER; ++i) {
+    po_kernel_row(from + reach * t->rule.node[i], s, ORDER, block[i]);
+    for (size_t j = 0; j < ORDER; ++j)
+      block[i][j] *= weight[j];
+  }
+}
+
+void po_panel_table_block(const po_panel_table *t, po_leaf target, po_leaf source,
+                          po_panel_block block) {
+  const shape s = shape_of(target, source);
+  if (source.index == 0) {
+    const int k = find(AXIS_SHAPES, PO_AXIS_SHAPES, s);
+    const double size = po_leaf_end(source);
+    if (k >= 0) { /* the kernel scales as 1/length, s ds as its square */
+      for (size_t i = 0; i < ORDER; ++i)
+        for (size_t j = 0; j < ORDER; ++j)
+          block[i][j] = size * t->axis[k][i][j];
+      return;
+    }
+  } else {
+    const int k = find(LOG_SHAPES, PO_LOG_SHAPES, s);
+    if (k >= 0) {
+      near_block(t, target, source, k, block);
+      return;
+    }
+  }
+  far_block(t, target, source, block);
+}

@@ -1,0 +1,105 @@
+/* The tabulated influence of panels on a graded tree against product integration, which is itself
+ * checked against closed forms in test_bem.c; and the tree. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "po_leaves.h"
+#include "po_panel_table.h"
+#include "run.h"
+
+/* A tree refined towards x, to the given level. */
+static po_leaves refined_towards(double x, uint32_t level) {
+  po_leaves leaves;
+  po_leaves_uniform(&leaves, 1);
+  for (;;) {
+    const size_t at = po_leaves_find(&leaves, x);
+    if (leaves.leaf[at].level >= level)
+      return leaves;
+    bool split[PO_MOST_LEAVES] = {false};
+    split[at] = true;
+    ck_assert(po_leaves_split(&leaves, split));
+  }
+}
+
+static void
+check_tree(const po_leaves *leaves) { /* covers, ascends, neighbours alike to one level */
+  double end = 0.0;
+  for (size_t k = 0; k < leaves->count; ++k) {
+    ck_assert_double_eq(po_leaf_begin(leaves->leaf[k]), end);
+    end = po_leaf_end(leaves->leaf[k]);
+    if (k > 0)
+      ck_assert_int_le(abs((int)leaves->leaf[k].level - (int)leaves->leaf[k - 1].level), 1);
+  }
+  ck_assert_double_eq(end, 1.0);
+}
+
+START_TEST(tree_stays_graded) {
+  po_leaves leaves = refined_towards(0.2385, 9);
+  check_tree(&leaves);
+  bool join[PO_MOST_LEAVES];
+  size_t before = leaves.count;
+  do {
+    for (size_t k = 0; k < leaves.count; ++k)
+      join[k] = true;
+    before = leaves.count;
+    po_leaves_join(&leaves, join);
+    check_tree(&leaves);
+  } while (leaves.count < before);
+  ck_assert_uint_eq(leaves.count, 1);
+}
+END_TEST
+
+START_TEST(split_without_room_changes_nothing) {
+  po_leaves leaves;
+  po_leaves_uniform(&leaves, 7);
+  bool split[PO_MOST_LEAVES];
+  for (size_t k = 0; k < leaves.count; ++k)
+    split[k] = true;
+  ck_assert(po_leaves_split(&leaves, split)); /* 256: full */
+  for (size_t k = 0; k < leaves.count; ++k)
+    split[k] = k == 3;
+  ck_assert(!po_leaves_split(&leaves, split));
+  ck_assert_uint_eq(leaves.count, PO_MOST_LEAVES);
+}
+END_TEST
+
+static const double FOCI[] = {0.0, 0.2385, 0.5, 0.9999};
+
+START_TEST(blocks_are_product_integration) {
+  const po_panel_table *table = po_panel_table_get();
+  ck_assert_ptr_nonnull(table);
+  const po_leaves leaves = refined_towards(FOCI[_i], 8);
+  double worst = 0.0;
+  for (size_t a = 0; a < leaves.count; ++a)
+    for (size_t b = 0; b < leaves.count; ++b) {
+      const po_leaf target = leaves.leaf[a], source = leaves.leaf[b];
+      const po_panel panel = {po_leaf_begin(source), po_leaf_end(source)};
+      po_panel_block block;
+      po_panel_table_block(table, target, source, block);
+      for (size_t i = 0; i < PO_TABLE_ORDER; ++i) {
+        const double r = po_leaf_begin(target) +
+                         (po_leaf_end(target) - po_leaf_begin(target)) * table->rule.node[i];
+        double row[PO_TABLE_ORDER], by_table = 0.0, by_rule = 0.0;
+        po_panel_influence(&table->rule, panel, r, row, 1);
+        for (size_t j = 0; j < PO_TABLE_ORDER; ++j) { /* a smooth traction */
+          const double p =
+              cos(1.3 + 2.0 * (panel.begin + (panel.end - panel.begin) * table->rule.node[j]));
+          by_table += block[i][j] * p;
+          by_rule += row[j] * p;
+        }
+        worst = fmax(worst, fabs(by_table - by_rule) / (panel.end - panel.begin));
+      }
+    }
+  ck_assert_double_lt(worst, 1e-12);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_test(tests, tree_stays_graded);
+  tcase_add_test(tests, split_without_room_changes_nothing);
+  tcase_add_loop_test(tests, blocks_are_product_integration, 0, 4);
+}
+
+int main(void) {
+  return run_case("panel_table", add);
+}
