@@ -1,0 +1,43 @@
+# Figure 3: load against minus the approach; below, the distance of the reference from the branch.
+# Data: computed.dat (a block a Tabor parameter), reference.dat, rigid.dat, residual.dat.
+
+left = 0.088; right = 0.985
+set multiplot
+
+# The loading curves.
+set lmargin at screen left; set rmargin at screen right
+set tmargin at screen 0.985; set bmargin at screen 0.365
+set xrange [x_min:x_max]; set yrange [y_min:y_max]
+set xtics 1 format ''; set mxtics 2; set ytics 0.5 format '%.1f'
+set ylabel '{/:Italic W̄}' rotate by 0 offset 1.5,0
+set key at graph 0.985, graph 0.955 right top Left reverse
+do for [i = 1:label_count] {
+  set label i label_text[i] at label_x[i], label_y[i] center offset 0,-1.05 textcolor rgb label_colour[i]
+}
+plot for [i = 1:curve_count] 'computed.dat' index i-1 using 1:2 with lines \
+       linecolor rgb black linewidth 1.3 title (i == 1 ? 'computed' : ''), \
+     for [i = 1:mark_count] 'reference.dat' index i-1 using 1:2 with points \
+       pointtype mark_shape[i] pointsize 0.7 linewidth 1.25 linecolor rgb mark_colour[i] \
+       title (i == 1 ? 'reference, Feng’s problem' : ''), \
+     for [i = 1:(dot_count > 0)] 'rigid.dat' using 1:2 with points \
+       pointtype 7 pointsize 0.5 linecolor rgb vermillion title 'Bradley, rigid'
+
+# The residual strip.
+unset label
+set tmargin at screen 0.335; set bmargin at screen 0.105
+set xtics 1 format '%g'
+set xlabel '−Δ†' offset 0,0.4
+set logscale y
+set yrange [low:high]; set ytics auto format '10^{%L}'; unset mytics
+decades = log10(high / low)
+set ytics 10.0**ceil(decades / 4.0)
+set ylabel 'distance' rotate by 90 offset 0.5,0
+do for [i = 1:tolerance_count] {
+  set label i 'tolerance' at graph 0.012, first tolerance[i] left offset 0,0.55 textcolor rgb grey
+  set arrow i from graph 0, first tolerance[i] to graph 1, first tolerance[i] nohead \
+    linewidth 1 linecolor rgb grey dashtype 2
+}
+set key off
+plot for [i = 1:strip_count] 'residual.dat' index i-1 using 1:2 with points \
+       pointtype 7 pointsize 0.28 linecolor rgb strip_colour[i] notitle
+unset multiplot

@@ -1,0 +1,116 @@
+#!/usr/bin/python3
+"""Draws the report of a run: report.html and report.pdf. Reads records; computes no physics."""
+
+import argparse
+import hashlib
+import os
+import sys
+import tempfile
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+from pulloff_report.errors import BAD_FILE, ReportError  # noqa: E402
+
+OUTPUTS = ("report.html", "report.pdf")
+KEY = ".report-key"  # beside them: what they were made from
+SOURCE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+
+
+def arguments(words):
+    parser = argparse.ArgumentParser(
+        prog="make_report.py", description=__doc__,
+        epilog="example: make_report.py --run build/run --output build/report")
+    parser.add_argument("--run", required=True, metavar="DIR", help="folder of the run's records")
+    parser.add_argument("--output", required=True, metavar="DIR",
+                        help="folder for report.html and report.pdf")
+    parser.add_argument("--reference", default=os.path.join(SOURCE, "reference"), metavar="DIR",
+                        help="folder of the reference data (default: that of the source tree)")
+    parser.add_argument("--fresh", action="store_true",
+                        help="draw it again even when nothing has changed")
+    return parser.parse_args(words)
+
+
+def content_key(*folders):
+    """sha256 of all that a report is made from: records, reference data, and this program."""
+    digest = hashlib.sha256(sys.version.encode())
+    for folder in folders + (os.path.dirname(os.path.abspath(__file__)),):
+        for place, inner, names in os.walk(folder):
+            inner[:] = sorted(name for name in inner if name != "__pycache__")
+            for name in sorted(names):
+                if not name.endswith((".json", ".csv", ".py", ".gp", ".html", ".css", ".js")):
+                    continue
+                path = os.path.join(place, name)
+                with open(path, "rb") as stream:
+                    data = stream.read()
+                digest.update(f"{os.path.relpath(path, folder)} {len(data)}\n".encode())
+                digest.update(data)
+    return digest.hexdigest()
+
+
+def is_current(folder, key):
+    """Whether the folder holds the report made from just that."""
+    if not all(os.path.isfile(os.path.join(folder, name)) for name in OUTPUTS):
+        return False
+    try:
+        with open(os.path.join(folder, KEY), encoding="ascii") as stream:
+            return stream.read() == key
+    except (OSError, UnicodeDecodeError):
+        return False
+
+
+def write_all(folder, files):
+    """Writes every file beside its place, then renames them all: none of them half-written."""
+    beside = []
+    try:
+        os.makedirs(folder, exist_ok=True)
+        for name, data in files.items():
+            handle, path = tempfile.mkstemp(prefix="." + name + ".", dir=folder)
+            beside.append(path)
+            with os.fdopen(handle, "wb") as stream:
+                stream.write(data)
+                stream.flush()
+                os.fsync(stream.fileno())
+            os.chmod(path, 0o644)
+        for path, name in zip(list(beside), files):
+            os.replace(path, os.path.join(folder, name))
+            beside.remove(path)
+    except OSError as error:
+        raise ReportError(f"{error.filename or folder}: {error.strerror}") from error
+    finally:
+        for path in beside:
+            os.unlink(path)
+
+
+def make(wanted):
+    try:
+        from pulloff_report import gnuplot, page, records, references
+        import weasyprint  # noqa: F401
+    except ImportError as error:
+        raise ReportError(f"Python module {error.name} is missing: install the packages of "
+                          "tools/packages") from error
+    gnuplot.require()
+    run = records.Run(wanted.run)
+    key = content_key(wanted.run, wanted.reference)
+    if not wanted.fresh and is_current(wanted.output, key):
+        print(f"kept: {wanted.output} holds the report of this run")
+        return
+    html = page.html(run, references.References(wanted.reference))
+    write_all(wanted.output, {"report.html": html.encode("utf-8"), "report.pdf": page.pdf(html),
+                              KEY: key.encode("ascii")})
+
+
+def main(words):
+    wanted = arguments(words)
+    try:
+        make(wanted)
+    except ReportError as error:
+        print(f"pulloff report: {error}", file=sys.stderr)
+        return error.code
+    except OSError as error:
+        print(f"pulloff report: {error.filename}: {error.strerror}", file=sys.stderr)
+        return BAD_FILE
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

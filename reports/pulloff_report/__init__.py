@@ -1,0 +1,1 @@
+"""The report of a run of pulloff: reads records, draws figures, writes HTML and PDF."""

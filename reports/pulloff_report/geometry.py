@@ -1,0 +1,72 @@
+"""How far the points of one curve lie from another: the residual of a branch that may turn back."""
+
+import numpy
+from scipy.interpolate import CubicSpline
+
+SAMPLES = 24      # of the smooth curve between two of its points, to find the nearest stretch
+REFINEMENTS = 6   # Newton steps on the foot of the normal; each doubles the correct digits
+UPRIGHT = 0.02    # cosine between the way to a point and the tangent at its foot, at most
+ROUND_OFF = 1e-12  # distances that small have no direction
+
+
+def through(curve_x, curve_y, position):
+    """The smooth curve through points along it, as a spline in `position`; None for too few."""
+    order = numpy.concatenate([[True], numpy.diff(position) > 0])
+    if order.sum() < 4:
+        return None
+    return CubicSpline(position[order], numpy.column_stack([curve_x[order], curve_y[order]]))
+
+
+def dense(curve_x, curve_y, position, between=8):
+    """The curve as a row of points close enough to be drawn by straight strokes."""
+    spline = through(curve_x, curve_y, position)
+    if spline is None:
+        return numpy.column_stack([curve_x, curve_y])
+    knots = spline.x
+    steps = numpy.arange(between) / between
+    fine = (knots[:-1, None] + numpy.diff(knots)[:, None] * steps).ravel()
+    return spline(numpy.append(fine, knots[-1]))
+
+
+def common_range(curve_x, curve_y, x, y):
+    """Which of the points (x, y), taken along their own curve, lie between the ends of the other.
+
+    Beyond them the nearest piece of the other curve is a piece of another branch.
+    """
+    ends = [int(numpy.argmin(numpy.hypot(x - curve_x[end], y - curve_y[end]))) for end in (0, -1)]
+    place = numpy.arange(len(x))
+    return (place >= min(ends)) & (place <= max(ends))
+
+
+def distances(curve_x, curve_y, position, x, y):
+    """Distance from each point (x, y) to the curve, measured along the curve's normal.
+
+    The curve runs through its points as a cubic spline in `position`, so that where it folds over
+    itself the nearest branch counts. A point beyond either end of the curve has no normal: NaN.
+    """
+    spline = through(curve_x, curve_y, position)
+    if spline is None:
+        return numpy.full(len(x), numpy.nan)
+    knots = spline.x
+    first, second = spline.derivative(1), spline.derivative(2)
+
+    steps = numpy.arange(SAMPLES) / SAMPLES
+    fine = numpy.append((knots[:-1, None] + numpy.diff(knots)[:, None] * steps).ravel(), knots[-1])
+    at = spline(fine)
+    foot = numpy.array([fine[numpy.argmin((at[:, 0] - px) ** 2 + (at[:, 1] - py) ** 2)]
+                        for px, py in zip(x, y)])
+    spacing = numpy.interp(foot, fine[1:], numpy.diff(fine))
+    target = numpy.column_stack([x, y])
+    for _ in range(REFINEMENTS):
+        offset = spline(foot) - target
+        tangent = first(foot)
+        slope = (offset * tangent).sum(axis=1)
+        bend = (tangent ** 2).sum(axis=1) + (offset * second(foot)).sum(axis=1)
+        step = numpy.where(bend > 0, -slope / numpy.where(bend > 0, bend, 1), 0.0)
+        foot = foot + numpy.clip(step, -spacing, spacing)
+    foot = numpy.clip(foot, knots[0], knots[-1])
+    offset, tangent = spline(foot) - target, first(foot)
+    result = numpy.hypot(*offset.T)
+    # Where the way to the point is not along the normal, the foot is an end of the curve.
+    lean = numpy.abs((offset * tangent).sum(axis=1)) / numpy.hypot(*tangent.T)
+    return numpy.where(lean > UPRIGHT * result + ROUND_OFF, numpy.nan, result)

@@ -1,0 +1,76 @@
+"""Runs gnuplot on one figure script with the data prepared for it."""
+
+import math
+import os
+import shutil
+import subprocess
+import tempfile
+
+from .errors import ReportError
+
+FIGURES = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "figures")
+NAME = "gnuplot"
+
+
+def require():
+    """The path of gnuplot, or a ReportError."""
+    path = shutil.which(NAME)
+    if path is None:
+        raise ReportError("gnuplot is not on the PATH: install the package gnuplot-nox")
+    return path
+
+
+def quoted(value):
+    """A value as gnuplot writes it."""
+    if isinstance(value, str):
+        return "'" + value.replace("'", "''") + "'"
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(quoted(item) for item in value) + "]"
+    return repr(float(value)) if isinstance(value, float) else str(value)
+
+
+def assignment(name, value):
+    if isinstance(value, (list, tuple)):
+        # gnuplot has no empty array.
+        return f"array {name}[{max(len(value), 1)}]" + (f" = {quoted(value)}" if value else "")
+    return f"{name} = {quoted(value)}"
+
+
+def write_blocks(path, blocks):
+    """Blocks of rows, two blank lines apart: gnuplot's `index` numbers them from 0."""
+    with open(path, "w", encoding="utf-8") as stream:
+        for block in blocks:
+            rows = 0
+            for row in block:
+                if any(isinstance(cell, float) and math.isinf(cell) for cell in row):
+                    continue
+                stream.write(" ".join("NaN" if cell != cell else f"{cell:.17g}" for cell in row))
+                stream.write("\n")
+                rows += 1
+            if not rows:
+                stream.write("NaN NaN NaN NaN\n")
+            stream.write("\n\n")
+
+
+def draw(script, parameters, data):
+    """The SVG drawn by figures/<script>.gp.
+
+    parameters: name -> number, string or list, set as gnuplot variables before the script runs;
+    data: name -> list of blocks, written to <name>.dat beside it.
+    """
+    with tempfile.TemporaryDirectory(prefix="pulloff-figure-") as place:
+        for name, blocks in data.items():
+            write_blocks(os.path.join(place, name + ".dat"), blocks)
+        with open(os.path.join(place, "parameters.gp"), "w", encoding="utf-8") as stream:
+            for name, value in parameters.items():
+                stream.write(assignment(name, value) + "\n")
+        files = ["parameters.gp", os.path.join(FIGURES, "style.gp"),
+                 os.path.join(FIGURES, script + ".gp")]
+        done = subprocess.run([require()] + files, cwd=place, capture_output=True, text=True,
+                              env=dict(os.environ, LC_ALL="C.UTF-8"), check=False)
+        output = os.path.join(place, "figure.svg")
+        if done.returncode != 0 or not os.path.isfile(output):
+            reason = [line for line in done.stderr.splitlines() if line.strip()]
+            raise ReportError(f"{files[-1]}: gnuplot failed: {reason[-1] if reason else 'no output'}")
+        with open(output, encoding="utf-8") as stream:
+            return stream.read()

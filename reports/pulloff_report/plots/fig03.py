@@ -1,0 +1,149 @@
+"""Figure 3: load against approach for a smooth sphere, with Feng's problem and Bradley's solution."""
+
+import numpy
+from markupsafe import Markup
+
+from .. import geometry, gnuplot, svg
+from ..references import file_name
+from ..words import MINUS, listing, plain, scientific, value_of
+from .figure import (Figure, VERMILLION, BLUE, GREEN, ORANGE, PURPLE, checks_of, distinct, failures,
+                     log_range, tolerance_of)
+
+NUMBER = "3"
+TITLE = "Load against approach of a smooth sphere"
+
+CURVES, BRADLEY = "feng_curves.csv", "bradley.csv"
+WINDOW = (-1.05, 6.0)        # of −Δ†, as wide as the folds of μ = 3 ask for
+LOADS = (-2.3, 1.0)          # of W̄
+MARKERS_APART = 0.16         # between two markers, along the drawn curve in plot units
+STYLES = [(BLUE, 6), (GREEN, 4), (PURPLE, 8), (ORANGE, 12)]
+
+
+def branch(case, point):
+    """(−Δ†, W̄, position) of the computed branch, or None when the point has no curve."""
+    table = case.curve(point)
+    if table is None or table.rows < 2:
+        return None
+    return (-table.numbers("approach"), table.numbers("load"), table.numbers("position"))
+
+
+def reference_branch(references, tabor):
+    """(−Δ†, W̄) of the stored curve at this Tabor parameter, or None."""
+    table = references.table(CURVES)
+    if table is None:
+        return None
+    chosen = numpy.isclose(table.numbers("tabor"), tabor, rtol=1e-9)
+    if not chosen.any():
+        return None
+    return -table.numbers("approach")[chosen], table.numbers("load")[chosen]
+
+
+def inside(x, y):
+    return (x >= WINDOW[0]) & (x <= WINDOW[1]) & (y >= LOADS[0]) & (y <= LOADS[1])
+
+
+def thinned(x, y, apart=MARKERS_APART):
+    """Points of a dense curve at about equal distances on paper, in the window only."""
+    chosen = inside(x, y)
+    x, y = x[chosen], y[chosen]
+    width, height = WINDOW[1] - WINDOW[0], LOADS[1] - LOADS[0]
+    kept, last = [], None
+    for px, py in zip(x, y):
+        here = numpy.array([7 * px / width, 4.2 * py / height])
+        if last is None or numpy.hypot(*(here - last)) >= apart:
+            kept.append((float(px), float(py)))
+            last = here
+    return kept
+
+
+def residual(computed, reference):
+    """Rows (−Δ†, distance) of the reference's points from the computed branch, in the window."""
+    x, y = reference
+    chosen = inside(x, y) & geometry.common_range(computed[0], computed[1], x, y)
+    gap = geometry.distances(computed[0], computed[1], computed[2], x[chosen], y[chosen])
+    return [(float(a), float(max(b, 1e-16))) for a, b in zip(x[chosen], gap) if b == b]
+
+
+def make(case, references):
+    points = sorted(case.points, key=lambda point: value_of(point, "tabor") or 0)
+    bradley = references.table(BRADLEY)
+    rigid = None
+    if bradley is not None:
+        order = numpy.argsort(-bradley.numbers("approach"))
+        rigid = (-bradley.numbers("approach")[order], bradley.numbers("load")[order])
+
+    lines, marks, strips, labels, colours, shapes, said = [], [], [], [], [], [], []
+    elastic = 0
+    for point in points:
+        tabor = value_of(point, "tabor")
+        computed = branch(case, point)
+        if tabor is None or computed is None:
+            continue
+        near_rigid = tabor < 0.1
+        lines.append([(float(a), float(b)) for a, b in geometry.dense(*computed)])
+        colour, shape = (VERMILLION, 7) if near_rigid else STYLES[elastic % len(STYLES)]
+        elastic += not near_rigid
+        if point.get("pull_off"):
+            labels.append((-point["pull_off"]["approach"], -point["pull_off"]["force"],
+                           f"μ = {plain(tabor)}", colour))
+        stored = reference_branch(references, tabor)
+        if stored is not None:
+            rows = residual(computed, stored)
+            strips.append((colour, rows))
+            if rows:
+                said.append((tabor, max(row[1] for row in rows)))
+            if not near_rigid:
+                marks.append(thinned(*stored))
+                colours.append(colour)
+                shapes.append(shape)
+    dots = thinned(*rigid) if rigid is not None else []
+
+    tolerances = distinct([tolerance_of(check) for point in points
+                           for check in checks_of(case, point, "curve")
+                           if file_name(check.get("reference")) == CURVES])
+    low, high = log_range([row[1] for _, rows in strips for row in rows] + tolerances)
+    parameters = {
+        "curve_count": len(lines), "mark_count": len(marks), "dot_count": len(dots),
+        "mark_colour": colours, "mark_shape": shapes, "label_count": len(labels),
+        "label_x": [item[0] for item in labels], "label_y": [item[1] for item in labels],
+        "label_text": [item[2] for item in labels], "label_colour": [item[3] for item in labels],
+        "strip_count": len(strips), "strip_colour": [colour for colour, _ in strips],
+        "tolerance_count": len(tolerances), "tolerance": tolerances,
+        "x_min": WINDOW[0], "x_max": WINDOW[1], "y_min": LOADS[0], "y_max": LOADS[1],
+        "low": low, "high": high}
+    drawn = gnuplot.draw("fig03", parameters, {"computed": lines or [[]], "reference": marks or [[]],
+                                               "rigid": [dots], "residual":
+                                               [rows for _, rows in strips] or [[]]})
+    label = "Load against minus the approach for several Tabor parameters, with reference markers"
+    return Figure("fig03", NUMBER, TITLE, Markup(svg.embeddable(drawn, "fig03", label)),
+                  caption(lines, marks, dots, said), remarks(case, points, lines, marks, dots),
+                  case.record["command"])
+
+
+def caption(lines, marks, dots, said):
+    text = Markup("Dimensionless load W̄ against the approach {}Δ†. Lines: computed branches; "
+                  "they turn back where the approach has a fold.").format(MINUS)
+    if marks:
+        text += Markup(" Open markers: Feng’s problem solved independently (see the note on "
+                       "Feng’s points).")
+    if dots:
+        text += " Red dots: Bradley’s rigid solution, beside the computed branch for the least μ."
+    if said:
+        parts = [Markup("{} for μ = {}").format(scientific(value), plain(tabor))
+                 for tabor, value in said]
+        text += Markup(" Strip: distance of the reference’s points from the computed branch, "
+                       "normal to it, in units of the axes; at most {}.").format(
+                           Markup(listing(parts)))
+    return text
+
+
+def remarks(case, points, lines, marks, dots):
+    told = failures(case)
+    bare = [point["label"] for point in points if not point.get("curve")]
+    if bare:
+        told.append(f"No curve was stored for {listing(bare)}.")
+    if lines and not marks:
+        told.append(f"The reference curves ({CURVES}) are absent, so no markers are shown.")
+    if lines and not dots:
+        told.append(f"Bradley’s solution ({BRADLEY}) is absent, so its dots are not shown.")
+    return told

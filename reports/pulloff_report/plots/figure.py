@@ -1,0 +1,64 @@
+"""What a figure module hands to the page, and what several of them need."""
+
+import dataclasses
+import math
+
+from markupsafe import Markup
+
+# Okabe and Ito's colours, told apart by colour-blind readers too.
+BLUE, GREEN, VERMILLION, ORANGE = "#0072B2", "#009E73", "#D55E00", "#E69F00"
+PURPLE, SKY, BLACK, GREY = "#CC79A7", "#56B4E9", "#000000", "#7A7A7A"
+
+
+@dataclasses.dataclass
+class Figure:
+    """One drawn figure."""
+    id: str
+    number: str
+    title: str
+    svg: Markup
+    caption: Markup
+    remarks: list = dataclasses.field(default_factory=list)
+    command: str = ""
+
+
+def checks_of(case, point, quantity):
+    """The checks of one point on one quantity."""
+    return [check for check in case.checks
+            if check["quantity"] == quantity and check.get("point") == point["id"]]
+
+
+def tolerance_of(check):
+    """The tolerance of a check as a plain difference; None when that is not known."""
+    if check["tolerance"] is None:
+        return None
+    if check["kind"] == "abs":
+        return check["tolerance"]
+    if check["kind"] == "rel" and check["expected"]:
+        return check["tolerance"] * abs(check["expected"])
+    return None
+
+
+def distinct(values, digits=3):
+    """The values without repetition and without None, ascending."""
+    return sorted({float(f"{value:.{digits}g}") for value in values if value})
+
+
+def failures(case):
+    """A sentence for every point that gave no full result."""
+    return [f"{point['label']}: the solve ended with {point['status'].replace('_', ' ')}"
+            + (f" ({point['reason']})" if point.get("reason") else "") + "."
+            for point in case.failed_points()]
+
+
+def log_range(values, floor=1e-16):
+    """Whole decades around the positive values as (low, high), with room above for a label."""
+    positive = [value for value in values if value and value > 0 and math.isfinite(value)]
+    if not positive:
+        return 1e-9, 1e-3
+    top = math.log10(max(positive))
+    low = math.floor(math.log10(max(min(positive), floor)))
+    high = max(math.ceil(top), low + 2)
+    if high - top < 0.17 * (high - low):
+        high += 1
+    return 10.0 ** low, 10.0 ** high

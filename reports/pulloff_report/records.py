@@ -1,0 +1,128 @@
+"""Reads the records of a run; says in one line what is wrong with one that cannot be read."""
+
+import json
+import os
+
+from .errors import ReportError
+from .tables import Table, read_text
+
+SCHEMA = "pulloff-record/1"
+NUMBER = (int, float, type(None))
+
+# What a report needs of a record: key -> type, at each of its levels.
+RECORD = {"case": str, "title": str, "suites": list, "command": str, "versions": dict,
+          "environment": dict, "plan": list, "points": list, "checks": list, "verdict": str}
+POINT = {"id": str, "label": str, "sweep": dict, "status": str, "work": dict}
+CHECK = {"id": str, "quantity": str, "obtained": NUMBER, "expected": NUMBER, "error": NUMBER,
+         "kind": str, "tolerance": NUMBER, "ratio": NUMBER, "ledger": str, "verdict": str,
+         "because": str}
+VERDICTS = ("within", "outside", "no_result", "missing_reference")
+TYPE_NAMES = {str: "a string", list: "a list", dict: "an object", NUMBER: "a number or null"}
+
+
+def demand(entry, wanted, path, where):
+    """Every wanted key is there with its type."""
+    if not isinstance(entry, dict):
+        raise ReportError(f"{path}: {where} is not an object")
+    for key, kind in wanted.items():
+        name = f"{where}.{key}" if where else key
+        if key not in entry:
+            raise ReportError(f"{path}: {name} is missing")
+        if not isinstance(entry[key], kind) or isinstance(entry[key], bool):
+            raise ReportError(f"{path}: {name} is {json.dumps(entry[key])[:40]}, "
+                              f"expected {TYPE_NAMES[kind]}")
+
+
+class Case:
+    """One case of a run: its record, and its curves and profiles when asked for."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.path = os.path.join(folder, "record.json")
+        try:
+            record = json.loads(read_text(self.path))
+        except json.JSONDecodeError as error:
+            raise ReportError(f"{self.path}:{error.lineno}: not JSON: {error.msg} "
+                              f"(column {error.colno})") from error
+        self._check(record)
+        self.record = record
+        self.name = record["case"]
+        self.title = record["title"]
+        self.figure = record.get("figure")
+        self.figure_script = record.get("figure_script")
+        self.points = record["points"]
+        self.checks = record["checks"]
+        self.verdict = record["verdict"]
+        self._points = {point["id"]: point for point in self.points}
+
+    def _check(self, record):
+        if not isinstance(record, dict) or record.get("schema") != SCHEMA:
+            found = record.get("schema") if isinstance(record, dict) else None
+            raise ReportError(f"{self.path}: schema is {json.dumps(found)}, "
+                              f'expected "{SCHEMA}"')
+        demand(record, RECORD, self.path, "")
+        for place, point in enumerate(record["points"]):
+            demand(point, POINT, self.path, f"points[{place}]")
+        for place, check in enumerate(record["checks"]):
+            demand(check, CHECK, self.path, f"checks[{place}]")
+            if check["verdict"] not in VERDICTS:
+                raise ReportError(f"{self.path}: checks[{place}].verdict is "
+                                  f"{json.dumps(check['verdict'])}, expected one of "
+                                  + ", ".join(VERDICTS))
+
+    def point(self, identifier):
+        """The point with this id; None for a check that belongs to no single point."""
+        return self._points.get(identifier)
+
+    def curve(self, point):
+        """The branch of a point as a Table, or None when none was asked for."""
+        return self._table(point.get("curve"))
+
+    def profile(self, point):
+        """The profile of a point as a Table, or None when none was asked for."""
+        return self._table(point.get("profile"))
+
+    def _table(self, name):
+        return Table(os.path.join(self.folder, name)) if name else None
+
+    def count(self, verdict):
+        return sum(check["verdict"] == verdict for check in self.checks)
+
+    def failed_points(self):
+        return [point for point in self.points if point["status"] != "ok"]
+
+    def worst(self):
+        """The greatest |error| in units of its tolerance, or None."""
+        ratios = [check["ratio"] for check in self.checks if check["ratio"] is not None]
+        return max(ratios) if ratios else None
+
+
+class Run:
+    """All cases of a run folder, those of the paper's figures first and in their order."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        try:
+            names = sorted(os.listdir(folder))
+        except OSError as error:
+            raise ReportError(f"{folder}: {error.strerror}") from error
+        folders = [os.path.join(folder, name) for name in names]
+        self.cases = [Case(place) for place in folders
+                      if os.path.isfile(os.path.join(place, "record.json"))]
+        if not self.cases:
+            raise ReportError(f"{folder}: no record of any case (pulloff run --suite paper "
+                              f"--output {folder} makes them)")
+        self.cases.sort(key=reading_order)
+
+    def drawing(self, script):
+        """The cases that name this figure script."""
+        return [case for case in self.cases if case.figure_script == script]
+
+    def checks(self):
+        return [check for case in self.cases for check in case.checks]
+
+
+def reading_order(case):
+    """Figures of the paper by number, then the rest by name."""
+    digits = "".join(ch for ch in str(case.figure or "") if ch.isdigit())
+    return (0, int(digits), case.name) if digits else (1, 0, case.name)

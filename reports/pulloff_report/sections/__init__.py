@@ -1,0 +1,34 @@
+"""The sections of the report, in the order they are read.
+
+A section is a module with build(source) -> Section; its template stands in templates/sections/.
+To add one: write the module and the template, and enter it in ORDER.
+"""
+
+import dataclasses
+
+from ..records import Run
+from ..references import References
+
+
+@dataclasses.dataclass
+class Source:
+    """What every section draws on."""
+    run: Run
+    references: References
+
+
+@dataclasses.dataclass
+class Section:
+    """A headed part of the page: its template is filled with its data."""
+    id: str
+    title: str
+    template: str
+    data: dict
+    entries: list = dataclasses.field(default_factory=list)  # (id, title) below it in the contents
+
+
+def build_all(source):
+    """Every section, in order."""
+    from . import cases, checks, error_time, environment, figures, provenance
+    order = (figures, error_time, checks, cases, provenance, environment)
+    return [module.build(source) for module in order]

@@ -1,0 +1,63 @@
+"""Every check of the run: obtained, expected, error in units of the tolerance, verdict."""
+
+import math
+
+from . import Section
+from ..references import file_name
+from ..words import decimals_for, quantity, sweep_label
+
+GROUP_BY = ("quantity", "reference", "because", "kind", "tolerance", "ledger")
+
+
+def width_of(ratio):
+    """How full the bar of a ratio is, in percent: from 1e-4 to 1 in logarithm."""
+    if ratio is None:
+        return None
+    if ratio >= 1:
+        return 100
+    return round(100 * max(0.02, 1 + math.log10(max(ratio, 1e-4)) / 4), 1)
+
+
+def detail(check):
+    """What of the id its group and point do not already say, such as "jump_in-1/approach"."""
+    parts = check["id"].split("/", 3)
+    return parts[3].replace("_", " ") if len(parts) > 3 else ""
+
+
+def absolute_tolerance(check):
+    if check["kind"] == "rel" and check["expected"]:
+        return check["tolerance"] * abs(check["expected"])
+    return check["tolerance"] if check["kind"] == "abs" else None
+
+
+def decimals_of(check):
+    """Decimals that show two digits of the tolerance; none where both numbers are counts."""
+    if check["quantity"].endswith("_count"):
+        return 0
+    return decimals_for(absolute_tolerance(check))
+
+
+def row(case, check):
+    point = case.point(check.get("point"))
+    return {"check": check, "label": sweep_label(point), "detail": detail(check),
+            "decimals": decimals_of(check), "bar": width_of(check["ratio"]),
+            "point_id": f"point-{case.name}-{point['id']}" if point else None}
+
+
+def groups(case):
+    """The checks of a case, those that differ only in their point under one heading."""
+    found = {}
+    for check in case.checks:
+        key = tuple(str(check.get(name)) for name in GROUP_BY)
+        found.setdefault(key, {"first": check, "quantity": quantity(check["quantity"]),
+                               "reference": file_name(check.get("reference")), "rows": []})
+        found[key]["rows"].append(row(case, check))
+    return list(found.values())
+
+
+def build(source):
+    tables = [{"case": case, "groups": groups(case)} for case in source.run.cases]
+    ledgers = sorted({check["ledger"] for check in source.run.checks()})
+    entries = [(f"checks-{table['case'].name}", table["case"].title) for table in tables]
+    return Section("checks", "Every check", "checks.html",
+                   {"tables": tables, "ledgers": ledgers}, entries)

@@ -1,0 +1,41 @@
+"""The reference data the run was compared with: where each file comes from and whether it is intact."""
+
+from . import Section
+from ..references import file_name
+
+KEYS = ("source", "method", "units", "uncertainty", "generator", "command", "date")
+STATES = {"verified": "intact: the checksum of the rows is the stated one",
+          "differs": "altered: the checksum of the rows is not the stated one",
+          "absent": "no checksum is stated"}
+
+
+def card(source, name, cases):
+    """What is known of a reference; one without a file may be a closed form with a table of it."""
+    built_in = not name.endswith(".csv")
+    table = source.references.table(name + ".csv" if built_in else name)
+    entry = {"name": name, "cases": sorted(cases), "table": table, "built_in": built_in,
+             "kind": "", "rows": []}
+    if table is None:
+        return entry
+    entry["what"] = table.header.get("what", "")
+    entry["kind"] = table.header.get("kind", "")
+    shown = [key for key in KEYS if table.header.get(key)]
+    others = [key for key in table.header if key not in KEYS + ("what", "kind", "sha256")]
+    entry["rows"] = [(key.replace("_", " "), table.header[key]) for key in shown + others]
+    entry["state"] = table.digest_state()
+    entry["state_text"] = STATES[entry["state"]]
+    entry["digest"] = table.digest()
+    return entry
+
+
+def build(source):
+    used = {}
+    for case in source.run.cases:
+        for check in case.checks:
+            name = file_name(check.get("reference"))
+            if name:
+                used.setdefault(name, set()).add(case.name)
+    cards = [card(source, name, cases) for name, cases in sorted(used.items())]
+    return Section("references", "Reference data", "provenance.html",
+                   {"cards": cards},
+                   [(f"reference-{item['name']}", item["name"]) for item in cards])

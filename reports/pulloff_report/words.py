@@ -1,0 +1,147 @@
+"""Numbers, symbols and names as the report writes them."""
+
+import math
+import re
+
+from markupsafe import Markup
+
+MINUS = "\u2212"
+THIN = "\u202f"  # narrow, and no line breaks at it
+
+# Swept and scene keys -> the paper's letters.
+SYMBOLS = {"tabor": "μ", "nodes": "N", "amplitude": "A†", "wavelength": "λ†", "radius": "R†",
+           "outer_radius": "r†max"}
+
+QUANTITIES = {
+    "pull_off_force": "Pull-off force |W̄|",
+    "pull_off_approach": "Approach at pull-off Δ†",
+    "fold_count": "Number of folds",
+    "fold_approach": "Approach at a fold Δ†",
+    "fold_load": "Load at a fold W̄",
+    "extremum_count": "Number of extrema of the load",
+    "extremum_approach": "Approach at an extremum of the load Δ†",
+    "extremum_load": "Load at its extremum W̄",
+    "curve": "Loading curve, distance normal to the curve",
+}
+
+VERDICT_WORDS = {"within": "within", "outside": "outside", "no_result": "no result",
+                 "missing_reference": "no reference", "failed": "failed"}
+VERDICT_SIGNS = {"within": "✓", "outside": "✗", "no_result": "∅", "missing_reference": "?",
+                 "failed": "∅"}
+LEDGERS = {"oracle": "exact or many digits, by an independent route",
+           "published": "published value, with its uncertainty",
+           "pin": "this program's own last accepted value, to notice change"}
+
+
+def signed(text):
+    """A hyphen at the front of a number made a minus sign."""
+    return text.replace("-", MINUS)
+
+
+def plain(value):
+    """A number as short as it reads back, in words for what is no number."""
+    if value is None:
+        return "–"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, (int, float)):
+        return "∞" if value == math.inf else signed(f"{value:.12g}")
+    return str(value)
+
+
+def decimals_for(tolerance):
+    """Decimals that show two digits of the tolerance; None when it tells nothing."""
+    if not tolerance or not math.isfinite(tolerance) or tolerance <= 0:
+        return None
+    return min(max(1 - math.floor(math.log10(tolerance)), 0), 14)
+
+
+def fixed(value, decimals):
+    """A number with so many decimals, or in short when their number is unknown."""
+    if value is None or not isinstance(value, (int, float)):
+        return plain(value)
+    if decimals is None or (value != 0 and abs(value) < 10.0 ** -decimals):
+        return scientific(value, 3)
+    return signed(f"{value:.{decimals}f}")
+
+
+def scientific(value, digits=2):
+    """1.2 × 10⁻⁵ as HTML; small exponents are written out."""
+    if value is None:
+        return "–"
+    if value == 0:
+        return "0"
+    if not math.isfinite(value):
+        return plain(value)
+    mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
+    if -3 < int(exponent) < 4:
+        return signed(f"{value:.{max(digits - 1 - int(exponent), 0)}f}")
+    return Markup(f"{signed(mantissa)}{THIN}×{THIN}10<sup>{signed(str(int(exponent)))}</sup>")
+
+
+def ratio(value):
+    """An error in units of its tolerance: few digits, since only its size matters."""
+    if value is None:
+        return "–"
+    if value == 0:
+        return "0"
+    return scientific(value, 2) if value < 0.001 else signed(f"{value:.3g}")
+
+
+def seconds(value):
+    """A duration with the digits one cares for."""
+    if value is None:
+        return "–"
+    if value < 0.0995:
+        return f"{1000 * value:.3g} ms"
+    if value < 100:
+        return f"{value:.3g} s"
+    minutes = int(value // 60)
+    return f"{minutes} min {value - 60 * minutes:.0f} s"
+
+
+def date(text):
+    """2026-01-02T10:00:00Z in a reader's spelling; anything else as it is."""
+    found = re.fullmatch(r"(\d{4}-\d\d-\d\d)T(\d\d:\d\d)(:\d\d)?Z", text)
+    return f"{found.group(1)} {found.group(2)} UTC" if found else text
+
+
+def symbol(key):
+    return SYMBOLS.get(key, key.replace("_", " "))
+
+
+def quantity(name):
+    return QUANTITIES.get(name, name.replace("_", " ").capitalize())
+
+
+def sweep_label(point):
+    """"μ = 1, N = 500" from the swept values of a point, or its own label when it sweeps nothing."""
+    if point is None:
+        return "whole case"
+    sweep = point["sweep"]
+    if not sweep:
+        return point["label"] or "single point"
+    parts = []
+    for key, value in sweep.items():
+        if isinstance(value, str):
+            parts.append(value)
+        else:
+            parts.append(f"{symbol(key)} = {plain(value)}")
+    return ", ".join(parts)
+
+
+def value_of(point, key):
+    """A swept value of a point, or that of its scene."""
+    if key in point["sweep"]:
+        return point["sweep"][key]
+    return (point.get("input") or {}).get(key)
+
+
+def count(number, singular, plural=None):
+    return f"{number} {singular if number == 1 else plural or singular + 's'}"
+
+
+def listing(items):
+    """a, b and c"""
+    items = list(items)
+    return " and ".join([", ".join(items[:-1]), items[-1]] if len(items) > 1 else items)

@@ -1,0 +1,210 @@
+"""A run and its reference data of the documented format, made up: for testing the report alone.
+
+The curves are Bradley's law behind a linear spring: they have a minimum of the load, and folds where
+the spring is soft, which is all a drawing needs. Nothing here is a solution of the real problem.
+"""
+
+import csv
+import hashlib
+import json
+import os
+
+TABORS = (0.01, 0.015, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 1,
+          1.25, 1.5, 1.75, 2, 2.5, 3, 3.5, 4, 5)
+NODES = (63, 125, 250, 500, 1000)
+
+
+def bradley(approach):
+    x = 1 - approach
+    return -2 * (4 * x ** 6 - 1) / (3 * x ** 8)
+
+
+def spring_branch(tabor, step):
+    """(approach, load) along the branch: the gap runs, the spring adds its own deflection."""
+    soft = 0.62 * tabor
+    rows = []
+    count = int(8.42 / step)
+    for place in range(count + 1):
+        rigid = -8 + 8.42 * place / count
+        load = bradley(rigid) * (1 - 0.09 * min(tabor, 2) / 2)
+        rows.append((rigid + soft * load, load))
+    return rows
+
+
+def pull_off(tabor):
+    approach, load = min(spring_branch(tabor, 0.01), key=lambda row: row[1])
+    return -load, approach
+
+
+def write_reference(folder, name, header, columns, rows, digest=True):
+    lines = [",".join(columns)] + [",".join(f"{cell:.12g}" if isinstance(cell, float) else str(cell)
+                                            for cell in row) for row in rows]
+    data = "\n".join(lines) + "\n"
+    if digest:
+        header = dict(header, sha256=hashlib.sha256(data.encode()).hexdigest())
+    with open(os.path.join(folder, name), "w", encoding="utf-8") as stream:
+        stream.writelines(f"# {key}: {value}\n" for key, value in header.items())
+        stream.write(data)
+
+
+def header(what, kind="oracle"):
+    return {"what": what, "source": "made up for testing; Feng (2000), Eqs 10-17", "kind": kind,
+            "method": "Bradley's law behind a spring", "units": "lengths in epsilon, load in pi w R",
+            "uncertainty": "1e-9", "generator": "reference/make/smooth_sphere.py",
+            "command": "python3 reference/make/smooth_sphere.py", "date": "2026-01-02"}
+
+
+def make_references(folder):
+    os.makedirs(folder, exist_ok=True)
+    write_reference(folder, "feng_pull_off.csv", header("pull-off of the smooth sphere"),
+                    ["tabor", "force", "approach", "force_uncertainty", "approach_uncertainty"],
+                    [(tabor, *pull_off(tabor), 1e-9, 3e-9) for tabor in TABORS])
+    write_reference(folder, "feng_curves.csv", header("loading curves of the smooth sphere"),
+                    ["tabor", "index", "approach", "load", "uncertainty"],
+                    [(tabor, place, *row, 1e-9) for tabor in (0.01, 1, 2, 3)
+                     for place, row in enumerate(spring_branch(tabor, 0.033))])
+    write_reference(folder, "feng_landmarks.csv", header("folds of the smooth sphere"),
+                    ["tabor", "index", "kind", "approach", "load"],
+                    [(tabor, 0, "jump_in", -1.629 * tabor, -0.5) for tabor in (1, 2, 3)])
+    write_reference(folder, "bradley.csv", header("Bradley's rigid sphere"), ["approach", "load"],
+                    [(-8 + 0.05 * place, bradley(-8 + 0.05 * place)) for place in range(169)])
+
+
+def check(point, quantity, obtained, expected, tolerance, reference, because, **more):
+    error = None if obtained is None else obtained - expected
+    ratio = None if error is None else abs(error) / tolerance
+    verdict = "no_result" if error is None else "within" if ratio <= 1 else "outside"
+    made = {"id": f"{quantity}/{reference.split('.')[0]}/{point['label']}", "point": point["id"],
+            "quantity": quantity, "obtained": obtained, "expected": expected, "error": error,
+            "kind": "abs", "tolerance": tolerance, "reference_uncertainty": 1e-9, "ratio": ratio,
+            "ledger": "oracle", "verdict": verdict, "note": "", "because": because,
+            "reference": "reference/" + reference, "command": "pulloff verify"}
+    made.update(more)
+    return made
+
+
+def point(place, sweep, found, curve=None, status="ok", seconds=0.4):
+    force, approach = found
+    label = " ".join(f"{key}={value}" for key, value in sweep.items())
+    flags = " ".join(f"--{key} {value}" for key, value in sweep.items())
+    failed = status != "ok"
+    return {"id": str(place), "label": label, "sweep": sweep,
+            "input": dict({"radius": 100, "outer_radius": None, "scheme": "triangle"}, **sweep),
+            "status": status, "rigid": False,
+            "reason": "the step fell below 1e-8 near approach -1.7" if failed else "",
+            "pull_off": None if failed else {"force": force, "approach": approach,
+                                             "contact_radius": 8.1, "error_estimate": None},
+            "folds": [{"approach": -1.62, "load": -0.8, "kind": "jump_in", "contact_radius": 1.0,
+                       "unstable_modes": 1}] if sweep.get("tabor", 0) >= 1 and not failed else [],
+            "extrema": [], "curve": curve, "profile": None,
+            "work": {"points": 210, "newton_iterations": 640, "factorizations": 655,
+                     "kernel_evaluations": 251001, "nodes": sweep.get("nodes", 501),
+                     "factorized_nodes": sweep.get("nodes", 501), "seconds": seconds},
+            "command": f"pulloff solve {flags} --radius 100 --outer-radius inf"}
+
+
+def record(name, title, figure, points, checks, suites):
+    outside = any(item["verdict"] == "outside" for item in checks)
+    failed = any(item["status"] != "ok" for item in points)
+    return {"schema": "pulloff-record/1", "case": name, "title": title, "figure": figure,
+            "equations": "10-17, 23", "suites": suites, "file": f"cases/{name}.yaml",
+            "key": hashlib.sha256(name.encode()).hexdigest(), "figure_script": name,
+            "command": f"pulloff run {name}",
+            "versions": {"pulloff": "0.1.0", "compiler": "gcc 12.2.0", "gsl": "2.7.1",
+                         "openblas": "0.3.21", "lapacke": "3.11.0", "jansson": "2.14",
+                         "libcyaml": "1.3.1"},
+            "environment": {"system": "Linux 6.1.0", "machine": "x86_64",
+                            "processor": "a processor", "cores": 2, "jobs": 2,
+                            "date": "2026-01-02T10:00:00Z"},
+            "plan": ["one surface of 501 nodes for every point: triangle",
+                     "no waviness: the sphere is smooth", "no profiles: none is asked for"],
+            "points": points, "checks": checks, "seconds": sum(p["work"]["seconds"] for p in points),
+            "verdict": "failed" if failed else "outside" if outside else "within"}
+
+
+def save(run, made, curves=()):
+    folder = os.path.join(run, made["case"])
+    os.makedirs(folder, exist_ok=True)
+    for name, rows in curves:
+        with open(os.path.join(folder, name), "w", encoding="utf-8", newline="") as stream:
+            writer = csv.writer(stream)
+            writer.writerow(["position", "approach", "load", "contact_radius", "unstable_modes"])
+            writer.writerows((0.02 * place, *row, 0, 0) for place, row in enumerate(rows))
+    with open(os.path.join(folder, "record.json"), "w", encoding="utf-8") as stream:
+        json.dump(made, stream, indent=1)
+
+
+def make_fig03(run):
+    points, checks, curves = [], [], []
+    for place, tabor in enumerate((1, 2, 3, 0.01)):
+        name = f"curve-{place}.csv"
+        found = point(place, {"tabor": tabor}, pull_off(tabor), curve=name)
+        points.append(found)
+        shift = 3e-6 * (1 + tabor)
+        curves.append((name, [(a + shift, w - shift / 3) for a, w in spring_branch(tabor, 0.02)]))
+        distance = check(found, "curve", shift, 0.0, 1e-4, "feng_curves.csv",
+                         "second-order elements of 0.2 epsilon: about 3e-5 at mu = 3")
+        distance.update(obtained=None, expected=None)
+        checks.append(distance)
+        if tabor >= 1:
+            fold = check(found, "fold_approach", -1.629 * tabor + shift, -1.629 * tabor, 2e-3,
+                         "feng_landmarks.csv", "folds are located to 1e-10 on each mesh")
+            fold["id"] = f"folds/feng_landmarks/{found['label']}/jump_in-1/approach"
+            checks.append(fold)
+    save(run, record("fig03", "Loading curves of the smooth sphere", "3", points, checks,
+                     ["smoke", "paper"]), curves)
+
+
+def make_fig04(run, outside=False, failed=False):
+    points, checks = [], []
+    because = "the triangle scheme with 501 nodes has an error of about 2e-5 at mu = 5"
+    for place, tabor in enumerate(TABORS):
+        force, approach = pull_off(tabor)
+        slip = 4e-7 * (1 + tabor ** 2) * (100 if outside and tabor == 5 else 1)
+        status = "step_too_small" if failed and tabor == 2.5 else "ok"
+        found = point(place, {"tabor": tabor}, (force + slip, approach - slip), status=status)
+        points.append(found)
+        got = found["pull_off"] or {"force": None, "approach": None}
+        checks.append(check(found, "pull_off_force", got["force"], force, 5e-5,
+                            "feng_pull_off.csv", because))
+        checks.append(check(found, "pull_off_approach", got["approach"], approach, 2e-4,
+                            "feng_pull_off.csv", because))
+    save(run, record("fig04", "Pull-off of the smooth sphere", "4", points, checks, ["paper"]))
+
+
+def make_error_time(run, failed=True):
+    points, checks = [], []
+    for tabor in (1, 3):
+        force, approach = pull_off(tabor)
+        for scheme, order, factor in (("ring", 1.0, 4e-1), ("triangle", 2.0, 9e-1)):
+            for nodes in NODES:
+                slip = factor * tabor * (10 / nodes) ** order
+                status = ("step_too_small" if failed and (scheme, nodes, tabor) == ("ring", 63, 3)
+                          else "ok")
+                seconds = 2e-7 * nodes ** 2.3 * (1.4 if scheme == "triangle" else 1.0)
+                found = point(len(points), {"scheme": scheme, "nodes": nodes, "tabor": tabor},
+                              (force + slip, approach - 2 * slip), status=status, seconds=seconds)
+                found["seconds_all"] = [seconds, 1.1 * seconds, 0.95 * seconds]
+                points.append(found)
+                got = found["pull_off"] or {"force": None}
+                checks.append(check(found, "pull_off_force", got["force"], force, 8e-1,
+                                    "feng_pull_off.csv", "a sanity bound: the figure tells"))
+    save(run, record("error_time", "What a digit costs", None, points, checks, ["precision"]))
+
+
+def make_run(folder, **how):
+    """All three cases; how: outside=True, failed=True."""
+    make_fig03(folder)
+    make_fig04(folder, **how)
+    make_error_time(folder, failed=how.get("failed", False))
+
+
+if __name__ == "__main__":
+    import argparse
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", help="run/ and reference/ are made in it")
+    parser.add_argument("--outside", action="store_true", help="one check outside its tolerance")
+    parser.add_argument("--failed", action="store_true", help="some failed solves")
+    wanted = parser.parse_args()
+    make_references(os.path.join(wanted.folder, "reference"))
+    make_run(os.path.join(wanted.folder, "run"), outside=wanted.outside, failed=wanted.failed)

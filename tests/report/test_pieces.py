@@ -1,0 +1,160 @@
+"""The parts of the report by themselves: numbers, tables, distances between curves, SVG."""
+
+import math
+import os
+import re
+import sys
+import tempfile
+import unittest
+
+import numpy
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+for folder in ("reports", "tools"):
+    sys.path.insert(0, os.path.join(HERE, "..", "..", folder))
+
+import count_tests  # noqa: E402
+
+from pulloff_report import fonts, geometry, gnuplot, svg, words  # noqa: E402
+from pulloff_report.errors import ReportError  # noqa: E402
+from pulloff_report.tables import Table  # noqa: E402
+
+
+class Words(unittest.TestCase):
+    def test_decimals_show_two_digits_of_the_tolerance(self):
+        self.assertEqual([words.decimals_for(t) for t in (2.385e-5, 1e-4, 0.3, 7.0, None, 0)],
+                         [6, 5, 2, 1, None, None])
+
+    def test_fixed(self):
+        self.assertEqual(words.fixed(1.6706712, 5), "1.67067")
+        self.assertEqual(words.fixed(-0.8734, 3), "\u22120.873")
+        self.assertEqual(words.fixed(None, 3), "–")
+
+    def test_scientific_is_markup_with_a_true_minus(self):
+        self.assertEqual(words.scientific(-2.3851e-7, 3),
+                         "\u22122.39\u202f×\u202f10<sup>\u22127</sup>")
+        self.assertEqual(words.scientific(0.02385), "0.024")
+        self.assertEqual(words.scientific(0), "0")
+
+    def test_seconds(self):
+        self.assertEqual([words.seconds(s) for s in (0.00275, 0.412, 21.2, 130.4)],
+                         ["2.75 ms", "0.412 s", "21.2 s", "2 min 10 s"])
+
+    def test_label_of_a_point(self):
+        point = {"sweep": {"scheme": "ring", "nodes": 63, "tabor": 2.385}, "label": "-"}
+        self.assertEqual(words.sweep_label(point), "ring, N = 63, μ = 2.385")
+
+
+class Tables(unittest.TestCase):
+    def table(self, text):
+        with tempfile.NamedTemporaryFile("w", suffix=".csv", delete=False) as stream:
+            stream.write(text)
+        self.addCleanup(os.unlink, stream.name)
+        return Table(stream.name)
+
+    def test_header_columns_and_empty_cell(self):
+        table = self.table("# what: a: b\n# kind: oracle\nx,y\n1,2.385\n3,\n")
+        self.assertEqual(table.header, {"what": "a: b", "kind": "oracle"})
+        self.assertEqual(table.numbers("y")[0], 2.385)
+        self.assertTrue(math.isnan(table.numbers("y")[1]))
+
+    def test_digest_is_of_the_rows_alone(self):
+        first = self.table("# what: one\nx\n1\n").digest()
+        second = self.table("# what: two\n# sha256: " + first + "\nx\n1\n")
+        self.assertEqual(second.digest_state(), "verified")
+        self.assertEqual(self.table("# sha256: " + first + "\nx\n2\n").digest_state(), "differs")
+        self.assertEqual(self.table("x\n2\n").digest_state(), "absent")
+
+    def test_refusals_name_the_line(self):
+        for text, wanted in (("x,y\n1\n", ":2: 1 cells, expected 2"), ("# a: b\n", ":2: no row")):
+            with self.assertRaisesRegex(ReportError, wanted):
+                self.table(text)
+        with self.assertRaisesRegex(ReportError, "no column named z"):
+            self.table("x\n1\n").numbers("z")
+        with self.assertRaisesRegex(ReportError, "x is 'one'"):
+            self.table("x\none\n").numbers("x")
+
+
+class Distances(unittest.TestCase):
+    def test_points_beside_a_circle(self):
+        # A curve that turns back in x, as a branch does at a fold.
+        angle = numpy.linspace(0.2, 6.0, 60)
+        at = numpy.array([0.9, 2.385, 4.1])
+        off = numpy.array([0.01, -0.02, 1e-4])
+        found = geometry.distances(numpy.cos(angle), numpy.sin(angle), angle,
+                                   (1 + off) * numpy.cos(at), (1 + off) * numpy.sin(at))
+        numpy.testing.assert_allclose(found, abs(off), atol=2e-6)
+
+    def test_points_beyond_the_ends_have_none(self):
+        line = numpy.linspace(0, 1, 11)
+        found = geometry.distances(line, 0 * line, line, numpy.array([-0.3, 0.5, 1.2]),
+                                   numpy.array([0.1, 0.25, 0.1]))
+        self.assertTrue(math.isnan(found[0]) and math.isnan(found[2]))
+        self.assertAlmostEqual(found[1], 0.25)
+
+
+GNUPLOT_LIKE = """<?xml version="1.0"?>
+<svg width="100" height="50" viewBox="0 0 100 50" xmlns="http://www.w3.org/2000/svg"
+ xmlns:xlink="http://www.w3.org/1999/xlink"><defs>
+<rect id='gpPt3' stroke='currentColor' x='-1' y='-1' width='2' height='2'/>
+<use xlink:href='#gpPt3' id='gpPt11' stroke='currentColor' transform='rotate(45)'/></defs>
+<clipPath id="cut"><rect width="9" height="9"/></clipPath>
+<g color="red" stroke="currentColor" clip-path="url(#cut)">
+<use xlink:href='#gpPt11' transform='translate(5,6)' color='rgb(0,114,178)'/></g>
+<g transform="translate(50,20)" stroke="none" fill="black" font-size="10" text-anchor="middle">
+<text><tspan>|</tspan><tspan font-style="italic">W\u0304</tspan><tspan>| load</tspan></text></g></svg>"""
+
+
+class Svg(unittest.TestCase):
+    def setUp(self):
+        self.text = svg.embeddable(GNUPLOT_LIKE, "f9", "a test & more")
+
+    def test_nothing_is_left_to_resolve(self):
+        for word in ("currentColor", "<use", "xlink", "text-anchor", "tspan", "gpPt"):
+            self.assertNotIn(word, self.text)
+        self.assertIn('stroke="rgb(0,114,178)"', self.text)
+        self.assertIn('aria-label="a test &amp; more"', self.text)
+
+    def test_identifiers_belong_to_the_figure(self):
+        self.assertIn("url(#f9-cut)", self.text)
+        self.assertEqual(re.findall(r'\bid="([^"]+)"', self.text), ["f9-cut"])
+
+    def test_spans_follow_each_other(self):
+        places = [(float(x), text) for x, text in
+                  re.findall(r'<text x="([-\d.]+)"[^>]*>([^<]+)</text>', self.text)]
+        self.assertEqual([text for _, text in places], ["|", "W", "| load"])
+        face, slanted = fonts.face(), fonts.face("Inter", "italic")
+        self.assertAlmostEqual(places[1][0] - places[0][0], face.width("|", 10), delta=0.02)
+        self.assertAlmostEqual(places[2][0] - places[1][0], slanted.width("W", 10), delta=0.02)
+
+    def test_the_bar_over_a_letter_is_drawn(self):
+        self.assertNotIn("\u0304", self.text)
+        self.assertEqual(self.text.count("<path"), 1)
+
+
+class Gnuplot(unittest.TestCase):
+    def test_values_as_gnuplot_writes_them(self):
+        self.assertEqual(gnuplot.assignment("a", "it's"), "a = 'it''s'")
+        self.assertEqual(gnuplot.assignment("b", [1.5, 2]), "array b[2] = [1.5, 2]")
+        self.assertEqual(gnuplot.assignment("c", []), "array c[1]")
+
+
+class Counting(unittest.TestCase):
+    """Of the tests a CI run made."""
+
+    def test_a_tap_test_counts_line_by_line(self):
+        tap = "TAP version 13\n1..4\nok 1 - a\nnot ok 2 - b\nok 3 - c # SKIP no d\nok 4 - e\n"
+        self.assertEqual(count_tests.count({"result": "FAIL", "stdout": tap}), (2, 1))
+
+    def test_a_tap_test_that_dies_is_a_failure(self):
+        self.assertEqual(count_tests.count({"result": "ERROR", "stdout": "1..2\nok 1\n"}), (1, 1))
+        self.assertEqual(count_tests.count({"result": "TIMEOUT"}), (0, 1))
+
+    def test_others_count_once(self):
+        results = ("OK", "EXPECTEDFAIL", "SKIP", "FAIL", "UNEXPECTEDPASS")
+        self.assertEqual([count_tests.count({"result": result}) for result in results],
+                         [(1, 0), (1, 0), (0, 0), (0, 1), (0, 1)])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,132 @@
+"""What the report cannot use is refused in one line that names it, with exit code 4 (2: usage)."""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, HERE)
+
+import synthetic  # noqa: E402
+
+SCRIPT = os.path.join(HERE, "..", "..", "reports", "make_report.py")
+
+
+class Refusals(unittest.TestCase):
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory(prefix="pulloff-report-")
+        self.addCleanup(holder.cleanup)
+        self.folder = holder.name
+        self.run_folder = os.path.join(self.folder, "run")
+        self.output = os.path.join(self.folder, "report")
+        self.record = os.path.join(self.run_folder, "fig03", "record.json")
+        synthetic.make_references(os.path.join(self.folder, "reference"))
+        synthetic.make_fig03(self.run_folder)
+
+    def refused(self, *wanted, code=4, path=None, words=None):
+        """Runs the report; it must fail with one line that holds all the wanted words."""
+        words = words or ["--run", self.run_folder, "--output", self.output,
+                          "--reference", os.path.join(self.folder, "reference")]
+        surroundings = dict(os.environ)
+        if path is not None:
+            surroundings["PATH"] = path
+        done = subprocess.run([sys.executable, SCRIPT, *words], capture_output=True, text=True,
+                              env=surroundings, check=False)
+        self.assertEqual(done.returncode, code, done.stderr)
+        self.assertEqual(done.stdout, "")
+        for word in wanted:
+            self.assertIn(word, done.stderr)
+        if code == 4:
+            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+            self.assertTrue(done.stderr.startswith("pulloff report: "))
+        if os.path.isdir(self.output):
+            self.assertEqual(os.listdir(self.output), [])
+
+    def change(self, edit):
+        """The record with one edit."""
+        with open(self.record, encoding="utf-8") as stream:
+            record = json.load(stream)
+        edit(record)
+        with open(self.record, "w", encoding="utf-8") as stream:
+            json.dump(record, stream)
+
+    def write(self, data):
+        with open(self.record, "wb") as stream:
+            stream.write(data)
+
+    def test_broken_json(self):
+        self.write(b'{"schema": "pulloff-record/1",\n "case": }\n')
+        self.refused("fig03/record.json:2: not JSON", "column 10")
+
+    def test_empty_record(self):
+        self.write(b"")
+        self.refused("fig03/record.json:1: not JSON")
+
+    def test_binary_record(self):
+        self.write(b"\x7fELF\xff\xfe")
+        self.refused("fig03/record.json: not a text file")
+
+    def test_other_schema(self):
+        self.change(lambda record: record.update(schema="pulloff-record/9"))
+        self.refused('schema is "pulloff-record/9", expected "pulloff-record/1"')
+
+    def test_missing_key(self):
+        self.change(lambda record: record["points"][2].pop("work"))
+        self.refused("fig03/record.json: points[2].work is missing")
+
+    def test_wrong_type(self):
+        self.change(lambda record: record["checks"][1].update(obtained="many"))
+        self.refused('checks[1].obtained is "many", expected a number or null')
+
+    def test_unknown_verdict(self):
+        self.change(lambda record: record["checks"][0].update(verdict="perhaps"))
+        self.refused('checks[0].verdict is "perhaps", expected one of within, outside')
+
+    def test_missing_curve(self):
+        os.unlink(os.path.join(self.run_folder, "fig03", "curve-1.csv"))
+        self.refused("fig03/curve-1.csv: No such file")
+
+    def test_truncated_curve(self):
+        path = os.path.join(self.run_folder, "fig03", "curve-1.csv")
+        with open(path, "r+", encoding="utf-8") as stream:
+            text = stream.read()
+            stream.seek(0)
+            stream.truncate()
+            stream.write(text[:text.rindex(",", 0, 4000)])
+        self.refused("fig03/curve-1.csv:", "expected 5")
+
+    def test_curve_without_its_column(self):
+        path = os.path.join(self.run_folder, "fig03", "curve-0.csv")
+        with open(path, encoding="utf-8") as stream:
+            text = stream.read()
+        with open(path, "w", encoding="utf-8") as stream:
+            stream.write(text.replace("approach", "distance", 1))
+        self.refused("fig03/curve-0.csv: no column named approach")
+
+    def test_no_run(self):
+        os.unlink(self.record)
+        self.refused("no record of any case")
+
+    def test_no_such_folder(self):
+        self.refused("No such file or directory", words=[
+            "--run", os.path.join(self.folder, "absent"), "--output", self.output])
+
+    def test_absent_gnuplot(self):
+        self.refused("gnuplot is not on the PATH", path=self.folder)
+
+    def test_output_is_a_file(self):
+        blocked = os.path.join(self.folder, "blocked")
+        with open(blocked, "w", encoding="utf-8"):
+            pass
+        self.refused(blocked, words=["--run", self.run_folder, "--output", blocked, "--reference",
+                                     os.path.join(self.folder, "reference")])
+
+    def test_usage(self):
+        self.refused("--output", code=2, words=["--run", self.run_folder])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,177 @@
+"""The report as a whole, from made-up records: what stands in it, and that it stands by itself."""
+
+import contextlib
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+REPORTS = os.path.join(HERE, "..", "..", "reports")
+sys.path.insert(0, HERE)
+sys.path.insert(0, REPORTS)
+
+import synthetic  # noqa: E402
+from pulloff_report import page, records, references  # noqa: E402
+
+TITLES = ("Figures of the paper", "Error against run time", "Every check",
+          "Cases and how to rerun them", "Reference data", "Environment")
+
+
+@contextlib.contextmanager
+def made_up(maker):
+    """A folder with reference/ and the run/ that maker makes."""
+    with tempfile.TemporaryDirectory(prefix="pulloff-report-") as folder:
+        synthetic.make_references(os.path.join(folder, "reference"))
+        maker(os.path.join(folder, "run"))
+        yield folder
+
+
+def page_of(folder):
+    return page.html(records.Run(os.path.join(folder, "run")),
+                     references.References(os.path.join(folder, "reference")))
+
+
+def plain(html):
+    """The text a reader sees, white space reduced."""
+    html = re.sub(r"<(style|script)\b.*?</\1>", " ", html, flags=re.S)
+    return re.sub(r"\s+", " ", re.sub(r"<[^>]+>", "", html))
+
+
+class PageTest(unittest.TestCase):
+    """Looks for words in a page and, when they are not as wanted, names them and not the page."""
+
+    def has(self, text, *wanted):
+        for words in wanted:
+            self.assertTrue(words in text, f"not found: {words}")
+
+    def lacks(self, text, *unwanted):
+        for words in unwanted:
+            self.assertFalse(words in text, f"found: {words}")
+
+
+class Whole(PageTest):
+    """One report of everything, written as a user would."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.mkdtemp(prefix="pulloff-report-")
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        synthetic.make_references(os.path.join(cls.folder, "reference"))
+        synthetic.make_run(os.path.join(cls.folder, "run"))
+        cls.output = os.path.join(cls.folder, "deep", "report")
+        cls.first = cls.make()
+        with open(os.path.join(cls.output, "report.html"), encoding="utf-8") as stream:
+            cls.html = stream.read()
+        cls.text = plain(cls.html)
+
+    @classmethod
+    def make(cls, *more):
+        return subprocess.run(
+            [sys.executable, os.path.join(REPORTS, "make_report.py"),
+             "--run", os.path.join(cls.folder, "run"), "--output", cls.output,
+             "--reference", os.path.join(cls.folder, "reference"), *more],
+            capture_output=True, text=True, check=False)
+
+    def test_it_is_made_in_silence_and_nothing_else_is_left(self):
+        self.assertEqual((self.first.returncode, self.first.stdout, self.first.stderr), (0, "", ""))
+        self.assertEqual(sorted(os.listdir(self.output)),
+                         [".report-key", "report.html", "report.pdf"])
+
+    def test_an_unchanged_run_is_not_drawn_again(self):
+        before = os.stat(os.path.join(self.output, "report.pdf")).st_mtime_ns
+        again = self.make()
+        self.assertEqual(again.returncode, 0)
+        self.assertIn("kept", again.stdout)
+        self.assertEqual(os.stat(os.path.join(self.output, "report.pdf")).st_mtime_ns, before)
+
+    def test_sections_figures_and_verdict(self):
+        self.has(self.text, *TITLES, "All 77 checks within their tolerance", "Figure 3.",
+                 "Figure 4.", "Observed orders", "not available in tabulated form",
+                 "pulloff solve --tabor 2.5", "intact")
+        self.assertEqual(self.html.count('role="img"'), 3)
+        self.lacks(self.html, 'class="absent"')
+
+    def test_every_check_has_its_row(self):
+        self.assertEqual(len(re.findall(r'<tr data-verdict="within"', self.html)), 77)
+
+    def test_orders_are_those_the_errors_were_made_with(self):
+        self.has(self.text, "ring 1.0 in the force")
+        self.has(self.text, "triangle 2.0 in the force")
+
+    def test_it_refers_to_nothing_outside(self):
+        for target in re.findall(r"""(?:src|href|action)\s*=\s*["']([^"']*)""", self.html):
+            self.assertTrue(target.startswith("#"), target)
+        for target in re.findall(r"url\(([^)]{0,40})", self.html):
+            self.assertTrue(target.startswith(("data:", "#")), target)
+        self.lacks(self.html, "<link", "@import", "<iframe", "fetch(", "XMLHttpRequest",
+                   "currentColor")
+
+    def test_links_lead_somewhere_and_names_are_unique(self):
+        names = re.findall(r'\sid="([^"]+)"', self.html)
+        self.assertEqual(len(names), len(set(names)))
+        for target in re.findall(r'href="#([^"]+)"', self.html):
+            self.assertIn(target, names)
+
+    def test_the_pdf_has_all_sections_and_pages(self):
+        if not shutil.which("pdftotext"):
+            self.skipTest("pdftotext is not installed")
+        done = subprocess.run(["pdftotext", "-layout", os.path.join(self.output, "report.pdf"), "-"],
+                              capture_output=True, text=True, check=True)
+        pages = done.stdout.split("\f")[:-1]
+        self.assertGreater(len(pages), 4)
+        for title in TITLES:
+            self.assertRegex(pages[0], re.escape(title) + r"[ .]+\d+\n")
+            self.assertGreaterEqual(done.stdout.count(title), 2)
+        self.assertIn(f"1 / {len(pages)}", pages[0])
+        self.has(done.stdout, "μ = 2.5", "Tabor parameter", "run time in seconds",
+                 "uncertainty of the")
+
+
+class Parts(PageTest):
+    """Pages of runs that lack something: what is absent is said, what is there is shown."""
+
+    def test_a_missing_case_leaves_a_sentence(self):
+        with made_up(synthetic.make_fig04) as folder:
+            text = plain(page_of(folder))
+        self.has(text, "Figure 3, load against approach of a smooth sphere, is left out")
+        self.has(text, "Error against run time is left out")
+        self.has(text, "Figure 4.")
+
+    def test_missing_references_leave_sentences(self):
+        with made_up(synthetic.make_fig03) as folder:
+            for name in ("feng_curves.csv", "bradley.csv"):
+                os.unlink(os.path.join(folder, "reference", name))
+            text = plain(page_of(folder))
+        self.has(text, "The reference curves (feng_curves.csv) are absent")
+        self.has(text, "Bradley’s solution (bradley.csv) is absent")
+        self.has(text, "There is no file of this name among the reference data")
+
+    def test_an_altered_reference_is_told(self):
+        with made_up(synthetic.make_fig04) as folder:
+            with open(os.path.join(folder, "reference", "feng_pull_off.csv"), "a",
+                      encoding="utf-8") as stream:
+                stream.write("6,1.5,-5,1e-9,1e-9\n")
+            self.has(plain(page_of(folder)), "altered: the checksum")
+
+    def test_a_check_outside_is_the_headline(self):
+        with made_up(lambda run: synthetic.make_fig04(run, outside=True)) as folder:
+            html = page_of(folder)
+        self.has(plain(html), "2 of 50 checks outside the tolerance")
+        self.has(html, 'class="status outside"')
+
+    def test_a_failed_solve_is_told_with_its_reason(self):
+        with made_up(lambda run: synthetic.make_run(run, failed=True)) as folder:
+            html = page_of(folder)
+        text = plain(html)
+        self.has(text, "3 checks without a result and 2 solves failed")
+        self.has(text, "tabor=2.5: the solve ended with step too small (the step fell below")
+        self.has(text, "ring 63 failed")
+        self.lacks(html.lower(), ">nan<")
+
+
+if __name__ == "__main__":
+    unittest.main()
