@@ -8,18 +8,21 @@
 
 static const size_t CACHE_LINE = 64; /* bytes; also the width of an AVX-512 register */
 
-void *po_allocate(size_t count, size_t size) {
+void *po_reserve(size_t count, size_t size) {
   if (size && count > (SIZE_MAX - CACHE_LINE) / size) {
     po_fail(PO_NO_MEMORY, "%zu objects of %zu bytes are more than can be addressed", count, size);
     return NULL;
   }
   const size_t bytes = (count * size / CACHE_LINE + 1) * CACHE_LINE;
   void *memory = aligned_alloc(CACHE_LINE, bytes);
-  if (!memory) {
+  if (!memory)
     po_fail(PO_NO_MEMORY, "%zu bytes could not be allocated", bytes);
-    return NULL;
-  }
-  return memset(memory, 0, bytes);
+  return memory;
+}
+
+void *po_allocate(size_t count, size_t size) {
+  void *memory = po_reserve(count, size);
+  return memory ? memset(memory, 0, count * size) : NULL;
 }
 
 void *po_resize(void *array, size_t count, size_t size) {

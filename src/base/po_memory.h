@@ -9,6 +9,9 @@
  * memory or count*size overflows. Free with free(). A count of 0 gives a valid pointer. */
 void *po_allocate(size_t count, size_t size);
 
+/* The same without zeroing: pages that are never written cost nothing. */
+void *po_reserve(size_t count, size_t size);
+
 /* As realloc for arrays that grow, checked for overflow; on failure NULL, a message, and the old
  * array untouched. Not aligned: for records, not for linear algebra. */
 void *po_resize(void *array, size_t count, size_t size);
