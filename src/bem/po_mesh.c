@@ -3,22 +3,36 @@
 
 #include "po_surface.h"
 
-static const char *const SCHEMES[] = {[PO_RING] = "ring", [PO_TRIANGLE] = "triangle"};
+static const char *const SCHEMES[] = {
+    [PO_RING] = "ring", [PO_TRIANGLE] = "triangle", [PO_PANEL] = "panel"};
 static const char *const GRADINGS[] = {[PO_UNIFORM] = "uniform", [PO_GRADED] = "graded"};
 
 /* Fewer nodes resolve nothing; more would take a solve beyond 200 MB, which a finer scheme spares.
  */
+/* Below this, rounding; above, no mesh is coarse enough to make a difference. */
+static const double LEAST_TOLERANCE = 1e-10, GREATEST_TOLERANCE = 1e-2;
 enum { LEAST_NODES = 8, MOST_NODES = 2500 };
 
 po_mesh po_mesh_default(void) {
-  return (po_mesh){.scheme = PO_TRIANGLE, .grading = PO_UNIFORM, .nodes = 501};
+  return (po_mesh){.scheme = PO_TRIANGLE, .grading = PO_UNIFORM, .nodes = 501, .tolerance = 1e-6};
+}
+
+po_mesh po_mesh_fixed(void) {
+  return (po_mesh){.scheme = PO_TRIANGLE, .grading = PO_UNIFORM, .nodes = 501, .tolerance = 1e-6};
 }
 
 po_status po_mesh_check(const po_mesh *mesh) {
-  if ((int)mesh->scheme < 0 || mesh->scheme > PO_TRIANGLE)
-    return po_fail(PO_BAD_INPUT, "scheme is %d: expected ring or triangle", (int)mesh->scheme);
+  if ((int)mesh->scheme < 0 || mesh->scheme > PO_PANEL)
+    return po_fail(PO_BAD_INPUT, "scheme is %d: expected ring, triangle or panel",
+                   (int)mesh->scheme);
   if ((int)mesh->grading < 0 || mesh->grading > PO_GRADED)
     return po_fail(PO_BAD_INPUT, "grading is %d: expected uniform or graded", (int)mesh->grading);
+  if (mesh->scheme == PO_PANEL) {
+    if (!(mesh->tolerance >= LEAST_TOLERANCE && mesh->tolerance <= GREATEST_TOLERANCE))
+      return po_fail(PO_BAD_INPUT, "tolerance is %g: expected %g to %g", mesh->tolerance,
+                     LEAST_TOLERANCE, GREATEST_TOLERANCE);
+    return PO_OK;
+  }
   if (mesh->nodes < LEAST_NODES || mesh->nodes > MOST_NODES)
     return po_fail(PO_BAD_INPUT, "nodes is %zu: expected %d to %d", mesh->nodes, LEAST_NODES,
                    MOST_NODES);
@@ -40,7 +54,7 @@ static int find(const char *const *names, int count, const char *name) {
 }
 
 int po_scheme_of_name(const char *name) {
-  return find(SCHEMES, PO_TRIANGLE + 1, name);
+  return find(SCHEMES, PO_PANEL + 1, name);
 }
 int po_grading_of_name(const char *name) {
   return find(GRADINGS, PO_GRADED + 1, name);

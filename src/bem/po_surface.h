@@ -14,6 +14,7 @@
 typedef enum {
   PO_RING,     /* rings of constant traction, App. A */
   PO_TRIANGLE, /* overlapping triangles, Sec. 3.1 */
+  PO_PANEL,    /* polynomials on panels that follow the contact, to a tolerance */
 } po_scheme;
 
 typedef enum {
@@ -24,11 +25,15 @@ typedef enum {
 typedef struct {
   po_scheme scheme;
   po_grading grading;
-  size_t nodes; /* of the elastic part inside the outer radius */
+  size_t nodes;     /* of the elastic part inside the outer radius; not for panels */
+  double tolerance; /* relative, of the pull-off force; for panels only */
 } po_mesh;
 
 /* Triangles, uniform, 501 nodes: the paper's (N = 500 elements). */
 po_mesh po_mesh_default(void);
+
+/* The same when the default is panels, for what needs nodes that stay. */
+po_mesh po_mesh_fixed(void);
 
 /* PO_BAD_INPUT, naming the key that is wrong, its value and what is expected. */
 po_status po_mesh_check(const po_mesh *mesh);

@@ -21,9 +21,10 @@ static const char HELP[] =
     "  --wavelength L          of the waviness\n"
     "  --radius R              of the sphere (100)\n"
     "  --outer-radius R|inf    where the surface is cut (inf: not cut)\n"
-    "  --scheme ring|triangle  discretisation (triangle)\n"
-    "  --grading uniform|graded  of the elements (uniform)\n"
-    "  --nodes N               of the surface (501)\n"
+    "  --scheme ring|triangle|panel  discretisation (triangle)\n"
+    "  --grading uniform|graded  of the elements, for ring and triangle (uniform)\n"
+    "  --nodes N               of the surface, for ring and triangle (501)\n"
+    "  --tolerance T           relative, of the pull-off force, for panel (1e-6)\n"
     "  --approach-start D      where the trace begins (chosen by the solver)\n"
     "  --approach-end D        where it ends (once the pull-off is certain)\n"
     "  --want curve,profile    points of the branch; gap and traction over the radius\n"
@@ -46,6 +47,7 @@ static const struct option OPTIONS[] = {
     {"scheme", required_argument, NULL, PO_KEY_SCHEME + 1},
     {"grading", required_argument, NULL, PO_KEY_GRADING + 1},
     {"nodes", required_argument, NULL, PO_KEY_NODES + 1},
+    {"tolerance", required_argument, NULL, PO_KEY_TOLERANCE + 1},
     {"approach-start", required_argument, NULL, PO_KEY_APPROACH_START + 1},
     {"approach-end", required_argument, NULL, PO_KEY_APPROACH_END + 1},
     {"want", required_argument, NULL, WANT},

@@ -102,10 +102,12 @@ static po_status check_scene(const po_case *kase, const po_yaml *yaml) {
   for (int key = 0; key < PO_KEY_COUNT; ++key)
     if (file->scene.values[key] && !po_key_set(&request, (po_key)key, file->scene.values[key]))
       return po_schema_refuse(yaml, NULL, "scene.%s", po_key_name((po_key)key));
+  const bool panels = request.mesh.scheme == PO_PANEL && !is_swept(file, PO_KEY_SCHEME);
   const bool wavy = request.scene.amplitude > 0 || is_swept(file, PO_KEY_AMPLITUDE);
   for (size_t i = 0; i < sizeof NEEDED / sizeof *NEEDED; ++i) {
     const po_key key = NEEDED[i];
-    if (file->scene.values[key] || is_swept(file, key) || (key == PO_KEY_WAVELENGTH && !wavy))
+    if (file->scene.values[key] || is_swept(file, key) || (key == PO_KEY_WAVELENGTH && !wavy) ||
+        (key == PO_KEY_NODES && panels))
       continue;
     char expected[128];
     snprintf(expected, sizeof expected, "%s, here or in the sweep", po_key_expected(key));

@@ -20,9 +20,10 @@ static const struct {
     [PO_KEY_WAVELENGTH] = {"wavelength", POSITIVE, "a finite number > 0"},
     [PO_KEY_RADIUS] = {"radius", POSITIVE, "a finite number > 0"},
     [PO_KEY_OUTER_RADIUS] = {"outer_radius", POSITIVE_OR_INFINITE, "a finite number > 0, or inf"},
-    [PO_KEY_SCHEME] = {"scheme", NAME, "ring or triangle"},
+    [PO_KEY_SCHEME] = {"scheme", NAME, "ring, triangle or panel"},
     [PO_KEY_GRADING] = {"grading", NAME, "uniform or graded"},
     [PO_KEY_NODES] = {"nodes", COUNT, "a whole number > 0"},
+    [PO_KEY_TOLERANCE] = {"tolerance", POSITIVE, "a finite number > 0"},
     [PO_KEY_APPROACH_START] = {"approach_start", ANY_NUMBER, "a finite number"},
     [PO_KEY_APPROACH_END] = {"approach_end", ANY_NUMBER, "a finite number"},
 };
@@ -59,6 +60,8 @@ static double *key_place(po_request *request, po_key key) {
     return &request->scene.radius;
   case PO_KEY_OUTER_RADIUS:
     return &request->scene.outer_radius;
+  case PO_KEY_TOLERANCE:
+    return &request->mesh.tolerance;
   case PO_KEY_APPROACH_START:
     return &request->approach_start;
   case PO_KEY_APPROACH_END:
@@ -142,11 +145,17 @@ bool po_key_matches(const po_request *request, po_key key, const char *text) {
   return a == b || fabs(a - b) <= 4 * DBL_EPSILON * fabs(b);
 }
 
+/* Panels are meshed to a tolerance; rings and triangles by a number of nodes. */
+static bool key_is_of_other_scheme(const po_request *request, po_key key) {
+  const bool panel = request->mesh.scheme == PO_PANEL;
+  return panel ? key == PO_KEY_NODES || key == PO_KEY_GRADING : key == PO_KEY_TOLERANCE;
+}
+
 /* A key need not be said when it is what the solver chooses, or nothing looks at it. */
 static bool key_is_idle(const po_request *request, po_key key) {
   const bool smooth = request->scene.amplitude == 0;
   return (key == PO_KEY_AMPLITUDE && smooth) || (key == PO_KEY_WAVELENGTH && smooth) ||
-         isnan(po_key_number(request, key));
+         isnan(po_key_number(request, key)) || key_is_of_other_scheme(request, key);
 }
 
 char *po_input_command(const po_request *request) {

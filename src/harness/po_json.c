@@ -49,12 +49,12 @@ static json_t *landmarks(const po_landmark *list, size_t count) {
 }
 
 static json_t *work(const po_work *done) {
-  return json_pack("{s:I, s:I, s:I, s:I, s:I, s:I, s:o}", "points", (json_int_t)done->points,
+  return json_pack("{s:I, s:I, s:I, s:I, s:I, s:I, s:I, s:o}", "points", (json_int_t)done->points,
                    "newton_iterations", (json_int_t)done->newton_iterations, "factorizations",
                    (json_int_t)done->factorizations, "kernel_evaluations",
                    (json_int_t)done->kernel_evaluations, "nodes", (json_int_t)done->nodes,
-                   "factorized_nodes", (json_int_t)done->factorized_nodes, "seconds",
-                   po_json_number(done->seconds));
+                   "factorized_nodes", (json_int_t)done->factorized_nodes, "meshes",
+                   (json_int_t)done->meshes, "seconds", po_json_number(done->seconds));
 }
 
 json_t *po_json_outcome(const po_request *request, const po_outcome *outcome) {

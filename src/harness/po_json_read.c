@@ -64,6 +64,7 @@ static void read_work(const json_t *object, po_work *work) {
   work->kernel_evaluations = count_of(object, "kernel_evaluations");
   work->nodes = count_of(object, "nodes");
   work->factorized_nodes = count_of(object, "factorized_nodes");
+  work->meshes = count_of(object, "meshes");
   work->seconds = number_of(object, "seconds");
 }
 

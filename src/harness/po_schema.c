@@ -53,6 +53,7 @@ static const cyaml_schema_field_t SCENE_FIELDS[] = {
     SCENE_KEY("scheme", PO_KEY_SCHEME),
     SCENE_KEY("grading", PO_KEY_GRADING),
     SCENE_KEY("nodes", PO_KEY_NODES),
+    SCENE_KEY("tolerance", PO_KEY_TOLERANCE),
     SCENE_KEY("approach_start", PO_KEY_APPROACH_START),
     SCENE_KEY("approach_end", PO_KEY_APPROACH_END),
     CYAML_FIELD_END,

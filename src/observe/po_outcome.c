@@ -5,15 +5,19 @@
 #include <stdlib.h>
 #include <time.h>
 
-#include "po_law.h"
+#include "po_adaptive.h"
 #include "po_linear.h"
-#include "po_memory.h"
 #include "po_reader.h"
 #include "po_rigid.h"
 #include "po_shape.h"
 
 /* How far a wanted curve may lie from the straight lines between its points. */
 static const double CURVE_SAGITTA = 5e-4;
+
+/* Error of the gap, in eps, that panels may make by their last coefficients, over the root of the
+ * relative tolerance of the pull-off force: what these coefficients do to the load goes as their
+ * square, by Gauss's rule. Set by the smooth sphere (tests/unit/test_panels.c). */
+static const double ERROR_OF_TOLERANCE = 0.3, COARSEST_ERROR = 3e-3;
 
 /* Where a rigid trace starts: the load there is below 2 % of pull-off. */
 static const double RIGID_START = -10.0;
@@ -51,12 +55,16 @@ static po_branch_options options_of(const po_request *request, po_reader *reader
   return options;
 }
 
-static po_status trace_elastic(const po_request *request, po_reader *reader) {
+static po_status trace_elastic(const po_request *request, po_reader *reader, po_adaptive *panels) {
   po_outcome *o = reader->outcome;
   po_equilibrium *e = NULL;
-  po_status status = po_equilibrium_create(&request->scene, reader->surface, &e);
+  const size_t capacity = panels ? po_adaptive_capacity(panels) : reader->surface->n;
+  po_status status = po_equilibrium_create(&request->scene, reader->surface, capacity, &e);
   if (!status) {
-    const po_branch_options options = options_of(request, reader);
+    po_branch_options options = options_of(request, reader);
+    options.adaptive = panels;
+    options.allowed_error =
+        fmin(COARSEST_ERROR, ERROR_OF_TOLERANCE * sqrt(request->mesh.tolerance));
     reader->begin = request->approach_start;
     reader->begun = isnan(request->approach_start);
     status = po_branch_trace(e, &options);
@@ -64,6 +72,8 @@ static po_status trace_elastic(const po_request *request, po_reader *reader) {
     o->work.newton_iterations = e->work.newton_iterations;
     o->work.factorizations = e->work.factorizations;
     o->work.factorized_nodes = e->work.factorized_nodes;
+    o->work.meshes = e->work.meshes;
+    o->work.nodes = panels ? reader->most_nodes : reader->surface->n;
     o->work.kernel_evaluations = reader->surface->kernel_evaluations;
   }
   po_equilibrium_destroy(e);
@@ -80,58 +90,43 @@ static po_status trace_rigid(const po_request *request, po_reader *reader) {
   return po_rigid_trace(&request->scene, begin, &options);
 }
 
-/* The profile at the resolved nodes, P = mu p; a rigid one from the undeformed gap, with P / mu
- * when mu is 0. */
-static po_status fill_profile(const po_request *request, const po_reader *reader) {
-  po_outcome *o = reader->outcome;
-  const po_surface *s = reader->surface;
-  if (!reader->has_profile)
-    return PO_OK;
-  o->profile = po_allocate(s->resolved, sizeof *o->profile);
-  if (!o->profile)
-    return PO_NO_MEMORY;
-  o->profile_count = s->resolved;
-  o->profile_approach = reader->profile_approach;
-  const double tabor = request->scene.tabor > 0.0 ? request->scene.tabor : 1.0;
-  for (size_t j = 0; j < s->resolved; ++j) {
-    const double gap =
-        o->rigid ? po_shape(&request->scene, s->node[j]) - o->profile_approach : reader->gap[j];
-    o->profile[j] = (po_profile_point){
-        .radius = s->node[j], .gap = gap, .traction = tabor * po_law_at(gap).traction};
+/* The surface of a request: a mesh that stays, or panels; nodes only (for a profile) when rigid. */
+static po_status make_surface(const po_request *request, bool rigid, double core,
+                              po_surface **fixed, po_adaptive **panels) {
+  const po_scene *scene = &request->scene;
+  if (rigid || request->mesh.scheme != PO_PANEL) {
+    po_mesh mesh = request->mesh;
+    if (mesh.scheme == PO_PANEL)
+      mesh = po_mesh_fixed();
+    return po_surface_create(scene, &mesh, core, !rigid, fixed);
   }
-  return PO_OK;
+  const double root = isfinite(scene->outer_radius)
+                          ? core
+                          : po_averaging_radius(scene, po_averaging_phase(scene, core));
+  const double waves = po_scene_is_wavy(scene) ? root / scene->wavelength : 0.0;
+  return po_adaptive_create(scene, root, (uint32_t)ceil(log2(fmin(fmax(waves, 4.0), 64.0))),
+                            panels);
 }
 
 /* One trace on a surface with the given core. */
 static po_status trace(const po_request *request, bool rigid, double core, po_outcome *outcome) {
-  po_surface *surface = NULL;
+  po_surface *fixed = NULL;
+  po_adaptive *panels = NULL;
   po_reader reader = {.request = request, .outcome = outcome};
   po_status status = PO_OK;
   if (!rigid || (request->want & PO_WANT_PROFILE))
-    status = po_surface_create(&request->scene, &request->mesh, core, !rigid, &surface);
+    status = make_surface(request, rigid, core, &fixed, &panels);
   if (status)
     goto done;
-  reader.surface = surface;
-  if (surface) {
-    outcome->work.nodes = rigid ? 0 : surface->n;
-    reader.gap = po_allocate(surface->n, sizeof *reader.gap);
-    if (!reader.gap) {
-      status = PO_NO_MEMORY;
-      goto done;
-    }
-  }
-  status = rigid ? trace_rigid(request, &reader) : trace_elastic(request, &reader);
+  reader.surface = panels ? po_adaptive_surface(panels) : fixed;
+  status = rigid ? trace_rigid(request, &reader) : trace_elastic(request, &reader, panels);
   if (!status)
     status = reader.status;
   if (!status && !outcome->has_pull_off && isnan(request->approach_end))
     status = po_fail(PO_NOT_FOUND, "the load has no minimum up to approach %.6g", outcome->end);
-  if (status >= 0) {
-    const po_status filled = fill_profile(request, &reader);
-    status = filled ? filled : status;
-  }
 done:
-  free(reader.gap);
-  po_surface_destroy(surface);
+  po_adaptive_destroy(panels);
+  po_surface_destroy(fixed);
   return status;
 }
 

@@ -68,6 +68,7 @@ typedef struct {
   uint64_t kernel_evaluations; /* of G(r, s), or of F(c, r) for rings */
   uint64_t nodes;              /* unknowns of the surface (the largest, when it changes) */
   uint64_t factorized_nodes;   /* largest order of a factorised matrix */
+  uint64_t meshes;             /* changes of the mesh */
   double seconds;              /* wall time */
 } po_work;
 

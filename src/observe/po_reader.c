@@ -7,6 +7,7 @@
 #include "po_contact.h"
 #include "po_law.h"
 #include "po_memory.h"
+#include "po_shape.h"
 
 /* A contact that comes this close to the end of the meshed surface is cut off by it. */
 static const double GREATEST_CONTACT = 0.9;
@@ -77,12 +78,26 @@ static void add_landmark(po_reader *r, const po_branch_point *p, double contact_
                                       .unstable_modes = p->unstable_modes};
 }
 
+/* The profile at the nodes up to the end of the core, P = mu p; a rigid one from the undeformed
+ * gap, with P / mu when mu is 0. */
 static void keep_profile(po_reader *r, const po_branch_point *p) {
-  r->has_profile = true;
-  r->profile_approach = p->approach;
-  if (!p->gap) /* rigid: the gap is known from the approach */
+  po_outcome *o = r->outcome;
+  const po_surface *s = r->surface;
+  const po_scene *scene = &r->request->scene;
+  po_profile_point *profile = po_resize(o->profile, s->resolved, sizeof *profile);
+  if (!profile) {
+    r->status = PO_NO_MEMORY;
     return;
-  memcpy(r->gap, p->gap, r->surface->n * sizeof *p->gap);
+  }
+  const double tabor = scene->tabor > 0.0 ? scene->tabor : 1.0;
+  o->profile = profile;
+  o->profile_count = 0;
+  o->profile_approach = p->approach;
+  for (size_t j = 0; j < s->resolved && s->node[j] <= s->core_radius; ++j) {
+    const double gap = p->gap ? p->gap[j] : po_shape(scene, s->node[j]) - p->approach;
+    profile[o->profile_count++] = (po_profile_point){
+        .radius = s->node[j], .gap = gap, .traction = tabor * po_law_at(gap).traction};
+  }
 }
 
 static void note_minimum(po_reader *r, const po_branch_point *p, double contact_radius) {
@@ -134,9 +149,11 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
     o->start = p->approach;
   r->begun = true;
   o->end = p->approach;
+  if (r->surface && r->surface->n > r->most_nodes)
+    r->most_nodes = r->surface->n;
   const double contact_radius = contact_radius_of(r, p);
   add_curve_point(r, p, contact_radius);
-  if (p->kind == PO_POINT_STATION && !r->has_profile && (r->request->want & PO_WANT_PROFILE) &&
+  if (p->kind == PO_POINT_STATION && !o->profile && (r->request->want & PO_WANT_PROFILE) &&
       p->approach == r->request->profile_approach)
     keep_profile(r, p);
   if (p->kind != PO_POINT_STEP && p->kind != PO_POINT_STATION)

@@ -14,9 +14,7 @@ typedef struct {
   double pull_off_load;       /* the deepest minimum so far */
   double last_contact_radius; /* at the last minimum */
   bool risen;                 /* a later wave's minimum was compressive */
-  double *gap;                /* of the profile wanted, at the nodes; NULL when rigid */
-  bool has_profile;
-  double profile_approach;
+  size_t most_nodes;          /* of the surface so far */
   size_t extremum_room, fold_room, curve_room;
   po_status status;
 } po_reader;

@@ -16,6 +16,8 @@ static const double FAR_GAP = 10.0;
 static const double AIMED_ERROR = 0.02, GREATEST_ERROR = 0.2;
 /* Cosine below which the tangent turned too far in one step. */
 static const double LEAST_COSINE = 0.7;
+/* Excess of the error by resolution at which a step is taken again on a finer mesh. */
+static const double GREATEST_EXCESS = 30.0;
 /* Cosine of tangent and border below which the border is renewed. */
 static const double OLD_BORDER = 0.5;
 /* Part of 1 + H that a prediction may take from a gap. */
@@ -222,6 +224,12 @@ static double try_step(tracer *t, double step, po_status *status) {
     t->e->factorized = false;
     return 0.5;
   }
+  if (t->options->adaptive && excess_of(t, &t->next) > GREATEST_EXCESS) {
+    bool changed;
+    t->trouble = remesh(t, t->next.state, &changed);
+    *status = PO_NOT_CONVERGED;
+    return changed ? 1.0 : 0.5;
+  }
   const double error = prediction_error(t);
   finish_point(t, &t->next);
   if (error > GREATEST_ERROR || cosine(t) < LEAST_COSINE || t->e->orientation < 0) {
@@ -257,8 +265,8 @@ static po_status advance(tracer *t) {
     po_status status;
     const double factor = try_step(t, step, &status);
     t->step = step * factor;
-    if (!status)
-      return PO_OK;
+    if (!status || t->trouble)
+      return t->trouble;
   }
 }
 
@@ -277,6 +285,15 @@ static void shift(tracer *t) {
   t->has_previous = true;
 }
 
+/* The mesh for the current point and where the next step is expected. */
+static po_status mesh_ahead(tracer *t) {
+  bool changed;
+  const bool open = predict(t, t->step * along_border(t, t->current.tangent));
+  if (open)
+    memcpy(t->next.state, t->predicted, (t->e->n + 1) * sizeof *t->predicted);
+  return remesh(t, open ? t->next.state : NULL, &changed);
+}
+
 static bool allocate_point(branch_point *p, size_t n) {
   p->state = po_allocate(n + 1, sizeof *p->state);
   p->tangent = po_allocate(n + 1, sizeof *p->tangent);
@@ -290,7 +307,7 @@ static void free_point(branch_point *p) {
 
 po_status po_branch_trace(po_equilibrium *equilibrium, const po_branch_options *options) {
   tracer t = {.e = equilibrium, .options = options, .step = FIRST_STEP};
-  const size_t n = equilibrium->n;
+  const size_t n = options->adaptive ? po_adaptive_capacity(options->adaptive) : equilibrium->n;
   branch_point *const points[] = {&t.previous, &t.current, &t.next, &t.inner};
   bool had = true;
   for (int k = 0; k < 4; ++k)
@@ -300,9 +317,15 @@ po_status po_branch_trace(po_equilibrium *equilibrium, const po_branch_options *
   t.border = po_allocate(n + 1, sizeof *t.border);
   t.metric = po_allocate(n + 1, sizeof *t.metric);
   t.predicted = po_allocate(n + 1, sizeof *t.predicted);
-  po_status status = had && t.border && t.metric && t.predicted ? PO_OK : PO_NO_MEMORY;
+  t.old_shape = po_allocate(n + 1, sizeof *t.old_shape);
+  po_status status =
+      had && t.border && t.metric && t.predicted && t.old_shape ? PO_OK : PO_NO_MEMORY;
+  if (options->adaptive)
+    po_legendre_fill(&po_panel_table_get()->rule, &t.legendre);
   if (!status)
     status = start(&t);
+  if (!status && options->adaptive)
+    status = mesh_ahead(&t);
   if (!status)
     visit_point(&t, &t.current, PO_POINT_STEP);
   const double begin_gap = status ? 0.0 : least_gap(&t, &t.current);
@@ -318,6 +341,8 @@ po_status po_branch_trace(po_equilibrium *equilibrium, const po_branch_options *
           po_fail(PO_TOO_MANY_POINTS, "more than %zu points, the last at approach %.6g, load %.6g",
                   options->most_points, point_approach(&t, &t.next), t.next.load);
     shift(&t);
+    if (!status && !t.ended && options->adaptive)
+      status = mesh_ahead(&t);
   }
   for (int k = 0; k < 4; ++k)
     free_point(points[k]);
@@ -326,5 +351,6 @@ po_status po_branch_trace(po_equilibrium *equilibrium, const po_branch_options *
   free(t.border);
   free(t.metric);
   free(t.predicted);
+  free(t.old_shape);
   return status;
 }

@@ -13,6 +13,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "po_adaptive.h"
 #include "po_equilibrium.h"
 
 typedef enum {
@@ -44,6 +45,9 @@ typedef struct {
   double begin;   /* the trace starts here when that is farther out than it needs; NAN: no */
   double largest_sagitta; /* of a step's chord, in the plane of approach and load: how far from the
                              curve a drawing by straight lines may be */
+  po_adaptive *adaptive; /* the equilibrium's surface, to be meshed anew as the contact moves; NULL:
+                            the mesh stays */
+  double allowed_error;  /* of the gap, by the resolution of the traction, in eps */
   size_t most_points;
   po_branch_visit visit;
   void *data;

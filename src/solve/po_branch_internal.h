@@ -3,6 +3,7 @@
 #define PO_BRANCH_INTERNAL_H
 
 #include "po_branch.h"
+#include "po_resolution.h"
 
 /* A point of the branch: state and unit tangent, n + 1 each. */
 typedef struct {
@@ -37,7 +38,10 @@ typedef struct {
   branch_events events;                 /* between them, in order */
   branch_point at_event[MOST_EVENTS];   /* their points, in the order they were found */
   double *border, *metric, *predicted;  /* n + 1 */
-  double step;                          /* arclength to try */
+  double *old_shape;                    /* n: of the mesh before */
+  po_legendre legendre;
+  po_status trouble; /* what ends the trace at once */
+  double step;       /* arclength to try */
   bool has_previous;
   bool station_met;
   int unstable_modes;
@@ -52,6 +56,13 @@ double point_approach_rate(const tracer *t, const branch_point *p);
 /* Scales a tangent, known up to length, to the metric at its state and sets the load and its rate.
  */
 void finish_point(tracer *t, branch_point *p);
+
+/* Meshes for the current point and, unless NULL, a state ahead of it; both points are then on the
+ * new mesh. Status: PO_OUT_OF_NODES, PO_NOT_CONVERGED with a message. */
+po_status remesh(tracer *t, const double *ahead, bool *changed);
+
+/* Error of the gap by the resolution of a point, in parts of what is allowed. */
+double excess_of(const tracer *t, const branch_point *p);
 
 /* Sets the border from a point's tangent and factorises at a state. */
 po_status refactorize(tracer *t, const branch_point *at, const double *state);

@@ -26,15 +26,28 @@ enum { MOST_ITERATIONS = 20 };
 /* What the first factorisation leaves out: costs one iteration, saves most of the matrix. */
 static const double NEGLECT = 1e-3;
 
-po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface,
+void po_equilibrium_remesh(po_equilibrium *e) {
+  const po_surface *s = e->surface;
+  e->n = s->n;
+  e->factorized = false;
+  for (size_t j = 0; j < e->n; ++j) {
+    const double r = s->node[j], *column = s->influence + e->n * j;
+    double reach = 0.0;
+    for (size_t i = 0; i < e->n; ++i)
+      reach = fmax(reach, fabs(column[i]));
+    e->reach[j] = reach;
+    e->shape[j] = j < s->resolved ? po_shape(e->scene, r) : po_shape_mean(e->scene, r);
+  }
+}
+
+po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface, size_t capacity,
                                 po_equilibrium **equilibrium) {
-  const size_t n = surface->n;
   po_equilibrium *e = po_allocate(1, sizeof *e);
   *equilibrium = e;
   if (!e)
     return PO_NO_MEMORY;
+  e->scene = scene;
   e->surface = surface;
-  e->n = n;
   e->radius = scene->radius;
   e->amplitude = scene->amplitude;
   e->coupling = scene->tabor * sqrt(scene->tabor / scene->radius);
@@ -43,21 +56,16 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
                               &e->border, &e->right, &e->scratch,  &e->measure};
   bool had = true;
   for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
-    had = (*vectors[k] = po_allocate(n + 1, sizeof(double))) && had;
-  e->index = po_allocate(n, sizeof *e->index);
-  e->pivots = po_allocate(n + 1, sizeof *e->pivots);
-  e->matrix = po_allocate((n + 1) * (n + 1), sizeof *e->matrix);
+    had = (*vectors[k] = po_allocate(capacity + 1, sizeof(double))) && had;
+  e->index = po_allocate(capacity, sizeof *e->index);
+  e->pivots = po_allocate(capacity + 1, sizeof *e->pivots);
+  e->matrix = po_reserve((capacity + 1) * (capacity + 1), sizeof *e->matrix);
   if (!had || !e->index || !e->pivots || !e->matrix) {
     po_equilibrium_destroy(e);
     *equilibrium = NULL;
     return PO_NO_MEMORY;
   }
-  for (size_t j = 0; j < n; ++j) {
-    const double r = surface->node[j];
-    e->shape[j] = j < surface->resolved ? po_shape(scene, r) : po_shape_mean(scene, r);
-    for (size_t i = 0; i < n; ++i)
-      e->reach[j] = fmax(e->reach[j], fabs(surface->influence[i + n * j]));
-  }
+  po_equilibrium_remesh(e);
   return PO_OK;
 }
 

@@ -22,9 +22,11 @@
 typedef struct {
   uint64_t points, newton_iterations, factorizations;
   uint64_t factorized_nodes; /* largest order */
+  uint64_t meshes;           /* changes of the mesh */
 } po_solve_work;
 
 typedef struct {
+  const po_scene *scene;
   const po_surface *surface;
   size_t n;
   double radius, amplitude, coupling;
@@ -46,9 +48,13 @@ typedef struct {
   po_solve_work work;
 } po_equilibrium;
 
-/* Status: PO_NO_MEMORY. The surface must outlive the object. */
-po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface,
+/* Given: room for `capacity` nodes, at least the surface's. Status: PO_NO_MEMORY. Scene and surface
+ * must outlive the object. */
+po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface, size_t capacity,
                                 po_equilibrium **equilibrium);
+
+/* Takes note that the surface was meshed anew: nothing of the mesh before is kept. */
+void po_equilibrium_remesh(po_equilibrium *e);
 void po_equilibrium_destroy(po_equilibrium *equilibrium);
 
 /* Sets traction and slope from the gaps of a state, every 1 + H > 0. */

@@ -34,7 +34,7 @@ spoilt 's/outer_radius: inf/outer_radius: nan/' \
   '8: scene.outer_radius is nan: expected a finite number > 0, or inf'
 spoilt 's/nodes: 101/nodes: 3.5/' '10: scene.nodes is 3.5: expected a whole number > 0'
 spoilt 's/nodes: 101/nodes: -5/' '10: scene.nodes is -5: expected a whole number > 0'
-spoilt 's/scheme: triangle/scheme: cube/' '9: scene.scheme is cube: expected ring or triangle'
+spoilt 's/scheme: triangle/scheme: cube/' '9: scene.scheme is cube: expected ring, triangle or panel'
 spoilt 's/  radius: 100/  radios: 100/' \
   '7: scene.radios is unknown: expected one of tabor, amplitude, wavelength, radius, *'
 spoilt '/  radius/d' '4: scene.radius is missing: expected a finite number > 0, here or in the sweep'

@@ -14,7 +14,7 @@ def refuse(word):
 d = json.load(sys.stdin, parse_constant=refuse)
 assert d["schema"] == "pulloff/1" and d["status"] == "ok" and d["reason"] == ""
 assert list(d["input"]) == ["tabor", "amplitude", "wavelength", "radius", "outer_radius", "scheme",
-                            "grading", "nodes", "approach_start", "approach_end"], list(d["input"])
+                            "grading", "nodes", "tolerance", "approach_start", "approach_end"], list(d["input"])
 assert d["input"]["outer_radius"] == "inf" and d["input"]["nodes"] == 101
 p = d["pull_off"]
 assert abs(p["force"] - 1.67067) < 1e-3 and abs(p["approach"] + 0.8734) < 2e-3
@@ -23,7 +23,7 @@ assert [f["kind"] for f in d["folds"]] == ["jump_in", "jump_out"]
 assert [e["kind"] for e in d["extrema"]] == ["minimum"]
 assert set(d["folds"][0]) >= {"approach", "load", "kind", "contact_radius", "unstable_modes"}
 assert set(d["work"]) == {"points", "newton_iterations", "factorizations", "kernel_evaluations",
-                          "nodes", "factorized_nodes", "seconds"}
+                          "nodes", "factorized_nodes", "meshes", "seconds"}
 c = d["curve"]
 assert len(c) > 10 and set(c[0]) == {"position", "approach", "load", "contact_radius",
                                      "unstable_modes"}

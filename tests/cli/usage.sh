@@ -32,7 +32,7 @@ expect 2 'pulloff: --radius is -3: expected a finite number > 0' solve --radius 
 expect 2 'pulloff: --radius is 0: expected a finite number > 0' solve --radius 0
 expect 2 'pulloff: --outer-radius is nan: expected a finite number > 0, or inf' \
   solve --outer-radius nan
-expect 2 'pulloff: --scheme is square: expected ring or triangle' solve --scheme square
+expect 2 'pulloff: --scheme is square: expected ring, triangle or panel' solve --scheme square
 expect 2 'pulloff: --grading is steep: expected uniform or graded' solve --grading steep
 expect 2 'pulloff: --nodes is 2.5: expected a whole number > 0' solve --nodes 2.5
 expect 2 'pulloff: --nodes is -7: expected a whole number > 0' solve --nodes -7

@@ -180,7 +180,7 @@ static double surface_error(po_scheme scheme, po_grading grading, size_t nodes, 
                             double up_to) {
   po_scene scene = po_scene_default();
   scene.outer_radius = outer;
-  const po_mesh mesh = {scheme, grading, nodes};
+  const po_mesh mesh = {scheme, grading, nodes, 0.0};
   po_surface *s = NULL;
   ck_assert_int_eq(po_surface_create(&scene, &mesh, scene.outer_radius, true, &s), PO_OK);
   double worst = 0.0;
@@ -218,7 +218,7 @@ START_TEST(schemes_converge_at_second_order) {
 END_TEST
 
 START_TEST(weights_add_up) { /* integral of r dr over the disc */
-  const po_mesh mesh = {_i / 2 ? PO_TRIANGLE : PO_RING, _i % 2 ? PO_GRADED : PO_UNIFORM, 73};
+  const po_mesh mesh = {_i / 2 ? PO_TRIANGLE : PO_RING, _i % 2 ? PO_GRADED : PO_UNIFORM, 73, 0.0};
   po_scene scene = po_scene_default();
   scene.outer_radius = 23.85;
   po_surface *s = NULL;

@@ -34,12 +34,12 @@ static seen trace(double tabor, size_t nodes, double outer, double station) {
   po_scene scene = po_scene_default();
   scene.tabor = tabor;
   scene.outer_radius = outer;
-  const po_mesh mesh = {PO_TRIANGLE, PO_UNIFORM, nodes};
+  const po_mesh mesh = {PO_TRIANGLE, PO_UNIFORM, nodes, 0.0};
   po_surface *surface = NULL;
   po_equilibrium *e = NULL;
   ck_assert_int_eq(po_surface_create(&scene, &mesh, po_surface_core(&scene, NAN), true, &surface),
                    PO_OK);
-  ck_assert_int_eq(po_equilibrium_create(&scene, surface, &e), PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(&scene, surface, surface->n, &e), PO_OK);
   seen s = {.e = e};
   po_branch_options options = po_branch_options_default();
   options.visit = look;
@@ -139,11 +139,11 @@ static bool count_modes(const po_branch_point *p, void *data) {
 START_TEST(stability_from_the_turns_is_that_of_the_eigenvalues) {
   static const double SCENES[][3] = {{1.5, 0.0, 0.0}, {5.0, 0.0, 0.0}, {3.0, 1.0, 20.0}};
   const po_scene scene = {SCENES[_i][0], SCENES[_i][1], SCENES[_i][2], 100.0, 60.0};
-  const po_mesh mesh = {PO_TRIANGLE, PO_UNIFORM, 81};
+  const po_mesh mesh = {PO_TRIANGLE, PO_UNIFORM, 81, 0.0};
   po_surface *surface = NULL;
   seen s = {.count = 0};
   ck_assert_int_eq(po_surface_create(&scene, &mesh, 60.0, true, &surface), PO_OK);
-  ck_assert_int_eq(po_equilibrium_create(&scene, surface, &s.e), PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(&scene, surface, surface->n, &s.e), PO_OK);
   po_branch_options options = po_branch_options_default();
   options.visit = count_modes;
   options.data = &s;
@@ -162,13 +162,13 @@ static bool never(const po_branch_point *p, void *data) {
 
 START_TEST(end_is_met_and_points_are_limited) {
   po_scene scene = po_scene_default();
-  const po_mesh mesh = {PO_RING, PO_GRADED, 101};
+  const po_mesh mesh = {PO_RING, PO_GRADED, 101, 0.0};
   po_surface *surface = NULL;
   po_equilibrium *e = NULL;
   seen s = {.count = 0};
   ck_assert_int_eq(po_surface_create(&scene, &mesh, po_surface_core(&scene, 2.385), true, &surface),
                    PO_OK);
-  ck_assert_int_eq(po_equilibrium_create(&scene, surface, &e), PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(&scene, surface, surface->n, &e), PO_OK);
   po_branch_options options = po_branch_options_default();
   options.visit = look;
   options.data = &s;

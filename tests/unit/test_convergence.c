@@ -16,7 +16,7 @@ typedef struct {
 
 static errors errors_of(po_scheme scheme, po_grading grading, size_t elements) {
   po_request request = po_request_default();
-  request.mesh = (po_mesh){scheme, grading, elements + (scheme == PO_TRIANGLE)};
+  request.mesh = (po_mesh){scheme, grading, elements + (scheme == PO_TRIANGLE), 0.0};
   po_outcome o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_uint_eq(o.fold_count, 2);
@@ -53,13 +53,13 @@ static bool deepest(const po_branch_point *p, void *data) {
 
 /* Pull-off with elements of a given size up to a given core radius, Gauss panels beyond. */
 static double pull_off(const po_scene *scene, double core, double size) {
-  const po_mesh mesh = {PO_TRIANGLE, PO_UNIFORM, (size_t)(core / size + 1.5)};
+  const po_mesh mesh = {PO_TRIANGLE, PO_UNIFORM, (size_t)(core / size + 1.5), 0.0};
   po_surface *surface = NULL;
   po_equilibrium *e = NULL;
   double least = 0.0;
   ck_assert_int_eq(po_surface_create(scene, &mesh, core, true, &surface), PO_OK);
   ck_assert_double_eq_tol(surface->core_radius, core, 1e-12);
-  ck_assert_int_eq(po_equilibrium_create(scene, surface, &e), PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(scene, surface, surface->n, &e), PO_OK);
   po_branch_options options = po_branch_options_default();
   options.visit = deepest;
   options.data = &least;

@@ -1,0 +1,137 @@
+/* The adaptive scheme against the independent reference (reference/feng_*.csv) and the paper's. */
+#include <math.h>
+
+#include "po_outcome.h"
+#include "run.h"
+
+/* Pull-off of smooth spheres: reference/feng_pull_off.csv. */
+static const double PULL_OFF[][3] = {{0.01, 1.99896940336129, -0.00193133963013628},
+                                     {0.7, 1.7289213540816, -0.624003890991716},
+                                     {1.0, 1.67066477647629, -0.873379514904682},
+                                     {3.0, 1.5510300446633, -2.426345992273},
+                                     {5.0, 1.52571846471486, -3.95939113588998}};
+enum { PULL_OFF_COUNT = sizeof PULL_OFF / sizeof *PULL_OFF };
+
+static po_request panels(double tabor, double tolerance) {
+  po_request request = po_request_default();
+  request.scene.tabor = tabor;
+  request.mesh.scheme = PO_PANEL;
+  request.mesh.tolerance = tolerance;
+  return request;
+}
+
+START_TEST(pull_off_is_right_to_the_tolerance) {
+  static const double TOLERANCES[] = {1e-4, 1e-6, 1e-8};
+  for (int k = 0; k < 3; ++k) {
+    const po_request request = panels(PULL_OFF[_i][0], TOLERANCES[k]);
+    po_outcome o;
+    ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+    ck_assert_double_eq_tol(o.pull_off.force / PULL_OFF[_i][1], 1.0, TOLERANCES[k]);
+    /* the load is flat at its minimum: the square root, at worst */
+    ck_assert_double_eq_tol(o.pull_off.approach, PULL_OFF[_i][2], sqrt(TOLERANCES[k]));
+    po_outcome_clear(&o);
+  }
+}
+END_TEST
+
+/* Every landmark of mu = 5: reference/feng_landmarks.csv. N = 500 equal elements find some seventy
+ * folds here. */
+START_TEST(four_folds_at_mu_5_and_no_more) {
+  static const double FOLDS[4][2] = {{-4.26358240711533, -0.167117565240784},
+                                     {-4.52082488572901, -0.193092486887204},
+                                     {-4.504762587767, -0.186478107413032},
+                                     {-8.18976765627377, -0.851770170986686}};
+  static const double EXTREMA[3][2] = {{-4.46204191140936, -0.198511458058202},
+                                       {-4.82334144338255, -0.170257600857394},
+                                       {-3.95939113588998, -1.52571846471486}};
+  const po_request request = panels(5.0, 1e-6);
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_uint_eq(o.fold_count, 4);
+  ck_assert_uint_eq(o.extremum_count, 3);
+  for (size_t k = 0; k < 4; ++k) {
+    ck_assert_double_eq_tol(o.folds[k].approach, FOLDS[k][0], 1e-6);
+    ck_assert_double_eq_tol(o.folds[k].load, FOLDS[k][1], 1e-5);
+  }
+  for (size_t k = 0; k < 3; ++k)
+    ck_assert_double_eq_tol(o.extrema[k].load, EXTREMA[k][1], 1e-6);
+  po_outcome_clear(&o);
+}
+END_TEST
+
+/* The extra pair of folds at mu = 4 is 8.1e-5 apart in approach. */
+START_TEST(folds_close_together_are_both_found) {
+  const po_request request = panels(4.0, 1e-7);
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_uint_eq(o.fold_count, 4);
+  ck_assert_double_eq_tol(o.folds[1].approach, -4.0232815, 1e-5);
+  ck_assert_double_eq_tol(o.folds[2].approach, -4.02320023613447, 1e-6);
+  po_outcome_clear(&o);
+}
+END_TEST
+
+/* Triangles extrapolated to no element size at all (order 2) meet the panels, waves and cut
+ * included. */
+START_TEST(triangles_converge_to_the_panels) {
+  po_request request = panels(1.3, 1e-8);
+  request.scene.amplitude = 0.7;
+  request.scene.wavelength = 23.85;
+  if (_i)
+    request.scene.outer_radius = 90.0;
+  po_outcome panel, coarse, fine;
+  ck_assert_int_eq(po_observe(&request, &panel), PO_OK);
+  request.mesh = (po_mesh){PO_TRIANGLE, PO_UNIFORM, 401, 0.0};
+  ck_assert_int_eq(po_observe(&request, &coarse), PO_OK);
+  request.mesh.nodes = 801;
+  ck_assert_int_eq(po_observe(&request, &fine), PO_OK);
+  const double limit = (4.0 * fine.pull_off.force - coarse.pull_off.force) / 3.0;
+  ck_assert_double_eq_tol(limit, panel.pull_off.force, 5e-7); /* the next order is 2e-7 here */
+  ck_assert_uint_eq(fine.fold_count, panel.fold_count);
+  for (size_t k = 0; k < panel.fold_count; ++k)
+    ck_assert_double_eq_tol((4.0 * fine.folds[k].approach - coarse.folds[k].approach) / 3.0,
+                            panel.folds[k].approach, 1e-6);
+  po_outcome_clear(&panel);
+  po_outcome_clear(&coarse);
+  po_outcome_clear(&fine);
+}
+END_TEST
+
+START_TEST(panel_profile_is_on_its_own_nodes) { /* though the mesh goes on to change */
+  po_request request = panels(2.385, 1e-6);
+  request.want = PO_WANT_PROFILE;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  double load = 0.0;
+  for (size_t k = 1; k < o.profile_count; ++k) {
+    const po_profile_point *a = &o.profile[k - 1], *b = &o.profile[k];
+    ck_assert_double_gt(b->radius, a->radius);
+    load += 0.5 * (b->radius - a->radius) * (a->traction * a->radius + b->traction * b->radius);
+  }
+  load *= 2.0 / (request.scene.radius * request.scene.tabor);
+  ck_assert_double_eq_tol(-load, o.pull_off.force, 3e-2);
+  po_outcome_clear(&o);
+}
+END_TEST
+
+START_TEST(tolerance_has_limits) {
+  po_request request = panels(1.0, 1e-16);
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_BAD_INPUT);
+  request.mesh.tolerance = NAN;
+  ck_assert_int_eq(po_observe(&request, &o), PO_BAD_INPUT);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_loop_test(tests, pull_off_is_right_to_the_tolerance, 0, PULL_OFF_COUNT);
+  tcase_add_test(tests, four_folds_at_mu_5_and_no_more);
+  tcase_add_test(tests, folds_close_together_are_both_found);
+  tcase_add_loop_test(tests, triangles_converge_to_the_panels, 0, 2);
+  tcase_add_test(tests, panel_profile_is_on_its_own_nodes);
+  tcase_add_test(tests, tolerance_has_limits);
+}
+
+int main(void) {
+  return run_case("panels", add);
+}
