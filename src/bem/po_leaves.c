@@ -68,6 +68,30 @@ bool po_leaves_split(po_leaves *leaves, const bool *split) {
   return true;
 }
 
+bool po_leaves_equal(const po_leaves *a, const po_leaves *b) {
+  if (a->count != b->count)
+    return false;
+  for (size_t k = 0; k < a->count; ++k)
+    if (!po_leaf_equal(a->leaf[k], b->leaf[k]))
+      return false;
+  return true;
+}
+
+bool po_leaves_build(po_leaves *leaves, bool (*too_large)(void *data, po_leaf leaf), void *data) {
+  po_leaves_uniform(leaves, 1);
+  for (;;) {
+    bool split[PO_MOST_LEAVES], any = false;
+    for (size_t k = 0; k < leaves->count; ++k) {
+      split[k] = too_large(data, leaves->leaf[k]);
+      any = any || split[k];
+    }
+    if (!any)
+      return true;
+    if (!po_leaves_split(leaves, split))
+      return false;
+  }
+}
+
 /* Whether leaves k and k + 1 are siblings whose parent would not be too coarse for its neighbours.
  */
 static bool can_join(const po_leaves *leaves, size_t k) {

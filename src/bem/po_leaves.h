@@ -39,5 +39,9 @@ double po_leaf_end(po_leaf leaf);
 size_t po_leaves_find(const po_leaves *leaves, double x);
 
 bool po_leaf_equal(po_leaf a, po_leaf b);
+bool po_leaves_equal(const po_leaves *a, const po_leaves *b);
+
+/* The coarsest leaves of which none is too large. Returned: false when there is no room. */
+bool po_leaves_build(po_leaves *leaves, bool (*too_large)(void *data, po_leaf leaf), void *data);
 
 #endif

@@ -10,6 +10,7 @@
 #include "po_reader.h"
 #include "po_rigid.h"
 #include "po_shape.h"
+#include "po_track.h"
 
 /* How far a wanted curve may lie from the straight lines between its points. */
 static const double CURVE_SAGITTA = 5e-4;
@@ -17,7 +18,7 @@ static const double CURVE_SAGITTA = 5e-4;
 /* Error of the gap, in eps, that panels may make by their last coefficients, over the root of the
  * relative tolerance of the pull-off force: what these coefficients do to the load goes as their
  * square, by Gauss's rule. Set by the smooth sphere (tests/unit/test_panels.c). */
-static const double ERROR_OF_TOLERANCE = 0.3, COARSEST_ERROR = 3e-3;
+static const double ERROR_OF_TOLERANCE = 0.3, COARSEST_ERROR = 3e-4;
 
 /* Where a rigid trace starts: the load there is below 2 % of pull-off. */
 static const double RIGID_START = -10.0;
@@ -61,13 +62,11 @@ static po_status trace_elastic(const po_request *request, po_reader *reader, po_
   const size_t capacity = panels ? po_adaptive_capacity(panels) : reader->surface->n;
   po_status status = po_equilibrium_create(&request->scene, reader->surface, capacity, &e);
   if (!status) {
-    po_branch_options options = options_of(request, reader);
-    options.adaptive = panels;
-    options.allowed_error =
-        fmin(COARSEST_ERROR, ERROR_OF_TOLERANCE * sqrt(request->mesh.tolerance));
+    const po_branch_options options = options_of(request, reader);
+    const double allowed = fmin(COARSEST_ERROR, ERROR_OF_TOLERANCE * sqrt(request->mesh.tolerance));
     reader->begin = request->approach_start;
     reader->begun = isnan(request->approach_start);
-    status = po_branch_trace(e, &options);
+    status = panels ? po_track_trace(e, panels, allowed, &options) : po_branch_trace(e, &options);
     o->work.points = e->work.points;
     o->work.newton_iterations = e->work.newton_iterations;
     o->work.factorizations = e->work.factorizations;

@@ -12,13 +12,19 @@
 /* A contact that comes this close to the end of the meshed surface is cut off by it. */
 static const double GREATEST_CONTACT = 0.9;
 
+/* Loads in units of this and the pull-off force that no wave's minimum falls from. */
+static const double GREATEST_PUSH = 10.0;
+
+/* A station is met to 1e-12. */
+static const double SAME_APPROACH = 1e-9;
+
 /* In wavelengths: contact beyond that at the last minimum without a new one; how far beyond
  * pull-off the next wave's minimum is at least (they are a wavelength apart, a little less at
  * first); and the end of the first trough. Minima in between are ripples. */
 static const double QUIET_WAVES = 1.5, NEXT_WAVE = 0.8, FIRST_TROUGH = 0.5;
 
 static double contact_radius_of(const po_reader *r, const po_branch_point *p) {
-  return p->gap ? po_contact_radius(r->surface->resolved, r->surface->node, p->gap)
+  return p->gap ? po_contact_radius(p->n, p->node, p->gap)
                 : po_contact_radius_rigid(&r->request->scene, p->approach);
 }
 
@@ -82,9 +88,10 @@ static void add_landmark(po_reader *r, const po_branch_point *p, double contact_
  * gap, with P / mu when mu is 0. */
 static void keep_profile(po_reader *r, const po_branch_point *p) {
   po_outcome *o = r->outcome;
-  const po_surface *s = r->surface;
+  const po_surface *s = r->surface; /* of a rigid scene: nodes to take the profile at */
   const po_scene *scene = &r->request->scene;
-  po_profile_point *profile = po_resize(o->profile, s->resolved, sizeof *profile);
+  const size_t most = p->gap ? p->n : s->resolved;
+  po_profile_point *profile = po_resize(o->profile, most, sizeof *profile);
   if (!profile) {
     r->status = PO_NO_MEMORY;
     return;
@@ -93,10 +100,13 @@ static void keep_profile(po_reader *r, const po_branch_point *p) {
   o->profile = profile;
   o->profile_count = 0;
   o->profile_approach = p->approach;
-  for (size_t j = 0; j < s->resolved && s->node[j] <= s->core_radius; ++j) {
-    const double gap = p->gap ? p->gap[j] : po_shape(scene, s->node[j]) - p->approach;
+  for (size_t j = 0; j < most; ++j) {
+    const double radius = p->gap ? p->node[j] : s->node[j];
+    if (radius > s->core_radius)
+      break;
+    const double gap = p->gap ? p->gap[j] : po_shape(scene, radius) - p->approach;
     profile[o->profile_count++] = (po_profile_point){
-        .radius = s->node[j], .gap = gap, .traction = tabor * po_law_at(gap).traction};
+        .radius = radius, .gap = gap, .traction = tabor * po_law_at(gap).traction};
   }
 }
 
@@ -122,8 +132,9 @@ static void note_minimum(po_reader *r, const po_branch_point *p, double contact_
  * as it climbs over one wave after another; their sequence follows the lower edge of the Kesari-Lew
  * envelope, which falls to a single minimum and rises ever after. So at a stable point under
  * compression: when there are no waves; when the next wave's minimum was compressive itself; or
- * when the surfaces are pushed as hard as they were pulled and the contact grew over more than a
- * wave without a minimum. tests/unit/test_observe.c traces twice as far and finds none. */
+ * when the surfaces are pushed many times as hard as they were pulled, or as hard and the contact
+ * grew over more than a wave without a minimum. tests/unit/test_observe.c traces twice as far and
+ * finds none. */
 static bool pull_off_is_certain(const po_reader *r, const po_branch_point *p,
                                 double contact_radius) {
   const po_outcome *o = r->outcome;
@@ -132,6 +143,7 @@ static bool pull_off_is_certain(const po_reader *r, const po_branch_point *p,
     return false;
   const po_scene *scene = &r->request->scene;
   return !po_scene_is_wavy(scene) || r->risen ||
+         p->load > GREATEST_PUSH * (1.0 + o->pull_off.force) ||
          (p->load > o->pull_off.force &&
           contact_radius > r->last_contact_radius + QUIET_WAVES * scene->wavelength);
 }
@@ -154,7 +166,7 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
   const double contact_radius = contact_radius_of(r, p);
   add_curve_point(r, p, contact_radius);
   if (p->kind == PO_POINT_STATION && !o->profile && (r->request->want & PO_WANT_PROFILE) &&
-      p->approach == r->request->profile_approach)
+      fabs(p->approach - r->request->profile_approach) < SAME_APPROACH)
     keep_profile(r, p);
   if (p->kind != PO_POINT_STEP && p->kind != PO_POINT_STATION)
     add_landmark(r, p, contact_radius);

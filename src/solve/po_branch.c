@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_branch_internal.h"
 #include "po_hermite.h"
+#include "po_landmark.h"
 #include "po_memory.h"
 
 /* Weight of the approach in the metric, against gaps in parts of 1 + H. */
@@ -16,8 +16,6 @@ static const double FAR_GAP = 10.0;
 static const double AIMED_ERROR = 0.02, GREATEST_ERROR = 0.2;
 /* Cosine below which the tangent turned too far in one step. */
 static const double LEAST_COSINE = 0.7;
-/* Excess of the error by resolution at which a step is taken again on a finer mesh. */
-static const double GREATEST_EXCESS = 30.0;
 /* Cosine of tangent and border below which the border is renewed. */
 static const double OLD_BORDER = 0.5;
 /* Part of 1 + H that a prediction may take from a gap. */
@@ -27,15 +25,38 @@ static const double FIRST_STEP = 0.05, SHORTEST_STEP = 1e-9;
 static const double SAFE_FEEDBACK = 0.25;
 enum { MOST_DOUBLINGS = 40 };
 
+/* A point of the branch: state and unit tangent, n + 1 each. */
+typedef struct {
+  double *state, *tangent;
+  double position, load, load_rate;
+} branch_point;
+
+typedef struct {
+  po_equilibrium *e;
+  const po_branch_options *options;
+  branch_point previous, current, next;  /* current and next are the ends of the last step */
+  branch_point inner;                    /* a point between them */
+  po_events events;                      /* between them */
+  branch_point at_event[PO_MOST_EVENTS]; /* their points, in the order they were found */
+  double *border, *metric, *predicted;   /* n + 1 */
+  double step;                           /* arclength to try */
+  bool has_previous;
+  bool station_met;
+  int unstable_modes;
+  size_t points;
+  size_t core; /* nodes inside the core radius */
+  bool ended;
+} tracer;
+
 po_branch_options po_branch_options_default(void) {
   return (po_branch_options){
       .station = NAN, .end = NAN, .begin = NAN, .largest_sagitta = INFINITY, .most_points = 30000};
 }
 
-double point_approach(const tracer *t, const branch_point *p) {
+static double point_approach(const tracer *t, const branch_point *p) {
   return p->state[t->e->n];
 }
-double point_approach_rate(const tracer *t, const branch_point *p) {
+static double point_approach_rate(const tracer *t, const branch_point *p) {
   return p->tangent[t->e->n];
 }
 
@@ -49,7 +70,7 @@ static void set_metric(tracer *t, const double *state) {
   t->metric[t->e->n] = APPROACH_WEIGHT;
 }
 
-void finish_point(tracer *t, branch_point *p) {
+static void finish_point(tracer *t, branch_point *p) {
   double sum = 0.0;
   set_metric(t, p->state);
   for (size_t j = 0; j <= t->e->n; ++j)
@@ -61,28 +82,28 @@ void finish_point(tracer *t, branch_point *p) {
   p->load_rate = po_equilibrium_load_rate(t->e, p->tangent);
 }
 
-double along_border(const tracer *t, const double *vector) {
+static double along_border(const tracer *t, const double *vector) {
   double sum = 0.0;
   for (size_t j = 0; j <= t->e->n; ++j)
     sum += t->e->border[j] * vector[j];
   return sum;
 }
 
-double border_distance(const tracer *t, const double *to, const double *from) {
+static double border_distance(const tracer *t, const double *to, const double *from) {
   double sum = 0.0;
   for (size_t j = 0; j <= t->e->n; ++j)
     sum += t->e->border[j] * (to[j] - from[j]);
   return sum;
 }
 
-po_status refactorize(tracer *t, const branch_point *at, const double *state) {
+static po_status refactorize(tracer *t, const branch_point *at, const double *state) {
   set_metric(t, at->state);
   for (size_t j = 0; j <= t->e->n; ++j)
     t->border[j] = t->metric[j] * at->tangent[j];
   return po_equilibrium_factorize(t->e, state, t->border);
 }
 
-po_branch_point seen_point(const tracer *t, const branch_point *p, po_point_kind kind) {
+static po_branch_point seen_point(const tracer *t, const branch_point *p, po_point_kind kind) {
   return (po_branch_point){.kind = kind,
                            .position = p->position,
                            .approach = point_approach(t, p),
@@ -90,18 +111,18 @@ po_branch_point seen_point(const tracer *t, const branch_point *p, po_point_kind
                            .approach_rate = point_approach_rate(t, p),
                            .load_rate = p->load_rate,
                            .unstable_modes = t->unstable_modes,
+                           .n = t->core,
+                           .node = t->e->surface->node,
                            .gap = p->state};
 }
 
-void visit_point(tracer *t, const branch_point *p, po_point_kind kind) {
-  po_branch_point point = seen_point(t, p, kind);
-  po_equilibrium_evaluate(t->e, p->state);
-  point.traction = t->e->traction;
+static void visit_point(tracer *t, const branch_point *p, po_point_kind kind) {
+  const po_branch_point point = seen_point(t, p, kind);
   if (t->options->visit(&point, t->options->data))
     t->ended = true;
 }
 
-void copy_point(const tracer *t, const branch_point *from, branch_point *to) {
+static void copy_point(const tracer *t, const branch_point *from, branch_point *to) {
   branch_point copy = *from;
   copy.state = to->state;
   copy.tangent = to->tangent;
@@ -216,6 +237,74 @@ static po_status correct(tracer *t, double step) {
   return status;
 }
 
+static po_sample sample_of(const tracer *t, const branch_point *p) {
+  const double per_distance = 1.0 / along_border(t, p->tangent);
+  return (po_sample){
+      .at = border_distance(t, p->state, t->current.state),
+      .value = {point_approach(t, p), p->load},
+      .rate = {point_approach_rate(t, p) * per_distance, p->load_rate * per_distance}};
+}
+
+/* The equilibrium at a distance between current and next, into inner. */
+static po_status solve_inner(void *data, double distance, po_sample *sample) {
+  tracer *t = data;
+  const branch_point *a = &t->current, *b = &t->next;
+  const double rate_a = along_border(t, a->tangent), rate_b = along_border(t, b->tangent);
+  const double whole = border_distance(t, b->state, a->state);
+  const po_hermite w = po_hermite_at(distance, whole);
+  for (size_t j = 0; j <= t->e->n; ++j)
+    t->predicted[j] = a->state[j] + w.d0 * a->tangent[j] / rate_a +
+                      w.f1 * (b->state[j] - a->state[j]) + w.d1 * b->tangent[j] / rate_b;
+  po_status status = PO_NOT_CONVERGED;
+  for (int fresh = 0; status && fresh < 2; ++fresh) {
+    memcpy(t->inner.state, t->predicted, (t->e->n + 1) * sizeof *t->predicted);
+    if (fresh) { /* the factors are too old: new ones, with the same border */
+      status = po_equilibrium_factorize(t->e, t->inner.state, t->e->border);
+      if (status)
+        return status;
+    }
+    status = po_equilibrium_correct(t->e, t->inner.state, a->state, distance);
+    if (!status)
+      status = po_equilibrium_tangent(t->e, t->inner.tangent);
+  }
+  if (status)
+    return status;
+  finish_point(t, &t->inner);
+  t->inner.position = a->position + (b->position - a->position) * distance / whole;
+  *sample = sample_of(t, &t->inner);
+  return PO_OK;
+}
+
+static void keep_inner(void *data, size_t place) {
+  tracer *t = data;
+  copy_point(t, &t->inner, &t->at_event[place]);
+}
+
+static po_status find_events(tracer *t) {
+  const po_interval interval = {.data = t,
+                                .solve = solve_inner,
+                                .keep = keep_inner,
+                                .station = t->station_met ? (double)NAN : t->options->station,
+                                .end = t->options->end};
+  const po_sample from = sample_of(t, &t->current), to = sample_of(t, &t->next);
+  return po_events_find(&interval, &from, &to, &t->events);
+}
+
+/* Visits the events found and then next. Sets t->ended when the trace is to end. */
+static void visit_step(tracer *t) {
+  for (size_t k = 0; k < t->events.count && !t->ended; ++k) {
+    const po_event *ev = &t->events.list[k];
+    const branch_point *p = &t->at_event[ev->place];
+    const po_point_kind kind = po_event_point(ev);
+    t->unstable_modes += po_change_of_modes(kind, p->load_rate);
+    t->station_met = t->station_met || ev->of == PO_AT_STATION;
+    visit_point(t, p, kind);
+    t->ended = t->ended || ev->of == PO_AT_END;
+  }
+  if (!t->ended)
+    visit_point(t, &t->next, PO_POINT_STEP);
+}
+
 /* One attempt at a step. Returned: the factor for the next step; status says whether it is taken.
  */
 static double try_step(tracer *t, double step, po_status *status) {
@@ -223,12 +312,6 @@ static double try_step(tracer *t, double step, po_status *status) {
   if (*status) {
     t->e->factorized = false;
     return 0.5;
-  }
-  if (t->options->adaptive && excess_of(t, &t->next) > GREATEST_EXCESS) {
-    bool changed;
-    t->trouble = remesh(t, t->next.state, &changed);
-    *status = PO_NOT_CONVERGED;
-    return changed ? 1.0 : 0.5;
   }
   const double error = prediction_error(t);
   finish_point(t, &t->next);
@@ -265,8 +348,8 @@ static po_status advance(tracer *t) {
     po_status status;
     const double factor = try_step(t, step, &status);
     t->step = step * factor;
-    if (!status || t->trouble)
-      return t->trouble;
+    if (!status)
+      return PO_OK;
   }
 }
 
@@ -285,15 +368,6 @@ static void shift(tracer *t) {
   t->has_previous = true;
 }
 
-/* The mesh for the current point and where the next step is expected. */
-static po_status mesh_ahead(tracer *t) {
-  bool changed;
-  const bool open = predict(t, t->step * along_border(t, t->current.tangent));
-  if (open)
-    memcpy(t->next.state, t->predicted, (t->e->n + 1) * sizeof *t->predicted);
-  return remesh(t, open ? t->next.state : NULL, &changed);
-}
-
 static bool allocate_point(branch_point *p, size_t n) {
   p->state = po_allocate(n + 1, sizeof *p->state);
   p->tangent = po_allocate(n + 1, sizeof *p->tangent);
@@ -307,25 +381,21 @@ static void free_point(branch_point *p) {
 
 po_status po_branch_trace(po_equilibrium *equilibrium, const po_branch_options *options) {
   tracer t = {.e = equilibrium, .options = options, .step = FIRST_STEP};
-  const size_t n = options->adaptive ? po_adaptive_capacity(options->adaptive) : equilibrium->n;
+  const size_t n = equilibrium->n;
   branch_point *const points[] = {&t.previous, &t.current, &t.next, &t.inner};
   bool had = true;
   for (int k = 0; k < 4; ++k)
     had = allocate_point(points[k], n) && had;
-  for (int k = 0; k < MOST_EVENTS; ++k)
+  for (int k = 0; k < PO_MOST_EVENTS; ++k)
     had = allocate_point(&t.at_event[k], n) && had;
   t.border = po_allocate(n + 1, sizeof *t.border);
   t.metric = po_allocate(n + 1, sizeof *t.metric);
   t.predicted = po_allocate(n + 1, sizeof *t.predicted);
-  t.old_shape = po_allocate(n + 1, sizeof *t.old_shape);
-  po_status status =
-      had && t.border && t.metric && t.predicted && t.old_shape ? PO_OK : PO_NO_MEMORY;
-  if (options->adaptive)
-    po_legendre_fill(&po_panel_table_get()->rule, &t.legendre);
+  while (t.core < n && equilibrium->surface->node[t.core] <= equilibrium->surface->core_radius)
+    ++t.core;
+  po_status status = had && t.border && t.metric && t.predicted ? PO_OK : PO_NO_MEMORY;
   if (!status)
     status = start(&t);
-  if (!status && options->adaptive)
-    status = mesh_ahead(&t);
   if (!status)
     visit_point(&t, &t.current, PO_POINT_STEP);
   const double begin_gap = status ? 0.0 : least_gap(&t, &t.current);
@@ -341,16 +411,13 @@ po_status po_branch_trace(po_equilibrium *equilibrium, const po_branch_options *
           po_fail(PO_TOO_MANY_POINTS, "more than %zu points, the last at approach %.6g, load %.6g",
                   options->most_points, point_approach(&t, &t.next), t.next.load);
     shift(&t);
-    if (!status && !t.ended && options->adaptive)
-      status = mesh_ahead(&t);
   }
   for (int k = 0; k < 4; ++k)
     free_point(points[k]);
-  for (int k = 0; k < MOST_EVENTS; ++k)
+  for (int k = 0; k < PO_MOST_EVENTS; ++k)
     free_point(&t.at_event[k]);
   free(t.border);
   free(t.metric);
   free(t.predicted);
-  free(t.old_shape);
   return status;
 }

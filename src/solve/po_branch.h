@@ -13,7 +13,6 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "po_adaptive.h"
 #include "po_equilibrium.h"
 
 typedef enum {
@@ -27,13 +26,14 @@ typedef enum {
 
 typedef struct {
   po_point_kind kind;
-  double position;        /* arclength from the start */
-  double approach, load;  /* Delta/eps, W/(pi w R) */
-  double approach_rate;   /* d approach / ds */
-  double load_rate;       /* d load / ds */
-  int unstable_modes;     /* of the equilibrium at fixed approach, just after this point */
-  const double *gap;      /* n: H at the nodes of the surface */
-  const double *traction; /* n: p = P/mu */
+  double position;       /* arclength from the start */
+  double approach, load; /* Delta/eps, W/(pi w R) */
+  double approach_rate;  /* d approach / ds */
+  double load_rate;      /* d load / ds */
+  int unstable_modes;    /* of the equilibrium at fixed approach, just after this point */
+  size_t n;              /* nodes of the core */
+  const double *node;    /* n: their radii, eps, ascending; NULL when rigid */
+  const double *gap;     /* n: H there */
 } po_branch_point;
 
 /* Told every point in order along the branch; true ends the trace. */
@@ -45,9 +45,6 @@ typedef struct {
   double begin;   /* the trace starts here when that is farther out than it needs; NAN: no */
   double largest_sagitta; /* of a step's chord, in the plane of approach and load: how far from the
                              curve a drawing by straight lines may be */
-  po_adaptive *adaptive; /* the equilibrium's surface, to be meshed anew as the contact moves; NULL:
-                            the mesh stays */
-  double allowed_error;  /* of the gap, by the resolution of the traction, in eps */
   size_t most_points;
   po_branch_visit visit;
   void *data;

@@ -126,12 +126,11 @@ static int by_measure(const void *left, const void *right, void *data) {
   return a != b ? (a < b ? 1 : -1) : (i < j ? -1 : i > j); /* descending; ties by place */
 }
 
-/* Orders the nodes by what leaving them out would cost, and keeps those that matter or are in the
- * border. */
-static void choose_active(po_equilibrium *e, const double *border) {
+/* Orders the nodes by what leaving them out would cost, and keeps those that matter. */
+static void choose_active(po_equilibrium *e) {
   for (size_t j = 0; j < e->n; ++j) {
     e->index[j] = j;
-    e->measure[j] = border[j] != 0.0 ? INFINITY : e->coupling * fabs(e->slope[j]) * e->reach[j];
+    e->measure[j] = e->coupling * fabs(e->slope[j]) * e->reach[j];
   }
   qsort_r(e->index, e->n, sizeof *e->index, by_measure, e->measure);
   double left_out = 0.0;
@@ -144,11 +143,29 @@ static void choose_active(po_equilibrium *e, const double *border) {
   }
 }
 
+/* Nodes left out follow the approach and the active nodes: change of gap = -change of approach +
+ * coupling G slope change of the active. Their share of the border goes to these. */
+static void add_followers(po_equilibrium *e) {
+  const size_t m = e->active, order = m + 1;
+  double corner = e->border[e->n];
+  memset(e->scratch, 0, e->n * sizeof *e->scratch);
+  for (size_t b = m; b < e->n; ++b) {
+    e->scratch[e->index[b]] = e->border[e->index[b]];
+    corner -= e->border[e->index[b]];
+  }
+  po_linear_apply_transposed(e->n, e->n, e->surface->influence, e->n, e->scratch, e->right);
+  for (size_t a = 0; a < m; ++a) {
+    const size_t j = e->index[a];
+    e->matrix[m + order * a] += e->coupling * e->slope[j] * e->right[j];
+  }
+  e->matrix[m + order * m] = corner;
+}
+
 po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const double *border) {
   po_equilibrium_evaluate(e, state);
   if (border != e->border)
     memcpy(e->border, border, (e->n + 1) * sizeof *border);
-  choose_active(e, e->border);
+  choose_active(e);
   const size_t m = e->active, order = m + 1;
   for (size_t b = 0; b < m; ++b) {
     const size_t j = e->index[b];
@@ -161,7 +178,7 @@ po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const
   }
   for (size_t a = 0; a < m; ++a)
     e->matrix[a + order * m] = 1.0;
-  e->matrix[m + order * m] = e->border[e->n];
+  add_followers(e);
   const po_status status = po_linear_factorize(order, e->matrix, order, e->pivots);
   e->factorized = !status;
   e->orientation = status ? 0 : po_linear_sign(order, e->matrix, order, e->pivots);
@@ -171,19 +188,18 @@ po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const
   return status;
 }
 
-/* border . (state - base) */
-static double distance_of(const po_equilibrium *e, const double *state, const double *base) {
+/* border . (state - base): the constraint of po_equilibrium_correct. */
+static double distance_of(const po_equilibrium *e, const double *state, const void *data) {
+  const double *base = data;
   double sum = e->border[e->n] * (state[e->n] - base[e->n]);
-  for (size_t a = 0; a < e->active; ++a) {
-    const size_t j = e->index[a];
+  for (size_t j = 0; j < e->n; ++j)
     sum += e->border[j] * (state[j] - base[j]);
-  }
   return sum;
 }
 
 /* One Newton step of the active nodes and the approach; the others are set from their own
  * equations. Returned: the largest change of a gap in parts of 1 + H, or NaN. */
-static double newton_step(po_equilibrium *e, double *state, const double *base, double distance) {
+static double newton_step(po_equilibrium *e, double *state, const po_constraint *constraint) {
   const size_t n = e->n, m = e->active;
   double *right = e->right, *change = e->scratch;
   po_equilibrium_evaluate(e, state);
@@ -192,7 +208,7 @@ static double newton_step(po_equilibrium *e, double *state, const double *base, 
     const size_t i = e->index[a];
     right[a] = e->shape[i] - state[n] + e->deflection[i] - state[i];
   }
-  right[m] = distance - distance_of(e, state, base);
+  right[m] = constraint->target - constraint->value(e, state, constraint->data);
   po_linear_solve(m + 1, e->matrix, m + 1, e->pivots, right);
   for (size_t a = 0; a < m; ++a)
     change[e->index[a]] = right[a];
@@ -243,9 +259,15 @@ static bool is_converged(const progress *p, double scale) {
 
 po_status po_equilibrium_correct(po_equilibrium *e, double *state, const double *base,
                                  double distance) {
+  const po_constraint constraint = {distance_of, base, distance};
+  return po_equilibrium_correct_to(e, state, &constraint);
+}
+
+po_status po_equilibrium_correct_to(po_equilibrium *e, double *state,
+                                    const po_constraint *constraint) {
   progress p = {NAN, NAN, NAN}; /* comparisons with what has not happened yet are false */
   for (int iteration = 0; iteration < MOST_ITERATIONS; ++iteration) {
-    note_change(&p, newton_step(e, state, base, distance));
+    note_change(&p, newton_step(e, state, constraint));
     ++e->work.newton_iterations;
     if (!(p.now < GREATEST_CHANGE))
       return PO_NOT_CONVERGED;
@@ -273,8 +295,9 @@ po_status po_equilibrium_tangent(po_equilibrium *e, double *tangent) {
     for (size_t a = 0; a < m; ++a) {
       const size_t i = e->index[a];
       right[a] = e->deflection[i] - tangent[n] - tangent[i];
-      right[m] -= e->border[i] * tangent[i];
     }
+    for (size_t j = 0; j < n; ++j)
+      right[m] -= e->border[j] * tangent[j];
     po_linear_solve(m + 1, e->matrix, m + 1, e->pivots, right);
     double change = fabs(right[m]), size = fabs(tangent[n] + right[m]);
     tangent[n] += right[m];

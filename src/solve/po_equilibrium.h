@@ -35,7 +35,7 @@ typedef struct {
   double *traction;   /* n: p, at the state last evaluated */
   double *slope;      /* n: dp/dH */
   double *deflection; /* n: coupling * G p, or the same of a change of state */
-  double *border;     /* n + 1: the condition in force; zero at nodes left out */
+  double *border;     /* n + 1: the condition in force */
   size_t active;      /* nodes in the factorisation */
   size_t *index;      /* n: the active nodes first, then the others */
   double *matrix;     /* bordered Jacobian of the active nodes, factorised; active + 1 square */
@@ -80,6 +80,18 @@ po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const
  * enough: the state is then of no use. */
 po_status po_equilibrium_correct(po_equilibrium *e, double *state, const double *base,
                                  double distance);
+
+/* A condition on a state that picks one equilibrium of a branch: value(e, state) = target. The
+ * state was just evaluated when value is asked. */
+typedef struct {
+  double (*value)(const po_equilibrium *e, const double *state, const void *data);
+  const void *data;
+  double target;
+} po_constraint;
+
+/* The same for any condition whose gradient the border in force is, nearly. */
+po_status po_equilibrium_correct_to(po_equilibrium *e, double *state,
+                                    const po_constraint *constraint);
 
 /* The tangent of the branch at a state last evaluated, with border . tangent = 1, by the factors in
  * hand and iteration. Status: PO_NOT_CONVERGED when the factors are too old for that. */

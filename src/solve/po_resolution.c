@@ -4,12 +4,14 @@
 #include <string.h>
 
 #include "po_law.h"
-#include "po_shape.h"
 
 enum { ORDER = PO_TABLE_ORDER, LAST_COEFFICIENTS = 3, MOST_DEPTH = 6 };
 
 /* A parent takes the place of two panels when its own error is below this part of the allowed. */
 static const double JOIN_MARGIN = 0.1;
+
+/* Gaps of a prediction are taken as no smaller: a closer one is an error of the prediction. */
+static const double CLOSEST = -0.9;
 
 void po_legendre_fill(const po_panel_rule *rule, po_legendre *legendre) {
   for (size_t j = 0; j < ORDER; ++j) {
@@ -50,53 +52,34 @@ static double excess(const po_resolution *r, double begin, double end, const dou
   return fmax(gap, load) / r->allowed;
 }
 
-double po_resolution_excess(const po_resolution *r) {
-  const po_leaves *leaves = po_adaptive_leaves(r->adaptive);
-  const double root = po_adaptive_root(r->adaptive);
+double po_resolution_excess(const po_resolution *r, const po_leaves *leaves, const double *gap) {
   double worst = 0.0, traction[ORDER];
   for (size_t k = 0; k < leaves->count; ++k) {
     for (size_t j = 0; j < ORDER; ++j)
-      traction[j] = po_law_at(r->state[0][k * ORDER + j]).traction;
-    worst = fmax(worst, excess(r, root * po_leaf_begin(leaves->leaf[k]),
-                               root * po_leaf_end(leaves->leaf[k]), traction));
+      traction[j] = po_law_at(gap[k * ORDER + j]).traction;
+    worst = fmax(worst, excess(r, r->root * po_leaf_begin(leaves->leaf[k]),
+                               r->root * po_leaf_end(leaves->leaf[k]), traction));
   }
   return worst;
 }
 
-/* Error of a panel that need not be in force: its gaps by the polynomials of those that are, for
- * the deflection; the shape is known. */
-static double excess_of_leaf(const po_resolution *r, po_leaf leaf) {
-  const po_leaves *in_force = po_adaptive_leaves(r->adaptive);
-  const double root = po_adaptive_root(r->adaptive);
-  const double begin = po_leaf_begin(leaf), size = po_leaf_end(leaf) - begin;
-  double traction[2][ORDER];
+static double excess_of_leaf(const po_resolution *r, const po_gap_field *field, po_leaf leaf) {
+  const double begin = r->root * po_leaf_begin(leaf), end = r->root * po_leaf_end(leaf);
+  double traction[ORDER];
   for (size_t i = 0; i < ORDER; ++i) {
-    const double x = begin + size * r->rule->node[i];
-    const size_t k = po_leaves_find(in_force, x);
-    const double from = po_leaf_begin(in_force->leaf[k]), to = po_leaf_end(in_force->leaf[k]);
-    double value[ORDER];
-    po_lagrange(ORDER, r->rule->node, r->rule->barycentric, (x - from) / (to - from), value);
-    for (int s = 0; s < 2 && r->state[s]; ++s) {
-      const double *gap = r->state[s] + k * ORDER, *shape = r->e->shape + k * ORDER;
-      double deflected = po_shape(r->e->scene, root * x);
-      for (size_t j = 0; j < ORDER; ++j)
-        deflected += value[j] * (gap[j] - shape[j]);
-      traction[s][i] = po_law_at(fmax(deflected, -0.9)).traction;
-    }
+    const double gap = field->gap_at(field->data, begin + (end - begin) * r->rule->node[i]);
+    traction[i] = po_law_at(fmax(gap, CLOSEST)).traction;
   }
-  double worst = excess(r, root * begin, root * (begin + size), traction[0]);
-  if (r->state[1])
-    worst = fmax(worst, excess(r, root * begin, root * (begin + size), traction[1]));
-  return worst;
+  return excess(r, begin, end, traction);
 }
 
 /* Splits leaves of a tree until each resolves. */
-static bool split_all(const po_resolution *r, po_leaves *leaves) {
+static bool split_all(const po_resolution *r, const po_gap_field *field, po_leaves *leaves) {
   bool known[PO_MOST_LEAVES] = {false}; /* leaf k was found to do */
   for (int pass = 0; pass < MOST_DEPTH; ++pass) {
     bool split[PO_MOST_LEAVES], any = false;
     for (size_t k = 0; k < leaves->count; ++k) {
-      split[k] = !known[k] && excess_of_leaf(r, leaves->leaf[k]) > 1.0;
+      split[k] = !known[k] && excess_of_leaf(r, field, leaves->leaf[k]) > 1.0;
       any = any || split[k];
     }
     if (!any)
@@ -116,28 +99,22 @@ static bool split_all(const po_resolution *r, po_leaves *leaves) {
   return true;
 }
 
-static void join_what_can_be(const po_resolution *r, po_leaves *leaves) {
+static void join_what_can_be(const po_resolution *r, const po_gap_field *field, po_leaves *leaves) {
   bool join[PO_MOST_LEAVES] = {false};
   for (size_t k = 0; k + 1 < leaves->count; ++k) {
     const po_leaf a = leaves->leaf[k], b = leaves->leaf[k + 1];
     if (a.level < 2 || a.level != b.level || a.index % 2 || b.index != a.index + 1)
       continue;
     const po_leaf parent = {a.level - 1, a.index / 2};
-    join[k] = join[k + 1] = excess_of_leaf(r, parent) < JOIN_MARGIN;
+    join[k] = join[k + 1] = excess_of_leaf(r, field, parent) < JOIN_MARGIN;
   }
   po_leaves_join(leaves, join);
 }
 
-bool po_resolution_leaves(const po_resolution *r, po_leaves *leaves) {
-  const po_leaves *in_force = po_adaptive_leaves(r->adaptive);
-  *leaves = *in_force;
-  join_what_can_be(r, leaves);
-  if (!split_all(r, leaves))
-    *leaves = *in_force;
-  if (leaves->count != in_force->count)
-    return true;
-  for (size_t k = 0; k < leaves->count; ++k)
-    if (!po_leaf_equal(leaves->leaf[k], in_force->leaf[k]))
-      return true;
-  return false;
+po_status po_resolution_leaves(const po_resolution *r, const po_gap_field *field,
+                               po_leaves *leaves) {
+  join_what_can_be(r, field, leaves);
+  if (!split_all(r, field, leaves))
+    return po_fail(PO_OUT_OF_NODES, "the traction needs more than %d panels", PO_MOST_LEAVES);
+  return PO_OK;
 }

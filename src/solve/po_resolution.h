@@ -12,22 +12,27 @@ typedef struct {
 
 void po_legendre_fill(const po_panel_rule *rule, po_legendre *legendre);
 
-/* What the leaves are to do for the gaps of up to two states at once. */
+/* A field of gaps, of what is to be resolved. */
+typedef struct {
+  double (*gap_at)(void *data, double r); /* r in eps, inside the root */
+  void *data;
+} po_gap_field;
+
 typedef struct {
   const po_equilibrium *e;
-  const po_adaptive *adaptive;
   const po_panel_rule *rule;
   const po_legendre *legendre;
-  double allowed;         /* error of the gap that a panel may make, in eps */
-  const double *state[2]; /* on the mesh in force; the second may be NULL */
+  double root;    /* eps */
+  double allowed; /* error of the gap that a panel may make, in eps */
 } po_resolution;
 
-/* The error of the gap that the panels in force make, in parts of what is allowed: the largest over
- * the panels, from the last Legendre coefficients of the traction. */
-double po_resolution_excess(const po_resolution *r);
+/* The error of the gap that panels make, in parts of what is allowed: the largest over the panels,
+ * from the last Legendre coefficients of the traction at the nodes. */
+double po_resolution_excess(const po_resolution *r, const po_leaves *leaves, const double *gap);
 
-/* The leaves that resolve the tractions of the states: panels are split until they do, and joined
- * where their parent would do with a margin. Returned: whether they differ from those in force. */
-bool po_resolution_leaves(const po_resolution *r, po_leaves *leaves);
+/* The leaves that resolve a field: those given are split until they do, and joined where their
+ * parent would do with a margin. Status: PO_OUT_OF_NODES. */
+po_status po_resolution_leaves(const po_resolution *r, const po_gap_field *field,
+                               po_leaves *leaves);
 
 #endif

@@ -131,8 +131,10 @@ static int unstable_modes_of(const po_equilibrium *e) {
 
 static bool count_modes(const po_branch_point *p, void *data) {
   seen *s = data;
-  if (p->kind == PO_POINT_STEP && ++s->steps % 4 == 0)
+  if (p->kind == PO_POINT_STEP && ++s->steps % 4 == 0) {
+    po_equilibrium_evaluate(s->e, p->gap);
     s->wrong_modes += unstable_modes_of(s->e) != p->unstable_modes;
+  }
   return p->load > 0.5 && p->unstable_modes == 0;
 }
 

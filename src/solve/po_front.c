@@ -1,0 +1,57 @@
+#include "po_front.h"
+
+#include <math.h>
+
+/* Half width of the constant part about a front, in parts of the distance to its neighbour. */
+static const double PLATEAU = 0.3;
+/* Beyond the last front the displacement has died out at this multiple of its radius. */
+static const double OUTER_END = 2.0;
+enum { ITERATIONS = 60 };
+
+static double neighbour_distance(const po_fronts *f, size_t k) {
+  const double left = k > 0 ? f->at[k] - f->at[k - 1] : f->at[k];
+  const double right = k + 1 < f->count ? f->at[k + 1] - f->at[k] : (OUTER_END - 1.0) * f->at[k];
+  return fmin(left, right);
+}
+
+/* 0 to 1 with two vanishing derivatives at either end. */
+static double blend(double x) {
+  return x * x * x * (10.0 + x * (6.0 * x - 15.0));
+}
+
+double po_front_displacement(const po_fronts *f, const double *shift, double r) {
+  double from = 0.0, value = 0.0; /* end of the last constant part, and the displacement there */
+  for (size_t k = 0; k <= f->count; ++k) {
+    const double half = k < f->count ? PLATEAU * neighbour_distance(f, k) : 0.0;
+    const double begin = k < f->count ? f->at[k] - half
+                         : f->count   ? OUTER_END * f->at[k - 1]
+                                      : INFINITY;
+    const double next = k < f->count ? shift[k] : 0.0;
+    if (r < begin)
+      return value + (next - value) * blend((r - from) / (begin - from));
+    if (k < f->count && r <= f->at[k] + half)
+      return next;
+    from = k < f->count ? f->at[k] + half : begin;
+    value = next;
+  }
+  return 0.0;
+}
+
+double po_front_origin(const po_fronts *f, const double *shift, double r) {
+  double origin = r;
+  for (int k = 0; k < ITERATIONS; ++k) { /* contracts: the displacement's slope is below a half */
+    const double next = r - po_front_displacement(f, shift, origin);
+    const double change = fabs(next - origin);
+    origin = next;
+    if (change <= 1e-15 * r)
+      break;
+  }
+  return origin;
+}
+
+double po_front_strain(const po_fronts *f, const double *shift) {
+  double worst = 0.0;
+  for (size_t k = 0; k < f->count; ++k)
+    worst = fmax(worst, fabs(shift[k]) / neighbour_distance(f, k));
+  return worst;
+}

@@ -1,0 +1,29 @@
+/* Edges of the contact, and the displacement that carries the radii with them: in coordinates that
+ * move with the edges an equilibrium changes slowly along the branch, however steep the gap is
+ * there. */
+#ifndef PO_FRONT_H
+#define PO_FRONT_H
+
+#include <stddef.h>
+
+enum { PO_MOST_FRONTS = 48 };
+
+/* Radii where the gap passes that of the greatest tension, ascending, and how fast they move. */
+typedef struct {
+  size_t count;
+  double at[PO_MOST_FRONTS]; /* eps */
+  double rate[PO_MOST_FRONTS];
+} po_fronts;
+
+/* The displacement at radius r that moves each front by its shift and dies out between fronts, at
+ * the axis and beyond the last: constant about each front, smooth (C2), linear in the shifts. */
+double po_front_displacement(const po_fronts *fronts, const double *shift, double r);
+
+/* The radius whose displaced place is r. The shifts must be below a tenth of the distance between
+ * fronts. */
+double po_front_origin(const po_fronts *fronts, const double *shift, double r);
+
+/* The largest shift in parts of the distance of its front to its neighbours (or the axis). */
+double po_front_strain(const po_fronts *fronts, const double *shift);
+
+#endif

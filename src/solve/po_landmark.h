@@ -1,0 +1,54 @@
+/* What lies between two points of a branch: folds, extrema of the load, an approach asked for. */
+#ifndef PO_LANDMARK_H
+#define PO_LANDMARK_H
+
+#include <stddef.h>
+
+#include "po_branch.h"
+#include "po_status.h"
+
+typedef enum { PO_OF_APPROACH, PO_OF_LOAD, PO_AT_STATION, PO_AT_END } po_event_kind;
+
+/* A point as a function of a parameter that grows along the branch: approach and load, and their
+ * rates per parameter. */
+typedef struct {
+  double at, value[2], rate[2];
+} po_sample;
+
+typedef struct {
+  po_event_kind of;
+  double low, high;     /* bracket, in the parameter */
+  double f_low, f_high; /* the function whose root is the event, at either end */
+  double root;
+  size_t place; /* under which its point is kept */
+} po_event;
+
+/* A step with more is too long. */
+enum { PO_MOST_EVENTS = 8 };
+
+typedef struct {
+  po_event list[PO_MOST_EVENTS]; /* in order along the branch */
+  size_t count;
+} po_events;
+
+/* How points between the two are had. */
+typedef struct {
+  void *data;
+  po_status (*solve)(void *data, double at, po_sample *sample); /* the equilibrium there */
+  void (*keep)(void *data, size_t place); /* keeps the one last solved, in place of an earlier */
+  double station, end;                    /* approaches; NAN: none */
+} po_interval;
+
+/* Finds and locates the events between two samples, the value of each extremum to 1e-12.
+ * Status: PO_NOT_CONVERGED when the step is too long for that. */
+po_status po_events_find(const po_interval *interval, const po_sample *from, const po_sample *to,
+                         po_events *found);
+
+/* The kind of point an event is. */
+po_point_kind po_event_point(const po_event *event);
+
+/* How the number of unstable modes at fixed approach changes in passing a point along the branch.
+ * Given: its kind and the rate of the load along the branch there. */
+int po_change_of_modes(po_point_kind kind, double load_rate);
+
+#endif

@@ -1,0 +1,130 @@
+#include "po_track_point.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_law.h"
+#include "po_memory.h"
+#include "po_shape.h"
+
+enum { ORDER = PO_TABLE_ORDER, BISECTIONS = 60 };
+
+po_status po_track_point_allocate(po_track_point *p, size_t capacity) {
+  double **const arrays[] = {&p->state, &p->tangent, &p->deflection, &p->slope, &p->node};
+  bool had = true;
+  for (int k = 0; k < 5; ++k)
+    had = (*arrays[k] = po_allocate(capacity + 1, sizeof(double))) && had;
+  return had ? PO_OK : PO_NO_MEMORY;
+}
+
+void po_track_point_free(po_track_point *p) {
+  free(p->state);
+  free(p->tangent);
+  free(p->deflection);
+  free(p->slope);
+  free(p->node);
+}
+
+void po_track_point_copy(const po_track_point *from, po_track_point *to) {
+  po_track_point copy = *from;
+  copy.state = memcpy(to->state, from->state, (from->n + 1) * sizeof *to->state);
+  copy.tangent = memcpy(to->tangent, from->tangent, (from->n + 1) * sizeof *to->tangent);
+  copy.deflection = memcpy(to->deflection, from->deflection, from->n * sizeof *to->deflection);
+  copy.slope = memcpy(to->slope, from->slope, from->n * sizeof *to->slope);
+  copy.node = memcpy(to->node, from->node, from->n * sizeof *to->node);
+  *to = copy;
+}
+
+/* d/dx of the polynomial through nodal values, at the nodes. */
+static void differentiate(const po_panel_rule *rule, const double *value, double *derivative) {
+  for (size_t i = 0; i < ORDER; ++i) {
+    double sum = 0.0;
+    for (size_t j = 0; j < ORDER; ++j)
+      if (j != i)
+        sum += rule->barycentric[j] / rule->barycentric[i] * (value[j] - value[i]) /
+               (rule->node[i] - rule->node[j]);
+    derivative[i] = sum;
+  }
+}
+
+/* Slope of the undeformed gap. */
+static double shape_slope(const po_scene *scene, double r) {
+  double slope = r / scene->radius;
+  if (po_scene_is_wavy(scene))
+    slope +=
+        2.0 * M_PI * scene->amplitude / scene->wavelength * sin(2.0 * M_PI * r / scene->wavelength);
+  return slope;
+}
+
+po_track_value po_track_value_at(const po_track_point *p, const po_scene *scene, double root,
+                                 double r) {
+  const po_panel_rule *rule = &po_panel_table_get()->rule;
+  const double x = r / root;
+  const size_t k = po_leaves_find(&p->leaves, x);
+  const double begin = po_leaf_begin(p->leaves.leaf[k]), end = po_leaf_end(p->leaves.leaf[k]);
+  double weight[ORDER];
+  po_lagrange(ORDER, rule->node, rule->barycentric, (x - begin) / (end - begin), weight);
+  po_track_value v = {po_shape(scene, r), shape_slope(scene, r), 0.0};
+  for (size_t j = 0; j < ORDER; ++j) {
+    v.gap += weight[j] * p->deflection[k * ORDER + j];
+    v.slope += weight[j] * p->slope[k * ORDER + j];
+    v.tangent += weight[j] * p->tangent[k * ORDER + j];
+  }
+  return v;
+}
+
+/* The front between two radii, by bisection on the panels' polynomials. */
+static void add_front(po_track_point *p, const po_scene *scene, double root, double low,
+                      double high) {
+  const double side = po_track_value_at(p, scene, root, low).gap - PO_LAW_PEAK_GAP;
+  for (int k = 0; k < BISECTIONS && high - low > 1e-14 * high; ++k) {
+    const double middle = 0.5 * (low + high);
+    const double here = po_track_value_at(p, scene, root, middle).gap - PO_LAW_PEAK_GAP;
+    if ((here < 0.0) == (side < 0.0))
+      low = middle;
+    else
+      high = middle;
+  }
+  const po_track_value v = po_track_value_at(p, scene, root, low);
+  p->fronts.at[p->fronts.count] = low;
+  p->fronts.rate[p->fronts.count] = -v.tangent / v.slope;
+  ++p->fronts.count;
+}
+
+static void find_fronts(po_track_point *p, const po_scene *scene, const po_surface *s) {
+  p->fronts.count = 0;
+  for (size_t j = 1; j < p->leaves.count * ORDER && p->fronts.count < PO_MOST_FRONTS; ++j) {
+    const double left = p->state[j - 1] - PO_LAW_PEAK_GAP, right = p->state[j] - PO_LAW_PEAK_GAP;
+    if ((left < 0.0) != (right < 0.0))
+      add_front(p, scene, s->core_radius, s->node[j - 1], s->node[j]);
+  }
+}
+
+void po_track_point_finish(po_track_point *p, const po_equilibrium *e,
+                           const po_adaptive *adaptive) {
+  const po_panel_rule *rule = &po_panel_table_get()->rule;
+  p->leaves = *po_adaptive_leaves(adaptive);
+  p->n = e->n;
+  po_gauge_values(e, p->state, p->gauge);
+  po_gauge_rates(e, p->state, p->tangent, p->rate);
+  const double length =
+      sqrt(p->rate[0] * p->rate[0] + p->rate[1] * p->rate[1] + p->rate[2] * p->rate[2]);
+  for (int i = 0; i < PO_GAUGE_SIZE; ++i)
+    p->rate[i] /= length;
+  for (size_t j = 0; j <= p->n; ++j)
+    p->tangent[j] /= length;
+  p->load = po_equilibrium_load(e);
+  p->load_rate = po_equilibrium_load_rate(e, p->tangent);
+  memcpy(p->node, e->surface->node, p->n * sizeof *p->node);
+  for (size_t j = 0; j < p->n; ++j)
+    p->deflection[j] = p->state[j] - e->shape[j];
+  const double root = e->surface->core_radius;
+  for (size_t k = 0; k < p->leaves.count; ++k) {
+    const double size = root * (po_leaf_end(p->leaves.leaf[k]) - po_leaf_begin(p->leaves.leaf[k]));
+    differentiate(rule, p->deflection + k * ORDER, p->slope + k * ORDER);
+    for (size_t i = 0; i < ORDER; ++i)
+      p->slope[k * ORDER + i] /= size;
+  }
+  find_fronts(p, e->scene, e->surface);
+}

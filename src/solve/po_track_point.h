@@ -1,0 +1,42 @@
+/* A point of a branch on panels: its mesh, its state and tangent, and their values between nodes.
+ */
+#ifndef PO_TRACK_POINT_H
+#define PO_TRACK_POINT_H
+
+#include "po_adaptive.h"
+#include "po_front.h"
+#include "po_gauge.h"
+
+typedef struct {
+  po_leaves leaves, wanted; /* the mesh it was solved on, and the one that just resolves it */
+  size_t n;
+  double *state, *tangent;     /* n + 1 */
+  double *deflection;          /* n: gap less undeformed gap, up to the approach */
+  double *slope;               /* n: d deflection / dr */
+  double *node;                /* n: radii */
+  double gauge[PO_GAUGE_SIZE]; /* where it is on the branch */
+  double rate[PO_GAUGE_SIZE];  /* per arclength of the gauge: a unit vector */
+  double load, load_rate;
+  double position;
+  po_fronts fronts;
+} po_track_point;
+
+/* Values of a point at one radius. */
+typedef struct {
+  double gap, slope; /* H and dH/dr */
+  double tangent;    /* dH/ds */
+} po_track_value;
+
+po_status po_track_point_allocate(po_track_point *p, size_t capacity);
+void po_track_point_free(po_track_point *p);
+void po_track_point_copy(const po_track_point *from, po_track_point *to);
+
+/* Fills what follows from state and tangent (known up to its length) on the mesh in force, the
+ * state being the one last evaluated. */
+void po_track_point_finish(po_track_point *p, const po_equilibrium *e, const po_adaptive *adaptive);
+
+/* Values at a radius inside the root. */
+po_track_value po_track_value_at(const po_track_point *p, const po_scene *scene, double root,
+                                 double r);
+
+#endif
