@@ -12,6 +12,7 @@ static const struct {
   const char *summary;
 } VERBS[] = {
     {"solve", po_verb_solve, "solve one scene given by flags"},
+    {"theory", po_verb_theory, "print a closed form of the paper"},
     {"list", po_verb_list, "list the cases"},
     {"plan", po_verb_plan, "say what would be computed for a case, and why"},
     {"run", po_verb_run, "solve cases and keep their records"},
@@ -34,7 +35,7 @@ static void print_help(void) {
 
 static int run_verb(int argc, char **argv) {
   if (argc < 2) {
-    po_fail(PO_BAD_INPUT, "no verb is given: expected solve, list, plan, run, verify or report");
+    po_fail(PO_BAD_INPUT, "no verb is given: expected solve, theory, list, plan, run, verify or report");
     return po_options_end(PO_BAD_INPUT);
   }
   if (strcmp(argv[1], "--help") == 0) {
@@ -48,7 +49,7 @@ static int run_verb(int argc, char **argv) {
   for (size_t i = 0; i < sizeof VERBS / sizeof *VERBS; ++i)
     if (strcmp(argv[1], VERBS[i].name) == 0)
       return VERBS[i].run(argc - 1, argv + 1);
-  po_fail(PO_BAD_INPUT, "unknown verb %.80s: expected solve, list, plan, run, verify or report",
+  po_fail(PO_BAD_INPUT, "unknown verb %.80s: expected solve, theory, list, plan, run, verify or report",
           argv[1]);
   return po_options_end(PO_BAD_INPUT);
 }

@@ -1,0 +1,38 @@
+#include "po_root.h"
+
+#include <float.h>
+#include <math.h>
+
+/* Bisection alone would take at most as many steps as there are doubles between two powers of two,
+ * and exponents; each step here is two evaluations at most. */
+enum { STEPS_MAX = 2200 };
+
+double po_root(po_function f, const void *data, double a, double b) {
+  double fa = f(a, data), fb = f(b, data);
+  if (fa == 0.0)
+    return a;
+  if (fb == 0.0)
+    return b;
+  if (!(fa < 0.0 ? fb > 0.0 : fa > 0.0 && fb < 0.0))
+    return NAN;
+  double wa = fa, wb = fb; /* the values, halved for an end that stays (Illinois) */
+  for (int step = 0; step < STEPS_MAX; ++step) {
+    const double width = fabs(b - a);
+    if (width <= 2.0 * DBL_EPSILON * fmax(fabs(a), fabs(b)))
+      break;
+    double x = step % 3 == 2 ? 0.5 * (a + b) : b - wb * (b - a) / (wb - wa);
+    if (!(fmin(a, b) < x && x < fmax(a, b)))
+      x = 0.5 * (a + b);
+    const double fx = f(x, data);
+    if (fx == 0.0)
+      return x;
+    if ((fx > 0.0) == (fb > 0.0)) {
+      b = x, fb = wb = fx;
+      wa *= 0.5;
+    } else {
+      a = x, fa = wa = fx;
+      wb *= 0.5;
+    }
+  }
+  return fabs(fa) < fabs(fb) ? a : b;
+}

@@ -1,0 +1,14 @@
+/* A root of a function between two points where its signs differ. */
+#ifndef PO_ROOT_H
+#define PO_ROOT_H
+
+/* A function of one variable, with what it needs. */
+typedef double (*po_function)(double x, const void *data);
+
+/* The root of f in (a, b), to the last bits of x. Given: f finite on [a, b], f(a) and f(b) of
+ * different signs (zero counts as a root). Returned: the root; NaN when the signs agree. Source:
+ * regula falsi with the Illinois weights, and a bisection whenever it shrinks the bracket by less
+ * than half. Accuracy: 2 ulp of x where the sign of f is right (tests/unit/test_struve.c). */
+double po_root(po_function f, const void *data, double a, double b);
+
+#endif

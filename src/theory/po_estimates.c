@@ -1,0 +1,99 @@
+#include "po_estimates.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#include "po_root.h"
+
+static bool is_wavy(const po_scene *scene) {
+  return scene->amplitude > 0.0 && scene->wavelength > 0.0 && scene->radius > 0.0;
+}
+
+double po_johnson_parameter(const po_scene *scene) {
+  if (!(is_wavy(scene) && scene->tabor > 0.0))
+    return NAN;
+  const double e = sqrt(scene->radius / pow(scene->tabor, 3.0)); /* E* eps / w */
+  return sqrt(2.0 * scene->wavelength / e) / (M_PI * scene->amplitude);
+}
+
+double po_kesari_lew_work(const po_scene *scene) {
+  const double root = 1.0 + 1.0 / (sqrt(M_PI) * po_johnson_parameter(scene));
+  return root * root;
+}
+
+po_contact po_kesari_lew_edge(const po_scene *scene, double contact_radius, int side) {
+  const double swing = 1.0 / (sqrt(M_PI) * po_johnson_parameter(scene));
+  if (!(contact_radius >= 0.0) || isnan(swing))
+    return (po_contact){NAN, NAN, NAN};
+  const double factor = side < 0 ? 1.0 + swing : 1.0 - swing;
+  const double a = contact_radius / po_scene_gamma(scene), cube = a * a * a;
+  return (po_contact){.load = 4.0 / (3.0 * M_PI) * cube - factor * sqrt(8.0 / M_PI * cube),
+                      .approach =
+                          scene->tabor * (a * a - factor * sqrt(2.0 * M_PI * a)) + scene->amplitude,
+                      .contact_radius = contact_radius};
+}
+
+double po_persson_tosatti_area(const po_scene *scene) {
+  const double slope = M_PI * scene->amplitude / scene->wavelength;
+  return is_wavy(scene) ? 1.0 + slope * slope : NAN;
+}
+
+double po_persson_tosatti_area_printed(const po_scene *scene) {
+  const double ratio = scene->amplitude / scene->wavelength;
+  return is_wavy(scene) ? 1.0 + M_PI * ratio * ratio : NAN;
+}
+
+double po_persson_tosatti_work(const po_scene *scene) {
+  const double johnson = po_johnson_parameter(scene);
+  return 1.0 - 1.0 / (2.0 * M_PI * johnson * johnson);
+}
+
+double po_persson_tosatti_work_with_area(const po_scene *scene) {
+  return po_persson_tosatti_work(scene) + (po_persson_tosatti_area(scene) - 1.0);
+}
+
+double po_rumpf_rabinowicz_ratio(double alpha, double radius) {
+  if (!(alpha >= 0.0 && radius > 0.0))
+    return NAN;
+  const double crests = 4.0 * M_PI * M_PI * alpha, plane = crests / (crests + radius);
+  return 1.0 / (1.0 + crests) + plane * plane;
+}
+
+double po_rumpf_rabinowicz_force(double alpha, double radius) {
+  return 2.0 * po_rumpf_rabinowicz_ratio(alpha, radius);
+}
+
+static double sinc_slope(double x, const void *unused) {
+  (void)unused;
+  return sin(x) - x * cos(x);
+}
+
+double po_compactness_bound(void) {
+  const double x = po_root(sinc_slope, NULL, M_PI, 2.0 * M_PI); /* the first tan x = x */
+  return -4.0 * M_PI * M_PI * sin(x) / x;
+}
+
+double po_compactness_radius(const po_scene *scene) {
+  return is_wavy(scene) ? 2.0 * M_PI * scene->amplitude * scene->radius / scene->wavelength : NAN;
+}
+
+double po_crest_radius(const po_scene *scene) {
+  const double wave = scene->wavelength / (2.0 * M_PI);
+  return is_wavy(scene) ? wave * wave / scene->amplitude : NAN;
+}
+
+double po_crest_composite_radius(const po_scene *scene) {
+  return 1.0 / (1.0 / scene->radius + 1.0 / po_crest_radius(scene));
+}
+
+double po_crest_force(double alpha) {
+  return alpha >= 0.0 ? 2.0 / (1.0 + 4.0 * M_PI * M_PI * alpha) : NAN;
+}
+
+double po_lennard_jones_peak_tension(void) {
+  return 16.0 / (9.0 * sqrt(3.0));
+}
+
+double po_lennard_jones_peak_distance(void) {
+  return sqrt(cbrt(3.0));
+}
