@@ -88,7 +88,7 @@ static po_status locate(const po_interval *interval, po_event *ev) {
     }
     side = is_high ? 1 : -1;
   }
-  return PO_OK;
+  return PO_NOT_CONVERGED;
 }
 
 static int by_root(const void *left, const void *right) {

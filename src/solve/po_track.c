@@ -247,7 +247,7 @@ static po_status guess_from_solved(tracker *t, const po_track_point *out) {
 }
 
 /* Meshes for the prediction (unless the mesh in force serves and may), solves, and meshes again
- * while the solution is not resolved. */
+ * while the solution is not resolved. Status: PO_NOT_CONVERGED also when no mesh resolves it. */
 static po_status solve_prediction(tracker *t, prediction *p, double distance, bool may_keep_mesh,
                                   po_track_point *out) {
   if (!may_keep_mesh || !mesh_serves(t, p)) {
@@ -263,12 +263,12 @@ static po_status solve_prediction(tracker *t, prediction *p, double distance, bo
   for (int mesh = 0; mesh < MOST_MESHES_A_POINT && !status; ++mesh) {
     status = solve_guess(t, distance, out);
     if (status || po_resolution_excess(&t->resolution, &out->leaves, out->state) <= 1.0)
-      break;
+      return status;
     status = want_mesh(t, out);
     if (!status)
       status = guess_from_solved(t, out);
   }
-  return status;
+  return status ? status : PO_NOT_CONVERGED;
 }
 
 static double prediction_error(const tracker *t, const prediction *p) {
