@@ -35,6 +35,9 @@ void po_track_point_copy(const po_track_point *from, po_track_point *to);
  * state being the one last evaluated. */
 void po_track_point_finish(po_track_point *p, const po_equilibrium *e, const po_adaptive *adaptive);
 
+/* How far one point is from another along the gauge, in the direction of the first. */
+double po_track_progress(const po_track_point *from, const po_track_point *to);
+
 /* Values at a radius inside the root. */
 po_track_value po_track_value_at(const po_track_point *p, const po_scene *scene, double root,
                                  double r);
