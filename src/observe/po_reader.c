@@ -79,6 +79,8 @@ static void add_landmark(po_reader *r, const po_branch_point *p, double contact_
   (*list)[(*count)++] = (po_landmark){.kind = kind,
                                       .approach = p->approach,
                                       .load = p->load,
+                                      .approach_error = p->approach_error,
+                                      .load_error = p->load_error,
                                       .contact_radius = contact_radius,
                                       .position = p->position,
                                       .unstable_modes = p->unstable_modes};
@@ -118,7 +120,8 @@ static void note_minimum(po_reader *r, const po_branch_point *p, double contact_
     o->pull_off.force = fabs(p->load);
     o->pull_off.approach = p->approach;
     o->pull_off.contact_radius = contact_radius;
-    o->pull_off.error_estimate = NAN;
+    o->pull_off.force_error = p->load_error;
+    o->pull_off.approach_error = p->approach_error;
     if ((r->request->want & PO_WANT_PROFILE) && isnan(r->request->profile_approach))
       keep_profile(r, p);
   }

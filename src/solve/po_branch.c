@@ -110,6 +110,8 @@ static po_branch_point seen_point(const tracer *t, const branch_point *p, po_poi
                            .position = p->position,
                            .approach = point_approach(t, p),
                            .load = p->load,
+                           .approach_error = NAN,
+                           .load_error = NAN,
                            .approach_rate = point_approach_rate(t, p),
                            .load_rate = p->load_rate,
                            .unstable_modes = t->unstable_modes,

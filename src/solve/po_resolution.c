@@ -42,7 +42,7 @@ static void decay(const po_legendre *legendre, const double *value, double *last
 /* The error of a panel in parts of the allowed. A traction of high degree deflects the surface by
  * its size times the panel's length over the degree; the load, integrated by Gauss's rule, suffers
  * only from twice the degree: the square of the decay. */
-static double excess(const po_resolution *r, double begin, double end, const double *traction) {
+static double excess_of(const po_resolution *r, double begin, double end, const double *traction) {
   double last, largest;
   decay(r->legendre, traction, &last, &largest);
   const double length = end - begin;
@@ -52,14 +52,22 @@ static double excess(const po_resolution *r, double begin, double end, const dou
   return fmax(gap, load) / r->allowed;
 }
 
-double po_resolution_excess(const po_resolution *r, const po_leaves *leaves, const double *gap) {
-  double worst = 0.0, traction[ORDER];
+void po_resolution_excesses(const po_resolution *r, const po_leaves *leaves, const double *gap,
+                            double *excess) {
+  double traction[ORDER];
   for (size_t k = 0; k < leaves->count; ++k) {
     for (size_t j = 0; j < ORDER; ++j)
       traction[j] = po_law_at(gap[k * ORDER + j]).traction;
-    worst = fmax(worst, excess(r, r->root * po_leaf_begin(leaves->leaf[k]),
-                               r->root * po_leaf_end(leaves->leaf[k]), traction));
+    excess[k] = excess_of(r, r->root * po_leaf_begin(leaves->leaf[k]),
+                          r->root * po_leaf_end(leaves->leaf[k]), traction);
   }
+}
+
+double po_resolution_excess(const po_resolution *r, const po_leaves *leaves, const double *gap) {
+  double excess[PO_MOST_LEAVES], worst = 0.0;
+  po_resolution_excesses(r, leaves, gap, excess);
+  for (size_t k = 0; k < leaves->count; ++k)
+    worst = fmax(worst, excess[k]);
   return worst;
 }
 
@@ -70,7 +78,7 @@ static double excess_of_leaf(const po_resolution *r, const po_gap_field *field, 
     const double gap = field->gap_at(field->data, begin + (end - begin) * r->rule->node[i]);
     traction[i] = po_law_at(fmax(gap, CLOSEST)).traction;
   }
-  return excess(r, begin, end, traction);
+  return excess_of(r, begin, end, traction);
 }
 
 /* Splits leaves of a tree until each resolves. */

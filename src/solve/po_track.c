@@ -7,6 +7,7 @@
 #include "po_landmark.h"
 #include "po_memory.h"
 #include "po_prediction.h"
+#include "po_refine.h"
 #include "po_resolution.h"
 #include "po_shape.h"
 
@@ -28,24 +29,22 @@ static const double LEAST_COSINE = 0.7;
 /* Meshes are made for this part of the allowed error, and serve while it is not exceeded: the
  * fronts may move a little on them. */
 static const double MESH_MARGIN = 0.2;
+/* Errors of landmarks: times the change on a finer mesh; and times the precision of Newton. */
+static const double SAFETY = 2.0, FLOOR = 10.0;
 static const double FIRST_STEP = 0.05, SHORTEST_STEP = 1e-9;
 
 typedef struct {
-  po_equilibrium *e;
-  po_adaptive *adaptive;
+  po_corrector c;
   const po_branch_options *options;
   po_resolution resolution;
   po_legendre legendre;
-  double root;
   po_track_point previous, current, next, inner, spare, at_event[PO_MOST_EVENTS];
   po_events events;
-  double *border, *guess; /* capacity + 1 */
   double step;
   double inner_at; /* of the point in inner, solved on the mesh in force; NAN: none */
   bool has_previous, station_met, ended;
   int unstable_modes;
   size_t points;
-  po_status trouble; /* what ends the trace at once */
 } tracker;
 
 static double approach_of(const po_track_point *p) {
@@ -54,58 +53,7 @@ static double approach_of(const po_track_point *p) {
 
 static bool predict(const tracker *t, const po_track_point *other, double distance,
                     po_prediction *p) {
-  return po_prediction_make(t->e->scene, t->root, &t->current, other, distance, p);
-}
-
-static size_t core_nodes(const tracker *t) {
-  return po_adaptive_leaves(t->adaptive)->count * ORDER;
-}
-
-static po_status put_in_force(tracker *t, const po_leaves *leaves) {
-  const po_status status = po_adaptive_mesh(t->adaptive, leaves);
-  if (status) {
-    t->trouble = status;
-    return status;
-  }
-  po_equilibrium_remesh(t->e);
-  ++t->e->work.meshes;
-  return PO_OK;
-}
-
-/* How far along the gauge a state is. */
-static double gauge_progress(const po_equilibrium *e, const double *state, const void *data) {
-  const po_track_point *from = data;
-  double value[PO_GAUGE_SIZE];
-  po_gauge_values(e, state, value);
-  for (int i = 0; i < PO_GAUGE_SIZE; ++i)
-    value[i] -= from->gauge[i];
-  return po_gauge_along(from->rate, value);
-}
-
-static po_status factorize_at_guess(tracker *t) {
-  po_equilibrium_evaluate(t->e, t->guess);
-  po_gauge_border(t->e, t->guess, t->current.rate, t->border);
-  return po_equilibrium_factorize(t->e, t->guess, t->border);
-}
-
-/* The equilibrium from the guess, on the mesh in force; with the factors in hand first where they
- * may serve. */
-static po_status solve_guess(tracker *t, double distance, bool keep_factors, double precision,
-                             po_track_point *out) {
-  const po_constraint constraint = {gauge_progress, &t->current, distance};
-  po_status status = PO_NOT_CONVERGED;
-  for (int fresh = keep_factors && t->e->factorized ? 0 : 1; status && fresh < 2; ++fresh) {
-    memcpy(out->state, t->guess, (t->e->n + 1) * sizeof *out->state);
-    if (fresh && factorize_at_guess(t))
-      return PO_NOT_CONVERGED;
-    status = po_equilibrium_correct_to(t->e, out->state, &constraint);
-    if (!status)
-      status = po_equilibrium_tangent(t->e, precision, out->tangent);
-  }
-  if (status)
-    return status;
-  po_track_point_finish(out, t->e, t->adaptive);
-  return t->e->orientation > 0 ? PO_OK : PO_NOT_CONVERGED;
+  return po_prediction_make(t->c.e->scene, t->c.root, &t->current, other, distance, p);
 }
 
 static bool too_large(void *prediction, po_leaf leaf) {
@@ -113,47 +61,31 @@ static bool too_large(void *prediction, po_leaf leaf) {
 }
 
 static bool mesh_serves(const tracker *t, const po_prediction *p) {
-  const po_leaves *leaves = po_adaptive_leaves(t->adaptive);
+  const po_leaves *leaves = po_adaptive_leaves(t->c.adaptive);
   for (size_t k = 0; k < leaves->count; ++k)
     if (po_prediction_too_large(p, leaves->leaf[k], 2.0))
       return false;
   return true;
 }
 
-/* Gap of a point just solved, as a field to be meshed for. */
-typedef struct {
-  const tracker *t;
-  const po_track_point *p;
-} solved;
-
-static double solved_gap(void *data, double r) {
-  const solved *s = data;
-  return po_track_value_at(s->p, s->t->e->scene, s->t->root, r).gap;
-}
-
 /* The mesh that just resolves a point just solved. */
 static po_status want_mesh(tracker *t, po_track_point *p) {
-  solved s = {t, p};
-  const po_gap_field field = {solved_gap, &s};
+  po_track_field solved = {p, t->c.e->scene, t->c.root};
+  const po_gap_field field = {po_track_gap, &solved};
   po_resolution margin = t->resolution;
   margin.allowed *= MESH_MARGIN;
   p->wanted = p->leaves;
-  t->trouble = po_resolution_leaves(&margin, &field, &p->wanted);
-  return t->trouble;
+  t->c.trouble = po_resolution_leaves(&margin, &field, &p->wanted);
+  return t->c.trouble;
 }
 
 /* Takes the point just solved to the mesh it wants, as a guess. */
 static po_status guess_from_solved(tracker *t, const po_track_point *out) {
   po_track_point_copy(out, &t->spare);
-  solved s = {t, &t->spare};
-  if (put_in_force(t, &t->spare.wanted))
-    return t->trouble;
-  const size_t core = t->spare.wanted.count * ORDER, n = t->e->n;
-  for (size_t j = 0; j < core; ++j)
-    t->guess[j] = solved_gap(&s, t->e->surface->node[j]);
-  for (size_t back = 0; back <= n - core; ++back)
-    t->guess[n - back] = t->spare.state[t->spare.n - back];
-  return PO_OK;
+  const po_status status = po_corrector_mesh(&t->c, &t->spare.wanted);
+  if (!status)
+    po_corrector_guess(&t->c, &t->spare);
+  return status;
 }
 
 /* Meshes for the prediction, unless the mesh in force serves and may. */
@@ -162,10 +94,9 @@ static po_status mesh_for(tracker *t, po_prediction *p, bool may_keep_mesh) {
     return PO_OK;
   po_leaves leaves;
   if (!po_leaves_build(&leaves, too_large, p))
-    return t->trouble =
+    return t->c.trouble =
                po_fail(PO_OUT_OF_NODES, "the traction needs more than %d panels", PO_MOST_LEAVES);
-  return po_leaves_equal(&leaves, po_adaptive_leaves(t->adaptive)) ? PO_OK
-                                                                   : put_in_force(t, &leaves);
+  return po_corrector_mesh(&t->c, &leaves);
 }
 
 /* Solves from the guess, and meshes again while the solution is not resolved. Status:
@@ -174,7 +105,7 @@ static po_status solve_resolved(tracker *t, double distance, bool keep_factors, 
                                 po_track_point *out) {
   po_status status = PO_OK;
   for (int mesh = 0; mesh < MOST_MESHES_A_POINT && !status; ++mesh) {
-    status = solve_guess(t, distance, keep_factors, precision, out);
+    status = po_corrector_solve(&t->c, &t->current, distance, keep_factors, precision, out);
     if (status || po_resolution_excess(&t->resolution, &out->leaves, out->state) <= 1.0)
       return status;
     status = want_mesh(t, out);
@@ -189,6 +120,8 @@ static po_branch_point seen_point(const tracker *t, const po_track_point *p, po_
                            .position = p->position,
                            .approach = approach_of(p),
                            .load = p->load,
+                           .approach_error = NAN,
+                           .load_error = NAN,
                            .approach_rate = p->tangent[p->n],
                            .load_rate = p->load_rate,
                            .unstable_modes = t->unstable_modes,
@@ -203,18 +136,28 @@ static void visit(tracker *t, const po_track_point *p, po_point_kind kind) {
     t->ended = true;
 }
 
-static po_sample sample_of(const tracker *t, const po_track_point *p) {
-  const double per_distance = 1.0 / po_gauge_along(t->current.rate, p->rate);
-  return (po_sample){.at = po_track_progress(&t->current, p),
-                     .value = {approach_of(p), p->load},
-                     .rate = {p->tangent[p->n] * per_distance, p->load_rate * per_distance}};
+/* Visits a landmark with its errors: what a finer mesh changes, and what Newton's iteration left.
+ */
+static void visit_landmark(tracker *t, const po_event *ev) {
+  const po_track_point *p = &t->at_event[ev->place];
+  po_branch_point point = seen_point(t, p, po_event_point(ev));
+  const double cosine = po_gauge_along(t->current.rate, p->rate);
+  double change[2];
+  if (po_refine(&t->c, &t->resolution, p, ev, cosine, &t->spare, change) == PO_OK) {
+    const double floor = FLOOR * t->c.e->precision;
+    point.approach_error = SAFETY * fabs(change[0]) + floor * (1.0 + fabs(point.approach));
+    point.load_error = SAFETY * fabs(change[1]) + floor * (1.0 + fabs(point.load));
+  }
+  t->c.trouble = PO_OK; /* a mesh too fine for the estimate is no trouble for the trace */
+  if (t->options->visit(&point, t->options->data))
+    t->ended = true;
 }
 
 /* The guess on the tangent of the inner point last solved. */
 static void guess_on_tangent(tracker *t, double at) {
   const double step = (at - t->inner_at) / po_gauge_along(t->current.rate, t->inner.rate);
   for (size_t j = 0; j <= t->inner.n; ++j)
-    t->guess[j] = t->inner.state[j] + step * t->inner.tangent[j];
+    t->c.guess[j] = t->inner.state[j] + step * t->inner.tangent[j];
 }
 
 /* A point between current and next. */
@@ -224,21 +167,21 @@ static po_status solve_inner(void *data, double at, po_sample *sample) {
   po_status status;
   if (fabs(at - t->inner_at) < ON_TANGENT * whole) {
     guess_on_tangent(t, at);
-    status = solve_resolved(t, at, true, t->e->precision, &t->inner);
+    status = solve_resolved(t, at, true, t->c.e->precision, &t->inner);
   } else {
     po_prediction p;
     predict(t, &t->next, at, &p);
     status = mesh_for(t, &p, true);
     if (!status) {
-      po_prediction_state(&p, t->e->surface, core_nodes(t), t->guess);
-      status = solve_resolved(t, at, false, t->e->precision, &t->inner);
+      po_prediction_state(&p, t->c.e->surface, po_corrector_core_nodes(&t->c), t->c.guess);
+      status = solve_resolved(t, at, false, t->c.e->precision, &t->inner);
     }
   }
   t->inner_at = status ? (double)NAN : at;
   if (status)
     return status;
   t->inner.position = t->current.position + (t->next.position - t->current.position) * at / whole;
-  *sample = sample_of(t, &t->inner);
+  *sample = po_track_sample(&t->current, &t->inner);
   return PO_OK;
 }
 
@@ -255,7 +198,8 @@ static po_status find_events(tracker *t) {
                                 .station = t->station_met ? (double)NAN : t->options->station,
                                 .end = t->options->end,
                                 .located = LOCATED};
-  const po_sample from = sample_of(t, &t->current), to = sample_of(t, &t->next);
+  const po_sample from = po_track_sample(&t->current, &t->current),
+                  to = po_track_sample(&t->current, &t->next);
   return po_events_find(&interval, &from, &to, &t->events);
 }
 
@@ -281,7 +225,7 @@ static double try_step(tracker *t, double step, po_status *status) {
   *status = mesh_for(t, &p, false);
   if (*status)
     return 0.5 * step;
-  po_prediction_state(&p, t->e->surface, core_nodes(t), t->guess);
+  po_prediction_state(&p, t->c.e->surface, po_corrector_core_nodes(&t->c), t->c.guess);
   *status = solve_resolved(t, step, false, STEP_TANGENT, &t->next);
   if (*status)
     return 0.5 * step;
@@ -310,8 +254,8 @@ static po_status advance(tracker *t) {
                      "load %.6g",
                      approach_of(&t->current), t->current.load);
     t->step = try_step(t, t->step, &status);
-    if (t->trouble)
-      return t->trouble;
+    if (t->c.trouble)
+      return t->c.trouble;
   }
   return PO_OK;
 }
@@ -323,7 +267,10 @@ static void visit_step(tracker *t) {
     const po_point_kind kind = po_event_point(ev);
     t->unstable_modes += po_change_of_modes(kind, p->load_rate);
     t->station_met = t->station_met || ev->of == PO_AT_STATION;
-    visit(t, p, kind);
+    if (ev->of <= PO_OF_LOAD)
+      visit_landmark(t, ev);
+    else
+      visit(t, p, kind);
     t->ended = t->ended || ev->of == PO_AT_END;
   }
   if (!t->ended)
@@ -350,29 +297,29 @@ static double undeformed_gap(void *data, double r) {
 
 /* The first equilibrium: Newton at fixed approach from the undeformed gap. */
 static po_status start(tracker *t) {
-  po_equilibrium *e = t->e;
+  po_equilibrium *e = t->c.e;
   undeformed u = {e->scene, fmin(po_branch_start(e), t->options->begin)}; /* begin may be NaN */
   const po_gap_field field = {undeformed_gap, &u};
-  po_leaves leaves = *po_adaptive_leaves(t->adaptive);
+  po_leaves leaves = *po_adaptive_leaves(t->c.adaptive);
   po_status status = po_resolution_leaves(&t->resolution, &field, &leaves);
   if (!status)
-    status = put_in_force(t, &leaves);
+    status = po_corrector_mesh(&t->c, &leaves);
   if (status)
     return status;
   po_track_point *p = &t->current;
   for (size_t j = 0; j < e->n; ++j)
-    t->guess[j] = p->state[j] = e->shape[j] - u.approach;
-  t->guess[e->n] = p->state[e->n] = u.approach;
-  memset(t->border, 0, (e->n + 1) * sizeof *t->border);
-  t->border[e->n] = 1.0;
-  status = po_equilibrium_factorize(e, p->state, t->border);
+    t->c.guess[j] = p->state[j] = e->shape[j] - u.approach;
+  t->c.guess[e->n] = p->state[e->n] = u.approach;
+  memset(t->c.border, 0, (e->n + 1) * sizeof *t->c.border);
+  t->c.border[e->n] = 1.0;
+  status = po_equilibrium_factorize(e, p->state, t->c.border);
   if (!status)
-    status = po_equilibrium_correct(e, p->state, t->guess, 0.0);
+    status = po_equilibrium_correct(e, p->state, t->c.guess, 0.0);
   if (!status)
     status = po_equilibrium_tangent(e, STEP_TANGENT, p->tangent);
   if (status)
     return po_fail(status, "no equilibrium found far out, at approach %g", u.approach);
-  po_track_point_finish(p, e, t->adaptive);
+  po_track_point_finish(p, e, t->c.adaptive);
   e->factorized = false; /* its border is not of the gauge */
   return want_mesh(t, p);
 }
@@ -408,7 +355,7 @@ static po_status trace(tracker *t) {
 
 po_status po_track_trace(po_equilibrium *equilibrium, po_adaptive *adaptive, double allowed_error,
                          const po_branch_options *options) {
-  tracker t = {.e = equilibrium, .adaptive = adaptive, .options = options, .step = FIRST_STEP};
+  tracker t = {.options = options, .step = FIRST_STEP};
   const size_t capacity = po_adaptive_capacity(adaptive);
   po_track_point *points[5 + PO_MOST_EVENTS] = {&t.previous, &t.current, &t.next, &t.inner,
                                                 &t.spare};
@@ -417,19 +364,15 @@ po_status po_track_trace(po_equilibrium *equilibrium, po_adaptive *adaptive, dou
   po_status status = PO_OK;
   for (int k = 0; k < 5 + PO_MOST_EVENTS; ++k)
     status = po_track_point_allocate(points[k], capacity) ? PO_NO_MEMORY : status;
-  t.border = po_allocate(capacity + 1, sizeof *t.border);
-  t.guess = po_allocate(capacity + 1, sizeof *t.guess);
-  t.root = po_adaptive_root(adaptive);
+  if (po_corrector_allocate(&t.c, equilibrium, adaptive))
+    status = PO_NO_MEMORY;
   const po_panel_rule *rule = &po_panel_table_get()->rule;
   po_legendre_fill(rule, &t.legendre);
-  t.resolution = (po_resolution){equilibrium, rule, &t.legendre, t.root, allowed_error};
-  if (!t.border || !t.guess)
-    status = PO_NO_MEMORY;
+  t.resolution = (po_resolution){equilibrium, rule, &t.legendre, t.c.root, allowed_error};
   if (!status)
     status = trace(&t);
   for (int k = 0; k < 5 + PO_MOST_EVENTS; ++k)
     po_track_point_free(points[k]);
-  free(t.border);
-  free(t.guess);
+  po_corrector_free(&t.c);
   return status;
 }

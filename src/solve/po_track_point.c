@@ -134,3 +134,15 @@ void po_track_point_finish(po_track_point *p, const po_equilibrium *e,
   }
   find_fronts(p, e->scene, e->surface);
 }
+
+double po_track_gap(void *data, double r) {
+  const po_track_field *f = data;
+  return po_track_value_at(f->p, f->scene, f->root, r).gap;
+}
+
+po_sample po_track_sample(const po_track_point *from, const po_track_point *p) {
+  const double per_distance = 1.0 / po_gauge_along(from->rate, p->rate);
+  return (po_sample){.at = po_track_progress(from, p),
+                     .value = {p->state[p->n], p->load},
+                     .rate = {p->tangent[p->n] * per_distance, p->load_rate * per_distance}};
+}
