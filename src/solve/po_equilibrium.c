@@ -13,8 +13,8 @@
  * influence sums leave (1e-14), with a margin. */
 static const double CONVERGED = 2e-13;
 
-/* What the first factorisation leaves out: costs one iteration, saves most of the matrix. */
-static const double NEGLECT = 1e-3;
+/* What factorisations leave out: costs one iteration, saves much of the matrix. */
+static const double NEGLECT = 3e-2;
 
 void po_equilibrium_remesh(po_equilibrium *e) {
   const po_surface *s = e->surface;

@@ -8,6 +8,9 @@
 
 enum { MOST_ROOT_STEPS = 40, HALVING = 4, BISECTIONS = 60, MOST_SPLITS = 14 };
 
+/* Error of an approach asked for. */
+static const double ARRIVED = 3e-11;
+
 /* A rate that falls to this part of that at the ends of an interval may change sign unseen. */
 static const double SUSPECT = 0.4;
 
@@ -104,7 +107,7 @@ static po_status locate(const po_interval *interval, po_event *ev) {
     double left = fabs(f * (at - other->at) / (f - f_other));
     if (k > 0)
       left = fmin(left, fabs(f * (at - last.at) / (f - f_last)));
-    if (left < interval->located || fabs(high.at - low.at) < interval->located)
+    if (left < (ev->of <= PO_OF_LOAD ? interval->located : ARRIVED) || fabs(high.at - low.at) < interval->located)
       return PO_OK;
     *(is_high ? &high : &low) = s;
     last = s;
