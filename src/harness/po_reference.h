@@ -20,6 +20,10 @@ typedef struct {
   const char *name; /* as the case names it */
   po_ledger ledger;
   bool is_bradley; /* the closed form; else the table */
+  bool is_pin;     /* the table is that of our own blessed values, see po_pins.h */
+  bool is_missing; /* there are no pins yet */
+  char *path;      /* of pins: their file */
+  char *shown;     /* of pins: how messages and records call it */
   po_csv table;
   char digest[PO_DIGEST_LENGTH]; /* of the whole file; of the name for a closed form */
 } po_reference;
@@ -46,6 +50,9 @@ const char *po_ledger_name(po_ledger ledger);
  * source, kind, method, units, uncertainty, generator, command, date, sha256, and the checksum.
  * Status: PO_CANNOT_READ with file and line. `name` must outlive the reference. */
 po_status po_reference_open(const char *data_folder, const char *name, po_reference *reference);
+
+/* The headers and the checksum of an open table; sets the ledger. Status: PO_CANNOT_READ. */
+po_status po_reference_check_headers(po_reference *reference);
 void po_reference_close(po_reference *reference);
 
 /* What it says of `quantity` (pull_off_force, pull_off_approach, fold_count) for a scene.
