@@ -34,16 +34,16 @@ size_t po_leaves_find(const po_leaves *leaves, double x) {
   return low;
 }
 
-/* Marks leaves two or more levels coarser than what a neighbour is about to become. Returned:
- * whether any was marked. */
+/* Marks leaves too coarse for what a neighbour is about to become. Returned: whether any was
+ * marked. */
 static bool mark_neighbours(const po_leaves *leaves, bool *split) {
   bool marked = false;
   for (size_t k = 0; k + 1 < leaves->count; ++k) {
     const uint32_t left = leaves->leaf[k].level + split[k];
     const uint32_t right = leaves->leaf[k + 1].level + split[k + 1];
-    if (left > right + 1 && !split[k + 1])
+    if (left > right + PO_MOST_LEVEL_STEP && !split[k + 1])
       marked = split[k + 1] = true;
-    if (right > left + 1 && !split[k])
+    if (right > left + PO_MOST_LEVEL_STEP && !split[k])
       marked = split[k] = true;
   }
   return marked;
@@ -100,8 +100,9 @@ static bool can_join(const po_leaves *leaves, size_t k) {
   const po_leaf a = leaves->leaf[k], b = leaves->leaf[k + 1];
   if (a.level == 0 || a.level != b.level || a.index % 2 != 0 || b.index != a.index + 1)
     return false;
-  const bool left = k == 0 || leaves->leaf[k - 1].level <= a.level;
-  const bool right = k + 2 >= leaves->count || leaves->leaf[k + 2].level <= a.level;
+  const uint32_t finest = a.level - 1 + PO_MOST_LEVEL_STEP;
+  const bool left = k == 0 || leaves->leaf[k - 1].level <= finest;
+  const bool right = k + 2 >= leaves->count || leaves->leaf[k + 2].level <= finest;
   return left && right;
 }
 

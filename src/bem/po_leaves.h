@@ -1,5 +1,5 @@
 /* A graded mesh of panels: the leaves of a binary tree over [0, root], neighbours differing by at
- * most one level, so that the near interactions of panels come in a handful of shapes. */
+ * most two levels, so that the near interactions of panels come in a handful of shapes. */
 #ifndef PO_LEAVES_H
 #define PO_LEAVES_H
 
@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { PO_MOST_LEAVES = 256, PO_DEEPEST_LEVEL = 24 };
+enum { PO_MOST_LEAVES = 256, PO_DEEPEST_LEVEL = 24, PO_MOST_LEVEL_STEP = 2 };
 
 /* The interval (index, index + 1) * root / 2^level. */
 typedef struct {
@@ -22,13 +22,13 @@ typedef struct {
 /* 2^level equal leaves. */
 void po_leaves_uniform(po_leaves *leaves, uint32_t level);
 
-/* Splits the leaves marked, and others where neighbours would differ by more than one level.
+/* Splits the leaves marked, and others where neighbours would differ by more levels than they may.
  * Given: split, one flag a leaf. Returned: false when there is no room or a leaf is at the deepest
  * level; leaves is then as it was. */
 bool po_leaves_split(po_leaves *leaves, const bool *split);
 
-/* Joins pairs of sibling leaves both marked, unless that would make neighbours differ by more than
- * one level. Given: join, one flag a leaf. Returned: how many pairs were joined. */
+/* Joins pairs of sibling leaves both marked, unless that would make neighbours differ by more
+ * levels than they may. Given: join, one flag a leaf. Returned: how many pairs were joined. */
 size_t po_leaves_join(po_leaves *leaves, const bool *join);
 
 /* Ends of a leaf in parts of the root: [begin, end). */

@@ -1,11 +1,12 @@
 #include "po_panel_table.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <threads.h>
 
 #include "po_kernel.h"
 
-enum { ORDER = PO_TABLE_ORDER };
+enum { ORDER = PO_TABLE_ORDER, FAR = 99 };
 
 /* How a target lies to a source: its level less the source's, and its place in units of the finer
  * of the two. */
@@ -13,19 +14,19 @@ typedef struct {
   int level, place;
 } shape;
 
-/* Itself; neighbours of equal size; of half the size; of double size. */
-static const shape LOG_SHAPES[PO_LOG_SHAPES] = {{0, 0}, {0, -1},  {0, 1}, {1, -1},
-                                                {1, 2}, {-1, -2}, {-1, 1}};
-static const shape AXIS_SHAPES[PO_AXIS_SHAPES] = {{0, 0}, {0, 1}, {1, 2}};
+/* Itself; neighbours of equal size; of a half and a quarter; of twice and four times the size. */
+static const shape LOG_SHAPES[PO_LOG_SHAPES] = {{0, 0},  {0, -1},  {0, 1}, {1, -1},
+                                                {1, 2},  {2, -1},  {2, 4}, {-1, -2},
+                                                {-1, 1}, {-2, -4}, {-2, 1}};
+static const shape AXIS_SHAPES[PO_AXIS_SHAPES] = {{0, 0}, {0, 1}, {1, 2}, {2, 4}};
 
 static shape shape_of(po_leaf target, po_leaf source) {
   const int level = (int)target.level - (int)source.level;
-  int64_t place = (int64_t)target.index - (int64_t)source.index;
-  if (level == 1)
-    place = (int64_t)target.index - 2 * (int64_t)source.index;
-  else if (level == -1)
-    place = 2 * (int64_t)target.index - (int64_t)source.index;
-  return (shape){level, place > 99 ? 99 : place < -99 ? -99 : (int)place};
+  if (abs(level) > PO_MOST_LEVEL_STEP)
+    return (shape){level, FAR};
+  const int64_t to = (int64_t)target.index << (level < 0 ? -level : 0);
+  const int64_t from = (int64_t)source.index << (level > 0 ? level : 0);
+  return (shape){level, to - from > FAR ? FAR : to - from < -FAR ? -FAR : (int)(to - from)};
 }
 
 static int find(const shape *shapes, int count, shape s) {
@@ -37,8 +38,7 @@ static int find(const shape *shapes, int count, shape s) {
 
 /* Place of the target's node i in the source's variable x. */
 static double node_in_source(const po_panel_rule *rule, shape s, size_t i) {
-  const double size = s.level == 1 ? 0.5 : s.level == -1 ? 2.0 : 1.0;
-  const double unit = s.level == 1 ? 0.5 : 1.0;
+  const double size = ldexp(1.0, -s.level), unit = fmin(size, 1.0);
   return unit * s.place + size * rule->node[i];
 }
 
@@ -87,9 +87,7 @@ static void near_block(const po_panel_table *t, po_leaf target, po_leaf source, 
   const double from = po_leaf_begin(target), reach = po_leaf_size(target), log_size = log(size);
   for (size_t i = 0; i < ORDER; ++i) {
     const double r = from + reach * t->rule.node[i];
-    const double x0 = node_in_source(
-        &t->rule, (shape){(int)target.level - (int)source.level, shape_of(target, source).place},
-        i);
+    const double x0 = node_in_source(&t->rule, shape_of(target, source), i);
     for (size_t j = 0; j < ORDER; ++j) {
       const double x = t->rule.node[j], s = begin + size * x, distance = size * fabs(x0 - x);
       const double root = 2.0 * sqrt(r * s);

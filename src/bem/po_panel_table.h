@@ -4,8 +4,8 @@
  *   a = -4 / (pi agm(r + s, 2 sqrt(r s))),  b = G - a ln|r - s|  (at s = r: 2 ln(8 r)/(pi r)),
  * (K(k) = (2/pi) ln(4/k') K(k') - ..., applied to G = 4 K(k)/(pi (r + s)), k' = |r - s|/(r + s)).
  * Polynomials times the logarithm have weights that depend only on how the two panels lie to each
- * other: seven shapes. The panel at the axis, where a and b are not smooth, scales as a whole:
- * three more. All are tabulated once. */
+ * other: eleven shapes. The panel at the axis, where a and b are not smooth, scales as a whole:
+ * four more. All are tabulated once. */
 #ifndef PO_PANEL_TABLE_H
 #define PO_PANEL_TABLE_H
 
@@ -17,7 +17,7 @@ enum { PO_TABLE_ORDER = 12 };
 typedef double po_panel_block[PO_TABLE_ORDER]
                              [PO_TABLE_ORDER]; /* [node of the target][of the source] */
 
-enum { PO_LOG_SHAPES = 7, PO_AXIS_SHAPES = 3 };
+enum { PO_LOG_SHAPES = 11, PO_AXIS_SHAPES = 4 };
 
 typedef struct {
   po_panel_rule rule;
@@ -29,7 +29,8 @@ typedef struct {
 const po_panel_table *po_panel_table_get(void);
 
 /* The block of influence coefficients, in units of the root: target's nodes, source's nodes.
- * Accuracy: 1e-12 of the deflection (tests/unit/test_panel_table.c). */
+ * Accuracy: 3e-12 of the deflection (tests/unit/test_panel_table.c): Gauss's rule at a quarter of
+ * the source's size from it. */
 void po_panel_table_block(const po_panel_table *table, po_leaf target, po_leaf source,
                           po_panel_block block);
 

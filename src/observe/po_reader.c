@@ -24,6 +24,9 @@ static const double DROPS = 3.0;
 /* ... the edge having left the wave of the pull-off by this part of a wavelength. */
 static const double PAST_THE_WAVE = 0.3;
 
+/* Waves whose minima rise more and more after the deepest: the envelope is past its own. */
+enum { ENOUGH_RISES = 2 };
+
 /* In parts of the tolerance: an error that none of the panels' own shows. */
 static const double UNSEEN = 1e-3;
 
@@ -127,6 +130,23 @@ static void keep_profile(po_reader *r, const po_branch_point *p) {
   }
 }
 
+/* Follows the minima from wave to wave. */
+static void note_wave(po_reader *r, double load, double contact_radius) {
+  const double apart = contact_radius - r->wave_radius;
+  if (load <= r->pull_off_load) {
+    r->rises = 0;
+    r->rise = 0.0;
+  } else if (apart > NEXT_WAVE * r->request->scene.wavelength) {
+    const double rise = load - r->wave_minimum;
+    r->rises = rise > r->rise ? r->rises + 1 : 0;
+    r->rise = rise;
+  } else if (load >= r->wave_minimum) {
+    return; /* a ripple beside the wave's own minimum */
+  }
+  r->wave_minimum = load;
+  r->wave_radius = contact_radius;
+}
+
 static void note_minimum(po_reader *r, const po_branch_point *p, double contact_radius) {
   po_outcome *o = r->outcome;
   r->greatest_drop = fmax(r->greatest_drop, r->last_maximum - p->load);
@@ -141,6 +161,7 @@ static void note_minimum(po_reader *r, const po_branch_point *p, double contact_
     if ((r->request->want & PO_WANT_PROFILE) && isnan(r->request->profile_approach))
       keep_profile(r, p);
   }
+  note_wave(r, p->load, contact_radius);
   const double wavelength = r->request->scene.wavelength;
   r->risen = r->risen || (p->load > 0.0 && contact_radius > FIRST_TROUGH * wavelength &&
                           contact_radius > o->pull_off.contact_radius + NEXT_WAVE * wavelength);
@@ -149,17 +170,21 @@ static void note_minimum(po_reader *r, const po_branch_point *p, double contact_
 
 /* No deeper minimum lies ahead. The minima of the load are what the outer edge of the contact makes
  * as it climbs over one wave after another; their sequence follows the lower edge of the Kesari-Lew
- * envelope, which falls to a single minimum and rises ever after, and the drops to them change
- * little from one to the next. So at a stable point under compression: when there are no waves;
- * when a deeper minimum takes a drop far greater than any so far; when the next wave's minimum was
- * compressive itself; or when the surfaces are pushed many times as hard as they were pulled, or as
- * hard and the contact grew over more than a wave without a minimum. tests/unit/test_observe.c
- * traces twice as far and finds none. */
+ * envelope, which is convex: it falls to a single minimum and rises ever after; and the drops to
+ * them change little from one to the next. So at a stable point: when the minima of several waves
+ * since rose more and more; or, under compression, when there are no waves; when a deeper minimum
+ * takes a drop far greater than any so far; when the next wave's minimum was compressive itself; or
+ * when the surfaces are pushed many times as hard as they were pulled, or as hard and the contact
+ * grew over more than a wave without a minimum. tests/unit/test_observe.c traces twice as far and
+ * finds none. */
 static bool pull_off_is_certain(const po_reader *r, const po_branch_point *p,
                                 double contact_radius) {
   const po_outcome *o = r->outcome;
-  if (!isnan(r->request->approach_end) || !o->has_pull_off || p->unstable_modes > 0 ||
-      p->load <= 0.0)
+  if (!isnan(r->request->approach_end) || !o->has_pull_off || p->unstable_modes > 0)
+    return false;
+  if (r->rises >= ENOUGH_RISES)
+    return true;
+  if (p->load <= 0.0)
     return false;
   const po_scene *scene = &r->request->scene;
   const bool past = contact_radius > o->pull_off.contact_radius + PAST_THE_WAVE * scene->wavelength;

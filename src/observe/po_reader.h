@@ -13,6 +13,10 @@ typedef struct {
   bool begun;
   double pull_off_load;       /* the deepest minimum so far */
   double last_contact_radius; /* at the last minimum */
+  double wave_minimum;        /* of the load in the wave the contact's edge passed last */
+  double wave_radius;         /* contact radius there */
+  double rise;                /* of that minimum from the wave before */
+  int rises;                  /* waves since the pull-off whose minima rose more and more */
   bool risen;                 /* a later wave's minimum was compressive */
   double last_maximum;        /* of the load; 0 before there was one */
   double greatest_drop;       /* of the load from a maximum to the next minimum */

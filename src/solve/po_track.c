@@ -44,6 +44,7 @@ typedef struct {
   double inner_at; /* of the point in inner, solved on the mesh in force; NAN: none */
   bool has_previous, station_met, ended;
   int unstable_modes;
+  double deepest; /* minimum of the load so far */
   size_t points;
 } tracker;
 
@@ -137,6 +138,17 @@ static void visit(tracker *t, const po_track_point *p, po_point_kind kind) {
     t->ended = true;
 }
 
+/* Whether errors of a landmark are worth their price: of folds, and of a minimum of the load that
+ * may be the pull-off. */
+static bool is_judged(tracker *t, const po_branch_point *point) {
+  if (point->kind == PO_POINT_APPROACH_MAX || point->kind == PO_POINT_APPROACH_MIN)
+    return true;
+  if (point->kind != PO_POINT_LOAD_MIN || point->load > t->deepest)
+    return false;
+  t->deepest = point->load;
+  return true;
+}
+
 /* Visits a landmark with its errors: what a finer mesh changes, and what Newton's iteration left.
  */
 static void visit_landmark(tracker *t, const po_event *ev) {
@@ -144,7 +156,8 @@ static void visit_landmark(tracker *t, const po_event *ev) {
   po_branch_point point = seen_point(t, p, po_event_point(ev));
   const double cosine = po_gauge_along(t->current.rate, p->rate);
   double change[2];
-  if (po_refine(&t->c, &t->resolution, p, ev, cosine, &t->spare, change) == PO_OK) {
+  if (is_judged(t, &point) &&
+      po_refine(&t->c, &t->resolution, p, ev, cosine, &t->spare, change) == PO_OK) {
     const double floor = FLOOR * t->c.e->precision;
     point.approach_error = SAFETY * fabs(change[0]) + floor * (1.0 + fabs(point.approach));
     point.load_error = SAFETY * fabs(change[1]) + floor * (1.0 + fabs(point.load));
