@@ -15,7 +15,7 @@ static const double FAR_GAP = 10.0;
 /* Error of the prediction, in parts of 1 + H, that a step aims at, and that it may have. */
 static const double AIMED_ERROR = 0.02, GREATEST_ERROR = 0.2;
 /* An event's place along the branch. */
-static const double LOCATED = 1e-5;
+static const double LOCATED = 1e-8;
 /* Cosine below which the tangent turned too far in one step. */
 static const double LEAST_COSINE = 0.7;
 /* Cosine of tangent and border below which the border is renewed. */
