@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "po_clock.h"
 #include "po_compare.h"
 #include "po_environment.h"
 #include "po_file.h"
@@ -139,12 +140,12 @@ static void solve_point(const po_crew *crew, po_case_run *run, size_t point) {
 
 static void do_task(po_crew *crew, const po_task *task) {
   po_case_run *run = &crew->runs[task->run];
-  const double begin = po_progress_clock();
+  const double begin = po_clock_wall();
   solve_point(crew, run, task->point);
   const bool stopped = crew->options->stop && *crew->options->stop;
 #pragma omp critical(po_run_finish)
   if (!stopped) {
-    run->elapsed += po_progress_clock() - begin;
+    run->elapsed += po_clock_wall() - begin;
     run->pending -= 1;
     char what[128];
     snprintf(what, sizeof what, "%.40s %.60s", run->plan->kase->file->name,

@@ -56,6 +56,7 @@ static const cyaml_schema_field_t SCENE_FIELDS[] = {
     SCENE_KEY("tolerance", PO_KEY_TOLERANCE),
     SCENE_KEY("approach_start", PO_KEY_APPROACH_START),
     SCENE_KEY("approach_end", PO_KEY_APPROACH_END),
+    SCENE_KEY("time_limit", PO_KEY_TIME_LIMIT),
     CYAML_FIELD_END,
 };
 
