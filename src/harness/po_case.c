@@ -30,11 +30,11 @@ const char *po_tolerance_kind_name(po_tolerance_kind kind) {
   return KINDS[kind];
 }
 
-const char *const PO_SUITE_NAMES = "smoke, paper, extreme or precision";
+const char *const PO_SUITE_NAMES = "smoke, paper, extreme, precision or random";
 
 unsigned po_suite_of_name(const char *name) {
-  static const char *const NAMES[] = {"smoke", "paper", "extreme", "precision"};
-  for (unsigned i = 0; i < 4; ++i)
+  static const char *const NAMES[] = {"smoke", "paper", "extreme", "precision", "random"};
+  for (unsigned i = 0; i < sizeof NAMES / sizeof *NAMES; ++i)
     if (strcmp(name, NAMES[i]) == 0)
       return 1u << i;
   return 0;

@@ -13,6 +13,7 @@ typedef enum {
   PO_SUITE_PAPER = 2,
   PO_SUITE_EXTREME = 4,
   PO_SUITE_PRECISION = 8,
+  PO_SUITE_RANDOM = 16, /* long: only when it is named */
 } po_suite;
 
 /* What a case wants; the first three come with every branch. */
@@ -43,6 +44,31 @@ typedef struct {
   unsigned values_count;
 } po_axis;
 
+/* One key drawn at random, as written, and parsed. */
+typedef struct {
+  char *key;
+  char *from_text;
+  char *to_text;
+  char *scale; /* "log", "linear"; NULL: linear */
+  char *times; /* what the value is in units of: a key, or "root_radius"; NULL: none */
+  po_key drawn;
+  double from, to;
+  bool log;
+  po_key unit;  /* when `times` is there */
+  bool by_root; /* the root of that */
+} po_draw;
+
+/* Scenes drawn at random: each value depends on the seed, the number of the scene and the name of
+ * the key, and so not on how many scenes or other keys there are. */
+typedef struct {
+  char *seed_text;
+  char *count_text;
+  po_draw *keys;
+  unsigned keys_count;
+  uint64_t seed;
+  size_t count;
+} po_sample_words;
+
 /* A check as written in the file; parsed values beside it. */
 typedef struct {
   char *quantity_text;
@@ -58,10 +84,10 @@ typedef struct {
   size_t line; /* of the tolerance in the file */
 } po_check;
 
-/* One scene of the sweep. */
+/* One scene. */
 typedef struct {
-  char id[24]; /* "0", "1"...: in the order of the sweep */
-  char *label; /* "tabor=1 nodes=501", or "scene" without a sweep */
+  char id[24]; /* "0", "1"...: in the order of the sample, then of the sweep */
+  char *label; /* "tabor=1 nodes=501", or "scene" without either */
   po_request request;
 } po_point;
 
@@ -82,6 +108,7 @@ typedef struct {
   po_scene_words scene;
   po_axis *sweep;
   unsigned sweep_count;
+  po_sample_words *sample; /* NULL: none */
   char *repeats_text;
   char **want_names;
   unsigned want_names_count;
@@ -115,7 +142,7 @@ bool po_check_concerns(const po_check *check, const po_request *request);
 const char *po_quantity_name(po_quantity quantity);
 const char *po_tolerance_kind_name(po_tolerance_kind kind);
 unsigned po_suite_of_name(const char *name); /* 0: none of that name */
-extern const char *const PO_SUITE_NAMES;     /* "smoke, paper, extreme or precision" */
+extern const char *const PO_SUITE_NAMES;     /* "smoke, paper, extreme, precision or random" */
 
 /* The tolerance of a check around an expected value, as an absolute number. */
 double po_check_allowance(const po_check *check, double expected);

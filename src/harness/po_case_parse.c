@@ -85,11 +85,12 @@ static po_status parse_sweep(po_case *kase, const po_yaml *yaml) {
   return PO_OK;
 }
 
-static bool is_swept(const po_case_file *file, po_key key) {
+/* Swept or drawn. */
+static bool is_varied(const po_case_file *file, po_key key) {
   for (unsigned i = 0; i < file->sweep_count; ++i)
     if (po_key_of_name(file->sweep[i].key) == (int)key)
       return true;
-  return false;
+  return po_case_draws(file, key);
 }
 
 /* What a case leaves unsaid a reader would have to guess; only what follows from the rest may lack.
@@ -102,15 +103,16 @@ static po_status check_scene(const po_case *kase, const po_yaml *yaml) {
   for (int key = 0; key < PO_KEY_COUNT; ++key)
     if (file->scene.values[key] && !po_key_set(&request, (po_key)key, file->scene.values[key]))
       return po_schema_refuse(yaml, NULL, "scene.%s", po_key_name((po_key)key));
-  const bool panels = request.mesh.scheme == PO_PANEL && !is_swept(file, PO_KEY_SCHEME);
-  const bool wavy = request.scene.amplitude > 0 || is_swept(file, PO_KEY_AMPLITUDE);
+  const bool panels = request.mesh.scheme == PO_PANEL && !is_varied(file, PO_KEY_SCHEME);
+  const bool wavy = request.scene.amplitude > 0 || is_varied(file, PO_KEY_AMPLITUDE);
   for (size_t i = 0; i < sizeof NEEDED / sizeof *NEEDED; ++i) {
     const po_key key = NEEDED[i];
-    if (file->scene.values[key] || is_swept(file, key) || (key == PO_KEY_WAVELENGTH && !wavy) ||
+    if (file->scene.values[key] || is_varied(file, key) || (key == PO_KEY_WAVELENGTH && !wavy) ||
         (key == PO_KEY_NODES && panels))
       continue;
     char expected[128];
-    snprintf(expected, sizeof expected, "%s, here or in the sweep", po_key_expected(key));
+    snprintf(expected, sizeof expected, "%s, here, in the sweep or in the sample",
+             po_key_expected(key));
     return po_schema_refuse(yaml, expected, "scene.%s", po_key_name(key));
   }
   return PO_OK;
@@ -169,6 +171,8 @@ po_status po_case_parse(po_case *kase, const po_yaml *yaml) {
     status = parse_repeats(kase, yaml);
   if (!status)
     status = parse_sweep(kase, yaml);
+  if (!status)
+    status = po_case_sample_parse(kase, yaml);
   if (!status)
     status = check_scene(kase, yaml);
   for (unsigned i = 0; !status && i < kase->file->checks_count; ++i)

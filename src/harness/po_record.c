@@ -6,6 +6,7 @@
 
 #include "po_environment.h"
 #include "po_file.h"
+#include "po_input.h"
 #include "po_json.h"
 #include "po_tables.h"
 
@@ -27,6 +28,11 @@ static json_t *sweep(const po_case *kase, size_t point) {
     json_t *input = po_json_input(&kase->points[point].request);
     json_object_set(object, name, json_object_get(input, name));
     json_decref(input);
+  }
+  for (unsigned i = 0; kase->file->sample && i < kase->file->sample->keys_count; ++i) {
+    const po_draw *draw = &kase->file->sample->keys[i];
+    json_object_set_new(object, draw->key,
+                        po_json_number(po_key_number(&kase->points[point].request, draw->drawn)));
   }
   return object;
 }

@@ -46,7 +46,7 @@ expect 2 'pulloff: plan needs the name of a case*' plan
 expect 2 'pulloff: --jobs is 0: expected a whole number > 0' run --jobs 0
 expect 2 'pulloff: --jobs is many: expected a whole number > 0' run --jobs many
 expect 2 'pulloff: --output is empty: expected the name of a folder' run --output ''
-expect 2 'pulloff: --suite is dessert: expected smoke, paper, extreme or precision' \
+expect 2 'pulloff: --suite is dessert: expected smoke, paper, extreme, precision or random' \
   run --suite dessert
 expect 2 'pulloff: list takes no smoke*' list smoke
 finish
