@@ -10,6 +10,7 @@
 
 typedef struct {
   unsigned suites;
+  double time_limit; /* instead of that of the cases; NAN: theirs */
   po_run_options options;
   po_catalog catalog;
   po_case_run *runs; /* one a case of the catalog */
@@ -20,6 +21,8 @@ enum {
   PO_SESSION_SUITE = 1,
   PO_SESSION_OUTPUT,
   PO_SESSION_JOBS,
+  PO_SESSION_POINTS,
+  PO_SESSION_TIME_LIMIT,
   PO_SESSION_FRESH,
   PO_SESSION_NEXT
 };
@@ -28,6 +31,8 @@ enum {
   {"suite", required_argument, NULL, PO_SESSION_SUITE},                                            \
   {"output", required_argument, NULL, PO_SESSION_OUTPUT},                                          \
   {"jobs", required_argument, NULL, PO_SESSION_JOBS},                                              \
+  {"points", required_argument, NULL, PO_SESSION_POINTS},                                          \
+  {"time-limit", required_argument, NULL, PO_SESSION_TIME_LIMIT},                                  \
   {"fresh", no_argument, NULL, PO_SESSION_FRESH},                                                  \
   {"help", no_argument, NULL, PO_OPTION_HELP}
 // clang-format on

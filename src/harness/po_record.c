@@ -73,18 +73,21 @@ static po_status add_table(const po_case_run *run, size_t index, bool profile, c
   return status;
 }
 
+po_status po_record_add_tables(const po_case_run *run, size_t index, const char *folder,
+                               json_t *entry) {
+  const po_status status = add_table(run, index, false, folder, entry);
+  return status ? status : add_table(run, index, true, folder, entry);
+}
+
 static po_status add_tables(const po_case_run *run, const char *folder, json_t *record) {
   json_t *points = json_object_get(record, "points");
   po_status status = PO_OK;
-  for (size_t i = 0; !status && i < run->plan->kase->point_count; ++i) {
-    status = add_table(run, i, false, folder, json_array_get(points, i));
-    if (!status)
-      status = add_table(run, i, true, folder, json_array_get(points, i));
-  }
+  for (size_t i = 0; !status && i < run->plan->kase->point_count; ++i)
+    status = po_record_add_tables(run, i, folder, json_array_get(points, i));
   return status;
 }
 
-static json_t *point_json(const po_case_run *run, size_t index) {
+json_t *po_record_point(const po_case_run *run, size_t index) {
   const po_case *kase = run->plan->kase;
   const po_point *point = &kase->points[index];
   const po_outcome *outcome = &run->outcomes[index];
@@ -119,7 +122,7 @@ static json_t *lists(const po_case_run *run, json_t *record) {
   for (size_t i = 0; i < run->plan->line_count; ++i)
     json_array_append_new(plan, json_string(run->plan->lines[i]));
   for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-    json_array_append_new(points, point_json(run, i));
+    json_array_append_new(points, po_record_point(run, i));
   for (size_t i = 0; i < run->results.count; ++i)
     json_array_append_new(checks, check_json(run->plan->kase, &run->results.items[i]));
   json_object_set_new(record, "plan", plan);
