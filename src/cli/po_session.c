@@ -10,6 +10,7 @@
 #include "po_interrupt.h"
 #include "po_memory.h"
 #include "po_number.h"
+#include "po_summary.h"
 
 static const size_t MOST_JOBS = 4096;
 
@@ -124,6 +125,17 @@ size_t po_session_outside(const po_session *session) {
   for (size_t i = 0; i < session->catalog.count; ++i)
     total += po_case_run_outside(&session->runs[i]);
   return total;
+}
+
+po_status po_session_summarise(const po_session *session) {
+  po_text text = {0};
+  for (size_t i = 0; i < session->catalog.count; ++i)
+    if (session->catalog.cases[i]->file->sample)
+      po_summary_add(&session->runs[i], &text);
+  fputs(po_text_string(&text), stdout);
+  const po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
+  po_text_clear(&text);
+  return status;
 }
 
 void po_session_clear(po_session *session) {

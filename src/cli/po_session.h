@@ -51,6 +51,10 @@ po_status po_session_run(po_session *session, char *const *names, size_t count);
 size_t po_session_failures(const po_session *session);
 size_t po_session_outside(const po_session *session);
 
+/* Prints on standard output the summary of each case whose scenes are drawn at random.
+ * Status: PO_NO_MEMORY. */
+po_status po_session_summarise(const po_session *session);
+
 void po_session_clear(po_session *session);
 
 /* The suites of a comma-separated list added to *suites. Status: PO_BAD_INPUT. */

@@ -18,6 +18,9 @@ static const char HELP[] =
     "  --time-limit S  seconds of processor time a solve may take, instead of what the case says\n"
     "  --fresh         solve again what is there\n"
     "  --help          this text\n\n"
+    "Of a case whose scenes are drawn at random a summary is printed: how many ended how, what "
+    "they\n"
+    "took, and for each failure its reason and the line that repeats it.\n\n"
     "Example: pulloff run fig03 --jobs 2\n";
 
 static const struct option OPTIONS[] = {PO_SESSION_OPTIONS, {NULL, 0, NULL, 0}};
@@ -36,6 +39,8 @@ int po_verb_run(int argc, char **argv) {
     status = PO_BAD_INPUT;
   if (!status)
     status = po_session_run(&session, argv + optind, (size_t)(argc - optind));
+  if (!status)
+    status = po_session_summarise(&session);
   const size_t failures = status ? 0 : po_session_failures(&session);
   int code = po_options_end(status);
   if (failures) {

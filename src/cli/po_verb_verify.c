@@ -71,6 +71,8 @@ int po_verb_verify(int argc, char **argv) {
     status = po_session_run(&session, argv + optind, (size_t)(argc - optind));
   if (!status)
     status = print(&session, tap, junit);
+  if (!status && !tap)
+    status = po_session_summarise(&session);
   int code = po_options_end(status);
   if (!status && po_session_failures(&session))
     code = PO_EXIT_SOLVE;

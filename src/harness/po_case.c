@@ -18,6 +18,7 @@ static const char *const QUANTITIES[PO_QUANTITY_COUNT] = {
     [PO_FOLDS] = "folds",
     [PO_EXTREMA] = "extrema",
     [PO_CURVE] = "curve",
+    [PO_SOLVED_SHARE] = "solved_share",
 };
 
 static const char *const KINDS[] = {"abs", "rel", "ulp"};

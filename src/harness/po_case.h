@@ -32,6 +32,7 @@ typedef enum {
   PO_FOLDS,
   PO_EXTREMA,
   PO_CURVE,
+  PO_SOLVED_SHARE, /* of the points of the case, not of one */
   PO_QUANTITY_COUNT
 } po_quantity;
 
@@ -137,6 +138,9 @@ void po_case_destroy(po_case *kase);
 /* Whether a condition (or a whole list of them) holds for a scene. */
 bool po_axis_holds(const po_axis *axis, const po_request *request);
 bool po_check_concerns(const po_check *check, const po_request *request);
+
+/* The reference of a solved_share: every scene has its equilibria. */
+#define PO_EVERY_SCENE "every_scene"
 
 /* Names, as in case files. */
 const char *po_quantity_name(po_quantity quantity);

@@ -140,6 +140,15 @@ static po_status parse_check(po_check *check, unsigned number, const po_yaml *ya
     return po_schema_refuse(yaml, "abs, as the distance between curves is one", "checks[%u].kind",
                             number);
   check->kind = (po_tolerance_kind)kind;
+  const bool share = check->quantity == PO_SOLVED_SHARE;
+  if (share != (strcmp(check->reference, PO_EVERY_SCENE) == 0))
+    return po_schema_refuse(yaml,
+                            share ? "every_scene, as the share is of the scenes of the case"
+                                  : "bradley or the path of a CSV file",
+                            "checks[%u].reference", number);
+  if (share && (kind != PO_TOLERANCE_ABS || check->tolerance >= 1))
+    return po_schema_refuse(yaml, kind ? "abs, as a share is" : "the share that may fail, below 1",
+                            "checks[%u].%s", number, kind ? "kind" : "tolerance");
   if (check->because[strspn(check->because, " \t\n")] == '\0')
     return po_schema_refuse(yaml, NULL, "checks[%u].because", number);
   for (unsigned i = 0; i < check->when_count; ++i) {

@@ -175,6 +175,10 @@ char *po_input_command(const po_request *request) {
         *c = '-';
     po_text_add(&command, " --%s %s", flag, value);
   }
+  if (request->want)
+    po_text_add(&command, " --want %s%s%s", request->want & PO_WANT_CURVE ? "curve" : "",
+                request->want == (PO_WANT_CURVE | PO_WANT_PROFILE) ? "," : "",
+                request->want & PO_WANT_PROFILE ? "profile" : "");
   if (command.failed)
     po_text_clear(&command);
   return command.data;

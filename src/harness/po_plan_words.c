@@ -118,6 +118,8 @@ static bool is_spoken_of(const po_reference *reference, const po_check *check,
   po_reference_number number;
   po_reference_point *points = NULL;
   size_t count = 0;
+  if (check->quantity == PO_SOLVED_SHARE)
+    return true;
   if (check->quantity <= PO_FOLD_COUNT)
     return po_reference_find(reference, check->quantity, request, &number) == PO_OK;
   const po_status status =

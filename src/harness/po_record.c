@@ -107,14 +107,14 @@ static json_t *check_json(const po_case *kase, const po_result *item) {
   char command[128];
   snprintf(command, sizeof command, "pulloff verify %s", kase->file->name);
   return json_pack(
-      "{s:s, s:s, s:s, s:o, s:o, s:o, s:s, s:f, s:o, s:o, s:s, s:s, s:s, s:s, s:s, s:s}", "id",
-      item->id, "point", kase->points[item->point].id, "quantity", item->quantity, "obtained",
-      po_json_number(item->obtained), "expected", po_json_number(item->expected), "error",
-      po_json_number(item->error), "kind", check->kind_text, "tolerance", check->tolerance,
-      "reference_uncertainty", po_json_number(item->uncertainty), "ratio",
-      po_json_number(item->ratio), "ledger", po_ledger_name(item->ledger), "verdict",
-      po_verdict_name(item->verdict), "note", item->note, "reference", check->reference, "because",
-      check->because, "command", command);
+      "{s:s, s:s?, s:s, s:o, s:o, s:o, s:s, s:f, s:o, s:o, s:s, s:s, s:s, s:s, s:s, s:s}", "id",
+      item->id, "point", item->whole ? NULL : kase->points[item->point].id, "quantity",
+      item->quantity, "obtained", po_json_number(item->obtained), "expected",
+      po_json_number(item->expected), "error", po_json_number(item->error), "kind",
+      check->kind_text, "tolerance", check->tolerance, "reference_uncertainty",
+      po_json_number(item->uncertainty), "ratio", po_json_number(item->ratio), "ledger",
+      po_ledger_name(item->ledger), "verdict", po_verdict_name(item->verdict), "note", item->note,
+      "reference", check->reference, "because", check->because, "command", command);
 }
 
 static json_t *lists(const po_case_run *run, json_t *record) {

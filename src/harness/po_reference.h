@@ -1,6 +1,7 @@
 /* Reference data: numbers from elsewhere that ours are set beside.
  *
- * A reference is a table (reference/NAME.csv) or the closed form named "bradley". In a table a
+ * A reference is a table (reference/NAME.csv), the closed form named "bradley", or "every_scene",
+ * the share 1 of the scenes that have equilibria to be found. In a table a
  * column with the name of a scene key (tabor, ...) says which scene a row is for, a header with
  * such a name says it for all rows, and the other columns are named as in the records: force,
  * approach                 of the pull-off (force_uncertainty, approach_uncertainty) kind,
@@ -20,6 +21,7 @@ typedef struct {
   const char *name; /* as the case names it */
   po_ledger ledger;
   bool is_bradley; /* the closed form; else the table */
+  bool is_every_scene;
   po_csv table;
   char digest[PO_DIGEST_LENGTH]; /* of the whole file; of the name for a closed form */
 } po_reference;

@@ -1,7 +1,5 @@
 #include "po_run.h"
 
-#include <math.h>
-#include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,46 +13,6 @@
 #include "po_memory.h"
 #include "po_progress.h"
 #include "po_record.h"
-
-po_status po_case_run_create(po_plan *plan, po_case_run *run) {
-  const size_t points = plan->kase->point_count;
-  *run = (po_case_run){.plan = plan, .end = points, .pending = points};
-  run->outcomes = po_allocate(points, sizeof *run->outcomes);
-  run->seconds = po_allocate(points * plan->kase->repeats, sizeof *run->seconds);
-  run->done = po_allocate(points, sizeof *run->done);
-  return run->outcomes && run->seconds && run->done ? PO_OK : PO_NO_MEMORY;
-}
-
-void po_case_run_clear(po_case_run *run) {
-  for (size_t i = 0; run->outcomes && i < run->plan->kase->point_count; ++i)
-    po_outcome_clear(&run->outcomes[i]);
-  free(run->outcomes);
-  free(run->seconds);
-  free(run->done);
-  po_results_clear(&run->results);
-  po_plan_destroy(run->plan);
-  *run = (po_case_run){0};
-}
-
-size_t po_case_run_failures(const po_case_run *run) {
-  size_t count = 0;
-  for (size_t i = run->first; i < run->end; ++i)
-    count += run->outcomes[i].status != PO_OK;
-  return count;
-}
-
-size_t po_case_run_outside(const po_case_run *run) {
-  size_t count = 0;
-  for (size_t i = 0; i < run->results.count; ++i)
-    count += run->results.items[i].verdict != PO_WITHIN;
-  return count;
-}
-
-const char *po_case_run_verdict(const po_case_run *run) {
-  if (po_case_run_failures(run))
-    return "failed";
-  return po_case_run_outside(run) ? "outside" : "within";
-}
 
 /* What the threads of a run share. */
 typedef struct {
@@ -91,10 +49,17 @@ static void give_up(po_crew *crew, po_status status) {
 static po_status compare_all(po_case_run *run) {
   const po_case *kase = run->plan->kase;
   po_status status = PO_OK;
-  for (unsigned c = 0; !status && c < kase->file->checks_count; ++c)
+  for (unsigned c = 0; !status && c < kase->file->checks_count; ++c) {
+    const po_check *check = &kase->file->checks[c];
+    if (check->quantity == PO_SOLVED_SHARE) {
+      status = po_compare_share(kase, run->first, run->end, check, &run->plan->references[c],
+                                run->outcomes, &run->results);
+      continue;
+    }
     for (size_t i = run->first; !status && i < run->end; ++i)
-      status = po_compare(kase, i, &kase->file->checks[c], &run->plan->references[c],
-                          &run->outcomes[i], &run->results);
+      status =
+          po_compare(kase, i, check, &run->plan->references[c], &run->outcomes[i], &run->results);
+  }
   return status;
 }
 

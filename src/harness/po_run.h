@@ -38,9 +38,12 @@ typedef struct {
  * PO_NO_MEMORY. A solve that fails is no failure of the run: see po_case_run_verdict. */
 po_status po_run(po_case_run *runs, size_t count, const po_run_options *options);
 
+/* Whether the solve of a point failed, and not as part of the share that a check lets fail. */
+bool po_case_run_failed(const po_case_run *run, size_t point);
+
 /* "within", "outside" (some check is, or could not be made), "failed" (some solve did). */
 const char *po_case_run_verdict(const po_case_run *run);
-size_t po_case_run_failures(const po_case_run *run); /* solves */
+size_t po_case_run_failures(const po_case_run *run); /* such solves */
 size_t po_case_run_outside(const po_case_run *run);  /* checks not within */
 
 /* Allocates what a run of this plan needs; takes the plan. */

@@ -73,6 +73,14 @@ spoilt 's/tolerance: 1e-9/tolerance: .nan/' \
   '15: checks[[]1[]].tolerance is .nan: expected a finite number > 0'
 spoilt 's/kind: abs/kind: roughly/' \
   '16: checks[[]1[]].kind is roughly: expected abs, rel or ulp'
+spoilt 's/pull_off_force/solved_share/' \
+  '14: checks[[]1[]].reference is reference/table.csv: expected every_scene, *'
+spoilt 's/reference: .*/reference: every_scene/' \
+  '14: checks[[]1[]].reference is every_scene: expected bradley or the path of a CSV file'
+spoilt 's/pull_off_force/solved_share/; s/reference: .*/reference: every_scene/; s/kind: abs/kind: rel/' \
+  '16: checks[[]1[]].kind is rel: expected abs, as a share is'
+spoilt 's/pull_off_force/solved_share/; s/reference: .*/reference: every_scene/; s/1e-9/1/' \
+  '15: checks[[]1[]].tolerance is 1: expected the share that may fail, below 1'
 spoilt '/because/d' '*: checks[[]1[]].because is missing: expected the reason for the tolerance'
 spoilt 's/because: .*/because: ""/' \
   '17: checks[[]1[]].because is empty: expected the reason for the tolerance'
