@@ -27,6 +27,7 @@ static const char HELP[] =
     "  --tolerance T           relative, of the pull-off force, for panel (1e-6)\n"
     "  --approach-start D      where the trace begins (chosen by the solver)\n"
     "  --approach-end D        where it ends (once the pull-off is certain)\n"
+    "  --time-limit S          seconds of processor time after which the solve ends (none)\n"
     "  --want curve,profile    points of the branch; gap and traction over the radius\n"
     "  --profile-approach D    where the profile is taken (at pull-off)\n"
     "  --curve FILE            write the points of the branch as CSV\n"
@@ -50,6 +51,7 @@ static const struct option OPTIONS[] = {
     {"tolerance", required_argument, NULL, PO_KEY_TOLERANCE + 1},
     {"approach-start", required_argument, NULL, PO_KEY_APPROACH_START + 1},
     {"approach-end", required_argument, NULL, PO_KEY_APPROACH_END + 1},
+    {"time-limit", required_argument, NULL, PO_KEY_TIME_LIMIT + 1},
     {"want", required_argument, NULL, WANT},
     {"profile-approach", required_argument, NULL, PROFILE_APPROACH},
     {"curve", required_argument, NULL, CURVE_FILE},

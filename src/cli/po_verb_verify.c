@@ -11,9 +11,14 @@ static const char HELP[] =
     "Runs what is missing of the cases, sets every number beside its reference and prints the\n"
     "verdicts. Exit code 1 when a check does not pass (within, improved and slack do), 3 when a\n"
     "solve failed.\n\n"
-    "  --suite S[,S]   the cases of these suites: smoke, paper, extreme, precision\n"
+    "  --suite S[,S]   the cases of these suites: smoke, paper, extreme,\n"
+    "                  precision, random\n"
     "  --output DIR    where the records are (build/run)\n"
-    "  --jobs N        points solved side by side (all cores); the numbers do not depend on it\n"
+    "  --jobs N        points solved side by side (0: all cores); the numbers do not depend\n"
+    "                  on it\n"
+    "  --points A[-B]  only these points of each case, counted from 0; they are kept for a run of\n"
+    "                  the whole\n"
+    "  --time-limit S  seconds of processor time a solve may take, instead of what the case says\n"
     "  --fresh         solve again what is there\n"
     "  --tap           print TAP 13, one line a check\n"
     "  --junit FILE    write JUnit XML, too\n"
@@ -67,6 +72,8 @@ int po_verb_verify(int argc, char **argv) {
     status = po_session_run(&session, argv + optind, (size_t)(argc - optind));
   if (!status)
     status = print(&session, tap, junit);
+  if (!status && !tap)
+    status = po_session_summarise(&session);
   int code = po_options_end(status);
   if (!status && po_session_failures(&session))
     code = PO_EXIT_SOLVE;

@@ -157,6 +157,10 @@ static void blame_pin(const po_result *item, const witnesses *heard, po_blame *b
 /* Verdicts that do not need the other ledgers. */
 static bool blame_plainly(const po_result *item, po_blame *blame) {
   const bool pin = item->ledger == PO_LEDGER_PIN;
+  if (item->whole && !po_verdict_passes(item->verdict)) {
+    say(blame, "solve", "more failed than may, or without a reason; each is told below");
+    return true;
+  }
   switch (item->verdict) {
   case PO_WITHIN:
     say(blame, "none", "%s", "");

@@ -42,7 +42,7 @@ static po_status check_results(const po_case_run *run) {
   const po_case *kase = run->plan->kase;
   const char *name = kase->file->name;
   for (size_t i = 0; i < kase->point_count; ++i)
-    if (run->outcomes[i].status)
+    if (po_case_run_failed(run, i))
       return po_fail(PO_NOT_CONVERGED, "%s is not blessed: the solve of %s failed: %s", name,
                      kase->points[i].label, run->outcomes[i].reason);
   for (size_t i = 0; i < run->results.count; ++i) {
@@ -107,7 +107,8 @@ static void add_oracles(const po_plan *plan, po_text *text) {
   size_t number = 0;
   for (unsigned c = 0; c < file->checks_count; ++c) {
     const po_reference *reference = &plan->references[c];
-    bool again = reference->is_bradley || reference->ledger != PO_LEDGER_ORACLE;
+    const bool table = !reference->is_bradley && !reference->is_every_scene;
+    bool again = !table || reference->ledger != PO_LEDGER_ORACLE;
     for (unsigned k = 0; k < c; ++k)
       again = again || strcmp(file->checks[k].reference, file->checks[c].reference) == 0;
     if (!again)

@@ -54,9 +54,8 @@ static po_status open_references(po_plan *plan, const char *data_folder) {
 static po_status make_keys(po_plan *plan) {
   const po_case *kase = plan->kase;
   po_text text = {0};
-  char program[PO_DIGEST_LENGTH];
-  po_environment_digest(program);
-  po_text_add(&text, "%s|%u|%u|", program, plan->want, kase->repeats);
+  po_environment_digest(plan->program);
+  po_text_add(&text, "%s|%u|%u|", plan->program, plan->want, kase->repeats);
   for (size_t i = 0; i < kase->point_count; ++i) {
     char *command = po_input_command(&kase->points[i].request);
     po_text_add(&text, "%s|", command ? command : "");

@@ -67,8 +67,9 @@ static po_status check_selectors(const po_csv *table) {
 
 po_status po_reference_open(const char *data_folder, const char *name, po_reference *reference) {
   *reference = (po_reference){.name = name};
-  if (strcmp(name, "bradley") == 0) {
-    reference->is_bradley = true;
+  reference->is_bradley = strcmp(name, "bradley") == 0;
+  reference->is_every_scene = strcmp(name, PO_EVERY_SCENE) == 0;
+  if (reference->is_bradley || reference->is_every_scene) {
     po_digest_bytes(name, strlen(name), reference->digest);
     return PO_OK;
   }

@@ -153,4 +153,17 @@ check 'beside it' grep -q '^# blessing 1: .*, A. Smith, ' my/pins/own.csv
 rm -r my/pins
 : >my/pins
 refused 4 'the folder my/pins cannot be made: ' bless my/own.yaml --reason 'mine'
+
+# A solve that failed within the share that may is no reason to refuse.
+restore
+sed -i 's/^want/sweep: [{key: approach_end, values: [0.1, 0.2, 5]}]\nwant/; s/quantity: pull_off_force/quantity: solved_share/;
+  s/reference: .*/reference: every_scene/; s/tolerance: 1e-9/tolerance: 0.6/;
+  s/^    because.*/&\n    when: [{key: approach_end, values: [0.2, 5]}]/' "$file"
+add_pin "$file" pull_off_force 1e-10 rel
+sed -i 's/, because: it is quick to bless again/&, when: [{key: approach_end, values: [0.1]}]/' "$file"
+expect 0 '*' bless good --reason 'one of two may fail' --output run
+says 'the one that must not fail' ' 1 pins, 0 moved, 1 new, 0 dropped$'
+check 'a share is no table that held' test 0 -eq "$(grep -c '^# checked' "$pins")"
+sed -i 's/tolerance: 0.6/tolerance: 0.4/' "$file"
+refused 3 'good is not blessed: the solve of approach_end=5 failed: ' bless good --reason why
 finish

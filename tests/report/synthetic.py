@@ -90,7 +90,7 @@ def point(place, sweep, found, curve=None, status="ok", seconds=0.4):
     failed = status != "ok"
     return {"id": str(place), "label": label, "sweep": sweep,
             "input": dict({"radius": 100, "outer_radius": None, "scheme": "triangle"}, **sweep),
-            "status": status, "rigid": False,
+            "status": status, "failed": failed, "rigid": False,
             "reason": "the step fell below 1e-8 near approach -1.7" if failed else "",
             "pull_off": None if failed else {"force": force, "approach": approach,
                                              "contact_radius": 8.1, "error_estimate": None},

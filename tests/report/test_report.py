@@ -215,6 +215,22 @@ class Parts(PageTest):
         self.has(text, "ring 63 failed")
         self.lacks(html.lower(), ">nan<")
 
+    def test_a_failure_within_the_share_that_may_fail_is_told_but_no_failure(self):
+        def allowed(run):
+            synthetic.make_run(run, failed=True)
+            for name in ("fig04", "error_time"):
+                path = os.path.join(run, name, "record.json")
+                with open(path, encoding="utf-8") as stream:
+                    record = json.load(stream)
+                for point in record["points"]:
+                    point["failed"] = False
+                with open(path, "w", encoding="utf-8") as stream:
+                    json.dump(record, stream)
+        with made_up(allowed) as folder:
+            text = plain(page_of(folder))
+        self.has(text, "3 checks without a result", "tabor=2.5: the solve ended with step too small")
+        self.lacks(text, "solves failed", "solve failed")
+
 
 if __name__ == "__main__":
     unittest.main()
