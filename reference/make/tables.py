@@ -1,7 +1,7 @@
 """Reference tables: CSV with a `# key: value` header and a checksum.
 
-The value of `# sha256:` is the checksum of everything below the header (the
-line of column names and the data lines), bytes as written.
+The value of `# sha256:` is the checksum of all other lines of the file, header
+and rows, bytes as written.
 """
 
 import hashlib
@@ -23,11 +23,11 @@ def bound(x):
 def write_table(path, header, columns, rows):
     """rows are sequences of strings; written through a temporary file."""
     body = "\n".join([",".join(columns)] + [",".join(row) for row in rows]) + "\n"
-    digest = hashlib.sha256(body.encode()).hexdigest()
-    head = "".join(f"# {key}: {value}\n" for key, value in {**header, "sha256": digest}.items())
+    head = "".join(f"# {key}: {value}\n" for key, value in header.items())
+    seal = f"# sha256: {hashlib.sha256((head + body).encode()).hexdigest()}\n"
     path = Path(path)
     partial = path.with_suffix(".partial")
-    partial.write_text(head + body)
+    partial.write_text(head + seal + body)
     partial.replace(path)
 
 
@@ -37,7 +37,8 @@ def read_table(path):
     head = [line for line in lines if line.startswith("#")]
     header = dict(line[1:].strip().split(": ", 1) for line in head)
     body = lines[len(head):]
-    if hashlib.sha256("".join(body).encode()).hexdigest() != header.get("sha256"):
-        raise ValueError(f"{path}: the data do not match their sha256")
+    sealed = [line for line in lines if not line.startswith("# sha256:")]
+    if hashlib.sha256("".join(sealed).encode()).hexdigest() != header.get("sha256"):
+        raise ValueError(f"{path}: header and rows do not match their sha256")
     columns = body[0].strip().split(",")
     return header, [dict(zip(columns, line.strip().split(","))) for line in body[1:]]

@@ -29,11 +29,11 @@ static po_status check_headers(po_reference *reference) {
                      NEEDED[i]);
   }
   const po_csv_header *digest = po_csv_find_header(table, "sha256");
-  if (strcmp(digest->value, table->data_digest) != 0)
+  if (strcmp(digest->value, table->digest) != 0)
     return po_fail(PO_CANNOT_READ,
-                   "%s:%zu: sha256 is %.16s...: expected %.16s..., that of the rows (damaged, or "
-                   "edited by hand)",
-                   table->path, digest->line, digest->value, table->data_digest);
+                   "%s:%zu: sha256 is %.16s...: expected %.16s..., that of all other lines "
+                   "(damaged, or edited by hand)",
+                   table->path, digest->line, digest->value, table->digest);
   const po_csv_header *kind = po_csv_find_header(table, "kind");
   for (unsigned i = 0; i < 3; ++i)
     if (strcmp(kind->value, LEDGERS[i]) == 0) {

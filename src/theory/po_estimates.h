@@ -5,7 +5,7 @@
 #include "po_jkr.h"
 
 /* All return NaN outside the domain: tabor, amplitude, wavelength, radius > 0 as each needs them.
- * Accuracy: 1e-14 relative (tests/unit/test_theory.c). */
+ * Accuracy: 1e-14 relative (tests/unit/test_theory.c, tests/theory/test_tables_theory.c). */
 
 /* alpha_KLJ = sqrt(2 lambda w/(pi^2 A^2 E*)), the Johnson parameter (after Eq 4). */
 double po_johnson_parameter(const po_scene *scene);

@@ -40,11 +40,10 @@ def write_reference(folder, name, header, columns, rows, digest=True):
     lines = [",".join(columns)] + [",".join(f"{cell:.12g}" if isinstance(cell, float) else str(cell)
                                             for cell in row) for row in rows]
     data = "\n".join(lines) + "\n"
-    if digest:
-        header = dict(header, sha256=hashlib.sha256(data.encode()).hexdigest())
+    head = "".join(f"# {key}: {value}\n" for key, value in header.items())
+    seal = f"# sha256: {hashlib.sha256((head + data).encode()).hexdigest()}\n" if digest else ""
     with open(os.path.join(folder, name), "w", encoding="utf-8") as stream:
-        stream.writelines(f"# {key}: {value}\n" for key, value in header.items())
-        stream.write(data)
+        stream.write(head + seal + data)
 
 
 def header(what, kind="oracle"):

@@ -4,8 +4,8 @@ from . import Section
 from ..references import file_name
 
 KEYS = ("source", "method", "units", "uncertainty", "generator", "command", "date")
-STATES = {"verified": "intact: the checksum of the rows is the stated one",
-          "differs": "altered: the checksum of the rows is not the stated one",
+STATES = {"verified": "intact: the checksum is the stated one",
+          "differs": "altered: the checksum is not the stated one",
           "absent": "no checksum is stated"}
 
 
