@@ -57,5 +57,6 @@ restore() {
   mkdir -p "$PULLOFF_DATA/cases" "$PULLOFF_DATA/reference"
   write_case "$PULLOFF_DATA/cases/good.yaml"
   write_table "$PULLOFF_DATA/reference/table.csv" tabor,force,approach 0,2,0
+  echo table.csv >"$PULLOFF_DATA/reference/index.txt"
 }
 restore
