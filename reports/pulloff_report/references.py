@@ -24,5 +24,6 @@ class References:
 
 
 def file_name(reference):
-    """"reference/feng.csv" -> "feng.csv"; "bradley", built in, stays as it is."""
-    return os.path.basename(reference or "")
+    """"reference/feng.csv" -> "feng.csv", "reference/published/a.csv" -> "published/a.csv"; "bradley",
+    built in, stays as it is."""
+    return (reference or "").rpartition("reference/")[2]

@@ -24,7 +24,7 @@ static void decide(po_plan *plan) {
   if (kase->want & PO_CASE_PROFILE)
     plan->want |= PO_WANT_PROFILE;
   for (unsigned i = 0; i < kase->file->checks_count; ++i)
-    if (kase->file->checks[i].quantity == PO_CURVE)
+    if (kase->file->checks[i].quantity == PO_CURVE && !plan->references[i].is_absent)
       plan->want |= PO_WANT_CURVE;
 }
 
@@ -35,8 +35,8 @@ static po_status open_references(po_plan *plan, const char *data_folder) {
     return PO_NO_MEMORY;
   po_status status = PO_OK;
   for (unsigned i = 0; !status && i < file->checks_count; ++i) {
-    status = po_reference_open(data_folder, file->checks[i].reference, &plan->references[i]);
-    if (!status)
+    status = po_reference_open_check(data_folder, &file->checks[i], &plan->references[i]);
+    if (!status && !plan->references[i].is_absent)
       status =
           po_compare_check_tolerance(plan->kase, &file->checks[i], i + 1, &plan->references[i]);
   }
@@ -71,10 +71,11 @@ po_status po_plan_create(const po_case *kase, const char *data_folder, po_plan *
   if (!plan)
     return PO_NO_MEMORY;
   plan->kase = kase;
-  decide(plan);
   po_status status = open_references(plan, data_folder);
-  if (!status)
+  if (!status) {
+    decide(plan);
     status = make_keys(plan);
+  }
   if (!status)
     status = po_plan_tell(plan);
   if (status)

@@ -20,6 +20,7 @@ typedef struct {
   const char *name; /* as the case names it */
   po_ledger ledger;
   bool is_bradley; /* the closed form; else the table */
+  bool is_absent;  /* there is no such file, and the check says what stands in for it */
   po_csv table;
   char digest[PO_DIGEST_LENGTH]; /* of the whole file; of the name for a closed form */
 } po_reference;
@@ -46,6 +47,11 @@ const char *po_ledger_name(po_ledger ledger);
  * source, kind, method, units, uncertainty, generator, command, date, sha256, and the checksum.
  * Status: PO_CANNOT_READ with file and line. `name` must outlive the reference. */
 po_status po_reference_open(const char *data_folder, const char *name, po_reference *reference);
+
+/* The same for a check; where one says what stands in for its reference, that may be absent, and is
+ * of kind published when it is there. */
+po_status po_reference_open_check(const char *data_folder, const po_check *check,
+                                  po_reference *reference);
 void po_reference_close(po_reference *reference);
 
 /* What it says of `quantity` (pull_off_force, pull_off_approach, fold_count) for a scene.
