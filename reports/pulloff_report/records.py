@@ -17,7 +17,10 @@ CHECK = {"id": str, "quantity": str, "obtained": NUMBER, "expected": NUMBER, "er
          "kind": str, "tolerance": NUMBER, "ratio": NUMBER, "ledger": str, "verdict": str,
          "because": str}
 LEFT_OUT = {"quantity": str, "reference": str, "stand_in": str}
-VERDICTS = ("within", "outside", "no_result", "missing_reference")
+VERDICTS = ("within", "outside", "no_result", "missing_reference", "improved", "regressed", "moved",
+            "wrong_and_frozen", "slack")
+PASSING = ("within", "improved", "slack")  # the last two are told nevertheless
+SILENT = ("no_result", "missing_reference")
 TYPE_NAMES = {str: "a string", list: "a list", dict: "an object", NUMBER: "a number or null"}
 
 
@@ -89,8 +92,8 @@ class Case:
     def _table(self, name):
         return Table(os.path.join(self.folder, name)) if name else None
 
-    def count(self, verdict):
-        return sum(check["verdict"] == verdict for check in self.checks)
+    def count(self, *verdicts):
+        return sum(check["verdict"] in verdicts for check in self.checks)
 
     def failed_points(self):
         return [point for point in self.points if point["status"] != "ok"]

@@ -12,18 +12,25 @@ class References:
         self.folder = folder
         self._tables = {}
 
+    def path_of(self, name):
+        """Pins lie beside the cases, which lie beside the reference data."""
+        folder = os.path.join(self.folder, "..", "cases") if name.startswith("pins/") else self.folder
+        return os.path.join(folder, name)
+
     def has(self, name):
-        return os.path.isfile(os.path.join(self.folder, name))
+        return os.path.isfile(self.path_of(name))
 
     def table(self, name):
         """The Table of this file name, or None when there is no such file."""
         if name not in self._tables:
-            path = os.path.join(self.folder, name)
+            path = self.path_of(name)
             self._tables[name] = Table(path) if os.path.isfile(path) else None
         return self._tables[name]
 
 
 def file_name(reference):
-    """"reference/feng.csv" -> "feng.csv", "reference/published/a.csv" -> "published/a.csv"; "bradley",
-    built in, stays as it is."""
-    return (reference or "").rpartition("reference/")[2]
+    """"reference/feng.csv" -> "feng.csv", "reference/published/a.csv" -> "published/a.csv",
+    "cases/pins/fig03.csv" -> "pins/fig03.csv"; "bradley", built in, stays as it is."""
+    folder, name = os.path.split(reference or "")
+    kind = os.path.basename(folder)
+    return f"{kind}/{name}" if kind in ("pins", "published") else name

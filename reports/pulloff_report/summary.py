@@ -1,35 +1,59 @@
 """The first page: how the run stands, as one sentence and a table of cases by verdict."""
 
-from .records import VERDICTS
-from .words import count, date
+from .records import PASSING, SILENT, VERDICTS
+from .words import VERDICT_WORDS, count, date
+
+
+FAILING = tuple(name for name in VERDICTS if name not in PASSING + SILENT)
+TOLD = ("improved", "slack")
+
+
+def told(run):
+    """What passes and is to be seen: "1 improved, 2 slack", or nothing."""
+    counts = ((sum(case.count(name) for case in run.cases), name) for name in TOLD)
+    return ", ".join(f"{number} {VERDICT_WORDS[name]}" for number, name in counts if number)
+
+
+def failures(run):
+    """"2 outside, 1 regressed": the failing checks by verdict."""
+    counts = ((sum(case.count(name) for case in run.cases), name) for name in FAILING)
+    return ", ".join(f"{number} {VERDICT_WORDS[name]}" for number, name in counts if number)
 
 
 def status(run):
     """(kind, headline, explanation) of the whole run."""
     checks = run.checks()
-    within = sum(check["verdict"] == "within" for check in checks)
-    outside = sum(check["verdict"] == "outside" for check in checks)
-    silent = len(checks) - within - outside
+    passing = sum(case.count(*PASSING) for case in run.cases)
+    failing = sum(case.count(*FAILING) for case in run.cases)
+    silent = len(checks) - passing - failing
     failed = sum(len(case.failed_points()) for case in run.cases)
+    seen = f" ({told(run)})" if told(run) else ""
     if not checks:
         return "open", "No check was made", "The cases of this run compare nothing."
-    if outside:
-        return ("outside", f"{outside} of {count(len(checks), 'check')} outside the tolerance",
-                f"{within} within, {silent} without a result.")
+    if failing:
+        only_outside = failing == sum(case.count("outside") for case in run.cases)
+        return ("outside", f"{failing} of {count(len(checks), 'check')} "
+                + ("outside the tolerance" if only_outside else f"failed: {failures(run)}"),
+                f"{passing} within{seen}, {silent} without a result.")
     if silent or failed:
         parts = [count(silent, "check") + " without a result"] if silent else []
         parts += [count(failed, "solve") + " failed"] if failed else []
-        return "open", " and ".join(parts), f"The other {within} checks are within their tolerance."
+        return ("open", " and ".join(parts),
+                f"The other {passing} checks are within their tolerance{seen}.")
     return ("within", f"All {count(len(checks), 'check')} within their tolerance",
-            "Every number below is set beside a reference it did not come from.")
+            f"Every number below is set beside a reference it did not come from{seen}."
+            if not any(check["ledger"] == "pin" for check in checks) else
+            "Every number below is set beside a reference it did not come from, or, where the ledger "
+            f"says pin, beside what this program gave when it was last accepted{seen}.")
 
 
 def rows(run):
     """One row a case: counts by verdict, the worst error, the time."""
     made = []
     for case in run.cases:
-        made.append({"case": case, "counts": {name: case.count(name) for name in VERDICTS},
-                     "silent": case.count("no_result") + case.count("missing_reference"),
+        made.append({"case": case, "passing": case.count(*PASSING), "failing": case.count(*FAILING),
+                     "silent": case.count(*SILENT),
+                     "told": sum(case.count(name) for name in TOLD),
                      "total": len(case.checks), "worst": case.worst(),
                      "points": len(case.points), "failed": len(case.failed_points()),
                      "seconds": case.record.get("seconds")})
@@ -38,12 +62,10 @@ def rows(run):
 
 def totals(made):
     worst = [row["worst"] for row in made if row["worst"] is not None]
-    return {"counts": {name: sum(row["counts"][name] for row in made) for name in VERDICTS},
-            "silent": sum(row["silent"] for row in made),
-            "total": sum(row["total"] for row in made), "worst": max(worst) if worst else None,
-            "points": sum(row["points"] for row in made),
-            "failed": sum(row["failed"] for row in made),
-            "seconds": sum(row["seconds"] or 0 for row in made)}
+    sums = {name: sum(row[name] for row in made)
+            for name in ("passing", "failing", "silent", "told", "total", "points", "failed")}
+    return dict(sums, worst=max(worst) if worst else None,
+                seconds=sum(row["seconds"] or 0 for row in made))
 
 
 def facts(run):

@@ -22,12 +22,26 @@ QUANTITIES = {
     "extremum_approach": "Approach at an extremum of the load Δ†",
     "extremum_load": "Load at its extremum W̄",
     "curve": "Loading curve, distance normal to the curve",
+    "work_points": "Work: equilibria",
+    "work_newton_iterations": "Work: Newton iterations",
+    "work_factorizations": "Work: factorisations",
+    "work_kernel_evaluations": "Work: evaluations of the kernel",
+    "work_nodes": "Work: nodes",
 }
 
 VERDICT_WORDS = {"within": "within", "outside": "outside", "no_result": "no result",
-                 "missing_reference": "no reference", "failed": "failed"}
+                 "missing_reference": "no reference", "improved": "improved",
+                 "regressed": "regressed", "moved": "moved", "wrong_and_frozen": "wrong and frozen",
+                 "slack": "slack", "failed": "failed"}
 VERDICT_SIGNS = {"within": "✓", "outside": "✗", "no_result": "∅", "missing_reference": "?",
-                 "failed": "∅"}
+                 "improved": "✓", "regressed": "✗", "moved": "✗", "wrong_and_frozen": "✗",
+                 "slack": "✓", "failed": "∅"}
+VERDICT_MEANINGS = {
+    "improved": "the pin moved towards every oracle, or there is less work: to be blessed",
+    "regressed": "the pin moved away from an oracle, or there is more work",
+    "moved": "the pin moved, and no oracle says whether for the better",
+    "wrong_and_frozen": "the oracle fails while the pin holds",
+    "slack": "within, but the tolerance is over a thousand times the largest error it met"}
 LEDGERS = {"oracle": "exact or many digits, by an independent route",
            "published": "published value, with its uncertainty",
            "pin": "this program's own last accepted value, to notice change"}

@@ -18,7 +18,8 @@
   X(PO_NO_MEMORY, -2, "out of memory")                                                             \
   X(PO_CANNOT_READ, -3, "a file could not be read")                                                \
   X(PO_CANNOT_WRITE, -4, "a file could not be written")                                            \
-  X(PO_MISSING_TOOL, -5, "a program this needs is not installed")
+  X(PO_MISSING_TOOL, -5, "a program this needs is not installed")                                  \
+  X(PO_CHECK_FAILED, -6, "a check does not pass")
 
 #define PO_STATUS_ENUM(name, value, text) name = value,
 typedef enum { PO_STATUS_LIST(PO_STATUS_ENUM) } po_status;

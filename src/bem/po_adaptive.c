@@ -6,7 +6,7 @@
 
 #include "po_memory.h"
 
-enum { ORDER = PO_TABLE_ORDER, MOST_PANELS = 112 };
+enum { ORDER = PO_TABLE_ORDER, MOST_PANELS = 160 };
 
 struct po_adaptive {
   const po_panel_table *table;
@@ -153,25 +153,4 @@ po_status po_adaptive_mesh(po_adaptive *a, const po_leaves *leaves) {
   a->surface.influence = a->spare;
   a->spare = matrix;
   return PO_OK;
-}
-
-void po_adaptive_transfer(const po_adaptive *a, const double *from, double *to) {
-  const po_panel_rule *rule = &a->table->rule;
-  for (size_t k = 0; k < a->leaves.count; ++k) {
-    const po_leaf leaf = a->leaves.leaf[k];
-    const double begin = po_leaf_begin(leaf), size = po_leaf_end(leaf) - begin;
-    for (size_t i = 0; i < ORDER; ++i) {
-      const double x = begin + size * rule->node[i];
-      const size_t old = po_leaves_find(&a->before, x);
-      const double old_begin = po_leaf_begin(a->before.leaf[old]);
-      double value[ORDER], sum = 0.0;
-      po_lagrange(ORDER, rule->node, rule->barycentric,
-                  (x - old_begin) / (po_leaf_end(a->before.leaf[old]) - old_begin), value);
-      for (size_t j = 0; j < ORDER; ++j)
-        sum += value[j] * from[old * ORDER + j];
-      to[k * ORDER + i] = sum;
-    }
-  }
-  if (a->unbounded)
-    memcpy(to + a->leaves.count * ORDER, from + a->before.count * ORDER, ORDER * sizeof *to);
 }

@@ -28,9 +28,4 @@ size_t po_adaptive_capacity(const po_adaptive *adaptive);
  * then. */
 po_status po_adaptive_mesh(po_adaptive *adaptive, const po_leaves *leaves);
 
-/* Takes a field from the nodes of the mesh before the last po_adaptive_mesh to those in force, by
- * the panels' own polynomials. Given: from (nodes before). Returned: to (nodes now), another array.
- */
-void po_adaptive_transfer(const po_adaptive *adaptive, const double *from, double *to);
-
 #endif

@@ -1,13 +1,15 @@
 #include "po_leaves.h"
 
-#include <math.h>
 #include <string.h>
 
+double po_leaf_size(po_leaf leaf) {
+  return 1.0 / (double)((uint64_t)1 << leaf.level);
+}
 double po_leaf_begin(po_leaf leaf) {
-  return ldexp((double)leaf.index, -(int)leaf.level);
+  return (double)leaf.index * po_leaf_size(leaf);
 }
 double po_leaf_end(po_leaf leaf) {
-  return ldexp((double)leaf.index + 1.0, -(int)leaf.level);
+  return ((double)leaf.index + 1.0) * po_leaf_size(leaf);
 }
 
 bool po_leaf_equal(po_leaf a, po_leaf b) {

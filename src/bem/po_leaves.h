@@ -34,6 +34,7 @@ size_t po_leaves_join(po_leaves *leaves, const bool *join);
 /* Ends of a leaf in parts of the root: [begin, end). */
 double po_leaf_begin(po_leaf leaf);
 double po_leaf_end(po_leaf leaf);
+double po_leaf_size(po_leaf leaf);
 
 /* The leaf that contains x (in parts of the root, 0 <= x < 1). */
 size_t po_leaves_find(const po_leaves *leaves, double x);

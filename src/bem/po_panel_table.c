@@ -83,9 +83,8 @@ const po_panel_table *po_panel_table_get(void) {
 /* G = a ln|r - s| + b times s h: the logarithm's part by its weights, the rest by Gauss's. */
 static void near_block(const po_panel_table *t, po_leaf target, po_leaf source, int k,
                        po_panel_block block) {
-  const double begin = po_leaf_begin(source), size = po_leaf_end(source) - begin;
-  const double from = po_leaf_begin(target), reach = po_leaf_end(target) - from,
-               log_size = log(size);
+  const double begin = po_leaf_begin(source), size = po_leaf_size(source);
+  const double from = po_leaf_begin(target), reach = po_leaf_size(target), log_size = log(size);
   for (size_t i = 0; i < ORDER; ++i) {
     const double r = from + reach * t->rule.node[i];
     const double x0 = node_in_source(
@@ -107,8 +106,8 @@ static void near_block(const po_panel_table *t, po_leaf target, po_leaf source, 
 
 static void far_block(const po_panel_table *t, po_leaf target, po_leaf source,
                       po_panel_block block) {
-  const double begin = po_leaf_begin(source), size = po_leaf_end(source) - begin;
-  const double from = po_leaf_begin(target), reach = po_leaf_end(target) - from;
+  const double begin = po_leaf_begin(source), size = po_leaf_size(source);
+  const double from = po_leaf_begin(target), reach = po_leaf_size(target);
   double s[ORDER], weight[ORDER];
   for (size_t j = 0; j < ORDER; ++j) {
     s[j] = begin + size * t->rule.node[j];

@@ -12,7 +12,7 @@
 #include "po_leaves.h"
 #include "po_panel.h"
 
-enum { PO_TABLE_ORDER = 16 };
+enum { PO_TABLE_ORDER = 12 };
 
 typedef double po_panel_block[PO_TABLE_ORDER]
                              [PO_TABLE_ORDER]; /* [node of the target][of the source] */

@@ -17,6 +17,8 @@ static const struct {
     {"plan", po_verb_plan, "say what would be computed for a case, and why"},
     {"run", po_verb_run, "solve cases and keep their records"},
     {"verify", po_verb_verify, "run what is missing and print a verdict for every check"},
+    {"explain", po_verb_explain, "say what differs, where, and which side is likely at fault"},
+    {"bless", po_verb_bless, "accept the numbers of a case as its pins"},
     {"report", po_verb_report, "write the report of a run"},
 };
 
@@ -28,14 +30,15 @@ static void print_help(void) {
     printf("  %-8s %s\n", VERBS[i].name, VERBS[i].summary);
   puts("\n  --help     this text, or that of a verb\n"
        "  --version  the version\n\n"
-       "Exit codes: 0 all well, 1 a check is outside its tolerance, 2 bad usage or input,\n"
+       "Exit codes: 0 all well, 1 a check does not pass, 2 bad usage or input,\n"
        "3 a solve failed, 4 a file could not be read or written, 130 interrupted.\n\n"
        "Example: pulloff solve --tabor 1 --json");
 }
 
 static int run_verb(int argc, char **argv) {
   if (argc < 2) {
-    po_fail(PO_BAD_INPUT, "no verb is given: expected solve, theory, list, plan, run, verify or report");
+    po_fail(PO_BAD_INPUT, "no verb is given: expected solve, theory, list, plan, run, verify, "
+                          "explain, bless or report");
     return po_options_end(PO_BAD_INPUT);
   }
   if (strcmp(argv[1], "--help") == 0) {
@@ -49,7 +52,9 @@ static int run_verb(int argc, char **argv) {
   for (size_t i = 0; i < sizeof VERBS / sizeof *VERBS; ++i)
     if (strcmp(argv[1], VERBS[i].name) == 0)
       return VERBS[i].run(argc - 1, argv + 1);
-  po_fail(PO_BAD_INPUT, "unknown verb %.80s: expected solve, theory, list, plan, run, verify or report",
+  po_fail(PO_BAD_INPUT,
+          "unknown verb %.80s: expected solve, theory, list, plan, run, verify, explain, bless or "
+          "report",
           argv[1]);
   return po_options_end(PO_BAD_INPUT);
 }

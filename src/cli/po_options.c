@@ -49,6 +49,8 @@ static int exit_code(po_status status) {
     return PO_EXIT_FILE;
   case PO_INTERRUPTED:
     return PO_EXIT_INTERRUPTED;
+  case PO_CHECK_FAILED:
+    return PO_EXIT_OUTSIDE;
   default:
     return PO_EXIT_SOLVE;
   }

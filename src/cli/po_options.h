@@ -10,7 +10,7 @@
 /* Exit codes of the program. */
 enum {
   PO_EXIT_OK = 0,
-  PO_EXIT_OUTSIDE = 1,      /* a check is outside its tolerance */
+  PO_EXIT_OUTSIDE = 1,      /* a check does not pass */
   PO_EXIT_USAGE = 2,        /* bad usage or bad input */
   PO_EXIT_SOLVE = 3,        /* a solve failed */
   PO_EXIT_FILE = 4,         /* a file could not be read or written, a tool is missing */

@@ -31,10 +31,19 @@ po_status po_print_json(const po_request *request, const po_scene_flags *flags,
   return status;
 }
 
+/* An error of two digits, or nothing. */
+static const char *error_text(double error, char text[16]) {
+  snprintf(text, 16, isfinite(error) ? "%.1e" : "", error);
+  return text;
+}
+
 static void print_landmarks(const po_landmark *list, size_t count) {
-  for (size_t i = 0; i < count; ++i)
-    printf("%-9s %16.10f %16.10f %14.6g %9d\n", po_landmark_kind_name(list[i].kind),
-           list[i].approach, list[i].load, list[i].contact_radius, list[i].unstable_modes);
+  for (size_t i = 0; i < count; ++i) {
+    char of_approach[16], of_load[16];
+    printf("%-9s %16.10f %8s %16.10f %8s %14.6g %9d\n", po_landmark_kind_name(list[i].kind),
+           list[i].approach, error_text(list[i].approach_error, of_approach), list[i].load,
+           error_text(list[i].load_error, of_load), list[i].contact_radius, list[i].unstable_modes);
+  }
 }
 
 static void print_input(const po_request *request) {
@@ -57,14 +66,15 @@ po_status po_print_text(const po_request *request, const po_scene_flags *flags,
   printf("status   %s%s%s\n", po_status_name(outcome->status), outcome->rigid ? ", rigid" : "",
          outcome->has_pull_off ? "" : ", no pull-off found");
   if (outcome->has_pull_off) {
-    printf("pull-off force %.10g at approach %.10g, contact radius %.6g", outcome->pull_off.force,
+    printf("pull-off force %.10g at approach %.10g, contact radius %.6g\n", outcome->pull_off.force,
            outcome->pull_off.approach, outcome->pull_off.contact_radius);
-    if (isfinite(outcome->pull_off.error_estimate))
-      printf(", error about %.1e", outcome->pull_off.error_estimate);
-    printf("\n");
+    if (isfinite(outcome->pull_off.force_error))
+      printf("errors   force %.1e, approach %.1e\n", outcome->pull_off.force_error,
+             outcome->pull_off.approach_error);
   }
   if (outcome->fold_count + outcome->extremum_count) {
-    printf("%-9s %16s %16s %14s %9s\n", "", "approach", "load", "contact radius", "unstable");
+    printf("%-9s %16s %8s %16s %8s %14s %9s\n", "", "approach", "error", "load", "error",
+           "contact radius", "unstable");
     print_landmarks(outcome->folds, outcome->fold_count);
     print_landmarks(outcome->extrema, outcome->extremum_count);
   }

@@ -42,11 +42,12 @@ json_t *po_json_physical_input(const po_scene_flags *flags) {
 static json_t *pull_off(const po_units *u, const po_outcome *outcome) {
   if (!outcome->has_pull_off)
     return json_null();
-  return json_pack("{s:o, s:o, s:o, s:o}", "force_n",
-                   po_json_number(outcome->pull_off.force * u->force), "approach_m",
-                   po_json_number(outcome->pull_off.approach * u->length), "contact_radius_m",
-                   po_json_number(outcome->pull_off.contact_radius * u->length), "error_estimate_n",
-                   po_json_number(outcome->pull_off.error_estimate * u->force));
+  return json_pack(
+      "{s:o, s:o, s:o, s:o, s:o}", "force_n", po_json_number(outcome->pull_off.force * u->force),
+      "approach_m", po_json_number(outcome->pull_off.approach * u->length), "contact_radius_m",
+      po_json_number(outcome->pull_off.contact_radius * u->length), "error_estimate_n",
+      po_json_number(outcome->pull_off.force_error * u->force), "approach_error_estimate_m",
+      po_json_number(outcome->pull_off.approach_error * u->length));
 }
 
 static json_t *point(const po_units *u, double approach, double load, double contact_radius) {
@@ -60,6 +61,10 @@ static json_t *landmarks(const po_units *u, const po_landmark *list, size_t coun
   for (size_t i = 0; i < count; ++i) {
     json_t *item = point(u, list[i].approach, list[i].load, list[i].contact_radius);
     json_object_set_new(item, "kind", json_string(po_landmark_kind_name(list[i].kind)));
+    json_object_set_new(item, "error_estimate_m",
+                        po_json_number(list[i].approach_error * u->length));
+    json_object_set_new(item, "load_error_estimate_n",
+                        po_json_number(list[i].load_error * u->force));
     json_array_append_new(array, item);
   }
   return array;
@@ -132,6 +137,9 @@ void po_print_physical(const po_scene_flags *flags, const po_outcome *outcome) {
     printf("pull-off force %.10g N at approach %.10g m, contact radius %.6g m\n",
            outcome->pull_off.force * u->force, outcome->pull_off.approach * u->length,
            outcome->pull_off.contact_radius * u->length);
+  if (outcome->has_pull_off && isfinite(outcome->pull_off.force_error))
+    printf("errors   force %.1e N, approach %.1e m\n", outcome->pull_off.force_error * u->force,
+           outcome->pull_off.approach_error * u->length);
   if (outcome->fold_count + outcome->extremum_count) {
     printf("%-9s %16s %16s %14s\n", "", "approach/m", "load/N", "contact/m");
     print_landmarks(u, outcome->folds, outcome->fold_count);

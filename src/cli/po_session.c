@@ -61,8 +61,7 @@ static po_status plan_all(po_session *session) {
   return status;
 }
 
-po_status po_session_run(po_session *session, char *const *names, size_t count) {
-  session->options.stop = po_interrupt_listen();
+static po_status open_cases(po_session *session, char *const *names, size_t count) {
   if (count && session->suites)
     return po_fail(PO_BAD_INPUT, "cases and --suite are given: expected one of them");
   po_status status =
@@ -71,7 +70,24 @@ po_status po_session_run(po_session *session, char *const *names, size_t count) 
     status = po_fail(PO_BAD_INPUT, "there is no such case in %s/cases", po_environment_data());
   if (!status)
     status = plan_all(session);
-  return status ? status : po_run(session->runs, session->catalog.count, &session->options);
+  return status;
+}
+
+po_status po_session_solve(po_session *session) {
+  session->options.stop = po_interrupt_listen();
+  return po_run(session->runs, session->catalog.count, &session->options);
+}
+
+po_status po_session_run(po_session *session, char *const *names, size_t count) {
+  const po_status status = open_cases(session, names, count);
+  return status ? status : po_session_solve(session);
+}
+
+po_status po_session_open_one(po_session *session, const po_options *options) {
+  if (options->argc - optind != 1)
+    return po_fail(PO_BAD_INPUT, "%s needs the name of one case (see pulloff %s --help)",
+                   options->verb, options->verb);
+  return open_cases(session, options->argv + optind, 1);
 }
 
 size_t po_session_failures(const po_session *session) {

@@ -1,4 +1,4 @@
-/* What run and verify share: options, choosing cases, running them. */
+/* What the verbs that run cases share: options, choosing cases, running them. */
 #ifndef PO_SESSION_H
 #define PO_SESSION_H
 
@@ -30,6 +30,13 @@ enum {
   {"jobs", required_argument, NULL, PO_SESSION_JOBS},                                              \
   {"fresh", no_argument, NULL, PO_SESSION_FRESH},                                                  \
   {"help", no_argument, NULL, PO_OPTION_HELP}
+
+/* Those of a verb that looks at one case. */
+#define PO_SESSION_CASE_OPTIONS                                                                    \
+  {"output", required_argument, NULL, PO_SESSION_OUTPUT},                                          \
+  {"jobs", required_argument, NULL, PO_SESSION_JOBS},                                              \
+  {"fresh", no_argument, NULL, PO_SESSION_FRESH},                                                  \
+  {"help", no_argument, NULL, PO_OPTION_HELP}
 // clang-format on
 
 /* A session with the defaults. */
@@ -42,7 +49,12 @@ po_status po_session_option(po_session *session, int option);
  * run; then runs them. Status: as po_run. */
 po_status po_session_run(po_session *session, char *const *names, size_t count);
 
-/* Solves that failed, and checks not within, of all cases. */
+/* The same in two steps, for the verbs that look at one case: reads and plans the case that is the
+ * one operand left; then solves it. */
+po_status po_session_open_one(po_session *session, const po_options *options);
+po_status po_session_solve(po_session *session);
+
+/* Solves that failed, and checks that do not pass, of all cases. */
 size_t po_session_failures(const po_session *session);
 size_t po_session_outside(const po_session *session);
 

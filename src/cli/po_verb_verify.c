@@ -11,9 +11,8 @@
 static const char HELP[] =
     "Usage: pulloff verify [OPTION]... [CASE]...\n"
     "Runs what is missing of the cases, sets every number beside its reference and prints the\n"
-    "verdicts. Exit code 1 when a check is outside its tolerance, 3 when a solve failed. Without "
-    "a\n"
-    "CASE every reference table is checked first, used or not.\n\n"
+    "verdicts. Exit code 1 when a check does not pass (within, improved and slack do), 3 when a\n"
+    "solve failed. Without a CASE every reference table is checked first, used or not.\n\n"
     "  --suite S[,S]   the cases of these suites: smoke, paper, extreme, precision\n"
     "  --output DIR    where the records are (build/run)\n"
     "  --jobs N        points solved side by side (all cores); the numbers do not depend on it\n"

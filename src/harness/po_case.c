@@ -18,6 +18,7 @@ static const char *const QUANTITIES[PO_QUANTITY_COUNT] = {
     [PO_FOLDS] = "folds",
     [PO_EXTREMA] = "extrema",
     [PO_CURVE] = "curve",
+    [PO_WORK] = "work",
 };
 
 static const char *const KINDS[] = {"abs", "rel", "ulp"};
@@ -53,6 +54,14 @@ bool po_check_concerns(const po_check *check, const po_request *request) {
     if (!po_axis_holds(&check->when[i], request))
       return false;
   return true;
+}
+
+bool po_check_is_pin(const po_check *check) {
+  return strcmp(check->reference, "pin") == 0;
+}
+
+const char *po_case_argument(const po_case *kase) {
+  return strncmp(kase->shown, "cases/", 6) == 0 ? kase->file->name : kase->shown;
 }
 
 double po_check_allowance(const po_check *check, double expected) {

@@ -31,6 +31,7 @@ typedef enum {
   PO_FOLDS,
   PO_EXTREMA,
   PO_CURVE,
+  PO_WORK, /* the counters of work, each on its own; only our own pins speak of them */
   PO_QUANTITY_COUNT
 } po_quantity;
 
@@ -112,6 +113,12 @@ void po_case_destroy(po_case *kase);
 /* Whether a condition (or a whole list of them) holds for a scene. */
 bool po_axis_holds(const po_axis *axis, const po_request *request);
 bool po_check_concerns(const po_check *check, const po_request *request);
+
+/* Whether a check is against our own last blessed values: its reference is the word "pin". */
+bool po_check_is_pin(const po_check *check);
+
+/* What a command line calls a case: its name, or the path of a file outside the data folder. */
+const char *po_case_argument(const po_case *kase);
 
 /* Names, as in case files. */
 const char *po_quantity_name(po_quantity quantity);

@@ -116,6 +116,17 @@ static po_status check_scene(const po_case *kase, const po_yaml *yaml) {
   return PO_OK;
 }
 
+/* What may be pinned, and what only pins speak of. */
+static po_status check_pin(const po_check *check, unsigned number, const po_yaml *yaml) {
+  if (check->quantity == PO_CURVE && po_check_is_pin(check))
+    return po_schema_refuse(yaml, "a curve to be pinned by its folds and extrema",
+                            "checks[%u].quantity", number);
+  if (check->quantity == PO_WORK && !po_check_is_pin(check))
+    return po_schema_refuse(yaml, "pin, as only our own blessed values speak of work",
+                            "checks[%u].reference", number);
+  return PO_OK;
+}
+
 static po_status parse_check(po_check *check, unsigned number, const po_yaml *yaml) {
   int quantity = 0, kind = 0;
   while (quantity < PO_QUANTITY_COUNT &&
@@ -140,6 +151,9 @@ static po_status parse_check(po_check *check, unsigned number, const po_yaml *ya
   check->kind = (po_tolerance_kind)kind;
   if (check->because[strspn(check->because, " \t\n")] == '\0')
     return po_schema_refuse(yaml, NULL, "checks[%u].because", number);
+  const po_status pin = check_pin(check, number, yaml);
+  if (pin)
+    return pin;
   for (unsigned i = 0; i < check->when_count; ++i) {
     char where[WHERE_LENGTH];
     snprintf(where, sizeof where, "checks[%u].when[%u]", number, i + 1);

@@ -151,8 +151,7 @@ static bool key_is_of_other_scheme(const po_request *request, po_key key) {
   return panel ? key == PO_KEY_NODES || key == PO_KEY_GRADING : key == PO_KEY_TOLERANCE;
 }
 
-/* A key need not be said when it is what the solver chooses, or nothing looks at it. */
-static bool key_is_idle(const po_request *request, po_key key) {
+bool po_key_is_idle(const po_request *request, po_key key) {
   const bool smooth = request->scene.amplitude == 0;
   return (key == PO_KEY_AMPLITUDE && smooth) || (key == PO_KEY_WAVELENGTH && smooth) ||
          isnan(po_key_number(request, key)) || key_is_of_other_scheme(request, key);
@@ -162,7 +161,7 @@ char *po_input_command(const po_request *request) {
   po_text command = {0};
   po_text_add(&command, "pulloff solve");
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
-    if (key_is_idle(request, (po_key)key))
+    if (po_key_is_idle(request, (po_key)key))
       continue;
     char value[PO_NUMBER_LENGTH], flag[PO_NUMBER_LENGTH];
     po_key_print(request, (po_key)key, value);

@@ -52,6 +52,9 @@ double po_key_number(const po_request *request, po_key key);
  * 0.1 in one file meets 0.1 in another however it was computed. False when `text` is no value. */
 bool po_key_matches(const po_request *request, po_key key, const char *text);
 
+/* Whether a key need not be said of a scene: the solver chooses it, or nothing looks at it. */
+bool po_key_is_idle(const po_request *request, po_key key);
+
 /* "pulloff solve --tabor 1 ...", as a line one can paste; free it. NULL without memory. */
 char *po_input_command(const po_request *request);
 

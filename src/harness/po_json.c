@@ -30,10 +30,11 @@ json_t *po_json_input(const po_request *request) {
 static json_t *pull_off(const po_outcome *outcome) {
   if (!outcome->has_pull_off)
     return json_null();
-  return json_pack("{s:o, s:o, s:o, s:o}", "force", po_json_number(outcome->pull_off.force),
+  return json_pack("{s:o, s:o, s:o, s:o, s:o}", "force", po_json_number(outcome->pull_off.force),
                    "approach", po_json_number(outcome->pull_off.approach), "contact_radius",
                    po_json_number(outcome->pull_off.contact_radius), "error_estimate",
-                   po_json_number(outcome->pull_off.error_estimate));
+                   po_json_number(outcome->pull_off.force_error), "approach_error_estimate",
+                   po_json_number(outcome->pull_off.approach_error));
 }
 
 static json_t *landmarks(const po_landmark *list, size_t count) {
@@ -41,9 +42,12 @@ static json_t *landmarks(const po_landmark *list, size_t count) {
   for (size_t i = 0; i < count; ++i)
     json_array_append_new(
         array,
-        json_pack("{s:o, s:o, s:s, s:o, s:o, s:i}", "approach", po_json_number(list[i].approach),
-                  "load", po_json_number(list[i].load), "kind", po_landmark_kind_name(list[i].kind),
-                  "contact_radius", po_json_number(list[i].contact_radius), "position",
+        json_pack("{s:o, s:o, s:s, s:o, s:o, s:o, s:o, s:i}", "approach",
+                  po_json_number(list[i].approach), "load", po_json_number(list[i].load), "kind",
+                  po_landmark_kind_name(list[i].kind), "error_estimate",
+                  po_json_number(list[i].approach_error), "load_error_estimate",
+                  po_json_number(list[i].load_error), "contact_radius",
+                  po_json_number(list[i].contact_radius), "position",
                   po_json_number(list[i].position), "unstable_modes", list[i].unstable_modes));
   return array;
 }

@@ -50,6 +50,8 @@ static po_status read_landmarks(const json_t *array, po_landmark **list, size_t 
       return po_fail(PO_BAD_INPUT, "landmark %zu has no kind", i);
     landmark->approach = number_of(item, "approach");
     landmark->load = number_of(item, "load");
+    landmark->approach_error = number_of(item, "error_estimate");
+    landmark->load_error = number_of(item, "load_error_estimate");
     landmark->contact_radius = number_of(item, "contact_radius");
     landmark->position = number_of(item, "position");
     landmark->unstable_modes = (int)json_integer_value(json_object_get(item, "unstable_modes"));
@@ -82,7 +84,8 @@ po_status po_json_read_outcome(const json_t *object, po_outcome *outcome) {
   outcome->pull_off.force = number_of(pull_off, "force");
   outcome->pull_off.approach = number_of(pull_off, "approach");
   outcome->pull_off.contact_radius = number_of(pull_off, "contact_radius");
-  outcome->pull_off.error_estimate = number_of(pull_off, "error_estimate");
+  outcome->pull_off.force_error = number_of(pull_off, "error_estimate");
+  outcome->pull_off.approach_error = number_of(pull_off, "approach_error_estimate");
   read_work(json_object_get(object, "work"), &outcome->work);
   po_status status =
       read_landmarks(json_object_get(object, "folds"), &outcome->folds, &outcome->fold_count);

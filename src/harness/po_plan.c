@@ -7,6 +7,7 @@
 #include "po_compare.h"
 #include "po_environment.h"
 #include "po_memory.h"
+#include "po_pins.h"
 #include "po_plan_words.h"
 #include "po_text.h"
 
@@ -14,6 +15,11 @@ po_request po_plan_request(const po_plan *plan, size_t point) {
   po_request request = plan->kase->points[point].request;
   request.want = plan->want;
   return request;
+}
+
+const char *po_plan_reference_of(const po_plan *plan, const po_check *check) {
+  const po_reference *reference = &plan->references[check - plan->kase->file->checks];
+  return reference->is_pin ? reference->shown : check->reference;
 }
 
 static void decide(po_plan *plan) {
@@ -35,10 +41,12 @@ static po_status open_references(po_plan *plan, const char *data_folder) {
     return PO_NO_MEMORY;
   po_status status = PO_OK;
   for (unsigned i = 0; !status && i < file->checks_count; ++i) {
-    status = po_reference_open_check(data_folder, &file->checks[i], &plan->references[i]);
+    const po_check *check = &file->checks[i];
+    status = po_check_is_pin(check)
+                 ? po_pins_open(plan->kase, check->reference, &plan->references[i])
+                 : po_reference_open_check(data_folder, check, &plan->references[i]);
     if (!status && !plan->references[i].is_absent)
-      status =
-          po_compare_check_tolerance(plan->kase, &file->checks[i], i + 1, &plan->references[i]);
+      status = po_compare_check_tolerance(plan->kase, check, i + 1, &plan->references[i]);
   }
   return status;
 }

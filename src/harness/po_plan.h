@@ -22,6 +22,10 @@ typedef struct {
 po_status po_plan_create(const po_case *kase, const char *data_folder, po_plan **result);
 void po_plan_destroy(po_plan *plan);
 
+/* What a check is against, as a path or a name: "reference/feng_pull_off.csv", "bradley",
+ * "cases/pins/smoke.csv". */
+const char *po_plan_reference_of(const po_plan *plan, const po_check *check);
+
 /* The request of a point as planned. */
 po_request po_plan_request(const po_plan *plan, size_t point);
 

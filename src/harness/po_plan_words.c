@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "po_memory.h"
+#include "po_pins.h"
 #include "po_rigid.h"
 
 static po_status say(po_plan *plan, const char *format, ...) __attribute__((format(printf, 2, 3)));
@@ -98,6 +99,8 @@ static bool is_spoken_of(const po_reference *reference, const po_check *check,
   po_reference_number number;
   po_reference_point *points = NULL;
   size_t count = 0;
+  if (check->quantity == PO_WORK)
+    return po_pins_value(reference, "work/points", request, &number.value) == PO_OK;
   if (check->quantity <= PO_FOLD_COUNT)
     return po_reference_find(reference, check->quantity, request, &number) == PO_OK;
   const po_status status =
@@ -125,11 +128,15 @@ static po_status tell_checks(po_plan *plan) {
         spoken += is_spoken_of(&plan->references[i], check, &kase->points[k].request);
       }
     status = say(plan, "compare %s with %s at %zu of %zu points, to %s %s", check->quantity_text,
-                 check->reference, concerned, kase->point_count, check->tolerance_text,
-                 check->kind_text);
-    if (!status && spoken < concerned)
-      status = say(plan, "  but %s does not speak of %zu of these", check->reference,
-                   concerned - spoken);
+                 po_plan_reference_of(plan, check), concerned, kase->point_count,
+                 check->tolerance_text, check->kind_text);
+    if (!status && plan->references[i].is_missing)
+      status =
+          say(plan, "  but there are no pins yet; to make them: pulloff bless %.100s --reason TEXT",
+              po_case_argument(kase));
+    else if (!status && spoken < concerned)
+      status = say(plan, "  but %s does not speak of %zu of these",
+                   po_plan_reference_of(plan, check), concerned - spoken);
   }
   return status;
 }

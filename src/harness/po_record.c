@@ -44,7 +44,7 @@ static void table_name(char name[64], const char *what, const po_point *point) {
 }
 
 /* Writes the curve or the profile of a point, if there is one, and says so in its entry: the name
- * of the file and the checksum of its rows, by which a table that is not of this record is told. */
+ * of the file and its checksum, by which a table that is not of this record is told. */
 static po_status add_table(const po_case_run *run, size_t index, bool profile, const char *folder,
                            json_t *entry) {
   const po_point *point = &run->plan->kase->points[index];
@@ -93,19 +93,21 @@ static json_t *point_json(const po_case_run *run, size_t index) {
   return object;
 }
 
-static json_t *check_json(const po_case *kase, const po_result *item) {
+static json_t *check_json(const po_case_run *run, const po_result *item) {
+  const po_case *kase = run->plan->kase;
   const po_check *check = item->check;
   char command[128];
   snprintf(command, sizeof command, "pulloff verify %s", kase->file->name);
   return json_pack(
-      "{s:s, s:s, s:s, s:o, s:o, s:o, s:s, s:f, s:o, s:o, s:s, s:s, s:s, s:s, s:s, s:s}", "id",
+      "{s:s, s:s, s:s, s:o, s:o, s:o, s:s, s:f, s:o, s:o, s:s, s:s, s:b, s:s, s:s, s:s, s:s}", "id",
       item->id, "point", kase->points[item->point].id, "quantity", item->quantity, "obtained",
       po_json_number(item->obtained), "expected", po_json_number(item->expected), "error",
       po_json_number(item->error), "kind", check->kind_text, "tolerance", check->tolerance,
       "reference_uncertainty", po_json_number(item->uncertainty), "ratio",
       po_json_number(item->ratio), "ledger", po_ledger_name(item->ledger), "verdict",
-      po_verdict_name(item->verdict), "note", item->note, "reference", check->reference, "because",
-      check->because, "command", command);
+      po_verdict_name(item->verdict), "passes", (int)po_verdict_passes(item->verdict), "note",
+      item->note, "reference", po_plan_reference_of(run->plan, check), "because", check->because,
+      "command", command);
 }
 
 /* The checks that were left out since their reference is absent. */
@@ -128,7 +130,7 @@ static json_t *lists(const po_case_run *run, json_t *record) {
   for (size_t i = 0; i < run->plan->kase->point_count; ++i)
     json_array_append_new(points, point_json(run, i));
   for (size_t i = 0; i < run->results.count; ++i)
-    json_array_append_new(checks, check_json(run->plan->kase, &run->results.items[i]));
+    json_array_append_new(checks, check_json(run, &run->results.items[i]));
   json_object_set_new(record, "plan", plan);
   json_object_set_new(record, "points", points);
   json_object_set_new(record, "checks", checks);

@@ -7,6 +7,7 @@
 
 #include "po_file.h"
 #include "po_memory.h"
+#include "po_pins.h"
 #include "po_reference_bradley.h"
 
 static const char *const LEDGERS[] = {"oracle", "published", "pin"};
@@ -15,7 +16,7 @@ const char *po_ledger_name(po_ledger ledger) {
   return LEDGERS[ledger];
 }
 
-static po_status check_headers(po_reference *reference) {
+po_status po_reference_check_headers(po_reference *reference) {
   static const char *const NEEDED[] = {"what",        "source",    "kind",    "method", "units",
                                        "uncertainty", "generator", "command", "date",   "sha256"};
   const po_csv *table = &reference->table;
@@ -81,7 +82,7 @@ po_status po_reference_open(const char *data_folder, const char *name, po_refere
   free(bytes);
   free(path);
   if (!status)
-    status = check_headers(reference);
+    status = po_reference_check_headers(reference);
   if (!status)
     status = check_selectors(&reference->table);
   if (status)
@@ -114,6 +115,8 @@ po_status po_reference_open_check(const char *data_folder, const po_check *check
 
 void po_reference_close(po_reference *reference) {
   po_csv_clear(&reference->table);
+  free(reference->path);
+  free(reference->shown);
   *reference = (po_reference){0};
 }
 
@@ -203,6 +206,8 @@ po_status po_reference_find(const po_reference *reference, po_quantity quantity,
                             const po_request *request, po_reference_number *number) {
   if (reference->is_bradley)
     return po_bradley_find(quantity, request, number);
+  if (reference->is_pin)
+    return po_pins_find(reference, quantity, request, number);
   if (!headers_hold(&reference->table, request))
     return PO_NOT_FOUND;
   if (quantity == PO_FOLD_COUNT)
@@ -257,6 +262,8 @@ po_status po_reference_points(const po_reference *reference, po_quantity quantit
   *count = 0;
   if (reference->is_bradley)
     return po_bradley_points(quantity, request, outcome, points, count);
+  if (reference->is_pin)
+    return po_pins_points(reference, quantity, request, points, count);
   const po_csv *table = &reference->table;
   if (!headers_hold(table, request))
     return PO_NOT_FOUND;

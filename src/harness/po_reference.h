@@ -21,6 +21,10 @@ typedef struct {
   po_ledger ledger;
   bool is_bradley; /* the closed form; else the table */
   bool is_absent;  /* there is no such file, and the check says what stands in for it */
+  bool is_pin;     /* the table is that of our own blessed values, see po_pins.h */
+  bool is_missing; /* there are no pins yet */
+  char *path;      /* of pins: their file */
+  char *shown;     /* of pins: how messages and records call it */
   po_csv table;
   char digest[PO_DIGEST_LENGTH]; /* of the whole file; of the name for a closed form */
 } po_reference;
@@ -52,6 +56,8 @@ po_status po_reference_open(const char *data_folder, const char *name, po_refere
  * of kind published when it is there. */
 po_status po_reference_open_check(const char *data_folder, const po_check *check,
                                   po_reference *reference);
+/* The headers and the checksum of an open table; sets the ledger. Status: PO_CANNOT_READ. */
+po_status po_reference_check_headers(po_reference *reference);
 void po_reference_close(po_reference *reference);
 
 /* What it says of `quantity` (pull_off_force, pull_off_approach, fold_count) for a scene.

@@ -9,26 +9,44 @@
 #include "po_text.h"
 
 const char *po_verdict_name(po_verdict verdict) {
-  static const char *const NAMES[] = {"within", "outside", "no_result", "missing_reference"};
+  static const char *const NAMES[PO_VERDICT_COUNT] = {
+      [PO_WITHIN] = "within",       [PO_OUTSIDE] = "outside",
+      [PO_NO_RESULT] = "no_result", [PO_MISSING_REFERENCE] = "missing_reference",
+      [PO_IMPROVED] = "improved",   [PO_REGRESSED] = "regressed",
+      [PO_MOVED] = "moved",         [PO_WRONG_AND_FROZEN] = "wrong_and_frozen",
+      [PO_SLACK] = "slack",
+  };
   return NAMES[verdict];
 }
 
-/* "reference/feng_pull_off.csv" -> "feng_pull_off". */
-static void add_short_name(po_text *text, const char *reference) {
-  const char *slash = strrchr(reference, '/');
-  const char *name = slash ? slash + 1 : reference;
-  const char *dot = strrchr(name, '.');
-  po_text_add(text, "%.*s", (int)(dot ? (size_t)(dot - name) : strlen(name)), name);
+bool po_verdict_passes(po_verdict verdict) {
+  return verdict == PO_WITHIN || verdict == PO_IMPROVED || verdict == PO_SLACK;
+}
+
+void po_result_reference(const po_check *check, char name[64]) {
+  const char *slash = strrchr(check->reference, '/');
+  const char *base = slash ? slash + 1 : check->reference;
+  const char *dot = strrchr(base, '.');
+  snprintf(name, 64, "%.*s", (int)(dot ? (size_t)(dot - base) : strlen(base)), base);
 }
 
 static char *make_id(const po_case *kase, size_t point, const po_check *check, const char *suffix) {
   po_text text = {0};
-  po_text_add(&text, "%s/", check->quantity_text);
-  add_short_name(&text, check->reference);
-  po_text_add(&text, "/%s%s%s", kase->points[point].label, *suffix ? "/" : "", suffix);
+  char reference[64];
+  po_result_reference(check, reference);
+  po_text_add(&text, "%s/%s/%s%s%s", check->quantity_text, reference, kase->points[point].label,
+              *suffix ? "/" : "", suffix);
   if (text.failed)
     po_text_clear(&text);
   return text.data;
+}
+
+/* Of a landmark, which one; its quantity says the rest. */
+static void name_subject(po_result *item, const char *suffix) {
+  const size_t length = strcspn(suffix, "/");
+  const bool landmark = suffix[length] == '/';
+  snprintf(item->subject, sizeof item->subject, "%s%s%.*s", item->quantity, landmark ? "/" : "",
+           landmark ? (int)length : 0, suffix);
 }
 
 static po_verdict judge(const po_result *result) {
@@ -53,14 +71,17 @@ po_result *po_results_add(po_results *results, const po_case *kase, size_t point
                       .expected = expected.value,
                       .error = obtained - expected.value,
                       .allowance = po_check_allowance(check, expected.value),
-                      .uncertainty = expected.uncertainty};
+                      .uncertainty = expected.uncertainty,
+                      .approach = (double)NAN,
+                      .load = (double)NAN};
   item->id = make_id(kase, point, check, suffix);
   if (!item->id) {
     po_fail(PO_NO_MEMORY, "no memory for a verdict");
     return NULL;
   }
   snprintf(item->quantity, sizeof item->quantity, "%s", name);
-  item->ratio = fabs(item->error) / item->allowance;
+  name_subject(item, suffix);
+  item->ratio = item->error == 0 ? 0 : fabs(item->error) / item->allowance;
   item->verdict = judge(item);
   results->count += 1;
   return item;

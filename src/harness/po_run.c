@@ -9,6 +9,7 @@
 #include "po_compare.h"
 #include "po_environment.h"
 #include "po_file.h"
+#include "po_judge.h"
 #include "po_linear.h"
 #include "po_memory.h"
 #include "po_progress.h"
@@ -42,7 +43,7 @@ size_t po_case_run_failures(const po_case_run *run) {
 size_t po_case_run_outside(const po_case_run *run) {
   size_t count = 0;
   for (size_t i = 0; i < run->results.count; ++i)
-    count += run->results.items[i].verdict != PO_WITHIN;
+    count += !po_verdict_passes(run->results.items[i].verdict);
   return count;
 }
 
@@ -91,6 +92,8 @@ static po_status compare_all(po_case_run *run) {
     for (size_t i = 0; !status && i < kase->point_count; ++i)
       status = po_compare(kase, i, &kase->file->checks[c], &run->plan->references[c],
                           &run->outcomes[i], &run->results);
+  if (!status)
+    po_judge(&run->results);
   return status;
 }
 

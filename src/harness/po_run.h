@@ -35,7 +35,7 @@ po_status po_run(po_case_run *runs, size_t count, const po_run_options *options)
 /* "within", "outside" (some check is, or could not be made), "failed" (some solve did). */
 const char *po_case_run_verdict(const po_case_run *run);
 size_t po_case_run_failures(const po_case_run *run); /* solves */
-size_t po_case_run_outside(const po_case_run *run);  /* checks not within */
+size_t po_case_run_outside(const po_case_run *run);  /* checks that do not pass */
 
 /* Allocates what a run of this plan needs; takes the plan. */
 po_status po_case_run_create(po_plan *plan, po_case_run *run);

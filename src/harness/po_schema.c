@@ -93,8 +93,9 @@ static const struct {
     {"repeats", "a whole number from 1 to 1000"},
     {"want", "a list of pull_off, folds, extrema, curve, profile"},
     {"checks", "a list of checks"},
-    {"checks.quantity", "pull_off_force, pull_off_approach, fold_count, folds, extrema or curve"},
-    {"checks.reference", "bradley or the path of a CSV file"},
+    {"checks.quantity", "pull_off_force, pull_off_approach, fold_count, folds, extrema, curve or "
+                        "work"},
+    {"checks.reference", "bradley, pin or the path of a CSV file"},
     {"checks.tolerance", "a finite number > 0"},
     {"checks.kind", "abs, rel or ulp"},
     {"checks.because", "the reason for the tolerance"},

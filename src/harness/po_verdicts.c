@@ -25,16 +25,50 @@ static void table_line(const po_case_run *run, const po_result *item, po_text *t
   number_or_dash(curve ? item->error : item->obtained, 9, obtained);
   number_or_dash(curve && isfinite(item->error) ? 0 : item->expected, 9, expected);
   ratio_or_dash(item->ratio, ratio);
-  po_text_add(text, "%-12s %-18s %-24s %14s %14s %9s  %-9s %s%s%s\n", run->plan->kase->file->name,
+  po_text_add(text, "%-12s %-23s %-24s %14s %14s %9s  %-9s %s%s%s\n", run->plan->kase->file->name,
               item->quantity, run->plan->kase->points[item->point].label, obtained, expected, ratio,
               po_ledger_name(item->ledger), po_verdict_name(item->verdict),
               item->verdict != PO_WITHIN && item->note[0] ? ": " : "",
               item->verdict != PO_WITHIN ? item->note : "");
 }
 
+/* How many checks of all cases have each verdict. */
+static size_t count_verdicts(const po_case_run *runs, size_t count, size_t of[PO_VERDICT_COUNT]) {
+  size_t total = 0;
+  for (size_t r = 0; r < count; ++r)
+    for (size_t i = 0; i < runs[r].results.count; ++i) {
+      of[runs[r].results.items[i].verdict] += 1;
+      total += 1;
+    }
+  return total;
+}
+
+/* "69 checks pass (1 improved, 2 slack), 1 does not (1 outside), 0 solves failed". */
+static void totals(const po_case_run *runs, size_t count, po_text *text) {
+  size_t of[PO_VERDICT_COUNT] = {0}, failures = 0, passing = 0;
+  const size_t total = count_verdicts(runs, count, of);
+  for (size_t r = 0; r < count; ++r)
+    failures += po_case_run_failures(&runs[r]);
+  for (int v = 0; v < PO_VERDICT_COUNT; ++v)
+    passing += po_verdict_passes((po_verdict)v) ? of[v] : 0;
+  for (int passes = 1; passes >= 0; --passes) {
+    if (passes)
+      po_text_add(text, "%zu checks pass", passing);
+    else
+      po_text_add(text, ", %zu do not", total - passing);
+    const char *before = " (";
+    for (int v = PO_OUTSIDE; v < PO_VERDICT_COUNT; ++v)
+      if (of[v] && po_verdict_passes((po_verdict)v) == passes) {
+        po_text_add(text, "%s%zu %s", before, of[v], po_verdict_name((po_verdict)v));
+        before = ", ";
+      }
+    po_text_add(text, "%s", *before == ',' ? ")" : "");
+  }
+  po_text_add(text, ", %zu solves failed\n", failures);
+}
+
 void po_verdicts_table(const po_case_run *runs, size_t count, po_text *text) {
-  size_t checks = 0, outside = 0, failures = 0;
-  po_text_add(text, "%-12s %-18s %-24s %14s %14s %9s  %-9s %s\n", "case", "quantity", "point",
+  po_text_add(text, "%-12s %-23s %-24s %14s %14s %9s  %-9s %s\n", "case", "quantity", "point",
               "obtained", "expected", "|err|/tol", "ledger", "verdict");
   for (size_t r = 0; r < count; ++r) {
     const po_case_run *run = &runs[r];
@@ -42,18 +76,14 @@ void po_verdicts_table(const po_case_run *runs, size_t count, po_text *text) {
       table_line(run, &run->results.items[i], text);
     for (size_t i = 0; i < run->plan->kase->point_count; ++i)
       if (run->outcomes[i].status != PO_OK)
-        po_text_add(text, "%-12s %-18s %-24s failed: %s\n", run->plan->kase->file->name, "solve",
+        po_text_add(text, "%-12s %-23s %-24s failed: %s\n", run->plan->kase->file->name, "solve",
                     run->plan->kase->points[i].label, run->outcomes[i].reason);
-    checks += run->results.count;
-    outside += po_case_run_outside(run);
-    failures += po_case_run_failures(run);
   }
-  po_text_add(text, "%zu checks within, %zu not, %zu solves failed\n", checks - outside, outside,
-              failures);
+  totals(runs, count, text);
 }
 
-/* What there is to say of a check that is not within. */
-static void explain(const po_result *item, char text[400]) {
+/* What there is to say of a check that is not simply within. */
+static void tell(const po_result *item, char text[400]) {
   char obtained[32], expected[32], error[32];
   number_or_dash(item->obtained, 17, obtained);
   number_or_dash(item->expected, 17, expected);
@@ -64,12 +94,12 @@ static void explain(const po_result *item, char text[400]) {
 }
 
 static void tap_check(const po_case_run *run, const po_result *item, size_t number, po_text *text) {
-  po_text_add(text, "%s %zu - %s %s\n", item->verdict == PO_WITHIN ? "ok" : "not ok", number,
+  po_text_add(text, "%s %zu - %s %s\n", po_verdict_passes(item->verdict) ? "ok" : "not ok", number,
               run->plan->kase->file->name, item->id);
   if (item->verdict == PO_WITHIN)
     return;
   char why[400];
-  explain(item, why);
+  tell(item, why);
   po_text_add(text, "# %s\n", why);
 }
 
@@ -103,17 +133,19 @@ static void add_escaped(po_text *text, const char *string) {
   }
 }
 
-static void junit_test(const char *kase, const char *id, const char *failure, double seconds,
-                       po_text *text) {
+/* One test: failed, or passed with something to say, or just passed. */
+static void junit_test(const char *kase, const char *id, bool passes, const char *words,
+                       double seconds, po_text *text) {
   po_text_add(text, "    <testcase classname=\"%s\" name=\"", kase);
   add_escaped(text, id);
   po_text_add(text, "\" time=\"%.3f\"", seconds);
-  if (failure) {
-    po_text_add(text, "><failure message=\"");
-    add_escaped(text, failure);
-    po_text_add(text, "\"/></testcase>\n");
-  } else
+  if (!words) {
     po_text_add(text, "/>\n");
+    return;
+  }
+  po_text_add(text, passes ? "><system-out>" : "><failure message=\"");
+  add_escaped(text, words);
+  po_text_add(text, passes ? "</system-out></testcase>\n" : "\"/></testcase>\n");
 }
 
 static void junit_suite(const po_case_run *run, po_text *text) {
@@ -124,17 +156,18 @@ static void junit_suite(const po_case_run *run, po_text *text) {
               run->elapsed);
   for (size_t i = 0; i < run->results.count; ++i) {
     const po_result *item = &run->results.items[i];
-    char failure[400];
-    explain(item, failure);
-    junit_test(kase->file->name, item->id, item->verdict == PO_WITHIN ? NULL : failure,
-               run->outcomes[item->point].work.seconds, text);
+    char words[400];
+    tell(item, words);
+    junit_test(kase->file->name, item->id, po_verdict_passes(item->verdict),
+               item->verdict == PO_WITHIN ? NULL : words, run->outcomes[item->point].work.seconds,
+               text);
   }
   for (size_t i = 0; i < kase->point_count; ++i)
     if (run->outcomes[i].status != PO_OK) {
       char id[300];
       snprintf(id, sizeof id, "solve/%s", kase->points[i].label);
-      junit_test(kase->file->name, id, run->outcomes[i].reason, run->outcomes[i].work.seconds,
-                 text);
+      junit_test(kase->file->name, id, false, run->outcomes[i].reason,
+                 run->outcomes[i].work.seconds, text);
     }
   po_text_add(text, "  </testsuite>\n");
 }

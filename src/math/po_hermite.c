@@ -21,6 +21,17 @@ static derivative derivative_of(double f0, double d0, double f1, double d1, doub
   return (derivative){.a = c + e - 2.0 * jump, .b = 3.0 * jump - 2.0 * c - e, .c = c};
 }
 
+double po_hermite_value(double f0, double d0, double f1, double d1, double x, double h) {
+  const po_hermite w = po_hermite_at(x, h);
+  return f0 + w.f1 * (f1 - f0) + w.d0 * d0 + w.d1 * d1; /* w.f0 + w.f1 = 1 */
+}
+
+double po_hermite_rate(double f0, double d0, double f1, double d1, double x, double h) {
+  const derivative q = derivative_of(f0, d0, f1, d1, h);
+  const double t = x / h;
+  return (q.c + t * (2.0 * q.b + 3.0 * q.a * t)) / h;
+}
+
 size_t po_hermite_extrema(double f0, double d0, double f1, double d1, double h, double x[2]) {
   const derivative q = derivative_of(f0, d0, f1, d1, h);
   double root[2];

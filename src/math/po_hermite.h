@@ -12,6 +12,10 @@ typedef struct {
 
 po_hermite po_hermite_at(double x, double h);
 
+/* The cubic with these end values and slopes at x, and its derivative. */
+double po_hermite_value(double f0, double d0, double f1, double d1, double x, double h);
+double po_hermite_rate(double f0, double d0, double f1, double d1, double x, double h);
+
 /* Zeros in the open interval (0, h) of the derivative of the cubic with these end values and
  * slopes, ascending. Returned: how many (0, 1 or 2), in x. */
 size_t po_hermite_extrema(double f0, double d0, double f1, double d1, double h, double x[2]);

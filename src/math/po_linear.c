@@ -48,3 +48,7 @@ void po_linear_apply_transposed(size_t rows, size_t columns, const double *a, si
 double po_linear_dot(size_t n, const double *x, const double *y) {
   return cblas_ddot((int)n, x, 1, y, 1);
 }
+
+void po_linear_add(size_t n, double factor, const double *x, double *y) {
+  cblas_daxpy((int)n, factor, x, 1, y, 1);
+}

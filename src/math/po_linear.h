@@ -31,6 +31,9 @@ void po_linear_apply(size_t rows, size_t columns, const double *a, size_t stride
 void po_linear_apply_transposed(size_t rows, size_t columns, const double *a, size_t stride,
                                 const double *x, double *y);
 
+/* y += factor x, n. */
+void po_linear_add(size_t n, double factor, const double *x, double *y);
+
 double po_linear_dot(size_t n, const double *x, const double *y);
 
 #endif

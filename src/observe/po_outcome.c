@@ -20,6 +20,11 @@ static const double CURVE_SAGITTA = 5e-4;
  * square, by Gauss's rule. Set by the smooth sphere (tests/unit/test_panels.c). */
 static const double ERROR_OF_TOLERANCE = 0.3, COARSEST_ERROR = 3e-4;
 
+/* Where Newton's method may stop, in parts of 1 + H, per relative tolerance; and its limits:
+ * rounding below, and what locating folds needs. */
+static const double PRECISION_OF_TOLERANCE = 1e-4, FINEST_PRECISION = 2e-13,
+                    COARSEST_PRECISION = 1e-9;
+
 /* Where a rigid trace starts: the load there is below 2 % of pull-off. */
 static const double RIGID_START = -10.0;
 
@@ -64,6 +69,9 @@ static po_status trace_elastic(const po_request *request, po_reader *reader, po_
   if (!status) {
     const po_branch_options options = options_of(request, reader);
     const double allowed = fmin(COARSEST_ERROR, ERROR_OF_TOLERANCE * sqrt(request->mesh.tolerance));
+    if (panels)
+      e->precision = fmax(FINEST_PRECISION, fmin(COARSEST_PRECISION,
+                                                 PRECISION_OF_TOLERANCE * request->mesh.tolerance));
     reader->begin = request->approach_start;
     reader->begun = isnan(request->approach_start);
     status = panels ? po_track_trace(e, panels, allowed, &options) : po_branch_trace(e, &options);

@@ -41,6 +41,8 @@ typedef struct {
   po_landmark_kind kind;
   double approach;       /* Delta / eps */
   double load;           /* W / (pi w R), signed, > 0 compressive */
+  double approach_error; /* bounds of the errors of approach and load, estimated; NAN: not */
+  double load_error;
   double contact_radius; /* in eps, see po_contact.h */
   double position;       /* arclength along the branch, to order landmarks among points */
   int unstable_modes;    /* of the equilibria just after it, in displacement control */
@@ -82,7 +84,8 @@ typedef struct {
     double force;          /* |min W| over the traced branch, / (pi w R) */
     double approach;       /* where, in eps */
     double contact_radius; /* there, in eps */
-    double error_estimate; /* of the force; NAN: not estimated by this scheme */
+    double force_error;    /* bound of the error of force, estimated; NAN: not by this scheme */
+    double approach_error; /* the same of approach */
   } pull_off;
   po_landmark *folds; /* along the branch */
   size_t fold_count;

@@ -18,6 +18,12 @@ static const double GREATEST_PUSH = 10.0;
 /* A station is met to 1e-12. */
 static const double SAME_APPROACH = 1e-9;
 
+/* The load drops by a similar amount as the contact's edge passes one wave after another: from here
+ * it would have to drop by this many times the greatest drop so far, ... */
+static const double DROPS = 3.0;
+/* ... the edge having left the wave of the pull-off by this part of a wavelength. */
+static const double PAST_THE_WAVE = 0.3;
+
 /* In wavelengths: contact beyond that at the last minimum without a new one; how far beyond
  * pull-off the next wave's minimum is at least (they are a wavelength apart, a little less at
  * first); and the end of the first trough. Minima in between are ripples. */
@@ -79,6 +85,8 @@ static void add_landmark(po_reader *r, const po_branch_point *p, double contact_
   (*list)[(*count)++] = (po_landmark){.kind = kind,
                                       .approach = p->approach,
                                       .load = p->load,
+                                      .approach_error = p->approach_error,
+                                      .load_error = p->load_error,
                                       .contact_radius = contact_radius,
                                       .position = p->position,
                                       .unstable_modes = p->unstable_modes};
@@ -112,13 +120,15 @@ static void keep_profile(po_reader *r, const po_branch_point *p) {
 
 static void note_minimum(po_reader *r, const po_branch_point *p, double contact_radius) {
   po_outcome *o = r->outcome;
+  r->greatest_drop = fmax(r->greatest_drop, r->last_maximum - p->load);
   if (!o->has_pull_off || p->load < r->pull_off_load) {
     o->has_pull_off = true;
     r->pull_off_load = p->load;
     o->pull_off.force = fabs(p->load);
     o->pull_off.approach = p->approach;
     o->pull_off.contact_radius = contact_radius;
-    o->pull_off.error_estimate = NAN;
+    o->pull_off.force_error = p->load_error;
+    o->pull_off.approach_error = p->approach_error;
     if ((r->request->want & PO_WANT_PROFILE) && isnan(r->request->profile_approach))
       keep_profile(r, p);
   }
@@ -130,11 +140,12 @@ static void note_minimum(po_reader *r, const po_branch_point *p, double contact_
 
 /* No deeper minimum lies ahead. The minima of the load are what the outer edge of the contact makes
  * as it climbs over one wave after another; their sequence follows the lower edge of the Kesari-Lew
- * envelope, which falls to a single minimum and rises ever after. So at a stable point under
- * compression: when there are no waves; when the next wave's minimum was compressive itself; or
- * when the surfaces are pushed many times as hard as they were pulled, or as hard and the contact
- * grew over more than a wave without a minimum. tests/unit/test_observe.c traces twice as far and
- * finds none. */
+ * envelope, which falls to a single minimum and rises ever after, and the drops to them change
+ * little from one to the next. So at a stable point under compression: when there are no waves;
+ * when a deeper minimum takes a drop far greater than any so far; when the next wave's minimum was
+ * compressive itself; or when the surfaces are pushed many times as hard as they were pulled, or as
+ * hard and the contact grew over more than a wave without a minimum. tests/unit/test_observe.c
+ * traces twice as far and finds none. */
 static bool pull_off_is_certain(const po_reader *r, const po_branch_point *p,
                                 double contact_radius) {
   const po_outcome *o = r->outcome;
@@ -142,7 +153,9 @@ static bool pull_off_is_certain(const po_reader *r, const po_branch_point *p,
       p->load <= 0.0)
     return false;
   const po_scene *scene = &r->request->scene;
+  const bool past = contact_radius > o->pull_off.contact_radius + PAST_THE_WAVE * scene->wavelength;
   return !po_scene_is_wavy(scene) || r->risen ||
+         (past && p->load > DROPS * r->greatest_drop - o->pull_off.force) ||
          p->load > GREATEST_PUSH * (1.0 + o->pull_off.force) ||
          (p->load > o->pull_off.force &&
           contact_radius > r->last_contact_radius + QUIET_WAVES * scene->wavelength);
@@ -172,6 +185,8 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
     add_landmark(r, p, contact_radius);
   if (p->kind == PO_POINT_LOAD_MIN)
     note_minimum(r, p, contact_radius);
+  if (p->kind == PO_POINT_LOAD_MAX)
+    r->last_maximum = p->load;
   if (!r->status && p->gap && contact_radius > GREATEST_CONTACT * r->surface->core_radius) {
     if (isinf(r->request->scene.outer_radius))
       r->status = po_fail(PO_OUT_OF_DOMAIN,

@@ -14,6 +14,8 @@ typedef struct {
   double pull_off_load;       /* the deepest minimum so far */
   double last_contact_radius; /* at the last minimum */
   bool risen;                 /* a later wave's minimum was compressive */
+  double last_maximum;        /* of the load; 0 before there was one */
+  double greatest_drop;       /* of the load from a maximum to the next minimum */
   size_t most_nodes;          /* of the surface so far */
   size_t extremum_room, fold_room, curve_room;
   po_status status;

@@ -14,6 +14,8 @@ static const double APPROACH_WEIGHT = 0.05;
 static const double FAR_GAP = 10.0;
 /* Error of the prediction, in parts of 1 + H, that a step aims at, and that it may have. */
 static const double AIMED_ERROR = 0.02, GREATEST_ERROR = 0.2;
+/* An event's place along the branch. */
+static const double LOCATED = 1e-5;
 /* Cosine below which the tangent turned too far in one step. */
 static const double LEAST_COSINE = 0.7;
 /* Cosine of tangent and border below which the border is renewed. */
@@ -108,6 +110,8 @@ static po_branch_point seen_point(const tracer *t, const branch_point *p, po_poi
                            .position = p->position,
                            .approach = point_approach(t, p),
                            .load = p->load,
+                           .approach_error = NAN,
+                           .load_error = NAN,
                            .approach_rate = point_approach_rate(t, p),
                            .load_rate = p->load_rate,
                            .unstable_modes = t->unstable_modes,
@@ -165,7 +169,7 @@ static po_status start(tracer *t) {
   if (!status)
     status = po_equilibrium_correct(e, p->state, t->predicted, 0.0);
   if (!status)
-    status = po_equilibrium_tangent(e, p->tangent);
+    status = po_equilibrium_tangent(e, e->precision, p->tangent);
   if (status)
     return po_fail(status, "no equilibrium found far out, at approach %g", approach);
   finish_point(t, p);
@@ -232,7 +236,7 @@ static po_status correct(tracer *t, double step) {
     memcpy(t->next.state, t->predicted, (t->e->n + 1) * sizeof *t->predicted);
     status = po_equilibrium_correct(t->e, t->next.state, t->current.state, distance);
     if (!status)
-      status = po_equilibrium_tangent(t->e, t->next.tangent);
+      status = po_equilibrium_tangent(t->e, t->e->precision, t->next.tangent);
   }
   return status;
 }
@@ -265,7 +269,7 @@ static po_status solve_inner(void *data, double distance, po_sample *sample) {
     }
     status = po_equilibrium_correct(t->e, t->inner.state, a->state, distance);
     if (!status)
-      status = po_equilibrium_tangent(t->e, t->inner.tangent);
+      status = po_equilibrium_tangent(t->e, t->e->precision, t->inner.tangent);
   }
   if (status)
     return status;
@@ -285,7 +289,8 @@ static po_status find_events(tracer *t) {
                                 .solve = solve_inner,
                                 .keep = keep_inner,
                                 .station = t->station_met ? (double)NAN : t->options->station,
-                                .end = t->options->end};
+                                .end = t->options->end,
+                                .located = LOCATED};
   const po_sample from = sample_of(t, &t->current), to = sample_of(t, &t->next);
   return po_events_find(&interval, &from, &to, &t->events);
 }

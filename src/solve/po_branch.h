@@ -26,14 +26,15 @@ typedef enum {
 
 typedef struct {
   po_point_kind kind;
-  double position;       /* arclength from the start */
-  double approach, load; /* Delta/eps, W/(pi w R) */
-  double approach_rate;  /* d approach / ds */
-  double load_rate;      /* d load / ds */
-  int unstable_modes;    /* of the equilibrium at fixed approach, just after this point */
-  size_t n;              /* nodes of the core */
-  const double *node;    /* n: their radii, eps, ascending; NULL when rigid */
-  const double *gap;     /* n: H there */
+  double position;                   /* arclength from the start */
+  double approach, load;             /* Delta/eps, W/(pi w R) */
+  double approach_error, load_error; /* of a fold or extremum: bounds, estimated; NAN: not */
+  double approach_rate;              /* d approach / ds */
+  double load_rate;                  /* d load / ds */
+  int unstable_modes; /* of the equilibrium at fixed approach, just after this point */
+  size_t n;           /* nodes of the core */
+  const double *node; /* n: their radii, eps, ascending; NULL when rigid */
+  const double *gap;  /* n: H there */
 } po_branch_point;
 
 /* Told every point in order along the branch; true ends the trace. */

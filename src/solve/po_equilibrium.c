@@ -12,19 +12,9 @@
 /* A correction is done when no gap changes by more than this part of 1 + H: the digits that the
  * influence sums leave (1e-14), with a margin. */
 static const double CONVERGED = 2e-13;
-/* When rounding keeps it from there, this much is accepted if it no longer falls. */
-static const double STAGNATED = 1e-10;
-/* Chord iterations slower than this, on the mean of two (nodes left out lag one behind), cost more
- * than a new factorisation. */
-static const double SLOWEST = 0.3;
-/* Share of 1 + H that one iteration may take from a gap. */
-static const double GREATEST_CLOSING = 0.7;
-/* A change of a gap, in parts of 1 + H, that no prediction is off by. */
-static const double GREATEST_CHANGE = 1e3;
-enum { MOST_ITERATIONS = 20 };
 
-/* What the first factorisation leaves out: costs one iteration, saves most of the matrix. */
-static const double NEGLECT = 1e-3;
+/* What factorisations leave out: costs one iteration, saves much of the matrix. */
+static const double NEGLECT = 3e-2;
 
 void po_equilibrium_remesh(po_equilibrium *e) {
   const po_surface *s = e->surface;
@@ -52,6 +42,7 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
   e->amplitude = scene->amplitude;
   e->coupling = scene->tabor * sqrt(scene->tabor / scene->radius);
   e->neglect = NEGLECT;
+  e->precision = CONVERGED;
   double **const vectors[] = {&e->shape,  &e->reach, &e->traction, &e->slope,  &e->deflection,
                               &e->border, &e->right, &e->scratch,  &e->measure};
   bool had = true;
@@ -60,6 +51,7 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
   e->index = po_allocate(capacity, sizeof *e->index);
   e->pivots = po_allocate(capacity + 1, sizeof *e->pivots);
   e->matrix = po_reserve((capacity + 1) * (capacity + 1), sizeof *e->matrix);
+  had = po_secant_allocate(&e->secant, capacity + 1) && had;
   if (!had || !e->index || !e->pivots || !e->matrix) {
     po_equilibrium_destroy(e);
     *equilibrium = NULL;
@@ -76,6 +68,7 @@ void po_equilibrium_destroy(po_equilibrium *e) {
                              e->border, e->right, e->scratch,  e->measure, e->matrix};
   for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
     free(vectors[k]);
+  po_secant_free(&e->secant);
   free(e->index);
   free(e->pivots);
   free(e);
@@ -110,13 +103,6 @@ double po_equilibrium_feedback(const po_equilibrium *e) {
     largest = fmax(largest, sum);
   }
   return e->coupling * largest;
-}
-
-/* deflection = coupling * G load */
-static void deflect(po_equilibrium *e, const double *load) {
-  po_linear_apply(e->n, e->n, e->surface->influence, e->n, load, e->deflection);
-  for (size_t i = 0; i < e->n; ++i)
-    e->deflection[i] *= e->coupling;
 }
 
 static int by_measure(const void *left, const void *right, void *data) {
@@ -165,6 +151,9 @@ po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const
   po_equilibrium_evaluate(e, state);
   if (border != e->border)
     memcpy(e->border, border, (e->n + 1) * sizeof *border);
+  po_secant_clear(&e->secant, e->n + 1);
+  for (size_t j = 0; j < e->n; ++j)
+    e->secant.scale[j] = 1.0 + state[j];
   choose_active(e);
   const size_t m = e->active, order = m + 1;
   for (size_t b = 0; b < m; ++b) {
@@ -186,138 +175,4 @@ po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const
   if (order > e->work.factorized_nodes)
     e->work.factorized_nodes = order;
   return status;
-}
-
-/* border . (state - base): the constraint of po_equilibrium_correct. */
-static double distance_of(const po_equilibrium *e, const double *state, const void *data) {
-  const double *base = data;
-  double sum = e->border[e->n] * (state[e->n] - base[e->n]);
-  for (size_t j = 0; j < e->n; ++j)
-    sum += e->border[j] * (state[j] - base[j]);
-  return sum;
-}
-
-/* One Newton step of the active nodes and the approach; the others are set from their own
- * equations. Returned: the largest change of a gap in parts of 1 + H, or NaN. */
-static double newton_step(po_equilibrium *e, double *state, const po_constraint *constraint) {
-  const size_t n = e->n, m = e->active;
-  double *right = e->right, *change = e->scratch;
-  po_equilibrium_evaluate(e, state);
-  deflect(e, e->traction);
-  for (size_t a = 0; a < m; ++a) {
-    const size_t i = e->index[a];
-    right[a] = e->shape[i] - state[n] + e->deflection[i] - state[i];
-  }
-  right[m] = constraint->target - constraint->value(e, state, constraint->data);
-  po_linear_solve(m + 1, e->matrix, m + 1, e->pivots, right);
-  for (size_t a = 0; a < m; ++a)
-    change[e->index[a]] = right[a];
-  change[n] = right[m];
-  for (size_t b = m; b < n; ++b) {
-    const size_t i = e->index[b];
-    change[i] = e->shape[i] - state[n] - change[n] + e->deflection[i] - state[i];
-  }
-  double largest = 0.0, closing = 0.0;
-  for (size_t j = 0; j < n; ++j) {
-    const double relative = change[j] / (1.0 + state[j]);
-    if (!(fabs(relative) <= largest))
-      largest = fabs(relative);
-    if (-relative > closing)
-      closing = -relative;
-  }
-  if (!isfinite(largest))
-    return NAN;
-  const double share = closing > GREATEST_CLOSING ? GREATEST_CLOSING / closing : 1.0;
-  for (size_t j = 0; j <= n; ++j)
-    state[j] += share * change[j];
-  return largest;
-}
-
-/* How an iteration converges: the sizes of its last three changes. */
-typedef struct {
-  double now, before, earlier;
-} progress;
-
-static void note_change(progress *p, double change) {
-  p->earlier = p->before;
-  p->before = p->now;
-  p->now = change;
-}
-
-static bool too_slow(const progress *p) {
-  return p->now > SLOWEST * SLOWEST * p->earlier;
-}
-
-/* Whether what is left is below rounding: this change was, or the next will be; or it is small and
- * rounding keeps it from falling. */
-static bool is_converged(const progress *p, double scale) {
-  const double rate = fmax(p->now / p->before, p->before / p->earlier);
-  return p->now < CONVERGED * scale ||
-         (rate < SLOWEST && 2.0 * rate * p->now < CONVERGED * scale) ||
-         (p->now < STAGNATED * scale && too_slow(p));
-}
-
-po_status po_equilibrium_correct(po_equilibrium *e, double *state, const double *base,
-                                 double distance) {
-  const po_constraint constraint = {distance_of, base, distance};
-  return po_equilibrium_correct_to(e, state, &constraint);
-}
-
-po_status po_equilibrium_correct_to(po_equilibrium *e, double *state,
-                                    const po_constraint *constraint) {
-  progress p = {NAN, NAN, NAN}; /* comparisons with what has not happened yet are false */
-  for (int iteration = 0; iteration < MOST_ITERATIONS; ++iteration) {
-    note_change(&p, newton_step(e, state, constraint));
-    ++e->work.newton_iterations;
-    if (!(p.now < GREATEST_CHANGE))
-      return PO_NOT_CONVERGED;
-    if (is_converged(&p, 1.0)) {
-      po_equilibrium_evaluate(e, state);
-      ++e->work.points;
-      return PO_OK;
-    }
-    if (p.now < GREATEST_CLOSING && too_slow(&p))
-      return PO_NOT_CONVERGED;
-  }
-  return PO_NOT_CONVERGED;
-}
-
-po_status po_equilibrium_tangent(po_equilibrium *e, double *tangent) {
-  const size_t n = e->n, m = e->active;
-  double *right = e->right;
-  memset(tangent, 0, (n + 1) * sizeof *tangent);
-  progress p = {NAN, NAN, NAN};
-  for (int iteration = 0; iteration < MOST_ITERATIONS; ++iteration) {
-    for (size_t j = 0; j < n; ++j)
-      e->scratch[j] = e->slope[j] * tangent[j];
-    deflect(e, e->scratch);
-    right[m] = 1.0 - e->border[n] * tangent[n];
-    for (size_t a = 0; a < m; ++a) {
-      const size_t i = e->index[a];
-      right[a] = e->deflection[i] - tangent[n] - tangent[i];
-    }
-    for (size_t j = 0; j < n; ++j)
-      right[m] -= e->border[j] * tangent[j];
-    po_linear_solve(m + 1, e->matrix, m + 1, e->pivots, right);
-    double change = fabs(right[m]), size = fabs(tangent[n] + right[m]);
-    tangent[n] += right[m];
-    for (size_t a = 0; a < m; ++a) {
-      const size_t i = e->index[a];
-      tangent[i] += right[a];
-      change = fmax(change, fabs(right[a]));
-      size = fmax(size, fabs(tangent[i]));
-    }
-    for (size_t b = m; b < n; ++b) {
-      const size_t i = e->index[b];
-      tangent[i] = e->deflection[i] - tangent[n];
-    }
-    note_change(&p, change);
-    if (!isfinite(change) || !isfinite(size))
-      return PO_NOT_CONVERGED;
-    if (iteration > 0 && is_converged(&p, size))
-      return PO_OK;
-    if (too_slow(&p))
-      return PO_NOT_CONVERGED;
-  }
-  return PO_NOT_CONVERGED;
 }

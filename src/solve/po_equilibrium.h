@@ -17,10 +17,11 @@
 #include <stdint.h>
 
 #include "po_scene.h"
+#include "po_secant.h"
 #include "po_surface.h"
 
 typedef struct {
-  uint64_t points, newton_iterations, factorizations;
+  uint64_t points, newton_iterations, tangent_iterations, factorizations;
   uint64_t factorized_nodes; /* largest order */
   uint64_t meshes;           /* changes of the mesh */
 } po_solve_work;
@@ -43,6 +44,9 @@ typedef struct {
   double *right, *scratch; /* n + 1 */
   double *measure;         /* n: coupling * |slope| * reach, when choosing nodes */
   double neglect;          /* sum of the measures left out */
+  double precision; /* largest change of a gap, in parts of 1 + H, when converged: rounding's, or
+                     what the owner sets */
+  po_secant secant; /* what iterations tell about the Jacobian since it was factorised */
   bool factorized;
   int orientation; /* sign of the determinant of the factorised matrix */
   po_solve_work work;
@@ -94,7 +98,8 @@ po_status po_equilibrium_correct_to(po_equilibrium *e, double *state,
                                     const po_constraint *constraint);
 
 /* The tangent of the branch at a state last evaluated, with border . tangent = 1, by the factors in
- * hand and iteration. Status: PO_NOT_CONVERGED when the factors are too old for that. */
-po_status po_equilibrium_tangent(po_equilibrium *e, double *tangent);
+ * hand and iteration, to a precision in parts of its largest component. Status: PO_NOT_CONVERGED
+ * when the factors are too old for that. */
+po_status po_equilibrium_tangent(po_equilibrium *e, double precision, double *tangent);
 
 #endif

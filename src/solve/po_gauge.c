@@ -42,6 +42,10 @@ void po_gauge_rates(const po_equilibrium *e, const double *state, const double *
   rate[2] = contact_weight(e) * contact;
 }
 
+double po_gauge_along(const double direction[PO_GAUGE_SIZE], const double value[PO_GAUGE_SIZE]) {
+  return direction[0] * value[0] + direction[1] * value[1] + direction[2] * value[2];
+}
+
 void po_gauge_border(const po_equilibrium *e, const double *state,
                      const double direction[PO_GAUGE_SIZE], double *border) {
   const size_t core = core_nodes(e);

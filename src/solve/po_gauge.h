@@ -12,6 +12,9 @@ void po_gauge_values(const po_equilibrium *e, const double *state, double value[
 void po_gauge_rates(const po_equilibrium *e, const double *state, const double *change,
                     double rate[PO_GAUGE_SIZE]);
 
+/* direction . values */
+double po_gauge_along(const double direction[PO_GAUGE_SIZE], const double value[PO_GAUGE_SIZE]);
+
 /* The gradient of direction . values by the state: a border. */
 void po_gauge_border(const po_equilibrium *e, const double *state,
                      const double direction[PO_GAUGE_SIZE], double *border);

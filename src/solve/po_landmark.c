@@ -6,10 +6,10 @@
 
 #include "po_hermite.h"
 
-enum { MOST_ROOT_STEPS = 40, MOST_SPLITS = 14 };
+enum { MOST_ROOT_STEPS = 40, HALVING = 4, BISECTIONS = 60, MOST_SPLITS = 14 };
 
-/* A landmark is located when the value it is the extremum of changes by less than this. */
-static const double LOCATED = 1e-12;
+/* Error of an approach asked for. */
+static const double ARRIVED = 3e-11;
 
 /* A rate that falls to this part of that at the ends of an interval may change sign unseen. */
 static const double SUSPECT = 0.4;
@@ -39,8 +39,7 @@ static po_status collect_between(const po_interval *interval, const po_sample *a
       continue;
     if (found->count == PO_MOST_EVENTS)
       return PO_NOT_CONVERGED;
-    found->list[found->count] = (po_event){
-        .of = q, .low = a->at, .high = b->at, .f_low = low, .f_high = high, .place = found->count};
+    found->list[found->count] = (po_event){.of = q, .low = *a, .high = *b, .place = found->count};
     ++found->count;
   }
   return PO_OK;
@@ -59,34 +58,60 @@ static po_status collect(const po_interval *interval, const po_sample *a, const 
   return status ? status : collect(interval, &middle, b, splits + 1, found);
 }
 
-/* Narrows an event's bracket to its root by the Illinois variant of false position. */
+/* The event's function on the cubic between two samples. */
+static double event_on_cubic(const po_interval *interval, po_event_kind of, const po_sample *a,
+                             const po_sample *b, double at) {
+  const po_event_kind q = of <= PO_OF_LOAD ? of : PO_OF_APPROACH;
+  const double x = at - a->at, h = b->at - a->at;
+  po_sample s;
+  s.value[q] = po_hermite_value(a->value[q], a->rate[q], b->value[q], b->rate[q], x, h);
+  s.rate[q] = po_hermite_rate(a->value[q], a->rate[q], b->value[q], b->rate[q], x, h);
+  return event_value(interval, of, &s);
+}
+
+/* Where that function changes sign, by bisection: it does between the ends. */
+static double root_on_cubic(const po_interval *interval, po_event_kind of, const po_sample *a,
+                            const po_sample *b) {
+  const bool rises = event_value(interval, of, a) < 0.0;
+  double low = a->at, high = b->at;
+  for (int k = 0; k < BISECTIONS; ++k) {
+    const double middle = 0.5 * (low + high);
+    if ((event_on_cubic(interval, of, a, b, middle) < 0.0) == rises)
+      low = middle;
+    else
+      high = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+/* Narrows an event's bracket to its root, on the cubic between its ends; by halves where that
+ * gains nothing. */
 static po_status locate(const po_interval *interval, po_event *ev) {
-  double low = ev->low, high = ev->high, f_low = ev->f_low, f_high = ev->f_high;
-  int side = 0;
+  po_sample low = ev->low, high = ev->high, last = {.at = NAN};
+  double f_last = NAN;
   for (int k = 0; k < MOST_ROOT_STEPS; ++k) {
-    const double at = (low * f_high - high * f_low) / (f_high - f_low);
+    const bool halve = k % HALVING == HALVING - 1;
+    const double at =
+        halve ? 0.5 * (low.at + high.at) : root_on_cubic(interval, ev->of, &low, &high);
     po_sample s;
     const po_status status = interval->solve(interval->data, at, &s);
     if (status)
       return status;
     const double f = event_value(interval, ev->of, &s);
+    const bool is_high = (f < 0.0) == (event_value(interval, ev->of, &high) < 0.0);
     ev->root = at;
     interval->keep(interval->data, ev->place);
-    /* how far the extremum's value, or the approach asked for, may still be */
-    const double left = ev->of <= PO_OF_LOAD ? 0.5 * fabs(f * (high - low)) : fabs(f);
-    if (left < LOCATED)
+    /* how far the root may still be: by the secant, or within the bracket */
+    const po_sample *other = is_high ? &low : &high;
+    const double f_other = event_value(interval, ev->of, other);
+    double left = fabs(f * (at - other->at) / (f - f_other));
+    if (k > 0)
+      left = fmin(left, fabs(f * (at - last.at) / (f - f_last)));
+    if (left < (ev->of <= PO_OF_LOAD ? interval->located : ARRIVED) || fabs(high.at - low.at) < interval->located)
       return PO_OK;
-    const bool is_high = (f < 0.0) == (f_high < 0.0);
-    if (is_high) {
-      high = at;
-      f_high = f;
-      f_low *= side == 1 ? 0.5 : 1.0;
-    } else {
-      low = at;
-      f_low = f;
-      f_high *= side == -1 ? 0.5 : 1.0;
-    }
-    side = is_high ? 1 : -1;
+    *(is_high ? &high : &low) = s;
+    last = s;
+    f_last = f;
   }
   return PO_NOT_CONVERGED;
 }
@@ -109,7 +134,7 @@ po_status po_events_find(const po_interval *interval, const po_sample *from, con
 po_point_kind po_event_point(const po_event *ev) {
   if (ev->of > PO_OF_LOAD)
     return PO_POINT_STATION;
-  const bool rising = ev->f_low > 0.0;
+  const bool rising = ev->low.rate[ev->of] > 0.0;
   if (ev->of == PO_OF_APPROACH)
     return rising ? PO_POINT_APPROACH_MAX : PO_POINT_APPROACH_MIN;
   return rising ? PO_POINT_LOAD_MAX : PO_POINT_LOAD_MIN;

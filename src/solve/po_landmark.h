@@ -17,10 +17,9 @@ typedef struct {
 
 typedef struct {
   po_event_kind of;
-  double low, high;     /* bracket, in the parameter */
-  double f_low, f_high; /* the function whose root is the event, at either end */
-  double root;
-  size_t place; /* under which its point is kept */
+  po_sample low, high; /* bracket */
+  double root;         /* the parameter there */
+  size_t place;        /* under which its point is kept */
 } po_event;
 
 /* A step with more is too long. */
@@ -37,9 +36,10 @@ typedef struct {
   po_status (*solve)(void *data, double at, po_sample *sample); /* the equilibrium there */
   void (*keep)(void *data, size_t place); /* keeps the one last solved, in place of an earlier */
   double station, end;                    /* approaches; NAN: none */
+  double located;                         /* error of the parameter at an event */
 } po_interval;
 
-/* Finds and locates the events between two samples, the value of each extremum to 1e-12.
+/* Finds and locates the events between two samples, in the parameter.
  * Status: PO_NOT_CONVERGED when the step is too long for that. */
 po_status po_events_find(const po_interval *interval, const po_sample *from, const po_sample *to,
                          po_events *found);

@@ -40,37 +40,44 @@ static void decay(const po_legendre *legendre, const double *value, double *last
 }
 
 /* The error of a panel in parts of the allowed. A traction of high degree deflects the surface by
- * its size times the panel's length over the degree; the load, integrated by Gauss's rule, suffers
- * only from twice the degree: the square of the decay. */
-static double excess(const po_resolution *r, double begin, double end, const double *traction) {
-  double last, largest;
+ * its size times the panel's length over the degree; that matters as far as the tractions there
+ * respond. The load, and the deflection elsewhere, integrated by Gauss's rule, suffer only from
+ * twice the degree: the square of the decay. */
+static double excess_of(const po_resolution *r, double begin, double end, const double *gap) {
+  double traction[ORDER], response = 0.0, last, largest;
+  for (size_t j = 0; j < ORDER; ++j) {
+    const po_law law = po_law_at(fmax(gap[j], CLOSEST));
+    traction[j] = law.traction;
+    response = fmax(response, fabs(law.slope));
+  }
   decay(r->legendre, traction, &last, &largest);
-  const double length = end - begin;
-  const double gap = r->e->coupling * length * last / ORDER;
-  const double load =
-      2.0 / r->e->radius * 0.5 * (begin + end) * length * last * last / (largest + 1e-300);
-  return fmax(gap, load) / r->allowed;
+  const double length = end - begin, ring = 2.0 / r->e->radius * 0.5 * (begin + end) * length;
+  const double felt = fmin(1.0, response * fmax(r->e->coupling * length, ring));
+  const double local = felt * r->e->coupling * length * last / ORDER;
+  return fmax(local, ring * last * last / (largest + 1e-300)) / r->allowed;
+}
+
+void po_resolution_excesses(const po_resolution *r, const po_leaves *leaves, const double *gap,
+                            double *excess) {
+  for (size_t k = 0; k < leaves->count; ++k)
+    excess[k] = excess_of(r, r->root * po_leaf_begin(leaves->leaf[k]),
+                          r->root * po_leaf_end(leaves->leaf[k]), gap + k * ORDER);
 }
 
 double po_resolution_excess(const po_resolution *r, const po_leaves *leaves, const double *gap) {
-  double worst = 0.0, traction[ORDER];
-  for (size_t k = 0; k < leaves->count; ++k) {
-    for (size_t j = 0; j < ORDER; ++j)
-      traction[j] = po_law_at(gap[k * ORDER + j]).traction;
-    worst = fmax(worst, excess(r, r->root * po_leaf_begin(leaves->leaf[k]),
-                               r->root * po_leaf_end(leaves->leaf[k]), traction));
-  }
+  double excess[PO_MOST_LEAVES], worst = 0.0;
+  po_resolution_excesses(r, leaves, gap, excess);
+  for (size_t k = 0; k < leaves->count; ++k)
+    worst = fmax(worst, excess[k]);
   return worst;
 }
 
 static double excess_of_leaf(const po_resolution *r, const po_gap_field *field, po_leaf leaf) {
   const double begin = r->root * po_leaf_begin(leaf), end = r->root * po_leaf_end(leaf);
-  double traction[ORDER];
-  for (size_t i = 0; i < ORDER; ++i) {
-    const double gap = field->gap_at(field->data, begin + (end - begin) * r->rule->node[i]);
-    traction[i] = po_law_at(fmax(gap, CLOSEST)).traction;
-  }
-  return excess(r, begin, end, traction);
+  double gap[ORDER];
+  for (size_t i = 0; i < ORDER; ++i)
+    gap[i] = field->gap_at(field->data, begin + (end - begin) * r->rule->node[i]);
+  return excess_of(r, begin, end, gap);
 }
 
 /* Splits leaves of a tree until each resolves. */

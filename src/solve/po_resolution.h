@@ -26,8 +26,10 @@ typedef struct {
   double allowed; /* error of the gap that a panel may make, in eps */
 } po_resolution;
 
-/* The error of the gap that panels make, in parts of what is allowed: the largest over the panels,
- * from the last Legendre coefficients of the traction at the nodes. */
+/* The error that each panel makes, in parts of what is allowed, from the last Legendre coefficients
+ * of the traction at the nodes; and the largest of these. */
+void po_resolution_excesses(const po_resolution *r, const po_leaves *leaves, const double *gap,
+                            double *excess);
 double po_resolution_excess(const po_resolution *r, const po_leaves *leaves, const double *gap);
 
 /* The leaves that resolve a field: those given are split until they do, and joined where their

@@ -14,6 +14,9 @@ static const double ELASTIC_EFFECT = 6.0, NEGLIGIBLE_LOAD = 1e-8;
 
 /* Relative accuracy asked of each piece of the quadrature, and what is small against any load. */
 static const double PIECE_ACCURACY = 1e-12, SMALL = 1e-14;
+/* What comes of it: error of the load in parts of 1 + |load|; and of the approach at which its rate
+ * vanishes, a rate that is as accurate as the load and falls by 1 an eps or more. */
+static const double QUADRATURE_ERROR = 1e-10, LOCATION_ERROR = 1e-9;
 enum { INTERVALS = 200 };
 
 /* Steps in x = 1 - approach, the distance from the centre's core. */
@@ -125,6 +128,9 @@ static po_branch_point solve(rigid_tracer *t, double approach, po_point_kind kin
       .kind = kind, .position = approach - t->begin, .approach = approach, .approach_rate = 1.0};
   const po_status status = po_rigid_load(t->scene, approach, &point.load, &point.load_rate);
   t->status = t->status ? t->status : status;
+  const double elastic = ELASTIC_EFFECT * pow(t->scene->tabor, 1.5);
+  point.load_error = elastic + QUADRATURE_ERROR * (1.0 + fabs(point.load));
+  point.approach_error = elastic + LOCATION_ERROR;
   return point;
 }
 

@@ -36,6 +36,13 @@ void po_track_point_copy(const po_track_point *from, po_track_point *to) {
   *to = copy;
 }
 
+double po_track_progress(const po_track_point *from, const po_track_point *to) {
+  double change[PO_GAUGE_SIZE];
+  for (int i = 0; i < PO_GAUGE_SIZE; ++i)
+    change[i] = to->gauge[i] - from->gauge[i];
+  return po_gauge_along(from->rate, change);
+}
+
 /* d/dx of the polynomial through nodal values, at the nodes. */
 static void differentiate(const po_panel_rule *rule, const double *value, double *derivative) {
   for (size_t i = 0; i < ORDER; ++i) {
@@ -62,9 +69,9 @@ po_track_value po_track_value_at(const po_track_point *p, const po_scene *scene,
   const po_panel_rule *rule = &po_panel_table_get()->rule;
   const double x = r / root;
   const size_t k = po_leaves_find(&p->leaves, x);
-  const double begin = po_leaf_begin(p->leaves.leaf[k]), end = po_leaf_end(p->leaves.leaf[k]);
+  const double begin = po_leaf_begin(p->leaves.leaf[k]), size = po_leaf_size(p->leaves.leaf[k]);
   double weight[ORDER];
-  po_lagrange(ORDER, rule->node, rule->barycentric, (x - begin) / (end - begin), weight);
+  po_lagrange(ORDER, rule->node, rule->barycentric, (x - begin) / size, weight);
   po_track_value v = {po_shape(scene, r), shape_slope(scene, r), 0.0};
   for (size_t j = 0; j < ORDER; ++j) {
     v.gap += weight[j] * p->deflection[k * ORDER + j];
@@ -108,8 +115,7 @@ void po_track_point_finish(po_track_point *p, const po_equilibrium *e,
   p->n = e->n;
   po_gauge_values(e, p->state, p->gauge);
   po_gauge_rates(e, p->state, p->tangent, p->rate);
-  const double length =
-      sqrt(p->rate[0] * p->rate[0] + p->rate[1] * p->rate[1] + p->rate[2] * p->rate[2]);
+  const double length = sqrt(po_gauge_along(p->rate, p->rate));
   for (int i = 0; i < PO_GAUGE_SIZE; ++i)
     p->rate[i] /= length;
   for (size_t j = 0; j <= p->n; ++j)
@@ -121,10 +127,22 @@ void po_track_point_finish(po_track_point *p, const po_equilibrium *e,
     p->deflection[j] = p->state[j] - e->shape[j];
   const double root = e->surface->core_radius;
   for (size_t k = 0; k < p->leaves.count; ++k) {
-    const double size = root * (po_leaf_end(p->leaves.leaf[k]) - po_leaf_begin(p->leaves.leaf[k]));
+    const double size = root * po_leaf_size(p->leaves.leaf[k]);
     differentiate(rule, p->deflection + k * ORDER, p->slope + k * ORDER);
     for (size_t i = 0; i < ORDER; ++i)
       p->slope[k * ORDER + i] /= size;
   }
   find_fronts(p, e->scene, e->surface);
+}
+
+double po_track_gap(void *data, double r) {
+  const po_track_field *f = data;
+  return po_track_value_at(f->p, f->scene, f->root, r).gap;
+}
+
+po_sample po_track_sample(const po_track_point *from, const po_track_point *p) {
+  const double per_distance = 1.0 / po_gauge_along(from->rate, p->rate);
+  return (po_sample){.at = po_track_progress(from, p),
+                     .value = {p->state[p->n], p->load},
+                     .rate = {p->tangent[p->n] * per_distance, p->load_rate * per_distance}};
 }

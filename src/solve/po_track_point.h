@@ -6,6 +6,7 @@
 #include "po_adaptive.h"
 #include "po_front.h"
 #include "po_gauge.h"
+#include "po_landmark.h"
 
 typedef struct {
   po_leaves leaves, wanted; /* the mesh it was solved on, and the one that just resolves it */
@@ -35,8 +36,23 @@ void po_track_point_copy(const po_track_point *from, po_track_point *to);
  * state being the one last evaluated. */
 void po_track_point_finish(po_track_point *p, const po_equilibrium *e, const po_adaptive *adaptive);
 
+/* How far one point is from another along the gauge, in the direction of the first. */
+double po_track_progress(const po_track_point *from, const po_track_point *to);
+
 /* Values at a radius inside the root. */
 po_track_value po_track_value_at(const po_track_point *p, const po_scene *scene, double root,
                                  double r);
+
+/* The gap of a point as a function of the radius, for po_gap_field: data is a po_track_field. */
+typedef struct {
+  const po_track_point *p;
+  const po_scene *scene;
+  double root;
+} po_track_field;
+
+double po_track_gap(void *data, double r);
+
+/* Approach and load as functions of the distance along the gauge from another point. */
+po_sample po_track_sample(const po_track_point *from, const po_track_point *p);
 
 #endif

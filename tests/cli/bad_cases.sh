@@ -67,6 +67,10 @@ spoilt 's/^want/sweep:\n  - key: approach_end\n    values: [0.1, 0.10]\nwant/' \
 spoilt 's/^want/sweep:\n  - key: approach_end\nwant/' \
   '12: sweep[[]1[]].values is missing: expected a list of values'
 spoilt 's/pull_off_force/pull_on/' '13: checks[[]1[]].quantity is pull_on: expected pull_off_force, *'
+spoilt 's/pull_off_force/work/' \
+  '14: checks[[]1[]].reference is reference/table.csv: expected pin, as only *'
+spoilt 's/pull_off_force/curve/; s/reference: .*/reference: pin/' \
+  '13: checks[[]1[]].quantity is curve: expected a curve to be pinned by its folds and extrema'
 spoilt 's/tolerance: 1e-9/tolerance: 0/' \
   '15: checks[[]1[]].tolerance is 0: expected a finite number > 0'
 spoilt 's/tolerance: 1e-9/tolerance: .nan/' \

@@ -32,12 +32,24 @@ for key in ("folds", "extrema", "curve"):
     assert len(p[key]) == len(d[key]) > 0, key
     for a, b in zip(p[key], d[key]):
         assert near(a["load_n"], b["load"] * force) and near(a["approach_m"], b["approach"] * eps)
+        assert a.get("error_estimate_m") == b.get("error_estimate") == None
         assert near(a["contact_radius_m"], b["contact_radius"] * eps) and a.get("kind") == b.get("kind")
 assert len(p["profile"]) == len(d["profile"]) > 100
 for a, b in zip(p["profile"], d["profile"]):
     assert near(a["gap_m"], (1 + b["gap"]) * eps) and near(a["traction_pa"], b["traction"] * traction)
     assert near(a["radius_m"], b["radius"] * eps)
 assert abs(p["profile_approach_m"] + 2.3e-10) < 1e-19
+
+# panels bound their errors, in units, too
+found = json.loads(subprocess.run(sys.argv[1:2] + shlex.split("""solve --from-physical --modulus-pa 1.3385e9
+    --work-j-per-m2 0.0537 --distance-m 3.1e-10 --radius-m 2.7e-8 --scheme panel --json"""), capture_output=True,
+    check=True).stdout)
+a, b = found["physical"]["pull_off"], found["pull_off"]
+assert near(a["error_estimate_n"], b["error_estimate"] * force)
+assert near(a["approach_error_estimate_m"], b["approach_error_estimate"] * eps)
+for a, b in zip(found["physical"]["folds"], found["folds"]):
+    assert near(a["error_estimate_m"], b["error_estimate"] * eps)
+    assert near(a["load_error_estimate_n"], b["load_error_estimate"] * force)
 
 # the same scene without units, to the last bit
 flags = [word for key in ("tabor", "amplitude", "wavelength", "radius", "outer_radius", "nodes",

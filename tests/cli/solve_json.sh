@@ -18,7 +18,8 @@ assert list(d["input"]) == ["tabor", "amplitude", "wavelength", "radius", "outer
 assert d["input"]["outer_radius"] == "inf" and d["input"]["nodes"] == 101
 p = d["pull_off"]
 assert abs(p["force"] - 1.67067) < 1e-3 and abs(p["approach"] + 0.8734) < 2e-3
-assert set(p) == {"force", "approach", "contact_radius", "error_estimate"}
+assert set(p) == {"force", "approach", "contact_radius", "error_estimate",
+                  "approach_error_estimate"}
 assert [f["kind"] for f in d["folds"]] == ["jump_in", "jump_out"]
 assert [e["kind"] for e in d["extrema"]] == ["minimum"]
 assert set(d["folds"][0]) >= {"approach", "load", "kind", "contact_radius", "unstable_modes"}

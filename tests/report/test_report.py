@@ -1,6 +1,7 @@
 """The report as a whole, from made-up records: what stands in it, and that it stands by itself."""
 
 import contextlib
+import json
 import os
 import re
 import shutil
@@ -180,6 +181,48 @@ class Parts(PageTest):
             html = page_of(folder)
         self.has(plain(html), "2 of 50 checks outside the tolerance")
         self.has(html, 'class="status outside"')
+
+    def test_the_verdicts_of_several_ledgers_together(self):
+        def maker(run, words):
+            synthetic.make_fig04(run)
+            path = os.path.join(run, "fig04", "record.json")
+            with open(path, encoding="utf-8") as stream:
+                record = json.load(stream)
+            for check, word in zip(record["checks"], words):
+                check.update(verdict=word, ledger="pin", reference="cases/pins/fig04.csv")
+            with open(path, "w", encoding="utf-8") as stream:
+                json.dump(record, stream)
+
+        with made_up(lambda run: maker(run, ("improved", "slack", "slack"))) as folder:
+            html = page_of(folder)
+        text = plain(html)
+        self.has(text, "All 50 checks within their tolerance", "last accepted (1 improved, 2 slack)",
+                 "50 (3 to see)", "improved: the pin moved towards every oracle",
+                 "slack: within, but the tolerance is over a thousand times")
+        self.lacks(text, "regressed")
+        self.has(html, 'href="#reference-pins/fig04.csv"', 'id="reference-pins/fig04.csv"')
+        failing = ("regressed", "moved", "wrong_and_frozen", "outside", "improved")
+        with made_up(lambda run: maker(run, failing)) as folder:
+            html = page_of(folder)
+        self.has(plain(html), "4 of 50 checks failed: 1 outside, 1 regressed, 1 moved, 1 wrong and "
+                 "frozen", "46 within (1 improved), 0 without a result")
+        self.has(html, 'class="status outside"')
+
+    def test_pins_are_shown_with_who_and_why(self):
+        with made_up(synthetic.make_fig04) as folder:
+            os.makedirs(os.path.join(folder, "cases", "pins"))
+            head = synthetic.header("blessed values of fig04", kind="pin")
+            head["blessing 1"] = "2026-01-02, tester, pulloff 0.1.0: the first"
+            synthetic.write_reference(os.path.join(folder, "cases", "pins"), "fig04.csv", head,
+                                      ["tabor", "quantity", "value"], [(1, "pull_off_force", 1.5)])
+            path = os.path.join(folder, "run", "fig04", "record.json")
+            with open(path, encoding="utf-8") as stream:
+                record = json.load(stream)
+            record["checks"][0].update(ledger="pin", reference="cases/pins/fig04.csv")
+            with open(path, "w", encoding="utf-8") as stream:
+                json.dump(record, stream)
+            text = plain(page_of(folder))
+        self.has(text, "tester, pulloff 0.1.0: the first", "blessed values of fig04")
 
     def test_a_failed_solve_is_told_with_its_reason(self):
         with made_up(lambda run: synthetic.make_run(run, failed=True)) as folder:

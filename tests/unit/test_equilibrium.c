@@ -82,7 +82,7 @@ START_TEST(tangent_is_the_derivative) { /* of the equilibrium by the approach, b
     status = po_equilibrium_correct(f.e, f.state, base, 0.0);
   }
   ck_assert_int_eq(po_equilibrium_factorize(f.e, f.state, f.border), PO_OK);
-  ck_assert_int_eq(po_equilibrium_tangent(f.e, tangent), PO_OK);
+  ck_assert_int_eq(po_equilibrium_tangent(f.e, f.e->precision, tangent), PO_OK);
   const double rate = po_equilibrium_load_rate(f.e, tangent);
   for (int k = 0; k < 2; ++k) {
     for (int j = 0; j <= NODES; ++j)

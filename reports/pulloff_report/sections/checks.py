@@ -4,7 +4,7 @@ import math
 
 from . import Section
 from ..references import file_name
-from ..words import decimals_for, quantity, sweep_label
+from ..words import VERDICT_MEANINGS, decimals_for, quantity, sweep_label
 
 GROUP_BY = ("quantity", "reference", "because", "kind", "tolerance", "ledger")
 
@@ -32,7 +32,7 @@ def absolute_tolerance(check):
 
 def decimals_of(check):
     """Decimals that show two digits of the tolerance; none where both numbers are counts."""
-    if check["quantity"].endswith("_count"):
+    if check["quantity"].endswith("_count") or check["quantity"].startswith("work_"):
         return 0
     return decimals_for(absolute_tolerance(check))
 
@@ -58,6 +58,8 @@ def groups(case):
 def build(source):
     tables = [{"case": case, "groups": groups(case)} for case in source.run.cases]
     ledgers = sorted({check["ledger"] for check in source.run.checks()})
+    found = {check["verdict"] for check in source.run.checks()}
+    verdicts = [name for name in VERDICT_MEANINGS if name in found]
     entries = [(f"checks-{table['case'].name}", table["case"].title) for table in tables]
     return Section("checks", "Every check", "checks.html",
-                   {"tables": tables, "ledgers": ledgers}, entries)
+                   {"tables": tables, "ledgers": ledgers, "verdicts": verdicts}, entries)

@@ -1,0 +1,82 @@
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_bless.h"
+#include "po_session.h"
+#include "po_verbs.h"
+
+static const char HELP[] =
+    "Usage: pulloff bless [OPTION]... CASE --reason TEXT\n"
+    "Runs what is missing of a case and makes its numbers the pins of its checks against `pin`:\n"
+    "pins/CASE.csv beside the case file, with the date, who did it, the version and the reason.\n"
+    "Says which pins moved by how much. Refused without a reason, when a solve failed (exit code\n"
+    "3), and while a check of the case against an oracle does not pass (exit code 1).\n\n"
+    "  --reason TEXT  why these numbers are accepted, in one line\n"
+    "  --output DIR   where the records are (build/run)\n"
+    "  --jobs N       points solved side by side (all cores); the numbers do not depend on it\n"
+    "  --fresh        solve again what is there\n"
+    "  --help         this text\n\n"
+    "Example: pulloff bless smoke --reason \"Newton stops two digits later\"\n";
+
+enum { REASON = PO_SESSION_NEXT };
+
+static const struct option OPTIONS[] = {
+    PO_SESSION_CASE_OPTIONS, {"reason", required_argument, NULL, REASON}, {NULL, 0, NULL, 0}};
+
+/* Who blesses: the name git signs commits with, else that of the account. */
+static void find_who(char who[128]) {
+  who[0] = '\0';
+  FILE *git = popen("git config user.name 2>/dev/null", "r");
+  if (git) {
+    if (!fgets(who, 128, git))
+      who[0] = '\0';
+    pclose(git);
+  }
+  who[strcspn(who, "\n")] = '\0';
+  const char *account = getenv("USER");
+  if (!who[0])
+    snprintf(who, 128, "%s", account && *account ? account : "unknown");
+}
+
+static po_status bless(const po_session *session, const char *reason) {
+  char who[128];
+  po_text report = {0};
+  find_who(who);
+  const po_status status = po_bless(&session->runs[0], who, reason, &report);
+  if (!status)
+    fputs(po_text_string(&report), stdout);
+  po_text_clear(&report);
+  return status;
+}
+
+int po_verb_bless(int argc, char **argv) {
+  const po_options options = {"bless", HELP, OPTIONS, argc, argv};
+  po_session session = po_session_default();
+  po_status status = PO_OK;
+  const char *reason = NULL;
+  int option = 0;
+  while (!status && (option = po_options_next(&options)) > 0) {
+    if (option == PO_OPTION_HELP)
+      return PO_EXIT_OK;
+    if (option == REASON)
+      reason = optarg;
+    else
+      status = po_session_option(&session, option);
+  }
+  if (option == PO_OPTION_BAD)
+    status = PO_BAD_INPUT;
+  if (!status && !reason)
+    status = po_fail(PO_BAD_INPUT, "bless needs --reason TEXT (see pulloff bless --help)");
+  if (!status)
+    status = po_session_open_one(&session, &options);
+  if (!status)
+    status = po_bless_check_request(session.runs[0].plan, reason);
+  if (!status)
+    status = po_session_solve(&session);
+  if (!status)
+    status = bless(&session, reason);
+  const int code = po_options_end(status);
+  po_session_clear(&session);
+  return code;
+}

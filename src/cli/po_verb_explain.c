@@ -1,0 +1,117 @@
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "po_explain.h"
+#include "po_json.h"
+#include "po_memory.h"
+#include "po_session.h"
+#include "po_verbs.h"
+
+static const char HELP[] =
+    "Usage: pulloff explain [OPTION]... CASE\n"
+    "Runs what is missing of a case and says of each check that is not simply within: what was\n"
+    "obtained and expected, how far apart in tolerances, where on the curve, which side is likely\n"
+    "at fault and why, the reason of the tolerance, and the command that repeats it. Exit codes "
+    "as\n"
+    "of verify, for the points chosen.\n\n"
+    "  --point P      only this point: its number, or words of its label, as \"tabor=1\"\n"
+    "  --all          the checks that are within, too\n"
+    "  --json         one JSON document\n"
+    "  --output DIR   where the records are (build/run)\n"
+    "  --jobs N       points solved side by side (all cores); the numbers do not depend on it\n"
+    "  --fresh        solve again what is there\n"
+    "  --help         this text\n\n"
+    "Example: pulloff explain fig03 --point tabor=1 --all\n";
+
+enum { POINT = PO_SESSION_NEXT, ALL, JSON };
+
+static const struct option OPTIONS[] = {PO_SESSION_CASE_OPTIONS,
+                                        {"point", required_argument, NULL, POINT},
+                                        {"all", no_argument, NULL, ALL},
+                                        {"json", no_argument, NULL, JSON},
+                                        {NULL, 0, NULL, 0}};
+
+/* Which points are meant. Status: PO_BAD_INPUT when none is. */
+static po_status choose(const po_case *kase, const char *text, bool **points) {
+  *points = po_allocate(kase->point_count, sizeof **points);
+  if (!*points)
+    return PO_NO_MEMORY;
+  size_t meant = 0;
+  for (size_t i = 0; i < kase->point_count; ++i) {
+    (*points)[i] = !text || po_explain_means(&kase->points[i], text);
+    meant += (*points)[i];
+  }
+  if (meant)
+    return PO_OK;
+  char expected[200];
+  snprintf(expected, sizeof expected, "a number below %zu, or words of a label such as %s",
+           kase->point_count, kase->points[0].label);
+  return po_options_refuse("point", text, expected);
+}
+
+static po_status print(const po_case_run *run, const po_explain_choice *choice, bool json) {
+  po_text text = {0};
+  po_status status = PO_OK;
+  if (json) {
+    json_t *document = po_explain_json(run, choice);
+    status = po_json_print(document, &text);
+    json_decref(document);
+  } else
+    po_explain_text(run, choice, &text);
+  if (text.failed)
+    status = PO_NO_MEMORY;
+  if (!status)
+    fputs(po_text_string(&text), stdout);
+  po_text_clear(&text);
+  return status;
+}
+
+static int code_of(const po_case_run *run, const bool *points) {
+  int code = PO_EXIT_OK;
+  for (size_t i = 0; i < run->results.count; ++i)
+    if (points[run->results.items[i].point] && !po_verdict_passes(run->results.items[i].verdict))
+      code = PO_EXIT_OUTSIDE;
+  for (size_t i = 0; i < run->plan->kase->point_count; ++i)
+    if (points[i] && run->outcomes[i].status != PO_OK)
+      code = PO_EXIT_SOLVE;
+  return code;
+}
+
+int po_verb_explain(int argc, char **argv) {
+  const po_options options = {"explain", HELP, OPTIONS, argc, argv};
+  po_session session = po_session_default();
+  po_status status = PO_OK;
+  po_explain_choice choice = {0};
+  const char *point = NULL;
+  bool json = false, *points = NULL;
+  int option = 0;
+  while (!status && (option = po_options_next(&options)) > 0) {
+    if (option == PO_OPTION_HELP)
+      return PO_EXIT_OK;
+    if (option == POINT)
+      point = optarg;
+    else if (option == ALL)
+      choice.all = true;
+    else if (option == JSON)
+      json = true;
+    else
+      status = po_session_option(&session, option);
+  }
+  if (option == PO_OPTION_BAD)
+    status = PO_BAD_INPUT;
+  if (!status)
+    status = po_session_open_one(&session, &options);
+  if (!status)
+    status = choose(session.catalog.cases[0], point, &points);
+  if (!status)
+    status = po_session_solve(&session);
+  choice.points = points;
+  if (!status)
+    status = print(&session.runs[0], &choice, json);
+  int code = po_options_end(status);
+  if (!status)
+    code = code_of(&session.runs[0], points);
+  free(points);
+  po_session_clear(&session);
+  return code;
+}

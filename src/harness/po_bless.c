@@ -1,0 +1,216 @@
+#include "po_bless.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "po_bless_list.h"
+#include "po_file.h"
+#include "po_memory.h"
+
+/* A reason is a header of one line; longer than this it is no reason but a report. */
+enum { LONGEST_REASON = 500 };
+
+/* The pins the case has now: those of any of its checks that are against pins. */
+static const po_reference *old_pins(const po_plan *plan) {
+  const po_case_file *file = plan->kase->file;
+  for (unsigned c = 0; c < file->checks_count; ++c)
+    if (plan->references[c].is_pin)
+      return &plan->references[c];
+  return NULL;
+}
+
+static po_status check_reason(const char *reason) {
+  bool blank = true, plain = true;
+  for (const char *c = reason; *c; ++c) {
+    blank = blank && isspace((unsigned char)*c);
+    plain = plain && !iscntrl((unsigned char)*c);
+  }
+  if (blank || !plain || strlen(reason) > LONGEST_REASON)
+    return po_fail(PO_BAD_INPUT, "the reason is %s: expected one line that says why",
+                   blank    ? "empty"
+                   : !plain ? "of several lines, or holds control characters"
+                            : "longer than 500 characters");
+  return PO_OK;
+}
+
+/* What was never solved, or is wrong by an independent route, is nothing to hold on to. */
+static po_status check_results(const po_case_run *run) {
+  const po_case *kase = run->plan->kase;
+  const char *name = kase->file->name;
+  for (size_t i = 0; i < kase->point_count; ++i)
+    if (run->outcomes[i].status)
+      return po_fail(PO_NOT_CONVERGED, "%s is not blessed: the solve of %s failed: %s", name,
+                     kase->points[i].label, run->outcomes[i].reason);
+  for (size_t i = 0; i < run->results.count; ++i) {
+    const po_result *item = &run->results.items[i];
+    const bool bad_oracle = item->ledger == PO_LEDGER_ORACLE && !po_verdict_passes(item->verdict);
+    if (bad_oracle || item->verdict == PO_NO_RESULT)
+      return po_fail(PO_CHECK_FAILED, "%s is not blessed: %s is %s (see pulloff explain %s)", name,
+                     item->id, po_verdict_name(item->verdict), po_case_argument(kase));
+  }
+  return PO_OK;
+}
+
+po_status po_bless_check_request(const po_plan *plan, const char *reason) {
+  if (!old_pins(plan))
+    return po_fail(PO_BAD_INPUT, "%s pins nothing: expected a check whose reference is pin",
+                   plan->kase->file->name);
+  return check_reason(reason);
+}
+
+po_status po_bless_check(const po_case_run *run, const char *reason) {
+  const po_status status = po_bless_check_request(run->plan, reason);
+  return status ? status : check_results(run);
+}
+
+/* How many pins are new, moved, or no more; a line for each. */
+typedef struct {
+  size_t new, moved, dropped;
+} changes;
+
+static po_status tell_changes(const po_case_run *run, const po_reference *old,
+                              const po_pin_list *list, changes *found, po_text *report) {
+  const po_case *kase = run->plan->kase;
+  size_t known = 0;
+  for (size_t i = 0; i < list->count; ++i) {
+    const po_pin *pin = &list->items[i];
+    const po_point *point = &kase->points[pin->point];
+    double before = 0;
+    if (!isfinite(pin->value))
+      return po_fail(PO_CHECK_FAILED, "%s is not blessed: there is no %s of %s", kase->file->name,
+                     pin->name, point->label);
+    const po_status status = po_pins_value(old, pin->name, &point->request, &before);
+    if (status && status != PO_NOT_FOUND)
+      return status;
+    known += status == PO_OK;
+    found->new += status == PO_NOT_FOUND;
+    if (status)
+      po_text_add(report, "%-24s %-28s new    %.15g\n", point->label, pin->name, pin->value);
+    else if (before != pin->value) {
+      found->moved += 1;
+      po_text_add(report, "%-24s %-28s moved  %.15g -> %.15g, by %+.3g\n", point->label, pin->name,
+                  before, pin->value, pin->value - before);
+    }
+  }
+  found->dropped = old->table.row_count - known;
+  return PO_OK;
+}
+
+/* The oracles that hold now, by their checksums: when one fails later although the pin
+ * holds, this tells whether the oracle was altered since. */
+static void add_oracles(const po_plan *plan, po_text *text) {
+  const po_case_file *file = plan->kase->file;
+  size_t number = 0;
+  for (unsigned c = 0; c < file->checks_count; ++c) {
+    const po_reference *reference = &plan->references[c];
+    bool again = reference->is_bradley || reference->ledger != PO_LEDGER_ORACLE;
+    for (unsigned k = 0; k < c; ++k)
+      again = again || strcmp(file->checks[k].reference, file->checks[c].reference) == 0;
+    if (!again)
+      po_text_add(text, "# checked %zu: %s sha256 %s\n", ++number, reference->name,
+                  reference->table.digest);
+  }
+}
+
+/* The headers of `old` that begin with `start`, as they are; how many. */
+static size_t copy_headers(const po_csv *old, const char *start, po_text *text) {
+  size_t count = 0;
+  for (size_t i = 0; i < old->header_count; ++i)
+    if (strncmp(old->headers[i].key, start, strlen(start)) == 0) {
+      po_text_add(text, "# %s: %s\n", old->headers[i].key, old->headers[i].value);
+      count += 1;
+    }
+  return count;
+}
+
+static void add_headers(const po_case_run *run, const po_reference *old, const char *who,
+                        const char *reason, po_text *text) {
+  const po_case *kase = run->plan->kase;
+  char date[32];
+  const time_t now = time(NULL);
+  struct tm utc;
+  gmtime_r(&now, &utc);
+  strftime(date, sizeof date, "%Y-%m-%d", &utc);
+  po_text_add(text,
+              "# what: blessed values of the case %s, to notice change\n"
+              "# source: this program; accepted, which is no evidence of being right\n"
+              "# kind: pin\n"
+              "# method: that of the scheme of each scene\n"
+              "# units: as in the records: lengths in epsilon, load in pi w R, work in counts\n"
+              "# uncertainty: 0\n"
+              "# generator: pulloff bless\n"
+              "# command: pulloff bless %s --reason TEXT\n"
+              "# date: %s\n",
+              kase->file->name, po_case_argument(kase), date);
+  const size_t before = copy_headers(&old->table, "blessing ", text);
+  po_text_add(text, "# blessing %zu: %s, ", before + 1, date);
+  for (const char *c = who; *c; ++c) {
+    const char plain = iscntrl((unsigned char)*c) ? ' ' : *c;
+    po_text_add_bytes(text, &plain, 1);
+  }
+  po_text_add(text, ", pulloff " PULLOFF_VERSION ": %s\n", reason);
+}
+
+static po_status write_pins(const po_case_run *run, const po_reference *old,
+                            const po_pin_list *list, const char *who, const char *reason) {
+  const po_case *kase = run->plan->kase;
+  po_text header = {0}, rows = {0}, text = {0};
+  char digest[PO_DIGEST_LENGTH];
+  add_headers(run, old, who, reason, &header);
+  add_oracles(run->plan, &header);
+  po_pin_list_headers(kase, list, &header);
+  po_pin_list_rows(kase, list, &rows);
+  po_csv_seal(&header, &rows, &text, digest);
+  po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
+  char *folder = status ? NULL : po_copy_text(old->path);
+  if (!status && !folder)
+    status = PO_NO_MEMORY;
+  if (folder)
+    *strrchr(folder, '/') = '\0';
+  if (!status)
+    status = po_folder_make(folder);
+  if (!status)
+    status = po_file_write(old->path, text.data, text.length);
+  free(folder);
+  po_text_clear(&header);
+  po_text_clear(&rows);
+  po_text_clear(&text);
+  return status;
+}
+
+static bool same_oracles(const po_plan *plan, const po_reference *old) {
+  po_text before = {0}, now = {0};
+  copy_headers(&old->table, "checked ", &before);
+  add_oracles(plan, &now);
+  const bool same = strcmp(po_text_string(&before), po_text_string(&now)) == 0;
+  po_text_clear(&before);
+  po_text_clear(&now);
+  return same;
+}
+
+po_status po_bless(const po_case_run *run, const char *who, const char *reason, po_text *report) {
+  po_status status = po_bless_check(run, reason);
+  if (status)
+    return status;
+  const po_reference *old = old_pins(run->plan);
+  po_pin_list list = {0};
+  changes found = {0};
+  status = po_pin_list_make(run, &list);
+  if (!status)
+    status = tell_changes(run, old, &list, &found, report);
+  const bool changed = found.new + found.moved + found.dropped > 0 || !same_oracles(run->plan, old);
+  if (!status && changed)
+    status = write_pins(run, old, &list, who, reason);
+  if (!status && changed)
+    po_text_add(report, "%s: %zu pins, %zu moved, %zu new, %zu dropped\n", old->shown, list.count,
+                found.moved, found.new, found.dropped);
+  else if (!status)
+    po_text_add(report, "%s: %zu pins, all as they were; nothing is written\n", old->shown,
+                list.count);
+  po_pin_list_clear(&list);
+  return status ? status : report->failed ? PO_NO_MEMORY : PO_OK;
+}

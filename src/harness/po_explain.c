@@ -1,0 +1,168 @@
+#include "po_explain.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_blame.h"
+#include "po_json.h"
+#include "po_place.h"
+
+/* Whether `word` of `length` is among the words of a label. */
+static bool has_word(const char *label, const char *word, size_t length) {
+  while (*label) {
+    label += strspn(label, " ");
+    const size_t other = strcspn(label, " ");
+    if (other == length && strncmp(label, word, length) == 0)
+      return true;
+    label += other;
+  }
+  return false;
+}
+
+bool po_explain_means(const po_point *point, const char *text) {
+  if (strcmp(point->id, text) == 0)
+    return true;
+  size_t words = 0;
+  for (text += strspn(text, " "); *text; text += strspn(text, " ")) {
+    const size_t length = strcspn(text, " ");
+    if (!has_word(point->label, text, length))
+      return false;
+    words += 1;
+    text += length;
+  }
+  return words > 0;
+}
+
+static bool is_chosen(const po_explain_choice *choice, size_t point) {
+  return !choice->points || choice->points[point];
+}
+
+static bool is_told(const po_explain_choice *choice, const po_result *item) {
+  return is_chosen(choice, item->point) && (choice->all || item->verdict != PO_WITHIN);
+}
+
+/* The command that repeats a point; for a curve, keeping it. */
+static char *command_of(const po_case_run *run, size_t point, bool curve) {
+  char *solve = po_input_command(&run->plan->kase->points[point].request);
+  po_text text = {0};
+  po_text_add(&text, "%s%s", solve ? solve : "", curve ? " --curve curve.csv" : "");
+  text.failed = text.failed || !solve;
+  free(solve);
+  if (text.failed)
+    po_text_clear(&text);
+  return text.data;
+}
+
+static void tell_numbers(const po_case_run *run, const po_result *item, po_text *text) {
+  const po_check *check = item->check;
+  const char *reference = po_plan_reference_of(run->plan, check);
+  if (isfinite(item->obtained))
+    po_text_add(text, "  obtained   %.12g\n", item->obtained);
+  if (isfinite(item->expected))
+    po_text_add(text, "  expected   %.12g\n", item->expected);
+  po_text_add(text, "  ledger     %s: %s", po_ledger_name(item->ledger), reference);
+  if (isfinite(item->uncertainty) && item->uncertainty > 0)
+    po_text_add(text, ", itself uncertain by %.2g", item->uncertainty);
+  po_text_add(text, "\n");
+  if (isfinite(item->error))
+    po_text_add(text, "  %s %+.3g, %.4g times the tolerance of %s %s\n",
+                check->quantity == PO_CURVE ? "distance  " : "difference", item->error, item->ratio,
+                check->tolerance_text, check->kind_text);
+}
+
+static void tell_item(const po_case_run *run, const po_result *item, po_text *text) {
+  const po_case *kase = run->plan->kase;
+  char place[PO_PLACE_LENGTH] = "";
+  po_blame blame;
+  po_blame_find(run, item, &blame);
+  po_text_add(text, "%s %s %s: %s\n", kase->file->name, item->subject,
+              kase->points[item->point].label, po_verdict_name(item->verdict));
+  tell_numbers(run, item, text);
+  if (isfinite(item->approach)) {
+    po_place_tell(&run->outcomes[item->point], item->approach, item->load, place);
+    po_text_add(text, "  where      approach %.6g, load %.6g%s%s\n", item->approach, item->load,
+                *place ? ", " : "", place);
+  }
+  if (item->note[0])
+    po_text_add(text, "  note       %s\n", item->note);
+  if (blame.why[0])
+    po_text_add(text, "  fault      %s: %s\n", blame.side, blame.why);
+  po_text_add(text, "  tolerance  because %s\n", item->check->because);
+  char *command = command_of(run, item->point, item->check->quantity == PO_CURVE);
+  po_text_add(text, "  rerun      %s\n\n", command ? command : "");
+  free(command);
+}
+
+void po_explain_text(const po_case_run *run, const po_explain_choice *choice, po_text *text) {
+  const po_case *kase = run->plan->kase;
+  size_t told = 0, considered = 0;
+  for (size_t i = 0; i < run->results.count; ++i) {
+    const po_result *item = &run->results.items[i];
+    considered += is_chosen(choice, item->point);
+    if (!is_told(choice, item))
+      continue;
+    tell_item(run, item, text);
+    told += 1;
+  }
+  for (size_t i = 0; i < kase->point_count; ++i)
+    if (run->outcomes[i].status != PO_OK && is_chosen(choice, i)) {
+      char *command = command_of(run, i, false);
+      po_text_add(text, "%s solve %s: failed\n  reason     %s\n  rerun      %s\n\n",
+                  kase->file->name, kase->points[i].label, run->outcomes[i].reason,
+                  command ? command : "");
+      free(command);
+    }
+  po_text_add(text, "%s: %zu of %zu checks told%s\n", kase->file->name, told, considered,
+              told < considered ? ", the others are within" : "");
+}
+
+static json_t *item_json(const po_case_run *run, const po_result *item) {
+  const po_case *kase = run->plan->kase;
+  const po_point *point = &kase->points[item->point];
+  const po_check *check = item->check;
+  char place[PO_PLACE_LENGTH] = "";
+  po_blame blame;
+  po_blame_find(run, item, &blame);
+  json_t *where = json_null();
+  if (isfinite(item->approach)) {
+    po_place_tell(&run->outcomes[item->point], item->approach, item->load, place);
+    where = json_pack("{s:o, s:o, s:s}", "approach", po_json_number(item->approach), "load",
+                      po_json_number(item->load), "landmarks", place);
+  }
+  char *command = command_of(run, item->point, check->quantity == PO_CURVE);
+  json_t *object = json_pack(
+      "{s:s, s:s, s:s, s:s, s:s, s:s, s:b, s:o, s:o, s:o, s:o, s:f, s:s, s:o, s:s, s:o, s:s, s:s,"
+      " s:s, s:s, s:s}",
+      "id", item->id, "point", point->id, "label", point->label, "quantity", item->quantity,
+      "ledger", po_ledger_name(item->ledger), "verdict", po_verdict_name(item->verdict), "passes",
+      (int)po_verdict_passes(item->verdict), "obtained", po_json_number(item->obtained), "expected",
+      po_json_number(item->expected), "error", po_json_number(item->error), "ratio",
+      po_json_number(item->ratio), "tolerance", check->tolerance, "kind", check->kind_text,
+      "reference_uncertainty", po_json_number(item->uncertainty), "reference",
+      po_plan_reference_of(run->plan, check), "where", where, "fault", blame.side, "why", blame.why,
+      "because", check->because, "note", item->note, "command", command ? command : "");
+  free(command);
+  return object;
+}
+
+json_t *po_explain_json(const po_case_run *run, const po_explain_choice *choice) {
+  const po_case *kase = run->plan->kase;
+  json_t *checks = json_array(), *failed = json_array();
+  for (size_t i = 0; i < run->results.count; ++i)
+    if (is_told(choice, &run->results.items[i]))
+      json_array_append_new(checks, item_json(run, &run->results.items[i]));
+  for (size_t i = 0; i < kase->point_count; ++i)
+    if (run->outcomes[i].status != PO_OK && is_chosen(choice, i)) {
+      char *command = command_of(run, i, false);
+      json_array_append_new(failed,
+                            json_pack("{s:s, s:s, s:s, s:s}", "point", kase->points[i].id, "label",
+                                      kase->points[i].label, "reason", run->outcomes[i].reason,
+                                      "command", command ? command : ""));
+      free(command);
+    }
+  return json_pack("{s:s, s:s, s:s, s:o, s:o}", "schema", "pulloff-explain/1", "case",
+                   kase->file->name, "verdict", po_case_run_verdict(run), "checks", checks,
+                   "failed", failed);
+}

@@ -1,0 +1,194 @@
+#include "po_pins.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_file.h"
+#include "po_memory.h"
+#include "po_text.h"
+
+const char *po_work_name(int counter) {
+  static const char *const NAMES[PO_WORK_COUNTERS] = {
+      "points", "newton_iterations", "factorizations", "kernel_evaluations", "nodes"};
+  return NAMES[counter];
+}
+
+double po_work_count(const po_work *work, int counter) {
+  const uint64_t counts[PO_WORK_COUNTERS] = {work->points, work->newton_iterations,
+                                             work->factorizations, work->kernel_evaluations,
+                                             work->nodes};
+  return (double)counts[counter];
+}
+
+void po_pins_key_text(const po_request *request, po_key key, char text[PO_NUMBER_LENGTH]) {
+  if (po_key_is_idle(request, key))
+    snprintf(text, PO_NUMBER_LENGTH, "-");
+  else
+    po_key_print(request, key, text);
+}
+
+void po_pins_name_landmark(po_quantity quantity, po_landmark_kind kind, size_t index, bool load,
+                           char name[PO_PIN_NAME_LENGTH]) {
+  snprintf(name, PO_PIN_NAME_LENGTH, "%s/%s-%zu/%s", po_quantity_name(quantity),
+           po_landmark_kind_name(kind), index + 1, load ? "load" : "approach");
+}
+
+/* folder/pins/NAME.csv for a case file folder/anything. */
+static char *beside(const char *case_path, const char *case_name) {
+  po_text text = {0};
+  const char *slash = strrchr(case_path, '/');
+  const int length = slash ? (int)(slash - case_path + 1) : 0;
+  po_text_add(&text, "%.*spins/%s.csv", length, case_path, case_name);
+  if (text.failed)
+    po_text_clear(&text);
+  return text.data;
+}
+
+/* The columns of a table of pins: keys of the scene, quantity, value, and nothing else. */
+static po_status check_columns(const po_csv *table) {
+  for (size_t c = 0; c < table->column_count; ++c)
+    if (po_key_of_name(table->columns[c]) < 0 && strcmp(table->columns[c], "quantity") != 0 &&
+        strcmp(table->columns[c], "value") != 0)
+      return po_fail(PO_CANNOT_READ,
+                     "%s:%zu: the column %.40s is unknown: expected keys of the scene, quantity "
+                     "and value",
+                     table->path, table->column_line, table->columns[c]);
+  const int value = po_csv_find_column(table, "value");
+  if (value < 0 || po_csv_find_column(table, "quantity") < 0)
+    return po_fail(PO_CANNOT_READ, "%s:%zu: the column %s is missing", table->path,
+                   table->column_line, value < 0 ? "value" : "quantity");
+  po_status status = PO_OK;
+  double number = 0;
+  for (size_t r = 0; !status && r < table->row_count; ++r)
+    status = po_csv_number(table, r, (size_t)value, &number);
+  return status;
+}
+
+static po_status read_table(po_reference *reference) {
+  char *bytes = NULL;
+  size_t size = 0;
+  po_status status = po_file_read(reference->path, &bytes, &size);
+  if (!status) {
+    po_digest_bytes(bytes, size, reference->digest);
+    status = po_csv_read(reference->path, reference->shown, &reference->table);
+  }
+  free(bytes);
+  if (!status)
+    status = po_reference_check_headers(reference);
+  if (!status && reference->ledger != PO_LEDGER_PIN)
+    status = po_fail(PO_CANNOT_READ, "%s: kind is %s: expected pin", reference->shown,
+                     po_ledger_name(reference->ledger));
+  return status ? status : check_columns(&reference->table);
+}
+
+po_status po_pins_open(const po_case *kase, const char *name, po_reference *reference) {
+  *reference = (po_reference){.name = name, .ledger = PO_LEDGER_PIN, .is_pin = true};
+  reference->path = beside(kase->path, kase->file->name);
+  reference->shown = beside(kase->shown, kase->file->name);
+  po_status status = reference->path && reference->shown ? PO_OK : PO_NO_MEMORY;
+  if (!status && !po_path_exists(reference->path)) {
+    reference->is_missing = true;
+    po_digest_bytes("", 0, reference->digest);
+  } else if (!status)
+    status = read_table(reference);
+  if (status)
+    po_reference_close(reference);
+  return status;
+}
+
+/* A scene as the pins write it, and where the table keeps each key. */
+typedef struct {
+  char texts[PO_KEY_COUNT][PO_NUMBER_LENGTH];
+  int columns[PO_KEY_COUNT]; /* -1: no column */
+} scene_words;
+
+/* False when the headers are of another scene. */
+static bool describe(const po_csv *table, const po_request *request, scene_words *scene) {
+  for (int key = 0; key < PO_KEY_COUNT; ++key) {
+    po_pins_key_text(request, (po_key)key, scene->texts[key]);
+    scene->columns[key] = po_csv_find_column(table, po_key_name((po_key)key));
+    const po_csv_header *header = po_csv_find_header(table, po_key_name((po_key)key));
+    if (scene->columns[key] < 0 && strcmp(header ? header->value : "-", scene->texts[key]) != 0)
+      return false;
+  }
+  return true;
+}
+
+static bool row_holds(const po_csv *table, size_t row, const scene_words *scene) {
+  for (int key = 0; key < PO_KEY_COUNT; ++key)
+    if (scene->columns[key] >= 0 &&
+        strcmp(po_csv_cell(table, row, (size_t)scene->columns[key]), scene->texts[key]) != 0)
+      return false;
+  return true;
+}
+
+po_status po_pins_value(const po_reference *pins, const char *name, const po_request *request,
+                        double *value) {
+  const po_csv *table = &pins->table;
+  scene_words scene;
+  if (pins->is_missing || !describe(table, request, &scene))
+    return PO_NOT_FOUND;
+  const size_t quantity = (size_t)po_csv_find_column(table, "quantity");
+  size_t found = 0, at = 0;
+  for (size_t row = 0; row < table->row_count; ++row)
+    if (strcmp(po_csv_cell(table, row, quantity), name) == 0 && row_holds(table, row, &scene)) {
+      found += 1;
+      at = row;
+    }
+  if (found > 1)
+    return po_fail(PO_CANNOT_READ, "%s:%zu: a second %s for the same scene: expected one",
+                   table->path, table->lines[at], name);
+  return found ? po_csv_number(table, at, (size_t)po_csv_find_column(table, "value"), value)
+               : PO_NOT_FOUND;
+}
+
+po_status po_pins_find(const po_reference *pins, po_quantity quantity, const po_request *request,
+                       po_reference_number *number) {
+  number->uncertainty = 0;
+  return po_pins_value(pins, po_quantity_name(quantity), request, &number->value);
+}
+
+/* Landmark number `index`, whose kind is part of its name. */
+static po_status find_landmark(const po_reference *pins, po_quantity quantity,
+                               const po_request *request, size_t index, po_reference_point *point) {
+  for (int kind = PO_JUMP_IN; kind <= PO_MAXIMUM; ++kind) {
+    char name[PO_PIN_NAME_LENGTH];
+    *point = (po_reference_point){.kind = (po_landmark_kind)kind};
+    po_pins_name_landmark(quantity, point->kind, index, false, name);
+    po_status status = po_pins_value(pins, name, request, &point->approach);
+    if (status == PO_NOT_FOUND)
+      continue;
+    po_pins_name_landmark(quantity, point->kind, index, true, name);
+    if (!status)
+      status = po_pins_value(pins, name, request, &point->load);
+    if (status != PO_NOT_FOUND)
+      return status;
+  }
+  return po_fail(PO_CANNOT_READ, "%s: number %zu of the %s of a scene is missing", pins->shown,
+                 index + 1, po_quantity_name(quantity));
+}
+
+po_status po_pins_points(const po_reference *pins, po_quantity quantity, const po_request *request,
+                         po_reference_point **points, size_t *count) {
+  char name[PO_PIN_NAME_LENGTH];
+  double number = 0;
+  snprintf(name, sizeof name, "%s/count", po_quantity_name(quantity));
+  po_status status = po_pins_value(pins, name, request, &number);
+  if (status)
+    return status;
+  if (!(number >= 0 && number <= (double)pins->table.row_count))
+    return po_fail(PO_CANNOT_READ, "%s: %s is %g: expected a number of landmarks", pins->shown,
+                   name, number);
+  po_reference_point *list = po_allocate((size_t)number, sizeof *list);
+  status = list ? PO_OK : PO_NO_MEMORY;
+  for (size_t i = 0; !status && i < (size_t)number; ++i)
+    status = find_landmark(pins, quantity, request, i, &list[i]);
+  if (status) {
+    free(list);
+    return status;
+  }
+  *points = list;
+  *count = (size_t)number;
+  return PO_OK;
+}

@@ -1,0 +1,74 @@
+#include "po_secant.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_linear.h"
+#include "po_memory.h"
+
+/* A correction whose denominator is below this would lengthen the step beyond use: left out. */
+static const double LEAST_DENOMINATOR = 0.2;
+
+bool po_secant_allocate(po_secant *s, size_t capacity) {
+  *s = (po_secant){.capacity = capacity};
+  s->u = po_allocate(capacity * PO_SECANT_DEPTH, sizeof *s->u);
+  s->v = po_allocate(capacity * PO_SECANT_DEPTH, sizeof *s->v);
+  s->scale = po_allocate(capacity, sizeof *s->scale);
+  s->step = po_allocate(capacity, sizeof *s->step);
+  return s->u && s->v && s->scale && s->step;
+}
+
+void po_secant_free(po_secant *s) {
+  free(s->u);
+  free(s->v);
+  free(s->scale);
+  free(s->step);
+}
+
+void po_secant_clear(po_secant *s, size_t n) {
+  s->n = n;
+  s->count = 0;
+  s->has_step = false;
+  for (size_t j = 0; j < n; ++j)
+    s->scale[j] = 1.0;
+}
+
+void po_secant_begin(po_secant *s) {
+  s->has_step = false;
+}
+
+/* v of the last step: step' / |step|^2, the components in parts of their scales. Returned: v . z.
+ */
+static double last_step(const po_secant *s, const double *z, double *v) {
+  double square = 0.0;
+  for (size_t j = 0; j < s->n; ++j) {
+    const double part = s->step[j] / s->scale[j];
+    square += part * part;
+    v[j] = part / s->scale[j];
+  }
+  if (!(square > 0.0))
+    return 0.0;
+  for (size_t j = 0; j < s->n; ++j)
+    v[j] /= square;
+  return po_linear_dot(s->n, v, z);
+}
+
+void po_secant_step(po_secant *s, double *change) {
+  for (size_t k = 0; k < s->count; ++k)
+    po_linear_add(s->n, po_linear_dot(s->n, s->v + k * s->capacity, change), s->u + k * s->capacity,
+                  change);
+  if (s->count == PO_SECANT_DEPTH) { /* what is oldest is of least use, but the rest rests on it */
+    s->count = 0;
+    s->has_step = false;
+  } else if (s->has_step) {
+    double *u = s->u + s->count * s->capacity, *v = s->v + s->count * s->capacity;
+    const double denominator = 1.0 - last_step(s, change, v);
+    if (denominator > LEAST_DENOMINATOR) {
+      for (size_t j = 0; j < s->n; ++j)
+        u[j] = change[j] /= denominator;
+      ++s->count;
+    }
+  }
+  memcpy(s->step, change, s->n * sizeof *change);
+  s->has_step = true;
+}

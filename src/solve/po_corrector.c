@@ -1,0 +1,77 @@
+#include "po_corrector.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_memory.h"
+
+po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive *adaptive) {
+  *c = (po_corrector){.e = e, .adaptive = adaptive, .root = po_adaptive_root(adaptive)};
+  const size_t capacity = po_adaptive_capacity(adaptive);
+  c->border = po_allocate(capacity + 1, sizeof *c->border);
+  c->guess = po_allocate(capacity + 1, sizeof *c->guess);
+  return c->border && c->guess ? PO_OK : PO_NO_MEMORY;
+}
+
+void po_corrector_free(po_corrector *c) {
+  free(c->border);
+  free(c->guess);
+}
+
+po_status po_corrector_mesh(po_corrector *c, const po_leaves *leaves) {
+  if (po_leaves_equal(leaves, po_adaptive_leaves(c->adaptive)))
+    return PO_OK;
+  c->trouble = po_adaptive_mesh(c->adaptive, leaves);
+  if (c->trouble)
+    return c->trouble;
+  po_equilibrium_remesh(c->e);
+  ++c->e->work.meshes;
+  return PO_OK;
+}
+
+size_t po_corrector_core_nodes(const po_corrector *c) {
+  return po_adaptive_leaves(c->adaptive)->count * PO_TABLE_ORDER;
+}
+
+void po_corrector_guess(po_corrector *c, const po_track_point *p) {
+  const po_track_field field = {p, c->e->scene, c->root};
+  const size_t core = po_corrector_core_nodes(c), n = c->e->n;
+  for (size_t j = 0; j < core; ++j)
+    c->guess[j] = po_track_gap((void *)&field, c->e->surface->node[j]);
+  for (size_t back = 0; back <= n - core; ++back) /* the panel to infinity and the approach stay */
+    c->guess[n - back] = p->state[p->n - back];
+}
+
+/* How far along the gauge a state is. */
+static double gauge_progress(const po_equilibrium *e, const double *state, const void *data) {
+  const po_track_point *from = data;
+  double value[PO_GAUGE_SIZE];
+  po_gauge_values(e, state, value);
+  for (int i = 0; i < PO_GAUGE_SIZE; ++i)
+    value[i] -= from->gauge[i];
+  return po_gauge_along(from->rate, value);
+}
+
+static po_status factorize_at_guess(po_corrector *c, const po_track_point *from) {
+  po_equilibrium_evaluate(c->e, c->guess);
+  po_gauge_border(c->e, c->guess, from->rate, c->border);
+  return po_equilibrium_factorize(c->e, c->guess, c->border);
+}
+
+po_status po_corrector_solve(po_corrector *c, const po_track_point *from, double distance,
+                             bool keep_factors, double precision, po_track_point *out) {
+  const po_constraint constraint = {gauge_progress, from, distance};
+  po_status status = PO_NOT_CONVERGED;
+  for (int fresh = keep_factors && c->e->factorized ? 0 : 1; status && fresh < 2; ++fresh) {
+    memcpy(out->state, c->guess, (c->e->n + 1) * sizeof *out->state);
+    if (fresh && factorize_at_guess(c, from))
+      return PO_NOT_CONVERGED;
+    status = po_equilibrium_correct_to(c->e, out->state, &constraint);
+    if (!status)
+      status = po_equilibrium_tangent(c->e, precision, out->tangent);
+  }
+  if (status)
+    return status;
+  po_track_point_finish(out, c->e, c->adaptive);
+  return c->e->orientation > 0 ? PO_OK : PO_NOT_CONVERGED;
+}

@@ -1,0 +1,94 @@
+#include "po_prediction.h"
+
+#include <math.h>
+
+enum { ORDER = PO_TABLE_ORDER };
+
+/* Cosine of gauge and its direction at the start of an interval below which a cubic is no use. */
+static const double CUBIC_COSINE = 0.3;
+/* Shift of a front in one step, in parts of the distance to its neighbour. */
+static const double GREATEST_STRAIN = 0.08;
+/* Gaps of a prediction are taken as no smaller. */
+static const double CLOSEST = -0.9;
+
+bool po_prediction_make(const po_scene *scene, double root, const po_track_point *a,
+                        const po_track_point *b, double distance, po_prediction *p) {
+  *p =
+      (po_prediction){.scene = scene, .root = root, .a = a, .b = b, .w = {1.0, distance, 0.0, 0.0}};
+  const po_fronts *fronts = &a->fronts;
+  if (b && b->fronts.count == fronts->count) {
+    const double whole = po_track_progress(a, b);
+    p->rate_b = po_gauge_along(a->rate, b->rate);
+    for (size_t f = 0; f < fronts->count; ++f)
+      p->back[f] = b->fronts.at[f] - fronts->at[f];
+    p->cubic = p->rate_b > CUBIC_COSINE && fabs(whole) > 0.0 &&
+               po_front_strain(fronts, p->back) < 2.0 * GREATEST_STRAIN;
+    if (p->cubic)
+      p->w = po_hermite_at(distance, whole);
+  }
+  for (size_t f = 0; f < fronts->count; ++f) {
+    p->shift[f] = p->w.d0 * fronts->rate[f];
+    if (p->cubic)
+      p->shift[f] += p->w.f1 * p->back[f] + p->w.d1 * b->fronts.rate[f] / p->rate_b;
+  }
+  return po_front_strain(fronts, p->shift) < GREATEST_STRAIN;
+}
+
+double po_prediction_gap(void *prediction, double r) {
+  const po_prediction *p = prediction;
+  const po_fronts *fronts = &p->a->fronts;
+  const double origin = po_front_origin(fronts, p->shift, r);
+  const po_track_value a = po_track_value_at(p->a, p->scene, p->root, origin);
+  const double velocity = po_front_displacement(fronts, fronts->rate, origin);
+  double gap = a.gap + p->w.d0 * (a.tangent + a.slope * velocity);
+  if (p->cubic) {
+    const double at = origin + po_front_displacement(fronts, p->back, origin);
+    const po_track_value b = po_track_value_at(p->b, p->scene, p->root, at);
+    const double velocity_b = po_front_displacement(fronts, p->b->fronts.rate, origin);
+    gap += p->w.f1 * (b.gap - a.gap) + p->w.d1 * (b.tangent + b.slope * velocity_b) / p->rate_b;
+  }
+  return fmax(gap, CLOSEST);
+}
+
+/* Component of the state at a node that no mesh moves: the panel to infinity, the approach. */
+static double component(const po_prediction *p, size_t of_a, size_t of_b) {
+  double value = p->a->state[of_a] + p->w.d0 * p->a->tangent[of_a];
+  if (p->cubic)
+    value += p->w.f1 * (p->b->state[of_b] - p->a->state[of_a]) +
+             p->w.d1 * p->b->tangent[of_b] / p->rate_b;
+  return value;
+}
+
+void po_prediction_state(po_prediction *p, const po_surface *surface, size_t core, double *state) {
+  const size_t n = surface->n;
+  for (size_t j = 0; j < core; ++j)
+    state[j] = po_prediction_gap(p, surface->node[j]);
+  for (size_t back = 0; back <= n - core; ++back) /* from the approach inwards */
+    state[n - back] = component(p, p->a->n - back, p->cubic ? p->b->n - back : 0);
+}
+
+/* Size of the panels that the point a wants at the place from which a radius (in parts of the root)
+ * is expected to come. */
+static double wanted_size(const po_prediction *p, double x) {
+  const double origin = po_front_origin(&p->a->fronts, p->shift, x * p->root) / p->root;
+  const po_leaves *wanted = &p->a->wanted;
+  return po_leaf_size(wanted->leaf[po_leaves_find(wanted, origin)]);
+}
+
+bool po_prediction_too_large(const po_prediction *p, po_leaf leaf, double times) {
+  enum { SAMPLES = 5 };
+  const double begin = po_leaf_begin(leaf), size = po_leaf_size(leaf);
+  for (int k = 0; k < SAMPLES; ++k)
+    if (size > 1.001 * times * wanted_size(p, begin + size * (k + 0.5) / SAMPLES))
+      return true;
+  return false;
+}
+
+double po_prediction_error(po_prediction *p, const po_track_point *solved) {
+  double largest = 0.0;
+  for (size_t j = 0; j < solved->leaves.count * ORDER; ++j) {
+    const double expected = po_prediction_gap(p, solved->node[j]);
+    largest = fmax(largest, fabs(solved->state[j] - expected) / (1.0 + solved->state[j]));
+  }
+  return largest;
+}

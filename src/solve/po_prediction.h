@@ -1,0 +1,41 @@
+/* A state expected further along a branch on panels: by the cubic through two points, in
+ * coordinates that move with the fronts of the first. */
+#ifndef PO_PREDICTION_H
+#define PO_PREDICTION_H
+
+#include <stdbool.h>
+
+#include "po_hermite.h"
+#include "po_track_point.h"
+
+typedef struct {
+  const po_scene *scene;
+  double root; /* radius of the panels' root, eps */
+  const po_track_point *a, *b;
+  bool cubic;    /* else by the tangent of a alone */
+  double rate_b; /* of the gauge along a's direction, at b */
+  po_hermite w;
+  double shift[PO_MOST_FRONTS]; /* of a's fronts to where they are expected */
+  double back[PO_MOST_FRONTS];  /* of a's fronts to those of b */
+} po_prediction;
+
+/* Predicts at a distance along the gauge from a, b being another point (ahead, behind or NULL).
+ * Returned: whether it is any use: no front moves far towards another. */
+bool po_prediction_make(const po_scene *scene, double root, const po_track_point *a,
+                        const po_track_point *b, double distance, po_prediction *p);
+
+/* The gap expected at a radius inside the root; above -1. `prediction` is a po_prediction. */
+double po_prediction_gap(void *prediction, double r);
+
+/* The state expected at the nodes of a surface with n nodes, the first `core` of them inside the
+ * root. Returned: state, n + 1. */
+void po_prediction_state(po_prediction *p, const po_surface *surface, size_t core, double *state);
+
+/* Whether a panel is more than `times` larger than those that a wants at the places its nodes are
+ * expected to come from. */
+bool po_prediction_too_large(const po_prediction *p, po_leaf leaf, double times);
+
+/* Largest error of the gap expected, in parts of 1 + H, against the point that was then solved. */
+double po_prediction_error(po_prediction *p, const po_track_point *solved);
+
+#endif

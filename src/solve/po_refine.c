@@ -1,0 +1,86 @@
+#include "po_refine.h"
+
+#include <math.h>
+
+#include "po_hermite.h"
+
+enum { MOST_SOLVES = 5 };
+
+/* Panels whose error is below this part of the largest are left as they are. */
+static const double CONTRIBUTES = 0.01;
+
+/* The rate whose root is the landmark is found to this part of its slope. */
+static const double LOCATED = 1e-9;
+
+/* The leaves of p, those halved that contribute to its error. */
+static bool finer_leaves(const po_resolution *r, const po_track_point *p, po_leaves *leaves) {
+  double excess[PO_MOST_LEAVES], largest = 0.0;
+  bool split[PO_MOST_LEAVES];
+  po_resolution_excesses(r, &p->leaves, p->state, excess);
+  for (size_t k = 0; k < p->leaves.count; ++k)
+    largest = fmax(largest, excess[k]);
+  for (size_t k = 0; k < p->leaves.count; ++k)
+    split[k] = excess[k] > CONTRIBUTES * largest;
+  *leaves = p->leaves;
+  return po_leaves_split(leaves, split);
+}
+
+/* d rate / d distance at the event, on the cubic of its interval, per distance along its own gauge.
+ */
+static double slope_at(const po_event *ev, double cosine) {
+  const po_sample *a = &ev->low, *b = &ev->high;
+  const double h = b->at - a->at, x = ev->root - a->at, by = 0.01 * h;
+  double rate[2];
+  for (int k = 0; k < 2; ++k)
+    rate[k] = po_hermite_rate(a->value[ev->of], a->rate[ev->of], b->value[ev->of], b->rate[ev->of],
+                              x + (k ? by : -by), h);
+  return (rate[1] - rate[0]) / (2.0 * by) * cosine * cosine;
+}
+
+/* The value of the landmark's quantities where the rate between two samples vanishes. */
+static void values_at_root(const po_sample *a, const po_sample *b, po_event_kind of,
+                           double value[2]) {
+  const double h = b->at - a->at, x = -a->rate[of] * h / (b->rate[of] - a->rate[of]);
+  for (int q = 0; q < 2; ++q)
+    value[q] = po_hermite_value(a->value[q], a->rate[q], b->value[q], b->rate[q], x, h);
+}
+
+po_status po_refine(po_corrector *c, const po_resolution *resolution, const po_track_point *p,
+                    const po_event *event, double cosine, po_track_point *spare, double change[2]) {
+  po_leaves leaves;
+  if (!finer_leaves(resolution, p, &leaves))
+    return po_fail(PO_OUT_OF_NODES, "no room for a finer mesh");
+  po_status status = po_corrector_mesh(c, &leaves);
+  if (status)
+    return status;
+  po_corrector_guess(c, p);
+  const po_event_kind of = event->of;
+  double at = 0.0, slope = slope_at(event, cosine), value[2] = {NAN, NAN};
+  po_sample last = {.at = NAN}, s;
+  for (int k = 0; k < MOST_SOLVES; ++k) {
+    status = po_corrector_solve(c, p, at, k > 0, c->e->precision, spare);
+    if (status)
+      return status;
+    s = po_track_sample(p, spare);
+    for (int q = 0; q < 2; ++q)
+      value[q] = s.value[q];
+    if (k > 0) {
+      slope = (s.rate[of] - last.rate[of]) / (s.at - last.at);
+      values_at_root(&last, &s, of, value);
+    }
+    const double step = -s.rate[of] / slope;
+    if (!isfinite(step))
+      return PO_NOT_CONVERGED;
+    if (fabs(step) < LOCATED || (k > 0 && fabs(step) < 1e-3 * fabs(s.at - last.at)))
+      break;
+    at = s.at + step;
+    last = s;
+    for (size_t j = 0; j <= spare->n; ++j)
+      c->guess[j] =
+          spare->state[j] + step / po_gauge_along(p->rate, spare->rate) * spare->tangent[j];
+    status = k + 1 == MOST_SOLVES ? PO_NOT_CONVERGED : PO_OK;
+  }
+  change[0] = value[0] - p->state[p->n];
+  change[1] = value[1] - p->load;
+  return status;
+}

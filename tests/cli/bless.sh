@@ -1,0 +1,155 @@
+#!/bin/sh
+# Pins: made and renewed by bless, with a reason, and not while an oracle fails; noticed when altered.
+# shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154
+. "$(dirname "$0")/lib.sh"
+. "$here/data.sh"
+export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_SYSTEM=/dev/null USER=tester
+file=$PULLOFF_DATA/cases/good.yaml
+table=$PULLOFF_DATA/reference/table.csv
+pins=$PULLOFF_DATA/cases/pins/good.csv
+
+add_pin() { # CASE QUANTITY TOLERANCE KIND
+  cat >>"$1" <<PIN
+  - {quantity: $2, reference: pin, tolerance: $3, kind: $4, because: it is quick to bless again}
+PIN
+}
+
+# Edits the rows of the pins and makes their checksum right again.
+alter() { # SED-SCRIPT
+  sed -i "$1" "$pins"
+  seal "$pins"
+}
+
+says() { # WHAT PATTERN
+  check "$1" grep -q -e "$2" "$work/stdout"
+}
+
+verified() { # CODE PATTERN
+  expect "$1" '*' verify good --output run
+  says "the verdict: $2" "$2"
+}
+
+# Refused once the case is solved, which is itself told in a line before.
+refused() { # CODE PATTERN ARGUMENT...
+  wanted=$1
+  pattern=$2
+  shift 2
+  "$program" "$@" --output run >"$work/stdout" 2>"$work/stderr"
+  got=$?
+  check "exit code of pulloff $*" test "$got" -eq "$wanted"
+  check "refused: $pattern" grep -q -e "^pulloff: $pattern" "$work/stderr"
+}
+
+# Nothing to hold on to.
+expect 2 'pulloff: good pins nothing: expected a check whose reference is pin' \
+  bless good --reason why --output run
+add_pin "$file" pull_off_force 1e-10 rel
+add_pin "$file" folds 1e-10 abs
+add_pin "$file" work 0.03 rel
+expect 2 'pulloff: bless needs --reason TEXT (see pulloff bless --help)' bless good --output run
+expect 2 'pulloff: the reason is empty: expected one line that says why' bless good --reason ' '
+expect 2 'pulloff: the reason is of several lines, *' bless good --reason 'one
+two'
+expect 2 'pulloff: bless needs the name of one case (see pulloff bless --help)' bless --reason why
+expect 2 'pulloff: bless needs the name of one case (see pulloff bless --help)' \
+  bless good good --reason why
+expect 2 'pulloff: no case is named best: expected one of good' bless best --reason why
+check 'nothing was solved for these' test ! -e run
+
+# No pins yet: said with the command that makes them.
+verified 1 'missing_reference: there is no file cases/pins/good.csv; to make it: pulloff bless good'
+says 'and counted' '^1 checks pass (1 slack), 7 do not (7 missing_reference), 0 solves failed$'
+expect 0 '' plan good
+says 'in the plan, too' 'but there are no pins yet; to make them: pulloff bless good --reason TEXT'
+
+# Made.
+expect 0 '*' bless good --reason 'the first, of a closed form' --output run
+says 'what is new' '^scene  *pull_off_force  *new  *2$'
+says 'how many' '^cases/pins/good.csv: 7 pins, 0 moved, 7 new, 0 dropped$'
+check 'when, who, with what, why' grep -q \
+  '^# blessing 1: 20[0-9][0-9]-[01][0-9]-[0-3][0-9], tester, pulloff [0-9.]*: the first, of a closed form$' "$pins"
+check 'which oracle held' grep -q '^# checked 1: reference/table.csv sha256 ' "$pins"
+verified 0 '^8 checks pass (1 slack), 0 do not, 0 solves failed$'
+verified 0 'slack: the tolerance is [0-9]* times the largest error this check met, here'
+cp "$pins" first.csv
+expect 0 '*' bless good --reason 'again' --output run
+says 'nothing moved' '7 pins, all as they were; nothing is written'
+check 'so nothing is written' cmp first.csv "$pins"
+
+# Altered: by its checksum, and when that was altered with it, by its value.
+sed -i 's/^pull_off_force,2/pull_off_force,2.1/' "$pins"
+expect 4 'pulloff: cases/pins/good.csv:*: sha256 is *: expected *, that of all other lines*' verify good
+expect 4 'pulloff: cases/pins/good.csv:*: sha256 is *' bless good --reason why
+alter 's/^pull_off_force,.*/pull_off_force,2.00001/'
+verified 0 'improved: the error against table fell from 1e-05 to 0: bless it'
+expect 0 '*' verify good --output run --tap --junit junit.xml
+says 'ok in TAP' '^ok 2 - good pull_off_force/pin/scene$'
+says 'with the word' '^# improved: obtained 2, expected 2.00001'
+check 'passed in JUnit, with the word' grep -q '<system-out>improved: ' junit.xml
+check 'and in the record' grep -q '"verdict": "improved"' run/good/record.json
+write_table "$table" tabor,force,approach 0,2.0000000005,0
+alter 's/^pull_off_force,.*/pull_off_force,2.0000000004/'
+verified 1 'regressed: the error against table rose from 1e-10 to 5e-10'
+expect 1 '*' verify good --output run --tap
+says 'not ok in TAP' '^not ok 2 - good pull_off_force/pin/scene$'
+alter 's/^work.points,.*/work\/points,100/'
+verified 1 'improved: 100.0 % less work: bless it'
+cp first.csv "$pins"
+alter '/^folds/d'
+verified 1 'missing_reference: not pinned in cases/pins/good.csv; to make it: pulloff bless good'
+cp first.csv "$pins"
+alter 's/^folds.count,0/folds\/count,1/'
+expect 4 'pulloff: cases/pins/good.csv: number 1 of the folds of a scene is missing' verify good
+cp first.csv "$pins"
+alter 's/^pull_off_force,.*/&\n&/'
+expect 4 'pulloff: cases/pins/good.csv:*: a second pull_off_force for the same scene: expected one' \
+  verify good
+cp first.csv "$pins"
+alter 's/^quantity,/colour,/'
+expect 4 'pulloff: cases/pins/good.csv:*: the column colour is unknown: expected *' verify good
+cp first.csv "$pins"
+sed -i 's/^# kind: pin/# kind: oracle/' "$pins" && seal "$pins"
+expect 4 'pulloff: cases/pins/good.csv: kind is oracle: expected pin' verify good
+cp first.csv "$pins"
+
+# Not while an oracle fails; a published value that does is no reason.
+write_table "$table" tabor,force,approach 0,2.1,0
+verified 1 'oracle    wrong_and_frozen'
+refused 1 'good is not blessed: pull_off_force/table/scene is wrong_and_frozen (see pulloff explain good)$' \
+  bless good --reason why
+check 'the pins are as they were' cmp first.csv "$pins"
+write_table "$table" tabor,force,approach 7,2.1,0
+refused 1 'good is not blessed: pull_off_force/table/scene is missing_reference ' bless good --reason why
+write_table "$table" tabor,force,approach 0,2.1,0
+sed -i 's/^# kind: oracle/# kind: published/' "$table" && seal "$table"
+alter 's/^pull_off_force,.*/pull_off_force,2.00001/'
+verified 1 'moved: no oracle speaks of it'
+expect 0 '*' bless good --reason 'the paper rounds' --output run
+says 'by how much' '^scene  *pull_off_force  *moved  2.00001 -> 2, by -1e-05$'
+check 'the first blessing is remembered' grep -q '^# blessing 1: .*: the first, of a closed form$' "$pins"
+check 'the second is added' grep -q '^# blessing 2: .*: the paper rounds$' "$pins"
+write_table "$table" tabor,force,approach 0,2,0
+
+# Another scene is not pinned by the old values, and they go when it is.
+sed -i 's/^  radius: 100/  radius: 90/' "$file"
+verified 1 'missing_reference: not pinned in'
+expect 0 '*' bless good --reason 'a smaller sphere' --output run
+says 'new for old' ': 7 pins, 0 moved, 7 new, 7 dropped$'
+verified 0 '^8 checks pass'
+sed -i 's/^  radius: 90/&\n  approach_end: 5/' "$file"
+cp "$pins" third.csv
+refused 3 'good is not blessed: the solve of scene failed: ' bless good --reason why
+check 'a failed solve leaves the pins' cmp third.csv "$pins"
+
+# A case anywhere has its pins beside it; who blesses is who commits; no folder can be made of a file.
+mkdir -p my
+write_case my/own.yaml
+sed -i 's/^name: good/name: own/' my/own.yaml
+add_pin my/own.yaml pull_off_approach 1e-10 abs
+GIT_CONFIG_COUNT=1 GIT_CONFIG_KEY_0=user.name GIT_CONFIG_VALUE_0='A. Smith' \
+  expect 0 '*' bless my/own.yaml --reason 'mine' --output run
+check 'beside it' grep -q '^# blessing 1: .*, A. Smith, ' my/pins/own.csv
+rm -r my/pins
+: >my/pins
+refused 4 'the folder my/pins cannot be made: ' bless my/own.yaml --reason 'mine'
+finish

@@ -1,0 +1,93 @@
+#!/bin/sh
+# explain: what differs, where, who is likely at fault, and a command that repeats it.
+# shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154
+. "$(dirname "$0")/lib.sh"
+. "$here/data.sh"
+python=${PYTHON:-python3}
+export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_SYSTEM=/dev/null USER=tester
+file=$PULLOFF_DATA/cases/good.yaml
+table=$PULLOFF_DATA/reference/table.csv
+
+explained() { # CODE PATTERN...: of good
+  code=$1
+  shift
+  expect "$code" '*' explain good --output run
+  for pattern in "$@"; do
+    check "explained: $pattern" grep -q -e "$pattern" "$work/stdout"
+  done
+}
+
+expect 2 'pulloff: explain needs the name of one case (see pulloff explain --help)' explain
+expect 2 'pulloff: --point is tabor=1: expected a number below 1, or words of a label such as scene' \
+  explain good --point tabor=1
+check 'nothing was solved for these' test ! -e run
+explained 0 '^good pull_off_force scene: slack$' '^  fault      tolerance: .*: narrow it$'
+sed -i 's/tolerance: 1e-9/tolerance: 1e-12/' "$file"
+explained 0 '^good: 0 of 1 checks told, the others are within$'
+expect 0 '*' explain good --output run --all
+check 'all: what is within, too' grep -q '^good pull_off_force scene: within$' "$work/stdout"
+
+# Outside, with only one witness.
+restore
+write_table "$table" tabor,force,approach,force_uncertainty 0,2.5,0,1e-10
+explained 1 '^good pull_off_force scene: outside$' '^  obtained   2$' '^  expected   2.5$' \
+  '^  ledger     oracle: reference/table.csv, itself uncertain by 1e-10$' \
+  '^  difference -0.5, 5e+08 times the tolerance of 1e-9 abs$' \
+  '^  where      approach .*, load -2, at minimum-1$' \
+  '^  fault      program: .*nothing else speaks of this' \
+  '^  tolerance  because it has a closed form$' '^good: 1 of 1 checks told$'
+command=$(sed -n 's/^  rerun      pulloff //p' "$work/stdout")
+check 'every key of the scene' test "$command" = \
+  'solve --tabor 0 --radius 100 --outer-radius inf --scheme triangle --grading uniform --nodes 101'
+# shellcheck disable=SC2086 # words are meant
+expect 0 '' $command
+check 'the command repeats it' grep -q '^pull-off force 2 ' "$work/stdout"
+
+# A published value that fails beside an oracle that holds.
+restore
+write_table "$PULLOFF_DATA/reference/paper.csv" tabor,force,approach 0,1.9,0
+sed -i 's/^# kind: .*/# kind: published/' "$PULLOFF_DATA/reference/paper.csv" && seal "$PULLOFF_DATA/reference/paper.csv"
+cat >>"$file" <<'CHECKS'
+  - {quantity: pull_off_force, reference: reference/paper.csv, tolerance: 1e-2, kind: abs, because: read off a plot}
+  - {quantity: pull_off_force, reference: pin, tolerance: 1e-10, kind: rel, because: it is quick to bless again}
+CHECKS
+explained 1 '^  fault      publication: reference/table.csv (oracle) agrees with the result' \
+  '^  fault      pin: it was not blessed yet$' 'to make it: pulloff bless good --reason TEXT$'
+
+# Wrong and frozen: the reference was altered since the blessing, or the tolerance was.
+expect 0 '*' bless good --reason 'the first' --output run
+write_table "$table" tabor,force,approach 0,2.1,0
+explained 1 '^good pull_off_force scene: wrong_and_frozen$' \
+  '^  fault      reference: .*the reference was altered, see git log -- reference/table.csv$'
+write_table "$table" tabor,force,approach 0,2.0000000005,0
+expect 0 '*' bless good --reason 'another oracle' --output run
+sed -i 's/tolerance: 1e-9/tolerance: 1e-10/' "$file"
+explained 1 '^  fault      tolerance: .*it is what it was then'
+
+# A curve: where, between which landmarks, and one document of it.
+restore
+sed -i 's/quantity: pull_off_force/quantity: curve/; s/tolerance: 1e-9/tolerance: 1e-7/;
+  s/reference: .*/reference: bradley/; s/^  tabor: 0//; s/^want/sweep: [{key: tabor, values: [0, 0.01]}]\nwant/' "$file"
+expect 1 '*' explain good --output run --point tabor=0.01 --json
+cat >look.py <<'LOOK'
+import json, sys
+d = json.load(sys.stdin)
+assert (d["schema"], d["case"], d["verdict"], d["failed"]) == ("pulloff-explain/1", "good", "outside", [])
+(c,) = d["checks"]
+assert (c["point"], c["label"], c["quantity"], c["ledger"]) == ("1", "tabor=0.01", "curve", "oracle")
+assert (c["verdict"], c["passes"], c["fault"]) == ("outside", False, "program")
+assert c["error"] > 1e-7 and abs(c["ratio"] * 1e-7 / c["error"] - 1) < 1e-12
+assert c["where"]["landmarks"] == "after minimum-1" and c["where"]["approach"] > 0
+assert c["command"].startswith("pulloff solve --tabor 0.01 ") and c["command"].endswith(" --curve curve.csv")
+assert c["because"] == "it has a closed form" and c["reference"] == "bradley"
+LOOK
+check 'the document' "$python" look.py <"$work/stdout"
+expect 1 '*' explain good --output run --point 0
+check 'the other point alone' grep -q '^good: 1 of 1 checks told$' "$work/stdout"
+
+# A solve that failed.
+restore
+sed -i 's/^  nodes: 101/&\n  approach_end: 5/' "$file"
+explained 3 '^good pull_off_force scene: no_result$' '^  fault      solve: ' \
+  '^good solve scene: failed$' '^  reason     approach_end is 5'
+finish

@@ -1,0 +1,72 @@
+/* A made-up run of two points, with a check against each ledger, for tests of what is judged. */
+#ifndef MADE_RESULTS_H
+#define MADE_RESULTS_H
+
+#include <check.h>
+#include <math.h>
+#include <string.h>
+
+#include "po_judge.h"
+#include "po_run.h"
+
+enum { ORACLE, OTHER_ORACLE, PUBLISHED, PIN, WORK, CHECKS };
+
+static po_check made_checks[CHECKS];
+static po_reference made_references[CHECKS];
+static po_point made_points[2];
+static po_case_file made_file;
+static po_case made_case;
+static po_plan made_plan;
+static po_outcome made_outcomes[2];
+static po_case_run made_run;
+
+static inline void make_check(int which, const char *reference, po_ledger ledger,
+                              double tolerance) {
+  made_checks[which] = (po_check){.quantity_text = (char *)"pull_off_force",
+                                  .reference = (char *)reference,
+                                  .tolerance_text = (char *)"made",
+                                  .kind_text = (char *)"abs",
+                                  .because = (char *)"it is made up",
+                                  .quantity = which == WORK ? PO_WORK : PO_PULL_OFF_FORCE,
+                                  .tolerance = tolerance,
+                                  .kind = which == WORK ? PO_TOLERANCE_REL : PO_TOLERANCE_ABS};
+  made_references[which] = (po_reference){.name = made_checks[which].reference, .ledger = ledger};
+}
+
+static inline void make_run(void) {
+  make_check(ORACLE, "reference/sage.csv", PO_LEDGER_ORACLE, 1e-3);
+  make_check(OTHER_ORACLE, "reference/seer.csv", PO_LEDGER_ORACLE, 1e-3);
+  make_check(PUBLISHED, "reference/paper.csv", PO_LEDGER_PUBLISHED, 1e-2);
+  make_check(PIN, "pin", PO_LEDGER_PIN, 1e-9);
+  make_check(WORK, "pin", PO_LEDGER_PIN, 0.03);
+  made_references[PIN].is_pin = made_references[WORK].is_pin = true;
+  made_points[0] = (po_point){.id = "0", .label = (char *)"tabor=1"};
+  made_points[1] = (po_point){.id = "1", .label = (char *)"tabor=2.385"};
+  made_file = (po_case_file){.name = (char *)"made", .checks = made_checks, .checks_count = CHECKS};
+  made_case = (po_case){.shown = (char *)"cases/made.yaml",
+                        .file = &made_file,
+                        .points = made_points,
+                        .point_count = 2};
+  made_plan = (po_plan){.kase = &made_case, .references = made_references};
+  made_run = (po_case_run){.plan = &made_plan, .outcomes = made_outcomes};
+}
+
+static inline void clear_run(void) {
+  po_results_clear(&made_run.results);
+}
+
+/* Adds what one check found; the place of it among the results. */
+static inline size_t found(int which, size_t point, const char *name, const char *suffix,
+                           double obtained, double expected, double uncertainty) {
+  po_result *item = po_results_add(&made_run.results, &made_case, point, &made_checks[which], name,
+                                   suffix, obtained, (po_reference_number){expected, uncertainty});
+  ck_assert_ptr_nonnull(item);
+  item->ledger = made_references[which].ledger;
+  return made_run.results.count - 1;
+}
+
+static inline po_verdict verdict_of(size_t place) {
+  return made_run.results.items[place].verdict;
+}
+
+#endif

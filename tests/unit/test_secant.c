@@ -1,0 +1,66 @@
+/* Broyden's updates: on a linear system they end, for any inverse to start from. */
+#include <math.h>
+
+#include "po_secant.h"
+#include "run.h"
+
+enum { N = 4 };
+
+/* Not symmetric; the distance from the unit matrix is 0.61 in its largest row sum. */
+static const double MATRIX[N][N] = {{1.23, 0.11, -0.07, 0.19},
+                                    {-0.31, 0.89, 0.13, 0.03},
+                                    {0.05, -0.17, 1.37, 0.02},
+                                    {0.09, 0.23, 0.041, 0.77}};
+static const double SOLUTION[N] = {2.385, -0.613, 1.17, 0.0451};
+
+/* Residual of MATRIX x = MATRIX SOLUTION, with the sign of a change. */
+static void change_of(const double *x, double *change) {
+  for (int i = 0; i < N; ++i) {
+    change[i] = 0.0;
+    for (int j = 0; j < N; ++j)
+      change[i] += MATRIX[i][j] * (SOLUTION[j] - x[j]);
+  }
+}
+
+/* Iterates from 0 with the unit matrix as inverse. Returned: the error left. */
+static double iterate(int steps, bool updates, double scale) {
+  po_secant s;
+  ck_assert(po_secant_allocate(&s, N));
+  po_secant_clear(&s, N);
+  for (int j = 0; j < N; ++j)
+    s.scale[j] = 1.0 + scale * j;
+  double x[N] = {0.0}, change[N], error = 0.0;
+  for (int k = 0; k < steps; ++k) {
+    change_of(x, change);
+    if (updates)
+      po_secant_step(&s, change);
+    for (int j = 0; j < N; ++j)
+      x[j] += change[j];
+  }
+  for (int j = 0; j < N; ++j)
+    error = fmax(error, fabs(x[j] - SOLUTION[j]));
+  po_secant_free(&s);
+  return error;
+}
+
+/* D. M. Gay, SIAM J. Numer. Anal. 16 (1979) 623: 2 n steps and the solution is exact. */
+START_TEST(broyden_ends_on_a_linear_system) {
+  ck_assert_double_lt(iterate(2 * N, true, 1.7 * _i), 1e-13);
+  ck_assert_double_gt(iterate(2 * N, false, 1.7 * _i), 1e-4);
+}
+END_TEST
+
+/* More steps than there is room for corrections: they are forgotten, and it still converges. */
+START_TEST(full_room_is_emptied) {
+  ck_assert_double_lt(iterate(3 * PO_SECANT_DEPTH, true, 0.0), 1e-13);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_loop_test(tests, broyden_ends_on_a_linear_system, 0, 3);
+  tcase_add_test(tests, full_room_is_emptied);
+}
+
+int main(void) {
+  return run_case("secant", add);
+}
