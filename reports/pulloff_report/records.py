@@ -16,6 +16,7 @@ POINT = {"id": str, "label": str, "sweep": dict, "status": str, "failed": bool, 
 CHECK = {"id": str, "quantity": str, "obtained": NUMBER, "expected": NUMBER, "error": NUMBER,
          "kind": str, "tolerance": NUMBER, "ratio": NUMBER, "ledger": str, "verdict": str,
          "because": str}
+LEFT_OUT = {"quantity": str, "reference": str, "stand_in": str}
 VERDICTS = ("within", "outside", "no_result", "missing_reference", "improved", "regressed", "moved",
             "wrong_and_frozen", "slack")
 PASSING = ("within", "improved", "slack")  # the last two are told nevertheless
@@ -55,6 +56,7 @@ class Case:
         self.figure_script = record.get("figure_script")
         self.points = record["points"]
         self.checks = record["checks"]
+        self.left_out = record.get("left_out", [])
         self.verdict = record["verdict"]
         self._points = {point["id"]: point for point in self.points}
 
@@ -66,6 +68,8 @@ class Case:
         demand(record, RECORD, self.path, "")
         for place, point in enumerate(record["points"]):
             demand(point, POINT, self.path, f"points[{place}]")
+        for place, check in enumerate(record.get("left_out", [])):
+            demand(check, LEFT_OUT, self.path, f"left_out[{place}]")
         for place, check in enumerate(record["checks"]):
             demand(check, CHECK, self.path, f"checks[{place}]")
             if check["verdict"] not in VERDICTS:

@@ -78,7 +78,9 @@ typedef struct {
   char *tolerance_text;
   char *kind_text;
   char *because;
-  po_axis *when; /* the points it concerns: all these must match; none: every point */
+  char *stand_in; /* the reference that stands in while that of this check is absent, which leaves
+                     the check out; NULL: it must be there */
+  po_axis *when;  /* the points it concerns: all these must match; none: every point */
   unsigned when_count;
   po_quantity quantity;
   double tolerance;

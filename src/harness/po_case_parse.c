@@ -180,6 +180,29 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
   return PO_OK;
 }
 
+/* What is no file cannot be absent. */
+static bool is_file(const char *reference) {
+  return strcmp(reference, "bradley") != 0 && strcmp(reference, "pin") != 0 &&
+         strcmp(reference, PO_EVERY_SCENE) != 0;
+}
+
+/* What stands in must itself be compared, or the check would be left out for nothing. */
+static po_status check_stand_ins(const po_case *kase, const po_yaml *yaml) {
+  const po_case_file *file = kase->file;
+  for (unsigned i = 0; i < file->checks_count; ++i) {
+    bool found = !file->checks[i].stand_in;
+    for (unsigned k = 0; k < file->checks_count && !found; ++k)
+      found = !file->checks[k].stand_in &&
+              strcmp(file->checks[k].reference, file->checks[i].stand_in) == 0;
+    if (!found)
+      return po_schema_refuse(yaml, NULL, "checks[%u].stand_in", i + 1);
+    if (file->checks[i].stand_in && !is_file(file->checks[i].reference))
+      return po_schema_refuse(yaml, "the path of a CSV file, as something stands in for it",
+                              "checks[%u].reference", i + 1);
+  }
+  return PO_OK;
+}
+
 /* A check that concerns no point would pass for ever, unseen. */
 static po_status check_concerned(const po_case *kase, const po_yaml *yaml) {
   for (unsigned i = 0; i < kase->file->checks_count; ++i) {
@@ -223,6 +246,8 @@ po_status po_case_parse(po_case *kase, const po_yaml *yaml) {
     status = check_scene(kase, yaml);
   for (unsigned i = 0; !status && i < kase->file->checks_count; ++i)
     status = parse_check(kase->file, &kase->file->checks[i], i + 1, yaml);
+  if (!status)
+    status = check_stand_ins(kase, yaml);
   if (!status)
     status = po_case_expand(kase, yaml);
   if (!status)

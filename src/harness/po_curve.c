@@ -171,3 +171,23 @@ done:
   free(b.folds);
   return status;
 }
+
+void po_curve_scatter(const po_plane_point *ours, size_t count, const po_plane_point *points,
+                      size_t point_count, po_curve_verdict *verdict) {
+  *verdict = (po_curve_verdict){.same_folds = true};
+  if (count < 2)
+    return;
+  const po_stretch whole = {ours, count, 0, count - 1};
+  for (size_t i = 0; i < point_count; ++i) {
+    const po_foot foot = po_plane_foot(points[i], &whole);
+    if (foot.before || foot.beyond) {
+      verdict->left_out += 1;
+      continue;
+    }
+    verdict->compared += 1;
+    if (foot.distance >= verdict->distance) {
+      verdict->distance = foot.distance;
+      verdict->where = points[i];
+    }
+  }
+}

@@ -138,6 +138,11 @@ static po_status tell_checks(po_plan *plan) {
   po_status status = PO_OK;
   for (unsigned i = 0; !status && i < kase->file->checks_count; ++i) {
     const po_check *check = &kase->file->checks[i];
+    if (plan->references[i].is_absent) {
+      status = say(plan, "leave out %s against %s: there is no such file; %s stands in for it",
+                   check->quantity_text, check->reference, check->stand_in);
+      continue;
+    }
     size_t concerned = 0, spoken = 0;
     for (size_t k = 0; k < kase->point_count; ++k)
       if (po_check_concerns(check, &kase->points[k].request)) {

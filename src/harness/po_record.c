@@ -50,7 +50,7 @@ static void table_name(char name[64], const char *what, const po_point *point) {
 }
 
 /* Writes the curve or the profile of a point, if there is one, and says so in its entry: the name
- * of the file and the checksum of its rows, by which a table that is not of this record is told. */
+ * of the file and its checksum, by which a table that is not of this record is told. */
 static po_status add_table(const po_case_run *run, size_t index, bool profile, const char *folder,
                            json_t *entry) {
   const po_point *point = &run->plan->kase->points[index];
@@ -119,6 +119,19 @@ static json_t *check_json(const po_case_run *run, const po_result *item) {
       po_plan_reference_of(run->plan, check), "because", check->because, "command", command);
 }
 
+/* The checks that were left out since their reference is absent. */
+static json_t *left_out(const po_plan *plan) {
+  json_t *array = json_array();
+  for (unsigned i = 0; i < plan->kase->file->checks_count; ++i) {
+    const po_check *check = &plan->kase->file->checks[i];
+    if (plan->references[i].is_absent)
+      json_array_append_new(array,
+                            json_pack("{s:s, s:s, s:s}", "quantity", check->quantity_text,
+                                      "reference", check->reference, "stand_in", check->stand_in));
+  }
+  return array;
+}
+
 static json_t *lists(const po_case_run *run, json_t *record) {
   json_t *plan = json_array(), *points = json_array(), *checks = json_array();
   for (size_t i = 0; i < run->plan->line_count; ++i)
@@ -133,6 +146,7 @@ static json_t *lists(const po_case_run *run, json_t *record) {
   json_object_set_new(record, "plan", plan);
   json_object_set_new(record, "points", points);
   json_object_set_new(record, "checks", checks);
+  json_object_set_new(record, "left_out", left_out(run->plan));
   return record;
 }
 

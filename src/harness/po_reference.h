@@ -22,6 +22,7 @@ typedef struct {
   po_ledger ledger;
   bool is_bradley; /* the closed form; else the table */
   bool is_every_scene;
+  bool is_absent;  /* there is no such file, and the check says what stands in for it */
   bool is_pin;     /* the table is that of our own blessed values, see po_pins.h */
   bool is_missing; /* there are no pins yet */
   char *path;      /* of pins: their file */
@@ -53,6 +54,10 @@ const char *po_ledger_name(po_ledger ledger);
  * Status: PO_CANNOT_READ with file and line. `name` must outlive the reference. */
 po_status po_reference_open(const char *data_folder, const char *name, po_reference *reference);
 
+/* The same for a check; where one says what stands in for its reference, that may be absent, and is
+ * of kind published when it is there. */
+po_status po_reference_open_check(const char *data_folder, const po_check *check,
+                                  po_reference *reference);
 /* The headers and the checksum of an open table; sets the ledger. Status: PO_CANNOT_READ. */
 po_status po_reference_check_headers(po_reference *reference);
 void po_reference_close(po_reference *reference);

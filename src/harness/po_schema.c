@@ -55,6 +55,7 @@ static const cyaml_schema_field_t CHECK_FIELDS[] = {
     TEXT("tolerance", po_check, tolerance_text),
     TEXT("kind", po_check, kind_text),
     TEXT("because", po_check, because),
+    OPTIONAL_TEXT("stand_in", po_check, stand_in),
     LIST("when", CYAML_FLAG_OPTIONAL, po_check, when, &AXIS),
     CYAML_FIELD_END,
 };
@@ -128,6 +129,8 @@ static const struct {
     {"checks.tolerance", "a finite number > 0"},
     {"checks.kind", "abs, rel or ulp"},
     {"checks.because", "the reason for the tolerance"},
+    {"checks.stand_in",
+     "the reference of another check, which stands in while this one's is absent"},
     {"key", "a key of the scene"},
     {"values", "a list of values"},
     {"when", "a list of {key, values}"},

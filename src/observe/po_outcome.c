@@ -19,6 +19,14 @@ static const double CURVE_SAGITTA = 5e-4;
  * relative tolerance of the pull-off force: what these coefficients do to the load goes as their
  * square, by Gauss's rule. Set by the smooth sphere (tests/unit/test_panels.c). */
 static const double ERROR_OF_TOLERANCE = 0.3, COARSEST_ERROR = 3e-4;
+/* Error of the load that a panel may make, by an estimate that is mostly too large, over the same
+ * tolerance. */
+static const double LOAD_OF_TOLERANCE = 30.0;
+
+/* When the estimated error of the force is beyond the tolerance, the trace is made anew, with this
+ * part of what would do. */
+static const double SHARPER = 0.3;
+enum { MOST_TRACES = 3 };
 
 /* Where Newton's method may stop, in parts of 1 + H, per relative tolerance; and its limits:
  * rounding below, and what locating folds needs. */
@@ -55,20 +63,27 @@ static po_branch_options options_of(const po_request *request, po_reader *reader
   return options;
 }
 
-static po_status trace_elastic(const po_request *request, po_reader *reader, po_adaptive *panels) {
+/* What panels may leave, for a tolerance. */
+static po_allowance allowance_of(double tolerance) {
+  return (po_allowance){fmin(COARSEST_ERROR, ERROR_OF_TOLERANCE * sqrt(tolerance)),
+                        fmin(COARSEST_ERROR, LOAD_OF_TOLERANCE * tolerance)};
+}
+
+static po_status trace_elastic(const po_request *request, double tolerance, po_reader *reader,
+                               po_adaptive *panels) {
   po_outcome *o = reader->outcome;
   po_equilibrium *e = NULL;
   const size_t capacity = panels ? po_adaptive_capacity(panels) : reader->surface->n;
   po_status status = po_equilibrium_create(&request->scene, reader->surface, capacity, &e);
   if (!status) {
     const po_branch_options options = options_of(request, reader);
-    const double allowed = fmin(COARSEST_ERROR, ERROR_OF_TOLERANCE * sqrt(request->mesh.tolerance));
     if (panels)
       e->precision = fmax(FINEST_PRECISION, fmin(COARSEST_PRECISION,
                                                  PRECISION_OF_TOLERANCE * request->mesh.tolerance));
     reader->begin = request->approach_start;
     reader->begun = isnan(request->approach_start);
-    status = panels ? po_track_trace(e, panels, allowed, &options) : po_branch_trace(e, &options);
+    status = panels ? po_track_trace(e, panels, allowance_of(tolerance), &options)
+                    : po_branch_trace(e, &options);
     o->work.points = e->work.points;
     o->work.newton_iterations = e->work.newton_iterations;
     o->work.factorizations = e->work.factorizations;
@@ -109,9 +124,9 @@ static po_status make_surface(const po_request *request, bool rigid, double core
                             panels);
 }
 
-/* One trace on a surface with the given core. */
-static po_status trace(const po_request *request, bool rigid, double core, double deadline,
-                       po_outcome *outcome) {
+/* One trace on a surface with the given core, to the given tolerance. */
+static po_status trace(const po_request *request, bool rigid, double core, double tolerance,
+                       double deadline, po_outcome *outcome) {
   po_surface *fixed = NULL;
   po_adaptive *panels = NULL;
   po_reader reader = {.request = request, .outcome = outcome, .deadline = deadline};
@@ -121,7 +136,8 @@ static po_status trace(const po_request *request, bool rigid, double core, doubl
   if (status)
     goto done;
   reader.surface = panels ? po_adaptive_surface(panels) : fixed;
-  status = rigid ? trace_rigid(request, &reader) : trace_elastic(request, &reader, panels);
+  status =
+      rigid ? trace_rigid(request, &reader) : trace_elastic(request, tolerance, &reader, panels);
   if (!status)
     status = reader.status;
   if (!status && !outcome->has_pull_off && isnan(request->approach_end))
@@ -137,6 +153,25 @@ static void clear(po_outcome *outcome) {
   outcome->start = outcome->end = outcome->profile_approach = NAN;
 }
 
+static void add_work(const po_work *more, po_work *work) {
+  work->points += more->points;
+  work->newton_iterations += more->newton_iterations;
+  work->factorizations += more->factorizations;
+  work->kernel_evaluations += more->kernel_evaluations;
+  work->meshes += more->meshes;
+  work->nodes = work->nodes > more->nodes ? work->nodes : more->nodes;
+  work->factorized_nodes = work->factorized_nodes > more->factorized_nodes ? work->factorized_nodes
+                                                                           : more->factorized_nodes;
+}
+
+/* The estimated error of the force in parts of what is asked; 0 when there is none. */
+static double excess_error(const po_request *request, const po_outcome *outcome) {
+  const double asked = request->mesh.tolerance * outcome->pull_off.force;
+  return outcome->has_pull_off && outcome->pull_off.force_error > asked
+             ? outcome->pull_off.force_error / asked
+             : 0.0;
+}
+
 static po_status observe(const po_request *request, po_outcome *outcome) {
   po_status status = po_request_check(request);
   if (status)
@@ -146,12 +181,23 @@ static po_status observe(const po_request *request, po_outcome *outcome) {
       isnan(request->time_limit) ? INFINITY : po_clock_thread() + request->time_limit;
   double core =
       po_surface_core(&request->scene, fmax(request->approach_end, request->profile_approach));
-  for (int meshes = 0; meshes < MOST_MESHES; ++meshes, core *= CORE_GROWTH) {
+  double tolerance = request->mesh.tolerance;
+  po_work work = {0};
+  for (int meshes = 0, traces = 1; meshes < MOST_MESHES; ++traces) {
     clear(outcome);
-    status = trace(request, rigid, core, deadline, outcome);
-    if (status != PO_OUT_OF_DOMAIN)
+    status = trace(request, rigid, core, tolerance, deadline, outcome);
+    add_work(&outcome->work, &work);
+    const double excess = status || rigid ? 0.0 : excess_error(request, outcome);
+    if (status == PO_OUT_OF_DOMAIN) {
+      core *= CORE_GROWTH;
+      ++meshes;
+    } else if (excess > 0.0 && traces < MOST_TRACES) {
+      tolerance *= SHARPER / excess;
+    } else {
       break;
+    }
   }
+  outcome->work = work;
   return status;
 }
 

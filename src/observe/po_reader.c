@@ -25,6 +25,9 @@ static const double DROPS = 3.0;
 /* ... the edge having left the wave of the pull-off by this part of a wavelength. */
 static const double PAST_THE_WAVE = 0.3;
 
+/* In parts of the tolerance: an error that none of the panels' own shows. */
+static const double UNSEEN = 1e-3;
+
 /* In wavelengths: contact beyond that at the last minimum without a new one; how far beyond
  * pull-off the next wave's minimum is at least (they are a wavelength apart, a little less at
  * first); and the end of the first trough. Minima in between are ripples. */
@@ -75,6 +78,12 @@ static po_landmark_kind kind_of(po_point_kind kind) {
   }
 }
 
+/* An estimated error, and what an estimate cannot resolve. */
+static double error_of(const po_reader *r, double estimate, double value) {
+  return r->outcome->rigid ? estimate
+                           : estimate + UNSEEN * r->request->mesh.tolerance * (1.0 + fabs(value));
+}
+
 static void add_landmark(po_reader *r, const po_branch_point *p, double contact_radius) {
   po_outcome *o = r->outcome;
   const po_landmark_kind kind = kind_of(p->kind);
@@ -86,8 +95,8 @@ static void add_landmark(po_reader *r, const po_branch_point *p, double contact_
   (*list)[(*count)++] = (po_landmark){.kind = kind,
                                       .approach = p->approach,
                                       .load = p->load,
-                                      .approach_error = p->approach_error,
-                                      .load_error = p->load_error,
+                                      .approach_error = error_of(r, p->approach_error, p->approach),
+                                      .load_error = error_of(r, p->load_error, p->load),
                                       .contact_radius = contact_radius,
                                       .position = p->position,
                                       .unstable_modes = p->unstable_modes};
@@ -128,8 +137,8 @@ static void note_minimum(po_reader *r, const po_branch_point *p, double contact_
     o->pull_off.force = fabs(p->load);
     o->pull_off.approach = p->approach;
     o->pull_off.contact_radius = contact_radius;
-    o->pull_off.force_error = p->load_error;
-    o->pull_off.approach_error = p->approach_error;
+    o->pull_off.force_error = error_of(r, p->load_error, p->load);
+    o->pull_off.approach_error = error_of(r, p->approach_error, p->approach);
     if ((r->request->want & PO_WANT_PROFILE) && isnan(r->request->profile_approach))
       keep_profile(r, p);
   }

@@ -107,7 +107,8 @@ static po_status locate(const po_interval *interval, po_event *ev) {
     double left = fabs(f * (at - other->at) / (f - f_other));
     if (k > 0)
       left = fmin(left, fabs(f * (at - last.at) / (f - f_last)));
-    if (left < (ev->of <= PO_OF_LOAD ? interval->located : ARRIVED) || fabs(high.at - low.at) < interval->located)
+    if (left < (ev->of <= PO_OF_LOAD ? interval->located : ARRIVED) ||
+        fabs(high.at - low.at) < interval->located)
       return PO_OK;
     *(is_high ? &high : &low) = s;
     last = s;

@@ -14,6 +14,8 @@ static const double GREATEST_CLOSING = 0.7;
 /* A change of a gap, in parts of 1 + H, that no prediction is off by; and one that no iteration
  * recovers from once it began. */
 static const double GREATEST_CHANGE = 1e3, DIVERGED = 10.0;
+/* A change from which the next tells something about the Jacobian: a thousand times rounding. */
+static const double TELLING = 1e-10;
 /* An iteration that on average contracts less costs more than a new factorisation. */
 static const double SLOWEST = 0.45;
 enum { MOST_ITERATIONS = 20, PATIENCE = 3 };
@@ -71,6 +73,8 @@ static double newton_step(po_equilibrium *e, double *state, const po_constraint 
   }
   if (!isfinite(largest))
     return NAN;
+  if (largest < TELLING)
+    po_secant_begin(&e->secant);
   double share = 1.0;
   if (closing > GREATEST_CLOSING) {
     share = GREATEST_CLOSING / closing;
@@ -102,7 +106,8 @@ static void note_change(progress *p, double change) {
 /* Whether it does not converge, or too slowly to be worth waiting for. */
 static bool is_hopeless(const progress *p) {
   return !(p->now < GREATEST_CHANGE) || (p->count > 1 && p->now > DIVERGED) ||
-         (p->count > PATIENCE && p->now > p->first * pow(SLOWEST, p->count - 1));
+         (p->count > PATIENCE && p->now > STAGNATED &&
+          p->now > p->first * pow(SLOWEST, p->count - 1));
 }
 
 /* Whether what is left is below the precision: this change was, or the next will be; or it is small

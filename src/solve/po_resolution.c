@@ -54,7 +54,7 @@ static double excess_of(const po_resolution *r, double begin, double end, const 
   const double length = end - begin, ring = 2.0 / r->e->radius * 0.5 * (begin + end) * length;
   const double felt = fmin(1.0, response * fmax(r->e->coupling * length, ring));
   const double local = felt * r->e->coupling * length * last / ORDER;
-  return fmax(local, ring * last * last / (largest + 1e-300)) / r->allowed;
+  return fmax(local / r->allowed.gap, ring * last * last / (largest + 1e-300) / r->allowed.load);
 }
 
 void po_resolution_excesses(const po_resolution *r, const po_leaves *leaves, const double *gap,

@@ -18,12 +18,18 @@ typedef struct {
   void *data;
 } po_gap_field;
 
+/* Errors that the last Legendre coefficients of a panel's traction may make. */
+typedef struct {
+  double gap;  /* of the gap, in eps, as far as the tractions respond to it */
+  double load; /* of the load, in pi w R, by the square of their decay */
+} po_allowance;
+
 typedef struct {
   const po_equilibrium *e;
   const po_panel_rule *rule;
   const po_legendre *legendre;
-  double root;    /* eps */
-  double allowed; /* error of the gap that a panel may make, in eps */
+  double root; /* eps */
+  po_allowance allowed;
 } po_resolution;
 
 /* The error that each panel makes, in parts of what is allowed, from the last Legendre coefficients

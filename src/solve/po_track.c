@@ -73,7 +73,8 @@ static po_status want_mesh(tracker *t, po_track_point *p) {
   po_track_field solved = {p, t->c.e->scene, t->c.root};
   const po_gap_field field = {po_track_gap, &solved};
   po_resolution margin = t->resolution;
-  margin.allowed *= MESH_MARGIN;
+  margin.allowed.gap *= MESH_MARGIN;
+  margin.allowed.load *= MESH_MARGIN;
   p->wanted = p->leaves;
   t->c.trouble = po_resolution_leaves(&margin, &field, &p->wanted);
   return t->c.trouble;
@@ -353,7 +354,7 @@ static po_status trace(tracker *t) {
   return status;
 }
 
-po_status po_track_trace(po_equilibrium *equilibrium, po_adaptive *adaptive, double allowed_error,
+po_status po_track_trace(po_equilibrium *equilibrium, po_adaptive *adaptive, po_allowance allowed,
                          const po_branch_options *options) {
   tracker t = {.options = options, .step = FIRST_STEP};
   const size_t capacity = po_adaptive_capacity(adaptive);
@@ -368,7 +369,7 @@ po_status po_track_trace(po_equilibrium *equilibrium, po_adaptive *adaptive, dou
     status = PO_NO_MEMORY;
   const po_panel_rule *rule = &po_panel_table_get()->rule;
   po_legendre_fill(rule, &t.legendre);
-  t.resolution = (po_resolution){equilibrium, rule, &t.legendre, t.c.root, allowed_error};
+  t.resolution = (po_resolution){equilibrium, rule, &t.legendre, t.c.root, allowed};
   if (!status)
     status = trace(&t);
   for (int k = 0; k < 5 + PO_MOST_EVENTS; ++k)

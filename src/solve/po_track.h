@@ -5,11 +5,12 @@
 
 #include "po_adaptive.h"
 #include "po_branch.h"
+#include "po_resolution.h"
 
-/* Given: an equilibrium on the surface of `adaptive`, with room for its capacity; the error of the
- * gap that the resolution of the traction may leave, in eps. Status: as po_branch_trace,
+/* Given: an equilibrium on the surface of `adaptive`, with room for its capacity; what the
+ * resolution of the traction may leave. Status: as po_branch_trace,
  * PO_OUT_OF_NODES. */
-po_status po_track_trace(po_equilibrium *equilibrium, po_adaptive *adaptive, double allowed_error,
+po_status po_track_trace(po_equilibrium *equilibrium, po_adaptive *adaptive, po_allowance allowed,
                          const po_branch_options *options);
 
 #endif

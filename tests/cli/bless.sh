@@ -17,8 +17,7 @@ PIN
 # Edits the rows of the pins and makes their checksum right again.
 alter() { # SED-SCRIPT
   sed -i "$1" "$pins"
-  sum=$(sed '/^#/d' "$pins" | sha256sum | cut -d' ' -f1)
-  sed -i "s/^# sha256: .*/# sha256: $sum/" "$pins"
+  seal "$pins"
 }
 
 says() { # WHAT PATTERN
@@ -79,7 +78,7 @@ check 'so nothing is written' cmp first.csv "$pins"
 
 # Altered: by its checksum, and when that was altered with it, by its value.
 sed -i 's/^pull_off_force,2/pull_off_force,2.1/' "$pins"
-expect 4 'pulloff: cases/pins/good.csv:*: sha256 is *: expected *, that of the rows*' verify good
+expect 4 'pulloff: cases/pins/good.csv:*: sha256 is *: expected *, that of all other lines*' verify good
 expect 4 'pulloff: cases/pins/good.csv:*: sha256 is *' bless good --reason why
 alter 's/^pull_off_force,.*/pull_off_force,2.00001/'
 verified 0 'improved: the error against table fell from 1e-05 to 0: bless it'
@@ -109,7 +108,7 @@ cp first.csv "$pins"
 alter 's/^quantity,/colour,/'
 expect 4 'pulloff: cases/pins/good.csv:*: the column colour is unknown: expected *' verify good
 cp first.csv "$pins"
-sed -i 's/^# kind: pin/# kind: oracle/' "$pins"
+sed -i 's/^# kind: pin/# kind: oracle/' "$pins" && seal "$pins"
 expect 4 'pulloff: cases/pins/good.csv: kind is oracle: expected pin' verify good
 cp first.csv "$pins"
 
@@ -122,7 +121,7 @@ check 'the pins are as they were' cmp first.csv "$pins"
 write_table "$table" tabor,force,approach 7,2.1,0
 refused 1 'good is not blessed: pull_off_force/table/scene is missing_reference ' bless good --reason why
 write_table "$table" tabor,force,approach 0,2.1,0
-sed -i 's/^# kind: oracle/# kind: published/' "$table"
+sed -i 's/^# kind: oracle/# kind: published/' "$table" && seal "$table"
 alter 's/^pull_off_force,.*/pull_off_force,2.00001/'
 verified 1 'moved: no oracle speaks of it'
 expect 0 '*' bless good --reason 'the paper rounds' --output run

@@ -39,14 +39,15 @@ static void setup(void) {
   ck_assert_ptr_nonnull(mkdtemp(folder));
   snprintf(case_path, sizeof case_path, "%s/made.yaml", folder);
   snprintf(table_path, sizeof table_path, "%s/table.csv", folder);
-  po_text text = {0};
+  po_text header = {0}, rows = {0}, text = {0};
   char digest[PO_DIGEST_LENGTH];
-  po_digest_bytes(ROWS, strlen(ROWS), digest);
-  po_text_add(&text,
-              "# what: w\n# source: s\n# kind: published\n# method: m\n# units: u\n"
-              "# uncertainty: 1e-9\n# generator: g\n# command: c\n# date: d\n# sha256: %s\n%s",
-              digest, ROWS);
+  po_text_add(&header, "# what: w\n# source: s\n# kind: published\n# method: m\n# units: u\n"
+                       "# uncertainty: 1e-9\n# generator: g\n# command: c\n# date: d\n");
+  po_text_add(&rows, "%s", ROWS);
+  po_csv_seal(&header, &rows, &text, digest);
   ck_assert_int_eq(po_file_write(table_path, text.data, text.length), PO_OK);
+  po_text_clear(&header);
+  po_text_clear(&rows);
   po_text_clear(&text);
 }
 

@@ -160,6 +160,31 @@ START_TEST(points_close_to_a_fold_do_not_matter) {
 }
 END_TEST
 
+/* Markers in no order, one beyond each end: only how far they are off is told, not their folds. */
+START_TEST(markers_need_no_order) {
+  const size_t n = s_curve(ours, 400, -1, 1, 0);
+  const double at[] = {0.31, -0.7, 0.9, -0.36, 0.02, -0.99};
+  const size_t markers = sizeof at / sizeof *at;
+  for (size_t i = 0; i < markers; ++i)
+    s_curve(&theirs[i], 2, at[i], at[i], 0);
+  theirs[2].load += 0.0385; /* where the slope dW/d(approach) is 0.46: 0.035 along the normal */
+  theirs[markers] = (po_plane_point){-2.5, -4.2};
+  theirs[markers + 1] = (po_plane_point){2.385, 0.9};
+  po_curve_verdict found;
+  po_curve_scatter(ours, n, theirs, markers + 2, &found);
+  ck_assert_uint_eq(found.compared, markers);
+  ck_assert_uint_eq(found.left_out, 2);
+  const double slope = (2 + 0.9) / (9 * 0.9 * 0.9 - 1);
+  ck_assert_double_eq_tol(found.distance, 0.0385 / hypot(1, slope), 2e-4);
+  ck_assert_double_eq(found.where.load, theirs[2].load);
+  theirs[2].load -= 0.0385;
+  po_curve_scatter(ours, n, theirs, markers + 2, &found);
+  ck_assert_double_lt(found.distance, 1e-5);
+  po_curve_scatter(ours, n, theirs + markers, 2, &found);
+  ck_assert_uint_eq(found.compared, 0);
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_test(tests, distance_from_a_circle);
   tcase_add_test(tests, same_curve_other_points);
@@ -172,6 +197,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, another_branch_is_named);
   tcase_add_loop_test(tests, points_close_to_a_fold_do_not_matter, 0,
                       (int)(sizeof BESIDE / sizeof *BESIDE));
+  tcase_add_test(tests, markers_need_no_order);
 }
 
 int main(void) {
