@@ -1,12 +1,16 @@
 #include "po_front.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 /* Half width of the constant part about a front, in parts of the distance to its neighbour. */
-static const double PLATEAU = 0.3;
+static const double PLATEAU = 0.2;
 /* Beyond the last front the displacement has died out at this multiple of its radius. */
 static const double OUTER_END = 2.0;
 enum { ITERATIONS = 60 };
+
+/* Of blend(). */
+static const double STEEPEST = 1.875;
 
 static double neighbour_distance(const po_fronts *f, size_t k) {
   const double left = k > 0 ? f->at[k] - f->at[k - 1] : f->at[k];
@@ -50,8 +54,15 @@ double po_front_origin(const po_fronts *f, const double *shift, double r) {
 }
 
 double po_front_strain(const po_fronts *f, const double *shift) {
-  double worst = 0.0;
-  for (size_t k = 0; k < f->count; ++k)
-    worst = fmax(worst, fabs(shift[k]) / neighbour_distance(f, k));
+  double from = 0.0, value = 0.0, worst = 0.0; /* as in po_front_displacement */
+  for (size_t k = 0; k <= f->count && f->count > 0; ++k) {
+    const bool last = k == f->count;
+    const double half = last ? 0.0 : PLATEAU * neighbour_distance(f, k);
+    const double begin = last ? OUTER_END * f->at[k - 1] : f->at[k] - half;
+    const double next = last ? 0.0 : shift[k];
+    worst = fmax(worst, STEEPEST * fabs(next - value) / (begin - from));
+    from = last ? begin : f->at[k] + half;
+    value = next;
+  }
   return worst;
 }

@@ -19,11 +19,10 @@ typedef struct {
  * the axis and beyond the last: constant about each front, smooth (C2), linear in the shifts. */
 double po_front_displacement(const po_fronts *fronts, const double *shift, double r);
 
-/* The radius whose displaced place is r. The shifts must be below a tenth of the distance between
- * fronts. */
+/* The radius whose displaced place is r. The strain must be below a half or so. */
 double po_front_origin(const po_fronts *fronts, const double *shift, double r);
 
-/* The largest shift in parts of the distance of its front to its neighbours (or the axis). */
+/* The largest slope of the displacement: below 1 no two places meet. */
 double po_front_strain(const po_fronts *fronts, const double *shift);
 
 #endif

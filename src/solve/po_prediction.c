@@ -6,8 +6,8 @@ enum { ORDER = PO_TABLE_ORDER };
 
 /* Cosine of gauge and its direction at the start of an interval below which a cubic is no use. */
 static const double CUBIC_COSINE = 0.3;
-/* Shift of a front in one step, in parts of the distance to its neighbour. */
-static const double GREATEST_STRAIN = 0.08;
+/* Slope of the displacement of the coordinates in one step; and over the step before. */
+static const double GREATEST_STRAIN = 0.5, GREATEST_STRAIN_BACK = 0.9;
 /* Gaps of a prediction are taken as no smaller. */
 static const double CLOSEST = -0.9;
 
@@ -22,7 +22,7 @@ bool po_prediction_make(const po_scene *scene, double root, const po_track_point
     for (size_t f = 0; f < fronts->count; ++f)
       p->back[f] = b->fronts.at[f] - fronts->at[f];
     p->cubic = p->rate_b > CUBIC_COSINE && fabs(whole) > 0.0 &&
-               po_front_strain(fronts, p->back) < 2.0 * GREATEST_STRAIN;
+               po_front_strain(fronts, p->back) < GREATEST_STRAIN_BACK;
     if (p->cubic)
       p->w = po_hermite_at(distance, whole);
   }
