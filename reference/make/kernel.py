@@ -16,6 +16,7 @@ from mpmath import agm, cos, ellipe, ellipk, log, mpf, pi, quad, sin, sqrt
 from certified import PAPER, Table, command_line, text
 
 DIGITS = 20
+NOT_THERE = "-"           # in a column the kind does not have
 
 POINT_PAIRS = """0 1|1 0|0 1e-9|1 1.5|1.5 1|0.3 0.7|1 1e-8|1e-8 1|1 0.999|1 0.999999|1 0.999999999999
 0.999999999999 1|1 1.0000000000000001|123.456 7.89|100 99.75|1e5 99999.5|1e-6 1.1e-6|3.7 41.9|2.5 2.25"""
@@ -164,7 +165,7 @@ def row(point, agreement):
         value = triangle_elliptic(a, b, c, r)
         other = deflection_copson(pieces, r)
     agreement.check(str(point), value, other)
-    return list(point) + [text(value, DIGITS)]
+    return [cell or NOT_THERE for cell in point] + [text(value, DIGITS)]
 
 
 TABLE = Table(
@@ -175,7 +176,8 @@ TABLE = Table(
     header={
         "what": "point: the kernel G(r, s1); ring: deflection at r of unit traction on s1 < s < s2 "
                 "(influence coefficient); triangle: deflection at r of a traction 1 at s2 falling "
-                "linearly to 0 at s1 and s3 (s1 = s2 or s2 = s3: one side only). E* = 1",
+                "linearly to 0 at s1 and s3 (s1 = s2 or s2 = s3: one side only). E* = 1. -: the kind has "
+                "no such radius",
         "source": f"{PAPER}, Eqs 11, 12, A1-A4, Sec. 3.1",
         "kind": "oracle",
         "method": "complete elliptic integrals (arithmetic-geometric mean; triangles: tanh-sinh "

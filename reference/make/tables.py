@@ -1,12 +1,13 @@
 """Reference tables: CSV with a `# key: value` header and a checksum.
 
-The value of `# sha256:` is the checksum of everything below the header (the
-line of column names and the data lines), bytes as written.
+The value of `# sha256:` is the checksum of all other lines of the file, header
+and rows, bytes as written.
 """
 
 import hashlib
 from pathlib import Path
 
+SEAL = "# sha256:"
 STORED_FLOOR = 1e-10      # no stored uncertainty is smaller
 
 
@@ -20,14 +21,26 @@ def bound(x):
     return f"{max(x, STORED_FLOOR):.1e}"
 
 
+def checksum(lines):
+    """Of all lines but the one that states it."""
+    text = "".join(line for line in lines if not line.startswith(SEAL))
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def seal_lines(lines):
+    """The lines with the right checksum above the line of column names."""
+    lines = [line for line in lines if not line.startswith(SEAL)]
+    place = next(i for i, line in enumerate(lines) if not line.startswith("#"))
+    return lines[:place] + [f"{SEAL} {checksum(lines)}\n"] + lines[place:]
+
+
 def write_table(path, header, columns, rows):
     """rows are sequences of strings; written through a temporary file."""
     body = "\n".join([",".join(columns)] + [",".join(row) for row in rows]) + "\n"
-    digest = hashlib.sha256(body.encode()).hexdigest()
-    head = "".join(f"# {key}: {value}\n" for key, value in {**header, "sha256": digest}.items())
+    head = "".join(f"# {key}: {value}\n" for key, value in header.items())
     path = Path(path)
     partial = path.with_suffix(".partial")
-    partial.write_text(head + body)
+    partial.write_text("".join(seal_lines((head + body).splitlines(keepends=True))))
     partial.replace(path)
 
 
@@ -37,7 +50,7 @@ def read_table(path):
     head = [line for line in lines if line.startswith("#")]
     header = dict(line[1:].strip().split(": ", 1) for line in head)
     body = lines[len(head):]
-    if hashlib.sha256("".join(body).encode()).hexdigest() != header.get("sha256"):
-        raise ValueError(f"{path}: the data do not match their sha256")
+    if checksum(lines) != header.get("sha256"):
+        raise ValueError(f"{path}: header and rows do not match their sha256")
     columns = body[0].strip().split(",")
     return header, [dict(zip(columns, line.strip().split(","))) for line in body[1:]]

@@ -1,5 +1,5 @@
 # Figure 3: load against minus the approach; below, the distance of the reference from the branch.
-# Data: computed.dat (a block a Tabor parameter), reference.dat, rigid.dat, residual.dat.
+# Data: computed.dat (a block a Tabor parameter), reference.dat, rigid.dat, published.dat, residual.dat.
 
 left = 0.088; right = 0.985
 set multiplot
@@ -19,6 +19,8 @@ plot for [i = 1:curve_count] 'computed.dat' index i-1 using 1:2 with lines \
      for [i = 1:mark_count] 'reference.dat' index i-1 using 1:2 with points \
        pointtype mark_shape[i] pointsize 0.7 linewidth 1.25 linecolor rgb mark_colour[i] \
        title (i == 1 ? 'reference, Feng’s problem' : ''), \
+     for [i = 1:(cross_count > 0)] 'published.dat' using 1:2 with points \
+       pointtype 1 pointsize 0.8 linewidth 1.25 linecolor rgb black title 'Feng, read off his figure', \
      for [i = 1:(dot_count > 0)] 'rigid.dat' using 1:2 with points \
        pointtype 7 pointsize 0.5 linecolor rgb vermillion title 'Bradley, rigid'
 

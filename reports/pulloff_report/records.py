@@ -12,15 +12,16 @@ NUMBER = (int, float, type(None))
 # What a report needs of a record: key -> type, at each of its levels.
 RECORD = {"case": str, "title": str, "suites": list, "command": str, "versions": dict,
           "environment": dict, "plan": list, "points": list, "checks": list, "verdict": str}
-POINT = {"id": str, "label": str, "sweep": dict, "status": str, "work": dict}
+POINT = {"id": str, "label": str, "sweep": dict, "status": str, "failed": bool, "work": dict}
 CHECK = {"id": str, "quantity": str, "obtained": NUMBER, "expected": NUMBER, "error": NUMBER,
          "kind": str, "tolerance": NUMBER, "ratio": NUMBER, "ledger": str, "verdict": str,
          "because": str}
+LEFT_OUT = {"quantity": str, "reference": str, "stand_in": str}
 VERDICTS = ("within", "outside", "no_result", "missing_reference", "improved", "regressed", "moved",
             "wrong_and_frozen", "slack")
 PASSING = ("within", "improved", "slack")  # the last two are told nevertheless
 SILENT = ("no_result", "missing_reference")
-TYPE_NAMES = {str: "a string", list: "a list", dict: "an object", NUMBER: "a number or null"}
+TYPE_NAMES = {str: "a string", bool: "true or false", list: "a list", dict: "an object", NUMBER: "a number or null"}
 
 
 def demand(entry, wanted, path, where):
@@ -31,7 +32,7 @@ def demand(entry, wanted, path, where):
         name = f"{where}.{key}" if where else key
         if key not in entry:
             raise ReportError(f"{path}: {name} is missing")
-        if not isinstance(entry[key], kind) or isinstance(entry[key], bool):
+        if not isinstance(entry[key], kind) or (isinstance(entry[key], bool) and kind is not bool):
             raise ReportError(f"{path}: {name} is {json.dumps(entry[key])[:40]}, "
                               f"expected {TYPE_NAMES[kind]}")
 
@@ -55,6 +56,7 @@ class Case:
         self.figure_script = record.get("figure_script")
         self.points = record["points"]
         self.checks = record["checks"]
+        self.left_out = record.get("left_out", [])
         self.verdict = record["verdict"]
         self._points = {point["id"]: point for point in self.points}
 
@@ -66,6 +68,8 @@ class Case:
         demand(record, RECORD, self.path, "")
         for place, point in enumerate(record["points"]):
             demand(point, POINT, self.path, f"points[{place}]")
+        for place, check in enumerate(record.get("left_out", [])):
+            demand(check, LEFT_OUT, self.path, f"left_out[{place}]")
         for place, check in enumerate(record["checks"]):
             demand(check, CHECK, self.path, f"checks[{place}]")
             if check["verdict"] not in VERDICTS:
@@ -91,8 +95,12 @@ class Case:
     def count(self, *verdicts):
         return sum(check["verdict"] in verdicts for check in self.checks)
 
-    def failed_points(self):
+    def unsolved_points(self):
         return [point for point in self.points if point["status"] != "ok"]
+
+    def failed_points(self):
+        """Those whose solve failed, but for what a share of the solves may."""
+        return [point for point in self.points if point["failed"]]
 
     def worst(self):
         """The greatest |error| in units of its tolerance, or None."""

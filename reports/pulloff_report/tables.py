@@ -32,7 +32,7 @@ class Table:
         while start < len(lines) and lines[start].startswith("#"):
             self._read_header(lines[start])
             start += 1
-        self._data = "".join(lines[start:])
+        self._sealed = "".join(line for line in lines if not line.startswith("# sha256:"))
         self._read_rows(lines[start:], start + 1)
 
     def _read_header(self, line):
@@ -67,8 +67,8 @@ class Table:
         return values
 
     def digest(self):
-        """sha256 of the column row and the data rows, as written."""
-        return hashlib.sha256(self._data.encode("utf-8")).hexdigest()
+        """sha256 of all lines but the one that states it, as written."""
+        return hashlib.sha256(self._sealed.encode("utf-8")).hexdigest()
 
     def digest_state(self):
         """Whether the data are those the header was written for."""

@@ -88,11 +88,25 @@ static po_status add_row(po_csv *csv, char *line, size_t number) {
   return PO_OK;
 }
 
+/* The digest of a text without its line of the digest itself. */
+static void take_digest(po_csv *csv, size_t size) {
+  static const char SEAL[] = "# sha256:";
+  const char *line = csv->text, *end = csv->text + size;
+  while (line < end && strncmp(line, SEAL, sizeof SEAL - 1) != 0) {
+    const char *stop = strchr(line, '\n');
+    line = stop ? stop + 1 : end;
+  }
+  const char *stop = line < end ? strchr(line, '\n') : NULL;
+  const char *rest = stop ? stop + 1 : end;
+  po_digest_two(csv->text, (size_t)(line - csv->text), rest, (size_t)(end - rest), csv->digest);
+}
+
 static po_status parse(po_csv *csv, size_t size) {
   if (size == 0)
     return po_fail(PO_CANNOT_READ, "%s is empty: expected a table", csv->path);
   if (memchr(csv->text, '\0', size))
     return po_fail(PO_CANNOT_READ, "%s is not text: it holds a zero byte", csv->path);
+  take_digest(csv, size);
   po_status status = PO_OK;
   size_t number = 1;
   for (char *line = csv->text, *end = csv->text + size; !status && line < end; ++number) {
@@ -101,8 +115,6 @@ static po_status parse(po_csv *csv, size_t size) {
       return po_fail(PO_CANNOT_READ, "%s:%zu: the last line does not end: the file is truncated",
                      csv->path, number);
     const bool is_header = line[0] == '#';
-    if (!csv->columns && !is_header)
-      po_digest_bytes(line, (size_t)(end - line), csv->data_digest);
     *stop = '\0';
     if (stop > line && stop[-1] == '\r')
       stop[-1] = '\0';
@@ -166,6 +178,15 @@ po_status po_csv_number(const po_csv *csv, size_t row, size_t column, double *va
     return PO_OK;
   return po_fail(PO_CANNOT_READ, "%s:%zu: %s is %s: expected a finite number", csv->path,
                  csv->lines[row], csv->columns[column], cell);
+}
+
+void po_csv_seal(const po_text *header, const po_text *rows, po_text *file,
+                 char digest[PO_DIGEST_LENGTH]) {
+  po_digest_two(po_text_string(header), header->length, po_text_string(rows), rows->length, digest);
+  po_text_add_bytes(file, po_text_string(header), header->length);
+  po_text_add(file, "# sha256: %s\n", digest);
+  po_text_add_bytes(file, po_text_string(rows), rows->length);
+  file->failed = file->failed || header->failed || rows->failed;
 }
 
 void po_csv_add_row(po_text *text, const double *values, size_t count) {

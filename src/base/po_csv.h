@@ -27,7 +27,7 @@ typedef struct {
   size_t *lines; /* of each row in the file, from 1 */
   size_t row_count;
   size_t column_line;
-  char data_digest[PO_DIGEST_LENGTH]; /* of the bytes from the column names to the end */
+  char digest[PO_DIGEST_LENGTH]; /* of all its bytes but the line `# sha256: ...` */
 } po_csv;
 
 /* Reads and checks a table. `name` is what messages call it.
@@ -50,6 +50,11 @@ const char *po_csv_cell(const po_csv *csv, size_t row, size_t column);
 
 /* The finite number in a cell. Status: PO_CANNOT_READ with file, line, column and what is there. */
 po_status po_csv_number(const po_csv *csv, size_t row, size_t column, double *value);
+
+/* Appends a table to `file`: the lines of its header, `# sha256: DIGEST` of header and rows, and
+ * the rows with their line of column names. Returned: that digest, as po_csv_read finds it. */
+void po_csv_seal(const po_text *header, const po_text *rows, po_text *file,
+                 char digest[PO_DIGEST_LENGTH]);
 
 /* Appends one row of numbers, each printed so that it reads back exactly. */
 void po_csv_add_row(po_text *text, const double *values, size_t count);

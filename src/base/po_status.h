@@ -14,6 +14,7 @@
   X(PO_INTERRUPTED, 6, "interrupted")                                                              \
   X(PO_OUT_OF_DOMAIN, 7, "the contact reached the end of the meshed surface")                      \
   X(PO_OUT_OF_NODES, 8, "the traction needs more nodes than allowed")                              \
+  X(PO_OUT_OF_TIME, 9, "the solve took more processor time than allowed")                          \
   X(PO_BAD_INPUT, -1, "bad input")                                                                 \
   X(PO_NO_MEMORY, -2, "out of memory")                                                             \
   X(PO_CANNOT_READ, -3, "a file could not be read")                                                \

@@ -5,8 +5,10 @@
 
 #include "po_input.h"
 #include "po_json.h"
+#include "po_print_physical.h"
 
-po_status po_print_json(const po_request *request, const po_outcome *outcome) {
+po_status po_print_json(const po_request *request, const po_scene_flags *flags,
+                        const po_outcome *outcome) {
   json_t *document = json_object();
   json_object_set_new(document, "schema", json_string("pulloff/1"));
   json_t *found = po_json_outcome(request, outcome);
@@ -18,6 +20,8 @@ po_status po_print_json(const po_request *request, const po_outcome *outcome) {
     json_object_set_new(document, "profile_approach", po_json_number(outcome->profile_approach));
     json_object_set_new(document, "profile", po_json_profile(outcome));
   }
+  if (flags->from_physical)
+    json_object_set_new(document, "physical", po_json_physical(flags, request, outcome));
   po_text text = {0};
   const po_status status = po_json_print(whole ? document : NULL, &text);
   if (!status)
@@ -56,7 +60,8 @@ static void print_input(const po_request *request) {
   printf("\n");
 }
 
-po_status po_print_text(const po_request *request, const po_outcome *outcome) {
+po_status po_print_text(const po_request *request, const po_scene_flags *flags,
+                        const po_outcome *outcome) {
   print_input(request);
   printf("status   %s%s%s\n", po_status_name(outcome->status), outcome->rigid ? ", rigid" : "",
          outcome->has_pull_off ? "" : ", no pull-off found");
@@ -73,6 +78,8 @@ po_status po_print_text(const po_request *request, const po_outcome *outcome) {
     print_landmarks(outcome->folds, outcome->fold_count);
     print_landmarks(outcome->extrema, outcome->extremum_count);
   }
+  if (flags->from_physical)
+    po_print_physical(flags, outcome);
   printf(
       "work     %llu points, %llu Newton iterations, %llu factorisations of %llu nodes, %.3g s\n",
       (unsigned long long)outcome->work.points, (unsigned long long)outcome->work.newton_iterations,

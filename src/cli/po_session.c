@@ -1,5 +1,7 @@
 #include "po_session.h"
 
+#include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,11 +10,12 @@
 #include "po_interrupt.h"
 #include "po_memory.h"
 #include "po_number.h"
+#include "po_summary.h"
 
 static const size_t MOST_JOBS = 4096;
 
 po_session po_session_default(void) {
-  return (po_session){.options = {.output = "build/run"}};
+  return (po_session){.time_limit = NAN, .options = {.output = "build/run", .last = SIZE_MAX}};
 }
 
 po_status po_session_suites(const char *list, unsigned *suites) {
@@ -29,6 +32,18 @@ po_status po_session_suites(const char *list, unsigned *suites) {
   return *suites ? PO_OK : po_options_refuse("suite", list, PO_SUITE_NAMES);
 }
 
+/* "17" or "0-499". */
+static po_status take_points(const char *text, po_run_options *options) {
+  char first[32];
+  const size_t length = strcspn(text, "-");
+  snprintf(first, sizeof first, "%.*s", (int)(length < 31 ? length : 31), text);
+  const char *last = text[length] ? text + length + 1 : first;
+  if (!po_number_parse_count(first, &options->first) ||
+      !po_number_parse_count(last, &options->last) || options->last < options->first)
+    return po_options_refuse("points", text, "FROM-TO or one number, counted from 0");
+  return PO_OK;
+}
+
 po_status po_session_option(po_session *session, int option) {
   size_t jobs = 0;
   switch (option) {
@@ -38,10 +53,16 @@ po_status po_session_option(po_session *session, int option) {
     session->options.output = optarg;
     return *optarg ? PO_OK : po_options_refuse("output", optarg, "the name of a folder");
   case PO_SESSION_JOBS:
-    if (!po_number_parse_count(optarg, &jobs) || jobs < 1 || jobs > MOST_JOBS)
-      return po_options_refuse("jobs", optarg, "a whole number > 0");
+    if (!po_number_parse_count(optarg, &jobs) || jobs > MOST_JOBS)
+      return po_options_refuse("jobs", optarg, "a whole number, 0 for all cores");
     session->options.jobs = (int)jobs;
     return PO_OK;
+  case PO_SESSION_POINTS:
+    return take_points(optarg, &session->options);
+  case PO_SESSION_TIME_LIMIT:
+    return po_number_parse(optarg, &session->time_limit) && session->time_limit > 0
+               ? PO_OK
+               : po_options_refuse("time-limit", optarg, "a finite number > 0");
   default:
     session->options.fresh = true;
     return PO_OK;
@@ -54,20 +75,38 @@ static po_status plan_all(po_session *session) {
   po_status status = session->runs ? PO_OK : PO_NO_MEMORY;
   for (size_t i = 0; !status && i < count; ++i) {
     po_plan *plan = NULL;
-    status = po_plan_create(session->catalog.cases[i], po_environment_data(), &plan);
+    po_case *kase = session->catalog.cases[i];
+    for (size_t k = 0; !isnan(session->time_limit) && k < kase->point_count; ++k)
+      kase->points[k].request.time_limit = session->time_limit;
+    status = po_plan_create(kase, po_environment_data(), &plan);
     if (!status)
       status = po_case_run_create(plan, &session->runs[i]);
   }
   return status;
 }
 
+static po_status check_points(const po_session *session) {
+  for (size_t i = 0; i < session->catalog.count; ++i) {
+    const po_case *kase = session->catalog.cases[i];
+    if (session->options.first >= kase->point_count)
+      return po_fail(PO_BAD_INPUT,
+                     "--points begins at %zu: expected less than %zu, the points of %s",
+                     session->options.first, kase->point_count, kase->file->name);
+  }
+  return PO_OK;
+}
+
 static po_status open_cases(po_session *session, char *const *names, size_t count) {
   if (count && session->suites)
     return po_fail(PO_BAD_INPUT, "cases and --suite are given: expected one of them");
+  /* What is long is run only when it is named. */
+  const unsigned suites = session->suites ? session->suites : ~(unsigned)PO_SUITE_RANDOM;
   po_status status =
-      po_catalog_open(po_environment_data(), names, count, session->suites, &session->catalog);
+      po_catalog_open(po_environment_data(), names, count, suites, &session->catalog);
   if (!status && session->catalog.count == 0)
     status = po_fail(PO_BAD_INPUT, "there is no such case in %s/cases", po_environment_data());
+  if (!status)
+    status = check_points(session);
   if (!status)
     status = plan_all(session);
   return status;
@@ -102,6 +141,17 @@ size_t po_session_outside(const po_session *session) {
   for (size_t i = 0; i < session->catalog.count; ++i)
     total += po_case_run_outside(&session->runs[i]);
   return total;
+}
+
+po_status po_session_summarise(const po_session *session) {
+  po_text text = {0};
+  for (size_t i = 0; i < session->catalog.count; ++i)
+    if (session->catalog.cases[i]->file->sample)
+      po_summary_add(&session->runs[i], &text);
+  fputs(po_text_string(&text), stdout);
+  const po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
+  po_text_clear(&text);
+  return status;
 }
 
 void po_session_clear(po_session *session) {

@@ -10,6 +10,7 @@
 
 typedef struct {
   unsigned suites;
+  double time_limit; /* instead of that of the cases; NAN: theirs */
   po_run_options options;
   po_catalog catalog;
   po_case_run *runs; /* one a case of the catalog */
@@ -20,6 +21,8 @@ enum {
   PO_SESSION_SUITE = 1,
   PO_SESSION_OUTPUT,
   PO_SESSION_JOBS,
+  PO_SESSION_POINTS,
+  PO_SESSION_TIME_LIMIT,
   PO_SESSION_FRESH,
   PO_SESSION_NEXT
 };
@@ -28,6 +31,8 @@ enum {
   {"suite", required_argument, NULL, PO_SESSION_SUITE},                                            \
   {"output", required_argument, NULL, PO_SESSION_OUTPUT},                                          \
   {"jobs", required_argument, NULL, PO_SESSION_JOBS},                                              \
+  {"points", required_argument, NULL, PO_SESSION_POINTS},                                          \
+  {"time-limit", required_argument, NULL, PO_SESSION_TIME_LIMIT},                                  \
   {"fresh", no_argument, NULL, PO_SESSION_FRESH},                                                  \
   {"help", no_argument, NULL, PO_OPTION_HELP}
 
@@ -35,6 +40,7 @@ enum {
 #define PO_SESSION_CASE_OPTIONS                                                                    \
   {"output", required_argument, NULL, PO_SESSION_OUTPUT},                                          \
   {"jobs", required_argument, NULL, PO_SESSION_JOBS},                                              \
+  {"time-limit", required_argument, NULL, PO_SESSION_TIME_LIMIT},                                  \
   {"fresh", no_argument, NULL, PO_SESSION_FRESH},                                                  \
   {"help", no_argument, NULL, PO_OPTION_HELP}
 // clang-format on
@@ -57,6 +63,10 @@ po_status po_session_solve(po_session *session);
 /* Solves that failed, and checks that do not pass, of all cases. */
 size_t po_session_failures(const po_session *session);
 size_t po_session_outside(const po_session *session);
+
+/* Prints on standard output the summary of each case whose scenes are drawn at random.
+ * Status: PO_NO_MEMORY. */
+po_status po_session_summarise(const po_session *session);
 
 void po_session_clear(po_session *session);
 

@@ -14,7 +14,8 @@ static const char HELP[] =
     "3), and while a check of the case against an oracle does not pass (exit code 1).\n\n"
     "  --reason TEXT  why these numbers are accepted, in one line\n"
     "  --output DIR   where the records are (build/run)\n"
-    "  --jobs N       points solved side by side (all cores); the numbers do not depend on it\n"
+    "  --jobs N       points solved side by side (0: all cores); the numbers do not depend on it\n"
+    "  --time-limit S seconds of processor time a solve may take, instead of what the case says\n"
     "  --fresh        solve again what is there\n"
     "  --help         this text\n\n"
     "Example: pulloff bless smoke --reason \"Newton stops two digits later\"\n";

@@ -18,7 +18,8 @@ static const char HELP[] =
     "  --all          the checks that are within, too\n"
     "  --json         one JSON document\n"
     "  --output DIR   where the records are (build/run)\n"
-    "  --jobs N       points solved side by side (all cores); the numbers do not depend on it\n"
+    "  --jobs N       points solved side by side (0: all cores); the numbers do not depend on it\n"
+    "  --time-limit S seconds of processor time a solve may take, instead of what the case says\n"
     "  --fresh        solve again what is there\n"
     "  --help         this text\n\n"
     "Example: pulloff explain fig03 --point tabor=1 --all\n";
@@ -66,13 +67,14 @@ static po_status print(const po_case_run *run, const po_explain_choice *choice, 
   return status;
 }
 
-static int code_of(const po_case_run *run, const bool *points) {
+static int code_of(const po_case_run *run, const po_explain_choice *choice) {
   int code = PO_EXIT_OK;
   for (size_t i = 0; i < run->results.count; ++i)
-    if (points[run->results.items[i].point] && !po_verdict_passes(run->results.items[i].verdict))
+    if (po_explain_concerns(run, choice, &run->results.items[i]) &&
+        !po_verdict_passes(run->results.items[i].verdict))
       code = PO_EXIT_OUTSIDE;
   for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-    if (points[i] && run->outcomes[i].status != PO_OK)
+    if (choice->points[i] && po_case_run_failed(run, i))
       code = PO_EXIT_SOLVE;
   return code;
 }
@@ -110,7 +112,7 @@ int po_verb_explain(int argc, char **argv) {
     status = print(&session.runs[0], &choice, json);
   int code = po_options_end(status);
   if (!status)
-    code = code_of(&session.runs[0], points);
+    code = code_of(&session.runs[0], &choice);
   free(points);
   po_session_clear(&session);
   return code;

@@ -5,19 +5,23 @@
 
 #include "po_environment.h"
 #include "po_json.h"
+#include "po_list_references.h"
 #include "po_session.h"
 #include "po_verbs.h"
 
 static const char HELP[] = "Usage: pulloff list [OPTION]...\n"
-                           "Lists the cases.\n\n"
+                           "Lists the cases, or the reference tables.\n\n"
                            "  --suite S[,S]   only those of these suites\n"
+                           "  --references    every reference table, checked: exit code 4\n"
+                           "                  when one is missing, cut short or altered\n"
                            "  --json          one JSON document\n"
                            "  --help          this text\n\n"
                            "Example: pulloff list --suite paper\n";
 
-enum { SUITE = 1, JSON };
+enum { SUITE = 1, REFERENCES, JSON };
 
 static const struct option OPTIONS[] = {{"suite", required_argument, NULL, SUITE},
+                                        {"references", no_argument, NULL, REFERENCES},
                                         {"json", no_argument, NULL, JSON},
                                         {"help", no_argument, NULL, PO_OPTION_HELP},
                                         {NULL, 0, NULL, 0}};
@@ -66,13 +70,15 @@ int po_verb_list(int argc, char **argv) {
   po_catalog catalog = {0};
   po_status status = PO_OK;
   unsigned suites = 0;
-  bool json = false;
+  bool json = false, references = false;
   int option = 0;
   while (!status && (option = po_options_next(&options)) > 0) {
     if (option == PO_OPTION_HELP)
       return PO_EXIT_OK;
     if (option == JSON)
       json = true;
+    else if (option == REFERENCES)
+      references = true;
     else
       status = po_session_suites(optarg, &suites);
   }
@@ -82,7 +88,9 @@ int po_verb_list(int argc, char **argv) {
     status = po_options_no_operands(&options);
   if (!status)
     status = po_catalog_open(po_environment_data(), NULL, 0, suites, &catalog);
-  if (!status && json)
+  if (!status && references)
+    status = po_list_references(&catalog, json);
+  else if (!status && json)
     status = print_json(&catalog);
   else if (!status)
     print_table(&catalog);

@@ -7,12 +7,20 @@ static const char HELP[] =
     "Usage: pulloff run [OPTION]... [CASE]...\n"
     "Solves cases, points side by side, and keeps a record of each. What an earlier run left and\n"
     "still holds is kept. CASE is a name (see pulloff list) or the path of a YAML file; without\n"
-    "any, all cases.\n\n"
-    "  --suite S[,S]   the cases of these suites: smoke, paper, extreme, precision\n"
+    "any, all cases but those of the suite random, which is long.\n\n"
+    "  --suite S[,S]   the cases of these suites: smoke, paper, extreme,\n"
+    "                  precision, random\n"
     "  --output DIR    where the records go (build/run)\n"
-    "  --jobs N        points solved side by side (all cores); the numbers do not depend on it\n"
+    "  --jobs N        points solved side by side (0: all cores); the numbers do not depend\n"
+    "                  on it\n"
+    "  --points A[-B]  only these points of each case, counted from 0; they are kept for a run of\n"
+    "                  the whole\n"
+    "  --time-limit S  seconds of processor time a solve may take, instead of what the case says\n"
     "  --fresh         solve again what is there\n"
     "  --help          this text\n\n"
+    "Of a case whose scenes are drawn at random a summary is printed: how many ended how, what "
+    "they\n"
+    "took, and for each failure its reason and the line that repeats it.\n\n"
     "Example: pulloff run fig03 --jobs 2\n";
 
 static const struct option OPTIONS[] = {PO_SESSION_OPTIONS, {NULL, 0, NULL, 0}};
@@ -31,6 +39,8 @@ int po_verb_run(int argc, char **argv) {
     status = PO_BAD_INPUT;
   if (!status)
     status = po_session_run(&session, argv + optind, (size_t)(argc - optind));
+  if (!status)
+    status = po_session_summarise(&session);
   const size_t failures = status ? 0 : po_session_failures(&session);
   int code = po_options_end(status);
   if (failures) {

@@ -8,6 +8,7 @@
 #include "po_linear.h"
 #include "po_options.h"
 #include "po_print.h"
+#include "po_scene_flags.h"
 #include "po_tables.h"
 #include "po_verbs.h"
 
@@ -27,31 +28,32 @@ static const char HELP[] =
     "  --tolerance T           relative, of the pull-off force, for panel (1e-6)\n"
     "  --approach-start D      where the trace begins (chosen by the solver)\n"
     "  --approach-end D        where it ends (once the pull-off is certain)\n"
+    "  --time-limit S          seconds of processor time after which the solve ends (none)\n"
     "  --want curve,profile    points of the branch; gap and traction over the radius\n"
     "  --profile-approach D    where the profile is taken (at pull-off)\n"
-    "  --curve FILE            write the points of the branch as CSV\n"
-    "  --profile FILE          write the profile as CSV\n"
+    "  --curve FILE            write the points of the branch as CSV, dimensionless\n"
+    "  --profile FILE          write the profile as CSV, dimensionless\n"
     "  --json                  one JSON document on standard output, nothing else\n"
-    "  --help                  this text\n\n"
-    "Example: pulloff solve --tabor 3 --amplitude 1 --wavelength 20 --outer-radius 100 --json\n";
+    "  --help                  this text\n\n" PO_SCENE_FLAGS_HELP "\n"
+    "Example: pulloff solve --tabor 3 --amplitude 1 --wavelength 20 --outer-radius 100 --json\n"
+    "Example: pulloff solve --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 \\\n"
+    "             --distance-m 3e-10 --radius-m 1e-7\n";
 
-enum { WANT = 100, PROFILE_APPROACH, CURVE_FILE, PROFILE_FILE, JSON }; /* above every po_key + 1 */
+enum { WANT = PO_FLAG_NEXT, CURVE_FILE, PROFILE_FILE, JSON, KEY };
 
-/* The values of the scene's options are po_key + 1. */
+/* The values of the options of the mesh are KEY + po_key. */
 static const struct option OPTIONS[] = {
-    {"tabor", required_argument, NULL, PO_KEY_TABOR + 1},
-    {"amplitude", required_argument, NULL, PO_KEY_AMPLITUDE + 1},
-    {"wavelength", required_argument, NULL, PO_KEY_WAVELENGTH + 1},
-    {"radius", required_argument, NULL, PO_KEY_RADIUS + 1},
-    {"outer-radius", required_argument, NULL, PO_KEY_OUTER_RADIUS + 1},
-    {"scheme", required_argument, NULL, PO_KEY_SCHEME + 1},
-    {"grading", required_argument, NULL, PO_KEY_GRADING + 1},
-    {"nodes", required_argument, NULL, PO_KEY_NODES + 1},
-    {"tolerance", required_argument, NULL, PO_KEY_TOLERANCE + 1},
-    {"approach-start", required_argument, NULL, PO_KEY_APPROACH_START + 1},
-    {"approach-end", required_argument, NULL, PO_KEY_APPROACH_END + 1},
+    PO_SCENE_OPTIONS,
+    PO_LENGTH_OPTIONS("outer-radius", PO_LENGTH_OUTER_RADIUS),
+    {"scheme", required_argument, NULL, KEY + PO_KEY_SCHEME},
+    {"grading", required_argument, NULL, KEY + PO_KEY_GRADING},
+    {"nodes", required_argument, NULL, KEY + PO_KEY_NODES},
+    {"tolerance", required_argument, NULL, KEY + PO_KEY_TOLERANCE},
+    PO_LENGTH_OPTIONS("approach-start", PO_LENGTH_APPROACH_START),
+    PO_LENGTH_OPTIONS("approach-end", PO_LENGTH_APPROACH_END),
+    {"time-limit", required_argument, NULL, KEY + PO_KEY_TIME_LIMIT},
     {"want", required_argument, NULL, WANT},
-    {"profile-approach", required_argument, NULL, PROFILE_APPROACH},
+    PO_LENGTH_OPTIONS("profile-approach", PO_LENGTH_PROFILE_APPROACH),
     {"curve", required_argument, NULL, CURVE_FILE},
     {"profile", required_argument, NULL, PROFILE_FILE},
     {"json", no_argument, NULL, JSON},
@@ -60,9 +62,9 @@ static const struct option OPTIONS[] = {
 
 typedef struct {
   po_request request;
+  po_scene_flags flags;
   const char *curve, *profile; /* files; NULL: none */
   bool json;
-  unsigned given; /* bit po_key: the option was there */
 } solve_line;
 
 static po_status take_want(solve_line *line, const char *list) {
@@ -80,23 +82,22 @@ static po_status take_want(solve_line *line, const char *list) {
   }
 }
 
-/* The name of an option by its value. */
-static const char *option_name(int value) {
-  const struct option *option = OPTIONS;
-  while (option->name && option->val != value)
-    ++option;
-  return option->name ? option->name : "";
+/* A key of the mesh or of the solve, by the name its option has. */
+static po_status take_key(solve_line *line, po_key key, int option) {
+  if (po_key_set(&line->request, key, optarg))
+    return PO_OK;
+  const struct option *given = OPTIONS;
+  while (given->val != option)
+    ++given;
+  return po_options_refuse(given->name, optarg, po_key_expected(key));
 }
 
 static po_status take_option(solve_line *line, int option) {
+  if (option < PO_FLAG_NEXT)
+    return po_scene_flags_take(&line->flags, option);
   switch (option) {
   case WANT:
     return take_want(line, optarg);
-  case PROFILE_APPROACH:
-    line->request.want |= PO_WANT_PROFILE;
-    return po_number_parse(optarg, &line->request.profile_approach)
-               ? PO_OK
-               : po_options_refuse("profile-approach", optarg, "a finite number");
   case CURVE_FILE:
     line->curve = optarg;
     line->request.want |= PO_WANT_CURVE;
@@ -109,18 +110,30 @@ static po_status take_option(solve_line *line, int option) {
     line->json = true;
     return PO_OK;
   default:
-    line->given |= 1u << (option - 1);
-    return po_key_set(&line->request, (po_key)(option - 1), optarg)
-               ? PO_OK
-               : po_options_refuse(option_name(option), optarg,
-                                   po_key_expected((po_key)(option - 1)));
+    return take_key(line, (po_key)(option - KEY), option);
   }
 }
 
-static po_status check_line(const solve_line *line) {
-  if (line->request.scene.amplitude > 0 && !(line->given & 1u << PO_KEY_WAVELENGTH))
-    return po_fail(PO_BAD_INPUT, "--amplitude is given without --wavelength: expected both");
-  return po_request_check(&line->request);
+/* Puts the request together and checks it. */
+static po_status end_line(solve_line *line) {
+  po_request *request = &line->request;
+  const double *length = line->flags.length;
+  const po_status status = po_scene_flags_end(&line->flags, true, &request->scene);
+  if (status)
+    return status;
+  if (request->scene.amplitude > 0 && isnan(length[PO_LENGTH_WAVELENGTH])) {
+    char amplitude[32], wavelength[32];
+    po_scene_flags_name(&line->flags, PO_LENGTH_AMPLITUDE, amplitude);
+    po_scene_flags_name(&line->flags, PO_LENGTH_WAVELENGTH, wavelength);
+    return po_fail(PO_BAD_INPUT, "--%s is given without --%s: expected both", amplitude,
+                   wavelength);
+  }
+  request->approach_start = length[PO_LENGTH_APPROACH_START];
+  request->approach_end = length[PO_LENGTH_APPROACH_END];
+  request->profile_approach = length[PO_LENGTH_PROFILE_APPROACH];
+  if (!isnan(request->profile_approach))
+    request->want |= PO_WANT_PROFILE;
+  return po_request_check(request);
 }
 
 static po_status write_files(const solve_line *line, const po_outcome *outcome) {
@@ -141,8 +154,8 @@ static int solve(solve_line *line) {
     snprintf(outcome.reason, sizeof outcome.reason, "%.250s", po_message());
   po_status status = solved ? PO_OK : write_files(line, &outcome);
   if (!status)
-    status = line->json ? po_print_json(&line->request, &outcome)
-                        : po_print_text(&line->request, &outcome);
+    status = line->json ? po_print_json(&line->request, &line->flags, &outcome)
+                        : po_print_text(&line->request, &line->flags, &outcome);
   if (!status && solved)
     status = po_fail(solved, "the solve failed: %s", outcome.reason);
   po_outcome_clear(&outcome);
@@ -151,7 +164,7 @@ static int solve(solve_line *line) {
 
 int po_verb_solve(int argc, char **argv) {
   const po_options options = {"solve", HELP, OPTIONS, argc, argv};
-  solve_line line = {.request = po_request_default()};
+  solve_line line = {.request = po_request_default(), .flags = po_scene_flags_default()};
   po_status status = PO_OK;
   int option = 0;
   while (!status && (option = po_options_next(&options)) > 0) {
@@ -164,6 +177,6 @@ int po_verb_solve(int argc, char **argv) {
   if (!status)
     status = po_options_no_operands(&options);
   if (!status)
-    status = check_line(&line);
+    status = end_line(&line);
   return status ? po_options_end(status) : solve(&line);
 }

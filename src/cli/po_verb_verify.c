@@ -1,6 +1,8 @@
 #include <stdio.h>
 
+#include "po_environment.h"
 #include "po_file.h"
+#include "po_reference_list.h"
 #include "po_session.h"
 #include "po_text.h"
 #include "po_verbs.h"
@@ -10,10 +12,15 @@ static const char HELP[] =
     "Usage: pulloff verify [OPTION]... [CASE]...\n"
     "Runs what is missing of the cases, sets every number beside its reference and prints the\n"
     "verdicts. Exit code 1 when a check does not pass (within, improved and slack do), 3 when a\n"
-    "solve failed.\n\n"
-    "  --suite S[,S]   the cases of these suites: smoke, paper, extreme, precision\n"
+    "solve failed. Without a CASE every reference table is checked first, used or not.\n\n"
+    "  --suite S[,S]   the cases of these suites: smoke, paper, extreme,\n"
+    "                  precision, random\n"
     "  --output DIR    where the records are (build/run)\n"
-    "  --jobs N        points solved side by side (all cores); the numbers do not depend on it\n"
+    "  --jobs N        points solved side by side (0: all cores); the numbers do not depend\n"
+    "                  on it\n"
+    "  --points A[-B]  only these points of each case, counted from 0; they are kept for a run of\n"
+    "                  the whole\n"
+    "  --time-limit S  seconds of processor time a solve may take, instead of what the case says\n"
     "  --fresh         solve again what is there\n"
     "  --tap           print TAP 13, one line a check\n"
     "  --junit FILE    write JUnit XML, too\n"
@@ -26,6 +33,16 @@ static const struct option OPTIONS[] = {PO_SESSION_OPTIONS,
                                         {"tap", no_argument, NULL, TAP},
                                         {"junit", required_argument, NULL, JUNIT},
                                         {NULL, 0, NULL, 0}};
+
+/* Without names: no table may be missing, cut short or altered, whether a case uses it or not. */
+static po_status check_references(void) {
+  po_reference_list list;
+  po_status status = po_reference_list_open(po_environment_data(), &list);
+  if (!status)
+    status = po_reference_list_check(&list);
+  po_reference_list_close(&list);
+  return status;
+}
 
 static po_status print(const po_session *session, bool tap, const char *junit) {
   po_text text = {0};
@@ -63,10 +80,14 @@ int po_verb_verify(int argc, char **argv) {
   }
   if (option == PO_OPTION_BAD)
     status = PO_BAD_INPUT;
+  if (!status && optind == argc)
+    status = check_references();
   if (!status)
     status = po_session_run(&session, argv + optind, (size_t)(argc - optind));
   if (!status)
     status = print(&session, tap, junit);
+  if (!status && !tap)
+    status = po_session_summarise(&session);
   int code = po_options_end(status);
   if (!status && po_session_failures(&session))
     code = PO_EXIT_SOLVE;

@@ -73,14 +73,14 @@ static void blame_frozen(const po_case_run *run, const po_result *item, po_blame
         "the result is what was blessed, so the program did not change; %s was not among the "
         "oracles that held then: the result was wrong before, or the reference is",
         oracle->name);
-  else if (strcmp(then, oracle->table.data_digest) != 0)
+  else if (strcmp(then, oracle->table.digest) != 0)
     say(blame, "reference",
-        "the result is what was blessed, when %s held; its rows are not those of then (sha256 "
+        "the result is what was blessed, when %s held; it is not what it was then (sha256 "
         "%.12s..., then %.12s...): the reference was altered, see git log -- %s",
-        oracle->name, oracle->table.data_digest, then, oracle->name);
+        oracle->name, oracle->table.digest, then, oracle->name);
   else
     say(blame, "tolerance",
-        "the result is what was blessed, when %s held, and its rows are those of then: the "
+        "the result is what was blessed, when %s held, and it is what it was then: the "
         "tolerance, or the check, is newer than the blessing",
         oracle->name);
 }
@@ -157,6 +157,10 @@ static void blame_pin(const po_result *item, const witnesses *heard, po_blame *b
 /* Verdicts that do not need the other ledgers. */
 static bool blame_plainly(const po_result *item, po_blame *blame) {
   const bool pin = item->ledger == PO_LEDGER_PIN;
+  if (item->whole && !po_verdict_passes(item->verdict)) {
+    say(blame, "solve", "more failed than may, or without a reason; each is told below");
+    return true;
+  }
   switch (item->verdict) {
   case PO_WITHIN:
     say(blame, "none", "%s", "");

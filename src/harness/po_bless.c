@@ -42,7 +42,7 @@ static po_status check_results(const po_case_run *run) {
   const po_case *kase = run->plan->kase;
   const char *name = kase->file->name;
   for (size_t i = 0; i < kase->point_count; ++i)
-    if (run->outcomes[i].status)
+    if (po_case_run_failed(run, i))
       return po_fail(PO_NOT_CONVERGED, "%s is not blessed: the solve of %s failed: %s", name,
                      kase->points[i].label, run->outcomes[i].reason);
   for (size_t i = 0; i < run->results.count; ++i) {
@@ -100,19 +100,21 @@ static po_status tell_changes(const po_case_run *run, const po_reference *old,
   return PO_OK;
 }
 
-/* The oracles that hold now, by the checksums of their rows: when one fails later although the pin
+/* The oracles that hold now, by their checksums: when one fails later although the pin
  * holds, this tells whether the oracle was altered since. */
 static void add_oracles(const po_plan *plan, po_text *text) {
   const po_case_file *file = plan->kase->file;
   size_t number = 0;
   for (unsigned c = 0; c < file->checks_count; ++c) {
     const po_reference *reference = &plan->references[c];
-    bool again = reference->is_bradley || reference->ledger != PO_LEDGER_ORACLE;
+    const bool table =
+        !reference->is_bradley && !reference->is_every_scene && !reference->is_absent;
+    bool again = !table || reference->ledger != PO_LEDGER_ORACLE;
     for (unsigned k = 0; k < c; ++k)
       again = again || strcmp(file->checks[k].reference, file->checks[c].reference) == 0;
     if (!again)
       po_text_add(text, "# checked %zu: %s sha256 %s\n", ++number, reference->name,
-                  reference->table.data_digest);
+                  reference->table.digest);
   }
 }
 
@@ -158,16 +160,14 @@ static void add_headers(const po_case_run *run, const po_reference *old, const c
 static po_status write_pins(const po_case_run *run, const po_reference *old,
                             const po_pin_list *list, const char *who, const char *reason) {
   const po_case *kase = run->plan->kase;
-  po_text text = {0}, rows = {0};
+  po_text header = {0}, rows = {0}, text = {0};
   char digest[PO_DIGEST_LENGTH];
-  add_headers(run, old, who, reason, &text);
-  add_oracles(run->plan, &text);
-  po_pin_list_headers(kase, list, &text);
+  add_headers(run, old, who, reason, &header);
+  add_oracles(run->plan, &header);
+  po_pin_list_headers(kase, list, &header);
   po_pin_list_rows(kase, list, &rows);
-  po_digest_bytes(po_text_string(&rows), rows.length, digest);
-  po_text_add(&text, "# sha256: %s\n", digest);
-  po_text_add_bytes(&text, po_text_string(&rows), rows.length);
-  po_status status = text.failed || rows.failed ? PO_NO_MEMORY : PO_OK;
+  po_csv_seal(&header, &rows, &text, digest);
+  po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
   char *folder = status ? NULL : po_copy_text(old->path);
   if (!status && !folder)
     status = PO_NO_MEMORY;
@@ -178,6 +178,7 @@ static po_status write_pins(const po_case_run *run, const po_reference *old,
   if (!status)
     status = po_file_write(old->path, text.data, text.length);
   free(folder);
+  po_text_clear(&header);
   po_text_clear(&rows);
   po_text_clear(&text);
   return status;

@@ -19,6 +19,7 @@ static const char *const QUANTITIES[PO_QUANTITY_COUNT] = {
     [PO_EXTREMA] = "extrema",
     [PO_CURVE] = "curve",
     [PO_WORK] = "work",
+    [PO_SOLVED_SHARE] = "solved_share",
 };
 
 static const char *const KINDS[] = {"abs", "rel", "ulp"};
@@ -31,11 +32,11 @@ const char *po_tolerance_kind_name(po_tolerance_kind kind) {
   return KINDS[kind];
 }
 
-const char *const PO_SUITE_NAMES = "smoke, paper, extreme or precision";
+const char *const PO_SUITE_NAMES = "smoke, paper, extreme, precision or random";
 
 unsigned po_suite_of_name(const char *name) {
-  static const char *const NAMES[] = {"smoke", "paper", "extreme", "precision"};
-  for (unsigned i = 0; i < 4; ++i)
+  static const char *const NAMES[] = {"smoke", "paper", "extreme", "precision", "random"};
+  for (unsigned i = 0; i < sizeof NAMES / sizeof *NAMES; ++i)
     if (strcmp(name, NAMES[i]) == 0)
       return 1u << i;
   return 0;

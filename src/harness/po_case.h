@@ -13,6 +13,7 @@ typedef enum {
   PO_SUITE_PAPER = 2,
   PO_SUITE_EXTREME = 4,
   PO_SUITE_PRECISION = 8,
+  PO_SUITE_RANDOM = 16, /* long: only when it is named */
 } po_suite;
 
 /* What a case wants; the first three come with every branch. */
@@ -31,7 +32,8 @@ typedef enum {
   PO_FOLDS,
   PO_EXTREMA,
   PO_CURVE,
-  PO_WORK, /* the counters of work, each on its own; only our own pins speak of them */
+  PO_WORK,         /* the counters of work, each on its own; only our own pins speak of them */
+  PO_SOLVED_SHARE, /* of the points of the case, not of one */
   PO_QUANTITY_COUNT
 } po_quantity;
 
@@ -44,6 +46,31 @@ typedef struct {
   unsigned values_count;
 } po_axis;
 
+/* One key drawn at random, as written, and parsed. */
+typedef struct {
+  char *key;
+  char *from_text;
+  char *to_text;
+  char *scale; /* "log", "linear"; NULL: linear */
+  char *times; /* what the value is in units of: a key, or "root_radius"; NULL: none */
+  po_key drawn;
+  double from, to;
+  bool log;
+  po_key unit;  /* when `times` is there */
+  bool by_root; /* the root of that */
+} po_draw;
+
+/* Scenes drawn at random: each value depends on the seed, the number of the scene and the name of
+ * the key, and so not on how many scenes or other keys there are. */
+typedef struct {
+  char *seed_text;
+  char *count_text;
+  po_draw *keys;
+  unsigned keys_count;
+  uint64_t seed;
+  size_t count;
+} po_sample_words;
+
 /* A check as written in the file; parsed values beside it. */
 typedef struct {
   char *quantity_text;
@@ -51,7 +78,9 @@ typedef struct {
   char *tolerance_text;
   char *kind_text;
   char *because;
-  po_axis *when; /* the points it concerns: all these must match; none: every point */
+  char *stand_in; /* the reference that stands in while that of this check is absent, which leaves
+                     the check out; NULL: it must be there */
+  po_axis *when;  /* the points it concerns: all these must match; none: every point */
   unsigned when_count;
   po_quantity quantity;
   double tolerance;
@@ -59,10 +88,10 @@ typedef struct {
   size_t line; /* of the tolerance in the file */
 } po_check;
 
-/* One scene of the sweep. */
+/* One scene. */
 typedef struct {
-  char id[24]; /* "0", "1"...: in the order of the sweep */
-  char *label; /* "tabor=1 nodes=501", or "scene" without a sweep */
+  char id[24]; /* "0", "1"...: in the order of the sample, then of the sweep */
+  char *label; /* "tabor=1 nodes=501", or "scene" without either */
   po_request request;
 } po_point;
 
@@ -83,6 +112,7 @@ typedef struct {
   po_scene_words scene;
   po_axis *sweep;
   unsigned sweep_count;
+  po_sample_words *sample; /* NULL: none */
   char *repeats_text;
   char **want_names;
   unsigned want_names_count;
@@ -118,11 +148,14 @@ bool po_check_is_pin(const po_check *check);
 /* What a command line calls a case: its name, or the path of a file outside the data folder. */
 const char *po_case_argument(const po_case *kase);
 
+/* The reference of a solved_share: every scene has its equilibria. */
+#define PO_EVERY_SCENE "every_scene"
+
 /* Names, as in case files. */
 const char *po_quantity_name(po_quantity quantity);
 const char *po_tolerance_kind_name(po_tolerance_kind kind);
 unsigned po_suite_of_name(const char *name); /* 0: none of that name */
-extern const char *const PO_SUITE_NAMES;     /* "smoke, paper, extreme or precision" */
+extern const char *const PO_SUITE_NAMES;     /* "smoke, paper, extreme, precision or random" */
 
 /* The tolerance of a check around an expected value, as an absolute number. */
 double po_check_allowance(const po_check *check, double expected);

@@ -3,25 +3,34 @@
 
 #include "po_case_parse.h"
 #include "po_memory.h"
+#include "po_schema.h"
 #include "po_text.h"
 
 /* More points than this in one case is a slip of the pen, not a study. */
 static const size_t MOST_POINTS = 100000;
 
 static po_status count_points(po_case *kase, const po_yaml *yaml) {
+  const po_sample_words *sample = kase->file->sample;
   size_t count = 1;
+  if (sample && sample->count > MOST_POINTS)
+    return po_schema_refuse(yaml, NULL, "sample.count");
   for (unsigned i = 0; i < kase->file->sweep_count; ++i) {
     count *= kase->file->sweep[i].values_count;
     if (count > MOST_POINTS)
       return po_fail(PO_BAD_INPUT, "%s:%zu: sweep has more than %zu points: expected fewer",
                      po_yaml_name(yaml), po_yaml_line(yaml, "sweep"), MOST_POINTS);
   }
+  if (sample && (count *= sample->count) > MOST_POINTS)
+    return po_fail(PO_BAD_INPUT,
+                   "%s:%zu: sample and sweep make more than %zu points: expected fewer",
+                   po_yaml_name(yaml), po_yaml_line(yaml, "sample.count"), MOST_POINTS);
   kase->point_count = count;
   kase->points = po_allocate(count, sizeof *kase->points);
   return kase->points ? PO_OK : PO_NO_MEMORY;
 }
 
-/* Point number `index` of the product, the last key of the sweep turning fastest. */
+/* Point number `index` of the product: the scenes of the sample turn slowest, the last key of the
+ * sweep fastest. */
 static po_status fill_point(const po_case *kase, size_t index, const po_yaml *yaml) {
   po_point *point = &kase->points[index];
   const po_case_file *file = kase->file;
@@ -29,7 +38,8 @@ static po_status fill_point(const po_case *kase, size_t index, const po_yaml *ya
   for (int key = 0; key < PO_KEY_COUNT; ++key)
     if (file->scene.values[key])
       po_key_set(&point->request, (po_key)key, file->scene.values[key]);
-  size_t block = kase->point_count;
+  size_t block = kase->point_count / (file->sample ? file->sample->count : 1);
+  const size_t scene = index / block;
   po_text label = {0};
   for (unsigned i = 0; i < file->sweep_count; ++i) {
     const po_axis *axis = &file->sweep[i];
@@ -38,12 +48,16 @@ static po_status fill_point(const po_case *kase, size_t index, const po_yaml *ya
     po_key_set(&point->request, (po_key)po_key_of_name(axis->key), value);
     po_text_add(&label, "%s%s=%s", i ? " " : "", axis->key, value);
   }
-  if (!file->sweep_count)
+  const bool possible = po_case_sample_draw(file, scene, &point->request, &label);
+  if (!label.length)
     po_text_add(&label, "scene");
   snprintf(point->id, sizeof point->id, "%zu", index);
   point->label = label.data;
   if (label.failed)
     return PO_NO_MEMORY;
+  if (!possible)
+    return po_fail(PO_BAD_INPUT, "%s:%zu: sample draws %s: expected what these keys may be",
+                   po_yaml_name(yaml), po_yaml_line(yaml, "sample.keys"), point->label);
   if (po_request_check(&point->request) == PO_OK)
     return PO_OK;
   char *why = po_copy_text(po_message());

@@ -85,11 +85,12 @@ static po_status parse_sweep(po_case *kase, const po_yaml *yaml) {
   return PO_OK;
 }
 
-static bool is_swept(const po_case_file *file, po_key key) {
+/* Swept or drawn. */
+static bool is_varied(const po_case_file *file, po_key key) {
   for (unsigned i = 0; i < file->sweep_count; ++i)
     if (po_key_of_name(file->sweep[i].key) == (int)key)
       return true;
-  return false;
+  return po_case_draws(file, key);
 }
 
 /* What a case leaves unsaid a reader would have to guess; only what follows from the rest may lack.
@@ -102,22 +103,27 @@ static po_status check_scene(const po_case *kase, const po_yaml *yaml) {
   for (int key = 0; key < PO_KEY_COUNT; ++key)
     if (file->scene.values[key] && !po_key_set(&request, (po_key)key, file->scene.values[key]))
       return po_schema_refuse(yaml, NULL, "scene.%s", po_key_name((po_key)key));
-  const bool panels = request.mesh.scheme == PO_PANEL && !is_swept(file, PO_KEY_SCHEME);
-  const bool wavy = request.scene.amplitude > 0 || is_swept(file, PO_KEY_AMPLITUDE);
+  const bool panels = request.mesh.scheme == PO_PANEL && !is_varied(file, PO_KEY_SCHEME);
+  const bool wavy = request.scene.amplitude > 0 || is_varied(file, PO_KEY_AMPLITUDE);
   for (size_t i = 0; i < sizeof NEEDED / sizeof *NEEDED; ++i) {
     const po_key key = NEEDED[i];
-    if (file->scene.values[key] || is_swept(file, key) || (key == PO_KEY_WAVELENGTH && !wavy) ||
+    if (file->scene.values[key] || is_varied(file, key) || (key == PO_KEY_WAVELENGTH && !wavy) ||
         (key == PO_KEY_NODES && panels))
       continue;
     char expected[128];
-    snprintf(expected, sizeof expected, "%s, here or in the sweep", po_key_expected(key));
+    snprintf(expected, sizeof expected, "%s, here, in the sweep or in the sample",
+             po_key_expected(key));
     return po_schema_refuse(yaml, expected, "scene.%s", po_key_name(key));
   }
   return PO_OK;
 }
 
 /* What may be pinned, and what only pins speak of. */
-static po_status check_pin(const po_check *check, unsigned number, const po_yaml *yaml) {
+static po_status check_pin(const po_case_file *file, const po_check *check, unsigned number,
+                           const po_yaml *yaml) {
+  if (po_check_is_pin(check) && is_varied(file, PO_KEY_TIME_LIMIT))
+    return po_schema_refuse(yaml, "no pin, as time_limit varies and pins are the same for each",
+                            "checks[%u].reference", number);
   if (check->quantity == PO_CURVE && po_check_is_pin(check))
     return po_schema_refuse(yaml, "a curve to be pinned by its folds and extrema",
                             "checks[%u].quantity", number);
@@ -127,7 +133,8 @@ static po_status check_pin(const po_check *check, unsigned number, const po_yaml
   return PO_OK;
 }
 
-static po_status parse_check(po_check *check, unsigned number, const po_yaml *yaml) {
+static po_status parse_check(const po_case_file *file, po_check *check, unsigned number,
+                             const po_yaml *yaml) {
   int quantity = 0, kind = 0;
   while (quantity < PO_QUANTITY_COUNT &&
          strcmp(check->quantity_text, po_quantity_name((po_quantity)quantity)) != 0)
@@ -149,9 +156,18 @@ static po_status parse_check(po_check *check, unsigned number, const po_yaml *ya
     return po_schema_refuse(yaml, "abs, as the distance between curves is one", "checks[%u].kind",
                             number);
   check->kind = (po_tolerance_kind)kind;
+  const bool share = check->quantity == PO_SOLVED_SHARE;
+  if (share != (strcmp(check->reference, PO_EVERY_SCENE) == 0))
+    return po_schema_refuse(yaml,
+                            share ? "every_scene, as the share is of the scenes of the case"
+                                  : "bradley, pin or the path of a CSV file",
+                            "checks[%u].reference", number);
+  if (share && (kind != PO_TOLERANCE_ABS || check->tolerance >= 1))
+    return po_schema_refuse(yaml, kind ? "abs, as a share is" : "the share that may fail, below 1",
+                            "checks[%u].%s", number, kind ? "kind" : "tolerance");
   if (check->because[strspn(check->because, " \t\n")] == '\0')
     return po_schema_refuse(yaml, NULL, "checks[%u].because", number);
-  const po_status pin = check_pin(check, number, yaml);
+  const po_status pin = check_pin(file, check, number, yaml);
   if (pin)
     return pin;
   for (unsigned i = 0; i < check->when_count; ++i) {
@@ -160,6 +176,29 @@ static po_status parse_check(po_check *check, unsigned number, const po_yaml *ya
     const po_status status = check_axis(&check->when[i], where, yaml);
     if (status)
       return status;
+  }
+  return PO_OK;
+}
+
+/* What is no file cannot be absent. */
+static bool is_file(const char *reference) {
+  return strcmp(reference, "bradley") != 0 && strcmp(reference, "pin") != 0 &&
+         strcmp(reference, PO_EVERY_SCENE) != 0;
+}
+
+/* What stands in must itself be compared, or the check would be left out for nothing. */
+static po_status check_stand_ins(const po_case *kase, const po_yaml *yaml) {
+  const po_case_file *file = kase->file;
+  for (unsigned i = 0; i < file->checks_count; ++i) {
+    bool found = !file->checks[i].stand_in;
+    for (unsigned k = 0; k < file->checks_count && !found; ++k)
+      found = !file->checks[k].stand_in &&
+              strcmp(file->checks[k].reference, file->checks[i].stand_in) == 0;
+    if (!found)
+      return po_schema_refuse(yaml, NULL, "checks[%u].stand_in", i + 1);
+    if (file->checks[i].stand_in && !is_file(file->checks[i].reference))
+      return po_schema_refuse(yaml, "the path of a CSV file, as something stands in for it",
+                              "checks[%u].reference", i + 1);
   }
   return PO_OK;
 }
@@ -177,6 +216,24 @@ static po_status check_concerned(const po_case *kase, const po_yaml *yaml) {
   return PO_OK;
 }
 
+static bool both_concern(const po_check *a, const po_check *b, const po_request *request) {
+  return po_check_concerns(a, request) && po_check_concerns(b, request);
+}
+
+/* A scene whose solve may fail has nothing to hold on to: it could be blessed on one machine and
+ * fail on another. */
+static po_status check_pinned(const po_case *kase, const po_yaml *yaml) {
+  const po_case_file *file = kase->file;
+  for (unsigned i = 0; i < file->checks_count; ++i)
+    for (unsigned k = 0; po_check_is_pin(&file->checks[i]) && k < file->checks_count; ++k)
+      for (size_t p = 0; file->checks[k].quantity == PO_SOLVED_SHARE && p < kase->point_count; ++p)
+        if (both_concern(&file->checks[i], &file->checks[k], &kase->points[p].request))
+          return po_schema_refuse(
+              yaml, "a reference other than pin where a solved_share lets solves fail",
+              "checks[%u].reference", i + 1);
+  return PO_OK;
+}
+
 po_status po_case_parse(po_case *kase, const po_yaml *yaml) {
   po_status status = parse_names(kase, yaml);
   if (!status)
@@ -184,10 +241,16 @@ po_status po_case_parse(po_case *kase, const po_yaml *yaml) {
   if (!status)
     status = parse_sweep(kase, yaml);
   if (!status)
+    status = po_case_sample_parse(kase, yaml);
+  if (!status)
     status = check_scene(kase, yaml);
   for (unsigned i = 0; !status && i < kase->file->checks_count; ++i)
-    status = parse_check(&kase->file->checks[i], i + 1, yaml);
+    status = parse_check(kase->file, &kase->file->checks[i], i + 1, yaml);
+  if (!status)
+    status = check_stand_ins(kase, yaml);
   if (!status)
     status = po_case_expand(kase, yaml);
-  return status ? status : check_concerned(kase, yaml);
+  if (!status)
+    status = check_concerned(kase, yaml);
+  return status ? status : check_pinned(kase, yaml);
 }

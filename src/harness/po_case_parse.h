@@ -3,13 +3,25 @@
 #define PO_CASE_PARSE_H
 
 #include "po_case.h"
+#include "po_text.h"
 #include "po_yaml.h"
 
 /* Checks every value of kase->file and fills suites, want, repeats, checks and points.
  * Status: PO_BAD_INPUT with file, line, path, value and what was expected. */
 po_status po_case_parse(po_case *kase, const po_yaml *yaml);
 
-/* The cartesian product of the sweep over the scene: kase->points. */
+/* Checks and parses the section `sample`, if there is one. Status: as above. */
+po_status po_case_sample_parse(po_case *kase, const po_yaml *yaml);
+
+/* Whether a key is drawn. */
+bool po_case_draws(const po_case_file *file, po_key key);
+
+/* Puts the drawn values of scene number `index` into a request that has those of scene and sweep,
+ * and adds them to its label. False when one of them is not possible for its key. */
+bool po_case_sample_draw(const po_case_file *file, size_t index, po_request *request,
+                         po_text *label);
+
+/* The drawn scenes, each with every combination of the sweep: kase->points. */
 po_status po_case_expand(po_case *kase, const po_yaml *yaml);
 
 #endif

@@ -46,7 +46,8 @@ static po_status compare_single(const po_case *kase, size_t point, const po_chec
 }
 
 static po_status compare_planes(const po_outcome *outcome, const po_reference_point *theirs,
-                                size_t their_count, double tolerance, po_curve_verdict *verdict) {
+                                size_t their_count, bool scattered, double tolerance,
+                                po_curve_verdict *verdict) {
   po_plane_point *a = po_allocate(outcome->curve_count, sizeof *a);
   po_plane_point *b = po_allocate(their_count, sizeof *b);
   po_status status = a && b ? PO_OK : PO_NO_MEMORY;
@@ -55,7 +56,10 @@ static po_status compare_planes(const po_outcome *outcome, const po_reference_po
       a[i] = (po_plane_point){outcome->curve[i].approach, outcome->curve[i].load};
     for (size_t i = 0; i < their_count; ++i)
       b[i] = (po_plane_point){theirs[i].approach, theirs[i].load};
-    status = po_curve_compare(a, outcome->curve_count, b, their_count, tolerance, verdict);
+    if (scattered)
+      po_curve_scatter(a, outcome->curve_count, b, their_count, verdict);
+    else
+      status = po_curve_compare(a, outcome->curve_count, b, their_count, tolerance, verdict);
   }
   free(a);
   free(b);
@@ -75,7 +79,9 @@ static po_status compare_curve(const po_case *kase, size_t point, const po_check
   for (size_t i = 0; spoken && i < count; ++i)
     doubt = fmax(doubt, fmax(theirs[i].approach_uncertainty, theirs[i].load_uncertainty));
   if (spoken)
-    status = compare_planes(outcome, theirs, count, check->tolerance, &found);
+    /* markers read off a figure do not run along the branch */
+    status = compare_planes(outcome, theirs, count, reference->ledger == PO_LEDGER_PUBLISHED,
+                            check->tolerance, &found);
   free(theirs);
   if (status && status != PO_NOT_FOUND)
     return status;
@@ -120,7 +126,7 @@ static void tell_silence(po_result *item, const po_case *kase, const po_referenc
 po_status po_compare(const po_case *kase, size_t point, const po_check *check,
                      const po_reference *reference, const po_outcome *outcome,
                      po_results *results) {
-  if (!po_check_concerns(check, &kase->points[point].request))
+  if (reference->is_absent || !po_check_concerns(check, &kase->points[point].request))
     return PO_OK;
   const size_t before = results->count;
   po_status status = PO_OK;

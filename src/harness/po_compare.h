@@ -11,6 +11,13 @@
 po_status po_compare(const po_case *kase, size_t point, const po_check *check,
                      const po_reference *reference, const po_outcome *outcome, po_results *results);
 
+/* The share of the points from `first` to before `end` that a check concerns whose solve succeeded,
+ * beside 1: one result for all of them. A failure without a reason is outside whatever the share.
+ * Status: PO_NO_MEMORY. */
+po_status po_compare_share(const po_case *kase, size_t first, size_t end, const po_check *check,
+                           const po_reference *reference, const po_outcome *outcomes,
+                           po_results *results);
+
 /* Refuses a tolerance tighter than the uncertainty of what it is compared with: such a check could
  * fail, or pass, by the fault of the reference. Status: PO_BAD_INPUT with the line of the
  * tolerance. */

@@ -47,14 +47,35 @@ static po_status track_find_folds(po_track *track) {
   return PO_OK;
 }
 
-/* From fold k - 1 to fold k; the first and last stretch run to the ends of the curve. The curve may
- * turn beside the point where it is seen to turn, so one element more belongs to it. */
-static po_stretch track_stretch(const po_track *track, size_t k) {
-  size_t from = k == 0 ? 0 : track->folds[k - 1];
-  size_t to = k == track->fold_count ? track->count - 1 : track->folds[k];
-  from -= from > 0;
-  to += to + 1 < track->count;
-  return (po_stretch){track->points, track->count, from, to};
+static double chord(const po_track *track, size_t i) {
+  const po_plane_point p = track->points[i], q = track->points[i + 1];
+  return hypot(q.approach - p.approach, q.load - p.load);
+}
+
+/* The spacing of the points beside fold k: the point of a curve that is its fold may lie as far
+ * behind the true one. A fold is never the first or the last point. */
+static double track_spacing(const po_track *track, size_t k) {
+  return fmax(chord(track, track->folds[k] - 1), chord(track, track->folds[k]));
+}
+
+/* What of `track` the points of stretch k of `other` are set beside: from its fold k - 1 to its
+ * fold k; the first and last stretch run to the ends of the curve. Either curve may turn beside the
+ * point where it is seen to turn. So one element more belongs to it, beyond which the curve has
+ * turned, and as many more as cover the spacing of the other beside its fold: how short the first
+ * is, is up to chance. */
+static po_stretch track_stretch(const po_track *track, const po_track *other, size_t k) {
+  po_stretch stretch = {track->points, track->count, 0, track->count - 1};
+  if (k > 0) {
+    double rest = track_spacing(other, k - 1);
+    for (stretch.from = track->folds[k - 1] - 1; stretch.from > 0 && rest > 0; --stretch.from)
+      rest -= chord(track, stretch.from - 1);
+  }
+  if (k < track->fold_count) {
+    double rest = track_spacing(other, k);
+    for (stretch.to = track->folds[k] + 1; stretch.to + 1 < track->count && rest > 0; ++stretch.to)
+      rest -= chord(track, stretch.to);
+  }
+  return stretch;
 }
 
 static po_stretch track_whole(const po_track *track) {
@@ -77,7 +98,7 @@ static void measure(const po_track *a, const po_track *b, double tolerance,
   for (size_t i = a->first; i <= a->last; ++i) {
     const po_plane_point point = a->points[i];
     const po_stretch stretch =
-        verdict->same_folds ? track_stretch(b, track_stretch_of(a, i)) : track_whole(b);
+        verdict->same_folds ? track_stretch(b, a, track_stretch_of(a, i)) : track_whole(b);
     const double distance = po_plane_foot(point, &stretch).distance;
     if (distance > verdict->distance) {
       verdict->distance = distance;
@@ -149,4 +170,24 @@ done:
   free(a.folds);
   free(b.folds);
   return status;
+}
+
+void po_curve_scatter(const po_plane_point *ours, size_t count, const po_plane_point *points,
+                      size_t point_count, po_curve_verdict *verdict) {
+  *verdict = (po_curve_verdict){.same_folds = true};
+  if (count < 2)
+    return;
+  const po_stretch whole = {ours, count, 0, count - 1};
+  for (size_t i = 0; i < point_count; ++i) {
+    const po_foot foot = po_plane_foot(points[i], &whole);
+    if (foot.before || foot.beyond) {
+      verdict->left_out += 1;
+      continue;
+    }
+    verdict->compared += 1;
+    if (foot.distance >= verdict->distance) {
+      verdict->distance = foot.distance;
+      verdict->where = points[i];
+    }
+  }
 }

@@ -32,4 +32,9 @@ po_status po_curve_compare(const po_plane_point *ours, size_t count,
                            const po_plane_point *reference, size_t reference_count,
                            double tolerance, po_curve_verdict *verdict);
 
+/* The same for a reference that is points of a curve in no order, as markers read off a figure: the
+ * greatest distance of one of them from the nearest point of ours. Nothing is said of folds. */
+void po_curve_scatter(const po_plane_point *ours, size_t count, const po_plane_point *points,
+                      size_t point_count, po_curve_verdict *verdict);
+
 #endif

@@ -39,11 +39,23 @@ static bool is_chosen(const po_explain_choice *choice, size_t point) {
   return !choice->points || choice->points[point];
 }
 
-static bool is_told(const po_explain_choice *choice, const po_result *item) {
-  return is_chosen(choice, item->point) && (choice->all || item->verdict != PO_WITHIN);
+bool po_explain_concerns(const po_case_run *run, const po_explain_choice *choice,
+                         const po_result *item) {
+  if (!item->whole)
+    return is_chosen(choice, item->point);
+  for (size_t i = 0; i < run->plan->kase->point_count; ++i)
+    if (!is_chosen(choice, i))
+      return false;
+  return true;
 }
 
-/* The command that repeats a point; for a curve, keeping it. */
+static bool is_told(const po_case_run *run, const po_explain_choice *choice,
+                    const po_result *item) {
+  return po_explain_concerns(run, choice, item) && (choice->all || item->verdict != PO_WITHIN);
+}
+
+/* The command that repeats a point; for a curve, keeping it. What the command line says of the time
+ * limit is part of the request. */
 static char *command_of(const po_case_run *run, size_t point, bool curve) {
   char *solve = po_input_command(&run->plan->kase->points[point].request);
   po_text text = {0};
@@ -52,6 +64,15 @@ static char *command_of(const po_case_run *run, size_t point, bool curve) {
   free(solve);
   if (text.failed)
     po_text_clear(&text);
+  return text.data;
+}
+
+/* What repeats a result: of all points together the first solve that failed, if any did. */
+static char *command_of_item(const po_case_run *run, const po_result *item) {
+  if (!item->whole || run->outcomes[item->point].status != PO_OK)
+    return command_of(run, item->point, item->check->quantity == PO_CURVE);
+  po_text text = {0};
+  po_text_add(&text, "pulloff verify %s", po_case_argument(run->plan->kase));
   return text.data;
 }
 
@@ -78,7 +99,7 @@ static void tell_item(const po_case_run *run, const po_result *item, po_text *te
   po_blame blame;
   po_blame_find(run, item, &blame);
   po_text_add(text, "%s %s %s: %s\n", kase->file->name, item->subject,
-              kase->points[item->point].label, po_verdict_name(item->verdict));
+              item->whole ? "-" : kase->points[item->point].label, po_verdict_name(item->verdict));
   tell_numbers(run, item, text);
   if (isfinite(item->approach)) {
     po_place_tell(&run->outcomes[item->point], item->approach, item->load, place);
@@ -90,7 +111,7 @@ static void tell_item(const po_case_run *run, const po_result *item, po_text *te
   if (blame.why[0])
     po_text_add(text, "  fault      %s: %s\n", blame.side, blame.why);
   po_text_add(text, "  tolerance  because %s\n", item->check->because);
-  char *command = command_of(run, item->point, item->check->quantity == PO_CURVE);
+  char *command = command_of_item(run, item);
   po_text_add(text, "  rerun      %s\n\n", command ? command : "");
   free(command);
 }
@@ -100,14 +121,14 @@ void po_explain_text(const po_case_run *run, const po_explain_choice *choice, po
   size_t told = 0, considered = 0;
   for (size_t i = 0; i < run->results.count; ++i) {
     const po_result *item = &run->results.items[i];
-    considered += is_chosen(choice, item->point);
-    if (!is_told(choice, item))
+    considered += po_explain_concerns(run, choice, item);
+    if (!is_told(run, choice, item))
       continue;
     tell_item(run, item, text);
     told += 1;
   }
   for (size_t i = 0; i < kase->point_count; ++i)
-    if (run->outcomes[i].status != PO_OK && is_chosen(choice, i)) {
+    if (is_chosen(choice, i) && po_case_run_failed(run, i)) {
       char *command = command_of(run, i, false);
       po_text_add(text, "%s solve %s: failed\n  reason     %s\n  rerun      %s\n\n",
                   kase->file->name, kase->points[i].label, run->outcomes[i].reason,
@@ -131,12 +152,13 @@ static json_t *item_json(const po_case_run *run, const po_result *item) {
     where = json_pack("{s:o, s:o, s:s}", "approach", po_json_number(item->approach), "load",
                       po_json_number(item->load), "landmarks", place);
   }
-  char *command = command_of(run, item->point, check->quantity == PO_CURVE);
+  char *command = command_of_item(run, item);
   json_t *object = json_pack(
-      "{s:s, s:s, s:s, s:s, s:s, s:s, s:b, s:o, s:o, s:o, s:o, s:f, s:s, s:o, s:s, s:o, s:s, s:s,"
+      "{s:s, s:s?, s:s?, s:s, s:s, s:s, s:b, s:o, s:o, s:o, s:o, s:f, s:s, s:o, s:s, s:o, s:s, s:s,"
       " s:s, s:s, s:s}",
-      "id", item->id, "point", point->id, "label", point->label, "quantity", item->quantity,
-      "ledger", po_ledger_name(item->ledger), "verdict", po_verdict_name(item->verdict), "passes",
+      "id", item->id, "point", item->whole ? NULL : point->id, "label",
+      item->whole ? NULL : point->label, "quantity", item->quantity, "ledger",
+      po_ledger_name(item->ledger), "verdict", po_verdict_name(item->verdict), "passes",
       (int)po_verdict_passes(item->verdict), "obtained", po_json_number(item->obtained), "expected",
       po_json_number(item->expected), "error", po_json_number(item->error), "ratio",
       po_json_number(item->ratio), "tolerance", check->tolerance, "kind", check->kind_text,
@@ -151,10 +173,10 @@ json_t *po_explain_json(const po_case_run *run, const po_explain_choice *choice)
   const po_case *kase = run->plan->kase;
   json_t *checks = json_array(), *failed = json_array();
   for (size_t i = 0; i < run->results.count; ++i)
-    if (is_told(choice, &run->results.items[i]))
+    if (is_told(run, choice, &run->results.items[i]))
       json_array_append_new(checks, item_json(run, &run->results.items[i]));
   for (size_t i = 0; i < kase->point_count; ++i)
-    if (run->outcomes[i].status != PO_OK && is_chosen(choice, i)) {
+    if (is_chosen(choice, i) && po_case_run_failed(run, i)) {
       char *command = command_of(run, i, false);
       json_array_append_new(failed,
                             json_pack("{s:s, s:s, s:s, s:s}", "point", kase->points[i].id, "label",

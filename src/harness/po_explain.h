@@ -15,7 +15,12 @@ typedef struct {
 /* Whether a point is meant by what a user wrote: its number, or words of its label. */
 bool po_explain_means(const po_point *point, const char *text);
 
-/* For people; a paragraph a check, and one for each solve that failed. */
+/* Whether a result is of the points chosen; one of all points together is when all are. */
+bool po_explain_concerns(const po_case_run *run, const po_explain_choice *choice,
+                         const po_result *item);
+
+/* For people; a paragraph a check, and one for each solve that failed (as po_case_run_failed says).
+ */
 void po_explain_text(const po_case_run *run, const po_explain_choice *choice, po_text *text);
 
 /* The same as a document of schema "pulloff-explain/1". NULL without memory. */

@@ -26,6 +26,7 @@ static const struct {
     [PO_KEY_TOLERANCE] = {"tolerance", POSITIVE, "a finite number > 0"},
     [PO_KEY_APPROACH_START] = {"approach_start", ANY_NUMBER, "a finite number"},
     [PO_KEY_APPROACH_END] = {"approach_end", ANY_NUMBER, "a finite number"},
+    [PO_KEY_TIME_LIMIT] = {"time_limit", POSITIVE, "a finite number > 0"},
 };
 
 int po_key_of_name(const char *name) {
@@ -66,6 +67,8 @@ static double *key_place(po_request *request, po_key key) {
     return &request->approach_start;
   case PO_KEY_APPROACH_END:
     return &request->approach_end;
+  case PO_KEY_TIME_LIMIT:
+    return &request->time_limit;
   default:
     return NULL;
   }
@@ -132,7 +135,7 @@ void po_key_print(const po_request *request, po_key key, char text[PO_NUMBER_LEN
   else if (key == PO_KEY_NODES)
     snprintf(text, PO_NUMBER_LENGTH, "%zu", request->mesh.nodes);
   else if (isnan(po_key_number(request, key)))
-    snprintf(text, PO_NUMBER_LENGTH, "auto");
+    snprintf(text, PO_NUMBER_LENGTH, key == PO_KEY_TIME_LIMIT ? "none" : "auto");
   else
     po_number_print(po_key_number(request, key), text);
 }
@@ -171,6 +174,10 @@ char *po_input_command(const po_request *request) {
         *c = '-';
     po_text_add(&command, " --%s %s", flag, value);
   }
+  if (request->want)
+    po_text_add(&command, " --want %s%s%s", request->want & PO_WANT_CURVE ? "curve" : "",
+                request->want == (PO_WANT_CURVE | PO_WANT_PROFILE) ? "," : "",
+                request->want & PO_WANT_PROFILE ? "profile" : "");
   if (command.failed)
     po_text_clear(&command);
   return command.data;

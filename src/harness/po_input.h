@@ -23,6 +23,7 @@ typedef enum {
   PO_KEY_TOLERANCE,
   PO_KEY_APPROACH_START,
   PO_KEY_APPROACH_END,
+  PO_KEY_TIME_LIMIT,
   PO_KEY_COUNT
 } po_key;
 
@@ -42,7 +43,7 @@ bool po_key_is_number(po_key key);
  * then the request is unchanged. */
 bool po_key_set(po_request *request, po_key key, const char *text);
 
-/* The value as text; "auto" for an approach the solver chooses. */
+/* The value as text; "auto" for an approach the solver chooses, "none" for no time limit. */
 void po_key_print(const po_request *request, po_key key, char text[PO_NUMBER_LENGTH]);
 
 /* The value as a number (of nodes also); for a name its number in the enumeration. */

@@ -19,8 +19,9 @@
  * A tolerance against an oracle or a published value is slack when it is more than a thousand times
  * the largest error it met, at any point of the case: one tolerance serves all points of a check,
  * so the worst of them is what it must be measured by. An error counts as no less than the
- * uncertainty of its reference and than rounding. Numbers of folds are exact and no tolerance of
- * theirs is slack; nor is that of a pin, which a program that did not change meets to the bit. */
+ * uncertainty of its reference and than rounding. Numbers of folds and shares of solves are counted
+ * and no tolerance of theirs is slack; nor is that of a pin, which a program that did not change
+ * meets to the bit. */
 #ifndef PO_JUDGE_H
 #define PO_JUDGE_H
 

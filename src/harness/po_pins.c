@@ -22,7 +22,7 @@ double po_work_count(const po_work *work, int counter) {
 }
 
 void po_pins_key_text(const po_request *request, po_key key, char text[PO_NUMBER_LENGTH]) {
-  if (po_key_is_idle(request, key))
+  if (po_key_is_idle(request, key) || key == PO_KEY_TIME_LIMIT)
     snprintf(text, PO_NUMBER_LENGTH, "-");
   else
     po_key_print(request, key, text);

@@ -4,7 +4,7 @@
  * `blessing N` for each time they were set (when, who, with what, why), one `checked N` for each
  * oracle that held then, and a row a point and quantity. A row is of the scene whose keys it and
  * the headers name; a key that is "-", or not named, is one that need not be said of the scene (see
- * po_key_is_idle). */
+ * po_key_is_idle), or the time limit, which changes no number of a solve that ends within it. */
 #ifndef PO_PINS_H
 #define PO_PINS_H
 

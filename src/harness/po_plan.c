@@ -30,7 +30,7 @@ static void decide(po_plan *plan) {
   if (kase->want & PO_CASE_PROFILE)
     plan->want |= PO_WANT_PROFILE;
   for (unsigned i = 0; i < kase->file->checks_count; ++i)
-    if (kase->file->checks[i].quantity == PO_CURVE)
+    if (kase->file->checks[i].quantity == PO_CURVE && !plan->references[i].is_absent)
       plan->want |= PO_WANT_CURVE;
 }
 
@@ -44,8 +44,8 @@ static po_status open_references(po_plan *plan, const char *data_folder) {
     const po_check *check = &file->checks[i];
     status = po_check_is_pin(check)
                  ? po_pins_open(plan->kase, check->reference, &plan->references[i])
-                 : po_reference_open(data_folder, check->reference, &plan->references[i]);
-    if (!status)
+                 : po_reference_open_check(data_folder, check, &plan->references[i]);
+    if (!status && !plan->references[i].is_absent)
       status = po_compare_check_tolerance(plan->kase, check, i + 1, &plan->references[i]);
   }
   return status;
@@ -54,9 +54,8 @@ static po_status open_references(po_plan *plan, const char *data_folder) {
 static po_status make_keys(po_plan *plan) {
   const po_case *kase = plan->kase;
   po_text text = {0};
-  char program[PO_DIGEST_LENGTH];
-  po_environment_digest(program);
-  po_text_add(&text, "%s|%u|%u|", program, plan->want, kase->repeats);
+  po_environment_digest(plan->program);
+  po_text_add(&text, "%s|%u|%u|", plan->program, plan->want, kase->repeats);
   for (size_t i = 0; i < kase->point_count; ++i) {
     char *command = po_input_command(&kase->points[i].request);
     po_text_add(&text, "%s|", command ? command : "");
@@ -79,10 +78,11 @@ po_status po_plan_create(const po_case *kase, const char *data_folder, po_plan *
   if (!plan)
     return PO_NO_MEMORY;
   plan->kase = kase;
-  decide(plan);
   po_status status = open_references(plan, data_folder);
-  if (!status)
+  if (!status) {
+    decide(plan);
     status = make_keys(plan);
+  }
   if (!status)
     status = po_plan_tell(plan);
   if (status)

@@ -12,6 +12,7 @@ typedef struct {
   unsigned want;            /* PO_WANT_...: of every point */
   char **lines;             /* the plan in words, one line each */
   size_t line_count;
+  char program[PO_DIGEST_LENGTH];   /* of the running program, see po_environment_digest */
   char solve_key[PO_DIGEST_LENGTH]; /* changes with what determines the numbers: scenes, program */
   char key[PO_DIGEST_LENGTH];       /* changes with that, the case text and the references */
 } po_plan;

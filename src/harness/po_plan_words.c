@@ -45,6 +45,26 @@ static census take_census(const po_case *kase) {
   return count;
 }
 
+static po_status tell_sample(po_plan *plan) {
+  const po_sample_words *sample = plan->kase->file->sample;
+  if (!sample)
+    return PO_OK;
+  po_status status =
+      say(plan,
+          "draw %zu scenes, each from seed %s, its number and the name of the key:", sample->count,
+          sample->seed_text);
+  for (unsigned i = 0; !status && i < sample->keys_count; ++i) {
+    const po_draw *draw = &sample->keys[i];
+    status = say(plan, "  %s from %s to %s%s%s, %s", draw->key, draw->from_text, draw->to_text,
+                 draw->times ? " times " : "",
+                 !draw->times    ? ""
+                 : draw->by_root ? "the root of the radius"
+                                 : draw->times,
+                 draw->log ? "uniform in its logarithm" : "uniform");
+  }
+  return status;
+}
+
 static po_status tell_scenes(po_plan *plan, const census *n) {
   po_status status = say(plan, "solve %zu %s: each traced as one branch from far out", n->points,
                          n->points == 1 ? "scene" : "scenes");
@@ -99,6 +119,8 @@ static bool is_spoken_of(const po_reference *reference, const po_check *check,
   po_reference_number number;
   po_reference_point *points = NULL;
   size_t count = 0;
+  if (check->quantity == PO_SOLVED_SHARE)
+    return true;
   if (check->quantity == PO_WORK)
     return po_pins_value(reference, "work/points", request, &number.value) == PO_OK;
   if (check->quantity <= PO_FOLD_COUNT)
@@ -116,6 +138,11 @@ static po_status tell_checks(po_plan *plan) {
   po_status status = PO_OK;
   for (unsigned i = 0; !status && i < kase->file->checks_count; ++i) {
     const po_check *check = &kase->file->checks[i];
+    if (plan->references[i].is_absent) {
+      status = say(plan, "leave out %s against %s: there is no such file; %s stands in for it",
+                   check->quantity_text, check->reference, check->stand_in);
+      continue;
+    }
     size_t concerned = 0, spoken = 0;
     for (size_t k = 0; k < kase->point_count; ++k)
       if (po_check_concerns(check, &kase->points[k].request)) {
@@ -138,7 +165,9 @@ static po_status tell_checks(po_plan *plan) {
 
 po_status po_plan_tell(po_plan *plan) {
   const census count = take_census(plan->kase);
-  po_status status = tell_scenes(plan, &count);
+  po_status status = tell_sample(plan);
+  if (!status)
+    status = tell_scenes(plan, &count);
   if (!status)
     status = tell_wants(plan);
   return status ? status : tell_checks(plan);

@@ -2,17 +2,12 @@
 
 #include <stdarg.h>
 #include <stdio.h>
-#include <time.h>
 #include <unistd.h>
+
+#include "po_clock.h"
 
 /* Seconds between plain lines: a log shows life without filling up. */
 static const double PLAIN_INTERVAL = 2;
-
-double po_progress_clock(void) {
-  struct timespec now;
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 static void clear_line(po_progress *progress) {
   if (progress->width)
@@ -30,7 +25,7 @@ static void span(double seconds, char text[32]) {
 
 static void show(po_progress *progress, const char *what) {
   char elapsed[32], remaining[32], line[160];
-  const double spent = po_progress_clock() - progress->begin;
+  const double spent = po_clock_wall() - progress->begin;
   const size_t left = progress->total - progress->done;
   span(spent, elapsed);
   span(progress->done ? spent / (double)progress->done * (double)left : 0, remaining);
@@ -42,11 +37,11 @@ static void show(po_progress *progress, const char *what) {
   clear_line(progress);
   fprintf(stderr, progress->live ? "%s" : "%s\n", line);
   progress->width = progress->live ? (size_t)width : 0;
-  progress->last = po_progress_clock();
+  progress->last = po_clock_wall();
 }
 
 void po_progress_begin(po_progress *progress, size_t total) {
-  const double now = po_progress_clock();
+  const double now = po_clock_wall();
   *progress =
       (po_progress){.live = isatty(STDERR_FILENO) == 1, .total = total, .begin = now, .last = now};
   if (total && progress->live)
@@ -55,7 +50,7 @@ void po_progress_begin(po_progress *progress, size_t total) {
 
 void po_progress_step(po_progress *progress, const char *what) {
   progress->done += 1;
-  if (progress->live || po_progress_clock() - progress->last > PLAIN_INTERVAL)
+  if (progress->live || po_clock_wall() - progress->last > PLAIN_INTERVAL)
     show(progress, what);
 }
 
@@ -66,7 +61,7 @@ void po_progress_say(po_progress *progress, const char *format, ...) {
   vfprintf(stderr, format, arguments);
   va_end(arguments);
   fputc('\n', stderr);
-  progress->last = po_progress_clock();
+  progress->last = po_clock_wall();
 }
 
 void po_progress_end(po_progress *progress) {

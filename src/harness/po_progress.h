@@ -26,7 +26,4 @@ void po_progress_say(po_progress *progress, const char *format, ...)
 /* Clears the live line. */
 void po_progress_end(po_progress *progress);
 
-/* Seconds on a clock that only goes forward. */
-double po_progress_clock(void);
-
 #endif

@@ -6,6 +6,7 @@
 
 #include "po_environment.h"
 #include "po_file.h"
+#include "po_input.h"
 #include "po_json.h"
 #include "po_tables.h"
 
@@ -28,6 +29,11 @@ static json_t *sweep(const po_case *kase, size_t point) {
     json_object_set(object, name, json_object_get(input, name));
     json_decref(input);
   }
+  for (unsigned i = 0; kase->file->sample && i < kase->file->sample->keys_count; ++i) {
+    const po_draw *draw = &kase->file->sample->keys[i];
+    json_object_set_new(object, draw->key,
+                        po_json_number(po_key_number(&kase->points[point].request, draw->drawn)));
+  }
   return object;
 }
 
@@ -44,7 +50,7 @@ static void table_name(char name[64], const char *what, const po_point *point) {
 }
 
 /* Writes the curve or the profile of a point, if there is one, and says so in its entry: the name
- * of the file and the checksum of its rows, by which a table that is not of this record is told. */
+ * of the file and its checksum, by which a table that is not of this record is told. */
 static po_status add_table(const po_case_run *run, size_t index, bool profile, const char *folder,
                            json_t *entry) {
   const po_point *point = &run->plan->kase->points[index];
@@ -67,18 +73,21 @@ static po_status add_table(const po_case_run *run, size_t index, bool profile, c
   return status;
 }
 
+po_status po_record_add_tables(const po_case_run *run, size_t index, const char *folder,
+                               json_t *entry) {
+  const po_status status = add_table(run, index, false, folder, entry);
+  return status ? status : add_table(run, index, true, folder, entry);
+}
+
 static po_status add_tables(const po_case_run *run, const char *folder, json_t *record) {
   json_t *points = json_object_get(record, "points");
   po_status status = PO_OK;
-  for (size_t i = 0; !status && i < run->plan->kase->point_count; ++i) {
-    status = add_table(run, i, false, folder, json_array_get(points, i));
-    if (!status)
-      status = add_table(run, i, true, folder, json_array_get(points, i));
-  }
+  for (size_t i = 0; !status && i < run->plan->kase->point_count; ++i)
+    status = po_record_add_tables(run, i, folder, json_array_get(points, i));
   return status;
 }
 
-static json_t *point_json(const po_case_run *run, size_t index) {
+json_t *po_record_point(const po_case_run *run, size_t index) {
   const po_case *kase = run->plan->kase;
   const po_point *point = &kase->points[index];
   const po_outcome *outcome = &run->outcomes[index];
@@ -99,28 +108,45 @@ static json_t *check_json(const po_case_run *run, const po_result *item) {
   char command[128];
   snprintf(command, sizeof command, "pulloff verify %s", kase->file->name);
   return json_pack(
-      "{s:s, s:s, s:s, s:o, s:o, s:o, s:s, s:f, s:o, s:o, s:s, s:s, s:b, s:s, s:s, s:s, s:s}", "id",
-      item->id, "point", kase->points[item->point].id, "quantity", item->quantity, "obtained",
-      po_json_number(item->obtained), "expected", po_json_number(item->expected), "error",
-      po_json_number(item->error), "kind", check->kind_text, "tolerance", check->tolerance,
-      "reference_uncertainty", po_json_number(item->uncertainty), "ratio",
-      po_json_number(item->ratio), "ledger", po_ledger_name(item->ledger), "verdict",
-      po_verdict_name(item->verdict), "passes", (int)po_verdict_passes(item->verdict), "note",
-      item->note, "reference", po_plan_reference_of(run->plan, check), "because", check->because,
-      "command", command);
+      "{s:s, s:s?, s:s, s:o, s:o, s:o, s:s, s:f, s:o, s:o, s:s, s:s, s:b, s:s, s:s, s:s, s:s}",
+      "id", item->id, "point", item->whole ? NULL : kase->points[item->point].id, "quantity",
+      item->quantity, "obtained", po_json_number(item->obtained), "expected",
+      po_json_number(item->expected), "error", po_json_number(item->error), "kind",
+      check->kind_text, "tolerance", check->tolerance, "reference_uncertainty",
+      po_json_number(item->uncertainty), "ratio", po_json_number(item->ratio), "ledger",
+      po_ledger_name(item->ledger), "verdict", po_verdict_name(item->verdict), "passes",
+      (int)po_verdict_passes(item->verdict), "note", item->note, "reference",
+      po_plan_reference_of(run->plan, check), "because", check->because, "command", command);
+}
+
+/* The checks that were left out since their reference is absent. */
+static json_t *left_out(const po_plan *plan) {
+  json_t *array = json_array();
+  for (unsigned i = 0; i < plan->kase->file->checks_count; ++i) {
+    const po_check *check = &plan->kase->file->checks[i];
+    if (plan->references[i].is_absent)
+      json_array_append_new(array,
+                            json_pack("{s:s, s:s, s:s}", "quantity", check->quantity_text,
+                                      "reference", check->reference, "stand_in", check->stand_in));
+  }
+  return array;
 }
 
 static json_t *lists(const po_case_run *run, json_t *record) {
   json_t *plan = json_array(), *points = json_array(), *checks = json_array();
   for (size_t i = 0; i < run->plan->line_count; ++i)
     json_array_append_new(plan, json_string(run->plan->lines[i]));
-  for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-    json_array_append_new(points, point_json(run, i));
+  for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
+    json_t *point = po_record_point(run, i);
+    json_object_set_new(point, "failed", json_boolean(po_case_run_failed(run, i)));
+    json_array_append_new(points, point);
+  }
   for (size_t i = 0; i < run->results.count; ++i)
     json_array_append_new(checks, check_json(run, &run->results.items[i]));
   json_object_set_new(record, "plan", plan);
   json_object_set_new(record, "points", points);
   json_object_set_new(record, "checks", checks);
+  json_object_set_new(record, "left_out", left_out(run->plan));
   return record;
 }
 

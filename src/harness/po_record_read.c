@@ -28,8 +28,8 @@ static po_status read_table(const json_t *point, bool profile, bool needed, cons
   return status;
 }
 
-static po_status read_point(po_case_run *run, size_t index, const json_t *point,
-                            const char *folder) {
+po_status po_record_read_point(po_case_run *run, size_t index, const json_t *point,
+                               const char *folder) {
   const unsigned repeats = run->plan->kase->repeats;
   po_outcome *outcome = &run->outcomes[index];
   const json_t *seconds = json_object_get(point, "seconds_all");
@@ -53,7 +53,7 @@ static po_status read_record(po_case_run *run, const json_t *record, const char 
     return PO_NOT_FOUND;
   po_status status = PO_OK;
   for (size_t i = 0; !status && i < run->plan->kase->point_count; ++i)
-    status = read_point(run, i, json_array_get(points, i), folder);
+    status = po_record_read_point(run, i, json_array_get(points, i), folder);
   if (!status) {
     snprintf(run->old_key, sizeof run->old_key, "%s", string_of(record, "key"));
     run->elapsed = json_number_value(json_object_get(record, "seconds"));

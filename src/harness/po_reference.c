@@ -30,11 +30,11 @@ po_status po_reference_check_headers(po_reference *reference) {
                      NEEDED[i]);
   }
   const po_csv_header *digest = po_csv_find_header(table, "sha256");
-  if (strcmp(digest->value, table->data_digest) != 0)
+  if (strcmp(digest->value, table->digest) != 0)
     return po_fail(PO_CANNOT_READ,
-                   "%s:%zu: sha256 is %.16s...: expected %.16s..., that of the rows (damaged, or "
-                   "edited by hand)",
-                   table->path, digest->line, digest->value, table->data_digest);
+                   "%s:%zu: sha256 is %.16s...: expected %.16s..., that of all other lines "
+                   "(damaged, or edited by hand)",
+                   table->path, digest->line, digest->value, table->digest);
   const po_csv_header *kind = po_csv_find_header(table, "kind");
   for (unsigned i = 0; i < 3; ++i)
     if (strcmp(kind->value, LEDGERS[i]) == 0) {
@@ -67,8 +67,9 @@ static po_status check_selectors(const po_csv *table) {
 
 po_status po_reference_open(const char *data_folder, const char *name, po_reference *reference) {
   *reference = (po_reference){.name = name};
-  if (strcmp(name, "bradley") == 0) {
-    reference->is_bradley = true;
+  reference->is_bradley = strcmp(name, "bradley") == 0;
+  reference->is_every_scene = strcmp(name, PO_EVERY_SCENE) == 0;
+  if (reference->is_bradley || reference->is_every_scene) {
     po_digest_bytes(name, strlen(name), reference->digest);
     return PO_OK;
   }
@@ -88,6 +89,29 @@ po_status po_reference_open(const char *data_folder, const char *name, po_refere
   if (status)
     po_reference_close(reference);
   return status;
+}
+
+po_status po_reference_open_check(const char *data_folder, const po_check *check,
+                                  po_reference *reference) {
+  *reference = (po_reference){.name = check->reference};
+  char *path = check->stand_in ? po_path_join(data_folder, check->reference) : NULL;
+  if (check->stand_in && !path)
+    return PO_NO_MEMORY;
+  reference->is_absent = path && !po_path_exists(path);
+  free(path);
+  if (reference->is_absent) {
+    po_digest_bytes("absent", strlen("absent"), reference->digest);
+    return PO_OK;
+  }
+  const po_status status = po_reference_open(data_folder, check->reference, reference);
+  if (status || !check->stand_in || reference->ledger == PO_LEDGER_PUBLISHED)
+    return status;
+  const po_csv_header *kind = po_csv_find_header(&reference->table, "kind");
+  const po_status refused = po_fail(
+      PO_CANNOT_READ, "%s:%zu: kind is %s: expected published, as something stands in for it",
+      reference->table.path, kind->line, kind->value);
+  po_reference_close(reference);
+  return refused;
 }
 
 void po_reference_close(po_reference *reference) {

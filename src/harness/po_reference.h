@@ -1,11 +1,12 @@
 /* Reference data: numbers from elsewhere that ours are set beside.
  *
- * A reference is a table (reference/NAME.csv) or the closed form named "bradley". In a table a
- * column with the name of a scene key (tabor, ...) says which scene a row is for, a header with
- * such a name says it for all rows, and the other columns are named as in the records: force,
- * approach                 of the pull-off (force_uncertainty, approach_uncertainty) kind,
- * approach, load            of a landmark (approach_uncertainty, load_uncertainty) approach, load
- * of a point of the curve (uncertainty) Rows for one scene follow the branch. */
+ * A reference is a table (reference/NAME.csv), the closed form named "bradley", our own blessed
+ * values ("pin"), or "every_scene", the share 1 of the scenes that have equilibria to be found. In
+ * a table a column with the name of a scene key (tabor, ...) says which scene a row is for, a
+ * header with such a name says it for all rows, and the other columns are named as in the records:
+ * of the pull-off force and approach (force_uncertainty, approach_uncertainty), of a landmark kind,
+ * approach and load (approach_uncertainty, load_uncertainty), of a point of the curve approach and
+ * load (uncertainty). Rows for one scene follow the branch. */
 #ifndef PO_REFERENCE_H
 #define PO_REFERENCE_H
 
@@ -20,6 +21,8 @@ typedef struct {
   const char *name; /* as the case names it */
   po_ledger ledger;
   bool is_bradley; /* the closed form; else the table */
+  bool is_every_scene;
+  bool is_absent;  /* there is no such file, and the check says what stands in for it */
   bool is_pin;     /* the table is that of our own blessed values, see po_pins.h */
   bool is_missing; /* there are no pins yet */
   char *path;      /* of pins: their file */
@@ -51,6 +54,10 @@ const char *po_ledger_name(po_ledger ledger);
  * Status: PO_CANNOT_READ with file and line. `name` must outlive the reference. */
 po_status po_reference_open(const char *data_folder, const char *name, po_reference *reference);
 
+/* The same for a check; where one says what stands in for its reference, that may be absent, and is
+ * of kind published when it is there. */
+po_status po_reference_open_check(const char *data_folder, const po_check *check,
+                                  po_reference *reference);
 /* The headers and the checksum of an open table; sets the ledger. Status: PO_CANNOT_READ. */
 po_status po_reference_check_headers(po_reference *reference);
 void po_reference_close(po_reference *reference);

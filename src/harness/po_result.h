@@ -23,7 +23,8 @@ typedef enum {
 
 typedef struct {
   char *id;     /* "pull_off_force/feng_pull_off/tabor=1" */
-  size_t point; /* of the case */
+  size_t point; /* of the case; when `whole`, one of those the result is of */
+  bool whole;   /* of all points of the case together */
   const po_check *check;
   char quantity[32]; /* "pull_off_force", "fold_approach"... */
   char subject[64];  /* the same of the same point in every ledger: "fold_approach/jump_in-1" */

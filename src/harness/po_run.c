@@ -1,57 +1,19 @@
 #include "po_run.h"
 
-#include <math.h>
-#include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "po_clock.h"
 #include "po_compare.h"
 #include "po_environment.h"
 #include "po_file.h"
+#include "po_journal.h"
 #include "po_judge.h"
 #include "po_linear.h"
 #include "po_memory.h"
 #include "po_progress.h"
 #include "po_record.h"
-
-po_status po_case_run_create(po_plan *plan, po_case_run *run) {
-  const size_t points = plan->kase->point_count;
-  *run = (po_case_run){.plan = plan, .pending = points};
-  run->outcomes = po_allocate(points, sizeof *run->outcomes);
-  run->seconds = po_allocate(points * plan->kase->repeats, sizeof *run->seconds);
-  return run->outcomes && run->seconds ? PO_OK : PO_NO_MEMORY;
-}
-
-void po_case_run_clear(po_case_run *run) {
-  for (size_t i = 0; run->outcomes && i < run->plan->kase->point_count; ++i)
-    po_outcome_clear(&run->outcomes[i]);
-  free(run->outcomes);
-  free(run->seconds);
-  po_results_clear(&run->results);
-  po_plan_destroy(run->plan);
-  *run = (po_case_run){0};
-}
-
-size_t po_case_run_failures(const po_case_run *run) {
-  size_t count = 0;
-  for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-    count += run->outcomes[i].status != PO_OK;
-  return count;
-}
-
-size_t po_case_run_outside(const po_case_run *run) {
-  size_t count = 0;
-  for (size_t i = 0; i < run->results.count; ++i)
-    count += !po_verdict_passes(run->results.items[i].verdict);
-  return count;
-}
-
-const char *po_case_run_verdict(const po_case_run *run) {
-  if (po_case_run_failures(run))
-    return "failed";
-  return po_case_run_outside(run) ? "outside" : "within";
-}
 
 /* What the threads of a run share. */
 typedef struct {
@@ -88,26 +50,57 @@ static void give_up(po_crew *crew, po_status status) {
 static po_status compare_all(po_case_run *run) {
   const po_case *kase = run->plan->kase;
   po_status status = PO_OK;
-  for (unsigned c = 0; !status && c < kase->file->checks_count; ++c)
-    for (size_t i = 0; !status && i < kase->point_count; ++i)
-      status = po_compare(kase, i, &kase->file->checks[c], &run->plan->references[c],
-                          &run->outcomes[i], &run->results);
+  for (unsigned c = 0; !status && c < kase->file->checks_count; ++c) {
+    const po_check *check = &kase->file->checks[c];
+    if (check->quantity == PO_SOLVED_SHARE) {
+      status = po_compare_share(kase, run->first, run->end, check, &run->plan->references[c],
+                                run->outcomes, &run->results);
+      continue;
+    }
+    for (size_t i = run->first; !status && i < run->end; ++i)
+      status =
+          po_compare(kase, i, check, &run->plan->references[c], &run->outcomes[i], &run->results);
+  }
   if (!status)
     po_judge(&run->results);
   return status;
+}
+
+static bool is_whole(const po_case_run *run) {
+  return run->first == 0 && run->end == run->plan->kase->point_count;
+}
+
+static void tell_finished(po_crew *crew, const po_case_run *run) {
+  char kept[64] = "", part[64] = "";
+  if (run->kept)
+    snprintf(kept, sizeof kept, " (kept)");
+  else if (run->resumed)
+    snprintf(kept, sizeof kept, " (%zu points kept)", run->resumed);
+  if (!is_whole(run))
+    snprintf(part, sizeof part, " of %zu", run->plan->kase->point_count);
+  po_progress_say(&crew->progress, "%s: %zu%s points, %zu checks: %s%s",
+                  run->plan->kase->file->name, run->end - run->first, part, run->results.count,
+                  po_case_run_verdict(run), kept);
 }
 
 /* Compares and writes the record of a case whose last point is there. */
 static po_status finish_case(po_crew *crew, po_case_run *run) {
   run->finished = true;
   po_status status = compare_all(run);
-  if (!status && strcmp(run->old_key, run->plan->key) != 0)
+  if (!status && is_whole(run) && strcmp(run->old_key, run->plan->key) != 0)
     status = po_record_write(run, crew->options->output, crew->jobs);
+  if (!status && is_whole(run))
+    po_journal_remove(run, crew->options->output);
   if (!status)
-    po_progress_say(&crew->progress, "%s: %zu points, %zu checks: %s%s",
-                    run->plan->kase->file->name, run->plan->kase->point_count, run->results.count,
-                    po_case_run_verdict(run), run->kept ? " (kept)" : "");
+    tell_finished(crew, run);
   return status;
+}
+
+/* The last point of a whole case goes straight into the record. */
+static po_status keep_point(const po_crew *crew, const po_case_run *run, size_t point) {
+  if (run->pending == 0 && is_whole(run))
+    return PO_OK;
+  return po_journal_add(run, point, crew->options->output);
 }
 
 static int ascending(const void *a, const void *b) {
@@ -142,18 +135,21 @@ static void solve_point(const po_crew *crew, po_case_run *run, size_t point) {
 
 static void do_task(po_crew *crew, const po_task *task) {
   po_case_run *run = &crew->runs[task->run];
-  const double begin = po_progress_clock();
+  const double begin = po_clock_wall();
   solve_point(crew, run, task->point);
   const bool stopped = crew->options->stop && *crew->options->stop;
 #pragma omp critical(po_run_finish)
   if (!stopped) {
-    run->elapsed += po_progress_clock() - begin;
+    run->elapsed += po_clock_wall() - begin;
     run->pending -= 1;
+    run->done[task->point] = true;
     char what[128];
     snprintf(what, sizeof what, "%.40s %.60s", run->plan->kase->file->name,
              run->plan->kase->points[task->point].label);
     po_progress_step(&crew->progress, what);
-    const po_status status = run->pending == 0 ? finish_case(crew, run) : PO_OK;
+    po_status status = keep_point(crew, run, task->point);
+    if (!status && run->pending == 0)
+      status = finish_case(crew, run);
     if (status)
       give_up(crew, status);
   }
@@ -171,8 +167,9 @@ static po_task *list_tasks(const po_crew *crew, size_t count, size_t *shared, si
       const po_case_run *run = &crew->runs[r];
       if (run->finished || (run->plan->kase->repeats > 1) != timed)
         continue;
-      for (size_t p = 0; p < run->plan->kase->point_count; ++p)
-        tasks[(*total)++] = (po_task){r, p};
+      for (size_t p = run->first; p < run->end; ++p)
+        if (!run->done[p])
+          tasks[(*total)++] = (po_task){r, p};
     }
     if (!timed)
       *shared = *total;
@@ -198,9 +195,31 @@ static po_status work_through(po_crew *crew, size_t count) {
   if (crew->broken)
     return po_fail(crew->status, "%s", crew->message);
   if (crew->options->stop && *crew->options->stop)
-    return po_fail(PO_INTERRUPTED, "interrupted; finished cases are kept in %s, run again to go on",
+    return po_fail(PO_INTERRUPTED,
+                   "interrupted; finished points are kept in %s, run again to go on",
                    crew->options->output);
   return PO_OK;
+}
+
+/* Takes over what earlier runs left of a case, unless all is to be solved afresh. */
+static po_status begin_case(po_crew *crew, po_case_run *run) {
+  const po_run_options *options = crew->options;
+  const size_t count = run->plan->kase->point_count;
+  run->first = options->first < count ? options->first : count;
+  run->end = options->last < count ? options->last + 1 : count;
+  if (options->fresh && is_whole(run))
+    po_journal_remove(run, options->output);
+  else if (!options->fresh && po_record_read(run, options->output) == PO_OK)
+    return finish_case(crew, run);
+  else if (!options->fresh)
+    po_journal_read(run, options->output);
+  run->pending = 0;
+  for (size_t i = run->first; i < run->end; ++i) {
+    run->pending += run->done[i] ? 0 : 1;
+    run->resumed += run->done[i] ? 1 : 0;
+    run->elapsed += run->done[i] ? run->outcomes[i].work.seconds : 0;
+  }
+  return run->pending ? PO_OK : finish_case(crew, run);
 }
 
 po_status po_run(po_case_run *runs, size_t count, const po_run_options *options) {
@@ -210,7 +229,6 @@ po_status po_run(po_case_run *runs, size_t count, const po_run_options *options)
   po_status status = po_folder_make(options->output);
   po_progress_begin(&crew.progress, 0);
   for (size_t i = 0; !status && i < count; ++i)
-    if (!options->fresh && po_record_read(&runs[i], options->output) == PO_OK)
-      status = finish_case(&crew, &runs[i]);
+    status = begin_case(&crew, &runs[i]);
   return status ? status : work_through(&crew, count);
 }

@@ -12,7 +12,10 @@ typedef struct {
   po_plan *plan;
   po_outcome *outcomes;           /* one a point */
   double *seconds;                /* points x repeats, row after row: how long each solve took */
-  size_t pending;                 /* points not solved yet */
+  size_t first, end;              /* the points asked for: from first to before end */
+  bool *done;                     /* one a point: its outcome is there */
+  size_t pending;                 /* points asked for and not solved yet */
+  size_t resumed;                 /* points that an interrupted run left */
   bool kept;                      /* the outcomes are those of an earlier run */
   bool finished;                  /* all outcomes are there */
   char old_key[PO_DIGEST_LENGTH]; /* of the record they were read from */
@@ -23,18 +26,24 @@ typedef struct {
 typedef struct {
   const char *output;                /* the folder of the run */
   int jobs;                          /* threads; 0: all cores */
+  size_t first, last;                /* the points to solve, as far as there are */
   bool fresh;                        /* solve even what is there */
   const volatile sig_atomic_t *stop; /* nonzero: end soon */
 } po_run_options;
 
-/* Solves what is not there already, compares, writes the records.
- * Status: PO_INTERRUPTED, finished cases kept; PO_CANNOT_WRITE; PO_CANNOT_READ (a reference);
+/* Solves what is not there already, compares, writes the records. Of a case of which only some
+ * points are asked for, the checks are made on these, and no record is written: its journal keeps
+ * them (po_journal.h) for a run of the whole.
+ * Status: PO_INTERRUPTED, finished points kept; PO_CANNOT_WRITE; PO_CANNOT_READ (a reference);
  * PO_NO_MEMORY. A solve that fails is no failure of the run: see po_case_run_verdict. */
 po_status po_run(po_case_run *runs, size_t count, const po_run_options *options);
 
+/* Whether the solve of a point failed, and not as part of the share that a check lets fail. */
+bool po_case_run_failed(const po_case_run *run, size_t point);
+
 /* "within", "outside" (some check is, or could not be made), "failed" (some solve did). */
 const char *po_case_run_verdict(const po_case_run *run);
-size_t po_case_run_failures(const po_case_run *run); /* solves */
+size_t po_case_run_failures(const po_case_run *run); /* such solves */
 size_t po_case_run_outside(const po_case_run *run);  /* checks that do not pass */
 
 /* Allocates what a run of this plan needs; takes the plan. */

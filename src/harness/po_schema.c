@@ -31,12 +31,31 @@ static const cyaml_schema_field_t AXIS_FIELDS[] = {
 static const cyaml_schema_value_t AXIS = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, po_axis, AXIS_FIELDS)};
 
+static const cyaml_schema_field_t DRAW_FIELDS[] = {
+    TEXT("key", po_draw, key),
+    TEXT("from", po_draw, from_text),
+    TEXT("to", po_draw, to_text),
+    OPTIONAL_TEXT("scale", po_draw, scale),
+    OPTIONAL_TEXT("times", po_draw, times),
+    CYAML_FIELD_END,
+};
+static const cyaml_schema_value_t DRAW = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, po_draw, DRAW_FIELDS)};
+
+static const cyaml_schema_field_t SAMPLE_FIELDS[] = {
+    TEXT("seed", po_sample_words, seed_text),
+    TEXT("count", po_sample_words, count_text),
+    LIST("keys", 0, po_sample_words, keys, &DRAW),
+    CYAML_FIELD_END,
+};
+
 static const cyaml_schema_field_t CHECK_FIELDS[] = {
     TEXT("quantity", po_check, quantity_text),
     TEXT("reference", po_check, reference),
     TEXT("tolerance", po_check, tolerance_text),
     TEXT("kind", po_check, kind_text),
     TEXT("because", po_check, because),
+    OPTIONAL_TEXT("stand_in", po_check, stand_in),
     LIST("when", CYAML_FLAG_OPTIONAL, po_check, when, &AXIS),
     CYAML_FIELD_END,
 };
@@ -56,6 +75,7 @@ static const cyaml_schema_field_t SCENE_FIELDS[] = {
     SCENE_KEY("tolerance", PO_KEY_TOLERANCE),
     SCENE_KEY("approach_start", PO_KEY_APPROACH_START),
     SCENE_KEY("approach_end", PO_KEY_APPROACH_END),
+    SCENE_KEY("time_limit", PO_KEY_TIME_LIMIT),
     CYAML_FIELD_END,
 };
 
@@ -68,6 +88,8 @@ static const cyaml_schema_field_t CASE_FIELDS[] = {
     LIST("suites", 0, po_case_file, suite_names, &WORD),
     CYAML_FIELD_MAPPING("scene", CYAML_FLAG_DEFAULT, po_case_file, scene, SCENE_FIELDS),
     LIST("sweep", CYAML_FLAG_OPTIONAL, po_case_file, sweep, &AXIS),
+    CYAML_FIELD_MAPPING_PTR("sample", CYAML_FLAG_POINTER | CYAML_FLAG_OPTIONAL, po_case_file,
+                            sample, SAMPLE_FIELDS),
     OPTIONAL_TEXT("repeats", po_case_file, repeats_text),
     LIST("want", 0, po_case_file, want_names, &WORD),
     LIST("checks", CYAML_FLAG_OPTIONAL, po_case_file, checks, &CHECK),
@@ -86,18 +108,29 @@ static const struct {
     {"figure", "the number of a figure"},
     {"equations", "the numbers of equations"},
     {"figure_script", "the name of a script"},
-    {"suites", "a list of smoke, paper, extreme, precision"},
+    {"suites", "a list of smoke, paper, extreme, precision, random"},
     {"scene", "a mapping of scene keys"},
     {"sweep", "a list of {key, values}"},
+    {"sample", "a mapping of seed, count, keys"},
+    {"sample.seed", "a whole number of at most 15 digits"},
+    {"sample.count", "a whole number from 1 to 100000"},
+    {"sample.keys", "a list of {key, from, to}"},
+    {"sample.keys.key", "a key of the scene whose value is a number, and not a count"},
+    {"sample.keys.from", "a finite number"},
+    {"sample.keys.to", "a finite number > from"},
+    {"sample.keys.scale", "linear or log"},
+    {"sample.keys.times", "root_radius or a key given before: by scene, sweep or an earlier item"},
     {"repeats", "a whole number from 1 to 1000"},
     {"want", "a list of pull_off, folds, extrema, curve, profile"},
     {"checks", "a list of checks"},
-    {"checks.quantity", "pull_off_force, pull_off_approach, fold_count, folds, extrema, curve or "
-                        "work"},
-    {"checks.reference", "bradley, pin or the path of a CSV file"},
+    {"checks.quantity", "pull_off_force, pull_off_approach, fold_count, folds, extrema, curve, "
+                        "work or solved_share"},
+    {"checks.reference", "bradley, pin, every_scene or the path of a CSV file"},
     {"checks.tolerance", "a finite number > 0"},
     {"checks.kind", "abs, rel or ulp"},
     {"checks.because", "the reason for the tolerance"},
+    {"checks.stand_in",
+     "the reference of another check, which stands in while this one's is absent"},
     {"key", "a key of the scene"},
     {"values", "a list of values"},
     {"when", "a list of {key, values}"},

@@ -14,17 +14,17 @@ static po_status write_table(const char *path, const po_request *request, const 
                              const char *units, po_text *rows, char *digest) {
   char own[PO_DIGEST_LENGTH];
   char *command = po_input_command(request);
-  po_text text = {0};
-  po_digest_bytes(po_text_string(rows), rows->length, own);
-  po_text_add(&text, "# what: %s\n# units: %s\n# command: %s\n# sha256: %s\n", what, units,
-              command ? command : "", own);
-  po_text_add_bytes(&text, po_text_string(rows), rows->length);
-  const bool failed = text.failed || rows->failed || !command;
+  po_text header = {0}, text = {0};
+  po_text_add(&header, "# what: %s\n# units: %s\n# command: %s\n", what, units,
+              command ? command : "");
+  po_csv_seal(&header, rows, &text, own);
+  const bool failed = text.failed || !command;
   const po_status status = failed ? PO_NO_MEMORY : po_file_write(path, text.data, text.length);
   if (digest)
     memcpy(digest, own, sizeof own);
   free(command);
   po_text_clear(rows);
+  po_text_clear(&header);
   po_text_clear(&text);
   return status;
 }
@@ -73,7 +73,7 @@ static po_status read_numbers(const char *path, const char *digest, const char *
   *values = po_allocate(csv.row_count * count, sizeof **values);
   if (!*values)
     status = PO_NO_MEMORY;
-  else if (strcmp(digest, csv.data_digest) != 0)
+  else if (strcmp(digest, csv.digest) != 0)
     status = po_fail(PO_CANNOT_READ, "%s is not the table of this record", path);
   for (size_t c = 0; !status && c < count; ++c) {
     const int column = po_csv_find_column(&csv, names[c]);

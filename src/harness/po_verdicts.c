@@ -26,8 +26,9 @@ static void table_line(const po_case_run *run, const po_result *item, po_text *t
   number_or_dash(curve && isfinite(item->error) ? 0 : item->expected, 9, expected);
   ratio_or_dash(item->ratio, ratio);
   po_text_add(text, "%-12s %-23s %-24s %14s %14s %9s  %-9s %s%s%s\n", run->plan->kase->file->name,
-              item->quantity, run->plan->kase->points[item->point].label, obtained, expected, ratio,
-              po_ledger_name(item->ledger), po_verdict_name(item->verdict),
+              item->quantity, item->whole ? "-" : run->plan->kase->points[item->point].label,
+              obtained, expected, ratio, po_ledger_name(item->ledger),
+              po_verdict_name(item->verdict),
               item->verdict != PO_WITHIN && item->note[0] ? ": " : "",
               item->verdict != PO_WITHIN ? item->note : "");
 }
@@ -75,7 +76,7 @@ void po_verdicts_table(const po_case_run *runs, size_t count, po_text *text) {
     for (size_t i = 0; i < run->results.count; ++i)
       table_line(run, &run->results.items[i], text);
     for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-      if (run->outcomes[i].status != PO_OK)
+      if (po_case_run_failed(run, i))
         po_text_add(text, "%-12s %-23s %-24s failed: %s\n", run->plan->kase->file->name, "solve",
                     run->plan->kase->points[i].label, run->outcomes[i].reason);
   }
@@ -113,7 +114,7 @@ void po_verdicts_tap(const po_case_run *runs, size_t count, po_text *text) {
     for (size_t i = 0; i < run->results.count; ++i)
       tap_check(run, &run->results.items[i], ++number, text);
     for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-      if (run->outcomes[i].status != PO_OK)
+      if (po_case_run_failed(run, i))
         po_text_add(text, "not ok %zu - %s solve/%s\n# %s\n", ++number, run->plan->kase->file->name,
                     run->plan->kase->points[i].label, run->outcomes[i].reason);
   }
@@ -163,7 +164,7 @@ static void junit_suite(const po_case_run *run, po_text *text) {
                text);
   }
   for (size_t i = 0; i < kase->point_count; ++i)
-    if (run->outcomes[i].status != PO_OK) {
+    if (po_case_run_failed(run, i)) {
       char id[300];
       snprintf(id, sizeof id, "solve/%s", kase->points[i].label);
       junit_test(kase->file->name, id, false, run->outcomes[i].reason,

@@ -3,9 +3,9 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
 #include "po_adaptive.h"
+#include "po_clock.h"
 #include "po_linear.h"
 #include "po_reader.h"
 #include "po_rigid.h"
@@ -48,12 +48,6 @@ static const char *const KINDS[] = {[PO_JUMP_IN] = "jump_in",
 
 const char *po_landmark_kind_name(po_landmark_kind kind) {
   return KINDS[kind];
-}
-
-static double seconds_now(void) {
-  struct timespec now;
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
 static po_branch_options options_of(const po_request *request, po_reader *reader) {
@@ -132,10 +126,10 @@ static po_status make_surface(const po_request *request, bool rigid, double core
 
 /* One trace on a surface with the given core, to the given tolerance. */
 static po_status trace(const po_request *request, bool rigid, double core, double tolerance,
-                       po_outcome *outcome) {
+                       double deadline, po_outcome *outcome) {
   po_surface *fixed = NULL;
   po_adaptive *panels = NULL;
-  po_reader reader = {.request = request, .outcome = outcome};
+  po_reader reader = {.request = request, .outcome = outcome, .deadline = deadline};
   po_status status = PO_OK;
   if (!rigid || (request->want & PO_WANT_PROFILE))
     status = make_surface(request, rigid, core, &fixed, &panels);
@@ -183,13 +177,15 @@ static po_status observe(const po_request *request, po_outcome *outcome) {
   if (status)
     return status;
   const bool rigid = po_rigid_suffices(&request->scene);
+  const double deadline =
+      isnan(request->time_limit) ? INFINITY : po_clock_thread() + request->time_limit;
   double core =
       po_surface_core(&request->scene, fmax(request->approach_end, request->profile_approach));
   double tolerance = request->mesh.tolerance;
   po_work work = {0};
   for (int meshes = 0, traces = 1; meshes < MOST_MESHES; ++traces) {
     clear(outcome);
-    status = trace(request, rigid, core, tolerance, outcome);
+    status = trace(request, rigid, core, tolerance, deadline, outcome);
     add_work(&outcome->work, &work);
     const double excess = status || rigid ? 0.0 : excess_error(request, outcome);
     if (status == PO_OUT_OF_DOMAIN) {
@@ -208,14 +204,14 @@ static po_status observe(const po_request *request, po_outcome *outcome) {
 po_status po_observe(const po_request *request, po_outcome *outcome) {
   *outcome = (po_outcome){.status = PO_OK};
   clear(outcome);
-  const double begin = seconds_now();
+  const double begin = po_clock_wall();
   po_linear_single_thread();
   po_message_clear();
   outcome->status = observe(request, outcome);
   if (outcome->status)
     snprintf(outcome->reason, sizeof outcome->reason, "%s",
              *po_message() ? po_message() : po_status_text(outcome->status));
-  outcome->work.seconds = seconds_now() - begin;
+  outcome->work.seconds = po_clock_wall() - begin;
   return outcome->status;
 }
 

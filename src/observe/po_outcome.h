@@ -23,6 +23,7 @@ typedef struct {
   double approach_end;     /* where it ends, in eps; NAN: once the pull-off is certain */
   unsigned want;           /* PO_WANT_... */
   double profile_approach; /* in eps, first passage along the branch; NAN: at pull-off */
+  double time_limit;       /* seconds of processor time of the thread that solves; NAN: none */
   const volatile sig_atomic_t *stop; /* asked now and then: nonzero stops the solve; may be NULL */
 } po_request;
 
@@ -109,7 +110,9 @@ po_status po_request_check(const po_request *request);
 /* Traces the branch of a scene and reads off what the request wants.
  * Given: a request. Returned: an outcome, to be given to po_outcome_clear whatever the status.
  * Status: that of the outcome: PO_OK; PO_STEP_TOO_SMALL, PO_TOO_MANY_POINTS, PO_NOT_CONVERGED,
- * PO_INTERRUPTED (with reason, and with what was found until then); PO_BAD_INPUT, PO_NO_MEMORY. */
+ * PO_INTERRUPTED, PO_OUT_OF_TIME (with reason, and with what was found until then); PO_BAD_INPUT,
+ * PO_NO_MEMORY. The time limit is looked at after every converged point of the branch: a solve may
+ * exceed it by the time of one such step. */
 po_status po_observe(const po_request *request, po_outcome *outcome);
 
 /* Frees the arrays of an outcome and zeroes it. */

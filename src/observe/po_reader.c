@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "po_clock.h"
 #include "po_contact.h"
 #include "po_law.h"
 #include "po_memory.h"
@@ -200,6 +201,12 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
   po_outcome *o = r->outcome;
   if (r->request->stop && *r->request->stop) {
     r->status = po_fail(PO_INTERRUPTED, "interrupted at approach %.6g", p->approach);
+    return true;
+  }
+  if (po_clock_thread() > r->deadline) {
+    r->status = po_fail(PO_OUT_OF_TIME,
+                        "after %g s of processor time the trace is at approach %.6g, load %.6g",
+                        r->request->time_limit, p->approach, p->load);
     return true;
   }
   if (!r->begun && !(p->approach >= r->begin))

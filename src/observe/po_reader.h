@@ -21,12 +21,13 @@ typedef struct {
   double last_maximum;        /* of the load; 0 before there was one */
   double greatest_drop;       /* of the load from a maximum to the next minimum */
   size_t most_nodes;          /* of the surface so far */
+  double deadline;            /* on po_clock_thread; INFINITY: none */
   size_t extremum_room, fold_room, curve_room;
   po_status status;
 } po_reader;
 
-/* A po_branch_visit; data is the reader. Ends the trace when stopped, out of memory, at trouble, or
- * (without an approach_end) when the pull-off is certain. */
+/* A po_branch_visit; data is the reader. Ends the trace when stopped, past the deadline, out of
+ * memory, at trouble, or (without an approach_end) when the pull-off is certain. */
 bool po_reader_visit(const po_branch_point *point, void *data);
 
 #endif

@@ -8,7 +8,8 @@ po_request po_request_default(void) {
                       .mesh = po_mesh_default(),
                       .approach_start = NAN,
                       .approach_end = NAN,
-                      .profile_approach = NAN};
+                      .profile_approach = NAN,
+                      .time_limit = NAN};
 }
 
 po_status po_request_check(const po_request *request) {
@@ -29,5 +30,8 @@ po_status po_request_check(const po_request *request) {
   if (isinf(request->profile_approach))
     return po_fail(PO_BAD_INPUT, "profile_approach is %g: expected a finite number",
                    request->profile_approach);
+  if (request->time_limit <= 0.0 || isinf(request->time_limit))
+    return po_fail(PO_BAD_INPUT, "time_limit is %g: expected a finite number > 0",
+                   request->time_limit);
   return PO_OK;
 }

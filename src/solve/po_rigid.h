@@ -11,8 +11,10 @@ bool po_rigid_suffices(const po_scene *scene);
 
 /* W/(pi w R) of the rigid bodies at an approach < 1, and its derivative by the approach.
  * Given: scene (its Tabor parameter is not read). Returned: load and load_rate; status
- * PO_NOT_CONVERGED when the quadrature fails. Accuracy: 1e-10 of max(1, |load|)
- * (tests/test_rigid.c). */
+ * PO_NOT_CONVERGED when the quadrature fails. Accuracy: 1e-10 of max(1, |load|) of a smooth scene
+ * (tests/unit/test_rigid.c); 1e-9 of a wavy one, what po_averaging_radius may lose,
+ * measured 9.4e-10 on every row of reference/rigid_integral.csv
+ * (tests/theory/test_tables_surface.c). */
 po_status po_rigid_load(const po_scene *scene, double approach, double *load, double *load_rate);
 
 /* Visits the loading curve as po_branch_trace does: points, extrema of the load, station and end;

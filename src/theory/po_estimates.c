@@ -5,13 +5,24 @@
 
 #include "po_root.h"
 
-static bool is_wavy(const po_scene *scene) {
-  return scene->amplitude > 0.0 && scene->wavelength > 0.0 && scene->radius > 0.0;
+/* A smooth sphere needs no wavelength. */
+static bool is_inside(const po_scene *scene) {
+  return scene->radius > 0.0 &&
+         (scene->amplitude == 0.0 || (scene->amplitude > 0.0 && scene->wavelength > 0.0));
+}
+
+/* A/lambda, 0 when smooth. */
+static double steepness(const po_scene *scene) {
+  if (!is_inside(scene))
+    return NAN;
+  return po_scene_is_wavy(scene) ? scene->amplitude / scene->wavelength : 0.0;
 }
 
 double po_johnson_parameter(const po_scene *scene) {
-  if (!(is_wavy(scene) && scene->tabor > 0.0))
+  if (!(is_inside(scene) && scene->tabor > 0.0))
     return NAN;
+  if (!po_scene_is_wavy(scene))
+    return INFINITY;
   const double e = sqrt(scene->radius / pow(scene->tabor, 3.0)); /* E* eps / w */
   return sqrt(2.0 * scene->wavelength / e) / (M_PI * scene->amplitude);
 }
@@ -34,13 +45,13 @@ po_contact po_kesari_lew_edge(const po_scene *scene, double contact_radius, int 
 }
 
 double po_persson_tosatti_area(const po_scene *scene) {
-  const double slope = M_PI * scene->amplitude / scene->wavelength;
-  return is_wavy(scene) ? 1.0 + slope * slope : NAN;
+  const double slope = M_PI * steepness(scene);
+  return 1.0 + slope * slope;
 }
 
 double po_persson_tosatti_area_printed(const po_scene *scene) {
-  const double ratio = scene->amplitude / scene->wavelength;
-  return is_wavy(scene) ? 1.0 + M_PI * ratio * ratio : NAN;
+  const double ratio = steepness(scene);
+  return 1.0 + M_PI * ratio * ratio;
 }
 
 double po_persson_tosatti_work(const po_scene *scene) {
@@ -74,12 +85,14 @@ double po_compactness_bound(void) {
 }
 
 double po_compactness_radius(const po_scene *scene) {
-  return is_wavy(scene) ? 2.0 * M_PI * scene->amplitude * scene->radius / scene->wavelength : NAN;
+  return 2.0 * M_PI * steepness(scene) * scene->radius;
 }
 
 double po_crest_radius(const po_scene *scene) {
+  if (!is_inside(scene))
+    return NAN;
   const double wave = scene->wavelength / (2.0 * M_PI);
-  return is_wavy(scene) ? wave * wave / scene->amplitude : NAN;
+  return po_scene_is_wavy(scene) ? wave * wave / scene->amplitude : INFINITY;
 }
 
 double po_crest_composite_radius(const po_scene *scene) {

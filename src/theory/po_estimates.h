@@ -4,8 +4,10 @@
 
 #include "po_jkr.h"
 
-/* All return NaN outside the domain: tabor, amplitude, wavelength, radius > 0 as each needs them.
- * Accuracy: 1e-14 relative (tests/unit/test_theory.c). */
+/* All return NaN outside the domain: tabor, wavelength, radius > 0 and amplitude >= 0 as each needs
+ * them. Amplitude 0, the smooth sphere, is the limit: an infinite Johnson parameter, the work of
+ * adhesion itself, JKR for the edges, no critical radius, an infinite radius of the crest.
+ * Accuracy: 1e-14 relative (tests/unit/test_theory.c, tests/theory/test_tables_theory.c). */
 
 /* alpha_KLJ = sqrt(2 lambda w/(pi^2 A^2 E*)), the Johnson parameter (after Eq 4). */
 double po_johnson_parameter(const po_scene *scene);

@@ -6,7 +6,8 @@
  * one, on panels that shrink towards the crest; the sum over the others is Euler's and Maclaurin's,
  * whose integral over the number of the wave is elementary. Given: amplitude/eps > 0 (0: Bradley);
  * alpha = A R/lambda^2 > 0; approach/eps < 1. Returned: W/(pi w R), > 0 compressive; NaN outside
- * the domain. Accuracy: 1e-10 relative (tests/unit/test_theory.c: 2e-9, of its midpoint sum). */
+ * the domain. Accuracy: 1e-10 relative, measured 5.3e-11 on every row of
+ * reference/rigid_integral.csv (tests/theory/test_tables_theory.c). */
 double po_wavy_rigid_load(double amplitude, double alpha, double approach);
 
 /* Its slope dW/d(approach), in 1/eps. */
@@ -18,7 +19,8 @@ typedef struct {
 } po_rigid_pull_off;
 
 /* The global minimum of the load over the approach. Given: as above. Returned: NaN outside the
- * domain. Accuracy: that of the load. */
+ * domain. Accuracy: 1e-10, of the force relative, of the approach in eps, measured 5.9e-11 on every
+ * row of reference/rigid_pull_off.csv. */
 po_rigid_pull_off po_wavy_rigid_pull_off(double amplitude, double alpha);
 
 #endif

@@ -37,9 +37,9 @@ spoilt 's/nodes: 101/nodes: -5/' '10: scene.nodes is -5: expected a whole number
 spoilt 's/scheme: triangle/scheme: cube/' '9: scene.scheme is cube: expected ring, triangle or panel'
 spoilt 's/  radius: 100/  radios: 100/' \
   '7: scene.radios is unknown: expected one of tabor, amplitude, wavelength, radius, *'
-spoilt '/  radius/d' '4: scene.radius is missing: expected a finite number > 0, here or in the sweep'
+spoilt '/  radius/d' '4: scene.radius is missing: expected a finite number > 0, here, in the sweep or in the sample'
 spoilt 's/amplitude: 0/amplitude: 1/' \
-  '4: scene.wavelength is missing: expected a finite number > 0, here or in the sweep'
+  '4: scene.wavelength is missing: expected a finite number > 0, here, in the sweep or in the sample'
 spoilt 's/  radius: 100/  radius: 100\n  radius: 50/' \
   '8: radius is given twice, first on line 7: expected it once'
 spoilt 's/^name: good/name: good\nname: bad/' \
@@ -52,7 +52,7 @@ spoilt 's/want: .*/want: [pudding]/' \
   '11: want[[]1[]] is pudding: expected pull_off, folds, extrema, curve or profile'
 spoilt 's/want: .*/want: []/' '11: want is a list: expected a list of pull_off, *'
 spoilt 's/suites: .*/suites: [dessert]/' \
-  '3: suites[[]1[]] is dessert: expected smoke, paper, extreme or precision'
+  '3: suites[[]1[]] is dessert: expected smoke, paper, extreme, precision or random'
 spoilt 's/^title: .*/flavour: sweet/' '2: flavour is unknown: expected one of name, title, figure, *'
 spoilt 's/^scene:/scene: 3\nscenery:/' '4: scene is 3: expected a mapping of scene keys'
 spoilt 's/^want/repeats: 0\nwant/' '11: repeats is 0: expected a whole number from 1 to 1000'
@@ -77,6 +77,14 @@ spoilt 's/tolerance: 1e-9/tolerance: .nan/' \
   '15: checks[[]1[]].tolerance is .nan: expected a finite number > 0'
 spoilt 's/kind: abs/kind: roughly/' \
   '16: checks[[]1[]].kind is roughly: expected abs, rel or ulp'
+spoilt 's/pull_off_force/solved_share/' \
+  '14: checks[[]1[]].reference is reference/table.csv: expected every_scene, *'
+spoilt 's/reference: .*/reference: every_scene/' \
+  '14: checks[[]1[]].reference is every_scene: expected bradley, pin or the path of a CSV file'
+spoilt 's/pull_off_force/solved_share/; s/reference: .*/reference: every_scene/; s/kind: abs/kind: rel/' \
+  '16: checks[[]1[]].kind is rel: expected abs, as a share is'
+spoilt 's/pull_off_force/solved_share/; s/reference: .*/reference: every_scene/; s/1e-9/1/' \
+  '15: checks[[]1[]].tolerance is 1: expected the share that may fail, below 1'
 spoilt '/because/d' '*: checks[[]1[]].because is missing: expected the reason for the tolerance'
 spoilt 's/because: .*/because: ""/' \
   '17: checks[[]1[]].because is empty: expected the reason for the tolerance'

@@ -40,9 +40,16 @@ write_table() { # FILE COLUMNS ROW...
 # generator: none
 # command: none
 # date: 2026-11-21
-# sha256: $(sha256sum <"$work/rows" | cut -d' ' -f1)
 TABLE
   cat "$work/rows" >>"$into"
+  seal "$into"
+}
+
+# Puts the right checksum into a table, above the line of column names.
+seal() { # FILE
+  sed -i '/^# sha256:/d' "$1"
+  line=$(grep -n -m 1 -v '^#' "$1" | cut -d: -f1)
+  sed -i "${line}i # sha256: $(sha256sum <"$1" | cut -d' ' -f1)" "$1"
 }
 
 restore() {
@@ -50,5 +57,6 @@ restore() {
   mkdir -p "$PULLOFF_DATA/cases" "$PULLOFF_DATA/reference"
   write_case "$PULLOFF_DATA/cases/good.yaml"
   write_table "$PULLOFF_DATA/reference/table.csv" tabor,force,approach 0,2,0
+  echo table.csv >"$PULLOFF_DATA/reference/index.txt"
 }
 restore

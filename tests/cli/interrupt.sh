@@ -35,7 +35,7 @@ write_long long 801
 # A shell gives its background jobs SIGINT ignored; the program must hear it all the same.
 interrupt INT
 check 'exit code 130 after SIGINT' test $? -eq 130
-check 'it says so' grep -q 'pulloff: interrupted; finished cases are kept in run' "$work/stderr"
+check 'it says so' grep -q 'pulloff: interrupted; finished points are kept in run' "$work/stderr"
 check 'the finished case is kept' test -s run/good/record.json
 check 'the other has no record' test ! -e run/long/record.json
 interrupt TERM

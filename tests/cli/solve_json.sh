@@ -14,7 +14,7 @@ def refuse(word):
 d = json.load(sys.stdin, parse_constant=refuse)
 assert d["schema"] == "pulloff/1" and d["status"] == "ok" and d["reason"] == ""
 assert list(d["input"]) == ["tabor", "amplitude", "wavelength", "radius", "outer_radius", "scheme",
-                            "grading", "nodes", "tolerance", "approach_start", "approach_end"], list(d["input"])
+                            "grading", "nodes", "tolerance", "approach_start", "approach_end", "time_limit"], list(d["input"])
 assert d["input"]["outer_radius"] == "inf" and d["input"]["nodes"] == 101
 p = d["pull_off"]
 assert abs(p["force"] - 1.67067) < 1e-3 and abs(p["approach"] + 0.8734) < 2e-3
@@ -43,6 +43,12 @@ expect 0 '' solve --tabor 1 --nodes 101
 check 'for people: the pull-off' grep -q '^pull-off force 1.67' "$work/stdout"
 expect 0 '' solve --tabor 0 --json
 check 'rigid' grep -q '"rigid": true' "$work/stdout"
+
+# A solve that takes too long says how far it came.
+expect 3 'pulloff: the solve failed: after 1e-09 s of processor time the trace is at approach -*, load *' \
+  solve --tabor 1 --time-limit 1e-9 --json
+check 'its document says so' grep -q '"status": "out_of_time"' "$work/stdout"
+expect 2 'pulloff: --time-limit is 0: expected a finite number > 0' solve --time-limit 0
 
 # The same numbers every time, to the last bit.
 "$program" solve --tabor 2 --nodes 101 --want curve --json | grep -v seconds >first

@@ -27,6 +27,16 @@ near peak_distance 1.2009369551760027 1e-15 lennard-jones
 near load -2 1e-15 bradley --approach 0
 near part_of_bradley 1 1e-4 rumpf-rabinowicz --alpha 1e-7 --radius 100
 near composite_radius 48.4 1 crest --amplitude 0.1 --wavelength 19.4
+# Amplitude 0 is the smooth sphere, not a mistake.
+near pull_off_force 1.5 1e-14 guduru --tabor 2.385 --amplitude 0
+near pull_off_approach -1.8445993817945 1e-12 guduru --tabor 2.385 --amplitude 0
+near effective_work 1 0 kesari-lew --tabor 2.385 --amplitude 0 --wavelength 20
+near effective_work 1 0 persson-tosatti --amplitude 0
+near pull_off_force 2 0 rigid --amplitude 0
+near composite_radius 77 1e-13 crest --amplitude 0 --radius 77
+near critical_radius 0 0 compactness --amplitude 0
+expect 0 '' theory kesari-lew --amplitude 0
+check 'an infinite Johnson parameter is a dash' grep -q '^johnson_parameter  *-$' "$work/stdout"
 expect 0 '' theory kesari-lew --amplitude 1 --wavelength 20 --contact-radius 30
 check 'for people' grep -q '^effective_work ' "$work/stdout"
 
@@ -37,6 +47,6 @@ expect 2 'pulloff: theory rigid needs --amplitude' theory rigid --alpha 1
 expect 2 'pulloff: theory rigid needs --alpha, or *' theory rigid --amplitude 1
 expect 2 'pulloff: --tabor is 0: expected a finite number > 0' theory jkr --tabor 0
 expect 2 'pulloff: --approach is 1: expected a finite number < 1' theory bradley --approach 1
-expect 2 'pulloff: --radius is nan: expected a finite number' theory jkr --radius nan
+expect 2 'pulloff: --radius is nan: expected a finite number > 0' theory jkr --radius nan
 expect 2 'pulloff: theory takes no more*' theory jkr more
 finish

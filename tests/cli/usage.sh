@@ -43,10 +43,16 @@ expect 2 'pulloff: --amplitude is given without --wavelength: expected both' sol
 expect 2 'pulloff: *approach_end*' solve --approach-start 1 --approach-end 0
 expect 2 'pulloff: solve takes no leftover*' solve --tabor 0 leftover
 expect 2 'pulloff: plan needs the name of a case*' plan
-expect 2 'pulloff: --jobs is 0: expected a whole number > 0' run --jobs 0
-expect 2 'pulloff: --jobs is many: expected a whole number > 0' run --jobs many
+expect 2 'pulloff: --jobs is -1: expected a whole number, 0 for all cores' run --jobs -1
+expect 2 'pulloff: --jobs is many: expected a whole number, 0 for all cores' run --jobs many
+expect 2 'pulloff: --points is 5-3: expected FROM-TO or one number, counted from 0' run --points 5-3
+expect 2 'pulloff: --points is 5-: expected FROM-TO or one number, counted from 0' run --points 5-
+expect 2 'pulloff: --points is few: expected FROM-TO or one number, counted from 0' run --points few
+expect 2 'pulloff: --points begins at 6: expected less than 6, the points of smoke' \
+  run smoke --points 6
+expect 2 'pulloff: --time-limit is 0: expected a finite number > 0' run --time-limit 0
 expect 2 'pulloff: --output is empty: expected the name of a folder' run --output ''
-expect 2 'pulloff: --suite is dessert: expected smoke, paper, extreme or precision' \
+expect 2 'pulloff: --suite is dessert: expected smoke, paper, extreme, precision or random' \
   run --suite dessert
 expect 2 'pulloff: list takes no smoke*' list smoke
 finish

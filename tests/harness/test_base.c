@@ -154,9 +154,35 @@ START_TEST(csv_reads_headers_columns_rows) {
   ck_assert_int_eq(po_csv_number(&csv, 1, 1, &value), PO_OK);
   ck_assert_double_eq(value, -4e3);
   char digest[PO_DIGEST_LENGTH];
-  po_digest_bytes("a,b\n1,2\n2.385,-4e3\n", 19, digest);
-  ck_assert_str_eq(csv.data_digest, digest);
+  po_digest_bytes("# what: a: b\n#units:\na,b\n1,2\n2.385,-4e3\n", 40, digest);
+  ck_assert_str_eq(csv.digest, digest);
   po_csv_clear(&csv);
+  /* its own line does not count, wherever it is; a header does */
+  ck_assert_int_eq(read_text("# what: a: b\n#units:\n# sha256: x\na,b\n1,2\n2.385,-4e3\n", &csv),
+                   PO_OK);
+  ck_assert_str_eq(csv.digest, digest);
+  po_csv_clear(&csv);
+  ck_assert_int_eq(read_text("# sha256: x\n# what: a: c\n#units:\na,b\n1,2\n2.385,-4e3\n", &csv),
+                   PO_OK);
+  ck_assert_str_ne(csv.digest, digest);
+  po_csv_clear(&csv);
+}
+END_TEST
+
+START_TEST(csv_is_sealed) {
+  po_text header = {0}, rows = {0}, file = {0};
+  char digest[PO_DIGEST_LENGTH];
+  po_text_add(&header, "# what: sealed\n");
+  po_text_add(&rows, "a\n2.385\n");
+  po_csv_seal(&header, &rows, &file, digest);
+  po_csv csv;
+  ck_assert_int_eq(read_text(po_text_string(&file), &csv), PO_OK);
+  ck_assert_str_eq(csv.digest, digest);
+  ck_assert_str_eq(po_csv_find_header(&csv, "sha256")->value, digest);
+  po_csv_clear(&csv);
+  po_text_clear(&header);
+  po_text_clear(&rows);
+  po_text_clear(&file);
 }
 END_TEST
 
@@ -215,6 +241,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, text_grows);
   tcase_add_test(tests, file_is_written_whole_or_not_at_all);
   tcase_add_test(tests, csv_reads_headers_columns_rows);
+  tcase_add_test(tests, csv_is_sealed);
   tcase_add_loop_test(tests, csv_refuses_damage, 0, COUNT(DAMAGED));
   tcase_add_test(tests, csv_rows_read_back_exactly);
 }

@@ -54,7 +54,7 @@ END_TEST
 static const struct {
   const char *checked, *side, *why;
 } FROZEN[] = {
-    {"reference/sage.csv sha256 0123", "tolerance", "its rows are those of then"},
+    {"reference/sage.csv sha256 0123", "tolerance", "it is what it was then"},
     {"reference/sage.csv sha256 4567", "reference", "the reference was altered"},
     {"reference/seer.csv sha256 0123", "program", "was not among the oracles"},
 };
@@ -63,7 +63,7 @@ START_TEST(wrong_and_frozen) {
   po_csv_header header = {.key = (char *)"checked 1", .value = (char *)FROZEN[_i].checked};
   made_references[PIN].table = (po_csv){.headers = &header, .header_count = 1};
   made_references[WORK].table = made_references[PIN].table;
-  strcpy(made_references[ORACLE].table.data_digest, "0123");
+  strcpy(made_references[ORACLE].table.digest, "0123");
   const size_t oracle = found(ORACLE, 0, "pull_off_force", "", 1.503, 1.5, 1e-10);
   found(PIN, 0, "pull_off_force", "", 1.503, 1.503, 0);
   po_judge(&made_run.results);

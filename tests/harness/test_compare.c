@@ -39,14 +39,15 @@ static void setup(void) {
   ck_assert_ptr_nonnull(mkdtemp(folder));
   snprintf(case_path, sizeof case_path, "%s/made.yaml", folder);
   snprintf(table_path, sizeof table_path, "%s/table.csv", folder);
-  po_text text = {0};
+  po_text header = {0}, rows = {0}, text = {0};
   char digest[PO_DIGEST_LENGTH];
-  po_digest_bytes(ROWS, strlen(ROWS), digest);
-  po_text_add(&text,
-              "# what: w\n# source: s\n# kind: published\n# method: m\n# units: u\n"
-              "# uncertainty: 1e-9\n# generator: g\n# command: c\n# date: d\n# sha256: %s\n%s",
-              digest, ROWS);
+  po_text_add(&header, "# what: w\n# source: s\n# kind: published\n# method: m\n# units: u\n"
+                       "# uncertainty: 1e-9\n# generator: g\n# command: c\n# date: d\n");
+  po_text_add(&rows, "%s", ROWS);
+  po_csv_seal(&header, &rows, &text, digest);
   ck_assert_int_eq(po_file_write(table_path, text.data, text.length), PO_OK);
+  po_text_clear(&header);
+  po_text_clear(&rows);
   po_text_clear(&text);
 }
 
@@ -189,6 +190,37 @@ START_TEST(curve_of_the_closed_form) {
 }
 END_TEST
 
+static const struct {
+  const char *tolerance;
+  po_status first, second;
+  const char *reason;
+  double share;
+  po_verdict verdict;
+  const char *note;
+} SHARES[] = {
+    {"0.4", PO_OK, PO_OK, "", 1, PO_WITHIN, ""},
+    {"0.6", PO_OK, PO_OUT_OF_TIME, "late", 0.5, PO_WITHIN,
+     "1 of 2 failed, the first point 1: late"},
+    {"0.4", PO_OUT_OF_TIME, PO_OK, "", 0.5, PO_OUTSIDE, "1 of 2 failed, the first point 0: late"},
+    {"0.6", PO_OK, PO_OUT_OF_TIME, "", 0.5, PO_OUTSIDE, "1 of 1 failures give no reason"},
+};
+
+START_TEST(share_of_the_scenes_solved) {
+  load("solved_share", "every_scene", SHARES[_i].tolerance, "abs");
+  po_outcome outcomes[2] = {{.status = SHARES[_i].first, .reason = "late"},
+                            {.status = SHARES[_i].second}};
+  strcpy(outcomes[1].reason, SHARES[_i].reason);
+  ck_assert_int_eq(
+      po_compare_share(kase, 0, 2, &kase->file->checks[0], &reference, outcomes, &results), PO_OK);
+  ck_assert_uint_eq(results.count, 1);
+  ck_assert_double_eq(results.items[0].obtained, SHARES[_i].share);
+  ck_assert_int_eq(results.items[0].verdict, SHARES[_i].verdict);
+  ck_assert_str_eq(results.items[0].note, SHARES[_i].note);
+  ck_assert_str_eq(results.items[0].id, "solved_share/every_scene");
+  ck_assert(results.items[0].whole);
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_checked_fixture(tests, setup, teardown);
   tcase_add_loop_test(tests, force_within_and_outside, 0, (int)(sizeof FORCES / sizeof *FORCES));
@@ -199,6 +231,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, a_scene_the_reference_does_not_know);
   tcase_add_test(tests, tolerance_tighter_than_the_reference);
   tcase_add_test(tests, curve_of_the_closed_form);
+  tcase_add_loop_test(tests, share_of_the_scenes_solved, 0, (int)(sizeof SHARES / sizeof *SHARES));
 }
 
 int main(void) {

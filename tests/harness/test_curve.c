@@ -1,6 +1,7 @@
 /* Curves compared as curves: what the comparison must see, and what it must not mind. */
 #include <check.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "po_curve.h"
@@ -120,6 +121,70 @@ START_TEST(another_branch_is_named) {
 }
 END_TEST
 
+/* Regression: the solver put a point just behind a fold, and one element beyond the fold did not
+ * reach as far as the point where the reference, less dense, was seen to turn: "different branch".
+ * Of 101 points such a one is at the second fold, of 102 at the first; either curve may have it. */
+static const struct {
+  size_t coarse;
+  bool reference_is_coarse;
+} BESIDE[] = {{101, true}, {102, true}, {101, false}, {102, false}};
+
+static int along(const void *a, const void *b) {
+  const double x = ((const po_plane_point *)a)->load, y = ((const po_plane_point *)b)->load;
+  return (x > y) - (x < y);
+}
+
+static size_t add_point(po_plane_point *points, size_t count, double s) {
+  points[count] = (po_plane_point){3 * s * s * s - s, -2 + 2 * s + 0.5 * s * s};
+  return count + 1;
+}
+
+START_TEST(points_close_to_a_fold_do_not_matter) {
+  po_plane_point *dense = BESIDE[_i].reference_is_coarse ? ours : theirs;
+  po_plane_point *coarse = BESIDE[_i].reference_is_coarse ? theirs : ours;
+  size_t n = 0, m = 0;
+  for (size_t i = 0; i < 400; ++i)
+    n = add_point(dense, n, -1 + (double)i / 199.5);
+  for (int side = -1; side <= 1; side += 2) {
+    n = add_point(dense, n, side / 3.0 - 2e-5);
+    n = add_point(dense, n, side / 3.0 + 2.1e-5);
+  }
+  qsort(dense, n, sizeof *dense, along);
+  while (m < BESIDE[_i].coarse)
+    m = add_point(coarse, m, -1 + 2 * (double)m / (double)(BESIDE[_i].coarse - 1));
+  const po_curve_verdict found =
+      BESIDE[_i].reference_is_coarse ? compare(n, m, 1e-3) : compare(m, n, 1e-3);
+  ck_assert(found.same_folds);
+  ck_assert_str_eq(found.note, "");
+  ck_assert_double_lt(found.distance, 1e-4);
+}
+END_TEST
+
+/* Markers in no order, one beyond each end: only how far they are off is told, not their folds. */
+START_TEST(markers_need_no_order) {
+  const size_t n = s_curve(ours, 400, -1, 1, 0);
+  const double at[] = {0.31, -0.7, 0.9, -0.36, 0.02, -0.99};
+  const size_t markers = sizeof at / sizeof *at;
+  for (size_t i = 0; i < markers; ++i)
+    s_curve(&theirs[i], 2, at[i], at[i], 0);
+  theirs[2].load += 0.0385; /* where the slope dW/d(approach) is 0.46: 0.035 along the normal */
+  theirs[markers] = (po_plane_point){-2.5, -4.2};
+  theirs[markers + 1] = (po_plane_point){2.385, 0.9};
+  po_curve_verdict found;
+  po_curve_scatter(ours, n, theirs, markers + 2, &found);
+  ck_assert_uint_eq(found.compared, markers);
+  ck_assert_uint_eq(found.left_out, 2);
+  const double slope = (2 + 0.9) / (9 * 0.9 * 0.9 - 1);
+  ck_assert_double_eq_tol(found.distance, 0.0385 / hypot(1, slope), 2e-4);
+  ck_assert_double_eq(found.where.load, theirs[2].load);
+  theirs[2].load -= 0.0385;
+  po_curve_scatter(ours, n, theirs, markers + 2, &found);
+  ck_assert_double_lt(found.distance, 1e-5);
+  po_curve_scatter(ours, n, theirs + markers, 2, &found);
+  ck_assert_uint_eq(found.compared, 0);
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_test(tests, distance_from_a_circle);
   tcase_add_test(tests, same_curve_other_points);
@@ -130,6 +195,9 @@ static void add(TCase *tests) {
   tcase_add_test(tests, missing_folds_are_named);
   tcase_add_test(tests, spurious_folds_are_named);
   tcase_add_test(tests, another_branch_is_named);
+  tcase_add_loop_test(tests, points_close_to_a_fold_do_not_matter, 0,
+                      (int)(sizeof BESIDE / sizeof *BESIDE));
+  tcase_add_test(tests, markers_need_no_order);
 }
 
 int main(void) {

@@ -156,6 +156,15 @@ START_TEST(rounding_is_an_error_too) {
 }
 END_TEST
 
+/* A share of solves is counted: all solved is what is hoped for, not a tolerance too wide. */
+START_TEST(a_share_is_never_slack) {
+  const size_t share = found(ORACLE, 0, "solved_share", "", 1, 1, (double)NAN);
+  made_run.results.items[share].whole = true;
+  po_judge(&made_run.results);
+  ck_assert_int_eq(verdict_of(share), PO_WITHIN);
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_checked_fixture(tests, make_run, clear_run);
   tcase_add_loop_test(tests, which_pass, 0, PO_VERDICT_COUNT);
@@ -169,6 +178,7 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, a_tolerance_is_measured_by_the_worst_error_it_met, 0,
                       (int)(sizeof TOLERANCES / sizeof *TOLERANCES));
   tcase_add_test(tests, rounding_is_an_error_too);
+  tcase_add_test(tests, a_share_is_never_slack);
 }
 
 int main(void) {

@@ -58,11 +58,12 @@ class Tables(unittest.TestCase):
         self.assertEqual(table.numbers("y")[0], 2.385)
         self.assertTrue(math.isnan(table.numbers("y")[1]))
 
-    def test_digest_is_of_the_rows_alone(self):
-        first = self.table("# what: one\nx\n1\n").digest()
-        second = self.table("# what: two\n# sha256: " + first + "\nx\n1\n")
-        self.assertEqual(second.digest_state(), "verified")
-        self.assertEqual(self.table("# sha256: " + first + "\nx\n2\n").digest_state(), "differs")
+    def test_digest_is_of_all_but_its_own_line(self):
+        seal = "# sha256: " + self.table("# what: one\nx\n1\n").digest() + "\n"
+        for text, state in (("# what: one\n" + seal + "x\n1\n", "verified"),
+                            ("# what: two\n" + seal + "x\n1\n", "differs"),
+                            ("# what: one\n" + seal + "x\n2\n", "differs")):
+            self.assertEqual(self.table(text).digest_state(), state)
         self.assertEqual(self.table("x\n2\n").digest_state(), "absent")
 
     def test_refusals_name_the_line(self):

@@ -81,6 +81,13 @@ class Refusals(unittest.TestCase):
         self.change(lambda record: record["checks"][1].update(obtained="many"))
         self.refused('checks[1].obtained is "many", expected a number or null')
 
+    def test_a_truth_is_no_number_and_no_number_a_truth(self):
+        self.change(lambda record: record["points"][0].update(failed=0))
+        self.refused("points[0].failed is 0, expected true or false")
+        self.change(lambda record: record["points"][0].update(failed=False))
+        self.change(lambda record: record["checks"][0].update(error=True))
+        self.refused("checks[0].error is true, expected a number or null")
+
     def test_unknown_verdict(self):
         self.change(lambda record: record["checks"][0].update(verdict="perhaps"))
         self.refused('checks[0].verdict is "perhaps", expected one of within, outside')

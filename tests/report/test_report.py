@@ -151,6 +151,24 @@ class Parts(PageTest):
         self.has(text, "Bradley’s solution (bradley.csv) is absent")
         self.has(text, "There is no file of this name among the reference data")
 
+    def test_published_points_are_absent_or_drawn(self):
+        with made_up(synthetic.make_fig03_left_out) as folder:
+            html = page_of(folder)
+            self.has(plain(html), "published/feng_fig3.csv is absent: published numbers",
+                     "feng_curves.csv stands in for it in fig03", "not available in tabulated form")
+            self.lacks(plain(html), "Crosses: Feng’s own points")
+            synthetic.make_published(os.path.join(folder, "reference"))
+            text = plain(page_of(folder))
+        self.has(text, "Crosses: Feng’s own points, read off his figure")
+        self.has(text, "Feng’s points (his Figure 3) are those of reference/published/feng_fig3.csv")
+
+    def test_a_published_table_has_its_card(self):
+        with made_up(synthetic.make_fig03_published) as folder:
+            synthetic.make_published(os.path.join(folder, "reference"))
+            html = page_of(folder)
+        self.has(html, 'id="reference-published/feng_fig3.csv"', "digitised by nobody")
+        self.lacks(plain(html), "is absent: published numbers")
+
     def test_an_altered_reference_is_told(self):
         with made_up(synthetic.make_fig04) as folder:
             with open(os.path.join(folder, "reference", "feng_pull_off.csv"), "a",
@@ -214,6 +232,22 @@ class Parts(PageTest):
         self.has(text, "tabor=2.5: the solve ended with step too small (the step fell below")
         self.has(text, "ring 63 failed")
         self.lacks(html.lower(), ">nan<")
+
+    def test_a_failure_within_the_share_that_may_fail_is_told_but_no_failure(self):
+        def allowed(run):
+            synthetic.make_run(run, failed=True)
+            for name in ("fig04", "error_time"):
+                path = os.path.join(run, name, "record.json")
+                with open(path, encoding="utf-8") as stream:
+                    record = json.load(stream)
+                for point in record["points"]:
+                    point["failed"] = False
+                with open(path, "w", encoding="utf-8") as stream:
+                    json.dump(record, stream)
+        with made_up(allowed) as folder:
+            text = plain(page_of(folder))
+        self.has(text, "3 checks without a result", "tabor=2.5: the solve ended with step too small")
+        self.lacks(text, "solves failed", "solve failed")
 
 
 if __name__ == "__main__":

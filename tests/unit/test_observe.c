@@ -137,6 +137,45 @@ START_TEST(unbounded_and_cut_differ_by_the_tail) { /* notes, 2: 1.0e-3 of the lo
 }
 END_TEST
 
+/* The limit is the first thing looked at on the first point, and is named in the reason. */
+START_TEST(time_limit_ends_a_solve) {
+  static const po_scheme SCHEMES[] = {PO_RING, PO_TRIANGLE, PO_PANEL};
+  static const double TABOR[] = {2.385, 0.0}; /* elastic, rigid */
+  po_request request = request_of(TABOR[_i / 3], 0.0, 0.0, INFINITY);
+  request.mesh.scheme = SCHEMES[_i % 3];
+  request.time_limit = 1e-9;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OUT_OF_TIME);
+  ck_assert_uint_le(o.work.points, 1);
+  ck_assert_ptr_nonnull(
+      strstr(o.reason, "after 1e-09 s of processor time the trace is at approach -"));
+  po_outcome_clear(&o);
+}
+END_TEST
+
+START_TEST(time_limit_not_reached_changes_nothing) {
+  po_request request = request_of(2.385, 0.0, 0.0, INFINITY);
+  request.mesh.nodes = 101;
+  po_outcome free_of, limited;
+  ck_assert_int_eq(po_observe(&request, &free_of), PO_OK);
+  request.time_limit = 1e6;
+  ck_assert_int_eq(po_observe(&request, &limited), PO_OK);
+  ck_assert(limited.pull_off.force == free_of.pull_off.force);
+  ck_assert_uint_eq(limited.work.newton_iterations, free_of.work.newton_iterations);
+  po_outcome_clear(&free_of);
+  po_outcome_clear(&limited);
+}
+END_TEST
+
+START_TEST(time_limit_is_a_positive_number) {
+  static const double WRONG[] = {0.0, -2.385, INFINITY};
+  po_request request = po_request_default();
+  request.time_limit = WRONG[_i];
+  ck_assert_int_eq(po_request_check(&request), PO_BAD_INPUT);
+  ck_assert_ptr_nonnull(strstr(po_message(), "time_limit is "));
+}
+END_TEST
+
 START_TEST(stop_ends_a_solve) {
   volatile sig_atomic_t stop = 1;
   po_request request = request_of(1.0, 0.0, 0.0, INFINITY);
@@ -185,6 +224,9 @@ static void add(TCase *tests) {
   tcase_add_test(tests, small_tabor_goes_to_the_rigid_limit);
   tcase_add_test(tests, unbounded_and_cut_differ_by_the_tail);
   tcase_add_test(tests, stop_ends_a_solve);
+  tcase_add_loop_test(tests, time_limit_ends_a_solve, 0, 6);
+  tcase_add_test(tests, time_limit_not_reached_changes_nothing);
+  tcase_add_loop_test(tests, time_limit_is_a_positive_number, 0, 3);
   tcase_add_test(tests, bad_requests_are_refused);
   tcase_add_test(tests, contact_radius_is_where_tension_peaks);
 }

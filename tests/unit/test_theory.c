@@ -69,6 +69,33 @@ START_TEST(guduru_becomes_jkr) {
 }
 END_TEST
 
+START_TEST(smooth_is_jkr) { /* amplitude 0, with or without a wavelength, is the limit itself */
+  po_scene s = SCENES[_i];
+  s.amplitude = 0.0;
+  for (int k = 0; k < 2; ++k, s.wavelength = 0.0) {
+    const po_contact jkr = po_jkr_pull_off(&s), guduru = po_guduru_pull_off(&s);
+    ck_assert_double_eq(guduru.load, jkr.load);
+    ck_assert_double_eq(guduru.contact_radius, jkr.contact_radius);
+    ck_assert(isinf(po_johnson_parameter(&s)));
+    ck_assert_double_eq(po_kesari_lew_work(&s), 1.0);
+    ck_assert_double_eq(po_persson_tosatti_work(&s), 1.0);
+    ck_assert_double_eq(po_persson_tosatti_work_with_area(&s), 1.0);
+    ck_assert_double_eq(po_compactness_radius(&s), 0.0);
+    ck_assert_double_eq_tol(po_crest_composite_radius(&s), s.radius, 1e-15 * s.radius);
+    for (double a = 0.37; a < 100.0; a *= 2.385) {
+      const po_contact exact = po_jkr_at(&s, a), wavy = po_guduru_at(&s, a);
+      const double size = 1e-14 * (1.0 + fabs(exact.load));
+      ck_assert_double_eq_tol(wavy.load, exact.load, size);
+      for (int side = -1; side <= 1; side += 2) {
+        const po_contact edge = po_kesari_lew_edge(&s, a, side);
+        ck_assert_double_eq_tol(edge.load, exact.load, size);
+        ck_assert_double_eq_tol(edge.approach, exact.approach, 1e-14 * (a * a + a));
+      }
+    }
+  }
+}
+END_TEST
+
 START_TEST(pull_off_is_the_global_minimum) { /* no load on a dense grid is lower */
   const po_scene *s = &SCENES[_i];
   const po_contact best = po_guduru_pull_off(s);
@@ -192,6 +219,7 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, guduru_is_eq_5, 0, SCENE_COUNT);
   tcase_add_loop_test(tests, guduru_rate_is_the_slope, 0, SCENE_COUNT);
   tcase_add_loop_test(tests, guduru_becomes_jkr, 0, SCENE_COUNT);
+  tcase_add_loop_test(tests, smooth_is_jkr, 0, SCENE_COUNT);
   tcase_add_loop_test(tests, pull_off_is_the_global_minimum, 0, SCENE_COUNT);
   tcase_add_test(tests, pull_off_of_the_notes);
   tcase_add_test(tests, envelope_holds_eq_5);

@@ -13,6 +13,7 @@ NUMBER = "3"
 TITLE = "Load against approach of a smooth sphere"
 
 CURVES, BRADLEY = "feng_curves.csv", "bradley.csv"
+PUBLISHED = "published/feng_fig3.csv"   # Feng's own points, when somebody has digitised them
 WINDOW = (-1.05, 6.0)        # of −Δ†, as wide as the folds of μ = 3 ask for
 LOADS = (-2.3, 1.0)          # of W̄
 MARKERS_APART = 0.16         # between two markers, along the drawn curve in plot units
@@ -36,6 +37,16 @@ def reference_branch(references, tabor):
     if not chosen.any():
         return None
     return -table.numbers("approach")[chosen], table.numbers("load")[chosen]
+
+
+def published_points(references):
+    """(−Δ†, W̄) of Feng's points in the window; none while the file is absent."""
+    table = references.table(PUBLISHED)
+    if table is None:
+        return []
+    x, y = -table.numbers("approach"), table.numbers("load")
+    chosen = inside(x, y)
+    return [(float(a), float(b)) for a, b in zip(x[chosen], y[chosen])]
 
 
 def inside(x, y):
@@ -97,6 +108,7 @@ def make(case, references):
                 colours.append(colour)
                 shapes.append(shape)
     dots = thinned(*rigid) if rigid is not None else []
+    crosses = published_points(references)
 
     tolerances = distinct([tolerance_of(check) for point in points
                            for check in checks_of(case, point, "curve")
@@ -104,6 +116,7 @@ def make(case, references):
     low, high = log_range([row[1] for _, rows in strips for row in rows] + tolerances)
     parameters = {
         "curve_count": len(lines), "mark_count": len(marks), "dot_count": len(dots),
+        "cross_count": len(crosses),
         "mark_colour": colours, "mark_shape": shapes, "label_count": len(labels),
         "label_x": [item[0] for item in labels], "label_y": [item[1] for item in labels],
         "label_text": [item[2] for item in labels], "label_colour": [item[3] for item in labels],
@@ -112,20 +125,23 @@ def make(case, references):
         "x_min": WINDOW[0], "x_max": WINDOW[1], "y_min": LOADS[0], "y_max": LOADS[1],
         "low": low, "high": high}
     drawn = gnuplot.draw("fig03", parameters, {"computed": lines or [[]], "reference": marks or [[]],
-                                               "rigid": [dots], "residual":
+                                               "rigid": [dots], "published": [crosses],
+                                               "residual":
                                                [rows for _, rows in strips] or [[]]})
     label = "Load against minus the approach for several Tabor parameters, with reference markers"
     return Figure("fig03", NUMBER, TITLE, Markup(svg.embeddable(drawn, "fig03", label)),
-                  caption(lines, marks, dots, said), remarks(case, points, lines, marks, dots),
+                  caption(lines, marks, dots, crosses, said), remarks(case, points, lines, marks, dots),
                   case.record["command"])
 
 
-def caption(lines, marks, dots, said):
+def caption(lines, marks, dots, crosses, said):
     text = Markup("Dimensionless load W̄ against the approach {}Δ†. Lines: computed branches; "
                   "they turn back where the approach has a fold.").format(MINUS)
     if marks:
         text += Markup(" Open markers: Feng’s problem solved independently (see the note on "
                        "Feng’s points).")
+    if crosses:
+        text += " Crosses: Feng’s own points, read off his figure."
     if dots:
         text += " Red dots: Bradley’s rigid solution, beside the computed branch for the least μ."
     if said:

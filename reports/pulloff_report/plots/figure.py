@@ -48,7 +48,7 @@ def failures(case):
     """A sentence for every point that gave no full result."""
     return [f"{point['label']}: the solve ended with {point['status'].replace('_', ' ')}"
             + (f" ({point['reason']})" if point.get("reason") else "") + "."
-            for point in case.failed_points()]
+            for point in case.unsolved_points()]
 
 
 def log_range(values, floor=1e-16):

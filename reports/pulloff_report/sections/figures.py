@@ -5,12 +5,18 @@ from markupsafe import Markup
 from . import Section
 from .. import plots
 
-FENG_NOTE = Markup(
+PUBLISHED = "published/feng_fig3.csv"
+FENG_PRESENT = Markup(
+    "Feng’s points (his Figure 3) are those of <code>reference/published/feng_fig3.csv</code>, read off "
+    "a figure, with the uncertainty stated there. Beside them stands <em>Feng’s problem</em>: the "
+    "smooth sphere of Eqs 10–17, solved by a program that shares neither code nor method with this "
+    "one and carries its own uncertainty.")
+FENG_ABSENT = Markup(
     "Feng’s points (his Figure 3, and his pull-off against μ) are not available in tabulated form. "
     "What stands in for them is <em>Feng’s problem</em>: the smooth sphere of Eqs 10–17, solved by "
     "a program that shares neither code nor method with this one and carries its own uncertainty. "
-    "A digitised file of his points can be added to the reference data beside it, with its "
-    "digitisation error.")
+    "A digitised file of his points, <code>reference/published/feng_fig3.csv</code>, is drawn and compared "
+    "once it is there, with its digitisation error.")
 
 
 def missing(module, script):
@@ -26,6 +32,7 @@ def build(source):
             figures.append(module.make(found[0], source.references))
         else:
             absent.append(missing(module, script))
+    note = FENG_PRESENT if source.references.has(PUBLISHED) else FENG_ABSENT
     entries = [(f"figure-{item.id}", f"Figure {item.number} · {item.title}") for item in figures]
     return Section("figures", "Figures of the paper", "figures.html",
-                   {"figures": figures, "absent": absent, "note": FENG_NOTE}, entries)
+                   {"figures": figures, "absent": absent, "note": note}, entries)

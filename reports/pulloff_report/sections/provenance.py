@@ -4,8 +4,8 @@ from . import Section
 from ..references import file_name
 
 KEYS = ("source", "method", "units", "uncertainty", "generator", "command", "date")
-STATES = {"verified": "intact: the checksum of the rows is the stated one",
-          "differs": "altered: the checksum of the rows is not the stated one",
+STATES = {"verified": "intact: the checksum is the stated one",
+          "differs": "altered: the checksum is not the stated one",
           "absent": "no checksum is stated"}
 
 
@@ -28,6 +28,18 @@ def card(source, name, cases):
     return entry
 
 
+def absent(source):
+    """Published tables that are not there: name -> (what stands in, the cases that would use it)."""
+    found = {}
+    for case in source.run.cases:
+        for check in case.left_out:
+            entry = found.setdefault(file_name(check["reference"]),
+                                     {"stand_in": file_name(check["stand_in"]), "cases": set()})
+            entry["cases"].add(case.name)
+    return [{"name": name, "stand_in": entry["stand_in"], "cases": sorted(entry["cases"])}
+            for name, entry in sorted(found.items())]
+
+
 def build(source):
     used = {}
     for case in source.run.cases:
@@ -37,5 +49,5 @@ def build(source):
                 used.setdefault(name, set()).add(case.name)
     cards = [card(source, name, cases) for name, cases in sorted(used.items())]
     return Section("references", "Reference data", "provenance.html",
-                   {"cards": cards},
+                   {"cards": cards, "absent": absent(source)},
                    [(f"reference-{item['name']}", item["name"]) for item in cards])

@@ -1,0 +1,17 @@
+#include "po_clock.h"
+
+#include <time.h>
+
+static double read_clock(clockid_t clock) {
+  struct timespec now;
+  clock_gettime(clock, &now);
+  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+double po_clock_wall(void) {
+  return read_clock(CLOCK_MONOTONIC);
+}
+
+double po_clock_thread(void) {
+  return read_clock(CLOCK_THREAD_CPUTIME_ID);
+}

@@ -1,0 +1,88 @@
+#include "po_list_references.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "po_environment.h"
+#include "po_json.h"
+#include "po_reference_list.h"
+
+/* Whether a case names the table; the closed form bradley is set beside its own. */
+static bool uses(const po_case *kase, const char *name) {
+  for (unsigned i = 0; i < kase->file->checks_count; ++i)
+    if (strcmp(kase->file->checks[i].reference, name) == 0)
+      return true;
+  return false;
+}
+
+static json_t *users(const po_catalog *catalog, const char *name) {
+  json_t *array = json_array();
+  for (size_t i = 0; i < catalog->count; ++i)
+    if (uses(catalog->cases[i], name))
+      json_array_append_new(array, json_string(catalog->cases[i]->file->name));
+  return array;
+}
+
+static const char *state_of(const po_reference_entry *entry) {
+  return !entry->intact ? "damaged" : entry->listed ? "intact" : "intact, not in the index";
+}
+
+static void print_entry(const po_reference_entry *entry, const po_catalog *catalog) {
+  char cases[200] = "";
+  for (size_t i = 0; i < catalog->count; ++i)
+    if (uses(catalog->cases[i], entry->name) && strlen(cases) < 130)
+      snprintf(cases + strlen(cases), sizeof cases - strlen(cases), "%s%s", *cases ? "," : "",
+               catalog->cases[i]->file->name);
+  if (entry->intact)
+    printf("%-34s %-10s %5zu  %-22s %s\n", entry->name, po_ledger_name(entry->ledger), entry->rows,
+           *cases ? cases : "-", state_of(entry));
+  else
+    printf("%-34s %-10s %5s  %-22s damaged: %s\n", entry->name, "-", "-", *cases ? cases : "-",
+           entry->message);
+}
+
+static json_t *entry_json(const po_reference_entry *entry, const po_catalog *catalog) {
+  json_t *object = json_pack("{s:s, s:b, s:b, s:o}", "table", entry->name, "intact", entry->intact,
+                             "in_index", entry->listed, "cases", users(catalog, entry->name));
+  if (entry->intact) {
+    json_object_set_new(object, "kind", json_string(po_ledger_name(entry->ledger)));
+    json_object_set_new(object, "rows", json_integer((json_int_t)entry->rows));
+    json_object_set_new(object, "uncertainty", json_string(entry->uncertainty));
+  } else {
+    json_object_set_new(object, "reason", json_string(entry->message));
+  }
+  return object;
+}
+
+static po_status print_json(const po_reference_list *list, const po_catalog *catalog) {
+  json_t *tables = json_array();
+  for (size_t i = 0; i < list->count; ++i)
+    json_array_append_new(tables, entry_json(&list->entries[i], catalog));
+  json_t *document =
+      json_pack("{s:s, s:o}", "schema", "pulloff-references/1", "references", tables);
+  po_text text = {0};
+  const po_status status = po_json_print(document, &text);
+  if (!status)
+    fputs(text.data, stdout);
+  po_text_clear(&text);
+  json_decref(document);
+  return status;
+}
+
+po_status po_list_references(const po_catalog *catalog, bool json) {
+  po_reference_list list;
+  po_status status = po_reference_list_open(po_environment_data(), &list);
+  if (status)
+    return status;
+  if (json) {
+    status = print_json(&list, catalog);
+  } else {
+    printf("%-34s %-10s %5s  %-22s %s\n", "table", "kind", "rows", "cases", "state");
+    for (size_t i = 0; i < list.count; ++i)
+      print_entry(&list.entries[i], catalog);
+  }
+  if (!status)
+    status = po_reference_list_check(&list);
+  po_reference_list_close(&list);
+  return status;
+}

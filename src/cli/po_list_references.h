@@ -1,0 +1,14 @@
+/* The table of reference tables, for pulloff list --references. */
+#ifndef PO_LIST_REFERENCES_H
+#define PO_LIST_REFERENCES_H
+
+#include <stdbool.h>
+
+#include "po_catalog.h"
+#include "po_status.h"
+
+/* Prints every reference table, whether it is intact, and which of the cases use it.
+ * Status: PO_CANNOT_READ when one is not intact, after all are printed. */
+po_status po_list_references(const po_catalog *catalog, bool json);
+
+#endif

@@ -1,0 +1,148 @@
+#include "po_print_physical.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "po_json.h"
+
+/* What can be given, as JSON names it. */
+static const struct {
+  const char *key;
+  po_length length;
+} LENGTHS[] = {{"radius_m", PO_LENGTH_RADIUS},
+               {"amplitude_m", PO_LENGTH_AMPLITUDE},
+               {"wavelength_m", PO_LENGTH_WAVELENGTH},
+               {"outer_radius_m", PO_LENGTH_OUTER_RADIUS},
+               {"approach_start_m", PO_LENGTH_APPROACH_START},
+               {"approach_end_m", PO_LENGTH_APPROACH_END},
+               {"profile_approach_m", PO_LENGTH_PROFILE_APPROACH},
+               {"approach_m", PO_LENGTH_APPROACH},
+               {"contact_radius_m", PO_LENGTH_CONTACT_RADIUS}};
+enum { LENGTH_COUNT = sizeof LENGTHS / sizeof *LENGTHS };
+
+static void set(json_t *object, const char *key, double value) {
+  json_object_set_new(object, key, isinf(value) ? json_string("inf") : po_json_number(value));
+}
+
+json_t *po_json_physical_input(const po_scene_flags *flags) {
+  json_t *input = json_object(), *units = json_object();
+  if (!isnan(flags->modulus))
+    set(input, "modulus_pa", flags->modulus);
+  set(input, "work_j_per_m2", flags->work);
+  set(input, "distance_m", flags->distance);
+  for (int i = 0; i < LENGTH_COUNT; ++i)
+    if (!isnan(flags->metres[LENGTHS[i].length]))
+      set(input, LENGTHS[i].key, flags->metres[LENGTHS[i].length]);
+  json_object_set_new(units, "length_m", po_json_number(flags->units.length));
+  json_object_set_new(units, "force_n", po_json_number(flags->units.force));
+  json_object_set_new(units, "traction_pa", po_json_number(flags->units.traction));
+  return json_pack("{s:o, s:o}", "input", input, "units", units);
+}
+
+static json_t *pull_off(const po_units *u, const po_outcome *outcome) {
+  if (!outcome->has_pull_off)
+    return json_null();
+  return json_pack(
+      "{s:o, s:o, s:o, s:o, s:o}", "force_n", po_json_number(outcome->pull_off.force * u->force),
+      "approach_m", po_json_number(outcome->pull_off.approach * u->length), "contact_radius_m",
+      po_json_number(outcome->pull_off.contact_radius * u->length), "error_estimate_n",
+      po_json_number(outcome->pull_off.force_error * u->force), "approach_error_estimate_m",
+      po_json_number(outcome->pull_off.approach_error * u->length));
+}
+
+static json_t *point(const po_units *u, double approach, double load, double contact_radius) {
+  return json_pack("{s:o, s:o, s:o}", "approach_m", po_json_number(approach * u->length), "load_n",
+                   po_json_number(load * u->force), "contact_radius_m",
+                   po_json_number(contact_radius * u->length));
+}
+
+static json_t *landmarks(const po_units *u, const po_landmark *list, size_t count) {
+  json_t *array = json_array();
+  for (size_t i = 0; i < count; ++i) {
+    json_t *item = point(u, list[i].approach, list[i].load, list[i].contact_radius);
+    json_object_set_new(item, "kind", json_string(po_landmark_kind_name(list[i].kind)));
+    json_object_set_new(item, "error_estimate_m",
+                        po_json_number(list[i].approach_error * u->length));
+    json_object_set_new(item, "load_error_estimate_n",
+                        po_json_number(list[i].load_error * u->force));
+    json_array_append_new(array, item);
+  }
+  return array;
+}
+
+static json_t *curve(const po_units *u, const po_outcome *outcome) {
+  json_t *array = json_array();
+  for (size_t i = 0; i < outcome->curve_count; ++i)
+    json_array_append_new(array, point(u, outcome->curve[i].approach, outcome->curve[i].load,
+                                       outcome->curve[i].contact_radius));
+  return array;
+}
+
+/* The gap h = epsilon (1 + H) itself. */
+static json_t *profile(const po_units *u, const po_outcome *outcome) {
+  json_t *array = json_array();
+  for (size_t i = 0; i < outcome->profile_count; ++i) {
+    const po_profile_point *p = &outcome->profile[i];
+    json_array_append_new(array, json_pack("{s:o, s:o, s:o}", "radius_m",
+                                           po_json_number(p->radius * u->length), "gap_m",
+                                           po_json_number((1 + p->gap) * u->length), "traction_pa",
+                                           po_json_number(p->traction * u->traction)));
+  }
+  return array;
+}
+
+json_t *po_json_physical(const po_scene_flags *flags, const po_request *request,
+                         const po_outcome *outcome) {
+  const po_units *u = &flags->units;
+  json_t *object = po_json_physical_input(flags);
+  json_object_set_new(object, "pull_off", pull_off(u, outcome));
+  json_object_set_new(object, "folds", landmarks(u, outcome->folds, outcome->fold_count));
+  json_object_set_new(object, "extrema", landmarks(u, outcome->extrema, outcome->extremum_count));
+  if (request->want & PO_WANT_CURVE)
+    json_object_set_new(object, "curve", curve(u, outcome));
+  if (request->want & PO_WANT_PROFILE) {
+    json_object_set_new(object, "profile_approach_m",
+                        po_json_number(outcome->profile_approach * u->length));
+    json_object_set_new(object, "profile", profile(u, outcome));
+  }
+  return object;
+}
+
+void po_print_physical_input(const po_scene_flags *flags) {
+  printf("physical");
+  if (!isnan(flags->modulus))
+    printf(" modulus %g Pa", flags->modulus);
+  printf(" work %g J/m^2 distance %g m", flags->work, flags->distance);
+  for (int i = 0; i < LENGTH_COUNT; ++i)
+    if (!isnan(flags->metres[LENGTHS[i].length])) {
+      char name[32];
+      po_scene_flags_name(flags, LENGTHS[i].length, name);
+      printf(" %.*s %g m", (int)(snprintf(NULL, 0, "%s", name) - 2), name,
+             flags->metres[LENGTHS[i].length]);
+    }
+  printf("\n");
+}
+
+static void print_landmarks(const po_units *u, const po_landmark *list, size_t count) {
+  for (size_t i = 0; i < count; ++i)
+    printf("%-9s %16.9e %16.9e %14.6g\n", po_landmark_kind_name(list[i].kind),
+           list[i].approach * u->length, list[i].load * u->force,
+           list[i].contact_radius * u->length);
+}
+
+void po_print_physical(const po_scene_flags *flags, const po_outcome *outcome) {
+  const po_units *u = &flags->units;
+  po_print_physical_input(flags);
+  if (outcome->has_pull_off)
+    printf("pull-off force %.10g N at approach %.10g m, contact radius %.6g m\n",
+           outcome->pull_off.force * u->force, outcome->pull_off.approach * u->length,
+           outcome->pull_off.contact_radius * u->length);
+  if (outcome->has_pull_off && isfinite(outcome->pull_off.force_error))
+    printf("errors   force %.1e N, approach %.1e m\n", outcome->pull_off.force_error * u->force,
+           outcome->pull_off.approach_error * u->length);
+  if (outcome->fold_count + outcome->extremum_count) {
+    printf("%-9s %16s %16s %14s\n", "", "approach/m", "load/N", "contact/m");
+    print_landmarks(u, outcome->folds, outcome->fold_count);
+    print_landmarks(u, outcome->extrema, outcome->extremum_count);
+  }
+}

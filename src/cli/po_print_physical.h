@@ -1,0 +1,23 @@
+/* What was given and found, in SI units. */
+#ifndef PO_PRINT_PHYSICAL_H
+#define PO_PRINT_PHYSICAL_H
+
+#include <jansson.h>
+
+#include "po_outcome.h"
+#include "po_scene_flags.h"
+
+/* {"input": {"modulus_pa", "work_j_per_m2", "distance_m", "radius_m", ...}, "units": {"length_m",
+ * "force_n", "traction_pa"}}: what was given of a physical scene, and what a dimensionless number
+ * is multiplied with. */
+json_t *po_json_physical_input(const po_scene_flags *flags);
+
+/* The same with "pull_off", "folds", "extrema" and, when wanted, "curve" and "profile". */
+json_t *po_json_physical(const po_scene_flags *flags, const po_request *request,
+                         const po_outcome *outcome);
+
+/* Prints them for people. */
+void po_print_physical_input(const po_scene_flags *flags);
+void po_print_physical(const po_scene_flags *flags, const po_outcome *outcome);
+
+#endif

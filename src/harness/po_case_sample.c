@@ -1,0 +1,130 @@
+/* Scenes drawn at random: the section `sample` of a case. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_case_parse.h"
+#include "po_random.h"
+#include "po_schema.h"
+
+/* A drawn value is rounded to so many significant digits and used as written: the line that solves
+ * one point again is exact, and the last bits of exp and log, which differ between libraries, do
+ * not show. */
+enum { DRAWN_DIGITS = 6 };
+
+enum { WHERE_LENGTH = 64 };
+
+static const char ROOT_RADIUS[] = "root_radius";
+
+bool po_case_draws(const po_case_file *file, po_key key) {
+  for (unsigned i = 0; file->sample && i < file->sample->keys_count; ++i)
+    if (po_key_of_name(file->sample->keys[i].key) == (int)key)
+      return true;
+  return false;
+}
+
+static bool is_swept(const po_case_file *file, int key) {
+  for (unsigned i = 0; i < file->sweep_count; ++i)
+    if (po_key_of_name(file->sweep[i].key) == key)
+      return true;
+  return false;
+}
+
+/* A key that holds a number, not a name or a count. */
+static bool is_quantity(int key) {
+  return key >= 0 && key != PO_KEY_NODES && po_key_is_number((po_key)key);
+}
+
+static po_status parse_key(const po_case_file *file, unsigned index, const char *where,
+                           const po_yaml *yaml) {
+  po_draw *draw = &file->sample->keys[index];
+  const int key = po_key_of_name(draw->key);
+  if (!is_quantity(key))
+    return po_schema_refuse(yaml, NULL, "%s.key", where);
+  for (unsigned k = 0; k < index; ++k)
+    if (strcmp(file->sample->keys[k].key, draw->key) == 0)
+      return po_schema_refuse(yaml, "each key drawn once", "%s.key", where);
+  if (file->scene.values[key] || is_swept(file, key))
+    return po_schema_refuse(yaml, "a key that neither scene nor sweep fixes", "%s.key", where);
+  draw->drawn = (po_key)key;
+  return PO_OK;
+}
+
+static po_status parse_range(po_draw *draw, const char *where, const po_yaml *yaml) {
+  po_request any = po_request_default();
+  draw->log = draw->scale && strcmp(draw->scale, "log") == 0;
+  if (draw->scale && !draw->log && strcmp(draw->scale, "linear") != 0)
+    return po_schema_refuse(yaml, NULL, "%s.scale", where);
+  if (!po_number_parse(draw->from_text, &draw->from) ||
+      !po_key_set(&any, draw->drawn, draw->from_text))
+    return po_schema_refuse(yaml, po_key_expected(draw->drawn), "%s.from", where);
+  if (draw->log && draw->from <= 0)
+    return po_schema_refuse(yaml, "a finite number > 0, as the scale is log", "%s.from", where);
+  if (!po_number_parse(draw->to_text, &draw->to) || draw->to <= draw->from)
+    return po_schema_refuse(yaml, NULL, "%s.to", where);
+  return PO_OK;
+}
+
+/* The unit must be known when the value is drawn. */
+static po_status parse_unit(const po_case_file *file, unsigned index, const char *where,
+                            const po_yaml *yaml) {
+  po_draw *draw = &file->sample->keys[index];
+  if (!draw->times)
+    return PO_OK;
+  draw->by_root = strcmp(draw->times, ROOT_RADIUS) == 0;
+  const int unit = draw->by_root ? PO_KEY_RADIUS : po_key_of_name(draw->times);
+  bool known = is_quantity(unit) && (file->scene.values[unit] || is_swept(file, unit));
+  for (unsigned k = 0; k < index; ++k)
+    known = known || (int)file->sample->keys[k].drawn == unit;
+  if (!known)
+    return po_schema_refuse(yaml, NULL, "%s.times", where);
+  draw->unit = (po_key)unit;
+  return PO_OK;
+}
+
+po_status po_case_sample_parse(po_case *kase, const po_yaml *yaml) {
+  po_sample_words *sample = kase->file->sample;
+  if (!sample)
+    return PO_OK;
+  size_t seed = 0;
+  if (!po_number_parse_count(sample->seed_text, &seed))
+    return po_schema_refuse(yaml, NULL, "sample.seed");
+  if (!po_number_parse_count(sample->count_text, &sample->count) || sample->count < 1)
+    return po_schema_refuse(yaml, NULL, "sample.count");
+  sample->seed = seed;
+  po_status status = PO_OK;
+  for (unsigned i = 0; !status && i < sample->keys_count; ++i) {
+    char where[WHERE_LENGTH];
+    snprintf(where, sizeof where, "sample.keys[%u]", i + 1);
+    status = parse_key(kase->file, i, where, yaml);
+    if (!status)
+      status = parse_range(&sample->keys[i], where, yaml);
+    if (!status)
+      status = parse_unit(kase->file, i, where, yaml);
+  }
+  return status;
+}
+
+static double unit_of(const po_draw *draw, const po_request *request) {
+  if (!draw->times)
+    return 1;
+  const double value = po_key_number(request, draw->unit);
+  return draw->by_root ? sqrt(value) : value;
+}
+
+bool po_case_sample_draw(const po_case_file *file, size_t index, po_request *request,
+                         po_text *label) {
+  bool possible = true;
+  for (unsigned i = 0; file->sample && i < file->sample->keys_count; ++i) {
+    const po_draw *draw = &file->sample->keys[i];
+    const double part = po_random_uniform(file->sample->seed, index, draw->key);
+    const double value = draw->log ? draw->from * exp(part * log(draw->to / draw->from))
+                                   : draw->from + part * (draw->to - draw->from);
+    char text[PO_NUMBER_LENGTH];
+    snprintf(text, sizeof text, "%.*g", DRAWN_DIGITS, value * unit_of(draw, request));
+    possible = po_key_set(request, draw->drawn, text) && possible;
+    po_text_add(label, "%s%s=%s", label->length ? " " : "", draw->key, text);
+  }
+  return possible;
+}

@@ -1,0 +1,45 @@
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "po_compare.h"
+#include "po_memory.h"
+
+po_status po_compare_share(const po_case *kase, size_t first, size_t end, const po_check *check,
+                           const po_reference *reference, const po_outcome *outcomes,
+                           po_results *results) {
+  size_t concerned = 0, solved = 0, silent = 0, example = first;
+  for (size_t i = first; i < end; ++i) {
+    if (!po_check_concerns(check, &kase->points[i].request))
+      continue;
+    concerned += 1;
+    if (outcomes[i].status == PO_OK)
+      solved += 1;
+    else {
+      silent += outcomes[i].reason[0] ? 0 : 1;
+      example = concerned == solved + 1 ? i : example;
+    }
+  }
+  if (!concerned)
+    return PO_OK;
+  const po_reference_number expected = {1, (double)NAN};
+  po_result *item = po_results_add(results, kase, example, check, po_quantity_name(check->quantity),
+                                   "", (double)solved / (double)concerned, expected);
+  char *id = po_copy_text("solved_share/every_scene");
+  if (!item || !id) {
+    free(id);
+    return PO_NO_MEMORY;
+  }
+  free(item->id);
+  item->id = id;
+  item->whole = true;
+  item->ledger = reference->ledger;
+  if (silent) {
+    item->verdict = PO_OUTSIDE;
+    snprintf(item->note, sizeof item->note, "%zu of %zu failures give no reason", silent,
+             concerned - solved);
+  } else if (solved < concerned)
+    snprintf(item->note, sizeof item->note, "%zu of %zu failed, the first point %s: %.100s",
+             concerned - solved, concerned, kase->points[example].id, outcomes[example].reason);
+  return PO_OK;
+}

@@ -1,0 +1,113 @@
+#include "po_journal.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "po_file.h"
+#include "po_input.h"
+#include "po_json.h"
+#include "po_record.h"
+
+/* The folder of the case and the journal in it; to be freed. */
+static bool find_journal(const po_case_run *run, const char *output, char **folder, char **path) {
+  *folder = po_path_join(output, run->plan->kase->file->name);
+  *path = *folder ? po_path_join(*folder, "points.jsonl") : NULL;
+  return *path != NULL;
+}
+
+/* What determines the numbers of one point, whatever other points the case has. */
+static bool make_key(const po_case_run *run, size_t point, char key[PO_DIGEST_LENGTH]) {
+  const po_plan *plan = run->plan;
+  po_text text = {0};
+  char *command = po_input_command(&plan->kase->points[point].request);
+  po_text_add(&text, "%s|%u|%u|%s", plan->program, plan->want, plan->kase->repeats,
+              command ? command : "");
+  const bool made = command && !text.failed;
+  po_digest_bytes(po_text_string(&text), text.length, key);
+  free(command);
+  po_text_clear(&text);
+  return made;
+}
+
+static void read_line(po_case_run *run, const char *line, size_t length, const char *folder) {
+  json_t *entry = json_loadb(line, length, JSON_REJECT_DUPLICATES, NULL);
+  const json_t *point = json_object_get(entry, "point");
+  const char *key = json_string_value(json_object_get(entry, "key"));
+  const char *id = json_string_value(json_object_get(point, "id"));
+  size_t index = 0;
+  char expected[PO_DIGEST_LENGTH];
+  if (key && id && po_number_parse_count(id, &index) && index < run->plan->kase->point_count &&
+      make_key(run, index, expected) && strcmp(key, expected) == 0) {
+    po_outcome_clear(&run->outcomes[index]);
+    run->done[index] = po_record_read_point(run, index, point, folder) == PO_OK;
+    if (!run->done[index])
+      po_outcome_clear(&run->outcomes[index]);
+  }
+  json_decref(entry);
+}
+
+void po_journal_read(po_case_run *run, const char *output) {
+  char *folder = NULL, *path = NULL, *bytes = NULL;
+  size_t size = 0;
+  if (find_journal(run, output, &folder, &path) && po_path_exists(path) &&
+      po_file_read(path, &bytes, &size) == PO_OK)
+    for (size_t begin = 0; begin < size;) {
+      const char *end = memchr(bytes + begin, '\n', size - begin);
+      const size_t length = end ? (size_t)(end - bytes) - begin : size - begin;
+      read_line(run, bytes + begin, length, folder);
+      begin += length + 1;
+    }
+  free(bytes);
+  free(path);
+  free(folder);
+}
+
+/* The line of a point, in one piece, since another process may add to the same journal. */
+static po_status append(const char *path, const json_t *entry) {
+  char *line = entry ? json_dumps(entry, JSON_COMPACT | JSON_REAL_PRECISION(17)) : NULL;
+  if (!line)
+    return po_fail(PO_NO_MEMORY, "no memory for a point of %s", path);
+  po_text text = {0};
+  po_text_add(&text, "%s\n", line);
+  free(line);
+  const int file = open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
+  if (!status && (file < 0 || write(file, text.data, text.length) != (ssize_t)text.length))
+    status = po_fail(PO_CANNOT_WRITE, "%s cannot be written: %s", path, strerror(errno));
+  if (file >= 0)
+    close(file);
+  po_text_clear(&text);
+  return status;
+}
+
+po_status po_journal_add(const po_case_run *run, size_t point, const char *output) {
+  char *folder = NULL, *path = NULL, key[PO_DIGEST_LENGTH];
+  const bool found = find_journal(run, output, &folder, &path) && make_key(run, point, key);
+  po_status status = found ? po_folder_make(folder) : PO_NO_MEMORY;
+  json_t *entry = status ? NULL : json_object();
+  json_t *object = status ? NULL : po_record_point(run, point);
+  if (!status)
+    status = po_record_add_tables(run, point, folder, object);
+  if (!status) {
+    json_object_set_new(entry, "key", json_string(key));
+    json_object_set(entry, "point", object);
+    status = append(path, entry);
+  }
+  json_decref(object);
+  json_decref(entry);
+  free(path);
+  free(folder);
+  return status;
+}
+
+void po_journal_remove(const po_case_run *run, const char *output) {
+  char *folder = NULL, *path = NULL;
+  if (find_journal(run, output, &folder, &path))
+    unlink(path);
+  free(path);
+  free(folder);
+}

@@ -1,0 +1,131 @@
+#include "po_reference_list.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_file.h"
+#include "po_memory.h"
+
+static const char FOLDER[] = "reference", INDEX[] = "reference/index.txt",
+                  PUBLISHED[] = "reference/published";
+
+static po_reference_entry *find(const po_reference_list *list, const char *name) {
+  for (size_t i = 0; i < list->count; ++i)
+    if (strcmp(list->entries[i].name, name) == 0)
+      return &list->entries[i];
+  return NULL;
+}
+
+/* Adds folder/name unless it is there. */
+static po_status add(po_reference_list *list, const char *folder, const char *name, bool listed) {
+  char *whole = po_path_join(folder, name);
+  if (!whole)
+    return PO_NO_MEMORY;
+  if (find(list, whole)) {
+    free(whole);
+    return PO_OK;
+  }
+  po_reference_entry *entries = po_resize(list->entries, list->count + 1, sizeof *entries);
+  if (!entries) {
+    free(whole);
+    return PO_NO_MEMORY;
+  }
+  list->entries = entries;
+  entries[list->count++] = (po_reference_entry){.name = whole, .listed = listed};
+  return PO_OK;
+}
+
+static po_status add_listed(const char *data_folder, po_reference_list *list) {
+  char *path = po_path_join(data_folder, INDEX), *text = NULL;
+  size_t size = 0;
+  po_status status = path ? po_file_read(path, &text, &size) : PO_NO_MEMORY;
+  char *rest = NULL;
+  for (char *line = status ? NULL : strtok_r(text, "\r\n", &rest); !status && line;
+       line = strtok_r(NULL, "\r\n", &rest))
+    if (line[0] != '#')
+      status = add(list, FOLDER, line, true);
+  free(text);
+  free(path);
+  return status;
+}
+
+static po_status add_found(const char *data_folder, const char *folder, po_reference_list *list) {
+  char **names = NULL;
+  size_t count = 0;
+  char *path = po_path_join(data_folder, folder);
+  po_status status = path ? po_folder_list(path, ".csv", &names, &count) : PO_NO_MEMORY;
+  for (size_t i = 0; !status && i < count; ++i)
+    status = add(list, folder, names[i], false);
+  po_names_free(names, count);
+  free(path);
+  return status;
+}
+
+static po_status add_published(const char *data_folder, po_reference_list *list) {
+  char *path = po_path_join(data_folder, PUBLISHED);
+  if (!path)
+    return PO_NO_MEMORY;
+  const po_status status = po_path_exists(path) ? add_found(data_folder, PUBLISHED, list) : PO_OK;
+  free(path);
+  return status;
+}
+
+static void look(const char *data_folder, po_reference_entry *entry) {
+  po_reference reference;
+  const po_status status = po_reference_open(data_folder, entry->name, &reference);
+  entry->intact = status == PO_OK;
+  if (status) {
+    snprintf(entry->message, sizeof entry->message, "%s", po_message());
+    return;
+  }
+  entry->ledger = reference.ledger;
+  entry->rows = reference.table.row_count;
+  snprintf(entry->uncertainty, sizeof entry->uncertainty, "%s",
+           po_csv_find_header(&reference.table, "uncertainty")->value);
+  po_reference_close(&reference);
+}
+
+static int by_name(const void *a, const void *b) {
+  const po_reference_entry *x = a, *y = b;
+  return strcmp(x->name, y->name);
+}
+
+po_status po_reference_list_open(const char *data_folder, po_reference_list *list) {
+  *list = (po_reference_list){0};
+  po_status status = add_listed(data_folder, list);
+  if (!status)
+    status = add_found(data_folder, FOLDER, list);
+  if (!status)
+    status = add_published(data_folder, list);
+  for (size_t i = 0; !status && i < list->count; ++i)
+    look(data_folder, &list->entries[i]);
+  if (status)
+    po_reference_list_close(list);
+  else if (list->count)
+    qsort(list->entries, list->count, sizeof *list->entries, by_name);
+  return status;
+}
+
+void po_reference_list_close(po_reference_list *list) {
+  for (size_t i = 0; i < list->count; ++i)
+    free(list->entries[i].name);
+  free(list->entries);
+  *list = (po_reference_list){0};
+}
+
+po_status po_reference_list_check(const po_reference_list *list) {
+  const po_reference_entry *first = NULL;
+  size_t damaged = 0;
+  for (size_t i = 0; i < list->count; ++i)
+    if (!list->entries[i].intact) {
+      first = first ? first : &list->entries[i];
+      damaged += 1;
+    }
+  if (!first)
+    return PO_OK;
+  char more[64] = "";
+  if (damaged > 1)
+    snprintf(more, sizeof more, " (and %zu more: pulloff list --references)", damaged - 1);
+  return po_fail(PO_CANNOT_READ, "%s%s", first->message, more);
+}

@@ -1,0 +1,86 @@
+#include "po_physical.h"
+
+#include <float.h>
+#include <math.h>
+
+static po_status require(bool holds, const char *what, double value, const char *expected) {
+  return holds ? PO_OK : po_fail(PO_BAD_INPUT, "%s is %g: expected %s", what, value, expected);
+}
+
+static bool is_positive(double value) {
+  return isfinite(value) && value > 0.0;
+}
+
+static po_status check(const po_physical *p) {
+  static const char POSITIVE[] = "a finite number > 0";
+  po_status status = require(p->modulus > 0.0, "the modulus", p->modulus, "a number > 0, or inf");
+  if (!status)
+    status = require(is_positive(p->work), "the work of adhesion", p->work, POSITIVE);
+  if (!status)
+    status = require(is_positive(p->distance), "the equilibrium distance", p->distance, POSITIVE);
+  if (!status)
+    status = require(is_positive(p->radius), "the radius", p->radius, POSITIVE);
+  if (!status)
+    status = require(isfinite(p->amplitude) && p->amplitude >= 0.0, "the amplitude", p->amplitude,
+                     "a finite number >= 0");
+  if (!status && p->amplitude > 0.0)
+    status = require(is_positive(p->wavelength), "the wavelength", p->wavelength, POSITIVE);
+  if (!status)
+    status =
+        require(p->outer_radius > 0.0, "the outer radius", p->outer_radius, "a number > 0, or inf");
+  return status;
+}
+
+/* A group that was not 0 must not have become so, nor lost digits, nor left the doubles. */
+static po_status check_group(const char *name, double value) {
+  return require(isfinite(value) && value >= DBL_MIN, name, value,
+                 "a number a double holds; the given sizes are too far apart");
+}
+
+po_status po_physical_scene(const po_physical *physical, po_scene *scene) {
+  const po_physical *p = physical;
+  const po_status status = check(p);
+  if (status)
+    return status;
+  const bool rigid = isinf(p->modulus), wavy = p->amplitude > 0.0;
+  const double length = cbrt(p->distance), root = cbrt(p->work) / length / cbrt(p->modulus);
+  const po_scene s = {.tabor = rigid ? 0.0 : cbrt(p->radius) / length * root * root,
+                      .amplitude = p->amplitude / p->distance,
+                      .wavelength = wavy ? p->wavelength / p->distance : 0.0,
+                      .radius = p->radius / p->distance,
+                      .outer_radius = p->outer_radius / p->distance};
+  po_status bad = rigid ? PO_OK : check_group("the Tabor parameter", s.tabor);
+  if (!bad)
+    bad = check_group("the radius over the equilibrium distance", s.radius);
+  if (!bad && wavy)
+    bad = check_group("the amplitude over the equilibrium distance", s.amplitude);
+  if (!bad && wavy)
+    bad = check_group("the wavelength over the equilibrium distance", s.wavelength);
+  if (!bad && isfinite(p->outer_radius))
+    bad = check_group("the outer radius over the equilibrium distance", s.outer_radius);
+  if (!bad)
+    *scene = s;
+  return bad;
+}
+
+po_physical po_physical_of_scene(const po_scene *scene, double modulus, double distance,
+                                 double work) {
+  const double mu = scene->tabor;
+  return (po_physical){.modulus = modulus,
+                       .work = mu > 0.0 ? modulus * distance * mu * (sqrt(mu) / sqrt(scene->radius))
+                                        : work,
+                       .distance = distance,
+                       .radius = scene->radius * distance,
+                       .amplitude = scene->amplitude * distance,
+                       .wavelength = scene->wavelength * distance,
+                       .outer_radius = scene->outer_radius * distance};
+}
+
+po_units po_physical_units(const po_physical *physical, const po_scene *scene) {
+  const double tension = physical->work / physical->distance;
+  return (po_units){.length = physical->distance,
+                    .force = M_PI * physical->work * physical->radius,
+                    .work = physical->work,
+                    .tension = tension,
+                    .traction = tension / scene->tabor};
+}

@@ -1,0 +1,70 @@
+#!/bin/sh
+# Every reference table of the source, used by a case or not: deleted, cut short, or with one digit altered, it
+# is noticed and named.
+# shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154
+. "$(dirname "$0")/lib.sh"
+source=$here/../..
+export PULLOFF_DATA="$work/data"
+mkdir -p "$PULLOFF_DATA"
+cp -r "$source/cases" "$source/reference" "$PULLOFF_DATA"
+rm -rf "$PULLOFF_DATA/reference/make"
+folder=$PULLOFF_DATA/reference
+
+# noticed NAME MESSAGE: the spoilt table is named, in the list and on standard error; it is put right again.
+noticed() {
+  expect 4 "pulloff: $2" list --references
+  check "the list says that $1 is damaged" grep -q "^reference/$1 .*damaged: " "$work/stdout"
+  check 'and nothing else' test 1 -eq "$(grep -c damaged "$work/stdout")"
+  cp "$source/reference/$1" "$folder/$1"
+}
+
+# Every digit of the lines of a sed address becomes another.
+alter() { # ADDRESS FILE
+  sed -i "$1 { y/0123456789/1234567890/; }" "$2"
+}
+
+expect 0 '' list --references
+check 'every table of the source is in the index' test 0 -eq "$(grep -c 'not in the index' "$work/stdout")"
+tables=$(cd "$source/reference" && ls -- *.csv)
+check 'there are tables' test "$(echo "$tables" | wc -l)" -ge 12
+for name in $tables; do
+  file=$folder/$name
+  columns=$(grep -n -m 1 -v '^#' "$file" | cut -d: -f1)
+  rm "$file"
+  noticed "$name" "*reference/$name cannot be opened: No such file or directory"
+  sed -i '$d' "$file"
+  noticed "$name" "reference/$name:*: sha256 is *: expected *, that of all other lines*"
+  sed -i '$s/,[^,]*$//' "$file"
+  noticed "$name" "reference/$name:*: the row has * cell*: expected *"
+  sed -i "$columns,\$s/,[^,]*\$//" "$file"
+  noticed "$name" "reference/$name:*: sha256 is *"
+  truncate -s -2 "$file"
+  noticed "$name" "reference/$name:*: the last line does not end: the file is truncated"
+  # one digit: of the last number of a row in the middle, and of the header's uncertainty
+  middle=$(((columns + $(wc -l <"$file")) / 2 + 1))
+  digit=$(sed -n "${middle}s/.*\([0-9]\)[^0-9]*\$/\1/p" "$file")
+  sed -i "${middle}s/$digit\([^0-9]*\)\$/$(((digit + 1) % 10))\1/" "$file"
+  check "a digit of $name differs" test 2 -eq "$(diff "$file" "$source/reference/$name" | grep -c '^[<>]')"
+  noticed "$name" "reference/$name:*: sha256 is *"
+  alter '/^# uncertainty/' "$file"
+  noticed "$name" "reference/$name:*: sha256 is *"
+  sed -i 's/^# kind: oracle/# kind: pin/' "$file"
+  noticed "$name" "reference/$name:*: sha256 is *"
+done
+
+# verify without a case checks them all, before anything is solved; with one, what the case uses.
+sed -i '$d' "$folder/struve.csv"
+expect 4 'pulloff: reference/struve.csv:*: sha256 is *' verify --suite smoke --output out
+check 'nothing is solved' test ! -e out
+"$program" verify smoke --output out >"$work/stdout" 2>"$work/stderr"
+check 'a case that does not use it is run' test -s out/smoke/record.json
+rm "$folder/kernel.csv"
+expect 4 'pulloff: *reference/kernel.csv cannot be opened: * (and 1 more: *' verify --suite smoke --output out2
+cp "$source/reference/struve.csv" "$source/reference/kernel.csv" "$folder"
+rm "$folder/index.txt"
+expect 4 'pulloff: *reference/index.txt cannot be opened: *' list --references
+cp "$source/reference/index.txt" "$folder"
+cp "$folder/struve.csv" "$folder/mine.csv"
+expect 0 '' list --references
+check 'a table beside them is shown' grep -q '^reference/mine.csv .*not in the index' "$work/stdout"
+finish

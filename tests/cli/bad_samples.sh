@@ -1,0 +1,86 @@
+#!/bin/sh
+# The section `sample` of a case: one line with file, line, path, value and what was expected.
+# shellcheck disable=SC1091,SC2016,SC2034,SC2154
+. "$(dirname "$0")/lib.sh"
+. "$here/data.sh"
+file=$PULLOFF_DATA/cases/good.yaml
+
+write_sample() {
+  restore
+  cat >"$file" <<'CASE'
+name: good
+title: Spheres at random
+suites: [random]
+scene:
+  outer_radius: inf
+  scheme: panel
+sample:
+  seed: 17
+  count: 3
+  keys:
+    - {key: tabor, from: 0, to: 1e-6}
+    - {key: radius, from: 30, to: 500, scale: log}
+    - {key: wavelength, from: 1, to: 3, scale: log, times: root_radius}
+    - {key: amplitude, from: 0, to: 0.2, times: wavelength}
+want: [pull_off]
+CASE
+}
+
+spoilt() { # SED-SCRIPT MESSAGE
+  write_sample
+  sed -i "$1" "$file"
+  expect 2 "pulloff: cases/good.yaml:$2" run good --output out
+  check 'nothing is written' test ! -e out
+}
+
+write_sample
+expect 0 '*good: 3 points, 0 checks: within' run good --output out0
+expect 0 '' plan good
+check 'the plan says how many are drawn' grep -q '^  draw 3 scenes, each from seed 17' "$work/stdout"
+check 'and from where' \
+  grep -q '^    wavelength from 1 to 3 times the root of the radius, uniform in its' "$work/stdout"
+check 'and in what unit' grep -q '^    amplitude from 0 to 0.2 times wavelength, uniform$' "$work/stdout"
+
+spoilt '/^  seed/d' '*: sample.seed is missing: expected a whole number of at most 15 digits'
+spoilt 's/seed: 17/seed: 1.5/' '8: sample.seed is 1.5: expected a whole number of at most 15 digits'
+spoilt 's/seed: 17/seed: -1/' '8: sample.seed is -1: expected a whole number of at most 15 digits'
+spoilt 's/count: 3/count: 0/' '9: sample.count is 0: expected a whole number from 1 to 100000'
+spoilt 's/count: 3/count: 100001/' \
+  '9: sample.count is 100001: expected a whole number from 1 to 100000'
+spoilt 's/count: 3/counts: 3/' '9: sample.counts is unknown: expected one of seed, count, keys'
+spoilt 's/^sample:/sample: 5\nsimple:/' '7: sample is 5: expected a mapping of seed, count, keys'
+spoilt 's/key: tabor/key: scheme/' \
+  '11: sample.keys[[]1[]].key is scheme: expected a key of the scene whose value is a number*'
+spoilt 's/key: tabor/key: nodes/' \
+  '11: sample.keys[[]1[]].key is nodes: expected a key of the scene whose value is a number*'
+spoilt 's/key: tabor/key: colour/' \
+  '11: sample.keys[[]1[]].key is colour: expected a key of the scene whose value is a number*'
+spoilt 's/key: radius/key: tabor/' \
+  '12: sample.keys[[]2[]].key is tabor: expected each key drawn once'
+spoilt 's/outer_radius: inf/&\n  tabor: 1/' \
+  '12: sample.keys[[]1[]].key is tabor: expected a key that neither scene nor sweep fixes'
+spoilt 's/^sample/sweep: [{key: tabor, values: [1]}]\n&/' \
+  '12: sample.keys[[]1[]].key is tabor: expected a key that neither scene nor sweep fixes'
+spoilt 's/, from: 30//' '12: sample.keys[[]2[]].from is missing: expected a finite number'
+spoilt 's/from: 30/from: -30/' '12: sample.keys[[]2[]].from is -30: expected a finite number > 0'
+spoilt 's/from: 30/from: nan/' '12: sample.keys[[]2[]].from is nan: expected a finite number > 0'
+spoilt 's/to: 500/to: 30/' '12: sample.keys[[]2[]].to is 30: expected a finite number > from'
+spoilt 's/to: 500/to: inf/' '12: sample.keys[[]2[]].to is inf: expected a finite number > from'
+spoilt 's/to: 1e-6/to: 1e-6, scale: log/' \
+  '11: sample.keys[[]1[]].from is 0: expected a finite number > 0, as the scale is log'
+spoilt 's/radius, from: 30, to: 500, scale: log/radius, from: 30, to: 500, scale: cubic/' \
+  '12: sample.keys[[]2[]].scale is cubic: expected linear or log'
+spoilt 's/times: root_radius/times: root_tabor/' \
+  '13: sample.keys[[]3[]].times is root_tabor: expected root_radius or a key given before: *'
+spoilt 's/times: root_radius/times: amplitude/' \
+  '13: sample.keys[[]3[]].times is amplitude: expected root_radius or a key given before: *'
+spoilt 's/times: root_radius/times: scheme/' \
+  '13: sample.keys[[]3[]].times is scheme: expected root_radius or a key given before: *'
+spoilt '/key: radius/d' \
+  '12: sample.keys[[]2[]].times is root_radius: expected root_radius or a key given before: *'
+spoilt '/key: tabor/d' '4: scene.tabor is missing: expected a finite number >= 0, here, in the *'
+spoilt 's/times: root_radius/times: outer_radius/' \
+  '10: sample draws tabor=*: expected what these keys may be'
+spoilt '/key: wavelength/d; s/times: wavelength/times: radius/' \
+  '4: scene.wavelength is missing: expected a finite number > 0, here, in the sweep or in the sample'
+finish

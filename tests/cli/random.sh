@@ -1,0 +1,102 @@
+#!/bin/sh
+# Scenes at random: the summary counts and repeats the failures, its lines repeat the points to the last bit, and
+# a share of failures may be let pass.
+# shellcheck disable=SC1091,SC2016,SC2034,SC2154
+. "$(dirname "$0")/lib.sh"
+. "$here/data.sh"
+python=${PYTHON:-python3}
+rm "$PULLOFF_DATA/cases/good.yaml"
+
+write_scenes() { # SHARE
+  cat >"$PULLOFF_DATA/cases/scenes.yaml" <<CASE
+name: scenes
+title: Spheres at random, every other one without the time to solve it
+suites: [random]
+scene: {outer_radius: inf, scheme: panel, tolerance: 1e-4}
+sample:
+  seed: 20200908
+  count: 3
+  keys:
+    - {key: tabor, from: 0.1, to: 1, scale: log}
+    - {key: radius, from: 30, to: 500, scale: log}
+    - {key: wavelength, from: 3, to: 6, times: root_radius}
+    - {key: amplitude, from: 0, to: 0.1, times: wavelength}
+sweep: [{key: time_limit, values: [3600, 1e-9]}]
+want: [pull_off]
+checks:
+  - {quantity: solved_share, reference: every_scene, tolerance: $1, kind: abs, because: it is made so}
+CASE
+}
+write_scenes 0.6
+expect 2 'pulloff: there is no such case in *' run
+expect 0 '*scenes: 6 points, 1 checks: within' run --suite random --jobs 0
+cp "$work/stdout" summary
+check 'the points' grep -q '^scenes: points 0 to 5 of 6$' summary
+check 'three solved' grep -qE '^ok +3$' summary
+check 'three failed' grep -qE '^out_of_time +3$' summary
+for what in seconds points nodes; do
+  check "the cost in $what" grep -qE "^$what +[0-9.e-]+ +[0-9.e+-]+ +[0-9.e+-]+$" summary
+done
+check 'each with its reason' test 3 -eq \
+  "$(grep -c '^point [135], out_of_time: after 1e-09 s of processor time the trace is at' summary)"
+expect 0 '' plan scenes
+check 'the plan says what is compared' \
+  grep -q '^  compare solved_share with every_scene at 6 of 6 points, to 0.6 abs$' "$work/stdout"
+check 'the record has the check of no one point' grep -q '"point": null' build/run/scenes/record.json
+
+# The line after a failure repeats it: the same reason, the same exit code as that of a failed solve.
+line=$(sed -n '/^point 3, out_of_time: /{n;s/^ *pulloff //;p;}' summary)
+reason=$(sed -n 's/^point 3, out_of_time: //p' summary)
+# shellcheck disable=SC2086 # words are meant
+expect 3 "pulloff: the solve failed: $reason" $line
+# The line of a point that was solved: every number, to the last bit.
+line=$(sed -n '/^point 4, ok, /{n;s/^ *pulloff //;p;}' summary)
+# shellcheck disable=SC2086
+expect 0 '' $line --json
+cat >same.py <<'SAME'
+import json, sys
+again = json.load(open("stdout"))
+point = json.load(open("build/run/scenes/record.json"))["points"][4]
+for key in ("input", "status", "pull_off", "folds", "extrema"):
+    assert again[key] == point[key], (key, again[key], point[key])
+del again["work"]["seconds"], point["work"]["seconds"]
+assert again["work"] == point["work"]
+assert point["sweep"].keys() == {"time_limit", "tabor", "radius", "wavelength", "amplitude"}
+SAME
+check 'its line repeats a point' "$python" same.py
+
+expect 0 'scenes: 6 points, 1 checks: within (kept)' verify scenes --tap
+check 'TAP: the share, and not the failures in it' test "$(sed -n 2p "$work/stdout")" = 1..1
+expect 0 '*' verify scenes --junit out.xml
+check 'JUnit likewise' grep -q '<testsuite name="scenes" tests="1" failures="0"' out.xml
+expect 0 '*' explain scenes
+check 'explain: no failed solve when the share is met' test "$(cat "$work/stdout")" = \
+  'scenes: 0 of 1 checks told, the others are within'
+expect 0 '*' explain scenes --all
+check 'explain: the share is of no one point' grep -q '^scenes solved_share -: within$' "$work/stdout"
+expect 0 '*' verify scenes
+check 'the verdict is of no one point' grep -qE '^scenes +solved_share +- +0.5 +1 ' "$work/stdout"
+write_scenes 0.4
+expect 3 'scenes: 6 points, 1 checks: failed (kept)' verify scenes
+check 'too many' grep -q 'outside: 3 of 6 failed, the first point 1: after 1e-09 s' "$work/stdout"
+expect 3 '*' explain scenes --json
+cat >told.py <<'TOLD'
+import json, sys
+d = json.load(open("stdout"))
+(c,) = d["checks"]
+assert (c["id"], c["point"], c["label"], c["fault"]) == ("solved_share/every_scene", None, None, "solve")
+assert [f["point"] for f in d["failed"]] == ["1", "3", "5"]
+assert c["command"] == d["failed"][0]["command"] and " --time-limit 1e-09" in c["command"], c["command"]
+TOLD
+check 'explain: the share, and each failure' "$python" told.py
+expect 3 '*' explain scenes --point 3
+check 'explain: of one point its failure alone' grep -q '^scenes: 0 of 0 checks told$' "$work/stdout"
+expect 0 '*' explain scenes --point 0
+expect 3 '*' verify scenes
+check 'now they are failures' test 3 -eq "$(grep -c 'time_limit=1e-9 .*failed: after' "$work/stdout")"
+"$program" run scenes >"$work/stdout" 2>"$work/stderr"
+check 'exit code 3 of a run with them' test $? -eq 3
+expect 0 '*' run scenes --time-limit 3600
+check 'the time limit of the command line holds' grep -qE '^none failed$' "$work/stdout"
+expect 0 '*(kept)' explain scenes --time-limit 3600 --all
+finish

@@ -1,0 +1,176 @@
+/* Scenes drawn at random: the generator against published outputs, the drawn values against another
+ * implementation, and that a scene depends on nothing but seed, number and name. */
+#include <check.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "po_case.h"
+#include "po_file.h"
+#include "po_random.h"
+#include "run.h"
+
+/* The first outputs of splitmix64 seeded with 1234567, as published for other languages. */
+START_TEST(mix_is_splitmix64) {
+  static const uint64_t KNOWN[] = {UINT64_C(6457827717110365317), UINT64_C(3203168211198807973),
+                                   UINT64_C(9817491932198370423), UINT64_C(4593380528125082431),
+                                   UINT64_C(16408922859458223821)};
+  const uint64_t step = UINT64_C(0x9e3779b97f4a7c15);
+  ck_assert_uint_eq(po_random_mix(UINT64_C(1234567) + (uint64_t)_i * step), KNOWN[_i]);
+}
+END_TEST
+
+/* Mean, variance and the correlation of neighbours and of names, each within five times what chance
+ * makes of 10000 draws. */
+START_TEST(draws_are_uniform_and_unrelated) {
+  enum { COUNT = 10000 };
+  double mean = 0, square = 0, neighbour = 0, other = 0;
+  for (uint64_t i = 0; i < COUNT; ++i) {
+    const double u = po_random_uniform(2385, i, "tabor");
+    ck_assert(u > 0 && u < 1);
+    mean += u / COUNT;
+    square += (u - 0.5) * (u - 0.5) / COUNT;
+    neighbour += (u - 0.5) * (po_random_uniform(2385, i + 1, "tabor") - 0.5) / COUNT;
+    other += (u - 0.5) * (po_random_uniform(2385, i, "radius") - 0.5) / COUNT;
+  }
+  ck_assert_double_eq_tol(mean, 0.5, 5 * sqrt(1.0 / 12 / COUNT));
+  ck_assert_double_eq_tol(square, 1.0 / 12, 5 * sqrt(1.0 / 180 / COUNT));
+  ck_assert_double_eq_tol(neighbour, 0, 5.0 / 12 / sqrt(COUNT));
+  ck_assert_double_eq_tol(other, 0, 5.0 / 12 / sqrt(COUNT));
+}
+END_TEST
+
+/* Computed in Python from the description in cases/README.md, for the ranges of
+ * cases/random.yaml. */
+static const struct {
+  size_t number;
+  const char *label;
+} KNOWN[] = {{0, "tabor=0.565234 radius=152.189 wavelength=26.6656 amplitude=21.6577"},
+             {1, "tabor=0.389001 radius=448.486 wavelength=28.4642 amplitude=27.9679"},
+             {7, "tabor=0.404938 radius=107.931 wavelength=53.1856 amplitude=46.5894"},
+             {199, "tabor=0.00108449 radius=52.0513 wavelength=12.2236 amplitude=10.43"},
+             {999, "tabor=0.00416498 radius=113.855 wavelength=20.2887 amplitude=19.7204"}};
+
+START_TEST(random_case_draws_what_another_program_draws) {
+  po_case *kase = NULL;
+  ck_assert_msg(po_case_read(SOURCE_ROOT "/cases/random.yaml", "random.yaml", &kase) == PO_OK, "%s",
+                po_message());
+  ck_assert_uint_eq(kase->point_count, 1000);
+  for (size_t k = 0; k < sizeof KNOWN / sizeof *KNOWN; ++k)
+    ck_assert_str_eq(kase->points[KNOWN[k].number].label, KNOWN[k].label);
+  ck_assert_double_eq(kase->points[0].request.time_limit, 20);
+  po_case_destroy(kase);
+}
+END_TEST
+
+/* The drawn values are those of the label, to the last bit, and the line that solves the point
+ * again says them so. */
+START_TEST(label_and_command_are_exact) {
+  po_case *kase = NULL;
+  ck_assert_int_eq(po_case_read(SOURCE_ROOT "/cases/random.yaml", "random.yaml", &kase), PO_OK);
+  for (size_t i = 0; i < kase->point_count; i += 13) {
+    const po_request *request = &kase->points[i].request;
+    double tabor, radius, wavelength, amplitude;
+    ck_assert_int_eq(sscanf(kase->points[i].label,
+                            "tabor=%lf radius=%lf wavelength=%lf amplitude=%lf", &tabor, &radius,
+                            &wavelength, &amplitude),
+                     4);
+    ck_assert(tabor == request->scene.tabor && radius == request->scene.radius);
+    ck_assert(wavelength == request->scene.wavelength && amplitude == request->scene.amplitude);
+    ck_assert(wavelength >= 0.39999 * sqrt(radius) && wavelength <= 6.00001 * sqrt(radius));
+    ck_assert(amplitude <= 1.00001 * wavelength);
+    char *command = po_input_command(request);
+    double again[4];
+    ck_assert_int_eq(sscanf(command,
+                            "pulloff solve --tabor %lf --amplitude %lf --wavelength %lf --radius "
+                            "%lf --outer-radius inf --scheme panel --tolerance 0.0001 --time-limit "
+                            "20",
+                            &again[0], &again[1], &again[2], &again[3]),
+                     4);
+    ck_assert(again[0] == tabor && again[1] == amplitude && again[2] == wavelength &&
+              again[3] == radius);
+    free(command);
+  }
+  po_case_destroy(kase);
+}
+END_TEST
+
+static po_case *case_of(const char *sample) {
+  static const char HEAD[] = "name: made\ntitle: Made up\nsuites: [random]\nwant: [pull_off]\n"
+                             "scene: {outer_radius: inf, scheme: panel}\n";
+  char path[] = "/tmp/pulloff-test-XXXXXX", text[600];
+  snprintf(text, sizeof text, "%s%s", HEAD, sample);
+  const int file = mkstemp(path);
+  ck_assert_int_ge(file, 0);
+  close(file);
+  ck_assert_int_eq(po_file_write(path, text, strlen(text)), PO_OK);
+  po_case *kase = NULL;
+  ck_assert_msg(po_case_read(path, "made.yaml", &kase) == PO_OK, "%s", po_message());
+  unlink(path);
+  return kase;
+}
+
+#define TABOR "{key: tabor, from: 0.01, to: 2.385, scale: log}"
+#define RADIUS "{key: radius, from: 30, to: 500}"
+
+START_TEST(a_scene_does_not_depend_on_the_others) {
+  static const char *const OTHERS[] = {
+      "sample: {seed: 7, count: 50, keys: [" TABOR ", " RADIUS "]}",
+      "sample: {seed: 7, count: 12, keys: [" RADIUS ", " TABOR "]}",
+      "sample: {seed: 7, count: 12, keys: [" TABOR ", " RADIUS
+      ", {key: wavelength, from: 1, to: 2}, {key: amplitude, from: 1, to: 2, times: tabor}]}"};
+  po_case *one = case_of("sample: {seed: 7, count: 12, keys: [" TABOR ", " RADIUS "]}");
+  po_case *other = case_of(OTHERS[_i]);
+  for (size_t i = 0; i < one->point_count; ++i) {
+    ck_assert(one->points[i].request.scene.tabor == other->points[i].request.scene.tabor);
+    ck_assert(one->points[i].request.scene.radius == other->points[i].request.scene.radius);
+  }
+  po_case_destroy(one);
+  po_case_destroy(other);
+}
+END_TEST
+
+START_TEST(another_seed_draws_other_scenes) {
+  po_case *one = case_of("sample: {seed: 7, count: 12, keys: [" TABOR ", " RADIUS "]}");
+  po_case *other = case_of("sample: {seed: 8, count: 12, keys: [" TABOR ", " RADIUS "]}");
+  for (size_t i = 0; i < one->point_count; ++i)
+    ck_assert(one->points[i].request.scene.tabor != other->points[i].request.scene.tabor);
+  po_case_destroy(one);
+  po_case_destroy(other);
+}
+END_TEST
+
+/* Each drawn scene comes with every combination of the sweep, and a unit may be swept. */
+START_TEST(sample_times_sweep) {
+  po_case *kase = case_of("sweep: [{key: tabor, values: [1, 2.385]}]\n"
+                          "sample: {seed: 7, count: 3, keys: [" RADIUS
+                          ", {key: wavelength, from: 1, to: 2, times: tabor},"
+                          " {key: amplitude, from: 0, to: 1}]}");
+  ck_assert_uint_eq(kase->point_count, 6);
+  for (size_t i = 0; i < 6; ++i) {
+    const po_scene *scene = &kase->points[i].request.scene;
+    ck_assert_double_eq(scene->tabor, i % 2 ? 2.385 : 1);
+    ck_assert(scene->radius == kase->points[i / 2 * 2].request.scene.radius);
+    ck_assert_double_eq_tol(scene->wavelength / scene->tabor,
+                            kase->points[i / 2 * 2].request.scene.wavelength, 1e-5);
+  }
+  po_case_destroy(kase);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_loop_test(tests, mix_is_splitmix64, 0, 5);
+  tcase_add_test(tests, draws_are_uniform_and_unrelated);
+  tcase_add_test(tests, random_case_draws_what_another_program_draws);
+  tcase_add_test(tests, label_and_command_are_exact);
+  tcase_add_loop_test(tests, a_scene_does_not_depend_on_the_others, 0, 3);
+  tcase_add_test(tests, another_seed_draws_other_scenes);
+  tcase_add_test(tests, sample_times_sweep);
+}
+
+int main(void) {
+  return run_case("sample", add);
+}

@@ -1,0 +1,71 @@
+/* A reference table, row by row beside what the program computes. */
+#ifndef TABLE_H
+#define TABLE_H
+
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "po_csv.h"
+
+typedef struct {
+  po_csv csv;
+  size_t compared; /* numbers set beside ours so far */
+  double worst;    /* greatest difference, in units of its tolerance */
+  char where[80];  /* line and column of that */
+} table;
+
+/* Opens reference/NAME, whose rows must have the checksum the header states. */
+static inline table table_open(const char *name) {
+  table t = {0};
+  char path[1024];
+  snprintf(path, sizeof path, SOURCE_ROOT "/reference/%s", name);
+  ck_assert_msg(po_csv_read(path, name, &t.csv) == PO_OK, "%s", po_message());
+  const po_csv_header *digest = po_csv_find_header(&t.csv, "sha256");
+  ck_assert_msg(digest && strcmp(digest->value, t.csv.digest) == 0, "%s: not its sha256", name);
+  return t;
+}
+
+static inline size_t table_column(const table *t, const char *column) {
+  const int found = po_csv_find_column(&t->csv, column);
+  ck_assert_msg(found >= 0, "%s: no column %s", t->csv.path, column);
+  return (size_t)found;
+}
+
+static inline const char *table_word(const table *t, size_t row, const char *column) {
+  return po_csv_cell(&t->csv, row, table_column(t, column));
+}
+
+static inline double table_number(const table *t, size_t row, const char *column) {
+  double value = NAN;
+  ck_assert_msg(po_csv_number(&t->csv, row, table_column(t, column), &value) == PO_OK, "%s",
+                po_message());
+  return value;
+}
+
+/* Sets `obtained` beside the cell; the tolerance is absolute. */
+static inline void table_compare(table *t, size_t row, const char *column, double obtained,
+                                 double tolerance) {
+  const double expected = table_number(t, row, column), error = fabs(obtained - expected);
+  t->compared += 1;
+  if (error > t->worst * tolerance) {
+    t->worst = error / tolerance;
+    snprintf(t->where, sizeof t->where, "line %zu, %s", t->csv.lines[row], column);
+  }
+  ck_assert_msg(error <= tolerance,
+                "%s:%zu: %s is %.17g, obtained %.17g: off by %.2e, expected %.2e", t->csv.path,
+                t->csv.lines[row], column, expected, obtained, error, tolerance);
+}
+
+/* Closes it; every one of its `rows` rows must have been compared `each` times. What was measured
+ * goes to standard output, for the log of the test. */
+static inline void table_close(table *t, const char *what, size_t rows, size_t each) {
+  ck_assert_uint_eq(t->csv.row_count, rows);
+  ck_assert_uint_eq(t->compared, rows * each);
+  printf("%s: %s: %zu numbers, at most %.3f of the tolerance (%s)\n", t->csv.path, what,
+         t->compared, t->worst, t->where);
+  po_csv_clear(&t->csv);
+}
+
+#endif

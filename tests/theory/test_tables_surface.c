@@ -1,0 +1,120 @@
+/* Influence coefficients and the rigid loading curve beside every row of their reference tables. */
+#include <float.h>
+
+#include "../unit/run.h"
+#include "po_element.h"
+#include "po_rigid.h"
+#include "table.h"
+
+/* As po_element.h and po_rigid.h state them. */
+static const double RING_ACCURACY = 1e-15, TRIANGLE_ACCURACY = 1e-12, RIGID_ACCURACY = 1e-9;
+
+START_TEST(ring_is_the_table) {
+  table t = table_open("kernel.csv");
+  size_t rings = 0;
+  for (size_t row = 0; row < t.csv.row_count; ++row) {
+    if (strcmp(table_word(&t, row, "kind"), "ring") != 0)
+      continue;
+    const double edge[] = {table_number(&t, row, "s1"), table_number(&t, row, "s2")};
+    const double r = table_number(&t, row, "r");
+    double deflection = NAN;
+    po_ring_influence(1, edge, r, &deflection, 1);
+    /* half an ulp of a radius as read, times the integrand G s there, about its mean */
+    const double read = 0.5 * DBL_EPSILON * (edge[0] + edge[1] + r);
+    const double inherited = read * table_number(&t, row, "value") / (edge[1] - edge[0]);
+    table_compare(&t, row, "value", deflection, RING_ACCURACY * fmax(r, edge[1]) + inherited);
+    ++rings;
+  }
+  t.csv.row_count = rings;
+  table_close(&t, "rings", 33, 1);
+}
+END_TEST
+
+START_TEST(triangle_is_the_table) {
+  table t = table_open("kernel.csv");
+  size_t triangles = 0;
+  for (size_t row = 0; row < t.csv.row_count; ++row) {
+    if (strcmp(table_word(&t, row, "kind"), "triangle") != 0)
+      continue;
+    double node[3], deflection[3] = {NAN, NAN, NAN};
+    size_t n = 0, top = 0;
+    static const char *const COLUMNS[] = {"s1", "s2", "s3"};
+    for (int k = 0; k < 3; ++k) { /* half a triangle has two nodes */
+      const double s = table_number(&t, row, COLUMNS[k]);
+      if (!n || s != node[n - 1])
+        node[n++] = s;
+      if (k == 1)
+        top = n - 1;
+    }
+    po_triangle *triangle = NULL;
+    ck_assert_int_eq(po_triangle_create(n, node, &triangle), PO_OK);
+    po_triangle_influence(triangle, table_number(&t, row, "r"), deflection, 1);
+    po_triangle_destroy(triangle);
+    table_compare(&t, row, "value", deflection[top],
+                  TRIANGLE_ACCURACY * table_number(&t, row, "value"));
+    ++triangles;
+  }
+  t.csv.row_count = triangles;
+  table_close(&t, "triangles", 39, 1);
+}
+END_TEST
+
+/* The rows are for alpha; any radius does. */
+static po_scene rigid_scene(const table *t, size_t row) {
+  const double amplitude = table_number(t, row, "amplitude"), radius = 77.0;
+  return (po_scene){.amplitude = amplitude,
+                    .wavelength = sqrt(amplitude * radius / table_number(t, row, "alpha")),
+                    .radius = radius,
+                    .outer_radius = INFINITY};
+}
+
+START_TEST(rigid_load_is_the_table) {
+  table t = table_open("rigid_integral.csv");
+  for (size_t row = 0; row < t.csv.row_count; ++row) {
+    const po_scene scene = rigid_scene(&t, row);
+    double load = NAN, rate = NAN;
+    ck_assert_int_eq(po_rigid_load(&scene, table_number(&t, row, "approach"), &load, &rate), PO_OK);
+    table_compare(&t, row, "load", load,
+                  RIGID_ACCURACY * fmax(1.0, fabs(table_number(&t, row, "load"))));
+  }
+  table_close(&t, "load of the solver's rigid limit", 80, 1);
+}
+END_TEST
+
+typedef struct {
+  double force, approach;
+} deepest;
+
+static bool look(const po_branch_point *p, void *data) {
+  deepest *d = data;
+  if (p->kind == PO_POINT_LOAD_MIN && -p->load > d->force)
+    *d = (deepest){-p->load, p->approach};
+  return false;
+}
+
+START_TEST(rigid_pull_off_is_the_table) {
+  table t = table_open("rigid_pull_off.csv");
+  for (size_t row = 0; row < t.csv.row_count; ++row) {
+    const po_scene scene = rigid_scene(&t, row);
+    deepest d = {0.0, NAN};
+    po_branch_options options = po_branch_options_default();
+    options.visit = look;
+    options.data = &d;
+    ck_assert_int_eq(po_rigid_trace(&scene, -0.3, &options), PO_OK);
+    table_compare(&t, row, "force", d.force, RIGID_ACCURACY);
+    table_compare(&t, row, "approach", d.approach, 1e-8);
+  }
+  table_close(&t, "pull-off of the solver's rigid limit", 154, 2);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_test(tests, ring_is_the_table);
+  tcase_add_test(tests, triangle_is_the_table);
+  tcase_add_test(tests, rigid_load_is_the_table);
+  tcase_add_test(tests, rigid_pull_off_is_the_table);
+}
+
+int main(void) {
+  return run_case("tables_surface", add);
+}

@@ -1,0 +1,157 @@
+/* The closed forms beside every row of their reference tables. */
+#include <gsl/gsl_errno.h>
+
+#include "../unit/run.h"
+#include "po_bradley.h"
+#include "po_estimates.h"
+#include "po_guduru.h"
+#include "po_wavy_rigid.h"
+#include "table.h"
+
+/* As the headers state them. */
+static const double GUDURU_ACCURACY = 1e-14, PULL_OFF_ACCURACY = 1e-13, RIGID_ACCURACY = 1e-10,
+                    ESTIMATE_ACCURACY = 1e-14;
+
+static po_scene scene_of(const table *t, size_t row) {
+  return (po_scene){.tabor = table_number(t, row, "tabor"),
+                    .amplitude = table_number(t, row, "amplitude"),
+                    .wavelength = table_number(t, row, "wavelength"),
+                    .radius = table_number(t, row, "radius"),
+                    .outer_radius = INFINITY};
+}
+
+/* The larger term of load and approach of Eq 5 at a contact radius: what rounding is relative to.
+ * The waves' phase 2 pi a/lambda carries its own rounding, of so many ulp as it is large. */
+static po_contact terms_at(const po_scene *s, double a) {
+  const double e = sqrt(s->radius / pow(s->tabor, 3.0)), R = s->radius, A = s->amplitude;
+  const double x = A > 0.0 ? 2.0 * M_PI * a / s->wavelength : 0.0, turns = 1.0 + 0.1 * x;
+  const double swing = A > 0.0 ? A * turns * sqrt(2.0 * x / M_PI) : 0.0;
+  return (po_contact){
+      .load = fmax(4.0 * e * a * a * a / (3.0 * M_PI * R * R),
+                   fmax(sqrt(8.0 * e * a * a * a / M_PI) / R, e * a * swing / R)),
+      .approach = fmax(a * a / R, fmax(sqrt(2.0 * M_PI * a / e), M_PI_2 * swing)),
+  };
+}
+
+START_TEST(guduru_is_the_table) {
+  table t = table_open("guduru.csv");
+  for (size_t row = 0; row < t.csv.row_count; ++row) {
+    const po_scene s = scene_of(&t, row);
+    const double a = table_number(&t, row, "contact_radius");
+    const po_contact got = po_guduru_at(&s, a), size = terms_at(&s, a);
+    table_compare(&t, row, "load", got.load, GUDURU_ACCURACY * size.load);
+    table_compare(&t, row, "approach", got.approach, GUDURU_ACCURACY * size.approach);
+  }
+  table_close(&t, "Eq 5", 108, 2);
+}
+END_TEST
+
+START_TEST(guduru_pull_off_is_the_table) {
+  table t = table_open("guduru_pull_off.csv");
+  for (size_t row = 0; row < t.csv.row_count; ++row) {
+    const po_scene s = scene_of(&t, row);
+    const po_contact got = po_guduru_pull_off(&s);
+    const double a = table_number(&t, row, "contact_radius");
+    table_compare(&t, row, "force", -got.load, PULL_OFF_ACCURACY * table_number(&t, row, "force"));
+    table_compare(&t, row, "contact_radius", got.contact_radius, PULL_OFF_ACCURACY * a);
+    table_compare(&t, row, "approach", got.approach, PULL_OFF_ACCURACY * terms_at(&s, a).approach);
+  }
+  table_close(&t, "pull-off of Eq 5", 74, 3);
+}
+END_TEST
+
+START_TEST(envelope_is_the_table) {
+  table t = table_open("kesari_lew.csv");
+  for (size_t row = 0; row < t.csv.row_count; ++row) {
+    const po_scene s = scene_of(&t, row);
+    const double johnson = po_johnson_parameter(&s), work = po_kesari_lew_work(&s);
+    table_compare(&t, row, "johnson", johnson,
+                  ESTIMATE_ACCURACY * table_number(&t, row, "johnson"));
+    table_compare(&t, row, "effective_work", work, ESTIMATE_ACCURACY * work);
+    table_compare(&t, row, "force", 1.5 * work, ESTIMATE_ACCURACY * work);
+    /* the upper edge is deepest where (a/Gamma)^3 = (9 pi/8) factor^2, and nowhere tensile without
+     * a factor above 0 */
+    const double factor = fmax(0.0, 1.0 - 1.0 / (sqrt(M_PI) * johnson));
+    const double a = cbrt(9.0 * M_PI / 8.0 * factor * factor) * po_scene_gamma(&s);
+    table_compare(&t, row, "upper_force", -po_kesari_lew_edge(&s, a, 1).load, ESTIMATE_ACCURACY);
+    const double force = -po_guduru_pull_off(&s).load;
+    table_compare(&t, row, "guduru_force", force, PULL_OFF_ACCURACY * force);
+    const double difference = table_number(&t, row, "force_difference");
+    table_compare(&t, row, "force_difference", fabs(1.5 * work - force), 5e-3 * difference);
+  }
+  table_close(&t, "envelope of Eq 5", 73, 6);
+}
+END_TEST
+
+START_TEST(edges_are_the_table) {
+  table t = table_open("kesari_lew_edges.csv");
+  for (size_t row = 0; row < t.csv.row_count; ++row) {
+    const po_scene s = scene_of(&t, row);
+    const double a = table_number(&t, row, "contact_radius");
+    const int side = strcmp(table_word(&t, row, "edge"), "lower") == 0 ? -1 : 1;
+    const po_contact edge = po_kesari_lew_edge(&s, a, side), eq_5 = po_guduru_at(&s, a);
+    const po_contact size = terms_at(&s, a);
+    table_compare(&t, row, "edge_load", edge.load, GUDURU_ACCURACY * size.load);
+    table_compare(&t, row, "edge_approach", edge.approach, GUDURU_ACCURACY * size.approach);
+    table_compare(&t, row, "load", eq_5.load, GUDURU_ACCURACY * size.load);
+    table_compare(&t, row, "approach", eq_5.approach, GUDURU_ACCURACY * size.approach);
+    ck_assert_double_le(fabs(edge.load - eq_5.load),
+                        table_number(&t, row, "load_difference_bound"));
+    ck_assert_double_le(fabs(edge.approach - eq_5.approach),
+                        table_number(&t, row, "approach_difference_bound"));
+  }
+  table_close(&t, "edges of the envelope", 50, 4);
+}
+END_TEST
+
+START_TEST(rigid_load_is_the_table) {
+  table t = table_open("rigid_integral.csv");
+  for (size_t row = 0; row < t.csv.row_count; ++row) {
+    const double load =
+        po_wavy_rigid_load(table_number(&t, row, "amplitude"), table_number(&t, row, "alpha"),
+                           table_number(&t, row, "approach"));
+    table_compare(&t, row, "load", load, RIGID_ACCURACY * fabs(table_number(&t, row, "load")));
+  }
+  table_close(&t, "Eq 22", 80, 1);
+}
+END_TEST
+
+START_TEST(rigid_pull_off_is_the_table) {
+  table t = table_open("rigid_pull_off.csv");
+  for (size_t row = 0; row < t.csv.row_count; ++row) {
+    const po_rigid_pull_off got =
+        po_wavy_rigid_pull_off(table_number(&t, row, "amplitude"), table_number(&t, row, "alpha"));
+    table_compare(&t, row, "force", got.force, RIGID_ACCURACY * table_number(&t, row, "force"));
+    table_compare(&t, row, "approach", got.approach, RIGID_ACCURACY);
+  }
+  table_close(&t, "pull-off of Eq 22", 154, 2);
+}
+END_TEST
+
+START_TEST(bradley_is_the_table) {
+  table t = table_open("bradley.csv");
+  for (size_t row = 0; row < t.csv.row_count; ++row) {
+    const double approach = table_number(&t, row, "approach"), x = 1.0 - approach;
+    /* 4 ulp of the larger term, and what half an ulp of the approach makes of it */
+    const double larger = fmax(8.0 / (3.0 * x * x), 2.0 / (3.0 * pow(x, 8.0)));
+    const double ulp = 4.0 + 8.0 * fabs(approach) / x;
+    table_compare(&t, row, "load", po_bradley_load(approach), ulp * 2.220446049250313e-16 * larger);
+  }
+  table_close(&t, "Eq 23", 170, 1);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  gsl_set_error_handler_off();
+  tcase_add_test(tests, guduru_is_the_table);
+  tcase_add_test(tests, guduru_pull_off_is_the_table);
+  tcase_add_test(tests, envelope_is_the_table);
+  tcase_add_test(tests, edges_are_the_table);
+  tcase_add_test(tests, rigid_load_is_the_table);
+  tcase_add_test(tests, rigid_pull_off_is_the_table);
+  tcase_add_test(tests, bradley_is_the_table);
+}
+
+int main(void) {
+  return run_case("tables_theory", add);
+}

@@ -1,0 +1,131 @@
+/* SI units to groups and back: round trips at awkward and extreme constants, and refusals. */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "po_physical.h"
+#include "run.h"
+
+/* modulus, work, distance, radius, amplitude, wavelength, outer radius */
+static const po_physical BODIES[] = {
+    {2.385e9, 0.0537, 3.1e-10, 1.7e-6, 4.3e-9, 2.9e-7, 1.1e-6},  /* a soft particle, rough */
+    {7.3e10, 0.0271, 1.65e-10, 3.3e-8, 0.0, 0.0, INFINITY},      /* a probe of silica */
+    {1.13e6, 0.0413, 5.7e-10, 7.7e-3, 8.1e-7, 3.7e-4, INFINITY}, /* a lens of rubber */
+    {3.1, 1.9e-7, 7.3e-4, 41.0, 0.83, 5.9, 77.0},                /* nothing on earth */
+    {4.7e40, 3.3e-60, 9.1e-90, 2.3e-80, 1.9e-85, 8.3e-82, INFINITY},
+    {6.1e-70, 7.9e120, 5.3e90, 4.9e130, 3.7e110, 2.1e125, 8.8e129},
+    {1.7e308, 1.3e-300, 2.9e-150, 3.1e10, 0.0, 0.0, INFINITY},
+};
+enum { BODY_COUNT = sizeof BODIES / sizeof *BODIES };
+
+static void is_near(double got, double expected) {
+  if (isinf(expected) || expected == 0.0)
+    ck_assert_double_eq(got, expected);
+  else
+    ck_assert_double_eq_tol(got / expected, 1.0, 8 * DBL_EPSILON);
+}
+
+START_TEST(groups_are_those_of_the_paper) {
+  const po_physical *p = &BODIES[_i];
+  po_scene s;
+  ck_assert_msg(po_physical_scene(p, &s) == PO_OK, "%s", po_message());
+  /* Eq 14 in logarithms, in extended precision: no order of the factors to overflow */
+  const long double log_mu =
+      (logl((long double)p->radius) + 2 * logl((long double)p->work) -
+       2 * logl((long double)p->modulus) - 3 * logl((long double)p->distance)) /
+      3;
+  is_near(s.tabor, (double)expl(log_mu));
+  is_near(s.radius, p->radius / p->distance);
+  is_near(s.amplitude, p->amplitude / p->distance);
+  is_near(s.wavelength, p->wavelength / p->distance);
+  is_near(s.outer_radius, p->outer_radius / p->distance);
+}
+END_TEST
+
+START_TEST(round_trip) {
+  const po_physical *p = &BODIES[_i];
+  po_scene s, again;
+  ck_assert_int_eq(po_physical_scene(p, &s), PO_OK);
+  const po_physical back = po_physical_of_scene(&s, p->modulus, p->distance, NAN);
+  is_near(back.work, p->work);
+  is_near(back.radius, p->radius);
+  is_near(back.amplitude, p->amplitude);
+  is_near(back.wavelength, p->wavelength);
+  is_near(back.outer_radius, p->outer_radius);
+  ck_assert_int_eq(po_physical_scene(&back, &again), PO_OK);
+  is_near(again.tabor, s.tabor);
+  is_near(again.radius, s.radius);
+  is_near(again.wavelength, s.wavelength);
+}
+END_TEST
+
+START_TEST(units_are_those_of_the_paper) {
+  const po_physical *p = &BODIES[0];
+  po_scene s;
+  ck_assert_int_eq(po_physical_scene(p, &s), PO_OK);
+  const po_units u = po_physical_units(p, &s);
+  is_near(u.force, 3.14159265358979323846 * 0.0537 * 1.7e-6);
+  is_near(u.length, 3.1e-10);
+  is_near(u.tension, 0.0537 / 3.1e-10);
+  /* JKR: a load of -3/2 is 3/2 pi w R; Hertz: W/(pi w R) = (4/(3 pi)) (a/Gamma)^3 */
+  const double a = 2.385e-7, hertz = 4.0 / 3.0 * p->modulus * a * a * a / p->radius;
+  const double cube = pow(a / p->distance / po_scene_gamma(&s), 3.0);
+  ck_assert_double_eq_tol(4.0 / (3.0 * M_PI) * cube * u.force / hertz, 1.0, 1e-13);
+  /* the mean pressure of that contact over the load in units of traction and Gamma: W = 2 int P u
+   * du */
+  const double gamma = po_scene_gamma(&s) * u.length;
+  ck_assert_double_eq_tol(2.0 * M_PI * gamma * gamma * u.traction / (2.0 * u.force), 1.0, 1e-13);
+}
+END_TEST
+
+START_TEST(rigid_has_no_tabor_parameter) {
+  po_physical p = BODIES[1];
+  p.modulus = INFINITY;
+  po_scene s;
+  ck_assert_int_eq(po_physical_scene(&p, &s), PO_OK);
+  ck_assert_double_eq(s.tabor, 0.0);
+  is_near(po_physical_of_scene(&s, INFINITY, p.distance, p.work).work, p.work);
+  ck_assert(isinf(po_physical_units(&p, &s).traction));
+}
+END_TEST
+
+static const struct {
+  size_t place; /* of the member */
+  double value;
+  const char *message;
+} BAD[] = {
+    {offsetof(po_physical, modulus), 0.0, "the modulus is 0: expected a number > 0, or inf"},
+    {offsetof(po_physical, modulus), NAN, "the modulus is nan"},
+    {offsetof(po_physical, work), -0.05, "the work of adhesion is -0.05"},
+    {offsetof(po_physical, work), INFINITY, "the work of adhesion is inf"},
+    {offsetof(po_physical, distance), 0.0, "the equilibrium distance is 0"},
+    {offsetof(po_physical, radius), -1e-6, "the radius is -1e-06"},
+    {offsetof(po_physical, amplitude), -1e-9, "the amplitude is -1e-09"},
+    {offsetof(po_physical, wavelength), 0.0, "the wavelength is 0"},
+    {offsetof(po_physical, outer_radius), 0.0, "the outer radius is 0"},
+    {offsetof(po_physical, radius), 1e306, "the radius over the equilibrium distance is inf"},
+    {offsetof(po_physical, amplitude), 1e-323, "the amplitude over the equilibrium distance is "},
+};
+
+START_TEST(refusals_name_what_is_wrong) {
+  po_physical p = BODIES[0];
+  memcpy((char *)&p + BAD[_i].place, &BAD[_i].value, sizeof(double));
+  po_scene s = {.tabor = 7.7};
+  ck_assert_int_eq(po_physical_scene(&p, &s), PO_BAD_INPUT);
+  ck_assert_msg(strncmp(po_message(), BAD[_i].message, strlen(BAD[_i].message)) == 0, "%s",
+                po_message());
+  ck_assert_double_eq(s.tabor, 7.7); /* unchanged */
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_loop_test(tests, groups_are_those_of_the_paper, 0, BODY_COUNT);
+  tcase_add_loop_test(tests, round_trip, 0, BODY_COUNT);
+  tcase_add_test(tests, units_are_those_of_the_paper);
+  tcase_add_test(tests, rigid_has_no_tabor_parameter);
+  tcase_add_loop_test(tests, refusals_name_what_is_wrong, 0, sizeof BAD / sizeof *BAD);
+}
+
+int main(void) {
+  return run_case("physical", add);
+}
