@@ -6,7 +6,7 @@ import numpy as np
 from scipy.optimize import brentq, minimize_scalar, newton
 
 from branch import (APPROACH, LOAD, POLISH, REMESH_FACTOR, TRACE, NotConverged, advance,
-                    remesh, start, unresolved)
+                    correct, remesh, start, unresolved)
 
 # Step control of the trace: the tangent in (D, W, H0) turns by about TURN per step.
 TURN = 0.12
@@ -34,9 +34,10 @@ class Landmark:
                 (LOAD, 1): "minimum", (LOAD, -1): "maximum"}[self.component, self.sense]
 
 
-def trace(problem, level=TRACE, first_approach=-12.0, last_load=1.0, refine=1.0):
-    """States along the branch from far out until the load exceeds last_load;
-    refine > 1 shortens the steps."""
+def trace(problem, level=TRACE, first_approach=-12.0, last_load=1.0, refine=1.0,
+          last_approach=np.inf):
+    """States along the branch from far out until the load exceeds last_load or
+    the approach last_approach; refine > 1 shortens the steps."""
     turn, longest = TURN / refine, LONGEST_STEP / refine
     state = start(problem, first_approach, level)
     states, step = [state], 0.1
@@ -55,15 +56,26 @@ def trace(problem, level=TRACE, first_approach=-12.0, last_load=1.0, refine=1.0)
             continue
         state = following
         states.append(state)
-        if state.load > last_load:
+        if state.load > last_load or state.approach > last_approach:
             return states
         step = min(longest, step * min(GROWTH, turn / max(angle, 1e-3)))
     raise NotConverged(f"tabor {problem.tabor}: too many steps")
 
 
-def _between(problem, first, last):
-    """Function distance -> state from `first` on, and the distance to `last`."""
-    return (lambda d: advance(problem, first, d)), first.rate @ (last.y - first.y)
+def _between(problem, *states):
+    """Function distance -> state, along the tangent of the first of `states`
+    and predicted from the nearest of them, and the distance to the last."""
+    direction = states[0].rate
+    places = np.array([direction @ (s.y - states[0].y) for s in states])
+
+    def go(distance):
+        i = np.argmin(np.abs(places - distance))
+        near, step = states[i], (distance - places[i]) / (direction @ states[i].rate)
+        return correct(problem, near.surface, near.gap + step * near.gap_rate,
+                       near.approach + step * near.rate[APPROACH],
+                       direction, direction @ states[0].y + distance, near.rate)
+
+    return go, places[-1]
 
 
 def insert_near_misses(problem, states):
@@ -76,7 +88,7 @@ def insert_near_misses(problem, states):
             f = [s.rate[component] for s in out[i - 1:i + 2]]
             if f[0] * f[1] > 0 and f[1] * f[2] > 0 and abs(f[1]) < min(abs(f[0]), abs(f[2])):
                 sign = np.sign(f[1])
-                go, length = _between(problem, out[i - 1], out[i + 1])
+                go, length = _between(problem, *out[i - 1:i + 2])
                 found = minimize_scalar(lambda d: sign * go(d).rate[component],
                                         bounds=(0.0, length), method="bounded",
                                         options={"xatol": 1e-6 * length})

@@ -11,9 +11,10 @@
 
 static const po_reference_number NOTHING = {(double)NAN, (double)NAN};
 
-static bool is_single(po_quantity quantity) {
+/* A number of folds is one in a table of pins; elsewhere it is that of the landmarks in range. */
+static bool is_single(po_quantity quantity, const po_reference *reference) {
   return quantity == PO_PULL_OFF_FORCE || quantity == PO_PULL_OFF_APPROACH ||
-         quantity == PO_FOLD_COUNT;
+         (quantity == PO_FOLD_COUNT && reference->is_pin);
 }
 
 double po_compare_obtained(po_quantity quantity, const po_outcome *outcome) {
@@ -130,7 +131,7 @@ po_status po_compare(const po_case *kase, size_t point, const po_check *check,
     return PO_OK;
   const size_t before = results->count;
   po_status status = PO_OK;
-  if (is_single(check->quantity))
+  if (is_single(check->quantity, reference))
     status = compare_single(kase, point, check, reference, outcome, results);
   else if (check->quantity == PO_CURVE)
     status = compare_curve(kase, point, check, reference, outcome, results);

@@ -5,17 +5,70 @@
 
 #include "po_compare_parts.h"
 
-/* Landmarks ahead of the start of the traced branch and beyond its end were not ours to find (NaN:
- * no such end). In between, along the branch, the approach may well be smaller than at the start.
- */
-static size_t keep_in_range(po_reference_point *points, size_t count, const po_outcome *outcome) {
+/* The landmarks of one sort to set side by side. */
+typedef struct {
+  const po_landmark *ours;
+  size_t count;
+  po_reference_point *theirs; /* to be freed */
+  size_t their_count;
+  bool spoken, solved; /* whether the reference speaks of the scene, and ours was solved */
+} landmark_lists;
+
+/* Landmarks ahead of the start of the traced branch were not ours to find (NaN: no such start). In
+ * between, along the branch, the approach may well be smaller than at the start. */
+static size_t drop_before_start(po_reference_point *points, size_t count, double start) {
   size_t first = 0;
-  while (first < count && points[first].approach < outcome->start)
+  while (first < count && points[first].approach < start)
     first += 1;
-  while (count > first && points[count - 1].approach > outcome->end)
-    count -= 1;
   memmove(points, points + first, (count - first) * sizeof *points);
   return count - first;
+}
+
+/* On a wavy sphere folds go on for ever, and the later ones may have a smaller approach than the
+ * end of a shorter branch. Where a branch ends with its approach rising, the next fold of a longer
+ * one is a jump_in above that end: with it begins what the shorter branch has no counterpart of.
+ * Given: the number of landmarks found up to the end (which may be the last of them, and below
+ * earlier ones). */
+static size_t count_ours_up_to(const po_landmark *ours, size_t count, size_t found, double end) {
+  for (size_t i = found; i < count; ++i)
+    if (ours[i].approach > end)
+      return i;
+  return count;
+}
+
+static size_t count_theirs_up_to(const po_reference_point *theirs, size_t count, size_t found,
+                                 double end) {
+  for (size_t i = found; i < count; ++i)
+    if (theirs[i].approach > end)
+      return i;
+  return count;
+}
+
+/* The lists over the range both have. */
+static po_status find_lists(const po_case *kase, size_t point, bool folds,
+                            const po_reference *reference, const po_outcome *outcome,
+                            landmark_lists *l) {
+  const po_request *request = &kase->points[point].request;
+  *l = (landmark_lists){.ours = folds ? outcome->folds : outcome->extrema,
+                        .count = folds ? outcome->fold_count : outcome->extremum_count,
+                        .solved = outcome->status == PO_OK};
+  po_status status = po_reference_points(reference, folds ? PO_FOLDS : PO_EXTREMA, request, outcome,
+                                         &l->theirs, &l->their_count);
+  if (status == PO_NOT_FOUND)
+    return PO_OK;
+  double complete_to = (double)INFINITY;
+  if (!status)
+    status = po_reference_complete_to(reference, request, &complete_to);
+  if (status)
+    return status;
+  l->spoken = true;
+  if (!l->solved)
+    return PO_OK;
+  l->their_count = drop_before_start(l->theirs, l->their_count, outcome->start);
+  const size_t ours = l->count, theirs = l->their_count;
+  l->count = count_ours_up_to(l->ours, ours, theirs, complete_to);
+  l->their_count = count_theirs_up_to(l->theirs, theirs, ours, outcome->end);
+  return PO_OK;
 }
 
 /* The two lists correspond when they have the same kinds in the same order. */
@@ -84,31 +137,26 @@ static po_status add_pairs(const po_case *kase, size_t point, const po_check *ch
 po_status po_compare_landmarks(const po_case *kase, size_t point, const po_check *check,
                                const po_reference *reference, const po_outcome *outcome,
                                po_results *results) {
-  const bool folds = check->quantity == PO_FOLDS;
-  const po_landmark *ours = folds ? outcome->folds : outcome->extrema;
-  const size_t count = folds ? outcome->fold_count : outcome->extremum_count;
-  const char *count_name = folds ? "fold_count" : "extremum_count";
-  po_reference_point *theirs = NULL;
-  size_t their_count = 0;
-  po_status status = po_reference_points(reference, check->quantity, &kase->points[point].request,
-                                         outcome, &theirs, &their_count);
-  const bool spoken = status == PO_OK, solved = outcome->status == PO_OK;
-  if (status == PO_NOT_FOUND)
-    status = PO_OK;
-  if (!status && spoken && solved)
-    their_count = keep_in_range(theirs, their_count, outcome);
+  const bool count_only = check->quantity == PO_FOLD_COUNT;
+  const bool folds = check->quantity != PO_EXTREMA;
+  landmark_lists l;
+  po_status status = find_lists(kase, point, folds, reference, outcome, &l);
   if (!status) {
-    const po_reference_number expected = {spoken ? (double)their_count : (double)NAN, 0};
-    po_result *item = po_results_add(results, kase, point, check, count_name, "count",
-                                     solved ? (double)count : (double)NAN, expected);
+    const po_reference_number expected = {l.spoken ? (double)l.their_count : (double)NAN, 0};
+    po_result *item = po_results_add(
+        results, kase, point, check, folds ? "fold_count" : "extremum_count",
+        count_only ? "" : "count", l.solved ? (double)l.count : (double)NAN, expected);
     if (!item)
       status = PO_NO_MEMORY;
-    else if (spoken && solved && !lists_correspond(ours, count, theirs, their_count)) {
-      item->verdict = PO_OUTSIDE;
-      tell_difference(ours, count, theirs, their_count, item->note, sizeof item->note);
-    } else if (spoken && solved)
-      status = add_pairs(kase, point, check, ours, theirs, count, results);
+    else if (!l.spoken || !l.solved || (count_only && l.count == l.their_count))
+      status = PO_OK;
+    else if (!lists_correspond(l.ours, l.count, l.theirs, l.their_count)) {
+      if (!count_only)
+        item->verdict = PO_OUTSIDE;
+      tell_difference(l.ours, l.count, l.theirs, l.their_count, item->note, sizeof item->note);
+    } else
+      status = add_pairs(kase, point, check, l.ours, l.theirs, l.count, results);
   }
-  free(theirs);
+  free(l.theirs);
   return status;
 }

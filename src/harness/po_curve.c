@@ -16,6 +16,18 @@ typedef struct {
   size_t fold_count;
 } po_track;
 
+/* The last point to look at: where the approach first exceeds the end of the other curve, if that
+ * end is the other's greatest approach. On a wavy sphere what follows may turn back below it. */
+static size_t first_passage(const po_track *track, double end, const po_track *other) {
+  for (size_t i = 0; i < other->count; ++i)
+    if (other->points[i].approach > end)
+      return track->count - 1;
+  for (size_t i = 0; i < track->count; ++i)
+    if (track->points[i].approach > end)
+      return i;
+  return track->count - 1;
+}
+
 /* The branch begins far out, at small approach, and ends in contact, at large: what one curve has
  * ahead of the other's start, and beyond its end, has no counterpart. Beside the ends a steep curve
  * is beyond in load rather than in approach. */
@@ -23,7 +35,7 @@ static void track_trim(po_track *track, const po_track *other) {
   const po_stretch whole = {other->points, other->count, 0, other->count - 1};
   const double start = other->points[0].approach, end = other->points[other->count - 1].approach;
   track->first = 0;
-  track->last = track->count - 1;
+  track->last = first_passage(track, end, other);
   while (track->first < track->last && (track->points[track->first].approach < start ||
                                         po_plane_foot(track->points[track->first], &whole).before))
     track->first += 1;

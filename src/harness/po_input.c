@@ -145,7 +145,7 @@ bool po_key_matches(const po_request *request, po_key key, const char *text) {
   if (!po_key_set(&wanted, key, text))
     return false;
   const double a = po_key_number(request, key), b = po_key_number(&wanted, key);
-  return a == b || fabs(a - b) <= 4 * DBL_EPSILON * fabs(b);
+  return a == b || (isfinite(b) && fabs(a - b) <= 4 * DBL_EPSILON * fabs(b));
 }
 
 /* Panels are meshed to a tolerance; rings and triangles by a number of nodes. */

@@ -193,16 +193,6 @@ static po_status find_pull_off(const po_csv *table, po_quantity quantity, const 
   return status ? status : uncertainty_of(table, at, doubt, &number->uncertainty);
 }
 
-static po_status count_folds(const po_reference *reference, const po_request *request,
-                             po_reference_number *number) {
-  po_reference_point *folds = NULL;
-  size_t count = 0;
-  const po_status status = po_reference_points(reference, PO_FOLDS, request, NULL, &folds, &count);
-  free(folds);
-  *number = (po_reference_number){.value = (double)count, .uncertainty = 0};
-  return status;
-}
-
 po_status po_reference_find(const po_reference *reference, po_quantity quantity,
                             const po_request *request, po_reference_number *number) {
   if (reference->is_bradley)
@@ -211,8 +201,6 @@ po_status po_reference_find(const po_reference *reference, po_quantity quantity,
     return po_pins_find(reference, quantity, request, number);
   if (!headers_hold(&reference->table, request))
     return PO_NOT_FOUND;
-  if (quantity == PO_FOLD_COUNT)
-    return count_folds(reference, request, number);
   return find_pull_off(&reference->table, quantity, request, number);
 }
 
@@ -287,5 +275,16 @@ po_status po_reference_points(const po_reference *reference, po_quantity quantit
   }
   *points = list;
   *count = kept;
+  return PO_OK;
+}
+
+po_status po_reference_complete_to(const po_reference *reference, const po_request *request,
+                                   double *approach) {
+  *approach = (double)INFINITY;
+  const po_csv *table = &reference->table;
+  const int column = reference->is_bradley ? -1 : po_csv_find_column(table, "complete_to");
+  for (size_t row = 0; column >= 0 && row < table->row_count; ++row)
+    if (row_holds(table, row, request))
+      return po_csv_number(table, row, (size_t)column, approach);
   return PO_OK;
 }

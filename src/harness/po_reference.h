@@ -62,7 +62,7 @@ po_status po_reference_open_check(const char *data_folder, const po_check *check
 po_status po_reference_check_headers(po_reference *reference);
 void po_reference_close(po_reference *reference);
 
-/* What it says of `quantity` (pull_off_force, pull_off_approach, fold_count) for a scene.
+/* What it says of `quantity` (pull_off_force, pull_off_approach) for a scene.
  * Status: PO_NOT_FOUND: nothing, of this scene; PO_CANNOT_READ: a column is missing or not a
  * number. */
 po_status po_reference_find(const po_reference *reference, po_quantity quantity,
@@ -74,5 +74,11 @@ po_status po_reference_find(const po_reference *reference, po_quantity quantity,
 po_status po_reference_points(const po_reference *reference, po_quantity quantity,
                               const po_request *request, const po_outcome *outcome,
                               po_reference_point **points, size_t *count);
+
+/* Up to which approach its landmarks of a scene are complete: all there are along the branch until
+ * the approach first exceeds that (column complete_to; infinite when there is no such column).
+ * Status: PO_CANNOT_READ: not a number. */
+po_status po_reference_complete_to(const po_reference *reference, const po_request *request,
+                                   double *approach);
 
 #endif

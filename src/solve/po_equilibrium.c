@@ -14,7 +14,7 @@
 static const double CONVERGED = 2e-13;
 
 /* What factorisations leave out: costs one iteration, saves much of the matrix. */
-static const double NEGLECT = 3e-2;
+static const double NEGLECT = 5e-3;
 
 void po_equilibrium_remesh(po_equilibrium *e) {
   const po_surface *s = e->surface;

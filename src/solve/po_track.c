@@ -30,7 +30,7 @@ static const double LEAST_COSINE = 0.7;
  * fronts may move a little on them. */
 static const double MESH_MARGIN = 0.2;
 /* Errors of landmarks: times the change on a finer mesh; and times the precision of Newton. */
-static const double SAFETY = 2.0, FLOOR = 10.0;
+static const double SAFETY = 3.0, FLOOR = 10.0;
 static const double FIRST_STEP = 0.05, SHORTEST_STEP = 1e-9;
 
 typedef struct {

@@ -79,6 +79,29 @@ START_TEST(only_the_common_range_is_compared) {
 }
 END_TEST
 
+/* approach = s + 2 sin 2s, load = s/5 - cos 2s: one pair of folds a wave, and every later stretch
+ * crosses back below the approach the shorter curve ends at. */
+static size_t wavy_curve(po_plane_point *points, size_t count, double to) {
+  for (size_t i = 0; i < count; ++i) {
+    const double t = (double)i / (double)(count - 1);
+    const double s = to * (t + 0.02 * sin(9 * t) * t * (1 - t));
+    points[i] = (po_plane_point){s + 2 * sin(2 * s), 0.2 * s - cos(2 * s)};
+  }
+  return count;
+}
+
+START_TEST(a_curve_may_go_on_over_more_waves) {
+  const size_t n = wavy_curve(ours, 900, 11), m = wavy_curve(theirs, 300, 3.8);
+  ck_assert_double_lt(ours[440].approach, theirs[m - 1].approach); /* two folds later */
+  const po_curve_verdict found = compare(n, m, 1e-3);
+  ck_assert(found.same_folds);
+  ck_assert_uint_eq(found.compared, m);
+  ck_assert_double_lt(found.distance, 1e-3);
+  ours[150].load += 0.1; /* still seen */
+  ck_assert_double_gt(compare(n, m, 1e-3).distance, 0.01);
+}
+END_TEST
+
 START_TEST(nothing_in_common_is_nothing_compared) {
   const size_t n = s_curve(ours, 100, -1, 1, 0), m = s_curve(theirs, 100, -1, 1, 50);
   ck_assert_uint_eq(compare(n, m, 1e-3).compared, 0);
@@ -191,6 +214,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, error_shrinks_with_the_points);
   tcase_add_test(tests, shift_is_seen_as_its_normal_part);
   tcase_add_test(tests, only_the_common_range_is_compared);
+  tcase_add_test(tests, a_curve_may_go_on_over_more_waves);
   tcase_add_test(tests, nothing_in_common_is_nothing_compared);
   tcase_add_test(tests, missing_folds_are_named);
   tcase_add_test(tests, spurious_folds_are_named);
