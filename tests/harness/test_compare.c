@@ -105,7 +105,7 @@ START_TEST(failed_solve_has_no_result) {
   const po_outcome outcome = {.status = PO_STEP_TOO_SMALL,
                               .reason = "stuck",
                               .has_pull_off = true,
-                              .pull_off = {.load = 2}};
+                              .pull_off = {.force = 2}};
   compare(0, &outcome);
   ck_assert_int_eq(results.items[0].verdict, PO_NO_RESULT);
   ck_assert_str_eq(results.items[0].note, "stuck");
