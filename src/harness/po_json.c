@@ -42,10 +42,10 @@ static json_t *landmarks(const po_landmark *list, size_t count) {
   for (size_t i = 0; i < count; ++i)
     json_array_append_new(
         array,
-        json_pack("{s:o, s:o, s:s, s:o, s:o, s:o, s:o, s:i}", "approach",
-                  po_json_number(list[i].approach), "load", po_json_number(list[i].load), "kind",
-                  po_landmark_kind_name(list[i].kind), "error_estimate",
-                  po_json_number(list[i].approach_error), "load_error_estimate",
+        json_pack("{s:o, s:o, s:o, s:s, s:o, s:o, s:o, s:o, s:i}", "approach",
+                  po_json_number(list[i].approach), "load", po_json_number(list[i].load), "energy",
+                  po_json_number(list[i].energy), "kind", po_landmark_kind_name(list[i].kind),
+                  "error_estimate", po_json_number(list[i].approach_error), "load_error_estimate",
                   po_json_number(list[i].load_error), "contact_radius",
                   po_json_number(list[i].contact_radius), "position",
                   po_json_number(list[i].position), "unstable_modes", list[i].unstable_modes));
@@ -76,10 +76,10 @@ json_t *po_json_curve(const po_outcome *outcome) {
   for (size_t i = 0; i < outcome->curve_count; ++i) {
     const po_curve_point *p = &outcome->curve[i];
     json_array_append_new(
-        array,
-        json_pack("{s:o, s:o, s:o, s:o, s:i}", "position", po_json_number(p->position), "approach",
-                  po_json_number(p->approach), "load", po_json_number(p->load), "contact_radius",
-                  po_json_number(p->contact_radius), "unstable_modes", p->unstable_modes));
+        array, json_pack("{s:o, s:o, s:o, s:o, s:o, s:i}", "position", po_json_number(p->position),
+                         "approach", po_json_number(p->approach), "load", po_json_number(p->load),
+                         "energy", po_json_number(p->energy), "contact_radius",
+                         po_json_number(p->contact_radius), "unstable_modes", p->unstable_modes));
   }
   return array;
 }

@@ -50,6 +50,7 @@ static po_status read_landmarks(const json_t *array, po_landmark **list, size_t 
       return po_fail(PO_BAD_INPUT, "landmark %zu has no kind", i);
     landmark->approach = number_of(item, "approach");
     landmark->load = number_of(item, "load");
+    landmark->energy = number_of(item, "energy");
     landmark->approach_error = number_of(item, "error_estimate");
     landmark->load_error = number_of(item, "load_error_estimate");
     landmark->contact_radius = number_of(item, "contact_radius");

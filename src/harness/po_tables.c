@@ -32,16 +32,17 @@ static po_status write_table(const char *path, const po_request *request, const 
 po_status po_tables_write_curve(const char *path, const po_request *request,
                                 const po_outcome *outcome, char *digest) {
   po_text rows = {0};
-  po_text_add(&rows, "position,approach,load,contact_radius,unstable_modes\n");
+  po_text_add(&rows, "position,approach,load,energy,contact_radius,unstable_modes\n");
   for (size_t i = 0; i < outcome->curve_count; ++i) {
     const po_curve_point *p = &outcome->curve[i];
-    const double row[] = {p->position, p->approach, p->load, p->contact_radius,
-                          (double)p->unstable_modes};
+    const double row[] = {p->position, p->approach,       p->load,
+                          p->energy,   p->contact_radius, (double)p->unstable_modes};
     po_csv_add_row(&rows, row, sizeof row / sizeof *row);
   }
   return write_table(path, request, "load against approach along the branch",
                      "approach and contact_radius in epsilon; load in pi w R, compressive > 0; "
-                     "position: arclength along the branch",
+                     "energy in pi w R epsilon, its rate by approach is the load; position: "
+                     "arclength along the branch",
                      &rows, digest);
 }
 
@@ -92,16 +93,16 @@ static po_status read_numbers(const char *path, const char *digest, const char *
 }
 
 po_status po_tables_read_curve(const char *path, const char *digest, po_outcome *outcome) {
-  static const char *const NAMES[] = {"position", "approach", "load", "contact_radius",
-                                      "unstable_modes"};
+  static const char *const NAMES[] = {"position", "approach",       "load",
+                                      "energy",   "contact_radius", "unstable_modes"};
   double *values = NULL;
   size_t rows = 0;
-  po_status status = read_numbers(path, digest, NAMES, 5, &values, &rows);
+  po_status status = read_numbers(path, digest, NAMES, 6, &values, &rows);
   if (!status && !(outcome->curve = po_allocate(rows, sizeof *outcome->curve)))
     status = PO_NO_MEMORY;
   for (size_t i = 0; !status && i < rows; ++i) {
-    const double *v = values + 5 * i;
-    outcome->curve[i] = (po_curve_point){v[0], v[1], v[2], v[3], (int)v[4]};
+    const double *v = values + 6 * i;
+    outcome->curve[i] = (po_curve_point){v[0], v[1], v[2], v[3], v[4], (int)v[5]};
     outcome->curve_count = rows;
   }
   free(values);

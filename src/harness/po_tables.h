@@ -5,9 +5,9 @@
 #include "po_outcome.h"
 #include "po_status.h"
 
-/* Writes position,approach,load,contact_radius,unstable_modes along the branch, under headers that
- * say which scene it is, in which units, and the checksum of all other lines. Returned: that
- * checksum, unless `digest` is NULL. Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
+/* Writes position,approach,load,energy,contact_radius,unstable_modes along the branch, under
+ * headers that say which scene it is, in which units, and the checksum of all other lines.
+ * Returned: that checksum, unless `digest` is NULL. Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
 po_status po_tables_write_curve(const char *path, const po_request *request,
                                 const po_outcome *outcome, char *digest);
 

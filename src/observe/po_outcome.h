@@ -42,6 +42,7 @@ typedef struct {
   po_landmark_kind kind;
   double approach;       /* Delta / eps */
   double load;           /* W / (pi w R), signed, > 0 compressive */
+  double energy;         /* U / (pi w R eps), see po_curve_point */
   double approach_error; /* bounds of the errors of approach and load, estimated; NAN: not */
   double load_error;
   double contact_radius; /* in eps, see po_contact.h */
@@ -50,9 +51,11 @@ typedef struct {
 } po_landmark;
 
 typedef struct {
-  double position;       /* arclength along the branch */
-  double approach;       /* Delta / eps */
-  double load;           /* W / (pi w R), > 0 compressive */
+  double position; /* arclength along the branch */
+  double approach; /* Delta / eps */
+  double load;     /* W / (pi w R), > 0 compressive */
+  double energy;   /* U / (pi w R eps), elastic and of the interaction, 0 infinitely apart: its
+                      rate by the approach along the branch is the load */
   double contact_radius; /* in eps */
   int unstable_modes;    /* 0: stable at fixed approach */
 } po_curve_point;

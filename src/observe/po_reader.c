@@ -65,6 +65,7 @@ static void add_curve_point(po_reader *r, const po_branch_point *p, double conta
   o->curve[o->curve_count++] = (po_curve_point){.position = p->position,
                                                 .approach = p->approach,
                                                 .load = p->load,
+                                                .energy = p->energy,
                                                 .contact_radius = contact_radius,
                                                 .unstable_modes = p->unstable_modes};
 }
@@ -99,6 +100,7 @@ static void add_landmark(po_reader *r, const po_branch_point *p, double contact_
   (*list)[(*count)++] = (po_landmark){.kind = kind,
                                       .approach = p->approach,
                                       .load = p->load,
+                                      .energy = p->energy,
                                       .approach_error = error_of(r, p->approach_error, p->approach),
                                       .load_error = error_of(r, p->load_error, p->load),
                                       .contact_radius = contact_radius,

@@ -13,11 +13,15 @@ po_law po_law_at(double gap);
 /* The law averaged over one period of a waviness about the mean gap: the mean over phi of the law
  * at H - A cos(phi), for A < 1 + H. In closed form, since the mean of (a - A cos phi)^-n is (a^2 -
  * A^2)^(-n/2) P_{n-1}(a / sqrt(a^2 - A^2)) (Laplace's integral for Legendre polynomials). Accuracy:
- * 1e-13 relative (tests/test_scene.c). */
+ * 1e-13 relative (tests/unit/test_scene.c). */
 po_law po_law_averaged(double gap, double amplitude);
 
 /* The interaction energy per area, phi / w = -(4/3) x^2 + (1/3) x^8 with phi' = -sigma (Eq 9). */
 double po_law_energy(double gap);
+
+/* The same averaged over one period of a waviness, as po_law_averaged. Accuracy: 1e-13 relative
+ * (tests/unit/test_scene.c). */
+double po_law_energy_averaged(double gap, double amplitude);
 
 /* Gap of the greatest tension: h = 3^(1/6) eps (after Eq 9), H = 3^(1/6) - 1. */
 extern const double PO_LAW_PEAK_GAP;

@@ -30,7 +30,7 @@ enum { MOST_DOUBLINGS = 40 };
 /* A point of the branch: state and unit tangent, n + 1 each. */
 typedef struct {
   double *state, *tangent;
-  double position, load, load_rate;
+  double position, load, load_rate, energy;
 } branch_point;
 
 typedef struct {
@@ -82,6 +82,7 @@ static void finish_point(tracer *t, branch_point *p) {
     p->tangent[j] *= scale;
   p->load = po_equilibrium_load(t->e);
   p->load_rate = po_equilibrium_load_rate(t->e, p->tangent);
+  p->energy = po_equilibrium_energy(t->e, p->state);
 }
 
 static double along_border(const tracer *t, const double *vector) {
@@ -110,6 +111,7 @@ static po_branch_point seen_point(const tracer *t, const branch_point *p, po_poi
                            .position = p->position,
                            .approach = point_approach(t, p),
                            .load = p->load,
+                           .energy = p->energy,
                            .approach_error = NAN,
                            .load_error = NAN,
                            .approach_rate = point_approach_rate(t, p),

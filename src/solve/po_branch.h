@@ -28,6 +28,7 @@ typedef struct {
   po_point_kind kind;
   double position;                   /* arclength from the start */
   double approach, load;             /* Delta/eps, W/(pi w R) */
+  double energy;                     /* U/(pi w R eps): its rate by approach is the load */
   double approach_error, load_error; /* of a fold or extremum: bounds, estimated; NAN: not */
   double approach_rate;              /* d approach / ds */
   double load_rate;                  /* d load / ds */

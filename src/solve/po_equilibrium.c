@@ -87,6 +87,19 @@ double po_equilibrium_load(const po_equilibrium *e) {
   return 2.0 / e->radius * po_linear_dot(e->n, e->surface->weight, e->traction);
 }
 
+double po_equilibrium_energy(const po_equilibrium *e, const double *state) {
+  const size_t resolved = e->surface->resolved;
+  const double approach = state[e->n];
+  double sum = 0.0;
+  for (size_t j = 0; j < e->n; ++j) {
+    const double interaction =
+        j < resolved ? po_law_energy(state[j]) : po_law_energy_averaged(state[j], e->amplitude);
+    const double deflection = state[j] + approach - e->shape[j];
+    sum += e->surface->weight[j] * (interaction + 0.5 * e->traction[j] * deflection);
+  }
+  return 2.0 / e->radius * sum;
+}
+
 double po_equilibrium_load_rate(const po_equilibrium *e, const double *change) {
   double sum = 0.0;
   for (size_t j = 0; j < e->n; ++j)

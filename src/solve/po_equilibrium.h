@@ -68,6 +68,14 @@ void po_equilibrium_evaluate(po_equilibrium *e, const double *state);
 double po_equilibrium_load(const po_equilibrium *e);
 double po_equilibrium_load_rate(const po_equilibrium *e, const double *change);
 
+/* The potential energy of the state last evaluated, in pi w R eps, zero when infinitely apart: half
+ * the traction times the deflection, and the interaction, by the surface's own quadrature,
+ *   U = (2/R) sum_j weight_j [e(H_j) + (1/2) p_j coupling sum_k G_jk p_k],   e' = -p,
+ * so that dU/d approach = W/(pi w R) along every branch: up to the symmetry that the discretised
+ * kernel has (tests/unit/test_energy.c). An equilibrium's deflection is its gap less the undeformed
+ * one: no sum over the influence matrix is made. Given: the same state, an equilibrium. */
+double po_equilibrium_energy(const po_equilibrium *e, const double *state);
+
 /* A bound of how much the tractions' response to the gap could feed on itself: the largest row sum
  * of coupling |G| |dp/dH| at the state last evaluated. Below 1 the equilibrium near it is unique.
  */

@@ -30,23 +30,32 @@ bool po_rigid_suffices(const po_scene *scene) {
   return ELASTIC_EFFECT * pow(scene->tabor, 1.5) <= NEGLIGIBLE_LOAD;
 }
 
+/* What is integrated: p, dp/dH, or the energy per area. */
+enum { TRACTION, SLOPE, ENERGY };
+
 typedef struct {
   const po_scene *scene;
   double approach, begin; /* begin: of the tail, where the waves are averaged */
-  bool slope;             /* integrate dp/dH instead of p */
+  int of;                 /* TRACTION, SLOPE or ENERGY */
 } integral;
+
+static double chosen(const integral *q, po_law law) {
+  return q->of == SLOPE ? law.slope : law.traction;
+}
 
 static double resolved(double r, void *data) {
   const integral *q = data;
-  const po_law law = po_law_at(po_shape(q->scene, r) - q->approach);
-  return (q->slope ? law.slope : law.traction) * r;
+  const double gap = po_shape(q->scene, r) - q->approach;
+  return (q->of == ENERGY ? po_law_energy(gap) : chosen(q, po_law_at(gap))) * r;
 }
 
 static double averaged(double t, void *data) { /* r = begin / t */
   const integral *q = data;
   const double r = q->begin / t;
-  const po_law law = po_law_averaged(po_shape_mean(q->scene, r) - q->approach, q->scene->amplitude);
-  return (q->slope ? law.slope : law.traction) * r * r / t;
+  const double gap = po_shape_mean(q->scene, r) - q->approach, amplitude = q->scene->amplitude;
+  return (q->of == ENERGY ? po_law_energy_averaged(gap, amplitude)
+                          : chosen(q, po_law_averaged(gap, amplitude))) *
+         r * r / t;
 }
 
 /* Where the resolved part ends, and the length of its pieces: half waves, so that each holds one
@@ -89,21 +98,37 @@ static po_status integrate(integral *q, gsl_integration_workspace *space, double
                 : PO_OK;
 }
 
-po_status po_rigid_load(const po_scene *scene, double approach, double *load, double *load_rate) {
+/* (2/R) times the integrals of what is asked, over r dr. */
+static po_status integrate_each(const po_scene *scene, double approach, const int *of, int count,
+                                double *value) {
   gsl_set_error_handler_off(); /* errors are statuses here, never an abort */
   gsl_integration_workspace *space = gsl_integration_workspace_alloc(INTERVALS);
   if (!space)
     return po_fail(PO_NO_MEMORY, "no memory for a quadrature");
-  integral q = {.scene = scene, .approach = approach};
-  double sum = 0.0, sum_of_slope = 0.0;
-  po_status status = integrate(&q, space, &sum);
-  q.slope = true;
-  if (!status)
-    status = integrate(&q, space, &sum_of_slope);
-  *load = 2.0 / scene->radius * sum;
-  *load_rate = -2.0 / scene->radius * sum_of_slope; /* dH = -d approach */
+  po_status status = PO_OK;
+  for (int k = 0; k < count; ++k) {
+    integral q = {.scene = scene, .approach = approach, .of = of[k]};
+    double sum = 0.0;
+    if (!status)
+      status = integrate(&q, space, &sum);
+    value[k] = 2.0 / scene->radius * sum;
+  }
   gsl_integration_workspace_free(space);
   return status;
+}
+
+po_status po_rigid_load(const po_scene *scene, double approach, double *load, double *load_rate) {
+  static const int OF[] = {TRACTION, SLOPE};
+  double value[2];
+  const po_status status = integrate_each(scene, approach, OF, 2, value);
+  *load = value[0];
+  *load_rate = -value[1]; /* dH = -d approach */
+  return status;
+}
+
+po_status po_rigid_energy(const po_scene *scene, double approach, double *energy) {
+  static const int OF[] = {ENERGY};
+  return integrate_each(scene, approach, OF, 1, energy);
 }
 
 typedef struct {
@@ -128,6 +153,8 @@ static po_branch_point solve(rigid_tracer *t, double approach, po_point_kind kin
       .kind = kind, .position = approach - t->begin, .approach = approach, .approach_rate = 1.0};
   const po_status status = po_rigid_load(t->scene, approach, &point.load, &point.load_rate);
   t->status = t->status ? t->status : status;
+  if (!t->status)
+    t->status = po_rigid_energy(t->scene, approach, &point.energy);
   const double elastic = ELASTIC_EFFECT * pow(t->scene->tabor, 1.5);
   point.load_error = elastic + QUADRATURE_ERROR * (1.0 + fabs(point.load));
   point.approach_error = elastic + LOCATION_ERROR;

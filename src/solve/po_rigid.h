@@ -17,6 +17,10 @@ bool po_rigid_suffices(const po_scene *scene);
  * (tests/theory/test_tables_surface.c). */
 po_status po_rigid_load(const po_scene *scene, double approach, double *load, double *load_rate);
 
+/* The energy of the interaction, U/(pi w R eps), zero when infinitely apart: its derivative by the
+ * approach is the load. Accuracy: 1e-10 of max(1, |energy|) (tests/unit/test_energy.c). */
+po_status po_rigid_energy(const po_scene *scene, double approach, double *energy);
+
 /* Visits the loading curve as po_branch_trace does: points, extrema of the load, station and end;
  * without an end, until the central crest alone pushes harder than all else can pull. gap and
  * traction of the points are NULL: the gap is shape - approach. `begin`: first approach, eps. */

@@ -122,6 +122,7 @@ static po_branch_point seen_point(const tracker *t, const po_track_point *p, po_
                            .position = p->position,
                            .approach = approach_of(p),
                            .load = p->load,
+                           .energy = p->energy,
                            .approach_error = NAN,
                            .load_error = NAN,
                            .approach_rate = p->tangent[p->n],

@@ -122,6 +122,7 @@ void po_track_point_finish(po_track_point *p, const po_equilibrium *e,
     p->tangent[j] /= length;
   p->load = po_equilibrium_load(e);
   p->load_rate = po_equilibrium_load_rate(e, p->tangent);
+  p->energy = po_equilibrium_energy(e, p->state);
   memcpy(p->node, e->surface->node, p->n * sizeof *p->node);
   for (size_t j = 0; j < p->n; ++j)
     p->deflection[j] = p->state[j] - e->shape[j];

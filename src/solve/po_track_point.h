@@ -17,7 +17,7 @@ typedef struct {
   double *node;                /* n: radii */
   double gauge[PO_GAUGE_SIZE]; /* where it is on the branch */
   double rate[PO_GAUGE_SIZE];  /* per arclength of the gauge: a unit vector */
-  double load, load_rate;
+  double load, load_rate, energy;
   double position;
   po_fronts fronts;
 } po_track_point;

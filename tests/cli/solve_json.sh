@@ -22,12 +22,12 @@ assert set(p) == {"force", "approach", "contact_radius", "error_estimate",
                   "approach_error_estimate"}
 assert [f["kind"] for f in d["folds"]] == ["jump_in", "jump_out"]
 assert [e["kind"] for e in d["extrema"]] == ["minimum"]
-assert set(d["folds"][0]) >= {"approach", "load", "kind", "contact_radius", "unstable_modes"}
+assert set(d["folds"][0]) >= {"approach", "load", "energy", "kind", "contact_radius", "unstable_modes"}
 assert set(d["work"]) == {"points", "newton_iterations", "factorizations", "kernel_evaluations",
                           "nodes", "factorized_nodes", "meshes", "seconds"}
 c = d["curve"]
-assert len(c) > 10 and set(c[0]) == {"position", "approach", "load", "contact_radius",
-                                     "unstable_modes"}
+assert len(c) > 10 and set(c[0]) == {"position", "approach", "load", "energy",
+                                     "contact_radius", "unstable_modes"}
 assert all(a["position"] <= b["position"] for a, b in zip(c, c[1:]))
 assert min(q["load"] for q in c) == -p["force"]
 assert len(d["profile"]) > 10 and set(d["profile"][0]) == {"radius", "gap", "traction"}
@@ -36,7 +36,7 @@ assert math.isclose(d["profile_approach"], p["approach"])
 LOOK
 check 'the document is of the documented form' "$python" look.py <"$work/stdout"
 expect 0 '' solve --tabor 1 --nodes 101 --json --curve curve.csv --profile profile.csv
-check 'the curve has its columns' grep -q '^position,approach,load,contact_radius,unstable_modes$' \
+check 'the curve has its columns' grep -q '^position,approach,load,energy,contact_radius,unstable_modes$' \
   curve.csv
 check 'the profile has its columns' grep -q '^radius,gap,traction$' profile.csv
 expect 0 '' solve --tabor 1 --nodes 101

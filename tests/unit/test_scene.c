@@ -80,15 +80,17 @@ static const double AVERAGES[][2] = {
 START_TEST(averaged_law_is_the_mean_over_a_period) { /* the trapezoidal sum is spectral */
   enum { POINTS = 4096 };
   const double gap = AVERAGES[_i][0], amplitude = AVERAGES[_i][1];
-  double traction = 0.0, slope = 0.0;
+  double traction = 0.0, slope = 0.0, energy = 0.0;
   for (int k = 0; k < POINTS; ++k) {
     const po_law law = po_law_at(gap - amplitude * cos(2.0 * M_PI * k / POINTS));
     traction += law.traction / POINTS;
     slope += law.slope / POINTS;
+    energy += po_law_energy(gap - amplitude * cos(2.0 * M_PI * k / POINTS)) / POINTS;
   }
   const po_law law = po_law_averaged(gap, amplitude);
   ck_assert_double_eq_tol(law.traction / traction, 1.0, 1e-13);
   ck_assert_double_eq_tol(law.slope / slope, 1.0, 1e-12);
+  ck_assert_double_eq_tol(po_law_energy_averaged(gap, amplitude) / energy, 1.0, 1e-13);
 }
 END_TEST
 

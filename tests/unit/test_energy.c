@@ -1,0 +1,151 @@
+/* The potential energy: its rate by the approach is the load, along every branch and through its
+ * folds; in the rigid limit it is a closed form. */
+#include <math.h>
+
+#include "po_rigid.h"
+#include "po_shape.h"
+#include "po_track.h"
+#include "run.h"
+
+/* The integral of W d approach along a branch beside the change of energy. */
+typedef struct {
+  po_branch_point last;
+  bool has_last;
+  double work, first_energy, last_energy, worst, enough;
+  int folds;
+} balance;
+
+/* Integral of W d approach along the arc between two points: the trapezium, and what lies between
+ * chord and arc, a cubic over the chord with the slopes of both ends. It is a matter of the plane
+ * alone and does not mind folds. */
+static double integral(const po_branch_point *a, const po_branch_point *b) {
+  const double dx = b->approach - a->approach, dy = b->load - a->load, square = dx * dx + dy * dy;
+  const double trapezium = 0.5 * (a->load + b->load) * dx;
+  const double rise_a =
+      (dx * a->load_rate - dy * a->approach_rate) / (dx * a->approach_rate + dy * a->load_rate);
+  const double rise_b =
+      (dx * b->load_rate - dy * b->approach_rate) / (dx * b->approach_rate + dy * b->load_rate);
+  return square > 0.0 ? trapezium + square / 12.0 * (rise_a - rise_b) : 0.0;
+}
+
+static bool look(const po_branch_point *p, void *data) {
+  balance *b = data;
+  if (b->has_last)
+    b->work += integral(&b->last, p);
+  else
+    b->first_energy = p->energy;
+  b->last = *p;
+  b->has_last = true;
+  b->folds += p->kind == PO_POINT_APPROACH_MAX || p->kind == PO_POINT_APPROACH_MIN;
+  b->worst = fmax(b->worst, fabs(p->energy - b->first_energy - b->work));
+  return p->load > b->enough && p->unstable_modes == 0;
+}
+
+/* Each with folds, smooth and wavy, whole and cut. */
+static const po_scene SCENES[] = {{1.0, 0.0, 0.0, 100.0, INFINITY},
+                                  {2.385, 0.0, 0.0, 83.0, INFINITY},
+                                  {1.3, 0.7, 23.85, 100.0, INFINITY},
+                                  {0.67, 1.0, 20.0, 100.0, 100.0}};
+enum { SCENE_COUNT = sizeof SCENES / sizeof *SCENES };
+
+/* What is lacking in the balance, and how many folds there are. */
+static balance of_triangles_or_rings(const po_scene *scene, po_scheme scheme, size_t nodes) {
+  const po_mesh mesh = {scheme, PO_UNIFORM, nodes, 0.0};
+  po_surface *surface = NULL;
+  po_equilibrium *e = NULL;
+  ck_assert_int_eq(po_surface_create(scene, &mesh, po_surface_core(scene, NAN), true, &surface),
+                   PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(scene, surface, surface->n, &e), PO_OK);
+  balance b = {.enough = 0.5};
+  po_branch_options options = po_branch_options_default();
+  options.largest_sagitta = 1e-3;
+  options.visit = look;
+  options.data = &b;
+  ck_assert_int_eq(po_branch_trace(e, &options), PO_OK);
+  po_equilibrium_destroy(e);
+  po_surface_destroy(surface);
+  return b;
+}
+
+START_TEST(rate_of_energy_is_load_on_panels) {
+  const po_scene *scene = &SCENES[_i];
+  const double core = po_surface_core(scene, NAN);
+  const double root = isfinite(scene->outer_radius)
+                          ? core
+                          : po_averaging_radius(scene, po_averaging_phase(scene, core));
+  po_adaptive *panels = NULL;
+  po_equilibrium *e = NULL;
+  ck_assert_int_eq(po_adaptive_create(scene, root, 4, &panels), PO_OK);
+  ck_assert_int_eq(
+      po_equilibrium_create(scene, po_adaptive_surface(panels), po_adaptive_capacity(panels), &e),
+      PO_OK);
+  balance b = {.enough = 0.5};
+  po_branch_options options = po_branch_options_default();
+  options.largest_sagitta = 5e-6;
+  options.visit = look;
+  options.data = &b;
+  ck_assert_int_eq(po_track_trace(e, panels, (po_allowance){1e-5, 1e-9}, &options), PO_OK);
+  ck_assert_int_ge(b.folds, 2);
+  ck_assert_double_lt(b.worst, 4e-9); /* measured: 2e-11, 3e-11, 3e-10, 1.2e-9 */
+  po_equilibrium_destroy(e);
+  po_adaptive_destroy(panels);
+}
+END_TEST
+
+START_TEST(rate_of_energy_is_load_to_second_order) {
+  const po_scene *scene = &SCENES[_i / 2];
+  const po_scheme scheme = _i % 2 ? PO_RING : PO_TRIANGLE;
+  const balance coarse = of_triangles_or_rings(scene, scheme, 151);
+  const balance fine = of_triangles_or_rings(scene, scheme, 301);
+  ck_assert_int_ge(fine.folds, 2);
+  ck_assert_double_lt(fine.worst, 0.02);
+  ck_assert_double_eq_tol(log2(coarse.worst / fine.worst), 2.0, 0.2);
+}
+END_TEST
+
+/* The integral of Eq 23, -8/(3x) + 2/(21 x^7) with x = 1 - approach: from twice that of the energy
+ * per area over the gap, as r dr = R dH. */
+START_TEST(smooth_rigid_energy_in_closed_form) {
+  static const double APPROACHES[] = {-30.0, -2.385, 0.0, 0.385, 0.8};
+  const po_scene scene = {0.0, 0.0, 0.0, 83.0, INFINITY};
+  const double x = 1.0 - APPROACHES[_i];
+  const double exact = -8.0 / (3.0 * x) + 2.0 / (21.0 * pow(x, 7.0));
+  double energy = NAN;
+  ck_assert_int_eq(po_rigid_energy(&scene, APPROACHES[_i], &energy), PO_OK);
+  ck_assert_double_eq_tol(energy, exact, 1e-10 * fmax(1.0, fabs(exact)));
+}
+END_TEST
+
+START_TEST(rate_of_rigid_energy_is_load) {
+  const po_scene scene = {0.0, 0.7, 23.85, 100.0, _i ? 77.0 : (double)INFINITY};
+  balance b = {.enough = INFINITY};
+  po_branch_options options = po_branch_options_default();
+  options.largest_sagitta = 1e-5;
+  options.visit = look;
+  options.data = &b;
+  ck_assert_int_eq(po_rigid_trace(&scene, -12.0, &options), PO_OK);
+  ck_assert_double_lt(b.worst, 1e-8);
+}
+END_TEST
+
+/* An elastic scene of Tabor parameter near 0 has the energy of the rigid one, closed form again. */
+START_TEST(elastic_energy_tends_to_rigid) {
+  const po_scene scene = {1e-4, 0.0, 0.0, 100.0, INFINITY};
+  const balance b = of_triangles_or_rings(&scene, _i ? PO_RING : PO_TRIANGLE, 501);
+  const double x = 1.0 - b.last.approach;
+  const double exact = -8.0 / (3.0 * x) + 2.0 / (21.0 * pow(x, 7.0));
+  ck_assert_double_eq_tol(b.last.energy, exact, 2e-4); /* elements and elasticity */
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_loop_test(tests, rate_of_energy_is_load_on_panels, 0, SCENE_COUNT);
+  tcase_add_loop_test(tests, rate_of_energy_is_load_to_second_order, 0, 2 * SCENE_COUNT);
+  tcase_add_loop_test(tests, smooth_rigid_energy_in_closed_form, 0, 5);
+  tcase_add_loop_test(tests, rate_of_rigid_energy_is_load, 0, 2);
+  tcase_add_loop_test(tests, elastic_energy_tends_to_rigid, 0, 2);
+}
+
+int main(void) {
+  return run_case("energy", add);
+}
