@@ -7,14 +7,13 @@ static const char *const SCHEMES[] = {
     [PO_RING] = "ring", [PO_TRIANGLE] = "triangle", [PO_PANEL] = "panel"};
 static const char *const GRADINGS[] = {[PO_UNIFORM] = "uniform", [PO_GRADED] = "graded"};
 
-/* Fewer nodes resolve nothing; more would take a solve beyond 200 MB, which a finer scheme spares.
- */
 /* Below this, rounding; above, no mesh is coarse enough to make a difference. */
 static const double LEAST_TOLERANCE = 1e-10, GREATEST_TOLERANCE = 1e-2;
+/* Fewer nodes resolve nothing; more would take a solve beyond 200 MB, which panels spare. */
 enum { LEAST_NODES = 8, MOST_NODES = 2500 };
 
 po_mesh po_mesh_default(void) {
-  return (po_mesh){.scheme = PO_TRIANGLE, .grading = PO_UNIFORM, .nodes = 501, .tolerance = 1e-6};
+  return (po_mesh){.scheme = PO_PANEL, .grading = PO_UNIFORM, .nodes = 501, .tolerance = 1e-6};
 }
 
 po_mesh po_mesh_fixed(void) {

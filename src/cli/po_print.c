@@ -52,7 +52,8 @@ static void print_input(const po_request *request) {
     char text[PO_NUMBER_LENGTH];
     if (key == PO_KEY_WAVELENGTH && request->scene.amplitude == 0)
       continue;
-    if (isnan(po_key_number(request, (po_key)key)))
+    if (isnan(po_key_number(request, (po_key)key)) ||
+        po_key_is_of_other_scheme(request, (po_key)key))
       continue;
     po_key_print(request, (po_key)key, text);
     printf(" %s %s", po_key_name((po_key)key), text);

@@ -22,12 +22,12 @@ static const char HELP[] =
     "  --wavelength L          of the waviness\n"
     "  --radius R              of the sphere (100)\n"
     "  --outer-radius R|inf    where the surface is cut (inf: not cut)\n"
-    "  --scheme ring|triangle|panel  discretisation (triangle)\n"
-    "  --grading uniform|graded  of the elements, for ring and triangle (uniform)\n"
-    "  --nodes N               of the surface, for ring and triangle (501)\n"
-    "  --tolerance T           relative, of the pull-off force, for panel (1e-6)\n"
+    "  --scheme ring|triangle|panel  discretisation (panel)\n"
+    "  --tolerance T           of panels: relative, of the pull-off force (1e-6)\n"
+    "  --nodes N               of rings and triangles (501)\n"
+    "  --grading uniform|graded  of rings and triangles (uniform)\n"
     "  --approach-start D      where the trace begins (chosen by the solver)\n"
-    "  --approach-end D        where it ends (once the pull-off is certain)\n"
+    "  --approach-end D        where it ends (once pressed harder than pulled)\n"
     "  --time-limit S          seconds of processor time after which the solve ends (none)\n"
     "  --want curve,profile    points of the branch; gap and traction over the radius\n"
     "  --profile-approach D    where the profile is taken (at pull-off)\n"
@@ -63,6 +63,7 @@ static const struct option OPTIONS[] = {
 typedef struct {
   po_request request;
   po_scene_flags flags;
+  bool given[PO_KEY_COUNT];    /* keys of the mesh or of the solve that were said */
   const char *curve, *profile; /* files; NULL: none */
   bool json;
 } solve_line;
@@ -84,6 +85,7 @@ static po_status take_want(solve_line *line, const char *list) {
 
 /* A key of the mesh or of the solve, by the name its option has. */
 static po_status take_key(solve_line *line, po_key key, int option) {
+  line->given[key] = true;
   if (po_key_set(&line->request, key, optarg))
     return PO_OK;
   const struct option *given = OPTIONS;
@@ -114,11 +116,24 @@ static po_status take_option(solve_line *line, int option) {
   }
 }
 
+/* What is said must mean something. */
+static po_status refuse_keys_of_other_scheme(const solve_line *line) {
+  static const po_key KEYS[] = {PO_KEY_TOLERANCE, PO_KEY_NODES, PO_KEY_GRADING};
+  for (size_t i = 0; i < sizeof KEYS / sizeof *KEYS; ++i)
+    if (line->given[KEYS[i]] && po_key_is_of_other_scheme(&line->request, KEYS[i]))
+      return po_fail(PO_BAD_INPUT, "--%s is given for scheme %s: expected it with --scheme %s",
+                     po_key_name(KEYS[i]), po_scheme_name(line->request.mesh.scheme),
+                     KEYS[i] == PO_KEY_TOLERANCE ? "panel" : "ring or triangle");
+  return PO_OK;
+}
+
 /* Puts the request together and checks it. */
 static po_status end_line(solve_line *line) {
   po_request *request = &line->request;
   const double *length = line->flags.length;
-  const po_status status = po_scene_flags_end(&line->flags, true, &request->scene);
+  po_status status = refuse_keys_of_other_scheme(line);
+  if (!status)
+    status = po_scene_flags_end(&line->flags, true, &request->scene);
   if (status)
     return status;
   if (request->scene.amplitude > 0 && isnan(length[PO_LENGTH_WAVELENGTH])) {

@@ -148,8 +148,7 @@ bool po_key_matches(const po_request *request, po_key key, const char *text) {
   return a == b || (isfinite(b) && fabs(a - b) <= 4 * DBL_EPSILON * fabs(b));
 }
 
-/* Panels are meshed to a tolerance; rings and triangles by a number of nodes. */
-static bool key_is_of_other_scheme(const po_request *request, po_key key) {
+bool po_key_is_of_other_scheme(const po_request *request, po_key key) {
   const bool panel = request->mesh.scheme == PO_PANEL;
   return panel ? key == PO_KEY_NODES || key == PO_KEY_GRADING : key == PO_KEY_TOLERANCE;
 }
@@ -157,7 +156,7 @@ static bool key_is_of_other_scheme(const po_request *request, po_key key) {
 bool po_key_is_idle(const po_request *request, po_key key) {
   const bool smooth = request->scene.amplitude == 0;
   return (key == PO_KEY_AMPLITUDE && smooth) || (key == PO_KEY_WAVELENGTH && smooth) ||
-         isnan(po_key_number(request, key)) || key_is_of_other_scheme(request, key);
+         isnan(po_key_number(request, key)) || po_key_is_of_other_scheme(request, key);
 }
 
 char *po_input_command(const po_request *request) {

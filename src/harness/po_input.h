@@ -56,6 +56,10 @@ bool po_key_matches(const po_request *request, po_key key, const char *text);
 /* Whether a key need not be said of a scene: the solver chooses it, or nothing looks at it. */
 bool po_key_is_idle(const po_request *request, po_key key);
 
+/* Whether a key says nothing of the request's scheme: panels are meshed to a tolerance, rings and
+ * triangles by a number of nodes. */
+bool po_key_is_of_other_scheme(const po_request *request, po_key key);
+
 /* "pulloff solve --tabor 1 ...", as a line one can paste; free it. NULL without memory. */
 char *po_input_command(const po_request *request);
 

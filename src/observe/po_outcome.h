@@ -20,7 +20,7 @@ typedef struct {
   po_scene scene;
   po_mesh mesh;            /* scheme, grading, number of nodes */
   double approach_start;   /* where the trace begins, in eps; NAN: far out, found by itself */
-  double approach_end;     /* where it ends, in eps; NAN: once the pull-off is certain */
+  double approach_end;     /* where it ends, in eps; NAN: once pressed enough, see po_reader.c */
   unsigned want;           /* PO_WANT_... */
   double profile_approach; /* in eps, first passage along the branch; NAN: at pull-off */
   double time_limit;       /* seconds of processor time of the thread that solves; NAN: none */

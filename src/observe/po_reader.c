@@ -13,17 +13,12 @@
 /* A contact that comes this close to the end of the meshed surface is cut off by it. */
 static const double GREATEST_CONTACT = 0.9;
 
-/* Loads in units of this and the pull-off force that no wave's minimum falls from. */
-static const double GREATEST_PUSH = 10.0;
+/* The trace of a wavy sphere ends when it is pressed, stably, by more than the pull-off force and
+ * this many units of the load: as a test that pulls no harder than it pressed. */
+static const double PRELOAD = 1.0;
 
 /* A station is met to 1e-12. */
 static const double SAME_APPROACH = 1e-9;
-
-/* The load drops by a similar amount as the contact's edge passes one wave after another: from here
- * it would have to drop by this many times the greatest drop so far, ... */
-static const double DROPS = 3.0;
-/* ... the edge having left the wave of the pull-off by this part of a wavelength. */
-static const double PAST_THE_WAVE = 0.3;
 
 /* Waves whose minima rise more and more after the deepest: the envelope is past its own. */
 enum { ENOUGH_RISES = 2 };
@@ -32,10 +27,9 @@ enum { ENOUGH_RISES = 2 };
  * 1e-4 such errors of 1e-6 occur. */
 static const double UNSEEN = 2e-2;
 
-/* In wavelengths: contact beyond that at the last minimum without a new one; how far beyond
- * pull-off the next wave's minimum is at least (they are a wavelength apart, a little less at
- * first); and the end of the first trough. Minima in between are ripples. */
-static const double QUIET_WAVES = 1.5, NEXT_WAVE = 0.8, FIRST_TROUGH = 0.5;
+/* How far beyond pull-off the next wave's minimum is at least, in wavelengths (they are one apart,
+ * a little less at first). Minima in between are ripples. */
+static const double NEXT_WAVE = 0.8;
 
 static double contact_radius_of(const po_reader *r, const po_branch_point *p) {
   return p->gap ? po_contact_radius(p->n, p->node, p->gap)
@@ -153,7 +147,6 @@ static void note_wave(po_reader *r, double load, double contact_radius) {
 
 static void note_minimum(po_reader *r, const po_branch_point *p, double contact_radius) {
   po_outcome *o = r->outcome;
-  r->greatest_drop = fmax(r->greatest_drop, r->last_maximum - p->load);
   if (!o->has_pull_off || p->load < r->pull_off_load) {
     o->has_pull_off = true;
     r->pull_off_load = p->load;
@@ -166,37 +159,22 @@ static void note_minimum(po_reader *r, const po_branch_point *p, double contact_
       keep_profile(r, p);
   }
   note_wave(r, p->load, contact_radius);
-  const double wavelength = r->request->scene.wavelength;
-  r->risen = r->risen || (p->load > 0.0 && contact_radius > FIRST_TROUGH * wavelength &&
-                          contact_radius > o->pull_off.contact_radius + NEXT_WAVE * wavelength);
-  r->last_contact_radius = contact_radius;
 }
 
-/* No deeper minimum lies ahead. The minima of the load are what the outer edge of the contact makes
- * as it climbs over one wave after another; their sequence follows the lower edge of the Kesari-Lew
- * envelope, which is convex: it falls to a single minimum and rises ever after; and the drops to
- * them change little from one to the next. So at a stable point: when the minima of several waves
- * since rose more and more; or, under compression, when there are no waves; when a deeper minimum
- * takes a drop far greater than any so far; when the next wave's minimum was compressive itself; or
- * when the surfaces are pushed many times as hard as they were pulled, or as hard and the contact
- * grew over more than a wave without a minimum. tests/unit/test_observe.c traces twice as far and
- * finds none. */
-static bool pull_off_is_certain(const po_reader *r, const po_branch_point *p,
-                                double contact_radius) {
+/* Whether the trace may end, at a stable point. A smooth sphere under compression has its one
+ * minimum behind it. On a wavy one the minima are what the outer edge of the contact makes as it
+ * climbs over one wave after another; they follow the lower edge of the Kesari-Lew envelope, which
+ * is convex, so that when those of several waves rose more and more the deepest is behind. But
+ * pressed hard enough, grooves within the contact close, and a branch may come back by states that
+ * are pulled off harder, up to Guduru's full contact; hence the preload, which is part of what is
+ * called the pull-off. tests/unit/test_observe.c traces twice as far. */
+static bool may_end(const po_reader *r, const po_branch_point *p) {
   const po_outcome *o = r->outcome;
   if (!isnan(r->request->approach_end) || !o->has_pull_off || p->unstable_modes > 0)
     return false;
-  if (r->rises >= ENOUGH_RISES)
-    return true;
-  if (p->load <= 0.0)
-    return false;
-  const po_scene *scene = &r->request->scene;
-  const bool past = contact_radius > o->pull_off.contact_radius + PAST_THE_WAVE * scene->wavelength;
-  return !po_scene_is_wavy(scene) || r->risen ||
-         (past && p->load > DROPS * r->greatest_drop - o->pull_off.force) ||
-         p->load > GREATEST_PUSH * (1.0 + o->pull_off.force) ||
-         (p->load > o->pull_off.force &&
-          contact_radius > r->last_contact_radius + QUIET_WAVES * scene->wavelength);
+  if (!po_scene_is_wavy(&r->request->scene))
+    return p->load > 0.0;
+  return r->rises >= ENOUGH_RISES || p->load > PRELOAD + o->pull_off.force;
 }
 
 bool po_reader_visit(const po_branch_point *p, void *data) {
@@ -229,8 +207,6 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
     add_landmark(r, p, contact_radius);
   if (p->kind == PO_POINT_LOAD_MIN)
     note_minimum(r, p, contact_radius);
-  if (p->kind == PO_POINT_LOAD_MAX)
-    r->last_maximum = p->load;
   if (!r->status && p->gap && contact_radius > GREATEST_CONTACT * r->surface->core_radius) {
     if (isinf(r->request->scene.outer_radius))
       r->status = po_fail(PO_OUT_OF_DOMAIN,
@@ -239,5 +215,5 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
                           contact_radius, r->surface->core_radius, p->approach);
     return true; /* a bounded surface is used up */
   }
-  return r->status || pull_off_is_certain(r, p, contact_radius);
+  return r->status || may_end(r, p);
 }

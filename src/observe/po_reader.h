@@ -11,23 +11,19 @@ typedef struct {
   po_outcome *outcome;
   double begin; /* points at a smaller approach are not recorded before it is reached */
   bool begun;
-  double pull_off_load;       /* the deepest minimum so far */
-  double last_contact_radius; /* at the last minimum */
-  double wave_minimum;        /* of the load in the wave the contact's edge passed last */
-  double wave_radius;         /* contact radius there */
-  double rise;                /* of that minimum from the wave before */
-  int rises;                  /* waves since the pull-off whose minima rose more and more */
-  bool risen;                 /* a later wave's minimum was compressive */
-  double last_maximum;        /* of the load; 0 before there was one */
-  double greatest_drop;       /* of the load from a maximum to the next minimum */
-  size_t most_nodes;          /* of the surface so far */
-  double deadline;            /* on po_clock_thread; INFINITY: none */
+  double pull_off_load; /* the deepest minimum so far */
+  double wave_minimum;  /* of the load in the wave the contact's edge passed last */
+  double wave_radius;   /* contact radius there */
+  double rise;          /* of that minimum from the wave before */
+  int rises;            /* waves since the pull-off whose minima rose more and more */
+  size_t most_nodes;    /* of the surface so far */
+  double deadline;      /* on po_clock_thread; INFINITY: none */
   size_t extremum_room, fold_room, curve_room;
   po_status status;
 } po_reader;
 
 /* A po_branch_visit; data is the reader. Ends the trace when stopped, past the deadline, out of
- * memory, at trouble, or (without an approach_end) when the pull-off is certain. */
+ * memory, at trouble, or (without an approach_end) once it was pressed enough. */
 bool po_reader_visit(const po_branch_point *point, void *data);
 
 #endif

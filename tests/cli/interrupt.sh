@@ -50,7 +50,7 @@ expect_line 'finished now' 'long: 6 points, 0 checks: within'
 "$program" run --output run 2>"$work/stderr"
 expect_line 'all kept' 'long: 6 points, 0 checks: within (kept)'
 
-"$program" solve --tabor 3 --nodes 1501 --json >out.json 2>"$work/stderr" &
+"$program" solve --tabor 3 --scheme triangle --nodes 1501 --json >out.json 2>"$work/stderr" &
 child=$!
 sleep 0.7
 kill -INT $child

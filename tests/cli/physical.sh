@@ -6,7 +6,7 @@
 python=${PYTHON:-python3}
 body='--from-physical --modulus-pa 1.3385e9 --work-j-per-m2 0.0537 --distance-m 3.1e-10 --radius-m 2.7e-8'
 
-expect 0 '' solve $body --amplitude-m 1.3e-10 --wavelength-m 6.3e-9 --outer-radius-m 3.3e-8 --nodes 201 \
+expect 0 '' solve $body --amplitude-m 1.3e-10 --wavelength-m 6.3e-9 --outer-radius-m 3.3e-8 --scheme triangle --nodes 201 \
   --approach-start-m -1.7e-9 --approach-end-m 1.1e-10 --profile-approach-m -2.3e-10 --want curve,profile --json
 cp "$work/stdout" physical.json
 cat >look.py <<'LOOK'
@@ -52,9 +52,9 @@ for a, b in zip(found["physical"]["folds"], found["folds"]):
     assert near(a["load_error_estimate_n"], b["load_error_estimate"] * force)
 
 # the same scene without units, to the last bit
-flags = [word for key in ("tabor", "amplitude", "wavelength", "radius", "outer_radius", "nodes",
+flags = [word for key in ("tabor", "amplitude", "wavelength", "radius", "outer_radius", "scheme", "nodes",
                           "approach_start", "approach_end")
-         for word in ("--" + key.replace("_", "-"), repr(i[key]))]
+         for word in ("--" + key.replace("_", "-"), str(i[key]))]
 flags += ["--profile-approach", repr(-2.3e-10 / eps), "--want", "curve,profile", "--json"]
 same = json.loads(subprocess.run([sys.argv[1], "solve"] + flags, capture_output=True, check=True).stdout)
 assert "physical" not in same
@@ -63,7 +63,7 @@ for key in same:
         assert same[key] == d[key], key
 LOOK
 check 'SI and dimensionless results agree' "$python" look.py "$program"
-expect 0 '' solve $body --nodes 101
+expect 0 '' solve $body --scheme triangle --nodes 101
 check 'for people: newton' grep -q '^pull-off force [0-9.e-]* N at approach [0-9.e-]* m' "$work/stdout"
 check 'and what was given' grep -q '^physical modulus 1.3385e+09 Pa work 0.0537 J/m^2 distance 3.1e-10 m radius 2.7e-08 m$' "$work/stdout"
 expect 0 '' solve --from-physical --modulus-pa inf --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 1e-7 --json

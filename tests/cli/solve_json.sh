@@ -4,7 +4,7 @@
 . "$(dirname "$0")/lib.sh"
 python=${PYTHON:-python3}
 
-expect 0 '' solve --tabor 1 --nodes 101 --want curve,profile --json
+expect 0 '' solve --tabor 1 --scheme triangle --nodes 101 --want curve,profile --json
 cat >look.py <<'LOOK'
 import json, math, sys
 
@@ -35,11 +35,11 @@ assert all(q["gap"] > -1 for q in d["profile"])
 assert math.isclose(d["profile_approach"], p["approach"])
 LOOK
 check 'the document is of the documented form' "$python" look.py <"$work/stdout"
-expect 0 '' solve --tabor 1 --nodes 101 --json --curve curve.csv --profile profile.csv
+expect 0 '' solve --tabor 1 --scheme triangle --nodes 101 --json --curve curve.csv --profile profile.csv
 check 'the curve has its columns' grep -q '^position,approach,load,energy,contact_radius,unstable_modes$' \
   curve.csv
 check 'the profile has its columns' grep -q '^radius,gap,traction$' profile.csv
-expect 0 '' solve --tabor 1 --nodes 101
+expect 0 '' solve --tabor 1 --scheme triangle --nodes 101
 check 'for people: the pull-off' grep -q '^pull-off force 1.67' "$work/stdout"
 expect 0 '' solve --tabor 0 --json
 check 'rigid' grep -q '"rigid": true' "$work/stdout"
@@ -51,7 +51,7 @@ check 'its document says so' grep -q '"status": "out_of_time"' "$work/stdout"
 expect 2 'pulloff: --time-limit is 0: expected a finite number > 0' solve --time-limit 0
 
 # The same numbers every time, to the last bit.
-"$program" solve --tabor 2 --nodes 101 --want curve --json | grep -v seconds >first
-"$program" solve --tabor 2 --nodes 101 --want curve --json | grep -v seconds >second
+"$program" solve --tabor 2 --scheme triangle --nodes 101 --want curve --json | grep -v seconds >first
+"$program" solve --tabor 2 --scheme triangle --nodes 101 --want curve --json | grep -v seconds >second
 check 'a solve repeats to the last bit' cmp first second
 finish

@@ -36,7 +36,12 @@ expect 2 'pulloff: --scheme is square: expected ring, triangle or panel' solve -
 expect 2 'pulloff: --grading is steep: expected uniform or graded' solve --grading steep
 expect 2 'pulloff: --nodes is 2.5: expected a whole number > 0' solve --nodes 2.5
 expect 2 'pulloff: --nodes is -7: expected a whole number > 0' solve --nodes -7
-expect 2 'pulloff: *nodes*expected*' solve --nodes 999999999999
+expect 2 'pulloff: *nodes*expected*' solve --scheme ring --nodes 999999999999
+expect 2 'pulloff: --nodes is given for scheme panel: expected it with --scheme ring or triangle' solve --nodes 101
+expect 2 'pulloff: --grading is given for scheme panel: expected it with --scheme ring or triangle' \
+  solve --grading graded
+expect 2 'pulloff: --tolerance is given for scheme ring: expected it with --scheme panel' \
+  solve --tolerance 1e-5 --scheme ring
 expect 2 'pulloff: --want is sugar: expected curve, profile or both*' solve --want sugar
 expect 2 'pulloff: --want is curve,: expected curve, profile or both*' solve --want curve,
 expect 2 'pulloff: --amplitude is given without --wavelength: expected both' solve --amplitude 1

@@ -15,6 +15,7 @@ static po_request request_of(double tabor, double amplitude, double wavelength, 
   request.scene.amplitude = amplitude;
   request.scene.wavelength = wavelength;
   request.scene.outer_radius = outer;
+  request.mesh.scheme = PO_TRIANGLE;
   request.mesh.nodes = 301;
   return request;
 }
