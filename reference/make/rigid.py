@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The rigid wavy sphere: load (Eq 22) and pull-off.
 
-    rigid.py --write [DIR]       regenerate rigid_integral.csv and rigid_pull_off.csv
+    rigid.py --write [DIR]       regenerate rigid_integral, rigid_curves and rigid_pull_off.csv
     rigid.py --sample            recompute a sample, compare (exit 1 on disagreement)
 
 With x = 1 - approach and q(t) = x + A (1 - cos t) + A t^2/(8 pi^2 alpha), Eqs 21-22 are
@@ -31,7 +31,11 @@ PI = LONG("3.14159265358979323846264338327950288")
 AMPLITUDES = "-3 -0.5 0 1 2 4".split()                  # log10 A of Figure 7
 ALPHAS = [str(x) for x in (-4, -3.75, -3.5, -3.25, -3, -2.75, -2.5, -2.25, -2, -1.75, -1.5, -1.25, -1,
                            -0.75, -0.5, -0.25, 0, 0.25, 0.5, 0.75, 1, 1.25, 1.5, 1.75, 2)]
-PLAIN = [("0.25", "1"), ("0.0001", "1"), ("0.37", "3.3"), ("1.7", "27")]   # alpha, A as they are
+PLAIN = [("0.25", "1"), ("0.37", "3.3"), ("1.7", "27")]         # alpha, A as they are
+
+# Figure 6: A = 1; distances 1/(a + k h), closest where the load is steep, up to LAST_LOAD.
+CURVES = ["0.0001", "0.01", "0.1", "1", "10"]
+FAR_DISTANCE, NEAR_DISTANCE, CURVE_STEP, LAST_LOAD = 6, 0.3, 0.012, 1
 
 INTEGRAL_PAIRS = [("0.25", "1"), ("0.0001", "1"), ("100", "0.001"), ("100", "10000"), ("0.01", "10000"),
                   ("0.37", "3.3"), ("1.7", "27"), ("13", "0.3"), ("0.003", "150"), ("1", "1000")]
@@ -190,6 +194,22 @@ def integral_row(point, agreement):
     return [*point, text(exact(value), DIGITS)]
 
 
+def curve_points():
+    """(alpha, A, number, approach) along each curve."""
+    points = []
+    for alpha in CURVES:
+        steps = math.floor((1 / NEAR_DISTANCE - 1 / FAR_DISTANCE) / CURVE_STEP)
+        xs = [round(1 / (1 / FAR_DISTANCE + k * CURVE_STEP), 5) for k in range(steps + 1)]
+        kept = [x for x in xs if load(coarse, LONG(alpha), LONG(1), LONG(x)) < LAST_LOAD]
+        points += [(alpha, "1", str(i + 1), f"{1 - x:.5f}") for i, x in enumerate(kept)]
+    return points
+
+
+def curve_row(point, agreement):
+    alpha, amplitude, index, approach = point
+    return [alpha, amplitude, index, *integral_row((alpha, amplitude, approach), agreement)[2:]]
+
+
 def pull_off(alpha, amplitude):
     """x of the global minimum of the load: every local minimum of a scan, refined.
 
@@ -270,6 +290,12 @@ TABLES = [
           header("load against approach of the rigid wavy sphere, Eq 22", "both routes for every row",
                  "1e-16 relative"),
           limit="1e-16", tolerance="1e-16", stride=5),
+    Table("rigid_curves.csv", ["alpha", "amplitude", "index", "approach", "load"],
+          curve_points(), curve_row,
+          header("load against approach of the rigid wavy sphere, Eq 22: curves of Figure 6, points in "
+                 f"order from approach {1 - FAR_DISTANCE} to a load of {LAST_LOAD}",
+                 "both routes for every row", "1e-16"),
+          limit="1e-16", tolerance="1e-16", absolute="1e-17", stride=97),
     Table("rigid_pull_off.csv", ["alpha", "amplitude", "force", "approach"],
           [(pair, False) for pair in PLAIN]
           + [((alpha, amplitude), True) for amplitude in AMPLITUDES for alpha in ALPHAS],

@@ -2,9 +2,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "po_forms.h"
 #include "po_json.h"
 #include "po_print_physical.h"
-#include "po_theory_forms.h"
+#include "po_scene_flags.h"
 #include "po_verbs.h"
 
 static const char HELP[] =
@@ -19,19 +20,29 @@ static const char HELP[] =
     "  --alpha ALPHA           A R/L^2, in place of the wavelength (rigid, rumpf-rabinowicz)\n"
     "  --approach D            the load there, too (bradley, rigid)\n"
     "  --contact-radius A      load and approach there, too (jkr, guduru, kesari-lew)\n"
+    "  --gap H                 the traction there, too, H = h/epsilon - 1 (lennard-jones)\n"
     "  --json                  one JSON document on standard output, nothing else\n"
     "  --help                  this text\n\n" PO_SCENE_FLAGS_HELP "\n"
     "Example: pulloff theory guduru --tabor 5 --amplitude 10 --wavelength 20 --radius 100 --json\n"
     "Example: pulloff theory jkr --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 \\\n"
     "             --distance-m 3e-10 --radius-m 1e-7\n";
 
-enum { ALPHA = PO_FLAG_NEXT, JSON };
+enum { ALPHA = PO_FLAG_NEXT, GAP, JSON };
+
+/* One command line, put together. */
+typedef struct {
+  po_scene_flags flags;
+  po_scene scene;
+  double alpha; /* A R/lambda^2, given or of the scene; NAN: neither */
+  double gap;   /* NAN: not given */
+} po_theory_line;
 
 static const struct option OPTIONS[] = {
     PO_SCENE_OPTIONS,
     {"alpha", required_argument, NULL, ALPHA},
     PO_LENGTH_OPTIONS("approach", PO_LENGTH_APPROACH),
     PO_LENGTH_OPTIONS("contact-radius", PO_LENGTH_CONTACT_RADIUS),
+    {"gap", required_argument, NULL, GAP},
     {"json", no_argument, NULL, JSON},
     {"help", no_argument, NULL, PO_OPTION_HELP},
     {NULL, 0, NULL, 0}};
@@ -39,13 +50,17 @@ static const struct option OPTIONS[] = {
 static po_status take(po_theory_line *l, int option) {
   if (option < PO_FLAG_NEXT)
     return po_scene_flags_take(&l->flags, option);
+  if (option == GAP)
+    return po_number_parse(optarg, &l->gap) && l->gap > -1.0
+               ? PO_OK
+               : po_options_refuse("gap", optarg, "a finite number > -1");
   if (!po_number_parse(optarg, &l->alpha) || !(l->alpha > 0.0))
     return po_options_refuse("alpha", optarg, "a finite number > 0");
   return PO_OK;
 }
 
 /* Refuses what a form makes nothing of. */
-static po_status check_values(const po_theory_line *l, const po_theory_form *form) {
+static po_status check_values(const po_theory_line *l, const po_form *form) {
   const double approach = l->flags.length[PO_LENGTH_APPROACH];
   if (form->needs & PO_NEEDS_ELASTIC && !(l->scene.tabor > 0.0))
     return l->flags.from_physical
@@ -60,7 +75,7 @@ static po_status check_values(const po_theory_line *l, const po_theory_form *for
 }
 
 /* The scene and alpha from what was given, and whether that is enough for the form. */
-static po_status complete(po_theory_line *l, const po_theory_form *form) {
+static po_status complete(po_theory_line *l, const po_form *form) {
   const bool given = !isnan(l->alpha);
   l->scene = po_scene_default();
   const po_status status =
@@ -110,25 +125,25 @@ static void print_number(const char *key, const json_t *value, const char *unit)
     printf("%-34s %.12g%s%s\n", key, json_number_value(value), *unit ? " " : "", unit);
 }
 
-static void print_text(const po_theory_line *l) {
+static void print_text(const po_theory_line *l, const json_t *out, json_t *si) {
   const char *key;
   json_t *value;
-  if (l->si)
+  if (si)
     po_print_physical_input(&l->flags);
-  json_object_foreach(l->out, key, value) {
+  json_object_foreach((json_t *)out, key, value) {
     print_number(key, value, "");
   }
-  json_object_foreach(l->si, key, value) {
+  json_object_foreach(si, key, value) {
     print_number(key, value, unit_of(key));
   }
 }
 
-static po_status print_json(const po_theory_line *l, const char *name) {
+static po_status print_json(const po_theory_line *l, const char *name, json_t *out, json_t *si) {
   json_t *document = json_pack("{s:s, s:s}", "schema", "pulloff/1", "theory", name);
-  json_object_update(document, l->out);
-  if (l->si) {
+  json_object_update(document, out);
+  if (si) {
     json_t *physical = po_json_physical_input(&l->flags);
-    json_object_update(physical, l->si);
+    json_object_update(physical, si);
     json_object_set_new(document, "physical", physical);
   }
   po_text text = {0};
@@ -140,23 +155,45 @@ static po_status print_json(const po_theory_line *l, const char *name) {
   return status;
 }
 
-static po_status print(po_theory_line *l, const po_theory_form *form, bool as_json) {
+/* What was found, by name, and the same in SI units, of what has one. */
+static void fill(const po_theory_line *l, const po_form_values *values, json_t *out, json_t *si) {
+  static const char *const SUFFIXES[] = {"", "m", "n", "j_per_m2", "pa"};
+  const po_units *u = &l->flags.units;
+  const double size[] = {1, u->length, u->force, u->work, u->tension};
+  for (size_t i = 0; i < values->count; ++i) {
+    const po_form_value *item = &values->items[i];
+    json_object_set_new(out, item->name, po_json_number(item->value));
+    if (!si || item->unit == PO_FORM_PURE)
+      continue;
+    char name[80];
+    snprintf(name, sizeof name, "%s_%s", item->name, SUFFIXES[item->unit]);
+    json_object_set_new(si, name, po_json_number(item->value * size[item->unit]));
+  }
+}
+
+static po_status print(const po_theory_line *l, const po_form *form, bool as_json) {
+  const double variables[] = {(double)NAN, l->flags.length[PO_LENGTH_APPROACH],
+                              l->flags.length[PO_LENGTH_CONTACT_RADIUS], l->gap};
+  const po_form_input input = {l->scene, l->alpha, variables[form->variable]};
+  po_form_values values = {.count = 0};
   po_status status = PO_OK;
-  l->out = json_object();
-  l->si = l->flags.from_physical ? json_object() : NULL;
-  form->print(l);
+  json_t *out = json_object(), *si = l->flags.from_physical ? json_object() : NULL;
+  form->fixed(&input, &values);
+  if (!isnan(input.at))
+    form->along(&input, &values);
+  fill(l, &values, out, si);
   if (as_json)
-    status = print_json(l, form->name);
+    status = print_json(l, form->name, out, si);
   else
-    print_text(l);
-  json_decref(l->out);
-  json_decref(l->si);
+    print_text(l, out, si);
+  json_decref(out);
+  json_decref(si);
   return status;
 }
 
 int po_verb_theory(int argc, char **argv) {
   const po_options options = {"theory", HELP, OPTIONS, argc, argv};
-  po_theory_line line = {.flags = po_scene_flags_default(), .alpha = NAN};
+  po_theory_line line = {.flags = po_scene_flags_default(), .alpha = NAN, .gap = NAN};
   bool as_json = false;
   po_status status = PO_OK;
   int option = 0;
@@ -171,13 +208,10 @@ int po_verb_theory(int argc, char **argv) {
   if (status || option == PO_OPTION_BAD)
     return po_options_end(PO_BAD_INPUT);
   const char *name = optind < argc ? argv[optind++] : "";
-  const po_theory_form *form = po_theory_find(name);
+  const po_form *form = po_form_find(name);
   if (!form)
-    return po_options_end(po_fail(PO_BAD_INPUT,
-                                  "theory %.80s is unknown: expected bradley, rigid, jkr, guduru, "
-                                  "kesari-lew, persson-tosatti, rumpf-rabinowicz, compactness, "
-                                  "crest or lennard-jones",
-                                  *name ? name : "without a name"));
+    return po_options_end(po_fail(PO_BAD_INPUT, "theory %.80s is unknown: expected %s",
+                                  *name ? name : "without a name", PO_FORM_NAMES));
   status = po_options_no_operands(&options);
   if (!status)
     status = complete(&line, form);

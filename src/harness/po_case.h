@@ -39,11 +39,16 @@ typedef enum {
 
 typedef enum { PO_TOLERANCE_ABS, PO_TOLERANCE_REL, PO_TOLERANCE_ULP } po_tolerance_kind;
 
-/* One swept key and its values, as written. */
+/* One swept key and its values, as written; or from, to, count and scale, from which the values are
+ * made (po_case_axis.c). */
 typedef struct {
   char *key;
   char **values;
   unsigned values_count;
+  char *from_text;
+  char *to_text;
+  char *count_text;
+  char *scale; /* "log", "linear"; NULL: linear */
 } po_axis;
 
 /* One key drawn at random, as written, and parsed. */
@@ -80,7 +85,10 @@ typedef struct {
   char *because;
   char *stand_in; /* the reference that stands in while that of this check is absent, which leaves
                      the check out; NULL: it must be there */
-  po_axis *when;  /* the points it concerns: all these must match; none: every point */
+  po_axis
+      *as_if; /* the reference is asked of the scene with these keys changed, each of one value */
+  unsigned as_if_count;
+  po_axis *when; /* the points it concerns: all these must match; none: every point */
   unsigned when_count;
   po_quantity quantity;
   double tolerance;
@@ -100,6 +108,14 @@ typedef struct {
   char *values[PO_KEY_COUNT];
 } po_scene_words;
 
+/* Closed forms along a sweep, to be drawn beside what is solved. */
+typedef struct {
+  char *name;
+  char *theory; /* as `pulloff theory` names it */
+  po_axis *sweep;
+  unsigned sweep_count;
+} po_line;
+
 /* What the file says, filled by libcyaml, then checked and parsed. */
 typedef struct {
   char *name;
@@ -118,6 +134,8 @@ typedef struct {
   unsigned want_names_count;
   po_check *checks;
   unsigned checks_count;
+  po_line *lines;
+  unsigned lines_count;
 } po_case_file;
 
 typedef struct {
@@ -141,6 +159,9 @@ void po_case_destroy(po_case *kase);
 /* Whether a condition (or a whole list of them) holds for a scene. */
 bool po_axis_holds(const po_axis *axis, const po_request *request);
 bool po_check_concerns(const po_check *check, const po_request *request);
+
+/* The scene of which the reference of a check is asked: as_if applied. */
+po_request po_check_request(const po_check *check, const po_request *request);
 
 /* Whether a check is against our own last blessed values: its reference is the word "pin". */
 bool po_check_is_pin(const po_check *check);

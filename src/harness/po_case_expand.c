@@ -40,15 +40,24 @@ static po_status fill_point(const po_case *kase, size_t index, const po_yaml *ya
       po_key_set(&point->request, (po_key)key, file->scene.values[key]);
   size_t block = kase->point_count / (file->sample ? file->sample->count : 1);
   const size_t scene = index / block;
+  po_key group = PO_KEY_END;
+  const char *group_value = NULL;
   po_text label = {0};
   for (unsigned i = 0; i < file->sweep_count; ++i) {
     const po_axis *axis = &file->sweep[i];
     block /= axis->values_count;
     const char *value = axis->values[index / block % axis->values_count];
-    po_key_set(&point->request, (po_key)po_key_of_name(axis->key), value);
+    const int key = po_key_of_name(axis->key);
+    if (po_key_is_group(key)) {
+      group = (po_key)key;
+      group_value = value;
+    } else
+      po_key_set(&point->request, (po_key)key, value);
     po_text_add(&label, "%s%s=%s", i ? " " : "", axis->key, value);
   }
-  const bool possible = po_case_sample_draw(file, scene, &point->request, &label);
+  bool possible = po_case_sample_draw(file, scene, &point->request, &label);
+  if (group_value) /* when what it is a group of is there */
+    possible = po_key_set(&point->request, group, group_value) && possible;
   if (!label.length)
     po_text_add(&label, "scene");
   snprintf(point->id, sizeof point->id, "%zu", index);

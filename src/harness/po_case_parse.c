@@ -4,11 +4,12 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "po_lines.h"
 #include "po_schema.h"
 
 enum { WHERE_LENGTH = 64 };
 
-static bool is_name(const char *text) {
+bool po_case_is_name(const char *text) {
   for (const char *c = text; *c; ++c)
     if (!isalnum((unsigned char)*c) && *c != '_' && *c != '-')
       return false;
@@ -18,9 +19,9 @@ static bool is_name(const char *text) {
 static po_status parse_names(po_case *kase, const po_yaml *yaml) {
   static const char *const WANTS[] = {"pull_off", "folds", "extrema", "curve", "profile"};
   const po_case_file *file = kase->file;
-  if (!is_name(file->name) || strlen(file->name) > 64)
+  if (!po_case_is_name(file->name) || strlen(file->name) > 64)
     return po_schema_refuse(yaml, NULL, "name");
-  if (file->figure_script && !is_name(file->figure_script))
+  if (file->figure_script && !po_case_is_name(file->figure_script))
     return po_schema_refuse(yaml, NULL, "figure_script");
   for (unsigned i = 0; i < file->suite_names_count; ++i) {
     const unsigned suite = po_suite_of_name(file->suite_names[i]);
@@ -50,12 +51,14 @@ static po_status parse_repeats(po_case *kase, const po_yaml *yaml) {
   return PO_OK;
 }
 
-/* The key and the values of one item of a sweep or of a `when`. */
+/* The key and the values of one item of a sweep, of a `when` or an `as_if`. */
 static po_status check_axis(const po_axis *axis, const char *where, const po_yaml *yaml) {
   const int key = po_key_of_name(axis->key);
   if (key < 0)
     return po_schema_refuse(yaml, NULL, "%s.key", where);
-  po_request first = po_request_default(), other = first;
+  po_request first = po_request_default();
+  first.scene.amplitude = first.scene.wavelength = 1; /* so that groups of them have a value */
+  po_request other = first;
   for (unsigned i = 0; i < axis->values_count; ++i) {
     if (!po_key_set(&first, (po_key)key, axis->values[i]))
       return po_schema_refuse(yaml, po_key_expected((po_key)key), "%s.values[%u]", where, i + 1);
@@ -73,13 +76,20 @@ static po_status parse_sweep(po_case *kase, const po_yaml *yaml) {
   for (unsigned i = 0; i < file->sweep_count; ++i) {
     char where[WHERE_LENGTH];
     snprintf(where, sizeof where, "sweep[%u]", i + 1);
-    const po_status status = check_axis(&file->sweep[i], where, yaml);
+    po_status status = po_axis_fill(&file->sweep[i], where, yaml);
+    if (!status)
+      status = check_axis(&file->sweep[i], where, yaml);
     if (status)
       return status;
-    for (unsigned k = 0; k < i; ++k)
-      if (strcmp(file->sweep[i].key, file->sweep[k].key) == 0)
+    const int key = po_key_of_name(file->sweep[i].key);
+    const po_key target = po_key_target((po_key)key);
+    for (unsigned k = 0; k < i; ++k) {
+      if (po_key_is_group(key) && po_key_is_group(po_key_of_name(file->sweep[k].key)))
+        return po_schema_refuse(yaml, "one of alpha and amplitude_ratio", "%s.key", where);
+      if (target == po_key_target((po_key)po_key_of_name(file->sweep[k].key)))
         return po_schema_refuse(yaml, "each key swept once", "%s.key", where);
-    if (file->scene.values[po_key_of_name(file->sweep[i].key)])
+    }
+    if (file->scene.values[target])
       return po_schema_refuse(yaml, "a key that the scene does not fix", "%s.key", where);
   }
   return PO_OK;
@@ -88,7 +98,7 @@ static po_status parse_sweep(po_case *kase, const po_yaml *yaml) {
 /* Swept or drawn. */
 static bool is_varied(const po_case_file *file, po_key key) {
   for (unsigned i = 0; i < file->sweep_count; ++i)
-    if (po_key_of_name(file->sweep[i].key) == (int)key)
+    if (po_key_target((po_key)po_key_of_name(file->sweep[i].key)) == key)
       return true;
   return po_case_draws(file, key);
 }
@@ -180,6 +190,22 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
   return PO_OK;
 }
 
+static po_status check_as_if(const po_check *check, unsigned number, const po_yaml *yaml) {
+  for (unsigned i = 0; i < check->as_if_count; ++i) {
+    char where[WHERE_LENGTH];
+    snprintf(where, sizeof where, "checks[%u].as_if[%u]", number, i + 1);
+    const po_status status = check_axis(&check->as_if[i], where, yaml);
+    if (status)
+      return status;
+    if (check->as_if[i].values_count > 1)
+      return po_schema_refuse(yaml, "one value", "%s.values", where);
+  }
+  if (check->as_if_count && po_check_is_pin(check))
+    return po_schema_refuse(yaml, "a reference other than pin, as as_if asks of another scene",
+                            "checks[%u].reference", number);
+  return PO_OK;
+}
+
 /* What is no file cannot be absent. */
 static bool is_file(const char *reference) {
   return strcmp(reference, "bradley") != 0 && strcmp(reference, "pin") != 0 &&
@@ -245,7 +271,10 @@ po_status po_case_parse(po_case *kase, const po_yaml *yaml) {
   if (!status)
     status = check_scene(kase, yaml);
   for (unsigned i = 0; !status && i < kase->file->checks_count; ++i)
-    status = parse_check(kase->file, &kase->file->checks[i], i + 1, yaml);
+    if (!(status = parse_check(kase->file, &kase->file->checks[i], i + 1, yaml)))
+      status = check_as_if(&kase->file->checks[i], i + 1, yaml);
+  if (!status)
+    status = po_lines_parse(kase, yaml);
   if (!status)
     status = check_stand_ins(kase, yaml);
   if (!status)

@@ -21,6 +21,12 @@ bool po_case_draws(const po_case_file *file, po_key key);
 bool po_case_sample_draw(const po_case_file *file, size_t index, po_request *request,
                          po_text *label);
 
+/* Letters, digits, _ and -. */
+bool po_case_is_name(const char *text);
+
+/* Makes the values of an axis that has its ends and their number instead. Status: as above. */
+po_status po_axis_fill(po_axis *axis, const char *where, const po_yaml *yaml);
+
 /* The drawn scenes, each with every combination of the sweep: kase->points. */
 po_status po_case_expand(po_case *kase, const po_yaml *yaml);
 

@@ -29,8 +29,8 @@ static po_status compare_single(const po_case *kase, size_t point, const po_chec
                                 const po_reference *reference, const po_outcome *outcome,
                                 po_results *results) {
   po_reference_number expected = NOTHING;
-  const po_status status =
-      po_reference_find(reference, check->quantity, &kase->points[point].request, &expected);
+  const po_request request = po_check_request(check, &kase->points[point].request);
+  const po_status status = po_reference_find(reference, check->quantity, &request, &expected);
   if (status && status != PO_NOT_FOUND)
     return status;
   if (status)
@@ -73,8 +73,8 @@ static po_status compare_curve(const po_case *kase, size_t point, const po_check
   po_reference_point *theirs = NULL;
   size_t count = 0;
   po_curve_verdict found = {0};
-  po_status status = po_reference_points(reference, PO_CURVE, &kase->points[point].request, outcome,
-                                         &theirs, &count);
+  const po_request request = po_check_request(check, &kase->points[point].request);
+  po_status status = po_reference_points(reference, PO_CURVE, &request, outcome, &theirs, &count);
   const bool spoken = status == PO_OK;
   double doubt = (double)NAN;
   for (size_t i = 0; spoken && i < count; ++i)

@@ -45,10 +45,8 @@ static size_t count_theirs_up_to(const po_reference_point *theirs, size_t count,
 }
 
 /* The lists over the range both have. */
-static po_status find_lists(const po_case *kase, size_t point, bool folds,
-                            const po_reference *reference, const po_outcome *outcome,
-                            landmark_lists *l) {
-  const po_request *request = &kase->points[point].request;
+static po_status find_lists(const po_request *request, bool folds, const po_reference *reference,
+                            const po_outcome *outcome, landmark_lists *l) {
   *l = (landmark_lists){.ours = folds ? outcome->folds : outcome->extrema,
                         .count = folds ? outcome->fold_count : outcome->extremum_count,
                         .solved = outcome->status == PO_OK};
@@ -137,10 +135,11 @@ static po_status add_pairs(const po_case *kase, size_t point, const po_check *ch
 po_status po_compare_landmarks(const po_case *kase, size_t point, const po_check *check,
                                const po_reference *reference, const po_outcome *outcome,
                                po_results *results) {
+  const po_request request = po_check_request(check, &kase->points[point].request);
   const bool count_only = check->quantity == PO_FOLD_COUNT;
   const bool folds = check->quantity != PO_EXTREMA;
   landmark_lists l;
-  po_status status = find_lists(kase, point, folds, reference, outcome, &l);
+  po_status status = find_lists(&request, folds, reference, outcome, &l);
   if (!status) {
     const po_reference_number expected = {l.spoken ? (double)l.their_count : (double)NAN, 0};
     po_result *item = po_results_add(

@@ -41,8 +41,9 @@ po_status po_compare_check_tolerance(const po_case *kase, const po_check *check,
   if (check->quantity == PO_SOLVED_SHARE)
     return PO_OK;
   for (size_t i = 0; i < kase->point_count; ++i) {
-    const po_request *request = &kase->points[i].request;
-    if (check->quantity == PO_FOLD_COUNT || !po_check_concerns(check, request))
+    const po_request asked = po_check_request(check, &kase->points[i].request);
+    const po_request *request = &asked;
+    if (check->quantity == PO_FOLD_COUNT || !po_check_concerns(check, &kase->points[i].request))
       continue; /* a number of folds is exact */
     po_status status = PO_OK;
     if (check->quantity == PO_FOLDS || check->quantity == PO_EXTREMA || check->quantity == PO_CURVE)

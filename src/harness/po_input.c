@@ -14,7 +14,7 @@ static const struct {
   const char *name;
   po_domain domain;
   const char *expected;
-} KEYS[PO_KEY_COUNT] = {
+} KEYS[PO_KEY_END] = {
     [PO_KEY_TABOR] = {"tabor", NOT_NEGATIVE, "a finite number >= 0"},
     [PO_KEY_AMPLITUDE] = {"amplitude", NOT_NEGATIVE, "a finite number >= 0"},
     [PO_KEY_WAVELENGTH] = {"wavelength", POSITIVE, "a finite number > 0"},
@@ -27,10 +27,12 @@ static const struct {
     [PO_KEY_APPROACH_START] = {"approach_start", ANY_NUMBER, "a finite number"},
     [PO_KEY_APPROACH_END] = {"approach_end", ANY_NUMBER, "a finite number"},
     [PO_KEY_TIME_LIMIT] = {"time_limit", POSITIVE, "a finite number > 0"},
+    [PO_KEY_ALPHA] = {"alpha", POSITIVE, "a finite number > 0"},
+    [PO_KEY_AMPLITUDE_RATIO] = {"amplitude_ratio", NOT_NEGATIVE, "a finite number >= 0"},
 };
 
 int po_key_of_name(const char *name) {
-  for (int key = 0; key < PO_KEY_COUNT; ++key)
+  for (int key = 0; key < PO_KEY_END; ++key)
     if (strcmp(KEYS[key].name, name) == 0)
       return key;
   return -1;
@@ -46,6 +48,16 @@ const char *po_key_expected(po_key key) {
 
 bool po_key_is_number(po_key key) {
   return KEYS[key].domain != NAME;
+}
+
+bool po_key_is_group(int key) {
+  return key >= PO_KEY_COUNT;
+}
+
+po_key po_key_target(po_key key) {
+  if (key == PO_KEY_ALPHA)
+    return PO_KEY_WAVELENGTH;
+  return key == PO_KEY_AMPLITUDE_RATIO ? PO_KEY_AMPLITUDE : key;
 }
 
 /* Where the number of a key lives; NULL for names and counts. */
@@ -113,11 +125,19 @@ bool po_key_set(po_request *request, po_key key, const char *text) {
   double value = 0;
   if (!domain_parse(KEYS[key].domain, text, &value))
     return false;
-  *key_place(request, key) = value;
+  if (key == PO_KEY_ALPHA)
+    value = sqrt(request->scene.amplitude * request->scene.radius / value);
+  else if (key == PO_KEY_AMPLITUDE_RATIO)
+    value *= request->scene.wavelength;
+  *key_place(request, po_key_target(key)) = value;
   return true;
 }
 
 double po_key_number(const po_request *request, po_key key) {
+  if (key == PO_KEY_ALPHA)
+    return po_scene_alpha(&request->scene);
+  if (key == PO_KEY_AMPLITUDE_RATIO)
+    return request->scene.amplitude > 0 ? request->scene.amplitude / request->scene.wavelength : 0;
   po_request copy = *request;
   const double *place = key_place(&copy, key);
   if (place)

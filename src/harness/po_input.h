@@ -24,10 +24,14 @@ typedef enum {
   PO_KEY_APPROACH_START,
   PO_KEY_APPROACH_END,
   PO_KEY_TIME_LIMIT,
-  PO_KEY_COUNT
+  PO_KEY_COUNT,
+  /* Groups of these, in sweeps, conditions and reference tables: each sets one of them. */
+  PO_KEY_ALPHA = PO_KEY_COUNT, /* A R / lambda^2, Eq 6: sets the wavelength */
+  PO_KEY_AMPLITUDE_RATIO,      /* A / lambda: sets the amplitude */
+  PO_KEY_END
 } po_key;
 
-/* The key of that name, or -1. */
+/* The key of that name, a group or not, or -1. */
 int po_key_of_name(const char *name);
 
 /* "tabor", "outer_radius"... */
@@ -38,6 +42,11 @@ const char *po_key_expected(po_key key);
 
 /* Whether the key holds a number (else a name, as scheme does). */
 bool po_key_is_number(po_key key);
+
+/* Whether a key is a group, and the key it sets (else the key itself). A group is set when all
+ * others are. */
+bool po_key_is_group(int key);
+po_key po_key_target(po_key key);
 
 /* Puts the value written as `text` into a request. False when the text is no value of that key;
  * then the request is unchanged. */

@@ -107,6 +107,9 @@ static po_status tell_wants(po_plan *plan) {
   if (!status && kase->repeats > 1)
     status = say(plan, "each solve %u times, alone on the machine: the times are the result",
                  kase->repeats);
+  for (unsigned i = 0; !status && i < kase->file->lines_count; ++i)
+    status = say(plan, "the closed form %.40s along a sweep, as line %.60s",
+                 kase->file->lines[i].theory, kase->file->lines[i].name);
   if (!status)
     status = kase->file->figure_script ? say(plan, "figure by script %s", kase->file->figure_script)
                                        : say(plan, "no figure: the case names no script");
@@ -115,7 +118,9 @@ static po_status tell_wants(po_plan *plan) {
 
 /* Whether the reference says anything of a point. */
 static bool is_spoken_of(const po_reference *reference, const po_check *check,
-                         const po_request *request) {
+                         const po_request *solved) {
+  const po_request asked = po_check_request(check, solved);
+  const po_request *request = &asked;
   po_reference_number number;
   po_reference_point *points = NULL;
   size_t count = 0;

@@ -8,6 +8,7 @@
 #include "po_file.h"
 #include "po_input.h"
 #include "po_json.h"
+#include "po_lines.h"
 #include "po_tables.h"
 
 static json_t *text_or_null(const char *text) {
@@ -25,6 +26,12 @@ static json_t *sweep(const po_case *kase, size_t point) {
   json_t *object = json_object();
   for (unsigned i = 0; i < kase->file->sweep_count; ++i) {
     const char *name = kase->file->sweep[i].key;
+    const int key = po_key_of_name(name);
+    if (po_key_is_group(key)) {
+      json_object_set_new(object, name,
+                          po_json_number(po_key_number(&kase->points[point].request, (po_key)key)));
+      continue;
+    }
     json_t *input = po_json_input(&kase->points[point].request);
     json_object_set(object, name, json_object_get(input, name));
     json_decref(input);
@@ -170,10 +177,13 @@ po_status po_record_write(const po_case_run *run, const char *output, int jobs) 
   char *folder = po_path_join(output, run->plan->kase->file->name);
   char *path = folder ? po_path_join(folder, "record.json") : NULL;
   json_t *record = record_json(run, jobs);
+  json_t *written = NULL;
   po_text text = {0};
   po_status status = path ? po_folder_make(folder) : PO_NO_MEMORY;
   if (!status)
     status = add_tables(run, folder, record);
+  if (!status && !(status = po_lines_write(run->plan->kase, folder, &written)))
+    json_object_set_new(record, "lines", written);
   if (!status)
     status = po_json_print(record, &text);
   if (!status)

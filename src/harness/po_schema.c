@@ -31,6 +31,27 @@ static const cyaml_schema_field_t AXIS_FIELDS[] = {
 static const cyaml_schema_value_t AXIS = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, po_axis, AXIS_FIELDS)};
 
+static const cyaml_schema_field_t SWEEP_FIELDS[] = {
+    TEXT("key", po_axis, key),
+    LIST("values", CYAML_FLAG_OPTIONAL, po_axis, values, &WORD),
+    OPTIONAL_TEXT("from", po_axis, from_text),
+    OPTIONAL_TEXT("to", po_axis, to_text),
+    OPTIONAL_TEXT("count", po_axis, count_text),
+    OPTIONAL_TEXT("scale", po_axis, scale),
+    CYAML_FIELD_END,
+};
+static const cyaml_schema_value_t SWEEP = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, po_axis, SWEEP_FIELDS)};
+
+static const cyaml_schema_field_t LINE_FIELDS[] = {
+    TEXT("name", po_line, name),
+    TEXT("theory", po_line, theory),
+    LIST("sweep", 0, po_line, sweep, &SWEEP),
+    CYAML_FIELD_END,
+};
+static const cyaml_schema_value_t LINE = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, po_line, LINE_FIELDS)};
+
 static const cyaml_schema_field_t DRAW_FIELDS[] = {
     TEXT("key", po_draw, key),
     TEXT("from", po_draw, from_text),
@@ -56,6 +77,7 @@ static const cyaml_schema_field_t CHECK_FIELDS[] = {
     TEXT("kind", po_check, kind_text),
     TEXT("because", po_check, because),
     OPTIONAL_TEXT("stand_in", po_check, stand_in),
+    LIST("as_if", CYAML_FLAG_OPTIONAL, po_check, as_if, &AXIS),
     LIST("when", CYAML_FLAG_OPTIONAL, po_check, when, &AXIS),
     CYAML_FIELD_END,
 };
@@ -87,12 +109,13 @@ static const cyaml_schema_field_t CASE_FIELDS[] = {
     OPTIONAL_TEXT("figure_script", po_case_file, figure_script),
     LIST("suites", 0, po_case_file, suite_names, &WORD),
     CYAML_FIELD_MAPPING("scene", CYAML_FLAG_DEFAULT, po_case_file, scene, SCENE_FIELDS),
-    LIST("sweep", CYAML_FLAG_OPTIONAL, po_case_file, sweep, &AXIS),
+    LIST("sweep", CYAML_FLAG_OPTIONAL, po_case_file, sweep, &SWEEP),
     CYAML_FIELD_MAPPING_PTR("sample", CYAML_FLAG_POINTER | CYAML_FLAG_OPTIONAL, po_case_file,
                             sample, SAMPLE_FIELDS),
     OPTIONAL_TEXT("repeats", po_case_file, repeats_text),
     LIST("want", 0, po_case_file, want_names, &WORD),
     LIST("checks", CYAML_FLAG_OPTIONAL, po_case_file, checks, &CHECK),
+    LIST("lines", CYAML_FLAG_OPTIONAL, po_case_file, lines, &LINE),
     CYAML_FIELD_END,
 };
 static const cyaml_schema_value_t CASE = {
@@ -111,6 +134,16 @@ static const struct {
     {"suites", "a list of smoke, paper, extreme, precision, random"},
     {"scene", "a mapping of scene keys"},
     {"sweep", "a list of {key, values}"},
+    {"sweep.from", "a finite number"},
+    {"sweep.to", "a finite number > from"},
+    {"sweep.count", "a whole number from 2 to 10000"},
+    {"sweep.scale", "linear or log"},
+    {"lines", "a list of {name, theory, sweep}"},
+    {"lines.sweep", "a list of {key, values}"},
+    {"lines.sweep.from", "a finite number"},
+    {"lines.sweep.to", "a finite number > from"},
+    {"lines.sweep.count", "a whole number from 2 to 10000"},
+    {"lines.sweep.scale", "linear or log"},
     {"sample", "a mapping of seed, count, keys"},
     {"sample.seed", "a whole number of at most 15 digits"},
     {"sample.count", "a whole number from 1 to 100000"},
@@ -134,6 +167,7 @@ static const struct {
     {"key", "a key of the scene"},
     {"values", "a list of values"},
     {"when", "a list of {key, values}"},
+    {"as_if", "a list of {key, values}, each of one value"},
 };
 
 static const char *schema_expected(const char *path) {

@@ -65,7 +65,7 @@ spoilt 's/^want/sweep:\n  - key: approach_end\n    values: [1, nan]\nwant/' \
 spoilt 's/^want/sweep:\n  - key: approach_end\n    values: [0.1, 0.10]\nwant/' \
   '13: sweep[[]1[]].values[[]2[]] is 0.10: expected each value once'
 spoilt 's/^want/sweep:\n  - key: approach_end\nwant/' \
-  '12: sweep[[]1[]].values is missing: expected a list of values'
+  '12: sweep[[]1[]].values is missing: expected a list of values, or from, to and count'
 spoilt 's/pull_off_force/pull_on/' '13: checks[[]1[]].quantity is pull_on: expected pull_off_force, *'
 spoilt 's/pull_off_force/work/' \
   '14: checks[[]1[]].reference is reference/table.csv: expected pin, as only *'

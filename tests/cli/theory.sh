@@ -25,6 +25,8 @@ near area_ratio 1.0986960440 1e-9 persson-tosatti --amplitude 2 --wavelength 20
 near area_ratio_printed 1.0314159265 1e-9 persson-tosatti --amplitude 2 --wavelength 20
 near peak_distance 1.2009369551760027 1e-15 lennard-jones
 near load -2 1e-15 bradley --approach 0
+# -(8/3) (x^3 - x^9), x = 1/1.2
+near traction -1.02639201129570 1e-13 lennard-jones --gap 0.2
 near part_of_bradley 1 1e-4 rumpf-rabinowicz --alpha 1e-7 --radius 100
 near composite_radius 48.4 1 crest --amplitude 0.1 --wavelength 19.4
 # Amplitude 0 is the smooth sphere, not a mistake.
@@ -48,5 +50,6 @@ expect 2 'pulloff: theory rigid needs --alpha, or *' theory rigid --amplitude 1
 expect 2 'pulloff: --tabor is 0: expected a finite number > 0' theory jkr --tabor 0
 expect 2 'pulloff: --approach is 1: expected a finite number < 1' theory bradley --approach 1
 expect 2 'pulloff: --radius is nan: expected a finite number > 0' theory jkr --radius nan
+expect 2 'pulloff: --gap is -1: expected a finite number > -1' theory lennard-jones --gap -1
 expect 2 'pulloff: theory takes no more*' theory jkr more
 finish

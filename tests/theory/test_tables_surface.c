@@ -104,7 +104,7 @@ START_TEST(rigid_pull_off_is_the_table) {
     table_compare(&t, row, "force", d.force, RIGID_ACCURACY);
     table_compare(&t, row, "approach", d.approach, 1e-8);
   }
-  table_close(&t, "pull-off of the solver's rigid limit", 154, 2);
+  table_close(&t, "pull-off of the solver's rigid limit", 153, 2);
 }
 END_TEST
 

@@ -124,7 +124,7 @@ START_TEST(rigid_pull_off_is_the_table) {
     table_compare(&t, row, "force", got.force, RIGID_ACCURACY * table_number(&t, row, "force"));
     table_compare(&t, row, "approach", got.approach, RIGID_ACCURACY);
   }
-  table_close(&t, "pull-off of Eq 22", 154, 2);
+  table_close(&t, "pull-off of Eq 22", 153, 2);
 }
 END_TEST
 

@@ -1,0 +1,144 @@
+#include "po_forms.h"
+
+#include <string.h>
+
+#include "po_bradley.h"
+#include "po_estimates.h"
+#include "po_guduru.h"
+#include "po_law.h"
+#include "po_wavy_rigid.h"
+
+static void put(po_form_values *values, po_form_unit unit, const char *name, double value) {
+  values->items[values->count++] = (po_form_value){name, unit, value};
+}
+
+static void put_contact(po_form_values *v, const char *const names[3], po_contact c) {
+  put(v, PO_FORM_FORCE, names[0], c.load);
+  put(v, PO_FORM_LENGTH, names[1], c.approach);
+  put(v, PO_FORM_LENGTH, names[2], c.contact_radius);
+}
+
+static const char *const HERE[] = {"load", "approach", "contact_radius"};
+static const char *const LAST[] = {"last_load", "last_approach", "last_contact_radius"};
+static const char *const LOWER[] = {"lower_load", "lower_approach", "lower_contact_radius"};
+static const char *const UPPER[] = {"upper_load", "upper_approach", "upper_contact_radius"};
+
+static void put_pull_off(po_form_values *v, double force, double approach) {
+  put(v, PO_FORM_FORCE, "pull_off_force", force);
+  put(v, PO_FORM_LENGTH, "pull_off_approach", approach);
+}
+
+static void put_pull_off_contact(po_form_values *v, po_contact c) {
+  put_pull_off(v, -c.load, c.approach);
+  put(v, PO_FORM_LENGTH, "pull_off_contact_radius", c.contact_radius);
+}
+
+static void bradley(const po_form_input *in, po_form_values *v) {
+  (void)in;
+  put_pull_off(v, 2.0, 0.0);
+}
+
+static void bradley_along(const po_form_input *in, po_form_values *v) {
+  put(v, PO_FORM_FORCE, "load", po_bradley_load(in->at));
+}
+
+static void rigid(const po_form_input *in, po_form_values *v) {
+  const po_rigid_pull_off p = po_wavy_rigid_pull_off(in->scene.amplitude, in->alpha);
+  put_pull_off(v, p.force, p.approach);
+}
+
+static void rigid_along(const po_form_input *in, po_form_values *v) {
+  put(v, PO_FORM_FORCE, "load", po_wavy_rigid_load(in->scene.amplitude, in->alpha, in->at));
+}
+
+static void jkr(const po_form_input *in, po_form_values *v) {
+  put_pull_off_contact(v, po_jkr_pull_off(&in->scene));
+  put_contact(v, LAST, po_jkr_last(&in->scene));
+}
+
+static void jkr_along(const po_form_input *in, po_form_values *v) {
+  put_contact(v, HERE, po_jkr_at(&in->scene, in->at));
+}
+
+static void guduru(const po_form_input *in, po_form_values *v) {
+  put_pull_off_contact(v, po_guduru_pull_off(&in->scene));
+}
+
+static void guduru_along(const po_form_input *in, po_form_values *v) {
+  put_contact(v, HERE, po_guduru_at(&in->scene, in->at));
+}
+
+static void kesari_lew(const po_form_input *in, po_form_values *v) {
+  put(v, PO_FORM_PURE, "johnson_parameter", po_johnson_parameter(&in->scene));
+  put(v, PO_FORM_WORK, "effective_work", po_kesari_lew_work(&in->scene));
+  put(v, PO_FORM_FORCE, "pull_off_force", 1.5 * po_kesari_lew_work(&in->scene));
+}
+
+static void kesari_lew_along(const po_form_input *in, po_form_values *v) {
+  put_contact(v, LOWER, po_kesari_lew_edge(&in->scene, in->at, -1));
+  put_contact(v, UPPER, po_kesari_lew_edge(&in->scene, in->at, 1));
+}
+
+static void persson_tosatti(const po_form_input *in, po_form_values *v) {
+  put(v, PO_FORM_PURE, "johnson_parameter", po_johnson_parameter(&in->scene));
+  put(v, PO_FORM_PURE, "area_ratio", po_persson_tosatti_area(&in->scene));
+  put(v, PO_FORM_PURE, "area_ratio_printed", po_persson_tosatti_area_printed(&in->scene));
+  put(v, PO_FORM_WORK, "effective_work", po_persson_tosatti_work(&in->scene));
+  put(v, PO_FORM_WORK, "effective_work_with_area", po_persson_tosatti_work_with_area(&in->scene));
+}
+
+static void rumpf_rabinowicz(const po_form_input *in, po_form_values *v) {
+  put(v, PO_FORM_PURE, "part_of_bradley", po_rumpf_rabinowicz_ratio(in->alpha, in->scene.radius));
+  put(v, PO_FORM_FORCE, "pull_off_force", po_rumpf_rabinowicz_force(in->alpha, in->scene.radius));
+}
+
+static void compactness(const po_form_input *in, po_form_values *v) {
+  put(v, PO_FORM_PURE, "bound", po_compactness_bound());
+  put(v, PO_FORM_PURE, "wavelength2_over_amplitude_radius", 1.0 / in->alpha);
+  put(v, PO_FORM_LENGTH, "critical_radius", po_compactness_radius(&in->scene));
+}
+
+static void crest(const po_form_input *in, po_form_values *v) {
+  put(v, PO_FORM_LENGTH, "crest_radius", po_crest_radius(&in->scene));
+  put(v, PO_FORM_LENGTH, "composite_radius", po_crest_composite_radius(&in->scene));
+  put(v, PO_FORM_FORCE, "pull_off_force", po_crest_force(in->alpha));
+}
+
+static void lennard_jones(const po_form_input *in, po_form_values *v) {
+  (void)in;
+  put(v, PO_FORM_TENSION, "peak_tension", po_lennard_jones_peak_tension());
+  put(v, PO_FORM_LENGTH, "peak_distance", po_lennard_jones_peak_distance());
+}
+
+static void lennard_jones_along(const po_form_input *in, po_form_values *v) {
+  put(v, PO_FORM_TENSION, "traction", po_law_at(in->at).traction);
+}
+
+static const po_form FORMS[] = {
+    {"bradley", bradley, bradley_along, PO_FORM_AT_APPROACH, 0},
+    {"rigid", rigid, rigid_along, PO_FORM_AT_APPROACH, PO_NEEDS_ALPHA | PO_NEEDS_AMPLITUDE},
+    {"jkr", jkr, jkr_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_ELASTIC},
+    {"guduru", guduru, guduru_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_WAVES | PO_NEEDS_ELASTIC},
+    {"kesari-lew", kesari_lew, kesari_lew_along, PO_FORM_AT_CONTACT_RADIUS,
+     PO_NEEDS_WAVES | PO_NEEDS_ELASTIC},
+    {"persson-tosatti", persson_tosatti, NULL, PO_FORM_AT_NOTHING,
+     PO_NEEDS_WAVES | PO_NEEDS_ELASTIC},
+    {"rumpf-rabinowicz", rumpf_rabinowicz, NULL, PO_FORM_AT_NOTHING, PO_NEEDS_ALPHA},
+    {"compactness", compactness, NULL, PO_FORM_AT_NOTHING, PO_NEEDS_WAVES},
+    {"crest", crest, NULL, PO_FORM_AT_NOTHING, PO_NEEDS_WAVES},
+    {"lennard-jones", lennard_jones, lennard_jones_along, PO_FORM_AT_GAP, 0}};
+
+const char *const PO_FORM_NAMES = "bradley, rigid, jkr, guduru, kesari-lew, persson-tosatti, "
+                                  "rumpf-rabinowicz, compactness, crest or lennard-jones";
+
+const po_form *po_form_find(const char *name) {
+  for (size_t i = 0; i < sizeof FORMS / sizeof *FORMS; ++i)
+    if (strcmp(name, FORMS[i].name) == 0)
+      return &FORMS[i];
+  return NULL;
+}
+
+const char *po_form_variable_name(po_form_variable variable) {
+  static const char *const NAMES[] = {"", "approach", "contact_radius", "gap"};
+  return NAMES[variable];
+}

@@ -1,0 +1,95 @@
+#!/bin/sh
+# Sweeps by their ends, groups of keys, references of another scene, and closed forms along a sweep.
+# shellcheck disable=SC1091,SC2034,SC2154
+. "$(dirname "$0")/lib.sh"
+. "$here/data.sh"
+file=$PULLOFF_DATA/cases/good.yaml
+
+# column FILE NAME ROW: a cell of a table, rows from 1.
+column() {
+  grep -v '^#' "$1" | awk -F, -v name="$2" -v row="$3" \
+    'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) c = i } NR == row + 1 { print $c }'
+}
+
+# same WHAT A B TOLERANCE: two numbers agree, relatively.
+same() {
+  check "$1: $2 and $3" awk -v a="$2" -v b="$3" -v t="$4" \
+    'BEGIN { d = a - b; exit !(a != "" && b != "" && (d < 0 ? -d : d) <= t * (b < 0 ? -b : b)) }'
+}
+
+# from_theory KEY ARGUMENT...: a number as `pulloff theory` prints it.
+from_theory() {
+  key=$1
+  shift
+  "$program" theory "$@" --json | sed -n "s/^ *\"$key\": \\([^,]*\\),*/\\1/p"
+}
+
+restore
+write_table "$PULLOFF_DATA/reference/table.csv" alpha,amplitude,tabor,force,approach \
+  0.25,1,0,0.74105588164102001,0.0918 4,2.385,0,0.30543829,0.03
+cat >"$file" <<'CASE'
+name: good
+title: Groups and lines
+suites: [smoke]
+scene: {radius: 61.3, outer_radius: inf, scheme: panel, tolerance: 1e-6, tabor: 1e-4}
+sweep:
+  - {key: alpha, values: [0.25, 4]}
+  - {key: amplitude, values: [1]}
+want: [pull_off]
+lines:
+  - name: rigid
+    theory: rigid
+    sweep:
+      - {key: alpha, from: 0.01, to: 100, count: 5, scale: log}
+      - {key: amplitude, values: [1, 2.385]}
+  - name: curve
+    theory: guduru
+    sweep:
+      - {key: tabor, values: [2.385]}
+      - {key: wavelength, values: [11]}
+      - {key: amplitude_ratio, values: [0.063]}
+      - {key: contact_radius, from: 0, to: 40, count: 41}
+checks:
+  - quantity: pull_off_force
+    reference: reference/table.csv
+    as_if: [{key: tabor, values: [0]}]
+    tolerance: 1e-5
+    kind: rel
+    because: the surface yields a little
+    when: [{key: alpha, values: [0.25]}]
+CASE
+expect 0 '*good: 2 points, 1 checks: within' run --output out
+record=out/good/record.json
+rigid=out/good/line-rigid.csv
+curve=out/good/line-curve.csv
+check 'the record names both' grep -q line-curve.csv "$record"
+check 'ten rows' test "$(grep -vc '^#' "$rigid")" -eq 11
+check 'forty-one rows' test "$(grep -vc '^#' "$curve")" -eq 42
+same 'alpha of a decade' "$(column "$rigid" alpha 5)" 1 1e-15
+same 'rigid' "$(column "$rigid" pull_off_force 6)" "$(from_theory pull_off_force rigid --alpha 1 --amplitude 2.385)" 1e-14
+same 'guduru' "$(column "$curve" load 18)" "$(from_theory load guduru --tabor 2.385 --wavelength 11 \
+  --amplitude 0.693 --radius 61.3 --contact-radius 17)" 1e-13
+# alpha = A R/lambda^2 = 4
+same 'wavelength of a group' "$(awk '/"wavelength"/ { gsub(/[",]/, ""); l = $2 } END { print l * l }' "$record")" \
+  "$(awk 'BEGIN { print 61.3 / 4 }')" 1e-5
+
+# bad SED-SCRIPT MESSAGE
+cp "$file" kept.yaml
+bad() {
+  sed "$1" kept.yaml >"$file"
+  expect 2 "pulloff: cases/good.yaml:$2" run --output none
+}
+bad 's/from: 0.01/from: 0/' '*: lines[[]1[]].sweep[[]1[]].from is 0: expected a finite number > 0, as the scale is log'
+bad 's/to: 100/to: 0.001/' '*: lines[[]1[]].sweep[[]1[]].to is 0.001: expected a finite number > from'
+bad 's/count: 5/count: 1/' '*: lines[[]1[]].sweep[[]1[]].count is 1: expected a whole number from 2 to 10000'
+bad 's/scale: log/scale: round/' '*: lines[[]1[]].sweep[[]1[]].scale is round: expected linear or log'
+bad 's/count: 41/count: 41, values: [1]/' '*values*: expected nothing beside from, to and count'
+bad 's/theory: rigid/theory: alchemy/' '*: lines[[]1[]].theory is alchemy: expected bradley, *'
+bad 's/name: curve/name: rigid/' '*: lines[[]2[]].name is rigid: expected each name once'
+bad 's/key: contact_radius/key: approach/' '*: lines[[]2[]].sweep[[]4[]].key is approach: expected tabor, *'
+bad 's/key: amplitude, values: .1, 2.*/key: radius, values: [1]}/' '*: lines[[]1[]].theory is rigid: expected an amplitude > 0'
+bad 's/key: amplitude, values: .1\]/key: amplitude_ratio, values: [1]/' '*: sweep[[]2[]].key is amplitude_ratio: expected one of alpha *'
+bad 's/key: amplitude, values: .1\]/key: wavelength, values: [1]/' '*: sweep[[]2[]].key is wavelength: expected each key swept once'
+bad 's/as_if: .*/as_if: [{key: tabor, values: [0, 1]}]/' '*: checks[[]1[]].as_if[[]1[]].values is a list: expected one value'
+bad 's/as_if: .*/as_if: [{key: colour, values: [0]}]/' '*: checks[[]1[]].as_if[[]1[]].key is colour: expected a key of the scene'
+finish
