@@ -154,3 +154,15 @@ po_status po_adaptive_mesh(po_adaptive *a, const po_leaves *leaves) {
   a->spare = matrix;
   return PO_OK;
 }
+
+/* Lengths go with the root: nodes and the influence as the root, weights as its square. */
+void po_adaptive_resize(po_adaptive *a, double root) {
+  const double factor = root / a->root;
+  if (factor == 1.0)
+    return;
+  po_surface *s = &a->surface;
+  a->root = s->core_radius = root;
+  place_nodes(a);
+  for (size_t j = 0; j < s->n * s->n; ++j)
+    s->influence[j] *= factor;
+}

@@ -28,4 +28,7 @@ size_t po_adaptive_capacity(const po_adaptive *adaptive);
  * then. */
 po_status po_adaptive_mesh(po_adaptive *adaptive, const po_leaves *leaves);
 
+/* Gives the root another radius; the leaves in force stay. */
+void po_adaptive_resize(po_adaptive *adaptive, double root);
+
 #endif

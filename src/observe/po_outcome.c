@@ -7,6 +7,7 @@
 #include "po_adaptive.h"
 #include "po_clock.h"
 #include "po_linear.h"
+#include "po_observe_parts.h"
 #include "po_reader.h"
 #include "po_rigid.h"
 #include "po_shape.h"
@@ -63,10 +64,13 @@ static po_branch_options options_of(const po_request *request, po_reader *reader
   return options;
 }
 
-/* What panels may leave, for a tolerance. */
-static po_allowance allowance_of(double tolerance) {
+po_allowance po_observe_allowance(double tolerance) {
   return (po_allowance){fmin(COARSEST_ERROR, ERROR_OF_TOLERANCE * sqrt(tolerance)),
                         fmin(COARSEST_ERROR, LOAD_OF_TOLERANCE * tolerance)};
+}
+
+double po_observe_precision(double tolerance) {
+  return fmax(FINEST_PRECISION, fmin(COARSEST_PRECISION, PRECISION_OF_TOLERANCE * tolerance));
 }
 
 static po_status trace_elastic(const po_request *request, double tolerance, po_reader *reader,
@@ -78,11 +82,10 @@ static po_status trace_elastic(const po_request *request, double tolerance, po_r
   if (!status) {
     const po_branch_options options = options_of(request, reader);
     if (panels)
-      e->precision = fmax(FINEST_PRECISION, fmin(COARSEST_PRECISION,
-                                                 PRECISION_OF_TOLERANCE * request->mesh.tolerance));
+      e->precision = po_observe_precision(request->mesh.tolerance);
     reader->begin = request->approach_start;
     reader->begun = isnan(request->approach_start);
-    status = panels ? po_track_trace(e, panels, allowance_of(tolerance), &options)
+    status = panels ? po_track_trace(e, panels, po_observe_allowance(tolerance), &options)
                     : po_branch_trace(e, &options);
     o->work.points = e->work.points;
     o->work.newton_iterations = e->work.newton_iterations;
@@ -106,6 +109,12 @@ static po_status trace_rigid(const po_request *request, po_reader *reader) {
   return po_rigid_trace(&request->scene, begin, &options);
 }
 
+double po_observe_root(const po_scene *scene, double core) {
+  return isfinite(scene->outer_radius)
+             ? core
+             : po_averaging_radius(scene, po_averaging_phase(scene, core));
+}
+
 /* The surface of a request: a mesh that stays, or panels; nodes only (for a profile) when rigid. */
 static po_status make_surface(const po_request *request, bool rigid, double core,
                               po_surface **fixed, po_adaptive **panels) {
@@ -116,9 +125,7 @@ static po_status make_surface(const po_request *request, bool rigid, double core
       mesh = po_mesh_fixed();
     return po_surface_create(scene, &mesh, core, !rigid, fixed);
   }
-  const double root = isfinite(scene->outer_radius)
-                          ? core
-                          : po_averaging_radius(scene, po_averaging_phase(scene, core));
+  const double root = po_observe_root(scene, core);
   const double waves = po_scene_is_wavy(scene) ? root / scene->wavelength : 0.0;
   return po_adaptive_create(scene, root, (uint32_t)ceil(log2(fmin(fmax(waves, 4.0), 64.0))),
                             panels);
@@ -126,10 +133,13 @@ static po_status make_surface(const po_request *request, bool rigid, double core
 
 /* One trace on a surface with the given core, to the given tolerance. */
 static po_status trace(const po_request *request, bool rigid, double core, double tolerance,
-                       double deadline, po_outcome *outcome) {
+                       double deadline, const po_keeper *keeper, po_outcome *outcome) {
   po_surface *fixed = NULL;
   po_adaptive *panels = NULL;
-  po_reader reader = {.request = request, .outcome = outcome, .deadline = deadline};
+  po_reader reader = {
+      .request = request, .outcome = outcome, .keeper = keeper, .deadline = deadline};
+  if (keeper)
+    keeper->begin(keeper->data, tolerance);
   po_status status = PO_OK;
   if (!rigid || (request->want & PO_WANT_PROFILE))
     status = make_surface(request, rigid, core, &fixed, &panels);
@@ -172,7 +182,7 @@ static double excess_error(const po_request *request, const po_outcome *outcome)
              : 0.0;
 }
 
-static po_status observe(const po_request *request, po_outcome *outcome) {
+static po_status observe(const po_request *request, const po_keeper *keeper, po_outcome *outcome) {
   po_status status = po_request_check(request);
   if (status)
     return status;
@@ -185,7 +195,7 @@ static po_status observe(const po_request *request, po_outcome *outcome) {
   po_work work = {0};
   for (int meshes = 0, traces = 1; meshes < MOST_MESHES; ++traces) {
     clear(outcome);
-    status = trace(request, rigid, core, tolerance, deadline, outcome);
+    status = trace(request, rigid, core, tolerance, deadline, keeper, outcome);
     add_work(&outcome->work, &work);
     const double excess = status || rigid ? 0.0 : excess_error(request, outcome);
     if (status == PO_OUT_OF_DOMAIN) {
@@ -202,12 +212,16 @@ static po_status observe(const po_request *request, po_outcome *outcome) {
 }
 
 po_status po_observe(const po_request *request, po_outcome *outcome) {
+  return po_observe_kept(request, NULL, outcome);
+}
+
+po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po_outcome *outcome) {
   *outcome = (po_outcome){.status = PO_OK};
   clear(outcome);
   const double begin = po_clock_wall();
   po_linear_single_thread();
   po_message_clear();
-  outcome->status = observe(request, outcome);
+  outcome->status = observe(request, keeper, outcome);
   if (outcome->status)
     snprintf(outcome->reason, sizeof outcome->reason, "%s",
              *po_message() ? po_message() : po_status_text(outcome->status));

@@ -82,6 +82,7 @@ typedef struct {
   po_status status;  /* PO_OK: complete; else what is below is what was had until then */
   char reason[256];  /* why the status is not PO_OK; "" otherwise */
   bool rigid;        /* solved without elasticity */
+  bool followed;     /* the pull-off alone, continued from other scenes, see po_line.h */
   double start, end; /* first and last approach traced, in eps */
   bool has_pull_off; /* whether the fields of pull_off are set */
   struct {

@@ -8,10 +8,11 @@
 #include "po_contact.h"
 #include "po_law.h"
 #include "po_memory.h"
+#include "po_observe_parts.h"
 #include "po_shape.h"
 
 /* A contact that comes this close to the end of the meshed surface is cut off by it. */
-static const double GREATEST_CONTACT = 0.9;
+const double PO_GREATEST_CONTACT = 0.9;
 
 /* The trace of a wavy sphere ends when it is pressed, stably, by more than the pull-off force and
  * this many units of the load: as a test that pulls no harder than it pressed. */
@@ -77,10 +78,12 @@ static po_landmark_kind kind_of(po_point_kind kind) {
   }
 }
 
-/* An estimated error, and what an estimate cannot resolve. */
+double po_reader_error(const po_request *request, double estimate, double value) {
+  return estimate + UNSEEN * request->mesh.tolerance * (1.0 + fabs(value));
+}
+
 static double error_of(const po_reader *r, double estimate, double value) {
-  return r->outcome->rigid ? estimate
-                           : estimate + UNSEEN * r->request->mesh.tolerance * (1.0 + fabs(value));
+  return r->outcome->rigid ? estimate : po_reader_error(r->request, estimate, value);
 }
 
 static void add_landmark(po_reader *r, const po_branch_point *p, double contact_radius) {
@@ -205,9 +208,12 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
     keep_profile(r, p);
   if (p->kind != PO_POINT_STEP && p->kind != PO_POINT_STATION)
     add_landmark(r, p, contact_radius);
-  if (p->kind == PO_POINT_LOAD_MIN)
+  if (p->kind == PO_POINT_LOAD_MIN) {
     note_minimum(r, p, contact_radius);
-  if (!r->status && p->gap && contact_radius > GREATEST_CONTACT * r->surface->core_radius) {
+    if (r->keeper && !r->keeper->minimum(r->keeper->data, p))
+      r->status = PO_NO_MEMORY;
+  }
+  if (!r->status && p->gap && contact_radius > PO_GREATEST_CONTACT * r->surface->core_radius) {
     if (isinf(r->request->scene.outer_radius))
       r->status = po_fail(PO_OUT_OF_DOMAIN,
                           "the contact radius %.6g reached the end of the meshed surface, %.6g, at "

@@ -5,11 +5,19 @@
 #include "po_branch.h"
 #include "po_outcome.h"
 
+/* Who keeps the minima of the load, for more than the outcome says of them. */
+typedef struct {
+  void (*begin)(void *data, double tolerance); /* a trace begins, forget those of others */
+  bool (*minimum)(void *data, const po_branch_point *point); /* false: no memory */
+  void *data;
+} po_keeper;
+
 typedef struct {
   const po_request *request;
   const po_surface *surface; /* nodes only when rigid */
   po_outcome *outcome;
-  double begin; /* points at a smaller approach are not recorded before it is reached */
+  const po_keeper *keeper; /* NULL: none */
+  double begin;            /* points at a smaller approach are not recorded before it is reached */
   bool begun;
   double pull_off_load; /* the deepest minimum so far */
   double wave_minimum;  /* of the load in the wave the contact's edge passed last */
@@ -25,5 +33,8 @@ typedef struct {
 /* A po_branch_visit; data is the reader. Ends the trace when stopped, past the deadline, out of
  * memory, at trouble, or (without an approach_end) once it was pressed enough. */
 bool po_reader_visit(const po_branch_point *point, void *data);
+
+/* A bound of an error from its estimate and from what an estimate cannot resolve. */
+double po_reader_error(const po_request *request, double estimate, double value);
 
 #endif

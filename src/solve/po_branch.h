@@ -36,6 +36,7 @@ typedef struct {
   size_t n;           /* nodes of the core */
   const double *node; /* n: their radii, eps, ascending; NULL when rigid */
   const double *gap;  /* n: H there */
+  const struct po_track_point *track; /* all of it, on panels; else NULL */
 } po_branch_point;
 
 /* Told every point in order along the branch; true ends the trace. */

@@ -18,6 +18,9 @@ static const double NEGLECT = 5e-3;
 
 void po_equilibrium_remesh(po_equilibrium *e) {
   const po_surface *s = e->surface;
+  e->radius = e->scene->radius;
+  e->amplitude = e->scene->amplitude;
+  e->coupling = e->scene->tabor * sqrt(e->scene->tabor / e->scene->radius);
   e->n = s->n;
   e->factorized = false;
   for (size_t j = 0; j < e->n; ++j) {
@@ -38,9 +41,6 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
     return PO_NO_MEMORY;
   e->scene = scene;
   e->surface = surface;
-  e->radius = scene->radius;
-  e->amplitude = scene->amplitude;
-  e->coupling = scene->tabor * sqrt(scene->tabor / scene->radius);
   e->neglect = NEGLECT;
   e->precision = CONVERGED;
   double **const vectors[] = {&e->shape,  &e->reach, &e->traction, &e->slope,  &e->deflection,

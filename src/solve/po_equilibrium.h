@@ -57,7 +57,8 @@ typedef struct {
 po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface, size_t capacity,
                                 po_equilibrium **equilibrium);
 
-/* Takes note that the surface was meshed anew: nothing of the mesh before is kept. */
+/* Takes note that the surface was meshed anew, or that the scene changed: nothing of the mesh
+ * before is kept. */
 void po_equilibrium_remesh(po_equilibrium *e);
 void po_equilibrium_destroy(po_equilibrium *equilibrium);
 

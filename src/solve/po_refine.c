@@ -11,6 +11,13 @@ static const double CONTRIBUTES = 0.01;
 
 /* The rate whose root is the landmark is found to this part of its slope. */
 static const double LOCATED = 1e-9;
+/* Or the secant has no more to say: its next step is this part of the last. */
+static const double SMALL_STEP = 1e-3;
+/* Along the gauge, when the slope is to be found: narrow minima of the load are a hundred times as
+ * wide. */
+static const double TRIAL_STEP = 1e-5;
+/* Errors of landmarks: times the change on a finer mesh; and times the precision of Newton. */
+static const double SAFETY = 3.0, FLOOR = 10.0;
 
 /* The leaves of p, those halved that contribute to its error. */
 static bool finer_leaves(const po_resolution *r, const po_track_point *p, po_leaves *leaves) {
@@ -45,8 +52,36 @@ static void values_at_root(const po_sample *a, const po_sample *b, po_event_kind
     value[q] = po_hermite_value(a->value[q], a->rate[q], b->value[q], b->rate[q], x, h);
 }
 
-po_status po_refine(po_corrector *c, const po_resolution *resolution, const po_track_point *p,
-                    const po_event *event, double cosine, po_track_point *spare, double change[2]) {
+po_status po_refine_locate(po_corrector *c, const po_track_point *from, po_event_kind of,
+                           double *slope, po_track_point *out, double value[2]) {
+  double at = 0.0;
+  po_sample last = {.at = NAN}, s;
+  for (int k = 0; k < MOST_SOLVES; ++k) {
+    const po_status status = po_corrector_solve(c, from, at, k > 0, c->e->precision, out);
+    if (status)
+      return status;
+    s = po_track_sample(from, out);
+    for (int q = 0; q < 2; ++q)
+      value[q] = s.value[q];
+    if (k > 0) {
+      *slope = (s.rate[of] - last.rate[of]) / (s.at - last.at);
+      values_at_root(&last, &s, of, value);
+    }
+    const double step = isnan(*slope) ? TRIAL_STEP : -s.rate[of] / *slope;
+    if (!isfinite(step))
+      return PO_NOT_CONVERGED;
+    if (fabs(step) < LOCATED || (k > 0 && fabs(step) < SMALL_STEP * fabs(s.at - last.at)))
+      return PO_OK;
+    at = s.at + step;
+    last = s;
+    for (size_t j = 0; j <= out->n; ++j)
+      c->guess[j] = out->state[j] + step / po_gauge_along(from->rate, out->rate) * out->tangent[j];
+  }
+  return PO_NOT_CONVERGED;
+}
+
+po_status po_refine_finer(po_corrector *c, const po_resolution *resolution, const po_track_point *p,
+                          po_event_kind of, double slope, po_track_point *spare, double change[2]) {
   po_leaves leaves;
   if (!finer_leaves(resolution, p, &leaves))
     return po_fail(PO_OUT_OF_NODES, "no room for a finer mesh");
@@ -54,33 +89,20 @@ po_status po_refine(po_corrector *c, const po_resolution *resolution, const po_t
   if (status)
     return status;
   po_corrector_guess(c, p);
-  const po_event_kind of = event->of;
-  double at = 0.0, slope = slope_at(event, cosine), value[2] = {NAN, NAN};
-  po_sample last = {.at = NAN}, s;
-  for (int k = 0; k < MOST_SOLVES; ++k) {
-    status = po_corrector_solve(c, p, at, k > 0, c->e->precision, spare);
-    if (status)
-      return status;
-    s = po_track_sample(p, spare);
-    for (int q = 0; q < 2; ++q)
-      value[q] = s.value[q];
-    if (k > 0) {
-      slope = (s.rate[of] - last.rate[of]) / (s.at - last.at);
-      values_at_root(&last, &s, of, value);
-    }
-    const double step = -s.rate[of] / slope;
-    if (!isfinite(step))
-      return PO_NOT_CONVERGED;
-    if (fabs(step) < LOCATED || (k > 0 && fabs(step) < 1e-3 * fabs(s.at - last.at)))
-      break;
-    at = s.at + step;
-    last = s;
-    for (size_t j = 0; j <= spare->n; ++j)
-      c->guess[j] =
-          spare->state[j] + step / po_gauge_along(p->rate, spare->rate) * spare->tangent[j];
-    status = k + 1 == MOST_SOLVES ? PO_NOT_CONVERGED : PO_OK;
-  }
+  double value[2];
+  status = po_refine_locate(c, p, of, &slope, spare, value);
+  if (status)
+    return status;
   change[0] = value[0] - p->state[p->n];
   change[1] = value[1] - p->load;
-  return status;
+  return PO_OK;
+}
+
+po_status po_refine(po_corrector *c, const po_resolution *resolution, const po_track_point *p,
+                    const po_event *event, double cosine, po_track_point *spare, double change[2]) {
+  return po_refine_finer(c, resolution, p, event->of, slope_at(event, cosine), spare, change);
+}
+
+double po_refine_error(const po_corrector *c, double change, double value) {
+  return SAFETY * fabs(change) + FLOOR * c->e->precision * (1.0 + fabs(value));
 }

@@ -29,8 +29,6 @@ static const double LEAST_COSINE = 0.7;
 /* Meshes are made for this part of the allowed error, and serve while it is not exceeded: the
  * fronts may move a little on them. */
 static const double MESH_MARGIN = 0.2;
-/* Errors of landmarks: times the change on a finer mesh; and times the precision of Newton. */
-static const double SAFETY = 3.0, FLOOR = 10.0;
 static const double FIRST_STEP = 0.05, SHORTEST_STEP = 1e-9;
 
 typedef struct {
@@ -130,7 +128,8 @@ static po_branch_point seen_point(const tracker *t, const po_track_point *p, po_
                            .unstable_modes = t->unstable_modes,
                            .n = p->leaves.count * ORDER,
                            .node = p->node,
-                           .gap = p->state};
+                           .gap = p->state,
+                           .track = p};
 }
 
 static void visit(tracker *t, const po_track_point *p, po_point_kind kind) {
@@ -159,9 +158,8 @@ static void visit_landmark(tracker *t, const po_event *ev) {
   double change[2];
   if (is_judged(t, &point) &&
       po_refine(&t->c, &t->resolution, p, ev, cosine, &t->spare, change) == PO_OK) {
-    const double floor = FLOOR * t->c.e->precision;
-    point.approach_error = SAFETY * fabs(change[0]) + floor * (1.0 + fabs(point.approach));
-    point.load_error = SAFETY * fabs(change[1]) + floor * (1.0 + fabs(point.load));
+    point.approach_error = po_refine_error(&t->c, change[0], point.approach);
+    point.load_error = po_refine_error(&t->c, change[1], point.load);
   }
   t->c.trouble = PO_OK; /* a mesh too fine for the estimate is no trouble for the trace */
   if (t->options->visit(&point, t->options->data))

@@ -8,7 +8,7 @@
 #include "po_gauge.h"
 #include "po_landmark.h"
 
-typedef struct {
+typedef struct po_track_point {
   po_leaves leaves, wanted; /* the mesh it was solved on, and the one that just resolves it */
   size_t n;
   double *state, *tangent;     /* n + 1 */

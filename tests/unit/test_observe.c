@@ -55,6 +55,24 @@ START_TEST(pull_off_is_behind_when_the_trace_ends) {
 }
 END_TEST
 
+/* The first minimum of the third wave is compressive, and yet, once the trough behind it has
+ * closed, that wave pulls off last: a trace that ends there gives 6.0523 of the second. */
+START_TEST(a_closed_trough_pulls_deeper) {
+  po_request request = request_of(4.1, 4.0, 20.0, 100.0);
+  request.mesh.scheme = PO_PANEL;
+  request.mesh.tolerance = 1e-4;
+  po_outcome near, far;
+  ck_assert_int_eq(po_observe(&request, &near), PO_OK);
+  request.approach_end = 40.0;
+  ck_assert_int_eq(po_observe(&request, &far), PO_OK);
+  ck_assert_double_gt(far.pull_off.force, 6.8);
+  ck_assert_double_eq_tol(near.pull_off.force, far.pull_off.force, 1e-9);
+  ck_assert_double_eq_tol(near.pull_off.contact_radius, 57.0, 0.1);
+  po_outcome_clear(&near);
+  po_outcome_clear(&far);
+}
+END_TEST
+
 START_TEST(curve_holds_its_landmarks_in_order) {
   po_request request = request_of(3.0, 1.0, 20.0, 100.0);
   request.want = PO_WANT_CURVE;
@@ -219,6 +237,7 @@ END_TEST
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, smooth_sphere_against_another_code, 0, 3);
   tcase_add_loop_test(tests, pull_off_is_behind_when_the_trace_ends, 0, 6);
+  tcase_add_test(tests, a_closed_trough_pulls_deeper);
   tcase_add_test(tests, curve_holds_its_landmarks_in_order);
   tcase_add_test(tests, profile_is_an_equilibrium);
   tcase_add_test(tests, rigid_scene_is_solved_without_a_surface);

@@ -1,0 +1,311 @@
+#include "po_line.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "po_clock.h"
+#include "po_contact.h"
+#include "po_follow.h"
+#include "po_line_anchor.h"
+#include "po_memory.h"
+#include "po_observe_parts.h"
+
+/* A minimum that was followed and one that was traced are the same when their loads differ by no
+ * more than this many tolerances, and their approaches by this part. */
+static const double SAME_LOAD = 10.0, SAME_APPROACH = 1e-2;
+
+/* A line on its way. The parameter of a scene is its number on the line. */
+typedef struct {
+  const po_request *requests;
+  po_outcome *outcomes;
+  size_t count;
+} line;
+
+/* The stretch between two anchors. */
+typedef struct {
+  const line *l;
+  po_line_anchor *from, *to;
+  po_follower *follower;
+  size_t inside; /* scenes between */
+  double *load;  /* a row of inside + 2 for each minimum followed: its load, NAN: not there */
+  double *lost;  /* one a row: its load where it ended on the way; NAN: it did not */
+  size_t rows;
+  bool *arrived; /* one a minimum of `to`: followed there from `from` */
+  po_solve_work before;
+  uint64_t kernel_before;
+} stretch;
+
+/* Between two values, evenly in the logarithm where that can be. */
+static double between(double a, double b, double part) {
+  if (a == b || isinf(a))
+    return a;
+  return a > 0.0 && b > 0.0 ? a * pow(b / a, part) : a + part * (b - a);
+}
+
+static void scene_at(void *data, double at, po_scene *scene) {
+  const line *l = data;
+  const size_t k = (size_t)fmin(floor(at), (double)(l->count - 1));
+  const double part = at - (double)k;
+  *scene = l->requests[k].scene;
+  if (part == 0.0)
+    return;
+  const po_scene *a = &l->requests[k].scene, *b = &l->requests[k + 1].scene;
+  scene->tabor = between(a->tabor, b->tabor, part);
+  scene->amplitude = between(a->amplitude, b->amplitude, part);
+  scene->wavelength = between(a->wavelength, b->wavelength, part);
+  scene->radius = between(a->radius, b->radius, part);
+  scene->outer_radius = between(a->outer_radius, b->outer_radius, part);
+}
+
+static double root_of(const po_scene *scene) {
+  return po_observe_root(scene, po_surface_core(scene, NAN));
+}
+
+/* Whether nothing but numbers of the scene differ, and only the pull-off is wanted. */
+static bool are_alike(const po_request *a, const po_request *b) {
+  return a->mesh.scheme == PO_PANEL && b->mesh.scheme == PO_PANEL && !a->want && !b->want &&
+         a->mesh.tolerance == b->mesh.tolerance && isnan(a->approach_end) &&
+         isnan(b->approach_end) && po_scene_is_wavy(&a->scene) == po_scene_is_wavy(&b->scene) &&
+         isinf(a->scene.outer_radius) == isinf(b->scene.outer_radius);
+}
+
+static bool may_follow(const stretch *s) {
+  if (!s->from->usable || !s->to->usable)
+    return false;
+  for (size_t k = s->from->index; k < s->to->index; ++k)
+    if (!are_alike(&s->l->requests[k], &s->l->requests[k + 1]))
+      return false;
+  return true;
+}
+
+static double *load_of(const stretch *s, size_t row, size_t index) {
+  return &s->load[row * (s->inside + 2) + index - s->from->index];
+}
+
+/* The deepest of what was followed to a scene, and traced there. */
+static double deepest_at(const stretch *s, size_t index) {
+  double deepest = INFINITY;
+  for (size_t row = 0; row < s->rows; ++row)
+    deepest = fmin(deepest, *load_of(s, row, index)); /* fmin passes over NAN */
+  return deepest;
+}
+
+static double sameness(const stretch *s, double load) {
+  return SAME_LOAD * s->l->requests[s->from->index].mesh.tolerance * fabs(load);
+}
+
+/* What the follower did since it was last asked. */
+static void add_work(stretch *s, double seconds, po_work *work) {
+  uint64_t kernel;
+  const po_solve_work now = po_follow_work(s->follower, &kernel);
+  work->points += now.points - s->before.points;
+  work->newton_iterations += now.newton_iterations - s->before.newton_iterations;
+  work->factorizations += now.factorizations - s->before.factorizations;
+  work->meshes += now.meshes - s->before.meshes;
+  work->kernel_evaluations += kernel - s->kernel_before;
+  work->factorized_nodes = now.factorized_nodes;
+  work->seconds += seconds;
+  s->before = now;
+  s->kernel_before = kernel;
+}
+
+/* Takes the minimum that the follower is at for the pull-off of a scene, if it is the deepest so
+ * far. Returned: its load; NAN when it is cut off by the end of the surface. */
+static double take(stretch *s, size_t index) {
+  const po_request *request = &s->l->requests[index];
+  po_outcome *o = &s->l->outcomes[index];
+  const double before = deepest_at(s, index);
+  po_branch_point p = po_follow_point(s->follower, false);
+  const double contact_radius = po_contact_radius(p.n, p.node, p.gap);
+  if (contact_radius > PO_GREATEST_CONTACT * po_follow_root(s->follower))
+    return NAN;
+  const double load = p.load;
+  if (index == s->from->index || index == s->to->index || !(load < before))
+    return load;
+  o->work.nodes = o->work.nodes > p.n ? o->work.nodes : p.n;
+  p = po_follow_point(s->follower, true);
+  o->followed = o->has_pull_off = true;
+  o->pull_off.force = fabs(load);
+  o->pull_off.approach = p.approach;
+  o->pull_off.contact_radius = contact_radius;
+  o->pull_off.force_error = po_reader_error(request, p.load_error, load);
+  o->pull_off.approach_error = po_reader_error(request, p.approach_error, p.approach);
+  return load;
+}
+
+/* The minimum of an anchor that the follower has arrived at; the count: none. */
+static size_t find_arrived(const stretch *s, const po_line_anchor *at) {
+  const po_branch_point p = po_follow_point(s->follower, false);
+  size_t best = at->count;
+  double nearest = SAME_APPROACH * (1.0 + fabs(p.approach));
+  for (size_t k = 0; k < at->count; ++k) {
+    const double apart = fabs(at->minima[k].approach - p.approach);
+    if (fabs(at->minima[k].load - p.load) < sameness(s, p.load) && apart < nearest) {
+      nearest = apart;
+      best = k;
+    }
+  }
+  return best;
+}
+
+/* Follows a minimum of one anchor towards the other. Status: as of po_run; a minimum that is lost
+ * on the way is no failure. */
+static po_status follow(stretch *s, const po_line_minimum *m, bool forward) {
+  const po_line_anchor *from = forward ? s->from : s->to;
+  const size_t row = s->rows++, steps = s->inside + 1;
+  s->lost[row] = NAN;
+  for (size_t k = 0; k <= steps; ++k)
+    *load_of(s, row, s->from->index + k) = NAN;
+  *load_of(s, row, from->index) = m->load;
+  double begin = po_clock_wall();
+  po_status status = po_follow_begin(s->follower, &m->point, PO_OF_LOAD, (double)from->index);
+  for (size_t k = 1; k <= steps && !status; ++k) {
+    const size_t index = forward ? from->index + k : from->index - k;
+    const volatile sig_atomic_t *stop = s->l->requests[index].stop;
+    if (stop && *stop)
+      return po_fail(PO_INTERRUPTED, "interrupted on a line");
+    status = po_follow_to(s->follower, (double)index);
+    if (!status)
+      *load_of(s, row, index) = take(s, index);
+    const double now = po_clock_wall();
+    add_work(s, now - begin, &s->l->outcomes[index].work);
+    begin = now;
+    if (!status && isnan(*load_of(s, row, index)))
+      status = PO_NOT_FOUND;
+  }
+  if (status)
+    s->lost[row] = po_follow_point(s->follower, false).load;
+  if (!status && forward) {
+    const size_t k = find_arrived(s, s->to);
+    if (k < s->to->count)
+      s->arrived[k] = true;
+  }
+  po_message_clear();
+  return status == PO_NO_MEMORY ? status : PO_OK;
+}
+
+/* The load, at both of two neighbouring scenes at least so deep, of the deepest minimum that was
+ * followed from one to the other; INFINITY: none. */
+static double spanning_load(const stretch *s, size_t index) {
+  double load = INFINITY;
+  for (size_t row = 0; row < s->rows; ++row) {
+    const double here = *load_of(s, row, index), there = *load_of(s, row, index + 1);
+    if (!isnan(here) && !isnan(there))
+      load = fmin(load, fmax(here, there));
+  }
+  return load;
+}
+
+/* Whether what was followed agrees with both traces, and gives every scene between its pull-off. */
+static bool agrees(const stretch *s) {
+  const size_t first = s->from->index, last = s->to->index;
+  if (deepest_at(s, first) < s->from->deepest - sameness(s, s->from->deepest) ||
+      deepest_at(s, last) < s->to->deepest - sameness(s, s->to->deepest))
+    return false;
+  for (size_t row = 0; row < s->rows; ++row)
+    for (size_t k = first; k < last; ++k) /* a minimum that ends on the way is not the deepest */
+      if (isnan(*load_of(s, row, k)) != isnan(*load_of(s, row, k + 1)) &&
+          !(s->lost[row] > spanning_load(s, k)))
+        return false;
+  for (size_t k = first + 1; k < last; ++k)
+    if (!isfinite(deepest_at(s, k)))
+      return false;
+  return true;
+}
+
+/* Follows the minima between two anchors. Returned: whether that settles the scenes between. */
+static po_status follow_between(stretch *s, bool *settled) {
+  const size_t most = s->from->count + s->to->count;
+  const double tolerance = fmin(s->from->tolerance, s->to->tolerance);
+  const po_follow_options options = {scene_at, root_of, (void *)s->l,
+                                     po_observe_allowance(tolerance),
+                                     po_observe_precision(tolerance)};
+  s->load = po_allocate(most * (s->inside + 2), sizeof *s->load);
+  s->lost = po_allocate(most, sizeof *s->lost);
+  s->arrived = po_allocate(s->to->count, sizeof *s->arrived);
+  po_status status = s->load && s->lost && s->arrived ? PO_OK : PO_NO_MEMORY;
+  if (!status)
+    status = po_follow_create(&options, (double)s->from->index, &s->follower);
+  for (size_t k = 0; k < s->from->count && !status; ++k)
+    status = follow(s, &s->from->minima[k], true);
+  for (size_t k = 0; k < s->to->count && !status; ++k)
+    if (!s->arrived[k])
+      status = follow(s, &s->to->minima[k], false);
+  *settled = !status && agrees(s);
+  po_follow_destroy(s->follower);
+  free(s->load);
+  free(s->lost);
+  free(s->arrived);
+  return status;
+}
+
+static po_status trace(const line *l, size_t index, po_line_anchor *anchor) {
+  po_outcome *o = &l->outcomes[index];
+  const po_work spent = o->work; /* on following what did not agree */
+  po_outcome_clear(o);
+  const po_status status = po_line_anchor_trace(&l->requests[index], index, o, anchor);
+  o->work.points += spent.points;
+  o->work.newton_iterations += spent.newton_iterations;
+  o->work.factorizations += spent.factorizations;
+  o->work.meshes += spent.meshes;
+  o->work.kernel_evaluations += spent.kernel_evaluations;
+  o->work.seconds += spent.seconds;
+  return status;
+}
+
+/* Traces the scenes whose error estimate misses the tolerance, or that have none. */
+static po_status trace_what_errs(const stretch *s) {
+  po_status status = PO_OK;
+  for (size_t k = s->from->index + 1; k < s->to->index && !status; ++k) {
+    const po_outcome *o = &s->l->outcomes[k];
+    if (o->pull_off.force_error <= s->l->requests[k].mesh.tolerance * o->pull_off.force)
+      continue;
+    po_line_anchor unused;
+    status = trace(s->l, k, &unused);
+    po_line_anchor_clear(&unused);
+  }
+  return status;
+}
+
+static po_status fill(const line *l, po_line_anchor *from, po_line_anchor *to) {
+  if (to->index - from->index < 2)
+    return PO_OK;
+  stretch s = {.l = l, .from = from, .to = to, .inside = to->index - from->index - 1};
+  bool settled = false;
+  po_status status = may_follow(&s) ? follow_between(&s, &settled) : PO_OK;
+  if (settled)
+    return trace_what_errs(&s);
+  po_line_anchor middle = {0};
+  if (!status)
+    status = trace(l, from->index + (to->index - from->index) / 2, &middle);
+  if (!status)
+    status = fill(l, from, &middle);
+  if (!status)
+    status = fill(l, &middle, to);
+  po_line_anchor_clear(&middle);
+  return status;
+}
+
+po_status po_line_observe(const po_request *requests, size_t count, size_t anchor_every,
+                          po_outcome *outcomes) {
+  const line l = {requests, outcomes, count};
+  for (size_t k = 0; k < count; ++k) {
+    outcomes[k] = (po_outcome){.status = PO_OK};
+    outcomes[k].start = outcomes[k].end = outcomes[k].profile_approach = NAN;
+  }
+  if (count == 0)
+    return PO_OK;
+  po_line_anchor from, to = {0};
+  po_status status = trace(&l, 0, &from);
+  for (size_t index = 0; index + 1 < count && !status;) {
+    index = count - 1 - index > anchor_every ? index + anchor_every : count - 1;
+    status = trace(&l, index, &to);
+    if (!status)
+      status = fill(&l, &from, &to);
+    po_line_anchor_clear(&from);
+    from = to;
+    to = (po_line_anchor){0};
+  }
+  po_line_anchor_clear(&from);
+  return status;
+}

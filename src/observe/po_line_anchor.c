@@ -1,0 +1,76 @@
+#include "po_line_anchor.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "po_memory.h"
+#include "po_observe_parts.h"
+
+/* Minima at least so deep, in parts of the deepest, may become the deepest before the next anchor.
+ */
+static const double NEARLY = 0.8;
+
+static void forget(po_line_anchor *a, size_t from) {
+  for (size_t k = from; k < a->count; ++k)
+    po_track_point_free(&a->minima[k].point);
+  a->count = from < a->count ? from : a->count;
+}
+
+static void begin(void *data, double tolerance) {
+  po_line_anchor *a = data;
+  forget(a, 0);
+  a->tolerance = tolerance;
+}
+
+static bool keep(void *data, const po_branch_point *point) {
+  po_line_anchor *a = data;
+  if (!point->track || !(point->load < 0.0))
+    return true;
+  if (a->count == a->room) {
+    const size_t room = a->room ? 2 * a->room : 8;
+    po_line_minimum *minima = po_resize(a->minima, room, sizeof *minima);
+    if (!minima)
+      return false;
+    a->minima = minima;
+    a->room = room;
+  }
+  po_line_minimum *m = &a->minima[a->count++];
+  *m = (po_line_minimum){.approach = point->approach, .load = point->load};
+  if (po_track_point_allocate(&m->point, point->track->n))
+    return false;
+  po_track_point_copy(point->track, &m->point);
+  return true;
+}
+
+static int by_depth(const void *left, const void *right) {
+  const double a = ((const po_line_minimum *)left)->load;
+  const double b = ((const po_line_minimum *)right)->load;
+  return (a > b) - (a < b);
+}
+
+po_status po_line_anchor_trace(const po_request *request, size_t index, po_outcome *outcome,
+                               po_line_anchor *a) {
+  *a = (po_line_anchor){.index = index};
+  const po_keeper keeper = {begin, keep, a};
+  const po_status status = po_observe_kept(request, &keeper, outcome);
+  if (status == PO_NO_MEMORY || status == PO_INTERRUPTED)
+    return status;
+  a->usable = !status && a->count > 0;
+  if (!a->usable) {
+    forget(a, 0);
+    return PO_OK;
+  }
+  qsort(a->minima, a->count, sizeof *a->minima, by_depth);
+  a->deepest = a->minima[0].load;
+  size_t deep = 1;
+  while (deep < a->count && a->minima[deep].load <= NEARLY * a->deepest)
+    ++deep;
+  forget(a, deep);
+  return PO_OK;
+}
+
+void po_line_anchor_clear(po_line_anchor *a) {
+  forget(a, 0);
+  free(a->minima);
+  *a = (po_line_anchor){0};
+}

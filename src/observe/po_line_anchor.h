@@ -1,0 +1,29 @@
+/* An anchor of a line: a scene that is traced, with the minima of its load. */
+#ifndef PO_LINE_ANCHOR_H
+#define PO_LINE_ANCHOR_H
+
+#include "po_outcome.h"
+#include "po_track_point.h"
+
+typedef struct {
+  po_track_point point;
+  double approach, load;
+} po_line_minimum;
+
+typedef struct {
+  size_t index;     /* of its scene on the line */
+  bool usable;      /* solved, on panels: its minima can be followed */
+  double tolerance; /* that the trace took for the one asked for */
+  double deepest;   /* load of the pull-off */
+  po_line_minimum *minima;
+  size_t count, room;
+} po_line_anchor;
+
+/* Traces a scene. Returned: its outcome; the anchor, with the minima that are nearly as deep as the
+ * deepest, which is the first, in the order of their depth; to be cleared. Status: PO_NO_MEMORY,
+ * PO_INTERRUPTED; a trace that fails makes an anchor that is not usable. */
+po_status po_line_anchor_trace(const po_request *request, size_t index, po_outcome *outcome,
+                               po_line_anchor *anchor);
+void po_line_anchor_clear(po_line_anchor *anchor);
+
+#endif

@@ -1,0 +1,21 @@
+/* What tracing one scene and following its landmarks share. */
+#ifndef PO_OBSERVE_PARTS_H
+#define PO_OBSERVE_PARTS_H
+
+#include "po_reader.h"
+#include "po_resolution.h"
+
+/* po_observe, with somebody who keeps the minima. */
+po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po_outcome *outcome);
+
+/* What panels may leave, and where Newton's method may stop, for a relative tolerance. */
+po_allowance po_observe_allowance(double tolerance);
+double po_observe_precision(double tolerance);
+
+/* Radius of the panels' root, eps, for a surface whose core reaches so far. */
+double po_observe_root(const po_scene *scene, double core);
+
+/* A contact beyond this part of the core is cut off by its end. */
+extern const double PO_GREATEST_CONTACT;
+
+#endif

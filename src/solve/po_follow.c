@@ -1,0 +1,256 @@
+#include "po_follow.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_corrector.h"
+#include "po_forecast.h"
+#include "po_memory.h"
+#include "po_refine.h"
+
+enum { ORDER = PO_TABLE_ORDER, MOST_MESHES_A_POINT = 4, ROOT_LEVEL = 3 };
+
+/* Error of the forecast, in parts of 1 + H, that a step may have; and below which the next may be
+ * longer. */
+static const double GREATEST_ERROR = 0.4, SMALL_ERROR = 0.1;
+/* The first step, in parts of the way to the parameter asked for: it tells how the landmark moves.
+ */
+static const double FIRST_STEP = 0.02;
+/* A step this short, in the same parts, that fails: the landmark is lost; and a first one, when it
+ * is not known yet how it moves. */
+static const double SHORTEST_STEP = 0.1, SHORTEST_FIRST = 5e-4;
+/* Meshes are made for this part of the allowed error. */
+static const double MESH_MARGIN = 0.2;
+
+struct po_follower {
+  po_follow_options options;
+  po_scene scene; /* in force */
+  po_adaptive *adaptive;
+  po_equilibrium *e;
+  po_corrector c;
+  po_resolution resolution;
+  po_legendre legendre;
+  po_event_kind of;
+  po_waymark mark[PO_FORECAST_MARKS + 1]; /* in a ring, with room for the next */
+  size_t latest, count;
+  po_track_point seed, spare;
+  double slope; /* of the rate that vanishes, along the gauge */
+  double value[2];
+  double step; /* to try; INFINITY: the whole way */
+};
+
+static po_waymark *mark_of(po_follower *f, size_t back) {
+  return &f->mark[(f->latest + PO_FORECAST_MARKS + 1 - back) % (PO_FORECAST_MARKS + 1)];
+}
+
+static po_waymark *next_mark(po_follower *f) {
+  return &f->mark[(f->latest + 1) % (PO_FORECAST_MARKS + 1)];
+}
+
+/* Puts the scene of a parameter in force, on the mesh there is. */
+static void set_scene(po_follower *f, double at) {
+  f->options.scene_at(f->options.data, at, &f->scene);
+  po_adaptive_resize(f->adaptive, f->options.root_of(&f->scene));
+  f->c.root = f->resolution.root = po_adaptive_root(f->adaptive);
+  po_equilibrium_remesh(f->e);
+}
+
+po_status po_follow_create(const po_follow_options *options, double at, po_follower **follower) {
+  po_follower *f = po_allocate(1, sizeof *f);
+  *follower = f;
+  if (!f)
+    return PO_NO_MEMORY;
+  f->options = *options;
+  options->scene_at(options->data, at, &f->scene);
+  po_status status =
+      po_adaptive_create(&f->scene, options->root_of(&f->scene), ROOT_LEVEL, &f->adaptive);
+  const size_t capacity = status ? 0 : po_adaptive_capacity(f->adaptive);
+  if (!status)
+    status = po_equilibrium_create(&f->scene, po_adaptive_surface(f->adaptive), capacity, &f->e);
+  if (!status)
+    status = po_corrector_allocate(&f->c, f->e, f->adaptive);
+  for (size_t k = 0; k <= PO_FORECAST_MARKS && !status; ++k)
+    status = po_track_point_allocate(&f->mark[k].point, capacity);
+  if (!status)
+    status = po_track_point_allocate(&f->seed, capacity);
+  if (!status)
+    status = po_track_point_allocate(&f->spare, capacity);
+  if (status) {
+    po_follow_destroy(f);
+    *follower = NULL;
+    return status;
+  }
+  f->e->precision = options->precision;
+  const po_panel_rule *rule = &po_panel_table_get()->rule;
+  po_legendre_fill(rule, &f->legendre);
+  f->resolution = (po_resolution){f->e, rule, &f->legendre, f->c.root, options->allowed};
+  return PO_OK;
+}
+
+void po_follow_destroy(po_follower *f) {
+  if (!f)
+    return;
+  for (size_t k = 0; k <= PO_FORECAST_MARKS; ++k)
+    po_track_point_free(&f->mark[k].point);
+  po_track_point_free(&f->seed);
+  po_track_point_free(&f->spare);
+  po_corrector_free(&f->c);
+  po_equilibrium_destroy(f->e);
+  po_adaptive_destroy(f->adaptive);
+  free(f);
+}
+
+/* Puts leaves in force that resolve a field, starting from others. */
+static po_status mesh_for(po_follower *f, const po_leaves *from, const po_gap_field *field) {
+  po_resolution margin = f->resolution;
+  margin.allowed.gap *= MESH_MARGIN;
+  margin.allowed.load *= MESH_MARGIN;
+  po_leaves leaves = *from;
+  const po_status status = po_resolution_leaves(&margin, field, &leaves);
+  return status ? status : po_corrector_mesh(&f->c, &leaves);
+}
+
+/* The landmark near the guess, on a mesh that resolves it. Given: seed, whose gauge is that of the
+ * guess. */
+static po_status locate(po_follower *f, double *slope, double value[2], po_track_point *out) {
+  const po_track_point *from = &f->seed;
+  for (int mesh = 0; mesh < MOST_MESHES_A_POINT; ++mesh) {
+    po_status status = po_refine_locate(&f->c, from, f->of, slope, out, value);
+    if (status || po_resolution_excess(&f->resolution, &out->leaves, out->state) <= 1.0)
+      return status;
+    po_track_point_copy(out, &f->spare);
+    from = &f->spare;
+    po_track_field solved = {from, &f->scene, f->c.root};
+    status = mesh_for(f, &from->leaves, &(po_gap_field){po_track_gap, &solved});
+    if (status)
+      return status;
+    po_corrector_guess(&f->c, from);
+  }
+  return PO_NOT_CONVERGED;
+}
+
+static void accept(po_follower *f, double at) {
+  po_waymark *next = next_mark(f);
+  next->at = at;
+  next->scene = f->scene;
+  next->root = f->c.root;
+  f->latest = (f->latest + 1) % (PO_FORECAST_MARKS + 1);
+  f->count += f->count < PO_FORECAST_MARKS;
+}
+
+po_status po_follow_begin(po_follower *f, const po_track_point *landmark, po_event_kind of,
+                          double at) {
+  f->of = of;
+  f->count = 0;
+  f->step = INFINITY;
+  f->slope = NAN;
+  set_scene(f, at);
+  po_track_point_copy(landmark, &f->seed);
+  po_status status = po_corrector_mesh(&f->c, &f->seed.leaves);
+  if (status)
+    return status;
+  po_corrector_guess(&f->c, &f->seed);
+  status = locate(f, &f->slope, f->value, &next_mark(f)->point);
+  if (!status)
+    accept(f, at);
+  return status;
+}
+
+/* Seeds the search from the guess: its gauge, in the direction of the latest landmark. */
+static void seed_from_guess(po_follower *f) {
+  const po_track_point *latest = &mark_of(f, 0)->point;
+  po_equilibrium_evaluate(f->e, f->c.guess);
+  po_gauge_values(f->e, f->c.guess, f->seed.gauge);
+  memcpy(f->seed.rate, latest->rate, sizeof f->seed.rate);
+}
+
+/* One attempt at a step. Returned: the error of the forecast, if it could be had. */
+static po_status try_step(po_follower *f, double at, double *error) {
+  const po_waymark *marks[PO_FORECAST_MARKS];
+  po_forecast forecast;
+  for (size_t k = 0; k < f->count; ++k)
+    marks[k] = mark_of(f, k);
+  if (!po_forecast_make(marks, f->count, at, &forecast))
+    return PO_NOT_CONVERGED;
+  set_scene(f, at);
+  po_status status =
+      mesh_for(f, &marks[0]->point.leaves, &(po_gap_field){po_forecast_gap, &forecast});
+  if (status)
+    return status;
+  po_forecast_state(&forecast, f->e, po_corrector_core_nodes(&f->c), f->c.guess);
+  seed_from_guess(f);
+  double slope = f->slope, value[2];
+  po_track_point *out = &next_mark(f)->point;
+  status = locate(f, &slope, value, out);
+  if (status)
+    return status;
+  *error = po_forecast_error(&forecast, out);
+  if (!(*error < GREATEST_ERROR) || !(slope * f->slope > 0.0))
+    return PO_NOT_CONVERGED;
+  f->slope = slope;
+  memcpy(f->value, value, sizeof f->value);
+  return PO_OK;
+}
+
+po_status po_follow_to(po_follower *f, double at) {
+  const double whole = at - mark_of(f, 0)->at;
+  double left = whole;
+  while (left != 0.0) {
+    const double most = f->count == 1 ? fmin(f->step, FIRST_STEP * fabs(whole)) : f->step;
+    const bool last = fabs(left) <= most;
+    const double step = last ? left : copysign(most, left);
+    const double to = last ? at : mark_of(f, 0)->at + step;
+    double error = INFINITY;
+    if (try_step(f, to, &error)) {
+      po_message_clear();
+      f->c.trouble = PO_OK;
+      if (fabs(step) < (f->count == 1 ? SHORTEST_FIRST : SHORTEST_STEP) * fabs(whole))
+        return po_fail(PO_NOT_FOUND, "the landmark at approach %.6g, load %.6g ends on the way",
+                       f->value[0], f->value[1]);
+      f->step = (f->count == 1 ? 0.1 : 0.5) * fabs(step);
+      continue;
+    }
+    accept(f, to);
+    if (f->count > 2)
+      f->step = error < SMALL_ERROR ? fmax(2.0 * fabs(step), f->step) : fabs(step);
+    left = last ? 0.0 : at - to;
+  }
+  return PO_OK;
+}
+
+po_branch_point po_follow_point(po_follower *f, bool judged) {
+  const po_waymark *m = mark_of(f, 0);
+  const po_track_point *p = &m->point;
+  const bool rising = f->slope < 0.0;
+  po_branch_point point = {.kind = f->of == PO_OF_LOAD
+                                       ? (rising ? PO_POINT_LOAD_MAX : PO_POINT_LOAD_MIN)
+                                       : (rising ? PO_POINT_APPROACH_MAX : PO_POINT_APPROACH_MIN),
+                           .position = NAN,
+                           .approach = f->value[0],
+                           .load = f->value[1],
+                           .approach_error = NAN,
+                           .load_error = NAN,
+                           .approach_rate = p->tangent[p->n],
+                           .load_rate = p->load_rate,
+                           .n = p->leaves.count * ORDER,
+                           .node = p->node,
+                           .gap = p->state,
+                           .track = p};
+  double change[2];
+  if (judged && !po_refine_finer(&f->c, &f->resolution, p, f->of, f->slope, &f->spare, change)) {
+    point.approach_error = po_refine_error(&f->c, change[0], point.approach);
+    point.load_error = po_refine_error(&f->c, change[1], point.load);
+  }
+  f->c.trouble = PO_OK;
+  return point;
+}
+
+double po_follow_root(const po_follower *f) {
+  return po_adaptive_root(f->adaptive);
+}
+
+po_solve_work po_follow_work(const po_follower *f, uint64_t *kernel_evaluations) {
+  *kernel_evaluations = po_adaptive_surface(f->adaptive)->kernel_evaluations;
+  return f->e->work;
+}

@@ -1,0 +1,138 @@
+/* The pull-off along a line of scenes, followed from anchor to anchor, against a full trace of each
+ * scene. */
+#include <math.h>
+
+#include "po_line.h"
+#include "po_random.h"
+#include "run.h"
+
+enum { MOST = 24, SEED = 2385 };
+
+/* A line: the key that runs, from where to where, the others. Lengths in eps; 0: unbounded. */
+typedef struct {
+  char key; /* t: tabor, a: amplitude, w: wavelength, r: amplitude and wavelength in proportion */
+  double from, to;
+  size_t count;
+  double tabor, amplitude, wavelength, outer_radius;
+} line_words;
+
+static const line_words LINES[] = {
+    /* the first crest pulls off last, then the second; a minimum is born, another ends */
+    {'t', 0.11, 1.13, 16, 0, 1.0, 20.0, 100.0},
+    /* the second crest, then the third */
+    {'t', 1.31, 4.2, 13, 0, 1.0, 20.0, 100.0},
+    /* folds in approach are born near 0.697: nothing happens to the minimum */
+    {'t', 0.61, 0.83, 12, 0, 0.0, 0.0, 0.0},
+    {'t', 0.4, 3.1, 12, 0, 0.0, 0.0, 90.0},
+    {'a', 0.023, 2.7, 14, 0.87, 0, 23.85, 0.0},
+    {'w', 9.1, 31.0, 16, 0.71, 0.6, 0, 0.0},
+    {'r', 0.31, 1.43, 12, 1.17, 0.4, 17.3, 80.0},
+    {'a', 0.3, 19.0, 14, 0.43, 0, 20.0, 100.0},
+};
+
+static void make_line(const line_words *w, po_request *request) {
+  for (size_t k = 0; k < w->count; ++k) {
+    const double value = w->from * pow(w->to / w->from, (double)k / (double)(w->count - 1));
+    request[k] = po_request_default();
+    request[k].mesh.scheme = PO_PANEL;
+    request[k].mesh.tolerance = 1e-5;
+    po_scene *s = &request[k].scene;
+    s->tabor = w->key == 't' ? value : w->tabor;
+    s->amplitude = w->key == 'a' ? value : w->amplitude * (w->key == 'r' ? value : 1.0);
+    s->wavelength = w->key == 'w' ? value : w->wavelength * (w->key == 'r' ? value : 1.0);
+    s->outer_radius = w->outer_radius > 0.0 ? w->outer_radius : INFINITY;
+  }
+}
+
+/* Of every line the ends, and points drawn at random of those that were followed. */
+START_TEST(followed_is_what_a_trace_finds) {
+  po_request request[MOST];
+  po_outcome outcome[MOST];
+  const line_words *w = &LINES[_i];
+  make_line(w, request);
+  ck_assert_int_eq(po_line_observe(request, w->count, 7, outcome), PO_OK);
+  ck_assert(!outcome[0].followed && !outcome[w->count - 1].followed);
+  size_t checked = 0;
+  for (size_t k = 0; k < w->count; ++k) {
+    ck_assert_int_eq(outcome[k].status, PO_OK);
+    ck_assert(outcome[k].has_pull_off);
+    const double chance = po_random_uniform(SEED, (uint64_t)(_i * MOST) + k, "check");
+    if (!outcome[k].followed || chance > 0.6)
+      continue;
+    po_outcome traced;
+    ck_assert_int_eq(po_observe(&request[k], &traced), PO_OK);
+    ck_assert_double_le(fabs(outcome[k].pull_off.force - traced.pull_off.force),
+                        outcome[k].pull_off.force_error + traced.pull_off.force_error);
+    ck_assert_double_le(fabs(outcome[k].pull_off.approach - traced.pull_off.approach),
+                        outcome[k].pull_off.approach_error + traced.pull_off.approach_error);
+    /* linear between the nodes of either mesh: it tells the waves apart, no more */
+    ck_assert_double_eq_tol(outcome[k].pull_off.contact_radius, traced.pull_off.contact_radius,
+                            0.05);
+    ck_assert_double_le(outcome[k].pull_off.force_error, 1e-5 * outcome[k].pull_off.force);
+    po_outcome_clear(&traced);
+    ++checked;
+  }
+  ck_assert_uint_ge(checked, 3);
+  for (size_t k = 0; k < w->count; ++k)
+    po_outcome_clear(&outcome[k]);
+}
+END_TEST
+
+/* Lines on which no minimum ends: few factorisations a scene that is followed. */
+START_TEST(following_costs_little) {
+  po_request request[MOST];
+  po_outcome outcome[MOST];
+  const line_words *w = &LINES[_i];
+  make_line(w, request);
+  ck_assert_int_eq(po_line_observe(request, w->count, MOST, outcome), PO_OK);
+  double traced = 0.0, followed = 0.0;
+  size_t many = 0;
+  for (size_t k = 0; k < w->count; ++k) {
+    *(outcome[k].followed ? &followed : &traced) += (double)outcome[k].work.factorizations;
+    many += outcome[k].followed;
+  }
+  const double each = traced / (double)(w->count - many);
+  ck_assert_uint_ge(many, w->count - 3);
+  ck_assert_double_lt(10.0 * followed / (double)many, each);
+  for (size_t k = 0; k < w->count; ++k)
+    po_outcome_clear(&outcome[k]);
+}
+END_TEST
+
+/* Scenes that cannot be followed are traced: rigid, smooth beside wavy, cut beside not. */
+START_TEST(what_cannot_be_followed_is_traced) {
+  static const po_scene SCENES[] = {
+      {0.0, 0.9, 21.0, 100.0, 90.0}, {0.0, 0.8, 21.0, 100.0, 90.0},
+      {0.7, 0.8, 21.0, 100.0, 90.0}, {0.7, 0.0, 21.0, 100.0, 90.0},
+      {0.8, 0.0, 21.0, 100.0, 90.0}, {0.8, 0.0, 21.0, 100.0, INFINITY},
+  };
+  enum { COUNT = sizeof SCENES / sizeof *SCENES };
+  po_request request[COUNT];
+  po_outcome outcome[COUNT];
+  for (size_t k = 0; k < COUNT; ++k) {
+    request[k] = po_request_default();
+    request[k].mesh.scheme = PO_PANEL;
+    request[k].mesh.tolerance = 1e-4;
+    request[k].scene = SCENES[k];
+  }
+  ck_assert_int_eq(po_line_observe(request, COUNT, COUNT, outcome), PO_OK);
+  for (size_t k = 0; k < COUNT; ++k) {
+    po_outcome alone;
+    ck_assert_int_eq(po_observe(&request[k], &alone), PO_OK);
+    ck_assert(!outcome[k].followed);
+    ck_assert_double_eq(outcome[k].pull_off.force, alone.pull_off.force);
+    po_outcome_clear(&alone);
+    po_outcome_clear(&outcome[k]);
+  }
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_loop_test(tests, followed_is_what_a_trace_finds, 0, sizeof LINES / sizeof *LINES);
+  tcase_add_loop_test(tests, following_costs_little, 2, 4);
+  tcase_add_test(tests, what_cannot_be_followed_is_traced);
+}
+
+int main(void) {
+  return run_case("follow", add);
+}
