@@ -34,21 +34,37 @@ static const char ROWS[] = "tabor,index,kind,approach,load,uncertainty\n"
                            "1,3,minimum,-0.9,-1.67,1e-9\n"
                            "1,4,maximum,5,3,1e-9\n";
 
-static void setup(void) {
-  strcpy(folder, "/tmp/pulloff-test-XXXXXX");
-  ck_assert_ptr_nonnull(mkdtemp(folder));
-  snprintf(case_path, sizeof case_path, "%s/made.yaml", folder);
-  snprintf(table_path, sizeof table_path, "%s/table.csv", folder);
+/* A list that ends at 0.4: what a longer trace finds beyond was not looked for. The last fold lies
+ * below that end, but behind the first passage of it; the reference has it since its own trace went
+ * on to the next wave. */
+static const char COMPLETE_ROWS[] = "tabor,complete_to,index,kind,approach,load,uncertainty\n"
+                                    "1,0.4,1,jump_in,-1.6,-0.7,1e-9\n"
+                                    "1,0.4,2,jump_out,-1.7,-1.0,1e-9\n"
+                                    "1,0.4,3,minimum,-0.9,-1.67,1e-9\n"
+                                    "1,0.4,4,maximum,0.31,-0.2,1e-9\n"
+                                    "2,-1.65,1,jump_in,-1.6,-0.7,1e-9\n";
+
+/* `more` is header lines beside those every table has. */
+static void write_table(const char *more, const char *rows_text) {
   po_text header = {0}, rows = {0}, text = {0};
   char digest[PO_DIGEST_LENGTH];
   po_text_add(&header, "# what: w\n# source: s\n# kind: published\n# method: m\n# units: u\n"
                        "# uncertainty: 1e-9\n# generator: g\n# command: c\n# date: d\n");
-  po_text_add(&rows, "%s", ROWS);
+  po_text_add(&header, "%s", more);
+  po_text_add(&rows, "%s", rows_text);
   po_csv_seal(&header, &rows, &text, digest);
   ck_assert_int_eq(po_file_write(table_path, text.data, text.length), PO_OK);
   po_text_clear(&header);
   po_text_clear(&rows);
   po_text_clear(&text);
+}
+
+static void setup(void) {
+  strcpy(folder, "/tmp/pulloff-test-XXXXXX");
+  ck_assert_ptr_nonnull(mkdtemp(folder));
+  snprintf(case_path, sizeof case_path, "%s/made.yaml", folder);
+  snprintf(table_path, sizeof table_path, "%s/table.csv", folder);
+  write_table("", ROWS);
 }
 
 static void teardown(void) {
@@ -153,10 +169,113 @@ START_TEST(landmarks_beyond_the_trace_are_not_asked_for) {
 }
 END_TEST
 
+static po_landmark LATER_FOLDS[] = {
+    {.kind = PO_JUMP_IN, .approach = -1.6, .load = -0.7},
+    {.kind = PO_JUMP_OUT, .approach = -1.7, .load = -1.0},
+    {.kind = PO_JUMP_IN, .approach = 0.52, .load = 0.4}, /* beyond the end of the list ... */
+    {.kind = PO_JUMP_OUT,
+     .approach = -0.1,
+     .load = 0.3} /* ... and what follows, at whatever approach */
+};
+
+/* Folds a longer trace finds beyond the end of the reference's list are not compared; one before it
+ * is spurious. */
+START_TEST(folds_beyond_the_end_of_the_list) {
+  write_table("", COMPLETE_ROWS);
+  load("folds", "table.csv", "1e-3", "abs");
+  po_outcome outcome = {.start = -10, .end = 2, .folds = LATER_FOLDS, .fold_count = 4};
+  compare(0, &outcome);
+  ck_assert_uint_eq(results.count, 5);
+  for (size_t i = 0; i < 5; ++i)
+    ck_assert_int_eq(results.items[i].verdict, PO_WITHIN);
+  ck_assert_double_eq(results.items[0].obtained, 2);
+
+  po_landmark before_the_end[4];
+  memcpy(before_the_end, LATER_FOLDS, sizeof before_the_end);
+  before_the_end[2].approach = 0.39;
+  outcome.folds = before_the_end;
+  compare(0, &outcome);
+  ck_assert_uint_eq(results.count, 6);
+  ck_assert_int_eq(results.items[5].verdict, PO_OUTSIDE);
+  ck_assert_double_eq(results.items[5].obtained, 4);
+  ck_assert_ptr_nonnull(strstr(results.items[5].note, "spurious jump_"));
+}
+END_TEST
+
+/* As many of ours as the reference has are compared, even if they lie beyond: the list may end with
+ * its last one. */
+START_TEST(the_last_of_the_list_lies_beyond_its_end) {
+  write_table("", COMPLETE_ROWS);
+  load("folds", "table.csv", "1e-3", "abs");
+  const po_outcome outcome = {.start = -10, .end = 2, .folds = LATER_FOLDS, .fold_count = 3};
+  compare(1, &outcome); /* tabor 2: complete to -1.65, one fold, at -1.6 */
+  ck_assert_uint_eq(results.count, 1);
+  ck_assert_double_eq(results.items[0].expected, 1);
+  ck_assert_double_eq(results.items[0].obtained, 2); /* -1.7 is not beyond -1.65; 0.52 is */
+  ck_assert_int_eq(results.items[0].verdict, PO_OUTSIDE);
+}
+END_TEST
+
+START_TEST(extrema_beyond_the_end_of_the_list) {
+  write_table("", COMPLETE_ROWS);
+  load("extrema", "table.csv", "1e-3", "abs");
+  po_landmark extrema[] = {{.kind = PO_MINIMUM, .approach = -0.9, .load = -1.67},
+                           {.kind = PO_MAXIMUM, .approach = 0.31, .load = -0.2},
+                           {.kind = PO_MINIMUM, .approach = 0.43, .load = -0.3},
+                           {.kind = PO_MAXIMUM, .approach = 0.1, .load = -0.1}};
+  const po_outcome longer = {.start = -10, .end = 2, .extrema = extrema, .extremum_count = 4};
+  compare(0, &longer);
+  ck_assert_uint_eq(results.count, 5);
+  for (size_t i = 0; i < 5; ++i)
+    ck_assert_int_eq(results.items[i].verdict, PO_WITHIN);
+
+  /* ours ends before the reference's maximum: that is not asked for */
+  const po_outcome shorter = {.start = -10, .end = 0.3, .extrema = extrema, .extremum_count = 1};
+  compare(0, &shorter);
+  ck_assert_uint_eq(results.count, 8);
+  ck_assert_double_eq(results.items[5].expected, 1);
+  for (size_t i = 5; i < 8; ++i)
+    ck_assert_int_eq(results.items[i].verdict, PO_WITHIN);
+
+  /* ours went past it without finding it */
+  const po_outcome blind = {.start = -10, .end = 2, .extrema = extrema, .extremum_count = 1};
+  compare(0, &blind);
+  ck_assert_int_eq(results.items[8].verdict, PO_OUTSIDE);
+  ck_assert_str_eq(results.items[8].note,
+                   "missing maximum near approach 0.31, load -0.2 (1 found, reference 2)");
+}
+END_TEST
+
+START_TEST(fold_count_up_to_the_end_of_the_list) {
+  write_table("", COMPLETE_ROWS);
+  load("fold_count", "table.csv", "0.5", "abs");
+  po_outcome outcome = {.start = -10, .end = 2, .folds = LATER_FOLDS, .fold_count = 4};
+  compare(0, &outcome);
+  ck_assert_uint_eq(results.count, 1);
+  ck_assert_double_eq(results.items[0].obtained, 2);
+  ck_assert_double_eq(results.items[0].expected, 2);
+  ck_assert_int_eq(results.items[0].verdict, PO_WITHIN);
+  outcome.fold_count = 1;
+  compare(0, &outcome);
+  ck_assert_int_eq(results.items[1].verdict, PO_OUTSIDE);
+}
+END_TEST
+
 START_TEST(a_scene_the_reference_does_not_know) {
   load("folds", "table.csv", "1e-3", "abs");
   const po_outcome outcome = {.start = -10, .end = 2, .folds = FOLDS, .fold_count = 2};
   compare(1, &outcome);
+  ck_assert_uint_eq(results.count, 1);
+  ck_assert_int_eq(results.items[0].verdict, PO_MISSING_REFERENCE);
+}
+END_TEST
+
+/* A header named as a key of the scene holds for all rows: the table is silent of other scenes. */
+START_TEST(a_scene_the_headers_exclude) {
+  write_table("# outer_radius: 100\n", ROWS);
+  load("folds", "table.csv", "1e-3", "abs");
+  const po_outcome outcome = {.start = -10, .end = 2, .folds = FOLDS, .fold_count = 2};
+  compare(0, &outcome);
   ck_assert_uint_eq(results.count, 1);
   ck_assert_int_eq(results.items[0].verdict, PO_MISSING_REFERENCE);
 }
@@ -228,7 +347,12 @@ static void add(TCase *tests) {
   tcase_add_test(tests, folds_one_by_one);
   tcase_add_test(tests, missing_and_spurious_landmarks_are_named);
   tcase_add_test(tests, landmarks_beyond_the_trace_are_not_asked_for);
+  tcase_add_test(tests, folds_beyond_the_end_of_the_list);
+  tcase_add_test(tests, the_last_of_the_list_lies_beyond_its_end);
+  tcase_add_test(tests, extrema_beyond_the_end_of_the_list);
+  tcase_add_test(tests, fold_count_up_to_the_end_of_the_list);
   tcase_add_test(tests, a_scene_the_reference_does_not_know);
+  tcase_add_test(tests, a_scene_the_headers_exclude);
   tcase_add_test(tests, tolerance_tighter_than_the_reference);
   tcase_add_test(tests, curve_of_the_closed_form);
   tcase_add_loop_test(tests, share_of_the_scenes_solved, 0, (int)(sizeof SHARES / sizeof *SHARES));
