@@ -116,18 +116,6 @@ START_TEST(rigid_load_is_the_table) {
 }
 END_TEST
 
-START_TEST(rigid_pull_off_is_the_table) {
-  table t = table_open("rigid_pull_off.csv");
-  for (size_t row = 0; row < t.csv.row_count; ++row) {
-    const po_rigid_pull_off got =
-        po_wavy_rigid_pull_off(table_number(&t, row, "amplitude"), table_number(&t, row, "alpha"));
-    table_compare(&t, row, "force", got.force, RIGID_ACCURACY * table_number(&t, row, "force"));
-    table_compare(&t, row, "approach", got.approach, RIGID_ACCURACY);
-  }
-  table_close(&t, "pull-off of Eq 22", 153, 2);
-}
-END_TEST
-
 START_TEST(bradley_is_the_table) {
   table t = table_open("bradley.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
@@ -148,7 +136,6 @@ static void add(TCase *tests) {
   tcase_add_test(tests, envelope_is_the_table);
   tcase_add_test(tests, edges_are_the_table);
   tcase_add_test(tests, rigid_load_is_the_table);
-  tcase_add_test(tests, rigid_pull_off_is_the_table);
   tcase_add_test(tests, bradley_is_the_table);
 }
 

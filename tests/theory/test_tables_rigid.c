@@ -1,0 +1,27 @@
+/* The pull-off of Eq 22 beside every row of its reference table: by itself, as it takes seconds. */
+#include "../unit/run.h"
+#include "po_wavy_rigid.h"
+#include "table.h"
+
+/* As the header states it. */
+static const double RIGID_ACCURACY = 1e-10;
+
+START_TEST(rigid_pull_off_is_the_table) {
+  table t = table_open("rigid_pull_off.csv");
+  for (size_t row = 0; row < t.csv.row_count; ++row) {
+    const po_rigid_pull_off got =
+        po_wavy_rigid_pull_off(table_number(&t, row, "amplitude"), table_number(&t, row, "alpha"));
+    table_compare(&t, row, "force", got.force, RIGID_ACCURACY * table_number(&t, row, "force"));
+    table_compare(&t, row, "approach", got.approach, RIGID_ACCURACY);
+  }
+  table_close(&t, "pull-off of Eq 22", 153, 2);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_test(tests, rigid_pull_off_is_the_table);
+}
+
+int main(void) {
+  return run_case("tables_rigid", add);
+}
