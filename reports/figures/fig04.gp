@@ -1,6 +1,6 @@
 # Figure 4: (a) pull-off force and (b) minus the approach at pull-off against the Tabor parameter,
 # with the difference from the reference below. Data: force.dat and approach.dat, each with blocks
-# computed, reference, residual and tolerance.
+# computed, reference, residual, tolerance and published.
 
 set multiplot
 set logscale x
@@ -18,6 +18,7 @@ array panel_high[2] = [force_high, approach_high]
 array panel_tolerance[2] = [force_tolerance, approach_tolerance]
 array panel_reference[2] = [force_reference, approach_reference]
 array panel_limits[2] = [force_limits, approach_limits]
+array panel_crosses[2] = [force_crosses, approach_crosses]
 array panel_label[2] = ['|{/:Italic W̄}| at pull-off', '−Δ† at pull-off']
 
 do for [k = 1:2] {
@@ -35,7 +36,9 @@ do for [k = 1:2] {
   plot data index 1 using 1:2 with points pointtype 3 pointsize 0.75 linewidth 1.1 \
          linecolor rgb blue title (panel_reference[k] ? 'reference, Feng’s problem' : ''), \
        data index 0 using 1:2 with points pointtype 4 pointsize 0.85 linewidth 1.2 \
-         linecolor rgb vermillion title 'computed'
+         linecolor rgb vermillion title 'computed', \
+       for [i = 1:(panel_crosses[k] > 0)] data index 4 using 1:2 with points pointtype 1 \
+         pointsize 0.9 linewidth 1.25 linecolor rgb black title 'Feng, read off a figure'
 
   set tmargin at screen 0.365; set bmargin at screen 0.115
   set key off

@@ -11,14 +11,20 @@ TITLE = "Pull-off of a smooth sphere against the Tabor parameter"
 PANELS = (("pull_off_force", "force", 1.0, "force"),
           ("pull_off_approach", "approach", -1.0, "approach"))
 PULL_OFF = "feng_pull_off.csv"
+PUBLISHED = "published/feng_fig4.csv"   # Feng's own points, when somebody has digitised them
+
+
+def rows_of(references, name, field, sign):
+    """(μ, value) of a table of pull-offs, in order; none while the file is absent."""
+    table = references.table(name)
+    return [] if table is None else sorted(
+        zip(table.numbers("tabor").tolist(), (sign * table.numbers(field)).tolist()))
 
 
 def panel(case, references, quantity, field, sign):
     """Computed and reference rows (μ, value), residual rows (μ, |difference|, uncertainty)."""
     computed, residuals, tolerances = [], [], []
-    stored = references.table(PULL_OFF)
-    reference = [] if stored is None else sorted(
-        zip(stored.numbers("tabor").tolist(), (sign * stored.numbers(field)).tolist()))
+    reference = rows_of(references, PULL_OFF, field, sign)
     for point in sorted(case.points, key=lambda item: value_of(item, "tabor") or 0):
         tabor = value_of(point, "tabor")
         if tabor is None or not point.get("pull_off"):
@@ -40,10 +46,12 @@ def make(case, references):
     for quantity, field, sign, name in PANELS:
         computed, reference, residuals, tolerances = panel(case, references, quantity, field, sign)
         limit = tolerance_rows(tolerances)
-        data[name] = [computed, reference, residuals, limit]
+        crosses = rows_of(references, PUBLISHED, field, sign)
+        data[name] = [computed, reference, residuals, limit, crosses]
         low, high = log_range([row[1] for row in residuals + limit])
         parameters.update({f"{name}_low": low, f"{name}_high": high,
                            f"{name}_reference": len(reference), f"{name}_limits": len(limit),
+                           f"{name}_crosses": len(crosses),
                            f"{name}_tolerance": limit[0][1] if limit else 0.0})
         if residuals:
             tabor, worst = max(residuals, key=lambda row: row[1])
@@ -60,6 +68,8 @@ def caption(data, said):
     if data["force"][1]:
         text += Markup(" Blue asterisks: Feng’s problem solved independently (see the note on "
                        "Feng’s points).")
+    if data["force"][4]:
+        text += Markup(" Crosses: Feng’s own points, read off a figure.")
     if said:
         parts = [Markup("{} for the {} (μ = {})").format(scientific(worst), name, plain(tabor))
                  for name, tabor, worst in said]

@@ -5,18 +5,31 @@ from markupsafe import Markup
 from . import Section
 from .. import plots
 
-PUBLISHED = "published/feng_fig3.csv"
-FENG_PRESENT = Markup(
-    "Feng’s points (his Figure 3) are those of <code>reference/published/feng_fig3.csv</code>, read off "
-    "a figure, with the uncertainty stated there. Beside them stands <em>Feng’s problem</em>: the "
-    "smooth sphere of Eqs 10–17, solved by a program that shares neither code nor method with this "
-    "one and carries its own uncertainty.")
-FENG_ABSENT = Markup(
-    "Feng’s points (his Figure 3, and his pull-off against μ) are not available in tabulated form. "
-    "What stands in for them is <em>Feng’s problem</em>: the smooth sphere of Eqs 10–17, solved by "
-    "a program that shares neither code nor method with this one and carries its own uncertainty. "
-    "A digitised file of his points, <code>reference/published/feng_fig3.csv</code>, is drawn and compared "
-    "once it is there, with its digitisation error.")
+PUBLISHED = {"published/feng_fig3.csv": "his Figure 3", "published/feng_fig4.csv": "his pull-off against μ, Figure 4"}
+FENG = Markup(
+    " <em>Feng’s problem</em> is the smooth sphere of Eqs 10–17, solved by a program that shares neither code "
+    "nor method with this one and carries its own uncertainty.")
+
+
+def feng_note(references):
+    """What of Feng's own points is at hand, and what stands in for the rest."""
+    there = [name for name in PUBLISHED if references.has(name)]
+    gone = [name for name in PUBLISHED if name not in there]
+    note = Markup("")
+    if there:
+        note += Markup("Feng’s points ({}) are those of {}, read off a figure, with the uncertainty stated there. "
+                       "Beside them stands Feng’s problem.").format(
+            " and ".join(PUBLISHED[name] for name in there), files(there))
+    if gone:
+        note += Markup("{}Feng’s points ({}) are not available in tabulated form. What stands in for them is Feng’s "
+                       "problem. A digitised file of his points, {}, is drawn and compared once it is there, with its "
+                       "digitisation error.").format(
+            " " if there else "", " and ".join(PUBLISHED[name] for name in gone), files(gone, "or"))
+    return note + FENG
+
+
+def files(names, word="and"):
+    return Markup(f" {word} ").join(Markup("<code>reference/{}</code>").format(name) for name in names)
 
 
 def missing(module, script):
@@ -32,7 +45,6 @@ def build(source):
             figures.append(module.make(found[0], source.references))
         else:
             absent.append(missing(module, script))
-    note = FENG_PRESENT if source.references.has(PUBLISHED) else FENG_ABSENT
     entries = [(f"figure-{item.id}", f"Figure {item.number} · {item.title}") for item in figures]
     return Section("figures", "Figures of the paper", "figures.html",
-                   {"figures": figures, "absent": absent, "note": note}, entries)
+                   {"figures": figures, "absent": absent, "note": feng_note(source.references)}, entries)
