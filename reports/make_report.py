@@ -3,6 +3,7 @@
 
 import argparse
 import hashlib
+import json
 import os
 import sys
 import tempfile
@@ -25,14 +26,16 @@ def arguments(words):
                         help="folder for report.html and report.pdf")
     parser.add_argument("--reference", default=os.path.join(SOURCE, "reference"), metavar="DIR",
                         help="folder of the reference data (default: that of the source tree)")
+    parser.add_argument("--faults", metavar="FILE",
+                        help="matrix of planted faults (default: mutation/matrix.json beside the run)")
     parser.add_argument("--fresh", action="store_true",
                         help="draw it again even when nothing has changed")
     return parser.parse_args(words)
 
 
-def content_key(*folders):
-    """sha256 of all that a report is made from: records, reference data, and this program."""
-    digest = hashlib.sha256(sys.version.encode())
+def content_key(faults, *folders):
+    """sha256 of all that a report is made from: the matrix of faults, records, reference data, and this program."""
+    digest = hashlib.sha256((sys.version + json.dumps(faults)).encode())
     for folder in folders + (os.path.dirname(os.path.abspath(__file__)),):
         for place, inner, names in os.walk(folder):
             inner[:] = sorted(name for name in inner if name != "__pycache__")
@@ -83,18 +86,19 @@ def write_all(folder, files):
 
 def make(wanted):
     try:
-        from pulloff_report import gnuplot, page, records, references
+        from pulloff_report import faults, gnuplot, page, records, references
         import weasyprint  # noqa: F401
     except ImportError as error:
         raise ReportError(f"Python module {error.name} is missing: install the packages of "
                           "tools/packages") from error
     gnuplot.require()
     run = records.Run(wanted.run)
-    key = content_key(wanted.run, wanted.reference)
+    matrix = faults.read(wanted.faults or faults.beside(wanted.run))
+    key = content_key(matrix, wanted.run, wanted.reference)
     if not wanted.fresh and is_current(wanted.output, key):
         print(f"kept: {wanted.output} holds the report of this run")
         return
-    html = page.html(run, references.References(wanted.reference))
+    html = page.html(run, references.References(wanted.reference), matrix)
     write_all(wanted.output, {"report.html": html.encode("utf-8"), "report.pdf": page.pdf(html),
                               KEY: key.encode("ascii")})
 

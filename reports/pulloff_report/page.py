@@ -37,9 +37,9 @@ def with_bars(text):
     return re.sub("(.)" + svg.MACRON, r'<span class="over">\1</span>', text)
 
 
-def html(run, references):
+def html(run, references, faults=None):
     """The whole page as text; it refers to nothing outside itself."""
-    source = sections.Source(run, references)
+    source = sections.Source(run, references, faults)
     kind, headline, text = summary.status(run)
     rows = summary.rows(run)
     content = {"title": TITLE, "facts": summary.facts(run), "rows": rows,

@@ -21,7 +21,8 @@ VERDICTS = ("within", "outside", "no_result", "missing_reference", "improved", "
             "wrong_and_frozen", "slack")
 PASSING = ("within", "improved", "slack")  # the last two are told nevertheless
 SILENT = ("no_result", "missing_reference")
-TYPE_NAMES = {str: "a string", bool: "true or false", list: "a list", dict: "an object", NUMBER: "a number or null"}
+TYPE_NAMES = {str: "a string", bool: "true or false", int: "a whole number", list: "a list",
+              dict: "an object", NUMBER: "a number or null"}
 
 
 def demand(entry, wanted, path, where):

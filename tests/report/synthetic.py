@@ -147,6 +147,16 @@ def make_published(folder):
                      for place, (approach, load) in enumerate(spring_branch(tabor, 0.3))])
 
 
+def make_published_pull_off(folder):
+    """The same of the pull-off against the Tabor parameter."""
+    os.makedirs(os.path.join(folder, "published"), exist_ok=True)
+    write_reference(folder, "published/feng_fig4.csv", dict(header("markers of a figure", "published"),
+                                                            method="digitised by nobody"),
+                    ["tabor", "force", "approach", "force_uncertainty", "approach_uncertainty"],
+                    [(tabor, pull_off(tabor)[0] + 0.004, pull_off(tabor)[1] - 0.02, 0.005, 0.02)
+                     for tabor in (0.02, 0.1, 0.5, 1, 2, 3, 5)])
+
+
 def make_fig03_left_out(run):
     make_fig03(run, left_out=[{"quantity": "curve", "reference": "reference/" + PUBLISHED,
                                "stand_in": "reference/feng_curves.csv"}])
@@ -220,6 +230,33 @@ def make_error_time(run, failed=True):
     save(run, record("error_time", "What a digit costs", None, points, checks, ["precision"]))
 
 
+def fault_cell(*by, caught=True):
+    return {"by": list(by), "failing": 2 if by else 0, "seconds": 0.3, "caught": bool(by) and caught}
+
+
+def make_faults(folder, missed=False):
+    """A matrix of planted faults beside a run; missed: one that nobody caught."""
+    detectors = [("smoke", "case", "case smoke"), ("tables_math", "table", "tables of the kernel"),
+                 ("compare", "test", "test of the comparison")]
+    faults = [("kernel-sign", "physics", "the kernel has the wrong sign", "src/math/po_kernel.c",
+               {"smoke": fault_cell("oracle", "pin"), "tables_math": fault_cell("test")}),
+              ("law-slope", "physics", "the law of interaction is too steep", "src/scene/po_law.c",
+               {"smoke": fault_cell("no_result", "refused"), "tables_math": fault_cell()}),
+              ("one-sided", "harness", "only what is too large is outside", "src/harness/po_result.c",
+               {"smoke": fault_cell(), "compare": fault_cell("test")})]
+    if missed:
+        faults.append(("jacobian", "physics", "the Jacobian is off", "src/solve/po_equilibrium.c",
+                       {"smoke": fault_cell("pin", caught=False), "tables_math": fault_cell()}))
+    rows = [{"name": name, "kind": kind, "what": what, "file": file, "cells": cells, "problem": "",
+             "caught": any(cell["caught"] for cell in cells.values())} for name, kind, what, file, cells in faults]
+    os.makedirs(os.path.join(folder, "mutation"), exist_ok=True)
+    with open(os.path.join(folder, "mutation", "matrix.json"), "w", encoding="utf-8") as stream:
+        json.dump({"schema": "pulloff-faults/1", "key": "0" * 64, "seconds": 100.0, "passes": not missed,
+                   "detectors": [{"name": name, "kind": kind, "title": title, "seconds": 0.3, "passes": True,
+                                  "catches": sum(row["cells"].get(name, {}).get("caught", False) for row in rows)}
+                                 for name, kind, title in detectors], "faults": rows}, stream)
+
+
 def make_run(folder, **how):
     """All three cases; how: outside=True, failed=True."""
     make_fig03(folder)
@@ -236,3 +273,4 @@ if __name__ == "__main__":
     wanted = parser.parse_args()
     make_references(os.path.join(wanted.folder, "reference"))
     make_run(os.path.join(wanted.folder, "run"), outside=wanted.outside, failed=wanted.failed)
+    make_faults(wanted.folder, missed=wanted.outside)

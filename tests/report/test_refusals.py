@@ -113,6 +113,18 @@ class Refusals(unittest.TestCase):
             stream.write(text.replace("approach", "distance", 1))
         self.refused("fig03/curve-0.csv: no column named approach")
 
+    def test_a_matrix_of_faults_that_is_none(self):
+        synthetic.make_faults(self.folder)
+        path = os.path.join(self.folder, "mutation", "matrix.json")
+        with open(path, encoding="utf-8") as stream:
+            text = stream.read()
+        for edited, words in ((text[:-30], "not JSON"), (text.replace("faults/1", "faults/2"), "schema is"),
+                              (text.replace('"by": []', '"by": 0'), "faults[1].cells.tables_math.by is 0"),
+                              (text.replace('"what"', '"why"'), "faults[0].what is missing")):
+            with open(path, "w", encoding="utf-8") as stream:
+                stream.write(edited)
+            self.refused("matrix.json", words)
+
     def test_no_run(self):
         os.unlink(self.record)
         self.refused("no record of any case")

@@ -16,10 +16,10 @@ sys.path.insert(0, HERE)
 sys.path.insert(0, REPORTS)
 
 import synthetic  # noqa: E402
-from pulloff_report import page, records, references  # noqa: E402
+from pulloff_report import faults, page, records, references  # noqa: E402
 
 TITLES = ("Figures of the paper", "Error against run time", "Every check",
-          "Cases and how to rerun them", "Reference data", "Environment")
+          "Planted faults", "Cases and how to rerun them", "Reference data", "Environment")
 
 
 @contextlib.contextmanager
@@ -32,8 +32,9 @@ def made_up(maker):
 
 
 def page_of(folder):
-    return page.html(records.Run(os.path.join(folder, "run")),
-                     references.References(os.path.join(folder, "reference")))
+    run = os.path.join(folder, "run")
+    return page.html(records.Run(run), references.References(os.path.join(folder, "reference")),
+                     faults.read(faults.beside(run)))
 
 
 def plain(html):
@@ -63,6 +64,7 @@ class Whole(PageTest):
         cls.addClassCleanup(shutil.rmtree, cls.folder)
         synthetic.make_references(os.path.join(cls.folder, "reference"))
         synthetic.make_run(os.path.join(cls.folder, "run"))
+        synthetic.make_faults(cls.folder)
         cls.output = os.path.join(cls.folder, "deep", "report")
         cls.first = cls.make()
         with open(os.path.join(cls.output, "report.html"), encoding="utf-8") as stream:
@@ -161,6 +163,34 @@ class Parts(PageTest):
             text = plain(page_of(folder))
         self.has(text, "Crosses: Feng’s own points, read off his figure")
         self.has(text, "Feng’s points (his Figure 3) are those of reference/published/feng_fig3.csv")
+
+    def test_published_pull_offs_are_absent_or_drawn(self):
+        with made_up(synthetic.make_fig04) as folder:
+            text = plain(page_of(folder))
+            self.has(text, "Feng’s points (his Figure 3 and his pull-off against μ, Figure 4) are not available",
+                     "reference/published/feng_fig3.csv or reference/published/feng_fig4.csv, is drawn")
+            self.lacks(text, "Crosses: Feng’s own points")
+            synthetic.make_published_pull_off(os.path.join(folder, "reference"))
+            html = page_of(folder)
+        self.has(plain(html), "Crosses: Feng’s own points, read off a figure", "Feng, read off a figure",
+                 "Feng’s points (his pull-off against μ, Figure 4) are those of reference/published/feng_fig4.csv",
+                 "Feng’s points (his Figure 3) are not available in tabulated form")
+
+    def test_planted_faults_are_a_matrix_or_a_sentence(self):
+        with made_up(synthetic.make_fig03) as folder:
+            self.has(plain(page_of(folder)), "was not tried for this run: meson test -C build --suite mutation")
+            synthetic.make_faults(folder)
+            html = page_of(folder)
+            self.has(plain(html), "3 of 3 planted faults were caught.", "only what is too large is outside",
+                     "In the harness", "N solves fail")
+            self.lacks(plain(html), "only a pin moved", "not caught")
+            for letter, kind in (("O", "caught"), ("T", "caught"), ("N", "caught"), ("·", "missed"), ("", "")):
+                self.has(html, f'<td class="cell {kind}">{letter}</td>')
+            synthetic.make_faults(folder, missed=True)
+            html = page_of(folder)
+            self.has(plain(html), "3 of 4 planted faults were caught; nobody caught jacobian.", "only a pin moved",
+                     "po_equilibrium.c not caught")
+            self.has(html, '<td class="cell seen">P</td>')
 
     def test_a_published_table_has_its_card(self):
         with made_up(synthetic.make_fig03_published) as folder:

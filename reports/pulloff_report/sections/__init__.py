@@ -15,6 +15,7 @@ class Source:
     """What every section draws on."""
     run: Run
     references: References
+    faults: dict | None = None  # the matrix of planted faults
 
 
 @dataclasses.dataclass
@@ -29,6 +30,6 @@ class Section:
 
 def build_all(source):
     """Every section, in order."""
-    from . import cases, checks, error_time, environment, figures, provenance
-    order = (figures, error_time, checks, cases, provenance, environment)
+    from . import cases, checks, error_time, environment, figures, planted_faults, provenance
+    order = (figures, error_time, checks, cases, planted_faults, provenance, environment)
     return [module.build(source) for module in order]

@@ -1,0 +1,42 @@
+"""Reads the matrix of planted faults (tests/mutation/README.md), if there is one."""
+
+import json
+import os
+
+from .errors import ReportError
+from .records import demand
+from .tables import read_text
+
+SCHEMA = "pulloff-faults/1"
+PLACE = os.path.join("mutation", "matrix.json")  # beside the run's folder
+
+MATRIX = {"detectors": list, "faults": list, "passes": bool}
+DETECTOR = {"name": str, "kind": str, "title": str, "passes": bool, "catches": int}
+FAULT = {"name": str, "kind": str, "what": str, "file": str, "cells": dict, "caught": bool, "problem": str}
+CELL = {"by": list, "failing": int, "caught": bool}
+
+
+def beside(run):
+    """Where the matrix of a run's build is."""
+    return os.path.join(os.path.dirname(os.path.abspath(run)), PLACE)
+
+
+def read(path):
+    """The matrix, or None when there is no such file."""
+    if not path or not os.path.exists(path):
+        return None
+    try:
+        matrix = json.loads(read_text(path))
+    except json.JSONDecodeError as error:
+        raise ReportError(f"{path}:{error.lineno}: not JSON: {error.msg}") from error
+    found = matrix.get("schema") if isinstance(matrix, dict) else None
+    if found != SCHEMA:
+        raise ReportError(f'{path}: schema is {json.dumps(found)}, expected "{SCHEMA}"')
+    demand(matrix, MATRIX, path, "")
+    for place, detector in enumerate(matrix["detectors"]):
+        demand(detector, DETECTOR, path, f"detectors[{place}]")
+    for place, fault in enumerate(matrix["faults"]):
+        demand(fault, FAULT, path, f"faults[{place}]")
+        for name, cell in fault["cells"].items():
+            demand(cell, CELL, path, f"faults[{place}].cells.{name}")
+    return matrix

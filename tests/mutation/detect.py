@@ -1,0 +1,95 @@
+"""What is set at a planted fault: cases of the harness, reference tables, tests of the harness itself."""
+
+import os
+import re
+import resource
+import signal
+import subprocess
+import threading
+import tomllib
+
+from plant import HERE, SOURCE, Stale
+
+KINDS = ("case", "table", "test")
+PULLOFF = "src/cli/pulloff"
+NOT_OK = re.compile(r"^not ok \d+ - \S+ ([^/ ]+)/([^/ ]+)", re.MULTILINE)
+
+# A detector may take so many times its processor time without a fault, and so many seconds more: a fault may make the
+# solver crawl, which is told apart from being caught. By the clock it may take so many times that: a loaded machine.
+SLOWER, LONGER, FIRST_LIMIT, WALL = 8, 2, 120, 10
+
+
+def read_detectors(path):
+    with open(path, "rb") as stream:
+        detectors = tomllib.load(stream)["detector"]
+    for detector in detectors:
+        ways = sum(key in detector for key in ("verify", "program", "script"))
+        if detector.get("kind") not in KINDS or ways != 1 or not {"name", "title"} <= set(detector):
+            raise Stale(f"{path}: {detector.get('name', 'a detector')} is not as tests/mutation/README.md says")
+    return detectors
+
+
+def program_of(detector):
+    """The program a detector runs, as its build names it."""
+    return detector.get("program", PULLOFF)
+
+
+def command(detector, program, place):
+    if "verify" in detector:
+        return [program, "verify", *detector["verify"], "--tap", "--fresh", "--jobs", "1",
+                "--output", os.path.join(place, "run")]
+    if "script" in detector:
+        return ["sh", os.path.join(SOURCE, "tests", detector["script"]), program]
+    return [program]
+
+
+def catches(detector, code, output):
+    """What made the detector fail: a list out of oracle, pin, no_result, test, refused; empty when it passed."""
+    found = set()
+    if "verify" in detector:
+        for quantity, reference in NOT_OK.findall(output):
+            found.add("pin" if reference == "pin" else "no_result" if quantity == "solve" else "oracle")
+        if code and not found:
+            found.add("refused")
+    elif code:
+        found.add("test")
+    return sorted(found)
+
+
+def wait(process, seconds):
+    """Waits for a process; kills it, and what it started, when it is still there after so many seconds. Returned: its
+    exit code, None when killed or out of processor time; the processor time of it and what it waited for."""
+    killed = threading.Event()
+
+    def kill():
+        killed.set()
+        os.killpg(process.pid, signal.SIGKILL)
+    timer = threading.Timer(seconds, kill)
+    timer.start()
+    _, status, usage = os.wait4(process.pid, 0)
+    timer.cancel()
+    process.returncode = os.waitstatus_to_exitcode(status)
+    late = killed.is_set() or process.returncode in (-signal.SIGXCPU, -signal.SIGKILL)
+    return None if late else process.returncode, usage.ru_utime + usage.ru_stime
+
+
+def run(detector, program, place, limit=FIRST_LIMIT):
+    """Runs a detector on a program, `limit` seconds of processor time at most. Returned: a cell of the matrix; `by` is
+    empty when it passed."""
+    environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", PULLOFF_DATA=SOURCE)
+    if "script" in detector:
+        del environment["PULLOFF_DATA"]  # scripts bring their own
+    os.makedirs(place, exist_ok=True)
+    with open(os.path.join(place, detector["name"] + ".log"), "w+", encoding="utf-8", errors="replace") as log:
+        process = subprocess.Popen(command(detector, program, place), stdout=log, stderr=subprocess.STDOUT,
+                                   stdin=subprocess.DEVNULL, env=environment, cwd=HERE, start_new_session=True)
+        resource.prlimit(process.pid, resource.RLIMIT_CPU, (round(limit), round(limit) + 1))
+        code, seconds = wait(process, WALL * limit)
+        log.seek(0)
+        output = log.read()
+    by = ["timeout"] if code is None else catches(detector, code, output)
+    return {"by": by, "failing": len(NOT_OK.findall(output)), "seconds": round(seconds, 3)}
+
+
+def limit_of(baseline):
+    return SLOWER * baseline["seconds"] + LONGER

@@ -1,0 +1,108 @@
+"""Plants one fault in the program: an altered copy of one source file, compiled as the build compiles it and
+linked in front of the libraries, whose own object of that file is then not taken. The tree stays as it is."""
+
+import json
+import os
+import shlex
+import subprocess
+import tomllib
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+SOURCE = os.path.dirname(os.path.dirname(HERE))
+
+KINDS = ("physics", "harness")
+FAULT = {"name": str, "kind": str, "what": str, "file": str, "old": str, "new": str}
+OPTIONAL = {"tests": list, "pin_suffices": bool, "timeout_counts": bool}
+
+
+class Stale(Exception):
+    """A fault, or the build, is not what this program can work with."""
+
+
+def read_faults(path):
+    """The faults of a table, each with all its keys."""
+    with open(path, "rb") as stream:
+        faults = tomllib.load(stream)["fault"]
+    names = set()
+    for fault in faults:
+        known = dict(FAULT, **OPTIONAL)
+        wrong = [key for key in fault if not isinstance(fault[key], known.get(key, ()))]
+        wrong += [key for key in FAULT if key not in fault]
+        if wrong or fault["kind"] not in KINDS or fault["name"] in names:
+            raise Stale(f"{path}: {fault.get('name', 'a fault')}: {', '.join(wrong) or 'its kind or name'} is not as "
+                        "tests/mutation/README.md says")
+        names.add(fault["name"])
+        for key, kind in OPTIONAL.items():
+            fault.setdefault(key, kind())
+    return faults
+
+
+def altered(fault):
+    """The source with the fault in it. Its text must be there once, or the table has fallen behind the source."""
+    path = os.path.join(SOURCE, fault["file"])
+    try:
+        with open(path, encoding="utf-8") as stream:
+            text = stream.read()
+    except OSError as error:
+        raise Stale(f"{fault['file']}: {error.strerror}") from error
+    times = text.count(fault["old"])
+    if times != 1 or fault["old"] == fault["new"]:
+        raise Stale(f"{fault['file']} holds {fault['old']!r} {times} times, expected once: the fault no longer fits the "
+                    "source")
+    return text.replace(fault["old"], fault["new"])
+
+
+class Build:
+    """How a build folder of meson compiles its files and links its programs."""
+
+    def __init__(self, folder):
+        self.folder = os.path.abspath(folder)
+        with open(os.path.join(self.folder, "compile_commands.json"), encoding="utf-8") as stream:
+            entries = json.load(stream)
+        self.compile = {os.path.normpath(os.path.join(self.folder, entry["file"])): entry for entry in entries}
+        self.links = {}
+
+    def link_command(self, program):
+        if program not in self.links:
+            said = subprocess.run(["ninja", "-C", self.folder, "-t", "commands", program], capture_output=True,
+                                  text=True, check=True)
+            self.links[program] = shlex.split(said.stdout.splitlines()[-1])
+        return self.links[program]
+
+    def object_of(self, fault, place):
+        """Compiles the altered source into `place`; returns the object and the one it stands for."""
+        entry = self.compile.get(os.path.join(SOURCE, fault["file"]))
+        if entry is None:
+            raise Stale(f"{fault['file']} is not compiled in {self.folder}")
+        copy = os.path.join(place, os.path.basename(fault["file"]))
+        with open(copy, "w", encoding="utf-8") as stream:
+            stream.write(altered(fault))
+        made = copy + ".o"
+        words = shlex.split(entry["command"])
+        words[words.index("-c") + 1] = copy
+        for option, value in (("-o", made), ("-MF", made + ".d"), ("-MQ", made)):
+            words[words.index(option) + 1] = value
+        said = subprocess.run(words + ["-w"], cwd=self.folder, capture_output=True, text=True, check=False)
+        if said.returncode:
+            raise Stale(f"{fault['file']} with the fault does not compile:\n{said.stderr}")
+        return made, entry["output"]
+
+    def program(self, program, fault_object, place):
+        """Links a program with the altered object; None when the program has no part of that file."""
+        made, original = fault_object
+        words = list(self.link_command(program))
+        room = os.path.join(os.path.dirname(os.path.dirname(original)), os.path.basename(os.path.dirname(original)))
+        library = room.removesuffix(".p")
+        if original in words:  # an object of the program itself
+            words[words.index(original)] = made
+        elif library in words:
+            first = next(place for place, word in enumerate(words) if word.endswith(".o"))
+            words.insert(first, made)
+        else:
+            return None
+        path = os.path.join(place, os.path.basename(program))
+        words[words.index("-o") + 1] = path
+        said = subprocess.run(words, cwd=self.folder, capture_output=True, text=True, check=False)
+        if said.returncode:
+            raise Stale(f"{program} with the fault does not link:\n{said.stderr}")
+        return path

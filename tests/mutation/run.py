@@ -1,0 +1,205 @@
+#!/usr/bin/python3
+"""Plants every fault of faults.toml, one at a time, and sets the detectors of detectors.toml at it.
+
+Fails when a fault is caught by nobody, when a detector catches nothing, when a detector fails without a fault, and
+when a fault no longer fits the source. Prints TAP; writes the matrix as JSON (README.md says what is in it)."""
+
+import argparse
+import concurrent.futures
+import hashlib
+import json
+import os
+import shutil
+import sys
+import time
+
+import detect
+import plant
+
+SCHEMA = "pulloff-faults/1"
+
+
+def arguments(words):
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("--build", default="build", metavar="DIR", help="the build folder (build)")
+    parser.add_argument("--output", metavar="DIR", help="where to work and to leave matrix.json (BUILD/mutation)")
+    parser.add_argument("--jobs", type=int, default=0, metavar="N", help="faults at a time (0: all cores)")
+    parser.add_argument("--fault", action="append", metavar="NAME", help="only this fault; writes no matrix")
+    parser.add_argument("--reuse", action="store_true",
+                        help="do nothing when the matrix is of this program, these faults and cases, and whole")
+    return parser.parse_args(words)
+
+
+def key_of(build, detectors):
+    """sha256 of all that the matrix depends on: the programs, the sources, cases, references and tests."""
+    digest = hashlib.sha256()
+    paths = [os.path.join(build.folder, program)
+             for program in sorted({detect.program_of(detector) for detector in detectors})]
+    for folder in ("src", "cases", "reference", "tests/cli", "tests/mutation"):
+        for place, inner, names in os.walk(os.path.join(plant.SOURCE, folder)):
+            inner[:] = sorted(set(inner) - {"__pycache__", "make"})
+            paths += [os.path.join(place, name) for name in sorted(names)]
+    for path in paths:
+        with open(path, "rb") as stream:
+            digest.update(hashlib.sha256(stream.read()).digest())
+    return digest.hexdigest()
+
+
+def concerns(detector, fault):
+    """Physics is for cases and tables to catch, but for what only the named tests look at."""
+    if detector["name"] in fault["tests"]:
+        return True
+    return not detector.get("named") and (detector["kind"] != "test" or fault["kind"] == "harness")
+
+
+def is_caught(fault, cell):
+    """Whether a cell is what catches this fault: a moved pin is no evidence of wrong physics, and slow is not wrong."""
+    weak = set() if fault["pin_suffices"] or fault["kind"] == "harness" else {"pin"}
+    weak |= set() if fault["timeout_counts"] else {"timeout"}
+    return bool(set(cell["by"]) - weak)
+
+
+class Campaign:
+    """All faults against all detectors of one build."""
+
+    def __init__(self, wanted):
+        self.build = plant.Build(wanted.build)
+        self.output = os.path.abspath(wanted.output or os.path.join(wanted.build, "mutation"))
+        self.jobs = wanted.jobs or len(os.sched_getaffinity(0))
+        self.detectors = detect.read_detectors(os.path.join(plant.HERE, "detectors.toml"))
+        self.faults = plant.read_faults(os.path.join(plant.HERE, "faults.toml"))
+        self.key = key_of(self.build, self.detectors)
+        self.baseline = {}
+
+    def place(self, name):
+        path = os.path.join(self.output, name)
+        shutil.rmtree(path, ignore_errors=True)
+        os.makedirs(path)
+        return path
+
+    def run_baseline(self):
+        """Every detector on the program as it is."""
+        def one(detector):
+            place = self.place(os.path.join("baseline", detector["name"]))
+            return detect.run(detector, os.path.join(self.build.folder, detect.program_of(detector)), place)
+        with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
+            cells = pool.map(one, self.detectors)
+        self.baseline = {detector["name"]: cell for detector, cell in zip(self.detectors, cells)}
+
+    def run_fault(self, fault):
+        """The row of a fault: its cells by detector; of one that is not concerned there is none."""
+        row = {key: fault[key] for key in ("name", "kind", "what", "file")}
+        row.update(cells={}, caught=False, problem="")
+        place = self.place(fault["name"])
+        try:
+            made = self.build.object_of(fault, place)
+            programs = {}
+            for detector in self.detectors:
+                if not concerns(detector, fault):
+                    continue
+                name = detect.program_of(detector)
+                if name not in programs:
+                    programs[name] = self.build.program(name, made, place)
+                if programs[name]:
+                    row["cells"][detector["name"]] = detect.run(
+                        detector, programs[name], place, detect.limit_of(self.baseline[detector["name"]]))
+        except plant.Stale as error:
+            row["problem"] = str(error)
+        for cell in row["cells"].values():
+            cell["caught"] = is_caught(fault, cell)
+        row["caught"] = any(cell["caught"] for cell in row["cells"].values())
+        if row["caught"]:
+            shutil.rmtree(place)
+        print(f"{fault['name']}: {'caught' if row['caught'] else 'not caught'}", file=sys.stderr, flush=True)
+        return row
+
+    def run_faults(self, faults):
+        with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
+            return list(pool.map(self.run_fault, faults))
+
+    def matrix(self, rows, seconds):
+        detectors = [{"name": detector["name"], "kind": detector["kind"], "title": detector["title"],
+                      "seconds": self.baseline[detector["name"]]["seconds"],
+                      "passes": not self.baseline[detector["name"]]["by"],
+                      "catches": sum(row["cells"].get(detector["name"], {}).get("caught", False) for row in rows)}
+                     for detector in self.detectors]
+        return {"schema": SCHEMA, "key": self.key, "seconds": round(seconds, 1), "detectors": detectors, "faults": rows,
+                "passes": all(row["caught"] for row in rows) and
+                all(detector["passes"] and detector["catches"] for detector in detectors)}
+
+
+def tell(tap, number, passes, name, why):
+    tap.append(f"{'ok' if passes else 'not ok'} {number} - {name}")
+    if not passes:
+        tap.extend("# " + line for line in why.splitlines())
+
+
+def tap_of(matrix):
+    tap = []
+    for detector in matrix["detectors"]:
+        why = "it fails without any fault" if not detector["passes"] else "it caught no fault"
+        tell(tap, len(tap) + 1, detector["passes"] and detector["catches"], f"detector {detector['name']}", why)
+    number = len(matrix["detectors"])
+    for row in matrix["faults"]:
+        number += 1
+        slow = [name for name, cell in row["cells"].items() if "timeout" in cell["by"]]
+        pins = [name for name, cell in row["cells"].items() if cell["by"] == ["pin"]]
+        why = row["problem"] or f"nobody caught it: {row['what']}"
+        why += f"\nout of time: {', '.join(slow)}" if slow else ""
+        why += f"\nonly a pin moved: {', '.join(pins)}" if pins else ""
+        tell(tap, number, row["caught"], f"fault {row['name']}", why)
+    return f"TAP version 13\n1..{number}\n" + "\n".join(tap)
+
+
+def table_of(matrix):
+    """The matrix for people, as lines of a comment."""
+    names = [detector["name"] for detector in matrix["detectors"]]
+    width = max(len(row["name"]) for row in matrix["faults"])
+    signs = {"oracle": "O", "pin": "p", "no_result": "n", "test": "T", "refused": "R", "timeout": "t"}
+    lines = ["O oracle, T test, n no result, R refused, p pin, t out of time, . passed, blank: not set at it"]
+    for place in range(max(map(len, names))):
+        lines.append(" " * width + " " + " ".join(name[place:place + 1] or " " for name in names))
+    for row in matrix["faults"]:
+        cells = (row["cells"].get(name) for name in names)
+        marks = (" " if cell is None else next((signs[by] for by in signs if by in cell["by"]), ".") for cell in cells)
+        lines.append(f"{row['name']:{width}} {' '.join(marks)}".rstrip())
+    return "\n".join("# " + line for line in lines)
+
+
+def is_kept(path, key):
+    try:
+        with open(path, encoding="utf-8") as stream:
+            kept = json.load(stream)
+    except (OSError, ValueError):
+        return False
+    return kept.get("schema") == SCHEMA and kept.get("key") == key and kept.get("passes")
+
+
+def main(words):
+    wanted = arguments(words)
+    begin = time.monotonic()
+    try:
+        campaign = Campaign(wanted)
+    except (plant.Stale, OSError) as error:
+        print(f"Bail out! {error}")
+        return 4
+    path = os.path.join(campaign.output, "matrix.json")
+    if wanted.reuse and is_kept(path, campaign.key):
+        print(f"# kept: {path}")
+        return 0
+    campaign.run_baseline()
+    chosen = [fault for fault in campaign.faults if not wanted.fault or fault["name"] in wanted.fault]
+    matrix = campaign.matrix(campaign.run_faults(chosen), time.monotonic() - begin)
+    if not wanted.fault:
+        with open(path + ".new", "w", encoding="utf-8") as stream:
+            json.dump(matrix, stream, indent=1)
+            stream.write("\n")
+        os.replace(path + ".new", path)
+    print(tap_of(matrix))
+    print(table_of(matrix))
+    print(f"# {len(chosen)} faults, {time.monotonic() - begin:.0f} s")
+    return 0 if matrix["passes"] else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
