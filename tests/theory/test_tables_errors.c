@@ -4,7 +4,7 @@
 #include "po_outcome.h"
 #include "table.h"
 
-static const double TOLERANCES[] = {1e-3, 1e-5, 1e-7};
+static const double TOLERANCES[] = {1e-4, 1e-7};
 
 static void solve(double tabor, double tolerance, po_outcome *outcome) {
   po_request request = po_request_default();
