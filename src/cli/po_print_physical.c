@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "po_json.h"
+#include "po_json_units.h"
 
 /* What can be given, as JSON names it. */
 static const struct {
@@ -25,7 +26,7 @@ static void set(json_t *object, const char *key, double value) {
 }
 
 json_t *po_json_physical_input(const po_scene_flags *flags) {
-  json_t *input = json_object(), *units = json_object();
+  json_t *input = json_object();
   if (!isnan(flags->modulus))
     set(input, "modulus_pa", flags->modulus);
   set(input, "work_j_per_m2", flags->work);
@@ -33,21 +34,7 @@ json_t *po_json_physical_input(const po_scene_flags *flags) {
   for (int i = 0; i < LENGTH_COUNT; ++i)
     if (!isnan(flags->metres[LENGTHS[i].length]))
       set(input, LENGTHS[i].key, flags->metres[LENGTHS[i].length]);
-  json_object_set_new(units, "length_m", po_json_number(flags->units.length));
-  json_object_set_new(units, "force_n", po_json_number(flags->units.force));
-  json_object_set_new(units, "traction_pa", po_json_number(flags->units.traction));
-  return json_pack("{s:o, s:o}", "input", input, "units", units);
-}
-
-static json_t *pull_off(const po_units *u, const po_outcome *outcome) {
-  if (!outcome->has_pull_off)
-    return json_null();
-  return json_pack(
-      "{s:o, s:o, s:o, s:o, s:o}", "force_n", po_json_number(outcome->pull_off.force * u->force),
-      "approach_m", po_json_number(outcome->pull_off.approach * u->length), "contact_radius_m",
-      po_json_number(outcome->pull_off.contact_radius * u->length), "error_estimate_n",
-      po_json_number(outcome->pull_off.force_error * u->force), "approach_error_estimate_m",
-      po_json_number(outcome->pull_off.approach_error * u->length));
+  return json_pack("{s:o, s:o}", "input", input, "units", po_json_units(&flags->units));
 }
 
 static json_t *point(const po_units *u, double approach, double load, double contact_radius) {
@@ -95,7 +82,7 @@ json_t *po_json_physical(const po_scene_flags *flags, const po_request *request,
                          const po_outcome *outcome) {
   const po_units *u = &flags->units;
   json_t *object = po_json_physical_input(flags);
-  json_object_set_new(object, "pull_off", pull_off(u, outcome));
+  json_object_set_new(object, "pull_off", po_json_units_pull_off(u, outcome));
   json_object_set_new(object, "folds", landmarks(u, outcome->folds, outcome->fold_count));
   json_object_set_new(object, "extrema", landmarks(u, outcome->extrema, outcome->extremum_count));
   if (request->want & PO_WANT_CURVE)

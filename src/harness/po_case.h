@@ -6,6 +6,7 @@
 
 #include "po_input.h"
 #include "po_outcome.h"
+#include "po_physical.h"
 #include "po_status.h"
 
 typedef enum {
@@ -103,9 +104,17 @@ typedef struct {
   po_request request;
 } po_point;
 
-/* The scene as written; NULL: not given. */
+/* The scene in SI units as written; NULL: not given. */
+typedef struct {
+  char *modulus, *work, *distance, *radius, *amplitude, *wavelength, *outer_radius;
+} po_physical_words;
+
+/* The scene as written; NULL: not given. What a physical block makes is filled in when it is
+ * parsed.
+ */
 typedef struct {
   char *values[PO_KEY_COUNT];
+  po_physical_words *physical;
 } po_scene_words;
 
 /* Closed forms along a sweep, to be drawn beside what is solved. */
@@ -144,6 +153,8 @@ typedef struct {
   char *source; /* the text of the file */
   size_t source_size;
   po_case_file *file;
+  bool is_physical; /* the scene is in SI units, and results are told in them, too: */
+  po_units units;
   unsigned suites;  /* of po_suite */
   unsigned want;    /* of po_case_want */
   unsigned repeats; /* how often each solve is timed */

@@ -269,6 +269,8 @@ po_status po_case_parse(po_case *kase, const po_yaml *yaml) {
   if (!status)
     status = po_case_sample_parse(kase, yaml);
   if (!status)
+    status = po_case_physical_parse(kase, yaml);
+  if (!status)
     status = check_scene(kase, yaml);
   for (unsigned i = 0; !status && i < kase->file->checks_count; ++i)
     if (!(status = parse_check(kase->file, &kase->file->checks[i], i + 1, yaml)))

@@ -30,4 +30,7 @@ po_status po_axis_fill(po_axis *axis, const char *where, const po_yaml *yaml);
 /* The drawn scenes, each with every combination of the sweep: kase->points. */
 po_status po_case_expand(po_case *kase, const po_yaml *yaml);
 
+/* Makes the dimensionless scene of a block `physical`, if there is one, and its units. */
+po_status po_case_physical_parse(po_case *kase, const po_yaml *yaml);
+
 #endif

@@ -8,6 +8,7 @@
 #include "po_file.h"
 #include "po_input.h"
 #include "po_json.h"
+#include "po_json_units.h"
 #include "po_lines.h"
 #include "po_tables.h"
 
@@ -105,6 +106,10 @@ json_t *po_record_point(const po_case_run *run, size_t index) {
   json_object_set_new(object, "sweep", sweep(kase, index));
   json_object_set_new(object, "seconds_all", seconds_all(run, index));
   json_object_set_new(object, "command", text_or_null(command));
+  if (kase->is_physical)
+    json_object_set_new(object, "physical",
+                        json_pack("{s:o, s:o}", "units", po_json_units(&kase->units), "pull_off",
+                                  po_json_units_pull_off(&kase->units, outcome)));
   free(command);
   return object;
 }

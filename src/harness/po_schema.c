@@ -84,6 +84,17 @@ static const cyaml_schema_field_t CHECK_FIELDS[] = {
 static const cyaml_schema_value_t CHECK = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, po_check, CHECK_FIELDS)};
 
+static const cyaml_schema_field_t PHYSICAL_FIELDS[] = {
+    TEXT("modulus_pa", po_physical_words, modulus),
+    TEXT("work_j_per_m2", po_physical_words, work),
+    TEXT("distance_m", po_physical_words, distance),
+    TEXT("radius_m", po_physical_words, radius),
+    OPTIONAL_TEXT("amplitude_m", po_physical_words, amplitude),
+    OPTIONAL_TEXT("wavelength_m", po_physical_words, wavelength),
+    OPTIONAL_TEXT("outer_radius_m", po_physical_words, outer_radius),
+    CYAML_FIELD_END,
+};
+
 #define SCENE_KEY(name, key) OPTIONAL_TEXT(name, po_scene_words, values[key])
 static const cyaml_schema_field_t SCENE_FIELDS[] = {
     SCENE_KEY("tabor", PO_KEY_TABOR),
@@ -98,6 +109,8 @@ static const cyaml_schema_field_t SCENE_FIELDS[] = {
     SCENE_KEY("approach_start", PO_KEY_APPROACH_START),
     SCENE_KEY("approach_end", PO_KEY_APPROACH_END),
     SCENE_KEY("time_limit", PO_KEY_TIME_LIMIT),
+    CYAML_FIELD_MAPPING_PTR("physical", CYAML_FLAG_POINTER | CYAML_FLAG_OPTIONAL, po_scene_words,
+                            physical, PHYSICAL_FIELDS),
     CYAML_FIELD_END,
 };
 
@@ -133,6 +146,11 @@ static const struct {
     {"figure_script", "the name of a script"},
     {"suites", "a list of smoke, paper, extreme, precision, random"},
     {"scene", "a mapping of scene keys"},
+    {"scene.physical", "a mapping of modulus_pa, work_j_per_m2, distance_m, radius_m and more"},
+    {"scene.physical.modulus_pa", "a number > 0 in Pa, or inf"},
+    {"scene.physical.work_j_per_m2", "a finite number > 0 in J/m^2"},
+    {"scene.physical.distance_m", "a finite number > 0 in m"},
+    {"scene.physical.radius_m", "a finite number > 0 in m"},
     {"sweep", "a list of {key, values}"},
     {"sweep.from", "a finite number"},
     {"sweep.to", "a finite number > from"},

@@ -33,6 +33,17 @@ static void table_line(const po_case_run *run, const po_result *item, po_text *t
               item->verdict != PO_WITHIN ? item->note : "");
 }
 
+/* The pull-off of each point in newton and metre, of a scene that was given in them. */
+static void physical_lines(const po_case_run *run, po_text *text) {
+  const po_case *kase = run->plan->kase;
+  for (size_t i = 0; kase->is_physical && i < kase->point_count; ++i)
+    if (run->outcomes[i].has_pull_off)
+      po_text_add(text, "%-12s %-23s %-24s %.10g N at approach %.10g m\n", kase->file->name,
+                  "pull_off", kase->points[i].label,
+                  run->outcomes[i].pull_off.force * kase->units.force,
+                  run->outcomes[i].pull_off.approach * kase->units.length);
+}
+
 /* How many checks of all cases have each verdict. */
 static size_t count_verdicts(const po_case_run *runs, size_t count, size_t of[PO_VERDICT_COUNT]) {
   size_t total = 0;
@@ -75,6 +86,7 @@ void po_verdicts_table(const po_case_run *runs, size_t count, po_text *text) {
     const po_case_run *run = &runs[r];
     for (size_t i = 0; i < run->results.count; ++i)
       table_line(run, &run->results.items[i], text);
+    physical_lines(run, text);
     for (size_t i = 0; i < run->plan->kase->point_count; ++i)
       if (po_case_run_failed(run, i))
         po_text_add(text, "%-12s %-23s %-24s failed: %s\n", run->plan->kase->file->name, "solve",
