@@ -46,6 +46,36 @@ static void print_landmarks(const po_landmark *list, size_t count) {
   }
 }
 
+/* A number, or a word where it is boundless. */
+static const char *finite_or(double value, const char *word, char text[32]) {
+  if (isfinite(value))
+    snprintf(text, 32, "%.8g", value);
+  else
+    snprintf(text, 32, "%s", word);
+  return text;
+}
+
+/* One loop: where loading was reversed, what was measured, and every jump. */
+static void print_loop(const char *control, const po_loop *loop) {
+  printf("%s: reversed at approach %.6g, load %.6g; pull-off measured %.8g at approach %.8g",
+         control, loop->preload.approach, loop->preload.load, fmax(0.0, -loop->pull_off.load),
+         loop->pull_off.approach);
+  if (isfinite(loop->energy_lost))
+    printf("; energy lost %.6g", loop->energy_lost);
+  printf("\n%-5s%-10s %14s %14s %14s %14s %12s\n", "", "", "approach", "to", "load", "to",
+         "energy lost");
+  for (size_t k = 0; k < loop->jump_count; ++k) {
+    const po_jump *jump = &loop->jumps[k];
+    char label[PO_JUMP_LABEL_LENGTH];
+    po_json_jump_label(jump->loading, k + 1 - (jump->loading ? 0 : loop->loading_jumps), label);
+    char from[32], to[32], lost[32];
+    printf("%-5s%-10s %14s %14s %14.8g %14.8g %12s\n", label,
+           jump->loading ? "loading" : "unloading", finite_or(jump->before.approach, "apart", from),
+           finite_or(jump->after.approach, "apart", to), jump->before.load, jump->after.load,
+           finite_or(jump->energy_lost, "boundless", lost));
+  }
+}
+
 static void print_input(const po_request *request) {
   printf("scene   ");
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
@@ -78,6 +108,10 @@ po_status po_print_text(const po_request *request, const po_scene_flags *flags,
            "contact radius", "unstable");
     print_landmarks(outcome->folds, outcome->fold_count);
     print_landmarks(outcome->extrema, outcome->extremum_count);
+  }
+  if (outcome->has_hysteresis) {
+    print_loop("displacement control", &outcome->hysteresis.displacement);
+    print_loop("load control", &outcome->hysteresis.load);
   }
   if (flags->from_physical)
     po_print_physical(flags, outcome);

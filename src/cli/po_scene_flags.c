@@ -15,6 +15,7 @@ static const struct {
     [PO_LENGTH_APPROACH_START] = {"approach-start", PO_KEY_APPROACH_START},
     [PO_LENGTH_APPROACH_END] = {"approach-end", PO_KEY_APPROACH_END},
     [PO_LENGTH_PROFILE_APPROACH] = {"profile-approach", -1},
+    [PO_LENGTH_PRELOAD] = {"preload", PO_KEY_PRELOAD},
     [PO_LENGTH_APPROACH] = {"approach", -1},
     [PO_LENGTH_CONTACT_RADIUS] = {"contact-radius", -1},
 };

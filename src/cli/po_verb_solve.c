@@ -29,8 +29,11 @@ static const char HELP[] =
     "  --approach-start D      where the trace begins (chosen by the solver)\n"
     "  --approach-end D        where it ends (once pressed harder than pulled)\n"
     "  --time-limit S          seconds of processor time after which the solve ends (none)\n"
-    "  --want curve,profile    points of the branch; gap and traction over the radius\n"
+    "  --want LIST             of curve, profile, hysteresis: points of the branch; gap and\n"
+    "                          traction over the radius; loading and unloading with jumps\n"
     "  --profile-approach D    where the profile is taken (at pull-off)\n"
+    "  --preload D             approach at which loading is reversed, and\n"
+    "  --preload-load W        load at which it is, whichever comes first (the pull-off force)\n"
     "  --curve FILE            write the points of the branch as CSV, dimensionless\n"
     "  --profile FILE          write the profile as CSV, dimensionless\n"
     "  --json                  one JSON document on standard output, nothing else\n"
@@ -52,6 +55,8 @@ static const struct option OPTIONS[] = {
     PO_LENGTH_OPTIONS("approach-start", PO_LENGTH_APPROACH_START),
     PO_LENGTH_OPTIONS("approach-end", PO_LENGTH_APPROACH_END),
     {"time-limit", required_argument, NULL, KEY + PO_KEY_TIME_LIMIT},
+    PO_LENGTH_OPTIONS("preload", PO_LENGTH_PRELOAD),
+    {"preload-load", required_argument, NULL, KEY + PO_KEY_PRELOAD_LOAD},
     {"want", required_argument, NULL, WANT},
     PO_LENGTH_OPTIONS("profile-approach", PO_LENGTH_PROFILE_APPROACH),
     {"curve", required_argument, NULL, CURVE_FILE},
@@ -71,12 +76,14 @@ typedef struct {
 static po_status take_want(solve_line *line, const char *list) {
   for (const char *item = list;; ++item) {
     const size_t length = strcspn(item, ",");
-    if (length == 5 && strncmp(item, "curve", 5) == 0)
-      line->request.want |= PO_WANT_CURVE;
-    else if (length == 7 && strncmp(item, "profile", 7) == 0)
-      line->request.want |= PO_WANT_PROFILE;
-    else
-      return po_options_refuse("want", list, "curve, profile or both, with a comma between");
+    int k = 0;
+    while (k < PO_WANT_COUNT &&
+           (strlen(po_want_name(k)) != length || strncmp(item, po_want_name(k), length) != 0))
+      ++k;
+    if (k == PO_WANT_COUNT)
+      return po_options_refuse("want", list,
+                               "any of curve, profile, hysteresis, with commas between");
+    line->request.want |= 1u << k;
     item += length;
     if (*item == '\0')
       return PO_OK;
@@ -146,6 +153,12 @@ static po_status end_line(solve_line *line) {
   request->approach_start = length[PO_LENGTH_APPROACH_START];
   request->approach_end = length[PO_LENGTH_APPROACH_END];
   request->profile_approach = length[PO_LENGTH_PROFILE_APPROACH];
+  if (line->flags.from_physical && !isnan(request->preload.load))
+    return po_fail(PO_BAD_INPUT, "--preload-load is in pi w R: expected --preload-m with "
+                                 "--from-physical");
+  request->preload.approach = length[PO_LENGTH_PRELOAD];
+  if (!isnan(request->preload.approach) || !isnan(request->preload.load))
+    request->want |= PO_WANT_HYSTERESIS;
   if (!isnan(request->profile_approach))
     request->want |= PO_WANT_PROFILE;
   return po_request_check(request);

@@ -24,6 +24,7 @@ typedef enum {
   PO_CASE_EXTREMA = 4,
   PO_CASE_CURVE = 8,
   PO_CASE_PROFILE = 16,
+  PO_CASE_HYSTERESIS = 32,
 } po_case_want;
 
 typedef enum {

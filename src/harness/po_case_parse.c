@@ -17,7 +17,8 @@ bool po_case_is_name(const char *text) {
 }
 
 static po_status parse_names(po_case *kase, const po_yaml *yaml) {
-  static const char *const WANTS[] = {"pull_off", "folds", "extrema", "curve", "profile"};
+  static const char *const WANTS[] = {"pull_off", "folds",   "extrema",
+                                      "curve",    "profile", "hysteresis"};
   const po_case_file *file = kase->file;
   if (!po_case_is_name(file->name) || strlen(file->name) > 64)
     return po_schema_refuse(yaml, NULL, "name");
@@ -35,8 +36,8 @@ static po_status parse_names(po_case *kase, const po_yaml *yaml) {
       if (strcmp(file->want_names[i], WANTS[k]) == 0)
         want = 1u << k;
     if (!want)
-      return po_schema_refuse(yaml, "pull_off, folds, extrema, curve or profile", "want[%u]",
-                              i + 1);
+      return po_schema_refuse(yaml, "pull_off, folds, extrema, curve, profile or hysteresis",
+                              "want[%u]", i + 1);
     kase->want |= want;
   }
   return PO_OK;

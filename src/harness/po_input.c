@@ -26,6 +26,8 @@ static const struct {
     [PO_KEY_TOLERANCE] = {"tolerance", POSITIVE, "a finite number > 0"},
     [PO_KEY_APPROACH_START] = {"approach_start", ANY_NUMBER, "a finite number"},
     [PO_KEY_APPROACH_END] = {"approach_end", ANY_NUMBER, "a finite number"},
+    [PO_KEY_PRELOAD] = {"preload", ANY_NUMBER, "a finite number"},
+    [PO_KEY_PRELOAD_LOAD] = {"preload_load", NOT_NEGATIVE, "a finite number >= 0"},
     [PO_KEY_TIME_LIMIT] = {"time_limit", POSITIVE, "a finite number > 0"},
     [PO_KEY_ALPHA] = {"alpha", POSITIVE, "a finite number > 0"},
     [PO_KEY_AMPLITUDE_RATIO] = {"amplitude_ratio", NOT_NEGATIVE, "a finite number >= 0"},
@@ -79,6 +81,10 @@ static double *key_place(po_request *request, po_key key) {
     return &request->approach_start;
   case PO_KEY_APPROACH_END:
     return &request->approach_end;
+  case PO_KEY_PRELOAD:
+    return &request->preload.approach;
+  case PO_KEY_PRELOAD_LOAD:
+    return &request->preload.load;
   case PO_KEY_TIME_LIMIT:
     return &request->time_limit;
   default:
@@ -193,10 +199,12 @@ char *po_input_command(const po_request *request) {
         *c = '-';
     po_text_add(&command, " --%s %s", flag, value);
   }
-  if (request->want)
-    po_text_add(&command, " --want %s%s%s", request->want & PO_WANT_CURVE ? "curve" : "",
-                request->want == (PO_WANT_CURVE | PO_WANT_PROFILE) ? "," : "",
-                request->want & PO_WANT_PROFILE ? "profile" : "");
+  const char *before = " --want ";
+  for (int k = 0; k < PO_WANT_COUNT; ++k)
+    if (request->want & (1u << k)) {
+      po_text_add(&command, "%s%s", before, po_want_name(k));
+      before = ",";
+    }
   if (command.failed)
     po_text_clear(&command);
   return command.data;

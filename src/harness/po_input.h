@@ -23,6 +23,8 @@ typedef enum {
   PO_KEY_TOLERANCE,
   PO_KEY_APPROACH_START,
   PO_KEY_APPROACH_END,
+  PO_KEY_PRELOAD,
+  PO_KEY_PRELOAD_LOAD,
   PO_KEY_TIME_LIMIT,
   PO_KEY_COUNT,
   /* Groups of these, in sweeps, conditions and reference tables: each sets one of them. */

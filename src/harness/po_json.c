@@ -62,13 +62,16 @@ static json_t *work(const po_work *done) {
 }
 
 json_t *po_json_outcome(const po_request *request, const po_outcome *outcome) {
-  return json_pack("{s:o, s:s, s:s, s:b, s:o, s:o, s:o, s:o, s:o, s:o}", "input",
-                   po_json_input(request), "status", po_status_name(outcome->status), "reason",
-                   outcome->reason, "rigid", (int)outcome->rigid, "start",
-                   po_json_number(outcome->start), "end", po_json_number(outcome->end), "pull_off",
-                   pull_off(outcome), "folds", landmarks(outcome->folds, outcome->fold_count),
-                   "extrema", landmarks(outcome->extrema, outcome->extremum_count), "work",
-                   work(&outcome->work));
+  json_t *object = json_pack(
+      "{s:o, s:s, s:s, s:b, s:o, s:o, s:o, s:o, s:o, s:o}", "input", po_json_input(request),
+      "status", po_status_name(outcome->status), "reason", outcome->reason, "rigid",
+      (int)outcome->rigid, "start", po_json_number(outcome->start), "end",
+      po_json_number(outcome->end), "pull_off", pull_off(outcome), "folds",
+      landmarks(outcome->folds, outcome->fold_count), "extrema",
+      landmarks(outcome->extrema, outcome->extremum_count), "work", work(&outcome->work));
+  if (object && outcome->has_hysteresis)
+    json_object_set_new(object, "hysteresis", po_json_hysteresis(request, outcome));
+  return object;
 }
 
 json_t *po_json_curve(const po_outcome *outcome) {

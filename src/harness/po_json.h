@@ -16,13 +16,22 @@ json_t *po_json_number(double value);
  * "approach_start": number or null (chosen by the solver)}. */
 json_t *po_json_input(const po_request *request);
 
-/* {"input", "status", "reason", "rigid", "pull_off", "folds", "extrema", "work"}: no arrays of
- * points. NULL without memory. */
+/* {"input", "status", "reason", "rigid", "pull_off", "folds", "extrema", "work"}, and "hysteresis"
+ * where that was read off: no arrays of points. NULL without memory. */
 json_t *po_json_outcome(const po_request *request, const po_outcome *outcome);
 
 /* The points of the branch, and of the profile. */
 json_t *po_json_curve(const po_outcome *outcome);
 json_t *po_json_profile(const po_outcome *outcome);
+
+/* {"displacement_control", "load_control", "jkr"}: both loops, and the two of the JKR theory (null
+ * for a rigid scene). Each loop: {"preload", "pull_off", "energy_lost", "work", "jumps"}. */
+json_t *po_json_hysteresis(const po_request *request, const po_outcome *outcome);
+
+/* The label of a jump, or of an end of one, numbered from 1: "1", "2"... in loading, "a", "b"...
+ * "z", "aa"... in unloading. */
+enum { PO_JUMP_LABEL_LENGTH = 8 };
+void po_json_jump_label(bool loading, size_t number, char label[PO_JUMP_LABEL_LENGTH]);
 
 /* Writes a document with 17 significant digits, indented, ending in a newline. */
 po_status po_json_print(const json_t *document, po_text *text);
@@ -30,5 +39,11 @@ po_status po_json_print(const json_t *document, po_text *text);
 /* The inverse of po_json_outcome but for `input`; arrays of points stay empty.
  * Status: PO_BAD_INPUT when something is missing or of the wrong type. */
 po_status po_json_read_outcome(const json_t *object, po_outcome *outcome);
+
+/* A number, or NaN for null and what is absent. */
+double po_json_read_number(const json_t *object, const char *key);
+
+/* The inverse of po_json_hysteresis but for the theory; null or absent: none. */
+po_status po_json_read_hysteresis(const json_t *object, po_outcome *outcome);
 
 #endif

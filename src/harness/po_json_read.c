@@ -5,8 +5,7 @@
 #include "po_json.h"
 #include "po_memory.h"
 
-/* A number, or NaN for null and what is absent. */
-static double number_of(const json_t *object, const char *key) {
+double po_json_read_number(const json_t *object, const char *key) {
   const json_t *item = json_object_get(object, key);
   return json_is_number(item) ? json_number_value(item) : (double)NAN;
 }
@@ -48,13 +47,13 @@ static po_status read_landmarks(const json_t *array, po_landmark **list, size_t 
     po_landmark *landmark = &(*list)[i];
     if (!read_kind(item, &landmark->kind))
       return po_fail(PO_BAD_INPUT, "landmark %zu has no kind", i);
-    landmark->approach = number_of(item, "approach");
-    landmark->load = number_of(item, "load");
-    landmark->energy = number_of(item, "energy");
-    landmark->approach_error = number_of(item, "error_estimate");
-    landmark->load_error = number_of(item, "load_error_estimate");
-    landmark->contact_radius = number_of(item, "contact_radius");
-    landmark->position = number_of(item, "position");
+    landmark->approach = po_json_read_number(item, "approach");
+    landmark->load = po_json_read_number(item, "load");
+    landmark->energy = po_json_read_number(item, "energy");
+    landmark->approach_error = po_json_read_number(item, "error_estimate");
+    landmark->load_error = po_json_read_number(item, "load_error_estimate");
+    landmark->contact_radius = po_json_read_number(item, "contact_radius");
+    landmark->position = po_json_read_number(item, "position");
     landmark->unstable_modes = (int)json_integer_value(json_object_get(item, "unstable_modes"));
   }
   return PO_OK;
@@ -68,7 +67,7 @@ static void read_work(const json_t *object, po_work *work) {
   work->nodes = count_of(object, "nodes");
   work->factorized_nodes = count_of(object, "factorized_nodes");
   work->meshes = count_of(object, "meshes");
-  work->seconds = number_of(object, "seconds");
+  work->seconds = po_json_read_number(object, "seconds");
 }
 
 po_status po_json_read_outcome(const json_t *object, po_outcome *outcome) {
@@ -78,21 +77,23 @@ po_status po_json_read_outcome(const json_t *object, po_outcome *outcome) {
   const char *reason = json_string_value(json_object_get(object, "reason"));
   snprintf(outcome->reason, sizeof outcome->reason, "%s", reason ? reason : "");
   outcome->rigid = json_is_true(json_object_get(object, "rigid"));
-  outcome->start = number_of(object, "start");
-  outcome->end = number_of(object, "end");
+  outcome->start = po_json_read_number(object, "start");
+  outcome->end = po_json_read_number(object, "end");
   const json_t *pull_off = json_object_get(object, "pull_off");
   outcome->has_pull_off = json_is_object(pull_off);
-  outcome->pull_off.force = number_of(pull_off, "force");
-  outcome->pull_off.approach = number_of(pull_off, "approach");
-  outcome->pull_off.contact_radius = number_of(pull_off, "contact_radius");
-  outcome->pull_off.force_error = number_of(pull_off, "error_estimate");
-  outcome->pull_off.approach_error = number_of(pull_off, "approach_error_estimate");
+  outcome->pull_off.force = po_json_read_number(pull_off, "force");
+  outcome->pull_off.approach = po_json_read_number(pull_off, "approach");
+  outcome->pull_off.contact_radius = po_json_read_number(pull_off, "contact_radius");
+  outcome->pull_off.force_error = po_json_read_number(pull_off, "error_estimate");
+  outcome->pull_off.approach_error = po_json_read_number(pull_off, "approach_error_estimate");
   read_work(json_object_get(object, "work"), &outcome->work);
   po_status status =
       read_landmarks(json_object_get(object, "folds"), &outcome->folds, &outcome->fold_count);
   if (!status)
     status = read_landmarks(json_object_get(object, "extrema"), &outcome->extrema,
                             &outcome->extremum_count);
+  if (!status)
+    status = po_json_read_hysteresis(json_object_get(object, "hysteresis"), outcome);
   if (status)
     po_outcome_clear(outcome);
   return status;

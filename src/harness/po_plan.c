@@ -29,6 +29,8 @@ static void decide(po_plan *plan) {
     plan->want |= PO_WANT_CURVE;
   if (kase->want & PO_CASE_PROFILE)
     plan->want |= PO_WANT_PROFILE;
+  if (kase->want & PO_CASE_HYSTERESIS)
+    plan->want |= PO_WANT_HYSTERESIS;
   for (unsigned i = 0; i < kase->file->checks_count; ++i)
     if (kase->file->checks[i].quantity == PO_CURVE && !plan->references[i].is_absent)
       plan->want |= PO_WANT_CURVE;

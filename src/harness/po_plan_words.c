@@ -104,6 +104,9 @@ static po_status tell_wants(po_plan *plan) {
     status = plan->want & PO_WANT_PROFILE
                  ? say(plan, "gap and traction at pull-off: the case wants the profile")
                  : say(plan, "no profiles: the case does not want them");
+  if (!status && plan->want & PO_WANT_HYSTERESIS)
+    status = say(plan, "follow loading and unloading, by approach and by load: the case wants the "
+                       "hysteresis");
   if (!status && kase->repeats > 1)
     status = say(plan, "each solve %u times, alone on the machine: the times are the result",
                  kase->repeats);

@@ -108,6 +108,8 @@ static const cyaml_schema_field_t SCENE_FIELDS[] = {
     SCENE_KEY("tolerance", PO_KEY_TOLERANCE),
     SCENE_KEY("approach_start", PO_KEY_APPROACH_START),
     SCENE_KEY("approach_end", PO_KEY_APPROACH_END),
+    SCENE_KEY("preload", PO_KEY_PRELOAD),
+    SCENE_KEY("preload_load", PO_KEY_PRELOAD_LOAD),
     SCENE_KEY("time_limit", PO_KEY_TIME_LIMIT),
     CYAML_FIELD_MAPPING_PTR("physical", CYAML_FLAG_POINTER | CYAML_FLAG_OPTIONAL, po_scene_words,
                             physical, PHYSICAL_FIELDS),
@@ -172,7 +174,7 @@ static const struct {
     {"sample.keys.scale", "linear or log"},
     {"sample.keys.times", "root_radius or a key given before: by scene, sweep or an earlier item"},
     {"repeats", "a whole number from 1 to 1000"},
-    {"want", "a list of pull_off, folds, extrema, curve, profile"},
+    {"want", "a list of pull_off, folds, extrema, curve, profile, hysteresis"},
     {"checks", "a list of checks"},
     {"checks.quantity", "pull_off_force, pull_off_approach, fold_count, folds, extrema, curve, "
                         "work or solved_share"},

@@ -42,6 +42,12 @@ static const double RIGID_START = -10.0;
 static const double CORE_GROWTH = 1.5;
 enum { MOST_MESHES = 4 };
 
+/* Where a trace for hysteresis begins, in Tabor parameters and in eps: the smooth sphere jumps out
+ * at -1.61 mu (JKR), and waves may hold on longer. */
+static const double BEGIN_PER_TABOR = 4.0, BEGIN_AT_LEAST = 4.0;
+/* When unloading leads farther out than the trace began, it begins anew in units of that. */
+static const double FARTHER = 1.5;
+
 static const char *const KINDS[] = {[PO_JUMP_IN] = "jump_in",
                                     [PO_JUMP_OUT] = "jump_out",
                                     [PO_MINIMUM] = "minimum",
@@ -51,13 +57,20 @@ const char *po_landmark_kind_name(po_landmark_kind kind) {
   return KINDS[kind];
 }
 
-static po_branch_options options_of(const po_request *request, po_reader *reader) {
+/* What a trace is made with, and made anew with. */
+typedef struct {
+  double core;      /* of the surface, eps */
+  double tolerance; /* of panels */
+  double begin;     /* approach it begins at, if not farther out; NAN: what the solver takes */
+} attempt;
+
+static po_branch_options options_of(const po_request *request, double begin, po_reader *reader) {
   po_branch_options options = po_branch_options_default();
   options.end = request->approach_end;
   if (request->want & PO_WANT_PROFILE)
     options.station = request->profile_approach;
-  options.begin = request->approach_start;
-  if (request->want & PO_WANT_CURVE)
+  options.begin = fmin(request->approach_start, begin);
+  if (request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS))
     options.largest_sagitta = CURVE_SAGITTA;
   options.visit = po_reader_visit;
   options.data = reader;
@@ -73,19 +86,19 @@ double po_observe_precision(double tolerance) {
   return fmax(FINEST_PRECISION, fmin(COARSEST_PRECISION, PRECISION_OF_TOLERANCE * tolerance));
 }
 
-static po_status trace_elastic(const po_request *request, double tolerance, po_reader *reader,
+static po_status trace_elastic(const po_request *request, const attempt *a, po_reader *reader,
                                po_adaptive *panels) {
   po_outcome *o = reader->outcome;
   po_equilibrium *e = NULL;
   const size_t capacity = panels ? po_adaptive_capacity(panels) : reader->surface->n;
   po_status status = po_equilibrium_create(&request->scene, reader->surface, capacity, &e);
   if (!status) {
-    const po_branch_options options = options_of(request, reader);
+    const po_branch_options options = options_of(request, a->begin, reader);
     if (panels)
       e->precision = po_observe_precision(request->mesh.tolerance);
     reader->begin = request->approach_start;
     reader->begun = isnan(request->approach_start);
-    status = panels ? po_track_trace(e, panels, po_observe_allowance(tolerance), &options)
+    status = panels ? po_track_trace(e, panels, po_observe_allowance(a->tolerance), &options)
                     : po_branch_trace(e, &options);
     o->work.points = e->work.points;
     o->work.newton_iterations = e->work.newton_iterations;
@@ -99,8 +112,22 @@ static po_status trace_elastic(const po_request *request, double tolerance, po_r
   return status;
 }
 
+/* The crest that pushes with this much more than the load, and this, outdoes all that pulls: the
+ * attractive term of Eq 23, 8/(3 x^2) where its repulsive term, 2/(3 x^8), is such a push. */
+static const double PUSH_PER_LOAD = 1.1, PUSH_BEYOND_LOAD = 8.0;
+
+/* Where a rigid trace has reached the preload for sure; it pulls with no more than 2. */
+static double rigid_end(const po_request *request) {
+  const po_preload *preload = &request->preload;
+  const double load = isnan(preload->load) ? 2.0 : preload->load;
+  return fmax(preload->approach,
+              po_rigid_approach_of_crest(&request->scene, PUSH_PER_LOAD * load + PUSH_BEYOND_LOAD));
+}
+
 static po_status trace_rigid(const po_request *request, po_reader *reader) {
-  const po_branch_options options = options_of(request, reader);
+  po_branch_options options = options_of(request, NAN, reader);
+  if (isnan(options.end) && request->want & PO_WANT_HYSTERESIS)
+    options.end = rigid_end(request);
   reader->outcome->rigid = true;
   reader->begun = true;
   double begin = request->approach_start;
@@ -131,28 +158,48 @@ static po_status make_surface(const po_request *request, bool rigid, double core
                             panels);
 }
 
-/* One trace on a surface with the given core, to the given tolerance. */
-static po_status trace(const po_request *request, bool rigid, double core, double tolerance,
-                       double deadline, const po_keeper *keeper, po_outcome *outcome) {
+/* Loading and unloading along the branch traced; where unloading leads farther out than it began,
+ * a->begin is set so that it will do, and nothing read off. */
+static po_status read_hysteresis(const po_reader *reader, attempt *a) {
+  po_outcome *o = reader->outcome;
+  const po_path path = {reader->path, reader->path_count};
+  double least = INFINITY;
+  for (size_t k = 0; k < path.count; ++k)
+    least = fmin(least, path.point[k].approach);
+  if (path.count > 0 && least < path.point[0].approach) {
+    a->begin = FARTHER * least;
+    return PO_OK;
+  }
+  const po_status status =
+      po_hysteresis_follow(&path, reader->request->preload, o->pull_off.force, &o->hysteresis);
+  o->has_hysteresis = !status;
+  return status;
+}
+
+/* One trace. Returned: *a, where it is to be changed for hysteresis. */
+static po_status trace(const po_request *request, bool rigid, attempt *a, double deadline,
+                       const po_keeper *keeper, po_outcome *outcome) {
   po_surface *fixed = NULL;
   po_adaptive *panels = NULL;
-  po_reader reader = {
-      .request = request, .outcome = outcome, .keeper = keeper, .deadline = deadline};
+  po_reader reader = po_reader_begin(request, outcome, deadline);
+  reader.keeper = keeper;
   if (keeper)
-    keeper->begin(keeper->data, tolerance);
+    keeper->begin(keeper->data, a->tolerance);
   po_status status = PO_OK;
   if (!rigid || (request->want & PO_WANT_PROFILE))
-    status = make_surface(request, rigid, core, &fixed, &panels);
+    status = make_surface(request, rigid, a->core, &fixed, &panels);
   if (status)
     goto done;
   reader.surface = panels ? po_adaptive_surface(panels) : fixed;
-  status =
-      rigid ? trace_rigid(request, &reader) : trace_elastic(request, tolerance, &reader, panels);
+  status = rigid ? trace_rigid(request, &reader) : trace_elastic(request, a, &reader, panels);
   if (!status)
     status = reader.status;
   if (!status && !outcome->has_pull_off && isnan(request->approach_end))
     status = po_fail(PO_NOT_FOUND, "the load has no minimum up to approach %.6g", outcome->end);
+  if (!status && (request->want & PO_WANT_HYSTERESIS))
+    status = read_hysteresis(&reader, a);
 done:
+  po_reader_end(&reader);
   po_adaptive_destroy(panels);
   po_surface_destroy(fixed);
   return status;
@@ -189,20 +236,26 @@ static po_status observe(const po_request *request, const po_keeper *keeper, po_
   const bool rigid = po_rigid_suffices(&request->scene);
   const double deadline =
       isnan(request->time_limit) ? INFINITY : po_clock_thread() + request->time_limit;
-  double core =
-      po_surface_core(&request->scene, fmax(request->approach_end, request->profile_approach));
-  double tolerance = request->mesh.tolerance;
+  attempt a = {.core = po_surface_core(&request->scene,
+                                       fmax(fmax(request->approach_end, request->profile_approach),
+                                            request->preload.approach)),
+               .tolerance = request->mesh.tolerance,
+               .begin = NAN};
+  if (request->want & PO_WANT_HYSTERESIS)
+    a.begin = -(BEGIN_AT_LEAST + BEGIN_PER_TABOR * request->scene.tabor + request->scene.amplitude);
   po_work work = {0};
   for (int meshes = 0, traces = 1; meshes < MOST_MESHES; ++traces) {
     clear(outcome);
-    status = trace(request, rigid, core, tolerance, deadline, keeper, outcome);
+    status = trace(request, rigid, &a, deadline, keeper, outcome);
     add_work(&outcome->work, &work);
     const double excess = status || rigid ? 0.0 : excess_error(request, outcome);
     if (status == PO_OUT_OF_DOMAIN) {
-      core *= CORE_GROWTH;
+      a.core *= CORE_GROWTH;
       ++meshes;
     } else if (excess > 0.0 && traces < MOST_TRACES) {
-      tolerance *= SHARPER / excess;
+      a.tolerance *= SHARPER / excess;
+    } else if (!status && request->want & PO_WANT_HYSTERESIS && !outcome->has_hysteresis) {
+      ++meshes; /* it begins farther out now */
     } else {
       break;
     }
@@ -234,5 +287,6 @@ void po_outcome_clear(po_outcome *outcome) {
   free(outcome->extrema);
   free(outcome->curve);
   free(outcome->profile);
+  po_hysteresis_clear(&outcome->hysteresis);
   *outcome = (po_outcome){.status = PO_OK};
 }

@@ -7,13 +7,15 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "po_hysteresis.h"
 #include "po_scene.h"
 #include "po_status.h"
 #include "po_surface.h"
 
 enum {
-  PO_WANT_CURVE = 1,   /* the points of the branch */
-  PO_WANT_PROFILE = 2, /* gap and traction over the radius at one equilibrium */
+  PO_WANT_CURVE = 1,      /* the points of the branch */
+  PO_WANT_PROFILE = 2,    /* gap and traction over the radius at one equilibrium */
+  PO_WANT_HYSTERESIS = 4, /* loading to a preload and back */
 };
 
 typedef struct {
@@ -23,9 +25,15 @@ typedef struct {
   double approach_end;     /* where it ends, in eps; NAN: once pressed enough, see po_reader.c */
   unsigned want;           /* PO_WANT_... */
   double profile_approach; /* in eps, first passage along the branch; NAN: at pull-off */
+  po_preload preload;      /* where loading is reversed; NAN: pushed as hard as pull-off pulls */
   double time_limit;       /* seconds of processor time of the thread that solves; NAN: none */
   const volatile sig_atomic_t *stop; /* asked now and then: nonzero stops the solve; may be NULL */
 } po_request;
+
+enum { PO_WANT_COUNT = 3 };
+
+/* "curve", "profile", "hysteresis": the name of want 1 << k. */
+const char *po_want_name(int k);
 
 /* Kinds of landmark: the folds in approach and the extrema of the load along the branch. */
 typedef enum {
@@ -101,6 +109,8 @@ typedef struct {
   po_profile_point *profile; /* NULL unless wanted */
   size_t profile_count;
   double profile_approach; /* where it was taken */
+  bool has_hysteresis;     /* whether the loops below are set: when wanted */
+  po_hysteresis hysteresis;
   po_work work;
 } po_outcome;
 

@@ -65,6 +65,42 @@ static void add_curve_point(po_reader *r, const po_branch_point *p, double conta
                                                 .unstable_modes = p->unstable_modes};
 }
 
+/* Keeps the branch whole, and what loading has come to. Displacement control follows the points at
+ * which the approach is greater than ever before; a load is carried where it rises. */
+static void follow_loading(po_reader *r, const po_branch_point *p, double contact_radius) {
+  if (!(r->request->want & PO_WANT_HYSTERESIS) ||
+      !grow(r, (void **)&r->path, r->path_count, &r->path_room, sizeof *r->path))
+    return;
+  r->path[r->path_count++] = (po_path_point){.approach = p->approach,
+                                             .load = p->load,
+                                             .energy = p->energy,
+                                             .approach_rate = p->approach_rate,
+                                             .load_rate = p->load_rate,
+                                             .contact_radius = contact_radius,
+                                             .position = p->position,
+                                             .unstable_modes = p->unstable_modes};
+  if (p->unstable_modes > 0)
+    return;
+  if (p->approach >= r->path_approach) {
+    r->path_approach = p->approach;
+    r->path_load = fmax(r->path_load, p->load);
+  }
+  if (p->approach_rate > 0.0 && (p->load_rate > 0.0 || p->kind == PO_POINT_LOAD_MAX))
+    r->greatest_load = fmax(r->greatest_load, p->load);
+}
+
+/* Whether the branch is long enough to load to the preload, in displacement and in load control. */
+static bool is_loaded(const po_reader *r) {
+  const po_preload *preload = &r->request->preload;
+  if (!(r->request->want & PO_WANT_HYSTERESIS))
+    return true;
+  if (isnan(preload->approach) && isnan(preload->load))
+    return r->path_load >= r->outcome->pull_off.force &&
+           r->greatest_load >= r->outcome->pull_off.force;
+  const bool reached = r->path_approach >= preload->approach || r->path_load >= preload->load;
+  return reached && r->greatest_load >= fmax(0.0, r->path_load);
+}
+
 static po_landmark_kind kind_of(po_point_kind kind) {
   switch (kind) {
   case PO_POINT_APPROACH_MAX:
@@ -173,11 +209,26 @@ static void note_minimum(po_reader *r, const po_branch_point *p, double contact_
  * called the pull-off. tests/unit/test_observe.c traces twice as far. */
 static bool may_end(const po_reader *r, const po_branch_point *p) {
   const po_outcome *o = r->outcome;
-  if (!isnan(r->request->approach_end) || !o->has_pull_off || p->unstable_modes > 0)
+  if (!isnan(r->request->approach_end) || !o->has_pull_off || p->unstable_modes > 0 ||
+      !is_loaded(r))
     return false;
   if (!po_scene_is_wavy(&r->request->scene))
     return p->load > 0.0;
   return r->rises >= ENOUGH_RISES || p->load > PRELOAD + o->pull_off.force;
+}
+
+po_reader po_reader_begin(const po_request *request, po_outcome *outcome, double deadline) {
+  return (po_reader){.request = request,
+                     .outcome = outcome,
+                     .deadline = deadline,
+                     .path_approach = -INFINITY,
+                     .path_load = -INFINITY,
+                     .greatest_load = -INFINITY};
+}
+
+void po_reader_end(po_reader *reader) {
+  free(reader->path);
+  reader->path = NULL;
 }
 
 bool po_reader_visit(const po_branch_point *p, void *data) {
@@ -193,6 +244,8 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
                         r->request->time_limit, p->approach, p->load);
     return true;
   }
+  const double contact_radius = contact_radius_of(r, p);
+  follow_loading(r, p, contact_radius);
   if (!r->begun && !(p->approach >= r->begin))
     return false;
   if (isnan(o->start))
@@ -201,7 +254,6 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
   o->end = p->approach;
   if (r->surface && r->surface->n > r->most_nodes)
     r->most_nodes = r->surface->n;
-  const double contact_radius = contact_radius_of(r, p);
   add_curve_point(r, p, contact_radius);
   if (p->kind == PO_POINT_STATION && !o->profile && (r->request->want & PO_WANT_PROFILE) &&
       fabs(p->approach - r->request->profile_approach) < SAME_APPROACH)

@@ -19,19 +19,28 @@ typedef struct {
   const po_keeper *keeper; /* NULL: none */
   double begin;            /* points at a smaller approach are not recorded before it is reached */
   bool begun;
-  double pull_off_load; /* the deepest minimum so far */
-  double wave_minimum;  /* of the load in the wave the contact's edge passed last */
-  double wave_radius;   /* contact radius there */
-  double rise;          /* of that minimum from the wave before */
-  int rises;            /* waves since the pull-off whose minima rose more and more */
-  size_t most_nodes;    /* of the surface so far */
-  double deadline;      /* on po_clock_thread; INFINITY: none */
+  double pull_off_load;            /* the deepest minimum so far */
+  double wave_minimum;             /* of the load in the wave the contact's edge passed last */
+  double wave_radius;              /* contact radius there */
+  double rise;                     /* of that minimum from the wave before */
+  int rises;                       /* waves since the pull-off whose minima rose more and more */
+  double path_approach, path_load; /* greatest in loading so far, see po_loop.h; -INFINITY: none */
+  double greatest_load;            /* of a stable point under a load so far */
+  po_path_point *path;             /* the branch, when hysteresis is wanted; owned */
+  size_t path_count, path_room;
+  size_t most_nodes; /* of the surface so far */
+  double deadline;   /* on po_clock_thread; INFINITY: none */
   size_t extremum_room, fold_room, curve_room;
   po_status status;
 } po_reader;
 
+/* Sets what a trace begins with, and frees what it leaves. */
+po_reader po_reader_begin(const po_request *request, po_outcome *outcome, double deadline);
+void po_reader_end(po_reader *reader);
+
 /* A po_branch_visit; data is the reader. Ends the trace when stopped, past the deadline, out of
- * memory, at trouble, or (without an approach_end) once it was pressed enough. */
+ * memory, at trouble, or (without an approach_end) once it was pressed enough, and as far as the
+ * preload. */
 bool po_reader_visit(const po_branch_point *point, void *data);
 
 /* A bound of an error from its estimate and from what an estimate cannot resolve. */

@@ -9,7 +9,13 @@ po_request po_request_default(void) {
                       .approach_start = NAN,
                       .approach_end = NAN,
                       .profile_approach = NAN,
+                      .preload = {NAN, NAN},
                       .time_limit = NAN};
+}
+
+const char *po_want_name(int k) {
+  static const char *const NAMES[PO_WANT_COUNT] = {"curve", "profile", "hysteresis"};
+  return NAMES[k];
 }
 
 po_status po_request_check(const po_request *request) {
@@ -30,6 +36,12 @@ po_status po_request_check(const po_request *request) {
   if (isinf(request->profile_approach))
     return po_fail(PO_BAD_INPUT, "profile_approach is %g: expected a finite number",
                    request->profile_approach);
+  if (isinf(request->preload.approach))
+    return po_fail(PO_BAD_INPUT, "preload is %g: expected a finite number",
+                   request->preload.approach);
+  if (request->preload.load < 0.0 || isinf(request->preload.load))
+    return po_fail(PO_BAD_INPUT, "preload_load is %g: expected a finite number >= 0",
+                   request->preload.load);
   if (request->time_limit <= 0.0 || isinf(request->time_limit))
     return po_fail(PO_BAD_INPUT, "time_limit is %g: expected a finite number > 0",
                    request->time_limit);

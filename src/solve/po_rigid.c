@@ -186,11 +186,9 @@ static double extremum(rigid_tracer *t, double low, double high) {
   return root;
 }
 
-/* Approach at which the central crest, of radius R/(1 + 4 pi^2 alpha) (Eq 18), pushes with
- * CENTRE_LOAD: the repulsive term of Eq 23. */
-static double last_approach(const po_scene *scene) {
+double po_rigid_approach_of_crest(const po_scene *scene, double load) {
   const double crest = 1.0 / (1.0 + 4.0 * M_PI * M_PI * po_scene_alpha(scene));
-  return 1.0 - pow(2.0 * crest / (3.0 * CENTRE_LOAD), 0.125);
+  return 1.0 - pow(2.0 * crest / (3.0 * load), 0.125);
 }
 
 /* Visits what lies between two points, in order. */
@@ -215,7 +213,8 @@ static void visit_between(rigid_tracer *t, const po_branch_point *from, const po
 
 po_status po_rigid_trace(const po_scene *scene, double begin, const po_branch_options *options) {
   rigid_tracer t = {.scene = scene, .options = options, .begin = begin};
-  const double end = isnan(options->end) ? last_approach(scene) : options->end;
+  const double end =
+      isnan(options->end) ? po_rigid_approach_of_crest(scene, CENTRE_LOAD) : options->end;
   if (!(end < 1.0))
     return po_fail(PO_BAD_INPUT, "approach_end is %g: rigid bodies cannot come closer than 1", end);
   po_branch_point from = solve(&t, begin, PO_POINT_STEP);

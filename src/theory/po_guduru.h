@@ -15,6 +15,9 @@ po_contact po_guduru_at(const po_scene *scene, double contact_radius);
 /* dW/da of Eq 5, in 1/eps, by dP/da = 2 E* a dDelta/da of the contact without adhesion. */
 double po_guduru_load_rate(const po_scene *scene, double contact_radius);
 
+/* dDelta/da of Eq 5, both in eps: -INFINITY at a = 0. */
+double po_guduru_approach_rate(const po_scene *scene, double contact_radius);
+
 /* The pull-off: the global minimum of the load over the contact radius. Every wave whose lower
  * bound of the load lies below the best so far is scanned, and each minimum refined; so no wave is
  * missed. Accuracy: 1e-13 of load and contact radius, measured 9e-16 on every row of

@@ -42,8 +42,8 @@ expect 2 'pulloff: --grading is given for scheme panel: expected it with --schem
   solve --grading graded
 expect 2 'pulloff: --tolerance is given for scheme ring: expected it with --scheme panel' \
   solve --tolerance 1e-5 --scheme ring
-expect 2 'pulloff: --want is sugar: expected curve, profile or both*' solve --want sugar
-expect 2 'pulloff: --want is curve,: expected curve, profile or both*' solve --want curve,
+expect 2 'pulloff: --want is sugar: expected any of curve, profile, hysteresis*' solve --want sugar
+expect 2 'pulloff: --want is curve,: expected any of curve, profile, hysteresis*' solve --want curve,
 expect 2 'pulloff: --amplitude is given without --wavelength: expected both' solve --amplitude 1
 expect 2 'pulloff: *approach_end*' solve --approach-start 1 --approach-end 0
 expect 2 'pulloff: solve takes no leftover*' solve --tabor 0 leftover

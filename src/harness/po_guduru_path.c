@@ -1,0 +1,146 @@
+#include "po_guduru_path.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "po_guduru.h"
+#include "po_memory.h"
+#include "po_quadrature.h"
+#include "po_root.h"
+
+enum { POINTS_PER_WAVE = 128, RULE = 8, MOST_LENGTHS = 10 };
+/* The walk begins at this part of a wave and takes steps of at most this ratio: the fold of a sharp
+ * crest may be far inside. */
+static const double FIRST_FROM = 1e-9, RATIO = 1.05;
+/* The curve is made anew on so many times the contact radius while it is too short. */
+static const double LONGER = 1.6;
+
+typedef struct {
+  const po_scene *scene;
+  po_path_point *point;
+  size_t count, room;
+  double node[RULE], weight[RULE];
+  double energy, last; /* up to contact radius `last` */
+} builder;
+
+static double approach_rate(double a, const void *scene) {
+  return po_guduru_approach_rate(scene, a);
+}
+
+static double load_rate(double a, const void *scene) {
+  return po_guduru_load_rate(scene, a);
+}
+
+static po_status append(builder *b, po_path_point point) {
+  if (b->count == b->room) {
+    const size_t room = b->room ? 2 * b->room : 1024;
+    po_path_point *moved = po_resize(b->point, room, sizeof *moved);
+    if (!moved)
+      return PO_NO_MEMORY;
+    b->point = moved;
+    b->room = room;
+  }
+  b->point[b->count++] = point;
+  return PO_OK;
+}
+
+/* The equilibrium of contact radius a, the energy by Gauss's rule from the one before. */
+static po_status append_contact(builder *b, double a) {
+  const double step = a - b->last;
+  for (int k = 0; k < RULE; ++k) {
+    const double s = b->last + step * b->node[k];
+    b->energy += step * b->weight[k] * po_guduru_at(b->scene, s).load * approach_rate(s, b->scene);
+  }
+  b->last = a;
+  const po_contact c = po_guduru_at(b->scene, a);
+  return append(b, (po_path_point){.approach = c.approach,
+                                   .load = c.load,
+                                   .energy = b->energy,
+                                   .approach_rate = approach_rate(a, b->scene),
+                                   .load_rate = load_rate(a, b->scene),
+                                   .contact_radius = a,
+                                   .position = a});
+}
+
+/* Folds and extrema between two contact radii, in order, then the second. */
+static po_status append_up_to(builder *b, double left, double right) {
+  const double fold = po_root(approach_rate, b->scene, left, right);
+  const double extremum = po_root(load_rate, b->scene, left, right);
+  const double first = fmin(fold, extremum), second = fmax(fold, extremum); /* NaN: not there */
+  po_status status = PO_OK;
+  if (first > left && first < right)
+    status = append_contact(b, first);
+  if (!status && second > first && second < right)
+    status = append_contact(b, second);
+  return status ? status : append_contact(b, right);
+}
+
+/* Stable at fixed approach where it rises with the contact radius. */
+static void count_modes(builder *b) {
+  for (size_t k = 0; k < b->count; ++k)
+    b->point[k].unstable_modes =
+        k + 1 < b->count ? b->point[k + 1].approach <= b->point[k].approach : 0;
+}
+
+static po_status build(builder *b, double end) {
+  const double gamma = po_scene_gamma(b->scene);
+  const double wave = po_scene_is_wavy(b->scene) ? fmin(b->scene->wavelength, gamma) : gamma;
+  po_status status = po_gauss_rule(RULE, b->node, b->weight);
+  if (!status) /* apart; its approach is set at the end */
+    status = append(b, (po_path_point){.position = -1.0});
+  if (!status)
+    status = append(b, (po_path_point){.position = 0.0});
+  if (!status) /* the same first touch, as the contact leaves it */
+    status = append(b, (po_path_point){.approach_rate = -1.0});
+  double left = FIRST_FROM * wave;
+  if (!status)
+    status = append_contact(b, left);
+  while (left < end && !status) {
+    const double right = fmin(RATIO * left, left + wave / POINTS_PER_WAVE);
+    status = append_up_to(b, left, right);
+    left = right;
+  }
+  double least = 0.0;
+  for (size_t k = 0; k < b->count; ++k)
+    least = fmin(least, b->point[k].approach);
+  if (!status) {
+    b->point[0].approach = 2.0 * least;
+    b->point[0].approach_rate = b->point[1].approach_rate = -2.0 * least; /* per position */
+    count_modes(b);
+  }
+  return status;
+}
+
+po_status po_guduru_path(const po_scene *scene, double end, po_path_point **point, size_t *count) {
+  builder b = {.scene = scene};
+  const po_status status = build(&b, end);
+  if (status)
+    free(b.point);
+  *point = status ? NULL : b.point;
+  *count = status ? 0 : b.count;
+  return status;
+}
+
+po_status po_guduru_hysteresis(const po_scene *scene, po_preload preload,
+                               po_hysteresis *hysteresis) {
+  *hysteresis = (po_hysteresis){.load = {.control = PO_LOAD_CONTROL}};
+  if (!(scene->tabor > 0.0))
+    return po_fail(PO_BAD_INPUT, "tabor is %g: expected a number > 0 for the JKR theory",
+                   scene->tabor);
+  const double force = -po_guduru_pull_off(scene).load;
+  const double waves = po_scene_is_wavy(scene) ? 2.0 * scene->wavelength : 0.0;
+  double end = 4.0 * po_scene_gamma(scene) + waves;
+  if (preload.approach > 0.0)
+    end += sqrt(2.0 * preload.approach * scene->radius);
+  po_status status = PO_NOT_FOUND;
+  for (int k = 0; k < MOST_LENGTHS && status == PO_NOT_FOUND; ++k, end *= LONGER) {
+    po_path_point *point = NULL;
+    po_path path = {NULL, 0};
+    status = po_guduru_path(scene, end, &point, &path.count);
+    path.point = point;
+    if (!status)
+      status = po_hysteresis_follow(&path, preload, force, hysteresis);
+    free(point);
+  }
+  return status;
+}

@@ -1,0 +1,20 @@
+/* Loading and unloading as the JKR theory of the wavy sphere (Eq 5) has them, beside a solve. */
+#ifndef PO_GUDURU_PATH_H
+#define PO_GUDURU_PATH_H
+
+#include "po_hysteresis.h"
+#include "po_scene.h"
+
+/* The curve of Eq 5: the bodies apart without a load up to the first touch at approach 0, then
+ * every contact radius up to `end` (eps), folds and extrema of the load among the points, the
+ * energy by quadrature of the loads. `position` is the contact radius, below 0 when apart. It
+ * begins farther out than any jump. Given: tabor > 0. Returned: points to be freed. Status:
+ * PO_NO_MEMORY. Accuracy: landmarks to rounding, energies to 1e-12. */
+po_status po_guduru_path(const po_scene *scene, double end, po_path_point **point, size_t *count);
+
+/* Both loops of that curve, as long as they need it; the outer radius of the scene is not looked
+ * at. Status: PO_BAD_INPUT for tabor 0; as po_hysteresis_follow. */
+po_status po_guduru_hysteresis(const po_scene *scene, po_preload preload,
+                               po_hysteresis *hysteresis);
+
+#endif

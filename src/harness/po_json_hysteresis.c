@@ -1,0 +1,126 @@
+/* Loading and unloading as JSON, and back. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "po_guduru_path.h"
+#include "po_json.h"
+#include "po_memory.h"
+
+enum { LETTERS = 26 };
+
+void po_json_jump_label(bool loading, size_t number, char label[PO_JUMP_LABEL_LENGTH]) {
+  if (loading) {
+    snprintf(label, PO_JUMP_LABEL_LENGTH, "%u", (unsigned)number % 10000000);
+    return;
+  }
+  char backwards[PO_JUMP_LABEL_LENGTH];
+  size_t n = 0;
+  for (; number > 0 && n + 1 < PO_JUMP_LABEL_LENGTH; number = (number - 1) / LETTERS)
+    backwards[n++] = (char)('a' + (number - 1) % LETTERS);
+  for (size_t k = 0; k < n; ++k)
+    label[k] = backwards[n - 1 - k];
+  label[n] = '\0';
+}
+
+static json_t *state(const po_path_state *s) {
+  return json_pack("{s:o, s:o, s:o, s:o, s:o}", "approach", po_json_number(s->approach), "load",
+                   po_json_number(s->load), "energy",
+                   po_json_number(isinf(s->approach) ? (double)NAN : s->energy), "contact_radius",
+                   po_json_number(s->contact_radius), "position", po_json_number(s->position));
+}
+
+/* `number` of the jump in its phase, from 1. */
+static json_t *jump(const po_jump *j, size_t number) {
+  char label[PO_JUMP_LABEL_LENGTH], from[PO_JUMP_LABEL_LENGTH], to[PO_JUMP_LABEL_LENGTH];
+  po_json_jump_label(j->loading, number, label);
+  po_json_jump_label(j->loading, 2 * number - 1, from);
+  po_json_jump_label(j->loading, 2 * number, to);
+  return json_pack("{s:s, s:s, s:[s, s], s:o, s:o, s:o}", "phase",
+                   j->loading ? "loading" : "unloading", "label", label, "ends", from, to, "before",
+                   state(&j->before), "after", state(&j->after), "energy_lost",
+                   po_json_number(j->energy_lost));
+}
+
+static json_t *loop(const po_loop *l) {
+  json_t *jumps = json_array();
+  for (size_t k = 0; k < l->jump_count; ++k)
+    json_array_append_new(
+        jumps, jump(&l->jumps[k], k < l->loading_jumps ? k + 1 : k + 1 - l->loading_jumps));
+  json_t *pull_off = state(&l->pull_off);
+  json_object_set_new(pull_off, "force", po_json_number(fmax(0.0, -l->pull_off.load)));
+  return json_pack("{s:o, s:o, s:o, s:o, s:o}", "preload", state(&l->preload), "pull_off", pull_off,
+                   "energy_lost", po_json_number(l->energy_lost), "work", po_json_number(l->work),
+                   "jumps", jumps);
+}
+
+static json_t *both(const po_hysteresis *h) {
+  return json_pack("{s:o, s:o}", "displacement_control", loop(&h->displacement), "load_control",
+                   loop(&h->load));
+}
+
+/* The JKR theory from the same preload: the same approach when that was given, else the load. */
+static json_t *theory(const po_request *request, const po_hysteresis *found) {
+  po_preload preload = request->preload;
+  if (isnan(preload.approach) && isnan(preload.load))
+    preload.load = found->displacement.preload.load;
+  po_hysteresis h;
+  json_t *object = po_guduru_hysteresis(&request->scene, preload, &h) ? json_null() : both(&h);
+  po_hysteresis_clear(&h);
+  return object;
+}
+
+json_t *po_json_hysteresis(const po_request *request, const po_outcome *outcome) {
+  if (!outcome->has_hysteresis)
+    return json_null();
+  json_t *object = both(&outcome->hysteresis);
+  json_object_set_new(object, "jkr", theory(request, &outcome->hysteresis));
+  return object;
+}
+
+/* null of an approach: apart for ever. */
+static po_path_state read_state(const json_t *object) {
+  po_path_state s = {po_json_read_number(object, "approach"), po_json_read_number(object, "load"),
+                     po_json_read_number(object, "energy"),
+                     po_json_read_number(object, "contact_radius"),
+                     po_json_read_number(object, "position")};
+  if (isnan(s.approach)) {
+    s.approach = -INFINITY;
+    s.energy = 0.0;
+  }
+  return s;
+}
+
+static po_status read_loop(const json_t *object, po_control control, po_loop *l) {
+  const json_t *jumps = json_object_get(object, "jumps");
+  *l = (po_loop){.control = control,
+                 .preload = read_state(json_object_get(object, "preload")),
+                 .pull_off = read_state(json_object_get(object, "pull_off")),
+                 .energy_lost = po_json_read_number(object, "energy_lost"),
+                 .work = po_json_read_number(object, "work"),
+                 .jump_count = json_array_size(jumps)};
+  l->jumps = po_allocate(l->jump_count, sizeof *l->jumps);
+  if (!l->jumps)
+    return PO_NO_MEMORY;
+  for (size_t k = 0; k < l->jump_count; ++k) {
+    const json_t *item = json_array_get(jumps, k);
+    const char *phase = json_string_value(json_object_get(item, "phase"));
+    const bool loading = phase && strcmp(phase, "loading") == 0;
+    l->jumps[k] = (po_jump){loading, read_state(json_object_get(item, "before")),
+                            read_state(json_object_get(item, "after")),
+                            po_json_read_number(item, "energy_lost")};
+    l->loading_jumps += loading;
+  }
+  return PO_OK;
+}
+
+po_status po_json_read_hysteresis(const json_t *object, po_outcome *outcome) {
+  outcome->has_hysteresis = json_is_object(object);
+  if (!outcome->has_hysteresis)
+    return PO_OK;
+  po_hysteresis *h = &outcome->hysteresis;
+  const po_status status = read_loop(json_object_get(object, "displacement_control"),
+                                     PO_DISPLACEMENT_CONTROL, &h->displacement);
+  return status ? status
+                : read_loop(json_object_get(object, "load_control"), PO_LOAD_CONTROL, &h->load);
+}

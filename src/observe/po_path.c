@@ -1,0 +1,75 @@
+#include "po_path.h"
+
+#include <math.h>
+
+#include "po_hermite.h"
+
+enum { BISECTIONS = 60 };
+
+/* The cubic of one quantity over the way from one point to the next: values and slopes. */
+typedef struct {
+  double f0, d0, f1, d1;
+} cubic;
+
+static void cubics(const po_path *path, size_t index, cubic *approach, cubic *load) {
+  const po_path_point *a = &path->point[index], *b = a + 1;
+  const double way = b->position - a->position;
+  *approach = (cubic){a->approach, way * a->approach_rate, b->approach, way * b->approach_rate};
+  *load = (cubic){a->load, way * a->load_rate, b->load, way * b->load_rate};
+}
+
+static double value(const cubic *c, double part) {
+  return po_hermite_value(c->f0, c->d0, c->f1, c->d1, part, 1.0);
+}
+
+static double rate(const cubic *c, double part) {
+  return po_hermite_rate(c->f0, c->d0, c->f1, c->d1, part, 1.0);
+}
+
+po_path_state po_path_at(const po_path *path, po_path_place place) {
+  const po_path_point *a = &path->point[place.index], *b = a + 1;
+  const double t = place.part;
+  if (t == 0.0)
+    return (po_path_state){a->approach, a->load, a->energy, a->contact_radius, a->position};
+  cubic approach, load;
+  cubics(path, place.index, &approach, &load);
+  const cubic energy = {a->energy, a->load * approach.d0, b->energy, b->load * approach.d1};
+  return (po_path_state){.approach = value(&approach, t),
+                         .load = value(&load, t),
+                         .energy = value(&energy, t),
+                         .contact_radius =
+                             a->contact_radius + t * (b->contact_radius - a->contact_radius),
+                         .position = a->position + t * (b->position - a->position)};
+}
+
+po_path_place po_path_where(const po_path *path, size_t index, po_path_axis axis, double target) {
+  cubic approach, load;
+  cubics(path, index, &approach, &load);
+  const cubic *c = axis == PO_PATH_APPROACH ? &approach : &load;
+  double low = 0.0, high = 1.0;
+  if (target == c->f0)
+    return (po_path_place){index, 0.0};
+  for (int k = 0; k < BISECTIONS; ++k) {
+    const double middle = 0.5 * (low + high);
+    if ((value(c, middle) < target) == (c->f0 < target))
+      low = middle;
+    else
+      high = middle;
+  }
+  return (po_path_place){index, 0.5 * (low + high)};
+}
+
+double po_path_work(const po_path *path, size_t index, double from, double to) {
+  /* Gauss's three points on (-1, 1), exact for the fifth degree of load times rate of approach */
+  static const double NODE[] = {-0.77459666924148338, 0.0, 0.77459666924148338}; /* sqrt(3/5) */
+  static const double WEIGHT[] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
+  cubic approach, load;
+  cubics(path, index, &approach, &load);
+  const double half = 0.5 * (to - from), middle = 0.5 * (from + to);
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    const double t = middle + half * NODE[k];
+    sum += WEIGHT[k] * value(&load, t) * rate(&approach, t);
+  }
+  return half * sum;
+}

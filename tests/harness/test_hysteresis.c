@@ -1,0 +1,157 @@
+/* Loading and unloading: closed forms, and the balance of energy of whole loops. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "po_guduru_path.h"
+#include "po_outcome.h"
+#include "run.h"
+
+static const po_preload DEFAULT = {NAN, NAN};
+
+/* Energy of the JKR sphere at a contact radius in units of Gamma, integral of Eq 7 d(Eq 8). */
+static double jkr_energy(double tabor, double a) {
+  return tabor *
+         (8.0 * pow(a, 5.0) / (15.0 * M_PI) -
+          (4.0 / 21.0 * sqrt(2.0 / M_PI) + 8.0 / 7.0 * sqrt(2.0 / M_PI)) * pow(a, 3.5) + a * a);
+}
+
+/* The smooth sphere by JKR: it jumps in at first touch to the radius of approach 0, (2 pi)^(1/3),
+ * and out where the approach is least, at (pi/8)^(1/3), at -1.60877204783 mu under 5/6 of pi w R;
+ * under a load it comes together to the radius of no load, (9 pi/2)^(1/3), and parts at 3/2. */
+START_TEST(jkr_in_closed_form) {
+  const double tabor = 2.385;
+  const po_scene scene = {tabor, 0.0, 0.0, 83.0, INFINITY};
+  po_hysteresis h;
+  ck_assert_int_eq(po_guduru_hysteresis(&scene, DEFAULT, &h), PO_OK);
+  const po_loop *d = &h.displacement, *l = &h.load;
+  ck_assert_uint_eq(d->jump_count, 2);
+  ck_assert_uint_eq(d->loading_jumps, 1);
+  ck_assert_double_eq_tol(d->preload.load, 1.5, 1e-12);
+  ck_assert_double_eq_tol(d->pull_off.load, -1.5, 1e-12);
+  ck_assert_double_eq_tol(d->pull_off.approach, -0.77341693157 * tabor, 1e-10);
+  ck_assert_double_eq_tol(d->jumps[0].before.approach, 0.0, 1e-15);
+  ck_assert_double_eq_tol(d->jumps[0].energy_lost, -jkr_energy(tabor, cbrt(2.0 * M_PI)), 1e-6);
+  ck_assert_double_eq_tol(d->jumps[1].before.approach, -1.60877204783 * tabor, 1e-10);
+  ck_assert_double_eq_tol(d->jumps[1].before.load, -5.0 / 6.0, 1e-12);
+  ck_assert_double_eq_tol(d->jumps[1].energy_lost, jkr_energy(tabor, cbrt(M_PI / 8.0)), 1e-10);
+  ck_assert_double_eq_tol(d->work, d->energy_lost, 1e-6);
+  ck_assert_uint_eq(l->jump_count, 2);
+  ck_assert(isinf(l->jumps[0].before.approach) && isinf(l->jumps[1].after.approach));
+  ck_assert_double_eq_tol(l->jumps[0].energy_lost, -jkr_energy(tabor, cbrt(4.5 * M_PI)), 1e-6);
+  ck_assert_double_eq_tol(l->jumps[1].before.load, -1.5, 1e-12);
+  ck_assert(isnan(l->jumps[1].energy_lost) && isnan(l->energy_lost));
+  po_hysteresis_clear(&h);
+}
+END_TEST
+
+/* Bradley's spheres never jump at fixed approach; under a load they come together where Eq 23
+ * vanishes, x = 4^(-1/6), and part at 2. */
+START_TEST(bradley_in_closed_form) {
+  po_request request = po_request_default();
+  request.scene.tabor = 0.0;
+  request.want = PO_WANT_HYSTERESIS;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  const po_loop *d = &o.hysteresis.displacement, *l = &o.hysteresis.load;
+  ck_assert_uint_eq(d->jump_count, 0);
+  ck_assert_double_eq_tol(d->pull_off.load, -2.0, 1e-9);
+  ck_assert_double_eq_tol(d->energy_lost, 0.0, 1e-15);
+  ck_assert_double_eq_tol(d->work, 0.0, 1e-9); /* back the way it came */
+  ck_assert_uint_eq(l->jump_count, 2);
+  const double x = pow(4.0, -1.0 / 6.0);
+  ck_assert_double_eq_tol(l->jumps[0].after.approach, 1.0 - x, 1e-5);
+  ck_assert_double_eq_tol(l->jumps[0].energy_lost, 8.0 / (3.0 * x) - 2.0 / (21.0 * pow(x, 7.0)),
+                          1e-5);
+  ck_assert_double_eq_tol(l->jumps[1].before.load, -2.0, 1e-9);
+  po_outcome_clear(&o);
+}
+END_TEST
+
+static const struct {
+  po_scene scene;
+  po_preload preload;
+  size_t jumps;
+} LOOPS[] = {{{2.385, 0.0, 0.0, 83.0, INFINITY}, {NAN, NAN}, 2},
+             {{4.0, 0.4, 10.0, 100.0, 100.0}, {4.0, NAN}, 6},
+             {{1.3, 0.7, 23.85, 100.0, INFINITY}, {NAN, 1.1}, 4}};
+
+static void check_balance(const po_loop *loop, double accuracy) {
+  double lost = 0.0;
+  for (size_t k = 0; k < loop->jump_count; ++k) {
+    const po_jump *jump = &loop->jumps[k];
+    ck_assert_double_gt(jump->energy_lost, 0.0);
+    ck_assert_double_eq_tol(jump->before.approach, jump->after.approach, 1e-9);
+    ck_assert(jump->loading == (k < loop->loading_jumps));
+    ck_assert((jump->after.contact_radius > jump->before.contact_radius) == jump->loading);
+    lost += jump->energy_lost;
+  }
+  ck_assert_double_eq_tol(lost, loop->energy_lost, 1e-12);
+  ck_assert_double_eq_tol(loop->work / loop->energy_lost, 1.0, accuracy);
+}
+
+/* The integral of the loads over the closed loop is the sum of the drops of the energy, which was
+ * had from the gaps; by theory, too. */
+START_TEST(loop_loses_what_its_jumps_do) {
+  po_request request = po_request_default();
+  request.scene = LOOPS[_i].scene;
+  request.mesh.scheme = PO_PANEL;
+  request.preload = LOOPS[_i].preload;
+  request.want = PO_WANT_HYSTERESIS;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_uint_eq(o.hysteresis.displacement.jump_count, LOOPS[_i].jumps);
+  check_balance(&o.hysteresis.displacement, 1e-5);
+  po_hysteresis h;
+  ck_assert_int_eq(po_guduru_hysteresis(&request.scene, request.preload, &h), PO_OK);
+  check_balance(&h.displacement, 1e-6);
+  /* as much as the pull-off of the whole curve, at most */
+  ck_assert_double_le(-o.hysteresis.displacement.pull_off.load, o.pull_off.force + 1e-9);
+  ck_assert_double_le(-o.hysteresis.load.pull_off.load, o.pull_off.force + 1e-9);
+  po_hysteresis_clear(&h);
+  po_outcome_clear(&o);
+}
+END_TEST
+
+/* Pressed no farther than onto the first crest, a test measures less than the pull-off. */
+START_TEST(a_small_preload_measures_less) {
+  po_request request = po_request_default();
+  request.scene = (po_scene){4.0, 3.0, 10.0, 100.0, 100.0};
+  request.mesh.scheme = PO_PANEL;
+  request.mesh.tolerance = 1e-4;
+  request.preload.approach = -2.0;
+  request.want = PO_WANT_HYSTERESIS;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_uint_eq(o.hysteresis.displacement.loading_jumps, 1);
+  ck_assert_double_lt(-o.hysteresis.displacement.pull_off.load, 0.45);
+  ck_assert_double_eq_tol(o.pull_off.force, 1.226617, 1e-4);
+  po_outcome_clear(&o);
+}
+END_TEST
+
+START_TEST(a_preload_beyond_the_trace_is_refused) {
+  po_request request = po_request_default();
+  request.mesh.scheme = PO_PANEL;
+  request.approach_end = 0.5;
+  request.preload.approach = 0.7;
+  request.want = PO_WANT_HYSTERESIS;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_NOT_FOUND);
+  ck_assert(!o.has_hysteresis);
+  po_outcome_clear(&o);
+  request.preload.load = -0.1;
+  ck_assert_int_eq(po_observe(&request, &o), PO_BAD_INPUT);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_test(tests, jkr_in_closed_form);
+  tcase_add_test(tests, bradley_in_closed_form);
+  tcase_add_loop_test(tests, loop_loses_what_its_jumps_do, 0, sizeof LOOPS / sizeof *LOOPS);
+  tcase_add_test(tests, a_small_preload_measures_less);
+  tcase_add_test(tests, a_preload_beyond_the_trace_is_refused);
+}
+
+int main(void) {
+  return run_case("hysteresis", add);
+}
