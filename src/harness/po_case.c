@@ -42,7 +42,7 @@ unsigned po_suite_of_name(const char *name) {
   return 0;
 }
 
-bool po_axis_holds(const po_axis *axis, const po_request *request) {
+static bool axis_holds(const po_axis *axis, const po_request *request) {
   const int key = po_key_of_name(axis->key);
   for (unsigned i = 0; key >= 0 && i < axis->values_count; ++i)
     if (po_key_matches(request, (po_key)key, axis->values[i]))
@@ -50,11 +50,15 @@ bool po_axis_holds(const po_axis *axis, const po_request *request) {
   return false;
 }
 
-bool po_check_concerns(const po_check *check, const po_request *request) {
-  for (unsigned i = 0; i < check->when_count; ++i)
-    if (!po_axis_holds(&check->when[i], request))
+bool po_axes_hold(const po_axis *axes, unsigned count, const po_request *request) {
+  for (unsigned i = 0; i < count; ++i)
+    if (!axis_holds(&axes[i], request))
       return false;
   return true;
+}
+
+bool po_check_concerns(const po_check *check, const po_request *request) {
+  return po_axes_hold(check->when, check->when_count, request);
 }
 
 po_request po_check_request(const po_check *check, const po_request *request) {

@@ -41,8 +41,8 @@ typedef enum {
 
 typedef enum { PO_TOLERANCE_ABS, PO_TOLERANCE_REL, PO_TOLERANCE_ULP } po_tolerance_kind;
 
-/* One swept key and its values, as written; or from, to, count and scale, from which the values are
- * made (po_case_axis.c). */
+/* A key and values of it, as written; or from, to, count and scale, from which the values are made
+ * (po_case_axis.c). */
 typedef struct {
   char *key;
   char **values;
@@ -78,7 +78,8 @@ typedef struct {
   size_t count;
 } po_sample_words;
 
-/* A check as written in the file; parsed values beside it. */
+/* A check, or a measurement (no tolerance, no verdict), as written in the file; parsed values
+ * beside it. */
 typedef struct {
   char *quantity_text;
   char *reference;
@@ -126,6 +127,21 @@ typedef struct {
   unsigned sweep_count;
 } po_line;
 
+/* One item of a sweep: a key and its values, or settings of several keys that go together. */
+typedef struct {
+  po_axis axis;             /* its key is NULL: settings */
+  po_scene_words *together; /* NULL: a key */
+  unsigned together_count;
+} po_sweep;
+
+/* Which combinations of a sweep are not solved, and why. */
+typedef struct {
+  po_axis *when; /* all these must match */
+  unsigned when_count;
+  char *because;
+  size_t points; /* so many */
+} po_leave_out;
+
 /* What the file says, filled by libcyaml, then checked and parsed. */
 typedef struct {
   char *name;
@@ -136,8 +152,10 @@ typedef struct {
   char **suite_names;
   unsigned suite_names_count;
   po_scene_words scene;
-  po_axis *sweep;
+  po_sweep *sweep;
   unsigned sweep_count;
+  po_leave_out *leave_out;
+  unsigned leave_out_count;
   po_sample_words *sample; /* NULL: none */
   char *repeats_text;
   char **want_names;
@@ -146,6 +164,8 @@ typedef struct {
   unsigned checks_count;
   po_line *lines;
   unsigned lines_count;
+  po_check *measure; /* without tolerance, kind and reason */
+  unsigned measure_count;
 } po_case_file;
 
 typedef struct {
@@ -168,8 +188,16 @@ typedef struct {
 po_status po_case_read(const char *path, const char *shown, po_case **result);
 void po_case_destroy(po_case *kase);
 
-/* Whether a condition (or a whole list of them) holds for a scene. */
-bool po_axis_holds(const po_axis *axis, const po_request *request);
+/* How many settings an item of a sweep has; the value that setting number `index` gives a key or a
+ * group (NULL: none); whether the item names that key or group; whether it varies a key, by itself
+ * or by a group. */
+unsigned po_sweep_count(const po_sweep *sweep);
+bool po_sweep_names(const po_sweep *sweep, po_key key);
+bool po_sweep_varies(const po_sweep *sweep, po_key key);
+const char *po_sweep_value(const po_sweep *sweep, unsigned index, po_key key);
+
+/* Whether all conditions of a list hold for a scene. */
+bool po_axes_hold(const po_axis *axes, unsigned count, const po_request *request);
 bool po_check_concerns(const po_check *check, const po_request *request);
 
 /* The scene of which the reference of a check is asked: as_if applied. */

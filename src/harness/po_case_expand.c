@@ -15,7 +15,7 @@ static po_status count_points(po_case *kase, const po_yaml *yaml) {
   if (sample && sample->count > MOST_POINTS)
     return po_schema_refuse(yaml, NULL, "sample.count");
   for (unsigned i = 0; i < kase->file->sweep_count; ++i) {
-    count *= kase->file->sweep[i].values_count;
+    count *= po_sweep_count(&kase->file->sweep[i]);
     if (count > MOST_POINTS)
       return po_fail(PO_BAD_INPUT, "%s:%zu: sweep has more than %zu points: expected fewer",
                      po_yaml_name(yaml), po_yaml_line(yaml, "sweep"), MOST_POINTS);
@@ -27,6 +27,19 @@ static po_status count_points(po_case *kase, const po_yaml *yaml) {
   kase->point_count = count;
   kase->points = po_allocate(count, sizeof *kase->points);
   return kase->points ? PO_OK : PO_NO_MEMORY;
+}
+
+/* Gives a point the values of one setting of an item of the sweep, but for a group, which is set
+ * when all others are. */
+static void add_setting(po_point *point, const po_sweep *sweep, unsigned setting, po_text *label) {
+  for (int key = 0; key < PO_KEY_END; ++key) {
+    const char *value = po_sweep_value(sweep, setting, (po_key)key);
+    if (!value)
+      continue;
+    if (!po_key_is_group(key))
+      po_key_set(&point->request, (po_key)key, value);
+    po_text_add(label, "%s%s=%s", label->length ? " " : "", po_key_name((po_key)key), value);
+  }
 }
 
 /* Point number `index` of the product: the scenes of the sample turn slowest, the last key of the
@@ -44,23 +57,22 @@ static po_status fill_point(const po_case *kase, size_t index, const po_yaml *ya
   const char *group_value = NULL;
   po_text label = {0};
   for (unsigned i = 0; i < file->sweep_count; ++i) {
-    const po_axis *axis = &file->sweep[i];
-    block /= axis->values_count;
-    const char *value = axis->values[index / block % axis->values_count];
-    const int key = po_key_of_name(axis->key);
-    if (po_key_is_group(key)) {
-      group = (po_key)key;
-      group_value = value;
-    } else
-      po_key_set(&point->request, (po_key)key, value);
-    po_text_add(&label, "%s%s=%s", i ? " " : "", axis->key, value);
+    const po_sweep *sweep = &file->sweep[i];
+    const unsigned settings = po_sweep_count(sweep);
+    block /= settings;
+    const unsigned setting = (unsigned)(index / block % settings);
+    for (int key = PO_KEY_COUNT; key < PO_KEY_END; ++key)
+      if (po_sweep_value(sweep, setting, (po_key)key)) {
+        group = (po_key)key;
+        group_value = po_sweep_value(sweep, setting, (po_key)key);
+      }
+    add_setting(point, sweep, setting, &label);
   }
   bool possible = po_case_sample_draw(file, scene, &point->request, &label);
   if (group_value) /* when what it is a group of is there */
     possible = po_key_set(&point->request, group, group_value) && possible;
   if (!label.length)
     po_text_add(&label, "scene");
-  snprintf(point->id, sizeof point->id, "%zu", index);
   point->label = label.data;
   if (label.failed)
     return PO_NO_MEMORY;
@@ -77,9 +89,36 @@ static po_status fill_point(const po_case *kase, size_t index, const po_yaml *ya
   return status;
 }
 
+static bool is_left_out(po_case_file *file, const po_request *request) {
+  for (unsigned i = 0; i < file->leave_out_count; ++i) {
+    po_leave_out *rule = &file->leave_out[i];
+    if (po_axes_hold(rule->when, rule->when_count, request)) {
+      rule->points += 1;
+      return true;
+    }
+  }
+  return false;
+}
+
+/* The points that no rule leaves out, numbered anew. */
+static po_status keep_points(po_case *kase, const po_yaml *yaml) {
+  size_t kept = 0;
+  for (size_t i = 0; i < kase->point_count; ++i) {
+    po_point *point = &kase->points[i];
+    if (is_left_out(kase->file, &point->request)) {
+      free(point->label);
+      continue;
+    }
+    snprintf(point->id, sizeof point->id, "%zu", kept);
+    kase->points[kept++] = *point;
+  }
+  kase->point_count = kept;
+  return kept ? PO_OK : po_schema_refuse(yaml, "rules that leave some point", "leave_out");
+}
+
 po_status po_case_expand(po_case *kase, const po_yaml *yaml) {
   po_status status = count_points(kase, yaml);
   for (size_t i = 0; !status && i < kase->point_count; ++i)
     status = fill_point(kase, i, yaml);
-  return status;
+  return status ? status : keep_points(kase, yaml);
 }

@@ -1,6 +1,7 @@
 #include "po_case_parse.h"
 
 #include <ctype.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -52,87 +53,10 @@ static po_status parse_repeats(po_case *kase, const po_yaml *yaml) {
   return PO_OK;
 }
 
-/* The key and the values of one item of a sweep, of a `when` or an `as_if`. */
-static po_status check_axis(const po_axis *axis, const char *where, const po_yaml *yaml) {
-  const int key = po_key_of_name(axis->key);
-  if (key < 0)
-    return po_schema_refuse(yaml, NULL, "%s.key", where);
-  po_request first = po_request_default();
-  first.scene.amplitude = first.scene.wavelength = 1; /* so that groups of them have a value */
-  po_request other = first;
-  for (unsigned i = 0; i < axis->values_count; ++i) {
-    if (!po_key_set(&first, (po_key)key, axis->values[i]))
-      return po_schema_refuse(yaml, po_key_expected((po_key)key), "%s.values[%u]", where, i + 1);
-    for (unsigned k = 0; k < i; ++k) {
-      po_key_set(&other, (po_key)key, axis->values[k]);
-      if (po_key_matches(&other, (po_key)key, axis->values[i]))
-        return po_schema_refuse(yaml, "each value once", "%s.values[%u]", where, i + 1);
-    }
-  }
-  return PO_OK;
-}
-
-static po_status parse_sweep(po_case *kase, const po_yaml *yaml) {
-  const po_case_file *file = kase->file;
-  for (unsigned i = 0; i < file->sweep_count; ++i) {
-    char where[WHERE_LENGTH];
-    snprintf(where, sizeof where, "sweep[%u]", i + 1);
-    po_status status = po_axis_fill(&file->sweep[i], where, yaml);
-    if (!status)
-      status = check_axis(&file->sweep[i], where, yaml);
-    if (status)
-      return status;
-    const int key = po_key_of_name(file->sweep[i].key);
-    const po_key target = po_key_target((po_key)key);
-    for (unsigned k = 0; k < i; ++k) {
-      if (po_key_is_group(key) && po_key_is_group(po_key_of_name(file->sweep[k].key)))
-        return po_schema_refuse(yaml, "one of alpha and amplitude_ratio", "%s.key", where);
-      if (target == po_key_target((po_key)po_key_of_name(file->sweep[k].key)))
-        return po_schema_refuse(yaml, "each key swept once", "%s.key", where);
-    }
-    if (file->scene.values[target])
-      return po_schema_refuse(yaml, "a key that the scene does not fix", "%s.key", where);
-  }
-  return PO_OK;
-}
-
-/* Swept or drawn. */
-static bool is_varied(const po_case_file *file, po_key key) {
-  for (unsigned i = 0; i < file->sweep_count; ++i)
-    if (po_key_target((po_key)po_key_of_name(file->sweep[i].key)) == key)
-      return true;
-  return po_case_draws(file, key);
-}
-
-/* What a case leaves unsaid a reader would have to guess; only what follows from the rest may lack.
- */
-static po_status check_scene(const po_case *kase, const po_yaml *yaml) {
-  static const po_key NEEDED[] = {PO_KEY_TABOR,  PO_KEY_RADIUS, PO_KEY_OUTER_RADIUS,
-                                  PO_KEY_SCHEME, PO_KEY_NODES,  PO_KEY_WAVELENGTH};
-  const po_case_file *file = kase->file;
-  po_request request = po_request_default();
-  for (int key = 0; key < PO_KEY_COUNT; ++key)
-    if (file->scene.values[key] && !po_key_set(&request, (po_key)key, file->scene.values[key]))
-      return po_schema_refuse(yaml, NULL, "scene.%s", po_key_name((po_key)key));
-  const bool panels = request.mesh.scheme == PO_PANEL && !is_varied(file, PO_KEY_SCHEME);
-  const bool wavy = request.scene.amplitude > 0 || is_varied(file, PO_KEY_AMPLITUDE);
-  for (size_t i = 0; i < sizeof NEEDED / sizeof *NEEDED; ++i) {
-    const po_key key = NEEDED[i];
-    if (file->scene.values[key] || is_varied(file, key) || (key == PO_KEY_WAVELENGTH && !wavy) ||
-        (key == PO_KEY_NODES && panels))
-      continue;
-    char expected[128];
-    snprintf(expected, sizeof expected, "%s, here, in the sweep or in the sample",
-             po_key_expected(key));
-    return po_schema_refuse(yaml, expected, "scene.%s", po_key_name(key));
-  }
-  return PO_OK;
-}
-
 /* What may be pinned, and what only pins speak of. */
 static po_status check_pin(const po_case_file *file, const po_check *check, unsigned number,
                            const po_yaml *yaml) {
-  if (po_check_is_pin(check) && is_varied(file, PO_KEY_TIME_LIMIT))
+  if (po_check_is_pin(check) && po_case_varies(file, PO_KEY_TIME_LIMIT))
     return po_schema_refuse(yaml, "no pin, as time_limit varies and pins are the same for each",
                             "checks[%u].reference", number);
   if (check->quantity == PO_CURVE && po_check_is_pin(check))
@@ -144,12 +68,29 @@ static po_status check_pin(const po_case_file *file, const po_check *check, unsi
   return PO_OK;
 }
 
+/* The number of a name; `count` when there is none such. */
+static int quantity_of(const char *name) {
+  int quantity = 0;
+  while (quantity < PO_QUANTITY_COUNT && strcmp(name, po_quantity_name((po_quantity)quantity)) != 0)
+    ++quantity;
+  return quantity;
+}
+
+static po_status check_when(const po_axis *when, unsigned count, const char *list, unsigned number,
+                            const po_yaml *yaml) {
+  po_status status = PO_OK;
+  for (unsigned i = 0; !status && i < count; ++i) {
+    char where[WHERE_LENGTH];
+    snprintf(where, sizeof where, "%s[%u].when[%u]", list, number, i + 1);
+    status = po_case_axis_check(&when[i], where, yaml);
+  }
+  return status;
+}
+
 static po_status parse_check(const po_case_file *file, po_check *check, unsigned number,
                              const po_yaml *yaml) {
-  int quantity = 0, kind = 0;
-  while (quantity < PO_QUANTITY_COUNT &&
-         strcmp(check->quantity_text, po_quantity_name((po_quantity)quantity)) != 0)
-    ++quantity;
+  const int quantity = quantity_of(check->quantity_text);
+  int kind = 0;
   if (quantity == PO_QUANTITY_COUNT)
     return po_schema_refuse(yaml, NULL, "checks[%u].quantity", number);
   check->quantity = (po_quantity)quantity;
@@ -181,21 +122,33 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
   const po_status pin = check_pin(file, check, number, yaml);
   if (pin)
     return pin;
-  for (unsigned i = 0; i < check->when_count; ++i) {
-    char where[WHERE_LENGTH];
-    snprintf(where, sizeof where, "checks[%u].when[%u]", number, i + 1);
-    const po_status status = check_axis(&check->when[i], where, yaml);
-    if (status)
-      return status;
-  }
-  return PO_OK;
+  return check_when(check->when, check->when_count, "checks", number, yaml);
+}
+
+/* How far off a number is is measured by an independent one, and needs no tolerance. */
+static po_status parse_measure(po_check *measure, unsigned number, const po_yaml *yaml) {
+  const int quantity = quantity_of(measure->quantity_text);
+  if (quantity == PO_QUANTITY_COUNT || quantity == PO_WORK || quantity == PO_SOLVED_SHARE)
+    return po_schema_refuse(yaml, NULL, "measure[%u].quantity", number);
+  if (po_check_is_pin(measure) || strcmp(measure->reference, PO_EVERY_SCENE) == 0)
+    return po_schema_refuse(yaml, NULL, "measure[%u].reference", number);
+  measure->quantity = (po_quantity)quantity;
+  measure->tolerance = (double)INFINITY;
+  measure->kind = PO_TOLERANCE_ABS;
+  return check_when(measure->when, measure->when_count, "measure", number, yaml);
+}
+
+static po_status parse_leave_out(const po_leave_out *rule, unsigned number, const po_yaml *yaml) {
+  if (rule->because[strspn(rule->because, " \t\n")] == '\0')
+    return po_schema_refuse(yaml, NULL, "leave_out[%u].because", number);
+  return check_when(rule->when, rule->when_count, "leave_out", number, yaml);
 }
 
 static po_status check_as_if(const po_check *check, unsigned number, const po_yaml *yaml) {
   for (unsigned i = 0; i < check->as_if_count; ++i) {
     char where[WHERE_LENGTH];
     snprintf(where, sizeof where, "checks[%u].as_if[%u]", number, i + 1);
-    const po_status status = check_axis(&check->as_if[i], where, yaml);
+    const po_status status = po_case_axis_check(&check->as_if[i], where, yaml);
     if (status)
       return status;
     if (check->as_if[i].values_count > 1)
@@ -230,16 +183,26 @@ static po_status check_stand_ins(const po_case *kase, const po_yaml *yaml) {
   return PO_OK;
 }
 
+static bool concerns_none(const po_case *kase, const po_check *check) {
+  for (size_t k = 0; k < kase->point_count; ++k)
+    if (po_check_concerns(check, &kase->points[k].request))
+      return false;
+  return true;
+}
+
 /* A check that concerns no point would pass for ever, unseen. */
 static po_status check_concerned(const po_case *kase, const po_yaml *yaml) {
-  for (unsigned i = 0; i < kase->file->checks_count; ++i) {
-    size_t concerned = 0;
-    for (size_t k = 0; k < kase->point_count; ++k)
-      concerned += po_check_concerns(&kase->file->checks[i], &kase->points[k].request);
-    if (!concerned)
-      return po_schema_refuse(yaml, "a condition that holds for some point", "checks[%u].when",
-                              i + 1);
-  }
+  const po_case_file *file = kase->file;
+  static const char EXPECTED[] = "a condition that holds for some point";
+  for (unsigned i = 0; i < file->checks_count; ++i)
+    if (concerns_none(kase, &file->checks[i]))
+      return po_schema_refuse(yaml, EXPECTED, "checks[%u].when", i + 1);
+  for (unsigned i = 0; i < file->measure_count; ++i)
+    if (concerns_none(kase, &file->measure[i]))
+      return po_schema_refuse(yaml, EXPECTED, "measure[%u].when", i + 1);
+  for (unsigned i = 0; i < file->leave_out_count; ++i)
+    if (!file->leave_out[i].points)
+      return po_schema_refuse(yaml, EXPECTED, "leave_out[%u].when", i + 1);
   return PO_OK;
 }
 
@@ -266,16 +229,20 @@ po_status po_case_parse(po_case *kase, const po_yaml *yaml) {
   if (!status)
     status = parse_repeats(kase, yaml);
   if (!status)
-    status = parse_sweep(kase, yaml);
+    status = po_case_sweep_check(kase, yaml);
   if (!status)
     status = po_case_sample_parse(kase, yaml);
   if (!status)
     status = po_case_physical_parse(kase, yaml);
   if (!status)
-    status = check_scene(kase, yaml);
+    status = po_case_scene_check(kase, yaml);
   for (unsigned i = 0; !status && i < kase->file->checks_count; ++i)
     if (!(status = parse_check(kase->file, &kase->file->checks[i], i + 1, yaml)))
       status = check_as_if(&kase->file->checks[i], i + 1, yaml);
+  for (unsigned i = 0; !status && i < kase->file->measure_count; ++i)
+    status = parse_measure(&kase->file->measure[i], i + 1, yaml);
+  for (unsigned i = 0; !status && i < kase->file->leave_out_count; ++i)
+    status = parse_leave_out(&kase->file->leave_out[i], i + 1, yaml);
   if (!status)
     status = po_lines_parse(kase, yaml);
   if (!status)

@@ -27,7 +27,20 @@ bool po_case_is_name(const char *text);
 /* Makes the values of an axis that has its ends and their number instead. Status: as above. */
 po_status po_axis_fill(po_axis *axis, const char *where, const po_yaml *yaml);
 
-/* The drawn scenes, each with every combination of the sweep: kase->points. */
+/* Checks the section `sweep`, if there is one, and fills it. Status: as above. */
+po_status po_case_sweep_check(const po_case *kase, const po_yaml *yaml);
+
+/* Checks the key and the values of an axis; `where` is its path, e.g. "checks[1].when[2]". */
+po_status po_case_axis_check(const po_axis *axis, const char *where, const po_yaml *yaml);
+
+/* Swept or drawn. */
+bool po_case_varies(const po_case_file *file, po_key key);
+
+/* What a case leaves unsaid a reader would have to guess: the keys that must be given, but for what
+ * follows from the rest. Status: as above. */
+po_status po_case_scene_check(const po_case *kase, const po_yaml *yaml);
+
+/* The drawn scenes, each with every combination of the sweep but those left out: kase->points. */
 po_status po_case_expand(po_case *kase, const po_yaml *yaml);
 
 /* Makes the dimensionless scene of a block `physical`, if there is one, and its units. */

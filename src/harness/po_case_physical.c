@@ -52,10 +52,10 @@ static po_status refuse_both(const po_case_file *file, const po_yaml *yaml) {
     if (file->scene.values[MADE[i]])
       return po_schema_refuse(yaml, NOT_BOTH, "scene.%s", po_key_name(MADE[i]));
   for (unsigned k = 0; k < file->sweep_count; ++k) {
-    const int key = po_key_of_name(file->sweep[k].key);
-    for (int i = 0; key >= 0 && i < MADE_COUNT; ++i)
-      if (po_key_target((po_key)key) == MADE[i])
-        return po_schema_refuse(yaml, NOT_BOTH, "sweep[%u].key", k + 1);
+    const char *what = file->sweep[k].together ? "together" : "key";
+    for (int i = 0; i < MADE_COUNT; ++i)
+      if (po_sweep_varies(&file->sweep[k], MADE[i]))
+        return po_schema_refuse(yaml, NOT_BOTH, "sweep[%u].%s", k + 1, what);
   }
   for (int i = 0; i < MADE_COUNT; ++i)
     if (po_case_draws(file, MADE[i]))

@@ -8,8 +8,10 @@ po_status po_case_run_create(po_plan *plan, po_case_run *run) {
   *run = (po_case_run){.plan = plan, .end = points, .pending = points};
   run->outcomes = po_allocate(points, sizeof *run->outcomes);
   run->seconds = po_allocate(points * plan->kase->repeats, sizeof *run->seconds);
+  run->processor_seconds = po_allocate(points * plan->kase->repeats, sizeof *run->seconds);
   run->done = po_allocate(points, sizeof *run->done);
-  return run->outcomes && run->seconds && run->done ? PO_OK : PO_NO_MEMORY;
+  const bool made = run->outcomes && run->seconds && run->processor_seconds && run->done;
+  return made ? PO_OK : PO_NO_MEMORY;
 }
 
 void po_case_run_clear(po_case_run *run) {
@@ -17,8 +19,10 @@ void po_case_run_clear(po_case_run *run) {
     po_outcome_clear(&run->outcomes[i]);
   free(run->outcomes);
   free(run->seconds);
+  free(run->processor_seconds);
   free(run->done);
   po_results_clear(&run->results);
+  po_results_clear(&run->measured);
   po_plan_destroy(run->plan);
   *run = (po_case_run){0};
 }

@@ -24,9 +24,9 @@ bool po_case_draws(const po_case_file *file, po_key key) {
   return false;
 }
 
-static bool is_swept(const po_case_file *file, int key) {
+static bool is_swept(const po_case_file *file, po_key key) {
   for (unsigned i = 0; i < file->sweep_count; ++i)
-    if (po_key_of_name(file->sweep[i].key) == key)
+    if (po_sweep_varies(&file->sweep[i], key))
       return true;
   return false;
 }
@@ -45,7 +45,7 @@ static po_status parse_key(const po_case_file *file, unsigned index, const char 
   for (unsigned k = 0; k < index; ++k)
     if (strcmp(file->sample->keys[k].key, draw->key) == 0)
       return po_schema_refuse(yaml, "each key drawn once", "%s.key", where);
-  if (file->scene.values[key] || is_swept(file, key))
+  if (file->scene.values[key] || is_swept(file, (po_key)key))
     return po_schema_refuse(yaml, "a key that neither scene nor sweep fixes", "%s.key", where);
   draw->drawn = (po_key)key;
   return PO_OK;

@@ -18,7 +18,11 @@ po_request po_plan_request(const po_plan *plan, size_t point) {
 }
 
 const char *po_plan_reference_of(const po_plan *plan, const po_check *check) {
-  const po_reference *reference = &plan->references[check - plan->kase->file->checks];
+  const po_case_file *file = plan->kase->file;
+  const bool measure = check >= file->measure && check < file->measure + file->measure_count;
+  if (measure)
+    return check->reference;
+  const po_reference *reference = &plan->references[check - file->checks];
   return reference->is_pin ? reference->shown : check->reference;
 }
 
@@ -34,12 +38,16 @@ static void decide(po_plan *plan) {
   for (unsigned i = 0; i < kase->file->checks_count; ++i)
     if (kase->file->checks[i].quantity == PO_CURVE && !plan->references[i].is_absent)
       plan->want |= PO_WANT_CURVE;
+  for (unsigned i = 0; i < kase->file->measure_count; ++i)
+    if (kase->file->measure[i].quantity == PO_CURVE)
+      plan->want |= PO_WANT_CURVE;
 }
 
 static po_status open_references(po_plan *plan, const char *data_folder) {
   const po_case_file *file = plan->kase->file;
   plan->references = po_allocate(file->checks_count, sizeof *plan->references);
-  if (!plan->references)
+  plan->measures = po_allocate(file->measure_count, sizeof *plan->measures);
+  if (!plan->references || !plan->measures)
     return PO_NO_MEMORY;
   po_status status = PO_OK;
   for (unsigned i = 0; !status && i < file->checks_count; ++i) {
@@ -50,6 +58,8 @@ static po_status open_references(po_plan *plan, const char *data_folder) {
     if (!status && !plan->references[i].is_absent)
       status = po_compare_check_tolerance(plan->kase, check, i + 1, &plan->references[i]);
   }
+  for (unsigned i = 0; !status && i < file->measure_count; ++i)
+    status = po_reference_open(data_folder, file->measure[i].reference, &plan->measures[i]);
   return status;
 }
 
@@ -67,6 +77,8 @@ static po_status make_keys(po_plan *plan) {
   po_digest_bytes(po_text_string(&text), text.length, plan->solve_key);
   for (unsigned i = 0; i < kase->file->checks_count; ++i)
     po_text_add(&text, "%s|", plan->references[i].digest);
+  for (unsigned i = 0; i < kase->file->measure_count; ++i)
+    po_text_add(&text, "%s|", plan->measures[i].digest);
   po_text_add_bytes(&text, kase->source, kase->source_size);
   po_digest_bytes(po_text_string(&text), text.length, plan->key);
   const po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
@@ -99,7 +111,10 @@ void po_plan_destroy(po_plan *plan) {
     return;
   for (unsigned i = 0; plan->references && i < plan->kase->file->checks_count; ++i)
     po_reference_close(&plan->references[i]);
+  for (unsigned i = 0; plan->measures && i < plan->kase->file->measure_count; ++i)
+    po_reference_close(&plan->measures[i]);
   free(plan->references);
+  free(plan->measures);
   for (size_t i = 0; i < plan->line_count; ++i)
     free(plan->lines[i]);
   free(plan->lines);

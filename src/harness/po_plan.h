@@ -9,6 +9,7 @@
 typedef struct {
   const po_case *kase;
   po_reference *references; /* one a check, open */
+  po_reference *measures;   /* one a measurement, open */
   unsigned want;            /* PO_WANT_...: of every point */
   char **lines;             /* the plan in words, one line each */
   size_t line_count;
@@ -23,8 +24,8 @@ typedef struct {
 po_status po_plan_create(const po_case *kase, const char *data_folder, po_plan **result);
 void po_plan_destroy(po_plan *plan);
 
-/* What a check is against, as a path or a name: "reference/feng_pull_off.csv", "bradley",
- * "cases/pins/smoke.csv". */
+/* What a check or a measurement is against, as a path or a name: "reference/feng_pull_off.csv",
+ * "bradley", "cases/pins/smoke.csv". */
 const char *po_plan_reference_of(const po_plan *plan, const po_check *check);
 
 /* The request of a point as planned. */

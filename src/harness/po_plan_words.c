@@ -91,15 +91,25 @@ static po_status tell_scenes(po_plan *plan, const census *n) {
   return status;
 }
 
+static po_status tell_left_out(po_plan *plan) {
+  po_status status = PO_OK;
+  for (unsigned i = 0; !status && i < plan->kase->file->leave_out_count; ++i) {
+    const po_leave_out *rule = &plan->kase->file->leave_out[i];
+    status = say(plan, "leave out %zu %s: %.250s", rule->points,
+                 rule->points == 1 ? "scene" : "scenes", rule->because);
+  }
+  return status;
+}
+
 static po_status tell_wants(po_plan *plan) {
   const po_case *kase = plan->kase;
   po_status status = say(plan, "read off each branch: pull-off, folds, extrema of the load");
   if (!status)
-    status = plan->want & PO_WANT_CURVE
-                 ? say(plan, "keep the points of the branch: %s",
-                       kase->want & PO_CASE_CURVE ? "the case wants the curve"
-                                                  : "a check compares the curve")
-                 : say(plan, "no points of the branch kept: nothing wants the curve");
+    status =
+        plan->want & PO_WANT_CURVE
+            ? say(plan, "keep the points of the branch: %s",
+                  kase->want & PO_CASE_CURVE ? "the case wants the curve" : "the curve is compared")
+            : say(plan, "no points of the branch kept: nothing wants the curve");
   if (!status)
     status = plan->want & PO_WANT_PROFILE
                  ? say(plan, "gap and traction at pull-off: the case wants the profile")
@@ -108,7 +118,9 @@ static po_status tell_wants(po_plan *plan) {
     status = say(plan, "follow loading and unloading, by approach and by load: the case wants the "
                        "hysteresis");
   if (!status && kase->repeats > 1)
-    status = say(plan, "each solve %u times, alone on the machine: the times are the result",
+    status = say(plan,
+                 "each solve %u times, alone on the machine, in rounds over all points: the times "
+                 "are the result",
                  kase->repeats);
   for (unsigned i = 0; !status && i < kase->file->lines_count; ++i)
     status = say(plan, "the closed form %.40s along a sweep, as line %.60s",
@@ -139,9 +151,35 @@ static bool is_spoken_of(const po_reference *reference, const po_check *check,
   return status == PO_OK;
 }
 
+/* How many points a check concerns, and of how many of these the reference says anything. */
+static void count_points(const po_case *kase, const po_check *check, const po_reference *reference,
+                         size_t *concerned, size_t *spoken) {
+  for (size_t k = 0; k < kase->point_count; ++k)
+    if (po_check_concerns(check, &kase->points[k].request)) {
+      *concerned += 1;
+      *spoken += is_spoken_of(reference, check, &kase->points[k].request);
+    }
+}
+
+static po_status tell_measures(po_plan *plan) {
+  const po_case *kase = plan->kase;
+  po_status status = PO_OK;
+  for (unsigned i = 0; !status && i < kase->file->measure_count; ++i) {
+    const po_check *measure = &kase->file->measure[i];
+    size_t concerned = 0, spoken = 0;
+    count_points(kase, measure, &plan->measures[i], &concerned, &spoken);
+    status = say(plan, "measure the error of %s against %s at %zu of %zu points, without a verdict",
+                 measure->quantity_text, measure->reference, concerned, kase->point_count);
+    if (!status && spoken < concerned)
+      status = say(plan, "  but %s does not speak of %zu of these", measure->reference,
+                   concerned - spoken);
+  }
+  return status;
+}
+
 static po_status tell_checks(po_plan *plan) {
   const po_case *kase = plan->kase;
-  if (!kase->file->checks_count)
+  if (!kase->file->checks_count && !kase->file->measure_count)
     return say(plan, "nothing is compared: the case has no checks");
   po_status status = PO_OK;
   for (unsigned i = 0; !status && i < kase->file->checks_count; ++i) {
@@ -152,11 +190,7 @@ static po_status tell_checks(po_plan *plan) {
       continue;
     }
     size_t concerned = 0, spoken = 0;
-    for (size_t k = 0; k < kase->point_count; ++k)
-      if (po_check_concerns(check, &kase->points[k].request)) {
-        concerned += 1;
-        spoken += is_spoken_of(&plan->references[i], check, &kase->points[k].request);
-      }
+    count_points(kase, check, &plan->references[i], &concerned, &spoken);
     status = say(plan, "compare %s with %s at %zu of %zu points, to %s %s", check->quantity_text,
                  po_plan_reference_of(plan, check), concerned, kase->point_count,
                  check->tolerance_text, check->kind_text);
@@ -177,6 +211,10 @@ po_status po_plan_tell(po_plan *plan) {
   if (!status)
     status = tell_scenes(plan, &count);
   if (!status)
+    status = tell_left_out(plan);
+  if (!status)
     status = tell_wants(plan);
-  return status ? status : tell_checks(plan);
+  if (!status)
+    status = tell_checks(plan);
+  return status ? status : tell_measures(plan);
 }

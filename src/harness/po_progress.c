@@ -31,9 +31,9 @@ static void show(po_progress *progress, const char *what) {
   span(progress->done ? spent / (double)progress->done * (double)left : 0, remaining);
   const int width =
       progress->done
-          ? snprintf(line, sizeof line, "%zu/%zu points, %s elapsed, about %s remaining (%.60s)",
+          ? snprintf(line, sizeof line, "%zu/%zu solves, %s elapsed, about %s remaining (%.60s)",
                      progress->done, progress->total, elapsed, remaining, what)
-          : snprintf(line, sizeof line, "0/%zu points", progress->total);
+          : snprintf(line, sizeof line, "0/%zu solves", progress->total);
   clear_line(progress);
   fprintf(stderr, progress->live ? "%s" : "%s\n", line);
   progress->width = progress->live ? (size_t)width : 0;

@@ -25,18 +25,19 @@ static json_t *suites(const po_case *kase) {
 
 static json_t *sweep(const po_case *kase, size_t point) {
   json_t *object = json_object();
-  for (unsigned i = 0; i < kase->file->sweep_count; ++i) {
-    const char *name = kase->file->sweep[i].key;
-    const int key = po_key_of_name(name);
-    if (po_key_is_group(key)) {
-      json_object_set_new(object, name,
-                          po_json_number(po_key_number(&kase->points[point].request, (po_key)key)));
-      continue;
+  json_t *input = po_json_input(&kase->points[point].request);
+  for (unsigned i = 0; i < kase->file->sweep_count; ++i)
+    for (int key = 0; key < PO_KEY_END; ++key) {
+      const char *name = po_key_name((po_key)key);
+      if (!po_sweep_names(&kase->file->sweep[i], (po_key)key))
+        continue;
+      if (po_key_is_group(key))
+        json_object_set_new(
+            object, name, po_json_number(po_key_number(&kase->points[point].request, (po_key)key)));
+      else
+        json_object_set(object, name, json_object_get(input, name));
     }
-    json_t *input = po_json_input(&kase->points[point].request);
-    json_object_set(object, name, json_object_get(input, name));
-    json_decref(input);
-  }
+  json_decref(input);
   for (unsigned i = 0; kase->file->sample && i < kase->file->sample->keys_count; ++i) {
     const po_draw *draw = &kase->file->sample->keys[i];
     json_object_set_new(object, draw->key,
@@ -45,11 +46,12 @@ static json_t *sweep(const po_case *kase, size_t point) {
   return object;
 }
 
-static json_t *seconds_all(const po_case_run *run, size_t point) {
+/* The times of a point, round after round. */
+static json_t *times(const po_case_run *run, const double *seconds, size_t point) {
   const unsigned repeats = run->plan->kase->repeats;
   json_t *array = json_array();
   for (unsigned i = 0; i < repeats; ++i)
-    json_array_append_new(array, po_json_number(run->seconds[point * repeats + i]));
+    json_array_append_new(array, po_json_number(seconds[point * repeats + i]));
   return array;
 }
 
@@ -104,7 +106,8 @@ json_t *po_record_point(const po_case_run *run, size_t index) {
   json_object_set_new(object, "id", json_string(point->id));
   json_object_set_new(object, "label", json_string(point->label));
   json_object_set_new(object, "sweep", sweep(kase, index));
-  json_object_set_new(object, "seconds_all", seconds_all(run, index));
+  json_object_set_new(object, "seconds_all", times(run, run->seconds, index));
+  json_object_set_new(object, "processor_seconds_all", times(run, run->processor_seconds, index));
   json_object_set_new(object, "command", text_or_null(command));
   if (kase->is_physical)
     json_object_set_new(object, "physical",
@@ -131,6 +134,44 @@ static json_t *check_json(const po_case_run *run, const po_result *item) {
       po_plan_reference_of(run->plan, check), "because", check->because, "command", command);
 }
 
+/* How a measurement ended; `outside` are curves and landmarks that have no one-to-one counterpart.
+ */
+static const char *measured_as(po_verdict verdict) {
+  return verdict == PO_OUTSIDE             ? "no_correspondence"
+         : verdict == PO_NO_RESULT         ? "no_result"
+         : verdict == PO_MISSING_REFERENCE ? "missing_reference"
+                                           : "measured";
+}
+
+static json_t *measure_json(const po_case_run *run, const po_result *item) {
+  return json_pack("{s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:s, s:s, s:s}", "id", item->id,
+                   "point", run->plan->kase->points[item->point].id, "quantity", item->quantity,
+                   "subject", item->subject, "obtained", po_json_number(item->obtained), "expected",
+                   po_json_number(item->expected), "error", po_json_number(item->error),
+                   "reference_uncertainty", po_json_number(item->uncertainty), "outcome",
+                   measured_as(item->verdict), "note", item->note, "reference",
+                   po_plan_reference_of(run->plan, item->check));
+}
+
+/* The scenes that are not solved, rule by rule. */
+static json_t *not_solved(const po_case *kase) {
+  json_t *array = json_array();
+  for (unsigned i = 0; i < kase->file->leave_out_count; ++i) {
+    const po_leave_out *rule = &kase->file->leave_out[i];
+    json_t *when = json_array();
+    for (unsigned k = 0; k < rule->when_count; ++k) {
+      json_t *values = json_array();
+      for (unsigned v = 0; v < rule->when[k].values_count; ++v)
+        json_array_append_new(values, json_string(rule->when[k].values[v]));
+      json_array_append_new(when,
+                            json_pack("{s:s, s:o}", "key", rule->when[k].key, "values", values));
+    }
+    json_array_append_new(array, json_pack("{s:o, s:I, s:s}", "when", when, "points",
+                                           (json_int_t)rule->points, "because", rule->because));
+  }
+  return array;
+}
+
 /* The checks that were left out since their reference is absent. */
 static json_t *left_out(const po_plan *plan) {
   json_t *array = json_array();
@@ -146,6 +187,7 @@ static json_t *left_out(const po_plan *plan) {
 
 static json_t *lists(const po_case_run *run, json_t *record) {
   json_t *plan = json_array(), *points = json_array(), *checks = json_array();
+  json_t *measured = json_array();
   for (size_t i = 0; i < run->plan->line_count; ++i)
     json_array_append_new(plan, json_string(run->plan->lines[i]));
   for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
@@ -155,10 +197,14 @@ static json_t *lists(const po_case_run *run, json_t *record) {
   }
   for (size_t i = 0; i < run->results.count; ++i)
     json_array_append_new(checks, check_json(run, &run->results.items[i]));
+  for (size_t i = 0; i < run->measured.count; ++i)
+    json_array_append_new(measured, measure_json(run, &run->measured.items[i]));
   json_object_set_new(record, "plan", plan);
   json_object_set_new(record, "points", points);
   json_object_set_new(record, "checks", checks);
+  json_object_set_new(record, "measured", measured);
   json_object_set_new(record, "left_out", left_out(run->plan));
+  json_object_set_new(record, "not_solved", not_solved(run->plan->kase));
   return record;
 }
 

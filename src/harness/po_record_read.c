@@ -33,12 +33,16 @@ po_status po_record_read_point(po_case_run *run, size_t index, const json_t *poi
   const unsigned repeats = run->plan->kase->repeats;
   po_outcome *outcome = &run->outcomes[index];
   const json_t *seconds = json_object_get(point, "seconds_all");
+  const json_t *processor = json_object_get(point, "processor_seconds_all");
   if (strcmp(string_of(point, "id"), run->plan->kase->points[index].id) != 0 ||
-      json_array_size(seconds) != repeats)
+      json_array_size(seconds) != repeats || json_array_size(processor) != repeats)
     return PO_NOT_FOUND;
   po_status status = po_json_read_outcome(point, outcome);
-  for (unsigned i = 0; i < repeats; ++i)
-    run->seconds[index * repeats + i] = json_number_value(json_array_get(seconds, i));
+  for (unsigned i = 0; i < repeats; ++i) {
+    const size_t place = index * repeats + i;
+    run->seconds[place] = json_number_value(json_array_get(seconds, i));
+    run->processor_seconds[place] = json_number_value(json_array_get(processor, i));
+  }
   if (!status)
     status = read_table(point, false, run->plan->want & PO_WANT_CURVE, folder, outcome);
   if (!status)

@@ -14,6 +14,7 @@
 #include "po_memory.h"
 #include "po_progress.h"
 #include "po_record.h"
+#include "po_tasks.h"
 
 /* What the threads of a run share. */
 typedef struct {
@@ -25,10 +26,6 @@ typedef struct {
   po_status status; /* why, and its message, which po_fail keeps by thread */
   char message[512];
 } po_crew;
-
-typedef struct {
-  size_t run, point;
-} po_task;
 
 static bool must_end(const po_crew *crew) {
   bool broken;
@@ -61,6 +58,10 @@ static po_status compare_all(po_case_run *run) {
       status =
           po_compare(kase, i, check, &run->plan->references[c], &run->outcomes[i], &run->results);
   }
+  for (unsigned m = 0; !status && m < kase->file->measure_count; ++m)
+    for (size_t i = run->first; !status && i < run->end; ++i)
+      status = po_compare(kase, i, &kase->file->measure[m], &run->plan->measures[m],
+                          &run->outcomes[i], &run->measured);
   if (!status)
     po_judge(&run->results);
   return status;
@@ -115,71 +116,55 @@ static double median(const double *values, unsigned count) {
   return count % 2 ? sorted[count / 2] : (sorted[count / 2 - 1] + sorted[count / 2]) / 2;
 }
 
-/* Solves one point, as often as the case repeats; the outcome is that of the first time. */
-static void solve_point(const po_crew *crew, po_case_run *run, size_t point) {
+/* Solves a point; the outcome is that of the first round, later ones only time it. */
+static void solve_point(const po_crew *crew, po_case_run *run, const po_task *task) {
   const unsigned repeats = run->plan->kase->repeats;
-  po_request request = po_plan_request(run->plan, point);
-  po_outcome *outcome = &run->outcomes[point];
+  const size_t place = task->point * repeats + task->round;
+  po_request request = po_plan_request(run->plan, task->point);
+  po_outcome again = {0}, *first = &run->outcomes[task->point];
+  po_outcome *outcome = task->round ? &again : first;
   request.stop = crew->options->stop;
-  double *seconds = run->seconds + point * repeats;
-  for (unsigned i = 0; i < repeats && !must_end(crew); ++i) {
-    po_outcome again = {0};
-    const po_status status = po_observe(&request, i ? &again : outcome);
-    if (i == 0 && status && !outcome->reason[0])
-      snprintf(outcome->reason, sizeof outcome->reason, "%.250s", po_message());
-    seconds[i] = i ? again.work.seconds : outcome->work.seconds;
-    po_outcome_clear(&again);
-  }
-  outcome->work.seconds = median(seconds, repeats);
+  const double begin = po_clock_thread();
+  const po_status status = po_observe(&request, outcome);
+  run->processor_seconds[place] = po_clock_thread() - begin;
+  run->seconds[place] = outcome->work.seconds;
+  if (status && !outcome->reason[0])
+    snprintf(outcome->reason, sizeof outcome->reason, "%.250s", po_message());
+  po_outcome_clear(&again);
+  if (task->round + 1 == repeats)
+    first->work.seconds = median(run->seconds + task->point * repeats, repeats);
+}
+
+/* Counts and keeps a point that is solved as often as it is to be. */
+static po_status end_point(po_crew *crew, po_case_run *run, size_t point) {
+  run->pending -= 1;
+  run->done[point] = true;
+  const po_status status = keep_point(crew, run, point);
+  return !status && run->pending == 0 ? finish_case(crew, run) : status;
 }
 
 static void do_task(po_crew *crew, const po_task *task) {
   po_case_run *run = &crew->runs[task->run];
   const double begin = po_clock_wall();
-  solve_point(crew, run, task->point);
+  solve_point(crew, run, task);
   const bool stopped = crew->options->stop && *crew->options->stop;
 #pragma omp critical(po_run_finish)
   if (!stopped) {
     run->elapsed += po_clock_wall() - begin;
-    run->pending -= 1;
-    run->done[task->point] = true;
     char what[128];
     snprintf(what, sizeof what, "%.40s %.60s", run->plan->kase->file->name,
              run->plan->kase->points[task->point].label);
     po_progress_step(&crew->progress, what);
-    po_status status = keep_point(crew, run, task->point);
-    if (!status && run->pending == 0)
-      status = finish_case(crew, run);
+    const bool last = task->round + 1 == run->plan->kase->repeats;
+    const po_status status = last ? end_point(crew, run, task->point) : PO_OK;
     if (status)
       give_up(crew, status);
   }
 }
 
-/* The points to solve: first those that may run side by side, then those that are timed. */
-static po_task *list_tasks(const po_crew *crew, size_t count, size_t *shared, size_t *total) {
-  size_t pending = 0;
-  for (size_t r = 0; r < count; ++r)
-    pending += crew->runs[r].pending;
-  po_task *tasks = po_allocate(pending, sizeof *tasks);
-  *total = 0;
-  for (int timed = 0; tasks && timed < 2; ++timed) {
-    for (size_t r = 0; r < count; ++r) {
-      const po_case_run *run = &crew->runs[r];
-      if (run->finished || (run->plan->kase->repeats > 1) != timed)
-        continue;
-      for (size_t p = run->first; p < run->end; ++p)
-        if (!run->done[p])
-          tasks[(*total)++] = (po_task){r, p};
-    }
-    if (!timed)
-      *shared = *total;
-  }
-  return tasks;
-}
-
 static po_status work_through(po_crew *crew, size_t count) {
   size_t shared = 0, total = 0;
-  po_task *tasks = list_tasks(crew, count, &shared, &total);
+  po_task *tasks = po_tasks_list(crew->runs, count, &shared, &total);
   if (!tasks)
     return PO_NO_MEMORY;
   po_progress_begin(&crew->progress, total);

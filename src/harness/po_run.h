@@ -12,6 +12,7 @@ typedef struct {
   po_plan *plan;
   po_outcome *outcomes;           /* one a point */
   double *seconds;                /* points x repeats, row after row: how long each solve took */
+  double *processor_seconds;      /* the same by the clock of the processor */
   size_t first, end;              /* the points asked for: from first to before end */
   bool *done;                     /* one a point: its outcome is there */
   size_t pending;                 /* points asked for and not solved yet */
@@ -20,7 +21,8 @@ typedef struct {
   bool finished;                  /* all outcomes are there */
   char old_key[PO_DIGEST_LENGTH]; /* of the record they were read from */
   po_results results;
-  double elapsed; /* seconds spent on its solves */
+  po_results measured; /* what the case measures: errors without a verdict */
+  double elapsed;      /* seconds spent on its solves */
 } po_case_run;
 
 typedef struct {
@@ -31,7 +33,10 @@ typedef struct {
   const volatile sig_atomic_t *stop; /* nonzero: end soon */
 } po_run_options;
 
-/* Solves what is not there already, compares, writes the records. Of a case of which only some
+/* Solves what is not there already, compares, writes the records. The solves of a case that repeats
+ * them are timed: alone on the machine, and in rounds over the points, so that what slows the
+ * machine for a while slows no point more than the others; a point is kept when its last round is
+ * done. Of a case of which only some
  * points are asked for, the checks are made on these, and no record is written: its journal keeps
  * them (po_journal.h) for a run of the whole.
  * Status: PO_INTERRUPTED, finished points kept; PO_CANNOT_WRITE; PO_CANNOT_READ (a reference);

@@ -31,7 +31,7 @@ static const cyaml_schema_field_t AXIS_FIELDS[] = {
 static const cyaml_schema_value_t AXIS = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, po_axis, AXIS_FIELDS)};
 
-static const cyaml_schema_field_t SWEEP_FIELDS[] = {
+static const cyaml_schema_field_t RANGE_FIELDS[] = {
     TEXT("key", po_axis, key),
     LIST("values", CYAML_FLAG_OPTIONAL, po_axis, values, &WORD),
     OPTIONAL_TEXT("from", po_axis, from_text),
@@ -40,13 +40,13 @@ static const cyaml_schema_field_t SWEEP_FIELDS[] = {
     OPTIONAL_TEXT("scale", po_axis, scale),
     CYAML_FIELD_END,
 };
-static const cyaml_schema_value_t SWEEP = {
-    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, po_axis, SWEEP_FIELDS)};
+static const cyaml_schema_value_t RANGE = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, po_axis, RANGE_FIELDS)};
 
 static const cyaml_schema_field_t LINE_FIELDS[] = {
     TEXT("name", po_line, name),
     TEXT("theory", po_line, theory),
-    LIST("sweep", 0, po_line, sweep, &SWEEP),
+    LIST("sweep", 0, po_line, sweep, &RANGE),
     CYAML_FIELD_END,
 };
 static const cyaml_schema_value_t LINE = {
@@ -96,25 +96,58 @@ static const cyaml_schema_field_t PHYSICAL_FIELDS[] = {
 };
 
 #define SCENE_KEY(name, key) OPTIONAL_TEXT(name, po_scene_words, values[key])
+#define SCENE_KEYS                                                                                 \
+  SCENE_KEY("tabor", PO_KEY_TABOR), SCENE_KEY("amplitude", PO_KEY_AMPLITUDE),                      \
+      SCENE_KEY("wavelength", PO_KEY_WAVELENGTH), SCENE_KEY("radius", PO_KEY_RADIUS),              \
+      SCENE_KEY("outer_radius", PO_KEY_OUTER_RADIUS), SCENE_KEY("scheme", PO_KEY_SCHEME),          \
+      SCENE_KEY("grading", PO_KEY_GRADING), SCENE_KEY("nodes", PO_KEY_NODES),                      \
+      SCENE_KEY("tolerance", PO_KEY_TOLERANCE),                                                    \
+      SCENE_KEY("approach_start", PO_KEY_APPROACH_START),                                          \
+      SCENE_KEY("approach_end", PO_KEY_APPROACH_END), SCENE_KEY("preload", PO_KEY_PRELOAD),        \
+      SCENE_KEY("preload_load", PO_KEY_PRELOAD_LOAD), SCENE_KEY("time_limit", PO_KEY_TIME_LIMIT)
 static const cyaml_schema_field_t SCENE_FIELDS[] = {
-    SCENE_KEY("tabor", PO_KEY_TABOR),
-    SCENE_KEY("amplitude", PO_KEY_AMPLITUDE),
-    SCENE_KEY("wavelength", PO_KEY_WAVELENGTH),
-    SCENE_KEY("radius", PO_KEY_RADIUS),
-    SCENE_KEY("outer_radius", PO_KEY_OUTER_RADIUS),
-    SCENE_KEY("scheme", PO_KEY_SCHEME),
-    SCENE_KEY("grading", PO_KEY_GRADING),
-    SCENE_KEY("nodes", PO_KEY_NODES),
-    SCENE_KEY("tolerance", PO_KEY_TOLERANCE),
-    SCENE_KEY("approach_start", PO_KEY_APPROACH_START),
-    SCENE_KEY("approach_end", PO_KEY_APPROACH_END),
-    SCENE_KEY("preload", PO_KEY_PRELOAD),
-    SCENE_KEY("preload_load", PO_KEY_PRELOAD_LOAD),
-    SCENE_KEY("time_limit", PO_KEY_TIME_LIMIT),
+    SCENE_KEYS,
     CYAML_FIELD_MAPPING_PTR("physical", CYAML_FLAG_POINTER | CYAML_FLAG_OPTIONAL, po_scene_words,
                             physical, PHYSICAL_FIELDS),
     CYAML_FIELD_END,
 };
+
+static const cyaml_schema_field_t SETTING_FIELDS[] = {
+    SCENE_KEYS,
+    CYAML_FIELD_END,
+};
+static const cyaml_schema_value_t SETTINGS = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, po_scene_words, SETTING_FIELDS)};
+
+static const cyaml_schema_field_t SWEEP_FIELDS[] = {
+    OPTIONAL_TEXT("key", po_sweep, axis.key),
+    LIST("values", CYAML_FLAG_OPTIONAL, po_sweep, axis.values, &WORD),
+    OPTIONAL_TEXT("from", po_sweep, axis.from_text),
+    OPTIONAL_TEXT("to", po_sweep, axis.to_text),
+    OPTIONAL_TEXT("count", po_sweep, axis.count_text),
+    OPTIONAL_TEXT("scale", po_sweep, axis.scale),
+    LIST("together", CYAML_FLAG_OPTIONAL, po_sweep, together, &SETTINGS),
+    CYAML_FIELD_END,
+};
+static const cyaml_schema_value_t SWEEP = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, po_sweep, SWEEP_FIELDS)};
+
+static const cyaml_schema_field_t LEAVE_OUT_FIELDS[] = {
+    LIST("when", 0, po_leave_out, when, &AXIS),
+    TEXT("because", po_leave_out, because),
+    CYAML_FIELD_END,
+};
+static const cyaml_schema_value_t LEAVE_OUT = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, po_leave_out, LEAVE_OUT_FIELDS)};
+
+static const cyaml_schema_field_t MEASURE_FIELDS[] = {
+    TEXT("quantity", po_check, quantity_text),
+    TEXT("reference", po_check, reference),
+    LIST("when", CYAML_FLAG_OPTIONAL, po_check, when, &AXIS),
+    CYAML_FIELD_END,
+};
+static const cyaml_schema_value_t MEASURE = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, po_check, MEASURE_FIELDS)};
 
 static const cyaml_schema_field_t CASE_FIELDS[] = {
     TEXT("name", po_case_file, name),
@@ -125,12 +158,14 @@ static const cyaml_schema_field_t CASE_FIELDS[] = {
     LIST("suites", 0, po_case_file, suite_names, &WORD),
     CYAML_FIELD_MAPPING("scene", CYAML_FLAG_DEFAULT, po_case_file, scene, SCENE_FIELDS),
     LIST("sweep", CYAML_FLAG_OPTIONAL, po_case_file, sweep, &SWEEP),
+    LIST("leave_out", CYAML_FLAG_OPTIONAL, po_case_file, leave_out, &LEAVE_OUT),
     CYAML_FIELD_MAPPING_PTR("sample", CYAML_FLAG_POINTER | CYAML_FLAG_OPTIONAL, po_case_file,
                             sample, SAMPLE_FIELDS),
     OPTIONAL_TEXT("repeats", po_case_file, repeats_text),
     LIST("want", 0, po_case_file, want_names, &WORD),
     LIST("checks", CYAML_FLAG_OPTIONAL, po_case_file, checks, &CHECK),
     LIST("lines", CYAML_FLAG_OPTIONAL, po_case_file, lines, &LINE),
+    LIST("measure", CYAML_FLAG_OPTIONAL, po_case_file, measure, &MEASURE),
     CYAML_FIELD_END,
 };
 static const cyaml_schema_value_t CASE = {
@@ -153,11 +188,14 @@ static const struct {
     {"scene.physical.work_j_per_m2", "a finite number > 0 in J/m^2"},
     {"scene.physical.distance_m", "a finite number > 0 in m"},
     {"scene.physical.radius_m", "a finite number > 0 in m"},
-    {"sweep", "a list of {key, values}"},
+    {"sweep", "a list of {key, values} or {together}"},
     {"sweep.from", "a finite number"},
     {"sweep.to", "a finite number > from"},
     {"sweep.count", "a whole number from 2 to 10000"},
     {"sweep.scale", "linear or log"},
+    {"sweep.together", "a list of mappings of scene keys"},
+    {"leave_out", "a list of {when, because}"},
+    {"leave_out.because", "the reason why these are not solved"},
     {"lines", "a list of {name, theory, sweep}"},
     {"lines.sweep", "a list of {key, values}"},
     {"lines.sweep.from", "a finite number"},
@@ -184,6 +222,9 @@ static const struct {
     {"checks.because", "the reason for the tolerance"},
     {"checks.stand_in",
      "the reference of another check, which stands in while this one's is absent"},
+    {"measure", "a list of {quantity, reference}"},
+    {"measure.quantity", "pull_off_force, pull_off_approach, fold_count, folds, extrema or curve"},
+    {"measure.reference", "bradley or the path of a CSV file"},
     {"key", "a key of the scene"},
     {"values", "a list of values"},
     {"when", "a list of {key, values}"},

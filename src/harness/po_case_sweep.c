@@ -1,0 +1,178 @@
+/* The section `sweep` of a case, and what scene, sweep and sample must give together. */
+#include <stdio.h>
+#include <string.h>
+
+#include "po_case_parse.h"
+#include "po_schema.h"
+
+enum { WHERE_LENGTH = 64 };
+
+unsigned po_sweep_count(const po_sweep *sweep) {
+  return sweep->together ? sweep->together_count : sweep->axis.values_count;
+}
+
+const char *po_sweep_value(const po_sweep *sweep, unsigned index, po_key key) {
+  if (sweep->together)
+    return po_key_is_group(key) ? NULL : sweep->together[index].values[key];
+  return po_key_of_name(sweep->axis.key) == (int)key ? sweep->axis.values[index] : NULL;
+}
+
+bool po_sweep_names(const po_sweep *sweep, po_key key) {
+  for (unsigned i = 0; i < po_sweep_count(sweep); ++i)
+    if (po_sweep_value(sweep, i, key))
+      return true;
+  return false;
+}
+
+bool po_sweep_varies(const po_sweep *sweep, po_key key) {
+  for (int other = 0; other < PO_KEY_END; ++other)
+    if (po_key_target((po_key)other) == key && po_sweep_names(sweep, (po_key)other))
+      return true;
+  return false;
+}
+
+bool po_case_varies(const po_case_file *file, po_key key) {
+  for (unsigned i = 0; i < file->sweep_count; ++i)
+    if (po_sweep_varies(&file->sweep[i], key))
+      return true;
+  return po_case_draws(file, key);
+}
+
+po_status po_case_axis_check(const po_axis *axis, const char *where, const po_yaml *yaml) {
+  const int key = po_key_of_name(axis->key);
+  if (key < 0)
+    return po_schema_refuse(yaml, NULL, "%s.key", where);
+  po_request first = po_request_default();
+  first.scene.amplitude = first.scene.wavelength = 1; /* so that groups of them have a value */
+  po_request other = first;
+  for (unsigned i = 0; i < axis->values_count; ++i) {
+    if (!po_key_set(&first, (po_key)key, axis->values[i]))
+      return po_schema_refuse(yaml, po_key_expected((po_key)key), "%s.values[%u]", where, i + 1);
+    for (unsigned k = 0; k < i; ++k) {
+      po_key_set(&other, (po_key)key, axis->values[k]);
+      if (po_key_matches(&other, (po_key)key, axis->values[i]))
+        return po_schema_refuse(yaml, "each value once", "%s.values[%u]", where, i + 1);
+    }
+  }
+  return PO_OK;
+}
+
+static bool same_settings(const po_scene_words *a, const po_scene_words *b) {
+  for (int key = 0; key < PO_KEY_COUNT; ++key) {
+    const char *x = a->values[key], *y = b->values[key];
+    if (x && y ? strcmp(x, y) != 0 : x != y)
+      return false;
+  }
+  return true;
+}
+
+static po_status check_together(const po_sweep *sweep, const char *where, const po_yaml *yaml) {
+  for (unsigned i = 0; i < sweep->together_count; ++i) {
+    const po_scene_words *words = &sweep->together[i];
+    po_request request = po_request_default();
+    unsigned given = 0;
+    for (int key = 0; key < PO_KEY_COUNT; ++key) {
+      given += words->values[key] != NULL;
+      if (words->values[key] && !po_key_set(&request, (po_key)key, words->values[key]))
+        return po_schema_refuse(yaml, po_key_expected((po_key)key), "%s.together[%u].%s", where,
+                                i + 1, po_key_name((po_key)key));
+    }
+    if (!given)
+      return po_schema_refuse(yaml, "keys of the scene", "%s.together[%u]", where, i + 1);
+    for (unsigned k = 0; k < i; ++k)
+      if (same_settings(&sweep->together[k], words))
+        return po_schema_refuse(yaml, "each of them once", "%s.together[%u]", where, i + 1);
+  }
+  return PO_OK;
+}
+
+/* One item: its form and its values. */
+static po_status check_item(po_sweep *sweep, const char *where, const po_yaml *yaml) {
+  const po_axis *axis = &sweep->axis;
+  const bool ranged = axis->from_text || axis->to_text || axis->count_text || axis->scale;
+  if (sweep->together && !axis->key && !axis->values && !ranged)
+    return check_together(sweep, where, yaml);
+  if (sweep->together)
+    return po_schema_refuse(yaml, "key and values, or together alone", "%s.together", where);
+  if (!axis->key)
+    return po_schema_refuse(yaml, NULL, "%s.key", where);
+  const po_status status = po_axis_fill(&sweep->axis, where, yaml);
+  return status ? status : po_case_axis_check(axis, where, yaml);
+}
+
+static bool has_group(const po_sweep *sweep) {
+  return sweep->axis.key && po_key_is_group(po_key_of_name(sweep->axis.key));
+}
+
+po_status po_case_sweep_check(const po_case *kase, const po_yaml *yaml) {
+  const po_case_file *file = kase->file;
+  for (unsigned i = 0; i < file->sweep_count; ++i) {
+    po_sweep *sweep = &file->sweep[i];
+    char where[WHERE_LENGTH];
+    snprintf(where, sizeof where, "sweep[%u]", i + 1);
+    const po_status status = check_item(sweep, where, yaml);
+    if (status)
+      return status;
+    for (unsigned k = 0; k < i; ++k)
+      if (has_group(sweep) && has_group(&file->sweep[k]))
+        return po_schema_refuse(yaml, "one of alpha and amplitude_ratio", "%s.key", where);
+    for (int key = 0; key < PO_KEY_COUNT; ++key) {
+      bool twice = false;
+      if (!po_sweep_varies(sweep, (po_key)key))
+        continue;
+      for (unsigned k = 0; k < i; ++k)
+        twice = twice || po_sweep_varies(&file->sweep[k], (po_key)key);
+      if (twice || file->scene.values[key])
+        return po_schema_refuse(yaml,
+                                twice ? "each key swept once" : "a key that the scene does not fix",
+                                "%s.%s", where, sweep->together ? "together" : "key");
+    }
+  }
+  return PO_OK;
+}
+
+static const po_key NEEDED[] = {PO_KEY_TABOR,  PO_KEY_RADIUS, PO_KEY_OUTER_RADIUS,
+                                PO_KEY_SCHEME, PO_KEY_NODES,  PO_KEY_WAVELENGTH};
+enum { NEEDED_COUNT = sizeof NEEDED / sizeof *NEEDED };
+
+/* A key that one of the settings gives is one that all must, but for what follows from the rest:
+ * nodes of panels, the wavelength of a smooth sphere. */
+static po_status check_settings(const po_sweep *sweep, unsigned number, const po_yaml *yaml) {
+  for (unsigned i = 0; i < sweep->together_count; ++i) {
+    const char *const *given = (const char *const *)sweep->together[i].values;
+    const bool panels = given[PO_KEY_SCHEME] && strcmp(given[PO_KEY_SCHEME], "panel") == 0;
+    for (size_t k = 0; k < NEEDED_COUNT; ++k) {
+      const po_key key = NEEDED[k];
+      if (given[key] || !po_sweep_varies(sweep, key) || (key == PO_KEY_NODES && panels) ||
+          (key == PO_KEY_WAVELENGTH && !given[PO_KEY_AMPLITUDE]))
+        continue;
+      return po_schema_refuse(yaml, po_key_expected(key), "sweep[%u].together[%u].%s", number,
+                              i + 1, po_key_name(key));
+    }
+  }
+  return PO_OK;
+}
+
+po_status po_case_scene_check(const po_case *kase, const po_yaml *yaml) {
+  const po_case_file *file = kase->file;
+  po_request request = po_request_default();
+  for (int key = 0; key < PO_KEY_COUNT; ++key)
+    if (file->scene.values[key] && !po_key_set(&request, (po_key)key, file->scene.values[key]))
+      return po_schema_refuse(yaml, NULL, "scene.%s", po_key_name((po_key)key));
+  const bool panels = request.mesh.scheme == PO_PANEL && !po_case_varies(file, PO_KEY_SCHEME);
+  const bool wavy = request.scene.amplitude > 0 || po_case_varies(file, PO_KEY_AMPLITUDE);
+  for (size_t i = 0; i < NEEDED_COUNT; ++i) {
+    const po_key key = NEEDED[i];
+    if (file->scene.values[key] || po_case_varies(file, key) ||
+        (key == PO_KEY_WAVELENGTH && !wavy) || (key == PO_KEY_NODES && panels))
+      continue;
+    char expected[128];
+    snprintf(expected, sizeof expected, "%s, here, in the sweep or in the sample",
+             po_key_expected(key));
+    return po_schema_refuse(yaml, expected, "scene.%s", po_key_name(key));
+  }
+  po_status status = PO_OK;
+  for (unsigned i = 0; !status && i < file->sweep_count; ++i)
+    status = check_settings(&file->sweep[i], i + 1, yaml);
+  return status;
+}

@@ -1,0 +1,36 @@
+#include "po_tasks.h"
+
+#include "po_memory.h"
+
+/* Adds the solves of one round over the points of every case that is timed, or that is not. */
+static void add_round(const po_case_run *runs, size_t count, bool timed, unsigned round,
+                      po_task *tasks, size_t *total) {
+  for (size_t r = 0; r < count; ++r) {
+    const po_case_run *run = &runs[r];
+    const unsigned repeats = run->plan->kase->repeats;
+    if (run->finished || (repeats > 1) != timed || round >= repeats)
+      continue;
+    for (size_t p = run->first; p < run->end; ++p)
+      if (!run->done[p])
+        tasks[(*total)++] = (po_task){r, p, round};
+  }
+}
+
+po_task *po_tasks_list(const po_case_run *runs, size_t count, size_t *shared, size_t *total) {
+  size_t solves = 0;
+  unsigned rounds = 1;
+  for (size_t r = 0; r < count; ++r) {
+    const unsigned repeats = runs[r].plan->kase->repeats;
+    solves += runs[r].pending * repeats;
+    rounds = repeats > rounds ? repeats : rounds;
+  }
+  po_task *tasks = po_allocate(solves, sizeof *tasks);
+  *total = *shared = 0;
+  if (!tasks)
+    return NULL;
+  add_round(runs, count, false, 0, tasks, total);
+  *shared = *total;
+  for (unsigned round = 0; round < rounds; ++round)
+    add_round(runs, count, true, round, tasks, total);
+  return tasks;
+}

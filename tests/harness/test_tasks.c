@@ -1,0 +1,66 @@
+/* The order in which a run solves: what is timed comes last, alone, and in rounds over all points.
+ */
+#include <check.h>
+#include <stdlib.h>
+
+#include "po_tasks.h"
+#include "run.h"
+
+enum { RUNS = 4 };
+
+typedef struct {
+  po_case kase;
+  po_plan plan;
+} made_parts;
+
+static made_parts parts[RUNS];
+static po_case_run runs[RUNS];
+static bool done[RUNS][3];
+
+/* A run of three points, of which `done` are there. */
+static void make_run(size_t which, unsigned repeats, size_t points_done) {
+  parts[which] = (made_parts){.kase = {.repeats = repeats, .point_count = 3}};
+  parts[which].plan.kase = &parts[which].kase;
+  runs[which] = (po_case_run){.plan = &parts[which].plan,
+                              .end = 3,
+                              .done = done[which],
+                              .pending = 3 - points_done,
+                              .finished = points_done == 3};
+  for (size_t i = 0; i < 3; ++i)
+    done[which][i] = i < points_done;
+}
+
+/* Two timed cases, of 3 and 2 rounds, one of them begun; one that is not timed; one that is there.
+ */
+START_TEST(timed_solves_go_round) {
+  static const po_task EXPECTED[] = {
+      {1, 0, 0}, {1, 1, 0}, {1, 2, 0},                       /* side by side */
+      {0, 0, 0}, {0, 1, 0}, {0, 2, 0}, {2, 1, 0}, {2, 2, 0}, /* the first round */
+      {0, 0, 1}, {0, 1, 1}, {0, 2, 1}, {2, 1, 1}, {2, 2, 1}, /* the second */
+      {0, 0, 2}, {0, 1, 2}, {0, 2, 2}};
+  const size_t count = sizeof EXPECTED / sizeof *EXPECTED;
+  make_run(0, 3, 0);
+  make_run(1, 1, 0);
+  make_run(2, 2, 1);
+  make_run(3, 2, 3);
+  size_t shared = 0, total = 0;
+  po_task *tasks = po_tasks_list(runs, RUNS, &shared, &total);
+  ck_assert_ptr_nonnull(tasks);
+  ck_assert_uint_eq(shared, 3);
+  ck_assert_uint_eq(total, count);
+  for (size_t i = 0; i < count; ++i) {
+    ck_assert_uint_eq(tasks[i].run, EXPECTED[i].run);
+    ck_assert_uint_eq(tasks[i].point, EXPECTED[i].point);
+    ck_assert_uint_eq(tasks[i].round, EXPECTED[i].round);
+  }
+  free(tasks);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_test(tests, timed_solves_go_round);
+}
+
+int main(void) {
+  return run_case("tasks", add);
+}
