@@ -11,7 +11,6 @@ import os
 
 TABORS = (0.01, 0.015, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 1,
           1.25, 1.5, 1.75, 2, 2.5, 3, 3.5, 4, 5)
-NODES = (63, 125, 250, 500, 1000)
 
 
 def bradley(approach):
@@ -210,24 +209,65 @@ def make_fig04(run, outside=False, failed=False):
     save(run, record("fig04", "Pull-off of the smooth sphere", "4", points, checks, ["paper"]))
 
 
-def make_error_time(run, failed=True):
-    points, checks = [], []
-    for tabor in (1, 3):
-        force, approach = pull_off(tabor)
-        for scheme, order, factor in (("ring", 1.0, 4e-1), ("triangle", 2.0, 9e-1)):
-            for nodes in NODES:
-                slip = factor * tabor * (10 / nodes) ** order
-                status = ("step_too_small" if failed and (scheme, nodes, tabor) == ("ring", 63, 3)
-                          else "ok")
-                seconds = 2e-7 * nodes ** 2.3 * (1.4 if scheme == "triangle" else 1.0)
-                found = point(len(points), {"scheme": scheme, "nodes": nodes, "tabor": tabor},
-                              (force + slip, approach - 2 * slip), status=status, seconds=seconds)
-                found["seconds_all"] = [seconds, 1.1 * seconds, 0.95 * seconds]
-                points.append(found)
-                got = found["pull_off"] or {"force": None}
-                checks.append(check(found, "pull_off_force", got["force"], force, 8e-1,
-                                    "feng_pull_off.csv", "a sanity bound: the figure tells"))
-    save(run, record("error_time", "What a digit costs", None, points, checks, ["precision"]))
+MESHES = [(scheme, grading, nodes) for nodes in (63, 125, 251, 501, 1001)
+          for scheme in ("ring", "triangle") for grading in ("uniform", "graded")]
+ORDERS = {"ring": 1.0, "triangle": 2.0}
+SCENES = ({"tabor": 1, "amplitude": 0, "outer_radius": "inf"},
+          {"tabor": 3, "amplitude": 1, "wavelength": 20, "outer_radius": 100})
+
+
+def measured(found, quantity, error, outcome="measured", note=""):
+    return {"id": f"{quantity}/made_up/{found['label']}", "point": found["id"], "quantity": quantity,
+            "subject": quantity, "obtained": None, "expected": None, "error": error,
+            "reference_uncertainty": 1e-10, "outcome": outcome, "note": note,
+            "reference": "reference/made_up.csv"}
+
+
+def measure_all(found, error, misfit):
+    """The four errors, each another multiple; with misfit one fold too many."""
+    told = [("pull_off_force", error), ("pull_off_approach", -2 * error), ("curve", 5 * error)]
+    items = [measured(found, quantity, value) for quantity, value in told]
+    if misfit:
+        items[-1]["outcome"] = "no_correspondence"
+        items.append(measured(found, "fold_count", 1.0, "no_correspondence", "spurious jump_in"))
+    else:
+        items += [measured(found, "fold_count", 0.0), measured(found, "fold_approach", -2 * error),
+                  measured(found, "fold_approach", 3 * error), measured(found, "fold_load", 9 * error)]
+    if found["status"] != "ok":
+        items = [dict(item, error=None, outcome="no_result") for item in items[:3]]
+    return items
+
+
+def make_precision(run, failed=True):
+    """Rings of first order, triangles of second, and panels whose error is their tolerance."""
+    points, items = [], []
+
+    def add(scene, mesh, error, seconds, misfit=False, status="ok"):
+        found = point(len(points), {**scene, **mesh}, (1.5 + error, -0.9), status=status,
+                      seconds=seconds)
+        found["seconds_all"] = [2 * seconds, seconds, 0.9 * seconds]
+        found["processor_seconds_all"] = [1.1 * seconds, seconds, 0.95 * seconds]
+        points.append(found)
+        items.extend(measure_all(found, error, misfit))
+
+    for scene in SCENES:
+        for scheme, grading, nodes in MESHES:
+            status = "step_too_small" if failed and scene["tabor"] == 3 and (
+                scheme, grading, nodes) == ("ring", "graded", 63) else "ok"
+            add(scene, {"scheme": scheme, "grading": grading, "nodes": nodes},
+                scene["tabor"] * 0.4 * (10 / nodes) ** ORDERS[scheme], 2e-7 * nodes ** 2.3,
+                misfit=scene["tabor"] == 3 and nodes < 200, status=status)
+        for k in range(3, 10):
+            add(scene, {"scheme": "panel", "tolerance": 10.0 ** -k}, 10.0 ** -k, 0.004 * k)
+    last = points[-1]
+    judged = check(last, "pull_off_force", last["pull_off"]["force"], 1.5, 1e-8,
+                   "feng_pull_off.csv", "it is made so")
+    made = record("precision", "What a digit costs", None, points, [judged], ["precision"])
+    made["figure_script"] = None
+    made["measured"] = items
+    made["not_solved"] = [{"when": [{"key": "nodes", "values": ["2001"]}], "points": 2,
+                           "because": "it would take all day"}]
+    save(run, made)
 
 
 def fault_cell(*by, caught=True):
@@ -261,7 +301,7 @@ def make_run(folder, **how):
     """All three cases; how: outside=True, failed=True."""
     make_fig03(folder)
     make_fig04(folder, **how)
-    make_error_time(folder, failed=how.get("failed", False))
+    make_precision(folder, failed=how.get("failed", False))
 
 
 if __name__ == "__main__":

@@ -15,9 +15,58 @@ for folder in ("reports", "tools"):
 
 import count_tests  # noqa: E402
 
-from pulloff_report import fonts, geometry, gnuplot, svg, words  # noqa: E402
+from pulloff_report import fonts, geometry, gnuplot, samples, svg, words  # noqa: E402
 from pulloff_report.errors import ReportError  # noqa: E402
 from pulloff_report.tables import Table  # noqa: E402
+
+
+def sample(seconds, error, scheme="panel", nodes=None, outcome="measured", floor=1e-10):
+    """A solve whose force, and folds, are off by so much."""
+    mesh = {"scheme": scheme, "grading": "uniform", "nodes": nodes, "tolerance": 1e-6}
+    point = {"label": "made", "status": "ok", "sweep": {"tabor": 2.385, **mesh}, "work": {},
+             "processor_seconds_all": [9 * seconds, seconds, 0.5 * seconds]}
+    item = {"reference_uncertainty": floor, "outcome": outcome, "note": ""}
+    return samples.Sample(point, [
+        dict(item, quantity="pull_off_force", outcome="measured", error=-error),
+        dict(item, quantity="fold_count", error=0.0 if outcome == "measured" else 2.0)]
+        + [dict(item, quantity="fold_approach", error=part * error) for part in (1, -2)
+           if outcome == "measured"])
+
+
+class Samples(unittest.TestCase):
+    def test_a_sample_has_the_median_time_and_the_greatest_error(self):
+        one = sample(0.3, 1e-5)
+        self.assertEqual((one.seconds, one.errors["force"], one.errors["folds"]), (0.3, 1e-5, 2e-5))
+        wrong = sample(0.3, 1e-5, outcome="no_correspondence")
+        self.assertTrue(wrong.misfit)
+        self.assertNotIn("folds", wrong.errors)
+        self.assertFalse(wrong.reaches("force", 1))
+
+    def test_the_order_is_fitted_to_what_is_resolved_and_above_the_floor(self):
+        meshes = [sample(1, 7.0 * n ** -2.0, "ring", n) for n in (50, 100, 200, 400)]
+        meshes[0] = sample(1, 0.5, "ring", 50, outcome="no_correspondence")
+        found = samples.order(meshes, "force")
+        self.assertAlmostEqual(found[0], 2.0, places=12)
+        self.assertEqual(found[1:], (100, 400, 3))
+        # the finest lies on the floor: nothing is resolved above it
+        meshes[3] = sample(1, 2e-10, "ring", 400)
+        self.assertIsNone(samples.order(meshes, "force"))
+
+    def test_who_overtakes_whom(self):
+        panels = [sample(0.02, 1e-6), sample(0.05, 1e-9)]
+        rings = [sample(t, e, "ring", 99) for t, e in ((0.01, 1e-2), (0.02, 1e-7), (0.03, 1e-8), (9, 1e-9))]
+        seconds, ours, theirs = samples.overtaking(panels, rings, "force")
+        self.assertEqual((seconds, ours.errors["force"], theirs.errors["force"]), (0.05, 1e-9, 1e-8))
+        self.assertIsNone(samples.overtaking(panels, [sample(0.04, 1e-12, "ring", 9)], "force"))
+        seconds, ours, theirs = samples.overtaking(panels, [sample(7, 1e-3, "ring", 9)], "force")
+        self.assertEqual((seconds, theirs), (0.02, None))
+
+    def test_the_quickest_of_those_as_good(self):
+        panels = [sample(0.02, 1e-6), sample(0.05, 1e-9), sample(0.09, 1e-10)]
+        goal = sample(3.0, 1e-8, "triangle", 501)
+        self.assertIs(samples.quickest(panels, ["force", "folds"], goal), panels[1])
+        self.assertIs(samples.marked([panels[0], goal]), goal)
+        self.assertIsNone(samples.quickest(panels[:1], ["force"], goal))
 
 
 class Words(unittest.TestCase):

@@ -92,18 +92,24 @@ class Whole(PageTest):
         self.assertEqual(os.stat(os.path.join(self.output, "report.pdf")).st_mtime_ns, before)
 
     def test_sections_figures_and_verdict(self):
-        self.has(self.text, *TITLES, "All 77 checks within their tolerance", "Figure 3.",
+        self.has(self.text, *TITLES, "All 58 checks within their tolerance", "Figure 3.",
                  "Figure 4.", "Observed orders", "not available in tabulated form",
                  "pulloff solve --tabor 2.5", "intact")
-        self.assertEqual(self.html.count('role="img"'), 3)
+        self.assertEqual(self.html.count('role="img"'), 4)
         self.lacks(self.html, 'class="absent"')
 
     def test_every_check_has_its_row(self):
-        self.assertEqual(len(re.findall(r'<tr data-verdict="within"', self.html)), 77)
+        self.assertEqual(len(re.findall(r'<tr data-verdict="within"', self.html)), 58)
 
     def test_orders_are_those_the_errors_were_made_with(self):
-        self.has(self.text, "ring 1.0 in the force")
-        self.has(self.text, "triangle 2.0 in the force")
+        self.has(self.text, "ring uniform 1.00 (63–1001, 5)", "triangle graded 2.00 (63–1001, 5)",
+                 "triangle uniform 2.00 (251–1001, 3)")
+
+    def test_what_is_not_solved_and_what_is_quicker_is_said(self):
+        self.has(self.text, "Not solved: 2 combinations (N 2001), it would take all day.",
+                 "All 54 solves", "Of 27 solves none found other folds, none failed.")
+        # 501 triangles take 2e-7 501^2.3 s to 1.6e-4; panels at 1e-4 are quickest of those as good
+        self.has(self.text, f"× {2e-7 * 501 ** 2.3 / 0.016:.3g}")
 
     def test_it_refers_to_nothing_outside(self):
         for target in re.findall(r"""(?:src|href|action)\s*=\s*["']([^"']*)""", self.html):
@@ -130,7 +136,7 @@ class Whole(PageTest):
             self.assertRegex(pages[0], re.escape(title) + r"[ .]+\d+\n")
             self.assertGreaterEqual(done.stdout.count(title), 2)
         self.assertIn(f"1 / {len(pages)}", pages[0])
-        self.has(done.stdout, "μ = 2.5", "Tabor parameter", "run time in seconds",
+        self.has(done.stdout, "μ = 2.5", "Tabor parameter", "Observed orders",
                  "uncertainty of the")
 
 
@@ -258,15 +264,15 @@ class Parts(PageTest):
         with made_up(lambda run: synthetic.make_run(run, failed=True)) as folder:
             html = page_of(folder)
         text = plain(html)
-        self.has(text, "3 checks without a result and 2 solves failed")
+        self.has(text, "2 checks without a result and 2 solves failed")
         self.has(text, "tabor=2.5: the solve ended with step too small (the step fell below")
-        self.has(text, "ring 63 failed")
+        self.has(text, "Of 27 solves 7 found other folds, 1 failed.")
         self.lacks(html.lower(), ">nan<")
 
     def test_a_failure_within_the_share_that_may_fail_is_told_but_no_failure(self):
         def allowed(run):
             synthetic.make_run(run, failed=True)
-            for name in ("fig04", "error_time"):
+            for name in ("fig04", "precision"):
                 path = os.path.join(run, name, "record.json")
                 with open(path, encoding="utf-8") as stream:
                     record = json.load(stream)
@@ -276,7 +282,7 @@ class Parts(PageTest):
                     json.dump(record, stream)
         with made_up(allowed) as folder:
             text = plain(page_of(folder))
-        self.has(text, "3 checks without a result", "tabor=2.5: the solve ended with step too small")
+        self.has(text, "2 checks without a result", "tabor=2.5: the solve ended with step too small")
         self.lacks(text, "solves failed", "solve failed")
 
 
