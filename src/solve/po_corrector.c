@@ -5,6 +5,11 @@
 
 #include "po_memory.h"
 
+/* The factors are renewed so often while an iteration is so near a solution, in parts of 1 + H,
+ * that Newton's converges. */
+enum { MOST_RENEWALS = 2 };
+static const double NEAR = 0.1;
+
 po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive *adaptive) {
   *c = (po_corrector){.e = e, .adaptive = adaptive, .root = po_adaptive_root(adaptive)};
   const size_t capacity = po_adaptive_capacity(adaptive);
@@ -52,21 +57,34 @@ static double gauge_progress(const po_equilibrium *e, const double *state, const
   return po_gauge_along(from->rate, value);
 }
 
-static po_status factorize_at_guess(po_corrector *c, const po_track_point *from) {
-  po_equilibrium_evaluate(c->e, c->guess);
-  po_gauge_border(c->e, c->guess, from->rate, c->border);
-  return po_equilibrium_factorize(c->e, c->guess, c->border);
+static po_status factorize_at(po_corrector *c, const po_track_point *from, const double *state) {
+  po_equilibrium_evaluate(c->e, state);
+  po_gauge_border(c->e, state, from->rate, c->border);
+  return po_equilibrium_factorize(c->e, state, c->border);
+}
+
+/* The iteration from the state in out; where it contracts too slowly near a solution the factors
+ * are renewed there, which costs less than a shorter step. */
+static po_status correct(po_corrector *c, const po_track_point *from, double distance,
+                         po_track_point *out) {
+  const po_constraint constraint = {gauge_progress, from, distance};
+  po_status status = po_equilibrium_correct_to(c->e, out->state, &constraint);
+  for (int k = 0; status && k < MOST_RENEWALS && c->e->last_change < NEAR; ++k) {
+    if (factorize_at(c, from, out->state))
+      return PO_NOT_CONVERGED;
+    status = po_equilibrium_correct_to(c->e, out->state, &constraint);
+  }
+  return status;
 }
 
 po_status po_corrector_solve(po_corrector *c, const po_track_point *from, double distance,
                              bool keep_factors, double precision, po_track_point *out) {
-  const po_constraint constraint = {gauge_progress, from, distance};
   po_status status = PO_NOT_CONVERGED;
   for (int fresh = keep_factors && c->e->factorized ? 0 : 1; status && fresh < 2; ++fresh) {
     memcpy(out->state, c->guess, (c->e->n + 1) * sizeof *out->state);
-    if (fresh && factorize_at_guess(c, from))
+    if (fresh && factorize_at(c, from, c->guess))
       return PO_NOT_CONVERGED;
-    status = po_equilibrium_correct_to(c->e, out->state, &constraint);
+    status = correct(c, from, distance, out);
     if (!status)
       status = po_equilibrium_tangent(c->e, precision, out->tangent);
   }

@@ -44,9 +44,10 @@ typedef struct {
   double *right, *scratch; /* n + 1 */
   double *measure;         /* n: coupling * |slope| * reach, when choosing nodes */
   double neglect;          /* sum of the measures left out */
-  double precision; /* largest change of a gap, in parts of 1 + H, when converged: rounding's, or
-                     what the owner sets */
-  po_secant secant; /* what iterations tell about the Jacobian since it was factorised */
+  double precision;   /* largest change of a gap, in parts of 1 + H, when converged: rounding's, or
+                       what the owner sets */
+  double last_change; /* of a gap, in parts of 1 + H, by the last iteration of a correction */
+  po_secant secant;   /* what iterations tell about the Jacobian since it was factorised */
   bool factorized;
   int orientation; /* sign of the determinant of the factorised matrix */
   po_solve_work work;

@@ -130,6 +130,7 @@ po_status po_equilibrium_correct_to(po_equilibrium *e, double *state,
   po_secant_begin(&e->secant);
   for (int iteration = 0; iteration < MOST_ITERATIONS; ++iteration) {
     note_change(&p, newton_step(e, state, constraint));
+    e->last_change = p.now;
     ++e->work.newton_iterations;
     if (is_converged(&p, e->precision)) {
       po_equilibrium_evaluate(e, state);
