@@ -20,16 +20,19 @@ po_status po_linear_factorize(size_t n, double *a, size_t stride, int *pivots) {
   return info > 0 ? PO_SINGULAR : PO_OK;
 }
 
-int po_linear_sign(size_t n, const double *a, size_t stride, const int *pivots) {
-  int sign = 1;
-  for (size_t i = 0; i < n; ++i) /* pivots count from 1 */
-    if ((pivots[i] != (int)i + 1) != (a[i + stride * i] < 0.0))
-      sign = -sign;
-  return sign;
-}
-
 void po_linear_solve(size_t n, const double *a, size_t stride, const int *pivots, double *x) {
   LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'N', (lapack_int)n, 1, a, (lapack_int)stride, pivots, x,
+                      (lapack_int)n);
+}
+
+po_status po_linear_factorize_single(size_t n, float *a, size_t stride, int *pivots) {
+  const lapack_int info = LAPACKE_sgetrf_work(LAPACK_COL_MAJOR, (lapack_int)n, (lapack_int)n, a,
+                                              (lapack_int)stride, pivots);
+  return info > 0 ? PO_SINGULAR : PO_OK;
+}
+
+void po_linear_solve_single(size_t n, const float *a, size_t stride, const int *pivots, float *x) {
+  LAPACKE_sgetrs_work(LAPACK_COL_MAJOR, 'N', (lapack_int)n, 1, a, (lapack_int)stride, pivots, x,
                       (lapack_int)n);
 }
 

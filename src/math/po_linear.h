@@ -13,15 +13,14 @@ void po_linear_single_thread(void);
 /* "OpenBLAS 0.3.21 ..." : the library this process runs on. */
 const char *po_linear_library(void);
 
-/* LU in place with partial pivoting. Given: a, n x n with leading dimension `stride`; pivots, n.
- * Status: PO_SINGULAR when a pivot is exactly zero. */
+/* LU in place with partial pivoting; in single precision, see po_factors.h. Given: a, n x n with
+ * leading dimension `stride`; pivots, n. Status: PO_SINGULAR when a pivot is exactly zero. */
 po_status po_linear_factorize(size_t n, double *a, size_t stride, int *pivots);
-
-/* Sign of the determinant, from the factors. */
-int po_linear_sign(size_t n, const double *a, size_t stride, const int *pivots);
+po_status po_linear_factorize_single(size_t n, float *a, size_t stride, int *pivots);
 
 /* Solves with the factors; x, n, holds the right-hand side and then the solution. */
 void po_linear_solve(size_t n, const double *a, size_t stride, const int *pivots, double *x);
+void po_linear_solve_single(size_t n, const float *a, size_t stride, const int *pivots, float *x);
 
 /* y = A x, A rows x columns with leading dimension `stride`. */
 void po_linear_apply(size_t rows, size_t columns, const double *a, size_t stride, const double *x,

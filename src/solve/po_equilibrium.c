@@ -43,16 +43,15 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
   e->surface = surface;
   e->neglect = NEGLECT;
   e->precision = CONVERGED;
-  double **const vectors[] = {&e->shape,  &e->reach, &e->traction, &e->slope,  &e->deflection,
-                              &e->border, &e->right, &e->scratch,  &e->measure};
+  double **const vectors[] = {&e->shape,  &e->reach, &e->traction, &e->slope,   &e->deflection,
+                              &e->border, &e->right, &e->scratch,  &e->measure, &e->column};
   bool had = true;
   for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
     had = (*vectors[k] = po_allocate(capacity + 1, sizeof(double))) && had;
   e->index = po_allocate(capacity, sizeof *e->index);
-  e->pivots = po_allocate(capacity + 1, sizeof *e->pivots);
-  e->matrix = po_reserve((capacity + 1) * (capacity + 1), sizeof *e->matrix);
+  had = po_factors_allocate(&e->factors, capacity + 1) && had;
   had = po_secant_allocate(&e->secant, capacity + 1) && had;
-  if (!had || !e->index || !e->pivots || !e->matrix) {
+  if (!had || !e->index) {
     po_equilibrium_destroy(e);
     *equilibrium = NULL;
     return PO_NO_MEMORY;
@@ -65,12 +64,12 @@ void po_equilibrium_destroy(po_equilibrium *e) {
   if (!e)
     return;
   double *const vectors[] = {e->shape,  e->reach, e->traction, e->slope,   e->deflection,
-                             e->border, e->right, e->scratch,  e->measure, e->matrix};
+                             e->border, e->right, e->scratch,  e->measure, e->column};
   for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
     free(vectors[k]);
   po_secant_free(&e->secant);
+  po_factors_free(&e->factors);
   free(e->index);
-  free(e->pivots);
   free(e);
 }
 
@@ -143,9 +142,10 @@ static void choose_active(po_equilibrium *e) {
 }
 
 /* Nodes left out follow the approach and the active nodes: change of gap = -change of approach +
- * coupling G slope change of the active. Their share of the border goes to these. */
-static void add_followers(po_equilibrium *e) {
-  const size_t m = e->active, order = m + 1;
+ * coupling G slope change of the active. Their share of the border goes to these. Returned: to the
+ * approach; in right, n: to the load on a node. */
+static double share_of_followers(po_equilibrium *e) {
+  const size_t m = e->active;
   double corner = e->border[e->n];
   memset(e->scratch, 0, e->n * sizeof *e->scratch);
   for (size_t b = m; b < e->n; ++b) {
@@ -153,11 +153,28 @@ static void add_followers(po_equilibrium *e) {
     corner -= e->border[e->index[b]];
   }
   po_linear_apply_transposed(e->n, e->n, e->surface->influence, e->n, e->scratch, e->right);
-  for (size_t a = 0; a < m; ++a) {
-    const size_t j = e->index[a];
-    e->matrix[m + order * a] += e->coupling * e->slope[j] * e->right[j];
+  return corner;
+}
+
+/* The bordered Jacobian of the active nodes, column by column. */
+static void assemble(po_equilibrium *e) {
+  const size_t m = e->active;
+  const double corner = share_of_followers(e);
+  po_factors_begin(&e->factors, m + 1);
+  for (size_t b = 0; b < m; ++b) {
+    const size_t j = e->index[b];
+    const double *influence = e->surface->influence + e->n * j;
+    const double factor = e->coupling * e->slope[j];
+    for (size_t a = 0; a < m; ++a)
+      e->column[a] = -factor * influence[e->index[a]];
+    e->column[b] += 1.0;
+    e->column[m] = e->border[j] + factor * e->right[j];
+    po_factors_put(&e->factors, b, e->column);
   }
-  e->matrix[m + order * m] = corner;
+  for (size_t a = 0; a < m; ++a)
+    e->column[a] = 1.0;
+  e->column[m] = corner;
+  po_factors_put(&e->factors, m, e->column);
 }
 
 po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const double *border) {
@@ -168,22 +185,11 @@ po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const
   for (size_t j = 0; j < e->n; ++j)
     e->secant.scale[j] = 1.0 + state[j];
   choose_active(e);
-  const size_t m = e->active, order = m + 1;
-  for (size_t b = 0; b < m; ++b) {
-    const size_t j = e->index[b];
-    const double *column = e->surface->influence + e->n * j, factor = -e->coupling * e->slope[j];
-    double *to = e->matrix + order * b;
-    for (size_t a = 0; a < m; ++a)
-      to[a] = factor * column[e->index[a]];
-    to[b] += 1.0;
-    to[m] = e->border[j];
-  }
-  for (size_t a = 0; a < m; ++a)
-    e->matrix[a + order * m] = 1.0;
-  add_followers(e);
-  const po_status status = po_linear_factorize(order, e->matrix, order, e->pivots);
+  assemble(e);
+  const po_status status = po_factors_compute(&e->factors);
+  const size_t order = e->active + 1;
   e->factorized = !status;
-  e->orientation = status ? 0 : po_linear_sign(order, e->matrix, order, e->pivots);
+  e->orientation = status ? 0 : po_factors_sign(&e->factors);
   ++e->work.factorizations;
   if (order > e->work.factorized_nodes)
     e->work.factorized_nodes = order;

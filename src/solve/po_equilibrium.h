@@ -16,6 +16,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "po_factors.h"
 #include "po_scene.h"
 #include "po_secant.h"
 #include "po_surface.h"
@@ -31,16 +32,16 @@ typedef struct {
   const po_surface *surface;
   size_t n;
   double radius, amplitude, coupling;
-  double *shape;      /* n: undeformed gap */
-  double *reach;      /* n: largest coefficient of each column of the influence matrix */
-  double *traction;   /* n: p, at the state last evaluated */
-  double *slope;      /* n: dp/dH */
-  double *deflection; /* n: coupling * G p, or the same of a change of state */
-  double *border;     /* n + 1: the condition in force */
-  size_t active;      /* nodes in the factorisation */
-  size_t *index;      /* n: the active nodes first, then the others */
-  double *matrix;     /* bordered Jacobian of the active nodes, factorised; active + 1 square */
-  int *pivots;        /* active + 1 */
+  double *shape;           /* n: undeformed gap */
+  double *reach;           /* n: largest coefficient of each column of the influence matrix */
+  double *traction;        /* n: p, at the state last evaluated */
+  double *slope;           /* n: dp/dH */
+  double *deflection;      /* n: coupling * G p, or the same of a change of state */
+  double *border;          /* n + 1: the condition in force */
+  size_t active;           /* nodes in the factorisation */
+  size_t *index;           /* n: the active nodes first, then the others */
+  po_factors factors;      /* of the bordered Jacobian of the active nodes; active + 1 square */
+  double *column;          /* of it, n + 1 */
   double *right, *scratch; /* n + 1 */
   double *measure;         /* n: coupling * |slope| * reach, when choosing nodes */
   double neglect;          /* sum of the measures left out */

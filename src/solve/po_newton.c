@@ -44,7 +44,7 @@ static void precondition(po_equilibrium *e, const double *residual, double *chan
   for (size_t a = 0; a < m; ++a)
     right[a] = residual[e->index[a]];
   right[m] = residual[n];
-  po_linear_solve(m + 1, e->matrix, m + 1, e->pivots, right);
+  po_factors_solve(&e->factors, right);
   for (size_t a = 0; a < m; ++a)
     change[e->index[a]] = right[a];
   change[n] = right[m];

@@ -1,0 +1,55 @@
+#include "po_factors.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "po_linear.h"
+#include "po_memory.h"
+
+bool po_factors_allocate(po_factors *f, size_t capacity) {
+  *f = (po_factors){.matrix = po_reserve(capacity * capacity, sizeof *f->matrix),
+                    .right = po_allocate(capacity, sizeof *f->right),
+                    .pivots = po_allocate(capacity, sizeof *f->pivots)};
+  return f->matrix && f->right && f->pivots;
+}
+
+void po_factors_free(po_factors *f) {
+  free(f->matrix);
+  free(f->right);
+  free(f->pivots);
+}
+
+void po_factors_begin(po_factors *f, size_t n) {
+  f->n = n;
+}
+
+void po_factors_put(po_factors *f, size_t column, const double *values) {
+  float *to = f->matrix + f->n * column;
+  for (size_t i = 0; i < f->n; ++i)
+    to[i] = (float)values[i];
+}
+
+po_status po_factors_compute(po_factors *f) {
+  return po_linear_factorize_single(f->n, f->matrix, f->n, f->pivots);
+}
+
+int po_factors_sign(const po_factors *f) {
+  int sign = 1;
+  for (size_t i = 0; i < f->n; ++i) /* pivots count from 1 */
+    if ((f->pivots[i] != (int)i + 1) != (f->matrix[i + f->n * i] < 0.0F))
+      sign = -sign;
+  return sign;
+}
+
+void po_factors_solve(po_factors *f, double *x) {
+  double scale = 0.0; /* so that single precision neither overflows nor vanishes */
+  for (size_t i = 0; i < f->n; ++i)
+    scale = fmax(scale, fabs(x[i]));
+  if (scale == 0.0)
+    return;
+  for (size_t i = 0; i < f->n; ++i)
+    f->right[i] = (float)(x[i] / scale);
+  po_linear_solve_single(f->n, f->matrix, f->n, f->pivots, f->right);
+  for (size_t i = 0; i < f->n; ++i)
+    x[i] = scale * (double)f->right[i];
+}
