@@ -21,7 +21,7 @@ enum { MOST_STEPS = 3000, MOST_NEWTON = 30 };
  * so that the step does not choose among equilibria. */
 static const double SOLVED = 1e-11, AT_REST = 1e-8, FARTHEST = 0.1;
 /* Beyond a fold by this much there is no equilibrium near. */
-static const double BEYOND = 1e-3;
+static const double BEYOND = 5e-4;
 /* What that changes of the load where the landing is near a fold itself. */
 static const double CLOSE = 2e-3;
 /* The preload lies between two points of the curve, on a cubic; so few triangles put ripples on it.
