@@ -59,6 +59,8 @@ class Case:
         self.checks = record["checks"]
         self.left_out = record.get("left_out", [])
         self.verdict = record["verdict"]
+        self.companion = None   # the same figure by the paper's discretisation, see Run.drawing
+        self._lines = {line["name"]: line["table"] for line in record.get("lines", [])}
         self._points = {point["id"]: point for point in self.points}
 
     def _check(self, record):
@@ -89,6 +91,10 @@ class Case:
     def profile(self, point):
         """The profile of a point as a Table, or None when none was asked for."""
         return self._table(point.get("profile"))
+
+    def line(self, name):
+        """A closed form along a sweep as a Table, or None when the case has no such line."""
+        return self._table(self._lines.get(name))
 
     def _table(self, name):
         return Table(os.path.join(self.folder, name)) if name else None
@@ -127,8 +133,14 @@ class Run:
         self.cases.sort(key=reading_order)
 
     def drawing(self, script):
-        """The cases that name this figure script."""
-        return [case for case in self.cases if case.figure_script == script]
+        """The cases that name this figure script, each with its companion: the case of its name and
+        _paper, which computes the same by the discretisation of the paper."""
+        found = [case for case in self.cases if case.figure_script == script]
+        names = {case.name: case for case in found}
+        for case in found:
+            case.companion = names.get(case.name + "_paper")
+        return [case for case in found
+                if not (case.name.endswith("_paper") and case.name[:-len("_paper")] in names)]
 
     def checks(self):
         return [check for case in self.cases for check in case.checks]

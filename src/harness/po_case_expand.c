@@ -9,6 +9,8 @@
 /* More points than this in one case is a slip of the pen, not a study. */
 static const size_t MOST_POINTS = 100000;
 
+enum { GROUPS = PO_KEY_END - PO_KEY_COUNT };
+
 static po_status count_points(po_case *kase, const po_yaml *yaml) {
   const po_sample_words *sample = kase->file->sample;
   size_t count = 1;
@@ -53,8 +55,7 @@ static po_status fill_point(const po_case *kase, size_t index, const po_yaml *ya
       po_key_set(&point->request, (po_key)key, file->scene.values[key]);
   size_t block = kase->point_count / (file->sample ? file->sample->count : 1);
   const size_t scene = index / block;
-  po_key group = PO_KEY_END;
-  const char *group_value = NULL;
+  const char *group[GROUPS] = {NULL};
   po_text label = {0};
   for (unsigned i = 0; i < file->sweep_count; ++i) {
     const po_sweep *sweep = &file->sweep[i];
@@ -62,15 +63,14 @@ static po_status fill_point(const po_case *kase, size_t index, const po_yaml *ya
     block /= settings;
     const unsigned setting = (unsigned)(index / block % settings);
     for (int key = PO_KEY_COUNT; key < PO_KEY_END; ++key)
-      if (po_sweep_value(sweep, setting, (po_key)key)) {
-        group = (po_key)key;
-        group_value = po_sweep_value(sweep, setting, (po_key)key);
-      }
+      if (po_sweep_value(sweep, setting, (po_key)key))
+        group[key - PO_KEY_COUNT] = po_sweep_value(sweep, setting, (po_key)key);
     add_setting(point, sweep, setting, &label);
   }
   bool possible = po_case_sample_draw(file, scene, &point->request, &label);
-  if (group_value) /* when what it is a group of is there */
-    possible = po_key_set(&point->request, group, group_value) && possible;
+  for (int i = 0; i < GROUPS; ++i) /* when what they are groups of is there */
+    possible = (!group[i] || po_key_set(&point->request, (po_key)(PO_KEY_COUNT + i), group[i])) &&
+               possible;
   if (!label.length)
     po_text_add(&label, "scene");
   point->label = label.data;

@@ -100,8 +100,10 @@ static po_status check_item(po_sweep *sweep, const char *where, const po_yaml *y
   return status ? status : po_case_axis_check(axis, where, yaml);
 }
 
-static bool has_group(const po_sweep *sweep) {
-  return sweep->axis.key && po_key_is_group(po_key_of_name(sweep->axis.key));
+/* Groups that would have to be solved for together. */
+static bool has_waviness(const po_sweep *sweep) {
+  const int key = sweep->axis.key ? po_key_of_name(sweep->axis.key) : -1;
+  return key == PO_KEY_ALPHA || key == PO_KEY_AMPLITUDE_RATIO;
 }
 
 po_status po_case_sweep_check(const po_case *kase, const po_yaml *yaml) {
@@ -114,7 +116,7 @@ po_status po_case_sweep_check(const po_case *kase, const po_yaml *yaml) {
     if (status)
       return status;
     for (unsigned k = 0; k < i; ++k)
-      if (has_group(sweep) && has_group(&file->sweep[k]))
+      if (has_waviness(sweep) && has_waviness(&file->sweep[k]))
         return po_schema_refuse(yaml, "one of alpha and amplitude_ratio", "%s.key", where);
     for (int key = 0; key < PO_KEY_COUNT; ++key) {
       bool twice = false;

@@ -31,6 +31,7 @@ static const struct {
     [PO_KEY_TIME_LIMIT] = {"time_limit", POSITIVE, "a finite number > 0"},
     [PO_KEY_ALPHA] = {"alpha", POSITIVE, "a finite number > 0"},
     [PO_KEY_AMPLITUDE_RATIO] = {"amplitude_ratio", NOT_NEGATIVE, "a finite number >= 0"},
+    [PO_KEY_OUTER_RATIO] = {"outer_ratio", POSITIVE, "a finite number > 0"},
 };
 
 int po_key_of_name(const char *name) {
@@ -59,6 +60,8 @@ bool po_key_is_group(int key) {
 po_key po_key_target(po_key key) {
   if (key == PO_KEY_ALPHA)
     return PO_KEY_WAVELENGTH;
+  if (key == PO_KEY_OUTER_RATIO)
+    return PO_KEY_OUTER_RADIUS;
   return key == PO_KEY_AMPLITUDE_RATIO ? PO_KEY_AMPLITUDE : key;
 }
 
@@ -135,6 +138,8 @@ bool po_key_set(po_request *request, po_key key, const char *text) {
     value = sqrt(request->scene.amplitude * request->scene.radius / value);
   else if (key == PO_KEY_AMPLITUDE_RATIO)
     value *= request->scene.wavelength;
+  else if (key == PO_KEY_OUTER_RATIO)
+    value *= request->scene.radius;
   *key_place(request, po_key_target(key)) = value;
   return true;
 }
@@ -144,6 +149,8 @@ double po_key_number(const po_request *request, po_key key) {
     return po_scene_alpha(&request->scene);
   if (key == PO_KEY_AMPLITUDE_RATIO)
     return request->scene.amplitude > 0 ? request->scene.amplitude / request->scene.wavelength : 0;
+  if (key == PO_KEY_OUTER_RATIO)
+    return request->scene.outer_radius / request->scene.radius;
   po_request copy = *request;
   const double *place = key_place(&copy, key);
   if (place)

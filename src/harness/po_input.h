@@ -30,6 +30,7 @@ typedef enum {
   /* Groups of these, in sweeps, conditions and reference tables: each sets one of them. */
   PO_KEY_ALPHA = PO_KEY_COUNT, /* A R / lambda^2, Eq 6: sets the wavelength */
   PO_KEY_AMPLITUDE_RATIO,      /* A / lambda: sets the amplitude */
+  PO_KEY_OUTER_RATIO,          /* r_max / R: sets the outer radius */
   PO_KEY_END
 } po_key;
 

@@ -22,7 +22,8 @@ static bool is_variable(const po_form *form, const char *key) {
 
 /* A key that a closed form knows of. */
 static bool is_of_forms(int key) {
-  return (key >= PO_KEY_TABOR && key <= PO_KEY_RADIUS) || po_key_is_group(key);
+  return (key >= PO_KEY_TABOR && key <= PO_KEY_RADIUS) || key == PO_KEY_ALPHA ||
+         key == PO_KEY_AMPLITUDE_RATIO;
 }
 
 static size_t row_count(const po_line *line) {

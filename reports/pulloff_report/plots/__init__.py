@@ -1,9 +1,12 @@
 """The figures: one module each, found by the `figure_script` a case names.
 
-A module offers NUMBER (of the paper's figure, or None), TITLE and make(case, references) -> Figure.
+A module offers NUMBER (of the paper's figure, or None), TITLE and make(case, references) -> Figure;
+CASE, when it draws the case of another figure; SCHEMATIC, when it draws none (case is None).
 To add one: write the module here and, when gnuplot draws it, figures/<name>.gp; enter it below.
 """
 
-from . import fig03, fig04
+from . import fig02, fig03, fig04, fig06, fig07, fig08, fig10, fig11, sketches
 
-BY_SCRIPT = {"fig03": fig03, "fig04": fig04}
+BY_SCRIPT = {"fig01": sketches.FIG01, "fig02": fig02, "fig03": fig03, "fig04": fig04,
+             "fig05": sketches.FIG05, "fig06": fig06, "fig07": fig07, "fig08": fig08,
+             "fig10": fig10, "fig11": fig11}

@@ -34,15 +34,15 @@ def files(names, word="and"):
 
 def missing(module, script):
     return (f"Figure {module.NUMBER}, {module.TITLE[0].lower()}{module.TITLE[1:]}, is left out: this "
-            f"run holds no record of a case that draws it (pulloff run {script} makes one).")
+            f"run holds no record of a case that draws it (pulloff run {getattr(module, 'CASE', script)} makes one).")
 
 
 def build(source):
     figures, absent = [], []
     for script, module in plots.BY_SCRIPT.items():
-        found = source.run.drawing(script)
-        if found:
-            figures.append(module.make(found[0], source.references))
+        found = source.run.drawing(getattr(module, "CASE", script))
+        if found or getattr(module, "SCHEMATIC", False):
+            figures.append(module.make(found[0] if found else None, source.references))
         else:
             absent.append(missing(module, script))
     entries = [(f"figure-{item.id}", f"Figure {item.number} · {item.title}") for item in figures]

@@ -1,0 +1,25 @@
+# Figure 2: (a) traction against gap, law.dat; (b) surfaces.dat: radius, indenter, half-space, then
+# both as computed.
+
+set multiplot
+set lmargin at screen 0.085; set rmargin at screen 0.42
+set tmargin at screen 0.97; set bmargin at screen 0.17
+set xrange [0.9:3]; set yrange [-1.25:1.25]
+set xtics 0.5 format '%g'; set ytics 0.5 format '%.1f'
+set xlabel '{/:Italic h}/ε' offset 0,0.3; set ylabel 'σε/{/:Italic w}' offset 1,0
+set arrow 1 from 0.9,0 to 3,0 nohead linewidth 0.7 linecolor rgb grey
+set label 1 '(a)' at graph 0.97, graph 0.94 right
+set key off
+plot 'law.dat' using 1:2 with lines linewidth 1.5 linecolor rgb blue notitle
+
+unset arrow
+set lmargin at screen 0.51; set rmargin at screen 0.985
+set xrange [-reach:reach]; set yrange [-2:8]
+set xtics 10; set ytics 2 format '%g'
+set xlabel '{/:Italic r}/ε'; set ylabel 'height/ε' offset 0.5,0
+set label 1 '(b)' at graph 0.5, graph 0.94 center
+plot for [s in '-1 1'] 'surfaces.dat' using (s*$1):2 with lines linewidth 1.6 linecolor rgb '#B0B0B0' notitle, \
+     for [s in '-1 1'] 'surfaces.dat' using (s*$1):3 with lines linewidth 1.6 linecolor rgb '#B0B0B0' notitle, \
+     for [s in '-1 1'] 'surfaces.dat' using (s*$1):4 with lines linewidth 1.3 linecolor rgb black notitle, \
+     for [s in '-1 1'] 'surfaces.dat' using (s*$1):5 with lines linewidth 1.3 linecolor rgb black notitle
+unset multiplot

@@ -1,0 +1,34 @@
+# Figure 6: load against minus the approach of rigid wavy spheres; below, the distance from Eq 22.
+# Data: rigid.dat and computed.dat (a block a value of alpha), residual.dat (panels, the paper's).
+
+set multiplot
+set lmargin at screen 0.088; set rmargin at screen 0.985
+set tmargin at screen 0.985; set bmargin at screen 0.365
+set xrange [x_min:x_max]; set yrange [y_min:y_max]
+set xtics 0.5 format ''; set ytics 0.5 format '%.1f'
+set ylabel '{/:Italic W̄}' rotate by 0 offset 1.5,0
+set key at graph 0.985, graph 0.05 right bottom Left reverse
+do for [i = 1:label_count] {
+  set label i label_text[i] at label_x[i], label_y[i] center \
+    offset (label_text[i] eq '1' ? 1.0 : 0), (label_text[i] eq '1' ? -0.9 : -0.75)
+}
+set label 99 'log_{10} α' at graph 0.985, graph 0.955 right textcolor rgb grey
+plot for [i = 1:line_count] 'rigid.dat' index i-1 using 1:2 with lines \
+       linecolor rgb black linewidth 1.2 title (i == 1 ? 'Eq 22' : ''), \
+     for [i = 1:mark_count] 'computed.dat' index i-1 using 1:2 with points \
+       pointtype 4 pointsize 0.7 linewidth 1.2 linecolor rgb vermillion \
+       title (i == 1 ? 'BEM, μ = 10^{−4}' : '')
+
+unset label
+set tmargin at screen 0.335; set bmargin at screen 0.105
+set xtics 0.5 format '%g'
+set xlabel '−Δ†' offset 0,0.4
+set logscale y
+set yrange [low:high]; set ytics auto format '10^{%L}'; set ytics 10.0**ceil(log10(high / low) / 4.0)
+set ylabel 'distance' rotate by 90 offset 0.5,0
+set key at graph 0.985, graph 0.93 right top Left reverse
+plot 'residual.dat' index 0 using 1:2 with points pointtype 7 pointsize 0.25 linecolor rgb blue \
+       title 'panels, unbounded', \
+     'residual.dat' index 1 using 1:2 with points pointtype 6 pointsize 0.3 linecolor rgb vermillion \
+       title 'as in the paper'
+unset multiplot
