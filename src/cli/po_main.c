@@ -12,6 +12,7 @@ static const struct {
   const char *summary;
 } VERBS[] = {
     {"solve", po_verb_solve, "solve one scene given by flags"},
+    {"follow", po_verb_follow, "follow the pull-off along a line of scenes"},
     {"theory", po_verb_theory, "print a closed form of the paper"},
     {"list", po_verb_list, "list the cases"},
     {"plan", po_verb_plan, "say what would be computed for a case, and why"},
@@ -37,8 +38,9 @@ static void print_help(void) {
 
 static int run_verb(int argc, char **argv) {
   if (argc < 2) {
-    po_fail(PO_BAD_INPUT, "no verb is given: expected solve, theory, list, plan, run, verify, "
-                          "explain, bless or report");
+    po_fail(PO_BAD_INPUT,
+            "no verb is given: expected solve, follow, theory, list, plan, run, verify, "
+            "explain, bless or report");
     return po_options_end(PO_BAD_INPUT);
   }
   if (strcmp(argv[1], "--help") == 0) {
@@ -53,7 +55,8 @@ static int run_verb(int argc, char **argv) {
     if (strcmp(argv[1], VERBS[i].name) == 0)
       return VERBS[i].run(argc - 1, argv + 1);
   po_fail(PO_BAD_INPUT,
-          "unknown verb %.80s: expected solve, theory, list, plan, run, verify, explain, bless or "
+          "unknown verb %.80s: expected solve, follow, theory, list, plan, run, verify, explain, "
+          "bless or "
           "report",
           argv[1]);
   return po_options_end(PO_BAD_INPUT);

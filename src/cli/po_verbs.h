@@ -4,6 +4,7 @@
 #define PO_VERBS_H
 
 int po_verb_solve(int argc, char **argv);
+int po_verb_follow(int argc, char **argv);
 int po_verb_theory(int argc, char **argv);
 int po_verb_list(int argc, char **argv);
 int po_verb_plan(int argc, char **argv);

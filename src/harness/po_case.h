@@ -157,6 +157,8 @@ typedef struct {
   po_leave_out *leave_out;
   unsigned leave_out_count;
   po_sample_words *sample; /* NULL: none */
+  char *follow;       /* the key along which minima are followed; NULL: every scene is traced */
+  char *anchors_text; /* of a line of scenes, one in so many is traced; NULL: as po_line.h says */
   char *repeats_text;
   char **want_names;
   unsigned want_names_count;
@@ -179,6 +181,8 @@ typedef struct {
   unsigned suites;  /* of po_suite */
   unsigned want;    /* of po_case_want */
   unsigned repeats; /* how often each solve is timed */
+  size_t line;      /* points that are solved together, one after another; 1: each by itself */
+  size_t anchors;   /* of them one in so many is traced for certain */
   po_point *points;
   size_t point_count;
 } po_case;

@@ -246,6 +246,8 @@ po_status po_case_parse(po_case *kase, const po_yaml *yaml) {
   if (!status)
     status = po_lines_parse(kase, yaml);
   if (!status)
+    status = po_case_follow_parse(kase, yaml);
+  if (!status)
     status = check_stand_ins(kase, yaml);
   if (!status)
     status = po_case_expand(kase, yaml);

@@ -27,6 +27,10 @@ bool po_case_is_name(const char *text);
 /* Makes the values of an axis that has its ends and their number instead. Status: as above. */
 po_status po_axis_fill(po_axis *axis, const char *where, const po_yaml *yaml);
 
+/* Reads `follow` and what it asks of the rest of the case: only pull-offs are wanted and checked.
+ * Status: as above. */
+po_status po_case_follow_parse(po_case *kase, const po_yaml *yaml);
+
 /* Checks the section `sweep`, if there is one, and fills it. Status: as above. */
 po_status po_case_sweep_check(const po_case *kase, const po_yaml *yaml);
 

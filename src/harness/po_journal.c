@@ -19,13 +19,16 @@ static bool find_journal(const po_case_run *run, const char *output, char **fold
   return *path != NULL;
 }
 
-/* What determines the numbers of one point, whatever other points the case has. */
+/* What determines the numbers of one point, whatever other points the case has, unless they are
+ * followed from one to the next. */
 static bool make_key(const po_case_run *run, size_t point, char key[PO_DIGEST_LENGTH]) {
   const po_plan *plan = run->plan;
   po_text text = {0};
   char *command = po_input_command(&plan->kase->points[point].request);
   po_text_add(&text, "%s|%u|%u|%s", plan->program, plan->want, plan->kase->repeats,
               command ? command : "");
+  if (plan->kase->line > 1)
+    po_text_add(&text, "|%s", plan->solve_key);
   const bool made = command && !text.failed;
   po_digest_bytes(po_text_string(&text), text.length, key);
   free(command);

@@ -52,6 +52,11 @@ static json_t *landmarks(const po_landmark *list, size_t count) {
   return array;
 }
 
+/* Of a pull-off that was followed nothing else is known, which is not the same as none. */
+static json_t *landmarks_of(const po_outcome *outcome, const po_landmark *list, size_t count) {
+  return outcome->followed ? json_null() : landmarks(list, count);
+}
+
 static json_t *work(const po_work *done) {
   return json_pack("{s:I, s:I, s:I, s:I, s:I, s:I, s:I, s:o}", "points", (json_int_t)done->points,
                    "newton_iterations", (json_int_t)done->newton_iterations, "factorizations",
@@ -62,13 +67,14 @@ static json_t *work(const po_work *done) {
 }
 
 json_t *po_json_outcome(const po_request *request, const po_outcome *outcome) {
-  json_t *object = json_pack(
-      "{s:o, s:s, s:s, s:b, s:o, s:o, s:o, s:o, s:o, s:o}", "input", po_json_input(request),
-      "status", po_status_name(outcome->status), "reason", outcome->reason, "rigid",
-      (int)outcome->rigid, "start", po_json_number(outcome->start), "end",
-      po_json_number(outcome->end), "pull_off", pull_off(outcome), "folds",
-      landmarks(outcome->folds, outcome->fold_count), "extrema",
-      landmarks(outcome->extrema, outcome->extremum_count), "work", work(&outcome->work));
+  json_t *object = json_pack("{s:o, s:s, s:s, s:b, s:b, s:o, s:o, s:o, s:o, s:o, s:o}", "input",
+                             po_json_input(request), "status", po_status_name(outcome->status),
+                             "reason", outcome->reason, "rigid", (int)outcome->rigid, "followed",
+                             (int)outcome->followed, "start", po_json_number(outcome->start), "end",
+                             po_json_number(outcome->end), "pull_off", pull_off(outcome), "folds",
+                             landmarks_of(outcome, outcome->folds, outcome->fold_count), "extrema",
+                             landmarks_of(outcome, outcome->extrema, outcome->extremum_count),
+                             "work", work(&outcome->work));
   if (object && outcome->has_hysteresis)
     json_object_set_new(object, "hysteresis", po_json_hysteresis(request, outcome));
   return object;

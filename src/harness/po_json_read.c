@@ -79,6 +79,7 @@ po_status po_json_read_outcome(const json_t *object, po_outcome *outcome) {
   outcome->rigid = json_is_true(json_object_get(object, "rigid"));
   outcome->start = po_json_read_number(object, "start");
   outcome->end = po_json_read_number(object, "end");
+  outcome->followed = json_is_true(json_object_get(object, "followed"));
   const json_t *pull_off = json_object_get(object, "pull_off");
   outcome->has_pull_off = json_is_object(pull_off);
   outcome->pull_off.force = po_json_read_number(pull_off, "force");

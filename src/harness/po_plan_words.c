@@ -66,8 +66,15 @@ static po_status tell_sample(po_plan *plan) {
 }
 
 static po_status tell_scenes(po_plan *plan, const census *n) {
-  po_status status = say(plan, "solve %zu %s: each traced as one branch from far out", n->points,
-                         n->points == 1 ? "scene" : "scenes");
+  po_status status =
+      say(plan, "solve %zu %s: each traced as one branch from far out%s", n->points,
+          n->points == 1 ? "scene" : "scenes", plan->kase->line > 1 ? ", or followed" : "");
+  if (!status && plan->kase->line > 1)
+    status = say(plan,
+                 "follow the minima of the load along %s in %zu lines of %zu: traced once in %zu "
+                 "scenes, and where two traces do not agree with what was followed between them",
+                 plan->kase->file->follow, n->points / plan->kase->line, plan->kase->line,
+                 plan->kase->anchors);
   if (!status && n->rigid)
     status = say(plan,
                  "no influence matrix for %zu rigid %s: elasticity would change the load by less "
@@ -103,7 +110,11 @@ static po_status tell_left_out(po_plan *plan) {
 
 static po_status tell_wants(po_plan *plan) {
   const po_case *kase = plan->kase;
-  po_status status = say(plan, "read off each branch: pull-off, folds, extrema of the load");
+  po_status status =
+      plan->kase->line > 1
+          ? say(plan,
+                "no folds or extrema: of scenes that are followed there is the pull-off alone")
+          : say(plan, "read off each branch: pull-off, folds, extrema of the load");
   if (!status)
     status =
         plan->want & PO_WANT_CURVE

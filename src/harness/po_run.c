@@ -143,23 +143,43 @@ static po_status end_point(po_crew *crew, po_case_run *run, size_t point) {
   return !status && run->pending == 0 ? finish_case(crew, run) : status;
 }
 
+/* A point was solved once, if it was asked for. Inside the critical section. */
+static po_status take_point(po_crew *crew, po_case_run *run, size_t point, unsigned round) {
+  if (run->done[point] || point < run->first || point >= run->end)
+    return PO_OK;
+  char what[128];
+  snprintf(what, sizeof what, "%.40s %.60s", run->plan->kase->file->name,
+           run->plan->kase->points[point].label);
+  po_progress_step(&crew->progress, what);
+  return round + 1 == run->plan->kase->repeats ? end_point(crew, run, point) : PO_OK;
+}
+
 static void do_task(po_crew *crew, const po_task *task) {
   po_case_run *run = &crew->runs[task->run];
+  const size_t line = run->plan->kase->line;
   const double begin = po_clock_wall();
-  solve_point(crew, run, task);
+  po_status status = PO_OK;
+  if (line > 1)
+    status = po_run_line(run, task->point, crew->options->stop);
+  else
+    solve_point(crew, run, task);
   const bool stopped = crew->options->stop && *crew->options->stop;
 #pragma omp critical(po_run_finish)
   if (!stopped) {
     run->elapsed += po_clock_wall() - begin;
-    char what[128];
-    snprintf(what, sizeof what, "%.40s %.60s", run->plan->kase->file->name,
-             run->plan->kase->points[task->point].label);
-    po_progress_step(&crew->progress, what);
-    const bool last = task->round + 1 == run->plan->kase->repeats;
-    const po_status status = last ? end_point(crew, run, task->point) : PO_OK;
+    for (size_t k = 0; k < line && !status; ++k)
+      status = take_point(crew, run, task->point + k, task->round);
     if (status)
       give_up(crew, status);
   }
+}
+
+static size_t count_solves(const po_crew *crew, size_t count) {
+  size_t solves = 0;
+  for (size_t r = 0; r < count; ++r)
+    if (!crew->runs[r].finished)
+      solves += crew->runs[r].pending * crew->runs[r].plan->kase->repeats;
+  return solves;
 }
 
 static po_status work_through(po_crew *crew, size_t count) {
@@ -167,7 +187,7 @@ static po_status work_through(po_crew *crew, size_t count) {
   po_task *tasks = po_tasks_list(crew->runs, count, &shared, &total);
   if (!tasks)
     return PO_NO_MEMORY;
-  po_progress_begin(&crew->progress, total);
+  po_progress_begin(&crew->progress, count_solves(crew, count));
 #pragma omp parallel for schedule(dynamic) num_threads(crew->jobs)
   for (size_t i = 0; i < shared; ++i)
     if (!must_end(crew))

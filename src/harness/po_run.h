@@ -43,6 +43,11 @@ typedef struct {
  * PO_NO_MEMORY. A solve that fails is no failure of the run: see po_case_run_verdict. */
 po_status po_run(po_case_run *runs, size_t count, const po_run_options *options);
 
+/* Solves the line of points that begins with one, following minima from point to point; all of
+ * them, whichever are there or asked for, as they depend on each other. Status: PO_NO_MEMORY,
+ * PO_INTERRUPTED. */
+po_status po_run_line(po_case_run *run, size_t first, const volatile sig_atomic_t *stop);
+
 /* Whether the solve of a point failed, and not as part of the share that a check lets fail. */
 bool po_case_run_failed(const po_case_run *run, size_t point);
 

@@ -2,6 +2,14 @@
 
 #include "po_memory.h"
 
+/* Whether a point is to be solved, or some of the line that begins there. */
+static bool is_wanted(const po_case_run *run, size_t begin) {
+  bool wanted = false;
+  for (size_t p = begin; p < begin + run->plan->kase->line; ++p)
+    wanted = wanted || (p >= run->first && p < run->end && !run->done[p]);
+  return wanted;
+}
+
 /* Adds the solves of one round over the points of every case that is timed, or that is not. */
 static void add_round(const po_case_run *runs, size_t count, bool timed, unsigned round,
                       po_task *tasks, size_t *total) {
@@ -10,8 +18,8 @@ static void add_round(const po_case_run *runs, size_t count, bool timed, unsigne
     const unsigned repeats = run->plan->kase->repeats;
     if (run->finished || (repeats > 1) != timed || round >= repeats)
       continue;
-    for (size_t p = run->first; p < run->end; ++p)
-      if (!run->done[p])
+    for (size_t p = 0; p < run->plan->kase->point_count; p += run->plan->kase->line)
+      if (is_wanted(run, p))
         tasks[(*total)++] = (po_task){r, p, round};
   }
 }

@@ -4,7 +4,7 @@
 
 #include "po_run.h"
 
-/* One solve. */
+/* One solve, of a point or of the line of points that begins there. */
 typedef struct {
   size_t run, point;
   unsigned round; /* below the repeats of the case */

@@ -1,0 +1,260 @@
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_input.h"
+#include "po_interrupt.h"
+#include "po_json.h"
+#include "po_line.h"
+#include "po_linear.h"
+#include "po_memory.h"
+#include "po_options.h"
+#include "po_text.h"
+#include "po_verbs.h"
+
+static const char HELP[] =
+    "Usage: pulloff follow --key KEY --from A --to B [OPTION]...\n"
+    "The pull-off along a line of scenes: some are traced, between them the minima of the load "
+    "are\n"
+    "followed, at a few factorisations a scene, where that agrees with both traces.\n"
+    "Lengths in units of the equilibrium distance epsilon; load in pi w R, compressive > 0.\n\n"
+    "  --key KEY               what runs: tabor, amplitude, wavelength, radius, outer-radius,\n"
+    "                          amplitude-ratio (A / lambda)\n"
+    "  --from A, --to B        its first and last value\n"
+    "  --points N              how many values (60)\n"
+    "  --scale log|linear      of equal steps (log)\n"
+    "  --anchor-every K        one scene in K is traced at least (15)\n"
+    "  --tabor MU              Tabor parameter (1)\n"
+    "  --amplitude A           of the waviness (0: smooth)\n"
+    "  --amplitude-ratio Q     the same, in wavelengths, kept when the wavelength runs\n"
+    "  --wavelength L          of the waviness\n"
+    "  --radius R              of the sphere (100)\n"
+    "  --outer-radius R|inf    where the surface is cut (inf: not cut)\n"
+    "  --tolerance T           relative, of the pull-off force (1e-6)\n"
+    "  --json                  one JSON document on standard output, nothing else\n"
+    "  --help                  this text\n\n"
+    "Example: pulloff follow --key tabor --from 0.1 --to 5 --points 60 --amplitude 1 \\\n"
+    "             --wavelength 20 --outer-radius 100\n";
+
+enum { RUNS = 1, FROM, TO, POINTS, SCALE, ANCHORS, JSON, KEY };
+enum { DEFAULT_POINTS = 60 };
+
+/* Values of a line are rounded to so many digits, as those of a sweep. */
+enum { MADE_DIGITS = 6 };
+
+static const size_t MOST_POINTS = 10000;
+
+/* The values of the options of the scene are KEY + po_key. */
+static const struct option OPTIONS[] = {
+    {"key", required_argument, NULL, RUNS},
+    {"from", required_argument, NULL, FROM},
+    {"to", required_argument, NULL, TO},
+    {"points", required_argument, NULL, POINTS},
+    {"scale", required_argument, NULL, SCALE},
+    {"anchor-every", required_argument, NULL, ANCHORS},
+    {"json", no_argument, NULL, JSON},
+    {"tabor", required_argument, NULL, KEY + PO_KEY_TABOR},
+    {"amplitude", required_argument, NULL, KEY + PO_KEY_AMPLITUDE},
+    {"amplitude-ratio", required_argument, NULL, KEY + PO_KEY_AMPLITUDE_RATIO},
+    {"wavelength", required_argument, NULL, KEY + PO_KEY_WAVELENGTH},
+    {"radius", required_argument, NULL, KEY + PO_KEY_RADIUS},
+    {"outer-radius", required_argument, NULL, KEY + PO_KEY_OUTER_RADIUS},
+    {"tolerance", required_argument, NULL, KEY + PO_KEY_TOLERANCE},
+    {"help", no_argument, NULL, PO_OPTION_HELP},
+    {NULL, 0, NULL, 0}};
+
+typedef struct {
+  const char *given[PO_KEY_END]; /* values of keys, as written */
+  const char *runs;              /* the name of the key, as its option is called */
+  po_key key;
+  double from, to;
+  size_t points, anchors;
+  bool linear, json;
+} follow_line;
+
+static const struct option *option_of(int value) {
+  const struct option *option = OPTIONS;
+  while (option->name && option->val != value)
+    ++option;
+  return option;
+}
+
+static po_status take_runs(follow_line *line) {
+  for (const struct option *option = OPTIONS; option->name; ++option)
+    if (option->val >= KEY && option->val != KEY + PO_KEY_TOLERANCE &&
+        option->val < PO_OPTION_HELP && strcmp(option->name, optarg) == 0) {
+      line->key = (po_key)(option->val - KEY);
+      line->runs = option->name;
+      return PO_OK;
+    }
+  return po_options_refuse("key", optarg, "the name of an option of the scene, but tolerance");
+}
+
+static po_status take_count(const char *option, size_t least, size_t *count) {
+  if (po_number_parse_count(optarg, count) && *count >= least && *count <= MOST_POINTS)
+    return PO_OK;
+  return po_options_refuse(option, optarg, "a whole number, of points at least 2, up to 10000");
+}
+
+static po_status take_option(follow_line *line, int option) {
+  switch (option) {
+  case RUNS:
+    return take_runs(line);
+  case FROM:
+  case TO:
+    if (po_number_parse(optarg, option == FROM ? &line->from : &line->to))
+      return PO_OK;
+    return po_options_refuse(option == FROM ? "from" : "to", optarg, "a finite number");
+  case POINTS:
+    return take_count("points", 2, &line->points);
+  case ANCHORS:
+    return take_count("anchor-every", 1, &line->anchors);
+  case SCALE:
+    line->linear = strcmp(optarg, "linear") == 0;
+    if (line->linear || strcmp(optarg, "log") == 0)
+      return PO_OK;
+    return po_options_refuse("scale", optarg, "log or linear");
+  case JSON:
+    line->json = true;
+    return PO_OK;
+  default:
+    line->given[option - KEY] = optarg;
+    return PO_OK;
+  }
+}
+
+static po_status check_line(const follow_line *line) {
+  if (!line->runs || isnan(line->from) || isnan(line->to))
+    return po_fail(PO_BAD_INPUT, "--%s is not given: expected --key, --from and --to",
+                   !line->runs         ? "key"
+                   : isnan(line->from) ? "from"
+                                       : "to");
+  if (line->given[line->key])
+    return po_fail(PO_BAD_INPUT, "--%s is given, and runs: expected one of both", line->runs);
+  if (line->from == line->to || (!line->linear && !(line->from > 0.0 && line->to > 0.0)))
+    return po_fail(PO_BAD_INPUT, "the line goes from %g to %g: expected two values%s", line->from,
+                   line->to, line->linear ? "" : " > 0, or --scale linear");
+  if ((line->given[PO_KEY_AMPLITUDE] || line->key == PO_KEY_AMPLITUDE) &&
+      (line->given[PO_KEY_AMPLITUDE_RATIO] || line->key == PO_KEY_AMPLITUDE_RATIO))
+    return po_fail(PO_BAD_INPUT, "amplitude and amplitude-ratio are both said: expected one");
+  const bool wavy = line->given[PO_KEY_AMPLITUDE] || line->key == PO_KEY_AMPLITUDE ||
+                    line->given[PO_KEY_AMPLITUDE_RATIO] || line->key == PO_KEY_AMPLITUDE_RATIO;
+  if (wavy && !line->given[PO_KEY_WAVELENGTH] && line->key != PO_KEY_WAVELENGTH)
+    return po_fail(PO_BAD_INPUT, "a waviness is given without --wavelength: expected both");
+  return PO_OK;
+}
+
+static po_status set_key(po_request *request, int key, const char *text) {
+  if (po_key_set(request, (po_key)key, text))
+    return PO_OK;
+  return po_options_refuse(option_of(KEY + key)->name, text, po_key_expected((po_key)key));
+}
+
+/* The request of a point of the line; keys before groups of them. */
+static po_status make_request(const follow_line *line, size_t point, po_request *request) {
+  const double part = (double)point / (double)(line->points - 1);
+  char value[PO_NUMBER_LENGTH];
+  snprintf(value, sizeof value, "%.*g", MADE_DIGITS,
+           line->linear ? line->from + part * (line->to - line->from)
+                        : line->from * pow(line->to / line->from, part));
+  *request = po_request_default();
+  request->mesh.scheme = PO_PANEL;
+  po_status status = PO_OK;
+  for (int key = 0; key < PO_KEY_END && !status; ++key) {
+    const char *text = key == (int)line->key ? value : line->given[key];
+    if (text)
+      status = set_key(request, key, text);
+  }
+  request->stop = po_interrupt_listen();
+  return status ? status : po_request_check(request);
+}
+
+static po_status print_json(const po_request *requests, const po_outcome *outcomes, size_t count) {
+  json_t *points = json_array();
+  for (size_t k = 0; k < count; ++k)
+    json_array_append_new(points, po_json_outcome(&requests[k], &outcomes[k]));
+  json_t *document = json_pack("{s:s, s:o}", "schema", "pulloff-line/1", "points", points);
+  po_text text = {0};
+  const po_status status = po_json_print(document, &text);
+  if (!status)
+    fputs(text.data, stdout);
+  po_text_clear(&text);
+  json_decref(document);
+  return status;
+}
+
+static void print_text(const follow_line *line, const po_request *requests,
+                       const po_outcome *outcomes) {
+  printf("%15s %14s %8s %16s %8s %14s %-9s %14s\n", line->runs, "force", "error", "approach",
+         "error", "contact radius", "", "factorisations");
+  uint64_t all = 0;
+  size_t followed = 0;
+  for (size_t k = 0; k < line->points; ++k) {
+    const po_outcome *o = &outcomes[k];
+    const unsigned long long factorizations = o->work.factorizations;
+    printf("%15g ", po_key_number(&requests[k], line->key));
+    if (o->has_pull_off)
+      printf("%14.9f %8.1e %16.9f %8.1e %14.6g ", o->pull_off.force, o->pull_off.force_error,
+             o->pull_off.approach, o->pull_off.approach_error, o->pull_off.contact_radius);
+    printf("%-9s %14llu\n",
+           o->status     ? po_status_name(o->status)
+           : o->followed ? "followed"
+                         : "traced",
+           factorizations);
+    all += factorizations;
+    followed += o->followed;
+  }
+  printf("work     %llu factorisations for %zu scenes, %zu of them followed\n",
+         (unsigned long long)all, line->points, followed);
+}
+
+static po_status follow(const follow_line *line, po_request *requests, po_outcome *outcomes) {
+  po_status status = PO_OK;
+  for (size_t k = 0; k < line->points && !status; ++k)
+    status = make_request(line, k, &requests[k]);
+  if (status)
+    return status;
+  po_linear_single_thread();
+  status = po_line_observe(requests, line->points, line->anchors, outcomes);
+  if (status == PO_INTERRUPTED)
+    return po_fail(status, "interrupted");
+  if (!status && line->json)
+    status = print_json(requests, outcomes, line->points);
+  else if (!status)
+    print_text(line, requests, outcomes);
+  for (size_t k = 0; k < line->points && !status; ++k)
+    if (outcomes[k].status)
+      status = po_fail(outcomes[k].status, "a solve failed, at %s %g: %s", line->runs,
+                       po_key_number(&requests[k], line->key), outcomes[k].reason);
+  return status;
+}
+
+int po_verb_follow(int argc, char **argv) {
+  const po_options options = {"follow", HELP, OPTIONS, argc, argv};
+  follow_line line = {
+      .from = NAN, .to = NAN, .points = DEFAULT_POINTS, .anchors = PO_LINE_ANCHOR_EVERY};
+  po_status status = PO_OK;
+  int option = 0;
+  while (!status && (option = po_options_next(&options)) > 0) {
+    if (option == PO_OPTION_HELP)
+      return PO_EXIT_OK;
+    status = take_option(&line, option);
+  }
+  if (option == PO_OPTION_BAD)
+    status = PO_BAD_INPUT;
+  if (!status)
+    status = po_options_no_operands(&options);
+  if (!status)
+    status = check_line(&line);
+  if (status)
+    return po_options_end(status);
+  po_request *requests = po_allocate(line.points, sizeof *requests);
+  po_outcome *outcomes = po_allocate(line.points, sizeof *outcomes);
+  status = requests && outcomes ? follow(&line, requests, outcomes) : PO_NO_MEMORY;
+  for (size_t k = 0; outcomes && k < line.points; ++k)
+    po_outcome_clear(&outcomes[k]);
+  free(requests);
+  free(outcomes);
+  return po_options_end(status);
+}

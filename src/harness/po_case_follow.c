@@ -1,0 +1,55 @@
+/* Lines of scenes along which minima are followed: the key `follow` of a case. */
+#include <string.h>
+
+#include "po_case_parse.h"
+#include "po_line.h"
+#include "po_schema.h"
+
+static const size_t MOST_BETWEEN_ANCHORS = 1000;
+
+static po_status parse_anchors(po_case *kase, const po_yaml *yaml) {
+  const po_case_file *file = kase->file;
+  kase->anchors = PO_LINE_ANCHOR_EVERY;
+  if (file->anchors_text &&
+      (!file->follow || !po_number_parse_count(file->anchors_text, &kase->anchors) ||
+       kase->anchors < 1 || kase->anchors > MOST_BETWEEN_ANCHORS))
+    return po_schema_refuse(yaml, NULL, "anchor_every");
+  return PO_OK;
+}
+
+/* A key of the scene, or a group of them, that has a number for a value. */
+static bool can_be_followed(const char *name) {
+  const int key = po_key_of_name(name);
+  return po_key_is_group(key) || key == PO_KEY_TABOR || key == PO_KEY_AMPLITUDE ||
+         key == PO_KEY_WAVELENGTH || key == PO_KEY_RADIUS || key == PO_KEY_OUTER_RADIUS;
+}
+
+po_status po_case_follow_parse(po_case *kase, const po_yaml *yaml) {
+  const po_case_file *file = kase->file;
+  kase->line = 1;
+  const po_status status = parse_anchors(kase, yaml);
+  if (status || !file->follow)
+    return status;
+  const po_axis *last = file->sweep_count ? &file->sweep[file->sweep_count - 1].axis : NULL;
+  if (!last || !last->key || strcmp(last->key, file->follow) != 0 || !can_be_followed(file->follow))
+    return po_schema_refuse(yaml, NULL, "follow");
+  kase->line = last->values_count;
+  if (file->leave_out_count)
+    return po_schema_refuse(yaml, "nothing beside follow, as lines are whole", "leave_out");
+  if (kase->repeats > 1)
+    return po_schema_refuse(yaml, "1, as lines that are followed are not timed", "repeats");
+  for (unsigned i = 0; i < file->want_names_count; ++i)
+    if (strcmp(file->want_names[i], "pull_off") != 0)
+      return po_schema_refuse(yaml, "pull_off alone, as only minima are followed", "want[%u]",
+                              i + 1);
+  for (unsigned i = 0; i < file->checks_count; ++i) {
+    const po_quantity quantity = file->checks[i].quantity;
+    if (quantity != PO_PULL_OFF_FORCE && quantity != PO_PULL_OFF_APPROACH &&
+        quantity != PO_SOLVED_SHARE)
+      return po_schema_refuse(yaml,
+                              "pull_off_force, pull_off_approach or solved_share, as only minima "
+                              "are followed",
+                              "checks[%u].quantity", i + 1);
+  }
+  return PO_OK;
+}

@@ -1,0 +1,86 @@
+#!/bin/sh
+# Pull-off along a line of scenes: the verb follow, and cases that say `follow`.
+# shellcheck disable=SC1091,SC2034,SC2154
+. "$(dirname "$0")/lib.sh"
+. "$here/data.sh"
+file=$PULLOFF_DATA/cases/good.yaml
+
+expect 2 'pulloff: --key is not given: expected --key, --from and --to' follow --from 1 --to 2
+expect 2 'pulloff: --key is scheme: expected *' follow --key scheme --from 1 --to 2
+expect 2 'pulloff: --tabor is given, and runs: *' follow --key tabor --from 1 --to 2 --tabor 1
+expect 2 'pulloff: the line goes from 0 to 2: expected two values > 0, or --scale linear' \
+  follow --key tabor --from 0 --to 2
+expect 2 'pulloff: a waviness is given without --wavelength*' follow --key tabor --from 1 --to 2 --amplitude 1
+expect 2 'pulloff: amplitude and amplitude-ratio are both said*' \
+  follow --key amplitude --from 1 --to 2 --amplitude-ratio 0.1 --wavelength 20
+expect 2 'pulloff: --radius is -3: *' follow --key tabor --from 1 --to 2 --radius -3
+expect 2 'pulloff: --points is 1: *' follow --key tabor --from 1 --to 2 --points 1
+
+# Amplitude and wavelength in proportion: what is followed is what a trace of that scene finds.
+expect 0 '' follow --key wavelength --from 17.3 --to 24.1 --points 7 --amplitude-ratio 0.0385 --tabor 0.71 \
+  --tolerance 1e-5 --json
+cp "$work/stdout" line.json
+python=$(command -v python3)
+field() { # FILE EXPRESSION, of the document d
+  "$python" -c 'import json, sys; d = json.load(open(sys.argv[1])); print(eval(sys.argv[2]))' "$1" "$2"
+}
+check 'ends are traced, the rest followed' test \
+  "$(field line.json '[p["followed"] for p in d["points"]] == [False] + 5 * [True] + [False]')" = True
+check 'followed: no folds are known' test "$(field line.json 'd["points"][3]["folds"]')" = None
+for k in 2 5; do
+  "$program" solve --tolerance 1e-5 --tabor 0.71 --wavelength "$(field line.json "d['points'][$k]['input']['wavelength']")" \
+    --amplitude "$(field line.json "d['points'][$k]['input']['amplitude']")" --json >solve.json
+  for value in force approach; do
+    error=$([ $value = force ] && echo error_estimate || echo approach_error_estimate)
+    a=$(field line.json "d['points'][$k]['pull_off']['$value']")
+    b=$(field solve.json "d['pull_off']['$value']")
+    e=$(field solve.json "d['pull_off']['$error']")
+    check "$value of point $k: $a followed, $b traced" \
+      awk -v a="$a" -v b="$b" -v e="$e" 'BEGIN { d = a - b; exit !(a != "" && (d < 0 ? -d : d) <= 2 * e) }'
+  done
+done
+
+# A case of two lines.
+restore
+write_case() { # what differs
+  cat >"$file" <<CASE
+name: good
+title: Lines that are followed
+suites: [smoke]
+scene: {radius: 93, outer_radius: 80, scheme: panel, tolerance: 1e-4, wavelength: 21}
+sweep:
+  - {key: amplitude_ratio, values: [0.01, 0.02]}
+  - {key: tabor, from: 0.5, to: 0.9, count: 6, scale: log}
+$1
+checks:
+  - {quantity: solved_share, reference: every_scene, tolerance: 0.01, kind: abs, because: all have}
+CASE
+}
+write_case 'follow: amplitude_ratio
+want: [pull_off]'
+expect 2 '*follow is amplitude_ratio: expected the last key of the sweep*' plan good
+write_case 'follow: tabor
+want: [folds]'
+expect 2 '*want?1? is folds: expected pull_off alone*' plan good
+write_case 'anchor_every: 3
+want: [pull_off]'
+expect 2 '*anchor_every is 3: expected*beside follow' plan good
+write_case 'follow: tabor
+repeats: 2
+want: [pull_off]'
+expect 2 '*repeats is 2: expected 1*' plan good
+write_case 'follow: tabor
+anchor_every: 4
+want: [pull_off]'
+expect 0 '' plan good
+check 'the plan tells' grep -q 'along tabor in 2 lines of 6: traced once in 4 scenes' "$work/stdout"
+expect 0 'good: 12 points, 1 checks: within' run good --output whole --jobs 2
+check 'most are followed' test "$(field whole/good/record.json 'sum(p["followed"] for p in d["points"])')" -ge 6
+
+# A line is solved as a whole, whatever is there of it and whatever is asked for.
+numbers() { field "$1" '[(p["id"], p["pull_off"], p["followed"], p["work"]["newton_iterations"]) for p in d["points"]]'; }
+expect 0 'good: 3 of 12 points, 1 checks: within' run good --output parts --points 7-9
+expect 0 'good: 12 points, 1 checks: within (3 points kept)' run good --output parts --jobs 1
+check 'the record is the same' test "$(numbers parts/good/record.json)" = "$(numbers whole/good/record.json)"
+expect 0 'good: 12 points, 1 checks: within (kept)' run good --output parts
+finish
