@@ -2,13 +2,13 @@
  * load are followed from scene to scene, at a few factorisations each.
  *
  * A trace finds all minima of its scene. From either of two neighbouring anchors every minimum is
- * followed to the other that is nearly as deep as the deepest there, and the deepest of those
+ * followed to the other that is not much shallower than the deepest there, and the deepest of those
  * followed is the pull-off of a scene between. That holds when what was followed agrees with the
  * trace it arrives at: no minimum arrives deeper than the pull-off traced there, and none ended on
  * the way as the deepest. Where it does not agree the scene half way between is traced, and so on.
  * So every pull-off is traced, or lies between two traces that agree with what was followed between
  * them. Not seen is a minimum that becomes the deepest and ceases to be so between two anchors, and
- * is not among the deepest at either of them. */
+ * is much shallower at either of them. */
 #ifndef PO_LINE_H
 #define PO_LINE_H
 

@@ -28,6 +28,8 @@ static const line_words LINES[] = {
     {'w', 9.1, 31.0, 16, 0.71, 0.6, 0, 0.0},
     {'r', 0.31, 1.43, 12, 1.17, 0.4, 17.3, 80.0},
     {'a', 0.3, 19.0, 14, 0.43, 0, 20.0, 100.0},
+    /* the deepest of the middle is neither at one end nor near the deepest at the other */
+    {'t', 2.1, 5.0, 8, 0, 5.02378, 20.0, 100.0},
 };
 
 static void make_line(const line_words *w, po_request *request) {
