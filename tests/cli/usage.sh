@@ -4,8 +4,8 @@
 . "$(dirname "$0")/lib.sh"
 
 man_page=$here/../../src/cli/pulloff.1
-expect 2 'pulloff: no verb is given: expected solve, theory, list, plan, run, verify, explain, *'
-expect 2 'pulloff: unknown verb dance: expected solve, theory, list, *' dance
+expect 2 'pulloff: no verb is given: expected solve, follow, theory, list, plan, run, verify, explain, *'
+expect 2 'pulloff: unknown verb dance: expected solve, follow, theory, list, *' dance
 expect 0 '' --version
 expect 0 '' --help
 for verb in solve theory list plan run verify explain bless report; do

@@ -28,8 +28,6 @@ static const line_words LINES[] = {
     {'w', 9.1, 31.0, 16, 0.71, 0.6, 0, 0.0},
     {'r', 0.31, 1.43, 12, 1.17, 0.4, 17.3, 80.0},
     {'a', 0.3, 19.0, 14, 0.43, 0, 20.0, 100.0},
-    /* the deepest of the middle is neither at one end nor near the deepest at the other */
-    {'t', 2.1, 5.0, 8, 0, 5.02378, 20.0, 100.0},
 };
 
 static void make_line(const line_words *w, po_request *request) {
@@ -76,6 +74,24 @@ START_TEST(followed_is_what_a_trace_finds) {
   }
   ck_assert_uint_ge(checked, 3);
   for (size_t k = 0; k < w->count; ++k)
+    po_outcome_clear(&outcome[k]);
+}
+END_TEST
+
+/* What pulls off last in the middle is neither there yet at one end, nor near the deepest at the
+ * other: 0.69 of it. */
+START_TEST(deepest_in_the_middle_alone) {
+  static const line_words WORDS = {'t', 2.5, 5.0, 4, 0, 5.02378, 20.0, 100.0};
+  po_request request[MOST];
+  po_outcome outcome[MOST], traced;
+  make_line(&WORDS, request);
+  ck_assert_int_eq(po_line_observe(request, WORDS.count, MOST, outcome), PO_OK);
+  ck_assert_int_eq(po_observe(&request[1], &traced), PO_OK);
+  ck_assert_double_eq_tol(outcome[1].pull_off.force, traced.pull_off.force, 2e-5);
+  ck_assert_double_eq_tol(outcome[1].pull_off.approach, traced.pull_off.approach, 1e-4);
+  ck_assert_double_gt(traced.pull_off.contact_radius, 30.0);
+  po_outcome_clear(&traced);
+  for (size_t k = 0; k < WORDS.count; ++k)
     po_outcome_clear(&outcome[k]);
 }
 END_TEST
@@ -132,6 +148,7 @@ END_TEST
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, followed_is_what_a_trace_finds, 0, sizeof LINES / sizeof *LINES);
   tcase_add_loop_test(tests, following_costs_little, 2, 4);
+  tcase_add_test(tests, deepest_in_the_middle_alone);
   tcase_add_test(tests, what_cannot_be_followed_is_traced);
 }
 
