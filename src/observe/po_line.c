@@ -128,8 +128,8 @@ static double take(stretch *s, size_t index) {
   o->pull_off.force = fabs(load);
   o->pull_off.approach = p.approach;
   o->pull_off.contact_radius = contact_radius;
-  o->pull_off.force_error = po_reader_error(request, p.load_error, load);
-  o->pull_off.approach_error = po_reader_error(request, p.approach_error, p.approach);
+  o->pull_off.force_error = po_reader_load_error(request, p.load_error, load);
+  o->pull_off.approach_error = po_reader_approach_error(request, p.approach_error, p.approach);
   return load;
 }
 

@@ -24,9 +24,9 @@ static const double SAME_APPROACH = 1e-9;
 /* Waves whose minima rise more and more after the deepest: the envelope is past its own. */
 enum { ENOUGH_RISES = 2 };
 
-/* In parts of the tolerance: an error that halving the panels does not show. On random scenes at
- * 1e-4 such errors of 1e-6 occur. */
-static const double UNSEEN = 2e-2;
+/* In parts of the tolerance: errors of the load and of the approach that halving the panels does
+ * not show. On random scenes at 1e-4 such errors of 3e-6 and 1e-7 occur. */
+static const double UNSEEN_LOAD = 3e-2, UNSEEN_APPROACH = 2e-3;
 
 /* How far beyond pull-off the next wave's minimum is at least, in wavelengths (they are one apart,
  * a little less at first). Minima in between are ripples. */
@@ -114,12 +114,22 @@ static po_landmark_kind kind_of(po_point_kind kind) {
   }
 }
 
-double po_reader_error(const po_request *request, double estimate, double value) {
-  return estimate + UNSEEN * request->mesh.tolerance * (1.0 + fabs(value));
+double po_reader_load_error(const po_request *request, double estimate, double load) {
+  return estimate + UNSEEN_LOAD * request->mesh.tolerance * (1.0 + fabs(load));
 }
 
-static double error_of(const po_reader *r, double estimate, double value) {
-  return r->outcome->rigid ? estimate : po_reader_error(r->request, estimate, value);
+double po_reader_approach_error(const po_request *request, double estimate, double approach) {
+  return estimate + UNSEEN_APPROACH * request->mesh.tolerance * (1.0 + fabs(approach));
+}
+
+static double load_error(const po_reader *r, const po_branch_point *p) {
+  return r->outcome->rigid ? p->load_error
+                           : po_reader_load_error(r->request, p->load_error, p->load);
+}
+
+static double approach_error(const po_reader *r, const po_branch_point *p) {
+  return r->outcome->rigid ? p->approach_error
+                           : po_reader_approach_error(r->request, p->approach_error, p->approach);
 }
 
 static void add_landmark(po_reader *r, const po_branch_point *p, double contact_radius) {
@@ -134,8 +144,8 @@ static void add_landmark(po_reader *r, const po_branch_point *p, double contact_
                                       .approach = p->approach,
                                       .load = p->load,
                                       .energy = p->energy,
-                                      .approach_error = error_of(r, p->approach_error, p->approach),
-                                      .load_error = error_of(r, p->load_error, p->load),
+                                      .approach_error = approach_error(r, p),
+                                      .load_error = load_error(r, p),
                                       .contact_radius = contact_radius,
                                       .position = p->position,
                                       .unstable_modes = p->unstable_modes};
@@ -192,8 +202,8 @@ static void note_minimum(po_reader *r, const po_branch_point *p, double contact_
     o->pull_off.force = fabs(p->load);
     o->pull_off.approach = p->approach;
     o->pull_off.contact_radius = contact_radius;
-    o->pull_off.force_error = error_of(r, p->load_error, p->load);
-    o->pull_off.approach_error = error_of(r, p->approach_error, p->approach);
+    o->pull_off.force_error = load_error(r, p);
+    o->pull_off.approach_error = approach_error(r, p);
     if ((r->request->want & PO_WANT_PROFILE) && isnan(r->request->profile_approach))
       keep_profile(r, p);
   }

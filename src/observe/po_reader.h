@@ -43,7 +43,9 @@ void po_reader_end(po_reader *reader);
  * preload. */
 bool po_reader_visit(const po_branch_point *point, void *data);
 
-/* A bound of an error from its estimate and from what an estimate cannot resolve. */
-double po_reader_error(const po_request *request, double estimate, double value);
+/* Bounds of the errors of a load and of an approach from their estimates and from what an estimate
+ * cannot resolve. */
+double po_reader_load_error(const po_request *request, double estimate, double load);
+double po_reader_approach_error(const po_request *request, double estimate, double approach);
 
 #endif
