@@ -1,0 +1,148 @@
+"""Figure 14 (and any like it): map of the pull-off force over the Tabor parameter and A/λ."""
+
+import dataclasses
+import math
+
+import contourpy
+import matplotlib
+import numpy
+from markupsafe import Markup
+
+from .. import gnuplot, svg
+from ..words import plain, scientific, value_of
+from .figure import Figure, failures
+
+# The forces at which the colour changes, close together about 1.5 (JKR) and 2 (Bradley).
+LEVELS = (0.05, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0)
+# Those whose lines are drawn and labelled.
+LABELLED = (0.1, 0.2, 0.5, 1.0, 1.5, 2.0, 3.0, 5.0, 7.0)
+SHORTEST = 0.12  # of a line that is labelled, in parts of the width
+APART = 0.13     # of labels, likewise, and from the frame half of it
+MARKED = 0.1    # A/λ from which the paper finds that JKR fails
+GREATEST = 8.0   # force shown at the sides
+
+
+def grid(case):
+    """Sorted μ and A/λ, and (μ, A/λ) -> force."""
+    force = {}
+    for point in case.points:
+        tabor, ratio = value_of(point, "tabor"), float(f"{value_of(point, 'amplitude_ratio'):.6g}")
+        if point.get("pull_off"):
+            force[tabor, ratio] = point["pull_off"]["force"]
+    return sorted({t for t, _ in force}), sorted({r for _, r in force}), force
+
+
+def rings(generator, level):
+    """The region above a level as closed paths; a hole hangs on its outline by a seam of no width."""
+    polygons, offsets = generator.filled(level, math.inf)
+    for points, ends in zip(polygons, offsets):
+        path = points[:ends[1]].tolist()
+        for begin, end in zip(ends[1:-1], ends[2:]):
+            path += points[begin:end].tolist() + [path[0]]
+        yield path
+
+
+def label_place(line, taken):
+    """The straightest place of a line that is away from the frame and from other labels."""
+    best, place = 0.0, None
+    for k in range(3, len(line) - 3):
+        x, y = line[k]
+        if min(x, y, 1 - x, 1 - y) < APART / 2 or any(math.hypot(x - a, y - b) < APART for a, b in taken):
+            continue
+        (ax, ay), (bx, by) = line[k - 3], line[k + 3]
+        length = sum(math.dist(line[m], line[m + 1]) for m in range(k - 3, k + 3))
+        straight = math.hypot(bx - ax, by - ay) / length if length else 0.0
+        if straight > best + 0.02:
+            best, place = straight, (x, y)
+    return place
+
+
+def contours(tabors, ratios, force):
+    """Filled regions, one block a level, and the lines with the places of their labels."""
+    x = numpy.linspace(0, 1, len(tabors))
+    y = numpy.linspace(0, 1, len(ratios))
+    z = numpy.array([[math.log(force.get((t, r), math.nan)) for t in tabors] for r in ratios])
+    generator = contourpy.contour_generator(x, y, numpy.ma.masked_invalid(z), fill_type="OuterOffset")
+    regions, lines, taken, labels = [], [], [], []
+    for level in LEVELS:
+        regions.append([row for path in rings(generator, math.log(level)) for row in path + [(math.nan,) * 2]])
+    for level in LABELLED:
+        for line in generator.lines(math.log(level)):
+            line = line.tolist()
+            length = sum(math.dist(a, b) for a, b in zip(line, line[1:]))
+            lines += line + [(math.nan,) * 2]
+            place = label_place(line, taken) if length > SHORTEST else None
+            if place:
+                taken.append(place)
+                labels.append((*place, level))
+    return regions, lines, labels
+
+
+def edge(case, name, columns):
+    """The table of a line of the case: rows of A/λ and columns."""
+    for line in case.record.get("lines", []):
+        if line["name"] == name:
+            table = case._table(line["table"])
+            return list(zip(*(table.numbers(column).tolist() for column in columns)))
+    return []
+
+
+def make(case, references):
+    tabors, ratios, force = grid(case)
+    regions, lines, labels = contours(tabors, ratios, force)
+
+    def height(ratio):
+        return math.log(ratio / ratios[0]) / math.log(ratios[-1] / ratios[0])
+
+    rigid = [(f, height(r)) for r, f in edge(case, "rigid", ("amplitude_ratio", "pull_off_force"))]
+    guduru = [(f, height(r)) for r, t, f in
+              edge(case, "guduru", ("amplitude_ratio", "tabor", "pull_off_force"))
+              if math.isclose(t, tabors[-1], rel_tol=1e-6) and f <= GREATEST]
+    left, right = ([(force[t, r], height(r)) for r in ratios if (t, r) in force]
+                   for t in (tabors[0], tabors[-1]))
+    wavelength = case.points[0]["input"]["wavelength"]
+    shades = matplotlib.colormaps["cividis"](numpy.linspace(0.0, 1.0, len(LEVELS) + 1))
+    parameters = {
+        "level_count": len(LEVELS), "levels": [f"{level:g}" for level in LEVELS],
+        "colours": [matplotlib.colors.to_hex(shade) for shade in shades],
+        "label_count": len(labels), "label_x": [float(row[0]) for row in labels],
+        "label_y": [float(row[1]) for row in labels], "label_text": [f"{row[2]:g}" for row in labels],
+        "x_low": tabors[0], "x_high": tabors[-1], "y_low": ratios[0], "y_high": ratios[-1],
+        "mark": height(MARKED), "greatest": GREATEST,
+        "left_tabor": plain(tabors[0]), "right_tabor": plain(tabors[-1])}
+    data = {"regions": regions, "lines": [lines], "left": [rigid, left], "right": [guduru, right]}
+    drawn = gnuplot.draw("pull_off_map", parameters, data)
+    label = f"Pull-off force over the Tabor parameter and A/λ for λ = {plain(wavelength)} ε"
+    return Figure(case.name, case.figure, f"Map of the pull-off force, λ† = {plain(wavelength)}",
+                  Markup(svg.embeddable(drawn, case.name, label)), caption(case, wavelength, tabors, force),
+                  failures(case), case.record["command"])
+
+
+def caption(case, wavelength, tabors, force):
+    place_of_top = max(force, key=force.get)
+    top = force[place_of_top]
+    followed = sum(bool(point.get("followed")) for point in case.points)
+    worst = max(point["pull_off"]["error_estimate"] / point["pull_off"]["force"]
+                for point in case.points if point.get("pull_off"))
+    return Markup(
+        "Pull-off force |W̄| for λ† = {}, R† = 100, r<sub>max</sub> = R. The shade changes at every level of the "
+        "bar; the greatest force is {} at μ = {}, A/λ = {}. Dashed: "
+        "A/λ = 0.1, beyond which the paper finds that JKR fails. At the sides, computed (symbols) and in the limit (lines): the force at μ = {} and "
+        "the rigid one (Eq 22), that at μ = {} and that of full contact (Eq 5). {} points, {} of them followed from "
+        "traced ones; the largest estimated error is {} of the force.").format(
+            plain(wavelength), plain(round(top, 3)), plain(place_of_top[0]), plain(round(place_of_top[1], 4)),
+            plain(tabors[0]), plain(tabors[-1]), len(case.points), followed, scientific(worst))
+
+
+@dataclasses.dataclass(frozen=True)
+class Map:
+    """What stands for the module of a figure."""
+    NUMBER: str
+    TITLE: str
+
+    @staticmethod
+    def make(case, references):
+        return make(case, references)
+
+
+FIG14 = Map("14", "Map of the pull-off force, λ† = 20")
