@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """JKR contact of a sphere with an axisymmetric waviness (Guduru, Eq 5): curves and pull-off.
 
-    guduru.py --write [DIR]      regenerate guduru.csv and guduru_pull_off.csv
+    guduru.py --write [DIR]      regenerate guduru.csv, guduru_pull_off.csv, guduru_limit.csv
     guduru.py --sample           recompute a sample, compare (exit 1 on disagreement)
 
 Routes: Eq 5 with Struve functions (mpmath), against the JKR/Abel contact integrals of the profile
@@ -32,6 +32,11 @@ RATIOS = ("0.01", "0.03", "0.1", "0.3", "1")           # A/lambda
 OTHERS = [("0.1", "1", "20", "100"), ("0.25", "0.05", "3.7", "17"), ("1", "1", "20", "100"),
           ("5", "0.1", "20", "100"), ("5", "1", "20", "100"), ("2.385", "0.7", "11", "250"),
           ("5", "5", "5", "100"), ("3", "0", "20", "100"), ("5", "0.05", "5", "100")]
+
+# What the Lennard-Jones solution tends to as mu grows: smooth and gently wavy spheres.
+LIMITS = ([(tabor, "0", "20", "100") for tabor in "2 3 5 7 10 14 20 30 50".split()]
+          + [(tabor, amplitude, "10", "100") for tabor in ("5", "10", "20")
+             for amplitude in ("0.02", "0.1", "0.4")])
 
 KNOWN = (("5", "10", "20", "100"), "19.9243")           # pull-off force, as in the notes
 
@@ -235,6 +240,13 @@ TABLES = [
                  "zero of the slope found on both routes; global: every local minimum of a scan up to "
                  "a contact radius beyond which the load is provably positive"),
           limit="1e-22", tolerance="1e-19", stride=16, checks=known),
+    Table("guduru_limit.csv",
+          ["tabor", "amplitude", "wavelength", "radius", "contact_radius", "force", "approach"],
+          LIMITS, pull_off_row,
+          header("pull-off of the JKR contact, Eq 5, of scenes whose Lennard-Jones solution tends to it "
+                 "as the Tabor parameter grows",
+                 "zero of the slope found on both routes; global: as guduru_pull_off.csv"),
+          limit="1e-22", tolerance="1e-19", stride=8),
 ]
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The rigid wavy sphere: load (Eq 22) and pull-off.
 
-    rigid.py --write [DIR]       regenerate rigid_integral, rigid_curves and rigid_pull_off.csv
+    rigid.py --write [DIR]       regenerate rigid_integral, rigid_curves, rigid_pull_off and rigid_limit.csv
     rigid.py --sample            recompute a sample, compare (exit 1 on disagreement)
 
 With x = 1 - approach and q(t) = x + A (1 - cos t) + A t^2/(8 pi^2 alpha), Eqs 21-22 are
@@ -36,6 +36,9 @@ PLAIN = [("0.25", "1"), ("0.37", "3.3"), ("1.7", "27")]         # alpha, A as th
 # Figure 6: A = 1; distances 1/(a + k h), closest where the load is steep, up to LAST_LOAD.
 CURVES = ["0.0001", "0.01", "0.1", "1", "10"]
 FAR_DISTANCE, NEAR_DISTANCE, CURVE_STEP, LAST_LOAD = 6, 0.3, 0.012, 1
+
+# amplitude, wavelength, radius of the limit of small Tabor parameters.
+LIMITS = [(amplitude, "20", "100") for amplitude in "0.1 1 10 100 1000 10000".split()]
 
 INTEGRAL_PAIRS = [("0.25", "1"), ("0.0001", "1"), ("100", "0.001"), ("100", "10000"), ("0.01", "10000"),
                   ("0.37", "3.3"), ("1.7", "27"), ("13", "0.3"), ("0.003", "150"), ("1", "1000")]
@@ -252,6 +255,12 @@ def pull_off_row(point, agreement):
     return [*printed, text(-exact(value), DIGITS), text(1 - exact(x), DIGITS)]
 
 
+def limit_row(words, agreement):
+    amplitude, wavelength, radius = (LONG(word) for word in words)
+    alpha = amplitude * radius / (wavelength * wavelength)
+    return [*words, *pull_off_row(((str(alpha), words[0]), False), agreement)[2:]]
+
+
 def known():
     """The forces of the notes, and a smooth sphere (Bradley, Eq 23): 2 as alpha goes to 0."""
     for alpha, amplitude, force in KNOWN:
@@ -306,6 +315,12 @@ TABLES = [
                  "with the gap)",
                  "1e-16 relative of force; 1e-16 absolute of approach"),
           limit="1e-16", tolerance="1e-16", absolute="1e-16", stride=22, checks=known),
+    Table("rigid_limit.csv", ["amplitude", "wavelength", "radius", "force", "approach"], LIMITS, limit_row,
+          {key: value for key, value in header(
+              "pull-off of the rigid wavy sphere, Eq 22, that the elastic one tends to as the Tabor "
+              "parameter goes to 0", "as rigid_pull_off.csv",
+              "1e-16 relative of force; 1e-16 absolute of approach").items() if key != "tabor"},
+          limit="1e-16", tolerance="1e-16", absolute="1e-16", stride=5),
 ]
 
 

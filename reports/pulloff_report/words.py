@@ -10,11 +10,14 @@ THIN = "\u202f"  # narrow, and no line breaks at it
 
 # Swept and scene keys -> the paper's letters.
 SYMBOLS = {"tabor": "μ", "nodes": "N", "amplitude": "A†", "wavelength": "λ†", "radius": "R†",
-           "outer_radius": "r†max"}
+           "outer_radius": "r†max", "approach_start": "from Δ†", "approach_end": "to Δ†"}
 
 QUANTITIES = {
     "pull_off_force": "Pull-off force |W̄|",
     "pull_off_approach": "Approach at pull-off Δ†",
+    "residual": "Residual of the discrete equations",
+    "moved_force": "Pull-off force when inputs move by a last bit, relative change",
+    "energy_defect": "Energy gained less work done, over the range of the energy",
     "fold_count": "Number of folds",
     "fold_approach": "Approach at a fold Δ†",
     "fold_load": "Load at a fold W̄",

@@ -77,6 +77,31 @@ void po_adaptive_destroy(po_adaptive *a) {
   free(a);
 }
 
+/* Whether `node` are the nodes of a leaf, to rounding. */
+static bool has_nodes(const po_adaptive *a, po_leaf leaf, const double *node) {
+  const double begin = a->root * po_leaf_begin(leaf), size = a->root * po_leaf_size(leaf);
+  for (size_t j = 0; j < ORDER; ++j)
+    if (!(fabs(begin + size * a->table->rule.node[j] - node[j]) < 1e-9 * size))
+      return false;
+  return true;
+}
+
+po_status po_adaptive_leaves_of(const po_adaptive *a, size_t n, const double *node,
+                                po_leaves *leaves) {
+  const double *x = a->table->rule.node;
+  leaves->count = 0;
+  for (size_t j = 0; j + ORDER <= n && leaves->count < PO_MOST_LEAVES; j += ORDER) {
+    const double size = (node[j + ORDER - 1] - node[j]) / (x[ORDER - 1] - x[0]);
+    const double begin = (node[j] - x[0] * size) / size;
+    const po_leaf leaf = {(uint32_t)lround(log2(a->root / size)), (uint32_t)lround(begin)};
+    if (!has_nodes(a, leaf, node + j))
+      break;
+    leaves->leaf[leaves->count++] = leaf;
+  }
+  return leaves->count * ORDER == n ? PO_OK
+                                    : po_fail(PO_BAD_INPUT, "radii that are not those of panels");
+}
+
 static po_panel panel_of(const po_adaptive *a, const po_leaves *leaves, size_t k) {
   if (k == leaves->count)
     return (po_panel){a->root, INFINITY};

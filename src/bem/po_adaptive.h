@@ -24,6 +24,11 @@ double po_adaptive_root(const po_adaptive *adaptive);
 /* Nodes a surface may have at most: what arrays over the nodes need. */
 size_t po_adaptive_capacity(const po_adaptive *adaptive);
 
+/* The leaves whose nodes are the n radii (eps) inside the root. Status: PO_BAD_INPUT when there are
+ * none such. */
+po_status po_adaptive_leaves_of(const po_adaptive *adaptive, size_t n, const double *node,
+                                po_leaves *leaves);
+
 /* Puts new leaves in force. Status: PO_OUT_OF_NODES when they are too many; nothing is changed
  * then. */
 po_status po_adaptive_mesh(po_adaptive *adaptive, const po_leaves *leaves);

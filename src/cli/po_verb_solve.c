@@ -29,8 +29,10 @@ static const char HELP[] =
     "  --approach-start D      where the trace begins (chosen by the solver)\n"
     "  --approach-end D        where it ends (once pressed harder than pulled)\n"
     "  --time-limit S          seconds of processor time after which the solve ends (none)\n"
-    "  --want LIST             of curve, profile, hysteresis: points of the branch; gap and\n"
-    "                          traction over the radius; loading and unloading with jumps\n"
+    "  --want LIST             of curve, profile, hysteresis, diagnostics: points of the branch; "
+    "gap and\n"
+    "                          traction over the radius; loading and unloading with jumps;\n"
+    "                          residuals, condition numbers, digits left\n"
     "  --profile-approach D    where the profile is taken (at pull-off)\n"
     "  --preload D             approach at which loading is reversed, and\n"
     "  --preload-load W        load at which it is, whichever comes first (the pull-off force)\n"
@@ -81,8 +83,8 @@ static po_status take_want(solve_line *line, const char *list) {
            (strlen(po_want_name(k)) != length || strncmp(item, po_want_name(k), length) != 0))
       ++k;
     if (k == PO_WANT_COUNT)
-      return po_options_refuse("want", list,
-                               "any of curve, profile, hysteresis, with commas between");
+      return po_options_refuse(
+          "want", list, "any of curve, profile, hysteresis, diagnostics, with commas between");
     line->request.want |= 1u << k;
     item += length;
     if (*item == '\0')

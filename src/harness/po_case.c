@@ -18,6 +18,9 @@ static const char *const QUANTITIES[PO_QUANTITY_COUNT] = {
     [PO_FOLDS] = "folds",
     [PO_EXTREMA] = "extrema",
     [PO_CURVE] = "curve",
+    [PO_RESIDUAL] = "residual",
+    [PO_MOVED_FORCE] = "moved_force",
+    [PO_ENERGY_DEFECT] = "energy_defect",
     [PO_WORK] = "work",
     [PO_SOLVED_SHARE] = "solved_share",
 };
@@ -26,6 +29,10 @@ static const char *const KINDS[] = {"abs", "rel", "ulp"};
 
 const char *po_quantity_name(po_quantity quantity) {
   return QUANTITIES[quantity];
+}
+
+bool po_quantity_is_diagnostic(po_quantity quantity) {
+  return quantity == PO_RESIDUAL || quantity == PO_MOVED_FORCE || quantity == PO_ENERGY_DEFECT;
 }
 
 const char *po_tolerance_kind_name(po_tolerance_kind kind) {

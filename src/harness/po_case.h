@@ -25,11 +25,15 @@ typedef enum {
   PO_CASE_CURVE = 8,
   PO_CASE_PROFILE = 16,
   PO_CASE_HYSTERESIS = 32,
+  PO_CASE_DIAGNOSTICS = 64,
 } po_case_want;
 
 typedef enum {
   PO_PULL_OFF_FORCE,
   PO_PULL_OFF_APPROACH,
+  PO_RESIDUAL,      /* of the discrete equations, see po_diagnostics.h */
+  PO_MOVED_FORCE,   /* change of the force with the last bits of the inputs */
+  PO_ENERGY_DEFECT, /* of dU = W dapproach */
   PO_FOLD_COUNT,
   PO_FOLDS,
   PO_EXTREMA,
@@ -215,6 +219,12 @@ const char *po_case_argument(const po_case *kase);
 
 /* The reference of a solved_share: every scene has its equilibria. */
 #define PO_EVERY_SCENE "every_scene"
+
+/* The reference of what an exact solution has none of: residuals and the like. */
+#define PO_ZERO "zero"
+
+/* Whether a quantity is of the diagnostics, and so only set beside zero. */
+bool po_quantity_is_diagnostic(po_quantity quantity);
 
 /* Names, as in case files. */
 const char *po_quantity_name(po_quantity quantity);

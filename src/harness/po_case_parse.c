@@ -18,8 +18,8 @@ bool po_case_is_name(const char *text) {
 }
 
 static po_status parse_names(po_case *kase, const po_yaml *yaml) {
-  static const char *const WANTS[] = {"pull_off", "folds",   "extrema",
-                                      "curve",    "profile", "hysteresis"};
+  static const char *const WANTS[] = {"pull_off", "folds",      "extrema",    "curve",
+                                      "profile",  "hysteresis", "diagnostics"};
   const po_case_file *file = kase->file;
   if (!po_case_is_name(file->name) || strlen(file->name) > 64)
     return po_schema_refuse(yaml, NULL, "name");
@@ -37,7 +37,8 @@ static po_status parse_names(po_case *kase, const po_yaml *yaml) {
       if (strcmp(file->want_names[i], WANTS[k]) == 0)
         want = 1u << k;
     if (!want)
-      return po_schema_refuse(yaml, "pull_off, folds, extrema, curve, profile or hysteresis",
+      return po_schema_refuse(yaml,
+                              "pull_off, folds, extrema, curve, profile, hysteresis or diagnostics",
                               "want[%u]", i + 1);
     kase->want |= want;
   }
@@ -108,6 +109,14 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
     return po_schema_refuse(yaml, "abs, as the distance between curves is one", "checks[%u].kind",
                             number);
   check->kind = (po_tolerance_kind)kind;
+  const bool diagnostic = po_quantity_is_diagnostic(check->quantity);
+  if (diagnostic != (strcmp(check->reference, PO_ZERO) == 0))
+    return po_schema_refuse(yaml,
+                            diagnostic ? "zero, as an exact solution has none of it"
+                                       : "bradley, pin or the path of a CSV file",
+                            "checks[%u].reference", number);
+  if (diagnostic && kind != PO_TOLERANCE_ABS)
+    return po_schema_refuse(yaml, "abs, as the reference is zero", "checks[%u].kind", number);
   const bool share = check->quantity == PO_SOLVED_SHARE;
   if (share != (strcmp(check->reference, PO_EVERY_SCENE) == 0))
     return po_schema_refuse(yaml,
@@ -163,7 +172,7 @@ static po_status check_as_if(const po_check *check, unsigned number, const po_ya
 /* What is no file cannot be absent. */
 static bool is_file(const char *reference) {
   return strcmp(reference, "bradley") != 0 && strcmp(reference, "pin") != 0 &&
-         strcmp(reference, PO_EVERY_SCENE) != 0;
+         strcmp(reference, PO_ZERO) != 0 && strcmp(reference, PO_EVERY_SCENE) != 0;
 }
 
 /* What stands in must itself be compared, or the check would be left out for nothing. */

@@ -14,7 +14,7 @@ static const po_reference_number NOTHING = {(double)NAN, (double)NAN};
 /* A number of folds is one in a table of pins; elsewhere it is that of the landmarks in range. */
 static bool is_single(po_quantity quantity, const po_reference *reference) {
   return quantity == PO_PULL_OFF_FORCE || quantity == PO_PULL_OFF_APPROACH ||
-         (quantity == PO_FOLD_COUNT && reference->is_pin);
+         po_quantity_is_diagnostic(quantity) || (quantity == PO_FOLD_COUNT && reference->is_pin);
 }
 
 double po_compare_obtained(po_quantity quantity, const po_outcome *outcome) {
@@ -22,6 +22,12 @@ double po_compare_obtained(po_quantity quantity, const po_outcome *outcome) {
     return outcome->status == PO_OK ? (double)outcome->fold_count : (double)NAN;
   if (!outcome->has_pull_off || outcome->status != PO_OK)
     return (double)NAN;
+  if (quantity == PO_RESIDUAL)
+    return outcome->diagnostics.residual;
+  if (quantity == PO_MOVED_FORCE)
+    return outcome->diagnostics.moved.change;
+  if (quantity == PO_ENERGY_DEFECT)
+    return outcome->diagnostics.energy_defect;
   return quantity == PO_PULL_OFF_FORCE ? outcome->pull_off.force : outcome->pull_off.approach;
 }
 

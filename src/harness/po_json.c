@@ -77,6 +77,8 @@ json_t *po_json_outcome(const po_request *request, const po_outcome *outcome) {
                              "work", work(&outcome->work));
   if (object && outcome->has_hysteresis)
     json_object_set_new(object, "hysteresis", po_json_hysteresis(request, outcome));
+  if (object && (outcome->diagnostics.states || outcome->diagnostics.moved.solves))
+    json_object_set_new(object, "diagnostics", po_json_diagnostics(outcome));
   return object;
 }
 

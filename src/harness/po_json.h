@@ -16,8 +16,8 @@ json_t *po_json_number(double value);
  * "approach_start": number or null (chosen by the solver)}. */
 json_t *po_json_input(const po_request *request);
 
-/* {"input", "status", "reason", "rigid", "pull_off", "folds", "extrema", "work"}, and "hysteresis"
- * where that was read off: no arrays of points. NULL without memory. */
+/* {"input", "status", "reason", "rigid", "pull_off", "folds", "extrema", "work"}, "hysteresis"
+ * and "diagnostics" where these were wanted: no arrays of points. NULL without memory. */
 json_t *po_json_outcome(const po_request *request, const po_outcome *outcome);
 
 /* The points of the branch, and of the profile. */
@@ -32,6 +32,10 @@ json_t *po_json_hysteresis(const po_request *request, const po_outcome *outcome)
  * "z", "aa"... in unloading. */
 enum { PO_JUMP_LABEL_LENGTH = 8 };
 void po_json_jump_label(bool loading, size_t number, char label[PO_JUMP_LABEL_LENGTH]);
+
+/* {"residual", "rounding", "undiagnosed", "states", "sensitivity", "moved", "energy_defect",
+ * "energy_defect_at", "seconds"}. */
+json_t *po_json_diagnostics(const po_outcome *outcome);
 
 /* Writes a document with 17 significant digits, indented, ending in a newline. */
 po_status po_json_print(const json_t *document, po_text *text);

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "po_json.h"
+#include "po_json_parts.h"
 #include "po_memory.h"
 
 double po_json_read_number(const json_t *object, const char *key) {
@@ -10,7 +11,7 @@ double po_json_read_number(const json_t *object, const char *key) {
   return json_is_number(item) ? json_number_value(item) : (double)NAN;
 }
 
-static uint64_t count_of(const json_t *object, const char *key) {
+uint64_t po_json_count_of(const json_t *object, const char *key) {
   return (uint64_t)json_integer_value(json_object_get(object, key));
 }
 
@@ -60,13 +61,13 @@ static po_status read_landmarks(const json_t *array, po_landmark **list, size_t 
 }
 
 static void read_work(const json_t *object, po_work *work) {
-  work->points = count_of(object, "points");
-  work->newton_iterations = count_of(object, "newton_iterations");
-  work->factorizations = count_of(object, "factorizations");
-  work->kernel_evaluations = count_of(object, "kernel_evaluations");
-  work->nodes = count_of(object, "nodes");
-  work->factorized_nodes = count_of(object, "factorized_nodes");
-  work->meshes = count_of(object, "meshes");
+  work->points = po_json_count_of(object, "points");
+  work->newton_iterations = po_json_count_of(object, "newton_iterations");
+  work->factorizations = po_json_count_of(object, "factorizations");
+  work->kernel_evaluations = po_json_count_of(object, "kernel_evaluations");
+  work->nodes = po_json_count_of(object, "nodes");
+  work->factorized_nodes = po_json_count_of(object, "factorized_nodes");
+  work->meshes = po_json_count_of(object, "meshes");
   work->seconds = po_json_read_number(object, "seconds");
 }
 
@@ -95,6 +96,8 @@ po_status po_json_read_outcome(const json_t *object, po_outcome *outcome) {
                             &outcome->extremum_count);
   if (!status)
     status = po_json_read_hysteresis(json_object_get(object, "hysteresis"), outcome);
+  if (!status)
+    status = po_json_read_diagnostics(json_object_get(object, "diagnostics"), outcome);
   if (status)
     po_outcome_clear(outcome);
   return status;

@@ -35,9 +35,15 @@ static void decide(po_plan *plan) {
     plan->want |= PO_WANT_PROFILE;
   if (kase->want & PO_CASE_HYSTERESIS)
     plan->want |= PO_WANT_HYSTERESIS;
-  for (unsigned i = 0; i < kase->file->checks_count; ++i)
-    if (kase->file->checks[i].quantity == PO_CURVE && !plan->references[i].is_absent)
+  if (kase->want & PO_CASE_DIAGNOSTICS)
+    plan->want |= PO_WANT_DIAGNOSTICS;
+  for (unsigned i = 0; i < kase->file->checks_count; ++i) {
+    const po_quantity quantity = kase->file->checks[i].quantity;
+    if (quantity == PO_CURVE && !plan->references[i].is_absent)
       plan->want |= PO_WANT_CURVE;
+    if (po_quantity_is_diagnostic(quantity))
+      plan->want |= PO_WANT_DIAGNOSTICS;
+  }
   for (unsigned i = 0; i < kase->file->measure_count; ++i)
     if (kase->file->measure[i].quantity == PO_CURVE)
       plan->want |= PO_WANT_CURVE;

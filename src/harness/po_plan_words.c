@@ -128,6 +128,11 @@ static po_status tell_wants(po_plan *plan) {
   if (!status && plan->want & PO_WANT_HYSTERESIS)
     status = say(plan, "follow loading and unloading, by approach and by load: the case wants the "
                        "hysteresis");
+  if (!status)
+    status = plan->want & PO_WANT_DIAGNOSTICS
+                 ? say(plan, "diagnose each scene, and solve it again with each input moved by a "
+                             "last bit, both ways")
+                 : say(plan, "no diagnostics: nothing wants them");
   if (!status && kase->repeats > 1)
     status = say(plan,
                  "each solve %u times, alone on the machine, in rounds over all points: the times "

@@ -69,7 +69,8 @@ po_status po_reference_open(const char *data_folder, const char *name, po_refere
   *reference = (po_reference){.name = name};
   reference->is_bradley = strcmp(name, "bradley") == 0;
   reference->is_every_scene = strcmp(name, PO_EVERY_SCENE) == 0;
-  if (reference->is_bradley || reference->is_every_scene) {
+  reference->is_zero = strcmp(name, PO_ZERO) == 0;
+  if (reference->is_bradley || reference->is_every_scene || reference->is_zero) {
     po_digest_bytes(name, strlen(name), reference->digest);
     return PO_OK;
   }
@@ -197,6 +198,10 @@ po_status po_reference_find(const po_reference *reference, po_quantity quantity,
                             const po_request *request, po_reference_number *number) {
   if (reference->is_bradley)
     return po_bradley_find(quantity, request, number);
+  if (reference->is_zero) {
+    *number = (po_reference_number){0};
+    return PO_OK;
+  }
   if (reference->is_pin)
     return po_pins_find(reference, quantity, request, number);
   if (!headers_hold(&reference->table, request))

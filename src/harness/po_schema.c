@@ -216,11 +216,12 @@ static const struct {
     {"follow", "the last key of the sweep, with a number for a value"},
     {"anchor_every", "a whole number from 1 to 1000, beside follow"},
     {"repeats", "a whole number from 1 to 1000"},
-    {"want", "a list of pull_off, folds, extrema, curve, profile, hysteresis"},
+    {"want", "a list of pull_off, folds, extrema, curve, profile, hysteresis, diagnostics"},
     {"checks", "a list of checks"},
-    {"checks.quantity", "pull_off_force, pull_off_approach, fold_count, folds, extrema, curve, "
-                        "work or solved_share"},
-    {"checks.reference", "bradley, pin, every_scene or the path of a CSV file"},
+    {"checks.quantity", "pull_off_force, pull_off_approach, residual, moved_force, "
+                        "energy_defect, fold_count, "
+                        "folds, extrema, curve, work or solved_share"},
+    {"checks.reference", "bradley, pin, every_scene, zero or the path of a CSV file"},
     {"checks.tolerance", "a finite number > 0"},
     {"checks.kind", "abs, rel or ulp"},
     {"checks.because", "the reason for the tolerance"},

@@ -2,6 +2,7 @@
 
 #include <cblas.h>
 #include <lapacke.h>
+#include <math.h>
 
 extern void openblas_set_num_threads(int threads);
 extern char *openblas_get_config(void);
@@ -34,6 +35,26 @@ po_status po_linear_factorize_single(size_t n, float *a, size_t stride, int *piv
 void po_linear_solve_single(size_t n, const float *a, size_t stride, const int *pivots, float *x) {
   LAPACKE_sgetrs_work(LAPACK_COL_MAJOR, 'N', (lapack_int)n, 1, a, (lapack_int)stride, pivots, x,
                       (lapack_int)n);
+}
+
+void po_linear_solve_transposed(size_t n, const double *a, size_t stride, const int *pivots,
+                                double *x) {
+  LAPACKE_dgetrs_work(LAPACK_COL_MAJOR, 'T', (lapack_int)n, 1, a, (lapack_int)stride, pivots, x,
+                      (lapack_int)n);
+}
+
+double po_linear_norm(size_t n, const double *a, size_t stride) {
+  double largest = 0.0;
+  for (size_t j = 0; j < n; ++j)
+    largest = fmax(largest, cblas_dasum((int)n, a + stride * j, 1));
+  return largest;
+}
+
+double po_linear_condition(size_t n, const double *a, size_t stride, double norm) {
+  double reciprocal = 0.0;
+  const lapack_int info = LAPACKE_dgecon(LAPACK_COL_MAJOR, '1', (lapack_int)n, a,
+                                         (lapack_int)stride, norm, &reciprocal);
+  return info ? (double)NAN : 1.0 / reciprocal;
 }
 
 void po_linear_apply(size_t rows, size_t columns, const double *a, size_t stride, const double *x,

@@ -22,6 +22,18 @@ po_status po_linear_factorize_single(size_t n, float *a, size_t stride, int *piv
 void po_linear_solve(size_t n, const double *a, size_t stride, const int *pivots, double *x);
 void po_linear_solve_single(size_t n, const float *a, size_t stride, const int *pivots, float *x);
 
+/* The same with the transpose of the matrix. */
+void po_linear_solve_transposed(size_t n, const double *a, size_t stride, const int *pivots,
+                                double *x);
+
+/* The 1-norm: the largest sum of the moduli of a column. */
+double po_linear_norm(size_t n, const double *a, size_t stride);
+
+/* An estimate (from below, mostly within a factor of 3: Higham, Accuracy and Stability, Ch. 15) of
+ * the condition number in the 1-norm. Given: the factors, and the norm before. Returned: INFINITY
+ * when singular; NaN without memory. */
+double po_linear_condition(size_t n, const double *a, size_t stride, double norm);
+
 /* y = A x, A rows x columns with leading dimension `stride`. */
 void po_linear_apply(size_t rows, size_t columns, const double *a, size_t stride, const double *x,
                      double *y);

@@ -6,6 +6,7 @@
 
 #include "po_adaptive.h"
 #include "po_clock.h"
+#include "po_diagnose.h"
 #include "po_linear.h"
 #include "po_observe_parts.h"
 #include "po_reader.h"
@@ -113,6 +114,8 @@ static po_status trace_elastic(const po_request *request, const attempt *a, po_r
     o->work.meshes = e->work.meshes;
     o->work.nodes = panels ? reader->most_nodes : reader->surface->n;
     o->work.kernel_evaluations = reader->surface->kernel_evaluations;
+    if (reader->kept && po_diagnose_states(reader->kept, e, panels, o) && !status)
+      status = PO_NO_MEMORY;
   }
   po_equilibrium_destroy(e);
   return status;
@@ -187,8 +190,14 @@ static po_status trace(const po_request *request, bool rigid, attempt *a, double
                        const po_keeper *keeper, po_outcome *outcome) {
   po_surface *fixed = NULL;
   po_adaptive *panels = NULL;
+  po_kept kept = {0};
+  po_balance balance = {0};
   po_reader reader = po_reader_begin(request, outcome, deadline);
   reader.keeper = keeper;
+  if (request->want & PO_WANT_DIAGNOSTICS) {
+    reader.balance = &balance;
+    reader.kept = &kept;
+  }
   if (keeper)
     keeper->begin(keeper->data, a->tolerance);
   po_status status = PO_OK;
@@ -206,6 +215,9 @@ static po_status trace(const po_request *request, bool rigid, attempt *a, double
     status = read_hysteresis(&reader, a);
 done:
   po_reader_end(&reader);
+  outcome->diagnostics.energy_defect = po_balance_defect(&balance);
+  outcome->diagnostics.energy_defect_at = balance.at;
+  po_kept_clear(&kept);
   po_adaptive_destroy(panels);
   po_surface_destroy(fixed);
   return status;
@@ -214,6 +226,9 @@ done:
 static void clear(po_outcome *outcome) {
   po_outcome_clear(outcome);
   outcome->start = outcome->end = outcome->profile_approach = NAN;
+  outcome->diagnostics.residual = outcome->diagnostics.rounding = NAN;
+  outcome->diagnostics.energy_defect = outcome->diagnostics.energy_defect_at = NAN;
+  outcome->diagnostics.moved = (po_moved){.change = NAN, .predicted = NAN};
 }
 
 static void add_work(const po_work *more, po_work *work) {
@@ -281,10 +296,12 @@ po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po
   po_linear_single_thread();
   po_message_clear();
   outcome->status = observe(request, keeper, outcome);
+  outcome->work.seconds = po_clock_wall() - begin - outcome->diagnostics.seconds;
+  if (!outcome->status && (request->want & PO_WANT_DIAGNOSTICS))
+    outcome->status = po_diagnose_moved(request, outcome);
   if (outcome->status)
     snprintf(outcome->reason, sizeof outcome->reason, "%s",
              *po_message() ? po_message() : po_status_text(outcome->status));
-  outcome->work.seconds = po_clock_wall() - begin;
   return outcome->status;
 }
 
@@ -294,5 +311,6 @@ void po_outcome_clear(po_outcome *outcome) {
   free(outcome->curve);
   free(outcome->profile);
   po_hysteresis_clear(&outcome->hysteresis);
+  free(outcome->diagnostics.states);
   *outcome = (po_outcome){.status = PO_OK};
 }

@@ -7,15 +7,17 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "po_diagnostics.h"
 #include "po_hysteresis.h"
 #include "po_scene.h"
 #include "po_status.h"
 #include "po_surface.h"
 
 enum {
-  PO_WANT_CURVE = 1,      /* the points of the branch */
-  PO_WANT_PROFILE = 2,    /* gap and traction over the radius at one equilibrium */
-  PO_WANT_HYSTERESIS = 4, /* loading to a preload and back */
+  PO_WANT_CURVE = 1,       /* the points of the branch */
+  PO_WANT_PROFILE = 2,     /* gap and traction over the radius at one equilibrium */
+  PO_WANT_HYSTERESIS = 4,  /* loading to a preload and back */
+  PO_WANT_DIAGNOSTICS = 8, /* residuals, condition numbers, digits left; solves the scene anew */
 };
 
 typedef struct {
@@ -30,7 +32,7 @@ typedef struct {
   const volatile sig_atomic_t *stop; /* asked now and then: nonzero stops the solve; may be NULL */
 } po_request;
 
-enum { PO_WANT_COUNT = 3 };
+enum { PO_WANT_COUNT = 4 };
 
 /* "curve", "profile", "hysteresis": the name of want 1 << k. */
 const char *po_want_name(int k);
@@ -111,6 +113,7 @@ typedef struct {
   double profile_approach; /* where it was taken */
   bool has_hysteresis;     /* whether the loops below are set: when wanted */
   po_hysteresis hysteresis;
+  po_diagnostics diagnostics; /* states is NULL unless wanted */
   po_work work;
 } po_outcome;
 

@@ -275,6 +275,11 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
     if (r->keeper && !r->keeper->minimum(r->keeper->data, p))
       r->status = PO_NO_MEMORY;
   }
+  if (r->balance)
+    po_balance_note(r->balance, p);
+  if (r->kept && !r->status)
+    r->status =
+        po_kept_note(r->kept, p, p->kind == PO_POINT_LOAD_MIN && p->load == r->pull_off_load);
   if (!r->status && p->gap && contact_radius > PO_GREATEST_CONTACT * r->surface->core_radius) {
     if (isinf(r->request->scene.outer_radius))
       r->status = po_fail(PO_OUT_OF_DOMAIN,

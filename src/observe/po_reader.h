@@ -2,7 +2,9 @@
 #ifndef PO_READER_H
 #define PO_READER_H
 
+#include "po_balance.h"
 #include "po_branch.h"
+#include "po_kept.h"
 #include "po_outcome.h"
 
 /* Who keeps the minima of the load, for more than the outcome says of them. */
@@ -17,6 +19,8 @@ typedef struct {
   const po_surface *surface; /* nodes only when rigid */
   po_outcome *outcome;
   const po_keeper *keeper; /* NULL: none */
+  po_balance *balance;     /* of the energy; NULL unless diagnostics are wanted */
+  po_kept *kept;           /* states for diagnosis; likewise */
   double begin;            /* points at a smaller approach are not recorded before it is reached */
   bool begun;
   double pull_off_load;            /* the deepest minimum so far */

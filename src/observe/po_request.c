@@ -14,7 +14,7 @@ po_request po_request_default(void) {
 }
 
 const char *po_want_name(int k) {
-  static const char *const NAMES[PO_WANT_COUNT] = {"curve", "profile", "hysteresis"};
+  static const char *const NAMES[PO_WANT_COUNT] = {"curve", "profile", "hysteresis", "diagnostics"};
   return NAMES[k];
 }
 

@@ -46,10 +46,10 @@ spoilt 's/^name: good/name: good\nname: bad/' \
   '2: name is given twice, first on line 1: expected it once'
 spoilt '/^name/d' '1: name is missing: expected letters, digits, _ and -'
 spoilt 's/^name: good/name: ..\/good/' '1: name is ../good: expected letters, digits, _ and -'
-spoilt '/^want/d' '*: want is missing: expected a list of pull_off, folds, extrema, curve, profile, hysteresis'
+spoilt '/^want/d' '*: want is missing: expected a list of pull_off, folds, extrema, curve, profile, hysteresis, diagnostics'
 spoilt 's/want: .*/want: pull_off/' '11: want is pull_off: expected a list of pull_off, *'
 spoilt 's/want: .*/want: [pudding]/' \
-  '11: want[[]1[]] is pudding: expected pull_off, folds, extrema, curve, profile or hysteresis'
+  '11: want[[]1[]] is pudding: expected pull_off, folds, extrema, curve, profile, hysteresis or diagnostics'
 spoilt 's/want: .*/want: []/' '11: want is a list: expected a list of pull_off, *'
 spoilt 's/suites: .*/suites: [dessert]/' \
   '3: suites[[]1[]] is dessert: expected smoke, paper, extreme, precision or random'
@@ -85,6 +85,12 @@ spoilt 's/pull_off_force/solved_share/; s/reference: .*/reference: every_scene/;
   '16: checks[[]1[]].kind is rel: expected abs, as a share is'
 spoilt 's/pull_off_force/solved_share/; s/reference: .*/reference: every_scene/; s/1e-9/1/' \
   '15: checks[[]1[]].tolerance is 1: expected the share that may fail, below 1'
+spoilt 's/pull_off_force/residual/' \
+  '14: checks[[]1[]].reference is reference/table.csv: expected zero, *'
+spoilt 's/reference: .*/reference: zero/' \
+  '14: checks[[]1[]].reference is zero: expected bradley, pin or the path of a CSV file'
+spoilt 's/pull_off_force/moved_force/; s/reference: .*/reference: zero/; s/kind: abs/kind: rel/' \
+  '16: checks[[]1[]].kind is rel: expected abs, as the reference is zero'
 spoilt '/because/d' '*: checks[[]1[]].because is missing: expected the reason for the tolerance'
 spoilt 's/because: .*/because: ""/' \
   '17: checks[[]1[]].because is empty: expected the reason for the tolerance'

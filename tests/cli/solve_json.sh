@@ -40,6 +40,34 @@ expect 0 '' solve --tabor 1 --scheme triangle --nodes 101 --json --curve curve.c
 check 'the curve has its columns' grep -q '^position,approach,load,energy,contact_radius,unstable_modes$' \
   curve.csv
 check 'the profile has its columns' grep -q '^radius,gap,traction$' profile.csv
+
+# Diagnostics: on their own, with a fold, on panels and on a mesh that stays; rigid.
+cat >diagnosed.py <<'LOOK'
+import json, sys
+
+d = json.load(sys.stdin)["diagnostics"]
+assert set(d) == {"residual", "rounding", "undiagnosed", "states", "sensitivity", "moved", "energy_defect",
+                  "energy_defect_at", "seconds"}, list(d)
+assert [s["at"] for s in d["states"]] == ["start", "pull_off", "end", "fold", "fold"]
+for s in d["states"]:
+    assert set(s) == {"at", "approach", "load", "nodes", "residual", "rounding", "condition",
+                      "bordered_condition"}
+    assert (s["condition"] > 1e4 * s["bordered_condition"]) == (s["at"] == "fold")
+assert 0 < d["residual"] < 1e-9 and d["undiagnosed"] == 0 and 0 < d["energy_defect"] < 1e-3
+assert set(d["sensitivity"]) == {"tabor", "amplitude", "wavelength", "radius", "residual", "rounding"}
+assert set(d["moved"]) == {"solves", "failed", "force_change", "force_change_predicted", "digits_kept",
+                           "digits_predicted", "fold_change"}
+assert d["moved"]["solves"] == 4 and d["moved"]["failed"] == 0 and d["moved"]["digits_kept"] > 11
+LOOK
+for scheme in panel 'triangle --nodes 101'; do
+  # shellcheck disable=SC2086
+  expect 0 '' solve --tabor 1 --scheme $scheme --want diagnostics --json
+  check "diagnostics of $scheme" "$python" diagnosed.py <"$work/stdout"
+done
+expect 0 '' solve --tabor 0 --want diagnostics --json
+check 'rigid: nothing was solved, and the digits stay' "$python" -c 'import json, sys
+d = json.load(sys.stdin)["diagnostics"]
+assert d["states"] == [] and d["residual"] is None and d["moved"]["digits_kept"] > 14' <"$work/stdout"
 expect 0 '' solve --tabor 1 --scheme triangle --nodes 101
 check 'for people: the pull-off' grep -q '^pull-off force 1.67' "$work/stdout"
 expect 0 '' solve --tabor 0 --json

@@ -64,6 +64,8 @@ def make_references(folder):
     write_reference(folder, "feng_landmarks.csv", header("folds of the smooth sphere"),
                     ["tabor", "index", "kind", "approach", "load"],
                     [(tabor, 0, "jump_in", -1.629 * tabor, -0.5) for tabor in (1, 2, 3)])
+    write_reference(folder, "guduru_limit.csv", header("the JKR limit"), ["tabor", "force"],
+                    [(tabor, 1.5) for tabor in (10, 20, 40)])
     write_reference(folder, "bradley.csv", header("Bradley's rigid sphere"), ["approach", "load"],
                     [(-8 + 0.05 * place, bradley(-8 + 0.05 * place)) for place in range(169)])
 
@@ -297,10 +299,36 @@ def make_faults(folder, missed=False):
                                  for name, kind, title in detectors], "faults": rows}, stream)
 
 
+def diagnostics(tabor):
+    state = {"approach": -0.7, "load": -1.5, "nodes": 96, "residual": 3e-13, "rounding": 4e-16,
+             "condition": 680.0 * tabor, "bordered_condition": 5e3}
+    return {"residual": 3e-13, "rounding": 4e-16, "undiagnosed": 0,
+            "states": [dict(state, at="pull_off"), dict(state, at="fold", condition=1e15)],
+            "sensitivity": None, "energy_defect": 2.4e-5, "energy_defect_at": -0.3, "seconds": 0.2,
+            "moved": {"solves": 4, "failed": 0, "force_change": 2e-14, "force_change_predicted": 3e-15,
+                      "digits_kept": 13.7, "digits_predicted": 14.5, "fold_change": 1e-13}}
+
+
+def make_extreme(run):
+    """Differences from the limits as powers 1.5 and -1.6 of tabor."""
+    points, checks = [], []
+    for tabor in (1e-4, 1e-3, 1e-2, 10, 20, 40):
+        rigid = tabor < 1
+        force = 2 - 1.03 * tabor ** 1.5 if rigid else 1.5 + 0.4 * tabor ** -1.6
+        found = point(len(points), {"tabor": tabor}, (force, -0.77 * tabor))
+        found["diagnostics"] = diagnostics(tabor)
+        points.append(found)
+        made = check(found, "pull_off_force", force, 2 if rigid else 1.5, 2e-2,
+                     "bradley.csv" if rigid else "guduru_limit.csv", "as the rate has it")
+        checks.append(dict(made, reference="bradley") if rigid else made)
+    save(run, record("extreme_tabor", "From rigid to JKR", None, points, checks, ["extreme"]))
+
+
 def make_run(folder, **how):
-    """All three cases; how: outside=True, failed=True."""
+    """All four cases; how: outside=True, failed=True."""
     make_fig03(folder)
     make_fig04(folder, **how)
+    make_extreme(folder)
     make_precision(folder, failed=how.get("failed", False))
 
 

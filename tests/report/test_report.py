@@ -92,17 +92,17 @@ class Whole(PageTest):
         self.assertEqual(os.stat(os.path.join(self.output, "report.pdf")).st_mtime_ns, before)
 
     def test_sections_figures_and_verdict(self):
-        self.has(self.text, *TITLES, "All 58 checks within their tolerance", "Figure 3.",
+        self.has(self.text, *TITLES, "All 64 checks within their tolerance", "Figure 3.",
                  "Figure 4.", "Observed orders", "not available in tabulated form",
                  "pulloff solve --tabor 2.5", "intact")
         drawn = {"fig03", "fig04"} | {name for name, module in plots.BY_SCRIPT.items()
                                       if getattr(module, "SCHEMATIC", False)}
-        self.assertEqual(self.html.count('role="img"'), len(drawn) + 2)   # and two of the errors against time
+        self.assertEqual(self.html.count('role="img"'), len(drawn) + 3)   # and two of the errors against time, one of limits
         self.assertEqual(self.html.count('class="absent"'), len(plots.BY_SCRIPT) - len(drawn))
         self.has(self.text, "Figure 7, rigid pull-off against α, is left out")
 
     def test_every_check_has_its_row(self):
-        self.assertEqual(len(re.findall(r'<tr data-verdict="within"', self.html)), 58)
+        self.assertEqual(len(re.findall(r'<tr data-verdict="within"', self.html)), 64)
 
     def test_orders_are_those_the_errors_were_made_with(self):
         self.has(self.text, "ring uniform 1.00 (63–1001, 5)", "triangle graded 2.00 (63–1001, 5)",
@@ -113,6 +113,9 @@ class Whole(PageTest):
                  "All 54 solves", "Of 27 solves none found other folds, none failed.")
         # 501 triangles take 2e-7 501^2.3 s to 1.6e-4; panels at 1e-4 are quickest of those as good
         self.has(self.text, f"× {2e-7 * 501 ** 2.3 / 0.016:.3g}")
+
+    def test_extreme_scenes_have_their_rows_and_rates(self):
+        self.has(self.text, "6 of 6 scenes", "Bradley, 2, as μ → 0", "1.500", "−1.600", "13.7")
 
     def test_it_refers_to_nothing_outside(self):
         for target in re.findall(r"""(?:src|href|action)\s*=\s*["']([^"']*)""", self.html):
@@ -136,7 +139,7 @@ class Whole(PageTest):
         pages = done.stdout.split("\f")[:-1]
         self.assertGreater(len(pages), 4)
         for title in TITLES:
-            self.assertRegex(pages[0], re.escape(title) + r"[ .]+\d+\n")
+            self.assertRegex("".join(pages[:2]), re.escape(title) + r"[ .]+\d+\n")
             self.assertGreaterEqual(done.stdout.count(title), 2)
         self.assertIn(f"1 / {len(pages)}", pages[0])
         self.has(done.stdout, "μ = 2.5", "Tabor parameter", "Observed orders",

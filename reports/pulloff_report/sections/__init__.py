@@ -30,6 +30,6 @@ class Section:
 
 def build_all(source):
     """Every section, in order."""
-    from . import cases, checks, environment, figures, planted_faults, precision, provenance
-    order = (figures, precision, checks, cases, planted_faults, provenance, environment)
+    from . import cases, checks, environment, extreme, figures, planted_faults, precision, provenance
+    order = (figures, precision, extreme, checks, cases, planted_faults, provenance, environment)
     return [module.build(source) for module in order]

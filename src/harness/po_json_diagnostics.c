@@ -1,0 +1,105 @@
+/* Diagnostics as JSON, and back. */
+#include <string.h>
+
+#include "po_json.h"
+#include "po_json_parts.h"
+#include "po_memory.h"
+
+static json_t *state_json(const po_diagnosed_state *s) {
+  return json_pack("{s:s, s:o, s:o, s:I, s:o, s:o, s:o, s:o}", "at", po_kept_name(s->at),
+                   "approach", po_json_number(s->approach), "load", po_json_number(s->load),
+                   "nodes", (json_int_t)s->nodes, "residual", po_json_number(s->found.residual),
+                   "rounding", po_json_number(s->found.rounding), "condition",
+                   po_json_number(s->found.condition), "bordered_condition",
+                   po_json_number(s->found.bordered_condition));
+}
+
+static json_t *sensitivity_json(const po_diagnostics *d) {
+  if (!d->has_sensitivity)
+    return json_null();
+  return json_pack("{s:o, s:o, s:o, s:o, s:o, s:o}", "tabor", po_json_number(d->force.tabor),
+                   "amplitude", po_json_number(d->force.amplitude), "wavelength",
+                   po_json_number(d->force.wavelength), "radius", po_json_number(d->force.radius),
+                   "residual", po_json_number(d->force.residual), "rounding",
+                   po_json_number(d->force.rounding));
+}
+
+static json_t *moved_json(const po_moved *m) {
+  return json_pack("{s:I, s:I, s:o, s:o, s:o, s:o, s:o}", "solves", (json_int_t)m->solves, "failed",
+                   (json_int_t)m->failed, "force_change", po_json_number(m->change),
+                   "force_change_predicted", po_json_number(m->predicted), "digits_kept",
+                   po_json_number(po_digits_left(m->change)), "digits_predicted",
+                   po_json_number(po_digits_left(m->predicted)), "fold_change",
+                   po_json_number(m->folds));
+}
+
+json_t *po_json_diagnostics(const po_outcome *outcome) {
+  const po_diagnostics *d = &outcome->diagnostics;
+  json_t *states = json_array();
+  for (size_t k = 0; k < d->state_count; ++k)
+    json_array_append_new(states, state_json(&d->states[k]));
+  return json_pack("{s:o, s:o, s:I, s:o, s:o, s:o, s:o, s:o, s:o}", "residual",
+                   po_json_number(d->residual), "rounding", po_json_number(d->rounding),
+                   "undiagnosed", (json_int_t)d->undiagnosed, "states", states, "sensitivity",
+                   sensitivity_json(d), "moved", moved_json(&d->moved), "energy_defect",
+                   po_json_number(d->energy_defect), "energy_defect_at",
+                   po_json_number(d->energy_defect_at), "seconds", po_json_number(d->seconds));
+}
+
+static po_kept_kind kind_of(const char *name) {
+  po_kept_kind kind = PO_KEPT_START;
+  while (kind < PO_KEPT_END && strcmp(name ? name : "", po_kept_name(kind)) != 0)
+    ++kind;
+  return kind;
+}
+
+static void read_state(const json_t *object, po_diagnosed_state *s) {
+  *s = (po_diagnosed_state){
+      .at = kind_of(json_string_value(json_object_get(object, "at"))),
+      .approach = po_json_read_number(object, "approach"),
+      .load = po_json_read_number(object, "load"),
+      .nodes = (size_t)po_json_count_of(object, "nodes"),
+      .found = {.residual = po_json_read_number(object, "residual"),
+                .rounding = po_json_read_number(object, "rounding"),
+                .condition = po_json_read_number(object, "condition"),
+                .bordered_condition = po_json_read_number(object, "bordered_condition")}};
+}
+
+static void read_sensitivity(const json_t *object, po_diagnostics *d) {
+  d->has_sensitivity = json_is_object(object);
+  if (d->has_sensitivity)
+    d->force = (po_sensitivity){.tabor = po_json_read_number(object, "tabor"),
+                                .amplitude = po_json_read_number(object, "amplitude"),
+                                .wavelength = po_json_read_number(object, "wavelength"),
+                                .radius = po_json_read_number(object, "radius"),
+                                .residual = po_json_read_number(object, "residual"),
+                                .rounding = po_json_read_number(object, "rounding")};
+}
+
+po_status po_json_read_diagnostics(const json_t *object, po_outcome *outcome) {
+  po_diagnostics *d = &outcome->diagnostics;
+  const json_t *states = json_object_get(object, "states");
+  const json_t *moved = json_object_get(object, "moved");
+  const size_t count = json_array_size(states);
+  d->residual = po_json_read_number(object, "residual");
+  d->rounding = po_json_read_number(object, "rounding");
+  d->undiagnosed = (size_t)po_json_count_of(object, "undiagnosed");
+  d->energy_defect = po_json_read_number(object, "energy_defect");
+  d->energy_defect_at = po_json_read_number(object, "energy_defect_at");
+  d->seconds = po_json_read_number(object, "seconds");
+  d->moved = (po_moved){.solves = (size_t)po_json_count_of(moved, "solves"),
+                        .failed = (size_t)po_json_count_of(moved, "failed"),
+                        .change = po_json_read_number(moved, "force_change"),
+                        .predicted = po_json_read_number(moved, "force_change_predicted"),
+                        .folds = po_json_read_number(moved, "fold_change")};
+  read_sensitivity(json_object_get(object, "sensitivity"), d);
+  if (!object)
+    return PO_OK;
+  d->states = po_allocate(count, sizeof *d->states);
+  if (!d->states)
+    return PO_NO_MEMORY;
+  for (size_t k = 0; k < count; ++k)
+    read_state(json_array_get(states, k), &d->states[k]);
+  d->state_count = count;
+  return PO_OK;
+}

@@ -1,0 +1,134 @@
+#include "po_diagnose.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_clock.h"
+#include "po_memory.h"
+
+double po_digits_left(double change) {
+  return isnan(change) ? change : -log10(fmax(fabs(change), 0.5 * DBL_EPSILON));
+}
+
+/* The whole state of one kept, on its own mesh: state, room for the capacity + 1. */
+static po_status restore(const po_kept_state *kept, po_equilibrium *e, po_adaptive *panels,
+                         double *state) {
+  po_leaves leaves;
+  po_status status = PO_OK;
+  if (panels) {
+    status = po_adaptive_leaves_of(panels, kept->n, kept->node, &leaves);
+    if (!status)
+      status = po_adaptive_mesh(panels, &leaves);
+    if (!status)
+      po_equilibrium_remesh(e);
+  }
+  if (status)
+    return status;
+  memcpy(state, kept->gap, kept->n * sizeof *state);
+  state[e->n] = kept->approach;
+  return po_diagnosis_complete(e, kept->n, state);
+}
+
+static po_status diagnose(const po_kept_state *kept, po_equilibrium *e, po_adaptive *panels,
+                          double *state, po_diagnostics *d) {
+  po_diagnosed_state *made = &d->states[d->state_count];
+  po_status status = restore(kept, e, panels, state);
+  if (!status)
+    status = po_diagnosis_make(e, state, kept->kind == PO_KEPT_FOLD, &made->found);
+  if (!status && kept->kind == PO_KEPT_PULL_OFF)
+    status = po_sensitivity_make(e, state, &d->force);
+  if (status)
+    return status;
+  if (kept->kind == PO_KEPT_PULL_OFF) {
+    double *const parts[] = {&d->force.tabor,  &d->force.amplitude, &d->force.wavelength,
+                             &d->force.radius, &d->force.residual,  &d->force.rounding};
+    for (size_t k = 0; k < sizeof parts / sizeof *parts; ++k)
+      *parts[k] /= kept->load;
+    d->force.rounding = fabs(d->force.rounding);
+    d->has_sensitivity = true;
+  }
+  made->at = kept->kind;
+  made->approach = kept->approach;
+  made->load = kept->load;
+  made->nodes = e->n;
+  d->residual = fmax(d->residual, made->found.residual); /* the first is NaN */
+  d->rounding = fmax(d->rounding, made->found.rounding);
+  ++d->state_count;
+  return PO_OK;
+}
+
+po_status po_diagnose_states(const po_kept *kept, po_equilibrium *e, po_adaptive *panels,
+                             po_outcome *outcome) {
+  po_diagnostics *d = &outcome->diagnostics;
+  const double begin = po_clock_wall();
+  const size_t capacity = panels ? po_adaptive_capacity(panels) : e->n;
+  double *state = po_allocate(capacity + 1, sizeof *state);
+  d->states = po_allocate(PO_MOST_KEPT, sizeof *d->states);
+  po_status status = state && d->states ? PO_OK : PO_NO_MEMORY;
+  for (size_t k = 0; !status && k < PO_MOST_KEPT; ++k) {
+    if (!kept->states[k].n)
+      continue;
+    const po_status made = diagnose(&kept->states[k], e, panels, state, d);
+    d->undiagnosed += made ? 1 : 0;
+    status = made == PO_NO_MEMORY ? made : PO_OK;
+  }
+  free(state);
+  d->seconds += po_clock_wall() - begin;
+  return status;
+}
+
+/* The largest change of a fold's approach; NaN when they are not the same folds. */
+static double change_of_folds(const po_outcome *a, const po_outcome *b) {
+  double largest = 0.0;
+  for (size_t k = 0; k < a->fold_count && a->fold_count == b->fold_count; ++k)
+    largest = fmax(largest, fabs(a->folds[k].approach - b->folds[k].approach));
+  return a->fold_count == b->fold_count ? largest : (double)NAN;
+}
+
+static po_status move(const po_request *request, const po_outcome *outcome, po_moved *moved) {
+  po_outcome again;
+  const po_status status = po_observe(request, &again);
+  ++moved->solves;
+  if (status || !again.has_pull_off) {
+    ++moved->failed;
+  } else {
+    const double change = fabs(again.pull_off.force / outcome->pull_off.force - 1.0);
+    moved->change = fmax(moved->change, change); /* the first is NaN */
+    const double folds = change_of_folds(outcome, &again);
+    if (!(folds <= moved->folds)) /* NaN stays */
+      moved->folds = isnan(moved->folds) ? moved->folds : folds;
+  }
+  po_outcome_clear(&again);
+  return status == PO_NO_MEMORY || status == PO_INTERRUPTED ? status : PO_OK;
+}
+
+po_status po_diagnose_moved(const po_request *request, po_outcome *outcome) {
+  po_diagnostics *d = &outcome->diagnostics;
+  po_request moving = *request;
+  moving.want &= ~(unsigned)PO_WANT_DIAGNOSTICS; /* the rest may change the steps */
+  const bool wavy = po_scene_is_wavy(&request->scene);
+  const struct {
+    double *value, by;
+  } inputs[] = {{&moving.scene.tabor, d->force.tabor},
+                {&moving.scene.radius, d->force.radius},
+                {&moving.scene.amplitude, d->force.amplitude},
+                {&moving.scene.wavelength, d->force.wavelength}};
+  const double begin = po_clock_wall();
+  double most = 0.0;
+  po_status status = PO_OK;
+  for (size_t k = 0; k < (wavy ? 4 : 2); ++k) {
+    const double is = *inputs[k].value;
+    for (int up = 0; !status && up < 2 && is > 0.0; ++up) {
+      *inputs[k].value = nextafter(is, up ? INFINITY : 0.0);
+      most = fmax(most, fabs(inputs[k].by * (*inputs[k].value / is - 1.0)));
+      status = move(&moving, outcome, &d->moved);
+    }
+    *inputs[k].value = is;
+  }
+  if (d->has_sensitivity)
+    d->moved.predicted = most + fabs(d->force.residual) + d->force.rounding;
+  d->seconds += po_clock_wall() - begin;
+  return status;
+}

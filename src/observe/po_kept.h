@@ -1,0 +1,33 @@
+/* States of a branch kept for diagnosis as it is traced: where it began, its first folds, the
+ * pull-off and where it ended. */
+#ifndef PO_KEPT_H
+#define PO_KEPT_H
+
+#include "po_branch.h"
+
+typedef enum { PO_KEPT_START, PO_KEPT_FOLD, PO_KEPT_PULL_OFF, PO_KEPT_END } po_kept_kind;
+
+/* "start", "fold", "pull_off", "end". */
+const char *po_kept_name(po_kept_kind kind);
+
+typedef struct {
+  po_kept_kind kind;
+  double approach, load;
+  size_t n;
+  double *node, *gap; /* n: radii, eps; H */
+} po_kept_state;
+
+enum { PO_KEPT_FOLDS = 12, PO_MOST_KEPT = PO_KEPT_FOLDS + 3 };
+
+typedef struct {
+  po_kept_state states[PO_MOST_KEPT]; /* the start, the pull-off, the end, then folds */
+  size_t folds;
+} po_kept;
+
+/* Takes note of a point visited; `deepest`: the load has its least minimum so far there.
+ * Status: PO_NO_MEMORY. */
+po_status po_kept_note(po_kept *kept, const po_branch_point *point, bool deepest);
+
+void po_kept_clear(po_kept *kept);
+
+#endif

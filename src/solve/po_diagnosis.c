@@ -1,0 +1,234 @@
+#include "po_diagnosis.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_gauge.h"
+#include "po_law.h"
+#include "po_linear.h"
+#include "po_memory.h"
+
+static const long double PI = 3.141592653589793238462643383279502884L;
+
+/* The far part of a state: converged at this change, in parts of 1 + H, which a contraction by its
+ * tractions' feedback (1e-3 at most) meets in a few rounds. */
+static const double SETTLED = 1e-15;
+enum { MOST_ROUNDS = 40 };
+
+/* What a diagnosis works on: one allocation. */
+typedef struct {
+  double *matrix, *border, *x, *scale; /* (n + 1) square; n + 1 each */
+  int *pivots;
+  long double *traction, *residual; /* n */
+  double *size;                     /* n: sum of the moduli of the terms of an equation */
+} room;
+
+static void room_free(room *r) {
+  free(r->matrix);
+  free(r->border);
+  free(r->x);
+  free(r->scale);
+  free(r->pivots);
+  free(r->traction);
+  free(r->residual);
+  free(r->size);
+}
+
+static po_status room_allocate(room *r, size_t n) {
+  *r = (room){.matrix = po_reserve((n + 1) * (n + 1), sizeof *r->matrix),
+              .border = po_allocate(n + 1, sizeof *r->border),
+              .x = po_allocate(n + 1, sizeof *r->x),
+              .scale = po_allocate(n + 1, sizeof *r->scale),
+              .pivots = po_allocate(n + 1, sizeof *r->pivots),
+              .traction = po_allocate(n, sizeof *r->traction),
+              .residual = po_allocate(n, sizeof *r->residual),
+              .size = po_allocate(n, sizeof *r->size)};
+  const bool had = r->matrix && r->border && r->x && r->scale && r->pivots && r->traction &&
+                   r->residual && r->size;
+  if (!had)
+    room_free(r);
+  return had ? PO_OK : PO_NO_MEMORY;
+}
+
+/* Eq 16 over mu in long double; where waves are averaged, the traction as it is. */
+static long double traction_at(const po_equilibrium *e, size_t j, double gap) {
+  if (j >= e->surface->resolved)
+    return po_law_averaged(gap, e->amplitude).traction;
+  const long double x = 1.0L / (1.0L + gap), x3 = x * x * x;
+  return -8.0L / 3.0L * (x3 - x3 * x3 * x3);
+}
+
+/* Eq 2 in long double. */
+static long double shape_at(const po_equilibrium *e, size_t j) {
+  const long double r = e->surface->node[j], amplitude = e->amplitude;
+  const long double sphere = 0.5L * r * r / e->radius;
+  if (!po_scene_is_wavy(e->scene))
+    return sphere;
+  if (j >= e->surface->resolved)
+    return sphere + amplitude;
+  const long double half = sinl(PI * r / e->scene->wavelength);
+  return sphere + 2.0L * amplitude * half * half;
+}
+
+/* Residuals (what the gap is too small by), and the sizes of their terms. */
+static void fill_residual(const po_equilibrium *e, const double *state, room *r) {
+  const size_t n = e->n;
+  const long double tabor = e->scene->tabor;
+  const long double coupling = tabor * sqrtl(tabor / (long double)e->radius);
+  for (size_t j = 0; j < n; ++j) {
+    r->traction[j] = coupling * traction_at(e, j, state[j]);
+    const long double shape = shape_at(e, j);
+    r->residual[j] = shape - state[n] - state[j];
+    r->size[j] = (double)fabsl(shape) + fabs(state[n]) + fabs(state[j]);
+  }
+  for (size_t j = 0; j < n; ++j)
+    for (size_t i = 0; i < n; ++i) {
+      const long double term = e->surface->influence[i + n * j] * r->traction[j];
+      r->residual[i] += term;
+      r->size[i] += (double)fabsl(term);
+    }
+}
+
+/* The Jacobian at fixed approach, of changes in parts of `scale`, n square. Given: traction and
+ * slope evaluated. */
+static void fill_jacobian(const po_equilibrium *e, const double *scale, size_t stride, double *to) {
+  for (size_t j = 0; j < e->n; ++j) {
+    const double factor = -e->coupling * e->slope[j] * scale[j];
+    for (size_t i = 0; i < e->n; ++i)
+      to[i + stride * j] = factor * e->surface->influence[i + e->n * j] / scale[i];
+    to[j + stride * j] += 1.0;
+  }
+}
+
+/* The bordered Jacobian, n + 1 square, border given per change of state. */
+static void fill_bordered(const po_equilibrium *e, room *r) {
+  const size_t n = e->n, order = n + 1;
+  fill_jacobian(e, r->scale, order, r->matrix);
+  for (size_t i = 0; i < n; ++i) {
+    r->matrix[i + order * n] = 1.0 / r->scale[i];
+    r->matrix[n + order * i] = r->border[i] * r->scale[i];
+  }
+  r->matrix[n + order * n] = r->border[n];
+}
+
+/* Factorises `order` rows and columns. Returned: the condition number. */
+static double factorize(room *r, size_t order, po_status *status) {
+  const double norm = po_linear_norm(order, r->matrix, order);
+  *status = po_linear_factorize(order, r->matrix, order, r->pivots);
+  return *status ? INFINITY : po_linear_condition(order, r->matrix, order, norm);
+}
+
+/* The gauge's border along the branch: by the tangent, from a border that is regular here. */
+static po_status find_border(const po_equilibrium *e, const double *state, bool fold, room *r) {
+  const double first[PO_GAUGE_SIZE] = {fold ? 0.0 : 1.0, fold ? 1.0 : 0.0, 0.0};
+  po_gauge_border(e, state, first, r->border);
+  fill_bordered(e, r);
+  po_status status;
+  factorize(r, e->n + 1, &status);
+  if (status)
+    return status;
+  memset(r->x, 0, e->n * sizeof *r->x);
+  r->x[e->n] = 1.0;
+  po_linear_solve(e->n + 1, r->matrix, e->n + 1, r->pivots, r->x);
+  for (size_t j = 0; j < e->n; ++j)
+    r->x[j] *= r->scale[j];
+  double rate[PO_GAUGE_SIZE];
+  po_gauge_rates(e, state, r->x, rate);
+  const double length = sqrt(po_gauge_along(rate, rate));
+  for (int k = 0; k < PO_GAUGE_SIZE; ++k)
+    rate[k] /= length;
+  po_gauge_border(e, state, rate, r->border);
+  return PO_OK;
+}
+
+static void begin(po_equilibrium *e, const double *state, room *r) {
+  po_equilibrium_evaluate(e, state);
+  for (size_t j = 0; j < e->n; ++j)
+    r->scale[j] = 1.0 + state[j];
+}
+
+po_status po_diagnosis_complete(po_equilibrium *e, size_t core, double *state) {
+  const size_t n = e->n;
+  double change = INFINITY;
+  for (size_t i = core; i < n; ++i)
+    state[i] = e->shape[i] - state[n];
+  for (int round = 0; round < MOST_ROUNDS && change > SETTLED && core < n; ++round) {
+    po_equilibrium_evaluate(e, state);
+    po_linear_apply(n, n, e->surface->influence, n, e->traction, e->deflection);
+    change = 0.0;
+    for (size_t i = core; i < n; ++i) {
+      const double gap = e->shape[i] - state[n] + e->coupling * e->deflection[i];
+      change = fmax(change, fabs(gap - state[i]) / (1.0 + state[i]));
+      state[i] = gap;
+    }
+  }
+  return core == n || change <= SETTLED * 8.0 ? PO_OK : PO_NOT_CONVERGED;
+}
+
+po_status po_diagnosis_make(po_equilibrium *e, const double *state, bool fold, po_diagnosis *made) {
+  room r;
+  po_status status = room_allocate(&r, e->n), singular;
+  if (status)
+    return status;
+  *made = (po_diagnosis){.condition = NAN, .bordered_condition = NAN};
+  begin(e, state, &r);
+  fill_residual(e, state, &r);
+  for (size_t i = 0; i < e->n; ++i) {
+    made->residual = fmax(made->residual, (double)fabsl(r.residual[i]) / r.scale[i]);
+    made->rounding = fmax(made->rounding, 0.5 * DBL_EPSILON * r.size[i] / r.scale[i]);
+  }
+  fill_jacobian(e, r.scale, e->n, r.matrix);
+  made->condition = factorize(&r, e->n, &singular); /* at a fold it may well be */
+  status = find_border(e, state, fold, &r);
+  if (!status) {
+    fill_bordered(e, &r);
+    made->bordered_condition = factorize(&r, e->n + 1, &status);
+  }
+  room_free(&r);
+  return status;
+}
+
+/* d shape / d ln(key) at a node, and d deflection / d ln(key). */
+static po_sensitivity sources_at(const po_equilibrium *e, size_t j, double deflection) {
+  const double r = e->surface->node[j], sphere = 0.5 * r * r / e->radius;
+  po_sensitivity s = {.tabor = 1.5 * deflection, .radius = -0.5 * deflection - sphere};
+  if (!po_scene_is_wavy(e->scene))
+    return s;
+  s.amplitude = e->shape[j] - sphere;
+  const double x = 2.0 * M_PI * r / e->scene->wavelength;
+  s.wavelength = j < e->surface->resolved ? -e->amplitude * x * sin(x) : 0.0;
+  return s;
+}
+
+po_status po_sensitivity_make(po_equilibrium *e, const double *state, po_sensitivity *made) {
+  const size_t n = e->n;
+  room r;
+  po_status status = room_allocate(&r, n);
+  if (status)
+    return status;
+  *made = (po_sensitivity){0};
+  begin(e, state, &r);
+  fill_residual(e, state, &r);
+  fill_jacobian(e, r.scale, n, r.matrix);
+  factorize(&r, n, &status);
+  for (size_t j = 0; j < n; ++j) /* the load's gradient by H / scale */
+    r.x[j] = 2.0 / e->radius * e->surface->weight[j] * e->slope[j] * r.scale[j];
+  if (!status)
+    po_linear_solve_transposed(n, r.matrix, n, r.pivots, r.x);
+  po_linear_apply(n, n, e->surface->influence, n, e->traction, e->deflection);
+  for (size_t j = 0; !status && j < n; ++j) {
+    const double adjoint = r.x[j] / r.scale[j];
+    const po_sensitivity s = sources_at(e, j, e->coupling * e->deflection[j]);
+    made->tabor += adjoint * s.tabor;
+    made->amplitude += adjoint * s.amplitude;
+    made->wavelength += adjoint * s.wavelength;
+    made->radius += adjoint * s.radius;
+    made->residual += adjoint * (double)r.residual[j];
+    made->rounding += fabs(adjoint) * 0.5 * DBL_EPSILON * r.size[j];
+  }
+  made->radius -= po_equilibrium_load(e); /* the 1/R of Eq 17 */
+  room_free(&r);
+  return status;
+}

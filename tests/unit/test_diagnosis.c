@@ -1,0 +1,142 @@
+/* Diagnostics: sensitivities against differences of whole solves, residuals and condition numbers
+ * where they are known, and that asking for them changes nothing. */
+#include <math.h>
+
+#include "po_outcome.h"
+#include "po_surface.h"
+#include "run.h"
+
+static po_request awkward(void) {
+  po_request request = po_request_default();
+  request.scene = (po_scene){.tabor = 1.385,
+                             .amplitude = 0.37,
+                             .wavelength = 11.3,
+                             .radius = 87.0,
+                             .outer_radius = INFINITY};
+  request.mesh.scheme = PO_PANEL;
+  request.mesh.tolerance = 1e-9;
+  return request;
+}
+
+static double force(const po_request *request) {
+  po_outcome o;
+  ck_assert_int_eq(po_observe(request, &o), PO_OK);
+  const double value = o.pull_off.force;
+  po_outcome_clear(&o);
+  return value;
+}
+
+/* d ln(force) / d ln(key), by central differences: 1e-3 squared is what they err by. */
+static double difference(po_request *request, double *key) {
+  const double is = *key, part = 1e-3;
+  *key = is * (1.0 + part);
+  const double more = force(request);
+  *key = is * (1.0 - part);
+  const double less = force(request);
+  *key = is;
+  return log(more / less) / log((1.0 + part) / (1.0 - part));
+}
+
+START_TEST(sensitivities_are_those_of_whole_solves) {
+  po_request request = awkward();
+  request.want = PO_WANT_DIAGNOSTICS;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  const po_sensitivity by = o.diagnostics.force;
+  ck_assert(o.diagnostics.has_sensitivity);
+  request.want = 0;
+  ck_assert_double_eq_tol(by.tabor, difference(&request, &request.scene.tabor), 1e-5);
+  ck_assert_double_eq_tol(by.amplitude, difference(&request, &request.scene.amplitude), 1e-5);
+  ck_assert_double_eq_tol(by.wavelength, difference(&request, &request.scene.wavelength), 1e-5);
+  ck_assert_double_eq_tol(by.radius, difference(&request, &request.scene.radius), 1e-5);
+  /* Radii scaled by k, the radius of the sphere by its square: the same problem. */
+  ck_assert_double_eq_tol(by.wavelength + 2.0 * by.radius, 0.0, 1e-6);
+  po_outcome_clear(&o);
+}
+END_TEST
+
+START_TEST(residuals_are_small_and_digits_stay) {
+  po_request request = awkward();
+  request.mesh.tolerance = 1e-6;
+  request.want = PO_WANT_DIAGNOSTICS;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  const po_diagnostics *d = &o.diagnostics;
+  ck_assert_uint_ge(d->state_count, 3);
+  ck_assert_uint_eq(d->undiagnosed, 0);
+  ck_assert_double_gt(d->residual, 0.0);
+  ck_assert_double_lt(d->residual, 1e-10); /* where Newton stops, 1e-4 of the tolerance */
+  ck_assert_uint_eq(d->moved.solves, 8);
+  ck_assert_uint_eq(d->moved.failed, 0);
+  ck_assert_double_lt(d->moved.change, 1e-12);
+  ck_assert_double_lt(fabs(d->force.residual), 1e-10);
+  for (size_t k = 0; k < d->state_count; ++k) {
+    ck_assert_double_ge(d->states[k].found.condition, 1.0);
+    if (d->states[k].at == PO_KEPT_FOLD) /* singular but for the border */
+      ck_assert_double_gt(d->states[k].found.condition,
+                          1e4 * d->states[k].found.bordered_condition);
+  }
+  po_outcome_clear(&o);
+}
+END_TEST
+
+START_TEST(diagnostics_change_nothing) {
+  po_request request = awkward();
+  request.mesh.tolerance = 1e-5;
+  po_outcome plain, diagnosed;
+  ck_assert_int_eq(po_observe(&request, &plain), PO_OK);
+  request.want = PO_WANT_DIAGNOSTICS;
+  ck_assert_int_eq(po_observe(&request, &diagnosed), PO_OK);
+  ck_assert_ptr_null(plain.diagnostics.states);
+  ck_assert_double_eq(plain.pull_off.force, diagnosed.pull_off.force);
+  ck_assert_uint_eq(plain.work.points, diagnosed.work.points);
+  ck_assert_uint_eq(plain.work.newton_iterations, diagnosed.work.newton_iterations);
+  ck_assert_uint_eq(plain.work.factorizations, diagnosed.work.factorizations);
+  po_outcome_clear(&plain);
+  po_outcome_clear(&diagnosed);
+}
+END_TEST
+
+/* A sphere so stiff that tractions do nothing: the undeformed gap is the solution, the Jacobian the
+ * unit matrix. Moved away by a known part of 1 + H, that is the residual. */
+START_TEST(a_stiff_sphere_is_known) {
+  static const po_scene STIFF = {.tabor = 1e-8, .radius = 87.0, .outer_radius = 87.0};
+  const po_mesh mesh = {.scheme = PO_TRIANGLE, .grading = PO_UNIFORM, .nodes = 41};
+  po_surface *surface = NULL;
+  po_equilibrium *e = NULL;
+  ck_assert_int_eq(po_surface_create(&STIFF, &mesh, 87.0, true, &surface), PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(&STIFF, surface, surface->n, &e), PO_OK);
+  double state[42];
+  for (size_t j = 0; j < 41; ++j)
+    state[j] = e->shape[j] + 0.3;
+  state[41] = -0.3;
+  po_diagnosis d;
+  ck_assert_int_eq(po_diagnosis_make(e, state, false, &d), PO_OK);
+  ck_assert_double_lt(d.residual, 1e-10);
+  ck_assert_double_eq_tol(d.condition, 1.0, 1e-9);
+  state[7] += 0.0123;
+  ck_assert_int_eq(po_diagnosis_make(e, state, false, &d), PO_OK);
+  ck_assert_double_eq_tol(d.residual, 0.0123 / (1.0 + state[7]), 1e-10);
+  po_equilibrium_destroy(e);
+  po_surface_destroy(surface);
+}
+END_TEST
+
+START_TEST(digits_of_a_change) {
+  ck_assert_double_eq_tol(po_digits_left(2.5e-9), 8.602, 1e-3);
+  ck_assert_double_eq_tol(po_digits_left(0.0), 15.95, 0.01);
+  ck_assert_double_nan(po_digits_left((double)NAN));
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_test(tests, sensitivities_are_those_of_whole_solves);
+  tcase_add_test(tests, residuals_are_small_and_digits_stay);
+  tcase_add_test(tests, diagnostics_change_nothing);
+  tcase_add_test(tests, a_stiff_sphere_is_known);
+  tcase_add_test(tests, digits_of_a_change);
+}
+
+int main(void) {
+  return run_case("diagnosis", add);
+}
