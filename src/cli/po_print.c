@@ -19,6 +19,7 @@ po_status po_print_json(const po_request *request, const po_scene_flags *flags,
   if (request->want & PO_WANT_PROFILE) {
     json_object_set_new(document, "profile_approach", po_json_number(outcome->profile_approach));
     json_object_set_new(document, "profile", po_json_profile(outcome));
+    json_object_set_new(document, "contact", po_json_contact(outcome));
   }
   if (flags->from_physical)
     json_object_set_new(document, "physical", po_json_physical(flags, request, outcome));

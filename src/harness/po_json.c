@@ -3,7 +3,10 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "po_contact.h"
 #include "po_input.h"
+#include "po_law.h"
+#include "po_memory.h"
 
 json_t *po_json_number(double value) {
   return isfinite(value) ? json_real(value) : json_null();
@@ -104,6 +107,36 @@ json_t *po_json_profile(const po_outcome *outcome) {
                                            po_json_number(p->traction)));
   }
   return array;
+}
+
+static json_t *rings_of(const po_contact_ring *ring, size_t count) {
+  json_t *array = json_array();
+  for (size_t k = 0; k < count; ++k)
+    json_array_append_new(array,
+                          json_pack("{s:f, s:f}", "inner", ring[k].inner, "outer", ring[k].outer));
+  return array;
+}
+
+json_t *po_json_contact(const po_outcome *outcome) {
+  const size_t n = outcome->profile_count;
+  double *node = po_allocate(n, sizeof *node), *gap = po_allocate(n, sizeof *gap);
+  po_contact_ring *ring = po_allocate(n / 2 + 1, sizeof *ring);
+  json_t *object = NULL;
+  if (node && gap && ring) {
+    for (size_t j = 0; j < n; ++j) {
+      node[j] = outcome->profile[j].radius;
+      gap[j] = outcome->profile[j].gap;
+    }
+    json_t *pressed = rings_of(ring, po_contact_rings(n, node, gap, 0.0, ring));
+    const size_t held = po_contact_rings(n, node, gap, PO_LAW_PEAK_GAP, ring);
+    object = json_pack("{s:o, s:o, s:o, s:I}", "approach",
+                       po_json_number(outcome->profile_approach), "compressed", pressed, "held",
+                       rings_of(ring, held), "grooves", (json_int_t)(held ? held - 1 : 0));
+  }
+  free(node);
+  free(gap);
+  free(ring);
+  return object;
 }
 
 po_status po_json_print(const json_t *document, po_text *text) {

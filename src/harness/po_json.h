@@ -44,6 +44,11 @@ po_status po_json_print(const json_t *document, po_text *text);
  * Status: PO_BAD_INPUT when something is missing or of the wrong type. */
 po_status po_json_read_outcome(const json_t *object, po_outcome *outcome);
 
+/* {"approach", "compressed": [{"inner", "outer"}], "held": the same, "grooves"}: the rings of the
+ * profile in which the traction is compressive, and in which the bodies hold together as in contact
+ * (po_contact_rings), and how many grooves lie between the latter. NULL without memory. */
+json_t *po_json_contact(const po_outcome *outcome);
+
 /* A number, or NaN for null and what is absent. */
 double po_json_read_number(const json_t *object, const char *key);
 

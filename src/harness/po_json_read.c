@@ -88,6 +88,8 @@ po_status po_json_read_outcome(const json_t *object, po_outcome *outcome) {
   outcome->pull_off.contact_radius = po_json_read_number(pull_off, "contact_radius");
   outcome->pull_off.force_error = po_json_read_number(pull_off, "error_estimate");
   outcome->pull_off.approach_error = po_json_read_number(pull_off, "approach_error_estimate");
+  outcome->profile_approach =
+      po_json_read_number(json_object_get(object, "contact"), "approach");
   read_work(json_object_get(object, "work"), &outcome->work);
   po_status status =
       read_landmarks(json_object_get(object, "folds"), &outcome->folds, &outcome->fold_count);

@@ -77,6 +77,8 @@ static po_status add_table(const po_case_run *run, size_t index, bool profile, c
   const po_status status = profile ? po_tables_write_profile(path, &point->request, outcome, digest)
                                    : po_tables_write_curve(path, &point->request, outcome, digest);
   free(path);
+  if (profile)
+    json_object_set_new(entry, "contact", po_json_contact(outcome));
   snprintf(digest_key, sizeof digest_key, "%s_sha256", what);
   json_object_set_new(entry, what, json_string(name));
   json_object_set_new(entry, digest_key, json_string(digest));

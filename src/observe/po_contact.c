@@ -1,6 +1,7 @@
 #include "po_contact.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 #include "po_law.h"
 #include "po_shape.h"
@@ -40,4 +41,25 @@ double po_contact_radius_rigid(const po_scene *scene, double approach) {
       inside = middle;
   }
   return inside;
+}
+
+size_t po_contact_rings(size_t n, const double *node, const double *gap, double level,
+                        po_contact_ring *ring) {
+  size_t count = 0;
+  bool inside = false;
+  for (size_t j = 0; j < n; ++j) {
+    if ((gap[j] < level) == inside)
+      continue;
+    double edge = j ? node[j] : 0.0; /* the first node stands for all within */
+    if (j)
+      edge -= (gap[j] - level) / (gap[j] - gap[j - 1]) * (node[j] - node[j - 1]);
+    inside = !inside;
+    if (inside)
+      ring[count].inner = edge;
+    else
+      ring[count++].outer = edge;
+  }
+  if (inside)
+    ring[count++].outer = node[n - 1];
+  return count;
 }

@@ -234,6 +234,24 @@ START_TEST(contact_radius_is_where_tension_peaks) {
 }
 END_TEST
 
+START_TEST(contact_rings_are_where_the_gap_is_small) {
+  const double node[] = {0.5, 1.0, 2.0, 3.5, 4.0, 5.0}, gap[] = {-0.1, 0.3, 0.1, -0.2, 0.2, 0.6};
+  po_contact_ring ring[4];
+  ck_assert_uint_eq(po_contact_rings(6, node, gap, 0.0, ring), 2);
+  ck_assert_double_eq(ring[0].inner, 0.0);
+  ck_assert_double_eq_tol(ring[0].outer, 0.625, 1e-15);
+  ck_assert_double_eq_tol(ring[1].inner, 2.5, 1e-15);
+  ck_assert_double_eq_tol(ring[1].outer, 3.75, 1e-15);
+  ck_assert_uint_eq(po_contact_rings(3, node + 3, gap + 3, 0.0, ring), 1);
+  ck_assert_uint_eq(po_contact_rings(2, node + 1, gap + 1, 0.0, ring), 0);
+  ck_assert_uint_eq(po_contact_rings(2, node + 2, gap + 2, 0.0, ring), 1); /* open at the end */
+  ck_assert_double_eq(ring[0].outer, 3.5);
+  ck_assert_uint_eq(po_contact_rings(6, node, gap, 0.15, ring), 2);
+  ck_assert_double_eq_tol(ring[1].inner, 1.75, 1e-15);
+  ck_assert_uint_eq(po_contact_rings(6, node, gap, 0.45, ring), 1); /* no groove left */
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, smooth_sphere_against_another_code, 0, 3);
   tcase_add_loop_test(tests, pull_off_is_behind_when_the_trace_ends, 0, 6);
@@ -249,6 +267,7 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, time_limit_is_a_positive_number, 0, 3);
   tcase_add_test(tests, bad_requests_are_refused);
   tcase_add_test(tests, contact_radius_is_where_tension_peaks);
+  tcase_add_test(tests, contact_rings_are_where_the_gap_is_small);
 }
 
 int main(void) {

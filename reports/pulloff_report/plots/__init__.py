@@ -5,10 +5,10 @@ CASE, when it draws the case of another figure; SCHEMATIC, when it draws none (c
 To add one: write the module here and, when gnuplot draws it, figures/<name>.gp; enter it below.
 """
 
-from . import (fig02, fig03, fig04, fig06, fig07, fig08, fig10, fig11, fig12, fig13, pull_off_map,
-               sketches)
+from . import (fig02, fig03, fig04, fig06, fig07, fig08, fig09, fig10, fig11, fig12, fig13,
+               pull_off_map, sketches)
 
 BY_SCRIPT = {"fig01": sketches.FIG01, "fig02": fig02, "fig03": fig03, "fig04": fig04,
              "fig05": sketches.FIG05, "fig06": fig06, "fig07": fig07, "fig08": fig08,
-             "fig10": fig10, "fig11": fig11, "fig12": fig12, "fig13": fig13,
+             "fig09": fig09, "fig10": fig10, "fig11": fig11, "fig12": fig12, "fig13": fig13,
              "fig14": pull_off_map.FIG14}
