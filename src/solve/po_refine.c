@@ -9,6 +9,10 @@ enum { MOST_SOLVES = 5 };
 /* Panels whose error is below this part of the largest are left as they are. */
 static const double CONTRIBUTES = 0.01;
 
+/* A panel of more waves of the waviness is too coarse for its coefficients to tell what it misses.
+ */
+static const double TELLING_WAVES = 2.5;
+
 /* The rate whose root is the landmark is found to this part of its slope. */
 static const double LOCATED = 1e-9;
 /* Or the secant has no more to say: its next step is this part of the last. */
@@ -19,7 +23,28 @@ static const double TRIAL_STEP = 1e-5;
 /* Errors of landmarks: times the change on a finer mesh; and times the precision of Newton. */
 static const double SAFETY = 3.0, FLOOR = 10.0;
 
-/* The leaves of p, those halved that contribute to its error. */
+/* Splits leaves until all are of few waves. Where there is no room for that they are left as they
+ * were. */
+static void split_waves(const po_resolution *r, po_leaves *leaves) {
+  const po_scene *scene = r->e->scene;
+  const po_leaves before = *leaves;
+  bool any = po_scene_is_wavy(scene);
+  while (any) {
+    bool split[PO_MOST_LEAVES];
+    any = false;
+    for (size_t k = 0; k < leaves->count; ++k) {
+      const double length = r->root * po_leaf_size(leaves->leaf[k]);
+      split[k] = length > TELLING_WAVES * scene->wavelength;
+      any = any || split[k];
+    }
+    if (any && !po_leaves_split(leaves, split)) {
+      *leaves = before;
+      return;
+    }
+  }
+}
+
+/* The leaves of p, those halved that contribute to its error, and those split that may hide one. */
 static bool finer_leaves(const po_resolution *r, const po_track_point *p, po_leaves *leaves) {
   double excess[PO_MOST_LEAVES], largest = 0.0;
   bool split[PO_MOST_LEAVES];
@@ -29,7 +54,10 @@ static bool finer_leaves(const po_resolution *r, const po_track_point *p, po_lea
   for (size_t k = 0; k < p->leaves.count; ++k)
     split[k] = excess[k] > CONTRIBUTES * largest;
   *leaves = p->leaves;
-  return po_leaves_split(leaves, split);
+  if (!po_leaves_split(leaves, split))
+    return false;
+  split_waves(r, leaves);
+  return true;
 }
 
 /* d rate / d distance at the event, on the cubic of its interval, per distance along its own gauge.

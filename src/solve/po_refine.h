@@ -9,8 +9,8 @@
 /* Given: a fold or an extremum of the load, its mesh resolved by `resolution`; the event, with the
  * samples along the gauge of a point before it, at a cosine to its own gauge. `spare` is room.
  * Returned: the changes of approach and load of the landmark when every panel that contributes to
- * the error is halved. The mesh in force is another then. Status: PO_NOT_CONVERGED,
- * PO_OUT_OF_NODES. */
+ * the error is halved, and none spans more than a few waves. The mesh in force is another then.
+ * Status: PO_NOT_CONVERGED, PO_OUT_OF_NODES. */
 po_status po_refine(po_corrector *c, const po_resolution *resolution, const po_track_point *p,
                     const po_event *event, double cosine, po_track_point *spare, double change[2]);
 
