@@ -95,8 +95,8 @@ END_TEST
 START_TEST(rate_of_energy_is_load_to_second_order) {
   const po_scene *scene = &SCENES[_i / 2];
   const po_scheme scheme = _i % 2 ? PO_RING : PO_TRIANGLE;
-  const balance coarse = of_triangles_or_rings(scene, scheme, 101);
-  const balance fine = of_triangles_or_rings(scene, scheme, 201);
+  const balance coarse = of_triangles_or_rings(scene, scheme, 151);
+  const balance fine = of_triangles_or_rings(scene, scheme, 301);
   ck_assert_int_ge(fine.folds, 2);
   ck_assert_double_lt(fine.worst, 0.02);
   ck_assert_double_eq_tol(log2(coarse.worst / fine.worst), 2.0, 0.2);
