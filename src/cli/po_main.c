@@ -17,11 +17,14 @@ static const struct {
     {"list", po_verb_list, "list the cases"},
     {"plan", po_verb_plan, "say what would be computed for a case, and why"},
     {"run", po_verb_run, "solve cases and keep their records"},
+    {"merge", po_verb_merge, "put the shards of a run together"},
     {"verify", po_verb_verify, "run what is missing and print a verdict for every check"},
     {"explain", po_verb_explain, "say what differs, where, and which side is likely at fault"},
     {"bless", po_verb_bless, "accept the numbers of a case as its pins"},
     {"report", po_verb_report, "write the report of a run"},
 };
+
+#define VERB_NAMES "solve, follow, theory, list, plan, run, merge, verify, explain, bless or report"
 
 static void print_help(void) {
   puts("Usage: pulloff VERB [OPTION]...\n"
@@ -38,9 +41,7 @@ static void print_help(void) {
 
 static int run_verb(int argc, char **argv) {
   if (argc < 2) {
-    po_fail(PO_BAD_INPUT,
-            "no verb is given: expected solve, follow, theory, list, plan, run, verify, "
-            "explain, bless or report");
+    po_fail(PO_BAD_INPUT, "no verb is given: expected " VERB_NAMES);
     return po_options_end(PO_BAD_INPUT);
   }
   if (strcmp(argv[1], "--help") == 0) {
@@ -54,11 +55,7 @@ static int run_verb(int argc, char **argv) {
   for (size_t i = 0; i < sizeof VERBS / sizeof *VERBS; ++i)
     if (strcmp(argv[1], VERBS[i].name) == 0)
       return VERBS[i].run(argc - 1, argv + 1);
-  po_fail(PO_BAD_INPUT,
-          "unknown verb %.80s: expected solve, follow, theory, list, plan, run, verify, explain, "
-          "bless or "
-          "report",
-          argv[1]);
+  po_fail(PO_BAD_INPUT, "unknown verb %.80s: expected " VERB_NAMES, argv[1]);
   return po_options_end(PO_BAD_INPUT);
 }
 

@@ -13,9 +13,10 @@
 #include "po_summary.h"
 
 static const size_t MOST_JOBS = 4096;
+static const size_t MOST_SHARDS = 1000000;
 
 po_session po_session_default(void) {
-  return (po_session){.time_limit = NAN, .options = {.output = "build/run", .last = SIZE_MAX}};
+  return (po_session){.time_limit = NAN, .last = SIZE_MAX, .options = {.output = "build/run"}};
 }
 
 po_status po_session_suites(const char *list, unsigned *suites) {
@@ -33,14 +34,26 @@ po_status po_session_suites(const char *list, unsigned *suites) {
 }
 
 /* "17" or "0-499". */
-static po_status take_points(const char *text, po_run_options *options) {
+static po_status take_points(const char *text, po_session *session) {
   char first[32];
   const size_t length = strcspn(text, "-");
   snprintf(first, sizeof first, "%.*s", (int)(length < 31 ? length : 31), text);
   const char *last = text[length] ? text + length + 1 : first;
-  if (!po_number_parse_count(first, &options->first) ||
-      !po_number_parse_count(last, &options->last) || options->last < options->first)
+  if (!po_number_parse_count(first, &session->first) ||
+      !po_number_parse_count(last, &session->last) || session->last < session->first)
     return po_options_refuse("points", text, "FROM-TO or one number, counted from 0");
+  return PO_OK;
+}
+
+/* "2/5". */
+static po_status take_shard(const char *text, po_shard *shard) {
+  char number[32];
+  const size_t length = strcspn(text, "/");
+  snprintf(number, sizeof number, "%.*s", (int)(length < 31 ? length : 31), text);
+  if (!text[length] || !po_number_parse_count(number, &shard->number) ||
+      !po_number_parse_count(text + length + 1, &shard->count) || shard->number < 1 ||
+      shard->number > shard->count || shard->count > MOST_SHARDS)
+    return po_options_refuse("shard", text, "K/N, the K-th of N shards, as 1/4");
   return PO_OK;
 }
 
@@ -58,7 +71,9 @@ po_status po_session_option(po_session *session, int option) {
     session->options.jobs = (int)jobs;
     return PO_OK;
   case PO_SESSION_POINTS:
-    return take_points(optarg, &session->options);
+    return take_points(optarg, session);
+  case PO_SESSION_SHARD:
+    return take_shard(optarg, &session->shard);
   case PO_SESSION_TIME_LIMIT:
     return po_number_parse(optarg, &session->time_limit) && session->time_limit > 0
                ? PO_OK
@@ -88,17 +103,27 @@ static po_status plan_all(po_session *session) {
 static po_status check_points(const po_session *session) {
   for (size_t i = 0; i < session->catalog.count; ++i) {
     const po_case *kase = session->catalog.cases[i];
-    if (session->options.first >= kase->point_count)
+    if (session->first >= kase->point_count)
       return po_fail(PO_BAD_INPUT,
                      "--points begins at %zu: expected less than %zu, the points of %s",
-                     session->options.first, kase->point_count, kase->file->name);
+                     session->first, kase->point_count, kase->file->name);
   }
   return PO_OK;
 }
 
-static po_status open_cases(po_session *session, char *const *names, size_t count) {
+/* Chooses the points that are asked for. */
+static po_status ask(po_session *session) {
+  for (size_t i = 0; i < session->catalog.count; ++i)
+    po_case_run_ask(&session->runs[i], session->first, session->last);
+  return session->shard.count ? po_shard_deal(session->runs, session->catalog.count, session->shard)
+                              : PO_OK;
+}
+
+po_status po_session_open(po_session *session, char *const *names, size_t count) {
   if (count && session->suites)
     return po_fail(PO_BAD_INPUT, "cases and --suite are given: expected one of them");
+  if (session->shard.count && session->last < SIZE_MAX)
+    return po_fail(PO_BAD_INPUT, "--points and --shard are given: expected one of them");
   /* What is long is run only when it is named. */
   const unsigned suites = session->suites ? session->suites : ~(unsigned)PO_SUITE_RANDOM;
   po_status status =
@@ -109,16 +134,25 @@ static po_status open_cases(po_session *session, char *const *names, size_t coun
     status = check_points(session);
   if (!status)
     status = plan_all(session);
+  if (!status)
+    status = ask(session);
   return status;
 }
 
 po_status po_session_solve(po_session *session) {
   session->options.stop = po_interrupt_listen();
-  return po_run(session->runs, session->catalog.count, &session->options);
+  if (session->options.jobs == 0)
+    session->options.jobs = po_environment_cores();
+  const po_status status =
+      session->shard.count
+          ? po_shard_write(session->runs, session->catalog.count, session->shard,
+                           session->time_limit, session->options.jobs, session->options.output)
+          : PO_OK;
+  return status ? status : po_run(session->runs, session->catalog.count, &session->options);
 }
 
 po_status po_session_run(po_session *session, char *const *names, size_t count) {
-  const po_status status = open_cases(session, names, count);
+  const po_status status = po_session_open(session, names, count);
   return status ? status : po_session_solve(session);
 }
 
@@ -126,7 +160,7 @@ po_status po_session_open_one(po_session *session, const po_options *options) {
   if (options->argc - optind != 1)
     return po_fail(PO_BAD_INPUT, "%s needs the name of one case (see pulloff %s --help)",
                    options->verb, options->verb);
-  return open_cases(session, options->argv + optind, 1);
+  return po_session_open(session, options->argv + optind, 1);
 }
 
 size_t po_session_failures(const po_session *session) {
@@ -152,6 +186,20 @@ po_status po_session_summarise(const po_session *session) {
   const po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
   po_text_clear(&text);
   return status;
+}
+
+int po_session_end(po_session *session, po_status status) {
+  if (!status)
+    status = po_session_summarise(session);
+  const size_t failures = status ? 0 : po_session_failures(session);
+  int code = po_options_end(status);
+  if (failures) {
+    fprintf(stderr, "pulloff: %zu solves failed, see the records in %s\n", failures,
+            session->options.output);
+    code = PO_EXIT_SOLVE;
+  }
+  po_session_clear(session);
+  return code;
 }
 
 void po_session_clear(po_session *session) {

@@ -7,10 +7,13 @@
 #include "po_catalog.h"
 #include "po_options.h"
 #include "po_run.h"
+#include "po_shard.h"
 
 typedef struct {
   unsigned suites;
-  double time_limit; /* instead of that of the cases; NAN: theirs */
+  double time_limit;  /* instead of that of the cases; NAN: theirs */
+  size_t first, last; /* the points asked for, of each case */
+  po_shard shard;     /* or those of this shard */
   po_run_options options;
   po_catalog catalog;
   po_case_run *runs; /* one a case of the catalog */
@@ -24,6 +27,7 @@ enum {
   PO_SESSION_POINTS,
   PO_SESSION_TIME_LIMIT,
   PO_SESSION_FRESH,
+  PO_SESSION_SHARD, /* of run alone */
   PO_SESSION_NEXT
 };
 // clang-format off
@@ -55,8 +59,9 @@ po_status po_session_option(po_session *session, int option);
  * run; then runs them. Status: as po_run. */
 po_status po_session_run(po_session *session, char *const *names, size_t count);
 
-/* The same in two steps, for the verbs that look at one case: reads and plans the case that is the
- * one operand left; then solves it. */
+/* The same in two steps. For the verbs that look at one case the first reads and plans the case
+ * that is the one operand left. */
+po_status po_session_open(po_session *session, char *const *names, size_t count);
 po_status po_session_open_one(po_session *session, const po_options *options);
 po_status po_session_solve(po_session *session);
 
@@ -67,6 +72,10 @@ size_t po_session_outside(const po_session *session);
 /* Prints on standard output the summary of each case whose scenes are drawn at random.
  * Status: PO_NO_MEMORY. */
 po_status po_session_summarise(const po_session *session);
+
+/* Ends a verb that runs cases and judges nothing: the summaries, how many solves failed. Clears.
+ * Returned: the exit code. */
+int po_session_end(po_session *session, po_status status);
 
 void po_session_clear(po_session *session);
 

@@ -1,5 +1,3 @@
-#include <stdio.h>
-
 #include "po_session.h"
 #include "po_verbs.h"
 
@@ -15,15 +13,19 @@ static const char HELP[] =
     "                  on it\n"
     "  --points A[-B]  only these points of each case, counted from 0; they are kept for a run of\n"
     "                  the whole\n"
+    "  --shard K/N     only the K-th of N parts of all points, for one of several machines; see\n"
+    "                  pulloff merge\n"
     "  --time-limit S  seconds of processor time a solve may take, instead of what the case says\n"
     "  --fresh         solve again what is there\n"
     "  --help          this text\n\n"
     "Of a case whose scenes are drawn at random a summary is printed: how many ended how, what "
     "they\n"
     "took, and for each failure its reason and the line that repeats it.\n\n"
-    "Example: pulloff run fig03 --jobs 2\n";
+    "Example: pulloff run fig03 --jobs 2\n"
+    "         pulloff run --suite paper --shard 1/4 --output shards/1\n";
 
-static const struct option OPTIONS[] = {PO_SESSION_OPTIONS, {NULL, 0, NULL, 0}};
+static const struct option OPTIONS[] = {
+    PO_SESSION_OPTIONS, {"shard", required_argument, NULL, PO_SESSION_SHARD}, {NULL, 0, NULL, 0}};
 
 int po_verb_run(int argc, char **argv) {
   const po_options options = {"run", HELP, OPTIONS, argc, argv};
@@ -39,15 +41,5 @@ int po_verb_run(int argc, char **argv) {
     status = PO_BAD_INPUT;
   if (!status)
     status = po_session_run(&session, argv + optind, (size_t)(argc - optind));
-  if (!status)
-    status = po_session_summarise(&session);
-  const size_t failures = status ? 0 : po_session_failures(&session);
-  int code = po_options_end(status);
-  if (failures) {
-    fprintf(stderr, "pulloff: %zu solves failed, see the records in %s\n", failures,
-            session.options.output);
-    code = PO_EXIT_SOLVE;
-  }
-  po_session_clear(&session);
-  return code;
+  return po_session_end(&session, status);
 }

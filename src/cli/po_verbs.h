@@ -9,6 +9,7 @@ int po_verb_theory(int argc, char **argv);
 int po_verb_list(int argc, char **argv);
 int po_verb_plan(int argc, char **argv);
 int po_verb_run(int argc, char **argv);
+int po_verb_merge(int argc, char **argv);
 int po_verb_verify(int argc, char **argv);
 int po_verb_report(int argc, char **argv);
 int po_verb_explain(int argc, char **argv);

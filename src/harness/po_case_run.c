@@ -5,13 +5,16 @@
 
 po_status po_case_run_create(po_plan *plan, po_case_run *run) {
   const size_t points = plan->kase->point_count;
-  *run = (po_case_run){.plan = plan, .end = points, .pending = points};
+  *run = (po_case_run){.plan = plan, .pending = points};
   run->outcomes = po_allocate(points, sizeof *run->outcomes);
   run->seconds = po_allocate(points * plan->kase->repeats, sizeof *run->seconds);
   run->processor_seconds = po_allocate(points * plan->kase->repeats, sizeof *run->seconds);
   run->done = po_allocate(points, sizeof *run->done);
-  const bool made = run->outcomes && run->seconds && run->processor_seconds && run->done;
-  return made ? PO_OK : PO_NO_MEMORY;
+  run->asked = po_allocate(points, sizeof *run->asked);
+  if (!run->outcomes || !run->seconds || !run->processor_seconds || !run->done || !run->asked)
+    return PO_NO_MEMORY;
+  po_case_run_ask(run, 0, points);
+  return PO_OK;
 }
 
 void po_case_run_clear(po_case_run *run) {
@@ -21,10 +24,31 @@ void po_case_run_clear(po_case_run *run) {
   free(run->seconds);
   free(run->processor_seconds);
   free(run->done);
+  free(run->asked);
+  free(run->environment);
   po_results_clear(&run->results);
   po_results_clear(&run->measured);
   po_plan_destroy(run->plan);
   *run = (po_case_run){0};
+}
+
+void po_case_run_ask(po_case_run *run, size_t first, size_t last) {
+  run->asked_count = 0;
+  for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
+    run->asked[i] = i >= first && i <= last;
+    run->asked_count += run->asked[i];
+  }
+}
+
+bool po_case_run_is_whole(const po_case_run *run) {
+  return run->asked_count == run->plan->kase->point_count;
+}
+
+bool po_case_run_is_done(const po_case_run *run) {
+  for (size_t i = 0; i < run->plan->kase->point_count; ++i)
+    if (run->asked[i] && !run->done[i])
+      return false;
+  return true;
 }
 
 bool po_case_run_failed(const po_case_run *run, size_t point) {
@@ -41,8 +65,8 @@ bool po_case_run_failed(const po_case_run *run, size_t point) {
 
 size_t po_case_run_failures(const po_case_run *run) {
   size_t count = 0;
-  for (size_t i = run->first; i < run->end; ++i)
-    count += po_case_run_failed(run, i);
+  for (size_t i = 0; i < run->plan->kase->point_count; ++i)
+    count += run->asked[i] && po_case_run_failed(run, i);
   return count;
 }
 

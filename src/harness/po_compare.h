@@ -11,10 +11,10 @@
 po_status po_compare(const po_case *kase, size_t point, const po_check *check,
                      const po_reference *reference, const po_outcome *outcome, po_results *results);
 
-/* The share of the points from `first` to before `end` that a check concerns whose solve succeeded,
+/* The share of the points asked for (one flag a point) that a check concerns whose solve succeeded,
  * beside 1: one result for all of them. A failure without a reason is outside whatever the share.
  * Status: PO_NO_MEMORY. */
-po_status po_compare_share(const po_case *kase, size_t first, size_t end, const po_check *check,
+po_status po_compare_share(const po_case *kase, const bool *asked, const po_check *check,
                            const po_reference *reference, const po_outcome *outcomes,
                            po_results *results);
 

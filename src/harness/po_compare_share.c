@@ -5,12 +5,12 @@
 #include "po_compare.h"
 #include "po_memory.h"
 
-po_status po_compare_share(const po_case *kase, size_t first, size_t end, const po_check *check,
+po_status po_compare_share(const po_case *kase, const bool *asked, const po_check *check,
                            const po_reference *reference, const po_outcome *outcomes,
                            po_results *results) {
-  size_t concerned = 0, solved = 0, silent = 0, example = first;
-  for (size_t i = first; i < end; ++i) {
-    if (!po_check_concerns(check, &kase->points[i].request))
+  size_t concerned = 0, solved = 0, silent = 0, example = 0;
+  for (size_t i = 0; i < kase->point_count; ++i) {
+    if (!asked[i] || !po_check_concerns(check, &kase->points[i].request))
       continue;
     concerned += 1;
     if (outcomes[i].status == PO_OK)

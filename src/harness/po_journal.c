@@ -44,7 +44,7 @@ static void read_line(po_case_run *run, const char *line, size_t length, const c
   size_t index = 0;
   char expected[PO_DIGEST_LENGTH];
   if (key && id && po_number_parse_count(id, &index) && index < run->plan->kase->point_count &&
-      make_key(run, index, expected) && strcmp(key, expected) == 0) {
+      run->asked[index] && make_key(run, index, expected) && strcmp(key, expected) == 0) {
     po_outcome_clear(&run->outcomes[index]);
     run->done[index] = po_record_read_point(run, index, point, folder) == PO_OK;
     if (!run->done[index])

@@ -7,9 +7,9 @@
 
 #include "po_run.h"
 
-/* Takes over what is in the journal of a case, of these solves by this program; marks these points
- * as done. Of a point that is there twice the later holds; lines that are of other solves, or
- * damaged, are passed over. */
+/* Takes over what is in the journal of a case, of these solves by this program; marks those of
+ * them that are asked for as done. Of a point that is there twice the later holds; lines that are
+ * of other solves, or damaged, are passed over. */
 void po_journal_read(po_case_run *run, const char *output);
 
 /* Adds a point that was just solved, and writes its curve and profile.

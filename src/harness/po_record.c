@@ -210,6 +210,11 @@ static json_t *lists(const po_case_run *run, json_t *record) {
   return record;
 }
 
+/* Where it was solved. */
+static json_t *environment(const po_case_run *run, int jobs) {
+  return run->environment ? json_loads(run->environment, 0, NULL) : po_environment_describe(jobs);
+}
+
 static json_t *record_json(const po_case_run *run, int jobs) {
   const po_case *kase = run->plan->kase;
   const po_case_file *file = kase->file;
@@ -221,7 +226,7 @@ static json_t *record_json(const po_case_run *run, int jobs) {
       text_or_null(file->figure), "equations", text_or_null(file->equations), "suites",
       suites(kase), "file", kase->shown, "key", run->plan->key, "solve_key", run->plan->solve_key,
       "figure_script", text_or_null(file->figure_script), "command", command, "versions",
-      po_environment_versions(), "environment", po_environment_describe(jobs), "verdict",
+      po_environment_versions(), "environment", environment(run, jobs), "verdict",
       po_case_run_verdict(run), "seconds", po_json_number(run->elapsed));
   return record ? lists(run, record) : NULL;
 }

@@ -13,6 +13,10 @@ static const char *string_of(const json_t *object, const char *key) {
   return text ? text : "";
 }
 
+static double number_or_nan(const json_t *value) {
+  return json_is_number(value) ? json_number_value(value) : (double)NAN;
+}
+
 static po_status read_table(const json_t *point, bool profile, bool needed, const char *folder,
                             po_outcome *outcome) {
   const char *name = string_of(point, profile ? "profile" : "curve");
@@ -40,8 +44,8 @@ po_status po_record_read_point(po_case_run *run, size_t index, const json_t *poi
   po_status status = po_json_read_outcome(point, outcome);
   for (unsigned i = 0; i < repeats; ++i) {
     const size_t place = index * repeats + i;
-    run->seconds[place] = json_number_value(json_array_get(seconds, i));
-    run->processor_seconds[place] = json_number_value(json_array_get(processor, i));
+    run->seconds[place] = number_or_nan(json_array_get(seconds, i));
+    run->processor_seconds[place] = number_or_nan(json_array_get(processor, i));
   }
   if (!status)
     status = read_table(point, false, run->plan->want & PO_WANT_CURVE, folder, outcome);

@@ -50,25 +50,23 @@ static po_status compare_all(po_case_run *run) {
   for (unsigned c = 0; !status && c < kase->file->checks_count; ++c) {
     const po_check *check = &kase->file->checks[c];
     if (check->quantity == PO_SOLVED_SHARE) {
-      status = po_compare_share(kase, run->first, run->end, check, &run->plan->references[c],
-                                run->outcomes, &run->results);
+      status = po_compare_share(kase, run->asked, check, &run->plan->references[c], run->outcomes,
+                                &run->results);
       continue;
     }
-    for (size_t i = run->first; !status && i < run->end; ++i)
-      status =
-          po_compare(kase, i, check, &run->plan->references[c], &run->outcomes[i], &run->results);
+    for (size_t i = 0; !status && i < kase->point_count; ++i)
+      if (run->asked[i])
+        status =
+            po_compare(kase, i, check, &run->plan->references[c], &run->outcomes[i], &run->results);
   }
   for (unsigned m = 0; !status && m < kase->file->measure_count; ++m)
-    for (size_t i = run->first; !status && i < run->end; ++i)
-      status = po_compare(kase, i, &kase->file->measure[m], &run->plan->measures[m],
-                          &run->outcomes[i], &run->measured);
+    for (size_t i = 0; !status && i < kase->point_count; ++i)
+      if (run->asked[i])
+        status = po_compare(kase, i, &kase->file->measure[m], &run->plan->measures[m],
+                            &run->outcomes[i], &run->measured);
   if (!status)
     po_judge(&run->results);
   return status;
-}
-
-static bool is_whole(const po_case_run *run) {
-  return run->first == 0 && run->end == run->plan->kase->point_count;
 }
 
 static void tell_finished(po_crew *crew, const po_case_run *run) {
@@ -77,10 +75,10 @@ static void tell_finished(po_crew *crew, const po_case_run *run) {
     snprintf(kept, sizeof kept, " (kept)");
   else if (run->resumed)
     snprintf(kept, sizeof kept, " (%zu points kept)", run->resumed);
-  if (!is_whole(run))
+  if (!po_case_run_is_whole(run))
     snprintf(part, sizeof part, " of %zu", run->plan->kase->point_count);
   po_progress_say(&crew->progress, "%s: %zu%s points, %zu checks: %s%s",
-                  run->plan->kase->file->name, run->end - run->first, part, run->results.count,
+                  run->plan->kase->file->name, run->asked_count, part, run->results.count,
                   po_case_run_verdict(run), kept);
 }
 
@@ -88,9 +86,9 @@ static void tell_finished(po_crew *crew, const po_case_run *run) {
 static po_status finish_case(po_crew *crew, po_case_run *run) {
   run->finished = true;
   po_status status = compare_all(run);
-  if (!status && is_whole(run) && strcmp(run->old_key, run->plan->key) != 0)
+  if (!status && po_case_run_is_whole(run) && strcmp(run->old_key, run->plan->key) != 0)
     status = po_record_write(run, crew->options->output, crew->jobs);
-  if (!status && is_whole(run))
+  if (!status && po_case_run_is_whole(run))
     po_journal_remove(run, crew->options->output);
   if (!status)
     tell_finished(crew, run);
@@ -99,7 +97,7 @@ static po_status finish_case(po_crew *crew, po_case_run *run) {
 
 /* The last point of a whole case goes straight into the record. */
 static po_status keep_point(const po_crew *crew, const po_case_run *run, size_t point) {
-  if (run->pending == 0 && is_whole(run))
+  if (run->pending == 0 && po_case_run_is_whole(run))
     return PO_OK;
   return po_journal_add(run, point, crew->options->output);
 }
@@ -145,7 +143,7 @@ static po_status end_point(po_crew *crew, po_case_run *run, size_t point) {
 
 /* A point was solved once, if it was asked for. Inside the critical section. */
 static po_status take_point(po_crew *crew, po_case_run *run, size_t point, unsigned round) {
-  if (run->done[point] || point < run->first || point >= run->end)
+  if (run->done[point] || !run->asked[point])
     return PO_OK;
   char what[128];
   snprintf(what, sizeof what, "%.40s %.60s", run->plan->kase->file->name,
@@ -209,17 +207,18 @@ static po_status work_through(po_crew *crew, size_t count) {
 /* Takes over what earlier runs left of a case, unless all is to be solved afresh. */
 static po_status begin_case(po_crew *crew, po_case_run *run) {
   const po_run_options *options = crew->options;
-  const size_t count = run->plan->kase->point_count;
-  run->first = options->first < count ? options->first : count;
-  run->end = options->last < count ? options->last + 1 : count;
-  if (options->fresh && is_whole(run))
+  if (po_case_run_is_done(run) && run->asked_count)
+    return finish_case(crew, run); /* put together from elsewhere */
+  if (options->fresh && po_case_run_is_whole(run))
     po_journal_remove(run, options->output);
   else if (!options->fresh && po_record_read(run, options->output) == PO_OK)
     return finish_case(crew, run);
   else if (!options->fresh)
     po_journal_read(run, options->output);
   run->pending = 0;
-  for (size_t i = run->first; i < run->end; ++i) {
+  for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
+    if (!run->asked[i])
+      continue;
     run->pending += run->done[i] ? 0 : 1;
     run->resumed += run->done[i] ? 1 : 0;
     run->elapsed += run->done[i] ? run->outcomes[i].work.seconds : 0;

@@ -10,10 +10,11 @@
 /* One case on its way through a run. */
 typedef struct {
   po_plan *plan;
-  po_outcome *outcomes;           /* one a point */
-  double *seconds;                /* points x repeats, row after row: how long each solve took */
-  double *processor_seconds;      /* the same by the clock of the processor */
-  size_t first, end;              /* the points asked for: from first to before end */
+  po_outcome *outcomes;      /* one a point */
+  double *seconds;           /* points x repeats, row after row: how long each solve took */
+  double *processor_seconds; /* the same by the clock of the processor */
+  bool *asked;               /* one a point: it is asked for; at first all are */
+  size_t asked_count;
   bool *done;                     /* one a point: its outcome is there */
   size_t pending;                 /* points asked for and not solved yet */
   size_t resumed;                 /* points that an interrupted run left */
@@ -23,22 +24,21 @@ typedef struct {
   po_results results;
   po_results measured; /* what the case measures: errors without a verdict */
   double elapsed;      /* seconds spent on its solves */
+  char *environment;   /* where it was solved, as JSON; NULL: here */
 } po_case_run;
 
 typedef struct {
   const char *output;                /* the folder of the run */
   int jobs;                          /* threads; 0: all cores */
-  size_t first, last;                /* the points to solve, as far as there are */
   bool fresh;                        /* solve even what is there */
   const volatile sig_atomic_t *stop; /* nonzero: end soon */
 } po_run_options;
 
-/* Solves what is not there already, compares, writes the records. The solves of a case that repeats
- * them are timed: alone on the machine, and in rounds over the points, so that what slows the
- * machine for a while slows no point more than the others; a point is kept when its last round is
- * done. Of a case of which only some
- * points are asked for, the checks are made on these, and no record is written: its journal keeps
- * them (po_journal.h) for a run of the whole.
+/* Solves what is asked for and not there already, compares, writes the records. The solves of a
+ * case that repeats them are timed: alone on the machine, and in rounds over the points, so that
+ * what slows the machine for a while slows no point more than the others; a point is kept when its
+ * last round is done. Of a case of which only some points are asked for, the checks are made on
+ * these, and no record is written: its journal keeps them (po_journal.h) for a run of the whole.
  * Status: PO_INTERRUPTED, finished points kept; PO_CANNOT_WRITE; PO_CANNOT_READ (a reference);
  * PO_NO_MEMORY. A solve that fails is no failure of the run: see po_case_run_verdict. */
 po_status po_run(po_case_run *runs, size_t count, const po_run_options *options);
@@ -48,10 +48,18 @@ po_status po_run(po_case_run *runs, size_t count, const po_run_options *options)
  * PO_INTERRUPTED. */
 po_status po_run_line(po_case_run *run, size_t first, const volatile sig_atomic_t *stop);
 
+/* Asks only for the points from `first` to `last`, as far as there are. */
+void po_case_run_ask(po_case_run *run, size_t first, size_t last);
+
+/* Whether all points are asked for; whether those that are asked for are there. */
+bool po_case_run_is_whole(const po_case_run *run);
+bool po_case_run_is_done(const po_case_run *run);
+
 /* Whether the solve of a point failed, and not as part of the share that a check lets fail. */
 bool po_case_run_failed(const po_case_run *run, size_t point);
 
-/* "within", "outside" (some check is, or could not be made), "failed" (some solve did). */
+/* Of the points asked for: "within", "outside" (some check is, or could not be made), "failed"
+ * (some solve did). */
 const char *po_case_run_verdict(const po_case_run *run);
 size_t po_case_run_failures(const po_case_run *run); /* such solves */
 size_t po_case_run_outside(const po_case_run *run);  /* checks that do not pass */

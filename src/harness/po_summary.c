@@ -16,8 +16,8 @@ static void add_statuses(const po_case_run *run, po_text *text) {
   po_text_add(text, "%-20s %9s\n", "status", "points");
   for (size_t s = 0; s < sizeof STATUSES / sizeof *STATUSES; ++s) {
     size_t count = 0;
-    for (size_t i = run->first; i < run->end; ++i)
-      count += run->outcomes[i].status == STATUSES[s] ? 1 : 0;
+    for (size_t i = 0; i < run->plan->kase->point_count; ++i)
+      count += run->asked[i] && run->outcomes[i].status == STATUSES[s];
     if (count)
       po_text_add(text, "%-20s %9zu\n", po_status_name(STATUSES[s]), count);
   }
@@ -40,11 +40,12 @@ static double quantile(const double *sorted, size_t count, double part) {
 
 static void add_costs(const po_case_run *run, double *space, po_text *text) {
   static const char *const NAMES[] = {"seconds", "points", "nodes"};
-  const size_t count = run->end - run->first;
   po_text_add(text, "%-20s %9s %9s %9s\n", "of each solve", "median", "95 %", "greatest");
   for (int what = 0; what < 3; ++what) {
-    for (size_t i = 0; i < count; ++i)
-      space[i] = cost(&run->outcomes[run->first + i].work, what);
+    size_t count = 0;
+    for (size_t i = 0; i < run->plan->kase->point_count; ++i)
+      if (run->asked[i])
+        space[count++] = cost(&run->outcomes[i].work, what);
     qsort(space, count, sizeof *space, ascending);
     po_text_add(text, "%-20s %9.4g %9.4g %9.4g\n", NAMES[what], quantile(space, count, 0.5),
                 quantile(space, count, 0.95), space[count - 1]);
@@ -65,15 +66,16 @@ static void add_slowest(const po_case_run *run, po_text *text) {
   po_text_add(text, "slowest\n");
   for (int found = 0; found < SLOWEST;) {
     double greatest = -1;
-    for (size_t i = run->first; i < run->end; ++i) {
+    for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
       const double seconds = run->outcomes[i].work.seconds;
-      if (seconds < below && seconds > greatest)
+      if (run->asked[i] && seconds < below && seconds > greatest)
         greatest = seconds;
     }
     if (greatest < 0)
       return;
-    for (size_t i = run->first; i < run->end && found < SLOWEST; ++i)
-      if (run->outcomes[i].work.seconds >= greatest && run->outcomes[i].work.seconds < below) {
+    for (size_t i = 0; i < run->plan->kase->point_count && found < SLOWEST; ++i)
+      if (run->asked[i] && run->outcomes[i].work.seconds >= greatest &&
+          run->outcomes[i].work.seconds < below) {
         po_text_add(text, "point %s, %s, %.3g s\n", run->plan->kase->points[i].id,
                     po_status_name(run->outcomes[i].status), greatest);
         add_command(run, i, text);
@@ -85,9 +87,9 @@ static void add_slowest(const po_case_run *run, po_text *text) {
 
 static void add_failures(const po_case_run *run, po_text *text) {
   size_t count = 0;
-  for (size_t i = run->first; i < run->end; ++i) {
+  for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
     const po_outcome *outcome = &run->outcomes[i];
-    if (outcome->status == PO_OK)
+    if (!run->asked[i] || outcome->status == PO_OK)
       continue;
     if (count++ == 0)
       po_text_add(text, "failed\n");
@@ -100,14 +102,15 @@ static void add_failures(const po_case_run *run, po_text *text) {
 }
 
 void po_summary_add(const po_case_run *run, po_text *text) {
-  const size_t count = run->end - run->first;
-  double *space = po_allocate(count, sizeof *space);
+  if (!run->asked_count)
+    return;
+  double *space = po_allocate(run->asked_count, sizeof *space);
   if (!space) {
     text->failed = true;
     return;
   }
-  po_text_add(text, "%s: points %zu to %zu of %zu\n", run->plan->kase->file->name, run->first,
-              run->end - 1, run->plan->kase->point_count);
+  po_text_add(text, "%s: %zu of %zu points\n", run->plan->kase->file->name, run->asked_count,
+              run->plan->kase->point_count);
   add_statuses(run, text);
   add_costs(run, space, text);
   add_slowest(run, text);

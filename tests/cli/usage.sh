@@ -4,11 +4,11 @@
 . "$(dirname "$0")/lib.sh"
 
 man_page=$here/../../src/cli/pulloff.1
-expect 2 'pulloff: no verb is given: expected solve, follow, theory, list, plan, run, verify, explain, *'
+expect 2 'pulloff: no verb is given: expected solve, follow, theory, list, plan, run, merge, verify, explain, *'
 expect 2 'pulloff: unknown verb dance: expected solve, follow, theory, list, *' dance
 expect 0 '' --version
 expect 0 '' --help
-for verb in solve theory list plan run verify explain bless report; do
+for verb in solve theory list plan run merge verify explain bless report; do
   expect 0 '' "$verb" --help
   check "help of $verb has an example" grep -q "^Example: pulloff $verb" "$work/stdout"
   for option in $(sed -n 's/^ *\(--[a-z-]*\).*/\1/p' "$work/stdout"); do

@@ -329,8 +329,9 @@ START_TEST(share_of_the_scenes_solved) {
   po_outcome outcomes[2] = {{.status = SHARES[_i].first, .reason = "late"},
                             {.status = SHARES[_i].second}};
   strcpy(outcomes[1].reason, SHARES[_i].reason);
+  const bool asked[2] = {true, true};
   ck_assert_int_eq(
-      po_compare_share(kase, 0, 2, &kase->file->checks[0], &reference, outcomes, &results), PO_OK);
+      po_compare_share(kase, asked, &kase->file->checks[0], &reference, outcomes, &results), PO_OK);
   ck_assert_uint_eq(results.count, 1);
   ck_assert_double_eq(results.items[0].obtained, SHARES[_i].share);
   ck_assert_int_eq(results.items[0].verdict, SHARES[_i].verdict);

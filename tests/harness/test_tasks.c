@@ -15,19 +15,22 @@ typedef struct {
 
 static made_parts parts[RUNS];
 static po_case_run runs[RUNS];
-static bool done[RUNS][3];
+static bool done[RUNS][3], asked[RUNS][3];
 
 /* A run of three points, of which `done` are there. */
 static void make_run(size_t which, unsigned repeats, size_t points_done) {
-  parts[which] = (made_parts){.kase = {.repeats = repeats, .point_count = 3, .line = 1}};
+  parts[which] = (made_parts){.kase = {.repeats = repeats, .line = 1, .point_count = 3}};
   parts[which].plan.kase = &parts[which].kase;
   runs[which] = (po_case_run){.plan = &parts[which].plan,
-                              .end = 3,
                               .done = done[which],
+                              .asked = asked[which],
+                              .asked_count = 3,
                               .pending = 3 - points_done,
                               .finished = points_done == 3};
-  for (size_t i = 0; i < 3; ++i)
+  for (size_t i = 0; i < 3; ++i) {
     done[which][i] = i < points_done;
+    asked[which][i] = true;
+  }
 }
 
 /* Two timed cases, of 3 and 2 rounds, one of them begun; one that is not timed; one that is there.

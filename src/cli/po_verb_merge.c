@@ -1,0 +1,57 @@
+#include "po_file.h"
+#include "po_merge.h"
+#include "po_session.h"
+#include "po_verbs.h"
+
+static const char HELP[] =
+    "Usage: pulloff merge [OPTION]... DIR...\n"
+    "Puts the shards of a run together: compares, and writes the records, which are those of one\n"
+    "run of the whole, but for times. DIR are the folders pulloff run --shard K/N wrote to, in "
+    "any\n"
+    "order; all N shards must be there, ended, and of this program and these cases.\n\n"
+    "  --output DIR    where the records go (build/run)\n"
+    "  --help          this text\n\n"
+    "Example: pulloff merge shards/1 shards/2 shards/3 shards/4\n";
+
+static const struct option OPTIONS[] = {{"output", required_argument, NULL, PO_SESSION_OUTPUT},
+                                        {"help", no_argument, NULL, PO_OPTION_HELP},
+                                        {NULL, 0, NULL, 0}};
+
+static po_status put_together(po_session *session, const po_merge *merge) {
+  char **names = NULL;
+  size_t count = 0;
+  session->time_limit = po_merge_time_limit(merge);
+  po_status status = po_merge_cases(merge, &names, &count);
+  if (!status)
+    status = po_session_open(session, names, count);
+  if (!status)
+    status = po_merge_fill(merge, session->runs, session->catalog.count);
+  if (!status)
+    status = po_session_solve(session); /* nothing is left to solve */
+  po_names_free(names, count);
+  return status;
+}
+
+int po_verb_merge(int argc, char **argv) {
+  const po_options options = {"merge", HELP, OPTIONS, argc, argv};
+  po_session session = po_session_default();
+  po_merge merge = {0};
+  po_status status = PO_OK;
+  int option = 0;
+  while (!status && (option = po_options_next(&options)) > 0) {
+    if (option == PO_OPTION_HELP)
+      return PO_EXIT_OK;
+    status = po_session_option(&session, option);
+  }
+  if (option == PO_OPTION_BAD)
+    status = PO_BAD_INPUT;
+  if (!status && optind == argc)
+    status =
+        po_fail(PO_BAD_INPUT, "merge needs the folders of the shards (see pulloff merge --help)");
+  if (!status)
+    status = po_merge_open(argv + optind, (size_t)(argc - optind), &merge);
+  if (!status)
+    status = put_together(&session, &merge);
+  po_merge_close(&merge);
+  return po_session_end(&session, status);
+}

@@ -1,0 +1,235 @@
+#include "po_merge.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_environment.h"
+#include "po_file.h"
+#include "po_journal.h"
+#include "po_json.h"
+#include "po_memory.h"
+#include "po_record.h"
+
+static const char *string_of(const json_t *object, const char *key) {
+  const char *text = json_string_value(json_object_get(object, key));
+  return text ? text : "";
+}
+
+static const json_t *cases_of(const po_merge_part *part) {
+  return json_object_get(part->root, "cases");
+}
+
+/* Reads the file of a shard; takes `path`. */
+static po_status read_part(po_merge *merge, const char *folder, char *path) {
+  po_merge_part *parts = po_resize(merge->parts, merge->count + 1, sizeof *parts);
+  if (!parts) {
+    free(path);
+    return PO_NO_MEMORY;
+  }
+  merge->parts = parts;
+  po_merge_part *part = &parts[merge->count++];
+  *part = (po_merge_part){.path = path, .folder = po_copy_text(folder)};
+  char *bytes = NULL;
+  size_t size = 0;
+  const po_status status = po_file_read(path, &bytes, &size);
+  part->root = status ? NULL : json_loadb(bytes, size, JSON_REJECT_DUPLICATES, NULL);
+  free(bytes);
+  if (status)
+    return status;
+  const json_int_t number = json_integer_value(json_object_get(part->root, "shard"));
+  const json_int_t of = json_integer_value(json_object_get(part->root, "of"));
+  if (strcmp(string_of(part->root, "schema"), PO_SHARD_SCHEMA) != 0 || number < 1 || number > of ||
+      json_array_size(cases_of(part)) == 0)
+    return po_fail(PO_CANNOT_READ, "%s is damaged: expected what pulloff run --shard writes", path);
+  part->shard = (po_shard){(size_t)number, (size_t)of};
+  return part->folder ? PO_OK : PO_NO_MEMORY;
+}
+
+static po_status read_folder(po_merge *merge, const char *folder) {
+  char **names = NULL;
+  size_t count = 0, found = 0;
+  po_status status = po_folder_list(folder, ".json", &names, &count);
+  for (size_t i = 0; !status && i < count; ++i) {
+    if (strncmp(names[i], "shard-", strlen("shard-")) != 0)
+      continue;
+    char *path = po_path_join(folder, names[i]);
+    status = path ? read_part(merge, folder, path) : PO_NO_MEMORY;
+    ++found;
+  }
+  po_names_free(names, count);
+  if (!status && !found)
+    status = po_fail(PO_CANNOT_READ,
+                     "the folder %s holds no shard: expected the --output of pulloff run --shard",
+                     folder);
+  return status;
+}
+
+/* Whether two shards are of the same cases; if not, the name of one that is not of both. */
+static const char *other_case(const po_merge_part *a, const po_merge_part *b) {
+  const json_t *mine = cases_of(a), *theirs = cases_of(b);
+  for (size_t i = 0; i < json_array_size(mine) || i < json_array_size(theirs); ++i) {
+    const json_t *x = json_array_get(mine, i), *y = json_array_get(theirs, i);
+    if (strcmp(string_of(x, "case"), string_of(y, "case")) != 0)
+      return string_of(y ? y : x, "case");
+  }
+  return NULL;
+}
+
+/* Sets one shard beside the first. */
+static po_status check_part(const po_merge_part *first, const po_merge_part *part) {
+  if (part->shard.count != first->shard.count)
+    return po_fail(PO_BAD_INPUT, "%s is one of %zu shards: expected one of %zu, as %s is",
+                   part->path, part->shard.count, first->shard.count, first->path);
+  if (strcmp(string_of(part->root, "program"), string_of(first->root, "program")) != 0)
+    return po_fail(PO_BAD_INPUT,
+                   "%s is of another program, or of another kind of processor, than %s: expected "
+                   "the same",
+                   part->path, first->path);
+  const char *other = other_case(first, part);
+  if (other)
+    return po_fail(PO_BAD_INPUT,
+                   "%s is of other cases than %s: expected the same, but %s is in one", part->path,
+                   first->path, other);
+  for (size_t i = 0; i < json_array_size(cases_of(part)); ++i) {
+    const json_t *entry = json_array_get(cases_of(part), i);
+    if (strcmp(string_of(entry, "solve_key"),
+               string_of(json_array_get(cases_of(first), i), "solve_key")) != 0)
+      return po_fail(PO_BAD_INPUT, "%s has other scenes of case %s than %s: expected the same",
+                     part->path, string_of(entry, "case"), first->path);
+  }
+  return PO_OK;
+}
+
+static po_status check_complete(const po_merge *merge) {
+  const size_t of = merge->parts[0].shard.count;
+  po_text missing = {0};
+  size_t count = 0;
+  for (size_t number = 1; number <= of; ++number) {
+    const po_merge_part *found = NULL;
+    for (size_t i = 0; i < merge->count; ++i) {
+      const po_merge_part *part = &merge->parts[i];
+      if (part->shard.number == number && found) {
+        po_text_clear(&missing);
+        return po_fail(PO_BAD_INPUT, "%s overlaps %s: expected each shard once", part->path,
+                       found->path);
+      }
+      found = part->shard.number == number ? part : found;
+    }
+    if (!found)
+      po_text_add(&missing, "%s%zu/%zu", count++ ? ", " : "", number, of);
+  }
+  const po_status status =
+      count ? po_fail(PO_BAD_INPUT, "%s missing: %s; expected all %zu shards",
+                      count == 1 ? "a shard is" : "shards are", po_text_string(&missing), of)
+            : PO_OK;
+  po_text_clear(&missing);
+  return status;
+}
+
+po_status po_merge_open(char *const *folders, size_t count, po_merge *merge) {
+  *merge = (po_merge){0};
+  po_status status = PO_OK;
+  for (size_t i = 0; !status && i < count; ++i)
+    status = read_folder(merge, folders[i]);
+  for (size_t i = 1; !status && i < merge->count; ++i)
+    status = check_part(&merge->parts[0], &merge->parts[i]);
+  return status ? status : check_complete(merge);
+}
+
+void po_merge_close(po_merge *merge) {
+  for (size_t i = 0; i < merge->count; ++i) {
+    free(merge->parts[i].folder);
+    free(merge->parts[i].path);
+    json_decref(merge->parts[i].root);
+  }
+  free(merge->parts);
+  *merge = (po_merge){0};
+}
+
+po_status po_merge_cases(const po_merge *merge, char ***names, size_t *count) {
+  const json_t *cases = cases_of(&merge->parts[0]);
+  *count = 0;
+  *names = po_allocate(json_array_size(cases), sizeof **names);
+  if (!*names)
+    return PO_NO_MEMORY;
+  for (size_t i = 0; i < json_array_size(cases); ++i) {
+    (*names)[i] = po_copy_text(string_of(json_array_get(cases, i), "argument"));
+    if (!(*names)[i])
+      return PO_NO_MEMORY;
+    *count += 1;
+  }
+  return PO_OK;
+}
+
+double po_merge_time_limit(const po_merge *merge) {
+  return po_json_read_number(merge->parts[0].root, "time_limit");
+}
+
+/* The shards are of this program and of these scenes. */
+static po_status check_runs(const po_merge_part *first, const po_case_run *runs, size_t count) {
+  char program[PO_DIGEST_LENGTH];
+  po_environment_digest(program);
+  if (strcmp(string_of(first->root, "program"), program) != 0)
+    return po_fail(PO_BAD_INPUT,
+                   "%s is of another program, or of another kind of processor, than this: expected "
+                   "the one that merges",
+                   first->path);
+  for (size_t r = 0; r < count; ++r) {
+    const json_t *entry = json_array_get(cases_of(first), r);
+    if (strcmp(string_of(entry, "case"), runs[r].plan->kase->file->name) != 0 ||
+        strcmp(string_of(entry, "solve_key"), runs[r].plan->solve_key) != 0)
+      return po_fail(PO_BAD_INPUT, "%s has other scenes of case %s than %s: expected the same",
+                     first->path, string_of(entry, "case"), runs[r].plan->kase->shown);
+  }
+  return PO_OK;
+}
+
+/* A case that one shard has whole has a record in the place of a journal. */
+static bool read_record(po_case_run *run, const char *folder) {
+  for (size_t i = 0; i < run->plan->kase->point_count; ++i)
+    po_outcome_clear(&run->outcomes[i]);
+  const bool found = po_record_read(run, folder) == PO_OK;
+  for (size_t i = 0; i < run->plan->kase->point_count; ++i)
+    run->done[i] = found;
+  run->kept = run->finished = false;
+  run->old_key[0] = '\0';
+  return found;
+}
+
+/* The points a shard was asked for; what else lies in its folder is not looked at. */
+static po_status read_points(const po_merge_part *part, po_case_run *run) {
+  po_journal_read(run, part->folder);
+  size_t lacking = 0;
+  for (size_t i = 0; i < run->plan->kase->point_count; ++i)
+    lacking += run->asked[i] && !run->done[i];
+  if (lacking && !read_record(run, part->folder))
+    return po_fail(PO_CANNOT_READ,
+                   "%s lacks %zu of %zu points of %s: expected shard %zu/%zu to have ended; run it "
+                   "again",
+                   part->folder, lacking, run->asked_count, run->plan->kase->file->name,
+                   part->shard.number, part->shard.count);
+  if (run->asked[0])
+    run->environment = json_dumps(json_object_get(part->root, "environment"), 0);
+  return PO_OK;
+}
+
+po_status po_merge_fill(const po_merge *merge, po_case_run *runs, size_t count) {
+  po_status status = check_runs(&merge->parts[0], runs, count);
+  for (size_t p = 0; !status && p < merge->count; ++p) {
+    const po_merge_part *part = &merge->parts[p];
+    status = po_shard_deal(runs, count, part->shard);
+    for (size_t r = 0; !status && r < count; ++r)
+      if (runs[r].asked_count)
+        status = read_points(part, &runs[r]);
+  }
+  for (size_t r = 0; r < count; ++r) {
+    const size_t points = runs[r].plan->kase->point_count;
+    po_case_run_ask(&runs[r], 0, points);
+    runs[r].elapsed = 0;
+    for (size_t i = 0; i < points; ++i)
+      runs[r].elapsed += runs[r].outcomes[i].work.seconds;
+  }
+  return status;
+}

@@ -1,0 +1,90 @@
+#include "po_shard.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "po_environment.h"
+#include "po_file.h"
+#include "po_json.h"
+#include "po_memory.h"
+#include "po_random.h"
+
+/* Points that stay together. */
+typedef struct {
+  uint64_t place; /* in the order in which parts are dealt */
+  size_t run, first, length;
+} part;
+
+static size_t part_length(const po_case *kase) {
+  return kase->repeats > 1 ? kase->point_count : kase->line;
+}
+
+static int by_place(const void *a, const void *b) {
+  const uint64_t x = ((const part *)a)->place, y = ((const part *)b)->place;
+  return (x > y) - (x < y);
+}
+
+po_status po_shard_deal(po_case_run *runs, size_t count, po_shard shard) {
+  size_t total = 0, filled = 0;
+  for (size_t r = 0; r < count; ++r)
+    total += runs[r].plan->kase->point_count / part_length(runs[r].plan->kase);
+  part *parts = po_allocate(total, sizeof *parts);
+  if (!parts)
+    return PO_NO_MEMORY;
+  for (size_t r = 0; r < count; ++r) {
+    const po_case *kase = runs[r].plan->kase;
+    const size_t length = part_length(kase);
+    for (size_t i = 0; i < kase->point_count; runs[r].asked[i++] = false)
+      if (i % length == 0) {
+        parts[filled] = (part){po_random_mix(filled), r, i, length};
+        ++filled;
+      }
+    runs[r].asked_count = 0;
+  }
+  qsort(parts, total, sizeof *parts, by_place);
+  for (size_t p = shard.number - 1; p < total; p += shard.count) {
+    po_case_run *run = &runs[parts[p].run];
+    for (size_t i = parts[p].first; i < parts[p].first + parts[p].length; ++i)
+      run->asked[i] = true;
+    run->asked_count += parts[p].length;
+  }
+  free(parts);
+  return PO_OK;
+}
+
+static json_t *cases_json(const po_case_run *runs, size_t count) {
+  json_t *cases = json_array();
+  for (size_t r = 0; r < count; ++r) {
+    const po_plan *plan = runs[r].plan;
+    json_array_append_new(cases,
+                          json_pack("{s:s, s:s, s:s, s:I, s:I}", "case", plan->kase->file->name,
+                                    "argument", po_case_argument(plan->kase), "solve_key",
+                                    plan->solve_key, "points", (json_int_t)plan->kase->point_count,
+                                    "asked", (json_int_t)runs[r].asked_count));
+  }
+  return cases;
+}
+
+po_status po_shard_write(const po_case_run *runs, size_t count, po_shard shard, double time_limit,
+                         int jobs, const char *output) {
+  char name[64], program[PO_DIGEST_LENGTH];
+  po_text text = {0};
+  snprintf(name, sizeof name, "shard-%zu-of-%zu.json", shard.number, shard.count);
+  po_environment_digest(program);
+  json_t *document =
+      json_pack("{s:s, s:I, s:I, s:s, s:o, s:o, s:o}", "schema", PO_SHARD_SCHEMA, "shard",
+                (json_int_t)shard.number, "of", (json_int_t)shard.count, "program", program,
+                "time_limit", po_json_number(time_limit), "environment",
+                po_environment_describe(jobs), "cases", cases_json(runs, count));
+  char *path = po_path_join(output, name);
+  po_status status = path && document ? po_folder_make(output) : PO_NO_MEMORY;
+  if (!status)
+    status = po_json_print(document, &text);
+  if (!status)
+    status = po_file_write(path, text.data, text.length);
+  free(path);
+  json_decref(document);
+  po_text_clear(&text);
+  return status;
+}

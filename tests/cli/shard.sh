@@ -1,0 +1,181 @@
+#!/bin/sh
+# Shards of a run: put together they are the run of the whole, to the last bit; what does not belong together is
+# refused by name.
+# shellcheck disable=SC1091,SC2016,SC2034,SC2154
+. "$(dirname "$0")/lib.sh"
+. "$here/data.sh"
+python=${PYTHON:-python3}
+rm "$PULLOFF_DATA/cases/good.yaml"
+
+write_cases() { # NODES
+  cat >"$PULLOFF_DATA/cases/drawn.yaml" <<CASE
+name: drawn
+title: Spheres at random
+suites: [smoke]
+scene: {outer_radius: inf, scheme: triangle, nodes: $1}
+sample:
+  seed: 5
+  count: 7
+  keys:
+    - {key: tabor, from: 0.7, to: 1.3}
+    - {key: radius, from: 70, to: 200}
+want: [pull_off, curve]
+checks:
+  - {quantity: solved_share, reference: every_scene, tolerance: 0.01, kind: abs, because: all have}
+CASE
+  cat >"$PULLOFF_DATA/cases/rigid.yaml" <<'CASE'
+name: rigid
+title: One rigid sphere, on meshes
+suites: [smoke]
+scene: {tabor: 0, radius: 93, outer_radius: inf, scheme: ring}
+sweep: [{key: nodes, values: [63, 71, 83, 97, 101]}]
+want: [pull_off, profile]
+checks:
+  - {quantity: pull_off_force, reference: bradley, tolerance: 1e-3, kind: abs, because: the closed form}
+CASE
+  cat >"$PULLOFF_DATA/cases/timed.yaml" <<'CASE'
+name: timed
+title: Solves that are timed
+suites: [smoke]
+scene: {tabor: 0, radius: 93, outer_radius: inf, scheme: ring}
+sweep: [{key: nodes, values: [63, 71, 83]}]
+repeats: 2
+want: [pull_off]
+CASE
+  cat >"$PULLOFF_DATA/cases/followed.yaml" <<'CASE'
+name: followed
+title: Lines that are followed
+suites: [smoke]
+scene: {radius: 93, outer_radius: 80, scheme: panel, tolerance: 1e-4, wavelength: 21}
+sweep:
+  - {key: amplitude_ratio, values: [0.01, 0.015, 0.02]}
+  - {key: tabor, from: 0.5, to: 0.7, count: 4, scale: log}
+follow: tabor
+anchor_every: 3
+want: [pull_off]
+CASE
+}
+strip() { grep -v -E '"(seconds|date|jobs)"|^ *[0-9.]+(e-[0-9]+)?,?$' "$1"; }
+
+# ends CODE ARGUMENT...: the program ends with CODE, whatever it says.
+ends() {
+  code=$1
+  shift
+  "$program" "$@" >"$work/stdout" 2>"$work/stderr"
+  check "exit code $code of pulloff $*" test $? -eq "$code"
+}
+
+expect 2 'pulloff: --shard is 0/3: expected K/N, the K-th of N shards, as 1/4' run --shard 0/3
+expect 2 'pulloff: --shard is 4/3: expected K/N*' run --shard 4/3
+expect 2 'pulloff: --shard is 2: expected K/N*' run --shard 2
+expect 2 'pulloff: --shard is 1/: expected K/N*' run --shard 1/
+expect 2 'pulloff: --shard is 1/2/3: expected K/N*' run --shard 1/2/3
+expect 2 'pulloff: --points and --shard are given: expected one of them' run --shard 1/2 --points 0
+expect 2 'pulloff: merge needs the folders of the shards (see pulloff merge --help)' merge
+mkdir empty
+expect 4 'pulloff: the folder empty holds no shard: expected *' merge empty
+expect 4 'pulloff: the folder absent cannot be read: *' merge absent
+
+write_cases 81
+ends 0 run --output whole
+for k in 1 2 3; do
+  ends 0 run --output part-$k --shard $k/3 --jobs $k
+done
+check 'no shard has a record of a case dealt out' test ! -e part-1/drawn/record.json -a ! -e part-2/drawn/record.json
+cat >dealt.py <<'DEALT'
+import json
+parts = [json.load(open(f"part-{k}/shard-{k}-of-3.json")) for k in (1, 2, 3)]
+asked = {name: [case["asked"] for part in parts for case in part["cases"] if case["case"] == name]
+         for name in ("drawn", "rigid", "timed", "followed")}
+assert sum(asked["drawn"]) == 7 and sum(asked["rigid"]) == 5, asked
+assert sorted(asked["timed"]) == [0, 0, 3], asked  # the times of a case are of one machine
+assert sum(asked["followed"]) == 12 and all(count % 4 == 0 for count in asked["followed"]), asked  # lines are whole
+sizes = [sum(asked[name][k] / size for name, size in (("drawn", 1), ("rigid", 1), ("timed", 3), ("followed", 4)))
+         for k in range(3)]
+assert max(sizes) - min(sizes) <= 1, sizes
+DEALT
+check 'parts are dealt out evenly, and lines and timed cases are whole' "$python" dealt.py
+
+ends 0 merge --output merged part-3 part-1 part-2
+cp "$work/stderr" said
+for name in drawn rigid timed followed; do
+  strip whole/$name/record.json >at-once
+  strip merged/$name/record.json >joined
+  check "the record of $name is that of the whole run, but for times" cmp joined at-once
+  check "no journal of $name is left" test ! -e merged/$name/points.jsonl
+done
+for table in drawn/curve-0.csv drawn/curve-6.csv rigid/profile-3.csv; do
+  check "$table is the same" cmp merged/$table whole/$table
+done
+check 'every case is told' test "$(grep -c 'within$' said)" -eq 4
+expect 0 'drawn: 7 points, 1 checks: within (kept)' run drawn --output merged
+ends 0 merge --output part-1 part-1 part-2 part-3
+ends 0 merge --output again part-1 part-2 part-3
+strip again/drawn/record.json >joined
+strip whole/drawn/record.json >at-once
+check 'a shard that has become the whole can be merged again' cmp joined at-once
+
+# All shards in one folder.
+for k in 2 1; do
+  ends 0 run drawn --output shared --shard $k/2
+done
+expect 0 'drawn: 7 points, 1 checks: within' merge --output joined-shared shared
+strip joined-shared/drawn/record.json >joined
+check 'shards may share a folder' cmp joined at-once
+
+# More shards than points; only some of the cases.
+for k in 1 2 3 4 5 6 7; do
+  ends 0 run rigid --output many-$k --shard $k/7
+done
+expect 0 'rigid: 5 points, 5 checks: within' merge --output few many-7 many-6 many-5 many-4 many-3 many-2 many-1
+
+# What is missing, twice, damaged or not done.
+expect 2 'pulloff: a shard is missing: 2/3; expected all 3 shards' merge part-1 part-3
+expect 2 'pulloff: shards are missing: 1/3, 3/3; expected all 3 shards' merge part-2
+cp -r part-2 twin
+expect 2 'pulloff: twin/shard-2-of-3.json overlaps part-2/shard-2-of-3.json: expected each shard once' \
+  merge part-1 part-2 part-3 twin
+expect 2 'pulloff: shared/shard-1-of-2.json is one of 2 shards: expected one of 3, as part-1/shard-1-of-3.json is' \
+  merge part-1 shared part-3
+cp -r part-2 torn
+sed -i '1d' torn/drawn/points.jsonl
+expect 4 'pulloff: torn lacks 1 of * points of drawn: expected shard 2/3 to have ended; run it again' \
+  merge part-3 torn part-1
+ends 0 run --output torn --shard 2/3
+ends 0 merge --output mended part-3 torn part-1
+strip mended/drawn/record.json >joined
+check 'a shard that was cut short goes on' cmp joined at-once
+echo '{}' >torn/shard-2-of-3.json
+expect 4 'pulloff: torn/shard-2-of-3.json is damaged: *' merge part-1 torn part-3
+
+# Another program, other cases, other scenes, another time limit.
+cp "$program" other-program
+printf x >>other-program # the same numbers, but who knows
+program_here=$program
+program=$work/other-program
+ends 0 run --output other --shard 2/3
+expect 2 'pulloff: part-1/shard-1-of-3.json is of another program, *, than this: *' merge part-1 part-2 part-3
+program=$program_here
+expect 2 'pulloff: other/shard-2-of-3.json is of another program, or of another kind of processor, than part-1/*' \
+  merge part-1 other part-3
+ends 0 run drawn rigid --output less --shard 2/3
+expect 2 'pulloff: less/* is of other cases than part-1/shard-1-of-3.json: expected the same, but * is in one' \
+  merge part-1 less part-3
+ends 0 run --output late --shard 2/3 --time-limit 600
+expect 2 'pulloff: late/shard-2-of-3.json has other scenes of case drawn than part-1/*' merge part-1 late part-3
+for k in 1 3; do ends 0 run --output late --shard $k/3 --time-limit 600; done
+ends 0 merge --output limited late
+check 'the time limit of the shards holds' grep -q -e '--time-limit 600' limited/drawn/record.json
+write_cases 91
+expect 2 'pulloff: part-1/shard-1-of-3.json has other scenes of case drawn than cases/drawn.yaml: *' \
+  merge part-1 part-2 part-3
+ends 0 run --output mesh --shard 3/3
+expect 2 'pulloff: mesh/shard-3-of-3.json has other scenes of case drawn than part-1/*' merge part-1 part-2 mesh
+rm "$PULLOFF_DATA/cases/drawn.yaml"
+expect 2 'pulloff: no case is named drawn: *' merge part-1 part-2 part-3
+
+# A solve that fails does so in its shard and in the whole.
+sed -i 's/scheme: ring}/scheme: ring, time_limit: 1e-9}/' "$PULLOFF_DATA/cases/timed.yaml"
+ends 3 run timed --output failed --shard 1/1
+ends 3 merge --output failures failed
+finish
