@@ -3,6 +3,7 @@
 import math
 
 from . import Section
+from .cases import shown
 from ..references import file_name
 from ..words import VERDICT_MEANINGS, decimals_for, quantity, sweep_label
 
@@ -37,21 +38,22 @@ def decimals_of(check):
     return decimals_for(absolute_tolerance(check))
 
 
-def row(case, check):
+def row(case, check, shown_ids):
     point = case.point(check.get("point"))
     return {"check": check, "label": sweep_label(point), "detail": detail(check),
             "decimals": decimals_of(check), "bar": width_of(check["ratio"]),
-            "point_id": f"point-{case.name}-{point['id']}" if point else None}
+            "point_id": f"point-{case.name}-{point['id']}" if point and point["id"] in shown_ids else None}
 
 
 def groups(case):
     """The checks of a case, those that differ only in their point under one heading."""
     found = {}
+    shown_ids = {point["id"] for point in shown(case)}
     for check in case.checks:
         key = tuple(str(check.get(name)) for name in GROUP_BY)
         found.setdefault(key, {"first": check, "quantity": quantity(check["quantity"]),
                                "reference": file_name(check.get("reference")), "rows": []})
-        found[key]["rows"].append(row(case, check))
+        found[key]["rows"].append(row(case, check, shown_ids))
     return list(found.values())
 
 
