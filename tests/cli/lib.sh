@@ -27,7 +27,7 @@ expect() {
   shift 2
   PATH=${program_path:-$PATH} "$program" "$@" >"$work/stdout" 2>"$work/stderr"
   got=$?
-  sed -i '/^[0-9]*\/[0-9]* points, .* elapsed/d' "$work/stderr"
+  sed -i '/^[0-9]*\/[0-9]* [a-z]*, .* elapsed/d' "$work/stderr"
   line=$(cat "$work/stderr")
   lines=$(wc -l <"$work/stderr")
   if [ "$got" -ne "$code" ]; then

@@ -27,6 +27,7 @@ def arguments(words):
     parser.add_argument("--fault", action="append", metavar="NAME", help="only this fault; writes no matrix")
     parser.add_argument("--reuse", action="store_true",
                         help="do nothing when the matrix is of this program, these faults and cases, and whole")
+    parser.add_argument("--fit", action="store_true", help="only whether every fault fits its source")
     return parser.parse_args(words)
 
 
@@ -175,9 +176,23 @@ def is_kept(path, key):
     return kept.get("schema") == SCHEMA and kept.get("key") == key and kept.get("passes")
 
 
+def print_fit():
+    """Whether every fault fits its source; says of each that does not."""
+    stale = 0
+    for fault in plant.read_faults(os.path.join(plant.HERE, "faults.toml")):
+        try:
+            plant.altered(fault)
+        except (plant.Stale, OSError) as error:
+            print(f"{fault['name']}: {error}")
+            stale += 1
+    return 1 if stale else 0
+
+
 def main(words):
     wanted = arguments(words)
     begin = time.monotonic()
+    if wanted.fit:
+        return print_fit()
     try:
         campaign = Campaign(wanted)
     except (plant.Stale, OSError) as error:
