@@ -1,6 +1,5 @@
 # shellcheck shell=sh disable=SC2154
 # Sourced by ./reproduce, ./check and .ci/run: installs what is missing, configures, builds.
-# Everything a step prints goes to the log; the terminal gets one line a step with its time.
 # The caller sets `command_name` and stands in the root of the source tree.
 
 build=build
@@ -12,60 +11,7 @@ fail() {
   exit "${fail_status:-4}"
 }
 
-milliseconds() { date +%s%N | cut -c 1-13; }
-
-# seconds_since START: elapsed time with one decimal
-seconds_since() {
-  elapsed=$(($(milliseconds) - $1))
-  printf '%d.%d s' $((elapsed / 1000)) $((elapsed % 1000 / 100))
-}
-
-start_log() {
-  mkdir -p "$log_folder" || fail "cannot create the folder $log_folder"
-  : >"$log" || fail "cannot write $log"
-}
-
-# step LABEL COMMAND...: runs the command quietly; when it fails, shows the end of what it printed.
-step() {
-  label=$1
-  shift
-  step_begin=$(milliseconds)
-  lines_before=$(wc -l <"$log")
-  printf '%-34s' "$label"
-  printf '== %s: %s\n' "$label" "$*" >>"$log"
-  "$@" >>"$log" 2>&1 </dev/null
-  step_status=$?
-  if [ "$step_status" -ne 0 ]; then
-    printf 'failed\n'
-    tail -n "+$((lines_before + 2))" "$log" | tail -n 40 >&2
-    fail "$label failed with status $step_status; the whole output is in $log"
-  fi
-  printf '%10s\n' "$(seconds_since "$step_begin")"
-}
-
-# step_progress LABEL COMMAND...: as step, for a command that tells its progress on standard error:
-# on a terminal that is shown live. Sets step_status instead of failing.
-step_progress() {
-  label=$1
-  shift
-  step_begin=$(milliseconds)
-  printf '== %s: %s\n' "$label" "$*" >>"$log"
-  if [ -t 2 ]; then
-    printf '%s\n' "$label"
-    "$@" >>"$log" </dev/null
-    step_status=$?
-    printf '%-34s' ''
-  else
-    printf '%-34s' "$label"
-    "$@" >>"$log" 2>&1 </dev/null
-    step_status=$?
-  fi
-  if [ "$step_status" -eq 0 ]; then
-    printf '%10s\n' "$(seconds_since "$step_begin")"
-  else
-    printf '%10s  (status %d, see %s)\n' "$(seconds_since "$step_begin")" "$step_status" "$log"
-  fi
-}
+. tools/steps.sh
 
 # listed_packages: the names in tools/packages
 listed_packages() { sed -e 's/#.*//' -e '/^[[:space:]]*$/d' tools/packages; }
@@ -105,7 +51,7 @@ install_packages() {
   # The word list is meant to split.
   # shellcheck disable=SC2086
   set -- $missing
-  step "Installing packages ($#)" apt_install "$@"
+  step 'Installing packages' apt_install "$@"
 }
 
 # forget_foreign_build DIR: a build folder configured for a tree at another place, or whose

@@ -14,13 +14,15 @@ static const char HELP[] = "Usage: pulloff report [OPTION]...\n"
                            "Writes report.html and report.pdf from the records of a run.\n\n"
                            "  --run DIR      the records (build/run)\n"
                            "  --output DIR   where the report goes (build/report)\n"
+                           "  --fresh        draw it again even when nothing has changed\n"
                            "  --help         this text\n\n"
                            "Example: pulloff report --run build/run --output build/report\n";
 
-enum { RUN = 1, OUTPUT };
+enum { RUN = 1, OUTPUT, FRESH };
 
 static const struct option OPTIONS[] = {{"run", required_argument, NULL, RUN},
                                         {"output", required_argument, NULL, OUTPUT},
+                                        {"fresh", no_argument, NULL, FRESH},
                                         {"help", no_argument, NULL, PO_OPTION_HELP},
                                         {NULL, 0, NULL, 0}};
 
@@ -59,11 +61,12 @@ static po_status check_means(const char *script, const char *run) {
 }
 
 /* Runs the script and waits. Its own messages go where ours go; its exit code is ours. */
-static int run_script(const char *script, const char *run, const char *output) {
+static int run_script(const char *script, const char *run, const char *output, bool fresh) {
   fflush(stdout);
   const pid_t child = fork();
   if (child == 0) {
-    execlp(python(), python(), script, "--run", run, "--output", output, (char *)NULL);
+    execlp(python(), python(), script, "--run", run, "--output", output,
+           fresh ? "--fresh" : (char *)NULL, (char *)NULL);
     fprintf(stderr, "pulloff: %s cannot be started: %s\n", python(), strerror(errno));
     _exit(PO_EXIT_FILE);
   }
@@ -83,11 +86,15 @@ static int run_script(const char *script, const char *run, const char *output) {
 int po_verb_report(int argc, char **argv) {
   const po_options options = {"report", HELP, OPTIONS, argc, argv};
   const char *run = "build/run", *output = "build/report";
+  bool fresh = false;
   int option = 0;
   while ((option = po_options_next(&options)) > 0) {
     if (option == PO_OPTION_HELP)
       return PO_EXIT_OK;
-    *(option == RUN ? &run : &output) = optarg;
+    if (option == FRESH)
+      fresh = true;
+    else
+      *(option == RUN ? &run : &output) = optarg;
   }
   po_status status = option == PO_OPTION_BAD ? PO_BAD_INPUT : po_options_no_operands(&options);
   char *script = po_path_join(po_environment_data(), "reports/make_report.py");
@@ -95,7 +102,7 @@ int po_verb_report(int argc, char **argv) {
     status = script ? check_means(script, run) : PO_NO_MEMORY;
   if (!status)
     status = po_folder_make(output);
-  const int code = status ? po_options_end(status) : run_script(script, run, output);
+  const int code = status ? po_options_end(status) : run_script(script, run, output, fresh);
   free(script);
   return code;
 }

@@ -11,6 +11,7 @@ import json
 import os
 import shutil
 import sys
+import threading
 import time
 
 import detect
@@ -60,6 +61,10 @@ def is_caught(fault, cell):
     return bool(set(cell["by"]) - weak)
 
 
+def span(seconds):
+    return f"{seconds:.0f} s" if seconds < 90 else f"{int(seconds) // 60} min {int(seconds) % 60:02d} s"
+
+
 class Campaign:
     """All faults against all detectors of one build."""
 
@@ -71,6 +76,8 @@ class Campaign:
         self.faults = plant.read_faults(os.path.join(plant.HERE, "faults.toml"))
         self.key = key_of(self.build, self.detectors)
         self.baseline = {}
+        self.total, self.done, self.begin = 0, 0, time.monotonic()
+        self.telling = threading.Lock()
 
     def place(self, name):
         path = os.path.join(self.output, name)
@@ -111,10 +118,20 @@ class Campaign:
         row["caught"] = any(cell["caught"] for cell in row["cells"].values())
         if row["caught"]:
             shutil.rmtree(place)
-        print(f"{fault['name']}: {'caught' if row['caught'] else 'not caught'}", file=sys.stderr, flush=True)
+        self.tell(f"{fault['name']}: {'caught' if row['caught'] else 'not caught'}")
         return row
 
+    def tell(self, what):
+        """How far the faults are, as `pulloff run` says it of its solves."""
+        with self.telling:
+            self.done += 1
+            spent = time.monotonic() - self.begin
+            left = spent / self.done * (self.total - self.done)
+            print(f"{self.done}/{self.total} faults, {span(spent)} elapsed, about {span(left)} remaining ({what})",
+                  file=sys.stderr, flush=True)
+
     def run_faults(self, faults):
+        self.total, self.begin = len(faults), time.monotonic()
         with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
             return list(pool.map(self.run_fault, faults))
 

@@ -1,0 +1,149 @@
+#!/bin/sh
+# ./reproduce on a tree whose programs are made up: what it refuses, which parts it runs, and how it tells its steps.
+# shellcheck disable=SC1091,SC2034,SC2154
+. "$(dirname "$0")/lib.sh"
+root=$here/../..
+tree=$work/tree
+mkdir -p "$tree/build/src/cli" "$tree/tests/mutation" "$tree/reports/figures" "$tree/cases" "$work/bin"
+cp "$root/reproduce" "$tree"
+cp -r "$root/tools" "$tree"
+for figure in 03 05 06; do : >"$tree/reports/figures/fig$figure.gp"; done
+make_case() { printf 'name: %s\nfigure: "%s"\nsuites: [%s] # which\n' "$1" "$2" "$3" >"$tree/cases/$1.yaml"; }
+make_case fig03 3 'smoke, paper'
+make_case fig06 6 paper
+make_case fig06_paper 6 paper
+make_case timing '' precision
+mv "$tree/cases/timing.yaml" "$tree/cases/precise.yaml"
+
+# Made-up programs note their arguments; the first case of a solve fails when a file says so.
+cat >"$tree/build/src/cli/pulloff" <<'PROGRAM'
+#!/bin/sh
+echo "$*" >>asked
+[ "$1" = run ] || exit 0
+echo '3/8 solves, 5 s elapsed, about 2 min 10 s remaining (fig03 tabor=1)' >&2
+sleep "$(cat slow 2>/dev/null || echo 0)"
+exit "$(cat code 2>/dev/null || echo 0)"
+PROGRAM
+chmod +x "$tree/build/src/cli/pulloff"
+printf '#!/bin/sh\n' >"$work/bin/meson"
+chmod +x "$work/bin/meson"
+PATH=$work/bin:$PATH
+cat >"$tree/tests/mutation/run.py" <<'PROGRAM'
+import sys
+print("faults", *sys.argv[1:], file=open("asked", "a"))
+PROGRAM
+: >"$tree/build/build.ninja"
+mkdir -p "$tree/build/meson-private"
+: >"$tree/build/meson-private/coredata.dat"
+(cd "$tree" && pwd -P) >"$tree/build/source-tree"
+
+reproduce() { # CODE ARGUMENT...
+  code=$1
+  shift
+  rm -f "$tree/asked"
+  "$tree/reproduce" "$@" >"$work/stdout" 2>"$work/stderr"
+  check "exit code $code of ./reproduce $*" test $? -eq "$code"
+}
+refused() { # MESSAGE ARGUMENT...
+  message=$1
+  shift
+  reproduce 2 "$@"
+  check "one line: $message" test "$(cat "$work/stderr")" = "reproduce: $message (see ./reproduce --help)"
+  check 'nothing was begun' test ! -e "$tree/asked"
+}
+asked() { check "asked: $1" grep -q -x -e "$1" "$tree/asked"; }
+not_asked() { check "not asked: $1" test "$(grep -c -e "$1" "$tree/asked")" -eq 0; }
+
+refused 'unknown option --frobnicate' --frobnicate
+refused '--jobs needs a number' --jobs
+refused '--jobs is -2: expected a whole number' --jobs -2
+refused '--jobs is empty: expected a whole number' --jobs ''
+refused '--only needs the name of a part' --only
+refused '--only needs the name of a part' --only ''
+known='fig03, fig05, fig06, fig06_paper, paper, precision, smoke, timing'
+refused "--only is fig99: expected faults or one of $known" --only fig99
+refused "--only is fig: expected faults or one of $known" --only fig03,fig
+check 'no log of what was refused' test ! -e "$tree/build/log"
+reproduce 0 --help
+for option in --only --fresh --jobs --no-install; do
+  check "the help has $option" grep -q -e "^  $option" "$work/stdout"
+done
+
+reproduce 0 --no-install
+asked 'run --suite paper,precision,extreme --output build/run'
+asked 'faults --reuse --build build'
+asked 'report --run build/run --output build/report'
+asked 'verify --suite paper,precision,extreme --output build/run'
+check 'steps are counted' grep -q -x '\[4/6\] Running the cases  *[0-9.]* s' "$work/stdout"
+check 'the last one' grep -q -x '\[6/6\] Writing the report  *[0-9.]* s' "$work/stdout"
+reproduce 0 --no-install --fresh --jobs 3
+asked 'run --suite paper,precision,extreme --output build/run --jobs 3 --fresh'
+asked 'faults --build build --jobs 3'
+asked 'report --run build/run --output build/report --fresh'
+
+reproduce 0 --no-install --only fig06 --only timing
+asked 'run fig06 fig06_paper timing --output build/run'
+asked 'verify fig06 fig06_paper timing --output build/run'
+asked 'report .*'
+not_asked faults
+check 'steps without that one' grep -q '^\[5/5\] Writing the report ' "$work/stdout"
+reproduce 0 --no-install --only fig3,smoke
+asked 'run fig03 fig03 --output build/run'
+reproduce 0 --no-install --only fig05
+asked 'report .*'
+not_asked '^run'
+not_asked '^verify'
+reproduce 0 --no-install --only faults
+asked 'faults --reuse --build build'
+asked 'report .*'
+not_asked '^run'
+
+# What failed is told, and the exit code says it.
+echo 3 >"$tree/code"
+reproduce 0 --no-install --only fig03
+check 'failed solves are for the report to show' grep -q 'Running the cases .*(status 3, see build/log/reproduce.log)' "$work/stdout"
+echo 130 >"$tree/code"
+reproduce 130 --no-install --only fig03
+check 'interrupted' grep -q 'interrupted; finished points are kept, run again to resume' "$work/stderr"
+not_asked '^report'
+echo 2 >"$tree/code"
+reproduce 4 --no-install --only fig03
+not_asked '^report'
+rm "$tree/code"
+
+# Progress: a plain line now and then, with what the step says of itself and what the later ones took the last time.
+# Kept times are of whole runs alone, as parts take less.
+check 'times are kept' test "$(cut -f 1 "$tree/build/log/reproduce.seconds" | sort | tr '\n' ,)" = \
+  'Building,Planting faults,Running the cases,Writing the report,'
+sed -i 's/^plain_interval=.*/plain_interval=1/' "$tree/tools/steps.sh"
+printf 'Planting faults\t20\nWriting the report\t7\n' >"$tree/build/log/reproduce.seconds"
+echo 2.5 >"$tree/slow"
+reproduce 0 --no-install
+check 'how far all is: 130 s of this step, 27 s of those after it' \
+  grep -q -x '\[4/6\] Running the cases: 3/8 solves, [1-4] s since the start, about 2 min 37 s left' "$work/stderr"
+if command -v script >/dev/null; then
+  (cd "$tree" && script -qec './reproduce --no-install' /dev/null </dev/null) >"$work/screen" 2>&1
+  check 'on a terminal that line is live' grep -q "$(printf '\r')\[4/6\] Running the cases: 3/8 solves, " "$work/screen"
+fi
+
+# Ctrl-C: the run ends, no report is written, nothing goes on telling. Python, since a shell cannot take back that
+# signals of what it starts in the background are ignored.
+echo 20 >"$tree/slow"
+cat >"$work/start.py" <<'START'
+import os, signal, sys
+signal.signal(signal.SIGINT, signal.SIG_DFL)
+signal.signal(signal.SIGPIPE, signal.SIG_DFL)
+os.setsid()
+os.chdir(sys.argv[1])
+os.execv("./reproduce", ["./reproduce", "--no-install"])
+START
+rm -f "$tree/asked"
+/usr/bin/python3 "$work/start.py" "$tree" >"$work/stdout" 2>"$work/stderr" &
+child=$!
+sleep 2
+kill -INT -$child
+wait $child
+check 'exit code 130' test $? -eq 130
+check 'it says what is kept' grep -q 'interrupted; finished points are kept' "$work/stderr"
+not_asked '^report'
+finish

@@ -1,0 +1,40 @@
+# shellcheck shell=sh
+# Sourced by ./reproduce: the parts of the paper one may ask for. Case files are read here by their lines, since this is
+# before anything is installed or built; a key of a case stands at the start of a line.
+
+# key_of FILE KEY: its value, without quotes, brackets and comment
+key_of() { sed -n "s/^$2: *//p" "$1" | sed 's/ *#.*//; s/[]["]//g; s/,/ /g' | head -n 1; }
+
+# has_word WORD WORD...: whether the first is among the others
+has_word() {
+  sought=$1
+  shift
+  for word in "$@"; do [ "$word" != "$sought" ] || return 0; done
+  return 1
+}
+
+# cases_of_part PART: the names of its cases; a figure that no run is needed for has none
+# shellcheck disable=SC2046 # words are meant
+cases_of_part() {
+  for file in cases/*.yaml; do
+    name=$(key_of "$file" name)
+    number=$(expr "x$1" : 'xfig0*\([0-9][0-9]*\)$')
+    if [ "$name" = "$1" ] || has_word "$1" $(key_of "$file" suites) ||
+      { [ -n "$number" ] && has_word "$number" $(key_of "$file" figure); }; then
+      printf '%s ' "$name"
+    fi
+  done
+}
+
+is_part() { [ -f "reports/figures/$1.gp" ] || [ -n "$(cases_of_part "$1")" ]; }
+
+# all_parts: on one line
+all_parts() {
+  {
+    for file in cases/*.yaml; do
+      key_of "$file" name
+      key_of "$file" suites | tr ' ' '\n'
+    done
+    for figure in reports/figures/fig*.gp; do basename "$figure" .gp; done
+  } | grep . | sort -u | tr '\n' ' ' | sed 's/ $//; s/ /, /g'
+}
