@@ -3,12 +3,12 @@
 import io
 import math
 
-from matplotlib import pyplot
+from matplotlib import pyplot, ticker
 from markupsafe import Markup
 
 from .. import svg
 from ..words import listing, value_of
-from .precision import look
+from .precision import decade, look
 from .figure import BLUE, GREY, VERMILLION, Figure, checks_of
 
 CASE = "extreme_tabor"
@@ -52,7 +52,8 @@ def rates_of(name, limit, rows):
 
 def draw(curves):
     with pyplot.rc_context(look()):
-        figure, panels = pyplot.subplots(1, 2, figsize=(6.4, 2.9), layout="constrained")
+        figure, panels = pyplot.subplots(1, 2, figsize=(6.4, 2.8))
+        figure.subplots_adjust(left=0.1, right=0.99, top=0.91, bottom=0.16, wspace=0.3)
         for axes, (name, rows, near, end, colour, marker) in zip(panels, curves):
             axes.loglog([row[0] for row in rows], [row[2] for row in rows], color=GREY, linewidth=0.8)
             chosen = [row for row in rows if near(row[0])]
@@ -62,6 +63,10 @@ def draw(curves):
                         [row[2] for row in rows if not near(row[0])], marker, color=colour,
                         markerfacecolor="white", markersize=4)
             axes.set_title(f"{name}: rate {end:.2f}".replace("-", "−"), fontsize=8.2)
+            for axis in (axes.xaxis, axes.yaxis):
+                axis.set_major_locator(ticker.LogLocator(base=10, numticks=9))
+                axis.set_minor_locator(ticker.NullLocator())
+                axis.set_major_formatter(ticker.FuncFormatter(decade))
             axes.set_xlabel("μ")
             axes.set_ylabel("difference of the pull-off force")
         out = io.StringIO()
