@@ -28,14 +28,16 @@ def arguments(words):
                         help="folder of the reference data (default: that of the source tree)")
     parser.add_argument("--faults", metavar="FILE",
                         help="matrix of planted faults (default: mutation/matrix.json beside the run)")
+    parser.add_argument("--claims", metavar="FILE",
+                        help="judged claims of the paper (default: claims/claims.json beside the run)")
     parser.add_argument("--fresh", action="store_true",
                         help="draw it again even when nothing has changed")
     return parser.parse_args(words)
 
 
-def content_key(faults, *folders):
-    """sha256 of all that a report is made from: the matrix of faults, records, reference data, and this program."""
-    digest = hashlib.sha256((sys.version + json.dumps(faults)).encode())
+def content_key(beside, *folders):
+    """sha256 of all that a report is made from: what lies beside the run, records, reference data, and this program."""
+    digest = hashlib.sha256((sys.version + json.dumps(beside)).encode())
     for folder in folders + (os.path.dirname(os.path.abspath(__file__)),):
         for place, inner, names in os.walk(folder):
             inner[:] = sorted(name for name in inner if name != "__pycache__")
@@ -86,7 +88,7 @@ def write_all(folder, files):
 
 def make(wanted):
     try:
-        from pulloff_report import faults, gnuplot, page, records, references
+        from pulloff_report import claims, faults, gnuplot, page, records, references
         import weasyprint  # noqa: F401
     except ImportError as error:
         raise ReportError(f"Python module {error.name} is missing: install the packages of "
@@ -94,11 +96,12 @@ def make(wanted):
     gnuplot.require()
     run = records.Run(wanted.run)
     matrix = faults.read(wanted.faults or faults.beside(wanted.run))
-    key = content_key(matrix, wanted.run, wanted.reference)
+    judged = claims.read(wanted.claims or claims.beside(wanted.run))
+    key = content_key([matrix, judged], wanted.run, wanted.reference)
     if not wanted.fresh and is_current(wanted.output, key):
         print(f"kept: {wanted.output} holds the report of this run")
         return
-    html = page.html(run, references.References(wanted.reference), matrix)
+    html = page.html(run, references.References(wanted.reference), matrix, judged)
     write_all(wanted.output, {"report.html": html.encode("utf-8"), "report.pdf": page.pdf(html),
                               KEY: key.encode("ascii")})
 

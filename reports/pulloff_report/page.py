@@ -37,13 +37,13 @@ def with_bars(text):
     return re.sub("(.)" + svg.MACRON, r'<span class="over">\1</span>', text)
 
 
-def html(run, references, faults=None):
+def html(run, references, faults=None, claims=None):
     """The whole page as text; it refers to nothing outside itself."""
-    source = sections.Source(run, references, faults)
+    source = sections.Source(run, references, faults, claims)
     kind, headline, text = summary.status(run)
     rows = summary.rows(run)
     content = {"title": TITLE, "facts": summary.facts(run), "rows": rows,
-               "totals": summary.totals(rows), "sections": sections.build_all(source),
+               "totals": summary.totals(rows), "claims": summary.claims(claims), "sections": sections.build_all(source),
                "status": {"kind": kind, "headline": headline, "text": text},
                "style": style("style.css"), "print_style": style("print.css"),
                "script": Markup(template_text("script.js"))}

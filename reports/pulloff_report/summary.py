@@ -1,7 +1,7 @@
 """The first page: how the run stands, as one sentence and a table of cases by verdict."""
 
 from .records import PASSING, SILENT, VERDICTS
-from .words import VERDICT_WORDS, count, date
+from .words import CLAIM_VERDICTS, VERDICT_WORDS, count, date, listing
 
 
 FAILING = tuple(name for name in VERDICTS if name not in PASSING + SILENT)
@@ -75,3 +75,12 @@ def facts(run):
             "date": date(str(newest.record["environment"].get("date", ""))),
             "processor": newest.record["environment"].get("processor", ""),
             "system": newest.record["environment"].get("system", "")}
+
+
+def claims(judged):
+    """How the claims of the paper fare, in a sentence; nothing where they were not judged."""
+    if not judged:
+        return ""
+    counts = judged["counts"]
+    told = [f"{counts[name]} {text}" for name, text in CLAIM_VERDICTS.items() if counts.get(name)]
+    return f"{count(len(judged['claims']), 'claim')} of the paper: {listing(told)}."

@@ -45,6 +45,9 @@ VERDICT_MEANINGS = {
     "moved": "the pin moved, and no oracle says whether for the better",
     "wrong_and_frozen": "the oracle fails while the pin holds",
     "slack": "within, but the tolerance is over a thousand times the largest error it met"}
+CLAIM_VERDICTS = {"reproduced": "reproduced", "within_reading": "reproduced within reading accuracy",
+                  "contradicted": "contradicted", "not_testable": "not testable", "no_result": "no result"}
+CLAIM_SIGNS = {"reproduced": "✓", "within_reading": "≈", "contradicted": "✗", "not_testable": "–", "no_result": "∅"}
 LEDGERS = {"oracle": "exact or many digits, by an independent route",
            "published": "published value, with its uncertainty",
            "pin": "this program's own last accepted value, to notice change"}

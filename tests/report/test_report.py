@@ -18,7 +18,7 @@ sys.path.insert(0, REPORTS)
 import synthetic  # noqa: E402
 from pulloff_report import faults, page, plots, records, references  # noqa: E402
 
-TITLES = ("Figures of the paper", "Error against run time", "Every check",
+TITLES = ("Figures of the paper", "Claims of the paper", "Error against run time", "Every check",
           "Planted faults", "Cases and how to rerun them", "Reference data", "Environment")
 
 

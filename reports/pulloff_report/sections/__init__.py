@@ -16,6 +16,7 @@ class Source:
     run: Run
     references: References
     faults: dict | None = None  # the matrix of planted faults
+    claims: dict | None = None  # the claims of the paper, judged
 
 
 @dataclasses.dataclass
@@ -30,6 +31,6 @@ class Section:
 
 def build_all(source):
     """Every section, in order."""
-    from . import cases, checks, environment, extreme, figures, planted_faults, precision, provenance
-    order = (figures, precision, extreme, checks, cases, planted_faults, provenance, environment)
+    from . import cases, checks, claims, environment, extreme, figures, planted_faults, precision, provenance
+    order = (figures, claims, precision, extreme, checks, cases, planted_faults, provenance, environment)
     return [module.build(source) for module in order]

@@ -1,0 +1,117 @@
+"""Arithmetic on named numbers and lists, as the list of claims writes it; nothing of Python but that."""
+
+import ast
+import math
+import operator
+
+import scipy.special
+
+OPERATORS = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv,
+             ast.Pow: operator.pow, ast.USub: operator.neg}
+
+
+def pick(values, where, low, high):
+    """The values whose place lies between low and high."""
+    return [value for value, place in zip(values, where, strict=True) if low <= place <= high]
+
+
+def slope(x, y):
+    """Exponent of the power law through the first and the last point."""
+    return math.log(y[-1] / y[0]) / math.log(x[-1] / x[0])
+
+
+def where(extreme, values, places):
+    """The place of the greatest (max) or least (min) of the values."""
+    return extreme(zip(values, places, strict=True))[1]
+
+
+def ratios(above, below):
+    """One list in parts of another."""
+    return [a / b for a, b in zip(above, below, strict=True)]
+
+
+# Elliptic integrals by their modulus, as the paper has them, and Struve functions.
+FUNCTIONS = {"sqrt": math.sqrt, "exp": math.exp, "cos": math.cos, "log10": math.log10, "abs": abs, "max": max, "min": min,
+             "count": len, "pick": pick, "slope": slope, "ratios": ratios,
+             "where_greatest": lambda values, places: where(max, values, places),
+             "where_least": lambda values, places: where(min, values, places),
+             "last": lambda values: values[-1], "first": lambda values: values[0],
+             "K": lambda k: float(scipy.special.ellipk(k * k)), "E": lambda k: float(scipy.special.ellipe(k * k)),
+             "sum": None,  # sum(j, first, last, term of j): see evaluate
+             "H": lambda order, x: float(scipy.special.struve(order, x))}
+CONSTANTS = {"pi": math.pi}
+
+
+class FormulaError(Exception):
+    """What is wrong with a formula, in one line."""
+
+
+def parse(text):
+    """The tree of a formula whose every part is known; FormulaError otherwise."""
+    try:
+        tree = ast.parse(text, mode="eval").body
+    except SyntaxError as error:
+        raise FormulaError(f"{text!r}: {error.msg}") from error
+    check(tree, text)
+    return tree
+
+
+def check(tree, text):
+    if isinstance(tree, ast.Constant) and type(tree.value) in (int, float) or isinstance(tree, ast.Name):
+        return
+    if isinstance(tree, (ast.BinOp, ast.UnaryOp)) and type(tree.op) in OPERATORS:
+        parts = [tree.left, tree.right] if isinstance(tree, ast.BinOp) else [tree.operand]
+    elif isinstance(tree, ast.Call) and isinstance(tree.func, ast.Name) and tree.func.id in FUNCTIONS and not tree.keywords:
+        parts = tree.args
+        if tree.func.id == "sum" and not (len(parts) == 4 and isinstance(parts[0], ast.Name)):
+            raise FormulaError(f"{text!r}: expected sum(name, first, last, term)")
+    else:
+        raise FormulaError(f"{text!r}: {ast.unparse(tree)} is neither a number, a name, arithmetic nor one of "
+                           + ", ".join(FUNCTIONS))
+    for part in parts:
+        check(part, text)
+
+
+def names(text):
+    """The names a formula uses, but for constants and functions."""
+    tree = parse(text)
+    calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
+    called = {id(node.func) for node in calls}
+    counters = {node.args[0].id for node in calls if node.func.id == "sum"}
+    return {node.id for node in ast.walk(tree)
+            if isinstance(node, ast.Name) and id(node) not in called} - counters - set(CONSTANTS)
+
+
+def evaluate(text, values):
+    """The number a formula has with these values. Status: FormulaError, a division by zero and the like too."""
+    known = {**CONSTANTS, **values}
+
+    def total(name, first, last, term):
+        terms = []
+        for place in range(round(number(first)), round(number(last)) + 1):
+            known[name.id] = place
+            terms.append(number(term))
+        return math.fsum(terms)
+
+    def number(tree):
+        if isinstance(tree, ast.Constant):
+            return tree.value
+        if isinstance(tree, ast.Name):
+            return known[tree.id]
+        if isinstance(tree, ast.BinOp):
+            return OPERATORS[type(tree.op)](number(tree.left), number(tree.right))
+        if isinstance(tree, ast.UnaryOp):
+            return OPERATORS[type(tree.op)](number(tree.operand))
+        if tree.func.id == "sum":
+            return total(*tree.args)
+        return FUNCTIONS[tree.func.id](*map(number, tree.args))
+
+    try:
+        found = float(number(parse(text)))
+    except KeyError as error:
+        raise FormulaError(f"{text!r}: {error.args[0]} is not known") from error
+    except (TypeError, ValueError, ArithmeticError, IndexError) as error:
+        raise FormulaError(f"{text!r}: {error}") from error
+    if not math.isfinite(found):
+        raise FormulaError(f"{text!r}: not a finite number")
+    return found

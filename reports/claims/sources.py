@@ -1,0 +1,143 @@
+"""Where the computed numbers come from: a command of pulloff, the record of a case, a reference table.
+
+What a command printed is kept under a key of the program's bytes and the command, so that it is run again only when
+one of them changed."""
+
+import csv
+import hashlib
+import itertools
+import json
+import math
+import os
+import shlex
+import subprocess
+import time
+
+
+class SourceError(Exception):
+    """Why a source gives no number, in one line."""
+
+
+def commands(source):
+    """The command lines of a source: one, or one for every combination of the values of `each`."""
+    keys = list(source.get("each", {}))
+    combinations = itertools.product(*(source["each"][key] for key in keys))
+    return [source["pulloff"].format(**dict(zip(keys, values))) for values in combinations]
+
+
+def follow(document, path):
+    """The value at a path: keys and places with points between, `*` every item, `#` how many there are."""
+    name, _, rest = path.partition(".")
+    if not name:
+        return document
+    if name == "*" and isinstance(document, list):
+        return [follow(item, rest) for item in document]
+    if name == "#" and isinstance(document, list):
+        return len(document)
+    try:
+        return follow(document[int(name)] if isinstance(document, list) else document[name], rest)
+    except (KeyError, IndexError, TypeError, ValueError) as error:
+        raise SourceError(f"there is no {path}") from error
+
+
+def number(text):
+    """A cell or a value as a number; a word stays a word."""
+    try:
+        return float(text)
+    except (TypeError, ValueError):
+        return text
+
+
+def is_selected(when, value_of):
+    """Whether a row or a point has the wanted values, numbers to a part in 10^9."""
+    for key, wanted in when.items():
+        found = number(value_of(key))
+        choices = wanted if isinstance(wanted, list) else [wanted]
+        if not any(math.isclose(found, choice, rel_tol=1e-9) if isinstance(found, float) and not isinstance(choice, str)
+                   else found == number(choice) for choice in choices):
+            return False
+    return True
+
+
+class Sources:
+    """All that claims draw on: a program, the folder of a run's records, and the tree with the reference data."""
+
+    def __init__(self, program, run, tree, kept):
+        self.program, self.run, self.tree, self.kept = program, run, tree, kept
+        self.used = set()
+        self.seconds = 0.0
+        with open(program, "rb") as stream:
+            self.digest = hashlib.sha256(stream.read()).hexdigest()
+
+    def get(self, source):
+        """(value, lines that show it): a number, or a list where the source says many."""
+        if "pulloff" in source:
+            found = [follow(self.document(line), source["at"]) for line in commands(source)]
+            lines = ["pulloff " + line for line in commands(source)]
+            return (found if "each" in source else found[0]), lines
+        return self.of_table(source) if "table" in source else self.of_case(source)
+
+    def document(self, line):
+        """The JSON a command prints."""
+        key = hashlib.sha256(f"{self.digest}\n{line}".encode()).hexdigest()
+        path = os.path.join(self.kept, key + ".json")
+        self.used.add(path)
+        try:
+            with open(path, encoding="utf-8") as stream:
+                return json.load(stream)
+        except (OSError, json.JSONDecodeError):
+            return self.compute(line, path)
+
+    def compute(self, line, path):
+        begin = time.monotonic()
+        done = subprocess.run([self.program, *shlex.split(line), "--json"], capture_output=True, text=True, check=False,
+                              env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
+        self.seconds += time.monotonic() - begin
+        if done.returncode:
+            raise SourceError(f"pulloff {line}: {done.stderr.strip() or f'exit code {done.returncode}'}")
+        beside = f"{path}.{os.getpid()}"
+        with open(beside, "w", encoding="utf-8") as stream:
+            stream.write(done.stdout)
+        os.replace(beside, path)
+        return json.loads(done.stdout)
+
+    def forget_unused(self):
+        """Removes what was kept of another program or of claims that are gone."""
+        for name in os.listdir(self.kept):
+            path = os.path.join(self.kept, name)
+            if path not in self.used:
+                os.unlink(path)
+
+    def of_table(self, source):
+        path = os.path.join(self.tree, source["table"])
+        try:
+            with open(path, encoding="utf-8") as stream:
+                rows = list(csv.DictReader(line for line in stream if not line.startswith("#")))
+            found = [number(row[source["column"]]) for row in rows if is_selected(source.get("when", {}), row.__getitem__)]
+        except (OSError, KeyError) as error:
+            raise SourceError(f"{source['table']}: {error}") from error
+        return self.one_or_all(found, source, [source["table"]])
+
+    def of_case(self, source):
+        path = os.path.join(self.run, source["case"], "record.json")
+        try:
+            with open(path, encoding="utf-8") as stream:
+                record = json.load(stream)
+        except (OSError, json.JSONDecodeError) as error:
+            raise SourceError(f"there is no record of case {source['case']}") from error
+        points = [point for point in record["points"] if is_selected(
+            source.get("when", {}), lambda key, p=point: p["sweep"].get(key, p["input"].get(key)))]
+        solved = [point for point in points if point["status"] == "ok"]
+        return self.one_or_all([follow(point, source["at"]) for point in solved], source,
+                               [point["command"] for point in solved[:1]] if len(points) == 1 else [record["command"]])
+
+    @staticmethod
+    def one_or_all(found, source, lines):
+        name = source.get("table", source.get("case"))
+        if not found:
+            raise SourceError(f"{name}: nothing solved has {source.get('when', {})}")
+        if source.get("all"):
+            return found, lines
+        if len(found) > 1:
+            raise SourceError(f"{name}: {len(found)} rows have {source.get('when', {})}, expected one")
+        return found[0], lines
