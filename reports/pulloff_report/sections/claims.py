@@ -6,7 +6,7 @@ from . import Section
 from ..words import CLAIM_SIGNS, CLAIM_VERDICTS, MINUS, decimals_for, fixed, plain
 
 ABSENT = "The claims of the paper were not judged for this run: python3 reports/claims/run.py does that, and the next report shows them."
-MOST_DECIMALS = 8
+FEWEST_DECIMALS, MOST_DECIMALS = 3, 8
 ORDER = ("contradicted", "within_reading", "reproduced", "not_testable", "no_result")
 
 
@@ -17,7 +17,7 @@ def decimals_of(claim):
     if not any(shown):
         return 0 if all(number == round(number) for number in numbers) else 4
     smallest = min((value for value in shown if value > 1e-9), default=1e-7)
-    return min(decimals_for(smallest), MOST_DECIMALS)
+    return min(max(decimals_for(smallest), FEWEST_DECIMALS), MOST_DECIMALS)
 
 
 def claimed(claim):
