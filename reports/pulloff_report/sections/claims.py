@@ -28,8 +28,8 @@ def claimed(claim):
     if low == high:
         return "–" if low is None else fixed(low, decimals_of(claim)) if low != round(low) else plain(low)
     if high is None:
-        return f"≥ {plain(low)}"
-    return f"{plain(low)} to {plain(high)}"
+        return f"≥ {low:.4g}"
+    return f"{low:.4g} to {high:.4g}".replace("-", MINUS)
 
 
 def sort_key(claim, name):
