@@ -4,7 +4,7 @@
 . "$(dirname "$0")/lib.sh"
 root=$here/../..
 tree=$work/tree
-mkdir -p "$tree/build/src/cli" "$tree/tests/mutation" "$tree/reports/figures" "$tree/cases" "$work/bin"
+mkdir -p "$tree/build/src/cli" "$tree/tests/mutation" "$tree/reports/figures" "$tree/reports/claims" "$tree/cases" "$work/bin"
 cp "$root/reproduce" "$tree"
 cp -r "$root/tools" "$tree"
 for figure in 03 05 06; do : >"$tree/reports/figures/fig$figure.gp"; done
@@ -31,6 +31,11 @@ PATH=$work/bin:$PATH
 cat >"$tree/tests/mutation/run.py" <<'PROGRAM'
 import sys
 print("faults", *sys.argv[1:], file=open("asked", "a"))
+PROGRAM
+cat >"$tree/reports/claims/run.py" <<'PROGRAM'
+import os, sys
+print("claims", *sys.argv[1:], file=open("asked", "a"))
+sys.exit(int(open("judged").read()) if os.path.exists("judged") else 0)
 PROGRAM
 : >"$tree/build/build.ninja"
 mkdir -p "$tree/build/meson-private"
@@ -72,11 +77,14 @@ done
 reproduce 0 --no-install
 asked 'run --suite paper,precision,extreme --output build/run'
 asked 'faults --reuse --build build'
+asked 'claims --program build/src/cli/pulloff --run build/run'
 asked 'report --run build/run --output build/report'
 asked 'verify --suite paper,precision,extreme --output build/run'
-check 'steps are counted' grep -q -x '\[4/6\] Running the cases  *[0-9.]* s' "$work/stdout"
-check 'the last one' grep -q -x '\[6/6\] Writing the report  *[0-9.]* s' "$work/stdout"
+check 'steps are counted' grep -q -x '\[4/7\] Running the cases  *[0-9.]* s' "$work/stdout"
+check 'the last one' grep -q -x '\[7/7\] Writing the report  *[0-9.]* s' "$work/stdout"
+mkdir -p "$tree/build/claims/kept"
 reproduce 0 --no-install --fresh --jobs 3
+check 'what claims kept is gone' test ! -e "$tree/build/claims"
 asked 'run --suite paper,precision,extreme --output build/run --jobs 3 --fresh'
 asked 'faults --build build --jobs 3'
 asked 'report --run build/run --output build/report --fresh'
@@ -86,7 +94,8 @@ asked 'run fig06 fig06_paper timing --output build/run'
 asked 'verify fig06 fig06_paper timing --output build/run'
 asked 'report .*'
 not_asked faults
-check 'steps without that one' grep -q '^\[5/5\] Writing the report ' "$work/stdout"
+not_asked claims
+check 'steps without those' grep -q '^\[5/5\] Writing the report ' "$work/stdout"
 reproduce 0 --no-install --only fig3,smoke
 asked 'run fig03 fig03 --output build/run'
 reproduce 0 --no-install --only fig05
@@ -110,20 +119,28 @@ echo 2 >"$tree/code"
 reproduce 4 --no-install --only fig03
 not_asked '^report'
 rm "$tree/code"
+echo 3 >"$tree/judged"
+reproduce 0 --no-install
+asked 'report .*'
+echo 2 >"$tree/judged"
+reproduce 4 --no-install
+check 'a list of claims that is wrong' grep -q 'the claims could not be judged' "$work/stderr"
+rm "$tree/judged"
+reproduce 0 --no-install
 
 # Progress: a plain line now and then, with what the step says of itself and what the later ones took the last time.
 # Kept times are of whole runs alone, as parts take less.
 check 'times are kept' test "$(cut -f 1 "$tree/build/log/reproduce.seconds" | sort | tr '\n' ,)" = \
-  'Building,Planting faults,Running the cases,Writing the report,'
+  'Building,Judging the claims,Planting faults,Running the cases,Writing the report,'
 sed -i 's/^plain_interval=.*/plain_interval=1/' "$tree/tools/steps.sh"
 printf 'Planting faults\t20\nWriting the report\t7\n' >"$tree/build/log/reproduce.seconds"
 echo 2.5 >"$tree/slow"
 reproduce 0 --no-install
 check 'how far all is: 130 s of this step, 27 s of those after it' \
-  grep -q -x '\[4/6\] Running the cases: 3/8 solves, [1-4] s since the start, about 2 min 37 s left' "$work/stderr"
+  grep -q -x '\[4/7\] Running the cases: 3/8 solves, [1-4] s since the start, about 2 min 37 s left' "$work/stderr"
 if command -v script >/dev/null; then
   (cd "$tree" && script -qec './reproduce --no-install' /dev/null </dev/null) >"$work/screen" 2>&1
-  check 'on a terminal that line is live' grep -q "$(printf '\r')\[4/6\] Running the cases: 3/8 solves, " "$work/screen"
+  check 'on a terminal that line is live' grep -q "$(printf '\r')\[4/7\] Running the cases: 3/8 solves, " "$work/screen"
 fi
 
 # Ctrl-C: the run ends, no report is written, nothing goes on telling. Python, since a shell cannot take back that
