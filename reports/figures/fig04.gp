@@ -1,6 +1,10 @@
 # Figure 4: (a) pull-off force and (b) minus the approach at pull-off against the Tabor parameter,
-# with the difference from the reference below. Data: force.dat and approach.dat, each with blocks
-# computed, reference, residual, tolerance and published.
+# with the difference from the reference below; (c) the number of folds. Data: force.dat and approach.dat, each
+# with blocks computed, reference, residual, tolerance, published and residual as in the paper; folds.dat.
+
+# Heights on the screen: all is moved up where there is room for (c) below.
+below = fold_points ? 0.235 : 0
+high(y) = below + (1 - below) * y
 
 set multiplot
 set logscale x
@@ -25,7 +29,7 @@ do for [k = 1:2] {
   data = panel_name[k] . '.dat'
   set lmargin at screen panel_left[k]; set rmargin at screen panel_right[k]
 
-  set tmargin at screen 0.985; set bmargin at screen 0.40
+  set tmargin at screen high(0.985); set bmargin at screen high(0.40)
   unset logscale y; set format x ''; unset xlabel
   if (k == 1) { set yrange [1.45:2.08]; set ytics 0.1; set format y '%.1f' }
   else { set yrange [-0.3:4.3]; set ytics 1; set format y '%g' }
@@ -40,7 +44,7 @@ do for [k = 1:2] {
        for [i = 1:(panel_crosses[k] > 0)] data index 4 using 1:2 with points pointtype 1 \
          pointsize 0.9 linewidth 1.25 linecolor rgb black title 'Feng, read off a figure'
 
-  set tmargin at screen 0.365; set bmargin at screen 0.115
+  set tmargin at screen high(0.365); set bmargin at screen high(0.115)
   set key off
   unset label 1
   set logscale y; set yrange [panel_low[k]:panel_high[k]]
@@ -49,11 +53,29 @@ do for [k = 1:2] {
   set xlabel 'Tabor parameter μ' offset 0,0.3
   set ylabel 'difference' offset 1,0
   if (panel_limits[k]) {
-    set label 2 'tolerance' at 0.0095, panel_tolerance[k] left offset 0,0.6 textcolor rgb grey
+    set label 2 'tolerance' at 0.0095, panel_tolerance[k] left offset 0,-0.65 textcolor rgb grey
   }
   plot data index 3 using 1:2 with steps dashtype 2 linewidth 1 linecolor rgb grey notitle, \
        data index 2 using 1:2 with linespoints pointtype 7 pointsize 0.35 linewidth 0.7 \
-         linecolor rgb vermillion notitle
+         linecolor rgb vermillion notitle, \
+       for [i = 1:paper] data index 5 using 1:2 with linespoints pointtype 6 pointsize 0.45 linewidth 0.7 \
+         linecolor rgb blue notitle
   unset label 2
+}
+
+# Folds: 0 has a place on this scale, and 2 and 4 are told apart beside dozens.
+if (fold_points) {
+  unset logscale y; set lmargin at screen panel_left[1]; set rmargin at screen panel_right[2]
+  set tmargin at screen 0.235; set bmargin at screen 0.085
+  set nonlinear y via log10(1 + y) inverse 10**y - 1
+  set yrange [-0.35:130]; set format y '%g'; set ytics (0, 2, 4, 10, 30, 100)
+  set xrange [0.0075:6.7]
+  set ylabel 'folds' offset 0,0
+  set label 1 '(c)' at graph 0.015, graph 0.86 left
+  set key at graph 0.06, graph 0.92 left top Left reverse
+  plot 'folds.dat' index 0 using 1:2 with linespoints pointtype 4 pointsize 0.7 linewidth 0.9 \
+         linecolor rgb vermillion title 'panels', \
+       for [i = 1:paper] 'folds.dat' index 1 using 1:2 with linespoints pointtype 6 pointsize 0.45 \
+         linewidth 0.9 linecolor rgb blue title 'as in the paper'
 }
 unset multiplot

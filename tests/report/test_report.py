@@ -156,6 +156,17 @@ class Parts(PageTest):
         self.has(text, "Error against run time is left out")
         self.has(text, "Figure 4.")
 
+    def test_smooth_spheres_are_drawn_beside_the_discretisation_of_the_paper(self):
+        with made_up(synthetic.make_fig03_twice) as folder:
+            text = plain(page_of(folder))
+        self.has(text, "at most 4.4 × 10−6 for μ = 0.01 and", "red, 3.2 × 10−4 for μ = 0.01 and",
+                 "Below: about the pull-off at μ = 5, which the paper does not show here", "folds in all")
+        with made_up(synthetic.make_fig04_twice) as folder:
+            html = page_of(folder)
+        self.has(plain(html), "at most 1.0 × 10−5 for the force (μ = 5)", "open circles, 1.0 × 10−3 for the force",
+                 "(c) Number of folds of the branch; by the paper’s discretisation 12 at μ = 5 instead of 1")
+        self.has(html, "as in the paper</text>")
+
     def test_missing_references_leave_sentences(self):
         with made_up(synthetic.make_fig03) as folder:
             for name in ("feng_curves.csv", "bradley.csv"):

@@ -6,8 +6,8 @@ from markupsafe import Markup
 from .. import geometry, gnuplot, svg
 from ..references import file_name
 from ..words import MINUS, listing, plain, scientific, value_of
-from .figure import (Figure, VERMILLION, BLUE, GREEN, ORANGE, PURPLE, checks_of, distinct, failures,
-                     log_range, tolerance_of)
+from . import twice
+from .figure import Figure, VERMILLION, BLUE, GREEN, ORANGE, PURPLE, failures, log_range
 
 NUMBER = "3"
 TITLE = "Load against approach of a smooth sphere"
@@ -16,12 +16,16 @@ CURVES, BRADLEY = "feng_curves.csv", "bradley.csv"
 PUBLISHED = "published/feng_fig3.csv"   # Feng's own points, when somebody has digitised them
 WINDOW = (-1.05, 6.0)        # of −Δ†, as wide as the folds of μ = 3 ask for
 LOADS = (-2.3, 1.0)          # of W̄
+BEYOND = 4.0                 # a greater Tabor parameter is none of the paper's figure, and drawn below it
+NEAR = 0.7                   # of the approach, to either side of the pull-off there
 MARKERS_APART = 0.16         # between two markers, along the drawn curve in plot units
 STYLES = [(BLUE, 6), (GREEN, 4), (PURPLE, 8), (ORANGE, 12)]
 
 
 def branch(case, point):
-    """(−Δ†, W̄, position) of the computed branch, or None when the point has no curve."""
+    """(−Δ†, W̄, position) of the computed branch, or None when there is no such point or it has no curve."""
+    if point is None:
+        return None
     table = case.curve(point)
     if table is None or table.rows < 2:
         return None
@@ -75,15 +79,41 @@ def residual(computed, reference):
     return [(float(a), float(max(b, 1e-16))) for a, b in zip(x[chosen], gap) if b == b]
 
 
+def beside(case, tabor):
+    """The point of the companion at this Tabor parameter, or None."""
+    for point in case.companion.points if case.companion else []:
+        if numpy.isclose(value_of(point, "tabor"), tabor, rtol=1e-9):
+            return point
+    return None
+
+
+def ripple(case, points):
+    """About the pull-off beyond the figure: (μ, folds of either, rows (−Δ†, W̄) of either), or None."""
+    for point in points:
+        other = beside(case, value_of(point, "tabor"))
+        both = branch(case, point), branch(case.companion, other) if other else None
+        if value_of(point, "tabor") > BEYOND and both[0] and both[1] and point.get("pull_off"):
+            middle = -point["pull_off"]["approach"]
+            rows = []
+            for computed in both:
+                dense = geometry.dense(*computed)
+                rows.append([(float(x), float(y)) for x, y in dense if abs(x - middle) <= NEAR and y < -1])
+            return value_of(point, "tabor"), [len(one["folds"] or []) for one in (point, other)], rows
+    return None
+
+
 def make(case, references):
     points = sorted(case.points, key=lambda point: value_of(point, "tabor") or 0)
+    soft = ripple(case, points)
+    points = [point for point in points if (value_of(point, "tabor") or 0) <= BEYOND]
     bradley = references.table(BRADLEY)
     rigid = None
     if bradley is not None:
         order = numpy.argsort(-bradley.numbers("approach"))
         rigid = (-bradley.numbers("approach")[order], bradley.numbers("load")[order])
 
-    lines, marks, strips, labels, colours, shapes, said = [], [], [], [], [], [], []
+    lines, marks, labels, colours, shapes = [], [], [], [], []
+    strips, said = [[], []], [[], []]
     elastic = 0
     for point in points:
         tabor = value_of(point, "tabor")
@@ -99,10 +129,11 @@ def make(case, references):
                            f"μ = {plain(tabor)}", colour))
         stored = reference_branch(references, tabor)
         if stored is not None:
-            rows = residual(computed, stored)
-            strips.append((colour, rows))
-            if rows:
-                said.append((tabor, max(row[1] for row in rows)))
+            for which, one in enumerate((computed, branch(case.companion, beside(case, tabor)))):
+                rows = residual(one, stored) if one else []
+                strips[which] += rows
+                if rows:
+                    said[which].append((tabor, max(row[1] for row in rows)))
             if not near_rigid:
                 marks.append(thinned(*stored))
                 colours.append(colour)
@@ -110,33 +141,32 @@ def make(case, references):
     dots = thinned(*rigid) if rigid is not None else []
     crosses = published_points(references)
 
-    tolerances = distinct([tolerance_of(check) for point in points
-                           for check in checks_of(case, point, "curve")
-                           if file_name(check.get("reference")) == CURVES])
-    low, high = log_range([row[1] for _, rows in strips for row in rows] + tolerances)
+    low, high = log_range([row[1] for strip in strips for row in strip])
+    high *= 100   # room for the key
     parameters = {
         "curve_count": len(lines), "mark_count": len(marks), "dot_count": len(dots),
         "cross_count": len(crosses),
         "mark_colour": colours, "mark_shape": shapes, "label_count": len(labels),
         "label_x": [item[0] for item in labels], "label_y": [item[1] for item in labels],
         "label_text": [item[2] for item in labels], "label_colour": [item[3] for item in labels],
-        "strip_count": len(strips), "strip_colour": [colour for colour, _ in strips],
-        "tolerance_count": len(tolerances), "tolerance": tolerances,
+        "panel_count": len(strips[0]), "paper_count": len(strips[1]),
+        "ripple": 1 if soft else 0, "ripple_text": f"μ = {plain(soft[0])}" if soft else "",
+        "figure_height": 600 if soft else 480,
         "x_min": WINDOW[0], "x_max": WINDOW[1], "y_min": LOADS[0], "y_max": LOADS[1],
         "low": low, "high": high}
     drawn = gnuplot.draw("fig03", parameters, {"computed": lines or [[]], "reference": marks or [[]],
                                                "rigid": [dots], "published": [crosses],
-                                               "residual":
-                                               [rows for _, rows in strips] or [[]]})
+                                               "residual": strips,
+                                               "ripple": soft[2] if soft else [[]]})
     label = "Load against minus the approach for several Tabor parameters, with reference markers"
     return Figure("fig03", NUMBER, TITLE, Markup(svg.embeddable(drawn, "fig03", label)),
-                  caption(lines, marks, dots, crosses, said), remarks(case, points, lines, marks, dots),
-                  case.record["command"])
+                  caption(case, marks, dots, crosses, said, soft),
+                  remarks(case, points, lines, marks, dots), case.record["command"])
 
 
-def caption(lines, marks, dots, crosses, said):
-    text = Markup("Dimensionless load W̄ against the approach {}Δ†. Lines: computed branches; "
-                  "they turn back where the approach has a fold.").format(MINUS)
+def caption(case, marks, dots, crosses, said, soft):
+    text = Markup("Dimensionless load W̄ against the approach {}Δ†. Lines: computed branches, {}; "
+                  "they turn back where the approach has a fold.").format(MINUS, Markup(twice.how(case)))
     if marks:
         text += Markup(" Open markers: Feng’s problem solved independently (see the note on "
                        "Feng’s points).")
@@ -144,17 +174,27 @@ def caption(lines, marks, dots, crosses, said):
         text += " Crosses: Feng’s own points, read off his figure."
     if dots:
         text += " Red dots: Bradley’s rigid solution, beside the computed branch for the least μ."
-    if said:
-        parts = [Markup("{} for μ = {}").format(scientific(value), plain(tabor))
-                 for tabor, value in said]
+    if said[0]:
         text += Markup(" Strip: distance of the reference’s points from the computed branch, "
-                       "normal to it, in units of the axes; at most {}.").format(
-                           Markup(listing(parts)))
+                       "normal to it, in units of the axes; at most {}").format(greatest(said[0]))
+        if said[1]:
+            text += Markup("; red, {} by the paper’s discretisation ({})").format(
+                greatest(said[1]), twice.PAPER)
+        text += "."
+    if soft:
+        text += Markup(" Below: about the pull-off at μ = {}, which the paper does not show here, the branch has {} "
+                       "folds in all; by the paper’s discretisation (red) its load ripples as the edge of the contact "
+                       "hops from node to node, and it has {}.").format(plain(soft[0]), *soft[1])
     return text
 
 
+def greatest(said):
+    return Markup(listing([Markup("{} for μ = {}").format(scientific(value), plain(tabor))
+                           for tabor, value in said]))
+
+
 def remarks(case, points, lines, marks, dots):
-    told = failures(case)
+    told = twice.remarks(case, failures)
     bare = [point["label"] for point in points if not point.get("curve")]
     if bare:
         told.append(f"No curve was stored for {listing(bare)}.")

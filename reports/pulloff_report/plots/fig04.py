@@ -4,6 +4,7 @@ from markupsafe import Markup
 
 from .. import gnuplot, svg
 from ..words import MINUS, plain, scientific, value_of
+from . import twice
 from .figure import Figure, checks_of, failures, log_range, tolerance_of
 
 NUMBER = "4"
@@ -21,65 +22,92 @@ def rows_of(references, name, field, sign):
         zip(table.numbers("tabor").tolist(), (sign * table.numbers(field)).tolist()))
 
 
-def panel(case, references, quantity, field, sign):
-    """Computed and reference rows (μ, value), residual rows (μ, |difference|, uncertainty)."""
-    computed, residuals, tolerances = [], [], []
-    reference = rows_of(references, PULL_OFF, field, sign)
-    for point in sorted(case.points, key=lambda item: value_of(item, "tabor") or 0):
-        tabor = value_of(point, "tabor")
-        if tabor is None or not point.get("pull_off"):
-            continue
-        computed.append((tabor, sign * point["pull_off"][field]))
-        for check in checks_of(case, point, quantity)[:1]:
+def by_tabor(case):
+    """(μ, point) of a case in order; none without one."""
+    found = [(value_of(point, "tabor"), point) for point in case.points] if case else []
+    return sorted((pair for pair in found if pair[0] is not None), key=lambda pair: pair[0])
+
+
+def residuals(case, quantity):
+    """Rows (μ, |difference|) and (μ, tolerance) of the first check of each point on one quantity."""
+    found, tolerances = [], []
+    for tabor, point in by_tabor(case):
+        for check in checks_of(case, point, quantity)[:1] if point.get("pull_off") else []:
             if check["error"] is not None:
-                residuals.append((tabor, max(abs(check["error"]), 1e-16)))
+                found.append((tabor, max(abs(check["error"]), 1e-16)))
             tolerances.append((tabor, tolerance_of(check)))
-    return computed, reference, residuals, tolerances
+    return found, tolerance_rows(tolerances)
 
 
 def tolerance_rows(tolerances):
     return [(tabor, value) for tabor, value in tolerances if value]
 
 
+def folds(case):
+    """Rows (μ, number of folds)."""
+    return [(tabor, len(point["folds"])) for tabor, point in by_tabor(case) if point.get("folds") is not None]
+
+
 def make(case, references):
     data, parameters, said = {}, {}, []
     for quantity, field, sign, name in PANELS:
-        computed, reference, residuals, tolerances = panel(case, references, quantity, field, sign)
-        limit = tolerance_rows(tolerances)
-        crosses = rows_of(references, PUBLISHED, field, sign)
-        data[name] = [computed, reference, residuals, limit, crosses]
-        low, high = log_range([row[1] for row in residuals + limit])
+        computed = [(tabor, sign * point["pull_off"][field]) for tabor, point in by_tabor(case)
+                    if point.get("pull_off")]
+        reference, crosses = (rows_of(references, table, field, sign) for table in (PULL_OFF, PUBLISHED))
+        found, limit = residuals(case, quantity)
+        paper = residuals(case.companion, quantity)[0]
+        data[name] = [computed, reference, found, limit, crosses, paper]
+        low, high = log_range([row[1] for row in found + limit + paper])
         parameters.update({f"{name}_low": low, f"{name}_high": high,
                            f"{name}_reference": len(reference), f"{name}_limits": len(limit),
                            f"{name}_crosses": len(crosses),
                            f"{name}_tolerance": limit[0][1] if limit else 0.0})
-        if residuals:
-            tabor, worst = max(residuals, key=lambda row: row[1])
-            said.append((name, tabor, worst))
+        if found:
+            said.append((name, max(found, key=lambda row: row[1]), max(paper, key=lambda row: row[1], default=None)))
+    data["folds"] = [folds(case), folds(case.companion)]
+    parameters.update({"paper": 1 if case.companion else 0, "fold_points": len(data["folds"][0]),
+                       "figure_height": 600 if data["folds"][0] else 480})
     drawn = gnuplot.draw("fig04", parameters, data)
     label = "Pull-off force and minus the approach at pull-off against the Tabor parameter"
     return Figure("fig04", NUMBER, TITLE, Markup(svg.embeddable(drawn, "fig04", label)),
-                  caption(data, said), remarks(case, references), case.record["command"])
+                  caption(case, data, said), remarks(case, references), case.record["command"])
 
 
-def caption(data, said):
+def caption(case, data, said):
     text = Markup("(a) Pull-off force |W̄| and (b) approach {}Δ† at pull-off against the Tabor "
-                  "parameter μ. Red squares: this program.").format(MINUS)
+                  "parameter μ. Red squares: this program, {}.").format(MINUS, Markup(twice.how(case)))
     if data["force"][1]:
         text += Markup(" Blue asterisks: Feng’s problem solved independently (see the note on "
                        "Feng’s points).")
     if data["force"][4]:
         text += Markup(" Crosses: Feng’s own points, read off a figure.")
     if said:
-        parts = [Markup("{} for the {} (μ = {})").format(scientific(worst), name, plain(tabor))
-                 for name, tabor, worst in said]
-        text += Markup(" Strips: magnitude of the difference; at most {}.").format(
-            Markup(" and ").join(parts))
+        text += Markup(" Strips: magnitude of the difference; at most {}").format(greatest(said, 1))
+        if said[0][2]:
+            text += Markup("; open circles, {} by the paper’s discretisation ({})").format(
+                greatest(said, 2), twice.PAPER)
+        text += "."
+    if data["folds"][0]:
+        text += " (c) Number of folds of the branch"
+        if data["folds"][1]:
+            text += Markup("; by the paper’s discretisation {} at μ = {} instead of {}").format(*most_folds(data["folds"]))
+        text += "."
     return text
 
 
+def greatest(said, which):
+    return Markup(" and ").join([Markup("{} for the {} (μ = {})").format(scientific(item[which][1]), item[0],
+                                                                         plain(item[which][0])) for item in said])
+
+
+def most_folds(both):
+    """Folds by the paper's discretisation, Tabor parameter and folds by panels where it has most."""
+    tabor, count = max(both[1], key=lambda row: row[1])
+    return count, plain(tabor), dict(both[0]).get(tabor, "—")
+
+
 def remarks(case, references):
-    told = failures(case)
+    told = twice.remarks(case, failures)
     if not references.has(PULL_OFF):
         told.append(f"The reference values ({PULL_OFF}) are absent, so no asterisks are shown.")
     return told

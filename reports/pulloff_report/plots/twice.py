@@ -66,11 +66,12 @@ def failed(case):
             for reason, labels in told.items()]
 
 
-def remarks(case):
-    told = failed(case)
+def remarks(case, tell=failed):
+    """What was not solved, as `tell` says it, and whether the paper's discretisation is there."""
+    told = tell(case)
     if case.companion is None:
         told.append(f"This run holds no record of {case.name}_paper, so the difference to the paper’s "
                     "discretisation is not shown.")
     else:
-        told += [f"By the paper’s discretisation, {line}" for line in failed(case.companion)]
+        told += [f"By the paper’s discretisation, {line}" for line in tell(case.companion)]
     return told
