@@ -11,7 +11,7 @@ set label 3 '{/:Italic r}' at 9.7,0.25 right textcolor rgb grey front
 set arrow 4 from L,0.28 to 2*L,0.28 heads filled size 0.2,15 linewidth 0.9 front
 set label 4 'λ' at 1.5*L,0.5 center front
 set arrow 5 from -1.5*L,0 to -1.5*L,-2*A heads filled size 0.15,15 linewidth 0.9 front
-set label 5 '2A' at -1.5*L-0.2,0.3 right front
+set label 5 '2{/:Italic A}' at -1.5*L-0.2,0.3 right front
 set label 6 'rigid sphere, radius {/:Italic R}' at -5,2.6 center front
 set label 7 'elastic half-space, {/:Italic E}, ν' at 0.6,-1.75 left front
 plot -A*(1-cos(2*pi*x/L)) with filledcurves y1=-2.6 fillcolor rgb '#E3EEF6' notitle, \

@@ -17,9 +17,9 @@ set lmargin at screen 0.51; set rmargin at screen 0.985
 set xrange [-reach:reach]; set yrange [-2:8]
 set xtics 10; set ytics 2 format '%g'
 set xlabel '{/:Italic r}/ε'; set ylabel 'height/ε' offset 0.5,0
+# The nodes are few where the surfaces are smooth: a spline through them.
+set samples 800
 set label 1 '(b)' at graph 0.5, graph 0.94 center
-plot for [s in '-1 1'] 'surfaces.dat' using (s*$1):2 with lines linewidth 1.6 linecolor rgb '#B0B0B0' notitle, \
-     for [s in '-1 1'] 'surfaces.dat' using (s*$1):3 with lines linewidth 1.6 linecolor rgb '#B0B0B0' notitle, \
-     for [s in '-1 1'] 'surfaces.dat' using (s*$1):4 with lines linewidth 1.3 linecolor rgb black notitle, \
-     for [s in '-1 1'] 'surfaces.dat' using (s*$1):5 with lines linewidth 1.3 linecolor rgb black notitle
+plot for [k = 2:3] 'surfaces.dat' using 1:k smooth csplines with lines linewidth 1.6 linecolor rgb '#B0B0B0' notitle, \
+     for [k = 4:5] 'surfaces.dat' using 1:k smooth csplines with lines linewidth 1.3 linecolor rgb black notitle
 unset multiplot

@@ -31,8 +31,8 @@ set xtics 10 format '10^{%L}'
 set xlabel 'α' offset 0,0.4
 set yrange [low:high]; set ytics auto format '10^{%L}'; set ytics 10.0**ceil(log10(high / low) / 4.0)
 unset mytics
-set ylabel 'difference' rotate by 90 offset 0.5,0
-set key at graph 0.02, graph 0.93 left top Left reverse
+set ylabel 'relative difference' rotate by 90 offset 0.5,0
+set key horizontal at graph 0.02, graph 0.95 left top Left reverse
 plot 'residual.dat' index 0 using 1:2 with points pointtype 7 pointsize 0.35 linecolor rgb blue \
        title 'panels, unbounded', \
      'residual.dat' index 1 using 1:2 with points pointtype 6 pointsize 0.45 linecolor rgb vermillion \

@@ -34,7 +34,7 @@ set tmargin at screen 0.265; set bmargin at screen 0.075
 set format x '10^{%L}'; set xlabel 'A/λ' offset 0,0.7
 set yrange [low:high]; set ytics auto format '10^{%L}'; set ytics 10.0**ceil(log10(high / low) / 4.0)
 unset mytics
-set ylabel 'difference' offset 1,0
+set ylabel 'relative difference' offset 1,0
 set key off
 plot for [k = 0:panel_count*radius_count-1] 'difference.dat' index k using 1:2 with points \
        pointtype shape[k % radius_count + 1] pointsize 0.4+0.15*(k/radius_count) linewidth 1.1 \

@@ -22,9 +22,11 @@ def surfaces(case, point):
     shape = r ** 2 / (2 * scene["radius"]) + scene["amplitude"] * (
         1 - numpy.cos(2 * numpy.pi * r / scene["wavelength"]))        # Eq 2
     moved = 1.0 - point["pull_off"]["approach"] + shape
-    chosen = r <= REACH
-    return [tuple(map(float, row)) for row in zip(r[chosen], 1.0 + shape[chosen], 0.0 * r[chosen],
-                                                  moved[chosen], (moved - 1.0 - gap)[chosen])], point
+    chosen = r <= 1.2 * REACH
+    right = [tuple(map(float, row)) for row in zip(r[chosen], 1.0 + shape[chosen], 0.0 * r[chosen],
+                                                   moved[chosen], (moved - 1.0 - gap)[chosen])]
+    left = [(-row[0], *row[1:]) for row in reversed(right) if row[0] > 0]
+    return left + right, point
 
 
 def make(case, references):
