@@ -11,4 +11,4 @@ from . import (fig02, fig03, fig04, fig06, fig07, fig08, fig09, fig10, fig11, fi
 BY_SCRIPT = {"fig01": sketches.FIG01, "fig02": fig02, "fig03": fig03, "fig04": fig04,
              "fig05": sketches.FIG05, "fig06": fig06, "fig07": fig07, "fig08": fig08,
              "fig09": fig09, "fig10": fig10, "fig11": fig11, "fig12": fig12, "fig13": fig13,
-             "fig14": pull_off_map.FIG14}
+             "fig14": pull_off_map.FIG14, "fig15": pull_off_map.FIG15}

@@ -1,4 +1,4 @@
-"""Figure 14 (and any like it): map of the pull-off force over the Tabor parameter and A/λ."""
+"""Figures 14 and 15: maps of the pull-off force over the Tabor parameter and A/λ."""
 
 import dataclasses
 import math
@@ -146,3 +146,4 @@ class Map:
 
 
 FIG14 = Map("14", "Map of the pull-off force, λ† = 20")
+FIG15 = Map("15", "Map of the pull-off force, λ† = 5")
