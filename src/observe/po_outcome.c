@@ -31,6 +31,10 @@ static const double LOAD_OF_TOLERANCE = 30.0;
 /* When the estimated error of the force is beyond the tolerance, the trace is made anew, with this
  * part of what would do. */
 static const double SHARPER = 0.3;
+/* What an error counts for that could not be estimated. */
+static const double UNKNOWN_EXCESS = 3.0;
+/* An estimate so many times the tolerance, after all, is of a contact that no mesh has met. */
+static const double MOST_EXCESS = 10.0;
 enum { MOST_TRACES = 3 };
 
 /* Where Newton's method may stop, in parts of 1 + H, per relative tolerance; and its limits:
@@ -242,9 +246,17 @@ static void add_work(const po_work *more, po_work *work) {
                                                                            : more->factorized_nodes;
 }
 
-/* The estimated error of the force in parts of what is asked; 0 when there is none. */
+/* Whether the scheme says how far it errs, and for once cannot. */
+static bool is_unsure(const po_request *request, const po_outcome *outcome) {
+  return request->mesh.scheme == PO_PANEL && !outcome->rigid && outcome->has_pull_off &&
+         isnan(outcome->pull_off.force_error);
+}
+
+/* The estimated error of the force in parts of what is asked; 0 when it is no more. */
 static double excess_error(const po_request *request, const po_outcome *outcome) {
   const double asked = request->mesh.tolerance * outcome->pull_off.force;
+  if (is_unsure(request, outcome))
+    return UNKNOWN_EXCESS;
   return outcome->has_pull_off && outcome->pull_off.force_error > asked
              ? outcome->pull_off.force_error / asked
              : 0.0;
@@ -282,6 +294,17 @@ static po_status observe(const po_request *request, const po_keeper *keeper, po_
     }
   }
   outcome->work = work;
+  if (!status && is_unsure(request, outcome))
+    return po_fail(
+        PO_NOT_CONVERGED,
+        "the error of the pull-off force %.6g at approach %.6g could not be estimated: no "
+        "equilibrium was found there on a finer mesh",
+        outcome->pull_off.force, outcome->pull_off.approach);
+  if (!status && !rigid && excess_error(request, outcome) > MOST_EXCESS)
+    return po_fail(PO_NOT_CONVERGED,
+                   "the error of the pull-off force %.6g is estimated at %.2g, far beyond the "
+                   "tolerance, and more panels did not help",
+                   outcome->pull_off.force, outcome->pull_off.force_error);
   return status;
 }
 
