@@ -24,9 +24,9 @@ set tmargin at screen 0.335; set bmargin at screen 0.105
 set xtics 0.5 format '%g'
 set xlabel '−Δ†' offset 0,0.4
 set logscale y
-set yrange [low:high]; set ytics auto format '10^{%L}'; set ytics 10.0**ceil(log10(high / low) / 4.0)
+set yrange [low:high]; unset mytics; set ytics auto format '10^{%L}'; set ytics 10.0**ceil(log10(high / low) / 4.0)
 set ylabel 'distance' rotate by 90 offset 0.5,0
-set key at graph 0.985, graph 0.93 right top Left reverse
+set key horizontal at graph 0.985, graph 0.95 right top Left reverse
 plot 'residual.dat' index 0 using 1:2 with points pointtype 7 pointsize 0.25 linecolor rgb blue \
        title 'panels, unbounded', \
      'residual.dat' index 1 using 1:2 with points pointtype 6 pointsize 0.3 linecolor rgb vermillion \

@@ -74,6 +74,7 @@ def make(case, references):
         x, y = min(lines[alpha], key=lambda row: row[1])
         labels.append((x, y, plain(round(float(numpy.log10(alpha))))))
     low, high = log_range([row[1] for strip in strips for row in strip])
+    high *= 10   # room for the key
     drawn = gnuplot.draw("fig06", {
         "line_count": len(lines), "mark_count": len(marks), "label_count": len(labels),
         "label_x": [item[0] for item in labels], "label_y": [item[1] for item in labels],
