@@ -52,24 +52,41 @@ static po_status compare_single(const po_case *kase, size_t point, const po_chec
   return PO_OK;
 }
 
+/* Points, rates and positions of a curve of ours; owned by the caller. */
+static po_status plane_of(const po_outcome *outcome, po_plane_curve *curve) {
+  const size_t count = outcome->curve_count;
+  po_plane_point *plane = po_allocate(2 * count, sizeof *plane);
+  double *positions = po_allocate(count, sizeof *positions);
+  *curve = (po_plane_curve){plane, plane ? plane + count : NULL, positions, count};
+  if (!plane || !positions)
+    return PO_NO_MEMORY;
+  for (size_t i = 0; i < count; ++i) {
+    const po_curve_point *p = &outcome->curve[i];
+    plane[i] = (po_plane_point){p->approach, p->load};
+    plane[count + i] = (po_plane_point){p->approach_rate, p->load_rate};
+    positions[i] = p->position;
+  }
+  return PO_OK;
+}
+
 static po_status compare_planes(const po_outcome *outcome, const po_reference_point *theirs,
                                 size_t their_count, bool scattered, double tolerance,
                                 po_curve_verdict *verdict) {
-  po_plane_point *a = po_allocate(outcome->curve_count, sizeof *a);
-  po_plane_point *b = po_allocate(their_count, sizeof *b);
-  po_status status = a && b ? PO_OK : PO_NO_MEMORY;
-  if (!status) {
-    for (size_t i = 0; i < outcome->curve_count; ++i)
-      a[i] = (po_plane_point){outcome->curve[i].approach, outcome->curve[i].load};
-    for (size_t i = 0; i < their_count; ++i)
-      b[i] = (po_plane_point){theirs[i].approach, theirs[i].load};
-    if (scattered)
-      po_curve_scatter(a, outcome->curve_count, b, their_count, verdict);
-    else
-      status = po_curve_compare(a, outcome->curve_count, b, their_count, tolerance, verdict);
-  }
-  free(a);
-  free(b);
+  po_plane_curve ours;
+  po_status status = plane_of(outcome, &ours);
+  po_plane_point *points = po_allocate(their_count, sizeof *points);
+  if (!points)
+    status = PO_NO_MEMORY;
+  for (size_t i = 0; !status && i < their_count; ++i)
+    points[i] = (po_plane_point){theirs[i].approach, theirs[i].load};
+  if (!status && scattered)
+    po_curve_scatter(&ours, points, their_count, verdict);
+  else if (!status)
+    status = po_curve_compare(&ours, &(po_plane_curve){.points = points, .count = their_count},
+                              tolerance, verdict);
+  free(points);
+  free((void *)ours.points);
+  free((void *)ours.positions);
   return status;
 }
 

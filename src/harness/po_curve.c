@@ -9,8 +9,7 @@
 
 /* A curve, the part of it that is compared, and the folds in that part. */
 typedef struct {
-  const po_plane_point *points;
-  size_t count;
+  po_plane_curve curve;
   size_t first, last; /* of the compared points */
   size_t *folds;      /* indices of points where the approach turns */
   size_t fold_count;
@@ -19,38 +18,41 @@ typedef struct {
 /* The last point to look at: where the approach first exceeds the end of the other curve, if that
  * end is the other's greatest approach. On a wavy sphere what follows may turn back below it. */
 static size_t first_passage(const po_track *track, double end, const po_track *other) {
-  for (size_t i = 0; i < other->count; ++i)
-    if (other->points[i].approach > end)
-      return track->count - 1;
-  for (size_t i = 0; i < track->count; ++i)
-    if (track->points[i].approach > end)
+  for (size_t i = 0; i < other->curve.count; ++i)
+    if (other->curve.points[i].approach > end)
+      return track->curve.count - 1;
+  for (size_t i = 0; i < track->curve.count; ++i)
+    if (track->curve.points[i].approach > end)
       return i;
-  return track->count - 1;
+  return track->curve.count - 1;
 }
 
 /* The branch begins far out, at small approach, and ends in contact, at large: what one curve has
  * ahead of the other's start, and beyond its end, has no counterpart. Beside the ends a steep curve
  * is beyond in load rather than in approach. */
 static void track_trim(po_track *track, const po_track *other) {
-  const po_stretch whole = {other->points, other->count, 0, other->count - 1};
-  const double start = other->points[0].approach, end = other->points[other->count - 1].approach;
+  const po_stretch whole = po_plane_whole(&other->curve);
+  const double start = other->curve.points[0].approach,
+               end = other->curve.points[other->curve.count - 1].approach;
   track->first = 0;
   track->last = first_passage(track, end, other);
-  while (track->first < track->last && (track->points[track->first].approach < start ||
-                                        po_plane_foot(track->points[track->first], &whole).before))
+  while (track->first < track->last &&
+         (track->curve.points[track->first].approach < start ||
+          po_plane_foot(track->curve.points[track->first], &whole).before))
     track->first += 1;
-  while (track->last > track->first && (track->points[track->last].approach > end ||
-                                        po_plane_foot(track->points[track->last], &whole).beyond))
+  while (track->last > track->first &&
+         (track->curve.points[track->last].approach > end ||
+          po_plane_foot(track->curve.points[track->last], &whole).beyond))
     track->last -= 1;
 }
 
 static po_status track_find_folds(po_track *track) {
-  track->folds = po_allocate(track->count, sizeof *track->folds);
+  track->folds = po_allocate(track->curve.count, sizeof *track->folds);
   if (!track->folds)
     return PO_NO_MEMORY;
   double before = 0;
   for (size_t i = track->first; i < track->last; ++i) {
-    const double step = track->points[i + 1].approach - track->points[i].approach;
+    const double step = track->curve.points[i + 1].approach - track->curve.points[i].approach;
     if (step * before < 0)
       track->folds[track->fold_count++] = i;
     if (step != 0)
@@ -60,7 +62,7 @@ static po_status track_find_folds(po_track *track) {
 }
 
 static double chord(const po_track *track, size_t i) {
-  const po_plane_point p = track->points[i], q = track->points[i + 1];
+  const po_plane_point p = track->curve.points[i], q = track->curve.points[i + 1];
   return hypot(q.approach - p.approach, q.load - p.load);
 }
 
@@ -76,7 +78,7 @@ static double track_spacing(const po_track *track, size_t k) {
  * turned, and as many more as cover the spacing of the other beside its fold: how short the first
  * is, is up to chance. */
 static po_stretch track_stretch(const po_track *track, const po_track *other, size_t k) {
-  po_stretch stretch = {track->points, track->count, 0, track->count - 1};
+  po_stretch stretch = po_plane_whole(&track->curve);
   if (k > 0) {
     double rest = track_spacing(other, k - 1);
     for (stretch.from = track->folds[k - 1] - 1; stretch.from > 0 && rest > 0; --stretch.from)
@@ -84,14 +86,11 @@ static po_stretch track_stretch(const po_track *track, const po_track *other, si
   }
   if (k < track->fold_count) {
     double rest = track_spacing(other, k);
-    for (stretch.to = track->folds[k] + 1; stretch.to + 1 < track->count && rest > 0; ++stretch.to)
+    for (stretch.to = track->folds[k] + 1; stretch.to + 1 < track->curve.count && rest > 0;
+         ++stretch.to)
       rest -= chord(track, stretch.to);
   }
   return stretch;
-}
-
-static po_stretch track_whole(const po_track *track) {
-  return (po_stretch){track->points, track->count, 0, track->count - 1};
 }
 
 /* The stretch point i is on. */
@@ -102,23 +101,29 @@ static size_t track_stretch_of(const po_track *track, size_t i) {
   return k;
 }
 
-/* The largest distance of the compared points of `a` from `b`: from the corresponding stretch when
+/* How far a point is from a curve beyond what the joining of its points is in doubt by. */
+static double excess(po_plane_point point, const po_stretch *stretch) {
+  const po_foot foot = po_plane_foot(point, stretch);
+  return fmax(0.0, foot.distance - po_plane_doubt(&stretch->curve, foot.index));
+}
+
+/* The largest excess of the compared points of `a` over `b`: from the corresponding stretch when
  * the folds correspond. Whether one so far off lies within the tolerance of another stretch, too.
  */
 static void measure(const po_track *a, const po_track *b, double tolerance,
                     po_curve_verdict *verdict) {
   for (size_t i = a->first; i <= a->last; ++i) {
-    const po_plane_point point = a->points[i];
-    const po_stretch stretch =
-        verdict->same_folds ? track_stretch(b, a, track_stretch_of(a, i)) : track_whole(b);
-    const double distance = po_plane_foot(point, &stretch).distance;
+    const po_plane_point point = a->curve.points[i];
+    const po_stretch stretch = verdict->same_folds ? track_stretch(b, a, track_stretch_of(a, i))
+                                                   : po_plane_whole(&b->curve);
+    const double distance = excess(point, &stretch);
     if (distance > verdict->distance) {
       verdict->distance = distance;
       verdict->where = point;
     }
     if (distance > tolerance && verdict->same_folds && !verdict->note[0]) {
-      const po_stretch whole = track_whole(b);
-      if (po_plane_foot(point, &whole).distance <= tolerance)
+      const po_stretch whole = po_plane_whole(&b->curve);
+      if (excess(point, &whole) <= tolerance)
         snprintf(verdict->note, sizeof verdict->note,
                  "different branch near approach %.4g, load %.4g", point.approach, point.load);
     }
@@ -126,7 +131,7 @@ static void measure(const po_track *a, const po_track *b, double tolerance,
 }
 
 static double fold_distance(const po_track *a, size_t i, const po_track *b, size_t j) {
-  const po_plane_point p = a->points[a->folds[i]], q = b->points[b->folds[j]];
+  const po_plane_point p = a->curve.points[a->folds[i]], q = b->curve.points[b->folds[j]];
   return hypot(p.approach - q.approach, p.load - q.load);
 }
 
@@ -146,21 +151,19 @@ static void name_fold(const po_track *ours, const po_track *reference, po_curve_
       named = i;
     }
   }
-  const po_plane_point fold = more->points[more->folds[named]];
+  const po_plane_point fold = more->curve.points[more->folds[named]];
   snprintf(verdict->note, sizeof verdict->note,
            "%s fold near approach %.4g, load %.4g (%zu folds, reference %zu)",
            missing ? "missing" : "spurious", fold.approach, fold.load, ours->fold_count,
            reference->fold_count);
 }
 
-po_status po_curve_compare(const po_plane_point *ours, size_t count,
-                           const po_plane_point *reference, size_t reference_count,
+po_status po_curve_compare(const po_plane_curve *ours, const po_plane_curve *reference,
                            double tolerance, po_curve_verdict *verdict) {
   *verdict = (po_curve_verdict){0};
-  if (count < 2 || reference_count < 2)
+  if (ours->count < 2 || reference->count < 2)
     return PO_OK;
-  po_track a = {.points = ours, .count = count};
-  po_track b = {.points = reference, .count = reference_count};
+  po_track a = {.curve = *ours}, b = {.curve = *reference};
   track_trim(&a, &b);
   track_trim(&b, &a);
   po_status status = PO_OK;
@@ -172,7 +175,7 @@ po_status po_curve_compare(const po_plane_point *ours, size_t count,
   if (status)
     goto done;
   verdict->compared = b.last - b.first + 1;
-  verdict->left_out = reference_count - verdict->compared;
+  verdict->left_out = reference->count - verdict->compared;
   verdict->same_folds = a.fold_count == b.fold_count;
   if (!verdict->same_folds)
     name_fold(&a, &b, verdict);
@@ -184,12 +187,12 @@ done:
   return status;
 }
 
-void po_curve_scatter(const po_plane_point *ours, size_t count, const po_plane_point *points,
-                      size_t point_count, po_curve_verdict *verdict) {
+void po_curve_scatter(const po_plane_curve *ours, const po_plane_point *points, size_t point_count,
+                      po_curve_verdict *verdict) {
   *verdict = (po_curve_verdict){.same_folds = true};
-  if (count < 2)
+  if (ours->count < 2)
     return;
-  const po_stretch whole = {ours, count, 0, count - 1};
+  const po_stretch whole = po_plane_whole(ours);
   for (size_t i = 0; i < point_count; ++i) {
     const po_foot foot = po_plane_foot(points[i], &whole);
     if (foot.before || foot.beyond) {

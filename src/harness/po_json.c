@@ -90,10 +90,12 @@ json_t *po_json_curve(const po_outcome *outcome) {
   for (size_t i = 0; i < outcome->curve_count; ++i) {
     const po_curve_point *p = &outcome->curve[i];
     json_array_append_new(
-        array, json_pack("{s:o, s:o, s:o, s:o, s:o, s:i}", "position", po_json_number(p->position),
-                         "approach", po_json_number(p->approach), "load", po_json_number(p->load),
-                         "energy", po_json_number(p->energy), "contact_radius",
-                         po_json_number(p->contact_radius), "unstable_modes", p->unstable_modes));
+        array, json_pack("{s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:i}", "position",
+                         po_json_number(p->position), "approach", po_json_number(p->approach),
+                         "load", po_json_number(p->load), "energy", po_json_number(p->energy),
+                         "contact_radius", po_json_number(p->contact_radius), "approach_rate",
+                         po_json_number(p->approach_rate), "load_rate",
+                         po_json_number(p->load_rate), "unstable_modes", p->unstable_modes));
   }
   return array;
 }

@@ -14,8 +14,12 @@ static double length(po_plane_point a) {
   return hypot(a.approach, a.load);
 }
 
+static po_plane_point times(double factor, po_plane_point a) {
+  return (po_plane_point){factor * a.approach, factor * a.load};
+}
+
 /* The derivative at point i with respect to the length along the chords. */
-static po_plane_point tangent(const po_stretch *s, size_t i) {
+static po_plane_point tangent(const po_plane_curve *s, size_t i) {
   const po_plane_point *p = s->points;
   const size_t middle = i == 0 ? 1 : i == s->count - 1 ? s->count - 2 : i;
   if (s->count < 3 || length(minus(p[middle], p[middle - 1])) == 0 ||
@@ -40,13 +44,14 @@ typedef struct {
   po_plane_point p, q, u, v;
 } po_cubic;
 
-static po_cubic cubic_of(const po_stretch *s, size_t i) {
-  const po_plane_point chord = minus(s->points[i + 1], s->points[i]);
-  const double size = length(chord);
-  po_plane_point u = tangent(s, i), v = tangent(s, i + 1);
-  return (po_cubic){s->points[i], s->points[i + 1],
-                    (po_plane_point){size * u.approach, size * u.load},
-                    (po_plane_point){size * v.approach, size * v.load}};
+static po_cubic cubic_of(const po_plane_curve *s, size_t i) {
+  const po_plane_point p = s->points[i], q = s->points[i + 1];
+  if (s->rates) {
+    const double way = s->positions[i + 1] - s->positions[i];
+    return (po_cubic){p, q, times(way, s->rates[i]), times(way, s->rates[i + 1])};
+  }
+  const double size = length(minus(q, p));
+  return (po_cubic){p, q, times(size, tangent(s, i)), times(size, tangent(s, i + 1))};
 }
 
 static double hermite(double p, double q, double u, double v, double t) {
@@ -109,10 +114,11 @@ static double cubic_foot(po_plane_point point, const po_cubic *c, double *foot) 
 }
 
 static size_t nearest_chord(po_plane_point point, const po_stretch *stretch) {
+  const po_plane_point *p = stretch->curve.points;
   size_t nearest = stretch->from;
   double least = (double)INFINITY;
   for (size_t i = stretch->from; i < stretch->to; ++i) {
-    const double distance = chord_distance(point, stretch->points[i], stretch->points[i + 1]);
+    const double distance = chord_distance(point, p[i], p[i + 1]);
     if (distance < least) {
       least = distance;
       nearest = i;
@@ -121,27 +127,59 @@ static size_t nearest_chord(po_plane_point point, const po_stretch *stretch) {
   return nearest;
 }
 
+po_stretch po_plane_whole(const po_plane_curve *curve) {
+  return (po_stretch){*curve, 0, curve->count - 1};
+}
+
 po_foot po_plane_foot(po_plane_point point, const po_stretch *stretch) {
-  const po_plane_point *p = stretch->points;
+  const po_plane_curve *curve = &stretch->curve;
   if (stretch->to <= stretch->from)
-    return (po_foot){.distance = length(minus(point, p[stretch->from]))};
+    return (po_foot){.distance = length(minus(point, curve->points[stretch->from])),
+                     .index = stretch->from};
   const size_t nearest = nearest_chord(point, stretch);
   /* The cubic bulges from its chord: the nearest may be one element on. */
   const size_t from = nearest > stretch->from ? nearest - 1 : nearest;
   const size_t to = nearest + 1 < stretch->to ? nearest + 1 : nearest;
   po_foot foot = {.distance = (double)INFINITY};
   for (size_t i = from; i <= to; ++i) {
-    const po_cubic cubic = cubic_of(stretch, i);
+    const po_cubic cubic = cubic_of(curve, i);
     double t = 0;
     const double distance = cubic_foot(point, &cubic, &t);
     if (distance >= foot.distance)
       continue;
-    const size_t last = stretch->count - 2;
+    const size_t last = curve->count - 2;
     foot = (po_foot){
         .distance = distance,
+        .index = i,
         .before = i == 0 && t == 0 && dot(minus(point, cubic.p), cubic.u) < 0,
         .beyond = i == last && t == 1 && dot(minus(point, cubic.q), cubic.v) > 0,
     };
   }
   return foot;
+}
+
+/* How far point i is from the cubic through two neighbours on either side. */
+static double left_out(const po_plane_curve *curve, size_t i) {
+  po_plane_point around[4];
+  size_t count = 0, before = 0;
+  for (size_t k = i < 2 ? 0 : i - 2; k <= i + 2 && k < curve->count; ++k) {
+    before += k < i;
+    if (k != i)
+      around[count++] = curve->points[k];
+  }
+  if (i >= curve->count || before == 0 || before == count)
+    return 0.0;
+  const po_stretch across = {{.points = around, .count = count}, before - 1, before};
+  return po_plane_foot(curve->points[i], &across).distance;
+}
+
+double po_plane_doubt(const po_plane_curve *curve, size_t index) {
+  /* Evenly spaced, a curve errs by a sixteenth of what it does when points are left out. Where the
+   * spacing is uneven, or the error changes sign, as much as six times the distance of the points
+   * beside was met (the curves of Feng's problem and of the wavy sphere). */
+  static const double OF_LEFT_OUT = 8.0;
+  double most = 0.0;
+  for (size_t i = index > 0 ? index - 1 : 0; !curve->rates && i <= index + 2; ++i)
+    most = fmax(most, left_out(curve, i));
+  return OF_LEFT_OUT * most;
 }

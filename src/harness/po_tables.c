@@ -9,6 +9,12 @@
 #include "po_input.h"
 #include "po_memory.h"
 
+enum { CURVE_COLUMNS = 8 };
+
+static const char *const CURVE_NAMES[CURVE_COLUMNS] = {
+    "position",       "approach",      "load",      "energy",
+    "contact_radius", "approach_rate", "load_rate", "unstable_modes"};
+
 /* Writes `rows`, the line of column names included, under headers; clears it. */
 static po_status write_table(const char *path, const po_request *request, const char *what,
                              const char *units, po_text *rows, char *digest) {
@@ -32,17 +38,21 @@ static po_status write_table(const char *path, const po_request *request, const 
 po_status po_tables_write_curve(const char *path, const po_request *request,
                                 const po_outcome *outcome, char *digest) {
   po_text rows = {0};
-  po_text_add(&rows, "position,approach,load,energy,contact_radius,unstable_modes\n");
+  for (size_t c = 0; c < CURVE_COLUMNS; ++c)
+    po_text_add(&rows, "%s%s", c ? "," : "", CURVE_NAMES[c]);
+  po_text_add(&rows, "\n");
   for (size_t i = 0; i < outcome->curve_count; ++i) {
     const po_curve_point *p = &outcome->curve[i];
-    const double row[] = {p->position, p->approach,       p->load,
-                          p->energy,   p->contact_radius, (double)p->unstable_modes};
-    po_csv_add_row(&rows, row, sizeof row / sizeof *row);
+    const double row[CURVE_COLUMNS] = {
+        p->position,       p->approach,      p->load,      p->energy,
+        p->contact_radius, p->approach_rate, p->load_rate, (double)p->unstable_modes};
+    po_csv_add_row(&rows, row, CURVE_COLUMNS);
   }
   return write_table(path, request, "load against approach along the branch",
                      "approach and contact_radius in epsilon; load in pi w R, compressive > 0; "
                      "energy in pi w R epsilon, its rate by approach is the load; position: "
-                     "arclength along the branch",
+                     "arclength along the branch in the metric of the solver, approach_rate and "
+                     "load_rate: per position",
                      &rows, digest);
 }
 
@@ -93,16 +103,21 @@ static po_status read_numbers(const char *path, const char *digest, const char *
 }
 
 po_status po_tables_read_curve(const char *path, const char *digest, po_outcome *outcome) {
-  static const char *const NAMES[] = {"position", "approach",       "load",
-                                      "energy",   "contact_radius", "unstable_modes"};
   double *values = NULL;
   size_t rows = 0;
-  po_status status = read_numbers(path, digest, NAMES, 6, &values, &rows);
+  po_status status = read_numbers(path, digest, CURVE_NAMES, CURVE_COLUMNS, &values, &rows);
   if (!status && !(outcome->curve = po_allocate(rows, sizeof *outcome->curve)))
     status = PO_NO_MEMORY;
   for (size_t i = 0; !status && i < rows; ++i) {
-    const double *v = values + 6 * i;
-    outcome->curve[i] = (po_curve_point){v[0], v[1], v[2], v[3], v[4], (int)v[5]};
+    const double *v = values + CURVE_COLUMNS * i;
+    outcome->curve[i] = (po_curve_point){.position = v[0],
+                                         .approach = v[1],
+                                         .load = v[2],
+                                         .energy = v[3],
+                                         .contact_radius = v[4],
+                                         .approach_rate = v[5],
+                                         .load_rate = v[6],
+                                         .unstable_modes = (int)v[7]};
     outcome->curve_count = rows;
   }
   free(values);

@@ -32,6 +32,21 @@ double po_hermite_rate(double f0, double d0, double f1, double d1, double x, dou
   return (q.c + t * (2.0 * q.b + 3.0 * q.a * t)) / h;
 }
 
+double po_hermite_work(const po_cubic_ends *load, const po_cubic_ends *way, double from,
+                       double to) {
+  /* Gauss's three points on (-1, 1), exact for the fifth degree of load times rate of way */
+  static const double NODE[] = {-0.77459666924148338, 0.0, 0.77459666924148338}; /* sqrt(3/5) */
+  static const double WEIGHT[] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
+  const double half = 0.5 * (to - from), middle = 0.5 * (from + to);
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    const double t = middle + half * NODE[k];
+    sum += WEIGHT[k] * po_hermite_value(load->f0, load->d0, load->f1, load->d1, t, 1.0) *
+           po_hermite_rate(way->f0, way->d0, way->f1, way->d1, t, 1.0);
+  }
+  return half * sum;
+}
+
 size_t po_hermite_extrema(double f0, double d0, double f1, double d1, double h, double x[2]) {
   const derivative q = derivative_of(f0, d0, f1, d1, h);
   double root[2];

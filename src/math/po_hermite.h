@@ -16,6 +16,14 @@ po_hermite po_hermite_at(double x, double h);
 double po_hermite_value(double f0, double d0, double f1, double d1, double x, double h);
 double po_hermite_rate(double f0, double d0, double f1, double d1, double x, double h);
 
+/* A cubic of t in (0, 1): values and slopes at its ends. */
+typedef struct {
+  double f0, d0, f1, d1;
+} po_cubic_ends;
+
+/* Integral of `load` times the derivative of `way` from one t to another, exactly. */
+double po_hermite_work(const po_cubic_ends *load, const po_cubic_ends *way, double from, double to);
+
 /* Zeros in the open interval (0, h) of the derivative of the cubic with these end values and
  * slopes, ascending. Returned: how many (0, 1 or 2), in x. */
 size_t po_hermite_extrema(double f0, double d0, double f1, double d1, double h, double x[2]);

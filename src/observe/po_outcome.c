@@ -16,6 +16,9 @@
 
 /* How far a wanted curve may lie from the straight lines between its points. */
 static const double CURVE_SAGITTA = 5e-4;
+/* And from the cubics, in parts of the tolerance of panels, and the least of it: the cost goes as
+ * the fourth root. */
+static const double MISS_OF_TOLERANCE = 0.1, LEAST_MISS = 1e-8;
 
 /* Error of the gap, in eps, that panels may make by their last coefficients, over the root of the
  * relative tolerance of the pull-off force: what these coefficients do to the load goes as their
@@ -75,11 +78,15 @@ typedef struct {
 static po_branch_options options_of(const po_request *request, double begin, po_reader *reader) {
   po_branch_options options = po_branch_options_default();
   options.end = request->approach_end;
-  if (request->want & PO_WANT_PROFILE)
+  if (request->want & PO_WANT_HYSTERESIS)
+    options.station = request->preload.approach;
+  if (request->want & PO_WANT_PROFILE && !isnan(request->profile_approach))
     options.station = request->profile_approach;
   options.begin = fmin(request->approach_start, begin);
   if (request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS))
     options.largest_sagitta = CURVE_SAGITTA;
+  if (request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS) && request->mesh.scheme == PO_PANEL)
+    options.largest_miss = fmax(LEAST_MISS, MISS_OF_TOLERANCE * request->mesh.tolerance);
   options.visit = po_reader_visit;
   options.data = reader;
   return options;

@@ -66,8 +66,10 @@ typedef struct {
   double load;     /* W / (pi w R), > 0 compressive */
   double energy;   /* U / (pi w R eps), elastic and of the interaction, 0 infinitely apart: its
                       rate by the approach along the branch is the load */
-  double contact_radius; /* in eps */
-  int unstable_modes;    /* 0: stable at fixed approach */
+  double contact_radius;           /* in eps */
+  double approach_rate, load_rate; /* per position: the direction of the curve. 0 at a fold, and at
+                                      an extremum of the load */
+  int unstable_modes;              /* 0: stable at fixed approach */
 } po_curve_point;
 
 typedef struct {

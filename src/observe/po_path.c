@@ -6,10 +6,7 @@
 
 enum { BISECTIONS = 60 };
 
-/* The cubic of one quantity over the way from one point to the next: values and slopes. */
-typedef struct {
-  double f0, d0, f1, d1;
-} cubic;
+typedef po_cubic_ends cubic; /* of one quantity over the way from one point to the next */
 
 static void cubics(const po_path *path, size_t index, cubic *approach, cubic *load) {
   const po_path_point *a = &path->point[index], *b = a + 1;
@@ -20,10 +17,6 @@ static void cubics(const po_path *path, size_t index, cubic *approach, cubic *lo
 
 static double value(const cubic *c, double part) {
   return po_hermite_value(c->f0, c->d0, c->f1, c->d1, part, 1.0);
-}
-
-static double rate(const cubic *c, double part) {
-  return po_hermite_rate(c->f0, c->d0, c->f1, c->d1, part, 1.0);
 }
 
 po_path_state po_path_at(const po_path *path, po_path_place place) {
@@ -60,16 +53,7 @@ po_path_place po_path_where(const po_path *path, size_t index, po_path_axis axis
 }
 
 double po_path_work(const po_path *path, size_t index, double from, double to) {
-  /* Gauss's three points on (-1, 1), exact for the fifth degree of load times rate of approach */
-  static const double NODE[] = {-0.77459666924148338, 0.0, 0.77459666924148338}; /* sqrt(3/5) */
-  static const double WEIGHT[] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
   cubic approach, load;
   cubics(path, index, &approach, &load);
-  const double half = 0.5 * (to - from), middle = 0.5 * (from + to);
-  double sum = 0.0;
-  for (int k = 0; k < 3; ++k) {
-    const double t = middle + half * NODE[k];
-    sum += WEIGHT[k] * value(&load, t) * rate(&approach, t);
-  }
-  return half * sum;
+  return po_hermite_work(&load, &approach, from, to);
 }

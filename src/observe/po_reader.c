@@ -62,6 +62,8 @@ static void add_curve_point(po_reader *r, const po_branch_point *p, double conta
                                                 .load = p->load,
                                                 .energy = p->energy,
                                                 .contact_radius = contact_radius,
+                                                .approach_rate = p->approach_rate,
+                                                .load_rate = p->load_rate,
                                                 .unstable_modes = p->unstable_modes};
 }
 

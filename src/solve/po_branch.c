@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "po_hermite.h"
+#include "po_join.h"
 #include "po_landmark.h"
 #include "po_memory.h"
 
@@ -51,8 +52,12 @@ typedef struct {
 } tracer;
 
 po_branch_options po_branch_options_default(void) {
-  return (po_branch_options){
-      .station = NAN, .end = NAN, .begin = NAN, .largest_sagitta = INFINITY, .most_points = 30000};
+  return (po_branch_options){.station = NAN,
+                             .end = NAN,
+                             .begin = NAN,
+                             .largest_sagitta = INFINITY,
+                             .largest_miss = INFINITY,
+                             .most_points = 30000};
 }
 
 static double point_approach(const tracer *t, const branch_point *p) {
@@ -135,13 +140,6 @@ static void copy_point(const tracer *t, const branch_point *from, branch_point *
   memcpy(copy.state, from->state, (t->e->n + 1) * sizeof *copy.state);
   memcpy(copy.tangent, from->tangent, (t->e->n + 1) * sizeof *copy.tangent);
   *to = copy;
-}
-
-double po_branch_sagitta(const po_branch_point *from, const po_branch_point *to) {
-  const double cross = from->approach_rate * to->load_rate - from->load_rate * to->approach_rate;
-  const double dot = from->approach_rate * to->approach_rate + from->load_rate * to->load_rate;
-  return 0.125 * fabs(atan2(cross, dot)) *
-         hypot(to->approach - from->approach, to->load - from->load);
 }
 
 double po_branch_start(po_equilibrium *e) {
@@ -329,7 +327,7 @@ static double try_step(tracer *t, double step, po_status *status) {
   }
   const po_branch_point from = seen_point(t, &t->current, PO_POINT_STEP);
   const po_branch_point to = seen_point(t, &t->next, PO_POINT_STEP);
-  const double sagitta = po_branch_sagitta(&from, &to) / t->options->largest_sagitta;
+  const double sagitta = po_join_sagitta(&from, &to) / t->options->largest_sagitta;
   if (sagitta > 1.0) {
     *status = PO_NOT_CONVERGED;
     return fmax(0.25, 0.8 / sqrt(sagitta));

@@ -48,13 +48,11 @@ typedef struct {
   double begin;   /* the trace starts here when that is farther out than it needs; NAN: no */
   double largest_sagitta; /* of a step's chord, in the plane of approach and load: how far from the
                              curve a drawing by straight lines may be */
+  double largest_miss;    /* likewise of the cubic with the rates at both ends; heeded on panels */
   size_t most_points;
   po_branch_visit visit;
   void *data;
 } po_branch_options;
-
-/* The sagitta of the chord between two points, from the turn of the curve between them. */
-double po_branch_sagitta(const po_branch_point *from, const po_branch_point *to);
 
 /* No station, no end, steps free, 30000 points; visit to be set. */
 po_branch_options po_branch_options_default(void);

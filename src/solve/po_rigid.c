@@ -5,6 +5,7 @@
 #include <gsl/gsl_roots.h>
 #include <math.h>
 
+#include "po_join.h"
 #include "po_law.h"
 #include "po_shape.h"
 
@@ -222,7 +223,7 @@ po_status po_rigid_trace(const po_scene *scene, double begin, const po_branch_op
   while (!t.ended && !t.status && from.approach < end) {
     double step = (1.0 - from.approach) * (1.0 - STEP_RATIO);
     po_branch_point to = solve(&t, fmin(from.approach + step, end), PO_POINT_STEP);
-    while (!t.status && po_branch_sagitta(&from, &to) > options->largest_sagitta) {
+    while (!t.status && po_join_sagitta(&from, &to) > options->largest_sagitta) {
       step *= 0.5;
       to = solve(&t, fmin(from.approach + step, end), PO_POINT_STEP);
     }

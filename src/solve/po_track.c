@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "po_join.h"
 #include "po_landmark.h"
 #include "po_memory.h"
 #include "po_prediction.h"
@@ -30,6 +31,11 @@ static const double LEAST_COSINE = 0.7;
 /* Meshes are made for this part of the allowed error, and serve while it is not exceeded: the
  * fronts may move a little on them. */
 static const double MESH_MARGIN = 0.2;
+/* Steps are made so much shorter than what would just do for the curve between to be joined. */
+static const double JOIN_MARGIN = 0.85;
+/* A curve as straight as this many times what a cubic may miss is not looked at: the energies may
+ * be rounded by more. */
+static const double STRAIGHT = 40.0;
 static const double FIRST_STEP = 0.05, SHORTEST_STEP = 1e-9;
 
 typedef struct {
@@ -194,7 +200,7 @@ static po_status solve_inner(void *data, double at, po_sample *sample) {
   t->inner_at = status ? (double)NAN : at;
   if (status)
     return status;
-  t->inner.position = t->current.position + (t->next.position - t->current.position) * at / whole;
+  t->inner.position = t->current.position + po_track_way(&t->current, &t->inner);
   *sample = po_track_sample(&t->current, &t->inner);
   return PO_OK;
 }
@@ -229,6 +235,19 @@ static double next_step(const tracker *t, const po_prediction *p, double step, d
   return fmin(longer, GREATEST_GROWTH * step);
 }
 
+/* How many times as long as from current to next a step may be for the curve between to be joined
+ * as asked: below 1 it is not. */
+static double joined_for(const tracker *t) {
+  const po_branch_options *o = t->options;
+  const po_branch_point from = seen_point(t, &t->current, PO_POINT_STEP);
+  const po_branch_point to = seen_point(t, &t->next, PO_POINT_STEP);
+  const double sagitta = po_join_sagitta(&from, &to);
+  const double by_sagitta = sqrt(o->largest_sagitta / sagitta);
+  if (!(sagitta > STRAIGHT * o->largest_miss))
+    return by_sagitta;
+  return fmin(by_sagitta, pow(o->largest_miss / po_join_miss(&from, &to), 0.25));
+}
+
 /* One attempt at a step: current to next. Returned: the step to take then; status says whether this
  * one is taken. */
 static double try_step(tracker *t, double step, po_status *status) {
@@ -244,19 +263,17 @@ static double try_step(tracker *t, double step, po_status *status) {
   if (*status)
     return 0.5 * step;
   const double error = po_prediction_error(&p, &t->next);
-  const po_branch_point from = seen_point(t, &t->current, PO_POINT_STEP);
-  const po_branch_point to = seen_point(t, &t->next, PO_POINT_STEP);
-  const double sagitta = po_branch_sagitta(&from, &to) / t->options->largest_sagitta;
+  t->next.position = t->current.position + po_track_way(&t->current, &t->next);
+  const double joined = JOIN_MARGIN * joined_for(t);
   *status = PO_NOT_CONVERGED;
   if (error > GREATEST_ERROR || po_gauge_along(t->current.rate, t->next.rate) < LEAST_COSINE)
     return step * fmax(0.25, fmin(0.7, pow(AIMED_ERROR / error, 0.25)));
-  if (sagitta > 1.0)
-    return step * fmax(0.25, 0.8 / sqrt(sagitta));
-  t->next.position = t->current.position + step;
+  if (joined < JOIN_MARGIN)
+    return step * fmax(0.25, joined);
   *status = find_events(t);
   if (!*status)
     *status = want_mesh(t, &t->next);
-  return *status ? 0.5 * step : next_step(t, &p, step, error);
+  return *status ? 0.5 * step : fmin(step * joined, next_step(t, &p, step, error));
 }
 
 static po_status advance(tracker *t) {

@@ -141,6 +141,13 @@ double po_track_gap(void *data, double r) {
   return po_track_value_at(f->p, f->scene, f->root, r).gap;
 }
 
+double po_track_way(const po_track_point *from, const po_track_point *to) {
+  const double progress = po_track_progress(from, to);
+  const double cosine = fmax(0.0, po_gauge_along(from->rate, to->rate));
+  const double turn = cosine < 1.0 ? acos(cosine) : 0.0;
+  return turn > 0.0 ? progress * turn / sin(turn) : progress;
+}
+
 po_sample po_track_sample(const po_track_point *from, const po_track_point *p) {
   const double per_distance = 1.0 / po_gauge_along(from->rate, p->rate);
   return (po_sample){.at = po_track_progress(from, p),

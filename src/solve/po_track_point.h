@@ -39,6 +39,9 @@ void po_track_point_finish(po_track_point *p, const po_equilibrium *e, const po_
 /* How far one point is from another along the gauge, in the direction of the first. */
 double po_track_progress(const po_track_point *from, const po_track_point *to);
 
+/* The arclength of the gauge between two points, as of an arc that turns as their rates do. */
+double po_track_way(const po_track_point *from, const po_track_point *to);
+
 /* Values at a radius inside the root. */
 po_track_value po_track_value_at(const po_track_point *p, const po_scene *scene, double root,
                                  double r);

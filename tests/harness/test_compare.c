@@ -296,7 +296,12 @@ START_TEST(curve_of_the_closed_form) {
   po_curve_point curve[N];
   for (int i = 0; i < N; ++i) {
     const double approach = -6 + 6.2 * (1 - pow(1 - i / (N - 1.0), 2));
-    curve[i] = (po_curve_point){.approach = approach, .load = po_bradley_load(approach)};
+    const double x = 1 - approach; /* of Eq 23 */
+    curve[i] = (po_curve_point){.position = approach,
+                                .approach = approach,
+                                .load = po_bradley_load(approach),
+                                .approach_rate = 1,
+                                .load_rate = 16 / 3.0 * (pow(x, -9) - pow(x, -3))};
   }
   po_outcome outcome = {.start = -6, .end = 0.2, .curve = curve, .curve_count = N};
   compare(0, &outcome);

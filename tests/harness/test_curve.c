@@ -9,7 +9,8 @@
 #include "run.h"
 
 enum { MOST = 1000 };
-static po_plane_point ours[MOST], theirs[MOST];
+static po_plane_point ours[MOST], theirs[MOST], rates[MOST];
+static double positions[MOST];
 
 /* approach = 3 s^3 - s, load = -2 + 2 s + s^2 / 2: folds at s = -1/3 and 1/3. Points are at
  * different places on the two curves, so that only the curves themselves can agree. */
@@ -22,24 +23,95 @@ static size_t s_curve(po_plane_point *points, size_t count, double from, double 
   return count;
 }
 
-static po_curve_verdict compare(size_t count, size_t reference_count, double tolerance) {
+static po_curve_verdict compare_curves(const po_plane_curve *a, size_t reference_count,
+                                       double tolerance) {
+  const po_plane_curve b = {.points = theirs, .count = reference_count};
   po_curve_verdict verdict;
-  ck_assert_int_eq(po_curve_compare(ours, count, theirs, reference_count, tolerance, &verdict),
-                   PO_OK);
+  ck_assert_int_eq(po_curve_compare(a, &b, tolerance, &verdict), PO_OK);
   return verdict;
+}
+
+static po_curve_verdict compare(size_t count, size_t reference_count, double tolerance) {
+  const po_plane_curve a = {.points = ours, .count = count};
+  return compare_curves(&a, reference_count, tolerance);
+}
+
+/* Ours with the rates of the s curve, per a parameter that runs unevenly along it. */
+static po_plane_curve with_rates(size_t count) {
+  for (size_t i = 0; i < count; ++i) {
+    const double s = 2 * (sqrt(1 + (ours[i].load + 2) / 2) - 1); /* load = -2 + 2 s + s^2 / 2 */
+    positions[i] = sinh(s);
+    rates[i] = (po_plane_point){(9 * s * s - 1) / cosh(s), (2 + s) / cosh(s)};
+  }
+  return (po_plane_curve){ours, rates, positions, count};
 }
 
 START_TEST(distance_from_a_circle) {
   po_plane_point circle[41];
   for (int i = 0; i < 41; ++i)
     circle[i] = (po_plane_point){2.385 * cos(0.05 * i), 2.385 * sin(0.05 * i)};
-  const po_stretch stretch = {circle, 41, 0, 40};
+  const po_plane_curve curve = {.points = circle, .count = 41};
+  const po_stretch stretch = po_plane_whole(&curve);
   for (double angle = 0.11; angle < 1.8; angle += 0.17) {
     const po_plane_point on = {2.385 * cos(angle), 2.385 * sin(angle)};
     const po_plane_point off = {2.4 * cos(angle), 2.4 * sin(angle)};
     ck_assert_double_lt(po_plane_foot(on, &stretch).distance, 2e-6);
     ck_assert_double_eq_tol(po_plane_foot(off, &stretch).distance, 0.015, 2e-6);
   }
+}
+END_TEST
+
+/* By its rates a cubic follows a circle to angle^4/384 of the radius. */
+START_TEST(distance_from_a_circle_with_rates) {
+  po_plane_point circle[41], along[41];
+  double angle_of[41];
+  for (int i = 0; i < 41; ++i) {
+    angle_of[i] = 0.05 * i;
+    circle[i] = (po_plane_point){2.385 * cos(0.05 * i), 2.385 * sin(0.05 * i)};
+    along[i] = (po_plane_point){-2.385 * sin(0.05 * i), 2.385 * cos(0.05 * i)};
+  }
+  const po_plane_curve curve = {circle, along, angle_of, 41};
+  const po_stretch whole = po_plane_whole(&curve);
+  const double error = 2.385 * pow(0.05, 4) / 384;
+  double largest = 0;
+  for (double angle = 0.11; angle < 1.8; angle += 0.17) {
+    const po_plane_point on = {2.385 * cos(angle), 2.385 * sin(angle)};
+    largest = fmax(largest, po_plane_foot(on, &whole).distance);
+  }
+  ck_assert_double_lt(largest, 1.05 * error);
+  ck_assert_double_gt(largest, 0.5 * error);
+  ck_assert_double_eq(po_plane_doubt(&curve, 7), 0);
+}
+END_TEST
+
+/* Without, the doubt is more than the error, by the distance of the points on which it is. */
+START_TEST(joining_errs_less_than_its_doubt) {
+  po_plane_point circle[41];
+  double largest = 0, doubt = 0;
+  for (int i = 0; i < 41; ++i)
+    circle[i] = (po_plane_point){2.385 * cos(0.05 * i), 2.385 * sin(0.05 * i)};
+  const po_plane_curve curve = {.points = circle, .count = 41};
+  const po_stretch whole = po_plane_whole(&curve);
+  for (double angle = 0.003; angle < 2; angle += 0.0072) {
+    const po_plane_point on = {2.385 * cos(angle), 2.385 * sin(angle)};
+    const po_foot foot = po_plane_foot(on, &whole);
+    ck_assert_double_lt(foot.distance, po_plane_doubt(&curve, foot.index));
+    largest = fmax(largest, foot.distance);
+    doubt = fmax(doubt, po_plane_doubt(&curve, foot.index));
+  }
+  ck_assert_double_lt(doubt, 200 * largest);
+}
+END_TEST
+
+START_TEST(rates_make_a_sparse_curve_do) {
+  const size_t m = s_curve(theirs, 173, -1, 1, 0);
+  s_curve(ours, 50, -1, 1, 0);
+  const po_plane_curve a = with_rates(50);
+  const po_curve_verdict found = compare_curves(&a, m, 1e-5);
+  ck_assert(found.same_folds);
+  ck_assert_double_lt(found.distance, 4e-6);
+  ours[23].load += 1e-4; /* seen beyond the doubt */
+  ck_assert_double_gt(compare_curves(&a, m, 1e-5).distance, 2e-5);
 }
 END_TEST
 
@@ -55,9 +127,12 @@ END_TEST
 
 START_TEST(error_shrinks_with_the_points) {
   const size_t m = s_curve(theirs, 800, -1, 1, 0);
-  const double coarse = compare(s_curve(ours, 50, -1, 1, 0), m, 1).distance;
-  const double fine = compare(s_curve(ours, 100, -1, 1, 0), m, 1).distance;
-  ck_assert_double_gt(coarse / fine, 6.0); /* third order or better */
+  s_curve(ours, 50, -1, 1, 0);
+  po_plane_curve a = with_rates(50);
+  const double coarse = compare_curves(&a, m, 1).distance;
+  s_curve(ours, 100, -1, 1, 0);
+  a = with_rates(100);
+  ck_assert_double_gt(coarse / compare_curves(&a, m, 1).distance, 13.0); /* fourth order: 16 */
 }
 END_TEST
 
@@ -193,23 +268,27 @@ START_TEST(markers_need_no_order) {
   theirs[2].load += 0.0385; /* where the slope dW/d(approach) is 0.46: 0.035 along the normal */
   theirs[markers] = (po_plane_point){-2.5, -4.2};
   theirs[markers + 1] = (po_plane_point){2.385, 0.9};
+  const po_plane_curve curve = {.points = ours, .count = n};
   po_curve_verdict found;
-  po_curve_scatter(ours, n, theirs, markers + 2, &found);
+  po_curve_scatter(&curve, theirs, markers + 2, &found);
   ck_assert_uint_eq(found.compared, markers);
   ck_assert_uint_eq(found.left_out, 2);
   const double slope = (2 + 0.9) / (9 * 0.9 * 0.9 - 1);
   ck_assert_double_eq_tol(found.distance, 0.0385 / hypot(1, slope), 2e-4);
   ck_assert_double_eq(found.where.load, theirs[2].load);
   theirs[2].load -= 0.0385;
-  po_curve_scatter(ours, n, theirs, markers + 2, &found);
+  po_curve_scatter(&curve, theirs, markers + 2, &found);
   ck_assert_double_lt(found.distance, 1e-5);
-  po_curve_scatter(ours, n, theirs + markers, 2, &found);
+  po_curve_scatter(&curve, theirs + markers, 2, &found);
   ck_assert_uint_eq(found.compared, 0);
 }
 END_TEST
 
 static void add(TCase *tests) {
   tcase_add_test(tests, distance_from_a_circle);
+  tcase_add_test(tests, distance_from_a_circle_with_rates);
+  tcase_add_test(tests, joining_errs_less_than_its_doubt);
+  tcase_add_test(tests, rates_make_a_sparse_curve_do);
   tcase_add_test(tests, same_curve_other_points);
   tcase_add_test(tests, error_shrinks_with_the_points);
   tcase_add_test(tests, shift_is_seen_as_its_normal_part);

@@ -90,7 +90,8 @@ static void check_balance(const po_loop *loop, double accuracy) {
 }
 
 /* The integral of the loads over the closed loop is the sum of the drops of the energy, which was
- * had from the gaps; by theory, too. */
+ * had from the gaps, as well as cubics follow the curve, a tenth of the tolerance of 1e-6; by theory,
+ * too, on the points it is given. */
 START_TEST(loop_loses_what_its_jumps_do) {
   po_request request = po_request_default();
   request.scene = LOOPS[_i].scene;
@@ -100,10 +101,10 @@ START_TEST(loop_loses_what_its_jumps_do) {
   po_outcome o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_uint_eq(o.hysteresis.displacement.jump_count, LOOPS[_i].jumps);
-  check_balance(&o.hysteresis.displacement, 1e-5);
+  check_balance(&o.hysteresis.displacement, 1e-7);
   po_hysteresis h;
   ck_assert_int_eq(po_guduru_hysteresis(&request.scene, request.preload, &h), PO_OK);
-  check_balance(&h.displacement, 1e-6);
+  check_balance(&h.displacement, 1e-8);
   /* as much as the pull-off of the whole curve, at most */
   ck_assert_double_le(-o.hysteresis.displacement.pull_off.load, o.pull_off.force + 1e-9);
   ck_assert_double_le(-o.hysteresis.load.pull_off.load, o.pull_off.force + 1e-9);

@@ -129,8 +129,8 @@ def save(run, made, curves=()):
         with open(os.path.join(folder, name), "w", encoding="utf-8", newline="") as stream:
             writer = csv.writer(stream)
             writer.writerow(["position", "approach", "load", "energy", "contact_radius",
-                             "unstable_modes"])
-            writer.writerows((0.02 * place, *row, 0, 0, 0) for place, row in enumerate(rows))
+                             "approach_rate", "load_rate", "unstable_modes"])
+            writer.writerows((0.02 * place, *row, 0, 0, 0, 0, 0) for place, row in enumerate(rows))
     with open(os.path.join(folder, "record.json"), "w", encoding="utf-8") as stream:
         json.dump(made, stream, indent=1)
 

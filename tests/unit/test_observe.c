@@ -95,6 +95,77 @@ START_TEST(curve_holds_its_landmarks_in_order) {
 }
 END_TEST
 
+/* The load where a curve first reaches an approach, by the cubic between two of its points. */
+static double load_where(const po_outcome *o, double approach) {
+  po_path_point two[2];
+  for (size_t k = 0; k + 1 < o->curve_count; ++k) {
+    if (!(o->curve[k].approach < approach && approach <= o->curve[k + 1].approach))
+      continue;
+    for (size_t i = 0; i < 2; ++i)
+      two[i] = (po_path_point){.approach = o->curve[k + i].approach,
+                               .load = o->curve[k + i].load,
+                               .position = o->curve[k + i].position,
+                               .approach_rate = o->curve[k + i].approach_rate,
+                               .load_rate = o->curve[k + i].load_rate};
+    const po_path path = {two, 2};
+    return po_path_at(&path, po_path_where(&path, 0, PO_PATH_APPROACH, approach)).load;
+  }
+  return (double)NAN;
+}
+
+/* Between its points a curve on panels is known by the slopes there: as an equilibrium that was
+ * solved says, to a tenth of the tolerance; by a solve of its own, as the steps of that trace end
+ * elsewhere. Coarse triangles leave theirs longer. */
+START_TEST(curve_is_known_between_its_points) {
+  static const double APPROACH[] = {-3.85, -2.385, 0.71, 4.1};
+  static const double MISSED[] = {1e-7, 1e-7, 2e-5};
+  po_request request = request_of(3.0, 1.0, 20.0, 100.0);
+  request.mesh = _i < 2 ? (po_mesh){PO_PANEL, PO_UNIFORM, 0, 1e-6}
+                        : (po_mesh){PO_TRIANGLE, PO_UNIFORM, 141, 0};
+  if (_i == 1)
+    request.scene.amplitude = 0.0;
+  request.approach_end = 5.0;
+  request.want = PO_WANT_CURVE;
+  po_outcome curve, station;
+  ck_assert_int_eq(po_observe(&request, &curve), PO_OK);
+  request.want = PO_WANT_CURVE | PO_WANT_PROFILE;
+  for (size_t i = 0; i < sizeof APPROACH / sizeof *APPROACH; ++i) {
+    request.profile_approach = APPROACH[i];
+    ck_assert_int_eq(po_observe(&request, &station), PO_OK);
+    size_t at = 0;
+    while (fabs(station.curve[at].approach - APPROACH[i]) > 1e-9)
+      ++at;
+    ck_assert_double_eq_tol(load_where(&curve, APPROACH[i]), station.curve[at].load, MISSED[_i]);
+    po_outcome_clear(&station);
+  }
+  po_outcome_clear(&curve);
+}
+END_TEST
+
+/* The approach stands still at a fold, the load at an extremum. */
+START_TEST(curve_turns_at_its_landmarks) {
+  po_request request = request_of(3.0, 1.0, 20.0, 100.0);
+  request.want = PO_WANT_CURVE;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  size_t folds = 0, extrema = 0;
+  for (size_t k = 0; k < o.curve_count; ++k) {
+    const po_curve_point *p = &o.curve[k];
+    if (folds < o.fold_count && p->position == o.folds[folds].position) {
+      ck_assert_double_le(fabs(p->approach_rate), 1e-6 * fabs(p->load_rate));
+      ++folds;
+    } else if (extrema < o.extremum_count && p->position == o.extrema[extrema].position) {
+      ck_assert_double_le(fabs(p->load_rate), 1e-6 * fabs(p->approach_rate));
+      ++extrema;
+    }
+  }
+  ck_assert_uint_ge(folds, 4);
+  ck_assert_uint_eq(folds, o.fold_count);
+  ck_assert_uint_eq(extrema, o.extremum_count);
+  po_outcome_clear(&o);
+}
+END_TEST
+
 START_TEST(profile_is_an_equilibrium) { /* at pull-off; and at an approach asked for */
   po_request request = request_of(1.3, 0.7, 23.85, 100.0);
   request.want = PO_WANT_PROFILE;
@@ -257,6 +328,8 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, pull_off_is_behind_when_the_trace_ends, 0, 6);
   tcase_add_test(tests, a_closed_trough_pulls_deeper);
   tcase_add_test(tests, curve_holds_its_landmarks_in_order);
+  tcase_add_loop_test(tests, curve_is_known_between_its_points, 0, 3);
+  tcase_add_test(tests, curve_turns_at_its_landmarks);
   tcase_add_test(tests, profile_is_an_equilibrium);
   tcase_add_test(tests, rigid_scene_is_solved_without_a_surface);
   tcase_add_test(tests, small_tabor_goes_to_the_rigid_limit);

@@ -1,0 +1,49 @@
+/* How far a curve is from what joins its points, on a circle, where both are known. */
+#include <check.h>
+#include <math.h>
+
+#include "po_join.h"
+#include "run.h"
+
+static const double RADIUS = 2.385;
+
+/* A branch on a circle: its energy is the integral of load d approach, from angle 0 on. */
+static po_branch_point at(double angle) {
+  return (po_branch_point){.position = RADIUS * angle,
+                           .approach = RADIUS * cos(angle),
+                           .load = RADIUS * sin(angle),
+                           .approach_rate = -sin(angle),
+                           .load_rate = cos(angle),
+                           .energy = RADIUS * RADIUS * (0.25 * sin(2.0 * angle) - 0.5 * angle)};
+}
+
+static const double TURNS[] = {0.037, 0.1, 0.29, 0.6};
+
+START_TEST(a_circle_is_missed_by_so_much) {
+  const double turn = TURNS[_i], begin = 0.71 + 1.3 * _i;
+  const po_branch_point from = at(begin), to = at(begin + turn);
+  ck_assert_double_eq_tol(po_join_sagitta(&from, &to) / (RADIUS * (1.0 - cos(0.5 * turn))), 1.0,
+                          turn * turn / 12.0);
+  const double missed = RADIUS * pow(turn, 4.0) / 384.0; /* half way on, inwards */
+  ck_assert_double_eq_tol(po_join_miss(&from, &to) / missed, 1.0, 0.1);
+}
+END_TEST
+
+/* An energy that is not the integral of the load is seen. */
+START_TEST(a_wrong_energy_is_a_miss) {
+  const po_branch_point from = at(0.4);
+  po_branch_point to = at(0.5);
+  const double before = po_join_miss(&from, &to);
+  to.energy += 1e-4;
+  ck_assert_double_gt(po_join_miss(&from, &to), 100.0 * before);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_loop_test(tests, a_circle_is_missed_by_so_much, 0, sizeof TURNS / sizeof *TURNS);
+  tcase_add_test(tests, a_wrong_energy_is_a_miss);
+}
+
+int main(void) {
+  return run_case("join", add);
+}
