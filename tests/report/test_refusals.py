@@ -103,7 +103,7 @@ class Refusals(unittest.TestCase):
             stream.seek(0)
             stream.truncate()
             stream.write(text[:text.rindex(",", 0, 4000)])
-        self.refused("fig03/curve-1.csv:", "expected 6")
+        self.refused("fig03/curve-1.csv:", "expected 8")
 
     def test_curve_without_its_column(self):
         path = os.path.join(self.run_folder, "fig03", "curve-0.csv")
