@@ -41,6 +41,7 @@ START_TEST(folds_are_within_their_stated_errors) {
       continue;
     if (table_number(&t, row, "tabor") != tabor) {
       tabor = table_number(&t, row, "tabor");
+      po_outcome_clear(&o);
       solve(tabor, TOLERANCES[_i], &o);
       fold = 0;
     }
