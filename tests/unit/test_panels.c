@@ -123,7 +123,21 @@ START_TEST(tolerance_has_limits) {
 }
 END_TEST
 
+/* Crests so narrow that the first contact meets no node: 3e-5 was returned as ok, the rigid limit,
+ * which is all but reached, being 5.56e-3. */
+START_TEST(pull_off_that_no_mesh_meets_is_refused) {
+  po_request request = panels(1e-3, 1e-4);
+  request.scene.amplitude = 1e4;
+  request.scene.wavelength = 20.0;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_NOT_CONVERGED);
+  ck_assert_ptr_nonnull(strstr(o.reason, "the error of the pull-off force"));
+  po_outcome_clear(&o);
+}
+END_TEST
+
 static void add(TCase *tests) {
+  tcase_add_test(tests, pull_off_that_no_mesh_meets_is_refused);
   tcase_add_loop_test(tests, pull_off_is_right_to_the_tolerance, 0, PULL_OFF_COUNT);
   tcase_add_test(tests, four_folds_at_mu_5_and_no_more);
   tcase_add_test(tests, folds_close_together_are_both_found);
