@@ -4,8 +4,7 @@ import json
 import os
 
 from .errors import ReportError
-from .records import NUMBER, demand
-from .tables import read_text
+from .records import NUMBER, demand, read_judgement
 from .words import CLAIM_VERDICTS
 
 SCHEMA = "pulloff-claims/1"
@@ -25,15 +24,9 @@ def beside(run):
 
 def read(path):
     """The judged claims, or None when there is no such file."""
-    if not path or not os.path.exists(path):
+    judged = read_judgement(path, SCHEMA)
+    if judged is None:
         return None
-    try:
-        judged = json.loads(read_text(path))
-    except json.JSONDecodeError as error:
-        raise ReportError(f"{path}:{error.lineno}: not JSON: {error.msg}") from error
-    found = judged.get("schema") if isinstance(judged, dict) else None
-    if found != SCHEMA:
-        raise ReportError(f'{path}: schema is {json.dumps(found)}, expected "{SCHEMA}"')
     demand(judged, BOOK, path, "")
     for place, claim in enumerate(judged["claims"]):
         demand(claim, CLAIM, path, f"claims[{place}]")

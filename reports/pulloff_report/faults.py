@@ -1,11 +1,8 @@
 """Reads the matrix of planted faults (tests/mutation/README.md), if there is one."""
 
-import json
 import os
 
-from .errors import ReportError
-from .records import demand
-from .tables import read_text
+from .records import demand, read_judgement
 
 SCHEMA = "pulloff-faults/1"
 PLACE = os.path.join("mutation", "matrix.json")  # beside the run's folder
@@ -23,15 +20,9 @@ def beside(run):
 
 def read(path):
     """The matrix, or None when there is no such file."""
-    if not path or not os.path.exists(path):
+    matrix = read_judgement(path, SCHEMA)
+    if matrix is None:
         return None
-    try:
-        matrix = json.loads(read_text(path))
-    except json.JSONDecodeError as error:
-        raise ReportError(f"{path}:{error.lineno}: not JSON: {error.msg}") from error
-    found = matrix.get("schema") if isinstance(matrix, dict) else None
-    if found != SCHEMA:
-        raise ReportError(f'{path}: schema is {json.dumps(found)}, expected "{SCHEMA}"')
     demand(matrix, MATRIX, path, "")
     for place, detector in enumerate(matrix["detectors"]):
         demand(detector, DETECTOR, path, f"detectors[{place}]")

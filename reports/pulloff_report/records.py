@@ -38,6 +38,20 @@ def demand(entry, wanted, path, where):
                               f"expected {TYPE_NAMES[kind]}")
 
 
+def read_judgement(path, schema):
+    """A JSON document beside the run, of a schema; None when there is no such file."""
+    if not path or not os.path.exists(path):
+        return None
+    try:
+        document = json.loads(read_text(path))
+    except json.JSONDecodeError as error:
+        raise ReportError(f"{path}:{error.lineno}: not JSON: {error.msg}") from error
+    found = document.get("schema") if isinstance(document, dict) else None
+    if found != schema:
+        raise ReportError(f'{path}: schema is {json.dumps(found)}, expected "{schema}"')
+    return document
+
+
 class Case:
     """One case of a run: its record, and its curves and profiles when asked for."""
 
