@@ -3,12 +3,24 @@
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>
+#include <threads.h>
 
 extern void openblas_set_num_threads(int threads);
 extern char *openblas_get_config(void);
+extern int blas_thread_shutdown_(void) __attribute__((weak)); /* NULL: a library without threads */
 
-void po_linear_single_thread(void) {
+/* OpenBLAS starts a thread a core when it is loaded. They wait by asking for work again and again:
+ * the processor time of a short solve once more. */
+static void end_threads(void) {
   openblas_set_num_threads(1);
+  if (blas_thread_shutdown_)
+    blas_thread_shutdown_();
+}
+
+/* Once, since openblas_set_num_threads starts ended threads again. */
+void po_linear_single_thread(void) {
+  static once_flag ended = ONCE_FLAG_INIT;
+  call_once(&ended, end_threads);
 }
 
 const char *po_linear_library(void) {

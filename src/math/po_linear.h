@@ -7,7 +7,8 @@
 
 #include "po_status.h"
 
-/* Keeps OpenBLAS to one thread: solves run in parallel, not the algebra inside them. Call once. */
+/* Keeps OpenBLAS to one thread and ends those it waits with: solves run in parallel, not the
+ * algebra inside them. Does nothing the second time. */
 void po_linear_single_thread(void);
 
 /* "OpenBLAS 0.3.21 ..." : the library this process runs on. */

@@ -1,0 +1,54 @@
+/* OpenBLAS once started a thread a core with every process, and they waited by asking for work
+ * again and again: a solve of 40 ms took 80 ms of processor time. */
+#include <dirent.h>
+#include <math.h>
+
+#include "po_linear.h"
+#include "run.h"
+
+enum { N = 317 }; /* OpenBLAS shares out the factorisation of a matrix so large */
+
+/* Of this process. */
+static int threads(void) {
+  int count = 0;
+  DIR *folder = opendir("/proc/self/task");
+  ck_assert_ptr_nonnull(folder);
+  for (struct dirent *entry; (entry = readdir(folder));)
+    count += entry->d_name[0] != '.';
+  closedir(folder);
+  return count;
+}
+
+START_TEST(test_one_thread) {
+  po_linear_single_thread();
+  ck_assert_int_eq(threads(), 1);
+  po_linear_single_thread();
+  ck_assert_int_eq(threads(), 1);
+}
+END_TEST
+
+START_TEST(test_algebra_without_threads) {
+  static double a[N * N], x[N];
+  static int pivots[N];
+  po_linear_single_thread();
+  for (int j = 0; j < N; ++j)
+    for (int i = 0; i < N; ++i) {
+      a[i + N * j] = (i == j ? 2.385 : 0.0) + sin(1.7 * i + 0.61 * j * j) / N;
+      x[i] += a[i + N * j] * (1.0 + 0.013 * j);
+    }
+  ck_assert_int_eq(po_linear_factorize(N, a, N, pivots), PO_OK);
+  po_linear_solve(N, a, N, pivots, x);
+  for (int j = 0; j < N; ++j)
+    ck_assert_double_eq_tol(x[j], 1.0 + 0.013 * j, 1e-13);
+  ck_assert_int_eq(threads(), 1);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_test(tests, test_one_thread);
+  tcase_add_test(tests, test_algebra_without_threads);
+}
+
+int main(void) {
+  return run_case("linear", add);
+}
