@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "po_environment.h"
-#include "po_json.h"
+#include "po_print.h"
 #include "po_reference_list.h"
 
 /* Whether a case names the table; the closed form bradley is set beside its own. */
@@ -58,15 +58,8 @@ static po_status print_json(const po_reference_list *list, const po_catalog *cat
   json_t *tables = json_array();
   for (size_t i = 0; i < list->count; ++i)
     json_array_append_new(tables, entry_json(&list->entries[i], catalog));
-  json_t *document =
-      json_pack("{s:s, s:o}", "schema", "pulloff-references/1", "references", tables);
-  po_text text = {0};
-  const po_status status = po_json_print(document, &text);
-  if (!status)
-    fputs(text.data, stdout);
-  po_text_clear(&text);
-  json_decref(document);
-  return status;
+  return po_print_document(
+      json_pack("{s:s, s:o}", "schema", "pulloff-references/1", "references", tables));
 }
 
 po_status po_list_references(const po_catalog *catalog, bool json) {

@@ -2,27 +2,41 @@
 
 #include <stdio.h>
 
-int po_options_next(const po_options *options) {
+enum { DONE = -1, BAD = -2 };
+
+/* The next option: its `val`; DONE when only operands are left; BAD with the message of po_fail. */
+static int next(const po_options *options) {
   opterr = 0;
   int index = 0;
   const int at = optind ? optind : 1;
   const int found = getopt_long(options->argc, options->argv, ":", options->options, &index);
   const char *given = at < options->argc ? options->argv[optind > 1 ? optind - 1 : at] : "";
   switch (found) {
-  case PO_OPTION_HELP:
-    fputs(options->help, stdout);
-    return PO_OPTION_HELP;
   case ':':
     po_fail(PO_BAD_INPUT, "the option %s of %s needs a value (see pulloff %s --help)", given,
             options->verb, options->verb);
-    return PO_OPTION_BAD;
+    return BAD;
   case '?':
     po_fail(PO_BAD_INPUT, "unknown option %s of %s (see pulloff %s --help)", given, options->verb,
             options->verb);
-    return PO_OPTION_BAD;
+    return BAD;
   default:
     return found;
   }
+}
+
+bool po_options_read(const po_options *options, po_option_taker *take, void *line,
+                     po_status *status) {
+  int option = 0;
+  *status = PO_OK;
+  while (!*status && (option = next(options)) != DONE) {
+    if (option == PO_OPTION_HELP) {
+      fputs(options->help, stdout);
+      return false;
+    }
+    *status = option == BAD ? PO_BAD_INPUT : take(line, option);
+  }
+  return *status == PO_OK;
 }
 
 po_status po_options_refuse(const char *option, const char *value, const char *expected) {

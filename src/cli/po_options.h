@@ -3,6 +3,7 @@
 #define PO_OPTIONS_H
 
 #include <getopt.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "po_status.h"
@@ -17,7 +18,8 @@ enum {
   PO_EXIT_INTERRUPTED = 130 /* 128 + SIGINT, as shells say it */
 };
 
-enum { PO_OPTION_HELP = 1000, PO_OPTION_DONE = -1, PO_OPTION_BAD = -2 };
+/* The value of --help in every table of options; a verb's own are smaller, and > 0. */
+enum { PO_OPTION_HELP = 1000 };
 
 /* A reader of one command line. */
 typedef struct {
@@ -28,10 +30,15 @@ typedef struct {
   char **argv;
 } po_options;
 
-/* The next option: its `val`; PO_OPTION_DONE when only operands are left (from optind on);
- * PO_OPTION_HELP when --help was asked for and printed; PO_OPTION_BAD when it is unknown, or lacks
- * its argument, with the message of po_fail. */
-int po_options_next(const po_options *options);
+/* Takes one option, whose value is in optarg, into the verb's `line`. Status: PO_BAD_INPUT. */
+typedef po_status po_option_taker(void *line, int option);
+
+/* Hands every option to `take` (NULL: --help is the only one).
+ * Returned: whether the verb goes on, with the operands from optind on. If not, *status says how it
+ * ends: PO_OK, --help was asked for and printed; PO_BAD_INPUT, an option is unknown, lacks its
+ * argument, or was refused by `take`. */
+bool po_options_read(const po_options *options, po_option_taker *take, void *line,
+                     po_status *status);
 
 /* Refuses the value of an option: PO_BAD_INPUT. */
 po_status po_options_refuse(const char *option, const char *value, const char *expected);

@@ -7,6 +7,16 @@
 #include "po_json.h"
 #include "po_print_physical.h"
 
+po_status po_print_document(json_t *document) {
+  po_text text = {0};
+  const po_status status = po_json_print(document, &text);
+  if (!status)
+    fputs(text.data, stdout);
+  po_text_clear(&text);
+  json_decref(document);
+  return status;
+}
+
 po_status po_print_json(const po_request *request, const po_scene_flags *flags,
                         const po_outcome *outcome) {
   json_t *document = json_object();
@@ -23,13 +33,10 @@ po_status po_print_json(const po_request *request, const po_scene_flags *flags,
   }
   if (flags->from_physical)
     json_object_set_new(document, "physical", po_json_physical(flags, request, outcome));
-  po_text text = {0};
-  const po_status status = po_json_print(whole ? document : NULL, &text);
-  if (!status)
-    fputs(text.data, stdout);
-  po_text_clear(&text);
+  if (whole)
+    return po_print_document(document);
   json_decref(document);
-  return status;
+  return po_print_document(NULL);
 }
 
 /* An error of two digits, or nothing. */

@@ -1,9 +1,15 @@
-/* One solved scene on standard output. */
+/* One solved scene, or any JSON document, on standard output. */
 #ifndef PO_PRINT_H
 #define PO_PRINT_H
 
+#include <jansson.h>
+
 #include "po_outcome.h"
 #include "po_scene_flags.h"
+
+/* Prints a document and releases it. NULL is one for which there was no memory. Status:
+ * PO_NO_MEMORY. */
+po_status po_print_document(json_t *document);
 
 /* The document of schema "pulloff/1"; with `physical` for a scene that was given so. */
 po_status po_print_json(const po_request *request, const po_scene_flags *flags,

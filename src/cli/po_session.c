@@ -57,7 +57,8 @@ static po_status take_shard(const char *text, po_shard *shard) {
   return PO_OK;
 }
 
-po_status po_session_option(po_session *session, int option) {
+po_status po_session_option(void *to, int option) {
+  po_session *session = to;
   size_t jobs = 0;
   switch (option) {
   case PO_SESSION_SUITE:

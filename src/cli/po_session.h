@@ -52,8 +52,9 @@ enum {
 /* A session with the defaults. */
 po_session po_session_default(void);
 
-/* Takes one option of the table above. Status: PO_BAD_INPUT. */
-po_status po_session_option(po_session *session, int option);
+/* Takes one option of the table above into a po_session: a po_option_taker. Nothing is to be
+ * cleared before the session is opened. Status: PO_BAD_INPUT. */
+po_status po_session_option(void *session, int option);
 
 /* Reads, checks and plans the cases named by the operands (or the suites), all before anything is
  * run; then runs them. Status: as po_run. */

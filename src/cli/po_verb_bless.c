@@ -51,33 +51,37 @@ static po_status bless(const po_session *session, const char *reason) {
   return status;
 }
 
+typedef struct {
+  po_session session;
+  const char *reason; /* NULL: not given */
+} bless_line;
+
+static po_status take_option(void *to, int option) {
+  bless_line *line = to;
+  if (option != REASON)
+    return po_session_option(&line->session, option);
+  line->reason = optarg;
+  return PO_OK;
+}
+
 int po_verb_bless(int argc, char **argv) {
   const po_options options = {"bless", HELP, OPTIONS, argc, argv};
-  po_session session = po_session_default();
+  bless_line line = {.session = po_session_default()};
+  po_session *session = &line.session;
   po_status status = PO_OK;
-  const char *reason = NULL;
-  int option = 0;
-  while (!status && (option = po_options_next(&options)) > 0) {
-    if (option == PO_OPTION_HELP)
-      return PO_EXIT_OK;
-    if (option == REASON)
-      reason = optarg;
-    else
-      status = po_session_option(&session, option);
-  }
-  if (option == PO_OPTION_BAD)
-    status = PO_BAD_INPUT;
-  if (!status && !reason)
+  if (!po_options_read(&options, take_option, &line, &status))
+    return po_options_end(status);
+  if (!line.reason)
     status = po_fail(PO_BAD_INPUT, "bless needs --reason TEXT (see pulloff bless --help)");
   if (!status)
-    status = po_session_open_one(&session, &options);
+    status = po_session_open_one(session, &options);
   if (!status)
-    status = po_bless_check_request(session.runs[0].plan, reason);
+    status = po_bless_check_request(session->runs[0].plan, line.reason);
   if (!status)
-    status = po_session_solve(&session);
+    status = po_session_solve(session);
   if (!status)
-    status = bless(&session, reason);
+    status = bless(session, line.reason);
   const int code = po_options_end(status);
-  po_session_clear(&session);
+  po_session_clear(session);
   return code;
 }

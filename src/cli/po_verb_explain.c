@@ -4,6 +4,7 @@
 #include "po_explain.h"
 #include "po_json.h"
 #include "po_memory.h"
+#include "po_print.h"
 #include "po_session.h"
 #include "po_verbs.h"
 
@@ -51,16 +52,11 @@ static po_status choose(const po_case *kase, const char *text, bool **points) {
 }
 
 static po_status print(const po_case_run *run, const po_explain_choice *choice, bool json) {
+  if (json)
+    return po_print_document(po_explain_json(run, choice));
   po_text text = {0};
-  po_status status = PO_OK;
-  if (json) {
-    json_t *document = po_explain_json(run, choice);
-    status = po_json_print(document, &text);
-    json_decref(document);
-  } else
-    po_explain_text(run, choice, &text);
-  if (text.failed)
-    status = PO_NO_MEMORY;
+  po_explain_text(run, choice, &text);
+  const po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
   if (!status)
     fputs(po_text_string(&text), stdout);
   po_text_clear(&text);
@@ -79,41 +75,45 @@ static int code_of(const po_case_run *run, const po_explain_choice *choice) {
   return code;
 }
 
+typedef struct {
+  po_session session;
+  const char *point; /* NULL: all */
+  bool all, json;
+} explain_line;
+
+static po_status take_option(void *to, int option) {
+  explain_line *line = to;
+  if (option == POINT)
+    line->point = optarg;
+  else if (option == ALL)
+    line->all = true;
+  else if (option == JSON)
+    line->json = true;
+  else
+    return po_session_option(&line->session, option);
+  return PO_OK;
+}
+
 int po_verb_explain(int argc, char **argv) {
   const po_options options = {"explain", HELP, OPTIONS, argc, argv};
-  po_session session = po_session_default();
+  explain_line line = {.session = po_session_default()};
+  po_session *session = &line.session;
+  bool *points = NULL;
   po_status status = PO_OK;
-  po_explain_choice choice = {0};
-  const char *point = NULL;
-  bool json = false, *points = NULL;
-  int option = 0;
-  while (!status && (option = po_options_next(&options)) > 0) {
-    if (option == PO_OPTION_HELP)
-      return PO_EXIT_OK;
-    if (option == POINT)
-      point = optarg;
-    else if (option == ALL)
-      choice.all = true;
-    else if (option == JSON)
-      json = true;
-    else
-      status = po_session_option(&session, option);
-  }
-  if (option == PO_OPTION_BAD)
-    status = PO_BAD_INPUT;
+  if (!po_options_read(&options, take_option, &line, &status))
+    return po_options_end(status);
+  status = po_session_open_one(session, &options);
   if (!status)
-    status = po_session_open_one(&session, &options);
+    status = choose(session->catalog.cases[0], line.point, &points);
   if (!status)
-    status = choose(session.catalog.cases[0], point, &points);
+    status = po_session_solve(session);
+  const po_explain_choice choice = {.all = line.all, .points = points};
   if (!status)
-    status = po_session_solve(&session);
-  choice.points = points;
-  if (!status)
-    status = print(&session.runs[0], &choice, json);
+    status = print(&session->runs[0], &choice, line.json);
   int code = po_options_end(status);
   if (!status)
-    code = code_of(&session.runs[0], &choice);
+    code = code_of(&session->runs[0], &choice);
   free(points);
-  po_session_clear(&session);
+  po_session_clear(session);
   return code;
 }

@@ -10,6 +10,7 @@
 #include "po_linear.h"
 #include "po_memory.h"
 #include "po_options.h"
+#include "po_print.h"
 #include "po_text.h"
 #include "po_verbs.h"
 
@@ -97,7 +98,8 @@ static po_status take_count(const char *option, size_t least, size_t *count) {
   return po_options_refuse(option, optarg, "a whole number, of points at least 2, up to 10000");
 }
 
-static po_status take_option(follow_line *line, int option) {
+static po_status take_option(void *to, int option) {
+  follow_line *line = to;
   switch (option) {
   case RUNS:
     return take_runs(line);
@@ -174,14 +176,7 @@ static po_status print_json(const po_request *requests, const po_outcome *outcom
   json_t *points = json_array();
   for (size_t k = 0; k < count; ++k)
     json_array_append_new(points, po_json_outcome(&requests[k], &outcomes[k]));
-  json_t *document = json_pack("{s:s, s:o}", "schema", "pulloff-line/1", "points", points);
-  po_text text = {0};
-  const po_status status = po_json_print(document, &text);
-  if (!status)
-    fputs(text.data, stdout);
-  po_text_clear(&text);
-  json_decref(document);
-  return status;
+  return po_print_document(json_pack("{s:s, s:o}", "schema", "pulloff-line/1", "points", points));
 }
 
 static void print_text(const follow_line *line, const po_request *requests,
@@ -235,16 +230,9 @@ int po_verb_follow(int argc, char **argv) {
   follow_line line = {
       .from = NAN, .to = NAN, .points = DEFAULT_POINTS, .anchors = PO_LINE_ANCHOR_EVERY};
   po_status status = PO_OK;
-  int option = 0;
-  while (!status && (option = po_options_next(&options)) > 0) {
-    if (option == PO_OPTION_HELP)
-      return PO_EXIT_OK;
-    status = take_option(&line, option);
-  }
-  if (option == PO_OPTION_BAD)
-    status = PO_BAD_INPUT;
-  if (!status)
-    status = po_options_no_operands(&options);
+  if (!po_options_read(&options, take_option, &line, &status))
+    return po_options_end(status);
+  status = po_options_no_operands(&options);
   if (!status)
     status = check_line(&line);
   if (status)

@@ -6,6 +6,7 @@
 #include "po_environment.h"
 #include "po_json.h"
 #include "po_list_references.h"
+#include "po_print.h"
 #include "po_session.h"
 #include "po_verbs.h"
 
@@ -55,42 +56,38 @@ static po_status print_json(const po_catalog *catalog) {
   json_t *cases = json_array();
   for (size_t i = 0; i < catalog->count; ++i)
     json_array_append_new(cases, case_json(catalog->cases[i]));
-  json_t *document = json_pack("{s:s, s:o}", "schema", "pulloff-list/1", "cases", cases);
-  po_text text = {0};
-  const po_status status = po_json_print(document, &text);
-  if (!status)
-    fputs(text.data, stdout);
-  po_text_clear(&text);
-  json_decref(document);
-  return status;
+  return po_print_document(json_pack("{s:s, s:o}", "schema", "pulloff-list/1", "cases", cases));
+}
+
+typedef struct {
+  unsigned suites;
+  bool json, references;
+} list_line;
+
+static po_status take_option(void *to, int option) {
+  list_line *line = to;
+  if (option == JSON)
+    line->json = true;
+  else if (option == REFERENCES)
+    line->references = true;
+  else
+    return po_session_suites(optarg, &line->suites);
+  return PO_OK;
 }
 
 int po_verb_list(int argc, char **argv) {
   const po_options options = {"list", HELP, OPTIONS, argc, argv};
   po_catalog catalog = {0};
+  list_line line = {0};
   po_status status = PO_OK;
-  unsigned suites = 0;
-  bool json = false, references = false;
-  int option = 0;
-  while (!status && (option = po_options_next(&options)) > 0) {
-    if (option == PO_OPTION_HELP)
-      return PO_EXIT_OK;
-    if (option == JSON)
-      json = true;
-    else if (option == REFERENCES)
-      references = true;
-    else
-      status = po_session_suites(optarg, &suites);
-  }
-  if (option == PO_OPTION_BAD)
-    status = PO_BAD_INPUT;
+  if (!po_options_read(&options, take_option, &line, &status))
+    return po_options_end(status);
+  status = po_options_no_operands(&options);
   if (!status)
-    status = po_options_no_operands(&options);
-  if (!status)
-    status = po_catalog_open(po_environment_data(), NULL, 0, suites, &catalog);
-  if (!status && references)
-    status = po_list_references(&catalog, json);
-  else if (!status && json)
+    status = po_catalog_open(po_environment_data(), NULL, 0, line.suites, &catalog);
+  if (!status && line.references)
+    status = po_list_references(&catalog, line.json);
+  else if (!status && line.json)
     status = print_json(&catalog);
   else if (!status)
     print_table(&catalog);

@@ -37,15 +37,9 @@ int po_verb_merge(int argc, char **argv) {
   po_session session = po_session_default();
   po_merge merge = {0};
   po_status status = PO_OK;
-  int option = 0;
-  while (!status && (option = po_options_next(&options)) > 0) {
-    if (option == PO_OPTION_HELP)
-      return PO_EXIT_OK;
-    status = po_session_option(&session, option);
-  }
-  if (option == PO_OPTION_BAD)
-    status = PO_BAD_INPUT;
-  if (!status && optind == argc)
+  if (!po_options_read(&options, po_session_option, &session, &status))
+    return po_options_end(status);
+  if (optind == argc)
     status =
         po_fail(PO_BAD_INPUT, "merge needs the folders of the shards (see pulloff merge --help)");
   if (!status)

@@ -30,11 +30,10 @@ static po_status print_plan(const po_case *kase) {
 int po_verb_plan(int argc, char **argv) {
   const po_options options = {"plan", HELP, OPTIONS, argc, argv};
   po_catalog catalog = {0};
-  const int option = po_options_next(&options);
-  if (option == PO_OPTION_HELP)
-    return PO_EXIT_OK;
-  po_status status = option == PO_OPTION_BAD ? PO_BAD_INPUT : PO_OK;
-  if (!status && optind == argc)
+  po_status status = PO_OK;
+  if (!po_options_read(&options, NULL, NULL, &status))
+    return po_options_end(status);
+  if (optind == argc)
     status = po_fail(PO_BAD_INPUT, "plan needs the name of a case (see pulloff plan --help)");
   if (!status)
     status =

@@ -60,13 +60,18 @@ static po_status check_means(const char *script, const char *run) {
   return PO_OK;
 }
 
+typedef struct {
+  const char *run, *output;
+  bool fresh;
+} report_line;
+
 /* Runs the script and waits. Its own messages go where ours go; its exit code is ours. */
-static int run_script(const char *script, const char *run, const char *output, bool fresh) {
+static int run_script(const char *script, const report_line *line) {
   fflush(stdout);
   const pid_t child = fork();
   if (child == 0) {
-    execlp(python(), python(), script, "--run", run, "--output", output,
-           fresh ? "--fresh" : (char *)NULL, (char *)NULL);
+    execlp(python(), python(), script, "--run", line->run, "--output", line->output,
+           line->fresh ? "--fresh" : (char *)NULL, (char *)NULL);
     fprintf(stderr, "pulloff: %s cannot be started: %s\n", python(), strerror(errno));
     _exit(PO_EXIT_FILE);
   }
@@ -83,26 +88,28 @@ static int run_script(const char *script, const char *run, const char *output, b
   return WEXITSTATUS(ending);
 }
 
+static po_status take_option(void *to, int option) {
+  report_line *line = to;
+  if (option == FRESH)
+    line->fresh = true;
+  else
+    *(option == RUN ? &line->run : &line->output) = optarg;
+  return PO_OK;
+}
+
 int po_verb_report(int argc, char **argv) {
   const po_options options = {"report", HELP, OPTIONS, argc, argv};
-  const char *run = "build/run", *output = "build/report";
-  bool fresh = false;
-  int option = 0;
-  while ((option = po_options_next(&options)) > 0) {
-    if (option == PO_OPTION_HELP)
-      return PO_EXIT_OK;
-    if (option == FRESH)
-      fresh = true;
-    else
-      *(option == RUN ? &run : &output) = optarg;
-  }
-  po_status status = option == PO_OPTION_BAD ? PO_BAD_INPUT : po_options_no_operands(&options);
+  report_line line = {.run = "build/run", .output = "build/report"};
+  po_status status = PO_OK;
+  if (!po_options_read(&options, take_option, &line, &status))
+    return po_options_end(status);
+  status = po_options_no_operands(&options);
   char *script = po_path_join(po_environment_data(), "reports/make_report.py");
   if (!status)
-    status = script ? check_means(script, run) : PO_NO_MEMORY;
+    status = script ? check_means(script, line.run) : PO_NO_MEMORY;
   if (!status)
-    status = po_folder_make(output);
-  const int code = status ? po_options_end(status) : run_script(script, run, output, fresh);
+    status = po_folder_make(line.output);
+  const int code = status ? po_options_end(status) : run_script(script, &line);
   free(script);
   return code;
 }

@@ -31,15 +31,8 @@ int po_verb_run(int argc, char **argv) {
   const po_options options = {"run", HELP, OPTIONS, argc, argv};
   po_session session = po_session_default();
   po_status status = PO_OK;
-  int option = 0;
-  while (!status && (option = po_options_next(&options)) > 0) {
-    if (option == PO_OPTION_HELP)
-      return PO_EXIT_OK;
-    status = po_session_option(&session, option);
-  }
-  if (option == PO_OPTION_BAD)
-    status = PO_BAD_INPUT;
-  if (!status)
-    status = po_session_run(&session, argv + optind, (size_t)(argc - optind));
+  if (!po_options_read(&options, po_session_option, &session, &status))
+    return po_options_end(status);
+  status = po_session_run(&session, argv + optind, (size_t)(argc - optind));
   return po_session_end(&session, status);
 }

@@ -103,7 +103,8 @@ static po_status take_key(solve_line *line, po_key key, int option) {
   return po_options_refuse(given->name, optarg, po_key_expected(key));
 }
 
-static po_status take_option(solve_line *line, int option) {
+static po_status take_option(void *to, int option) {
+  solve_line *line = to;
   if (option < PO_FLAG_NEXT)
     return po_scene_flags_take(&line->flags, option);
   switch (option) {
@@ -196,16 +197,9 @@ int po_verb_solve(int argc, char **argv) {
   const po_options options = {"solve", HELP, OPTIONS, argc, argv};
   solve_line line = {.request = po_request_default(), .flags = po_scene_flags_default()};
   po_status status = PO_OK;
-  int option = 0;
-  while (!status && (option = po_options_next(&options)) > 0) {
-    if (option == PO_OPTION_HELP)
-      return PO_EXIT_OK;
-    status = take_option(&line, option);
-  }
-  if (option == PO_OPTION_BAD)
-    status = PO_BAD_INPUT;
-  if (!status)
-    status = po_options_no_operands(&options);
+  if (!po_options_read(&options, take_option, &line, &status))
+    return po_options_end(status);
+  status = po_options_no_operands(&options);
   if (!status)
     status = end_line(&line);
   return status ? po_options_end(status) : solve(&line);

@@ -4,6 +4,7 @@
 
 #include "po_forms.h"
 #include "po_json.h"
+#include "po_print.h"
 #include "po_print_physical.h"
 #include "po_scene_flags.h"
 #include "po_verbs.h"
@@ -35,6 +36,7 @@ typedef struct {
   po_scene scene;
   double alpha; /* A R/lambda^2, given or of the scene; NAN: neither */
   double gap;   /* NAN: not given */
+  bool json;
 } po_theory_line;
 
 static const struct option OPTIONS[] = {
@@ -47,9 +49,14 @@ static const struct option OPTIONS[] = {
     {"help", no_argument, NULL, PO_OPTION_HELP},
     {NULL, 0, NULL, 0}};
 
-static po_status take(po_theory_line *l, int option) {
+static po_status take_option(void *to, int option) {
+  po_theory_line *l = to;
   if (option < PO_FLAG_NEXT)
     return po_scene_flags_take(&l->flags, option);
+  if (option == JSON) {
+    l->json = true;
+    return PO_OK;
+  }
   if (option == GAP)
     return po_number_parse(optarg, &l->gap) && l->gap > -1.0
                ? PO_OK
@@ -146,13 +153,7 @@ static po_status print_json(const po_theory_line *l, const char *name, json_t *o
     json_object_update(physical, si);
     json_object_set_new(document, "physical", physical);
   }
-  po_text text = {0};
-  const po_status status = po_json_print(document, &text);
-  if (!status)
-    fputs(po_text_string(&text), stdout);
-  po_text_clear(&text);
-  json_decref(document);
-  return status;
+  return po_print_document(document);
 }
 
 /* What was found, by name, and the same in SI units, of what has one. */
@@ -171,7 +172,7 @@ static void fill(const po_theory_line *l, const po_form_values *values, json_t *
   }
 }
 
-static po_status print(const po_theory_line *l, const po_form *form, bool as_json) {
+static po_status print(const po_theory_line *l, const po_form *form) {
   const double variables[] = {(double)NAN, l->flags.length[PO_LENGTH_APPROACH],
                               l->flags.length[PO_LENGTH_CONTACT_RADIUS], l->gap};
   const po_form_input input = {l->scene, l->alpha, variables[form->variable]};
@@ -182,7 +183,7 @@ static po_status print(const po_theory_line *l, const po_form *form, bool as_jso
   if (!isnan(input.at))
     form->along(&input, &values);
   fill(l, &values, out, si);
-  if (as_json)
+  if (l->json)
     status = print_json(l, form->name, out, si);
   else
     print_text(l, out, si);
@@ -194,19 +195,9 @@ static po_status print(const po_theory_line *l, const po_form *form, bool as_jso
 int po_verb_theory(int argc, char **argv) {
   const po_options options = {"theory", HELP, OPTIONS, argc, argv};
   po_theory_line line = {.flags = po_scene_flags_default(), .alpha = NAN, .gap = NAN};
-  bool as_json = false;
   po_status status = PO_OK;
-  int option = 0;
-  while (!status && (option = po_options_next(&options)) > 0) {
-    if (option == PO_OPTION_HELP)
-      return PO_EXIT_OK;
-    if (option == JSON)
-      as_json = true;
-    else
-      status = take(&line, option);
-  }
-  if (status || option == PO_OPTION_BAD)
-    return po_options_end(PO_BAD_INPUT);
+  if (!po_options_read(&options, take_option, &line, &status))
+    return po_options_end(status);
   const char *name = optind < argc ? argv[optind++] : "";
   const po_form *form = po_form_find(name);
   if (!form)
@@ -216,6 +207,6 @@ int po_verb_theory(int argc, char **argv) {
   if (!status)
     status = complete(&line, form);
   if (!status)
-    status = print(&line, form, as_json);
+    status = print(&line, form);
   return po_options_end(status);
 }

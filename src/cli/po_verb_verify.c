@@ -61,38 +61,43 @@ static po_status print(const po_session *session, bool tap, const char *junit) {
   return status;
 }
 
+typedef struct {
+  po_session session;
+  bool tap;
+  const char *junit; /* a file; NULL: none */
+} verify_line;
+
+static po_status take_option(void *to, int option) {
+  verify_line *line = to;
+  if (option == TAP)
+    line->tap = true;
+  else if (option == JUNIT)
+    line->junit = optarg;
+  else
+    return po_session_option(&line->session, option);
+  return PO_OK;
+}
+
 int po_verb_verify(int argc, char **argv) {
   const po_options options = {"verify", HELP, OPTIONS, argc, argv};
-  po_session session = po_session_default();
+  verify_line line = {.session = po_session_default()};
+  po_session *session = &line.session;
   po_status status = PO_OK;
-  bool tap = false;
-  const char *junit = NULL;
-  int option = 0;
-  while (!status && (option = po_options_next(&options)) > 0) {
-    if (option == PO_OPTION_HELP)
-      return PO_EXIT_OK;
-    if (option == TAP)
-      tap = true;
-    else if (option == JUNIT)
-      junit = optarg;
-    else
-      status = po_session_option(&session, option);
-  }
-  if (option == PO_OPTION_BAD)
-    status = PO_BAD_INPUT;
-  if (!status && optind == argc)
+  if (!po_options_read(&options, take_option, &line, &status))
+    return po_options_end(status);
+  if (optind == argc)
     status = check_references();
   if (!status)
-    status = po_session_run(&session, argv + optind, (size_t)(argc - optind));
+    status = po_session_run(session, argv + optind, (size_t)(argc - optind));
   if (!status)
-    status = print(&session, tap, junit);
-  if (!status && !tap)
-    status = po_session_summarise(&session);
+    status = print(session, line.tap, line.junit);
+  if (!status && !line.tap)
+    status = po_session_summarise(session);
   int code = po_options_end(status);
-  if (!status && po_session_failures(&session))
+  if (!status && po_session_failures(session))
     code = PO_EXIT_SOLVE;
-  else if (!status && po_session_outside(&session))
+  else if (!status && po_session_outside(session))
     code = PO_EXIT_OUTSIDE;
-  po_session_clear(&session);
+  po_session_clear(session);
   return code;
 }
