@@ -8,12 +8,11 @@ The approach is a decimal fraction, so the load -2 (4 x^6 - 1) / (3 x^8), x = 1 
 rational number; only its printing rounds.
 """
 
-import argparse
 import sys
 from decimal import Decimal, localcontext
 from fractions import Fraction
-from pathlib import Path
 
+from command_line import STORED, options, run
 from tables import read_table, write_table
 
 FIRST, LAST, STEP = Fraction(-8), Fraction(45, 100), Fraction(5, 100)
@@ -59,25 +58,18 @@ def header():
     }
 
 
+def act(arguments):
+    if arguments.write:
+        write_table(arguments.write / NAME, header(), ["approach", "load"], rows())
+    elif [tuple(row.values()) for row in read_table(STORED / NAME)[1]] != rows():
+        raise ValueError(f"{NAME}: a recomputed row differs from the stored one")
+    else:
+        print(f"all rows of {NAME} agree")
+
+
 def main():
-    stored = Path(__file__).resolve().parent.parent
-    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    group = parser.add_mutually_exclusive_group(required=True)
-    group.add_argument("--sample", action="store_true", help="recompute and compare")
-    group.add_argument("--write", metavar="DIR", nargs="?", type=Path, const=stored,
-                       help="regenerate the table (in DIR)")
-    arguments = parser.parse_args()
-    try:
-        if arguments.write:
-            write_table(arguments.write / NAME, header(), ["approach", "load"], rows())
-        elif [tuple(row.values()) for row in read_table(stored / NAME)[1]] != rows():
-            raise ValueError(f"{NAME}: a recomputed row differs from the stored one")
-        else:
-            print(f"all rows of {NAME} agree")
-    except (ValueError, OSError) as problem:
-        print(f"bradley.py: {problem}", file=sys.stderr)
-        return 1
-    return 0
+    parser, _ = options(__doc__)
+    return run(act, parser.parse_args())
 
 
 if __name__ == "__main__":

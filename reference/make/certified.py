@@ -1,19 +1,15 @@
 """Tables of values each computed by two routes that agree: checking, printing, command line."""
 
-import argparse
-import os
-import sys
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Callable
 
 from mpmath import mp, mpf, nstr
 
+from command_line import STORED, options, run
 from tables import read_table, write_table
 
 mp.dps = 40               # digits carried
 
-STORED = Path(__file__).resolve().parent.parent
 DATE = "2026-11-21"
 PAPER = ("A. Papangelo, M. Ciavarella, Lubricants 8(9), 90 (2020), "
          "doi 10.3390/lubricants8090090")
@@ -103,20 +99,13 @@ def same(old, new, tolerance, absolute):
 
 def command_line(document, tables):
     """--write [DIR] or --sample."""
-    parser = argparse.ArgumentParser(description=document.split("\n\n")[0])
-    group = parser.add_mutually_exclusive_group(required=True)
-    group.add_argument("--sample", action="store_true",
-                       help="recompute a sample, compare (exit 1 on disagreement)")
-    group.add_argument("--write", metavar="DIR", nargs="?", type=Path, const=STORED,
-                       help="regenerate the tables (in DIR)")
-    arguments = parser.parse_args()
-    try:
+    parser, _ = options(document)
+
+    def act(arguments):
         for table in tables:
             if arguments.write:
                 table.write(arguments.write)
             else:
                 table.sample()
-    except (ValueError, OSError) as problem:
-        print(f"{os.path.basename(sys.argv[0])}: {problem}", file=sys.stderr)
-        return 1
-    return 0
+
+    return run(act, parser.parse_args())

@@ -106,6 +106,13 @@ def pull_off_cells(rows):
             bound(SAFETY * r.spread[1]), bound(SAFETY * r.spread[0]))
 
 
+def show(rows):
+    """Prints landmarks for a reader."""
+    for r in rows:
+        print(f"{r.kind:9s} approach {r.approach: .13f} load {r.load: .13f} "
+              f"differences {r.spread[0]:.1e} {r.spread[1]:.1e}")
+
+
 def _compare(where, value, stored, uncertainty):
     if not abs(value - float(stored)) <= float(uncertainty):
         raise ValueError(f"{where}: recomputed {number(value)}, stored {stored}, "

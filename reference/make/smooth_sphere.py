@@ -12,16 +12,14 @@ extrema by root finding and converged on three meshes (landmarks.py).
     smooth_sphere.py --write [DIR]     regenerate all tables (about 15 minutes)
 """
 
-import argparse
 import sys
-import time
-from pathlib import Path
 
 import numpy as np
 
 from branch import LOAD, POLISH, NotConverged, smooth_sphere
+from command_line import STORED, notes, options, run
 from converged import (BOUND_IN_WORDS, CURVE_CHECK, SAFETY, compare, landmark_cells, pull_off_cells,
-                       solve_curve, solve_landmarks, worst)
+                       show, solve_curve, solve_landmarks, worst)
 from tables import bound, number, read_table, write_table
 import self_test
 
@@ -113,11 +111,7 @@ def write_curves(folder, solved):
 
 def write_all(folder):
     folder.mkdir(parents=True, exist_ok=True)
-    begin = time.time()
-
-    def note(text):
-        print(f"{time.time() - begin:7.0f} s  {text}", file=sys.stderr, flush=True)
-
+    note = notes()
     solved = {}
     for tabor in TABORS:
         solved[tabor] = solve_tabor(tabor)
@@ -142,32 +136,23 @@ def sample(folder):
                 [row for row in landmarks if row["tabor"] == tabor], best[tabor])
 
 
+def act(arguments):
+    if arguments.self_test:
+        self_test.run()
+    elif arguments.sample:
+        sample(STORED)
+        print("sample agrees with the stored tables")
+    elif arguments.tabor:
+        show(solve_tabor(arguments.tabor, check=False))
+    else:
+        write_all(arguments.write)
+
+
 def main():
-    stored = Path(__file__).resolve().parent.parent
-    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    group = parser.add_mutually_exclusive_group(required=True)
+    parser, group = options(__doc__)
     group.add_argument("--self-test", action="store_true", help="test against exact results")
-    group.add_argument("--sample", action="store_true", help="recompute a sample and compare")
     group.add_argument("--tabor", metavar="X", help="print the landmarks of one parameter")
-    group.add_argument("--write", metavar="DIR", nargs="?", type=Path, const=stored,
-                       help="regenerate the tables (in DIR)")
-    arguments = parser.parse_args()
-    try:
-        if arguments.self_test:
-            self_test.run()
-        elif arguments.sample:
-            sample(stored)
-            print("sample agrees with the stored tables")
-        elif arguments.tabor:
-            for r in solve_tabor(arguments.tabor, check=False):
-                print(f"{r.kind:9s} approach {r.approach: .13f} load {r.load: .13f} "
-                      f"differences {r.spread[0]:.1e} {r.spread[1]:.1e}")
-        else:
-            write_all(arguments.write)
-    except (ValueError, OSError, NotConverged) as problem:
-        print(f"smooth_sphere.py: {problem}", file=sys.stderr)
-        return 1
-    return 0
+    return run(act, parser.parse_args(), NotConverged)
 
 
 if __name__ == "__main__":

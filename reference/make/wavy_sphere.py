@@ -10,17 +10,15 @@ L = lambda/sqrt(R mu), on the surface cut at r = R as in the paper, or unbounded
     wavy_sphere.py --write [DIR]             regenerate the tables (about half an hour)
 """
 
-import argparse
 import sys
-import time
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
 from branch import APPROACH, FINE_TRACE, LOAD, TRACE, Level, NotConverged, Problem
+from command_line import STORED, notes, options, run
 from converged import (BOUND_IN_WORDS, CURVE_CHECK, SAFETY, compare, converge_mark, landmark_cells,
-                       pull_off_cells, solve_curve, worst)
+                       pull_off_cells, show, solve_curve, worst)
 from landmarks import find_landmarks, landmark_kinds, pull_off, trace
 from tables import bound, number, read_table, write_table
 
@@ -204,11 +202,7 @@ def write_curves(folder, solved):
 
 def write_all(folder):
     folder.mkdir(parents=True, exist_ok=True)
-    begin = time.time()
-
-    def note(text):
-        print(f"{time.time() - begin:7.0f} s  {text}", file=sys.stderr, flush=True)
-
+    note = notes()
     solved = []
     for scene in SCENES:
         solved.append(solve(scene))
@@ -238,41 +232,32 @@ def sample(folder):
                 [row for row in landmarks if tuple(row[k] for k in KEYS) == key], best[key])
 
 
-def show(solved):
-    for r in solved.rows:
-        print(f"{r.kind:9s} approach {r.approach: .13f} load {r.load: .13f} "
-              f"differences {r.spread[0]:.1e} {r.spread[1]:.1e}")
+def show_scene(solved):
+    show(solved.rows)
     scene = solved.scene
     print(f"complete to approach {scene.complete_to:g}; least load from there to approach "
           f"{scene.traced_to:g}: {solved.beyond:.4f}")
 
 
+def act(arguments):
+    if arguments.list:
+        for scene in SCENES:
+            print(" ".join(scene.key))
+    elif arguments.scene:
+        show_scene(solve(scene_of(arguments.scene)))
+    elif arguments.sample:
+        sample(STORED)
+        print("sample agrees with the stored tables")
+    else:
+        write_all(arguments.write)
+
+
 def main():
-    stored = Path(__file__).resolve().parent.parent
-    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    group = parser.add_mutually_exclusive_group(required=True)
+    parser, group = options(__doc__)
     group.add_argument("--list", action="store_true", help="print the scenes of the tables")
     group.add_argument("--scene", metavar=("TABOR", "AMPLITUDE", "WAVELENGTH", "RADIUS", "OUTER"),
                        nargs=5, help="print the landmarks of a scene of the tables")
-    group.add_argument("--sample", action="store_true", help="recompute a sample and compare")
-    group.add_argument("--write", metavar="DIR", nargs="?", type=Path, const=stored,
-                       help="regenerate the tables (in DIR)")
-    arguments = parser.parse_args()
-    try:
-        if arguments.list:
-            for scene in SCENES:
-                print(" ".join(scene.key))
-        elif arguments.scene:
-            show(solve(scene_of(arguments.scene)))
-        elif arguments.sample:
-            sample(stored)
-            print("sample agrees with the stored tables")
-        else:
-            write_all(arguments.write)
-    except (ValueError, OSError, NotConverged) as problem:
-        print(f"wavy_sphere.py: {problem}", file=sys.stderr)
-        return 1
-    return 0
+    return run(act, parser.parse_args(), NotConverged)
 
 
 if __name__ == "__main__":
