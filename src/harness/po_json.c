@@ -5,6 +5,7 @@
 
 #include "po_contact.h"
 #include "po_input.h"
+#include "po_json_parts.h"
 #include "po_law.h"
 #include "po_memory.h"
 
@@ -30,28 +31,10 @@ json_t *po_json_input(const po_request *request) {
   return object;
 }
 
-static json_t *pull_off(const po_outcome *outcome) {
-  if (!outcome->has_pull_off)
-    return json_null();
-  return json_pack("{s:o, s:o, s:o, s:o, s:o}", "force", po_json_number(outcome->pull_off.force),
-                   "approach", po_json_number(outcome->pull_off.approach), "contact_radius",
-                   po_json_number(outcome->pull_off.contact_radius), "error_estimate",
-                   po_json_number(outcome->pull_off.force_error), "approach_error_estimate",
-                   po_json_number(outcome->pull_off.approach_error));
-}
-
 static json_t *landmarks(const po_landmark *list, size_t count) {
   json_t *array = json_array();
   for (size_t i = 0; i < count; ++i)
-    json_array_append_new(
-        array,
-        json_pack("{s:o, s:o, s:o, s:s, s:o, s:o, s:o, s:o, s:i}", "approach",
-                  po_json_number(list[i].approach), "load", po_json_number(list[i].load), "energy",
-                  po_json_number(list[i].energy), "kind", po_landmark_kind_name(list[i].kind),
-                  "error_estimate", po_json_number(list[i].approach_error), "load_error_estimate",
-                  po_json_number(list[i].load_error), "contact_radius",
-                  po_json_number(list[i].contact_radius), "position",
-                  po_json_number(list[i].position), "unstable_modes", list[i].unstable_modes));
+    json_array_append_new(array, po_json_landmark(&list[i]));
   return array;
 }
 
@@ -60,24 +43,16 @@ static json_t *landmarks_of(const po_outcome *outcome, const po_landmark *list, 
   return outcome->followed ? json_null() : landmarks(list, count);
 }
 
-static json_t *work(const po_work *done) {
-  return json_pack("{s:I, s:I, s:I, s:I, s:I, s:I, s:I, s:o}", "points", (json_int_t)done->points,
-                   "newton_iterations", (json_int_t)done->newton_iterations, "factorizations",
-                   (json_int_t)done->factorizations, "kernel_evaluations",
-                   (json_int_t)done->kernel_evaluations, "nodes", (json_int_t)done->nodes,
-                   "factorized_nodes", (json_int_t)done->factorized_nodes, "meshes",
-                   (json_int_t)done->meshes, "seconds", po_json_number(done->seconds));
-}
-
 json_t *po_json_outcome(const po_request *request, const po_outcome *outcome) {
-  json_t *object = json_pack("{s:o, s:s, s:s, s:b, s:b, s:o, s:o, s:o, s:o, s:o, s:o}", "input",
-                             po_json_input(request), "status", po_status_name(outcome->status),
-                             "reason", outcome->reason, "rigid", (int)outcome->rigid, "followed",
-                             (int)outcome->followed, "start", po_json_number(outcome->start), "end",
-                             po_json_number(outcome->end), "pull_off", pull_off(outcome), "folds",
-                             landmarks_of(outcome, outcome->folds, outcome->fold_count), "extrema",
-                             landmarks_of(outcome, outcome->extrema, outcome->extremum_count),
-                             "work", work(&outcome->work));
+  json_t *object =
+      json_pack("{s:o, s:s, s:s, s:b, s:b, s:o, s:o, s:o, s:o, s:o, s:o}", "input",
+                po_json_input(request), "status", po_status_name(outcome->status), "reason",
+                outcome->reason, "rigid", (int)outcome->rigid, "followed", (int)outcome->followed,
+                "start", po_json_number(outcome->start), "end", po_json_number(outcome->end),
+                "pull_off", po_json_pull_off(outcome), "folds",
+                landmarks_of(outcome, outcome->folds, outcome->fold_count), "extrema",
+                landmarks_of(outcome, outcome->extrema, outcome->extremum_count), "work",
+                po_json_work(&outcome->work));
   if (object && outcome->has_hysteresis)
     json_object_set_new(object, "hysteresis", po_json_hysteresis(request, outcome));
   if (object && (outcome->diagnostics.states || outcome->diagnostics.moved.solves))

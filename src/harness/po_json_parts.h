@@ -1,4 +1,4 @@
-/* What readers of JSON share: inside the harness. */
+/* What writers and readers of JSON share: inside the harness. */
 #ifndef PO_JSON_PARTS_H
 #define PO_JSON_PARTS_H
 
@@ -9,6 +9,15 @@
 
 /* A count, or 0 for what is absent. */
 uint64_t po_json_count_of(const json_t *object, const char *key);
+
+/* Parts of an outcome, and back: a landmark but for its kind, the pull-off (null when there is
+ * none), the work. */
+json_t *po_json_landmark(const po_landmark *landmark);
+void po_json_read_landmark(const json_t *object, po_landmark *landmark);
+json_t *po_json_pull_off(const po_outcome *outcome);
+void po_json_read_pull_off(const json_t *object, po_outcome *outcome);
+json_t *po_json_work(const po_work *work);
+void po_json_read_work(const json_t *object, po_work *work);
 
 /* The inverse of po_json_diagnostics; NULL: there are none. Status: PO_NO_MEMORY. */
 po_status po_json_read_diagnostics(const json_t *object, po_outcome *outcome);

@@ -48,27 +48,9 @@ static po_status read_landmarks(const json_t *array, po_landmark **list, size_t 
     po_landmark *landmark = &(*list)[i];
     if (!read_kind(item, &landmark->kind))
       return po_fail(PO_BAD_INPUT, "landmark %zu has no kind", i);
-    landmark->approach = po_json_read_number(item, "approach");
-    landmark->load = po_json_read_number(item, "load");
-    landmark->energy = po_json_read_number(item, "energy");
-    landmark->approach_error = po_json_read_number(item, "error_estimate");
-    landmark->load_error = po_json_read_number(item, "load_error_estimate");
-    landmark->contact_radius = po_json_read_number(item, "contact_radius");
-    landmark->position = po_json_read_number(item, "position");
-    landmark->unstable_modes = (int)json_integer_value(json_object_get(item, "unstable_modes"));
+    po_json_read_landmark(item, landmark);
   }
   return PO_OK;
-}
-
-static void read_work(const json_t *object, po_work *work) {
-  work->points = po_json_count_of(object, "points");
-  work->newton_iterations = po_json_count_of(object, "newton_iterations");
-  work->factorizations = po_json_count_of(object, "factorizations");
-  work->kernel_evaluations = po_json_count_of(object, "kernel_evaluations");
-  work->nodes = po_json_count_of(object, "nodes");
-  work->factorized_nodes = po_json_count_of(object, "factorized_nodes");
-  work->meshes = po_json_count_of(object, "meshes");
-  work->seconds = po_json_read_number(object, "seconds");
 }
 
 po_status po_json_read_outcome(const json_t *object, po_outcome *outcome) {
@@ -81,16 +63,9 @@ po_status po_json_read_outcome(const json_t *object, po_outcome *outcome) {
   outcome->start = po_json_read_number(object, "start");
   outcome->end = po_json_read_number(object, "end");
   outcome->followed = json_is_true(json_object_get(object, "followed"));
-  const json_t *pull_off = json_object_get(object, "pull_off");
-  outcome->has_pull_off = json_is_object(pull_off);
-  outcome->pull_off.force = po_json_read_number(pull_off, "force");
-  outcome->pull_off.approach = po_json_read_number(pull_off, "approach");
-  outcome->pull_off.contact_radius = po_json_read_number(pull_off, "contact_radius");
-  outcome->pull_off.force_error = po_json_read_number(pull_off, "error_estimate");
-  outcome->pull_off.approach_error = po_json_read_number(pull_off, "approach_error_estimate");
-  outcome->profile_approach =
-      po_json_read_number(json_object_get(object, "contact"), "approach");
-  read_work(json_object_get(object, "work"), &outcome->work);
+  po_json_read_pull_off(json_object_get(object, "pull_off"), outcome);
+  outcome->profile_approach = po_json_read_number(json_object_get(object, "contact"), "approach");
+  po_json_read_work(json_object_get(object, "work"), &outcome->work);
   po_status status =
       read_landmarks(json_object_get(object, "folds"), &outcome->folds, &outcome->fold_count);
   if (!status)

@@ -1,0 +1,98 @@
+/* The keys of numbers and counts, once for writing and reading. */
+#include <stddef.h>
+
+#include "po_json.h"
+#include "po_json_parts.h"
+
+/* One of these by its place in the structure. */
+typedef struct {
+  const char *key;
+  size_t place;
+} field;
+
+#define LENGTH(fields) (sizeof(fields) / sizeof *(fields))
+
+static const field LANDMARK[] = {
+    {"approach", offsetof(po_landmark, approach)},
+    {"load", offsetof(po_landmark, load)},
+    {"energy", offsetof(po_landmark, energy)},
+    {"error_estimate", offsetof(po_landmark, approach_error)},
+    {"load_error_estimate", offsetof(po_landmark, load_error)},
+    {"contact_radius", offsetof(po_landmark, contact_radius)},
+    {"position", offsetof(po_landmark, position)},
+};
+
+static const field PULL_OFF[] = {
+    {"force", offsetof(po_outcome, pull_off.force)},
+    {"approach", offsetof(po_outcome, pull_off.approach)},
+    {"contact_radius", offsetof(po_outcome, pull_off.contact_radius)},
+    {"error_estimate", offsetof(po_outcome, pull_off.force_error)},
+    {"approach_error_estimate", offsetof(po_outcome, pull_off.approach_error)},
+};
+
+static const field WORK[] = {
+    {"points", offsetof(po_work, points)},
+    {"newton_iterations", offsetof(po_work, newton_iterations)},
+    {"factorizations", offsetof(po_work, factorizations)},
+    {"kernel_evaluations", offsetof(po_work, kernel_evaluations)},
+    {"nodes", offsetof(po_work, nodes)},
+    {"factorized_nodes", offsetof(po_work, factorized_nodes)},
+    {"meshes", offsetof(po_work, meshes)},
+};
+
+static void write_numbers(json_t *object, const field *fields, size_t count, const void *from) {
+  for (size_t i = 0; i < count; ++i) {
+    const double *number = (const void *)((const char *)from + fields[i].place);
+    json_object_set_new(object, fields[i].key, po_json_number(*number));
+  }
+}
+
+static void read_numbers(const json_t *object, const field *fields, size_t count, void *to) {
+  for (size_t i = 0; i < count; ++i) {
+    double *number = (void *)((char *)to + fields[i].place);
+    *number = po_json_read_number(object, fields[i].key);
+  }
+}
+
+json_t *po_json_landmark(const po_landmark *landmark) {
+  json_t *object = json_pack("{s:s}", "kind", po_landmark_kind_name(landmark->kind));
+  write_numbers(object, LANDMARK, LENGTH(LANDMARK), landmark);
+  json_object_set_new(object, "unstable_modes", json_integer(landmark->unstable_modes));
+  return object;
+}
+
+void po_json_read_landmark(const json_t *object, po_landmark *landmark) {
+  read_numbers(object, LANDMARK, LENGTH(LANDMARK), landmark);
+  landmark->unstable_modes = (int)json_integer_value(json_object_get(object, "unstable_modes"));
+}
+
+json_t *po_json_pull_off(const po_outcome *outcome) {
+  if (!outcome->has_pull_off)
+    return json_null();
+  json_t *object = json_object();
+  write_numbers(object, PULL_OFF, LENGTH(PULL_OFF), outcome);
+  return object;
+}
+
+void po_json_read_pull_off(const json_t *object, po_outcome *outcome) {
+  outcome->has_pull_off = json_is_object(object);
+  read_numbers(object, PULL_OFF, LENGTH(PULL_OFF), outcome);
+}
+
+json_t *po_json_work(const po_work *work) {
+  json_t *object = json_object();
+  for (size_t i = 0; i < LENGTH(WORK); ++i) {
+    const uint64_t *number = (const void *)((const char *)work + WORK[i].place);
+    json_object_set_new(object, WORK[i].key, json_integer((json_int_t)*number));
+  }
+  json_object_set_new(object, "seconds", po_json_number(work->seconds));
+  return object;
+}
+
+void po_json_read_work(const json_t *object, po_work *work) {
+  for (size_t i = 0; i < LENGTH(WORK); ++i) {
+    uint64_t *number = (void *)((char *)work + WORK[i].place);
+    *number = po_json_count_of(object, WORK[i].key);
+  }
+  work->seconds = po_json_read_number(object, "seconds");
+}
