@@ -28,6 +28,9 @@ cases_of_part() {
 
 is_part() { [ -f "reports/figures/$1.gp" ] || [ -n "$(cases_of_part "$1")" ]; }
 
+# cases_of_claims: the cases that the claims of the paper take numbers from
+cases_of_claims() { grep -o 'case = "[^"]*"' reports/claims/claims.toml | cut -d '"' -f 2 | sort -u | tr '\n' ' '; }
+
 # all_parts: on one line
 all_parts() {
   {

@@ -6,6 +6,7 @@
 
 step_labels=
 step_times= # the file with the seconds each step took the last time; none: they are not kept
+step_open=  # the step of which nobody knows how long it will take until it tells itself
 step_least= # yes: that time is of a run that kept much, so a step is expected to take no less than the first time
 
 # Seconds between plain lines: a log shows life without filling up.
@@ -45,6 +46,7 @@ first_time() {
   Building) echo 60 ;;
   'Running the cases') echo 1800 ;;
   'Planting faults') echo 600 ;;
+  'Judging the claims') echo 30 ;;
   'Writing the report') echo 40 ;;
   *) echo 0 ;;
   esac
@@ -58,6 +60,12 @@ expected_time() {
   first=$(first_time "$1")
   if [ -z "$expected" ] || { [ -n "$step_least" ] && [ "$expected" -lt "$first" ]; }; then expected=$first; fi
   printf '%d' "$expected"
+}
+
+# is_open LABEL: whether nobody knows how long this step or one after it will take
+is_open() {
+  [ -n "$step_open" ] && printf '%s\n' "$step_labels" |
+    awk -v label="$1" -v open="$step_open" '$0 == label { seen = 1 } seen && $0 == open { found = 1 } END { exit !found }'
 }
 
 # time_after LABEL: the same of all steps after it
@@ -96,13 +104,18 @@ progress_line() {
   if [ -n "$told" ]; then
     left=${told%% *}
     told=": ${told#* }"
+  elif is_open "$1"; then
+    left=unknown
   else
     left=$(($(expected_time "$1") - (now - step_begin) / 1000))
     [ "$left" -gt 0 ] || left=0
   fi
-  left=$((left + $2))
+  [ "$left" = unknown ] || left=$((left + $2))
   printf '%s%s, %s since the start' "$(numbered "$1")" "$told" "$(span $(((now - whole_begin) / 1000)))"
-  [ "$left" -eq 0 ] || printf ', about %s left' "$(span "$left")"
+  case $left in
+  0 | unknown) ;;
+  *) printf ', about %s left' "$(span "$left")" ;;
+  esac
 }
 
 # watch_step LABEL: tells about the step until it is ended, or the shell is gone

@@ -35,8 +35,14 @@ PROGRAM
 cat >"$tree/reports/claims/run.py" <<'PROGRAM'
 import os, sys
 print("claims", *sys.argv[1:], file=open("asked", "a"))
+print("made-claim 1.57 reproduced")
 sys.exit(int(open("judged").read()) if os.path.exists("judged") else 0)
 PROGRAM
+cat >"$tree/reports/claims/claims.toml" <<'LIST'
+get.a = { case = "timing", when = { tabor = 1 }, at = "pull_off.force" }
+get.b = { case = "fig03", at = "folds.#" }
+get.c = { case = "timing", at = "folds.#" }
+LIST
 : >"$tree/build/build.ninja"
 mkdir -p "$tree/build/meson-private"
 : >"$tree/build/meson-private/coredata.dat"
@@ -66,8 +72,8 @@ refused '--jobs is empty: expected a whole number' --jobs ''
 refused '--only needs the name of a part' --only
 refused '--only needs the name of a part' --only ''
 known='fig03, fig05, fig06, fig06_paper, paper, precision, smoke, timing'
-refused "--only is fig99: expected faults or one of $known" --only fig99
-refused "--only is fig: expected faults or one of $known" --only fig03,fig
+refused "--only is fig99: expected claims, faults or one of $known" --only fig99
+refused "--only is fig: expected claims, faults or one of $known" --only fig03,fig
 check 'no log of what was refused' test ! -e "$tree/build/log"
 reproduce 0 --help
 for option in --only --fresh --jobs --no-install; do
@@ -107,6 +113,18 @@ asked 'faults --reuse --build build'
 asked 'report .*'
 not_asked '^run'
 
+# The claims, by the cases that they take numbers from.
+reproduce 0 --no-install --only claims
+asked 'run fig03 timing --output build/run'
+asked 'claims --program build/src/cli/pulloff --run build/run'
+asked 'report .*'
+not_asked faults
+check 'the verdicts on the paper are printed' grep -q -x 'made-claim 1.57 reproduced' "$work/stdout"
+reproduce 0 --no-install --only faults,claims
+asked 'run fig03 timing --output build/run'
+asked 'faults --reuse --build build'
+check 'all steps' grep -q '^\[7/7\] Writing the report ' "$work/stdout"
+
 # What failed is told, and the exit code says it.
 echo 3 >"$tree/code"
 reproduce 0 --no-install --only fig03
@@ -133,11 +151,21 @@ reproduce 0 --no-install
 check 'times are kept' test "$(cut -f 1 "$tree/build/log/reproduce.seconds" | sort | tr '\n' ,)" = \
   'Building,Judging the claims,Planting faults,Running the cases,Writing the report,'
 sed -i 's/^plain_interval=.*/plain_interval=1/' "$tree/tools/steps.sh"
-printf 'Planting faults\t20\nWriting the report\t7\n' >"$tree/build/log/reproduce.seconds"
+printf 'Planting faults\t20\nJudging the claims\t11\nWriting the report\t7\n' >"$tree/build/log/reproduce.seconds"
 echo 2.5 >"$tree/slow"
 reproduce 0 --no-install
-check 'how far all is: 130 s of this step, 27 s of those after it' \
-  grep -q -x '\[4/7\] Running the cases: 3/8 solves, [1-4] s since the start, about 2 min 37 s left' "$work/stderr"
+check 'how far all is: 130 s of this step, 38 s of those after it' \
+  grep -q -x '\[4/7\] Running the cases: 3/8 solves, [1-4] s since the start, about 2 min 48 s left' "$work/stderr"
+reproduce 0 --no-install --only fig03
+check 'of a part: 130 s of this step, 40 s of the report' \
+  grep -q -x '\[4/5\] Running the cases: 3/8 solves, [1-4] s since the start, about 2 min 50 s left' "$work/stderr"
+printf '#!/bin/sh\nsleep 2.5\n' >"$work/bin/meson"
+reproduce 0 --no-install --only fig03
+check 'until they tell nobody knows how long the cases of a part take' \
+  grep -q -x '\[3/5\] Building, [0-9]* s since the start' "$work/stderr"
+reproduce 0 --no-install --only fig05
+check 'a drawing is known' grep -q -x '\[3/4\] Building, [0-9]* s since the start, about .* left' "$work/stderr"
+printf '#!/bin/sh\n' >"$work/bin/meson"
 if command -v script >/dev/null; then
   (cd "$tree" && script -qec './reproduce --no-install' /dev/null </dev/null) >"$work/screen" 2>&1
   check 'on a terminal that line is live' grep -q "$(printf '\r')\[4/7\] Running the cases: 3/8 solves, " "$work/screen"

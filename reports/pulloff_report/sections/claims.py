@@ -5,7 +5,7 @@ import math
 from . import Section
 from ..words import CLAIM_SIGNS, CLAIM_VERDICTS, MINUS, decimals_for, fixed, plain
 
-ABSENT = "The claims of the paper were not judged for this run: python3 reports/claims/run.py does that, and the next report shows them."
+ABSENT = "The claims of the paper were not judged for this run: ./reproduce --only claims does that."
 FEWEST_DECIMALS, MOST_DECIMALS = 3, 8
 ORDER = ("contradicted", "within_reading", "reproduced", "not_testable", "no_result")
 
