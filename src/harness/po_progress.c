@@ -25,10 +25,9 @@ static void span(double seconds, char text[32]) {
 
 static void show(po_progress *progress, const char *what) {
   char elapsed[32], remaining[32], line[160];
-  const double spent = po_clock_wall() - progress->begin;
-  const size_t left = progress->total - progress->done;
-  span(spent, elapsed);
-  span(progress->done ? spent / (double)progress->done * (double)left : 0, remaining);
+  const double seconds = po_clock_wall() - progress->begin;
+  span(seconds, elapsed);
+  span(progress->done ? seconds * (progress->effort / progress->spent - 1) : 0, remaining);
   const int width =
       progress->done
           ? snprintf(line, sizeof line, "%zu/%zu solves, %s elapsed, about %s remaining (%.60s)",
@@ -40,16 +39,20 @@ static void show(po_progress *progress, const char *what) {
   progress->last = po_clock_wall();
 }
 
-void po_progress_begin(po_progress *progress, size_t total) {
+void po_progress_begin(po_progress *progress, size_t total, double effort) {
   const double now = po_clock_wall();
-  *progress =
-      (po_progress){.live = isatty(STDERR_FILENO) == 1, .total = total, .begin = now, .last = now};
+  *progress = (po_progress){.live = isatty(STDERR_FILENO) == 1,
+                            .total = total,
+                            .effort = effort,
+                            .begin = now,
+                            .last = now};
   if (total && progress->live)
     show(progress, "");
 }
 
-void po_progress_step(po_progress *progress, const char *what) {
+void po_progress_step(po_progress *progress, const char *what, double effort) {
   progress->done += 1;
+  progress->spent += effort;
   if (progress->live || po_clock_wall() - progress->last > PLAIN_INTERVAL)
     show(progress, what);
 }
