@@ -28,14 +28,14 @@ static const struct option OPTIONS[] = {{"suite", required_argument, NULL, SUITE
                                         {NULL, 0, NULL, 0}};
 
 static void print_table(const po_catalog *catalog) {
-  printf("%-14s %-7s %6s %6s  %-20s %s\n", "case", "figure", "points", "checks", "suites", "title");
+  printf("%-20s %-7s %6s %6s  %-20s %s\n", "case", "figure", "points", "checks", "suites", "title");
   for (size_t i = 0; i < catalog->count; ++i) {
     const po_case *kase = catalog->cases[i];
     char suites[64] = "";
     for (unsigned k = 0; k < kase->file->suite_names_count; ++k)
       snprintf(suites + strlen(suites), sizeof suites - strlen(suites), "%s%s", k ? "," : "",
                kase->file->suite_names[k]);
-    printf("%-14s %-7s %6zu %6u  %-20s %s\n", kase->file->name,
+    printf("%-20s %-7s %6zu %6u  %-20s %s\n", kase->file->name,
            kase->file->figure ? kase->file->figure : "-", kase->point_count,
            kase->file->checks_count, suites, kase->file->title);
   }
