@@ -3,6 +3,7 @@
 #include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 enum { MESSAGE_LENGTH = 1024 };
 static _Thread_local char message[MESSAGE_LENGTH];
@@ -34,6 +35,17 @@ const char *po_status_name(po_status status) {
     name[i++] = (char)tolower((unsigned char)*c);
   name[i] = '\0';
   return name;
+}
+
+bool po_status_find(const char *name, po_status *status) {
+#define PO_STATUS_MATCH(id, value, text)                                                           \
+  if (name && strcmp(name, po_status_name(id)) == 0) {                                             \
+    *status = id;                                                                                  \
+    return true;                                                                                   \
+  }
+  PO_STATUS_LIST(PO_STATUS_MATCH)
+#undef PO_STATUS_MATCH
+  return false;
 }
 
 po_status po_fail(po_status status, const char *format, ...) {

@@ -2,6 +2,8 @@
 #ifndef PO_STATUS_H
 #define PO_STATUS_H
 
+#include <stdbool.h>
+
 /* Zero is success. Positive: an ordinary numerical outcome the caller acts on, its data unchanged.
  * Negative: misuse, bad input or an exhausted resource; a message says which. */
 #define PO_STATUS_LIST(X)                                                                          \
@@ -31,6 +33,9 @@ const char *po_status_text(po_status status);
 
 /* The name of a status as written in records, e.g. "not_converged"; never NULL. */
 const char *po_status_name(po_status status);
+
+/* The status of a name; false for a name of none, or NULL. */
+bool po_status_find(const char *name, po_status *status);
 
 /* Writes the message of a failure where it is seen, with the offending values (printf style), for
  * this thread, and returns `status`, so that `return po_fail(PO_BAD_INPUT, "...", x);` reads. */

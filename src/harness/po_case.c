@@ -21,6 +21,7 @@ static const char *const QUANTITIES[PO_QUANTITY_COUNT] = {
     [PO_RESIDUAL] = "residual",
     [PO_MOVED_FORCE] = "moved_force",
     [PO_ENERGY_DEFECT] = "energy_defect",
+    [PO_WAY_BACK] = "way_back",
     [PO_WORK] = "work",
     [PO_SOLVED_SHARE] = "solved_share",
 };
@@ -32,7 +33,8 @@ const char *po_quantity_name(po_quantity quantity) {
 }
 
 bool po_quantity_is_diagnostic(po_quantity quantity) {
-  return quantity == PO_RESIDUAL || quantity == PO_MOVED_FORCE || quantity == PO_ENERGY_DEFECT;
+  return quantity == PO_RESIDUAL || quantity == PO_MOVED_FORCE || quantity == PO_ENERGY_DEFECT ||
+         quantity == PO_WAY_BACK;
 }
 
 const char *po_tolerance_kind_name(po_tolerance_kind kind) {

@@ -34,6 +34,7 @@ typedef enum {
   PO_RESIDUAL,      /* of the discrete equations, see po_diagnostics.h */
   PO_MOVED_FORCE,   /* change of the force with the last bits of the inputs */
   PO_ENERGY_DEFECT, /* of dU = W dapproach */
+  PO_WAY_BACK,      /* differences of folds when the branch is followed back, see po_way_back.h */
   PO_FOLD_COUNT,
   PO_FOLDS,
   PO_EXTREMA,

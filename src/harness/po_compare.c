@@ -28,6 +28,8 @@ double po_compare_obtained(po_quantity quantity, const po_outcome *outcome) {
     return outcome->diagnostics.moved.change;
   if (quantity == PO_ENERGY_DEFECT)
     return outcome->diagnostics.energy_defect;
+  if (quantity == PO_WAY_BACK)
+    return outcome->diagnostics.way_back.excess;
   return quantity == PO_PULL_OFF_FORCE ? outcome->pull_off.force : outcome->pull_off.approach;
 }
 
@@ -131,12 +133,27 @@ static po_status compare_curve(const po_case *kase, size_t point, const po_check
   return PO_OK;
 }
 
+/* Why the way back has no number. */
+static void tell_way_back(po_result *item, const po_outcome *outcome) {
+  const po_way_back *w = &outcome->diagnostics.way_back;
+  const size_t size = sizeof item->note;
+  if (!w->made)
+    snprintf(item->note, size, "the branch is followed back on panels alone, and not when rigid");
+  else if (w->status)
+    snprintf(item->note, size, "on the way back: %.180s", w->reason);
+  else
+    snprintf(item->note, size, "%zu folds on the way out, %zu on the way back; extrema %zu and %zu",
+             outcome->fold_count, w->folds, outcome->extremum_count, w->extrema);
+}
+
 /* What there is to say when there was nothing to compare. */
 static void tell_silence(po_result *item, const po_case *kase, const po_reference *reference,
                          const po_outcome *outcome) {
   const size_t size = sizeof item->note;
   if (item->verdict == PO_NO_RESULT && outcome->status)
     snprintf(item->note, size, "%.190s", outcome->reason);
+  else if (item->verdict == PO_NO_RESULT && strcmp(item->quantity, "way_back") == 0)
+    tell_way_back(item, outcome);
   else if (item->verdict == PO_NO_RESULT)
     snprintf(item->note, size, "nothing to compare over a common range");
   else if (item->verdict == PO_MISSING_REFERENCE && reference->is_pin)

@@ -34,7 +34,7 @@ enum { PO_JUMP_LABEL_LENGTH = 8 };
 void po_json_jump_label(bool loading, size_t number, char label[PO_JUMP_LABEL_LENGTH]);
 
 /* {"residual", "rounding", "undiagnosed", "states", "sensitivity", "moved", "energy_defect",
- * "energy_defect_at", "seconds"}. */
+ * "energy_defect_at", "way_back", "seconds"}. */
 json_t *po_json_diagnostics(const po_outcome *outcome);
 
 /* Writes a document with 17 significant digits, indented, ending in a newline. */

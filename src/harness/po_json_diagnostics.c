@@ -1,4 +1,6 @@
 /* Diagnostics as JSON, and back. */
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "po_json.h"
@@ -33,17 +35,30 @@ static json_t *moved_json(const po_moved *m) {
                    po_json_number(m->folds));
 }
 
+/* Null where the branch is not followed back. */
+static json_t *way_back_json(const po_way_back *w) {
+  if (!w->made)
+    return json_null();
+  return json_pack("{s:s, s:s, s:I, s:I, s:I, s:b, s:o, s:o, s:o, s:o, s:o}", "status",
+                   po_status_name(w->status), "reason", w->reason, "points", (json_int_t)w->points,
+                   "folds", (json_int_t)w->folds, "extrema", (json_int_t)w->extrema, "same",
+                   w->same, "fold_approach_change", po_json_number(w->fold_approach),
+                   "fold_load_change", po_json_number(w->fold_load), "extremum_approach_change",
+                   po_json_number(w->extremum_approach), "extremum_load_change",
+                   po_json_number(w->extremum_load), "excess", po_json_number(w->excess));
+}
+
 json_t *po_json_diagnostics(const po_outcome *outcome) {
   const po_diagnostics *d = &outcome->diagnostics;
   json_t *states = json_array();
   for (size_t k = 0; k < d->state_count; ++k)
     json_array_append_new(states, state_json(&d->states[k]));
-  return json_pack("{s:o, s:o, s:I, s:o, s:o, s:o, s:o, s:o, s:o}", "residual",
-                   po_json_number(d->residual), "rounding", po_json_number(d->rounding),
-                   "undiagnosed", (json_int_t)d->undiagnosed, "states", states, "sensitivity",
-                   sensitivity_json(d), "moved", moved_json(&d->moved), "energy_defect",
-                   po_json_number(d->energy_defect), "energy_defect_at",
-                   po_json_number(d->energy_defect_at), "seconds", po_json_number(d->seconds));
+  return json_pack(
+      "{s:o, s:o, s:I, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "residual", po_json_number(d->residual),
+      "rounding", po_json_number(d->rounding), "undiagnosed", (json_int_t)d->undiagnosed, "states",
+      states, "sensitivity", sensitivity_json(d), "moved", moved_json(&d->moved), "energy_defect",
+      po_json_number(d->energy_defect), "energy_defect_at", po_json_number(d->energy_defect_at),
+      "way_back", way_back_json(&d->way_back), "seconds", po_json_number(d->seconds));
 }
 
 static po_kept_kind kind_of(const char *name) {
@@ -76,6 +91,26 @@ static void read_sensitivity(const json_t *object, po_diagnostics *d) {
                                 .rounding = po_json_read_number(object, "rounding")};
 }
 
+static void read_way_back(const json_t *object, po_way_back *w) {
+  w->excess = NAN;
+  w->made = json_is_object(object);
+  if (!w->made)
+    return;
+  const char *reason = json_string_value(json_object_get(object, "reason"));
+  if (!po_status_find(json_string_value(json_object_get(object, "status")), &w->status))
+    w->made = false;
+  snprintf(w->reason, sizeof w->reason, "%s", reason ? reason : "");
+  w->points = (size_t)po_json_count_of(object, "points");
+  w->folds = (size_t)po_json_count_of(object, "folds");
+  w->extrema = (size_t)po_json_count_of(object, "extrema");
+  w->same = json_is_true(json_object_get(object, "same"));
+  w->fold_approach = po_json_read_number(object, "fold_approach_change");
+  w->fold_load = po_json_read_number(object, "fold_load_change");
+  w->extremum_approach = po_json_read_number(object, "extremum_approach_change");
+  w->extremum_load = po_json_read_number(object, "extremum_load_change");
+  w->excess = po_json_read_number(object, "excess");
+}
+
 po_status po_json_read_diagnostics(const json_t *object, po_outcome *outcome) {
   po_diagnostics *d = &outcome->diagnostics;
   const json_t *states = json_object_get(object, "states");
@@ -92,6 +127,7 @@ po_status po_json_read_diagnostics(const json_t *object, po_outcome *outcome) {
                         .change = po_json_read_number(moved, "force_change"),
                         .predicted = po_json_read_number(moved, "force_change_predicted"),
                         .folds = po_json_read_number(moved, "fold_change")};
+  read_way_back(json_object_get(object, "way_back"), &d->way_back);
   read_sensitivity(json_object_get(object, "sensitivity"), d);
   if (!object)
     return PO_OK;

@@ -15,18 +15,6 @@ uint64_t po_json_count_of(const json_t *object, const char *key) {
   return (uint64_t)json_integer_value(json_object_get(object, key));
 }
 
-static bool read_status(const json_t *object, po_outcome *outcome) {
-  const char *name = json_string_value(json_object_get(object, "status"));
-#define MATCH(id, value, text)                                                                     \
-  if (name && strcmp(name, po_status_name(id)) == 0) {                                             \
-    outcome->status = id;                                                                          \
-    return true;                                                                                   \
-  }
-  PO_STATUS_LIST(MATCH)
-#undef MATCH
-  return false;
-}
-
 static bool read_kind(const json_t *object, po_landmark_kind *kind) {
   const char *name = json_string_value(json_object_get(object, "kind"));
   for (int k = PO_JUMP_IN; name && k <= PO_MAXIMUM; ++k)
@@ -55,7 +43,7 @@ static po_status read_landmarks(const json_t *array, po_landmark **list, size_t 
 
 po_status po_json_read_outcome(const json_t *object, po_outcome *outcome) {
   *outcome = (po_outcome){0};
-  if (!read_status(object, outcome))
+  if (!po_status_find(json_string_value(json_object_get(object, "status")), &outcome->status))
     return po_fail(PO_BAD_INPUT, "a point has no status");
   const char *reason = json_string_value(json_object_get(object, "reason"));
   snprintf(outcome->reason, sizeof outcome->reason, "%s", reason ? reason : "");

@@ -219,7 +219,7 @@ static const struct {
     {"want", "a list of pull_off, folds, extrema, curve, profile, hysteresis, diagnostics"},
     {"checks", "a list of checks"},
     {"checks.quantity", "pull_off_force, pull_off_approach, residual, moved_force, "
-                        "energy_defect, fold_count, "
+                        "energy_defect, way_back, fold_count, "
                         "folds, extrema, curve, work or solved_share"},
     {"checks.reference", "bradley, pin, every_scene, zero or the path of a CSV file"},
     {"checks.tolerance", "a finite number > 0"},

@@ -9,6 +9,7 @@
 #include "po_balance.h"
 #include "po_diagnosis.h"
 #include "po_kept.h"
+#include "po_way_back.h"
 
 /* The equations at one state of the branch. */
 typedef struct {
@@ -40,7 +41,8 @@ typedef struct {
   po_moved moved;
   double energy_defect;    /* of dU = W dapproach along the branch, see po_balance.h; NAN: none */
   double energy_defect_at; /* approach where it is largest */
-  double seconds;          /* for all of this, by the clock */
+  po_way_back way_back;
+  double seconds; /* for all of this, by the clock */
 } po_diagnostics;
 
 /* Decimal digits that a relative change leaves: at most those of a double. NAN of NAN. */

@@ -102,30 +102,68 @@ double po_observe_precision(double tolerance) {
   return fmax(FINEST_PRECISION, fmin(COARSEST_PRECISION, PRECISION_OF_TOLERANCE * tolerance));
 }
 
+static void note_work(const po_reader *reader, const po_equilibrium *e, bool panels) {
+  po_work *work = &reader->outcome->work;
+  work->points = e->work.points;
+  work->newton_iterations = e->work.newton_iterations;
+  work->factorizations = e->work.factorizations;
+  work->factorized_nodes = e->work.factorized_nodes;
+  work->meshes = e->work.meshes;
+  work->nodes = panels ? reader->most_nodes : reader->surface->n;
+  work->kernel_evaluations = reader->surface->kernel_evaluations;
+}
+
+/* Follows the branch back, in as much time as it had out. Status: as of the trace where that is
+ * none of the way's own. */
+static po_status trace_back(po_tracker *tracker, po_reader *reader) {
+  po_diagnostics *d = &reader->outcome->diagnostics;
+  const double begin = po_clock_wall();
+  if (isfinite(reader->deadline))
+    reader->deadline = po_clock_thread() + reader->request->time_limit;
+  po_status status = po_track_back(tracker, po_reader_visit_back, reader);
+  if (reader->status)
+    status = reader->status;
+  reader->status = PO_OK;
+  d->way_back = po_way_back_compare(reader->out, reader->back, status);
+  d->seconds += po_clock_wall() - begin;
+  if (status == PO_NO_MEMORY || status == PO_INTERRUPTED)
+    return status;
+  po_message_clear();
+  return PO_OK;
+}
+
+static po_status trace_panels(const po_request *request, const attempt *a, po_reader *reader,
+                              po_equilibrium *e, po_adaptive *panels,
+                              const po_branch_options *options) {
+  const po_allowance allowed = po_observe_allowance(request->scene.tabor, a->tolerance);
+  po_tracker *tracker = NULL;
+  e->precision = po_observe_precision(request->mesh.tolerance);
+  po_status status = po_track_create(e, panels, allowed, options, &tracker);
+  if (!status)
+    status = po_track_onwards(tracker);
+  note_work(reader, e, true);
+  if (!status && !reader->status && reader->back)
+    status = trace_back(tracker, reader);
+  po_track_destroy(tracker);
+  return status;
+}
+
 static po_status trace_elastic(const po_request *request, const attempt *a, po_reader *reader,
                                po_adaptive *panels) {
-  po_outcome *o = reader->outcome;
   po_equilibrium *e = NULL;
   const size_t capacity = panels ? po_adaptive_capacity(panels) : reader->surface->n;
   po_status status = po_equilibrium_create(&request->scene, reader->surface, capacity, &e);
   if (!status) {
     const po_branch_options options = options_of(request, a->begin, reader);
-    if (panels)
-      e->precision = po_observe_precision(request->mesh.tolerance);
     reader->begin = request->approach_start;
     reader->begun = isnan(request->approach_start);
-    status =
-        panels ? po_track_trace(e, panels, po_observe_allowance(request->scene.tabor, a->tolerance),
-                                &options)
-               : po_branch_trace(e, &options);
-    o->work.points = e->work.points;
-    o->work.newton_iterations = e->work.newton_iterations;
-    o->work.factorizations = e->work.factorizations;
-    o->work.factorized_nodes = e->work.factorized_nodes;
-    o->work.meshes = e->work.meshes;
-    o->work.nodes = panels ? reader->most_nodes : reader->surface->n;
-    o->work.kernel_evaluations = reader->surface->kernel_evaluations;
-    if (reader->kept && po_diagnose_states(reader->kept, e, panels, o) && !status)
+    if (panels) {
+      status = trace_panels(request, a, reader, e, panels, &options);
+    } else {
+      status = po_branch_trace(e, &options);
+      note_work(reader, e, false);
+    }
+    if (reader->kept && po_diagnose_states(reader->kept, e, panels, reader->outcome) && !status)
       status = PO_NO_MEMORY;
   }
   po_equilibrium_destroy(e);
@@ -203,11 +241,14 @@ static po_status trace(const po_request *request, bool rigid, attempt *a, double
   po_adaptive *panels = NULL;
   po_kept kept = {0};
   po_balance balance = {0};
+  po_passage out = {0}, back = {0};
   po_reader reader = po_reader_begin(request, outcome, deadline);
   reader.keeper = keeper;
   if (request->want & PO_WANT_DIAGNOSTICS) {
     reader.balance = &balance;
     reader.kept = &kept;
+    reader.out = &out;
+    reader.back = &back;
   }
   if (keeper)
     keeper->begin(keeper->data, a->tolerance);
@@ -229,6 +270,8 @@ done:
   outcome->diagnostics.energy_defect = po_balance_defect(&balance);
   outcome->diagnostics.energy_defect_at = balance.at;
   po_kept_clear(&kept);
+  po_passage_clear(&out);
+  po_passage_clear(&back);
   po_adaptive_destroy(panels);
   po_surface_destroy(fixed);
   return status;
@@ -239,6 +282,7 @@ static void clear(po_outcome *outcome) {
   outcome->start = outcome->end = outcome->profile_approach = NAN;
   outcome->diagnostics.residual = outcome->diagnostics.rounding = NAN;
   outcome->diagnostics.energy_defect = outcome->diagnostics.energy_defect_at = NAN;
+  outcome->diagnostics.way_back.excess = NAN;
   outcome->diagnostics.moved = (po_moved){.change = NAN, .predicted = NAN};
 }
 

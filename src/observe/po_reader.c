@@ -243,19 +243,31 @@ void po_reader_end(po_reader *reader) {
   reader->path = NULL;
 }
 
-bool po_reader_visit(const po_branch_point *p, void *data) {
-  po_reader *r = data;
-  po_outcome *o = r->outcome;
-  if (r->request->stop && *r->request->stop) {
+/* Whether to go on: nobody stops it, and there is time. */
+static bool may_go_on(po_reader *r, const po_branch_point *p) {
+  if (r->request->stop && *r->request->stop)
     r->status = po_fail(PO_INTERRUPTED, "interrupted at approach %.6g", p->approach);
-    return true;
-  }
-  if (po_clock_thread() > r->deadline) {
+  else if (po_clock_thread() > r->deadline)
     r->status = po_fail(PO_OUT_OF_TIME,
                         "after %g s of processor time the trace is at approach %.6g, load %.6g",
                         r->request->time_limit, p->approach, p->load);
+  return !r->status;
+}
+
+bool po_reader_visit_back(const po_branch_point *p, void *data) {
+  po_reader *r = data;
+  if (may_go_on(r, p))
+    r->status = po_passage_note(r->back, p, approach_error(r, p), load_error(r, p), true);
+  return r->status != PO_OK;
+}
+
+bool po_reader_visit(const po_branch_point *p, void *data) {
+  po_reader *r = data;
+  po_outcome *o = r->outcome;
+  if (!may_go_on(r, p))
     return true;
-  }
+  if (r->out)
+    r->status = po_passage_note(r->out, p, approach_error(r, p), load_error(r, p), false);
   const double contact_radius = contact_radius_of(r, p);
   follow_loading(r, p, contact_radius);
   if (!r->begun && !(p->approach >= r->begin))

@@ -21,6 +21,7 @@ typedef struct {
   const po_keeper *keeper; /* NULL: none */
   po_balance *balance;     /* of the energy; NULL unless diagnostics are wanted */
   po_kept *kept;           /* states for diagnosis; likewise */
+  po_passage *out, *back;  /* landmarks of the way out and back; likewise */
   double begin;            /* points at a smaller approach are not recorded before it is reached */
   bool begun;
   double pull_off_load;            /* the deepest minimum so far */
@@ -46,6 +47,10 @@ void po_reader_end(po_reader *reader);
  * memory, at trouble, or (without an approach_end) once it was pressed enough, and as far as the
  * preload. */
 bool po_reader_visit(const po_branch_point *point, void *data);
+
+/* The same on the way back: data is the reader. Ends the trace when stopped, past the deadline, or
+ * out of memory. */
+bool po_reader_visit_back(const po_branch_point *point, void *data);
 
 /* Bounds of the errors of a load and of an approach from their estimates and from what an estimate
  * cannot resolve. */

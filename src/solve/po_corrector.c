@@ -11,7 +11,8 @@ enum { MOST_RENEWALS = 2 };
 static const double NEAR = 0.1;
 
 po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive *adaptive) {
-  *c = (po_corrector){.e = e, .adaptive = adaptive, .root = po_adaptive_root(adaptive)};
+  *c = (po_corrector){
+      .e = e, .adaptive = adaptive, .root = po_adaptive_root(adaptive), .direction = 1};
   const size_t capacity = po_adaptive_capacity(adaptive);
   c->border = po_allocate(capacity + 1, sizeof *c->border);
   c->guess = po_allocate(capacity + 1, sizeof *c->guess);
@@ -91,5 +92,5 @@ po_status po_corrector_solve(po_corrector *c, const po_track_point *from, double
   if (status)
     return status;
   po_track_point_finish(out, c->e, c->adaptive);
-  return c->e->orientation > 0 ? PO_OK : PO_NOT_CONVERGED;
+  return c->e->orientation * c->direction > 0 ? PO_OK : PO_NOT_CONVERGED;
 }

@@ -12,6 +12,7 @@ typedef struct {
   po_adaptive *adaptive;
   double root;            /* radius of the panels' root, eps */
   double *border, *guess; /* capacity + 1 */
+  int direction;          /* of the branch: 1 as it comes from far out, -1 back */
   po_status trouble;      /* of a mesh that could not be had: no shorter step helps */
 } po_corrector;
 

@@ -38,9 +38,9 @@ static const double JOIN_MARGIN = 0.85;
 static const double STRAIGHT = 40.0;
 static const double FIRST_STEP = 0.05, SHORTEST_STEP = 1e-9;
 
-typedef struct {
+struct po_tracker {
   po_corrector c;
-  const po_branch_options *options;
+  po_branch_options options;
   po_resolution resolution;
   po_legendre legendre;
   po_track_point previous, current, next, inner, spare, at_event[PO_MOST_EVENTS];
@@ -48,16 +48,19 @@ typedef struct {
   double step;
   double inner_at; /* of the point in inner, solved on the mesh in force; NAN: none */
   bool has_previous, station_met, ended;
+  bool back;
+  int beyond;      /* landmarks of the last step that lie beyond the end */
+  double farthest; /* least gap where the branch began */
   int unstable_modes;
   double deepest; /* minimum of the load so far */
   size_t points;
-} tracker;
+};
 
 static double approach_of(const po_track_point *p) {
   return p->state[p->n];
 }
 
-static bool predict(const tracker *t, const po_track_point *other, double distance,
+static bool predict(const po_tracker *t, const po_track_point *other, double distance,
                     po_prediction *p) {
   return po_prediction_make(t->c.e->scene, t->c.root, &t->current, other, distance, p);
 }
@@ -66,7 +69,7 @@ static bool too_large(void *prediction, po_leaf leaf) {
   return po_prediction_too_large(prediction, leaf, 1.0);
 }
 
-static bool mesh_serves(const tracker *t, const po_prediction *p) {
+static bool mesh_serves(const po_tracker *t, const po_prediction *p) {
   const po_leaves *leaves = po_adaptive_leaves(t->c.adaptive);
   for (size_t k = 0; k < leaves->count; ++k)
     if (po_prediction_too_large(p, leaves->leaf[k], 2.0))
@@ -75,7 +78,7 @@ static bool mesh_serves(const tracker *t, const po_prediction *p) {
 }
 
 /* The mesh that just resolves a point just solved. */
-static po_status want_mesh(tracker *t, po_track_point *p) {
+static po_status want_mesh(po_tracker *t, po_track_point *p) {
   po_track_field solved = {p, t->c.e->scene, t->c.root};
   const po_gap_field field = {po_track_gap, &solved};
   po_resolution margin = t->resolution;
@@ -87,7 +90,7 @@ static po_status want_mesh(tracker *t, po_track_point *p) {
 }
 
 /* Takes the point just solved to the mesh it wants, as a guess. */
-static po_status guess_from_solved(tracker *t, const po_track_point *out) {
+static po_status guess_from_solved(po_tracker *t, const po_track_point *out) {
   po_track_point_copy(out, &t->spare);
   const po_status status = po_corrector_mesh(&t->c, &t->spare.wanted);
   if (!status)
@@ -96,7 +99,7 @@ static po_status guess_from_solved(tracker *t, const po_track_point *out) {
 }
 
 /* Meshes for the prediction, unless the mesh in force serves and may. */
-static po_status mesh_for(tracker *t, po_prediction *p, bool may_keep_mesh) {
+static po_status mesh_for(po_tracker *t, po_prediction *p, bool may_keep_mesh) {
   if (may_keep_mesh && mesh_serves(t, p))
     return PO_OK;
   po_leaves leaves;
@@ -108,7 +111,7 @@ static po_status mesh_for(tracker *t, po_prediction *p, bool may_keep_mesh) {
 
 /* Solves from the guess, and meshes again while the solution is not resolved. Status:
  * PO_NOT_CONVERGED also when no mesh resolves it. */
-static po_status solve_resolved(tracker *t, double distance, bool keep_factors, double precision,
+static po_status solve_resolved(po_tracker *t, double distance, bool keep_factors, double precision,
                                 po_track_point *out) {
   po_status status = PO_OK;
   for (int mesh = 0; mesh < MOST_MESHES_A_POINT && !status; ++mesh) {
@@ -122,7 +125,8 @@ static po_status solve_resolved(tracker *t, double distance, bool keep_factors, 
   return status ? status : PO_NOT_CONVERGED;
 }
 
-static po_branch_point seen_point(const tracker *t, const po_track_point *p, po_point_kind kind) {
+static po_branch_point seen_point(const po_tracker *t, const po_track_point *p,
+                                  po_point_kind kind) {
   return (po_branch_point){.kind = kind,
                            .position = p->position,
                            .approach = approach_of(p),
@@ -139,15 +143,15 @@ static po_branch_point seen_point(const tracker *t, const po_track_point *p, po_
                            .track = p};
 }
 
-static void visit(tracker *t, const po_track_point *p, po_point_kind kind) {
+static void visit(po_tracker *t, const po_track_point *p, po_point_kind kind) {
   const po_branch_point point = seen_point(t, p, kind);
-  if (t->options->visit(&point, t->options->data))
+  if (t->options.visit(&point, t->options.data))
     t->ended = true;
 }
 
 /* Whether errors of a landmark are worth their price: of folds, and of a minimum of the load that
  * may be the pull-off. */
-static bool is_judged(tracker *t, const po_branch_point *point) {
+static bool is_judged(po_tracker *t, const po_branch_point *point) {
   if (point->kind == PO_POINT_APPROACH_MAX || point->kind == PO_POINT_APPROACH_MIN)
     return true;
   if (point->kind != PO_POINT_LOAD_MIN || point->load > t->deepest)
@@ -156,25 +160,27 @@ static bool is_judged(tracker *t, const po_branch_point *point) {
   return true;
 }
 
-/* Visits a landmark with its errors: what a finer mesh changes, and what Newton's iteration left.
- */
-static void visit_landmark(tracker *t, const po_event *ev) {
+/* Visits a landmark with its errors: what a finer mesh changes, what Newton's iteration left, and
+ * how far off its place it may be. */
+static void visit_landmark(po_tracker *t, const po_event *ev) {
   const po_track_point *p = &t->at_event[ev->place];
   po_branch_point point = seen_point(t, p, po_event_point(ev));
   const double cosine = po_gauge_along(t->current.rate, p->rate);
   double change[2];
   if (is_judged(t, &point) &&
       po_refine(&t->c, &t->resolution, p, ev, cosine, &t->spare, change) == PO_OK) {
-    point.approach_error = po_refine_error(&t->c, change[0], point.approach);
-    point.load_error = po_refine_error(&t->c, change[1], point.load);
+    point.approach_error =
+        po_refine_error(&t->c, change[0], point.approach) + LOCATED * fabs(point.approach_rate);
+    point.load_error =
+        po_refine_error(&t->c, change[1], point.load) + LOCATED * fabs(point.load_rate);
   }
   t->c.trouble = PO_OK; /* a mesh too fine for the estimate is no trouble for the trace */
-  if (t->options->visit(&point, t->options->data))
+  if (t->options.visit(&point, t->options.data))
     t->ended = true;
 }
 
 /* The guess on the tangent of the inner point last solved. */
-static void guess_on_tangent(tracker *t, double at) {
+static void guess_on_tangent(po_tracker *t, double at) {
   const double step = (at - t->inner_at) / po_gauge_along(t->current.rate, t->inner.rate);
   for (size_t j = 0; j <= t->inner.n; ++j)
     t->c.guess[j] = t->inner.state[j] + step * t->inner.tangent[j];
@@ -182,7 +188,7 @@ static void guess_on_tangent(tracker *t, double at) {
 
 /* A point between current and next. */
 static po_status solve_inner(void *data, double at, po_sample *sample) {
-  tracker *t = data;
+  po_tracker *t = data;
   const double whole = po_track_progress(&t->current, &t->next);
   po_status status;
   if (fabs(at - t->inner_at) < ON_TANGENT * whole) {
@@ -206,17 +212,17 @@ static po_status solve_inner(void *data, double at, po_sample *sample) {
 }
 
 static void keep_inner(void *data, size_t place) {
-  tracker *t = data;
+  po_tracker *t = data;
   po_track_point_copy(&t->inner, &t->at_event[place]);
 }
 
-static po_status find_events(tracker *t) {
+static po_status find_events(po_tracker *t) {
   t->inner_at = NAN; /* comparisons with it are false */
   const po_interval interval = {.data = t,
                                 .solve = solve_inner,
                                 .keep = keep_inner,
-                                .station = t->station_met ? (double)NAN : t->options->station,
-                                .end = t->options->end,
+                                .station = t->station_met ? (double)NAN : t->options.station,
+                                .end = t->options.end,
                                 .located = LOCATED};
   const po_sample from = po_track_sample(&t->current, &t->current),
                   to = po_track_sample(&t->current, &t->next);
@@ -225,7 +231,7 @@ static po_status find_events(tracker *t) {
 
 /* The step whose prediction has the error aimed at, from that of one taken: it goes as the square
  * of the distance to the point it starts from, times that to the one before when a cubic. */
-static double next_step(const tracker *t, const po_prediction *p, double step, double error) {
+static double next_step(const po_tracker *t, const po_prediction *p, double step, double error) {
   const double ratio = sqrt(AIMED_ERROR / fmax(error, 1e-30));
   if (!p->cubic)
     return step * fmin(ratio, GREATEST_GROWTH);
@@ -237,8 +243,8 @@ static double next_step(const tracker *t, const po_prediction *p, double step, d
 
 /* How many times as long as from current to next a step may be for the curve between to be joined
  * as asked: below 1 it is not. */
-static double joined_for(const tracker *t) {
-  const po_branch_options *o = t->options;
+static double joined_for(const po_tracker *t) {
+  const po_branch_options *o = &t->options;
   const po_branch_point from = seen_point(t, &t->current, PO_POINT_STEP);
   const po_branch_point to = seen_point(t, &t->next, PO_POINT_STEP);
   const double sagitta = po_join_sagitta(&from, &to);
@@ -250,7 +256,7 @@ static double joined_for(const tracker *t) {
 
 /* One attempt at a step: current to next. Returned: the step to take then; status says whether this
  * one is taken. */
-static double try_step(tracker *t, double step, po_status *status) {
+static double try_step(po_tracker *t, double step, po_status *status) {
   po_prediction p;
   *status = PO_NOT_CONVERGED;
   if (!predict(t, t->has_previous ? &t->previous : NULL, step, &p))
@@ -276,7 +282,7 @@ static double try_step(tracker *t, double step, po_status *status) {
   return *status ? 0.5 * step : fmin(step * joined, next_step(t, &p, step, error));
 }
 
-static po_status advance(tracker *t) {
+static po_status advance(po_tracker *t) {
   po_status status = PO_NOT_CONVERGED;
   while (status) {
     if (t->step < SHORTEST_STEP)
@@ -291,12 +297,23 @@ static po_status advance(tracker *t) {
   return PO_OK;
 }
 
-static void visit_step(tracker *t) {
-  for (size_t k = 0; k < t->events.count && !t->ended; ++k) {
+/* Whether an event lies beyond the end of the way out: passed in the step that ended it, and again
+ * at the beginning of the way back. */
+static bool is_beyond(po_tracker *t, const po_event *ev) {
+  const bool beyond = t->back ? t->beyond > 0 : t->ended;
+  if (beyond && ev->of <= PO_OF_LOAD)
+    t->beyond += t->back ? -1 : 1;
+  return beyond;
+}
+
+static void visit_step(po_tracker *t) {
+  for (size_t k = 0; k < t->events.count; ++k) {
     const po_event *ev = &t->events.list[k];
     const po_track_point *p = &t->at_event[ev->place];
     const po_point_kind kind = po_event_point(ev);
     t->unstable_modes += po_change_of_modes(kind, p->load_rate);
+    if (is_beyond(t, ev))
+      continue;
     t->station_met = t->station_met || ev->of == PO_AT_STATION;
     if (ev->of <= PO_OF_LOAD)
       visit_landmark(t, ev);
@@ -308,7 +325,7 @@ static void visit_step(tracker *t) {
     visit(t, &t->next, PO_POINT_STEP);
 }
 
-static void shift(tracker *t) {
+static void shift(po_tracker *t) {
   const po_track_point oldest = t->previous;
   t->previous = t->current;
   t->current = t->next;
@@ -327,9 +344,9 @@ static double undeformed_gap(void *data, double r) {
 }
 
 /* The first equilibrium: Newton at fixed approach from the undeformed gap. */
-static po_status start(tracker *t) {
+static po_status start(po_tracker *t) {
   po_equilibrium *e = t->c.e;
-  undeformed u = {e->scene, fmin(po_branch_start(e), t->options->begin)}; /* begin may be NaN */
+  undeformed u = {e->scene, fmin(po_branch_start(e), t->options.begin)}; /* begin may be NaN */
   const po_gap_field field = {undeformed_gap, &u};
   po_leaves leaves = *po_adaptive_leaves(t->c.adaptive);
   po_status status = po_resolution_leaves(&t->resolution, &field, &leaves);
@@ -362,48 +379,93 @@ static double least_gap(const po_track_point *p) {
   return least;
 }
 
-static po_status trace(tracker *t) {
-  po_status status = start(t);
-  if (status)
-    return status;
+/* On from the current point until the visitor ends it, or the branch is back where it began. */
+static po_status go_on(po_tracker *t) {
+  po_status status = PO_OK;
   visit(t, &t->current, PO_POINT_STEP);
-  const double begin_gap = least_gap(&t->current);
   while (!status && !t->ended) {
     status = advance(t);
-    if (!status && least_gap(&t->next) > begin_gap)
+    const bool returned = !status && least_gap(&t->next) > t->farthest;
+    if (returned && !t->back)
       status = po_fail(PO_NOT_CONVERGED, "the branch led back to where it began, at approach %.6g",
                        approach_of(&t->next));
     if (!status)
       visit_step(t);
-    if (!status && ++t->points > t->options->most_points)
+    if (!status && ++t->points > t->options.most_points)
       status =
           po_fail(PO_TOO_MANY_POINTS, "more than %zu points, the last at approach %.6g, load %.6g",
-                  t->options->most_points, approach_of(&t->next), t->next.load);
+                  t->options.most_points, approach_of(&t->next), t->next.load);
+    t->ended = t->ended || returned;
     shift(t);
   }
   return status;
 }
 
-po_status po_track_trace(po_equilibrium *equilibrium, po_adaptive *adaptive, po_allowance allowed,
-                         const po_branch_options *options) {
-  tracker t = {.options = options, .step = FIRST_STEP};
-  const size_t capacity = po_adaptive_capacity(adaptive);
-  po_track_point *points[5 + PO_MOST_EVENTS] = {&t.previous, &t.current, &t.next, &t.inner,
-                                                &t.spare};
-  for (int k = 0; k < PO_MOST_EVENTS; ++k)
-    points[5 + k] = &t.at_event[k];
-  po_status status = PO_OK;
-  for (int k = 0; k < 5 + PO_MOST_EVENTS; ++k)
-    status = po_track_point_allocate(points[k], capacity) ? PO_NO_MEMORY : status;
-  if (po_corrector_allocate(&t.c, equilibrium, adaptive))
-    status = PO_NO_MEMORY;
+po_status po_track_onwards(po_tracker *t) {
+  const po_status status = start(t);
+  if (status)
+    return status;
+  t->farthest = least_gap(&t->current);
+  return go_on(t);
+}
+
+/* The steps are found anew, and nothing is kept of the way so far but where it began. */
+po_status po_track_back(po_tracker *t, po_branch_visit visit_back, void *data) {
+  po_track_point_turn(&t->current);
+  t->c.direction = -t->c.direction;
+  t->c.e->factorized = false; /* its border leads the other way */
+  t->c.trouble = PO_OK;
+  t->options.visit = visit_back;
+  t->options.data = data;
+  t->options.station = t->options.end = NAN;
+  t->step = FIRST_STEP;
+  t->has_previous = t->ended = false;
+  t->back = true;
+  t->points = 0;
+  return go_on(t);
+}
+
+static size_t points_of(po_tracker *t, po_track_point **points) {
+  po_track_point *const own[] = {&t->previous, &t->current, &t->next, &t->inner, &t->spare};
+  size_t count = 0;
+  for (size_t k = 0; k < sizeof own / sizeof *own; ++k)
+    points[count++] = own[k];
+  for (size_t k = 0; k < PO_MOST_EVENTS; ++k)
+    points[count++] = &t->at_event[k];
+  return count;
+}
+
+enum { MOST_POINTS_KEPT = 5 + PO_MOST_EVENTS };
+
+po_status po_track_create(po_equilibrium *equilibrium, po_adaptive *adaptive, po_allowance allowed,
+                          const po_branch_options *options, po_tracker **tracker) {
+  po_tracker *t = *tracker = po_allocate(1, sizeof *t);
+  if (!t)
+    return PO_NO_MEMORY;
+  t->options = *options;
+  t->step = FIRST_STEP;
+  po_track_point *points[MOST_POINTS_KEPT];
+  const size_t count = points_of(t, points), capacity = po_adaptive_capacity(adaptive);
+  po_status status = po_corrector_allocate(&t->c, equilibrium, adaptive);
+  for (size_t k = 0; k < count && !status; ++k)
+    status = po_track_point_allocate(points[k], capacity);
   const po_panel_rule *rule = &po_panel_table_get()->rule;
-  po_legendre_fill(rule, &t.legendre);
-  t.resolution = (po_resolution){equilibrium, rule, &t.legendre, t.c.root, allowed};
+  po_legendre_fill(rule, &t->legendre);
+  t->resolution = (po_resolution){equilibrium, rule, &t->legendre, t->c.root, allowed};
   if (!status)
-    status = trace(&t);
-  for (int k = 0; k < 5 + PO_MOST_EVENTS; ++k)
-    po_track_point_free(points[k]);
-  po_corrector_free(&t.c);
+    return PO_OK;
+  po_track_destroy(t);
+  *tracker = NULL;
   return status;
+}
+
+void po_track_destroy(po_tracker *t) {
+  if (!t)
+    return;
+  po_track_point *points[MOST_POINTS_KEPT];
+  const size_t count = points_of(t, points);
+  for (size_t k = 0; k < count; ++k)
+    po_track_point_free(points[k]);
+  po_corrector_free(&t->c);
+  free(t);
 }

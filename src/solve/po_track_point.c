@@ -36,6 +36,16 @@ void po_track_point_copy(const po_track_point *from, po_track_point *to) {
   *to = copy;
 }
 
+void po_track_point_turn(po_track_point *p) {
+  for (size_t j = 0; j <= p->n; ++j)
+    p->tangent[j] = -p->tangent[j];
+  for (int i = 0; i < PO_GAUGE_SIZE; ++i)
+    p->rate[i] = -p->rate[i];
+  for (size_t k = 0; k < p->fronts.count; ++k)
+    p->fronts.rate[k] = -p->fronts.rate[k];
+  p->load_rate = -p->load_rate;
+}
+
 double po_track_progress(const po_track_point *from, const po_track_point *to) {
   double change[PO_GAUGE_SIZE];
   for (int i = 0; i < PO_GAUGE_SIZE; ++i)

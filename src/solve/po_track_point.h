@@ -32,6 +32,9 @@ po_status po_track_point_allocate(po_track_point *p, size_t capacity);
 void po_track_point_free(po_track_point *p);
 void po_track_point_copy(const po_track_point *from, po_track_point *to);
 
+/* The same point on the way back: all that is a rate along the branch changes its sign. */
+void po_track_point_turn(po_track_point *p);
+
 /* Fills what follows from state and tangent (known up to its length) on the mesh in force, the
  * state being the one last evaluated. */
 void po_track_point_finish(po_track_point *p, const po_equilibrium *e, const po_adaptive *adaptive);

@@ -1,0 +1,118 @@
+/* The branch followed back from its end meets the folds of the way out, and what tells when it does
+ * not. */
+#include <math.h>
+
+#include "po_outcome.h"
+#include "run.h"
+
+typedef struct {
+  po_scene scene;
+  size_t folds, extrema;
+} expected;
+
+/* Folds of the first: reference/feng_landmarks.csv, of the second: reference/wavy_landmarks.csv. */
+static const expected SCENES[] = {
+    {{5.0, 0.0, 0.0, 100.0, INFINITY}, 4, 3},
+    {{3.0, 1.0, 20.0, 100.0, 100.0}, 6, 5},
+    {{0.385, 0.0, 0.0, 71.0, 60.0}, 0, 1}, /* no fold at all */
+};
+
+START_TEST(the_same_folds_on_the_way_back) {
+  const expected *known = &SCENES[_i];
+  po_request request = po_request_default();
+  request.scene = known->scene;
+  request.mesh.scheme = PO_PANEL;
+  request.mesh.tolerance = 1e-6;
+  po_outcome plain, o;
+  ck_assert_int_eq(po_observe(&request, &plain), PO_OK);
+  request.want = PO_WANT_DIAGNOSTICS;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  const po_way_back *way = &o.diagnostics.way_back;
+  ck_assert(way->made && way->same);
+  ck_assert_int_eq(way->status, PO_OK);
+  ck_assert_uint_eq(o.fold_count, known->folds);
+  ck_assert_uint_eq(way->folds, known->folds);
+  ck_assert_uint_eq(way->extrema, known->extrema);
+  ck_assert_uint_gt(way->points, known->folds + known->extrema + 10);
+  ck_assert_double_le(way->excess, 1.0);
+  ck_assert_double_lt(way->fold_approach, 1e-7);
+  ck_assert_double_lt(way->fold_load, 1e-5);
+  ck_assert_double_lt(way->extremum_approach, 1e-5);
+  ck_assert_double_lt(way->extremum_load, 1e-8);
+  if (known->folds > 0) /* others steps and meshes: no copy of the way out */
+    ck_assert_double_gt(way->fold_approach, 0.0);
+  /* the scene's own numbers and counters know nothing of it */
+  ck_assert_double_eq(o.pull_off.force, plain.pull_off.force);
+  ck_assert_uint_eq(o.work.factorizations, plain.work.factorizations);
+  ck_assert_uint_eq(o.work.points, plain.work.points);
+  po_outcome_clear(&plain);
+  po_outcome_clear(&o);
+}
+END_TEST
+
+/* A branch out and back as it might be told: fold, minimum, fold. */
+static const po_branch_point OUT[] = {
+    {.kind = PO_POINT_STEP},
+    {.kind = PO_POINT_APPROACH_MAX, .approach = -2.385, .load = -0.31, .unstable_modes = 1},
+    {.kind = PO_POINT_LOAD_MIN, .approach = -2.5, .load = -1.4, .unstable_modes = 1},
+    {.kind = PO_POINT_APPROACH_MIN, .approach = -2.61, .load = -0.9, .unstable_modes = 0},
+    {.kind = PO_POINT_STEP},
+};
+enum { COUNT = sizeof OUT / sizeof *OUT };
+
+/* What a way back of these points, changed by some fault, is judged as; the trace ended with
+ * status.
+ */
+static po_way_back judge(size_t missing, po_point_kind last, double off, int modes,
+                         po_status status) {
+  po_passage out = {0}, back = {0};
+  for (size_t k = 0; k < COUNT; ++k)
+    ck_assert_int_eq(po_passage_note(&out, &OUT[k], 2e-7, 3e-6, false), PO_OK);
+  for (size_t k = COUNT; k-- > 0;) {
+    po_branch_point p = OUT[k];
+    p.unstable_modes = k > 0 ? OUT[k - 1].unstable_modes : modes;
+    if (k == 1) {
+      p.kind = last;
+      p.approach += off;
+      p.unstable_modes = modes;
+    }
+    if (k != missing)
+      ck_assert_int_eq(po_passage_note(&back, &p, 1e-7, 3e-6, true), PO_OK);
+  }
+  const po_way_back way = po_way_back_compare(&out, &back, status);
+  po_passage_clear(&out);
+  po_passage_clear(&back);
+  return way;
+}
+
+START_TEST(differences_are_in_parts_of_the_errors) {
+  const po_way_back way = judge(COUNT, PO_POINT_APPROACH_MAX, 4.5e-7, 0, PO_OK);
+  ck_assert(way.same);
+  ck_assert_uint_eq(way.folds, 2);
+  ck_assert_uint_eq(way.extrema, 1);
+  ck_assert_double_eq_tol(way.fold_approach, 4.5e-7, 1e-15);
+  ck_assert_double_eq(way.fold_load, 0.0);
+  ck_assert_double_eq_tol(way.excess, 1.5, 1e-8);
+}
+END_TEST
+
+START_TEST(other_landmarks_are_told) {
+  const po_way_back missing = judge(1, PO_POINT_APPROACH_MAX, 0.0, 0, PO_OK);
+  ck_assert(!missing.same && isnan(missing.excess));
+  ck_assert_uint_eq(missing.folds, 1);
+  ck_assert(!judge(2, PO_POINT_APPROACH_MAX, 0.0, 0, PO_OK).same);
+  ck_assert(!judge(COUNT, PO_POINT_APPROACH_MIN, 0.0, 0, PO_OK).same);
+  ck_assert(!judge(COUNT, PO_POINT_APPROACH_MAX, 0.0, 1, PO_OK).same);
+  ck_assert(!judge(COUNT, PO_POINT_APPROACH_MAX, 0.0, 0, PO_STEP_TOO_SMALL).same);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_loop_test(tests, the_same_folds_on_the_way_back, 0, sizeof SCENES / sizeof *SCENES);
+  tcase_add_test(tests, differences_are_in_parts_of_the_errors);
+  tcase_add_test(tests, other_landmarks_are_told);
+}
+
+int main(void) {
+  return run_case("way_back", add);
+}
