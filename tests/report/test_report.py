@@ -115,7 +115,8 @@ class Whole(PageTest):
         self.has(self.text, f"× {2e-7 * 501 ** 2.3 / 0.016:.3g}")
 
     def test_extreme_scenes_have_their_rows_and_rates(self):
-        self.has(self.text, "6 of 6 scenes", "Bradley, 2, as μ → 0", "1.500", "−1.600", "13.7")
+        self.has(self.text, "6 of 6 scenes", "Bradley, 2, as μ → 0", "1.500", "−1.600", "13.7",
+                 "2, 0.037", "≠ 2")
 
     def test_it_refers_to_nothing_outside(self):
         for target in re.findall(r"""(?:src|href|action)\s*=\s*["']([^"']*)""", self.html):
