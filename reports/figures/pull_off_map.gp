@@ -30,9 +30,11 @@ do for [k = -3:2] {
 set tics front
 set object 1 rectangle from graph 0, graph 0 to graph 1, graph 1 fillcolor rgb colours[1] fillstyle solid noborder behind
 set arrow 1 from graph 0, first mark to graph 1, first mark nohead dashtype 2 linewidth 1.6 linecolor rgb 'white' front
-set style textbox opaque fillcolor rgb '#ffffff' noborder margins 0.35,0.2
+# a rectangle under each label: a boxed one is a filter, which PDF has not
 do for [k = 1:label_count] {
-  set label k label_text[k] at label_x[k], label_y[k] center boxed front font ',9'
+  set object 100 + k rectangle center label_x[k], label_y[k] size character 0.75 * strlen(label_text[k]) + 0.7, \
+    character 0.8 fillcolor rgb 'white' fillstyle solid noborder front
+  set label k label_text[k] at label_x[k], label_y[k] center front font ',9'
 }
 set key off
 plot for [k = 1:level_count] 'regions.dat' index k - 1 using 1:2 with filledcurves closed \
@@ -40,7 +42,7 @@ plot for [k = 1:level_count] 'regions.dat' index k - 1 using 1:2 with filledcurv
      'lines.dat' using 1:2 with lines linewidth 0.8 linecolor rgb black notitle
 unset object 1
 unset arrow 1
-do for [k = 1:label_count] { unset label k }
+do for [k = 1:label_count] { unset label k; unset object 100 + k }
 
 # the sides
 set label 1 at graph 0.5, graph 1.035 center font ',10'

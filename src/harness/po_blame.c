@@ -161,6 +161,12 @@ static bool blame_plainly(const po_result *item, po_blame *blame) {
     say(blame, "solve", "more failed than may, or without a reason; each is told below");
     return true;
   }
+  if (item->verdict == PO_OUTSIDE && po_check_is_traced(item->check)) {
+    say(blame, "program",
+        "the trace of the same scene finds another pull-off: following went astray, or the trace "
+        "missed a minimum; whichever pulls harder is nearer the truth");
+    return true;
+  }
   switch (item->verdict) {
   case PO_WITHIN:
     say(blame, "none", "%s", "");
@@ -175,6 +181,8 @@ static bool blame_plainly(const po_result *item, po_blame *blame) {
   case PO_MISSING_REFERENCE:
     say(blame, pin ? "pin" : "reference",
         pin ? "it was not blessed yet"
+        : po_check_is_traced(item->check)
+            ? "the trace of the scene failed"
             : "it does not speak of this scene: add it there, or leave "
               "the scene out by a `when`");
     return true;

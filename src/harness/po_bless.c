@@ -107,8 +107,8 @@ static void add_oracles(const po_plan *plan, po_text *text) {
   size_t number = 0;
   for (unsigned c = 0; c < file->checks_count; ++c) {
     const po_reference *reference = &plan->references[c];
-    const bool table =
-        !reference->is_bradley && !reference->is_every_scene && !reference->is_absent;
+    const bool table = !reference->is_bradley && !reference->is_every_scene &&
+                       !reference->is_traced && !reference->is_zero && !reference->is_absent;
     bool again = !table || reference->ledger != PO_LEDGER_ORACLE;
     for (unsigned k = 0; k < c; ++k)
       again = again || strcmp(file->checks[k].reference, file->checks[c].reference) == 0;

@@ -81,6 +81,10 @@ bool po_check_is_pin(const po_check *check) {
   return strcmp(check->reference, "pin") == 0;
 }
 
+bool po_check_is_traced(const po_check *check) {
+  return strcmp(check->reference, PO_TRACED) == 0;
+}
+
 const char *po_case_argument(const po_case *kase) {
   return strncmp(kase->shown, "cases/", 6) == 0 ? kase->file->name : kase->shown;
 }

@@ -83,6 +83,12 @@ typedef struct {
   size_t count;
 } po_sample_words;
 
+/* Of scenes that are followed, so many are traced as well, drawn at random. */
+typedef struct {
+  char *seed_text;
+  char *count_text;
+} po_traced_words;
+
 /* A check, or a measurement (no tolerance, no verdict), as written in the file; parsed values
  * beside it. */
 typedef struct {
@@ -109,6 +115,7 @@ typedef struct {
   char id[24]; /* "0", "1"...: in the order of the sample, then of the sweep */
   char *label; /* "tabor=1 nodes=501", or "scene" without either */
   po_request request;
+  bool traced; /* by itself, too, beside what following finds */
 } po_point;
 
 /* The scene in SI units as written; NULL: not given. */
@@ -164,6 +171,7 @@ typedef struct {
   po_sample_words *sample; /* NULL: none */
   char *follow;       /* the key along which minima are followed; NULL: every scene is traced */
   char *anchors_text; /* of a line of scenes, one in so many is traced; NULL: as po_line.h says */
+  po_traced_words *traced; /* NULL: none of them is traced as well */
   char *repeats_text;
   char **want_names;
   unsigned want_names_count;
@@ -223,6 +231,10 @@ const char *po_case_argument(const po_case *kase);
 
 /* The reference of what an exact solution has none of: residuals and the like. */
 #define PO_ZERO "zero"
+
+/* The reference of a pull-off that was followed: what the trace of the same scene finds. */
+#define PO_TRACED "traced"
+bool po_check_is_traced(const po_check *check);
 
 /* Whether a quantity is of the diagnostics, and so only set beside zero. */
 bool po_quantity_is_diagnostic(po_quantity quantity);

@@ -139,7 +139,8 @@ static po_status parse_measure(po_check *measure, unsigned number, const po_yaml
   const int quantity = quantity_of(measure->quantity_text);
   if (quantity == PO_QUANTITY_COUNT || quantity == PO_WORK || quantity == PO_SOLVED_SHARE)
     return po_schema_refuse(yaml, NULL, "measure[%u].quantity", number);
-  if (po_check_is_pin(measure) || strcmp(measure->reference, PO_EVERY_SCENE) == 0)
+  if (po_check_is_pin(measure) || po_check_is_traced(measure) ||
+      strcmp(measure->reference, PO_EVERY_SCENE) == 0)
     return po_schema_refuse(yaml, NULL, "measure[%u].reference", number);
   measure->quantity = (po_quantity)quantity;
   measure->tolerance = (double)INFINITY;
@@ -163,8 +164,9 @@ static po_status check_as_if(const po_check *check, unsigned number, const po_ya
     if (check->as_if[i].values_count > 1)
       return po_schema_refuse(yaml, "one value", "%s.values", where);
   }
-  if (check->as_if_count && po_check_is_pin(check))
-    return po_schema_refuse(yaml, "a reference other than pin, as as_if asks of another scene",
+  if (check->as_if_count && (po_check_is_pin(check) || po_check_is_traced(check)))
+    return po_schema_refuse(yaml,
+                            "a reference other than pin and traced, as as_if asks of another scene",
                             "checks[%u].reference", number);
   return PO_OK;
 }
@@ -172,7 +174,8 @@ static po_status check_as_if(const po_check *check, unsigned number, const po_ya
 /* What is no file cannot be absent. */
 static bool is_file(const char *reference) {
   return strcmp(reference, "bradley") != 0 && strcmp(reference, "pin") != 0 &&
-         strcmp(reference, PO_ZERO) != 0 && strcmp(reference, PO_EVERY_SCENE) != 0;
+         strcmp(reference, PO_ZERO) != 0 && strcmp(reference, PO_EVERY_SCENE) != 0 &&
+         strcmp(reference, PO_TRACED) != 0;
 }
 
 /* What stands in must itself be compared, or the check would be left out for nothing. */
@@ -194,7 +197,8 @@ static po_status check_stand_ins(const po_case *kase, const po_yaml *yaml) {
 
 static bool concerns_none(const po_case *kase, const po_check *check) {
   for (size_t k = 0; k < kase->point_count; ++k)
-    if (po_check_concerns(check, &kase->points[k].request))
+    if (po_check_concerns(check, &kase->points[k].request) &&
+        (kase->points[k].traced || !po_check_is_traced(check)))
       return false;
   return true;
 }
@@ -257,9 +261,13 @@ po_status po_case_parse(po_case *kase, const po_yaml *yaml) {
   if (!status)
     status = po_case_follow_parse(kase, yaml);
   if (!status)
+    status = po_case_traced_parse(kase, yaml);
+  if (!status)
     status = check_stand_ins(kase, yaml);
   if (!status)
     status = po_case_expand(kase, yaml);
+  if (!status)
+    status = po_case_traced_draw(kase, yaml);
   if (!status)
     status = check_concerned(kase, yaml);
   return status ? status : check_pinned(kase, yaml);

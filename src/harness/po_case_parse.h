@@ -31,6 +31,11 @@ po_status po_axis_fill(po_axis *axis, const char *where, const po_yaml *yaml);
  * Status: as above. */
 po_status po_case_follow_parse(po_case *kase, const po_yaml *yaml);
 
+/* Reads `traced`, and whether it and the checks against it go together; when there are points,
+ * draws those that are traced. Status: as above. */
+po_status po_case_traced_parse(const po_case *kase, const po_yaml *yaml);
+po_status po_case_traced_draw(po_case *kase, const po_yaml *yaml);
+
 /* Checks the section `sweep`, if there is one, and fills it. Status: as above. */
 po_status po_case_sweep_check(const po_case *kase, const po_yaml *yaml);
 

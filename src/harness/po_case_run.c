@@ -7,11 +7,13 @@ po_status po_case_run_create(po_plan *plan, po_case_run *run) {
   const size_t points = plan->kase->point_count;
   *run = (po_case_run){.plan = plan, .pending = points};
   run->outcomes = po_allocate(points, sizeof *run->outcomes);
+  run->traces = po_allocate(points, sizeof *run->traces);
   run->seconds = po_allocate(points * plan->kase->repeats, sizeof *run->seconds);
   run->processor_seconds = po_allocate(points * plan->kase->repeats, sizeof *run->seconds);
   run->done = po_allocate(points, sizeof *run->done);
   run->asked = po_allocate(points, sizeof *run->asked);
-  if (!run->outcomes || !run->seconds || !run->processor_seconds || !run->done || !run->asked)
+  if (!run->outcomes || !run->traces || !run->seconds || !run->processor_seconds || !run->done ||
+      !run->asked)
     return PO_NO_MEMORY;
   po_case_run_ask(run, 0, points);
   return PO_OK;
@@ -20,7 +22,10 @@ po_status po_case_run_create(po_plan *plan, po_case_run *run) {
 void po_case_run_clear(po_case_run *run) {
   for (size_t i = 0; run->outcomes && i < run->plan->kase->point_count; ++i)
     po_outcome_clear(&run->outcomes[i]);
+  for (size_t i = 0; run->traces && i < run->plan->kase->point_count; ++i)
+    po_outcome_clear(&run->traces[i]);
   free(run->outcomes);
+  free(run->traces);
   free(run->seconds);
   free(run->processor_seconds);
   free(run->done);

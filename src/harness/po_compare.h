@@ -18,6 +18,12 @@ po_status po_compare_share(const po_case *kase, const bool *asked, const po_chec
                            const po_reference *reference, const po_outcome *outcomes,
                            po_results *results);
 
+/* The pull-off of each point asked for that is traced as well (one outcome a point), beside that
+ * trace: a result for each. Status: PO_NO_MEMORY. */
+po_status po_compare_traced(const po_case *kase, const bool *asked, const po_check *check,
+                            const po_reference *reference, const po_outcome *outcomes,
+                            const po_outcome *traces, po_results *results);
+
 /* Refuses a tolerance tighter than the uncertainty of what it is compared with: such a check could
  * fail, or pass, by the fault of the reference. Status: PO_BAD_INPUT with the line of the
  * tolerance. */

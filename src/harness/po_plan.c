@@ -76,6 +76,8 @@ static po_status make_keys(po_plan *plan) {
   po_text_add(&text, "%s|%u|%u|", plan->program, plan->want, kase->repeats);
   if (kase->line > 1)
     po_text_add(&text, "%s|%zu|%zu|", kase->file->follow, kase->line, kase->anchors);
+  if (kase->file->traced)
+    po_text_add(&text, "%s|%s|", kase->file->traced->seed_text, kase->file->traced->count_text);
   for (size_t i = 0; i < kase->point_count; ++i) {
     char *command = po_input_command(&kase->points[i].request);
     po_text_add(&text, "%s|", command ? command : "");

@@ -75,6 +75,11 @@ static po_status tell_scenes(po_plan *plan, const census *n) {
                  "scenes, and where two traces do not agree with what was followed between them",
                  plan->kase->file->follow, n->points / plan->kase->line, plan->kase->line,
                  plan->kase->anchors);
+  if (!status && plan->kase->file->traced)
+    status = say(plan,
+                 "trace %s of the scenes between, too, drawn with seed %s, beside what following "
+                 "finds there",
+                 plan->kase->file->traced->count_text, plan->kase->file->traced->seed_text);
   if (!status && n->rigid)
     status = say(plan,
                  "no influence matrix for %zu rigid %s: elasticity would change the load by less "

@@ -111,6 +111,8 @@ json_t *po_record_point(const po_case_run *run, size_t index) {
   json_object_set_new(object, "seconds_all", times(run, run->seconds, index));
   json_object_set_new(object, "processor_seconds_all", times(run, run->processor_seconds, index));
   json_object_set_new(object, "command", text_or_null(command));
+  if (point->traced)
+    json_object_set_new(object, "traced", po_json_outcome(&point->request, &run->traces[index]));
   if (kase->is_physical)
     json_object_set_new(object, "physical",
                         json_pack("{s:o, s:o}", "units", po_json_units(&kase->units), "pull_off",

@@ -42,6 +42,10 @@ po_status po_record_read_point(po_case_run *run, size_t index, const json_t *poi
       json_array_size(seconds) != repeats || json_array_size(processor) != repeats)
     return PO_NOT_FOUND;
   po_status status = po_json_read_outcome(point, outcome);
+  if (!status && run->plan->kase->points[index].traced) {
+    po_outcome_clear(&run->traces[index]);
+    status = po_json_read_outcome(json_object_get(point, "traced"), &run->traces[index]);
+  }
   for (unsigned i = 0; i < repeats; ++i) {
     const size_t place = index * repeats + i;
     run->seconds[place] = number_or_nan(json_array_get(seconds, i));

@@ -70,7 +70,9 @@ po_status po_reference_open(const char *data_folder, const char *name, po_refere
   reference->is_bradley = strcmp(name, "bradley") == 0;
   reference->is_every_scene = strcmp(name, PO_EVERY_SCENE) == 0;
   reference->is_zero = strcmp(name, PO_ZERO) == 0;
-  if (reference->is_bradley || reference->is_every_scene || reference->is_zero) {
+  reference->is_traced = strcmp(name, PO_TRACED) == 0;
+  if (reference->is_bradley || reference->is_every_scene || reference->is_zero ||
+      reference->is_traced) {
     po_digest_bytes(name, strlen(name), reference->digest);
     return PO_OK;
   }

@@ -1,13 +1,13 @@
 /* Reference data: numbers from elsewhere that ours are set beside.
  *
  * A reference is a table (reference/NAME.csv), the closed form named "bradley", our own blessed
- * values ("pin"), "every_scene", the share 1 of the scenes that have equilibria to be found, or
- * "zero", of diagnostics. In a table a column with the name of a scene key (tabor, ...) says which
- * scene a row is for, a header with such a name says it for all rows, and the other columns are
- * named as in the records: of the pull-off force and approach (force_uncertainty,
- * approach_uncertainty), of a landmark kind, approach and load (approach_uncertainty,
- * load_uncertainty), of a point of the curve approach and load (uncertainty). Rows for one scene
- * follow the branch. */
+ * values ("pin"), "every_scene", the share 1 of the scenes that have equilibria to be found,
+ * "zero", of diagnostics, or "traced", of what is followed. In a table a column with the name of a
+ * scene key (tabor, ...) says which scene a row is for, a header with such a name says it for all
+ * rows, and the other columns are named as in the records: of the pull-off force and approach
+ * (force_uncertainty, approach_uncertainty), of a landmark kind, approach and load
+ * (approach_uncertainty, load_uncertainty), of a point of the curve approach and load
+ * (uncertainty). Rows for one scene follow the branch. */
 #ifndef PO_REFERENCE_H
 #define PO_REFERENCE_H
 
@@ -24,6 +24,7 @@ typedef struct {
   bool is_bradley; /* the closed form; else the table */
   bool is_every_scene;
   bool is_zero;
+  bool is_traced;  /* the trace of the same scene, which is no part of the reference */
   bool is_absent;  /* there is no such file, and the check says what stands in for it */
   bool is_pin;     /* the table is that of our own blessed values, see po_pins.h */
   bool is_missing; /* there are no pins yet */

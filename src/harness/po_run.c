@@ -54,6 +54,11 @@ static po_status compare_all(po_case_run *run) {
                                 &run->results);
       continue;
     }
+    if (po_check_is_traced(check)) {
+      status = po_compare_traced(kase, run->asked, check, &run->plan->references[c], run->outcomes,
+                                 run->traces, &run->results);
+      continue;
+    }
     for (size_t i = 0; !status && i < kase->point_count; ++i)
       if (run->asked[i])
         status =

@@ -11,6 +11,7 @@
 typedef struct {
   po_plan *plan;
   po_outcome *outcomes;      /* one a point */
+  po_outcome *traces;        /* one a point: of those that are followed, and traced as well */
   double *seconds;           /* points x repeats, row after row: how long each solve took */
   double *processor_seconds; /* the same by the clock of the processor */
   bool *asked;               /* one a point: it is asked for; at first all are */

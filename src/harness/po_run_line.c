@@ -1,9 +1,19 @@
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "po_line.h"
 #include "po_memory.h"
 #include "po_run.h"
+
+/* A trace that fails is no failure of the line. */
+static po_status trace_again(const po_request *request, po_outcome *trace) {
+  po_outcome_clear(trace);
+  const po_status status = po_observe(request, trace);
+  if (status && !trace->reason[0])
+    snprintf(trace->reason, sizeof trace->reason, "%.250s", po_message());
+  return status == PO_NO_MEMORY || status == PO_INTERRUPTED ? status : PO_OK;
+}
 
 po_status po_run_line(po_case_run *run, size_t first, const volatile sig_atomic_t *stop) {
   const po_case *kase = run->plan->kase;
@@ -15,8 +25,10 @@ po_status po_run_line(po_case_run *run, size_t first, const volatile sig_atomic_
     requests[k].stop = stop;
     po_outcome_clear(&run->outcomes[first + k]);
   }
-  const po_status status =
-      po_line_observe(requests, kase->line, kase->anchors, &run->outcomes[first]);
+  po_status status = po_line_observe(requests, kase->line, kase->anchors, &run->outcomes[first]);
+  for (size_t k = 0; k < kase->line && !status; ++k)
+    if (kase->points[first + k].traced)
+      status = trace_again(&requests[k], &run->traces[first + k]);
   for (size_t k = 0; k < kase->line; ++k) {
     run->seconds[first + k] = run->outcomes[first + k].work.seconds;
     run->processor_seconds[first + k] = NAN; /* a line is not timed */

@@ -70,6 +70,12 @@ static const cyaml_schema_field_t SAMPLE_FIELDS[] = {
     CYAML_FIELD_END,
 };
 
+static const cyaml_schema_field_t TRACED_FIELDS[] = {
+    TEXT("seed", po_traced_words, seed_text),
+    TEXT("count", po_traced_words, count_text),
+    CYAML_FIELD_END,
+};
+
 static const cyaml_schema_field_t CHECK_FIELDS[] = {
     TEXT("quantity", po_check, quantity_text),
     TEXT("reference", po_check, reference),
@@ -163,6 +169,8 @@ static const cyaml_schema_field_t CASE_FIELDS[] = {
                             sample, SAMPLE_FIELDS),
     OPTIONAL_TEXT("follow", po_case_file, follow),
     OPTIONAL_TEXT("anchor_every", po_case_file, anchors_text),
+    CYAML_FIELD_MAPPING_PTR("traced", CYAML_FLAG_POINTER | CYAML_FLAG_OPTIONAL, po_case_file,
+                            traced, TRACED_FIELDS),
     OPTIONAL_TEXT("repeats", po_case_file, repeats_text),
     LIST("want", 0, po_case_file, want_names, &WORD),
     LIST("checks", CYAML_FLAG_OPTIONAL, po_case_file, checks, &CHECK),
@@ -215,13 +223,16 @@ static const struct {
     {"sample.keys.times", "root_radius or a key given before: by scene, sweep or an earlier item"},
     {"follow", "the last key of the sweep, with a number for a value"},
     {"anchor_every", "a whole number from 1 to 1000, beside follow"},
+    {"traced", "a mapping of seed and count, beside follow"},
+    {"traced.seed", "a whole number of at most 15 digits"},
+    {"traced.count", "a whole number from 1 up to all scenes between two anchors"},
     {"repeats", "a whole number from 1 to 1000"},
     {"want", "a list of pull_off, folds, extrema, curve, profile, hysteresis, diagnostics"},
     {"checks", "a list of checks"},
     {"checks.quantity", "pull_off_force, pull_off_approach, residual, moved_force, "
                         "energy_defect, way_back, fold_count, "
                         "folds, extrema, curve, work or solved_share"},
-    {"checks.reference", "bradley, pin, every_scene, zero or the path of a CSV file"},
+    {"checks.reference", "bradley, pin, every_scene, zero, traced or the path of a CSV file"},
     {"checks.tolerance", "a finite number > 0"},
     {"checks.kind", "abs, rel or ulp"},
     {"checks.because", "the reason for the tolerance"},

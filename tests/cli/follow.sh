@@ -83,4 +83,61 @@ expect 0 'good: 3 of 12 points, 1 checks: within' run good --output parts --poin
 expect 0 'good: 12 points, 1 checks: within (3 points kept)' run good --output parts --jobs 1
 check 'the record is the same' test "$(numbers parts/good/record.json)" = "$(numbers whole/good/record.json)"
 expect 0 'good: 12 points, 1 checks: within (kept)' run good --output parts
+# Some of them are traced as well; the two must agree.
+write_case 'follow: tabor
+traced: {seed: 7, count: 3}
+want: [pull_off]'
+expect 2 '*traced is*: expected a check against traced' plan good
+against='  - {quantity: QUANTITY, reference: traced, tolerance: 1e-5, kind: rel, because: each is solved for 1e-4}'
+write_traced() { # traced, quantity
+  write_case "follow: tabor
+anchor_every: 4
+$1
+want: [pull_off]"
+  echo "$against" | sed "s/QUANTITY/$2/" >>"$file"
+}
+write_traced '' pull_off_force
+expect 2 '*checks?2?.reference is traced: expected traced of a pull-off alone, beside*' plan good
+write_traced 'traced: {seed: 7, count: 3}' solved_share
+expect 2 '*checks?2?.reference is traced: expected every_scene*' plan good
+write_traced 'traced: {seed: 7, count: 7}' pull_off_force
+expect 2 '*traced.count is 7: expected a whole number from 1 up to all scenes between two anchors' plan good
+write_traced 'traced: {seed: -1, count: 3}' pull_off_force
+expect 2 '*traced.seed is -1: expected a whole number*' plan good
+write_traced 'traced: {seed: 7, count: 3}' pull_off_force
+expect 0 '' plan good
+check 'the plan tells what is traced' grep -q 'trace 3 of the scenes between, too, drawn with seed 7' "$work/stdout"
+expect 0 'good: 12 points, 4 checks: within' run good --output traced --jobs 2
+record=traced/good/record.json
+check 'three scenes that are followed have a trace' test \
+  "$(field $record '[p["followed"] for p in d["points"] if "traced" in p] == 3 * [True]')" = True
+check 'the trace is one' test "$(field $record '[p["traced"]["folds"] is None for p in d["points"] if "traced" in p]')" = \
+  '[False, False, False]'
+check 'what is followed is what it is without' test "$(numbers $record)" = "$(numbers whole/good/record.json)"
+drawn=$(field $record '[p["id"] for p in d["points"] if "traced" in p][1]')
+expect 0 "good: 1 of 12 points, 2 checks: within" run good --output one --points "$drawn"
+expect 0 'good: 12 points, 4 checks: within (1 points kept)' run good --output one --jobs 1
+traces() { field "$1" '[(p["id"], p["traced"]["pull_off"]) for p in d["points"] if "traced" in p]'; }
+check 'the traces are the same, point by point' test "$(traces one/good/record.json)" = "$(traces $record)"
+
+# What was followed and what was traced must not differ, and a trace that is not there is no agreement.
+alter() { # STATEMENT on the point p
+  "$python" -c '
+import json, sys
+path, drawn, statement = sys.argv[1:]
+d = json.load(open(path))
+p = next(p for p in d["points"] if p["id"] == drawn)
+exec(statement)
+d["key"] = ""
+json.dump(d, open(path, "w"))' "$record" "$drawn" "$1"
+}
+alter 'p["traced"]["pull_off"]["force"] *= 1 + 2e-5'
+expect 1 '*' verify good --output traced
+check 'a trace that finds another force is outside' grep -q '^good  *pull_off_force .* oracle  *outside' "$work/stdout"
+expect 1 '*' explain good --output traced
+check 'the fault is told' grep -q 'the trace of the same scene finds another pull-off' "$work/stdout"
+alter 'p["traced"].update(status="not_converged", reason="it is made so", pull_off=None)'
+expect 1 '*' verify good --output traced
+check 'a trace that failed is no agreement' grep -q 'missing_reference: the trace failed: it is made so' "$work/stdout"
+
 finish

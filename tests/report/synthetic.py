@@ -346,6 +346,24 @@ def make_extreme(run):
     save(run, record("extreme_tabor", "From rigid to JKR", None, points, checks, ["extreme"]))
 
 
+def make_map(run, outside=False):
+    """A map of five by six scenes, two of which are traced beside being followed."""
+    ratios, tabors = (0.001, 0.01, 0.05, 0.2, 1), (0.1, 0.3, 0.7, 1.4, 2.6, 5)
+    points, checks = [], []
+    for place, (ratio, tabor) in enumerate((r, t) for r in ratios for t in tabors):
+        found = point(place, {"amplitude_ratio": ratio, "tabor": tabor}, (2 - 1.2 * ratio + 0.3 * tabor, -0.7))
+        found["pull_off"]["error_estimate"] = 1e-6
+        found.update(folds=None, followed=place % 6 not in (0, 5))
+        found["input"].update(wavelength=20, outer_radius=100)
+        points.append(found)
+    for place, error in ((8, 3e-8), (22, 4e-3 if outside else -2e-9)):
+        force = points[place]["pull_off"]["force"]
+        made = check(points[place], "pull_off_force", force, force - error, 1e-6, "traced", "it is made so")
+        checks.append(dict(made, reference="traced"))
+    made = record("fig14", "Map of the pull-off force", "14", points, checks, ["paper"])
+    save(run, made)
+
+
 def make_run(folder, **how):
     """All four cases; how: outside=True, failed=True."""
     make_fig03(folder)

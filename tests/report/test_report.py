@@ -168,6 +168,15 @@ class Parts(PageTest):
                  "(c) Number of folds of the branch; by the paper’s discretisation 12 at μ = 5 instead of 1")
         self.has(html, "as in the paper</text>")
 
+    def test_what_was_followed_stands_beside_what_was_traced(self):
+        with made_up(synthetic.make_map) as folder:
+            text = plain(page_of(folder))
+        self.has(text, "Figure 14: scenes drawn at random, followed and traced",
+                 "0.7 0.01000 2.19800000 2.19799997 3.0 × 10−8 0.03 ✓ within")
+        with made_up(lambda run: synthetic.make_map(run, outside=True)) as folder:
+            self.has(plain(page_of(folder)), "2.6 0.20000 2.54000000 2.53600000 4.0 × 10−3 4e+03 ✗ outside",
+                     "1 of 2 checks outside the tolerance")
+
     def test_missing_references_leave_sentences(self):
         with made_up(synthetic.make_fig03) as folder:
             for name in ("feng_curves.csv", "bradley.csv"):

@@ -20,6 +20,7 @@ class Figure:
     caption: Markup
     remarks: list = dataclasses.field(default_factory=list)
     command: str = ""
+    followed: list = dataclasses.field(default_factory=list)  # checks of what was followed by traces, with their points
 
 
 def checks_of(case, point, quantity):

@@ -18,7 +18,8 @@ LEVELS = (0.05, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0, 
 LABELLED = (0.1, 0.2, 0.5, 1.0, 1.5, 2.0, 3.0, 5.0, 7.0)
 SHORTEST = 0.12  # of a line that is labelled, in parts of the width
 APART = 0.13     # of labels, likewise, and from the frame half of it
-MARKED = 0.1    # A/λ from which the paper finds that JKR fails
+CLEAR = 0.03     # of the middle of a label from the dashed line
+MARKED = 0.1     # A/λ from which the paper finds that JKR fails
 GREATEST = 8.0   # force shown at the sides
 
 
@@ -42,12 +43,13 @@ def rings(generator, level):
         yield path
 
 
-def label_place(line, taken):
-    """The straightest place of a line that is away from the frame and from other labels."""
+def label_place(line, taken, mark):
+    """The straightest place of a line that is away from the frame, from the dashed line at height mark and
+    from other labels."""
     best, place = 0.0, None
     for k in range(3, len(line) - 3):
         x, y = line[k]
-        if min(x, y, 1 - x, 1 - y) < APART / 2 or any(math.hypot(x - a, y - b) < APART for a, b in taken):
+        if min(x, y, 1 - x, 1 - y) < APART / 2 or abs(y - mark) < CLEAR or any(math.hypot(x - a, y - b) < APART for a, b in taken):
             continue
         (ax, ay), (bx, by) = line[k - 3], line[k + 3]
         length = sum(math.dist(line[m], line[m + 1]) for m in range(k - 3, k + 3))
@@ -57,7 +59,7 @@ def label_place(line, taken):
     return place
 
 
-def contours(tabors, ratios, force):
+def contours(tabors, ratios, force, mark):
     """Filled regions, one block a level, and the lines with the places of their labels."""
     x = numpy.linspace(0, 1, len(tabors))
     y = numpy.linspace(0, 1, len(ratios))
@@ -71,7 +73,7 @@ def contours(tabors, ratios, force):
             line = line.tolist()
             length = sum(math.dist(a, b) for a, b in zip(line, line[1:]))
             lines += line + [(math.nan,) * 2]
-            place = label_place(line, taken) if length > SHORTEST else None
+            place = label_place(line, taken, mark) if length > SHORTEST else None
             if place:
                 taken.append(place)
                 labels.append((*place, level))
@@ -89,10 +91,11 @@ def edge(case, name, columns):
 
 def make(case, references):
     tabors, ratios, force = grid(case)
-    regions, lines, labels = contours(tabors, ratios, force)
 
     def height(ratio):
         return math.log(ratio / ratios[0]) / math.log(ratios[-1] / ratios[0])
+
+    regions, lines, labels = contours(tabors, ratios, force, height(MARKED))
 
     rigid = [(f, height(r)) for r, f in edge(case, "rigid", ("amplitude_ratio", "pull_off_force"))]
     guduru = [(f, height(r)) for r, t, f in
@@ -115,7 +118,12 @@ def make(case, references):
     label = f"Pull-off force over the Tabor parameter and A/λ for λ = {plain(wavelength)} ε"
     return Figure(case.name, case.figure, f"Map of the pull-off force, λ† = {plain(wavelength)}",
                   Markup(svg.embeddable(drawn, case.name, label)), caption(case, wavelength, tabors, force),
-                  failures(case), case.record["command"])
+                  failures(case), case.record["command"], spots(case))
+
+
+def spots(case):
+    """The checks of followed scenes by traces of their own, each with its point, in the order of the map."""
+    return [(case.point(check["point"]), check) for check in case.checks if check.get("reference") == "traced"]
 
 
 def caption(case, wavelength, tabors, force):
