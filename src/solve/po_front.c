@@ -53,16 +53,32 @@ double po_front_origin(const po_fronts *f, const double *shift, double r) {
   return origin;
 }
 
-double po_front_strain(const po_fronts *f, const double *shift) {
+static double strain(const po_fronts *f, const double *shift, size_t *where) {
   double from = 0.0, value = 0.0, worst = 0.0; /* as in po_front_displacement */
+  *where = 0;
   for (size_t k = 0; k <= f->count && f->count > 0; ++k) {
     const bool last = k == f->count;
     const double half = last ? 0.0 : PLATEAU * neighbour_distance(f, k);
     const double begin = last ? OUTER_END * f->at[k - 1] : f->at[k] - half;
     const double next = last ? 0.0 : shift[k];
-    worst = fmax(worst, STEEPEST * fabs(next - value) / (begin - from));
+    const double here = STEEPEST * fabs(next - value) / (begin - from);
+    if (here > worst) {
+      worst = here;
+      *where = k;
+    }
     from = last ? begin : f->at[k] + half;
     value = next;
   }
   return worst;
+}
+
+double po_front_strain(const po_fronts *f, const double *shift) {
+  size_t where;
+  return strain(f, shift, &where);
+}
+
+size_t po_front_tightest(const po_fronts *f, const double *shift) {
+  size_t where;
+  strain(f, shift, &where);
+  return where;
 }

@@ -25,4 +25,7 @@ double po_front_origin(const po_fronts *fronts, const double *shift, double r);
 /* The largest slope of the displacement: below 1 no two places meet. */
 double po_front_strain(const po_fronts *fronts, const double *shift);
 
+/* Where that is: between this front and the one before, or the axis; the count: beyond the last. */
+size_t po_front_tightest(const po_fronts *fronts, const double *shift);
+
 #endif

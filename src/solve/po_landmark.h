@@ -13,6 +13,7 @@ typedef enum { PO_OF_APPROACH, PO_OF_LOAD, PO_AT_STATION, PO_AT_END } po_event_k
  * rates per parameter. */
 typedef struct {
   double at, value[2], rate[2];
+  size_t fronts; /* edges of the contact, where they are known */
 } po_sample;
 
 typedef struct {

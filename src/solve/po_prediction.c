@@ -8,19 +8,18 @@ enum { ORDER = PO_TABLE_ORDER };
 static const double CUBIC_COSINE = 0.3;
 /* Slope of the displacement of the coordinates in one step; and over the step before. */
 static const double GREATEST_STRAIN = 0.5, GREATEST_STRAIN_BACK = 0.9;
+/* A step, along the gauge, that is short where two fronts meet. */
+static const double MEETING_STEP = 1e-4;
 /* Gaps of a prediction are taken as no smaller. */
 static const double CLOSEST = -0.9;
 
-bool po_prediction_make(const po_scene *scene, double root, const po_track_point *a,
-                        const po_track_point *b, double distance, po_prediction *p) {
-  *p =
-      (po_prediction){.scene = scene, .root = root, .a = a, .b = b, .w = {1.0, distance, 0.0, 0.0}};
-  const po_fronts *fronts = &a->fronts;
-  if (b && b->fronts.count == fronts->count) {
-    const double whole = po_track_progress(a, b);
-    p->rate_b = po_gauge_along(a->rate, b->rate);
-    for (size_t f = 0; f < fronts->count; ++f)
-      p->back[f] = b->fronts.at[f] - fronts->at[f];
+/* Sets where the fronts are expected, paired with those of b. Returned: whether that is any use. */
+static bool move(po_prediction *p, bool paired, double distance) {
+  const po_fronts *fronts = &p->fronts;
+  p->w = (po_hermite){1.0, distance, 0.0, 0.0};
+  p->cubic = false;
+  if (paired) {
+    const double whole = po_track_progress(p->a, p->b);
     p->cubic = p->rate_b > CUBIC_COSINE && fabs(whole) > 0.0 &&
                po_front_strain(fronts, p->back) < GREATEST_STRAIN_BACK;
     if (p->cubic)
@@ -29,14 +28,48 @@ bool po_prediction_make(const po_scene *scene, double root, const po_track_point
   for (size_t f = 0; f < fronts->count; ++f) {
     p->shift[f] = p->w.d0 * fronts->rate[f];
     if (p->cubic)
-      p->shift[f] += p->w.f1 * p->back[f] + p->w.d1 * b->fronts.rate[f] / p->rate_b;
+      p->shift[f] += p->w.f1 * p->back[f] + p->w.d1 * p->rate_back[f] / p->rate_b;
   }
   return po_front_strain(fronts, p->shift) < GREATEST_STRAIN;
 }
 
+/* Takes the two fronts out that move most towards each other, or one that closes at the axis; not
+ * the outermost alone. */
+static bool drop_tightest(po_prediction *p) {
+  po_fronts *fronts = &p->fronts;
+  const size_t second = po_front_tightest(fronts, p->shift);
+  if (fronts->count == 0 || second == fronts->count || fronts->count == 1)
+    return false;
+  const size_t first = second > 0 ? second - 1 : 0, next = second + 1;
+  for (size_t from = next, to = first; from < fronts->count; ++from, ++to) {
+    fronts->at[to] = fronts->at[from];
+    fronts->rate[to] = fronts->rate[from];
+    p->back[to] = p->back[from];
+    p->rate_back[to] = p->rate_back[from];
+  }
+  fronts->count -= next - first;
+  return true;
+}
+
+bool po_prediction_make(const po_scene *scene, double root, const po_track_point *a,
+                        const po_track_point *b, double distance, po_prediction *p) {
+  *p = (po_prediction){.scene = scene, .root = root, .a = a, .b = b, .fronts = a->fronts};
+  const bool paired = b && b->fronts.count == a->fronts.count;
+  if (paired)
+    p->rate_b = po_gauge_along(a->rate, b->rate);
+  for (size_t f = 0; paired && f < a->fronts.count; ++f) {
+    p->back[f] = b->fronts.at[f] - a->fronts.at[f];
+    p->rate_back[f] = b->fronts.rate[f];
+  }
+  bool useful = move(p, paired, distance);
+  while (!useful && fabs(distance) < MEETING_STEP && drop_tightest(p))
+    useful = move(p, paired, distance);
+  return useful;
+}
+
 double po_prediction_gap(void *prediction, double r) {
   const po_prediction *p = prediction;
-  const po_fronts *fronts = &p->a->fronts;
+  const po_fronts *fronts = &p->fronts;
   const double origin = po_front_origin(fronts, p->shift, r);
   const po_track_value a = po_track_value_at(p->a, p->scene, p->root, origin);
   const double velocity = po_front_displacement(fronts, fronts->rate, origin);
@@ -44,7 +77,7 @@ double po_prediction_gap(void *prediction, double r) {
   if (p->cubic) {
     const double at = origin + po_front_displacement(fronts, p->back, origin);
     const po_track_value b = po_track_value_at(p->b, p->scene, p->root, at);
-    const double velocity_b = po_front_displacement(fronts, p->b->fronts.rate, origin);
+    const double velocity_b = po_front_displacement(fronts, p->rate_back, origin);
     gap += p->w.f1 * (b.gap - a.gap) + p->w.d1 * (b.tangent + b.slope * velocity_b) / p->rate_b;
   }
   return fmax(gap, CLOSEST);
@@ -70,7 +103,7 @@ void po_prediction_state(po_prediction *p, const po_surface *surface, size_t cor
 /* Size of the panels that the point a wants at the place from which a radius (in parts of the root)
  * is expected to come. */
 static double wanted_size(const po_prediction *p, double x) {
-  const double origin = po_front_origin(&p->a->fronts, p->shift, x * p->root) / p->root;
+  const double origin = po_front_origin(&p->fronts, p->shift, x * p->root) / p->root;
   const po_leaves *wanted = &p->a->wanted;
   return po_leaf_size(wanted->leaf[po_leaves_find(wanted, origin)]);
 }

@@ -15,12 +15,16 @@ typedef struct {
   bool cubic;    /* else by the tangent of a alone */
   double rate_b; /* of the gauge along a's direction, at b */
   po_hermite w;
-  double shift[PO_MOST_FRONTS]; /* of a's fronts to where they are expected */
-  double back[PO_MOST_FRONTS];  /* of a's fronts to those of b */
+  po_fronts fronts;                 /* of a, those that move the coordinates */
+  double shift[PO_MOST_FRONTS];     /* to where they are expected */
+  double back[PO_MOST_FRONTS];      /* to those of b */
+  double rate_back[PO_MOST_FRONTS]; /* of those of b */
 } po_prediction;
 
 /* Predicts at a distance along the gauge from a, b being another point (ahead, behind or NULL).
- * Returned: whether it is any use: no front moves far towards another. */
+ * Fronts that are about to meet move ever faster: no step is short enough to go with them up to
+ * there. In a very short step they do not move the coordinates; the gap between them is flat.
+ * Returned: whether it is any use: no other front moves far towards another. */
 bool po_prediction_make(const po_scene *scene, double root, const po_track_point *a,
                         const po_track_point *b, double distance, po_prediction *p);
 

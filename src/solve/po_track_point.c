@@ -161,6 +161,7 @@ double po_track_way(const po_track_point *from, const po_track_point *to) {
 po_sample po_track_sample(const po_track_point *from, const po_track_point *p) {
   const double per_distance = 1.0 / po_gauge_along(from->rate, p->rate);
   return (po_sample){.at = po_track_progress(from, p),
+                     .fronts = p->fronts.count,
                      .value = {p->state[p->n], p->load},
                      .rate = {p->tangent[p->n] * per_distance, p->load_rate * per_distance}};
 }

@@ -15,6 +15,11 @@ static const expected SCENES[] = {
     {{5.0, 0.0, 0.0, 100.0, INFINITY}, 4, 3},
     {{3.0, 1.0, 20.0, 100.0, 100.0}, 6, 5},
     {{0.385, 0.0, 0.0, 71.0, 60.0}, 0, 1}, /* no fold at all */
+    /* a groove closes as the branch is followed back: its two edges meet ever faster, and steps
+     * that went along with them ended there */
+    {{1.97598, 6.31644, 9.55822, 201.659, INFINITY}, 8, 5},
+    /* a ring comes into contact between two extrema 0.07 eps apart: the way out went past them */
+    {{1.78343, 3.51838, 4.03854, 60.7776, INFINITY}, 2, 9},
 };
 
 START_TEST(the_same_folds_on_the_way_back) {
@@ -38,7 +43,7 @@ START_TEST(the_same_folds_on_the_way_back) {
   ck_assert_double_lt(way->fold_approach, 1e-7);
   ck_assert_double_lt(way->fold_load, 1e-5);
   ck_assert_double_lt(way->extremum_approach, 1e-5);
-  ck_assert_double_lt(way->extremum_load, 1e-8);
+  ck_assert_double_lt(way->extremum_load, 1e-7);
   if (known->folds > 0) /* others steps and meshes: no copy of the way out */
     ck_assert_double_gt(way->fold_approach, 0.0);
   /* the scene's own numbers and counters know nothing of it */
