@@ -2,16 +2,6 @@
 
 #include <string.h>
 
-double po_leaf_size(po_leaf leaf) {
-  return 1.0 / (double)((uint64_t)1 << leaf.level);
-}
-double po_leaf_begin(po_leaf leaf) {
-  return (double)leaf.index * po_leaf_size(leaf);
-}
-double po_leaf_end(po_leaf leaf) {
-  return ((double)leaf.index + 1.0) * po_leaf_size(leaf);
-}
-
 bool po_leaf_equal(po_leaf a, po_leaf b) {
   return a.level == b.level && a.index == b.index;
 }

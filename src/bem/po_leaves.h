@@ -32,9 +32,15 @@ bool po_leaves_split(po_leaves *leaves, const bool *split);
 size_t po_leaves_join(po_leaves *leaves, const bool *join);
 
 /* Ends of a leaf in parts of the root: [begin, end). */
-double po_leaf_begin(po_leaf leaf);
-double po_leaf_end(po_leaf leaf);
-double po_leaf_size(po_leaf leaf);
+static inline double po_leaf_size(po_leaf leaf) {
+  return 1.0 / (double)((uint64_t)1 << leaf.level);
+}
+static inline double po_leaf_begin(po_leaf leaf) {
+  return (double)leaf.index * po_leaf_size(leaf);
+}
+static inline double po_leaf_end(po_leaf leaf) {
+  return ((double)leaf.index + 1.0) * po_leaf_size(leaf);
+}
 
 /* The leaf that contains x (in parts of the root, 0 <= x < 1). */
 size_t po_leaves_find(const po_leaves *leaves, double x);

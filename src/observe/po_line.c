@@ -217,10 +217,10 @@ static bool agrees(const stretch *s) {
 static po_status follow_between(stretch *s, bool *settled) {
   const size_t most = s->from->count + s->to->count;
   const double tolerance = fmin(s->from->tolerance, s->to->tolerance);
-  const double tabor =
-      fmax(s->l->requests[s->from->index].scene.tabor, s->l->requests[s->to->index].scene.tabor);
+  const po_allowance one = po_observe_allowance(&s->l->requests[s->from->index].scene, tolerance),
+                     other = po_observe_allowance(&s->l->requests[s->to->index].scene, tolerance);
   const po_follow_options options = {scene_at, root_of, (void *)s->l,
-                                     po_observe_allowance(tabor, tolerance),
+                                     one.gap < other.gap ? one : other,
                                      po_observe_precision(tolerance)};
   s->load = po_allocate(most * (s->inside + 2), sizeof *s->load);
   s->lost = po_allocate(most, sizeof *s->lost);

@@ -117,10 +117,10 @@ bool po_prediction_too_large(const po_prediction *p, po_leaf leaf, double times)
   return false;
 }
 
-double po_prediction_error(po_prediction *p, const po_track_point *solved) {
+double po_prediction_error(po_prediction *p, const double *guess, const po_track_point *solved) {
   double largest = 0.0;
   for (size_t j = 0; j < solved->leaves.count * ORDER; ++j) {
-    const double expected = po_prediction_gap(p, solved->node[j]);
+    const double expected = guess ? guess[j] : po_prediction_gap(p, solved->node[j]);
     largest = fmax(largest, fabs(solved->state[j] - expected) / (1.0 + solved->state[j]));
   }
   return largest;

@@ -39,7 +39,9 @@ void po_prediction_state(po_prediction *p, const po_surface *surface, size_t cor
  * expected to come from. */
 bool po_prediction_too_large(const po_prediction *p, po_leaf leaf, double times);
 
-/* Largest error of the gap expected, in parts of 1 + H, against the point that was then solved. */
-double po_prediction_error(po_prediction *p, const po_track_point *solved);
+/* Largest error of the gap expected, in parts of 1 + H, against the point that was then solved.
+ * Given: guess, what po_prediction_state gave at the nodes of the point; NULL when these are
+ * others. */
+double po_prediction_error(po_prediction *p, const double *guess, const po_track_point *solved);
 
 #endif

@@ -265,10 +265,12 @@ static double try_step(po_tracker *t, double step, po_status *status) {
   if (*status)
     return 0.5 * step;
   po_prediction_state(&p, t->c.e->surface, po_corrector_core_nodes(&t->c), t->c.guess);
+  const size_t meshes = t->c.e->work.meshes;
   *status = solve_resolved(t, step, false, STEP_TANGENT, &t->next);
   if (*status)
     return 0.5 * step;
-  const double error = po_prediction_error(&p, &t->next);
+  const bool same_nodes = t->c.e->work.meshes == meshes;
+  const double error = po_prediction_error(&p, same_nodes ? t->c.guess : NULL, &t->next);
   t->next.position = t->current.position + po_track_way(&t->current, &t->next);
   const double joined = JOIN_MARGIN * joined_for(t);
   *status = PO_NOT_CONVERGED;
