@@ -14,6 +14,10 @@
 static const char *const QUANTITIES[PO_QUANTITY_COUNT] = {
     [PO_PULL_OFF_FORCE] = "pull_off_force",
     [PO_PULL_OFF_APPROACH] = "pull_off_approach",
+    [PO_HYSTERESIS_FORCE] = "hysteresis_force",
+    [PO_HYSTERESIS_APPROACH] = "hysteresis_approach",
+    [PO_HYSTERESIS_LOSS] = "hysteresis_loss",
+    [PO_JUMPS] = "jumps",
     [PO_FOLD_COUNT] = "fold_count",
     [PO_FOLDS] = "folds",
     [PO_EXTREMA] = "extrema",
@@ -35,6 +39,11 @@ const char *po_quantity_name(po_quantity quantity) {
 bool po_quantity_is_diagnostic(po_quantity quantity) {
   return quantity == PO_RESIDUAL || quantity == PO_MOVED_FORCE || quantity == PO_ENERGY_DEFECT ||
          quantity == PO_WAY_BACK;
+}
+
+bool po_quantity_is_hysteresis(po_quantity quantity) {
+  return quantity == PO_HYSTERESIS_FORCE || quantity == PO_HYSTERESIS_APPROACH ||
+         quantity == PO_HYSTERESIS_LOSS || quantity == PO_JUMPS;
 }
 
 const char *po_tolerance_kind_name(po_tolerance_kind kind) {

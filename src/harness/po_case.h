@@ -35,6 +35,10 @@ typedef enum {
   PO_MOVED_FORCE,   /* change of the force with the last bits of the inputs */
   PO_ENERGY_DEFECT, /* of dU = W dapproach */
   PO_WAY_BACK,      /* differences of folds when the branch is followed back, see po_way_back.h */
+  PO_HYSTERESIS_FORCE, /* the greatest tension met in unloading at given approach */
+  PO_HYSTERESIS_APPROACH,
+  PO_HYSTERESIS_LOSS, /* energy lost in all jumps of loading and unloading at given approach */
+  PO_JUMPS,           /* these jumps, one by one */
   PO_FOLD_COUNT,
   PO_FOLDS,
   PO_EXTREMA,
@@ -238,6 +242,9 @@ bool po_check_is_traced(const po_check *check);
 
 /* Whether a quantity is of the diagnostics, and so only set beside zero. */
 bool po_quantity_is_diagnostic(po_quantity quantity);
+
+/* Whether a quantity is of loading and unloading, which are followed for it. */
+bool po_quantity_is_hysteresis(po_quantity quantity);
 
 /* Names, as in case files. */
 const char *po_quantity_name(po_quantity quantity);

@@ -88,6 +88,13 @@ static po_status check_when(const po_axis *when, unsigned count, const char *lis
   return status;
 }
 
+/* A table; else a word for what is none. */
+static bool is_file(const char *reference) {
+  return strcmp(reference, "bradley") != 0 && strcmp(reference, "pin") != 0 &&
+         strcmp(reference, PO_ZERO) != 0 && strcmp(reference, PO_EVERY_SCENE) != 0 &&
+         strcmp(reference, PO_TRACED) != 0;
+}
+
 static po_status parse_check(const po_case_file *file, po_check *check, unsigned number,
                              const po_yaml *yaml) {
   const int quantity = quantity_of(check->quantity_text);
@@ -117,6 +124,9 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
                             "checks[%u].reference", number);
   if (diagnostic && kind != PO_TOLERANCE_ABS)
     return po_schema_refuse(yaml, "abs, as the reference is zero", "checks[%u].kind", number);
+  if (po_quantity_is_hysteresis(check->quantity) && !is_file(check->reference))
+    return po_schema_refuse(yaml, "the path of a CSV file, as only tables speak of hysteresis",
+                            "checks[%u].reference", number);
   const bool share = check->quantity == PO_SOLVED_SHARE;
   if (share != (strcmp(check->reference, PO_EVERY_SCENE) == 0))
     return po_schema_refuse(yaml,
@@ -137,7 +147,8 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
 /* How far off a number is is measured by an independent one, and needs no tolerance. */
 static po_status parse_measure(po_check *measure, unsigned number, const po_yaml *yaml) {
   const int quantity = quantity_of(measure->quantity_text);
-  if (quantity == PO_QUANTITY_COUNT || quantity == PO_WORK || quantity == PO_SOLVED_SHARE)
+  if (quantity == PO_QUANTITY_COUNT || quantity == PO_WORK || quantity == PO_SOLVED_SHARE ||
+      po_quantity_is_hysteresis((po_quantity)quantity))
     return po_schema_refuse(yaml, NULL, "measure[%u].quantity", number);
   if (po_check_is_pin(measure) || po_check_is_traced(measure) ||
       strcmp(measure->reference, PO_EVERY_SCENE) == 0)
@@ -169,13 +180,6 @@ static po_status check_as_if(const po_check *check, unsigned number, const po_ya
                             "a reference other than pin and traced, as as_if asks of another scene",
                             "checks[%u].reference", number);
   return PO_OK;
-}
-
-/* What is no file cannot be absent. */
-static bool is_file(const char *reference) {
-  return strcmp(reference, "bradley") != 0 && strcmp(reference, "pin") != 0 &&
-         strcmp(reference, PO_ZERO) != 0 && strcmp(reference, PO_EVERY_SCENE) != 0 &&
-         strcmp(reference, PO_TRACED) != 0;
 }
 
 /* What stands in must itself be compared, or the check would be left out for nothing. */

@@ -14,7 +14,18 @@ static const po_reference_number NOTHING = {(double)NAN, (double)NAN};
 /* A number of folds is one in a table of pins; elsewhere it is that of the landmarks in range. */
 static bool is_single(po_quantity quantity, const po_reference *reference) {
   return quantity == PO_PULL_OFF_FORCE || quantity == PO_PULL_OFF_APPROACH ||
-         po_quantity_is_diagnostic(quantity) || (quantity == PO_FOLD_COUNT && reference->is_pin);
+         po_quantity_is_diagnostic(quantity) ||
+         (po_quantity_is_hysteresis(quantity) && quantity != PO_JUMPS) ||
+         (quantity == PO_FOLD_COUNT && reference->is_pin);
+}
+
+static double obtained_of_loop(po_quantity quantity, const po_outcome *outcome) {
+  const po_loop *loop = &outcome->hysteresis.displacement;
+  if (!outcome->has_hysteresis)
+    return (double)NAN;
+  if (quantity == PO_HYSTERESIS_LOSS)
+    return loop->energy_lost;
+  return quantity == PO_HYSTERESIS_FORCE ? -loop->pull_off.load : loop->pull_off.approach;
 }
 
 double po_compare_obtained(po_quantity quantity, const po_outcome *outcome) {
@@ -22,6 +33,8 @@ double po_compare_obtained(po_quantity quantity, const po_outcome *outcome) {
     return outcome->status == PO_OK ? (double)outcome->fold_count : (double)NAN;
   if (!outcome->has_pull_off || outcome->status != PO_OK)
     return (double)NAN;
+  if (po_quantity_is_hysteresis(quantity))
+    return obtained_of_loop(quantity, outcome);
   if (quantity == PO_RESIDUAL)
     return outcome->diagnostics.residual;
   if (quantity == PO_MOVED_FORCE)
@@ -175,6 +188,8 @@ po_status po_compare(const po_case *kase, size_t point, const po_check *check,
     status = compare_single(kase, point, check, reference, outcome, results);
   else if (check->quantity == PO_CURVE)
     status = compare_curve(kase, point, check, reference, outcome, results);
+  else if (check->quantity == PO_JUMPS)
+    status = po_compare_jumps(kase, point, check, reference, outcome, results);
   else if (check->quantity == PO_WORK)
     status = po_compare_work(kase, point, check, reference, outcome, results);
   else

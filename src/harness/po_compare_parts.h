@@ -12,6 +12,16 @@ po_status po_compare_landmarks(const po_case *kase, size_t point, const po_check
                                const po_reference *reference, const po_outcome *outcome,
                                po_results *results);
 
+/* The jumps of loading and unloading at given approach: their number, then of each the approach,
+ * the load before and after, and the energy lost. */
+po_status po_compare_jumps(const po_case *kase, size_t point, const po_check *check,
+                           const po_reference *reference, const po_outcome *outcome,
+                           po_results *results);
+
+/* Of all numbers a table has of the jumps of a scene, the most uncertain. */
+po_status po_compare_jumps_doubt(const po_reference *reference, const po_request *request,
+                                 po_reference_number *most);
+
 /* The counters of work, each beside its pin. */
 po_status po_compare_work(const po_case *kase, size_t point, const po_check *check,
                           const po_reference *reference, const po_outcome *outcome,

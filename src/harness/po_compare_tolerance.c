@@ -1,7 +1,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "po_compare.h"
+#include "po_compare_parts.h"
 
 static po_status refuse(const po_case *kase, const po_check *check, unsigned number,
                         const po_reference *reference, double uncertainty) {
@@ -50,7 +50,9 @@ po_status po_compare_check_tolerance(const po_case *kase, const po_check *check,
       status = check_points(kase, check, number, reference, request);
     else {
       po_reference_number expected = {0};
-      status = po_reference_find(reference, check->quantity, request, &expected);
+      status = check->quantity == PO_JUMPS
+                   ? po_compare_jumps_doubt(reference, request, &expected)
+                   : po_reference_find(reference, check->quantity, request, &expected);
       if (!status && too_tight(check, expected.value, expected.uncertainty))
         status = refuse(kase, check, number, reference, expected.uncertainty);
     }

@@ -113,7 +113,7 @@ static void judge_oracles(po_results *results) {
 /* A number that is counted, not computed. */
 static bool is_exact(const po_result *item) {
   return item->whole || strcmp(item->quantity, "fold_count") == 0 ||
-         strcmp(item->quantity, "extremum_count") == 0;
+         strcmp(item->quantity, "extremum_count") == 0 || strcmp(item->quantity, "jump_count") == 0;
 }
 
 /* Of the results of one check, from `first` on, the one with the largest error in units of the

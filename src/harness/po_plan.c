@@ -43,6 +43,8 @@ static void decide(po_plan *plan) {
       plan->want |= PO_WANT_CURVE;
     if (po_quantity_is_diagnostic(quantity))
       plan->want |= PO_WANT_DIAGNOSTICS;
+    if (po_quantity_is_hysteresis(quantity))
+      plan->want |= PO_WANT_HYSTERESIS;
   }
   for (unsigned i = 0; i < kase->file->measure_count; ++i)
     if (kase->file->measure[i].quantity == PO_CURVE)

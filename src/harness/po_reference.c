@@ -2,6 +2,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -173,27 +174,41 @@ static po_status uncertainty_of(const po_csv *table, size_t row, const char *nam
   return PO_OK;
 }
 
-static po_status find_pull_off(const po_csv *table, po_quantity quantity, const po_request *request,
-                               po_reference_number *number) {
-  const char *name = quantity == PO_PULL_OFF_FORCE ? "force" : "approach";
-  const char *doubt = quantity == PO_PULL_OFF_FORCE ? "force_uncertainty" : "approach_uncertainty";
+bool po_reference_row_is_of(const po_reference *reference, size_t row, const po_request *request) {
+  return headers_hold(&reference->table, request) && row_holds(&reference->table, row, request);
+}
+
+po_status po_reference_cell(const po_reference *reference, size_t row, const char *name,
+                            po_reference_number *number) {
+  char doubt[64];
   size_t column = 0;
-  po_status status = need_column(table, name, &column);
-  if (status)
-    return status;
+  po_status status = need_column(&reference->table, name, &column);
+  if (!status)
+    status = po_csv_number(&reference->table, row, column, &number->value);
+  snprintf(doubt, sizeof doubt, "%s_uncertainty", name);
+  return status ? status : uncertainty_of(&reference->table, row, doubt, &number->uncertainty);
+}
+
+/* The column of a number that a scene has one of. */
+static const char *column_of(po_quantity quantity) {
+  if (quantity == PO_HYSTERESIS_LOSS)
+    return "energy_lost";
+  return quantity == PO_PULL_OFF_FORCE || quantity == PO_HYSTERESIS_FORCE ? "force" : "approach";
+}
+
+static po_status find_single(const po_reference *reference, po_quantity quantity,
+                             const po_request *request, po_reference_number *number) {
+  const po_csv *table = &reference->table;
   size_t found = 0, at = 0;
   for (size_t row = 0; row < table->row_count; ++row)
-    if (row_holds(table, row, request)) {
+    if (po_reference_row_is_of(reference, row, request)) {
       at = row;
       found += 1;
     }
   if (found > 1)
     return po_fail(PO_CANNOT_READ, "%s:%zu: a second row for the same scene: expected one",
                    table->path, table->lines[at]);
-  if (!found)
-    return PO_NOT_FOUND;
-  status = po_csv_number(table, at, column, &number->value);
-  return status ? status : uncertainty_of(table, at, doubt, &number->uncertainty);
+  return found ? po_reference_cell(reference, at, column_of(quantity), number) : PO_NOT_FOUND;
 }
 
 po_status po_reference_find(const po_reference *reference, po_quantity quantity,
@@ -206,9 +221,7 @@ po_status po_reference_find(const po_reference *reference, po_quantity quantity,
   }
   if (reference->is_pin)
     return po_pins_find(reference, quantity, request, number);
-  if (!headers_hold(&reference->table, request))
-    return PO_NOT_FOUND;
-  return find_pull_off(&reference->table, quantity, request, number);
+  return find_single(reference, quantity, request, number);
 }
 
 static po_status read_kind(const po_csv *table, size_t row, size_t column, po_landmark_kind *kind) {

@@ -71,6 +71,12 @@ void po_reference_close(po_reference *reference);
 po_status po_reference_find(const po_reference *reference, po_quantity quantity,
                             const po_request *request, po_reference_number *number);
 
+/* Whether a row of its table is of a scene; a number of that row, with its uncertainty: that of the
+ * column NAME_uncertainty, else as for all rows. Status: as above. */
+bool po_reference_row_is_of(const po_reference *reference, size_t row, const po_request *request);
+po_status po_reference_cell(const po_reference *reference, size_t row, const char *name,
+                            po_reference_number *number);
+
 /* Its folds, extrema or curve points (by `quantity`) for a scene, along the branch: *points of
  * *count, to be freed. `outcome` says where ours ran, for a closed form that has no end of its own.
  * Status: as above. */

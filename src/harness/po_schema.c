@@ -229,9 +229,11 @@ static const struct {
     {"repeats", "a whole number from 1 to 1000"},
     {"want", "a list of pull_off, folds, extrema, curve, profile, hysteresis, diagnostics"},
     {"checks", "a list of checks"},
-    {"checks.quantity", "pull_off_force, pull_off_approach, residual, moved_force, "
-                        "energy_defect, way_back, fold_count, "
-                        "folds, extrema, curve, work or solved_share"},
+    {"checks.quantity",
+     "pull_off_force, pull_off_approach, residual, moved_force, energy_defect, way_back, "
+     "hysteresis_force, "
+     "hysteresis_approach, hysteresis_loss, jumps, fold_count, folds, extrema, curve, work or "
+     "solved_share"},
     {"checks.reference", "bradley, pin, every_scene, zero, traced or the path of a CSV file"},
     {"checks.tolerance", "a finite number > 0"},
     {"checks.kind", "abs, rel or ulp"},

@@ -81,6 +81,8 @@ spoilt 's/pull_off_force/solved_share/' \
   '14: checks[[]1[]].reference is reference/table.csv: expected every_scene, *'
 spoilt 's/reference: .*/reference: every_scene/' \
   '14: checks[[]1[]].reference is every_scene: expected bradley, pin or the path of a CSV file'
+spoilt 's/pull_off_force/jumps/; s/reference: .*/reference: pin/' \
+  '14: checks[[]1[]].reference is pin: expected the path of a CSV file, as only tables speak of hysteresis'
 spoilt 's/pull_off_force/solved_share/; s/reference: .*/reference: every_scene/; s/kind: abs/kind: rel/' \
   '16: checks[[]1[]].kind is rel: expected abs, as a share is'
 spoilt 's/pull_off_force/solved_share/; s/reference: .*/reference: every_scene/; s/1e-9/1/' \
