@@ -1,0 +1,48 @@
+#include <math.h>
+
+#include "po_observe_parts.h"
+
+/* Error of the gap, in eps, that panels may make by their last coefficients, over the root of the
+ * relative tolerance of the pull-off force: what these coefficients do to the load goes as their
+ * square, by Gauss's rule. Set by the smooth sphere (tests/unit/test_panels.c). */
+static const double ERROR_OF_TOLERANCE = 0.3, ERROR_OF_WAVES = 1.0, COARSEST_ERROR = 3e-4;
+/* Beyond this Tabor parameter the coarsest error falls as its square: on coarser panels the
+ * iteration onto mu = 50 needs steps three times shorter. */
+static const double STIFF_TABOR = 14.0;
+/* Below it waves may have more, by the fourth power: their minima are sharp, whereas that of a
+ * sphere is flat, and its approach would suffer. With 5e-3 at mu = 20 folds appear that are not.
+ * Nothing is gained where the surface hardly gives way. */
+static const double COARSEST_OF_WAVES = 1e-2, LEAST_PLIANT_TABOR = 1.0;
+/* Error of the load that a panel may make, by an estimate that is mostly too large, over the same
+ * tolerance. */
+static const double LOAD_OF_TOLERANCE = 30.0;
+
+/* Where Newton's method may stop, in parts of 1 + H, per relative tolerance; and its limits:
+ * rounding below, and what locating folds needs. */
+static const double PRECISION_OF_TOLERANCE = 1e-4, FINEST_PRECISION = 2e-13,
+                    COARSEST_PRECISION = 1e-9;
+
+static bool is_pliant_and_wavy(const po_scene *scene) {
+  return po_scene_is_wavy(scene) && scene->tabor > LEAST_PLIANT_TABOR;
+}
+
+/* The error of the gap that panels may make at any tolerance. */
+static double coarsest_error(const po_scene *scene) {
+  const double stiff = scene->tabor / STIFF_TABOR;
+  if (stiff > 1.0)
+    return COARSEST_ERROR / (stiff * stiff);
+  if (!is_pliant_and_wavy(scene))
+    return COARSEST_ERROR;
+  return fmin(COARSEST_OF_WAVES, COARSEST_ERROR / pow(stiff, 4.0));
+}
+
+po_allowance po_observe_allowance(const po_scene *scene, double tolerance) {
+  const double coarsest = coarsest_error(scene);
+  const double error = is_pliant_and_wavy(scene) ? ERROR_OF_WAVES : ERROR_OF_TOLERANCE;
+  return (po_allowance){fmin(coarsest, error * sqrt(tolerance)),
+                        fmin(coarsest, LOAD_OF_TOLERANCE * tolerance)};
+}
+
+double po_observe_precision(double tolerance) {
+  return fmax(FINEST_PRECISION, fmin(COARSEST_PRECISION, PRECISION_OF_TOLERANCE * tolerance));
+}
