@@ -152,6 +152,13 @@ static po_status tell_wants(po_plan *plan) {
   return status;
 }
 
+static bool is_jump_known(const po_reference *reference, const po_request *request) {
+  bool known = false;
+  for (size_t row = 0; row < reference->table.row_count; ++row)
+    known = known || po_reference_row_is_of(reference, row, request);
+  return known;
+}
+
 /* Whether the reference says anything of a point. */
 static bool is_spoken_of(const po_reference *reference, const po_check *check,
                          const po_request *solved) {
@@ -160,8 +167,10 @@ static bool is_spoken_of(const po_reference *reference, const po_check *check,
   po_reference_number number;
   po_reference_point *points = NULL;
   size_t count = 0;
-  if (check->quantity == PO_SOLVED_SHARE)
+  if (check->quantity == PO_SOLVED_SHARE || reference->is_traced)
     return true;
+  if (check->quantity == PO_JUMPS)
+    return is_jump_known(reference, request);
   if (check->quantity == PO_WORK)
     return po_pins_value(reference, "work/points", request, &number.value) == PO_OK;
   if (check->quantity <= PO_FOLD_COUNT)
@@ -176,7 +185,8 @@ static bool is_spoken_of(const po_reference *reference, const po_check *check,
 static void count_points(const po_case *kase, const po_check *check, const po_reference *reference,
                          size_t *concerned, size_t *spoken) {
   for (size_t k = 0; k < kase->point_count; ++k)
-    if (po_check_concerns(check, &kase->points[k].request)) {
+    if (po_check_concerns(check, &kase->points[k].request) &&
+        (kase->points[k].traced || !reference->is_traced)) {
       *concerned += 1;
       *spoken += is_spoken_of(reference, check, &kase->points[k].request);
     }

@@ -106,6 +106,8 @@ write_traced 'traced: {seed: -1, count: 3}' pull_off_force
 expect 2 '*traced.seed is -1: expected a whole number*' plan good
 write_traced 'traced: {seed: 7, count: 3}' pull_off_force
 expect 0 '' plan good
+check 'the plan tells what is compared' grep -q 'compare pull_off_force with traced at 3 of 12 points, to' "$work/stdout"
+check 'no trace is missed' test "$(grep -c 'does not speak' "$work/stdout")" -eq 0
 check 'the plan tells what is traced' grep -q 'trace 3 of the scenes between, too, drawn with seed 7' "$work/stdout"
 expect 0 'good: 12 points, 4 checks: within' run good --output traced --jobs 2
 record=traced/good/record.json
