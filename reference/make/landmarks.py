@@ -34,13 +34,10 @@ class Landmark:
                 (LOAD, 1): "minimum", (LOAD, -1): "maximum"}[self.component, self.sense]
 
 
-def trace(problem, level=TRACE, first_approach=-12.0, last_load=1.0, refine=1.0,
-          last_approach=np.inf):
-    """States along the branch from far out until the load exceeds last_load or
-    the approach last_approach; refine > 1 shortens the steps."""
-    turn, longest = TURN / refine, LONGEST_STEP / refine
-    state = start(problem, first_approach, level)
-    states, step = [state], 0.1
+def walk(problem, state, level=TRACE, refine=1.0):
+    """The states along the branch after `state`, the way its tangent points;
+    refine > 1 shortens the steps."""
+    turn, longest, step = TURN / refine, LONGEST_STEP / refine, 0.1
     for _ in range(MOST_STEPS):
         if unresolved(problem, state).max() > REMESH_FACTOR * level.tolerance:
             state = remesh(problem, state, level)
@@ -55,14 +52,24 @@ def trace(problem, level=TRACE, first_approach=-12.0, last_load=1.0, refine=1.0,
                 raise NotConverged(f"tabor {problem.tabor}: trace stuck at Y = {state.y}")
             continue
         state = following
-        states.append(state)
-        if state.load > last_load or state.approach > last_approach:
-            return states
+        yield state
         step = min(longest, step * min(GROWTH, turn / max(angle, 1e-3)))
     raise NotConverged(f"tabor {problem.tabor}: too many steps")
 
 
-def _between(problem, *states):
+def trace(problem, level=TRACE, first_approach=-12.0, last_load=1.0, refine=1.0,
+          last_approach=np.inf):
+    """States along the branch from far out until the load exceeds last_load or
+    the approach last_approach; refine as in walk."""
+    states = [start(problem, first_approach, level)]
+    for state in walk(problem, states[0], level, refine):
+        states.append(state)
+        if state.load > last_load or state.approach > last_approach:
+            break
+    return states
+
+
+def between(problem, *states):
     """Function distance -> state, along the tangent of the first of `states`
     and predicted from the nearest of them, and the distance to the last."""
     direction = states[0].rate
@@ -88,7 +95,7 @@ def insert_near_misses(problem, states):
             f = [s.rate[component] for s in out[i - 1:i + 2]]
             if f[0] * f[1] > 0 and f[1] * f[2] > 0 and abs(f[1]) < min(abs(f[0]), abs(f[2])):
                 sign = np.sign(f[1])
-                go, length = _between(problem, *out[i - 1:i + 2])
+                go, length = between(problem, *out[i - 1:i + 2])
                 found = minimize_scalar(lambda d: sign * go(d).rate[component],
                                         bounds=(0.0, length), method="bounded",
                                         options={"xatol": 1e-6 * length})
@@ -109,7 +116,7 @@ def find_landmarks(problem, states):
         here = []
         for component in (APPROACH, LOAD):
             if a.rate[component] * b.rate[component] < 0:
-                go, length = _between(problem, a, b)
+                go, length = between(problem, a, b)
                 d = brentq(lambda d: go(d).rate[component], 0.0, length, xtol=LOCATE_TOLERANCE)
                 here.append((d, Landmark(component, int(np.sign(b.rate[component])), go(d))))
         marks += [mark for _, mark in sorted(here, key=lambda pair: pair[0])]
