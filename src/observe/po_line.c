@@ -21,6 +21,12 @@ typedef struct {
   size_t count;
 } line;
 
+/* A minimum followed from one anchor towards the other. */
+typedef struct {
+  const po_line_minimum *from, *met; /* what the traces have of it; met NULL: nothing */
+  double lost;                       /* its load where it ended on the way; NAN: it did not */
+} followed;
+
 /* The stretch between two anchors. */
 typedef struct {
   const line *l;
@@ -28,9 +34,8 @@ typedef struct {
   po_follower *follower;
   size_t inside; /* scenes between */
   double *load;  /* a row of inside + 2 for each minimum followed: its load, NAN: not there */
-  double *lost;  /* one a row: its load where it ended on the way; NAN: it did not */
+  followed *row; /* one a row */
   size_t rows;
-  bool *arrived; /* one a minimum of `to`: followed there from `from` */
   po_solve_work before;
   uint64_t kernel_before;
 } stretch;
@@ -133,16 +138,16 @@ static double take(stretch *s, size_t index) {
   return load;
 }
 
-/* The minimum of an anchor that the follower has arrived at; the count: none. */
-static size_t find_arrived(const stretch *s, const po_line_anchor *at) {
+/* The minimum of an anchor that the follower has arrived at; NULL: none of the trace. */
+static const po_line_minimum *find_arrived(const stretch *s, const po_line_anchor *at) {
   const po_branch_point p = po_follow_point(s->follower, false);
-  size_t best = at->count;
+  const po_line_minimum *best = NULL;
   double nearest = SAME_APPROACH * (1.0 + fabs(p.approach));
   for (size_t k = 0; k < at->count; ++k) {
     const double apart = fabs(at->minima[k].approach - p.approach);
     if (fabs(at->minima[k].load - p.load) < sameness(s, p.load) && apart < nearest) {
       nearest = apart;
-      best = k;
+      best = &at->minima[k];
     }
   }
   return best;
@@ -153,7 +158,7 @@ static size_t find_arrived(const stretch *s, const po_line_anchor *at) {
 static po_status follow(stretch *s, const po_line_minimum *m, bool forward) {
   const po_line_anchor *from = forward ? s->from : s->to;
   const size_t row = s->rows++, steps = s->inside + 1;
-  s->lost[row] = NAN;
+  s->row[row] = (followed){.from = m, .lost = NAN};
   for (size_t k = 0; k <= steps; ++k)
     *load_of(s, row, s->from->index + k) = NAN;
   *load_of(s, row, from->index) = m->load;
@@ -174,12 +179,9 @@ static po_status follow(stretch *s, const po_line_minimum *m, bool forward) {
       status = PO_NOT_FOUND;
   }
   if (status)
-    s->lost[row] = po_follow_point(s->follower, false).load;
-  if (!status && forward) {
-    const size_t k = find_arrived(s, s->to);
-    if (k < s->to->count)
-      s->arrived[k] = true;
-  }
+    s->row[row].lost = po_follow_point(s->follower, false).load;
+  else
+    s->row[row].met = find_arrived(s, forward ? s->to : s->from);
   po_message_clear();
   return status == PO_NO_MEMORY ? status : PO_OK;
 }
@@ -196,6 +198,22 @@ static double spanning_load(const stretch *s, size_t index) {
   return load;
 }
 
+/* Whether a minimum is the pull-off of a scene between. */
+static bool is_pull_off(const stretch *s, size_t row) {
+  bool is = false;
+  for (size_t k = s->from->index + 1; k < s->to->index; ++k)
+    is = is || *load_of(s, row, k) == deepest_at(s, k);
+  return is;
+}
+
+/* Whether traces of the scenes between would come as far as a minimum, as those of both anchors
+ * did: they end where the sphere is pressed enough, and as a minimum before grows deeper, or the
+ * load between, that may be short of it. Both must have come to it with room to spare, by which
+ * they differ by less than either has. */
+static bool is_within(const followed *f) {
+  return f->met && fmin(f->from->margin, f->met->margin) > fabs(f->from->margin - f->met->margin);
+}
+
 /* Whether what was followed agrees with both traces, and gives every scene between its pull-off. */
 static bool agrees(const stretch *s) {
   const size_t first = s->from->index, last = s->to->index;
@@ -205,17 +223,27 @@ static bool agrees(const stretch *s) {
   for (size_t row = 0; row < s->rows; ++row)
     for (size_t k = first; k < last; ++k) /* a minimum that ends on the way is not the deepest */
       if (isnan(*load_of(s, row, k)) != isnan(*load_of(s, row, k + 1)) &&
-          !(s->lost[row] > spanning_load(s, k)))
+          !(s->row[row].lost > spanning_load(s, k)))
         return false;
+  for (size_t row = 0; row < s->rows; ++row)
+    if (is_pull_off(s, row) && !is_within(&s->row[row]))
+      return false;
   for (size_t k = first + 1; k < last; ++k)
     if (!isfinite(deepest_at(s, k)))
       return false;
   return true;
 }
 
+static bool has_arrived(const stretch *s, const po_line_minimum *m) {
+  bool has = false;
+  for (size_t row = 0; row < s->rows; ++row)
+    has = has || s->row[row].met == m;
+  return has;
+}
+
 /* Follows the minima between two anchors. Returned: whether that settles the scenes between. */
 static po_status follow_between(stretch *s, bool *settled) {
-  const size_t most = s->from->count + s->to->count;
+  const size_t most = s->from->deep + s->to->deep;
   const double tolerance = fmin(s->from->tolerance, s->to->tolerance);
   const po_allowance one = po_observe_allowance(&s->l->requests[s->from->index].scene, tolerance),
                      other = po_observe_allowance(&s->l->requests[s->to->index].scene, tolerance);
@@ -223,21 +251,19 @@ static po_status follow_between(stretch *s, bool *settled) {
                                      one.gap < other.gap ? one : other,
                                      po_observe_precision(tolerance)};
   s->load = po_allocate(most * (s->inside + 2), sizeof *s->load);
-  s->lost = po_allocate(most, sizeof *s->lost);
-  s->arrived = po_allocate(s->to->count, sizeof *s->arrived);
-  po_status status = s->load && s->lost && s->arrived ? PO_OK : PO_NO_MEMORY;
+  s->row = po_allocate(most, sizeof *s->row);
+  po_status status = s->load && s->row ? PO_OK : PO_NO_MEMORY;
   if (!status)
     status = po_follow_create(&options, (double)s->from->index, &s->follower);
-  for (size_t k = 0; k < s->from->count && !status; ++k)
+  for (size_t k = 0; k < s->from->deep && !status; ++k)
     status = follow(s, &s->from->minima[k], true);
-  for (size_t k = 0; k < s->to->count && !status; ++k)
-    if (!s->arrived[k])
+  for (size_t k = 0; k < s->to->deep && !status; ++k)
+    if (!has_arrived(s, &s->to->minima[k]))
       status = follow(s, &s->to->minima[k], false);
   *settled = !status && agrees(s);
   po_follow_destroy(s->follower);
   free(s->load);
-  free(s->lost);
-  free(s->arrived);
+  free(s->row);
   return status;
 }
 

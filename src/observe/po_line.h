@@ -1,14 +1,19 @@
 /* The pull-off along a line of scenes: some are traced, the anchors; between them the minima of the
  * load are followed from scene to scene, at a few factorisations each.
  *
- * A trace finds all minima of its scene. From either of two neighbouring anchors every minimum is
- * followed to the other that is not much shallower than the deepest there, and the deepest of those
- * followed is the pull-off of a scene between. That holds when what was followed agrees with the
- * trace it arrives at: no minimum arrives deeper than the pull-off traced there, and none ended on
- * the way as the deepest. Where it does not agree the scene half way between is traced, and so on.
- * So every pull-off is traced, or lies between two traces that agree with what was followed between
- * them. Not seen is a minimum that becomes the deepest and ceases to be so between two anchors, and
- * is much shallower at either of them. */
+ * A trace finds all minima of its scene. From either of two neighbouring anchors every minimum
+ * is followed to the other that is not much shallower than the deepest there, and the deepest of
+ * those followed is the pull-off of a scene between. That holds when what was followed agrees
+ * with the trace it arrives at: no minimum arrives deeper than the pull-off traced there, none
+ * ended on the way as the deepest, and what is the deepest anywhere between is a minimum that
+ * both traces came to, well before they ended: a trace ends where the sphere is pressed enough,
+ * and what lies beyond is not the pull-off, though it can be followed. At mu = 3, lambda = 50, R
+ * = 200 the minimum that pulls off with 5.8 at A = 5.6 is beyond at 5.74. Where it does not
+ * agree the scene half way between is traced, and so on. So every pull-off is traced, or lies
+ * between two traces that agree with what was followed between them. Not seen is a minimum that
+ * becomes the deepest and ceases to be so between two anchors, and is much shallower, or beyond
+ * the ends, at either of them.
+ */
 #ifndef PO_LINE_H
 #define PO_LINE_H
 

@@ -11,19 +11,19 @@
  * not there yet at 1.4. */
 static const double NEARLY = 0.3;
 
-static void forget(po_line_anchor *a, size_t from) {
-  for (size_t k = from; k < a->count; ++k)
+static void forget(po_line_anchor *a) {
+  for (size_t k = 0; k < a->count; ++k)
     po_track_point_free(&a->minima[k].point);
-  a->count = from < a->count ? from : a->count;
+  a->count = 0;
 }
 
 static void begin(void *data, double tolerance) {
   po_line_anchor *a = data;
-  forget(a, 0);
+  forget(a);
   a->tolerance = tolerance;
 }
 
-static bool keep(void *data, const po_branch_point *point) {
+static bool keep(void *data, const po_branch_point *point, double margin) {
   po_line_anchor *a = data;
   if (!point->track || !(point->load < 0.0))
     return true;
@@ -36,7 +36,7 @@ static bool keep(void *data, const po_branch_point *point) {
     a->room = room;
   }
   po_line_minimum *m = &a->minima[a->count++];
-  *m = (po_line_minimum){.approach = point->approach, .load = point->load};
+  *m = (po_line_minimum){.approach = point->approach, .load = point->load, .margin = margin};
   if (po_track_point_allocate(&m->point, point->track->n))
     return false;
   po_track_point_copy(point->track, &m->point);
@@ -58,20 +58,18 @@ po_status po_line_anchor_trace(const po_request *request, size_t index, po_outco
     return status;
   a->usable = !status && a->count > 0;
   if (!a->usable) {
-    forget(a, 0);
+    forget(a);
     return PO_OK;
   }
   qsort(a->minima, a->count, sizeof *a->minima, by_depth);
   a->deepest = a->minima[0].load;
-  size_t deep = 1;
-  while (deep < a->count && a->minima[deep].load <= NEARLY * a->deepest)
-    ++deep;
-  forget(a, deep);
+  while (a->deep < a->count && a->minima[a->deep].load <= NEARLY * a->deepest)
+    ++a->deep;
   return PO_OK;
 }
 
 void po_line_anchor_clear(po_line_anchor *a) {
-  forget(a, 0);
+  forget(a);
   free(a->minima);
   *a = (po_line_anchor){0};
 }

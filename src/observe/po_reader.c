@@ -229,10 +229,21 @@ static bool may_end(const po_reader *r, const po_branch_point *p) {
   return r->rises >= ENOUGH_RISES || p->load > PRELOAD + o->pull_off.force;
 }
 
+/* Of a scene a little different the trace might have ended at a point where this one just goes on.
+ */
+static void note_margin(po_reader *r, const po_branch_point *p) {
+  const po_outcome *o = r->outcome;
+  if (!o->has_pull_off || p->unstable_modes > 0 || !po_scene_is_wavy(&r->request->scene))
+    return;
+  const double left = (PRELOAD + o->pull_off.force - p->load) / PRELOAD;
+  r->margin = r->rises >= ENOUGH_RISES - 1 ? 0.0 : fmin(r->margin, left);
+}
+
 po_reader po_reader_begin(const po_request *request, po_outcome *outcome, double deadline) {
   return (po_reader){.request = request,
                      .outcome = outcome,
                      .deadline = deadline,
+                     .margin = 1.0,
                      .path_approach = -INFINITY,
                      .path_load = -INFINITY,
                      .greatest_load = -INFINITY};
@@ -282,11 +293,12 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
   if (p->kind == PO_POINT_STATION && !o->profile && (r->request->want & PO_WANT_PROFILE) &&
       fabs(p->approach - r->request->profile_approach) < SAME_APPROACH)
     keep_profile(r, p);
+  note_margin(r, p);
   if (p->kind != PO_POINT_STEP && p->kind != PO_POINT_STATION)
     add_landmark(r, p, contact_radius);
   if (p->kind == PO_POINT_LOAD_MIN) {
     note_minimum(r, p, contact_radius);
-    if (r->keeper && !r->keeper->minimum(r->keeper->data, p))
+    if (r->keeper && !r->keeper->minimum(r->keeper->data, p, r->margin))
       r->status = PO_NO_MEMORY;
   }
   if (r->balance)

@@ -10,7 +10,8 @@
 /* Who keeps the minima of the load, for more than the outcome says of them. */
 typedef struct {
   void (*begin)(void *data, double tolerance); /* a trace begins, forget those of others */
-  bool (*minimum)(void *data, const po_branch_point *point); /* false: no memory */
+  /* Given: the margin of the reader there. Returned: false: no memory */
+  bool (*minimum)(void *data, const po_branch_point *point, double margin);
   void *data;
 } po_keeper;
 
@@ -24,11 +25,13 @@ typedef struct {
   po_passage *out, *back;  /* landmarks of the way out and back; likewise */
   double begin;            /* points at a smaller approach are not recorded before it is reached */
   bool begun;
-  double pull_off_load;            /* the deepest minimum so far */
-  double wave_minimum;             /* of the load in the wave the contact's edge passed last */
-  double wave_radius;              /* contact radius there */
-  double rise;                     /* of that minimum from the wave before */
-  int rises;                       /* waves since the pull-off whose minima rose more and more */
+  double pull_off_load; /* the deepest minimum so far */
+  double wave_minimum;  /* of the load in the wave the contact's edge passed last */
+  double wave_radius;   /* contact radius there */
+  double rise;          /* of that minimum from the wave before */
+  int rises;            /* waves since the pull-off whose minima rose more and more */
+  double margin; /* how near the trace has been to its end: what it might have been pressed harder
+                    yet, in parts of the preload, at most 1; 0 where waves began to rise */
   double path_approach, path_load; /* greatest in loading so far, see po_loop.h; -INFINITY: none */
   double greatest_load;            /* of a stable point under a load so far */
   po_path_point *path;             /* the branch, when hysteresis is wanted; owned */
