@@ -8,7 +8,6 @@ from ..words import MINUS, plain, value_of
 from .figure import Figure, failures
 
 
-
 def stretches(table, tabor):
     """The branch as blocks of (−Δ†/μ, W̄), stable ones and unstable ones; neighbours share a point."""
     x, y = -table.numbers("approach") / tabor, table.numbers("load")
@@ -32,14 +31,18 @@ def line(case, name, tabor):
             zip(table.numbers("approach"), table.numbers("load")) if numpy.isfinite(a + b)]
 
 
+# Where the label of an end of a jump goes, left and up, by (loading, before): away from the branch, which falls
+# to the right.
+BESIDE = {(True, True): (1, 1), (True, False): (1.9, -0.9), (False, True): (-0.3, -1.5), (False, False): (-1, 1)}
+
+
 def ends(loop, tabor):
-    """(x, y, label, loading, left, above) of both ends of every jump: where its label goes, ±1."""
+    """(x, y, label, loading, left, above) of both ends of every jump."""
     rows = []
     for jump in loop["jumps"]:
         loading = jump["phase"] == "loading"
         for state, label, before in zip((jump["before"], jump["after"]), jump["ends"], (True, False)):
-            rows.append((-state["approach"] / tabor, state["load"], label, int(loading),
-                         1 if loading and before else -1, 1 if loading == before else -1))
+            rows.append((-state["approach"] / tabor, state["load"], label, int(loading), *BESIDE[loading, before]))
     return rows
 
 
