@@ -165,14 +165,18 @@ static void seed_from_guess(po_follower *f) {
   memcpy(f->seed.rate, latest->rate, sizeof f->seed.rate);
 }
 
-/* One attempt at a step. Returned: the error of the forecast, if it could be had. */
-static po_status try_step(po_follower *f, double at, double *error) {
+/* One attempt at a step; the last, if it fails. Returned: the error of the forecast, if it could be
+ * had. */
+static po_status try_step(po_follower *f, double at, bool last, double *error) {
   const po_waymark *marks[PO_FORECAST_MARKS];
   po_forecast forecast;
   for (size_t k = 0; k < f->count; ++k)
     marks[k] = mark_of(f, k);
-  if (!po_forecast_make(marks, f->count, at, &forecast))
-    return PO_NOT_CONVERGED;
+  if (!po_forecast_make(marks, f->count, at, &forecast)) {
+    if (!last)
+      return PO_NOT_CONVERGED;
+    po_forecast_still(marks, f->count, at, &forecast);
+  }
   set_scene(f, at);
   po_status status =
       mesh_for(f, &marks[0]->point.leaves, &(po_gap_field){po_forecast_gap, &forecast});
@@ -201,11 +205,13 @@ po_status po_follow_to(po_follower *f, double at) {
     const bool last = fabs(left) <= most;
     const double step = last ? left : copysign(most, left);
     const double to = last ? at : mark_of(f, 0)->at + step;
+    const bool shortest =
+        fabs(step) < (f->count == 1 ? SHORTEST_FIRST : SHORTEST_STEP) * fabs(whole);
     double error = INFINITY;
-    if (try_step(f, to, &error)) {
+    if (try_step(f, to, shortest, &error)) {
       po_message_clear();
       f->c.trouble = PO_OK;
-      if (fabs(step) < (f->count == 1 ? SHORTEST_FIRST : SHORTEST_STEP) * fabs(whole))
+      if (shortest)
         return po_fail(PO_NOT_FOUND, "the landmark at approach %.6g, load %.6g ends on the way",
                        f->value[0], f->value[1]);
       f->step = (f->count == 1 ? 0.1 : 0.5) * fabs(step);

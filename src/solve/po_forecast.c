@@ -49,6 +49,13 @@ bool po_forecast_make(const po_waymark *const *mark, size_t count, double at, po
   return move(f, mark, count, true, at) || move(f, mark, count, false, at);
 }
 
+void po_forecast_still(const po_waymark *const *mark, size_t count, double at, po_forecast *f) {
+  *f = (po_forecast){.count = count};
+  for (size_t i = 0; i < count; ++i)
+    f->mark[i] = mark[i];
+  weigh(f, at);
+}
+
 /* The gap of a mark; undeformed outside its root. */
 static double gap_of(const po_waymark *m, double r) {
   if (r < m->root)

@@ -31,6 +31,10 @@ typedef struct {
  * no front moves far towards another. */
 bool po_forecast_make(const po_waymark *const *mark, size_t count, double at, po_forecast *f);
 
+/* The same in coordinates that stay: where the innermost front closes at the axis, or is born
+ * there, it moves ever faster, and the gap is flat. For short ways. */
+void po_forecast_still(const po_waymark *const *mark, size_t count, double at, po_forecast *f);
+
 /* The gap expected at a radius; above -1. `forecast` is a po_forecast. */
 double po_forecast_gap(void *forecast, double r);
 

@@ -1,0 +1,160 @@
+/* Folds followed in a parameter of the scene, against the folds of full traces. */
+#include <math.h>
+
+#include "po_follow.h"
+#include "po_observe_parts.h"
+#include "po_track.h"
+#include "run.h"
+
+enum { MOST = 16 };
+
+/* Newton's precision and the panels are for this. */
+static const double TOLERANCE = 1e-8;
+
+/* Scenes along the parameter: mu, or with `amplitude` the amplitude. */
+typedef struct {
+  po_scene scene;
+  bool amplitude;
+  double from, to[3];
+  size_t folds;
+} line;
+
+static const line LINES[] = {
+    {{0.0, 0.0, 0.0, 87.0, INFINITY}, false, 2.385, {2.2, 2.61, 3.07}, 2},
+    /* of the third the contact closes at the axis on the way down: its edge moves ever faster */
+    {{0.0, 0.0, 0.0, 100.0, INFINITY}, false, 5.0, {4.7, 4.385, 5.41}, 4},
+    {{3.0, 0.0, 20.0, 100.0, 100.0}, true, 1.0, {0.97, 1.04, 1.1}, 6},
+    {{0.0, 0.3, 17.0, 100.0, INFINITY}, false, 1.7, {1.66, 1.81, 1.93}, 2},
+};
+
+static void scene_at(void *data, double at, po_scene *scene) {
+  const line *l = data;
+  *scene = l->scene;
+  *(l->amplitude ? &scene->amplitude : &scene->tabor) = at;
+}
+
+static double root_of(const po_scene *scene) {
+  return po_observe_root(scene, po_surface_core(scene, NAN));
+}
+
+typedef struct {
+  size_t count, most;
+  po_track_point point[MOST];
+  po_point_kind kind[MOST];
+} folds;
+
+static bool keep(const po_branch_point *p, void *data) {
+  folds *f = data;
+  if (p->kind == PO_POINT_APPROACH_MAX || p->kind == PO_POINT_APPROACH_MIN) {
+    ck_assert_uint_lt(f->count, MOST);
+    ck_assert_int_eq(po_track_point_allocate(&f->point[f->count], p->track->n), PO_OK);
+    po_track_point_copy(p->track, &f->point[f->count]);
+    f->kind[f->count++] = p->kind;
+  }
+  return f->count == f->most;
+}
+
+/* The folds of a trace, as they are on its panels. */
+static void trace(const line *l, folds *f) {
+  po_scene scene;
+  scene_at((void *)l, l->from, &scene);
+  po_adaptive *panels = NULL;
+  po_equilibrium *e = NULL;
+  po_tracker *tracker = NULL;
+  ck_assert_int_eq(po_adaptive_create(&scene, root_of(&scene), 4, &panels), PO_OK);
+  ck_assert_int_eq(
+      po_equilibrium_create(&scene, po_adaptive_surface(panels), po_adaptive_capacity(panels), &e),
+      PO_OK);
+  e->precision = po_observe_precision(TOLERANCE);
+  *f = (folds){.most = l->folds};
+  po_branch_options options = po_branch_options_default();
+  options.visit = keep;
+  options.data = f;
+  const po_allowance allowed = po_observe_allowance(&scene, TOLERANCE);
+  ck_assert_int_eq(po_track_create(e, panels, allowed, &options, &tracker), PO_OK);
+  ck_assert_int_eq(po_track_onwards(tracker), PO_OK);
+  po_track_destroy(tracker);
+  po_equilibrium_destroy(e);
+  po_adaptive_destroy(panels);
+  ck_assert_uint_eq(f->count, l->folds);
+}
+
+/* Makes a follower that begins where the line does. */
+static po_follower *follower_of(const line *l) {
+  po_scene scene;
+  scene_at((void *)l, l->from, &scene);
+  const po_follow_options options = {scene_at, root_of, (void *)l,
+                                     po_observe_allowance(&scene, TOLERANCE),
+                                     po_observe_precision(TOLERANCE)};
+  po_follower *follower = NULL;
+  ck_assert_int_eq(po_follow_create(&options, l->from, &follower), PO_OK);
+  return follower;
+}
+
+/* The folds of a trace of the scene at a parameter, by themselves. */
+static void solve(const line *l, double at, po_outcome *o) {
+  po_request request = po_request_default();
+  scene_at((void *)l, at, &request.scene);
+  request.mesh.scheme = PO_PANEL;
+  request.mesh.tolerance = TOLERANCE;
+  ck_assert_int_eq(po_observe(&request, o), PO_OK);
+  ck_assert_uint_eq(o->fold_count, l->folds);
+}
+
+START_TEST(folds_followed_are_those_of_traces) {
+  const line *l = &LINES[_i];
+  folds f;
+  trace(l, &f);
+  po_outcome traced[3];
+  for (int k = 0; k < 3; ++k)
+    solve(l, l->to[k], &traced[k]);
+  po_follower *follower = follower_of(l);
+  for (size_t j = 0; j < f.count; ++j) {
+    ck_assert_int_eq(po_follow_begin(follower, &f.point[j], PO_OF_APPROACH, l->from), PO_OK);
+    for (int k = 0; k < 3; ++k) {
+      ck_assert_int_eq(po_follow_to(follower, l->to[k]), PO_OK);
+      const po_branch_point p = po_follow_point(follower, true);
+      const po_landmark *expected = &traced[k].folds[j];
+      ck_assert_int_eq(p.kind, f.kind[j]);
+      ck_assert_int_eq(p.kind == PO_POINT_APPROACH_MAX ? PO_JUMP_IN : PO_JUMP_OUT, expected->kind);
+      ck_assert_double_eq_tol(p.approach, expected->approach, 1e-6);
+      ck_assert_double_eq_tol(p.load, expected->load, 1e-6);
+      ck_assert_double_lt(p.approach_error, 1e-6);
+      ck_assert_double_lt(p.load_error, 1e-6);
+    }
+  }
+  uint64_t kernel;
+  const po_solve_work work = po_follow_work(follower, &kernel);
+  ck_assert_uint_lt(work.factorizations, 40 * 3 * l->folds); /* errors of each included */
+  po_follow_destroy(follower);
+  for (size_t j = 0; j < f.count; ++j)
+    po_track_point_free(&f.point[j]);
+  for (int k = 0; k < 3; ++k)
+    po_outcome_clear(&traced[k]);
+}
+END_TEST
+
+/* The two folds of a smooth sphere meet at mu = 0.697 and end there: below, none can be had. */
+START_TEST(folds_that_meet_are_lost) {
+  static const line LINE = {{0.0, 0.0, 0.0, 100.0, INFINITY}, false, 0.9, {0.75, 0.6, 0.0}, 2};
+  folds f;
+  trace(&LINE, &f);
+  po_follower *follower = follower_of(&LINE);
+  for (size_t j = 0; j < f.count; ++j) {
+    ck_assert_int_eq(po_follow_begin(follower, &f.point[j], PO_OF_APPROACH, LINE.from), PO_OK);
+    ck_assert_int_eq(po_follow_to(follower, LINE.to[0]), PO_OK);
+    ck_assert_int_eq(po_follow_to(follower, LINE.to[1]), PO_NOT_FOUND);
+    po_track_point_free(&f.point[j]);
+  }
+  po_follow_destroy(follower);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_loop_test(tests, folds_followed_are_those_of_traces, 0, sizeof LINES / sizeof *LINES);
+  tcase_add_test(tests, folds_that_meet_are_lost);
+}
+
+int main(void) {
+  return run_case("follow_folds", add);
+}
