@@ -172,6 +172,7 @@ class Parts(PageTest):
         with made_up(synthetic.make_map) as folder:
             text = plain(page_of(folder))
         self.has(text, "Figure 14: scenes drawn at random, followed and traced",
+                 "The trace of the same scene by the same program", "Used by fig14",
                  "0.7 0.01000 2.19800000 2.19799997 3.0 × 10−8 0.03 ✓ within")
         with made_up(lambda run: synthetic.make_map(run, outside=True)) as folder:
             self.has(plain(page_of(folder)), "2.6 0.20000 2.54000000 2.53600000 4.0 × 10−3 4e+03 ✗ outside",

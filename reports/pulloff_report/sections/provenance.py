@@ -4,6 +4,11 @@ from . import Section
 from ..references import file_name
 
 KEYS = ("source", "method", "units", "uncertainty", "generator", "command", "date")
+# What the words mean that stand for a reference and are no table.
+WORDS = {"every_scene": "Every scene has its equilibria: the share of those solved is to be 1",
+         "zero": "What an exact solution has none of",
+         "traced": "The trace of the same scene by the same program; it vouches for the following, not for the solver"}
+CLOSED_FORM = "A closed form built into the program"
 STATES = {"verified": "intact: the checksum is the stated one",
           "differs": "altered: the checksum is not the stated one",
           "absent": "no checksum is stated"}
@@ -14,6 +19,7 @@ def card(source, name, cases):
     built_in = not name.endswith(".csv")
     table = source.references.table(name + ".csv" if built_in else name)
     entry = {"name": name, "cases": sorted(cases), "table": table, "built_in": built_in,
+             "meaning": WORDS.get(name, CLOSED_FORM),
              "kind": "", "rows": []}
     if table is None:
         return entry
