@@ -11,7 +11,8 @@ static const double ERROR_OF_TOLERANCE = 0.3, ERROR_OF_WAVES = 1.0, COARSEST_ERR
 static const double STIFF_TABOR = 14.0;
 /* Below it waves may have more, by the fourth power: their minima are sharp, whereas that of a
  * sphere is flat, and its approach would suffer. With 5e-3 at mu = 20 folds appear that are not.
- * Nothing is gained where the surface hardly gives way. */
+ * Nothing is gained where the surface hardly gives way, nor when a curve is wanted: its cubics
+ * need twice as many steps over what coarse panels leave of ripples. */
 static const double COARSEST_OF_WAVES = 1e-2, LEAST_PLIANT_TABOR = 1.0;
 /* Error of the load that a panel may make, by an estimate that is mostly too large, over the same
  * tolerance. */
@@ -22,23 +23,25 @@ static const double LOAD_OF_TOLERANCE = 30.0;
 static const double PRECISION_OF_TOLERANCE = 1e-4, FINEST_PRECISION = 2e-13,
                     COARSEST_PRECISION = 1e-9;
 
-static bool is_pliant_and_wavy(const po_scene *scene) {
-  return po_scene_is_wavy(scene) && scene->tabor > LEAST_PLIANT_TABOR;
+static bool may_be_coarse(const po_request *request) {
+  const po_scene *scene = &request->scene;
+  return po_scene_is_wavy(scene) && scene->tabor > LEAST_PLIANT_TABOR &&
+         !(request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS));
 }
 
 /* The error of the gap that panels may make at any tolerance. */
-static double coarsest_error(const po_scene *scene) {
-  const double stiff = scene->tabor / STIFF_TABOR;
+static double coarsest_error(const po_request *request) {
+  const double stiff = request->scene.tabor / STIFF_TABOR;
   if (stiff > 1.0)
     return COARSEST_ERROR / (stiff * stiff);
-  if (!is_pliant_and_wavy(scene))
+  if (!may_be_coarse(request))
     return COARSEST_ERROR;
   return fmin(COARSEST_OF_WAVES, COARSEST_ERROR / pow(stiff, 4.0));
 }
 
-po_allowance po_observe_allowance(const po_scene *scene, double tolerance) {
-  const double coarsest = coarsest_error(scene);
-  const double error = is_pliant_and_wavy(scene) ? ERROR_OF_WAVES : ERROR_OF_TOLERANCE;
+po_allowance po_observe_allowance(const po_request *request, double tolerance) {
+  const double coarsest = coarsest_error(request);
+  const double error = may_be_coarse(request) ? ERROR_OF_WAVES : ERROR_OF_TOLERANCE;
   return (po_allowance){fmin(coarsest, error * sqrt(tolerance)),
                         fmin(coarsest, LOAD_OF_TOLERANCE * tolerance)};
 }

@@ -245,8 +245,8 @@ static bool has_arrived(const stretch *s, const po_line_minimum *m) {
 static po_status follow_between(stretch *s, bool *settled) {
   const size_t most = s->from->deep + s->to->deep;
   const double tolerance = fmin(s->from->tolerance, s->to->tolerance);
-  const po_allowance one = po_observe_allowance(&s->l->requests[s->from->index].scene, tolerance),
-                     other = po_observe_allowance(&s->l->requests[s->to->index].scene, tolerance);
+  const po_allowance one = po_observe_allowance(&s->l->requests[s->from->index], tolerance),
+                     other = po_observe_allowance(&s->l->requests[s->to->index], tolerance);
   const po_follow_options options = {scene_at, root_of, (void *)s->l,
                                      one.gap < other.gap ? one : other,
                                      po_observe_precision(tolerance)};

@@ -8,9 +8,9 @@
 /* po_observe, with somebody who keeps the minima. */
 po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po_outcome *outcome);
 
-/* What panels may leave for a scene, and where Newton's method may stop, for a relative tolerance.
- */
-po_allowance po_observe_allowance(const po_scene *scene, double tolerance);
+/* What panels may leave for a request, and where Newton's method may stop, for a relative
+ * tolerance. */
+po_allowance po_observe_allowance(const po_request *request, double tolerance);
 double po_observe_precision(double tolerance);
 
 /* Radius of the panels' root, eps, for a surface whose core reaches so far. */

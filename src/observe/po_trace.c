@@ -72,7 +72,7 @@ static po_status trace_back(po_tracker *tracker, po_reader *reader) {
 static po_status trace_panels(const po_request *request, const po_attempt *a, po_reader *reader,
                               po_equilibrium *e, po_adaptive *panels,
                               const po_branch_options *options) {
-  const po_allowance allowed = po_observe_allowance(&request->scene, a->tolerance);
+  const po_allowance allowed = po_observe_allowance(request, a->tolerance);
   po_tracker *tracker = NULL;
   e->precision = po_observe_precision(request->mesh.tolerance);
   po_status status = po_track_create(e, panels, allowed, options, &tracker);

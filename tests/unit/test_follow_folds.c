@@ -54,6 +54,13 @@ static bool keep(const po_branch_point *p, void *data) {
   return f->count == f->most;
 }
 
+/* What panels may leave on a scene. */
+static po_allowance allowance_of(const po_scene *scene) {
+  po_request request = po_request_default();
+  request.scene = *scene;
+  return po_observe_allowance(&request, TOLERANCE);
+}
+
 /* The folds of a trace, as they are on its panels. */
 static void trace(const line *l, folds *f) {
   po_scene scene;
@@ -70,7 +77,7 @@ static void trace(const line *l, folds *f) {
   po_branch_options options = po_branch_options_default();
   options.visit = keep;
   options.data = f;
-  const po_allowance allowed = po_observe_allowance(&scene, TOLERANCE);
+  const po_allowance allowed = allowance_of(&scene);
   ck_assert_int_eq(po_track_create(e, panels, allowed, &options, &tracker), PO_OK);
   ck_assert_int_eq(po_track_onwards(tracker), PO_OK);
   po_track_destroy(tracker);
@@ -83,8 +90,7 @@ static void trace(const line *l, folds *f) {
 static po_follower *follower_of(const line *l) {
   po_scene scene;
   scene_at((void *)l, l->from, &scene);
-  const po_follow_options options = {scene_at, root_of, (void *)l,
-                                     po_observe_allowance(&scene, TOLERANCE),
+  const po_follow_options options = {scene_at, root_of, (void *)l, allowance_of(&scene),
                                      po_observe_precision(TOLERANCE)};
   po_follower *follower = NULL;
   ck_assert_int_eq(po_follow_create(&options, l->from, &follower), PO_OK);
