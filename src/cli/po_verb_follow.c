@@ -7,6 +7,7 @@
 #include "po_interrupt.h"
 #include "po_json.h"
 #include "po_line.h"
+#include "po_line_folds.h"
 #include "po_linear.h"
 #include "po_memory.h"
 #include "po_options.h"
@@ -25,6 +26,9 @@ static const char HELP[] =
     "  --from A, --to B        its first and last value\n"
     "  --points N              how many values (60)\n"
     "  --scale log|linear      of equal steps (log)\n"
+    "  --of pull-off|folds     what is followed (pull-off); folds: those of the first scene, "
+    "which\n"
+    "                          is traced, as far along the line as they are there\n"
     "  --anchor-every K        one scene in K is traced at least (15)\n"
     "  --tabor MU              Tabor parameter (1)\n"
     "  --amplitude A           of the waviness (0: smooth)\n"
@@ -38,7 +42,7 @@ static const char HELP[] =
     "Example: pulloff follow --key tabor --from 0.1 --to 5 --points 60 --amplitude 1 \\\n"
     "             --wavelength 20 --outer-radius 100\n";
 
-enum { RUNS = 1, FROM, TO, POINTS, SCALE, ANCHORS, JSON, KEY };
+enum { RUNS = 1, FROM, TO, POINTS, SCALE, OF, ANCHORS, JSON, KEY };
 enum { DEFAULT_POINTS = 60 };
 
 /* Values of a line are rounded to so many digits, as those of a sweep. */
@@ -53,6 +57,7 @@ static const struct option OPTIONS[] = {
     {"to", required_argument, NULL, TO},
     {"points", required_argument, NULL, POINTS},
     {"scale", required_argument, NULL, SCALE},
+    {"of", required_argument, NULL, OF},
     {"anchor-every", required_argument, NULL, ANCHORS},
     {"json", no_argument, NULL, JSON},
     {"tabor", required_argument, NULL, KEY + PO_KEY_TABOR},
@@ -71,7 +76,7 @@ typedef struct {
   po_key key;
   double from, to;
   size_t points, anchors;
-  bool linear, json;
+  bool linear, folds, json;
 } follow_line;
 
 static const struct option *option_of(int value) {
@@ -117,6 +122,11 @@ static po_status take_option(void *to, int option) {
     if (line->linear || strcmp(optarg, "log") == 0)
       return PO_OK;
     return po_options_refuse("scale", optarg, "log or linear");
+  case OF:
+    line->folds = strcmp(optarg, "folds") == 0;
+    if (line->folds || strcmp(optarg, "pull-off") == 0)
+      return PO_OK;
+    return po_options_refuse("of", optarg, "pull-off or folds");
   case JSON:
     line->json = true;
     return PO_OK;
@@ -204,6 +214,32 @@ static void print_text(const follow_line *line, const po_request *requests,
          (unsigned long long)all, line->points, followed);
 }
 
+/* A block of rows for each fold of the first scene. */
+static void print_folds(const follow_line *line, const po_request *requests,
+                        const po_outcome *outcomes) {
+  printf("%-9s %15s %16s %8s %14s %8s %14s\n", "", line->runs, "approach", "error", "load", "error",
+         "contact radius");
+  uint64_t all = 0;
+  for (size_t k = 0; k < line->points; ++k)
+    all += outcomes[k].work.factorizations;
+  for (size_t j = 0; j < outcomes[0].fold_count; ++j) {
+    bool there = true;
+    for (size_t k = 0; k < line->points && there; ++k) {
+      const po_landmark *fold = &outcomes[k].folds[j];
+      there = !isnan(fold->approach);
+      printf("%-9s %15g ", po_landmark_kind_name(fold->kind),
+             po_key_number(&requests[k], line->key));
+      if (there)
+        printf("%16.10f %8.1e %14.10f %8.1e %14.6g\n", fold->approach, fold->approach_error,
+               fold->load, fold->load_error, fold->contact_radius);
+      else
+        printf("%16s\n", "ended");
+    }
+  }
+  printf("work     %llu factorisations for %zu folds of %zu scenes\n", (unsigned long long)all,
+         outcomes[0].fold_count, line->points);
+}
+
 static po_status follow(const follow_line *line, po_request *requests, po_outcome *outcomes) {
   po_status status = PO_OK;
   for (size_t k = 0; k < line->points && !status; ++k)
@@ -211,12 +247,15 @@ static po_status follow(const follow_line *line, po_request *requests, po_outcom
   if (status)
     return status;
   po_linear_single_thread();
-  status = po_line_observe(requests, line->points, line->anchors, outcomes);
+  status = line->folds ? po_line_folds(requests, line->points, outcomes)
+                       : po_line_observe(requests, line->points, line->anchors, outcomes);
   if (status == PO_INTERRUPTED)
     return po_fail(status, "interrupted");
   if (!status && line->json)
     status = print_json(requests, outcomes, line->points);
-  else if (!status)
+  else if (!status && line->folds && !outcomes[0].status)
+    print_folds(line, requests, outcomes);
+  else if (!status && !line->folds)
     print_text(line, requests, outcomes);
   for (size_t k = 0; k < line->points && !status; ++k)
     if (outcomes[k].status)

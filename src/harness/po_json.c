@@ -38,9 +38,10 @@ static json_t *landmarks(const po_landmark *list, size_t count) {
   return array;
 }
 
-/* Of a pull-off that was followed nothing else is known, which is not the same as none. */
+/* Of a pull-off that was followed nothing else is known, which is not the same as none; folds that
+ * were followed are. */
 static json_t *landmarks_of(const po_outcome *outcome, const po_landmark *list, size_t count) {
-  return outcome->followed ? json_null() : landmarks(list, count);
+  return outcome->followed && count == 0 ? json_null() : landmarks(list, count);
 }
 
 json_t *po_json_outcome(const po_request *request, const po_outcome *outcome) {

@@ -5,21 +5,14 @@
 
 #include "po_clock.h"
 #include "po_contact.h"
-#include "po_follow.h"
 #include "po_line_anchor.h"
+#include "po_line_scenes.h"
 #include "po_memory.h"
 #include "po_observe_parts.h"
 
 /* A minimum that was followed and one that was traced are the same when their loads differ by no
  * more than this many tolerances, and their approaches by this part. */
 static const double SAME_LOAD = 10.0, SAME_APPROACH = 1e-2;
-
-/* A line on its way. The parameter of a scene is its number on the line. */
-typedef struct {
-  const po_request *requests;
-  po_outcome *outcomes;
-  size_t count;
-} line;
 
 /* A minimum followed from one anchor towards the other. */
 typedef struct {
@@ -29,56 +22,21 @@ typedef struct {
 
 /* The stretch between two anchors. */
 typedef struct {
-  const line *l;
+  const po_line_scenes *l;
   po_line_anchor *from, *to;
   po_follower *follower;
   size_t inside; /* scenes between */
   double *load;  /* a row of inside + 2 for each minimum followed: its load, NAN: not there */
   followed *row; /* one a row */
   size_t rows;
-  po_solve_work before;
-  uint64_t kernel_before;
+  po_line_work before;
 } stretch;
-
-/* Between two values, evenly in the logarithm where that can be. */
-static double between(double a, double b, double part) {
-  if (a == b || isinf(a))
-    return a;
-  return a > 0.0 && b > 0.0 ? a * pow(b / a, part) : a + part * (b - a);
-}
-
-static void scene_at(void *data, double at, po_scene *scene) {
-  const line *l = data;
-  const size_t k = (size_t)fmin(floor(at), (double)(l->count - 1));
-  const double part = at - (double)k;
-  *scene = l->requests[k].scene;
-  if (part == 0.0)
-    return;
-  const po_scene *a = &l->requests[k].scene, *b = &l->requests[k + 1].scene;
-  scene->tabor = between(a->tabor, b->tabor, part);
-  scene->amplitude = between(a->amplitude, b->amplitude, part);
-  scene->wavelength = between(a->wavelength, b->wavelength, part);
-  scene->radius = between(a->radius, b->radius, part);
-  scene->outer_radius = between(a->outer_radius, b->outer_radius, part);
-}
-
-static double root_of(const po_scene *scene) {
-  return po_observe_root(scene, po_surface_core(scene, NAN));
-}
-
-/* Whether nothing but numbers of the scene differ, and only the pull-off is wanted. */
-static bool are_alike(const po_request *a, const po_request *b) {
-  return a->mesh.scheme == PO_PANEL && b->mesh.scheme == PO_PANEL && !a->want && !b->want &&
-         a->mesh.tolerance == b->mesh.tolerance && isnan(a->approach_end) &&
-         isnan(b->approach_end) && po_scene_is_wavy(&a->scene) == po_scene_is_wavy(&b->scene) &&
-         isinf(a->scene.outer_radius) == isinf(b->scene.outer_radius);
-}
 
 static bool may_follow(const stretch *s) {
   if (!s->from->usable || !s->to->usable)
     return false;
   for (size_t k = s->from->index; k < s->to->index; ++k)
-    if (!are_alike(&s->l->requests[k], &s->l->requests[k + 1]))
+    if (!po_line_alike(&s->l->requests[k], &s->l->requests[k + 1]))
       return false;
   return true;
 }
@@ -97,21 +55,6 @@ static double deepest_at(const stretch *s, size_t index) {
 
 static double sameness(const stretch *s, double load) {
   return SAME_LOAD * s->l->requests[s->from->index].mesh.tolerance * fabs(load);
-}
-
-/* What the follower did since it was last asked. */
-static void add_work(stretch *s, double seconds, po_work *work) {
-  uint64_t kernel;
-  const po_solve_work now = po_follow_work(s->follower, &kernel);
-  work->points += now.points - s->before.points;
-  work->newton_iterations += now.newton_iterations - s->before.newton_iterations;
-  work->factorizations += now.factorizations - s->before.factorizations;
-  work->meshes += now.meshes - s->before.meshes;
-  work->kernel_evaluations += kernel - s->kernel_before;
-  work->factorized_nodes = now.factorized_nodes;
-  work->seconds += seconds;
-  s->before = now;
-  s->kernel_before = kernel;
 }
 
 /* Takes the minimum that the follower is at for the pull-off of a scene, if it is the deepest so
@@ -173,7 +116,7 @@ static po_status follow(stretch *s, const po_line_minimum *m, bool forward) {
     if (!status)
       *load_of(s, row, index) = take(s, index);
     const double now = po_clock_wall();
-    add_work(s, now - begin, &s->l->outcomes[index].work);
+    po_line_add_work(s->follower, now - begin, &s->before, &s->l->outcomes[index].work);
     begin = now;
     if (!status && isnan(*load_of(s, row, index)))
       status = PO_NOT_FOUND;
@@ -245,16 +188,11 @@ static bool has_arrived(const stretch *s, const po_line_minimum *m) {
 static po_status follow_between(stretch *s, bool *settled) {
   const size_t most = s->from->deep + s->to->deep;
   const double tolerance = fmin(s->from->tolerance, s->to->tolerance);
-  const po_allowance one = po_observe_allowance(&s->l->requests[s->from->index], tolerance),
-                     other = po_observe_allowance(&s->l->requests[s->to->index], tolerance);
-  const po_follow_options options = {scene_at, root_of, (void *)s->l,
-                                     one.gap < other.gap ? one : other,
-                                     po_observe_precision(tolerance)};
   s->load = po_allocate(most * (s->inside + 2), sizeof *s->load);
   s->row = po_allocate(most, sizeof *s->row);
   po_status status = s->load && s->row ? PO_OK : PO_NO_MEMORY;
   if (!status)
-    status = po_follow_create(&options, (double)s->from->index, &s->follower);
+    status = po_line_follower(s->l, s->from->index, s->to->index, tolerance, &s->follower);
   for (size_t k = 0; k < s->from->deep && !status; ++k)
     status = follow(s, &s->from->minima[k], true);
   for (size_t k = 0; k < s->to->deep && !status; ++k)
@@ -267,7 +205,7 @@ static po_status follow_between(stretch *s, bool *settled) {
   return status;
 }
 
-static po_status trace(const line *l, size_t index, po_line_anchor *anchor) {
+static po_status trace(const po_line_scenes *l, size_t index, po_line_anchor *anchor) {
   po_outcome *o = &l->outcomes[index];
   const po_work spent = o->work; /* on following what did not agree */
   po_outcome_clear(o);
@@ -295,7 +233,7 @@ static po_status trace_what_errs(const stretch *s) {
   return status;
 }
 
-static po_status fill(const line *l, po_line_anchor *from, po_line_anchor *to) {
+static po_status fill(const po_line_scenes *l, po_line_anchor *from, po_line_anchor *to) {
   if (to->index - from->index < 2)
     return PO_OK;
   stretch s = {.l = l, .from = from, .to = to, .inside = to->index - from->index - 1};
@@ -316,7 +254,7 @@ static po_status fill(const line *l, po_line_anchor *from, po_line_anchor *to) {
 
 po_status po_line_observe(const po_request *requests, size_t count, size_t anchor_every,
                           po_outcome *outcomes) {
-  const line l = {requests, outcomes, count};
+  const po_line_scenes l = {requests, outcomes, count};
   for (size_t k = 0; k < count; ++k) {
     outcomes[k] = (po_outcome){.status = PO_OK};
     outcomes[k].start = outcomes[k].end = outcomes[k].profile_approach = NAN;

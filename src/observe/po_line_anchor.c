@@ -25,7 +25,7 @@ static void begin(void *data, double tolerance) {
 
 static bool keep(void *data, const po_branch_point *point, double margin) {
   po_line_anchor *a = data;
-  if (!point->track || !(point->load < 0.0))
+  if (!point->track || point->kind != PO_POINT_LOAD_MIN || !(point->load < 0.0))
     return true;
   if (a->count == a->room) {
     const size_t room = a->room ? 2 * a->room : 8;

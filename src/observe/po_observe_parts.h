@@ -5,7 +5,7 @@
 #include "po_reader.h"
 #include "po_resolution.h"
 
-/* po_observe, with somebody who keeps the minima. */
+/* po_observe, with somebody who keeps minima and folds. */
 po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po_outcome *outcome);
 
 /* What panels may leave for a request, and where Newton's method may stop, for a relative

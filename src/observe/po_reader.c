@@ -229,6 +229,11 @@ static bool may_end(const po_reader *r, const po_branch_point *p) {
   return r->rises >= ENOUGH_RISES || p->load > PRELOAD + o->pull_off.force;
 }
 
+static bool is_kept(po_point_kind kind) {
+  return kind == PO_POINT_LOAD_MIN || kind == PO_POINT_APPROACH_MAX ||
+         kind == PO_POINT_APPROACH_MIN;
+}
+
 /* Of a scene a little different the trace might have ended at a point where this one just goes on.
  */
 static void note_margin(po_reader *r, const po_branch_point *p) {
@@ -298,9 +303,9 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
     add_landmark(r, p, contact_radius);
   if (p->kind == PO_POINT_LOAD_MIN) {
     note_minimum(r, p, contact_radius);
-    if (r->keeper && !r->keeper->minimum(r->keeper->data, p, r->margin))
-      r->status = PO_NO_MEMORY;
   }
+  if (r->keeper && is_kept(p->kind) && !r->keeper->landmark(r->keeper->data, p, r->margin))
+    r->status = PO_NO_MEMORY;
   if (r->balance)
     po_balance_note(r->balance, p);
   if (r->kept && !r->status)

@@ -7,11 +7,11 @@
 #include "po_kept.h"
 #include "po_outcome.h"
 
-/* Who keeps the minima of the load, for more than the outcome says of them. */
+/* Who keeps minima of the load and folds, for more than the outcome says of them. */
 typedef struct {
   void (*begin)(void *data, double tolerance); /* a trace begins, forget those of others */
   /* Given: the margin of the reader there. Returned: false: no memory */
-  bool (*minimum)(void *data, const po_branch_point *point, double margin);
+  bool (*landmark)(void *data, const po_branch_point *point, double margin);
   void *data;
 } po_keeper;
 

@@ -40,6 +40,28 @@ for k in 2 5; do
   done
 done
 
+# Folds: as those of traces, and ended where two have met (mu = 0.697).
+expect 2 'pulloff: --of is fold: expected pull-off or folds' follow --key tabor --from 1 --to 2 --of fold
+expect 2 'pulloff: folds are not followed from scene 1 to the next: *' follow --key amplitude --from 0 --to 1 \
+  --scale linear --points 3 --wavelength 20 --of folds
+expect 0 '' follow --of folds --key tabor --from 1.35 --to 0.61 --points 6 --scale linear --radius 87 --json
+cp "$work/stdout" folds.json
+check 'the first is traced, the rest followed' test \
+  "$(field folds.json '[p["followed"] for p in d["points"]] == [False] + 5 * [True]')" = True
+check 'two folds until they meet' test \
+  "$(field folds.json '[[f["kind"] for f in p["folds"] if f["approach"]] for p in d["points"]] == 5 * [["jump_in", "jump_out"]] + [[]]')" = True
+"$program" solve --tabor "$(field folds.json 'd["points"][3]["input"]["tabor"]')" --radius 87 --json >solve.json
+for value in approach load; do
+  error=$([ $value = load ] && echo load_error_estimate || echo error_estimate)
+  for j in 0 1; do
+    a=$(field folds.json "d['points'][3]['folds'][$j]['$value']")
+    b=$(field solve.json "d['folds'][$j]['$value']")
+    e=$(field solve.json "d['folds'][$j]['$error']")
+    check "$value of fold $j: $a followed, $b traced" \
+      awk -v a="$a" -v b="$b" -v e="$e" 'BEGIN { d = a - b; exit !(a != "" && (d < 0 ? -d : d) <= 2 * e) }'
+  done
+done
+
 # A case of two lines.
 restore
 write_case() { # what differs

@@ -1,0 +1,142 @@
+#include "po_line_folds.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "po_clock.h"
+#include "po_contact.h"
+#include "po_line_scenes.h"
+#include "po_memory.h"
+#include "po_observe_parts.h"
+
+/* Folds of a trace, as they are on its panels. */
+typedef struct {
+  po_track_point *point;
+  size_t count, room;
+  double tolerance; /* that the trace took for the one asked for */
+} folds;
+
+static void forget(folds *f) {
+  for (size_t k = 0; k < f->count; ++k)
+    po_track_point_free(&f->point[k]);
+  f->count = 0;
+}
+
+static void begin(void *data, double tolerance) {
+  folds *f = data;
+  forget(f);
+  f->tolerance = tolerance;
+}
+
+static bool keep(void *data, const po_branch_point *p, double margin) {
+  folds *f = data;
+  (void)margin;
+  if (!p->track || (p->kind != PO_POINT_APPROACH_MAX && p->kind != PO_POINT_APPROACH_MIN))
+    return true;
+  if (f->count == f->room) {
+    const size_t room = f->room ? 2 * f->room : 8;
+    po_track_point *point = po_resize(f->point, room, sizeof *point);
+    if (!point)
+      return false;
+    f->point = point;
+    f->room = room;
+  }
+  po_track_point *kept = &f->point[f->count++];
+  *kept = (po_track_point){0};
+  if (po_track_point_allocate(kept, p->track->n))
+    return false;
+  po_track_point_copy(p->track, kept);
+  return true;
+}
+
+/* The landmark where the follower is. Returned: false when the end of the surface cuts it off. */
+static bool take(po_follower *follower, const po_request *request, po_landmark *fold) {
+  po_branch_point p = po_follow_point(follower, false);
+  const double contact_radius = po_contact_radius(p.n, p.node, p.gap);
+  if (contact_radius > PO_GREATEST_CONTACT * po_follow_root(follower))
+    return false;
+  p = po_follow_point(follower, true);
+  fold->approach = p.approach;
+  fold->load = p.load;
+  fold->approach_error = po_reader_approach_error(request, p.approach_error, p.approach);
+  fold->load_error = po_reader_load_error(request, p.load_error, p.load);
+  fold->contact_radius = contact_radius;
+  return true;
+}
+
+/* Follows one fold as far as it is there. Status: PO_INTERRUPTED, PO_NO_MEMORY. */
+static po_status follow(const po_line_scenes *l, po_follower *follower, const po_track_point *point,
+                        size_t place, po_line_work *before) {
+  po_status status = po_follow_begin(follower, point, PO_OF_APPROACH, 0.0);
+  for (size_t k = 1; k < l->count && !status; ++k) {
+    const po_request *request = &l->requests[k];
+    po_outcome *o = &l->outcomes[k];
+    if (request->stop && *request->stop)
+      return po_fail(PO_INTERRUPTED, "interrupted on a line");
+    const double start = po_clock_wall();
+    status = po_follow_to(follower, (double)k);
+    if (!status && !take(follower, request, &o->folds[place]))
+      status = PO_NOT_FOUND;
+    po_line_add_work(follower, po_clock_wall() - start, before, &o->work);
+  }
+  po_message_clear();
+  return status == PO_NO_MEMORY ? status : PO_OK;
+}
+
+/* Room for the folds of the first scene in all others, none of them there yet. */
+static po_status make_room(const po_line_scenes *l) {
+  const po_outcome *first = &l->outcomes[0];
+  for (size_t k = 1; k < l->count; ++k) {
+    po_outcome *o = &l->outcomes[k];
+    o->followed = true;
+    o->folds = po_allocate(first->fold_count, sizeof *o->folds);
+    if (!o->folds)
+      return PO_NO_MEMORY;
+    o->fold_count = first->fold_count;
+    for (size_t j = 0; j < first->fold_count; ++j) {
+      o->folds[j] = (po_landmark){.kind = first->folds[j].kind,
+                                  .unstable_modes = first->folds[j].unstable_modes,
+                                  .contact_radius = NAN};
+      o->folds[j].approach = o->folds[j].load = o->folds[j].energy = o->folds[j].position = NAN;
+      o->folds[j].approach_error = o->folds[j].load_error = NAN;
+    }
+  }
+  return PO_OK;
+}
+
+static po_status follow_all(const po_line_scenes *l, const folds *f) {
+  po_follower *follower = NULL;
+  po_line_work before = {0};
+  po_status status = make_room(l);
+  if (!status)
+    status = po_line_follower(l, 0, l->count - 1, f->tolerance, &follower);
+  for (size_t j = 0; j < f->count && !status; ++j)
+    status = follow(l, follower, &f->point[j], j, &before);
+  po_follow_destroy(follower);
+  return status;
+}
+
+po_status po_line_folds(const po_request *requests, size_t count, po_outcome *outcomes) {
+  const po_line_scenes l = {requests, outcomes, count};
+  for (size_t k = 0; k < count; ++k) {
+    outcomes[k] = (po_outcome){.status = PO_OK};
+    outcomes[k].start = outcomes[k].end = outcomes[k].profile_approach = NAN;
+  }
+  for (size_t k = 0; k + 1 < count; ++k)
+    if (!po_line_alike(&requests[k], &requests[k + 1]))
+      return po_fail(PO_BAD_INPUT,
+                     "folds are not followed from scene %zu to the next: expected both "
+                     "wavy or both smooth, both unbounded or both not",
+                     k + 1);
+  folds f = {0};
+  const po_keeper keeper = {begin, keep, &f};
+  po_status status = po_observe_kept(&requests[0], &keeper, &outcomes[0]);
+  if (status != PO_NO_MEMORY && status != PO_INTERRUPTED)
+    status = PO_OK;
+  /* of a rigid scene, or of one that begins late, there are other folds than were kept */
+  if (!status && !outcomes[0].status && f.count == outcomes[0].fold_count)
+    status = follow_all(&l, &f);
+  forget(&f);
+  free(f.point);
+  return status;
+}

@@ -1,0 +1,63 @@
+#include "po_line_scenes.h"
+
+#include <math.h>
+
+#include "po_observe_parts.h"
+
+/* Between two values, evenly in the logarithm where that can be. */
+static double between(double a, double b, double part) {
+  if (a == b || isinf(a))
+    return a;
+  return a > 0.0 && b > 0.0 ? a * pow(b / a, part) : a + part * (b - a);
+}
+
+static void scene_at(void *data, double at, po_scene *scene) {
+  const po_line_scenes *l = data;
+  const size_t k = (size_t)fmin(floor(at), (double)(l->count - 1));
+  const double part = at - (double)k;
+  *scene = l->requests[k].scene;
+  if (part == 0.0)
+    return;
+  const po_scene *a = &l->requests[k].scene, *b = &l->requests[k + 1].scene;
+  scene->tabor = between(a->tabor, b->tabor, part);
+  scene->amplitude = between(a->amplitude, b->amplitude, part);
+  scene->wavelength = between(a->wavelength, b->wavelength, part);
+  scene->radius = between(a->radius, b->radius, part);
+  scene->outer_radius = between(a->outer_radius, b->outer_radius, part);
+}
+
+static double root_of(const po_scene *scene) {
+  return po_observe_root(scene, po_surface_core(scene, NAN));
+}
+
+bool po_line_alike(const po_request *a, const po_request *b) {
+  return a->mesh.scheme == PO_PANEL && b->mesh.scheme == PO_PANEL && !a->want && !b->want &&
+         a->mesh.tolerance == b->mesh.tolerance && isnan(a->approach_end) &&
+         isnan(b->approach_end) && po_scene_is_wavy(&a->scene) == po_scene_is_wavy(&b->scene) &&
+         isinf(a->scene.outer_radius) == isinf(b->scene.outer_radius);
+}
+
+po_status po_line_follower(const po_line_scenes *l, size_t first, size_t last, double tolerance,
+                           po_follower **follower) {
+  const po_allowance one = po_observe_allowance(&l->requests[first], tolerance),
+                     other = po_observe_allowance(&l->requests[last], tolerance);
+  const po_follow_options options = {scene_at, root_of, (void *)l,
+                                     one.gap < other.gap ? one : other,
+                                     po_observe_precision(tolerance)};
+  return po_follow_create(&options, (double)first, follower);
+}
+
+void po_line_add_work(const po_follower *follower, double seconds, po_line_work *before,
+                      po_work *work) {
+  uint64_t kernel;
+  const po_solve_work now = po_follow_work(follower, &kernel);
+  work->points += now.points - before->work.points;
+  work->newton_iterations += now.newton_iterations - before->work.newton_iterations;
+  work->factorizations += now.factorizations - before->work.factorizations;
+  work->meshes += now.meshes - before->work.meshes;
+  work->kernel_evaluations += kernel - before->kernel;
+  work->factorized_nodes = now.factorized_nodes;
+  work->seconds += seconds;
+  before->work = now;
+  before->kernel = kernel;
+}

@@ -1,0 +1,33 @@
+/* The scenes of a line, for what follows landmarks along it. */
+#ifndef PO_LINE_SCENES_H
+#define PO_LINE_SCENES_H
+
+#include "po_follow.h"
+#include "po_outcome.h"
+
+/* The parameter of a scene is its number on the line. */
+typedef struct {
+  const po_request *requests;
+  po_outcome *outcomes;
+  size_t count;
+} po_line_scenes;
+
+/* Whether nothing but numbers of the scene differ, and only what can be followed is wanted. */
+bool po_line_alike(const po_request *a, const po_request *b);
+
+/* A follower for the scenes from one to another, in whichever is the more demanding, to a
+ * tolerance; it begins at the first. Status: PO_NO_MEMORY. */
+po_status po_line_follower(const po_line_scenes *l, size_t first, size_t last, double tolerance,
+                           po_follower **follower);
+
+/* What a follower had done when it was last asked. */
+typedef struct {
+  po_solve_work work;
+  uint64_t kernel;
+} po_line_work;
+
+/* Adds what it did since, in so many seconds. */
+void po_line_add_work(const po_follower *follower, double seconds, po_line_work *before,
+                      po_work *work);
+
+#endif
