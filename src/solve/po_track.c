@@ -17,6 +17,9 @@ enum { ORDER = PO_TABLE_ORDER, MOST_MESHES_A_POINT = 4 };
 /* Error of the prediction, in parts of 1 + H, that a step aims at, and that it may have: with 0.14
  * a step went over the two folds of mu = 4 that lie within 1e-4 of approach -4.0232. */
 static const double AIMED_ERROR = 0.01, GREATEST_ERROR = 0.05;
+/* The same with waves: with 0.05 a step went over two extrema of the load, 0.026 eps apart at mu =
+ * 1, A = 0.4, lambda = 10, approach 26.6, where the edge of the contact goes over a crest. */
+static const double GREATEST_ERROR_OF_WAVES = 0.03;
 /* Growth of a step at most. */
 static const double GREATEST_GROWTH = 2.0;
 /* A point this close to the one solved just before, in parts of the step, is on its tangent. */
@@ -274,7 +277,9 @@ static double try_step(po_tracker *t, double step, po_status *status) {
   t->next.position = t->current.position + po_track_way(&t->current, &t->next);
   const double joined = JOIN_MARGIN * joined_for(t);
   *status = PO_NOT_CONVERGED;
-  if (error > GREATEST_ERROR || po_gauge_along(t->current.rate, t->next.rate) < LEAST_COSINE)
+  const bool wavy = po_scene_is_wavy(t->c.e->scene);
+  if (error > (wavy ? GREATEST_ERROR_OF_WAVES : GREATEST_ERROR) ||
+      po_gauge_along(t->current.rate, t->next.rate) < LEAST_COSINE)
     return step * fmax(0.25, fmin(0.7, pow(AIMED_ERROR / error, 0.25)));
   if (joined < JOIN_MARGIN)
     return step * fmax(0.25, joined);
