@@ -11,9 +11,10 @@ static const double ERROR_OF_TOLERANCE = 0.3, ERROR_OF_WAVES = 1.0, COARSEST_ERR
 static const double STIFF_TABOR = 14.0;
 /* Below it waves may have more, by the fourth power: their minima are sharp, whereas that of a
  * sphere is flat, and its approach would suffer. With 5e-3 at mu = 20 folds appear that are not.
- * Nothing is gained where the surface hardly gives way, nor when a curve is wanted: its cubics
- * need twice as many steps over what coarse panels leave of ripples. */
-static const double COARSEST_OF_WAVES = 1e-2, LEAST_PLIANT_TABOR = 1.0;
+ * Nothing is gained where the surface hardly gives way (a limit at 1 would be crossed by the last
+ * bit of many a scene), nor when a curve is wanted: its cubics need twice as many steps over what
+ * coarse panels leave of ripples. */
+static const double COARSEST_OF_WAVES = 1e-2, LEAST_PLIANT_TABOR = 1.05;
 /* Error of the load that a panel may make, by an estimate that is mostly too large, over the same
  * tolerance. */
 static const double LOAD_OF_TOLERANCE = 30.0;
