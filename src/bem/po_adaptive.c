@@ -6,7 +6,7 @@
 
 #include "po_memory.h"
 
-enum { ORDER = PO_TABLE_ORDER, MOST_PANELS = 160 };
+enum { ORDER = PO_TABLE_ORDER, MOST_PANELS = 400 };
 
 struct po_adaptive {
   const po_panel_table *table;

@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { PO_MOST_LEAVES = 256, PO_DEEPEST_LEVEL = 24, PO_MOST_LEVEL_STEP = 2 };
+enum { PO_MOST_LEAVES = 512, PO_DEEPEST_LEVEL = 24, PO_MOST_LEVEL_STEP = 2 };
 
 /* The interval (index, index + 1) * root / 2^level. */
 typedef struct {

@@ -10,9 +10,14 @@
 enum { MOST_RENEWALS = 2 };
 static const double NEAR = 0.1;
 
+/* Nodes that answer each other, at most. There may be many more of rigid waves: those cost but
+ * their sums. */
+enum { MOST_ACTIVE = 1920 };
+
 po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive *adaptive) {
   *c = (po_corrector){
       .e = e, .adaptive = adaptive, .root = po_adaptive_root(adaptive), .direction = 1};
+  e->most_active = MOST_ACTIVE;
   const size_t capacity = po_adaptive_capacity(adaptive);
   c->border = po_allocate(capacity + 1, sizeof *c->border);
   c->guess = po_allocate(capacity + 1, sizeof *c->guess);
@@ -61,7 +66,10 @@ static double gauge_progress(const po_equilibrium *e, const double *state, const
 static po_status factorize_at(po_corrector *c, const po_track_point *from, const double *state) {
   po_equilibrium_evaluate(c->e, state);
   po_gauge_border(c->e, state, from->rate, c->border);
-  return po_equilibrium_factorize(c->e, state, c->border);
+  const po_status status = po_equilibrium_factorize(c->e, state, c->border);
+  if (status == PO_OUT_OF_NODES)
+    c->trouble = status;
+  return status;
 }
 
 /* The iteration from the state in out; where it contracts too slowly near a solution the factors

@@ -44,6 +44,7 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
   e->scene = scene;
   e->surface = surface;
   e->neglect = NEGLECT;
+  e->most_active = SIZE_MAX;
   e->precision = CONVERGED;
   double **const vectors[] = {&e->shape,  &e->reach, &e->traction, &e->slope,   &e->deflection,
                               &e->border, &e->right, &e->scratch,  &e->measure, &e->column};
@@ -187,6 +188,9 @@ po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const
   for (size_t j = 0; j < e->n; ++j)
     e->secant.scale[j] = 1.0 + state[j];
   choose_active(e);
+  e->factorized = false;
+  if (e->active > e->most_active)
+    return po_fail(PO_OUT_OF_NODES, "the contact needs more than %zu nodes", e->most_active);
   assemble(e);
   const po_status status = po_factors_compute(&e->factors);
   const size_t order = e->active + 1;

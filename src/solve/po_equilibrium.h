@@ -45,6 +45,7 @@ typedef struct {
   double *right, *scratch; /* n + 1 */
   double *measure;         /* n: coupling * |slope| * reach, when choosing nodes */
   double neglect;          /* sum of the measures left out */
+  size_t most_active;      /* nodes that a factorisation may have; SIZE_MAX: any */
   double precision;   /* largest change of a gap, in parts of 1 + H, when converged: rounding's, or
                        what the owner sets */
   double last_change; /* of a gap, in parts of 1 + H, by the last iteration of a correction */

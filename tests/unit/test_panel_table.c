@@ -52,11 +52,11 @@ END_TEST
 
 START_TEST(split_without_room_changes_nothing) {
   po_leaves leaves;
-  po_leaves_uniform(&leaves, 7);
+  po_leaves_uniform(&leaves, 8);
   bool split[PO_MOST_LEAVES];
   for (size_t k = 0; k < leaves.count; ++k)
     split[k] = true;
-  ck_assert(po_leaves_split(&leaves, split)); /* 256: full */
+  ck_assert(po_leaves_split(&leaves, split)); /* 512: full */
   for (size_t k = 0; k < leaves.count; ++k)
     split[k] = k == 3;
   ck_assert(!po_leaves_split(&leaves, split));
