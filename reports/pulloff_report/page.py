@@ -53,9 +53,14 @@ def html(run, references, faults=None, claims=None):
     return with_bars(page.render(font_faces=Markup(fonts.font_faces(characters)), **content))
 
 
+def for_paper(text):
+    """The page without the rows that are for the screen: hidden ones cost as much time and memory as others."""
+    return re.sub(r'<(tbody|tr)\b[^>]* class="screen">.*?</\1>', "", text, flags=re.DOTALL)
+
+
 def pdf(text):
     """The page of html() as the bytes of a PDF."""
     # Style rules for screens and the browser's script are not errors of the paper edition.
     logging.getLogger("weasyprint").setLevel(logging.ERROR)
     import weasyprint
-    return weasyprint.HTML(string=text).write_pdf()
+    return weasyprint.HTML(string=for_paper(text)).write_pdf()

@@ -15,8 +15,9 @@ for folder in ("reports", "tools"):
 
 import count_tests  # noqa: E402
 
-from pulloff_report import fonts, geometry, gnuplot, samples, svg, words  # noqa: E402
+from pulloff_report import fonts, geometry, gnuplot, page, samples, svg, words  # noqa: E402
 from pulloff_report.errors import ReportError  # noqa: E402
+from pulloff_report.sections import checks  # noqa: E402
 from pulloff_report.tables import Table  # noqa: E402
 
 
@@ -187,6 +188,24 @@ class Gnuplot(unittest.TestCase):
         self.assertEqual(gnuplot.assignment("a", "it's"), "a = 'it''s'")
         self.assertEqual(gnuplot.assignment("b", [1.5, 2]), "array b[2] = [1.5, 2]")
         self.assertEqual(gnuplot.assignment("c", []), "array c[1]")
+
+
+class Paper(unittest.TestCase):
+    """What the PDF is spared of long tables."""
+
+    def test_it_has_the_largest_errors_and_all_that_did_not_pass(self):
+        ratios = [0.1, 0.7, None, 0.3, 0.2, 0.01, 0.5]
+        group = {"rows": [{"check": {"ratio": ratio, "verdict": "regressed" if ratio == 0.01 else "within"},
+                           "screen": False} for ratio in ratios]}
+        checks.spare_paper(group)
+        self.assertEqual([row["check"]["ratio"] for row in group["rows"] if not row["screen"]],
+                         [0.7, 0.3, 0.01, 0.5])
+        self.assertEqual(group["printed"], 4)
+
+    def test_rows_for_the_screen_are_not_laid_out(self):
+        text = '<tbody class="a"><tr id="x" class="screen"><td>1</td></tr><tr><td>2</td></tr></tbody>' \
+               '<tbody id="y" class="screen"><tr><td>3</td></tr></tbody>'
+        self.assertEqual(page.for_paper(text), '<tbody class="a"><tr><td>2</td></tr></tbody>')
 
 
 class Counting(unittest.TestCase):

@@ -4,8 +4,12 @@ import math
 
 from . import Section
 from .cases import shown
+from ..records import PASSING
 from ..references import file_name
 from ..words import VERDICT_MEANINGS, decimals_for, quantity, sweep_label
+
+# Checks of a group that paper has: those of the largest errors, and all that did not pass.
+LARGEST_PRINTED = 3
 
 GROUP_BY = ("quantity", "reference", "because", "kind", "tolerance", "ledger")
 
@@ -42,7 +46,8 @@ def row(case, check, shown_ids):
     point = case.point(check.get("point"))
     return {"check": check, "label": sweep_label(point), "detail": detail(check),
             "decimals": decimals_of(check), "bar": width_of(check["ratio"]),
-            "point_id": f"point-{case.name}-{point['id']}" if point and point["id"] in shown_ids else None}
+            "point_id": f"point-{case.name}-{point['id']}" if point and point["id"] in shown_ids else None,
+            "screen": False}
 
 
 def groups(case):
@@ -54,7 +59,17 @@ def groups(case):
         found.setdefault(key, {"first": check, "quantity": quantity(check["quantity"]),
                                "reference": file_name(check.get("reference")), "rows": []})
         found[key]["rows"].append(row(case, check, shown_ids))
+    for group in found.values():
+        spare_paper(group)
     return list(found.values())
+
+
+def spare_paper(group):
+    """Marks `screen` what paper is spared: all but the largest errors of a long group, and what did not pass."""
+    by_ratio = sorted(group["rows"], key=lambda entry: -(entry["check"]["ratio"] or 0.0))
+    for entry in by_ratio[LARGEST_PRINTED:]:
+        entry["screen"] = entry["check"]["verdict"] in PASSING
+    group["printed"] = sum(not entry["screen"] for entry in group["rows"])
 
 
 def build(source):

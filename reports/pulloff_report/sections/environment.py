@@ -13,6 +13,12 @@ LABELS = {"pulloff": "pulloff", "compiler": "Compiler", "gsl": "GSL", "openblas"
           "jobs": "Points at a time", "date": "Date"}
 
 
+def span(dates):
+    """From the first of them to the last, in words."""
+    first, last = words.date(min(dates)), words.date(max(dates))
+    return first if first == last else f"{first} to {last}"
+
+
 def merged(cases, part):
     """Rows (label, [(value, names of the cases with it)]): one value where all cases agree."""
     keys = list(dict.fromkeys(key for case in cases for key in case.record[part]))
@@ -20,8 +26,9 @@ def merged(cases, part):
     for key in keys:
         values = {}
         for case in cases:
-            value = str(case.record[part].get(key, "not recorded"))
-            values.setdefault(words.date(value) if key == "date" else value, []).append(case.name)
+            values.setdefault(str(case.record[part].get(key, "not recorded")), []).append(case.name)
+        if key == "date":
+            values = {span(values): []}
         named = len(values) > 1
         rows.append((LABELS.get(key, key.replace("_", " ").capitalize()),
                      [(value, ", ".join(names) if named else "") for value, names in values.items()]))
