@@ -14,8 +14,12 @@ struct po_adaptive {
   bool unbounded, wavy;
   po_leaves leaves, before;
   po_surface surface;
-  double *spare; /* the matrix of the next mesh */
+  double *spare;           /* the matrix of the next mesh */
+  size_t room, spare_room; /* of the matrices, in numbers */
 };
+
+/* Matrices are made for more nodes than are asked for, by this part. */
+static const double GROWTH = 1.3;
 
 static size_t nodes_of(const po_adaptive *a, const po_leaves *leaves) {
   return (leaves->count + (a->unbounded ? 1 : 0)) * ORDER;
@@ -52,12 +56,10 @@ po_status po_adaptive_create(const po_scene *scene, double root, uint32_t level,
   s->node = po_allocate(most, sizeof *s->node);
   s->weight = po_allocate(most, sizeof *s->weight);
   s->length = po_allocate(most, sizeof *s->length);
-  s->influence = po_reserve(most * most, sizeof *s->influence);
-  a->spare = po_reserve(most * most, sizeof *a->spare);
   po_leaves leaves;
   po_leaves_uniform(&leaves, level);
   po_status status = PO_NO_MEMORY;
-  if (a->table && s->node && s->weight && s->length && s->influence && a->spare)
+  if (a->table && s->node && s->weight && s->length)
     status = po_adaptive_mesh(a, &leaves);
   if (status) {
     po_adaptive_destroy(a);
@@ -155,9 +157,22 @@ static void compute_block(po_adaptive *a, size_t target, size_t source, double *
         &a->table->rule, panel, a->surface.node[target * ORDER + i], to + i, stride);
 }
 
+/* Room for the next matrix, of order n. */
+static bool make_room(po_adaptive *a, size_t n) {
+  if (n * n <= a->spare_room)
+    return true;
+  const size_t order = (size_t)(GROWTH * (double)n);
+  free(a->spare);
+  a->spare = po_reserve(order * order, sizeof *a->spare);
+  a->spare_room = a->spare ? order * order : 0;
+  return a->spare;
+}
+
 po_status po_adaptive_mesh(po_adaptive *a, const po_leaves *leaves) {
   if (leaves->count > MOST_PANELS)
     return po_fail(PO_OUT_OF_NODES, "the traction needs more than %d panels", MOST_PANELS);
+  if (!make_room(a, nodes_of(a, leaves)))
+    return PO_NO_MEMORY;
   const size_t old_n = a->surface.n;
   size_t was[PO_MOST_LEAVES + 1];
   a->before = a->leaves;
@@ -175,8 +190,11 @@ po_status po_adaptive_mesh(po_adaptive *a, const po_leaves *leaves) {
         compute_block(a, target, source, to, n);
     }
   double *const matrix = a->surface.influence;
+  const size_t room = a->room;
   a->surface.influence = a->spare;
+  a->room = a->spare_room;
   a->spare = matrix;
+  a->spare_room = room;
   return PO_OK;
 }
 

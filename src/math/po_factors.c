@@ -6,11 +6,13 @@
 #include "po_linear.h"
 #include "po_memory.h"
 
+/* Matrices are made for more than the order asked for, by this part. */
+static const double GROWTH = 1.3;
+
 bool po_factors_allocate(po_factors *f, size_t capacity) {
-  *f = (po_factors){.matrix = po_reserve(capacity * capacity, sizeof *f->matrix),
-                    .right = po_allocate(capacity, sizeof *f->right),
+  *f = (po_factors){.right = po_allocate(capacity, sizeof *f->right),
                     .pivots = po_allocate(capacity, sizeof *f->pivots)};
-  return f->matrix && f->right && f->pivots;
+  return f->right && f->pivots;
 }
 
 void po_factors_free(po_factors *f) {
@@ -19,8 +21,15 @@ void po_factors_free(po_factors *f) {
   free(f->pivots);
 }
 
-void po_factors_begin(po_factors *f, size_t n) {
+bool po_factors_begin(po_factors *f, size_t n) {
   f->n = n;
+  if (n * n <= f->room)
+    return true;
+  const size_t order = (size_t)(GROWTH * (double)n);
+  free(f->matrix);
+  f->matrix = po_reserve(order * order, sizeof *f->matrix);
+  f->room = f->matrix ? order * order : 0;
+  return f->matrix;
 }
 
 void po_factors_put(po_factors *f, size_t column, const double *values) {

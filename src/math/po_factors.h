@@ -12,17 +12,18 @@
 
 typedef struct {
   size_t n;
+  size_t room;   /* of matrix, in numbers */
   float *matrix; /* n x n, column-major; the factors once computed */
   float *right;  /* n: a right-hand side */
   int *pivots;   /* n, from 1 */
 } po_factors;
 
-/* Room for matrices of order `capacity`. Returned: whether there was memory. */
+/* For matrices of an order up to `capacity`. Returned: whether there was memory. */
 bool po_factors_allocate(po_factors *f, size_t capacity);
 void po_factors_free(po_factors *f);
 
-/* Begins a matrix of order n. */
-void po_factors_begin(po_factors *f, size_t n);
+/* Begins a matrix of order n. Returned: whether there was memory. */
+bool po_factors_begin(po_factors *f, size_t n);
 
 /* Puts a column, n. */
 void po_factors_put(po_factors *f, size_t column, const double *values);

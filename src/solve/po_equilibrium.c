@@ -160,10 +160,11 @@ static double share_of_followers(po_equilibrium *e) {
 }
 
 /* The bordered Jacobian of the active nodes, column by column. */
-static void assemble(po_equilibrium *e) {
+static po_status assemble(po_equilibrium *e) {
   const size_t m = e->active;
   const double corner = share_of_followers(e);
-  po_factors_begin(&e->factors, m + 1);
+  if (!po_factors_begin(&e->factors, m + 1))
+    return PO_NO_MEMORY;
   for (size_t b = 0; b < m; ++b) {
     const size_t j = e->index[b];
     const double *influence = e->surface->influence + e->n * j;
@@ -178,6 +179,7 @@ static void assemble(po_equilibrium *e) {
     e->column[a] = 1.0;
   e->column[m] = corner;
   po_factors_put(&e->factors, m, e->column);
+  return PO_OK;
 }
 
 po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const double *border) {
@@ -191,8 +193,9 @@ po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const
   e->factorized = false;
   if (e->active > e->most_active)
     return po_fail(PO_OUT_OF_NODES, "the contact needs more than %zu nodes", e->most_active);
-  assemble(e);
-  const po_status status = po_factors_compute(&e->factors);
+  po_status status = assemble(e);
+  if (!status)
+    status = po_factors_compute(&e->factors);
   const size_t order = e->active + 1;
   e->factorized = !status;
   e->orientation = status ? 0 : po_factors_sign(&e->factors);
