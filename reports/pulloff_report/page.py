@@ -54,8 +54,12 @@ def html(run, references, faults=None, claims=None):
 
 
 def for_paper(text):
-    """The page without the rows that are for the screen: hidden ones cost as much time and memory as others."""
-    return re.sub(r'<(tbody|tr)\b[^>]* class="screen">.*?</\1>', "", text, flags=re.DOTALL)
+    """The page without the rows that are for the screen: hidden ones cost as much time and memory as others;
+    links to them are plain words."""
+    text = re.sub(r'<(tbody|tr)\b[^>]* class="screen">.*?</\1>', "", text, flags=re.DOTALL)
+    there = set(re.findall(r'\bid="([^"]+)"', text))
+    return re.sub(r'<a href="#(point-[^"]*)">(.*?)</a>',
+                  lambda link: link[0] if link[1] in there else link[2], text, flags=re.DOTALL)
 
 
 def pdf(text):

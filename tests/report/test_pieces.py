@@ -207,6 +207,11 @@ class Paper(unittest.TestCase):
                '<tbody id="y" class="screen"><tr><td>3</td></tr></tbody>'
         self.assertEqual(page.for_paper(text), '<tbody class="a"><tr><td>2</td></tr></tbody>')
 
+    def test_a_link_to_what_is_not_laid_out_is_plain(self):
+        here, gone = '<a href="#point-x-0">one</a>', '<a href="#point-x-1">two</a>'
+        rows = '<tbody id="point-x-0"></tbody><tbody id="point-x-1" class="screen"></tbody>'
+        self.assertEqual(page.for_paper(here + gone + rows), here + 'two<tbody id="point-x-0"></tbody>')
+
 
 class Counting(unittest.TestCase):
     """Of the tests a CI run made."""
