@@ -20,6 +20,20 @@ void *po_reserve(size_t count, size_t size) {
   return memory;
 }
 
+/* A matrix is made for more than the order asked for, by this part: orders grow little by little.
+ */
+static const double GROWTH = 1.3;
+
+void *po_reserve_matrix(void *matrix, size_t *room, size_t n, size_t size) {
+  if (matrix && n * n <= *room)
+    return matrix;
+  const size_t order = (size_t)(GROWTH * (double)n);
+  free(matrix);
+  void *memory = po_reserve(order * order, size);
+  *room = memory ? order * order : 0;
+  return memory;
+}
+
 void *po_allocate(size_t count, size_t size) {
   void *memory = po_reserve(count, size);
   return memory ? memset(memory, 0, count * size) : NULL;

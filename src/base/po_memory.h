@@ -12,6 +12,11 @@ void *po_allocate(size_t count, size_t size);
 /* The same without zeroing: pages that are never written cost nothing. */
 void *po_reserve(size_t count, size_t size);
 
+/* Room for a square matrix of order n, what was in it being lost: the matrix itself where its room,
+ * in numbers, will do, else a new one with some to spare. Returned: it, and its room; NULL with a
+ * message, and room 0, when there is no memory. */
+void *po_reserve_matrix(void *matrix, size_t *room, size_t n, size_t size);
+
 /* As realloc for arrays that grow, checked for overflow; on failure NULL, a message, and the old
  * array untouched. Not aligned: for records, not for linear algebra. */
 void *po_resize(void *array, size_t count, size_t size);

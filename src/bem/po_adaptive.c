@@ -18,9 +18,6 @@ struct po_adaptive {
   size_t room, spare_room; /* of the matrices, in numbers */
 };
 
-/* Matrices are made for more nodes than are asked for, by this part. */
-static const double GROWTH = 1.3;
-
 static size_t nodes_of(const po_adaptive *a, const po_leaves *leaves) {
   return (leaves->count + (a->unbounded ? 1 : 0)) * ORDER;
 }
@@ -157,21 +154,11 @@ static void compute_block(po_adaptive *a, size_t target, size_t source, double *
         &a->table->rule, panel, a->surface.node[target * ORDER + i], to + i, stride);
 }
 
-/* Room for the next matrix, of order n. */
-static bool make_room(po_adaptive *a, size_t n) {
-  if (n * n <= a->spare_room)
-    return true;
-  const size_t order = (size_t)(GROWTH * (double)n);
-  free(a->spare);
-  a->spare = po_reserve(order * order, sizeof *a->spare);
-  a->spare_room = a->spare ? order * order : 0;
-  return a->spare;
-}
-
 po_status po_adaptive_mesh(po_adaptive *a, const po_leaves *leaves) {
   if (leaves->count > MOST_PANELS)
     return po_fail(PO_OUT_OF_NODES, "the traction needs more than %d panels", MOST_PANELS);
-  if (!make_room(a, nodes_of(a, leaves)))
+  a->spare = po_reserve_matrix(a->spare, &a->spare_room, nodes_of(a, leaves), sizeof *a->spare);
+  if (!a->spare)
     return PO_NO_MEMORY;
   const size_t old_n = a->surface.n;
   size_t was[PO_MOST_LEAVES + 1];

@@ -6,9 +6,6 @@
 #include "po_linear.h"
 #include "po_memory.h"
 
-/* Matrices are made for more than the order asked for, by this part. */
-static const double GROWTH = 1.3;
-
 bool po_factors_allocate(po_factors *f, size_t capacity) {
   *f = (po_factors){.right = po_allocate(capacity, sizeof *f->right),
                     .pivots = po_allocate(capacity, sizeof *f->pivots)};
@@ -23,12 +20,7 @@ void po_factors_free(po_factors *f) {
 
 bool po_factors_begin(po_factors *f, size_t n) {
   f->n = n;
-  if (n * n <= f->room)
-    return true;
-  const size_t order = (size_t)(GROWTH * (double)n);
-  free(f->matrix);
-  f->matrix = po_reserve(order * order, sizeof *f->matrix);
-  f->room = f->matrix ? order * order : 0;
+  f->matrix = po_reserve_matrix(f->matrix, &f->room, n, sizeof *f->matrix);
   return f->matrix;
 }
 

@@ -67,7 +67,7 @@ static po_status factorize_at(po_corrector *c, const po_track_point *from, const
   po_equilibrium_evaluate(c->e, state);
   po_gauge_border(c->e, state, from->rate, c->border);
   const po_status status = po_equilibrium_factorize(c->e, state, c->border);
-  if (status == PO_OUT_OF_NODES)
+  if (status && status != PO_SINGULAR)
     c->trouble = status;
   return status;
 }

@@ -87,8 +87,8 @@ double po_equilibrium_feedback(const po_equilibrium *e);
 
 /* Factorises the bordered Jacobian at a state and sets its orientation: along one branch it does
  * not change as long as the border makes an acute angle with the tangent that leads ahead. Given:
- * border, n + 1 (copied). Status: PO_SINGULAR,
- * PO_OUT_OF_NODES, PO_NO_MEMORY. */
+ * border, n + 1 (copied). Status: PO_SINGULAR; PO_OUT_OF_NODES beyond
+ * most_active; PO_NO_MEMORY. */
 po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const double *border);
 
 /* Moves a state onto the equilibrium with border . (state - base) = distance, by Newton's method

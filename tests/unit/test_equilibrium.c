@@ -133,11 +133,25 @@ START_TEST(gaps_stay_open) { /* a wild prediction: either converged or refused, 
 }
 END_TEST
 
+START_TEST(factorisation_is_refused_beyond_its_limit) {
+  fixture f;
+  set_up(&f, 2.385, -5.3);
+  ck_assert_int_eq(po_equilibrium_factorize(f.e, f.state, f.border), PO_OK);
+  f.e->most_active = f.e->active;
+  ck_assert_int_eq(po_equilibrium_factorize(f.e, f.state, f.border), PO_OK);
+  f.e->most_active = f.e->active - 1;
+  ck_assert_int_eq(po_equilibrium_factorize(f.e, f.state, f.border), PO_OUT_OF_NODES);
+  ck_assert(!f.e->factorized);
+  tear_down(&f);
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, corrected_state_satisfies_eq_15, 0, TABOR_COUNT);
   tcase_add_loop_test(tests, tangent_is_the_derivative, 0, TABOR_COUNT);
   tcase_add_test(tests, result_does_not_depend_on_what_is_left_out);
   tcase_add_test(tests, gaps_stay_open);
+  tcase_add_test(tests, factorisation_is_refused_beyond_its_limit);
 }
 
 int main(void) {
