@@ -73,10 +73,10 @@ static double take(stretch *s, size_t index) {
   o->work.nodes = o->work.nodes > p.n ? o->work.nodes : p.n;
   p = po_follow_point(s->follower, true);
   o->followed = o->has_pull_off = true;
-  o->pull_off.force = fabs(load);
+  o->pull_off.force = fabs(p.load);
   o->pull_off.approach = p.approach;
   o->pull_off.contact_radius = contact_radius;
-  o->pull_off.force_error = po_reader_load_error(request, p.load_error, load);
+  o->pull_off.force_error = po_reader_load_error(request, p.load_error, p.load);
   o->pull_off.approach_error = po_reader_approach_error(request, p.approach_error, p.approach);
   return load;
 }

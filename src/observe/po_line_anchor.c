@@ -52,7 +52,7 @@ static int by_depth(const void *left, const void *right) {
 po_status po_line_anchor_trace(const po_request *request, size_t index, po_outcome *outcome,
                                po_line_anchor *a) {
   *a = (po_line_anchor){.index = index};
-  const po_keeper keeper = {begin, keep, a};
+  const po_keeper keeper = {begin, keep, a, true};
   const po_status status = po_observe_kept(request, &keeper, outcome);
   if (status == PO_NO_MEMORY || status == PO_INTERRUPTED)
     return status;

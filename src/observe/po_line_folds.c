@@ -129,7 +129,7 @@ po_status po_line_folds(const po_request *requests, size_t count, po_outcome *ou
                      "wavy or both smooth, both unbounded or both not",
                      k + 1);
   folds f = {0};
-  const po_keeper keeper = {begin, keep, &f};
+  const po_keeper keeper = {begin, keep, &f, false};
   po_status status = po_observe_kept(&requests[0], &keeper, &outcomes[0]);
   if (status != PO_NO_MEMORY && status != PO_INTERRUPTED)
     status = PO_OK;

@@ -41,9 +41,12 @@ po_status po_line_follower(const po_line_scenes *l, size_t first, size_t last, d
                            po_follower **follower) {
   const po_allowance one = po_observe_allowance(&l->requests[first], tolerance),
                      other = po_observe_allowance(&l->requests[last], tolerance);
-  const po_follow_options options = {scene_at, root_of, (void *)l,
+  const po_follow_options options = {scene_at,
+                                     root_of,
+                                     (void *)l,
                                      one.gap < other.gap ? one : other,
-                                     po_observe_precision(tolerance)};
+                                     po_observe_precision(tolerance),
+                                     tolerance};
   return po_follow_create(&options, (double)first, follower);
 }
 

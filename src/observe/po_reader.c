@@ -124,14 +124,24 @@ double po_reader_approach_error(const po_request *request, double estimate, doub
   return estimate + UNSEEN_APPROACH * request->mesh.tolerance * (1.0 + fabs(approach));
 }
 
+/* Of a landmark, as well as it is known. */
+static double load_of(const po_branch_point *p) {
+  return p->load + p->load_correction;
+}
+
+static double approach_of(const po_branch_point *p) {
+  return p->approach + p->approach_correction;
+}
+
 static double load_error(const po_reader *r, const po_branch_point *p) {
   return r->outcome->rigid ? p->load_error
-                           : po_reader_load_error(r->request, p->load_error, p->load);
+                           : po_reader_load_error(r->request, p->load_error, load_of(p));
 }
 
 static double approach_error(const po_reader *r, const po_branch_point *p) {
-  return r->outcome->rigid ? p->approach_error
-                           : po_reader_approach_error(r->request, p->approach_error, p->approach);
+  return r->outcome->rigid
+             ? p->approach_error
+             : po_reader_approach_error(r->request, p->approach_error, approach_of(p));
 }
 
 static void add_landmark(po_reader *r, const po_branch_point *p, double contact_radius) {
@@ -143,8 +153,8 @@ static void add_landmark(po_reader *r, const po_branch_point *p, double contact_
   if (!grow(r, (void **)list, *count, fold ? &r->fold_room : &r->extremum_room, sizeof **list))
     return;
   (*list)[(*count)++] = (po_landmark){.kind = kind,
-                                      .approach = p->approach,
-                                      .load = p->load,
+                                      .approach = approach_of(p),
+                                      .load = load_of(p),
                                       .energy = p->energy,
                                       .approach_error = approach_error(r, p),
                                       .load_error = load_error(r, p),
@@ -198,18 +208,19 @@ static void note_wave(po_reader *r, double load, double contact_radius) {
 
 static void note_minimum(po_reader *r, const po_branch_point *p, double contact_radius) {
   po_outcome *o = r->outcome;
-  if (!o->has_pull_off || p->load < r->pull_off_load) {
+  const double load = load_of(p);
+  if (!o->has_pull_off || load < r->pull_off_load) {
     o->has_pull_off = true;
-    r->pull_off_load = p->load;
-    o->pull_off.force = fabs(p->load);
-    o->pull_off.approach = p->approach;
+    r->pull_off_load = load;
+    o->pull_off.force = fabs(load);
+    o->pull_off.approach = approach_of(p);
     o->pull_off.contact_radius = contact_radius;
     o->pull_off.force_error = load_error(r, p);
     o->pull_off.approach_error = approach_error(r, p);
     if ((r->request->want & PO_WANT_PROFILE) && isnan(r->request->profile_approach))
       keep_profile(r, p);
   }
-  note_wave(r, p->load, contact_radius);
+  note_wave(r, load, contact_radius);
 }
 
 /* Whether the trace may end, at a stable point. A smooth sphere under compression has its one
@@ -310,7 +321,7 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
     po_balance_note(r->balance, p);
   if (r->kept && !r->status)
     r->status =
-        po_kept_note(r->kept, p, p->kind == PO_POINT_LOAD_MIN && p->load == r->pull_off_load);
+        po_kept_note(r->kept, p, p->kind == PO_POINT_LOAD_MIN && load_of(p) == r->pull_off_load);
   if (!r->status && p->gap && contact_radius > PO_GREATEST_CONTACT * r->surface->core_radius) {
     if (isinf(r->request->scene.outer_radius))
       r->status = po_fail(PO_OUT_OF_DOMAIN,

@@ -13,6 +13,7 @@ typedef struct {
   /* Given: the margin of the reader there. Returned: false: no memory */
   bool (*landmark)(void *data, const po_branch_point *point, double margin);
   void *data;
+  bool minima_only; /* nobody asks for the errors of folds */
 } po_keeper;
 
 typedef struct {

@@ -24,6 +24,7 @@ static const double FARTHER = 1.5;
 
 static po_branch_options options_of(const po_request *request, double begin, po_reader *reader) {
   po_branch_options options = po_branch_options_default();
+  options.minima_only = reader->keeper && reader->keeper->minima_only;
   options.end = request->approach_end;
   if (request->want & PO_WANT_HYSTERESIS)
     options.station = request->preload.approach;
@@ -34,6 +35,7 @@ static po_branch_options options_of(const po_request *request, double begin, po_
     options.largest_sagitta = CURVE_SAGITTA;
   if (request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS) && request->mesh.scheme == PO_PANEL)
     options.largest_miss = fmax(LEAST_MISS, MISS_OF_TOLERANCE * request->mesh.tolerance);
+  options.sharpness = request->mesh.tolerance;
   options.visit = po_reader_visit;
   options.data = reader;
   return options;

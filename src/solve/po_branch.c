@@ -57,6 +57,7 @@ po_branch_options po_branch_options_default(void) {
                              .begin = NAN,
                              .largest_sagitta = INFINITY,
                              .largest_miss = INFINITY,
+                             .sharpness = INFINITY,
                              .most_points = 30000};
 }
 

@@ -26,10 +26,11 @@ typedef enum {
 
 typedef struct {
   po_point_kind kind;
-  double position;                   /* arclength from the start */
-  double approach, load;             /* Delta/eps, W/(pi w R) */
-  double energy;                     /* U/(pi w R eps): its rate by approach is the load */
-  double approach_error, load_error; /* of a fold or extremum: bounds, estimated; NAN: not */
+  double position;       /* arclength from the start */
+  double approach, load; /* Delta/eps, W/(pi w R) */
+  double energy;         /* U/(pi w R eps): its rate by approach is the load */
+  double approach_correction, load_correction; /* by a finer mesh, of a landmark; 0: none */
+  double approach_error, load_error; /* of a landmark so corrected: bounds, estimated; NAN: not */
   double approach_rate;              /* d approach / ds */
   double load_rate;                  /* d load / ds */
   int unstable_modes; /* of the equilibrium at fixed approach, just after this point */
@@ -49,12 +50,15 @@ typedef struct {
   double largest_sagitta; /* of a step's chord, in the plane of approach and load: how far from the
                              curve a drawing by straight lines may be */
   double largest_miss;    /* likewise of the cubic with the rates at both ends; heeded on panels */
+  double sharpness;       /* relative error of a minimum of the load for which it is solved again on
+                             a finer mesh; heeded on panels */
+  bool minima_only;       /* nobody asks for the errors of folds */
   size_t most_points;
   po_branch_visit visit;
   void *data;
 } po_branch_options;
 
-/* No station, no end, steps free, 30000 points; visit to be set. */
+/* No station, no end, steps and minima free, 30000 points; visit to be set. */
 po_branch_options po_branch_options_default(void);
 
 /* Follows the branch of a surface from far out until visit ends it or the approach reaches `end`.

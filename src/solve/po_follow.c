@@ -226,30 +226,29 @@ po_status po_follow_to(po_follower *f, double at) {
 }
 
 po_branch_point po_follow_point(po_follower *f, bool judged) {
-  const po_waymark *m = mark_of(f, 0);
-  const po_track_point *p = &m->point;
+  po_refined r = {
+      .point = &mark_of(f, 0)->point, .value = {f->value[0], f->value[1]}, .error = {NAN, NAN}};
+  const double enough = f->of == PO_OF_LOAD ? f->options.sharpness * fabs(f->value[1]) : INFINITY;
+  const po_refinement how = {f->of, f->slope, enough, {&f->spare, &f->seed}};
+  if (judged && po_refine(&f->c, &f->resolution, &how, &r))
+    r.error[0] = r.error[1] = NAN;
+  f->c.trouble = PO_OK;
+  const po_track_point *p = r.point;
   const bool rising = f->slope < 0.0;
-  po_branch_point point = {.kind = f->of == PO_OF_LOAD
+  return (po_branch_point){.kind = f->of == PO_OF_LOAD
                                        ? (rising ? PO_POINT_LOAD_MAX : PO_POINT_LOAD_MIN)
                                        : (rising ? PO_POINT_APPROACH_MAX : PO_POINT_APPROACH_MIN),
                            .position = NAN,
-                           .approach = f->value[0],
-                           .load = f->value[1],
-                           .approach_error = NAN,
-                           .load_error = NAN,
+                           .approach = r.value[0],
+                           .load = r.value[1],
+                           .approach_error = r.error[0],
+                           .load_error = r.error[1],
                            .approach_rate = p->tangent[p->n],
                            .load_rate = p->load_rate,
                            .n = p->leaves.count * ORDER,
                            .node = p->node,
                            .gap = p->state,
                            .track = p};
-  double change[2];
-  if (judged && !po_refine_finer(&f->c, &f->resolution, p, f->of, f->slope, &f->spare, change)) {
-    point.approach_error = po_refine_error(&f->c, change[0], point.approach);
-    point.load_error = po_refine_error(&f->c, change[1], point.load);
-  }
-  f->c.trouble = PO_OK;
-  return point;
 }
 
 double po_follow_root(const po_follower *f) {

@@ -18,6 +18,8 @@ typedef struct {
   void *data;
   po_allowance allowed; /* what panels may leave */
   double precision;     /* of Newton's iteration, see po_equilibrium */
+  double sharpness;     /* relative error of an extremum of the load for which it is solved
+                           again on a finer mesh when it is judged */
 } po_follow_options;
 
 /* Status: PO_NO_MEMORY. Options are copied, their data must outlive the follower. */
@@ -34,7 +36,7 @@ po_status po_follow_begin(po_follower *f, const po_track_point *landmark, po_eve
 po_status po_follow_to(po_follower *f, double at);
 
 /* The landmark where the follower is; what it points to holds until the next step. With `judged` it
- * is solved on a finer mesh, too, for the errors. */
+ * is solved on finer meshes, too, for the errors. */
 po_branch_point po_follow_point(po_follower *f, bool judged);
 
 /* Radius of the panels' root there, and the work so far. */

@@ -10,21 +10,20 @@ static const double CUBIC_COSINE = 0.3;
 static const double GREATEST_STRAIN = 0.5, GREATEST_STRAIN_BACK = 0.9;
 /* A step, along the gauge, that is short where two fronts meet. */
 static const double MEETING_STEP = 1e-4;
+/* A distance at which nothing moves. */
+static const double NOTHING = 1e-12;
 /* Gaps of a prediction are taken as no smaller. */
 static const double CLOSEST = -0.9;
 
-/* Sets where the fronts are expected, paired with those of b. Returned: whether that is any use. */
-static bool move(po_prediction *p, bool paired, double distance) {
+/* Sets where the fronts are expected. Returned: whether that is any use. */
+static bool move(po_prediction *p, double distance) {
   const po_fronts *fronts = &p->fronts;
   p->w = (po_hermite){1.0, distance, 0.0, 0.0};
-  p->cubic = false;
-  if (paired) {
-    const double whole = po_track_progress(p->a, p->b);
-    p->cubic = p->rate_b > CUBIC_COSINE && fabs(whole) > 0.0 &&
-               po_front_strain(fronts, p->back) < GREATEST_STRAIN_BACK;
-    if (p->cubic)
-      p->w = po_hermite_at(distance, whole);
-  }
+  const double whole = p->paired ? po_track_progress(p->a, p->b) : 0.0;
+  p->cubic = p->paired && p->rate_b > CUBIC_COSINE && fabs(whole) > 0.0 &&
+             po_front_strain(fronts, p->back) < GREATEST_STRAIN_BACK;
+  if (p->cubic)
+    p->w = po_hermite_at(distance, whole);
   for (size_t f = 0; f < fronts->count; ++f) {
     p->shift[f] = p->w.d0 * fronts->rate[f];
     if (p->cubic)
@@ -33,38 +32,101 @@ static bool move(po_prediction *p, bool paired, double distance) {
   return po_front_strain(fronts, p->shift) < GREATEST_STRAIN;
 }
 
-/* Takes the two fronts out that move most towards each other, or one that closes at the axis; not
- * the outermost alone. */
-static bool drop_tightest(po_prediction *p) {
+/* Takes fronts out of those that move the coordinates, from one up to another. */
+static void drop(po_prediction *p, size_t first, size_t end) {
   po_fronts *fronts = &p->fronts;
-  const size_t second = po_front_tightest(fronts, p->shift);
-  if (fronts->count == 0 || second == fronts->count || fronts->count == 1)
-    return false;
-  const size_t first = second > 0 ? second - 1 : 0, next = second + 1;
-  for (size_t from = next, to = first; from < fronts->count; ++from, ++to) {
+  for (size_t from = end, to = first; from < fronts->count; ++from, ++to) {
     fronts->at[to] = fronts->at[from];
     fronts->rate[to] = fronts->rate[from];
     p->back[to] = p->back[from];
     p->rate_back[to] = p->rate_back[from];
   }
-  fronts->count -= next - first;
+  fronts->count -= end - first;
+}
+
+/* Takes the two fronts out that move most towards each other, or one that closes at the axis; not
+ * the outermost alone. */
+static bool drop_tightest(po_prediction *p) {
+  const size_t second = po_front_tightest(&p->fronts, p->shift);
+  if (p->fronts.count <= 1 || second == p->fronts.count)
+    return false;
+  drop(p, second > 0 ? second - 1 : 0, second + 1);
   return true;
+}
+
+/* In the coordinates of all fronts, that of the point b beside that of a. */
+static void pair(po_prediction *p) {
+  const po_track_point *a = p->a, *b = p->b;
+  p->fronts = a->fronts;
+  p->paired = b && b->fronts.count == a->fronts.count;
+  if (!p->paired)
+    return;
+  p->rate_b = po_gauge_along(a->rate, b->rate);
+  for (size_t f = 0; f < a->fronts.count; ++f) {
+    p->back[f] = b->fronts.at[f] - a->fronts.at[f];
+    p->rate_back[f] = b->fronts.rate[f];
+  }
+}
+
+/* Predicts at a distance, in the coordinates of as many fronts as they can be. */
+static bool predict(po_prediction *p, double distance) {
+  bool useful = move(p, distance);
+  while (!useful && drop_tightest(p))
+    useful = move(p, distance);
+  return useful;
 }
 
 bool po_prediction_make(const po_scene *scene, double root, const po_track_point *a,
                         const po_track_point *b, double distance, po_prediction *p) {
-  *p = (po_prediction){.scene = scene, .root = root, .a = a, .b = b, .fronts = a->fronts};
-  const bool paired = b && b->fronts.count == a->fronts.count;
-  if (paired)
-    p->rate_b = po_gauge_along(a->rate, b->rate);
-  for (size_t f = 0; paired && f < a->fronts.count; ++f) {
-    p->back[f] = b->fronts.at[f] - a->fronts.at[f];
-    p->rate_back[f] = b->fronts.rate[f];
+  *p = (po_prediction){.scene = scene, .root = root, .a = a, .b = b};
+  pair(p);
+  return predict(p, distance);
+}
+
+/* Largest difference of the gaps expected by two predictions, in parts of 1 + H, at the nodes of
+ * their point. */
+static double difference(po_prediction *p, po_prediction *q) {
+  double largest = 0.0;
+  for (size_t j = 0; j < p->a->leaves.count * ORDER; ++j) {
+    const double r = p->a->node[j];
+    const double of_p = po_prediction_gap(p, r), of_q = po_prediction_gap(q, r);
+    largest = fmax(largest, fabs(of_p - of_q) / (1.0 + of_p));
   }
-  bool useful = move(p, paired, distance);
-  while (!useful && fabs(distance) < MEETING_STEP && drop_tightest(p))
-    useful = move(p, paired, distance);
-  return useful;
+  return largest;
+}
+
+/* How the error of a prediction goes with the distance. */
+static double error_power(const po_prediction *p, double distance) {
+  if (!p->cubic)
+    return distance * distance;
+  const double product = distance * (distance - po_track_progress(p->a, p->b));
+  return product * product;
+}
+
+double po_prediction_reach(const po_scene *scene, double root, const po_track_point *a,
+                           const po_track_point *b, double distance, double error,
+                           po_prediction *p) {
+  po_prediction moving = {.scene = scene, .root = root, .a = a, .b = b};
+  pair(&moving);
+  double near = distance;
+  for (; !move(&moving, near); near *= 0.5) {
+    if (fabs(near) < MEETING_STEP && po_prediction_make(scene, root, a, b, near, p))
+      return near;
+    if (fabs(near) < NOTHING)
+      return 0.0;
+  }
+  for (double far = distance; fabs(far) > 1.5 * fabs(near); far *= 0.5) {
+    if (!po_prediction_make(scene, root, a, b, far, p))
+      continue;
+    po_prediction still = *p;
+    move(&still, near);
+    const double growth = error_power(p, far) / error_power(p, near);
+    if (growth * difference(&moving, &still) < error)
+      return far;
+  }
+  *p = moving;
+  move(p, near);
+  return near;
 }
 
 double po_prediction_gap(void *prediction, double r) {

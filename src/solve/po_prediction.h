@@ -12,6 +12,7 @@ typedef struct {
   const po_scene *scene;
   double root; /* radius of the panels' root, eps */
   const po_track_point *a, *b;
+  bool paired;   /* fronts of a and b are the same */
   bool cubic;    /* else by the tangent of a alone */
   double rate_b; /* of the gauge along a's direction, at b */
   po_hermite w;
@@ -21,12 +22,21 @@ typedef struct {
   double rate_back[PO_MOST_FRONTS]; /* of those of b */
 } po_prediction;
 
-/* Predicts at a distance along the gauge from a, b being another point (ahead, behind or NULL).
- * Fronts that are about to meet move ever faster: no step is short enough to go with them up to
- * there. In a very short step they do not move the coordinates; the gap between them is flat.
- * Returned: whether it is any use: no other front moves far towards another. */
+/* Predicts at a distance along the gauge from a, b being another point (ahead, behind or NULL), in
+ * the coordinates of all fronts but those that would move far towards another. Returned: whether it
+ * is any use. */
 bool po_prediction_make(const po_scene *scene, double root, const po_track_point *a,
                         const po_track_point *b, double distance, po_prediction *p);
+
+/* Predicts at a distance, or less far. Fronts that are about to meet, or have just been born, move
+ * ever faster: the shorter the step the nearer it goes with them, and none is short enough up to
+ * where they meet. But the gap between them is flat then, and is met by coordinates in which they
+ * stay. So the way is as long as all fronts can be moved, or longer where it makes no more than the
+ * error to leave some, in parts of 1 + H, as what it makes on the shorter way grows with the
+ * distance. Returned: the distance; 0 when there is none. */
+double po_prediction_reach(const po_scene *scene, double root, const po_track_point *a,
+                           const po_track_point *b, double distance, double error,
+                           po_prediction *p);
 
 /* The gap expected at a radius inside the root; above -1. `prediction` is a po_prediction. */
 double po_prediction_gap(void *prediction, double r);

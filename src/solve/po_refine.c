@@ -60,9 +60,8 @@ static bool finer_leaves(const po_resolution *r, const po_track_point *p, po_lea
   return true;
 }
 
-/* d rate / d distance at the event, on the cubic of its interval, per distance along its own gauge.
- */
-static double slope_at(const po_event *ev, double cosine) {
+/* On the cubic of its interval. */
+double po_refine_slope(const po_event *ev, double cosine) {
   const po_sample *a = &ev->low, *b = &ev->high;
   const double h = b->at - a->at, x = ev->root - a->at, by = 0.01 * h;
   double rate[2];
@@ -108,29 +107,40 @@ po_status po_refine_locate(po_corrector *c, const po_track_point *from, po_event
   return PO_NOT_CONVERGED;
 }
 
-po_status po_refine_finer(po_corrector *c, const po_resolution *resolution, const po_track_point *p,
-                          po_event_kind of, double slope, po_track_point *spare, double change[2]) {
+/* A bound of the error of a landmark's value that a finer mesh changed so much. */
+static double error_of(const po_corrector *c, double change, double value) {
+  return SAFETY * fabs(change) + FLOOR * c->e->precision * (1.0 + fabs(value));
+}
+
+/* Solves a landmark on a finer mesh. Returned: it in finer, its approach and load in value, and the
+ * errors that r has. */
+static po_status solve_finer(po_corrector *c, const po_resolution *resolution,
+                             const po_refinement *how, po_refined *r, po_track_point *finer,
+                             double value[2]) {
   po_leaves leaves;
-  if (!finer_leaves(resolution, p, &leaves))
+  if (!finer_leaves(resolution, r->point, &leaves))
     return po_fail(PO_OUT_OF_NODES, "no room for a finer mesh");
   po_status status = po_corrector_mesh(c, &leaves);
   if (status)
     return status;
-  po_corrector_guess(c, p);
-  double value[2];
-  status = po_refine_locate(c, p, of, &slope, spare, value);
-  if (status)
+  po_corrector_guess(c, r->point);
+  double slope = how->slope;
+  status = po_refine_locate(c, r->point, how->of, &slope, finer, value);
+  for (int q = 0; q < 2 && !status; ++q)
+    r->error[q] = error_of(c, value[q] - r->value[q], r->value[q]);
+  return status;
+}
+
+po_status po_refine(po_corrector *c, const po_resolution *resolution, const po_refinement *how,
+                    po_refined *r) {
+  po_refined finer = *r;
+  po_status status = solve_finer(c, resolution, how, r, how->spare[0], finer.value);
+  finer.point = how->spare[0];
+  if (status || r->error[1] <= how->enough)
     return status;
-  change[0] = value[0] - p->state[p->n];
-  change[1] = value[1] - p->load;
+  double value[2];
+  if (!solve_finer(c, resolution, how, &finer, how->spare[1], value) &&
+      finer.error[1] < r->error[1])
+    *r = finer;
   return PO_OK;
-}
-
-po_status po_refine(po_corrector *c, const po_resolution *resolution, const po_track_point *p,
-                    const po_event *event, double cosine, po_track_point *spare, double change[2]) {
-  return po_refine_finer(c, resolution, p, event->of, slope_at(event, cosine), spare, change);
-}
-
-double po_refine_error(const po_corrector *c, double change, double value) {
-  return SAFETY * fabs(change) + FLOOR * c->e->precision * (1.0 + fabs(value));
 }

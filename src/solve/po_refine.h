@@ -6,18 +6,31 @@
 #include "po_landmark.h"
 #include "po_resolution.h"
 
-/* Given: a fold or an extremum of the load, its mesh resolved by `resolution`; the event, with the
- * samples along the gauge of a point before it, at a cosine to its own gauge. `spare` is room.
- * Returned: the changes of approach and load of the landmark when every panel that contributes to
- * the error is halved, and none spans more than a few waves. The mesh in force is another then.
- * Status: PO_NOT_CONVERGED, PO_OUT_OF_NODES. */
-po_status po_refine(po_corrector *c, const po_resolution *resolution, const po_track_point *p,
-                    const po_event *event, double cosine, po_track_point *spare, double change[2]);
+/* A landmark with its errors. */
+typedef struct {
+  const po_track_point *point; /* the one given, or one of the spares */
+  double value[2], error[2];   /* of approach and load: bounds, estimated */
+} po_refined;
 
-/* The same when the slope is known, of the rate whose root the landmark is per distance along the
- * gauge of p. */
-po_status po_refine_finer(po_corrector *c, const po_resolution *resolution, const po_track_point *p,
-                          po_event_kind of, double slope, po_track_point *spare, double change[2]);
+/* What a landmark is judged by. */
+typedef struct {
+  po_event_kind of;
+  double slope;  /* of the rate whose root it is, per distance along the gauge of its point */
+  double enough; /* error of the load that need not be made less; INFINITY: any */
+  po_track_point *spare[2];
+} po_refinement;
+
+/* Given: a fold or an extremum of the load, its mesh resolved by `resolution`; its approach and
+ * load in r->value. Solves it again with every panel halved that contributes to the error, and none
+ * that spans more than a few waves: what that changes is the error. When it is more than enough,
+ * the finer solution is taken for the landmark, and judged by one finer still. The mesh in force is
+ * another then. Status: PO_NOT_CONVERGED, PO_OUT_OF_NODES. */
+po_status po_refine(po_corrector *c, const po_resolution *resolution, const po_refinement *how,
+                    po_refined *r);
+
+/* The slope at an event, with the samples along the gauge of a point before it, at a cosine to its
+ * own gauge. */
+double po_refine_slope(const po_event *event, double cosine);
 
 /* The fold or extremum near the guess, on the mesh in force: Newton's method for the equilibria, a
  * secant along the gauge of `from` for the rate to vanish. Given: slope of that rate, roughly; NAN:
@@ -25,8 +38,5 @@ po_status po_refine_finer(po_corrector *c, const po_resolution *resolution, cons
  * PO_NOT_CONVERGED. */
 po_status po_refine_locate(po_corrector *c, const po_track_point *from, po_event_kind of,
                            double *slope, po_track_point *out, double value[2]);
-
-/* A bound of the error of a landmark's value that a finer mesh changed so much. */
-double po_refine_error(const po_corrector *c, double change, double value);
 
 #endif

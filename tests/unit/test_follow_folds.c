@@ -90,8 +90,9 @@ static void trace(const line *l, folds *f) {
 static po_follower *follower_of(const line *l) {
   po_scene scene;
   scene_at((void *)l, l->from, &scene);
-  const po_follow_options options = {scene_at, root_of, (void *)l, allowance_of(&scene),
-                                     po_observe_precision(TOLERANCE)};
+  const po_follow_options options = {
+      scene_at, root_of, (void *)l, allowance_of(&scene), po_observe_precision(TOLERANCE),
+      TOLERANCE};
   po_follower *follower = NULL;
   ck_assert_int_eq(po_follow_create(&options, l->from, &follower), PO_OK);
   return follower;

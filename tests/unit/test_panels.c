@@ -154,7 +154,32 @@ START_TEST(rigid_waves_are_solved_to_the_tolerance) {
 }
 END_TEST
 
+/* Scenes that had two folds of the mesh too many, while waves so weak might have panels as coarse
+ * as high ones; and one of high waves with a fold that no finer mesh has at first. The number of
+ * folds is that of traces at 1e-7 and 1e-8. */
+static const struct {
+  po_scene scene;
+  size_t folds;
+} MANY_FOLDS[] = {{{6.9514, 2.3006, 81.969, 245.19, INFINITY}, 6},
+                  {{6.3507, 1.0448, 40.547, 110.44, INFINITY}, 6},
+                  {{4.4434, 9.1904, 46.746, 87.672, INFINITY}, 14}};
+
+START_TEST(folds_are_of_the_scene_and_have_errors) {
+  po_request request = panels(1.0, 1e-4);
+  request.scene = MANY_FOLDS[_i].scene;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_uint_eq(o.fold_count, MANY_FOLDS[_i].folds);
+  for (size_t k = 0; k < o.fold_count; ++k) {
+    ck_assert(!isnan(o.folds[k].load_error));
+    ck_assert_int_eq(o.folds[k].kind, k % 2 ? PO_JUMP_OUT : PO_JUMP_IN);
+  }
+  po_outcome_clear(&o);
+}
+END_TEST
+
 static void add(TCase *tests) {
+  tcase_add_loop_test(tests, folds_are_of_the_scene_and_have_errors, 0, 3);
   tcase_add_test(tests, pull_off_that_no_mesh_meets_is_refused);
   tcase_add_loop_test(tests, rigid_waves_are_solved_to_the_tolerance, 0, 2);
   tcase_add_loop_test(tests, pull_off_is_right_to_the_tolerance, 0, PULL_OFF_COUNT);

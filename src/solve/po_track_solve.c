@@ -1,0 +1,113 @@
+#include "po_track_parts.h"
+
+enum { MOST_MESHES_A_POINT = 4 };
+
+/* Meshes are made for this part of the allowed error, and serve while it is not exceeded: the
+ * fronts may move a little on them. */
+static const double MESH_MARGIN = 0.2;
+/* What a guess may exceed the allowed error by on a mesh that is kept. */
+static const double GREATEST_EXCESS = 0.5;
+
+static bool too_large(void *prediction, po_leaf leaf) {
+  return po_prediction_too_large(prediction, leaf, 1.0);
+}
+
+static bool mesh_serves(const po_tracker *t, const po_prediction *p) {
+  const po_leaves *leaves = po_adaptive_leaves(t->c.adaptive);
+  for (size_t k = 0; k < leaves->count; ++k)
+    if (po_prediction_too_large(p, leaves->leaf[k], 2.0))
+      return false;
+  return true;
+}
+
+/* The state expected, on the mesh in force. */
+static void guess(po_tracker *t, po_prediction *p) {
+  po_prediction_state(p, t->c.e->surface, po_corrector_core_nodes(&t->c), t->c.guess);
+}
+
+/* The leaves that resolve a field with a margin, from those given. */
+static po_status resolve(po_tracker *t, const po_gap_field *field, po_leaves *leaves) {
+  po_resolution margin = t->resolution;
+  margin.allowed.gap *= MESH_MARGIN;
+  margin.allowed.load *= MESH_MARGIN;
+  return t->c.trouble = po_resolution_leaves(&margin, field, leaves);
+}
+
+po_status po_track_want_mesh(po_tracker *t, po_track_point *p) {
+  po_track_field solved = {p, t->c.e->scene, t->c.root};
+  p->wanted = p->leaves;
+  return resolve(t, &(po_gap_field){po_track_gap, &solved}, &p->wanted);
+}
+
+/* Takes the point just solved to the mesh it wants, as a guess. */
+static po_status guess_from_solved(po_tracker *t, const po_track_point *out) {
+  po_track_point_copy(out, &t->spare);
+  const po_status status = po_corrector_mesh(&t->c, &t->spare.wanted);
+  if (!status)
+    po_corrector_guess(&t->c, &t->spare);
+  return status;
+}
+
+/* Whether panels that move with the coordinates follow all fronts. */
+static bool all_move(const po_tracker *t, const po_prediction *p) {
+  return p->fronts.count == t->current.fronts.count;
+}
+
+static double guessed_excess(const po_tracker *t) {
+  return po_resolution_excess(&t->resolution, po_adaptive_leaves(t->c.adaptive), t->c.guess);
+}
+
+/* Puts a mesh in force for the prediction, or leaves the one there is when it serves and may; and
+ * the guess on it. */
+static po_status mesh_for(po_tracker *t, po_prediction *p, bool may_keep_mesh) {
+  if (may_keep_mesh && mesh_serves(t, p)) {
+    guess(t, p);
+    if (all_move(t, p) || guessed_excess(t) <= GREATEST_EXCESS)
+      return PO_OK;
+  }
+  po_leaves leaves;
+  if (!po_leaves_build(&leaves, too_large, p))
+    return t->c.trouble =
+               po_fail(PO_OUT_OF_NODES, "the traction needs more than %d panels", PO_MOST_LEAVES);
+  po_status status = PO_OK;
+  if (!all_move(t, p))
+    status = resolve(t, &(po_gap_field){po_prediction_gap, p}, &leaves);
+  if (!status)
+    status = po_corrector_mesh(&t->c, &leaves);
+  if (!status)
+    guess(t, p);
+  return status;
+}
+
+/* Solves from the guess, and meshes again while the solution is not resolved. Status:
+ * PO_NOT_CONVERGED also when no mesh resolves it. */
+static po_status solve_resolved(po_tracker *t, double distance, bool keep_factors, double precision,
+                                po_track_point *out) {
+  po_status status = PO_OK;
+  for (int mesh = 0; mesh < MOST_MESHES_A_POINT && !status; ++mesh) {
+    status = po_corrector_solve(&t->c, &t->current, distance, keep_factors, precision, out);
+    if (status || po_resolution_excess(&t->resolution, &out->leaves, out->state) <= 1.0)
+      return status;
+    status = po_track_want_mesh(t, out);
+    if (!status)
+      status = guess_from_solved(t, out);
+  }
+  return status ? status : PO_NOT_CONVERGED;
+}
+
+po_status po_track_solve(po_tracker *t, po_prediction *p, double distance, bool keep,
+                         double precision, po_track_point *out, double *error) {
+  po_status status = mesh_for(t, p, keep);
+  if (status)
+    return status;
+  const size_t meshes = t->c.e->work.meshes;
+  status = solve_resolved(t, distance, keep, precision, out);
+  const bool same_nodes = t->c.e->work.meshes == meshes;
+  if (!status && error)
+    *error = po_prediction_error(p, same_nodes ? t->c.guess : NULL, out);
+  return status;
+}
+
+po_status po_track_solve_guessed(po_tracker *t, double distance, po_track_point *out) {
+  return solve_resolved(t, distance, true, t->c.e->precision, out);
+}

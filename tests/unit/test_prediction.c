@@ -1,0 +1,100 @@
+/* How far a prediction reaches where rings of contact are born, and how well. */
+#include <math.h>
+
+#include "po_observe_parts.h"
+#include "po_prediction.h"
+#include "po_track.h"
+#include "run.h"
+
+enum { MOST = 200 };
+
+static const double TOLERANCE = 1e-4, ERROR = 0.01;
+/* Of its 12 folds 8 lie where rings are born or meet. */
+static const po_scene SCENE = {2.0, 2.0, 5.0, 100.0, 100.0};
+
+/* The steps of a trace. */
+typedef struct {
+  size_t count;
+  po_track_point point[MOST];
+} steps;
+
+static bool keep(const po_branch_point *p, void *data) {
+  steps *s = data;
+  if (p->kind != PO_POINT_STEP)
+    return false;
+  ck_assert_int_eq(po_track_point_allocate(&s->point[s->count], p->track->n), PO_OK);
+  po_track_point_copy(p->track, &s->point[s->count++]);
+  return s->count == MOST || p->load > 1.0;
+}
+
+static double trace(steps *s) {
+  po_request request = po_request_default();
+  request.scene = SCENE;
+  po_adaptive *panels = NULL;
+  po_equilibrium *e = NULL;
+  po_tracker *tracker = NULL;
+  const double root = po_observe_root(&SCENE, po_surface_core(&SCENE, NAN));
+  ck_assert_int_eq(po_adaptive_create(&SCENE, root, 4, &panels), PO_OK);
+  ck_assert_int_eq(
+      po_equilibrium_create(&SCENE, po_adaptive_surface(panels), po_adaptive_capacity(panels), &e),
+      PO_OK);
+  e->precision = po_observe_precision(TOLERANCE);
+  po_branch_options options = po_branch_options_default();
+  options.visit = keep;
+  options.data = s;
+  ck_assert_int_eq(
+      po_track_create(e, panels, po_observe_allowance(&request, TOLERANCE), &options, &tracker),
+      PO_OK);
+  ck_assert_int_eq(po_track_onwards(tracker), PO_OK);
+  const double met = po_adaptive_root(panels);
+  po_track_destroy(tracker);
+  po_equilibrium_destroy(e);
+  po_adaptive_destroy(panels);
+  return met;
+}
+
+/* As far as the point after the next, which is twice as far as its error allows: ten times as much
+ * is made there. Where some fronts were left behind it is no more, and there are such places. */
+START_TEST(fronts_are_left_where_that_does) {
+  steps s = {0};
+  const double root = trace(&s);
+  size_t left = 0;
+  for (size_t k = 1; k + 2 < s.count; ++k) {
+    const po_track_point *b = &s.point[k - 1], *a = &s.point[k], *to = &s.point[k + 2];
+    const double way = po_track_progress(a, to);
+    if (!(way > 0.0))
+      continue;
+    po_prediction p;
+    const double reach = po_prediction_reach(&SCENE, root, a, b, way, ERROR, &p);
+    ck_assert_double_gt(reach, 0.0);
+    ck_assert_double_le(reach, way);
+    ck_assert_double_lt(po_front_strain(&p.fronts, p.shift), 0.5);
+    if (reach < way || p.fronts.count == a->fronts.count)
+      continue;
+    ck_assert_double_lt(po_prediction_error(&p, NULL, to), 10.0 * ERROR);
+    ++left;
+  }
+  ck_assert_uint_gt(left, 5);
+  for (size_t k = 0; k < s.count; ++k)
+    po_track_point_free(&s.point[k]);
+}
+END_TEST
+
+/* Steps that go with the fronts of every ring from its birth are 133. */
+START_TEST(births_of_rings_take_few_steps) {
+  steps s = {0};
+  trace(&s);
+  ck_assert_uint_lt(s.count, 122);
+  for (size_t k = 0; k < s.count; ++k)
+    po_track_point_free(&s.point[k]);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_test(tests, fronts_are_left_where_that_does);
+  tcase_add_test(tests, births_of_rings_take_few_steps);
+}
+
+int main(void) {
+  return run_case("prediction", add);
+}
