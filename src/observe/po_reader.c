@@ -189,14 +189,17 @@ static void keep_profile(po_reader *r, const po_branch_point *p) {
   }
 }
 
-/* Follows the minima from wave to wave. */
+/* Follows the minima from wave to wave. Where one more rise would have ended the trace, it tells by
+ * how much the minimum of the next wave was short of that. */
 static void note_wave(po_reader *r, double load, double contact_radius) {
-  const double apart = contact_radius - r->wave_radius;
+  const double apart = contact_radius - r->wave_radius, rise = load - r->wave_minimum;
+  const bool next = apart > NEXT_WAVE * r->request->scene.wavelength;
+  if (next && r->rises == ENOUGH_RISES - 1 && rise < r->rise)
+    r->margin = fmin(r->margin, (r->rise - rise) / PRELOAD);
   if (load <= r->pull_off_load) {
     r->rises = 0;
     r->rise = 0.0;
-  } else if (apart > NEXT_WAVE * r->request->scene.wavelength) {
-    const double rise = load - r->wave_minimum;
+  } else if (next) {
     r->rises = rise > r->rise ? r->rises + 1 : 0;
     r->rise = rise;
   } else if (load >= r->wave_minimum) {
@@ -249,10 +252,12 @@ static bool is_kept(po_point_kind kind) {
  */
 static void note_margin(po_reader *r, const po_branch_point *p) {
   const po_outcome *o = r->outcome;
-  if (!o->has_pull_off || p->unstable_modes > 0 || !po_scene_is_wavy(&r->request->scene))
+  if (!o->has_pull_off || !po_scene_is_wavy(&r->request->scene))
     return;
-  const double left = (PRELOAD + o->pull_off.force - p->load) / PRELOAD;
-  r->margin = r->rises >= ENOUGH_RISES - 1 ? 0.0 : fmin(r->margin, left);
+  if (r->rises >= ENOUGH_RISES) /* it ends where it is stable */
+    r->margin = 0.0;
+  else if (p->unstable_modes == 0)
+    r->margin = fmin(r->margin, (PRELOAD + o->pull_off.force - p->load) / PRELOAD);
 }
 
 po_reader po_reader_begin(const po_request *request, po_outcome *outcome, double deadline) {

@@ -32,7 +32,7 @@ typedef struct {
   double rise;          /* of that minimum from the wave before */
   int rises;            /* waves since the pull-off whose minima rose more and more */
   double margin; /* how near the trace has been to its end: what it might have been pressed harder
-                    yet, in parts of the preload, at most 1; 0 where waves began to rise */
+                    yet, or a wave's minimum might have risen more, in parts of the preload */
   double path_approach, path_load; /* greatest in loading so far, see po_loop.h; -INFINITY: none */
   double greatest_load;            /* of a stable point under a load so far */
   po_path_point *path;             /* the branch, when hysteresis is wanted; owned */

@@ -125,6 +125,31 @@ START_TEST(what_lies_beyond_the_preload_is_no_pull_off) {
 }
 END_TEST
 
+/* Between two anchors whose minima rise from wave to wave, and fall again before the trace ends: no
+ * trace of a scene between would end there. */
+START_TEST(one_rise_is_no_end) {
+  enum { COUNT = 11 };
+  po_request request[COUNT];
+  po_outcome outcome[COUNT], traced;
+  for (size_t k = 0; k < COUNT; ++k) {
+    request[k] = po_request_default();
+    request[k].mesh.scheme = PO_PANEL;
+    request[k].mesh.tolerance = 1e-4;
+    request[k].scene =
+        (po_scene){1.42 * pow(1.94, (double)k / (COUNT - 1)), 1.464, 5.0, 100.0, 100.0};
+  }
+  ck_assert_int_eq(po_line_observe(request, COUNT, COUNT - 1, outcome), PO_OK);
+  for (size_t k = 0; k < COUNT; ++k)
+    ck_assert_int_eq(outcome[k].followed, k > 0 && k + 1 < COUNT);
+  ck_assert_int_eq(po_observe(&request[6], &traced), PO_OK);
+  ck_assert_double_le(fabs(outcome[6].pull_off.force - traced.pull_off.force),
+                      outcome[6].pull_off.force_error + traced.pull_off.force_error);
+  po_outcome_clear(&traced);
+  for (size_t k = 0; k < COUNT; ++k)
+    po_outcome_clear(&outcome[k]);
+}
+END_TEST
+
 /* Lines on which no minimum ends: few factorisations a scene that is followed. */
 START_TEST(following_costs_little) {
   po_request request[MOST];
@@ -179,6 +204,7 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, following_costs_little, 2, 4);
   tcase_add_test(tests, deepest_in_the_middle_alone);
   tcase_add_test(tests, what_lies_beyond_the_preload_is_no_pull_off);
+  tcase_add_test(tests, one_rise_is_no_end);
   tcase_add_test(tests, what_cannot_be_followed_is_traced);
 }
 
