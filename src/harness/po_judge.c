@@ -117,12 +117,13 @@ static bool is_exact(const po_result *item) {
 }
 
 /* Of the results of one check, from `first` on, the one with the largest error in units of the
- * tolerance; *last is the end of them. NULL: none to be measured by, or one that fails. */
+ * tolerance; *last is the end of them. NULL: none to be measured by, no error at all, or
+ * one that fails. */
 static po_result *worst_of_check(po_results *results, size_t first, size_t *last, double *largest) {
   const po_check *check = results->items[first].check;
   po_result *worst = NULL;
   bool measurable = results->items[first].ledger != PO_LEDGER_PIN;
-  *largest = -1;
+  *largest = 0.0;
   for (*last = first; *last < results->count && results->items[*last].check == check; ++*last) {
     po_result *item = &results->items[*last];
     measurable = measurable && item->verdict == PO_WITHIN;

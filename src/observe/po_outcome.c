@@ -11,8 +11,9 @@
 #include "po_rigid.h"
 #include "po_trace.h"
 
-/* When the estimated error of the force is beyond the tolerance, or a fold has none, the trace is
- * made anew, with this part of what would do. */
+/* When the estimated error of the force is beyond the tolerance, or a finer mesh does not meet a
+ * fold, which is then mostly of the mesh and not of the scene, the trace is made anew, with this
+ * part of what would do. */
 static const double SHARPER = 0.3;
 /* What an error counts for that could not be estimated. */
 static const double UNKNOWN_EXCESS = 3.0;
@@ -64,16 +65,6 @@ static bool is_unsure(const po_request *request, const po_outcome *outcome) {
          isnan(outcome->pull_off.force_error);
 }
 
-/* Whether there is a fold that no finer mesh has: mostly it is of the mesh, not of the scene. */
-static bool has_unsure_fold(const po_request *request, const po_outcome *outcome) {
-  if (request->mesh.scheme != PO_PANEL || outcome->rigid)
-    return false;
-  for (size_t k = 0; k < outcome->fold_count; ++k)
-    if (isnan(outcome->folds[k].load_error))
-      return true;
-  return false;
-}
-
 /* The estimated error of the force in parts of what is asked; 0 when it is no more. What no
  * estimate sees is left out: no other mesh would make it less, and of the small forces that high
  * waves leave it is a large part. */
@@ -108,7 +99,7 @@ static po_status observe(const po_request *request, const po_keeper *keeper, po_
     status = po_trace(request, rigid, &a, deadline, keeper, outcome);
     add_work(&outcome->work, &work);
     double excess = status || rigid ? 0.0 : excess_error(request, outcome);
-    if (!status && !(keeper && keeper->minima_only) && has_unsure_fold(request, outcome))
+    if (!status && a.unmet_folds > 0)
       excess = fmax(excess, UNKNOWN_EXCESS);
     if (status == PO_OUT_OF_DOMAIN) {
       a.core *= CORE_GROWTH;

@@ -150,6 +150,7 @@ static void add_landmark(po_reader *r, const po_branch_point *p, double contact_
   const bool fold = kind == PO_JUMP_IN || kind == PO_JUMP_OUT;
   po_landmark **list = fold ? &o->folds : &o->extrema;
   size_t *count = fold ? &o->fold_count : &o->extremum_count;
+  r->unmet_folds += fold && p->unmet;
   if (!grow(r, (void **)list, *count, fold ? &r->fold_room : &r->extremum_room, sizeof **list))
     return;
   (*list)[(*count)++] = (po_landmark){.kind = kind,

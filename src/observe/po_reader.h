@@ -37,8 +37,9 @@ typedef struct {
   double greatest_load;            /* of a stable point under a load so far */
   po_path_point *path;             /* the branch, when hysteresis is wanted; owned */
   size_t path_count, path_room;
-  size_t most_nodes; /* of the surface so far */
-  double deadline;   /* on po_clock_thread; INFINITY: none */
+  size_t most_nodes;  /* of the surface so far */
+  size_t unmet_folds; /* that a finer mesh did not meet */
+  double deadline;    /* on po_clock_thread; INFINITY: none */
   size_t extremum_room, fold_room, curve_room;
   po_status status;
 } po_reader;

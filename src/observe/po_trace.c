@@ -204,6 +204,7 @@ po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double 
   if (!status && (request->want & PO_WANT_HYSTERESIS))
     status = read_hysteresis(&reader, a);
 done:
+  a->unmet_folds = reader.unmet_folds;
   po_reader_end(&reader);
   outcome->diagnostics.energy_defect = po_balance_defect(&balance);
   outcome->diagnostics.energy_defect_at = balance.at;

@@ -6,9 +6,10 @@
 
 /* What a trace is made with, and made anew with. */
 typedef struct {
-  double core;      /* of the surface, eps */
-  double tolerance; /* of panels */
-  double begin;     /* approach it begins at, if not farther out; NAN: what the solver takes */
+  double core;        /* of the surface, eps */
+  double tolerance;   /* of panels */
+  double begin;       /* approach it begins at, if not farther out; NAN: what the solver takes */
+  size_t unmet_folds; /* returned: folds that a finer mesh did not meet */
 } po_attempt;
 
 /* Given: whether the surfaces are rigid; processor time at which it gives up; somebody who keeps

@@ -31,6 +31,7 @@ typedef struct {
   double energy;         /* U/(pi w R eps): its rate by approach is the load */
   double approach_correction, load_correction; /* by a finer mesh, of a landmark; 0: none */
   double approach_error, load_error; /* of a landmark so corrected: bounds, estimated; NAN: not */
+  bool unmet;                        /* by a finer mesh: the landmark may be of this one */
   double approach_rate;              /* d approach / ds */
   double load_rate;                  /* d load / ds */
   int unstable_modes; /* of the equilibrium at fixed approach, just after this point */

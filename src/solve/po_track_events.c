@@ -95,12 +95,14 @@ static void judge(po_tracker *t, const po_event *ev, po_branch_point *point) {
       point->kind == PO_POINT_LOAD_MIN ? t->options.sharpness * fabs(point->load) : INFINITY;
   const po_refinement how = {ev->of, po_refine_slope(ev, cosine), enough, {&t->spare, &t->inner}};
   po_refined r = {.point = point->track, .value = {point->approach, point->load}};
-  if (!po_refine(&t->c, &t->resolution, &how, &r)) {
+  const po_status status = po_refine(&t->c, &t->resolution, &how, &r);
+  if (!status) {
     point->approach_correction = r.value[0] - point->approach;
     point->load_correction = r.value[1] - point->load;
     point->approach_error = r.error[0] + LOCATED * fabs(point->approach_rate);
     point->load_error = r.error[1] + LOCATED * fabs(point->load_rate);
   }
+  point->unmet = status == PO_NOT_CONVERGED && !t->c.trouble;
   t->c.trouble = PO_OK; /* a mesh too fine for the estimate is no trouble for the trace */
 }
 

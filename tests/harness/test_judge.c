@@ -156,6 +156,14 @@ START_TEST(rounding_is_an_error_too) {
 }
 END_TEST
 
+/* What is exactly 0, as where there is no fold to differ, measures no tolerance. */
+START_TEST(no_error_at_all_tells_nothing) {
+  const size_t none = found(ORACLE, 0, "way_back", "", 0, 0, 0);
+  po_judge(&made_run.results);
+  ck_assert_int_eq(verdict_of(none), PO_WITHIN);
+}
+END_TEST
+
 /* A share of solves is counted: all solved is what is hoped for, not a tolerance too wide. */
 START_TEST(a_share_is_never_slack) {
   const size_t share = found(ORACLE, 0, "solved_share", "", 1, 1, (double)NAN);
@@ -178,6 +186,7 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, a_tolerance_is_measured_by_the_worst_error_it_met, 0,
                       (int)(sizeof TOLERANCES / sizeof *TOLERANCES));
   tcase_add_test(tests, rounding_is_an_error_too);
+  tcase_add_test(tests, no_error_at_all_tells_nothing);
   tcase_add_test(tests, a_share_is_never_slack);
 }
 
