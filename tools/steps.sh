@@ -44,10 +44,10 @@ first_time() {
   'Installing packages') echo 90 ;;
   Configuring) echo 10 ;;
   Building) echo 60 ;;
-  'Running the cases') echo 1800 ;;
-  'Planting faults') echo 600 ;;
+  'Running the cases') echo 700 ;;
+  'Planting faults') echo 300 ;;
   'Judging the claims') echo 30 ;;
-  'Writing the report') echo 40 ;;
+  'Writing the report') echo 80 ;;
   *) echo 0 ;;
   esac
 }

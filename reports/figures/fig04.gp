@@ -68,7 +68,7 @@ if (fold_points) {
   unset logscale y; set lmargin at screen panel_left[1]; set rmargin at screen panel_right[2]
   set tmargin at screen 0.235; set bmargin at screen 0.085
   set nonlinear y via log10(1 + y) inverse 10**y - 1
-  set yrange [-0.35:130]; set format y '%g'; set ytics (0, 2, 4, 10, 30, 100)
+  set yrange [-0.35:130]; set format y '%g'; set ytics (0, '' 2, 4, 10, 30, 100)
   set xrange [0.0075:6.7]
   set ylabel 'folds' offset 0,0
   set label 1 '(c)' at graph 0.015, graph 0.86 left

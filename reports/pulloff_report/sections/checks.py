@@ -36,9 +36,11 @@ def absolute_tolerance(check):
 
 
 def decimals_of(check):
-    """Decimals that show two digits of the tolerance; none where both numbers are counts."""
+    """Decimals that show two digits of the tolerance; 0 where both numbers are counts, none beside what is to be 0."""
     if check["quantity"].endswith("_count") or check["quantity"].startswith("work_"):
         return 0
+    if check["expected"] == 0:
+        return None
     return decimals_for(absolute_tolerance(check))
 
 
