@@ -47,7 +47,7 @@ first_time() {
   'Running the cases') echo 700 ;;
   'Planting faults') echo 300 ;;
   'Judging the claims') echo 30 ;;
-  'Writing the report') echo 80 ;;
+  'Writing the report') echo 60 ;;
   *) echo 0 ;;
   esac
 }
