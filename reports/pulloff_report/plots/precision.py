@@ -126,13 +126,9 @@ def draw(chosen):
                 if drawn:
                     draw_series(axes, field, drawn)
             draw_failures(axes, field, here)
+            axes.set_title(LABELS[field], fontsize=7.8, loc="right", pad=3)
         line[0].set_ylabel("error")
         line[0].set_title(samples.scene_name(scene), fontsize=7.8, loc="left", pad=3)
-    for axes, field in zip(grid[0], samples.FIELDS):
-        axes.text(0.97, 0.05, LABELS[field], transform=axes.transAxes, ha="right")
-    for line in grid[1:]:
-        for axes, field in zip(line, samples.FIELDS):
-            axes.text(0.97, 0.05, LABELS[field], transform=axes.transAxes, ha="right")
     for axes in grid[-1]:
         axes.set_xlabel("seconds")
     add_legend(picture, {sample.series for sample in chosen})
