@@ -5,7 +5,8 @@ enum { MOST_MESHES_A_POINT = 4 };
 /* Meshes are made for this part of the allowed error, and serve while it is not exceeded: the
  * fronts may move a little on them. */
 static const double MESH_MARGIN = 0.2;
-/* What a guess may exceed the allowed error by on a mesh that is kept. */
+/* Error of a guess, in parts of the allowed, on a mesh that is kept: half is left for what the
+ * solution differs. */
 static const double GREATEST_EXCESS = 0.5;
 
 static bool too_large(void *prediction, po_leaf leaf) {

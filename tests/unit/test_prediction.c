@@ -9,7 +9,7 @@
 enum { MOST = 200 };
 
 static const double TOLERANCE = 1e-4, ERROR = 0.01;
-/* Of its 12 folds 8 lie where rings are born or meet. */
+/* Rings are born until the contact has 13 edges. */
 static const po_scene SCENE = {2.0, 2.0, 5.0, 100.0, 100.0};
 
 /* The steps of a trace. */
