@@ -15,6 +15,7 @@ SYMBOLS = {"tabor": "μ", "nodes": "N", "amplitude": "A†", "wavelength": "λ�
 QUANTITIES = {
     "pull_off_force": "Pull-off force |W̄|",
     "pull_off_approach": "Approach at pull-off Δ†",
+    "contact_radius": "Contact radius at pull-off, in ε",
     "residual": "Residual of the discrete equations",
     "moved_force": "Pull-off force when inputs move by a last bit, relative change",
     "energy_defect": "Energy gained less work done, over the range of the energy",

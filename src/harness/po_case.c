@@ -14,6 +14,7 @@
 static const char *const QUANTITIES[PO_QUANTITY_COUNT] = {
     [PO_PULL_OFF_FORCE] = "pull_off_force",
     [PO_PULL_OFF_APPROACH] = "pull_off_approach",
+    [PO_CONTACT_RADIUS] = "contact_radius",
     [PO_HYSTERESIS_FORCE] = "hysteresis_force",
     [PO_HYSTERESIS_APPROACH] = "hysteresis_approach",
     [PO_HYSTERESIS_LOSS] = "hysteresis_loss",
@@ -34,6 +35,11 @@ static const char *const KINDS[] = {"abs", "rel", "ulp"};
 
 const char *po_quantity_name(po_quantity quantity) {
   return QUANTITIES[quantity];
+}
+
+bool po_quantity_is_pull_off(po_quantity quantity) {
+  return quantity == PO_PULL_OFF_FORCE || quantity == PO_PULL_OFF_APPROACH ||
+         quantity == PO_CONTACT_RADIUS;
 }
 
 bool po_quantity_is_diagnostic(po_quantity quantity) {

@@ -31,10 +31,11 @@ typedef enum {
 typedef enum {
   PO_PULL_OFF_FORCE,
   PO_PULL_OFF_APPROACH,
-  PO_RESIDUAL,      /* of the discrete equations, see po_diagnostics.h */
-  PO_MOVED_FORCE,   /* change of the force with the last bits of the inputs */
-  PO_ENERGY_DEFECT, /* of dU = W dapproach */
-  PO_WAY_BACK,      /* differences of folds when the branch is followed back, see po_way_back.h */
+  PO_CONTACT_RADIUS, /* at pull-off */
+  PO_RESIDUAL,       /* of the discrete equations, see po_diagnostics.h */
+  PO_MOVED_FORCE,    /* change of the force with the last bits of the inputs */
+  PO_ENERGY_DEFECT,  /* of dU = W dapproach */
+  PO_WAY_BACK,       /* differences of folds when the branch is followed back, see po_way_back.h */
   PO_HYSTERESIS_FORCE, /* the greatest tension met in unloading at given approach */
   PO_HYSTERESIS_APPROACH,
   PO_HYSTERESIS_LOSS, /* energy lost in all jumps of loading and unloading at given approach */
@@ -239,6 +240,9 @@ const char *po_case_argument(const po_case *kase);
 /* The reference of a pull-off that was followed: what the trace of the same scene finds. */
 #define PO_TRACED "traced"
 bool po_check_is_traced(const po_check *check);
+
+/* Whether a quantity is one of the pull-off: all that is known of a scene that is followed. */
+bool po_quantity_is_pull_off(po_quantity quantity);
 
 /* Whether a quantity is of the diagnostics, and so only set beside zero. */
 bool po_quantity_is_diagnostic(po_quantity quantity);

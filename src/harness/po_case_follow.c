@@ -44,11 +44,10 @@ po_status po_case_follow_parse(po_case *kase, const po_yaml *yaml) {
                               i + 1);
   for (unsigned i = 0; i < file->checks_count; ++i) {
     const po_quantity quantity = file->checks[i].quantity;
-    if (quantity != PO_PULL_OFF_FORCE && quantity != PO_PULL_OFF_APPROACH &&
-        quantity != PO_SOLVED_SHARE)
+    if (!po_quantity_is_pull_off(quantity) && quantity != PO_SOLVED_SHARE)
       return po_schema_refuse(yaml,
-                              "pull_off_force, pull_off_approach or solved_share, as only minima "
-                              "are followed",
+                              "pull_off_force, pull_off_approach, contact_radius or solved_share, "
+                              "as only minima are followed",
                               "checks[%u].quantity", i + 1);
   }
   return PO_OK;

@@ -12,8 +12,7 @@ static bool is_between(const po_case *kase, size_t point) {
 }
 
 static bool is_drawn_from(const po_case_file *file, const po_check *check) {
-  return file->traced &&
-         (check->quantity == PO_PULL_OFF_FORCE || check->quantity == PO_PULL_OFF_APPROACH);
+  return file->traced && po_quantity_is_pull_off(check->quantity);
 }
 
 po_status po_case_traced_parse(const po_case *kase, const po_yaml *yaml) {

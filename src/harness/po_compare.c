@@ -13,8 +13,7 @@ static const po_reference_number NOTHING = {(double)NAN, (double)NAN};
 
 /* A number of folds is one in a table of pins; elsewhere it is that of the landmarks in range. */
 static bool is_single(po_quantity quantity, const po_reference *reference) {
-  return quantity == PO_PULL_OFF_FORCE || quantity == PO_PULL_OFF_APPROACH ||
-         po_quantity_is_diagnostic(quantity) ||
+  return po_quantity_is_pull_off(quantity) || po_quantity_is_diagnostic(quantity) ||
          (po_quantity_is_hysteresis(quantity) && quantity != PO_JUMPS) ||
          (quantity == PO_FOLD_COUNT && reference->is_pin);
 }
@@ -43,6 +42,8 @@ double po_compare_obtained(po_quantity quantity, const po_outcome *outcome) {
     return outcome->diagnostics.energy_defect;
   if (quantity == PO_WAY_BACK)
     return outcome->diagnostics.way_back.excess;
+  if (quantity == PO_CONTACT_RADIUS)
+    return outcome->pull_off.contact_radius;
   return quantity == PO_PULL_OFF_FORCE ? outcome->pull_off.force : outcome->pull_off.approach;
 }
 

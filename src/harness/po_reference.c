@@ -196,6 +196,25 @@ static const char *column_of(po_quantity quantity) {
   return quantity == PO_PULL_OFF_FORCE || quantity == PO_HYSTERESIS_FORCE ? "force" : "approach";
 }
 
+/* A table without a column contact_radius may have that column instead: smooth spheres on the
+ * unbounded half-space differ by the root of their radius alone. */
+static const char PER_ROOT_RADIUS[] = "contact_radius_over_root_radius";
+
+static po_status contact_radius_of(const po_reference *reference, size_t row,
+                                   const po_request *request, po_reference_number *number) {
+  const char *name = "contact_radius";
+  double unit = 1;
+  if (po_csv_find_column(&reference->table, name) < 0 &&
+      po_csv_find_column(&reference->table, PER_ROOT_RADIUS) >= 0) {
+    name = PER_ROOT_RADIUS;
+    unit = sqrt(request->scene.radius);
+  }
+  const po_status status = po_reference_cell(reference, row, name, number);
+  number->value *= unit;
+  number->uncertainty *= unit;
+  return status;
+}
+
 static po_status find_single(const po_reference *reference, po_quantity quantity,
                              const po_request *request, po_reference_number *number) {
   const po_csv *table = &reference->table;
@@ -208,7 +227,11 @@ static po_status find_single(const po_reference *reference, po_quantity quantity
   if (found > 1)
     return po_fail(PO_CANNOT_READ, "%s:%zu: a second row for the same scene: expected one",
                    table->path, table->lines[at]);
-  return found ? po_reference_cell(reference, at, column_of(quantity), number) : PO_NOT_FOUND;
+  if (!found)
+    return PO_NOT_FOUND;
+  return quantity == PO_CONTACT_RADIUS
+             ? contact_radius_of(reference, at, request, number)
+             : po_reference_cell(reference, at, column_of(quantity), number);
 }
 
 po_status po_reference_find(const po_reference *reference, po_quantity quantity,

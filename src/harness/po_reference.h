@@ -65,7 +65,7 @@ po_status po_reference_open_check(const char *data_folder, const po_check *check
 po_status po_reference_check_headers(po_reference *reference);
 void po_reference_close(po_reference *reference);
 
-/* What it says of `quantity` (pull_off_force, pull_off_approach) for a scene.
+/* What it says of `quantity` (pull_off_force, pull_off_approach, contact_radius) for a scene.
  * Status: PO_NOT_FOUND: nothing, of this scene; PO_CANNOT_READ: a column is missing or not a
  * number. */
 po_status po_reference_find(const po_reference *reference, po_quantity quantity,

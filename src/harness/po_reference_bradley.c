@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "po_bradley.h"
+#include "po_law.h"
 #include "po_memory.h"
 
 /* Points of the sampled curve lie about so far apart, in the plane of approach and load, near
@@ -24,8 +25,13 @@ po_status po_bradley_find(po_quantity quantity, const po_request *request,
                           po_reference_number *number) {
   if (!speaks_of(request))
     return PO_NOT_FOUND;
-  /* The minimum -2 at approach 0; approach is a single-valued parameter, so there is no fold. */
-  *number = (po_reference_number){.value = quantity == PO_PULL_OFF_FORCE ? 2 : 0, .uncertainty = 0};
+  /* The minimum -2 at approach 0; approach is a single-valued parameter, so there is no fold. The
+   * contact ends where the parabola r^2/(2 R) is the gap of the greatest tension. */
+  *number = (po_reference_number){.uncertainty = 0};
+  if (quantity == PO_PULL_OFF_FORCE)
+    number->value = 2;
+  if (quantity == PO_CONTACT_RADIUS)
+    number->value = sqrt(2 * request->scene.radius * PO_LAW_PEAK_GAP);
   return PO_OK;
 }
 

@@ -230,10 +230,9 @@ static const struct {
     {"want", "a list of pull_off, folds, extrema, curve, profile, hysteresis, diagnostics"},
     {"checks", "a list of checks"},
     {"checks.quantity",
-     "pull_off_force, pull_off_approach, residual, moved_force, energy_defect, way_back, "
-     "hysteresis_force, "
-     "hysteresis_approach, hysteresis_loss, jumps, fold_count, folds, extrema, curve, work or "
-     "solved_share"},
+     "pull_off_force, pull_off_approach, contact_radius, residual, moved_force, energy_defect, "
+     "way_back, hysteresis_force, hysteresis_approach, hysteresis_loss, jumps, fold_count, folds, "
+     "extrema, curve, work or solved_share"},
     {"checks.reference", "bradley, pin, every_scene, zero, traced or the path of a CSV file"},
     {"checks.tolerance", "a finite number > 0"},
     {"checks.kind", "abs, rel or ulp"},
@@ -241,7 +240,8 @@ static const struct {
     {"checks.stand_in",
      "the reference of another check, which stands in while this one's is absent"},
     {"measure", "a list of {quantity, reference}"},
-    {"measure.quantity", "pull_off_force, pull_off_approach, fold_count, folds, extrema or curve"},
+    {"measure.quantity",
+     "pull_off_force, pull_off_approach, contact_radius, fold_count, folds, extrema or curve"},
     {"measure.reference", "bradley or the path of a CSV file"},
     {"key", "a key of the scene"},
     {"values", "a list of values"},

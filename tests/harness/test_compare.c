@@ -116,6 +116,34 @@ START_TEST(force_within_and_outside) {
 }
 END_TEST
 
+/* The closed form of the rigid sphere, a column of its own, and one in units of sqrt(R eps). */
+static const struct {
+  const char *reference, *rows;
+  double expected, uncertainty;
+} RADII[] = {
+    {"bradley", NULL, 6.33935257224273, 0}, /* sqrt(2 * 100 * (3^(1/6) - 1)), by bc */
+    {"table.csv", "tabor,contact_radius,contact_radius_uncertainty\n1,13.5,1e-6\n", 13.5, 1e-6},
+    {"table.csv",
+     "tabor,contact_radius_over_root_radius,contact_radius_over_root_radius_uncertainty\n"
+     "1,1.35,1e-7\n",
+     13.5, 1e-6},
+};
+
+START_TEST(contact_radius_of_the_pull_off) {
+  if (RADII[_i].rows)
+    write_table("", RADII[_i].rows);
+  load("contact_radius", RADII[_i].reference, "1e-3", "abs");
+  const po_outcome outcome = {.has_pull_off = true,
+                              .pull_off = {.contact_radius = RADII[_i].expected + 2e-3}};
+  compare(0, &outcome);
+  ck_assert_uint_eq(results.count, 1);
+  ck_assert_double_eq_tol(results.items[0].expected, RADII[_i].expected, 1e-12);
+  ck_assert_double_eq_tol(results.items[0].uncertainty, RADII[_i].uncertainty, 1e-15);
+  ck_assert_double_eq_tol(results.items[0].error, 2e-3, 1e-12);
+  ck_assert_int_eq(results.items[0].verdict, PO_OUTSIDE);
+}
+END_TEST
+
 START_TEST(failed_solve_has_no_result) {
   load("pull_off_force", "bradley", "1", "abs");
   const po_outcome outcome = {.status = PO_STEP_TOO_SMALL,
@@ -438,6 +466,8 @@ END_TEST
 static void add(TCase *tests) {
   tcase_add_checked_fixture(tests, setup, teardown);
   tcase_add_loop_test(tests, force_within_and_outside, 0, (int)(sizeof FORCES / sizeof *FORCES));
+  tcase_add_loop_test(tests, contact_radius_of_the_pull_off, 0,
+                      (int)(sizeof RADII / sizeof *RADII));
   tcase_add_test(tests, failed_solve_has_no_result);
   tcase_add_test(tests, folds_one_by_one);
   tcase_add_test(tests, missing_and_spurious_landmarks_are_named);
