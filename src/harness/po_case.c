@@ -66,21 +66,6 @@ unsigned po_suite_of_name(const char *name) {
   return 0;
 }
 
-static bool axis_holds(const po_axis *axis, const po_request *request) {
-  const int key = po_key_of_name(axis->key);
-  for (unsigned i = 0; key >= 0 && i < axis->values_count; ++i)
-    if (po_key_matches(request, (po_key)key, axis->values[i]))
-      return true;
-  return false;
-}
-
-bool po_axes_hold(const po_axis *axes, unsigned count, const po_request *request) {
-  for (unsigned i = 0; i < count; ++i)
-    if (!axis_holds(&axes[i], request))
-      return false;
-  return true;
-}
-
 bool po_check_concerns(const po_check *check, const po_request *request) {
   return po_axes_hold(check->when, check->when_count, request);
 }
@@ -144,6 +129,7 @@ void po_case_destroy(po_case *kase) {
   for (size_t i = 0; kase->points && i < kase->point_count; ++i)
     free(kase->points[i].label);
   free(kase->points);
+  po_case_axes_clear(kase->file);
   po_schema_free(kase->file);
   free(kase->source);
   free(kase->shown);

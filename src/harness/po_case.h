@@ -51,6 +51,12 @@ typedef enum {
 
 typedef enum { PO_TOLERANCE_ABS, PO_TOLERANCE_REL, PO_TOLERANCE_ULP } po_tolerance_kind;
 
+/* A value of an axis as a number: of a name, its place in the list of names. */
+typedef struct {
+  double number;
+  unsigned index; /* of the value as written */
+} po_axis_value;
+
 /* A key and values of it, as written; or from, to, count and scale, from which the values are made
  * (po_case_axis.c). */
 typedef struct {
@@ -60,7 +66,8 @@ typedef struct {
   char *from_text;
   char *to_text;
   char *count_text;
-  char *scale; /* "log", "linear"; NULL: linear */
+  char *scale;              /* "log", "linear"; NULL: linear */
+  po_axis_value *ascending; /* the values by their numbers; NULL: not checked yet */
 } po_axis;
 
 /* One key drawn at random, as written, and parsed. */
@@ -149,6 +156,7 @@ typedef struct {
   po_axis axis;             /* its key is NULL: settings */
   po_scene_words *together; /* NULL: a key */
   unsigned together_count;
+  unsigned named; /* the keys and groups it names, a bit each; filled when it is checked */
 } po_sweep;
 
 /* Which combinations of a sweep are not solved, and why. */

@@ -1,10 +1,14 @@
-/* The values of a sweep: as written, or made from their ends and their number. */
+/* Axes, a key and values of it: those of a sweep as written, or made from their ends and their
+ * number; conditions, and whether they hold. */
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "po_case_parse.h"
 #include "po_memory.h"
+#include "po_order.h"
 #include "po_schema.h"
 
 /* Values made from the ends are rounded to so many significant digits, as drawn ones are: the line
@@ -64,4 +68,105 @@ po_status po_axis_fill(po_axis *axis, const char *where, const po_yaml *yaml) {
     axis->values[axis->values_count] = copy;
   }
   return PO_OK;
+}
+
+/* Values that differ by no more than this, relative to them, are the same: as po_key_matches. */
+static const double SAME_VALUE = 4 * DBL_EPSILON;
+
+static bool is_same(double a, double b) {
+  return a == b || (isfinite(b) && fabs(a - b) <= SAME_VALUE * fabs(b));
+}
+
+static int by_number(const void *a, const void *b) {
+  const po_axis_value *x = a, *y = b;
+  if (x->number != y->number)
+    return x->number > y->number ? 1 : -1;
+  return (x->index > y->index) - (x->index < y->index);
+}
+
+/* The value that is the same as an earlier one, by its index; `count`: none. */
+static unsigned find_same(const po_axis_value *ascending, unsigned count) {
+  unsigned found = count;
+  for (unsigned n = 1; n < count; ++n) {
+    const po_axis_value *x = &ascending[n - 1], *y = &ascending[n];
+    const unsigned later = x->index > y->index ? x->index : y->index;
+    if (later < found && is_same(x->number, y->number))
+      found = later;
+  }
+  return found;
+}
+
+po_status po_case_axis_check(po_axis *axis, const char *where, const po_yaml *yaml) {
+  const int key = po_key_of_name(axis->key);
+  if (key < 0)
+    return po_schema_refuse(yaml, NULL, "%s.key", where);
+  po_request request = po_request_default();
+  request.scene.amplitude = request.scene.wavelength = 1; /* so that groups of them have a value */
+  axis->ascending = po_allocate(axis->values_count, sizeof *axis->ascending);
+  if (!axis->ascending)
+    return PO_NO_MEMORY;
+  for (unsigned i = 0; i < axis->values_count; ++i) {
+    if (!po_key_set(&request, (po_key)key, axis->values[i]))
+      return po_schema_refuse(yaml, po_key_expected((po_key)key), "%s.values[%u]", where, i + 1);
+    axis->ascending[i] = (po_axis_value){po_key_number(&request, (po_key)key), i};
+  }
+  qsort(axis->ascending, axis->values_count, sizeof *axis->ascending, by_number);
+  const unsigned same = find_same(axis->ascending, axis->values_count);
+  if (same < axis->values_count)
+    return po_schema_refuse(yaml, "each value once", "%s.values[%u]", where, same + 1);
+  return PO_OK;
+}
+
+/* The least of the values that is not below a number; values_count: none. */
+static unsigned first_from(const po_axis *axis, double number) {
+  unsigned begin = 0, end = axis->values_count;
+  while (begin < end) {
+    const unsigned middle = begin + (end - begin) / 2;
+    if (axis->ascending[middle].number < number)
+      begin = middle + 1;
+    else
+      end = middle;
+  }
+  return begin;
+}
+
+/* Made by another way, a group may be off by some more last bits. */
+static const double NEAR_VALUE = 16 * DBL_EPSILON;
+
+static bool axis_holds(const po_axis *axis, const po_request *request) {
+  const po_key key = (po_key)po_key_of_name(axis->key);
+  const double number = po_key_number(request, key);
+  const double margin = isfinite(number) ? NEAR_VALUE * fabs(number) : 0;
+  for (unsigned n = first_from(axis, number - margin);
+       n < axis->values_count && axis->ascending[n].number <= number + margin; ++n)
+    if (po_key_matches(request, key, axis->values[axis->ascending[n].index]))
+      return true;
+  return false;
+}
+
+bool po_axes_hold(const po_axis *axes, unsigned count, const po_request *request) {
+  for (unsigned i = 0; i < count; ++i)
+    if (!axis_holds(&axes[i], request))
+      return false;
+  return true;
+}
+
+static void clear_axes(po_axis *axes, unsigned count) {
+  for (unsigned i = 0; i < count; ++i)
+    free(axes[i].ascending);
+}
+
+void po_case_axes_clear(po_case_file *file) {
+  if (!file)
+    return;
+  for (unsigned i = 0; i < file->sweep_count; ++i)
+    clear_axes(&file->sweep[i].axis, 1);
+  for (unsigned i = 0; i < file->leave_out_count; ++i)
+    clear_axes(file->leave_out[i].when, file->leave_out[i].when_count);
+  for (unsigned i = 0; i < file->checks_count; ++i) {
+    clear_axes(file->checks[i].when, file->checks[i].when_count);
+    clear_axes(file->checks[i].as_if, file->checks[i].as_if_count);
+  }
+  for (unsigned i = 0; i < file->measure_count; ++i)
+    clear_axes(file->measure[i].when, file->measure[i].when_count);
 }

@@ -3,9 +3,11 @@
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "po_lines.h"
+#include "po_memory.h"
 #include "po_schema.h"
 
 enum { WHERE_LENGTH = 64 };
@@ -77,7 +79,7 @@ static int quantity_of(const char *name) {
   return quantity;
 }
 
-static po_status check_when(const po_axis *when, unsigned count, const char *list, unsigned number,
+static po_status check_when(po_axis *when, unsigned count, const char *list, unsigned number,
                             const po_yaml *yaml) {
   po_status status = PO_OK;
   for (unsigned i = 0; !status && i < count; ++i) {
@@ -223,22 +225,32 @@ static po_status check_concerned(const po_case *kase, const po_yaml *yaml) {
   return PO_OK;
 }
 
-static bool both_concern(const po_check *a, const po_check *b, const po_request *request) {
-  return po_check_concerns(a, request) && po_check_concerns(b, request);
+/* Marks the points at which a share of the solves may fail. */
+static void mark_shares(const po_case *kase, bool *may_fail) {
+  for (unsigned k = 0; k < kase->file->checks_count; ++k)
+    for (size_t p = 0; kase->file->checks[k].quantity == PO_SOLVED_SHARE && p < kase->point_count;
+         ++p)
+      may_fail[p] =
+          may_fail[p] || po_check_concerns(&kase->file->checks[k], &kase->points[p].request);
 }
 
 /* A scene whose solve may fail has nothing to hold on to: it could be blessed on one machine and
  * fail on another. */
 static po_status check_pinned(const po_case *kase, const po_yaml *yaml) {
   const po_case_file *file = kase->file;
-  for (unsigned i = 0; i < file->checks_count; ++i)
-    for (unsigned k = 0; po_check_is_pin(&file->checks[i]) && k < file->checks_count; ++k)
-      for (size_t p = 0; file->checks[k].quantity == PO_SOLVED_SHARE && p < kase->point_count; ++p)
-        if (both_concern(&file->checks[i], &file->checks[k], &kase->points[p].request))
-          return po_schema_refuse(
-              yaml, "a reference other than pin where a solved_share lets solves fail",
-              "checks[%u].reference", i + 1);
-  return PO_OK;
+  bool *may_fail = po_allocate(kase->point_count, sizeof *may_fail);
+  if (!may_fail)
+    return PO_NO_MEMORY;
+  mark_shares(kase, may_fail);
+  po_status status = PO_OK;
+  for (unsigned i = 0; !status && i < file->checks_count; ++i)
+    for (size_t p = 0; !status && po_check_is_pin(&file->checks[i]) && p < kase->point_count; ++p)
+      if (may_fail[p] && po_check_concerns(&file->checks[i], &kase->points[p].request))
+        status = po_schema_refuse(
+            yaml, "a reference other than pin where a solved_share lets solves fail",
+            "checks[%u].reference", i + 1);
+  free(may_fail);
+  return status;
 }
 
 po_status po_case_parse(po_case *kase, const po_yaml *yaml) {

@@ -39,8 +39,12 @@ po_status po_case_traced_draw(po_case *kase, const po_yaml *yaml);
 /* Checks the section `sweep`, if there is one, and fills it. Status: as above. */
 po_status po_case_sweep_check(const po_case *kase, const po_yaml *yaml);
 
-/* Checks the key and the values of an axis; `where` is its path, e.g. "checks[1].when[2]". */
-po_status po_case_axis_check(const po_axis *axis, const char *where, const po_yaml *yaml);
+/* Checks the key and the values of an axis and sorts these; `where` is its path, e.g.
+ * "checks[1].when[2]". */
+po_status po_case_axis_check(po_axis *axis, const char *where, const po_yaml *yaml);
+
+/* Frees what checking the axes of a case made. */
+void po_case_axes_clear(po_case_file *file);
 
 /* Swept or drawn. */
 bool po_case_varies(const po_case_file *file, po_key key);

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "po_case_parse.h"
+#include "po_order.h"
 #include "po_schema.h"
 
 enum { WHERE_LENGTH = 64 };
@@ -18,10 +19,15 @@ const char *po_sweep_value(const po_sweep *sweep, unsigned index, po_key key) {
 }
 
 bool po_sweep_names(const po_sweep *sweep, po_key key) {
+  return sweep->named >> key & 1U;
+}
+
+static void find_names(po_sweep *sweep) {
+  sweep->named = 0;
   for (unsigned i = 0; i < po_sweep_count(sweep); ++i)
-    if (po_sweep_value(sweep, i, key))
-      return true;
-  return false;
+    for (int key = 0; key < PO_KEY_END; ++key)
+      if (po_sweep_value(sweep, i, (po_key)key))
+        sweep->named |= 1U << key;
 }
 
 bool po_sweep_varies(const po_sweep *sweep, po_key key) {
@@ -38,32 +44,15 @@ bool po_case_varies(const po_case_file *file, po_key key) {
   return po_case_draws(file, key);
 }
 
-po_status po_case_axis_check(const po_axis *axis, const char *where, const po_yaml *yaml) {
-  const int key = po_key_of_name(axis->key);
-  if (key < 0)
-    return po_schema_refuse(yaml, NULL, "%s.key", where);
-  po_request first = po_request_default();
-  first.scene.amplitude = first.scene.wavelength = 1; /* so that groups of them have a value */
-  po_request other = first;
-  for (unsigned i = 0; i < axis->values_count; ++i) {
-    if (!po_key_set(&first, (po_key)key, axis->values[i]))
-      return po_schema_refuse(yaml, po_key_expected((po_key)key), "%s.values[%u]", where, i + 1);
-    for (unsigned k = 0; k < i; ++k) {
-      po_key_set(&other, (po_key)key, axis->values[k]);
-      if (po_key_matches(&other, (po_key)key, axis->values[i]))
-        return po_schema_refuse(yaml, "each value once", "%s.values[%u]", where, i + 1);
-    }
+static int by_settings(const void *a, const void *b, void *unused) {
+  const po_scene_words *x = a, *y = b;
+  int order = 0;
+  (void)unused;
+  for (int key = 0; key < PO_KEY_COUNT && !order; ++key) {
+    const char *p = x->values[key], *q = y->values[key];
+    order = p && q ? strcmp(p, q) : (p != NULL) - (q != NULL);
   }
-  return PO_OK;
-}
-
-static bool same_settings(const po_scene_words *a, const po_scene_words *b) {
-  for (int key = 0; key < PO_KEY_COUNT; ++key) {
-    const char *x = a->values[key], *y = b->values[key];
-    if (x && y ? strcmp(x, y) != 0 : x != y)
-      return false;
-  }
-  return true;
+  return order;
 }
 
 static po_status check_together(const po_sweep *sweep, const char *where, const po_yaml *yaml) {
@@ -79,16 +68,18 @@ static po_status check_together(const po_sweep *sweep, const char *where, const 
     }
     if (!given)
       return po_schema_refuse(yaml, "keys of the scene", "%s.together[%u]", where, i + 1);
-    for (unsigned k = 0; k < i; ++k)
-      if (same_settings(&sweep->together[k], words))
-        return po_schema_refuse(yaml, "each of them once", "%s.together[%u]", where, i + 1);
   }
-  return PO_OK;
+  po_repeat repeat;
+  const po_status status = po_order_find_repeat(
+      sweep->together, sweep->together_count, sizeof *sweep->together, by_settings, NULL, &repeat);
+  if (!status && repeat.found)
+    return po_schema_refuse(yaml, "each of them once", "%s.together[%zu]", where, repeat.again + 1);
+  return status;
 }
 
 /* One item: its form and its values. */
 static po_status check_item(po_sweep *sweep, const char *where, const po_yaml *yaml) {
-  const po_axis *axis = &sweep->axis;
+  po_axis *axis = &sweep->axis;
   const bool ranged = axis->from_text || axis->to_text || axis->count_text || axis->scale;
   if (sweep->together && !axis->key && !axis->values && !ranged)
     return check_together(sweep, where, yaml);
@@ -96,7 +87,7 @@ static po_status check_item(po_sweep *sweep, const char *where, const po_yaml *y
     return po_schema_refuse(yaml, "key and values, or together alone", "%s.together", where);
   if (!axis->key)
     return po_schema_refuse(yaml, NULL, "%s.key", where);
-  const po_status status = po_axis_fill(&sweep->axis, where, yaml);
+  const po_status status = po_axis_fill(axis, where, yaml);
   return status ? status : po_case_axis_check(axis, where, yaml);
 }
 
@@ -115,6 +106,7 @@ po_status po_case_sweep_check(const po_case *kase, const po_yaml *yaml) {
     const po_status status = check_item(sweep, where, yaml);
     if (status)
       return status;
+    find_names(sweep);
     for (unsigned k = 0; k < i; ++k)
       if (has_waviness(sweep) && has_waviness(&file->sweep[k]))
         return po_schema_refuse(yaml, "one of alpha and amplitude_ratio", "%s.key", where);

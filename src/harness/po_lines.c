@@ -9,6 +9,7 @@
 #include "po_csv.h"
 #include "po_file.h"
 #include "po_forms.h"
+#include "po_order.h"
 #include "po_schema.h"
 
 /* So many swept keys in one line at most: tabor, amplitude, wavelength, radius and the variable. */
@@ -108,9 +109,6 @@ static po_status parse_line(po_case_file *file, unsigned index, const po_yaml *y
   const po_form *form = po_form_find(line->theory);
   if (!po_case_is_name(line->name))
     return po_schema_refuse(yaml, NULL, "lines[%u].name", index + 1);
-  for (unsigned k = 0; k < index; ++k)
-    if (strcmp(file->lines[k].name, line->name) == 0)
-      return po_schema_refuse(yaml, "each name once", "lines[%u].name", index + 1);
   if (!form)
     return po_schema_refuse(yaml, PO_FORM_NAMES, "lines[%u].theory", index + 1);
   if (line->sweep_count > MOST_AXES)
@@ -133,11 +131,23 @@ static po_status parse_line(po_case_file *file, unsigned index, const po_yaml *y
   return lack ? po_schema_refuse(yaml, lack, "lines[%u].theory", index + 1) : PO_OK;
 }
 
+static int by_name(const void *a, const void *b, void *unused) {
+  (void)unused;
+  return strcmp(((const po_line *)a)->name, ((const po_line *)b)->name);
+}
+
 po_status po_lines_parse(po_case *kase, const po_yaml *yaml) {
+  const po_case_file *file = kase->file;
   po_status status = PO_OK;
-  for (unsigned i = 0; !status && i < kase->file->lines_count; ++i)
+  for (unsigned i = 0; !status && i < file->lines_count; ++i)
     status = parse_line(kase->file, i, yaml);
-  return status;
+  po_repeat repeat = {.found = false};
+  if (!status)
+    status = po_order_find_repeat(file->lines, file->lines_count, sizeof *file->lines, by_name,
+                                  NULL, &repeat);
+  return repeat.found
+             ? po_schema_refuse(yaml, "each name once", "lines[%zu].name", repeat.again + 1)
+             : status;
 }
 
 /* Names in a table stay apart: a contact radius swept and one given back are the same number. */

@@ -8,6 +8,7 @@
 #include <yaml.h>
 
 #include "po_memory.h"
+#include "po_order.h"
 
 struct po_yaml {
   char *name;
@@ -30,23 +31,35 @@ static yaml_node_t *mapping_find(yaml_document_t *document, const yaml_node_t *m
   return NULL;
 }
 
+/* Pairs of a mapping by the bytes of their keys. */
+static int by_key(const void *a, const void *b, void *document) {
+  const yaml_node_t *x = yaml_document_get_node(document, ((const yaml_node_pair_t *)a)->key);
+  const yaml_node_t *y = yaml_document_get_node(document, ((const yaml_node_pair_t *)b)->key);
+  const size_t m = x->data.scalar.length, n = y->data.scalar.length;
+  const int order = memcmp(x->data.scalar.value, y->data.scalar.value, m < n ? m : n);
+  return order ? order : (m > n) - (m < n);
+}
+
 static po_status check_mapping(const po_yaml *yaml, yaml_document_t *document,
                                const yaml_node_t *mapping) {
-  for (yaml_node_pair_t *pair = mapping->data.mapping.pairs.start;
-       pair < mapping->data.mapping.pairs.top; ++pair) {
-    const yaml_node_t *key = yaml_document_get_node(document, pair->key);
-    const size_t line = key->start_mark.line + 1;
+  const yaml_node_pair_t *pairs = mapping->data.mapping.pairs.start;
+  const size_t count = (size_t)(mapping->data.mapping.pairs.top - pairs);
+  for (size_t i = 0; i < count; ++i) {
+    const yaml_node_t *key = yaml_document_get_node(document, pairs[i].key);
     if (key->type != YAML_SCALAR_NODE)
       return po_fail(PO_BAD_INPUT, "%s:%zu: a key is not a word: expected key: value", yaml->name,
-                     line);
-    const char *text = (const char *)key->data.scalar.value;
-    size_t first = 0;
-    if (mapping_find(document, mapping, text, key->data.scalar.length, &first) !=
-        yaml_document_get_node(document, pair->value))
-      return po_fail(PO_BAD_INPUT, "%s:%zu: %s is given twice, first on line %zu: expected it once",
-                     yaml->name, line, text, first);
+                     key->start_mark.line + 1);
   }
-  return PO_OK;
+  po_repeat repeat;
+  const po_status status =
+      po_order_find_repeat(pairs, count, sizeof *pairs, by_key, document, &repeat);
+  if (status || !repeat.found)
+    return status;
+  const yaml_node_t *first = yaml_document_get_node(document, pairs[repeat.first].key);
+  const yaml_node_t *again = yaml_document_get_node(document, pairs[repeat.again].key);
+  return po_fail(PO_BAD_INPUT, "%s:%zu: %s is given twice, first on line %zu: expected it once",
+                 yaml->name, again->start_mark.line + 1, (const char *)again->data.scalar.value,
+                 first->start_mark.line + 1);
 }
 
 /* With an alias one node has two places, and a line in a message could be of either. */
