@@ -1,5 +1,6 @@
 #include "po_memory.h"
 
+#include <errno.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -55,4 +56,12 @@ char *po_copy_text(const char *text) {
   if (!copy)
     po_fail(PO_NO_MEMORY, "%zu bytes could not be allocated", strlen(text) + 1);
   return copy;
+}
+
+void po_memory_watch(void) {
+  errno = 0;
+}
+
+bool po_memory_ran_out(void) {
+  return errno == ENOMEM;
 }

@@ -2,6 +2,7 @@
 #ifndef PO_MEMORY_H
 #define PO_MEMORY_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* `count` zeroed objects of `size` bytes, aligned to a cache line (so that the BLAS kernels take
@@ -23,5 +24,11 @@ void *po_resize(void *array, size_t count, size_t size);
 
 /* A copy of a string, or NULL with a message. */
 char *po_copy_text(const char *text);
+
+/* For a call of a library that reports lack of memory as any other failure, or not at all:
+ * po_memory_watch before it, and po_memory_ran_out after it says whether an allocation failed, in
+ * this thread (POSIX: malloc then sets errno to ENOMEM). */
+void po_memory_watch(void);
+bool po_memory_ran_out(void);
 
 #endif

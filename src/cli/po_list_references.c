@@ -16,10 +16,10 @@ static bool uses(const po_case *kase, const char *name) {
 }
 
 static json_t *users(const po_catalog *catalog, const char *name) {
-  json_t *array = json_array();
+  json_t *array = po_json_empty_array();
   for (size_t i = 0; i < catalog->count; ++i)
     if (uses(catalog->cases[i], name))
-      json_array_append_new(array, json_string(catalog->cases[i]->file->name));
+      po_json_append(&array, po_json_text(catalog->cases[i]->file->name));
   return array;
 }
 
@@ -42,24 +42,25 @@ static void print_entry(const po_reference_entry *entry, const po_catalog *catal
 }
 
 static json_t *entry_json(const po_reference_entry *entry, const po_catalog *catalog) {
-  json_t *object = json_pack("{s:s, s:b, s:b, s:o}", "table", entry->name, "intact", entry->intact,
-                             "in_index", entry->listed, "cases", users(catalog, entry->name));
+  json_t *object = PO_JSON_OBJECT(
+      {"table", po_json_text(entry->name)}, {"intact", po_json_flag(entry->intact)},
+      {"in_index", po_json_flag(entry->listed)}, {"cases", users(catalog, entry->name)});
   if (entry->intact) {
-    json_object_set_new(object, "kind", json_string(po_ledger_name(entry->ledger)));
-    json_object_set_new(object, "rows", json_integer((json_int_t)entry->rows));
-    json_object_set_new(object, "uncertainty", json_string(entry->uncertainty));
+    po_json_set(&object, "kind", po_json_text(po_ledger_name(entry->ledger)));
+    po_json_set(&object, "rows", po_json_count(entry->rows));
+    po_json_set(&object, "uncertainty", po_json_text(entry->uncertainty));
   } else {
-    json_object_set_new(object, "reason", json_string(entry->message));
+    po_json_set(&object, "reason", po_json_text(entry->message));
   }
   return object;
 }
 
 static po_status print_json(const po_reference_list *list, const po_catalog *catalog) {
-  json_t *tables = json_array();
+  json_t *tables = po_json_empty_array();
   for (size_t i = 0; i < list->count; ++i)
-    json_array_append_new(tables, entry_json(&list->entries[i], catalog));
+    po_json_append(&tables, entry_json(&list->entries[i], catalog));
   return po_print_document(
-      json_pack("{s:s, s:o}", "schema", "pulloff-references/1", "references", tables));
+      PO_JSON_OBJECT({"schema", po_json_text("pulloff-references/1")}, {"references", tables}));
 }
 
 po_status po_list_references(const po_catalog *catalog, bool json) {

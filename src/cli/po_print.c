@@ -19,24 +19,18 @@ po_status po_print_document(json_t *document) {
 
 po_status po_print_json(const po_request *request, const po_scene_flags *flags,
                         const po_outcome *outcome) {
-  json_t *document = json_object();
-  json_object_set_new(document, "schema", json_string("pulloff/1"));
-  json_t *found = po_json_outcome(request, outcome);
-  const bool whole = found && json_object_update_missing(document, found) == 0;
-  json_decref(found);
+  json_t *document = PO_JSON_OBJECT({"schema", po_json_text("pulloff/1")});
+  po_json_set_all(&document, po_json_outcome(request, outcome));
   if (request->want & PO_WANT_CURVE)
-    json_object_set_new(document, "curve", po_json_curve(outcome));
+    po_json_set(&document, "curve", po_json_curve(outcome));
   if (request->want & PO_WANT_PROFILE) {
-    json_object_set_new(document, "profile_approach", po_json_number(outcome->profile_approach));
-    json_object_set_new(document, "profile", po_json_profile(outcome));
-    json_object_set_new(document, "contact", po_json_contact(outcome));
+    po_json_set(&document, "profile_approach", po_json_number(outcome->profile_approach));
+    po_json_set(&document, "profile", po_json_profile(outcome));
+    po_json_set(&document, "contact", po_json_contact(outcome));
   }
   if (flags->from_physical)
-    json_object_set_new(document, "physical", po_json_physical(flags, request, outcome));
-  if (whole)
-    return po_print_document(document);
-  json_decref(document);
-  return po_print_document(NULL);
+    po_json_set(&document, "physical", po_json_physical(flags, request, outcome));
+  return po_print_document(document);
 }
 
 /* An error of two digits, or nothing. */

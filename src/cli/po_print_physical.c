@@ -21,59 +21,57 @@ static const struct {
                {"contact_radius_m", PO_LENGTH_CONTACT_RADIUS}};
 enum { LENGTH_COUNT = sizeof LENGTHS / sizeof *LENGTHS };
 
-static void set(json_t *object, const char *key, double value) {
-  json_object_set_new(object, key, isinf(value) ? json_string("inf") : po_json_number(value));
+static void set(json_t **object, const char *key, double value) {
+  po_json_set(object, key, isinf(value) ? po_json_text("inf") : po_json_number(value));
 }
 
 json_t *po_json_physical_input(const po_scene_flags *flags) {
-  json_t *input = json_object();
+  json_t *input = po_json_empty_object();
   if (!isnan(flags->modulus))
-    set(input, "modulus_pa", flags->modulus);
-  set(input, "work_j_per_m2", flags->work);
-  set(input, "distance_m", flags->distance);
+    set(&input, "modulus_pa", flags->modulus);
+  set(&input, "work_j_per_m2", flags->work);
+  set(&input, "distance_m", flags->distance);
   for (int i = 0; i < LENGTH_COUNT; ++i)
     if (!isnan(flags->metres[LENGTHS[i].length]))
-      set(input, LENGTHS[i].key, flags->metres[LENGTHS[i].length]);
-  return json_pack("{s:o, s:o}", "input", input, "units", po_json_units(&flags->units));
+      set(&input, LENGTHS[i].key, flags->metres[LENGTHS[i].length]);
+  return PO_JSON_OBJECT({"input", input}, {"units", po_json_units(&flags->units)});
 }
 
 static json_t *point(const po_units *u, double approach, double load, double contact_radius) {
-  return json_pack("{s:o, s:o, s:o}", "approach_m", po_json_number(approach * u->length), "load_n",
-                   po_json_number(load * u->force), "contact_radius_m",
-                   po_json_number(contact_radius * u->length));
+  return PO_JSON_OBJECT({"approach_m", po_json_number(approach * u->length)},
+                        {"load_n", po_json_number(load * u->force)},
+                        {"contact_radius_m", po_json_number(contact_radius * u->length)});
 }
 
 static json_t *landmarks(const po_units *u, const po_landmark *list, size_t count) {
-  json_t *array = json_array();
+  json_t *array = po_json_empty_array();
   for (size_t i = 0; i < count; ++i) {
     json_t *item = point(u, list[i].approach, list[i].load, list[i].contact_radius);
-    json_object_set_new(item, "kind", json_string(po_landmark_kind_name(list[i].kind)));
-    json_object_set_new(item, "error_estimate_m",
-                        po_json_number(list[i].approach_error * u->length));
-    json_object_set_new(item, "load_error_estimate_n",
-                        po_json_number(list[i].load_error * u->force));
-    json_array_append_new(array, item);
+    po_json_set(&item, "kind", po_json_text(po_landmark_kind_name(list[i].kind)));
+    po_json_set(&item, "error_estimate_m", po_json_number(list[i].approach_error * u->length));
+    po_json_set(&item, "load_error_estimate_n", po_json_number(list[i].load_error * u->force));
+    po_json_append(&array, item);
   }
   return array;
 }
 
 static json_t *curve(const po_units *u, const po_outcome *outcome) {
-  json_t *array = json_array();
+  json_t *array = po_json_empty_array();
   for (size_t i = 0; i < outcome->curve_count; ++i)
-    json_array_append_new(array, point(u, outcome->curve[i].approach, outcome->curve[i].load,
-                                       outcome->curve[i].contact_radius));
+    po_json_append(&array, point(u, outcome->curve[i].approach, outcome->curve[i].load,
+                                 outcome->curve[i].contact_radius));
   return array;
 }
 
 /* The gap h = epsilon (1 + H) itself. */
 static json_t *profile(const po_units *u, const po_outcome *outcome) {
-  json_t *array = json_array();
+  json_t *array = po_json_empty_array();
   for (size_t i = 0; i < outcome->profile_count; ++i) {
     const po_profile_point *p = &outcome->profile[i];
-    json_array_append_new(array, json_pack("{s:o, s:o, s:o}", "radius_m",
-                                           po_json_number(p->radius * u->length), "gap_m",
-                                           po_json_number((1 + p->gap) * u->length), "traction_pa",
-                                           po_json_number(p->traction * u->traction)));
+    po_json_append(&array,
+                   PO_JSON_OBJECT({"radius_m", po_json_number(p->radius * u->length)},
+                                  {"gap_m", po_json_number((1 + p->gap) * u->length)},
+                                  {"traction_pa", po_json_number(p->traction * u->traction)}));
   }
   return array;
 }
@@ -82,15 +80,15 @@ json_t *po_json_physical(const po_scene_flags *flags, const po_request *request,
                          const po_outcome *outcome) {
   const po_units *u = &flags->units;
   json_t *object = po_json_physical_input(flags);
-  json_object_set_new(object, "pull_off", po_json_units_pull_off(u, outcome));
-  json_object_set_new(object, "folds", landmarks(u, outcome->folds, outcome->fold_count));
-  json_object_set_new(object, "extrema", landmarks(u, outcome->extrema, outcome->extremum_count));
+  po_json_set(&object, "pull_off", po_json_units_pull_off(u, outcome));
+  po_json_set(&object, "folds", landmarks(u, outcome->folds, outcome->fold_count));
+  po_json_set(&object, "extrema", landmarks(u, outcome->extrema, outcome->extremum_count));
   if (request->want & PO_WANT_CURVE)
-    json_object_set_new(object, "curve", curve(u, outcome));
+    po_json_set(&object, "curve", curve(u, outcome));
   if (request->want & PO_WANT_PROFILE) {
-    json_object_set_new(object, "profile_approach_m",
-                        po_json_number(outcome->profile_approach * u->length));
-    json_object_set_new(object, "profile", profile(u, outcome));
+    po_json_set(&object, "profile_approach_m",
+                po_json_number(outcome->profile_approach * u->length));
+    po_json_set(&object, "profile", profile(u, outcome));
   }
   return object;
 }

@@ -2,8 +2,7 @@
 #ifndef PO_PRINT_PHYSICAL_H
 #define PO_PRINT_PHYSICAL_H
 
-#include <jansson.h>
-
+#include "po_json_value.h"
 #include "po_outcome.h"
 #include "po_scene_flags.h"
 

@@ -183,10 +183,11 @@ static po_status make_request(const follow_line *line, size_t point, po_request 
 }
 
 static po_status print_json(const po_request *requests, const po_outcome *outcomes, size_t count) {
-  json_t *points = json_array();
+  json_t *points = po_json_empty_array();
   for (size_t k = 0; k < count; ++k)
-    json_array_append_new(points, po_json_outcome(&requests[k], &outcomes[k]));
-  return po_print_document(json_pack("{s:s, s:o}", "schema", "pulloff-line/1", "points", points));
+    po_json_append(&points, po_json_outcome(&requests[k], &outcomes[k]));
+  return po_print_document(
+      PO_JSON_OBJECT({"schema", po_json_text("pulloff-line/1")}, {"points", points}));
 }
 
 static void print_text(const follow_line *line, const po_request *requests,

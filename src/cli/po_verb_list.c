@@ -1,8 +1,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include <jansson.h>
-
 #include "po_environment.h"
 #include "po_json.h"
 #include "po_list_references.h"
@@ -43,20 +41,22 @@ static void print_table(const po_catalog *catalog) {
 
 static json_t *case_json(const po_case *kase) {
   const po_case_file *file = kase->file;
-  json_t *suites = json_array();
+  json_t *suites = po_json_empty_array();
   for (unsigned k = 0; k < file->suite_names_count; ++k)
-    json_array_append_new(suites, json_string(file->suite_names[k]));
-  return json_pack("{s:s, s:s, s:s, s:s?, s:s?, s:o, s:I, s:i}", "case", file->name, "title",
-                   file->title, "file", kase->shown, "figure", file->figure, "equations",
-                   file->equations, "suites", suites, "points", (json_int_t)kase->point_count,
-                   "checks", (int)file->checks_count);
+    po_json_append(&suites, po_json_text(file->suite_names[k]));
+  return PO_JSON_OBJECT({"case", po_json_text(file->name)}, {"title", po_json_text(file->title)},
+                        {"file", po_json_text(kase->shown)}, {"figure", po_json_text(file->figure)},
+                        {"equations", po_json_text(file->equations)}, {"suites", suites},
+                        {"points", po_json_count(kase->point_count)},
+                        {"checks", po_json_count(file->checks_count)});
 }
 
 static po_status print_json(const po_catalog *catalog) {
-  json_t *cases = json_array();
+  json_t *cases = po_json_empty_array();
   for (size_t i = 0; i < catalog->count; ++i)
-    json_array_append_new(cases, case_json(catalog->cases[i]));
-  return po_print_document(json_pack("{s:s, s:o}", "schema", "pulloff-list/1", "cases", cases));
+    po_json_append(&cases, case_json(catalog->cases[i]));
+  return po_print_document(
+      PO_JSON_OBJECT({"schema", po_json_text("pulloff-list/1")}, {"cases", cases}));
 }
 
 typedef struct {

@@ -145,30 +145,32 @@ static void print_text(const po_theory_line *l, const json_t *out, json_t *si) {
   }
 }
 
+/* Takes both. */
 static po_status print_json(const po_theory_line *l, const char *name, json_t *out, json_t *si) {
-  json_t *document = json_pack("{s:s, s:s}", "schema", "pulloff/1", "theory", name);
-  json_object_update(document, out);
-  if (si) {
+  json_t *document =
+      PO_JSON_OBJECT({"schema", po_json_text("pulloff/1")}, {"theory", po_json_text(name)});
+  po_json_set_all(&document, out);
+  if (l->flags.from_physical) {
     json_t *physical = po_json_physical_input(&l->flags);
-    json_object_update(physical, si);
-    json_object_set_new(document, "physical", physical);
+    po_json_set_all(&physical, si);
+    po_json_set(&document, "physical", physical);
   }
   return po_print_document(document);
 }
 
 /* What was found, by name, and the same in SI units, of what has one. */
-static void fill(const po_theory_line *l, const po_form_values *values, json_t *out, json_t *si) {
+static void fill(const po_theory_line *l, const po_form_values *values, json_t **out, json_t **si) {
   static const char *const SUFFIXES[] = {"", "m", "n", "j_per_m2", "pa"};
   const po_units *u = &l->flags.units;
   const double size[] = {1, u->length, u->force, u->work, u->tension};
   for (size_t i = 0; i < values->count; ++i) {
     const po_form_value *item = &values->items[i];
-    json_object_set_new(out, item->name, po_json_number(item->value));
-    if (!si || item->unit == PO_FORM_PURE)
+    po_json_set(out, item->name, po_json_number(item->value));
+    if (!l->flags.from_physical || item->unit == PO_FORM_PURE)
       continue;
     char name[80];
     snprintf(name, sizeof name, "%s_%s", item->name, SUFFIXES[item->unit]);
-    json_object_set_new(si, name, po_json_number(item->value * size[item->unit]));
+    po_json_set(si, name, po_json_number(item->value * size[item->unit]));
   }
 }
 
@@ -177,19 +179,20 @@ static po_status print(const po_theory_line *l, const po_form *form) {
                               l->flags.length[PO_LENGTH_CONTACT_RADIUS], l->gap};
   const po_form_input input = {l->scene, l->alpha, variables[form->variable]};
   po_form_values values = {.count = 0};
-  po_status status = PO_OK;
-  json_t *out = json_object(), *si = l->flags.from_physical ? json_object() : NULL;
+  json_t *out = po_json_empty_object();
+  json_t *si = l->flags.from_physical ? po_json_empty_object() : NULL;
   form->fixed(&input, &values);
   if (!isnan(input.at))
     form->along(&input, &values);
-  fill(l, &values, out, si);
+  fill(l, &values, &out, &si);
   if (l->json)
-    status = print_json(l, form->name, out, si);
-  else
+    return print_json(l, form->name, out, si);
+  const bool whole = out && (si || !l->flags.from_physical);
+  if (whole)
     print_text(l, out, si);
   json_decref(out);
   json_decref(si);
-  return status;
+  return whole ? PO_OK : PO_NO_MEMORY;
 }
 
 int po_verb_theory(int argc, char **argv) {

@@ -21,10 +21,12 @@
 #endif
 
 json_t *po_environment_versions(void) {
-  return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s}", "pulloff", PULLOFF_VERSION, "compiler",
-                   COMPILER, "gsl", gsl_version, "openblas", po_linear_library(), "lapacke",
-                   PULLOFF_LAPACKE_VERSION, "jansson", jansson_version_str(), "libcyaml",
-                   cyaml_version_str);
+  return PO_JSON_OBJECT({"pulloff", po_json_text(PULLOFF_VERSION)},
+                        {"compiler", po_json_text(COMPILER)}, {"gsl", po_json_text(gsl_version)},
+                        {"openblas", po_json_text(po_linear_library())},
+                        {"lapacke", po_json_text(PULLOFF_LAPACKE_VERSION)},
+                        {"jansson", po_json_text(jansson_version_str())},
+                        {"libcyaml", po_json_text(cyaml_version_str)});
 }
 
 /* The rest of the first line of a file that begins with `start`, after the separator and blanks and
@@ -60,9 +62,10 @@ json_t *po_environment_describe(int jobs) {
   struct tm utc;
   gmtime_r(&now, &utc);
   strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return json_pack("{s:s, s:s, s:s, s:i, s:i, s:s}", "system", system, "machine", name.machine,
-                   "processor", processor, "cores", po_environment_cores(), "jobs", jobs, "date",
-                   date);
+  return PO_JSON_OBJECT({"system", po_json_text(system)}, {"machine", po_json_text(name.machine)},
+                        {"processor", po_json_text(processor)},
+                        {"cores", po_json_integer(po_environment_cores())},
+                        {"jobs", po_json_integer(jobs)}, {"date", po_json_text(date)});
 }
 
 void po_environment_digest(char digest[PO_DIGEST_LENGTH]) {

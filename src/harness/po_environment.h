@@ -2,9 +2,8 @@
 #ifndef PO_ENVIRONMENT_H
 #define PO_ENVIRONMENT_H
 
-#include <jansson.h>
-
 #include "po_digest.h"
+#include "po_json_value.h"
 
 /* {"pulloff", "compiler", "gsl", "openblas", "lapacke", "jansson", "libcyaml"}. */
 json_t *po_environment_versions(void);

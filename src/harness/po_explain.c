@@ -149,42 +149,41 @@ static json_t *item_json(const po_case_run *run, const po_result *item) {
   json_t *where = json_null();
   if (isfinite(item->approach)) {
     po_place_tell(&run->outcomes[item->point], item->approach, item->load, place);
-    where = json_pack("{s:o, s:o, s:s}", "approach", po_json_number(item->approach), "load",
-                      po_json_number(item->load), "landmarks", place);
+    where =
+        PO_JSON_OBJECT({"approach", po_json_number(item->approach)},
+                       {"load", po_json_number(item->load)}, {"landmarks", po_json_text(place)});
   }
-  char *command = command_of_item(run, item);
-  json_t *object = json_pack(
-      "{s:s, s:s?, s:s?, s:s, s:s, s:s, s:b, s:o, s:o, s:o, s:o, s:f, s:s, s:o, s:s, s:o, s:s, s:s,"
-      " s:s, s:s, s:s}",
-      "id", item->id, "point", item->whole ? NULL : point->id, "label",
-      item->whole ? NULL : point->label, "quantity", item->quantity, "ledger",
-      po_ledger_name(item->ledger), "verdict", po_verdict_name(item->verdict), "passes",
-      (int)po_verdict_passes(item->verdict), "obtained", po_json_number(item->obtained), "expected",
-      po_json_number(item->expected), "error", po_json_number(item->error), "ratio",
-      po_json_number(item->ratio), "tolerance", check->tolerance, "kind", check->kind_text,
-      "reference_uncertainty", po_json_number(item->uncertainty), "reference",
-      po_plan_reference_of(run->plan, check), "where", where, "fault", blame.side, "why", blame.why,
-      "because", check->because, "note", item->note, "command", command ? command : "");
-  free(command);
-  return object;
+  return PO_JSON_OBJECT(
+      {"id", po_json_text(item->id)}, {"point", po_json_text(item->whole ? NULL : point->id)},
+      {"label", po_json_text(item->whole ? NULL : point->label)},
+      {"quantity", po_json_text(item->quantity)},
+      {"ledger", po_json_text(po_ledger_name(item->ledger))},
+      {"verdict", po_json_text(po_verdict_name(item->verdict))},
+      {"passes", po_json_flag(po_verdict_passes(item->verdict))},
+      {"obtained", po_json_number(item->obtained)}, {"expected", po_json_number(item->expected)},
+      {"error", po_json_number(item->error)}, {"ratio", po_json_number(item->ratio)},
+      {"tolerance", po_json_number(check->tolerance)}, {"kind", po_json_text(check->kind_text)},
+      {"reference_uncertainty", po_json_number(item->uncertainty)},
+      {"reference", po_json_text(po_plan_reference_of(run->plan, check))}, {"where", where},
+      {"fault", po_json_text(blame.side)}, {"why", po_json_text(blame.why)},
+      {"because", po_json_text(check->because)}, {"note", po_json_text(item->note)},
+      {"command", po_json_take_text(command_of_item(run, item))});
 }
 
 json_t *po_explain_json(const po_case_run *run, const po_explain_choice *choice) {
   const po_case *kase = run->plan->kase;
-  json_t *checks = json_array(), *failed = json_array();
+  json_t *checks = po_json_empty_array(), *failed = po_json_empty_array();
   for (size_t i = 0; i < run->results.count; ++i)
     if (is_told(run, choice, &run->results.items[i]))
-      json_array_append_new(checks, item_json(run, &run->results.items[i]));
+      po_json_append(&checks, item_json(run, &run->results.items[i]));
   for (size_t i = 0; i < kase->point_count; ++i)
-    if (is_chosen(choice, i) && po_case_run_failed(run, i)) {
-      char *command = command_of(run, i, false);
-      json_array_append_new(failed,
-                            json_pack("{s:s, s:s, s:s, s:s}", "point", kase->points[i].id, "label",
-                                      kase->points[i].label, "reason", run->outcomes[i].reason,
-                                      "command", command ? command : ""));
-      free(command);
-    }
-  return json_pack("{s:s, s:s, s:s, s:o, s:o}", "schema", "pulloff-explain/1", "case",
-                   kase->file->name, "verdict", po_case_run_verdict(run), "checks", checks,
-                   "failed", failed);
+    if (is_chosen(choice, i) && po_case_run_failed(run, i))
+      po_json_append(&failed,
+                     PO_JSON_OBJECT({"point", po_json_text(kase->points[i].id)},
+                                    {"label", po_json_text(kase->points[i].label)},
+                                    {"reason", po_json_text(run->outcomes[i].reason)},
+                                    {"command", po_json_take_text(command_of(run, i, false))}));
+  return PO_JSON_OBJECT(
+      {"schema", po_json_text("pulloff-explain/1")}, {"case", po_json_text(kase->file->name)},
+      {"verdict", po_json_text(po_case_run_verdict(run))}, {"checks", checks}, {"failed", failed});
 }

@@ -2,8 +2,7 @@
 #ifndef PO_EXPLAIN_H
 #define PO_EXPLAIN_H
 
-#include <jansson.h>
-
+#include "po_json_value.h"
 #include "po_run.h"
 #include "po_text.h"
 

@@ -21,7 +21,7 @@ static bool find_journal(const po_case_run *run, const char *output, char **fold
 
 /* What determines the numbers of one point, whatever other points the case has, unless they are
  * followed from one to the next. */
-static bool make_key(const po_case_run *run, size_t point, char key[PO_DIGEST_LENGTH]) {
+static po_status make_key(const po_case_run *run, size_t point, char key[PO_DIGEST_LENGTH]) {
   const po_plan *plan = run->plan;
   po_text text = {0};
   char *command = po_input_command(&plan->kase->points[point].request);
@@ -33,52 +33,63 @@ static bool make_key(const po_case_run *run, size_t point, char key[PO_DIGEST_LE
   po_digest_bytes(po_text_string(&text), text.length, key);
   free(command);
   po_text_clear(&text);
-  return made;
+  return made ? PO_OK : PO_NO_MEMORY;
 }
 
-static void read_line(po_case_run *run, const char *line, size_t length, const char *folder) {
-  json_t *entry = json_loadb(line, length, JSON_REJECT_DUPLICATES, NULL);
+/* Takes over a point if it is of these solves. */
+static po_status read_entry(po_case_run *run, const json_t *entry, const char *folder) {
   const json_t *point = json_object_get(entry, "point");
   const char *key = json_string_value(json_object_get(entry, "key"));
   const char *id = json_string_value(json_object_get(point, "id"));
   size_t index = 0;
   char expected[PO_DIGEST_LENGTH];
-  if (key && id && po_number_parse_count(id, &index) && index < run->plan->kase->point_count &&
-      run->asked[index] && make_key(run, index, expected) && strcmp(key, expected) == 0) {
+  if (!key || !id || !po_number_parse_count(id, &index) || index >= run->plan->kase->point_count ||
+      !run->asked[index])
+    return PO_OK;
+  po_status status = make_key(run, index, expected);
+  if (status || strcmp(key, expected) != 0)
+    return status;
+  po_outcome_clear(&run->outcomes[index]);
+  status = po_record_read_point(run, index, point, folder);
+  run->done[index] = status == PO_OK;
+  if (status)
     po_outcome_clear(&run->outcomes[index]);
-    run->done[index] = po_record_read_point(run, index, point, folder) == PO_OK;
-    if (!run->done[index])
-      po_outcome_clear(&run->outcomes[index]);
-  }
-  json_decref(entry);
+  return status == PO_NO_MEMORY ? status : PO_OK;
 }
 
-void po_journal_read(po_case_run *run, const char *output) {
+/* A line that is no JSON was torn or damaged: its point is solved again. */
+static po_status read_line(po_case_run *run, const char *line, size_t length, const char *folder) {
+  json_t *entry = NULL;
+  po_status status = po_json_parse(line, length, &entry);
+  if (!status)
+    status = read_entry(run, entry, folder);
+  json_decref(entry);
+  return status == PO_NO_MEMORY ? status : PO_OK;
+}
+
+po_status po_journal_read(po_case_run *run, const char *output) {
   char *folder = NULL, *path = NULL, *bytes = NULL;
   size_t size = 0;
-  if (find_journal(run, output, &folder, &path) && po_path_exists(path) &&
-      po_file_read(path, &bytes, &size) == PO_OK)
-    for (size_t begin = 0; begin < size;) {
-      const char *end = memchr(bytes + begin, '\n', size - begin);
-      const size_t length = end ? (size_t)(end - bytes) - begin : size - begin;
-      read_line(run, bytes + begin, length, folder);
-      begin += length + 1;
-    }
+  po_status status = find_journal(run, output, &folder, &path) ? PO_OK : PO_NO_MEMORY;
+  if (!status && po_path_exists(path))
+    status = po_file_read(path, &bytes, &size);
+  for (size_t begin = 0; !status && begin < size;) {
+    const char *end = memchr(bytes + begin, '\n', size - begin);
+    const size_t length = end ? (size_t)(end - bytes) - begin : size - begin;
+    status = read_line(run, bytes + begin, length, folder);
+    begin += length + 1;
+  }
   free(bytes);
   free(path);
   free(folder);
+  return status;
 }
 
 /* The line of a point, in one piece, since another process may add to the same journal. */
 static po_status append(const char *path, const json_t *entry) {
-  char *line = entry ? json_dumps(entry, JSON_COMPACT | JSON_REAL_PRECISION(17)) : NULL;
-  if (!line)
-    return po_fail(PO_NO_MEMORY, "no memory for a point of %s", path);
   po_text text = {0};
-  po_text_add(&text, "%s\n", line);
-  free(line);
-  const int file = open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
+  po_status status = po_json_print_line(entry, &text);
+  const int file = status ? -1 : open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (!status && (file < 0 || write(file, text.data, text.length) != (ssize_t)text.length))
     status = po_fail(PO_CANNOT_WRITE, "%s cannot be written: %s", path, strerror(errno));
   if (file >= 0)
@@ -89,19 +100,20 @@ static po_status append(const char *path, const json_t *entry) {
 
 po_status po_journal_add(const po_case_run *run, size_t point, const char *output) {
   char *folder = NULL, *path = NULL, key[PO_DIGEST_LENGTH];
-  const bool found = find_journal(run, output, &folder, &path) && make_key(run, point, key);
-  po_status status = found ? po_folder_make(folder) : PO_NO_MEMORY;
-  json_t *entry = status ? NULL : json_object();
+  po_status status = find_journal(run, output, &folder, &path) ? PO_OK : PO_NO_MEMORY;
+  if (!status)
+    status = make_key(run, point, key);
+  if (!status)
+    status = po_folder_make(folder);
   json_t *object = status ? NULL : po_record_point(run, point);
   if (!status)
-    status = po_record_add_tables(run, point, folder, object);
+    status = po_record_add_tables(run, point, folder, &object);
   if (!status) {
-    json_object_set_new(entry, "key", json_string(key));
-    json_object_set(entry, "point", object);
+    json_t *entry = PO_JSON_OBJECT({"key", po_json_text(key)}, {"point", object});
     status = append(path, entry);
-  }
-  json_decref(object);
-  json_decref(entry);
+    json_decref(entry);
+  } else
+    json_decref(object);
   free(path);
   free(folder);
   return status;

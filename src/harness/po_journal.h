@@ -9,8 +9,9 @@
 
 /* Takes over what is in the journal of a case, of these solves by this program; marks those of
  * them that are asked for as done. Of a point that is there twice the later holds; lines that are
- * of other solves, or damaged, are passed over. */
-void po_journal_read(po_case_run *run, const char *output);
+ * of other solves, or damaged, are passed over. Status: PO_NO_MEMORY; PO_CANNOT_READ when there is
+ * a journal that cannot be read. */
+po_status po_journal_read(po_case_run *run, const char *output);
 
 /* Adds a point that was just solved, and writes its curve and profile.
  * Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */

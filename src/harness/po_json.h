@@ -3,14 +3,9 @@
 #ifndef PO_JSON_H
 #define PO_JSON_H
 
-#include <jansson.h>
-
+#include "po_json_value.h"
 #include "po_outcome.h"
 #include "po_status.h"
-#include "po_text.h"
-
-/* A finite number; null for NaN and infinities, which JSON cannot say. */
-json_t *po_json_number(double value);
 
 /* The scene as asked: {"tabor": 1, ..., "outer_radius": number or "inf", "scheme": "triangle", ...,
  * "approach_start": number or null (chosen by the solver)}. */
@@ -36,9 +31,6 @@ void po_json_jump_label(bool loading, size_t number, char label[PO_JUMP_LABEL_LE
 /* {"residual", "rounding", "undiagnosed", "states", "sensitivity", "moved", "energy_defect",
  * "energy_defect_at", "way_back", "seconds"}. */
 json_t *po_json_diagnostics(const po_outcome *outcome);
-
-/* Writes a document with 17 significant digits, indented, ending in a newline. */
-po_status po_json_print(const json_t *document, po_text *text);
 
 /* The inverse of po_json_outcome but for `input`; arrays of points stay empty.
  * Status: PO_BAD_INPUT when something is missing or of the wrong type. */

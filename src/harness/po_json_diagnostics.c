@@ -8,57 +8,61 @@
 #include "po_memory.h"
 
 static json_t *state_json(const po_diagnosed_state *s) {
-  return json_pack("{s:s, s:o, s:o, s:I, s:o, s:o, s:o, s:o}", "at", po_kept_name(s->at),
-                   "approach", po_json_number(s->approach), "load", po_json_number(s->load),
-                   "nodes", (json_int_t)s->nodes, "residual", po_json_number(s->found.residual),
-                   "rounding", po_json_number(s->found.rounding), "condition",
-                   po_json_number(s->found.condition), "bordered_condition",
-                   po_json_number(s->found.bordered_condition));
+  return PO_JSON_OBJECT({"at", po_json_text(po_kept_name(s->at))},
+                        {"approach", po_json_number(s->approach)},
+                        {"load", po_json_number(s->load)}, {"nodes", po_json_count(s->nodes)},
+                        {"residual", po_json_number(s->found.residual)},
+                        {"rounding", po_json_number(s->found.rounding)},
+                        {"condition", po_json_number(s->found.condition)},
+                        {"bordered_condition", po_json_number(s->found.bordered_condition)});
 }
 
 static json_t *sensitivity_json(const po_diagnostics *d) {
   if (!d->has_sensitivity)
     return json_null();
-  return json_pack("{s:o, s:o, s:o, s:o, s:o, s:o}", "tabor", po_json_number(d->force.tabor),
-                   "amplitude", po_json_number(d->force.amplitude), "wavelength",
-                   po_json_number(d->force.wavelength), "radius", po_json_number(d->force.radius),
-                   "residual", po_json_number(d->force.residual), "rounding",
-                   po_json_number(d->force.rounding));
+  return PO_JSON_OBJECT(
+      {"tabor", po_json_number(d->force.tabor)}, {"amplitude", po_json_number(d->force.amplitude)},
+      {"wavelength", po_json_number(d->force.wavelength)},
+      {"radius", po_json_number(d->force.radius)}, {"residual", po_json_number(d->force.residual)},
+      {"rounding", po_json_number(d->force.rounding)});
 }
 
 static json_t *moved_json(const po_moved *m) {
-  return json_pack("{s:I, s:I, s:o, s:o, s:o, s:o, s:o}", "solves", (json_int_t)m->solves, "failed",
-                   (json_int_t)m->failed, "force_change", po_json_number(m->change),
-                   "force_change_predicted", po_json_number(m->predicted), "digits_kept",
-                   po_json_number(po_digits_left(m->change)), "digits_predicted",
-                   po_json_number(po_digits_left(m->predicted)), "fold_change",
-                   po_json_number(m->folds));
+  return PO_JSON_OBJECT({"solves", po_json_count(m->solves)}, {"failed", po_json_count(m->failed)},
+                        {"force_change", po_json_number(m->change)},
+                        {"force_change_predicted", po_json_number(m->predicted)},
+                        {"digits_kept", po_json_number(po_digits_left(m->change))},
+                        {"digits_predicted", po_json_number(po_digits_left(m->predicted))},
+                        {"fold_change", po_json_number(m->folds)});
 }
 
 /* Null where the branch is not followed back. */
 static json_t *way_back_json(const po_way_back *w) {
   if (!w->made)
     return json_null();
-  return json_pack("{s:s, s:s, s:I, s:I, s:I, s:b, s:o, s:o, s:o, s:o, s:o}", "status",
-                   po_status_name(w->status), "reason", w->reason, "points", (json_int_t)w->points,
-                   "folds", (json_int_t)w->folds, "extrema", (json_int_t)w->extrema, "same",
-                   w->same, "fold_approach_change", po_json_number(w->fold_approach),
-                   "fold_load_change", po_json_number(w->fold_load), "extremum_approach_change",
-                   po_json_number(w->extremum_approach), "extremum_load_change",
-                   po_json_number(w->extremum_load), "excess", po_json_number(w->excess));
+  return PO_JSON_OBJECT({"status", po_json_text(po_status_name(w->status))},
+                        {"reason", po_json_text(w->reason)}, {"points", po_json_count(w->points)},
+                        {"folds", po_json_count(w->folds)}, {"extrema", po_json_count(w->extrema)},
+                        {"same", po_json_flag(w->same)},
+                        {"fold_approach_change", po_json_number(w->fold_approach)},
+                        {"fold_load_change", po_json_number(w->fold_load)},
+                        {"extremum_approach_change", po_json_number(w->extremum_approach)},
+                        {"extremum_load_change", po_json_number(w->extremum_load)},
+                        {"excess", po_json_number(w->excess)});
 }
 
 json_t *po_json_diagnostics(const po_outcome *outcome) {
   const po_diagnostics *d = &outcome->diagnostics;
-  json_t *states = json_array();
+  json_t *states = po_json_empty_array();
   for (size_t k = 0; k < d->state_count; ++k)
-    json_array_append_new(states, state_json(&d->states[k]));
-  return json_pack(
-      "{s:o, s:o, s:I, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "residual", po_json_number(d->residual),
-      "rounding", po_json_number(d->rounding), "undiagnosed", (json_int_t)d->undiagnosed, "states",
-      states, "sensitivity", sensitivity_json(d), "moved", moved_json(&d->moved), "energy_defect",
-      po_json_number(d->energy_defect), "energy_defect_at", po_json_number(d->energy_defect_at),
-      "way_back", way_back_json(&d->way_back), "seconds", po_json_number(d->seconds));
+    po_json_append(&states, state_json(&d->states[k]));
+  return PO_JSON_OBJECT(
+      {"residual", po_json_number(d->residual)}, {"rounding", po_json_number(d->rounding)},
+      {"undiagnosed", po_json_count(d->undiagnosed)}, {"states", states},
+      {"sensitivity", sensitivity_json(d)}, {"moved", moved_json(&d->moved)},
+      {"energy_defect", po_json_number(d->energy_defect)},
+      {"energy_defect_at", po_json_number(d->energy_defect_at)},
+      {"way_back", way_back_json(&d->way_back)}, {"seconds", po_json_number(d->seconds)});
 }
 
 static po_kept_kind kind_of(const char *name) {

@@ -40,10 +40,10 @@ static const field WORK[] = {
     {"meshes", offsetof(po_work, meshes)},
 };
 
-static void write_numbers(json_t *object, const field *fields, size_t count, const void *from) {
+static void write_numbers(json_t **object, const field *fields, size_t count, const void *from) {
   for (size_t i = 0; i < count; ++i) {
     const double *number = (const void *)((const char *)from + fields[i].place);
-    json_object_set_new(object, fields[i].key, po_json_number(*number));
+    po_json_set(object, fields[i].key, po_json_number(*number));
   }
 }
 
@@ -55,9 +55,9 @@ static void read_numbers(const json_t *object, const field *fields, size_t count
 }
 
 json_t *po_json_landmark(const po_landmark *landmark) {
-  json_t *object = json_pack("{s:s}", "kind", po_landmark_kind_name(landmark->kind));
-  write_numbers(object, LANDMARK, LENGTH(LANDMARK), landmark);
-  json_object_set_new(object, "unstable_modes", json_integer(landmark->unstable_modes));
+  json_t *object = PO_JSON_OBJECT({"kind", po_json_text(po_landmark_kind_name(landmark->kind))});
+  write_numbers(&object, LANDMARK, LENGTH(LANDMARK), landmark);
+  po_json_set(&object, "unstable_modes", po_json_integer(landmark->unstable_modes));
   return object;
 }
 
@@ -69,8 +69,8 @@ void po_json_read_landmark(const json_t *object, po_landmark *landmark) {
 json_t *po_json_pull_off(const po_outcome *outcome) {
   if (!outcome->has_pull_off)
     return json_null();
-  json_t *object = json_object();
-  write_numbers(object, PULL_OFF, LENGTH(PULL_OFF), outcome);
+  json_t *object = po_json_empty_object();
+  write_numbers(&object, PULL_OFF, LENGTH(PULL_OFF), outcome);
   return object;
 }
 
@@ -80,12 +80,12 @@ void po_json_read_pull_off(const json_t *object, po_outcome *outcome) {
 }
 
 json_t *po_json_work(const po_work *work) {
-  json_t *object = json_object();
+  json_t *object = po_json_empty_object();
   for (size_t i = 0; i < LENGTH(WORK); ++i) {
     const uint64_t *number = (const void *)((const char *)work + WORK[i].place);
-    json_object_set_new(object, WORK[i].key, json_integer((json_int_t)*number));
+    po_json_set(&object, WORK[i].key, po_json_count(*number));
   }
-  json_object_set_new(object, "seconds", po_json_number(work->seconds));
+  po_json_set(&object, "seconds", po_json_number(work->seconds));
   return object;
 }
 

@@ -24,10 +24,11 @@ void po_json_jump_label(bool loading, size_t number, char label[PO_JUMP_LABEL_LE
 }
 
 static json_t *state(const po_path_state *s) {
-  return json_pack("{s:o, s:o, s:o, s:o, s:o}", "approach", po_json_number(s->approach), "load",
-                   po_json_number(s->load), "energy",
-                   po_json_number(isinf(s->approach) ? (double)NAN : s->energy), "contact_radius",
-                   po_json_number(s->contact_radius), "position", po_json_number(s->position));
+  return PO_JSON_OBJECT({"approach", po_json_number(s->approach)},
+                        {"load", po_json_number(s->load)},
+                        {"energy", po_json_number(isinf(s->approach) ? (double)NAN : s->energy)},
+                        {"contact_radius", po_json_number(s->contact_radius)},
+                        {"position", po_json_number(s->position)});
 }
 
 /* `number` of the jump in its phase, from 1. */
@@ -36,27 +37,30 @@ static json_t *jump(const po_jump *j, size_t number) {
   po_json_jump_label(j->loading, number, label);
   po_json_jump_label(j->loading, 2 * number - 1, from);
   po_json_jump_label(j->loading, 2 * number, to);
-  return json_pack("{s:s, s:s, s:[s, s], s:o, s:o, s:o}", "phase",
-                   j->loading ? "loading" : "unloading", "label", label, "ends", from, to, "before",
-                   state(&j->before), "after", state(&j->after), "energy_lost",
-                   po_json_number(j->energy_lost));
+  json_t *ends = po_json_empty_array();
+  po_json_append(&ends, po_json_text(from));
+  po_json_append(&ends, po_json_text(to));
+  return PO_JSON_OBJECT({"phase", po_json_text(j->loading ? "loading" : "unloading")},
+                        {"label", po_json_text(label)}, {"ends", ends},
+                        {"before", state(&j->before)}, {"after", state(&j->after)},
+                        {"energy_lost", po_json_number(j->energy_lost)});
 }
 
 static json_t *loop(const po_loop *l) {
-  json_t *jumps = json_array();
+  json_t *jumps = po_json_empty_array();
   for (size_t k = 0; k < l->jump_count; ++k)
-    json_array_append_new(
-        jumps, jump(&l->jumps[k], k < l->loading_jumps ? k + 1 : k + 1 - l->loading_jumps));
+    po_json_append(&jumps,
+                   jump(&l->jumps[k], k < l->loading_jumps ? k + 1 : k + 1 - l->loading_jumps));
   json_t *pull_off = state(&l->pull_off);
-  json_object_set_new(pull_off, "force", po_json_number(fmax(0.0, -l->pull_off.load)));
-  return json_pack("{s:o, s:o, s:o, s:o, s:o}", "preload", state(&l->preload), "pull_off", pull_off,
-                   "energy_lost", po_json_number(l->energy_lost), "work", po_json_number(l->work),
-                   "jumps", jumps);
+  po_json_set(&pull_off, "force", po_json_number(fmax(0.0, -l->pull_off.load)));
+  return PO_JSON_OBJECT({"preload", state(&l->preload)}, {"pull_off", pull_off},
+                        {"energy_lost", po_json_number(l->energy_lost)},
+                        {"work", po_json_number(l->work)}, {"jumps", jumps});
 }
 
 static json_t *both(const po_hysteresis *h) {
-  return json_pack("{s:o, s:o}", "displacement_control", loop(&h->displacement), "load_control",
-                   loop(&h->load));
+  return PO_JSON_OBJECT({"displacement_control", loop(&h->displacement)},
+                        {"load_control", loop(&h->load)});
 }
 
 /* The JKR theory from the same preload: the same approach when that was given, else the load. */
@@ -65,7 +69,8 @@ static json_t *theory(const po_request *request, const po_hysteresis *found) {
   if (isnan(preload.approach) && isnan(preload.load))
     preload.load = found->displacement.preload.load;
   po_hysteresis h;
-  json_t *object = po_guduru_hysteresis(&request->scene, preload, &h) ? json_null() : both(&h);
+  const po_status status = po_guduru_hysteresis(&request->scene, preload, &h);
+  json_t *object = status == PO_NO_MEMORY ? NULL : status ? json_null() : both(&h);
   po_hysteresis_clear(&h);
   return object;
 }
@@ -74,7 +79,7 @@ json_t *po_json_hysteresis(const po_request *request, const po_outcome *outcome)
   if (!outcome->has_hysteresis)
     return json_null();
   json_t *object = both(&outcome->hysteresis);
-  json_object_set_new(object, "jkr", theory(request, &outcome->hysteresis));
+  po_json_set(&object, "jkr", theory(request, &outcome->hysteresis));
   return object;
 }
 

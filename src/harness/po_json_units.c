@@ -3,17 +3,18 @@
 #include "po_json.h"
 
 json_t *po_json_units(const po_units *units) {
-  return json_pack("{s:o, s:o, s:o}", "length_m", po_json_number(units->length), "force_n",
-                   po_json_number(units->force), "traction_pa", po_json_number(units->traction));
+  return PO_JSON_OBJECT({"length_m", po_json_number(units->length)},
+                        {"force_n", po_json_number(units->force)},
+                        {"traction_pa", po_json_number(units->traction)});
 }
 
 json_t *po_json_units_pull_off(const po_units *u, const po_outcome *outcome) {
   if (!outcome->has_pull_off)
     return json_null();
-  return json_pack(
-      "{s:o, s:o, s:o, s:o, s:o}", "force_n", po_json_number(outcome->pull_off.force * u->force),
-      "approach_m", po_json_number(outcome->pull_off.approach * u->length), "contact_radius_m",
-      po_json_number(outcome->pull_off.contact_radius * u->length), "error_estimate_n",
-      po_json_number(outcome->pull_off.force_error * u->force), "approach_error_estimate_m",
-      po_json_number(outcome->pull_off.approach_error * u->length));
+  return PO_JSON_OBJECT(
+      {"force_n", po_json_number(outcome->pull_off.force * u->force)},
+      {"approach_m", po_json_number(outcome->pull_off.approach * u->length)},
+      {"contact_radius_m", po_json_number(outcome->pull_off.contact_radius * u->length)},
+      {"error_estimate_n", po_json_number(outcome->pull_off.force_error * u->force)},
+      {"approach_error_estimate_m", po_json_number(outcome->pull_off.approach_error * u->length)});
 }

@@ -188,7 +188,7 @@ static void add_rows(po_text *rows, const po_case_file *file, const po_line *lin
 }
 
 static po_status write_line(const po_case *kase, const po_line *line, const char *folder,
-                            json_t *entry) {
+                            json_t **entry) {
   po_text header = {0}, rows = {0}, text = {0}, name = {0};
   char digest[PO_DIGEST_LENGTH];
   po_text_add(&name, "line-%s.csv", line->name);
@@ -203,8 +203,8 @@ static po_status write_line(const po_case *kase, const po_line *line, const char
   char *path = po_path_join(folder, po_text_string(&name));
   const bool failed = text.failed || name.failed || !path;
   const po_status status = failed ? PO_NO_MEMORY : po_file_write(path, text.data, text.length);
-  json_object_set_new(entry, "table", json_string(po_text_string(&name)));
-  json_object_set_new(entry, "table_sha256", json_string(digest));
+  po_json_set(entry, "table", po_json_text(po_text_string(&name)));
+  po_json_set(entry, "table_sha256", po_json_text(digest));
   free(path);
   po_text_clear(&header);
   po_text_clear(&rows);
@@ -215,12 +215,13 @@ static po_status write_line(const po_case *kase, const po_line *line, const char
 
 po_status po_lines_write(const po_case *kase, const char *folder, json_t **lines) {
   po_status status = PO_OK;
-  *lines = json_array();
+  *lines = po_json_empty_array();
   for (unsigned i = 0; !status && i < kase->file->lines_count; ++i) {
     const po_line *line = &kase->file->lines[i];
-    json_t *entry = json_pack("{s:s, s:s}", "name", line->name, "theory", line->theory);
-    status = entry ? write_line(kase, line, folder, entry) : PO_NO_MEMORY;
-    json_array_append_new(*lines, entry);
+    json_t *entry =
+        PO_JSON_OBJECT({"name", po_json_text(line->name)}, {"theory", po_json_text(line->theory)});
+    status = write_line(kase, line, folder, &entry);
+    po_json_append(lines, entry);
   }
   return status;
 }

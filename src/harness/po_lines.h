@@ -2,9 +2,8 @@
 #ifndef PO_LINES_H
 #define PO_LINES_H
 
-#include <jansson.h>
-
 #include "po_case.h"
+#include "po_json_value.h"
 #include "po_yaml.h"
 
 /* Checks the section `lines`: names, forms, the keys of their sweeps, and that each form has what

@@ -33,8 +33,9 @@ static po_status read_part(po_merge *merge, const char *folder, char *path) {
   *part = (po_merge_part){.path = path, .folder = po_copy_text(folder)};
   char *bytes = NULL;
   size_t size = 0;
-  const po_status status = po_file_read(path, &bytes, &size);
-  part->root = status ? NULL : json_loadb(bytes, size, JSON_REJECT_DUPLICATES, NULL);
+  po_status status = po_file_read(path, &bytes, &size);
+  if (!status && (status = po_json_parse(bytes, size, &part->root)) == PO_CANNOT_READ)
+    status = PO_OK; /* damaged, as what is not of a shard */
   free(bytes);
   if (status)
     return status;
@@ -187,32 +188,40 @@ static po_status check_runs(const po_merge_part *first, const po_case_run *runs,
 }
 
 /* A case that one shard has whole has a record in the place of a journal. */
-static bool read_record(po_case_run *run, const char *folder) {
+static po_status read_record(po_case_run *run, const char *folder) {
   for (size_t i = 0; i < run->plan->kase->point_count; ++i)
     po_outcome_clear(&run->outcomes[i]);
-  const bool found = po_record_read(run, folder) == PO_OK;
+  const po_status status = po_record_read(run, folder);
   for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-    run->done[i] = found;
+    run->done[i] = status == PO_OK;
   run->kept = run->finished = false;
   run->old_key[0] = '\0';
-  return found;
+  return status;
+}
+
+static po_status take_environment(const po_merge_part *part, po_case_run *run) {
+  po_text text = {0};
+  const po_status status = po_json_print_line(json_object_get(part->root, "environment"), &text);
+  free(run->environment);
+  run->environment = text.data;
+  return status;
 }
 
 /* The points a shard was asked for; what else lies in its folder is not looked at. */
 static po_status read_points(const po_merge_part *part, po_case_run *run) {
-  po_journal_read(run, part->folder);
+  po_status status = po_journal_read(run, part->folder);
+  if (status)
+    return status;
   size_t lacking = 0;
   for (size_t i = 0; i < run->plan->kase->point_count; ++i)
     lacking += run->asked[i] && !run->done[i];
-  if (lacking && !read_record(run, part->folder))
+  if (lacking && (status = read_record(run, part->folder)) == PO_NOT_FOUND)
     return po_fail(PO_CANNOT_READ,
                    "%s lacks %zu of %zu points of %s: expected shard %zu/%zu to have ended; run it "
                    "again",
                    part->folder, lacking, run->asked_count, run->plan->kase->file->name,
                    part->shard.number, part->shard.count);
-  if (run->asked[0])
-    run->environment = json_dumps(json_object_get(part->root, "environment"), 0);
-  return PO_OK;
+  return status || !run->asked[0] ? status : take_environment(part, run);
 }
 
 po_status po_merge_fill(const po_merge *merge, po_case_run *runs, size_t count) {

@@ -2,8 +2,7 @@
 #ifndef PO_MERGE_H
 #define PO_MERGE_H
 
-#include <jansson.h>
-
+#include "po_json_value.h"
 #include "po_shard.h"
 
 /* One shard as found in a folder. */

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "po_environment.h"
 #include "po_file.h"
@@ -12,19 +13,15 @@
 #include "po_lines.h"
 #include "po_tables.h"
 
-static json_t *text_or_null(const char *text) {
-  return text ? json_string(text) : json_null();
-}
-
 static json_t *suites(const po_case *kase) {
-  json_t *array = json_array();
+  json_t *array = po_json_empty_array();
   for (unsigned i = 0; i < kase->file->suite_names_count; ++i)
-    json_array_append_new(array, json_string(kase->file->suite_names[i]));
+    po_json_append(&array, po_json_text(kase->file->suite_names[i]));
   return array;
 }
 
 static json_t *sweep(const po_case *kase, size_t point) {
-  json_t *object = json_object();
+  json_t *object = po_json_empty_object();
   json_t *input = po_json_input(&kase->points[point].request);
   for (unsigned i = 0; i < kase->file->sweep_count; ++i)
     for (int key = 0; key < PO_KEY_END; ++key) {
@@ -32,16 +29,16 @@ static json_t *sweep(const po_case *kase, size_t point) {
       if (!po_sweep_names(&kase->file->sweep[i], (po_key)key))
         continue;
       if (po_key_is_group(key))
-        json_object_set_new(
-            object, name, po_json_number(po_key_number(&kase->points[point].request, (po_key)key)));
+        po_json_set(&object, name,
+                    po_json_number(po_key_number(&kase->points[point].request, (po_key)key)));
       else
-        json_object_set(object, name, json_object_get(input, name));
+        po_json_set(&object, name, json_incref(json_object_get(input, name)));
     }
   json_decref(input);
   for (unsigned i = 0; kase->file->sample && i < kase->file->sample->keys_count; ++i) {
     const po_draw *draw = &kase->file->sample->keys[i];
-    json_object_set_new(object, draw->key,
-                        po_json_number(po_key_number(&kase->points[point].request, draw->drawn)));
+    po_json_set(&object, draw->key,
+                po_json_number(po_key_number(&kase->points[point].request, draw->drawn)));
   }
   return object;
 }
@@ -49,9 +46,9 @@ static json_t *sweep(const po_case *kase, size_t point) {
 /* The times of a point, round after round. */
 static json_t *times(const po_case_run *run, const double *seconds, size_t point) {
   const unsigned repeats = run->plan->kase->repeats;
-  json_t *array = json_array();
+  json_t *array = po_json_empty_array();
   for (unsigned i = 0; i < repeats; ++i)
-    json_array_append_new(array, po_json_number(seconds[point * repeats + i]));
+    po_json_append(&array, po_json_number(seconds[point * repeats + i]));
   return array;
 }
 
@@ -62,13 +59,13 @@ static void table_name(char name[64], const char *what, const po_point *point) {
 /* Writes the curve or the profile of a point, if there is one, and says so in its entry: the name
  * of the file and its checksum, by which a table that is not of this record is told. */
 static po_status add_table(const po_case_run *run, size_t index, bool profile, const char *folder,
-                           json_t *entry) {
+                           json_t **entry) {
   const po_point *point = &run->plan->kase->points[index];
   const po_outcome *outcome = &run->outcomes[index];
   const char *what = profile ? "profile" : "curve";
   char name[64], digest_key[32], digest[PO_DIGEST_LENGTH];
   table_name(name, what, point);
-  json_object_set_new(entry, what, json_null());
+  po_json_set(entry, what, json_null());
   if ((profile ? outcome->profile_count : outcome->curve_count) == 0)
     return PO_OK;
   char *path = po_path_join(folder, name);
@@ -78,25 +75,17 @@ static po_status add_table(const po_case_run *run, size_t index, bool profile, c
                                    : po_tables_write_curve(path, &point->request, outcome, digest);
   free(path);
   if (profile)
-    json_object_set_new(entry, "contact", po_json_contact(outcome));
+    po_json_set(entry, "contact", po_json_contact(outcome));
   snprintf(digest_key, sizeof digest_key, "%s_sha256", what);
-  json_object_set_new(entry, what, json_string(name));
-  json_object_set_new(entry, digest_key, json_string(digest));
-  return status;
+  po_json_set(entry, what, po_json_text(name));
+  po_json_set(entry, digest_key, po_json_text(digest));
+  return status ? status : *entry ? PO_OK : PO_NO_MEMORY;
 }
 
 po_status po_record_add_tables(const po_case_run *run, size_t index, const char *folder,
-                               json_t *entry) {
+                               json_t **entry) {
   const po_status status = add_table(run, index, false, folder, entry);
   return status ? status : add_table(run, index, true, folder, entry);
-}
-
-static po_status add_tables(const po_case_run *run, const char *folder, json_t *record) {
-  json_t *points = json_object_get(record, "points");
-  po_status status = PO_OK;
-  for (size_t i = 0; !status && i < run->plan->kase->point_count; ++i)
-    status = po_record_add_tables(run, i, folder, json_array_get(points, i));
-  return status;
 }
 
 json_t *po_record_point(const po_case_run *run, size_t index) {
@@ -104,20 +93,18 @@ json_t *po_record_point(const po_case_run *run, size_t index) {
   const po_point *point = &kase->points[index];
   const po_outcome *outcome = &run->outcomes[index];
   json_t *object = po_json_outcome(&point->request, outcome);
-  char *command = po_input_command(&point->request);
-  json_object_set_new(object, "id", json_string(point->id));
-  json_object_set_new(object, "label", json_string(point->label));
-  json_object_set_new(object, "sweep", sweep(kase, index));
-  json_object_set_new(object, "seconds_all", times(run, run->seconds, index));
-  json_object_set_new(object, "processor_seconds_all", times(run, run->processor_seconds, index));
-  json_object_set_new(object, "command", text_or_null(command));
+  po_json_set(&object, "id", po_json_text(point->id));
+  po_json_set(&object, "label", po_json_text(point->label));
+  po_json_set(&object, "sweep", sweep(kase, index));
+  po_json_set(&object, "seconds_all", times(run, run->seconds, index));
+  po_json_set(&object, "processor_seconds_all", times(run, run->processor_seconds, index));
+  po_json_set(&object, "command", po_json_take_text(po_input_command(&point->request)));
   if (point->traced)
-    json_object_set_new(object, "traced", po_json_outcome(&point->request, &run->traces[index]));
+    po_json_set(&object, "traced", po_json_outcome(&point->request, &run->traces[index]));
   if (kase->is_physical)
-    json_object_set_new(object, "physical",
-                        json_pack("{s:o, s:o}", "units", po_json_units(&kase->units), "pull_off",
-                                  po_json_units_pull_off(&kase->units, outcome)));
-  free(command);
+    po_json_set(&object, "physical",
+                PO_JSON_OBJECT({"units", po_json_units(&kase->units)},
+                               {"pull_off", po_json_units_pull_off(&kase->units, outcome)}));
   return object;
 }
 
@@ -126,16 +113,20 @@ static json_t *check_json(const po_case_run *run, const po_result *item) {
   const po_check *check = item->check;
   char command[128];
   snprintf(command, sizeof command, "pulloff verify %s", kase->file->name);
-  return json_pack(
-      "{s:s, s:s?, s:s, s:o, s:o, s:o, s:s, s:f, s:o, s:o, s:s, s:s, s:b, s:s, s:s, s:s, s:s}",
-      "id", item->id, "point", item->whole ? NULL : kase->points[item->point].id, "quantity",
-      item->quantity, "obtained", po_json_number(item->obtained), "expected",
-      po_json_number(item->expected), "error", po_json_number(item->error), "kind",
-      check->kind_text, "tolerance", check->tolerance, "reference_uncertainty",
-      po_json_number(item->uncertainty), "ratio", po_json_number(item->ratio), "ledger",
-      po_ledger_name(item->ledger), "verdict", po_verdict_name(item->verdict), "passes",
-      (int)po_verdict_passes(item->verdict), "note", item->note, "reference",
-      po_plan_reference_of(run->plan, check), "because", check->because, "command", command);
+  return PO_JSON_OBJECT(
+      {"id", po_json_text(item->id)},
+      {"point", po_json_text(item->whole ? NULL : kase->points[item->point].id)},
+      {"quantity", po_json_text(item->quantity)}, {"obtained", po_json_number(item->obtained)},
+      {"expected", po_json_number(item->expected)}, {"error", po_json_number(item->error)},
+      {"kind", po_json_text(check->kind_text)}, {"tolerance", po_json_number(check->tolerance)},
+      {"reference_uncertainty", po_json_number(item->uncertainty)},
+      {"ratio", po_json_number(item->ratio)},
+      {"ledger", po_json_text(po_ledger_name(item->ledger))},
+      {"verdict", po_json_text(po_verdict_name(item->verdict))},
+      {"passes", po_json_flag(po_verdict_passes(item->verdict))},
+      {"note", po_json_text(item->note)},
+      {"reference", po_json_text(po_plan_reference_of(run->plan, check))},
+      {"because", po_json_text(check->because)}, {"command", po_json_text(command)});
 }
 
 /* How a measurement ended; `outside` are curves and landmarks that have no one-to-one counterpart.
@@ -148,108 +139,132 @@ static const char *measured_as(po_verdict verdict) {
 }
 
 static json_t *measure_json(const po_case_run *run, const po_result *item) {
-  return json_pack("{s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:s, s:s, s:s}", "id", item->id,
-                   "point", run->plan->kase->points[item->point].id, "quantity", item->quantity,
-                   "subject", item->subject, "obtained", po_json_number(item->obtained), "expected",
-                   po_json_number(item->expected), "error", po_json_number(item->error),
-                   "reference_uncertainty", po_json_number(item->uncertainty), "outcome",
-                   measured_as(item->verdict), "note", item->note, "reference",
-                   po_plan_reference_of(run->plan, item->check));
+  return PO_JSON_OBJECT(
+      {"id", po_json_text(item->id)},
+      {"point", po_json_text(run->plan->kase->points[item->point].id)},
+      {"quantity", po_json_text(item->quantity)}, {"subject", po_json_text(item->subject)},
+      {"obtained", po_json_number(item->obtained)}, {"expected", po_json_number(item->expected)},
+      {"error", po_json_number(item->error)},
+      {"reference_uncertainty", po_json_number(item->uncertainty)},
+      {"outcome", po_json_text(measured_as(item->verdict))}, {"note", po_json_text(item->note)},
+      {"reference", po_json_text(po_plan_reference_of(run->plan, item->check))});
+}
+
+static json_t *conditions(const po_leave_out *rule) {
+  json_t *when = po_json_empty_array();
+  for (unsigned k = 0; k < rule->when_count; ++k) {
+    json_t *values = po_json_empty_array();
+    for (unsigned v = 0; v < rule->when[k].values_count; ++v)
+      po_json_append(&values, po_json_text(rule->when[k].values[v]));
+    po_json_append(&when,
+                   PO_JSON_OBJECT({"key", po_json_text(rule->when[k].key)}, {"values", values}));
+  }
+  return when;
 }
 
 /* The scenes that are not solved, rule by rule. */
 static json_t *not_solved(const po_case *kase) {
-  json_t *array = json_array();
+  json_t *array = po_json_empty_array();
   for (unsigned i = 0; i < kase->file->leave_out_count; ++i) {
     const po_leave_out *rule = &kase->file->leave_out[i];
-    json_t *when = json_array();
-    for (unsigned k = 0; k < rule->when_count; ++k) {
-      json_t *values = json_array();
-      for (unsigned v = 0; v < rule->when[k].values_count; ++v)
-        json_array_append_new(values, json_string(rule->when[k].values[v]));
-      json_array_append_new(when,
-                            json_pack("{s:s, s:o}", "key", rule->when[k].key, "values", values));
-    }
-    json_array_append_new(array, json_pack("{s:o, s:I, s:s}", "when", when, "points",
-                                           (json_int_t)rule->points, "because", rule->because));
+    po_json_append(&array, PO_JSON_OBJECT({"when", conditions(rule)},
+                                          {"points", po_json_count(rule->points)},
+                                          {"because", po_json_text(rule->because)}));
   }
   return array;
 }
 
 /* The checks that were left out since their reference is absent. */
 static json_t *left_out(const po_plan *plan) {
-  json_t *array = json_array();
+  json_t *array = po_json_empty_array();
   for (unsigned i = 0; i < plan->kase->file->checks_count; ++i) {
     const po_check *check = &plan->kase->file->checks[i];
     if (plan->references[i].is_absent)
-      json_array_append_new(array,
-                            json_pack("{s:s, s:s, s:s}", "quantity", check->quantity_text,
-                                      "reference", check->reference, "stand_in", check->stand_in));
+      po_json_append(&array, PO_JSON_OBJECT({"quantity", po_json_text(check->quantity_text)},
+                                            {"reference", po_json_text(check->reference)},
+                                            {"stand_in", po_json_text(check->stand_in)}));
   }
   return array;
 }
 
-static json_t *lists(const po_case_run *run, json_t *record) {
-  json_t *plan = json_array(), *points = json_array(), *checks = json_array();
-  json_t *measured = json_array();
-  for (size_t i = 0; i < run->plan->line_count; ++i)
-    json_array_append_new(plan, json_string(run->plan->lines[i]));
-  for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
+/* The points, whose tables are written. */
+static po_status write_points(const po_case_run *run, const char *folder, json_t **points) {
+  po_status status = PO_OK;
+  *points = po_json_empty_array();
+  for (size_t i = 0; !status && i < run->plan->kase->point_count; ++i) {
     json_t *point = po_record_point(run, i);
-    json_object_set_new(point, "failed", json_boolean(po_case_run_failed(run, i)));
-    json_array_append_new(points, point);
+    po_json_set(&point, "failed", po_json_flag(po_case_run_failed(run, i)));
+    status = po_record_add_tables(run, i, folder, &point);
+    po_json_append(points, point);
   }
-  for (size_t i = 0; i < run->results.count; ++i)
-    json_array_append_new(checks, check_json(run, &run->results.items[i]));
-  for (size_t i = 0; i < run->measured.count; ++i)
-    json_array_append_new(measured, measure_json(run, &run->measured.items[i]));
-  json_object_set_new(record, "plan", plan);
-  json_object_set_new(record, "points", points);
-  json_object_set_new(record, "checks", checks);
-  json_object_set_new(record, "measured", measured);
-  json_object_set_new(record, "left_out", left_out(run->plan));
-  json_object_set_new(record, "not_solved", not_solved(run->plan->kase));
-  return record;
+  return status;
+}
+
+static json_t *plan_json(const po_plan *plan) {
+  json_t *lines = po_json_empty_array();
+  for (size_t i = 0; i < plan->line_count; ++i)
+    po_json_append(&lines, po_json_text(plan->lines[i]));
+  return lines;
+}
+
+static json_t *results_json(const po_case_run *run, const po_results *results,
+                            json_t *(*item_json)(const po_case_run *, const po_result *)) {
+  json_t *items = po_json_empty_array();
+  for (size_t i = 0; i < results->count; ++i)
+    po_json_append(&items, item_json(run, &results->items[i]));
+  return items;
 }
 
 /* Where it was solved. */
 static json_t *environment(const po_case_run *run, int jobs) {
-  return run->environment ? json_loads(run->environment, 0, NULL) : po_environment_describe(jobs);
+  json_t *found = NULL;
+  if (!run->environment)
+    return po_environment_describe(jobs);
+  return po_json_parse(run->environment, strlen(run->environment), &found) ? NULL : found;
 }
 
-static json_t *record_json(const po_case_run *run, int jobs) {
+/* Takes the points and the lines. */
+static json_t *record_json(const po_case_run *run, int jobs, json_t *points, json_t *lines) {
   const po_case *kase = run->plan->kase;
   const po_case_file *file = kase->file;
   char command[128];
   snprintf(command, sizeof command, "pulloff run %s", file->name);
-  json_t *record = json_pack(
-      "{s:s, s:s, s:s, s:o, s:o, s:o, s:s, s:s, s:s, s:o, s:s, s:o, s:o, s:s, s:o}", "schema",
-      "pulloff-record/1", "case", file->name, "title", file->title, "figure",
-      text_or_null(file->figure), "equations", text_or_null(file->equations), "suites",
-      suites(kase), "file", kase->shown, "key", run->plan->key, "solve_key", run->plan->solve_key,
-      "figure_script", text_or_null(file->figure_script), "command", command, "versions",
-      po_environment_versions(), "environment", environment(run, jobs), "verdict",
-      po_case_run_verdict(run), "seconds", po_json_number(run->elapsed));
-  return record ? lists(run, record) : NULL;
+  return PO_JSON_OBJECT(
+      {"schema", po_json_text("pulloff-record/1")}, {"case", po_json_text(file->name)},
+      {"title", po_json_text(file->title)}, {"figure", po_json_text(file->figure)},
+      {"equations", po_json_text(file->equations)}, {"suites", suites(kase)},
+      {"file", po_json_text(kase->shown)}, {"key", po_json_text(run->plan->key)},
+      {"solve_key", po_json_text(run->plan->solve_key)},
+      {"figure_script", po_json_text(file->figure_script)}, {"command", po_json_text(command)},
+      {"versions", po_environment_versions()}, {"environment", environment(run, jobs)},
+      {"verdict", po_json_text(po_case_run_verdict(run))},
+      {"seconds", po_json_number(run->elapsed)}, {"plan", plan_json(run->plan)}, {"points", points},
+      {"checks", results_json(run, &run->results, check_json)},
+      {"measured", results_json(run, &run->measured, measure_json)},
+      {"left_out", left_out(run->plan)}, {"not_solved", not_solved(kase)}, {"lines", lines});
 }
 
 po_status po_record_write(const po_case_run *run, const char *output, int jobs) {
   char *folder = po_path_join(output, run->plan->kase->file->name);
   char *path = folder ? po_path_join(folder, "record.json") : NULL;
-  json_t *record = record_json(run, jobs);
-  json_t *written = NULL;
+  json_t *points = NULL, *lines = NULL;
   po_text text = {0};
   po_status status = path ? po_folder_make(folder) : PO_NO_MEMORY;
   if (!status)
-    status = add_tables(run, folder, record);
-  if (!status && !(status = po_lines_write(run->plan->kase, folder, &written)))
-    json_object_set_new(record, "lines", written);
+    status = write_points(run, folder, &points);
   if (!status)
+    status = po_lines_write(run->plan->kase, folder, &lines);
+  if (!status) {
+    json_t *record = record_json(run, jobs, points, lines);
     status = po_json_print(record, &text);
+    json_decref(record);
+  } else {
+    json_decref(points);
+    json_decref(lines);
+  }
   if (!status)
     status = po_file_write(path, text.data, text.length);
   po_text_clear(&text);
-  json_decref(record);
   free(path);
   free(folder);
   return status;

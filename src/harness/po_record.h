@@ -2,15 +2,15 @@
 #ifndef PO_RECORD_H
 #define PO_RECORD_H
 
-#include <jansson.h>
-
+#include "po_json_value.h"
 #include "po_run.h"
 
 /* Writes the tables, then the record. Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
 po_status po_record_write(const po_case_run *run, const char *output, int jobs);
 
 /* Reads the outcomes of an earlier run of the same solves back. Status: PO_NOT_FOUND when there is
- * none, or it is of other scenes, another program, or damaged: then it has to be solved again. */
+ * none, or it is of other scenes, another program, or damaged: then it has to be solved again;
+ * PO_NO_MEMORY. */
 po_status po_record_read(po_case_run *run, const char *output);
 
 /* The entry of one point in the record; NULL without memory. */
@@ -18,10 +18,11 @@ json_t *po_record_point(const po_case_run *run, size_t index);
 
 /* Writes the curve and the profile of a point, if there are, and names them in its entry. */
 po_status po_record_add_tables(const po_case_run *run, size_t index, const char *folder,
-                               json_t *entry);
+                               json_t **entry);
 
 /* The inverse of both: the outcome of a point from its entry and its tables.
- * Status: PO_NOT_FOUND when the entry is of another point, or something is lost or damaged. */
+ * Status: PO_NOT_FOUND when the entry is of another point, or something is lost or damaged;
+ * PO_NO_MEMORY. */
 po_status po_record_read_point(po_case_run *run, size_t index, const json_t *entry,
                                const char *folder);
 

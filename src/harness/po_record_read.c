@@ -77,18 +77,25 @@ static po_status read_record(po_case_run *run, const json_t *record, const char 
   return status;
 }
 
+/* What is damaged is not there; without memory nothing can be said of it. */
+static po_status found_or_not(po_status status) {
+  return status == PO_OK || status == PO_NO_MEMORY ? status : PO_NOT_FOUND;
+}
+
 po_status po_record_read(po_case_run *run, const char *output) {
   char *folder = po_path_join(output, run->plan->kase->file->name);
   char *path = folder ? po_path_join(folder, "record.json") : NULL;
   char *bytes = NULL;
   size_t size = 0;
-  po_status status = path && po_file_read(path, &bytes, &size) == PO_OK ? PO_OK : PO_NOT_FOUND;
-  json_t *record = status ? NULL : json_loadb(bytes, size, JSON_REJECT_DUPLICATES, NULL);
+  json_t *record = NULL;
+  po_status status = path ? po_file_read(path, &bytes, &size) : PO_NO_MEMORY;
   if (!status)
-    status = record && read_record(run, record, folder) == PO_OK ? PO_OK : PO_NOT_FOUND;
+    status = po_json_parse(bytes, size, &record);
+  if (!status)
+    status = read_record(run, record, folder);
   json_decref(record);
   free(bytes);
   free(path);
   free(folder);
-  return status;
+  return found_or_not(status);
 }

@@ -226,10 +226,15 @@ static po_status begin_case(po_crew *crew, po_case_run *run) {
     return finish_case(crew, run); /* put together from elsewhere */
   if (options->fresh && po_case_run_is_whole(run))
     po_journal_remove(run, options->output);
-  else if (!options->fresh && po_record_read(run, options->output) == PO_OK)
-    return finish_case(crew, run);
-  else if (!options->fresh)
-    po_journal_read(run, options->output);
+  else if (!options->fresh) {
+    po_status status = po_record_read(run, options->output);
+    if (!status)
+      return finish_case(crew, run);
+    if (status == PO_NOT_FOUND)
+      status = po_journal_read(run, options->output);
+    if (status)
+      return status;
+  }
   run->pending = 0;
   for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
     if (!run->asked[i])

@@ -54,14 +54,14 @@ po_status po_shard_deal(po_case_run *runs, size_t count, po_shard shard) {
 }
 
 static json_t *cases_json(const po_case_run *runs, size_t count) {
-  json_t *cases = json_array();
+  json_t *cases = po_json_empty_array();
   for (size_t r = 0; r < count; ++r) {
     const po_plan *plan = runs[r].plan;
-    json_array_append_new(cases,
-                          json_pack("{s:s, s:s, s:s, s:I, s:I}", "case", plan->kase->file->name,
-                                    "argument", po_case_argument(plan->kase), "solve_key",
-                                    plan->solve_key, "points", (json_int_t)plan->kase->point_count,
-                                    "asked", (json_int_t)runs[r].asked_count));
+    po_json_append(&cases, PO_JSON_OBJECT({"case", po_json_text(plan->kase->file->name)},
+                                          {"argument", po_json_text(po_case_argument(plan->kase))},
+                                          {"solve_key", po_json_text(plan->solve_key)},
+                                          {"points", po_json_count(plan->kase->point_count)},
+                                          {"asked", po_json_count(runs[r].asked_count)}));
   }
   return cases;
 }
@@ -72,13 +72,13 @@ po_status po_shard_write(const po_case_run *runs, size_t count, po_shard shard, 
   po_text text = {0};
   snprintf(name, sizeof name, "shard-%zu-of-%zu.json", shard.number, shard.count);
   po_environment_digest(program);
-  json_t *document =
-      json_pack("{s:s, s:I, s:I, s:s, s:o, s:o, s:o}", "schema", PO_SHARD_SCHEMA, "shard",
-                (json_int_t)shard.number, "of", (json_int_t)shard.count, "program", program,
-                "time_limit", po_json_number(time_limit), "environment",
-                po_environment_describe(jobs), "cases", cases_json(runs, count));
+  json_t *document = PO_JSON_OBJECT(
+      {"schema", po_json_text(PO_SHARD_SCHEMA)}, {"shard", po_json_count(shard.number)},
+      {"of", po_json_count(shard.count)}, {"program", po_json_text(program)},
+      {"time_limit", po_json_number(time_limit)}, {"environment", po_environment_describe(jobs)},
+      {"cases", cases_json(runs, count)});
   char *path = po_path_join(output, name);
-  po_status status = path && document ? po_folder_make(output) : PO_NO_MEMORY;
+  po_status status = path ? po_folder_make(output) : PO_NO_MEMORY;
   if (!status)
     status = po_json_print(document, &text);
   if (!status)

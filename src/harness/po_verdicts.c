@@ -2,7 +2,10 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+#include "po_utf8.h"
 
 static void number_or_dash(double value, int digits, char text[32]) {
   if (isfinite(value))
@@ -132,8 +135,11 @@ void po_verdicts_tap(const po_case_run *runs, size_t count, po_text *text) {
   }
 }
 
+/* As XML, which has to be UTF-8. */
 static void add_escaped(po_text *text, const char *string) {
-  for (const char *c = string; *c; ++c) {
+  char *valid = po_utf8_copy(string);
+  text->failed = text->failed || !valid;
+  for (const char *c = valid; c && *c; ++c) {
     const char *entity = *c == '&'   ? "&amp;"
                          : *c == '<' ? "&lt;"
                          : *c == '>' ? "&gt;"
@@ -144,6 +150,7 @@ static void add_escaped(po_text *text, const char *string) {
     else
       po_text_add_bytes(text, c, 1);
   }
+  free(valid);
 }
 
 /* One test: failed, or passed with something to say, or just passed. */

@@ -1,0 +1,155 @@
+#define PO_JSON_VALUE_IS_MADE_HERE
+#include "po_json_value.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <threads.h>
+
+#include "po_memory.h"
+#include "po_utf8.h"
+
+/* Every text is made UTF-8 before jansson sees it, so lack of memory is the one reason left. */
+static json_t *made(json_t *value) {
+  if (!value)
+    po_fail(PO_NO_MEMORY, "no memory for a JSON document");
+  return value;
+}
+
+json_t *po_json_number(double value) {
+  return isfinite(value) ? made(json_real(value)) : json_null();
+}
+
+json_t *po_json_count(uint64_t value) {
+  return made(json_integer((json_int_t)value));
+}
+
+json_t *po_json_integer(int value) {
+  return made(json_integer(value));
+}
+
+json_t *po_json_flag(bool value) {
+  return json_boolean(value);
+}
+
+json_t *po_json_text(const char *text) {
+  if (!text)
+    return json_null();
+  if (po_utf8_is_valid(text))
+    return made(json_string_nocheck(text));
+  char *copy = po_utf8_copy(text);
+  json_t *value = copy ? made(json_string_nocheck(copy)) : NULL;
+  free(copy);
+  return value;
+}
+
+json_t *po_json_take_text(char *text) {
+  json_t *value = text ? po_json_text(text) : NULL;
+  free(text);
+  return value;
+}
+
+json_t *po_json_empty_object(void) {
+  return made(json_object());
+}
+
+json_t *po_json_empty_array(void) {
+  return made(json_array());
+}
+
+json_t *po_json_object_of(const po_json_member *members, size_t count) {
+  json_t *object = po_json_empty_object();
+  for (size_t i = 0; i < count; ++i)
+    po_json_set(&object, members[i].key, members[i].value);
+  return object;
+}
+
+/* Releases a container to which something could not be added. */
+static void spoil(json_t **container) {
+  json_decref(*container);
+  *container = NULL;
+  made(NULL);
+}
+
+void po_json_set(json_t **object, const char *key, json_t *value) {
+  if (!*object || !value) {
+    json_decref(value);
+    spoil(object);
+  } else if (json_object_set_new(*object, key, value) != 0)
+    spoil(object);
+}
+
+void po_json_append(json_t **array, json_t *value) {
+  if (!*array || !value) {
+    json_decref(value);
+    spoil(array);
+  } else if (json_array_append_new(*array, value) != 0)
+    spoil(array);
+}
+
+/* json_object_update_missing drops what it has no memory for, and succeeds. */
+void po_json_set_all(json_t **object, json_t *members) {
+  const char *key;
+  json_t *value;
+  if (!members)
+    spoil(object);
+  json_object_foreach(members, key, value) {
+    if (!json_object_get(*object, key))
+      po_json_set(object, key, json_incref(value));
+  }
+  json_decref(members);
+}
+
+static int take_piece(const char *piece, size_t size, void *text) {
+  po_text_add_bytes(text, piece, size);
+  return 0;
+}
+
+/* Into a text, which notices when it lacks memory: json_dumps goes on without what it could not
+ * append, and gives a damaged document (jansson 2.14). */
+static po_status print(const json_t *document, size_t layout, po_text *text) {
+  if (!document)
+    return po_fail(PO_NO_MEMORY, "no memory for a JSON document");
+  const int failed =
+      json_dump_callback(document, take_piece, text, layout | JSON_REAL_PRECISION(17));
+  po_text_add_bytes(text, "\n", 1);
+  return failed || text->failed ? po_fail(PO_NO_MEMORY, "no memory for a JSON document") : PO_OK;
+}
+
+po_status po_json_print(const json_t *document, po_text *text) {
+  return print(document, JSON_INDENT(2), text);
+}
+
+po_status po_json_print_line(const json_t *document, po_text *text) {
+  return print(document, JSON_COMPACT, text);
+}
+
+/* Jansson's reader goes on without what it could not append to a word, so that a number may lose
+ * digits (jansson 2.14); its allocations tell. */
+static _Thread_local bool ran_out;
+
+static void *allocate(size_t size) {
+  void *memory = malloc(size);
+  ran_out = ran_out || !memory;
+  return memory;
+}
+
+static void watch_allocations(void) {
+  json_set_alloc_funcs(allocate, free);
+}
+
+po_status po_json_parse(const char *bytes, size_t size, json_t **document) {
+  static once_flag watched = ONCE_FLAG_INIT;
+  json_error_t error = {.line = 0};
+  call_once(&watched, watch_allocations);
+  ran_out = false;
+  *document = json_loadb(bytes, size, JSON_REJECT_DUPLICATES, &error);
+  if (ran_out) {
+    json_decref(*document);
+    *document = NULL;
+    return po_fail(PO_NO_MEMORY, "no memory to read a JSON document");
+  }
+  if (*document)
+    return PO_OK;
+  return po_fail(PO_CANNOT_READ, "line %d: %s", error.line, error.text);
+}

@@ -1,0 +1,49 @@
+#!/bin/sh
+# Folders whose names are not ASCII: no check is lost from a document, where a text is cut inside a character, nor
+# where a name is not even UTF-8, as on a disk that was written under Latin-1.
+# shellcheck disable=SC1091,SC2016,SC2034,SC2154
+. "$(dirname "$0")/lib.sh"
+. "$here/data.sh"
+
+# How many checks a document has, and whether it is UTF-8 throughout.
+checks_of() { # FILE
+  /usr/bin/python3 -c 'import json, sys; print(len(json.loads(open(sys.argv[1], "rb").read().decode())["checks"]))' "$1"
+}
+
+# Four checks, two of them against pins that are not there: their notes name the folder, cut to a length.
+write_own() { # FILE
+  sed 's/^name: good/name: own/' "$PULLOFF_DATA/cases/good.yaml" >"$1"
+  cat >>"$1" <<'CASE'
+  - {quantity: fold_count, reference: pin, tolerance: 1, kind: abs, because: to notice change}
+  - {quantity: pull_off_force, reference: pin, tolerance: 1, kind: abs, because: to notice change}
+  - {quantity: pull_off_approach, reference: reference/table.csv, tolerance: 1, kind: abs, because: it has a closed form}
+CASE
+}
+
+try_folder() { # FOLDER WHAT
+  mkdir "$1"
+  write_own "$1/own.yaml"
+  expect 1 'own: 1 points, 4 checks: outside' verify "$1/own.yaml" --output "$1/run"
+  check "all checks are in the record: $2" test "$(checks_of "$1/run/own/record.json")" -eq 4
+  expect 1 'own: 1 points, 4 checks: outside (kept)' \
+    explain "$1/own.yaml" --all --json --output "$1/run"
+  cp "$work/stdout" explained.json
+  check "and all are explained: $2" test "$(checks_of explained.json)" -eq 4
+  expect 1 'own: 1 points, 4 checks: outside (kept)' \
+    verify "$1/own.yaml" --junit junit.xml --output "$1/run"
+  check "the JUnit file is XML: $2" \
+    /usr/bin/python3 -c 'import xml.dom.minidom; xml.dom.minidom.parse("junit.xml")'
+}
+
+# Wherever a character of two, three or four bytes falls on the place where a note is cut.
+for before in '' a ab abc; do
+  for letter in ä € 😀; do
+    name=$before
+    while [ "$(printf %s "$name" | wc -c)" -lt 80 ]; do name=$name$letter; done
+    try_folder "$name" "a long name of '$letter' after '$before'"
+  done
+done
+try_folder "$(printf 'lat\344in')" 'a folder of Latin-1'
+try_folder "$(printf 'lone\355\240\200')" 'a folder with half a surrogate'
+
+finish
