@@ -28,6 +28,8 @@ static po_status put_together(po_session *session, const po_merge *merge) {
     status = po_merge_fill(merge, session->runs, session->catalog.count);
   if (!status)
     status = po_session_solve(session); /* nothing is left to solve */
+  if (status == PO_INTERRUPTED)
+    po_fail(status, "interrupted; the shards are as they were, merge them again");
   po_names_free(names, count);
   return status;
 }

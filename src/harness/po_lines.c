@@ -167,9 +167,12 @@ static void add_names(po_text *rows, const po_line *line, const po_form_values *
   po_text_add(rows, "\n");
 }
 
-static void add_rows(po_text *rows, const po_case_file *file, const po_line *line) {
+static po_status add_rows(po_text *rows, const po_case_file *file, const po_line *line,
+                          const volatile sig_atomic_t *stop) {
   const po_form *form = po_form_find(line->theory);
   for (size_t row = 0; row < row_count(line); ++row) {
+    if (stop && *stop)
+      return PO_INTERRUPTED;
     double cells[MOST_CELLS];
     po_form_values values = {.count = 0};
     const po_form_input input = input_of(file, line, row, cells);
@@ -185,10 +188,11 @@ static void add_rows(po_text *rows, const po_case_file *file, const po_line *lin
         cells[count++] = values.items[i].value;
     po_csv_add_row(rows, cells, count);
   }
+  return PO_OK;
 }
 
 static po_status write_line(const po_case *kase, const po_line *line, const char *folder,
-                            json_t **entry) {
+                            const volatile sig_atomic_t *stop, json_t **entry) {
   po_text header = {0}, rows = {0}, text = {0}, name = {0};
   char digest[PO_DIGEST_LENGTH];
   po_text_add(&name, "line-%s.csv", line->name);
@@ -198,11 +202,13 @@ static po_status write_line(const po_case *kase, const po_line *line, const char
               "compressive > 0; work in w; tension and traction in w/epsilon\n"
               "# command: pulloff run %s\n",
               line->theory, kase->file->name);
-  add_rows(&rows, kase->file, line);
+  po_status status = add_rows(&rows, kase->file, line, stop);
   po_csv_seal(&header, &rows, &text, digest);
   char *path = po_path_join(folder, po_text_string(&name));
-  const bool failed = text.failed || name.failed || !path;
-  const po_status status = failed ? PO_NO_MEMORY : po_file_write(path, text.data, text.length);
+  if (!status && (text.failed || name.failed || !path))
+    status = PO_NO_MEMORY;
+  if (!status)
+    status = po_file_write(path, text.data, text.length);
   po_json_set(entry, "table", po_json_text(po_text_string(&name)));
   po_json_set(entry, "table_sha256", po_json_text(digest));
   free(path);
@@ -213,14 +219,15 @@ static po_status write_line(const po_case *kase, const po_line *line, const char
   return status;
 }
 
-po_status po_lines_write(const po_case *kase, const char *folder, json_t **lines) {
+po_status po_lines_write(const po_case *kase, const char *folder, const volatile sig_atomic_t *stop,
+                         json_t **lines) {
   po_status status = PO_OK;
   *lines = po_json_empty_array();
   for (unsigned i = 0; !status && i < kase->file->lines_count; ++i) {
     const po_line *line = &kase->file->lines[i];
     json_t *entry =
         PO_JSON_OBJECT({"name", po_json_text(line->name)}, {"theory", po_json_text(line->theory)});
-    status = write_line(kase, line, folder, &entry);
+    status = write_line(kase, line, folder, stop, &entry);
     po_json_append(lines, entry);
   }
   return status;

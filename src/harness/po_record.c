@@ -244,7 +244,8 @@ static json_t *record_json(const po_case_run *run, int jobs, json_t *points, jso
       {"left_out", left_out(run->plan)}, {"not_solved", not_solved(kase)}, {"lines", lines});
 }
 
-po_status po_record_write(const po_case_run *run, const char *output, int jobs) {
+po_status po_record_write(const po_case_run *run, const char *output, int jobs,
+                          const volatile sig_atomic_t *stop) {
   char *folder = po_path_join(output, run->plan->kase->file->name);
   char *path = folder ? po_path_join(folder, "record.json") : NULL;
   json_t *points = NULL, *lines = NULL;
@@ -253,7 +254,7 @@ po_status po_record_write(const po_case_run *run, const char *output, int jobs) 
   if (!status)
     status = write_points(run, folder, &points);
   if (!status)
-    status = po_lines_write(run->plan->kase, folder, &lines);
+    status = po_lines_write(run->plan->kase, folder, stop, &lines);
   if (!status) {
     json_t *record = record_json(run, jobs, points, lines);
     status = po_json_print(record, &text);

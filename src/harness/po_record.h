@@ -5,8 +5,11 @@
 #include "po_json_value.h"
 #include "po_run.h"
 
-/* Writes the tables, then the record. Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
-po_status po_record_write(const po_case_run *run, const char *output, int jobs);
+/* Writes the tables, then the record.
+ * Status: PO_CANNOT_WRITE, PO_NO_MEMORY; PO_INTERRUPTED when *stop became nonzero while closed
+ * forms were computed: then there is no record, or still the earlier one. */
+po_status po_record_write(const po_case_run *run, const char *output, int jobs,
+                          const volatile sig_atomic_t *stop);
 
 /* Reads the outcomes of an earlier run of the same solves back. Status: PO_NOT_FOUND when there is
  * none, or it is of other scenes, another program, or damaged: then it has to be solved again;

@@ -89,12 +89,13 @@ static void tell_finished(po_crew *crew, const po_case_run *run) {
 
 /* Compares and writes the record of a case whose last point is there. */
 static po_status finish_case(po_crew *crew, po_case_run *run) {
-  run->finished = true;
+  const po_run_options *options = crew->options;
   po_status status = compare_all(run);
   if (!status && po_case_run_is_whole(run) && strcmp(run->old_key, run->plan->key) != 0)
-    status = po_record_write(run, crew->options->output, crew->jobs);
+    status = po_record_write(run, options->output, crew->jobs, options->stop);
+  run->finished = status == PO_OK;
   if (!status && po_case_run_is_whole(run))
-    po_journal_remove(run, crew->options->output);
+    po_journal_remove(run, options->output);
   if (!status)
     tell_finished(crew, run);
   return status;
@@ -143,7 +144,10 @@ static po_status end_point(po_crew *crew, po_case_run *run, size_t point) {
   run->pending -= 1;
   run->done[point] = true;
   const po_status status = keep_point(crew, run, point);
-  return !status && run->pending == 0 ? finish_case(crew, run) : status;
+  if (status || run->pending)
+    return status;
+  const po_status finished = finish_case(crew, run);
+  return finished == PO_INTERRUPTED ? po_journal_add(run, point, crew->options->output) : finished;
 }
 
 /* Of a solve of a point, to tell how long the rest will take: followed scenes take a tenth of the
@@ -212,10 +216,11 @@ static po_status work_through(po_crew *crew, size_t count) {
   free(tasks);
   if (crew->broken)
     return po_fail(crew->status, "%s", crew->message);
-  if (crew->options->stop && *crew->options->stop)
-    return po_fail(PO_INTERRUPTED,
-                   "interrupted; finished points are kept in %s, run again to go on",
-                   crew->options->output);
+  for (size_t r = 0; r < count; ++r)
+    if (!crew->runs[r].finished)
+      return po_fail(PO_INTERRUPTED,
+                     "interrupted; finished points are kept in %s, run again to go on",
+                     crew->options->output);
   return PO_OK;
 }
 
@@ -252,7 +257,10 @@ po_status po_run(po_case_run *runs, size_t count, const po_run_options *options)
   po_linear_single_thread();
   po_status status = po_folder_make(options->output);
   po_progress_begin(&crew.progress, 0, 0);
-  for (size_t i = 0; !status && i < count; ++i)
+  for (size_t i = 0; !status && i < count; ++i) {
     status = begin_case(&crew, &runs[i]);
+    if (status == PO_INTERRUPTED) /* as the rest then is: work_through says so */
+      status = PO_OK;
+  }
   return status ? status : work_through(&crew, count);
 }

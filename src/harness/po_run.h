@@ -20,7 +20,7 @@ typedef struct {
   size_t pending;                 /* points asked for and not solved yet */
   size_t resumed;                 /* points that an interrupted run left */
   bool kept;                      /* the outcomes are those of an earlier run */
-  bool finished;                  /* all outcomes are there */
+  bool finished;                  /* compared, and its record is written if it is to be */
   char old_key[PO_DIGEST_LENGTH]; /* of the record they were read from */
   po_results results;
   po_results measured; /* what the case measures: errors without a verdict */
@@ -40,8 +40,10 @@ typedef struct {
  * what slows the machine for a while slows no point more than the others; a point is kept when its
  * last round is done. Of a case of which only some points are asked for, the checks are made on
  * these, and no record is written: its journal keeps them (po_journal.h) for a run of the whole.
- * Status: PO_INTERRUPTED, finished points kept; PO_CANNOT_WRITE; PO_CANNOT_READ (a reference);
- * PO_NO_MEMORY. A solve that fails is no failure of the run: see po_case_run_verdict. */
+ * Status: PO_INTERRUPTED, a case is not finished and its solved points are kept (when all are
+ * finished it does not matter whether `stop` was set); PO_CANNOT_WRITE; PO_CANNOT_READ (a
+ * reference); PO_NO_MEMORY. A solve that fails is no failure of the run: see po_case_run_verdict.
+ */
 po_status po_run(po_case_run *runs, size_t count, const po_run_options *options);
 
 /* Solves the line of points that begins with one, following minima from point to point; all of

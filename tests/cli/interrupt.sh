@@ -21,11 +21,7 @@ CASE
 interrupt() { # SIGNAL
   "$program" run --output run --jobs 2 2>"$work/stderr" &
   child=$!
-  tries=0
-  until [ -s run/good/record.json ] || [ $tries -gt 200 ]; do
-    sleep 0.05
-    tries=$((tries + 1))
-  done
+  wait_for test -s run/good/record.json
   sleep 0.2
   kill -"$1" $child
   wait $child
@@ -49,6 +45,36 @@ expect_line 'finished before' 'good: 1 points, 1 checks: within (kept)'
 expect_line 'finished now' 'long: 6 points, 0 checks: within'
 "$program" run --output run 2>"$work/stderr"
 expect_line 'all kept' 'long: 6 points, 0 checks: within (kept)'
+
+# Closed forms take their time, too, and the points they are drawn beside are not solved again for them.
+write_lines() { # COUNT
+  cat >"$PULLOFF_DATA/cases/drawn.yaml" <<CASE
+name: drawn
+title: A point and many closed forms
+suites: [smoke]
+scene: {tabor: 0, radius: 100, wavelength: 20, outer_radius: inf, scheme: ring, nodes: 101}
+want: [pull_off, curve]
+lines:
+  - name: along
+    theory: guduru
+    sweep:
+      - {key: amplitude, from: 1, to: 5, count: 9}
+      - {key: tabor, from: 0.01, to: 5, count: $1, scale: log}
+CASE
+}
+write_lines 10000
+"$program" run drawn --output lines 2>"$work/stderr" &
+child=$!
+wait_for test -s lines/drawn/curve-0.csv # written before the lines are made
+kill -INT $child
+wait $child
+check 'exit code 130 after SIGINT among closed forms' test $? -eq 130
+check 'that are not made to their end' test ! -e lines/drawn/line-along.csv
+check 'so there is no record' test ! -e lines/drawn/record.json
+write_lines 2
+expect 0 'drawn: 1 points, 0 checks: within (1 points kept)' run drawn --output lines
+check 'which comes with the rest' test -s lines/drawn/record.json
+rm "$PULLOFF_DATA/cases/drawn.yaml"
 
 "$program" solve --tabor 3 --scheme triangle --nodes 1501 --json >out.json 2>"$work/stderr" &
 child=$!

@@ -50,6 +50,15 @@ check() {
   if "$@"; then tell ok; else tell not-ok "$what" "$*"; fi
 }
 
+# wait_for COMMAND...: until it succeeds, for some 20 s at most.
+wait_for() {
+  tries=0
+  until "$@" || [ $tries -gt 400 ]; do
+    sleep 0.05
+    tries=$((tries + 1))
+  done
+}
+
 finish() {
   printf '%s passed, %s failed\n' "$passed" "$failed"
   [ "$failed" -eq 0 ]

@@ -75,12 +75,9 @@ expect 0 'parts: 8 points, 0 checks: within' run --output mesh
 write_parts 400 301
 "$program" run --output stopped --jobs 1 2>"$work/stderr" &
 child=$!
-tries=0
 stopped=stopped/parts/points.jsonl
-until { [ -s $stopped ] && [ "$(wc -l <$stopped)" -ge 2 ]; } || [ $tries -gt 400 ]; do
-  sleep 0.05
-  tries=$((tries + 1))
-done
+two_lines() { [ -s $stopped ] && [ "$(wc -l <$stopped)" -ge 2 ]; }
+wait_for two_lines
 kill -INT $child
 wait $child
 check 'exit code 130' test $? -eq 130

@@ -1,0 +1,112 @@
+/* A run that is asked to stop: it reports to be interrupted exactly if something is missing. */
+#include <check.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_file.h"
+#include "po_run.h"
+#include "run.h"
+
+static const char CASE[] =
+    "name: stopped\ntitle: Stopped\nsuites: [smoke]\nwant: [pull_off]\n"
+    "scene: {tabor: 0, radius: 93, outer_radius: inf, scheme: ring}\n"
+    "sweep: [{key: nodes, values: [11, 12, 13]}]\n"
+    "lines: [{name: any, theory: jkr, sweep: [{key: tabor, values: [%s]}]}]\n";
+
+static char folder[] = "stopped-XXXXXX";
+static const char *const FILES[] = {"case.yaml", "stopped/record.json", "stopped/points.jsonl",
+                                    "stopped/line-any.csv", "stopped"};
+
+static char *within(const char *name) {
+  char *path = po_path_join(folder, name);
+  ck_assert_ptr_nonnull(path);
+  return path;
+}
+
+static bool is_there(const char *name) {
+  char *path = within(name);
+  const bool found = po_path_exists(path);
+  free(path);
+  return found;
+}
+
+static void setup(void) {
+  ck_assert_ptr_nonnull(mkdtemp(folder));
+}
+
+static void teardown(void) {
+  for (size_t i = 0; i < sizeof FILES / sizeof *FILES; ++i) {
+    char *path = within(FILES[i]);
+    remove(path);
+    free(path);
+  }
+  remove(folder);
+}
+
+/* Runs the case with a value of its line, its first points, and the wish to stop. */
+static po_status run_case_file(const char *value, size_t points, volatile sig_atomic_t stop) {
+  char text[sizeof CASE + 16], *path = within("case.yaml");
+  snprintf(text, sizeof text, CASE, value);
+  ck_assert_int_eq(po_file_write(path, text, strlen(text)), PO_OK);
+  po_case *kase = NULL;
+  po_plan *plan = NULL;
+  po_case_run run;
+  ck_assert_int_eq(po_case_read(path, path, &kase), PO_OK);
+  ck_assert_int_eq(po_plan_create(kase, SOURCE_ROOT, &plan), PO_OK);
+  ck_assert_int_eq(po_case_run_create(plan, &run), PO_OK);
+  po_case_run_ask(&run, 0, points - 1);
+  const po_run_options options = {.output = folder, .jobs = 1, .stop = &stop};
+  const po_status status = po_run(&run, 1, &options);
+  ck_assert_int_eq(run.finished, status == PO_OK);
+  po_case_run_clear(&run);
+  po_case_destroy(kase);
+  free(path);
+  return status;
+}
+
+START_TEST(nothing_is_solved_after_a_stop) {
+  ck_assert_int_eq(run_case_file("1", 3, 1), PO_INTERRUPTED);
+  ck_assert(!is_there("stopped/record.json"));
+}
+END_TEST
+
+/* Ctrl-C when all is done, or with nothing to do, once was "interrupted" with exit code 130. */
+START_TEST(nothing_is_missing_of_what_is_kept) {
+  ck_assert_int_eq(run_case_file("1", 3, 0), PO_OK);
+  ck_assert(is_there("stopped/record.json"));
+  ck_assert_int_eq(run_case_file("1", 3, 1), PO_OK);
+  ck_assert_int_eq(run_case_file("1", 2, 1), PO_OK);
+}
+END_TEST
+
+/* The points are there, the closed form of another value is not. */
+START_TEST(a_line_that_is_missing_is_not_made_after_a_stop) {
+  ck_assert_int_eq(run_case_file("1", 3, 0), PO_OK);
+  ck_assert_int_eq(run_case_file("2", 3, 1), PO_INTERRUPTED);
+  ck_assert_int_eq(run_case_file("1", 3, 1), PO_OK); /* as its record still is */
+  ck_assert_int_eq(run_case_file("2", 3, 0), PO_OK);
+  ck_assert_int_eq(run_case_file("2", 3, 1), PO_OK);
+}
+END_TEST
+
+/* So are those of a part of the points. */
+START_TEST(points_in_the_journal_are_not_missing) {
+  ck_assert_int_eq(run_case_file("1", 2, 0), PO_OK);
+  ck_assert(is_there("stopped/points.jsonl"));
+  for (size_t points = 1; points <= 3; ++points)
+    ck_assert_int_eq(run_case_file("1", points, 1), points <= 2 ? PO_OK : PO_INTERRUPTED);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_checked_fixture(tests, setup, teardown);
+  tcase_add_test(tests, nothing_is_solved_after_a_stop);
+  tcase_add_test(tests, nothing_is_missing_of_what_is_kept);
+  tcase_add_test(tests, a_line_that_is_missing_is_not_made_after_a_stop);
+  tcase_add_test(tests, points_in_the_journal_are_not_missing);
+}
+
+int main(void) {
+  return run_case("run", add);
+}
