@@ -6,13 +6,14 @@
 #include "po_file.h"
 #include "po_memory.h"
 #include "po_number.h"
+#include "po_quote.h"
 
 static po_status add_header(po_csv *csv, char *line, size_t number) {
   char *key = line + 1 + strspn(line + 1, " \t");
-  char *colon = strchr(key, ':');
+  char *colon = strchr(key, ':'), shown[PO_QUOTE_LENGTH];
   if (!colon || colon == key)
-    return po_fail(PO_CANNOT_READ, "%s:%zu: '%.40s' is not a header: expected '# key: value'",
-                   csv->path, number, line);
+    return po_fail(PO_CANNOT_READ, "%s:%zu: '%s' is not a header: expected '# key: value'",
+                   csv->path, number, po_quote(line, shown));
   *colon = '\0';
   if (po_csv_find_header(csv, key))
     return po_fail(PO_CANNOT_READ, "%s:%zu: the header %s is given twice", csv->path, number, key);
@@ -115,6 +116,10 @@ static po_status parse(po_csv *csv, size_t size) {
       return po_fail(PO_CANNOT_READ, "%s:%zu: the last line does not end: the file is truncated",
                      csv->path, number);
     const bool is_header = line[0] == '#';
+    const char *bad = po_quote_find(line, (size_t)(stop - line));
+    if (bad)
+      return po_fail(PO_CANNOT_READ, "%s:%zu: the byte \\x%02x is no UTF-8 text: expected a table",
+                     csv->path, number, (unsigned char)*bad);
     *stop = '\0';
     if (stop > line && stop[-1] == '\r')
       stop[-1] = '\0';

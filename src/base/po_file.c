@@ -86,15 +86,40 @@ static po_status write_in_place(const char *path, const char *data, size_t size)
   return PO_OK;
 }
 
-static po_status write_beside(const char *path, const char *data, size_t size) {
-  char beside[PATH_MAX];
-  if (snprintf(beside, sizeof beside, "%s.part-%ld", path, (long)getpid()) >= (int)sizeof beside)
+/* The file that a path leads to, from one symbolic link to the next; it need not be there yet.
+ * Returned: 0 or the errno. */
+static int follow_links(const char *path, char target[PATH_MAX]) {
+  enum { MOST_LINKS = 40 }; /* as Linux has it */
+  size_t length = (size_t)snprintf(target, PATH_MAX, "%s", path);
+  for (int links = 0; links <= MOST_LINKS && length < PATH_MAX; ++links) {
+    char link[PATH_MAX];
+    const ssize_t got = readlink(target, link, sizeof link - 1);
+    if (got < 0)
+      return 0; /* no link, or nothing */
+    link[got] = '\0';
+    const char *name = strrchr(target, '/');
+    const size_t folder = link[0] == '/' || !name ? 0 : (size_t)(name + 1 - target);
+    length = folder + (size_t)snprintf(target + folder, PATH_MAX - folder, "%s", link);
+  }
+  return length < PATH_MAX ? ELOOP : ENAMETOOLONG;
+}
+
+/* `found`: what is there; NULL: nothing. */
+static po_status write_beside(const char *path, const struct stat *found, const char *data,
+                              size_t size) {
+  char target[PATH_MAX], beside[PATH_MAX];
+  const int lost = follow_links(path, target);
+  if (lost)
+    return po_fail(PO_CANNOT_WRITE, "%s cannot be written: %s", path, strerror(lost));
+  if (snprintf(beside, sizeof beside, "%s.part-%ld", target, (long)getpid()) >= (int)sizeof beside)
     return po_fail(PO_CANNOT_WRITE, "%s cannot be written: the name is too long", path);
   const int file = open(beside, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (file < 0)
     return po_fail(PO_CANNOT_WRITE, "%s cannot be written: %s", path, strerror(errno));
+  if (found)
+    (void)fchmod(file, found->st_mode & 07777); /* else it has those of a new file */
   int error = write_and_close(file, data, size, true);
-  if (!error && rename(beside, path) != 0)
+  if (!error && rename(beside, target) != 0)
     error = errno;
   if (error) {
     unlink(beside);
@@ -105,9 +130,10 @@ static po_status write_beside(const char *path, const char *data, size_t size) {
 
 po_status po_file_write(const char *path, const char *data, size_t size) {
   struct stat found;
-  if (stat(path, &found) == 0 && !S_ISREG(found.st_mode) && !S_ISDIR(found.st_mode))
+  const bool there = stat(path, &found) == 0;
+  if (there && !S_ISREG(found.st_mode) && !S_ISDIR(found.st_mode))
     return write_in_place(path, data, size);
-  return write_beside(path, data, size);
+  return write_beside(path, there ? &found : NULL, data, size);
 }
 
 po_status po_folder_make(const char *path) {

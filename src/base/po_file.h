@@ -13,7 +13,8 @@ po_status po_file_read(const char *path, char **data, size_t *size);
 
 /* Writes `size` bytes as the file `path`: into a file beside it, flushed to the disk, then renamed
  * over it, so a reader finds the old content or the new. What is there and is not a regular file
- * (/dev/stdout, a pipe) is written in place. Folders on the way are not made.
+ * (/dev/stdout, a pipe) is written in place. A symbolic link stays, and what it leads to is
+ * written; the file keeps its permissions. Folders on the way are not made.
  * Status: PO_CANNOT_WRITE naming the file and why; then `path` is as it was and nothing is left. */
 po_status po_file_write(const char *path, const char *data, size_t size);
 

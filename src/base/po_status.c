@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "po_quote.h"
+
 enum { MESSAGE_LENGTH = 1024 };
 static _Thread_local char message[MESSAGE_LENGTH];
 
@@ -49,13 +51,15 @@ bool po_status_find(const char *name, po_status *status) {
 }
 
 po_status po_fail(po_status status, const char *format, ...) {
+  char text[2 * MESSAGE_LENGTH];
   va_list arguments;
   va_start(arguments, format);
-  vsnprintf(message, sizeof message, format, arguments);
+  vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
-  for (char *c = message; *c; ++c)
+  for (char *c = text; *c; ++c)
     if (*c == '\n' || *c == '\r')
       *c = ' ';
+  po_quote_text(text, message, sizeof message);
   return status;
 }
 

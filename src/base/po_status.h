@@ -38,7 +38,8 @@ const char *po_status_name(po_status status);
 bool po_status_find(const char *name, po_status *status);
 
 /* Writes the message of a failure where it is seen, with the offending values (printf style), for
- * this thread, and returns `status`, so that `return po_fail(PO_BAD_INPUT, "...", x);` reads. */
+ * this thread, and returns `status`, so that `return po_fail(PO_BAD_INPUT, "...", x);` reads. What
+ * the values hold of control characters, or of bytes that are no UTF-8, is written as \xNN. */
 po_status po_fail(po_status status, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* The last message written by po_fail in this thread; "" when there is none. One line. */

@@ -5,6 +5,7 @@
 
 #include "po_environment.h"
 #include "po_print.h"
+#include "po_quote.h"
 #include "po_reference_list.h"
 
 /* Whether a case names the table; the closed form bradley is set beside its own. */
@@ -28,16 +29,17 @@ static const char *state_of(const po_reference_entry *entry) {
 }
 
 static void print_entry(const po_reference_entry *entry, const po_catalog *catalog) {
-  char cases[200] = "";
+  char cases[200] = "", name[256];
+  po_quote_text(entry->name, name, sizeof name);
   for (size_t i = 0; i < catalog->count; ++i)
     if (uses(catalog->cases[i], entry->name) && strlen(cases) < 130)
       snprintf(cases + strlen(cases), sizeof cases - strlen(cases), "%s%s", *cases ? "," : "",
                catalog->cases[i]->file->name);
   if (entry->intact)
-    printf("%-34s %-10s %5zu  %-22s %s\n", entry->name, po_ledger_name(entry->ledger), entry->rows,
+    printf("%-34s %-10s %5zu  %-22s %s\n", name, po_ledger_name(entry->ledger), entry->rows,
            *cases ? cases : "-", state_of(entry));
   else
-    printf("%-34s %-10s %5s  %-22s damaged: %s\n", entry->name, "-", "-", *cases ? cases : "-",
+    printf("%-34s %-10s %5s  %-22s damaged: %s\n", name, "-", "-", *cases ? cases : "-",
            entry->message);
 }
 

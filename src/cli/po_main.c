@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "po_options.h"
+#include "po_quote.h"
 #include "po_verbs.h"
 
 static const struct {
@@ -55,7 +56,8 @@ static int run_verb(int argc, char **argv) {
   for (size_t i = 0; i < sizeof VERBS / sizeof *VERBS; ++i)
     if (strcmp(argv[1], VERBS[i].name) == 0)
       return VERBS[i].run(argc - 1, argv + 1);
-  po_fail(PO_BAD_INPUT, "unknown verb %.80s: expected " VERB_NAMES, argv[1]);
+  char shown[PO_QUOTE_LENGTH];
+  po_fail(PO_BAD_INPUT, "unknown verb %s: expected " VERB_NAMES, po_quote(argv[1], shown));
   return po_options_end(PO_BAD_INPUT);
 }
 

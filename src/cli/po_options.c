@@ -2,6 +2,8 @@
 
 #include <stdio.h>
 
+#include "po_quote.h"
+
 enum { DONE = -1, BAD = -2 };
 
 /* The next option: its `val`; DONE when only operands are left; BAD with the message of po_fail. */
@@ -40,15 +42,21 @@ bool po_options_read(const po_options *options, po_option_taker *take, void *lin
 }
 
 po_status po_options_refuse(const char *option, const char *value, const char *expected) {
-  return po_fail(PO_BAD_INPUT, "--%s is %.80s: expected %s", option, *value ? value : "empty",
-                 expected);
+  char shown[PO_QUOTE_LENGTH];
+  return po_fail(PO_BAD_INPUT, "--%s is %s: expected %s", option, po_quote(value, shown), expected);
+}
+
+po_status po_options_take_path(const char *option, const char *expected, const char **path) {
+  *path = optarg;
+  return *optarg ? PO_OK : po_options_refuse(option, optarg, expected);
 }
 
 po_status po_options_no_operands(const po_options *options) {
   if (optind >= options->argc)
     return PO_OK;
-  return po_fail(PO_BAD_INPUT, "%s takes no %.80s (see pulloff %s --help)", options->verb,
-                 options->argv[optind], options->verb);
+  char shown[PO_QUOTE_LENGTH];
+  return po_fail(PO_BAD_INPUT, "%s takes no %s (see pulloff %s --help)", options->verb,
+                 po_quote(options->argv[optind], shown), options->verb);
 }
 
 static int exit_code(po_status status) {

@@ -43,6 +43,9 @@ bool po_options_read(const po_options *options, po_option_taker *take, void *lin
 /* Refuses the value of an option: PO_BAD_INPUT. */
 po_status po_options_refuse(const char *option, const char *value, const char *expected);
 
+/* Takes a path from optarg; refuses an empty one. */
+po_status po_options_take_path(const char *option, const char *expected, const char **path);
+
 /* Refuses operands where a verb takes none. */
 po_status po_options_no_operands(const po_options *options);
 

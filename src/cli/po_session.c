@@ -10,6 +10,7 @@
 #include "po_interrupt.h"
 #include "po_memory.h"
 #include "po_number.h"
+#include "po_quote.h"
 #include "po_summary.h"
 
 static const size_t MOST_JOBS = 4096;
@@ -64,8 +65,7 @@ po_status po_session_option(void *to, int option) {
   case PO_SESSION_SUITE:
     return po_session_suites(optarg, &session->suites);
   case PO_SESSION_OUTPUT:
-    session->options.output = optarg;
-    return *optarg ? PO_OK : po_options_refuse("output", optarg, "the name of a folder");
+    return po_options_take_path("output", "the name of a folder", &session->options.output);
   case PO_SESSION_JOBS:
     if (!po_number_parse_count(optarg, &jobs) || jobs > MOST_JOBS)
       return po_options_refuse("jobs", optarg, "a whole number, 0 for all cores");
@@ -195,8 +195,9 @@ int po_session_end(po_session *session, po_status status) {
   const size_t failures = status ? 0 : po_session_failures(session);
   int code = po_options_end(status);
   if (failures) {
+    char shown[PO_QUOTE_LENGTH];
     fprintf(stderr, "pulloff: %zu solves failed, see the records in %s\n", failures,
-            session->options.output);
+            po_quote(session->options.output, shown));
     code = PO_EXIT_SOLVE;
   }
   po_session_clear(session);

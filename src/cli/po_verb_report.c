@@ -72,8 +72,8 @@ static int run_script(const char *script, const report_line *line) {
   if (child == 0) {
     execlp(python(), python(), script, "--run", line->run, "--output", line->output,
            line->fresh ? "--fresh" : (char *)NULL, (char *)NULL);
-    fprintf(stderr, "pulloff: %s cannot be started: %s\n", python(), strerror(errno));
-    _exit(PO_EXIT_FILE);
+    po_fail(PO_MISSING_TOOL, "%s cannot be started: %s", python(), strerror(errno));
+    _exit(po_options_end(PO_MISSING_TOOL));
   }
   int ending = 0;
   while (child > 0 && waitpid(child, &ending, 0) < 0)
@@ -90,10 +90,11 @@ static int run_script(const char *script, const report_line *line) {
 
 static po_status take_option(void *to, int option) {
   report_line *line = to;
-  if (option == FRESH)
-    line->fresh = true;
-  else
-    *(option == RUN ? &line->run : &line->output) = optarg;
+  if (option == RUN)
+    return po_options_take_path("run", "the name of a folder", &line->run);
+  if (option == OUTPUT)
+    return po_options_take_path("output", "the name of a folder", &line->output);
+  line->fresh = true;
   return PO_OK;
 }
 

@@ -111,13 +111,11 @@ static po_status take_option(void *to, int option) {
   case WANT:
     return take_want(line, optarg);
   case CURVE_FILE:
-    line->curve = optarg;
     line->request.want |= PO_WANT_CURVE;
-    return PO_OK;
+    return po_options_take_path("curve", "the name of a file", &line->curve);
   case PROFILE_FILE:
-    line->profile = optarg;
     line->request.want |= PO_WANT_PROFILE;
-    return PO_OK;
+    return po_options_take_path("profile", "the name of a file", &line->profile);
   case JSON:
     line->json = true;
     return PO_OK;
@@ -167,13 +165,15 @@ static po_status end_line(solve_line *line) {
   return po_request_check(request);
 }
 
+/* Writes each file that can be written. */
 static po_status write_files(const solve_line *line, const po_outcome *outcome) {
   po_status status = PO_OK;
-  if (line->curve)
-    status = po_tables_write_curve(line->curve, &line->request, outcome, NULL);
-  if (!status && line->profile)
+  fflush(stdout); /* a file may be /dev/stdout */
+  if (line->profile)
     status = po_tables_write_profile(line->profile, &line->request, outcome, NULL);
-  return status;
+  const po_status curve =
+      line->curve ? po_tables_write_curve(line->curve, &line->request, outcome, NULL) : PO_OK;
+  return curve ? curve : status;
 }
 
 static int solve(solve_line *line) {
@@ -183,10 +183,10 @@ static int solve(solve_line *line) {
   const po_status solved = po_observe(&line->request, &outcome);
   if (solved && !outcome.reason[0])
     snprintf(outcome.reason, sizeof outcome.reason, "%.250s", po_message());
-  po_status status = solved ? PO_OK : write_files(line, &outcome);
-  if (!status)
-    status = line->json ? po_print_json(&line->request, &line->flags, &outcome)
-                        : po_print_text(&line->request, &line->flags, &outcome);
+  po_status status = line->json ? po_print_json(&line->request, &line->flags, &outcome)
+                                : po_print_text(&line->request, &line->flags, &outcome);
+  if (!status && !solved)
+    status = write_files(line, &outcome); /* a result must not be lost with a file beside it */
   if (!status && solved)
     status = po_fail(solved, "the solve failed: %s", outcome.reason);
   po_outcome_clear(&outcome);

@@ -6,6 +6,7 @@
 #include "po_json.h"
 #include "po_print.h"
 #include "po_print_physical.h"
+#include "po_quote.h"
 #include "po_scene_flags.h"
 #include "po_verbs.h"
 
@@ -202,10 +203,11 @@ int po_verb_theory(int argc, char **argv) {
   if (!po_options_read(&options, take_option, &line, &status))
     return po_options_end(status);
   const char *name = optind < argc ? argv[optind++] : "";
+  char shown[PO_QUOTE_LENGTH];
   const po_form *form = po_form_find(name);
   if (!form)
-    return po_options_end(po_fail(PO_BAD_INPUT, "theory %.80s is unknown: expected %s",
-                                  *name ? name : "without a name", PO_FORM_NAMES));
+    return po_options_end(po_fail(PO_BAD_INPUT, "theory %s is unknown: expected %s",
+                                  *name ? po_quote(name, shown) : "without a name", PO_FORM_NAMES));
   status = po_options_no_operands(&options);
   if (!status)
     status = complete(&line, form);

@@ -44,19 +44,23 @@ static po_status check_references(void) {
   return status;
 }
 
-static po_status print(const po_session *session, bool tap, const char *junit) {
+static po_status print(const po_session *session, bool tap) {
   po_text text = {0};
   if (tap)
     po_verdicts_tap(session->runs, session->catalog.count, &text);
   else
     po_verdicts_table(session->runs, session->catalog.count, &text);
   fputs(po_text_string(&text), stdout);
-  po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
+  const po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
   po_text_clear(&text);
-  if (status || !junit)
-    return status;
+  return status;
+}
+
+static po_status write_junit(const po_session *session, const char *junit) {
+  po_text text = {0};
   po_verdicts_junit(session->runs, session->catalog.count, &text);
-  status = text.failed ? PO_NO_MEMORY : po_file_write(junit, text.data, text.length);
+  const po_status status =
+      text.failed ? PO_NO_MEMORY : po_file_write(junit, text.data, text.length);
   po_text_clear(&text);
   return status;
 }
@@ -72,7 +76,7 @@ static po_status take_option(void *to, int option) {
   if (option == TAP)
     line->tap = true;
   else if (option == JUNIT)
-    line->junit = optarg;
+    return po_options_take_path("junit", "the name of a file", &line->junit);
   else
     return po_session_option(&line->session, option);
   return PO_OK;
@@ -90,9 +94,11 @@ int po_verb_verify(int argc, char **argv) {
   if (!status)
     status = po_session_run(session, argv + optind, (size_t)(argc - optind));
   if (!status)
-    status = print(session, line.tap, line.junit);
+    status = print(session, line.tap);
   if (!status && !line.tap)
     status = po_session_summarise(session);
+  if (!status && line.junit)
+    status = write_junit(session, line.junit);
   int code = po_options_end(status);
   if (!status && po_session_failures(session))
     code = PO_EXIT_SOLVE;

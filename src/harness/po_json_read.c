@@ -5,6 +5,7 @@
 #include "po_json.h"
 #include "po_json_parts.h"
 #include "po_memory.h"
+#include "po_quote.h"
 
 double po_json_read_number(const json_t *object, const char *key) {
   const json_t *item = json_object_get(object, key);
@@ -46,7 +47,7 @@ po_status po_json_read_outcome(const json_t *object, po_outcome *outcome) {
   if (!po_status_find(json_string_value(json_object_get(object, "status")), &outcome->status))
     return po_fail(PO_BAD_INPUT, "a point has no status");
   const char *reason = json_string_value(json_object_get(object, "reason"));
-  snprintf(outcome->reason, sizeof outcome->reason, "%s", reason ? reason : "");
+  po_quote_text(reason ? reason : "", outcome->reason, sizeof outcome->reason);
   outcome->rigid = json_is_true(json_object_get(object, "rigid"));
   outcome->start = po_json_read_number(object, "start");
   outcome->end = po_json_read_number(object, "end");

@@ -6,6 +6,7 @@
 
 #include "po_file.h"
 #include "po_memory.h"
+#include "po_quote.h"
 #include "po_text.h"
 
 const char *po_work_name(int counter) {
@@ -47,13 +48,14 @@ static char *beside(const char *case_path, const char *case_name) {
 
 /* The columns of a table of pins: keys of the scene, quantity, value, and nothing else. */
 static po_status check_columns(const po_csv *table) {
+  char shown[PO_QUOTE_LENGTH];
   for (size_t c = 0; c < table->column_count; ++c)
     if (po_key_of_name(table->columns[c]) < 0 && strcmp(table->columns[c], "quantity") != 0 &&
         strcmp(table->columns[c], "value") != 0)
       return po_fail(PO_CANNOT_READ,
-                     "%s:%zu: the column %.40s is unknown: expected keys of the scene, quantity "
+                     "%s:%zu: the column %s is unknown: expected keys of the scene, quantity "
                      "and value",
-                     table->path, table->column_line, table->columns[c]);
+                     table->path, table->column_line, po_quote(table->columns[c], shown));
   const int value = po_csv_find_column(table, "value");
   if (value < 0 || po_csv_find_column(table, "quantity") < 0)
     return po_fail(PO_CANNOT_READ, "%s:%zu: the column %s is missing", table->path,

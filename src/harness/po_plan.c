@@ -19,9 +19,9 @@ po_request po_plan_request(const po_plan *plan, size_t point) {
 
 const char *po_plan_reference_of(const po_plan *plan, const po_check *check) {
   const po_case_file *file = plan->kase->file;
-  const bool measure = check >= file->measure && check < file->measure + file->measure_count;
-  if (measure)
-    return check->reference;
+  for (unsigned i = 0; i < file->measure_count; ++i)
+    if (check == &file->measure[i])
+      return check->reference;
   const po_reference *reference = &plan->references[check - file->checks];
   return reference->is_pin ? reference->shown : check->reference;
 }

@@ -9,6 +9,7 @@
 
 #include "po_memory.h"
 #include "po_order.h"
+#include "po_quote.h"
 
 struct po_yaml {
   char *name;
@@ -62,6 +63,17 @@ static po_status check_mapping(const po_yaml *yaml, yaml_document_t *document,
                  first->start_mark.line + 1);
 }
 
+/* YAML escapes such as "\\0" and "\\e" are the one way in for what ends a string early, or is obeyed
+ * by a terminal. */
+static po_status check_scalar(const po_yaml *yaml, const yaml_node_t *node) {
+  const char *text = (const char *)node->data.scalar.value;
+  const char *bad = po_quote_find(text, node->data.scalar.length);
+  return bad ? po_fail(PO_BAD_INPUT,
+                       "%s:%zu: a text holds the control character \\x%02x: expected none",
+                       yaml->name, node->start_mark.line + 1, (unsigned char)*bad)
+             : PO_OK;
+}
+
 /* With an alias one node has two places, and a line in a message could be of either. */
 static po_status check_tree(const po_yaml *yaml, yaml_document_t *document) {
   const ptrdiff_t count = document->nodes.top - document->nodes.start;
@@ -76,6 +88,8 @@ static po_status check_tree(const po_yaml *yaml, yaml_document_t *document) {
       for (yaml_node_pair_t *p = node->data.mapping.pairs.start;
            !status && p < node->data.mapping.pairs.top; ++p)
         uses[p->value] += 1;
+    } else if (node->type == YAML_SCALAR_NODE) {
+      status = check_scalar(yaml, node);
     } else if (node->type == YAML_SEQUENCE_NODE)
       for (yaml_node_item_t *p = node->data.sequence.items.start; p < node->data.sequence.items.top;
            ++p)
@@ -204,6 +218,7 @@ po_status po_yaml_refuse(const po_yaml *yaml, const char *path, const char *expe
   if (!value)
     return po_fail(PO_BAD_INPUT, "%s:%zu: %s is missing: expected %s", yaml->name, line, path,
                    expected);
-  return po_fail(PO_BAD_INPUT, "%s:%zu: %s is %.80s: expected %s", yaml->name, line, path,
-                 *value ? value : "empty", expected);
+  char shown[PO_QUOTE_LENGTH];
+  return po_fail(PO_BAD_INPUT, "%s:%zu: %s is %s: expected %s", yaml->name, line, path,
+                 po_quote(value, shown), expected);
 }

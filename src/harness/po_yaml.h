@@ -13,7 +13,7 @@ typedef struct po_yaml po_yaml;
 
 /* Parses `size` bytes. `name` is what messages call the file.
  * Status: PO_BAD_INPUT with file and line: empty, not text, not YAML, more than one document, a key
- * twice in a mapping, an alias. */
+ * twice in a mapping, an alias, a control character. */
 po_status po_yaml_create(const char *name, const char *bytes, size_t size, po_yaml **yaml);
 void po_yaml_destroy(po_yaml *yaml);
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "po_memory.h"
+#include "po_quote.h"
 #include "po_status.h"
 #include "run.h"
 
@@ -37,7 +38,55 @@ START_TEST(allocation_is_aligned_zeroed_and_checked) {
 }
 END_TEST
 
+/* What may be shown, and what is shown in its place. */
+static const struct {
+  const char *text, *shown;
+} QUOTES[] = {
+    {"2.385", "2.385"},
+    {"", "empty"},
+    {"\033[31mred", "\\x1b[31mred"},
+    {"a\nb\tc", "a\\x0ab\\x09c"},
+    {"\177", "\\x7f"},
+    {"gr\303\266\303\237er \347\220\203 \360\237\224\265", /* 2, 3 and 4 bytes */
+     "gr\303\266\303\237er \347\220\203 \360\237\224\265"},
+    {"\302\2331m", "\\xc2\\x9b1m"},     /* C1: another way to begin an escape */
+    {"gr\366\337er", "gr\\xf6\\xdfer"}, /* Latin-1 */
+    {"\300\257 \340\200\257", "\\xc0\\xaf \\xe0\\x80\\xaf"}, /* longer than need be */
+    {"\355\240\200", "\\xed\\xa0\\x80"},                     /* half a surrogate */
+    {"\364\220\200\200", "\\xf4\\x90\\x80\\x80"},            /* above U+10FFFF */
+    {"cut \347\220", "cut \\xe7\\x90"},
+};
+
+START_TEST(quotes_are_safe_to_show) {
+  char shown[PO_QUOTE_LENGTH];
+  ck_assert_str_eq(po_quote(QUOTES[_i].text, shown), QUOTES[_i].shown);
+  ck_assert_ptr_null(po_quote_find(shown, strlen(shown)));
+  po_fail(PO_BAD_INPUT, "it is %s", shown);
+  ck_assert_str_eq(po_message() + strlen("it is "), shown);
+}
+END_TEST
+
+/* At every length: within the room, and no character in two. */
+START_TEST(quotes_are_cut_between_characters) {
+  static const char TEXT[] = "\303\266\347\220\203\033x\377";
+  for (size_t size = 1; size <= 24; ++size) {
+    char shown[32];
+    memset(shown, 'z', sizeof shown);
+    po_quote_text(TEXT, shown, size);
+    ck_assert_uint_lt(strlen(shown), size);
+    ck_assert_ptr_null(po_quote_find(shown, strlen(shown)));
+    ck_assert_int_eq(shown[size], 'z');
+  }
+  char text[PO_QUOTE_BYTES + 8], shown[PO_QUOTE_LENGTH];
+  memset(text, 'x', sizeof text);
+  memcpy(text + PO_QUOTE_BYTES - 1, "\303\266", 3);
+  ck_assert_uint_eq(strlen(po_quote(text, shown)), PO_QUOTE_BYTES - 1);
+}
+END_TEST
+
 static void add(TCase *tests) {
+  tcase_add_loop_test(tests, quotes_are_safe_to_show, 0, sizeof QUOTES / sizeof *QUOTES);
+  tcase_add_test(tests, quotes_are_cut_between_characters);
   tcase_add_test(tests, statuses_have_names_and_texts);
   tcase_add_test(tests, message_is_one_line);
   tcase_add_test(tests, allocation_is_aligned_zeroed_and_checked);

@@ -1,0 +1,61 @@
+#include "po_quote.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "po_utf8.h"
+
+/* U+0000 to U+001F, U+007F to U+009F. */
+static bool is_control(const char *text, size_t length) {
+  const unsigned char *byte = (const unsigned char *)text;
+  return length == 1 ? byte[0] < 0x20 || byte[0] == 0x7F
+                     : length == 2 && byte[0] == 0xC2 && byte[1] < 0xA0;
+}
+
+const char *po_quote_find(const char *text, size_t length) {
+  for (size_t i = 0; i < length;) {
+    const size_t count = po_utf8_character(text + i);
+    const bool blank = text[i] == '\t' || text[i] == '\n' || text[i] == '\r';
+    if (count == 0 || (is_control(text + i, count) && !blank))
+      return text + i;
+    i += count;
+  }
+  return NULL;
+}
+
+/* The first `length` bytes of a text. */
+static char *quote(const char *text, size_t length, char *shown, size_t size) {
+  size_t used = 0;
+  for (size_t i = 0; i < length;) {
+    const size_t found = po_utf8_character(text + i), count = found ? found : 1;
+    const bool hidden = found == 0 || is_control(text + i, count);
+    if (used + (hidden ? 4 * count : count) + 1 > size)
+      break;
+    for (size_t k = 0; k < count; ++k, ++used)
+      if (!hidden)
+        shown[used] = text[i + k];
+      else
+        used += (size_t)snprintf(shown + used, 5, "\\x%02x", (unsigned char)text[i + k]) - 1;
+    i += count;
+  }
+  shown[used] = '\0';
+  return shown;
+}
+
+char *po_quote_text(const char *text, char *shown, size_t size) {
+  return quote(text, strlen(text), shown, size);
+}
+
+char *po_quote(const char *value, char shown[PO_QUOTE_LENGTH]) {
+  if (*value == '\0')
+    return strcpy(shown, "empty");
+  size_t length = 0;
+  while (value[length]) { /* up to the last character that ends within the limit */
+    const size_t found = po_utf8_character(value + length);
+    if (length + (found ? found : 1) > PO_QUOTE_BYTES)
+      break;
+    length += found ? found : 1;
+  }
+  return quote(value, length, shown, PO_QUOTE_LENGTH);
+}
