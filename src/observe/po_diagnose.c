@@ -36,7 +36,7 @@ static po_status diagnose(const po_kept_state *kept, po_equilibrium *e, po_adapt
   po_diagnosed_state *made = &d->states[d->state_count];
   po_status status = restore(kept, e, panels, state);
   if (!status)
-    status = po_diagnosis_make(e, state, kept->kind == PO_KEPT_FOLD, &made->found);
+    status = po_diagnosis_make(e, state, &made->found);
   if (!status && kept->kind == PO_KEPT_PULL_OFF)
     status = po_sensitivity_make(e, state, &d->force);
   if (status)

@@ -120,9 +120,12 @@ static double factorize(room *r, size_t order, po_status *status) {
   return *status ? INFINITY : po_linear_condition(order, r->matrix, order, norm);
 }
 
-/* The gauge's border along the branch: by the tangent, from a border that is regular here. */
-static po_status find_border(const po_equilibrium *e, const double *state, bool fold, room *r) {
-  const double first[PO_GAUGE_SIZE] = {fold ? 0.0 : 1.0, fold ? 1.0 : 0.0, 0.0};
+/* The gauge's border along the branch: by the tangent, found with the amount of contact as the
+ * border. Unlike the approach and the load this turns at no special point of the branch. Where it
+ * does turn, the tangent is still right, as the solution of a nearly singular system has the
+ * direction of its null vector. */
+static po_status find_border(const po_equilibrium *e, const double *state, room *r) {
+  static const double first[PO_GAUGE_SIZE] = {0.0, 0.0, 1.0};
   po_gauge_border(e, state, first, r->border);
   fill_bordered(e, r);
   po_status status;
@@ -167,7 +170,7 @@ po_status po_diagnosis_complete(po_equilibrium *e, size_t core, double *state) {
   return core == n || change <= SETTLED * 8.0 ? PO_OK : PO_NOT_CONVERGED;
 }
 
-po_status po_diagnosis_make(po_equilibrium *e, const double *state, bool fold, po_diagnosis *made) {
+po_status po_diagnosis_make(po_equilibrium *e, const double *state, po_diagnosis *made) {
   room r;
   po_status status = room_allocate(&r, e->n), singular;
   if (status)
@@ -181,7 +184,7 @@ po_status po_diagnosis_make(po_equilibrium *e, const double *state, bool fold, p
   }
   fill_jacobian(e, r.scale, e->n, r.matrix);
   made->condition = factorize(&r, e->n, &singular); /* at a fold it may well be */
-  status = find_border(e, state, fold, &r);
+  status = find_border(e, state, &r);
   if (!status) {
     fill_bordered(e, &r);
     made->bordered_condition = factorize(&r, e->n + 1, &status);

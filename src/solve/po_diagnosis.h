@@ -25,10 +25,10 @@ typedef struct {
  * far out tractions hardly act back. Status: PO_NOT_CONVERGED. */
 po_status po_diagnosis_complete(po_equilibrium *e, size_t core, double *state);
 
-/* Given: a state, n + 1, near an equilibrium; whether it is a fold. The residual is evaluated in
- * long double (64 bits of mantissa, law and undeformed gap included; the influence matrix as it
- * is). Status: PO_NO_MEMORY; PO_SINGULAR. Source: LAPACK dgecon. */
-po_status po_diagnosis_make(po_equilibrium *e, const double *state, bool fold, po_diagnosis *made);
+/* Given: a state, n + 1, near an equilibrium, at a fold or not. The residual is evaluated in long
+ * double (64 bits of mantissa, law and undeformed gap included; the influence matrix as it is).
+ * Status: PO_NO_MEMORY; PO_SINGULAR. Source: LAPACK dgecon. */
+po_status po_diagnosis_make(po_equilibrium *e, const double *state, po_diagnosis *made);
 
 /* Given: as above, not at a fold. By the adjoint: one transposed solve. What waves that are
  * averaged far out do is left out. Accuracy: 1e-5 of differences of whole solves

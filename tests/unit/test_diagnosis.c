@@ -2,6 +2,7 @@
  * where they are known, and that asking for them changes nothing. */
 #include <math.h>
 
+#include "po_law.h"
 #include "po_outcome.h"
 #include "po_surface.h"
 #include "run.h"
@@ -97,26 +98,85 @@ START_TEST(diagnostics_change_nothing) {
 }
 END_TEST
 
-/* A sphere so stiff that tractions do nothing: the undeformed gap is the solution, the Jacobian the
- * unit matrix. Moved away by a known part of 1 + H, that is the residual. */
-START_TEST(a_stiff_sphere_is_known) {
+/* A sphere so stiff that tractions do nothing, on 41 nodes. */
+static void create_stiff(po_surface **surface, po_equilibrium **e) {
   static const po_scene STIFF = {.tabor = 1e-8, .radius = 87.0, .outer_radius = 87.0};
   const po_mesh mesh = {.scheme = PO_TRIANGLE, .grading = PO_UNIFORM, .nodes = 41};
+  ck_assert_int_eq(po_surface_create(&STIFF, &mesh, 87.0, true, surface), PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(&STIFF, *surface, (*surface)->n, e), PO_OK);
+}
+
+/* Of the stiff sphere the undeformed gap is the solution, and the Jacobian the unit matrix. Moved
+ * away by a known part of 1 + H, that is the residual. */
+START_TEST(a_stiff_sphere_is_known) {
   po_surface *surface = NULL;
   po_equilibrium *e = NULL;
-  ck_assert_int_eq(po_surface_create(&STIFF, &mesh, 87.0, true, &surface), PO_OK);
-  ck_assert_int_eq(po_equilibrium_create(&STIFF, surface, surface->n, &e), PO_OK);
+  create_stiff(&surface, &e);
   double state[42];
   for (size_t j = 0; j < 41; ++j)
     state[j] = e->shape[j] + 0.3;
   state[41] = -0.3;
   po_diagnosis d;
-  ck_assert_int_eq(po_diagnosis_make(e, state, false, &d), PO_OK);
+  ck_assert_int_eq(po_diagnosis_make(e, state, &d), PO_OK);
   ck_assert_double_lt(d.residual, 1e-10);
   ck_assert_double_eq_tol(d.condition, 1.0, 1e-9);
   state[7] += 0.0123;
-  ck_assert_int_eq(po_diagnosis_make(e, state, false, &d), PO_OK);
+  ck_assert_int_eq(po_diagnosis_make(e, state, &d), PO_OK);
   ck_assert_double_eq_tol(d.residual, 0.0123 / (1.0 + state[7]), 1e-10);
+  po_equilibrium_destroy(e);
+  po_surface_destroy(surface);
+}
+END_TEST
+
+/* The 1-norm of [1 u; v w], n + 1 square with the unit matrix inside. */
+static double bordered_norm(size_t n, const double *u, const double *v, double w) {
+  double last = fabs(w), largest = 0.0;
+  for (size_t j = 0; j < n; ++j) {
+    largest = fmax(largest, 1.0 + fabs(v[j]));
+    last += fabs(u[j]);
+  }
+  return fmax(largest, last);
+}
+
+/* The same of its inverse, [1 + u v/s, -u/s; -v/s, 1/s] with s = w - v.u. */
+static double inverse_norm(size_t n, const double *u, const double *v, double w) {
+  double s = w, sum = 0.0, largest = 0.0;
+  for (size_t j = 0; j < n; ++j) {
+    s -= v[j] * u[j];
+    sum += fabs(u[j]);
+  }
+  for (size_t j = 0; j < n; ++j)
+    largest = fmax(largest, fabs(1.0 + u[j] * v[j] / s) + (sum - fabs(u[j])) * fabs(v[j] / s) +
+                                fabs(v[j] / s));
+  return fmax(largest, (sum + 1.0) / fabs(s));
+}
+
+/* Where tractions do nothing, pressing by one takes one from every gap: the tangent of the branch
+ * is known, and with it the border, and the inverse of the bordered Jacobian in closed form. */
+START_TEST(a_border_follows_the_branch) {
+  static const double APPROACH[] = {-2.385, -0.3, 0.0, 0.385};
+  po_surface *surface = NULL;
+  po_equilibrium *e = NULL;
+  create_stiff(&surface, &e);
+  double state[42], u[41], v[41], load = 0.0, contact = 0.0;
+  state[41] = APPROACH[_i];
+  for (size_t j = 0; j < 41; ++j) {
+    state[j] = e->shape[j] - APPROACH[_i];
+    load -= 2.0 / 87.0 * surface->weight[j] * po_law_at(state[j]).slope;
+    contact += 2.0 * surface->length[j] / pow(1.0 + state[j], 3.0) / sqrt(2.0 * 87.0);
+  }
+  const double approach = 0.5 / (1.0 + 1e-8), length = hypot(hypot(approach, load), contact);
+  for (size_t j = 0; j < 41; ++j) {
+    const double scale = 1.0 + state[j];
+    u[j] = 1.0 / scale;
+    v[j] = load / length * 2.0 / 87.0 * surface->weight[j] * po_law_at(state[j]).slope * scale -
+           contact / length * 2.0 * surface->length[j] / pow(scale, 2.0) / sqrt(2.0 * 87.0);
+  }
+  const double w = approach / length * approach;
+  const double condition = bordered_norm(41, u, v, w) * inverse_norm(41, u, v, w);
+  po_diagnosis d;
+  ck_assert_int_eq(po_diagnosis_make(e, state, &d), PO_OK);
+  ck_assert_double_eq_tol(d.bordered_condition, condition, 1e-6 * condition);
   po_equilibrium_destroy(e);
   po_surface_destroy(surface);
 }
@@ -134,6 +194,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, residuals_are_small_and_digits_stay);
   tcase_add_test(tests, diagnostics_change_nothing);
   tcase_add_test(tests, a_stiff_sphere_is_known);
+  tcase_add_loop_test(tests, a_border_follows_the_branch, 0, 4);
   tcase_add_test(tests, digits_of_a_change);
 }
 
