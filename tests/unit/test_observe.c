@@ -73,6 +73,70 @@ START_TEST(a_closed_trough_pulls_deeper) {
 }
 END_TEST
 
+/* The minima of the load of a trace, in its order; how many there are. */
+static size_t minima_of(const po_outcome *o, po_landmark *minimum, size_t most) {
+  size_t count = 0;
+  for (size_t k = 0; k < o->extremum_count && count < most; ++k)
+    if (o->extrema[k].kind == PO_MINIMUM)
+      minimum[count++] = o->extrema[k];
+  return count;
+}
+
+/* A wavy sphere that is nowhere pressed by one unit of the load more than it was pulled: the trace
+ * ends with the second wave whose minimum rose more than the one before, counted from the deepest.
+ * Traced farther the same waves go on to rise. */
+START_TEST(trace_ends_two_waves_behind_the_deepest) {
+  static const double SCENES[][3] = {{4.0, 0.4, 10.0}, {3.0, 0.5, 7.0}};
+  enum { MOST = 16 };
+  po_request request = request_of(SCENES[_i][0], SCENES[_i][1], SCENES[_i][2], INFINITY);
+  request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
+  request.want = PO_WANT_CURVE;
+  po_outcome near, far;
+  po_landmark minimum[MOST], farther[MOST];
+  ck_assert_int_eq(po_observe(&request, &near), PO_OK);
+  request.approach_end = near.end + 2.5 * fabs(near.end - near.pull_off.approach);
+  ck_assert_int_eq(po_observe(&request, &far), PO_OK);
+  const size_t count = minima_of(&near, minimum, MOST), all = minima_of(&far, farther, MOST);
+  size_t deepest = 0;
+  for (size_t k = 1; k < count; ++k)
+    if (minimum[k].load < minimum[deepest].load)
+      deepest = k;
+  ck_assert_double_eq(minimum[deepest].load, -near.pull_off.force);
+  ck_assert_uint_eq(count - 1, deepest + 2);
+  ck_assert_uint_gt(all, count);
+  for (size_t k = deepest + 1; k + 1 < all; ++k) {
+    const double rise = farther[k].load - farther[k - 1].load;
+    ck_assert_double_gt(rise, 0.0);
+    ck_assert_double_gt(farther[k + 1].load - farther[k].load, rise);
+    ck_assert_double_eq_tol(farther[k].contact_radius - farther[k - 1].contact_radius,
+                            SCENES[_i][2], 0.1 * SCENES[_i][2]);
+  }
+  ck_assert_double_eq_tol(minimum[count - 1].load, farther[count - 1].load, 1e-3);
+  ck_assert_double_ge(near.end, minimum[count - 1].approach);
+  ck_assert_double_lt(near.end, farther[count].approach);
+  for (size_t k = 0; k < near.curve_count; ++k)
+    ck_assert_double_lt(near.curve[k].load, 1.0 + near.pull_off.force);
+  po_outcome_clear(&near);
+  po_outcome_clear(&far);
+}
+END_TEST
+
+/* The other end of a trace: the first stable state that is pressed by one unit of the load more
+ * than it was pulled, with one wave behind the deepest only. */
+START_TEST(trace_ends_where_it_is_pressed_enough) {
+  static const double SCENES[][3] = {{1.5, 1.0, 10.0}, {3.0, 1.0, 20.0}};
+  po_request request = request_of(SCENES[_i][0], SCENES[_i][1], SCENES[_i][2], INFINITY);
+  request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
+  request.want = PO_WANT_CURVE;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  for (size_t k = 0; k < o.curve_count; ++k)
+    ck_assert_int_eq(o.curve[k].unstable_modes == 0 && o.curve[k].load > 1.0 + o.pull_off.force,
+                     k + 1 == o.curve_count);
+  po_outcome_clear(&o);
+}
+END_TEST
+
 START_TEST(curve_holds_its_landmarks_in_order) {
   po_request request = request_of(3.0, 1.0, 20.0, 100.0);
   request.want = PO_WANT_CURVE;
@@ -327,6 +391,8 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, smooth_sphere_against_another_code, 0, 3);
   tcase_add_loop_test(tests, pull_off_is_behind_when_the_trace_ends, 0, 6);
   tcase_add_test(tests, a_closed_trough_pulls_deeper);
+  tcase_add_loop_test(tests, trace_ends_two_waves_behind_the_deepest, 0, 2);
+  tcase_add_loop_test(tests, trace_ends_where_it_is_pressed_enough, 0, 2);
   tcase_add_test(tests, curve_holds_its_landmarks_in_order);
   tcase_add_loop_test(tests, curve_is_known_between_its_points, 0, 3);
   tcase_add_test(tests, curve_turns_at_its_landmarks);

@@ -1,0 +1,140 @@
+/* What `pulloff run` says of a case of many scenes: how many ended how, what they cost, the slowest
+ * of them and the failures, of a run made up by hand. */
+#include <stdio.h>
+
+#include "made_results.h"
+#include "po_summary.h"
+#include "run.h"
+
+/* Seven points, and behind them one that is none: who reads it takes it for a failure, the slowest
+ * and the dearest of all. */
+enum { COUNT = 7 };
+
+static po_point points[COUNT + 1];
+static po_outcome outcomes[COUNT + 1];
+static bool asked[COUNT + 1];
+
+static void make_seven(void) {
+  static const double SECONDS[] = {0.25, 4, 0.5, 2, 0.125, 2, 1, 1e6};
+  static const size_t STEPS[] = {40, 70, 20, 60, 10, 50, 30, 1000000};
+  make_run();
+  for (size_t i = 0; i <= COUNT; ++i) {
+    points[i] = (po_point){.label = (char *)"made", .request = po_request_default()};
+    snprintf(points[i].id, sizeof points[i].id, "%zu", i);
+    points[i].request.scene.tabor = 2.385 + (double)i;
+    outcomes[i] = (po_outcome){.work = {.seconds = SECONDS[i], .points = STEPS[i], .nodes = 9 * i}};
+    asked[i] = true;
+  }
+  outcomes[2].status = PO_OUT_OF_TIME;
+  outcomes[5].status = PO_NOT_CONVERGED;
+  outcomes[COUNT].status = PO_CHECK_FAILED;
+  snprintf(outcomes[2].reason, sizeof outcomes[2].reason, "time is up");
+  snprintf(outcomes[5].reason, sizeof outcomes[5].reason, "no solution");
+  made_case.points = points;
+  made_case.point_count = COUNT;
+  made_run.outcomes = outcomes;
+  made_run.asked = asked;
+  made_run.asked_count = COUNT;
+}
+
+static void summary_is(const char *expected) {
+  po_text text = {0};
+  po_summary_add(&made_run, &text);
+  ck_assert(!text.failed);
+  ck_assert_str_eq(po_text_string(&text), expected);
+  po_text_clear(&text);
+}
+
+#define COMMAND(tabor)                                                                             \
+  "  pulloff solve --tabor " tabor " --radius 100 --outer-radius inf"                              \
+  " --scheme panel --tolerance 1e-06\n"
+
+/* By nearest rank half of seven is the fourth, 95 % the last. Of seven the five slowest have a line
+ * each, equal ones in the order of the case. */
+START_TEST(a_whole_run) {
+  make_seven();
+  summary_is(
+      "made: 7 of 7 points\n"
+      "status                  points\n"
+      "ok                           5\n"
+      "not_converged                1\n"
+      "out_of_time                  1\n"
+      "of each solve           median      95 %  greatest\n"
+      "seconds                      1         4         4\n"
+      "points                      40        70        70\n"
+      "nodes                       27        54        54\n"
+      "slowest\n"
+      "point 1, ok, 4 s\n" COMMAND("3.385") "point 3, ok, 2 s\n" COMMAND("5.385") "point 5, "
+                                                                                  "not_converged, "
+                                                                                  "2 s\n" COMMAND("7.385") "point 6, ok, 1 s\n" COMMAND("8.385") "point 2, out_of_time, 0.5 s\n" COMMAND(
+                                                                                      "4.385") "fai"
+                                                                                               "led"
+                                                                                               "\n"
+                                                                                               "poi"
+                                                                                               "nt "
+                                                                                               "2, "
+                                                                                               "out"
+                                                                                               "_of"
+                                                                                               "_ti"
+                                                                                               "me:"
+                                                                                               " ti"
+                                                                                               "me "
+                                                                                               "is "
+                                                                                               "up"
+                                                                                               "\n" COMMAND("4.385") "point 5, not_converged: no solution\n" COMMAND(
+                                                                                                   "7.385"));
+}
+END_TEST
+
+/* Points that were not asked for are nowhere in it; fewer than five are listed whole. Of two the
+ * first is half. */
+START_TEST(a_part_of_a_run) {
+  make_seven();
+  for (size_t i = 0; i < COUNT; ++i)
+    asked[i] = i == 0 || i == 4;
+  made_run.asked_count = 2;
+  summary_is("made: 2 of 7 points\n"
+             "status                  points\n"
+             "ok                           2\n"
+             "of each solve           median      95 %  greatest\n"
+             "seconds                  0.125      0.25      0.25\n"
+             "points                      10        40        40\n"
+             "nodes                        0        36        36\n"
+             "slowest\n"
+             "point 0, ok, 0.25 s\n" COMMAND("2.385") "point 4, ok, 0.125 s\n" COMMAND(
+                 "6.385") "none failed\n");
+}
+END_TEST
+
+START_TEST(nothing_was_asked_for) {
+  make_seven();
+  made_run.asked_count = 0;
+  summary_is("");
+}
+END_TEST
+
+/* Six that took the same time: five of them, not six. */
+START_TEST(slowest_of_equals) {
+  make_seven();
+  for (size_t i = 0; i < COUNT; ++i)
+    outcomes[i].work.seconds = 0.5;
+  po_text text = {0};
+  po_summary_add(&made_run, &text);
+  int lines = 0;
+  for (const char *at = po_text_string(&text); (at = strstr(at, ", 0.5 s\n")); ++at)
+    ++lines;
+  ck_assert_int_eq(lines, 5);
+  po_text_clear(&text);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_test(tests, a_whole_run);
+  tcase_add_test(tests, a_part_of_a_run);
+  tcase_add_test(tests, nothing_was_asked_for);
+  tcase_add_test(tests, slowest_of_equals);
+}
+
+int main(void) {
+  return run_case("summary", add);
+}
