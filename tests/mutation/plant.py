@@ -59,6 +59,8 @@ class Build:
         self.folder = os.path.abspath(folder)
         with open(os.path.join(self.folder, "compile_commands.json"), encoding="utf-8") as stream:
             entries = json.load(stream)
+        # a source that tests compile once more, in a way of their own, is that of the library all the same
+        entries.sort(key=lambda entry: entry["output"].startswith("src/"))
         self.compile = {os.path.normpath(os.path.join(self.folder, entry["file"])): entry for entry in entries}
         self.links = {}
 
