@@ -165,6 +165,11 @@ bool po_path_exists(const char *path) {
   return stat(path, &found) == 0;
 }
 
+bool po_path_is_same(const char *a, const char *b) {
+  struct stat x, y;
+  return stat(a, &x) == 0 && stat(b, &y) == 0 && x.st_dev == y.st_dev && x.st_ino == y.st_ino;
+}
+
 char *po_path_join(const char *folder, const char *name) {
   if (name[0] == '/' || folder[0] == '\0')
     return po_copy_text(name);

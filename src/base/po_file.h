@@ -26,6 +26,9 @@ po_status po_folder_make(const char *path);
 /* Whether something is at `path`. */
 bool po_path_exists(const char *path);
 
+/* Whether two paths lead to the same file. */
+bool po_path_is_same(const char *a, const char *b);
+
 /* folder/name, or name alone when it is absolute or the folder is ""; NULL without memory. */
 char *po_path_join(const char *folder, const char *name);
 

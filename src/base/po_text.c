@@ -1,11 +1,13 @@
 #include "po_text.h"
 
+#include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "po_memory.h"
+#include "po_quote.h"
 
 static bool text_reserve(po_text *text, size_t extra) {
   if (text->failed)
@@ -46,6 +48,30 @@ void po_text_add_bytes(po_text *text, const char *bytes, size_t size) {
   memcpy(text->data + text->length, bytes, size);
   text->length += size;
   text->data[text->length] = '\0';
+}
+
+/* What no shell takes for anything but itself. */
+static const char PLAIN[] =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+,./:=@%";
+
+void po_text_add_word(po_text *text, const char *word) {
+  if (*word && strspn(word, PLAIN) == strlen(word)) {
+    po_text_add(text, "%s", word);
+    return;
+  }
+  const bool escaped = po_quote_find(word, strlen(word)) || strpbrk(word, "\t\n\v\f\r");
+  po_text_add(text, escaped ? "$'" : "'");
+  for (const char *c = word; *c; ++c) {
+    if (escaped && !isprint((unsigned char)*c))
+      po_text_add(text, "\\%03o", (unsigned)(unsigned char)*c);
+    else if (*c == '\'')
+      po_text_add(text, escaped ? "\\'" : "'\\''");
+    else if (*c == '\\' && escaped)
+      po_text_add(text, "\\\\");
+    else
+      po_text_add_bytes(text, c, 1);
+  }
+  po_text_add(text, "'");
 }
 
 const char *po_text_string(const po_text *text) {

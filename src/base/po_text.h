@@ -20,6 +20,10 @@ void po_text_add(po_text *text, const char *format, ...) __attribute__((format(p
 /* Appends `size` bytes as they are. */
 void po_text_add_bytes(po_text *text, const char *bytes, size_t size);
 
+/* Appends a word so that a shell reads it back as it is: quoted if it needs to be, with the escapes
+ * of $'...' if a terminal could not show it. */
+void po_text_add_word(po_text *text, const char *word);
+
 /* The string so far; "" when nothing was added. */
 const char *po_text_string(const po_text *text);
 

@@ -11,10 +11,10 @@
 #include "po_memory.h"
 #include "po_number.h"
 #include "po_quote.h"
+#include "po_record.h"
 #include "po_summary.h"
 
 static const size_t MOST_JOBS = 4096;
-static const size_t MOST_SHARDS = 1000000;
 
 po_session po_session_default(void) {
   return (po_session){.time_limit = NAN, .last = SIZE_MAX, .options = {.output = "build/run"}};
@@ -53,7 +53,7 @@ static po_status take_shard(const char *text, po_shard *shard) {
   snprintf(number, sizeof number, "%.*s", (int)(length < 31 ? length : 31), text);
   if (!text[length] || !po_number_parse_count(number, &shard->number) ||
       !po_number_parse_count(text + length + 1, &shard->count) || shard->number < 1 ||
-      shard->number > shard->count || shard->count > MOST_SHARDS)
+      shard->number > shard->count || shard->count > PO_MOST_SHARDS)
     return po_options_refuse("shard", text, "K/N, the K-th of N shards, as 1/4");
   return PO_OK;
 }
@@ -144,11 +144,12 @@ po_status po_session_solve(po_session *session) {
   session->options.stop = po_interrupt_listen();
   if (session->options.jobs == 0)
     session->options.jobs = po_environment_cores();
-  const po_status status =
-      session->shard.count
-          ? po_shard_write(session->runs, session->catalog.count, session->shard,
-                           session->time_limit, session->options.jobs, session->options.output)
-          : PO_OK;
+  po_status status = PO_OK;
+  for (size_t i = 0; !status && i < session->catalog.count; ++i)
+    status = po_record_check_owner(&session->runs[i], session->options.output);
+  if (!status && session->shard.count)
+    status = po_shard_write(session->runs, session->catalog.count, session->shard,
+                            session->time_limit, session->options.jobs, session->options.output);
   return status ? status : po_run(session->runs, session->catalog.count, &session->options);
 }
 

@@ -50,7 +50,7 @@ static po_status check_results(const po_case_run *run) {
     const bool bad_oracle = item->ledger == PO_LEDGER_ORACLE && !po_verdict_passes(item->verdict);
     if (bad_oracle || item->verdict == PO_NO_RESULT)
       return po_fail(PO_CHECK_FAILED, "%s is not blessed: %s is %s (see pulloff explain %s)", name,
-                     item->id, po_verdict_name(item->verdict), po_case_argument(kase));
+                     item->id, po_verdict_name(item->verdict), po_case_word(kase));
   }
   return PO_OK;
 }
@@ -147,7 +147,7 @@ static void add_headers(const po_case_run *run, const po_reference *old, const c
               "# generator: pulloff bless\n"
               "# command: pulloff bless %s --reason TEXT\n"
               "# date: %s\n",
-              kase->file->name, po_case_argument(kase), date);
+              kase->file->name, po_case_word(kase), date);
   const size_t before = copy_headers(&old->table, "blessing ", text);
   po_text_add(text, "# blessing %zu: %s, ", before + 1, date);
   for (const char *c = who; *c; ++c) {

@@ -10,6 +10,7 @@
 #include "po_file.h"
 #include "po_memory.h"
 #include "po_schema.h"
+#include "po_text.h"
 
 static const char *const QUANTITIES[PO_QUANTITY_COUNT] = {
     [PO_PULL_OFF_FORCE] = "pull_off_force",
@@ -86,7 +87,21 @@ bool po_check_is_traced(const po_check *check) {
 }
 
 const char *po_case_argument(const po_case *kase) {
-  return strncmp(kase->shown, "cases/", 6) == 0 ? kase->file->name : kase->shown;
+  return kase->is_own ? kase->shown : kase->file->name;
+}
+
+const char *po_case_word(const po_case *kase) {
+  return kase->word ? kase->word : kase->file->name;
+}
+
+po_status po_case_set_own(po_case *kase) {
+  po_text word = {0};
+  if (kase->shown[0] == '-') /* which would be an option */
+    po_text_add(&word, "./");
+  po_text_add_word(&word, kase->shown);
+  kase->is_own = true;
+  kase->word = word.data;
+  return word.failed ? PO_NO_MEMORY : PO_OK;
 }
 
 double po_check_allowance(const po_check *check, double expected) {
@@ -132,6 +147,7 @@ void po_case_destroy(po_case *kase) {
   po_case_axes_clear(kase->file);
   po_schema_free(kase->file);
   free(kase->source);
+  free(kase->word);
   free(kase->shown);
   free(kase->path);
   free(kase);

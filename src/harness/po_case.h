@@ -199,6 +199,8 @@ typedef struct {
 typedef struct {
   char *path;   /* where it was read */
   char *shown;  /* how messages and records call it, e.g. "cases/fig03.yaml" */
+  bool is_own;  /* a file outside the folder of cases: found by its path alone */
+  char *word;   /* how a command line calls it, quoted for a shell; NULL: by its name */
   char *source; /* the text of the file */
   size_t source_size;
   po_case_file *file;
@@ -236,8 +238,13 @@ po_request po_check_request(const po_check *check, const po_request *request);
 /* Whether a check is against our own last blessed values: its reference is the word "pin". */
 bool po_check_is_pin(const po_check *check);
 
-/* What a command line calls a case: its name, or the path of a file outside the data folder. */
+/* Marks a case as a file outside the folder of cases. Status: PO_NO_MEMORY. */
+po_status po_case_set_own(po_case *kase);
+
+/* How a command line calls a case: its name, or the path of a file of one's own, as it was given;
+ * the same quoted for a shell, to be printed in a command that can be pasted. */
 const char *po_case_argument(const po_case *kase);
+const char *po_case_word(const po_case *kase);
 
 /* The reference of a solved_share: every scene has its equilibria. */
 #define PO_EVERY_SCENE "every_scene"

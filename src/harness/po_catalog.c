@@ -7,51 +7,95 @@
 #include "po_memory.h"
 #include "po_text.h"
 
-/* Adds a case; takes it. A name may stand for one case only. */
-static po_status add(po_catalog *catalog, po_case *kase) {
+/* Of the name of a case file. */
+static const char ENDING[] = ".yaml";
+
+static po_case *find(const po_catalog *catalog, const char *name) {
   for (size_t i = 0; i < catalog->count; ++i)
-    if (strcmp(catalog->cases[i]->file->name, kase->file->name) == 0) {
-      const po_status status =
-          po_fail(PO_BAD_INPUT, "%s: name is %s: expected another, it is that of %s", kase->shown,
-                  kase->file->name, catalog->cases[i]->shown);
-      po_case_destroy(kase);
-      return status;
-    }
-  po_case **cases = po_resize(catalog->cases, catalog->count + 1, sizeof(po_case *));
+    if (strcmp(catalog->cases[i]->file->name, name) == 0)
+      return catalog->cases[i];
+  return NULL;
+}
+
+/* Adds a case; takes it. A name may stand for one case only, of this catalog and of another (NULL:
+ * of none), since records and pins go by it. */
+static po_status add(po_catalog *catalog, const po_catalog *other, po_case *kase) {
+  const po_case *twin = find(catalog, kase->file->name);
+  if (!twin && other)
+    twin = find(other, kase->file->name);
+  po_status status = PO_OK;
+  if (twin)
+    status = po_fail(PO_BAD_INPUT, "%s: name is %s: expected another, it is that of %s",
+                     kase->shown, kase->file->name, twin->shown);
+  po_case **cases =
+      status ? NULL : po_resize(catalog->cases, catalog->count + 1, sizeof(po_case *));
   if (!cases) {
     po_case_destroy(kase);
-    return PO_NO_MEMORY;
+    return status ? status : PO_NO_MEMORY;
   }
   catalog->cases = cases;
   cases[catalog->count++] = kase;
   return PO_OK;
 }
 
-static po_status read_and_add(po_catalog *catalog, const char *path, const char *shown) {
+/* Reads a file of the folder of cases. */
+static po_status read_built_in(const char *folder, const char *name, po_catalog *catalog) {
   po_case *kase = NULL;
-  const po_status status = po_case_read(path, shown, &kase);
-  return status ? status : add(catalog, kase);
+  char *path = po_path_join(folder, name), *shown = po_path_join("cases", name);
+  po_status status = path && shown ? po_case_read(path, shown, &kase) : PO_NO_MEMORY;
+  if (!status)
+    status = add(catalog, NULL, kase);
+  free(path);
+  free(shown);
+  return status;
 }
 
-static po_status read_folder(const char *data_folder, po_catalog *catalog) {
+/* All cases of the folder; when `strict` is false without those that cannot be read. */
+static po_status read_folder(const char *folder, bool strict, po_catalog *catalog) {
   char **names = NULL;
   size_t count = 0;
-  char *folder = po_path_join(data_folder, "cases");
-  po_status status = folder ? po_folder_list(folder, ".yaml", &names, &count) : PO_NO_MEMORY;
-  for (size_t i = 0; !status && i < count; ++i) {
-    char *path = po_path_join(folder, names[i]), *shown = po_path_join("cases", names[i]);
-    status = path && shown ? read_and_add(catalog, path, shown) : PO_NO_MEMORY;
-    free(path);
-    free(shown);
-  }
+  po_status status = po_folder_list(folder, ENDING, &names, &count);
+  for (size_t i = 0; i < count && (!status || !strict); ++i)
+    status = read_built_in(folder, names[i], catalog);
   po_names_free(names, count);
-  free(folder);
+  return strict || status == PO_NO_MEMORY ? status : PO_OK;
+}
+
+/* Whether a path is that of a file of the folder of cases, whichever way it is written. */
+static bool is_in_folder(const char *folder, const char *path) {
+  const char *slash = strrchr(path, '/');
+  const char *name = slash ? slash + 1 : path;
+  const size_t length = strlen(name), tail = strlen(ENDING);
+  char *there = po_path_join(folder, name);
+  const bool found = there && name[0] != '.' && length > tail &&
+                     strcmp(name + length - tail, ENDING) == 0 && po_path_is_same(path, there);
+  free(there);
+  return found;
+}
+
+/* Reads the case at a path that was given. One of its own must have a name of its own. */
+static po_status read_given(const char *folder, const po_catalog *all, const char *path,
+                            po_catalog *catalog) {
+  po_case *kase = NULL;
+  po_status status = po_case_read(path, path, &kase);
+  if (status)
+    return status;
+  if (is_in_folder(folder, path) && find(catalog, kase->file->name)) {
+    po_case_destroy(kase); /* asked for twice */
+    return PO_OK;
+  }
+  if (is_in_folder(folder, path))
+    return add(catalog, NULL, kase);
+  status = po_case_set_own(kase);
+  if (!status)
+    return add(catalog, all, kase);
+  po_case_destroy(kase);
   return status;
 }
 
 static bool is_path(const char *name) {
-  const size_t length = strlen(name);
-  return strchr(name, '/') || (length > 5 && strcmp(name + length - 5, ".yaml") == 0);
+  const size_t length = strlen(name), tail = strlen(ENDING);
+  return strchr(name, '/') || (length > tail && strcmp(name + length - tail, ENDING) == 0);
 }
 
 static po_status refuse_name(const po_catalog *all, const char *name) {
@@ -66,15 +110,14 @@ static po_status refuse_name(const po_catalog *all, const char *name) {
 
 /* Moves the case of that name from one catalog to another. */
 static po_status move(po_catalog *from, const char *name, po_catalog *to) {
-  for (size_t i = 0; i < to->count; ++i)
-    if (strcmp(to->cases[i]->file->name, name) == 0)
-      return PO_OK; /* asked for twice */
+  if (find(to, name))
+    return PO_OK; /* asked for twice */
   for (size_t i = 0; i < from->count; ++i)
     if (strcmp(from->cases[i]->file->name, name) == 0) {
       po_case *kase = from->cases[i];
       memmove(&from->cases[i], &from->cases[i + 1], (from->count - i - 1) * sizeof *from->cases);
       from->count -= 1;
-      return add(to, kase);
+      return add(to, NULL, kase);
     }
   return refuse_name(from, name);
 }
@@ -94,16 +137,18 @@ po_status po_catalog_open(const char *data_folder, char *const *names, size_t na
                           unsigned suites, po_catalog *catalog) {
   po_catalog all = {0};
   *catalog = (po_catalog){0};
-  bool needs_folder = name_count == 0;
+  bool strict = name_count == 0;
   for (size_t i = 0; i < name_count; ++i)
-    needs_folder = needs_folder || !is_path(names[i]);
-  po_status status = needs_folder ? read_folder(data_folder, &all) : PO_OK;
+    strict = strict || !is_path(names[i]);
+  char *folder = po_path_join(data_folder, "cases");
+  po_status status = folder ? read_folder(folder, strict, &all) : PO_NO_MEMORY;
   if (!status && name_count == 0)
     status = take_suites(&all, suites, catalog);
   for (size_t i = 0; !status && i < name_count; ++i)
-    status = is_path(names[i]) ? read_and_add(catalog, names[i], names[i])
+    status = is_path(names[i]) ? read_given(folder, &all, names[i], catalog)
                                : move(&all, names[i], catalog);
   po_catalog_close(&all);
+  free(folder);
   if (status)
     po_catalog_close(catalog);
   return status;

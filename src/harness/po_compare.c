@@ -160,6 +160,17 @@ static void tell_way_back(po_result *item, const po_outcome *outcome) {
              outcome->fold_count, w->folds, outcome->extremum_count, w->extrema);
 }
 
+/* Why there is no pin, and how to make it; a command that does not fit is not cut but left out. */
+static void tell_pin(po_result *item, const po_case *kase, const po_reference *reference) {
+  const char *why = reference->is_missing ? "there is no file" : "not pinned in";
+  const int length =
+      snprintf(item->note, sizeof item->note, "%s %s; to make it: pulloff bless %s --reason TEXT",
+               why, reference->shown, po_case_word(kase));
+  if ((size_t)length >= sizeof item->note)
+    snprintf(item->note, sizeof item->note, "%s %.100s; blessing the case makes it", why,
+             reference->shown);
+}
+
 /* What there is to say when there was nothing to compare. */
 static void tell_silence(po_result *item, const po_case *kase, const po_reference *reference,
                          const po_outcome *outcome) {
@@ -171,9 +182,7 @@ static void tell_silence(po_result *item, const po_case *kase, const po_referenc
   else if (item->verdict == PO_NO_RESULT)
     snprintf(item->note, size, "nothing to compare over a common range");
   else if (item->verdict == PO_MISSING_REFERENCE && reference->is_pin)
-    snprintf(item->note, size, "%s %.70s; to make it: pulloff bless %.50s --reason TEXT",
-             reference->is_missing ? "there is no file" : "not pinned in", reference->shown,
-             po_case_argument(kase));
+    tell_pin(item, kase, reference);
   else if (item->verdict == PO_MISSING_REFERENCE)
     snprintf(item->note, size, "the reference does not speak of this scene");
 }

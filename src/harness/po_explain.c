@@ -72,7 +72,7 @@ static char *command_of_item(const po_case_run *run, const po_result *item) {
   if (!item->whole || run->outcomes[item->point].status != PO_OK)
     return command_of(run, item->point, item->check->quantity == PO_CURVE);
   po_text text = {0};
-  po_text_add(&text, "pulloff verify %s", po_case_argument(run->plan->kase));
+  po_text_add(&text, "pulloff verify %s", po_case_word(run->plan->kase));
   return text.data;
 }
 

@@ -201,7 +201,7 @@ static po_status write_line(const po_case *kase, const po_line *line, const char
               "# units: lengths and approach in epsilon; forces and load in pi w R, load "
               "compressive > 0; work in w; tension and traction in w/epsilon\n"
               "# command: pulloff run %s\n",
-              line->theory, kase->file->name);
+              line->theory, po_case_word(kase));
   po_status status = add_rows(&rows, kase->file, line, stop);
   po_csv_seal(&header, &rows, &text, digest);
   char *path = po_path_join(folder, po_text_string(&name));

@@ -10,6 +10,7 @@
 #include "po_journal.h"
 #include "po_json.h"
 #include "po_memory.h"
+#include "po_order.h"
 #include "po_record.h"
 
 static const char *string_of(const json_t *object, const char *key) {
@@ -44,6 +45,9 @@ static po_status read_part(po_merge *merge, const char *folder, char *path) {
   if (strcmp(string_of(part->root, "schema"), PO_SHARD_SCHEMA) != 0 || number < 1 || number > of ||
       json_array_size(cases_of(part)) == 0)
     return po_fail(PO_CANNOT_READ, "%s is damaged: expected what pulloff run --shard writes", path);
+  if (of > PO_MOST_SHARDS)
+    return po_fail(PO_CANNOT_READ, "%s is damaged: it is one of %lld shards, expected at most %d",
+                   path, (long long)of, PO_MOST_SHARDS);
   part->shard = (po_shard){(size_t)number, (size_t)of};
   return part->folder ? PO_OK : PO_NO_MEMORY;
 }
@@ -103,30 +107,48 @@ static po_status check_part(const po_merge_part *first, const po_merge_part *par
   return PO_OK;
 }
 
-static po_status check_complete(const po_merge *merge) {
-  const size_t of = merge->parts[0].shard.count;
+static int by_number(const void *a, const void *b, void *unused) {
+  const size_t x = ((const po_merge_part *)a)->shard.number;
+  const size_t y = ((const po_merge_part *)b)->shard.number;
+  (void)unused;
+  return (x > y) - (x < y);
+}
+
+/* So many missing shards are named; of the rest the number is. */
+static const size_t MOST_NAMED = 10;
+
+static po_status refuse_missing(const po_merge *merge) {
+  const size_t of = merge->parts[0].shard.count, count = of - merge->count;
+  bool *there = po_allocate(of, sizeof *there);
+  if (!there)
+    return PO_NO_MEMORY;
+  for (size_t i = 0; i < merge->count; ++i)
+    there[merge->parts[i].shard.number - 1] = true;
   po_text missing = {0};
-  size_t count = 0;
-  for (size_t number = 1; number <= of; ++number) {
-    const po_merge_part *found = NULL;
-    for (size_t i = 0; i < merge->count; ++i) {
-      const po_merge_part *part = &merge->parts[i];
-      if (part->shard.number == number && found) {
-        po_text_clear(&missing);
-        return po_fail(PO_BAD_INPUT, "%s overlaps %s: expected each shard once", part->path,
-                       found->path);
-      }
-      found = part->shard.number == number ? part : found;
-    }
-    if (!found)
-      po_text_add(&missing, "%s%zu/%zu", count++ ? ", " : "", number, of);
-  }
+  for (size_t number = 1, named = 0; number <= of && named < MOST_NAMED; ++number)
+    if (!there[number - 1])
+      po_text_add(&missing, "%s%zu/%zu", named++ ? ", " : "", number, of);
+  if (count > MOST_NAMED)
+    po_text_add(&missing, " and %zu more", count - MOST_NAMED);
   const po_status status =
-      count ? po_fail(PO_BAD_INPUT, "%s missing: %s; expected all %zu shards",
-                      count == 1 ? "a shard is" : "shards are", po_text_string(&missing), of)
-            : PO_OK;
+      po_fail(PO_BAD_INPUT, "%s missing: %s; expected all %zu shards",
+              count == 1 ? "a shard is" : "shards are", po_text_string(&missing), of);
   po_text_clear(&missing);
+  free(there);
   return status;
+}
+
+/* Each shard is there, once. */
+static po_status check_complete(const po_merge *merge) {
+  po_repeat repeat;
+  const po_status status = po_order_find_repeat(merge->parts, merge->count, sizeof *merge->parts,
+                                                by_number, NULL, &repeat);
+  if (status)
+    return status;
+  if (repeat.found)
+    return po_fail(PO_BAD_INPUT, "%s overlaps %s: expected each shard once",
+                   merge->parts[repeat.again].path, merge->parts[repeat.first].path);
+  return merge->count < merge->parts[0].shard.count ? refuse_missing(merge) : PO_OK;
 }
 
 po_status po_merge_open(char *const *folders, size_t count, po_merge *merge) {

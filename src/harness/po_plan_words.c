@@ -13,17 +13,15 @@ static po_status say(po_plan *plan, const char *format, ...) __attribute__((form
 
 static po_status say(po_plan *plan, const char *format, ...) {
   char **lines = po_resize(plan->lines, plan->line_count + 1, sizeof *lines);
-  char *line = po_allocate(400, 1);
+  char *line = NULL;
   if (lines)
     plan->lines = lines;
-  if (!lines || !line) {
-    free(line);
-    return PO_NO_MEMORY;
-  }
   va_list arguments;
   va_start(arguments, format);
-  vsnprintf(line, 400, format, arguments);
+  const int length = lines ? vasprintf(&line, format, arguments) : -1;
   va_end(arguments);
+  if (length < 0)
+    return po_fail(PO_NO_MEMORY, "no memory for the words of a plan");
   lines[plan->line_count++] = line;
   return PO_OK;
 }
@@ -227,8 +225,8 @@ static po_status tell_checks(po_plan *plan) {
                  check->tolerance_text, check->kind_text);
     if (!status && plan->references[i].is_missing)
       status =
-          say(plan, "  but there are no pins yet; to make them: pulloff bless %.100s --reason TEXT",
-              po_case_argument(kase));
+          say(plan, "  but there are no pins yet; to make them: pulloff bless %s --reason TEXT",
+              po_case_word(kase));
     else if (!status && spoken < concerned)
       status = say(plan, "  but %s does not speak of %zu of these",
                    po_plan_reference_of(plan, check), concerned - spoken);

@@ -108,11 +108,18 @@ json_t *po_record_point(const po_case_run *run, size_t index) {
   return object;
 }
 
+/* A command of one verb for a case, to be pasted. */
+static json_t *command_json(const char *verb, const po_case *kase) {
+  po_text text = {0};
+  po_text_add(&text, "pulloff %s %s", verb, po_case_word(kase));
+  if (text.failed)
+    po_text_clear(&text);
+  return po_json_take_text(text.data);
+}
+
 static json_t *check_json(const po_case_run *run, const po_result *item) {
   const po_case *kase = run->plan->kase;
   const po_check *check = item->check;
-  char command[128];
-  snprintf(command, sizeof command, "pulloff verify %s", kase->file->name);
   return PO_JSON_OBJECT(
       {"id", po_json_text(item->id)},
       {"point", po_json_text(item->whole ? NULL : kase->points[item->point].id)},
@@ -126,7 +133,7 @@ static json_t *check_json(const po_case_run *run, const po_result *item) {
       {"passes", po_json_flag(po_verdict_passes(item->verdict))},
       {"note", po_json_text(item->note)},
       {"reference", po_json_text(po_plan_reference_of(run->plan, check))},
-      {"because", po_json_text(check->because)}, {"command", po_json_text(command)});
+      {"because", po_json_text(check->because)}, {"command", command_json("verify", kase)});
 }
 
 /* How a measurement ended; `outside` are curves and landmarks that have no one-to-one counterpart.
@@ -227,15 +234,13 @@ static json_t *environment(const po_case_run *run, int jobs) {
 static json_t *record_json(const po_case_run *run, int jobs, json_t *points, json_t *lines) {
   const po_case *kase = run->plan->kase;
   const po_case_file *file = kase->file;
-  char command[128];
-  snprintf(command, sizeof command, "pulloff run %s", file->name);
   return PO_JSON_OBJECT(
       {"schema", po_json_text("pulloff-record/1")}, {"case", po_json_text(file->name)},
       {"title", po_json_text(file->title)}, {"figure", po_json_text(file->figure)},
       {"equations", po_json_text(file->equations)}, {"suites", suites(kase)},
       {"file", po_json_text(kase->shown)}, {"key", po_json_text(run->plan->key)},
       {"solve_key", po_json_text(run->plan->solve_key)},
-      {"figure_script", po_json_text(file->figure_script)}, {"command", po_json_text(command)},
+      {"figure_script", po_json_text(file->figure_script)}, {"command", command_json("run", kase)},
       {"versions", po_environment_versions()}, {"environment", environment(run, jobs)},
       {"verdict", po_json_text(po_case_run_verdict(run))},
       {"seconds", po_json_number(run->elapsed)}, {"plan", plan_json(run->plan)}, {"points", points},

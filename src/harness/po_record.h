@@ -16,6 +16,10 @@ po_status po_record_write(const po_case_run *run, const char *output, int jobs,
  * PO_NO_MEMORY. */
 po_status po_record_read(po_case_run *run, const char *output);
 
+/* Whether the folder of a case of the user's own is free for it: a record of another file that is
+ * still there would be lost. Status: PO_BAD_INPUT, naming both files; PO_NO_MEMORY. */
+po_status po_record_check_owner(const po_case_run *run, const char *output);
+
 /* The entry of one point in the record; NULL without memory. */
 json_t *po_record_point(const po_case_run *run, size_t index);
 

@@ -82,20 +82,44 @@ static po_status found_or_not(po_status status) {
   return status == PO_OK || status == PO_NO_MEMORY ? status : PO_NOT_FOUND;
 }
 
-po_status po_record_read(po_case_run *run, const char *output) {
-  char *folder = po_path_join(output, run->plan->kase->file->name);
-  char *path = folder ? po_path_join(folder, "record.json") : NULL;
+/* The record in the folder of a case. */
+static po_status load(const char *folder, json_t **record) {
+  char *path = po_path_join(folder, "record.json");
   char *bytes = NULL;
   size_t size = 0;
-  json_t *record = NULL;
   po_status status = path ? po_file_read(path, &bytes, &size) : PO_NO_MEMORY;
   if (!status)
-    status = po_json_parse(bytes, size, &record);
+    status = po_json_parse(bytes, size, record);
+  free(bytes);
+  free(path);
+  return found_or_not(status);
+}
+
+po_status po_record_read(po_case_run *run, const char *output) {
+  char *folder = po_path_join(output, run->plan->kase->file->name);
+  json_t *record = NULL;
+  po_status status = folder ? load(folder, &record) : PO_NO_MEMORY;
   if (!status)
     status = read_record(run, record, folder);
   json_decref(record);
-  free(bytes);
-  free(path);
   free(folder);
   return found_or_not(status);
+}
+
+po_status po_record_check_owner(const po_case_run *run, const char *output) {
+  const po_case *kase = run->plan->kase;
+  json_t *record = NULL;
+  if (!kase->is_own)
+    return PO_OK;
+  char *folder = po_path_join(output, kase->file->name);
+  po_status status = folder ? load(folder, &record) : PO_NO_MEMORY;
+  const char *owner = string_of(record, "file");
+  if (!status && po_path_exists(owner) && !po_path_is_same(owner, kase->path))
+    status = po_fail(PO_BAD_INPUT,
+                     "%s: name is %s: expected another, or another --output, as %s holds the "
+                     "record of %s",
+                     kase->shown, kase->file->name, folder, owner);
+  json_decref(record);
+  free(folder);
+  return status == PO_NOT_FOUND ? PO_OK : status;
 }

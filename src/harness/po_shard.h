@@ -8,6 +8,9 @@ typedef struct {
   size_t number, count; /* this one, from 1, of so many; count 0: no shard */
 } po_shard;
 
+/* The most there may be of them. */
+enum { PO_MOST_SHARDS = 1000000 };
+
 /* Asks of all runs only for the points of one shard. What depends on each other stays together: a
  * line of followed scenes, and a case that is timed. These parts are dealt out in turn over all
  * cases, in an order that looks random and is the same everywhere, so that neither the steep end of

@@ -145,6 +145,21 @@ ends 0 run --output torn --shard 2/3
 ends 0 merge --output mended part-3 torn part-1
 strip mended/drawn/record.json >joined
 check 'a shard that was cut short goes on' cmp joined at-once
+# A file that lies about the number of shards once kept the program busy for ever.
+mkdir lies
+lie() { # NUMBER OF
+  sed "s/\"shard\": 2/\"shard\": $1/; s/\"of\": 3/\"of\": $2/" part-2/shard-2-of-3.json >lies/shard-2-of-3.json
+}
+lie 2 9000000000000000000
+expect 4 'pulloff: lies/shard-2-of-3.json is damaged: it is one of 9000000000000000000 shards, expected at most 1000000' \
+  merge lies
+lie 1000001 1000001
+expect 4 'pulloff: lies/shard-2-of-3.json is damaged: it is one of 1000001 shards, *' merge lies
+lie 2 1000000
+expect 2 'pulloff: shards are missing: 1/1000000, 3/1000000, 4/1000000, *, 11/1000000 and 999989 more; expected all 1000000 shards' \
+  merge lies
+lie 0 3
+expect 4 'pulloff: lies/shard-2-of-3.json is damaged: *' merge lies
 echo '{}' >torn/shard-2-of-3.json
 expect 4 'pulloff: torn/shard-2-of-3.json is damaged: *' merge part-1 torn part-3
 

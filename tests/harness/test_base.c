@@ -110,6 +110,27 @@ START_TEST(text_grows) {
 }
 END_TEST
 
+START_TEST(words_are_quoted_for_a_shell) {
+  static const char *const WORDS[][2] = {{"my/tip-1.5_a.yaml", "my/tip-1.5_a.yaml"},
+                                         {"", "''"},
+                                         {"my tip", "'my tip'"},
+                                         {"it's", "'it'\\''s'"},
+                                         {"$(reboot)", "'$(reboot)'"},
+                                         {"a\\b", "'a\\b'"},
+                                         {"~", "'~'"},
+                                         {"gr\303\266\303\237e", "'gr\303\266\303\237e'"},
+                                         {"gr\366\337e", "$'gr\\366\\337e'"},
+                                         {"two\nlines", "$'two\\012lines'"},
+                                         {"it's\033\\", "$'it\\'s\\033\\\\'"}};
+  for (size_t i = 0; i < sizeof WORDS / sizeof *WORDS; ++i) {
+    po_text text = {0};
+    po_text_add_word(&text, WORDS[i][0]);
+    ck_assert_str_eq(po_text_string(&text), WORDS[i][1]);
+    po_text_clear(&text);
+  }
+}
+END_TEST
+
 START_TEST(file_is_written_whole_or_not_at_all) {
   char *data = NULL;
   size_t size = 0;
@@ -239,6 +260,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, number_takes_infinity_where_allowed);
   tcase_add_test(tests, digest_is_sha256);
   tcase_add_test(tests, text_grows);
+  tcase_add_test(tests, words_are_quoted_for_a_shell);
   tcase_add_test(tests, file_is_written_whole_or_not_at_all);
   tcase_add_test(tests, csv_reads_headers_columns_rows);
   tcase_add_test(tests, csv_is_sealed);
