@@ -101,10 +101,14 @@ static size_t track_stretch_of(const po_track *track, size_t i) {
   return k;
 }
 
-/* How far a point is from a curve beyond what the joining of its points is in doubt by. */
+/* How far a point is from a curve beyond what the joining of its points is in doubt by. Infinite
+ * where numbers are so large that the distance, or the doubt, is not a number: no evidence that the
+ * curves agree. */
 static double excess(po_plane_point point, const po_stretch *stretch) {
   const po_foot foot = po_plane_foot(point, stretch);
-  return fmax(0.0, foot.distance - po_plane_doubt(&stretch->curve, foot.index));
+  const double doubt = po_plane_doubt(&stretch->curve, foot.index);
+  return isfinite(foot.distance) && isfinite(doubt) ? fmax(0.0, foot.distance - doubt)
+                                                    : (double)INFINITY;
 }
 
 /* The largest excess of the compared points of `a` over `b`: from the corresponding stretch when

@@ -6,6 +6,7 @@
 #include "po_json.h"
 #include "po_json_parts.h"
 #include "po_memory.h"
+#include "po_quote.h"
 
 static json_t *state_json(const po_diagnosed_state *s) {
   return PO_JSON_OBJECT({"at", po_json_text(po_kept_name(s->at))},
@@ -103,7 +104,7 @@ static void read_way_back(const json_t *object, po_way_back *w) {
   const char *reason = json_string_value(json_object_get(object, "reason"));
   if (!po_status_find(json_string_value(json_object_get(object, "status")), &w->status))
     w->made = false;
-  snprintf(w->reason, sizeof w->reason, "%s", reason ? reason : "");
+  po_quote_text(reason ? reason : "", w->reason, sizeof w->reason);
   w->points = (size_t)po_json_count_of(object, "points");
   w->folds = (size_t)po_json_count_of(object, "folds");
   w->extrema = (size_t)po_json_count_of(object, "extrema");

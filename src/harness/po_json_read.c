@@ -1,3 +1,4 @@
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -35,8 +36,11 @@ static po_status read_landmarks(const json_t *array, po_landmark **list, size_t 
   for (size_t i = 0; i < size; ++i) {
     const json_t *item = json_array_get(array, i);
     po_landmark *landmark = &(*list)[i];
+    const json_int_t modes = json_integer_value(json_object_get(item, "unstable_modes"));
     if (!read_kind(item, &landmark->kind))
       return po_fail(PO_BAD_INPUT, "landmark %zu has no kind", i);
+    if (modes < 0 || modes > INT_MAX)
+      return po_fail(PO_BAD_INPUT, "landmark %zu has no number of unstable modes", i);
     po_json_read_landmark(item, landmark);
   }
   return PO_OK;

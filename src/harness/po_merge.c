@@ -48,6 +48,10 @@ static po_status read_part(po_merge *merge, const char *folder, char *path) {
   if (of > PO_MOST_SHARDS)
     return po_fail(PO_CANNOT_READ, "%s is damaged: it is one of %lld shards, expected at most %d",
                    path, (long long)of, PO_MOST_SHARDS);
+  const double limit = po_json_read_number(part->root, "time_limit");
+  if (limit <= 0)
+    return po_fail(PO_CANNOT_READ, "%s is damaged: time_limit is %g, expected a number > 0 or null",
+                   path, limit);
   part->shard = (po_shard){(size_t)number, (size_t)of};
   return part->folder ? PO_OK : PO_NO_MEMORY;
 }

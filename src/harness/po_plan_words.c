@@ -7,23 +7,29 @@
 
 #include "po_memory.h"
 #include "po_pins.h"
+#include "po_quote.h"
 #include "po_rigid.h"
 
 static po_status say(po_plan *plan, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 static po_status say(po_plan *plan, const char *format, ...) {
   char **lines = po_resize(plan->lines, plan->line_count + 1, sizeof *lines);
-  char *line = NULL;
+  char *said = NULL;
   if (lines)
     plan->lines = lines;
   va_list arguments;
   va_start(arguments, format);
-  const int length = lines ? vasprintf(&line, format, arguments) : -1;
+  const int length = lines ? vasprintf(&said, format, arguments) : -1;
   va_end(arguments);
   if (length < 0)
     return po_fail(PO_NO_MEMORY, "no memory for the words of a plan");
-  lines[plan->line_count++] = line;
-  return PO_OK;
+  /* A reason may have several lines, and be cut inside a character. */
+  const size_t room = 4 * (size_t)length + 1;
+  char *line = po_resize(NULL, room, 1);
+  if (line)
+    lines[plan->line_count++] = po_quote_text(said, line, room);
+  free(said);
+  return line ? PO_OK : PO_NO_MEMORY;
 }
 
 /* Of how many points something holds. */

@@ -145,7 +145,7 @@ po_foot po_plane_foot(po_plane_point point, const po_stretch *stretch) {
     const po_cubic cubic = cubic_of(curve, i);
     double t = 0;
     const double distance = cubic_foot(point, &cubic, &t);
-    if (distance >= foot.distance)
+    if (!(distance < foot.distance)) /* nor when it is not a number */
       continue;
     const size_t last = curve->count - 2;
     foot = (po_foot){

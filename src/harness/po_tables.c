@@ -1,5 +1,7 @@
 #include "po_tables.h"
 
+#include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -110,6 +112,11 @@ po_status po_tables_read_curve(const char *path, const char *digest, po_outcome 
     status = PO_NO_MEMORY;
   for (size_t i = 0; !status && i < rows; ++i) {
     const double *v = values + CURVE_COLUMNS * i;
+    if (!(v[7] >= 0 && v[7] <= INT_MAX && v[7] == floor(v[7]))) {
+      status =
+          po_fail(PO_CANNOT_READ, "%s: unstable_modes is %g: expected a whole number", path, v[7]);
+      break;
+    }
     outcome->curve[i] = (po_curve_point){.position = v[0],
                                          .approach = v[1],
                                          .load = v[2],

@@ -10,6 +10,7 @@
 #include "po_digest.h"
 #include "po_file.h"
 #include "po_number.h"
+#include "po_tables.h"
 #include "po_text.h"
 #include "run.h"
 
@@ -252,6 +253,38 @@ END_TEST
 
 #define COUNT(table) (int)(sizeof(table) / sizeof *(table))
 
+/* The last column of a curve counts unstable modes: 0.5 was read as 0, and what is beyond an int as
+ * anything. */
+static const struct {
+  const char *modes;
+  po_status expected;
+} MODES[] = {{"0", PO_OK},
+             {"3", PO_OK},
+             {"0.5", PO_CANNOT_READ},
+             {"-1", PO_CANNOT_READ},
+             {"1e300", PO_CANNOT_READ}};
+
+START_TEST(curve_table_has_whole_numbers_of_modes) {
+  po_text text = {0};
+  po_csv csv;
+  po_outcome outcome = {0};
+  po_text_add(&text,
+              "position,approach,load,energy,contact_radius,approach_rate,load_rate,"
+              "unstable_modes\n0,1,2.385,4,5,6,7,%s\n",
+              MODES[_i].modes);
+  ck_assert_int_eq(po_file_write(path, text.data, text.length), PO_OK);
+  ck_assert_int_eq(po_csv_read(path, path, &csv), PO_OK);
+  ck_assert_int_eq(po_tables_read_curve(path, csv.digest, &outcome), MODES[_i].expected);
+  if (MODES[_i].expected == PO_OK) {
+    ck_assert_double_eq(outcome.curve[0].load, 2.385);
+    ck_assert_int_eq(outcome.curve[0].unstable_modes, atoi(MODES[_i].modes));
+  }
+  po_csv_clear(&csv);
+  po_text_clear(&text);
+  po_outcome_clear(&outcome);
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_checked_fixture(tests, make_folder, remove_folder);
   tcase_add_loop_test(tests, number_prints_short_and_exact, 0, COUNT(PRINTED));
@@ -266,6 +299,8 @@ static void add(TCase *tests) {
   tcase_add_test(tests, csv_is_sealed);
   tcase_add_loop_test(tests, csv_refuses_damage, 0, COUNT(DAMAGED));
   tcase_add_test(tests, csv_rows_read_back_exactly);
+  tcase_add_loop_test(tests, curve_table_has_whole_numbers_of_modes, 0,
+                      (int)(sizeof MODES / sizeof *MODES));
 }
 
 int main(void) {

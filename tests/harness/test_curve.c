@@ -284,6 +284,23 @@ START_TEST(markers_need_no_order) {
 }
 END_TEST
 
+/* Products of such coordinates are infinite and their differences no numbers: nothing says that the
+ * curves agree, and they differ by a tenth. */
+START_TEST(numbers_too_large_to_compare_do_not_agree) {
+  const size_t n = s_curve(ours, 200, -1, 1, 0);
+  for (size_t i = 0; i < n; ++i) {
+    ours[i].approach *= 1e200;
+    ours[i].load *= 1e200;
+    theirs[i] = (po_plane_point){ours[i].approach, 1.1 * ours[i].load};
+  }
+  ck_assert_double_gt(compare(n, n, 1e198).distance, 1e198);
+  const po_plane_curve curve = {.points = ours, .count = n};
+  po_curve_verdict found;
+  po_curve_scatter(&curve, theirs, n, &found);
+  ck_assert_double_gt(found.distance, 1e198);
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_test(tests, distance_from_a_circle);
   tcase_add_test(tests, distance_from_a_circle_with_rates);
@@ -301,6 +318,7 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, points_close_to_a_fold_do_not_matter, 0,
                       (int)(sizeof BESIDE / sizeof *BESIDE));
   tcase_add_test(tests, markers_need_no_order);
+  tcase_add_test(tests, numbers_too_large_to_compare_do_not_agree);
 }
 
 int main(void) {
