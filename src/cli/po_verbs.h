@@ -3,6 +3,9 @@
 #ifndef PO_VERBS_H
 #define PO_VERBS_H
 
+/* Reads a whole command line, argv[1] being the verb. */
+int po_verbs_run(int argc, char **argv);
+
 int po_verb_solve(int argc, char **argv);
 int po_verb_follow(int argc, char **argv);
 int po_verb_theory(int argc, char **argv);

@@ -1,0 +1,61 @@
+#include "po_verbs.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "po_options.h"
+#include "po_quote.h"
+
+static const struct {
+  const char *name;
+  int (*run)(int argc, char **argv);
+  const char *summary;
+} VERBS[] = {
+    {"solve", po_verb_solve, "solve one scene given by flags"},
+    {"follow", po_verb_follow, "follow the pull-off along a line of scenes"},
+    {"theory", po_verb_theory, "print a closed form of the paper"},
+    {"list", po_verb_list, "list the cases"},
+    {"plan", po_verb_plan, "say what would be computed for a case, and why"},
+    {"run", po_verb_run, "solve cases and keep their records"},
+    {"merge", po_verb_merge, "put the shards of a run together"},
+    {"verify", po_verb_verify, "run what is missing and print a verdict for every check"},
+    {"explain", po_verb_explain, "say what differs, where, and which side is likely at fault"},
+    {"bless", po_verb_bless, "accept the numbers of a case as its pins"},
+    {"report", po_verb_report, "write the report of a run"},
+};
+
+#define VERB_NAMES "solve, follow, theory, list, plan, run, merge, verify, explain, bless or report"
+
+static void print_help(void) {
+  puts("Usage: pulloff VERB [OPTION]...\n"
+       "Adhesion of a sphere with axisymmetric waviness under the Lennard-Jones law:\n"
+       "solved, checked against reference data, reported.\n");
+  for (size_t i = 0; i < sizeof VERBS / sizeof *VERBS; ++i)
+    printf("  %-8s %s\n", VERBS[i].name, VERBS[i].summary);
+  puts("\n  --help     this text, or that of a verb\n"
+       "  --version  the version\n\n"
+       "Exit codes: 0 all well, 1 a check does not pass, 2 bad usage or input,\n"
+       "3 a solve failed, 4 a file could not be read or written, 130 interrupted.\n\n"
+       "Example: pulloff solve --tabor 1 --json");
+}
+
+int po_verbs_run(int argc, char **argv) {
+  if (argc < 2) {
+    po_fail(PO_BAD_INPUT, "no verb is given: expected " VERB_NAMES);
+    return po_options_end(PO_BAD_INPUT);
+  }
+  if (strcmp(argv[1], "--help") == 0) {
+    print_help();
+    return PO_EXIT_OK;
+  }
+  if (strcmp(argv[1], "--version") == 0) {
+    puts("pulloff " PULLOFF_VERSION);
+    return PO_EXIT_OK;
+  }
+  for (size_t i = 0; i < sizeof VERBS / sizeof *VERBS; ++i)
+    if (strcmp(argv[1], VERBS[i].name) == 0)
+      return VERBS[i].run(argc - 1, argv + 1);
+  char shown[PO_QUOTE_LENGTH];
+  po_fail(PO_BAD_INPUT, "unknown verb %s: expected " VERB_NAMES, po_quote(argv[1], shown));
+  return po_options_end(PO_BAD_INPUT);
+}

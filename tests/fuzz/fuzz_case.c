@@ -1,0 +1,57 @@
+/* The YAML of a case, parsed, expanded to its points, and planned. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "fuzz.h"
+
+/* A plan asks every reference for every point: of more points it says the same for longer. */
+enum { MOST_PLANNED = 2000 };
+
+static void require_points(const po_case *kase) {
+  fuzz_require(kase->point_count > 0, "a case without points is accepted");
+  for (size_t i = 0; i < kase->point_count; ++i) {
+    const po_point *point = &kase->points[i];
+    fuzz_require(po_request_check(&point->request) == PO_OK, "point %zu is accepted, but: %s", i,
+                 po_message());
+    if (i > 0 && i + 1 < kase->point_count && i % 64)
+      continue; /* the first, the last, and a few between */
+    fuzz_require_words("a label", point->label, false);
+    fuzz_require_request(&point->request);
+    char *command = po_input_command(&point->request);
+    fuzz_require(command != NULL, "point %zu has no command", i);
+    fuzz_require_words("a command", command, false);
+    free(command);
+  }
+}
+
+static po_status plan(const po_case *kase, char key[PO_DIGEST_LENGTH]) {
+  po_plan *made = NULL;
+  const po_status status = po_plan_create(kase, FUZZ_DATA, &made);
+  fuzz_require_message(status);
+  for (size_t i = 0; made && i < made->line_count; ++i)
+    fuzz_require_words("the plan", made->lines[i], false);
+  if (made)
+    memcpy(key, made->key, PO_DIGEST_LENGTH);
+  po_plan_destroy(made);
+  return status;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  const char *path = fuzz_path("cases/fuzz.yaml");
+  fuzz_write(path, (const char *)data, size);
+  po_case *kase = NULL;
+  const po_status status = po_case_read(path, "cases/fuzz.yaml", &kase);
+  fuzz_require_message(status);
+  if (status)
+    return 0;
+  require_points(kase);
+  if (kase->point_count <= MOST_PLANNED) {
+    char key[PO_DIGEST_LENGTH] = "", again[PO_DIGEST_LENGTH] = "";
+    const po_status planned = plan(kase, key);
+    if (size % 8 == 0) /* of some: a plan is most of the price */
+      fuzz_require(plan(kase, again) == planned && strcmp(key, again) == 0,
+                   "two plans of a case differ");
+  }
+  po_case_destroy(kase);
+  return 0;
+}

@@ -1,0 +1,154 @@
+/* Command lines: each line of the input is an argument. Every verb reads its own whole; where it
+ * would solve, draw a report or write a file, a stub stands (linked by --wrap), so that an input
+ * costs no more than reading it. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "fuzz.h"
+#include "po_file.h"
+#include "po_line.h"
+#include "po_options.h"
+#include "po_shard.h"
+#include "po_verbs.h"
+
+enum { MOST_ARGUMENTS = 64 };
+
+static po_request solved; /* the last request that was to be solved */
+static bool was_solved;
+
+po_status __wrap_po_observe(const po_request *request, po_outcome *outcome);
+po_status __wrap_po_line_observe(const po_request *requests, size_t count, size_t every,
+                                 po_outcome *outcomes);
+po_status __wrap_po_line_folds(const po_request *requests, size_t count, po_outcome *outcomes);
+po_status __wrap_po_run(po_case_run *runs, size_t count, const po_run_options *options);
+po_status __wrap_po_shard_write(const po_case_run *runs, size_t count, po_shard shard,
+                                double time_limit, int jobs, const char *output);
+po_status __wrap_po_file_write(const char *path, const char *data, size_t size);
+po_status __wrap_po_folder_make(const char *path);
+const volatile sig_atomic_t *__wrap_po_interrupt_listen(void);
+FILE *__wrap_popen(const char *command, const char *type);
+pid_t __wrap_fork(void);
+
+po_status __wrap_po_observe(const po_request *request, po_outcome *outcome) {
+  *outcome = (po_outcome){.status = PO_INTERRUPTED};
+  solved = *request;
+  was_solved = true;
+  return po_fail(PO_INTERRUPTED, "nothing is solved here");
+}
+
+po_status __wrap_po_line_observe(const po_request *requests, size_t count, size_t every,
+                                 po_outcome *outcomes) {
+  fuzz_require(every > 0 && count > 1, "a line of %zu scenes is followed, each %zu", count, every);
+  for (size_t i = 0; i < count; ++i) {
+    outcomes[i].status = PO_NOT_CONVERGED;
+    fuzz_require(po_request_check(&requests[i]) == PO_OK, "scene %zu of a line: %s", i,
+                 po_message());
+  }
+  return PO_OK;
+}
+
+po_status __wrap_po_line_folds(const po_request *requests, size_t count, po_outcome *outcomes) {
+  return __wrap_po_line_observe(requests, count, 1, outcomes);
+}
+
+po_status __wrap_po_run(po_case_run *runs, size_t count, const po_run_options *options) {
+  fuzz_require(options->output && *options->output && options->jobs > 0, "a run without an output");
+  for (size_t r = 0; r < count; ++r)
+    fuzz_require(runs[r].asked_count <= runs[r].plan->kase->point_count,
+                 "more points are asked for "
+                 "than there are");
+  return po_fail(PO_INTERRUPTED, "nothing is solved here");
+}
+
+po_status __wrap_po_shard_write(const po_case_run *runs, size_t count, po_shard shard,
+                                double time_limit, int jobs, const char *output) {
+  (void)runs, (void)count, (void)time_limit, (void)jobs, (void)output;
+  fuzz_require(shard.number >= 1 && shard.number <= shard.count, "shard %zu of %zu is accepted",
+               shard.number, shard.count);
+  return PO_OK;
+}
+
+po_status __wrap_po_file_write(const char *path, const char *data, size_t size) {
+  (void)data, (void)size;
+  return *path ? PO_OK : po_fail(PO_CANNOT_WRITE, "a file without a name is not written");
+}
+
+po_status __wrap_po_folder_make(const char *path) {
+  return *path ? PO_OK : po_fail(PO_CANNOT_WRITE, "a folder without a name is not made");
+}
+
+const volatile sig_atomic_t *__wrap_po_interrupt_listen(void) {
+  static volatile sig_atomic_t never;
+  return &never;
+}
+
+FILE *__wrap_popen(const char *command, const char *type) {
+  (void)command, (void)type;
+  return NULL;
+}
+
+pid_t __wrap_fork(void) {
+  return -1;
+}
+
+/* Runs a command line; its exit code. */
+static int run(int argc, char **argv) {
+  was_solved = false;
+  optind = 0; /* getopt begins anew */
+  po_message_clear();
+  const int code = po_verbs_run(argc, argv);
+  const bool known = code == PO_EXIT_OK || code == PO_EXIT_OUTSIDE || code == PO_EXIT_USAGE ||
+                     code == PO_EXIT_SOLVE || code == PO_EXIT_FILE || code == PO_EXIT_INTERRUPTED;
+  fuzz_require(known, "the exit code is %d", code);
+  if (code == PO_EXIT_USAGE || code == PO_EXIT_FILE)
+    fuzz_require(*po_message() != '\0', "the exit code %d has no message", code);
+  if (code)
+    fuzz_require_words("a message", po_message(), false);
+  return code;
+}
+
+/* What was to be solved is what its own command says. */
+static void require_command(void) {
+  const po_request before = solved;
+  char *argv[MOST_ARGUMENTS], *rest = NULL;
+  int argc = 0;
+  char *command = po_input_command(&before);
+  fuzz_require(command != NULL, "a request has no command");
+  fuzz_require_words("a command", command, false);
+  for (char *word = strtok_r(command, " ", &rest); word; word = strtok_r(NULL, " ", &rest))
+    argv[argc++] = word;
+  argv[argc] = NULL;
+  run(argc, argv);
+  fuzz_require(was_solved, "the command of a request is refused: %s", po_message());
+  fuzz_require(before.want == solved.want, "the command of a request wants %u, not %u", solved.want,
+               before.want);
+  for (int key = 0; key < PO_KEY_COUNT; ++key) {
+    const double a = po_key_number(&before, (po_key)key), b = po_key_number(&solved, (po_key)key);
+    fuzz_require(po_key_is_idle(&before, (po_key)key) || a == b,
+                 "%s is %.17g in a request, and %.17g in that of its command",
+                 po_key_name((po_key)key), a, b);
+  }
+  free(command);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  fuzz_part text;
+  char *argv[MOST_ARGUMENTS + 1] = {(char *)"pulloff"}, *rest = NULL;
+  int argc = 1;
+  setenv("PULLOFF_DATA", FUZZ_DATA, 1);
+  fuzz_split(data, size, &text, 1);
+  for (char *line = text.bytes; line && argc < MOST_ARGUMENTS; line = rest) {
+    rest = strchr(line, '\n');
+    if (rest)
+      *rest++ = '\0';
+    if (rest || *line)
+      argv[argc++] = line;
+  }
+  argv[argc] = NULL;
+  run(argc, argv);
+  if (was_solved)
+    require_command();
+  free(text.bytes);
+  return 0;
+}

@@ -1,0 +1,161 @@
+/* Curves: a table of ours, as a record keeps it, and in the second part of the input a reference of
+ * the columns approach,load. Compared with each other, and with themselves. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "fuzz.h"
+#include "po_csv.h"
+#include "po_curve.h"
+#include "po_memory.h"
+#include "po_plane.h"
+#include "po_tables.h"
+
+/* Comparing takes the product of the numbers of points. */
+enum { MOST_POINTS = 400 };
+
+/* Beyond this products of coordinates are not finite, and a curve may be said to be off itself. */
+static const double HUGE_EXTENT = 1e100;
+
+/* Reads a curve and requires that it can be written and is then read as the same. */
+static po_status read_ours(const char *path, po_outcome *outcome) {
+  char digest[PO_DIGEST_LENGTH];
+  po_outcome back = {0};
+  const po_request request = po_request_default();
+  fuzz_table_digest(path, digest);
+  const po_status status = po_tables_read_curve(path, digest, outcome);
+  fuzz_require_message(status);
+  if (status)
+    return status;
+  const char *copy = fuzz_path("back.csv");
+  fuzz_require(po_tables_write_curve(copy, &request, outcome, digest) == PO_OK &&
+                   po_tables_read_curve(copy, digest, &back) == PO_OK,
+               "a curve that was read cannot be written and read: %s", po_message());
+  fuzz_require(back.curve_count == outcome->curve_count, "a curve is read back of another length");
+  for (size_t i = 0; i < back.curve_count; ++i)
+    fuzz_require(memcmp(&back.curve[i], &outcome->curve[i], sizeof back.curve[i]) == 0,
+                 "point %zu of a curve is another when it is read back", i);
+  po_outcome_clear(&back);
+  return PO_OK;
+}
+
+static po_status read_theirs(const char *path, po_plane_point **points, size_t *count) {
+  po_csv csv;
+  po_status status = po_csv_read(path, "theirs.csv", &csv);
+  if (status)
+    return status;
+  const int approach = po_csv_find_column(&csv, "approach"),
+            load = po_csv_find_column(&csv, "load");
+  *points = po_allocate(csv.row_count, sizeof **points);
+  *count = csv.row_count;
+  if (approach < 0 || load < 0)
+    status = PO_NOT_FOUND;
+  for (size_t r = 0; !status && r < csv.row_count; ++r) {
+    status = po_csv_number(&csv, r, (size_t)approach, &(*points)[r].approach);
+    if (!status)
+      status = po_csv_number(&csv, r, (size_t)load, &(*points)[r].load);
+  }
+  po_csv_clear(&csv);
+  return status;
+}
+
+static void require_verdict(const po_curve_verdict *verdict, size_t points) {
+  fuzz_require(verdict->distance >= 0, "curves are apart by %g", verdict->distance);
+  fuzz_require(verdict->compared + verdict->left_out <= points, "%zu of %zu points are compared",
+               verdict->compared, points);
+  fuzz_require_words("a note", verdict->note, false);
+}
+
+/* The length of the box around a curve. */
+static double extent(const po_plane_curve *curve) {
+  po_plane_point least = curve->points[0], most = least;
+  for (size_t i = 1; i < curve->count; ++i) {
+    least.approach = fmin(least.approach, curve->points[i].approach);
+    least.load = fmin(least.load, curve->points[i].load);
+    most.approach = fmax(most.approach, curve->points[i].approach);
+    most.load = fmax(most.load, curve->points[i].load);
+  }
+  return fmax(fmax(fabs(least.approach), fabs(most.approach)),
+              fmax(fabs(least.load), fabs(most.load)));
+}
+
+/* A curve is no way from itself. */
+static void require_self(const po_plane_curve *curve) {
+  po_curve_verdict verdict;
+  if (curve->count < 2 || extent(curve) > HUGE_EXTENT)
+    return;
+  fuzz_require(po_curve_compare(curve, curve, 1e-9, &verdict) == PO_OK,
+               "a curve cannot be compared");
+  require_verdict(&verdict, curve->count);
+  fuzz_require(verdict.compared == 0 || verdict.same_folds, "a curve has other folds than itself");
+  fuzz_require(verdict.distance <= 1e-12 * extent(curve), "a curve is %g from itself",
+               verdict.distance);
+}
+
+/* A curve moved aside by so many times its size is not the same curve, whatever its numbers:
+ * without rates the doubt of joining its points is less than a hundred times its size. */
+static const double ASIDE = 1000;
+
+static void require_apart(const po_plane_curve *curve) {
+  po_curve_verdict verdict;
+  const double size = extent(curve);
+  po_plane_point *moved = po_allocate(curve->count, sizeof *moved);
+  for (size_t i = 0; i < curve->count; ++i)
+    moved[i] = (po_plane_point){curve->points[i].approach, curve->points[i].load + ASIDE * size};
+  const po_plane_curve other = {.points = moved, .count = curve->count};
+  if (curve->count >= 2 && size > 0) {
+    fuzz_require(po_curve_compare(curve, &other, 0, &verdict) == PO_OK,
+                 "a curve cannot be compared");
+    require_verdict(&verdict, curve->count);
+    fuzz_require(verdict.compared == 0 || verdict.distance > 0,
+                 "a curve is the same as one that is moved by %g", ASIDE * size);
+  }
+  free(moved);
+}
+
+static void compare(const po_outcome *outcome, const po_plane_curve *theirs) {
+  const size_t count = outcome->curve_count;
+  po_plane_point *points = po_allocate(2 * count, sizeof *points);
+  double *positions = po_allocate(count, sizeof *positions);
+  po_curve_verdict verdict;
+  for (size_t i = 0; i < count; ++i) {
+    const po_curve_point *p = &outcome->curve[i];
+    points[i] = (po_plane_point){p->approach, p->load};
+    points[count + i] = (po_plane_point){p->approach_rate, p->load_rate};
+    positions[i] = p->position;
+  }
+  const po_plane_curve plain = {.points = points, .count = count};
+  const po_plane_curve ours = {points, points + count, positions, count};
+  if (count > 0) {
+    require_self(&plain);
+    require_apart(&plain);
+  }
+  fuzz_require(po_curve_compare(&ours, theirs, 1e-3, &verdict) == PO_OK,
+               "curves cannot be compared");
+  require_verdict(&verdict, theirs->count);
+  po_curve_scatter(&ours, theirs->points, theirs->count, &verdict);
+  require_verdict(&verdict, theirs->count);
+  free(points);
+  free(positions);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  fuzz_part parts[2] = {{NULL, 0}, {NULL, 0}};
+  const size_t count = fuzz_split(data, size, parts, 2);
+  const char *ours = fuzz_path("curve.csv"), *theirs = fuzz_path("theirs.csv");
+  po_outcome outcome = {0};
+  po_plane_point *points = NULL;
+  size_t point_count = 0;
+  fuzz_write(ours, parts[0].bytes, parts[0].size);
+  fuzz_write(theirs, parts[1].bytes, count > 1 ? parts[1].size : 0);
+  if (read_ours(ours, &outcome) == PO_OK && read_theirs(theirs, &points, &point_count) == PO_OK &&
+      outcome.curve_count <= MOST_POINTS && point_count <= MOST_POINTS) {
+    const po_plane_curve reference = {.points = points, .count = point_count};
+    compare(&outcome, &reference);
+  }
+  po_message_clear();
+  free(points);
+  po_outcome_clear(&outcome);
+  free(parts[0].bytes);
+  return 0;
+}

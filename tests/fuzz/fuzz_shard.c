@@ -1,0 +1,94 @@
+/* The shards of a run, as merge reads them: each part of the input is the file of one. Tokens:
+ * @PROGRAM@ for the digest of the program, @PLAIN@ and @FOLLOWED@ for the keys of the two cases. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "fuzz.h"
+#include "po_environment.h"
+#include "po_file.h"
+#include "po_merge.h"
+
+enum { MOST_SHARDS = 4, CASES = 2 };
+
+static po_case_run *runs[CASES];
+
+static void require_complete(const po_merge *merge) {
+  fuzz_require(merge->count == merge->parts[0].shard.count, "%zu shards of %zu are accepted",
+               merge->count, merge->parts[0].shard.count);
+  for (size_t i = 0; i < merge->count; ++i)
+    for (size_t k = 0; k < i; ++k)
+      fuzz_require(merge->parts[i].shard.number != merge->parts[k].shard.number,
+                   "a shard is accepted twice");
+}
+
+/* The runs of the cases that are named, when all are known. */
+static size_t find_runs(char *const *names, size_t count, po_case_run *chosen) {
+  for (size_t i = 0; i < count; ++i) {
+    int c = 0;
+    while (c < CASES && strcmp(names[i], runs[c]->plan->kase->file->name) != 0)
+      ++c;
+    if (c == CASES || i == CASES || (i > 0 && chosen[0].plan == runs[c]->plan))
+      return 0;
+    chosen[i] = *runs[c];
+  }
+  return count;
+}
+
+static void fill(const po_merge *merge, char *const *names, size_t count) {
+  po_case_run chosen[CASES];
+  const size_t found = find_runs(names, count, chosen);
+  if (!found)
+    return;
+  for (size_t i = 0; i < found; ++i)
+    fuzz_run_reset(&chosen[i]);
+  fuzz_require_message(po_merge_fill(merge, chosen, found));
+  for (size_t i = 0; i < found; ++i) {
+    fuzz_run_reset(&chosen[i]);
+    for (int c = 0; c < CASES; ++c)
+      if (chosen[i].plan == runs[c]->plan)
+        *runs[c] = chosen[i];
+  }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  fuzz_part parts[MOST_SHARDS];
+  char program[PO_DIGEST_LENGTH];
+  const size_t count = fuzz_split(data, size, parts, MOST_SHARDS);
+  if (!runs[0]) {
+    runs[0] = fuzz_run("plain");
+    runs[1] = fuzz_run("followed");
+  }
+  po_environment_digest(program);
+  const fuzz_token tokens[] = {{"@PROGRAM@", program},
+                               {"@PLAIN@", runs[0]->plan->solve_key},
+                               {"@FOLLOWED@", runs[1]->plan->solve_key}};
+  char *folder = (char *)fuzz_path("shards");
+  po_folder_make(folder);
+  fuzz_empty(folder);
+  for (size_t i = 0; i < count; ++i) {
+    char name[64];
+    fuzz_part shard = fuzz_fill(&parts[i], tokens, sizeof tokens / sizeof *tokens);
+    snprintf(name, sizeof name, "shards/shard-%zu-of-%zu.json", i + 1, count);
+    fuzz_write(fuzz_path(name), shard.bytes, shard.size);
+    free(shard.bytes);
+  }
+  po_merge merge;
+  po_status status = po_merge_open(&folder, 1, &merge);
+  fuzz_require_message(status);
+  if (!status) {
+    char **names = NULL;
+    size_t named = 0;
+    require_complete(&merge);
+    fuzz_require(!(po_merge_time_limit(&merge) <= 0), "a time limit of %g is accepted",
+                 po_merge_time_limit(&merge));
+    status = po_merge_cases(&merge, &names, &named);
+    fuzz_require_message(status);
+    if (!status)
+      fill(&merge, names, named);
+    po_names_free(names, named);
+  }
+  po_merge_close(&merge);
+  free(parts[0].bytes);
+  return 0;
+}
