@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from branch import APPROACH, FINE_TRACE, LOAD, POLISH, TRACE, NotConverged, advance, correct, remesh
+from contact import contact_radius
 from landmarks import converge, find_landmarks, landmark_kinds, polish, pull_off, trace
 from tables import bound, number
 
@@ -19,10 +20,12 @@ BOUND_IN_WORDS = (f"bound: {SAFETY:g} times the largest difference between refin
 
 @dataclass(frozen=True)
 class Row:
-    """A converged landmark; `spread` = differences between levels (D, W)."""
+    """A converged landmark; contact_radius in units of Gamma = epsilon sqrt(R mu);
+    `spread` = differences between levels (D, W, contact radius)."""
     kind: str
     approach: float
     load: float
+    contact_radius: float
     spread: np.ndarray
 
 
@@ -39,8 +42,12 @@ def solve_landmarks(problem, ends, levels=POLISH, check=True):
 
 
 def converge_mark(problem, mark, levels):
-    value, spread = converge(lambda level: polish(problem, mark, level).state.y[:2], levels)
-    return Row(mark.kind, value[APPROACH], value[LOAD], spread)
+    def values(level):
+        state = polish(problem, mark, level).state
+        return state.approach, state.load, contact_radius(problem, state)
+
+    value, spread = converge(values, levels)
+    return Row(mark.kind, *value, spread)
 
 
 def curve_states(problem, states):
@@ -93,24 +100,28 @@ def worst(curves):
     return max(r[2] for r in every if not r[3]), max(r[2] for r in every if r[3])
 
 
-def landmark_cells(rows):
-    """index, kind, approach, load and the uncertainties, as in the tables."""
-    return [(str(i + 1), r.kind, number(r.approach), number(r.load),
-             bound(SAFETY * r.spread[0]), bound(SAFETY * r.spread[1])) for i, r in enumerate(rows)]
+def landmark_cells(rows, width):
+    """index, kind, approach, load, contact radius and the uncertainties, as in the tables. Given:
+    width, the value of Gamma in the unit of the contact radius."""
+    return [(str(i + 1), r.kind, number(r.approach), number(r.load), number(r.contact_radius * width),
+             bound(SAFETY * r.spread[0]), bound(SAFETY * r.spread[1]),
+             bound(SAFETY * r.spread[2] * width)) for i, r in enumerate(rows)]
 
 
-def pull_off_cells(rows):
-    """force, approach and the uncertainties."""
+def pull_off_cells(rows, width):
+    """force, approach, contact radius and the uncertainties."""
     r = pull_off(rows)
-    return (number(-r.load), number(r.approach),
-            bound(SAFETY * r.spread[1]), bound(SAFETY * r.spread[0]))
+    return (number(-r.load), number(r.approach), number(r.contact_radius * width),
+            bound(SAFETY * r.spread[1]), bound(SAFETY * r.spread[0]),
+            bound(SAFETY * r.spread[2] * width))
 
 
-def show(rows):
-    """Prints landmarks for a reader."""
+def show(rows, width, unit):
+    """Prints landmarks for a reader; width: as in landmark_cells."""
     for r in rows:
         print(f"{r.kind:9s} approach {r.approach: .13f} load {r.load: .13f} "
-              f"differences {r.spread[0]:.1e} {r.spread[1]:.1e}")
+              f"contact radius {r.contact_radius * width:.12f} {unit} "
+              f"differences {r.spread[0]:.1e} {r.spread[1]:.1e} {r.spread[2] * width:.1e}")
 
 
 def _compare(where, value, stored, uncertainty):
@@ -119,15 +130,19 @@ def _compare(where, value, stored, uncertainty):
                          f"uncertainty {uncertainty}")
 
 
-def compare(where, rows, landmarks, best):
+def compare(where, rows, landmarks, best, width, radius):
     """Raise if recomputed landmarks are outside the stored uncertainty: rows of
-    the table of landmarks, the row of the table of pull-off."""
+    the table of landmarks, the row of the table of pull-off. Given: width, as in
+    landmark_cells; radius, the name of the column of contact radii."""
     if [r.kind for r in rows] != [s["kind"] for s in landmarks]:
         raise ValueError(f"{where}: other kinds of landmarks")
     for r, s in zip(rows, landmarks):
         at = f"{where} index {s['index']}"
         _compare(at, r.approach, s["approach"], s["approach_uncertainty"])
         _compare(at, r.load, s["load"], s["load_uncertainty"])
+        _compare(at, r.contact_radius * width, s[radius], s[f"{radius}_uncertainty"])
     r = pull_off(rows)
     _compare(f"{where} pull-off", -r.load, best["force"], best["force_uncertainty"])
     _compare(f"{where} pull-off", r.approach, best["approach"], best["approach_uncertainty"])
+    _compare(f"{where} pull-off", r.contact_radius * width, best[radius],
+             best[f"{radius}_uncertainty"])

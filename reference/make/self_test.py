@@ -4,9 +4,11 @@ from math import pi, sin
 
 import numpy as np
 from scipy.integrate import quad
+from scipy.optimize import minimize_scalar
 from scipy.special import ellipkm1, ive
 
-from branch import POLISH, TRACE, smooth_sphere
+from branch import POLISH, TRACE, State, smooth_sphere
+from contact import PEAK_GAP, contact_radius
 from copson import Surface, dyadic_edges
 from landmarks import find_landmarks, polish, trace
 import wavy_sphere
@@ -18,6 +20,7 @@ KERNEL_TOLERANCE = 1e-11       # limited by the adaptive quadrature
 QUAD = {"epsabs": 1e-12, "epsrel": 1e-12, "limit": 400}
 CUT_SCENE = wavy_sphere.Scene("1", "1", "20", "100", "31.7", 0.5, 0.5)
 UNIFORM, CUT = 4, 8.0         # 2^4 equal panels up to s = 8
+NEAR, SCAN = 1e-9, 400001     # gap of a crest beside the threshold of contact; points of a scan
 
 
 def _check(name, error, tolerance):
@@ -81,10 +84,36 @@ def bradley():
     marks = find_landmarks(problem, trace(problem, TRACE, -4.0, 1.0))
     state = polish(problem, marks[-1], POLISH[1]).state
     x = 1.0 - state.approach
+    radius = np.sqrt(2.0 * (PEAK_GAP + state.approach) / RIGID_TABOR)
+    _check("rigid limit: contact radius, relative", abs(contact_radius(problem, state) / radius - 1),
+           RIGID_TOLERANCE)
     _check("rigid limit: one landmark only", len(marks) - 1, 0)
     _check("rigid limit: pull-off 2", abs(state.load + 2.0), RIGID_TOLERANCE)
     _check("rigid limit: load of Eq 23 at the same approach",
            abs(state.load + 2 * (4 * x**6 - 1) / (3 * x**8)), RIGID_TOLERANCE)
+
+
+def contact():
+    """The contact radius of undeformed waves on coarse panels, beside the crossings of a fine scan.
+    Each crest in turn reaches the threshold of contact by NEAR, misses it by NEAR, or is pressed."""
+    problem = wavy_sphere.Scene("1", "5", "12", "100", "inf", 0.0, 0.0).problem()
+    surface, scan = _unbounded(), np.linspace(0.0, CUT, SCAN)
+    shape = problem.shape(scan)
+    crests = np.flatnonzero((shape[1:-1] < shape[:-2]) & (shape[1:-1] < shape[2:])) + 1
+    worst = 0.0
+    for crest in crests:
+        lowest = minimize_scalar(problem.shape, bounds=scan[[crest - 1, crest + 1]], method="bounded",
+                                 options={"xatol": 1e-12}).fun
+        for depth in (NEAR, -NEAR, 0.3):
+            approach = lowest + depth - PEAK_GAP
+            state = State(surface, problem.shape(surface.u) - approach, approach, 0.0, 0.0)
+            inside = np.flatnonzero(shape - approach <= PEAK_GAP)
+            if depth == NEAR:                     # narrower than the scan: its half width is left out
+                inside = np.array([crest])
+            edge = scan[inside[-1]] if len(inside) else 0.0
+            worst = max(worst, abs(contact_radius(problem, state) - edge))
+    _check(f"contact radius of undeformed waves, {len(crests)} crests", worst,
+           2.0 * (CUT / SCAN + np.sqrt(NEAR)))
 
 
 def _equation_16(problem, state, radii):
@@ -136,5 +165,5 @@ def cut():
 
 
 def run():
-    for test in (gaussian, power, hertz, reciprocity, bradley, kernel, cut):
+    for test in (gaussian, power, hertz, reciprocity, bradley, contact, kernel, cut):
         test()

@@ -32,8 +32,14 @@ FAR = -12.0               # approach from which landmarks are looked for
 FIRM = 1.0                # load at which the search for landmarks ends
 ENDS = {"first_approach": FAR, "last_load": FIRM}
 DATE = "2026-11-21"
+RADIUS_DATE = "2026-11-22"  # of the tables with contact radii
 
 PULL_OFF, LANDMARKS, CURVE = "feng_pull_off.csv", "feng_landmarks.csv", "feng_curves.csv"
+# Approach and load do not depend on R. The contact radius is proportional to sqrt(R): stored is
+# that in units of sqrt(R epsilon).
+RADIUS = "contact_radius_over_root_radius"
+RADIUS_UNITS = (f"; {RADIUS}: the outermost radius where the gap is that of the greatest tension, "
+                "H = 3^(1/6) - 1, in units of sqrt(R epsilon); 0 when there is none")
 
 
 def solve_tabor(tabor, levels=POLISH, check=True):
@@ -41,7 +47,12 @@ def solve_tabor(tabor, levels=POLISH, check=True):
     return solve_landmarks(smooth_sphere(float(tabor)), ENDS, levels, check)
 
 
-def header(what, uncertainty, convergence):
+def width(tabor):
+    """Gamma/sqrt(R epsilon)."""
+    return np.sqrt(float(tabor))
+
+
+def header(what, uncertainty, convergence, units="", date=DATE):
     return {
         "what": what,
         "source": "A. Papangelo, M. Ciavarella, Lubricants 8(9), 90 (2020), "
@@ -55,12 +66,13 @@ def header(what, uncertainty, convergence):
                   "panels with a mapped panel to infinity; Newton; arclength in "
                   "(approach, load, central gap); shares no code or method with src/",
         "units": "approach in units of epsilon, > 0 pressed together; load = W/(pi w R), "
-                 "> 0 compressive; force = -load; tabor = (R w^2/(E*^2 epsilon^3))^(1/3)",
+                 "> 0 compressive; force = -load; tabor = (R w^2/(E*^2 epsilon^3))^(1/3)"
+                 + units,
         "uncertainty": uncertainty,
         "convergence": convergence,
         "generator": "reference/make/smooth_sphere.py",
         "command": "python3 reference/make/smooth_sphere.py --write",
-        "date": DATE,
+        "date": date,
     }
 
 
@@ -76,20 +88,23 @@ def write_landmarks(folder, solved):
     spread = np.array([r.spread for rows in solved.values() for r in rows]).max(axis=0)
     evidence = (f"every value solved on three levels ({levels_in_words(3)}); largest difference "
                 f"from the third level over all rows: approach {spread[0]:.1e}, "
-                f"load {spread[1]:.1e}; the same landmarks were found on two traces of "
-                "different mesh and step")
-    table = [(tabor, *cells) for tabor, rows in solved.items() for cells in landmark_cells(rows)]
-    best = [(tabor, *pull_off_cells(rows)) for tabor, rows in solved.items()]
+                f"load {spread[1]:.1e}, contact radius over Gamma {spread[2]:.1e}; the same "
+                "landmarks were found on two traces of different mesh and step")
+    table = [(tabor, *cells) for tabor, rows in solved.items()
+             for cells in landmark_cells(rows, width(tabor))]
+    best = [(tabor, *pull_off_cells(rows, width(tabor))) for tabor, rows in solved.items()]
     write_table(folder / LANDMARKS, header(
         f"folds in approach and extrema of load along the branch from approach {FAR:g} to "
         f"load {FIRM:g}, in order; smooth sphere. jump_in: local maximum of approach, jump_out: "
         "local minimum of approach, minimum and maximum: of the load along the branch",
-        BOUND_IN_WORDS, evidence),
-        "tabor index kind approach load approach_uncertainty load_uncertainty".split(), table)
+        BOUND_IN_WORDS, evidence, RADIUS_UNITS, RADIUS_DATE),
+        f"tabor index kind approach load {RADIUS} approach_uncertainty load_uncertainty "
+        f"{RADIUS}_uncertainty".split(), table)
     write_table(folder / PULL_OFF, header(
         "pull-off (global minimum of the load along the whole branch, stable or not), "
-        "smooth sphere", BOUND_IN_WORDS, evidence),
-        "tabor force approach force_uncertainty approach_uncertainty".split(), best)
+        "smooth sphere", BOUND_IN_WORDS, evidence, RADIUS_UNITS, RADIUS_DATE),
+        f"tabor force approach {RADIUS} force_uncertainty approach_uncertainty "
+        f"{RADIUS}_uncertainty".split(), best)
 
 
 def write_curves(folder, solved):
@@ -133,7 +148,8 @@ def sample(folder):
     read_table(folder / CURVE)
     for tabor in SAMPLE:
         compare(f"{LANDMARKS}, tabor {tabor}", solve_tabor(tabor, POLISH[1:2], check=False),
-                [row for row in landmarks if row["tabor"] == tabor], best[tabor])
+                [row for row in landmarks if row["tabor"] == tabor], best[tabor], width(tabor),
+                RADIUS)
 
 
 def act(arguments):
@@ -143,7 +159,7 @@ def act(arguments):
         sample(STORED)
         print("sample agrees with the stored tables")
     elif arguments.tabor:
-        show(solve_tabor(arguments.tabor, check=False))
+        show(solve_tabor(arguments.tabor, check=False), width(arguments.tabor), "sqrt(R eps)")
     else:
         write_all(arguments.write)
 

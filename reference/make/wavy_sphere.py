@@ -27,6 +27,9 @@ CURVE_FAR = -8.0          # approach of the first point of a curve
 CORE = 40.0               # start of the mapped panel of an unbounded surface: the waves beyond,
                           # which it does not resolve, carry less than 1e-9 of the load
 DATE = "2026-11-21"
+RADIUS_DATE = "2026-11-22"  # of the tables with contact radii
+RADIUS_UNITS = ("; contact_radius: the outermost radius where the gap is that of the greatest "
+                "tension, H = 3^(1/6) - 1, in epsilon; 0 when there is none")
 
 # Less than 1e-12 of the largest traction cannot be resolved: a gap of up to 50 eps less an approach
 # of 20 is rounded to 1e-14, and where the crests are squeezed the traction is 100 times steeper.
@@ -52,9 +55,14 @@ class Scene:
     def key(self):
         return self.tabor, self.amplitude, self.wavelength, self.radius, self.outer_radius
 
+    @property
+    def width(self):
+        """Gamma/epsilon."""
+        return np.sqrt(float(self.radius) * float(self.tabor))
+
     def problem(self):
-        mu, amplitude, wavelength, radius, outer = map(float, self.key)
-        width = np.sqrt(radius * mu)                    # Gamma/epsilon
+        mu, amplitude, wavelength, _, outer = map(float, self.key)
+        width = self.width
         k = 2.0 * np.pi * width / wavelength
 
         def shape(u):
@@ -132,7 +140,7 @@ def check_beyond(scene, states, deepest):
     return least
 
 
-def header(what, uncertainty, convergence):
+def header(what, uncertainty, convergence, units="", date=DATE):
     return {
         "what": what,
         "source": "A. Papangelo, M. Ciavarella, Lubricants 8(9), 90 (2020), "
@@ -143,12 +151,12 @@ def header(what, uncertainty, convergence):
                   "(approach, load, central gap); shares no code or method with src/",
         "units": "approach, amplitude, wavelength, radius and outer_radius (inf: unbounded) in "
                  "units of epsilon, approach > 0 pressed together; load = W/(pi w R), > 0 compressive; "
-                 "force = -load; tabor = (R w^2/(E*^2 epsilon^3))^(1/3)",
+                 "force = -load; tabor = (R w^2/(E*^2 epsilon^3))^(1/3)" + units,
         "uncertainty": uncertainty,
         "convergence": convergence,
         "generator": "reference/make/wavy_sphere.py",
         "command": "python3 reference/make/wavy_sphere.py --write",
-        "date": DATE,
+        "date": date,
     }
 
 
@@ -163,26 +171,27 @@ def write_landmarks(folder, solved):
     spread = np.array([r.spread for one in solved for r in one.rows]).max(axis=0)
     evidence = (f"every value solved on three levels ({levels_in_words()}); largest difference "
                 f"from the third level over all rows: approach {spread[0]:.1e}, "
-                f"load {spread[1]:.1e}; the same landmarks were found on two traces of "
-                "different mesh and step")
+                f"load {spread[1]:.1e}, contact radius over Gamma {spread[2]:.1e}; the same "
+                "landmarks were found on two traces of different mesh and step")
     table = [(*one.scene.key, number(one.scene.complete_to), *cells)
-             for one in solved for cells in landmark_cells(one.rows)]
-    best = [(*one.scene.key, *pull_off_cells(one.rows), number(one.scene.complete_to),
-             number(one.scene.traced_to), f"{one.beyond:.4f}") for one in solved]
+             for one in solved for cells in landmark_cells(one.rows, one.scene.width)]
+    best = [(*one.scene.key, *pull_off_cells(one.rows, one.scene.width),
+             number(one.scene.complete_to), number(one.scene.traced_to), f"{one.beyond:.4f}")
+            for one in solved]
     write_table(folder / LANDMARKS, header(
         f"folds in approach and extrema of load along the branch, in order, from approach {FAR:g} "
         "to where the approach first exceeds complete_to; wavy sphere. jump_in: local maximum of "
         "approach, jump_out: local minimum of approach, minimum and maximum: of the load along the "
-        "branch", BOUND_IN_WORDS, evidence),
-        KEYS + "complete_to index kind approach load approach_uncertainty load_uncertainty".split(),
-        table)
+        "branch", BOUND_IN_WORDS, evidence, RADIUS_UNITS, RADIUS_DATE),
+        KEYS + ("complete_to index kind approach load contact_radius approach_uncertainty "
+                "load_uncertainty contact_radius_uncertainty").split(), table)
     write_table(folder / PULL_OFF, header(
         "pull-off (global minimum of the load along the branch, stable or not), wavy sphere. "
         "Beyond where the approach first exceeds complete_to the branch was followed to where it first "
         "exceeds traced_to; the load there was never below least_load_beyond",
-        BOUND_IN_WORDS, evidence),
-        KEYS + "force approach force_uncertainty approach_uncertainty complete_to traced_to "
-        "least_load_beyond".split(), best)
+        BOUND_IN_WORDS, evidence, RADIUS_UNITS, RADIUS_DATE),
+        KEYS + ("force approach contact_radius force_uncertainty approach_uncertainty "
+                "contact_radius_uncertainty complete_to traced_to least_load_beyond").split(), best)
 
 
 def write_curves(folder, solved):
@@ -229,12 +238,13 @@ def sample(folder):
     for key in SAMPLE:
         compare(f"{LANDMARKS}, {' '.join(key)}",
                 solve(scene_of(key), POLISH[1:2], check=False).rows,
-                [row for row in landmarks if tuple(row[k] for k in KEYS) == key], best[key])
+                [row for row in landmarks if tuple(row[k] for k in KEYS) == key], best[key],
+                scene_of(key).width, "contact_radius")
 
 
 def show_scene(solved):
-    show(solved.rows)
     scene = solved.scene
+    show(solved.rows, scene.width, "eps")
     print(f"complete to approach {scene.complete_to:g}; least load from there to approach "
           f"{scene.traced_to:g}: {solved.beyond:.4f}")
 

@@ -1,0 +1,236 @@
+"""Two solutions of a scene: whether the errors that the looser one states hold.
+
+The tighter solution has an error of its own, which it states. So a stated error *holds* when the difference and the
+error of the tighter solution are together no larger, is *violated* when the difference is larger than both stated
+errors together, and is *open* in between, where the tighter solution is not tight enough to decide."""
+
+import math
+from dataclasses import dataclass, field
+
+# A landmark of one solution that no landmark of the other lies nearer to than twice this, in the plane of approach/eps
+# and load/(pi w R), is not in the other. Half and twice the value found the same in 300 scenes.
+APART = 0.05
+ROUNDING = 1e-14         # of a number beside its size: what a difference of two printed numbers may be off by
+
+
+@dataclass
+class Finding:
+    """One number of the looser solution."""
+    quantity: str
+    where: str
+    stated: float            # nan: no error is stated
+    difference: float
+    own: float               # error of the tighter solution
+
+    @property
+    def verdict(self):
+        if not self.difference <= self.stated + self.own:
+            return "unstated" if math.isnan(self.stated) else "violated"
+        return "held" if self.difference + self.own <= self.stated else "open"
+
+    @property
+    def ratio(self):
+        """How many times larger than the true error the stated one is; at least this, where `is_bound`."""
+        return self.stated / max(self.difference, self.own)
+
+    @property
+    def is_bound(self):
+        return self.difference < self.own
+
+
+@dataclass
+class Comparison:
+    """What was found of one scene."""
+    findings: list = field(default_factory=list)
+    missing: list = field(default_factory=list)     # folds and extrema of the tighter solution alone, as text
+    added: list = field(default_factory=list)       # of the looser one alone
+    faint: int = 0                                  # of both, those below the stated errors
+    ended_apart: bool = False                       # one trace went on further: compared up to the earlier end
+    beyond: bool = False                            # and found a deeper minimum there
+    tie: bool = False                               # two minima are equally deep within the stated errors
+    undecided: bool = False                         # a crest at the threshold of contact: two radii are stated
+
+    @property
+    def violations(self):
+        return ([f"{f.quantity}: stated {f.stated:.3g}, off by {f.difference:.3g}{f.where}"
+                 for f in self.findings if f.verdict == "violated"]
+                + [f"missing {text}" for text in self.missing] + [f"added {text}" for text in self.added])
+
+
+def value(document, key):
+    """A number of a JSON object; null and what is not there are nan."""
+    found = document.get(key)
+    return math.nan if found is None else float(found)
+
+
+def landmarks(document, name):
+    return sorted(document[name], key=lambda mark: mark["position"])
+
+
+def up_to(marks, other_count, end):
+    """The landmarks that a trace to the approach `end` with so many landmarks can have met: a branch ends with its
+    approach rising, so that the first one after these which lies beyond `end` is the first it has not met."""
+    for index in range(other_count, len(marks)):
+        if marks[index]["approach"] > end:
+            return marks[:index]
+    return marks
+
+
+def after(marks, start):
+    """Without those ahead of a start."""
+    first = next((i for i, mark in enumerate(marks) if mark["approach"] >= start), len(marks))
+    return marks[first:]
+
+
+def common(loose, tight, name):
+    """The landmarks of both along the part of the branch that both traced."""
+    ours, theirs = landmarks(loose, name), landmarks(tight, name)
+    ours, theirs = after(ours, value(tight, "start")), after(theirs, value(loose, "start"))
+    return (up_to(ours, len(theirs), value(tight, "end")), up_to(theirs, len(ours), value(loose, "end")))
+
+
+def distance(one, other):
+    if one["kind"] != other["kind"]:
+        return math.inf
+    return math.hypot(one["approach"] - other["approach"], one["load"] - other["load"])
+
+
+def align(ours, theirs):
+    """Pairs (one, other) in order, with None for what the other list does not have, of the least sum of distances; a
+    landmark alone counts APART."""
+    if [mark["kind"] for mark in ours] == [mark["kind"] for mark in theirs]:
+        return list(zip(ours, theirs))
+    rows, columns = len(ours), len(theirs)
+    cost = [[APART * (i + j) if not i or not j else math.inf for j in range(columns + 1)] for i in range(rows + 1)]
+    for i in range(1, rows + 1):
+        for j in range(1, columns + 1):
+            cost[i][j] = min(cost[i - 1][j - 1] + distance(ours[i - 1], theirs[j - 1]),
+                             cost[i - 1][j] + APART, cost[i][j - 1] + APART)
+    pairs, i, j = [], rows, columns
+    while i or j:
+        if i and j and cost[i][j] == cost[i - 1][j - 1] + distance(ours[i - 1], theirs[j - 1]):
+            i, j = i - 1, j - 1
+            pairs.append((ours[i], theirs[j]))
+        elif i and cost[i][j] == cost[i - 1][j] + APART:
+            i -= 1
+            pairs.append((ours[i], None))
+        else:
+            j -= 1
+            pairs.append((None, theirs[j]))
+    return pairs[::-1]
+
+
+def radius_difference(ours, theirs, comparison):
+    """The difference of two contact radii. Where a crest lies at the threshold of contact within the error, a solution
+    states both radii, and either may be the right one."""
+    radii = [value(ours, "contact_radius")]
+    if ours.get("contact_radius_other") is not None:
+        radii.append(value(ours, "contact_radius_other"))
+        comparison.undecided = True
+    truths = [value(theirs, "contact_radius")]
+    if theirs.get("contact_radius_other") is not None:
+        truths.append(value(theirs, "contact_radius_other"))
+    return min(abs(a - b) for a in radii for b in truths)
+
+
+def add(comparison, quantity, where, stated, difference, own, size):
+    own = (0.0 if math.isnan(own) else own) + ROUNDING * abs(size)
+    comparison.findings.append(Finding(quantity, where, stated, difference, own))
+
+
+def add_radius(comparison, quantity, where, ours, theirs):
+    """Where both have no contact there is nothing to compare."""
+    difference = radius_difference(ours, theirs, comparison)
+    if difference or ours["contact_radius"]:
+        add(comparison, quantity, where, value(ours, "contact_radius_error_estimate"), difference,
+            value(theirs, "contact_radius_error_estimate"), theirs["contact_radius"])
+
+
+def add_pairs(comparison, name, pairs):
+    """Approach, load and contact radius of folds or extrema."""
+    for ours, theirs in pairs:
+        if not ours or not theirs:
+            continue
+        where = f" ({ours['kind']} at approach {ours['approach']:.7g}, load {ours['load']:.7g})"
+        for quantity, key, error in (("approach", "approach", "error_estimate"),
+                                     ("load", "load", "load_error_estimate")):
+            add(comparison, f"{name} {quantity}", where, value(ours, error), abs(ours[key] - theirs[key]),
+                value(theirs, error), theirs[key])
+        add_radius(comparison, f"{name} contact radius", where, ours, theirs)
+
+
+def text_of(mark):
+    return f"{mark['kind']} at approach {mark['approach']:.7g}, load {mark['load']:.7g}"
+
+
+def add_unpaired(comparison, loose, name, pairs):
+    """Folds and extrema appear in pairs. A pair whose two members differ by less than the largest stated error of such
+    a number cannot be told from none."""
+    key, error = ("approach", "error_estimate") if name == "fold" else ("load", "load_error_estimate")
+    stated = [value(mark, error) for mark in loose["folds"] + loose["extrema"]]
+    visible = max((e for e in stated if not math.isnan(e)), default=0.0)
+    for side, found in ((0, comparison.added), (1, comparison.missing)):
+        alone = [pair[side] for pair in pairs if not pair[1 - side]]
+        while alone:
+            mark = alone.pop(0)
+            partner = alone[0] if alone and alone[0]["kind"] != mark["kind"] else None
+            if partner:
+                alone.pop(0)
+            if partner and abs(partner[key] - mark[key]) <= visible:
+                comparison.faint += 2
+            else:
+                found.extend(text_of(one) for one in (mark, partner) if one)
+
+
+def deepest(marks):
+    return min((mark for mark in marks if mark["kind"] == "minimum"), key=lambda mark: mark["load"], default=None)
+
+
+def errors_of(document, mark):
+    """The pull-off with its stated errors, when it is this minimum, else the minimum: name -> number."""
+    best = document["pull_off"]
+    if best["approach"] == mark["approach"] and -best["force"] == mark["load"]:
+        return dict(mark, load_error=value(best, "error_estimate"),
+                    approach_error=value(best, "approach_error_estimate"),
+                    contact_radius=best["contact_radius"], contact_radius_other=best.get("contact_radius_other"),
+                    contact_radius_error_estimate=best.get("contact_radius_error_estimate"))
+    return dict(mark, load_error=value(mark, "load_error_estimate"), approach_error=value(mark, "error_estimate"))
+
+
+def add_pull_off(comparison, loose, tight, pairs):
+    """The deepest minimum of what both traced. Its place is compared with the same minimum of the tighter solution,
+    also where another one is as deep within the errors."""
+    ours = deepest(mine for mine, _ in pairs if mine)
+    theirs = deepest(other for _, other in pairs if other)
+    if not ours or not theirs:
+        return
+    comparison.beyond = (loose["pull_off"]["force"] > -ours["load"] or tight["pull_off"]["force"] > -theirs["load"])
+    partner = next(other for mine, other in pairs if mine is ours)
+    ours, best = errors_of(loose, ours), errors_of(tight, theirs)
+    where = f" (at approach {ours['approach']:.7g})"
+    add(comparison, "force", where, ours["load_error"], abs(ours["load"] - best["load"]), best["load_error"],
+        best["load"])
+    if comparison.findings[-1].verdict == "violated":
+        return
+    if partner and partner is not theirs:
+        comparison.tie = True
+        best = errors_of(tight, partner)
+    add(comparison, "approach", where, ours["approach_error"], abs(ours["approach"] - best["approach"]),
+        best["approach_error"], best["approach"])
+    add_radius(comparison, "contact radius", where, ours, best)
+
+
+def compare(loose, tight):
+    """Two documents of `pulloff solve --json` with status ok and a pull-off."""
+    comparison = Comparison()
+    counts = []
+    for name, key in (("fold", "folds"), ("extremum", "extrema")):
+        ours, theirs = common(loose, tight, key)
+        counts.append((len(ours) < len(loose[key])) or (len(theirs) < len(tight[key])))
+        pairs = align(ours, theirs)
+        add_pairs(comparison, name, pairs)
+        add_unpaired(comparison, loose, name, pairs)
+        if key == "extrema":
+            add_pull_off(comparison, loose, tight, pairs)
+    comparison.ended_apart = any(counts)
+    return comparison

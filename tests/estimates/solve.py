@@ -1,0 +1,86 @@
+"""Runs `pulloff solve --json`, and keeps every solution in a journal, so that an interrupted campaign goes on."""
+
+import hashlib
+import json
+import os
+import signal
+import subprocess
+import threading
+
+SLACK = 60       # processor seconds beyond twice the time limit after which a solve is ended from outside
+
+
+def number(value):
+    """As on the command line."""
+    return value if isinstance(value, str) else f"{value:.17g}" if float(f"{value:g}") != value else f"{value:g}"
+
+
+def words(scene, tolerance, limit=None):
+    """The command of a solve without the program; without a limit: as it is printed."""
+    flags = dict(scene, tolerance=tolerance, **({"time-limit": limit} if limit else {}))
+    return ["solve", *(word for name, value in flags.items() for word in (f"--{name}", number(value)))]
+
+
+def command(scene, tolerance):
+    return " ".join(["pulloff", *words(scene, tolerance)])
+
+
+def solve(program, scene, tolerance, limit):
+    """The document of one solve. One that ends without a document has the status `crashed` and says why."""
+    most = int(2 * limit) + SLACK
+    done = subprocess.run(["prlimit", f"--cpu={most}", program, *words(scene, tolerance, limit), "--json"],
+                          capture_output=True, check=False, text=True)
+    try:
+        return json.loads(done.stdout)
+    except ValueError:
+        if done.returncode == -signal.SIGXCPU:
+            return {"status": "crashed", "reason": f"not ended after {most} s, with a time limit of {limit:g} s"}
+        last = done.stderr.strip().splitlines()[-1:] or ["no message"]
+        return {"status": "crashed", "reason": f"exit code {done.returncode}: {last[0]}"}
+
+
+class Journal:
+    """Solutions by program, scene and tolerance: a line each."""
+
+    def __init__(self, path, program, limit, fresh=False):
+        with open(program, "rb") as stream:
+            self.digest = hashlib.sha256(stream.read()).hexdigest()[:16]
+        self.program, self.limit, self.lock = program, limit, threading.Lock()
+        os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)
+        self.kept = {} if fresh else self.read(path)
+        self.stream = open(path, "w" if fresh else "a", encoding="utf-8")  # pylint: disable=consider-using-with
+        if not fresh and os.path.getsize(path) and not self.whole:
+            self.stream.write("\n")                     # what was torn stays a line of its own
+
+    def read(self, path):
+        kept, self.whole = {}, True
+        if os.path.exists(path):
+            with open(path, encoding="utf-8") as stream:
+                for line in stream:
+                    self.whole = line.endswith("\n")
+                    try:
+                        entry = json.loads(line)
+                    except ValueError:
+                        continue
+                    kept[entry["key"]] = entry["solution"]
+        return kept
+
+    def key(self, scene, tolerance):
+        return " ".join([self.digest, *words(scene, tolerance, self.limit)])
+
+    def has(self, scene, tolerance):
+        return self.key(scene, tolerance) in self.kept
+
+    def solution(self, scene, tolerance):
+        """Solves, unless that was done before."""
+        key = self.key(scene, tolerance)
+        if key not in self.kept:
+            found = solve(self.program, scene, tolerance, self.limit)
+            with self.lock:
+                self.kept[key] = found
+                self.stream.write(json.dumps({"key": key, "solution": found}) + "\n")
+                self.stream.flush()
+        return self.kept[key]
+
+    def close(self):
+        self.stream.close()

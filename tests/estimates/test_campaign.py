@@ -1,0 +1,220 @@
+"""The campaign on made-up solutions: what it must accept, and what it must not."""
+
+import contextlib
+import io
+import json
+import os
+import stat
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, HERE)
+
+import campaign  # noqa: E402
+import compare  # noqa: E402
+import draw  # noqa: E402
+import reference  # noqa: E402
+
+# A program whose errors are as large as it states times FAULT, and which fails at a Tabor parameter above 9. It notes
+# each call in the file CALLS.
+PROGRAM = """#!/usr/bin/python3
+import json, os, sys
+with open(os.environ["CALLS"], "a") as stream:
+    stream.write(" ".join(sys.argv) + "\\n")
+flags = dict(zip(sys.argv[2::2], sys.argv[3::2]))
+t, tabor = float(flags["--tolerance"]), float(flags["--tabor"])
+if tabor > 9:
+    sys.exit("pulloff: no such thing")
+off = t * float(os.environ["FAULT"])
+best = {"force": 1.5 + off, "approach": -tabor + 10 * off, "contact_radius": 3 + off, "error_estimate": t,
+        "approach_error_estimate": 10 * t, "contact_radius_error_estimate": t}
+mark = {"kind": "minimum", "approach": best["approach"], "load": -best["force"], "error_estimate": 10 * t,
+        "load_error_estimate": t, "contact_radius": best["contact_radius"], "contact_radius_error_estimate": t,
+        "position": 1.0}
+print(json.dumps({"status": "ok", "start": -20, "end": 5, "pull_off": best, "folds": [], "extrema": [mark]}))
+"""
+
+
+def mark(kind, approach, load, error=1e-4, position=None, **more):
+    return {"kind": kind, "approach": approach, "load": load, "error_estimate": error, "load_error_estimate": error,
+            "contact_radius": 2.0, "contact_radius_error_estimate": error,
+            "position": approach if position is None else position, **more}
+
+
+def document(folds=(), extrema=((-1.0, -1.5),), end=5.0, error=1e-4, **more):
+    """A solution; the deepest of its minima is the pull-off."""
+    minima = [mark("minimum", approach, load, error) for approach, load in extrema]
+    best = dict(min(minima, key=lambda one: one["load"]), **more)
+    return {"status": "ok", "start": -9.0, "end": end, "folds": list(folds), "extrema": minima,
+            "pull_off": {"force": -best["load"], "approach": best["approach"], "error_estimate": error,
+                         "approach_error_estimate": error, "contact_radius": best["contact_radius"],
+                         "contact_radius_other": best.get("contact_radius_other"),
+                         "contact_radius_error_estimate": error}}
+
+
+def tight(*args, **more):
+    return document(*args, error=1e-7, **more)
+
+
+def verdicts(comparison, quantity):
+    return [finding.verdict for finding in comparison.findings if finding.quantity == quantity]
+
+
+class Comparisons(unittest.TestCase):
+    def check(self, loose, other, violations):
+        found = compare.compare(loose, other)
+        self.assertEqual(len(found.violations), violations, found.violations)
+        return found
+
+    def test_a_difference_within_both_errors_is_held_open_or_violated(self):
+        for difference, own, verdict in ((0.9e-4, 1e-7, "held"), (0.995e-4, 1e-6, "open"), (1.005e-4, 1e-6, "open"),
+                                         (1.1e-4, 1e-6, "violated"), (1.005e-4, 1e-7, "violated")):
+            self.assertEqual(compare.Finding("force", "", 1e-4, difference, own).verdict, verdict, difference)
+
+    def test_the_error_of_the_tight_solution_bounds_the_ratio(self):
+        found = compare.Finding("force", "", 1e-4, 0.0, 1e-7)
+        self.assertAlmostEqual(found.ratio, 1e3)
+        self.assertTrue(found.is_bound)
+
+    def test_the_pull_off_of_each_quantity(self):
+        found = self.check(document(), tight(), 0)
+        for quantity in ("force", "approach", "contact radius"):
+            self.assertEqual(verdicts(found, quantity), ["held"])
+        found = self.check(document(extrema=[(-1.0, -1.5004)]), tight(), 2)     # of the extremum, too
+        self.assertEqual(verdicts(found, "force"), ["violated"])
+        found = self.check(document(contact_radius=2.01), tight(), 1)
+        self.assertEqual(verdicts(found, "contact radius"), ["violated"])
+
+    def test_no_stated_error_is_counted_by_itself(self):
+        loose = document()
+        loose["pull_off"]["error_estimate"] = None
+        self.assertEqual(verdicts(self.check(loose, tight(), 0), "force"), ["unstated"])
+
+    def test_either_of_two_radii_may_be_the_right_one(self):
+        found = self.check(document(contact_radius=9.0, contact_radius_other=2.0), tight(), 0)
+        self.assertTrue(found.undecided)
+        self.check(document(contact_radius=9.0, contact_radius_other=5.0), tight(), 1)
+
+    def test_what_only_one_trace_came_to_is_not_compared(self):
+        shorter, longer = [(-1.0, -1.5)], [(-1.0, -1.5), (6.0, -1.7)]
+        found = self.check(document(extrema=shorter), tight(extrema=longer, end=9.0), 0)
+        self.assertTrue(found.ended_apart and found.beyond)
+        self.assertEqual(verdicts(found, "force"), ["held"])
+        self.check(document(extrema=shorter, end=9.0), tight(extrema=longer, end=9.0), 2)   # minimum and force
+
+    def test_two_minima_as_deep_within_the_errors(self):
+        found = self.check(document(extrema=[(-1.0, -1.50003), (2.0, -1.5)]),
+                           tight(extrema=[(-1.0, -1.5), (2.0, -1.50001)]), 0)
+        self.assertTrue(found.tie)
+        self.assertEqual(verdicts(found, "approach"), ["held"])
+
+    def test_missing_and_added_folds(self):
+        pair = [mark("jump_in", -1.0, -0.7, position=1.0), mark("jump_out", -1.4, -1.0, position=2.0)]
+        more = pair + [mark("jump_in", -0.5, -0.3, position=3.0), mark("jump_out", -0.8, -0.2, position=4.0)]
+        found = self.check(document(folds=pair), tight(folds=more), 2)
+        self.assertEqual((len(found.missing), len(found.added)), (2, 0))
+        found = self.check(document(folds=more), tight(folds=pair), 2)
+        self.assertEqual((len(found.missing), len(found.added)), (0, 2))
+        self.assertEqual(len(verdicts(found, "fold approach")), 2)
+
+    def test_a_pair_below_the_stated_errors_cannot_be_told_from_none(self):
+        faint = [mark("jump_in", -0.5, -0.3, position=3.0), mark("jump_out", -0.50005, -0.3, position=4.0)]
+        self.assertEqual(self.check(document(), tight(folds=faint), 0).faint, 2)
+        self.check(document(error=1e-5), tight(folds=faint), 2)
+
+
+class Draws(unittest.TestCase):
+    RANGES = vars(campaign.arguments([]))
+
+    def test_scene_k_is_what_it_was(self):
+        self.assertEqual(draw.scene(1, 0, self.RANGES), draw.scene(1, 0, self.RANGES))
+        self.assertNotEqual(draw.scene(1, 0, self.RANGES), draw.scene(2, 0, self.RANGES))
+        # Scenes of the case random, as tests/harness/test_sample.c has them.
+        for k, tabor, radius in ((199, 0.00108449, 52.0513), (999, 0.00416498, 113.855)):
+            self.assertEqual(draw.between((1e-3, 10), draw.uniform(20200908, k, "tabor")), tabor)
+            self.assertEqual(draw.between((30, 500), draw.uniform(20200908, k, "radius")), radius)
+
+    def test_scenes_cover_their_ranges(self):
+        scenes = [draw.scene(7, k, self.RANGES) for k in range(500)]
+        for key, low, high in (("tabor", 0.01, 10), ("radius", 30, 1000)):
+            values = [scene[key] for scene in scenes]
+            self.assertTrue(low <= min(values) < 1.1 * low and 0.9 * high < max(values) <= high, key)
+        ratios = [scene["amplitude"] / scene["wavelength"] for scene in scenes if "amplitude" in scene]
+        self.assertTrue(0.0029 < min(ratios) < 0.004 and 0.4 < max(ratios) < 0.501)
+        cut = [scene["outer-radius"] / scene["radius"] for scene in scenes if scene["outer-radius"] != "inf"]
+        self.assertTrue(200 < len(cut) < 300 and 0.24 < min(cut) and max(cut) == 1.0)
+        self.assertTrue(90 < sum(ratio == 1.0 for ratio in cut) < 160)
+
+
+class Campaigns(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()  # pylint: disable=consider-using-with
+        self.addCleanup(self.folder.cleanup)
+        self.program = os.path.join(self.folder.name, "pulloff")
+        with open(self.program, "w", encoding="utf-8") as stream:
+            stream.write(PROGRAM)
+        os.chmod(self.program, stat.S_IRWXU)
+
+    def calls(self):
+        with open(os.path.join(self.folder.name, "calls"), encoding="utf-8") as stream:
+            return len(stream.readlines())
+
+    def run_it(self, fault, *more):
+        os.environ.update(FAULT=str(fault), CALLS=os.path.join(self.folder.name, "calls"))
+        text = io.StringIO()
+        with contextlib.redirect_stdout(text):
+            code = campaign.main(["--program", self.program, "--journal", os.path.join(self.folder.name, "journal"),
+                                  "--quiet", "--count", "6", "--tabor", "0.1:8", *more])
+        return code, text.getvalue()
+
+    def test_errors_that_hold_and_errors_that_do_not(self):
+        self.assertEqual(self.run_it(0.5)[0], 0)
+        code, text = self.run_it(3, "--fresh")
+        self.assertEqual(code, 1)
+        self.assertIn("6 of 6 scenes with a violation", text)
+        command = next(line for line in text.splitlines() if line.startswith("  pulloff solve --tabor"))
+        done = subprocess.run([self.program, *command.split()[1:]], capture_output=True, check=True)
+        self.assertEqual(json.loads(done.stdout)["status"], "ok")
+
+    def test_what_was_solved_is_kept(self):
+        self.run_it(0.5)
+        self.assertEqual(self.calls(), 12)
+        self.run_it(0.5, "--count", "7")
+        self.assertEqual(self.calls(), 14)
+        with open(os.path.join(self.folder.name, "journal"), "r+", encoding="utf-8") as stream:
+            text = stream.read()
+            stream.seek(0)
+            stream.truncate(len(text) - 20)                 # as when killed within a line
+        self.assertEqual(self.run_it(0.5, "--count", "7")[0], 0)
+        self.assertEqual(self.calls(), 15)
+        self.run_it(0.5, "--count", "7")
+        self.assertEqual(self.calls(), 15)
+
+    def test_a_solve_without_a_document_is_no_success(self):
+        code, text = self.run_it(0.5, "--tabor", "9.5:9.9")
+        self.assertEqual(code, 1)
+        self.assertIn("crashed: scene 0: exit code 1: pulloff: no such thing", text)
+
+    def test_bad_usage(self):
+        for words in (["--tabor", "3"], ["--tabor", "5:1"], ["--loose", "1e-7", "--tight", "1e-4"], ["--scenes", "a"],
+                      ["--smooth", "2"], ["--tight", "0"]):
+            with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit) as end:
+                campaign.main(words)
+            self.assertEqual(end.exception.code, 2, words)
+
+
+class References(unittest.TestCase):
+    def test_the_tables_as_documents(self):
+        documents = reference.documents()
+        self.assertGreater(len(documents), 30)
+        flags, smooth = next((flags, one) for flags, one in documents if flags["tabor"] == 1 and len(flags) == 3)
+        self.assertEqual(flags, {"tabor": 1.0, "radius": 100.0, "outer-radius": "inf"})
+        self.assertAlmostEqual(smooth["pull_off"]["contact_radius"], 13.568208, 6)
+        self.assertFalse(compare.compare(smooth, smooth).violations)
+
+
+if __name__ == "__main__":
+    unittest.main()
