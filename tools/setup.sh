@@ -13,8 +13,8 @@ fail() {
 
 . tools/steps.sh
 
-# listed_packages: the names in tools/packages
-listed_packages() { sed -e 's/#.*//' -e '/^[[:space:]]*$/d' tools/packages; }
+# listed_packages LIST...: the names in these files, tools/packages and others
+listed_packages() { sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$@"; }
 
 # missing_packages NAME...: those that are not installed, on one line
 missing_packages() {
@@ -81,8 +81,8 @@ configure_and_build() {
 prepare() {
   start_log
   if [ "$install" = yes ]; then
-    # shellcheck disable=SC2046
-    install_packages $(listed_packages)
+    # shellcheck disable=SC2046,SC2086
+    install_packages $(listed_packages tools/packages ${more_packages:-})
   fi
   configure_and_build "$build" ''
 }

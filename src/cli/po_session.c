@@ -94,7 +94,9 @@ static po_status plan_all(po_session *session) {
     po_case *kase = session->catalog.cases[i];
     for (size_t k = 0; !isnan(session->time_limit) && k < kase->point_count; ++k)
       kase->points[k].request.time_limit = session->time_limit;
-    status = po_plan_create(kase, po_environment_data(), &plan);
+    status = session->arithmetic
+                 ? po_plan_create_for(kase, po_environment_data(), session->arithmetic, &plan)
+                 : po_plan_create(kase, po_environment_data(), &plan);
     if (!status)
       status = po_case_run_create(plan, &session->runs[i]);
   }

@@ -11,9 +11,10 @@
 
 typedef struct {
   unsigned suites;
-  double time_limit;  /* instead of that of the cases; NAN: theirs */
-  size_t first, last; /* the points asked for, of each case */
-  po_shard shard;     /* or those of this shard */
+  double time_limit;               /* instead of that of the cases; NAN: theirs */
+  size_t first, last;              /* the points asked for, of each case */
+  po_shard shard;                  /* or those of this shard */
+  const po_arithmetic *arithmetic; /* what computed the points; NULL: this process does */
   po_run_options options;
   po_catalog catalog;
   po_case_run *runs; /* one a case of the catalog */

@@ -1,3 +1,7 @@
+#include <stdio.h>
+#include <string.h>
+
+#include "po_environment.h"
 #include "po_file.h"
 #include "po_merge.h"
 #include "po_session.h"
@@ -8,7 +12,8 @@ static const char HELP[] =
     "Puts the shards of a run together: compares, and writes the records, which are those of one\n"
     "run of the whole, but for times. DIR are the folders pulloff run --shard K/N wrote to, in "
     "any\n"
-    "order; all N shards must be there, ended, and of this program and these cases.\n\n"
+    "order; all N shards must be there, ended, of this program and these cases, and\n"
+    "computed with the same kernels of OpenBLAS; those of this machine do not matter.\n\n"
     "  --output DIR    where the records go (build/run)\n"
     "  --help          this text\n\n"
     "Example: pulloff merge shards/1 shards/2 shards/3 shards/4\n";
@@ -17,10 +22,23 @@ static const struct option OPTIONS[] = {{"output", required_argument, NULL, PO_S
                                         {"help", no_argument, NULL, PO_OPTION_HELP},
                                         {NULL, 0, NULL, 0}};
 
+/* Records are kept by a run with the kernels they were solved with. */
+static void tell_kernels(const po_arithmetic *arithmetic) {
+  po_arithmetic own;
+  po_environment_arithmetic(&own);
+  if (strcmp(arithmetic->kernels, own.kernels) != 0)
+    fprintf(stderr,
+            "pulloff: solved with the OpenBLAS kernels %s, here they are %s: a later run keeps "
+            "these records with OPENBLAS_CORETYPE=%s, else it solves again\n",
+            arithmetic->kernels, own.kernels, arithmetic->kernels);
+}
+
 static po_status put_together(po_session *session, const po_merge *merge) {
   char **names = NULL;
   size_t count = 0;
+  const po_arithmetic arithmetic = po_merge_arithmetic(merge);
   session->time_limit = po_merge_time_limit(merge);
+  session->arithmetic = &arithmetic;
   po_status status = po_merge_cases(merge, &names, &count);
   if (!status)
     status = po_session_open(session, names, count);
@@ -30,6 +48,9 @@ static po_status put_together(po_session *session, const po_merge *merge) {
     status = po_session_solve(session); /* nothing is left to solve */
   if (status == PO_INTERRUPTED)
     po_fail(status, "interrupted; the shards are as they were, merge them again");
+  session->arithmetic = NULL;
+  if (!status)
+    tell_kernels(&arithmetic);
   po_names_free(names, count);
   return status;
 }

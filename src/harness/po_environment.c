@@ -20,10 +20,10 @@
 #define COMPILER "gcc " __VERSION__
 #endif
 
-json_t *po_environment_versions(void) {
+json_t *po_environment_versions(const char *openblas) {
   return PO_JSON_OBJECT({"pulloff", po_json_text(PULLOFF_VERSION)},
                         {"compiler", po_json_text(COMPILER)}, {"gsl", po_json_text(gsl_version)},
-                        {"openblas", po_json_text(po_linear_library())},
+                        {"openblas", po_json_text(openblas)},
                         {"lapacke", po_json_text(PULLOFF_LAPACKE_VERSION)},
                         {"jansson", po_json_text(jansson_version_str())},
                         {"libcyaml", po_json_text(cyaml_version_str)});
@@ -68,19 +68,28 @@ json_t *po_environment_describe(int jobs) {
                         {"jobs", po_json_integer(jobs)}, {"date", po_json_text(date)});
 }
 
-void po_environment_digest(char digest[PO_DIGEST_LENGTH]) {
+void po_environment_arithmetic(po_arithmetic *own) {
   char *program = NULL;
   size_t size = 0;
   po_text text = {0};
-  po_text_add(&text, "%s|%s|%s|", PULLOFF_VERSION, COMPILER, po_linear_library());
+  po_text_add(&text, "%s|%s|", PULLOFF_VERSION, COMPILER);
   if (po_file_read("/proc/self/exe", &program, &size) == PO_OK) {
-    char own[PO_DIGEST_LENGTH];
-    po_digest_bytes(program, size, own);
-    po_text_add(&text, "%s", own);
+    char digest[PO_DIGEST_LENGTH];
+    po_digest_bytes(program, size, digest);
+    po_text_add(&text, "%s", digest);
   }
   free(program);
-  po_digest_bytes(po_text_string(&text), text.length, digest);
+  po_digest_bytes(po_text_string(&text), text.length, own->program);
   po_text_clear(&text);
+  snprintf(own->openblas, sizeof own->openblas, "%s", po_linear_library());
+  snprintf(own->kernels, sizeof own->kernels, "%s", po_linear_kernels());
+}
+
+void po_arithmetic_digest(const po_arithmetic *arithmetic, char digest[PO_DIGEST_LENGTH]) {
+  char text[sizeof *arithmetic + 2];
+  const int length = snprintf(text, sizeof text, "%s|%s|%s", arithmetic->program,
+                              arithmetic->openblas, arithmetic->kernels);
+  po_digest_bytes(text, (size_t)length, digest);
 }
 
 const char *po_environment_data(void) {

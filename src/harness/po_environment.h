@@ -5,8 +5,9 @@
 #include "po_digest.h"
 #include "po_json_value.h"
 
-/* {"pulloff", "compiler", "gsl", "openblas", "lapacke", "jansson", "libcyaml"}. */
-json_t *po_environment_versions(void);
+/* {"pulloff", "compiler", "gsl", "openblas", "lapacke", "jansson", "libcyaml"}; `openblas` is what
+ * the numbers were computed with. */
+json_t *po_environment_versions(const char *openblas);
 
 /* {"system", "machine", "processor", "cores", "jobs", "date"}. */
 json_t *po_environment_describe(int jobs);
@@ -14,9 +15,19 @@ json_t *po_environment_describe(int jobs);
 /* The number of processors this process may run on. */
 int po_environment_cores(void);
 
-/* A digest of the running program and of the algebra under it: two runs under the same digest give
- * the same numbers. */
-void po_environment_digest(char digest[PO_DIGEST_LENGTH]);
+/* What determines every bit of a number, beside the scene: two runs of equal arithmetic give the
+ * same numbers. */
+typedef struct {
+  char program[PO_DIGEST_LENGTH]; /* a digest of the executable */
+  char openblas[256];             /* the library under it, with its kernels: po_linear_library */
+  char kernels[32];               /* these alone: po_linear_kernels */
+} po_arithmetic;
+
+/* That of this process. */
+void po_environment_arithmetic(po_arithmetic *own);
+
+/* A digest of it. */
+void po_arithmetic_digest(const po_arithmetic *arithmetic, char digest[PO_DIGEST_LENGTH]);
 
 /* The folder that holds cases/, reference/ and reports/: PULLOFF_DATA of the environment, else the
  * source tree this program was built from. */

@@ -86,16 +86,32 @@ static const char *other_case(const po_merge_part *a, const po_merge_part *b) {
   return NULL;
 }
 
-/* Sets one shard beside the first. */
+/* What computed a shard. */
+static po_arithmetic arithmetic_of(const po_merge_part *part) {
+  po_arithmetic found;
+  snprintf(found.program, sizeof found.program, "%s", string_of(part->root, "program"));
+  snprintf(found.openblas, sizeof found.openblas, "%s", string_of(part->root, "openblas"));
+  snprintf(found.kernels, sizeof found.kernels, "%s", string_of(part->root, "kernels"));
+  return found;
+}
+
+/* Sets one shard beside the first. What they were computed with must agree to the last bit. */
 static po_status check_part(const po_merge_part *first, const po_merge_part *part) {
   if (part->shard.count != first->shard.count)
     return po_fail(PO_BAD_INPUT, "%s is one of %zu shards: expected one of %zu, as %s is",
                    part->path, part->shard.count, first->shard.count, first->path);
-  if (strcmp(string_of(part->root, "program"), string_of(first->root, "program")) != 0)
-    return po_fail(PO_BAD_INPUT,
-                   "%s is of another program, or of another kind of processor, than %s: expected "
-                   "the same",
+  const po_arithmetic a = arithmetic_of(first), b = arithmetic_of(part);
+  if (strcmp(a.program, b.program) != 0)
+    return po_fail(PO_BAD_INPUT, "%s was computed by another program than %s: expected the same",
                    part->path, first->path);
+  if (strcmp(a.kernels, b.kernels) != 0)
+    return po_fail(PO_BAD_INPUT,
+                   "%s was computed with the OpenBLAS kernels %s, %s with %s: expected the same "
+                   "for all shards, which OPENBLAS_CORETYPE chooses",
+                   part->path, b.kernels, first->path, a.kernels);
+  if (strcmp(a.openblas, b.openblas) != 0)
+    return po_fail(PO_BAD_INPUT, "%s was computed with %s, %s with %s: expected the same library",
+                   part->path, b.openblas, first->path, a.openblas);
   const char *other = other_case(first, part);
   if (other)
     return po_fail(PO_BAD_INPUT,
@@ -194,14 +210,18 @@ double po_merge_time_limit(const po_merge *merge) {
   return po_json_read_number(merge->parts[0].root, "time_limit");
 }
 
-/* The shards are of this program and of these scenes. */
+po_arithmetic po_merge_arithmetic(const po_merge *merge) {
+  return arithmetic_of(&merge->parts[0]);
+}
+
+/* The shards are of this program and of these scenes. On which kind of processor this runs does not
+ * matter: it solves nothing. */
 static po_status check_runs(const po_merge_part *first, const po_case_run *runs, size_t count) {
-  char program[PO_DIGEST_LENGTH];
-  po_environment_digest(program);
-  if (strcmp(string_of(first->root, "program"), program) != 0)
+  po_arithmetic own;
+  po_environment_arithmetic(&own);
+  if (strcmp(string_of(first->root, "program"), own.program) != 0)
     return po_fail(PO_BAD_INPUT,
-                   "%s is of another program, or of another kind of processor, than this: expected "
-                   "the one that merges",
+                   "%s was computed by another program than this: expected the one that merges",
                    first->path);
   for (size_t r = 0; r < count; ++r) {
     const json_t *entry = json_array_get(cases_of(first), r);

@@ -74,7 +74,7 @@ static po_status open_references(po_plan *plan, const char *data_folder) {
 static po_status make_keys(po_plan *plan) {
   const po_case *kase = plan->kase;
   po_text text = {0};
-  po_environment_digest(plan->program);
+  po_arithmetic_digest(&plan->arithmetic, plan->program);
   po_text_add(&text, "%s|%u|%u|", plan->program, plan->want, kase->repeats);
   if (kase->line > 1)
     po_text_add(&text, "%s|%zu|%zu|", kase->file->follow, kase->line, kase->anchors);
@@ -99,11 +99,19 @@ static po_status make_keys(po_plan *plan) {
 }
 
 po_status po_plan_create(const po_case *kase, const char *data_folder, po_plan **result) {
+  po_arithmetic own;
+  po_environment_arithmetic(&own);
+  return po_plan_create_for(kase, data_folder, &own, result);
+}
+
+po_status po_plan_create_for(const po_case *kase, const char *data_folder,
+                             const po_arithmetic *arithmetic, po_plan **result) {
   *result = NULL;
   po_plan *plan = po_allocate(1, sizeof *plan);
   if (!plan)
     return PO_NO_MEMORY;
   plan->kase = kase;
+  plan->arithmetic = *arithmetic;
   po_status status = open_references(plan, data_folder);
   if (!status) {
     decide(plan);

@@ -7,6 +7,7 @@
 
 extern void openblas_set_num_threads(int threads);
 extern char *openblas_get_config(void);
+extern char *openblas_get_corename(void);
 extern int blas_thread_shutdown_(void) __attribute__((weak)); /* NULL: a library without threads */
 
 /* OpenBLAS starts a thread a core when it is loaded. They wait by asking for work again and again:
@@ -25,6 +26,10 @@ void po_linear_single_thread(void) {
 
 const char *po_linear_library(void) {
   return openblas_get_config();
+}
+
+const char *po_linear_kernels(void) {
+  return openblas_get_corename();
 }
 
 po_status po_linear_factorize(size_t n, double *a, size_t stride, int *pivots) {

@@ -11,8 +11,10 @@
  * algebra inside them. Does nothing the second time. */
 void po_linear_single_thread(void);
 
-/* "OpenBLAS 0.3.21 ..." : the library this process runs on. */
+/* "OpenBLAS 0.3.21 ..." : the library this process runs on; "Haswell": the kernels it chose for the
+ * processor, or OPENBLAS_CORETYPE did. Both determine the last bits of results. */
 const char *po_linear_library(void);
+const char *po_linear_kernels(void);
 
 /* LU in place with partial pivoting; in single precision, see po_factors.h. Given: a, n x n with
  * leading dimension `stride`; pivots, n. Status: PO_SINGULAR when a pivot is exactly zero. */

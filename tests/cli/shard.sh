@@ -169,10 +169,41 @@ printf x >>other-program # the same numbers, but who knows
 program_here=$program
 program=$work/other-program
 ends 0 run --output other --shard 2/3
-expect 2 'pulloff: part-1/shard-1-of-3.json is of another program, *, than this: *' merge part-1 part-2 part-3
+expect 2 'pulloff: part-1/shard-1-of-3.json was computed by another program than this: *' merge part-1 part-2 part-3
 program=$program_here
-expect 2 'pulloff: other/shard-2-of-3.json is of another program, or of another kind of processor, than part-1/*' \
+expect 2 'pulloff: other/shard-2-of-3.json was computed by another program than part-1/*' \
   merge part-1 other part-3
+
+# The kernels OpenBLAS has for different processors differ in last bits: they must agree among shards. Those of
+# the process that merges do not matter.
+OPENBLAS_CORETYPE=Prescott ends 0 run rigid --output probe --shard 1/1
+if grep -q '"kernels": "Prescott"' probe/shard-1-of-1.json; then # else it has one kind alone
+  for k in 1 2 3; do
+    OPENBLAS_CORETYPE=Prescott ends 0 run --output old-$k --shard $k/3
+  done
+  OPENBLAS_CORETYPE=Prescott ends 0 run --output old-whole
+  ends 0 merge --output old-merged old-1 old-2 old-3
+  cp "$work/stderr" said
+  OPENBLAS_CORETYPE=Prescott ends 0 merge --output old-alike old-3 old-2 old-1
+  check 'other kernels are told' grep -q 'a later run keeps these records with OPENBLAS_CORETYPE=Prescott' said
+  check 'the same are not' test "$(grep -c OPENBLAS_CORETYPE "$work/stderr")" -eq 0
+  for name in drawn rigid timed followed; do
+    strip old-whole/$name/record.json >at-once
+    for folder in old-merged old-alike; do
+      strip $folder/$name/record.json >joined
+      check "the record of $name in $folder is that of the whole run with these kernels" cmp joined at-once
+    done
+  done
+  check 'it has their name' grep -q '"openblas": ".*Prescott' old-merged/drawn/record.json
+  check 'and their numbers' test "$(cmp old-merged/drawn/curve-0.csv whole/drawn/curve-0.csv)"
+  OPENBLAS_CORETYPE=Prescott expect 0 'drawn: 7 points, 1 checks: within (kept)' run drawn --output old-merged
+  expect 2 'pulloff: old-2/shard-2-of-3.json was computed with the OpenBLAS kernels Prescott, part-1/shard-1-of-3.json with *: expected the same *' \
+    merge part-1 old-2 part-3
+fi
+sed 's/"openblas": "OpenBLAS [^ ]*/"openblas": "OpenBLAS 0.0.0/' part-2/shard-2-of-3.json >lies/shard-2-of-3.json
+expect 2 'pulloff: lies/shard-2-of-3.json was computed with OpenBLAS 0.0.0 *, part-1/shard-1-of-3.json with *: expected the same library' \
+  merge part-1 lies part-3
+
 ends 0 run drawn rigid --output less --shard 2/3
 expect 2 'pulloff: less/* is of other cases than part-1/shard-1-of-3.json: expected the same, but * is in one' \
   merge part-1 less part-3
