@@ -20,9 +20,14 @@
 
 /* The digest of the running program costs more than all the rest of an input, and would change the
  * keys in the corpus with each build. Linked in its place by --wrap. */
-void __wrap_po_environment_digest(char digest[PO_DIGEST_LENGTH]);
-void __wrap_po_environment_digest(char digest[PO_DIGEST_LENGTH]) {
-  snprintf(digest, PO_DIGEST_LENGTH, "%s", "program");
+void __wrap_po_environment_arithmetic(po_arithmetic *own);
+void __wrap_po_environment_arithmetic(po_arithmetic *own) {
+  *own = (po_arithmetic){.program = "program", .openblas = "OpenBLAS", .kernels = "kernels"};
+}
+
+void __wrap_po_arithmetic_digest(const po_arithmetic *arithmetic, char digest[PO_DIGEST_LENGTH]);
+void __wrap_po_arithmetic_digest(const po_arithmetic *arithmetic, char digest[PO_DIGEST_LENGTH]) {
+  snprintf(digest, PO_DIGEST_LENGTH, "%.*s", PO_DIGEST_LENGTH - 1, arithmetic->program);
 }
 
 void fuzz_require(bool holds, const char *format, ...) {

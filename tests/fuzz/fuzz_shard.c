@@ -53,14 +53,14 @@ static void fill(const po_merge *merge, char *const *names, size_t count) {
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz_part parts[MOST_SHARDS];
-  char program[PO_DIGEST_LENGTH];
+  po_arithmetic own;
   const size_t count = fuzz_split(data, size, parts, MOST_SHARDS);
   if (!runs[0]) {
     runs[0] = fuzz_run("plain");
     runs[1] = fuzz_run("followed");
   }
-  po_environment_digest(program);
-  const fuzz_token tokens[] = {{"@PROGRAM@", program},
+  po_environment_arithmetic(&own);
+  const fuzz_token tokens[] = {{"@PROGRAM@", own.program},
                                {"@PLAIN@", runs[0]->plan->solve_key},
                                {"@FOLLOWED@", runs[1]->plan->solve_key}};
   char *folder = (char *)fuzz_path("shards");
