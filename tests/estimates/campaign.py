@@ -144,7 +144,7 @@ def statuses(tasks):
 
 def ends(tasks):
     """Why the traces ended, where the program says it."""
-    count = collections.Counter((task.loose.get("ended") or {}).get("reason", "?") for task in tasks)
+    count = collections.Counter((task.loose.get("ended") or {}).get("why", "?") for task in tasks)
     return "" if set(count) == {"?"} else ", ".join(f"{why} {n}" for why, n in count.most_common())
 
 

@@ -76,16 +76,16 @@ def up_to(marks, other_count, end):
     return marks
 
 
-def after(marks, start):
-    """Without those ahead of a start."""
-    first = next((i for i, mark in enumerate(marks) if mark["approach"] >= start), len(marks))
-    return marks[first:]
+def after(document, name, start):
+    """The landmarks without those that a trace from the approach `start` has not met: of all kinds together the first
+    ones along the branch, below `start`. Later the branch may come back to there."""
+    met = [mark["position"] for mark in document["folds"] + document["extrema"] if mark["approach"] >= start]
+    return [mark for mark in landmarks(document, name) if met and mark["position"] >= min(met)]
 
 
 def common(loose, tight, name):
     """The landmarks of both along the part of the branch that both traced."""
-    ours, theirs = landmarks(loose, name), landmarks(tight, name)
-    ours, theirs = after(ours, value(tight, "start")), after(theirs, value(loose, "start"))
+    ours, theirs = after(loose, name, value(tight, "start")), after(tight, name, value(loose, "start"))
     return (up_to(ours, len(theirs), value(tight, "end")), up_to(theirs, len(ours), value(loose, "end")))
 
 

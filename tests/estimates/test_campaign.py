@@ -105,6 +105,16 @@ class Comparisons(unittest.TestCase):
         self.assertEqual(verdicts(found, "force"), ["held"])
         self.check(document(extrema=shorter, end=9.0), tight(extrema=longer, end=9.0), 2)   # minimum and force
 
+    def test_a_branch_may_come_back_to_before_its_start(self):
+        pair = [mark("jump_in", -1.0, -0.7, position=1.0), mark("jump_out", -2.4, -1.0, position=2.0)]
+        loose, other = document(folds=pair, extrema=[(-2.2, -1.5)]), tight(folds=pair, extrema=[(-2.2, -1.5)])
+        for one in (loose, other):
+            one.update(start=-2.0)
+            one["extrema"][0]["position"] = 3.0
+        self.assertEqual(verdicts(self.check(loose, other, 0), "force"), ["held"])
+        other["folds"].insert(0, mark("jump_in", -3.0, -0.1, position=0.0))     # ahead of the start of the loose one
+        self.check(loose, other, 0)
+
     def test_two_minima_as_deep_within_the_errors(self):
         found = self.check(document(extrema=[(-1.0, -1.50003), (2.0, -1.5)]),
                            tight(extrema=[(-1.0, -1.5), (2.0, -1.50001)]), 0)
