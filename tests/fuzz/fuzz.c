@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "po_csv.h"
+#include "po_environment.h"
 #include "po_file.h"
 #include "po_json_value.h"
 #include "po_record.h"
@@ -23,11 +24,6 @@
 void __wrap_po_environment_arithmetic(po_arithmetic *own);
 void __wrap_po_environment_arithmetic(po_arithmetic *own) {
   *own = (po_arithmetic){.program = "program", .openblas = "OpenBLAS", .kernels = "kernels"};
-}
-
-void __wrap_po_arithmetic_digest(const po_arithmetic *arithmetic, char digest[PO_DIGEST_LENGTH]);
-void __wrap_po_arithmetic_digest(const po_arithmetic *arithmetic, char digest[PO_DIGEST_LENGTH]) {
-  snprintf(digest, PO_DIGEST_LENGTH, "%.*s", PO_DIGEST_LENGTH - 1, arithmetic->program);
 }
 
 void fuzz_require(bool holds, const char *format, ...) {

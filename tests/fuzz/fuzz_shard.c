@@ -1,5 +1,6 @@
 /* The shards of a run, as merge reads them: each part of the input is the file of one. Tokens:
- * @PROGRAM@ for the digest of the program, @PLAIN@ and @FOLLOWED@ for the keys of the two cases. */
+ * @PROGRAM@, @OPENBLAS@ and @KERNELS@ for what computes, @PLAIN@ and @FOLLOWED@ for the keys of the
+ * two cases. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -61,6 +62,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   }
   po_environment_arithmetic(&own);
   const fuzz_token tokens[] = {{"@PROGRAM@", own.program},
+                               {"@OPENBLAS@", own.openblas},
+                               {"@KERNELS@", own.kernels},
                                {"@PLAIN@", runs[0]->plan->solve_key},
                                {"@FOLLOWED@", runs[1]->plan->solve_key}};
   char *folder = (char *)fuzz_path("shards");
