@@ -21,10 +21,12 @@ static po_status read_descriptor(int file, const char *path, char **data, size_t
   for (;;) {
     if (length + 1 >= capacity) {
       capacity = capacity ? 2 * capacity : 65536;
-      char *larger = capacity <= 2 * LONGEST_FILE ? po_resize(bytes, capacity, 1) : NULL;
+      const bool fits = capacity <= 2 * LONGEST_FILE;
+      char *larger = fits ? po_resize(bytes, capacity, 1) : NULL;
       if (!larger) {
         free(bytes);
-        return po_fail(PO_CANNOT_READ, "%s is longer than %zu bytes", path, LONGEST_FILE);
+        return !fits ? po_fail(PO_CANNOT_READ, "%s is longer than %zu bytes", path, LONGEST_FILE)
+                     : PO_NO_MEMORY;
       }
       bytes = larger;
     }
@@ -130,10 +132,53 @@ static po_status write_beside(const char *path, const struct stat *found, const 
 
 po_status po_file_write(const char *path, const char *data, size_t size) {
   struct stat found;
+  if (po_lack_or(PO_OK))
+    return PO_NO_MEMORY;
   const bool there = stat(path, &found) == 0;
   if (there && !S_ISREG(found.st_mode) && !S_ISDIR(found.st_mode))
     return write_in_place(path, data, size);
   return write_beside(path, there ? &found : NULL, data, size);
+}
+
+/* Whether the last line of a file of `size` bytes has no end. */
+static bool is_torn(int file, off_t size) {
+  char last = '\n';
+  return size > 0 && pread(file, &last, 1, size - 1) == 1 && last != '\n';
+}
+
+/* Takes back what was written of a line that did not get through; another process may have added
+ * to the file since, then it stays, and is passed over when it is read. */
+static void take_back(int file, off_t before, off_t put) {
+  struct stat now;
+  if (put > 0 && fstat(file, &now) == 0 && now.st_size == before + put)
+    (void)!ftruncate(file, before);
+}
+
+/* 0 or the errno. */
+static int append_line(int file, const char *line, size_t size) {
+  struct stat found;
+  if (fstat(file, &found) != 0)
+    return errno;
+  if (is_torn(file, found.st_size) && write(file, "\n", 1) == 1)
+    found.st_size += 1;
+  errno = 0;
+  const ssize_t put = write(file, line, size);
+  if (put == (ssize_t)size)
+    return 0;
+  const int error = put < 0 ? errno : ENOSPC; /* a short write has no errno */
+  take_back(file, found.st_size, put);
+  return error;
+}
+
+po_status po_file_append_line(const char *path, const char *line, size_t size) {
+  if (po_lack_or(PO_OK))
+    return PO_NO_MEMORY;
+  const int file = open(path, O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  int error = file < 0 ? errno : append_line(file, line, size);
+  if (file >= 0 && close(file) != 0 && !error)
+    error = errno;
+  return error ? po_fail(PO_CANNOT_WRITE, "%s cannot be written: %s", path, strerror(error))
+               : PO_OK;
 }
 
 po_status po_folder_make(const char *path) {

@@ -11,13 +11,14 @@ static const size_t CACHE_LINE = 64; /* bytes; also the width of an AVX-512 regi
 
 void *po_reserve(size_t count, size_t size) {
   if (size && count > (SIZE_MAX - CACHE_LINE) / size) {
-    po_fail(PO_NO_MEMORY, "%zu objects of %zu bytes are more than can be addressed", count, size);
+    po_fail(PO_NO_MEMORY, "out of memory: %zu objects of %zu bytes are more than can be addressed",
+            count, size);
     return NULL;
   }
   const size_t bytes = (count * size / CACHE_LINE + 1) * CACHE_LINE;
   void *memory = aligned_alloc(CACHE_LINE, bytes);
   if (!memory)
-    po_fail(PO_NO_MEMORY, "%zu bytes could not be allocated", bytes);
+    po_fail(PO_NO_MEMORY, "out of memory: %zu bytes could not be allocated", bytes);
   return memory;
 }
 
@@ -42,19 +43,20 @@ void *po_allocate(size_t count, size_t size) {
 
 void *po_resize(void *array, size_t count, size_t size) {
   if (size && count > SIZE_MAX / size) {
-    po_fail(PO_NO_MEMORY, "%zu objects of %zu bytes are more than can be addressed", count, size);
+    po_fail(PO_NO_MEMORY, "out of memory: %zu objects of %zu bytes are more than can be addressed",
+            count, size);
     return NULL;
   }
   void *memory = realloc(array, count > 0 ? count * size : size);
   if (!memory)
-    po_fail(PO_NO_MEMORY, "%zu bytes could not be allocated", count * size);
+    po_fail(PO_NO_MEMORY, "out of memory: %zu bytes could not be allocated", count * size);
   return memory;
 }
 
 char *po_copy_text(const char *text) {
   char *copy = strdup(text);
   if (!copy)
-    po_fail(PO_NO_MEMORY, "%zu bytes could not be allocated", strlen(text) + 1);
+    po_fail(PO_NO_MEMORY, "out of memory: %zu bytes could not be allocated", strlen(text) + 1);
   return copy;
 }
 

@@ -10,6 +10,9 @@
 enum { MESSAGE_LENGTH = 1024 };
 static _Thread_local char message[MESSAGE_LENGTH];
 
+/* The first message of PO_NO_MEMORY since po_lack_forget; "": none. */
+static _Thread_local char lack[MESSAGE_LENGTH];
+
 const char *po_status_text(po_status status) {
   switch (status) {
 #define PO_STATUS_TEXT(name, value, text)                                                          \
@@ -60,6 +63,8 @@ po_status po_fail(po_status status, const char *format, ...) {
     if (*c == '\n' || *c == '\r')
       *c = ' ';
   po_quote_text(text, message, sizeof message);
+  if (status == PO_NO_MEMORY && !lack[0])
+    snprintf(lack, sizeof lack, "%s", message);
   return status;
 }
 
@@ -69,4 +74,15 @@ const char *po_message(void) {
 
 void po_message_clear(void) {
   message[0] = '\0';
+}
+
+po_status po_lack_or(po_status status) {
+  if (!lack[0])
+    return status;
+  memcpy(message, lack, sizeof message);
+  return PO_NO_MEMORY;
+}
+
+void po_lack_forget(void) {
+  lack[0] = '\0';
 }

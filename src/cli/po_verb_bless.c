@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "po_bless.h"
+#include "po_memory.h"
 #include "po_session.h"
 #include "po_verbs.h"
 
@@ -26,25 +27,30 @@ static const struct option OPTIONS[] = {
     PO_SESSION_CASE_OPTIONS, {"reason", required_argument, NULL, REASON}, {NULL, 0, NULL, 0}};
 
 /* Who blesses: the name git signs commits with, else that of the account. */
-static void find_who(char who[128]) {
+static po_status find_who(char who[128]) {
   who[0] = '\0';
+  po_memory_watch();
   FILE *git = popen("git config user.name 2>/dev/null", "r");
   if (git) {
     if (!fgets(who, 128, git))
       who[0] = '\0';
     pclose(git);
   }
+  if (po_memory_ran_out())
+    return po_fail(PO_NO_MEMORY, "no memory to ask git who blesses");
   who[strcspn(who, "\n")] = '\0';
   const char *account = getenv("USER");
   if (!who[0])
     snprintf(who, 128, "%s", account && *account ? account : "unknown");
+  return PO_OK;
 }
 
 static po_status bless(const po_session *session, const char *reason) {
   char who[128];
   po_text report = {0};
-  find_who(who);
-  const po_status status = po_bless(&session->runs[0], who, reason, &report);
+  po_status status = find_who(who);
+  if (!status)
+    status = po_bless(&session->runs[0], who, reason, &report);
   if (!status)
     fputs(po_text_string(&report), stdout);
   po_text_clear(&report);

@@ -247,9 +247,11 @@ static po_status follow(const follow_line *line, po_request *requests, po_outcom
     status = make_request(line, k, &requests[k]);
   if (status)
     return status;
-  po_linear_single_thread();
-  status = line->folds ? po_line_folds(requests, line->points, outcomes)
-                       : po_line_observe(requests, line->points, line->anchors, outcomes);
+  status = po_linear_reserve(1);
+  if (!status)
+    status = line->folds ? po_line_folds(requests, line->points, outcomes)
+                         : po_line_observe(requests, line->points, line->anchors, outcomes);
+  status = po_lack_or(status);
   if (status == PO_INTERRUPTED)
     return po_fail(status, "interrupted");
   if (!status && line->json)

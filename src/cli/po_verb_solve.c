@@ -179,7 +179,6 @@ static po_status write_files(const solve_line *line, const po_outcome *outcome) 
 static int solve(solve_line *line) {
   po_outcome outcome = {0};
   line->request.stop = po_interrupt_listen();
-  po_linear_single_thread();
   const po_status solved = po_observe(&line->request, &outcome);
   if (solved && !outcome.reason[0])
     snprintf(outcome.reason, sizeof outcome.reason, "%.250s", po_message());

@@ -35,7 +35,8 @@ static void print_help(void) {
   puts("\n  --help     this text, or that of a verb\n"
        "  --version  the version\n\n"
        "Exit codes: 0 all well, 1 a check does not pass, 2 bad usage or input,\n"
-       "3 a solve failed, 4 a file could not be read or written, 130 interrupted.\n\n"
+       "3 a solve failed or memory ran out, 4 a file could not be read or written,\n"
+       "130 interrupted.\n\n"
        "Example: pulloff solve --tabor 1 --json");
 }
 

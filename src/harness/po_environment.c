@@ -12,6 +12,7 @@
 
 #include "po_file.h"
 #include "po_linear.h"
+#include "po_memory.h"
 #include "po_text.h"
 
 #ifdef __clang__
@@ -33,6 +34,7 @@ json_t *po_environment_versions(const char *openblas) {
  * without quotes; "unknown" when there is none. */
 static void find_line(const char *path, const char *start, char *text, size_t size) {
   snprintf(text, size, "unknown");
+  po_memory_watch();
   FILE *file = fopen(path, "r");
   char line[512];
   while (file && fgets(line, sizeof line, file)) {
@@ -43,6 +45,8 @@ static void find_line(const char *path, const char *start, char *text, size_t si
     snprintf(text, size, "%.*s", (int)strcspn(value, "\"\n"), value);
     break;
   }
+  if (po_memory_ran_out())
+    po_fail(PO_NO_MEMORY, "no memory to read %s", path);
   if (file)
     fclose(file);
 }

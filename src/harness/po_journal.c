@@ -1,7 +1,6 @@
 #include "po_journal.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -85,15 +84,11 @@ po_status po_journal_read(po_case_run *run, const char *output) {
   return status;
 }
 
-/* The line of a point, in one piece, since another process may add to the same journal. */
 static po_status append(const char *path, const json_t *entry) {
   po_text text = {0};
   po_status status = po_json_print_line(entry, &text);
-  const int file = status ? -1 : open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (!status && (file < 0 || write(file, text.data, text.length) != (ssize_t)text.length))
-    status = po_fail(PO_CANNOT_WRITE, "%s cannot be written: %s", path, strerror(errno));
-  if (file >= 0)
-    close(file);
+  if (!status)
+    status = po_file_append_line(path, text.data, text.length);
   po_text_clear(&text);
   return status;
 }
@@ -119,10 +114,12 @@ po_status po_journal_add(const po_case_run *run, size_t point, const char *outpu
   return status;
 }
 
-void po_journal_remove(const po_case_run *run, const char *output) {
+po_status po_journal_remove(const po_case_run *run, const char *output) {
   char *folder = NULL, *path = NULL;
-  if (find_journal(run, output, &folder, &path))
-    unlink(path);
+  po_status status = find_journal(run, output, &folder, &path) ? PO_OK : PO_NO_MEMORY;
+  if (!status && unlink(path) != 0 && errno != ENOENT)
+    status = po_fail(PO_CANNOT_WRITE, "%s cannot be removed: %s", path, strerror(errno));
   free(path);
   free(folder);
+  return status;
 }

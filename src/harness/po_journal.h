@@ -17,7 +17,7 @@ po_status po_journal_read(po_case_run *run, const char *output);
  * Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
 po_status po_journal_add(const po_case_run *run, size_t point, const char *output);
 
-/* Deletes the journal, if there is one. */
-void po_journal_remove(const po_case_run *run, const char *output);
+/* Deletes the journal, if there is one. Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
+po_status po_journal_remove(const po_case_run *run, const char *output);
 
 #endif

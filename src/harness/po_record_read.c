@@ -42,6 +42,8 @@ po_status po_record_read_point(po_case_run *run, size_t index, const json_t *poi
       json_array_size(seconds) != repeats || json_array_size(processor) != repeats)
     return PO_NOT_FOUND;
   po_status status = po_json_read_outcome(point, outcome);
+  if (!status && outcome->status == PO_NO_MEMORY)
+    status = PO_NOT_FOUND; /* that is no result: another time there may be memory */
   if (!status && run->plan->kase->points[index].traced) {
     po_outcome_clear(&run->traces[index]);
     status = po_json_read_outcome(json_object_get(point, "traced"), &run->traces[index]);

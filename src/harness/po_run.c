@@ -25,6 +25,8 @@ typedef struct {
   bool broken;      /* something but a solve failed: no more is started */
   po_status status; /* why, and its message, which po_fail keeps by thread */
   char message[512];
+  size_t starved; /* solves that ended without memory, and why the first did */
+  char starved_message[512];
 } po_crew;
 
 static bool must_end(const po_crew *crew) {
@@ -95,7 +97,7 @@ static po_status finish_case(po_crew *crew, po_case_run *run) {
     status = po_record_write(run, options->output, crew->jobs, options->stop);
   run->finished = status == PO_OK;
   if (!status && po_case_run_is_whole(run))
-    po_journal_remove(run, options->output);
+    status = po_journal_remove(run, options->output);
   if (!status)
     tell_finished(crew, run);
   return status;
@@ -134,6 +136,8 @@ static void solve_point(const po_crew *crew, po_case_run *run, const po_task *ta
   run->seconds[place] = outcome->work.seconds;
   if (status && !outcome->reason[0])
     snprintf(outcome->reason, sizeof outcome->reason, "%.250s", po_message());
+  if (status == PO_NO_MEMORY)
+    first->status = status;
   po_outcome_clear(&again);
   if (task->round + 1 == repeats)
     first->work.seconds = median(run->seconds + task->point * repeats, repeats);
@@ -156,6 +160,18 @@ static double effort(const po_case_run *run) {
   return run->plan->kase->line > 1 ? 0.1 : 1;
 }
 
+/* Whether a solve of a point found no memory, which is no result: the point is neither kept nor
+ * done, and solved again by the next run. */
+static bool is_starved(po_crew *crew, const po_case_run *run, size_t point) {
+  const po_outcome *outcome = &run->outcomes[point];
+  if (outcome->status != PO_NO_MEMORY)
+    return false;
+  if (!crew->starved)
+    snprintf(crew->starved_message, sizeof crew->starved_message, "%s %s: %s",
+             run->plan->kase->file->name, run->plan->kase->points[point].label, outcome->reason);
+  return true;
+}
+
 /* A point was solved once, if it was asked for. Inside the critical section. */
 static po_status take_point(po_crew *crew, po_case_run *run, size_t point, unsigned round) {
   if (run->done[point] || !run->asked[point])
@@ -164,7 +180,12 @@ static po_status take_point(po_crew *crew, po_case_run *run, size_t point, unsig
   snprintf(what, sizeof what, "%.40s %.60s", run->plan->kase->file->name,
            run->plan->kase->points[point].label);
   po_progress_step(&crew->progress, what, effort(run));
-  return round + 1 == run->plan->kase->repeats ? end_point(crew, run, point) : PO_OK;
+  if (round + 1 < run->plan->kase->repeats)
+    return PO_OK;
+  if (!is_starved(crew, run, point))
+    return end_point(crew, run, point);
+  crew->starved += 1;
+  return PO_OK;
 }
 
 static void do_task(po_crew *crew, const po_task *task) {
@@ -172,16 +193,20 @@ static void do_task(po_crew *crew, const po_task *task) {
   const size_t line = run->plan->kase->line;
   const double begin = po_clock_wall();
   po_status status = PO_OK;
+  po_lack_forget();
   if (line > 1)
     status = po_run_line(run, task->point, crew->options->stop);
-  else
+  else {
     solve_point(crew, run, task);
+    po_lack_forget(); /* the outcome says it */
+  }
   const bool stopped = crew->options->stop && *crew->options->stop;
 #pragma omp critical(po_run_finish)
   if (!stopped) {
     run->elapsed += po_clock_wall() - begin;
     for (size_t k = 0; k < line && !status; ++k)
       status = take_point(crew, run, task->point + k, task->round);
+    status = po_lack_or(status);
     if (status)
       give_up(crew, status);
   }
@@ -199,16 +224,33 @@ static void begin_progress(po_crew *crew, size_t count) {
   po_progress_begin(&crew->progress, solves, all);
 }
 
+/* The tasks that may be done side by side. A parallel region of one thread would allocate, too, and
+ * ends the program where it cannot. */
+static void do_shared(po_crew *crew, const po_task *tasks, size_t count, int threads) {
+  if (threads <= 1) {
+    for (size_t i = 0; i < count && !must_end(crew); ++i)
+      do_task(crew, &tasks[i]);
+    return;
+  }
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
+  for (size_t i = 0; i < count; ++i)
+    if (!must_end(crew))
+      do_task(crew, &tasks[i]);
+}
+
 static po_status work_through(po_crew *crew, size_t count) {
   size_t shared = 0, total = 0;
   po_task *tasks = po_tasks_list(crew->runs, count, &shared, &total);
   if (!tasks)
     return PO_NO_MEMORY;
+  const int threads = shared < (size_t)crew->jobs ? (int)shared : crew->jobs;
+  const po_status status = total ? po_linear_reserve(threads > 1 ? threads : 1) : PO_OK;
+  if (status) {
+    free(tasks);
+    return status;
+  }
   begin_progress(crew, count);
-#pragma omp parallel for schedule(dynamic) num_threads(crew->jobs)
-  for (size_t i = 0; i < shared; ++i)
-    if (!must_end(crew))
-      do_task(crew, &tasks[i]);
+  do_shared(crew, tasks, shared, threads);
   for (size_t i = shared; i < total; ++i)
     if (!must_end(crew))
       do_task(crew, &tasks[i]);
@@ -216,6 +258,11 @@ static po_status work_through(po_crew *crew, size_t count) {
   free(tasks);
   if (crew->broken)
     return po_fail(crew->status, "%s", crew->message);
+  if (crew->starved && !(crew->options->stop && *crew->options->stop))
+    return po_fail(PO_NO_MEMORY,
+                   "%zu solves ended without memory, the first of them %s; finished points are "
+                   "kept in %s, run again to solve the others",
+                   crew->starved, crew->starved_message, crew->options->output);
   for (size_t r = 0; r < count; ++r)
     if (!crew->runs[r].finished)
       return po_fail(PO_INTERRUPTED,
@@ -229,9 +276,11 @@ static po_status begin_case(po_crew *crew, po_case_run *run) {
   const po_run_options *options = crew->options;
   if (po_case_run_is_done(run) && run->asked_count)
     return finish_case(crew, run); /* put together from elsewhere */
-  if (options->fresh && po_case_run_is_whole(run))
-    po_journal_remove(run, options->output);
-  else if (!options->fresh) {
+  if (options->fresh && po_case_run_is_whole(run)) {
+    const po_status status = po_journal_remove(run, options->output);
+    if (status)
+      return status;
+  } else if (!options->fresh) {
     po_status status = po_record_read(run, options->output);
     if (!status)
       return finish_case(crew, run);
@@ -254,8 +303,9 @@ static po_status begin_case(po_crew *crew, po_case_run *run) {
 po_status po_run(po_case_run *runs, size_t count, const po_run_options *options) {
   po_crew crew = {.runs = runs, .options = options};
   crew.jobs = options->jobs > 0 ? options->jobs : po_environment_cores();
-  po_linear_single_thread();
-  po_status status = po_folder_make(options->output);
+  po_status status = po_lack_or(PO_OK);
+  if (!status)
+    status = po_folder_make(options->output);
   po_progress_begin(&crew.progress, 0, 0);
   for (size_t i = 0; !status && i < count; ++i) {
     status = begin_case(&crew, &runs[i]);

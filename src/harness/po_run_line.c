@@ -26,6 +26,7 @@ po_status po_run_line(po_case_run *run, size_t first, const volatile sig_atomic_
     po_outcome_clear(&run->outcomes[first + k]);
   }
   po_status status = po_line_observe(requests, kase->line, kase->anchors, &run->outcomes[first]);
+  status = po_lack_or(status);
   for (size_t k = 0; k < kase->line && !status; ++k)
     if (kase->points[first + k].traced)
       status = trace_again(&requests[k], &run->traces[first + k]);

@@ -7,6 +7,7 @@
 
 #include <cyaml/cyaml.h>
 
+#include "po_memory.h"
 #include "po_text.h"
 
 /* Every scalar is taken as text: libcyaml 1.3 would read the count 3.5 as 3 and accept nan and
@@ -389,12 +390,13 @@ po_status po_schema_load(const po_yaml *yaml, const char *bytes, size_t size, po
   failure heard = {{0}, {0}};
   cyaml_config_t space;
   *file = NULL;
+  po_memory_watch();
   const cyaml_err_t error = cyaml_load_data((const uint8_t *)bytes, size, config(&heard, &space),
                                             &CASE, (cyaml_data_t **)file, NULL);
   if (!error && *file)
     return PO_OK;
   *file = NULL;
-  if (error == CYAML_ERR_OOM)
+  if (error == CYAML_ERR_OOM || po_memory_ran_out()) /* libyaml's is any other error to libcyaml */
     return po_fail(PO_NO_MEMORY, "%s: no memory for the case", po_yaml_name(yaml));
   return refuse(yaml, &heard);
 }

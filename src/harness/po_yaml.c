@@ -63,8 +63,8 @@ static po_status check_mapping(const po_yaml *yaml, yaml_document_t *document,
                  first->start_mark.line + 1);
 }
 
-/* YAML escapes such as "\\0" and "\\e" are the one way in for what ends a string early, or is obeyed
- * by a terminal. */
+/* YAML escapes such as "\\0" and "\\e" are the one way in for what ends a string early, or is
+ * obeyed by a terminal. */
 static po_status check_scalar(const po_yaml *yaml, const yaml_node_t *node) {
   const char *text = (const char *)node->data.scalar.value;
   const char *bad = po_quote_find(text, node->data.scalar.length);
@@ -103,10 +103,21 @@ static po_status check_tree(const po_yaml *yaml, yaml_document_t *document) {
   return status;
 }
 
+/* Reads the next document. */
+static po_status load(const po_yaml *yaml, yaml_parser_t *parser, yaml_document_t *document) {
+  po_memory_watch();
+  if (yaml_parser_load(parser, document))
+    return PO_OK;
+  if (parser->error == YAML_MEMORY_ERROR || po_memory_ran_out())
+    return po_fail(PO_NO_MEMORY, "%s: no memory to read it", yaml->name);
+  return po_fail(PO_BAD_INPUT, "%s:%zu: not YAML: %s", yaml->name, parser->problem_mark.line + 1,
+                 parser->problem ? parser->problem : "unreadable");
+}
+
 static po_status parse(po_yaml *yaml, yaml_parser_t *parser) {
-  if (!yaml_parser_load(parser, &yaml->document))
-    return po_fail(PO_BAD_INPUT, "%s:%zu: not YAML: %s", yaml->name, parser->problem_mark.line + 1,
-                   parser->problem ? parser->problem : "unreadable");
+  po_status status = load(yaml, parser, &yaml->document);
+  if (status)
+    return status;
   yaml->loaded = true;
   const yaml_node_t *root = yaml_document_get_root_node(&yaml->document);
   if (!root)
@@ -114,13 +125,12 @@ static po_status parse(po_yaml *yaml, yaml_parser_t *parser) {
   if (root->type != YAML_MAPPING_NODE)
     return po_fail(PO_BAD_INPUT, "%s:%zu: not a case: expected key: value", yaml->name,
                    root->start_mark.line + 1);
-  const po_status status = check_tree(yaml, &yaml->document);
+  yaml_document_t more;
+  status = check_tree(yaml, &yaml->document);
+  if (!status)
+    status = load(yaml, parser, &more);
   if (status)
     return status;
-  yaml_document_t more;
-  if (!yaml_parser_load(parser, &more))
-    return po_fail(PO_BAD_INPUT, "%s:%zu: not YAML: %s", yaml->name, parser->problem_mark.line + 1,
-                   parser->problem ? parser->problem : "unreadable");
   const yaml_node_t *second = yaml_document_get_root_node(&more);
   const size_t line = second ? second->start_mark.line + 1 : 0;
   yaml_document_delete(&more);

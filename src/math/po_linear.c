@@ -3,6 +3,8 @@
 #include <cblas.h>
 #include <lapacke.h>
 #include <math.h>
+#include <pthread.h>
+#include <sys/mman.h>
 #include <threads.h>
 
 extern void openblas_set_num_threads(int threads);
@@ -10,8 +12,19 @@ extern char *openblas_get_config(void);
 extern char *openblas_get_corename(void);
 extern int blas_thread_shutdown_(void) __attribute__((weak)); /* NULL: a library without threads */
 
-/* OpenBLAS starts a thread a core when it is loaded. They wait by asking for work again and again:
- * the processor time of a short solve once more. */
+extern void *blas_memory_alloc(int position) __attribute__((weak));
+extern void blas_memory_free(void *area) __attribute__((weak));
+
+/* When it is loaded OpenBLAS asks a function of this name how many threads to start, and finds this
+ * one, which the program brings, before its own. So it starts none: a thread waits by asking for
+ * work again and again, which is the processor time of a short solve once more, and maps a work
+ * area before main begins. */
+int openblas_num_threads_env(void);
+int openblas_num_threads_env(void) {
+  return 1;
+}
+
+/* Where OpenBLAS did not ask. */
 static void end_threads(void) {
   openblas_set_num_threads(1);
   if (blas_thread_shutdown_)
@@ -22,6 +35,59 @@ static void end_threads(void) {
 void po_linear_single_thread(void) {
   static once_flag ended = ONCE_FLAG_INIT;
   call_once(&ended, end_threads);
+}
+
+/* OpenBLAS 0.3.21, common_x86_64.h: 32 << 22 bytes a work area; others have less or the same. The
+ * rest is for the pages at its ends. */
+static const size_t WORK_AREA = ((size_t)32 << 22) + ((size_t)1 << 20);
+
+/* Whether so many bytes of address space are free. */
+static bool is_room(size_t bytes) {
+  void *probe = mmap(NULL, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  return probe != MAP_FAILED && munmap(probe, bytes) == 0;
+}
+
+/* The size of the stack that a thread is given. */
+static size_t stack_size(void) {
+  pthread_attr_t attributes;
+  size_t size = 0;
+  if (pthread_attr_init(&attributes) != 0)
+    return 0;
+  pthread_attr_getstacksize(&attributes, &size);
+  pthread_attr_destroy(&attributes);
+  return size;
+}
+
+/* Has OpenBLAS map work areas until there are `threads`: they are taken together, since one that is
+ * given back is given out again. Returned: how many there are. */
+static int map_areas(int threads) {
+  enum { MOST = 256 };
+  void *areas[MOST];
+  int count = 0;
+  const size_t beside = (size_t)(threads - 1) * stack_size();
+  while (count < threads && count < MOST && is_room(WORK_AREA + beside))
+    areas[count++] = blas_memory_alloc(0);
+  for (int i = 0; i < count; ++i)
+    blas_memory_free(areas[i]);
+  return count == MOST ? threads : count;
+}
+
+po_status po_linear_reserve(int threads) {
+  static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+  static int reserved;
+  po_linear_single_thread();
+  pthread_mutex_lock(&lock);
+  if (reserved < threads && blas_memory_alloc && blas_memory_free)
+    reserved = map_areas(threads);
+  const bool enough = reserved >= threads || !blas_memory_alloc || !blas_memory_free;
+  pthread_mutex_unlock(&lock);
+  if (enough)
+    return PO_OK;
+  return po_fail(
+      PO_NO_MEMORY,
+      "out of memory: OpenBLAS needs %zu MB of address space for each of %d threads, and "
+      "this process cannot have it: raise its limit (ulimit -v)%s",
+      WORK_AREA >> 20, threads, threads > 1 ? ", or solve fewer points at a time (--jobs)" : "");
 }
 
 const char *po_linear_library(void) {
@@ -71,6 +137,8 @@ double po_linear_condition(size_t n, const double *a, size_t stride, double norm
   double reciprocal = 0.0;
   const lapack_int info = LAPACKE_dgecon(LAPACK_COL_MAJOR, '1', (lapack_int)n, a,
                                          (lapack_int)stride, norm, &reciprocal);
+  if (info == LAPACK_WORK_MEMORY_ERROR)
+    po_fail(PO_NO_MEMORY, "out of memory: a condition number of %zu unknowns", n);
   return info ? (double)NAN : 1.0 / reciprocal;
 }
 

@@ -7,9 +7,15 @@
 
 #include "po_status.h"
 
-/* Keeps OpenBLAS to one thread and ends those it waits with: solves run in parallel, not the
- * algebra inside them. Does nothing the second time. */
+/* Keeps OpenBLAS to one thread: solves run in parallel, not the algebra inside them. Does nothing
+ * the second time. */
 void po_linear_single_thread(void);
+
+/* The same, and makes sure that so many threads of the program can solve at a time. OpenBLAS maps a
+ * work area of 128 MB of address space (x86-64) for each when it first solves, and where there is
+ * no room for it tries again for ever. Does nothing when they are there.
+ * Status: PO_NO_MEMORY when the address space is too small. */
+po_status po_linear_reserve(int threads);
 
 /* "OpenBLAS 0.3.21 ..." : the library this process runs on; "Haswell": the kernels it chose for the
  * processor, or OPENBLAS_CORETYPE did. Both determine the last bits of results. */

@@ -135,12 +135,14 @@ po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po
   *outcome = (po_outcome){.status = PO_OK};
   clear(outcome);
   const double begin = po_clock_wall();
-  po_linear_single_thread();
   po_message_clear();
-  outcome->status = observe(request, keeper, outcome);
+  outcome->status = po_linear_reserve(1);
+  if (!outcome->status)
+    outcome->status = observe(request, keeper, outcome);
   outcome->work.seconds = po_clock_wall() - begin - outcome->diagnostics.seconds;
   if (!outcome->status && (request->want & PO_WANT_DIAGNOSTICS))
     outcome->status = po_diagnose_moved(request, outcome);
+  outcome->status = po_lack_or(outcome->status);
   if (outcome->status)
     snprintf(outcome->reason, sizeof outcome->reason, "%s",
              *po_message() ? po_message() : po_status_text(outcome->status));

@@ -1,0 +1,92 @@
+#!/bin/sh
+# Memory, address space and disks that run out: a message and an exit code, nothing that spins or is torn, and the next
+# run goes on with what is there.
+# shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154,SC3045
+. "$(dirname "$0")/lib.sh"
+. "$here/data.sh"
+rm "$PULLOFF_DATA/cases/good.yaml"
+
+cat >"$PULLOFF_DATA/cases/parts.yaml" <<'CASE'
+name: parts
+title: Spheres at random
+suites: [smoke]
+scene: {outer_radius: inf, scheme: triangle, nodes: 61}
+sample:
+  seed: 5
+  count: 6
+  keys:
+    - {key: tabor, from: 0.7, to: 1.3}
+    - {key: radius, from: 70, to: 200}
+want: [pull_off]
+CASE
+journal=parts/points.jsonl
+strip() { grep -v -E '"(seconds|date|jobs)"|^ *[0-9.]+(e-[0-9]+)?$' "$1"; }
+ends_whole() { [ -s "$1" ] && [ -z "$(tail -c 1 "$1")" ]; }
+
+expect 0 'parts: 6 points, 0 checks: within' run --jobs 1 --output whole
+strip whole/parts/record.json >at-once
+
+# A file-size limit is a disk that fills up in the middle of a line. What is left is whole, and goes on.
+(
+  ulimit -f 8
+  "$program" run --jobs 1 --output limited 2>stderr
+  echo $? >code
+)
+check 'a file that may not grow: exit code 4, no signal' test "$(cat code)" -eq 4
+check 'it says which file and why' \
+  grep -q '^pulloff: limited/parts/points.jsonl cannot be written: \(File too large\|No space left on device\)$' stderr
+check 'no half line is left' ends_whole limited/$journal
+kept=$(wc -l <limited/$journal)
+check 'some points are kept' test "$kept" -ge 1
+expect 0 "parts: 6 points, 0 checks: within ($kept points kept)" run --jobs 1 --output limited
+strip limited/parts/record.json >mended
+check 'the record is that of an undisturbed run' cmp mended at-once
+(
+  ulimit -f 2
+  "$program" solve --tabor 0 --curve curve.csv >/dev/null 2>stderr
+  echo $? >code
+)
+check 'a curve that may not be written: exit code 4' test "$(cat code)" -eq 4
+check 'nothing is left of it' test -z "$(find . -name 'curve.csv*')"
+
+# A half line, as a killed process may leave it: the next point begins a new one.
+expect 0 'parts: 2 of 6 points, 0 checks: within' run --jobs 1 --output torn --points 0-1
+truncate -s -40 torn/$journal
+expect 0 'parts: 1 of 6 points, 0 checks: within' run --jobs 1 --output torn --points 3
+expect 0 'parts: 6 points, 0 checks: within (2 points kept)' run --jobs 1 --output torn
+strip torn/parts/record.json >mended
+check 'the record of the torn one is whole' cmp mended at-once
+
+# What found no memory is no result, whatever an earlier version kept.
+expect 0 'parts: 3 of 6 points, 0 checks: within' run --jobs 1 --output starved --points 0-2
+sed -i '2s/"status":"ok"/"status":"no_memory"/' starved/$journal
+expect 0 'parts: 6 points, 0 checks: within (2 points kept)' run --jobs 1 --output starved
+
+# With little address space OpenBLAS asked for its work area for ever, deaf to SIGTERM.
+if ldd "$program" | grep -q 'lib[a-z]*asan'; then
+  echo 'skipped: little address space (the address sanitizer needs much)'
+else
+  for room in 60000 100000 140000 180000 200000 250000 300000 400000; do
+    (
+      ulimit -v $room
+      timeout -k 1 60 "$program" solve --tabor 1 >stdout 2>stderr
+      echo $? >code
+    )
+    case $(cat code) in
+    0) check "a result within $room kB" grep -q '^pull-off force 1.67066' stdout ;;
+    3) check "refused with one line within $room kB" \
+      grep -q '^pulloff: the solve failed: out of memory: .*ulimit -v' stderr ;;
+    127) check "not started within $room kB" grep -q 'error while loading shared libraries' stderr ;;
+    *) check "an end within $room kB" false ;;
+    esac
+  done
+  check 'there is a result at last' test "$(cat code)" -eq 0
+  (
+    ulimit -v 200000
+    timeout -k 1 60 "$program" run --jobs 4 --output small 2>stderr
+    echo $? >code
+  )
+  check 'four threads are refused' test "$(cat code)" -eq 3
+  check 'it says what to do' grep -q 'for each of 4 threads.*--jobs' stderr
+fi
+finish
