@@ -73,6 +73,8 @@ static po_status read_record(po_case_run *run, const json_t *record, const char 
     run->elapsed = json_number_value(json_object_get(record, "seconds"));
     run->kept = run->finished = true;
     run->pending = 0;
+    for (size_t i = 0; i < run->plan->kase->point_count; ++i)
+      run->done[i] = true;
   } else
     for (size_t i = 0; i < run->plan->kase->point_count; ++i)
       po_outcome_clear(&run->outcomes[i]);
