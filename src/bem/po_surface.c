@@ -10,7 +10,12 @@
 #include "po_panel.h"
 #include "po_shape.h"
 
-enum { WAVE_ORDER = 12, TAIL_ORDER = 16, MOST_WAVES = 64 };
+enum { WAVE_ORDER = 12, TAIL_ORDER = 16 };
+/* Those of the largest core and 64 waves: a matrix of 90 MB. Without a matrix, some 10 MB. */
+static const double MOST_NODES = 3300, MOST_RIGID_NODES = 3e5;
+
+/* Of a wave: with fewer than two nodes in each the mesh sees other waves than there are. */
+static const double LONGEST_ELEMENT = 0.5;
 
 /* A graded mesh has its nodes at r_max sinh(GRADING x)/sinh(GRADING), x equally spaced: the
  * elements at the axis are 0.3 times, those at the edge three times as long as equal ones. */
@@ -36,11 +41,34 @@ double po_surface_core(const po_scene *scene, double deepest) {
   return sqrt(2.0 * scene->radius * gap);
 }
 
-static size_t waves_to_resolve(const po_scene *scene, double core_radius) {
+/* Waves beyond the core that must not be averaged yet. Refused when they, or those of the core, are
+ * too many for the mesh. */
+static po_status count_waves(const po_scene *scene, const po_mesh *mesh, double core_radius,
+                             bool elastic, size_t *waves) {
+  *waves = 0;
   if (!po_scene_is_wavy(scene))
-    return 0;
+    return PO_OK;
+  const double element = core_radius / (double)mesh->nodes;
+  if (elastic && element > LONGEST_ELEMENT * scene->wavelength)
+    return po_fail(PO_OUT_OF_NODES,
+                   "elements of length %g cannot represent waves of length %g; expected at least "
+                   "%.0f nodes, a longer wavelength or scheme panel",
+                   element, scene->wavelength,
+                   ceil(core_radius / scene->wavelength / LONGEST_ELEMENT));
+  if (isfinite(scene->outer_radius))
+    return PO_OK;
   const double end = po_averaging_radius(scene, core_radius);
-  return (size_t)fmin(MOST_WAVES, round((end - core_radius) / scene->wavelength));
+  const double count = round((end - core_radius) / scene->wavelength);
+  const double nodes = (double)mesh->nodes + WAVE_ORDER * count + TAIL_ORDER;
+  const double most = elastic ? MOST_NODES : MOST_RIGID_NODES;
+  if (!(nodes <= most))
+    return po_fail(PO_OUT_OF_NODES,
+                   "%.0f waves beyond radius %g must be resolved, with %d nodes each: %.0f nodes, "
+                   "more than %.0f; expected an outer radius, fewer nodes, a longer wavelength or "
+                   "scheme panel",
+                   count, core_radius, WAVE_ORDER, nodes, most);
+  *waves = (size_t)count;
+  return PO_OK;
 }
 
 /* What the parts of a surface are: `core` nodes of the scheme, then `waves` panels, then a tail. */
@@ -53,13 +81,15 @@ typedef struct {
 } parts;
 
 static po_status plan_parts(const po_scene *scene, const po_mesh *mesh, double core_radius,
-                            parts *p) {
+                            bool elastic, parts *p) {
   p->mesh = *mesh;
   p->bounded = isfinite(scene->outer_radius);
   p->core_radius = p->bounded ? scene->outer_radius : po_averaging_phase(scene, core_radius);
   p->wavelength = scene->wavelength;
   p->core = mesh->nodes;
-  p->waves = p->bounded ? 0 : waves_to_resolve(scene, p->core_radius);
+  const po_status status = count_waves(scene, mesh, p->core_radius, elastic, &p->waves);
+  if (status)
+    return status;
   p->edge = po_allocate(mesh->nodes + 1, sizeof *p->edge);
   if (!p->edge)
     return PO_NO_MEMORY;
@@ -146,7 +176,7 @@ po_status po_surface_create(const po_scene *scene, const po_mesh *mesh, double c
   if (!status)
     status = po_mesh_check(mesh);
   if (!status)
-    status = plan_parts(scene, mesh, core_radius, &p);
+    status = plan_parts(scene, mesh, core_radius, elastic, &p);
   if (!status)
     status = po_panel_rule_fill(WAVE_ORDER, &wave);
   if (!status)

@@ -69,7 +69,7 @@ double po_surface_core(const po_scene *scene, double deepest);
  * The scheme's nodes fill [0, core_radius]. A bounded surface ends there; an unbounded one goes on
  * with Gauss panels: one a wavelength while single waves matter to 1e-9 of the load, and one that
  * reaches to infinity. Without `elastic` there is no influence matrix. Status: PO_BAD_INPUT,
- * PO_NO_MEMORY. */
+ * PO_OUT_OF_NODES when that takes more than 3300 nodes, PO_NO_MEMORY. */
 po_status po_surface_create(const po_scene *scene, const po_mesh *mesh, double core_radius,
                             bool elastic, po_surface **surface);
 void po_surface_destroy(po_surface *surface);

@@ -1,6 +1,7 @@
 #include "po_options.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "po_quote.h"
 
@@ -49,6 +50,27 @@ po_status po_options_refuse(const char *option, const char *value, const char *e
 po_status po_options_take_path(const char *option, const char *expected, const char **path) {
   *path = optarg;
   return *optarg ? PO_OK : po_options_refuse(option, optarg, expected);
+}
+
+po_status po_options_refuse_idle(const char *what, const po_flag_use *flags, size_t count) {
+  const po_flag_use *idle = NULL;
+  size_t taken = 0, named = 0;
+  for (size_t i = 0; i < count; ++i) {
+    if (flags[i].given && !flags[i].taken && !idle)
+      idle = &flags[i];
+    taken += flags[i].taken;
+  }
+  char names[400] = "";
+  for (size_t i = 0; idle && i < count; ++i)
+    if (flags[i].taken) {
+      const char *before = named == 0 ? "only " : named + 1 < taken ? ", " : " or ";
+      snprintf(names + strlen(names), sizeof names - strlen(names), "%s--%s", before,
+               flags[i].name);
+      ++named;
+    }
+  return idle ? po_fail(PO_BAD_INPUT, "--%s has no effect on %s: expected %s", idle->name, what,
+                        *names ? names : "no such flag")
+              : PO_OK;
 }
 
 po_status po_options_no_operands(const po_options *options) {

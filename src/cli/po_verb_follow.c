@@ -75,7 +75,8 @@ typedef struct {
   const char *runs;              /* the name of the key, as its option is called */
   po_key key;
   double from, to;
-  size_t points, anchors;
+  size_t points;
+  size_t anchors; /* 0: not given */
   bool linear, folds, json;
 } follow_line;
 
@@ -154,7 +155,13 @@ static po_status check_line(const follow_line *line) {
                     line->given[PO_KEY_AMPLITUDE_RATIO] || line->key == PO_KEY_AMPLITUDE_RATIO;
   if (wavy && !line->given[PO_KEY_WAVELENGTH] && line->key != PO_KEY_WAVELENGTH)
     return po_fail(PO_BAD_INPUT, "a waviness is given without --wavelength: expected both");
-  return PO_OK;
+  if (!wavy && line->key == PO_KEY_WAVELENGTH)
+    return po_fail(PO_BAD_INPUT, "the wavelength runs along scenes without amplitude: expected "
+                                 "--amplitude or --amplitude-ratio");
+  const po_flag_use wavelength = {"wavelength", line->given[PO_KEY_WAVELENGTH], wavy};
+  const po_flag_use anchors = {"anchor-every", line->anchors > 0, !line->folds};
+  const po_status status = po_options_refuse_idle("scenes without amplitude", &wavelength, 1);
+  return status ? status : po_options_refuse_idle("--of folds", &anchors, 1);
 }
 
 static po_status set_key(po_request *request, int key, const char *text) {
@@ -249,8 +256,10 @@ static po_status follow(const follow_line *line, po_request *requests, po_outcom
     return status;
   status = po_linear_reserve(1);
   if (!status)
-    status = line->folds ? po_line_folds(requests, line->points, outcomes)
-                         : po_line_observe(requests, line->points, line->anchors, outcomes);
+    status = line->folds
+                 ? po_line_folds(requests, line->points, outcomes)
+                 : po_line_observe(requests, line->points,
+                                   line->anchors ? line->anchors : PO_LINE_ANCHOR_EVERY, outcomes);
   status = po_lack_or(status);
   if (status == PO_INTERRUPTED)
     return po_fail(status, "interrupted");
@@ -269,8 +278,7 @@ static po_status follow(const follow_line *line, po_request *requests, po_outcom
 
 int po_verb_follow(int argc, char **argv) {
   const po_options options = {"follow", HELP, OPTIONS, argc, argv};
-  follow_line line = {
-      .from = NAN, .to = NAN, .points = DEFAULT_POINTS, .anchors = PO_LINE_ANCHOR_EVERY};
+  follow_line line = {.from = NAN, .to = NAN, .points = DEFAULT_POINTS};
   po_status status = PO_OK;
   if (!po_options_read(&options, take_option, &line, &status))
     return po_options_end(status);

@@ -135,6 +135,15 @@ static po_status refuse_keys_of_other_scheme(const solve_line *line) {
   return PO_OK;
 }
 
+/* A wavelength alone makes no waves; amplitude 0 with it is the smooth end of a sweep. */
+static po_status refuse_idle(const solve_line *line) {
+  const double *length = line->flags.length;
+  po_flag_use flags[] = {{.given = !isnan(length[PO_LENGTH_WAVELENGTH]),
+                          .taken = !isnan(length[PO_LENGTH_AMPLITUDE])}};
+  po_scene_flags_name(&line->flags, PO_LENGTH_WAVELENGTH, flags[0].name);
+  return po_options_refuse_idle("a scene without amplitude", flags, 1);
+}
+
 /* Puts the request together and checks it. */
 static po_status end_line(solve_line *line) {
   po_request *request = &line->request;
@@ -142,6 +151,8 @@ static po_status end_line(solve_line *line) {
   po_status status = refuse_keys_of_other_scheme(line);
   if (!status)
     status = po_scene_flags_end(&line->flags, true, &request->scene);
+  if (!status)
+    status = refuse_idle(line);
   if (status)
     return status;
   if (request->scene.amplitude > 0 && isnan(length[PO_LENGTH_WAVELENGTH])) {

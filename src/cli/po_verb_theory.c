@@ -67,6 +67,40 @@ static po_status take_option(void *to, int option) {
   return PO_OK;
 }
 
+/* With alpha a form no longer depends on the wavelength, nor on what the two are made of. */
+static unsigned taken_by(const po_theory_line *l, const po_form *form) {
+  const unsigned in_place = form->needs & PO_NEEDS_AMPLITUDE
+                                ? PO_TAKES_WAVELENGTH | PO_TAKES_RADIUS
+                                : PO_TAKES_WAVELENGTH | PO_TAKES_AMPLITUDE;
+  const bool alpha = !isnan(l->alpha) && form->takes & PO_TAKES_ALPHA;
+  return alpha ? form->takes & ~in_place : form->takes;
+}
+
+static po_flag_use use_of(const po_theory_line *l, po_length length, bool taken) {
+  po_flag_use use = {.given = !isnan(l->flags.length[length]), .taken = taken};
+  po_scene_flags_name(&l->flags, length, use.name);
+  return use;
+}
+
+/* Refuses flags that would change nothing. */
+static po_status check_use(const po_theory_line *l, const po_form *form) {
+  const unsigned takes = taken_by(l, form);
+  char what[80];
+  snprintf(what, sizeof what, "theory %s%s", form->name,
+           takes != form->takes ? " with --alpha" : "");
+  const po_flag_use flags[] = {
+      {"tabor", !isnan(l->flags.tabor), takes & PO_TAKES_TABOR && !l->flags.from_physical},
+      use_of(l, PO_LENGTH_AMPLITUDE, takes & PO_TAKES_AMPLITUDE),
+      use_of(l, PO_LENGTH_WAVELENGTH, takes & PO_TAKES_WAVELENGTH),
+      /* the radius of a scene in SI units is in the unit of force, too */
+      use_of(l, PO_LENGTH_RADIUS, takes & PO_TAKES_RADIUS || l->flags.from_physical),
+      {"alpha", !isnan(l->alpha), takes & PO_TAKES_ALPHA},
+      use_of(l, PO_LENGTH_APPROACH, form->variable == PO_FORM_AT_APPROACH),
+      use_of(l, PO_LENGTH_CONTACT_RADIUS, form->variable == PO_FORM_AT_CONTACT_RADIUS),
+      {"gap", !isnan(l->gap), form->variable == PO_FORM_AT_GAP}};
+  return po_options_refuse_idle(what, flags, sizeof flags / sizeof *flags);
+}
+
 /* Refuses what a form makes nothing of. */
 static po_status check_values(const po_theory_line *l, const po_form *form) {
   const double approach = l->flags.length[PO_LENGTH_APPROACH];
@@ -90,6 +124,9 @@ static po_status complete(po_theory_line *l, const po_form *form) {
       po_scene_flags_end(&l->flags, (form->needs & PO_NEEDS_ELASTIC) != 0, &l->scene);
   if (status)
     return status;
+  const po_status idle = check_use(l, form);
+  if (idle)
+    return idle;
   const double *length = l->flags.length;
   const bool smooth = length[PO_LENGTH_AMPLITUDE] == 0.0;
   const bool waves =
@@ -104,9 +141,6 @@ static po_status complete(po_theory_line *l, const po_form *form) {
     return po_fail(PO_BAD_INPUT, "theory %s needs --%s", form->name, amplitude);
   if (form->needs & PO_NEEDS_ALPHA && !given && !waves)
     return po_fail(PO_BAD_INPUT, "theory %s needs --alpha, or --%s and --%s", form->name, amplitude,
-                   wavelength);
-  if (given && (!(form->needs & PO_NEEDS_ALPHA) || !isnan(length[PO_LENGTH_WAVELENGTH])))
-    return po_fail(PO_BAD_INPUT, "--alpha is given to theory %s: expected --%s alone", form->name,
                    wavelength);
   if (!given && waves)
     l->alpha = po_scene_alpha(&l->scene);
@@ -175,16 +209,33 @@ static void fill(const po_theory_line *l, const po_form_values *values, json_t *
   }
 }
 
+/* A number that is none must not be taken for a result. */
+static po_status check_numbers(const po_form *form, const po_form_values *values) {
+  for (size_t i = 0; i < values->count; ++i) {
+    const po_form_value *item = &values->items[i];
+    if (!isfinite(item->value) && !(isinf(item->value) && item->may_be_infinite))
+      return po_fail(
+          PO_BAD_INPUT,
+          "theory %s has no %s here: expected values less far apart, so that all numbers "
+          "on the way are within the range of doubles",
+          form->name, item->name);
+  }
+  return PO_OK;
+}
+
 static po_status print(const po_theory_line *l, const po_form *form) {
   const double variables[] = {(double)NAN, l->flags.length[PO_LENGTH_APPROACH],
                               l->flags.length[PO_LENGTH_CONTACT_RADIUS], l->gap};
   const po_form_input input = {l->scene, l->alpha, variables[form->variable]};
   po_form_values values = {.count = 0};
-  json_t *out = po_json_empty_object();
-  json_t *si = l->flags.from_physical ? po_json_empty_object() : NULL;
   form->fixed(&input, &values);
   if (!isnan(input.at))
     form->along(&input, &values);
+  const po_status status = check_numbers(form, &values);
+  if (status)
+    return status;
+  json_t *out = po_json_empty_object();
+  json_t *si = l->flags.from_physical ? po_json_empty_object() : NULL;
   fill(l, &values, &out, &si);
   if (l->json)
     return print_json(l, form->name, out, si);

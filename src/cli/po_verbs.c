@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "po_options.h"
+#include "po_quadrature.h"
 #include "po_quote.h"
 
 static const struct {
@@ -41,6 +42,7 @@ static void print_help(void) {
 }
 
 int po_verbs_run(int argc, char **argv) {
+  po_gsl_return_errors();
   if (argc < 2) {
     po_fail(PO_BAD_INPUT, "no verb is given: expected " VERB_NAMES);
     return po_options_end(PO_BAD_INPUT);

@@ -150,10 +150,10 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
 static po_status parse_measure(po_check *measure, unsigned number, const po_yaml *yaml) {
   const int quantity = quantity_of(measure->quantity_text);
   if (quantity == PO_QUANTITY_COUNT || quantity == PO_WORK || quantity == PO_SOLVED_SHARE ||
+      po_quantity_is_diagnostic((po_quantity)quantity) ||
       po_quantity_is_hysteresis((po_quantity)quantity))
     return po_schema_refuse(yaml, NULL, "measure[%u].quantity", number);
-  if (po_check_is_pin(measure) || po_check_is_traced(measure) ||
-      strcmp(measure->reference, PO_EVERY_SCENE) == 0)
+  if (strcmp(measure->reference, "bradley") != 0 && !is_file(measure->reference))
     return po_schema_refuse(yaml, NULL, "measure[%u].reference", number);
   measure->quantity = (po_quantity)quantity;
   measure->tolerance = (double)INFINITY;

@@ -1,7 +1,18 @@
 #include "po_quadrature.h"
 
+#include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 #include <math.h>
+#include <threads.h>
+
+static void turn_off(void) {
+  gsl_set_error_handler_off();
+}
+
+void po_gsl_return_errors(void) {
+  static once_flag off = ONCE_FLAG_INIT;
+  call_once(&off, turn_off);
+}
 
 po_status po_gauss_rule(size_t n, double *node, double *weight) {
   gsl_integration_glfixed_table *table = gsl_integration_glfixed_table_alloc(n);

@@ -6,6 +6,12 @@
 
 #include "po_status.h"
 
+/* Turns GSL's error handler off, once: GSL then returns its errors, as the rooms from math on expect,
+ * instead of ending the program. It is the program's to decide, as the handler is one for the
+ * process: the command line does it first of all. Closed forms (theory) give GSL no cause for an error but a
+ * lack of memory, and leave the handler alone; what cannot do without (po_rigid) calls this. */
+void po_gsl_return_errors(void);
+
 /* Gauss-Legendre on (0, 1): exact for polynomials of degree 2n - 1.
  * Given: 1 <= n <= 64. Returned: n nodes ascending, n weights of sum 1. Status: PO_NO_MEMORY. */
 po_status po_gauss_rule(size_t n, double *node, double *weight);

@@ -74,15 +74,35 @@ static double beyond_series(int n, double x) {
   return second_order(beyond_series(0, x), beyond_series(1, x), x);
 }
 
-static double bessel(int n, double x) {
-  gsl_sf_result y;
-  const int failed = n == 0   ? gsl_sf_bessel_Y0_e(x, &y)
-                     : n == 1 ? gsl_sf_bessel_Y1_e(x, &y)
-                              : gsl_sf_bessel_Yn_e(n, x, &y);
-  return failed ? NAN : y.val;
+/* Where Hankel's expansion is exact to rounding: its least term is exp(-2x) there. */
+static const double HANKEL_BEGIN = 25.0;
+
+/* Y_n(x), n 0 or 1, at a large x. Given: the phase, x less a multiple of 2 pi. */
+static double hankel(int n, double x, double phase) {
+  double even = 0.0, odd = 0.0, term = 1.0; /* the term of order k, its sign taken apart */
+  const double order = 4.0 * n * n;
+  for (int k = 0; fabs(term) > 0.25 * DBL_EPSILON; ++k) {
+    *(k % 2 ? &odd : &even) += k % 4 < 2 ? term : -term;
+    term *= (order - (2.0 * k + 1.0) * (2.0 * k + 1.0)) / (8.0 * (k + 1.0) * x);
+  }
+  const double s = sin(phase), c = cos(phase); /* of x - pi/4, and of x - 3 pi/4 */
+  const double sine = n == 0 ? s - c : -s - c, cosine = n == 0 ? s + c : s - c;
+  return (even * sine + odd * cosine) / sqrt(M_PI * x);
 }
 
-double po_struve(int n, double x) {
+/* Y_n(x): GSL's would end in its error handler at an argument near 0, or beyond 4e15. */
+static double bessel(int n, double x, double phase) {
+  if (x >= HANKEL_BEGIN && n < 2)
+    return hankel(n, x, phase);
+  if (n == 2)
+    return 2.0 * bessel(1, x, phase) / x - bessel(0, x, phase);
+  if (n == 1 && x < DBL_MIN / DBL_EPSILON)
+    return -2.0 / (M_PI * x); /* the first term of the series: the others are lost in it */
+  gsl_sf_result y;
+  return (n == 0 ? gsl_sf_bessel_Y0_e(x, &y) : gsl_sf_bessel_Y1_e(x, &y)) ? NAN : y.val;
+}
+
+static double struve(int n, double x, double phase) {
   if (!(x >= 0.0 && n >= 0 && n <= 2))
     return NAN;
   if (x <= SERIES_END)
@@ -90,8 +110,18 @@ double po_struve(int n, double x) {
   if (isinf(x))
     return n == 0 ? 0.0 : n == 1 ? 2.0 / M_PI : INFINITY;
   if (n == 2)
-    return second_order(po_struve(0, x), po_struve(1, x), x);
-  return beyond_series(n, x) + bessel(n, x);
+    return second_order(struve(0, x, phase), struve(1, x, phase), x);
+  return beyond_series(n, x) + bessel(n, x, phase);
+}
+
+double po_struve(int n, double x) {
+  return struve(n, x, x);
+}
+
+double po_struve_wave(int n, double distance, double wavelength) {
+  const double x = 2.0 * M_PI * (distance / wavelength);
+  return struve(n, x,
+                x < HANKEL_BEGIN ? x : 2.0 * M_PI * (remainder(distance, wavelength) / wavelength));
 }
 
 double po_struve_minus_bessel(int n, double x) {
@@ -100,6 +130,6 @@ double po_struve_minus_bessel(int n, double x) {
   if (x == 0.0)
     return INFINITY;
   if (x <= SERIES_END)
-    return series(n, x) - bessel(n, x);
+    return series(n, x) - bessel(n, x, x);
   return beyond_series(n, x);
 }

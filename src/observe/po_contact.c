@@ -28,6 +28,8 @@ double po_contact_radius_rigid(const po_scene *scene, double approach) {
     return bound;
   enum { STEPS_A_WAVE = 256, BISECTIONS = 60 };
   const double step = fmin(scene->wavelength / STEPS_A_WAVE, bound / STEPS_A_WAVE);
+  if (bound - step == bound) /* the outermost crest is nearer to it than the next double */
+    return bound;
   double outside = bound, inside = bound;
   while (inside > 0.0 && po_shape(scene, inside) > reach) {
     outside = inside;

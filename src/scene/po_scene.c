@@ -36,7 +36,13 @@ bool po_scene_is_wavy(const po_scene *scene) {
 }
 
 double po_scene_gamma(const po_scene *scene) {
-  return sqrt(scene->radius * scene->tabor);
+  const double product = scene->radius * scene->tabor;
+  return isnormal(product) ? sqrt(product) : sqrt(scene->radius) * sqrt(scene->tabor);
+}
+
+double po_scene_stiffness(const po_scene *scene) {
+  const double mu = scene->tabor, ratio = scene->radius / (mu * mu * mu);
+  return isnormal(mu * mu * mu) && isnormal(ratio) ? sqrt(ratio) : sqrt(scene->radius / mu) / mu;
 }
 
 double po_scene_alpha(const po_scene *scene) {

@@ -30,6 +30,9 @@ bool po_scene_is_wavy(const po_scene *scene);
 /* Gamma / epsilon = sqrt(R mu), Eq 14. */
 double po_scene_gamma(const po_scene *scene);
 
+/* E* eps / w = sqrt(R/mu^3), R in eps: what Eqs 4 to 8 make of the Tabor parameter. */
+double po_scene_stiffness(const po_scene *scene);
+
 /* alpha = A R / lambda^2, Eq 6; 0 when smooth. */
 double po_scene_alpha(const po_scene *scene);
 

@@ -1,5 +1,6 @@
 #include "po_shape.h"
 
+#include <float.h>
 #include <math.h>
 
 /* What the load may lose where single waves are replaced by their mean. */
@@ -23,7 +24,7 @@ double po_averaging_phase(const po_scene *scene, double r) {
   if (!po_scene_is_wavy(scene))
     return r;
   const double half = 0.5 * scene->wavelength;
-  return half * ceil(r / half);
+  return r < half / DBL_EPSILON ? half * ceil(r / half) : r; /* shorter waves than r can tell */
 }
 
 double po_averaging_radius(const po_scene *scene, double from) {
@@ -33,10 +34,9 @@ double po_averaging_radius(const po_scene *scene, double from) {
    * part of 3 A/g oscillates when A is small against g. */
   const double per_2pi = scene->wavelength / (2.0 * M_PI);
   const double scale = 7.0 * 16.0 / (3.0 * scene->radius) * per_2pi * per_2pi;
-  double r = from;
-  for (;; r += scene->wavelength) {
-    const double gap = 0.5 * r * r / scene->radius;
-    if (scale * fmin(1.0, 3.0 * scene->amplitude / gap) < AVERAGING_LOSS * gap * gap * gap)
-      return r;
-  }
+  /* The gap from where on scale min(1, 3A/gap) < loss gap^3; then the next whole wave. */
+  const double cubed = scale / AVERAGING_LOSS;
+  const double gap = fmin(cbrt(cubed), sqrt(sqrt(3.0 * scene->amplitude * cubed)));
+  const double waves = ceil((sqrt(2.0 * scene->radius * gap) - from) / scene->wavelength);
+  return waves > 0.0 ? from + waves * scene->wavelength : from;
 }

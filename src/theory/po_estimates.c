@@ -23,7 +23,7 @@ double po_johnson_parameter(const po_scene *scene) {
     return NAN;
   if (!po_scene_is_wavy(scene))
     return INFINITY;
-  const double e = sqrt(scene->radius / pow(scene->tabor, 3.0)); /* E* eps / w */
+  const double e = po_scene_stiffness(scene);
   return sqrt(2.0 * scene->wavelength / e) / (M_PI * scene->amplitude);
 }
 
@@ -66,7 +66,7 @@ double po_persson_tosatti_work_with_area(const po_scene *scene) {
 double po_rumpf_rabinowicz_ratio(double alpha, double radius) {
   if (!(alpha >= 0.0 && radius > 0.0))
     return NAN;
-  const double crests = 4.0 * M_PI * M_PI * alpha, plane = crests / (crests + radius);
+  const double crests = 4.0 * M_PI * M_PI * alpha, plane = 1.0 / (1.0 + radius / crests);
   return 1.0 / (1.0 + crests) + plane * plane;
 }
 
@@ -101,6 +101,13 @@ double po_crest_composite_radius(const po_scene *scene) {
 
 double po_crest_force(double alpha) {
   return alpha >= 0.0 ? 2.0 / (1.0 + 4.0 * M_PI * M_PI * alpha) : NAN;
+}
+
+double po_lennard_jones_traction(double gap) {
+  if (!(gap > -1.0))
+    return NAN;
+  const double x = 1.0 / (1.0 + gap);
+  return 8.0 / 3.0 * x * x * x * expm1(-6.0 * log1p(gap)); /* x^9 - x^3, without cancelling */
 }
 
 double po_lennard_jones_peak_tension(void) {

@@ -50,6 +50,10 @@ double po_crest_radius(const po_scene *scene);
 double po_crest_composite_radius(const po_scene *scene);
 double po_crest_force(double alpha);
 
+/* Eq 9: the traction -(8/3) (x^3 - x^9), x = 1/(1 + gap), in w/eps, > 0 compressive. Given: gap
+ * H = h/eps - 1 > -1. Accuracy: 1e-15 relative for gaps near 0, too. */
+double po_lennard_jones_traction(double gap);
+
 /* After Eq 9: the greatest tension 16/(9 sqrt(3)), in w/eps, and its distance 3^(1/6), in eps. */
 double po_lennard_jones_peak_tension(void);
 double po_lennard_jones_peak_distance(void);

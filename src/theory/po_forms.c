@@ -5,11 +5,17 @@
 #include "po_bradley.h"
 #include "po_estimates.h"
 #include "po_guduru.h"
-#include "po_law.h"
 #include "po_wavy_rigid.h"
 
 static void put(po_form_values *values, po_form_unit unit, const char *name, double value) {
-  values->items[values->count++] = (po_form_value){name, unit, value};
+  values->items[values->count++] = (po_form_value){name, unit, value, false};
+}
+
+/* What has no bound for a smooth sphere. */
+static void put_limit(const po_form_input *in, po_form_values *v, po_form_unit unit,
+                      const char *name, double value) {
+  put(v, unit, name, value);
+  v->items[v->count - 1].may_be_infinite = !po_scene_is_wavy(&in->scene);
 }
 
 static void put_contact(po_form_values *v, const char *const names[3], po_contact c) {
@@ -69,7 +75,7 @@ static void guduru_along(const po_form_input *in, po_form_values *v) {
 }
 
 static void kesari_lew(const po_form_input *in, po_form_values *v) {
-  put(v, PO_FORM_PURE, "johnson_parameter", po_johnson_parameter(&in->scene));
+  put_limit(in, v, PO_FORM_PURE, "johnson_parameter", po_johnson_parameter(&in->scene));
   put(v, PO_FORM_WORK, "effective_work", po_kesari_lew_work(&in->scene));
   put(v, PO_FORM_FORCE, "pull_off_force", 1.5 * po_kesari_lew_work(&in->scene));
 }
@@ -80,7 +86,7 @@ static void kesari_lew_along(const po_form_input *in, po_form_values *v) {
 }
 
 static void persson_tosatti(const po_form_input *in, po_form_values *v) {
-  put(v, PO_FORM_PURE, "johnson_parameter", po_johnson_parameter(&in->scene));
+  put_limit(in, v, PO_FORM_PURE, "johnson_parameter", po_johnson_parameter(&in->scene));
   put(v, PO_FORM_PURE, "area_ratio", po_persson_tosatti_area(&in->scene));
   put(v, PO_FORM_PURE, "area_ratio_printed", po_persson_tosatti_area_printed(&in->scene));
   put(v, PO_FORM_WORK, "effective_work", po_persson_tosatti_work(&in->scene));
@@ -94,12 +100,12 @@ static void rumpf_rabinowicz(const po_form_input *in, po_form_values *v) {
 
 static void compactness(const po_form_input *in, po_form_values *v) {
   put(v, PO_FORM_PURE, "bound", po_compactness_bound());
-  put(v, PO_FORM_PURE, "wavelength2_over_amplitude_radius", 1.0 / in->alpha);
+  put_limit(in, v, PO_FORM_PURE, "wavelength2_over_amplitude_radius", 1.0 / in->alpha);
   put(v, PO_FORM_LENGTH, "critical_radius", po_compactness_radius(&in->scene));
 }
 
 static void crest(const po_form_input *in, po_form_values *v) {
-  put(v, PO_FORM_LENGTH, "crest_radius", po_crest_radius(&in->scene));
+  put_limit(in, v, PO_FORM_LENGTH, "crest_radius", po_crest_radius(&in->scene));
   put(v, PO_FORM_LENGTH, "composite_radius", po_crest_composite_radius(&in->scene));
   put(v, PO_FORM_FORCE, "pull_off_force", po_crest_force(in->alpha));
 }
@@ -111,22 +117,31 @@ static void lennard_jones(const po_form_input *in, po_form_values *v) {
 }
 
 static void lennard_jones_along(const po_form_input *in, po_form_values *v) {
-  put(v, PO_FORM_TENSION, "traction", po_law_at(in->at).traction);
+  put(v, PO_FORM_TENSION, "traction", po_lennard_jones_traction(in->at));
 }
 
+enum {
+  WAVES = PO_TAKES_AMPLITUDE | PO_TAKES_WAVELENGTH | PO_TAKES_RADIUS,
+  ALL = PO_TAKES_TABOR | WAVES
+};
+
 static const po_form FORMS[] = {
-    {"bradley", bradley, bradley_along, PO_FORM_AT_APPROACH, 0},
-    {"rigid", rigid, rigid_along, PO_FORM_AT_APPROACH, PO_NEEDS_ALPHA | PO_NEEDS_AMPLITUDE},
-    {"jkr", jkr, jkr_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_ELASTIC},
-    {"guduru", guduru, guduru_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_WAVES | PO_NEEDS_ELASTIC},
+    {"bradley", bradley, bradley_along, PO_FORM_AT_APPROACH, 0, 0},
+    {"rigid", rigid, rigid_along, PO_FORM_AT_APPROACH, PO_NEEDS_ALPHA | PO_NEEDS_AMPLITUDE,
+     WAVES | PO_TAKES_ALPHA},
+    {"jkr", jkr, jkr_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_ELASTIC,
+     PO_TAKES_TABOR | PO_TAKES_RADIUS},
+    {"guduru", guduru, guduru_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_WAVES | PO_NEEDS_ELASTIC,
+     ALL},
     {"kesari-lew", kesari_lew, kesari_lew_along, PO_FORM_AT_CONTACT_RADIUS,
-     PO_NEEDS_WAVES | PO_NEEDS_ELASTIC},
+     PO_NEEDS_WAVES | PO_NEEDS_ELASTIC, ALL},
     {"persson-tosatti", persson_tosatti, NULL, PO_FORM_AT_NOTHING,
-     PO_NEEDS_WAVES | PO_NEEDS_ELASTIC},
-    {"rumpf-rabinowicz", rumpf_rabinowicz, NULL, PO_FORM_AT_NOTHING, PO_NEEDS_ALPHA},
-    {"compactness", compactness, NULL, PO_FORM_AT_NOTHING, PO_NEEDS_WAVES},
-    {"crest", crest, NULL, PO_FORM_AT_NOTHING, PO_NEEDS_WAVES},
-    {"lennard-jones", lennard_jones, lennard_jones_along, PO_FORM_AT_GAP, 0}};
+     PO_NEEDS_WAVES | PO_NEEDS_ELASTIC, ALL},
+    {"rumpf-rabinowicz", rumpf_rabinowicz, NULL, PO_FORM_AT_NOTHING, PO_NEEDS_ALPHA,
+     WAVES | PO_TAKES_ALPHA},
+    {"compactness", compactness, NULL, PO_FORM_AT_NOTHING, PO_NEEDS_WAVES, WAVES},
+    {"crest", crest, NULL, PO_FORM_AT_NOTHING, PO_NEEDS_WAVES, WAVES},
+    {"lennard-jones", lennard_jones, lennard_jones_along, PO_FORM_AT_GAP, 0, 0}};
 
 const char *const PO_FORM_NAMES = "bradley, rigid, jkr, guduru, kesari-lew, persson-tosatti, "
                                   "rumpf-rabinowicz, compactness, crest or lennard-jones";

@@ -2,6 +2,7 @@
 #ifndef PO_FORMS_H
 #define PO_FORMS_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "po_scene.h"
@@ -25,7 +26,8 @@ typedef enum {
 typedef struct {
   const char *name; /* "pull_off_force"... */
   po_form_unit unit;
-  double value; /* NAN or infinite where the form has none */
+  double value;         /* NAN or infinite where the numbers leave the range of doubles */
+  bool may_be_infinite; /* that is the number */
 } po_form_value;
 
 enum { PO_FORM_MOST_VALUES = 12 };
@@ -50,6 +52,15 @@ enum {
   PO_NEEDS_ELASTIC = 8 /* a Tabor parameter above 0 */
 };
 
+/* What a form depends on beside its variable; anything else would change nothing. */
+enum {
+  PO_TAKES_TABOR = 1,
+  PO_TAKES_AMPLITUDE = 2,
+  PO_TAKES_WAVELENGTH = 4,
+  PO_TAKES_RADIUS = 8,
+  PO_TAKES_ALPHA = 16 /* in place of the wavelength */
+};
+
 /* Both functions append. Source and accuracy of each number: at the function of this room that
  * computes it. */
 typedef struct {
@@ -57,7 +68,7 @@ typedef struct {
   void (*fixed)(const po_form_input *input, po_form_values *values);
   void (*along)(const po_form_input *input, po_form_values *values); /* at input->at; or NULL */
   po_form_variable variable;
-  unsigned needs;
+  unsigned needs, takes;
 } po_form;
 
 /* The form of that name, or NULL. */

@@ -1,5 +1,6 @@
 #include "po_guduru.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 
@@ -9,6 +10,7 @@
 /* The numbers Eq 5 is made of. */
 typedef struct {
   double k;      /* 2 pi / lambda, times eps; 0: smooth */
+  double length; /* lambda / eps; 1: smooth */
   double hertz;  /* of a^3 in the load: 4 e/(3 pi R^2), e = E* eps/w = sqrt(R/mu^3) */
   double suck;   /* of a^(3/2): sqrt(8 e/pi)/R */
   double wave;   /* of a [x H0(x) - H1(x)]: e A/R */
@@ -17,13 +19,25 @@ typedef struct {
 
 static terms terms_of(const po_scene *scene) {
   const double radius = scene->radius;
-  const double e = sqrt(radius / (scene->tabor * scene->tabor * scene->tabor));
+  const double e = po_scene_stiffness(scene);
   const bool wavy = po_scene_is_wavy(scene);
   return (terms){.k = wavy ? 2.0 * M_PI / scene->wavelength : 0.0,
+                 .length = wavy ? scene->wavelength : 1.0,
                  .hertz = 4.0 * e / (3.0 * M_PI * radius * radius),
                  .suck = sqrt(8.0 * e / M_PI) / radius,
                  .wave = wavy ? e * scene->amplitude / radius : 0.0,
                  .spread = sqrt(2.0 * M_PI / e)};
+}
+
+/* x = ka, H0(x), H1(x); without waves 0. */
+typedef struct {
+  double x, h0, h1;
+} wave_terms;
+
+static wave_terms waves_at(const terms *t, double a) {
+  if (t->k == 0.0)
+    return (wave_terms){0.0, 0.0, 0.0};
+  return (wave_terms){t->k * a, po_struve_wave(0, a, t->length), po_struve_wave(1, a, t->length)};
 }
 
 static bool is_inside(const po_scene *scene, double contact_radius) {
@@ -35,19 +49,21 @@ po_contact po_guduru_at(const po_scene *scene, double contact_radius) {
   if (!is_inside(scene, contact_radius))
     return (po_contact){NAN, NAN, NAN};
   const terms t = terms_of(scene);
-  const double a = contact_radius, x = t.k * a, h0 = po_struve(0, x), h1 = po_struve(1, x);
+  const double a = contact_radius;
+  const wave_terms s = waves_at(&t, a);
   return (po_contact){
-      .load = t.hertz * a * a * a + t.wave * a * (x * h0 - h1) - t.suck * a * sqrt(a),
-      .approach = a * a / scene->radius + scene->amplitude * M_PI_2 * x * h0 - t.spread * sqrt(a),
+      .load = t.hertz * a * a * a + t.wave * a * (s.x * s.h0 - s.h1) - t.suck * a * sqrt(a),
+      .approach =
+          a * a / scene->radius + scene->amplitude * M_PI_2 * s.x * s.h0 - t.spread * sqrt(a),
       .contact_radius = a};
 }
 
 /* d/dx [x H0 - H1] = x (2/pi - H1) + H1/x, since H0' = 2/pi - H1 and H1' = H0 - H1/x. */
 static double rate(double a, const void *data) {
   const terms *t = data;
-  const double x = t->k * a;
-  const double h0 = po_struve(0, x), h1 = po_struve(1, x);
-  return 3.0 * t->hertz * a * a + t->wave * x * (h0 + x * (M_2_PI - h1)) - 1.5 * t->suck * sqrt(a);
+  const wave_terms s = waves_at(t, a);
+  return 3.0 * t->hertz * a * a + t->wave * s.x * (s.h0 + s.x * (M_2_PI - s.h1)) -
+         1.5 * t->suck * sqrt(a);
 }
 
 double po_guduru_load_rate(const po_scene *scene, double contact_radius) {
@@ -59,21 +75,24 @@ double po_guduru_approach_rate(const po_scene *scene, double contact_radius) {
   if (!is_inside(scene, contact_radius))
     return NAN;
   const terms t = terms_of(scene);
-  const double a = contact_radius, x = t.k * a; /* H0' = 2/pi - H1 */
+  const double a = contact_radius;
+  const wave_terms s = waves_at(&t, a); /* H0' = 2/pi - H1 */
   return 2.0 * a / scene->radius +
-         scene->amplitude * M_PI_2 * t.k * (po_struve(0, x) + x * (M_2_PI - po_struve(1, x))) -
+         scene->amplitude * M_PI_2 * t.k * (s.h0 + s.x * (M_2_PI - s.h1)) -
          0.5 * t.spread / sqrt(a);
 }
 
-/* |x H0 - H1| <= sqrt(2x/pi) (1 + WAVE_BOUND/x) for all x > 0: the least bound that holds on 6e5
- * points from 1e-6 to 1000 is 0.104, at x = 5.3; beyond, the asymptotic form of Y_n gives it. */
-static const double WAVE_BOUND = 0.2;
+/* |x H0 - H1| <= sqrt(2x/pi) (1 + WAVE_BOUND/x^2.5): it is the modulus sqrt((x J0 - J1)^2 + (x Y0 -
+ * Y1)^2) = sqrt(2x/pi) (1 - 1/(16 x^2) + ...) times a cosine, less 4/(pi x^2) of the part that does
+ * not oscillate. The least bound that holds on 4000 points from 0.5 to 200 is 1.33, at x = 11.7. So
+ * the bound of the load below is met once in every wave, to (lambda/a)^2. */
+static const double WAVE_BOUND = 1.5;
 
 /* Not above the load of Eq 5 anywhere; falls, then rises. */
 static double lower_bound(const terms *t, double a) {
-  const double swing =
-      t->wave * a * sqrt(2.0 / M_PI) * (sqrt(t->k * a) + WAVE_BOUND / sqrt(t->k * a));
-  return t->hertz * a * a * a - t->suck * a * sqrt(a) - swing;
+  const double x = t->k * a,
+               modulus = sqrt(2.0 / M_PI * x) * (1.0 + WAVE_BOUND / (x * x * sqrt(x)));
+  return t->hertz * a * a * a - t->suck * a * sqrt(a) - t->wave * a * modulus;
 }
 
 /* The deepest minimum in (from, to), where the rate changes sign at most once between neighbours of
@@ -94,31 +113,72 @@ static void scan(const po_scene *scene, const terms *t, double from, double to, 
 }
 
 /* Points a wave: the rate has two zeros in one, and bends on the scale of a quarter of it. */
-enum { POINTS_PER_WAVE = 16, POINTS_OF_FIRST = 400 };
+enum { POINTS_PER_WAVE = 16, POINTS_OF_FIRST = 400, MOST_POINTS = 40000 };
 /* The first wave is scanned from this part of it on: a crest's own minimum may be far inside. */
 static const double FIRST_FROM = 1e-9;
+/* From so many waves within the contact on, the pull-off is where the load meets its envelope: the
+ * next double is a part of 1e-8 of a wave away, and a minimum between two of them would be missed
+ * by 1e-15 of the load. */
+static const double MOST_WAVES = 1e8;
+/* Of the terms of the load: what their rounding hides. */
+static const double ROUNDING = 8.0 * DBL_EPSILON;
+
+/* The pull-off on the envelope hertz a^3 - depth a^(3/2), at the trough x = 2 pi (m + 7/8) of Y0(x)
+ * next to its minimum. What is left out is 1/x^2 of the terms, 3e-18 and less. */
+static po_contact envelope_pull_off(const po_scene *scene, const terms *t, double depth,
+                                    double lowest) {
+  const double a = t->length * (floor(lowest / t->length) + 0.875);
+  const double modulus = sqrt(2.0 / M_PI * t->k * a);
+  return (po_contact){.load = t->hertz * a * a * a - depth * a * sqrt(a),
+                      .approach = a * a / scene->radius +
+                                  scene->amplitude * (1.0 - M_PI_2 * modulus) - t->spread * sqrt(a),
+                      .contact_radius = a};
+}
+
+/* The contact radius at pull-off of a crest by itself: JKR with the composite radius of Eq 19. */
+static double crest_contact(const po_scene *scene) {
+  const double sharper = 1.0 + 4.0 * M_PI * M_PI * po_scene_alpha(scene);
+  return po_jkr_pull_off(scene).contact_radius / cbrt(sharper * sharper);
+}
+
+/* Scans waves from number n on, inwards or outwards, while they may hold what is deeper. Given:
+ * where the bound is lowest. */
+static void scan_waves(const po_scene *scene, const terms *t, double lowest, double n, double step,
+                       po_contact *best) {
+  for (; n >= 1.0; n += step) {
+    const double near =
+        step > 0.0 ? fmax(n * t->length, lowest) : fmin((n + 1.0) * t->length, lowest);
+    const double hidden = ROUNDING * t->hertz * near * near * near;
+    if (!(lower_bound(t, near) < fmin(best->load, 0.0) - hidden)) /* 0: the load at a = 0 */
+      return;
+    scan(scene, t, n * t->length, (n + 1.0) * t->length, POINTS_PER_WAVE, false, best);
+  }
+}
 
 po_contact po_guduru_pull_off(const po_scene *scene) {
+  const po_contact none = {NAN, NAN, NAN};
   if (!is_inside(scene, 0.0))
-    return (po_contact){NAN, NAN, NAN};
+    return none;
   if (!po_scene_is_wavy(scene))
     return po_jkr_pull_off(scene);
   const terms t = terms_of(scene);
-  const double wave = scene->wavelength;
-  po_contact best = {INFINITY, NAN, NAN};
-  scan(scene, &t, FIRST_FROM * wave, wave, POINTS_OF_FIRST, true, &best);
-  /* outwards from the lowest point of the bound without its second term */
+  /* the lowest point of the bound without its second term */
   const double depth = t.suck + t.wave * sqrt(2.0 * t.k / M_PI);
-  const double middle = fmax(1.0, floor(cbrt(pow(0.5 * depth / t.hertz, 2.0)) / wave));
-  for (double n = middle;; n += 1.0) {
-    if (n > middle + 1.0 && lower_bound(&t, n * wave) > fmin(best.load, 0.0))
-      break;
-    scan(scene, &t, n * wave, (n + 1.0) * wave, POINTS_PER_WAVE, false, &best);
+  const double lowest = cbrt(pow(0.5 * depth / t.hertz, 2.0)), wave = t.length;
+  if (!(isfinite(lowest / wave) && isfinite(t.hertz * lowest * lowest * lowest)))
+    return none;
+  po_contact best = {INFINITY, NAN, NAN};
+  const double from = fmin(FIRST_FROM * wave, 0.01 * crest_contact(scene));
+  const double points = ceil(POINTS_OF_FIRST * log10(wave / from) / -log10(FIRST_FROM));
+  if (!(from > DBL_MIN && points < MOST_POINTS))
+    return none;
+  scan(scene, &t, from, wave, (int)points, true, &best);
+  if (lowest > MOST_WAVES * wave) {
+    const po_contact far = envelope_pull_off(scene, &t, depth, lowest);
+    return far.load < best.load ? far : best;
   }
-  for (double n = middle - 1.0; n >= 1.0; n -= 1.0) {
-    if (n < middle - 1.0 && lower_bound(&t, (n + 1.0) * wave) > fmin(best.load, 0.0))
-      break;
-    scan(scene, &t, n * wave, (n + 1.0) * wave, POINTS_PER_WAVE, false, &best);
-  }
-  return best;
+  const double middle = fmax(1.0, floor(lowest / wave));
+  scan_waves(scene, &t, lowest, middle, 1.0, &best);
+  scan_waves(scene, &t, lowest, middle - 1.0, -1.0, &best);
+  return isfinite(best.load) ? best : none;
 }

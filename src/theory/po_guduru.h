@@ -20,7 +20,9 @@ double po_guduru_approach_rate(const po_scene *scene, double contact_radius);
 
 /* The pull-off: the global minimum of the load over the contact radius. Every wave whose lower
  * bound of the load lies below the best so far is scanned, and each minimum refined; so no wave is
- * missed. Accuracy: 1e-13 of load and contact radius, measured 9e-16 on every row of
+ * missed. The waves there are few however many lie within the contact: the bound is met in each;
+ * from 1e8 on the pull-off is where it is met, in closed form. NaN when the numbers leave the range
+ * of doubles. Accuracy: 1e-13 of load and contact radius, measured 9e-16 on every row of
  * reference/guduru_pull_off.csv (tests/theory/test_tables_theory.c). */
 po_contact po_guduru_pull_off(const po_scene *scene);
 

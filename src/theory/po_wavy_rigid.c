@@ -45,10 +45,15 @@ static void add_point(const wave_field *f, double nu, double phi, double weight,
   sums->beyond_rate -= weight * law / (4.0 * M_PI * f->c);
 }
 
+/* Farther than this in t no crest is felt: y grows as exp(2t), so that the integrands fall at least
+ * as exp(-3t). It bounds the work of steep crests, whose width is a small part of the wave. */
+static const double FARTHEST = 16.0;
+
 /* From `crest` to `end`, with phi = crest + width sinh(t). */
 static void add_side(const wave_field *f, double nu, double crest, double end, double width,
                      wave_sums *sums) {
-  const double span = asinh((end - crest) / width);
+  const double whole = asinh((end - crest) / width);
+  const double span = copysign(fmin(fabs(whole), FARTHEST), whole);
   const int panels = (int)ceil(fabs(span));
   for (int p = 0; p < panels; ++p)
     for (int i = 0; i < POINTS; ++i) {

@@ -127,6 +127,14 @@ spoilt 's/{key: tabor, values: \[0.7\]}/{key: tabor, values: [0.8]}/' \
 spoilt 's/{key: tabor, values: \[0.7\]}/{key: radius, values: [100]}/; s/\[ring\]/[ring, panel, triangle]/' \
   '13: leave_out is *: expected rules that leave some point'
 spoilt 's/quantity: curve/quantity: work/' '20: measure[[]3[]].quantity is work: expected pull_off_force, *'
+# What no reference speaks of is never computed.
+for quantity in residual moved_force energy_defect way_back hysteresis_force jumps; do
+  spoilt "s/quantity: curve/quantity: $quantity/" "20: measure[[]3[]].quantity is $quantity: expected pull_off_force, *"
+done
+for reference in zero traced every_scene; do
+  spoilt "s/force, reference: bradley/force, reference: $reference/" \
+    "18: measure[[]1[]].reference is $reference: expected bradley or *"
+done
 spoilt 's/quantity: curve/quantity: solved_share/' '20: measure[[]3[]].quantity is solved_share: expected *'
 spoilt 's/force, reference: bradley/force, reference: pin/' '18: measure[[]1[]].reference is pin: expected bradley or *'
 spoilt 's/force, reference: bradley/force, reference: bradley, tolerance: 1/' \

@@ -52,4 +52,68 @@ expect 2 'pulloff: --approach is 1: expected a finite number < 1' theory bradley
 expect 2 'pulloff: --radius is nan: expected a finite number > 0' theory jkr --radius nan
 expect 2 'pulloff: --gap is -1: expected a finite number > -1' theory lennard-jones --gap -1
 expect 2 'pulloff: theory takes no more*' theory jkr more
+
+# Sizes far apart: GSL's handler ended the program, or the search for the deepest wave did not end.
+near load 3.79606689822e43 1e33 guduru --tabor 5 --amplitude 1 --wavelength 10 --contact-radius 1e16
+near pull_off_force 2.10744797525e12 10 guduru --tabor 5 --amplitude 1 --wavelength 1e-12
+near pull_off_force 210780002.771 1e-3 guduru --tabor 5 --amplitude 1 --wavelength 1e-8
+far='expected values less far apart, *'
+expect 2 "pulloff: theory guduru has no pull_off_force here: $far" theory guduru --tabor 5 --amplitude 1 --wavelength 1e-300
+expect 2 "pulloff: theory rigid has no pull_off_force here: $far" theory rigid --amplitude 1 --wavelength 1e-300
+expect 2 "pulloff: theory jkr has no load here: $far" theory jkr --contact-radius 1e200
+# Waves so short that the rigid load has only their mean: as the theory, by a route of its own.
+for wavelength in 0.02 1e-8 1e-150; do
+  expect 0 '' solve --tabor 0 --amplitude 1.3 --wavelength $wavelength --json
+  check "rigid waves of $wavelength end" grep -q '"status": "ok"' stdout
+done
+expect 0 '' solve --tabor 0 --amplitude 1.3 --wavelength 0.02 --json
+force=$("$python" -c 'import json; print(json.load(open("stdout"))["pull_off"]["force"])')
+near pull_off_force "$force" 1e-10 rigid --amplitude 1.3 --wavelength 0.02
+expect 3 'pulloff: the solve failed: the rigid load would be the sum of 2e+10 half waves up to radius 100, *' \
+  solve --tabor 0 --amplitude 1 --wavelength 1e-8 --outer-radius 100
+
+# A flag that changes nothing is refused, whatever the form.
+idle() { # NAME FLAG EXPECTED ARGUMENT...
+  name=$1 flag=$2 expected=$3
+  shift 3
+  expect 2 "pulloff: $flag has no effect on theory $name*: expected $expected" theory "$name" "$@" "$flag" 0.7
+}
+for flag in --amplitude --wavelength --alpha --approach --gap; do
+  idle jkr $flag 'only --tabor, --radius or --contact-radius'
+done
+for flag in --tabor --amplitude --wavelength --radius --alpha --approach --contact-radius; do
+  idle lennard-jones $flag 'only --gap'
+done
+for flag in --tabor --amplitude --wavelength --radius --alpha --contact-radius --gap; do
+  idle bradley $flag 'only --approach'
+done
+for name in guduru kesari-lew; do
+  for flag in --alpha --approach --gap; do
+    idle $name $flag 'only --tabor, --amplitude, --wavelength, --radius or --contact-radius' --amplitude 1 --wavelength 9
+  done
+done
+for name in compactness crest; do
+  idle $name --tabor 'only --amplitude, --wavelength or --radius' --amplitude 1 --wavelength 9
+done
+idle persson-tosatti --contact-radius 'only --tabor, --amplitude, --wavelength or --radius' --amplitude 1 --wavelength 9
+idle rigid --radius 'only --amplitude, --alpha or --approach' --alpha 1 --amplitude 1
+idle rigid --wavelength 'only --amplitude, --alpha or --approach' --alpha 1 --amplitude 1
+idle rumpf-rabinowicz --amplitude 'only --radius or --alpha' --alpha 1
+idle rumpf-rabinowicz --approach 'only --radius or --alpha' --alpha 1
+expect 2 'pulloff: --contact-radius-m has no effect on theory bradley: expected only --radius-m or --approach-m' \
+  theory bradley --from-physical --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 1e-7 --contact-radius-m 1e-9
+
+# So they are in the other verbs.
+expect 2 'pulloff: --wavelength has no effect on a scene without amplitude: expected *' solve --wavelength 9
+expect 2 'pulloff: --wavelength has no effect on scenes without amplitude: expected *' \
+  follow --key tabor --from 1 --to 2 --wavelength 9
+expect 2 'pulloff: the wavelength runs along scenes without amplitude: expected *' follow --key wavelength --from 1 --to 2
+expect 2 'pulloff: --anchor-every has no effect on --of folds: expected *' \
+  follow --key tabor --from 1 --to 2 --of folds --anchor-every 3
+
+# Fixed meshes have nodes for a number of waves; the rest was left out without a word.
+expect 3 'pulloff: the solve failed: * waves beyond radius * must be resolved, with 12 nodes each: * expected *' \
+  solve --tabor 0.1 --scheme ring --amplitude 10 --wavelength 0.3 --nodes 2500
+expect 3 'pulloff: the solve failed: elements of length * cannot represent waves of length 0.1; expected at least * nodes, *' \
+  solve --scheme ring --amplitude 0.01 --wavelength 0.1 --nodes 100
 finish
