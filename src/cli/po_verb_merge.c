@@ -25,8 +25,7 @@ static const struct option OPTIONS[] = {{"output", required_argument, NULL, PO_S
 /* Records are kept by a run with the kernels they were solved with. */
 static void tell_kernels(const po_arithmetic *arithmetic) {
   po_arithmetic own;
-  po_environment_arithmetic(&own);
-  if (strcmp(arithmetic->kernels, own.kernels) != 0)
+  if (!po_environment_arithmetic(&own) && strcmp(arithmetic->kernels, own.kernels) != 0)
     fprintf(stderr,
             "pulloff: solved with the OpenBLAS kernels %s, here they are %s: a later run keeps "
             "these records with OPENBLAS_CORETYPE=%s, else it solves again\n",

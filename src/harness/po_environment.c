@@ -72,21 +72,26 @@ json_t *po_environment_describe(int jobs) {
                         {"jobs", po_json_integer(jobs)}, {"date", po_json_text(date)});
 }
 
-void po_environment_arithmetic(po_arithmetic *own) {
+po_status po_environment_arithmetic(po_arithmetic *own) {
+  static const char EXECUTABLE[] = "/proc/self/exe";
   char *program = NULL;
   size_t size = 0;
   po_text text = {0};
+  po_status status = po_path_exists(EXECUTABLE) ? po_file_read(EXECUTABLE, &program, &size) : PO_OK;
   po_text_add(&text, "%s|%s|", PULLOFF_VERSION, COMPILER);
-  if (po_file_read("/proc/self/exe", &program, &size) == PO_OK) {
+  if (program) {
     char digest[PO_DIGEST_LENGTH];
     po_digest_bytes(program, size, digest);
     po_text_add(&text, "%s", digest);
   }
   free(program);
+  if (!status && text.failed)
+    status = PO_NO_MEMORY;
   po_digest_bytes(po_text_string(&text), text.length, own->program);
   po_text_clear(&text);
   snprintf(own->openblas, sizeof own->openblas, "%s", po_linear_library());
   snprintf(own->kernels, sizeof own->kernels, "%s", po_linear_kernels());
+  return status;
 }
 
 void po_arithmetic_digest(const po_arithmetic *arithmetic, char digest[PO_DIGEST_LENGTH]) {

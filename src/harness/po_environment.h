@@ -23,8 +23,10 @@ typedef struct {
   char kernels[32];               /* these alone: po_linear_kernels */
 } po_arithmetic;
 
-/* That of this process. */
-void po_environment_arithmetic(po_arithmetic *own);
+/* That of this process; without a digest of the executable where the system has no
+ * /proc/self/exe. Status: PO_CANNOT_READ when the executable is there and cannot be read, as
+ * results would be taken for those of another program; PO_NO_MEMORY. */
+po_status po_environment_arithmetic(po_arithmetic *own);
 
 /* A digest of it. */
 void po_arithmetic_digest(const po_arithmetic *arithmetic, char digest[PO_DIGEST_LENGTH]);

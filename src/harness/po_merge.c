@@ -218,7 +218,9 @@ po_arithmetic po_merge_arithmetic(const po_merge *merge) {
  * matter: it solves nothing. */
 static po_status check_runs(const po_merge_part *first, const po_case_run *runs, size_t count) {
   po_arithmetic own;
-  po_environment_arithmetic(&own);
+  const po_status status = po_environment_arithmetic(&own);
+  if (status)
+    return status;
   if (strcmp(string_of(first->root, "program"), own.program) != 0)
     return po_fail(PO_BAD_INPUT,
                    "%s was computed by another program than this: expected the one that merges",

@@ -100,8 +100,9 @@ static po_status make_keys(po_plan *plan) {
 
 po_status po_plan_create(const po_case *kase, const char *data_folder, po_plan **result) {
   po_arithmetic own;
-  po_environment_arithmetic(&own);
-  return po_plan_create_for(kase, data_folder, &own, result);
+  const po_status status = po_environment_arithmetic(&own);
+  *result = NULL;
+  return status ? status : po_plan_create_for(kase, data_folder, &own, result);
 }
 
 po_status po_plan_create_for(const po_case *kase, const char *data_folder,
