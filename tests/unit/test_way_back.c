@@ -55,6 +55,22 @@ START_TEST(the_same_folds_on_the_way_back) {
 }
 END_TEST
 
+/* Before a contact annulus forms the load has two extrema 0.053 eps apart. At this tolerance a
+ * trace went past them, and on to another end. */
+START_TEST(extrema_just_before_an_annulus_forms) {
+  po_request request = po_request_default();
+  request.scene = (po_scene){1.56744, 3.76602, 13.2004, 502.623, 278.158};
+  request.mesh.scheme = PO_PANEL;
+  request.mesh.tolerance = 1e-4;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_uint_ge(o.extremum_count, 7);
+  ck_assert_double_eq_tol(o.extrema[5].approach, 4.452258, 1e-5);
+  ck_assert_double_eq_tol(o.extrema[6].approach, 4.505330, 1e-5);
+  po_outcome_clear(&o);
+}
+END_TEST
+
 /* A branch out and back as it might be told: fold, minimum, fold. */
 static const po_branch_point OUT[] = {
     {.kind = PO_POINT_STEP},
@@ -114,6 +130,7 @@ END_TEST
 
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, the_same_folds_on_the_way_back, 0, sizeof SCENES / sizeof *SCENES);
+  tcase_add_test(tests, extrema_just_before_an_annulus_forms);
   tcase_add_test(tests, differences_are_in_parts_of_the_errors);
   tcase_add_test(tests, other_landmarks_are_told);
 }
