@@ -18,6 +18,17 @@ NOT_OK = re.compile(r"^not ok \d+ - \S+ ([^/ ]+)/([^/ ]+)", re.MULTILINE)
 # solver crawl, which is told apart from being caught. By the clock it may take so many times that: a loaded machine.
 SLOWER, LONGER, FIRST_LIMIT, WALL = 8, 2, 120, 10
 
+RUNNING = set()  # the process groups of what runs at present
+
+
+def stop_all():
+    """Ends what runs at present, and what that started."""
+    for group in list(RUNNING):
+        try:
+            os.killpg(group, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+
 
 def read_detectors(path):
     with open(path, "rb") as stream:
@@ -73,20 +84,29 @@ def wait(process, seconds):
     return None if late else process.returncode, usage.ru_utime + usage.ru_stime
 
 
+def execute(words, log, environment, folder, limit):
+    """Runs a command, `limit` seconds of processor time at most. Returned: its exit code, None when it was stopped; the
+    processor time; what it printed, which the file `log` has, too."""
+    os.makedirs(os.path.dirname(log), exist_ok=True)
+    with open(log, "w+", encoding="utf-8", errors="replace") as stream:
+        process = subprocess.Popen(words, stdout=stream, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
+                                   env=environment, cwd=folder, start_new_session=True)
+        RUNNING.add(process.pid)
+        resource.prlimit(process.pid, resource.RLIMIT_CPU, (round(limit), round(limit) + 1))
+        code, seconds = wait(process, WALL * limit)
+        RUNNING.discard(process.pid)
+        stream.seek(0)
+        return code, seconds, stream.read()
+
+
 def run(detector, program, place, limit=FIRST_LIMIT):
     """Runs a detector on a program, `limit` seconds of processor time at most. Returned: a cell of the matrix; `by` is
     empty when it passed."""
     environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", PULLOFF_DATA=SOURCE)
     if "script" in detector:
         del environment["PULLOFF_DATA"]  # scripts bring their own
-    os.makedirs(place, exist_ok=True)
-    with open(os.path.join(place, detector["name"] + ".log"), "w+", encoding="utf-8", errors="replace") as log:
-        process = subprocess.Popen(command(detector, program, place), stdout=log, stderr=subprocess.STDOUT,
-                                   stdin=subprocess.DEVNULL, env=environment, cwd=HERE, start_new_session=True)
-        resource.prlimit(process.pid, resource.RLIMIT_CPU, (round(limit), round(limit) + 1))
-        code, seconds = wait(process, WALL * limit)
-        log.seek(0)
-        output = log.read()
+    log = os.path.join(place, detector["name"] + ".log")
+    code, seconds, output = execute(command(detector, program, place), log, environment, HERE, limit)
     by = ["timeout"] if code is None else catches(detector, code, output)
     return {"by": by, "failing": len(NOT_OK.findall(output)), "seconds": round(seconds, 3)}
 

@@ -55,8 +55,8 @@ def altered(fault):
 class Build:
     """How a build folder of meson compiles its files and links its programs."""
 
-    def __init__(self, folder):
-        self.folder = os.path.abspath(folder)
+    def __init__(self, folder, source=SOURCE):
+        self.folder, self.source = os.path.abspath(folder), source
         with open(os.path.join(self.folder, "compile_commands.json"), encoding="utf-8") as stream:
             entries = json.load(stream)
         # a source that tests compile once more, in a way of their own, is that of the library all the same
@@ -71,22 +71,32 @@ class Build:
             self.links[program] = shlex.split(said.stdout.splitlines()[-1])
         return self.links[program]
 
+    def room_of(self, program):
+        """The room a program is of: that of the first library it is linked with, or its own folder."""
+        libraries = [word for word in self.link_command(program) if word.endswith(".a") and word.startswith("src/")]
+        own = os.path.basename(os.path.dirname(program))
+        return own if program.startswith("src/") or not libraries else os.path.basename(os.path.dirname(libraries[0]))
+
     def object_of(self, fault, place):
         """Compiles the altered source into `place`; returns the object and the one it stands for."""
-        entry = self.compile.get(os.path.join(SOURCE, fault["file"]))
+        return self.compile_text(fault["file"], altered(fault), place, ["-w"])
+
+    def compile_text(self, file, text, place, options):
+        """Compiles a text in place of a source, with more options, into `place`; returned as by object_of."""
+        entry = self.compile.get(os.path.join(self.source, file))
         if entry is None:
-            raise Stale(f"{fault['file']} is not compiled in {self.folder}")
-        copy = os.path.join(place, os.path.basename(fault["file"]))
+            raise Stale(f"{file} is not compiled in {self.folder}")
+        copy = os.path.join(place, os.path.basename(file))
         with open(copy, "w", encoding="utf-8") as stream:
-            stream.write(altered(fault))
+            stream.write(text)
         made = copy + ".o"
         words = shlex.split(entry["command"])
         words[words.index("-c") + 1] = copy
         for option, value in (("-o", made), ("-MF", made + ".d"), ("-MQ", made)):
             words[words.index(option) + 1] = value
-        said = subprocess.run(words + ["-w"], cwd=self.folder, capture_output=True, text=True, check=False)
+        said = subprocess.run(words + options, cwd=self.folder, capture_output=True, text=True, check=False)
         if said.returncode:
-            raise Stale(f"{fault['file']} with the fault does not compile:\n{said.stderr}")
+            raise Stale(f"{file} with the fault does not compile:\n{said.stderr}")
         return made, entry["output"]
 
     def program(self, program, fault_object, place):

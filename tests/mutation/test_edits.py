@@ -1,0 +1,212 @@
+"""The drawing of random edits: what is edited and what is not, that the draw is fair and stays as it is, and that the
+list of judged edits can be read."""
+
+import collections
+import os
+import sys
+import tempfile
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, HERE)
+
+import draw  # noqa: E402
+import edits  # noqa: E402
+import plant  # noqa: E402
+import tokens  # noqa: E402
+
+STATUSES = ["PO_OK", "PO_LATE", "PO_LOST", "PO_FULL"]
+
+PROGRAM = r"""#include "po_made.h"
+#define TWICE(x) \
+  (2 * (x))
+
+/* A comment with 3 < 4 and a + b; // and "this" */
+static const double LENGTHS[] = {0.5, 1e-9};
+
+// if (a < b) return 1;
+po_status po_made_up(po_made *m, size_t n, const char *name) {
+  double sum = 0.0;
+  for (size_t i = 0; i < n; ++i) {
+    sum += m->value[i] * 2;
+    if (sum > 7 && !m->late)
+      return po_fail(PO_LATE, "sum %d < 8 \" of %s", (int)sum, name);
+  }
+  m->found = m->late ? sum : -sum;
+  take(n, sum);
+  return PO_OK;
+}
+"""
+
+
+def found(text=PROGRAM):
+    return tokens.edits_of("src/made/po_made.c", text, STATUSES)
+
+
+def pairs(kind):
+    return {(edit.line, edit.becomes) for edit in found() if edit.kind == kind}
+
+
+class Edits(unittest.TestCase):
+    def test_comments_directives_and_wording_stay(self):
+        at = [PROGRAM[edit.start:edit.end] for edit in found()]
+        for part in ("3 < 4", "TWICE", "if (a < b)", "sum %d < 8"):
+            begin = PROGRAM.index(part)
+            inside = [edit for edit in found() if edit.kind != "deletion" and edit.kind != "swap"
+                      and begin <= edit.start < begin + len(part)]
+            self.assertEqual(inside, [], part)
+        self.assertIn("<", at)
+
+    def test_a_loop_is_one_off(self):
+        head = "for (size_t i = 0; i < n; ++i) {"
+        self.assertEqual(pairs("bound"), {
+            (head, "for (size_t i = 1; i < n; ++i) {"), (head, "for (size_t i = 0; i <= n; ++i) {"),
+            (head, "for (size_t i = 0; i + 1 < n; ++i) {")})
+        self.assertNotIn((head, "for (size_t i = 0; i > n; ++i) {"), pairs("comparison"))
+
+    def test_each_kind_does_what_it_says(self):
+        condition = "if (sum > 7 && !m->late)"
+        self.assertEqual({becomes for line, becomes in pairs("comparison") if line == condition},
+                         {"if (sum >= 7 && !m->late)", "if (sum < 7 && !m->late)"})
+        self.assertEqual({becomes for line, becomes in pairs("logic") if line == condition},
+                         {"if (sum > 7 || !m->late)", "if (sum > 7 && m->late)"})
+        self.assertIn((condition, "if (!(sum > 7 && !m->late))"), pairs("condition"))
+        self.assertIn(("m->found = m->late ? sum : -sum;", "m->found = !(m->late) ? sum : -sum;"), pairs("condition"))
+        self.assertIn(("m->found = m->late ? sum : -sum;", "m->found = m->late ? sum : sum;"), pairs("arithmetic"))
+        self.assertIn(("sum += m->value[i] * 2;", "sum += m->value[i] / 2;"), pairs("arithmetic"))
+        self.assertIn(("sum += m->value[i] * 2;", "sum -= m->value[i] * 2;"), pairs("arithmetic"))
+        self.assertIn(("sum += m->value[i] * 2;", "sum += m->value[i] * 3;"), pairs("constant"))
+        self.assertIn(("static const double LENGTHS[] = {0.5, 1e-9};",
+                       "static const double LENGTHS[] = {0.5, (2.0 * 1e-9)};"), pairs("constant"))
+        self.assertEqual({becomes for line, becomes in pairs("status") if line == "return PO_OK;"},
+                         {"return PO_LATE;", "return PO_LOST;"})
+        self.assertIn(("take(n, sum);", "take(sum, n);"), pairs("swap"))
+        self.assertIn(("take(n, sum);", ";"), pairs("deletion"))
+        self.assertIn(("return PO_OK;", ";"), pairs("deletion"))
+
+    def test_a_condition_before_a_question_mark_ends_where_it_began(self):
+        text = "int f(int a) {\n  g(1, h(a) ? 2 : 3);\n  return a < 1 && k[a] ? b : c;\n}\n"
+        self.assertEqual({edit.becomes for edit in tokens.edits_of("f.c", text, STATUSES) if edit.kind == "condition"},
+                         {"g(1, !(h(a)) ? 2 : 3);", "return !(a < 1 && k[a]) ? b : c;"})
+
+    def test_each_edit_is_one_change_and_has_a_name_of_its_own(self):
+        names = {edit.name for edit in found()}
+        self.assertEqual(len(names), len(found()))
+        for edit in found():
+            self.assertNotEqual(edit.applied(PROGRAM), PROGRAM)
+            self.assertIn(edit.function, ("", "po_made_up"))
+        self.assertEqual({edit.function for edit in found() if "LENGTHS" in edit.line}, {""})
+
+    def test_a_name_does_not_depend_on_what_stands_around(self):
+        moved = PROGRAM.replace("// if", "\n\nstatic int more(int x) {\n  return x + 1;\n}\n// if")
+        self.assertLess({edit.name for edit in found()}, {edit.name for edit in found(moved)})
+
+    def test_equal_lines_of_a_function_are_told_apart(self):
+        twice = PROGRAM.replace("  take(n, sum);\n", "  take(n, sum);\n" * 2)
+        swapped = [edit for edit in found(twice) if edit.becomes == "take(sum, n);"]
+        self.assertEqual([edit.nth for edit in swapped], [1, 2])
+        self.assertNotEqual(swapped[0].applied(twice), swapped[1].applied(twice))
+
+
+class Draw(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.rooms = draw.candidates(plant.SOURCE)
+
+    def drawn(self, seed, count):
+        return draw.draw(seed, self.rooms, count, lambda edit: True)
+
+    def test_every_source_has_edits_of_every_kind(self):
+        everything = [edit for room in self.rooms.values() for edit in room]
+        files = {edit.file for edit in everything}
+        self.assertGreater(len(files), 100)
+        self.assertEqual({edit.kind for edit in everything}, set(tokens.KINDS))
+        self.assertEqual(len({edit.name for edit in everything}), len(everything))
+
+    def test_the_same_seed_draws_the_same_and_another_others(self):
+        first = self.drawn(1, 120)
+        self.assertEqual(len(first), 120)
+        self.assertEqual(first, self.drawn(1, 120))
+        self.assertLess(len(set(first) & set(self.drawn(2, 120))), 12)
+
+    def test_a_larger_draw_holds_a_smaller_one(self):
+        self.assertLess(set(self.drawn(1, 50)), set(self.drawn(1, 120)))
+
+    def test_no_room_and_no_kind_is_left_out(self):
+        drawn = self.drawn(3, 120)
+        rooms = collections.Counter(edit.file.split("/")[1] for edit in drawn)
+        self.assertEqual(set(rooms), set(self.rooms))
+        self.assertGreaterEqual(min(rooms.values()), 3)
+        self.assertLess(max(rooms.values()), 120 // 2)
+        kinds = collections.Counter(edit.kind for edit in drawn)
+        self.assertGreaterEqual(min(kinds[kind] for kind in tokens.KINDS), 8)
+
+    def test_what_is_not_effective_is_passed_over(self):
+        first = self.drawn(1, 40)
+        without = draw.draw(1, self.rooms, 40, lambda edit: edit != first[0])
+        self.assertEqual(len(without), 40)
+        self.assertEqual(len(set(first) & set(without)), 39)
+
+    def test_a_change_elsewhere_leaves_the_others_drawn(self):
+        first = self.drawn(1, 120)
+        gone = {edit.file for edit in first[:3]}
+        rooms = {room: [edit for edit in found if edit.file not in gone] for room, found in self.rooms.items()}
+        still = set(draw.draw(1, rooms, 120, lambda edit: True))
+        self.assertGreater(len(still & set(first)), 100)
+
+
+class Judged(unittest.TestCase):
+    def read(self, text):
+        with tempfile.NamedTemporaryFile("w", suffix=".toml") as stream:
+            stream.write(text)
+            stream.flush()
+            return edits.read_judged(stream.name)
+
+    def test_the_list_of_the_project_is_whole(self):
+        edits.read_judged(os.path.join(HERE, "equivalents.toml"))
+
+    def test_an_entry_needs_its_reason_and_stands_there_once(self):
+        edit = found()[0]
+        entry = edits.entry_of(edit)
+        with self.assertRaisesRegex(plant.Stale, "without a reason"):
+            self.read(entry)
+        reasoned = entry.replace('because = ""', 'because = "nothing reads it"')
+        self.assertEqual(self.read(reasoned), {edits.key_of(edit): "nothing reads it"})
+        with self.assertRaisesRegex(plant.Stale, "twice"):
+            self.read(reasoned + reasoned)
+        with self.assertRaisesRegex(plant.Stale, "lines"):
+            self.read(reasoned.replace("line =", "lines ="))
+
+
+class Order(unittest.TestCase):
+    def test_cheap_tests_and_those_that_caught_something_come_first(self):
+        cost = edits.expected_cost
+        self.assertLess(cost(0.1, 0, 0), cost(2.0, 0, 0))
+        self.assertLess(cost(2.0, 10, 10), cost(1.0, 10, 0))
+        self.assertGreater(cost(0.1, 50, 0), cost(0.1, 0, 0))
+
+
+class Copy(unittest.TestCase):
+    def test_a_copy_is_made_whole_again_and_leaves_builds_out(self):
+        with tempfile.TemporaryDirectory() as place:
+            root, copy = os.path.join(place, "root"), os.path.join(place, "copy")
+            for name in ("src/a.c", "build/b.o", "build-clang/c.o", "tests/build.c", ".git/d"):
+                os.makedirs(os.path.dirname(os.path.join(root, name)), exist_ok=True)
+                with open(os.path.join(root, name), "w", encoding="utf-8") as stream:
+                    stream.write(name)
+            edits.mirror(root, copy)
+            self.assertEqual(sorted(edits.files_below(copy)), ["src/a.c", "tests/build.c"])
+            digest, stamps = edits.digest_of(copy), edits.stamps_of(copy)
+            edits.mirror(root, copy)
+            self.assertEqual(edits.stamps_of(copy), stamps)
+            with open(os.path.join(copy, "src/a.c"), "a", encoding="utf-8") as stream:
+                stream.write("more")
+            with open(os.path.join(copy, "src/new.c"), "w", encoding="utf-8"):
+                pass
+            self.assertNotEqual(edits.digest_of(copy), digest)
+            edits.mirror(root, copy)
+            self.assertEqual(edits.digest_of(copy), digest)
+
+
+if __name__ == "__main__":
+    unittest.main()
