@@ -6,6 +6,10 @@
 file=$PULLOFF_DATA/cases/good.yaml
 
 expect 2 'pulloff: --key is not given: expected --key, --from and --to' follow --from 1 --to 2
+expect 2 'pulloff: --from is not given: expected --key, --from and --to' follow --key tabor --to 2
+expect 2 'pulloff: --to is not given: expected --key, --from and --to' follow --key tabor --from 2 --scale linear
+expect 2 'pulloff: the line goes from 2 to 2: expected two values > 0, or --scale linear' \
+  follow --key tabor --from 2 --to 2
 expect 2 'pulloff: --key is scheme: expected *' follow --key scheme --from 1 --to 2
 expect 2 'pulloff: --tabor is given, and runs: *' follow --key tabor --from 1 --to 2 --tabor 1
 expect 2 'pulloff: the line goes from 0 to 2: expected two values > 0, or --scale linear' \

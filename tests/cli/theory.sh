@@ -44,7 +44,16 @@ check 'for people' grep -q '^effective_work ' "$work/stdout"
 
 expect 2 'pulloff: theory without a name is unknown: expected bradley, *' theory
 expect 2 'pulloff: theory alchemy is unknown: expected bradley, *' theory alchemy
-expect 2 'pulloff: theory guduru needs --amplitude and --wavelength' theory guduru
+# What each form needs, in one list: waves, or an elastic half-space, or both.
+for form in guduru kesari-lew persson-tosatti compactness crest; do
+  expect 2 "pulloff: theory $form needs --amplitude and --wavelength" theory $form
+done
+for form in guduru kesari-lew persson-tosatti; do
+  expect 2 'pulloff: --tabor is 0: expected a finite number > 0' theory $form --tabor 0 --amplitude 1 --wavelength 20
+done
+for form in rigid rumpf-rabinowicz compactness crest; do
+  expect 0 '' theory $form --amplitude 1 --wavelength 20
+done
 expect 2 'pulloff: theory rigid needs --amplitude' theory rigid --alpha 1
 expect 2 'pulloff: theory rigid needs --alpha, or *' theory rigid --amplitude 1
 expect 2 'pulloff: --tabor is 0: expected a finite number > 0' theory jkr --tabor 0

@@ -42,6 +42,10 @@ expect 2 'pulloff: --grading is given for scheme panel: expected it with --schem
   solve --grading graded
 expect 2 'pulloff: --tolerance is given for scheme ring: expected it with --scheme panel' \
   solve --tolerance 1e-5 --scheme ring
+expect 2 'pulloff: tolerance is 1e-11: expected 1e-10 to 0.01' solve --tolerance 1e-11
+expect 2 'pulloff: tolerance is 0.02: expected 1e-10 to 0.01' solve --tolerance 0.02
+expect 2 'pulloff: nodes is 7: expected 8 to 2500' solve --scheme ring --nodes 7
+expect 2 'pulloff: nodes is 2501: expected 8 to 2500' solve --scheme triangle --nodes 2501
 expect 2 'pulloff: --want is sugar: expected any of curve, profile, hysteresis*' solve --want sugar
 expect 2 'pulloff: --want is curve,: expected any of curve, profile, hysteresis*' solve --want curve,
 expect 2 'pulloff: --amplitude is given without --wavelength: expected both' solve --amplitude 1

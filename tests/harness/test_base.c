@@ -218,6 +218,8 @@ static const struct {
     {"a,b\n1,2,3\n", "t.csv:2: the row has 3 cells: expected 2"},
     {"a,b\n1,2\n\n", "t.csv:3: the row has 0 cells: expected 2"},
     {"a,b\n1,\n", "t.csv:2: the cell of column b is empty"},
+    {"a,b\n,1\n", "t.csv:2: the cell of column a is empty"},
+    {"a,b\n1,2\n\n", "t.csv:3: the row has 0 cells: expected 2"},
     {"a,a\n1,2\n", "t.csv:1: the column a is given twice"},
     {"a,\n1,2\n", "t.csv:1: column 2 has no name"},
     {"a,b\n1,2", "t.csv:2: the last line does not end: the file is truncated"},

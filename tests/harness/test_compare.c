@@ -315,6 +315,48 @@ START_TEST(tolerance_tighter_than_the_reference) {
                    PO_BAD_INPUT);
   ck_assert_str_eq(po_message(), "made.yaml:8: checks[1].tolerance is 1e-10: expected at least "
                                  "1e-09, the uncertainty of table.csv itself");
+  const size_t count = kase->point_count;
+  kase->point_count = 0; /* what lies behind the last point is of no case */
+  ck_assert_int_eq(po_compare_check_tolerance(kase, &kase->file->checks[0], 1, &reference), PO_OK);
+  kase->point_count = count;
+}
+END_TEST
+
+/* Why the way back has no number is in the note: it was not gone, it failed, or met other folds. */
+START_TEST(way_back_without_a_number) {
+  load("way_back", "zero", "1e-3", "abs");
+  po_outcome outcome = {.has_pull_off = true, .fold_count = 2, .extremum_count = 3};
+  po_way_back *w = &outcome.diagnostics.way_back;
+  *w = (po_way_back){.excess = (double)NAN};
+  compare(0, &outcome);
+  ck_assert_str_eq(results.items[0].note,
+                   "the branch is followed back on panels alone, and not when rigid");
+  w->made = true;
+  w->status = PO_STEP_TOO_SMALL;
+  snprintf(w->reason, sizeof w->reason, "%s", "the step is too small at 100 %");
+  compare(0, &outcome);
+  ck_assert_str_eq(results.items[1].note, "on the way back: the step is too small at 100 %");
+  w->status = PO_OK;
+  w->folds = 4;
+  w->extrema = 5;
+  compare(0, &outcome);
+  ck_assert_str_eq(results.items[2].note,
+                   "2 folds on the way out, 4 on the way back; extrema 3 and 5");
+  for (size_t i = 0; i < 3; ++i)
+    ck_assert_int_eq(results.items[i].verdict, PO_NO_RESULT);
+}
+END_TEST
+
+/* A closed form has its rounding errors: of the load 3.5e-15 at the contact of 0.2, 2e-17 far out.
+ */
+START_TEST(tolerance_tighter_than_rounding) {
+  static const struct {
+    const char *tolerance;
+    po_status status;
+  } KNOWN[] = {{"1e-14", PO_OK}, {"1e-15", PO_BAD_INPUT}, {"1e-18", PO_BAD_INPUT}};
+  load("curve", "bradley", KNOWN[_i].tolerance, "abs");
+  ck_assert_int_eq(po_compare_check_tolerance(kase, &kase->file->checks[0], 1, &reference),
+                   KNOWN[_i].status);
 }
 END_TEST
 
@@ -432,6 +474,19 @@ START_TEST(jumps_that_are_others) {
 }
 END_TEST
 
+/* A table of jumps that does not say which of them are of loading has an error, and its line. */
+START_TEST(jumps_of_no_phase) {
+  write_table("", "tabor,preload,index,approach,load_before,load_after,energy_lost\n"
+                  "1,0.7,1,-1.6,-0.7,-1.1,0.31\n");
+  load("jumps", "table.csv", "1e-3", "abs");
+  kase->points[0].request.preload.approach = 0.7;
+  const po_outcome outcome = loop_of(JUMPS, 2);
+  ck_assert_int_eq(po_compare(kase, 0, &kase->file->checks[0], &reference, &outcome, &results),
+                   PO_CANNOT_READ);
+  ck_assert_ptr_nonnull(strstr(po_message(), "the column phase is missing"));
+}
+END_TEST
+
 static const struct {
   const char *quantity;
   double obtained, expected;
@@ -479,9 +534,12 @@ static void add(TCase *tests) {
   tcase_add_test(tests, a_scene_the_reference_does_not_know);
   tcase_add_test(tests, a_scene_the_headers_exclude);
   tcase_add_test(tests, tolerance_tighter_than_the_reference);
+  tcase_add_test(tests, way_back_without_a_number);
+  tcase_add_loop_test(tests, tolerance_tighter_than_rounding, 0, 3);
   tcase_add_test(tests, curve_of_the_closed_form);
   tcase_add_test(tests, jumps_one_by_one);
   tcase_add_test(tests, jumps_that_are_others);
+  tcase_add_test(tests, jumps_of_no_phase);
   tcase_add_loop_test(tests, numbers_of_a_loop, 0, (int)(sizeof LOOPS / sizeof *LOOPS));
   tcase_add_test(tests, tolerance_tighter_than_a_jump);
   tcase_add_loop_test(tests, share_of_the_scenes_solved, 0, (int)(sizeof SHARES / sizeof *SHARES));

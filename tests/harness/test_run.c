@@ -1,5 +1,6 @@
 /* A run that is asked to stop: it reports to be interrupted exactly if something is missing. */
 #include <check.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -99,12 +100,23 @@ START_TEST(points_in_the_journal_are_not_missing) {
 }
 END_TEST
 
+/* More points than there are addresses: no memory, and not a run of nothing. */
+START_TEST(a_run_too_large_is_refused) {
+  const po_case large = {.point_count = SIZE_MAX / 2, .repeats = 1};
+  po_plan plan = {.kase = &large};
+  po_case_run run;
+  ck_assert_int_eq(po_case_run_create(&plan, &run), PO_NO_MEMORY);
+  ck_assert_ptr_null(run.outcomes);
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_checked_fixture(tests, setup, teardown);
   tcase_add_test(tests, nothing_is_solved_after_a_stop);
   tcase_add_test(tests, nothing_is_missing_of_what_is_kept);
   tcase_add_test(tests, a_line_that_is_missing_is_not_made_after_a_stop);
   tcase_add_test(tests, points_in_the_journal_are_not_missing);
+  tcase_add_test(tests, a_run_too_large_is_refused);
 }
 
 int main(void) {

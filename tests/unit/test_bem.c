@@ -174,6 +174,38 @@ START_TEST(triangle_coefficients) { /* 1e-12 relative, diagonal and neighbours i
 }
 END_TEST
 
+/* Coefficients may go into every other place, or a row of a matrix: whatever was there, the same
+ * numbers, and nothing in between. */
+START_TEST(coefficients_at_a_distance) {
+  enum { N = 40, APART = 7 };
+  static const double AT[] = {0.0, 0.31, 3.85, 200.0};
+  double node[N + 1], plain[N + 1], row[APART * (N + 1)];
+  for (int j = 0; j <= N; ++j)
+    node[j] = 0.385 * j;
+  po_triangle *triangle = NULL;
+  ck_assert_int_eq(po_triangle_create(N, node, &triangle), PO_OK);
+  for (int ring = 0; ring < 2; ++ring) {
+    for (size_t k = 0; k < sizeof row / sizeof *row; ++k)
+      row[k] = 1e3 + (double)k;
+    for (int j = 0; j < N; ++j)
+      plain[j] = -2.385;
+    if (ring) {
+      po_ring_influence(N, node, AT[_i], plain, 1);
+      po_ring_influence(N, node, AT[_i], row, APART);
+    } else {
+      po_triangle_influence(triangle, AT[_i], plain, 1);
+      po_triangle_influence(triangle, AT[_i], row, APART);
+    }
+    for (size_t k = 0; k < sizeof row / sizeof *row; ++k)
+      ck_assert_double_eq(row[k],
+                          k % APART == 0 && k / APART < N ? plain[k / APART] : 1e3 + (double)k);
+    for (int j = 0; j < N; ++j)
+      ck_assert(plain[j] > 0.0 && plain[j] < 4.0 * node[N]);
+  }
+  po_triangle_destroy(triangle);
+}
+END_TEST
+
 /* Largest error at the nodes within r <= 1 of a surface's deflection under a traction. */
 static double surface_error(po_scheme scheme, po_grading grading, size_t nodes, double outer,
                             double (*traction)(double), double (*deflection)(double),
@@ -239,6 +271,7 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, panels_reach_infinity, 0, RADIUS_COUNT);
   tcase_add_test(tests, panel_weights_integrate_the_load);
   tcase_add_test(tests, triangle_coefficients);
+  tcase_add_loop_test(tests, coefficients_at_a_distance, 0, 4);
   tcase_add_loop_test(tests, schemes_converge_at_second_order, 0, 4);
   tcase_add_loop_test(tests, weights_add_up, 0, 4);
 }

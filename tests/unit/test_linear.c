@@ -44,9 +44,25 @@ START_TEST(test_algebra_without_threads) {
 }
 END_TEST
 
+/* Two equal columns: a pivot is zero, in double and in single precision; moved apart it is not. */
+START_TEST(test_singular_is_noticed) {
+  double a[9] = {1, 2, 3, 4, 5, 7, 4, 5, 7};
+  float b[9] = {1, 2, 3, 4, 5, 7, 4, 5, 7};
+  int pivots[3];
+  ck_assert_int_eq(po_linear_factorize(3, a, 3, pivots), PO_SINGULAR);
+  ck_assert_int_eq(po_linear_factorize_single(3, b, 3, pivots), PO_SINGULAR);
+  double c[9] = {1, 2, 3, 4, 5, 7, 4, 5, 7.5}, x[3] = {9, 12, 17.5}; /* the sum of the columns */
+  ck_assert_int_eq(po_linear_factorize(3, c, 3, pivots), PO_OK);
+  po_linear_solve(3, c, 3, pivots, x);
+  for (int j = 0; j < 3; ++j)
+    ck_assert_double_eq_tol(x[j], 1.0, 1e-13);
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_test(tests, test_one_thread);
   tcase_add_test(tests, test_algebra_without_threads);
+  tcase_add_test(tests, test_singular_is_noticed);
 }
 
 int main(void) {

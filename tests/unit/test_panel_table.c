@@ -2,7 +2,9 @@
  * checked against closed forms in test_bem.c; and the tree. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "po_adaptive.h"
 #include "po_leaves.h"
 #include "po_panel_table.h"
 #include "run.h"
@@ -95,10 +97,38 @@ START_TEST(blocks_are_product_integration) {
 }
 END_TEST
 
+/* The leaves of a mesh are told by its radii, those of a part by the first of these; other radii
+ * are of no panels. */
+START_TEST(leaves_are_those_of_their_nodes) {
+  static const po_scene SCENE = {.tabor = 2.385, .radius = 93.0, .outer_radius = 71.0};
+  po_adaptive *panels = NULL;
+  ck_assert_int_eq(po_adaptive_create(&SCENE, 71.0, 2, &panels), PO_OK);
+  const po_leaves mesh = refined_towards(0.2385, 7);
+  ck_assert_int_eq(po_adaptive_mesh(panels, &mesh), PO_OK);
+  const po_surface *surface = po_adaptive_surface(panels);
+  ck_assert_uint_eq(surface->n, PO_TABLE_ORDER * mesh.count);
+  double *node = malloc(surface->n * sizeof *node);
+  memcpy(node, surface->node, surface->n * sizeof *node);
+  po_leaves leaves;
+  for (size_t count = 0; count <= mesh.count; ++count) {
+    ck_assert_int_eq(po_adaptive_leaves_of(panels, PO_TABLE_ORDER * count, node, &leaves), PO_OK);
+    ck_assert_uint_eq(leaves.count, count);
+    for (size_t k = 0; k < count; ++k)
+      ck_assert(po_leaf_equal(leaves.leaf[k], mesh.leaf[k]));
+  }
+  ck_assert_int_eq(po_adaptive_leaves_of(panels, surface->n - 1, node, &leaves), PO_BAD_INPUT);
+  node[PO_TABLE_ORDER + 5] *= 1.001;
+  ck_assert_int_eq(po_adaptive_leaves_of(panels, surface->n, node, &leaves), PO_BAD_INPUT);
+  free(node);
+  po_adaptive_destroy(panels);
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_test(tests, tree_stays_graded);
   tcase_add_test(tests, split_without_room_changes_nothing);
   tcase_add_loop_test(tests, blocks_are_product_integration, 0, 4);
+  tcase_add_test(tests, leaves_are_those_of_their_nodes);
 }
 
 int main(void) {

@@ -1,0 +1,44 @@
+#!/bin/sh
+# The list of references: which tables there are, how many rows each has, and which cases use it, as the files say.
+# shellcheck disable=SC1091,SC2154
+. "$(dirname "$0")/lib.sh"
+python=${PYTHON:-python3}
+root=$(cd "$here/../.." && pwd)
+export PULLOFF_DATA="$root"
+
+expect 0 '' list --references
+cp "$work/stdout" list.text
+expect 0 '' list --references --json
+cp "$work/stdout" list.json
+cat >look.py <<'LOOK'
+import glob, json, os, re, sys
+
+root = sys.argv[1]
+uses = {}
+for path in sorted(glob.glob(os.path.join(root, "cases", "*.yaml"))):
+    text = open(path, encoding="utf-8").read()
+    section = re.search(r"^checks:\n((?:[ #].*\n|\n|- .*\n)*)", text, re.MULTILINE)
+    for name in re.findall(r"reference: *([^,}\s]+)", section.group(1) if section else ""):
+        uses.setdefault(name, set()).add(re.search(r"^name: *(\S+)", text, re.MULTILINE).group(1))
+tables = {}
+for pattern in ("reference/*.csv", "reference/published/*.csv"):
+    for path in glob.glob(os.path.join(root, pattern)):
+        lines = open(path, encoding="utf-8").read().splitlines()
+        head = dict(line[2:].split(": ", 1) for line in lines if line.startswith("# ") and ": " in line)
+        tables[os.path.relpath(path, root)] = (head["kind"], sum(not line.startswith("#") for line in lines) - 1)
+listed = json.load(open("list.json"))["references"]
+assert {entry["table"] for entry in listed} == set(tables), set(tables) ^ {entry["table"] for entry in listed}
+text = {line.split()[0]: line.split() for line in open("list.text")}
+assert sum(len(names) for names in uses.values()) > 20
+for entry in listed:
+    name = entry["table"]
+    assert entry["intact"] and entry["in_index"], entry
+    assert (entry["kind"], entry["rows"]) == tables[name], (entry, tables[name])
+    assert entry["cases"] == sorted(uses.get(name, ())), (entry, uses.get(name))
+    kind, rows, cases, state = text[name][1:5]
+    assert (kind, int(rows)) == tables[name] and state == "intact", text[name]
+    shown = [] if cases == "-" else cases.split(",")
+    assert shown == entry["cases"][:len(shown)] and (shown or not entry["cases"]), (text[name], entry)
+LOOK
+check 'as the files say' "$python" look.py "$root"
+finish

@@ -1,0 +1,76 @@
+/* Roots between two points of different sign, and what is none. */
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+
+#include "po_root.h"
+#include "run.h"
+
+/* scale (x - root) (1 + (x - root)^2), which goes through zero once. */
+typedef struct {
+  double root, scale;
+  int calls;
+} cubic;
+
+static double cubic_at(double x, const void *data) {
+  cubic *c = (cubic *)(uintptr_t)data;
+  ++c->calls;
+  const double d = x - c->root;
+  return c->scale * d * (1.0 + d * d);
+}
+
+static const struct {
+  double root, scale, a, b;
+} CROSSED[] = {{2.385, 1.0, 1.0, 3.0},         {2.385, -1.0, 1.0, 3.0},
+               {2.385, 1.0, 3.0, 1.0},         {2.385, -1.0, 3.0, 1.0},
+               {-0.613, 1e-12, -7.0, 40},      {0.071, -1e12, -50.0, 0.1},
+               {1e-9, 1.0, -1.0, 2.0},         {1234.5, 1.0, 0.0, 1e6},
+               {2.385, 1.0, 2.385 - 1e-14, 9}, {2.385, 1.0, -9, 2.385 + 1e-14}};
+
+START_TEST(a_change_of_sign_is_found) {
+  cubic c = {CROSSED[_i].root, CROSSED[_i].scale, 0};
+  const double x = po_root(cubic_at, &c, CROSSED[_i].a, CROSSED[_i].b);
+  ck_assert_double_eq_tol(x, c.root, 2.0 * DBL_EPSILON * fabs(c.root));
+  ck_assert_int_le(c.calls, 200);
+}
+END_TEST
+
+/* Both ends on one side of the root, in either order, or an end that is no number. */
+START_TEST(no_change_of_sign_is_no_root) {
+  static const double ENDS[][2] = {{3.0, 4.0}, {4.0, 3.0}, {1.0, 2.0},
+                                   {2.0, 1.0}, {NAN, 3.0}, {1.0, NAN}};
+  cubic up = {2.385, 1.0, 0}, down = {2.385, -1.0, 0};
+  ck_assert_double_nan(po_root(cubic_at, &up, ENDS[_i][0], ENDS[_i][1]));
+  ck_assert_double_nan(po_root(cubic_at, &down, ENDS[_i][0], ENDS[_i][1]));
+}
+END_TEST
+
+START_TEST(an_end_may_be_the_root) {
+  cubic c = {2.385, 1.0, 0};
+  ck_assert_double_eq(po_root(cubic_at, &c, 2.385, 3.0), 2.385);
+  ck_assert_double_eq(po_root(cubic_at, &c, 1.0, 2.385), 2.385);
+}
+END_TEST
+
+/* A step from -1 to 1: no slope says where, and it is found by bisection, to the last bit. */
+static double step_at(double x, const void *data) {
+  return x < *(const double *)data ? -1.0 : 1.0;
+}
+
+START_TEST(a_step_is_found_to_the_last_bit) {
+  const double at = 0.71;
+  const double x = po_root(step_at, &at, -3.0, 5.0);
+  ck_assert_double_eq_tol(x, at, 2.0 * DBL_EPSILON);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_loop_test(tests, a_change_of_sign_is_found, 0, (int)(sizeof CROSSED / sizeof *CROSSED));
+  tcase_add_loop_test(tests, no_change_of_sign_is_no_root, 0, 6);
+  tcase_add_test(tests, an_end_may_be_the_root);
+  tcase_add_test(tests, a_step_is_found_to_the_last_bit);
+}
+
+int main(void) {
+  return run_case("root", add);
+}
