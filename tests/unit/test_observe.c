@@ -341,6 +341,27 @@ START_TEST(stop_ends_a_solve) {
 }
 END_TEST
 
+/* A cleared outcome is one of nothing: as if never solved, and clearing it again does no harm. */
+START_TEST(cleared_outcome_is_empty) {
+  po_request request = request_of(0.0, 0.0, 0.0, INFINITY);
+  request.want = PO_WANT_CURVE | PO_WANT_PROFILE;
+  request.mesh.nodes = 41;
+  static const po_outcome empty;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert(o.has_pull_off && o.curve_count > 0 && o.profile_count > 0);
+  for (int times = 0; times < 2; ++times) {
+    po_outcome_clear(&o);
+    ck_assert_int_eq(o.status, PO_OK);
+    ck_assert(!o.has_pull_off && !o.has_hysteresis && o.reason[0] == '\0');
+    ck_assert_uint_eq(o.curve_count + o.profile_count + o.fold_count + o.extremum_count, 0);
+    ck_assert_ptr_null(o.curve);
+    ck_assert_ptr_null(o.profile);
+    ck_assert_uint_eq(o.work.points, empty.work.points);
+  }
+}
+END_TEST
+
 START_TEST(bad_requests_are_refused) {
   po_request request = request_of(1.0, 0.0, 0.0, INFINITY);
   po_outcome o;
@@ -404,6 +425,7 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, time_limit_ends_a_solve, 0, 6);
   tcase_add_test(tests, time_limit_not_reached_changes_nothing);
   tcase_add_loop_test(tests, time_limit_is_a_positive_number, 0, 3);
+  tcase_add_test(tests, cleared_outcome_is_empty);
   tcase_add_test(tests, bad_requests_are_refused);
   tcase_add_test(tests, contact_radius_is_where_tension_peaks);
   tcase_add_test(tests, contact_rings_are_where_the_gap_is_small);
