@@ -8,6 +8,7 @@ import argparse
 import collections
 import concurrent.futures
 import difflib
+import fcntl
 import hashlib
 import json
 import math
@@ -215,6 +216,11 @@ class Campaign:
         self.jobs = wanted.jobs or len(os.sched_getaffinity(0))
         self.tree = os.path.join(self.output, "tree")
         os.makedirs(self.output, exist_ok=True)
+        self.hold = open(os.path.join(self.output, "lock"), "w", encoding="utf-8")
+        try:
+            fcntl.flock(self.hold, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError as error:
+            raise plant.Stale(f"another run works in {self.output}: expected one with --output of its own") from error
         self.whole = os.path.join(self.output, "whole")  # what the copy is made of again when an edit wrote into it
         mirror(plant.SOURCE, self.whole)
         mirror(self.whole, self.tree)
