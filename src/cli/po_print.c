@@ -42,10 +42,39 @@ static const char *error_text(double error, char text[16]) {
 static void print_landmarks(const po_landmark *list, size_t count) {
   for (size_t i = 0; i < count; ++i) {
     char of_approach[16], of_load[16];
-    printf("%-9s %16.10f %8s %16.10f %8s %14.6g %9d\n", po_landmark_kind_name(list[i].kind),
+    printf("%-9s %16.10f %8s %16.10f %8s %14.8g %9d\n", po_landmark_kind_name(list[i].kind),
            list[i].approach, error_text(list[i].approach_error, of_approach), list[i].load,
            error_text(list[i].load_error, of_load), list[i].contact_radius, list[i].unstable_modes);
   }
+}
+
+/* Why and where the trace ended, and so how far the pull-off was looked for. */
+static void print_ended(const po_outcome *o) {
+  static const char *const WHY[] = {
+      [PO_END_COMPRESSED] = "the sphere is stably under compression",
+      [PO_END_PRELOAD] = "it is stably pressed by pi w R more than it pulls",
+      [PO_END_WAVES] = "the minima of two successive waves rose by more each time",
+      [PO_END_ASKED] = "the end asked for",
+      [PO_END_LOADED] = "beyond the preload"};
+  if (o->ended.cause == PO_END_NONE)
+    return;
+  printf("ended    at approach %.6g, load %.6g: %s%s\n", o->ended.approach, o->ended.load,
+         WHY[o->ended.cause],
+         o->ended.cause == PO_END_COMPRESSED ? "" : "; minima beyond were not looked for");
+}
+
+static void print_pull_off(const po_outcome *o) {
+  if (!o->has_pull_off)
+    return;
+  printf("pull-off force %.10g at approach %.10g, contact radius %.8g", o->pull_off.force,
+         o->pull_off.approach, o->pull_off.contact_radius);
+  if (!isnan(o->pull_off.contact_radius_other))
+    printf(" or %.8g (within the error a crest is in contact or not)",
+           o->pull_off.contact_radius_other);
+  printf("\n");
+  if (isfinite(o->pull_off.force_error))
+    printf("errors   force %.1e, approach %.1e, contact radius %.1e\n", o->pull_off.force_error,
+           o->pull_off.approach_error, o->pull_off.contact_radius_error);
 }
 
 /* A number, or a word where it is boundless. */
@@ -98,13 +127,8 @@ po_status po_print_text(const po_request *request, const po_scene_flags *flags,
   print_input(request);
   printf("status   %s%s%s\n", po_status_name(outcome->status), outcome->rigid ? ", rigid" : "",
          outcome->has_pull_off ? "" : ", no pull-off found");
-  if (outcome->has_pull_off) {
-    printf("pull-off force %.10g at approach %.10g, contact radius %.6g\n", outcome->pull_off.force,
-           outcome->pull_off.approach, outcome->pull_off.contact_radius);
-    if (isfinite(outcome->pull_off.force_error))
-      printf("errors   force %.1e, approach %.1e\n", outcome->pull_off.force_error,
-             outcome->pull_off.approach_error);
-  }
+  print_pull_off(outcome);
+  print_ended(outcome);
   if (outcome->fold_count + outcome->extremum_count) {
     printf("%-9s %16s %8s %16s %8s %14s %9s\n", "", "approach", "error", "load", "error",
            "contact radius", "unstable");

@@ -119,12 +119,13 @@ void po_print_physical(const po_scene_flags *flags, const po_outcome *outcome) {
   const po_units *u = &flags->units;
   po_print_physical_input(flags);
   if (outcome->has_pull_off)
-    printf("pull-off force %.10g N at approach %.10g m, contact radius %.6g m\n",
+    printf("pull-off force %.10g N at approach %.10g m, contact radius %.8g m\n",
            outcome->pull_off.force * u->force, outcome->pull_off.approach * u->length,
            outcome->pull_off.contact_radius * u->length);
   if (outcome->has_pull_off && isfinite(outcome->pull_off.force_error))
-    printf("errors   force %.1e N, approach %.1e m\n", outcome->pull_off.force_error * u->force,
-           outcome->pull_off.approach_error * u->length);
+    printf("errors   force %.1e N, approach %.1e m, contact radius %.1e m\n",
+           outcome->pull_off.force_error * u->force, outcome->pull_off.approach_error * u->length,
+           outcome->pull_off.contact_radius_error * u->length);
   if (outcome->fold_count + outcome->extremum_count) {
     printf("%-9s %16s %16s %14s\n", "", "approach/m", "load/N", "contact/m");
     print_landmarks(u, outcome->folds, outcome->fold_count);

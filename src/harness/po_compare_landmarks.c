@@ -65,7 +65,7 @@ static po_status find_lists(const po_request *request, bool folds, const po_refe
   l->their_count = drop_before_start(l->theirs, l->their_count, outcome->start);
   const size_t ours = l->count, theirs = l->their_count;
   l->count = count_ours_up_to(l->ours, ours, theirs, complete_to);
-  l->their_count = count_theirs_up_to(l->theirs, theirs, ours, outcome->end);
+  l->their_count = count_theirs_up_to(l->theirs, theirs, ours, outcome->ended.approach);
   return PO_OK;
 }
 

@@ -3,11 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "po_contact.h"
 #include "po_input.h"
 #include "po_json_parts.h"
-#include "po_law.h"
-#include "po_memory.h"
 
 json_t *po_json_input(const po_request *request) {
   json_t *object = po_json_empty_object();
@@ -34,6 +31,16 @@ static json_t *landmarks(const po_landmark *list, size_t count) {
   return array;
 }
 
+/* Why and where the trace ended; of what was followed nothing was traced. */
+static json_t *ended_of(const po_outcome *o) {
+  if (o->followed)
+    return json_null();
+  const char *why =
+      o->ended.cause == PO_END_NONE ? po_status_name(o->status) : po_end_cause_name(o->ended.cause);
+  return PO_JSON_OBJECT({"why", po_json_text(why)}, {"approach", po_json_number(o->ended.approach)},
+                        {"load", po_json_number(o->ended.load)});
+}
+
 /* Of a pull-off that was followed nothing else is known, which is not the same as none; folds that
  * were followed are. */
 static json_t *landmarks_of(const po_outcome *outcome, const po_landmark *list, size_t count) {
@@ -45,7 +52,8 @@ json_t *po_json_outcome(const po_request *request, const po_outcome *outcome) {
       {"input", po_json_input(request)}, {"status", po_json_text(po_status_name(outcome->status))},
       {"reason", po_json_text(outcome->reason)}, {"rigid", po_json_flag(outcome->rigid)},
       {"followed", po_json_flag(outcome->followed)}, {"start", po_json_number(outcome->start)},
-      {"end", po_json_number(outcome->end)}, {"pull_off", po_json_pull_off(outcome)},
+      {"end", po_json_number(outcome->ended.approach)}, {"ended", ended_of(outcome)},
+      {"pull_off", po_json_pull_off(outcome)},
       {"folds", landmarks_of(outcome, outcome->folds, outcome->fold_count)},
       {"extrema", landmarks_of(outcome, outcome->extrema, outcome->extremum_count)},
       {"work", po_json_work(&outcome->work)});
@@ -83,32 +91,18 @@ json_t *po_json_profile(const po_outcome *outcome) {
   return array;
 }
 
-static json_t *rings_of(const po_contact_ring *ring, size_t count) {
+static json_t *annuli_of(const po_contact_annulus *list, size_t count) {
   json_t *array = po_json_empty_array();
   for (size_t k = 0; k < count; ++k)
-    po_json_append(&array, PO_JSON_OBJECT({"inner", po_json_number(ring[k].inner)},
-                                          {"outer", po_json_number(ring[k].outer)}));
+    po_json_append(&array, PO_JSON_OBJECT({"inner", po_json_number(list[k].inner)},
+                                          {"outer", po_json_number(list[k].outer)}));
   return array;
 }
 
 json_t *po_json_contact(const po_outcome *outcome) {
-  const size_t n = outcome->profile_count;
-  double *node = po_allocate(n, sizeof *node), *gap = po_allocate(n, sizeof *gap);
-  po_contact_ring *ring = po_allocate(n / 2 + 1, sizeof *ring);
-  json_t *object = NULL;
-  if (node && gap && ring) {
-    for (size_t j = 0; j < n; ++j) {
-      node[j] = outcome->profile[j].radius;
-      gap[j] = outcome->profile[j].gap;
-    }
-    json_t *pressed = rings_of(ring, po_contact_rings(n, node, gap, 0.0, ring));
-    const size_t held = po_contact_rings(n, node, gap, PO_LAW_PEAK_GAP, ring);
-    object = PO_JSON_OBJECT({"approach", po_json_number(outcome->profile_approach)},
-                            {"compressed", pressed}, {"held", rings_of(ring, held)},
-                            {"grooves", po_json_count(held ? held - 1 : 0)});
-  }
-  free(node);
-  free(gap);
-  free(ring);
-  return object;
+  const po_contact_annuli *a = &outcome->annuli;
+  return PO_JSON_OBJECT({"approach", po_json_number(outcome->profile_approach)},
+                        {"compressed", annuli_of(a->compressed, a->compressed_count)},
+                        {"held", annuli_of(a->held, a->held_count)},
+                        {"grooves", po_json_count(a->held_count > 0 ? a->held_count - 1 : 0)});
 }

@@ -11,7 +11,8 @@
  * "approach_start": number or null (chosen by the solver)}. */
 json_t *po_json_input(const po_request *request);
 
-/* {"input", "status", "reason", "rigid", "pull_off", "folds", "extrema", "work"}, "hysteresis"
+/* {"input", "status", "reason", "rigid", "followed", "start", "end", "ended": {"why", "approach",
+ * "load"}, "pull_off", "folds", "extrema", "work"}, "hysteresis"
  * and "diagnostics" where these were wanted: no arrays of points. NULL without memory. */
 json_t *po_json_outcome(const po_request *request, const po_outcome *outcome);
 
@@ -36,9 +37,9 @@ json_t *po_json_diagnostics(const po_outcome *outcome);
  * Status: PO_BAD_INPUT when something is missing or of the wrong type. */
 po_status po_json_read_outcome(const json_t *object, po_outcome *outcome);
 
-/* {"approach", "compressed": [{"inner", "outer"}], "held": the same, "grooves"}: the rings of the
- * profile in which the traction is compressive, and in which the bodies hold together as in contact
- * (po_contact_rings), and how many grooves lie between the latter. NULL without memory. */
+/* {"approach", "compressed": [{"inner", "outer"}], "held": the same, "grooves"}: the contact annuli
+ * at the approach of the profile (po_contact_annuli), and how many grooves lie between those held
+ * together. NULL without memory. */
 json_t *po_json_contact(const po_outcome *outcome);
 
 /* A number, or NaN for null and what is absent. */

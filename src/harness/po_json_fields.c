@@ -19,6 +19,8 @@ static const field LANDMARK[] = {
     {"error_estimate", offsetof(po_landmark, approach_error)},
     {"load_error_estimate", offsetof(po_landmark, load_error)},
     {"contact_radius", offsetof(po_landmark, contact_radius)},
+    {"contact_radius_error_estimate", offsetof(po_landmark, contact_radius_error)},
+    {"contact_radius_other", offsetof(po_landmark, contact_radius_other)},
     {"position", offsetof(po_landmark, position)},
 };
 
@@ -28,6 +30,8 @@ static const field PULL_OFF[] = {
     {"contact_radius", offsetof(po_outcome, pull_off.contact_radius)},
     {"error_estimate", offsetof(po_outcome, pull_off.force_error)},
     {"approach_error_estimate", offsetof(po_outcome, pull_off.approach_error)},
+    {"contact_radius_error_estimate", offsetof(po_outcome, pull_off.contact_radius_error)},
+    {"contact_radius_other", offsetof(po_outcome, pull_off.contact_radius_other)},
 };
 
 static const field WORK[] = {

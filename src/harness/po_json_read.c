@@ -27,6 +27,36 @@ static bool read_kind(const json_t *object, po_landmark_kind *kind) {
   return false;
 }
 
+static void read_ended(const json_t *object, po_outcome *outcome) {
+  const char *why = json_string_value(json_object_get(object, "why"));
+  outcome->ended.approach = po_json_read_number(object, "approach");
+  outcome->ended.load = po_json_read_number(object, "load");
+  if (!po_end_cause_find(why, &outcome->ended.cause)) /* the status says it */
+    outcome->ended.cause = PO_END_NONE;
+}
+
+static po_status read_annuli(const json_t *array, po_contact_annulus **list, size_t *count) {
+  const size_t size = json_array_size(array);
+  *list = po_allocate(size, sizeof **list);
+  if (!*list)
+    return PO_NO_MEMORY;
+  *count = size;
+  for (size_t i = 0; i < size; ++i) {
+    const json_t *item = json_array_get(array, i);
+    (*list)[i].inner = po_json_read_number(item, "inner");
+    (*list)[i].outer = po_json_read_number(item, "outer");
+  }
+  return PO_OK;
+}
+
+static po_status read_contact(const json_t *object, po_outcome *outcome) {
+  po_contact_annuli *a = &outcome->annuli;
+  outcome->profile_approach = po_json_read_number(object, "approach");
+  const po_status status =
+      read_annuli(json_object_get(object, "compressed"), &a->compressed, &a->compressed_count);
+  return status ? status : read_annuli(json_object_get(object, "held"), &a->held, &a->held_count);
+}
+
 static po_status read_landmarks(const json_t *array, po_landmark **list, size_t *count) {
   const size_t size = json_array_size(array);
   *list = po_allocate(size, sizeof **list);
@@ -54,13 +84,14 @@ po_status po_json_read_outcome(const json_t *object, po_outcome *outcome) {
   po_quote_text(reason ? reason : "", outcome->reason, sizeof outcome->reason);
   outcome->rigid = json_is_true(json_object_get(object, "rigid"));
   outcome->start = po_json_read_number(object, "start");
-  outcome->end = po_json_read_number(object, "end");
+  read_ended(json_object_get(object, "ended"), outcome);
   outcome->followed = json_is_true(json_object_get(object, "followed"));
   po_json_read_pull_off(json_object_get(object, "pull_off"), outcome);
-  outcome->profile_approach = po_json_read_number(json_object_get(object, "contact"), "approach");
   po_json_read_work(json_object_get(object, "work"), &outcome->work);
-  po_status status =
-      read_landmarks(json_object_get(object, "folds"), &outcome->folds, &outcome->fold_count);
+  po_status status = read_contact(json_object_get(object, "contact"), outcome);
+  if (!status)
+    status =
+        read_landmarks(json_object_get(object, "folds"), &outcome->folds, &outcome->fold_count);
   if (!status)
     status = read_landmarks(json_object_get(object, "extrema"), &outcome->extrema,
                             &outcome->extremum_count);

@@ -16,5 +16,9 @@ json_t *po_json_units_pull_off(const po_units *u, const po_outcome *outcome) {
       {"approach_m", po_json_number(outcome->pull_off.approach * u->length)},
       {"contact_radius_m", po_json_number(outcome->pull_off.contact_radius * u->length)},
       {"error_estimate_n", po_json_number(outcome->pull_off.force_error * u->force)},
-      {"approach_error_estimate_m", po_json_number(outcome->pull_off.approach_error * u->length)});
+      {"approach_error_estimate_m", po_json_number(outcome->pull_off.approach_error * u->length)},
+      {"contact_radius_error_estimate_m",
+       po_json_number(outcome->pull_off.contact_radius_error * u->length)},
+      {"contact_radius_other_m",
+       po_json_number(outcome->pull_off.contact_radius_other * u->length)});
 }

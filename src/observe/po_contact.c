@@ -2,66 +2,321 @@
 
 #include <math.h>
 #include <stdbool.h>
+#include <stdlib.h>
 
 #include "po_law.h"
+#include "po_memory.h"
+#include "po_refine.h"
+#include "po_root.h"
 #include "po_shape.h"
+#include "po_track_point.h"
 
-double po_contact_radius(size_t n, const double *node, const double *gap) {
-  for (size_t j = n; j-- > 0;) {
-    if (gap[j] > PO_LAW_PEAK_GAP)
-      continue;
-    if (j + 1 == n)
-      return node[j];
-    const double share = (PO_LAW_PEAK_GAP - gap[j]) / (gap[j + 1] - gap[j]);
-    return node[j] + share * (node[j + 1] - node[j]);
-  }
-  return 0.0;
+/* The gap is looked at so many times a wavelength and a panel: between two such radii it has one
+ * extremum at most, which its slopes show. */
+static const double SAMPLES_A_WAVE = 16.0, SAMPLES_A_PANEL = 12.0;
+
+/* Without waves and without panels nothing sets a scale but the radius. */
+static const double SAMPLES_OF_SPHERE = 16.0;
+
+/* More than the error of any gap that is of use, eps. */
+static const double GREATEST_DOUBT = 1.0;
+
+typedef struct {
+  double gap, slope; /* H and dH/dr */
+} value;
+
+po_contact_gap po_contact_gap_on_panels(const po_scene *scene, double root,
+                                        const po_track_point *track) {
+  return (po_contact_gap){
+      .scene = scene, .approach = track->state[track->n], .end = root, .track = track};
 }
 
-double po_contact_radius_rigid(const po_scene *scene, double approach) {
-  const double reach = approach + PO_LAW_PEAK_GAP; /* contact where shape <= reach */
-  if (reach <= 0.0)
-    return 0.0;
-  /* The sphere alone bounds it; inwards from there by steps that no crest is narrower than. */
-  const double bound = sqrt(2.0 * scene->radius * reach);
-  if (!po_scene_is_wavy(scene))
-    return bound;
-  enum { STEPS_A_WAVE = 256, BISECTIONS = 60 };
-  const double step = fmin(scene->wavelength / STEPS_A_WAVE, bound / STEPS_A_WAVE);
-  if (bound - step == bound) /* the outermost crest is nearer to it than the next double */
-    return bound;
-  double outside = bound, inside = bound;
-  while (inside > 0.0 && po_shape(scene, inside) > reach) {
-    outside = inside;
-    inside = fmax(0.0, inside - step);
+po_contact_gap po_contact_gap_of(const po_scene *scene, double root, const po_branch_point *p) {
+  if (p->track)
+    return po_contact_gap_on_panels(scene, root, p->track);
+  po_contact_gap g = {.scene = scene, .approach = p->approach};
+  if (p->gap) {
+    g.n = p->n;
+    g.node = p->node;
+    g.gap = p->gap;
+    g.end = p->node[p->n - 1];
+  } else { /* rigid: the sphere alone bounds the contact */
+    const double reach = fmax(0.0, p->approach + PO_LAW_PEAK_GAP) + GREATEST_DOUBT;
+    g.end = fmin(sqrt(2.0 * scene->radius * reach), scene->outer_radius);
   }
-  for (int k = 0; k < BISECTIONS; ++k) {
-    const double middle = 0.5 * (inside + outside);
-    if (po_shape(scene, middle) > reach)
-      outside = middle;
+  return g;
+}
+
+/* The last node at or below a radius; the first one below all. */
+static size_t node_below(const po_contact_gap *g, double r) {
+  size_t low = 0, high = g->n;
+  while (high - low > 1) {
+    const size_t middle = (low + high) / 2;
+    if (g->node[middle] <= r)
+      low = middle;
     else
-      inside = middle;
+      high = middle;
   }
-  return inside;
+  return low;
 }
 
-size_t po_contact_rings(size_t n, const double *node, const double *gap, double level,
-                        po_contact_ring *ring) {
-  size_t count = 0;
-  bool inside = false;
-  for (size_t j = 0; j < n; ++j) {
-    if ((gap[j] < level) == inside)
-      continue;
-    double edge = j ? node[j] : 0.0; /* the first node stands for all within */
-    if (j)
-      edge -= (gap[j] - level) / (gap[j] - gap[j - 1]) * (node[j] - node[j - 1]);
+/* Linear in the deflection, which does not change within the first node. */
+static value value_on_elements(const po_contact_gap *g, double r) {
+  const size_t j = node_below(g, r);
+  const double here = g->gap[j] - po_shape(g->scene, g->node[j]);
+  value v = {po_shape(g->scene, r) + here, po_shape_slope(g->scene, r)};
+  if (r <= g->node[0] || j + 1 == g->n)
+    return v;
+  const double next = g->gap[j + 1] - po_shape(g->scene, g->node[j + 1]);
+  const double slope = (next - here) / (g->node[j + 1] - g->node[j]);
+  v.gap += slope * (r - g->node[j]);
+  v.slope += slope;
+  return v;
+}
+
+static value value_at(const po_contact_gap *g, double r) {
+  if (g->track) {
+    const po_track_value v = po_track_value_at(g->track, g->scene, g->end, r);
+    return (value){v.gap, v.slope};
+  }
+  if (g->n)
+    return value_on_elements(g, r);
+  return (value){po_shape(g->scene, r) - g->approach, po_shape_slope(g->scene, r)};
+}
+
+/* A gap moved by its error towards one side: `side` -1: closer, 1: farther, 0: as it is. */
+typedef struct {
+  const po_contact_gap *g;
+  const po_contact_doubt *doubt; /* read unless side is 0 */
+  int side;
+  double level;
+} sought;
+
+static double doubt_at(const sought *s, double r, double gap) {
+  const po_contact_doubt *d = s->doubt;
+  if (!d->finer)
+    return d->constant;
+  return d->constant +
+         po_refine_error(d->precision, value_at(d->finer, fmin(r, d->finer->end)).gap - gap, gap);
+}
+
+/* The gap less the level, and the slope (of the gap itself: the error changes little on the way
+ * between two samples). */
+static value beyond(const sought *s, double r) {
+  value v = value_at(s->g, r);
+  if (s->side)
+    v.gap += s->side * doubt_at(s, r, v.gap);
+  v.gap -= s->level;
+  return v;
+}
+
+static double gap_beyond(double r, const void *data) {
+  return beyond(data, r).gap;
+}
+static double slope_at(double r, const void *data) {
+  return beyond(data, r).slope;
+}
+
+/* The next smaller radius to look at. */
+static double inwards(const po_contact_gap *g, double r) {
+  double step = INFINITY, begin = 0.0;
+  if (g->track) {
+    const po_leaves *leaves = &g->track->leaves;
+    size_t k = po_leaves_find(leaves, r / g->end);
+    if (k > 0 && g->end * po_leaf_begin(leaves->leaf[k]) >= r)
+      --k;
+    begin = g->end * po_leaf_begin(leaves->leaf[k]);
+    step = g->end * po_leaf_size(leaves->leaf[k]) / SAMPLES_A_PANEL;
+  } else if (g->n) {
+    size_t j = node_below(g, r);
+    if (j > 0 && g->node[j] >= r)
+      --j;
+    begin = g->node[j] < r ? g->node[j] : 0.0;
+  } else {
+    step = g->end / SAMPLES_OF_SPHERE;
+  }
+  if (po_scene_is_wavy(g->scene))
+    step = fmin(step, g->scene->wavelength / SAMPLES_A_WAVE);
+  return fmax(begin, r - step);
+}
+
+/* Where rigid surfaces are out of contact for sure: the waves only add to the sphere. */
+static double skip_rigid(const sought *s, double r) {
+  const double reach = s->g->approach + s->level + (s->side ? s->doubt->constant : 0.0);
+  return reach > 0.0 ? fmin(r, sqrt(2.0 * s->g->scene->radius * reach)) : 0.0;
+}
+
+/* The inner end of the panel below a radius, where the gap is above a level all over it; the radius
+ * itself elsewhere. The waves only add to the sphere; the deflection leaves the range of its nodes
+ * by less than that range. */
+static double skip(const sought *s, double r) {
+  const po_contact_gap *g = s->g;
+  if (!g->track)
+    return g->n ? r : skip_rigid(s, r);
+  enum { ORDER = PO_TABLE_ORDER };
+  const po_leaves *leaves = &g->track->leaves;
+  size_t k = po_leaves_find(leaves, r / g->end);
+  const double begin = g->end * po_leaf_begin(leaves->leaf[k]);
+  double least = INFINITY, largest = -INFINITY;
+  for (size_t j = k * ORDER; j < (k + 1) * ORDER; ++j) {
+    least = fmin(least, g->track->deflection[j]);
+    largest = fmax(largest, g->track->deflection[j]);
+  }
+  const double sphere = 0.5 * begin * begin / g->scene->radius;
+  const double level = s->level + (s->side ? GREATEST_DOUBT : 0.0);
+  return sphere + least - (largest - least) > level ? begin : r;
+}
+
+/* An extremum that passes the level by less is taken as not to pass it: rounding, eps. */
+static const double ROUNDING = 1e-13;
+
+/* The radius of the extremum of the gap between a and b, a minimum or a maximum as asked; NaN when
+ * there is none. */
+static double extremum_between(const sought *s, double a, value at_a, double b, value at_b,
+                               bool minimum) {
+  const double sign = minimum ? 1.0 : -1.0;
+  return sign * at_a.slope < 0.0 && sign * at_b.slope > 0.0 ? po_root(slope_at, s, a, b)
+                                                            : (double)NAN;
+}
+
+/* The edge between a and b, looked for inwards of b; -1: none. Where b is an edge itself its gap
+ * may, by rounding, be on either side. */
+static double edge_between(const sought *s, double a, value at_a, double b, value at_b,
+                           bool inside) {
+  const bool a_inside = at_a.gap <= 0.0, b_inside = at_b.gap <= 0.0;
+  if (a_inside != inside) { /* farther in than an extremum on the side of b */
+    const double extremum = extremum_between(s, a, at_a, b, at_b, inside);
+    if (!isnan(extremum) && (gap_beyond(extremum, s) <= 0.0) == inside)
+      return po_root(gap_beyond, s, a, extremum);
+    return b_inside == inside ? po_root(gap_beyond, s, a, b) : b;
+  }
+  const double extremum = extremum_between(s, a, at_a, b, at_b, !inside);
+  const double past = isnan(extremum) ? 0.0 : gap_beyond(extremum, s);
+  if (inside ? !(past > ROUNDING) : !(past < -ROUNDING))
+    return -1.0;
+  return b_inside == inside ? po_root(gap_beyond, s, extremum, b) : b;
+}
+
+/* Finds the next edge inwards of `from`, where the gap passes the level. Given: whether the gap is
+ * below the level just inside `from`. Returned: its radius; -1 when there is none. */
+static double next_edge(const sought *s, double from, bool inside) {
+  double b = from;
+  value at_b = beyond(s, b);
+  while (b > 0.0) {
+    const double skipped = inside ? b : skip(s, b);
+    const double a = skipped < b ? skipped : inwards(s->g, b);
+    if (!(a < b)) /* the next crest is nearer than the next double */
+      return b;
+    const value at_a = beyond(s, a);
+    const double edge = edge_between(s, a, at_a, b, at_b, inside);
+    if (edge >= 0.0)
+      return edge;
+    b = a;
+    at_b = at_a;
+  }
+  return -1.0;
+}
+
+/* The outermost edge of what is below the level inside a radius at which it is above; 0: none. */
+static double outermost(const sought *s, double from) {
+  return fmax(0.0, next_edge(s, from, false));
+}
+
+static double radius_of(const sought *s) {
+  return beyond(s, s->g->end).gap <= 0.0 ? s->g->end : outermost(s, s->g->end);
+}
+
+double po_contact_radius(const po_contact_gap *gap) {
+  return radius_of(&(sought){.g = gap, .level = PO_LAW_PEAK_GAP});
+}
+
+/* How far out the edge may be. Where the gap less its error has annuli of contact beyond, which
+ * the gap itself has not, the outermost of them is noted. */
+static double farthest(const sought *as_it_is, double radius, double *other) {
+  sought closer = *as_it_is;
+  closer.side = -1;
+  double edge = radius_of(&closer);
+  while (edge > radius) {
+    const double inner = next_edge(&closer, edge, true);
+    if (inner <= radius)
+      break;
+    if (isnan(*other))
+      *other = 0.5 * (inner + edge);
+    edge = fmin(inner, outermost(&closer, inner));
+  }
+  return edge;
+}
+
+/* How far in it may be. Where the gap with its error leaves nothing of the outermost annulus, the
+ * edge of the next one is noted. */
+static double nearest(const sought *as_it_is, double radius, double *other) {
+  sought farther = *as_it_is;
+  farther.side = 1;
+  const double edge = radius_of(&farther);
+  const double inner = next_edge(as_it_is, radius, true);
+  if (edge >= inner)
+    return edge;
+  if (isnan(*other))
+    *other = outermost(as_it_is, inner);
+  return 0.5 * (inner + radius);
+}
+
+po_contact_edge po_contact_estimate(const po_contact_gap *gap, const po_contact_doubt *doubt) {
+  const sought s = {.g = gap, .doubt = doubt, .level = PO_LAW_PEAK_GAP};
+  po_contact_edge e = {.radius = radius_of(&s), .other = NAN};
+  e.error = fmax(0.0, farthest(&s, e.radius, &e.other) - e.radius);
+  e.error = fmax(e.error, e.radius - nearest(&s, e.radius, &e.other));
+  return e;
+}
+
+/* There may be as many annuli as waves within the contact; nobody reads a list of more. */
+enum { MOST_ANNULI = 10000 };
+
+/* Annuli below a level, from the axis outwards. Status: PO_NO_MEMORY, PO_OUT_OF_NODES. */
+static po_status fill(const po_contact_gap *gap, double level, po_contact_annulus **list,
+                      size_t *count) {
+  const sought s = {.g = gap, .level = level};
+  size_t room = 0;
+  bool inside = beyond(&s, gap->end).gap <= 0.0;
+  double outer = gap->end, edge = gap->end;
+  *count = 0;
+  for (;;) {
+    edge = next_edge(&s, edge, inside);
+    if (edge < 0.0 && !inside)
+      break;
+    if (!inside) {
+      outer = edge;
+    } else {
+      if (*count == MOST_ANNULI)
+        return po_fail(PO_OUT_OF_NODES, "the contact has more than %d annuli", MOST_ANNULI);
+      if (*count == room) {
+        room = room ? 2 * room : 8;
+        po_contact_annulus *more = po_resize(*list, room, sizeof *more);
+        if (!more)
+          return PO_NO_MEMORY;
+        *list = more;
+      }
+      (*list)[(*count)++] = (po_contact_annulus){fmax(edge, 0.0), outer};
+      if (edge < 0.0)
+        break;
+    }
     inside = !inside;
-    if (inside)
-      ring[count].inner = edge;
-    else
-      ring[count++].outer = edge;
   }
-  if (inside)
-    ring[count++].outer = node[n - 1];
-  return count;
+  for (size_t k = 0; 2 * k + 1 < *count; ++k) {
+    const po_contact_annulus first = (*list)[k];
+    (*list)[k] = (*list)[*count - 1 - k];
+    (*list)[*count - 1 - k] = first;
+  }
+  return PO_OK;
+}
+
+po_status po_contact_annuli_fill(const po_contact_gap *gap, po_contact_annuli *a) {
+  const po_status status = fill(gap, 0.0, &a->compressed, &a->compressed_count);
+  return status ? status : fill(gap, PO_LAW_PEAK_GAP, &a->held, &a->held_count);
+}
+
+void po_contact_annuli_clear(po_contact_annuli *a) {
+  free(a->compressed);
+  free(a->held);
+  *a = (po_contact_annuli){NULL, NULL, 0, 0};
 }

@@ -1,30 +1,73 @@
-/* Radii read off one equilibrium. */
+/* Where one equilibrium is in contact: its outermost contact edge, with an error, and its contact
+ * annuli.
+ *
+ * A contact edge is a radius at which the gap passes that of the greatest tension, H = 3^(1/6) - 1
+ * (after Eq 9). Between nodes the gap is the undeformed one, exactly, plus the deflection: the
+ * polynomial of each panel, or linear between the nodes of rings and triangles. */
 #ifndef PO_CONTACT_H
 #define PO_CONTACT_H
 
 #include <stddef.h>
 
+#include "po_branch.h"
 #include "po_scene.h"
+#include "po_status.h"
 
-/* The contact radius: the outermost radius at which the gap passes that of the greatest tension,
- * H = 3^(1/6) - 1 (after Eq 9), linearly between nodes; 0 when the bodies are farther apart
- * everywhere. Given: n radii ascending (eps), n gaps. Returned: eps. */
-double po_contact_radius(size_t n, const double *node, const double *gap);
+/* The gap of one equilibrium as a function of the radius. */
+typedef struct {
+  const po_scene *scene;
+  double approach;                    /* eps */
+  double end;                         /* the gap is known up to this radius, eps */
+  const struct po_track_point *track; /* on panels, whose root is `end`; else NULL */
+  size_t n;                           /* nodes of rings or triangles; 0 on panels, and when rigid */
+  const double *node, *gap;           /* n radii ascending (eps), n gaps */
+} po_contact_gap;
 
-/* The same for the undeformed gap at an approach, exactly. */
-double po_contact_radius_rigid(const po_scene *scene, double approach);
+/* Given: a point of a branch (on panels, on rings or triangles, or of rigid surfaces, by what it
+ * points to); the radius of the panels' root, for panels only. Both must outlive the result. */
+po_contact_gap po_contact_gap_of(const po_scene *scene, double root, const po_branch_point *point);
 
-/* Rings in which the gap is below a level, their edges linearly between nodes; the first may begin
- * on the axis, at 0. Level 0: the traction is compressive there. PO_LAW_PEAK_GAP: the bodies hold
- * together as in contact, the tension growing when they are pulled apart; what lies between two
- * such rings is a groove, an internal crack. */
+/* The same of a state on panels. */
+po_contact_gap po_contact_gap_on_panels(const po_scene *scene, double root,
+                                        const struct po_track_point *track);
+
+/* The outermost contact edge, eps: 0 when the bodies are farther apart everywhere, `end` when they
+ * are in contact as far as the surface goes. */
+double po_contact_radius(const po_contact_gap *gap);
+
+/* The same with a bound of its error, estimated from that of the gap.
+ * When a crest is so near the threshold that the error of the gap does not tell whether it is in
+ * contact, `other` is the contact radius of the other case; NaN otherwise. `error` is that of the
+ * radius in the case taken. */
+typedef struct {
+  double radius, error, other; /* eps */
+} po_contact_edge;
+
+/* The error that the gap has at a radius where it is so large: a bound. */
+typedef struct {
+  const po_contact_gap *finer; /* solved on a finer mesh; NULL: none */
+  double precision;            /* of Newton's iteration, see po_equilibrium; used with finer */
+  double constant;             /* what no finer mesh shows, eps */
+} po_contact_doubt;
+
+po_contact_edge po_contact_estimate(const po_contact_gap *gap, const po_contact_doubt *doubt);
+
+/* An annulus in which the gap is below a level; the first may begin on the axis, at 0. */
 typedef struct {
   double inner, outer; /* eps */
-} po_contact_ring;
+} po_contact_annulus;
 
-/* Given: n radii ascending (eps), n gaps; ring, n/2 + 1. Returned: how many rings, from the axis
- * out. */
-size_t po_contact_rings(size_t n, const double *node, const double *gap, double level,
-                        po_contact_ring *ring);
+/* Annuli of one equilibrium. Compressed: the traction is compressive there (H < 0). Held: the gap
+ * is below that of the greatest tension; what lies between two of those is a groove, an internal
+ * crack. */
+typedef struct {
+  po_contact_annulus *compressed, *held; /* from the axis outwards; owned */
+  size_t compressed_count, held_count;
+} po_contact_annuli;
+
+/* Given: annuli, zeroed or filled before. Status: PO_NO_MEMORY; PO_OUT_OF_NODES when they are too
+ * many to list. */
+po_status po_contact_annuli_fill(const po_contact_gap *gap, po_contact_annuli *annuli);
+void po_contact_annuli_clear(po_contact_annuli *annuli);
 
 #endif

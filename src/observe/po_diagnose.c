@@ -59,8 +59,13 @@ static po_status diagnose(const po_kept_state *kept, po_equilibrium *e, po_adapt
   return PO_OK;
 }
 
-po_status po_diagnose_states(const po_kept *kept, po_equilibrium *e, po_adaptive *panels,
-                             po_outcome *outcome) {
+static po_status out_of_time(const po_request *request, const char *what) {
+  return po_fail(PO_OUT_OF_TIME, "after %g s of processor time the branch is traced, but %s",
+                 request->time_limit, what);
+}
+
+po_status po_diagnose_states(const po_request *request, double deadline, const po_kept *kept,
+                             po_equilibrium *e, po_adaptive *panels, po_outcome *outcome) {
   po_diagnostics *d = &outcome->diagnostics;
   const double begin = po_clock_wall();
   const size_t capacity = panels ? po_adaptive_capacity(panels) : e->n;
@@ -70,6 +75,10 @@ po_status po_diagnose_states(const po_kept *kept, po_equilibrium *e, po_adaptive
   for (size_t k = 0; !status && k < PO_MOST_KEPT; ++k) {
     if (!kept->states[k].n)
       continue;
+    if (po_clock_thread() > deadline) {
+      status = out_of_time(request, "not every state diagnosed");
+      break;
+    }
     const po_status made = diagnose(&kept->states[k], e, panels, state, d);
     d->undiagnosed += made ? 1 : 0;
     status = made == PO_NO_MEMORY ? made : PO_OK;
@@ -101,10 +110,11 @@ static po_status move(const po_request *request, const po_outcome *outcome, po_m
       moved->folds = isnan(moved->folds) ? moved->folds : folds;
   }
   po_outcome_clear(&again);
-  return status == PO_NO_MEMORY || status == PO_INTERRUPTED ? status : PO_OK;
+  const bool ends = status == PO_NO_MEMORY || status == PO_INTERRUPTED || status == PO_OUT_OF_TIME;
+  return ends ? status : PO_OK;
 }
 
-po_status po_diagnose_moved(const po_request *request, po_outcome *outcome) {
+po_status po_diagnose_moved(const po_request *request, double deadline, po_outcome *outcome) {
   po_diagnostics *d = &outcome->diagnostics;
   po_request moving = *request;
   moving.want &= ~(unsigned)PO_WANT_DIAGNOSTICS; /* the rest may change the steps */
@@ -123,7 +133,11 @@ po_status po_diagnose_moved(const po_request *request, po_outcome *outcome) {
     for (int up = 0; !status && up < 2 && is > 0.0; ++up) {
       *inputs[k].value = nextafter(is, up ? INFINITY : 0.0);
       most = fmax(most, fabs(inputs[k].by * (*inputs[k].value / is - 1.0)));
-      status = move(&moving, outcome, &d->moved);
+      if (isfinite(deadline))
+        moving.time_limit = deadline - po_clock_thread();
+      status = moving.time_limit <= 0.0 ? PO_OUT_OF_TIME : move(&moving, outcome, &d->moved);
+      if (status == PO_OUT_OF_TIME)
+        status = out_of_time(request, "not solved again with every input moved");
     }
     *inputs[k].value = is;
   }

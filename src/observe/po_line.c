@@ -58,14 +58,14 @@ static double sameness(const stretch *s, double load) {
 }
 
 /* Takes the minimum that the follower is at for the pull-off of a scene, if it is the deepest so
- * far. Returned: its load; NAN when it is cut off by the end of the surface. */
+ * far. Returned: its load; NAN when the contact reaches the end of the core of the surface. */
 static double take(stretch *s, size_t index) {
   const po_request *request = &s->l->requests[index];
   po_outcome *o = &s->l->outcomes[index];
   const double before = deepest_at(s, index);
+  const double root = po_follow_root(s->follower);
   po_branch_point p = po_follow_point(s->follower, false);
-  const double contact_radius = po_contact_radius(p.n, p.node, p.gap);
-  if (contact_radius > PO_GREATEST_CONTACT * po_follow_root(s->follower))
+  if (po_line_is_cut_off(request, root, &p))
     return NAN;
   const double load = p.load;
   if (index == s->from->index || index == s->to->index || !(load < before))
@@ -73,11 +73,14 @@ static double take(stretch *s, size_t index) {
   o->work.nodes = o->work.nodes > p.n ? o->work.nodes : p.n;
   p = po_follow_point(s->follower, true);
   o->followed = o->has_pull_off = true;
-  o->pull_off.force = fabs(p.load);
-  o->pull_off.approach = p.approach;
-  o->pull_off.contact_radius = contact_radius;
-  o->pull_off.force_error = po_reader_load_error(request, p.load_error, p.load);
-  o->pull_off.approach_error = po_reader_approach_error(request, p.approach_error, p.approach);
+  const po_estimate e = po_estimate_of(request, root, &p);
+  o->pull_off.force = fabs(e.load);
+  o->pull_off.approach = e.approach;
+  o->pull_off.contact_radius = e.edge.radius;
+  o->pull_off.force_error = e.load_error;
+  o->pull_off.approach_error = e.approach_error;
+  o->pull_off.contact_radius_error = e.edge.error;
+  o->pull_off.contact_radius_other = e.edge.other;
   return load;
 }
 
@@ -112,7 +115,7 @@ static po_status follow(stretch *s, const po_line_minimum *m, bool forward) {
     const volatile sig_atomic_t *stop = s->l->requests[index].stop;
     if (stop && *stop)
       return po_fail(PO_INTERRUPTED, "interrupted on a line");
-    status = po_follow_to(s->follower, (double)index);
+    status = po_follow_to(s->follower, (double)index, po_line_deadline(&s->l->requests[index]));
     if (!status)
       *load_of(s, row, index) = take(s, index);
     const double now = po_clock_wall();
@@ -257,7 +260,8 @@ po_status po_line_observe(const po_request *requests, size_t count, size_t ancho
   const po_line_scenes l = {requests, outcomes, count};
   for (size_t k = 0; k < count; ++k) {
     outcomes[k] = (po_outcome){.status = PO_OK};
-    outcomes[k].start = outcomes[k].end = outcomes[k].profile_approach = NAN;
+    outcomes[k].start = outcomes[k].profile_approach = NAN;
+    outcomes[k].ended.approach = outcomes[k].ended.load = NAN;
   }
   if (count == 0)
     return PO_OK;

@@ -1,6 +1,7 @@
 #include "po_line_folds.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "po_clock.h"
@@ -51,17 +52,29 @@ static bool keep(void *data, const po_branch_point *p, double margin) {
 
 /* The landmark where the follower is. Returned: false when the end of the surface cuts it off. */
 static bool take(po_follower *follower, const po_request *request, po_landmark *fold) {
+  const double root = po_follow_root(follower);
   po_branch_point p = po_follow_point(follower, false);
-  const double contact_radius = po_contact_radius(p.n, p.node, p.gap);
-  if (contact_radius > PO_GREATEST_CONTACT * po_follow_root(follower))
+  if (po_line_is_cut_off(request, root, &p))
     return false;
   p = po_follow_point(follower, true);
-  fold->approach = p.approach;
-  fold->load = p.load;
-  fold->approach_error = po_reader_approach_error(request, p.approach_error, p.approach);
-  fold->load_error = po_reader_load_error(request, p.load_error, p.load);
-  fold->contact_radius = contact_radius;
+  const po_estimate e = po_estimate_of(request, root, &p);
+  fold->approach = e.approach;
+  fold->load = e.load;
+  fold->approach_error = e.approach_error;
+  fold->load_error = e.load_error;
+  fold->contact_radius = e.edge.radius;
+  fold->contact_radius_error = e.edge.error;
+  fold->contact_radius_other = e.edge.other;
   return true;
+}
+
+/* From a scene on it is not known whether a fold is there. */
+static void fail_from(const po_line_scenes *l, size_t first, po_status status) {
+  for (size_t k = first; k < l->count; ++k) {
+    po_outcome *o = &l->outcomes[k];
+    o->status = status;
+    snprintf(o->reason, sizeof o->reason, "%s", po_message());
+  }
 }
 
 /* Follows one fold as far as it is there. Status: PO_INTERRUPTED, PO_NO_MEMORY. */
@@ -74,10 +87,12 @@ static po_status follow(const po_line_scenes *l, po_follower *follower, const po
     if (request->stop && *request->stop)
       return po_fail(PO_INTERRUPTED, "interrupted on a line");
     const double start = po_clock_wall();
-    status = po_follow_to(follower, (double)k);
+    status = po_follow_to(follower, (double)k, po_line_deadline(request));
     if (!status && !take(follower, request, &o->folds[place]))
       status = PO_NOT_FOUND;
     po_line_add_work(follower, po_clock_wall() - start, before, &o->work);
+    if (status == PO_OUT_OF_TIME)
+      fail_from(l, k, status);
   }
   po_message_clear();
   return status == PO_NO_MEMORY ? status : PO_OK;
@@ -96,7 +111,9 @@ static po_status make_room(const po_line_scenes *l) {
     for (size_t j = 0; j < first->fold_count; ++j) {
       o->folds[j] = (po_landmark){.kind = first->folds[j].kind,
                                   .unstable_modes = first->folds[j].unstable_modes,
-                                  .contact_radius = NAN};
+                                  .contact_radius = NAN,
+                                  .contact_radius_error = NAN,
+                                  .contact_radius_other = NAN};
       o->folds[j].approach = o->folds[j].load = o->folds[j].energy = o->folds[j].position = NAN;
       o->folds[j].approach_error = o->folds[j].load_error = NAN;
     }
@@ -120,7 +137,8 @@ po_status po_line_folds(const po_request *requests, size_t count, po_outcome *ou
   const po_line_scenes l = {requests, outcomes, count};
   for (size_t k = 0; k < count; ++k) {
     outcomes[k] = (po_outcome){.status = PO_OK};
-    outcomes[k].start = outcomes[k].end = outcomes[k].profile_approach = NAN;
+    outcomes[k].start = outcomes[k].profile_approach = NAN;
+    outcomes[k].ended.approach = outcomes[k].ended.load = NAN;
   }
   for (size_t k = 0; k + 1 < count; ++k)
     if (!po_line_alike(&requests[k], &requests[k + 1]))

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "po_clock.h"
 #include "po_observe_parts.h"
 
 /* Between two values, evenly in the logarithm where that can be. */
@@ -48,6 +49,15 @@ po_status po_line_follower(const po_line_scenes *l, size_t first, size_t last, d
                                      po_observe_precision(tolerance),
                                      tolerance};
   return po_follow_create(&options, (double)first, follower);
+}
+
+bool po_line_is_cut_off(const po_request *request, double root, const po_branch_point *landmark) {
+  const po_contact_gap gap = po_contact_gap_of(&request->scene, root, landmark);
+  return po_observe_is_cut_off(&request->scene, po_contact_radius(&gap), root);
+}
+
+double po_line_deadline(const po_request *request) {
+  return isnan(request->time_limit) ? INFINITY : po_clock_thread() + request->time_limit;
 }
 
 void po_line_add_work(const po_follower *follower, double seconds, po_line_work *before,

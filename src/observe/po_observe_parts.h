@@ -16,7 +16,8 @@ double po_observe_precision(double tolerance);
 /* Radius of the panels' root, eps, for a surface whose core reaches so far. */
 double po_observe_root(const po_scene *scene, double core);
 
-/* A contact beyond this part of the core is cut off by its end. */
-extern const double PO_GREATEST_CONTACT;
+/* Whether the surface is unbounded, and the contact so near the end of its core that it has to be
+ * solved again on a larger one. */
+bool po_observe_is_cut_off(const po_scene *scene, double contact_radius, double core);
 
 #endif

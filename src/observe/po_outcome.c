@@ -41,7 +41,8 @@ const char *po_landmark_kind_name(po_landmark_kind kind) {
 
 static void clear(po_outcome *outcome) {
   po_outcome_clear(outcome);
-  outcome->start = outcome->end = outcome->profile_approach = NAN;
+  outcome->start = outcome->ended.approach = outcome->ended.load = NAN;
+  outcome->profile_approach = NAN;
   outcome->diagnostics.residual = outcome->diagnostics.rounding = NAN;
   outcome->diagnostics.energy_defect = outcome->diagnostics.energy_defect_at = NAN;
   outcome->diagnostics.way_back.excess = NAN;
@@ -74,18 +75,17 @@ static double excess_error(const po_request *request, const po_outcome *outcome)
   if (!outcome->has_pull_off)
     return 0.0;
   const double force = outcome->pull_off.force;
-  const double seen = outcome->pull_off.force_error - po_reader_load_error(request, 0.0, force);
+  const double seen = outcome->pull_off.force_error - po_estimate_load_error(request, 0.0, force);
   const double excess = seen / (request->mesh.tolerance * force);
   return excess > 1.0 ? excess : 0.0;
 }
 
-static po_status observe(const po_request *request, const po_keeper *keeper, po_outcome *outcome) {
+static po_status observe(const po_request *request, const po_keeper *keeper, double deadline,
+                         po_outcome *outcome) {
   po_status status = po_request_check(request);
   if (status)
     return status;
   const bool rigid = po_rigid_suffices(&request->scene);
-  const double deadline =
-      isnan(request->time_limit) ? INFINITY : po_clock_thread() + request->time_limit;
   po_attempt a = {.core = po_surface_core(
                       &request->scene, fmax(fmax(request->approach_end, request->profile_approach),
                                             request->preload.approach)),
@@ -135,13 +135,15 @@ po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po
   *outcome = (po_outcome){.status = PO_OK};
   clear(outcome);
   const double begin = po_clock_wall();
+  const double deadline =
+      isnan(request->time_limit) ? INFINITY : po_clock_thread() + request->time_limit;
   po_message_clear();
   outcome->status = po_linear_reserve(1);
   if (!outcome->status)
-    outcome->status = observe(request, keeper, outcome);
+    outcome->status = observe(request, keeper, deadline, outcome);
   outcome->work.seconds = po_clock_wall() - begin - outcome->diagnostics.seconds;
   if (!outcome->status && (request->want & PO_WANT_DIAGNOSTICS))
-    outcome->status = po_diagnose_moved(request, outcome);
+    outcome->status = po_diagnose_moved(request, deadline, outcome);
   outcome->status = po_lack_or(outcome->status);
   if (outcome->status)
     snprintf(outcome->reason, sizeof outcome->reason, "%s",
@@ -154,6 +156,7 @@ void po_outcome_clear(po_outcome *outcome) {
   free(outcome->extrema);
   free(outcome->curve);
   free(outcome->profile);
+  po_contact_annuli_clear(&outcome->annuli);
   po_hysteresis_clear(&outcome->hysteresis);
   free(outcome->diagnostics.states);
   *outcome = (po_outcome){.status = PO_OK};

@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "po_contact.h"
 #include "po_diagnostics.h"
 #include "po_hysteresis.h"
 #include "po_scene.h"
@@ -55,9 +56,10 @@ typedef struct {
   double energy;         /* U / (pi w R eps), see po_curve_point */
   double approach_error; /* bounds of the errors of approach and load, estimated; NAN: not */
   double load_error;
-  double contact_radius; /* in eps, see po_contact.h */
-  double position;       /* arclength along the branch, to order landmarks among points */
-  int unstable_modes;    /* of the equilibria just after it, in displacement control */
+  double contact_radius;                             /* in eps, see po_contact.h */
+  double contact_radius_error, contact_radius_other; /* see po_contact_edge; NAN: not, none */
+  double position;    /* arclength along the branch, to order landmarks among points */
+  int unstable_modes; /* of the equilibria just after it, in displacement control */
 } po_landmark;
 
 typedef struct {
@@ -90,12 +92,32 @@ typedef struct {
   double seconds;              /* wall time */
 } po_work;
 
+/* Why the trace of a branch ended; see po_stopping.h. */
+typedef enum {
+  PO_END_NONE,       /* nothing was traced, or the status says why */
+  PO_END_COMPRESSED, /* a smooth sphere, stably under compression */
+  PO_END_PRELOAD,    /* a wavy one, stably pressed harder than it is pulled, by pi w R */
+  PO_END_WAVES,      /* the minima of two successive waves rose by more each time */
+  PO_END_ASKED,      /* at the approach_end of the request */
+  PO_END_LOADED,     /* beyond the preload of the hysteresis asked for */
+} po_end_cause;
+
+/* "none", "compressed", "preload", "waves", "approach_end", "loaded". */
+const char *po_end_cause_name(po_end_cause cause);
+
+/* The cause of that name; false when there is none. */
+bool po_end_cause_find(const char *name, po_end_cause *cause);
+
 typedef struct {
-  po_status status;  /* PO_OK: complete; else what is below is what was had until then */
-  char reason[256];  /* why the status is not PO_OK; "" otherwise */
-  bool rigid;        /* solved without elasticity */
-  bool followed;     /* the pull-off alone, continued from other scenes, see po_line.h */
-  double start, end; /* first and last approach traced, in eps */
+  po_status status; /* PO_OK: complete; else what is below is what was had until then */
+  char reason[256]; /* why the status is not PO_OK; "" otherwise */
+  bool rigid;       /* solved without elasticity */
+  bool followed;    /* the pull-off alone, continued from other scenes, see po_line.h */
+  double start;     /* first approach traced, in eps */
+  struct {
+    po_end_cause cause;
+    double approach, load; /* the last point of the trace: eps, pi w R */
+  } ended;
   bool has_pull_off; /* whether the fields of pull_off are set */
   struct {
     double force;          /* |min W| over the traced branch, / (pi w R) */
@@ -103,6 +125,7 @@ typedef struct {
     double contact_radius; /* there, in eps */
     double force_error;    /* bound of the error of force, estimated; NAN: not by this scheme */
     double approach_error; /* the same of approach */
+    double contact_radius_error, contact_radius_other; /* see po_contact_edge; NAN: not, none */
   } pull_off;
   po_landmark *folds; /* along the branch */
   size_t fold_count;
@@ -112,8 +135,9 @@ typedef struct {
   size_t curve_count;
   po_profile_point *profile; /* NULL unless wanted */
   size_t profile_count;
-  double profile_approach; /* where it was taken */
-  bool has_hysteresis;     /* whether the loops below are set: when wanted */
+  double profile_approach;  /* where it was taken */
+  po_contact_annuli annuli; /* there; none unless wanted */
+  bool has_hysteresis;      /* whether the loops below are set: when wanted */
   po_hysteresis hysteresis;
   po_diagnostics diagnostics; /* states is NULL unless wanted */
   po_work work;

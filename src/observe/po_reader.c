@@ -11,30 +11,25 @@
 #include "po_observe_parts.h"
 #include "po_shape.h"
 
-/* A contact that comes this close to the end of the meshed surface is cut off by it. */
-const double PO_GREATEST_CONTACT = 0.9;
+/* A contact that comes this close to the end of the panels of an unbounded surface does not leave
+ * the far field to the panel beyond, in parts of the radius of that end. */
+static const double GREATEST_CONTACT = 0.9;
 
-/* The trace of a wavy sphere ends when it is pressed, stably, by more than the pull-off force and
- * this many units of the load: as a test that pulls no harder than it pressed. */
-static const double PRELOAD = 1.0;
+bool po_observe_is_cut_off(const po_scene *scene, double contact_radius, double core) {
+  return isinf(scene->outer_radius) && contact_radius > GREATEST_CONTACT * core;
+}
 
 /* A station is met to 1e-12. */
 static const double SAME_APPROACH = 1e-9;
 
-/* Waves whose minima rise more and more after the deepest: the envelope is past its own. */
-enum { ENOUGH_RISES = 2 };
-
-/* In parts of the tolerance: errors of the load and of the approach that halving the panels does
- * not show. On random scenes at 1e-4 such errors of 3e-6 and 1e-7 occur. */
-static const double UNSEEN_LOAD = 3e-2, UNSEEN_APPROACH = 2e-3;
-
-/* How far beyond pull-off the next wave's minimum is at least, in wavelengths (they are one apart,
- * a little less at first). Minima in between are ripples. */
-static const double NEXT_WAVE = 0.8;
+/* Of the panels; there are none without a surface. */
+static double root_of(const po_reader *r) {
+  return r->surface ? r->surface->core_radius : (double)NAN;
+}
 
 static double contact_radius_of(const po_reader *r, const po_branch_point *p) {
-  return p->gap ? po_contact_radius(p->n, p->node, p->gap)
-                : po_contact_radius_rigid(&r->request->scene, p->approach);
+  const po_contact_gap gap = po_contact_gap_of(&r->request->scene, root_of(r), p);
+  return po_contact_radius(&gap);
 }
 
 /* Room for one more in an array that doubles. */
@@ -116,35 +111,11 @@ static po_landmark_kind kind_of(po_point_kind kind) {
   }
 }
 
-double po_reader_load_error(const po_request *request, double estimate, double load) {
-  return estimate + UNSEEN_LOAD * request->mesh.tolerance * (1.0 + fabs(load));
+static po_estimate estimate_of(const po_reader *r, const po_branch_point *p) {
+  return po_estimate_of(r->request, root_of(r), p);
 }
 
-double po_reader_approach_error(const po_request *request, double estimate, double approach) {
-  return estimate + UNSEEN_APPROACH * request->mesh.tolerance * (1.0 + fabs(approach));
-}
-
-/* Of a landmark, as well as it is known. */
-static double load_of(const po_branch_point *p) {
-  return p->load + p->load_correction;
-}
-
-static double approach_of(const po_branch_point *p) {
-  return p->approach + p->approach_correction;
-}
-
-static double load_error(const po_reader *r, const po_branch_point *p) {
-  return r->outcome->rigid ? p->load_error
-                           : po_reader_load_error(r->request, p->load_error, load_of(p));
-}
-
-static double approach_error(const po_reader *r, const po_branch_point *p) {
-  return r->outcome->rigid
-             ? p->approach_error
-             : po_reader_approach_error(r->request, p->approach_error, approach_of(p));
-}
-
-static void add_landmark(po_reader *r, const po_branch_point *p, double contact_radius) {
+static void add_landmark(po_reader *r, const po_branch_point *p, const po_estimate *e) {
   po_outcome *o = r->outcome;
   const po_landmark_kind kind = kind_of(p->kind);
   const bool fold = kind == PO_JUMP_IN || kind == PO_JUMP_OUT;
@@ -154,12 +125,14 @@ static void add_landmark(po_reader *r, const po_branch_point *p, double contact_
   if (!grow(r, (void **)list, *count, fold ? &r->fold_room : &r->extremum_room, sizeof **list))
     return;
   (*list)[(*count)++] = (po_landmark){.kind = kind,
-                                      .approach = approach_of(p),
-                                      .load = load_of(p),
+                                      .approach = e->approach,
+                                      .load = e->load,
                                       .energy = p->energy,
-                                      .approach_error = approach_error(r, p),
-                                      .load_error = load_error(r, p),
-                                      .contact_radius = contact_radius,
+                                      .approach_error = e->approach_error,
+                                      .load_error = e->load_error,
+                                      .contact_radius = e->edge.radius,
+                                      .contact_radius_error = e->edge.error,
+                                      .contact_radius_other = e->edge.other,
                                       .position = p->position,
                                       .unstable_modes = p->unstable_modes};
 }
@@ -180,6 +153,8 @@ static void keep_profile(po_reader *r, const po_branch_point *p) {
   o->profile = profile;
   o->profile_count = 0;
   o->profile_approach = p->approach;
+  const po_contact_gap field = po_contact_gap_of(scene, root_of(r), p);
+  r->status = po_contact_annuli_fill(&field, &o->annuli);
   for (size_t j = 0; j < most; ++j) {
     const double radius = p->gap ? p->node[j] : s->node[j];
     if (radius > s->core_radius)
@@ -190,58 +165,20 @@ static void keep_profile(po_reader *r, const po_branch_point *p) {
   }
 }
 
-/* Follows the minima from wave to wave. Where one more rise would have ended the trace, it tells by
- * how much the minimum of the next wave was short of that. */
-static void note_wave(po_reader *r, double load, double contact_radius) {
-  const double apart = contact_radius - r->wave_radius, rise = load - r->wave_minimum;
-  const bool next = apart > NEXT_WAVE * r->request->scene.wavelength;
-  if (next && r->rises == ENOUGH_RISES - 1 && rise < r->rise)
-    r->margin = fmin(r->margin, (r->rise - rise) / PRELOAD);
-  if (load <= r->pull_off_load) {
-    r->rises = 0;
-    r->rise = 0.0;
-  } else if (next) {
-    r->rises = rise > r->rise ? r->rises + 1 : 0;
-    r->rise = rise;
-  } else if (load >= r->wave_minimum) {
-    return; /* a ripple beside the wave's own minimum */
-  }
-  r->wave_minimum = load;
-  r->wave_radius = contact_radius;
-}
-
-static void note_minimum(po_reader *r, const po_branch_point *p, double contact_radius) {
+static void note_minimum(po_reader *r, const po_branch_point *p, const po_estimate *e) {
   po_outcome *o = r->outcome;
-  const double load = load_of(p);
-  if (!o->has_pull_off || load < r->pull_off_load) {
-    o->has_pull_off = true;
-    r->pull_off_load = load;
-    o->pull_off.force = fabs(load);
-    o->pull_off.approach = approach_of(p);
-    o->pull_off.contact_radius = contact_radius;
-    o->pull_off.force_error = load_error(r, p);
-    o->pull_off.approach_error = approach_error(r, p);
-    if ((r->request->want & PO_WANT_PROFILE) && isnan(r->request->profile_approach))
-      keep_profile(r, p);
-  }
-  note_wave(r, load, contact_radius);
-}
-
-/* Whether the trace may end, at a stable point. A smooth sphere under compression has its one
- * minimum behind it. On a wavy one the minima are what the outer edge of the contact makes as it
- * climbs over one wave after another; they follow the lower edge of the Kesari-Lew envelope, which
- * is convex, so that when those of several waves rose more and more the deepest is behind. But
- * pressed hard enough, grooves within the contact close, and a branch may come back by states that
- * are pulled off harder, up to Guduru's full contact; hence the preload, which is part of what is
- * called the pull-off. tests/unit/test_observe.c traces twice as far. */
-static bool may_end(const po_reader *r, const po_branch_point *p) {
-  const po_outcome *o = r->outcome;
-  if (!isnan(r->request->approach_end) || !o->has_pull_off || p->unstable_modes > 0 ||
-      !is_loaded(r))
-    return false;
-  if (!po_scene_is_wavy(&r->request->scene))
-    return p->load > 0.0;
-  return r->rises >= ENOUGH_RISES || p->load > PRELOAD + o->pull_off.force;
+  if (!po_stopping_note_minimum(&r->stopping, e->load, e->edge.radius))
+    return;
+  o->has_pull_off = true;
+  o->pull_off.force = fabs(e->load);
+  o->pull_off.approach = e->approach;
+  o->pull_off.contact_radius = e->edge.radius;
+  o->pull_off.force_error = e->load_error;
+  o->pull_off.approach_error = e->approach_error;
+  o->pull_off.contact_radius_error = e->edge.error;
+  o->pull_off.contact_radius_other = e->edge.other;
+  if ((r->request->want & PO_WANT_PROFILE) && isnan(r->request->profile_approach))
+    keep_profile(r, p);
 }
 
 static bool is_kept(po_point_kind kind) {
@@ -249,23 +186,11 @@ static bool is_kept(po_point_kind kind) {
          kind == PO_POINT_APPROACH_MIN;
 }
 
-/* Of a scene a little different the trace might have ended at a point where this one just goes on.
- */
-static void note_margin(po_reader *r, const po_branch_point *p) {
-  const po_outcome *o = r->outcome;
-  if (!o->has_pull_off || !po_scene_is_wavy(&r->request->scene))
-    return;
-  if (r->rises >= ENOUGH_RISES) /* it ends where it is stable */
-    r->margin = 0.0;
-  else if (p->unstable_modes == 0)
-    r->margin = fmin(r->margin, (PRELOAD + o->pull_off.force - p->load) / PRELOAD);
-}
-
 po_reader po_reader_begin(const po_request *request, po_outcome *outcome, double deadline) {
   return (po_reader){.request = request,
                      .outcome = outcome,
                      .deadline = deadline,
-                     .margin = 1.0,
+                     .stopping = po_stopping_begin(&request->scene),
                      .path_approach = -INFINITY,
                      .path_load = -INFINITY,
                      .greatest_load = -INFINITY};
@@ -289,9 +214,43 @@ static bool may_go_on(po_reader *r, const po_branch_point *p) {
 
 bool po_reader_visit_back(const po_branch_point *p, void *data) {
   po_reader *r = data;
-  if (may_go_on(r, p))
-    r->status = po_passage_note(r->back, p, approach_error(r, p), load_error(r, p), true);
+  if (may_go_on(r, p)) {
+    const po_estimate e = estimate_of(r, p);
+    r->status = po_passage_note(r->back, p, e.approach_error, e.load_error, true);
+  }
   return r->status != PO_OK;
+}
+
+/* Reads a special point. */
+static void read_landmark(po_reader *r, const po_branch_point *p) {
+  const po_estimate e = estimate_of(r, p);
+  add_landmark(r, p, &e);
+  if (p->kind == PO_POINT_LOAD_MIN)
+    note_minimum(r, p, &e);
+  if (r->keeper && is_kept(p->kind) && !r->keeper->landmark(r->keeper->data, p, r->stopping.margin))
+    r->status = PO_NO_MEMORY;
+}
+
+/* What is diagnosed later. */
+static void keep_for_diagnosis(po_reader *r, const po_branch_point *p) {
+  po_balance_note(r->balance, p);
+  const bool deepest =
+      p->kind == PO_POINT_LOAD_MIN && p->load + p->load_correction == r->stopping.deepest;
+  if (!r->status)
+    r->status = po_kept_note(r->kept, p, deepest);
+}
+
+/* Whether the trace goes on no farther than a point, and why. */
+static bool ends_at(po_reader *r, const po_branch_point *p, double contact_radius) {
+  const po_scene *scene = &r->request->scene;
+  if (!r->status && p->gap && po_observe_is_cut_off(scene, contact_radius, r->surface->core_radius))
+    r->status = po_fail(PO_OUT_OF_DOMAIN,
+                        "the contact radius %.6g reached the end of the meshed surface, %.6g, at "
+                        "approach %.6g",
+                        contact_radius, r->surface->core_radius, p->approach);
+  if (!r->status && isnan(r->request->approach_end) && is_loaded(r))
+    r->outcome->ended.cause = po_stopping_cause(&r->stopping, p);
+  return r->status || r->outcome->ended.cause != PO_END_NONE;
 }
 
 bool po_reader_visit(const po_branch_point *p, void *data) {
@@ -299,8 +258,10 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
   po_outcome *o = r->outcome;
   if (!may_go_on(r, p))
     return true;
-  if (r->out)
-    r->status = po_passage_note(r->out, p, approach_error(r, p), load_error(r, p), false);
+  if (r->out) {
+    const po_estimate e = estimate_of(r, p);
+    r->status = po_passage_note(r->out, p, e.approach_error, e.load_error, false);
+  }
   const double contact_radius = contact_radius_of(r, p);
   follow_loading(r, p, contact_radius);
   if (!r->begun && !(p->approach >= r->begin))
@@ -308,33 +269,18 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
   if (isnan(o->start))
     o->start = p->approach;
   r->begun = true;
-  o->end = p->approach;
+  o->ended.approach = p->approach;
+  o->ended.load = p->load;
   if (r->surface && r->surface->n > r->most_nodes)
     r->most_nodes = r->surface->n;
   add_curve_point(r, p, contact_radius);
   if (p->kind == PO_POINT_STATION && !o->profile && (r->request->want & PO_WANT_PROFILE) &&
       fabs(p->approach - r->request->profile_approach) < SAME_APPROACH)
     keep_profile(r, p);
-  note_margin(r, p);
+  po_stopping_note_point(&r->stopping, p);
   if (p->kind != PO_POINT_STEP && p->kind != PO_POINT_STATION)
-    add_landmark(r, p, contact_radius);
-  if (p->kind == PO_POINT_LOAD_MIN) {
-    note_minimum(r, p, contact_radius);
-  }
-  if (r->keeper && is_kept(p->kind) && !r->keeper->landmark(r->keeper->data, p, r->margin))
-    r->status = PO_NO_MEMORY;
+    read_landmark(r, p);
   if (r->balance)
-    po_balance_note(r->balance, p);
-  if (r->kept && !r->status)
-    r->status =
-        po_kept_note(r->kept, p, p->kind == PO_POINT_LOAD_MIN && load_of(p) == r->pull_off_load);
-  if (!r->status && p->gap && contact_radius > PO_GREATEST_CONTACT * r->surface->core_radius) {
-    if (isinf(r->request->scene.outer_radius))
-      r->status = po_fail(PO_OUT_OF_DOMAIN,
-                          "the contact radius %.6g reached the end of the meshed surface, %.6g, at "
-                          "approach %.6g",
-                          contact_radius, r->surface->core_radius, p->approach);
-    return true; /* a bounded surface is used up */
-  }
-  return r->status || may_end(r, p);
+    keep_for_diagnosis(r, p);
+  return ends_at(r, p, contact_radius);
 }

@@ -4,13 +4,15 @@
 
 #include "po_balance.h"
 #include "po_branch.h"
+#include "po_estimate.h"
 #include "po_kept.h"
 #include "po_outcome.h"
+#include "po_stopping.h"
 
 /* Who keeps minima of the load and folds, for more than the outcome says of them. */
 typedef struct {
   void (*begin)(void *data, double tolerance); /* a trace begins, forget those of others */
-  /* Given: the margin of the reader there. Returned: false: no memory */
+  /* Given: the margin of the stopping rule there. Returned: false: no memory */
   bool (*landmark)(void *data, const po_branch_point *point, double margin);
   void *data;
   bool minima_only; /* nobody asks for the errors of folds */
@@ -26,13 +28,7 @@ typedef struct {
   po_passage *out, *back;  /* landmarks of the way out and back; likewise */
   double begin;            /* points at a smaller approach are not recorded before it is reached */
   bool begun;
-  double pull_off_load; /* the deepest minimum so far */
-  double wave_minimum;  /* of the load in the wave the contact's edge passed last */
-  double wave_radius;   /* contact radius there */
-  double rise;          /* of that minimum from the wave before */
-  int rises;            /* waves since the pull-off whose minima rose more and more */
-  double margin; /* how near the trace has been to its end: what it might have been pressed harder
-                    yet, or a wave's minimum might have risen more, in parts of the preload */
+  po_stopping stopping;
   double path_approach, path_load; /* greatest in loading so far, see po_loop.h; -INFINITY: none */
   double greatest_load;            /* of a stable point under a load so far */
   po_path_point *path;             /* the branch, when hysteresis is wanted; owned */
@@ -56,10 +52,5 @@ bool po_reader_visit(const po_branch_point *point, void *data);
 /* The same on the way back: data is the reader. Ends the trace when stopped, past the deadline, or
  * out of memory. */
 bool po_reader_visit_back(const po_branch_point *point, void *data);
-
-/* Bounds of the errors of a load and of an approach from their estimates and from what an estimate
- * cannot resolve. */
-double po_reader_load_error(const po_request *request, double estimate, double load);
-double po_reader_approach_error(const po_request *request, double estimate, double approach);
 
 #endif

@@ -1,5 +1,6 @@
 /* What is asked: defaults and checks. */
 #include <math.h>
+#include <string.h>
 
 #include "po_outcome.h"
 
@@ -46,4 +47,21 @@ po_status po_request_check(const po_request *request) {
     return po_fail(PO_BAD_INPUT, "time_limit is %g: expected a finite number > 0",
                    request->time_limit);
   return PO_OK;
+}
+
+static const char *const CAUSES[] = {
+    [PO_END_NONE] = "none",   [PO_END_COMPRESSED] = "compressed", [PO_END_PRELOAD] = "preload",
+    [PO_END_WAVES] = "waves", [PO_END_ASKED] = "approach_end",    [PO_END_LOADED] = "loaded"};
+
+const char *po_end_cause_name(po_end_cause cause) {
+  return CAUSES[cause];
+}
+
+bool po_end_cause_find(const char *name, po_end_cause *cause) {
+  for (size_t k = 0; name && k < sizeof CAUSES / sizeof *CAUSES; ++k)
+    if (strcmp(name, CAUSES[k]) == 0) {
+      *cause = (po_end_cause)k;
+      return true;
+    }
+  return false;
 }

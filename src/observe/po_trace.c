@@ -27,9 +27,9 @@ static po_branch_options options_of(const po_request *request, double begin, po_
   options.minima_only = reader->keeper && reader->keeper->minima_only;
   options.end = request->approach_end;
   if (request->want & PO_WANT_HYSTERESIS)
-    options.station = request->preload.approach;
+    options.station[0] = request->preload.approach;
   if (request->want & PO_WANT_PROFILE && !isnan(request->profile_approach))
-    options.station = request->profile_approach;
+    options.station[1] = request->profile_approach;
   options.begin = fmin(request->approach_start, begin);
   if (request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS))
     options.largest_sagitta = CURVE_SAGITTA;
@@ -52,13 +52,11 @@ static void note_work(const po_reader *reader, const po_equilibrium *e, bool pan
   work->kernel_evaluations = reader->surface->kernel_evaluations;
 }
 
-/* Follows the branch back, in as much time as it had out. Status: as of the trace where that is
- * none of the way's own. */
+/* Follows the branch back. Status: of memory and interruption; any other is of the way back, and
+ * noted with it. */
 static po_status trace_back(po_tracker *tracker, po_reader *reader) {
   po_diagnostics *d = &reader->outcome->diagnostics;
   const double begin = po_clock_wall();
-  if (isfinite(reader->deadline))
-    reader->deadline = po_clock_thread() + reader->request->time_limit;
   po_status status = po_track_back(tracker, po_reader_visit_back, reader);
   if (reader->status)
     status = reader->status;
@@ -102,8 +100,9 @@ static po_status trace_elastic(const po_request *request, const po_attempt *a, p
       status = po_branch_trace(e, &options);
       note_work(reader, e, false);
     }
-    if (reader->kept && po_diagnose_states(reader->kept, e, panels, reader->outcome) && !status)
-      status = PO_NO_MEMORY;
+    if (reader->kept && !status)
+      status =
+          po_diagnose_states(request, reader->deadline, reader->kept, e, panels, reader->outcome);
   }
   po_equilibrium_destroy(e);
   return status;
@@ -113,17 +112,23 @@ static po_status trace_elastic(const po_request *request, const po_attempt *a, p
  * attractive term of Eq 23, 8/(3 x^2) where its repulsive term, 2/(3 x^8), is such a push. */
 static const double PUSH_PER_LOAD = 1.1, PUSH_BEYOND_LOAD = 8.0;
 
-/* Where a rigid trace has reached the preload for sure; it pulls with no more than 2. */
+/* Rigid bodies pull with no more than 2 pi w R (Bradley), and a trace that ends by itself is
+ * pressed by no more than pi w R beyond that. */
+static const double GREATEST_LOAD = 3.0;
+
+/* Where a rigid trace is beyond its end for sure. */
 static double rigid_end(const po_request *request) {
   const po_preload *preload = &request->preload;
-  const double load = isnan(preload->load) ? 2.0 : preload->load;
-  return fmax(preload->approach,
-              po_rigid_approach_of_crest(&request->scene, PUSH_PER_LOAD * load + PUSH_BEYOND_LOAD));
+  const bool loads = request->want & PO_WANT_HYSTERESIS;
+  const double load = loads ? fmax(GREATEST_LOAD, preload->load) : GREATEST_LOAD;
+  const double end =
+      po_rigid_approach_of_crest(&request->scene, PUSH_PER_LOAD * load + PUSH_BEYOND_LOAD);
+  return loads ? fmax(end, preload->approach) : end;
 }
 
 static po_status trace_rigid(const po_request *request, po_reader *reader) {
   po_branch_options options = options_of(request, NAN, reader);
-  if (isnan(options.end) && request->want & PO_WANT_HYSTERESIS)
+  if (isnan(options.end))
     options.end = rigid_end(request);
   reader->outcome->rigid = true;
   reader->begun = true;
@@ -199,8 +204,11 @@ po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double 
   status = rigid ? trace_rigid(request, &reader) : trace_elastic(request, a, &reader, panels);
   if (!status)
     status = reader.status;
+  if (!status && outcome->ended.cause == PO_END_NONE)
+    outcome->ended.cause = isnan(request->approach_end) ? PO_END_LOADED : PO_END_ASKED;
   if (!status && !outcome->has_pull_off && isnan(request->approach_end))
-    status = po_fail(PO_NOT_FOUND, "the load has no minimum up to approach %.6g", outcome->end);
+    status = po_fail(PO_NOT_FOUND, "the load has no minimum up to approach %.6g",
+                     outcome->ended.approach);
   if (!status && (request->want & PO_WANT_HYSTERESIS))
     status = read_hysteresis(&reader, a);
 done:

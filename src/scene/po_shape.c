@@ -16,6 +16,14 @@ double po_shape(const po_scene *scene, double r) {
   return gap;
 }
 
+double po_shape_slope(const po_scene *scene, double r) {
+  double slope = r / scene->radius;
+  if (po_scene_is_wavy(scene))
+    slope +=
+        2.0 * M_PI * scene->amplitude / scene->wavelength * sin(2.0 * M_PI * r / scene->wavelength);
+  return slope;
+}
+
 double po_shape_mean(const po_scene *scene, double r) {
   return 0.5 * r * r / scene->radius + scene->amplitude;
 }

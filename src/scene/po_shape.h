@@ -7,7 +7,10 @@
 /* f(r) = r^2/(2R) + A (1 - cos(2 pi r / lambda)), Eq 2. Given: r in eps. Returned: eps. */
 double po_shape(const po_scene *scene, double r);
 
-/* The same with the waviness replaced by its mean over one wavelength: r^2/(2R) + A. */
+/* df/dr. */
+double po_shape_slope(const po_scene *scene, double r);
+
+/* f(r) with the waviness replaced by its mean over one wavelength: r^2/(2R) + A. */
 double po_shape_mean(const po_scene *scene, double r);
 
 /* The first radius >= r (eps) at which averaging over whole waves may begin: a multiple of half the

@@ -44,7 +44,6 @@ typedef struct {
   double *border, *metric, *predicted;   /* n + 1 */
   double step;                           /* arclength to try */
   bool has_previous;
-  bool station_met;
   int unstable_modes;
   size_t points;
   size_t core; /* nodes inside the core radius */
@@ -52,7 +51,7 @@ typedef struct {
 } tracer;
 
 po_branch_options po_branch_options_default(void) {
-  return (po_branch_options){.station = NAN,
+  return (po_branch_options){.station = {NAN, NAN},
                              .end = NAN,
                              .begin = NAN,
                              .largest_sagitta = INFINITY,
@@ -289,7 +288,7 @@ static po_status find_events(tracer *t) {
   const po_interval interval = {.data = t,
                                 .solve = solve_inner,
                                 .keep = keep_inner,
-                                .station = t->station_met ? (double)NAN : t->options->station,
+                                .station = t->options->station,
                                 .end = t->options->end,
                                 .located = LOCATED};
   const po_sample from = sample_of(t, &t->current), to = sample_of(t, &t->next);
@@ -303,7 +302,6 @@ static void visit_step(tracer *t) {
     const branch_point *p = &t->at_event[ev->place];
     const po_point_kind kind = po_event_point(ev);
     t->unstable_modes += po_change_of_modes(kind, p->load_rate);
-    t->station_met = t->station_met || ev->of == PO_AT_STATION;
     visit_point(t, p, kind);
     t->ended = t->ended || ev->of == PO_AT_END;
   }

@@ -39,15 +39,21 @@ typedef struct {
   const double *node; /* n: their radii, eps, ascending; NULL when rigid */
   const double *gap;  /* n: H there */
   const struct po_track_point *track; /* all of it, on panels; else NULL */
+  /* Of a landmark so corrected: the solution that its corrected values are of, and the one on a
+   * finer mesh by which that is judged; else NULL. They hold while the point is visited. */
+  const struct po_track_point *best, *finer;
 } po_branch_point;
 
 /* Told every point in order along the branch; true ends the trace. */
 typedef bool (*po_branch_visit)(const po_branch_point *point, void *data);
 
+enum { PO_STATIONS = 2 };
+
 typedef struct {
-  double station; /* approach at which an exact point is wanted; NAN: none */
-  double end;     /* approach at which the trace ends, if met; NAN: none */
-  double begin;   /* the trace starts here when that is farther out than it needs; NAN: no */
+  /* approaches at which exact points are wanted, each time the branch passes them; NAN: none */
+  double station[PO_STATIONS];
+  double end;   /* approach at which the trace ends, if met; NAN: none */
+  double begin; /* the trace starts here when that is farther out than it needs; NAN: no */
   double largest_sagitta; /* of a step's chord, in the plane of approach and load: how far from the
                              curve a drawing by straight lines may be */
   double largest_miss;    /* likewise of the cubic with the rates at both ends; heeded on panels */

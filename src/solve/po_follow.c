@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "po_clock.h"
 #include "po_corrector.h"
 #include "po_forecast.h"
 #include "po_memory.h"
@@ -197,10 +198,15 @@ static po_status try_step(po_follower *f, double at, bool last, double *error) {
   return PO_OK;
 }
 
-po_status po_follow_to(po_follower *f, double at) {
+po_status po_follow_to(po_follower *f, double at, double deadline) {
   const double whole = at - mark_of(f, 0)->at;
   double left = whole;
   while (left != 0.0) {
+    if (po_clock_thread() > deadline)
+      return po_fail(PO_OUT_OF_TIME,
+                     "the time limit ended the following of the landmark at approach %.6g, load "
+                     "%.6g",
+                     f->value[0], f->value[1]);
     const double most = f->count == 1 ? fmin(f->step, FIRST_STEP * fabs(whole)) : f->step;
     const bool last = fabs(left) <= most;
     const double step = last ? left : copysign(most, left);
@@ -230,8 +236,10 @@ po_branch_point po_follow_point(po_follower *f, bool judged) {
       .point = &mark_of(f, 0)->point, .value = {f->value[0], f->value[1]}, .error = {NAN, NAN}};
   const double enough = f->of == PO_OF_LOAD ? f->options.sharpness * fabs(f->value[1]) : INFINITY;
   const po_refinement how = {f->of, f->slope, enough, {&f->spare, &f->seed}};
-  if (judged && po_refine(&f->c, &f->resolution, &how, &r))
+  if (judged && po_refine(&f->c, &f->resolution, &how, &r)) {
     r.error[0] = r.error[1] = NAN;
+    r.finer = NULL;
+  }
   f->c.trouble = PO_OK;
   const po_track_point *p = r.point;
   const bool rising = f->slope < 0.0;
@@ -248,7 +256,9 @@ po_branch_point po_follow_point(po_follower *f, bool judged) {
                            .n = p->leaves.count * ORDER,
                            .node = p->node,
                            .gap = p->state,
-                           .track = p};
+                           .track = p,
+                           .best = r.finer ? p : NULL,
+                           .finer = r.finer};
 }
 
 double po_follow_root(const po_follower *f) {

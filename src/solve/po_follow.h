@@ -31,9 +31,11 @@ void po_follow_destroy(po_follower *follower);
 po_status po_follow_begin(po_follower *f, const po_track_point *landmark, po_event_kind of,
                           double at);
 
-/* Goes on to a parameter, in as many steps as it takes. Status: PO_NOT_FOUND when the landmark is
- * lost on the way, mostly since it met another and both ended there; PO_OUT_OF_NODES. */
-po_status po_follow_to(po_follower *f, double at);
+/* Goes on to a parameter, in as many steps as it takes, or until the processor time of this thread
+ * (po_clock_thread) is past the deadline, which is looked at before every step; INFINITY: none.
+ * Status: PO_NOT_FOUND when the landmark is lost on the way, mostly since it met another and both
+ * ended there; PO_OUT_OF_NODES; PO_OUT_OF_TIME. */
+po_status po_follow_to(po_follower *f, double at, double deadline);
 
 /* The landmark where the follower is; what it points to holds until the next step. With `judged` it
  * is solved on finer meshes, too, for the errors. */

@@ -29,7 +29,7 @@ static bool move(po_forecast *f, const po_waymark *const *mark, size_t count, bo
   }
   for (size_t i = 0; i < count; ++i) {
     const po_fronts *fronts = &mark[i]->point.fronts;
-    if (all ? fronts->count != latest->count : (fronts->count == 0) != (latest->count == 0))
+    if (all ? fronts->all != latest->all : (fronts->count == 0) != (latest->count == 0))
       break;
     double *back = f->back[f->count];
     for (size_t k = 0; k < f->fronts.count; ++k)

@@ -8,9 +8,11 @@
 
 enum { PO_MOST_FRONTS = 48 };
 
-/* Radii where the gap passes that of the greatest tension, ascending, and how fast they move. */
+/* Radii where the gap passes that of the greatest tension, ascending, and how fast they move: the
+ * outermost ones, where there are more than there is room for. */
 typedef struct {
   size_t count;
+  size_t all;                /* how many such radii there are */
   double at[PO_MOST_FRONTS]; /* eps */
   double rate[PO_MOST_FRONTS];
 } po_fronts;

@@ -28,7 +28,8 @@ static const double BESIDE_BIRTH_WAY = 0.03;
 static double event_value(const po_interval *interval, po_event_kind of, const po_sample *s) {
   if (of <= PO_OF_LOAD)
     return s->rate[of];
-  return s->value[PO_OF_APPROACH] - (of == PO_AT_STATION ? interval->station : interval->end);
+  const double at = of == PO_AT_END ? interval->end : interval->station[of - PO_AT_STATION];
+  return s->value[PO_OF_APPROACH] - at;
 }
 
 /* Whether two extrema of a quantity hide between two samples, by the cubic between them, or might:

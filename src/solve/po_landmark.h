@@ -7,7 +7,12 @@
 #include "po_branch.h"
 #include "po_status.h"
 
-typedef enum { PO_OF_APPROACH, PO_OF_LOAD, PO_AT_STATION, PO_AT_END } po_event_kind;
+typedef enum {
+  PO_OF_APPROACH,
+  PO_OF_LOAD,
+  PO_AT_STATION, /* the first of PO_STATIONS */
+  PO_AT_END = PO_AT_STATION + PO_STATIONS,
+} po_event_kind;
 
 /* A point as a function of a parameter that grows along the branch: approach and load, and their
  * rates per parameter. */
@@ -36,7 +41,8 @@ typedef struct {
   void *data;
   po_status (*solve)(void *data, double at, po_sample *sample); /* the equilibrium there */
   void (*keep)(void *data, size_t place); /* keeps the one last solved, in place of an earlier */
-  double station, end;                    /* approaches; NAN: none */
+  const double *station;                  /* approaches, PO_STATIONS of them; NAN: none */
+  double end;                             /* likewise */
   double located;                         /* error of the parameter at an event */
 } po_interval;
 

@@ -58,7 +58,7 @@ static bool drop_tightest(po_prediction *p) {
 static void pair(po_prediction *p) {
   const po_track_point *a = p->a, *b = p->b;
   p->fronts = a->fronts;
-  p->paired = b && b->fronts.count == a->fronts.count;
+  p->paired = b && b->fronts.all == a->fronts.all;
   if (!p->paired)
     return;
   p->rate_b = po_gauge_along(a->rate, b->rate);

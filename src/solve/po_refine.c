@@ -107,9 +107,8 @@ po_status po_refine_locate(po_corrector *c, const po_track_point *from, po_event
   return PO_NOT_CONVERGED;
 }
 
-/* A bound of the error of a landmark's value that a finer mesh changed so much. */
-static double error_of(const po_corrector *c, double change, double value) {
-  return SAFETY * fabs(change) + FLOOR * c->e->precision * (1.0 + fabs(value));
+double po_refine_error(double precision, double change, double value) {
+  return SAFETY * fabs(change) + FLOOR * precision * (1.0 + fabs(value));
 }
 
 /* Solves a landmark on a finer mesh. Returned: it in finer, its approach and load in value, and the
@@ -127,7 +126,8 @@ static po_status solve_finer(po_corrector *c, const po_resolution *resolution,
   double slope = how->slope;
   status = po_refine_locate(c, r->point, how->of, &slope, finer, value);
   for (int q = 0; q < 2 && !status; ++q)
-    r->error[q] = error_of(c, value[q] - r->value[q], r->value[q]);
+    r->error[q] = po_refine_error(c->e->precision, value[q] - r->value[q], r->value[q]);
+  r->finer = status ? NULL : finer;
   return status;
 }
 

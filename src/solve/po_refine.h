@@ -6,10 +6,15 @@
 #include "po_landmark.h"
 #include "po_resolution.h"
 
+/* A bound of the error of a value that a finer mesh changed so much, where Newton's iteration has a
+ * precision (see po_equilibrium). */
+double po_refine_error(double precision, double change, double value);
+
 /* A landmark with its errors. */
 typedef struct {
   const po_track_point *point; /* the one given, or one of the spares */
   double value[2], error[2];   /* of approach and load: bounds, estimated */
+  const po_track_point *finer; /* the one of the spares that it was judged by */
 } po_refined;
 
 /* What a landmark is judged by. */

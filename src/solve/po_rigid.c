@@ -4,6 +4,7 @@
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_roots.h>
 #include <math.h>
+#include <stdlib.h>
 
 #include "po_join.h"
 #include "po_law.h"
@@ -24,10 +25,7 @@ enum { INTERVALS = 200 };
 /* Steps in x = 1 - approach, the distance from the centre's core. */
 static const double STEP_RATIO = 0.97;
 
-/* Load of the central crest at which the trace ends when it has no other end: all the rest of the
- * surface pulls with at most 2, Bradley's pull-off. */
-static const double CENTRE_LOAD = 4.0;
-/* Or here at the latest: crests as sharp as you like repel by more than that long before. */
+/* How near the bodies come at most: crests as sharp as you like repel long before. */
 static const double NEAREST = 1e-3;
 
 bool po_rigid_suffices(const po_scene *scene) {
@@ -252,34 +250,42 @@ static double extremum(rigid_tracer *t, double low, double high) {
 
 double po_rigid_approach_of_crest(const po_scene *scene, double load) {
   const double crest = 1.0 / (1.0 + 4.0 * M_PI * M_PI * po_scene_alpha(scene));
-  return 1.0 - pow(2.0 * crest / (3.0 * load), 0.125);
+  return 1.0 - fmax(NEAREST, pow(2.0 * crest / (3.0 * load), 0.125));
+}
+
+/* What lies between two points. */
+typedef struct {
+  double approach;
+  po_point_kind kind;
+} between;
+
+static int by_approach(const void *left, const void *right) {
+  const double a = ((const between *)left)->approach, b = ((const between *)right)->approach;
+  return (a > b) - (a < b);
 }
 
 /* Visits what lies between two points, in order. */
 static void visit_between(rigid_tracer *t, const po_branch_point *from, const po_branch_point *to) {
-  double at[2] = {NAN, NAN};
-  const po_point_kind kind[2] = {PO_POINT_STATION,
-                                 from->load_rate < 0.0 ? PO_POINT_LOAD_MIN : PO_POINT_LOAD_MAX};
-  const double station = t->options->station;
-  if (station > from->approach && station <= to->approach)
-    at[0] = station;
+  between found[PO_STATIONS + 1];
+  size_t count = 0;
+  for (size_t k = 0; k < PO_STATIONS; ++k) {
+    const double station = t->options->station[k];
+    if (station > from->approach && station <= to->approach)
+      found[count++] = (between){station, PO_POINT_STATION};
+  }
   if (from->load_rate * to->load_rate < 0.0)
-    at[1] = extremum(t, from->approach, to->approach);
-  const int first = at[1] < at[0]; /* false when either is NaN */
-  for (int k = 0; k < 2; ++k) {
-    const int i = first ? 1 - k : k;
-    if (isnan(at[i]))
-      continue;
-    const po_branch_point point = solve(t, at[i], kind[i]);
+    found[count++] = (between){extremum(t, from->approach, to->approach),
+                               from->load_rate < 0.0 ? PO_POINT_LOAD_MIN : PO_POINT_LOAD_MAX};
+  qsort(found, count, sizeof *found, by_approach);
+  for (size_t k = 0; k < count; ++k) {
+    const po_branch_point point = solve(t, found[k].approach, found[k].kind);
     visit(t, &point);
   }
 }
 
 po_status po_rigid_trace(const po_scene *scene, double begin, const po_branch_options *options) {
   rigid_tracer t = {.scene = scene, .options = options, .begin = begin};
-  const double end = isnan(options->end)
-                         ? fmin(po_rigid_approach_of_crest(scene, CENTRE_LOAD), 1.0 - NEAREST)
-                         : options->end;
+  const double end = options->end;
   if (!(end < 1.0))
     return po_fail(PO_BAD_INPUT, "approach_end is %g: rigid bodies cannot come closer than 1", end);
   po_branch_point from = solve(&t, begin, PO_POINT_STEP);

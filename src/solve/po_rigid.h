@@ -22,12 +22,12 @@ po_status po_rigid_load(const po_scene *scene, double approach, double *load, do
 po_status po_rigid_energy(const po_scene *scene, double approach, double *energy);
 
 /* Approach at which the central crest, of radius R/(1 + 4 pi^2 alpha) (Eq 18), pushes with `load`:
- * the repulsive term of Eq 23. */
+ * the repulsive term of Eq 23; at most 1 - 1e-3. */
 double po_rigid_approach_of_crest(const po_scene *scene, double load);
 
-/* Visits the loading curve as po_branch_trace does: points, extrema of the load, station and end;
- * without an end, until the central crest alone pushes harder than all else can pull. gap and
- * traction of the points are NULL: the gap is shape - approach. `begin`: first approach, eps. */
+/* Visits the loading curve as po_branch_trace does: points, extrema of the load, stations and end.
+ * gap and traction of the points are NULL: the gap is shape - approach. Given: the first approach,
+ * eps; options with an end below 1. Status: PO_BAD_INPUT. */
 po_status po_rigid_trace(const po_scene *scene, double begin, const po_branch_options *options);
 
 #endif

@@ -106,7 +106,7 @@ po_status po_track_back(po_tracker *t, po_branch_visit visit_back, void *data) {
   t->c.trouble = PO_OK;
   t->options.visit = visit_back;
   t->options.data = data;
-  t->options.station = t->options.end = NAN;
+  t->options.station[0] = t->options.station[1] = t->options.end = NAN;
   t->step = FIRST_STEP;
   t->has_previous = t->ended = false;
   t->back = true;

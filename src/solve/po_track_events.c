@@ -48,7 +48,7 @@ po_status po_track_find_events(po_tracker *t) {
   const po_interval interval = {.data = t,
                                 .solve = solve_inner,
                                 .keep = keep_inner,
-                                .station = t->station_met ? (double)NAN : t->options.station,
+                                .station = t->options.station,
                                 .end = t->options.end,
                                 .located = LOCATED};
   const po_sample from = po_track_sample(&t->current, &t->current),
@@ -101,6 +101,8 @@ static void judge(po_tracker *t, const po_event *ev, po_branch_point *point) {
     point->load_correction = r.value[1] - point->load;
     point->approach_error = r.error[0] + LOCATED * fabs(point->approach_rate);
     point->load_error = r.error[1] + LOCATED * fabs(point->load_rate);
+    point->best = r.point;
+    point->finer = r.finer;
   }
   point->unmet = status == PO_NOT_CONVERGED && !t->c.trouble;
   t->c.trouble = PO_OK; /* a mesh too fine for the estimate is no trouble for the trace */
@@ -133,7 +135,6 @@ void po_track_visit_step(po_tracker *t) {
     t->unstable_modes += po_change_of_modes(kind, p->load_rate);
     if (is_beyond(t, ev))
       continue;
-    t->station_met = t->station_met || ev->of == PO_AT_STATION;
     if (ev->of <= PO_OF_LOAD)
       visit_landmark(t, ev);
     else

@@ -18,7 +18,7 @@ struct po_tracker {
   po_events events;
   double step;
   double inner_at; /* of the point in inner, solved on the mesh in force; NAN: none */
-  bool has_previous, station_met, ended;
+  bool has_previous, ended;
   bool back;       /* on the way back */
   int beyond;      /* landmarks of the last step that lie beyond the end */
   double farthest; /* least gap where the branch began */

@@ -65,15 +65,6 @@ static void differentiate(const po_panel_rule *rule, const double *value, double
   }
 }
 
-/* Slope of the undeformed gap. */
-static double shape_slope(const po_scene *scene, double r) {
-  double slope = r / scene->radius;
-  if (po_scene_is_wavy(scene))
-    slope +=
-        2.0 * M_PI * scene->amplitude / scene->wavelength * sin(2.0 * M_PI * r / scene->wavelength);
-  return slope;
-}
-
 po_track_value po_track_value_at(const po_track_point *p, const po_scene *scene, double root,
                                  double r) {
   const po_panel_rule *rule = &po_panel_table_get()->rule;
@@ -82,7 +73,7 @@ po_track_value po_track_value_at(const po_track_point *p, const po_scene *scene,
   const double begin = po_leaf_begin(p->leaves.leaf[k]), size = po_leaf_size(p->leaves.leaf[k]);
   double weight[ORDER];
   po_lagrange(ORDER, rule->node, rule->barycentric, (x - begin) / size, weight);
-  po_track_value v = {po_shape(scene, r), shape_slope(scene, r), 0.0};
+  po_track_value v = {po_shape(scene, r), po_shape_slope(scene, r), 0.0};
   for (size_t j = 0; j < ORDER; ++j) {
     v.gap += weight[j] * p->deflection[k * ORDER + j];
     v.slope += weight[j] * p->slope[k * ORDER + j];
@@ -109,12 +100,25 @@ static void add_front(po_track_point *p, const po_scene *scene, double root, dou
   ++p->fronts.count;
 }
 
+/* From the outside inwards: the outermost edges are those that move. */
 static void find_fronts(po_track_point *p, const po_scene *scene, const po_surface *s) {
-  p->fronts.count = 0;
-  for (size_t j = 1; j < p->leaves.count * ORDER && p->fronts.count < PO_MOST_FRONTS; ++j) {
+  po_fronts *fronts = &p->fronts;
+  fronts->count = fronts->all = 0;
+  for (size_t j = p->leaves.count * ORDER; --j > 0;) {
     const double left = p->state[j - 1] - PO_LAW_PEAK_GAP, right = p->state[j] - PO_LAW_PEAK_GAP;
-    if ((left < 0.0) != (right < 0.0))
+    if ((left < 0.0) == (right < 0.0))
+      continue;
+    if (fronts->count < PO_MOST_FRONTS)
       add_front(p, scene, s->core_radius, s->node[j - 1], s->node[j]);
+    ++fronts->all;
+  }
+  for (size_t k = 0; 2 * k + 1 < fronts->count; ++k) { /* ascending */
+    const size_t other = fronts->count - 1 - k;
+    const double at = fronts->at[k], rate = fronts->rate[k];
+    fronts->at[k] = fronts->at[other];
+    fronts->rate[k] = fronts->rate[other];
+    fronts->at[other] = at;
+    fronts->rate[other] = rate;
   }
 }
 
@@ -161,7 +165,7 @@ double po_track_way(const po_track_point *from, const po_track_point *to) {
 po_sample po_track_sample(const po_track_point *from, const po_track_point *p) {
   const double per_distance = 1.0 / po_gauge_along(from->rate, p->rate);
   return (po_sample){.at = po_track_progress(from, p),
-                     .fronts = p->fronts.count,
+                     .fronts = p->fronts.all,
                      .value = {p->state[p->n], p->load},
                      .rate = {p->tangent[p->n] * per_distance, p->load_rate * per_distance}};
 }

@@ -51,7 +51,7 @@ static po_status guess_from_solved(po_tracker *t, const po_track_point *out) {
 
 /* Whether panels that move with the coordinates follow all fronts. */
 static bool all_move(const po_tracker *t, const po_prediction *p) {
-  return p->fronts.count == t->current.fronts.count;
+  return p->fronts.count == t->current.fronts.all;
 }
 
 static double guessed_excess(const po_tracker *t) {

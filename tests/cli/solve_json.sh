@@ -20,7 +20,9 @@ assert d["input"]["outer_radius"] == "inf" and d["input"]["nodes"] == 101
 p = d["pull_off"]
 assert abs(p["force"] - 1.67067) < 1e-3 and abs(p["approach"] + 0.8734) < 2e-3
 assert set(p) == {"force", "approach", "contact_radius", "error_estimate",
-                  "approach_error_estimate"}
+                  "approach_error_estimate", "contact_radius_error_estimate", "contact_radius_other"}
+assert set(d["ended"]) == {"why", "approach", "load"} and d["ended"]["why"] == "compressed"
+assert d["ended"]["approach"] == d["end"] and d["ended"]["load"] > 0
 assert [f["kind"] for f in d["folds"]] == ["jump_in", "jump_out"]
 assert [e["kind"] for e in d["extrema"]] == ["minimum"]
 assert set(d["folds"][0]) >= {"approach", "load", "energy", "kind", "contact_radius", "unstable_modes"}

@@ -158,7 +158,7 @@ END_TEST
 
 START_TEST(folds_one_by_one) {
   load("folds", "table.csv", "1e-3", "abs");
-  const po_outcome outcome = {.start = -10, .end = 2, .folds = FOLDS, .fold_count = 2};
+  const po_outcome outcome = {.start = -10, .ended.approach = 2, .folds = FOLDS, .fold_count = 2};
   compare(0, &outcome);
   ck_assert_uint_eq(results.count, 5); /* the number, then approach and load of each */
   for (size_t i = 0; i < 5; ++i)
@@ -173,12 +173,12 @@ END_TEST
 
 START_TEST(missing_and_spurious_landmarks_are_named) {
   load("folds", "table.csv", "1e-3", "abs");
-  const po_outcome none = {.start = -10, .end = 2};
+  const po_outcome none = {.start = -10, .ended.approach = 2};
   compare(0, &none);
   ck_assert_int_eq(results.items[0].verdict, PO_OUTSIDE);
   ck_assert_ptr_nonnull(strstr(results.items[0].note, "missing jump_"));
   po_landmark three[] = {FOLDS[0], FOLDS[1], {.kind = PO_JUMP_IN, .approach = 0.5, .load = 1}};
-  const po_outcome more = {.start = -10, .end = 2, .folds = three, .fold_count = 3};
+  const po_outcome more = {.start = -10, .ended.approach = 2, .folds = three, .fold_count = 3};
   compare(0, &more);
   ck_assert_int_eq(results.items[1].verdict, PO_OUTSIDE);
   ck_assert_str_eq(results.items[1].note,
@@ -189,7 +189,8 @@ END_TEST
 START_TEST(landmarks_beyond_the_trace_are_not_asked_for) {
   load("extrema", "table.csv", "1e-3", "abs");
   po_landmark minimum = {.kind = PO_MINIMUM, .approach = -0.9, .load = -1.67};
-  const po_outcome outcome = {.start = -10, .end = 2, .extrema = &minimum, .extremum_count = 1};
+  const po_outcome outcome = {
+      .start = -10, .ended.approach = 2, .extrema = &minimum, .extremum_count = 1};
   compare(0, &outcome);
   ck_assert_uint_eq(results.count, 3);
   for (size_t i = 0; i < 3; ++i)
@@ -211,7 +212,7 @@ static po_landmark LATER_FOLDS[] = {
 START_TEST(folds_beyond_the_end_of_the_list) {
   write_table("", COMPLETE_ROWS);
   load("folds", "table.csv", "1e-3", "abs");
-  po_outcome outcome = {.start = -10, .end = 2, .folds = LATER_FOLDS, .fold_count = 4};
+  po_outcome outcome = {.start = -10, .ended.approach = 2, .folds = LATER_FOLDS, .fold_count = 4};
   compare(0, &outcome);
   ck_assert_uint_eq(results.count, 5);
   for (size_t i = 0; i < 5; ++i)
@@ -235,7 +236,8 @@ END_TEST
 START_TEST(the_last_of_the_list_lies_beyond_its_end) {
   write_table("", COMPLETE_ROWS);
   load("folds", "table.csv", "1e-3", "abs");
-  const po_outcome outcome = {.start = -10, .end = 2, .folds = LATER_FOLDS, .fold_count = 3};
+  const po_outcome outcome = {
+      .start = -10, .ended.approach = 2, .folds = LATER_FOLDS, .fold_count = 3};
   compare(1, &outcome); /* tabor 2: complete to -1.65, one fold, at -1.6 */
   ck_assert_uint_eq(results.count, 1);
   ck_assert_double_eq(results.items[0].expected, 1);
@@ -251,14 +253,16 @@ START_TEST(extrema_beyond_the_end_of_the_list) {
                            {.kind = PO_MAXIMUM, .approach = 0.31, .load = -0.2},
                            {.kind = PO_MINIMUM, .approach = 0.43, .load = -0.3},
                            {.kind = PO_MAXIMUM, .approach = 0.1, .load = -0.1}};
-  const po_outcome longer = {.start = -10, .end = 2, .extrema = extrema, .extremum_count = 4};
+  const po_outcome longer = {
+      .start = -10, .ended.approach = 2, .extrema = extrema, .extremum_count = 4};
   compare(0, &longer);
   ck_assert_uint_eq(results.count, 5);
   for (size_t i = 0; i < 5; ++i)
     ck_assert_int_eq(results.items[i].verdict, PO_WITHIN);
 
   /* ours ends before the reference's maximum: that is not asked for */
-  const po_outcome shorter = {.start = -10, .end = 0.3, .extrema = extrema, .extremum_count = 1};
+  const po_outcome shorter = {
+      .start = -10, .ended.approach = 0.3, .extrema = extrema, .extremum_count = 1};
   compare(0, &shorter);
   ck_assert_uint_eq(results.count, 8);
   ck_assert_double_eq(results.items[5].expected, 1);
@@ -266,7 +270,8 @@ START_TEST(extrema_beyond_the_end_of_the_list) {
     ck_assert_int_eq(results.items[i].verdict, PO_WITHIN);
 
   /* ours went past it without finding it */
-  const po_outcome blind = {.start = -10, .end = 2, .extrema = extrema, .extremum_count = 1};
+  const po_outcome blind = {
+      .start = -10, .ended.approach = 2, .extrema = extrema, .extremum_count = 1};
   compare(0, &blind);
   ck_assert_int_eq(results.items[8].verdict, PO_OUTSIDE);
   ck_assert_str_eq(results.items[8].note,
@@ -277,7 +282,7 @@ END_TEST
 START_TEST(fold_count_up_to_the_end_of_the_list) {
   write_table("", COMPLETE_ROWS);
   load("fold_count", "table.csv", "0.5", "abs");
-  po_outcome outcome = {.start = -10, .end = 2, .folds = LATER_FOLDS, .fold_count = 4};
+  po_outcome outcome = {.start = -10, .ended.approach = 2, .folds = LATER_FOLDS, .fold_count = 4};
   compare(0, &outcome);
   ck_assert_uint_eq(results.count, 1);
   ck_assert_double_eq(results.items[0].obtained, 2);
@@ -291,7 +296,7 @@ END_TEST
 
 START_TEST(a_scene_the_reference_does_not_know) {
   load("folds", "table.csv", "1e-3", "abs");
-  const po_outcome outcome = {.start = -10, .end = 2, .folds = FOLDS, .fold_count = 2};
+  const po_outcome outcome = {.start = -10, .ended.approach = 2, .folds = FOLDS, .fold_count = 2};
   compare(1, &outcome);
   ck_assert_uint_eq(results.count, 1);
   ck_assert_int_eq(results.items[0].verdict, PO_MISSING_REFERENCE);
@@ -302,7 +307,7 @@ END_TEST
 START_TEST(a_scene_the_headers_exclude) {
   write_table("# outer_radius: 100\n", ROWS);
   load("folds", "table.csv", "1e-3", "abs");
-  const po_outcome outcome = {.start = -10, .end = 2, .folds = FOLDS, .fold_count = 2};
+  const po_outcome outcome = {.start = -10, .ended.approach = 2, .folds = FOLDS, .fold_count = 2};
   compare(0, &outcome);
   ck_assert_uint_eq(results.count, 1);
   ck_assert_int_eq(results.items[0].verdict, PO_MISSING_REFERENCE);
@@ -373,7 +378,7 @@ START_TEST(curve_of_the_closed_form) {
                                 .approach_rate = 1,
                                 .load_rate = 16 / 3.0 * (pow(x, -9) - pow(x, -3))};
   }
-  po_outcome outcome = {.start = -6, .end = 0.2, .curve = curve, .curve_count = N};
+  po_outcome outcome = {.start = -6, .ended.approach = 0.2, .curve = curve, .curve_count = N};
   compare(0, &outcome);
   ck_assert_int_eq(results.items[0].verdict, PO_WITHIN);
   for (int i = 0; i < N; ++i)

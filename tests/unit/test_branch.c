@@ -44,7 +44,7 @@ static seen trace(double tabor, size_t nodes, double outer, double station) {
   po_branch_options options = po_branch_options_default();
   options.visit = look;
   options.data = &s;
-  options.station = station;
+  options.station[0] = station;
   ck_assert_int_eq(po_branch_trace(e, &options), PO_OK);
   po_equilibrium_destroy(e);
   po_surface_destroy(surface);

@@ -119,7 +119,7 @@ START_TEST(folds_followed_are_those_of_traces) {
   for (size_t j = 0; j < f.count; ++j) {
     ck_assert_int_eq(po_follow_begin(follower, &f.point[j], PO_OF_APPROACH, l->from), PO_OK);
     for (int k = 0; k < 3; ++k) {
-      ck_assert_int_eq(po_follow_to(follower, l->to[k]), PO_OK);
+      ck_assert_int_eq(po_follow_to(follower, l->to[k], INFINITY), PO_OK);
       const po_branch_point p = po_follow_point(follower, true);
       const po_landmark *expected = &traced[k].folds[j];
       ck_assert_int_eq(p.kind, f.kind[j]);
@@ -149,8 +149,8 @@ START_TEST(folds_that_meet_are_lost) {
   po_follower *follower = follower_of(&LINE);
   for (size_t j = 0; j < f.count; ++j) {
     ck_assert_int_eq(po_follow_begin(follower, &f.point[j], PO_OF_APPROACH, LINE.from), PO_OK);
-    ck_assert_int_eq(po_follow_to(follower, LINE.to[0]), PO_OK);
-    ck_assert_int_eq(po_follow_to(follower, LINE.to[1]), PO_NOT_FOUND);
+    ck_assert_int_eq(po_follow_to(follower, LINE.to[0], INFINITY), PO_OK);
+    ck_assert_int_eq(po_follow_to(follower, LINE.to[1], INFINITY), PO_NOT_FOUND);
     po_track_point_free(&f.point[j]);
   }
   po_follow_destroy(follower);

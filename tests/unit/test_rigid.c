@@ -97,7 +97,7 @@ START_TEST(trace_finds_pull_off_and_station) {
   po_branch_options options = po_branch_options_default();
   options.visit = look;
   options.data = &s;
-  options.station = -0.7;
+  options.station[0] = -0.7;
   options.end = 0.385;
   ck_assert_int_eq(po_rigid_trace(&scene, -5.0, &options), PO_OK);
   ck_assert_int_eq(s.minima, 1);

@@ -1,0 +1,50 @@
+#include "po_estimate.h"
+
+#include <math.h>
+
+#include "po_observe_parts.h"
+
+/* Relative to the tolerance: errors of the load, of the approach and of the gap that halving the
+ * panels does not show. On random scenes at 1e-4 errors of the load of 3e-6 and of the approach of
+ * 1e-7 occur. */
+static const double UNSEEN_LOAD = 3e-2, UNSEEN_APPROACH = 2e-3, UNSEEN_GAP = 2e-3;
+
+double po_estimate_load_error(const po_request *request, double change, double load) {
+  return change + UNSEEN_LOAD * request->mesh.tolerance * (1.0 + fabs(load));
+}
+
+double po_estimate_approach_error(const po_request *request, double change, double approach) {
+  return change + UNSEEN_APPROACH * request->mesh.tolerance * (1.0 + fabs(approach));
+}
+
+static po_contact_edge edge_on_panels(const po_request *request, double root,
+                                      const po_branch_point *p) {
+  const po_contact_gap best = po_contact_gap_on_panels(&request->scene, root, p->best);
+  const po_contact_gap finer = po_contact_gap_on_panels(&request->scene, root, p->finer);
+  const double tolerance = request->mesh.tolerance;
+  const po_contact_doubt doubt = {&finer, po_observe_precision(tolerance),
+                                  UNSEEN_GAP * tolerance * (1.0 + fabs(best.approach))};
+  return po_contact_estimate(&best, &doubt);
+}
+
+static po_contact_edge edge_of(const po_request *request, double root, const po_branch_point *p) {
+  if (p->finer)
+    return edge_on_panels(request, root, p);
+  const po_contact_gap gap = po_contact_gap_of(&request->scene, root, p);
+  if (!p->gap && isfinite(p->approach_error)) /* rigid: the gap errs as the approach */
+    return po_contact_estimate(&gap, &(po_contact_doubt){.constant = p->approach_error});
+  return (po_contact_edge){po_contact_radius(&gap), NAN, NAN};
+}
+
+po_estimate po_estimate_of(const po_request *request, double root, const po_branch_point *p) {
+  po_estimate e = {.approach = p->approach + p->approach_correction,
+                   .load = p->load + p->load_correction,
+                   .approach_error = p->approach_error,
+                   .load_error = p->load_error,
+                   .edge = edge_of(request, root, p)};
+  if (p->gap) { /* not rigid */
+    e.approach_error = po_estimate_approach_error(request, p->approach_error, e.approach);
+    e.load_error = po_estimate_load_error(request, p->load_error, e.load);
+  }
+  return e;
+}

@@ -1,0 +1,24 @@
+/* What is stated of a special point of a branch: its values as well as they are known, and bounds
+ * of their errors. */
+#ifndef PO_ESTIMATE_H
+#define PO_ESTIMATE_H
+
+#include "po_branch.h"
+#include "po_contact.h"
+#include "po_outcome.h"
+
+typedef struct {
+  double approach, load;             /* eps; pi w R */
+  double approach_error, load_error; /* bounds; NaN: not estimated */
+  po_contact_edge edge; /* the outermost contact edge, its error NaN where it was not estimated */
+} po_estimate;
+
+/* Given: the radius of the panels' root, for panels only; a special point while it is visited. */
+po_estimate po_estimate_of(const po_request *request, double root, const po_branch_point *point);
+
+/* Bounds of the errors of a load and of an approach on panels, from what a finer mesh changes and
+ * from what it cannot show. */
+double po_estimate_load_error(const po_request *request, double change, double load);
+double po_estimate_approach_error(const po_request *request, double change, double approach);
+
+#endif

@@ -1,0 +1,48 @@
+/* The stopping rule: when the trace of a branch has found what is called its pull-off, and ends.
+ *
+ * A smooth sphere: at a stable equilibrium under a compressive load, beyond a minimum of the load:
+ * it has one.
+ *
+ * A wavy sphere: at a stable equilibrium beyond a minimum of the load, where
+ * - the compressive load exceeds the deepest pull so far by pi w R, as in a test that presses a
+ *   little harder than it then pulls, or
+ * - the minima of two successive waves since the deepest rose by more each time.
+ * The minima are what the outer contact edge makes as it passes one wave after another; they follow
+ * the lower edge of the Kesari-Lew envelope, which is convex, so that where those of several waves
+ * rose by more each time the deepest is behind. But pressed hard enough, grooves within the contact
+ * close, and a branch may come back by states that are pulled off harder, up to Guduru's full
+ * contact: minima beyond the end of the trace are not looked for. */
+#ifndef PO_STOPPING_H
+#define PO_STOPPING_H
+
+#include <stdbool.h>
+
+#include "po_branch.h"
+#include "po_outcome.h"
+#include "po_scene.h"
+
+typedef struct {
+  const po_scene *scene;
+  bool has_minimum;
+  double deepest;      /* load of the deepest minimum so far */
+  double wave_minimum; /* of the load in the wave that the outer contact edge passed last */
+  double wave_radius;  /* contact radius there */
+  double rise;         /* of that minimum from the one of the wave before */
+  int rises;           /* waves since the deepest whose minima rose by more each time */
+  double margin; /* how near the trace has been to its end, relative to pi w R: what it might have
+                    been pressed harder yet, or a wave's minimum might have risen more; at most 1 */
+} po_stopping;
+
+po_stopping po_stopping_begin(const po_scene *scene);
+
+/* Takes note of a minimum of the load. Given: load, contact radius. Returned: whether it is the
+ * deepest so far. */
+bool po_stopping_note_minimum(po_stopping *stopping, double load, double contact_radius);
+
+/* Takes note of a point for the margin. */
+void po_stopping_note_point(po_stopping *stopping, const po_branch_point *point);
+
+/* Why a trace may end at a point; PO_END_NONE: it may not. */
+po_end_cause po_stopping_cause(const po_stopping *stopping, const po_branch_point *point);
+
+#endif

@@ -1,0 +1,187 @@
+/* Contact edges and annuli: where they are, how much they err, and a crest at the threshold. */
+#include <math.h>
+
+#include "po_contact.h"
+#include "po_law.h"
+#include "po_outcome.h"
+#include "po_shape.h"
+#include "run.h"
+
+/* The gaps of a mesh that stays, on a half-space: radii between nodes are linear. */
+static po_contact_gap gap_on_nodes(const po_scene *flat, size_t n, const double *node,
+                                   const double *gap) {
+  const po_branch_point point = {.n = n, .node = node, .gap = gap};
+  return po_contact_gap_of(flat, NAN, &point);
+}
+
+static po_scene flat_scene(void) {
+  return (po_scene){1.0, 0.0, 0.0, 1e30, INFINITY};
+}
+
+START_TEST(radius_is_where_the_tension_is_greatest) {
+  const double node[4] = {0.0, 1.0, 2.0, 3.0};
+  const double gap[4] = {0.0, 0.9, PO_LAW_PEAK_GAP - 0.1,
+                         PO_LAW_PEAK_GAP + 0.3}; /* a groove at 1 */
+  const po_scene flat = flat_scene();
+  po_contact_gap g = gap_on_nodes(&flat, 4, node, gap);
+  ck_assert_double_eq_tol(po_contact_radius(&g), 2.25, 1e-14);
+  const double open[2] = {0.3, 0.9}, closed[2] = {-0.3, 0.1};
+  g = gap_on_nodes(&flat, 2, node, open);
+  ck_assert_double_eq(po_contact_radius(&g), 0.0);
+  g = gap_on_nodes(&flat, 2, node, closed); /* as far as the surface goes */
+  ck_assert_double_eq(po_contact_radius(&g), 1.0);
+}
+END_TEST
+
+START_TEST(annuli_are_where_the_gap_is_small) {
+  const double node[] = {0.5, 1.0, 2.0, 3.5, 4.0, 5.0};
+  const double gap[] = {-0.1, 0.3, 0.1, -0.2, 0.2, 0.6};
+  const po_scene flat = flat_scene();
+  po_contact_gap g = gap_on_nodes(&flat, 6, node, gap);
+  po_contact_annuli a = {0};
+  ck_assert_int_eq(po_contact_annuli_fill(&g, &a), PO_OK);
+  ck_assert_uint_eq(a.compressed_count, 2);
+  ck_assert_double_eq(a.compressed[0].inner, 0.0);
+  ck_assert_double_eq_tol(a.compressed[0].outer, 0.625, 1e-15);
+  ck_assert_double_eq_tol(a.compressed[1].inner, 2.5, 1e-15);
+  ck_assert_double_eq_tol(a.compressed[1].outer, 3.75, 1e-15);
+  ck_assert_uint_eq(a.held_count, 2); /* the gap is 0.3 at radius 1 */
+  const double shallow[] = {-0.1, 0.1, 0.1, -0.2, 0.2, 0.6};
+  g = gap_on_nodes(&flat, 6, node, shallow);
+  ck_assert_int_eq(po_contact_annuli_fill(&g, &a), PO_OK); /* filled again */
+  ck_assert_uint_eq(a.held_count, 1);                      /* no groove left */
+  const double at_end[] = {0.3, 0.1};
+  g = gap_on_nodes(&flat, 2, node, at_end);
+  ck_assert_int_eq(po_contact_annuli_fill(&g, &a), PO_OK);
+  ck_assert_uint_eq(a.compressed_count, 0);
+  ck_assert_uint_eq(a.held_count, 1); /* open at the end */
+  ck_assert_double_eq(a.held[0].outer, 1.0);
+  po_contact_annuli_clear(&a);
+}
+END_TEST
+
+static po_contact_gap rigid_gap(const po_scene *scene, double approach) {
+  const po_branch_point point = {.approach = approach};
+  return po_contact_gap_of(scene, NAN, &point);
+}
+
+/* The crest nearest a multiple of the wavelength, where the slope r/R + A k sin(k r) vanishes. */
+static double crest_near(const po_scene *scene, double wave) {
+  const double k = 2.0 * M_PI / scene->wavelength;
+  double r = wave * scene->wavelength;
+  for (int i = 0; i < 20; ++i)
+    r -= (r / scene->radius + scene->amplitude * k * sin(k * r)) /
+         (1.0 / scene->radius + scene->amplitude * k * k * cos(k * r));
+  return r;
+}
+
+static double gap_of_crest(const po_scene *scene, double r) {
+  const double k = 2.0 * M_PI / scene->wavelength;
+  return 0.5 * r * r / scene->radius + scene->amplitude * (1.0 - cos(k * r));
+}
+
+/* The contact of a high crest is narrower than any step of a search: half of its width is that of
+ * the parabola of its curvature. It was looked for in steps of a 256th of the wavelength, and a
+ * crest of A = 500 that dips 1e-4 was passed over. */
+START_TEST(a_high_crest_that_barely_touches_is_found) {
+  const po_scene scene = {0.0, 500.0, 3.0, 100.0, INFINITY};
+  const double k = 2.0 * M_PI / scene.wavelength, dip = 1e-4;
+  const double crest = crest_near(&scene, 2.0);
+  const double touching = gap_of_crest(&scene, crest) - PO_LAW_PEAK_GAP;
+  const double curvature = 1.0 / scene.radius + scene.amplitude * k * k * cos(k * crest);
+  po_contact_gap g = rigid_gap(&scene, touching + dip);
+  ck_assert_double_eq_tol(po_contact_radius(&g), crest + sqrt(2.0 * dip / curvature), 1e-8);
+  g = rigid_gap(&scene, touching - dip);
+  const double first = po_contact_radius(&g);
+  ck_assert_double_lt(first, 1.1 * scene.wavelength); /* the crest before */
+  ck_assert_double_eq_tol(po_shape(&scene, first), touching - dip + PO_LAW_PEAK_GAP, 1e-10);
+}
+END_TEST
+
+/* Whether the crest is in contact is less than the error: both radii, whichever is taken. */
+START_TEST(a_crest_within_the_error_gives_both_radii) {
+  const po_scene scene = {0.0, 2.385, 7.0, 90.0, INFINITY};
+  const double crest = crest_near(&scene, 1.0), by = 1e-7;
+  const double touching = gap_of_crest(&scene, crest) - PO_LAW_PEAK_GAP;
+  const po_contact_doubt doubt = {.constant = 1e-6}, certain = {.constant = 1e-8};
+  po_contact_gap out = rigid_gap(&scene, touching - by), in = rigid_gap(&scene, touching + by);
+  const po_contact_edge inner = po_contact_estimate(&out, &doubt);
+  ck_assert_double_lt(inner.radius, 0.5 * scene.wavelength);
+  ck_assert_double_eq_tol(inner.other, crest, 1e-6);
+  ck_assert_double_lt(inner.error, 1e-4); /* of the radius, as long as the crest is not */
+  ck_assert_double_gt(inner.error, 1e-8);
+  const po_contact_edge outer = po_contact_estimate(&in, &doubt);
+  ck_assert_double_gt(outer.radius, crest);
+  ck_assert_double_eq_tol(outer.other, inner.radius, 1e-5);
+  ck_assert_double_lt(outer.error, 1e-2);
+  ck_assert_double_ge(outer.error, outer.radius - crest); /* the width of the crest may be any */
+  ck_assert_double_nan(po_contact_estimate(&out, &certain).other);
+  ck_assert_double_nan(po_contact_estimate(&in, &certain).other);
+}
+END_TEST
+
+/* Every one of a hundred crests; there was room for 48 edges, and the outermost were left out. */
+START_TEST(no_annulus_is_left_out) {
+  const po_scene scene = {0.0, 3.0, 2.0, 2e5, INFINITY};
+  const double approach = 0.8;
+  size_t crests = 1; /* the axis */
+  while (gap_of_crest(&scene, crest_near(&scene, (double)crests)) - approach < PO_LAW_PEAK_GAP)
+    ++crests;
+  ck_assert_uint_gt(crests, 100);
+  const po_contact_gap g = rigid_gap(&scene, approach);
+  po_contact_annuli a = {0};
+  ck_assert_int_eq(po_contact_annuli_fill(&g, &a), PO_OK);
+  ck_assert_uint_eq(a.held_count, crests);
+  ck_assert_double_eq(a.held[0].inner, 0.0);
+  for (size_t j = 1; j < a.held_count; ++j) {
+    ck_assert_double_lt(a.held[j].inner, crest_near(&scene, (double)j));
+    ck_assert_double_gt(a.held[j].outer, crest_near(&scene, (double)j));
+  }
+  ck_assert_double_eq(a.held[crests - 1].outer, po_contact_radius(&g));
+  po_contact_annuli_clear(&a);
+}
+END_TEST
+
+/* Loosely and tightly solved the radius is the same within the errors stated, and these fall with
+ * the tolerance. Between nodes it was linear: 13.5664 at mu = 1 where it is 13.56821, whatever the
+ * tolerance; and on nearly rigid spheres it was a hundredth off. */
+START_TEST(radius_converges_as_its_error_says) {
+  static const po_scene SCENES[] = {{1.0, 0.0, 0.0, 100.0, INFINITY},
+                                    {0.0137, 0.0, 0.0, 850.766, INFINITY},
+                                    {3.0, 1.0, 20.0, 100.0, 100.0},
+                                    {0.1078, 0.78638, 17.2168, 233.144, 233.144}};
+  po_request request = po_request_default();
+  request.scene = SCENES[_i];
+  request.mesh.tolerance = 1e-9;
+  po_outcome tight, loose;
+  ck_assert_int_eq(po_observe(&request, &tight), PO_OK);
+  if (_i == 0)
+    ck_assert_double_eq_tol(tight.pull_off.contact_radius, 13.56821, 5e-6);
+  ck_assert_double_le(tight.pull_off.contact_radius_error, 1e-6);
+  for (double tolerance = 1e-3; tolerance > 1e-8; tolerance *= 0.01) {
+    request.mesh.tolerance = tolerance;
+    ck_assert_int_eq(po_observe(&request, &loose), PO_OK);
+    const double error = fabs(loose.pull_off.contact_radius - tight.pull_off.contact_radius);
+    ck_assert_double_le(error,
+                        loose.pull_off.contact_radius_error + tight.pull_off.contact_radius_error);
+    ck_assert_double_le(loose.pull_off.contact_radius_error,
+                        tolerance * tight.pull_off.contact_radius);
+    ck_assert_double_nan(loose.pull_off.contact_radius_other);
+    po_outcome_clear(&loose);
+  }
+  po_outcome_clear(&tight);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_test(tests, radius_is_where_the_tension_is_greatest);
+  tcase_add_test(tests, annuli_are_where_the_gap_is_small);
+  tcase_add_test(tests, a_high_crest_that_barely_touches_is_found);
+  tcase_add_test(tests, a_crest_within_the_error_gives_both_radii);
+  tcase_add_test(tests, no_annulus_is_left_out);
+  tcase_add_loop_test(tests, radius_converges_as_its_error_says, 0, 4);
+}
+
+int main(void) {
+  return run_case("contact", add);
+}
