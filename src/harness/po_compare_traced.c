@@ -4,10 +4,12 @@
 #include "po_compare_parts.h"
 
 static po_reference_number number_of(const po_check *check, const po_outcome *trace) {
-  const bool force = check->quantity == PO_PULL_OFF_FORCE;
-  return (po_reference_number){po_compare_obtained(check->quantity, trace),
-                               force ? trace->pull_off.force_error
-                                     : trace->pull_off.approach_error};
+  double error = trace->pull_off.approach_error;
+  if (check->quantity == PO_PULL_OFF_FORCE)
+    error = trace->pull_off.force_error;
+  else if (check->quantity == PO_CONTACT_RADIUS)
+    error = trace->pull_off.contact_radius_error;
+  return (po_reference_number){po_compare_obtained(check->quantity, trace), error};
 }
 
 po_status po_compare_traced(const po_case *kase, const bool *asked, const po_check *check,
