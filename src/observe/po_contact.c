@@ -205,8 +205,6 @@ static double next_edge(const sought *s, double from, bool inside) {
   while (b > 0.0) {
     const double skipped = inside ? b : skip(s, b);
     const double a = skipped < b ? skipped : inwards(s->g, b);
-    if (!(a < b)) /* the next crest is nearer than the next double */
-      return b;
     const value at_a = beyond(s, a);
     const double edge = edge_between(s, a, at_a, b, at_b, inside);
     if (edge >= 0.0)
@@ -224,10 +222,6 @@ static double outermost(const sought *s, double from) {
 
 static double radius_of(const sought *s) {
   return beyond(s, s->g->end).gap <= 0.0 ? s->g->end : outermost(s, s->g->end);
-}
-
-double po_contact_radius(const po_contact_gap *gap) {
-  return radius_of(&(sought){.g = gap, .level = PO_LAW_PEAK_GAP});
 }
 
 /* How far out the edge may be. Where the gap less its error has annuli of contact beyond, which
@@ -261,7 +255,37 @@ static double nearest(const sought *as_it_is, double radius, double *other) {
   return 0.5 * (inner + radius);
 }
 
+/* Waves of rigid bodies that are shorter than this, relative to the radius, are not told apart: the
+ * outermost crest in contact is where the sphere alone would be, but for a wavelength. */
+static const double SHORTEST_WAVE = 1e-8;
+
+static bool is_smeared(const po_contact_gap *g) {
+  const po_scene *scene = g->scene;
+  return !g->track && g->n == 0 && po_scene_is_wavy(scene) &&
+         scene->wavelength < SHORTEST_WAVE * g->end;
+}
+
+static double radius_of_sphere(const po_contact_gap *g, double doubt) {
+  const double reach = g->approach + PO_LAW_PEAK_GAP + doubt;
+  return reach > 0.0 ? fmin(g->end, sqrt(2.0 * g->scene->radius * reach)) : 0.0;
+}
+
+static po_contact_edge estimate_smeared(const po_contact_gap *g, double doubt) {
+  const double radius = radius_of_sphere(g, 0.0);
+  const double change =
+      fmax(radius_of_sphere(g, doubt) - radius, radius - radius_of_sphere(g, -doubt));
+  return (po_contact_edge){radius, change + g->scene->wavelength, NAN};
+}
+
+double po_contact_radius(const po_contact_gap *gap) {
+  if (is_smeared(gap))
+    return radius_of_sphere(gap, 0.0);
+  return radius_of(&(sought){.g = gap, .level = PO_LAW_PEAK_GAP});
+}
+
 po_contact_edge po_contact_estimate(const po_contact_gap *gap, const po_contact_doubt *doubt) {
+  if (is_smeared(gap))
+    return estimate_smeared(gap, doubt->constant);
   const sought s = {.g = gap, .doubt = doubt, .level = PO_LAW_PEAK_GAP};
   po_contact_edge e = {.radius = radius_of(&s), .other = NAN};
   e.error = fmax(0.0, farthest(&s, e.radius, &e.other) - e.radius);
@@ -271,6 +295,10 @@ po_contact_edge po_contact_estimate(const po_contact_gap *gap, const po_contact_
 
 /* There may be as many annuli as waves within the contact; nobody reads a list of more. */
 enum { MOST_ANNULI = 10000 };
+
+static po_status too_many(void) {
+  return po_fail(PO_OUT_OF_NODES, "the contact has more than %d annuli", MOST_ANNULI);
+}
 
 /* Annuli below a level, from the axis outwards. Status: PO_NO_MEMORY, PO_OUT_OF_NODES. */
 static po_status fill(const po_contact_gap *gap, double level, po_contact_annulus **list,
@@ -288,7 +316,7 @@ static po_status fill(const po_contact_gap *gap, double level, po_contact_annulu
       outer = edge;
     } else {
       if (*count == MOST_ANNULI)
-        return po_fail(PO_OUT_OF_NODES, "the contact has more than %d annuli", MOST_ANNULI);
+        return too_many();
       if (*count == room) {
         room = room ? 2 * room : 8;
         po_contact_annulus *more = po_resize(*list, room, sizeof *more);
@@ -311,6 +339,8 @@ static po_status fill(const po_contact_gap *gap, double level, po_contact_annulu
 }
 
 po_status po_contact_annuli_fill(const po_contact_gap *gap, po_contact_annuli *a) {
+  if (is_smeared(gap))
+    return too_many();
   const po_status status = fill(gap, 0.0, &a->compressed, &a->compressed_count);
   return status ? status : fill(gap, PO_LAW_PEAK_GAP, &a->held, &a->held_count);
 }

@@ -125,6 +125,7 @@ START_TEST(rate_of_rigid_energy_is_load) {
   balance b = {.enough = INFINITY};
   po_branch_options options = po_branch_options_default();
   options.largest_sagitta = 1e-5;
+  options.end = po_rigid_approach_of_crest(&scene, 4.0);
   options.visit = look;
   options.data = &b;
   ck_assert_int_eq(po_rigid_trace(&scene, -12.0, &options), PO_OK);
