@@ -107,6 +107,35 @@ static void print_loop(const char *control, const po_loop *loop) {
   }
 }
 
+/* What was wanted and is too long for the terminal: how much of it there is, and how to have it. */
+static void print_wanted(const po_request *request, const po_outcome *o) {
+  if (request->want & PO_WANT_CURVE)
+    printf("curve    %zu points: written with --curve FILE or --json\n", o->curve_count);
+  if (!(request->want & PO_WANT_PROFILE) || o->profile_count == 0)
+    return;
+  printf("profile  %zu radii at approach %.8g: written with --profile FILE or --json\n",
+         o->profile_count, o->profile_approach);
+  printf("annuli   ");
+  for (size_t k = 0; k < o->annuli.held_count; ++k)
+    printf("%s%.6g to %.6g", k ? ", " : "", o->annuli.held[k].inner, o->annuli.held[k].outer);
+  printf("%s\n", o->annuli.held_count ? " in contact" : "none in contact");
+}
+
+static void print_diagnostics(const po_outcome *o) {
+  const po_diagnostics *d = &o->diagnostics;
+  if (!d->states && !d->moved.solves)
+    return;
+  char text[16];
+  printf("checks   ");
+  if (isfinite(d->residual))
+    printf("equations hold within %s; ", error_text(d->residual, text));
+  printf("energy balance within %s; ", error_text(d->energy_defect, text));
+  printf("inputs moved by a last bit move the force by %s\n", error_text(d->moved.change, text));
+  if (d->way_back.made)
+    printf("way back %s: %s special points\n", po_status_name(d->way_back.status),
+           d->way_back.same ? "the same" : "not the same");
+}
+
 static void print_input(const po_request *request) {
   printf("scene   ");
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
@@ -139,6 +168,8 @@ po_status po_print_text(const po_request *request, const po_scene_flags *flags,
     print_loop("displacement control", &outcome->hysteresis.displacement);
     print_loop("load control", &outcome->hysteresis.load);
   }
+  print_wanted(request, outcome);
+  print_diagnostics(outcome);
   if (flags->from_physical)
     po_print_physical(flags, outcome);
   printf(
