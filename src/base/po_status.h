@@ -55,11 +55,4 @@ void po_message_clear(void);
 po_status po_lack_or(po_status status);
 void po_lack_forget(void);
 
-/* Lack of memory may be met where it can only be taken for something else, as for a step that did
- * not converge. So po_fail remembers it, and whoever hands a result on asks once: PO_NO_MEMORY,
- * with the message of the first lack of memory in this thread since po_lack_forget; else `status`.
- */
-po_status po_lack_or(po_status status);
-void po_lack_forget(void);
-
 #endif

@@ -1,25 +1,12 @@
-/* What is read off a branch: pull-off against known values, ends, profiles, and that the trace does
- * not end before the pull-off is behind. */
+/* What is read off a branch: pull-off against known values, curves, profiles, preloads. */
 #include <math.h>
 #include <string.h>
 
-#include "po_clock.h"
-#include "po_diagnose.h"
 #include "po_law.h"
 #include "po_outcome.h"
 #include "po_shape.h"
+#include "request.h"
 #include "run.h"
-
-static po_request request_of(double tabor, double amplitude, double wavelength, double outer) {
-  po_request request = po_request_default();
-  request.scene.tabor = tabor;
-  request.scene.amplitude = amplitude;
-  request.scene.wavelength = wavelength;
-  request.scene.outer_radius = outer;
-  request.mesh.scheme = PO_TRIANGLE;
-  request.mesh.nodes = 301;
-  return request;
-}
 
 /* A code comparison from an unrelated ring solver (our notes, 4.7), each +- 3e-5. */
 START_TEST(smooth_sphere_against_another_code) {
@@ -34,108 +21,6 @@ START_TEST(smooth_sphere_against_another_code) {
                           3e-5 + 4e-5 * KNOWN[_i][0] * KNOWN[_i][0]);
   ck_assert_double_eq_tol(o.pull_off.approach, KNOWN[_i][2],
                           1e-4 + 8e-4 * KNOWN[_i][0] * KNOWN[_i][0]);
-  po_outcome_clear(&o);
-}
-END_TEST
-
-/* No deeper pull-off beyond the point where the trace ends by itself: the same scene, far deeper.
- */
-START_TEST(pull_off_is_behind_when_the_trace_ends) {
-  static const double SCENES[][3] = {{2.385, 0.0, 0.0}, {3.0, 1.0, 20.0}, {1.0, 3.0, 12.0},
-                                     {0.3, 6.0, 25.0},  {2.0, 0.1, 30.0}, {3.0, 0.5, 7.0}};
-  po_request request = request_of(SCENES[_i][0], SCENES[_i][1], SCENES[_i][2], 90.0);
-  po_outcome near, far;
-  ck_assert_int_eq(po_observe(&request, &near), PO_OK);
-  request.approach_end =
-      near.ended.approach + 2.0 * fabs(near.ended.approach - near.pull_off.approach);
-  ck_assert_int_eq(po_observe(&request, &far), PO_OK);
-  ck_assert_double_gt(far.ended.approach, near.ended.approach);
-  ck_assert_double_eq_tol(near.pull_off.force, far.pull_off.force, 1e-9);
-  ck_assert_double_eq_tol(near.pull_off.approach, far.pull_off.approach, 1e-5);
-  po_outcome_clear(&near);
-  po_outcome_clear(&far);
-}
-END_TEST
-
-/* The first minimum of the third wave is compressive, and yet, once the trough behind it has
- * closed, that wave pulls off last: a trace that ends there gives 6.0523 of the second. */
-START_TEST(a_closed_trough_pulls_deeper) {
-  po_request request = request_of(4.1, 4.0, 20.0, 100.0);
-  request.mesh.scheme = PO_PANEL;
-  request.mesh.tolerance = 1e-4;
-  po_outcome near, far;
-  ck_assert_int_eq(po_observe(&request, &near), PO_OK);
-  request.approach_end = 40.0;
-  ck_assert_int_eq(po_observe(&request, &far), PO_OK);
-  ck_assert_double_gt(far.pull_off.force, 6.8);
-  ck_assert_double_eq_tol(near.pull_off.force, far.pull_off.force, 1e-9);
-  ck_assert_double_eq_tol(near.pull_off.contact_radius, 57.0, 0.1);
-  po_outcome_clear(&near);
-  po_outcome_clear(&far);
-}
-END_TEST
-
-/* The minima of the load of a trace, in its order; how many there are. */
-static size_t minima_of(const po_outcome *o, po_landmark *minimum, size_t most) {
-  size_t count = 0;
-  for (size_t k = 0; k < o->extremum_count && count < most; ++k)
-    if (o->extrema[k].kind == PO_MINIMUM)
-      minimum[count++] = o->extrema[k];
-  return count;
-}
-
-/* A wavy sphere that is nowhere pressed by one unit of the load more than it was pulled: the trace
- * ends with the second wave whose minimum rose more than the one before, counted from the deepest.
- * Traced farther the same waves go on to rise. */
-START_TEST(trace_ends_two_waves_behind_the_deepest) {
-  static const double SCENES[][3] = {{4.0, 0.4, 10.0}, {3.0, 0.5, 7.0}};
-  enum { MOST = 16 };
-  po_request request = request_of(SCENES[_i][0], SCENES[_i][1], SCENES[_i][2], INFINITY);
-  request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
-  request.want = PO_WANT_CURVE;
-  po_outcome near, far;
-  po_landmark minimum[MOST], farther[MOST];
-  ck_assert_int_eq(po_observe(&request, &near), PO_OK);
-  request.approach_end =
-      near.ended.approach + 2.5 * fabs(near.ended.approach - near.pull_off.approach);
-  ck_assert_int_eq(po_observe(&request, &far), PO_OK);
-  const size_t count = minima_of(&near, minimum, MOST), all = minima_of(&far, farther, MOST);
-  size_t deepest = 0;
-  for (size_t k = 1; k < count; ++k)
-    if (minimum[k].load < minimum[deepest].load)
-      deepest = k;
-  ck_assert_double_eq(minimum[deepest].load, -near.pull_off.force);
-  ck_assert_uint_eq(count - 1, deepest + 2);
-  ck_assert_uint_gt(all, count);
-  for (size_t k = deepest + 1; k + 1 < all; ++k) {
-    const double rise = farther[k].load - farther[k - 1].load;
-    ck_assert_double_gt(rise, 0.0);
-    ck_assert_double_gt(farther[k + 1].load - farther[k].load, rise);
-    ck_assert_double_eq_tol(farther[k].contact_radius - farther[k - 1].contact_radius,
-                            SCENES[_i][2], 0.1 * SCENES[_i][2]);
-  }
-  ck_assert_double_eq_tol(minimum[count - 1].load, farther[count - 1].load, 1e-3);
-  ck_assert_double_ge(near.ended.approach, minimum[count - 1].approach);
-  ck_assert_double_lt(near.ended.approach, farther[count].approach);
-  for (size_t k = 0; k < near.curve_count; ++k)
-    ck_assert_double_lt(near.curve[k].load, 1.0 + near.pull_off.force);
-  po_outcome_clear(&near);
-  po_outcome_clear(&far);
-}
-END_TEST
-
-/* The other end of a trace: the first stable state that is pressed by one unit of the load more
- * than it was pulled, with one wave behind the deepest only. */
-START_TEST(trace_ends_where_it_is_pressed_enough) {
-  static const double SCENES[][3] = {{1.5, 1.0, 10.0}, {3.0, 1.0, 20.0}};
-  po_request request = request_of(SCENES[_i][0], SCENES[_i][1], SCENES[_i][2], INFINITY);
-  request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
-  request.want = PO_WANT_CURVE;
-  po_outcome o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
-  for (size_t k = 0; k < o.curve_count; ++k)
-    ck_assert_int_eq(o.curve[k].unstable_modes == 0 && o.curve[k].load > 1.0 + o.pull_off.force,
-                     k + 1 == o.curve_count);
   po_outcome_clear(&o);
 }
 END_TEST
@@ -294,56 +179,6 @@ START_TEST(unbounded_and_cut_differ_by_the_tail) { /* notes, 2: 1.0e-3 of the lo
 }
 END_TEST
 
-/* The limit is the first thing looked at on the first point, and is named in the reason. */
-START_TEST(time_limit_ends_a_solve) {
-  static const po_scheme SCHEMES[] = {PO_RING, PO_TRIANGLE, PO_PANEL};
-  static const double TABOR[] = {2.385, 0.0}; /* elastic, rigid */
-  po_request request = request_of(TABOR[_i / 3], 0.0, 0.0, INFINITY);
-  request.mesh.scheme = SCHEMES[_i % 3];
-  request.time_limit = 1e-9;
-  po_outcome o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OUT_OF_TIME);
-  ck_assert_uint_le(o.work.points, 1);
-  ck_assert_ptr_nonnull(
-      strstr(o.reason, "after 1e-09 s of processor time the trace is at approach -"));
-  po_outcome_clear(&o);
-}
-END_TEST
-
-START_TEST(time_limit_not_reached_changes_nothing) {
-  po_request request = request_of(2.385, 0.0, 0.0, INFINITY);
-  request.mesh.nodes = 101;
-  po_outcome free_of, limited;
-  ck_assert_int_eq(po_observe(&request, &free_of), PO_OK);
-  request.time_limit = 1e6;
-  ck_assert_int_eq(po_observe(&request, &limited), PO_OK);
-  ck_assert(limited.pull_off.force == free_of.pull_off.force);
-  ck_assert_uint_eq(limited.work.newton_iterations, free_of.work.newton_iterations);
-  po_outcome_clear(&free_of);
-  po_outcome_clear(&limited);
-}
-END_TEST
-
-START_TEST(time_limit_is_a_positive_number) {
-  static const double WRONG[] = {0.0, -2.385, INFINITY};
-  po_request request = po_request_default();
-  request.time_limit = WRONG[_i];
-  ck_assert_int_eq(po_request_check(&request), PO_BAD_INPUT);
-  ck_assert_ptr_nonnull(strstr(po_message(), "time_limit is "));
-}
-END_TEST
-
-START_TEST(stop_ends_a_solve) {
-  volatile sig_atomic_t stop = 1;
-  po_request request = request_of(1.0, 0.0, 0.0, INFINITY);
-  request.stop = &stop;
-  po_outcome o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_INTERRUPTED);
-  ck_assert_ptr_nonnull(strstr(o.reason, "interrupted"));
-  po_outcome_clear(&o);
-}
-END_TEST
-
 /* A cleared outcome is one of nothing: as if never solved, and clearing it again does no harm. */
 START_TEST(cleared_outcome_is_empty) {
   po_request request = request_of(0.0, 0.0, 0.0, INFINITY);
@@ -380,60 +215,6 @@ START_TEST(bad_requests_are_refused) {
 }
 END_TEST
 
-/* The contact of this sphere comes to the edge of the surface before the load has its deepest
- * minimum. The trace ended there without a word, at 0.9 of the radius, with a pull-off of 1.36395
- * and an error of 7e-8 beside it. The problem is well posed as far as the whole surface is in
- * contact; triangles and panels agree on what is found. */
-START_TEST(a_cut_surface_is_traced_until_all_of_it_is_in_contact) {
-  po_request request = request_of(4.0, 0.4, 10.0, 30.0);
-  po_outcome triangles, panels;
-  request.mesh.nodes = 401;
-  ck_assert_int_eq(po_observe(&request, &triangles), PO_OK);
-  request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-6};
-  request.want = PO_WANT_CURVE;
-  ck_assert_int_eq(po_observe(&request, &panels), PO_OK);
-  ck_assert_double_eq_tol(panels.pull_off.force, 1.7841, 1e-4);
-  ck_assert_double_eq_tol(panels.pull_off.force, triangles.pull_off.force, 1e-4);
-  ck_assert_double_eq_tol(panels.pull_off.approach, triangles.pull_off.approach, 1e-4);
-  ck_assert_double_gt(panels.pull_off.contact_radius, 0.9 * 30.0);
-  ck_assert_int_eq(panels.ended.cause, PO_END_PRELOAD);
-  const po_curve_point *last = &panels.curve[panels.curve_count - 1];
-  ck_assert_double_eq(last->contact_radius, 30.0);
-  ck_assert_double_eq(panels.ended.approach, last->approach);
-  ck_assert_double_eq(panels.ended.load, last->load);
-  ck_assert_double_gt(last->load, 1.0 + panels.pull_off.force);
-  po_outcome_clear(&triangles);
-  po_outcome_clear(&panels);
-}
-END_TEST
-
-/* Every outcome says why its trace ended, and where. */
-START_TEST(the_end_of_a_trace_has_its_cause) {
-  static const struct {
-    double tabor, amplitude, end;
-    po_end_cause cause;
-  } ENDS[] = {{2.385, 0.0, NAN, PO_END_COMPRESSED}, {0.0, 0.0, NAN, PO_END_COMPRESSED},
-              {3.0, 0.5, NAN, PO_END_WAVES},        {1.0, 3.0, NAN, PO_END_PRELOAD},
-              {2.385, 0.0, -0.3, PO_END_ASKED},     {0.0, 0.0, -0.3, PO_END_ASKED}};
-  po_request request = request_of(ENDS[_i].tabor, ENDS[_i].amplitude, 7.0, INFINITY);
-  request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
-  request.approach_end = ENDS[_i].end;
-  po_outcome o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
-  ck_assert_str_eq(po_end_cause_name(o.ended.cause), po_end_cause_name(ENDS[_i].cause));
-  if (ENDS[_i].cause == PO_END_ASKED)
-    ck_assert_double_eq_tol(o.ended.approach, -0.3, 1e-9);
-  if (ENDS[_i].cause == PO_END_COMPRESSED)
-    ck_assert_double_gt(o.ended.load, 0.0);
-  if (ENDS[_i].cause == PO_END_PRELOAD)
-    ck_assert_double_gt(o.ended.load, 1.0 + o.pull_off.force);
-  po_end_cause read;
-  ck_assert(po_end_cause_find(po_end_cause_name(o.ended.cause), &read));
-  ck_assert_int_eq(read, o.ended.cause);
-  po_outcome_clear(&o);
-}
-END_TEST
-
 /* The preload is met exactly whether or not a profile is taken somewhere else: it was not, and its
  * load off by 4e-8. */
 START_TEST(a_profile_does_not_move_the_preload) {
@@ -454,33 +235,8 @@ START_TEST(a_profile_does_not_move_the_preload) {
 }
 END_TEST
 
-/* What is made after the trace has no more time than the trace left. */
-START_TEST(time_limit_bounds_the_diagnostics) {
-  po_request request = request_of(2.385, 0.0, 0.0, INFINITY);
-  request.mesh.nodes = 101;
-  po_outcome o;
-  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
-  request.want = PO_WANT_DIAGNOSTICS;
-  request.time_limit = 1e6;
-  const double past = po_clock_thread() - 1.0;
-  ck_assert_int_eq(po_diagnose_moved(&request, past, &o), PO_OUT_OF_TIME);
-  ck_assert_uint_eq(o.diagnostics.moved.solves, 0);
-  ck_assert_ptr_nonnull(
-      strstr(po_message(), "after 1e+06 s of processor time the branch is traced"));
-  const double later = po_clock_thread() + 1e6;
-  ck_assert_int_eq(po_diagnose_moved(&request, later, &o), PO_OK);
-  ck_assert_uint_eq(o.diagnostics.moved.solves, 4);
-  ck_assert_uint_eq(o.diagnostics.moved.failed, 0);
-  po_outcome_clear(&o);
-}
-END_TEST
-
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, smooth_sphere_against_another_code, 0, 3);
-  tcase_add_loop_test(tests, pull_off_is_behind_when_the_trace_ends, 0, 6);
-  tcase_add_test(tests, a_closed_trough_pulls_deeper);
-  tcase_add_loop_test(tests, trace_ends_two_waves_behind_the_deepest, 0, 2);
-  tcase_add_loop_test(tests, trace_ends_where_it_is_pressed_enough, 0, 2);
   tcase_add_test(tests, curve_holds_its_landmarks_in_order);
   tcase_add_loop_test(tests, curve_is_known_between_its_points, 0, 3);
   tcase_add_test(tests, curve_turns_at_its_landmarks);
@@ -488,14 +244,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, rigid_scene_is_solved_without_a_surface);
   tcase_add_test(tests, small_tabor_goes_to_the_rigid_limit);
   tcase_add_test(tests, unbounded_and_cut_differ_by_the_tail);
-  tcase_add_test(tests, a_cut_surface_is_traced_until_all_of_it_is_in_contact);
-  tcase_add_loop_test(tests, the_end_of_a_trace_has_its_cause, 0, 6);
   tcase_add_test(tests, a_profile_does_not_move_the_preload);
-  tcase_add_test(tests, stop_ends_a_solve);
-  tcase_add_loop_test(tests, time_limit_ends_a_solve, 0, 6);
-  tcase_add_test(tests, time_limit_not_reached_changes_nothing);
-  tcase_add_test(tests, time_limit_bounds_the_diagnostics);
-  tcase_add_loop_test(tests, time_limit_is_a_positive_number, 0, 3);
   tcase_add_test(tests, cleared_outcome_is_empty);
   tcase_add_test(tests, bad_requests_are_refused);
 }
