@@ -67,15 +67,6 @@ def landmarks(document, name):
     return sorted(document[name], key=lambda mark: mark["position"])
 
 
-def up_to(marks, other_count, end):
-    """The landmarks that a trace to the approach `end` with so many landmarks can have met: a branch ends with its
-    approach rising, so that the first one after these which lies beyond `end` is the first it has not met."""
-    for index in range(other_count, len(marks)):
-        if marks[index]["approach"] > end:
-            return marks[:index]
-    return marks
-
-
 def after(document, name, start):
     """The landmarks without those that a trace from the approach `start` has not met: of all kinds together the first
     ones along the branch, below `start`. Later the branch may come back to there."""
@@ -83,10 +74,24 @@ def after(document, name, start):
     return [mark for mark in landmarks(document, name) if met and mark["position"] >= min(met)]
 
 
+def met_by_both(pairs, ends):
+    """Without the landmarks at the end of the list that one trace met beyond the end of the other. A branch ends with
+    its approach rising: of what is left over at the end of a list, the first one beyond the other's end is the first
+    that the other has not met."""
+    for side in (0, 1):
+        first = len(pairs)
+        while first and not pairs[first - 1][1 - side]:
+            first -= 1
+        for index in range(first, len(pairs)):
+            if pairs[index][side]["approach"] > ends[1 - side]:
+                return pairs[:index]
+    return pairs
+
+
 def common(loose, tight, name):
-    """The landmarks of both along the part of the branch that both traced."""
-    ours, theirs = after(loose, name, value(tight, "start")), after(tight, name, value(loose, "start"))
-    return (up_to(ours, len(theirs), value(tight, "end")), up_to(theirs, len(ours), value(loose, "end")))
+    """Pairs of the landmarks of both along the part of the branch that both traced, with None for what one lacks."""
+    pairs = align(after(loose, name, value(tight, "start")), after(tight, name, value(loose, "start")))
+    return met_by_both(pairs, (value(loose, "end"), value(tight, "end")))
 
 
 def distance(one, other):
@@ -98,7 +103,7 @@ def distance(one, other):
 def align(ours, theirs):
     """Pairs (one, other) in order, with None for what the other list does not have, of the least sum of distances; a
     landmark alone counts APART."""
-    if [mark["kind"] for mark in ours] == [mark["kind"] for mark in theirs]:
+    if len(ours) == len(theirs) and all(distance(*pair) < APART for pair in zip(ours, theirs)):
         return list(zip(ours, theirs))
     rows, columns = len(ours), len(theirs)
     cost = [[APART * (i + j) if not i or not j else math.inf for j in range(columns + 1)] for i in range(rows + 1)]
@@ -225,9 +230,9 @@ def compare(loose, tight):
     comparison = Comparison()
     counts = []
     for name, key in (("fold", "folds"), ("extremum", "extrema")):
-        ours, theirs = common(loose, tight, key)
-        counts.append((len(ours) < len(loose[key])) or (len(theirs) < len(tight[key])))
-        pairs = align(ours, theirs)
+        pairs = common(loose, tight, key)
+        met = [sum(1 for pair in pairs if pair[side]) for side in (0, 1)]
+        counts.append(met[0] < len(loose[key]) or met[1] < len(tight[key]))
         add_pairs(comparison, name, pairs)
         add_unpaired(comparison, loose, name, pairs)
         if key == "extrema":

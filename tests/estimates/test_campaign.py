@@ -136,6 +136,17 @@ class Comparisons(unittest.TestCase):
         self.check(document(error=1e-5), tight(folds=faint), 2)
 
 
+    def test_a_faint_pair_among_others_moves_no_other_pair(self):
+        """Both lists are as long, as the loose one ends before the last pair of the tight one."""
+        pairs = [mark("jump_in", -3.0, -0.2, position=1.0), mark("jump_out", -5.0, -0.3, position=2.0),
+                 mark("jump_in", 1.0, -0.8, position=5.0), mark("jump_out", -2.0, -1.3, position=6.0)]
+        faint = [mark("jump_in", -4.0, -0.25, position=1.3), mark("jump_out", -4.00005, -0.25, position=1.6)]
+        beyond = [mark("jump_in", 7.0, -0.9, position=7.0), mark("jump_out", 2.0, -1.2, position=8.0)]
+        found = self.check(document(folds=pairs + faint), tight(folds=pairs + beyond, end=9.0), 0)
+        self.assertEqual(found.faint, 2)
+        self.assertEqual(verdicts(found, "fold approach"), ["held"] * 4)
+
+
 class Draws(unittest.TestCase):
     RANGES = vars(campaign.arguments([]))
 

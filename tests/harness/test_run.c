@@ -100,6 +100,13 @@ START_TEST(points_in_the_journal_are_not_missing) {
 }
 END_TEST
 
+/* What AddressSanitizer asks for its options: an allocation that is too large fails, as without it.
+ */
+const char *__asan_default_options(void);
+const char *__asan_default_options(void) {
+  return "allocator_may_return_null=1";
+}
+
 /* More points than there are addresses: no memory, and not a run of nothing. */
 START_TEST(a_run_too_large_is_refused) {
   const po_case large = {.point_count = SIZE_MAX / 2, .repeats = 1};
