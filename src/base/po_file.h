@@ -11,20 +11,20 @@
  * Status: PO_CANNOT_READ naming the file and why (absent, a folder, no permission, too long). */
 po_status po_file_read(const char *path, char **data, size_t *size);
 
-/* Neither this nor po_file_append_line writes anything after memory was lacking (po_lack_or):
- * what they were given may be incomplete. Status: PO_NO_MEMORY. */
+/* After memory ran out in this thread (po_lack_or), po_file_write and po_file_append_line write
+ * nothing, as their input may be incomplete. Status: PO_NO_MEMORY. */
 
 /* Writes `size` bytes as the file `path`: into a file beside it, flushed to the disk, then renamed
  * over it, so a reader finds the old content or the new. What is there and is not a regular file
- * (/dev/stdout, a pipe) is written in place. A symbolic link stays, and what it leads to is
+ * (/dev/stdout, a pipe) is written in place. A symbolic link stays, and the file it leads to is
  * written; the file keeps its permissions. Folders on the way are not made.
  * Status: PO_CANNOT_WRITE naming the file and why; then `path` is as it was and nothing is left. */
 po_status po_file_write(const char *path, const char *data, size_t size);
 
 /* Appends a line, which ends in a newline, in one piece, as another process may append to the same
- * file; the file is made when it is not there. Where the last line has no end, as a killed process
- * or a full disk may leave it, this one begins a new line. Status: PO_CANNOT_WRITE naming the file
- * and why; then nothing of the line is left. */
+ * file; the file is made if it does not exist. If the last line has no newline, as a killed process
+ * or a full disk may leave it, the appended line begins on a new line. Status: PO_CANNOT_WRITE
+ * naming the file and why; then nothing of the line is left. */
 po_status po_file_append_line(const char *path, const char *line, size_t size);
 
 /* Makes a folder and those above it, as mkdir -p. Status: PO_CANNOT_WRITE, naming what is in the

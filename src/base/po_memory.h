@@ -25,9 +25,9 @@ void *po_resize(void *array, size_t count, size_t size);
 /* A copy of a string, or NULL with a message. */
 char *po_copy_text(const char *text);
 
-/* For a call of a library that reports lack of memory as any other failure, or not at all:
- * po_memory_watch before it, and po_memory_ran_out after it says whether an allocation failed, in
- * this thread (POSIX: malloc then sets errno to ENOMEM). */
+/* For library functions that report a failed allocation like any other failure, or not at all: call
+ * po_memory_watch before the function; po_memory_ran_out after it returns whether an allocation of
+ * this thread failed (POSIX: malloc then sets errno to ENOMEM). */
 void po_memory_watch(void);
 bool po_memory_ran_out(void);
 

@@ -1,13 +1,13 @@
-/* Text from outside (arguments, files, names of files) that is to be shown: what a terminal would
- * obey or JSON could not hold is made visible. */
+/* Text from outside (arguments, files, names of files) that is printed: control characters, which a
+ * terminal would obey, and bytes that JSON cannot hold are made visible. */
 #ifndef PO_QUOTE_H
 #define PO_QUOTE_H
 
 #include <stddef.h>
 
 /* The first byte of `text`, `length` bytes and a NUL, that is a control character (C0 but tab and
- * line ends, DEL, C1: the escape sequences of terminals begin with one) or no valid UTF-8; NULL when
- * there is none. */
+ * line ends, DEL, C1: the escape sequences of terminals begin with one) or not valid UTF-8; NULL if
+ * there is no such byte. */
 const char *po_quote_find(const char *text, size_t length);
 
 /* Copies `text` into `shown`, `size` bytes with the final NUL: valid UTF-8 is kept, control

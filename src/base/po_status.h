@@ -38,8 +38,8 @@ const char *po_status_name(po_status status);
 bool po_status_find(const char *name, po_status *status);
 
 /* Writes the message of a failure where it is seen, with the offending values (printf style), for
- * this thread, and returns `status`, so that `return po_fail(PO_BAD_INPUT, "...", x);` reads. What
- * the values hold of control characters, or of bytes that are no UTF-8, is written as \xNN. */
+ * this thread, and returns `status`, so that `return po_fail(PO_BAD_INPUT, "...", x);` reads.
+ * Control characters in the values, and bytes that are not UTF-8, are written as \xNN. */
 po_status po_fail(po_status status, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* The last message written by po_fail in this thread; "" when there is none. One line. */
@@ -48,10 +48,10 @@ const char *po_message(void);
 /* Forgets the message of this thread. */
 void po_message_clear(void);
 
-/* Lack of memory may be met where it can only be taken for something else, as for a step that did
- * not converge. So po_fail remembers it, and whoever hands a result on asks once: PO_NO_MEMORY,
- * with the message of the first lack of memory in this thread since po_lack_forget; else `status`.
- */
+/* A failed allocation may be reported as another failure, e.g. as a step that did not converge.
+ * So po_fail remembers PO_NO_MEMORY, and the function that passes on a result calls po_lack_or. If
+ * memory ran out in this thread since po_lack_forget, that returns PO_NO_MEMORY with the first such
+ * message; otherwise it returns `status`. */
 po_status po_lack_or(po_status status);
 void po_lack_forget(void);
 

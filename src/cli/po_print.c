@@ -48,19 +48,19 @@ static void print_landmarks(const po_landmark *list, size_t count) {
   }
 }
 
-/* Why and where the trace ended, and so how far the pull-off was looked for. */
+/* Why and where the trace ended, and thus how far the pull-off was searched for. */
 static void print_ended(const po_outcome *o) {
   static const char *const WHY[] = {
       [PO_END_COMPRESSED] = "the sphere is stably under compression",
-      [PO_END_PRELOAD] = "it is stably pressed by pi w R more than it pulls",
-      [PO_END_WAVES] = "the minima of two successive waves rose by more each time",
-      [PO_END_ASKED] = "the end asked for",
-      [PO_END_LOADED] = "beyond the preload"};
+      [PO_END_PRELOAD] = "the sphere is stably pressed by pi w R more than it pulls",
+      [PO_END_WAVES] = "the load minima of two successive waves rose by more each time",
+      [PO_END_ASKED] = "approach_end is reached",
+      [PO_END_LOADED] = "the preload of the hysteresis is passed"};
   if (o->ended.cause == PO_END_NONE)
     return;
   printf("ended    at approach %.6g, load %.6g: %s%s\n", o->ended.approach, o->ended.load,
          WHY[o->ended.cause],
-         o->ended.cause == PO_END_COMPRESSED ? "" : "; minima beyond were not looked for");
+         o->ended.cause == PO_END_COMPRESSED ? "" : "; minima beyond were not searched for");
 }
 
 static void print_pull_off(const po_outcome *o) {
@@ -69,7 +69,7 @@ static void print_pull_off(const po_outcome *o) {
   printf("pull-off force %.10g at approach %.10g, contact radius %.8g", o->pull_off.force,
          o->pull_off.approach, o->pull_off.contact_radius);
   if (!isnan(o->pull_off.contact_radius_other))
-    printf(" or %.8g (within the error a crest is in contact or not)",
+    printf(" or %.8g (the error does not decide whether a crest is in contact)",
            o->pull_off.contact_radius_other);
   printf("\n");
   if (isfinite(o->pull_off.force_error))
@@ -107,7 +107,7 @@ static void print_loop(const char *control, const po_loop *loop) {
   }
 }
 
-/* What was wanted and is too long for the terminal: how much of it there is, and how to have it. */
+/* For results of --want that are too long for the terminal: their size, and how to write them. */
 static void print_wanted(const po_request *request, const po_outcome *o) {
   if (request->want & PO_WANT_CURVE)
     printf("curve    %zu points: written with --curve FILE or --json\n", o->curve_count);
@@ -130,9 +130,9 @@ static void print_diagnostics(const po_outcome *o) {
   if (isfinite(d->residual))
     printf("equations hold within %s; ", error_text(d->residual, text));
   printf("energy balance within %s; ", error_text(d->energy_defect, text));
-  printf("inputs moved by a last bit move the force by %s\n", error_text(d->moved.change, text));
+  printf("last bits of the inputs change the force by %s\n", error_text(d->moved.change, text));
   if (d->way_back.made)
-    printf("way back %s: %s special points\n", po_status_name(d->way_back.status),
+    printf("reverse trace %s: %s special points\n", po_status_name(d->way_back.status),
            d->way_back.same ? "the same" : "not the same");
 }
 

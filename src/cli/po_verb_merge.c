@@ -12,8 +12,8 @@ static const char HELP[] =
     "Puts the shards of a run together: compares, and writes the records, which are those of one\n"
     "run of the whole, but for times. DIR are the folders pulloff run --shard K/N wrote to, in "
     "any\n"
-    "order; all N shards must be there, ended, of this program and these cases, and\n"
-    "computed with the same kernels of OpenBLAS; those of this machine do not matter.\n\n"
+    "order. All N shards must be present and finished, computed by this program for these cases,\n"
+    "and with the same kernels of OpenBLAS; the kernels of this machine do not matter.\n\n"
     "  --output DIR    where the records go (build/run)\n"
     "  --help          this text\n\n"
     "Example: pulloff merge shards/1 shards/2 shards/3 shards/4\n";
@@ -22,7 +22,7 @@ static const struct option OPTIONS[] = {{"output", required_argument, NULL, PO_S
                                         {"help", no_argument, NULL, PO_OPTION_HELP},
                                         {NULL, 0, NULL, 0}};
 
-/* Records are kept by a run with the kernels they were solved with. */
+/* A run reuses records only with the OpenBLAS kernels that computed them. */
 static void tell_kernels(const po_arithmetic *arithmetic) {
   po_arithmetic own;
   if (!po_environment_arithmetic(&own) && strcmp(arithmetic->kernels, own.kernels) != 0)

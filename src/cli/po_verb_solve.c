@@ -27,12 +27,11 @@ static const char HELP[] =
     "  --nodes N               of rings and triangles (501)\n"
     "  --grading uniform|graded  of rings and triangles (uniform)\n"
     "  --approach-start D      where the trace begins (chosen by the solver)\n"
-    "  --approach-end D        where it ends (by itself: a smooth sphere stably under "
-    "compression;\n"
-    "                          a wavy one stably pressed by pi w R more than it pulls, or past "
+    "  --approach-end D        where the trace ends (a smooth sphere: stable under compression; a\n"
+    "                          wavy one: stably pressed by pi w R more than it pulls, or after "
     "two\n"
-    "                          waves whose minima of the load rose by more each time; minima\n"
-    "                          beyond are not looked for)\n"
+    "                          waves whose minima of the load rose by more each time); minima\n"
+    "                          beyond the end are not searched for\n"
     "  --time-limit S          seconds of processor time after which the solve ends (none)\n"
     "  --want LIST             of curve, profile, hysteresis, diagnostics: points of the branch; "
     "gap and\n"
@@ -140,7 +139,8 @@ static po_status refuse_keys_of_other_scheme(const solve_line *line) {
   return PO_OK;
 }
 
-/* A wavelength alone makes no waves; amplitude 0 with it is the smooth end of a sweep. */
+/* A wavelength without an amplitude has no effect; with amplitude 0 it is the smooth end of a
+ * sweep. */
 static po_status refuse_idle(const solve_line *line) {
   const double *length = line->flags.length;
   po_flag_use flags[] = {{.given = !isnan(length[PO_LENGTH_WAVELENGTH]),

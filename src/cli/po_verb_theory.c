@@ -210,7 +210,7 @@ static void fill(const po_theory_line *l, const po_form_values *values, json_t *
   }
 }
 
-/* A number that is none must not be taken for a result. */
+/* NaN or an infinity must not be taken for a result. */
 static po_status check_numbers(const po_form *form, const po_form_values *values) {
   for (size_t i = 0; i < values->count; ++i) {
     const po_form_value *item = &values->items[i];

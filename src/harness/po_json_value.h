@@ -1,6 +1,7 @@
-/* JSON documents from which nothing is lost without a word. A value that could not be made is NULL,
- * and so is everything that it was to be a part of: whoever prints the document at the end asks
- * once. The functions of jansson that add to a document in silence cannot be called below. */
+/* JSON documents that are complete or NULL. A value that could not be made is NULL, and so is every
+ * object and array that would contain it; po_json_print checks this once, at the end. Functions of
+ * jansson that may lose a value without reporting it cannot be called where this header is
+ * included. */
 #ifndef PO_JSON_VALUE_H
 #define PO_JSON_VALUE_H
 
@@ -12,7 +13,7 @@
 #include "po_status.h"
 #include "po_text.h"
 
-/* A finite number; null for NaN and infinities, which JSON cannot say. */
+/* A finite number; null for NaN and infinities, which JSON cannot represent. */
 json_t *po_json_number(double value);
 
 json_t *po_json_count(uint64_t value);
@@ -22,8 +23,8 @@ json_t *po_json_flag(bool value);
 /* A text, made UTF-8 where it is not (po_utf8_copy); null for NULL. */
 json_t *po_json_text(const char *text);
 
-/* The same of a text that was allocated, which it takes; NULL of NULL, for which there was no
- * memory. */
+/* The same for an allocated text, of which it takes ownership; NULL for NULL, a text whose
+ * allocation failed. */
 json_t *po_json_take_text(char *text);
 
 /* An object of members {"key", value}, which it takes:

@@ -6,10 +6,11 @@
 
 #include "po_status.h"
 
-/* Turns GSL's error handler off, once: GSL then returns its errors, as the rooms from math on expect,
- * instead of ending the program. It is the program's to decide, as the handler is one for the
- * process: the command line does it first of all. Closed forms (theory) give GSL no cause for an error but a
- * lack of memory, and leave the handler alone; what cannot do without (po_rigid) calls this. */
+/* Turns GSL's error handler off, once: GSL then returns its errors, as the rooms from math on
+ * expect, instead of ending the program. The handler is one for the whole process, so the program
+ * decides: the command line calls this first of all. Closed forms (theory) cause no error of GSL
+ * except lack of memory, and do not change the handler; po_rigid, which needs it off, calls this,
+ * too. */
 void po_gsl_return_errors(void);
 
 /* Gauss-Legendre on (0, 1): exact for polynomials of degree 2n - 1.

@@ -18,16 +18,16 @@ typedef struct {
   const po_scene *scene;
   double approach;                    /* eps */
   double end;                         /* the gap is known up to this radius, eps */
-  const struct po_track_point *track; /* on panels, whose root is `end`; else NULL */
+  const struct po_track_point *track; /* panels, whose domain ends at `end`; else NULL */
   size_t n;                           /* nodes of rings or triangles; 0 on panels, and when rigid */
   const double *node, *gap;           /* n radii ascending (eps), n gaps */
 } po_contact_gap;
 
-/* Given: a point of a branch (on panels, on rings or triangles, or of rigid surfaces, by what it
- * points to); the radius of the panels' root, for panels only. Both must outlive the result. */
+/* Given: a point of a branch of any scheme, or of rigid surfaces; the radius of the domain of the
+ * panels, for panels only. Scene and point must outlive the result. */
 po_contact_gap po_contact_gap_of(const po_scene *scene, double root, const po_branch_point *point);
 
-/* The same of a state on panels. */
+/* The same for a state on panels. */
 po_contact_gap po_contact_gap_on_panels(const po_scene *scene, double root,
                                         const struct po_track_point *track);
 
@@ -35,19 +35,20 @@ po_contact_gap po_contact_gap_on_panels(const po_scene *scene, double root,
  * are in contact as far as the surface goes. */
 double po_contact_radius(const po_contact_gap *gap);
 
-/* The same with a bound of its error, estimated from that of the gap.
- * When a crest is so near the threshold that the error of the gap does not tell whether it is in
- * contact, `other` is the contact radius of the other case; NaN otherwise. `error` is that of the
- * radius in the case taken. */
+/* The contact radius with a bound of its error, estimated from the error of the gap.
+ * If a crest is so near the threshold that the error of the gap does not decide whether it is in
+ * contact, `radius` and its `error` belong to one case and `other` is the contact radius of the
+ * other case; otherwise `other` is NaN. */
 typedef struct {
   double radius, error, other; /* eps */
 } po_contact_edge;
 
-/* The error that the gap has at a radius where it is so large: a bound. */
+/* A bound of the error of the gap: `constant`, plus what the difference from a finer mesh at the
+ * same radius gives (po_refine_error). */
 typedef struct {
   const po_contact_gap *finer; /* solved on a finer mesh; NULL: none */
   double precision;            /* of Newton's iteration, see po_equilibrium; used with finer */
-  double constant;             /* what no finer mesh shows, eps */
+  double constant;             /* the part that no finer mesh shows, eps */
 } po_contact_doubt;
 
 po_contact_edge po_contact_estimate(const po_contact_gap *gap, const po_contact_doubt *doubt);

@@ -76,7 +76,7 @@ po_status po_diagnose_states(const po_request *request, double deadline, const p
     if (!kept->states[k].n)
       continue;
     if (po_clock_thread() > deadline) {
-      status = out_of_time(request, "not every state diagnosed");
+      status = out_of_time(request, "not every state is diagnosed");
       break;
     }
     const po_status made = diagnose(&kept->states[k], e, panels, state, d);
@@ -137,7 +137,7 @@ po_status po_diagnose_moved(const po_request *request, double deadline, po_outco
         moving.time_limit = deadline - po_clock_thread();
       status = moving.time_limit <= 0.0 ? PO_OUT_OF_TIME : move(&moving, outcome, &d->moved);
       if (status == PO_OUT_OF_TIME)
-        status = out_of_time(request, "not solved again with every input moved");
+        status = out_of_time(request, "the solves with changed inputs are not complete");
     }
     *inputs[k].value = is;
   }

@@ -1,5 +1,5 @@
-/* What is stated of a special point of a branch: its values as well as they are known, and bounds
- * of their errors. */
+/* The values stated for a special point of a branch (as corrected on the finest mesh solved), and
+ * bounds of their errors. */
 #ifndef PO_ESTIMATE_H
 #define PO_ESTIMATE_H
 

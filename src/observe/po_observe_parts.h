@@ -16,8 +16,8 @@ double po_observe_precision(double tolerance);
 /* Radius of the panels' root, eps, for a surface whose core reaches so far. */
 double po_observe_root(const po_scene *scene, double core);
 
-/* Whether the surface is unbounded, and the contact so near the end of its core that it has to be
- * solved again on a larger one. */
+/* Whether the surface is unbounded and the contact so near the end of the core (the domain meshed
+ * finely) that the scene has to be solved again with a larger core. */
 bool po_observe_is_cut_off(const po_scene *scene, double contact_radius, double core);
 
 #endif

@@ -1,17 +1,18 @@
-/* The stopping rule: when the trace of a branch has found what is called its pull-off, and ends.
+/* The stopping rule: where the trace of a branch ends. The deepest minimum up to there is the
+ * pull-off.
  *
- * A smooth sphere: at a stable equilibrium under a compressive load, beyond a minimum of the load:
- * it has one.
+ * The trace of a smooth sphere ends at a stable equilibrium under a compressive load, beyond a
+ * minimum of the load.
  *
- * A wavy sphere: at a stable equilibrium beyond a minimum of the load, where
+ * The trace of a wavy sphere ends at a stable equilibrium beyond a minimum of the load, where
  * - the compressive load exceeds the deepest pull so far by pi w R, as in a test that presses a
  *   little harder than it then pulls, or
  * - the minima of two successive waves since the deepest rose by more each time.
- * The minima are what the outer contact edge makes as it passes one wave after another; they follow
- * the lower edge of the Kesari-Lew envelope, which is convex, so that where those of several waves
- * rose by more each time the deepest is behind. But pressed hard enough, grooves within the contact
- * close, and a branch may come back by states that are pulled off harder, up to Guduru's full
- * contact: minima beyond the end of the trace are not looked for. */
+ * The load has a minimum each time the outer contact edge passes a wave. These minima follow the
+ * lower edge of the Kesari-Lew envelope, which is convex. So the deepest minimum is passed once the
+ * minima of several waves rose by more each time. But if the sphere is pressed hard enough, grooves
+ * within the contact close, and the branch may have deeper minima, up to Guduru's for full contact:
+ * minima beyond the end of the trace are not searched for. */
 #ifndef PO_STOPPING_H
 #define PO_STOPPING_H
 

@@ -204,8 +204,8 @@ po_status po_follow_to(po_follower *f, double at, double deadline) {
   while (left != 0.0) {
     if (po_clock_thread() > deadline)
       return po_fail(PO_OUT_OF_TIME,
-                     "the time limit ended the following of the landmark at approach %.6g, load "
-                     "%.6g",
+                     "the time limit was reached before the scene; the special point is at "
+                     "approach %.6g, load %.6g",
                      f->value[0], f->value[1]);
     const double most = f->count == 1 ? fmin(f->step, FIRST_STEP * fabs(whole)) : f->step;
     const bool last = fabs(left) <= most;

@@ -25,7 +25,7 @@ enum { INTERVALS = 200 };
 /* Steps in x = 1 - approach, the distance from the centre's core. */
 static const double STEP_RATIO = 0.97;
 
-/* How near the bodies come at most: crests as sharp as you like repel long before. */
+/* The largest approach is 1 - NEAREST: even the sharpest crests repel before. */
 static const double NEAREST = 1e-3;
 
 bool po_rigid_suffices(const po_scene *scene) {
@@ -253,7 +253,7 @@ double po_rigid_approach_of_crest(const po_scene *scene, double load) {
   return 1.0 - fmax(NEAREST, pow(2.0 * crest / (3.0 * load), 0.125));
 }
 
-/* What lies between two points. */
+/* A station, or the end of the trace, between two points. */
 typedef struct {
   double approach;
   po_point_kind kind;
