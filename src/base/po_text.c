@@ -50,7 +50,7 @@ void po_text_add_bytes(po_text *text, const char *bytes, size_t size) {
   text->data[text->length] = '\0';
 }
 
-/* What no shell takes for anything but itself. */
+/* The characters that have no special meaning in a shell. */
 static const char PLAIN[] =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+,./:=@%";
 

@@ -70,7 +70,7 @@ po_status po_axis_fill(po_axis *axis, const char *where, const po_yaml *yaml) {
   return PO_OK;
 }
 
-/* Values that differ by no more than this, relative to them, are the same: as po_key_matches. */
+/* Values whose relative difference is at most this are the same, as in po_key_matches. */
 static const double SAME_VALUE = 4 * DBL_EPSILON;
 
 static bool is_same(double a, double b) {
@@ -130,7 +130,7 @@ static unsigned first_from(const po_axis *axis, double number) {
   return begin;
 }
 
-/* Made by another way, a group may be off by some more last bits. */
+/* A group computed from other keys may differ in a few last bits more. */
 static const double NEAR_VALUE = 16 * DBL_EPSILON;
 
 static bool axis_holds(const po_axis *axis, const po_request *request) {

@@ -101,9 +101,9 @@ static size_t track_stretch_of(const po_track *track, size_t i) {
   return k;
 }
 
-/* How far a point is from a curve beyond what the joining of its points is in doubt by. Infinite
- * where numbers are so large that the distance, or the doubt, is not a number: no evidence that the
- * curves agree. */
+/* The distance of a point from a curve, less the uncertainty of the interpolation between the
+ * points of the curve. Infinite if numbers are so large that the distance or the uncertainty is not
+ * a number, as that is no evidence that the curves agree. */
 static double excess(po_plane_point point, const po_stretch *stretch) {
   const po_foot foot = po_plane_foot(point, stretch);
   const double doubt = po_plane_doubt(&stretch->curve, foot.index);

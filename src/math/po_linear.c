@@ -15,16 +15,16 @@ extern int blas_thread_shutdown_(void) __attribute__((weak)); /* NULL: a library
 extern void *blas_memory_alloc(int position) __attribute__((weak));
 extern void blas_memory_free(void *area) __attribute__((weak));
 
-/* When it is loaded OpenBLAS asks a function of this name how many threads to start, and finds this
- * one, which the program brings, before its own. So it starts none: a thread waits by asking for
- * work again and again, which is the processor time of a short solve once more, and maps a work
- * area before main begins. */
+/* When OpenBLAS is loaded it calls a function of this name for the number of threads to start, and
+ * the dynamic linker finds this definition before that of OpenBLAS. So OpenBLAS starts no threads:
+ * a thread of its own polls for work, which doubles the processor time of a short solve, and maps a
+ * work area before main begins. */
 int openblas_num_threads_env(void);
 int openblas_num_threads_env(void) {
   return 1;
 }
 
-/* Where OpenBLAS did not ask. */
+/* For an OpenBLAS that did not call the function above. */
 static void end_threads(void) {
   openblas_set_num_threads(1);
   if (blas_thread_shutdown_)

@@ -11,14 +11,14 @@
 #include "po_shape.h"
 #include "po_track_point.h"
 
-/* The gap is looked at so many times a wavelength and a panel: between two such radii it has one
- * extremum at most, which its slopes show. */
+/* The gap is sampled so many times per wavelength and per panel. Between two samples it has at most
+ * one extremum, which the slopes at the samples show. */
 static const double SAMPLES_A_WAVE = 16.0, SAMPLES_A_PANEL = 12.0;
 
-/* Without waves and without panels nothing sets a scale but the radius. */
+/* Without waves and panels the only scale of length is the radius. */
 static const double SAMPLES_OF_SPHERE = 16.0;
 
-/* More than the error of any gap that is of use, eps. */
+/* An error of the gap that no usable solution exceeds, eps. */
 static const double GREATEST_DOUBT = 1.0;
 
 typedef struct {
@@ -140,7 +140,8 @@ static double inwards(const po_contact_gap *g, double r) {
   return fmax(begin, r - step);
 }
 
-/* Where rigid surfaces are out of contact for sure: the waves only add to the sphere. */
+/* A radius beyond which rigid surfaces are certainly out of contact: the waves only add to the gap
+ * of the sphere. */
 static double skip_rigid(const sought *s, double r) {
   const double reach = s->g->approach + s->level + (s->side ? s->doubt->constant : 0.0);
   return reach > 0.0 ? fmin(r, sqrt(2.0 * s->g->scene->radius * reach)) : 0.0;
@@ -167,7 +168,7 @@ static double skip(const sought *s, double r) {
   return sphere + least - (largest - least) > level ? begin : r;
 }
 
-/* An extremum that passes the level by less is taken as not to pass it: rounding, eps. */
+/* An extremum that passes the level by less than this counts as not passing it: rounding, eps. */
 static const double ROUNDING = 1e-13;
 
 /* The radius of the extremum of the gap between a and b, a minimum or a maximum as asked; NaN when
@@ -224,8 +225,8 @@ static double radius_of(const sought *s) {
   return beyond(s, s->g->end).gap <= 0.0 ? s->g->end : outermost(s, s->g->end);
 }
 
-/* How far out the edge may be. Where the gap less its error has annuli of contact beyond, which
- * the gap itself has not, the outermost of them is noted. */
+/* How far out the edge may be. If the gap minus its error has contact annuli farther out that the
+ * gap itself does not have, the outermost of them is noted. */
 static double farthest(const sought *as_it_is, double radius, double *other) {
   sought closer = *as_it_is;
   closer.side = -1;
@@ -241,8 +242,8 @@ static double farthest(const sought *as_it_is, double radius, double *other) {
   return edge;
 }
 
-/* How far in it may be. Where the gap with its error leaves nothing of the outermost annulus, the
- * edge of the next one is noted. */
+/* How far in the edge may be. If nothing of the outermost annulus remains with the gap plus its
+ * error, the edge of the next annulus is noted. */
 static double nearest(const sought *as_it_is, double radius, double *other) {
   sought farther = *as_it_is;
   farther.side = 1;
@@ -255,8 +256,8 @@ static double nearest(const sought *as_it_is, double radius, double *other) {
   return 0.5 * (inner + radius);
 }
 
-/* Waves of rigid bodies that are shorter than this, relative to the radius, are not told apart: the
- * outermost crest in contact is where the sphere alone would be, but for a wavelength. */
+/* Waves of rigid bodies that are shorter than this, relative to the radius, are not resolved: the
+ * outermost crest in contact is within a wavelength of the contact edge of the smooth sphere. */
 static const double SHORTEST_WAVE = 1e-8;
 
 static bool is_smeared(const po_contact_gap *g) {
@@ -293,7 +294,7 @@ po_contact_edge po_contact_estimate(const po_contact_gap *gap, const po_contact_
   return e;
 }
 
-/* There may be as many annuli as waves within the contact; nobody reads a list of more. */
+/* There may be as many annuli as waves within the contact; longer lists are of no use. */
 enum { MOST_ANNULI = 10000 };
 
 static po_status too_many(void) {

@@ -4,9 +4,9 @@
 
 #include "po_observe_parts.h"
 
-/* Relative to the tolerance: errors of the load, of the approach and of the gap that halving the
- * panels does not show. On random scenes at 1e-4 errors of the load of 3e-6 and of the approach of
- * 1e-7 occur. */
+/* Errors of the load, of the approach and of the gap that halving the panels does not show,
+ * relative to the tolerance. On random scenes at tolerance 1e-4, errors of the load of 3e-6 and of
+ * the approach of 1e-7 occur. */
 static const double UNSEEN_LOAD = 3e-2, UNSEEN_APPROACH = 2e-3, UNSEEN_GAP = 2e-3;
 
 double po_estimate_load_error(const po_request *request, double change, double load) {
@@ -31,7 +31,8 @@ static po_contact_edge edge_of(const po_request *request, double root, const po_
   if (p->finer)
     return edge_on_panels(request, root, p);
   const po_contact_gap gap = po_contact_gap_of(&request->scene, root, p);
-  if (!p->gap && isfinite(p->approach_error)) /* rigid: the gap errs as the approach */
+  if (!p->gap &&
+      isfinite(p->approach_error)) /* rigid: the error of the gap is that of the approach */
     return po_contact_estimate(&gap, &(po_contact_doubt){.constant = p->approach_error});
   return (po_contact_edge){po_contact_radius(&gap), NAN, NAN};
 }

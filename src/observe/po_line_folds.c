@@ -68,7 +68,7 @@ static bool take(po_follower *follower, const po_request *request, po_landmark *
   return true;
 }
 
-/* From a scene on it is not known whether a fold is there. */
+/* From this scene on it is not known whether the fold exists. */
 static void fail_from(const po_line_scenes *l, size_t first, po_status status) {
   for (size_t k = first; k < l->count; ++k) {
     po_outcome *o = &l->outcomes[k];

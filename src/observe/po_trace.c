@@ -52,8 +52,8 @@ static void note_work(const po_reader *reader, const po_equilibrium *e, bool pan
   work->kernel_evaluations = reader->surface->kernel_evaluations;
 }
 
-/* Follows the branch back. Status: of memory and interruption; any other is of the way back, and
- * noted with it. */
+/* Follows the branch back. Status: PO_NO_MEMORY, PO_INTERRUPTED; any other status of the
+ * reverse trace is kept with its results. */
 static po_status trace_back(po_tracker *tracker, po_reader *reader) {
   po_diagnostics *d = &reader->outcome->diagnostics;
   const double begin = po_clock_wall();
@@ -112,11 +112,11 @@ static po_status trace_elastic(const po_request *request, const po_attempt *a, p
  * attractive term of Eq 23, 8/(3 x^2) where its repulsive term, 2/(3 x^8), is such a push. */
 static const double PUSH_PER_LOAD = 1.1, PUSH_BEYOND_LOAD = 8.0;
 
-/* Rigid bodies pull with no more than 2 pi w R (Bradley), and a trace that ends by itself is
- * pressed by no more than pi w R beyond that. */
+/* The pull-off force of rigid bodies is at most 2 pi w R (Bradley), and the stopping rule needs a
+ * compressive load of at most pi w R more. */
 static const double GREATEST_LOAD = 3.0;
 
-/* Where a rigid trace is beyond its end for sure. */
+/* An approach that is certainly beyond the end of a rigid trace. */
 static double rigid_end(const po_request *request) {
   const po_preload *preload = &request->preload;
   const bool loads = request->want & PO_WANT_HYSTERESIS;

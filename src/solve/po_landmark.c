@@ -18,10 +18,10 @@ static const double SUSPECT = 0.4;
  * tell: that place is looked at so closely. With nothing of it a trace went over two extrema of the
  * load 0.07 eps apart, 0.023 along the gauge (tests/unit/test_way_back.c). */
 static const double BIRTH_WAY = 0.02;
-/* The same for the intervals on either side of it: at mu = 1.57 two extrema of the load 0.053 eps
+/* The same for the two adjoining intervals: at mu = 1.57 two extrema of the load 0.053 eps
  * apart, within 0.034 along the gauge, lay just before an annulus formed
  * (tests/unit/test_way_back.c). With 0.02 the trace of mu = 5, A = 10 takes 9 % more Newton
- * iterations, for nothing. */
+ * iterations and finds no other extrema. */
 static const double BESIDE_BIRTH_WAY = 0.03;
 
 /* The function whose root is the event; NaN when nothing is asked for. */
@@ -59,13 +59,14 @@ static po_status collect_between(const po_interval *interval, const po_sample *a
 /* Which ends of an interval adjoin one in which a contact annulus forms or vanishes. */
 enum { NEITHER = 0, BEGINNING = 1, ENDING = 2 };
 
-/* Whether a contact annulus forms or vanishes between two samples. The first contact is none: steps
- * are short there, and at mu = 1 a smooth sphere would cost a tenth more Newton iterations. */
+/* Whether a contact annulus forms or vanishes between two samples. The first contact does not
+ * count: steps are short there anyway, and a smooth sphere of mu = 1 would take a tenth more Newton
+ * iterations. */
 static bool changes_annuli(const po_sample *a, const po_sample *b) {
   return a->fronts != b->fronts && a->fronts > 0 && b->fronts > 0;
 }
 
-/* How long an interval may be for what it has of contact annuli. */
+/* The largest length of an interval, by the contact annuli that form or vanish in or beside it. */
 static double longest_way(const po_sample *a, const po_sample *b, unsigned adjoins) {
   if (a->fronts != b->fronts)
     return BIRTH_WAY;
