@@ -46,14 +46,15 @@ po_status po_options_refuse(const char *option, const char *value, const char *e
 /* Takes a path from optarg; refuses an empty one. */
 po_status po_options_take_path(const char *option, const char *expected, const char **path);
 
-/* A flag, whether it was given, and whether what it says has an effect here. */
+/* A flag, whether it was given, and whether it has an effect here. */
 typedef struct {
   char name[32]; /* without dashes */
   bool given, taken;
 } po_flag_use;
 
-/* Refuses the first flag that was given and has no effect on `what`, naming those that have: a
- * flag that is ignored in silence lets a wrong belief stand. Status: PO_BAD_INPUT, PO_OK. */
+/* Refuses the first flag that was given and has no effect on `what`, and names the flags that have
+ * an effect: a user whose flag is ignored silently would misread the result. Status: PO_BAD_INPUT,
+ * PO_OK. */
 po_status po_options_refuse_idle(const char *what, const po_flag_use *flags, size_t count);
 
 /* Refuses operands where a verb takes none. */

@@ -25,7 +25,7 @@ static po_status add(po_catalog *catalog, const po_catalog *other, po_case *kase
     twin = find(other, kase->file->name);
   po_status status = PO_OK;
   if (twin)
-    status = po_fail(PO_BAD_INPUT, "%s: name is %s: expected another, it is that of %s",
+    status = po_fail(PO_BAD_INPUT, "%s: name is %s: expected another name, as %s has this one",
                      kase->shown, kase->file->name, twin->shown);
   po_case **cases =
       status ? NULL : po_resize(catalog->cases, catalog->count + 1, sizeof(po_case *));

@@ -19,16 +19,16 @@ int po_environment_cores(void);
  * same numbers. */
 typedef struct {
   char program[PO_DIGEST_LENGTH]; /* a digest of the executable */
-  char openblas[256];             /* the library under it, with its kernels: po_linear_library */
-  char kernels[32];               /* these alone: po_linear_kernels */
+  char openblas[256]; /* the library that it uses, with its kernels: po_linear_library */
+  char kernels[32];   /* the kernels alone: po_linear_kernels */
 } po_arithmetic;
 
-/* That of this process; without a digest of the executable where the system has no
- * /proc/self/exe. Status: PO_CANNOT_READ when the executable is there and cannot be read, as
- * results would be taken for those of another program; PO_NO_MEMORY. */
+/* The arithmetic of this process; the digest of the executable is left out if the system has no
+ * /proc/self/exe. Status: PO_CANNOT_READ if the executable cannot be read, as results would be
+ * taken for those of another program; PO_NO_MEMORY. */
 po_status po_environment_arithmetic(po_arithmetic *own);
 
-/* A digest of it. */
+/* A digest of an arithmetic. */
 void po_arithmetic_digest(const po_arithmetic *arithmetic, char digest[PO_DIGEST_LENGTH]);
 
 /* The folder that holds cases/, reference/ and reports/: PULLOFF_DATA of the environment, else the

@@ -120,7 +120,7 @@ po_status po_record_check_owner(const po_case_run *run, const char *output) {
   const char *owner = string_of(record, "file");
   if (!status && po_path_exists(owner) && !po_path_is_same(owner, kase->path))
     status = po_fail(PO_BAD_INPUT,
-                     "%s: name is %s: expected another, or another --output, as %s holds the "
+                     "%s: name is %s: expected another name or another --output, as %s holds the "
                      "record of %s",
                      kase->shown, kase->file->name, folder, owner);
   json_decref(record);

@@ -40,8 +40,8 @@ typedef struct {
  * what slows the machine for a while slows no point more than the others; a point is kept when its
  * last round is done. Of a case of which only some points are asked for, the checks are made on
  * these, and no record is written: its journal keeps them (po_journal.h) for a run of the whole.
- * Status: PO_INTERRUPTED, a case is not finished and its solved points are kept (when all are
- * finished it does not matter whether `stop` was set); PO_CANNOT_WRITE; PO_CANNOT_READ (a
+ * Status: PO_INTERRUPTED: a case is not finished, and its solved points are kept (if all cases are
+ * finished, `stop` has no effect); PO_CANNOT_WRITE; PO_CANNOT_READ (a
  * reference); PO_NO_MEMORY. A solve that fails is no failure of the run: see po_case_run_verdict.
  */
 po_status po_run(po_case_run *runs, size_t count, const po_run_options *options);

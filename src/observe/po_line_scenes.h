@@ -20,11 +20,11 @@ bool po_line_alike(const po_request *a, const po_request *b);
 po_status po_line_follower(const po_line_scenes *l, size_t first, size_t last, double tolerance,
                            po_follower **follower);
 
-/* Whether the contact of a landmark that was followed reaches the end of the core of its surface,
- * which a trace would make larger. Given: the radius of the panels' root. */
+/* Whether the contact of a followed special point reaches the end of the core of its surface, so
+ * that a trace would enlarge the core. Given: the radius of the domain of the panels. */
 bool po_line_is_cut_off(const po_request *request, double root, const po_branch_point *landmark);
 
-/* The processor time until which a landmark may be followed to a scene; INFINITY: any. */
+/* The processor time until which a special point may be followed to a scene; INFINITY: no limit. */
 double po_line_deadline(const po_request *request);
 
 /* What a follower had done when it was last asked. */

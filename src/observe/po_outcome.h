@@ -96,7 +96,7 @@ typedef struct {
 typedef enum {
   PO_END_NONE,       /* nothing was traced, or the status says why */
   PO_END_COMPRESSED, /* a smooth sphere, stably under compression */
-  PO_END_PRELOAD,    /* a wavy one, stably pressed harder than it is pulled, by pi w R */
+  PO_END_PRELOAD,    /* a wavy sphere, stably pressed by pi w R more than pulled */
   PO_END_WAVES,      /* the minima of two successive waves rose by more each time */
   PO_END_ASKED,      /* at the approach_end of the request */
   PO_END_LOADED,     /* beyond the preload of the hysteresis asked for */
@@ -109,7 +109,7 @@ const char *po_end_cause_name(po_end_cause cause);
 bool po_end_cause_find(const char *name, po_end_cause *cause);
 
 typedef struct {
-  po_status status; /* PO_OK: complete; else what is below is what was had until then */
+  po_status status; /* PO_OK: complete; else the results below are those found until then */
   char reason[256]; /* why the status is not PO_OK; "" otherwise */
   bool rigid;       /* solved without elasticity */
   bool followed;    /* the pull-off alone, continued from other scenes, see po_line.h */

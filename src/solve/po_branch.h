@@ -39,8 +39,9 @@ typedef struct {
   const double *node; /* n: their radii, eps, ascending; NULL when rigid */
   const double *gap;  /* n: H there */
   const struct po_track_point *track; /* all of it, on panels; else NULL */
-  /* Of a landmark so corrected: the solution that its corrected values are of, and the one on a
-   * finer mesh by which that is judged; else NULL. They hold while the point is visited. */
+  /* For a corrected special point: the solution that has the corrected values, and the solution on
+   * a finer mesh from which its errors are estimated; else NULL. Valid while the point is visited.
+   */
   const struct po_track_point *best, *finer;
 } po_branch_point;
 

@@ -118,7 +118,7 @@ expect 2 'pulloff: cases/good.yaml:1: not a case: expected key: value' list
 
 restore
 cp "$file" "$PULLOFF_DATA/cases/twin.yaml"
-expect 2 'pulloff: cases/twin.yaml: name is good: expected another, it is that of cases/good.yaml' \
+expect 2 'pulloff: cases/twin.yaml: name is good: expected another name, as cases/good.yaml has this one' \
   run good
 restore
 mv "$PULLOFF_DATA/cases" "$PULLOFF_DATA/elsewhere"

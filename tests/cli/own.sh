@@ -90,16 +90,16 @@ expect 0 'good: 1 points, 1 checks: within (kept)' run good data/cases/good.yaml
 # Names are for one case each.
 write_own taken.yaml good 21
 for verb in run verify plan explain; do
-  expect 2 'pulloff: taken.yaml: name is good: expected another, it is that of cases/good.yaml' $verb taken.yaml
+  expect 2 'pulloff: taken.yaml: name is good: expected another name, as cases/good.yaml has this one' $verb taken.yaml
 done
 expect 2 'pulloff: taken.yaml: name is good: *' run taken.yaml --shard 1/2 --output taken
 check 'and no shard is written' test ! -e taken
 write_own one.yaml twin 21
 write_own two.yaml twin 22
-expect 2 'pulloff: two.yaml: name is twin: expected another, it is that of one.yaml' run one.yaml two.yaml
+expect 2 'pulloff: two.yaml: name is twin: expected another name, as one.yaml has this one' run one.yaml two.yaml
 expect 0 'twin: 1 points, 2 checks: outside' run one.yaml --output twins
 cp twins/twin/record.json before.json
-expect 2 'pulloff: two.yaml: name is twin: expected another, or another --output, as twins/twin holds the record of one.yaml' \
+expect 2 'pulloff: two.yaml: name is twin: expected another name or another --output, as twins/twin holds the record of one.yaml' \
   run two.yaml --output twins --fresh
 check 'whose record is as it was' cmp before.json twins/twin/record.json
 expect 0 'twin: 1 points, 2 checks: outside (kept)' run ./one.yaml --output twins
