@@ -138,7 +138,7 @@ assert same(lines["profile"][5].rstrip(":"), d["profile_approach"], 8)
 (held,) = d["contact"]["held"]
 assert held["inner"] == 0 and same(lines["annuli"][3], held["outer"], 6)
 assert same(lines["checks"][4].rstrip(";"), d["diagnostics"]["residual"], 2)
-assert lines["way"][1:] == ["back", "ok:", "the", "same", "special", "points"]
+assert lines["reverse"][1:] == ["trace", "ok:", "the", "same", "special", "points"]
 assert lines["ended"][3].rstrip(",") and same(lines["ended"][3].rstrip(","), d["ended"]["approach"], 6)
 assert same(lines["ended"][5].rstrip(":"), d["ended"]["load"], 6)
 WANTED
