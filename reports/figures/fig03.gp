@@ -1,9 +1,9 @@
 # Figure 3: load against minus the approach; below, the distance of the reference from the branch.
-# Data: computed.dat (a block a Tabor parameter), reference.dat, rigid.dat, published.dat, residual.dat
-# and ripple.dat (each by panels, as in the paper).
+# Data: computed.dat (a block a Tabor parameter), reference.dat, rigid.dat, published.dat; and, each with a block
+# by panels and one as in the paper, residual.dat, and for a soft sphere minimum.dat, nose.dat and folds.dat.
 
-# Heights on the screen: all is moved up where there is room for the ripple below.
-below = ripple ? 0.22 : 0
+# Heights on the screen: all is moved up where there is room for the soft sphere below.
+below = soft ? 0.28 : 0
 high(y) = below + (1 - below) * y
 left = 0.098; right = 0.985
 set multiplot
@@ -46,16 +46,28 @@ plot for [i = 1:(panel_count > 0)] 'residual.dat' index 0 using 1:2 with points 
        pointtype 6 pointsize 0.3 linecolor rgb vermillion title 'as in the paper', \
      for [i = 1:(panel_count + paper_count == 0)] 1/0 notitle
 
-# The pull-off of a soft sphere.
-if (ripple) {
-  set tmargin at screen 0.195; set bmargin at screen 0.085
+# A soft sphere: (a) about its pull-off, (b) where the surfaces jump apart.
+if (soft) {
+  set tmargin at screen 0.255; set bmargin at screen 0.075
   unset logscale y
-  set xrange [*:*] noextend; set yrange [*:*]
-  set xtics 0.2 format '%.1f'; set ytics 0.004 format '%.3f'
-  set ylabel '{/:Italic W̄}' rotate by 0 offset 1.5,0
-  set label 1 ripple_text at graph 0.5, graph 0.84 center
   set key off
-  plot 'ripple.dat' index 1 using 1:2 with lines linecolor rgb vermillion linewidth 1, \
-       'ripple.dat' index 0 using 1:2 with lines linecolor rgb black linewidth 1.3
+  set lmargin at screen left; set rmargin at screen 0.5
+  set xrange [*:*] noextend; set yrange [*:*]
+  set xtics 0.4 format '%.1f'; set ytics 0.004 format '%.3f'
+  set ylabel '{/:Italic W̄}' rotate by 0 offset 1.5,0
+  set label 1 '(a)' at graph 0.03, graph 0.9 left
+  set label 2 soft_text at graph 0.5, graph 0.9 center
+  plot 'minimum.dat' index 1 using 1:2 with lines linecolor rgb vermillion linewidth 1, \
+       'minimum.dat' index 0 using 1:2 with lines linecolor rgb black linewidth 1.3
+  set lmargin at screen 0.575; set rmargin at screen right
+  set xrange [*:*] noextend; set yrange [*:*] noextend
+  set offsets 0, 0.01, 0.02, 0.02
+  set xtics 0.04 format '%.2f'; set ytics 0.1 format '%.1f'
+  unset ylabel
+  set label 1 '(b)' at graph 0.03, graph 0.5 left; set label 2 at graph 0.5, graph 0.5
+  plot 'nose.dat' index 0 using 1:2 with lines linecolor rgb black linewidth 1.3, \
+       'nose.dat' index 1 using 1:2 with lines linecolor rgb vermillion linewidth 0.7, \
+       'folds.dat' index 1 using 1:2 with points pointtype 7 pointsize 0.3 linecolor rgb vermillion, \
+       'folds.dat' index 0 using 1:2 with points pointtype 6 pointsize 0.8 linecolor rgb black
 }
 unset multiplot

@@ -7,6 +7,7 @@ SAMPLES = 24      # of the smooth curve between two of its points, to find the n
 REFINEMENTS = 6   # Newton steps on the foot of the normal; each doubles the correct digits
 UPRIGHT = 0.02    # cosine between the way to a point and the tangent at its foot, at most
 ROUND_OFF = 1e-12  # distances that small have no direction
+PAPER = (7.0, 4.2)  # width and height of the frame of a figure, in the units of a distance between markers
 
 
 def through(curve_x, curve_y, position):
@@ -26,6 +27,22 @@ def dense(curve_x, curve_y, position, between=8):
     steps = numpy.arange(between) / between
     fine = (knots[:-1, None] + numpy.diff(knots)[:, None] * steps).ravel()
     return spline(numpy.append(fine, knots[-1]))
+
+
+def inside(window, heights, x, y):
+    """Which points lie in a frame; window and heights are its ranges of x and y."""
+    return (x >= window[0]) & (x <= window[1]) & (y >= heights[0]) & (y <= heights[1])
+
+
+def thinned(x, y, window, heights, apart):
+    """Points of a dense curve in a frame, one after another at least `apart` on paper."""
+    chosen = inside(window, heights, x, y)
+    size = (PAPER[0] / (window[1] - window[0]), PAPER[1] / (heights[1] - heights[0]))
+    kept = []
+    for px, py in zip(x[chosen], y[chosen]):
+        if not kept or numpy.hypot(size[0] * (px - kept[-1][0]), size[1] * (py - kept[-1][1])) >= apart:
+            kept.append((float(px), float(py)))
+    return kept
 
 
 def common_range(curve_x, curve_y, x, y):

@@ -161,11 +161,12 @@ class Parts(PageTest):
         with made_up(synthetic.make_fig03_twice) as folder:
             text = plain(page_of(folder))
         self.has(text, "at most 4.4 × 10−6 for μ = 0.01 and", "red, 3.2 × 10−4 for μ = 0.01 and",
-                 "Below: about the pull-off at μ = 5, which the paper does not show here", "folds in all")
+                 "Below: μ = 5, which the paper does not show here", "folds in all", "are spurious")
         with made_up(synthetic.make_fig04_twice) as folder:
             html = page_of(folder)
         self.has(plain(html), "at most 1.0 × 10−5 for the force (μ = 5)", "open circles, 1.0 × 10−3 for the force",
-                 "(c) Number of folds of the branch; by the paper’s discretisation 12 at μ = 5 instead of 1")
+                 "(c) Number of folds of the branch; by the paper’s discretisation 12 at μ = 5 instead of 1",
+                 "The others are spurious")
         self.has(html, "as in the paper</text>")
 
     def test_what_was_followed_stands_beside_what_was_traced(self):

@@ -1,5 +1,7 @@
 """Figure 3: load against approach for a smooth sphere, with Feng's problem and Bradley's solution."""
 
+import dataclasses
+
 import numpy
 from markupsafe import Markup
 
@@ -16,9 +18,10 @@ CURVES, BRADLEY = "feng_curves.csv", "bradley.csv"
 PUBLISHED = "published/feng_fig3.csv"   # Feng's own points, when somebody has digitised them
 WINDOW = (-1.05, 6.0)        # of −Δ†, as wide as the folds of μ = 3 ask for
 LOADS = (-2.3, 1.0)          # of W̄
-BEYOND = 4.0                 # a greater Tabor parameter is none of the paper's figure, and drawn below it
+BEYOND = 4.0                 # a greater Tabor parameter is not in the paper's figure, and is drawn below it
 NEAR = 0.7                   # of the approach, to either side of the pull-off there
-MARKERS_APART = 0.16         # between two markers, along the drawn curve in plot units
+NOSE = 0.08                  # of the approach, to either side of the last jump apart there
+MARKERS_APART = 0.16         # between two markers, see geometry.thinned
 STYLES = [(BLUE, 6), (GREEN, 4), (PURPLE, 8), (ORANGE, 12)]
 
 
@@ -54,21 +57,11 @@ def published_points(references):
 
 
 def inside(x, y):
-    return (x >= WINDOW[0]) & (x <= WINDOW[1]) & (y >= LOADS[0]) & (y <= LOADS[1])
+    return geometry.inside(WINDOW, LOADS, x, y)
 
 
-def thinned(x, y, apart=MARKERS_APART):
-    """Points of a dense curve at about equal distances on paper, in the window only."""
-    chosen = inside(x, y)
-    x, y = x[chosen], y[chosen]
-    width, height = WINDOW[1] - WINDOW[0], LOADS[1] - LOADS[0]
-    kept, last = [], None
-    for px, py in zip(x, y):
-        here = numpy.array([7 * px / width, 4.2 * py / height])
-        if last is None or numpy.hypot(*(here - last)) >= apart:
-            kept.append((float(px), float(py)))
-            last = here
-    return kept
+def thinned(x, y):
+    return geometry.thinned(x, y, WINDOW, LOADS, MARKERS_APART)
 
 
 def residual(computed, reference):
@@ -87,24 +80,52 @@ def beside(case, tabor):
     return None
 
 
-def ripple(case, points):
-    """About the pull-off beyond the figure: (μ, folds of either, rows (−Δ†, W̄) of either), or None."""
+@dataclasses.dataclass
+class Soft:
+    """A sphere beyond the figure, by panels and by the paper's discretisation."""
+    tabor: float
+    folds: list              # of either: their number
+    minimum: list            # of either: rows (−Δ†, W̄) about the pull-off
+    nose: list               # of either: rows about the folds of the paper's discretisation where the surfaces jump apart
+    at_folds: list           # of either: the folds there
+    element: float           # length of an element of the paper's discretisation, cut at r = R, in ε
+    hop: tuple               # least and greatest change of the contact radius between two of these folds, in ε
+
+
+def nose_folds(point, middle):
+    """Folds about the last jump apart."""
+    return [fold for fold in point["folds"] or [] if abs(fold["approach"] - middle) <= NOSE]
+
+
+def hops(folds):
+    """Least and greatest change of the contact radius from one jump apart to the next."""
+    radii = [fold["contact_radius"] for fold in folds if fold["kind"] == "jump_out"]
+    changes = [abs(b - a) for a, b in zip(radii, radii[1:])]
+    return (min(changes), max(changes)) if changes else (0.0, 0.0)
+
+
+def softest(case, points):
+    """The sphere beyond the figure; None unless both discretisations have its curve."""
     for point in points:
         other = beside(case, value_of(point, "tabor"))
         both = branch(case, point), branch(case.companion, other) if other else None
-        if value_of(point, "tabor") > BEYOND and both[0] and both[1] and point.get("pull_off"):
-            middle = -point["pull_off"]["approach"]
-            rows = []
-            for computed in both:
-                dense = geometry.dense(*computed)
-                rows.append([(float(x), float(y)) for x, y in dense if abs(x - middle) <= NEAR and y < -1])
-            return value_of(point, "tabor"), [len(one["folds"] or []) for one in (point, other)], rows
+        if value_of(point, "tabor") > BEYOND and both[0] and both[1] and point.get("pull_off") and point.get("folds"):
+            middle, last = -point["pull_off"]["approach"], min(fold["approach"] for fold in point["folds"])
+            dense = [[(float(x), float(y)) for x, y in geometry.dense(*one)] for one in both]
+            found = [nose_folds(one, last) for one in (point, other)]
+            inner = [fold for fold in found[1] if fold["contact_radius"] is not None]
+            return Soft(
+                value_of(point, "tabor"), [len(one["folds"] or []) for one in (point, other)],
+                [[(x, y) for x, y in rows if abs(x - middle) <= NEAR and y < -1] for rows in dense],
+                [[(x, y) for x, y in rows if abs(x + last) <= NOSE and y < other["folds"][0]["load"]] for rows in dense],
+                [[(-fold["approach"], fold["load"]) for fold in folds] for folds in found],
+                other["input"]["radius"] / (other["input"]["nodes"] - 1), hops(inner))
     return None
 
 
 def make(case, references):
     points = sorted(case.points, key=lambda point: value_of(point, "tabor") or 0)
-    soft = ripple(case, points)
+    soft = softest(case, points)
     points = [point for point in points if (value_of(point, "tabor") or 0) <= BEYOND]
     bradley = references.table(BRADLEY)
     rigid = None
@@ -150,14 +171,16 @@ def make(case, references):
         "label_x": [item[0] for item in labels], "label_y": [item[1] for item in labels],
         "label_text": [item[2] for item in labels], "label_colour": [item[3] for item in labels],
         "panel_count": len(strips[0]), "paper_count": len(strips[1]),
-        "ripple": 1 if soft else 0, "ripple_text": f"μ = {plain(soft[0])}" if soft else "",
-        "figure_height": 600 if soft else 480,
+        "soft": 1 if soft else 0, "soft_text": f"μ = {plain(soft.tabor)}" if soft else "",
+        "figure_height": 640 if soft else 480,
         "x_min": WINDOW[0], "x_max": WINDOW[1], "y_min": LOADS[0], "y_max": LOADS[1],
         "low": low, "high": high}
     drawn = gnuplot.draw("fig03", parameters, {"computed": lines or [[]], "reference": marks or [[]],
                                                "rigid": [dots], "published": [crosses],
                                                "residual": strips,
-                                               "ripple": soft[2] if soft else [[]]})
+                                               "minimum": soft.minimum if soft else [[]],
+                                               "nose": soft.nose if soft else [[]],
+                                               "folds": soft.at_folds if soft else [[]]})
     label = "Load against minus the approach for several Tabor parameters, with reference markers"
     return Figure("fig03", NUMBER, TITLE, Markup(svg.embeddable(drawn, "fig03", label)),
                   caption(case, marks, dots, crosses, said, soft),
@@ -182,9 +205,14 @@ def caption(case, marks, dots, crosses, said, soft):
                 greatest(said[1]), twice.PAPER)
         text += "."
     if soft:
-        text += Markup(" Below: about the pull-off at μ = {}, which the paper does not show here, the branch has {} "
-                       "folds in all; by the paper’s discretisation (red) its load ripples as the edge of the contact "
-                       "hops from node to node, and it has {}.").format(plain(soft[0]), *soft[1])
+        text += Markup(
+            " Below: μ = {}, which the paper does not show here, (a) about the pull-off and (b) where the surfaces jump "
+            "apart. By panels (black) the branch has {} folds. By the paper’s discretisation (red) the contact edge "
+            "advances one element of {} ε at a time, and the load ripples with it; where the branch is steep, each ripple "
+            "is a pair of folds (dots), and it has {} folds in all. From one pair to the next the contact radius changes by "
+            "{} to {} ε, one element; the {} folds that panels do not find are spurious.").format(
+                plain(soft.tabor), soft.folds[0], plain(soft.element), soft.folds[1],
+                *(f"{value:.3f}" for value in soft.hop), soft.folds[1] - soft.folds[0])
     return text
 
 

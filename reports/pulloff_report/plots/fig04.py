@@ -1,5 +1,7 @@
 """Figure 4: pull-off force and approach at pull-off of a smooth sphere against the Tabor parameter."""
 
+import math
+
 from markupsafe import Markup
 
 from .. import gnuplot, svg
@@ -90,9 +92,20 @@ def caption(case, data, said):
     if data["folds"][0]:
         text += " (c) Number of folds of the branch"
         if data["folds"][1]:
-            text += Markup("; by the paper’s discretisation {} at μ = {} instead of {}").format(*most_folds(data["folds"]))
+            count, tabor, true = most_folds(data["folds"])
+            text += Markup(
+                "; by the paper’s discretisation {} at μ = {} instead of {}. The others are spurious: the contact edge "
+                "advances one element at a time, as Figure 3 shows. Two of them are as little as {} ε of approach apart, "
+                "and a trace may step over such a pair, so that a trace with other steps, as that of Figure 3, may "
+                "count a few more or fewer").format(count, plain(tabor), true, scientific(least_apart(case.companion, tabor), 1))
         text += "."
     return text
+
+
+def least_apart(case, tabor):
+    """The least distance in approach of two successive folds of a case at this Tabor parameter."""
+    places = [[fold["approach"] for fold in point["folds"]] for found, point in by_tabor(case) if found == tabor]
+    return min((abs(a - b) for row in places for a, b in zip(row, row[1:])), default=math.inf)
 
 
 def greatest(said, which):
@@ -103,7 +116,7 @@ def greatest(said, which):
 def most_folds(both):
     """Folds by the paper's discretisation, Tabor parameter and folds by panels where it has most."""
     tabor, count = max(both[1], key=lambda row: row[1])
-    return count, plain(tabor), dict(both[0]).get(tabor, "—")
+    return count, tabor, dict(both[0]).get(tabor, "—")
 
 
 def remarks(case, references):

@@ -13,7 +13,7 @@ TITLE = "Rigid loading curves"
 CURVES = "rigid_curves.csv"
 WINDOW = (-0.4, 3.0)      # of −Δ†
 LOADS = (-2.3, 0.6)       # of W̄
-APART = 0.22              # between markers, in the same units as thinned() of Figure 3
+APART = 0.22              # between markers, see geometry.thinned
 
 
 def branch(case, alpha):
@@ -34,25 +34,14 @@ def reference(references, alpha):
     return -table.numbers("approach")[chosen], table.numbers("load")[chosen]
 
 
-def inside(x, y):
-    return (x >= WINDOW[0]) & (x <= WINDOW[1]) & (y >= LOADS[0]) & (y <= LOADS[1])
-
-
 def markers(computed):
     """Points at about equal distances on paper, on the smooth curve through the computed ones."""
-    kept, last = [], None
-    for x, y in geometry.dense(*computed):
-        here = numpy.array([7 * x / (WINDOW[1] - WINDOW[0]), 4.2 * y / (LOADS[1] - LOADS[0])])
-        if inside(numpy.array(x), numpy.array(y)) and (
-                last is None or numpy.hypot(*(here - last)) >= APART):
-            kept.append((float(x), float(y)))
-            last = here
-    return kept
+    return geometry.thinned(*geometry.dense(*computed).T, WINDOW, LOADS, APART)
 
 
 def residual(computed, stored):
     x, y = stored
-    chosen = inside(x, y) & geometry.common_range(computed[0], computed[1], x, y)
+    chosen = geometry.inside(WINDOW, LOADS, x, y) & geometry.common_range(computed[0], computed[1], x, y)
     gap = geometry.distances(*computed, x[chosen], y[chosen])
     return [(float(a), float(max(b, 1e-16))) for a, b in zip(x[chosen], gap) if b == b]
 
