@@ -1,28 +1,42 @@
-# Figure 8: pull-off force against the Tabor parameter; below, the difference of the paper's
-# discretisation. Data: computed.dat, guduru.dat, difference.dat, each a block an amplitude.
+# Figure 8: pull-off force against the Tabor parameter, above the axis of the paper on a logarithmic one what the JKR
+# limit has there; below, the difference of the paper's discretisation. Data: computed.dat, guduru.dat,
+# difference.dat, each a block an amplitude.
 
 set multiplot
-set lmargin at screen 0.088; set rmargin at screen 0.985
-set tmargin at screen 0.985; set bmargin at screen 0.365
+set lmargin at screen 0.098; set rmargin at screen 0.985
 set logscale x
-set xrange [0.0085:6]; set yrange [0:top]
-set xtics 10 format ''; set mxtics 10; set ytics 1 format '%g'; set mytics 2
+set xrange [0.0085:6]
+set xtics 10 format ''; set mxtics 10
+
+# what lies above the axis
+set tmargin at screen 0.985; set bmargin at screen 0.815
+set logscale y; set yrange [top:above]; set ytics (10, 1e3, 1e5) format '10^{%L}'
+unset key
+set label 1 sprintf('JKR, A† = 10: %.1f at μ = 5', last) at last_tabor, last right offset 0.3,1.5 textcolor rgb colour[3]
+plot for [i = 1:guduru_count] 'guduru.dat' index i-1 using 1:2 with lines linecolor rgb colour[i] \
+       linewidth 1.1 dashtype 2 notitle, \
+     '+' using (last_tabor):(last) every ::0::0 with points pointtype 6 pointsize 0.9 linewidth 1.2 \
+       linecolor rgb colour[3] notitle
+unset label 1
+
+set tmargin at screen 0.81; set bmargin at screen 0.315
+unset logscale y; set yrange [0:top]
+set ytics 1 format '%g'; set mytics 2
 set ylabel '|{/:Italic W̄}| at pull-off' offset 0,0
 set key at graph 0.02, graph 0.955 left top Left reverse
 do for [i = 1:rigid_count] {
   set arrow i from graph 0, first rigid[i] to graph 1, first rigid[i] nohead \
     linewidth 1.1 linecolor rgb colour[i] dashtype 4
 }
-set label 1 sprintf('JKR for A† = 10: %.1f at μ = 5', last) at graph 0.985, graph 0.94 right \
-  textcolor rgb colour[3]
-plot for [i = 1:guduru_count] 'guduru.dat' index i-1 using 1:2 with lines linecolor rgb colour[i] \
-       linewidth 1.1 dashtype 2 title (i == 1 ? 'JKR limit, Eq 5' : ''), \
-     NaN with lines linecolor rgb colour[1] linewidth 1.1 dashtype 4 title 'rigid limit, Eq 22', \
+plot NaN with lines linecolor rgb black linewidth 1.1 dashtype 2 title 'JKR limit, Eq 5', \
+     NaN with lines linecolor rgb black linewidth 1.1 dashtype 4 title 'rigid limit, Eq 22', \
+     for [i = 1:guduru_count] 'guduru.dat' index i-1 using 1:2 with lines linecolor rgb colour[i] \
+       linewidth 1.1 dashtype 2 notitle, \
      for [i = 1:count] 'computed.dat' index i-1 using 1:2 with points pointtype shape[i] \
        pointsize 0.85 linewidth 1.3 linecolor rgb colour[i] title text[i]
 
-unset label; unset arrow
-set tmargin at screen 0.335; set bmargin at screen 0.105
+unset arrow
+set tmargin at screen 0.29; set bmargin at screen 0.09
 set xtics 10 format '%g'
 set xlabel 'Tabor parameter μ' offset 0,0.4
 set logscale y

@@ -11,7 +11,7 @@ NUMBER = "8"
 TITLE = "Pull-off of three wavy spheres against the Tabor parameter"
 KEYS = ("amplitude", "tabor")
 COLOURS, SHAPES = (VERMILLION, GREEN, BLUE), (6, 4, 8)
-TOP = 5.0                 # of the axis, as much as the largest computed force needs
+TOP = 5.0                 # of the linear axis, as much as the largest computed force needs
 
 
 def by_amplitude(found):
@@ -33,8 +33,9 @@ def make(case, references):
         "count": len(amplitudes), "rigid_count": len(rigid), "guduru_count": len(guduru),
         "strip_count": len(strips), "colour": list(COLOURS), "shape": list(SHAPES),
         "text": [f"A† = {plain(value)}" for value in amplitudes],
-        "rigid": [rigid[key] for key in sorted(rigid)], "top": TOP, "last": last[1],
-        "low": low, "high": high},
+        "rigid": [rigid[key] for key in sorted(rigid)], "top": TOP, "last_tabor": last[0], "last": last[1],
+        "above": 2.0 * max((row[1] for rows in guduru.values() for row in rows), default=50.0),
+        "figure_height": 560, "low": low, "high": high},
         {"computed": marks or [[]], "guduru": [guduru[key] for key in sorted(guduru)] or [[]],
          "difference": strips or [[]]})
     label = "Pull-off force against the Tabor parameter for three amplitudes"
@@ -44,12 +45,12 @@ def make(case, references):
 
 def caption(case, amplitudes, strips, last):
     text = Markup("Pull-off force |W̄| against the Tabor parameter μ for λ† = 20, R† = 100 and A† = {}. "
-                  "Markers: {}. Dash-dotted: rigid limit, Eq 22. Dashed: JKR limit, Eq 5, which for "
-                  "A† = {} lies above the axis and is {} at μ = {}.").format(
+                  "Markers: {}. Dash-dotted: rigid limit, Eq 22. Dashed: JKR limit, Eq 5, which is "
+                  "continued above on a logarithmic axis; for A† = {} it is {} at μ = {} (circle).").format(
                       listing([plain(value) for value in amplitudes]), Markup(twice.how(case)),
                       plain(amplitudes[-1]) if amplitudes else "–", f"{last[1]:.3f}", plain(last[0]))
     if strips:
         worst = max(row[1] for strip in strips for row in strip)
         text += Markup(" Strip: magnitude of the difference between these and the paper’s discretisation "
                        "({}), at most {}.").format(twice.PAPER, scientific(worst))
-    return text
+    return text + " " + twice.pressed(case)

@@ -10,7 +10,8 @@ from .figure import BLUE, GREEN, VERMILLION, Figure, log_range
 NUMBER = "10"
 TITLE = "Pull-off against A/λ for twelve wavy spheres"
 KEYS = ("wavelength", "radius", "amplitude_ratio")
-COLOURS, SHAPES = (VERMILLION, GREEN, BLUE), (6, 4, 8)
+COLOURS = (VERMILLION, GREEN, BLUE)   # a radius
+SHAPES = (6, 4, 8, 12)    # a wavelength
 FLOOR = 0.02              # of the axis; what was not solved is marked there
 
 
@@ -29,10 +30,10 @@ def make(case, references):
     strips = blocks_of(twice.differences(case, KEYS, relative=True) if case.companion else {}, groups)
     low, high = log_range([row[1] for strip in strips for row in strip])
     drawn = gnuplot.draw("fig10", {
-        "figure_height": 640, "panel_count": len(wavelengths), "radius_count": len(radii),
+        "figure_height": 840, "panel_count": len(wavelengths), "radius_count": len(radii),
         "panel_text": [f"λ† = {plain(value)}" for value in wavelengths],
         "radius_text": [f"R† = {plain(value)}" for value in radii],
-        "colour": list(COLOURS), "shape": list(SHAPES), "missing": len(missing),
+        "colour": list(COLOURS), "form": list(SHAPES), "missing": len(missing),
         "low": low, "high": high, "floor": FLOOR},
         {"computed": blocks_of(forces, groups), "missing": blocks_of(missing, groups),
          "guduru": [guduru.get(group, []) for group in groups], "difference": strips})
@@ -43,17 +44,16 @@ def make(case, references):
 
 def caption(case, forces, missing, strips):
     best = max(forces, key=forces.get)
-    text = Markup("Pull-off force |W̄| against A/λ at μ = {}, a panel a wavelength. Markers: {}. Dashed: JKR, "
-                  "Eq 5. The greatest is {} at λ† = {}, R† = {}, A/λ = {}.").format(
+    text = Markup("Pull-off force |W̄| against A/λ at μ = {}: (a) all twelve, as in the paper; (b) a panel a "
+                  "wavelength. Markers: {}. Dash-dotted: a guide to the eye. Dashed: JKR, Eq 5. The greatest is {} at λ† = {}, R† = {}, A/λ = {}.").format(
                       plain(case.points[0]["input"]["tabor"]), Markup(twice.how(case)),
                       f"{forces[best]:.2f}", plain(best[0]), plain(best[1]), plain(best[2]))
     if missing:
-        text += Markup(" Crosses on the lower edge: {} scenes that were not solved (listed below).").format(
+        text += Markup(" Crosses on the lower edge of (b): {} scenes that were not solved (listed below).").format(
             len(missing))
     worst = [row[1] for strip in strips for row in strip]
     if worst:
         ratios = sorted({row[0] for strip in strips for row in strip})
-        text += Markup(" Strip: relative difference of the paper’s discretisation ({}) at A/λ = {}, λ† growing "
-                       "with the size of the marker; at most {}.").format(
+        text += Markup(" (c) Relative difference of the paper’s discretisation ({}) at A/λ = {}; at most {}.").format(
                            twice.PAPER, listing([plain(value) for value in ratios]), scientific(max(worst)))
-    return text
+    return text + " " + twice.pressed(case)

@@ -3,14 +3,14 @@
 from markupsafe import Markup
 
 from .. import gnuplot, svg
-from ..words import plain, value_of
+from ..words import listing, plain, value_of
 from . import fig10, twice
 from .figure import Figure
 
 NUMBER = "11"
 TITLE = "Effective work of adhesion against the Johnson parameter"
 CASE = "fig10"
-SHAPES = (6, 4, 8, 12)    # a wavelength
+CLEAR = 0.02              # below Eq 30 by more than this share of it: seen on the page
 EFFECTIVE = 2.0 / 3.0     # w_eff/w over |W|/(pi w R): the left-hand side of Eq 24
 
 
@@ -31,23 +31,42 @@ def make(case, references):
     beside = {key: (twice.match(envelope, key), twice.match(tosatti, key)) for key in forces}
     blocks = [sorted((beside[key][0][0], EFFECTIVE * force) for key, force in forces.items()
                      if key[:2] == group and beside[key][0]) for group in groups]
-    below = sum(EFFECTIVE * force < beside[key][1][1] for key, force in forces.items() if beside[key][1])
+    below = shortfalls(forces, {key: row[1] for key, row in beside.items() if row[1]})
+    clear = [sorted((beside[key][0][0], EFFECTIVE * forces[key]) for key, part in below.items()
+                    if key[:2] == group and part > CLEAR) for group in groups]
+    named = [(group, min(rows, key=lambda row: row[1])) for group, rows in zip(groups, clear) if rows]
     drawn = gnuplot.draw("fig11", {
         "wavelength_count": len(wavelengths), "radius_count": len(radii),
         "wavelength_text": [f"λ† = {plain(value)}" for value in wavelengths],
         "radius_text": [f"R† = {plain(value)}" for value in radii],
-        "colour": list(fig10.COLOURS), "shape": list(SHAPES)},
-        {"computed": blocks, "envelope": [sorted(envelope.values())],
+        "colour": list(fig10.COLOURS), "shape": list(fig10.SHAPES),
+        "clear_count": len(named), "clear_text": [name_of(group) for group, _ in named],
+        "clear_x": [row[0] for _, row in named], "clear_y": [row[1] for _, row in named]},
+        {"computed": blocks, "clear": clear, "envelope": [sorted(envelope.values())],
          "tosatti": [sorted(row for row in tosatti.values() if row[1] > 0)]})
     label = "Effective work of adhesion against the Johnson parameter on logarithmic axes"
     return Figure("fig11", NUMBER, TITLE, Markup(svg.embeddable(drawn, "fig11", label)),
-                  caption(case, blocks, below), twice.failed(case), case.record["command"])
+                  caption(case, blocks, below, groups, clear), twice.failed(case), case.record["command"])
 
 
-def caption(case, blocks, below):
+def shortfalls(forces, bounds):
+    """Key values -> how far a force is below Eq 30, relative to it, of those below it."""
+    parts = {key: 1 - EFFECTIVE * forces[key] / row[1] for key, row in bounds.items() if row[1] > 0}
+    return {key: part for key, part in parts.items() if part > 0}
+
+
+def name_of(group):
+    return f"λ† = {plain(group[0])}, R† = {plain(group[1])}"
+
+
+def caption(case, blocks, below, groups, clear):
     text = Markup("The pull-off forces of Figure 10 as effective work of adhesion, 2|W̄|/3, against the Johnson "
-                  "parameter α_KLJ, μ = {}. Markers: {}. Solid: Eq 24. Dash-dotted: Eq 30 where it is above 0.").format(
+                  "parameter α<sub>KLJ</sub>, μ = {}. Markers: {}. Solid: Eq 24. Dash-dotted: Eq 30 where it is above 0.").format(
                       plain(case.points[0]["input"]["tabor"]), Markup(twice.how(case)))
-    text += (f" {below} of {sum(map(len, blocks))} markers lie below Eq 30."
-             if below else " No marker lies below Eq 30.")
-    return text
+    if not below:
+        return text + " No marker lies below Eq 30."
+    text += f" {len(below)} of {sum(map(len, blocks))} markers lie below Eq 30"
+    many = [f"{len(rows)} of {name_of(group)}" for group, rows in zip(groups, clear) if rows]
+    if not many:
+        return text + f", none by more than {CLEAR:.0%} of it."
+    return text + f", of these by more than {CLEAR:.0%} of it (filled): {listing(many)}."

@@ -10,6 +10,7 @@ from markupsafe import Markup
 
 from .. import gnuplot, svg
 from ..words import plain, scientific, value_of
+from . import twice
 from .figure import Figure, failures
 
 # The forces at which the colour changes, close together about 1.5 (JKR) and 2 (Bradley).
@@ -137,9 +138,10 @@ def caption(case, wavelength, tabors, force):
         "bar; the greatest force is {} at μ = {}, A/λ = {}. Dashed: "
         "A/λ = 0.1, beyond which the paper finds that JKR fails. At the sides, computed (symbols) and in the limit (lines): the force at μ = {} and "
         "the rigid one (Eq 22), that at μ = {} and that of full contact (Eq 5). {} points, {} of them followed from "
-        "traced ones; the largest estimated error is {} of the force.").format(
+        "traced ones; the largest estimated error is {} of the force. {}").format(
             plain(wavelength), plain(round(top, 3)), plain(place_of_top[0]), plain(round(place_of_top[1], 4)),
-            plain(tabors[0]), plain(tabors[-1]), len(case.points), followed, scientific(worst))
+            plain(tabors[0]), plain(tabors[-1]), len(case.points), followed, scientific(worst),
+            twice.pressed(case))
 
 
 @dataclasses.dataclass(frozen=True)
