@@ -3,9 +3,11 @@
 import numpy
 from markupsafe import Markup
 
-from .. import gnuplot, svg
-from ..words import MINUS, plain, value_of
+from .. import geometry, gnuplot, svg
+from ..words import MINUS, plain, scientific, value_of
 from .figure import Figure, failures
+
+APART = 0.22  # between markers, see geometry.thinned
 
 
 def stretches(table, tabor):
@@ -36,14 +38,29 @@ def line(case, name, tabor):
 BESIDE = {(True, True): (1, 1), (True, False): (1.9, -0.9), (False, True): (-0.3, -1.5), (False, False): (-1, 1)}
 
 
-def ends(loop, tabor):
-    """(x, y, label, loading, left, above) of both ends of every jump."""
+def ends(loop, tabor, beside):
+    """(x, y, label, loading, left, above) of both ends of every jump; `beside` has places of single labels."""
     rows = []
     for jump in loop["jumps"]:
         loading = jump["phase"] == "loading"
         for state, label, before in zip((jump["before"], jump["after"]), jump["ends"], (True, False)):
-            rows.append((-state["approach"] / tabor, state["load"], label, int(loading), *BESIDE[loading, before]))
+            rows.append((-state["approach"] / tabor, state["load"], label, int(loading),
+                         *beside.get(label, BESIDE[loading, before])))
     return rows
+
+
+def curve(case, point, tabor):
+    """(−Δ†/μ, W̄, position) of the branch of a point."""
+    table = case.curve(point)
+    return -table.numbers("approach") / tabor, table.numbers("load"), table.numbers("position")
+
+
+def by_triangles(case, panel, triangle, tabor, window, loads):
+    """Markers of the branch by the paper's triangles, and their greatest distance from that by panels; in W̄ and
+    −Δ†/μ."""
+    markers = geometry.thinned(*geometry.dense(*curve(case, triangle, tabor)).T, window, loads, APART)
+    gap = geometry.distances(*curve(case, panel, tabor), *numpy.array(markers).T) if markers else []
+    return markers, max((value for value in gap if value == value), default=0.0)
 
 
 def solved(case, scheme):
@@ -54,19 +71,20 @@ def solved(case, scheme):
     return None
 
 
-def make(case, window, loads, number, title, key_below=False):
+def make(case, number, title, window, loads, wide=None, beside=None, key_below=False):
+    """The figure; `wide` are window and loads of a second frame above, for the JKR theory, and `beside` the places of
+    single labels."""
     name = f"fig{number}"
     panel, triangle = solved(case, "panel"), solved(case, "triangle")
     tabor = value_of(panel, "tabor") or 1.0
     loop = panel["hysteresis"]["displacement_control"]
     stable, unstable = stretches(case.curve(panel), tabor)
-    of_triangles = stretches(case.curve(triangle), tabor) if triangle else ([], [])
+    markers, apart = by_triangles(case, panel, triangle, tabor, window, loads) if triangle else ([], 0.0)
     arrows = [(-j["before"]["approach"] / tabor, j["before"]["load"], j["after"]["load"],
                0 if j["phase"] == "loading" else 1) for j in loop["jumps"]]
-    marks = ends(loop, tabor)
+    marks = ends(loop, tabor, beside or {})
     parameters = {
-        "stable_count": len(stable), "unstable_count": len(unstable),
-        "triangle_count": len(of_triangles[0]) + len(of_triangles[1]),
+        "stable_count": len(stable), "unstable_count": len(unstable), "triangle_count": len(markers),
         "arrow_count": len(arrows), "arrow_x": [a[0] for a in arrows],
         "arrow_from": [a[1] for a in arrows], "arrow_to": [a[2] for a in arrows],
         "arrow_back": [a[3] for a in arrows],
@@ -75,27 +93,35 @@ def make(case, window, loads, number, title, key_below=False):
         "label_loading": [m[3] for m in marks], "label_left": [m[4] for m in marks],
         "label_above": [m[5] for m in marks], "key_below": int(key_below),
         "preload_x": -loop["preload"]["approach"] / tabor, "preload_y": loop["preload"]["load"],
-        "x_min": window[0], "x_max": window[1], "y_min": loads[0], "y_max": loads[1]}
+        "x_min": window[0], "x_max": window[1], "y_min": loads[0], "y_max": loads[1],
+        "wide": [float(bound) for pair in wide or () for bound in pair], "wide_count": 4 if wide else 0,
+        "figure_height": 760 if wide else 500}
     drawn = gnuplot.draw("loading", parameters, {
-        "stable": stable or [[]], "unstable": unstable or [[]],
-        "triangle": of_triangles[0] + of_triangles[1] or [[]],
+        "stable": stable or [[]], "unstable": unstable or [[]], "triangle": [markers],
         "smooth": [line(case, "smooth", tabor)], "guduru": [line(case, "guduru", tabor)]})
     label = "Load against minus the approach over the Tabor parameter, with the path of a loading test"
     return Figure(name, number, title, Markup(svg.embeddable(drawn, name, label)),
-                  caption(panel, loop), failures(case), case.record["command"])
+                  caption(panel, loop, apart, wide), failures(case), case.record["command"])
 
 
-def caption(panel, loop):
+def caption(panel, loop, apart, wide):
     jkr = panel["hysteresis"]["jkr"]["displacement_control"]
-    return Markup(
-        "Dimensionless load W̄ against {0}Δ†/μ, on the surface cut at r = R. Thick lines: stable at "
-        "fixed approach; thin: unstable. Grey: the same by the paper’s 500 equal triangles. Arrows: "
-        "loading to Δ† = {1} (ends of the jumps 1 to 6) and unloading (a to f). The loop loses {2:.4g} "
-        "πwRε; a test from this preload measures a pull-off force of {3:.5g} in displacement control and "
-        "{4:.5g} in load control, the least load of the whole curve being {5:.5g}. By the JKR theory of "
-        "the wavy sphere (Equation 5) the same test would lose {6:.4g} and measure {7:.5g}. The "
+    text = Markup("Dimensionless load W̄ against {}Δ†/μ, on the surface cut at r = R").format(MINUS)
+    if wide:
+        text += Markup(": (a) with the large swings of the JKR theory, (b) the rectangle of (a)")
+    text += Markup(
+        ". Thick red lines: stable at fixed approach; thin: unstable.")
+    if apart:
+        text += Markup(
+            " Triangles: by the paper’s 500 equal elements, at most {} from the lines in the units of the axes.").format(
+                scientific(apart))
+    return text + Markup(
+        " Arrows: loading to Δ† = {} (ends of the jumps 1 to 6) and unloading (a to f). The loop loses {:.4g} "
+        "πwRε; a test from this preload measures a pull-off force of {:.5g} in displacement control and "
+        "{:.5g} in load control; the greatest tension of the whole curve is {:.5g}. By the JKR theory of "
+        "the wavy sphere (Equation 5) the same test would lose {:.4g} and measure {:.5g}. The "
         "paper does not print which points its labels are at; both ends of three jumps are taken, "
         "as six in each phase would need a far larger preload in Figure 12 than in 13.").format(
-            MINUS, plain(loop["preload"]["approach"]), loop["energy_lost"], loop["pull_off"]["force"],
-            panel["hysteresis"]["load_control"]["pull_off"]["force"], -panel["pull_off"]["force"],
+            plain(loop["preload"]["approach"]), loop["energy_lost"], loop["pull_off"]["force"],
+            panel["hysteresis"]["load_control"]["pull_off"]["force"], panel["pull_off"]["force"],
             jkr["energy_lost"], jkr["pull_off"]["force"])
