@@ -50,17 +50,16 @@ static void print_landmarks(const po_landmark *list, size_t count) {
 
 /* Why and where the trace ended, and thus how far the pull-off was searched for. */
 static void print_ended(const po_outcome *o) {
-  static const char *const WHY[] = {
-      [PO_END_COMPRESSED] = "the sphere is stably under compression",
-      [PO_END_PRELOAD] = "the sphere is stably pressed by pi w R more than it pulls",
-      [PO_END_WAVES] = "the load minima of two successive waves rose by more each time",
-      [PO_END_ASKED] = "approach_end is reached",
-      [PO_END_LOADED] = "the preload of the hysteresis is passed"};
+  static const char *const WHY[] = {[PO_END_COMPRESSED] = "the sphere is stably under compression",
+                                    [PO_END_PRELOAD] = "the preload is reached",
+                                    [PO_END_COMPLETE] =
+                                        "no minimum of the load beyond can be deeper",
+                                    [PO_END_SEARCHED] = "harder preloads are not looked at",
+                                    [PO_END_ASKED] = "approach_end is reached"};
   if (o->ended.cause == PO_END_NONE)
     return;
-  printf("ended    at approach %.6g, load %.6g: %s%s\n", o->ended.approach, o->ended.load,
-         WHY[o->ended.cause],
-         o->ended.cause == PO_END_COMPRESSED ? "" : "; minima beyond were not searched for");
+  printf("ended    at approach %.6g, load %.6g: %s\n", o->ended.approach, o->ended.load,
+         WHY[o->ended.cause]);
 }
 
 static void print_pull_off(const po_outcome *o) {
@@ -77,6 +76,39 @@ static void print_pull_off(const po_outcome *o) {
            o->pull_off.approach_error, o->pull_off.contact_radius_error);
 }
 
+/* Whether some preload gives more than the declared one, by more than the errors. */
+static bool gives_more(const po_outcome *o) {
+  return o->pull_off_any.is_known &&
+         o->pull_off_any.force - o->pull_off.force >
+             fmax(o->pull_off.force_error, 0.0) + fmax(o->pull_off_any.force_error, 0.0);
+}
+
+/* What the pull-off takes, and what harder preloads give. */
+static void print_preload(const po_outcome *o) {
+  if (!o->has_pull_off)
+    return;
+  const po_pressed *from = &o->pull_off.pressed, *until = &o->pull_off.until;
+  printf("preload  ");
+  if (isnan(from->approach))
+    printf("%.7g is the minimum of the load, which no test at given approach measures",
+           o->pull_off.force);
+  else if (isnan(until->approach))
+    printf("%.7g if pressed beyond approach %.6g", o->pull_off.force, from->approach);
+  else
+    printf("%.7g if pressed to between approach %.6g and %.6g", o->pull_off.force, from->approach,
+           until->approach);
+  if (gives_more(o))
+    printf("; %.7g if pressed beyond approach %.6g, load %.6g", o->pull_off_any.force,
+           o->pull_off_any.pressed.approach, o->pull_off_any.pressed.load);
+  if (!o->pull_off_any.is_known)
+    printf("\n");
+  else if (o->pull_off_any.complete)
+    printf("; no harder preload gives more\n");
+  else
+    printf("; harder than approach %.6g, load %.6g is not looked at\n",
+           o->pull_off_any.searched.approach, o->pull_off_any.searched.load);
+}
+
 /* A number, or a word where it is boundless. */
 static const char *finite_or(double value, const char *word, char text[32]) {
   if (isfinite(value))
@@ -84,6 +116,20 @@ static const char *finite_or(double value, const char *word, char text[32]) {
   else
     snprintf(text, 32, "%s", word);
   return text;
+}
+
+static void print_staircase(const char *control, const po_staircase *s) {
+  printf("%s: the pull-off measured, by the preload\n%14s %14s %-8s %16s %8s %16s %14s\n", control,
+         "approach", "load", "after", "force", "error", "approach", "energy lost");
+  for (size_t k = 0; k < s->count; ++k) {
+    const po_step *step = &s->step[k];
+    char from[32], error[16], lost[32];
+    printf("%14s %14.8g %-8s %16.10g %8s %16.10g %14s\n",
+           finite_or(step->preload.approach, "contact", from), step->preload.load,
+           step->jumped ? "jump" : "minimum", -step->pull_off.load,
+           error_text(step->pull_off_error.load, error), step->pull_off.approach,
+           finite_or(step->cycle[0].energy_lost, "boundless", lost));
+  }
 }
 
 /* One loop: where loading was reversed, what was measured, and every jump. */
@@ -157,6 +203,7 @@ po_status po_print_text(const po_request *request, const po_scene_flags *flags,
   printf("status   %s%s%s\n", po_status_name(outcome->status), outcome->rigid ? ", rigid" : "",
          outcome->has_pull_off ? "" : ", no pull-off found");
   print_pull_off(outcome);
+  print_preload(outcome);
   print_ended(outcome);
   if (outcome->fold_count + outcome->extremum_count) {
     printf("%-9s %16s %8s %16s %8s %14s %9s\n", "", "approach", "error", "load", "error",
@@ -167,6 +214,10 @@ po_status po_print_text(const po_request *request, const po_scene_flags *flags,
   if (outcome->has_hysteresis) {
     print_loop("displacement control", &outcome->hysteresis.displacement);
     print_loop("load control", &outcome->hysteresis.load);
+  }
+  if (outcome->has_staircases) {
+    print_staircase("displacement control", &outcome->staircase[0]);
+    print_staircase("load control", &outcome->staircase[1]);
   }
   print_wanted(request, outcome);
   print_diagnostics(outcome);

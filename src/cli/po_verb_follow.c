@@ -177,7 +177,7 @@ static po_status make_request(const follow_line *line, size_t point, po_request 
   snprintf(value, sizeof value, "%.*g", MADE_DIGITS,
            line->linear ? line->from + part * (line->to - line->from)
                         : line->from * pow(line->to / line->from, part));
-  *request = po_request_default();
+  *request = po_input_default();
   request->mesh.scheme = PO_PANEL;
   po_status status = PO_OK;
   for (int key = 0; key < PO_KEY_END && !status; ++key) {

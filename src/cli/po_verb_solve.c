@@ -27,19 +27,18 @@ static const char HELP[] =
     "  --nodes N               of rings and triangles (501)\n"
     "  --grading uniform|graded  of rings and triangles (uniform)\n"
     "  --approach-start D      where the trace begins (chosen by the solver)\n"
-    "  --approach-end D        where the trace ends (a smooth sphere: stable under compression; a\n"
-    "                          wavy one: stably pressed by pi w R more than it pulls, or after "
-    "two\n"
-    "                          waves whose minima of the load rose by more each time); minima\n"
-    "                          beyond the end are not searched for\n"
+    "  --preload D             greatest approach to which the sphere is pressed, inf: any, the\n"
+    "                          pull-off is the greatest of all preloads; and\n"
+    "  --preload-load W        greatest load, in pi w R, whichever is met first (load 1)\n"
+    "  --approach-end D        where the trace ends, and then the preload (where the preload is\n"
+    "                          met; without --preload, --preload-load and --want the solve goes\n"
+    "                          on for a while, to see whether a harder preload gives more)\n"
     "  --time-limit S          seconds of processor time after which the solve ends (none)\n"
-    "  --want LIST             of curve, profile, hysteresis, diagnostics: points of the branch; "
-    "gap and\n"
-    "                          traction over the radius; loading and unloading with jumps;\n"
-    "                          residuals, condition numbers, digits left\n"
+    "  --want LIST             of curve, profile, hysteresis, diagnostics, preload: points of the\n"
+    "                          branch; gap and traction over the radius; loading and unloading\n"
+    "                          with jumps; residuals, condition numbers, digits left; the\n"
+    "                          pull-off after every preload\n"
     "  --profile-approach D    where the profile is taken (at pull-off)\n"
-    "  --preload D             approach at which loading is reversed, and\n"
-    "  --preload-load W        load at which it is, whichever comes first (the pull-off force)\n"
     "  --curve FILE            write the points of the branch as CSV, dimensionless\n"
     "  --profile FILE          write the profile as CSV, dimensionless\n"
     "  --json                  one JSON document on standard output, nothing else\n"
@@ -88,7 +87,7 @@ static po_status take_want(solve_line *line, const char *list) {
       ++k;
     if (k == PO_WANT_COUNT)
       return po_options_refuse(
-          "want", list, "any of curve, profile, hysteresis, diagnostics, with commas between");
+          "want", list, "any of curve, profile, hysteresis, diagnostics, preload, with commas between");
     line->request.want |= 1u << k;
     item += length;
     if (*item == '\0')
@@ -174,10 +173,10 @@ static po_status end_line(solve_line *line) {
     return po_fail(PO_BAD_INPUT, "--preload-load is in pi w R: expected --preload-m with "
                                  "--from-physical");
   request->preload.approach = length[PO_LENGTH_PRELOAD];
-  if (!isnan(request->preload.approach) || !isnan(request->preload.load))
-    request->want |= PO_WANT_HYSTERESIS;
   if (!isnan(request->profile_approach))
     request->want |= PO_WANT_PROFILE;
+  if (!request->want && isnan(request->preload.approach) && isnan(request->preload.load))
+    request->search = PO_SEARCH_SOME;
   return po_request_check(request);
 }
 
@@ -210,7 +209,7 @@ static int solve(solve_line *line) {
 
 int po_verb_solve(int argc, char **argv) {
   const po_options options = {"solve", HELP, OPTIONS, argc, argv};
-  solve_line line = {.request = po_request_default(), .flags = po_scene_flags_default()};
+  solve_line line = {.request = po_input_default(), .flags = po_scene_flags_default()};
   po_status status = PO_OK;
   if (!po_options_read(&options, take_option, &line, &status))
     return po_options_end(status);

@@ -49,7 +49,7 @@ static void add_setting(po_point *point, const po_sweep *sweep, unsigned setting
 static po_status fill_point(const po_case *kase, size_t index, const po_yaml *yaml) {
   po_point *point = &kase->points[index];
   const po_case_file *file = kase->file;
-  point->request = po_request_default();
+  point->request = po_input_default();
   for (int key = 0; key < PO_KEY_COUNT; ++key)
     if (file->scene.values[key])
       po_key_set(&point->request, (po_key)key, file->scene.values[key]);

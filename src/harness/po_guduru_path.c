@@ -14,6 +14,8 @@ enum { POINTS_PER_WAVE = 128, RULE = 8, MOST_LENGTHS = 10 };
 static const double FIRST_FROM = 1e-9, RATIO = 1.05;
 /* The curve is made anew on so many times the contact radius while it is too short. */
 static const double LONGER = 1.6;
+/* Two evaluations of one load. */
+static const double SAME = 1e-9;
 
 typedef struct {
   const po_scene *scene;
@@ -121,13 +123,43 @@ po_status po_guduru_path(const po_scene *scene, double end, po_path_point **poin
   return status;
 }
 
+/* Whether some preload gives the least load of the curve. */
+static bool meets(const po_staircase *staircase, double load) {
+  const po_step *step = po_staircase_greatest(staircase);
+  return step && step->pull_off.load <= load * (1.0 - SAME);
+}
+
+po_status po_guduru_staircases(const po_scene *scene, po_staircase staircase[2]) {
+  po_path_point *point = NULL;
+  po_path path = {NULL, 0};
+  staircase[0] = (po_staircase){.control = PO_DISPLACEMENT_CONTROL};
+  staircase[1] = (po_staircase){.control = PO_LOAD_CONTROL};
+  if (!(scene->tabor > 0.0))
+    return po_fail(PO_BAD_INPUT, "tabor is %g: expected a number > 0 for the JKR theory",
+                   scene->tabor);
+  const po_contact least = po_guduru_pull_off(scene);
+  double end = 2.0 * fmax(least.contact_radius, po_scene_gamma(scene));
+  po_status status = PO_OK;
+  for (int k = 0; k < MOST_LENGTHS && !status; ++k, end *= LONGER) {
+    po_staircase_clear(&staircase[0]);
+    po_staircase_clear(&staircase[1]);
+    status = po_guduru_path(scene, end, &point, &path.count);
+    path.point = point;
+    for (int c = 0; c < 2 && !status; ++c)
+      status = po_staircase_read(&path, staircase[c].control, &staircase[c]);
+    free(point);
+    if (meets(&staircase[0], least.load) && meets(&staircase[1], least.load))
+      break;
+  }
+  return status;
+}
+
 po_status po_guduru_hysteresis(const po_scene *scene, po_preload preload,
                                po_hysteresis *hysteresis) {
   *hysteresis = (po_hysteresis){.load = {.control = PO_LOAD_CONTROL}};
   if (!(scene->tabor > 0.0))
     return po_fail(PO_BAD_INPUT, "tabor is %g: expected a number > 0 for the JKR theory",
                    scene->tabor);
-  const double force = -po_guduru_pull_off(scene).load;
   const double waves = po_scene_is_wavy(scene) ? 2.0 * scene->wavelength : 0.0;
   double end = 4.0 * po_scene_gamma(scene) + waves;
   if (preload.approach > 0.0)
@@ -139,7 +171,7 @@ po_status po_guduru_hysteresis(const po_scene *scene, po_preload preload,
     status = po_guduru_path(scene, end, &point, &path.count);
     path.point = point;
     if (!status)
-      status = po_hysteresis_follow(&path, preload, force, hysteresis);
+      status = po_hysteresis_follow(&path, preload, hysteresis);
     free(point);
   }
   return status;

@@ -3,6 +3,7 @@
 #define PO_GUDURU_PATH_H
 
 #include "po_hysteresis.h"
+#include "po_staircase.h"
 #include "po_scene.h"
 
 /* The curve of Eq 5: the bodies apart without a load up to the first touch at approach 0, then
@@ -11,6 +12,11 @@
  * begins farther out than any jump. Given: tabor > 0. Returned: points to be freed. Status:
  * PO_NO_MEMORY. Accuracy: landmarks to rounding, energies to 1e-12. */
 po_status po_guduru_path(const po_scene *scene, double end, po_path_point **point, size_t *count);
+
+/* The staircases of that curve in displacement and in load control, up to where no harder preload
+ * gives more: the bound of the load rises above the greatest pull-off. To be cleared, whatever the
+ * status: PO_BAD_INPUT for tabor 0, PO_NO_MEMORY. */
+po_status po_guduru_staircases(const po_scene *scene, po_staircase staircase[2]);
 
 /* Both loops of that curve, as long as they need it; the outer radius of the scene is not looked
  * at. Status: PO_BAD_INPUT for tabor 0; as po_hysteresis_follow. */

@@ -6,9 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "po_load_bound.h"
 #include "po_text.h"
 
-typedef enum { ANY_NUMBER, NOT_NEGATIVE, POSITIVE, POSITIVE_OR_INFINITE, COUNT, NAME } po_domain;
+typedef enum { ANY_NUMBER, NOT_NEGATIVE, POSITIVE, POSITIVE_OR_INFINITE, FINITE_OR_INFINITE, COUNT, NAME } po_domain;
 
 static const struct {
   const char *name;
@@ -26,13 +27,19 @@ static const struct {
     [PO_KEY_TOLERANCE] = {"tolerance", POSITIVE, "a finite number > 0"},
     [PO_KEY_APPROACH_START] = {"approach_start", ANY_NUMBER, "a finite number"},
     [PO_KEY_APPROACH_END] = {"approach_end", ANY_NUMBER, "a finite number"},
-    [PO_KEY_PRELOAD] = {"preload", ANY_NUMBER, "a finite number"},
+    [PO_KEY_PRELOAD] = {"preload", FINITE_OR_INFINITE, "a finite number, or inf"},
     [PO_KEY_PRELOAD_LOAD] = {"preload_load", NOT_NEGATIVE, "a finite number >= 0"},
     [PO_KEY_TIME_LIMIT] = {"time_limit", POSITIVE, "a finite number > 0"},
     [PO_KEY_ALPHA] = {"alpha", POSITIVE, "a finite number > 0"},
     [PO_KEY_AMPLITUDE_RATIO] = {"amplitude_ratio", NOT_NEGATIVE, "a finite number >= 0"},
     [PO_KEY_OUTER_RATIO] = {"outer_ratio", POSITIVE, "a finite number > 0"},
 };
+
+po_request po_input_default(void) {
+  po_request request = po_request_default();
+  request.bound = po_load_bound_of_jkr;
+  return request;
+}
 
 int po_key_of_name(const char *name) {
   for (int key = 0; key < PO_KEY_END; ++key)
@@ -116,6 +123,8 @@ static bool domain_parse(po_domain domain, const char *text, double *value) {
     return po_number_parse(text, value) && *value > 0;
   case POSITIVE_OR_INFINITE:
     return po_number_parse_or_infinity(text, value) && *value > 0;
+  case FINITE_OR_INFINITE:
+    return po_number_parse_or_infinity(text, value) && *value > -INFINITY;
   default:
     return false;
   }

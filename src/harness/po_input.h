@@ -34,6 +34,9 @@ typedef enum {
   PO_KEY_END
 } po_key;
 
+/* A request with every field at its default, and the bound of the load by the JKR theory. */
+po_request po_input_default(void);
+
 /* The key of that name, a group or not, or -1. */
 int po_key_of_name(const char *name);
 

@@ -54,11 +54,14 @@ json_t *po_json_outcome(const po_request *request, const po_outcome *outcome) {
       {"followed", po_json_flag(outcome->followed)}, {"start", po_json_number(outcome->start)},
       {"end", po_json_number(outcome->ended.approach)}, {"ended", ended_of(outcome)},
       {"pull_off", po_json_pull_off(outcome)},
+      {"pull_off_any", po_json_pull_off_any(outcome)},
       {"folds", landmarks_of(outcome, outcome->folds, outcome->fold_count)},
       {"extrema", landmarks_of(outcome, outcome->extrema, outcome->extremum_count)},
       {"work", po_json_work(&outcome->work)});
   if (outcome->has_hysteresis)
     po_json_set(&object, "hysteresis", po_json_hysteresis(request, outcome));
+  if (outcome->has_staircases)
+    po_json_set(&object, "staircase", po_json_staircases(request, outcome));
   if (outcome->diagnostics.states || outcome->diagnostics.moved.solves)
     po_json_set(&object, "diagnostics", po_json_diagnostics(outcome));
   return object;

@@ -12,7 +12,7 @@
 json_t *po_json_input(const po_request *request);
 
 /* {"input", "status", "reason", "rigid", "followed", "start", "end", "ended": {"why", "approach",
- * "load"}, "pull_off", "folds", "extrema", "work"}, "hysteresis"
+ * "load"}, "pull_off", "pull_off_any", "folds", "extrema", "work"}, "hysteresis", "staircase"
  * and "diagnostics" where these were wanted: no arrays of points. NULL without memory. */
 json_t *po_json_outcome(const po_request *request, const po_outcome *outcome);
 
@@ -23,6 +23,10 @@ json_t *po_json_profile(const po_outcome *outcome);
 /* {"displacement_control", "load_control", "jkr"}: both loops, and the two of the JKR theory (null
  * for a rigid scene). Each loop: {"preload", "pull_off", "energy_lost", "work", "jumps"}. */
 json_t *po_json_hysteresis(const po_request *request, const po_outcome *outcome);
+
+/* {"displacement_control", "load_control", "jkr"}: the staircases, and those of the JKR theory (null
+ * for a rigid scene). Each: {"steps": [...], "reached"}. */
+json_t *po_json_staircases(const po_request *request, const po_outcome *outcome);
 
 /* The label of a jump, or of an end of one, numbered from 1: "1", "2"... in loading, "a", "b"...
  * "z", "aa"... in unloading. */
@@ -47,5 +51,8 @@ double po_json_read_number(const json_t *object, const char *key);
 
 /* The inverse of po_json_hysteresis but for the theory; null or absent: none. */
 po_status po_json_read_hysteresis(const json_t *object, po_outcome *outcome);
+
+/* The inverse of po_json_staircases but for the theory; null or absent: none. */
+po_status po_json_read_staircases(const json_t *object, po_outcome *outcome);
 
 #endif

@@ -75,12 +75,16 @@ json_t *po_json_pull_off(const po_outcome *outcome) {
     return json_null();
   json_t *object = po_json_empty_object();
   write_numbers(&object, PULL_OFF, LENGTH(PULL_OFF), outcome);
+  po_json_set(&object, "preload", po_json_pressed(&outcome->pull_off.pressed));
+  po_json_set(&object, "until", po_json_pressed(&outcome->pull_off.until));
   return object;
 }
 
 void po_json_read_pull_off(const json_t *object, po_outcome *outcome) {
   outcome->has_pull_off = json_is_object(object);
   read_numbers(object, PULL_OFF, LENGTH(PULL_OFF), outcome);
+  outcome->pull_off.pressed = po_json_read_pressed(json_object_get(object, "preload"));
+  outcome->pull_off.until = po_json_read_pressed(json_object_get(object, "until"));
 }
 
 json_t *po_json_work(const po_work *work) {

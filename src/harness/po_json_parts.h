@@ -16,6 +16,10 @@ json_t *po_json_landmark(const po_landmark *landmark);
 void po_json_read_landmark(const json_t *object, po_landmark *landmark);
 json_t *po_json_pull_off(const po_outcome *outcome);
 void po_json_read_pull_off(const json_t *object, po_outcome *outcome);
+json_t *po_json_pressed(const po_pressed *pressed);
+po_pressed po_json_read_pressed(const json_t *object);
+json_t *po_json_pull_off_any(const po_outcome *outcome);
+void po_json_read_pull_off_any(const json_t *object, po_outcome *outcome);
 json_t *po_json_work(const po_work *work);
 void po_json_read_work(const json_t *object, po_work *work);
 

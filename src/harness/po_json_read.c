@@ -87,6 +87,7 @@ po_status po_json_read_outcome(const json_t *object, po_outcome *outcome) {
   read_ended(json_object_get(object, "ended"), outcome);
   outcome->followed = json_is_true(json_object_get(object, "followed"));
   po_json_read_pull_off(json_object_get(object, "pull_off"), outcome);
+  po_json_read_pull_off_any(json_object_get(object, "pull_off_any"), outcome);
   po_json_read_work(json_object_get(object, "work"), &outcome->work);
   po_status status = read_contact(json_object_get(object, "contact"), outcome);
   if (!status)
@@ -97,6 +98,8 @@ po_status po_json_read_outcome(const json_t *object, po_outcome *outcome) {
                             &outcome->extremum_count);
   if (!status)
     status = po_json_read_hysteresis(json_object_get(object, "hysteresis"), outcome);
+  if (!status)
+    status = po_json_read_staircases(json_object_get(object, "staircase"), outcome);
   if (!status)
     status = po_json_read_diagnostics(json_object_get(object, "diagnostics"), outcome);
   if (status)

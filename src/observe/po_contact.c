@@ -284,6 +284,20 @@ double po_contact_radius(const po_contact_gap *gap) {
   return radius_of(&(sought){.g = gap, .level = PO_LAW_PEAK_GAP});
 }
 
+double po_contact_disc(const po_contact_gap *gap) {
+  if (is_smeared(gap))
+    return radius_of_sphere(gap, 0.0);
+  const sought s = {.g = gap, .level = PO_LAW_PEAK_GAP};
+  double edge = radius_of(&s);
+  while (edge > 0.0) {
+    const double inner = next_edge(&s, edge, true);
+    if (inner < 0.0)
+      break;
+    edge = outermost(&s, inner);
+  }
+  return edge;
+}
+
 po_contact_edge po_contact_estimate(const po_contact_gap *gap, const po_contact_doubt *doubt) {
   if (is_smeared(gap))
     return estimate_smeared(gap, doubt->constant);

@@ -35,6 +35,10 @@ po_contact_gap po_contact_gap_on_panels(const po_scene *scene, double root,
  * are in contact as far as the surface goes. */
 double po_contact_radius(const po_contact_gap *gap);
 
+/* The radius of the disc about the axis that is in contact without a groove, eps: 0 when the bodies
+ * are apart on the axis. */
+double po_contact_disc(const po_contact_gap *gap);
+
 /* The contact radius with a bound of its error, estimated from the error of the gap.
  * If a crest is so near the threshold that the error of the gap does not decide whether it is in
  * contact, `radius` and its `error` belong to one case and `other` is the contact radius of the

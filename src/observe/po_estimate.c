@@ -17,6 +17,13 @@ double po_estimate_approach_error(const po_request *request, double change, doub
   return change + UNSEEN_APPROACH * request->mesh.tolerance * (1.0 + fabs(approach));
 }
 
+/* In parts of the tolerance of panels, and the least of it: the cost goes as the fourth root. */
+static const double MISS_OF_TOLERANCE = 0.1, LEAST_MISS = 1e-8;
+
+double po_estimate_miss(const po_request *request) {
+  return fmax(LEAST_MISS, MISS_OF_TOLERANCE * request->mesh.tolerance);
+}
+
 static po_contact_edge edge_on_panels(const po_request *request, double root,
                                       const po_branch_point *p) {
   const po_contact_gap best = po_contact_gap_on_panels(&request->scene, root, p->best);

@@ -21,4 +21,8 @@ po_estimate po_estimate_of(const po_request *request, double root, const po_bran
 double po_estimate_load_error(const po_request *request, double change, double load);
 double po_estimate_approach_error(const po_request *request, double change, double approach);
 
+/* How far a curve kept for loading and unloading may lie from the cubics between its points, in eps
+ * and in pi w R. */
+double po_estimate_miss(const po_request *request);
+
 #endif

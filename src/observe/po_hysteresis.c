@@ -2,11 +2,8 @@
 
 #include <math.h>
 
-po_status po_hysteresis_follow(const po_path *path, po_preload preload, double pull_off_force,
-                               po_hysteresis *hysteresis) {
+po_status po_hysteresis_follow(const po_path *path, po_preload preload, po_hysteresis *hysteresis) {
   *hysteresis = (po_hysteresis){.load = {.control = PO_LOAD_CONTROL}};
-  if (isnan(preload.approach) && isnan(preload.load))
-    preload.load = pull_off_force;
   po_status status =
       po_loop_follow(path, PO_DISPLACEMENT_CONTROL, preload, &hysteresis->displacement);
   if (status)

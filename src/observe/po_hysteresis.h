@@ -8,13 +8,11 @@ typedef struct {
   po_loop displacement, load;
 } po_hysteresis;
 
-/* Both loops along a curve. A preload that says neither approach nor load is that the bodies are
- * pushed as hard as the pull-off will pull: the load pull_off_force. In load control loading is
- * reversed at the load of the preload in displacement control, or under no load where that is in
- * tension. Given: load of the preload >= 0. Returned: to be given to po_hysteresis_clear. Status:
+/* Both loops along a curve. In load control loading is reversed at the load of the preload in
+ * displacement control, or under no load where that is in tension. Given: a preload that says
+ * approach or load, the load >= 0. Returned: to be given to po_hysteresis_clear. Status:
  * as po_loop_follow. */
-po_status po_hysteresis_follow(const po_path *path, po_preload preload, double pull_off_force,
-                               po_hysteresis *hysteresis);
+po_status po_hysteresis_follow(const po_path *path, po_preload preload, po_hysteresis *hysteresis);
 void po_hysteresis_clear(po_hysteresis *hysteresis);
 
 #endif

@@ -13,39 +13,8 @@ typedef struct {
   po_path_place at;
 } follower;
 
-static double driven(const follower *f, size_t point) {
-  const po_path_point *p = &f->path->point[point];
-  return f->control == PO_LOAD_CONTROL ? p->load : p->approach;
-}
-
-static po_path_axis axis_of(const follower *f) {
-  return f->control == PO_LOAD_CONTROL ? PO_PATH_LOAD : PO_PATH_APPROACH;
-}
-
-/* Whether the curve from a point to the next is stable: without unstable modes, and going up in
- * what is driven. Under a load the approach is free, too, and the load must rise with it. */
-static bool is_stable(const follower *f, size_t point) {
-  const po_path_point *p = &f->path->point[point];
-  return point + 1 < f->path->count && p->unstable_modes == 0 && p[1].approach > p->approach &&
-         driven(f, point + 1) > driven(f, point);
-}
-
 static po_path_state state_of(const follower *f) {
   return po_path_at(f->path, f->at);
-}
-
-/* Apart for ever, under a load. */
-static po_path_state apart(double load) {
-  return (po_path_state){.approach = -INFINITY, .load = load, .position = (double)NAN};
-}
-
-/* U - W approach; apart without load all is 0, and under tension it falls without bound. */
-static double potential(const follower *f, const po_path_state *s) {
-  if (f->control == PO_DISPLACEMENT_CONTROL)
-    return s->energy;
-  if (isinf(s->approach))
-    return s->load == 0.0 ? 0.0 : (double)NAN;
-  return s->energy - s->load * s->approach;
 }
 
 static po_status add_jump(follower *f, bool loading, po_path_state before, po_path_state after) {
@@ -54,23 +23,12 @@ static po_status add_jump(follower *f, bool loading, po_path_state before, po_pa
   if (!jumps)
     return PO_NO_MEMORY;
   loop->jumps = jumps;
-  const double lost = potential(f, &before) - potential(f, &after);
+  const double lost =
+      po_stable_potential(f->control, &before) - po_stable_potential(f->control, &after);
   jumps[loop->jump_count++] = (po_jump){loading, before, after, lost};
   loop->loading_jumps += loading;
   loop->energy_lost += lost;
   return PO_OK;
-}
-
-/* The stable stretch next along the curve, from point `from` on upwards (by = 1) or from before it
- * downwards (by = -1), that passes a value of what is driven. */
-static bool find_stable(const follower *f, size_t from, int by, double value, size_t *found) {
-  for (size_t k = from; by > 0 ? k + 1 < f->path->count : k-- > 0; k += by > 0)
-    if (is_stable(f, k) && driven(f, k) <= value && value <= driven(f, k + 1) &&
-        (by > 0 ? driven(f, k + 1) > value : driven(f, k) < value)) {
-      *found = k;
-      return true;
-    }
-  return false;
 }
 
 /* The work of moving on the stretch in hand to a part of it. */
@@ -86,7 +44,7 @@ static bool meets_preload(const follower *f, double *part) {
   const po_preload p = f->preload;
   bool met = false;
   *part = 1.0;
-  if (f->control == PO_DISPLACEMENT_CONTROL && end->approach >= p.approach) {
+  if (f->control == PO_DISPLACEMENT_CONTROL && po_path_reaches(end->approach, p.approach)) {
     met = true;
     *part = po_path_where(f->path, f->at.index, PO_PATH_APPROACH, p.approach).part;
   }
@@ -103,13 +61,11 @@ static bool meets_preload(const follower *f, double *part) {
 
 static po_status jump_on(follower *f, double value) {
   const po_path_state before = state_of(f);
-  size_t to;
-  if (!find_stable(f, f->at.index, 1, value, &to))
+  if (!po_stable_find(f->path, f->control, f->at.index, 1, value, &f->at))
     return po_fail(PO_NOT_FOUND,
                    "the curve ends at approach %.6g before the jump at approach %.6g, load %.6g, "
                    "has landed: the preload is not reached",
                    f->path->point[f->path->count - 1].approach, before.approach, before.load);
-  f->at = po_path_where(f->path, to, axis_of(f), value);
   return add_jump(f, true, before, state_of(f));
 }
 
@@ -117,19 +73,17 @@ static po_status start(follower *f) {
   f->at = (po_path_place){0, 0.0};
   if (f->control == PO_DISPLACEMENT_CONTROL)
     return PO_OK;
-  size_t to;
-  if (!find_stable(f, 0, 1, 0.0, &to))
+  if (!po_stable_find(f->path, f->control, 0, 1, 0.0, &f->at))
     return po_fail(PO_NOT_FOUND, "the curve has no equilibrium that is stable without load");
-  f->at = po_path_where(f->path, to, PO_PATH_LOAD, 0.0);
-  return add_jump(f, true, apart(0.0), state_of(f));
+  return add_jump(f, true, po_stable_apart(0.0), state_of(f));
 }
 
 static po_status load(follower *f) {
   po_status status = start(f);
   while (!status) {
     double part;
-    if (!is_stable(f, f->at.index)) {
-      status = jump_on(f, driven(f, f->at.index));
+    if (!po_stable_is(f->path, f->control, f->at.index)) {
+      status = jump_on(f, po_stable_driven(f->path, f->control, f->at.index));
       continue;
     }
     if (meets_preload(f, &part)) {
@@ -160,20 +114,18 @@ static po_status unload(follower *f) {
     note_tension(f);
     if (f->at.index == 0)
       return PO_OK;
-    if (is_stable(f, f->at.index - 1)) {
+    if (po_stable_is(f->path, f->control, f->at.index - 1)) {
       f->at = (po_path_place){f->at.index - 1, 1.0};
       continue;
     }
     const po_path_state before = state_of(f);
-    const double value = driven(f, f->at.index);
-    size_t to;
-    if (!find_stable(f, f->at.index, -1, value, &to))
+    const double value = po_stable_driven(f->path, f->control, f->at.index);
+    if (!po_stable_find(f->path, f->control, f->at.index, -1, value, &f->at))
       return f->control == PO_LOAD_CONTROL
-                 ? add_jump(f, false, before, apart(value))
+                 ? add_jump(f, false, before, po_stable_apart(value))
                  : po_fail(PO_NOT_FOUND,
                            "the curve begins at approach %.6g, after the jump at %.6g",
                            f->path->point[0].approach, value);
-    f->at = po_path_where(f->path, to, axis_of(f), value);
     const po_status status = add_jump(f, false, before, state_of(f));
     if (status)
       return status;

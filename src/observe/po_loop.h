@@ -16,9 +16,7 @@
 
 #include <stdbool.h>
 
-#include "po_path.h"
-
-typedef enum { PO_DISPLACEMENT_CONTROL, PO_LOAD_CONTROL } po_control;
+#include "po_stable.h"
 
 /* Where loading is reversed: as soon as the approach or the load is this; NAN: not by this. In load
  * control only the load counts. */

@@ -80,19 +80,39 @@ static double excess_error(const po_request *request, const po_outcome *outcome)
   return excess > 1.0 ? excess : 0.0;
 }
 
+static double finite_or_none(double value) {
+  return isfinite(value) ? value : (double)NAN;
+}
+
+/* A search goes on until the contact is so large, for a pull-off force of pi w R, if that is not
+ * much farther than the core reaches anyway. */
+static const double SEARCHED_FORCE = 1.0, LARGEST_CORE = 1.6;
+
+/* The core of the surface that the trace begins with. */
+static double core_of(const po_request *request) {
+  const po_scene *scene = &request->scene;
+  const double deepest = fmax(fmax(request->approach_end, request->profile_approach),
+                              finite_or_none(request->preload.approach));
+  const double core = po_surface_core(scene, deepest);
+  if (po_request_search(request) == PO_SEARCH_NONE || !request->bound || !po_scene_is_wavy(scene) ||
+      isfinite(scene->outer_radius))
+    return core;
+  const double enough = po_observe_core_of_contact(request->bound(scene, -SEARCHED_FORCE));
+  return enough < LARGEST_CORE * core ? fmax(core, enough) : core;
+}
+
 static po_status observe(const po_request *request, const po_keeper *keeper, double deadline,
                          po_outcome *outcome) {
   po_status status = po_request_check(request);
   if (status)
     return status;
   const bool rigid = po_rigid_suffices(&request->scene);
-  po_attempt a = {.core = po_surface_core(
-                      &request->scene, fmax(fmax(request->approach_end, request->profile_approach),
-                                            request->preload.approach)),
+  po_attempt a = {.core = core_of(request),
                   .tolerance = request->mesh.tolerance,
-                  .begin = NAN};
-  if (request->want & PO_WANT_HYSTERESIS)
-    a.begin = -(BEGIN_AT_LEAST + BEGIN_PER_TABOR * request->scene.tabor + request->scene.amplitude);
+                  .begin = finite_or_none(request->preload.approach)};
+  if (request->want & (PO_WANT_HYSTERESIS | PO_WANT_PRELOAD))
+    a.begin = fmin(a.begin, -(BEGIN_AT_LEAST + BEGIN_PER_TABOR * request->scene.tabor +
+                              request->scene.amplitude));
   po_work work = {0};
   for (int meshes = 0, traces = 1; meshes < MOST_MESHES; ++traces) {
     clear(outcome);
@@ -158,6 +178,8 @@ void po_outcome_clear(po_outcome *outcome) {
   free(outcome->profile);
   po_contact_annuli_clear(&outcome->annuli);
   po_hysteresis_clear(&outcome->hysteresis);
+  po_staircase_clear(&outcome->staircase[0]);
+  po_staircase_clear(&outcome->staircase[1]);
   free(outcome->diagnostics.states);
   *outcome = (po_outcome){.status = PO_OK};
 }

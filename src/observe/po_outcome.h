@@ -11,6 +11,7 @@
 #include "po_diagnostics.h"
 #include "po_hysteresis.h"
 #include "po_scene.h"
+#include "po_staircase.h"
 #include "po_status.h"
 #include "po_surface.h"
 
@@ -19,23 +20,38 @@ enum {
   PO_WANT_PROFILE = 2,     /* gap and traction over the radius at one equilibrium */
   PO_WANT_HYSTERESIS = 4,  /* loading to a preload and back */
   PO_WANT_DIAGNOSTICS = 8, /* residuals, condition numbers, digits left; solves the scene anew */
+  PO_WANT_PRELOAD = 16,    /* what every preload gives: the staircases */
 };
+
+/* Whether a trace goes on beyond its preload, to find what harder ones give. */
+typedef enum {
+  PO_SEARCH_NONE,
+  PO_SEARCH_SOME, /* until none gives more, but at most for a few times the points before */
+  PO_SEARCH_ALL,  /* until none gives more, or the hardest preload that is looked at */
+} po_search;
+
+/* The contact radius, in eps, beyond which no equilibrium has a load, in pi w R, below a given one;
+ * NAN: not known. */
+typedef double (*po_load_bound)(const po_scene *scene, double load);
 
 typedef struct {
   po_scene scene;
   po_mesh mesh;            /* scheme, grading, number of nodes */
   double approach_start;   /* where the trace begins, in eps; NAN: far out, found by itself */
-  double approach_end;     /* where it ends, in eps; NAN: once pressed enough, see po_reader.c */
+  double approach_end;     /* where it ends, in eps; NAN: at the preload, see po_stopping.h */
   unsigned want;           /* PO_WANT_... */
   double profile_approach; /* in eps, first passage along the branch; NAN: at pull-off */
-  po_preload preload;      /* where loading is reversed; NAN: pushed as hard as pull-off pulls */
+  po_preload preload;      /* what the sphere is pressed to, see po_request_preload. Approach
+                              INFINITY: any, the pull-off is the greatest of all preloads */
+  po_search search;        /* beyond the preload; PO_SEARCH_ALL where preloads are wanted */
+  po_load_bound bound;     /* NULL: none; then no preload is known to be hard enough */
   double time_limit;       /* seconds of processor time of the thread that solves; NAN: none */
   const volatile sig_atomic_t *stop; /* asked now and then: nonzero stops the solve; may be NULL */
 } po_request;
 
-enum { PO_WANT_COUNT = 4 };
+enum { PO_WANT_COUNT = 5 };
 
-/* "curve", "profile", "hysteresis": the name of want 1 << k. */
+/* "curve", "profile", "hysteresis", "diagnostics", "preload": the name of want 1 << k. */
 const char *po_want_name(int k);
 
 /* Kinds of landmark: the folds in approach and the extrema of the load along the branch. */
@@ -92,17 +108,22 @@ typedef struct {
   double seconds;              /* wall time */
 } po_work;
 
+/* What the sphere is pressed to: eps, pi w R. */
+typedef struct {
+  double approach, load;
+} po_pressed;
+
 /* Why the trace of a branch ended; see po_stopping.h. */
 typedef enum {
   PO_END_NONE,       /* nothing was traced, or the status says why */
   PO_END_COMPRESSED, /* a smooth sphere, stably under compression */
-  PO_END_PRELOAD,    /* a wavy sphere, stably pressed by pi w R more than pulled */
-  PO_END_WAVES,      /* the minima of two successive waves rose by more each time */
+  PO_END_PRELOAD,    /* at the preload */
+  PO_END_COMPLETE,   /* no minimum beyond can be as deep, by the bound of the request */
+  PO_END_SEARCHED,   /* at the hardest preload that is looked at, see po_stopping.h */
   PO_END_ASKED,      /* at the approach_end of the request */
-  PO_END_LOADED,     /* beyond the preload of the hysteresis asked for */
 } po_end_cause;
 
-/* "none", "compressed", "preload", "waves", "approach_end", "loaded". */
+/* "none", "compressed", "preload", "complete", "searched", "approach_end". */
 const char *po_end_cause_name(po_end_cause cause);
 
 /* The cause of that name; false when there is none. */
@@ -120,13 +141,23 @@ typedef struct {
   } ended;
   bool has_pull_off; /* whether the fields of pull_off are set */
   struct {
-    double force;          /* |min W| over the traced branch, / (pi w R) */
+    double force;          /* |min W| of the branch up to the preload, / (pi w R) */
     double approach;       /* where, in eps */
     double contact_radius; /* there, in eps */
     double force_error;    /* bound of the error of force, estimated; NAN: not by this scheme */
     double approach_error; /* the same of approach */
     double contact_radius_error, contact_radius_other; /* see po_contact_edge; NAN: not, none */
+    po_pressed pressed; /* the least preload that gives it; NAN: none of those traced does */
+    po_pressed until;   /* the hardest that gives it, before a change; NAN: none such is traced */
   } pull_off;
+  struct {
+    bool is_known; /* whether the fields are set: a test measures a pull-off on the branch */
+    double force, force_error;       /* the greatest that any preload gives, / (pi w R) */
+    double approach, approach_error; /* where, in eps */
+    po_pressed pressed;              /* the least preload that gives it */
+    bool complete;                   /* no harder preload gives more */
+    po_pressed searched;             /* else: the hardest preload looked at */
+  } pull_off_any;
   po_landmark *folds; /* along the branch */
   size_t fold_count;
   po_landmark *extrema; /* along the branch */
@@ -139,6 +170,8 @@ typedef struct {
   po_contact_annuli annuli; /* there; none unless wanted */
   bool has_hysteresis;      /* whether the loops below are set: when wanted */
   po_hysteresis hysteresis;
+  bool has_staircases;        /* whether these are set: when preloads are wanted */
+  po_staircase staircase[2];  /* in displacement and in load control */
   po_diagnostics diagnostics; /* states is NULL unless wanted */
   po_work work;
 } po_outcome;
@@ -146,6 +179,14 @@ typedef struct {
 /* A request with every field at its default (po_scene_default, po_mesh_default, the rest NAN or 0).
  */
 po_request po_request_default(void);
+
+/* What the sphere is pressed to, at given approach: the preload of the request; else its
+ * approach_end; else the load pi w R. */
+po_preload po_request_preload(const po_request *request);
+
+/* How far the trace goes on beyond the preload; for a preload of INFINITY, and with preloads
+ * wanted, all the way. */
+po_search po_request_search(const po_request *request);
 
 /* PO_BAD_INPUT, naming the key that is wrong, its value and what is expected. */
 po_status po_request_check(const po_request *request);

@@ -6,6 +6,12 @@
 
 enum { BISECTIONS = 60 };
 
+static const double SAME_APPROACH = 1e-9;
+
+bool po_path_reaches(double approach, double asked) {
+  return approach >= asked - SAME_APPROACH;
+}
+
 typedef po_cubic_ends cubic; /* of one quantity over the way from one point to the next */
 
 static void cubics(const po_path *path, size_t index, cubic *approach, cubic *load) {

@@ -3,6 +3,7 @@
 #ifndef PO_PATH_H
 #define PO_PATH_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "po_status.h"
@@ -33,6 +34,14 @@ typedef struct {
 typedef struct {
   double approach, load, energy, contact_radius, position;
 } po_path_state;
+
+/* Bounds of the errors of a state. */
+typedef struct {
+  double approach, load;
+} po_path_error;
+
+/* Whether an approach is at least one that was asked for, which a trace meets to 1e-12. */
+bool po_path_reaches(double approach, double asked);
 
 /* Between points: the cubic of the position with the rates at both, the energy by its own; the
  * contact radius linearly. The error goes as the fourth power of the way. */

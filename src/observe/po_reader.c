@@ -13,7 +13,11 @@
 
 /* A contact that comes this close to the end of the panels of an unbounded surface does not leave
  * the far field to the panel beyond, in parts of the radius of that end. */
-static const double GREATEST_CONTACT = 0.9;
+static const double GREATEST_CONTACT = 0.9, LARGER_THAN_CONTACT = 1.15;
+
+double po_observe_core_of_contact(double contact_radius) {
+  return LARGER_THAN_CONTACT * contact_radius;
+}
 
 bool po_observe_is_cut_off(const po_scene *scene, double contact_radius, double core) {
   return isinf(scene->outer_radius) && contact_radius > GREATEST_CONTACT * core;
@@ -25,11 +29,6 @@ static const double SAME_APPROACH = 1e-9;
 /* Of the panels; there are none without a surface. */
 static double root_of(const po_reader *r) {
   return r->surface ? r->surface->core_radius : (double)NAN;
-}
-
-static double contact_radius_of(const po_reader *r, const po_branch_point *p) {
-  const po_contact_gap gap = po_contact_gap_of(&r->request->scene, root_of(r), p);
-  return po_contact_radius(&gap);
 }
 
 /* Room for one more in an array that doubles. */
@@ -62,11 +61,9 @@ static void add_curve_point(po_reader *r, const po_branch_point *p, double conta
                                                 .unstable_modes = p->unstable_modes};
 }
 
-/* Keeps the branch whole, and what loading has come to. Displacement control follows the points at
- * which the approach is greater than ever before; a load is carried where it rises. */
-static void follow_loading(po_reader *r, const po_branch_point *p, double contact_radius) {
-  if (!(r->request->want & PO_WANT_HYSTERESIS) ||
-      !grow(r, (void **)&r->path, r->path_count, &r->path_room, sizeof *r->path))
+/* Keeps the branch whole. */
+static void keep_path(po_reader *r, const po_branch_point *p, double contact_radius) {
+  if (!grow(r, (void **)&r->path, r->path_count, &r->path_room, sizeof *r->path))
     return;
   r->path[r->path_count++] = (po_path_point){.approach = p->approach,
                                              .load = p->load,
@@ -76,26 +73,6 @@ static void follow_loading(po_reader *r, const po_branch_point *p, double contac
                                              .contact_radius = contact_radius,
                                              .position = p->position,
                                              .unstable_modes = p->unstable_modes};
-  if (p->unstable_modes > 0)
-    return;
-  if (p->approach >= r->path_approach) {
-    r->path_approach = p->approach;
-    r->path_load = fmax(r->path_load, p->load);
-  }
-  if (p->approach_rate > 0.0 && (p->load_rate > 0.0 || p->kind == PO_POINT_LOAD_MAX))
-    r->greatest_load = fmax(r->greatest_load, p->load);
-}
-
-/* Whether the branch is long enough to load to the preload, in displacement and in load control. */
-static bool is_loaded(const po_reader *r) {
-  const po_preload *preload = &r->request->preload;
-  if (!(r->request->want & PO_WANT_HYSTERESIS))
-    return true;
-  if (isnan(preload->approach) && isnan(preload->load))
-    return r->path_load >= r->outcome->pull_off.force &&
-           r->greatest_load >= r->outcome->pull_off.force;
-  const bool reached = r->path_approach >= preload->approach || r->path_load >= preload->load;
-  return reached && r->greatest_load >= fmax(0.0, r->path_load);
 }
 
 static po_landmark_kind kind_of(po_point_kind kind) {
@@ -167,7 +144,7 @@ static void keep_profile(po_reader *r, const po_branch_point *p) {
 
 static void note_minimum(po_reader *r, const po_branch_point *p, const po_estimate *e) {
   po_outcome *o = r->outcome;
-  if (!po_stopping_note_minimum(&r->stopping, e->load, e->edge.radius))
+  if (!po_stopping_note_minimum(&r->stopping, e->load))
     return;
   o->has_pull_off = true;
   o->pull_off.force = fabs(e->load);
@@ -190,10 +167,7 @@ po_reader po_reader_begin(const po_request *request, po_outcome *outcome, double
   return (po_reader){.request = request,
                      .outcome = outcome,
                      .deadline = deadline,
-                     .stopping = po_stopping_begin(&request->scene),
-                     .path_approach = -INFINITY,
-                     .path_load = -INFINITY,
-                     .greatest_load = -INFINITY};
+                     .stopping = po_stopping_begin(request)};
 }
 
 void po_reader_end(po_reader *reader) {
@@ -234,21 +208,30 @@ static void read_landmark(po_reader *r, const po_branch_point *p) {
 /* What is diagnosed later. */
 static void keep_for_diagnosis(po_reader *r, const po_branch_point *p) {
   po_balance_note(r->balance, p);
-  const bool deepest =
-      p->kind == PO_POINT_LOAD_MIN && p->load + p->load_correction == r->stopping.deepest;
+  const bool deepest = p->kind == PO_POINT_LOAD_MIN && r->outcome->has_pull_off &&
+                       fabs(p->load + p->load_correction) == r->outcome->pull_off.force;
   if (!r->status)
     r->status = po_kept_note(r->kept, p, deepest);
+}
+
+/* The contact has come to the end of the meshed surface: a search of some effort ends there, any
+ * other trace is repeated on a larger one. */
+static void note_cut_off(po_reader *r, const po_branch_point *p, double contact_radius) {
+  if (r->stopping.met && po_request_search(r->request) == PO_SEARCH_SOME)
+    r->outcome->ended.cause = PO_END_SEARCHED;
+  else
+    r->status = po_fail(PO_OUT_OF_DOMAIN,
+                        "the contact radius %.6g reached the end of the meshed surface, %.6g, at "
+                        "approach %.6g",
+                        contact_radius, r->surface->core_radius, p->approach);
 }
 
 /* Whether the trace goes on no farther than a point, and why. */
 static bool ends_at(po_reader *r, const po_branch_point *p, double contact_radius) {
   const po_scene *scene = &r->request->scene;
   if (!r->status && p->gap && po_observe_is_cut_off(scene, contact_radius, r->surface->core_radius))
-    r->status = po_fail(PO_OUT_OF_DOMAIN,
-                        "the contact radius %.6g reached the end of the meshed surface, %.6g, at "
-                        "approach %.6g",
-                        contact_radius, r->surface->core_radius, p->approach);
-  if (!r->status && isnan(r->request->approach_end) && is_loaded(r))
+    note_cut_off(r, p, contact_radius);
+  else if (!r->status)
     r->outcome->ended.cause = po_stopping_cause(&r->stopping, p);
   return r->status || r->outcome->ended.cause != PO_END_NONE;
 }
@@ -262,8 +245,9 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
     const po_estimate e = estimate_of(r, p);
     r->status = po_passage_note(r->out, p, e.approach_error, e.load_error, false);
   }
-  const double contact_radius = contact_radius_of(r, p);
-  follow_loading(r, p, contact_radius);
+  const po_contact_gap gap = po_contact_gap_of(&r->request->scene, root_of(r), p);
+  const double contact_radius = po_contact_radius(&gap);
+  keep_path(r, p, contact_radius);
   if (!r->begun && !(p->approach >= r->begin))
     return false;
   if (isnan(o->start))
@@ -277,7 +261,7 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
   if (p->kind == PO_POINT_STATION && !o->profile && (r->request->want & PO_WANT_PROFILE) &&
       fabs(p->approach - r->request->profile_approach) < SAME_APPROACH)
     keep_profile(r, p);
-  po_stopping_note_point(&r->stopping, p);
+  po_stopping_note_point(&r->stopping, p, &gap, contact_radius);
   if (p->kind != PO_POINT_STEP && p->kind != PO_POINT_STATION)
     read_landmark(r, p);
   if (r->balance)

@@ -29,9 +29,7 @@ typedef struct {
   double begin;            /* points at a smaller approach are not recorded before it is reached */
   bool begun;
   po_stopping stopping;
-  double path_approach, path_load; /* greatest in loading so far, see po_loop.h; -INFINITY: none */
-  double greatest_load;            /* of a stable point under a load so far */
-  po_path_point *path;             /* the branch, when hysteresis is wanted; owned */
+  po_path_point *path; /* the branch; owned */
   size_t path_count, path_room;
   size_t most_nodes;  /* of the surface so far */
   size_t unmet_folds; /* that a finer mesh did not meet */

@@ -15,8 +15,25 @@ po_request po_request_default(void) {
 }
 
 const char *po_want_name(int k) {
-  static const char *const NAMES[PO_WANT_COUNT] = {"curve", "profile", "hysteresis", "diagnostics"};
+  static const char *const NAMES[PO_WANT_COUNT] = {"curve", "profile", "hysteresis", "diagnostics",
+                                                   "preload"};
   return NAMES[k];
+}
+
+/* The preload that is declared where none is asked for, in pi w R. */
+static const double USUAL_PRELOAD = 1.0;
+
+po_preload po_request_preload(const po_request *request) {
+  if (!isnan(request->preload.approach) || !isnan(request->preload.load))
+    return request->preload;
+  if (!isnan(request->approach_end))
+    return (po_preload){request->approach_end, (double)NAN};
+  return (po_preload){(double)NAN, USUAL_PRELOAD};
+}
+
+po_search po_request_search(const po_request *request) {
+  return isinf(request->preload.approach) || request->want & PO_WANT_PRELOAD ? PO_SEARCH_ALL
+                                                                             : request->search;
 }
 
 po_status po_request_check(const po_request *request) {
@@ -37,8 +54,8 @@ po_status po_request_check(const po_request *request) {
   if (isinf(request->profile_approach))
     return po_fail(PO_BAD_INPUT, "profile_approach is %g: expected a finite number",
                    request->profile_approach);
-  if (isinf(request->preload.approach))
-    return po_fail(PO_BAD_INPUT, "preload is %g: expected a finite number",
+  if (request->preload.approach == -INFINITY)
+    return po_fail(PO_BAD_INPUT, "preload is %g: expected a finite number, or inf",
                    request->preload.approach);
   if (request->preload.load < 0.0 || isinf(request->preload.load))
     return po_fail(PO_BAD_INPUT, "preload_load is %g: expected a finite number >= 0",
@@ -50,8 +67,9 @@ po_status po_request_check(const po_request *request) {
 }
 
 static const char *const CAUSES[] = {
-    [PO_END_NONE] = "none",   [PO_END_COMPRESSED] = "compressed", [PO_END_PRELOAD] = "preload",
-    [PO_END_WAVES] = "waves", [PO_END_ASKED] = "approach_end",    [PO_END_LOADED] = "loaded"};
+    [PO_END_NONE] = "none",         [PO_END_COMPRESSED] = "compressed",
+    [PO_END_PRELOAD] = "preload",   [PO_END_COMPLETE] = "complete",
+    [PO_END_SEARCHED] = "searched", [PO_END_ASKED] = "approach_end"};
 
 const char *po_end_cause_name(po_end_cause cause) {
   return CAUSES[cause];

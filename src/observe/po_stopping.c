@@ -2,67 +2,114 @@
 
 #include <math.h>
 
-/* The trace of a wavy sphere ends at a load that exceeds the largest tensile load so far by this,
- * in pi w R. */
-static const double PRELOAD = 1.0;
-
-/* Successive waves whose minima rise by more each time. */
-enum { ENOUGH_RISES = 2 };
-
-/* The least distance of the contact radii at the minima of two successive waves, in wavelengths (it
- * is about 1, and a little less at first). A minimum nearer than this is a ripple. */
-static const double NEXT_WAVE = 0.8;
-
-po_stopping po_stopping_begin(const po_scene *scene) {
-  return (po_stopping){.scene = scene, .margin = 1.0};
+po_stopping po_stopping_begin(const po_request *request) {
+  return (po_stopping){.request = request,
+                       .preload = po_request_preload(request),
+                       .greatest_approach = -INFINITY,
+                       .greatest_load = -INFINITY,
+                       .carried = -INFINITY,
+                       .enough = NAN,
+                       .disc = 0.0,
+                       .margin = 1.0};
 }
 
-/* Follows the minima from wave to wave. If one more rise would have ended the trace, the margin is
- * the amount by which the minimum of the next wave was too low for that. */
-static void note_wave(po_stopping *s, double load, double contact_radius) {
-  const double apart = contact_radius - s->wave_radius, rise = load - s->wave_minimum;
-  const bool next = apart > NEXT_WAVE * s->scene->wavelength;
-  if (next && s->rises == ENOUGH_RISES - 1 && rise < s->rise)
-    s->margin = fmin(s->margin, (s->rise - rise) / PRELOAD);
-  if (load <= s->deepest) {
-    s->rises = 0;
-    s->rise = 0.0;
-  } else if (next) {
-    s->rises = rise > s->rise ? s->rises + 1 : 0;
-    s->rise = rise;
-  } else if (load >= s->wave_minimum) {
-    return; /* a ripple, less deep than the minimum of its wave */
-  }
-  s->wave_minimum = load;
-  s->wave_radius = contact_radius;
-}
-
-bool po_stopping_note_minimum(po_stopping *s, double load, double contact_radius) {
+bool po_stopping_note_minimum(po_stopping *s, double load) {
   const bool deepest = !s->has_minimum || load < s->deepest;
   s->has_minimum = true;
-  if (deepest)
+  if (deepest) {
     s->deepest = load;
-  note_wave(s, load, contact_radius);
-  return deepest;
+    s->enough = s->request->bound ? s->request->bound(&s->request->scene, load) : (double)NAN;
+  }
+  return deepest && !s->met;
+}
+
+static void note_loading(po_stopping *s, const po_branch_point *p, const po_contact_gap *gap,
+                         double contact_radius) {
+  if (p->unstable_modes > 0)
+    return;
+  if (p->approach >= s->greatest_approach) {
+    s->greatest_approach = p->approach;
+    s->greatest_load = fmax(s->greatest_load, p->load);
+    if (contact_radius > s->enough)
+      s->disc = fmax(s->disc, po_contact_disc(gap));
+  }
+  if (p->approach_rate > 0.0 && (p->load_rate > 0.0 || p->kind == PO_POINT_LOAD_MAX))
+    s->carried = fmax(s->carried, p->load);
 }
 
 /* The trace of a slightly different scene might have ended at a point where this one just goes on.
  */
-void po_stopping_note_point(po_stopping *s, const po_branch_point *p) {
-  if (!s->has_minimum || !po_scene_is_wavy(s->scene))
+static void note_margin(po_stopping *s) {
+  if (!isnan(s->preload.approach))
+    s->margin = fmin(s->margin, s->preload.approach - s->greatest_approach);
+  if (!isnan(s->preload.load))
+    s->margin = fmin(s->margin, s->preload.load - s->greatest_load);
+}
+
+void po_stopping_note_point(po_stopping *s, const po_branch_point *p, const po_contact_gap *gap,
+                            double contact_radius) {
+  note_loading(s, p, gap, contact_radius);
+  ++s->visited;
+  if (s->met)
     return;
-  if (s->rises >= ENOUGH_RISES) /* the trace ends at the next stable equilibrium */
-    s->margin = 0.0;
-  else if (p->unstable_modes == 0)
-    s->margin = fmin(s->margin, (PRELOAD + fabs(s->deepest) - p->load) / PRELOAD);
+  note_margin(s);
+  s->points = s->visited;
+  s->met = po_path_reaches(s->greatest_approach, s->preload.approach) ||
+           s->greatest_load >= s->preload.load;
+}
+
+/* A search goes on at least to this load, in pi w R, as the bound is of JKR: at small Tabor
+ * parameters the first minimum may be deeper than any of JKR. And it ends at this load. Of 600
+ * random scenes (tabor 0.05 to 5, wavelength 3 to 60, amplitude up to half of it), 59 % are
+ * complete at the first, 80 % at the last. */
+static const double SOFTEST = 1.0, HARDEST = 100.0;
+/* A search of some effort visits at most so many times the points before it, and these. */
+static const size_t EFFORT = 4, EFFORT_AT_LEAST = 200;
+
+/* On a cut surface nothing is left to come into contact beyond its edge. */
+bool po_stopping_is_complete(const po_stopping *s, double load) {
+  const po_scene *scene = &s->request->scene;
+  if (!po_scene_is_wavy(scene))
+    return s->has_minimum && s->greatest_load > 0.0;
+  if (!s->request->bound || !(s->disc > 0.0) || s->greatest_load < SOFTEST)
+    return false;
+  return s->disc > s->request->bound(scene, load) || s->disc >= scene->outer_radius;
+}
+
+static bool ends_compressed(const po_stopping *s) {
+  const po_request *r = s->request;
+  return !po_scene_is_wavy(&r->scene) && isnan(r->preload.approach) && isnan(r->preload.load) &&
+         !(r->want & (PO_WANT_HYSTERESIS | PO_WANT_PRELOAD));
+}
+
+/* Whether loads have been carried in load control that are as hard as the approach so far needed.
+ */
+static bool is_carried(const po_stopping *s) {
+  const bool both = s->request->want & (PO_WANT_HYSTERESIS | PO_WANT_PRELOAD);
+  return !both || s->carried >= fmax(0.0, s->greatest_load);
+}
+
+/* Why a search ends. */
+static po_end_cause search_ends(const po_stopping *s) {
+  const po_scene *scene = &s->request->scene;
+  if (s->greatest_load >= SOFTEST && (s->disc > s->enough || s->disc >= scene->outer_radius))
+    return PO_END_COMPLETE;
+  if (po_request_search(s->request) == PO_SEARCH_SOME &&
+      s->visited > EFFORT * s->points + EFFORT_AT_LEAST)
+    return PO_END_SEARCHED;
+  return s->greatest_load > HARDEST ? PO_END_SEARCHED : PO_END_NONE;
 }
 
 po_end_cause po_stopping_cause(const po_stopping *s, const po_branch_point *p) {
-  if (!s->has_minimum || p->unstable_modes > 0)
+  const po_request *r = s->request;
+  if (p->unstable_modes > 0 || !isnan(r->approach_end))
     return PO_END_NONE;
-  if (!po_scene_is_wavy(s->scene))
-    return p->load > 0.0 ? PO_END_COMPRESSED : PO_END_NONE;
-  if (s->rises >= ENOUGH_RISES)
-    return PO_END_WAVES;
-  return p->load > PRELOAD + fabs(s->deepest) ? PO_END_PRELOAD : PO_END_NONE;
+  if (ends_compressed(s))
+    return s->has_minimum && p->load > 0.0 ? PO_END_COMPRESSED : PO_END_NONE;
+  if (!is_carried(s) || p->approach < s->greatest_approach)
+    return PO_END_NONE;
+  if (po_request_search(r) == PO_SEARCH_NONE)
+    return s->met ? PO_END_PRELOAD : PO_END_NONE;
+  const bool loaded = s->met || isinf(s->preload.approach);
+  return loaded && s->has_minimum ? search_ends(s) : PO_END_NONE;
 }

@@ -5,6 +5,7 @@
 #include "po_adaptive.h"
 #include "po_clock.h"
 #include "po_diagnose.h"
+#include "po_pressed.h"
 #include "po_reader.h"
 #include "po_rigid.h"
 #include "po_shape.h"
@@ -12,9 +13,6 @@
 
 /* How far a wanted curve may lie from the straight lines between its points. */
 static const double CURVE_SAGITTA = 5e-4;
-/* And from the cubics, in parts of the tolerance of panels, and the least of it: the cost goes as
- * the fourth root. */
-static const double MISS_OF_TOLERANCE = 0.1, LEAST_MISS = 1e-8;
 
 /* Where a rigid trace starts: the load there is below 2 % of pull-off. */
 static const double RIGID_START = -10.0;
@@ -26,15 +24,16 @@ static po_branch_options options_of(const po_request *request, double begin, po_
   po_branch_options options = po_branch_options_default();
   options.minima_only = reader->keeper && reader->keeper->minima_only;
   options.end = request->approach_end;
-  if (request->want & PO_WANT_HYSTERESIS)
+  if (isfinite(request->preload.approach))
     options.station[0] = request->preload.approach;
   if (request->want & PO_WANT_PROFILE && !isnan(request->profile_approach))
     options.station[1] = request->profile_approach;
   options.begin = fmin(request->approach_start, begin);
-  if (request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS))
+  if (request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS | PO_WANT_PRELOAD))
     options.largest_sagitta = CURVE_SAGITTA;
-  if (request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS) && request->mesh.scheme == PO_PANEL)
-    options.largest_miss = fmax(LEAST_MISS, MISS_OF_TOLERANCE * request->mesh.tolerance);
+  if (request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS | PO_WANT_PRELOAD) &&
+      request->mesh.scheme == PO_PANEL)
+    options.largest_miss = po_estimate_miss(request);
   options.sharpness = request->mesh.tolerance;
   options.visit = po_reader_visit;
   options.data = reader;
@@ -112,25 +111,22 @@ static po_status trace_elastic(const po_request *request, const po_attempt *a, p
  * attractive term of Eq 23, 8/(3 x^2) where its repulsive term, 2/(3 x^8), is such a push. */
 static const double PUSH_PER_LOAD = 1.1, PUSH_BEYOND_LOAD = 8.0;
 
-/* The pull-off force of rigid bodies is at most 2 pi w R (Bradley), and the stopping rule needs a
- * compressive load of at most pi w R more. */
-static const double GREATEST_LOAD = 3.0;
-
-/* An approach that is certainly beyond the end of a rigid trace. */
-static double rigid_end(const po_request *request) {
-  const po_preload *preload = &request->preload;
-  const bool loads = request->want & PO_WANT_HYSTERESIS;
-  const double load = loads ? fmax(GREATEST_LOAD, preload->load) : GREATEST_LOAD;
-  const double end =
-      po_rigid_approach_of_crest(&request->scene, PUSH_PER_LOAD * load + PUSH_BEYOND_LOAD);
-  return loads ? fmax(end, preload->approach) : end;
+double po_observe_rigid_end(const po_scene *scene, double load) {
+  return po_rigid_approach_of_crest(scene, PUSH_PER_LOAD * load + PUSH_BEYOND_LOAD);
 }
 
 static po_status trace_rigid(const po_request *request, po_reader *reader) {
   po_branch_options options = options_of(request, NAN, reader);
+  const bool searches = po_request_search(request) != PO_SEARCH_NONE;
   if (isnan(options.end))
-    options.end = rigid_end(request);
+    options.end =
+        isnan(request->preload.load) && isfinite(request->preload.approach) && !searches
+            ? request->preload.approach
+            : po_observe_rigid_end(&request->scene, fmax(0.0, po_request_preload(request).load));
   reader->outcome->rigid = true;
+  if (isfinite(request->preload.approach) && !(request->preload.approach < 1.0))
+    return po_fail(PO_BAD_INPUT, "preload is %g: rigid bodies cannot come closer than 1",
+                   request->preload.approach);
   reader->begun = true;
   double begin = request->approach_start;
   if (isnan(begin))
@@ -173,7 +169,7 @@ static po_status read_hysteresis(const po_reader *reader, po_attempt *a) {
     return PO_OK;
   }
   const po_status status =
-      po_hysteresis_follow(&path, reader->request->preload, o->pull_off.force, &o->hysteresis);
+      po_hysteresis_follow(&path, po_request_preload(reader->request), &o->hysteresis);
   o->has_hysteresis = !status;
   return status;
 }
@@ -205,10 +201,15 @@ po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double 
   if (!status)
     status = reader.status;
   if (!status && outcome->ended.cause == PO_END_NONE)
-    outcome->ended.cause = isnan(request->approach_end) ? PO_END_LOADED : PO_END_ASKED;
+    outcome->ended.cause = isnan(request->approach_end) ? PO_END_COMPLETE : PO_END_ASKED;
   if (!status && !outcome->has_pull_off && isnan(request->approach_end))
-    status = po_fail(PO_NOT_FOUND, "the load has no minimum up to approach %.6g",
+    status = po_fail(PO_NOT_FOUND,
+                     "the load has no minimum up to approach %.6g: expected a harder preload, "
+                     "beyond the first contact",
                      outcome->ended.approach);
+  if (!status)
+    status = po_pressed_read(request, &(po_path){reader.path, reader.path_count}, &reader.stopping,
+                             outcome);
   if (!status && (request->want & PO_WANT_HYSTERESIS))
     status = read_hysteresis(&reader, a);
 done:

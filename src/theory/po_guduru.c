@@ -90,6 +90,8 @@ static const double WAVE_BOUND = 1.5;
 
 /* Not above the load of Eq 5 anywhere; falls, then rises. */
 static double lower_bound(const terms *t, double a) {
+  if (t->wave == 0.0)
+    return t->hertz * a * a * a - t->suck * a * sqrt(a);
   const double x = t->k * a,
                modulus = sqrt(2.0 / M_PI * x) * (1.0 + WAVE_BOUND / (x * x * sqrt(x)));
   return t->hertz * a * a * a - t->suck * a * sqrt(a) - t->wave * a * modulus;
@@ -120,6 +122,8 @@ static const double FIRST_FROM = 1e-9;
  * next double is a part of 1e-8 of a wave away, and a minimum between two of them would be missed
  * by 1e-15 of the load. */
 static const double MOST_WAVES = 1e8;
+/* Steps of searches for a contact radius. */
+static const double GROWTH = 1.3, FINEST = 1e-3;
 /* Of the terms of the load: what their rounding hides. */
 static const double ROUNDING = 8.0 * DBL_EPSILON;
 
@@ -181,4 +185,54 @@ po_contact po_guduru_pull_off(const po_scene *scene) {
   scan_waves(scene, &t, lowest, middle, 1.0, &best);
   scan_waves(scene, &t, lowest, middle - 1.0, -1.0, &best);
   return isfinite(best.load) ? best : none;
+}
+
+/* The load of Eq 5 less a given one. */
+typedef struct {
+  terms t;
+  double load;
+} above;
+
+static double load_above(double a, const void *data) {
+  const above *f = data;
+  const wave_terms s = waves_at(&f->t, a);
+  return f->t.hertz * a * a * a + f->t.wave * a * (s.x * s.h0 - s.h1) - f->t.suck * a * sqrt(a) -
+         f->load;
+}
+
+/* The contact radius in (left, right) at which the load has a minimum not above the given one,
+ * where the rate changes sign at most once; NAN: there is none. */
+static double minimum_within(const above *f, double left, double right) {
+  if (!(rate(left, &f->t) < 0.0 && rate(right, &f->t) >= 0.0))
+    return NAN;
+  const double least = po_root(rate, &f->t, left, right);
+  return load_above(least, f) <= 0.0 ? least : NAN;
+}
+
+/* A contact radius beyond which the lower bound, and so the load, is above a load. */
+static double bound_above(const terms *t, double load) {
+  const double depth = t->suck + t->wave * sqrt(2.0 * t->k / M_PI);
+  double a = fmax(cbrt(pow(0.5 * depth / t->hertz, 2.0)), t->k > 0.0 ? t->length : 0.0);
+  while (lower_bound(t, a) <= load)
+    a *= GROWTH;
+  return a;
+}
+
+double po_guduru_last_minimum(const po_scene *scene, double load, double excess) {
+  if (!is_inside(scene, 0.0) || !(load < 0.0))
+    return NAN;
+  above f = {terms_of(scene), load};
+  f.t.suck *= 1.0 + excess;
+  double right = bound_above(&f.t, load);
+  if (!isfinite(right))
+    return NAN;
+  const double step = po_scene_is_wavy(scene) ? f.t.length / POINTS_PER_WAVE : FINEST * right;
+  while (right > FINEST * step) {
+    const double left = fmax(right - step, 0.5 * right);
+    const double last = minimum_within(&f, left, right);
+    if (last > 0.0)
+      return last;
+    right = left;
+  }
+  return 0.0;
 }

@@ -160,14 +160,16 @@ END_TEST
  * has at first. The number of folds is that of traces at 1e-7 and 1e-8. */
 static const struct {
   po_scene scene;
+  double preload; /* load, pi w R */
   size_t folds, most_points;
-} MANY_FOLDS[] = {{{6.9514, 2.3006, 81.969, 245.19, INFINITY}, 6, 300},
-                  {{6.3507, 1.0448, 40.547, 110.44, INFINITY}, 6, 300},
-                  {{4.4434, 9.1904, 46.746, 87.672, INFINITY}, 14, SIZE_MAX}};
+} MANY_FOLDS[] = {{{6.9514, 2.3006, 81.969, 245.19, INFINITY}, 1.0, 6, 300},
+                  {{6.3507, 1.0448, 40.547, 110.44, INFINITY}, 1.0, 6, 300},
+                  {{4.4434, 9.1904, 46.746, 87.672, INFINITY}, 12.0, 14, SIZE_MAX}};
 
 START_TEST(folds_are_of_the_scene_and_have_errors) {
   po_request request = panels(1.0, 1e-4);
   request.scene = MANY_FOLDS[_i].scene;
+  request.preload.load = MANY_FOLDS[_i].preload;
   po_outcome o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_uint_eq(o.fold_count, MANY_FOLDS[_i].folds);

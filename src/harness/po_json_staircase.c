@@ -1,0 +1,161 @@
+/* Pull-offs with their preloads, and staircases, as JSON and back. */
+#include <math.h>
+
+#include "po_guduru_path.h"
+#include "po_json.h"
+#include "po_json_parts.h"
+#include "po_memory.h"
+
+json_t *po_json_pressed(const po_pressed *pressed) {
+  return PO_JSON_OBJECT({"approach", po_json_number(pressed->approach)},
+                        {"load", po_json_number(pressed->load)});
+}
+
+po_pressed po_json_read_pressed(const json_t *object) {
+  return (po_pressed){po_json_read_number(object, "approach"), po_json_read_number(object, "load")};
+}
+
+json_t *po_json_pull_off_any(const po_outcome *o) {
+  if (!o->pull_off_any.is_known)
+    return json_null();
+  return PO_JSON_OBJECT({"force", po_json_number(o->pull_off_any.force)},
+                        {"error_estimate", po_json_number(o->pull_off_any.force_error)},
+                        {"approach", po_json_number(o->pull_off_any.approach)},
+                        {"approach_error_estimate", po_json_number(o->pull_off_any.approach_error)},
+                        {"preload", po_json_pressed(&o->pull_off_any.pressed)},
+                        {"complete", po_json_flag(o->pull_off_any.complete)},
+                        {"searched", po_json_pressed(&o->pull_off_any.searched)});
+}
+
+void po_json_read_pull_off_any(const json_t *object, po_outcome *o) {
+  o->pull_off_any.is_known = json_is_object(object);
+  o->pull_off_any.force = po_json_read_number(object, "force");
+  o->pull_off_any.force_error = po_json_read_number(object, "error_estimate");
+  o->pull_off_any.approach = po_json_read_number(object, "approach");
+  o->pull_off_any.approach_error = po_json_read_number(object, "approach_error_estimate");
+  o->pull_off_any.pressed = po_json_read_pressed(json_object_get(object, "preload"));
+  o->pull_off_any.complete = json_is_true(json_object_get(object, "complete"));
+  o->pull_off_any.searched = po_json_read_pressed(json_object_get(object, "searched"));
+}
+
+/* A state of a branch, by position, so that it can be found again; apart for ever the approach is
+ * null. */
+static json_t *state(const po_path_state *s) {
+  return PO_JSON_OBJECT({"approach", po_json_number(s->approach)},
+                        {"load", po_json_number(s->load)},
+                        {"position", po_json_number(s->position)});
+}
+
+static po_path_state read_state(const json_t *object) {
+  po_path_state s = {.approach = po_json_read_number(object, "approach"),
+                     .load = po_json_read_number(object, "load"),
+                     .position = po_json_read_number(object, "position")};
+  if (isnan(s.approach))
+    s.approach = -INFINITY;
+  return s;
+}
+
+static json_t *cycle(const po_cycle *c) {
+  return PO_JSON_OBJECT({"preload", state(&c->preload)},
+                        {"energy_lost", po_json_number(c->energy_lost)},
+                        {"jumps", po_json_count(c->jumps)});
+}
+
+static json_t *step(const po_step *s) {
+  json_t *cycles = po_json_empty_array();
+  for (size_t k = 0; k < s->cycle_count; ++k)
+    po_json_append(&cycles, cycle(&s->cycle[k]));
+  json_t *preload = state(&s->preload);
+  po_json_set(&preload, "error_estimate", po_json_number(s->preload_error.approach));
+  po_json_set(&preload, "load_error_estimate", po_json_number(s->preload_error.load));
+  return PO_JSON_OBJECT({"preload", preload},
+                        {"decided_by", po_json_text(s->jumped ? "jump" : "minimum")},
+                        {"until", state(&s->until)}, {"open", po_json_flag(s->open)},
+                        {"force", po_json_number(fmax(0.0, -s->pull_off.load))},
+                        {"error_estimate", po_json_number(s->pull_off_error.load)},
+                        {"approach", po_json_number(s->pull_off.approach)},
+                        {"approach_error_estimate", po_json_number(s->pull_off_error.approach)},
+                        {"position", po_json_number(s->pull_off.position)}, {"cycles", cycles});
+}
+
+static json_t *staircase(const po_staircase *s) {
+  json_t *steps = po_json_empty_array();
+  for (size_t k = 0; k < s->count; ++k)
+    po_json_append(&steps, step(&s->step[k]));
+  return PO_JSON_OBJECT({"steps", steps}, {"reached", state(&s->reached)});
+}
+
+static json_t *both(const po_staircase s[2]) {
+  return PO_JSON_OBJECT({"displacement_control", staircase(&s[0])},
+                        {"load_control", staircase(&s[1])});
+}
+
+/* Of the JKR theory, complete. */
+static json_t *theory(const po_request *request) {
+  po_staircase s[2];
+  const po_status status = po_guduru_staircases(&request->scene, s);
+  json_t *object = status == PO_NO_MEMORY ? NULL : status ? json_null() : both(s);
+  po_staircase_clear(&s[0]);
+  po_staircase_clear(&s[1]);
+  return object;
+}
+
+json_t *po_json_staircases(const po_request *request, const po_outcome *outcome) {
+  json_t *object = both(outcome->staircase);
+  po_json_set(&object, "jkr", theory(request));
+  return object;
+}
+
+static po_status read_step(const json_t *item, po_step *s) {
+  const json_t *preload = json_object_get(item, "preload");
+  const json_t *cycles = json_object_get(item, "cycles");
+  const char *by = json_string_value(json_object_get(item, "decided_by"));
+  *s = (po_step){.preload = read_state(preload),
+                 .preload_error = {po_json_read_number(preload, "error_estimate"),
+                                   po_json_read_number(preload, "load_error_estimate")},
+                 .until = read_state(json_object_get(item, "until")),
+                 .jumped = by && by[0] == 'j',
+                 .open = json_is_true(json_object_get(item, "open")),
+                 .pull_off = {.load = -po_json_read_number(item, "force"),
+                              .approach = po_json_read_number(item, "approach"),
+                              .position = po_json_read_number(item, "position")},
+                 .pull_off_error = {po_json_read_number(item, "approach_error_estimate"),
+                                    po_json_read_number(item, "error_estimate")}};
+  s->cycle = po_allocate(json_array_size(cycles), sizeof *s->cycle);
+  if (!s->cycle)
+    return PO_NO_MEMORY;
+  s->cycle_count = json_array_size(cycles);
+  for (size_t k = 0; k < s->cycle_count; ++k) {
+    const json_t *c = json_array_get(cycles, k);
+    s->cycle[k] = (po_cycle){.preload = read_state(json_object_get(c, "preload")),
+                             .energy_lost = po_json_read_number(c, "energy_lost"),
+                             .jumps = (size_t)po_json_count_of(c, "jumps")};
+  }
+  return PO_OK;
+}
+
+static po_status read_staircase(const json_t *object, po_control control, po_staircase *s) {
+  const json_t *steps = json_object_get(object, "steps");
+  *s = (po_staircase){.control = control,
+                      .reached = read_state(json_object_get(object, "reached")),
+                      .step = po_allocate(json_array_size(steps), sizeof *s->step)};
+  if (!s->step)
+    return PO_NO_MEMORY;
+  po_status status = PO_OK;
+  for (size_t k = 0; k < json_array_size(steps) && !status; ++k) {
+    status = read_step(json_array_get(steps, k), &s->step[k]);
+    ++s->count;
+  }
+  return status;
+}
+
+po_status po_json_read_staircases(const json_t *object, po_outcome *outcome) {
+  outcome->has_staircases = json_is_object(object);
+  if (!outcome->has_staircases)
+    return PO_OK;
+  const po_status status = read_staircase(json_object_get(object, "displacement_control"),
+                                          PO_DISPLACEMENT_CONTROL, &outcome->staircase[0]);
+  return status ? status
+                : read_staircase(json_object_get(object, "load_control"), PO_LOAD_CONTROL,
+                                 &outcome->staircase[1]);
+}

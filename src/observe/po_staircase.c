@@ -1,0 +1,256 @@
+#include "po_staircase.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "po_memory.h"
+
+/* A stable stretch of the curve, and how unloading goes on from its lower end. */
+typedef struct {
+  size_t start, end;     /* points */
+  po_path_state deepest; /* of what unloading meets below it; load INFINITY: nothing */
+  double energy_lost;    /* in the jumps of unloading from its lower end on */
+  size_t jumps;
+} stretch;
+
+typedef struct {
+  const po_path *path;
+  po_control control;
+  stretch *all;
+  size_t *of; /* of each point: the stretch of the segment from it to the next; SIZE_MAX: none */
+  size_t count;
+  po_staircase *staircase;
+  size_t step_room;
+  bool between;          /* no step holds: loading is on its way down to a minimum */
+  po_path_state deepest; /* the pull-off of the preload in hand */
+  double loading_lost;   /* in the jumps of loading so far */
+  size_t loading_jumps;
+} walk;
+
+static const po_path_state NOTHING = {.load = (double)INFINITY, .position = (double)NAN};
+
+static po_path_state state(const walk *w, po_path_place place) {
+  return po_path_at(w->path, place);
+}
+
+static po_path_state point(const walk *w, size_t index) {
+  return state(w, (po_path_place){index, 0.0});
+}
+
+static po_path_state deeper(po_path_state a, po_path_state b) {
+  return b.load < a.load ? b : a;
+}
+
+/* What unloading meets from a place on a stretch downwards. */
+static po_path_state deepest_from(const walk *w, const stretch *s, po_path_place place) {
+  po_path_state deepest = deeper(s->deepest, state(w, place));
+  for (size_t k = s->start; k <= place.index; ++k)
+    deepest = deeper(deepest, point(w, k));
+  return deepest;
+}
+
+/* Follows unloading from the lower end of a stretch; all stretches below it are known. */
+static void unload(const walk *w, stretch *s) {
+  s->deepest = NOTHING;
+  if (s->start == 0)
+    return;
+  const po_path_state before = point(w, s->start);
+  const double value = po_stable_driven(w->path, w->control, s->start);
+  po_path_state after = po_stable_apart(value);
+  po_path_place to;
+  s->jumps = 1;
+  if (po_stable_find(w->path, w->control, s->start, -1, value, &to)) {
+    const stretch *below = &w->all[w->of[to.index]];
+    after = state(w, to);
+    s->deepest = deepest_from(w, below, to);
+    s->energy_lost = below->energy_lost;
+    s->jumps += below->jumps;
+  } else if (w->control == PO_DISPLACEMENT_CONTROL) {
+    after.energy = NAN; /* it lands farther out than the curve reaches */
+  }
+  s->energy_lost +=
+      po_stable_potential(w->control, &before) - po_stable_potential(w->control, &after);
+}
+
+static po_status find_stretches(walk *w) {
+  const size_t n = w->path->count;
+  w->all = po_allocate(n, sizeof *w->all);
+  w->of = po_allocate(n, sizeof *w->of);
+  if (!w->all || !w->of)
+    return PO_NO_MEMORY;
+  for (size_t k = 0; k < n; ++k) {
+    w->of[k] = SIZE_MAX;
+    if (!po_stable_is(w->path, w->control, k))
+      continue;
+    if (k == 0 || w->of[k - 1] == SIZE_MAX) {
+      w->all[w->count++] = (stretch){.start = k};
+      unload(w, &w->all[w->count - 1]);
+    }
+    w->of[k] = w->count - 1;
+    w->all[w->count - 1].end = k + 1;
+  }
+  return PO_OK;
+}
+
+static po_step *last_step(const walk *w) {
+  return w->staircase->count ? &w->staircase->step[w->staircase->count - 1] : NULL;
+}
+
+static void end_step(walk *w, po_path_state until) {
+  po_step *step = last_step(w);
+  if (step && step->open) {
+    step->until = until;
+    step->open = false;
+  }
+}
+
+static po_status begin_step(walk *w, po_path_state preload, bool jumped) {
+  po_staircase *s = w->staircase;
+  if (s->count == w->step_room) {
+    const size_t room = w->step_room ? 2 * w->step_room : 8;
+    po_step *moved = po_resize(s->step, room, sizeof *moved);
+    if (!moved)
+      return PO_NO_MEMORY;
+    s->step = moved;
+    w->step_room = room;
+  }
+  s->step[s->count++] = (po_step){.preload = preload,
+                                  .jumped = jumped,
+                                  .open = true,
+                                  .pull_off = w->deepest,
+                                  .preload_error = {NAN, NAN},
+                                  .pull_off_error = {NAN, NAN}};
+  w->between = false;
+  return PO_OK;
+}
+
+/* The cycles of all preloads from here on have the jumps of loading so far, and those of unloading
+ * from this stretch. */
+static po_status add_cycle(walk *w, const stretch *s, po_path_state preload) {
+  po_step *step = last_step(w);
+  po_cycle *moved = po_resize(step->cycle, step->cycle_count + 1, sizeof *moved);
+  if (!moved)
+    return PO_NO_MEMORY;
+  step->cycle = moved;
+  moved[step->cycle_count++] = (po_cycle){.preload = preload,
+                                          .energy_lost = w->loading_lost + s->energy_lost,
+                                          .jumps = w->loading_jumps + s->jumps};
+  return PO_OK;
+}
+
+/* Loading has jumped from `before` to a place on a stretch. */
+static po_status arrive(walk *w, const stretch *s, po_path_state before, po_path_place place) {
+  const po_path_state after = state(w, place);
+  w->loading_lost +=
+      po_stable_potential(w->control, &before) - po_stable_potential(w->control, &after);
+  ++w->loading_jumps;
+  const double position = w->deepest.position;
+  w->deepest = deepest_from(w, s, place);
+  if (!w->between && w->deepest.position == position)
+    return add_cycle(w, s, before);
+  end_step(w, before);
+  w->between = w->deepest.position == after.position; /* the load goes on falling */
+  if (w->between)
+    return PO_OK;
+  const po_status status = begin_step(w, before, true);
+  return status ? status : add_cycle(w, s, before);
+}
+
+/* Loads on a stretch from a place to its end. */
+static po_status load_along(walk *w, const stretch *s, po_path_place from) {
+  po_path_state last = state(w, from);
+  for (size_t k = from.index + 1; k <= s->end; ++k) {
+    const po_path_state here = point(w, k);
+    if (here.load < w->deepest.load) {
+      if (!w->between)
+        end_step(w, last.load > w->deepest.load
+                        ? state(w, po_path_where(w->path, k - 1, PO_PATH_LOAD, w->deepest.load))
+                        : last);
+      w->between = true;
+      w->deepest = here;
+    } else if (w->between && last.load < 0.0) {
+      po_status status = begin_step(w, last, false);
+      if (!status)
+        status = add_cycle(w, s, last);
+      if (status)
+        return status;
+    }
+    last = here;
+  }
+  w->staircase->reached = last;
+  return PO_OK;
+}
+
+static bool begin(walk *w, po_path_place *at) {
+  *at = (po_path_place){0, 0.0};
+  if (w->control == PO_LOAD_CONTROL)
+    return po_stable_find(w->path, w->control, 0, 1, 0.0, at);
+  return w->of[0] != SIZE_MAX ||
+         po_stable_find(w->path, w->control, 0, 1, po_stable_driven(w->path, w->control, 0), at);
+}
+
+static po_status climb(walk *w) {
+  po_path_place at;
+  if (!begin(w, &at))
+    return PO_OK;
+  po_status status = PO_OK;
+  const stretch *s = &w->all[w->of[at.index]];
+  w->between = true;
+  w->deepest = state(w, at);
+  if (w->control == PO_LOAD_CONTROL)
+    status = arrive(w, s, po_stable_apart(0.0), at);
+  while (!status) {
+    status = load_along(w, s, at);
+    const po_path_state before = point(w, s->end);
+    if (status || s->end + 1 >= w->path->count ||
+        !po_stable_find(w->path, w->control, s->end, 1,
+                        po_stable_driven(w->path, w->control, s->end), &at))
+      break;
+    s = &w->all[w->of[at.index]];
+    status = arrive(w, s, before, at);
+  }
+  if (last_step(w) && last_step(w)->open)
+    last_step(w)->until = w->staircase->reached;
+  return status;
+}
+
+po_status po_staircase_read(const po_path *path, po_control control, po_staircase *staircase) {
+  *staircase = (po_staircase){.control = control, .reached = NOTHING};
+  if (path->count < 2)
+    return PO_OK;
+  walk w = {.path = path, .control = control, .staircase = staircase};
+  po_status status = find_stretches(&w);
+  if (!status)
+    status = climb(&w);
+  free(w.all);
+  free(w.of);
+  if (status)
+    po_staircase_clear(staircase);
+  return status;
+}
+
+void po_staircase_clear(po_staircase *staircase) {
+  for (size_t k = 0; k < staircase->count; ++k)
+    free(staircase->step[k].cycle);
+  free(staircase->step);
+  *staircase = (po_staircase){.control = staircase->control};
+}
+
+const po_step *po_staircase_at(const po_staircase *staircase, const po_path_state *preload) {
+  for (size_t k = staircase->count; k-- > 0;) {
+    const po_step *step = &staircase->step[k];
+    if (isinf(step->preload.approach) || preload->position > step->preload.position ||
+        (!step->jumped && preload->position == step->preload.position))
+      return preload->position <= step->until.position ? step : NULL;
+  }
+  return NULL;
+}
+
+const po_step *po_staircase_greatest(const po_staircase *staircase) {
+  const po_step *greatest = NULL;
+  for (size_t k = 0; k < staircase->count; ++k)
+    if (!greatest || staircase->step[k].pull_off.load < greatest->pull_off.load)
+      greatest = &staircase->step[k];
+  return greatest;
+}

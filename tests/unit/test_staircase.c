@@ -1,0 +1,258 @@
+/* The pull-off after every preload: steps of made curves and of solved scenes, against loops. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "po_outcome.h"
+#include "po_staircase.h"
+#include "request.h"
+#include "run.h"
+
+/* A made curve: straight between these points (rates of secants), modes as given. */
+typedef struct {
+  double approach, load;
+  int modes;
+} made;
+
+enum { MOST = 16 };
+
+static po_path path_of(const made *list, size_t count, po_path_point point[MOST]) {
+  for (size_t k = 0; k < count; ++k)
+    point[k] = (po_path_point){.approach = list[k].approach,
+                               .load = list[k].load,
+                               .energy = -(double)(k * k),
+                               .position = (double)k,
+                               .unstable_modes = list[k].modes};
+  return (po_path){point, count};
+}
+
+/* Loading falls to a minimum of -1 at approach 1, rises, falls again to -2 at 3 and rises. No jump:
+ * between the steps the tension at the reversal is the greatest. */
+START_TEST(minima_that_loading_passes_are_steps) {
+  static const made CURVE[] = {{0, 0, 0}, {1, -1, 0}, {2, -0.5, 0}, {3, -2, 0}, {4, 1, 0}};
+  po_path_point point[MOST];
+  const po_path path = path_of(CURVE, 5, point);
+  po_staircase s;
+  ck_assert_int_eq(po_staircase_read(&path, PO_DISPLACEMENT_CONTROL, &s), PO_OK);
+  ck_assert_uint_eq(s.count, 2);
+  ck_assert(!s.step[0].jumped && !s.step[1].jumped);
+  ck_assert_double_eq(s.step[0].preload.approach, 1.0);
+  ck_assert_double_eq(s.step[0].pull_off.load, -1.0);
+  ck_assert(!s.step[0].open && s.step[1].open);
+  ck_assert_double_eq_tol(s.step[0].until.load, -1.0, 1e-12);
+  ck_assert_double_gt(s.step[0].until.approach, 2.0);
+  ck_assert_double_lt(s.step[0].until.approach, 3.0);
+  ck_assert_double_eq(s.step[1].preload.approach, 3.0);
+  ck_assert_double_eq(s.step[1].pull_off.load, -2.0);
+  ck_assert_double_eq(s.reached.approach, 4.0);
+  ck_assert_uint_eq(s.step[1].cycle_count, 1);
+  ck_assert_uint_eq(s.step[1].cycle[0].jumps, 0);
+  ck_assert_double_eq(s.step[1].cycle[0].energy_lost, 0.0);
+  const po_path_state between = {.approach = 2.9, .position = 2.9};
+  ck_assert_ptr_null(po_staircase_at(&s, &between));
+  ck_assert_ptr_eq(po_staircase_greatest(&s), &s.step[1]);
+  po_staircase_clear(&s);
+}
+END_TEST
+
+/* Two branches: the fold at approach 2 leads to one that is followed back to 0.5, past a minimum of
+ * -3; a second jump at 5 leads to one on which unloading pulls less. The pull-off does not grow
+ * with the preload. */
+START_TEST(a_harder_preload_may_give_less) {
+  static const made CURVE[] = {{-2, 0, 0}, {2, -1, 1},    {0.5, -2, 0}, {1, -3, 0},
+                               {5, 2, 1},  {-1, -0.5, 0}, {1.5, 0, 0},  {9, 9, 0}};
+  po_path_point point[MOST];
+  const po_path path = path_of(CURVE, 8, point);
+  po_staircase s;
+  ck_assert_int_eq(po_staircase_read(&path, PO_DISPLACEMENT_CONTROL, &s), PO_OK);
+  ck_assert_uint_eq(s.count, 2);
+  ck_assert(s.step[0].jumped && s.step[1].jumped);
+  ck_assert_double_eq(s.step[0].preload.approach, 2.0);
+  ck_assert_double_eq(s.step[0].pull_off.load, -3.0);
+  ck_assert_double_eq(s.step[1].preload.approach, 5.0);
+  ck_assert_double_eq(s.step[1].pull_off.load, -0.5);
+  ck_assert_ptr_eq(po_staircase_greatest(&s), &s.step[0]);
+  for (size_t k = 0; k < 2; ++k) { /* the loops to just beyond the jumps */
+    po_loop loop;
+    const po_preload preload = {s.step[k].preload.approach + 1e-3, NAN};
+    ck_assert_int_eq(po_loop_follow(&path, PO_DISPLACEMENT_CONTROL, preload, &loop), PO_OK);
+    ck_assert_double_eq(loop.pull_off.load, s.step[k].pull_off.load);
+    ck_assert_uint_eq(loop.jump_count, s.step[k].cycle[0].jumps);
+    ck_assert_double_eq_tol(loop.energy_lost, s.step[k].cycle[0].energy_lost, 1e-12);
+    po_loop_clear(&loop);
+  }
+  po_staircase_clear(&s);
+}
+END_TEST
+
+START_TEST(a_curve_without_minima_has_no_steps) {
+  static const made CURVE[] = {{0, -0.1, 0}, {1, -1, 0}, {2, -2, 0}};
+  po_path_point point[MOST];
+  const po_path path = path_of(CURVE, 3, point), none = {point, 0};
+  po_staircase s;
+  ck_assert_int_eq(po_staircase_read(&path, PO_DISPLACEMENT_CONTROL, &s), PO_OK);
+  ck_assert_uint_eq(s.count, 0);
+  ck_assert_ptr_null(po_staircase_greatest(&s));
+  ck_assert_int_eq(po_staircase_read(&path, PO_LOAD_CONTROL, &s), PO_OK);
+  ck_assert_uint_eq(s.count, 0);
+  ck_assert_int_eq(po_staircase_read(&none, PO_LOAD_CONTROL, &s), PO_OK);
+  ck_assert_uint_eq(s.count, 0);
+}
+END_TEST
+
+/* A bound of the load that is never met, so that a search goes on to the hardest preload, and one
+ * that always is. */
+static double never(const po_scene *scene, double load) {
+  (void)scene;
+  (void)load;
+  return 1e9;
+}
+static double always(const po_scene *scene, double load) {
+  (void)scene;
+  (void)load;
+  return 0.0;
+}
+
+/* Every step of solved scenes against loops of separate solves that are loaded to just below and
+ * just above it, in both controls. */
+static const po_scene SCENES[] = {{3.0, 10.15, 50.0, 50.0, INFINITY},
+                                  {2.911, 7.784, 35.18, 56.7, INFINITY},
+                                  {4.0, 3.0, 10.0, 100.0, 100.0},
+                                  {1.3, 0.7, 23.85, 100.0, INFINITY}};
+
+/* The loop of a separate solve, in one control. */
+static po_path_state pulled(po_request request, po_control control, double preload) {
+  po_outcome o;
+  request.want = PO_WANT_HYSTERESIS;
+  request.preload =
+      control == PO_LOAD_CONTROL ? (po_preload){NAN, preload} : (po_preload){preload, NAN};
+  ck_assert_msg(!po_observe(&request, &o), "preload %.12g: %s", preload, o.reason);
+  const po_loop *loop = &o.hysteresis.displacement;
+  po_path_state pull_off = loop->pull_off;
+  if (control == PO_LOAD_CONTROL) { /* reversed at the load of the other, which may jump past it */
+    pull_off = o.hysteresis.load.pull_off;
+    ck_assert_double_ge(o.hysteresis.load.preload.load, preload - 1e-9);
+  }
+  po_outcome_clear(&o);
+  return pull_off;
+}
+
+START_TEST(steps_are_those_of_separate_loops) {
+  const double near = 1e-3;
+  po_request request = po_request_default();
+  request.scene = SCENES[_i];
+  request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-5};
+  request.want = PO_WANT_PRELOAD;
+  request.bound = always;
+  request.preload.load = 4.0;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert(o.has_staircases);
+  const po_staircase *s = &o.staircase[0];
+  ck_assert_uint_ge(s->count, 1);
+  for (size_t k = 0; k < s->count; ++k) {
+    const po_step *step = &s->step[k];
+    const double error = 2.0 * step->pull_off_error.load + 1e-5;
+    const double at = step->preload.approach;
+    po_path_state above = pulled(request, PO_DISPLACEMENT_CONTROL, at + near);
+    ck_assert_double_eq_tol(above.load, step->pull_off.load, error);
+    if (!step->open) {
+      above = pulled(request, PO_DISPLACEMENT_CONTROL, step->until.approach - near);
+      ck_assert_double_eq_tol(above.load, step->pull_off.load, error);
+    }
+    if (k > 0 && step->jumped && s->step[k - 1].until.approach == at)
+      ck_assert_double_eq_tol(pulled(request, PO_DISPLACEMENT_CONTROL, at - near).load,
+                              s->step[k - 1].pull_off.load, error);
+  }
+  po_outcome_clear(&o);
+}
+END_TEST
+
+/* The two steps that made the question: values and preloads of the issue are from traces of their
+ * own. */
+START_TEST(what_decides_the_pull_off) {
+  po_request request = po_request_default();
+  request.scene = SCENES[0];
+  request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-6};
+  request.want = PO_WANT_PRELOAD;
+  request.bound = always;
+  request.preload.load = 5.0;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  const po_staircase *s = &o.staircase[0];
+  static const double STEPS[][3] = {
+      {-1.1110996, -0.1978146, 0.19781}, {20.5358, 1.5231, 4.10804}, {26.5580, 3.0095, 14.40819}};
+  ck_assert_uint_eq(s->count, 3);
+  for (size_t k = 0; k < 3; ++k) {
+    ck_assert_double_eq_tol(s->step[k].preload.approach, STEPS[k][0], 1e-4);
+    ck_assert_double_eq_tol(s->step[k].preload.load, STEPS[k][1], 1e-4);
+    ck_assert_double_eq_tol(-s->step[k].pull_off.load, STEPS[k][2], 1e-5);
+    ck_assert_double_lt(s->step[k].pull_off_error.load, 1e-6);
+  }
+  ck_assert_double_eq(o.pull_off_any.force, -s->step[2].pull_off.load);
+  ck_assert_double_eq(o.pull_off_any.pressed.approach, s->step[2].preload.approach);
+  /* the declared preload, 5, is beyond all of them */
+  ck_assert_double_eq(o.pull_off.pressed.approach, s->step[2].preload.approach);
+  po_outcome_clear(&o);
+}
+END_TEST
+
+/* The usual preload is the load pi w R; a search beyond it does not change what it gives. */
+START_TEST(a_search_does_not_change_the_pull_off) {
+  static const po_search SEARCH[] = {PO_SEARCH_NONE, PO_SEARCH_SOME, PO_SEARCH_ALL};
+  po_request request = po_request_default();
+  request.scene = SCENES[0];
+  request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-6};
+  request.bound = never;
+  request.search = SEARCH[_i];
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_double_eq_tol(o.pull_off.force, 0.197814606, 1e-7);
+  ck_assert_double_eq_tol(o.pull_off.pressed.approach, -1.1110996, 1e-6);
+  ck_assert(o.pull_off_any.is_known && !o.pull_off_any.complete);
+  ck_assert_int_eq(o.ended.cause, _i ? PO_END_SEARCHED : PO_END_PRELOAD);
+  if (_i == 0)
+    ck_assert_double_lt(o.ended.load, 1.5);
+  if (_i == 2) {
+    ck_assert_double_gt(o.ended.load, 100.0);
+    ck_assert_double_eq_tol(o.pull_off_any.force, 14.40819, 1e-5);
+    ck_assert_double_eq_tol(o.pull_off.until.approach, 20.5358, 1e-4);
+  }
+  po_outcome_clear(&o);
+}
+END_TEST
+
+/* Pressed to anything, the pull-off is the greatest; and the trace ends once the bound is met. */
+START_TEST(any_preload_gives_the_greatest) {
+  po_request request = po_request_default();
+  request.scene = SCENES[1];
+  request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
+  request.preload.approach = INFINITY;
+  request.bound = never;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_double_eq_tol(o.pull_off.force, 8.49669, 1e-4);
+  ck_assert_double_eq_tol(o.pull_off_any.force, o.pull_off.force, 1e-9);
+  ck_assert(!o.pull_off_any.complete);
+  po_outcome_clear(&o);
+  request.bound = always;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(o.ended.cause, PO_END_COMPLETE);
+  ck_assert(o.pull_off_any.complete);
+  ck_assert_double_lt(o.ended.load, 3.0); /* it is believed */
+  po_outcome_clear(&o);
+}
+END_TEST
+
+static void add(TCase *tests) {
+  tcase_add_test(tests, minima_that_loading_passes_are_steps);
+  tcase_add_test(tests, a_harder_preload_may_give_less);
+  tcase_add_test(tests, a_curve_without_minima_has_no_steps);
+  tcase_add_loop_test(tests, steps_are_those_of_separate_loops, 0, sizeof SCENES / sizeof *SCENES);
+  tcase_add_test(tests, what_decides_the_pull_off);
+  tcase_add_loop_test(tests, a_search_does_not_change_the_pull_off, 0, 3);
+  tcase_add_test(tests, any_preload_gives_the_greatest);
+}
+
+int main(void) {
+  return run_case("staircase", add);
+}
