@@ -20,6 +20,8 @@ static const char *const QUANTITIES[PO_QUANTITY_COUNT] = {
     [PO_HYSTERESIS_APPROACH] = "hysteresis_approach",
     [PO_HYSTERESIS_LOSS] = "hysteresis_loss",
     [PO_JUMPS] = "jumps",
+    [PO_PULL_OFF_ANY] = "pull_off_any",
+    [PO_STEPS] = "steps",
     [PO_FOLD_COUNT] = "fold_count",
     [PO_FOLDS] = "folds",
     [PO_EXTREMA] = "extrema",
@@ -51,6 +53,10 @@ bool po_quantity_is_diagnostic(po_quantity quantity) {
 bool po_quantity_is_hysteresis(po_quantity quantity) {
   return quantity == PO_HYSTERESIS_FORCE || quantity == PO_HYSTERESIS_APPROACH ||
          quantity == PO_HYSTERESIS_LOSS || quantity == PO_JUMPS;
+}
+
+bool po_quantity_is_preload(po_quantity quantity) {
+  return quantity == PO_PULL_OFF_ANY || quantity == PO_STEPS;
 }
 
 const char *po_tolerance_kind_name(po_tolerance_kind kind) {

@@ -26,6 +26,7 @@ typedef enum {
   PO_CASE_PROFILE = 16,
   PO_CASE_HYSTERESIS = 32,
   PO_CASE_DIAGNOSTICS = 64,
+  PO_CASE_PRELOAD = 128,
 } po_case_want;
 
 typedef enum {
@@ -40,6 +41,8 @@ typedef enum {
   PO_HYSTERESIS_APPROACH,
   PO_HYSTERESIS_LOSS, /* energy lost in all jumps of loading and unloading at given approach */
   PO_JUMPS,           /* these jumps, one by one */
+  PO_PULL_OFF_ANY,    /* the force, the greatest that any preload gives */
+  PO_STEPS,           /* of the staircase at given approach, one by one */
   PO_FOLD_COUNT,
   PO_FOLDS,
   PO_EXTREMA,
@@ -264,6 +267,9 @@ bool po_quantity_is_diagnostic(po_quantity quantity);
 
 /* Whether a quantity is of loading and unloading, which are followed for it. */
 bool po_quantity_is_hysteresis(po_quantity quantity);
+
+/* Whether a quantity is read off the staircases. */
+bool po_quantity_is_preload(po_quantity quantity);
 
 /* Names, as in case files. */
 const char *po_quantity_name(po_quantity quantity);

@@ -20,8 +20,8 @@ bool po_case_is_name(const char *text) {
 }
 
 static po_status parse_names(po_case *kase, const po_yaml *yaml) {
-  static const char *const WANTS[] = {"pull_off", "folds",      "extrema",    "curve",
-                                      "profile",  "hysteresis", "diagnostics"};
+  static const char *const WANTS[] = {"pull_off", "folds",      "extrema",     "curve",
+                                      "profile",  "hysteresis", "diagnostics", "preload"};
   const po_case_file *file = kase->file;
   if (!po_case_is_name(file->name) || strlen(file->name) > 64)
     return po_schema_refuse(yaml, NULL, "name");
@@ -40,7 +40,8 @@ static po_status parse_names(po_case *kase, const po_yaml *yaml) {
         want = 1u << k;
     if (!want)
       return po_schema_refuse(yaml,
-                              "pull_off, folds, extrema, curve, profile, hysteresis or diagnostics",
+                              "pull_off, folds, extrema, curve, profile, hysteresis, diagnostics "
+                              "or preload",
                               "want[%u]", i + 1);
     kase->want |= want;
   }
@@ -129,6 +130,9 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
   if (po_quantity_is_hysteresis(check->quantity) && !is_file(check->reference))
     return po_schema_refuse(yaml, "the path of a CSV file, as only tables speak of hysteresis",
                             "checks[%u].reference", number);
+  if (check->quantity == PO_STEPS && !is_file(check->reference))
+    return po_schema_refuse(yaml, "the path of a CSV file, as only tables list steps",
+                            "checks[%u].reference", number);
   const bool share = check->quantity == PO_SOLVED_SHARE;
   if (share != (strcmp(check->reference, PO_EVERY_SCENE) == 0))
     return po_schema_refuse(yaml,
@@ -151,7 +155,8 @@ static po_status parse_measure(po_check *measure, unsigned number, const po_yaml
   const int quantity = quantity_of(measure->quantity_text);
   if (quantity == PO_QUANTITY_COUNT || quantity == PO_WORK || quantity == PO_SOLVED_SHARE ||
       po_quantity_is_diagnostic((po_quantity)quantity) ||
-      po_quantity_is_hysteresis((po_quantity)quantity))
+      po_quantity_is_hysteresis((po_quantity)quantity) ||
+      po_quantity_is_preload((po_quantity)quantity))
     return po_schema_refuse(yaml, NULL, "measure[%u].quantity", number);
   if (strcmp(measure->reference, "bradley") != 0 && !is_file(measure->reference))
     return po_schema_refuse(yaml, NULL, "measure[%u].reference", number);

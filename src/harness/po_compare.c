@@ -15,7 +15,7 @@ static const po_reference_number NOTHING = {(double)NAN, (double)NAN};
 static bool is_single(po_quantity quantity, const po_reference *reference) {
   return po_quantity_is_pull_off(quantity) || po_quantity_is_diagnostic(quantity) ||
          (po_quantity_is_hysteresis(quantity) && quantity != PO_JUMPS) ||
-         (quantity == PO_FOLD_COUNT && reference->is_pin);
+         quantity == PO_PULL_OFF_ANY || (quantity == PO_FOLD_COUNT && reference->is_pin);
 }
 
 static double obtained_of_loop(po_quantity quantity, const po_outcome *outcome) {
@@ -32,6 +32,8 @@ double po_compare_obtained(po_quantity quantity, const po_outcome *outcome) {
     return outcome->status == PO_OK ? (double)outcome->fold_count : (double)NAN;
   if (!outcome->has_pull_off || outcome->status != PO_OK)
     return (double)NAN;
+  if (quantity == PO_PULL_OFF_ANY)
+    return outcome->pull_off_any.is_known ? outcome->pull_off_any.force : (double)NAN;
   if (po_quantity_is_hysteresis(quantity))
     return obtained_of_loop(quantity, outcome);
   if (quantity == PO_RESIDUAL)
@@ -200,6 +202,8 @@ po_status po_compare(const po_case *kase, size_t point, const po_check *check,
     status = compare_curve(kase, point, check, reference, outcome, results);
   else if (check->quantity == PO_JUMPS)
     status = po_compare_jumps(kase, point, check, reference, outcome, results);
+  else if (check->quantity == PO_STEPS)
+    status = po_compare_steps(kase, point, check, reference, outcome, results);
   else if (check->quantity == PO_WORK)
     status = po_compare_work(kase, point, check, reference, outcome, results);
   else

@@ -19,8 +19,7 @@ static double number_of(const po_jump *jump, size_t which) {
   return of[which];
 }
 
-/* The row of jump number `index` of a scene; the number of rows: none. */
-static size_t row_of(const po_reference *reference, const po_request *request, size_t index) {
+size_t po_compare_row(const po_reference *reference, const po_request *request, size_t index) {
   size_t row = 0;
   for (; row < reference->table.row_count; ++row)
     if (po_reference_row_is_of(reference, row, request) && index-- == 0)
@@ -28,7 +27,7 @@ static size_t row_of(const po_reference *reference, const po_request *request, s
   return row;
 }
 
-static size_t count_rows(const po_reference *reference, const po_request *request) {
+size_t po_compare_row_count(const po_reference *reference, const po_request *request) {
   size_t count = 0;
   for (size_t row = 0; row < reference->table.row_count; ++row)
     count += po_reference_row_is_of(reference, row, request);
@@ -42,7 +41,7 @@ static const char *phase_of(const po_jump *jump) {
 static bool phases_agree(const po_reference *reference, const po_request *request,
                          const po_loop *loop, size_t column) {
   for (size_t k = 0; k < loop->jump_count; ++k)
-    if (strcmp(po_csv_cell(&reference->table, row_of(reference, request, k), column),
+    if (strcmp(po_csv_cell(&reference->table, po_compare_row(reference, request, k), column),
                phase_of(&loop->jumps[k])) != 0)
       return false;
   return true;
@@ -78,7 +77,7 @@ po_status po_compare_jumps(const po_case *kase, size_t point, const po_check *ch
   const po_request request = po_check_request(check, &kase->points[point].request);
   const po_loop *loop = &outcome->hysteresis.displacement;
   const bool solved = outcome->status == PO_OK && outcome->has_hysteresis;
-  const size_t rows = count_rows(reference, &request);
+  const size_t rows = po_compare_row_count(reference, &request);
   const int column = po_csv_find_column(&reference->table, "phase");
   if (column < 0)
     return po_fail(PO_CANNOT_READ, "%s:%zu: the column phase is missing", reference->table.path,
@@ -98,22 +97,31 @@ po_status po_compare_jumps(const po_case *kase, size_t point, const po_check *ch
   }
   po_status status = PO_OK;
   for (size_t k = 0; k < rows && !status; ++k)
-    status =
-        add_jump(kase, point, check, reference, row_of(reference, &request, k), loop, k, results);
+    status = add_jump(kase, point, check, reference, po_compare_row(reference, &request, k), loop,
+                      k, results);
+  return status;
+}
+
+po_status po_compare_rows_doubt(const po_reference *reference, const po_request *request,
+                                const char *const *columns, size_t count,
+                                po_reference_number *most) {
+  po_status status = PO_OK;
+  *most = (po_reference_number){(double)NAN, 0};
+  for (size_t row = 0; row < reference->table.row_count; ++row)
+    for (size_t n = 0; n < count && !status; ++n) {
+      po_reference_number number = {0};
+      if (po_reference_row_is_of(reference, row, request))
+        status = po_reference_cell(reference, row, columns[n], &number);
+      if (number.uncertainty > most->uncertainty)
+        *most = number;
+    }
   return status;
 }
 
 po_status po_compare_jumps_doubt(const po_reference *reference, const po_request *request,
                                  po_reference_number *most) {
-  po_status status = PO_OK;
-  *most = (po_reference_number){(double)NAN, 0};
-  for (size_t row = 0; row < reference->table.row_count; ++row)
-    for (size_t n = 0; n < NUMBER_COUNT && !status; ++n) {
-      po_reference_number number = {0};
-      if (po_reference_row_is_of(reference, row, request))
-        status = po_reference_cell(reference, row, NUMBERS[n].column, &number);
-      if (number.uncertainty > most->uncertainty)
-        *most = number;
-    }
-  return status;
+  const char *columns[NUMBER_COUNT];
+  for (size_t n = 0; n < NUMBER_COUNT; ++n)
+    columns[n] = NUMBERS[n].column;
+  return po_compare_rows_doubt(reference, request, columns, NUMBER_COUNT, most);
 }

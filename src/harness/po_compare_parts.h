@@ -12,6 +12,15 @@ po_status po_compare_landmarks(const po_case *kase, size_t point, const po_check
                                const po_reference *reference, const po_outcome *outcome,
                                po_results *results);
 
+/* Tables that list several things of a scene, a row each: the row of number `index` of a scene (the
+ * number of rows: none), how many there are, and of all numbers in some columns the most
+ * uncertain. */
+size_t po_compare_row(const po_reference *reference, const po_request *request, size_t index);
+size_t po_compare_row_count(const po_reference *reference, const po_request *request);
+po_status po_compare_rows_doubt(const po_reference *reference, const po_request *request,
+                                const char *const *columns, size_t count,
+                                po_reference_number *most);
+
 /* The jumps of loading and unloading at given approach: their number, then of each the approach,
  * the load before and after, and the energy lost. */
 po_status po_compare_jumps(const po_case *kase, size_t point, const po_check *check,
@@ -20,6 +29,16 @@ po_status po_compare_jumps(const po_case *kase, size_t point, const po_check *ch
 
 /* Of all numbers a table has of the jumps of a scene, the most uncertain. */
 po_status po_compare_jumps_doubt(const po_reference *reference, const po_request *request,
+                                 po_reference_number *most);
+
+/* The steps of the staircase at given approach: their number, as far as both list them, then of each
+ * the preload from which it holds, force and approach of the pull-off, and the energy lost. */
+po_status po_compare_steps(const po_case *kase, size_t point, const po_check *check,
+                           const po_reference *reference, const po_outcome *outcome,
+                           po_results *results);
+
+/* Of all numbers a table has of the steps of a scene, the most uncertain. */
+po_status po_compare_steps_doubt(const po_reference *reference, const po_request *request,
                                  po_reference_number *most);
 
 /* The counters of work, each beside its pin. */

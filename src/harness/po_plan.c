@@ -37,6 +37,8 @@ static void decide(po_plan *plan) {
     plan->want |= PO_WANT_HYSTERESIS;
   if (kase->want & PO_CASE_DIAGNOSTICS)
     plan->want |= PO_WANT_DIAGNOSTICS;
+  if (kase->want & PO_CASE_PRELOAD)
+    plan->want |= PO_WANT_PRELOAD;
   for (unsigned i = 0; i < kase->file->checks_count; ++i) {
     const po_quantity quantity = kase->file->checks[i].quantity;
     if (quantity == PO_CURVE && !plan->references[i].is_absent)
@@ -45,6 +47,8 @@ static void decide(po_plan *plan) {
       plan->want |= PO_WANT_DIAGNOSTICS;
     if (po_quantity_is_hysteresis(quantity))
       plan->want |= PO_WANT_HYSTERESIS;
+    if (po_quantity_is_preload(quantity))
+      plan->want |= PO_WANT_PRELOAD;
   }
   for (unsigned i = 0; i < kase->file->measure_count; ++i)
     if (kase->file->measure[i].quantity == PO_CURVE)

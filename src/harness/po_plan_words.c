@@ -137,6 +137,10 @@ static po_status tell_wants(po_plan *plan) {
   if (!status && plan->want & PO_WANT_HYSTERESIS)
     status = say(plan, "follow loading and unloading, by approach and by load: the case wants the "
                        "hysteresis");
+  if (!status && plan->want & PO_WANT_PRELOAD)
+    status =
+        say(plan, "trace on until no harder preload gives more, and read off what every preload "
+                  "gives");
   if (!status)
     status = plan->want & PO_WANT_DIAGNOSTICS
                  ? say(plan, "diagnose each scene, and solve it again with each input moved by a "
@@ -156,7 +160,7 @@ static po_status tell_wants(po_plan *plan) {
   return status;
 }
 
-static bool is_jump_known(const po_reference *reference, const po_request *request) {
+static bool is_listed(const po_reference *reference, const po_request *request) {
   bool known = false;
   for (size_t row = 0; row < reference->table.row_count; ++row)
     known = known || po_reference_row_is_of(reference, row, request);
@@ -173,8 +177,8 @@ static bool is_spoken_of(const po_reference *reference, const po_check *check,
   size_t count = 0;
   if (check->quantity == PO_SOLVED_SHARE || reference->is_traced)
     return true;
-  if (check->quantity == PO_JUMPS)
-    return is_jump_known(reference, request);
+  if (check->quantity == PO_JUMPS || check->quantity == PO_STEPS)
+    return is_listed(reference, request);
   if (check->quantity == PO_WORK)
     return po_pins_value(reference, "work/points", request, &number.value) == PO_OK;
   if (check->quantity <= PO_FOLD_COUNT)

@@ -193,6 +193,8 @@ po_status po_reference_cell(const po_reference *reference, size_t row, const cha
 static const char *column_of(po_quantity quantity) {
   if (quantity == PO_HYSTERESIS_LOSS)
     return "energy_lost";
+  if (quantity == PO_PULL_OFF_ANY)
+    return "force";
   return quantity == PO_PULL_OFF_FORCE || quantity == PO_HYSTERESIS_FORCE ? "force" : "approach";
 }
 

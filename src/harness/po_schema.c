@@ -228,12 +228,14 @@ static const struct {
     {"traced.seed", "a whole number of at most 15 digits"},
     {"traced.count", "a whole number from 1 up to all scenes between two anchors"},
     {"repeats", "a whole number from 1 to 1000"},
-    {"want", "a list of pull_off, folds, extrema, curve, profile, hysteresis, diagnostics"},
+    {"want",
+     "a list of pull_off, folds, extrema, curve, profile, hysteresis, diagnostics, preload"},
     {"checks", "a list of checks"},
     {"checks.quantity",
      "pull_off_force, pull_off_approach, contact_radius, residual, moved_force, energy_defect, "
-     "way_back, hysteresis_force, hysteresis_approach, hysteresis_loss, jumps, fold_count, folds, "
-     "extrema, curve, work or solved_share"},
+     "way_back, hysteresis_force, hysteresis_approach, hysteresis_loss, jumps, pull_off_any, "
+     "steps, "
+     "fold_count, folds, extrema, curve, work or solved_share"},
     {"checks.reference", "bradley, pin, every_scene, zero, traced or the path of a CSV file"},
     {"checks.tolerance", "a finite number > 0"},
     {"checks.kind", "abs, rel or ulp"},
