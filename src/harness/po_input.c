@@ -201,6 +201,12 @@ bool po_key_is_idle(const po_request *request, po_key key) {
          isnan(po_key_number(request, key)) || po_key_is_of_other_scheme(request, key);
 }
 
+/* Whether the command says the usual preload. */
+static bool adds_preload(const po_request *request) {
+  return request->scene.amplitude > 0 && !request->want && isnan(request->preload.approach) &&
+         isnan(request->preload.load) && isnan(request->approach_end);
+}
+
 char *po_input_command(const po_request *request) {
   po_text command = {0};
   po_text_add(&command, "pulloff solve");
@@ -215,6 +221,8 @@ char *po_input_command(const po_request *request) {
         *c = '-';
     po_text_add(&command, " --%s %s", flag, value);
   }
+  if (adds_preload(request)) /* as without it, but a single solve would go on beyond */
+    po_text_add(&command, " --preload-load %g", po_request_preload(request).load);
   const char *before = " --want ";
   for (int k = 0; k < PO_WANT_COUNT; ++k)
     if (request->want & (1u << k)) {

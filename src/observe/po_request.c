@@ -51,6 +51,9 @@ po_status po_request_check(const po_request *request) {
   if (request->approach_start >= request->approach_end)
     return po_fail(PO_BAD_INPUT, "approach_end is %g: expected more than approach_start, %g",
                    request->approach_end, request->approach_start);
+  if (request->preload.approach > request->approach_end && isfinite(request->preload.approach))
+    return po_fail(PO_BAD_INPUT, "approach_end is %g: expected at least the preload, %g",
+                   request->approach_end, request->preload.approach);
   if (isinf(request->profile_approach))
     return po_fail(PO_BAD_INPUT, "profile_approach is %g: expected a finite number",
                    request->profile_approach);

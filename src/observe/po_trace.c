@@ -202,6 +202,11 @@ po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double 
     status = reader.status;
   if (!status && outcome->ended.cause == PO_END_NONE)
     outcome->ended.cause = isnan(request->approach_end) ? PO_END_COMPLETE : PO_END_ASKED;
+  if (!status && !reader.stopping.met && !isnan(request->approach_end) &&
+      !isnan(request->preload.load))
+    status = po_fail(PO_NOT_FOUND,
+                     "the trace ends at approach %.6g, load %.6g, before the load %g is met",
+                     outcome->ended.approach, outcome->ended.load, request->preload.load);
   if (!status && !outcome->has_pull_off && isnan(request->approach_end))
     status = po_fail(PO_NOT_FOUND,
                      "the load has no minimum up to approach %.6g: expected a harder preload, "

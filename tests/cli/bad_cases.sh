@@ -46,10 +46,10 @@ spoilt 's/^name: good/name: good\nname: bad/' \
   '2: name is given twice, first on line 1: expected it once'
 spoilt '/^name/d' '1: name is missing: expected letters, digits, _ and -'
 spoilt 's/^name: good/name: ..\/good/' '1: name is ../good: expected letters, digits, _ and -'
-spoilt '/^want/d' '*: want is missing: expected a list of pull_off, folds, extrema, curve, profile, hysteresis, diagnostics'
+spoilt '/^want/d' '*: want is missing: expected a list of pull_off, folds, extrema, curve, profile, hysteresis, diagnostics, preload'
 spoilt 's/want: .*/want: pull_off/' '11: want is pull_off: expected a list of pull_off, *'
 spoilt 's/want: .*/want: [pudding]/' \
-  '11: want[[]1[]] is pudding: expected pull_off, folds, extrema, curve, profile, hysteresis or diagnostics'
+  '11: want[[]1[]] is pudding: expected pull_off, folds, extrema, curve, profile, hysteresis, diagnostics or preload'
 spoilt 's/want: .*/want: []/' '11: want is a list: expected a list of pull_off, *'
 spoilt 's/suites: .*/suites: [dessert]/' \
   '3: suites[[]1[]] is dessert: expected smoke, paper, extreme, precision or random'

@@ -30,10 +30,10 @@ assert math.isclose(held["work"], held["energy_lost"], rel_tol=1e-5)
 assert loaded["jumps"][0]["before"]["approach"] is None and loaded["energy_lost"] is None
 assert math.isclose(h["jkr"]["displacement_control"]["pull_off"]["force"], 1.5)
 LOOK
-expect 0 '' solve --tabor 2.385 --preload 0.7 --json
+expect 0 '' solve --tabor 2.385 --preload 0.7 --want hysteresis --json
 cp "$work/stdout" solved.json
 check 'the block of solve is of the documented form' "$python" look.py solved.json
-expect 0 '' solve --tabor 2.385 --preload 0.7
+expect 0 '' solve --tabor 2.385 --preload 0.7 --want hysteresis
 check 'for people: what is measured' grep -q '^displacement control: reversed at approach 0.7, ' "$work/stdout"
 check 'and where it jumps' grep -q '^a    unloading ' "$work/stdout"
 
@@ -63,6 +63,8 @@ check 'the plan says so' grep -q 'follow loading and unloading' "$work/stdout"
 expect 2 'pulloff: --preload-load is -1: expected a finite number >= 0' solve --preload-load -1
 expect 2 'pulloff: --preload-load is in pi w R*' solve --from-physical --modulus-pa 2e9 \
   --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 1e-7 --preload-load 1
-expect 3 'pulloff: the solve failed: the curve ends at approach 0.5*before the preload' \
+expect 2 'pulloff: approach_end is 0.5: expected at least the preload, 0.7' \
   solve --approach-end 0.5 --preload 0.7
+expect 3 'pulloff: the solve failed: the trace ends at approach 0.5, load *, before the load 7 is met' \
+  solve --tabor 2.385 --approach-end 0.5 --preload-load 7
 finish

@@ -54,9 +54,9 @@ def document(path):
     return json.load(open(path))
 TABLES
 
-expect 0 '' solve --tabor 2.385 --preload 0.7
+expect 0 '' solve --tabor 2.385 --preload 0.7 --want hysteresis
 cp "$work/stdout" solve.text
-expect 0 '' solve --tabor 2.385 --preload 0.7 --json
+expect 0 '' solve --tabor 2.385 --preload 0.7 --want hysteresis --json
 cp "$work/stdout" solve.json
 cat >solve.py <<'SOLVE'
 from tables import *

@@ -20,7 +20,14 @@ assert d["input"]["outer_radius"] == "inf" and d["input"]["nodes"] == 101
 p = d["pull_off"]
 assert abs(p["force"] - 1.67067) < 1e-3 and abs(p["approach"] + 0.8734) < 2e-3
 assert set(p) == {"force", "approach", "contact_radius", "error_estimate",
-                  "approach_error_estimate", "contact_radius_error_estimate", "contact_radius_other"}
+                  "approach_error_estimate", "contact_radius_error_estimate", "contact_radius_other", "preload",
+                  "until"}
+assert p["preload"] == {"approach": p["approach"], "load": -p["force"]}
+assert p["until"] == {"approach": None, "load": None}
+a = d["pull_off_any"]
+assert set(a) == {"force", "approach", "error_estimate", "approach_error_estimate", "preload", "complete",
+                  "searched"}
+assert a["complete"] and a["force"] == p["force"] and a["searched"]["load"] > 0
 assert set(d["ended"]) == {"why", "approach", "load"} and d["ended"]["why"] == "compressed"
 assert d["ended"]["approach"] == d["end"] and d["ended"]["load"] > 0
 assert [f["kind"] for f in d["folds"]] == ["jump_in", "jump_out"]

@@ -77,6 +77,21 @@ START_TEST(trace_ends_at_the_preload) {
 }
 END_TEST
 
+/* A trace that is to end before the load of the preload cannot speak of it. */
+START_TEST(a_preload_beyond_the_end_is_refused) {
+  po_request request = request_of(2.385, 0.0, 0.0, INFINITY);
+  request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
+  request.approach_end = 0.5;
+  request.preload.approach = 0.7;
+  ck_assert_int_eq(po_request_check(&request), PO_BAD_INPUT);
+  request.preload = (po_preload){NAN, 7.0};
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_NOT_FOUND);
+  ck_assert_ptr_nonnull(strstr(o.reason, "before the load 7 is met"));
+  po_outcome_clear(&o);
+}
+END_TEST
+
 /* Pressed so little that the bodies stay apart: there is nothing to pull off. */
 START_TEST(a_preload_below_the_first_contact_is_said) {
   po_request request = request_of(2.385, 1.0, 20.0, INFINITY);
@@ -219,6 +234,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, a_closed_trough_pulls_deeper);
   tcase_add_loop_test(tests, trace_ends_at_the_preload, 0, 4);
   tcase_add_test(tests, a_preload_below_the_first_contact_is_said);
+  tcase_add_test(tests, a_preload_beyond_the_end_is_refused);
   tcase_add_test(tests, a_cut_surface_is_traced_until_all_of_it_is_in_contact);
   tcase_add_loop_test(tests, the_end_of_a_trace_has_its_cause, 0, 6);
   tcase_add_test(tests, stop_ends_a_solve);
