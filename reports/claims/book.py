@@ -8,10 +8,14 @@ import tomllib
 import formula
 import judge
 
-REQUIRED = {"id": str, "where": str, "says": str}
-OPTIONAL = {"claimed": (str, int, float, list), "reading": str, "accuracy": (int, float), "accuracy_because": str,
-            "value": str, "unit": str, "note": str, "get": dict, "untestable": str}
-SOURCES = {"pulloff": {"pulloff": str, "at": str, "each": dict}, "case": {"case": str, "when": dict, "at": str, "all": bool},
+CHECK = "implementation check"
+REQUIRED = {"id": str, "where": str, "tests": str}
+OPTIONAL = {"quote": (str, list), "implied": bool, "kind": str, "claimed": (str, int, float, list), "reading": str,
+            "accuracy": (int, float), "accuracy_because": str, "value": str, "get": dict, "choice": list,
+            "off_by": (int, float), "off_by_because": str, "brief": str, "note": str, "survives": str, "untestable": str}
+CHOICE = {"words": str, "set": dict, "get": dict, "value": str, "claimed": (str, int, float, list)}
+SOURCES = {"pulloff": {"pulloff": str, "at": str, "each": dict, "count": bool},
+           "case": {"case": str, "when": dict, "at": str, "all": bool, "count": bool},
            "table": {"table": str, "when": dict, "column": str, "all": bool}}
 VERBS = ("theory", "solve")
 
@@ -54,34 +58,76 @@ def limits(claimed, where):
     return low, high
 
 
-def value_of(claim):
-    """The formula of the computed number: what is said, or else the only source."""
-    return claim.get("value") or next(iter(claim["get"]))
+def quotes(claim):
+    """The sentences of the paper that a claim rests on."""
+    quote = claim.get("quote", [])
+    return [quote] if isinstance(quote, str) else quote
 
 
-def check_testable(claim, where):
-    for key in ("claimed", "reading"):
-        demand(key in claim, where, f"{key} is missing")
-    demand(claim["reading"] in judge.READINGS, where, f"reading: expected one of {', '.join(judge.READINGS)}")
-    got = claim.get("get", {})
+def filled(part, given):
+    """A source with its {keys} replaced by the values that a choice sets."""
+    if isinstance(part, dict):
+        return {key: filled(value, given) for key, value in part.items()}
+    if isinstance(part, str):
+        for key, value in given.items():
+            part = part.replace("{" + key + "}", str(value))
+    return part
+
+
+def choices(claim):
+    """The claim once for each choice that the paper leaves open, with all that it takes to judge it; else once."""
+    made = []
+    for choice in claim.get("choice", [{}]):
+        get = {name: filled(source, choice.get("set", {}))
+               for name, source in {**claim.get("get", {}), **choice.get("get", {})}.items()}
+        value = choice.get("value", claim.get("value", next(iter(get), None)))
+        made.append({"words": choice.get("words"), "claimed": choice.get("claimed", claim.get("claimed")), "get": get,
+                     "value": value})
+    return made
+
+
+def check_choices(claim, where):
+    demand(len(claim["choice"]) > 1, where, "choice: expected two or more")
+    for place, choice in enumerate(claim["choice"]):
+        for key, value in choice.items():
+            demand(isinstance(value, CHOICE.get(key, ())), where, f"choice[{place}]: {key} is unknown, or of the wrong type")
+        demand(choice.get("words"), where, f"choice[{place}]: words are missing: what is chosen?")
+
+
+def check_numbers(choice, claim, where):
+    """One choice of a claim: what is claimed, what is got, and how the number follows from it."""
+    demand(choice["claimed"] is not None, where, "claimed is missing")
+    got = choice["get"]
     for name, source in got.items():
         check_source(source, f"{where}.get.{name}")
-    demand("value" in claim or len(got) == 1, where, "value is missing: which of the sources is it?")
-    used = formula.names(value_of(claim))
-    if limits(claim["claimed"], where) is None:
-        used |= formula.names(claim["claimed"])
+    demand("value" in claim or len(got) == 1 or any("value" in each for each in claim.get("choice", [])), where,
+           "value is missing: which of the sources is it?")
+    used = formula.names(choice["value"])
+    if limits(choice["claimed"], where) is None:
+        used |= formula.names(choice["claimed"])
     demand(used <= set(got), where, f"not got: {', '.join(sorted(used - set(got)))}")
     demand(used == set(got), where, f"got for nothing: {', '.join(sorted(set(got) - used))}")
     if claim["reading"] == "printed":
-        demand("accuracy" not in claim, where, "accuracy: the printed digits say it")
         try:
-            is_number = isinstance(claim["claimed"], str) and decimal.Decimal(claim["claimed"]).is_finite()
+            is_number = isinstance(choice["claimed"], str) and decimal.Decimal(choice["claimed"]).is_finite()
         except decimal.InvalidOperation:
             is_number = False
         demand(is_number, where, "claimed: expected the number in quotes, as it is printed")
+
+
+def check_testable(claim, where):
+    demand(claim.get("reading") in judge.READINGS, where, f"reading: expected one of {', '.join(judge.READINGS)}")
+    if "choice" in claim:
+        check_choices(claim, where)
+    for choice in choices(claim):
+        check_numbers(choice, claim, where)
+    if claim["reading"] == "printed":
+        demand("accuracy" not in claim, where, "accuracy: the printed digits say it")
     else:
         demand(claim.get("accuracy", -1) >= 0, where, "accuracy is missing, or negative")
         demand("accuracy_because" in claim, where, "accuracy_because is missing")
+    if "off_by" in claim:
+        demand(claim["off_by"] > 0 and "off_by_because" in claim, where, "off_by: expected a positive number, and off_by_because")
 
 
 def check_claim(claim, where):
@@ -91,8 +137,11 @@ def check_claim(claim, where):
         kind = {**REQUIRED, **OPTIONAL}.get(key)
         demand(kind is not None, where, f"{key} is unknown")
         demand(isinstance(value, kind), where, f"{key} is of the wrong type")
+    demand(claim.get("kind", CHECK) == CHECK, where, f"kind: expected {CHECK}, or none")
+    demand(quotes(claim) or "kind" in claim, where, "quote is missing: which sentence of the paper says it?")
+    demand(all(isinstance(quote, str) for quote in quotes(claim)), where, "quote is of the wrong type")
     if "untestable" in claim:
-        demand(not {"claimed", "get", "value"} & set(claim), where, "untestable, and yet it says how to test it")
+        demand(not {"claimed", "get", "value", "choice"} & set(claim), where, "untestable, and yet it says how to test it")
     else:
         try:
             check_testable(claim, where)

@@ -30,16 +30,41 @@ def ratios(above, below):
     return [a / b for a, b in zip(above, below, strict=True)]
 
 
+def differences(above, below):
+    """One list less another."""
+    return [a - b for a, b in zip(above, below, strict=True)]
+
+
+def greatest_at(values, places):
+    """The greatest of the values at each place, the places in rising order."""
+    found = {}
+    for value, place in zip(values, places, strict=True):
+        found[place] = max(value, found.get(place, value))
+    return [found[place] for place in sorted(found)]
+
+
+def crossing(x, y, level):
+    """The x where y first rises to the level, on straight lines between the points."""
+    for before, after in zip(range(len(x) - 1), range(1, len(x))):
+        if y[before] < level <= y[after]:
+            return x[before] + (x[after] - x[before]) * (level - y[before]) / (y[after] - y[before])
+    raise ValueError("the level is not crossed")
+
+
 # Elliptic integrals by their modulus, as the paper has them, and Struve functions.
-FUNCTIONS = {"sqrt": math.sqrt, "exp": math.exp, "cos": math.cos, "log10": math.log10, "abs": abs, "max": max, "min": min,
+FUNCTIONS = {"sqrt": math.sqrt, "exp": math.exp, "cos": math.cos, "sin": math.sin, "log10": math.log10,
+             "abs": abs, "max": max, "min": min,
              "count": len, "pick": pick, "slope": slope, "ratios": ratios,
+             "differences": differences, "scaled": lambda values, factor: [value * factor for value in values],
+             "greatest_at": greatest_at, "distinct": lambda values: sorted(set(values)), "crossing": crossing,
              "where_greatest": lambda values, places: where(max, values, places),
              "where_least": lambda values, places: where(min, values, places),
              "last": lambda values: values[-1], "first": lambda values: values[0],
              "K": lambda k: float(scipy.special.ellipk(k * k)), "E": lambda k: float(scipy.special.ellipe(k * k)),
-             "sum": None,  # sum(j, first, last, term of j): see evaluate
+             "sum": None, "least": None,  # sum(j, first, last, term of j): see evaluate
              "H": lambda order, x: float(scipy.special.struve(order, x))}
 CONSTANTS = {"pi": math.pi}
+OVER = {"sum": math.fsum, "least": min}  # of the terms for every whole number from the first to the last
 
 
 class FormulaError(Exception):
@@ -63,8 +88,8 @@ def check(tree, text):
         parts = [tree.left, tree.right] if isinstance(tree, ast.BinOp) else [tree.operand]
     elif isinstance(tree, ast.Call) and isinstance(tree.func, ast.Name) and tree.func.id in FUNCTIONS and not tree.keywords:
         parts = tree.args
-        if tree.func.id == "sum" and not (len(parts) == 4 and isinstance(parts[0], ast.Name)):
-            raise FormulaError(f"{text!r}: expected sum(name, first, last, term)")
+        if tree.func.id in OVER and not (len(parts) == 4 and isinstance(parts[0], ast.Name)):
+            raise FormulaError(f"{text!r}: expected {tree.func.id}(name, first, last, term)")
     else:
         raise FormulaError(f"{text!r}: {ast.unparse(tree)} is neither a number, a name, arithmetic nor one of "
                            + ", ".join(FUNCTIONS))
@@ -77,7 +102,7 @@ def names(text):
     tree = parse(text)
     calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
     called = {id(node.func) for node in calls}
-    counters = {node.args[0].id for node in calls if node.func.id == "sum"}
+    counters = {node.args[0].id for node in calls if node.func.id in OVER}
     return {node.id for node in ast.walk(tree)
             if isinstance(node, ast.Name) and id(node) not in called} - counters - set(CONSTANTS)
 
@@ -86,12 +111,12 @@ def evaluate(text, values):
     """The number a formula has with these values. Status: FormulaError, a division by zero and the like too."""
     known = {**CONSTANTS, **values}
 
-    def total(name, first, last, term):
+    def over(gather, name, first, last, term):
         terms = []
         for place in range(round(number(first)), round(number(last)) + 1):
             known[name.id] = place
             terms.append(number(term))
-        return math.fsum(terms)
+        return gather(terms)
 
     def number(tree):
         if isinstance(tree, ast.Constant):
@@ -102,8 +127,8 @@ def evaluate(text, values):
             return OPERATORS[type(tree.op)](number(tree.left), number(tree.right))
         if isinstance(tree, ast.UnaryOp):
             return OPERATORS[type(tree.op)](number(tree.operand))
-        if tree.func.id == "sum":
-            return total(*tree.args)
+        if tree.func.id in OVER:
+            return over(OVER[tree.func.id], *tree.args)
         return FUNCTIONS[tree.func.id](*map(number, tree.args))
 
     try:

@@ -3,10 +3,11 @@
 import decimal
 import math
 
-REPRODUCED, WITHIN_READING, CONTRADICTED, NOT_TESTABLE, NO_RESULT = VERDICTS = (
-    "reproduced", "within_reading", "contradicted", "not_testable", "no_result")
+REPRODUCED, WITHIN_READING, DEPENDS, CONTRADICTED, NOT_TESTABLE, NO_RESULT, CHECKED, CHECK_FAILED = VERDICTS = (
+    "reproduced", "within_reading", "depends", "contradicted", "not_testable", "no_result", "checked", "check_failed")
+HOLDS = (REPRODUCED, WITHIN_READING)
 
-# How the claimed number is known -> whether it is more than its reading.
+# How the claimed number is known -> what its accuracy is.
 READINGS = {"printed": "a number printed in full: within half a unit of its last digit",
             "equation": "an equation, evaluated as it is printed",
             "about": "a number or a bound given by words such as about",
@@ -25,6 +26,12 @@ def difference(computed, low, high):
     return computed - low if computed < low else computed - high if computed > high else 0.0
 
 
+def side(computed, low, high, accuracy):
+    """0 if the computed number is no further off than the accuracy; otherwise -1 below and 1 above what is claimed."""
+    off = difference(computed, low, high)
+    return 0 if abs(off) <= accuracy else math.copysign(1, off)
+
+
 def verdict(computed, low, high, accuracy, reading):
     """reproduced or within_reading when no further off than the accuracy, contradicted else.
 
@@ -32,8 +39,20 @@ def verdict(computed, low, high, accuracy, reading):
     what is said roughly or read off a figure is so within the accuracy of reading it."""
     if computed is None or not math.isfinite(computed):
         return NO_RESULT
-    if abs(difference(computed, low, high)) > accuracy:
+    if side(computed, low, high, accuracy):
         return CONTRADICTED
     if reading in EXACT or accuracy == 0 or low < high and low <= computed <= high:
         return REPRODUCED
     return WITHIN_READING
+
+
+def overall(verdicts, is_check=False):
+    """The verdict of a claim from those of its choices: depends if it holds for some of them and not for the others."""
+    if NO_RESULT in verdicts:
+        return NO_RESULT
+    if is_check:
+        return CHECK_FAILED if CONTRADICTED in verdicts else CHECKED
+    kinds = set(verdicts)
+    if len(kinds) > 1 and CONTRADICTED in kinds:
+        return DEPENDS
+    return WITHIN_READING if WITHIN_READING in kinds else kinds.pop()

@@ -4,6 +4,7 @@
 import argparse
 import hashlib
 import json
+import math
 import os
 import sys
 import textwrap
@@ -14,11 +15,14 @@ sys.path.insert(0, HERE)
 import book  # noqa: E402
 import formula  # noqa: E402
 import judge  # noqa: E402
+import sensitivity  # noqa: E402
 import sources  # noqa: E402
 
-SCHEMA = "pulloff-claims/1"
+SCHEMA = "pulloff-claims/2"
 TREE = os.path.dirname(os.path.dirname(HERE))
-WORDS = {"within_reading": "reproduced within reading accuracy", "not_testable": "not testable", "no_result": "no result"}
+WORDS = {"within_reading": "reproduced within reading accuracy", "not_testable": "not testable", "no_result": "no result",
+         "depends": "depend on a choice", "checked": "implementation checks passed", "check_failed": "implementation checks failed"}
+HEAD = ("id", "where", "tests", "kind", "reading", "brief", "note", "survives", "accuracy_because", "off_by_because")
 
 
 def arguments(words):
@@ -28,37 +32,73 @@ def arguments(words):
     parser.add_argument("--output", metavar="DIR", help="where claims.json goes (claims beside the run)")
     parser.add_argument("--list", default=os.path.join(HERE, "claims.toml"), metavar="FILE", help="another list of claims")
     parser.add_argument("--claim", action="append", metavar="ID", help="only this claim; writes nothing")
+    parser.add_argument("--sensitivity", action="store_true",
+                        help="print for each claim by how much (relative) a number must be off for the answer to change")
     parser.add_argument("--json", action="store_true", help="one JSON document on standard output, nothing else")
     return parser.parse_args(words)
 
 
-def collect(claim, given):
+def collect(choice, given):
     """(values by name, the lines that show them)."""
     values, lines = {}, []
-    for name, source in claim.get("get", {}).items():
+    for name, source in choice["get"].items():
         values[name], shown = given.get(source)
         lines += [line for line in shown if line not in lines]
     return values, lines
 
 
+def judged(choice, claim, given):
+    """One choice of a claim with what was computed, its verdict, and the sources that cannot change it."""
+    part = {"words": choice["words"], "claimed": choice["claimed"] if isinstance(choice["claimed"], str) else None,
+            "low": None, "high": None, "computed": None, "difference": None, "accuracy": None, "off_by": None,
+            "counted": all(map(sensitivity.is_count, choice["get"].values())), "unmoved": [], "commands": [], "reason": None}
+    bounds = book.limits(choice["claimed"], claim["id"])
+
+    def limits(values):
+        return bounds or (formula.evaluate(choice["claimed"], values),) * 2
+
+    try:
+        values, part["commands"] = collect(choice, given)
+        part["computed"] = formula.evaluate(choice["value"], values)
+        part["low"], part["high"] = limits(values)
+    except (formula.FormulaError, sources.SourceError) as error:
+        return part | {"reason": str(error), "verdict": judge.NO_RESULT}
+    part["accuracy"] = judge.half_unit(choice["claimed"]) if claim["reading"] == "printed" else claim["accuracy"]
+    part["difference"] = judge.difference(part["computed"], part["low"], part["high"])
+    part["verdict"] = judge.verdict(part["computed"], part["low"], part["high"], part["accuracy"], claim["reading"])
+    stated = claim.get("off_by") if part["verdict"] in judge.HOLDS else None
+    part["off_by"] = stated or sensitivity.derived(part)
+    part["unmoved"] = sensitivity.unmoved(choice, values, part["off_by"], limits, part["accuracy"])
+    return part
+
+
+def faults_of(claim, row):
+    """What is wrong with a judged entry: it cannot fail, or it says too little about a contradiction."""
+    told = []
+    for part in row["choices"]:
+        name = f"choice {part['words']!r}: " if part["words"] else ""
+        if part["unmoved"] and part["off_by"] < math.inf:
+            told.append(f"{name}the answer stays if {', '.join(part['unmoved'])} is off by {part['off_by']:.3g} of itself")
+        if ("off_by" not in claim and not part["counted"] and part["verdict"] in judge.HOLDS
+                and part["off_by"] > sensitivity.LARGEST_DERIVED):
+            told.append(f"{name}only a number off by {part['off_by']:.3g} of itself changes the answer: state off_by and why")
+    if row["verdict"] == judge.CONTRADICTED and not {"brief", "note", "survives"} <= set(claim):
+        told.append("contradicted: expected brief, note and survives")
+    return told
+
+
 def row_of(claim, given):
     """One claim with what was computed, and its verdict."""
-    row = {key: claim.get(key) for key in ("id", "where", "says", "reading", "unit", "note", "accuracy_because")}
-    row |= {"claimed": None, "low": None, "high": None, "computed": None, "difference": None, "accuracy": None,
-            "commands": [], "reason": claim.get("untestable"), "verdict": judge.NOT_TESTABLE}
+    row = {key: claim.get(key) for key in HEAD}
+    row |= {"quotes": book.quotes(claim), "implied": claim.get("implied", False), "choices": [], "faults": [],
+            "reason": claim.get("untestable"), "verdict": judge.NOT_TESTABLE}
     if "untestable" in claim:
         return row
-    row["claimed"] = claim["claimed"] if isinstance(claim["claimed"], str) else None
-    try:
-        values, row["commands"] = collect(claim, given)
-        computed = formula.evaluate(book.value_of(claim), values)
-        low, high = book.limits(claim["claimed"], claim["id"]) or (formula.evaluate(claim["claimed"], values),) * 2
-    except (formula.FormulaError, sources.SourceError) as error:
-        return row | {"reason": str(error), "verdict": judge.NO_RESULT}
-    accuracy = judge.half_unit(claim["claimed"]) if claim["reading"] == "printed" else claim["accuracy"]
-    return row | {"low": low, "high": high, "computed": computed, "accuracy": accuracy,
-                  "difference": judge.difference(computed, low, high),
-                  "verdict": judge.verdict(computed, low, high, accuracy, claim["reading"])}
+    row["choices"] = [judged(choice, claim, given) for choice in book.choices(claim)]
+    row["reason"] = next((part["reason"] for part in row["choices"] if part["reason"]), None)
+    row["verdict"] = judge.overall([part["verdict"] for part in row["choices"]], "kind" in claim)
+    row["faults"] = faults_of(claim, row)
+    return row
 
 
 def finite(value):
@@ -67,21 +107,41 @@ def finite(value):
 
 
 def document(rows, digest):
-    rows = [{key: finite(value) for key, value in row.items()} for row in rows]
+    rows = [{**row, "choices": [{key: finite(value) for key, value in part.items()} for part in row["choices"]]} for row in rows]
     counts = {name: sum(row["verdict"] == name for row in rows) for name in judge.VERDICTS}
     return {"schema": SCHEMA, "list_sha256": digest, "readings": judge.READINGS, "counts": counts, "claims": rows}
 
 
+def line_of(name, part, verdict):
+    numbers = ["-" if part[key] is None else f"{part[key]:.9g}" for key in ("low", "high", "computed", "difference")]
+    claimed = numbers[0] if numbers[0] == numbers[1] else f"{numbers[0]}..{numbers[1]}"
+    return f"{name:<34} {claimed:>22} {numbers[2]:>16} {numbers[3]:>16}  {verdict}"
+
+
 def text_of(made):
-    """The table for a terminal: a line a claim, and the counts."""
+    """The table for a terminal: a line a claim and a line a choice, and the counts."""
+    nothing = dict.fromkeys(("low", "high", "computed", "difference"))
     lines = []
     for row in made["claims"]:
-        numbers = ["-" if row[key] is None else f"{row[key]:.9g}" for key in ("low", "high", "computed", "difference")]
-        claimed = numbers[0] if numbers[0] == numbers[1] else f"{numbers[0]}..{numbers[1]}"
-        lines.append(f"{row['id']:<34} {claimed:>22} {numbers[2]:>16} {numbers[3]:>16}  {row['verdict']}")
-        if row["verdict"] == judge.NO_RESULT:
-            lines += textwrap.wrap(row["reason"], 110, initial_indent="    ", subsequent_indent="    ")
+        single = len(row["choices"]) == 1
+        lines.append(line_of(row["id"], row["choices"][0] if single else nothing, row["verdict"]))
+        if not single:
+            lines += [line_of("  " + part["words"], part, part["verdict"]) for part in row["choices"]]
+        told = row["faults"] + ([row["reason"]] if row["verdict"] == judge.NO_RESULT else [])
+        for text in told:
+            lines += textwrap.wrap(text, 110, initial_indent="    ", subsequent_indent="    ")
     lines.append(", ".join(f"{number} {WORDS.get(name, name)}" for name, number in made["counts"].items() if number))
+    return "\n".join(lines)
+
+
+def sensitivity_of(made):
+    """By how much a number must be off for the answer to change, a line a claim and a line a choice."""
+    lines = []
+    for row in made["claims"]:
+        for part in row["choices"]:
+            amount = "-" if part["off_by"] is None else f"{part['off_by']:.3g}"
+            fails = "cannot fail: " + ", ".join(part["unmoved"]) if part["unmoved"] else "changes"
+            lines.append(f"{row['id']:<34} {amount:>10}  {fails}" + (f"  ({part['words']})" if part["words"] else ""))
     return "\n".join(lines)
 
 
@@ -116,9 +176,12 @@ def main(words):
     except OSError as error:
         print(f"claims: {error.filename}: {error.strerror}", file=sys.stderr)
         return 4
-    print(json.dumps(made, indent=1, ensure_ascii=False) if wanted.json else text_of(made))
+    show = sensitivity_of if wanted.sensitivity else text_of
+    print(json.dumps(made, indent=1, ensure_ascii=False) if wanted.json else show(made))
     print(f"{given.seconds:.1f} s in commands that were not kept", file=sys.stderr)
-    return 3 if made["counts"][judge.NO_RESULT] else 0
+    if made["counts"][judge.NO_RESULT]:
+        return 3
+    return 1 if any(row["faults"] for row in made["claims"]) else 0
 
 
 if __name__ == "__main__":

@@ -5,21 +5,28 @@ import os
 
 from .errors import ReportError
 from .records import NUMBER, demand, read_judgement
-from .words import CLAIM_VERDICTS
+from .words import CHECK_VERDICTS, CHOICE_WORDS, CLAIM_VERDICTS
 
-SCHEMA = "pulloff-claims/1"
+SCHEMA = "pulloff-claims/2"
 PLACE = os.path.join("claims", "claims.json")  # beside the run's folder
 
 TEXT = (str, type(None))
 BOOK = {"claims": list, "counts": dict, "readings": dict}
-CLAIM = {"id": str, "where": str, "says": str, "verdict": str, "low": NUMBER, "high": NUMBER, "computed": NUMBER,
-         "difference": NUMBER, "accuracy": NUMBER, "claimed": TEXT, "reading": TEXT, "accuracy_because": TEXT,
-         "note": TEXT, "reason": TEXT, "commands": list}
+CLAIM = {"id": str, "where": str, "quotes": list, "implied": bool, "tests": str, "verdict": str, "choices": list,
+         "reading": TEXT, "accuracy_because": TEXT, "off_by_because": TEXT, "brief": TEXT, "note": TEXT, "survives": TEXT, "reason": TEXT,
+         "faults": list}
+CHOICE = {"words": TEXT, "verdict": str, "low": NUMBER, "high": NUMBER, "computed": NUMBER, "difference": NUMBER,
+          "accuracy": NUMBER, "off_by": NUMBER, "counted": bool, "claimed": TEXT, "commands": list}
 
 
 def beside(run):
     """Where the claims judged by a run are."""
     return os.path.join(os.path.dirname(os.path.abspath(run)), PLACE)
+
+
+def demand_verdict(entry, known, where):
+    if entry["verdict"] not in known:
+        raise ReportError(f"{where}.verdict is {json.dumps(entry['verdict'])}, expected one of " + ", ".join(known))
 
 
 def read(path):
@@ -30,7 +37,18 @@ def read(path):
     demand(judged, BOOK, path, "")
     for place, claim in enumerate(judged["claims"]):
         demand(claim, CLAIM, path, f"claims[{place}]")
-        if claim["verdict"] not in CLAIM_VERDICTS:
-            raise ReportError(f"{path}: claims[{place}].verdict is {json.dumps(claim['verdict'])}, expected one of "
-                              + ", ".join(CLAIM_VERDICTS))
+        demand_verdict(claim, {**CLAIM_VERDICTS, **CHECK_VERDICTS}, f"{path}: claims[{place}]")
+        for number, choice in enumerate(claim["choices"]):
+            demand(choice, CHOICE, path, f"claims[{place}].choices[{number}]")
+            demand_verdict(choice, CHOICE_WORDS, f"{path}: claims[{place}].choices[{number}]")
     return judged
+
+
+def of_paper(judged):
+    """The claims that are statements of the paper."""
+    return [claim for claim in judged["claims"] if claim["verdict"] in CLAIM_VERDICTS]
+
+
+def contradicted(judged):
+    """The statements that the report has to name beside their number."""
+    return [claim for claim in judged["claims"] if claim["verdict"] == "contradicted"] if judged else []

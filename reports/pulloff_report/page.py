@@ -7,6 +7,7 @@ import re
 import jinja2
 from markupsafe import Markup
 
+from . import claims as judged_claims
 from . import fonts, sections, summary, svg, words
 
 TITLE = "Pull-off of an adhesive sphere"
@@ -43,7 +44,8 @@ def html(run, references, faults=None, claims=None):
     kind, headline, text = summary.status(run)
     rows = summary.rows(run)
     content = {"title": TITLE, "facts": summary.facts(run), "rows": rows,
-               "totals": summary.totals(rows), "claims": summary.claims(claims), "sections": sections.build_all(source),
+               "totals": summary.totals(rows), "claims": summary.claims(claims),
+               "contradicted": judged_claims.contradicted(claims), "sections": sections.build_all(source),
                "status": {"kind": kind, "headline": headline, "text": text},
                "style": style("style.css"), "print_style": style("print.css"),
                "script": Markup(template_text("script.js"))}

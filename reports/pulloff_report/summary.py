@@ -1,7 +1,8 @@
 """The first page: how the run stands, as one sentence and a table of cases by verdict."""
 
 from .records import PASSING, SILENT, VERDICTS
-from .words import CLAIM_VERDICTS, VERDICT_WORDS, count, date, listing
+from .claims import of_paper
+from .words import CHECK_VERDICTS, CLAIM_VERDICTS, VERDICT_WORDS, count, date, listing
 
 
 FAILING = tuple(name for name in VERDICTS if name not in PASSING + SILENT)
@@ -83,4 +84,7 @@ def claims(judged):
         return ""
     counts = judged["counts"]
     told = [f"{counts[name]} {text}" for name, text in CLAIM_VERDICTS.items() if counts.get(name)]
-    return f"{count(len(judged['claims']), 'claim')} of the paper: {listing(told)}."
+    checks = [f"{count(counts[name], 'implementation check')} {text.split()[-1]}" for name, text in CHECK_VERDICTS.items()
+              if counts.get(name)]
+    beside = f" Beside them: {listing(checks)}." if checks else ""
+    return f"{count(len(of_paper(judged)), 'statement')} of the paper: {listing(told)}.{beside}"

@@ -56,8 +56,14 @@ VERDICT_MEANINGS = {
     "wrong_and_frozen": "the oracle fails while the pin holds",
     "slack": "within, but the tolerance is over a thousand times the largest error it met"}
 CLAIM_VERDICTS = {"reproduced": "reproduced", "within_reading": "reproduced within reading accuracy",
-                  "contradicted": "contradicted", "not_testable": "not testable", "no_result": "no result"}
-CLAIM_SIGNS = {"reproduced": "✓", "within_reading": "≈", "contradicted": "✗", "not_testable": "–", "no_result": "∅"}
+                  "depends": "dependent on a choice that the paper leaves open", "contradicted": "contradicted",
+                  "not_testable": "not testable", "no_result": "no result"}
+# Comparisons that say nothing of the paper: both sides of them are this project's.
+CHECK_VERDICTS = {"checked": "implementation check passed", "check_failed": "implementation check failed"}
+CHOICE_WORDS = {"reproduced": "holds", "within_reading": "holds within reading accuracy", "contradicted": "does not hold",
+                "no_result": "no result"}
+CLAIM_SIGNS = {"reproduced": "✓", "within_reading": "≈", "depends": "◐", "contradicted": "✗", "not_testable": "–",
+               "no_result": "∅", "checked": "=", "check_failed": "≠"}
 LEDGERS = {"oracle": "exact or many digits, by an independent route",
            "published": "published value, with its uncertainty",
            "pin": "this program's own last accepted value, to notice change"}

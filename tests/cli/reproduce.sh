@@ -137,9 +137,11 @@ echo 2 >"$tree/code"
 reproduce 4 --no-install --only fig03
 not_asked '^report'
 rm "$tree/code"
-echo 3 >"$tree/judged"
-reproduce 0 --no-install
-asked 'report .*'
+for code in 1 3; do
+  echo "$code" >"$tree/judged"
+  reproduce 0 --no-install
+  asked 'report .*'
+done
 echo 2 >"$tree/judged"
 reproduce 4 --no-install
 check 'a list of claims that is wrong' grep -q 'the claims could not be judged' "$work/stderr"

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import math
 import os
 import stat
 import sys
@@ -17,6 +18,7 @@ import book  # noqa: E402
 import formula  # noqa: E402
 import judge  # noqa: E402
 import run  # noqa: E402
+import sensitivity  # noqa: E402
 import sources  # noqa: E402
 from pulloff_report import claims, sections, summary  # noqa: E402
 from pulloff_report.errors import ReportError  # noqa: E402
@@ -31,7 +33,7 @@ case "$*" in
 esac
 """
 
-ENTRY = {"id": "made", "where": "Sec. 9", "says": "so much", "claimed": "1.57", "reading": "printed",
+ENTRY = {"id": "made", "where": "Sec. 9", "quote": "It is so much.", "tests": "so much", "claimed": "1.57", "reading": "printed",
          "get": {"force": {"pulloff": "solve --tabor 2.385", "at": "pull_off.force"}}}
 
 
@@ -43,8 +45,9 @@ class Listed(unittest.TestCase):
 
     def sources(self):
         for claim in self.claims:
-            for name, source in claim.get("get", {}).items():
-                yield f"{claim['id']}.{name}", source
+            for choice in book.choices(claim):
+                for name, source in choice["get"].items():
+                    yield f"{claim['id']}.{name}", source
 
     def test_every_place_of_the_paper_with_a_figure_or_an_equation_is_there(self):
         places = " ".join(claim["where"] for claim in self.claims)
@@ -64,8 +67,21 @@ class Listed(unittest.TestCase):
                 with open(os.path.join(TREE, source["table"]), encoding="utf-8") as stream:
                     rows = list(csv.DictReader(line for line in stream if not line.startswith("#")))
                 found = [row for row in rows if sources.is_selected(source["when"], row.__getitem__)]
-                self.assertEqual(len(found), 1, name)
+                many = [len(value) for value in source["when"].values() if isinstance(value, list)] if source.get("all") else []
+                self.assertEqual(len(found), *(many or [1]), name)
                 self.assertIn(source["column"], found[0], name)
+
+    def test_a_claim_stands_alone(self):
+        for claim in self.claims:
+            for key in ("tests", "note", "survives"):
+                self.assertNotRegex(claim.get(key, ""), r"^(The same|…)|[Ss]ee (above|below)|row (above|below)|next row", claim["id"])
+
+    def test_both_sides_are_not_one_number(self):
+        """No number is got twice under two names."""
+        for claim in self.claims:
+            for choice in book.choices(claim):
+                lines = [json.dumps(source, sort_keys=True) for source in choice["get"].values()]
+                self.assertEqual(len(lines), len(set(lines)), claim["id"])
 
 
 class Refused(unittest.TestCase):
@@ -78,9 +94,18 @@ class Refused(unittest.TestCase):
         book.check_claim(ENTRY, "made")
 
     def test_what_is_wrong_with_an_entry_is_said(self):
-        self.refused("says is missing", says="")
+        self.refused("tests is missing", tests="")
+        self.refused("quote is missing", quote=None)
+        self.refused("quote is of the wrong type", quote=[1])
+        self.refused("kind: expected implementation check", kind="guess")
+        self.refused("expected two or more", choice=[{"words": "one"}])
+        self.refused("words are missing", choice=[{"words": "one"}, {"set": {"tabor": 2}}])
+        self.refused("colour is unknown", choice=[{"words": "one"}, {"words": "two", "colour": "red"}])
+        self.refused("not those of each", choice=[{"words": "one", "set": {"tabor": 2}}, {"words": "two"}],
+                     get={"force": {"pulloff": "solve --tabor {tabor}", "at": "x"}})
+        self.refused("off_by: expected a positive number", off_by=0.1)
         self.refused("colour is unknown", colour="red")
-        self.refused("reading is missing", reading=None)
+        self.refused("reading: expected one of", reading=None)
         self.refused("reading: expected one of", reading="guessed")
         self.refused("in quotes, as it is printed", claimed=1.57)
         self.refused("the printed digits say it", accuracy=0.1)
@@ -125,15 +150,61 @@ class Rule(unittest.TestCase):
         self.assertEqual(judge.difference(1.7, 1.5, 2), 0)
 
 
+    def test_a_claim_of_several_choices(self):
+        for expected, verdicts in (("reproduced", ["reproduced", "reproduced"]),
+                                   ("within_reading", ["reproduced", "within_reading"]),
+                                   ("depends", ["within_reading", "contradicted"]),
+                                   ("contradicted", ["contradicted", "contradicted"]),
+                                   ("no_result", ["contradicted", "no_result"])):
+            self.assertEqual(judge.overall(verdicts), expected)
+        self.assertEqual(judge.overall(["reproduced"], is_check=True), "checked")
+        self.assertEqual(judge.overall(["contradicted"], is_check=True), "check_failed")
+
+
+class Sensitivity(unittest.TestCase):
+    """The numbers of a claim are moved, and its answer has to change."""
+
+    def unmoved(self, value, values, amount, claimed=1.0, accuracy=0.1, counts=()):
+        choice = {"value": value, "get": {name: {"at": "folds.#" if name in counts else "x"} for name in values}}
+        return sensitivity.unmoved(choice, values, amount, lambda changed: (claimed, claimed), accuracy)
+
+    def test_a_number_that_cannot_fail_is_named(self):
+        self.assertEqual(self.unmoved("force", {"force": 1.02}, 0.15), [])
+        self.assertEqual(self.unmoved("force", {"force": 1.02}, 0.05), ["force"])
+        self.assertEqual(self.unmoved("force + 0*other", {"force": 1.02, "other": 3}, 0.15), ["other"])
+        self.assertEqual(self.unmoved("force/force", {"force": 1.02}, 10), ["force"])
+
+    def test_lists_and_counts(self):
+        self.assertEqual(self.unmoved("max(force)", {"force": [0.2, 1.02]}, 0.15), [])
+        self.assertEqual(self.unmoved("where_greatest(force, place)", {"force": [1.9, 2], "place": [2, 1]}, 0.15), [])
+        self.assertEqual(self.unmoved("where_greatest(force, place)", {"force": [1, 2], "place": [2, 1]}, 0.15), ["force"])
+        self.assertEqual(self.unmoved("folds", {"folds": 4}, 0.01, claimed=4, accuracy=0, counts=("folds",)), [])
+        self.assertEqual(self.unmoved("folds", {"folds": 72}, 3, claimed=4, accuracy=0, counts=("folds",)), ["folds"])
+        self.assertEqual(self.unmoved("folds", {"folds": 72}, 68, claimed=4, accuracy=0, counts=("folds",)), [])
+
+    def test_the_move_that_is_derived_changes_the_answer(self):
+        for computed, low, high, accuracy in ((1.02, 1, 1, 0.05), (0.3, 1, 1, 0.05), (2, 1, 1, 1e-3), (1.6, 1.5, 2, 0.01),
+                                              (-3, -3.1, -3.1, 0.2), (6.5, 2, math.inf, 0), (1.2, 2, math.inf, 0.1)):
+            part = {"low": low, "high": high, "computed": computed, "accuracy": accuracy,
+                    "counted": False,
+                    "difference": judge.difference(computed, low, high)}
+            choice = {"value": "force", "get": {"force": {"at": "x"}}}
+            amount = sensitivity.derived(part)
+            self.assertEqual(sensitivity.unmoved(choice, {"force": computed}, amount, lambda _, ends=(low, high): ends, accuracy), [], part)
+
+
 class Formulas(unittest.TestCase):
     def test_values(self):
         values = {"force": [1.7, 1.2, 2.4], "place": [0.1, 0.3, 0.9]}
         for text, expected in (("max(force) - min(force)", 1.2), ("where_greatest(force, place)", 0.9),
                                ("where_least(force, place)", 0.3), ("min(pick(force, place, 0.2, 1))", 1.2),
-                               ("count(force)", 3), ("sum(j, 1, 4, j**2)", 30), ("-2**2", -4)):
+                               ("count(force)", 3), ("sum(j, 1, 4, j**2)", 30), ("-2**2", -4), ("least(j, 0, 4, (j-3)**2)", 0),
+                               ("max(differences(scaled(force, 2), place))", 3.9), ("crossing(place, scaled(force, -1), -1.3)", 0.26)):
             self.assertAlmostEqual(formula.evaluate(text, values), expected, places=12)
         self.assertAlmostEqual(formula.evaluate("H(1, 2)", {}), 0.6467637282835622, places=13)
         self.assertAlmostEqual(formula.evaluate("4/pi*E(1) - 2/pi*K(0)", {}), 0.2732395447351628, places=13)
+        self.assertEqual(formula.greatest_at([1, 5, 3, 2], [7, 2, 7, 2]), [5, 3])
+        self.assertEqual(formula.evaluate("last(distinct(x))", {"x": [3, 1, 3]}), 3)
         self.assertAlmostEqual(formula.evaluate("slope(x, y)", {"x": [2, 7, 8], "y": [3, 1, 3 / 64]}), -3, places=12)
 
     def test_names_and_refusals(self):
@@ -176,6 +247,9 @@ class Judged(unittest.TestCase):
     def row(self, **changes):
         return run.row_of({**ENTRY, **changes}, self.given())
 
+    def computed(self, **changes):
+        return self.row(**changes)["choices"][0]["computed"]
+
     def test_a_command_is_run_once_for_each_program(self):
         self.assertEqual([self.row()["verdict"], self.row()["verdict"]], ["reproduced", "reproduced"])
         self.assertEqual(self.asked(), 1)
@@ -190,13 +264,32 @@ class Judged(unittest.TestCase):
     def test_values_of_all_kinds(self):
         several = {"force": {"pulloff": "solve --tabor {tabor}", "at": "pull_off.force", "each": {"tabor": [2.385, 3]}}}
         row = self.row(get=several, value="max(force)/min(force)", claimed="1.02")
-        self.assertEqual((row["verdict"], row["commands"]), ("contradicted", ["pulloff solve --tabor 2.385", "pulloff solve --tabor 3"]))
-        self.assertEqual(self.row(get={"folds": {"pulloff": "solve --tabor 2.385", "at": "folds.#"}}, claimed="2")["computed"], 2)
+        self.assertEqual((row["verdict"], row["choices"][0]["commands"]),
+                         ("contradicted", ["pulloff solve --tabor 2.385", "pulloff solve --tabor 3"]))
+        self.assertEqual(self.computed(get={"folds": {"pulloff": "solve --tabor 2.385", "at": "folds.#"}}, claimed="2"), 2)
         self.assertEqual(self.row(get={"a": {"pulloff": "solve --tabor 2.385", "at": "folds.*.approach"}}, value="min(a)",
                                   claimed="-2.9")["verdict"], "reproduced")
         self.assertEqual(self.row(get={"f": {"case": "made", "when": {"tabor": 2}, "at": "pull_off.force"}}, claimed="1.58")["verdict"],
                          "reproduced")
-        self.assertEqual(self.row(get={"f": {"case": "made", "at": "pull_off.force", "all": True}}, value="count(f)", claimed="2")["computed"], 2)
+        self.assertEqual(self.computed(get={"f": {"case": "made", "at": "pull_off.force", "all": True}}, value="count(f)", claimed="2"), 2)
+
+    def test_choices(self):
+        force = {"force": {"pulloff": "solve --tabor {tabor}", "at": "pull_off.force"}}
+        choices = [{"words": "softer", "set": {"tabor": 3}}, {"words": "harder", "set": {"tabor": 2.385}}]
+        row = self.row(get=force, choice=choices)
+        self.assertEqual((row["verdict"], [part["verdict"] for part in row["choices"]]), ("depends", ["contradicted", "reproduced"]))
+        self.assertEqual(self.row(get=force, choice=choices, claimed="1.6")["verdict"], "reproduced")
+        self.assertEqual(self.row(get=force, choice=choices, claimed="1.5", reading="figure", accuracy=0.01,
+                                  accuracy_because="made")["verdict"], "contradicted")
+        self.assertEqual(self.row(kind=book.CHECK)["verdict"], "checked")
+
+    def test_an_entry_at_fault_is_told(self):
+        self.assertEqual(self.row()["faults"], [])
+        self.assertRegex(self.row(claimed="1.60")["faults"][0], "expected brief, note and survives")
+        self.assertEqual(self.row(claimed="1.60", brief="made", note="made", survives="made")["faults"], [])
+        self.assertRegex(self.row(claimed="2")["faults"][0], "only a number off by .* state off_by and why")
+        loose = {"claimed": 1.6, "reading": "figure", "accuracy": 1, "accuracy_because": "made"}
+        self.assertRegex(self.row(**loose, off_by=0.5, off_by_because="made")["faults"][0], "the answer stays if force is off by 0.5")
 
     def test_what_cannot_be_had_is_told(self):
         for get, message in (({"f": {"pulloff": "solve --tabor 4", "at": "x"}}, "no such scene"),
@@ -207,20 +300,23 @@ class Judged(unittest.TestCase):
             row = self.row(get=get)
             self.assertEqual(row["verdict"], "no_result")
             self.assertIn(message, row["reason"])
-        bare = {"id": "bare", "where": "Fig. 1", "says": "a sketch", "untestable": "no number"}
+        bare = {"id": "bare", "where": "Fig. 1", "quote": "A sketch.", "tests": "a sketch", "untestable": "no number"}
         self.assertEqual(run.row_of(bare, self.given())["verdict"], "not_testable")
 
     def test_the_report_shows_them(self):
         made = run.document([self.row(), self.row(id="other", claimed="1.60"),
-                             self.row(id="open", claimed=["1.5", "inf"], reading="figure", accuracy=0, accuracy_because="made")], "0")
+                             self.row(id="open", claimed=["1.5", "inf"], reading="figure", accuracy=0, accuracy_because="made"),
+                             self.row(id="both", kind=book.CHECK)], "0")
         path = os.path.join(self.folder, "claims.json")
         run.write(path, made)
         judged = claims.read(path)
-        self.assertEqual(summary.claims(judged), "3 claims of the paper: 2 reproduced and 1 contradicted.")
+        self.assertEqual(summary.claims(judged), "3 statements of the paper: 2 reproduced and 1 contradicted. "
+                         "Beside them: 1 implementation check passed.")
         from pulloff_report.sections import claims as section
         rows = section.build(sections.Source(None, None, None, judged)).data["rows"]
-        self.assertEqual([(row["claimed"], row["word"]) for row in rows],
-                         [("1.57", "reproduced"), ("1.60", "contradicted"), ("≥ 1.5", "reproduced")])
+        self.assertEqual([(row["claimed"], row["verdict"]["word"]) for row in rows],
+                         [("1.57", "reproduced"), ("1.60", "contradicted"), ("≥ 1.5", "reproduced"), ("1.57", "implementation check passed")])
+        self.assertEqual([claim["id"] for claim in claims.contradicted(judged)], ["other"])
         made["claims"][0]["verdict"] = "believed"
         run.write(path, made)
         with self.assertRaisesRegex(ReportError, "believed"):
