@@ -140,7 +140,7 @@ START_TEST(a_preload_beyond_the_trace_is_refused) {
   po_request request = po_request_default();
   request.mesh.scheme = PO_PANEL;
   request.approach_end = 0.5;
-  request.preload.approach = 0.7;
+  request.preload.load = 0.7;
   request.want = PO_WANT_HYSTERESIS;
   po_outcome o;
   ck_assert_int_eq(po_observe(&request, &o), PO_NOT_FOUND);
