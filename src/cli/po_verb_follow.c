@@ -36,6 +36,8 @@ static const char HELP[] =
     "  --wavelength L          of the waviness\n"
     "  --radius R              of the sphere (100)\n"
     "  --outer-radius R|inf    where the surface is cut (inf: not cut)\n"
+    "  --preload D|inf         greatest approach to which each sphere is pressed, inf: any; and\n"
+    "  --preload-load W        greatest load, in pi w R, whichever is met first (load 1)\n"
     "  --tolerance T           relative, of the pull-off force (1e-6)\n"
     "  --json                  one JSON document on standard output, nothing else\n"
     "  --help                  this text\n\n"
@@ -67,6 +69,8 @@ static const struct option OPTIONS[] = {
     {"radius", required_argument, NULL, KEY + PO_KEY_RADIUS},
     {"outer-radius", required_argument, NULL, KEY + PO_KEY_OUTER_RADIUS},
     {"tolerance", required_argument, NULL, KEY + PO_KEY_TOLERANCE},
+    {"preload", required_argument, NULL, KEY + PO_KEY_PRELOAD},
+    {"preload-load", required_argument, NULL, KEY + PO_KEY_PRELOAD_LOAD},
     {"help", no_argument, NULL, PO_OPTION_HELP},
     {NULL, 0, NULL, 0}};
 
@@ -87,15 +91,21 @@ static const struct option *option_of(int value) {
   return option;
 }
 
+/* Whether an option is of the scene, which may run along a line. */
+static bool is_of_scene(const struct option *option) {
+  const int key = option->val - KEY;
+  return option->val >= KEY && option->val < PO_OPTION_HELP && key != PO_KEY_TOLERANCE &&
+         key != PO_KEY_PRELOAD && key != PO_KEY_PRELOAD_LOAD;
+}
+
 static po_status take_runs(follow_line *line) {
   for (const struct option *option = OPTIONS; option->name; ++option)
-    if (option->val >= KEY && option->val != KEY + PO_KEY_TOLERANCE &&
-        option->val < PO_OPTION_HELP && strcmp(option->name, optarg) == 0) {
+    if (is_of_scene(option) && strcmp(option->name, optarg) == 0) {
       line->key = (po_key)(option->val - KEY);
       line->runs = option->name;
       return PO_OK;
     }
-  return po_options_refuse("key", optarg, "the name of an option of the scene, but tolerance");
+  return po_options_refuse("key", optarg, "the name of an option of the scene");
 }
 
 static po_status take_count(const char *option, size_t least, size_t *count) {

@@ -258,11 +258,8 @@ static po_status fill(const po_line_scenes *l, po_line_anchor *from, po_line_anc
 po_status po_line_observe(const po_request *requests, size_t count, size_t anchor_every,
                           po_outcome *outcomes) {
   const po_line_scenes l = {requests, outcomes, count};
-  for (size_t k = 0; k < count; ++k) {
-    outcomes[k] = (po_outcome){.status = PO_OK};
-    outcomes[k].start = outcomes[k].profile_approach = NAN;
-    outcomes[k].ended.approach = outcomes[k].ended.load = NAN;
-  }
+  for (size_t k = 0; k < count; ++k)
+    outcomes[k] = po_outcome_none();
   if (count == 0)
     return PO_OK;
   po_line_anchor from, to = {0};

@@ -135,11 +135,8 @@ static po_status follow_all(const po_line_scenes *l, const folds *f) {
 
 po_status po_line_folds(const po_request *requests, size_t count, po_outcome *outcomes) {
   const po_line_scenes l = {requests, outcomes, count};
-  for (size_t k = 0; k < count; ++k) {
-    outcomes[k] = (po_outcome){.status = PO_OK};
-    outcomes[k].start = outcomes[k].profile_approach = NAN;
-    outcomes[k].ended.approach = outcomes[k].ended.load = NAN;
-  }
+  for (size_t k = 0; k < count; ++k)
+    outcomes[k] = po_outcome_none();
   for (size_t k = 0; k + 1 < count; ++k)
     if (!po_line_alike(&requests[k], &requests[k + 1]))
       return po_fail(PO_BAD_INPUT,

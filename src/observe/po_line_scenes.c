@@ -31,10 +31,16 @@ static double root_of(const po_scene *scene) {
   return po_observe_root(scene, po_surface_core(scene, NAN));
 }
 
+static bool is_same(double a, double b) {
+  return a == b || (isnan(a) && isnan(b));
+}
+
 bool po_line_alike(const po_request *a, const po_request *b) {
   return a->mesh.scheme == PO_PANEL && b->mesh.scheme == PO_PANEL && !a->want && !b->want &&
          a->mesh.tolerance == b->mesh.tolerance && isnan(a->approach_end) &&
-         isnan(b->approach_end) && po_scene_is_wavy(&a->scene) == po_scene_is_wavy(&b->scene) &&
+         isnan(b->approach_end) && is_same(a->preload.approach, b->preload.approach) &&
+         is_same(a->preload.load, b->preload.load) &&
+         po_scene_is_wavy(&a->scene) == po_scene_is_wavy(&b->scene) &&
          isinf(a->scene.outer_radius) == isinf(b->scene.outer_radius);
 }
 

@@ -39,14 +39,20 @@ const char *po_landmark_kind_name(po_landmark_kind kind) {
   return KINDS[kind];
 }
 
-static void clear(po_outcome *outcome) {
-  po_outcome_clear(outcome);
-  outcome->start = outcome->ended.approach = outcome->ended.load = NAN;
-  outcome->profile_approach = NAN;
-  outcome->diagnostics.residual = outcome->diagnostics.rounding = NAN;
-  outcome->diagnostics.energy_defect = outcome->diagnostics.energy_defect_at = NAN;
-  outcome->diagnostics.way_back.excess = NAN;
-  outcome->diagnostics.moved = (po_moved){.change = NAN, .predicted = NAN};
+po_outcome po_outcome_none(void) {
+  const po_pressed unknown = {(double)NAN, (double)NAN};
+  return (po_outcome){.status = PO_OK,
+                      .start = NAN,
+                      .ended = {.approach = NAN, .load = NAN},
+                      .profile_approach = NAN,
+                      .pull_off = {.pressed = unknown, .until = unknown},
+                      .pull_off_any = {.pressed = unknown, .searched = unknown},
+                      .diagnostics = {.residual = NAN,
+                                      .rounding = NAN,
+                                      .energy_defect = NAN,
+                                      .energy_defect_at = NAN,
+                                      .way_back = {.excess = NAN},
+                                      .moved = {.change = NAN, .predicted = NAN}}};
 }
 
 static void add_work(const po_work *more, po_work *work) {
@@ -115,7 +121,7 @@ static po_status observe(const po_request *request, const po_keeper *keeper, dou
                               request->scene.amplitude));
   po_work work = {0};
   for (int meshes = 0, traces = 1; meshes < MOST_MESHES; ++traces) {
-    clear(outcome);
+    po_outcome_clear(outcome);
     status = po_trace(request, rigid, &a, deadline, keeper, outcome);
     add_work(&outcome->work, &work);
     double excess = status || rigid ? 0.0 : excess_error(request, outcome);
@@ -152,8 +158,7 @@ po_status po_observe(const po_request *request, po_outcome *outcome) {
 }
 
 po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po_outcome *outcome) {
-  *outcome = (po_outcome){.status = PO_OK};
-  clear(outcome);
+  *outcome = po_outcome_none();
   const double begin = po_clock_wall();
   const double deadline =
       isnan(request->time_limit) ? INFINITY : po_clock_thread() + request->time_limit;
@@ -181,5 +186,5 @@ void po_outcome_clear(po_outcome *outcome) {
   po_staircase_clear(&outcome->staircase[0]);
   po_staircase_clear(&outcome->staircase[1]);
   free(outcome->diagnostics.states);
-  *outcome = (po_outcome){.status = PO_OK};
+  *outcome = po_outcome_none();
 }

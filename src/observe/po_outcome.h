@@ -199,7 +199,10 @@ po_status po_request_check(const po_request *request);
  * exceed it by the time of one such step. */
 po_status po_observe(const po_request *request, po_outcome *outcome);
 
-/* Frees the arrays of an outcome and zeroes it. */
+/* An outcome of which nothing is known. */
+po_outcome po_outcome_none(void);
+
+/* Frees the arrays of an outcome, of which nothing is known then. */
 void po_outcome_clear(po_outcome *outcome);
 
 #endif
