@@ -40,6 +40,8 @@ static const char HELP[] =
     "                          pull-off after every preload\n"
     "  --profile-approach D    where the profile is taken (at pull-off)\n"
     "  --curve FILE            write the points of the branch as CSV, dimensionless\n"
+    "  --staircase FILE        write the steps of the pull-off by the preload as CSV, "
+    "dimensionless\n"
     "  --profile FILE          write the profile as CSV, dimensionless\n"
     "  --json                  one JSON document on standard output, nothing else\n"
     "  --help                  this text\n\n" PO_SCENE_FLAGS_HELP "\n"
@@ -47,7 +49,7 @@ static const char HELP[] =
     "Example: pulloff solve --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 \\\n"
     "             --distance-m 3e-10 --radius-m 1e-7\n";
 
-enum { WANT = PO_FLAG_NEXT, CURVE_FILE, PROFILE_FILE, JSON, KEY };
+enum { WANT = PO_FLAG_NEXT, CURVE_FILE, PROFILE_FILE, STAIRCASE_FILE, JSON, KEY };
 
 /* The values of the options of the mesh are KEY + po_key. */
 static const struct option OPTIONS[] = {
@@ -66,6 +68,7 @@ static const struct option OPTIONS[] = {
     PO_LENGTH_OPTIONS("profile-approach", PO_LENGTH_PROFILE_APPROACH),
     {"curve", required_argument, NULL, CURVE_FILE},
     {"profile", required_argument, NULL, PROFILE_FILE},
+    {"staircase", required_argument, NULL, STAIRCASE_FILE},
     {"json", no_argument, NULL, JSON},
     {"help", no_argument, NULL, PO_OPTION_HELP},
     {NULL, 0, NULL, 0}};
@@ -73,8 +76,8 @@ static const struct option OPTIONS[] = {
 typedef struct {
   po_request request;
   po_scene_flags flags;
-  bool given[PO_KEY_COUNT];    /* keys of the mesh or of the solve that were said */
-  const char *curve, *profile; /* files; NULL: none */
+  bool given[PO_KEY_COUNT];                /* keys of the mesh or of the solve that were said */
+  const char *curve, *profile, *staircase; /* files; NULL: none */
   bool json;
 } solve_line;
 
@@ -87,7 +90,8 @@ static po_status take_want(solve_line *line, const char *list) {
       ++k;
     if (k == PO_WANT_COUNT)
       return po_options_refuse(
-          "want", list, "any of curve, profile, hysteresis, diagnostics, preload, with commas between");
+          "want", list,
+          "any of curve, profile, hysteresis, diagnostics, preload, with commas between");
     line->request.want |= 1u << k;
     item += length;
     if (*item == '\0')
@@ -119,6 +123,9 @@ static po_status take_option(void *to, int option) {
   case PROFILE_FILE:
     line->request.want |= PO_WANT_PROFILE;
     return po_options_take_path("profile", "the name of a file", &line->profile);
+  case STAIRCASE_FILE:
+    line->request.want |= PO_WANT_PRELOAD;
+    return po_options_take_path("staircase", "the name of a file", &line->staircase);
   case JSON:
     line->json = true;
     return PO_OK;
@@ -188,7 +195,10 @@ static po_status write_files(const solve_line *line, const po_outcome *outcome) 
     status = po_tables_write_profile(line->profile, &line->request, outcome, NULL);
   const po_status curve =
       line->curve ? po_tables_write_curve(line->curve, &line->request, outcome, NULL) : PO_OK;
-  return curve ? curve : status;
+  const po_status staircase =
+      line->staircase ? po_tables_write_staircase(line->staircase, &line->request, outcome, NULL)
+                      : PO_OK;
+  return curve ? curve : staircase ? staircase : status;
 }
 
 static int solve(solve_line *line) {

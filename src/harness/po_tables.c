@@ -75,6 +75,44 @@ po_status po_tables_write_profile(const char *path, const po_request *request,
                      &rows, digest);
 }
 
+static void add_steps(po_text *rows, const char *control, const po_staircase *s) {
+  for (size_t k = 0; k < s->count; ++k) {
+    const po_step *step = &s->step[k];
+    const po_cycle *cycle = &step->cycle[0];
+    const bool lost = isfinite(cycle->energy_lost);
+    /* an open step holds as far as was looked; bodies that are apart have no approach */
+    const double row[] = {step->preload.approach,
+                          step->preload.load,
+                          step->until.approach,
+                          step->until.load,
+                          (double)step->open,
+                          -step->pull_off.load,
+                          step->pull_off_error.load,
+                          step->pull_off.approach,
+                          step->pull_off_error.approach,
+                          lost ? cycle->energy_lost : (double)NAN,
+                          lost ? cycle->energy_error : (double)NAN};
+    po_text_add(rows, "%s,", control);
+    po_csv_add_row(rows, row, sizeof row / sizeof *row);
+  }
+}
+
+po_status po_tables_write_staircase(const char *path, const po_request *request,
+                                    const po_outcome *outcome, char *digest) {
+  po_text rows = {0};
+  po_text_add(&rows, "control,from_approach,from_load,until_approach,until_load,open,force,"
+                     "force_error,approach,approach_error,energy_lost,energy_lost_error\n");
+  add_steps(&rows, "displacement", &outcome->staircase[0]);
+  add_steps(&rows, "load", &outcome->staircase[1]);
+  return write_table(path, request,
+                     "pull-off and energy lost by the preload: each row a step, from one greatest "
+                     "approach (control displacement) or load (control load) until another; open: "
+                     "or farther",
+                     "approaches in epsilon, -inf apart; loads and force in pi w R; energy in pi w "
+                     "R epsilon, nan: boundless",
+                     &rows, digest);
+}
+
 /* Reads a table whose columns must be `names`, in any order; *values is row after row in theirs. */
 static po_status read_numbers(const char *path, const char *digest, const char *const *names,
                               size_t count, double **values, size_t *rows) {

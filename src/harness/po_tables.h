@@ -15,7 +15,11 @@ po_status po_tables_write_curve(const char *path, const po_request *request,
 po_status po_tables_write_profile(const char *path, const po_request *request,
                                   const po_outcome *outcome, char *digest);
 
-/* Read back what the two above wrote into outcome->curve, outcome->profile, when it is what has the
+/* Writes the steps of both staircases, a row each. */
+po_status po_tables_write_staircase(const char *path, const po_request *request,
+                                    const po_outcome *outcome, char *digest);
+
+/* Read back what the first two wrote into outcome->curve, outcome->profile, when it is what has the
  * checksum `digest`. Status: PO_CANNOT_READ. */
 po_status po_tables_read_curve(const char *path, const char *digest, po_outcome *outcome);
 po_status po_tables_read_profile(const char *path, const char *digest, po_outcome *outcome);

@@ -45,13 +45,17 @@ static po_path_error state_error(const po_request *request, const po_outcome *o,
 }
 
 static void state_errors(const po_request *request, const po_outcome *o, po_staircase *s) {
+  const double worst = greatest_error(o).approach;
   for (size_t k = 0; k < s->count; ++k) {
     po_step *step = &s->step[k];
     step->preload_error = state_error(request, o, &step->preload);
     step->pull_off_error = state_error(request, o, &step->pull_off);
     state_error(request, o, &step->until);
-    for (size_t c = 0; c < step->cycle_count; ++c)
-      state_error(request, o, &step->cycle[c].preload);
+    for (size_t c = 0; c < step->cycle_count; ++c) {
+      po_cycle *cycle = &step->cycle[c];
+      const double fold = state_error(request, o, &cycle->preload).approach;
+      cycle->energy_error = po_estimate_energy_error(request, fmax(fold, worst), cycle->lever);
+    }
   }
 }
 

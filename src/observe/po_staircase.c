@@ -6,12 +6,17 @@
 
 #include "po_memory.h"
 
+/* What jumps do together. */
+typedef struct {
+  double energy_lost, lever; /* see po_cycle */
+  size_t count;
+} jumps;
+
 /* A stable stretch of the curve, and how unloading goes on from its lower end. */
 typedef struct {
   size_t start, end;     /* points */
   po_path_state deepest; /* of what unloading meets below it; load INFINITY: nothing */
-  double energy_lost;    /* in the jumps of unloading from its lower end on */
-  size_t jumps;
+  jumps unloading;       /* from its lower end on */
 } stretch;
 
 typedef struct {
@@ -24,8 +29,7 @@ typedef struct {
   size_t step_room;
   bool between;          /* no step holds: loading is on its way down to a minimum */
   po_path_state deepest; /* the pull-off of the preload in hand */
-  double loading_lost;   /* in the jumps of loading so far */
-  size_t loading_jumps;
+  jumps loading;         /* so far */
 } walk;
 
 static const po_path_state NOTHING = {.load = (double)INFINITY, .position = (double)NAN};
@@ -50,6 +54,14 @@ static po_path_state deepest_from(const walk *w, const stretch *s, po_path_place
   return deepest;
 }
 
+static void add_jump(const walk *w, const po_path_state *before, const po_path_state *after,
+                     jumps *to) {
+  to->energy_lost +=
+      po_stable_potential(w->control, before) - po_stable_potential(w->control, after);
+  to->lever += 1.0 + fabs(before->load) + fabs(after->load);
+  ++to->count;
+}
+
 /* Follows unloading from the lower end of a stretch; all stretches below it are known. */
 static void unload(const walk *w, stretch *s) {
   s->deepest = NOTHING;
@@ -59,18 +71,15 @@ static void unload(const walk *w, stretch *s) {
   const double value = po_stable_driven(w->path, w->control, s->start);
   po_path_state after = po_stable_apart(value);
   po_path_place to;
-  s->jumps = 1;
   if (po_stable_find(w->path, w->control, s->start, -1, value, &to)) {
     const stretch *below = &w->all[w->of[to.index]];
     after = state(w, to);
     s->deepest = deepest_from(w, below, to);
-    s->energy_lost = below->energy_lost;
-    s->jumps += below->jumps;
+    s->unloading = below->unloading;
   } else if (w->control == PO_DISPLACEMENT_CONTROL) {
     after.energy = NAN; /* it lands farther out than the curve reaches */
   }
-  s->energy_lost +=
-      po_stable_potential(w->control, &before) - po_stable_potential(w->control, &after);
+  add_jump(w, &before, &after, &s->unloading);
 }
 
 static po_status find_stretches(walk *w) {
@@ -133,18 +142,19 @@ static po_status add_cycle(walk *w, const stretch *s, po_path_state preload) {
   if (!moved)
     return PO_NO_MEMORY;
   step->cycle = moved;
-  moved[step->cycle_count++] = (po_cycle){.preload = preload,
-                                          .energy_lost = w->loading_lost + s->energy_lost,
-                                          .jumps = w->loading_jumps + s->jumps};
+  moved[step->cycle_count++] =
+      (po_cycle){.preload = preload,
+                 .energy_lost = w->loading.energy_lost + s->unloading.energy_lost,
+                 .energy_error = NAN,
+                 .lever = w->loading.lever + s->unloading.lever,
+                 .jumps = w->loading.count + s->unloading.count};
   return PO_OK;
 }
 
 /* Loading has jumped from `before` to a place on a stretch. */
 static po_status arrive(walk *w, const stretch *s, po_path_state before, po_path_place place) {
   const po_path_state after = state(w, place);
-  w->loading_lost +=
-      po_stable_potential(w->control, &before) - po_stable_potential(w->control, &after);
-  ++w->loading_jumps;
+  add_jump(w, &before, &after, &w->loading);
   const double position = w->deepest.position;
   w->deepest = deepest_from(w, s, place);
   if (!w->between && w->deepest.position == position)

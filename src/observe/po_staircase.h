@@ -19,7 +19,9 @@ typedef struct {
   po_path_state preload; /* the fold at which loading jumps, before the jump */
   double energy_lost;    /* in all jumps of loading and unloading; NAN: boundless, the bodies part
                             under tension, or the curve does not reach far enough out */
+  double energy_error;   /* a bound of its error; NAN: not known to the reader of the curve */
   size_t jumps;          /* of loading and unloading */
+  double lever;          /* sum over the jumps of 1 + |load before| + |load after| */
 } po_cycle;
 
 /* The preloads from `preload` to `until` with one pull-off. */

@@ -29,7 +29,7 @@ static po_branch_options options_of(const po_request *request, double begin, po_
   if (request->want & PO_WANT_PROFILE && !isnan(request->profile_approach))
     options.station[1] = request->profile_approach;
   options.begin = fmin(request->approach_start, begin);
-  if (request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS | PO_WANT_PRELOAD))
+  if (request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS))
     options.largest_sagitta = CURVE_SAGITTA;
   if (request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS | PO_WANT_PRELOAD) &&
       request->mesh.scheme == PO_PANEL)
