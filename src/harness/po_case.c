@@ -22,6 +22,7 @@ static const char *const QUANTITIES[PO_QUANTITY_COUNT] = {
     [PO_JUMPS] = "jumps",
     [PO_PULL_OFF_ANY] = "pull_off_any",
     [PO_STEPS] = "steps",
+    [PO_LOAD_STEPS] = "load_steps",
     [PO_FOLD_COUNT] = "fold_count",
     [PO_FOLDS] = "folds",
     [PO_EXTREMA] = "extrema",
@@ -56,7 +57,11 @@ bool po_quantity_is_hysteresis(po_quantity quantity) {
 }
 
 bool po_quantity_is_preload(po_quantity quantity) {
-  return quantity == PO_PULL_OFF_ANY || quantity == PO_STEPS;
+  return quantity == PO_PULL_OFF_ANY || po_quantity_is_steps(quantity);
+}
+
+bool po_quantity_is_steps(po_quantity quantity) {
+  return quantity == PO_STEPS || quantity == PO_LOAD_STEPS;
 }
 
 const char *po_tolerance_kind_name(po_tolerance_kind kind) {

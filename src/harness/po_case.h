@@ -43,6 +43,7 @@ typedef enum {
   PO_JUMPS,           /* these jumps, one by one */
   PO_PULL_OFF_ANY,    /* the force, the greatest that any preload gives */
   PO_STEPS,           /* of the staircase at given approach, one by one */
+  PO_LOAD_STEPS,      /* at given load */
   PO_FOLD_COUNT,
   PO_FOLDS,
   PO_EXTREMA,
@@ -270,6 +271,7 @@ bool po_quantity_is_hysteresis(po_quantity quantity);
 
 /* Whether a quantity is read off the staircases. */
 bool po_quantity_is_preload(po_quantity quantity);
+bool po_quantity_is_steps(po_quantity quantity);
 
 /* Names, as in case files. */
 const char *po_quantity_name(po_quantity quantity);

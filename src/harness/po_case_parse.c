@@ -130,7 +130,7 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
   if (po_quantity_is_hysteresis(check->quantity) && !is_file(check->reference))
     return po_schema_refuse(yaml, "the path of a CSV file, as only tables speak of hysteresis",
                             "checks[%u].reference", number);
-  if (check->quantity == PO_STEPS && !is_file(check->reference))
+  if (po_quantity_is_steps(check->quantity) && !is_file(check->reference))
     return po_schema_refuse(yaml, "the path of a CSV file, as only tables list steps",
                             "checks[%u].reference", number);
   const bool share = check->quantity == PO_SOLVED_SHARE;

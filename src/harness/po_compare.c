@@ -202,7 +202,7 @@ po_status po_compare(const po_case *kase, size_t point, const po_check *check,
     status = compare_curve(kase, point, check, reference, outcome, results);
   else if (check->quantity == PO_JUMPS)
     status = po_compare_jumps(kase, point, check, reference, outcome, results);
-  else if (check->quantity == PO_STEPS)
+  else if (po_quantity_is_steps(check->quantity))
     status = po_compare_steps(kase, point, check, reference, outcome, results);
   else if (check->quantity == PO_WORK)
     status = po_compare_work(kase, point, check, reference, outcome, results);

@@ -31,14 +31,15 @@ po_status po_compare_jumps(const po_case *kase, size_t point, const po_check *ch
 po_status po_compare_jumps_doubt(const po_reference *reference, const po_request *request,
                                  po_reference_number *most);
 
-/* The steps of the staircase at given approach: their number, as far as both list them, then of each
- * the preload from which it holds, force and approach of the pull-off, and the energy lost. */
+/* The steps of the staircase at given approach, or at given load: their number, as far as both list them, then of each
+ * the preload from which it holds, force and approach of the pull-off, and (at given approach) the
+ * energy lost. */
 po_status po_compare_steps(const po_case *kase, size_t point, const po_check *check,
                            const po_reference *reference, const po_outcome *outcome,
                            po_results *results);
 
 /* Of all numbers a table has of the steps of a scene, the most uncertain. */
-po_status po_compare_steps_doubt(const po_reference *reference, const po_request *request,
+po_status po_compare_steps_doubt(po_quantity quantity, const po_reference *reference, const po_request *request,
                                  po_reference_number *most);
 
 /* The counters of work, each beside its pin. */

@@ -13,14 +13,28 @@ static const struct {
                {"energy_lost", "step_energy_lost"}};
 enum { NUMBER_COUNT = sizeof NUMBERS / sizeof *NUMBERS };
 
+/* In load control the first step begins where the bodies are apart, and the energy lost is
+ * boundless. */
+static bool is_compared(po_quantity quantity, size_t number) {
+  return quantity == PO_STEPS || (number > 0 && number + 1 < NUMBER_COUNT);
+}
+
+/* What is driven, and its column. */
+static double driven(po_quantity quantity, const po_path_state *state) {
+  return quantity == PO_STEPS ? state->approach : state->load;
+}
+static const char *driven_column(po_quantity quantity) {
+  return quantity == PO_STEPS ? "from_approach" : "from_load";
+}
+
 static double number_of(const po_step *step, size_t which) {
   const double of[NUMBER_COUNT] = {step->preload.approach, step->preload.load, -step->pull_off.load,
                                    step->pull_off.approach, step->cycle[0].energy_lost};
   return of[which];
 }
 
-/* The greatest approach up to which the table lists the steps of a scene; NAN: it does not say, or
- * lists none. */
+/* The greatest approach (or load) up to which the table lists the steps of a scene; NAN: it does
+ * not say, or lists none. */
 static double table_reach(const po_reference *reference, const po_request *request) {
   const size_t row = po_compare_row(reference, request, 0);
   po_reference_number number = {(double)NAN, 0};
@@ -29,22 +43,22 @@ static double table_reach(const po_reference *reference, const po_request *reque
   return number.value;
 }
 
-static size_t count_ours(const po_staircase *ours, double reach) {
+static size_t count_ours(po_quantity quantity, const po_staircase *ours, double reach) {
   size_t count = 0;
-  while (count < ours->count && !(ours->step[count].preload.approach > reach))
+  while (count < ours->count && !(driven(quantity, &ours->step[count].preload) > reach))
     ++count;
   return count;
 }
 
 /* The rows that list steps up to where loading came. */
-static size_t count_theirs(const po_reference *reference, const po_request *request, double reach,
-                           po_status *status) {
+static size_t count_theirs(po_quantity quantity, const po_reference *reference,
+                           const po_request *request, double reach, po_status *status) {
   const size_t all = po_compare_row_count(reference, request);
   size_t count = 0;
   for (size_t k = 0; k < all && !*status; ++k) {
     po_reference_number from = {0};
-    *status =
-        po_reference_cell(reference, po_compare_row(reference, request, k), "from_approach", &from);
+    *status = po_reference_cell(reference, po_compare_row(reference, request, k),
+                                driven_column(quantity), &from);
     count += from.value <= reach;
   }
   return count;
@@ -55,6 +69,8 @@ static po_status add_step(const po_case *kase, size_t point, const po_check *che
                           size_t index, po_results *results) {
   po_status status = PO_OK;
   for (size_t n = 0; n < NUMBER_COUNT && !status; ++n) {
+    if (!is_compared(check->quantity, n))
+      continue;
     char suffix[64];
     po_reference_number expected = {0};
     snprintf(suffix, sizeof suffix, "step-%zu/%s", index + 1, NUMBERS[n].column);
@@ -76,13 +92,15 @@ po_status po_compare_steps(const po_case *kase, size_t point, const po_check *ch
                            const po_reference *reference, const po_outcome *outcome,
                            po_results *results) {
   const po_request request = po_check_request(check, &kase->points[point].request);
-  const po_staircase *ours = &outcome->staircase[0];
+  const po_staircase *ours = &outcome->staircase[check->quantity == PO_LOAD_STEPS];
   const bool solved = outcome->status == PO_OK && outcome->has_staircases;
   const bool known = po_compare_row_count(reference, &request) > 0;
   po_status status = PO_OK;
-  const size_t theirs =
-      solved ? count_theirs(reference, &request, ours->reached.approach, &status) : 0;
-  const size_t count = solved ? count_ours(ours, table_reach(reference, &request)) : 0;
+  const size_t theirs = solved ? count_theirs(check->quantity, reference, &request,
+                                              driven(check->quantity, &ours->reached), &status)
+                               : 0;
+  const size_t count =
+      solved ? count_ours(check->quantity, ours, table_reach(reference, &request)) : 0;
   if (status)
     return status;
   const po_reference_number expected = {known ? (double)theirs : (double)NAN, 0};
@@ -102,10 +120,12 @@ po_status po_compare_steps(const po_case *kase, size_t point, const po_check *ch
   return status;
 }
 
-po_status po_compare_steps_doubt(const po_reference *reference, const po_request *request,
-                                 po_reference_number *most) {
+po_status po_compare_steps_doubt(po_quantity quantity, const po_reference *reference,
+                                 const po_request *request, po_reference_number *most) {
   const char *columns[NUMBER_COUNT];
+  size_t count = 0;
   for (size_t n = 0; n < NUMBER_COUNT; ++n)
-    columns[n] = NUMBERS[n].column;
-  return po_compare_rows_doubt(reference, request, columns, NUMBER_COUNT, most);
+    if (is_compared(quantity, n))
+      columns[count++] = NUMBERS[n].column;
+  return po_compare_rows_doubt(reference, request, columns, count, most);
 }

@@ -51,7 +51,8 @@ po_status po_compare_check_tolerance(const po_case *kase, const po_check *check,
       status = check_points(kase, check, number, reference, request);
     else {
       po_reference_number expected = {0};
-      status = check->quantity == PO_STEPS ? po_compare_steps_doubt(reference, request, &expected)
+      status = po_quantity_is_steps(check->quantity)
+                   ? po_compare_steps_doubt(check->quantity, reference, request, &expected)
                : check->quantity == PO_JUMPS
                    ? po_compare_jumps_doubt(reference, request, &expected)
                    : po_reference_find(reference, check->quantity, request, &expected);

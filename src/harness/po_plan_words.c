@@ -177,7 +177,7 @@ static bool is_spoken_of(const po_reference *reference, const po_check *check,
   size_t count = 0;
   if (check->quantity == PO_SOLVED_SHARE || reference->is_traced)
     return true;
-  if (check->quantity == PO_JUMPS || check->quantity == PO_STEPS)
+  if (check->quantity == PO_JUMPS || po_quantity_is_steps(check->quantity))
     return is_listed(reference, request);
   if (check->quantity == PO_WORK)
     return po_pins_value(reference, "work/points", request, &number.value) == PO_OK;

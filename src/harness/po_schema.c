@@ -235,7 +235,7 @@ static const struct {
      "pull_off_force, pull_off_approach, contact_radius, residual, moved_force, energy_defect, "
      "way_back, hysteresis_force, hysteresis_approach, hysteresis_loss, jumps, pull_off_any, "
      "steps, "
-     "fold_count, folds, extrema, curve, work or solved_share"},
+     "load_steps, fold_count, folds, extrema, curve, work or solved_share"},
     {"checks.reference", "bradley, pin, every_scene, zero, traced or the path of a CSV file"},
     {"checks.tolerance", "a finite number > 0"},
     {"checks.kind", "abs, rel or ulp"},
