@@ -39,3 +39,17 @@ def run(act, arguments, failure=ValueError):
         print(f"{os.path.basename(sys.argv[0])}: {problem}", file=sys.stderr)
         return 1
     return 0
+
+
+def act_on_scenes(arguments, scenes, show, sample, write):
+    """What one of --list, --scene, --sample and --write asks for. Given: the scenes of the tables, and
+    functions of a scene, of the folder of the stored tables, and of a folder."""
+    if arguments.list:
+        print("\n".join(" ".join(scene) for scene in scenes))
+    elif arguments.scene:
+        show(arguments.scene)
+    elif arguments.sample:
+        sample(STORED)
+        print("sample agrees with the stored tables")
+    else:
+        write(arguments.write)

@@ -17,7 +17,8 @@ MOST_STEPS = 5000
 
 LOCATE_TOLERANCE = 1e-9   # of a landmark on the trace mesh; polishing goes on from there
 POLISH_PASSES = 2         # the landmark may move a little off the mesh first adapted
-FIRST_SECANT = 1e-5       # second point of the secant method, in arclength
+FIRST_SECANT = 1e-5, 1e-7  # second point of the secant method, in arclength; the second one where
+                          # the branch turns back within the first, as a needle
 SECANT_ROUNDS = 12
 SECANT_DONE = 1e-12       # last change in arclength
 
@@ -128,10 +129,19 @@ def polish(problem, mark, level):
     state, f = mark.state, mark.component
     for _ in range(POLISH_PASSES):
         state = remesh(problem, state, level)
-        distance = newton(lambda d: advance(problem, state, d).rate[f], 0.0, x1=FIRST_SECANT,
-                          tol=SECANT_DONE, maxiter=SECANT_ROUNDS, disp=False)
-        state = advance(problem, state, distance)
+        state = advance(problem, state, root_of_rate(problem, state, f))
     return Landmark(f, mark.sense, state)
+
+
+def root_of_rate(problem, state, component):
+    """The distance from a state to the landmark close by."""
+    for first in FIRST_SECANT:
+        try:
+            return newton(lambda d: advance(problem, state, d).rate[component], 0.0, x1=first,
+                          tol=SECANT_DONE, maxiter=SECANT_ROUNDS, disp=False)
+        except NotConverged:
+            continue
+    raise NotConverged(f"no landmark close to Y = {state.y}")
 
 
 def converge(solve, levels=POLISH):

@@ -12,29 +12,17 @@ approach, and so on from where they come to rest, up to the preload and back.
 """
 
 import sys
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 import wavy_sphere
-from branch import (APPROACH, CLOSEST_GAP, TRACE, NotConverged, correct, make_surface, remesh,
-                    start)
-from command_line import STORED, notes, options, run
+from branch import TRACE, NotConverged, start
+from command_line import act_on_scenes, notes, options, run
 from converged import BOUND_IN_WORDS, SAFETY
-from landmarks import Landmark, find_landmarks, polish, walk
+from landmarks import polish
+from stable_paths import FAR, leap, leap_on_level, piece
 from tables import STORED_FLOOR, bound, number, read_table, write_table
-
-FAR = -15.0               # approach at which loading begins and unloading ends
-ALONG = np.array([1.0, 0.0, 0.0])   # at given approach
-BEYOND = 1e-3             # past the fold, so that no equilibrium is left to rest at there
-# Relaxation: the gap obeys (operator) dH/dt = -F, by implicit Euler. Only where it comes to rest counts.
-FIRST_STEP, LAST_STEP = 1e-2, 1e6   # in time; the last one is Newton's method
-GROWTH = 1.6              # of the step after a success; it is halved after a failure
-FARTHEST = 0.2            # of 1 + H in one step: how far the path of the relaxation is followed
-RELAX_ROUNDS = 12         # of Newton in one step
-RELAX_DONE = 1e-6         # last relative update of one step
-MOST_STEPS = 3000
-RELAX_WIDTH = 1.6         # of the panels relaxed on, in eps: the contact's edge sweeps over all
 
 KEYS = "tabor amplitude wavelength radius outer_radius preload".split()
 LOOPS, JUMPS = "wavy_loops.csv", "wavy_jumps.csv"
@@ -43,97 +31,19 @@ SAMPLE = SCENES[:1]
 DATE = "2026-11-21"
 
 
-@dataclass(frozen=True)
-class Leap:
-    """A jump on the mesh of the walk: the fold it leaves, and where it comes to rest."""
-    loading: bool
-    fold: Landmark
-    rest: object
-
-
-def energy(problem, state):
-    """U/(pi w R eps), of the interaction and elastic; its rate along equilibria is the load."""
-    surface, x = state.surface, 1.0 / (1.0 + state.gap)
-    p = problem.traction(state.gap)
-    attraction = (8.0 / 3.0) * problem.tabor * (x**8 / 8.0 - x**2 / 2.0)
-    return surface.load(attraction + 0.5 * p * problem.tabor * (surface.deflection @ p))
-
-
-def turned(state, sense):
-    """The state with its tangent towards larger (sense 1) or smaller approach."""
-    if state.rate[APPROACH] * sense >= 0:
-        return state
-    return replace(state, rate=-state.rate, gap_rate=-state.gap_rate)
-
-
-def piece(problem, state, sense, end):
-    """The equilibria from a stable one towards larger or smaller approach, up to the fold where they
-    end, or `end`: the extrema of the load passed, the fold (or None), the last state."""
-    states = [state]
-    for following in walk(problem, state, TRACE):
-        states.append(following)
-        if following.rate[APPROACH] * sense < 0 or (following.approach - end) * sense > 0:
-            break
-    marks = find_landmarks(problem, states)
-    at = next((i for i, mark in enumerate(marks) if mark.component == APPROACH), len(marks))
-    return marks[:at], marks[at] if at < len(marks) else None, states[-1]
-
-
-def step_in_time(problem, surface, shape, gap, approach, step):
-    """One step of implicit Euler, or None."""
-    operator = problem.tabor * surface.deflection
-    before, scale = gap, 1.0 / (1.0 + np.abs(gap))
-    gap = gap.copy()
-    for _ in range(RELAX_ROUNDS):
-        p, slope = problem.traction(gap), problem.slope(gap)
-        matrix = operator * (1.0 / step - slope)[None, :]
-        matrix.flat[::surface.size + 1] += 1.0
-        residual = operator @ ((gap - before) / step - p) + gap + approach - shape
-        update = np.linalg.solve(matrix * scale[:, None], -residual * scale)
-        if not np.isfinite(update).all() or np.max(-update / (1.0 + gap)) > CLOSEST_GAP:
-            return None
-        gap += update
-        if np.max(np.abs(update) * scale) < RELAX_DONE:
-            return gap
-    return None
-
-
-def relax(problem, fold, loading, width):
-    """The equilibrium at the approach of a fold that the surfaces come to rest at."""
-    approach = fold.state.approach + (BEYOND if loading else -BEYOND)
-    old = fold.state.surface
-    surface = make_surface(problem, TRACE, lambda low, high: high - low > width)
-    shape = problem.shape(surface.u)
-    elastic = fold.state.gap + fold.state.approach - problem.shape(old.u)
-    gap, step = old.interpolate(elastic, surface.u, 1) - approach + shape, FIRST_STEP
-    for _ in range(MOST_STEPS):
-        following = step_in_time(problem, surface, shape, gap, approach, step)
-        if following is None or np.max(np.abs(following - gap) / (1.0 + np.abs(gap))) > FARTHEST:
-            step *= 0.5
-            continue
-        if step > LAST_STEP:
-            break
-        gap, step = following, step * GROWTH
-    else:
-        raise NotConverged(f"no rest after the fold at approach {fold.state.approach}")
-    target = fold.state.approach
-    rest = correct(problem, surface, following + approach - target, target, ALONG, target)
-    return remesh(problem, rest, TRACE, ALONG, target)
-
-
-def loop(problem, preload, width):
+def loop(scene, preload):
     """Leaps of loading and unloading, and the minima of the load passed in unloading."""
+    problem = scene.problem()
     leaps, minima, state = [], [], start(problem, FAR, TRACE)
     for sense, end in ((1, preload), (-1, FAR)):
         while True:
-            passed, fold, last = piece(problem, turned(state, sense), sense, end)
-            minima += [mark for mark in passed if sense < 0 and mark.kind == "minimum"]
-            if fold is None:
+            here = piece(problem, state, sense, end)
+            minima += [mark for mark in here.passed if sense < 0 and mark.kind == "minimum"]
+            if here.fold is None:
                 break
-            state = relax(problem, fold, sense > 0, width)
-            leaps.append(Leap(sense > 0, fold, state))
-        if sense > 0:
-            state = correct(problem, last.surface, last.gap, last.approach, ALONG, preload)
+            leaps.append(leap(scene, here.fold, sense > 0))
+            state = leaps[-1].rest
+        state = here.states[-1]
     return leaps, minima
 
 
@@ -151,25 +61,21 @@ class Solved:
 
 def on_level(problem, leaps, pull, level):
     """Leaps and whole on one level."""
-    rows = []
-    for leap in leaps:
-        fold = polish(problem, leap.fold, level).state
-        rest = remesh(problem, leap.rest, level, ALONG, fold.approach)
-        rows.append((fold.approach, fold.load, rest.load, energy(problem, fold) - energy(problem, rest)))
+    rows = [leap_on_level(problem, jump, level) for jump in leaps]
     deepest = polish(problem, pull, level).state
     return np.array(rows), np.array([-deepest.load, deepest.approach, sum(row[3] for row in rows)])
 
 
 def solve(key, levels=wavy_sphere.POLISH):
-    problem = wavy_sphere.Scene(*key[:5], 0.0, 0.0).problem()
-    width = RELAX_WIDTH / np.sqrt(float(key[3]) * float(key[0]))
-    leaps, minima = loop(problem, float(key[5]), width)
+    scene = wavy_sphere.Scene(*key[:5], 0.0, 0.0)
+    problem = scene.problem()
+    leaps, minima = loop(scene, float(key[5]))
     pull = min(minima, key=lambda mark: mark.state.load)
-    if any(leap.fold.state.load < pull.state.load for leap in leaps if not leap.loading):
+    if any(jump.fold.state.load < pull.state.load for jump in leaps if not jump.loading):
         raise NotConverged(f"{key}: the tension is greatest at a jump, not at a minimum")
     found = [on_level(problem, leaps, pull, level) for level in levels]
     rows, wholes = np.array([f[0] for f in found]), np.array([f[1] for f in found])
-    return Solved(tuple(key), ["loading" if leap.loading else "unloading" for leap in leaps],
+    return Solved(tuple(key), ["loading" if jump.loading else "unloading" for jump in leaps],
                   rows[-1], np.abs(rows - rows[-1]).max(axis=0),
                   wholes[-1], np.abs(wholes - wholes[-1]).max(axis=0))
 
@@ -260,24 +166,15 @@ def sample(folder):
 def compare(where, values, stored):
     for name, value in values.items():
         doubt = stored.get(name + "_uncertainty")
-        agrees = abs(float(value) - float(stored[name])) <= float(doubt) if doubt else (
-            name.endswith("_uncertainty") or value == stored[name])
+        agrees = name.endswith("_uncertainty") or value == stored[name] or (
+            doubt and abs(float(value) - float(stored[name])) <= float(doubt))
         if not agrees:
             raise ValueError(f"{where}: {name} recomputed {value}, stored {stored[name]}, "
                              f"uncertainty {doubt}")
 
 
 def act(arguments):
-    if arguments.list:
-        for key in SCENES:
-            print(" ".join(key))
-    elif arguments.scene:
-        show(solve(arguments.scene))
-    elif arguments.sample:
-        sample(STORED)
-        print("sample agrees with the stored tables")
-    else:
-        write_all(arguments.write)
+    act_on_scenes(arguments, SCENES, lambda key: show(solve(key)), sample, write_all)
 
 
 def main():

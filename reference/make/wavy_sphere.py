@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from branch import APPROACH, FINE_TRACE, LOAD, TRACE, Level, NotConverged, Problem
-from command_line import STORED, notes, options, run
+from command_line import act_on_scenes, notes, options, run
 from converged import (BOUND_IN_WORDS, CURVE_CHECK, SAFETY, compare, converge_mark, landmark_cells,
                        pull_off_cells, show, solve_curve, worst)
 from landmarks import find_landmarks, landmark_kinds, pull_off, trace
@@ -250,16 +250,8 @@ def show_scene(solved):
 
 
 def act(arguments):
-    if arguments.list:
-        for scene in SCENES:
-            print(" ".join(scene.key))
-    elif arguments.scene:
-        show_scene(solve(scene_of(arguments.scene)))
-    elif arguments.sample:
-        sample(STORED)
-        print("sample agrees with the stored tables")
-    else:
-        write_all(arguments.write)
+    act_on_scenes(arguments, [scene.key for scene in SCENES], lambda key: show_scene(solve(scene_of(key))),
+                  sample, write_all)
 
 
 def main():

@@ -1,0 +1,185 @@
+"""Stable equilibria followed at given approach, or at given load, up to where they end, and the jump
+from there: the surfaces relax in time.
+
+Relaxation. A damping resists the change of the gap, so the elastic surface carries the traction
+q = P(H) - c dH/dt, with a local weight c > 0, and H + D - shape = mu * deflection[q]. At given approach
+D is constant; at given load the integral of q is the load, and D follows. Each of D and of the -H(u)
+then grows the faster the larger the others are (the flow is cooperative), for every c: pushed from an
+equilibrium to one side, the surfaces come to rest at the next one in that order, whatever c is.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.optimize import brentq
+
+from branch import (APPROACH, CLOSEST_GAP, LOAD, TRACE, Level, NotConverged, correct, make_surface,
+                    remesh)
+from landmarks import Landmark, between, find_landmarks, polish, walk
+
+FAR = -15.0               # approach at which loading begins and unloading ends
+APART = -60.0             # at given load: from here on nothing holds the surfaces together
+BEYOND = 1e-3             # past the fold, so that no equilibrium is left to rest at there
+# Steps of implicit Euler. Only where the surfaces come to rest counts.
+FIRST_STEP, LAST_STEP = 1e-2, 1e6   # in time; the last one is Newton's method
+GROWTH = 1.6              # of the step after a success; it is halved after a failure
+FARTHEST = 0.2            # of 1 + H in one step: how far the path of the relaxation is followed
+RELAX_ROUNDS = 12         # of Newton in one step
+RELAX_DONE = 1e-6         # last relative update of one step
+MOST_STEPS = 3000
+RELAX_LEVEL = Level(order=8, tail=12, tolerance=1e-8)
+# Panels relaxed on, in eps: the contact's edge sweeps over all whose undeformed gap is below WIDE_GAP,
+# and beyond they widen with the gap, but not more than part of a wave where the gap is below FAR_GAP.
+RELAX_WIDTH, WIDE_GAP, FAR_GAP, PART_OF_WAVE = 1.6, 12.0, 100.0, 0.25
+PROBES = np.linspace(0.0, 1.0, 9)
+DAMPED = 8.0              # in Gamma: beyond, the damping decays as the traction does
+ALONG = np.eye(3)         # ALONG[APPROACH], ALONG[LOAD]: the directions in Y that hold these
+
+
+@dataclass(frozen=True)
+class Leap:
+    """A jump on the mesh of the walk: the fold it leaves, and where it comes to rest (None: apart)."""
+    loading: bool
+    fold: Landmark
+    rest: object
+
+
+@dataclass(frozen=True)
+class Piece:
+    """Stable equilibria in order from one of them towards larger or smaller approach (or load): the
+    extrema of the load passed, the fold where they end (None: the end asked for is nearer), and the
+    states, of which the last one is the fold or the end."""
+    passed: list
+    fold: Landmark
+    states: list
+
+
+def energy(problem, state):
+    """U/(pi w R eps), of the interaction and elastic; its rate along equilibria is the load."""
+    surface, x = state.surface, 1.0 / (1.0 + state.gap)
+    p = problem.traction(state.gap)
+    attraction = (8.0 / 3.0) * problem.tabor * (x**8 / 8.0 - x**2 / 2.0)
+    return surface.load(attraction + 0.5 * p * problem.tabor * (surface.deflection @ p))
+
+
+def turned(state, sense, component=APPROACH):
+    """The state with its tangent towards larger (sense 1) or smaller approach, or load."""
+    if state.rate[component] * sense >= 0:
+        return state
+    return replace(state, rate=-state.rate, gap_rate=-state.gap_rate)
+
+
+def piece(problem, state, sense, end, component=APPROACH):
+    """The equilibria from a stable one towards larger or smaller approach (or load), up to where they
+    end, or `end`. A fold in load is an extremum of the load."""
+    states = [turned(state, sense, component)]
+    for following in walk(problem, states[0], TRACE):
+        states.append(following)
+        if following.rate[component] * sense < 0 or (following.y[component] - end) * sense > 0:
+            break
+    marks = find_landmarks(problem, states)
+    at = next((i for i, mark in enumerate(marks) if mark.component == component), len(marks))
+    fold = marks[at] if at < len(marks) else None
+    states[-1] = fold.state if fold else states[-1]
+    if (states[-1].y[component] - end) * sense > 0:
+        go, length = between(problem, *states[-2:])
+        states[-1] = go(brentq(lambda d: go(d).y[component] - end, 0.0, length))
+        marks = [mark for mark in marks[:at] if (mark.state.y[component] - end) * sense < 0]
+        return Piece(marks, None, states)
+    return Piece(marks[:at], fold, states)
+
+
+def step_in_time(problem, surface, shape, held, before, approach, step):
+    """The gap and the approach after one step of implicit Euler, or None. Given: held, the component
+    of Y that is held and its value."""
+    component, value = held
+    n, scale = surface.size, 1.0 / (1.0 + np.abs(before))
+    operator = problem.tabor * surface.deflection
+    damping = (1.0 + surface.q / DAMPED**2)**-3 / step
+    gap = before.copy()
+    matrix, residual = np.empty((n + 1, n + 1)), np.empty(n + 1)
+    for _ in range(RELAX_ROUNDS):
+        elastic = problem.traction(gap) - damping * (gap - before)
+        slope = problem.slope(gap) - damping
+        matrix[:n, :n] = -operator * slope[None, :]
+        matrix[:n, :n].flat[::n + 1] += 1.0
+        matrix[:n, n] = 1.0
+        matrix[:n] *= scale[:, None]
+        residual[:n] = (gap + approach - shape - operator @ elastic) * scale
+        if component == LOAD:
+            matrix[n, :n], matrix[n, n] = surface.weights * slope, 0.0
+            residual[n] = surface.load(elastic) - value
+        else:
+            matrix[n, :n], matrix[n, n] = 0.0, 1.0
+            residual[n] = approach - value
+        update = np.linalg.solve(matrix, -residual)
+        if not np.isfinite(update).all() or np.max(-update[:n] / (1.0 + gap)) > CLOSEST_GAP:
+            return None
+        gap += update[:n]
+        approach += update[n]
+        if np.max(np.abs(update[:n]) * scale) < RELAX_DONE:
+            return gap, approach
+    return None
+
+
+def relaxation_surface(scene, approach, level):
+    """Panels narrow wherever the contact's edge may come."""
+    problem, length = scene.problem(), float(scene.wavelength) / scene.width
+
+    def wide(low, high):
+        gap = max(0.0, problem.shape(low + PROBES * (high - low)).min() - approach)
+        limit = RELAX_WIDTH / scene.width * max(1.0, gap / WIDE_GAP)
+        return high - low > (min(limit, PART_OF_WAVE * length) if gap < FAR_GAP else limit)
+
+    return make_surface(problem, level, wide)
+
+
+def come_to_rest(problem, surface, held, gap, approach):
+    """The gap and the approach at rest; None: the surfaces part for ever."""
+    shape, step = problem.shape(surface.u), FIRST_STEP
+    for _ in range(MOST_STEPS):
+        found = step_in_time(problem, surface, shape, held, gap, approach, step)
+        if found is None or np.max(np.abs(found[0] - gap) / (1.0 + np.abs(gap))) > FARTHEST:
+            step *= 0.5
+            continue
+        gap, approach = found
+        if approach < APART:
+            return None
+        if step > LAST_STEP:
+            return found
+        step *= GROWTH
+    raise NotConverged(f"no rest where {'approach' if held[0] == APPROACH else 'load'} is {held[1]}")
+
+
+def relax(scene, left, component, value, target):
+    """Where the surfaces come to rest when they are left in a state and the approach, or the load, is
+    held at `value`; the equilibrium there at `target`, close by. None: they part for ever."""
+    problem, surface = scene.problem(), left.surface
+    gap, approach = left.gap, left.approach
+    for level in RELAX_LEVEL, TRACE:        # the second one goes on where the first came to rest
+        finer = relaxation_surface(scene, left.approach, level)
+        elastic = surface.interpolate(gap + approach - problem.shape(surface.u), finer.u, 1)
+        surface, approach = finer, value if component == APPROACH else approach
+        found = come_to_rest(problem, surface, (component, value),
+                             elastic - approach + problem.shape(surface.u), approach)
+        if found is None:
+            return None
+        gap, approach = found
+    if component == APPROACH:
+        gap, approach = gap + value - target, target
+    rest = correct(problem, surface, gap, approach, ALONG[component], target)
+    return remesh(problem, rest, TRACE, ALONG[component], target)
+
+
+def leap(scene, fold, loading, component=APPROACH):
+    """The jump from a fold, as that is passed by BEYOND."""
+    value = fold.state.y[component]
+    past = value + (BEYOND if loading else -BEYOND)
+    return Leap(loading, fold, relax(scene, fold.state, component, past, value))
+
+
+def leap_on_level(problem, jump, level):
+    """Of a jump at given approach: the approach, the load before and after, the energy lost."""
+    fold = polish(problem, jump.fold, level).state
+    rest = remesh(problem, jump.rest, level, ALONG[APPROACH], fold.approach)
+    return fold.approach, fold.load, rest.load, energy(problem, fold) - energy(problem, rest)
