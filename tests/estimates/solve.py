@@ -1,11 +1,14 @@
 """Runs `pulloff solve --json`, and keeps every solution in a journal, so that an interrupted campaign goes on."""
 
+import concurrent.futures
 import hashlib
 import json
 import os
 import signal
 import subprocess
+import sys
 import threading
+import time
 
 SLACK = 60       # processor seconds beyond twice the time limit after which a solve is ended from outside
 
@@ -84,3 +87,44 @@ class Journal:
 
     def close(self):
         self.stream.close()
+
+
+def run(tasks, journal, wanted):
+    """Has every task solve what is not in the journal."""
+    begin, done = time.monotonic(), 0
+    pool = concurrent.futures.ThreadPoolExecutor(wanted.jobs or len(os.sched_getaffinity(0)))
+    try:
+        for future in concurrent.futures.as_completed([pool.submit(task.solve, journal, wanted) for task in tasks]):
+            future.result()
+            done += 1
+            if not wanted.quiet:
+                print(f"{done}/{len(tasks)} scenes, {time.monotonic() - begin:.0f} s elapsed", file=sys.stderr)
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def campaign(name, journal_name, tasks, wanted, report):
+    """Solves all tasks and reports; the exit code."""
+    program = wanted.program or os.path.join(wanted.build, "src", "cli", "pulloff")
+    path = wanted.journal or os.path.join(wanted.build, journal_name)
+    try:
+        journal = Journal(path, program, wanted.time_limit, wanted.fresh)
+        try:
+            run(tasks, journal, wanted)
+        finally:
+            journal.close()
+    except OSError as error:
+        print(f"{name}: {error}", file=sys.stderr)
+        return 4
+    except KeyboardInterrupt:
+        print(f"{name}: interrupted; what was solved is kept in {path}", file=sys.stderr)
+        return 130
+    return report(tasks, wanted)
+
+
+def exit_code(violated, compared, crashed):
+    """Prints how many scenes violate something, and returns the exit code of a campaign."""
+    print(f"{violated} of {compared} scenes with a violation")
+    if violated or crashed:
+        return 1
+    return 0 if compared else 3

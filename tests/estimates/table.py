@@ -25,14 +25,18 @@ def row(quantity, findings):
     return [quantity, str(len(of_it)), *map(str, counts), *cells, bounds]
 
 
+def grid(findings, order):
+    """A row a quantity."""
+    head = ["", "stated", *VERDICTS, "10 %", "median", "90 %", "at least"]
+    rows = [head] + [row(quantity, findings) for quantity in order]
+    widths = [max(len(cells[i]) for cells in rows) for i in range(len(head))]
+    return ["  ".join(cell.ljust(width) if i == 0 else cell.rjust(width)
+                      for i, (cell, width) in enumerate(zip(cells, widths))).rstrip() for cells in rows]
+
+
 def lines(comparisons):
     """The table of all comparisons of a campaign."""
-    findings = [finding for comparison in comparisons for finding in comparison.findings]
-    head = ["", "stated", *VERDICTS, "10 %", "median", "90 %", "at least"]
-    rows = [head] + [row(quantity, findings) for quantity in ORDER]
-    widths = [max(len(cells[i]) for cells in rows) for i in range(len(head))]
-    text = ["  ".join(cell.ljust(width) if i == 0 else cell.rjust(width)
-                      for i, (cell, width) in enumerate(zip(cells, widths))).rstrip() for cells in rows]
+    text = grid([finding for comparison in comparisons for finding in comparison.findings], ORDER)
 
     def total(attribute):
         return sum(bool(getattr(comparison, attribute)) for comparison in comparisons)

@@ -4,10 +4,8 @@ import contextlib
 import io
 import json
 import os
-import stat
 import subprocess
 import sys
-import tempfile
 import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -16,6 +14,7 @@ sys.path.insert(0, HERE)
 import campaign  # noqa: E402
 import compare  # noqa: E402
 import draw  # noqa: E402
+import made_up  # noqa: E402
 import reference  # noqa: E402
 
 # A program whose errors are as large as it states times FAULT, and which fails at a Tabor parameter above 9. It notes
@@ -170,14 +169,8 @@ class Draws(unittest.TestCase):
         self.assertTrue(90 < sum(ratio == 1.0 for ratio in cut) < 160)
 
 
-class Campaigns(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()  # pylint: disable=consider-using-with
-        self.addCleanup(self.folder.cleanup)
-        self.program = os.path.join(self.folder.name, "pulloff")
-        with open(self.program, "w", encoding="utf-8") as stream:
-            stream.write(PROGRAM)
-        os.chmod(self.program, stat.S_IRWXU)
+class Campaigns(made_up.Case):
+    PROGRAM = PROGRAM
 
     def calls(self):
         with open(os.path.join(self.folder.name, "calls"), encoding="utf-8") as stream:
@@ -185,11 +178,7 @@ class Campaigns(unittest.TestCase):
 
     def run_it(self, fault, *more):
         os.environ.update(FAULT=str(fault), CALLS=os.path.join(self.folder.name, "calls"))
-        text = io.StringIO()
-        with contextlib.redirect_stdout(text):
-            code = campaign.main(["--program", self.program, "--journal", os.path.join(self.folder.name, "journal"),
-                                  "--quiet", "--count", "6", "--tabor", "0.1:8", *more])
-        return code, text.getvalue()
+        return self.run_campaign(campaign.main, "--count", "6", "--tabor", "0.1:8", *more)
 
     def test_errors_that_hold_and_errors_that_do_not(self):
         self.assertEqual(self.run_it(0.5)[0], 0)

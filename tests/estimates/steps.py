@@ -1,0 +1,153 @@
+"""The staircase of a solution, and loops that are reversed just below and just above where a step or a cycle of it
+begins or ends.
+
+A staircase says for every preload what a test then measures. So each loop is set beside what the staircase says at its
+preload: the pull-off of the step that holds there and the energy of its cycle, or, between two steps, that the tension
+is greatest at the reversal itself."""
+
+import math
+from dataclasses import dataclass
+
+import compare
+
+# Of the size of a preload: how far from a bound of a step a loop is reversed, at least; and where the bound has no
+# stated error of its own (the load of loading falls below that of the pull-off) or is a minimum, beside which the load
+# is the same to the square of the distance.
+NEAR, WIDE = 1e-9, 1e-4
+# The loop of a bound whose error is e is reversed this many e away.
+ERRORS = 3.0
+
+
+@dataclass(frozen=True)
+class Control:
+    """What of a preload is given, and with which flag a loop is reversed there."""
+    name: str
+    component: str
+    flag: str
+
+
+CONTROLS = (Control("displacement_control", "approach", "preload"),
+            Control("load_control", "load", "preload-load"))
+
+
+@dataclass(frozen=True)
+class Place:
+    """A preload where the staircase says that what is measured changes, and a margin beyond its error."""
+    value: float
+    margin: float
+    what: str
+
+
+def marks(document):
+    return document["folds"] + document["extrema"]
+
+
+def error_at(document, position, component):
+    """The stated error of the special point at a position; nan: it has none, or there is no such point."""
+    key = "error_estimate" if component == "approach" else "load_error_estimate"
+    found = [compare.value(mark, key) for mark in marks(document) if mark["position"] == position]
+    return found[0] if found else math.nan
+
+
+def margin(document, bound, component):
+    """How far from a bound of a step a loop is reversed."""
+    value, error = bound[component], error_at(document, bound["position"], component)
+    size = max(1.0, abs(value))
+    flat = any(mark["kind"] == "minimum" and mark["position"] == bound["position"] for mark in document["extrema"])
+    near = WIDE if flat or math.isnan(error) else NEAR
+    return max(near * size, 0.0 if math.isnan(error) else ERRORS * error)
+
+
+def places(document, control):
+    """Where steps begin and end, and where cycles begin, in order and each once."""
+    found = {}
+    every = document["staircase"][control.name]["steps"]
+    bounds = [("step ends", step["until"]) for step in every if not step["open"]]
+    bounds += [("cycle begins", cycle["preload"]) for step in every for cycle in step["cycles"]]
+    bounds += [("step begins", step["preload"]) for step in every]
+    for what, bound in bounds:
+        value = compare.value(bound, control.component)
+        if math.isfinite(value) and (control.component == "approach" or value > 0):
+            found[value] = Place(value, margin(document, bound, control.component), what)
+    return [found[value] for value in sorted(found)]
+
+
+def begin_of(bound, control):
+    """The least preload of a step or a cycle; apart: none is too small."""
+    value = compare.value(bound, control.component)
+    return -math.inf if math.isnan(value) else value
+
+
+def said(document, control, preload):
+    """(step, cycle) that hold at a preload; None: the tension at reversal is the greatest."""
+    for step in document["staircase"][control.name]["steps"]:
+        until = math.inf if step["open"] else step["until"][control.component]
+        if begin_of(step["preload"], control) <= preload < until:
+            cycles = [c for c in step["cycles"] if begin_of(c["preload"], control) <= preload]
+            return step, cycles[-1]
+    return None
+
+
+def loops(document, most):
+    """(control, place, preload) of the loops that are set beside a staircase; the places evenly chosen, at most so many
+    of each control. Where two places lie nearer to each other than their margins nothing can be said between them."""
+    chosen = []
+    for control in CONTROLS:
+        every = places(document, control)
+        picked = every if len(every) <= most else [every[i * (len(every) - 1) // (most - 1)] for i in range(most)]
+        for place in picked:
+            for side in (-1.0, 1.0):
+                preload = place.value + side * place.margin
+                free = all(abs(preload - other.value) > other.margin for other in every if other is not place)
+                if free and (control.component == "approach" or preload > 0):
+                    chosen.append((control, place, preload))
+    return chosen
+
+
+def energy_size(document):
+    """The largest energy on the branch: a difference of two such is the energy lost in a jump."""
+    return max([1.0] + [abs(fold["energy"]) for fold in document["folds"] if fold["energy"] is not None])
+
+
+class Beside:
+    """The findings of one loop."""
+
+    def __init__(self, staircase, solution, control, place, preload, tight):
+        self.where = f" ({control.component} {preload:.12g}: {place.what} at {place.value:.12g})"
+        self.findings, self.wrong = [], []
+        self.solution, self.control, self.tight = solution, control, tight
+        loop = solution["hysteresis"][control.name]
+        holds = said(staircase, control, preload)
+        if holds:
+            self.add_step(*holds, loop)
+        else:
+            self.add_reversal(loop)
+
+    def own(self, loop, component):
+        """The error of the tight solution in its pull-off; where it states none, its tolerance."""
+        stated = error_at(self.solution, loop["pull_off"]["position"], component)
+        return self.tight * max(1.0, abs(loop["pull_off"]["force"])) if math.isnan(stated) else stated
+
+    def add(self, quantity, stated, difference, own):
+        self.findings.append(compare.Finding(quantity, self.where, stated, difference, own))
+
+    def add_step(self, step, cycle, loop):
+        measured = loop["pull_off"]
+        self.add("force", compare.value(step, "error_estimate"), abs(step["force"] - measured["force"]),
+                 self.own(loop, "load"))
+        self.add("approach", compare.value(step, "approach_error_estimate"),
+                 abs(step["approach"] - measured["approach"]), self.own(loop, "approach"))
+        lost, energy = cycle["energy_lost"], loop["energy_lost"]
+        if lost is None or energy is None:
+            if lost is not energy:
+                self.wrong.append(f"energy lost {lost}, in the loop {energy}{self.where}")
+            return
+        own = self.tight * energy_size(self.solution) * max(1, cycle["jumps"])
+        self.add("energy lost", compare.value(cycle, "energy_lost_error_estimate"), abs(lost - energy), own)
+
+    def add_reversal(self, loop):
+        """Between steps."""
+        measured, reversed_at = loop["pull_off"], loop["preload"]
+        if not abs(measured["approach"] - reversed_at["approach"]) <= self.own(loop, "approach"):
+            self.wrong.append(f"no step is said to hold, and the loop measures {measured['force']:.12g} at approach "
+                              f"{measured['approach']:.12g}{self.where}")
