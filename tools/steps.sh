@@ -46,7 +46,7 @@ first_time() {
   Building) echo 60 ;;
   'Running the cases') echo 700 ;;
   'Planting faults') echo 300 ;;
-  'Judging the claims') echo 30 ;;
+  'Judging the claims') echo 90 ;;
   'Writing the report') echo 60 ;;
   *) echo 0 ;;
   esac
