@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "po_guduru_path.h"
 #include "po_input.h"
 #include "po_json.h"
 #include "po_print_physical.h"
@@ -119,17 +120,35 @@ static const char *finite_or(double value, const char *word, char text[32]) {
 }
 
 static void print_staircase(const char *control, const po_staircase *s) {
-  printf("%s: the pull-off measured, by the preload\n%14s %14s %-8s %16s %8s %16s %14s\n", control,
-         "approach", "load", "after", "force", "error", "approach", "energy lost");
+  printf("%s: the pull-off measured, by the preload\n%14s %14s %-8s %16s %8s %16s %14s %8s\n",
+         control, "approach", "load", "after", "force", "error", "approach", "energy lost",
+         "error");
   for (size_t k = 0; k < s->count; ++k) {
     const po_step *step = &s->step[k];
-    char from[32], error[16], lost[32];
-    printf("%14s %14.8g %-8s %16.10g %8s %16.10g %14s\n",
+    const po_cycle *cycle = &step->cycle[0];
+    char from[32], error[16], lost[32], lost_error[16];
+    printf("%14s %14.8g %-8s %16.10g %8s %16.10g %14s %8s\n",
            finite_or(step->preload.approach, "contact", from), step->preload.load,
            step->jumped ? "jump" : "minimum", -step->pull_off.load,
            error_text(step->pull_off_error.load, error), step->pull_off.approach,
-           finite_or(step->cycle[0].energy_lost, "boundless", lost));
+           finite_or(cycle->energy_lost, "boundless", lost),
+           isfinite(cycle->energy_lost) ? error_text(cycle->energy_error, lost_error) : "");
   }
+}
+
+/* Those of the solve, and of the JKR theory where there is one. Status: PO_NO_MEMORY. */
+static po_status print_staircases(const po_request *request, const po_outcome *o) {
+  po_staircase jkr[2];
+  print_staircase("displacement control", &o->staircase[0]);
+  print_staircase("load control", &o->staircase[1]);
+  const po_status status = po_guduru_staircases(&request->scene, jkr);
+  if (!status) {
+    print_staircase("JKR theory (Eq 5), displacement control", &jkr[0]);
+    print_staircase("JKR theory (Eq 5), load control", &jkr[1]);
+  }
+  po_staircase_clear(&jkr[0]);
+  po_staircase_clear(&jkr[1]);
+  return status == PO_NO_MEMORY ? status : PO_OK;
 }
 
 /* One loop: where loading was reversed, what was measured, and every jump. */
@@ -199,6 +218,7 @@ static void print_input(const po_request *request) {
 
 po_status po_print_text(const po_request *request, const po_scene_flags *flags,
                         const po_outcome *outcome) {
+  po_status status = PO_OK;
   print_input(request);
   printf("status   %s%s%s\n", po_status_name(outcome->status), outcome->rigid ? ", rigid" : "",
          outcome->has_pull_off ? "" : ", no pull-off found");
@@ -215,10 +235,8 @@ po_status po_print_text(const po_request *request, const po_scene_flags *flags,
     print_loop("displacement control", &outcome->hysteresis.displacement);
     print_loop("load control", &outcome->hysteresis.load);
   }
-  if (outcome->has_staircases) {
-    print_staircase("displacement control", &outcome->staircase[0]);
-    print_staircase("load control", &outcome->staircase[1]);
-  }
+  if (!status && outcome->has_staircases)
+    status = print_staircases(request, outcome);
   print_wanted(request, outcome);
   print_diagnostics(outcome);
   if (flags->from_physical)
@@ -228,5 +246,5 @@ po_status po_print_text(const po_request *request, const po_scene_flags *flags,
       (unsigned long long)outcome->work.points, (unsigned long long)outcome->work.newton_iterations,
       (unsigned long long)outcome->work.factorizations,
       (unsigned long long)outcome->work.factorized_nodes, outcome->work.seconds);
-  return PO_OK;
+  return status;
 }
