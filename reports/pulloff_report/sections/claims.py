@@ -16,8 +16,10 @@ def decimals_of(choice):
     """Enough to see the difference, or to a tenth of the accuracy; none for what is counted."""
     shown = [abs(choice["difference"] or 0), choice["accuracy"] or 0]
     numbers = [choice[key] for key in ("low", "high", "computed") if choice[key] is not None]
+    if not choice["accuracy"] and all(number == round(number) for number in numbers):
+        return 0
     if not any(shown):
-        return 0 if all(number == round(number) for number in numbers) else 4
+        return 4
     smallest = min((value for value in shown if value > 1e-9), default=1e-7)
     return min(max(decimals_for(smallest), FEWEST_DECIMALS), MOST_DECIMALS)
 
@@ -67,7 +69,7 @@ def row(claim):
     lines = list(dict.fromkeys(line for choice in claim["choices"] for line in choice["commands"]))
     return {"claim": claim, "rank": ORDER.index(claim["verdict"]), "verdict": verdict(claim["verdict"], WORDS),
             "accuracy": first["accuracy"], "commands": lines, "lead": "Implied by" if claim["implied"] else None,
-            "off_by": amount(first) if single and first["off_by"] is not None else None,
+            "off_by": amount(first) if single and first["off_by"] is not None and claim["verdict"] != "contradicted" else None,
             **numbers(first if single else NOTHING, claim["reading"] if single else None),
             "choices": [] if single else [{**numbers(choice, claim["reading"]), "verdict": verdict(choice["verdict"], CHOICE_WORDS)}
                                           for choice in claim["choices"]]}
