@@ -86,7 +86,7 @@ static bool gives_more(const po_outcome *o) {
 
 /* What the pull-off takes, and what harder preloads give. */
 static void print_preload(const po_outcome *o) {
-  if (!o->has_pull_off)
+  if (!o->has_pull_off || o->status)
     return;
   const po_pressed *from = &o->pull_off.pressed, *until = &o->pull_off.until;
   printf("preload  ");

@@ -222,8 +222,9 @@ static void note_cut_off(po_reader *r, const po_branch_point *p, double contact_
   else
     r->status = po_fail(PO_OUT_OF_DOMAIN,
                         "the contact radius %.6g reached the end of the meshed surface, %.6g, at "
-                        "approach %.6g",
-                        contact_radius, r->surface->core_radius, p->approach);
+                        "approach %.6g, load %.6g%s",
+                        contact_radius, r->surface->core_radius, p->approach, p->load,
+                        r->stopping.met ? "" : ", before the preload is met");
 }
 
 /* Whether the trace goes on no farther than a point, and why. */

@@ -116,7 +116,7 @@ static double always(const po_scene *scene, double load) {
  * just above it, in both controls. */
 static const po_scene SCENES[] = {{3.0, 10.15, 50.0, 50.0, INFINITY},
                                   {2.911, 7.784, 35.18, 56.7, INFINITY},
-                                  {4.0, 3.0, 10.0, 100.0, 100.0},
+                                  {2.385, 0.37, 13.7, 61.3, 61.3},
                                   {1.3, 0.7, 23.85, 100.0, INFINITY}};
 
 /* The loop of a separate solve, in one control. */
