@@ -24,8 +24,7 @@ static const double MISS_OF_TOLERANCE = 0.1, LEAST_MISS = 1e-8, LEAST_OF_STAIRCA
 
 double po_estimate_miss(const po_request *request) {
   const bool drawn = request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS);
-  return fmax(drawn ? LEAST_MISS : LEAST_OF_STAIRCASE,
-              MISS_OF_TOLERANCE * request->mesh.tolerance);
+  return fmax(drawn ? LEAST_MISS : LEAST_OF_STAIRCASE, MISS_OF_TOLERANCE * request->mesh.tolerance);
 }
 
 double po_estimate_energy_error(const po_request *request, double fold_error, double lever) {

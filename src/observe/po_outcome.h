@@ -26,7 +26,7 @@ enum {
 /* Whether a trace goes on beyond its preload, to find what harder ones give. */
 typedef enum {
   PO_SEARCH_NONE,
-  PO_SEARCH_SOME, /* until none gives more, but at most for a few times the points before */
+  PO_SEARCH_SOME, /* until none gives more, but at most for about as long as it took so far */
   PO_SEARCH_ALL,  /* until none gives more, or the hardest preload that is looked at */
 } po_search;
 

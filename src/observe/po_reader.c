@@ -175,10 +175,17 @@ void po_reader_end(po_reader *reader) {
   reader->path = NULL;
 }
 
+/* Whether the preload is met and a search of some effort goes on: it may end anywhere. */
+static bool only_searches(const po_reader *r) {
+  return r->stopping.met && po_request_search(r->request) == PO_SEARCH_SOME;
+}
+
 /* Whether to go on: nobody stops it, and there is time. */
 static bool may_go_on(po_reader *r, const po_branch_point *p) {
   if (r->request->stop && *r->request->stop)
     r->status = po_fail(PO_INTERRUPTED, "interrupted at approach %.6g", p->approach);
+  else if (po_clock_thread() > r->deadline && only_searches(r))
+    r->outcome->ended.cause = PO_END_SEARCHED;
   else if (po_clock_thread() > r->deadline)
     r->status = po_fail(PO_OUT_OF_TIME,
                         "after %g s of processor time the trace is at approach %.6g, load %.6g",
@@ -217,7 +224,7 @@ static void keep_for_diagnosis(po_reader *r, const po_branch_point *p) {
 /* The contact has come to the end of the meshed surface: a search of some effort ends there, any
  * other trace is repeated on a larger one. */
 static void note_cut_off(po_reader *r, const po_branch_point *p, double contact_radius) {
-  if (r->stopping.met && po_request_search(r->request) == PO_SEARCH_SOME)
+  if (only_searches(r))
     r->outcome->ended.cause = PO_END_SEARCHED;
   else
     r->status = po_fail(PO_OUT_OF_DOMAIN,
@@ -240,7 +247,7 @@ static bool ends_at(po_reader *r, const po_branch_point *p, double contact_radiu
 bool po_reader_visit(const po_branch_point *p, void *data) {
   po_reader *r = data;
   po_outcome *o = r->outcome;
-  if (!may_go_on(r, p))
+  if (!may_go_on(r, p) || o->ended.cause != PO_END_NONE)
     return true;
   if (r->out) {
     const po_estimate e = estimate_of(r, p);

@@ -33,8 +33,8 @@ typedef struct {
   double disc;    /* greatest disc in contact without a groove, in loading; looked at where the
                      contact radius is enough; eps */
   bool met;       /* the preload: minima beyond are not the pull-off's */
-  size_t visited; /* points */
-  size_t points;  /* those up to the preload */
+  double effort;  /* spent on points so far, see po_stopping.c */
+  double before;  /* on those up to the preload */
   double margin;  /* how near the trace has been to its end: the least distance of what is loaded
                      from the preload; at most 1 */
 } po_stopping;

@@ -120,6 +120,35 @@ START_TEST(time_limit_ends_a_solve) {
 }
 END_TEST
 
+/* A search beyond the preload that runs out of time ends there: the pull-off is known. */
+START_TEST(time_limit_ends_a_search_without_failure) {
+  po_request request = request_of(4.0, 3.0, 10.0, 100.0);
+  request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
+  request.preload.approach = -1.0;
+  request.search = PO_SEARCH_SOME;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  const double long_search = o.ended.approach, force = o.pull_off.force;
+  po_outcome_clear(&o);
+  for (request.time_limit = 1e-3;; request.time_limit *= 1.5) {
+    const po_status status = po_observe(&request, &o);
+    const po_end_cause cause = o.ended.cause;
+    if (!status)
+      ck_assert_double_eq(o.pull_off.force, force);
+    const double ended = o.ended.approach;
+    po_outcome_clear(&o);
+    if (status) {
+      ck_assert_int_eq(status, PO_OUT_OF_TIME); /* before the preload */
+    } else {
+      ck_assert_int_eq(cause, PO_END_SEARCHED);
+      ck_assert_double_ge(ended, -1.0);
+      ck_assert_double_le(ended, long_search);
+      break;
+    }
+  }
+}
+END_TEST
+
 START_TEST(time_limit_not_reached_changes_nothing) {
   po_request request = request_of(2.385, 0.0, 0.0, INFINITY);
   request.mesh.nodes = 101;
@@ -239,6 +268,7 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, the_end_of_a_trace_has_its_cause, 0, 6);
   tcase_add_test(tests, stop_ends_a_solve);
   tcase_add_loop_test(tests, time_limit_ends_a_solve, 0, 6);
+  tcase_add_test(tests, time_limit_ends_a_search_without_failure);
   tcase_add_test(tests, time_limit_not_reached_changes_nothing);
   tcase_add_test(tests, time_limit_bounds_the_diagnostics);
   tcase_add_loop_test(tests, time_limit_is_a_positive_number, 0, 3);
