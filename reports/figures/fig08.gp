@@ -1,6 +1,6 @@
 # Figure 8: pull-off force against the Tabor parameter, above the axis of the paper on a logarithmic one what the JKR
-# limit has there; below, the difference of the paper's discretisation. Data: computed.dat, guduru.dat,
-# difference.dat, each a block an amplitude.
+# limit has there; below, the difference of the paper's discretisation. Data: computed.dat, harder.dat (at any
+# preload), guduru.dat, difference.dat, each a block an amplitude.
 
 set multiplot
 set lmargin at screen 0.098; set rmargin at screen 0.985
@@ -33,7 +33,9 @@ plot NaN with lines linecolor rgb black linewidth 1.1 dashtype 2 title 'JKR limi
      for [i = 1:guduru_count] 'guduru.dat' index i-1 using 1:2 with lines linecolor rgb colour[i] \
        linewidth 1.1 dashtype 2 notitle, \
      for [i = 1:count] 'computed.dat' index i-1 using 1:2 with points pointtype shape[i] \
-       pointsize 0.85 linewidth 1.3 linecolor rgb colour[i] title text[i]
+       pointsize 0.85 linewidth 1.3 linecolor rgb colour[i] title text[i], \
+     for [i = 1:count] 'harder.dat' index i-1 using 1:2 with points pointtype shape[i] + 1 \
+       pointsize 0.7 linecolor rgb colour[i] notitle
 
 unset arrow
 set tmargin at screen 0.29; set bmargin at screen 0.09

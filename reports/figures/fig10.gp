@@ -1,6 +1,6 @@
 # Figure 10: pull-off force against A/lambda: in one frame as in the paper, then a frame a wavelength; below, the
-# relative difference of the paper's discretisation. Data: computed.dat, missing.dat, guduru.dat, difference.dat, each a
-# block a pair of wavelength and radius, radii fastest.
+# relative difference of the paper's discretisation. Data: computed.dat, harder.dat (at any preload),
+# missing.dat, guduru.dat, difference.dat, each a block a pair of wavelength and radius, radii fastest.
 
 set multiplot
 set logscale xy
@@ -40,6 +40,8 @@ do for [p = 1:panel_count] {
          dashtype 2 linecolor rgb colour[i] notitle, \
        for [i = 1:radius_count] 'computed.dat' index b+i-1 using 1:2 with linespoints \
          pointtype form[p] pointsize 0.5 linewidth 0.9 dashtype 4 linecolor rgb colour[i] notitle, \
+       for [i = 1:radius_count] 'harder.dat' index b+i-1 using 1:2 with points \
+         pointtype form[p] + 1 pointsize 0.6 linecolor rgb colour[i] notitle, \
        for [i = 1:(missing ? radius_count : 0)] 'missing.dat' index b+i-1 using 1:2 with points \
          pointtype 2 pointsize 0.8 linewidth 1.3 linecolor rgb colour[i] notitle
 }

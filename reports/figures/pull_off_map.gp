@@ -1,6 +1,6 @@
 # Figures 14 and 15: pull-off force over the Tabor parameter and A/lambda, both logarithmic.
-# Data, lengths in parts of the frame: regions.dat, one block a level, the region above it;
-# lines.dat, the lines drawn; left.dat and right.dat: force against height, of the limit and computed.
+# Data, lengths in parts of the frame: regions.dat, the region where the force is known, then one block a level, the region above it;
+# lines.dat, the lines drawn; unknown.dat, scenes whose greatest force is not known; left.dat and right.dat: force against height, of the limit and computed.
 
 set multiplot
 unset grid
@@ -28,7 +28,6 @@ do for [k = -3:2] {
   }
 }
 set tics front
-set object 1 rectangle from graph 0, graph 0 to graph 1, graph 1 fillcolor rgb colours[1] fillstyle solid noborder behind
 set arrow 1 from graph 0, first mark to graph 1, first mark nohead dashtype 2 linewidth 1.6 linecolor rgb 'white' front
 # a rectangle under each label: a boxed one is a filter, which PDF has not
 do for [k = 1:label_count] {
@@ -37,10 +36,13 @@ do for [k = 1:label_count] {
   set label k label_text[k] at label_x[k], label_y[k] center front font ',9'
 }
 set key off
-plot for [k = 1:level_count] 'regions.dat' index k - 1 using 1:2 with filledcurves closed \
+set label 99 title_text at graph 0.5, graph 1.035 center font ',10'
+plot for [k = 0:level_count] 'regions.dat' index k using 1:2 with filledcurves closed \
        fillcolor rgb colours[k + 1] fillstyle solid noborder notitle, \
-     'lines.dat' using 1:2 with lines linewidth 0.8 linecolor rgb black notitle
-unset object 1
+     'lines.dat' using 1:2 with lines linewidth 0.8 linecolor rgb black notitle, \
+     for [k = 1:(unknown_count > 0)] 'unknown.dat' using 1:2 with points pointtype 7 pointsize 0.25 \
+       linecolor rgb 'white' notitle
+unset label 99
 unset arrow 1
 do for [k = 1:label_count] { unset label k; unset object 100 + k }
 

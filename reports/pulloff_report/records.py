@@ -74,6 +74,7 @@ class Case:
         self.left_out = record.get("left_out", [])
         self.verdict = record["verdict"]
         self.companion = None   # the same figure by the paper's discretisation, see Run.drawing
+        self.any_preload = None # the same figure at any preload, see there
         self._lines = {line["name"]: line["table"] for line in record.get("lines", [])}
         self._points = {point["id"]: point for point in self.points}
 
@@ -147,14 +148,15 @@ class Run:
         self.cases.sort(key=reading_order)
 
     def drawing(self, script):
-        """The cases that name this figure script, each with its companion: the case of its name and
-        _paper, which computes the same by the discretisation of the paper."""
+        """The cases that name this figure script, each with the cases of its name with _paper and _any after it:
+        the same by the discretisation of the paper, and at any preload."""
         found = [case for case in self.cases if case.figure_script == script]
         names = {case.name: case for case in found}
         for case in found:
             case.companion = names.get(case.name + "_paper")
-        return [case for case in found
-                if not (case.name.endswith("_paper") and case.name[:-len("_paper")] in names)]
+            case.any_preload = names.get(case.name + "_any")
+        return [case for case in found if not any(
+            case.name.endswith(end) and case.name[:-len(end)] in names for end in ("_paper", "_any"))]
 
     def checks(self):
         return [check for case in self.cases for check in case.checks]

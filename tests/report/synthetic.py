@@ -364,6 +364,30 @@ def make_map(run, outside=False):
     save(run, made)
 
 
+def step(force, approach):
+    """A step of a staircase that holds for all preloads beyond an approach, or half of it as a load."""
+    return {"force": force, "preload": {"approach": approach, "load": approach / 2},
+            "until": {"approach": 50.0, "load": 25.0}, "open": True}
+
+
+def make_map_at_any_preload(run):
+    """The same map at any preload, with the smooth spheres: the one scene at A/λ = 0.2, μ = 5 takes Δ† = 6 to double."""
+    make_map(run)
+    points = []
+    for place, (ratio, tabor) in enumerate((r, t) for r in (0, 0.001, 0.01, 0.05, 0.2, 1) for t in (0.1, 0.7, 5)):
+        found = point(place, {"amplitude_ratio": ratio, "tabor": tabor}, (1.5, -0.7))
+        most = 3.5 if (ratio, tabor) == (0.2, 5) else 1.4
+        found["input"].update(wavelength=20, outer_radius=100)
+        found["pull_off_any"] = {"force": most, "complete": ratio < 1}
+        found["staircase"] = {control: {"steps": [step(1.4, -1.0)] + ([step(3.5, 6.0)] if most > 2 else [])}
+                              for control in ("displacement_control", "load_control")}
+        found["staircase"]["jkr"] = None
+        points.append(found)
+    save(run, dict(record("fig14_any", "Map at any preload", "14", points, [], ["paper"]), figure_script="fig14"))
+    steep = [dict(found, sweep=dict(found["sweep"], amplitude=4)) for found in points if found["pull_off_any"]["force"] > 2]
+    save(run, dict(record("preload", "Pull-off against preload", None, steep, [], ["paper"]), figure_script="staircase"))
+
+
 def make_run(folder, **how):
     """All four cases; how: outside=True, failed=True."""
     make_fig03(folder)

@@ -17,6 +17,7 @@ import count_tests  # noqa: E402
 
 from pulloff_report import fonts, geometry, gnuplot, page, samples, svg, words  # noqa: E402
 from pulloff_report.errors import ReportError  # noqa: E402
+from pulloff_report.plots import doubling, preload, staircase  # noqa: E402
 from pulloff_report.sections import checks  # noqa: E402
 from pulloff_report.tables import Table  # noqa: E402
 
@@ -154,6 +155,51 @@ GNUPLOT_LIKE = """<?xml version="1.0"?>
 <use xlink:href='#gpPt11' transform='translate(5,6)' color='rgb(0,114,178)'/></g>
 <g transform="translate(50,20)" stroke="none" fill="black" font-size="10" text-anchor="middle">
 <text><tspan>|</tspan><tspan font-style="italic">W\u0304</tspan><tspan>| load</tspan></text></g></svg>"""
+
+
+def step(force, begin, until, is_open=False):
+    """A step of a staircase between two loads."""
+    return {"force": force, "preload": {"approach": begin, "load": begin}, "until": {"approach": until, "load": until},
+            "open": is_open}
+
+
+class Preloads(unittest.TestCase):
+    STEPS = [step(0.5, None, 1.0), step(2.0, 3.0, 4.0), step(1.5, 4.0, 5.0, is_open=True)]
+
+    def test_a_preload_in_words(self):
+        self.assertEqual(preload.words(4.0, None), "pressed to Δ† = 4")
+        self.assertEqual(preload.words(None, 3.0), "pressed to a load of 3 πwR")
+        self.assertEqual(preload.words(4.0, 3.0), "pressed to Δ† = 4 or to a load of 3 πwR, whichever comes first")
+        self.assertEqual(preload.words(None, None), "pressed to a load of 1 πwR")
+
+    def test_a_staircase_as_a_line(self):
+        rows = staircase.stairs({"steps": self.STEPS}, "load", 8.0)
+        # from contact, straight from where one step ends to where the next begins, and on to the end of the axis
+        self.assertEqual(rows, [(0.0, 0.5), (1.0, 0.5), (3.0, 2.0), (4.0, 2.0), (4.0, 1.5), (8.0, 1.5)])
+        self.assertEqual(staircase.stairs({"steps": self.STEPS}, "load", 3.5)[-1], (3.5, 2.0))
+        self.assertEqual(staircase.stairs({"steps": []}, "load", 8.0), [])
+
+    def test_the_least_preload_that_doubles(self):
+        self.assertEqual(doubling.doubling(self.STEPS, "load", 1.8), 3.0)
+        self.assertEqual(doubling.doubling(self.STEPS, "load", 0.4), 0.0)
+        self.assertIsNone(doubling.doubling(self.STEPS, "load", 2.1))
+
+    def test_cells_of_the_preload_that_doubles(self):
+        def point(ratio, steps, complete):
+            return {"sweep": {"tabor": 1.0, "amplitude_ratio": ratio}, "pull_off_any": {"complete": complete},
+                    "staircase": steps and {"load_control": {"steps": steps}}}
+        points = [point(0.01, self.STEPS, True), point(0.1, self.STEPS[:1], True), point(1.0, self.STEPS[:1], False),
+                  point(10.0, None, False)]
+        points += [dict(one, sweep=dict(one["sweep"], tabor=2.0)) for one in points]
+        blocks, frame = doubling.cells(points, "load_control", {1.0: 0.9, 2.0: 0.2})
+        levels = doubling.LEVELS["load_control"]
+        # twice 0.9 takes a load of 3, or is not reached; twice 0.2 takes contact alone
+        self.assertEqual([len(block) for block in blocks], [3, 0, 0, 0, 0, 1, 0, 1, 2 + 1])
+        self.assertEqual(len(blocks), len(levels) + 3)
+        self.assertEqual(len(doubling.names(levels, "load")), len(blocks))
+        self.assertAlmostEqual(frame[1] - frame[0], 2 * math.log(2.0))
+        cell = blocks[5][0]
+        self.assertAlmostEqual(cell[5] - cell[4], math.log(10.0))
 
 
 class Svg(unittest.TestCase):

@@ -179,6 +179,18 @@ class Parts(PageTest):
             self.has(plain(page_of(folder)), "2.6 0.20000 2.54000000 2.53600000 4.0 × 10−3 4e+03 ✗ outside",
                      "1 of 2 checks outside the tolerance")
 
+    def test_other_preloads_are_a_second_layer(self):
+        with made_up(synthetic.make_map) as folder:
+            text = plain(page_of(folder))
+        self.has(text, "here all scenes are pressed to a load of 1 πwR", "no record of fig14_any",
+                 "pulloff run fig14_any makes one")
+        with made_up(synthetic.make_map_at_any_preload) as folder:
+            text = plain(page_of(folder))
+        self.has(text, "(b) The same at any preload, on 15 points: the greatest is 3.5 at μ = 5, A/λ = 0.2",
+                 "may give still more (3 points)", "doubles the force in 1 of 12 scenes with A/λ of 0.01 or more; in 8 none "
+                 "does; in 3 none does up to a load of 100 πwR",
+                 "(1) 1.4 from Δ† = −1; 3.5 from Δ† = 6; no harder preload gives more.")
+
     def test_missing_references_leave_sentences(self):
         with made_up(synthetic.make_fig03) as folder:
             for name in ("feng_curves.csv", "bradley.csv"):

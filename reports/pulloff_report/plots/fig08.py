@@ -4,7 +4,7 @@ from markupsafe import Markup
 
 from .. import gnuplot, svg
 from ..words import listing, plain, scientific
-from . import twice
+from . import preload, twice
 from .figure import BLUE, GREEN, VERMILLION, Figure, log_range
 
 NUMBER = "8"
@@ -14,15 +14,16 @@ COLOURS, SHAPES = (VERMILLION, GREEN, BLUE), (6, 4, 8)
 TOP = 5.0                 # of the linear axis, as much as the largest computed force needs
 
 
-def by_amplitude(found):
-    """Key values -> number, as one block an amplitude."""
-    amplitudes = sorted({key[0] for key in found})
+def by_amplitude(found, amplitudes=None):
+    """Key values -> number, as one block an amplitude: of those given, or of all."""
+    amplitudes = amplitudes or sorted({key[0] for key in found})
     return amplitudes, [sorted((tabor, value) for (amplitude, tabor), value in found.items()
                                if amplitude == wanted) for wanted in amplitudes]
 
 
 def make(case, references):
     amplitudes, marks = by_amplitude({key: value[0] for key, value in twice.rows(case, KEYS).items()})
+    _, harder = by_amplitude(preload.larger(case, KEYS), amplitudes)
     _, strips = by_amplitude(twice.differences(case, KEYS) if case.companion else {})
     guduru = twice.table_blocks(case.line("guduru"), ["amplitude"], "tabor", "pull_off_force")
     rigid = {key: rows[0][1] for key, rows in
@@ -36,7 +37,7 @@ def make(case, references):
         "rigid": [rigid[key] for key in sorted(rigid)], "top": TOP, "last_tabor": last[0], "last": last[1],
         "above": 2.0 * max((row[1] for rows in guduru.values() for row in rows), default=50.0),
         "figure_height": 560, "low": low, "high": high},
-        {"computed": marks or [[]], "guduru": [guduru[key] for key in sorted(guduru)] or [[]],
+        {"computed": marks or [[]], "harder": harder or [[]], "guduru": [guduru[key] for key in sorted(guduru)] or [[]],
          "difference": strips or [[]]})
     label = "Pull-off force against the Tabor parameter for three amplitudes"
     return Figure("fig08", NUMBER, TITLE, Markup(svg.embeddable(drawn, "fig08", label)),
@@ -53,4 +54,4 @@ def caption(case, amplitudes, strips, last):
         worst = max(row[1] for strip in strips for row in strip)
         text += Markup(" Strip: magnitude of the difference between these and the paper’s discretisation "
                        "({}), at most {}.").format(twice.PAPER, scientific(worst))
-    return text + " " + twice.pressed(case)
+    return text + preload.caption(case, KEYS, "Filled markers")

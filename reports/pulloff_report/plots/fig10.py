@@ -3,8 +3,8 @@
 from markupsafe import Markup
 
 from .. import gnuplot, svg
-from ..words import listing, plain, scientific, value_of
-from . import twice
+from ..words import count, listing, plain, scientific, value_of
+from . import preload, twice
 from .figure import BLUE, GREEN, VERMILLION, Figure, log_range
 
 NUMBER = "10"
@@ -35,7 +35,8 @@ def make(case, references):
         "radius_text": [f"R† = {plain(value)}" for value in radii],
         "colour": list(COLOURS), "form": list(SHAPES), "missing": len(missing),
         "low": low, "high": high, "floor": FLOOR},
-        {"computed": blocks_of(forces, groups), "missing": blocks_of(missing, groups),
+        {"computed": blocks_of(forces, groups), "harder": blocks_of(preload.larger(case, KEYS), groups),
+         "missing": blocks_of(missing, groups),
          "guduru": [guduru.get(group, []) for group in groups], "difference": strips})
     label = "Pull-off force against amplitude over wavelength, a panel a wavelength"
     return Figure("fig10", NUMBER, TITLE, Markup(svg.embeddable(drawn, "fig10", label)),
@@ -49,11 +50,11 @@ def caption(case, forces, missing, strips):
                       plain(case.points[0]["input"]["tabor"]), Markup(twice.how(case)),
                       f"{forces[best]:.2f}", plain(best[0]), plain(best[1]), plain(best[2]))
     if missing:
-        text += Markup(" Crosses on the lower edge of (b): {} scenes that were not solved (listed below).").format(
-            len(missing))
+        text += Markup(" Crosses on the lower edge of (b): {} not solved (listed below).").format(
+            count(len(missing), "scene"))
     worst = [row[1] for strip in strips for row in strip]
     if worst:
         ratios = sorted({row[0] for strip in strips for row in strip})
         text += Markup(" (c) Relative difference of the paper’s discretisation ({}) at A/λ = {}; at most {}.").format(
                            twice.PAPER, listing([plain(value) for value in ratios]), scientific(max(worst)))
-    return text + " " + twice.pressed(case)
+    return text + preload.caption(case, KEYS, "Filled markers in (b)")

@@ -4,7 +4,7 @@ from markupsafe import Markup
 
 from .. import gnuplot, svg
 from ..words import listing, plain, value_of
-from . import fig10, twice
+from . import fig10, preload, twice
 from .figure import Figure
 
 NUMBER = "11"
@@ -34,6 +34,7 @@ def make(case, references):
     below = shortfalls(forces, {key: row[1] for key, row in beside.items() if row[1]})
     clear = [sorted((beside[key][0][0], EFFECTIVE * forces[key]) for key, part in below.items()
                     if key[:2] == group and part > CLEAR) for group in groups]
+    harder = {key: force for key, force in preload.larger(case, fig10.KEYS).items() if twice.match(envelope, key)}
     named = [(group, min(rows, key=lambda row: row[1])) for group, rows in zip(groups, clear) if rows]
     drawn = gnuplot.draw("fig11", {
         "wavelength_count": len(wavelengths), "radius_count": len(radii),
@@ -42,7 +43,9 @@ def make(case, references):
         "colour": list(fig10.COLOURS), "shape": list(fig10.SHAPES),
         "clear_count": len(named), "clear_text": [name_of(group) for group, _ in named],
         "clear_x": [row[0] for _, row in named], "clear_y": [row[1] for _, row in named]},
-        {"computed": blocks, "clear": clear, "envelope": [sorted(envelope.values())],
+        {"computed": blocks, "clear": clear,
+         "harder": [sorted((twice.match(envelope, key)[0], EFFECTIVE * force) for key, force in harder.items()
+                           if key[:2] == group) for group in groups], "envelope": [sorted(envelope.values())],
          "tosatti": [sorted(row for row in tosatti.values() if row[1] > 0)]})
     label = "Effective work of adhesion against the Johnson parameter on logarithmic axes"
     return Figure("fig11", NUMBER, TITLE, Markup(svg.embeddable(drawn, "fig11", label)),
@@ -63,6 +66,9 @@ def caption(case, blocks, below, groups, clear):
     text = Markup("The pull-off forces of Figure 10 as effective work of adhesion, 2|W̄|/3, against the Johnson "
                   "parameter α<sub>KLJ</sub>, μ = {}. Markers: {}. Solid: Eq 24. Dash-dotted: Eq 30 where it is above 0.").format(
                       plain(case.points[0]["input"]["tabor"]), Markup(twice.how(case)))
+    text += f" All scenes are {preload.declared(case)}, as in Figure 10."
+    if case.any_preload:
+        text += " Crosses: the greatest at any preload, where it is larger."
     if not below:
         return text + " No marker lies below Eq 30."
     text += f" {len(below)} of {sum(map(len, blocks))} markers lie below Eq 30"

@@ -10,13 +10,14 @@ from markupsafe import Markup
 
 from .. import gnuplot, svg
 from ..words import plain, scientific, value_of
-from . import twice
+from . import preload
 from .figure import Figure, failures
 
 # The forces at which the colour changes, close together about 1.5 (JKR) and 2 (Bradley).
 LEVELS = (0.05, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0)
 # Those whose lines are drawn and labelled.
 LABELLED = (0.1, 0.2, 0.5, 1.0, 1.5, 2.0, 3.0, 5.0, 7.0)
+LEAST = 1e-9     # below all forces: the region above it is where the force is known
 SHORTEST = 0.12  # of a line that is labelled, in parts of the width
 APART = 0.13     # of labels, likewise, and from the frame half of it
 CLEAR = 0.03     # of the middle of a label from the dashed line
@@ -24,14 +25,23 @@ MARKED = 0.1     # A/λ from which the paper finds that JKR fails
 GREATEST = 8.0   # force shown at the sides
 
 
-def grid(case):
-    """Sorted μ and A/λ, and (μ, A/λ) -> force."""
-    force = {}
-    for point in case.points:
-        tabor, ratio = value_of(point, "tabor"), float(f"{value_of(point, 'amplitude_ratio'):.6g}")
-        if point.get("pull_off"):
-            force[tabor, ratio] = point["pull_off"]["force"]
-    return sorted({t for t, _ in force}), sorted({r for _, r in force}), force
+def place(point):
+    """(μ, A/λ) of a point."""
+    return value_of(point, "tabor"), float(f"{value_of(point, 'amplitude_ratio'):.6g}")
+
+
+def forces(case):
+    """(μ, A/λ) -> force of the wavy spheres."""
+    return {place(point): point["pull_off"]["force"] for point in case.points
+            if point.get("pull_off") and place(point)[1] > 0}
+
+
+def forces_at_any_preload(case):
+    """(μ, A/λ) -> greatest force of all preloads, and where a still harder one may give more."""
+    known = {place(point): point["pull_off_any"] for point in case.points
+             if point["status"] == "ok" and point.get("pull_off_any") and place(point)[1] > 0}
+    return ({key: found["force"] for key, found in known.items()},
+            [key for key, found in known.items() if not found["complete"]])
 
 
 def rings(generator, level):
@@ -61,13 +71,13 @@ def label_place(line, taken, mark):
 
 
 def contours(tabors, ratios, force, mark):
-    """Filled regions, one block a level, and the lines with the places of their labels."""
-    x = numpy.linspace(0, 1, len(tabors))
-    y = numpy.linspace(0, 1, len(ratios))
+    """Filled regions, that of known forces and one a level, and the lines with the places of their labels."""
+    x, y = ([math.log(value / values[0]) / math.log(values[-1] / values[0]) for value in values]
+            for values in (tabors, ratios))
     z = numpy.array([[math.log(force.get((t, r), math.nan)) for t in tabors] for r in ratios])
     generator = contourpy.contour_generator(x, y, numpy.ma.masked_invalid(z), fill_type="OuterOffset")
     regions, lines, taken, labels = [], [], [], []
-    for level in LEVELS:
+    for level in (LEAST, *LEVELS):
         regions.append([row for path in rings(generator, math.log(level)) for row in path + [(math.nan,) * 2]])
     for level in LABELLED:
         for line in generator.lines(math.log(level)):
@@ -90,23 +100,26 @@ def edge(case, name, columns):
     return []
 
 
-def make(case, references):
-    tabors, ratios, force = grid(case)
+def drawn(case, name, title, force, unknown=()):
+    """One map; `unknown` are the scenes marked as of an unknown greatest force."""
+    tabors, ratios = sorted({t for t, _ in force}), sorted({r for _, r in force})
 
     def height(ratio):
         return math.log(ratio / ratios[0]) / math.log(ratios[-1] / ratios[0])
 
-    regions, lines, labels = contours(tabors, ratios, force, height(MARKED))
+    def width(tabor):
+        return math.log(tabor / tabors[0]) / math.log(tabors[-1] / tabors[0])
 
+    regions, lines, labels = contours(tabors, ratios, force, height(MARKED))
     rigid = [(f, height(r)) for r, f in edge(case, "rigid", ("amplitude_ratio", "pull_off_force"))]
     guduru = [(f, height(r)) for r, t, f in
               edge(case, "guduru", ("amplitude_ratio", "tabor", "pull_off_force"))
               if math.isclose(t, tabors[-1], rel_tol=1e-6) and f <= GREATEST]
     left, right = ([(force[t, r], height(r)) for r in ratios if (t, r) in force]
                    for t in (tabors[0], tabors[-1]))
-    wavelength = case.points[0]["input"]["wavelength"]
     shades = matplotlib.colormaps["cividis"](numpy.linspace(0.0, 1.0, len(LEVELS) + 1))
     parameters = {
+        "title_text": title, "unknown_count": len(unknown),
         "level_count": len(LEVELS), "levels": [f"{level:g}" for level in LEVELS],
         "colours": [matplotlib.colors.to_hex(shade) for shade in shades],
         "label_count": len(labels), "label_x": [float(row[0]) for row in labels],
@@ -114,12 +127,20 @@ def make(case, references):
         "x_low": tabors[0], "x_high": tabors[-1], "y_low": ratios[0], "y_high": ratios[-1],
         "mark": height(MARKED), "greatest": GREATEST,
         "left_tabor": plain(tabors[0]), "right_tabor": plain(tabors[-1])}
-    data = {"regions": regions, "lines": [lines], "left": [rigid, left], "right": [guduru, right]}
-    drawn = gnuplot.draw("pull_off_map", parameters, data)
-    label = f"Pull-off force over the Tabor parameter and A/λ for λ = {plain(wavelength)} ε"
+    data = {"regions": regions, "lines": [lines], "left": [rigid, left], "right": [guduru, right],
+            "unknown": [[(width(t), height(r)) for t, r in unknown]]}
+    label = f"Pull-off force over the Tabor parameter and A/λ, {title}"
+    return Markup(svg.embeddable(gnuplot.draw("pull_off_map", parameters, data), name, label))
+
+
+def make(case, references):
+    force = forces(case)
+    wavelength = case.points[0]["input"]["wavelength"]
+    pictures = drawn(case, case.name, f"(a) {preload.declared(case)}", force)
+    if case.any_preload:
+        pictures += drawn(case, case.name + "-any", "(b) at any preload", *forces_at_any_preload(case.any_preload))
     return Figure(case.name, case.figure, f"Map of the pull-off force, λ† = {plain(wavelength)}",
-                  Markup(svg.embeddable(drawn, case.name, label)), caption(case, wavelength, tabors, force),
-                  failures(case), case.record["command"], spots(case))
+                  pictures, caption(case, wavelength, force), failures(case), case.record["command"], spots(case))
 
 
 def spots(case):
@@ -127,21 +148,31 @@ def spots(case):
     return [(case.point(check["point"]), check) for check in case.checks if check.get("reference") == "traced"]
 
 
-def caption(case, wavelength, tabors, force):
-    place_of_top = max(force, key=force.get)
-    top = force[place_of_top]
+def caption(case, wavelength, force):
+    greatest = max(force, key=force.get)
     followed = sum(bool(point.get("followed")) for point in case.points)
     worst = max(point["pull_off"]["error_estimate"] / point["pull_off"]["force"]
                 for point in case.points if point.get("pull_off"))
-    return Markup(
-        "Pull-off force |W̄| for λ† = {}, R† = 100, r<sub>max</sub> = R. The shade changes at every level of the "
-        "bar; the greatest force is {} at μ = {}, A/λ = {}. Dashed: "
+    tabors = sorted({t for t, _ in force})
+    text = Markup(
+        "Pull-off force |W̄| for λ† = {}, R† = 100, r<sub>max</sub> = R. (a) The paper does not state how hard the sphere was "
+        "pressed; here all scenes are {}. The shade changes at every level of the bar; the greatest force is {} at "
+        "μ = {}, A/λ = {}. Dashed: "
         "A/λ = 0.1, beyond which the paper finds that JKR fails. At the sides, computed (symbols) and in the limit (lines): the force at μ = {} and "
         "the rigid one (Eq 22), that at μ = {} and that of full contact (Eq 5). {} points, {} of them followed from "
-        "traced ones; the largest estimated error is {} of the force. {}").format(
-            plain(wavelength), plain(round(top, 3)), plain(place_of_top[0]), plain(round(place_of_top[1], 4)),
-            plain(tabors[0]), plain(tabors[-1]), len(case.points), followed, scientific(worst),
-            twice.pressed(case))
+        "traced ones; the largest estimated error is {} of the force.").format(
+            plain(wavelength), preload.declared(case), plain(round(force[greatest], 3)), plain(greatest[0]),
+            plain(round(greatest[1], 4)), plain(tabors[0]), plain(tabors[-1]), len(case.points), followed,
+            scientific(worst))
+    if case.any_preload is None:
+        return text + f" This run holds no record of {case.name}_any, the map at any preload."
+    most, unknown = forces_at_any_preload(case.any_preload)
+    top = max(most, key=most.get)
+    return text + (
+        f" (b) The same at any preload, on {len(most)} points: the greatest is "
+        f"{plain(round(most[top], 3))} at μ = {plain(top[0])}, A/λ = {plain(round(top[1], 4))}. White dots: "
+        f"preloads beyond a load of 100 πwR may give still more ({len(unknown)} points). Blank: not solved, as it takes minutes to press "
+        "steep waves of soft spheres so hard.")
 
 
 @dataclasses.dataclass(frozen=True)

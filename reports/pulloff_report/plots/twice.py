@@ -2,7 +2,7 @@
 
 import math
 
-from ..words import MINUS, plain, scientific, value_of
+from ..words import plain, scientific, value_of
 
 PAPER = "triangles on 501 equally spaced nodes, the surface cut at r = R"
 
@@ -55,18 +55,6 @@ def how(case):
     if point["scheme"] == "panel":
         return f"panels to {scientific(point['tolerance'], 1)} {where}"
     return f"{point['scheme']}s on {point['nodes']} nodes {where}"
-
-
-def pressed(case):
-    """How far the traces of a case went, for its caption: the paper does not say how hard the sphere was pressed."""
-    ends = [point["ended"] for point in case.points if point.get("ended")]
-    ranges = [[end[key] for end in ends if end.get(key) is not None] for key in ("approach", "load")]
-    if not all(ranges):
-        return ""
-    bounds = [f"{bound:.3g}".replace("-", MINUS) for values in ranges for bound in (min(values), max(values))]
-    return ("The paper does not state how far its curves were traced. Here each trace was ended by the stopping rule, "
-            "at approaches Δ† of {} to {} and loads W̄ of {} to {}; a sphere that is pressed harder may need a larger "
-            "force.").format(*bounds)
 
 
 def failed(case):

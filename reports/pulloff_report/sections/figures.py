@@ -33,18 +33,26 @@ def files(names, word="and"):
 
 
 def missing(module, script):
-    return (f"Figure {module.NUMBER}, {module.TITLE[0].lower()}{module.TITLE[1:]}, is left out: this "
-            f"run holds no record of a case that draws it (pulloff run {getattr(module, 'CASE', script)} makes one).")
+    which = f"Figure {module.NUMBER}, {module.TITLE[0].lower()}{module.TITLE[1:]}," if module.NUMBER else f"{module.TITLE}"
+    return (f"{which} is left out: this "
+            f"run holds no record of a case that draws it (pulloff run {case_of(module, script)} makes one).")
+
+
+def case_of(module, script):
+    """The case that a figure is drawn from."""
+    return getattr(module, "CASE", script) + ("_any" if getattr(module, "AT_ANY_PRELOAD", False) else "")
 
 
 def build(source):
     figures, absent = [], []
     for script, module in plots.BY_SCRIPT.items():
-        found = source.run.drawing(getattr(module, "CASE", script))
+        found = [case for case in source.run.drawing(getattr(module, "CASE", script))
+                 if case.any_preload or not getattr(module, "AT_ANY_PRELOAD", False)]
         if found or getattr(module, "SCHEMATIC", False):
             figures.append(module.make(found[0] if found else None, source.references))
         else:
             absent.append(missing(module, script))
-    entries = [(f"figure-{item.id}", f"Figure {item.number} · {item.title}") for item in figures]
+    entries = [(f"figure-{item.id}", f"Figure {item.number} · {item.title}" if item.number else item.title)
+               for item in figures]
     return Section("figures", "Figures of the paper", "figures.html",
                    {"figures": figures, "absent": absent, "note": feng_note(source.references)}, entries)

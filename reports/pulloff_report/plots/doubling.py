@@ -1,0 +1,101 @@
+"""The preload that it takes to double the pull-off of the smooth sphere, over the Tabor parameter and A/λ."""
+
+import bisect
+import math
+
+import matplotlib
+import numpy
+from markupsafe import Markup
+
+from .. import gnuplot, svg
+from ..words import count, plain
+from .figure import Figure
+from .pull_off_map import place
+
+NUMBER = None
+TITLE = "Preload that doubles the pull-off of the smooth sphere"
+CASE = "fig14"
+AT_ANY_PRELOAD = True   # drawn from the case at any preload
+FACTOR = 2.0
+LEAST_RATIO = 0.01     # A/λ from which cells are drawn
+# Upper ends of the classes of preloads, but for the last, which has none: approaches in ε and loads in πwR.
+LEVELS = {"displacement_control": (-2, 0, 2, 4, 8, 16), "load_control": (0, 0.25, 0.5, 1, 2, 4)}
+AXES = {"displacement_control": "approach", "load_control": "load"}
+GREATEST_LOAD = 100  # in πwR, to which preloads are looked at
+
+
+def doubling(steps, axis, wanted):
+    """The least preload from which the force is at least as wanted; None: there is none."""
+    for step in steps:
+        if step["force"] >= wanted:
+            return step["preload"][axis] or 0.0   # the bodies come together under no load
+    return None
+
+
+def middles(values):
+    """Ends of cells around values, half way to the neighbours on a logarithmic scale; those at the edges as wide."""
+    logs = [math.log(value) for value in values]
+    inner = [(a + b) / 2 for a, b in zip(logs, logs[1:])]
+    return [2 * logs[0] - inner[0]] + inner + [2 * logs[-1] - inner[-1]]
+
+
+def cells(points, control, smooth):
+    """Blocks of cells (x, y, left, right, low, high) in logarithms: one a class of preloads, then where no preload
+    doubles the force, and where that is not known."""
+    tabors, ratios = (sorted({place(point)[k] for point in points}) for k in (0, 1))
+    xs, ys = middles(tabors), middles(ratios)
+    blocks = [[] for _ in range(len(LEVELS[control]) + 3)]
+    for point in points:
+        tabor, ratio = place(point)
+        i, j = tabors.index(tabor), ratios.index(ratio)
+        cell = (math.log(tabor), math.log(ratio), xs[i], xs[i + 1], ys[j], ys[j + 1])
+        found = point.get("staircase")
+        wanted = FACTOR * smooth.get(tabor, math.inf)
+        taken = doubling(found[control]["steps"], AXES[control], wanted) if found else None
+        if taken is not None:
+            blocks[bisect.bisect_left(LEVELS[control], taken)].append(cell)
+        else:
+            known = found and point["pull_off_any"] and point["pull_off_any"]["complete"]
+            blocks[-2 if known else -1].append(cell)
+    return blocks, (xs[0], xs[-1], ys[0], ys[-1])
+
+
+def names(levels, axis):
+    """Of the classes: "up to 2", "2 to 4", "beyond 4"."""
+    first = "contact alone" if axis == "load" else f"up to {plain(levels[0])}"
+    return [first] + [f"{plain(a)} to {plain(b)}" for a, b in zip(levels, levels[1:])] + [
+        f"beyond {plain(levels[-1])}", "by none", "not known"]
+
+
+def make(case, references):
+    del references
+    every = case.any_preload.points
+    smooth = {place(point)[0]: point["pull_off"]["force"] for point in every
+              if place(point)[1] == 0 and point.get("pull_off")}
+    waves = [point for point in every if place(point)[1] > 0]
+    data, classes, frame = {}, {}, None
+    for control, levels in LEVELS.items():
+        data[control], frame = cells([point for point in waves if place(point)[1] >= LEAST_RATIO], control, smooth)
+        classes[control] = names(levels, AXES[control])
+    shades = matplotlib.colormaps["cividis"](numpy.linspace(0.05, 1.0, len(LEVELS["load_control"]) + 1))
+    drawn = gnuplot.draw("doubling", {
+        "class_count": len(shades) + 2, "approach_text": classes["displacement_control"],
+        "load_text": classes["load_control"],
+        "colours": [matplotlib.colors.to_hex(shade) for shade in shades] + ["#FFFFFF", "#C8C8C8"],
+        "x_low": frame[0], "x_high": frame[1], "y_low": frame[2], "y_high": frame[3], "figure_height": 330}, data)
+    label = "Preload that doubles the pull-off force of the smooth sphere, over the Tabor parameter and A/λ"
+    return Figure("doubling", NUMBER, TITLE, Markup(svg.embeddable(drawn, "doubling", label)),
+                  caption(waves, data), [], case.any_preload.record["command"])
+
+
+def caption(waves, data):
+    known = data["displacement_control"]
+    doubled = sum(len(block) for block in known[:-2])
+    return Markup(
+        "The least preload from which a test measures at least twice the pull-off force of the smooth sphere of the same "
+        "Tabor parameter, λ† = {}, R† = 100, r<sub>max</sub> = R, the spheres of Figure 14: (a) the greatest approach Δ† of a "
+        "test at given approach, (b) the greatest load W̄ of a test at given load. Each cell is a scene. Some preload doubles the "
+        "force in {} of {} with A/λ of {} or more; in {} none does; in {} none does up to a load of {} πwR, and whether a "
+        "harder one does is not known.").format(
+            plain(waves[0]["input"]["wavelength"]), doubled, count(sum(map(len, known)), "scene"), plain(LEAST_RATIO),
+            len(known[-2]), len(known[-1]), GREATEST_LOAD)
