@@ -1,6 +1,7 @@
 """The preload that it takes to double the pull-off of the smooth sphere, over the Tabor parameter and A/λ."""
 
 import bisect
+import itertools
 import math
 
 import matplotlib
@@ -45,19 +46,22 @@ def cells(points, control, smooth):
     tabors, ratios = (sorted({place(point)[k] for point in points}) for k in (0, 1))
     xs, ys = middles(tabors), middles(ratios)
     blocks = [[] for _ in range(len(LEVELS[control]) + 3)]
-    for point in points:
-        tabor, ratio = place(point)
-        i, j = tabors.index(tabor), ratios.index(ratio)
+    there = {place(point): point for point in points}
+    for (i, tabor), (j, ratio) in itertools.product(enumerate(tabors), enumerate(ratios)):
         cell = (math.log(tabor), math.log(ratio), xs[i], xs[i + 1], ys[j], ys[j + 1])
-        found = point.get("staircase")
-        wanted = FACTOR * smooth.get(tabor, math.inf)
-        taken = doubling(found[control]["steps"], AXES[control], wanted) if found else None
-        if taken is not None:
-            blocks[bisect.bisect_left(LEVELS[control], taken)].append(cell)
-        else:
-            known = found and point["pull_off_any"] and point["pull_off_any"]["complete"]
-            blocks[-2 if known else -1].append(cell)
+        blocks[class_of(there.get((tabor, ratio)), control, FACTOR * smooth.get(tabor, math.inf))].append(cell)
     return blocks, (xs[0], xs[-1], ys[0], ys[-1])
+
+
+def class_of(point, control, wanted):
+    """Which class of preloads gives a scene the force wanted; -2: none does, -1: that is not known."""
+    found = point and point.get("staircase")
+    if not found:
+        return -1
+    taken = doubling(found[control]["steps"], AXES[control], wanted)
+    if taken is not None:
+        return bisect.bisect_left(LEVELS[control], taken)
+    return -2 if point["pull_off_any"] and point["pull_off_any"]["complete"] else -1
 
 
 def names(levels, axis):
@@ -95,7 +99,7 @@ def caption(waves, data):
         "The least preload from which a test measures at least twice the pull-off force of the smooth sphere of the same "
         "Tabor parameter, λ† = {}, R† = 100, r<sub>max</sub> = R, the spheres of Figure 14: (a) the greatest approach Δ† of a "
         "test at given approach, (b) the greatest load W̄ of a test at given load. Each cell is a scene. Some preload doubles the "
-        "force in {} of {} with A/λ of {} or more; in {} none does; in {} none does up to a load of {} πwR, and whether a "
-        "harder one does is not known.").format(
+        "force in {} of {} with A/λ of {} or more; in {} none does; in {} none does up to a load of {} πwR, or the sphere was "
+        "not pressed so hard, as that takes minutes.").format(
             plain(waves[0]["input"]["wavelength"]), doubled, count(sum(map(len, known)), "scene"), plain(LEAST_RATIO),
             len(known[-2]), len(known[-1]), GREATEST_LOAD)

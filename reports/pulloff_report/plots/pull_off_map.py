@@ -119,7 +119,7 @@ def drawn(case, name, title, force, unknown=()):
                    for t in (tabors[0], tabors[-1]))
     shades = matplotlib.colormaps["cividis"](numpy.linspace(0.0, 1.0, len(LEVELS) + 1))
     parameters = {
-        "title_text": title, "unknown_count": len(unknown),
+        "title_text": title, "unknown_count": len(unknown), "figure_height": 400,
         "level_count": len(LEVELS), "levels": [f"{level:g}" for level in LEVELS],
         "colours": [matplotlib.colors.to_hex(shade) for shade in shades],
         "label_count": len(labels), "label_x": [float(row[0]) for row in labels],
