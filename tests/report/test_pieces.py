@@ -17,7 +17,7 @@ import count_tests  # noqa: E402
 
 from pulloff_report import fonts, geometry, gnuplot, page, samples, svg, words  # noqa: E402
 from pulloff_report.errors import ReportError  # noqa: E402
-from pulloff_report.plots import doubling, preload, staircase  # noqa: E402
+from pulloff_report.plots import doubling, loading, preload, staircase  # noqa: E402
 from pulloff_report.sections import checks  # noqa: E402
 from pulloff_report.tables import Table  # noqa: E402
 
@@ -178,6 +178,11 @@ class Preloads(unittest.TestCase):
         self.assertEqual(rows, [(0.0, 0.5), (1.0, 0.5), (3.0, 2.0), (4.0, 2.0), (4.0, 1.5), (8.0, 1.5)])
         self.assertEqual(staircase.stairs({"steps": self.STEPS}, "load", 3.5)[-1], (3.5, 2.0))
         self.assertEqual(staircase.stairs({"steps": []}, "load", 8.0), [])
+
+    def test_the_next_jump_of_a_curve_that_is_loaded(self):
+        approaches = [0.0, -1.0, 2.0, 4.3, 3.0, 4.1, 1.0, 7.5, 6.0]
+        self.assertEqual([loading.next_jump(approaches, preload) for preload in (1.0, 4.2, 4.3, 7.5)],
+                         [4.3, 4.3, 7.5, None])
 
     def test_the_least_preload_that_doubles(self):
         self.assertEqual(doubling.doubling(self.STEPS, "load", 1.8), 3.0)

@@ -71,6 +71,14 @@ def solved(case, scheme):
     return None
 
 
+def next_jump(approaches, preload):
+    """The approach of the first fold beyond a preload, along a curve that is loaded from its beginning; None: none."""
+    for before, here, after in zip(approaches, approaches[1:], approaches[2:]):
+        if before <= here > after and here > preload:
+            return here
+    return None
+
+
 def make(case, number, title, window, loads, wide=None, beside=None, key_below=False):
     """The figure; `wide` are window and loads of a second frame above, for the JKR theory, and `beside` the places of
     single labels."""
@@ -101,10 +109,10 @@ def make(case, number, title, window, loads, wide=None, beside=None, key_below=F
         "smooth": [line(case, "smooth", tabor)], "guduru": [line(case, "guduru", tabor)]})
     label = "Load against minus the approach over the Tabor parameter, with the path of a loading test"
     return Figure(name, number, title, Markup(svg.embeddable(drawn, name, label)),
-                  caption(panel, loop, apart, wide), failures(case), case.record["command"])
+                  caption(panel, loop, apart, wide, [-x * tabor for x, _ in line(case, "guduru", tabor)]), failures(case), case.record["command"])
 
 
-def caption(panel, loop, apart, wide):
+def caption(panel, loop, apart, wide, theory):
     jkr = panel["hysteresis"]["jkr"]["displacement_control"]
     text = Markup("Dimensionless load W̄ against {}Δ†/μ, on the surface cut at r = R").format(MINUS)
     if wide:
@@ -115,13 +123,15 @@ def caption(panel, loop, apart, wide):
         text += Markup(
             " Triangles: by the paper’s 500 equal elements, at most {} from the lines in the units of the axes.").format(
                 scientific(apart))
+    jump = next_jump(theory, loop["preload"]["approach"])
+    later = f"; its next jump in loading is at Δ† = {jump:.2f}" if jump else ""
     return text + Markup(
         " Arrows: loading to Δ† = {} (ends of the jumps 1 to 6) and unloading (a to f). The loop loses {:.4g} "
         "πwRε; a test from this preload measures a pull-off force of {:.5g} in displacement control and "
         "{:.5g} in load control; the greatest tension of the whole curve is {:.5g}. By the JKR theory of "
-        "the wavy sphere (Equation 5) the same test would lose {:.4g} and measure {:.5g}. The "
+        "the wavy sphere (Equation 5) the same test would lose {:.4g} and measure {:.5g}{}. The "
         "paper does not print which points its labels are at; both ends of three jumps are taken, "
         "as six in each phase would need a far larger preload in Figure 12 than in 13.").format(
             plain(loop["preload"]["approach"]), loop["energy_lost"], loop["pull_off"]["force"],
             panel["hysteresis"]["load_control"]["pull_off"]["force"], panel["pull_off"]["force"],
-            jkr["energy_lost"], jkr["pull_off"]["force"])
+            jkr["energy_lost"], jkr["pull_off"]["force"], later)

@@ -50,5 +50,5 @@ def caption(case, keys, sign):
     text += (f" {sign}: the greatest force that any preload gives, where it is larger by more than {SEEN:.0%} "
              f"({len(larger(case, keys))} of {len(case.any_preload.points)} scenes looked at).")
     if open_ends:
-        text += f" In {open_ends} of these, preloads beyond a load of 100 πwR may give still more."
+        text += f" In {open_ends} of the scenes looked at, preloads beyond a load of 100 πwR may give still more."
     return text + " Steep waves of soft spheres, which it takes minutes to press so hard, were not looked at."
