@@ -78,10 +78,12 @@ static po_status append_up_to(builder *b, double left, double right) {
 }
 
 /* Stable at fixed approach where it rises with the contact radius. */
-static void count_modes(builder *b) {
-  for (size_t k = 0; k < b->count; ++k)
-    b->point[k].unstable_modes =
-        k + 1 < b->count ? b->point[k + 1].approach <= b->point[k].approach : 0;
+static void mark_points(builder *b) {
+  for (size_t k = 0; k + 1 < b->count; ++k) {
+    po_path_point *p = &b->point[k];
+    p->unstable_modes = p[1].approach <= p->approach;
+    p->minimum = k > 0 && p->load < p[-1].load && p->load < p[1].load;
+  }
 }
 
 static po_status build(builder *b, double end) {
@@ -108,7 +110,7 @@ static po_status build(builder *b, double end) {
   if (!status) {
     b->point[0].approach = 2.0 * least;
     b->point[0].approach_rate = b->point[1].approach_rate = -2.0 * least; /* per position */
-    count_modes(b);
+    mark_points(b);
   }
   return status;
 }

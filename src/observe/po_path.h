@@ -17,6 +17,7 @@ typedef struct {
   double position;                 /* ascending along the curve: arclength, or another parameter */
   double approach_rate, load_rate; /* per position */
   int unstable_modes;              /* of the equilibria just after it, at fixed approach */
+  bool minimum;                    /* the load has a local minimum here */
 } po_path_point;
 
 typedef struct {

@@ -72,7 +72,8 @@ static void keep_path(po_reader *r, const po_branch_point *p, double contact_rad
                                              .load_rate = p->load_rate,
                                              .contact_radius = contact_radius,
                                              .position = p->position,
-                                             .unstable_modes = p->unstable_modes};
+                                             .unstable_modes = p->unstable_modes,
+                                             .minimum = p->kind == PO_POINT_LOAD_MIN};
 }
 
 static po_landmark_kind kind_of(po_point_kind kind) {

@@ -46,11 +46,13 @@ static po_path_state deeper(po_path_state a, po_path_state b) {
   return b.load < a.load ? b : a;
 }
 
-/* What unloading meets from a place on a stretch downwards. */
+/* What unloading meets from a place on a stretch downwards: minima of the load, and the ends. Other
+ * points near a minimum may be below it by the error of their mesh. */
 static po_path_state deepest_from(const walk *w, const stretch *s, po_path_place place) {
   po_path_state deepest = deeper(s->deepest, state(w, place));
   for (size_t k = s->start; k <= place.index; ++k)
-    deepest = deeper(deepest, point(w, k));
+    if (k == s->start || w->path->point[k].minimum)
+      deepest = deeper(deepest, point(w, k));
   return deepest;
 }
 
@@ -172,7 +174,9 @@ static po_status load_along(walk *w, const stretch *s, po_path_place from) {
   po_path_state last = state(w, from);
   for (size_t k = from.index + 1; k <= s->end; ++k) {
     const po_path_state here = point(w, k);
-    if (here.load < w->deepest.load) {
+    const po_path_point *p = &w->path->point[k];
+    if (p->minimum ? w->between || here.load < w->deepest.load
+                   : p->load_rate < 0.0 && here.load < w->deepest.load) {
       if (!w->between)
         end_step(w, last.load > w->deepest.load
                         ? state(w, po_path_where(w->path, k - 1, PO_PATH_LOAD, w->deepest.load))
