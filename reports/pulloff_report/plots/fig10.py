@@ -30,7 +30,7 @@ def make(case, references):
     strips = blocks_of(twice.differences(case, KEYS, relative=True) if case.companion else {}, groups)
     low, high = log_range([row[1] for strip in strips for row in strip])
     drawn = gnuplot.draw("fig10", {
-        "figure_height": 840, "panel_count": len(wavelengths), "radius_count": len(radii),
+        "figure_height": 815, "panel_count": len(wavelengths), "radius_count": len(radii),
         "panel_text": [f"λ† = {plain(value)}" for value in wavelengths],
         "radius_text": [f"R† = {plain(value)}" for value in radii],
         "colour": list(COLOURS), "form": list(SHAPES), "missing": len(missing),
