@@ -44,7 +44,7 @@ class Task:
 
     def __init__(self, name, scene):
         self.name, self.scene = name, scene
-        self.staircase, self.others, self.findings, self.wrong = None, [], [], []
+        self.staircase, self.others, self.findings, self.wrong, self.ties = None, [], [], [], 0
 
     def solve(self, journal, wanted):
         self.staircase = journal.solution(self.flags(), wanted.loose)
@@ -86,6 +86,7 @@ class Steps(Task):
                 beside = steps.Beside(self.staircase, loop, control, place, preload, wanted.tight)
                 self.findings += beside.findings
                 self.wrong += beside.wrong
+                self.ties += beside.tie
 
 
 class Complete(Task):
@@ -140,7 +141,8 @@ def lines(tasks, wanted):
             yield (f"seconds of a staircase: median {table.quantile(seconds, 0.5):.3g}, 90 % "
                    f"{table.quantile(seconds, 0.9):.3g}, most {seconds[-1]:.3g}")
     else:
-        yield f"steps {sum(number_of_steps(task) for task in tasks)}, loops {sum(len(task.others) for task in tasks)}"
+        yield (f"steps {sum(number_of_steps(task) for task in tasks)}, loops {sum(len(task.others) for task in tasks)}, "
+               f"of these {sum(task.ties for task in tasks)} with a tension at reversal as great within the errors")
     yield from table.grid([f for task in tasks for f in task.findings], ORDER[:1] if wanted.complete else ORDER)
 
 

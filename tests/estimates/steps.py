@@ -88,6 +88,13 @@ def said(document, control, preload):
     return None
 
 
+def step_before(document, control, preload):
+    """The last step that begins before a preload, or None."""
+    begun = [step for step in document["staircase"][control.name]["steps"]
+             if begin_of(step["preload"], control) <= preload]
+    return begun[-1] if begun else None
+
+
 def loops(document, most):
     """(control, place, preload) of the loops that are set beside a staircase; the places evenly chosen, at most so many
     of each control. Where two places lie nearer to each other than their margins nothing can be said between them."""
@@ -114,14 +121,14 @@ class Beside:
 
     def __init__(self, staircase, solution, control, place, preload, tight):
         self.where = f" ({control.component} {preload:.12g}: {place.what} at {place.value:.12g})"
-        self.findings, self.wrong = [], []
+        self.findings, self.wrong, self.tie = [], [], False
         self.solution, self.control, self.tight = solution, control, tight
         loop = solution["hysteresis"][control.name]
         holds = said(staircase, control, preload)
         if holds:
             self.add_step(*holds, loop)
         else:
-            self.add_reversal(loop)
+            self.add_reversal(step_before(staircase, control, preload), loop)
 
     def own(self, loop, component):
         """The error of the tight solution in its pull-off; where it states none, its tolerance."""
@@ -135,8 +142,11 @@ class Beside:
         measured = loop["pull_off"]
         self.add("force", compare.value(step, "error_estimate"), abs(step["force"] - measured["force"]),
                  self.own(loop, "load"))
-        self.add("approach", compare.value(step, "approach_error_estimate"),
-                 abs(step["approach"] - measured["approach"]), self.own(loop, "approach"))
+        # Where the step ends, the tension at reversal is as great within the errors: either may be the greatest.
+        self.tie = self.is_reversal(loop) and self.findings[-1].verdict != "violated"
+        if not self.tie:
+            self.add("approach", compare.value(step, "approach_error_estimate"),
+                     abs(step["approach"] - measured["approach"]), self.own(loop, "approach"))
         lost, energy = cycle["energy_lost"], loop["energy_lost"]
         if lost is None or energy is None:
             if lost is not energy:
@@ -145,9 +155,17 @@ class Beside:
         own = self.tight * energy_size(self.solution) * max(1, cycle["jumps"])
         self.add("energy lost", compare.value(cycle, "energy_lost_error_estimate"), abs(lost - energy), own)
 
-    def add_reversal(self, loop):
-        """Between steps."""
-        measured, reversed_at = loop["pull_off"], loop["preload"]
-        if not abs(measured["approach"] - reversed_at["approach"]) <= self.own(loop, "approach"):
+    def is_reversal(self, loop):
+        """Whether the greatest tension of a loop is that where it is reversed."""
+        return abs(loop["pull_off"]["approach"] - loop["preload"]["approach"]) <= self.own(loop, "approach")
+
+    def add_reversal(self, before, loop):
+        """Between two steps, the first one given (None: there is none)."""
+        if self.is_reversal(loop):
+            return
+        measured = loop["pull_off"]
+        error = (compare.value(before, "error_estimate") if before else 0.0) + self.own(loop, "load")
+        self.tie = measured["force"] + loop["preload"]["load"] <= error
+        if not self.tie:
             self.wrong.append(f"no step is said to hold, and the loop measures {measured['force']:.12g} at approach "
                               f"{measured['approach']:.12g}{self.where}")

@@ -57,9 +57,14 @@ else:
         pull = {"force": hard + fault.get("force", 0), "approach": 1, "position": 4.0} if jumped else {
             "force": soft, "approach": -1, "position": 1.0}
         if component == "approach" and (preload < -1 or (4.9 < preload and not jumped)):
-            pull = {"force": 0.5, "approach": preload - fault.get("reversal", 0), "position": 1.5}
+            off = fault.get("reversal", 0)
+            pull = {"force": soft + off, "approach": preload - off, "position": 1.5}
+        if component == "approach" and 4.8 < preload < 4.95 and "end" in fault:    # the step ends there otherwise
+            pull = {"force": soft, "approach": -1, "position": 1.0} if preload > 4.9 else {
+                "force": soft + fault["end"], "approach": preload, "position": 1.5}
         energy = None if component == "load" else 7 + fault.get("energy", 0) if jumped else 0
-        return {"preload": {component: preload, "approach": preload}, "pull_off": pull, "energy_lost": energy}
+        return {"preload": {"approach": preload, "load": preload if component == "load" else fault.get("end", 0) - soft},
+                "pull_off": pull, "energy_lost": energy}
     if float(flags.get("--preload", 9)) < fault.get("refused", -1):
         document.update(status="not_found", reason="expected a harder preload")
     document["hysteresis"] = {
@@ -83,10 +88,16 @@ class Campaigns(made_up.Case):
         self.assertIn("steps 8, loops 16", text)
         self.assertIn("0 of 2 scenes with a violation", text)
 
+    def test_a_tension_at_reversal_that_is_as_great(self):
+        code, text = self.run_it({"end": 1e-7})
+        self.assertEqual(code, 0, text)
+        self.assertIn("of these 4 with a tension at reversal as great", text)
+
     def test_what_a_loop_measures_otherwise(self):
         for fault, words in (({"fold": 1e-3}, "force"), ({"fold": -1e-3}, "no step"), ({"force": 1e-3}, "force"),
                              ({"energy": 1e-2}, "energy lost"), ({"reversal": 1e-3}, "no step is said to hold"),
-                             ({"part": 3}, "force"), ({"refused": 3}, "expected a harder preload")):
+                             ({"part": 3}, "force"), ({"end": 1e-3}, "no step is said to hold"), ({"end": 1e-3}, "force"),
+                             ({"refused": 3}, "expected a harder preload")):
             code, text = self.run_it(fault)
             self.assertEqual(code, 1, fault)
             self.assertIn("2 of 2 scenes with a violation", text)
