@@ -30,7 +30,7 @@ static void note_loading(po_stopping *s, const po_branch_point *p, const po_cont
   if (p->approach >= s->greatest_approach) {
     s->greatest_approach = p->approach;
     s->greatest_load = fmax(s->greatest_load, p->load);
-    if (contact_radius > s->enough)
+    if (contact_radius > s->enough || contact_radius >= s->request->scene.outer_radius)
       s->disc = fmax(s->disc, po_contact_disc(gap));
   }
   if (p->approach_rate > 0.0 && (p->load_rate > 0.0 || p->kind == PO_POINT_LOAD_MAX))
@@ -66,6 +66,11 @@ static const double SOFTEST = 1.0, HARDEST = 100.0;
  * the sum over the points of their nodes squared, about the work of their matrices; 400 points of
  * 250 nodes take some tenths of a second. */
 static const double EFFORT = 2.0, EFFORT_AT_LEAST = 400.0 * 250.0 * 250.0;
+
+bool po_stopping_is_searching(const po_stopping *s) {
+  return po_request_search(s->request) != PO_SEARCH_NONE && s->has_minimum &&
+         (s->met || (isinf(s->preload.approach) && s->greatest_load >= SOFTEST));
+}
 
 /* On a cut surface nothing is left to come into contact beyond its edge. */
 bool po_stopping_is_complete(const po_stopping *s, double load) {

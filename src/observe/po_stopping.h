@@ -31,7 +31,7 @@ typedef struct {
   double greatest_approach, greatest_load;
   double carried; /* greatest load under which loading at given load is stable */
   double disc;    /* greatest disc in contact without a groove, in loading; looked at where the
-                     contact radius is enough; eps */
+                     contact radius is enough, or all of the surface is in contact; eps */
   bool met;       /* the preload: minima beyond are not the pull-off's */
   double effort;  /* spent on points so far, see po_stopping.c */
   double before;  /* on those up to the preload */
@@ -48,6 +48,10 @@ bool po_stopping_note_minimum(po_stopping *stopping, double load);
 /* Takes note of a point. Given: the gap there, and its contact radius. */
 void po_stopping_note_point(po_stopping *stopping, const po_branch_point *point,
                             const po_contact_gap *gap, double contact_radius);
+
+/* Whether the trace only searches for what harder preloads give: the preload is met, or any is asked
+ * for and the usual one is met. */
+bool po_stopping_is_searching(const po_stopping *stopping);
 
 /* Whether no minimum of the load beyond what was traced can be below a load. */
 bool po_stopping_is_complete(const po_stopping *stopping, double load);

@@ -174,6 +174,17 @@ static po_status read_hysteresis(const po_reader *reader, po_attempt *a) {
   return status;
 }
 
+/* A search beyond the preload may find no way on: then it ends there. */
+static po_status end_search(po_status status, po_reader *reader) {
+  const bool stuck = status == PO_STEP_TOO_SMALL || status == PO_NOT_CONVERGED ||
+                     status == PO_OUT_OF_NODES || status == PO_TOO_MANY_POINTS;
+  if (!stuck || !po_stopping_is_searching(&reader->stopping))
+    return status;
+  po_message_clear();
+  reader->outcome->ended.cause = PO_END_SEARCHED;
+  return PO_OK;
+}
+
 po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double deadline,
                    const po_keeper *keeper, po_outcome *outcome) {
   po_surface *fixed = NULL;
@@ -200,6 +211,7 @@ po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double 
   status = rigid ? trace_rigid(request, &reader) : trace_elastic(request, a, &reader, panels);
   if (!status)
     status = reader.status;
+  status = end_search(status, &reader);
   if (!status && outcome->ended.cause == PO_END_NONE)
     outcome->ended.cause = isnan(request->approach_end) ? PO_END_COMPLETE : PO_END_ASKED;
   if (!status && !reader.stopping.met && !isnan(request->approach_end) &&

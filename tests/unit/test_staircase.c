@@ -270,6 +270,24 @@ START_TEST(any_preload_gives_the_greatest) {
 }
 END_TEST
 
+/* A small cut surface: once all of it is in contact no preload changes the pull-off, whatever the
+ * bound says. Solves of this one pressed on until there were not enough nodes, and failed. */
+START_TEST(a_cut_surface_in_contact_is_complete) {
+  static const po_search SEARCH[] = {PO_SEARCH_SOME, PO_SEARCH_ALL};
+  po_request request = po_request_default();
+  request.scene = (po_scene){4.84366, 0.152139, 21.7469, 33.9995, 9.58721};
+  request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
+  request.bound = never;
+  request.search = SEARCH[_i];
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(o.ended.cause, PO_END_COMPLETE);
+  ck_assert(o.pull_off_any.complete);
+  ck_assert_double_eq_tol(o.pull_off.force, 0.709603, 1e-5);
+  po_outcome_clear(&o);
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_test(tests, minima_that_loading_passes_are_steps);
   tcase_add_test(tests, a_harder_preload_may_give_less);
@@ -279,6 +297,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, what_decides_the_pull_off);
   tcase_add_loop_test(tests, a_search_does_not_change_the_pull_off, 0, 3);
   tcase_add_test(tests, any_preload_gives_the_greatest);
+  tcase_add_loop_test(tests, a_cut_surface_in_contact_is_complete, 0, 2);
 }
 
 int main(void) {
