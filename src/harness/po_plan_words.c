@@ -99,8 +99,10 @@ static po_status tell_scenes(po_plan *plan, const census *n) {
     status = say(plan, "the load beyond the mesh added for %zu %s: outer_radius is inf",
                  n->points - n->cut, n->points - n->cut == 1 ? "scene" : "scenes");
   if (!status && n->to_end < n->points)
-    status = say(plan, "no branch beyond the end that a trace finds by itself: approach_end is not "
-                       "given");
+    status = say(plan, plan->want & PO_WANT_PRELOAD ? "no branch beyond what no harder preload can "
+                                                      "change"
+                                                    : "no branch beyond the preload: preloads are "
+                                                      "not wanted");
   if (!status && n->to_end)
     status = say(plan, "%zu %s traced up to approach_end", n->to_end,
                  n->to_end == 1 ? "branch" : "branches");
