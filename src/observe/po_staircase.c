@@ -251,16 +251,6 @@ void po_staircase_clear(po_staircase *staircase) {
   *staircase = (po_staircase){.control = staircase->control};
 }
 
-const po_step *po_staircase_at(const po_staircase *staircase, const po_path_state *preload) {
-  for (size_t k = staircase->count; k-- > 0;) {
-    const po_step *step = &staircase->step[k];
-    if (isinf(step->preload.approach) || preload->position > step->preload.position ||
-        (!step->jumped && preload->position == step->preload.position))
-      return preload->position <= step->until.position ? step : NULL;
-  }
-  return NULL;
-}
-
 const po_step *po_staircase_greatest(const po_staircase *staircase) {
   const po_step *greatest = NULL;
   for (size_t k = 0; k < staircase->count; ++k)

@@ -51,10 +51,6 @@ typedef struct {
 po_status po_staircase_read(const po_path *path, po_control control, po_staircase *staircase);
 void po_staircase_clear(po_staircase *staircase);
 
-/* The step that holds after a preload, NULL: loading ends before any of them, or between two steps,
- * where the greatest tension is that at the reversal. Given: a state of loading on the curve. */
-const po_step *po_staircase_at(const po_staircase *staircase, const po_path_state *preload);
-
 /* The step with the greatest pull-off force; NULL: none. */
 const po_step *po_staircase_greatest(const po_staircase *staircase);
 

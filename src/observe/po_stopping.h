@@ -1,15 +1,16 @@
 /* The stopping rule: where the trace of a branch ends.
  *
- * The trace ends where the declared preload is met: at the first stable equilibrium beyond which
- * loading at given approach has come to that approach, or to that load. Nobody else says so: by
- * default the sphere is pressed with the load pi w R. What a harder preload would give is found by
- * a preload of INFINITY, or with the staircase wanted: then the trace goes on until no minimum of
- * the load beyond can be as deep as the deepest so far, by the bound of the request, or until the
- * load is a hundred times pi w R. The bound is that of a contact without grooves: what counts is
- * the disc in contact about the axis.
+ * The trace ends at the preload: at the first stable equilibrium at which loading at given approach
+ * has reached the approach or the load of the preload. If the request has no preload, it is the
+ * load pi w R (po_request_preload).
  *
- * A smooth sphere has one minimum of the load, whatever it is pressed with: if no preload is given,
- * its trace ends at the first stable equilibrium under compression beyond that. */
+ * If the request asks for what harder preloads give (po_request_search), the trace goes on beyond.
+ * It ends where no minimum of the load beyond can be deeper than the deepest so far, by the bound
+ * of the request, or at 100 pi w R. The bound applies to a contact without grooves, so it is
+ * compared with the radius of the disc in contact about the axis.
+ *
+ * The load of a smooth sphere has one minimum, so no preload changes its pull-off. If no preload is
+ * given, its trace ends at the first stable equilibrium under compression beyond the minimum. */
 #ifndef PO_STOPPING_H
 #define PO_STOPPING_H
 

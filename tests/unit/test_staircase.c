@@ -54,8 +54,6 @@ START_TEST(minima_that_loading_passes_are_steps) {
   ck_assert_uint_eq(s.step[1].cycle_count, 1);
   ck_assert_uint_eq(s.step[1].cycle[0].jumps, 0);
   ck_assert_double_eq(s.step[1].cycle[0].energy_lost, 0.0);
-  const po_path_state between = {.approach = 2.9, .position = 2.9};
-  ck_assert_ptr_null(po_staircase_at(&s, &between));
   ck_assert_ptr_eq(po_staircase_greatest(&s), &s.step[1]);
   po_staircase_clear(&s);
 }
