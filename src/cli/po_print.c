@@ -94,13 +94,15 @@ static void print_preload(const po_outcome *o) {
     printf("%.7g is the minimum of the load, which no test at given approach measures",
            o->pull_off.force);
   else if (isnan(until->approach))
-    printf("%.7g if pressed beyond approach %.6g", o->pull_off.force, from->approach);
+    printf("%.7g for a preload beyond approach %.6g", o->pull_off.force, from->approach);
   else
-    printf("%.7g if pressed to between approach %.6g and %.6g", o->pull_off.force, from->approach,
+    printf("%.7g for a preload between approach %.6g and %.4g", o->pull_off.force, from->approach,
            until->approach);
   if (gives_more(o))
-    printf("; %.7g if pressed beyond approach %.6g, load %.6g", o->pull_off_any.force,
+    printf("; %.7g for one beyond approach %.6g, load %.6g", o->pull_off_any.force,
            o->pull_off_any.pressed.approach, o->pull_off_any.pressed.load);
+  else if (!isnan(until->approach))
+    printf("; beyond, the tension is greater where loading is reversed");
   if (!o->pull_off_any.is_known)
     printf("\n");
   else if (o->pull_off_any.complete)
@@ -120,16 +122,19 @@ static const char *finite_or(double value, const char *word, char text[32]) {
 }
 
 static void print_staircase(const char *control, const po_staircase *s) {
-  printf("%s: the pull-off measured, by the preload\n%14s %14s %-8s %16s %8s %16s %14s %8s\n",
-         control, "approach", "load", "after", "force", "error", "approach", "energy lost",
-         "error");
+  printf("%s: the pull-off measured, by the preload\n%14s %14s %-8s %14s %16s %8s %16s %14s %8s\n",
+         control, "from approach", "load", "which is", "until", "force", "error", "at approach",
+         "energy lost", "error");
+  const bool loads = s->control == PO_LOAD_CONTROL;
   for (size_t k = 0; k < s->count; ++k) {
     const po_step *step = &s->step[k];
     const po_cycle *cycle = &step->cycle[0];
-    char from[32], error[16], lost[32], lost_error[16];
-    printf("%14s %14.8g %-8s %16.10g %8s %16.10g %14s %8s\n",
+    const double end = loads ? step->until.load : step->until.approach;
+    char from[32], until[32], error[16], lost[32], lost_error[16];
+    printf("%14s %14.8g %-8s %14s %16.10g %8s %16.10g %14s %8s\n",
            finite_or(step->preload.approach, "contact", from), step->preload.load,
-           step->jumped ? "jump" : "minimum", -step->pull_off.load,
+           step->jumped ? "jump" : "minimum",
+           finite_or(step->open ? (double)NAN : end, "open", until), -step->pull_off.load,
            error_text(step->pull_off_error.load, error), step->pull_off.approach,
            finite_or(cycle->energy_lost, "boundless", lost),
            isfinite(cycle->energy_lost) ? error_text(cycle->energy_error, lost_error) : "");

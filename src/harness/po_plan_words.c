@@ -99,8 +99,8 @@ static po_status tell_scenes(po_plan *plan, const census *n) {
     status = say(plan, "the load beyond the mesh added for %zu %s: outer_radius is inf",
                  n->points - n->cut, n->points - n->cut == 1 ? "scene" : "scenes");
   if (!status && n->to_end < n->points)
-    status = say(plan, plan->want & PO_WANT_PRELOAD ? "no branch beyond what no harder preload can "
-                                                      "change"
+    status = say(plan, plan->want & PO_WANT_PRELOAD ? "no branch beyond the preload from which on "
+                                                      "none gives more"
                                                     : "no branch beyond the preload: preloads are "
                                                       "not wanted");
   if (!status && n->to_end)

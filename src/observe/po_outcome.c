@@ -28,6 +28,7 @@ enum { MOST_MESHES = 4 };
 
 /* Where a trace for hysteresis begins, in Tabor parameters and in eps: the smooth sphere jumps out
  * at -1.61 mu (JKR), and waves may hold on longer. */
+static const double BEYOND = 1.0; /* eps */
 static const double BEGIN_PER_TABOR = 4.0, BEGIN_AT_LEAST = 4.0;
 
 static const char *const KINDS[] = {[PO_JUMP_IN] = "jump_in",
@@ -107,6 +108,11 @@ static double core_of(const po_request *request) {
   return enough < LARGEST_CORE * core ? fmax(core, enough) : core;
 }
 
+/* A trace that is to end, or to be pressed, farther out than it would begin must begin beyond. */
+static double farthest_of(const po_request *request) {
+  return fmin(request->approach_end, finite_or_none(request->preload.approach)) - BEYOND;
+}
+
 static po_status observe(const po_request *request, const po_keeper *keeper, double deadline,
                          po_outcome *outcome) {
   po_status status = po_request_check(request);
@@ -115,7 +121,7 @@ static po_status observe(const po_request *request, const po_keeper *keeper, dou
   const bool rigid = po_rigid_suffices(&request->scene);
   po_attempt a = {.core = core_of(request),
                   .tolerance = request->mesh.tolerance,
-                  .begin = finite_or_none(request->preload.approach)};
+                  .begin = farthest_of(request)};
   if (request->want & (PO_WANT_HYSTERESIS | PO_WANT_PRELOAD))
     a.begin = fmin(a.begin, -(BEGIN_AT_LEAST + BEGIN_PER_TABOR * request->scene.tabor +
                               request->scene.amplitude));

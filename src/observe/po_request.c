@@ -51,6 +51,14 @@ po_status po_request_check(const po_request *request) {
   if (request->approach_start >= request->approach_end)
     return po_fail(PO_BAD_INPUT, "approach_end is %g: expected more than approach_start, %g",
                    request->approach_end, request->approach_start);
+  if (isinf(request->preload.approach) &&
+      (!isnan(request->preload.load) || !isnan(request->approach_end)))
+    return po_fail(PO_BAD_INPUT, "preload is inf beside %s: expected one of both",
+                   isnan(request->preload.load) ? "approach_end" : "preload_load");
+  if (isinf(request->preload.approach) && request->want & PO_WANT_HYSTERESIS)
+    return po_fail(PO_BAD_INPUT,
+                   "preload is inf: expected a finite number for the hysteresis, whose "
+                   "loading is reversed there");
   if (request->preload.approach > request->approach_end && isfinite(request->preload.approach))
     return po_fail(PO_BAD_INPUT, "approach_end is %g: expected at least the preload, %g",
                    request->approach_end, request->preload.approach);

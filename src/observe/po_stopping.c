@@ -25,7 +25,8 @@ bool po_stopping_note_minimum(po_stopping *s, double load) {
 
 static void note_loading(po_stopping *s, const po_branch_point *p, const po_contact_gap *gap,
                          double contact_radius) {
-  if (p->unstable_modes > 0)
+  /* loading comes to a fold, too, though what follows it is not stable */
+  if (p->unstable_modes > (p->kind == PO_POINT_APPROACH_MAX ? 1 : 0))
     return;
   if (p->approach >= s->greatest_approach) {
     s->greatest_approach = p->approach;

@@ -174,6 +174,19 @@ static po_status read_hysteresis(const po_reader *reader, po_attempt *a) {
   return status;
 }
 
+/* Pressed so little that no minimum of the load was passed. */
+static po_status lacks_minimum(const po_request *request, const po_reader *reader) {
+  const po_preload preload = po_request_preload(request);
+  if (isnan(preload.approach))
+    return po_fail(PO_NOT_FOUND, "the load has no minimum up to approach %.6g",
+                   reader->outcome->ended.approach);
+  return po_fail(
+      PO_NOT_FOUND,
+      "the load has no minimum up to the preload, approach %.6g: the tension is greatest "
+      "where loading is reversed; expected a harder preload",
+      preload.approach);
+}
+
 /* A search beyond the preload may find no way on: then it ends there. */
 static po_status end_search(po_status status, po_reader *reader) {
   const bool stuck = status == PO_STEP_TOO_SMALL || status == PO_NOT_CONVERGED ||
@@ -220,10 +233,7 @@ po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double 
                      "the trace ends at approach %.6g, load %.6g, before the load %g is met",
                      outcome->ended.approach, outcome->ended.load, request->preload.load);
   if (!status && !outcome->has_pull_off && isnan(request->approach_end))
-    status = po_fail(PO_NOT_FOUND,
-                     "the load has no minimum up to approach %.6g: expected a harder preload, "
-                     "beyond the first contact",
-                     outcome->ended.approach);
+    status = lacks_minimum(request, &reader);
   if (!status)
     status = po_pressed_read(request, &(po_path){reader.path, reader.path_count}, &reader.stopping,
                              outcome);

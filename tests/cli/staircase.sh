@@ -49,7 +49,7 @@ check 'JSON and CSV agree, and with the special points' "$python" look.py
 # shellcheck disable=SC2086
 expect 0 '' solve $scene --want preload
 check 'for people' grep -q '^displacement control: the pull-off measured, by the preload' stdout
-check 'and in one line' grep -q '^preload  2.651.* if pressed beyond approach 2.61.*; no harder preload gives more$' stdout
+check 'and in one line' grep -q '^preload  2.651.* for a preload beyond approach 2.61.*; no harder preload gives more$' stdout
 
 # A preload that is declared, however it is: the same pull-off; a harder one, a softer one.
 # shellcheck disable=SC2086
@@ -60,9 +60,12 @@ done
 printf '1.86\n2.65\n1.86\n2.65\n' >wanted
 check 'the preload decides' cmp forces wanted
 # shellcheck disable=SC2086
-expect 3 'pulloff: the solve failed: the load has no minimum up to approach -9: expected a harder preload*' \
+expect 3 'pulloff: the solve failed: the load has no minimum up to the preload, approach -9: *' \
   solve $scene --preload -9
 expect 2 'pulloff: the solve failed: preload is 3: rigid bodies cannot come closer than 1' solve --tabor 0 --preload 3
+expect 2 'pulloff: preload is inf beside preload_load: expected one of both' solve --preload inf --preload-load 3
+expect 2 'pulloff: preload is inf: expected a finite number for the hysteresis*' \
+  solve --preload inf --want hysteresis
 expect 2 'pulloff: --preload is -inf: expected a finite number, or inf' solve --preload -inf
 
 # Cases: sweeps, shards, records that are reused, checks.

@@ -77,6 +77,34 @@ START_TEST(trace_ends_at_the_preload) {
 }
 END_TEST
 
+/* A preload between a step of the trace and the fold that follows: the step went past both passages
+ * of that approach, and what lies behind the fold was taken for the pull-off. */
+START_TEST(a_preload_just_before_a_fold_is_met_there) {
+  static const double PRELOADS[] = {4.26, 4.263, 4.2636, 4.3};
+  po_request request = request_of(3.0, 8.0, 30.0, INFINITY);
+  request.scene.radius = 60.0;
+  request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-6};
+  request.preload.approach = PRELOADS[_i];
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_double_eq_tol(o.pull_off.force, _i < 3 ? 0.1199725 : 2.4783687, 1e-6);
+  po_outcome_clear(&o);
+}
+END_TEST
+
+/* An end farther out than a trace begins by itself was never met. */
+START_TEST(an_end_far_out_is_met) {
+  po_request request = request_of(1.0, 0.0, 0.0, INFINITY);
+  request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
+  request.approach_end = -5.0;
+  po_outcome o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_double_eq_tol(o.ended.approach, -5.0, 1e-9);
+  ck_assert(!o.has_pull_off);
+  po_outcome_clear(&o);
+}
+END_TEST
+
 /* A trace that is to end before the load of the preload cannot speak of it. */
 START_TEST(a_preload_beyond_the_end_is_refused) {
   po_request request = request_of(2.385, 0.0, 0.0, INFINITY);
@@ -99,7 +127,7 @@ START_TEST(a_preload_below_the_first_contact_is_said) {
   request.preload.approach = -9.0;
   po_outcome o;
   ck_assert_int_eq(po_observe(&request, &o), PO_NOT_FOUND);
-  ck_assert_ptr_nonnull(strstr(o.reason, "the load has no minimum up to approach -9"));
+  ck_assert_ptr_nonnull(strstr(o.reason, "the load has no minimum up to the preload, approach -9"));
   po_outcome_clear(&o);
 }
 END_TEST
@@ -263,6 +291,8 @@ static void add(TCase *tests) {
   tcase_add_test(tests, a_closed_trough_pulls_deeper);
   tcase_add_loop_test(tests, trace_ends_at_the_preload, 0, 4);
   tcase_add_test(tests, a_preload_below_the_first_contact_is_said);
+  tcase_add_loop_test(tests, a_preload_just_before_a_fold_is_met_there, 0, 4);
+  tcase_add_test(tests, an_end_far_out_is_met);
   tcase_add_test(tests, a_preload_beyond_the_end_is_refused);
   tcase_add_test(tests, a_cut_surface_is_traced_until_all_of_it_is_in_contact);
   tcase_add_loop_test(tests, the_end_of_a_trace_has_its_cause, 0, 6);
