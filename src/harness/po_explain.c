@@ -57,7 +57,8 @@ static bool is_told(const po_case_run *run, const po_explain_choice *choice,
 /* The command that repeats a point; for a curve, keeping it. What the command line says of the time
  * limit is part of the request. */
 static char *command_of(const po_case_run *run, size_t point, bool curve) {
-  char *solve = po_input_command(&run->plan->kase->points[point].request);
+  const po_request request = po_plan_request(run->plan, point);
+  char *solve = po_input_command(&request);
   po_text text = {0};
   po_text_add(&text, "%s%s", solve ? solve : "", curve ? " --curve curve.csv" : "");
   text.failed = text.failed || !solve;
