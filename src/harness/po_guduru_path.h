@@ -13,9 +13,9 @@
  * PO_NO_MEMORY. Accuracy: landmarks to rounding, energies to 1e-12. */
 po_status po_guduru_path(const po_scene *scene, double end, po_path_point **point, size_t *count);
 
-/* The staircases of that curve in displacement and in load control, up to where no harder preload
- * gives more: the bound of the load rises above the greatest pull-off. To be cleared, whatever the
- * status: PO_BAD_INPUT for tabor 0, PO_NO_MEMORY. */
+/* The staircases of that curve in displacement and in load control, as far as some preload gives the
+ * least load of the whole curve in both. To be cleared, whatever the status: PO_BAD_INPUT for tabor
+ * 0, PO_NO_MEMORY. */
 po_status po_guduru_staircases(const po_scene *scene, po_staircase staircase[2]);
 
 /* Both loops of that curve, as long as they need it; the outer radius of the scene is not looked

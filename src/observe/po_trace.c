@@ -130,7 +130,7 @@ static po_status trace_rigid(const po_request *request, po_reader *reader) {
   reader->begun = true;
   double begin = request->approach_start;
   if (isnan(begin))
-    begin = RIGID_START + fmin(0.0, isnan(request->approach_end) ? 0.0 : request->approach_end);
+    begin = RIGID_START + fmin(0.0, options.end);
   return po_rigid_trace(&request->scene, begin, &options);
 }
 

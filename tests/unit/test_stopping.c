@@ -94,13 +94,19 @@ END_TEST
 
 /* An end farther out than a trace begins by itself was never met. */
 START_TEST(an_end_far_out_is_met) {
-  po_request request = request_of(1.0, 0.0, 0.0, INFINITY);
+  static const double TABOR[] = {1.0, 0.0}; /* elastic, rigid */
+  po_request request = request_of(TABOR[_i], 0.0, 0.0, INFINITY);
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
-  request.approach_end = -5.0;
+  request.approach_end = -20.0;
   po_outcome o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
-  ck_assert_double_eq_tol(o.ended.approach, -5.0, 1e-9);
+  ck_assert_double_eq_tol(o.ended.approach, -20.0, 1e-9);
   ck_assert(!o.has_pull_off);
+  po_outcome_clear(&o);
+  request.approach_end = NAN;
+  request.preload.approach = -20.0;
+  ck_assert_int_eq(po_observe(&request, &o), PO_NOT_FOUND);
+  ck_assert_double_eq_tol(o.ended.approach, -20.0, 1e-9);
   po_outcome_clear(&o);
 }
 END_TEST
@@ -292,7 +298,7 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, trace_ends_at_the_preload, 0, 4);
   tcase_add_test(tests, a_preload_below_the_first_contact_is_said);
   tcase_add_loop_test(tests, a_preload_just_before_a_fold_is_met_there, 0, 4);
-  tcase_add_test(tests, an_end_far_out_is_met);
+  tcase_add_loop_test(tests, an_end_far_out_is_met, 0, 2);
   tcase_add_test(tests, a_preload_beyond_the_end_is_refused);
   tcase_add_test(tests, a_cut_surface_is_traced_until_all_of_it_is_in_contact);
   tcase_add_loop_test(tests, the_end_of_a_trace_has_its_cause, 0, 6);
