@@ -19,7 +19,7 @@ QUANTITIES = {
     "residual": "Residual of the discrete equations",
     "moved_force": "Pull-off force when inputs move by a last bit, relative change",
     "energy_defect": "Energy gained less work done, over the range of the energy",
-    "way_back": "Folds on the way back, difference over the error estimates",
+    "reverse_trace": "Folds on the way back, difference over the error estimates",
     "fold_count": "Number of folds",
     "fold_approach": "Approach at a fold Δ†",
     "fold_load": "Load at a fold W̄",

@@ -1,10 +1,10 @@
-/* Outcomes of every function that can fail, and the message that goes with a failure. */
+/* Results of every function that can fail, and the message that goes with a failure. */
 #ifndef PO_STATUS_H
 #define PO_STATUS_H
 
 #include <stdbool.h>
 
-/* Zero is success. Positive: an ordinary numerical outcome the caller acts on, its data unchanged.
+/* Zero is success. Positive: an ordinary numerical result the caller acts on, its data unchanged.
  * Negative: misuse, bad input or an exhausted resource; a message says which. */
 #define PO_STATUS_LIST(X)                                                                          \
   X(PO_OK, 0, "ok")                                                                                \

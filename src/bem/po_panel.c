@@ -18,7 +18,7 @@ static double cube(double x) {
   return x * x * x;
 }
 
-void po_panel_nodes(const po_panel_rule *rule, po_panel panel, double *node, double *weight,
+void po_panel_nodes(const po_panel_rule *rule, po_panel_span panel, double *node, double *weight,
                     double *length) {
   const double begin = panel.begin, span = panel.end - panel.begin;
   for (size_t j = 0; j < rule->order; ++j) {
@@ -36,14 +36,14 @@ void po_panel_nodes(const po_panel_rule *rule, po_panel panel, double *node, dou
 }
 
 /* The panel's variable x at radius r. */
-static double variable_of(po_panel panel, double r) {
+static double variable_of(po_panel_span panel, double r) {
   if (isinf(panel.end))
     return r > 0.0 ? panel.begin / r : INFINITY;
   return (r - panel.begin) / (panel.end - panel.begin);
 }
 
 /* G(r, s) s ds/dx (times (x)^6 on an infinite panel) at a point of a near rule. */
-static double integrand(po_panel panel, double r, const po_near_point *point) {
+static double integrand(po_panel_span panel, double r, const po_near_point *point) {
   if (isinf(panel.end)) {
     const double x = point->x, s = panel.begin / x;
     /* r - s = s (x - x0) / x0 with x0 = begin / r */
@@ -54,7 +54,7 @@ static double integrand(po_panel panel, double r, const po_near_point *point) {
   return po_kernel(r + s, span * point->offset) * s * span;
 }
 
-uint64_t po_panel_influence(const po_panel_rule *rule, po_panel panel, double r, double *row,
+uint64_t po_panel_influence(const po_panel_rule *rule, po_panel_span panel, double r, double *row,
                             size_t stride) {
   const size_t order = rule->order;
   const double x0 = variable_of(panel, r);

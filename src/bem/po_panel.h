@@ -25,17 +25,17 @@ po_status po_panel_rule_fill(size_t order, po_panel_rule *rule);
 
 typedef struct {
   double begin, end; /* radii, eps; 0 <= begin < end; end may be INFINITY when begin > 0 */
-} po_panel;
+} po_panel_span;
 
 /* Nodes (ascending in r for a finite panel, descending for an infinite one), load weights
  * (sum of weight * p = integral of p r dr) and lengths (integral of dr), `order` of each. */
-void po_panel_nodes(const po_panel_rule *rule, po_panel panel, double *node, double *weight,
+void po_panel_nodes(const po_panel_rule *rule, po_panel_span panel, double *node, double *weight,
                     double *length);
 
 /* One row of the influence matrix: deflection at r (E* = 1) per unit nodal traction, row[j *
  * stride]. Returned: the kernel evaluations made. Accuracy: 1e-13 of the deflection
  * (tests/test_bem.c). */
-uint64_t po_panel_influence(const po_panel_rule *rule, po_panel panel, double r, double *row,
+uint64_t po_panel_influence(const po_panel_rule *rule, po_panel_span panel, double r, double *row,
                             size_t stride);
 
 #endif

@@ -20,7 +20,7 @@ static const shape LOG_SHAPES[PO_LOG_SHAPES] = {{0, 0},  {0, -1},  {0, 1}, {1, -
                                                 {-1, 1}, {-2, -4}, {-2, 1}};
 static const shape AXIS_SHAPES[PO_AXIS_SHAPES] = {{0, 0}, {0, 1}, {1, 2}, {2, 4}};
 
-static shape shape_of(po_leaf target, po_leaf source) {
+static shape shape_of(po_panel target, po_panel source) {
   const int level = (int)target.level - (int)source.level;
   if (abs(level) > PO_MOST_LEVEL_STEP)
     return (shape){level, FAR};
@@ -71,7 +71,7 @@ static void fill_table(void) {
     fill_logarithm(&table.rule, LOG_SHAPES[k], table.logarithm[k]);
   for (int k = 0; k < PO_AXIS_SHAPES; ++k)
     for (size_t i = 0; i < ORDER; ++i)
-      po_panel_influence(&table.rule, (po_panel){0.0, 1.0},
+      po_panel_influence(&table.rule, (po_panel_span){0.0, 1.0},
                          node_in_source(&table.rule, AXIS_SHAPES[k], i), table.axis[k][i], 1);
 }
 
@@ -81,19 +81,19 @@ const po_panel_table *po_panel_table_get(void) {
 }
 
 /* G = a ln|r - s| + b times s h: the logarithm's part by its weights, the rest by Gauss's. */
-static void near_block(const po_panel_table *t, po_leaf target, po_leaf source, int k,
+static void near_block(const po_panel_table *t, po_panel target, po_panel source, int k,
                        po_panel_block block) {
-  const double begin = po_leaf_begin(source), size = po_leaf_size(source);
-  const double from = po_leaf_begin(target), reach = po_leaf_size(target), log_size = log(size);
+  const double begin = po_panel_begin(source), size = po_panel_size(source);
+  const double from = po_panel_begin(target), reach = po_panel_size(target), log_size = log(size);
   for (size_t i = 0; i < ORDER; ++i) {
     const double r = from + reach * t->rule.node[i];
     const double x0 = node_in_source(&t->rule, shape_of(target, source), i);
     for (size_t j = 0; j < ORDER; ++j) {
       const double x = t->rule.node[j], s = begin + size * x, distance = size * fabs(x0 - x);
-      const double root = 2.0 * sqrt(r * s);
+      const double domain = 2.0 * sqrt(r * s);
       const double sum = r + s;
-      /* 1/agm(sum, root) = kernel/2 with the difference `root` */
-      const double a = -2.0 / M_PI * po_kernel(sum, root);
+      /* 1/agm(sum, domain) = kernel/2 with the difference `domain` */
+      const double a = -2.0 / M_PI * po_kernel(sum, domain);
       const double b = distance > 0.0 ? po_kernel(sum, distance) - a * log(distance)
                                       : 2.0 * log(8.0 * r) / (M_PI * r);
       const double log_weight = t->logarithm[k][i][j] + log_size * t->rule.weight[j];
@@ -102,10 +102,10 @@ static void near_block(const po_panel_table *t, po_leaf target, po_leaf source, 
   }
 }
 
-static void far_block(const po_panel_table *t, po_leaf target, po_leaf source,
+static void far_block(const po_panel_table *t, po_panel target, po_panel source,
                       po_panel_block block) {
-  const double begin = po_leaf_begin(source), size = po_leaf_size(source);
-  const double from = po_leaf_begin(target), reach = po_leaf_size(target);
+  const double begin = po_panel_begin(source), size = po_panel_size(source);
+  const double from = po_panel_begin(target), reach = po_panel_size(target);
   double s[ORDER], weight[ORDER];
   for (size_t j = 0; j < ORDER; ++j) {
     s[j] = begin + size * t->rule.node[j];
@@ -118,12 +118,12 @@ static void far_block(const po_panel_table *t, po_leaf target, po_leaf source,
   }
 }
 
-void po_panel_table_block(const po_panel_table *t, po_leaf target, po_leaf source,
+void po_panel_table_block(const po_panel_table *t, po_panel target, po_panel source,
                           po_panel_block block) {
   const shape s = shape_of(target, source);
   if (source.index == 0) {
     const int k = find(AXIS_SHAPES, PO_AXIS_SHAPES, s);
-    const double size = po_leaf_end(source);
+    const double size = po_panel_end(source);
     if (k >= 0) { /* the kernel scales as 1/length, s ds as its square */
       for (size_t i = 0; i < ORDER; ++i)
         for (size_t j = 0; j < ORDER; ++j)

@@ -9,8 +9,8 @@
 #ifndef PO_PANEL_TABLE_H
 #define PO_PANEL_TABLE_H
 
-#include "po_leaves.h"
 #include "po_panel.h"
+#include "po_panels.h"
 
 enum { PO_TABLE_ORDER = 12 };
 
@@ -28,10 +28,10 @@ typedef struct {
 /* The table, made at the first call (any thread); NULL with a message when there is no memory. */
 const po_panel_table *po_panel_table_get(void);
 
-/* The block of influence coefficients, in units of the root: target's nodes, source's nodes.
+/* The block of influence coefficients, in units of the domain: target's nodes, source's nodes.
  * Accuracy: 3e-12 of the deflection (tests/unit/test_panel_table.c): Gauss's rule at a quarter of
  * the source's size from it. */
-void po_panel_table_block(const po_panel_table *table, po_leaf target, po_leaf source,
+void po_panel_table_block(const po_panel_table *table, po_panel target, po_panel source,
                           po_panel_block block);
 
 #endif

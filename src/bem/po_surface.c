@@ -8,7 +8,7 @@
 #include "po_element.h"
 #include "po_memory.h"
 #include "po_panel.h"
-#include "po_shape.h"
+#include "po_profile.h"
 
 enum { WAVE_ORDER = 12, TAIL_ORDER = 16 };
 /* Those of the largest core and 64 waves: a matrix of 90 MB. Without a matrix, some 10 MB. */
@@ -102,13 +102,13 @@ static po_status plan_parts(const po_scene *scene, const po_mesh *mesh, double c
   return PO_OK;
 }
 
-static po_panel wave_panel(const parts *p, size_t wave) {
+static po_panel_span wave_panel(const parts *p, size_t wave) {
   const double begin = p->core_radius + (double)wave * p->wavelength;
-  return (po_panel){begin, begin + p->wavelength};
+  return (po_panel_span){begin, begin + p->wavelength};
 }
 
-static po_panel tail_panel(const parts *p) {
-  return (po_panel){p->core_radius + (double)p->waves * p->wavelength, INFINITY};
+static po_panel_span tail_panel(const parts *p) {
+  return (po_panel_span){p->core_radius + (double)p->waves * p->wavelength, INFINITY};
 }
 
 static void place_core(const parts *p, po_surface *s) {

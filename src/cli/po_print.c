@@ -19,18 +19,18 @@ po_status po_print_document(json_t *document) {
 }
 
 po_status po_print_json(const po_request *request, const po_scene_flags *flags,
-                        const po_outcome *outcome) {
+                        const po_result *result) {
   json_t *document = PO_JSON_OBJECT({"schema", po_json_text("pulloff/1")});
-  po_json_set_all(&document, po_json_outcome(request, outcome));
+  po_json_set_all(&document, po_json_result(request, result));
   if (request->want & PO_WANT_CURVE)
-    po_json_set(&document, "curve", po_json_curve(outcome));
+    po_json_set(&document, "curve", po_json_curve(result));
   if (request->want & PO_WANT_PROFILE) {
-    po_json_set(&document, "profile_approach", po_json_number(outcome->profile_approach));
-    po_json_set(&document, "profile", po_json_profile(outcome));
-    po_json_set(&document, "contact", po_json_contact(outcome));
+    po_json_set(&document, "profile_approach", po_json_number(result->profile_approach));
+    po_json_set(&document, "profile", po_json_profile(result));
+    po_json_set(&document, "contact", po_json_contact(result));
   }
   if (flags->from_physical)
-    po_json_set(&document, "physical", po_json_physical(flags, request, outcome));
+    po_json_set(&document, "physical", po_json_physical(flags, request, result));
   return po_print_document(document);
 }
 
@@ -40,17 +40,17 @@ static const char *error_text(double error, char text[16]) {
   return text;
 }
 
-static void print_landmarks(const po_landmark *list, size_t count) {
+static void print_special_points(const po_special_point *list, size_t count) {
   for (size_t i = 0; i < count; ++i) {
     char of_approach[16], of_load[16];
-    printf("%-9s %16.10f %8s %16.10f %8s %14.8g %9d\n", po_landmark_kind_name(list[i].kind),
+    printf("%-9s %16.10f %8s %16.10f %8s %14.8g %9d\n", po_special_kind_name(list[i].kind),
            list[i].approach, error_text(list[i].approach_error, of_approach), list[i].load,
            error_text(list[i].load_error, of_load), list[i].contact_radius, list[i].unstable_modes);
   }
 }
 
 /* Why and where the trace ended, and thus how far the pull-off was searched for. */
-static void print_ended(const po_outcome *o) {
+static void print_ended(const po_result *o) {
   static const char *const WHY[] = {[PO_END_COMPRESSED] = "the sphere is stably under compression",
                                     [PO_END_PRELOAD] = "the preload is reached",
                                     [PO_END_COMPLETE] =
@@ -63,7 +63,7 @@ static void print_ended(const po_outcome *o) {
          WHY[o->ended.cause]);
 }
 
-static void print_pull_off(const po_outcome *o) {
+static void print_pull_off(const po_result *o) {
   if (!o->has_pull_off)
     return;
   printf("pull-off force %.10g at approach %.10g, contact radius %.8g", o->pull_off.force,
@@ -78,14 +78,14 @@ static void print_pull_off(const po_outcome *o) {
 }
 
 /* Whether some preload gives more than the declared one, by more than the errors. */
-static bool gives_more(const po_outcome *o) {
+static bool gives_more(const po_result *o) {
   return o->pull_off_any.is_known &&
          o->pull_off_any.force - o->pull_off.force >
              fmax(o->pull_off.force_error, 0.0) + fmax(o->pull_off_any.force_error, 0.0);
 }
 
 /* What the pull-off takes, and what harder preloads give. */
-static void print_preload(const po_outcome *o) {
+static void print_preload(const po_result *o) {
   if (!o->has_pull_off || o->status)
     return;
   const po_pressed *from = &o->pull_off.pressed, *until = &o->pull_off.until;
@@ -142,7 +142,7 @@ static void print_staircase(const char *control, const po_staircase *s) {
 }
 
 /* Those of the solve, and of the JKR theory where there is one. Status: PO_NO_MEMORY. */
-static po_status print_staircases(const po_request *request, const po_outcome *o) {
+static po_status print_staircases(const po_request *request, const po_result *o) {
   po_staircase jkr[2];
   print_staircase("displacement control", &o->staircase[0]);
   print_staircase("load control", &o->staircase[1]);
@@ -178,7 +178,7 @@ static void print_loop(const char *control, const po_loop *loop) {
 }
 
 /* For results of --want that are too long for the terminal: their size, and how to write them. */
-static void print_wanted(const po_request *request, const po_outcome *o) {
+static void print_wanted(const po_request *request, const po_result *o) {
   if (request->want & PO_WANT_CURVE)
     printf("curve    %zu points: written with --curve FILE or --json\n", o->curve_count);
   if (!(request->want & PO_WANT_PROFILE) || o->profile_count == 0)
@@ -191,7 +191,7 @@ static void print_wanted(const po_request *request, const po_outcome *o) {
   printf("%s\n", o->annuli.held_count ? " in contact" : "none in contact");
 }
 
-static void print_diagnostics(const po_outcome *o) {
+static void print_diagnostics(const po_result *o) {
   const po_diagnostics *d = &o->diagnostics;
   if (!d->states && !d->moved.solves)
     return;
@@ -201,9 +201,9 @@ static void print_diagnostics(const po_outcome *o) {
     printf("equations hold within %s; ", error_text(d->residual, text));
   printf("energy balance within %s; ", error_text(d->energy_defect, text));
   printf("last bits of the inputs change the force by %s\n", error_text(d->moved.change, text));
-  if (d->way_back.made)
-    printf("reverse trace %s: %s special points\n", po_status_name(d->way_back.status),
-           d->way_back.same ? "the same" : "not the same");
+  if (d->reverse_trace.made)
+    printf("reverse trace %s: %s special points\n", po_status_name(d->reverse_trace.status),
+           d->reverse_trace.same ? "the same" : "not the same");
 }
 
 static void print_input(const po_request *request) {
@@ -222,34 +222,34 @@ static void print_input(const po_request *request) {
 }
 
 po_status po_print_text(const po_request *request, const po_scene_flags *flags,
-                        const po_outcome *outcome) {
+                        const po_result *result) {
   po_status status = PO_OK;
   print_input(request);
-  printf("status   %s%s%s\n", po_status_name(outcome->status), outcome->rigid ? ", rigid" : "",
-         outcome->has_pull_off ? "" : ", no pull-off found");
-  print_pull_off(outcome);
-  print_preload(outcome);
-  print_ended(outcome);
-  if (outcome->fold_count + outcome->extremum_count) {
+  printf("status   %s%s%s\n", po_status_name(result->status), result->rigid ? ", rigid" : "",
+         result->has_pull_off ? "" : ", no pull-off found");
+  print_pull_off(result);
+  print_preload(result);
+  print_ended(result);
+  if (result->fold_count + result->extremum_count) {
     printf("%-9s %16s %8s %16s %8s %14s %9s\n", "", "approach", "error", "load", "error",
            "contact radius", "unstable");
-    print_landmarks(outcome->folds, outcome->fold_count);
-    print_landmarks(outcome->extrema, outcome->extremum_count);
+    print_special_points(result->folds, result->fold_count);
+    print_special_points(result->extrema, result->extremum_count);
   }
-  if (outcome->has_hysteresis) {
-    print_loop("displacement control", &outcome->hysteresis.displacement);
-    print_loop("load control", &outcome->hysteresis.load);
+  if (result->has_hysteresis) {
+    print_loop("displacement control", &result->hysteresis.displacement);
+    print_loop("load control", &result->hysteresis.load);
   }
-  if (!status && outcome->has_staircases)
-    status = print_staircases(request, outcome);
-  print_wanted(request, outcome);
-  print_diagnostics(outcome);
+  if (!status && result->has_staircases)
+    status = print_staircases(request, result);
+  print_wanted(request, result);
+  print_diagnostics(result);
   if (flags->from_physical)
-    po_print_physical(flags, outcome);
+    po_print_physical(flags, result);
   printf(
       "work     %llu points, %llu Newton iterations, %llu factorisations of %llu nodes, %.3g s\n",
-      (unsigned long long)outcome->work.points, (unsigned long long)outcome->work.newton_iterations,
-      (unsigned long long)outcome->work.factorizations,
-      (unsigned long long)outcome->work.factorized_nodes, outcome->work.seconds);
+      (unsigned long long)result->work.points, (unsigned long long)result->work.newton_iterations,
+      (unsigned long long)result->work.factorizations,
+      (unsigned long long)result->work.factorized_nodes, result->work.seconds);
   return status;
 }

@@ -3,7 +3,7 @@
 #define PO_PRINT_H
 
 #include "po_json_value.h"
-#include "po_outcome.h"
+#include "po_result.h"
 #include "po_scene_flags.h"
 
 /* Prints a document and releases it. NULL is one for which there was no memory. Status:
@@ -12,10 +12,10 @@ po_status po_print_document(json_t *document);
 
 /* The document of schema "pulloff/1"; with `physical` for a scene that was given so. */
 po_status po_print_json(const po_request *request, const po_scene_flags *flags,
-                        const po_outcome *outcome);
+                        const po_result *result);
 
 /* A table for people. */
 po_status po_print_text(const po_request *request, const po_scene_flags *flags,
-                        const po_outcome *outcome);
+                        const po_result *result);
 
 #endif

@@ -43,11 +43,11 @@ static json_t *point(const po_units *u, double approach, double load, double con
                         {"contact_radius_m", po_json_number(contact_radius * u->length)});
 }
 
-static json_t *landmarks(const po_units *u, const po_landmark *list, size_t count) {
+static json_t *special_points(const po_units *u, const po_special_point *list, size_t count) {
   json_t *array = po_json_empty_array();
   for (size_t i = 0; i < count; ++i) {
     json_t *item = point(u, list[i].approach, list[i].load, list[i].contact_radius);
-    po_json_set(&item, "kind", po_json_text(po_landmark_kind_name(list[i].kind)));
+    po_json_set(&item, "kind", po_json_text(po_special_kind_name(list[i].kind)));
     po_json_set(&item, "error_estimate_m", po_json_number(list[i].approach_error * u->length));
     po_json_set(&item, "load_error_estimate_n", po_json_number(list[i].load_error * u->force));
     po_json_append(&array, item);
@@ -55,19 +55,19 @@ static json_t *landmarks(const po_units *u, const po_landmark *list, size_t coun
   return array;
 }
 
-static json_t *curve(const po_units *u, const po_outcome *outcome) {
+static json_t *curve(const po_units *u, const po_result *result) {
   json_t *array = po_json_empty_array();
-  for (size_t i = 0; i < outcome->curve_count; ++i)
-    po_json_append(&array, point(u, outcome->curve[i].approach, outcome->curve[i].load,
-                                 outcome->curve[i].contact_radius));
+  for (size_t i = 0; i < result->curve_count; ++i)
+    po_json_append(&array, point(u, result->curve[i].approach, result->curve[i].load,
+                                 result->curve[i].contact_radius));
   return array;
 }
 
 /* The gap h = epsilon (1 + H) itself. */
-static json_t *profile(const po_units *u, const po_outcome *outcome) {
+static json_t *profile(const po_units *u, const po_result *result) {
   json_t *array = po_json_empty_array();
-  for (size_t i = 0; i < outcome->profile_count; ++i) {
-    const po_profile_point *p = &outcome->profile[i];
+  for (size_t i = 0; i < result->profile_count; ++i) {
+    const po_profile_point *p = &result->profile[i];
     po_json_append(&array,
                    PO_JSON_OBJECT({"radius_m", po_json_number(p->radius * u->length)},
                                   {"gap_m", po_json_number((1 + p->gap) * u->length)},
@@ -77,18 +77,18 @@ static json_t *profile(const po_units *u, const po_outcome *outcome) {
 }
 
 json_t *po_json_physical(const po_scene_flags *flags, const po_request *request,
-                         const po_outcome *outcome) {
+                         const po_result *result) {
   const po_units *u = &flags->units;
   json_t *object = po_json_physical_input(flags);
-  po_json_set(&object, "pull_off", po_json_units_pull_off(u, outcome));
-  po_json_set(&object, "folds", landmarks(u, outcome->folds, outcome->fold_count));
-  po_json_set(&object, "extrema", landmarks(u, outcome->extrema, outcome->extremum_count));
+  po_json_set(&object, "pull_off", po_json_units_pull_off(u, result));
+  po_json_set(&object, "folds", special_points(u, result->folds, result->fold_count));
+  po_json_set(&object, "extrema", special_points(u, result->extrema, result->extremum_count));
   if (request->want & PO_WANT_CURVE)
-    po_json_set(&object, "curve", curve(u, outcome));
+    po_json_set(&object, "curve", curve(u, result));
   if (request->want & PO_WANT_PROFILE) {
     po_json_set(&object, "profile_approach_m",
-                po_json_number(outcome->profile_approach * u->length));
-    po_json_set(&object, "profile", profile(u, outcome));
+                po_json_number(result->profile_approach * u->length));
+    po_json_set(&object, "profile", profile(u, result));
   }
   return object;
 }
@@ -108,27 +108,27 @@ void po_print_physical_input(const po_scene_flags *flags) {
   printf("\n");
 }
 
-static void print_landmarks(const po_units *u, const po_landmark *list, size_t count) {
+static void print_special_points(const po_units *u, const po_special_point *list, size_t count) {
   for (size_t i = 0; i < count; ++i)
-    printf("%-9s %16.9e %16.9e %14.6g\n", po_landmark_kind_name(list[i].kind),
+    printf("%-9s %16.9e %16.9e %14.6g\n", po_special_kind_name(list[i].kind),
            list[i].approach * u->length, list[i].load * u->force,
            list[i].contact_radius * u->length);
 }
 
-void po_print_physical(const po_scene_flags *flags, const po_outcome *outcome) {
+void po_print_physical(const po_scene_flags *flags, const po_result *result) {
   const po_units *u = &flags->units;
   po_print_physical_input(flags);
-  if (outcome->has_pull_off)
+  if (result->has_pull_off)
     printf("pull-off force %.10g N at approach %.10g m, contact radius %.8g m\n",
-           outcome->pull_off.force * u->force, outcome->pull_off.approach * u->length,
-           outcome->pull_off.contact_radius * u->length);
-  if (outcome->has_pull_off && isfinite(outcome->pull_off.force_error))
+           result->pull_off.force * u->force, result->pull_off.approach * u->length,
+           result->pull_off.contact_radius * u->length);
+  if (result->has_pull_off && isfinite(result->pull_off.force_error))
     printf("errors   force %.1e N, approach %.1e m, contact radius %.1e m\n",
-           outcome->pull_off.force_error * u->force, outcome->pull_off.approach_error * u->length,
-           outcome->pull_off.contact_radius_error * u->length);
-  if (outcome->fold_count + outcome->extremum_count) {
+           result->pull_off.force_error * u->force, result->pull_off.approach_error * u->length,
+           result->pull_off.contact_radius_error * u->length);
+  if (result->fold_count + result->extremum_count) {
     printf("%-9s %16s %16s %14s\n", "", "approach/m", "load/N", "contact/m");
-    print_landmarks(u, outcome->folds, outcome->fold_count);
-    print_landmarks(u, outcome->extrema, outcome->extremum_count);
+    print_special_points(u, result->folds, result->fold_count);
+    print_special_points(u, result->extrema, result->extremum_count);
   }
 }

@@ -3,7 +3,7 @@
 #define PO_PRINT_PHYSICAL_H
 
 #include "po_json_value.h"
-#include "po_outcome.h"
+#include "po_result.h"
 #include "po_scene_flags.h"
 
 /* {"input": {"modulus_pa", "work_j_per_m2", "distance_m", "radius_m", ...}, "units": {"length_m",
@@ -13,10 +13,10 @@ json_t *po_json_physical_input(const po_scene_flags *flags);
 
 /* The same with "pull_off", "folds", "extrema" and, when wanted, "curve" and "profile". */
 json_t *po_json_physical(const po_scene_flags *flags, const po_request *request,
-                         const po_outcome *outcome);
+                         const po_result *result);
 
 /* Prints them for people. */
 void po_print_physical_input(const po_scene_flags *flags);
-void po_print_physical(const po_scene_flags *flags, const po_outcome *outcome);
+void po_print_physical(const po_scene_flags *flags, const po_result *result);
 
 #endif

@@ -65,9 +65,9 @@ static po_status print(const po_case_run *run, const po_explain_choice *choice, 
 
 static int code_of(const po_case_run *run, const po_explain_choice *choice) {
   int code = PO_EXIT_OK;
-  for (size_t i = 0; i < run->results.count; ++i)
-    if (po_explain_concerns(run, choice, &run->results.items[i]) &&
-        !po_verdict_passes(run->results.items[i].verdict))
+  for (size_t i = 0; i < run->check_results.count; ++i)
+    if (po_explain_concerns(run, choice, &run->check_results.items[i]) &&
+        !po_verdict_passes(run->check_results.items[i].verdict))
       code = PO_EXIT_OUTSIDE;
   for (size_t i = 0; i < run->plan->kase->point_count; ++i)
     if (choice->points[i] && po_case_run_failed(run, i))

@@ -6,12 +6,12 @@
 #include "po_input.h"
 #include "po_interrupt.h"
 #include "po_json.h"
-#include "po_line.h"
-#include "po_line_folds.h"
 #include "po_linear.h"
 #include "po_memory.h"
 #include "po_options.h"
 #include "po_print.h"
+#include "po_series.h"
+#include "po_series_folds.h"
 #include "po_text.h"
 #include "po_verbs.h"
 
@@ -29,7 +29,7 @@ static const char HELP[] =
     "  --of pull-off|folds     what is followed (pull-off); folds: those of the first scene, "
     "which\n"
     "                          is traced, as far along the line as they are there\n"
-    "  --anchor-every K        one scene in K is traced at least (15)\n"
+    "  --checkpoint-every K        one scene in K is traced at least (15)\n"
     "  --tabor MU              Tabor parameter (1)\n"
     "  --amplitude A           of the waviness (0: smooth)\n"
     "  --amplitude-ratio Q     the same, in wavelengths, kept when the wavelength runs\n"
@@ -45,7 +45,7 @@ static const char HELP[] =
     "Example: pulloff follow --key tabor --from 0.1 --to 5 --points 60 --amplitude 1 \\\n"
     "             --wavelength 20 --outer-radius 100\n";
 
-enum { RUNS = 1, FROM, TO, POINTS, SCALE, OF, ANCHORS, JSON, KEY };
+enum { RUNS = 1, FROM, TO, POINTS, SCALE, OF, CHECKPOINTS, JSON, KEY };
 enum { DEFAULT_POINTS = 60 };
 
 /* Values of a line are rounded to so many digits, as those of a sweep. */
@@ -61,7 +61,7 @@ static const struct option OPTIONS[] = {
     {"points", required_argument, NULL, POINTS},
     {"scale", required_argument, NULL, SCALE},
     {"of", required_argument, NULL, OF},
-    {"anchor-every", required_argument, NULL, ANCHORS},
+    {"checkpoint-every", required_argument, NULL, CHECKPOINTS},
     {"json", no_argument, NULL, JSON},
     {"tabor", required_argument, NULL, KEY + PO_KEY_TABOR},
     {"amplitude", required_argument, NULL, KEY + PO_KEY_AMPLITUDE},
@@ -81,7 +81,7 @@ typedef struct {
   po_key key;
   double from, to;
   size_t points;
-  size_t anchors; /* 0: not given */
+  size_t checkpoints; /* 0: not given */
   bool linear, folds, json;
 } follow_line;
 
@@ -127,8 +127,8 @@ static po_status take_option(void *to, int option) {
     return po_options_refuse(option == FROM ? "from" : "to", optarg, "a finite number");
   case POINTS:
     return take_count("points", 2, &line->points);
-  case ANCHORS:
-    return take_count("anchor-every", 1, &line->anchors);
+  case CHECKPOINTS:
+    return take_count("checkpoint-every", 1, &line->checkpoints);
   case SCALE:
     line->linear = strcmp(optarg, "linear") == 0;
     if (line->linear || strcmp(optarg, "log") == 0)
@@ -170,9 +170,9 @@ static po_status check_line(const follow_line *line) {
     return po_fail(PO_BAD_INPUT, "the wavelength runs along scenes without amplitude: expected "
                                  "--amplitude or --amplitude-ratio");
   const po_flag_use wavelength = {"wavelength", line->given[PO_KEY_WAVELENGTH], wavy};
-  const po_flag_use anchors = {"anchor-every", line->anchors > 0, !line->folds};
+  const po_flag_use checkpoints = {"checkpoint-every", line->checkpoints > 0, !line->folds};
   const po_status status = po_options_refuse_idle("scenes without amplitude", &wavelength, 1);
-  return status ? status : po_options_refuse_idle("--of folds", &anchors, 1);
+  return status ? status : po_options_refuse_idle("--of folds", &checkpoints, 1);
 }
 
 static po_status set_key(po_request *request, int key, const char *text) {
@@ -200,22 +200,22 @@ static po_status make_request(const follow_line *line, size_t point, po_request 
   return status ? status : po_request_check(request);
 }
 
-static po_status print_json(const po_request *requests, const po_outcome *outcomes, size_t count) {
+static po_status print_json(const po_request *requests, const po_result *results, size_t count) {
   json_t *points = po_json_empty_array();
   for (size_t k = 0; k < count; ++k)
-    po_json_append(&points, po_json_outcome(&requests[k], &outcomes[k]));
+    po_json_append(&points, po_json_result(&requests[k], &results[k]));
   return po_print_document(
       PO_JSON_OBJECT({"schema", po_json_text("pulloff-line/1")}, {"points", points}));
 }
 
 static void print_text(const follow_line *line, const po_request *requests,
-                       const po_outcome *outcomes) {
+                       const po_result *results) {
   printf("%15s %14s %8s %16s %8s %14s %-9s %14s\n", line->runs, "force", "error", "approach",
          "error", "contact radius", "", "factorisations");
   uint64_t all = 0;
   size_t followed = 0;
   for (size_t k = 0; k < line->points; ++k) {
-    const po_outcome *o = &outcomes[k];
+    const po_result *o = &results[k];
     const unsigned long long factorizations = o->work.factorizations;
     printf("%15g ", po_key_number(&requests[k], line->key));
     if (o->has_pull_off)
@@ -235,18 +235,18 @@ static void print_text(const follow_line *line, const po_request *requests,
 
 /* A block of rows for each fold of the first scene. */
 static void print_folds(const follow_line *line, const po_request *requests,
-                        const po_outcome *outcomes) {
+                        const po_result *results) {
   printf("%-9s %15s %16s %8s %14s %8s %14s\n", "", line->runs, "approach", "error", "load", "error",
          "contact radius");
   uint64_t all = 0;
   for (size_t k = 0; k < line->points; ++k)
-    all += outcomes[k].work.factorizations;
-  for (size_t j = 0; j < outcomes[0].fold_count; ++j) {
+    all += results[k].work.factorizations;
+  for (size_t j = 0; j < results[0].fold_count; ++j) {
     bool there = true;
     for (size_t k = 0; k < line->points && there; ++k) {
-      const po_landmark *fold = &outcomes[k].folds[j];
+      const po_special_point *fold = &results[k].folds[j];
       there = !isnan(fold->approach);
-      printf("%-9s %15g ", po_landmark_kind_name(fold->kind),
+      printf("%-9s %15g ", po_special_kind_name(fold->kind),
              po_key_number(&requests[k], line->key));
       if (there)
         printf("%16.10f %8.1e %14.10f %8.1e %14.6g\n", fold->approach, fold->approach_error,
@@ -256,10 +256,10 @@ static void print_folds(const follow_line *line, const po_request *requests,
     }
   }
   printf("work     %llu factorisations for %zu folds of %zu scenes\n", (unsigned long long)all,
-         outcomes[0].fold_count, line->points);
+         results[0].fold_count, line->points);
 }
 
-static po_status follow(const follow_line *line, po_request *requests, po_outcome *outcomes) {
+static po_status follow(const follow_line *line, po_request *requests, po_result *results) {
   po_status status = PO_OK;
   for (size_t k = 0; k < line->points && !status; ++k)
     status = make_request(line, k, &requests[k]);
@@ -268,22 +268,23 @@ static po_status follow(const follow_line *line, po_request *requests, po_outcom
   status = po_linear_reserve(1);
   if (!status)
     status = line->folds
-                 ? po_line_folds(requests, line->points, outcomes)
-                 : po_line_observe(requests, line->points,
-                                   line->anchors ? line->anchors : PO_LINE_ANCHOR_EVERY, outcomes);
+                 ? po_series_folds(requests, line->points, results)
+                 : po_series_observe(requests, line->points,
+                                     line->checkpoints ? line->checkpoints : PO_CHECKPOINT_EVERY,
+                                     results);
   status = po_lack_or(status);
   if (status == PO_INTERRUPTED)
     return po_fail(status, "interrupted");
   if (!status && line->json)
-    status = print_json(requests, outcomes, line->points);
-  else if (!status && line->folds && !outcomes[0].status)
-    print_folds(line, requests, outcomes);
+    status = print_json(requests, results, line->points);
+  else if (!status && line->folds && !results[0].status)
+    print_folds(line, requests, results);
   else if (!status && !line->folds)
-    print_text(line, requests, outcomes);
+    print_text(line, requests, results);
   for (size_t k = 0; k < line->points && !status; ++k)
-    if (outcomes[k].status)
-      status = po_fail(outcomes[k].status, "a solve failed, at %s %g: %s", line->runs,
-                       po_key_number(&requests[k], line->key), outcomes[k].reason);
+    if (results[k].status)
+      status = po_fail(results[k].status, "a solve failed, at %s %g: %s", line->runs,
+                       po_key_number(&requests[k], line->key), results[k].reason);
   return status;
 }
 
@@ -299,11 +300,11 @@ int po_verb_follow(int argc, char **argv) {
   if (status)
     return po_options_end(status);
   po_request *requests = po_allocate(line.points, sizeof *requests);
-  po_outcome *outcomes = po_allocate(line.points, sizeof *outcomes);
-  status = requests && outcomes ? follow(&line, requests, outcomes) : PO_NO_MEMORY;
-  for (size_t k = 0; outcomes && k < line.points; ++k)
-    po_outcome_clear(&outcomes[k]);
+  po_result *results = po_allocate(line.points, sizeof *results);
+  status = requests && results ? follow(&line, requests, results) : PO_NO_MEMORY;
+  for (size_t k = 0; results && k < line.points; ++k)
+    po_result_clear(&results[k]);
   free(requests);
-  free(outcomes);
+  free(results);
   return po_options_end(status);
 }

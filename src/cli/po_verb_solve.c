@@ -189,32 +189,32 @@ static po_status end_line(solve_line *line) {
 }
 
 /* Writes each file that can be written. */
-static po_status write_files(const solve_line *line, const po_outcome *outcome) {
+static po_status write_files(const solve_line *line, const po_result *result) {
   po_status status = PO_OK;
   fflush(stdout); /* a file may be /dev/stdout */
   if (line->profile)
-    status = po_tables_write_profile(line->profile, &line->request, outcome, NULL);
+    status = po_tables_write_profile(line->profile, &line->request, result, NULL);
   const po_status curve =
-      line->curve ? po_tables_write_curve(line->curve, &line->request, outcome, NULL) : PO_OK;
+      line->curve ? po_tables_write_curve(line->curve, &line->request, result, NULL) : PO_OK;
   const po_status staircase =
-      line->staircase ? po_tables_write_staircase(line->staircase, &line->request, outcome, NULL)
+      line->staircase ? po_tables_write_staircase(line->staircase, &line->request, result, NULL)
                       : PO_OK;
   return curve ? curve : staircase ? staircase : status;
 }
 
 static int solve(solve_line *line) {
-  po_outcome outcome = {0};
+  po_result result = {0};
   line->request.stop = po_interrupt_listen();
-  const po_status solved = po_observe(&line->request, &outcome);
-  if (solved && !outcome.reason[0])
-    snprintf(outcome.reason, sizeof outcome.reason, "%.250s", po_message());
-  po_status status = line->json ? po_print_json(&line->request, &line->flags, &outcome)
-                                : po_print_text(&line->request, &line->flags, &outcome);
+  const po_status solved = po_observe(&line->request, &result);
+  if (solved && !result.reason[0])
+    snprintf(result.reason, sizeof result.reason, "%.250s", po_message());
+  po_status status = line->json ? po_print_json(&line->request, &line->flags, &result)
+                                : po_print_text(&line->request, &line->flags, &result);
   if (!status && !solved)
-    status = write_files(line, &outcome); /* a result must not be lost with a file beside it */
+    status = write_files(line, &result); /* a result must not be lost with a file beside it */
   if (!status && solved)
-    status = po_fail(solved, "the solve failed: %s", outcome.reason);
-  po_outcome_clear(&outcome);
+    status = po_fail(solved, "the solve failed: %s", result.reason);
+  po_result_clear(&result);
   return po_options_end(status);
 }
 

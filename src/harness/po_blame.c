@@ -24,16 +24,16 @@ static bool is_verdict_of_pin_moved(po_verdict verdict) {
 
 /* What the other results of the same point say. */
 typedef struct {
-  const po_result *pin;         /* of the same quantity; NULL: none */
-  const po_result *for_it;      /* another oracle, else a published value, that passes */
-  const po_result *against;     /* the same that fails */
-  size_t pins_held, pins_moved; /* of any quantity but work */
+  const po_check_result *pin;     /* of the same quantity; NULL: none */
+  const po_check_result *for_it;  /* another oracle, else a published value, that passes */
+  const po_check_result *against; /* the same that fails */
+  size_t pins_held, pins_moved;   /* of any quantity but work */
 } witnesses;
 
-static witnesses hear(const po_results *results, const po_result *item) {
+static witnesses hear(const po_check_results *check_results, const po_check_result *item) {
   witnesses heard = {0};
-  for (size_t i = 0; i < results->count; ++i) {
-    const po_result *other = &results->items[i];
+  for (size_t i = 0; i < check_results->count; ++i) {
+    const po_check_result *other = &check_results->items[i];
     if (other == item || other->point != item->point || other->check->quantity == PO_WORK)
       continue;
     const bool same = strcmp(other->subject, item->subject) == 0;
@@ -43,7 +43,8 @@ static witnesses hear(const po_results *results, const po_result *item) {
       if (same)
         heard.pin = other;
     } else if (same && isfinite(other->error)) {
-      const po_result **place = po_verdict_passes(other->verdict) ? &heard.for_it : &heard.against;
+      const po_check_result **place =
+          po_verdict_passes(other->verdict) ? &heard.for_it : &heard.against;
       if (!*place || other->ledger == PO_LEDGER_ORACLE)
         *place = other;
     }
@@ -52,7 +53,7 @@ static witnesses hear(const po_results *results, const po_result *item) {
 }
 
 /* The program gives what was blessed, when every oracle held, and this one fails now. */
-static void blame_frozen(const po_case_run *run, const po_result *item, po_blame *blame) {
+static void blame_frozen(const po_case_run *run, const po_check_result *item, po_blame *blame) {
   const po_plan *plan = run->plan;
   const po_reference *oracle = &plan->references[item->check - plan->kase->file->checks];
   const po_reference *pins = NULL;
@@ -85,10 +86,10 @@ static void blame_frozen(const po_case_run *run, const po_result *item, po_blame
         oracle->name);
 }
 
-static void blame_oracle(const po_case_run *run, const po_result *item, const witnesses *heard,
-                         po_blame *blame) {
+static void blame_oracle(const po_case_run *run, const po_check_result *item,
+                         const witnesses *heard, po_blame *blame) {
   const char *name = item->check->reference;
-  const po_result *pin = heard->pin;
+  const po_check_result *pin = heard->pin;
   if (item->verdict == PO_WRONG_AND_FROZEN ||
       (!pin && heard->pins_held > 0 && heard->pins_moved == 0))
     blame_frozen(run, item, blame);
@@ -114,7 +115,7 @@ static void blame_oracle(const po_case_run *run, const po_result *item, const wi
         name);
 }
 
-static void blame_published(const po_result *item, const witnesses *heard, po_blame *blame) {
+static void blame_published(const po_check_result *item, const witnesses *heard, po_blame *blame) {
   if (heard->for_it)
     say(blame, "publication",
         "%s (%s) agrees with the result: the publication, or its reading, "
@@ -130,8 +131,8 @@ static void blame_published(const po_result *item, const witnesses *heard, po_bl
         item->check->reference);
 }
 
-static void blame_pin(const po_result *item, const witnesses *heard, po_blame *blame) {
-  const po_result *oracle = heard->for_it ? heard->for_it : heard->against;
+static void blame_pin(const po_check_result *item, const witnesses *heard, po_blame *blame) {
+  const po_check_result *oracle = heard->for_it ? heard->for_it : heard->against;
   const bool heard_oracle = oracle && oracle->ledger == PO_LEDGER_ORACLE;
   if (item->check->quantity == PO_WORK)
     say(blame, item->verdict == PO_IMPROVED ? "pin" : "program",
@@ -155,7 +156,7 @@ static void blame_pin(const po_result *item, const witnesses *heard, po_blame *b
 }
 
 /* Verdicts that do not need the other ledgers. */
-static bool blame_plainly(const po_result *item, po_blame *blame) {
+static bool blame_plainly(const po_check_result *item, po_blame *blame) {
   const bool pin = item->ledger == PO_LEDGER_PIN;
   if (item->whole && !po_verdict_passes(item->verdict)) {
     say(blame, "solve", "more failed than may, or without a reason; each is told below");
@@ -191,10 +192,10 @@ static bool blame_plainly(const po_result *item, po_blame *blame) {
   }
 }
 
-void po_blame_find(const po_case_run *run, const po_result *item, po_blame *blame) {
+void po_blame_find(const po_case_run *run, const po_check_result *item, po_blame *blame) {
   if (blame_plainly(item, blame))
     return;
-  const witnesses heard = hear(&run->results, item);
+  const witnesses heard = hear(&run->check_results, item);
   if (item->ledger == PO_LEDGER_ORACLE)
     blame_oracle(run, item, &heard, blame);
   else if (item->ledger == PO_LEDGER_PUBLISHED)

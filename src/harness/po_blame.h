@@ -10,6 +10,6 @@ typedef struct {
 } po_blame;
 
 /* What the other results of the same point say of one result. Given: a finished run. */
-void po_blame_find(const po_case_run *run, const po_result *item, po_blame *blame);
+void po_blame_find(const po_case_run *run, const po_check_result *item, po_blame *blame);
 
 #endif

@@ -44,9 +44,9 @@ static po_status check_results(const po_case_run *run) {
   for (size_t i = 0; i < kase->point_count; ++i)
     if (po_case_run_failed(run, i))
       return po_fail(PO_NOT_CONVERGED, "%s is not blessed: the solve of %s failed: %s", name,
-                     kase->points[i].label, run->outcomes[i].reason);
-  for (size_t i = 0; i < run->results.count; ++i) {
-    const po_result *item = &run->results.items[i];
+                     kase->points[i].label, run->results[i].reason);
+  for (size_t i = 0; i < run->check_results.count; ++i) {
+    const po_check_result *item = &run->check_results.items[i];
     const bool bad_oracle = item->ledger == PO_LEDGER_ORACLE && !po_verdict_passes(item->verdict);
     if (bad_oracle || item->verdict == PO_NO_RESULT)
       return po_fail(PO_CHECK_FAILED, "%s is not blessed: %s is %s (see pulloff explain %s)", name,

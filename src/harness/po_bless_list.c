@@ -23,44 +23,44 @@ static po_status add(po_pin_list *list, size_t point, const char *name, double v
   return PO_OK;
 }
 
-static po_status add_landmarks(po_pin_list *list, size_t point, po_quantity quantity,
-                               const po_outcome *outcome) {
-  const bool folds = quantity == PO_FOLDS, solved = outcome->status == PO_OK;
-  const po_landmark *marks = folds ? outcome->folds : outcome->extrema;
-  const size_t count = folds ? outcome->fold_count : outcome->extremum_count;
+static po_status add_special_points(po_pin_list *list, size_t point, po_quantity quantity,
+                                    const po_result *result) {
+  const bool folds = quantity == PO_FOLDS, solved = result->status == PO_OK;
+  const po_special_point *marks = folds ? result->folds : result->extrema;
+  const size_t count = folds ? result->fold_count : result->extremum_count;
   char name[PO_PIN_NAME_LENGTH];
   snprintf(name, sizeof name, "%s/count", po_quantity_name(quantity));
   po_status status = add(list, point, name, solved ? (double)count : (double)NAN);
   for (size_t i = 0; !status && solved && i < count; ++i)
     for (int load = 0; !status && load < 2; ++load) {
-      po_pins_name_landmark(quantity, marks[i].kind, i, load, name);
+      po_pins_name_special_point(quantity, marks[i].kind, i, load, name);
       status = add(list, point, name, load ? marks[i].load : marks[i].approach);
     }
   return status;
 }
 
-static po_status add_work(po_pin_list *list, size_t point, const po_outcome *outcome) {
+static po_status add_work(po_pin_list *list, size_t point, const po_result *result) {
   po_status status = PO_OK;
   for (int counter = 0; !status && counter < PO_WORK_COUNTERS; ++counter) {
     char name[PO_PIN_NAME_LENGTH];
     snprintf(name, sizeof name, "work/%s", po_work_name(counter));
     status = add(list, point, name,
-                 outcome->status == PO_OK ? po_work_count(&outcome->work, counter) : (double)NAN);
+                 result->status == PO_OK ? po_work_count(&result->work, counter) : (double)NAN);
   }
   return status;
 }
 
 static po_status add_check(const po_case_run *run, const po_check *check, size_t point,
                            po_pin_list *list) {
-  const po_outcome *outcome = &run->outcomes[point];
+  const po_result *result = &run->results[point];
   if (!po_check_is_pin(check) || !po_check_concerns(check, &run->plan->kase->points[point].request))
     return PO_OK;
   if (check->quantity == PO_WORK)
-    return add_work(list, point, outcome);
+    return add_work(list, point, result);
   if (check->quantity == PO_FOLDS || check->quantity == PO_EXTREMA)
-    return add_landmarks(list, point, check->quantity, outcome);
+    return add_special_points(list, point, check->quantity, result);
   return add(list, point, po_quantity_name(check->quantity),
-             po_compare_obtained(check->quantity, outcome));
+             po_compare_obtained(check->quantity, result));
 }
 
 po_status po_pin_list_make(const po_case_run *run, po_pin_list *list) {

@@ -30,7 +30,7 @@ static const char *const QUANTITIES[PO_QUANTITY_COUNT] = {
     [PO_RESIDUAL] = "residual",
     [PO_MOVED_FORCE] = "moved_force",
     [PO_ENERGY_DEFECT] = "energy_defect",
-    [PO_WAY_BACK] = "way_back",
+    [PO_REVERSE_TRACE] = "reverse_trace",
     [PO_WORK] = "work",
     [PO_SOLVED_SHARE] = "solved_share",
 };
@@ -48,7 +48,7 @@ bool po_quantity_is_pull_off(po_quantity quantity) {
 
 bool po_quantity_is_diagnostic(po_quantity quantity) {
   return quantity == PO_RESIDUAL || quantity == PO_MOVED_FORCE || quantity == PO_ENERGY_DEFECT ||
-         quantity == PO_WAY_BACK;
+         quantity == PO_REVERSE_TRACE;
 }
 
 bool po_quantity_is_hysteresis(po_quantity quantity) {
@@ -126,8 +126,8 @@ double po_check_allowance(const po_check *check, double expected) {
   }
 }
 
-po_status po_case_read(const char *path, const char *shown, po_case **result) {
-  *result = NULL;
+po_status po_case_read(const char *path, const char *shown, po_case **check_result) {
+  *check_result = NULL;
   po_yaml *yaml = NULL;
   po_case *kase = po_allocate(1, sizeof *kase);
   po_status status = kase ? PO_OK : PO_NO_MEMORY;
@@ -145,7 +145,7 @@ po_status po_case_read(const char *path, const char *shown, po_case **result) {
   if (status)
     po_case_destroy(kase);
   else
-    *result = kase;
+    *check_result = kase;
   return status;
 }
 

@@ -5,8 +5,8 @@
 #include <stddef.h>
 
 #include "po_input.h"
-#include "po_outcome.h"
 #include "po_physical.h"
+#include "po_result.h"
 #include "po_status.h"
 
 typedef enum {
@@ -36,7 +36,8 @@ typedef enum {
   PO_RESIDUAL,       /* of the discrete equations, see po_diagnostics.h */
   PO_MOVED_FORCE,    /* change of the force with the last bits of the inputs */
   PO_ENERGY_DEFECT,  /* of dU = W dapproach */
-  PO_WAY_BACK,       /* differences of folds when the branch is followed back, see po_way_back.h */
+  PO_REVERSE_TRACE, /* differences of folds when the branch is followed back, see po_reverse_trace.h
+                     */
   PO_HYSTERESIS_FORCE, /* the greatest tension met in unloading at given approach */
   PO_HYSTERESIS_APPROACH,
   PO_HYSTERESIS_LOSS, /* energy lost in all jumps of loading and unloading at given approach */
@@ -153,7 +154,7 @@ typedef struct {
   char *theory; /* as `pulloff theory` names it */
   po_axis *sweep;
   unsigned sweep_count;
-} po_line;
+} po_series;
 
 /* One item of a sweep: a key and its values, or settings of several keys that go together. */
 typedef struct {
@@ -186,15 +187,16 @@ typedef struct {
   po_leave_out *leave_out;
   unsigned leave_out_count;
   po_sample_words *sample; /* NULL: none */
-  char *follow;       /* the key along which minima are followed; NULL: every scene is traced */
-  char *anchors_text; /* of a line of scenes, one in so many is traced; NULL: as po_line.h says */
+  char *follow;           /* the key along which minima are followed; NULL: every scene is traced */
+  char *checkpoints_text; /* of a line of scenes, one in so many is traced; NULL: as po_series.h
+                             says */
   po_traced_words *traced; /* NULL: none of them is traced as well */
   char *repeats_text;
   char **want_names;
   unsigned want_names_count;
   po_check *checks;
   unsigned checks_count;
-  po_line *lines;
+  po_series *lines;
   unsigned lines_count;
   po_check *measure; /* without tolerance, kind and reason */
   unsigned measure_count;
@@ -210,18 +212,18 @@ typedef struct {
   po_case_file *file;
   bool is_physical; /* the scene is in SI units, and results are told in them, too: */
   po_units units;
-  unsigned suites;  /* of po_suite */
-  unsigned want;    /* of po_case_want */
-  unsigned repeats; /* how often each solve is timed */
-  size_t line;      /* points that are solved together, one after another; 1: each by itself */
-  size_t anchors;   /* of them one in so many is traced for certain */
+  unsigned suites;    /* of po_suite */
+  unsigned want;      /* of po_case_want */
+  unsigned repeats;   /* how often each solve is timed */
+  size_t line;        /* points that are solved together, one after another; 1: each by itself */
+  size_t checkpoints; /* of them one in so many is traced for certain */
   po_point *points;
   size_t point_count;
 } po_case;
 
 /* Reads and checks one case file. `shown` is its name in messages.
  * Status: PO_BAD_INPUT with one line `file:line: path is VALUE: expected ...`; PO_CANNOT_READ. */
-po_status po_case_read(const char *path, const char *shown, po_case **result);
+po_status po_case_read(const char *path, const char *shown, po_case **check_result);
 void po_case_destroy(po_case *kase);
 
 /* How many settings an item of a sweep has; the value that setting number `index` gives a key or a

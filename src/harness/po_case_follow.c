@@ -2,18 +2,18 @@
 #include <string.h>
 
 #include "po_case_parse.h"
-#include "po_line.h"
 #include "po_schema.h"
+#include "po_series.h"
 
-static const size_t MOST_BETWEEN_ANCHORS = 1000;
+static const size_t MOST_BETWEEN_CHECKPOINTS = 1000;
 
-static po_status parse_anchors(po_case *kase, const po_yaml *yaml) {
+static po_status parse_checkpoints(po_case *kase, const po_yaml *yaml) {
   const po_case_file *file = kase->file;
-  kase->anchors = PO_LINE_ANCHOR_EVERY;
-  if (file->anchors_text &&
-      (!file->follow || !po_number_parse_count(file->anchors_text, &kase->anchors) ||
-       kase->anchors < 1 || kase->anchors > MOST_BETWEEN_ANCHORS))
-    return po_schema_refuse(yaml, NULL, "anchor_every");
+  kase->checkpoints = PO_CHECKPOINT_EVERY;
+  if (file->checkpoints_text &&
+      (!file->follow || !po_number_parse_count(file->checkpoints_text, &kase->checkpoints) ||
+       kase->checkpoints < 1 || kase->checkpoints > MOST_BETWEEN_CHECKPOINTS))
+    return po_schema_refuse(yaml, NULL, "checkpoint_every");
   return PO_OK;
 }
 
@@ -27,7 +27,7 @@ static bool can_be_followed(const char *name) {
 po_status po_case_follow_parse(po_case *kase, const po_yaml *yaml) {
   const po_case_file *file = kase->file;
   kase->line = 1;
-  const po_status status = parse_anchors(kase, yaml);
+  const po_status status = parse_checkpoints(kase, yaml);
   if (status || !file->follow)
     return status;
   const po_axis *last = file->sweep_count ? &file->sweep[file->sweep_count - 1].axis : NULL;

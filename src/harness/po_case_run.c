@@ -6,13 +6,13 @@
 po_status po_case_run_create(po_plan *plan, po_case_run *run) {
   const size_t points = plan->kase->point_count;
   *run = (po_case_run){.plan = plan, .pending = points};
-  run->outcomes = po_allocate(points, sizeof *run->outcomes);
+  run->results = po_allocate(points, sizeof *run->results);
   run->traces = po_allocate(points, sizeof *run->traces);
   run->seconds = po_allocate(points * plan->kase->repeats, sizeof *run->seconds);
   run->processor_seconds = po_allocate(points * plan->kase->repeats, sizeof *run->seconds);
   run->done = po_allocate(points, sizeof *run->done);
   run->asked = po_allocate(points, sizeof *run->asked);
-  if (!run->outcomes || !run->traces || !run->seconds || !run->processor_seconds || !run->done ||
+  if (!run->results || !run->traces || !run->seconds || !run->processor_seconds || !run->done ||
       !run->asked)
     return PO_NO_MEMORY;
   po_case_run_ask(run, 0, points);
@@ -20,19 +20,19 @@ po_status po_case_run_create(po_plan *plan, po_case_run *run) {
 }
 
 void po_case_run_clear(po_case_run *run) {
-  for (size_t i = 0; run->outcomes && i < run->plan->kase->point_count; ++i)
-    po_outcome_clear(&run->outcomes[i]);
+  for (size_t i = 0; run->results && i < run->plan->kase->point_count; ++i)
+    po_result_clear(&run->results[i]);
   for (size_t i = 0; run->traces && i < run->plan->kase->point_count; ++i)
-    po_outcome_clear(&run->traces[i]);
-  free(run->outcomes);
+    po_result_clear(&run->traces[i]);
+  free(run->results);
   free(run->traces);
   free(run->seconds);
   free(run->processor_seconds);
   free(run->done);
   free(run->asked);
   free(run->environment);
-  po_results_clear(&run->results);
-  po_results_clear(&run->measured);
+  po_check_results_clear(&run->check_results);
+  po_check_results_clear(&run->measured);
   po_plan_destroy(run->plan);
   *run = (po_case_run){0};
 }
@@ -57,10 +57,10 @@ bool po_case_run_is_done(const po_case_run *run) {
 }
 
 bool po_case_run_failed(const po_case_run *run, size_t point) {
-  if (run->outcomes[point].status == PO_OK)
+  if (run->results[point].status == PO_OK)
     return false;
-  for (size_t i = 0; i < run->results.count; ++i) {
-    const po_result *item = &run->results.items[i];
+  for (size_t i = 0; i < run->check_results.count; ++i) {
+    const po_check_result *item = &run->check_results.items[i];
     if (item->whole && po_verdict_passes(item->verdict) &&
         po_check_concerns(item->check, &run->plan->kase->points[point].request))
       return false;
@@ -77,8 +77,8 @@ size_t po_case_run_failures(const po_case_run *run) {
 
 size_t po_case_run_outside(const po_case_run *run) {
   size_t count = 0;
-  for (size_t i = 0; i < run->results.count; ++i)
-    count += !po_verdict_passes(run->results.items[i].verdict);
+  for (size_t i = 0; i < run->check_results.count; ++i)
+    count += !po_verdict_passes(run->check_results.items[i].verdict);
   return count;
 }
 

@@ -5,10 +5,10 @@
 #include "po_random.h"
 #include "po_schema.h"
 
-/* Anchors and the end of a line are traced whatever is drawn. */
+/* Checkpoints and the end of a line are traced whatever is drawn. */
 static bool is_between(const po_case *kase, size_t point) {
   const size_t place = point % kase->line;
-  return place % kase->anchors != 0 && place + 1 != kase->line;
+  return place % kase->checkpoints != 0 && place + 1 != kase->line;
 }
 
 static bool is_drawn_from(const po_case_file *file, const po_check *check) {
@@ -41,7 +41,7 @@ po_status po_case_traced_draw(po_case *kase, const po_yaml *yaml) {
     return po_schema_refuse(yaml, NULL, "traced.seed");
   if (!po_number_parse_count(words->count_text, &count) || count < 1 || count > between)
     return po_schema_refuse(yaml, NULL, "traced.count");
-  for (uint64_t draw = 0; count > 0; ++draw) { /* again where an anchor or the same is drawn */
+  for (uint64_t draw = 0; count > 0; ++draw) { /* again where a checkpoint or the same is drawn */
     const double part = po_random_uniform(seed, draw, PO_TRACED);
     const size_t i = (size_t)floor(part * (double)kase->point_count);
     if (!is_between(kase, i) || kase->points[i].traced)

@@ -11,47 +11,48 @@
 
 static const po_reference_number NOTHING = {(double)NAN, (double)NAN};
 
-/* A number of folds is one in a table of pins; elsewhere it is that of the landmarks in range. */
+/* A number of folds is one in a table of pins; elsewhere it is that of the special points in range.
+ */
 static bool is_single(po_quantity quantity, const po_reference *reference) {
   return po_quantity_is_pull_off(quantity) || po_quantity_is_diagnostic(quantity) ||
          (po_quantity_is_hysteresis(quantity) && quantity != PO_JUMPS) ||
          quantity == PO_PULL_OFF_ANY || (quantity == PO_FOLD_COUNT && reference->is_pin);
 }
 
-static double obtained_of_loop(po_quantity quantity, const po_outcome *outcome) {
-  const po_loop *loop = &outcome->hysteresis.displacement;
-  if (!outcome->has_hysteresis)
+static double obtained_of_loop(po_quantity quantity, const po_result *result) {
+  const po_loop *loop = &result->hysteresis.displacement;
+  if (!result->has_hysteresis)
     return (double)NAN;
   if (quantity == PO_HYSTERESIS_LOSS)
     return loop->energy_lost;
   return quantity == PO_HYSTERESIS_FORCE ? -loop->pull_off.load : loop->pull_off.approach;
 }
 
-double po_compare_obtained(po_quantity quantity, const po_outcome *outcome) {
+double po_compare_obtained(po_quantity quantity, const po_result *result) {
   if (quantity == PO_FOLD_COUNT)
-    return outcome->status == PO_OK ? (double)outcome->fold_count : (double)NAN;
-  if (!outcome->has_pull_off || outcome->status != PO_OK)
+    return result->status == PO_OK ? (double)result->fold_count : (double)NAN;
+  if (!result->has_pull_off || result->status != PO_OK)
     return (double)NAN;
   if (quantity == PO_PULL_OFF_ANY)
-    return outcome->pull_off_any.is_known ? outcome->pull_off_any.force : (double)NAN;
+    return result->pull_off_any.is_known ? result->pull_off_any.force : (double)NAN;
   if (po_quantity_is_hysteresis(quantity))
-    return obtained_of_loop(quantity, outcome);
+    return obtained_of_loop(quantity, result);
   if (quantity == PO_RESIDUAL)
-    return outcome->diagnostics.residual;
+    return result->diagnostics.residual;
   if (quantity == PO_MOVED_FORCE)
-    return outcome->diagnostics.moved.change;
+    return result->diagnostics.moved.change;
   if (quantity == PO_ENERGY_DEFECT)
-    return outcome->diagnostics.energy_defect;
-  if (quantity == PO_WAY_BACK)
-    return outcome->diagnostics.way_back.excess;
+    return result->diagnostics.energy_defect;
+  if (quantity == PO_REVERSE_TRACE)
+    return result->diagnostics.reverse_trace.excess;
   if (quantity == PO_CONTACT_RADIUS)
-    return outcome->pull_off.contact_radius;
-  return quantity == PO_PULL_OFF_FORCE ? outcome->pull_off.force : outcome->pull_off.approach;
+    return result->pull_off.contact_radius;
+  return quantity == PO_PULL_OFF_FORCE ? result->pull_off.force : result->pull_off.approach;
 }
 
 static po_status compare_single(const po_case *kase, size_t point, const po_check *check,
-                                const po_reference *reference, const po_outcome *outcome,
-                                po_results *results) {
+                                const po_reference *reference, const po_result *result,
+                                po_check_results *check_results) {
   po_reference_number expected = NOTHING;
   const po_request request = po_check_request(check, &kase->points[point].request);
   const po_status status = po_reference_find(reference, check->quantity, &request, &expected);
@@ -59,27 +60,28 @@ static po_status compare_single(const po_case *kase, size_t point, const po_chec
     return status;
   if (status)
     expected = NOTHING;
-  po_result *item = po_results_add(results, kase, point, check, po_quantity_name(check->quantity),
-                                   "", po_compare_obtained(check->quantity, outcome), expected);
+  po_check_result *item =
+      po_check_results_add(check_results, kase, point, check, po_quantity_name(check->quantity), "",
+                           po_compare_obtained(check->quantity, result), expected);
   if (!item)
     return PO_NO_MEMORY;
-  if (check->quantity != PO_FOLD_COUNT && outcome->has_pull_off) {
-    item->approach = outcome->pull_off.approach;
-    item->load = -outcome->pull_off.force;
+  if (check->quantity != PO_FOLD_COUNT && result->has_pull_off) {
+    item->approach = result->pull_off.approach;
+    item->load = -result->pull_off.force;
   }
   return PO_OK;
 }
 
 /* Points, rates and positions of a curve of ours; owned by the caller. */
-static po_status plane_of(const po_outcome *outcome, po_plane_curve *curve) {
-  const size_t count = outcome->curve_count;
+static po_status plane_of(const po_result *result, po_plane_curve *curve) {
+  const size_t count = result->curve_count;
   po_plane_point *plane = po_allocate(2 * count, sizeof *plane);
   double *positions = po_allocate(count, sizeof *positions);
   *curve = (po_plane_curve){plane, plane ? plane + count : NULL, positions, count};
   if (!plane || !positions)
     return PO_NO_MEMORY;
   for (size_t i = 0; i < count; ++i) {
-    const po_curve_point *p = &outcome->curve[i];
+    const po_curve_point *p = &result->curve[i];
     plane[i] = (po_plane_point){p->approach, p->load};
     plane[count + i] = (po_plane_point){p->approach_rate, p->load_rate};
     positions[i] = p->position;
@@ -87,11 +89,11 @@ static po_status plane_of(const po_outcome *outcome, po_plane_curve *curve) {
   return PO_OK;
 }
 
-static po_status compare_planes(const po_outcome *outcome, const po_reference_point *theirs,
+static po_status compare_planes(const po_result *result, const po_reference_point *theirs,
                                 size_t their_count, bool scattered, double tolerance,
                                 po_curve_verdict *verdict) {
   po_plane_curve ours;
-  po_status status = plane_of(outcome, &ours);
+  po_status status = plane_of(result, &ours);
   po_plane_point *points = po_allocate(their_count, sizeof *points);
   if (!points)
     status = PO_NO_MEMORY;
@@ -109,28 +111,28 @@ static po_status compare_planes(const po_outcome *outcome, const po_reference_po
 }
 
 static po_status compare_curve(const po_case *kase, size_t point, const po_check *check,
-                               const po_reference *reference, const po_outcome *outcome,
-                               po_results *results) {
+                               const po_reference *reference, const po_result *result,
+                               po_check_results *check_results) {
   po_reference_point *theirs = NULL;
   size_t count = 0;
   po_curve_verdict found = {0};
   const po_request request = po_check_request(check, &kase->points[point].request);
-  po_status status = po_reference_points(reference, PO_CURVE, &request, outcome, &theirs, &count);
+  po_status status = po_reference_points(reference, PO_CURVE, &request, result, &theirs, &count);
   const bool spoken = status == PO_OK;
   double doubt = (double)NAN;
   for (size_t i = 0; spoken && i < count; ++i)
     doubt = fmax(doubt, fmax(theirs[i].approach_uncertainty, theirs[i].load_uncertainty));
   if (spoken)
     /* markers read off a figure do not run along the branch */
-    status = compare_planes(outcome, theirs, count, reference->ledger == PO_LEDGER_PUBLISHED,
+    status = compare_planes(result, theirs, count, reference->ledger == PO_LEDGER_PUBLISHED,
                             check->tolerance, &found);
   free(theirs);
   if (status && status != PO_NOT_FOUND)
     return status;
-  const bool compared = spoken && found.compared > 0 && outcome->status == PO_OK;
-  po_result *item = po_results_add(results, kase, point, check, "curve", "",
-                                   compared ? found.distance : (double)NAN,
-                                   (po_reference_number){spoken ? 0 : (double)NAN, doubt});
+  const bool compared = spoken && found.compared > 0 && result->status == PO_OK;
+  po_check_result *item = po_check_results_add(
+      check_results, kase, point, check, "curve", "", compared ? found.distance : (double)NAN,
+      (po_reference_number){spoken ? 0 : (double)NAN, doubt});
   if (!item)
     return PO_NO_MEMORY;
   item->obtained = item->expected = (double)NAN;
@@ -149,21 +151,22 @@ static po_status compare_curve(const po_case *kase, size_t point, const po_check
   return PO_OK;
 }
 
-/* Why the way back has no number. */
-static void tell_way_back(po_result *item, const po_outcome *outcome) {
-  const po_way_back *w = &outcome->diagnostics.way_back;
+/* Why the reverse trace has no number. */
+static void tell_reverse_trace(po_check_result *item, const po_result *result) {
+  const po_reverse_trace *w = &result->diagnostics.reverse_trace;
   const size_t size = sizeof item->note;
   if (!w->made)
     snprintf(item->note, size, "the branch is followed back on panels alone, and not when rigid");
   else if (w->status)
-    snprintf(item->note, size, "on the way back: %.180s", w->reason);
+    snprintf(item->note, size, "on the reverse trace: %.170s", w->reason);
   else
-    snprintf(item->note, size, "%zu folds on the way out, %zu on the way back; extrema %zu and %zu",
-             outcome->fold_count, w->folds, outcome->extremum_count, w->extrema);
+    snprintf(item->note, size,
+             "%zu folds on the way out, %zu on the reverse trace; extrema %zu and %zu",
+             result->fold_count, w->folds, result->extremum_count, w->extrema);
 }
 
 /* Why there is no pin, and how to make it; a command that does not fit is not cut but left out. */
-static void tell_pin(po_result *item, const po_case *kase, const po_reference *reference) {
+static void tell_pin(po_check_result *item, const po_case *kase, const po_reference *reference) {
   const char *why = reference->is_missing ? "there is no file" : "not pinned in";
   const int length =
       snprintf(item->note, sizeof item->note, "%s %s; to make it: pulloff bless %s --reason TEXT",
@@ -174,13 +177,13 @@ static void tell_pin(po_result *item, const po_case *kase, const po_reference *r
 }
 
 /* What there is to say when there was nothing to compare. */
-static void tell_silence(po_result *item, const po_case *kase, const po_reference *reference,
-                         const po_outcome *outcome) {
+static void tell_silence(po_check_result *item, const po_case *kase, const po_reference *reference,
+                         const po_result *result) {
   const size_t size = sizeof item->note;
-  if (item->verdict == PO_NO_RESULT && outcome->status)
-    snprintf(item->note, size, "%.190s", outcome->reason);
-  else if (item->verdict == PO_NO_RESULT && strcmp(item->quantity, "way_back") == 0)
-    tell_way_back(item, outcome);
+  if (item->verdict == PO_NO_RESULT && result->status)
+    snprintf(item->note, size, "%.190s", result->reason);
+  else if (item->verdict == PO_NO_RESULT && strcmp(item->quantity, "reverse_trace") == 0)
+    tell_reverse_trace(item, result);
   else if (item->verdict == PO_NO_RESULT)
     snprintf(item->note, size, "nothing to compare over a common range");
   else if (item->verdict == PO_MISSING_REFERENCE && reference->is_pin)
@@ -190,27 +193,27 @@ static void tell_silence(po_result *item, const po_case *kase, const po_referenc
 }
 
 po_status po_compare(const po_case *kase, size_t point, const po_check *check,
-                     const po_reference *reference, const po_outcome *outcome,
-                     po_results *results) {
+                     const po_reference *reference, const po_result *result,
+                     po_check_results *check_results) {
   if (reference->is_absent || !po_check_concerns(check, &kase->points[point].request))
     return PO_OK;
-  const size_t before = results->count;
+  const size_t before = check_results->count;
   po_status status = PO_OK;
   if (is_single(check->quantity, reference))
-    status = compare_single(kase, point, check, reference, outcome, results);
+    status = compare_single(kase, point, check, reference, result, check_results);
   else if (check->quantity == PO_CURVE)
-    status = compare_curve(kase, point, check, reference, outcome, results);
+    status = compare_curve(kase, point, check, reference, result, check_results);
   else if (check->quantity == PO_JUMPS)
-    status = po_compare_jumps(kase, point, check, reference, outcome, results);
+    status = po_compare_jumps(kase, point, check, reference, result, check_results);
   else if (po_quantity_is_steps(check->quantity))
-    status = po_compare_steps(kase, point, check, reference, outcome, results);
+    status = po_compare_steps(kase, point, check, reference, result, check_results);
   else if (check->quantity == PO_WORK)
-    status = po_compare_work(kase, point, check, reference, outcome, results);
+    status = po_compare_work(kase, point, check, reference, result, check_results);
   else
-    status = po_compare_landmarks(kase, point, check, reference, outcome, results);
-  for (size_t i = before; i < results->count; ++i) {
-    results->items[i].ledger = reference->ledger;
-    tell_silence(&results->items[i], kase, reference, outcome);
+    status = po_compare_special_points(kase, point, check, reference, result, check_results);
+  for (size_t i = before; i < check_results->count; ++i) {
+    check_results->items[i].ledger = reference->ledger;
+    tell_silence(&check_results->items[i], kase, reference, result);
   }
   return status;
 }

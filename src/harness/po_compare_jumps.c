@@ -49,7 +49,7 @@ static bool phases_agree(const po_reference *reference, const po_request *reques
 
 static po_status add_jump(const po_case *kase, size_t point, const po_check *check,
                           const po_reference *reference, size_t row, const po_loop *loop,
-                          size_t index, po_results *results) {
+                          size_t index, po_check_results *check_results) {
   const po_jump *jump = &loop->jumps[index];
   po_status status = PO_OK;
   for (size_t n = 0; n < NUMBER_COUNT && !status; ++n) {
@@ -58,9 +58,10 @@ static po_status add_jump(const po_case *kase, size_t point, const po_check *che
     snprintf(suffix, sizeof suffix, "%s-%zu/%s", phase_of(jump),
              jump->loading ? index + 1 : index + 1 - loop->loading_jumps, NUMBERS[n].column);
     status = po_reference_cell(reference, row, NUMBERS[n].column, &expected);
-    po_result *item = status ? NULL
-                             : po_results_add(results, kase, point, check, NUMBERS[n].name, suffix,
-                                              number_of(jump, n), expected);
+    po_check_result *item =
+        status ? NULL
+               : po_check_results_add(check_results, kase, point, check, NUMBERS[n].name, suffix,
+                                      number_of(jump, n), expected);
     if (!status && !item)
       status = PO_NO_MEMORY;
     if (item) {
@@ -72,19 +73,20 @@ static po_status add_jump(const po_case *kase, size_t point, const po_check *che
 }
 
 po_status po_compare_jumps(const po_case *kase, size_t point, const po_check *check,
-                           const po_reference *reference, const po_outcome *outcome,
-                           po_results *results) {
+                           const po_reference *reference, const po_result *result,
+                           po_check_results *check_results) {
   const po_request request = po_check_request(check, &kase->points[point].request);
-  const po_loop *loop = &outcome->hysteresis.displacement;
-  const bool solved = outcome->status == PO_OK && outcome->has_hysteresis;
+  const po_loop *loop = &result->hysteresis.displacement;
+  const bool solved = result->status == PO_OK && result->has_hysteresis;
   const size_t rows = po_compare_row_count(reference, &request);
   const int column = po_csv_find_column(&reference->table, "phase");
   if (column < 0)
     return po_fail(PO_CANNOT_READ, "%s:%zu: the column phase is missing", reference->table.path,
                    reference->table.column_line);
   const po_reference_number expected = {rows ? (double)rows : (double)NAN, 0};
-  po_result *item = po_results_add(results, kase, point, check, "jump_count", "count",
-                                   solved ? (double)loop->jump_count : (double)NAN, expected);
+  po_check_result *item =
+      po_check_results_add(check_results, kase, point, check, "jump_count", "count",
+                           solved ? (double)loop->jump_count : (double)NAN, expected);
   if (!item)
     return PO_NO_MEMORY;
   if (!solved || !rows)
@@ -98,7 +100,7 @@ po_status po_compare_jumps(const po_case *kase, size_t point, const po_check *ch
   po_status status = PO_OK;
   for (size_t k = 0; k < rows && !status; ++k)
     status = add_jump(kase, point, check, reference, po_compare_row(reference, &request, k), loop,
-                      k, results);
+                      k, check_results);
   return status;
 }
 

@@ -5,12 +5,12 @@
 #include "po_compare.h"
 
 /* The pull-off or the number of folds that a solve delivered; NAN when it did not. */
-double po_compare_obtained(po_quantity quantity, const po_outcome *outcome);
+double po_compare_obtained(po_quantity quantity, const po_result *result);
 
 /* Folds or extrema: their number and kinds, then approach and load of each. */
-po_status po_compare_landmarks(const po_case *kase, size_t point, const po_check *check,
-                               const po_reference *reference, const po_outcome *outcome,
-                               po_results *results);
+po_status po_compare_special_points(const po_case *kase, size_t point, const po_check *check,
+                                    const po_reference *reference, const po_result *result,
+                                    po_check_results *check_results);
 
 /* Tables that list several things of a scene, a row each: the row of number `index` of a scene (the
  * number of rows: none), how many there are, and of all numbers in some columns the most
@@ -24,27 +24,27 @@ po_status po_compare_rows_doubt(const po_reference *reference, const po_request 
 /* The jumps of loading and unloading at given approach: their number, then of each the approach,
  * the load before and after, and the energy lost. */
 po_status po_compare_jumps(const po_case *kase, size_t point, const po_check *check,
-                           const po_reference *reference, const po_outcome *outcome,
-                           po_results *results);
+                           const po_reference *reference, const po_result *result,
+                           po_check_results *check_results);
 
 /* Of all numbers a table has of the jumps of a scene, the most uncertain. */
 po_status po_compare_jumps_doubt(const po_reference *reference, const po_request *request,
                                  po_reference_number *most);
 
-/* The steps of the staircase at given approach, or at given load: their number, as far as both list them, then of each
- * the preload from which it holds, force and approach of the pull-off, and (at given approach) the
- * energy lost. */
+/* The steps of the staircase at given approach, or at given load: their number, as far as both list
+ * them, then of each the preload from which it holds, force and approach of the pull-off, and (at
+ * given approach) the energy lost. */
 po_status po_compare_steps(const po_case *kase, size_t point, const po_check *check,
-                           const po_reference *reference, const po_outcome *outcome,
-                           po_results *results);
+                           const po_reference *reference, const po_result *result,
+                           po_check_results *check_results);
 
 /* Of all numbers a table has of the steps of a scene, the most uncertain. */
-po_status po_compare_steps_doubt(po_quantity quantity, const po_reference *reference, const po_request *request,
-                                 po_reference_number *most);
+po_status po_compare_steps_doubt(po_quantity quantity, const po_reference *reference,
+                                 const po_request *request, po_reference_number *most);
 
 /* The counters of work, each beside its pin. */
 po_status po_compare_work(const po_case *kase, size_t point, const po_check *check,
-                          const po_reference *reference, const po_outcome *outcome,
-                          po_results *results);
+                          const po_reference *reference, const po_result *result,
+                          po_check_results *check_results);
 
 #endif

@@ -6,25 +6,26 @@
 #include "po_memory.h"
 
 po_status po_compare_share(const po_case *kase, const bool *asked, const po_check *check,
-                           const po_reference *reference, const po_outcome *outcomes,
-                           po_results *results) {
+                           const po_reference *reference, const po_result *results,
+                           po_check_results *check_results) {
   size_t concerned = 0, solved = 0, silent = 0, example = 0;
   for (size_t i = 0; i < kase->point_count; ++i) {
     if (!asked[i] || !po_check_concerns(check, &kase->points[i].request))
       continue;
     concerned += 1;
-    if (outcomes[i].status == PO_OK)
+    if (results[i].status == PO_OK)
       solved += 1;
     else {
-      silent += outcomes[i].reason[0] ? 0 : 1;
+      silent += results[i].reason[0] ? 0 : 1;
       example = concerned == solved + 1 ? i : example;
     }
   }
   if (!concerned)
     return PO_OK;
   const po_reference_number expected = {1, (double)NAN};
-  po_result *item = po_results_add(results, kase, example, check, po_quantity_name(check->quantity),
-                                   "", (double)solved / (double)concerned, expected);
+  po_check_result *item =
+      po_check_results_add(check_results, kase, example, check, po_quantity_name(check->quantity),
+                           "", (double)solved / (double)concerned, expected);
   char *id = po_copy_text("solved_share/every_scene");
   if (!item || !id) {
     free(id);
@@ -40,6 +41,6 @@ po_status po_compare_share(const po_case *kase, const bool *asked, const po_chec
              concerned - solved);
   } else if (solved < concerned)
     snprintf(item->note, sizeof item->note, "%zu of %zu failed, the first point %s: %.100s",
-             concerned - solved, concerned, kase->points[example].id, outcomes[example].reason);
+             concerned - solved, concerned, kase->points[example].id, results[example].reason);
   return PO_OK;
 }

@@ -66,7 +66,7 @@ static size_t count_theirs(po_quantity quantity, const po_reference *reference,
 
 static po_status add_step(const po_case *kase, size_t point, const po_check *check,
                           const po_reference *reference, size_t row, const po_step *step,
-                          size_t index, po_results *results) {
+                          size_t index, po_check_results *check_results) {
   po_status status = PO_OK;
   for (size_t n = 0; n < NUMBER_COUNT && !status; ++n) {
     if (!is_compared(check->quantity, n))
@@ -75,9 +75,10 @@ static po_status add_step(const po_case *kase, size_t point, const po_check *che
     po_reference_number expected = {0};
     snprintf(suffix, sizeof suffix, "step-%zu/%s", index + 1, NUMBERS[n].column);
     status = po_reference_cell(reference, row, NUMBERS[n].column, &expected);
-    po_result *item = status ? NULL
-                             : po_results_add(results, kase, point, check, NUMBERS[n].name, suffix,
-                                              number_of(step, n), expected);
+    po_check_result *item =
+        status ? NULL
+               : po_check_results_add(check_results, kase, point, check, NUMBERS[n].name, suffix,
+                                      number_of(step, n), expected);
     if (!status && !item)
       status = PO_NO_MEMORY;
     if (item) {
@@ -89,11 +90,11 @@ static po_status add_step(const po_case *kase, size_t point, const po_check *che
 }
 
 po_status po_compare_steps(const po_case *kase, size_t point, const po_check *check,
-                           const po_reference *reference, const po_outcome *outcome,
-                           po_results *results) {
+                           const po_reference *reference, const po_result *result,
+                           po_check_results *check_results) {
   const po_request request = po_check_request(check, &kase->points[point].request);
-  const po_staircase *ours = &outcome->staircase[check->quantity == PO_LOAD_STEPS];
-  const bool solved = outcome->status == PO_OK && outcome->has_staircases;
+  const po_staircase *ours = &result->staircase[check->quantity == PO_LOAD_STEPS];
+  const bool solved = result->status == PO_OK && result->has_staircases;
   const bool known = po_compare_row_count(reference, &request) > 0;
   po_status status = PO_OK;
   const size_t theirs = solved ? count_theirs(check->quantity, reference, &request,
@@ -104,8 +105,9 @@ po_status po_compare_steps(const po_case *kase, size_t point, const po_check *ch
   if (status)
     return status;
   const po_reference_number expected = {known ? (double)theirs : (double)NAN, 0};
-  po_result *item = po_results_add(results, kase, point, check, "step_count", "count",
-                                   solved ? (double)count : (double)NAN, expected);
+  po_check_result *item =
+      po_check_results_add(check_results, kase, point, check, "step_count", "count",
+                           solved ? (double)count : (double)NAN, expected);
   if (!item)
     return PO_NO_MEMORY;
   if (!solved || !known)
@@ -116,7 +118,7 @@ po_status po_compare_steps(const po_case *kase, size_t point, const po_check *ch
   }
   for (size_t k = 0; k < count && !status; ++k)
     status = add_step(kase, point, check, reference, po_compare_row(reference, &request, k),
-                      &ours->step[k], k, results);
+                      &ours->step[k], k, check_results);
   return status;
 }
 

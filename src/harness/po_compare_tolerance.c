@@ -21,7 +21,7 @@ static po_status check_points(const po_case *kase, const po_check *check, unsign
                               const po_reference *reference, const po_request *request) {
   /* Where ours will run is not known yet: from far out to contact. */
   po_curve_point ends[] = {{.approach = -10}, {.approach = 0.2}};
-  const po_outcome everywhere = {
+  const po_result everywhere = {
       .start = -10, .ended.approach = 0.2, .curve = ends, .curve_count = 2};
   po_reference_point *points = NULL;
   size_t count = 0;

@@ -3,7 +3,7 @@
 
 #include "po_compare_parts.h"
 
-static po_reference_number number_of(const po_check *check, const po_outcome *trace) {
+static po_reference_number number_of(const po_check *check, const po_result *trace) {
   double error = trace->pull_off.approach_error;
   if (check->quantity == PO_PULL_OFF_FORCE)
     error = trace->pull_off.force_error;
@@ -13,27 +13,27 @@ static po_reference_number number_of(const po_check *check, const po_outcome *tr
 }
 
 po_status po_compare_traced(const po_case *kase, const bool *asked, const po_check *check,
-                            const po_reference *reference, const po_outcome *outcomes,
-                            const po_outcome *traces, po_results *results) {
+                            const po_reference *reference, const po_result *results,
+                            const po_result *traces, po_check_results *check_results) {
   for (size_t i = 0; i < kase->point_count; ++i) {
-    const po_outcome *outcome = &outcomes[i], *trace = &traces[i];
+    const po_result *result = &results[i], *trace = &traces[i];
     if (!asked[i] || !kase->points[i].traced || !po_check_concerns(check, &kase->points[i].request))
       continue;
-    po_result *item =
-        po_results_add(results, kase, i, check, po_quantity_name(check->quantity), "",
-                       po_compare_obtained(check->quantity, outcome), number_of(check, trace));
+    po_check_result *item =
+        po_check_results_add(check_results, kase, i, check, po_quantity_name(check->quantity), "",
+                             po_compare_obtained(check->quantity, result), number_of(check, trace));
     if (!item)
       return PO_NO_MEMORY;
     item->ledger = reference->ledger;
-    if (outcome->has_pull_off) {
-      item->approach = outcome->pull_off.approach;
-      item->load = -outcome->pull_off.force;
+    if (result->has_pull_off) {
+      item->approach = result->pull_off.approach;
+      item->load = -result->pull_off.force;
     }
     if (trace->status)
       snprintf(item->note, sizeof item->note, "the trace failed: %.160s", trace->reason);
-    else if (outcome->status)
-      snprintf(item->note, sizeof item->note, "%.190s", outcome->reason);
-    else if (!outcome->followed)
+    else if (result->status)
+      snprintf(item->note, sizeof item->note, "%.190s", result->reason);
+    else if (!result->followed)
       snprintf(item->note, sizeof item->note, "not followed: the line was traced here");
   }
   return PO_OK;

@@ -5,8 +5,8 @@
 #include "po_pins.h"
 
 po_status po_compare_work(const po_case *kase, size_t point, const po_check *check,
-                          const po_reference *reference, const po_outcome *outcome,
-                          po_results *results) {
+                          const po_reference *reference, const po_result *result,
+                          po_check_results *check_results) {
   for (int counter = 0; counter < PO_WORK_COUNTERS; ++counter) {
     char pin[PO_PIN_NAME_LENGTH], name[PO_PIN_NAME_LENGTH];
     po_reference_number expected = {(double)NAN, 0};
@@ -17,8 +17,9 @@ po_status po_compare_work(const po_case *kase, size_t point, const po_check *che
     if (status && status != PO_NOT_FOUND)
       return status;
     const double done =
-        outcome->status == PO_OK ? po_work_count(&outcome->work, counter) : (double)NAN;
-    if (!po_results_add(results, kase, point, check, name, po_work_name(counter), done, expected))
+        result->status == PO_OK ? po_work_count(&result->work, counter) : (double)NAN;
+    if (!po_check_results_add(check_results, kase, point, check, name, po_work_name(counter), done,
+                              expected))
       return PO_NO_MEMORY;
   }
   return PO_OK;

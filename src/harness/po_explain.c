@@ -40,7 +40,7 @@ static bool is_chosen(const po_explain_choice *choice, size_t point) {
 }
 
 bool po_explain_concerns(const po_case_run *run, const po_explain_choice *choice,
-                         const po_result *item) {
+                         const po_check_result *item) {
   if (!item->whole)
     return is_chosen(choice, item->point);
   for (size_t i = 0; i < run->plan->kase->point_count; ++i)
@@ -50,7 +50,7 @@ bool po_explain_concerns(const po_case_run *run, const po_explain_choice *choice
 }
 
 static bool is_told(const po_case_run *run, const po_explain_choice *choice,
-                    const po_result *item) {
+                    const po_check_result *item) {
   return po_explain_concerns(run, choice, item) && (choice->all || item->verdict != PO_WITHIN);
 }
 
@@ -69,15 +69,15 @@ static char *command_of(const po_case_run *run, size_t point, bool curve) {
 }
 
 /* What repeats a result: of all points together the first solve that failed, if any did. */
-static char *command_of_item(const po_case_run *run, const po_result *item) {
-  if (!item->whole || run->outcomes[item->point].status != PO_OK)
+static char *command_of_item(const po_case_run *run, const po_check_result *item) {
+  if (!item->whole || run->results[item->point].status != PO_OK)
     return command_of(run, item->point, item->check->quantity == PO_CURVE);
   po_text text = {0};
   po_text_add(&text, "pulloff verify %s", po_case_word(run->plan->kase));
   return text.data;
 }
 
-static void tell_numbers(const po_case_run *run, const po_result *item, po_text *text) {
+static void tell_numbers(const po_case_run *run, const po_check_result *item, po_text *text) {
   const po_check *check = item->check;
   const char *reference = po_plan_reference_of(run->plan, check);
   if (isfinite(item->obtained))
@@ -94,7 +94,7 @@ static void tell_numbers(const po_case_run *run, const po_result *item, po_text 
                 check->tolerance_text, check->kind_text);
 }
 
-static void tell_item(const po_case_run *run, const po_result *item, po_text *text) {
+static void tell_item(const po_case_run *run, const po_check_result *item, po_text *text) {
   const po_case *kase = run->plan->kase;
   char place[PO_PLACE_LENGTH] = "";
   po_blame blame;
@@ -103,7 +103,7 @@ static void tell_item(const po_case_run *run, const po_result *item, po_text *te
               item->whole ? "-" : kase->points[item->point].label, po_verdict_name(item->verdict));
   tell_numbers(run, item, text);
   if (isfinite(item->approach)) {
-    po_place_tell(&run->outcomes[item->point], item->approach, item->load, place);
+    po_place_tell(&run->results[item->point], item->approach, item->load, place);
     po_text_add(text, "  where      approach %.6g, load %.6g%s%s\n", item->approach, item->load,
                 *place ? ", " : "", place);
   }
@@ -120,8 +120,8 @@ static void tell_item(const po_case_run *run, const po_result *item, po_text *te
 void po_explain_text(const po_case_run *run, const po_explain_choice *choice, po_text *text) {
   const po_case *kase = run->plan->kase;
   size_t told = 0, considered = 0;
-  for (size_t i = 0; i < run->results.count; ++i) {
-    const po_result *item = &run->results.items[i];
+  for (size_t i = 0; i < run->check_results.count; ++i) {
+    const po_check_result *item = &run->check_results.items[i];
     considered += po_explain_concerns(run, choice, item);
     if (!is_told(run, choice, item))
       continue;
@@ -132,7 +132,7 @@ void po_explain_text(const po_case_run *run, const po_explain_choice *choice, po
     if (is_chosen(choice, i) && po_case_run_failed(run, i)) {
       char *command = command_of(run, i, false);
       po_text_add(text, "%s solve %s: failed\n  reason     %s\n  rerun      %s\n\n",
-                  kase->file->name, kase->points[i].label, run->outcomes[i].reason,
+                  kase->file->name, kase->points[i].label, run->results[i].reason,
                   command ? command : "");
       free(command);
     }
@@ -140,7 +140,7 @@ void po_explain_text(const po_case_run *run, const po_explain_choice *choice, po
               told < considered ? ", the others are within" : "");
 }
 
-static json_t *item_json(const po_case_run *run, const po_result *item) {
+static json_t *item_json(const po_case_run *run, const po_check_result *item) {
   const po_case *kase = run->plan->kase;
   const po_point *point = &kase->points[item->point];
   const po_check *check = item->check;
@@ -149,10 +149,10 @@ static json_t *item_json(const po_case_run *run, const po_result *item) {
   po_blame_find(run, item, &blame);
   json_t *where = json_null();
   if (isfinite(item->approach)) {
-    po_place_tell(&run->outcomes[item->point], item->approach, item->load, place);
-    where =
-        PO_JSON_OBJECT({"approach", po_json_number(item->approach)},
-                       {"load", po_json_number(item->load)}, {"landmarks", po_json_text(place)});
+    po_place_tell(&run->results[item->point], item->approach, item->load, place);
+    where = PO_JSON_OBJECT({"approach", po_json_number(item->approach)},
+                           {"load", po_json_number(item->load)},
+                           {"special_points", po_json_text(place)});
   }
   return PO_JSON_OBJECT(
       {"id", po_json_text(item->id)}, {"point", po_json_text(item->whole ? NULL : point->id)},
@@ -174,15 +174,15 @@ static json_t *item_json(const po_case_run *run, const po_result *item) {
 json_t *po_explain_json(const po_case_run *run, const po_explain_choice *choice) {
   const po_case *kase = run->plan->kase;
   json_t *checks = po_json_empty_array(), *failed = po_json_empty_array();
-  for (size_t i = 0; i < run->results.count; ++i)
-    if (is_told(run, choice, &run->results.items[i]))
-      po_json_append(&checks, item_json(run, &run->results.items[i]));
+  for (size_t i = 0; i < run->check_results.count; ++i)
+    if (is_told(run, choice, &run->check_results.items[i]))
+      po_json_append(&checks, item_json(run, &run->check_results.items[i]));
   for (size_t i = 0; i < kase->point_count; ++i)
     if (is_chosen(choice, i) && po_case_run_failed(run, i))
       po_json_append(&failed,
                      PO_JSON_OBJECT({"point", po_json_text(kase->points[i].id)},
                                     {"label", po_json_text(kase->points[i].label)},
-                                    {"reason", po_json_text(run->outcomes[i].reason)},
+                                    {"reason", po_json_text(run->results[i].reason)},
                                     {"command", po_json_take_text(command_of(run, i, false))}));
   return PO_JSON_OBJECT(
       {"schema", po_json_text("pulloff-explain/1")}, {"case", po_json_text(kase->file->name)},

@@ -16,7 +16,7 @@ bool po_explain_means(const po_point *point, const char *text);
 
 /* Whether a result is of the points chosen; one of all points together is when all are. */
 bool po_explain_concerns(const po_case_run *run, const po_explain_choice *choice,
-                         const po_result *item);
+                         const po_check_result *item);
 
 /* For people; a paragraph a check, and one for each solve that failed (as po_case_run_failed says).
  */

@@ -9,7 +9,15 @@
 #include "po_load_bound.h"
 #include "po_text.h"
 
-typedef enum { ANY_NUMBER, NOT_NEGATIVE, POSITIVE, POSITIVE_OR_INFINITE, FINITE_OR_INFINITE, COUNT, NAME } po_domain;
+typedef enum {
+  ANY_NUMBER,
+  NOT_NEGATIVE,
+  POSITIVE,
+  POSITIVE_OR_INFINITE,
+  FINITE_OR_INFINITE,
+  COUNT,
+  NAME
+} po_domain;
 
 static const struct {
   const char *name;

@@ -9,7 +9,7 @@
 #include <stddef.h>
 
 #include "po_number.h"
-#include "po_outcome.h"
+#include "po_result.h"
 
 typedef enum {
   PO_KEY_TABOR,
@@ -75,8 +75,8 @@ bool po_key_is_idle(const po_request *request, po_key key);
  * triangles by a number of nodes. */
 bool po_key_is_of_other_scheme(const po_request *request, po_key key);
 
-/* "pulloff solve --tabor 1 ...", as a line one can paste, which repeats the solve and does not go on
- * beyond its preload; free it. NULL without memory. */
+/* "pulloff solve --tabor 1 ...", as a line one can paste, which repeats the solve and does not go
+ * on beyond its preload; free it. NULL without memory. */
 char *po_input_command(const po_request *request);
 
 #endif

@@ -48,11 +48,11 @@ static po_status read_entry(po_case_run *run, const json_t *entry, const char *f
   po_status status = make_key(run, index, expected);
   if (status || strcmp(key, expected) != 0)
     return status;
-  po_outcome_clear(&run->outcomes[index]);
+  po_result_clear(&run->results[index]);
   status = po_record_read_point(run, index, point, folder);
   run->done[index] = status == PO_OK;
   if (status)
-    po_outcome_clear(&run->outcomes[index]);
+    po_result_clear(&run->results[index]);
   return status == PO_NO_MEMORY ? status : PO_OK;
 }
 

@@ -24,15 +24,15 @@ json_t *po_json_input(const po_request *request) {
   return object;
 }
 
-static json_t *landmarks(const po_landmark *list, size_t count) {
+static json_t *special_points(const po_special_point *list, size_t count) {
   json_t *array = po_json_empty_array();
   for (size_t i = 0; i < count; ++i)
-    po_json_append(&array, po_json_landmark(&list[i]));
+    po_json_append(&array, po_json_special_point(&list[i]));
   return array;
 }
 
 /* Why and where the trace ended; of what was followed nothing was traced. */
-static json_t *ended_of(const po_outcome *o) {
+static json_t *ended_of(const po_result *o) {
   if (o->followed)
     return json_null();
   const char *why =
@@ -43,34 +43,34 @@ static json_t *ended_of(const po_outcome *o) {
 
 /* Of a pull-off that was followed nothing else is known, which is not the same as none; folds that
  * were followed are. */
-static json_t *landmarks_of(const po_outcome *outcome, const po_landmark *list, size_t count) {
-  return outcome->followed && count == 0 ? json_null() : landmarks(list, count);
+static json_t *special_points_of(const po_result *result, const po_special_point *list,
+                                 size_t count) {
+  return result->followed && count == 0 ? json_null() : special_points(list, count);
 }
 
-json_t *po_json_outcome(const po_request *request, const po_outcome *outcome) {
+json_t *po_json_result(const po_request *request, const po_result *result) {
   json_t *object = PO_JSON_OBJECT(
-      {"input", po_json_input(request)}, {"status", po_json_text(po_status_name(outcome->status))},
-      {"reason", po_json_text(outcome->reason)}, {"rigid", po_json_flag(outcome->rigid)},
-      {"followed", po_json_flag(outcome->followed)}, {"start", po_json_number(outcome->start)},
-      {"end", po_json_number(outcome->ended.approach)}, {"ended", ended_of(outcome)},
-      {"pull_off", po_json_pull_off(outcome)},
-      {"pull_off_any", po_json_pull_off_any(outcome)},
-      {"folds", landmarks_of(outcome, outcome->folds, outcome->fold_count)},
-      {"extrema", landmarks_of(outcome, outcome->extrema, outcome->extremum_count)},
-      {"work", po_json_work(&outcome->work)});
-  if (outcome->has_hysteresis)
-    po_json_set(&object, "hysteresis", po_json_hysteresis(request, outcome));
-  if (outcome->has_staircases)
-    po_json_set(&object, "staircase", po_json_staircases(request, outcome));
-  if (outcome->diagnostics.states || outcome->diagnostics.moved.solves)
-    po_json_set(&object, "diagnostics", po_json_diagnostics(outcome));
+      {"input", po_json_input(request)}, {"status", po_json_text(po_status_name(result->status))},
+      {"reason", po_json_text(result->reason)}, {"rigid", po_json_flag(result->rigid)},
+      {"followed", po_json_flag(result->followed)}, {"start", po_json_number(result->start)},
+      {"end", po_json_number(result->ended.approach)}, {"ended", ended_of(result)},
+      {"pull_off", po_json_pull_off(result)}, {"pull_off_any", po_json_pull_off_any(result)},
+      {"folds", special_points_of(result, result->folds, result->fold_count)},
+      {"extrema", special_points_of(result, result->extrema, result->extremum_count)},
+      {"work", po_json_work(&result->work)});
+  if (result->has_hysteresis)
+    po_json_set(&object, "hysteresis", po_json_hysteresis(request, result));
+  if (result->has_staircases)
+    po_json_set(&object, "staircase", po_json_staircases(request, result));
+  if (result->diagnostics.states || result->diagnostics.moved.solves)
+    po_json_set(&object, "diagnostics", po_json_diagnostics(result));
   return object;
 }
 
-json_t *po_json_curve(const po_outcome *outcome) {
+json_t *po_json_curve(const po_result *result) {
   json_t *array = po_json_empty_array();
-  for (size_t i = 0; i < outcome->curve_count; ++i) {
-    const po_curve_point *p = &outcome->curve[i];
+  for (size_t i = 0; i < result->curve_count; ++i) {
+    const po_curve_point *p = &result->curve[i];
     po_json_append(&array, PO_JSON_OBJECT({"position", po_json_number(p->position)},
                                           {"approach", po_json_number(p->approach)},
                                           {"load", po_json_number(p->load)},
@@ -83,10 +83,10 @@ json_t *po_json_curve(const po_outcome *outcome) {
   return array;
 }
 
-json_t *po_json_profile(const po_outcome *outcome) {
+json_t *po_json_profile(const po_result *result) {
   json_t *array = po_json_empty_array();
-  for (size_t i = 0; i < outcome->profile_count; ++i) {
-    const po_profile_point *p = &outcome->profile[i];
+  for (size_t i = 0; i < result->profile_count; ++i) {
+    const po_profile_point *p = &result->profile[i];
     po_json_append(&array, PO_JSON_OBJECT({"radius", po_json_number(p->radius)},
                                           {"gap", po_json_number(p->gap)},
                                           {"traction", po_json_number(p->traction)}));
@@ -102,9 +102,9 @@ static json_t *annuli_of(const po_contact_annulus *list, size_t count) {
   return array;
 }
 
-json_t *po_json_contact(const po_outcome *outcome) {
-  const po_contact_annuli *a = &outcome->annuli;
-  return PO_JSON_OBJECT({"approach", po_json_number(outcome->profile_approach)},
+json_t *po_json_contact(const po_result *result) {
+  const po_contact_annuli *a = &result->annuli;
+  return PO_JSON_OBJECT({"approach", po_json_number(result->profile_approach)},
                         {"compressed", annuli_of(a->compressed, a->compressed_count)},
                         {"held", annuli_of(a->held, a->held_count)},
                         {"grooves", po_json_count(a->held_count > 0 ? a->held_count - 1 : 0)});

@@ -38,7 +38,7 @@ static json_t *moved_json(const po_moved *m) {
 }
 
 /* Null where the branch is not followed back. */
-static json_t *way_back_json(const po_way_back *w) {
+static json_t *reverse_trace_json(const po_reverse_trace *w) {
   if (!w->made)
     return json_null();
   return PO_JSON_OBJECT({"status", po_json_text(po_status_name(w->status))},
@@ -52,18 +52,19 @@ static json_t *way_back_json(const po_way_back *w) {
                         {"excess", po_json_number(w->excess)});
 }
 
-json_t *po_json_diagnostics(const po_outcome *outcome) {
-  const po_diagnostics *d = &outcome->diagnostics;
+json_t *po_json_diagnostics(const po_result *result) {
+  const po_diagnostics *d = &result->diagnostics;
   json_t *states = po_json_empty_array();
   for (size_t k = 0; k < d->state_count; ++k)
     po_json_append(&states, state_json(&d->states[k]));
-  return PO_JSON_OBJECT(
-      {"residual", po_json_number(d->residual)}, {"rounding", po_json_number(d->rounding)},
-      {"undiagnosed", po_json_count(d->undiagnosed)}, {"states", states},
-      {"sensitivity", sensitivity_json(d)}, {"moved", moved_json(&d->moved)},
-      {"energy_defect", po_json_number(d->energy_defect)},
-      {"energy_defect_at", po_json_number(d->energy_defect_at)},
-      {"way_back", way_back_json(&d->way_back)}, {"seconds", po_json_number(d->seconds)});
+  return PO_JSON_OBJECT({"residual", po_json_number(d->residual)},
+                        {"rounding", po_json_number(d->rounding)},
+                        {"undiagnosed", po_json_count(d->undiagnosed)}, {"states", states},
+                        {"sensitivity", sensitivity_json(d)}, {"moved", moved_json(&d->moved)},
+                        {"energy_defect", po_json_number(d->energy_defect)},
+                        {"energy_defect_at", po_json_number(d->energy_defect_at)},
+                        {"reverse_trace", reverse_trace_json(&d->reverse_trace)},
+                        {"seconds", po_json_number(d->seconds)});
 }
 
 static po_kept_kind kind_of(const char *name) {
@@ -96,7 +97,7 @@ static void read_sensitivity(const json_t *object, po_diagnostics *d) {
                                 .rounding = po_json_read_number(object, "rounding")};
 }
 
-static void read_way_back(const json_t *object, po_way_back *w) {
+static void read_reverse_trace(const json_t *object, po_reverse_trace *w) {
   w->excess = NAN;
   w->made = json_is_object(object);
   if (!w->made)
@@ -116,8 +117,8 @@ static void read_way_back(const json_t *object, po_way_back *w) {
   w->excess = po_json_read_number(object, "excess");
 }
 
-po_status po_json_read_diagnostics(const json_t *object, po_outcome *outcome) {
-  po_diagnostics *d = &outcome->diagnostics;
+po_status po_json_read_diagnostics(const json_t *object, po_result *result) {
+  po_diagnostics *d = &result->diagnostics;
   const json_t *states = json_object_get(object, "states");
   const json_t *moved = json_object_get(object, "moved");
   const size_t count = json_array_size(states);
@@ -132,7 +133,7 @@ po_status po_json_read_diagnostics(const json_t *object, po_outcome *outcome) {
                         .change = po_json_read_number(moved, "force_change"),
                         .predicted = po_json_read_number(moved, "force_change_predicted"),
                         .folds = po_json_read_number(moved, "fold_change")};
-  read_way_back(json_object_get(object, "way_back"), &d->way_back);
+  read_reverse_trace(json_object_get(object, "reverse_trace"), &d->reverse_trace);
   read_sensitivity(json_object_get(object, "sensitivity"), d);
   if (!object)
     return PO_OK;

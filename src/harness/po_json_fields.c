@@ -12,26 +12,26 @@ typedef struct {
 
 #define LENGTH(fields) (sizeof(fields) / sizeof *(fields))
 
-static const field LANDMARK[] = {
-    {"approach", offsetof(po_landmark, approach)},
-    {"load", offsetof(po_landmark, load)},
-    {"energy", offsetof(po_landmark, energy)},
-    {"error_estimate", offsetof(po_landmark, approach_error)},
-    {"load_error_estimate", offsetof(po_landmark, load_error)},
-    {"contact_radius", offsetof(po_landmark, contact_radius)},
-    {"contact_radius_error_estimate", offsetof(po_landmark, contact_radius_error)},
-    {"contact_radius_other", offsetof(po_landmark, contact_radius_other)},
-    {"position", offsetof(po_landmark, position)},
+static const field SPECIAL_POINT[] = {
+    {"approach", offsetof(po_special_point, approach)},
+    {"load", offsetof(po_special_point, load)},
+    {"energy", offsetof(po_special_point, energy)},
+    {"error_estimate", offsetof(po_special_point, approach_error)},
+    {"load_error_estimate", offsetof(po_special_point, load_error)},
+    {"contact_radius", offsetof(po_special_point, contact_radius)},
+    {"contact_radius_error_estimate", offsetof(po_special_point, contact_radius_error)},
+    {"contact_radius_other", offsetof(po_special_point, contact_radius_other)},
+    {"position", offsetof(po_special_point, position)},
 };
 
 static const field PULL_OFF[] = {
-    {"force", offsetof(po_outcome, pull_off.force)},
-    {"approach", offsetof(po_outcome, pull_off.approach)},
-    {"contact_radius", offsetof(po_outcome, pull_off.contact_radius)},
-    {"error_estimate", offsetof(po_outcome, pull_off.force_error)},
-    {"approach_error_estimate", offsetof(po_outcome, pull_off.approach_error)},
-    {"contact_radius_error_estimate", offsetof(po_outcome, pull_off.contact_radius_error)},
-    {"contact_radius_other", offsetof(po_outcome, pull_off.contact_radius_other)},
+    {"force", offsetof(po_result, pull_off.force)},
+    {"approach", offsetof(po_result, pull_off.approach)},
+    {"contact_radius", offsetof(po_result, pull_off.contact_radius)},
+    {"error_estimate", offsetof(po_result, pull_off.force_error)},
+    {"approach_error_estimate", offsetof(po_result, pull_off.approach_error)},
+    {"contact_radius_error_estimate", offsetof(po_result, pull_off.contact_radius_error)},
+    {"contact_radius_other", offsetof(po_result, pull_off.contact_radius_other)},
 };
 
 static const field WORK[] = {
@@ -58,33 +58,33 @@ static void read_numbers(const json_t *object, const field *fields, size_t count
   }
 }
 
-json_t *po_json_landmark(const po_landmark *landmark) {
-  json_t *object = PO_JSON_OBJECT({"kind", po_json_text(po_landmark_kind_name(landmark->kind))});
-  write_numbers(&object, LANDMARK, LENGTH(LANDMARK), landmark);
-  po_json_set(&object, "unstable_modes", po_json_integer(landmark->unstable_modes));
+json_t *po_json_special_point(const po_special_point *special) {
+  json_t *object = PO_JSON_OBJECT({"kind", po_json_text(po_special_kind_name(special->kind))});
+  write_numbers(&object, SPECIAL_POINT, LENGTH(SPECIAL_POINT), special);
+  po_json_set(&object, "unstable_modes", po_json_integer(special->unstable_modes));
   return object;
 }
 
-void po_json_read_landmark(const json_t *object, po_landmark *landmark) {
-  read_numbers(object, LANDMARK, LENGTH(LANDMARK), landmark);
-  landmark->unstable_modes = (int)json_integer_value(json_object_get(object, "unstable_modes"));
+void po_json_read_special_point(const json_t *object, po_special_point *special) {
+  read_numbers(object, SPECIAL_POINT, LENGTH(SPECIAL_POINT), special);
+  special->unstable_modes = (int)json_integer_value(json_object_get(object, "unstable_modes"));
 }
 
-json_t *po_json_pull_off(const po_outcome *outcome) {
-  if (!outcome->has_pull_off)
+json_t *po_json_pull_off(const po_result *result) {
+  if (!result->has_pull_off)
     return json_null();
   json_t *object = po_json_empty_object();
-  write_numbers(&object, PULL_OFF, LENGTH(PULL_OFF), outcome);
-  po_json_set(&object, "preload", po_json_pressed(&outcome->pull_off.pressed));
-  po_json_set(&object, "until", po_json_pressed(&outcome->pull_off.until));
+  write_numbers(&object, PULL_OFF, LENGTH(PULL_OFF), result);
+  po_json_set(&object, "preload", po_json_pressed(&result->pull_off.pressed));
+  po_json_set(&object, "until", po_json_pressed(&result->pull_off.until));
   return object;
 }
 
-void po_json_read_pull_off(const json_t *object, po_outcome *outcome) {
-  outcome->has_pull_off = json_is_object(object);
-  read_numbers(object, PULL_OFF, LENGTH(PULL_OFF), outcome);
-  outcome->pull_off.pressed = po_json_read_pressed(json_object_get(object, "preload"));
-  outcome->pull_off.until = po_json_read_pressed(json_object_get(object, "until"));
+void po_json_read_pull_off(const json_t *object, po_result *result) {
+  result->has_pull_off = json_is_object(object);
+  read_numbers(object, PULL_OFF, LENGTH(PULL_OFF), result);
+  result->pull_off.pressed = po_json_read_pressed(json_object_get(object, "preload"));
+  result->pull_off.until = po_json_read_pressed(json_object_get(object, "until"));
 }
 
 json_t *po_json_work(const po_work *work) {

@@ -75,11 +75,11 @@ static json_t *theory(const po_request *request, const po_hysteresis *found) {
   return object;
 }
 
-json_t *po_json_hysteresis(const po_request *request, const po_outcome *outcome) {
-  if (!outcome->has_hysteresis)
+json_t *po_json_hysteresis(const po_request *request, const po_result *result) {
+  if (!result->has_hysteresis)
     return json_null();
-  json_t *object = both(&outcome->hysteresis);
-  po_json_set(&object, "jkr", theory(request, &outcome->hysteresis));
+  json_t *object = both(&result->hysteresis);
+  po_json_set(&object, "jkr", theory(request, &result->hysteresis));
   return object;
 }
 
@@ -119,11 +119,11 @@ static po_status read_loop(const json_t *object, po_control control, po_loop *l)
   return PO_OK;
 }
 
-po_status po_json_read_hysteresis(const json_t *object, po_outcome *outcome) {
-  outcome->has_hysteresis = json_is_object(object);
-  if (!outcome->has_hysteresis)
+po_status po_json_read_hysteresis(const json_t *object, po_result *result) {
+  result->has_hysteresis = json_is_object(object);
+  if (!result->has_hysteresis)
     return PO_OK;
-  po_hysteresis *h = &outcome->hysteresis;
+  po_hysteresis *h = &result->hysteresis;
   const po_status status = read_loop(json_object_get(object, "displacement_control"),
                                      PO_DISPLACEMENT_CONTROL, &h->displacement);
   return status ? status

@@ -5,25 +5,25 @@
 #include <jansson.h>
 #include <stdint.h>
 
-#include "po_outcome.h"
+#include "po_result.h"
 
 /* A count, or 0 for what is absent. */
 uint64_t po_json_count_of(const json_t *object, const char *key);
 
-/* Parts of an outcome, and back: a landmark but for its kind, the pull-off (null when there is
+/* Parts of a result, and back: a special point but for its kind, the pull-off (null when there is
  * none), the work. */
-json_t *po_json_landmark(const po_landmark *landmark);
-void po_json_read_landmark(const json_t *object, po_landmark *landmark);
-json_t *po_json_pull_off(const po_outcome *outcome);
-void po_json_read_pull_off(const json_t *object, po_outcome *outcome);
+json_t *po_json_special_point(const po_special_point *special);
+void po_json_read_special_point(const json_t *object, po_special_point *special);
+json_t *po_json_pull_off(const po_result *result);
+void po_json_read_pull_off(const json_t *object, po_result *result);
 json_t *po_json_pressed(const po_pressed *pressed);
 po_pressed po_json_read_pressed(const json_t *object);
-json_t *po_json_pull_off_any(const po_outcome *outcome);
-void po_json_read_pull_off_any(const json_t *object, po_outcome *outcome);
+json_t *po_json_pull_off_any(const po_result *result);
+void po_json_read_pull_off_any(const json_t *object, po_result *result);
 json_t *po_json_work(const po_work *work);
 void po_json_read_work(const json_t *object, po_work *work);
 
 /* The inverse of po_json_diagnostics; NULL: there are none. Status: PO_NO_MEMORY. */
-po_status po_json_read_diagnostics(const json_t *object, po_outcome *outcome);
+po_status po_json_read_diagnostics(const json_t *object, po_result *result);
 
 #endif

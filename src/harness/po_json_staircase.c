@@ -15,7 +15,7 @@ po_pressed po_json_read_pressed(const json_t *object) {
   return (po_pressed){po_json_read_number(object, "approach"), po_json_read_number(object, "load")};
 }
 
-json_t *po_json_pull_off_any(const po_outcome *o) {
+json_t *po_json_pull_off_any(const po_result *o) {
   if (!o->pull_off_any.is_known)
     return json_null();
   return PO_JSON_OBJECT({"force", po_json_number(o->pull_off_any.force)},
@@ -27,7 +27,7 @@ json_t *po_json_pull_off_any(const po_outcome *o) {
                         {"searched", po_json_pressed(&o->pull_off_any.searched)});
 }
 
-void po_json_read_pull_off_any(const json_t *object, po_outcome *o) {
+void po_json_read_pull_off_any(const json_t *object, po_result *o) {
   o->pull_off_any.is_known = json_is_object(object);
   o->pull_off_any.force = po_json_read_number(object, "force");
   o->pull_off_any.force_error = po_json_read_number(object, "error_estimate");
@@ -102,8 +102,8 @@ static json_t *theory(const po_request *request) {
   return object;
 }
 
-json_t *po_json_staircases(const po_request *request, const po_outcome *outcome) {
-  json_t *object = both(outcome->staircase);
+json_t *po_json_staircases(const po_request *request, const po_result *result) {
+  json_t *object = both(result->staircase);
   po_json_set(&object, "jkr", theory(request));
   return object;
 }
@@ -152,13 +152,13 @@ static po_status read_staircase(const json_t *object, po_control control, po_sta
   return status;
 }
 
-po_status po_json_read_staircases(const json_t *object, po_outcome *outcome) {
-  outcome->has_staircases = json_is_object(object);
-  if (!outcome->has_staircases)
+po_status po_json_read_staircases(const json_t *object, po_result *result) {
+  result->has_staircases = json_is_object(object);
+  if (!result->has_staircases)
     return PO_OK;
   const po_status status = read_staircase(json_object_get(object, "displacement_control"),
-                                          PO_DISPLACEMENT_CONTROL, &outcome->staircase[0]);
+                                          PO_DISPLACEMENT_CONTROL, &result->staircase[0]);
   return status ? status
                 : read_staircase(json_object_get(object, "load_control"), PO_LOAD_CONTROL,
-                                 &outcome->staircase[1]);
+                                 &result->staircase[1]);
 }

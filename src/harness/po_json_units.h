@@ -4,14 +4,14 @@
 
 #include <jansson.h>
 
-#include "po_outcome.h"
 #include "po_physical.h"
+#include "po_result.h"
 
 /* {"length_m", "force_n", "traction_pa"}: what a dimensionless number is multiplied with. */
 json_t *po_json_units(const po_units *units);
 
 /* {"force_n", "approach_m", "contact_radius_m", "error_estimate_n", "approach_error_estimate_m"},
  * or null without a pull-off. */
-json_t *po_json_units_pull_off(const po_units *units, const po_outcome *outcome);
+json_t *po_json_units_pull_off(const po_units *units, const po_result *result);
 
 #endif

@@ -13,16 +13,16 @@ static const double SLACK = 1000;
  * not of the method. */
 static const double ROUNDING = 4 * DBL_EPSILON;
 
-static bool is_of_same(const po_result *a, const po_result *b) {
+static bool is_of_same(const po_check_result *a, const po_check_result *b) {
   return a->point == b->point && strcmp(a->subject, b->subject) == 0;
 }
 
-static bool is_counted(const po_result *item) {
+static bool is_counted(const po_check_result *item) {
   return item->verdict != PO_NO_RESULT && item->verdict != PO_MISSING_REFERENCE;
 }
 
 /* The error below which a reference cannot tell one value from another. */
-static double resolution(const po_result *item) {
+static double resolution(const po_check_result *item) {
   const double rounding = ROUNDING * fmax(fabs(item->obtained), fabs(item->expected));
   return fmax(isnan(rounding) ? 0 : rounding, isnan(item->uncertainty) ? 0 : item->uncertainty);
 }
@@ -33,7 +33,7 @@ typedef struct {
   char note[128]; /* by how much, against the one it rose against, else the last it fell against */
 } testimony;
 
-static void hear(const po_result *oracle, double pinned, testimony *said) {
+static void hear(const po_check_result *oracle, double pinned, testimony *said) {
   const double before = fabs(pinned - oracle->expected), after = fabs(oracle->error);
   said->outside = said->outside || oracle->verdict == PO_OUTSIDE;
   if (fmax(before, after) <= resolution(oracle) || before == after)
@@ -41,7 +41,7 @@ static void hear(const po_result *oracle, double pinned, testimony *said) {
   const bool rose = after > before;
   if (rose || !said->rose) {
     char reference[64];
-    po_result_reference(oracle->check, reference);
+    po_check_result_reference(oracle->check, reference);
     snprintf(said->note, sizeof said->note, "the error against %.40s %s from %.2g to %.2g",
              reference, rose ? "rose" : "fell", before, after);
   }
@@ -49,11 +49,11 @@ static void hear(const po_result *oracle, double pinned, testimony *said) {
   said->fell = said->fell || !rose;
 }
 
-static void judge_moved(const po_results *results, po_result *pin) {
+static void judge_moved(const po_check_results *check_results, po_check_result *pin) {
   testimony said = {0};
   bool any = false;
-  for (size_t i = 0; i < results->count; ++i) {
-    const po_result *other = &results->items[i];
+  for (size_t i = 0; i < check_results->count; ++i) {
+    const po_check_result *other = &check_results->items[i];
     if (other->ledger != PO_LEDGER_ORACLE || !is_of_same(other, pin) || !is_counted(other))
       continue;
     any = true;
@@ -73,37 +73,37 @@ static void judge_moved(const po_results *results, po_result *pin) {
              : any     ? "no oracle can tell the two values apart"
                        : "no oracle speaks of it");
   }
-  char had[sizeof pin->note]; /* a landmark that is missing or spurious */
+  char had[sizeof pin->note]; /* a special point that is missing or spurious */
   snprintf(had, sizeof had, "%s", pin->note);
   snprintf(pin->note, sizeof pin->note, "%.100s%s%.90s", had, had[0] ? "; " : "", why);
 }
 
-static void judge_work(po_result *pin) {
+static void judge_work(po_check_result *pin) {
   const bool more = pin->error > 0;
   pin->verdict = more ? PO_REGRESSED : PO_IMPROVED;
   snprintf(pin->note, sizeof pin->note, more ? "%.1f %% more work" : "%.1f %% less work: bless it",
            100 * fabs(pin->error) / fmax(fabs(pin->expected), 1));
 }
 
-static void judge_pins(po_results *results) {
-  for (size_t i = 0; i < results->count; ++i) {
-    po_result *pin = &results->items[i];
+static void judge_pins(po_check_results *check_results) {
+  for (size_t i = 0; i < check_results->count; ++i) {
+    po_check_result *pin = &check_results->items[i];
     if (pin->ledger != PO_LEDGER_PIN || pin->verdict != PO_OUTSIDE)
       continue;
     if (pin->check->quantity == PO_WORK)
       judge_work(pin);
     else
-      judge_moved(results, pin);
+      judge_moved(check_results, pin);
   }
 }
 
-static void judge_oracles(po_results *results) {
-  for (size_t i = 0; i < results->count; ++i) {
-    po_result *oracle = &results->items[i];
+static void judge_oracles(po_check_results *check_results) {
+  for (size_t i = 0; i < check_results->count; ++i) {
+    po_check_result *oracle = &check_results->items[i];
     if (oracle->ledger != PO_LEDGER_ORACLE || oracle->verdict != PO_OUTSIDE)
       continue;
-    for (size_t k = 0; k < results->count; ++k) {
-      const po_result *pin = &results->items[k];
+    for (size_t k = 0; k < check_results->count; ++k) {
+      const po_check_result *pin = &check_results->items[k];
       if (pin->ledger == PO_LEDGER_PIN && pin->verdict == PO_WITHIN && is_of_same(pin, oracle))
         oracle->verdict = PO_WRONG_AND_FROZEN;
     }
@@ -111,7 +111,7 @@ static void judge_oracles(po_results *results) {
 }
 
 /* A number that is counted, not computed. */
-static bool is_exact(const po_result *item) {
+static bool is_exact(const po_check_result *item) {
   return item->whole || strcmp(item->quantity, "fold_count") == 0 ||
          strcmp(item->quantity, "extremum_count") == 0 || strcmp(item->quantity, "jump_count") == 0;
 }
@@ -119,13 +119,15 @@ static bool is_exact(const po_result *item) {
 /* Of the results of one check, from `first` on, the one with the largest error in units of the
  * tolerance; *last is the end of them. NULL: none to be measured by, no error at all, or
  * one that fails. */
-static po_result *worst_of_check(po_results *results, size_t first, size_t *last, double *largest) {
-  const po_check *check = results->items[first].check;
-  po_result *worst = NULL;
-  bool measurable = results->items[first].ledger != PO_LEDGER_PIN;
+static po_check_result *worst_of_check(po_check_results *check_results, size_t first, size_t *last,
+                                       double *largest) {
+  const po_check *check = check_results->items[first].check;
+  po_check_result *worst = NULL;
+  bool measurable = check_results->items[first].ledger != PO_LEDGER_PIN;
   *largest = 0.0;
-  for (*last = first; *last < results->count && results->items[*last].check == check; ++*last) {
-    po_result *item = &results->items[*last];
+  for (*last = first; *last < check_results->count && check_results->items[*last].check == check;
+       ++*last) {
+    po_check_result *item = &check_results->items[*last];
     measurable = measurable && item->verdict == PO_WITHIN;
     const double error = fmax(fabs(item->error), resolution(item)) / item->allowance;
     if (!is_exact(item) && error > *largest) {
@@ -136,10 +138,10 @@ static po_result *worst_of_check(po_results *results, size_t first, size_t *last
   return measurable ? worst : NULL;
 }
 
-static void judge_tolerances(po_results *results) {
-  for (size_t first = 0, last = 0; first < results->count; first = last) {
+static void judge_tolerances(po_check_results *check_results) {
+  for (size_t first = 0, last = 0; first < check_results->count; first = last) {
     double largest = 0;
-    po_result *worst = worst_of_check(results, first, &last, &largest);
+    po_check_result *worst = worst_of_check(check_results, first, &last, &largest);
     if (!worst || largest * SLACK >= 1)
       continue;
     worst->verdict = PO_SLACK;
@@ -148,8 +150,8 @@ static void judge_tolerances(po_results *results) {
   }
 }
 
-void po_judge(po_results *results) {
-  judge_pins(results);
-  judge_oracles(results);
-  judge_tolerances(results);
+void po_judge(po_check_results *check_results) {
+  judge_pins(check_results);
+  judge_oracles(check_results);
+  judge_tolerances(check_results);
 }

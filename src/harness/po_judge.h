@@ -25,9 +25,9 @@
 #ifndef PO_JUDGE_H
 #define PO_JUDGE_H
 
-#include "po_result.h"
+#include "po_check_result.h"
 
 /* Turns the verdicts of the checks of one case, each judged by itself, into the common ones. */
-void po_judge(po_results *results);
+void po_judge(po_check_results *check_results);
 
 #endif

@@ -27,14 +27,14 @@ static bool is_of_forms(int key) {
          key == PO_KEY_AMPLITUDE_RATIO;
 }
 
-static size_t row_count(const po_line *line) {
+static size_t row_count(const po_series *line) {
   size_t count = 1;
   for (unsigned i = 0; i < line->sweep_count && count <= MOST_ROWS; ++i)
     count *= line->sweep[i].values_count;
   return count;
 }
 
-static const char *value_of(const po_line *line, unsigned axis, size_t row) {
+static const char *value_of(const po_series *line, unsigned axis, size_t row) {
   size_t block = 1;
   for (unsigned i = axis + 1; i < line->sweep_count; ++i)
     block *= line->sweep[i].values_count;
@@ -42,7 +42,7 @@ static const char *value_of(const po_line *line, unsigned axis, size_t row) {
 }
 
 /* What the form is asked of in one row, and the swept values. */
-static po_form_input input_of(const po_case_file *file, const po_line *line, size_t row,
+static po_form_input input_of(const po_case_file *file, const po_series *line, size_t row,
                               double *swept) {
   po_request request = po_request_default();
   po_form_input input = {.alpha = (double)NAN, .at = (double)NAN};
@@ -105,7 +105,7 @@ static po_status parse_axis(po_axis *axis, const po_form *form, const char *wher
 }
 
 static po_status parse_line(po_case_file *file, unsigned index, const po_yaml *yaml) {
-  po_line *line = &file->lines[index];
+  po_series *line = &file->lines[index];
   const po_form *form = po_form_find(line->theory);
   if (!po_case_is_name(line->name))
     return po_schema_refuse(yaml, NULL, "lines[%u].name", index + 1);
@@ -133,7 +133,7 @@ static po_status parse_line(po_case_file *file, unsigned index, const po_yaml *y
 
 static int by_name(const void *a, const void *b, void *unused) {
   (void)unused;
-  return strcmp(((const po_line *)a)->name, ((const po_line *)b)->name);
+  return strcmp(((const po_series *)a)->name, ((const po_series *)b)->name);
 }
 
 po_status po_lines_parse(po_case *kase, const po_yaml *yaml) {
@@ -151,14 +151,14 @@ po_status po_lines_parse(po_case *kase, const po_yaml *yaml) {
 }
 
 /* Names in a table stay apart: a contact radius swept and one given back are the same number. */
-static bool is_swept(const po_line *line, const char *name) {
+static bool is_swept(const po_series *line, const char *name) {
   for (unsigned i = 0; i < line->sweep_count; ++i)
     if (strcmp(line->sweep[i].key, name) == 0)
       return true;
   return false;
 }
 
-static void add_names(po_text *rows, const po_line *line, const po_form_values *values) {
+static void add_names(po_text *rows, const po_series *line, const po_form_values *values) {
   for (unsigned i = 0; i < line->sweep_count; ++i)
     po_text_add(rows, "%s%s", i ? "," : "", line->sweep[i].key);
   for (size_t i = 0; i < values->count; ++i)
@@ -167,7 +167,7 @@ static void add_names(po_text *rows, const po_line *line, const po_form_values *
   po_text_add(rows, "\n");
 }
 
-static po_status add_rows(po_text *rows, const po_case_file *file, const po_line *line,
+static po_status add_rows(po_text *rows, const po_case_file *file, const po_series *line,
                           const volatile sig_atomic_t *stop) {
   const po_form *form = po_form_find(line->theory);
   for (size_t row = 0; row < row_count(line); ++row) {
@@ -191,7 +191,7 @@ static po_status add_rows(po_text *rows, const po_case_file *file, const po_line
   return PO_OK;
 }
 
-static po_status write_line(const po_case *kase, const po_line *line, const char *folder,
+static po_status write_line(const po_case *kase, const po_series *line, const char *folder,
                             const volatile sig_atomic_t *stop, json_t **entry) {
   po_text header = {0}, rows = {0}, text = {0}, name = {0};
   char digest[PO_DIGEST_LENGTH];
@@ -224,7 +224,7 @@ po_status po_lines_write(const po_case *kase, const char *folder, const volatile
   po_status status = PO_OK;
   *lines = po_json_empty_array();
   for (unsigned i = 0; !status && i < kase->file->lines_count; ++i) {
-    const po_line *line = &kase->file->lines[i];
+    const po_series *line = &kase->file->lines[i];
     json_t *entry =
         PO_JSON_OBJECT({"name", po_json_text(line->name)}, {"theory", po_json_text(line->theory)});
     status = write_line(kase, line, folder, stop, &entry);

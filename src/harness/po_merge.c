@@ -238,7 +238,7 @@ static po_status check_runs(const po_merge_part *first, const po_case_run *runs,
 /* A case that one shard has whole has a record in the place of a journal. */
 static po_status read_record(po_case_run *run, const char *folder) {
   for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-    po_outcome_clear(&run->outcomes[i]);
+    po_result_clear(&run->results[i]);
   const po_status status = po_record_read(run, folder);
   for (size_t i = 0; i < run->plan->kase->point_count; ++i)
     run->done[i] = status == PO_OK;
@@ -286,7 +286,7 @@ po_status po_merge_fill(const po_merge *merge, po_case_run *runs, size_t count) 
     po_case_run_ask(&runs[r], 0, points);
     runs[r].elapsed = 0;
     for (size_t i = 0; i < points; ++i)
-      runs[r].elapsed += runs[r].outcomes[i].work.seconds;
+      runs[r].elapsed += runs[r].results[i].work.seconds;
   }
   return status;
 }

@@ -29,10 +29,10 @@ void po_pins_key_text(const po_request *request, po_key key, char text[PO_NUMBER
     po_key_print(request, key, text);
 }
 
-void po_pins_name_landmark(po_quantity quantity, po_landmark_kind kind, size_t index, bool load,
-                           char name[PO_PIN_NAME_LENGTH]) {
+void po_pins_name_special_point(po_quantity quantity, po_special_kind kind, size_t index, bool load,
+                                char name[PO_PIN_NAME_LENGTH]) {
   snprintf(name, PO_PIN_NAME_LENGTH, "%s/%s-%zu/%s", po_quantity_name(quantity),
-           po_landmark_kind_name(kind), index + 1, load ? "load" : "approach");
+           po_special_kind_name(kind), index + 1, load ? "load" : "approach");
 }
 
 /* folder/pins/NAME.csv for a case file folder/anything. */
@@ -151,17 +151,18 @@ po_status po_pins_find(const po_reference *pins, po_quantity quantity, const po_
   return po_pins_value(pins, po_quantity_name(quantity), request, &number->value);
 }
 
-/* Landmark number `index`, whose kind is part of its name. */
-static po_status find_landmark(const po_reference *pins, po_quantity quantity,
-                               const po_request *request, size_t index, po_reference_point *point) {
+/* Special point number `index`, whose kind is part of its name. */
+static po_status find_special_point(const po_reference *pins, po_quantity quantity,
+                                    const po_request *request, size_t index,
+                                    po_reference_point *point) {
   for (int kind = PO_JUMP_IN; kind <= PO_MAXIMUM; ++kind) {
     char name[PO_PIN_NAME_LENGTH];
-    *point = (po_reference_point){.kind = (po_landmark_kind)kind};
-    po_pins_name_landmark(quantity, point->kind, index, false, name);
+    *point = (po_reference_point){.kind = (po_special_kind)kind};
+    po_pins_name_special_point(quantity, point->kind, index, false, name);
     po_status status = po_pins_value(pins, name, request, &point->approach);
     if (status == PO_NOT_FOUND)
       continue;
-    po_pins_name_landmark(quantity, point->kind, index, true, name);
+    po_pins_name_special_point(quantity, point->kind, index, true, name);
     if (!status)
       status = po_pins_value(pins, name, request, &point->load);
     if (status != PO_NOT_FOUND)
@@ -180,12 +181,12 @@ po_status po_pins_points(const po_reference *pins, po_quantity quantity, const p
   if (status)
     return status;
   if (!(number >= 0 && number <= (double)pins->table.row_count))
-    return po_fail(PO_CANNOT_READ, "%s: %s is %g: expected a number of landmarks", pins->shown,
+    return po_fail(PO_CANNOT_READ, "%s: %s is %g: expected a number of special points", pins->shown,
                    name, number);
   po_reference_point *list = po_allocate((size_t)number, sizeof *list);
   status = list ? PO_OK : PO_NO_MEMORY;
   for (size_t i = 0; !status && i < (size_t)number; ++i)
-    status = find_landmark(pins, quantity, request, i, &list[i]);
+    status = find_special_point(pins, quantity, request, i, &list[i]);
   if (status) {
     free(list);
     return status;

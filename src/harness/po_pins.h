@@ -27,9 +27,9 @@ po_status po_pins_find(const po_reference *pins, po_quantity quantity, const po_
 po_status po_pins_points(const po_reference *pins, po_quantity quantity, const po_request *request,
                          po_reference_point **points, size_t *count);
 
-/* How the landmark number `index` (from 0) of `quantity` is called among the pins. */
-void po_pins_name_landmark(po_quantity quantity, po_landmark_kind kind, size_t index, bool load,
-                           char name[PO_PIN_NAME_LENGTH]);
+/* How the special point number `index` (from 0) of `quantity` is called among the pins. */
+void po_pins_name_special_point(po_quantity quantity, po_special_kind kind, size_t index, bool load,
+                                char name[PO_PIN_NAME_LENGTH]);
 
 /* The counters of work that are pinned: all that is deterministic, so never the time. */
 const char *po_work_name(int counter);

@@ -4,22 +4,22 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Landmark number `index` of the folds, then of the extrema. */
-static const po_landmark *landmark(const po_outcome *outcome, size_t index) {
-  return index < outcome->fold_count ? &outcome->folds[index]
-                                     : &outcome->extrema[index - outcome->fold_count];
+/* Special point number `index` of the folds, then of the extrema. */
+static const po_special_point *special(const po_result *result, size_t index) {
+  return index < result->fold_count ? &result->folds[index]
+                                    : &result->extrema[index - result->fold_count];
 }
 
-static void name(const po_outcome *outcome, size_t index, char words[32]) {
-  const size_t number = index < outcome->fold_count ? index : index - outcome->fold_count;
-  snprintf(words, 32, "%s-%zu", po_landmark_kind_name(landmark(outcome, index)->kind), number + 1);
+static void name(const po_result *result, size_t index, char words[32]) {
+  const size_t number = index < result->fold_count ? index : index - result->fold_count;
+  snprintf(words, 32, "%s-%zu", po_special_kind_name(special(result, index)->kind), number + 1);
 }
 
 /* The arclength at which the curve passes nearest; NAN without a curve. */
-static double position_of(const po_outcome *outcome, double approach, double load) {
+static double position_of(const po_result *result, double approach, double load) {
   double nearest = (double)INFINITY, position = (double)NAN;
-  for (size_t i = 0; i < outcome->curve_count; ++i) {
-    const po_curve_point *p = &outcome->curve[i];
+  for (size_t i = 0; i < result->curve_count; ++i) {
+    const po_curve_point *p = &result->curve[i];
     const double distance = hypot(p->approach - approach, p->load - load);
     if (distance < nearest) {
       nearest = distance;
@@ -29,32 +29,32 @@ static double position_of(const po_outcome *outcome, double approach, double loa
   return position;
 }
 
-void po_place_tell(const po_outcome *outcome, double approach, double load,
+void po_place_tell(const po_result *result, double approach, double load,
                    char words[PO_PLACE_LENGTH]) {
-  const size_t count = outcome->fold_count + outcome->extremum_count, none = count;
-  const double position = position_of(outcome, approach, load);
+  const size_t count = result->fold_count + result->extremum_count, none = count;
+  const double position = position_of(result, approach, load);
   size_t before = none, after = none;
   words[0] = '\0';
   for (size_t i = 0; i < count; ++i) {
-    const po_landmark *mark = landmark(outcome, i);
+    const po_special_point *mark = special(result, i);
     if (mark->approach == approach && mark->load == load) {
       char at[32];
-      name(outcome, i, at);
+      name(result, i, at);
       snprintf(words, PO_PLACE_LENGTH, "at %s", at);
       return;
     }
     if (mark->position <= position &&
-        (before == none || mark->position > landmark(outcome, before)->position))
+        (before == none || mark->position > special(result, before)->position))
       before = i;
     if (mark->position > position &&
-        (after == none || mark->position < landmark(outcome, after)->position))
+        (after == none || mark->position < special(result, after)->position))
       after = i;
   }
   char first[32] = "", second[32] = "";
   if (before < none)
-    name(outcome, before, first);
+    name(result, before, first);
   if (after < none)
-    name(outcome, after, second);
+    name(result, after, second);
   if (*first && *second)
     snprintf(words, PO_PLACE_LENGTH, "between %s and %s", first, second);
   else if (*first || *second)

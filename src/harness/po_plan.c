@@ -81,7 +81,7 @@ static po_status make_keys(po_plan *plan) {
   po_arithmetic_digest(&plan->arithmetic, plan->program);
   po_text_add(&text, "%s|%u|%u|", plan->program, plan->want, kase->repeats);
   if (kase->line > 1)
-    po_text_add(&text, "%s|%zu|%zu|", kase->file->follow, kase->line, kase->anchors);
+    po_text_add(&text, "%s|%zu|%zu|", kase->file->follow, kase->line, kase->checkpoints);
   if (kase->file->traced)
     po_text_add(&text, "%s|%s|", kase->file->traced->seed_text, kase->file->traced->count_text);
   for (size_t i = 0; i < kase->point_count; ++i) {
@@ -102,16 +102,16 @@ static po_status make_keys(po_plan *plan) {
   return status;
 }
 
-po_status po_plan_create(const po_case *kase, const char *data_folder, po_plan **result) {
+po_status po_plan_create(const po_case *kase, const char *data_folder, po_plan **check_result) {
   po_arithmetic own;
   const po_status status = po_environment_arithmetic(&own);
-  *result = NULL;
-  return status ? status : po_plan_create_for(kase, data_folder, &own, result);
+  *check_result = NULL;
+  return status ? status : po_plan_create_for(kase, data_folder, &own, check_result);
 }
 
 po_status po_plan_create_for(const po_case *kase, const char *data_folder,
-                             const po_arithmetic *arithmetic, po_plan **result) {
-  *result = NULL;
+                             const po_arithmetic *arithmetic, po_plan **check_result) {
+  *check_result = NULL;
   po_plan *plan = po_allocate(1, sizeof *plan);
   if (!plan)
     return PO_NO_MEMORY;
@@ -127,7 +127,7 @@ po_status po_plan_create_for(const po_case *kase, const char *data_folder,
   if (status)
     po_plan_destroy(plan);
   else
-    *result = plan;
+    *check_result = plan;
   return status;
 }
 

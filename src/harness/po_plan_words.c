@@ -78,7 +78,7 @@ static po_status tell_scenes(po_plan *plan, const census *n) {
                  "follow the minima of the load along %s in %zu lines of %zu: traced once in %zu "
                  "scenes, and where two traces do not agree with what was followed between them",
                  plan->kase->file->follow, n->points / plan->kase->line, plan->kase->line,
-                 plan->kase->anchors);
+                 plan->kase->checkpoints);
   if (!status && plan->kase->file->traced)
     status = say(plan,
                  "trace %s of the scenes between, too, drawn with seed %s, beside what following "

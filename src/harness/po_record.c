@@ -61,21 +61,21 @@ static void table_name(char name[64], const char *what, const po_point *point) {
 static po_status add_table(const po_case_run *run, size_t index, bool profile, const char *folder,
                            json_t **entry) {
   const po_point *point = &run->plan->kase->points[index];
-  const po_outcome *outcome = &run->outcomes[index];
+  const po_result *result = &run->results[index];
   const char *what = profile ? "profile" : "curve";
   char name[64], digest_key[32], digest[PO_DIGEST_LENGTH];
   table_name(name, what, point);
   po_json_set(entry, what, json_null());
-  if ((profile ? outcome->profile_count : outcome->curve_count) == 0)
+  if ((profile ? result->profile_count : result->curve_count) == 0)
     return PO_OK;
   char *path = po_path_join(folder, name);
   if (!path)
     return PO_NO_MEMORY;
-  const po_status status = profile ? po_tables_write_profile(path, &point->request, outcome, digest)
-                                   : po_tables_write_curve(path, &point->request, outcome, digest);
+  const po_status status = profile ? po_tables_write_profile(path, &point->request, result, digest)
+                                   : po_tables_write_curve(path, &point->request, result, digest);
   free(path);
   if (profile)
-    po_json_set(entry, "contact", po_json_contact(outcome));
+    po_json_set(entry, "contact", po_json_contact(result));
   snprintf(digest_key, sizeof digest_key, "%s_sha256", what);
   po_json_set(entry, what, po_json_text(name));
   po_json_set(entry, digest_key, po_json_text(digest));
@@ -91,8 +91,8 @@ po_status po_record_add_tables(const po_case_run *run, size_t index, const char 
 json_t *po_record_point(const po_case_run *run, size_t index) {
   const po_case *kase = run->plan->kase;
   const po_point *point = &kase->points[index];
-  const po_outcome *outcome = &run->outcomes[index];
-  json_t *object = po_json_outcome(&point->request, outcome);
+  const po_result *result = &run->results[index];
+  json_t *object = po_json_result(&point->request, result);
   po_json_set(&object, "id", po_json_text(point->id));
   po_json_set(&object, "label", po_json_text(point->label));
   po_json_set(&object, "sweep", sweep(kase, index));
@@ -100,11 +100,11 @@ json_t *po_record_point(const po_case_run *run, size_t index) {
   po_json_set(&object, "processor_seconds_all", times(run, run->processor_seconds, index));
   po_json_set(&object, "command", po_json_take_text(po_input_command(&point->request)));
   if (point->traced)
-    po_json_set(&object, "traced", po_json_outcome(&point->request, &run->traces[index]));
+    po_json_set(&object, "traced", po_json_result(&point->request, &run->traces[index]));
   if (kase->is_physical)
     po_json_set(&object, "physical",
                 PO_JSON_OBJECT({"units", po_json_units(&kase->units)},
-                               {"pull_off", po_json_units_pull_off(&kase->units, outcome)}));
+                               {"pull_off", po_json_units_pull_off(&kase->units, result)}));
   return object;
 }
 
@@ -117,7 +117,7 @@ static json_t *command_json(const char *verb, const po_case *kase) {
   return po_json_take_text(text.data);
 }
 
-static json_t *check_json(const po_case_run *run, const po_result *item) {
+static json_t *check_json(const po_case_run *run, const po_check_result *item) {
   const po_case *kase = run->plan->kase;
   const po_check *check = item->check;
   return PO_JSON_OBJECT(
@@ -136,7 +136,8 @@ static json_t *check_json(const po_case_run *run, const po_result *item) {
       {"because", po_json_text(check->because)}, {"command", command_json("verify", kase)});
 }
 
-/* How a measurement ended; `outside` are curves and landmarks that have no one-to-one counterpart.
+/* How a measurement ended; `outside` are curves and special points that have no one-to-one
+ * counterpart.
  */
 static const char *measured_as(po_verdict verdict) {
   return verdict == PO_OUTSIDE             ? "no_correspondence"
@@ -145,7 +146,7 @@ static const char *measured_as(po_verdict verdict) {
                                            : "measured";
 }
 
-static json_t *measure_json(const po_case_run *run, const po_result *item) {
+static json_t *measure_json(const po_case_run *run, const po_check_result *item) {
   return PO_JSON_OBJECT(
       {"id", po_json_text(item->id)},
       {"point", po_json_text(run->plan->kase->points[item->point].id)},
@@ -214,11 +215,11 @@ static json_t *plan_json(const po_plan *plan) {
   return lines;
 }
 
-static json_t *results_json(const po_case_run *run, const po_results *results,
-                            json_t *(*item_json)(const po_case_run *, const po_result *)) {
+static json_t *results_json(const po_case_run *run, const po_check_results *check_results,
+                            json_t *(*item_json)(const po_case_run *, const po_check_result *)) {
   json_t *items = po_json_empty_array();
-  for (size_t i = 0; i < results->count; ++i)
-    po_json_append(&items, item_json(run, &results->items[i]));
+  for (size_t i = 0; i < check_results->count; ++i)
+    po_json_append(&items, item_json(run, &check_results->items[i]));
   return items;
 }
 
@@ -244,7 +245,7 @@ static json_t *record_json(const po_case_run *run, int jobs, json_t *points, jso
       {"versions", po_environment_versions(run->plan->arithmetic.openblas)},
       {"environment", environment(run, jobs)}, {"verdict", po_json_text(po_case_run_verdict(run))},
       {"seconds", po_json_number(run->elapsed)}, {"plan", plan_json(run->plan)}, {"points", points},
-      {"checks", results_json(run, &run->results, check_json)},
+      {"checks", results_json(run, &run->check_results, check_json)},
       {"measured", results_json(run, &run->measured, measure_json)},
       {"left_out", left_out(run->plan)}, {"not_solved", not_solved(kase)}, {"lines", lines});
 }

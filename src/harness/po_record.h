@@ -11,7 +11,7 @@
 po_status po_record_write(const po_case_run *run, const char *output, int jobs,
                           const volatile sig_atomic_t *stop);
 
-/* Reads the outcomes of an earlier run of the same solves back. Status: PO_NOT_FOUND when there is
+/* Reads the results of an earlier run of the same solves back. Status: PO_NOT_FOUND when there is
  * none, or it is of other scenes, another program, or damaged: then it has to be solved again;
  * PO_NO_MEMORY. */
 po_status po_record_read(po_case_run *run, const char *output);
@@ -27,7 +27,7 @@ json_t *po_record_point(const po_case_run *run, size_t index);
 po_status po_record_add_tables(const po_case_run *run, size_t index, const char *folder,
                                json_t **entry);
 
-/* The inverse of both: the outcome of a point from its entry and its tables.
+/* The inverse of both: the result of a point from its entry and its tables.
  * Status: PO_NOT_FOUND when the entry is of another point, or something is lost or damaged;
  * PO_NO_MEMORY. */
 po_status po_record_read_point(po_case_run *run, size_t index, const json_t *entry,

@@ -18,16 +18,16 @@ static double number_or_nan(const json_t *value) {
 }
 
 static po_status read_table(const json_t *point, bool profile, bool needed, const char *folder,
-                            po_outcome *outcome) {
+                            po_result *result) {
   const char *name = string_of(point, profile ? "profile" : "curve");
   const char *digest = string_of(point, profile ? "profile_sha256" : "curve_sha256");
   if (!*name)
-    return needed && outcome->status == PO_OK ? PO_NOT_FOUND : PO_OK;
+    return needed && result->status == PO_OK ? PO_NOT_FOUND : PO_OK;
   char *path = po_path_join(folder, name);
   if (!path)
     return PO_NO_MEMORY;
-  const po_status status = profile ? po_tables_read_profile(path, digest, outcome)
-                                   : po_tables_read_curve(path, digest, outcome);
+  const po_status status = profile ? po_tables_read_profile(path, digest, result)
+                                   : po_tables_read_curve(path, digest, result);
   free(path);
   return status;
 }
@@ -35,18 +35,18 @@ static po_status read_table(const json_t *point, bool profile, bool needed, cons
 po_status po_record_read_point(po_case_run *run, size_t index, const json_t *point,
                                const char *folder) {
   const unsigned repeats = run->plan->kase->repeats;
-  po_outcome *outcome = &run->outcomes[index];
+  po_result *result = &run->results[index];
   const json_t *seconds = json_object_get(point, "seconds_all");
   const json_t *processor = json_object_get(point, "processor_seconds_all");
   if (strcmp(string_of(point, "id"), run->plan->kase->points[index].id) != 0 ||
       json_array_size(seconds) != repeats || json_array_size(processor) != repeats)
     return PO_NOT_FOUND;
-  po_status status = po_json_read_outcome(point, outcome);
-  if (!status && outcome->status == PO_NO_MEMORY)
+  po_status status = po_json_read_result(point, result);
+  if (!status && result->status == PO_NO_MEMORY)
     status = PO_NOT_FOUND; /* that is no result: another time there may be memory */
   if (!status && run->plan->kase->points[index].traced) {
-    po_outcome_clear(&run->traces[index]);
-    status = po_json_read_outcome(json_object_get(point, "traced"), &run->traces[index]);
+    po_result_clear(&run->traces[index]);
+    status = po_json_read_result(json_object_get(point, "traced"), &run->traces[index]);
   }
   for (unsigned i = 0; i < repeats; ++i) {
     const size_t place = index * repeats + i;
@@ -54,9 +54,9 @@ po_status po_record_read_point(po_case_run *run, size_t index, const json_t *poi
     run->processor_seconds[place] = number_or_nan(json_array_get(processor, i));
   }
   if (!status)
-    status = read_table(point, false, run->plan->want & PO_WANT_CURVE, folder, outcome);
+    status = read_table(point, false, run->plan->want & PO_WANT_CURVE, folder, result);
   if (!status)
-    status = read_table(point, true, run->plan->want & PO_WANT_PROFILE, folder, outcome);
+    status = read_table(point, true, run->plan->want & PO_WANT_PROFILE, folder, result);
   return status;
 }
 
@@ -77,7 +77,7 @@ static po_status read_record(po_case_run *run, const json_t *record, const char 
       run->done[i] = true;
   } else
     for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-      po_outcome_clear(&run->outcomes[i]);
+      po_result_clear(&run->results[i]);
   return status;
 }
 

@@ -249,11 +249,11 @@ po_status po_reference_find(const po_reference *reference, po_quantity quantity,
   return find_single(reference, quantity, request, number);
 }
 
-static po_status read_kind(const po_csv *table, size_t row, size_t column, po_landmark_kind *kind) {
+static po_status read_kind(const po_csv *table, size_t row, size_t column, po_special_kind *kind) {
   const char *text = po_csv_cell(table, row, column);
   for (int k = PO_JUMP_IN; k <= PO_MAXIMUM; ++k)
-    if (strcmp(text, po_landmark_kind_name((po_landmark_kind)k)) == 0) {
-      *kind = (po_landmark_kind)k;
+    if (strcmp(text, po_special_kind_name((po_special_kind)k)) == 0) {
+      *kind = (po_special_kind)k;
       return PO_OK;
     }
   return po_fail(PO_CANNOT_READ,
@@ -261,12 +261,12 @@ static po_status read_kind(const po_csv *table, size_t row, size_t column, po_la
                  table->lines[row], text);
 }
 
-static bool kind_fits(po_quantity quantity, po_landmark_kind kind) {
+static bool kind_fits(po_quantity quantity, po_special_kind kind) {
   const bool is_fold = kind == PO_JUMP_IN || kind == PO_JUMP_OUT;
   return quantity == PO_FOLDS ? is_fold : !is_fold;
 }
 
-/* One row as a point; *fits is false when it is a landmark of the other sort. */
+/* One row as a point; *fits is false when it is a special point of the other sort. */
 static po_status read_point(const po_csv *table, size_t row, po_quantity quantity,
                             po_reference_point *point, bool *fits) {
   size_t approach = 0, load = 0, kind = 0;
@@ -290,12 +290,12 @@ static po_status read_point(const po_csv *table, size_t row, po_quantity quantit
 }
 
 po_status po_reference_points(const po_reference *reference, po_quantity quantity,
-                              const po_request *request, const po_outcome *outcome,
+                              const po_request *request, const po_result *result,
                               po_reference_point **points, size_t *count) {
   *points = NULL;
   *count = 0;
   if (reference->is_bradley)
-    return po_bradley_points(quantity, request, outcome, points, count);
+    return po_bradley_points(quantity, request, result, points, count);
   if (reference->is_pin)
     return po_pins_points(reference, quantity, request, points, count);
   const po_csv *table = &reference->table;

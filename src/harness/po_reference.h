@@ -5,7 +5,7 @@
  * "zero", of diagnostics, or "traced", of what is followed. In a table a column with the name of a
  * scene key (tabor, ...) says which scene a row is for, a header with such a name says it for all
  * rows, and the other columns are named as in the records: of the pull-off force and approach
- * (force_uncertainty, approach_uncertainty), of a landmark kind, approach and load
+ * (force_uncertainty, approach_uncertainty), of a special point kind, approach and load
  * (approach_uncertainty, load_uncertainty), of a point of the curve approach and load
  * (uncertainty). Rows for one scene follow the branch. */
 #ifndef PO_REFERENCE_H
@@ -13,7 +13,7 @@
 
 #include "po_case.h"
 #include "po_csv.h"
-#include "po_outcome.h"
+#include "po_result.h"
 #include "po_status.h"
 
 typedef enum { PO_LEDGER_ORACLE, PO_LEDGER_PUBLISHED, PO_LEDGER_PIN } po_ledger;
@@ -40,13 +40,13 @@ typedef struct {
   double uncertainty; /* absolute; NAN: not given */
 } po_reference_number;
 
-/* A point of a reference curve or a landmark. */
+/* A point of a reference curve or a special point. */
 typedef struct {
   double approach;
   double load;
   double approach_uncertainty;
   double load_uncertainty;
-  po_landmark_kind kind; /* of landmarks */
+  po_special_kind kind; /* of special points */
 } po_reference_point;
 
 /* "oracle", "published", "pin". */
@@ -78,15 +78,15 @@ po_status po_reference_cell(const po_reference *reference, size_t row, const cha
                             po_reference_number *number);
 
 /* Its folds, extrema or curve points (by `quantity`) for a scene, along the branch: *points of
- * *count, to be freed. `outcome` says where ours ran, for a closed form that has no end of its own.
+ * *count, to be freed. `result` says where ours ran, for a closed form that has no end of its own.
  * Status: as above. */
 po_status po_reference_points(const po_reference *reference, po_quantity quantity,
-                              const po_request *request, const po_outcome *outcome,
+                              const po_request *request, const po_result *result,
                               po_reference_point **points, size_t *count);
 
-/* Up to which approach its landmarks of a scene are complete: all there are along the branch until
- * the approach first exceeds that (column complete_to; infinite when there is no such column).
- * Status: PO_CANNOT_READ: not a number. */
+/* Up to which approach its special points of a scene are complete: all there are along the branch
+ * until the approach first exceeds that (column complete_to; infinite when there is no such
+ * column). Status: PO_CANNOT_READ: not a number. */
 po_status po_reference_complete_to(const po_reference *reference, const po_request *request,
                                    double *approach);
 

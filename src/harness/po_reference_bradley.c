@@ -68,12 +68,12 @@ static po_status sample(double start, double end, po_reference_point **points, s
 }
 
 po_status po_bradley_points(po_quantity quantity, const po_request *request,
-                            const po_outcome *outcome, po_reference_point **points, size_t *count) {
+                            const po_result *result, po_reference_point **points, size_t *count) {
   if (!speaks_of(request))
     return PO_NOT_FOUND;
-  if (quantity == PO_CURVE && outcome && outcome->curve_count)
-    return sample(fmin(outcome->curve[0].approach, LARGEST_APPROACH),
-                  fmin(outcome->curve[outcome->curve_count - 1].approach, LARGEST_APPROACH), points,
+  if (quantity == PO_CURVE && result && result->curve_count)
+    return sample(fmin(result->curve[0].approach, LARGEST_APPROACH),
+                  fmin(result->curve[result->curve_count - 1].approach, LARGEST_APPROACH), points,
                   count);
   *points = po_allocate(1, sizeof **points);
   if (!*points)

@@ -10,6 +10,6 @@
 po_status po_bradley_find(po_quantity quantity, const po_request *request,
                           po_reference_number *number);
 po_status po_bradley_points(po_quantity quantity, const po_request *request,
-                            const po_outcome *outcome, po_reference_point **points, size_t *count);
+                            const po_result *result, po_reference_point **points, size_t *count);
 
 #endif

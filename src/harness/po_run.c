@@ -52,27 +52,27 @@ static po_status compare_all(po_case_run *run) {
   for (unsigned c = 0; !status && c < kase->file->checks_count; ++c) {
     const po_check *check = &kase->file->checks[c];
     if (check->quantity == PO_SOLVED_SHARE) {
-      status = po_compare_share(kase, run->asked, check, &run->plan->references[c], run->outcomes,
-                                &run->results);
+      status = po_compare_share(kase, run->asked, check, &run->plan->references[c], run->results,
+                                &run->check_results);
       continue;
     }
     if (po_check_is_traced(check)) {
-      status = po_compare_traced(kase, run->asked, check, &run->plan->references[c], run->outcomes,
-                                 run->traces, &run->results);
+      status = po_compare_traced(kase, run->asked, check, &run->plan->references[c], run->results,
+                                 run->traces, &run->check_results);
       continue;
     }
     for (size_t i = 0; !status && i < kase->point_count; ++i)
       if (run->asked[i])
-        status =
-            po_compare(kase, i, check, &run->plan->references[c], &run->outcomes[i], &run->results);
+        status = po_compare(kase, i, check, &run->plan->references[c], &run->results[i],
+                            &run->check_results);
   }
   for (unsigned m = 0; !status && m < kase->file->measure_count; ++m)
     for (size_t i = 0; !status && i < kase->point_count; ++i)
       if (run->asked[i])
         status = po_compare(kase, i, &kase->file->measure[m], &run->plan->measures[m],
-                            &run->outcomes[i], &run->measured);
+                            &run->results[i], &run->measured);
   if (!status)
-    po_judge(&run->results);
+    po_judge(&run->check_results);
   return status;
 }
 
@@ -85,7 +85,7 @@ static void tell_finished(po_crew *crew, const po_case_run *run) {
   if (!po_case_run_is_whole(run))
     snprintf(part, sizeof part, " of %zu", run->plan->kase->point_count);
   po_progress_say(&crew->progress, "%s: %zu%s points, %zu checks: %s%s",
-                  run->plan->kase->file->name, run->asked_count, part, run->results.count,
+                  run->plan->kase->file->name, run->asked_count, part, run->check_results.count,
                   po_case_run_verdict(run), kept);
 }
 
@@ -122,23 +122,23 @@ static double median(const double *values, unsigned count) {
   return count % 2 ? sorted[count / 2] : (sorted[count / 2 - 1] + sorted[count / 2]) / 2;
 }
 
-/* Solves a point; the outcome is that of the first round, later ones only time it. */
+/* Solves a point; the result is that of the first round, later ones only time it. */
 static void solve_point(const po_crew *crew, po_case_run *run, const po_task *task) {
   const unsigned repeats = run->plan->kase->repeats;
   const size_t place = task->point * repeats + task->round;
   po_request request = po_plan_request(run->plan, task->point);
-  po_outcome again = {0}, *first = &run->outcomes[task->point];
-  po_outcome *outcome = task->round ? &again : first;
+  po_result again = {0}, *first = &run->results[task->point];
+  po_result *result = task->round ? &again : first;
   request.stop = crew->options->stop;
   const double begin = po_clock_thread();
-  const po_status status = po_observe(&request, outcome);
+  const po_status status = po_observe(&request, result);
   run->processor_seconds[place] = po_clock_thread() - begin;
-  run->seconds[place] = outcome->work.seconds;
-  if (status && !outcome->reason[0])
-    snprintf(outcome->reason, sizeof outcome->reason, "%.250s", po_message());
+  run->seconds[place] = result->work.seconds;
+  if (status && !result->reason[0])
+    snprintf(result->reason, sizeof result->reason, "%.250s", po_message());
   if (status == PO_NO_MEMORY)
     first->status = status;
-  po_outcome_clear(&again);
+  po_result_clear(&again);
   if (task->round + 1 == repeats)
     first->work.seconds = median(run->seconds + task->point * repeats, repeats);
 }
@@ -163,12 +163,12 @@ static double effort(const po_case_run *run) {
 /* Whether a solve of a point found no memory, which is no result: the point is neither kept nor
  * done, and solved again by the next run. */
 static bool is_starved(po_crew *crew, const po_case_run *run, size_t point) {
-  const po_outcome *outcome = &run->outcomes[point];
-  if (outcome->status != PO_NO_MEMORY)
+  const po_result *result = &run->results[point];
+  if (result->status != PO_NO_MEMORY)
     return false;
   if (!crew->starved)
     snprintf(crew->starved_message, sizeof crew->starved_message, "%s %s: %s",
-             run->plan->kase->file->name, run->plan->kase->points[point].label, outcome->reason);
+             run->plan->kase->file->name, run->plan->kase->points[point].label, result->reason);
   return true;
 }
 
@@ -198,7 +198,7 @@ static void do_task(po_crew *crew, const po_task *task) {
     status = po_run_line(run, task->point, crew->options->stop);
   else {
     solve_point(crew, run, task);
-    po_lack_forget(); /* the outcome says it */
+    po_lack_forget(); /* the result says it */
   }
   const bool stopped = crew->options->stop && *crew->options->stop;
 #pragma omp critical(po_run_finish)
@@ -295,7 +295,7 @@ static po_status begin_case(po_crew *crew, po_case_run *run) {
       continue;
     run->pending += run->done[i] ? 0 : 1;
     run->resumed += run->done[i] ? 1 : 0;
-    run->elapsed += run->done[i] ? run->outcomes[i].work.seconds : 0;
+    run->elapsed += run->done[i] ? run->results[i].work.seconds : 0;
   }
   return run->pending ? PO_OK : finish_case(crew, run);
 }

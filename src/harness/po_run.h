@@ -4,28 +4,28 @@
 
 #include <signal.h>
 
+#include "po_check_result.h"
 #include "po_plan.h"
-#include "po_result.h"
 
 /* One case on its way through a run. */
 typedef struct {
   po_plan *plan;
-  po_outcome *outcomes;      /* one a point */
-  po_outcome *traces;        /* one a point: of those that are followed, and traced as well */
+  po_result *results;        /* one a point */
+  po_result *traces;         /* one a point: of those that are followed, and traced as well */
   double *seconds;           /* points x repeats, row after row: how long each solve took */
   double *processor_seconds; /* the same by the clock of the processor */
   bool *asked;               /* one a point: it is asked for; at first all are */
   size_t asked_count;
-  bool *done;                     /* one a point: its outcome is there */
+  bool *done;                     /* one a point: its result is there */
   size_t pending;                 /* points asked for and not solved yet */
   size_t resumed;                 /* points that an interrupted run left */
-  bool kept;                      /* the outcomes are those of an earlier run */
+  bool kept;                      /* the results are those of an earlier run */
   bool finished;                  /* compared, and its record is written if it is to be */
   char old_key[PO_DIGEST_LENGTH]; /* of the record they were read from */
-  po_results results;
-  po_results measured; /* what the case measures: errors without a verdict */
-  double elapsed;      /* seconds spent on its solves */
-  char *environment;   /* where it was solved, as JSON; NULL: here */
+  po_check_results check_results;
+  po_check_results measured; /* what the case measures: errors without a verdict */
+  double elapsed;            /* seconds spent on its solves */
+  char *environment;         /* where it was solved, as JSON; NULL: here */
 } po_case_run;
 
 typedef struct {

@@ -45,13 +45,13 @@ static const cyaml_schema_value_t RANGE = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, po_axis, RANGE_FIELDS)};
 
 static const cyaml_schema_field_t LINE_FIELDS[] = {
-    TEXT("name", po_line, name),
-    TEXT("theory", po_line, theory),
-    LIST("sweep", 0, po_line, sweep, &RANGE),
+    TEXT("name", po_series, name),
+    TEXT("theory", po_series, theory),
+    LIST("sweep", 0, po_series, sweep, &RANGE),
     CYAML_FIELD_END,
 };
 static const cyaml_schema_value_t LINE = {
-    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, po_line, LINE_FIELDS)};
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, po_series, LINE_FIELDS)};
 
 static const cyaml_schema_field_t DRAW_FIELDS[] = {
     TEXT("key", po_draw, key),
@@ -169,7 +169,7 @@ static const cyaml_schema_field_t CASE_FIELDS[] = {
     CYAML_FIELD_MAPPING_PTR("sample", CYAML_FLAG_POINTER | CYAML_FLAG_OPTIONAL, po_case_file,
                             sample, SAMPLE_FIELDS),
     OPTIONAL_TEXT("follow", po_case_file, follow),
-    OPTIONAL_TEXT("anchor_every", po_case_file, anchors_text),
+    OPTIONAL_TEXT("checkpoint_every", po_case_file, checkpoints_text),
     CYAML_FIELD_MAPPING_PTR("traced", CYAML_FLAG_POINTER | CYAML_FLAG_OPTIONAL, po_case_file,
                             traced, TRACED_FIELDS),
     OPTIONAL_TEXT("repeats", po_case_file, repeats_text),
@@ -223,17 +223,17 @@ static const struct {
     {"sample.keys.scale", "linear or log"},
     {"sample.keys.times", "root_radius or a key given before: by scene, sweep or an earlier item"},
     {"follow", "the last key of the sweep, with a number for a value"},
-    {"anchor_every", "a whole number from 1 to 1000, beside follow"},
+    {"checkpoint_every", "a whole number from 1 to 1000, beside follow"},
     {"traced", "a mapping of seed and count, beside follow"},
     {"traced.seed", "a whole number of at most 15 digits"},
-    {"traced.count", "a whole number from 1 up to all scenes between two anchors"},
+    {"traced.count", "a whole number from 1 up to all scenes between two checkpoints"},
     {"repeats", "a whole number from 1 to 1000"},
     {"want",
      "a list of pull_off, folds, extrema, curve, profile, hysteresis, diagnostics, preload"},
     {"checks", "a list of checks"},
     {"checks.quantity",
      "pull_off_force, pull_off_approach, contact_radius, residual, moved_force, energy_defect, "
-     "way_back, hysteresis_force, hysteresis_approach, hysteresis_loss, jumps, pull_off_any, "
+     "reverse_trace, hysteresis_force, hysteresis_approach, hysteresis_loss, jumps, pull_off_any, "
      "steps, "
      "load_steps, fold_count, folds, extrema, curve, work or solved_share"},
     {"checks.reference", "bradley, pin, every_scene, zero, traced or the path of a CSV file"},

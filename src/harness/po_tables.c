@@ -38,13 +38,13 @@ static po_status write_table(const char *path, const po_request *request, const 
 }
 
 po_status po_tables_write_curve(const char *path, const po_request *request,
-                                const po_outcome *outcome, char *digest) {
+                                const po_result *result, char *digest) {
   po_text rows = {0};
   for (size_t c = 0; c < CURVE_COLUMNS; ++c)
     po_text_add(&rows, "%s%s", c ? "," : "", CURVE_NAMES[c]);
   po_text_add(&rows, "\n");
-  for (size_t i = 0; i < outcome->curve_count; ++i) {
-    const po_curve_point *p = &outcome->curve[i];
+  for (size_t i = 0; i < result->curve_count; ++i) {
+    const po_curve_point *p = &result->curve[i];
     const double row[CURVE_COLUMNS] = {
         p->position,       p->approach,      p->load,      p->energy,
         p->contact_radius, p->approach_rate, p->load_rate, (double)p->unstable_modes};
@@ -59,14 +59,14 @@ po_status po_tables_write_curve(const char *path, const po_request *request,
 }
 
 po_status po_tables_write_profile(const char *path, const po_request *request,
-                                  const po_outcome *outcome, char *digest) {
+                                  const po_result *result, char *digest) {
   po_text rows = {0};
   char approach[PO_NUMBER_LENGTH], what[100];
-  po_number_print(outcome->profile_approach, approach);
+  po_number_print(result->profile_approach, approach);
   snprintf(what, sizeof what, "gap and traction over the radius at approach %s", approach);
   po_text_add(&rows, "radius,gap,traction\n");
-  for (size_t i = 0; i < outcome->profile_count; ++i) {
-    const po_profile_point *p = &outcome->profile[i];
+  for (size_t i = 0; i < result->profile_count; ++i) {
+    const po_profile_point *p = &result->profile[i];
     po_csv_add_row(&rows, (const double[]){p->radius, p->gap, p->traction}, 3);
   }
   return write_table(path, request, what,
@@ -98,12 +98,12 @@ static void add_steps(po_text *rows, const char *control, const po_staircase *s)
 }
 
 po_status po_tables_write_staircase(const char *path, const po_request *request,
-                                    const po_outcome *outcome, char *digest) {
+                                    const po_result *result, char *digest) {
   po_text rows = {0};
   po_text_add(&rows, "control,from_approach,from_load,until_approach,until_load,open,force,"
                      "force_error,approach,approach_error,energy_lost,energy_lost_error\n");
-  add_steps(&rows, "displacement", &outcome->staircase[0]);
-  add_steps(&rows, "load", &outcome->staircase[1]);
+  add_steps(&rows, "displacement", &result->staircase[0]);
+  add_steps(&rows, "load", &result->staircase[1]);
   return write_table(path, request,
                      "pull-off and energy lost by the preload: each row a step, from one greatest "
                      "approach (control displacement) or load (control load) until another; open: "
@@ -142,11 +142,11 @@ static po_status read_numbers(const char *path, const char *digest, const char *
   return status;
 }
 
-po_status po_tables_read_curve(const char *path, const char *digest, po_outcome *outcome) {
+po_status po_tables_read_curve(const char *path, const char *digest, po_result *result) {
   double *values = NULL;
   size_t rows = 0;
   po_status status = read_numbers(path, digest, CURVE_NAMES, CURVE_COLUMNS, &values, &rows);
-  if (!status && !(outcome->curve = po_allocate(rows, sizeof *outcome->curve)))
+  if (!status && !(result->curve = po_allocate(rows, sizeof *result->curve)))
     status = PO_NO_MEMORY;
   for (size_t i = 0; !status && i < rows; ++i) {
     const double *v = values + CURVE_COLUMNS * i;
@@ -155,30 +155,30 @@ po_status po_tables_read_curve(const char *path, const char *digest, po_outcome 
           po_fail(PO_CANNOT_READ, "%s: unstable_modes is %g: expected a whole number", path, v[7]);
       break;
     }
-    outcome->curve[i] = (po_curve_point){.position = v[0],
-                                         .approach = v[1],
-                                         .load = v[2],
-                                         .energy = v[3],
-                                         .contact_radius = v[4],
-                                         .approach_rate = v[5],
-                                         .load_rate = v[6],
-                                         .unstable_modes = (int)v[7]};
-    outcome->curve_count = rows;
+    result->curve[i] = (po_curve_point){.position = v[0],
+                                        .approach = v[1],
+                                        .load = v[2],
+                                        .energy = v[3],
+                                        .contact_radius = v[4],
+                                        .approach_rate = v[5],
+                                        .load_rate = v[6],
+                                        .unstable_modes = (int)v[7]};
+    result->curve_count = rows;
   }
   free(values);
   return status;
 }
 
-po_status po_tables_read_profile(const char *path, const char *digest, po_outcome *outcome) {
+po_status po_tables_read_profile(const char *path, const char *digest, po_result *result) {
   static const char *const NAMES[] = {"radius", "gap", "traction"};
   double *values = NULL;
   size_t rows = 0;
   po_status status = read_numbers(path, digest, NAMES, 3, &values, &rows);
-  if (!status && !(outcome->profile = po_allocate(rows, sizeof *outcome->profile)))
+  if (!status && !(result->profile = po_allocate(rows, sizeof *result->profile)))
     status = PO_NO_MEMORY;
   for (size_t i = 0; !status && i < rows; ++i) {
-    outcome->profile[i] = (po_profile_point){values[3 * i], values[3 * i + 1], values[3 * i + 2]};
-    outcome->profile_count = rows;
+    result->profile[i] = (po_profile_point){values[3 * i], values[3 * i + 1], values[3 * i + 2]};
+    result->profile_count = rows;
   }
   free(values);
   return status;

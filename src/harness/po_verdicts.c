@@ -22,7 +22,7 @@ static void ratio_or_dash(double value, char text[24]) {
 }
 
 /* A curve has no one number; its largest distance from the reference stands for it. */
-static void table_line(const po_case_run *run, const po_result *item, po_text *text) {
+static void table_line(const po_case_run *run, const po_check_result *item, po_text *text) {
   char obtained[32], expected[32], ratio[24];
   const bool curve = item->check->quantity == PO_CURVE;
   number_or_dash(curve ? item->error : item->obtained, 9, obtained);
@@ -40,19 +40,19 @@ static void table_line(const po_case_run *run, const po_result *item, po_text *t
 static void physical_lines(const po_case_run *run, po_text *text) {
   const po_case *kase = run->plan->kase;
   for (size_t i = 0; kase->is_physical && i < kase->point_count; ++i)
-    if (run->outcomes[i].has_pull_off)
+    if (run->results[i].has_pull_off)
       po_text_add(text, "%-12s %-23s %-24s %.10g N at approach %.10g m\n", kase->file->name,
                   "pull_off", kase->points[i].label,
-                  run->outcomes[i].pull_off.force * kase->units.force,
-                  run->outcomes[i].pull_off.approach * kase->units.length);
+                  run->results[i].pull_off.force * kase->units.force,
+                  run->results[i].pull_off.approach * kase->units.length);
 }
 
 /* How many checks of all cases have each verdict. */
 static size_t count_verdicts(const po_case_run *runs, size_t count, size_t of[PO_VERDICT_COUNT]) {
   size_t total = 0;
   for (size_t r = 0; r < count; ++r)
-    for (size_t i = 0; i < runs[r].results.count; ++i) {
-      of[runs[r].results.items[i].verdict] += 1;
+    for (size_t i = 0; i < runs[r].check_results.count; ++i) {
+      of[runs[r].check_results.items[i].verdict] += 1;
       total += 1;
     }
   return total;
@@ -87,19 +87,19 @@ void po_verdicts_table(const po_case_run *runs, size_t count, po_text *text) {
               "obtained", "expected", "|err|/tol", "ledger", "verdict");
   for (size_t r = 0; r < count; ++r) {
     const po_case_run *run = &runs[r];
-    for (size_t i = 0; i < run->results.count; ++i)
-      table_line(run, &run->results.items[i], text);
+    for (size_t i = 0; i < run->check_results.count; ++i)
+      table_line(run, &run->check_results.items[i], text);
     physical_lines(run, text);
     for (size_t i = 0; i < run->plan->kase->point_count; ++i)
       if (po_case_run_failed(run, i))
         po_text_add(text, "%-12s %-23s %-24s failed: %s\n", run->plan->kase->file->name, "solve",
-                    run->plan->kase->points[i].label, run->outcomes[i].reason);
+                    run->plan->kase->points[i].label, run->results[i].reason);
   }
   totals(runs, count, text);
 }
 
 /* What there is to say of a check that is not simply within. */
-static void tell(const po_result *item, char text[400]) {
+static void tell(const po_check_result *item, char text[400]) {
   char obtained[32], expected[32], error[32];
   number_or_dash(item->obtained, 17, obtained);
   number_or_dash(item->expected, 17, expected);
@@ -109,7 +109,8 @@ static void tell(const po_result *item, char text[400]) {
            item->check->kind_text, item->note[0] ? "; " : "", item->note);
 }
 
-static void tap_check(const po_case_run *run, const po_result *item, size_t number, po_text *text) {
+static void tap_check(const po_case_run *run, const po_check_result *item, size_t number,
+                      po_text *text) {
   po_text_add(text, "%s %zu - %s %s\n", po_verdict_passes(item->verdict) ? "ok" : "not ok", number,
               run->plan->kase->file->name, item->id);
   if (item->verdict == PO_WITHIN)
@@ -122,16 +123,16 @@ static void tap_check(const po_case_run *run, const po_result *item, size_t numb
 void po_verdicts_tap(const po_case_run *runs, size_t count, po_text *text) {
   size_t total = 0, number = 0;
   for (size_t r = 0; r < count; ++r)
-    total += runs[r].results.count + po_case_run_failures(&runs[r]);
+    total += runs[r].check_results.count + po_case_run_failures(&runs[r]);
   po_text_add(text, "TAP version 13\n1..%zu\n", total);
   for (size_t r = 0; r < count; ++r) {
     const po_case_run *run = &runs[r];
-    for (size_t i = 0; i < run->results.count; ++i)
-      tap_check(run, &run->results.items[i], ++number, text);
+    for (size_t i = 0; i < run->check_results.count; ++i)
+      tap_check(run, &run->check_results.items[i], ++number, text);
     for (size_t i = 0; i < run->plan->kase->point_count; ++i)
       if (po_case_run_failed(run, i))
         po_text_add(text, "not ok %zu - %s solve/%s\n# %s\n", ++number, run->plan->kase->file->name,
-                    run->plan->kase->points[i].label, run->outcomes[i].reason);
+                    run->plan->kase->points[i].label, run->results[i].reason);
   }
 }
 
@@ -172,22 +173,22 @@ static void junit_suite(const po_case_run *run, po_text *text) {
   const po_case *kase = run->plan->kase;
   const size_t failures = po_case_run_failures(run);
   po_text_add(text, "  <testsuite name=\"%s\" tests=\"%zu\" failures=\"%zu\" time=\"%.3f\">\n",
-              kase->file->name, run->results.count + failures, po_case_run_outside(run) + failures,
-              run->elapsed);
-  for (size_t i = 0; i < run->results.count; ++i) {
-    const po_result *item = &run->results.items[i];
+              kase->file->name, run->check_results.count + failures,
+              po_case_run_outside(run) + failures, run->elapsed);
+  for (size_t i = 0; i < run->check_results.count; ++i) {
+    const po_check_result *item = &run->check_results.items[i];
     char words[400];
     tell(item, words);
     junit_test(kase->file->name, item->id, po_verdict_passes(item->verdict),
-               item->verdict == PO_WITHIN ? NULL : words, run->outcomes[item->point].work.seconds,
+               item->verdict == PO_WITHIN ? NULL : words, run->results[item->point].work.seconds,
                text);
   }
   for (size_t i = 0; i < kase->point_count; ++i)
     if (po_case_run_failed(run, i)) {
       char id[300];
       snprintf(id, sizeof id, "solve/%s", kase->points[i].label);
-      junit_test(kase->file->name, id, false, run->outcomes[i].reason,
-                 run->outcomes[i].work.seconds, text);
+      junit_test(kase->file->name, id, false, run->results[i].reason, run->results[i].work.seconds,
+                 text);
     }
   po_text_add(text, "  </testsuite>\n");
 }

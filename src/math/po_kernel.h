@@ -9,8 +9,8 @@
  * of a half-space (E* = 1) under a unit line load p s ds on the circle of radius s, Eq 12, which
  * reads (4/(pi max)) K(min/max); the form with the arithmetic-geometric mean is Gauss's, symmetric,
  * and does not cancel near r = s. Given: sum > 0, difference != 0 (any unit of length in which
- * their squares are normal doubles). Returned: 1/length; INFINITY when difference is 0. Accuracy: 4 ulp, measured 1
- * on every row of reference/kernel.csv (tests/theory/test_tables_math.c). */
+ * their squares are normal doubles). Returned: 1/length; INFINITY when difference is 0. Accuracy: 4
+ * ulp, measured 1 on every row of reference/kernel.csv (tests/theory/test_tables_math.c). */
 double po_kernel(double sum, double difference);
 
 /* The same for one r and n radii s, none of them equal to r: kernel[j] = G(r, s[j]). */

@@ -9,8 +9,8 @@
  * (tests/theory/test_tables_math.c). */
 double po_struve(int n, double x);
 
-/* H_n(2 pi distance/wavelength), as accurate: the rounding of the argument, which would cost as many
- * digits as the number of waves has, is kept out of the phase. Given: distance >= 0,
+/* H_n(2 pi distance/wavelength), as accurate: the rounding of the argument, which would cost as
+ * many digits as the number of waves has, is kept out of the phase. Given: distance >= 0,
  * wavelength > 0. */
 double po_struve_wave(int n, double distance, double wavelength);
 

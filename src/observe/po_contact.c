@@ -6,9 +6,9 @@
 
 #include "po_law.h"
 #include "po_memory.h"
+#include "po_profile.h"
 #include "po_refine.h"
 #include "po_root.h"
-#include "po_shape.h"
 #include "po_track_point.h"
 
 /* The gap is sampled so many times per wavelength and per panel. Between two samples it has at most
@@ -25,15 +25,15 @@ typedef struct {
   double gap, slope; /* H and dH/dr */
 } value;
 
-po_contact_gap po_contact_gap_on_panels(const po_scene *scene, double root,
+po_contact_gap po_contact_gap_on_panels(const po_scene *scene, double domain,
                                         const po_track_point *track) {
   return (po_contact_gap){
-      .scene = scene, .approach = track->state[track->n], .end = root, .track = track};
+      .scene = scene, .approach = track->state[track->n], .end = domain, .track = track};
 }
 
-po_contact_gap po_contact_gap_of(const po_scene *scene, double root, const po_branch_point *p) {
+po_contact_gap po_contact_gap_of(const po_scene *scene, double domain, const po_branch_point *p) {
   if (p->track)
-    return po_contact_gap_on_panels(scene, root, p->track);
+    return po_contact_gap_on_panels(scene, domain, p->track);
   po_contact_gap g = {.scene = scene, .approach = p->approach};
   if (p->gap) {
     g.n = p->n;
@@ -63,11 +63,11 @@ static size_t node_below(const po_contact_gap *g, double r) {
 /* Linear in the deflection, which does not change within the first node. */
 static value value_on_elements(const po_contact_gap *g, double r) {
   const size_t j = node_below(g, r);
-  const double here = g->gap[j] - po_shape(g->scene, g->node[j]);
-  value v = {po_shape(g->scene, r) + here, po_shape_slope(g->scene, r)};
+  const double here = g->gap[j] - po_profile(g->scene, g->node[j]);
+  value v = {po_profile(g->scene, r) + here, po_profile_slope(g->scene, r)};
   if (r <= g->node[0] || j + 1 == g->n)
     return v;
-  const double next = g->gap[j + 1] - po_shape(g->scene, g->node[j + 1]);
+  const double next = g->gap[j + 1] - po_profile(g->scene, g->node[j + 1]);
   const double slope = (next - here) / (g->node[j + 1] - g->node[j]);
   v.gap += slope * (r - g->node[j]);
   v.slope += slope;
@@ -81,7 +81,7 @@ static value value_at(const po_contact_gap *g, double r) {
   }
   if (g->n)
     return value_on_elements(g, r);
-  return (value){po_shape(g->scene, r) - g->approach, po_shape_slope(g->scene, r)};
+  return (value){po_profile(g->scene, r) - g->approach, po_profile_slope(g->scene, r)};
 }
 
 /* A gap moved by its error towards one side: `side` -1: closer, 1: farther, 0: as it is. */
@@ -121,12 +121,12 @@ static double slope_at(double r, const void *data) {
 static double inwards(const po_contact_gap *g, double r) {
   double step = INFINITY, begin = 0.0;
   if (g->track) {
-    const po_leaves *leaves = &g->track->leaves;
-    size_t k = po_leaves_find(leaves, r / g->end);
-    if (k > 0 && g->end * po_leaf_begin(leaves->leaf[k]) >= r)
+    const po_panels *panels = &g->track->panels;
+    size_t k = po_panels_find(panels, r / g->end);
+    if (k > 0 && g->end * po_panel_begin(panels->panel[k]) >= r)
       --k;
-    begin = g->end * po_leaf_begin(leaves->leaf[k]);
-    step = g->end * po_leaf_size(leaves->leaf[k]) / SAMPLES_A_PANEL;
+    begin = g->end * po_panel_begin(panels->panel[k]);
+    step = g->end * po_panel_size(panels->panel[k]) / SAMPLES_A_PANEL;
   } else if (g->n) {
     size_t j = node_below(g, r);
     if (j > 0 && g->node[j] >= r)
@@ -148,16 +148,16 @@ static double skip_rigid(const sought *s, double r) {
 }
 
 /* The inner end of the panel below a radius, where the gap is above a level all over it; the radius
- * itself elsewhere. The waves only add to the sphere; the deflection leaves the range of its nodes
+ * itself elsewhere. The waves only add to the sphere; the deflection panels the range of its nodes
  * by less than that range. */
 static double skip(const sought *s, double r) {
   const po_contact_gap *g = s->g;
   if (!g->track)
     return g->n ? r : skip_rigid(s, r);
   enum { ORDER = PO_TABLE_ORDER };
-  const po_leaves *leaves = &g->track->leaves;
-  size_t k = po_leaves_find(leaves, r / g->end);
-  const double begin = g->end * po_leaf_begin(leaves->leaf[k]);
+  const po_panels *panels = &g->track->panels;
+  size_t k = po_panels_find(panels, r / g->end);
+  const double begin = g->end * po_panel_begin(panels->panel[k]);
   double least = INFINITY, largest = -INFINITY;
   for (size_t j = k * ORDER; j < (k + 1) * ORDER; ++j) {
     least = fmin(least, g->track->deflection[j]);

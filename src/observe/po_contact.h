@@ -25,10 +25,11 @@ typedef struct {
 
 /* Given: a point of a branch of any scheme, or of rigid surfaces; the radius of the domain of the
  * panels, for panels only. Scene and point must outlive the result. */
-po_contact_gap po_contact_gap_of(const po_scene *scene, double root, const po_branch_point *point);
+po_contact_gap po_contact_gap_of(const po_scene *scene, double domain,
+                                 const po_branch_point *point);
 
 /* The same for a state on panels. */
-po_contact_gap po_contact_gap_on_panels(const po_scene *scene, double root,
+po_contact_gap po_contact_gap_on_panels(const po_scene *scene, double domain,
                                         const struct po_track_point *track);
 
 /* The outermost contact edge, eps: 0 when the bodies are farther apart everywhere, `end` when they

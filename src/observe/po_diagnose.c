@@ -13,14 +13,14 @@ double po_digits_left(double change) {
 }
 
 /* The whole state of one kept, on its own mesh: state, room for the capacity + 1. */
-static po_status restore(const po_kept_state *kept, po_equilibrium *e, po_adaptive *panels,
+static po_status restore(const po_kept_state *kept, po_equilibrium *e, po_adaptive *adaptive,
                          double *state) {
-  po_leaves leaves;
+  po_panels panels;
   po_status status = PO_OK;
-  if (panels) {
-    status = po_adaptive_leaves_of(panels, kept->n, kept->node, &leaves);
+  if (adaptive) {
+    status = po_adaptive_panels_of(adaptive, kept->n, kept->node, &panels);
     if (!status)
-      status = po_adaptive_mesh(panels, &leaves);
+      status = po_adaptive_mesh(adaptive, &panels);
     if (!status)
       po_equilibrium_remesh(e);
   }
@@ -31,10 +31,10 @@ static po_status restore(const po_kept_state *kept, po_equilibrium *e, po_adapti
   return po_diagnosis_complete(e, kept->n, state);
 }
 
-static po_status diagnose(const po_kept_state *kept, po_equilibrium *e, po_adaptive *panels,
+static po_status diagnose(const po_kept_state *kept, po_equilibrium *e, po_adaptive *adaptive,
                           double *state, po_diagnostics *d) {
   po_diagnosed_state *made = &d->states[d->state_count];
-  po_status status = restore(kept, e, panels, state);
+  po_status status = restore(kept, e, adaptive, state);
   if (!status)
     status = po_diagnosis_make(e, state, &made->found);
   if (!status && kept->kind == PO_KEPT_PULL_OFF)
@@ -65,10 +65,10 @@ static po_status out_of_time(const po_request *request, const char *what) {
 }
 
 po_status po_diagnose_states(const po_request *request, double deadline, const po_kept *kept,
-                             po_equilibrium *e, po_adaptive *panels, po_outcome *outcome) {
-  po_diagnostics *d = &outcome->diagnostics;
+                             po_equilibrium *e, po_adaptive *adaptive, po_result *result) {
+  po_diagnostics *d = &result->diagnostics;
   const double begin = po_clock_wall();
-  const size_t capacity = panels ? po_adaptive_capacity(panels) : e->n;
+  const size_t capacity = adaptive ? po_adaptive_capacity(adaptive) : e->n;
   double *state = po_allocate(capacity + 1, sizeof *state);
   d->states = po_allocate(PO_MOST_KEPT, sizeof *d->states);
   po_status status = state && d->states ? PO_OK : PO_NO_MEMORY;
@@ -79,7 +79,7 @@ po_status po_diagnose_states(const po_request *request, double deadline, const p
       status = out_of_time(request, "not every state is diagnosed");
       break;
     }
-    const po_status made = diagnose(&kept->states[k], e, panels, state, d);
+    const po_status made = diagnose(&kept->states[k], e, adaptive, state, d);
     d->undiagnosed += made ? 1 : 0;
     status = made == PO_NO_MEMORY ? made : PO_OK;
   }
@@ -89,33 +89,33 @@ po_status po_diagnose_states(const po_request *request, double deadline, const p
 }
 
 /* The largest change of a fold's approach; NaN when they are not the same folds. */
-static double change_of_folds(const po_outcome *a, const po_outcome *b) {
+static double change_of_folds(const po_result *a, const po_result *b) {
   double largest = 0.0;
   for (size_t k = 0; k < a->fold_count && a->fold_count == b->fold_count; ++k)
     largest = fmax(largest, fabs(a->folds[k].approach - b->folds[k].approach));
   return a->fold_count == b->fold_count ? largest : (double)NAN;
 }
 
-static po_status move(const po_request *request, const po_outcome *outcome, po_moved *moved) {
-  po_outcome again;
+static po_status move(const po_request *request, const po_result *result, po_moved *moved) {
+  po_result again;
   const po_status status = po_observe(request, &again);
   ++moved->solves;
   if (status || !again.has_pull_off) {
     ++moved->failed;
   } else {
-    const double change = fabs(again.pull_off.force / outcome->pull_off.force - 1.0);
+    const double change = fabs(again.pull_off.force / result->pull_off.force - 1.0);
     moved->change = fmax(moved->change, change); /* the first is NaN */
-    const double folds = change_of_folds(outcome, &again);
+    const double folds = change_of_folds(result, &again);
     if (!(folds <= moved->folds)) /* NaN stays */
       moved->folds = isnan(moved->folds) ? moved->folds : folds;
   }
-  po_outcome_clear(&again);
+  po_result_clear(&again);
   const bool ends = status == PO_NO_MEMORY || status == PO_INTERRUPTED || status == PO_OUT_OF_TIME;
   return ends ? status : PO_OK;
 }
 
-po_status po_diagnose_moved(const po_request *request, double deadline, po_outcome *outcome) {
-  po_diagnostics *d = &outcome->diagnostics;
+po_status po_diagnose_moved(const po_request *request, double deadline, po_result *result) {
+  po_diagnostics *d = &result->diagnostics;
   po_request moving = *request;
   moving.want &= ~(unsigned)PO_WANT_DIAGNOSTICS; /* the rest may change the steps */
   const bool wavy = po_scene_is_wavy(&request->scene);
@@ -135,7 +135,7 @@ po_status po_diagnose_moved(const po_request *request, double deadline, po_outco
       most = fmax(most, fabs(inputs[k].by * (*inputs[k].value / is - 1.0)));
       if (isfinite(deadline))
         moving.time_limit = deadline - po_clock_thread();
-      status = moving.time_limit <= 0.0 ? PO_OUT_OF_TIME : move(&moving, outcome, &d->moved);
+      status = moving.time_limit <= 0.0 ? PO_OUT_OF_TIME : move(&moving, result, &d->moved);
       if (status == PO_OUT_OF_TIME)
         status = out_of_time(request, "the solves with changed inputs are not complete");
     }

@@ -1,4 +1,4 @@
-/* How far the numbers of an outcome can be relied on: how well the discrete equations hold, how
+/* How far the numbers of a result can be relied on: how well the discrete equations hold, how
  * they are conditioned, and how many digits of the pull-off force the inputs' last bits leave. */
 #ifndef PO_DIAGNOSTICS_H
 #define PO_DIAGNOSTICS_H
@@ -9,7 +9,7 @@
 #include "po_balance.h"
 #include "po_diagnosis.h"
 #include "po_kept.h"
-#include "po_way_back.h"
+#include "po_reverse_trace.h"
 
 /* The equations at one state of the branch. */
 typedef struct {
@@ -41,7 +41,7 @@ typedef struct {
   po_moved moved;
   double energy_defect;    /* of dU = W dapproach along the branch, see po_balance.h; NAN: none */
   double energy_defect_at; /* approach where it is largest */
-  po_way_back way_back;
+  po_reverse_trace reverse_trace;
   double seconds; /* for all of this, by the clock */
 } po_diagnostics;
 

@@ -32,32 +32,32 @@ double po_estimate_energy_error(const po_request *request, double fold_error, do
          (po_estimate_miss(request) + fold_error + MISS_OF_TOLERANCE * request->mesh.tolerance);
 }
 
-static po_contact_edge edge_on_panels(const po_request *request, double root,
+static po_contact_edge edge_on_panels(const po_request *request, double domain,
                                       const po_branch_point *p) {
-  const po_contact_gap best = po_contact_gap_on_panels(&request->scene, root, p->best);
-  const po_contact_gap finer = po_contact_gap_on_panels(&request->scene, root, p->finer);
+  const po_contact_gap best = po_contact_gap_on_panels(&request->scene, domain, p->best);
+  const po_contact_gap finer = po_contact_gap_on_panels(&request->scene, domain, p->finer);
   const double tolerance = request->mesh.tolerance;
   const po_contact_doubt doubt = {&finer, po_observe_precision(tolerance),
                                   UNSEEN_GAP * tolerance * (1.0 + fabs(best.approach))};
   return po_contact_estimate(&best, &doubt);
 }
 
-static po_contact_edge edge_of(const po_request *request, double root, const po_branch_point *p) {
+static po_contact_edge edge_of(const po_request *request, double domain, const po_branch_point *p) {
   if (p->finer)
-    return edge_on_panels(request, root, p);
-  const po_contact_gap gap = po_contact_gap_of(&request->scene, root, p);
+    return edge_on_panels(request, domain, p);
+  const po_contact_gap gap = po_contact_gap_of(&request->scene, domain, p);
   if (!p->gap &&
       isfinite(p->approach_error)) /* rigid: the error of the gap is that of the approach */
     return po_contact_estimate(&gap, &(po_contact_doubt){.constant = p->approach_error});
   return (po_contact_edge){po_contact_radius(&gap), NAN, NAN};
 }
 
-po_estimate po_estimate_of(const po_request *request, double root, const po_branch_point *p) {
+po_estimate po_estimate_of(const po_request *request, double domain, const po_branch_point *p) {
   po_estimate e = {.approach = p->approach + p->approach_correction,
                    .load = p->load + p->load_correction,
                    .approach_error = p->approach_error,
                    .load_error = p->load_error,
-                   .edge = edge_of(request, root, p)};
+                   .edge = edge_of(request, domain, p)};
   if (p->gap) { /* not rigid */
     e.approach_error = po_estimate_approach_error(request, p->approach_error, e.approach);
     e.load_error = po_estimate_load_error(request, p->load_error, e.load);

@@ -1,4 +1,4 @@
-/* What tracing one scene and following its landmarks share. */
+/* What tracing one scene and following its special points share. */
 #ifndef PO_OBSERVE_PARTS_H
 #define PO_OBSERVE_PARTS_H
 
@@ -6,7 +6,7 @@
 #include "po_resolution.h"
 
 /* po_observe, with somebody who keeps minima and folds. */
-po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po_outcome *outcome);
+po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po_result *result);
 
 /* What panels may leave for a request, and where Newton's method may stop, for a relative
  * tolerance. */
@@ -17,8 +17,8 @@ double po_observe_precision(double tolerance);
  */
 double po_observe_rigid_end(const po_scene *scene, double load);
 
-/* Radius of the panels' root, eps, for a surface whose core reaches so far. */
-double po_observe_root(const po_scene *scene, double core);
+/* Radius of the domain of the panels, eps, for a surface whose core reaches so far. */
+double po_observe_domain(const po_scene *scene, double core);
 
 /* Whether the surface is unbounded and the contact so near the end of the core (the domain meshed
  * finely) that the scene has to be solved again with a larger core. */

@@ -6,7 +6,7 @@
 #include "po_observe_parts.h"
 
 /* The special point of a branch at a position of it; NULL: none. */
-static const po_landmark *mark_at(const po_outcome *o, double position) {
+static const po_special_point *mark_at(const po_result *o, double position) {
   for (size_t k = 0; k < o->fold_count; ++k)
     if (o->folds[k].position == position)
       return &o->folds[k];
@@ -17,10 +17,11 @@ static const po_landmark *mark_at(const po_outcome *o, double position) {
 }
 
 /* The greatest errors of special points; NAN where none was estimated. */
-static po_path_error greatest_error(const po_outcome *o) {
+static po_path_error greatest_error(const po_result *o) {
   po_path_error e = {NAN, NAN};
   for (size_t k = 0; k < o->fold_count + o->extremum_count; ++k) {
-    const po_landmark *mark = k < o->fold_count ? &o->folds[k] : &o->extrema[k - o->fold_count];
+    const po_special_point *mark =
+        k < o->fold_count ? &o->folds[k] : &o->extrema[k - o->fold_count];
     e.approach = fmax(e.approach, mark->approach_error); /* passes over NAN */
     e.load = fmax(e.load, mark->load_error);
   }
@@ -30,9 +31,9 @@ static po_path_error greatest_error(const po_outcome *o) {
 /* The values stated for a special point, with their errors, in place of those on its mesh. Any
  * other state, and a special point without an error of its own, errs as those that have one do, and
  * by the distance of the curve from its interpolation. */
-static po_path_error state_error(const po_request *request, const po_outcome *o,
+static po_path_error state_error(const po_request *request, const po_result *o,
                                  po_path_state *state) {
-  const po_landmark *mark = mark_at(o, state->position);
+  const po_special_point *mark = mark_at(o, state->position);
   if (mark) {
     state->approach = mark->approach;
     state->load = mark->load;
@@ -44,7 +45,7 @@ static po_path_error state_error(const po_request *request, const po_outcome *o,
   return (po_path_error){e.approach + miss, e.load + miss};
 }
 
-static void state_errors(const po_request *request, const po_outcome *o, po_staircase *s) {
+static void state_errors(const po_request *request, const po_result *o, po_staircase *s) {
   const double worst = greatest_error(o).approach;
   for (size_t k = 0; k < s->count; ++k) {
     po_step *step = &s->step[k];
@@ -63,7 +64,7 @@ static po_pressed pressed(const po_path_state *state) {
   return (po_pressed){state->approach, state->load};
 }
 
-static void read_pull_off(const po_staircase *s, double position, po_outcome *o) {
+static void read_pull_off(const po_staircase *s, double position, po_result *o) {
   o->pull_off.pressed = o->pull_off.until = (po_pressed){NAN, NAN};
   for (size_t k = s->count; k-- > 0;)
     if (s->step[k].pull_off.position == position) {
@@ -72,7 +73,7 @@ static void read_pull_off(const po_staircase *s, double position, po_outcome *o)
     }
 }
 
-static void read_any(const po_staircase *s, po_outcome *o) {
+static void read_any(const po_staircase *s, po_result *o) {
   const po_step *step = po_staircase_greatest(s);
   o->pull_off_any.searched = pressed(&s->reached);
   if (!step)
@@ -86,7 +87,7 @@ static void read_any(const po_staircase *s, po_outcome *o) {
 }
 
 /* Where on the branch the pull-off is. */
-static double pull_off_position(const po_outcome *o) {
+static double pull_off_position(const po_result *o) {
   for (size_t k = 0; k < o->extremum_count && o->has_pull_off; ++k)
     if (o->extrema[k].load == -o->pull_off.force && o->extrema[k].approach == o->pull_off.approach)
       return o->extrema[k].position;
@@ -106,7 +107,7 @@ static double deepest_stable(const po_path *path) {
 /* Whether no harder preload gives more. A rigid trace that was to go on ends where the repulsion of
  * the central crest exceeds all attraction. */
 static bool is_complete(const po_request *request, const po_path *path, const po_stopping *stopping,
-                        const po_outcome *o) {
+                        const po_result *o) {
   const double load = -o->pull_off_any.force;
   if (deepest_stable(path) < load - o->pull_off_any.force_error)
     return false;
@@ -116,7 +117,7 @@ static bool is_complete(const po_request *request, const po_path *path, const po
 }
 
 po_status po_pressed_read(const po_request *request, const po_path *path,
-                          const po_stopping *stopping, po_outcome *o) {
+                          const po_stopping *stopping, po_result *o) {
   po_staircase *s = &o->staircase[0];
   po_status status = po_staircase_read(path, PO_DISPLACEMENT_CONTROL, s);
   if (!status)

@@ -9,7 +9,7 @@
 #include "po_law.h"
 #include "po_memory.h"
 #include "po_observe_parts.h"
-#include "po_shape.h"
+#include "po_profile.h"
 
 /* A contact that comes this close to the end of the panels of an unbounded surface does not leave
  * the far field to the panel beyond, in parts of the radius of that end. */
@@ -47,7 +47,7 @@ static bool grow(po_reader *r, void **array, size_t count, size_t *room, size_t 
 }
 
 static void add_curve_point(po_reader *r, const po_branch_point *p, double contact_radius) {
-  po_outcome *o = r->outcome;
+  po_result *o = r->result;
   if (!(r->request->want & PO_WANT_CURVE) ||
       !grow(r, (void **)&o->curve, o->curve_count, &r->curve_room, sizeof *o->curve))
     return;
@@ -76,7 +76,7 @@ static void keep_path(po_reader *r, const po_branch_point *p, double contact_rad
                                              .minimum = p->kind == PO_POINT_LOAD_MIN};
 }
 
-static po_landmark_kind kind_of(po_point_kind kind) {
+static po_special_kind kind_of(po_point_kind kind) {
   switch (kind) {
   case PO_POINT_APPROACH_MAX:
     return PO_JUMP_IN;
@@ -93,32 +93,32 @@ static po_estimate estimate_of(const po_reader *r, const po_branch_point *p) {
   return po_estimate_of(r->request, root_of(r), p);
 }
 
-static void add_landmark(po_reader *r, const po_branch_point *p, const po_estimate *e) {
-  po_outcome *o = r->outcome;
-  const po_landmark_kind kind = kind_of(p->kind);
+static void add_special_point(po_reader *r, const po_branch_point *p, const po_estimate *e) {
+  po_result *o = r->result;
+  const po_special_kind kind = kind_of(p->kind);
   const bool fold = kind == PO_JUMP_IN || kind == PO_JUMP_OUT;
-  po_landmark **list = fold ? &o->folds : &o->extrema;
+  po_special_point **list = fold ? &o->folds : &o->extrema;
   size_t *count = fold ? &o->fold_count : &o->extremum_count;
   r->unmet_folds += fold && p->unmet;
   if (!grow(r, (void **)list, *count, fold ? &r->fold_room : &r->extremum_room, sizeof **list))
     return;
-  (*list)[(*count)++] = (po_landmark){.kind = kind,
-                                      .approach = e->approach,
-                                      .load = e->load,
-                                      .energy = p->energy,
-                                      .approach_error = e->approach_error,
-                                      .load_error = e->load_error,
-                                      .contact_radius = e->edge.radius,
-                                      .contact_radius_error = e->edge.error,
-                                      .contact_radius_other = e->edge.other,
-                                      .position = p->position,
-                                      .unstable_modes = p->unstable_modes};
+  (*list)[(*count)++] = (po_special_point){.kind = kind,
+                                           .approach = e->approach,
+                                           .load = e->load,
+                                           .energy = p->energy,
+                                           .approach_error = e->approach_error,
+                                           .load_error = e->load_error,
+                                           .contact_radius = e->edge.radius,
+                                           .contact_radius_error = e->edge.error,
+                                           .contact_radius_other = e->edge.other,
+                                           .position = p->position,
+                                           .unstable_modes = p->unstable_modes};
 }
 
 /* The profile at the nodes up to the end of the core, P = mu p; a rigid one from the undeformed
  * gap, with P / mu when mu is 0. */
 static void keep_profile(po_reader *r, const po_branch_point *p) {
-  po_outcome *o = r->outcome;
+  po_result *o = r->result;
   const po_surface *s = r->surface; /* of a rigid scene: nodes to take the profile at */
   const po_scene *scene = &r->request->scene;
   const size_t most = p->gap ? p->n : s->resolved;
@@ -137,14 +137,14 @@ static void keep_profile(po_reader *r, const po_branch_point *p) {
     const double radius = p->gap ? p->node[j] : s->node[j];
     if (radius > s->core_radius)
       break;
-    const double gap = p->gap ? p->gap[j] : po_shape(scene, radius) - p->approach;
+    const double gap = p->gap ? p->gap[j] : po_profile(scene, radius) - p->approach;
     profile[o->profile_count++] = (po_profile_point){
         .radius = radius, .gap = gap, .traction = tabor * po_law_at(gap).traction};
   }
 }
 
 static void note_minimum(po_reader *r, const po_branch_point *p, const po_estimate *e) {
-  po_outcome *o = r->outcome;
+  po_result *o = r->result;
   if (!po_stopping_note_minimum(&r->stopping, e->load))
     return;
   o->has_pull_off = true;
@@ -164,9 +164,9 @@ static bool is_kept(po_point_kind kind) {
          kind == PO_POINT_APPROACH_MIN;
 }
 
-po_reader po_reader_begin(const po_request *request, po_outcome *outcome, double deadline) {
+po_reader po_reader_begin(const po_request *request, po_result *result, double deadline) {
   return (po_reader){.request = request,
-                     .outcome = outcome,
+                     .result = result,
                      .deadline = deadline,
                      .stopping = po_stopping_begin(request)};
 }
@@ -186,7 +186,7 @@ static bool may_go_on(po_reader *r, const po_branch_point *p) {
   if (r->request->stop && *r->request->stop)
     r->status = po_fail(PO_INTERRUPTED, "interrupted at approach %.6g", p->approach);
   else if (po_clock_thread() > r->deadline && only_searches(r))
-    r->outcome->ended.cause = PO_END_SEARCHED;
+    r->result->ended.cause = PO_END_SEARCHED;
   else if (po_clock_thread() > r->deadline)
     r->status = po_fail(PO_OUT_OF_TIME,
                         "after %g s of processor time the trace is at approach %.6g, load %.6g",
@@ -204,20 +204,20 @@ bool po_reader_visit_back(const po_branch_point *p, void *data) {
 }
 
 /* Reads a special point. */
-static void read_landmark(po_reader *r, const po_branch_point *p) {
+static void read_special_point(po_reader *r, const po_branch_point *p) {
   const po_estimate e = estimate_of(r, p);
-  add_landmark(r, p, &e);
+  add_special_point(r, p, &e);
   if (p->kind == PO_POINT_LOAD_MIN)
     note_minimum(r, p, &e);
-  if (r->keeper && is_kept(p->kind) && !r->keeper->landmark(r->keeper->data, p, r->stopping.margin))
+  if (r->keeper && is_kept(p->kind) && !r->keeper->special(r->keeper->data, p, r->stopping.margin))
     r->status = PO_NO_MEMORY;
 }
 
 /* What is diagnosed later. */
 static void keep_for_diagnosis(po_reader *r, const po_branch_point *p) {
   po_balance_note(r->balance, p);
-  const bool deepest = p->kind == PO_POINT_LOAD_MIN && r->outcome->has_pull_off &&
-                       fabs(p->load + p->load_correction) == r->outcome->pull_off.force;
+  const bool deepest = p->kind == PO_POINT_LOAD_MIN && r->result->has_pull_off &&
+                       fabs(p->load + p->load_correction) == r->result->pull_off.force;
   if (!r->status)
     r->status = po_kept_note(r->kept, p, deepest);
 }
@@ -226,7 +226,7 @@ static void keep_for_diagnosis(po_reader *r, const po_branch_point *p) {
  * other trace is repeated on a larger one. */
 static void note_cut_off(po_reader *r, const po_branch_point *p, double contact_radius) {
   if (only_searches(r))
-    r->outcome->ended.cause = PO_END_SEARCHED;
+    r->result->ended.cause = PO_END_SEARCHED;
   else
     r->status = po_fail(PO_OUT_OF_DOMAIN,
                         "the contact radius %.6g reached the end of the meshed surface, %.6g, at "
@@ -241,13 +241,13 @@ static bool ends_at(po_reader *r, const po_branch_point *p, double contact_radiu
   if (!r->status && p->gap && po_observe_is_cut_off(scene, contact_radius, r->surface->core_radius))
     note_cut_off(r, p, contact_radius);
   else if (!r->status)
-    r->outcome->ended.cause = po_stopping_cause(&r->stopping, p);
-  return r->status || r->outcome->ended.cause != PO_END_NONE;
+    r->result->ended.cause = po_stopping_cause(&r->stopping, p);
+  return r->status || r->result->ended.cause != PO_END_NONE;
 }
 
 bool po_reader_visit(const po_branch_point *p, void *data) {
   po_reader *r = data;
-  po_outcome *o = r->outcome;
+  po_result *o = r->result;
   if (!may_go_on(r, p) || o->ended.cause != PO_END_NONE)
     return true;
   if (r->out) {
@@ -272,7 +272,7 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
     keep_profile(r, p);
   po_stopping_note_point(&r->stopping, p, &gap, contact_radius);
   if (p->kind != PO_POINT_STEP && p->kind != PO_POINT_STATION)
-    read_landmark(r, p);
+    read_special_point(r, p);
   if (r->balance)
     keep_for_diagnosis(r, p);
   return ends_at(r, p, contact_radius);

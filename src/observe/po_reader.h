@@ -1,4 +1,4 @@
-/* Reads landmarks, curve, pull-off and profile off a branch as it is traced. */
+/* Reads special points, curve, pull-off and profile off a branch as it is traced. */
 #ifndef PO_READER_H
 #define PO_READER_H
 
@@ -6,14 +6,14 @@
 #include "po_branch.h"
 #include "po_estimate.h"
 #include "po_kept.h"
-#include "po_outcome.h"
+#include "po_result.h"
 #include "po_stopping.h"
 
-/* Who keeps minima of the load and folds, for more than the outcome says of them. */
+/* Who keeps minima of the load and folds, for more than the result says of them. */
 typedef struct {
   void (*begin)(void *data, double tolerance); /* a trace begins, forget those of others */
   /* Given: the margin of the stopping rule there. Returned: false: no memory */
-  bool (*landmark)(void *data, const po_branch_point *point, double margin);
+  bool (*special)(void *data, const po_branch_point *point, double margin);
   void *data;
   bool minima_only; /* nobody asks for the errors of folds */
 } po_keeper;
@@ -21,11 +21,11 @@ typedef struct {
 typedef struct {
   const po_request *request;
   const po_surface *surface; /* nodes only when rigid */
-  po_outcome *outcome;
+  po_result *result;
   const po_keeper *keeper; /* NULL: none */
   po_balance *balance;     /* of the energy; NULL unless diagnostics are wanted */
   po_kept *kept;           /* states for diagnosis; likewise */
-  po_passage *out, *back;  /* landmarks of the way out and back; likewise */
+  po_passage *out, *back;  /* special points of the way out and back; likewise */
   double begin;            /* points at a smaller approach are not recorded before it is reached */
   bool begun;
   po_stopping stopping;
@@ -39,7 +39,7 @@ typedef struct {
 } po_reader;
 
 /* Sets what a trace begins with, and frees what it leaves. */
-po_reader po_reader_begin(const po_request *request, po_outcome *outcome, double deadline);
+po_reader po_reader_begin(const po_request *request, po_result *result, double deadline);
 void po_reader_end(po_reader *reader);
 
 /* A po_branch_visit; data is the reader. Ends the trace when stopped, past the deadline, out of
@@ -47,8 +47,8 @@ void po_reader_end(po_reader *reader);
  * preload. */
 bool po_reader_visit(const po_branch_point *point, void *data);
 
-/* The same on the way back: data is the reader. Ends the trace when stopped, past the deadline, or
- * out of memory. */
+/* The same on the reverse trace: data is the reader. Ends the trace when stopped, past the
+ * deadline, or out of memory. */
 bool po_reader_visit_back(const po_branch_point *point, void *data);
 
 #endif

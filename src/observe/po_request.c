@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "po_outcome.h"
+#include "po_result.h"
 
 po_request po_request_default(void) {
   return (po_request){.scene = po_scene_default(),

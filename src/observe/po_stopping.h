@@ -18,7 +18,7 @@
 
 #include "po_branch.h"
 #include "po_contact.h"
-#include "po_outcome.h"
+#include "po_result.h"
 
 typedef struct {
   const po_request *request;
@@ -50,8 +50,8 @@ bool po_stopping_note_minimum(po_stopping *stopping, double load);
 void po_stopping_note_point(po_stopping *stopping, const po_branch_point *point,
                             const po_contact_gap *gap, double contact_radius);
 
-/* Whether the trace only searches for what harder preloads give: the preload is met, or any is asked
- * for and the usual one is met. */
+/* Whether the trace only searches for what harder preloads give: the preload is met, or any is
+ * asked for and the usual one is met. */
 bool po_stopping_is_searching(const po_stopping *stopping);
 
 /* Whether no minimum of the load beyond what was traced can be below a load. */

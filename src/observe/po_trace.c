@@ -6,9 +6,9 @@
 #include "po_clock.h"
 #include "po_diagnose.h"
 #include "po_pressed.h"
+#include "po_profile.h"
 #include "po_reader.h"
 #include "po_rigid.h"
-#include "po_shape.h"
 #include "po_track.h"
 
 /* How far a wanted curve may lie from the straight lines between its points. */
@@ -41,7 +41,7 @@ static po_branch_options options_of(const po_request *request, double begin, po_
 }
 
 static void note_work(const po_reader *reader, const po_equilibrium *e, bool panels) {
-  po_work *work = &reader->outcome->work;
+  po_work *work = &reader->result->work;
   work->points = e->work.points;
   work->newton_iterations = e->work.newton_iterations;
   work->factorizations = e->work.factorizations;
@@ -54,13 +54,13 @@ static void note_work(const po_reader *reader, const po_equilibrium *e, bool pan
 /* Follows the branch back. Status: PO_NO_MEMORY, PO_INTERRUPTED; any other status of the
  * reverse trace is kept with its results. */
 static po_status trace_back(po_tracker *tracker, po_reader *reader) {
-  po_diagnostics *d = &reader->outcome->diagnostics;
+  po_diagnostics *d = &reader->result->diagnostics;
   const double begin = po_clock_wall();
   po_status status = po_track_back(tracker, po_reader_visit_back, reader);
   if (reader->status)
     status = reader->status;
   reader->status = PO_OK;
-  d->way_back = po_way_back_compare(reader->out, reader->back, status);
+  d->reverse_trace = po_reverse_trace_compare(reader->out, reader->back, status);
   d->seconds += po_clock_wall() - begin;
   if (status == PO_NO_MEMORY || status == PO_INTERRUPTED)
     return status;
@@ -101,7 +101,7 @@ static po_status trace_elastic(const po_request *request, const po_attempt *a, p
     }
     if (reader->kept && !status)
       status =
-          po_diagnose_states(request, reader->deadline, reader->kept, e, panels, reader->outcome);
+          po_diagnose_states(request, reader->deadline, reader->kept, e, panels, reader->result);
   }
   po_equilibrium_destroy(e);
   return status;
@@ -123,7 +123,7 @@ static po_status trace_rigid(const po_request *request, po_reader *reader) {
         isnan(request->preload.load) && isfinite(request->preload.approach) && !searches
             ? request->preload.approach
             : po_observe_rigid_end(&request->scene, fmax(0.0, po_request_preload(request).load));
-  reader->outcome->rigid = true;
+  reader->result->rigid = true;
   if (isfinite(request->preload.approach) && !(request->preload.approach < 1.0))
     return po_fail(PO_BAD_INPUT, "preload is %g: rigid bodies cannot come closer than 1",
                    request->preload.approach);
@@ -134,7 +134,7 @@ static po_status trace_rigid(const po_request *request, po_reader *reader) {
   return po_rigid_trace(&request->scene, begin, &options);
 }
 
-double po_observe_root(const po_scene *scene, double core) {
+double po_observe_domain(const po_scene *scene, double core) {
   return isfinite(scene->outer_radius)
              ? core
              : po_averaging_radius(scene, po_averaging_phase(scene, core));
@@ -150,16 +150,16 @@ static po_status make_surface(const po_request *request, bool rigid, double core
       mesh = po_mesh_fixed();
     return po_surface_create(scene, &mesh, core, !rigid, fixed);
   }
-  const double root = po_observe_root(scene, core);
-  const double waves = po_scene_is_wavy(scene) ? root / scene->wavelength : 0.0;
-  return po_adaptive_create(scene, root, (uint32_t)ceil(log2(fmin(fmax(waves, 4.0), 64.0))),
+  const double domain = po_observe_domain(scene, core);
+  const double waves = po_scene_is_wavy(scene) ? domain / scene->wavelength : 0.0;
+  return po_adaptive_create(scene, domain, (uint32_t)ceil(log2(fmin(fmax(waves, 4.0), 64.0))),
                             panels);
 }
 
 /* Loading and unloading along the branch traced; where unloading leads farther out than it began,
  * a->begin is set so that it will do, and nothing read off. */
 static po_status read_hysteresis(const po_reader *reader, po_attempt *a) {
-  po_outcome *o = reader->outcome;
+  po_result *o = reader->result;
   const po_path path = {reader->path, reader->path_count};
   double least = INFINITY;
   for (size_t k = 0; k < path.count; ++k)
@@ -179,7 +179,7 @@ static po_status lacks_minimum(const po_request *request, const po_reader *reade
   const po_preload preload = po_request_preload(request);
   if (isnan(preload.approach))
     return po_fail(PO_NOT_FOUND, "the load has no minimum up to approach %.6g",
-                   reader->outcome->ended.approach);
+                   reader->result->ended.approach);
   return po_fail(
       PO_NOT_FOUND,
       "the load has no minimum up to the preload, approach %.6g: the tension is greatest "
@@ -194,18 +194,18 @@ static po_status end_search(po_status status, po_reader *reader) {
   if (!stuck || !po_stopping_is_searching(&reader->stopping))
     return status;
   po_message_clear();
-  reader->outcome->ended.cause = PO_END_SEARCHED;
+  reader->result->ended.cause = PO_END_SEARCHED;
   return PO_OK;
 }
 
 po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double deadline,
-                   const po_keeper *keeper, po_outcome *outcome) {
+                   const po_keeper *keeper, po_result *result) {
   po_surface *fixed = NULL;
   po_adaptive *panels = NULL;
   po_kept kept = {0};
   po_balance balance = {0};
   po_passage out = {0}, back = {0};
-  po_reader reader = po_reader_begin(request, outcome, deadline);
+  po_reader reader = po_reader_begin(request, result, deadline);
   reader.keeper = keeper;
   if (request->want & PO_WANT_DIAGNOSTICS) {
     reader.balance = &balance;
@@ -225,25 +225,25 @@ po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double 
   if (!status)
     status = reader.status;
   status = end_search(status, &reader);
-  if (!status && outcome->ended.cause == PO_END_NONE)
-    outcome->ended.cause = isnan(request->approach_end) ? PO_END_COMPLETE : PO_END_ASKED;
+  if (!status && result->ended.cause == PO_END_NONE)
+    result->ended.cause = isnan(request->approach_end) ? PO_END_COMPLETE : PO_END_ASKED;
   if (!status && !reader.stopping.met && !isnan(request->approach_end) &&
       !isnan(request->preload.load))
     status = po_fail(PO_NOT_FOUND,
                      "the trace ends at approach %.6g, load %.6g, before the load %g is met",
-                     outcome->ended.approach, outcome->ended.load, request->preload.load);
-  if (!status && !outcome->has_pull_off && isnan(request->approach_end))
+                     result->ended.approach, result->ended.load, request->preload.load);
+  if (!status && !result->has_pull_off && isnan(request->approach_end))
     status = lacks_minimum(request, &reader);
   if (!status)
     status = po_pressed_read(request, &(po_path){reader.path, reader.path_count}, &reader.stopping,
-                             outcome);
+                             result);
   if (!status && (request->want & PO_WANT_HYSTERESIS))
     status = read_hysteresis(&reader, a);
 done:
   a->unmet_folds = reader.unmet_folds;
   po_reader_end(&reader);
-  outcome->diagnostics.energy_defect = po_balance_defect(&balance);
-  outcome->diagnostics.energy_defect_at = balance.at;
+  result->diagnostics.energy_defect = po_balance_defect(&balance);
+  result->diagnostics.energy_defect_at = balance.at;
   po_kept_clear(&kept);
   po_passage_clear(&out);
   po_passage_clear(&back);

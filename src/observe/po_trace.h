@@ -13,9 +13,9 @@ typedef struct {
 } po_attempt;
 
 /* Given: whether the surfaces are rigid; processor time at which it gives up; somebody who keeps
- * the minima, or NULL. Returned: outcome; *a, where it is to be changed for hysteresis. Status: of
+ * the minima, or NULL. Returned: result; *a, where it is to be changed for hysteresis. Status: of
  * the trace; PO_NOT_FOUND without a pull-off. */
 po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double deadline,
-                   const po_keeper *keeper, po_outcome *outcome);
+                   const po_keeper *keeper, po_result *result);
 
 #endif

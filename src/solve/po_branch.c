@@ -6,8 +6,8 @@
 
 #include "po_hermite.h"
 #include "po_join.h"
-#include "po_landmark.h"
 #include "po_memory.h"
+#include "po_special_point.h"
 
 /* Weight of the approach in the metric, against gaps in parts of 1 + H. */
 static const double APPROACH_WEIGHT = 0.05;

@@ -29,15 +29,16 @@ typedef struct {
   double position;       /* arclength from the start */
   double approach, load; /* Delta/eps, W/(pi w R) */
   double energy;         /* U/(pi w R eps): its rate by approach is the load */
-  double approach_correction, load_correction; /* by a finer mesh, of a landmark; 0: none */
-  double approach_error, load_error; /* of a landmark so corrected: bounds, estimated; NAN: not */
-  bool unmet;                        /* by a finer mesh: the landmark may be of this one */
-  double approach_rate;              /* d approach / ds */
-  double load_rate;                  /* d load / ds */
-  int unstable_modes; /* of the equilibrium at fixed approach, just after this point */
-  size_t n;           /* nodes of the core */
-  const double *node; /* n: their radii, eps, ascending; NULL when rigid */
-  const double *gap;  /* n: H there */
+  double approach_correction, load_correction; /* by a finer mesh, of a special point; 0: none */
+  double approach_error,
+      load_error;       /* of a special point so corrected: bounds, estimated; NAN: not */
+  bool unmet;           /* by a finer mesh: the special point may be of this one */
+  double approach_rate; /* d approach / ds */
+  double load_rate;     /* d load / ds */
+  int unstable_modes;   /* of the equilibrium at fixed approach, just after this point */
+  size_t n;             /* nodes of the core */
+  const double *node;   /* n: their radii, eps, ascending; NULL when rigid */
+  const double *gap;    /* n: H there */
   const struct po_track_point *track; /* all of it, on panels; else NULL */
   /* For a corrected special point: the solution that has the corrected values, and the solution on
    * a finer mesh from which its errors are estimated; else NULL. Valid while the point is visited.

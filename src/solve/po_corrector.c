@@ -16,7 +16,7 @@ enum { MOST_ACTIVE = 1920 };
 
 po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive *adaptive) {
   *c = (po_corrector){
-      .e = e, .adaptive = adaptive, .root = po_adaptive_root(adaptive), .direction = 1};
+      .e = e, .adaptive = adaptive, .domain = po_adaptive_domain(adaptive), .direction = 1};
   e->most_active = MOST_ACTIVE;
   const size_t capacity = po_adaptive_capacity(adaptive);
   c->border = po_allocate(capacity + 1, sizeof *c->border);
@@ -29,10 +29,10 @@ void po_corrector_free(po_corrector *c) {
   free(c->guess);
 }
 
-po_status po_corrector_mesh(po_corrector *c, const po_leaves *leaves) {
-  if (po_leaves_equal(leaves, po_adaptive_leaves(c->adaptive)))
+po_status po_corrector_mesh(po_corrector *c, const po_panels *panels) {
+  if (po_panels_equal(panels, po_adaptive_panels(c->adaptive)))
     return PO_OK;
-  c->trouble = po_adaptive_mesh(c->adaptive, leaves);
+  c->trouble = po_adaptive_mesh(c->adaptive, panels);
   if (c->trouble)
     return c->trouble;
   po_equilibrium_remesh(c->e);
@@ -41,11 +41,11 @@ po_status po_corrector_mesh(po_corrector *c, const po_leaves *leaves) {
 }
 
 size_t po_corrector_core_nodes(const po_corrector *c) {
-  return po_adaptive_leaves(c->adaptive)->count * PO_TABLE_ORDER;
+  return po_adaptive_panels(c->adaptive)->count * PO_TABLE_ORDER;
 }
 
 void po_corrector_guess(po_corrector *c, const po_track_point *p) {
-  const po_track_field field = {p, c->e->scene, c->root};
+  const po_track_field field = {p, c->e->scene, c->domain};
   const size_t core = po_corrector_core_nodes(c), n = c->e->n;
   for (size_t j = 0; j < core; ++j)
     c->guess[j] = po_track_gap((void *)&field, c->e->surface->node[j]);
@@ -53,19 +53,19 @@ void po_corrector_guess(po_corrector *c, const po_track_point *p) {
     c->guess[n - back] = p->state[p->n - back];
 }
 
-/* How far along the gauge a state is. */
-static double gauge_progress(const po_equilibrium *e, const double *state, const void *data) {
+/* How far along the arclength functional a state is. */
+static double functional_progress(const po_equilibrium *e, const double *state, const void *data) {
   const po_track_point *from = data;
-  double value[PO_GAUGE_SIZE];
-  po_gauge_values(e, state, value);
-  for (int i = 0; i < PO_GAUGE_SIZE; ++i)
-    value[i] -= from->gauge[i];
-  return po_gauge_along(from->rate, value);
+  double value[PO_ARCLENGTH_SIZE];
+  po_arclength_values(e, state, value);
+  for (int i = 0; i < PO_ARCLENGTH_SIZE; ++i)
+    value[i] -= from->functional[i];
+  return po_arclength_along(from->rate, value);
 }
 
 static po_status factorize_at(po_corrector *c, const po_track_point *from, const double *state) {
   po_equilibrium_evaluate(c->e, state);
-  po_gauge_border(c->e, state, from->rate, c->border);
+  po_arclength_border(c->e, state, from->rate, c->border);
   const po_status status = po_equilibrium_factorize(c->e, state, c->border);
   if (status && status != PO_SINGULAR)
     c->trouble = status;
@@ -76,7 +76,7 @@ static po_status factorize_at(po_corrector *c, const po_track_point *from, const
  * are renewed there, which costs less than a shorter step. */
 static po_status correct(po_corrector *c, const po_track_point *from, double distance,
                          po_track_point *out) {
-  const po_constraint constraint = {gauge_progress, from, distance};
+  const po_constraint constraint = {functional_progress, from, distance};
   po_status status = po_equilibrium_correct_to(c->e, out->state, &constraint);
   for (int k = 0; status && k < MOST_RENEWALS && c->e->last_change < NEAR; ++k) {
     if (factorize_at(c, from, out->state))

@@ -10,7 +10,7 @@
 typedef struct {
   po_equilibrium *e;
   po_adaptive *adaptive;
-  double root;            /* radius of the panels' root, eps */
+  double domain;          /* radius of the domain of the panels, eps */
   double *border, *guess; /* capacity + 1 */
   int direction;          /* of the branch: 1 as it comes from far out, -1 back */
   po_status trouble;      /* of a mesh that could not be had: no shorter step helps */
@@ -20,18 +20,18 @@ typedef struct {
 po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive *adaptive);
 void po_corrector_free(po_corrector *c);
 
-/* Puts leaves in force. Status: PO_OUT_OF_NODES, kept in trouble. */
-po_status po_corrector_mesh(po_corrector *c, const po_leaves *leaves);
+/* Puts panels in force. Status: PO_OUT_OF_NODES, kept in trouble. */
+po_status po_corrector_mesh(po_corrector *c, const po_panels *panels);
 
-/* Nodes of the mesh in force inside the root. */
+/* Nodes of the mesh in force inside the domain. */
 size_t po_corrector_core_nodes(const po_corrector *c);
 
 /* The state of a point as a guess on the mesh in force. */
 void po_corrector_guess(po_corrector *c, const po_track_point *p);
 
-/* The equilibrium at a distance along the gauge from a point, starting at the guess; with the
- * factors in hand first where they may serve. Given: precision of the tangent. Returned: out.
- * Status: PO_NOT_CONVERGED, also when the branch there runs the other way. */
+/* The equilibrium at a distance along the arclength functional from a point, starting at the guess;
+ * with the factors in hand first where they may serve. Given: precision of the tangent. Returned:
+ * out. Status: PO_NOT_CONVERGED, also when the branch there runs the other way. */
 po_status po_corrector_solve(po_corrector *c, const po_track_point *from, double distance,
                              bool keep_factors, double precision, po_track_point *out);
 

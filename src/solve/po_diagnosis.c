@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_gauge.h"
+#include "po_arclength.h"
 #include "po_law.h"
 #include "po_linear.h"
 #include "po_memory.h"
@@ -120,13 +120,13 @@ static double factorize(room *r, size_t order, po_status *status) {
   return *status ? INFINITY : po_linear_condition(order, r->matrix, order, norm);
 }
 
-/* The gauge's border along the branch: by the tangent, found with the amount of contact as the
- * border. Unlike the approach and the load this turns at no special point of the branch. Where it
- * does turn, the tangent is still right, as the solution of a nearly singular system has the
- * direction of its null vector. */
+/* The arclength functional's border along the branch: by the tangent, found with the amount of
+ * contact as the border. Unlike the approach and the load this turns at no special point of the
+ * branch. Where it does turn, the tangent is still right, as the solution of a nearly singular
+ * system has the direction of its null vector. */
 static po_status find_border(const po_equilibrium *e, const double *state, room *r) {
-  static const double first[PO_GAUGE_SIZE] = {0.0, 0.0, 1.0};
-  po_gauge_border(e, state, first, r->border);
+  static const double first[PO_ARCLENGTH_SIZE] = {0.0, 0.0, 1.0};
+  po_arclength_border(e, state, first, r->border);
   fill_bordered(e, r);
   po_status status;
   factorize(r, e->n + 1, &status);
@@ -137,12 +137,12 @@ static po_status find_border(const po_equilibrium *e, const double *state, room 
   po_linear_solve(e->n + 1, r->matrix, e->n + 1, r->pivots, r->x);
   for (size_t j = 0; j < e->n; ++j)
     r->x[j] *= r->scale[j];
-  double rate[PO_GAUGE_SIZE];
-  po_gauge_rates(e, state, r->x, rate);
-  const double length = sqrt(po_gauge_along(rate, rate));
-  for (int k = 0; k < PO_GAUGE_SIZE; ++k)
+  double rate[PO_ARCLENGTH_SIZE];
+  po_arclength_rates(e, state, r->x, rate);
+  const double length = sqrt(po_arclength_along(rate, rate));
+  for (int k = 0; k < PO_ARCLENGTH_SIZE; ++k)
     rate[k] /= length;
-  po_gauge_border(e, state, rate, r->border);
+  po_arclength_border(e, state, rate, r->border);
   return PO_OK;
 }
 

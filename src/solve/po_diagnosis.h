@@ -10,7 +10,8 @@ typedef struct {
   double residual;           /* largest of the discrete equations, in parts of 1 + H */
   double rounding;           /* what one rounding of each term of these equations makes, likewise */
   double condition;          /* at fixed approach: infinite at a fold */
-  double bordered_condition; /* with the border of the gauge along the branch: finite at folds */
+  double bordered_condition; /* with the border of the arclength functional along the branch: finite
+                                at folds */
 } po_diagnosis;
 
 /* The load of an equilibrium at fixed approach as a function of its inputs. At a pull-off, where

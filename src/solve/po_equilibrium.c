@@ -7,7 +7,7 @@
 #include "po_law.h"
 #include "po_linear.h"
 #include "po_memory.h"
-#include "po_shape.h"
+#include "po_profile.h"
 
 /* A correction is done when no gap changes by more than this part of 1 + H: the digits that the
  * influence sums leave (1e-14), with a margin. */
@@ -31,7 +31,7 @@ void po_equilibrium_remesh(po_equilibrium *e) {
       reach = size > reach ? size : reach; /* a call of fmax costs ten times as much */
     }
     e->reach[j] = reach;
-    e->shape[j] = j < s->resolved ? po_shape(e->scene, r) : po_shape_mean(e->scene, r);
+    e->shape[j] = j < s->resolved ? po_profile(e->scene, r) : po_profile_mean(e->scene, r);
   }
 }
 

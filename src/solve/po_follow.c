@@ -6,20 +6,21 @@
 
 #include "po_clock.h"
 #include "po_corrector.h"
-#include "po_forecast.h"
 #include "po_memory.h"
+#include "po_parameter_predictor.h"
 #include "po_refine.h"
 
 enum { ORDER = PO_TABLE_ORDER, MOST_MESHES_A_POINT = 4, ROOT_LEVEL = 3 };
 
-/* Error of the forecast, in parts of 1 + H, that a step may have; and below which the next may be
+/* Error of the predictor, in parts of 1 + H, that a step may have; and below which the next may be
  * longer. */
 static const double GREATEST_ERROR = 0.4, SMALL_ERROR = 0.1;
-/* The first step, in parts of the way to the parameter asked for: it tells how the landmark moves.
+/* The first step, in parts of the way to the parameter asked for: it tells how the special point
+ * moves.
  */
 static const double FIRST_STEP = 0.02;
-/* A step this short, in the same parts, that fails: the landmark is lost; and a first one, when it
- * is not known yet how it moves. */
+/* A step this short, in the same parts, that fails: the special point is lost; and a first one,
+ * when it is not known yet how it moves. */
 static const double SHORTEST_STEP = 0.1, SHORTEST_FIRST = 5e-4;
 /* Meshes are made for this part of the allowed error. */
 static const double MESH_MARGIN = 0.2;
@@ -33,27 +34,27 @@ struct po_follower {
   po_resolution resolution;
   po_legendre legendre;
   po_event_kind of;
-  po_waymark mark[PO_FORECAST_MARKS + 1]; /* in a ring, with room for the next */
+  po_predictor_point mark[PO_PREDICTOR_MARKS + 1]; /* in a ring, with room for the next */
   size_t latest, count;
   po_track_point seed, spare;
-  double slope; /* of the rate that vanishes, along the gauge */
+  double slope; /* of the rate that vanishes, along the arclength functional */
   double value[2];
   double step; /* to try; INFINITY: the whole way */
 };
 
-static po_waymark *mark_of(po_follower *f, size_t back) {
-  return &f->mark[(f->latest + PO_FORECAST_MARKS + 1 - back) % (PO_FORECAST_MARKS + 1)];
+static po_predictor_point *mark_of(po_follower *f, size_t back) {
+  return &f->mark[(f->latest + PO_PREDICTOR_MARKS + 1 - back) % (PO_PREDICTOR_MARKS + 1)];
 }
 
-static po_waymark *next_mark(po_follower *f) {
-  return &f->mark[(f->latest + 1) % (PO_FORECAST_MARKS + 1)];
+static po_predictor_point *next_mark(po_follower *f) {
+  return &f->mark[(f->latest + 1) % (PO_PREDICTOR_MARKS + 1)];
 }
 
 /* Puts the scene of a parameter in force, on the mesh there is. */
 static void set_scene(po_follower *f, double at) {
   f->options.scene_at(f->options.data, at, &f->scene);
-  po_adaptive_resize(f->adaptive, f->options.root_of(&f->scene));
-  f->c.root = f->resolution.root = po_adaptive_root(f->adaptive);
+  po_adaptive_resize(f->adaptive, f->options.domain_of(&f->scene));
+  f->c.domain = f->resolution.domain = po_adaptive_domain(f->adaptive);
   po_equilibrium_remesh(f->e);
 }
 
@@ -65,13 +66,13 @@ po_status po_follow_create(const po_follow_options *options, double at, po_follo
   f->options = *options;
   options->scene_at(options->data, at, &f->scene);
   po_status status =
-      po_adaptive_create(&f->scene, options->root_of(&f->scene), ROOT_LEVEL, &f->adaptive);
+      po_adaptive_create(&f->scene, options->domain_of(&f->scene), ROOT_LEVEL, &f->adaptive);
   const size_t capacity = status ? 0 : po_adaptive_capacity(f->adaptive);
   if (!status)
     status = po_equilibrium_create(&f->scene, po_adaptive_surface(f->adaptive), capacity, &f->e);
   if (!status)
     status = po_corrector_allocate(&f->c, f->e, f->adaptive);
-  for (size_t k = 0; k <= PO_FORECAST_MARKS && !status; ++k)
+  for (size_t k = 0; k <= PO_PREDICTOR_MARKS && !status; ++k)
     status = po_track_point_allocate(&f->mark[k].point, capacity);
   if (!status)
     status = po_track_point_allocate(&f->seed, capacity);
@@ -85,14 +86,14 @@ po_status po_follow_create(const po_follow_options *options, double at, po_follo
   f->e->precision = options->precision;
   const po_panel_rule *rule = &po_panel_table_get()->rule;
   po_legendre_fill(rule, &f->legendre);
-  f->resolution = (po_resolution){f->e, rule, &f->legendre, f->c.root, options->allowed};
+  f->resolution = (po_resolution){f->e, rule, &f->legendre, f->c.domain, options->allowed};
   return PO_OK;
 }
 
 void po_follow_destroy(po_follower *f) {
   if (!f)
     return;
-  for (size_t k = 0; k <= PO_FORECAST_MARKS; ++k)
+  for (size_t k = 0; k <= PO_PREDICTOR_MARKS; ++k)
     po_track_point_free(&f->mark[k].point);
   po_track_point_free(&f->seed);
   po_track_point_free(&f->spare);
@@ -102,28 +103,28 @@ void po_follow_destroy(po_follower *f) {
   free(f);
 }
 
-/* Puts leaves in force that resolve a field, starting from others. */
-static po_status mesh_for(po_follower *f, const po_leaves *from, const po_gap_field *field) {
+/* Puts panels in force that resolve a field, starting from others. */
+static po_status mesh_for(po_follower *f, const po_panels *from, const po_gap_field *field) {
   po_resolution margin = f->resolution;
   margin.allowed.gap *= MESH_MARGIN;
   margin.allowed.load *= MESH_MARGIN;
-  po_leaves leaves = *from;
-  const po_status status = po_resolution_leaves(&margin, field, &leaves);
-  return status ? status : po_corrector_mesh(&f->c, &leaves);
+  po_panels panels = *from;
+  const po_status status = po_resolution_panels(&margin, field, &panels);
+  return status ? status : po_corrector_mesh(&f->c, &panels);
 }
 
-/* The landmark near the guess, on a mesh that resolves it. Given: seed, whose gauge is that of the
- * guess. */
+/* The special point near the guess, on a mesh that resolves it. Given: seed, whose arclength
+ * functional is that of the guess. */
 static po_status locate(po_follower *f, double *slope, double value[2], po_track_point *out) {
   const po_track_point *from = &f->seed;
   for (int mesh = 0; mesh < MOST_MESHES_A_POINT; ++mesh) {
     po_status status = po_refine_locate(&f->c, from, f->of, slope, out, value);
-    if (status || po_resolution_excess(&f->resolution, &out->leaves, out->state) <= 1.0)
+    if (status || po_resolution_excess(&f->resolution, &out->panels, out->state) <= 1.0)
       return status;
     po_track_point_copy(out, &f->spare);
     from = &f->spare;
-    po_track_field solved = {from, &f->scene, f->c.root};
-    status = mesh_for(f, &from->leaves, &(po_gap_field){po_track_gap, &solved});
+    po_track_field solved = {from, &f->scene, f->c.domain};
+    status = mesh_for(f, &from->panels, &(po_gap_field){po_track_gap, &solved});
     if (status)
       return status;
     po_corrector_guess(&f->c, from);
@@ -132,23 +133,23 @@ static po_status locate(po_follower *f, double *slope, double value[2], po_track
 }
 
 static void accept(po_follower *f, double at) {
-  po_waymark *next = next_mark(f);
+  po_predictor_point *next = next_mark(f);
   next->at = at;
   next->scene = f->scene;
-  next->root = f->c.root;
-  f->latest = (f->latest + 1) % (PO_FORECAST_MARKS + 1);
-  f->count += f->count < PO_FORECAST_MARKS;
+  next->domain = f->c.domain;
+  f->latest = (f->latest + 1) % (PO_PREDICTOR_MARKS + 1);
+  f->count += f->count < PO_PREDICTOR_MARKS;
 }
 
-po_status po_follow_begin(po_follower *f, const po_track_point *landmark, po_event_kind of,
+po_status po_follow_begin(po_follower *f, const po_track_point *special, po_event_kind of,
                           double at) {
   f->of = of;
   f->count = 0;
   f->step = INFINITY;
   f->slope = NAN;
   set_scene(f, at);
-  po_track_point_copy(landmark, &f->seed);
-  po_status status = po_corrector_mesh(&f->c, &f->seed.leaves);
+  po_track_point_copy(special, &f->seed);
+  po_status status = po_corrector_mesh(&f->c, &f->seed.panels);
   if (status)
     return status;
   po_corrector_guess(&f->c, &f->seed);
@@ -158,39 +159,40 @@ po_status po_follow_begin(po_follower *f, const po_track_point *landmark, po_eve
   return status;
 }
 
-/* Seeds the search from the guess: its gauge, in the direction of the latest landmark. */
+/* Seeds the search from the guess: its arclength functional, in the direction of the latest special
+ * point. */
 static void seed_from_guess(po_follower *f) {
   const po_track_point *latest = &mark_of(f, 0)->point;
   po_equilibrium_evaluate(f->e, f->c.guess);
-  po_gauge_values(f->e, f->c.guess, f->seed.gauge);
+  po_arclength_values(f->e, f->c.guess, f->seed.functional);
   memcpy(f->seed.rate, latest->rate, sizeof f->seed.rate);
 }
 
-/* One attempt at a step; the last, if it fails. Returned: the error of the forecast, if it could be
- * had. */
+/* One attempt at a step; the last, if it fails. Returned: the error of the predictor, if it could
+ * be had. */
 static po_status try_step(po_follower *f, double at, bool last, double *error) {
-  const po_waymark *marks[PO_FORECAST_MARKS];
-  po_forecast forecast;
+  const po_predictor_point *marks[PO_PREDICTOR_MARKS];
+  po_predictor predictor;
   for (size_t k = 0; k < f->count; ++k)
     marks[k] = mark_of(f, k);
-  if (!po_forecast_make(marks, f->count, at, &forecast)) {
+  if (!po_predictor_make(marks, f->count, at, &predictor)) {
     if (!last)
       return PO_NOT_CONVERGED;
-    po_forecast_still(marks, f->count, at, &forecast);
+    po_predictor_still(marks, f->count, at, &predictor);
   }
   set_scene(f, at);
   po_status status =
-      mesh_for(f, &marks[0]->point.leaves, &(po_gap_field){po_forecast_gap, &forecast});
+      mesh_for(f, &marks[0]->point.panels, &(po_gap_field){po_predictor_gap, &predictor});
   if (status)
     return status;
-  po_forecast_state(&forecast, f->e, po_corrector_core_nodes(&f->c), f->c.guess);
+  po_predictor_state(&predictor, f->e, po_corrector_core_nodes(&f->c), f->c.guess);
   seed_from_guess(f);
   double slope = f->slope, value[2];
   po_track_point *out = &next_mark(f)->point;
   status = locate(f, &slope, value, out);
   if (status)
     return status;
-  *error = po_forecast_error(&forecast, out);
+  *error = po_predictor_error(&predictor, out);
   if (!(*error < GREATEST_ERROR) || !(slope * f->slope > 0.0))
     return PO_NOT_CONVERGED;
   f->slope = slope;
@@ -218,8 +220,9 @@ po_status po_follow_to(po_follower *f, double at, double deadline) {
       po_message_clear();
       f->c.trouble = PO_OK;
       if (shortest)
-        return po_fail(PO_NOT_FOUND, "the landmark at approach %.6g, load %.6g ends on the way",
-                       f->value[0], f->value[1]);
+        return po_fail(PO_NOT_FOUND,
+                       "the special point at approach %.6g, load %.6g ends on the way", f->value[0],
+                       f->value[1]);
       f->step = (f->count == 1 ? 0.1 : 0.5) * fabs(step);
       continue;
     }
@@ -253,7 +256,7 @@ po_branch_point po_follow_point(po_follower *f, bool judged) {
                            .load_error = r.error[1],
                            .approach_rate = p->tangent[p->n],
                            .load_rate = p->load_rate,
-                           .n = p->leaves.count * ORDER,
+                           .n = p->panels.count * ORDER,
                            .node = p->node,
                            .gap = p->state,
                            .track = p,
@@ -261,8 +264,8 @@ po_branch_point po_follow_point(po_follower *f, bool judged) {
                            .finer = r.finer};
 }
 
-double po_follow_root(const po_follower *f) {
-  return po_adaptive_root(f->adaptive);
+double po_follow_domain(const po_follower *f) {
+  return po_adaptive_domain(f->adaptive);
 }
 
 po_solve_work po_follow_work(const po_follower *f, uint64_t *kernel_evaluations) {

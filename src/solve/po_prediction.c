@@ -4,71 +4,72 @@
 
 enum { ORDER = PO_TABLE_ORDER };
 
-/* Cosine of gauge and its direction at the start of an interval below which a cubic is no use. */
+/* Cosine of arclength functional and its direction at the start of an interval below which a cubic
+ * is no use. */
 static const double CUBIC_COSINE = 0.3;
 /* Slope of the displacement of the coordinates in one step; and over the step before. */
 static const double GREATEST_STRAIN = 0.5, GREATEST_STRAIN_BACK = 0.9;
-/* A step, along the gauge, that is short where two fronts meet. */
+/* A step, along the arclength functional, that is short where two contact edges meet. */
 static const double MEETING_STEP = 1e-4;
 /* A distance at which nothing moves. */
 static const double NOTHING = 1e-12;
 /* Gaps of a prediction are taken as no smaller. */
 static const double CLOSEST = -0.9;
 
-/* Sets where the fronts are expected. Returned: whether that is any use. */
+/* Sets where the contact edges are expected. Returned: whether that is any use. */
 static bool move(po_prediction *p, double distance) {
-  const po_fronts *fronts = &p->fronts;
+  const po_moving_edges *edges = &p->edges;
   p->w = (po_hermite){1.0, distance, 0.0, 0.0};
   const double whole = p->paired ? po_track_progress(p->a, p->b) : 0.0;
   p->cubic = p->paired && p->rate_b > CUBIC_COSINE && fabs(whole) > 0.0 &&
-             po_front_strain(fronts, p->back) < GREATEST_STRAIN_BACK;
+             po_edge_strain(edges, p->back) < GREATEST_STRAIN_BACK;
   if (p->cubic)
     p->w = po_hermite_at(distance, whole);
-  for (size_t f = 0; f < fronts->count; ++f) {
-    p->shift[f] = p->w.d0 * fronts->rate[f];
+  for (size_t f = 0; f < edges->count; ++f) {
+    p->shift[f] = p->w.d0 * edges->rate[f];
     if (p->cubic)
       p->shift[f] += p->w.f1 * p->back[f] + p->w.d1 * p->rate_back[f] / p->rate_b;
   }
-  return po_front_strain(fronts, p->shift) < GREATEST_STRAIN;
+  return po_edge_strain(edges, p->shift) < GREATEST_STRAIN;
 }
 
-/* Takes fronts out of those that move the coordinates, from one up to another. */
+/* Takes contact edges out of those that move the coordinates, from one up to another. */
 static void drop(po_prediction *p, size_t first, size_t end) {
-  po_fronts *fronts = &p->fronts;
-  for (size_t from = end, to = first; from < fronts->count; ++from, ++to) {
-    fronts->at[to] = fronts->at[from];
-    fronts->rate[to] = fronts->rate[from];
+  po_moving_edges *edges = &p->edges;
+  for (size_t from = end, to = first; from < edges->count; ++from, ++to) {
+    edges->at[to] = edges->at[from];
+    edges->rate[to] = edges->rate[from];
     p->back[to] = p->back[from];
     p->rate_back[to] = p->rate_back[from];
   }
-  fronts->count -= end - first;
+  edges->count -= end - first;
 }
 
-/* Takes the two fronts out that move most towards each other, or one that closes at the axis; not
- * the outermost alone. */
+/* Takes the two contact edges out that move most towards each other, or one that closes at the
+ * axis; not the outermost alone. */
 static bool drop_tightest(po_prediction *p) {
-  const size_t second = po_front_tightest(&p->fronts, p->shift);
-  if (p->fronts.count <= 1 || second == p->fronts.count)
+  const size_t second = po_edge_tightest(&p->edges, p->shift);
+  if (p->edges.count <= 1 || second == p->edges.count)
     return false;
   drop(p, second > 0 ? second - 1 : 0, second + 1);
   return true;
 }
 
-/* In the coordinates of all fronts, that of the point b beside that of a. */
+/* In the coordinates of all contact edges, that of the point b beside that of a. */
 static void pair(po_prediction *p) {
   const po_track_point *a = p->a, *b = p->b;
-  p->fronts = a->fronts;
-  p->paired = b && b->fronts.all == a->fronts.all;
+  p->edges = a->edges;
+  p->paired = b && b->edges.all == a->edges.all;
   if (!p->paired)
     return;
-  p->rate_b = po_gauge_along(a->rate, b->rate);
-  for (size_t f = 0; f < a->fronts.count; ++f) {
-    p->back[f] = b->fronts.at[f] - a->fronts.at[f];
-    p->rate_back[f] = b->fronts.rate[f];
+  p->rate_b = po_arclength_along(a->rate, b->rate);
+  for (size_t f = 0; f < a->edges.count; ++f) {
+    p->back[f] = b->edges.at[f] - a->edges.at[f];
+    p->rate_back[f] = b->edges.rate[f];
   }
 }
 
-/* Predicts at a distance, in the coordinates of as many fronts as they can be. */
+/* Predicts at a distance, in the coordinates of as many contact edges as they can be. */
 static bool predict(po_prediction *p, double distance) {
   bool useful = move(p, distance);
   while (!useful && drop_tightest(p))
@@ -76,9 +77,9 @@ static bool predict(po_prediction *p, double distance) {
   return useful;
 }
 
-bool po_prediction_make(const po_scene *scene, double root, const po_track_point *a,
+bool po_prediction_make(const po_scene *scene, double domain, const po_track_point *a,
                         const po_track_point *b, double distance, po_prediction *p) {
-  *p = (po_prediction){.scene = scene, .root = root, .a = a, .b = b};
+  *p = (po_prediction){.scene = scene, .domain = domain, .a = a, .b = b};
   pair(p);
   return predict(p, distance);
 }
@@ -87,7 +88,7 @@ bool po_prediction_make(const po_scene *scene, double root, const po_track_point
  * their point. */
 static double difference(po_prediction *p, po_prediction *q) {
   double largest = 0.0;
-  for (size_t j = 0; j < p->a->leaves.count * ORDER; ++j) {
+  for (size_t j = 0; j < p->a->panels.count * ORDER; ++j) {
     const double r = p->a->node[j];
     const double of_p = po_prediction_gap(p, r), of_q = po_prediction_gap(q, r);
     largest = fmax(largest, fabs(of_p - of_q) / (1.0 + of_p));
@@ -103,20 +104,20 @@ static double error_power(const po_prediction *p, double distance) {
   return product * product;
 }
 
-double po_prediction_reach(const po_scene *scene, double root, const po_track_point *a,
+double po_prediction_reach(const po_scene *scene, double domain, const po_track_point *a,
                            const po_track_point *b, double distance, double error,
                            po_prediction *p) {
-  po_prediction moving = {.scene = scene, .root = root, .a = a, .b = b};
+  po_prediction moving = {.scene = scene, .domain = domain, .a = a, .b = b};
   pair(&moving);
   double near = distance;
   for (; !move(&moving, near); near *= 0.5) {
-    if (fabs(near) < MEETING_STEP && po_prediction_make(scene, root, a, b, near, p))
+    if (fabs(near) < MEETING_STEP && po_prediction_make(scene, domain, a, b, near, p))
       return near;
     if (fabs(near) < NOTHING)
       return 0.0;
   }
   for (double far = distance; fabs(far) > 1.5 * fabs(near); far *= 0.5) {
-    if (!po_prediction_make(scene, root, a, b, far, p))
+    if (!po_prediction_make(scene, domain, a, b, far, p))
       continue;
     po_prediction still = *p;
     move(&still, near);
@@ -131,15 +132,15 @@ double po_prediction_reach(const po_scene *scene, double root, const po_track_po
 
 double po_prediction_gap(void *prediction, double r) {
   const po_prediction *p = prediction;
-  const po_fronts *fronts = &p->fronts;
-  const double origin = po_front_origin(fronts, p->shift, r);
-  const po_track_value a = po_track_value_at(p->a, p->scene, p->root, origin);
-  const double velocity = po_front_displacement(fronts, fronts->rate, origin);
+  const po_moving_edges *edges = &p->edges;
+  const double origin = po_edge_origin(edges, p->shift, r);
+  const po_track_value a = po_track_value_at(p->a, p->scene, p->domain, origin);
+  const double velocity = po_edge_displacement(edges, edges->rate, origin);
   double gap = a.gap + p->w.d0 * (a.tangent + a.slope * velocity);
   if (p->cubic) {
-    const double at = origin + po_front_displacement(fronts, p->back, origin);
-    const po_track_value b = po_track_value_at(p->b, p->scene, p->root, at);
-    const double velocity_b = po_front_displacement(fronts, p->rate_back, origin);
+    const double at = origin + po_edge_displacement(edges, p->back, origin);
+    const po_track_value b = po_track_value_at(p->b, p->scene, p->domain, at);
+    const double velocity_b = po_edge_displacement(edges, p->rate_back, origin);
     gap += p->w.f1 * (b.gap - a.gap) + p->w.d1 * (b.tangent + b.slope * velocity_b) / p->rate_b;
   }
   return fmax(gap, CLOSEST);
@@ -162,17 +163,17 @@ void po_prediction_state(po_prediction *p, const po_surface *surface, size_t cor
     state[n - back] = component(p, p->a->n - back, p->cubic ? p->b->n - back : 0);
 }
 
-/* Size of the panels that the point a wants at the place from which a radius (in parts of the root)
- * is expected to come. */
+/* Size of the panels that the point a wants at the place from which a radius (relative to the
+ * domain) is expected to come. */
 static double wanted_size(const po_prediction *p, double x) {
-  const double origin = po_front_origin(&p->fronts, p->shift, x * p->root) / p->root;
-  const po_leaves *wanted = &p->a->wanted;
-  return po_leaf_size(wanted->leaf[po_leaves_find(wanted, origin)]);
+  const double origin = po_edge_origin(&p->edges, p->shift, x * p->domain) / p->domain;
+  const po_panels *wanted = &p->a->wanted;
+  return po_panel_size(wanted->panel[po_panels_find(wanted, origin)]);
 }
 
-bool po_prediction_too_large(const po_prediction *p, po_leaf leaf, double times) {
+bool po_prediction_too_large(const po_prediction *p, po_panel panel, double times) {
   enum { SAMPLES = 5 };
-  const double begin = po_leaf_begin(leaf), size = po_leaf_size(leaf);
+  const double begin = po_panel_begin(panel), size = po_panel_size(panel);
   for (int k = 0; k < SAMPLES; ++k)
     if (size > 1.001 * times * wanted_size(p, begin + size * (k + 0.5) / SAMPLES))
       return true;
@@ -181,7 +182,7 @@ bool po_prediction_too_large(const po_prediction *p, po_leaf leaf, double times)
 
 double po_prediction_error(po_prediction *p, const double *guess, const po_track_point *solved) {
   double largest = 0.0;
-  for (size_t j = 0; j < solved->leaves.count * ORDER; ++j) {
+  for (size_t j = 0; j < solved->panels.count * ORDER; ++j) {
     const double expected = guess ? guess[j] : po_prediction_gap(p, solved->node[j]);
     largest = fmax(largest, fabs(solved->state[j] - expected) / (1.0 + solved->state[j]));
   }

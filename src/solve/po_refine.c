@@ -13,50 +13,50 @@ static const double CONTRIBUTES = 0.01;
  */
 static const double TELLING_WAVES = 2.5;
 
-/* The rate whose root is the landmark is found to this part of its slope. */
+/* The rate whose root is the special point is found to this part of its slope. */
 static const double LOCATED = 1e-9;
 /* Or the secant has no more to say: its next step is this part of the last. */
 static const double SMALL_STEP = 1e-3;
-/* Along the gauge, when the slope is to be found: narrow minima of the load are a hundred times as
- * wide. */
+/* Along the arclength functional, when the slope is to be found: narrow minima of the load are a
+ * hundred times as wide. */
 static const double TRIAL_STEP = 1e-5;
-/* Errors of landmarks: times the change on a finer mesh; and times the precision of Newton. */
+/* Errors of special points: times the change on a finer mesh; and times the precision of Newton. */
 static const double SAFETY = 3.0, FLOOR = 10.0;
 
-/* Splits leaves until all are of few waves. Where there is no room for that they are left as they
+/* Splits panels until all are of few waves. Where there is no room for that they are left as they
  * were. */
-static void split_waves(const po_resolution *r, po_leaves *leaves) {
+static void split_waves(const po_resolution *r, po_panels *panels) {
   const po_scene *scene = r->e->scene;
-  const po_leaves before = *leaves;
+  const po_panels before = *panels;
   bool any = po_scene_is_wavy(scene);
   while (any) {
-    bool split[PO_MOST_LEAVES];
+    bool split[PO_MOST_PANELS];
     any = false;
-    for (size_t k = 0; k < leaves->count; ++k) {
-      const double length = r->root * po_leaf_size(leaves->leaf[k]);
+    for (size_t k = 0; k < panels->count; ++k) {
+      const double length = r->domain * po_panel_size(panels->panel[k]);
       split[k] = length > TELLING_WAVES * scene->wavelength;
       any = any || split[k];
     }
-    if (any && !po_leaves_split(leaves, split)) {
-      *leaves = before;
+    if (any && !po_panels_split(panels, split)) {
+      *panels = before;
       return;
     }
   }
 }
 
-/* The leaves of p, those halved that contribute to its error, and those split that may hide one. */
-static bool finer_leaves(const po_resolution *r, const po_track_point *p, po_leaves *leaves) {
-  double excess[PO_MOST_LEAVES], largest = 0.0;
-  bool split[PO_MOST_LEAVES];
-  po_resolution_excesses(r, &p->leaves, p->state, excess);
-  for (size_t k = 0; k < p->leaves.count; ++k)
+/* The panels of p, those halved that contribute to its error, and those split that may hide one. */
+static bool finer_panels(const po_resolution *r, const po_track_point *p, po_panels *panels) {
+  double excess[PO_MOST_PANELS], largest = 0.0;
+  bool split[PO_MOST_PANELS];
+  po_resolution_excesses(r, &p->panels, p->state, excess);
+  for (size_t k = 0; k < p->panels.count; ++k)
     largest = fmax(largest, excess[k]);
-  for (size_t k = 0; k < p->leaves.count; ++k)
+  for (size_t k = 0; k < p->panels.count; ++k)
     split[k] = excess[k] > CONTRIBUTES * largest;
-  *leaves = p->leaves;
-  if (!po_leaves_split(leaves, split))
+  *panels = p->panels;
+  if (!po_panels_split(panels, split))
     return false;
-  split_waves(r, leaves);
+  split_waves(r, panels);
   return true;
 }
 
@@ -71,7 +71,7 @@ double po_refine_slope(const po_event *ev, double cosine) {
   return (rate[1] - rate[0]) / (2.0 * by) * cosine * cosine;
 }
 
-/* The value of the landmark's quantities where the rate between two samples vanishes. */
+/* The value of the special point's quantities where the rate between two samples vanishes. */
 static void values_at_root(const po_sample *a, const po_sample *b, po_event_kind of,
                            double value[2]) {
   const double h = b->at - a->at, x = -a->rate[of] * h / (b->rate[of] - a->rate[of]);
@@ -102,7 +102,8 @@ po_status po_refine_locate(po_corrector *c, const po_track_point *from, po_event
     at = s.at + step;
     last = s;
     for (size_t j = 0; j <= out->n; ++j)
-      c->guess[j] = out->state[j] + step / po_gauge_along(from->rate, out->rate) * out->tangent[j];
+      c->guess[j] =
+          out->state[j] + step / po_arclength_along(from->rate, out->rate) * out->tangent[j];
   }
   return PO_NOT_CONVERGED;
 }
@@ -111,15 +112,15 @@ double po_refine_error(double precision, double change, double value) {
   return SAFETY * fabs(change) + FLOOR * precision * (1.0 + fabs(value));
 }
 
-/* Solves a landmark on a finer mesh. Returned: it in finer, its approach and load in value, and the
- * errors that r has. */
+/* Solves a special point on a finer mesh. Returned: it in finer, its approach and load in value,
+ * and the errors that r has. */
 static po_status solve_finer(po_corrector *c, const po_resolution *resolution,
                              const po_refinement *how, po_refined *r, po_track_point *finer,
                              double value[2]) {
-  po_leaves leaves;
-  if (!finer_leaves(resolution, r->point, &leaves))
+  po_panels panels;
+  if (!finer_panels(resolution, r->point, &panels))
     return po_fail(PO_OUT_OF_NODES, "no room for a finer mesh");
-  po_status status = po_corrector_mesh(c, &leaves);
+  po_status status = po_corrector_mesh(c, &panels);
   if (status)
     return status;
   po_corrector_guess(c, r->point);

@@ -57,71 +57,71 @@ static double excess_of(const po_resolution *r, double begin, double end, const 
   return fmax(local / r->allowed.gap, ring * last * last / (largest + 1e-300) / r->allowed.load);
 }
 
-void po_resolution_excesses(const po_resolution *r, const po_leaves *leaves, const double *gap,
+void po_resolution_excesses(const po_resolution *r, const po_panels *panels, const double *gap,
                             double *excess) {
-  for (size_t k = 0; k < leaves->count; ++k)
-    excess[k] = excess_of(r, r->root * po_leaf_begin(leaves->leaf[k]),
-                          r->root * po_leaf_end(leaves->leaf[k]), gap + k * ORDER);
+  for (size_t k = 0; k < panels->count; ++k)
+    excess[k] = excess_of(r, r->domain * po_panel_begin(panels->panel[k]),
+                          r->domain * po_panel_end(panels->panel[k]), gap + k * ORDER);
 }
 
-double po_resolution_excess(const po_resolution *r, const po_leaves *leaves, const double *gap) {
-  double excess[PO_MOST_LEAVES], worst = 0.0;
-  po_resolution_excesses(r, leaves, gap, excess);
-  for (size_t k = 0; k < leaves->count; ++k)
+double po_resolution_excess(const po_resolution *r, const po_panels *panels, const double *gap) {
+  double excess[PO_MOST_PANELS], worst = 0.0;
+  po_resolution_excesses(r, panels, gap, excess);
+  for (size_t k = 0; k < panels->count; ++k)
     worst = fmax(worst, excess[k]);
   return worst;
 }
 
-static double excess_of_leaf(const po_resolution *r, const po_gap_field *field, po_leaf leaf) {
-  const double begin = r->root * po_leaf_begin(leaf), end = r->root * po_leaf_end(leaf);
+static double excess_of_panel(const po_resolution *r, const po_gap_field *field, po_panel panel) {
+  const double begin = r->domain * po_panel_begin(panel), end = r->domain * po_panel_end(panel);
   double gap[ORDER];
   for (size_t i = 0; i < ORDER; ++i)
     gap[i] = field->gap_at(field->data, begin + (end - begin) * r->rule->node[i]);
   return excess_of(r, begin, end, gap);
 }
 
-/* Splits leaves of a tree until each resolves. */
-static bool split_all(const po_resolution *r, const po_gap_field *field, po_leaves *leaves) {
-  bool known[PO_MOST_LEAVES] = {false}; /* leaf k was found to do */
+/* Splits panels of a tree until each resolves. */
+static bool split_all(const po_resolution *r, const po_gap_field *field, po_panels *panels) {
+  bool known[PO_MOST_PANELS] = {false}; /* panel k was found to do */
   for (int pass = 0; pass < MOST_DEPTH; ++pass) {
-    bool split[PO_MOST_LEAVES], any = false;
-    for (size_t k = 0; k < leaves->count; ++k) {
-      split[k] = !known[k] && excess_of_leaf(r, field, leaves->leaf[k]) > 1.0;
+    bool split[PO_MOST_PANELS], any = false;
+    for (size_t k = 0; k < panels->count; ++k) {
+      split[k] = !known[k] && excess_of_panel(r, field, panels->panel[k]) > 1.0;
       any = any || split[k];
     }
     if (!any)
       return true;
-    const po_leaves before = *leaves;
-    if (!po_leaves_split(leaves, split))
+    const po_panels before = *panels;
+    if (!po_panels_split(panels, split))
       return false;
-    bool now_known[PO_MOST_LEAVES] = {false};
+    bool now_known[PO_MOST_PANELS] = {false};
     size_t old = 0;
-    for (size_t k = 0; k < leaves->count; ++k) { /* what was not split still does */
-      while (po_leaf_end(before.leaf[old]) <= po_leaf_begin(leaves->leaf[k]))
+    for (size_t k = 0; k < panels->count; ++k) { /* what was not split still does */
+      while (po_panel_end(before.panel[old]) <= po_panel_begin(panels->panel[k]))
         ++old;
-      now_known[k] = po_leaf_equal(before.leaf[old], leaves->leaf[k]);
+      now_known[k] = po_panel_equal(before.panel[old], panels->panel[k]);
     }
     memcpy(known, now_known, sizeof known);
   }
   return true;
 }
 
-static void join_what_can_be(const po_resolution *r, const po_gap_field *field, po_leaves *leaves) {
-  bool join[PO_MOST_LEAVES] = {false};
-  for (size_t k = 0; k + 1 < leaves->count; ++k) {
-    const po_leaf a = leaves->leaf[k], b = leaves->leaf[k + 1];
+static void join_what_can_be(const po_resolution *r, const po_gap_field *field, po_panels *panels) {
+  bool join[PO_MOST_PANELS] = {false};
+  for (size_t k = 0; k + 1 < panels->count; ++k) {
+    const po_panel a = panels->panel[k], b = panels->panel[k + 1];
     if (a.level < 2 || a.level != b.level || a.index % 2 || b.index != a.index + 1)
       continue;
-    const po_leaf parent = {a.level - 1, a.index / 2};
-    join[k] = join[k + 1] = excess_of_leaf(r, field, parent) < JOIN_MARGIN;
+    const po_panel parent = {a.level - 1, a.index / 2};
+    join[k] = join[k + 1] = excess_of_panel(r, field, parent) < JOIN_MARGIN;
   }
-  po_leaves_join(leaves, join);
+  po_panels_join(panels, join);
 }
 
-po_status po_resolution_leaves(const po_resolution *r, const po_gap_field *field,
-                               po_leaves *leaves) {
-  join_what_can_be(r, field, leaves);
-  if (!split_all(r, field, leaves))
-    return po_fail(PO_OUT_OF_NODES, "the traction needs more than %d panels", PO_MOST_LEAVES);
+po_status po_resolution_panels(const po_resolution *r, const po_gap_field *field,
+                               po_panels *panels) {
+  join_what_can_be(r, field, panels);
+  if (!split_all(r, field, panels))
+    return po_fail(PO_OUT_OF_NODES, "the traction needs more than %d panels", PO_MOST_PANELS);
   return PO_OK;
 }

@@ -14,7 +14,7 @@ void po_legendre_fill(const po_panel_rule *rule, po_legendre *legendre);
 
 /* A field of gaps, of what is to be resolved. */
 typedef struct {
-  double (*gap_at)(void *data, double r); /* r in eps, inside the root */
+  double (*gap_at)(void *data, double r); /* r in eps, inside the domain */
   void *data;
 } po_gap_field;
 
@@ -28,19 +28,19 @@ typedef struct {
   const po_equilibrium *e;
   const po_panel_rule *rule;
   const po_legendre *legendre;
-  double root; /* eps */
+  double domain; /* eps */
   po_allowance allowed;
 } po_resolution;
 
 /* The error that each panel makes, in parts of what is allowed, from the last Legendre coefficients
  * of the traction at the nodes; and the largest of these. */
-void po_resolution_excesses(const po_resolution *r, const po_leaves *leaves, const double *gap,
+void po_resolution_excesses(const po_resolution *r, const po_panels *panels, const double *gap,
                             double *excess);
-double po_resolution_excess(const po_resolution *r, const po_leaves *leaves, const double *gap);
+double po_resolution_excess(const po_resolution *r, const po_panels *panels, const double *gap);
 
-/* The leaves that resolve a field: those given are split until they do, and joined where their
+/* The panels that resolve a field: those given are split until they do, and joined where their
  * parent would do with a margin. Status: PO_OUT_OF_NODES. */
-po_status po_resolution_leaves(const po_resolution *r, const po_gap_field *field,
-                               po_leaves *leaves);
+po_status po_resolution_panels(const po_resolution *r, const po_gap_field *field,
+                               po_panels *panels);
 
 #endif

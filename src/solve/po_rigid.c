@@ -8,8 +8,8 @@
 
 #include "po_join.h"
 #include "po_law.h"
+#include "po_profile.h"
 #include "po_quadrature.h"
-#include "po_shape.h"
 
 /* The elastic approach of the surfaces, in eps, is at most 2 coupling integral |p| dr, about
  * 3 mu^(3/2); the load changes by at most twice that per eps. */
@@ -47,12 +47,12 @@ static double chosen(const integral *q, po_law law) {
 
 static double resolved(double r, void *data) {
   const integral *q = data;
-  const double gap = po_shape(q->scene, r) - q->approach;
+  const double gap = po_profile(q->scene, r) - q->approach;
   return (q->of == ENERGY ? po_law_energy(gap) : chosen(q, po_law_at(gap))) * r;
 }
 
 static double mean_law(const integral *q, double r) {
-  const double gap = po_shape_mean(q->scene, r) - q->approach, amplitude = q->scene->amplitude;
+  const double gap = po_profile_mean(q->scene, r) - q->approach, amplitude = q->scene->amplitude;
   return q->of == ENERGY ? po_law_energy_averaged(gap, amplitude)
                          : chosen(q, po_law_averaged(gap, amplitude));
 }
@@ -163,7 +163,7 @@ static po_status integrate(integral *q, gsl_integration_workspace *space, double
 /* (2/R) times the integrals of what is asked, over r dr. */
 static po_status integrate_each(const po_scene *scene, double approach, const int *of, int count,
                                 double *value) {
-  po_gsl_return_errors(); /* a rounding error is an ordinary outcome of a quadrature */
+  po_gsl_return_errors(); /* a rounding error is an ordinary result of a quadrature */
   gsl_integration_workspace *space = gsl_integration_workspace_alloc(INTERVALS);
   if (!space)
     return po_fail(PO_NO_MEMORY, "no memory for a quadrature");

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "po_memory.h"
-#include "po_shape.h"
+#include "po_profile.h"
 #include "po_track_parts.h"
 
 static const double FIRST_STEP = 0.05;
@@ -29,7 +29,7 @@ typedef struct {
 
 static double undeformed_gap(void *data, double r) {
   const undeformed *u = data;
-  return po_shape(u->scene, r) - u->approach;
+  return po_profile(u->scene, r) - u->approach;
 }
 
 /* The first equilibrium: Newton at fixed approach from the undeformed gap. */
@@ -37,10 +37,10 @@ static po_status start(po_tracker *t) {
   po_equilibrium *e = t->c.e;
   undeformed u = {e->scene, fmin(po_branch_start(e), t->options.begin)}; /* begin may be NaN */
   const po_gap_field field = {undeformed_gap, &u};
-  po_leaves leaves = *po_adaptive_leaves(t->c.adaptive);
-  po_status status = po_resolution_leaves(&t->resolution, &field, &leaves);
+  po_panels panels = *po_adaptive_panels(t->c.adaptive);
+  po_status status = po_resolution_panels(&t->resolution, &field, &panels);
   if (!status)
-    status = po_corrector_mesh(&t->c, &leaves);
+    status = po_corrector_mesh(&t->c, &panels);
   if (status)
     return status;
   po_track_point *p = &t->current;
@@ -57,7 +57,7 @@ static po_status start(po_tracker *t) {
   if (status)
     return po_fail(status, "no equilibrium found far out, at approach %g", u.approach);
   po_track_point_finish(p, e, t->c.adaptive);
-  e->factorized = false; /* its border is not of the gauge */
+  e->factorized = false; /* its border is not of the arclength functional */
   return po_track_want_mesh(t, p);
 }
 
@@ -140,7 +140,7 @@ po_status po_track_create(po_equilibrium *equilibrium, po_adaptive *adaptive, po
     status = po_track_point_allocate(points[k], capacity);
   const po_panel_rule *rule = &po_panel_table_get()->rule;
   po_legendre_fill(rule, &t->legendre);
-  t->resolution = (po_resolution){equilibrium, rule, &t->legendre, t->c.root, allowed};
+  t->resolution = (po_resolution){equilibrium, rule, &t->legendre, t->c.domain, allowed};
   if (!status)
     return PO_OK;
   po_track_destroy(t);

@@ -21,9 +21,9 @@ po_status po_track_onwards(po_tracker *tracker);
 
 /* Turns round at the end, once, and follows the branch back to where it began, by steps and meshes
  * of its own. Tells a visitor the points on the way, the last one of the way out first: position
- * grows on, rates and the unstable modes just after a point are those of the way back, so that
- * these end as 0; errors are those of folds. Landmarks beyond the one that ended the way out are
- * left out. Given: a tracker whose way out ended with PO_OK. Status: as po_track_onwards. */
+ * grows on, rates and the unstable modes just after a point are those of the reverse trace, so that
+ * these end as 0; errors are those of folds. Special points beyond the one that ended the way out
+ * are left out. Given: a tracker whose way out ended with PO_OK. Status: as po_track_onwards. */
 po_status po_track_back(po_tracker *tracker, po_branch_visit visit, void *data);
 
 #endif

@@ -7,12 +7,12 @@ enum { ORDER = PO_TABLE_ORDER };
 
 /* A point this close to the one solved just before, in parts of the step, is on its tangent. */
 static const double ON_TANGENT = 0.02;
-/* An event's place along the gauge. */
+/* An event's place along the arclength functional. */
 static const double LOCATED = 1e-9;
 
 /* The guess on the tangent of the inner point last solved. */
 static void guess_on_tangent(po_tracker *t, double at) {
-  const double step = (at - t->inner_at) / po_gauge_along(t->current.rate, t->inner.rate);
+  const double step = (at - t->inner_at) / po_arclength_along(t->current.rate, t->inner.rate);
   for (size_t j = 0; j <= t->inner.n; ++j)
     t->c.guess[j] = t->inner.state[j] + step * t->inner.tangent[j];
 }
@@ -27,7 +27,7 @@ static po_status solve_inner(void *data, double at, po_sample *sample) {
     status = po_track_solve_guessed(t, at, &t->inner);
   } else {
     po_prediction p;
-    po_prediction_make(t->c.e->scene, t->c.root, &t->current, &t->next, at, &p);
+    po_prediction_make(t->c.e->scene, t->c.domain, &t->current, &t->next, at, &p);
     status = po_track_solve(t, &p, at, true, t->c.e->precision, &t->inner, NULL);
   }
   t->inner_at = status ? (double)NAN : at;
@@ -67,7 +67,7 @@ po_branch_point po_track_seen(const po_tracker *t, const po_track_point *p, po_p
                            .approach_rate = p->tangent[p->n],
                            .load_rate = p->load_rate,
                            .unstable_modes = t->unstable_modes,
-                           .n = p->leaves.count * ORDER,
+                           .n = p->panels.count * ORDER,
                            .node = p->node,
                            .gap = p->state,
                            .track = p};
@@ -79,18 +79,18 @@ void po_track_visit(po_tracker *t, const po_track_point *p, po_point_kind kind) 
     t->ended = true;
 }
 
-/* Whether errors of a landmark are worth their price: of folds where they are asked for, and of a
- * minimum of the load that may be the pull-off. */
+/* Whether errors of a special point are worth their price: of folds where they are asked for, and
+ * of a minimum of the load that may be the pull-off. */
 static bool is_judged(const po_tracker *t, const po_branch_point *point) {
   if (point->kind == PO_POINT_APPROACH_MAX || point->kind == PO_POINT_APPROACH_MIN)
     return !t->options.minima_only;
   return point->kind == PO_POINT_LOAD_MIN && point->load <= t->deepest;
 }
 
-/* Judges a landmark by finer meshes: its errors are of the mesh, of Newton's iteration, and of the
- * place. */
+/* Judges a special point by finer meshes: its errors are of the mesh, of Newton's iteration, and of
+ * the place. */
 static void judge(po_tracker *t, const po_event *ev, po_branch_point *point) {
-  const double cosine = po_gauge_along(t->current.rate, point->track->rate);
+  const double cosine = po_arclength_along(t->current.rate, point->track->rate);
   const double enough =
       point->kind == PO_POINT_LOAD_MIN ? t->options.sharpness * fabs(point->load) : INFINITY;
   const po_refinement how = {ev->of, po_refine_slope(ev, cosine), enough, {&t->spare, &t->inner}};
@@ -108,7 +108,7 @@ static void judge(po_tracker *t, const po_event *ev, po_branch_point *point) {
   t->c.trouble = PO_OK; /* a mesh too fine for the estimate is no trouble for the trace */
 }
 
-static void visit_landmark(po_tracker *t, const po_event *ev) {
+static void visit_special_point(po_tracker *t, const po_event *ev) {
   po_branch_point point = po_track_seen(t, &t->at_event[ev->place], po_event_point(ev));
   if (is_judged(t, &point))
     judge(t, ev, &point);
@@ -119,7 +119,7 @@ static void visit_landmark(po_tracker *t, const po_event *ev) {
 }
 
 /* Whether an event lies beyond the end of the way out: passed in the step that ended it, and again
- * at the beginning of the way back. */
+ * at the beginning of the reverse trace. */
 static bool is_beyond(po_tracker *t, const po_event *ev) {
   const bool beyond = t->back ? t->beyond > 0 : t->ended;
   if (beyond && ev->of <= PO_OF_LOAD)
@@ -136,7 +136,7 @@ void po_track_visit_step(po_tracker *t) {
     if (is_beyond(t, ev))
       continue;
     if (ev->of <= PO_OF_LOAD)
-      visit_landmark(t, ev);
+      visit_special_point(t, ev);
     else
       po_track_visit(t, p, kind);
     t->ended = t->ended || ev->of == PO_AT_END;

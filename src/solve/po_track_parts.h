@@ -4,9 +4,9 @@
 #define PO_TRACK_PARTS_H
 
 #include "po_corrector.h"
-#include "po_landmark.h"
 #include "po_prediction.h"
 #include "po_resolution.h"
+#include "po_special_point.h"
 #include "po_track.h"
 
 struct po_tracker {
@@ -19,8 +19,8 @@ struct po_tracker {
   double step;
   double inner_at; /* of the point in inner, solved on the mesh in force; NAN: none */
   bool has_previous, ended;
-  bool back;       /* on the way back */
-  int beyond;      /* landmarks of the last step that lie beyond the end */
+  bool back;       /* on the reverse trace */
+  int beyond;      /* special points of the last step that lie beyond the end */
   double farthest; /* least gap where the branch began */
   int unstable_modes;
   double deepest; /* minimum of the load so far */
@@ -36,10 +36,10 @@ double po_track_approach(const po_track_point *p);
 /* The mesh that just resolves a point just solved, into p->wanted. */
 po_status po_track_want_mesh(po_tracker *t, po_track_point *p);
 
-/* The equilibrium at a distance along the gauge from the current point, as predicted, on a mesh
- * that resolves it. Given: whether the mesh in force and its factors may serve; precision of the
- * tangent. Returned: out; the error of the prediction, in parts of 1 + H. Status: PO_NOT_CONVERGED
- * also when no mesh resolves it; of a mesh that could not be had. */
+/* The equilibrium at a distance along the arclength functional from the current point, as
+ * predicted, on a mesh that resolves it. Given: whether the mesh in force and its factors may
+ * serve; precision of the tangent. Returned: out; the error of the prediction, in parts of 1 + H.
+ * Status: PO_NOT_CONVERGED also when no mesh resolves it; of a mesh that could not be had. */
 po_status po_track_solve(po_tracker *t, po_prediction *p, double distance, bool keep,
                          double precision, po_track_point *out, double *error);
 

@@ -6,7 +6,7 @@
 
 #include "po_law.h"
 #include "po_memory.h"
-#include "po_shape.h"
+#include "po_profile.h"
 
 enum { ORDER = PO_TABLE_ORDER, BISECTIONS = 60 };
 
@@ -39,18 +39,18 @@ void po_track_point_copy(const po_track_point *from, po_track_point *to) {
 void po_track_point_turn(po_track_point *p) {
   for (size_t j = 0; j <= p->n; ++j)
     p->tangent[j] = -p->tangent[j];
-  for (int i = 0; i < PO_GAUGE_SIZE; ++i)
+  for (int i = 0; i < PO_ARCLENGTH_SIZE; ++i)
     p->rate[i] = -p->rate[i];
-  for (size_t k = 0; k < p->fronts.count; ++k)
-    p->fronts.rate[k] = -p->fronts.rate[k];
+  for (size_t k = 0; k < p->edges.count; ++k)
+    p->edges.rate[k] = -p->edges.rate[k];
   p->load_rate = -p->load_rate;
 }
 
 double po_track_progress(const po_track_point *from, const po_track_point *to) {
-  double change[PO_GAUGE_SIZE];
-  for (int i = 0; i < PO_GAUGE_SIZE; ++i)
-    change[i] = to->gauge[i] - from->gauge[i];
-  return po_gauge_along(from->rate, change);
+  double change[PO_ARCLENGTH_SIZE];
+  for (int i = 0; i < PO_ARCLENGTH_SIZE; ++i)
+    change[i] = to->functional[i] - from->functional[i];
+  return po_arclength_along(from->rate, change);
 }
 
 /* d/dx of the polynomial through nodal values, at the nodes. */
@@ -65,15 +65,15 @@ static void differentiate(const po_panel_rule *rule, const double *value, double
   }
 }
 
-po_track_value po_track_value_at(const po_track_point *p, const po_scene *scene, double root,
+po_track_value po_track_value_at(const po_track_point *p, const po_scene *scene, double domain,
                                  double r) {
   const po_panel_rule *rule = &po_panel_table_get()->rule;
-  const double x = r / root;
-  const size_t k = po_leaves_find(&p->leaves, x);
-  const double begin = po_leaf_begin(p->leaves.leaf[k]), size = po_leaf_size(p->leaves.leaf[k]);
+  const double x = r / domain;
+  const size_t k = po_panels_find(&p->panels, x);
+  const double begin = po_panel_begin(p->panels.panel[k]), size = po_panel_size(p->panels.panel[k]);
   double weight[ORDER];
   po_lagrange(ORDER, rule->node, rule->barycentric, (x - begin) / size, weight);
-  po_track_value v = {po_shape(scene, r), po_shape_slope(scene, r), 0.0};
+  po_track_value v = {po_profile(scene, r), po_profile_slope(scene, r), 0.0};
   for (size_t j = 0; j < ORDER; ++j) {
     v.gap += weight[j] * p->deflection[k * ORDER + j];
     v.slope += weight[j] * p->slope[k * ORDER + j];
@@ -82,55 +82,55 @@ po_track_value po_track_value_at(const po_track_point *p, const po_scene *scene,
   return v;
 }
 
-/* The front between two radii, by bisection on the panels' polynomials. */
-static void add_front(po_track_point *p, const po_scene *scene, double root, double low,
-                      double high) {
-  const double side = po_track_value_at(p, scene, root, low).gap - PO_LAW_PEAK_GAP;
+/* The contact edge between two radii, by bisection on the panels' polynomials. */
+static void add_edge(po_track_point *p, const po_scene *scene, double domain, double low,
+                     double high) {
+  const double side = po_track_value_at(p, scene, domain, low).gap - PO_LAW_PEAK_GAP;
   for (int k = 0; k < BISECTIONS && high - low > 1e-14 * high; ++k) {
     const double middle = 0.5 * (low + high);
-    const double here = po_track_value_at(p, scene, root, middle).gap - PO_LAW_PEAK_GAP;
+    const double here = po_track_value_at(p, scene, domain, middle).gap - PO_LAW_PEAK_GAP;
     if ((here < 0.0) == (side < 0.0))
       low = middle;
     else
       high = middle;
   }
-  const po_track_value v = po_track_value_at(p, scene, root, low);
-  p->fronts.at[p->fronts.count] = low;
-  p->fronts.rate[p->fronts.count] = -v.tangent / v.slope;
-  ++p->fronts.count;
+  const po_track_value v = po_track_value_at(p, scene, domain, low);
+  p->edges.at[p->edges.count] = low;
+  p->edges.rate[p->edges.count] = -v.tangent / v.slope;
+  ++p->edges.count;
 }
 
 /* From the outside inwards: the outermost edges are those that move. */
-static void find_fronts(po_track_point *p, const po_scene *scene, const po_surface *s) {
-  po_fronts *fronts = &p->fronts;
-  fronts->count = fronts->all = 0;
-  for (size_t j = p->leaves.count * ORDER; --j > 0;) {
+static void find_edges(po_track_point *p, const po_scene *scene, const po_surface *s) {
+  po_moving_edges *edges = &p->edges;
+  edges->count = edges->all = 0;
+  for (size_t j = p->panels.count * ORDER; --j > 0;) {
     const double left = p->state[j - 1] - PO_LAW_PEAK_GAP, right = p->state[j] - PO_LAW_PEAK_GAP;
     if ((left < 0.0) == (right < 0.0))
       continue;
-    if (fronts->count < PO_MOST_FRONTS)
-      add_front(p, scene, s->core_radius, s->node[j - 1], s->node[j]);
-    ++fronts->all;
+    if (edges->count < PO_MOST_MOVING_EDGES)
+      add_edge(p, scene, s->core_radius, s->node[j - 1], s->node[j]);
+    ++edges->all;
   }
-  for (size_t k = 0; 2 * k + 1 < fronts->count; ++k) { /* ascending */
-    const size_t other = fronts->count - 1 - k;
-    const double at = fronts->at[k], rate = fronts->rate[k];
-    fronts->at[k] = fronts->at[other];
-    fronts->rate[k] = fronts->rate[other];
-    fronts->at[other] = at;
-    fronts->rate[other] = rate;
+  for (size_t k = 0; 2 * k + 1 < edges->count; ++k) { /* ascending */
+    const size_t other = edges->count - 1 - k;
+    const double at = edges->at[k], rate = edges->rate[k];
+    edges->at[k] = edges->at[other];
+    edges->rate[k] = edges->rate[other];
+    edges->at[other] = at;
+    edges->rate[other] = rate;
   }
 }
 
 void po_track_point_finish(po_track_point *p, const po_equilibrium *e,
                            const po_adaptive *adaptive) {
   const po_panel_rule *rule = &po_panel_table_get()->rule;
-  p->leaves = *po_adaptive_leaves(adaptive);
+  p->panels = *po_adaptive_panels(adaptive);
   p->n = e->n;
-  po_gauge_values(e, p->state, p->gauge);
-  po_gauge_rates(e, p->state, p->tangent, p->rate);
-  const double length = sqrt(po_gauge_along(p->rate, p->rate));
-  for (int i = 0; i < PO_GAUGE_SIZE; ++i)
+  po_arclength_values(e, p->state, p->functional);
+  po_arclength_rates(e, p->state, p->tangent, p->rate);
+  const double length = sqrt(po_arclength_along(p->rate, p->rate));
+  for (int i = 0; i < PO_ARCLENGTH_SIZE; ++i)
     p->rate[i] /= length;
   for (size_t j = 0; j <= p->n; ++j)
     p->tangent[j] /= length;
@@ -140,32 +140,32 @@ void po_track_point_finish(po_track_point *p, const po_equilibrium *e,
   memcpy(p->node, e->surface->node, p->n * sizeof *p->node);
   for (size_t j = 0; j < p->n; ++j)
     p->deflection[j] = p->state[j] - e->shape[j];
-  const double root = e->surface->core_radius;
-  for (size_t k = 0; k < p->leaves.count; ++k) {
-    const double size = root * po_leaf_size(p->leaves.leaf[k]);
+  const double domain = e->surface->core_radius;
+  for (size_t k = 0; k < p->panels.count; ++k) {
+    const double size = domain * po_panel_size(p->panels.panel[k]);
     differentiate(rule, p->deflection + k * ORDER, p->slope + k * ORDER);
     for (size_t i = 0; i < ORDER; ++i)
       p->slope[k * ORDER + i] /= size;
   }
-  find_fronts(p, e->scene, e->surface);
+  find_edges(p, e->scene, e->surface);
 }
 
 double po_track_gap(void *data, double r) {
   const po_track_field *f = data;
-  return po_track_value_at(f->p, f->scene, f->root, r).gap;
+  return po_track_value_at(f->p, f->scene, f->domain, r).gap;
 }
 
 double po_track_way(const po_track_point *from, const po_track_point *to) {
   const double progress = po_track_progress(from, to);
-  const double cosine = fmax(0.0, po_gauge_along(from->rate, to->rate));
+  const double cosine = fmax(0.0, po_arclength_along(from->rate, to->rate));
   const double turn = cosine < 1.0 ? acos(cosine) : 0.0;
   return turn > 0.0 ? progress * turn / sin(turn) : progress;
 }
 
 po_sample po_track_sample(const po_track_point *from, const po_track_point *p) {
-  const double per_distance = 1.0 / po_gauge_along(from->rate, p->rate);
+  const double per_distance = 1.0 / po_arclength_along(from->rate, p->rate);
   return (po_sample){.at = po_track_progress(from, p),
-                     .fronts = p->fronts.all,
+                     .edges = p->edges.all,
                      .value = {p->state[p->n], p->load},
                      .rate = {p->tangent[p->n] * per_distance, p->load_rate * per_distance}};
 }

@@ -3,20 +3,20 @@
 enum { MOST_MESHES_A_POINT = 4 };
 
 /* Meshes are made for this part of the allowed error, and serve while it is not exceeded: the
- * fronts may move a little on them. */
+ * contact edges may move a little on them. */
 static const double MESH_MARGIN = 0.2;
 /* Error of a guess, in parts of the allowed, on a mesh that is kept: half is left for what the
  * solution differs. */
 static const double GREATEST_EXCESS = 0.5;
 
-static bool too_large(void *prediction, po_leaf leaf) {
-  return po_prediction_too_large(prediction, leaf, 1.0);
+static bool too_large(void *prediction, po_panel panel) {
+  return po_prediction_too_large(prediction, panel, 1.0);
 }
 
 static bool mesh_serves(const po_tracker *t, const po_prediction *p) {
-  const po_leaves *leaves = po_adaptive_leaves(t->c.adaptive);
-  for (size_t k = 0; k < leaves->count; ++k)
-    if (po_prediction_too_large(p, leaves->leaf[k], 2.0))
+  const po_panels *panels = po_adaptive_panels(t->c.adaptive);
+  for (size_t k = 0; k < panels->count; ++k)
+    if (po_prediction_too_large(p, panels->panel[k], 2.0))
       return false;
   return true;
 }
@@ -26,17 +26,17 @@ static void guess(po_tracker *t, po_prediction *p) {
   po_prediction_state(p, t->c.e->surface, po_corrector_core_nodes(&t->c), t->c.guess);
 }
 
-/* The leaves that resolve a field with a margin, from those given. */
-static po_status resolve(po_tracker *t, const po_gap_field *field, po_leaves *leaves) {
+/* The panels that resolve a field with a margin, from those given. */
+static po_status resolve(po_tracker *t, const po_gap_field *field, po_panels *panels) {
   po_resolution margin = t->resolution;
   margin.allowed.gap *= MESH_MARGIN;
   margin.allowed.load *= MESH_MARGIN;
-  return t->c.trouble = po_resolution_leaves(&margin, field, leaves);
+  return t->c.trouble = po_resolution_panels(&margin, field, panels);
 }
 
 po_status po_track_want_mesh(po_tracker *t, po_track_point *p) {
-  po_track_field solved = {p, t->c.e->scene, t->c.root};
-  p->wanted = p->leaves;
+  po_track_field solved = {p, t->c.e->scene, t->c.domain};
+  p->wanted = p->panels;
   return resolve(t, &(po_gap_field){po_track_gap, &solved}, &p->wanted);
 }
 
@@ -49,16 +49,16 @@ static po_status guess_from_solved(po_tracker *t, const po_track_point *out) {
   return status;
 }
 
-/* Whether panels that move with the coordinates follow all fronts. */
+/* Whether panels that move with the coordinates follow all contact edges. */
 static bool all_move(const po_tracker *t, const po_prediction *p) {
-  return p->fronts.count == t->current.fronts.all;
+  return p->edges.count == t->current.edges.all;
 }
 
 static double guessed_excess(const po_tracker *t) {
-  return po_resolution_excess(&t->resolution, po_adaptive_leaves(t->c.adaptive), t->c.guess);
+  return po_resolution_excess(&t->resolution, po_adaptive_panels(t->c.adaptive), t->c.guess);
 }
 
-/* Puts a mesh in force for the prediction, or leaves the one there is when it serves and may; and
+/* Puts a mesh in force for the prediction, or panels the one there is when it serves and may; and
  * the guess on it. */
 static po_status mesh_for(po_tracker *t, po_prediction *p, bool may_keep_mesh) {
   if (may_keep_mesh && mesh_serves(t, p)) {
@@ -66,15 +66,15 @@ static po_status mesh_for(po_tracker *t, po_prediction *p, bool may_keep_mesh) {
     if (all_move(t, p) || guessed_excess(t) <= GREATEST_EXCESS)
       return PO_OK;
   }
-  po_leaves leaves;
-  if (!po_leaves_build(&leaves, too_large, p))
+  po_panels panels;
+  if (!po_panels_build(&panels, too_large, p))
     return t->c.trouble =
-               po_fail(PO_OUT_OF_NODES, "the traction needs more than %d panels", PO_MOST_LEAVES);
+               po_fail(PO_OUT_OF_NODES, "the traction needs more than %d panels", PO_MOST_PANELS);
   po_status status = PO_OK;
   if (!all_move(t, p))
-    status = resolve(t, &(po_gap_field){po_prediction_gap, p}, &leaves);
+    status = resolve(t, &(po_gap_field){po_prediction_gap, p}, &panels);
   if (!status)
-    status = po_corrector_mesh(&t->c, &leaves);
+    status = po_corrector_mesh(&t->c, &panels);
   if (!status)
     guess(t, p);
   return status;
@@ -87,7 +87,7 @@ static po_status solve_resolved(po_tracker *t, double distance, bool keep_factor
   po_status status = PO_OK;
   for (int mesh = 0; mesh < MOST_MESHES_A_POINT && !status; ++mesh) {
     status = po_corrector_solve(&t->c, &t->current, distance, keep_factors, precision, out);
-    if (status || po_resolution_excess(&t->resolution, &out->leaves, out->state) <= 1.0)
+    if (status || po_resolution_excess(&t->resolution, &out->panels, out->state) <= 1.0)
       return status;
     status = po_track_want_mesh(t, out);
     if (!status)

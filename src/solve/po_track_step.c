@@ -11,7 +11,7 @@ static const double AIMED_ERROR = 0.01, GREATEST_ERROR = 0.05;
 static const double GREATEST_ERROR_OF_WAVES = 0.03;
 /* Growth of a step at most. */
 static const double GREATEST_GROWTH = 2.0;
-/* Cosine below which the gauge turned too far in one step. */
+/* Cosine below which the arclength functional turned too far in one step. */
 static const double LEAST_COSINE = 0.7;
 /* Steps are made so much shorter than what would just do for the curve between to be joined. */
 static const double JOIN_MARGIN = 0.85;
@@ -55,7 +55,7 @@ static double joined_for(const po_tracker *t) {
 /* Current to next. Given: the step asked for. Status: PO_OK when it is taken. */
 static po_status try_step(po_tracker *t, double step, attempt *a) {
   po_prediction p;
-  a->step = po_prediction_reach(t->c.e->scene, t->c.root, &t->current,
+  a->step = po_prediction_reach(t->c.e->scene, t->c.domain, &t->current,
                                 t->has_previous ? &t->previous : NULL, step, AIMED_ERROR, &p);
   a->next = 0.5 * a->step;
   a->met = false;
@@ -69,7 +69,7 @@ static po_status try_step(po_tracker *t, double step, attempt *a) {
   t->next.position = t->current.position + po_track_way(&t->current, &t->next);
   const bool wavy = po_scene_is_wavy(t->c.e->scene);
   if (error > (wavy ? GREATEST_ERROR_OF_WAVES : GREATEST_ERROR) ||
-      po_gauge_along(t->current.rate, t->next.rate) < LEAST_COSINE) {
+      po_arclength_along(t->current.rate, t->next.rate) < LEAST_COSINE) {
     a->next = a->step * fmax(0.25, fmin(0.7, pow(AIMED_ERROR / error, 0.25)));
     return PO_NOT_CONVERGED;
   }

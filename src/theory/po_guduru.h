@@ -19,8 +19,8 @@ double po_guduru_load_rate(const po_scene *scene, double contact_radius);
 double po_guduru_approach_rate(const po_scene *scene, double contact_radius);
 
 /* The largest contact radius, in eps, at which the load of Eq 5, with its adhesive part greater by
- * the part `excess` of itself, has a minimum that is not above a load; 0: there is none. Given: load < 0. NaN outside
- * the domain. Accuracy: 1e-13 relative. */
+ * the part `excess` of itself, has a minimum that is not above a load; 0: there is none. Given:
+ * load < 0. NaN outside the domain. Accuracy: 1e-13 relative. */
 double po_guduru_last_minimum(const po_scene *scene, double load, double excess);
 
 /* The pull-off: the global minimum of the load over the contact radius. Every wave whose lower

@@ -77,7 +77,7 @@ assert (d["schema"], d["case"], d["verdict"], d["failed"]) == ("pulloff-explain/
 assert (c["point"], c["label"], c["quantity"], c["ledger"]) == ("1", "tabor=0.01", "curve", "oracle")
 assert (c["verdict"], c["passes"], c["fault"]) == ("outside", False, "program")
 assert c["error"] > 1e-7 and abs(c["ratio"] * 1e-7 / c["error"] - 1) < 1e-12
-assert c["where"]["landmarks"] == "after minimum-1" and c["where"]["approach"] > 0
+assert c["where"]["special_points"] == "after minimum-1" and c["where"]["approach"] > 0
 assert c["command"].startswith("pulloff solve --tabor 0.01 ") and c["command"].endswith(" --curve curve.csv")
 assert c["because"] == "it has a closed form" and c["reference"] == "bradley"
 LOOK

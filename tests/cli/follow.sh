@@ -88,15 +88,15 @@ expect 2 '*follow is amplitude_ratio: expected the last key of the sweep*' plan 
 write_case 'follow: tabor
 want: [folds]'
 expect 2 '*want?1? is folds: expected pull_off alone*' plan good
-write_case 'anchor_every: 3
+write_case 'checkpoint_every: 3
 want: [pull_off]'
-expect 2 '*anchor_every is 3: expected*beside follow' plan good
+expect 2 '*checkpoint_every is 3: expected*beside follow' plan good
 write_case 'follow: tabor
 repeats: 2
 want: [pull_off]'
 expect 2 '*repeats is 2: expected 1*' plan good
 write_case 'follow: tabor
-anchor_every: 4
+checkpoint_every: 4
 want: [pull_off]'
 expect 0 '' plan good
 check 'the plan tells' grep -q 'along tabor in 2 lines of 6: traced once in 4 scenes' "$work/stdout"
@@ -117,7 +117,7 @@ expect 2 '*traced is*: expected a check against traced' plan good
 against='  - {quantity: QUANTITY, reference: traced, tolerance: 1e-5, kind: rel, because: each is solved for 1e-4}'
 write_traced() { # traced, quantity
   write_case "follow: tabor
-anchor_every: 4
+checkpoint_every: 4
 $1
 want: [pull_off]"
   echo "$against" | sed "s/QUANTITY/$2/" >>"$file"
@@ -127,7 +127,7 @@ expect 2 '*checks?2?.reference is traced: expected traced of a pull-off alone, b
 write_traced 'traced: {seed: 7, count: 3}' solved_share
 expect 2 '*checks?2?.reference is traced: expected every_scene*' plan good
 write_traced 'traced: {seed: 7, count: 7}' pull_off_force
-expect 2 '*traced.count is 7: expected a whole number from 1 up to all scenes between two anchors' plan good
+expect 2 '*traced.count is 7: expected a whole number from 1 up to all scenes between two checkpoints' plan good
 write_traced 'traced: {seed: -1, count: 3}' pull_off_force
 expect 2 '*traced.seed is -1: expected a whole number*' plan good
 write_traced 'traced: {seed: 7, count: 3}' pull_off_force

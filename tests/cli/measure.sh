@@ -128,7 +128,7 @@ spoilt 's/{key: tabor, values: \[0.7\]}/{key: radius, values: [100]}/; s/\[ring\
   '13: leave_out is *: expected rules that leave some point'
 spoilt 's/quantity: curve/quantity: work/' '20: measure[[]3[]].quantity is work: expected pull_off_force, *'
 # What no reference speaks of is never computed.
-for quantity in residual moved_force energy_defect way_back hysteresis_force jumps; do
+for quantity in residual moved_force energy_defect reverse_trace hysteresis_force jumps; do
   spoilt "s/quantity: curve/quantity: $quantity/" "20: measure[[]3[]].quantity is $quantity: expected pull_off_force, *"
 done
 for reference in zero traced every_scene; do

@@ -51,7 +51,7 @@ sweep:
   - {key: amplitude_ratio, values: [0.01, 0.015, 0.02]}
   - {key: tabor, from: 0.5, to: 0.7, count: 4, scale: log}
 follow: tabor
-anchor_every: 3
+checkpoint_every: 3
 want: [pull_off]
 CASE
 }

@@ -56,7 +56,7 @@ import json, sys
 
 d = json.load(sys.stdin)["diagnostics"]
 assert set(d) == {"residual", "rounding", "undiagnosed", "states", "sensitivity", "moved", "energy_defect",
-                  "energy_defect_at", "way_back", "seconds"}, list(d)
+                  "energy_defect_at", "reverse_trace", "seconds"}, list(d)
 assert [s["at"] for s in d["states"]] == ["start", "pull_off", "end", "fold", "fold"]
 for s in d["states"]:
     assert set(s) == {"at", "approach", "load", "nodes", "residual", "rounding", "condition",
@@ -66,12 +66,12 @@ assert 0 < d["residual"] < 1e-9 and d["undiagnosed"] == 0 and 0 < d["energy_defe
 assert set(d["sensitivity"]) == {"tabor", "amplitude", "wavelength", "radius", "residual", "rounding"}
 assert set(d["moved"]) == {"solves", "failed", "force_change", "force_change_predicted", "digits_kept",
                            "digits_predicted", "fold_change"}
-if d["way_back"]:
-    w = d["way_back"]
+if d["reverse_trace"]:
+    w = d["reverse_trace"]
     assert set(w) == {"status", "reason", "points", "folds", "extrema", "same", "fold_approach_change",
                       "fold_load_change", "extremum_approach_change", "extremum_load_change", "excess"}
     assert w["status"] == "ok" and w["same"] and (w["folds"], w["extrema"]) == (2, 1) and 0 < w["excess"] < 1
-assert bool(d["way_back"]) == (sys.argv[1] == "panel")
+assert bool(d["reverse_trace"]) == (sys.argv[1] == "panel")
 assert d["moved"]["solves"] == 4 and d["moved"]["failed"] == 0 and d["moved"]["digits_kept"] > 11
 LOOK
 for scheme in panel 'triangle --nodes 101'; do

@@ -117,8 +117,8 @@ expect 2 'pulloff: --wavelength has no effect on a scene without amplitude: expe
 expect 2 'pulloff: --wavelength has no effect on scenes without amplitude: expected *' \
   follow --key tabor --from 1 --to 2 --wavelength 9
 expect 2 'pulloff: the wavelength runs along scenes without amplitude: expected *' follow --key wavelength --from 1 --to 2
-expect 2 'pulloff: --anchor-every has no effect on --of folds: expected *' \
-  follow --key tabor --from 1 --to 2 --of folds --anchor-every 3
+expect 2 'pulloff: --checkpoint-every has no effect on --of folds: expected *' \
+  follow --key tabor --from 1 --to 2 --of folds --checkpoint-every 3
 
 # Fixed meshes have nodes for a number of waves; the rest was left out without a word.
 expect 3 'pulloff: the solve failed: * waves beyond radius * must be resolved, with 12 nodes each: * expected *' \

@@ -230,12 +230,12 @@ po_case_run *fuzz_run(const char *name) {
 void fuzz_run_reset(po_case_run *run) {
   const size_t count = run->plan->kase->point_count;
   for (size_t i = 0; i < count; ++i) {
-    po_outcome_clear(&run->outcomes[i]);
-    po_outcome_clear(&run->traces[i]);
+    po_result_clear(&run->results[i]);
+    po_result_clear(&run->traces[i]);
     run->done[i] = false;
   }
-  po_results_clear(&run->results);
-  po_results_clear(&run->measured);
+  po_check_results_clear(&run->check_results);
+  po_check_results_clear(&run->measured);
   free(run->environment);
   run->environment = NULL;
   run->kept = run->finished = false;

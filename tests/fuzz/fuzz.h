@@ -63,10 +63,10 @@ void fuzz_write_tables(const char *folder, const fuzz_part *parts, size_t count,
 /* A case of tests/fuzz/data/cases, planned. It lives until the end of the process. */
 po_case_run *fuzz_run(const char *name);
 
-/* Forgets the outcomes of a run, so that it can be read once more. */
+/* Forgets the results of a run, so that it can be read once more. */
 void fuzz_run_reset(po_case_run *run);
 
-/* Requires that two runs have the same outcome of a point, as their records say it. */
+/* Requires that two runs have the same result of a point, as their records say it. */
 void fuzz_require_same_point(const po_case_run *a, const po_case_run *b, size_t point);
 
 #endif

@@ -7,8 +7,8 @@
 
 #include "fuzz.h"
 #include "po_file.h"
-#include "po_line.h"
 #include "po_options.h"
+#include "po_series.h"
 #include "po_shard.h"
 #include "po_verbs.h"
 
@@ -17,10 +17,10 @@ enum { MOST_ARGUMENTS = 64 };
 static po_request solved; /* the last request that was to be solved */
 static bool was_solved;
 
-po_status __wrap_po_observe(const po_request *request, po_outcome *outcome);
-po_status __wrap_po_line_observe(const po_request *requests, size_t count, size_t every,
-                                 po_outcome *outcomes);
-po_status __wrap_po_line_folds(const po_request *requests, size_t count, po_outcome *outcomes);
+po_status __wrap_po_observe(const po_request *request, po_result *result);
+po_status __wrap_po_series_observe(const po_request *requests, size_t count, size_t every,
+                                   po_result *results);
+po_status __wrap_po_series_folds(const po_request *requests, size_t count, po_result *results);
 po_status __wrap_po_run(po_case_run *runs, size_t count, const po_run_options *options);
 po_status __wrap_po_shard_write(const po_case_run *runs, size_t count, po_shard shard,
                                 double time_limit, int jobs, const char *output);
@@ -30,26 +30,26 @@ const volatile sig_atomic_t *__wrap_po_interrupt_listen(void);
 FILE *__wrap_popen(const char *command, const char *type);
 pid_t __wrap_fork(void);
 
-po_status __wrap_po_observe(const po_request *request, po_outcome *outcome) {
-  *outcome = (po_outcome){.status = PO_INTERRUPTED};
+po_status __wrap_po_observe(const po_request *request, po_result *result) {
+  *result = (po_result){.status = PO_INTERRUPTED};
   solved = *request;
   was_solved = true;
   return po_fail(PO_INTERRUPTED, "nothing is solved here");
 }
 
-po_status __wrap_po_line_observe(const po_request *requests, size_t count, size_t every,
-                                 po_outcome *outcomes) {
+po_status __wrap_po_series_observe(const po_request *requests, size_t count, size_t every,
+                                   po_result *results) {
   fuzz_require(every > 0 && count > 1, "a line of %zu scenes is followed, each %zu", count, every);
   for (size_t i = 0; i < count; ++i) {
-    outcomes[i].status = PO_NOT_CONVERGED;
+    results[i].status = PO_NOT_CONVERGED;
     fuzz_require(po_request_check(&requests[i]) == PO_OK, "scene %zu of a line: %s", i,
                  po_message());
   }
   return PO_OK;
 }
 
-po_status __wrap_po_line_folds(const po_request *requests, size_t count, po_outcome *outcomes) {
-  return __wrap_po_line_observe(requests, count, 1, outcomes);
+po_status __wrap_po_series_folds(const po_request *requests, size_t count, po_result *results) {
+  return __wrap_po_series_observe(requests, count, 1, results);
 }
 
 po_status __wrap_po_run(po_case_run *runs, size_t count, const po_run_options *options) {

@@ -18,24 +18,24 @@ enum { MOST_POINTS = 400 };
 static const double HUGE_EXTENT = 1e100;
 
 /* Reads a curve and requires that it can be written and is then read as the same. */
-static po_status read_ours(const char *path, po_outcome *outcome) {
+static po_status read_ours(const char *path, po_result *result) {
   char digest[PO_DIGEST_LENGTH];
-  po_outcome back = {0};
+  po_result back = {0};
   const po_request request = po_request_default();
   fuzz_table_digest(path, digest);
-  const po_status status = po_tables_read_curve(path, digest, outcome);
+  const po_status status = po_tables_read_curve(path, digest, result);
   fuzz_require_message(status);
   if (status)
     return status;
   const char *copy = fuzz_path("back.csv");
-  fuzz_require(po_tables_write_curve(copy, &request, outcome, digest) == PO_OK &&
+  fuzz_require(po_tables_write_curve(copy, &request, result, digest) == PO_OK &&
                    po_tables_read_curve(copy, digest, &back) == PO_OK,
                "a curve that was read cannot be written and read: %s", po_message());
-  fuzz_require(back.curve_count == outcome->curve_count, "a curve is read back of another length");
+  fuzz_require(back.curve_count == result->curve_count, "a curve is read back of another length");
   for (size_t i = 0; i < back.curve_count; ++i)
-    fuzz_require(memcmp(&back.curve[i], &outcome->curve[i], sizeof back.curve[i]) == 0,
+    fuzz_require(memcmp(&back.curve[i], &result->curve[i], sizeof back.curve[i]) == 0,
                  "point %zu of a curve is another when it is read back", i);
-  po_outcome_clear(&back);
+  po_result_clear(&back);
   return PO_OK;
 }
 
@@ -116,13 +116,13 @@ static void require_apart(const po_plane_curve *curve) {
   free(moved);
 }
 
-static void compare(const po_outcome *outcome, const po_plane_curve *theirs) {
-  const size_t count = outcome->curve_count;
+static void compare(const po_result *result, const po_plane_curve *theirs) {
+  const size_t count = result->curve_count;
   po_plane_point *points = po_allocate(2 * count, sizeof *points);
   double *positions = po_allocate(count, sizeof *positions);
   po_curve_verdict verdict;
   for (size_t i = 0; i < count; ++i) {
-    const po_curve_point *p = &outcome->curve[i];
+    const po_curve_point *p = &result->curve[i];
     points[i] = (po_plane_point){p->approach, p->load};
     points[count + i] = (po_plane_point){p->approach_rate, p->load_rate};
     positions[i] = p->position;
@@ -146,19 +146,19 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz_part parts[2] = {{NULL, 0}, {NULL, 0}};
   const size_t count = fuzz_split(data, size, parts, 2);
   const char *ours = fuzz_path("curve.csv"), *theirs = fuzz_path("theirs.csv");
-  po_outcome outcome = {0};
+  po_result result = {0};
   po_plane_point *points = NULL;
   size_t point_count = 0;
   fuzz_write(ours, parts[0].bytes, parts[0].size);
   fuzz_write(theirs, parts[1].bytes, count > 1 ? parts[1].size : 0);
-  if (read_ours(ours, &outcome) == PO_OK && read_theirs(theirs, &points, &point_count) == PO_OK &&
-      outcome.curve_count <= MOST_POINTS && point_count <= MOST_POINTS) {
+  if (read_ours(ours, &result) == PO_OK && read_theirs(theirs, &points, &point_count) == PO_OK &&
+      result.curve_count <= MOST_POINTS && point_count <= MOST_POINTS) {
     const po_plane_curve reference = {.points = points, .count = point_count};
-    compare(&outcome, &reference);
+    compare(&result, &reference);
   }
   po_message_clear();
   free(points);
-  po_outcome_clear(&outcome);
+  po_result_clear(&result);
   free(parts[0].bytes);
   return 0;
 }

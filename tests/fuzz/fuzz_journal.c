@@ -74,7 +74,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   }
   /* ... and a point that is added to the journal that was read is found there, however it ends. */
   if (!run->done[0])
-    run->outcomes[0].status = PO_NOT_CONVERGED;
+    run->results[0].status = PO_NOT_CONVERGED;
   const po_status status = po_journal_add(run, 0, fuzz_path("run"));
   fuzz_require(!status, "a point cannot be added: %s", po_message());
   require_same(fuzz_path("run"), 0);

@@ -64,8 +64,8 @@ static void tell(po_case_run *run, const char *output) {
   po_text_clear(&text);
   json_t *document = po_explain_json(run, &all);
   fuzz_require(document != NULL, "there is no document of the verdicts");
-  fuzz_require(json_array_size(json_object_get(document, "checks")) == run->results.count,
-               "%zu checks are made, %zu are in the document", run->results.count,
+  fuzz_require(json_array_size(json_object_get(document, "checks")) == run->check_results.count,
+               "%zu checks are made, %zu are in the document", run->check_results.count,
                json_array_size(json_object_get(document, "checks")));
   json_decref(document);
 }

@@ -17,7 +17,7 @@ static po_point made_points[2];
 static po_case_file made_file;
 static po_case made_case;
 static po_plan made_plan;
-static po_outcome made_outcomes[2];
+static po_result made_results[2];
 static po_case_run made_run;
 
 static inline void make_check(int which, const char *reference, po_ledger ledger,
@@ -48,25 +48,26 @@ static inline void make_run(void) {
                         .points = made_points,
                         .point_count = 2};
   made_plan = (po_plan){.kase = &made_case, .references = made_references};
-  made_run = (po_case_run){.plan = &made_plan, .outcomes = made_outcomes};
+  made_run = (po_case_run){.plan = &made_plan, .results = made_results};
 }
 
 static inline void clear_run(void) {
-  po_results_clear(&made_run.results);
+  po_check_results_clear(&made_run.check_results);
 }
 
 /* Adds what one check found; the place of it among the results. */
 static inline size_t found(int which, size_t point, const char *name, const char *suffix,
                            double obtained, double expected, double uncertainty) {
-  po_result *item = po_results_add(&made_run.results, &made_case, point, &made_checks[which], name,
-                                   suffix, obtained, (po_reference_number){expected, uncertainty});
+  po_check_result *item =
+      po_check_results_add(&made_run.check_results, &made_case, point, &made_checks[which], name,
+                           suffix, obtained, (po_reference_number){expected, uncertainty});
   ck_assert_ptr_nonnull(item);
   item->ledger = made_references[which].ledger;
-  return made_run.results.count - 1;
+  return made_run.check_results.count - 1;
 }
 
 static inline po_verdict verdict_of(size_t place) {
-  return made_run.results.items[place].verdict;
+  return made_run.check_results.items[place].verdict;
 }
 
 #endif

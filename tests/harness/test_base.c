@@ -269,21 +269,21 @@ static const struct {
 START_TEST(curve_table_has_whole_numbers_of_modes) {
   po_text text = {0};
   po_csv csv;
-  po_outcome outcome = {0};
+  po_result result = {0};
   po_text_add(&text,
               "position,approach,load,energy,contact_radius,approach_rate,load_rate,"
               "unstable_modes\n0,1,2.385,4,5,6,7,%s\n",
               MODES[_i].modes);
   ck_assert_int_eq(po_file_write(path, text.data, text.length), PO_OK);
   ck_assert_int_eq(po_csv_read(path, path, &csv), PO_OK);
-  ck_assert_int_eq(po_tables_read_curve(path, csv.digest, &outcome), MODES[_i].expected);
+  ck_assert_int_eq(po_tables_read_curve(path, csv.digest, &result), MODES[_i].expected);
   if (MODES[_i].expected == PO_OK) {
-    ck_assert_double_eq(outcome.curve[0].load, 2.385);
-    ck_assert_int_eq(outcome.curve[0].unstable_modes, atoi(MODES[_i].modes));
+    ck_assert_double_eq(result.curve[0].load, 2.385);
+    ck_assert_int_eq(result.curve[0].unstable_modes, atoi(MODES[_i].modes));
   }
   po_csv_clear(&csv);
   po_text_clear(&text);
-  po_outcome_clear(&outcome);
+  po_result_clear(&result);
 }
 END_TEST
 

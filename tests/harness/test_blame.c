@@ -42,9 +42,9 @@ START_TEST(the_side_at_fault) {
     if (which == SIDES[_i].asked)
       asked = place;
   }
-  po_judge(&made_run.results);
+  po_judge(&made_run.check_results);
   po_blame blame;
-  po_blame_find(&made_run, &made_run.results.items[asked], &blame);
+  po_blame_find(&made_run, &made_run.check_results.items[asked], &blame);
   ck_assert_str_eq(blame.side, SIDES[_i].side);
   ck_assert_msg(strstr(blame.why, SIDES[_i].why) != NULL, "%s", blame.why);
 }
@@ -66,31 +66,31 @@ START_TEST(wrong_and_frozen) {
   strcpy(made_references[ORACLE].table.digest, "0123");
   const size_t oracle = found(ORACLE, 0, "pull_off_force", "", 1.503, 1.5, 1e-10);
   found(PIN, 0, "pull_off_force", "", 1.503, 1.503, 0);
-  po_judge(&made_run.results);
+  po_judge(&made_run.check_results);
   ck_assert_int_eq(verdict_of(oracle), PO_WRONG_AND_FROZEN);
   po_blame blame;
-  po_blame_find(&made_run, &made_run.results.items[oracle], &blame);
+  po_blame_find(&made_run, &made_run.check_results.items[oracle], &blame);
   ck_assert_str_eq(blame.side, FROZEN[_i].side);
   ck_assert_msg(strstr(blame.why, FROZEN[_i].why) != NULL, "%s", blame.why);
 }
 END_TEST
 
-/* A curve has no pin of its own; those of the landmarks of the same point speak for it. */
+/* A curve has no pin of its own; those of the special points of the same point speak for it. */
 START_TEST(the_pins_of_a_point_speak_for_its_curve) {
   const size_t curve = found(ORACLE, 0, "curve", "", 0.01, 0, 1e-10);
   found(PIN, 0, "fold_load", "jump_in-1/load", -0.7, -0.6999, 0);
-  po_judge(&made_run.results);
+  po_judge(&made_run.check_results);
   po_blame blame;
-  po_blame_find(&made_run, &made_run.results.items[curve], &blame);
+  po_blame_find(&made_run, &made_run.check_results.items[curve], &blame);
   ck_assert_str_eq(blame.side, "program");
   ck_assert_ptr_nonnull(strstr(blame.why, "not what was blessed either"));
 }
 END_TEST
 
-static po_landmark FOLDS[] = {
+static po_special_point FOLDS[] = {
     {.kind = PO_JUMP_IN, .approach = -1.6, .load = -0.7, .position = 4.1},
     {.kind = PO_JUMP_OUT, .approach = -1.7, .load = -1.0, .position = 4.6}};
-static po_landmark EXTREMA[] = {
+static po_special_point EXTREMA[] = {
     {.kind = PO_MINIMUM, .approach = -0.9, .load = -1.67, .position = 5.9}};
 static po_curve_point CURVE[] = {{.position = 0, .approach = -6, .load = -0.1},
                                  {.position = 4.3, .approach = -1.65, .load = -0.85},
@@ -109,15 +109,15 @@ static const struct {
     {0.1, -0.5, "after minimum-1"},
 };
 
-START_TEST(a_place_between_landmarks) {
-  const po_outcome outcome = {.folds = FOLDS,
-                              .fold_count = 2,
-                              .extrema = EXTREMA,
-                              .extremum_count = 1,
-                              .curve = CURVE,
-                              .curve_count = 4};
+START_TEST(a_place_between_special_points) {
+  const po_result result = {.folds = FOLDS,
+                            .fold_count = 2,
+                            .extrema = EXTREMA,
+                            .extremum_count = 1,
+                            .curve = CURVE,
+                            .curve_count = 4};
   char words[PO_PLACE_LENGTH];
-  po_place_tell(&outcome, PLACES[_i].approach, PLACES[_i].load, words);
+  po_place_tell(&result, PLACES[_i].approach, PLACES[_i].load, words);
   ck_assert_str_eq(words, PLACES[_i].words);
 }
 END_TEST
@@ -139,7 +139,8 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, the_side_at_fault, 0, (int)(sizeof SIDES / sizeof *SIDES));
   tcase_add_loop_test(tests, wrong_and_frozen, 0, (int)(sizeof FROZEN / sizeof *FROZEN));
   tcase_add_test(tests, the_pins_of_a_point_speak_for_its_curve);
-  tcase_add_loop_test(tests, a_place_between_landmarks, 0, (int)(sizeof PLACES / sizeof *PLACES));
+  tcase_add_loop_test(tests, a_place_between_special_points, 0,
+                      (int)(sizeof PLACES / sizeof *PLACES));
   tcase_add_test(tests, a_point_is_meant_by_number_or_words);
 }
 

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "po_guduru_path.h"
-#include "po_outcome.h"
+#include "po_result.h"
 #include "run.h"
 
 /* The smooth sphere is pressed as hard as it pulls off. */
@@ -51,7 +51,7 @@ START_TEST(bradley_in_closed_form) {
   po_request request = po_request_default();
   request.scene.tabor = 0.0;
   request.want = PO_WANT_HYSTERESIS;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   const po_loop *d = &o.hysteresis.displacement, *l = &o.hysteresis.load;
   ck_assert_uint_eq(d->jump_count, 0);
@@ -64,7 +64,7 @@ START_TEST(bradley_in_closed_form) {
   ck_assert_double_eq_tol(l->jumps[0].energy_lost, 8.0 / (3.0 * x) - 2.0 / (21.0 * pow(x, 7.0)),
                           1e-5);
   ck_assert_double_eq_tol(l->jumps[1].before.load, -2.0, 1e-9);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -91,15 +91,15 @@ static void check_balance(const po_loop *loop, double accuracy) {
 }
 
 /* The integral of the loads over the closed loop is the sum of the drops of the energy, which was
- * had from the gaps, as well as cubics follow the curve, a tenth of the tolerance of 1e-6; by theory,
- * too, on the points it is given. */
+ * had from the gaps, as well as cubics follow the curve, a tenth of the tolerance of 1e-6; by
+ * theory, too, on the points it is given. */
 START_TEST(loop_loses_what_its_jumps_do) {
   po_request request = po_request_default();
   request.scene = LOOPS[_i].scene;
   request.mesh.scheme = PO_PANEL;
   request.preload = LOOPS[_i].preload;
   request.want = PO_WANT_HYSTERESIS;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_uint_eq(o.hysteresis.displacement.jump_count, LOOPS[_i].jumps);
   check_balance(&o.hysteresis.displacement, 1e-7);
@@ -110,7 +110,7 @@ START_TEST(loop_loses_what_its_jumps_do) {
   ck_assert_double_le(-o.hysteresis.displacement.pull_off.load, o.pull_off.force + 1e-9);
   ck_assert_double_le(-o.hysteresis.load.pull_off.load, o.pull_off.force + 1e-9);
   po_hysteresis_clear(&h);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -123,16 +123,16 @@ START_TEST(a_small_preload_measures_less) {
   request.mesh.tolerance = 1e-4;
   request.preload.approach = -2.0;
   request.want = PO_WANT_HYSTERESIS;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_uint_eq(o.hysteresis.displacement.loading_jumps, 1);
   ck_assert_double_lt(o.pull_off.force, 0.45);
   ck_assert_double_eq_tol(-o.hysteresis.displacement.pull_off.load, o.pull_off.force, 1e-4);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
   request.preload.approach = NAN;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_double_eq_tol(o.pull_off.force, 1.226617, 1e-4);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -142,10 +142,10 @@ START_TEST(a_preload_beyond_the_trace_is_refused) {
   request.approach_end = 0.5;
   request.preload.load = 0.7;
   request.want = PO_WANT_HYSTERESIS;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_NOT_FOUND);
   ck_assert(!o.has_hysteresis);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
   request.preload.load = -0.1;
   ck_assert_int_eq(po_observe(&request, &o), PO_BAD_INPUT);
 }

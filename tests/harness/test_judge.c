@@ -51,7 +51,7 @@ START_TEST(pin_and_oracle) {
   const size_t oracle =
       alone ? 0 : found(ORACLE, 0, "pull_off_force", "", obtained, 1.5, TOGETHER[_i].uncertainty);
   const size_t pin = found(PIN, 0, "pull_off_force", "", obtained, TOGETHER[_i].pinned, 0);
-  po_judge(&made_run.results);
+  po_judge(&made_run.check_results);
   ck_assert_str_eq(po_verdict_name(verdict_of(pin)), po_verdict_name(TOGETHER[_i].pin));
   if (!alone)
     ck_assert_str_eq(po_verdict_name(verdict_of(oracle)), po_verdict_name(TOGETHER[_i].oracle));
@@ -61,8 +61,8 @@ END_TEST
 START_TEST(the_note_of_a_moved_pin_says_by_how_much) {
   found(ORACLE, 0, "pull_off_force", "", 1.50025, 1.5, 1e-10);
   const size_t pin = found(PIN, 0, "pull_off_force", "", 1.50025, 1.5005, 0);
-  po_judge(&made_run.results);
-  ck_assert_str_eq(made_run.results.items[pin].note,
+  po_judge(&made_run.check_results);
+  ck_assert_str_eq(made_run.check_results.items[pin].note,
                    "the error against sage fell from 0.0005 to 0.00025: bless it");
 }
 END_TEST
@@ -71,23 +71,23 @@ START_TEST(an_error_that_rose_against_one_oracle_rose) {
   found(ORACLE, 0, "pull_off_force", "", 1.5001, 1.5, 1e-10);
   found(OTHER_ORACLE, 0, "pull_off_force", "", 1.5001, 1.5003, 1e-10);
   const size_t pin = found(PIN, 0, "pull_off_force", "", 1.5001, 1.5002, 0);
-  po_judge(&made_run.results);
+  po_judge(&made_run.check_results);
   ck_assert_int_eq(verdict_of(pin), PO_REGRESSED);
-  ck_assert_ptr_nonnull(strstr(made_run.results.items[pin].note, "seer rose"));
+  ck_assert_ptr_nonnull(strstr(made_run.check_results.items[pin].note, "seer rose"));
 }
 END_TEST
 
-START_TEST(other_points_landmarks_and_papers_have_no_say) {
+START_TEST(other_points_special_points_and_papers_have_no_say) {
   found(ORACLE, 1, "fold_load", "jump_in-1/load", 1.5001, 1.5, 1e-10);
   found(ORACLE, 0, "fold_load", "jump_out-2/load", 1.5001, 1.5, 1e-10);
   found(ORACLE, 0, "fold_approach", "jump_in-1/approach", 1.5001, 1.5, 1e-10);
   found(PUBLISHED, 0, "fold_load", "jump_in-1/load", 1.5001, 1.5, 1e-3);
   const size_t pin = found(PIN, 0, "fold_load", "jump_in-1/load", 1.5001, 1.5002, 0);
-  po_judge(&made_run.results);
+  po_judge(&made_run.check_results);
   ck_assert_int_eq(verdict_of(pin), PO_MOVED);
   found(ORACLE, 0, "fold_load", "jump_in-1/load", 1.5001, 1.5, 1e-10);
   const size_t again = found(PIN, 0, "fold_load", "jump_in-1/load", 1.5001, 1.5002, 0);
-  po_judge(&made_run.results);
+  po_judge(&made_run.check_results);
   ck_assert_int_eq(verdict_of(again), PO_IMPROVED);
 }
 END_TEST
@@ -96,7 +96,7 @@ END_TEST
 START_TEST(published_values_judge_by_themselves) {
   const size_t paper = found(PUBLISHED, 0, "pull_off_force", "", 1.55, 1.5, 1e-3);
   found(PIN, 0, "pull_off_force", "", 1.55, 1.55, 0);
-  po_judge(&made_run.results);
+  po_judge(&made_run.check_results);
   ck_assert_int_eq(verdict_of(paper), PO_OUTSIDE);
 }
 END_TEST
@@ -113,7 +113,7 @@ static const struct {
 START_TEST(more_work_is_worse_and_less_is_better) {
   const size_t place =
       found(WORK, 0, "work_points", "points", COUNTS[_i].done, COUNTS[_i].pinned, 0);
-  po_judge(&made_run.results);
+  po_judge(&made_run.check_results);
   ck_assert_str_eq(po_verdict_name(verdict_of(place)), po_verdict_name(COUNTS[_i].verdict));
 }
 END_TEST
@@ -141,7 +141,7 @@ START_TEST(a_tolerance_is_measured_by_the_worst_error_it_met) {
   for (size_t point = 0; point < 2; ++point)
     found(TOLERANCES[_i].which, point, TOLERANCES[_i].name, "", 1.5 + TOLERANCES[_i].errors[point],
           1.5, TOLERANCES[_i].uncertainty);
-  po_judge(&made_run.results);
+  po_judge(&made_run.check_results);
   for (int point = 0; point < 2; ++point)
     ck_assert_int_eq(verdict_of((size_t)point) == PO_SLACK, point == TOLERANCES[_i].slack);
 }
@@ -151,15 +151,15 @@ END_TEST
 START_TEST(rounding_is_an_error_too) {
   made_checks[ORACLE].tolerance = 1e-12;
   const size_t exact = found(ORACLE, 0, "pull_off_force", "", 2, 2, 0);
-  po_judge(&made_run.results);
+  po_judge(&made_run.check_results);
   ck_assert_int_eq(verdict_of(exact), PO_WITHIN);
 }
 END_TEST
 
 /* What is exactly 0, as where there is no fold to differ, measures no tolerance. */
 START_TEST(no_error_at_all_tells_nothing) {
-  const size_t none = found(ORACLE, 0, "way_back", "", 0, 0, 0);
-  po_judge(&made_run.results);
+  const size_t none = found(ORACLE, 0, "reverse_trace", "", 0, 0, 0);
+  po_judge(&made_run.check_results);
   ck_assert_int_eq(verdict_of(none), PO_WITHIN);
 }
 END_TEST
@@ -167,8 +167,8 @@ END_TEST
 /* A share of solves is counted: all solved is what is hoped for, not a tolerance too wide. */
 START_TEST(a_share_is_never_slack) {
   const size_t share = found(ORACLE, 0, "solved_share", "", 1, 1, (double)NAN);
-  made_run.results.items[share].whole = true;
-  po_judge(&made_run.results);
+  made_run.check_results.items[share].whole = true;
+  po_judge(&made_run.check_results);
   ck_assert_int_eq(verdict_of(share), PO_WITHIN);
 }
 END_TEST
@@ -179,7 +179,7 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, pin_and_oracle, 0, (int)(sizeof TOGETHER / sizeof *TOGETHER));
   tcase_add_test(tests, the_note_of_a_moved_pin_says_by_how_much);
   tcase_add_test(tests, an_error_that_rose_against_one_oracle_rose);
-  tcase_add_test(tests, other_points_landmarks_and_papers_have_no_say);
+  tcase_add_test(tests, other_points_special_points_and_papers_have_no_say);
   tcase_add_test(tests, published_values_judge_by_themselves);
   tcase_add_loop_test(tests, more_work_is_worse_and_less_is_better, 0,
                       (int)(sizeof COUNTS / sizeof *COUNTS));

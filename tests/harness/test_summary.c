@@ -11,7 +11,7 @@
 enum { COUNT = 7 };
 
 static po_point points[COUNT + 1];
-static po_outcome outcomes[COUNT + 1];
+static po_result results[COUNT + 1];
 static bool asked[COUNT + 1];
 
 static void make_seven(void) {
@@ -22,17 +22,17 @@ static void make_seven(void) {
     points[i] = (po_point){.label = (char *)"made", .request = po_request_default()};
     snprintf(points[i].id, sizeof points[i].id, "%zu", i);
     points[i].request.scene.tabor = 2.385 + (double)i;
-    outcomes[i] = (po_outcome){.work = {.seconds = SECONDS[i], .points = STEPS[i], .nodes = 9 * i}};
+    results[i] = (po_result){.work = {.seconds = SECONDS[i], .points = STEPS[i], .nodes = 9 * i}};
     asked[i] = true;
   }
-  outcomes[2].status = PO_OUT_OF_TIME;
-  outcomes[5].status = PO_NOT_CONVERGED;
-  outcomes[COUNT].status = PO_CHECK_FAILED;
-  snprintf(outcomes[2].reason, sizeof outcomes[2].reason, "time is up");
-  snprintf(outcomes[5].reason, sizeof outcomes[5].reason, "no solution");
+  results[2].status = PO_OUT_OF_TIME;
+  results[5].status = PO_NOT_CONVERGED;
+  results[COUNT].status = PO_CHECK_FAILED;
+  snprintf(results[2].reason, sizeof results[2].reason, "time is up");
+  snprintf(results[5].reason, sizeof results[5].reason, "no solution");
   made_case.points = points;
   made_case.point_count = COUNT;
-  made_run.outcomes = outcomes;
+  made_run.results = results;
   made_run.asked = asked;
   made_run.asked_count = COUNT;
 }
@@ -64,25 +64,36 @@ START_TEST(a_whole_run) {
       "points                      40        70        70\n"
       "nodes                       27        54        54\n"
       "slowest\n"
-      "point 1, ok, 4 s\n" COMMAND("3.385") "point 3, ok, 2 s\n" COMMAND("5.385") "point 5, "
-                                                                                  "not_converged, "
-                                                                                  "2 s\n" COMMAND("7.385") "point 6, ok, 1 s\n" COMMAND("8.385") "point 2, out_of_time, 0.5 s\n" COMMAND(
-                                                                                      "4.385") "fai"
-                                                                                               "led"
-                                                                                               "\n"
-                                                                                               "poi"
-                                                                                               "nt "
-                                                                                               "2, "
-                                                                                               "out"
-                                                                                               "_of"
-                                                                                               "_ti"
-                                                                                               "me:"
-                                                                                               " ti"
-                                                                                               "me "
-                                                                                               "is "
-                                                                                               "up"
-                                                                                               "\n" COMMAND("4.385") "point 5, not_converged: no solution\n" COMMAND(
-                                                                                                   "7.385"));
+      "point 1, ok, 4 s\n" COMMAND("3.385") "point 3, ok, 2 s\n" COMMAND(
+          "5.385") "point 5, "
+                   "not_converged, "
+                   "2 s\n" COMMAND("7.385") "point 6, ok, 1 s\n" COMMAND(
+                       "8.385") "point 2, out_of_time, 0.5 s\n" COMMAND("4.385") "fai"
+                                                                                 "led"
+                                                                                 "\n"
+                                                                                 "poi"
+                                                                                 "nt "
+                                                                                 "2, "
+                                                                                 "out"
+                                                                                 "_of"
+                                                                                 "_ti"
+                                                                                 "me:"
+                                                                                 " ti"
+                                                                                 "me "
+                                                                                 "is "
+                                                                                 "up"
+                                                                                 "\n" COMMAND(
+                                                                                     "4.385") "poin"
+                                                                                              "t "
+                                                                                              "5, "
+                                                                                              "not_"
+                                                                                              "conv"
+                                                                                              "erge"
+                                                                                              "d: "
+                                                                                              "no "
+                                                                                              "solu"
+                                                                                              "tion"
+                                                                                              "\n" COMMAND("7.385"));
 }
 END_TEST
 
@@ -117,7 +128,7 @@ END_TEST
 START_TEST(slowest_of_equals) {
   make_seven();
   for (size_t i = 0; i < COUNT; ++i)
-    outcomes[i].work.seconds = 0.5;
+    results[i].work.seconds = 0.5;
   po_text text = {0};
   po_summary_add(&made_run, &text);
   int lines = 0;

@@ -324,7 +324,7 @@ def diagnostics(tabor):
     return {"residual": 3e-13, "rounding": 4e-16, "undiagnosed": 0,
             "states": [dict(state, at="pull_off"), dict(state, at="fold", condition=1e15)],
             "sensitivity": None, "energy_defect": 2.4e-5, "energy_defect_at": -0.3, "seconds": 0.2,
-            "way_back": {"status": "ok", "reason": "", "points": 40, "folds": 2, "extrema": 1, "same": tabor < 40,
+            "reverse_trace": {"status": "ok", "reason": "", "points": 40, "folds": 2, "extrema": 1, "same": tabor < 40,
                          "fold_approach_change": 1e-9, "fold_load_change": 2e-9, "extremum_approach_change": 1e-7,
                          "extremum_load_change": 1e-11, "excess": 0.037},
             "moved": {"solves": 4, "failed": 0, "force_change": 2e-14, "force_change_predicted": 3e-15,

@@ -1,23 +1,23 @@
 /* The errors a solve by panels states are no less than its true errors, by every row of Feng's
  * problem. */
 #include "../unit/run.h"
-#include "po_outcome.h"
+#include "po_result.h"
 #include "table.h"
 
 static const double TOLERANCES[] = {1e-4, 1e-7};
 
-static void solve(double tabor, double tolerance, po_outcome *outcome) {
+static void solve(double tabor, double tolerance, po_result *result) {
   po_request request = po_request_default();
   request.scene.tabor = tabor;
   request.mesh.scheme = PO_PANEL;
   request.mesh.tolerance = tolerance;
-  ck_assert_msg(po_observe(&request, outcome) == PO_OK, "tabor %g: %s", tabor, outcome->reason);
+  ck_assert_msg(po_observe(&request, result) == PO_OK, "tabor %g: %s", tabor, result->reason);
 }
 
 START_TEST(pull_off_is_within_its_stated_errors) {
   table t = table_open("feng_pull_off.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
-    po_outcome o = {0};
+    po_result o = {0};
     solve(table_number(&t, row, "tabor"), TOLERANCES[_i], &o);
     table_compare(&t, row, "force", o.pull_off.force,
                   o.pull_off.force_error + table_number(&t, row, "force_uncertainty"));
@@ -25,7 +25,7 @@ START_TEST(pull_off_is_within_its_stated_errors) {
                   o.pull_off.approach_error + table_number(&t, row, "approach_uncertainty"));
     /* an error stated a hundred times beyond what was asked would bound everything */
     ck_assert_double_le(o.pull_off.force_error, 100.0 * TOLERANCES[_i] * o.pull_off.force);
-    po_outcome_clear(&o);
+    po_result_clear(&o);
   }
   table_close(&t, "pull-off in units of its stated error", 26, 2);
 }
@@ -33,7 +33,7 @@ END_TEST
 
 START_TEST(folds_are_within_their_stated_errors) {
   table t = table_open("feng_landmarks.csv");
-  po_outcome o = {0};
+  po_result o = {0};
   double tabor = NAN;
   size_t folds = 0, fold = 0;
   for (size_t row = 0; row < t.csv.row_count; ++row) {
@@ -41,19 +41,19 @@ START_TEST(folds_are_within_their_stated_errors) {
       continue;
     if (table_number(&t, row, "tabor") != tabor) {
       tabor = table_number(&t, row, "tabor");
-      po_outcome_clear(&o);
+      po_result_clear(&o);
       solve(tabor, TOLERANCES[_i], &o);
       fold = 0;
     }
     ck_assert_uint_lt(fold, o.fold_count);
-    const po_landmark *ours = &o.folds[fold++];
+    const po_special_point *ours = &o.folds[fold++];
     table_compare(&t, row, "approach", ours->approach,
                   ours->approach_error + table_number(&t, row, "approach_uncertainty"));
     table_compare(&t, row, "load", ours->load,
                   ours->load_error + table_number(&t, row, "load_uncertainty"));
     ++folds;
   }
-  po_outcome_clear(&o);
+  po_result_clear(&o);
   t.csv.row_count = folds;
   table_close(&t, "folds in units of their stated error", folds, 2);
   ck_assert_uint_gt(folds, 20);

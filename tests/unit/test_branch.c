@@ -29,7 +29,7 @@ static bool look(const po_branch_point *p, void *data) {
   return p->load > 0.5 && p->unstable_modes == 0;
 }
 
-/* Traces a smooth sphere on triangles; returned: the landmarks. */
+/* Traces a smooth sphere on triangles; returned: the special points. */
 static seen trace(double tabor, size_t nodes, double outer, double station) {
   po_scene scene = po_scene_default();
   scene.tabor = tabor;
@@ -90,8 +90,8 @@ START_TEST(folds_alternate_and_account_for_every_turn) {
 }
 END_TEST
 
-START_TEST(
-    landmarks_are_converged) { /* the same to 1e-10 on the same mesh with another step history */
+START_TEST(special_points_are_converged) { /* the same to 1e-10 on the same mesh with another step
+                                              history */
   const seen a = trace(1.3, 201, 60.0, NAN), b = trace(1.3, 201, 60.0, -1.9);
   ck_assert_int_eq(a.count + 1, b.count); /* the station */
   for (int k = 0, j = 0; k < a.count; ++k, ++j) {
@@ -190,7 +190,7 @@ END_TEST
 static void add(TCase *tests) {
   tcase_add_test(tests, smooth_sphere_folds_from_0_697_on);
   tcase_add_test(tests, folds_alternate_and_account_for_every_turn);
-  tcase_add_test(tests, landmarks_are_converged);
+  tcase_add_test(tests, special_points_are_converged);
   tcase_add_loop_test(tests, stability_from_the_turns_is_that_of_the_eigenvalues, 0, 3);
   tcase_add_test(tests, end_is_met_and_points_are_limited);
 }

@@ -3,8 +3,8 @@
 
 #include "po_contact.h"
 #include "po_law.h"
-#include "po_outcome.h"
-#include "po_shape.h"
+#include "po_profile.h"
+#include "po_result.h"
 #include "run.h"
 
 /* The gaps of a mesh that stays, on a half-space: radii between nodes are linear. */
@@ -94,7 +94,7 @@ START_TEST(a_high_crest_that_barely_touches_is_found) {
   g = rigid_gap(&scene, touching - dip);
   const double first = po_contact_radius(&g);
   ck_assert_double_lt(first, 1.1 * scene.wavelength); /* the crest before */
-  ck_assert_double_eq_tol(po_shape(&scene, first), touching - dip + PO_LAW_PEAK_GAP, 1e-10);
+  ck_assert_double_eq_tol(po_profile(&scene, first), touching - dip + PO_LAW_PEAK_GAP, 1e-10);
 }
 END_TEST
 
@@ -153,7 +153,7 @@ START_TEST(radius_converges_as_its_error_says) {
   po_request request = po_request_default();
   request.scene = SCENES[_i];
   request.mesh.tolerance = 1e-9;
-  po_outcome tight, loose;
+  po_result tight, loose;
   ck_assert_int_eq(po_observe(&request, &tight), PO_OK);
   if (_i == 0)
     ck_assert_double_eq_tol(tight.pull_off.contact_radius, 13.56821, 5e-6);
@@ -167,9 +167,9 @@ START_TEST(radius_converges_as_its_error_says) {
     ck_assert_double_le(loose.pull_off.contact_radius_error,
                         tolerance * tight.pull_off.contact_radius);
     ck_assert_double_nan(loose.pull_off.contact_radius_other);
-    po_outcome_clear(&loose);
+    po_result_clear(&loose);
   }
-  po_outcome_clear(&tight);
+  po_result_clear(&tight);
 }
 END_TEST
 

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "po_branch.h"
-#include "po_outcome.h"
+#include "po_result.h"
 #include "run.h"
 
 static const double FORCE = 1.67066477647629, APPROACH = -0.873379514904682;
@@ -17,12 +17,12 @@ typedef struct {
 static errors errors_of(po_scheme scheme, po_grading grading, size_t elements) {
   po_request request = po_request_default();
   request.mesh = (po_mesh){scheme, grading, elements + (scheme == PO_TRIANGLE), 0.0};
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_uint_eq(o.fold_count, 2);
   const errors e = {o.pull_off.force - FORCE, o.pull_off.approach - APPROACH,
                     o.folds[0].approach - JUMP_IN, o.folds[1].approach - JUMP_OUT};
-  po_outcome_clear(&o);
+  po_result_clear(&o);
   return e;
 }
 

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "po_law.h"
-#include "po_outcome.h"
+#include "po_result.h"
 #include "po_surface.h"
 #include "run.h"
 
@@ -20,10 +20,10 @@ static po_request awkward(void) {
 }
 
 static double force(const po_request *request) {
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(request, &o), PO_OK);
   const double value = o.pull_off.force;
-  po_outcome_clear(&o);
+  po_result_clear(&o);
   return value;
 }
 
@@ -41,7 +41,7 @@ static double difference(po_request *request, double *key) {
 START_TEST(sensitivities_are_those_of_whole_solves) {
   po_request request = awkward();
   request.want = PO_WANT_DIAGNOSTICS;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   const po_sensitivity by = o.diagnostics.force;
   ck_assert(o.diagnostics.has_sensitivity);
@@ -52,7 +52,7 @@ START_TEST(sensitivities_are_those_of_whole_solves) {
   ck_assert_double_eq_tol(by.radius, difference(&request, &request.scene.radius), 1e-5);
   /* Radii scaled by k, the radius of the sphere by its square: the same problem. */
   ck_assert_double_eq_tol(by.wavelength + 2.0 * by.radius, 0.0, 1e-6);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -60,7 +60,7 @@ START_TEST(residuals_are_small_and_digits_stay) {
   po_request request = awkward();
   request.mesh.tolerance = 1e-6;
   request.want = PO_WANT_DIAGNOSTICS;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   const po_diagnostics *d = &o.diagnostics;
   ck_assert_uint_ge(d->state_count, 3);
@@ -77,14 +77,14 @@ START_TEST(residuals_are_small_and_digits_stay) {
       ck_assert_double_gt(d->states[k].found.condition,
                           1e4 * d->states[k].found.bordered_condition);
   }
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
 START_TEST(diagnostics_change_nothing) {
   po_request request = awkward();
   request.mesh.tolerance = 1e-5;
-  po_outcome plain, diagnosed;
+  po_result plain, diagnosed;
   ck_assert_int_eq(po_observe(&request, &plain), PO_OK);
   request.want = PO_WANT_DIAGNOSTICS;
   ck_assert_int_eq(po_observe(&request, &diagnosed), PO_OK);
@@ -93,8 +93,8 @@ START_TEST(diagnostics_change_nothing) {
   ck_assert_uint_eq(plain.work.points, diagnosed.work.points);
   ck_assert_uint_eq(plain.work.newton_iterations, diagnosed.work.newton_iterations);
   ck_assert_uint_eq(plain.work.factorizations, diagnosed.work.factorizations);
-  po_outcome_clear(&plain);
-  po_outcome_clear(&diagnosed);
+  po_result_clear(&plain);
+  po_result_clear(&diagnosed);
 }
 END_TEST
 

@@ -2,8 +2,8 @@
  * folds; in the rigid limit it is a closed form. */
 #include <math.h>
 
+#include "po_profile.h"
 #include "po_rigid.h"
-#include "po_shape.h"
 #include "po_track.h"
 #include "run.h"
 
@@ -70,12 +70,12 @@ static balance of_triangles_or_rings(const po_scene *scene, po_scheme scheme, si
 START_TEST(rate_of_energy_is_load_on_panels) {
   const po_scene *scene = &SCENES[_i];
   const double core = po_surface_core(scene, NAN);
-  const double root = isfinite(scene->outer_radius)
-                          ? core
-                          : po_averaging_radius(scene, po_averaging_phase(scene, core));
+  const double domain = isfinite(scene->outer_radius)
+                            ? core
+                            : po_averaging_radius(scene, po_averaging_phase(scene, core));
   po_adaptive *panels = NULL;
   po_equilibrium *e = NULL;
-  ck_assert_int_eq(po_adaptive_create(scene, root, 4, &panels), PO_OK);
+  ck_assert_int_eq(po_adaptive_create(scene, domain, 4, &panels), PO_OK);
   ck_assert_int_eq(
       po_equilibrium_create(scene, po_adaptive_surface(panels), po_adaptive_capacity(panels), &e),
       PO_OK);

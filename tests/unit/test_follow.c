@@ -1,9 +1,9 @@
-/* The pull-off along a line of scenes, followed from anchor to anchor, against a full trace of each
- * scene. */
+/* The pull-off along a line of scenes, followed from checkpoint to checkpoint, against a full trace
+ * of each scene. */
 #include <math.h>
 
-#include "po_line.h"
 #include "po_random.h"
+#include "po_series.h"
 #include "run.h"
 
 enum { MOST = 24, SEED = 2385 };
@@ -47,34 +47,34 @@ static void make_line(const line_words *w, po_request *request) {
 /* Of every line the ends, and points drawn at random of those that were followed. */
 START_TEST(followed_is_what_a_trace_finds) {
   po_request request[MOST];
-  po_outcome outcome[MOST];
+  po_result result[MOST];
   const line_words *w = &LINES[_i];
   make_line(w, request);
-  ck_assert_int_eq(po_line_observe(request, w->count, 7, outcome), PO_OK);
-  ck_assert(!outcome[0].followed && !outcome[w->count - 1].followed);
+  ck_assert_int_eq(po_series_observe(request, w->count, 7, result), PO_OK);
+  ck_assert(!result[0].followed && !result[w->count - 1].followed);
   size_t checked = 0;
   for (size_t k = 0; k < w->count; ++k) {
-    ck_assert_int_eq(outcome[k].status, PO_OK);
-    ck_assert(outcome[k].has_pull_off);
+    ck_assert_int_eq(result[k].status, PO_OK);
+    ck_assert(result[k].has_pull_off);
     const double chance = po_random_uniform(SEED, (uint64_t)(_i * MOST) + k, "check");
-    if (!outcome[k].followed || chance > 0.6)
+    if (!result[k].followed || chance > 0.6)
       continue;
-    po_outcome traced;
+    po_result traced;
     ck_assert_int_eq(po_observe(&request[k], &traced), PO_OK);
-    ck_assert_double_le(fabs(outcome[k].pull_off.force - traced.pull_off.force),
-                        outcome[k].pull_off.force_error + traced.pull_off.force_error);
-    ck_assert_double_le(fabs(outcome[k].pull_off.approach - traced.pull_off.approach),
-                        outcome[k].pull_off.approach_error + traced.pull_off.approach_error);
+    ck_assert_double_le(fabs(result[k].pull_off.force - traced.pull_off.force),
+                        result[k].pull_off.force_error + traced.pull_off.force_error);
+    ck_assert_double_le(fabs(result[k].pull_off.approach - traced.pull_off.approach),
+                        result[k].pull_off.approach_error + traced.pull_off.approach_error);
     /* linear between the nodes of either mesh: it tells the waves apart, no more */
-    ck_assert_double_eq_tol(outcome[k].pull_off.contact_radius, traced.pull_off.contact_radius,
+    ck_assert_double_eq_tol(result[k].pull_off.contact_radius, traced.pull_off.contact_radius,
                             0.05);
-    ck_assert_double_le(outcome[k].pull_off.force_error, 1e-5 * outcome[k].pull_off.force);
-    po_outcome_clear(&traced);
+    ck_assert_double_le(result[k].pull_off.force_error, 1e-5 * result[k].pull_off.force);
+    po_result_clear(&traced);
     ++checked;
   }
   ck_assert_uint_ge(checked, 3);
   for (size_t k = 0; k < w->count; ++k)
-    po_outcome_clear(&outcome[k]);
+    po_result_clear(&result[k]);
 }
 END_TEST
 
@@ -83,16 +83,16 @@ END_TEST
 START_TEST(deepest_in_the_middle_alone) {
   static const line_words WORDS = {'t', 2.5, 5.0, 4, 0, 5.02378, 20.0, 100.0};
   po_request request[MOST];
-  po_outcome outcome[MOST], traced;
+  po_result result[MOST], traced;
   make_line(&WORDS, request);
-  ck_assert_int_eq(po_line_observe(request, WORDS.count, MOST, outcome), PO_OK);
+  ck_assert_int_eq(po_series_observe(request, WORDS.count, MOST, result), PO_OK);
   ck_assert_int_eq(po_observe(&request[1], &traced), PO_OK);
-  ck_assert_double_eq_tol(outcome[1].pull_off.force, traced.pull_off.force, 2e-5);
-  ck_assert_double_eq_tol(outcome[1].pull_off.approach, traced.pull_off.approach, 1e-4);
+  ck_assert_double_eq_tol(result[1].pull_off.force, traced.pull_off.force, 2e-5);
+  ck_assert_double_eq_tol(result[1].pull_off.approach, traced.pull_off.approach, 1e-4);
   ck_assert_double_gt(traced.pull_off.contact_radius, 30.0);
-  po_outcome_clear(&traced);
+  po_result_clear(&traced);
   for (size_t k = 0; k < WORDS.count; ++k)
-    po_outcome_clear(&outcome[k]);
+    po_result_clear(&result[k]);
 }
 END_TEST
 
@@ -102,7 +102,7 @@ END_TEST
 START_TEST(what_lies_beyond_the_preload_is_no_pull_off) {
   enum { COUNT = 8 };
   po_request request[COUNT];
-  po_outcome outcome[COUNT];
+  po_result result[COUNT];
   for (size_t k = 0; k < COUNT; ++k) {
     request[k] = po_request_default();
     request[k].mesh.scheme = PO_PANEL;
@@ -110,27 +110,27 @@ START_TEST(what_lies_beyond_the_preload_is_no_pull_off) {
     request[k].scene =
         (po_scene){3.0, 5.0 * pow(1.7, (double)k / (COUNT - 1)), 50.0, 200.0, INFINITY};
   }
-  ck_assert_int_eq(po_line_observe(request, COUNT, COUNT, outcome), PO_OK);
+  ck_assert_int_eq(po_series_observe(request, COUNT, COUNT, result), PO_OK);
   size_t followed = 0;
   for (size_t k = 0; k < COUNT; ++k) {
-    po_outcome traced;
+    po_result traced;
     ck_assert_int_eq(po_observe(&request[k], &traced), PO_OK);
-    ck_assert_double_le(fabs(outcome[k].pull_off.force - traced.pull_off.force),
-                        outcome[k].pull_off.force_error + traced.pull_off.force_error);
-    followed += outcome[k].followed;
-    po_outcome_clear(&traced);
-    po_outcome_clear(&outcome[k]);
+    ck_assert_double_le(fabs(result[k].pull_off.force - traced.pull_off.force),
+                        result[k].pull_off.force_error + traced.pull_off.force_error);
+    followed += result[k].followed;
+    po_result_clear(&traced);
+    po_result_clear(&result[k]);
   }
   ck_assert_uint_ge(followed, 2);
 }
 END_TEST
 
-/* Between two anchors whose minima rise from wave to wave, and fall again before the trace ends: no
- * trace of a scene between would end there. */
+/* Between two checkpoints whose minima rise from wave to wave, and fall again before the trace
+ * ends: no trace of a scene between would end there. */
 START_TEST(one_rise_is_no_end) {
   enum { COUNT = 11 };
   po_request request[COUNT];
-  po_outcome outcome[COUNT], traced;
+  po_result result[COUNT], traced;
   for (size_t k = 0; k < COUNT; ++k) {
     request[k] = po_request_default();
     request[k].mesh.scheme = PO_PANEL;
@@ -138,36 +138,36 @@ START_TEST(one_rise_is_no_end) {
     request[k].scene =
         (po_scene){1.42 * pow(1.94, (double)k / (COUNT - 1)), 1.464, 5.0, 100.0, 100.0};
   }
-  ck_assert_int_eq(po_line_observe(request, COUNT, COUNT - 1, outcome), PO_OK);
+  ck_assert_int_eq(po_series_observe(request, COUNT, COUNT - 1, result), PO_OK);
   for (size_t k = 0; k < COUNT; ++k)
-    ck_assert_int_eq(outcome[k].followed, k > 0 && k + 1 < COUNT);
+    ck_assert_int_eq(result[k].followed, k > 0 && k + 1 < COUNT);
   ck_assert_int_eq(po_observe(&request[6], &traced), PO_OK);
-  ck_assert_double_le(fabs(outcome[6].pull_off.force - traced.pull_off.force),
-                      outcome[6].pull_off.force_error + traced.pull_off.force_error);
-  po_outcome_clear(&traced);
+  ck_assert_double_le(fabs(result[6].pull_off.force - traced.pull_off.force),
+                      result[6].pull_off.force_error + traced.pull_off.force_error);
+  po_result_clear(&traced);
   for (size_t k = 0; k < COUNT; ++k)
-    po_outcome_clear(&outcome[k]);
+    po_result_clear(&result[k]);
 }
 END_TEST
 
 /* Lines on which no minimum ends: few factorisations a scene that is followed. */
 START_TEST(following_costs_little) {
   po_request request[MOST];
-  po_outcome outcome[MOST];
+  po_result result[MOST];
   const line_words *w = &LINES[_i];
   make_line(w, request);
-  ck_assert_int_eq(po_line_observe(request, w->count, MOST, outcome), PO_OK);
+  ck_assert_int_eq(po_series_observe(request, w->count, MOST, result), PO_OK);
   double traced = 0.0, followed = 0.0;
   size_t many = 0;
   for (size_t k = 0; k < w->count; ++k) {
-    *(outcome[k].followed ? &followed : &traced) += (double)outcome[k].work.factorizations;
-    many += outcome[k].followed;
+    *(result[k].followed ? &followed : &traced) += (double)result[k].work.factorizations;
+    many += result[k].followed;
   }
   const double each = traced / (double)(w->count - many);
   ck_assert_uint_ge(many, w->count - 3);
   ck_assert_double_lt(10.0 * followed / (double)many, each);
   for (size_t k = 0; k < w->count; ++k)
-    po_outcome_clear(&outcome[k]);
+    po_result_clear(&result[k]);
 }
 END_TEST
 
@@ -180,21 +180,21 @@ START_TEST(what_cannot_be_followed_is_traced) {
   };
   enum { COUNT = sizeof SCENES / sizeof *SCENES };
   po_request request[COUNT];
-  po_outcome outcome[COUNT];
+  po_result result[COUNT];
   for (size_t k = 0; k < COUNT; ++k) {
     request[k] = po_request_default();
     request[k].mesh.scheme = PO_PANEL;
     request[k].mesh.tolerance = 1e-4;
     request[k].scene = SCENES[k];
   }
-  ck_assert_int_eq(po_line_observe(request, COUNT, COUNT, outcome), PO_OK);
+  ck_assert_int_eq(po_series_observe(request, COUNT, COUNT, result), PO_OK);
   for (size_t k = 0; k < COUNT; ++k) {
-    po_outcome alone;
+    po_result alone;
     ck_assert_int_eq(po_observe(&request[k], &alone), PO_OK);
-    ck_assert(!outcome[k].followed);
-    ck_assert_double_eq(outcome[k].pull_off.force, alone.pull_off.force);
-    po_outcome_clear(&alone);
-    po_outcome_clear(&outcome[k]);
+    ck_assert(!result[k].followed);
+    ck_assert_double_eq(result[k].pull_off.force, alone.pull_off.force);
+    po_result_clear(&alone);
+    po_result_clear(&result[k]);
   }
 }
 END_TEST

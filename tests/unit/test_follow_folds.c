@@ -33,8 +33,8 @@ static void scene_at(void *data, double at, po_scene *scene) {
   *(l->amplitude ? &scene->amplitude : &scene->tabor) = at;
 }
 
-static double root_of(const po_scene *scene) {
-  return po_observe_root(scene, po_surface_core(scene, NAN));
+static double domain_of(const po_scene *scene) {
+  return po_observe_domain(scene, po_surface_core(scene, NAN));
 }
 
 typedef struct {
@@ -68,7 +68,7 @@ static void trace(const line *l, folds *f) {
   po_adaptive *panels = NULL;
   po_equilibrium *e = NULL;
   po_tracker *tracker = NULL;
-  ck_assert_int_eq(po_adaptive_create(&scene, root_of(&scene), 4, &panels), PO_OK);
+  ck_assert_int_eq(po_adaptive_create(&scene, domain_of(&scene), 4, &panels), PO_OK);
   ck_assert_int_eq(
       po_equilibrium_create(&scene, po_adaptive_surface(panels), po_adaptive_capacity(panels), &e),
       PO_OK);
@@ -91,7 +91,7 @@ static po_follower *follower_of(const line *l) {
   po_scene scene;
   scene_at((void *)l, l->from, &scene);
   const po_follow_options options = {
-      scene_at, root_of, (void *)l, allowance_of(&scene), po_observe_precision(TOLERANCE),
+      scene_at, domain_of, (void *)l, allowance_of(&scene), po_observe_precision(TOLERANCE),
       TOLERANCE};
   po_follower *follower = NULL;
   ck_assert_int_eq(po_follow_create(&options, l->from, &follower), PO_OK);
@@ -99,7 +99,7 @@ static po_follower *follower_of(const line *l) {
 }
 
 /* The folds of a trace of the scene at a parameter, by themselves. */
-static void solve(const line *l, double at, po_outcome *o) {
+static void solve(const line *l, double at, po_result *o) {
   po_request request = po_request_default();
   scene_at((void *)l, at, &request.scene);
   request.mesh.scheme = PO_PANEL;
@@ -112,7 +112,7 @@ START_TEST(folds_followed_are_those_of_traces) {
   const line *l = &LINES[_i];
   folds f;
   trace(l, &f);
-  po_outcome traced[3];
+  po_result traced[3];
   for (int k = 0; k < 3; ++k)
     solve(l, l->to[k], &traced[k]);
   po_follower *follower = follower_of(l);
@@ -121,7 +121,7 @@ START_TEST(folds_followed_are_those_of_traces) {
     for (int k = 0; k < 3; ++k) {
       ck_assert_int_eq(po_follow_to(follower, l->to[k], INFINITY), PO_OK);
       const po_branch_point p = po_follow_point(follower, true);
-      const po_landmark *expected = &traced[k].folds[j];
+      const po_special_point *expected = &traced[k].folds[j];
       ck_assert_int_eq(p.kind, f.kind[j]);
       ck_assert_int_eq(p.kind == PO_POINT_APPROACH_MAX ? PO_JUMP_IN : PO_JUMP_OUT, expected->kind);
       ck_assert_double_eq_tol(p.approach, expected->approach, 1e-6);
@@ -137,7 +137,7 @@ START_TEST(folds_followed_are_those_of_traces) {
   for (size_t j = 0; j < f.count; ++j)
     po_track_point_free(&f.point[j]);
   for (int k = 0; k < 3; ++k)
-    po_outcome_clear(&traced[k]);
+    po_result_clear(&traced[k]);
 }
 END_TEST
 

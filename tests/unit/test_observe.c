@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "po_law.h"
-#include "po_outcome.h"
-#include "po_shape.h"
+#include "po_profile.h"
+#include "po_result.h"
 #include "request.h"
 #include "run.h"
 
@@ -14,23 +14,23 @@ START_TEST(smooth_sphere_against_another_code) {
       {1.0, 1.67067, -0.8734}, {2.0, 1.5836, -1.6581}, {3.0, 1.55104, -2.4263}};
   po_request request = request_of(KNOWN[_i][0], 0.0, 0.0, INFINITY);
   request.mesh.nodes = 501;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   /* second order: the cohesive zone, about eps sqrt(R)/mu wide, has some 20 elements at mu = 3 */
   ck_assert_double_eq_tol(o.pull_off.force, KNOWN[_i][1],
                           3e-5 + 4e-5 * KNOWN[_i][0] * KNOWN[_i][0]);
   ck_assert_double_eq_tol(o.pull_off.approach, KNOWN[_i][2],
                           1e-4 + 8e-4 * KNOWN[_i][0] * KNOWN[_i][0]);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
-START_TEST(curve_holds_its_landmarks_in_order) {
+START_TEST(curve_holds_its_special_points_in_order) {
   po_request request = request_of(3.0, 1.0, 20.0, 100.0);
   request.want = PO_WANT_CURVE;
   request.approach_start = -6.5;
   request.approach_end = 1.0;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_double_ge(o.curve[0].approach, -6.5);
   ck_assert_double_eq_tol(o.ended.approach, 1.0, 1e-10);
@@ -43,12 +43,12 @@ START_TEST(curve_holds_its_landmarks_in_order) {
   ck_assert_uint_ge(o.fold_count, 4);
   ck_assert_int_eq(o.folds[0].kind, PO_JUMP_IN);
   ck_assert_int_eq(o.folds[0].unstable_modes, 1);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
 /* The load where a curve first reaches an approach, by the cubic between two of its points. */
-static double load_where(const po_outcome *o, double approach) {
+static double load_where(const po_result *o, double approach) {
   po_path_point two[2];
   for (size_t k = 0; k + 1 < o->curve_count; ++k) {
     if (!(o->curve[k].approach < approach && approach <= o->curve[k + 1].approach))
@@ -78,7 +78,7 @@ START_TEST(curve_is_known_between_its_points) {
     request.scene.amplitude = 0.0;
   request.approach_end = 5.0;
   request.want = PO_WANT_CURVE;
-  po_outcome curve, station;
+  po_result curve, station;
   ck_assert_int_eq(po_observe(&request, &curve), PO_OK);
   request.want = PO_WANT_CURVE | PO_WANT_PROFILE;
   for (size_t i = 0; i < sizeof APPROACH / sizeof *APPROACH; ++i) {
@@ -88,17 +88,17 @@ START_TEST(curve_is_known_between_its_points) {
     while (fabs(station.curve[at].approach - APPROACH[i]) > 1e-9)
       ++at;
     ck_assert_double_eq_tol(load_where(&curve, APPROACH[i]), station.curve[at].load, MISSED[_i]);
-    po_outcome_clear(&station);
+    po_result_clear(&station);
   }
-  po_outcome_clear(&curve);
+  po_result_clear(&curve);
 }
 END_TEST
 
 /* The approach stands still at a fold, the load at an extremum. */
-START_TEST(curve_turns_at_its_landmarks) {
+START_TEST(curve_turns_at_its_special_points) {
   po_request request = request_of(3.0, 1.0, 20.0, 100.0);
   request.want = PO_WANT_CURVE;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   size_t folds = 0, extrema = 0;
   for (size_t k = 0; k < o.curve_count; ++k) {
@@ -114,14 +114,14 @@ START_TEST(curve_turns_at_its_landmarks) {
   ck_assert_uint_ge(folds, 4);
   ck_assert_uint_eq(folds, o.fold_count);
   ck_assert_uint_eq(extrema, o.extremum_count);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
 START_TEST(profile_is_an_equilibrium) { /* at pull-off; and at an approach asked for */
   po_request request = request_of(1.3, 0.7, 23.85, 100.0);
   request.want = PO_WANT_PROFILE;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_double_eq(o.profile_approach, o.pull_off.approach);
   double load = 0.0; /* W/(pi w R) = 2/(R mu) integral of P r dr, by the trapezoidal rule */
@@ -131,65 +131,65 @@ START_TEST(profile_is_an_equilibrium) { /* at pull-off; and at an approach asked
   }
   load *= 2.0 / (request.scene.radius * request.scene.tabor);
   ck_assert_double_eq_tol(-load, o.pull_off.force, 1e-3);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
   request.profile_approach = -1.385;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_double_eq_tol(o.profile_approach, -1.385, 1e-10);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
 START_TEST(rigid_scene_is_solved_without_a_surface) {
   po_request request = request_of(0.0, 1.0, 20.0, INFINITY); /* alpha = 0.25 */
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert(o.rigid);
   ck_assert_double_eq(o.start, -10.0);
   ck_assert_uint_eq(o.work.kernel_evaluations, 0);
   ck_assert_uint_eq(o.work.nodes, 0);
   ck_assert_double_eq_tol(o.pull_off.force, 0.7410559, 1e-7);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
   request.scene.wavelength = 1000.0; /* alpha = 1e-4 */
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_double_eq_tol(o.pull_off.force, 1.992148, 1e-6);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
 START_TEST(small_tabor_goes_to_the_rigid_limit) { /* elastic at 1e-4, by another code path */
   po_request request = request_of(1e-4, 1.0, 20.0, INFINITY);
   request.mesh.nodes = 801;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert(!o.rigid);
   ck_assert_double_eq_tol(o.pull_off.force, 0.7410559, 3e-4);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
 START_TEST(unbounded_and_cut_differ_by_the_tail) { /* notes, 2: 1.0e-3 of the load at R = 100 */
   po_request request = request_of(1.0, 0.0, 0.0, 100.0);
-  po_outcome cut, whole;
+  po_result cut, whole;
   ck_assert_int_eq(po_observe(&request, &cut), PO_OK);
   request.scene.outer_radius = INFINITY;
   ck_assert_int_eq(po_observe(&request, &whole), PO_OK);
   ck_assert_double_eq_tol(whole.pull_off.force - cut.pull_off.force, 1.0e-3, 2e-4);
-  po_outcome_clear(&cut);
-  po_outcome_clear(&whole);
+  po_result_clear(&cut);
+  po_result_clear(&whole);
 }
 END_TEST
 
-/* A cleared outcome is one of nothing: as if never solved, and clearing it again does no harm. */
-START_TEST(cleared_outcome_is_empty) {
+/* A cleared result is one of nothing: as if never solved, and clearing it again does no harm. */
+START_TEST(cleared_result_is_empty) {
   po_request request = request_of(0.0, 0.0, 0.0, INFINITY);
   request.want = PO_WANT_CURVE | PO_WANT_PROFILE;
   request.mesh.nodes = 41;
-  static const po_outcome empty;
-  po_outcome o;
+  static const po_result empty;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert(o.has_pull_off && o.curve_count > 0 && o.profile_count > 0);
   for (int times = 0; times < 2; ++times) {
-    po_outcome_clear(&o);
+    po_result_clear(&o);
     ck_assert_int_eq(o.status, PO_OK);
     ck_assert(!o.has_pull_off && !o.has_hysteresis && o.reason[0] == '\0');
     ck_assert_uint_eq(o.curve_count + o.profile_count + o.fold_count + o.extremum_count, 0);
@@ -202,7 +202,7 @@ END_TEST
 
 START_TEST(bad_requests_are_refused) {
   po_request request = request_of(1.0, 0.0, 0.0, INFINITY);
-  po_outcome o;
+  po_result o;
   request.mesh.nodes = 3;
   ck_assert_int_eq(po_observe(&request, &o), PO_BAD_INPUT);
   ck_assert_ptr_nonnull(strstr(o.reason, "nodes is 3"));
@@ -222,7 +222,7 @@ START_TEST(a_profile_does_not_move_the_preload) {
   request.scene.tabor = 3.0;
   request.want = PO_WANT_HYSTERESIS;
   request.preload.approach = 1.2385;
-  po_outcome alone, beside;
+  po_result alone, beside;
   ck_assert_int_eq(po_observe(&request, &alone), PO_OK);
   request.want |= PO_WANT_PROFILE;
   request.profile_approach = 0.385;
@@ -230,22 +230,22 @@ START_TEST(a_profile_does_not_move_the_preload) {
   ck_assert_double_eq_tol(beside.profile_approach, 0.385, 1e-10);
   ck_assert_double_eq_tol(alone.hysteresis.displacement.preload.load,
                           beside.hysteresis.displacement.preload.load, 1e-10);
-  po_outcome_clear(&alone);
-  po_outcome_clear(&beside);
+  po_result_clear(&alone);
+  po_result_clear(&beside);
 }
 END_TEST
 
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, smooth_sphere_against_another_code, 0, 3);
-  tcase_add_test(tests, curve_holds_its_landmarks_in_order);
+  tcase_add_test(tests, curve_holds_its_special_points_in_order);
   tcase_add_loop_test(tests, curve_is_known_between_its_points, 0, 3);
-  tcase_add_test(tests, curve_turns_at_its_landmarks);
+  tcase_add_test(tests, curve_turns_at_its_special_points);
   tcase_add_test(tests, profile_is_an_equilibrium);
   tcase_add_test(tests, rigid_scene_is_solved_without_a_surface);
   tcase_add_test(tests, small_tabor_goes_to_the_rigid_limit);
   tcase_add_test(tests, unbounded_and_cut_differ_by_the_tail);
   tcase_add_test(tests, a_profile_does_not_move_the_preload);
-  tcase_add_test(tests, cleared_outcome_is_empty);
+  tcase_add_test(tests, cleared_result_is_empty);
   tcase_add_test(tests, bad_requests_are_refused);
 }
 

@@ -5,64 +5,64 @@
 #include <string.h>
 
 #include "po_adaptive.h"
-#include "po_leaves.h"
 #include "po_panel_table.h"
+#include "po_panels.h"
 #include "run.h"
 
 /* A tree refined towards x, to the given level. */
-static po_leaves refined_towards(double x, uint32_t level) {
-  po_leaves leaves;
-  po_leaves_uniform(&leaves, 1);
+static po_panels refined_towards(double x, uint32_t level) {
+  po_panels panels;
+  po_panels_uniform(&panels, 1);
   for (;;) {
-    const size_t at = po_leaves_find(&leaves, x);
-    if (leaves.leaf[at].level >= level)
-      return leaves;
-    bool split[PO_MOST_LEAVES] = {false};
+    const size_t at = po_panels_find(&panels, x);
+    if (panels.panel[at].level >= level)
+      return panels;
+    bool split[PO_MOST_PANELS] = {false};
     split[at] = true;
-    ck_assert(po_leaves_split(&leaves, split));
+    ck_assert(po_panels_split(&panels, split));
   }
 }
 
 static void
-check_tree(const po_leaves *leaves) { /* covers, ascends, neighbours alike to one level */
+check_tree(const po_panels *panels) { /* covers, ascends, neighbours alike to one level */
   double end = 0.0;
-  for (size_t k = 0; k < leaves->count; ++k) {
-    ck_assert_double_eq(po_leaf_begin(leaves->leaf[k]), end);
-    end = po_leaf_end(leaves->leaf[k]);
+  for (size_t k = 0; k < panels->count; ++k) {
+    ck_assert_double_eq(po_panel_begin(panels->panel[k]), end);
+    end = po_panel_end(panels->panel[k]);
     if (k > 0)
-      ck_assert_int_le(abs((int)leaves->leaf[k].level - (int)leaves->leaf[k - 1].level),
+      ck_assert_int_le(abs((int)panels->panel[k].level - (int)panels->panel[k - 1].level),
                        PO_MOST_LEVEL_STEP);
   }
   ck_assert_double_eq(end, 1.0);
 }
 
 START_TEST(tree_stays_graded) {
-  po_leaves leaves = refined_towards(0.2385, 9);
-  check_tree(&leaves);
-  bool join[PO_MOST_LEAVES];
-  size_t before = leaves.count;
+  po_panels panels = refined_towards(0.2385, 9);
+  check_tree(&panels);
+  bool join[PO_MOST_PANELS];
+  size_t before = panels.count;
   do {
-    for (size_t k = 0; k < leaves.count; ++k)
+    for (size_t k = 0; k < panels.count; ++k)
       join[k] = true;
-    before = leaves.count;
-    po_leaves_join(&leaves, join);
-    check_tree(&leaves);
-  } while (leaves.count < before);
-  ck_assert_uint_eq(leaves.count, 1);
+    before = panels.count;
+    po_panels_join(&panels, join);
+    check_tree(&panels);
+  } while (panels.count < before);
+  ck_assert_uint_eq(panels.count, 1);
 }
 END_TEST
 
 START_TEST(split_without_room_changes_nothing) {
-  po_leaves leaves;
-  po_leaves_uniform(&leaves, 8);
-  bool split[PO_MOST_LEAVES];
-  for (size_t k = 0; k < leaves.count; ++k)
+  po_panels panels;
+  po_panels_uniform(&panels, 8);
+  bool split[PO_MOST_PANELS];
+  for (size_t k = 0; k < panels.count; ++k)
     split[k] = true;
-  ck_assert(po_leaves_split(&leaves, split)); /* 512: full */
-  for (size_t k = 0; k < leaves.count; ++k)
+  ck_assert(po_panels_split(&panels, split)); /* 512: full */
+  for (size_t k = 0; k < panels.count; ++k)
     split[k] = k == 3;
-  ck_assert(!po_leaves_split(&leaves, split));
-  ck_assert_uint_eq(leaves.count, PO_MOST_LEAVES);
+  ck_assert(!po_panels_split(&panels, split));
+  ck_assert_uint_eq(panels.count, PO_MOST_PANELS);
 }
 END_TEST
 
@@ -71,17 +71,17 @@ static const double FOCI[] = {0.0, 0.2385, 0.5, 0.9999};
 START_TEST(blocks_are_product_integration) {
   const po_panel_table *table = po_panel_table_get();
   ck_assert_ptr_nonnull(table);
-  const po_leaves leaves = refined_towards(FOCI[_i], 8);
+  const po_panels panels = refined_towards(FOCI[_i], 8);
   double worst = 0.0;
-  for (size_t a = 0; a < leaves.count; ++a)
-    for (size_t b = 0; b < leaves.count; ++b) {
-      const po_leaf target = leaves.leaf[a], source = leaves.leaf[b];
-      const po_panel panel = {po_leaf_begin(source), po_leaf_end(source)};
+  for (size_t a = 0; a < panels.count; ++a)
+    for (size_t b = 0; b < panels.count; ++b) {
+      const po_panel target = panels.panel[a], source = panels.panel[b];
+      const po_panel_span panel = {po_panel_begin(source), po_panel_end(source)};
       po_panel_block block;
       po_panel_table_block(table, target, source, block);
       for (size_t i = 0; i < PO_TABLE_ORDER; ++i) {
-        const double r = po_leaf_begin(target) +
-                         (po_leaf_end(target) - po_leaf_begin(target)) * table->rule.node[i];
+        const double r = po_panel_begin(target) +
+                         (po_panel_end(target) - po_panel_begin(target)) * table->rule.node[i];
         double row[PO_TABLE_ORDER], by_table = 0.0, by_rule = 0.0;
         po_panel_influence(&table->rule, panel, r, row, 1);
         for (size_t j = 0; j < PO_TABLE_ORDER; ++j) { /* a smooth traction */
@@ -97,30 +97,30 @@ START_TEST(blocks_are_product_integration) {
 }
 END_TEST
 
-/* The leaves of a mesh are told by its radii, those of a part by the first of these; other radii
+/* The panels of a mesh are told by its radii, those of a part by the first of these; other radii
  * are of no panels. */
-START_TEST(leaves_are_those_of_their_nodes) {
+START_TEST(panels_are_those_of_their_nodes) {
   static const po_scene SCENE = {.tabor = 2.385, .radius = 93.0, .outer_radius = 71.0};
-  po_adaptive *panels = NULL;
-  ck_assert_int_eq(po_adaptive_create(&SCENE, 71.0, 2, &panels), PO_OK);
-  const po_leaves mesh = refined_towards(0.2385, 7);
-  ck_assert_int_eq(po_adaptive_mesh(panels, &mesh), PO_OK);
-  const po_surface *surface = po_adaptive_surface(panels);
+  po_adaptive *adaptive = NULL;
+  ck_assert_int_eq(po_adaptive_create(&SCENE, 71.0, 2, &adaptive), PO_OK);
+  const po_panels mesh = refined_towards(0.2385, 7);
+  ck_assert_int_eq(po_adaptive_mesh(adaptive, &mesh), PO_OK);
+  const po_surface *surface = po_adaptive_surface(adaptive);
   ck_assert_uint_eq(surface->n, PO_TABLE_ORDER * mesh.count);
   double *node = malloc(surface->n * sizeof *node);
   memcpy(node, surface->node, surface->n * sizeof *node);
-  po_leaves leaves;
+  po_panels panels;
   for (size_t count = 0; count <= mesh.count; ++count) {
-    ck_assert_int_eq(po_adaptive_leaves_of(panels, PO_TABLE_ORDER * count, node, &leaves), PO_OK);
-    ck_assert_uint_eq(leaves.count, count);
+    ck_assert_int_eq(po_adaptive_panels_of(adaptive, PO_TABLE_ORDER * count, node, &panels), PO_OK);
+    ck_assert_uint_eq(panels.count, count);
     for (size_t k = 0; k < count; ++k)
-      ck_assert(po_leaf_equal(leaves.leaf[k], mesh.leaf[k]));
+      ck_assert(po_panel_equal(panels.panel[k], mesh.panel[k]));
   }
-  ck_assert_int_eq(po_adaptive_leaves_of(panels, surface->n - 1, node, &leaves), PO_BAD_INPUT);
+  ck_assert_int_eq(po_adaptive_panels_of(adaptive, surface->n - 1, node, &panels), PO_BAD_INPUT);
   node[PO_TABLE_ORDER + 5] *= 1.001;
-  ck_assert_int_eq(po_adaptive_leaves_of(panels, surface->n, node, &leaves), PO_BAD_INPUT);
+  ck_assert_int_eq(po_adaptive_panels_of(adaptive, surface->n, node, &panels), PO_BAD_INPUT);
   free(node);
-  po_adaptive_destroy(panels);
+  po_adaptive_destroy(adaptive);
 }
 END_TEST
 
@@ -128,7 +128,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, tree_stays_graded);
   tcase_add_test(tests, split_without_room_changes_nothing);
   tcase_add_loop_test(tests, blocks_are_product_integration, 0, 4);
-  tcase_add_test(tests, leaves_are_those_of_their_nodes);
+  tcase_add_test(tests, panels_are_those_of_their_nodes);
 }
 
 int main(void) {

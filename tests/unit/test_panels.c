@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdint.h>
 
-#include "po_outcome.h"
+#include "po_result.h"
 #include "run.h"
 
 /* Pull-off of smooth spheres: reference/feng_pull_off.csv. */
@@ -25,18 +25,18 @@ START_TEST(pull_off_is_right_to_the_tolerance) {
   static const double TOLERANCES[] = {1e-4, 1e-6, 1e-8};
   for (int k = 0; k < 3; ++k) {
     const po_request request = panels(PULL_OFF[_i][0], TOLERANCES[k]);
-    po_outcome o;
+    po_result o;
     ck_assert_int_eq(po_observe(&request, &o), PO_OK);
     ck_assert_double_eq_tol(o.pull_off.force / PULL_OFF[_i][1], 1.0, TOLERANCES[k]);
-    /* the load is flat at its minimum: the square root, at worst */
+    /* the load is flat at its minimum: the square domain, at worst */
     ck_assert_double_eq_tol(o.pull_off.approach, PULL_OFF[_i][2], sqrt(TOLERANCES[k]));
-    po_outcome_clear(&o);
+    po_result_clear(&o);
   }
 }
 END_TEST
 
-/* Every landmark of mu = 5: reference/feng_landmarks.csv. N = 500 equal elements find some seventy
- * folds here. */
+/* Every special point of mu = 5: reference/feng_landmarks.csv. N = 500 equal elements find some
+ * seventy folds here. */
 START_TEST(four_folds_at_mu_5_and_no_more) {
   static const double FOLDS[4][2] = {{-4.26358240711533, -0.167117565240784},
                                      {-4.52082488572901, -0.193092486887204},
@@ -46,7 +46,7 @@ START_TEST(four_folds_at_mu_5_and_no_more) {
                                        {-4.82334144338255, -0.170257600857394},
                                        {-3.95939113588998, -1.52571846471486}};
   const po_request request = panels(5.0, 1e-6);
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_uint_eq(o.fold_count, 4);
   ck_assert_uint_eq(o.extremum_count, 3);
@@ -56,19 +56,19 @@ START_TEST(four_folds_at_mu_5_and_no_more) {
   }
   for (size_t k = 0; k < 3; ++k)
     ck_assert_double_eq_tol(o.extrema[k].load, EXTREMA[k][1], 1e-6);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
 /* The extra pair of folds at mu = 4 is 8.1e-5 apart in approach. */
 START_TEST(folds_close_together_are_both_found) {
   const po_request request = panels(4.0, 1e-7);
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_uint_eq(o.fold_count, 4);
   ck_assert_double_eq_tol(o.folds[1].approach, -4.0232815, 1e-5);
   ck_assert_double_eq_tol(o.folds[2].approach, -4.02320023613447, 1e-6);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -80,7 +80,7 @@ START_TEST(triangles_converge_to_the_panels) {
   request.scene.wavelength = 23.85;
   if (_i)
     request.scene.outer_radius = 90.0;
-  po_outcome panel, coarse, fine;
+  po_result panel, coarse, fine;
   ck_assert_int_eq(po_observe(&request, &panel), PO_OK);
   request.mesh = (po_mesh){PO_TRIANGLE, PO_UNIFORM, 401, 0.0};
   ck_assert_int_eq(po_observe(&request, &coarse), PO_OK);
@@ -92,16 +92,16 @@ START_TEST(triangles_converge_to_the_panels) {
   for (size_t k = 0; k < panel.fold_count; ++k)
     ck_assert_double_eq_tol((4.0 * fine.folds[k].approach - coarse.folds[k].approach) / 3.0,
                             panel.folds[k].approach, 1e-6);
-  po_outcome_clear(&panel);
-  po_outcome_clear(&coarse);
-  po_outcome_clear(&fine);
+  po_result_clear(&panel);
+  po_result_clear(&coarse);
+  po_result_clear(&fine);
 }
 END_TEST
 
 START_TEST(panel_profile_is_on_its_own_nodes) { /* though the mesh goes on to change */
   po_request request = panels(2.385, 1e-6);
   request.want = PO_WANT_PROFILE;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   double load = 0.0;
   for (size_t k = 1; k < o.profile_count; ++k) {
@@ -111,13 +111,13 @@ START_TEST(panel_profile_is_on_its_own_nodes) { /* though the mesh goes on to ch
   }
   load *= 2.0 / (request.scene.radius * request.scene.tabor);
   ck_assert_double_eq_tol(-load, o.pull_off.force, 3e-2);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
 START_TEST(tolerance_has_limits) {
   po_request request = panels(1.0, 1e-16);
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_BAD_INPUT);
   request.mesh.tolerance = NAN;
   ck_assert_int_eq(po_observe(&request, &o), PO_BAD_INPUT);
@@ -130,10 +130,10 @@ START_TEST(pull_off_that_no_mesh_meets_is_refused) {
   po_request request = panels(1e-3, 1e-4);
   request.scene.amplitude = 1e4;
   request.scene.wavelength = 20.0;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_NOT_CONVERGED);
   ck_assert_ptr_nonnull(strstr(o.reason, "the error of the pull-off force"));
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -147,11 +147,11 @@ START_TEST(rigid_waves_are_solved_to_the_tolerance) {
   po_request request = panels(1e-4, 1e-4);
   request.scene.amplitude = RIGID[_i][0];
   request.scene.wavelength = RIGID[_i][1];
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_double_eq_tol(o.pull_off.force / RIGID[_i][2], 1.0, request.mesh.tolerance);
   ck_assert_double_le(fabs(o.pull_off.force - RIGID[_i][2]), o.pull_off.force_error);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -170,7 +170,7 @@ START_TEST(folds_are_of_the_scene_and_have_errors) {
   po_request request = panels(1.0, 1e-4);
   request.scene = MANY_FOLDS[_i].scene;
   request.preload.load = MANY_FOLDS[_i].preload;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_uint_eq(o.fold_count, MANY_FOLDS[_i].folds);
   ck_assert_uint_lt(o.work.points, MANY_FOLDS[_i].most_points);
@@ -178,7 +178,7 @@ START_TEST(folds_are_of_the_scene_and_have_errors) {
     ck_assert(!isnan(o.folds[k].load_error));
     ck_assert_int_eq(o.folds[k].kind, k % 2 ? PO_JUMP_OUT : PO_JUMP_IN);
   }
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -191,7 +191,7 @@ START_TEST(a_pull_off_is_sharpened_by_itself) {
   request.scene.amplitude = SHARPENED[_i][1];
   request.scene.wavelength = 5.0;
   request.scene.outer_radius = request.scene.radius = 100.0;
-  po_outcome o, finer;
+  po_result o, finer;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   request.mesh.tolerance = 1e-6;
   ck_assert_int_eq(po_observe(&request, &finer), PO_OK);
@@ -200,8 +200,8 @@ START_TEST(a_pull_off_is_sharpened_by_itself) {
   ck_assert_double_le(fabs(o.pull_off.approach - finer.pull_off.approach),
                       o.pull_off.approach_error);
   ck_assert_uint_lt(2 * o.work.points, 3 * finer.work.points);
-  po_outcome_clear(&o);
-  po_outcome_clear(&finer);
+  po_result_clear(&o);
+  po_result_clear(&finer);
 }
 END_TEST
 

@@ -33,8 +33,8 @@ static double trace(steps *s) {
   po_adaptive *panels = NULL;
   po_equilibrium *e = NULL;
   po_tracker *tracker = NULL;
-  const double root = po_observe_root(&SCENE, po_surface_core(&SCENE, NAN));
-  ck_assert_int_eq(po_adaptive_create(&SCENE, root, 4, &panels), PO_OK);
+  const double domain = po_observe_domain(&SCENE, po_surface_core(&SCENE, NAN));
+  ck_assert_int_eq(po_adaptive_create(&SCENE, domain, 4, &panels), PO_OK);
   ck_assert_int_eq(
       po_equilibrium_create(&SCENE, po_adaptive_surface(panels), po_adaptive_capacity(panels), &e),
       PO_OK);
@@ -46,7 +46,7 @@ static double trace(steps *s) {
       po_track_create(e, panels, po_observe_allowance(&request, TOLERANCE), &options, &tracker),
       PO_OK);
   ck_assert_int_eq(po_track_onwards(tracker), PO_OK);
-  const double met = po_adaptive_root(panels);
+  const double met = po_adaptive_domain(panels);
   po_track_destroy(tracker);
   po_equilibrium_destroy(e);
   po_adaptive_destroy(panels);
@@ -54,10 +54,11 @@ static double trace(steps *s) {
 }
 
 /* As far as the point after the next, which is twice as far as its error allows: ten times as much
- * is made there. Where some fronts were left behind it is no more, and there are such places. */
-START_TEST(fronts_are_left_where_that_does) {
+ * is made there. Where some contact edges were left behind it is no more, and there are such
+ * places. */
+START_TEST(edges_are_left_where_that_does) {
   steps s = {0};
-  const double root = trace(&s);
+  const double domain = trace(&s);
   size_t left = 0;
   for (size_t k = 1; k + 2 < s.count; ++k) {
     const po_track_point *b = &s.point[k - 1], *a = &s.point[k], *to = &s.point[k + 2];
@@ -65,11 +66,11 @@ START_TEST(fronts_are_left_where_that_does) {
     if (!(way > 0.0))
       continue;
     po_prediction p;
-    const double reach = po_prediction_reach(&SCENE, root, a, b, way, ERROR, &p);
+    const double reach = po_prediction_reach(&SCENE, domain, a, b, way, ERROR, &p);
     ck_assert_double_gt(reach, 0.0);
     ck_assert_double_le(reach, way);
-    ck_assert_double_lt(po_front_strain(&p.fronts, p.shift), 0.5);
-    if (reach < way || p.fronts.count == a->fronts.count)
+    ck_assert_double_lt(po_edge_strain(&p.edges, p.shift), 0.5);
+    if (reach < way || p.edges.count == a->edges.count)
       continue;
     ck_assert_double_lt(po_prediction_error(&p, NULL, to), 10.0 * ERROR);
     ++left;
@@ -80,7 +81,7 @@ START_TEST(fronts_are_left_where_that_does) {
 }
 END_TEST
 
-/* Steps that go with the fronts of every ring from its birth are 133. */
+/* Steps that go with the contact edges of every ring from its birth are 133. */
 START_TEST(births_of_rings_take_few_steps) {
   steps s = {0};
   trace(&s);
@@ -91,7 +92,7 @@ START_TEST(births_of_rings_take_few_steps) {
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_test(tests, fronts_are_left_where_that_does);
+  tcase_add_test(tests, edges_are_left_where_that_does);
   tcase_add_test(tests, births_of_rings_take_few_steps);
 }
 

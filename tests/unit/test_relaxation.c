@@ -11,8 +11,8 @@
 
 #include "po_law.h"
 #include "po_linear.h"
-#include "po_outcome.h"
-#include "po_shape.h"
+#include "po_profile.h"
+#include "po_result.h"
 #include "run.h"
 
 enum { MOST_STEPS = 3000, MOST_NEWTON = 30 };
@@ -123,7 +123,7 @@ static relaxation begin(const po_request *request, po_surface *surface, double a
                   .law = calloc(n, sizeof(po_law)),
                   .pivots = calloc(n, sizeof(int))};
   for (size_t j = 0; j < n; ++j) {
-    r.shape[j] = po_shape(scene, surface->node[j]);
+    r.shape[j] = po_profile(scene, surface->node[j]);
     r.gap[j] = r.shape[j] - approach;
   }
   return r;
@@ -152,7 +152,7 @@ START_TEST(relaxation_lands_where_the_path_does) {
   request.mesh = (po_mesh){PO_TRIANGLE, PO_UNIFORM, 141, 0.0};
   request.want = PO_WANT_HYSTERESIS;
   request.preload.approach = LOOPS[_i].preload;
-  po_outcome o;
+  po_result o;
   po_surface *surface = NULL;
   po_linear_single_thread();
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
@@ -172,7 +172,7 @@ START_TEST(relaxation_lands_where_the_path_does) {
   ck_assert_uint_eq(r.backwards, 0); /* in loading gaps only close, in unloading they only open */
   end(&r);
   po_surface_destroy(surface);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 

@@ -4,8 +4,8 @@
 
 #include "po_bradley.h"
 #include "po_law.h"
+#include "po_profile.h"
 #include "po_scene.h"
-#include "po_shape.h"
 #include "run.h"
 
 START_TEST(groups_of_the_paper) {
@@ -43,12 +43,12 @@ END_TEST
 START_TEST(shape_is_eq_2) {
   const po_scene scene = {1.0, 0.7, 13.0, 91.0, INFINITY};
   const double r = 2.385;
-  ck_assert_double_eq_tol(po_shape(&scene, r),
+  ck_assert_double_eq_tol(po_profile(&scene, r),
                           r * r / 182.0 + 0.7 * (1.0 - cos(2.0 * M_PI * r / 13.0)), 1e-15);
-  ck_assert_double_eq_tol(po_shape_mean(&scene, r), r * r / 182.0 + 0.7, 1e-15);
+  ck_assert_double_eq_tol(po_profile_mean(&scene, r), r * r / 182.0 + 0.7, 1e-15);
   /* no cancelling near the axis: f ~ r^2 (1/(2R) + 2 pi^2 A / lambda^2) */
   const double tiny = 1e-9, curvature = 1.0 / 182.0 + 2.0 * M_PI * M_PI * 0.7 / 169.0;
-  ck_assert_double_eq_tol(po_shape(&scene, tiny) / (tiny * tiny * curvature), 1.0, 1e-14);
+  ck_assert_double_eq_tol(po_profile(&scene, tiny) / (tiny * tiny * curvature), 1.0, 1e-14);
 }
 END_TEST
 

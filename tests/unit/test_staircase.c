@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "po_outcome.h"
+#include "po_result.h"
 #include "po_staircase.h"
 #include "request.h"
 #include "run.h"
@@ -146,7 +146,7 @@ static const po_scene SCENES[] = {{3.0, 10.15, 50.0, 50.0, INFINITY},
 
 /* The loop of a separate solve, in one control. */
 static po_path_state pulled(po_request request, po_control control, double preload) {
-  po_outcome o;
+  po_result o;
   request.want = PO_WANT_HYSTERESIS;
   request.preload =
       control == PO_LOAD_CONTROL ? (po_preload){NAN, preload} : (po_preload){preload, NAN};
@@ -157,7 +157,7 @@ static po_path_state pulled(po_request request, po_control control, double prelo
     pull_off = o.hysteresis.load.pull_off;
     ck_assert_double_ge(o.hysteresis.load.preload.load, preload - 1e-9);
   }
-  po_outcome_clear(&o);
+  po_result_clear(&o);
   return pull_off;
 }
 
@@ -169,7 +169,7 @@ START_TEST(steps_are_those_of_separate_loops) {
   request.want = PO_WANT_PRELOAD;
   request.bound = always;
   request.preload.load = 4.0;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert(o.has_staircases);
   const po_staircase *s = &o.staircase[0];
@@ -188,7 +188,7 @@ START_TEST(steps_are_those_of_separate_loops) {
       ck_assert_double_eq_tol(pulled(request, PO_DISPLACEMENT_CONTROL, at - near).load,
                               s->step[k - 1].pull_off.load, error);
   }
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -201,7 +201,7 @@ START_TEST(what_decides_the_pull_off) {
   request.want = PO_WANT_PRELOAD;
   request.bound = always;
   request.preload.load = 5.0;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   const po_staircase *s = &o.staircase[0];
   static const double STEPS[][3] = {
@@ -217,7 +217,7 @@ START_TEST(what_decides_the_pull_off) {
   ck_assert_double_eq(o.pull_off_any.pressed.approach, s->step[2].preload.approach);
   /* the declared preload, 5, is beyond all of them */
   ck_assert_double_eq(o.pull_off.pressed.approach, s->step[2].preload.approach);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -229,7 +229,7 @@ START_TEST(a_search_does_not_change_the_pull_off) {
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-6};
   request.bound = never;
   request.search = SEARCH[_i];
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_double_eq_tol(o.pull_off.force, 0.197814606, 1e-7);
   ck_assert_double_eq_tol(o.pull_off.pressed.approach, -1.1110996, 1e-6);
@@ -242,7 +242,7 @@ START_TEST(a_search_does_not_change_the_pull_off) {
     ck_assert_double_eq_tol(o.pull_off_any.force, 14.40819, 1e-5);
     ck_assert_double_eq_tol(o.pull_off.until.approach, 20.5358, 1e-4);
   }
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -253,18 +253,18 @@ START_TEST(any_preload_gives_the_greatest) {
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
   request.preload.approach = INFINITY;
   request.bound = never;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_double_eq_tol(o.pull_off.force, 8.49669, 1e-4);
   ck_assert_double_eq_tol(o.pull_off_any.force, o.pull_off.force, 1e-9);
   ck_assert(!o.pull_off_any.complete);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
   request.bound = always;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_int_eq(o.ended.cause, PO_END_COMPLETE);
   ck_assert(o.pull_off_any.complete);
   ck_assert_double_lt(o.ended.load, 3.0); /* it is believed */
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -277,12 +277,12 @@ START_TEST(a_cut_surface_in_contact_is_complete) {
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
   request.bound = never;
   request.search = SEARCH[_i];
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_int_eq(o.ended.cause, PO_END_COMPLETE);
   ck_assert(o.pull_off_any.complete);
   ck_assert_double_eq_tol(o.pull_off.force, 0.709603, 1e-5);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 

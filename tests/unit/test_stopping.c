@@ -5,7 +5,7 @@
 
 #include "po_clock.h"
 #include "po_diagnose.h"
-#include "po_outcome.h"
+#include "po_result.h"
 #include "request.h"
 #include "run.h"
 
@@ -15,7 +15,7 @@ START_TEST(pull_off_is_behind_when_the_trace_ends) {
   static const double SCENES[][3] = {{2.385, 0.0, 0.0}, {3.0, 1.0, 20.0}, {1.0, 3.0, 12.0},
                                      {0.3, 6.0, 25.0},  {2.0, 0.1, 30.0}, {3.0, 0.5, 7.0}};
   po_request request = request_of(SCENES[_i][0], SCENES[_i][1], SCENES[_i][2], 90.0);
-  po_outcome near, far;
+  po_result near, far;
   ck_assert_int_eq(po_observe(&request, &near), PO_OK);
   request.approach_end =
       near.ended.approach + 2.0 * fabs(near.ended.approach - near.pull_off.approach);
@@ -23,8 +23,8 @@ START_TEST(pull_off_is_behind_when_the_trace_ends) {
   ck_assert_double_gt(far.ended.approach, near.ended.approach);
   ck_assert_double_eq_tol(near.pull_off.force, far.pull_off.force, 1e-9);
   ck_assert_double_eq_tol(near.pull_off.approach, far.pull_off.approach, 1e-5);
-  po_outcome_clear(&near);
-  po_outcome_clear(&far);
+  po_result_clear(&near);
+  po_result_clear(&far);
 }
 END_TEST
 
@@ -37,12 +37,12 @@ START_TEST(a_closed_trough_pulls_deeper) {
   static const double PRELOADS[] = {1.0, 3.0, 30.0};
   double force[3];
   for (int k = 0; k < 3; ++k) {
-    po_outcome o;
+    po_result o;
     request.preload.load = PRELOADS[k];
     ck_assert_int_eq(po_observe(&request, &o), PO_OK);
     force[k] = o.pull_off.force;
     ck_assert_double_lt(o.pull_off.pressed.load, PRELOADS[k]);
-    po_outcome_clear(&o);
+    po_result_clear(&o);
   }
   ck_assert_double_lt(force[0], 0.9 * force[2]);
   ck_assert_double_gt(force[2], 6.8);
@@ -57,7 +57,7 @@ START_TEST(trace_ends_at_the_preload) {
   po_request request = request_of(SCENES[_i][0], SCENES[_i][1], SCENES[_i][2], INFINITY);
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
   request.want = PO_WANT_CURVE;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   double approach = -INFINITY;
   for (size_t k = 0; k < o.curve_count; ++k) {
@@ -69,11 +69,11 @@ START_TEST(trace_ends_at_the_preload) {
   }
   ck_assert_double_eq(approach, o.ended.approach);
   request.preload.approach = o.ended.approach - 0.5;
-  po_outcome_clear(&o);
+  po_result_clear(&o);
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_double_eq_tol(o.ended.approach, request.preload.approach, 1e-9);
   ck_assert_int_eq(o.ended.cause, PO_END_PRELOAD);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -85,10 +85,10 @@ START_TEST(a_preload_just_before_a_fold_is_met_there) {
   request.scene.radius = 60.0;
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-6};
   request.preload.approach = PRELOADS[_i];
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_double_eq_tol(o.pull_off.force, _i < 3 ? 0.1199725 : 2.4783687, 1e-6);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -98,16 +98,16 @@ START_TEST(an_end_far_out_is_met) {
   po_request request = request_of(TABOR[_i], 0.0, 0.0, INFINITY);
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
   request.approach_end = -20.0;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_double_eq_tol(o.ended.approach, -20.0, 1e-9);
   ck_assert(!o.has_pull_off);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
   request.approach_end = NAN;
   request.preload.approach = -20.0;
   ck_assert_int_eq(po_observe(&request, &o), PO_NOT_FOUND);
   ck_assert_double_eq_tol(o.ended.approach, -20.0, 1e-9);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -119,10 +119,10 @@ START_TEST(a_preload_beyond_the_end_is_refused) {
   request.preload.approach = 0.7;
   ck_assert_int_eq(po_request_check(&request), PO_BAD_INPUT);
   request.preload = (po_preload){NAN, 7.0};
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_NOT_FOUND);
   ck_assert_ptr_nonnull(strstr(o.reason, "before the load 7 is met"));
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -131,10 +131,10 @@ START_TEST(a_preload_below_the_first_contact_is_said) {
   po_request request = request_of(2.385, 1.0, 20.0, INFINITY);
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
   request.preload.approach = -9.0;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_NOT_FOUND);
   ck_assert_ptr_nonnull(strstr(o.reason, "the load has no minimum up to the preload, approach -9"));
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -145,12 +145,12 @@ START_TEST(time_limit_ends_a_solve) {
   po_request request = request_of(TABOR[_i / 3], 0.0, 0.0, INFINITY);
   request.mesh.scheme = SCHEMES[_i % 3];
   request.time_limit = 1e-9;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OUT_OF_TIME);
   ck_assert_uint_le(o.work.points, 1);
   ck_assert_ptr_nonnull(
       strstr(o.reason, "after 1e-09 s of processor time the trace is at approach -"));
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -160,17 +160,17 @@ START_TEST(time_limit_ends_a_search_without_failure) {
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
   request.preload.approach = -1.0;
   request.search = PO_SEARCH_SOME;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   const double long_search = o.ended.approach, force = o.pull_off.force;
-  po_outcome_clear(&o);
+  po_result_clear(&o);
   for (request.time_limit = 1e-3;; request.time_limit *= 1.5) {
     const po_status status = po_observe(&request, &o);
     const po_end_cause cause = o.ended.cause;
     if (!status)
       ck_assert_double_eq(o.pull_off.force, force);
     const double ended = o.ended.approach;
-    po_outcome_clear(&o);
+    po_result_clear(&o);
     if (status) {
       ck_assert_int_eq(status, PO_OUT_OF_TIME); /* before the preload */
     } else {
@@ -186,14 +186,14 @@ END_TEST
 START_TEST(time_limit_not_reached_changes_nothing) {
   po_request request = request_of(2.385, 0.0, 0.0, INFINITY);
   request.mesh.nodes = 101;
-  po_outcome free_of, limited;
+  po_result free_of, limited;
   ck_assert_int_eq(po_observe(&request, &free_of), PO_OK);
   request.time_limit = 1e6;
   ck_assert_int_eq(po_observe(&request, &limited), PO_OK);
   ck_assert(limited.pull_off.force == free_of.pull_off.force);
   ck_assert_uint_eq(limited.work.newton_iterations, free_of.work.newton_iterations);
-  po_outcome_clear(&free_of);
-  po_outcome_clear(&limited);
+  po_result_clear(&free_of);
+  po_result_clear(&limited);
 }
 END_TEST
 
@@ -210,7 +210,7 @@ END_TEST
 START_TEST(time_limit_bounds_the_diagnostics) {
   po_request request = request_of(2.385, 0.0, 0.0, INFINITY);
   request.mesh.nodes = 101;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   request.want = PO_WANT_DIAGNOSTICS;
   request.time_limit = 1e6;
@@ -223,7 +223,7 @@ START_TEST(time_limit_bounds_the_diagnostics) {
   ck_assert_int_eq(po_diagnose_moved(&request, later, &o), PO_OK);
   ck_assert_uint_eq(o.diagnostics.moved.solves, 4);
   ck_assert_uint_eq(o.diagnostics.moved.failed, 0);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -231,10 +231,10 @@ START_TEST(stop_ends_a_solve) {
   volatile sig_atomic_t stop = 1;
   po_request request = request_of(1.0, 0.0, 0.0, INFINITY);
   request.stop = &stop;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_INTERRUPTED);
   ck_assert_ptr_nonnull(strstr(o.reason, "interrupted"));
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -244,7 +244,7 @@ END_TEST
  * contact; triangles and panels agree on what is found. */
 START_TEST(a_cut_surface_is_traced_until_all_of_it_is_in_contact) {
   po_request request = request_of(4.0, 0.4, 10.0, 30.0);
-  po_outcome triangles, panels;
+  po_result triangles, panels;
   request.mesh.nodes = 401;
   ck_assert_int_eq(po_observe(&request, &triangles), PO_OK);
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-6};
@@ -260,12 +260,12 @@ START_TEST(a_cut_surface_is_traced_until_all_of_it_is_in_contact) {
   ck_assert_double_eq(panels.ended.approach, last->approach);
   ck_assert_double_eq(panels.ended.load, last->load);
   ck_assert_double_gt(last->load, 1.0);
-  po_outcome_clear(&triangles);
-  po_outcome_clear(&panels);
+  po_result_clear(&triangles);
+  po_result_clear(&panels);
 }
 END_TEST
 
-/* Every outcome says why its trace ended, and where. */
+/* Every result says why its trace ended, and where. */
 START_TEST(the_end_of_a_trace_has_its_cause) {
   static const struct {
     double tabor, amplitude, end;
@@ -276,7 +276,7 @@ START_TEST(the_end_of_a_trace_has_its_cause) {
   po_request request = request_of(ENDS[_i].tabor, ENDS[_i].amplitude, 7.0, INFINITY);
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
   request.approach_end = ENDS[_i].end;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_str_eq(po_end_cause_name(o.ended.cause), po_end_cause_name(ENDS[_i].cause));
   if (ENDS[_i].cause == PO_END_ASKED)
@@ -288,7 +288,7 @@ START_TEST(the_end_of_a_trace_has_its_cause) {
   po_end_cause read;
   ck_assert(po_end_cause_find(po_end_cause_name(o.ended.cause), &read));
   ck_assert_int_eq(read, o.ended.cause);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 

@@ -31,7 +31,7 @@ def row_of(case, point):
             "condition": pull_off[0]["condition"] if pull_off else None,
             "bordered": greatest(state["bordered_condition"] for state in state_at(found, "fold")),
             "kept": moved.get("digits_kept"), "predicted": moved.get("digits_predicted"),
-            "energy": found.get("energy_defect"), "back": found.get("way_back"),
+            "energy": found.get("energy_defect"), "back": found.get("reverse_trace"),
             "passing": sum(check["verdict"] in PASSING for check in judged), "judged": len(judged),
             "failing": [check for check in judged if check["verdict"] not in PASSING]}
 

@@ -1,27 +1,28 @@
-/* The branch followed back from its end: the landmarks met on the way must be those of the way out
- * in the other order. Steps and meshes are others, so that one of the two that went past a fold, or
- * onto another branch, gives itself away. */
-#ifndef PO_WAY_BACK_H
-#define PO_WAY_BACK_H
+/* The branch followed back from its end: the special points met on the way must be those of the way
+ * out in the other order. Steps and meshes are others, so that one of the two that went past a
+ * fold, or onto another branch, gives itself away. */
+#ifndef PO_REVERSE_TRACE_H
+#define PO_REVERSE_TRACE_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
 #include "po_branch.h"
 
-/* What the way back came to. */
+/* What the reverse trace came to. */
 typedef struct {
   bool made;             /* on panels alone */
   po_status status;      /* of that trace */
   char reason[256];      /* why it is not PO_OK */
-  size_t points;         /* steps and landmarks visited */
+  size_t points;         /* steps and special points visited */
   size_t folds, extrema; /* met */
-  bool same;             /* the landmarks of the way out, each kind and number of unstable modes */
-  /* largest differences between the ways, eps and pi w R, 0 without landmarks; NAN: not the same */
+  bool same; /* the special points of the way out, each kind and number of unstable modes */
+  /* largest differences between the ways, eps and pi w R, 0 without special points; NAN: not the
+   * same */
   double fold_approach, fold_load, extremum_approach, extremum_load;
   double
       excess; /* the largest of a fold, in parts of the sum of both error estimates; 0, NAN alike */
-} po_way_back;
+} po_reverse_trace;
 
 typedef struct {
   po_point_kind kind;
@@ -29,7 +30,7 @@ typedef struct {
   int modes; /* unstable, on the side farther along the way out */
 } po_passed;
 
-/* Landmarks as they are passed. */
+/* Special points as they are passed. */
 typedef struct {
   po_passed *list;
   size_t count, room;
@@ -43,6 +44,7 @@ po_status po_passage_note(po_passage *passage, const po_branch_point *point, dou
 void po_passage_clear(po_passage *passage);
 
 /* Compares the ways out and back, when the trace of the latter had a status. */
-po_way_back po_way_back_compare(const po_passage *out, const po_passage *back, po_status status);
+po_reverse_trace po_reverse_trace_compare(const po_passage *out, const po_passage *back,
+                                          po_status status);
 
 #endif

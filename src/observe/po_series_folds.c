@@ -1,4 +1,4 @@
-#include "po_line_folds.h"
+#include "po_series_folds.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -6,9 +6,9 @@
 
 #include "po_clock.h"
 #include "po_contact.h"
-#include "po_line_scenes.h"
 #include "po_memory.h"
 #include "po_observe_parts.h"
+#include "po_series_scenes.h"
 
 /* Folds of a trace, as they are on its panels. */
 typedef struct {
@@ -50,14 +50,15 @@ static bool keep(void *data, const po_branch_point *p, double margin) {
   return true;
 }
 
-/* The landmark where the follower is. Returned: false when the end of the surface cuts it off. */
-static bool take(po_follower *follower, const po_request *request, po_landmark *fold) {
-  const double root = po_follow_root(follower);
+/* The special point where the follower is. Returned: false when the end of the surface cuts it off.
+ */
+static bool take(po_follower *follower, const po_request *request, po_special_point *fold) {
+  const double domain = po_follow_domain(follower);
   po_branch_point p = po_follow_point(follower, false);
-  if (po_line_is_cut_off(request, root, &p))
+  if (po_series_is_cut_off(request, domain, &p))
     return false;
   p = po_follow_point(follower, true);
-  const po_estimate e = po_estimate_of(request, root, &p);
+  const po_estimate e = po_estimate_of(request, domain, &p);
   fold->approach = e.approach;
   fold->load = e.load;
   fold->approach_error = e.approach_error;
@@ -69,28 +70,28 @@ static bool take(po_follower *follower, const po_request *request, po_landmark *
 }
 
 /* From this scene on it is not known whether the fold exists. */
-static void fail_from(const po_line_scenes *l, size_t first, po_status status) {
+static void fail_from(const po_series_scenes *l, size_t first, po_status status) {
   for (size_t k = first; k < l->count; ++k) {
-    po_outcome *o = &l->outcomes[k];
+    po_result *o = &l->results[k];
     o->status = status;
     snprintf(o->reason, sizeof o->reason, "%s", po_message());
   }
 }
 
 /* Follows one fold as far as it is there. Status: PO_INTERRUPTED, PO_NO_MEMORY. */
-static po_status follow(const po_line_scenes *l, po_follower *follower, const po_track_point *point,
-                        size_t place, po_line_work *before) {
+static po_status follow(const po_series_scenes *l, po_follower *follower,
+                        const po_track_point *point, size_t place, po_series_work *before) {
   po_status status = po_follow_begin(follower, point, PO_OF_APPROACH, 0.0);
   for (size_t k = 1; k < l->count && !status; ++k) {
     const po_request *request = &l->requests[k];
-    po_outcome *o = &l->outcomes[k];
+    po_result *o = &l->results[k];
     if (request->stop && *request->stop)
       return po_fail(PO_INTERRUPTED, "interrupted on a line");
     const double start = po_clock_wall();
-    status = po_follow_to(follower, (double)k, po_line_deadline(request));
+    status = po_follow_to(follower, (double)k, po_series_deadline(request));
     if (!status && !take(follower, request, &o->folds[place]))
       status = PO_NOT_FOUND;
-    po_line_add_work(follower, po_clock_wall() - start, before, &o->work);
+    po_series_add_work(follower, po_clock_wall() - start, before, &o->work);
     if (status == PO_OUT_OF_TIME)
       fail_from(l, k, status);
   }
@@ -99,21 +100,21 @@ static po_status follow(const po_line_scenes *l, po_follower *follower, const po
 }
 
 /* Room for the folds of the first scene in all others, none of them there yet. */
-static po_status make_room(const po_line_scenes *l) {
-  const po_outcome *first = &l->outcomes[0];
+static po_status make_room(const po_series_scenes *l) {
+  const po_result *first = &l->results[0];
   for (size_t k = 1; k < l->count; ++k) {
-    po_outcome *o = &l->outcomes[k];
+    po_result *o = &l->results[k];
     o->followed = true;
     o->folds = po_allocate(first->fold_count, sizeof *o->folds);
     if (!o->folds)
       return PO_NO_MEMORY;
     o->fold_count = first->fold_count;
     for (size_t j = 0; j < first->fold_count; ++j) {
-      o->folds[j] = (po_landmark){.kind = first->folds[j].kind,
-                                  .unstable_modes = first->folds[j].unstable_modes,
-                                  .contact_radius = NAN,
-                                  .contact_radius_error = NAN,
-                                  .contact_radius_other = NAN};
+      o->folds[j] = (po_special_point){.kind = first->folds[j].kind,
+                                       .unstable_modes = first->folds[j].unstable_modes,
+                                       .contact_radius = NAN,
+                                       .contact_radius_error = NAN,
+                                       .contact_radius_other = NAN};
       o->folds[j].approach = o->folds[j].load = o->folds[j].energy = o->folds[j].position = NAN;
       o->folds[j].approach_error = o->folds[j].load_error = NAN;
     }
@@ -121,35 +122,35 @@ static po_status make_room(const po_line_scenes *l) {
   return PO_OK;
 }
 
-static po_status follow_all(const po_line_scenes *l, const folds *f) {
+static po_status follow_all(const po_series_scenes *l, const folds *f) {
   po_follower *follower = NULL;
-  po_line_work before = {0};
+  po_series_work before = {0};
   po_status status = make_room(l);
   if (!status)
-    status = po_line_follower(l, 0, l->count - 1, f->tolerance, &follower);
+    status = po_series_follower(l, 0, l->count - 1, f->tolerance, &follower);
   for (size_t j = 0; j < f->count && !status; ++j)
     status = follow(l, follower, &f->point[j], j, &before);
   po_follow_destroy(follower);
   return status;
 }
 
-po_status po_line_folds(const po_request *requests, size_t count, po_outcome *outcomes) {
-  const po_line_scenes l = {requests, outcomes, count};
+po_status po_series_folds(const po_request *requests, size_t count, po_result *results) {
+  const po_series_scenes l = {requests, results, count};
   for (size_t k = 0; k < count; ++k)
-    outcomes[k] = po_outcome_none();
+    results[k] = po_result_none();
   for (size_t k = 0; k + 1 < count; ++k)
-    if (!po_line_alike(&requests[k], &requests[k + 1]))
+    if (!po_series_alike(&requests[k], &requests[k + 1]))
       return po_fail(PO_BAD_INPUT,
                      "folds are not followed from scene %zu to the next: expected both "
                      "wavy or both smooth, both unbounded or both not",
                      k + 1);
   folds f = {0};
   const po_keeper keeper = {begin, keep, &f, false};
-  po_status status = po_observe_kept(&requests[0], &keeper, &outcomes[0]);
+  po_status status = po_observe_kept(&requests[0], &keeper, &results[0]);
   if (status != PO_NO_MEMORY && status != PO_INTERRUPTED)
     status = PO_OK;
   /* of a rigid scene, or of one that begins late, there are other folds than were kept */
-  if (!status && !outcomes[0].status && f.count == outcomes[0].fold_count)
+  if (!status && !results[0].status && f.count == results[0].fold_count)
     status = follow_all(&l, &f);
   forget(&f);
   free(f.point);

@@ -1,4 +1,4 @@
-#include "po_line_scenes.h"
+#include "po_series_scenes.h"
 
 #include <math.h>
 
@@ -13,7 +13,7 @@ static double between(double a, double b, double part) {
 }
 
 static void scene_at(void *data, double at, po_scene *scene) {
-  const po_line_scenes *l = data;
+  const po_series_scenes *l = data;
   const size_t k = (size_t)fmin(floor(at), (double)(l->count - 1));
   const double part = at - (double)k;
   *scene = l->requests[k].scene;
@@ -27,15 +27,15 @@ static void scene_at(void *data, double at, po_scene *scene) {
   scene->outer_radius = between(a->outer_radius, b->outer_radius, part);
 }
 
-static double root_of(const po_scene *scene) {
-  return po_observe_root(scene, po_surface_core(scene, NAN));
+static double domain_of(const po_scene *scene) {
+  return po_observe_domain(scene, po_surface_core(scene, NAN));
 }
 
 static bool is_same(double a, double b) {
   return a == b || (isnan(a) && isnan(b));
 }
 
-bool po_line_alike(const po_request *a, const po_request *b) {
+bool po_series_alike(const po_request *a, const po_request *b) {
   return a->mesh.scheme == PO_PANEL && b->mesh.scheme == PO_PANEL && !a->want && !b->want &&
          a->mesh.tolerance == b->mesh.tolerance && isnan(a->approach_end) &&
          isnan(b->approach_end) && is_same(a->preload.approach, b->preload.approach) &&
@@ -44,12 +44,12 @@ bool po_line_alike(const po_request *a, const po_request *b) {
          isinf(a->scene.outer_radius) == isinf(b->scene.outer_radius);
 }
 
-po_status po_line_follower(const po_line_scenes *l, size_t first, size_t last, double tolerance,
-                           po_follower **follower) {
+po_status po_series_follower(const po_series_scenes *l, size_t first, size_t last, double tolerance,
+                             po_follower **follower) {
   const po_allowance one = po_observe_allowance(&l->requests[first], tolerance),
                      other = po_observe_allowance(&l->requests[last], tolerance);
   const po_follow_options options = {scene_at,
-                                     root_of,
+                                     domain_of,
                                      (void *)l,
                                      one.gap < other.gap ? one : other,
                                      po_observe_precision(tolerance),
@@ -57,17 +57,18 @@ po_status po_line_follower(const po_line_scenes *l, size_t first, size_t last, d
   return po_follow_create(&options, (double)first, follower);
 }
 
-bool po_line_is_cut_off(const po_request *request, double root, const po_branch_point *landmark) {
-  const po_contact_gap gap = po_contact_gap_of(&request->scene, root, landmark);
-  return po_observe_is_cut_off(&request->scene, po_contact_radius(&gap), root);
+bool po_series_is_cut_off(const po_request *request, double domain,
+                          const po_branch_point *special) {
+  const po_contact_gap gap = po_contact_gap_of(&request->scene, domain, special);
+  return po_observe_is_cut_off(&request->scene, po_contact_radius(&gap), domain);
 }
 
-double po_line_deadline(const po_request *request) {
+double po_series_deadline(const po_request *request) {
   return isnan(request->time_limit) ? INFINITY : po_clock_thread() + request->time_limit;
 }
 
-void po_line_add_work(const po_follower *follower, double seconds, po_line_work *before,
-                      po_work *work) {
+void po_series_add_work(const po_follower *follower, double seconds, po_series_work *before,
+                        po_work *work) {
   uint64_t kernel;
   const po_solve_work now = po_follow_work(follower, &kernel);
   work->points += now.points - before->work.points;

@@ -1,17 +1,17 @@
 /* The undeformed gap of Eq 2, in units of epsilon. */
-#ifndef PO_SHAPE_H
-#define PO_SHAPE_H
+#ifndef PO_PROFILE_H
+#define PO_PROFILE_H
 
 #include "po_scene.h"
 
 /* f(r) = r^2/(2R) + A (1 - cos(2 pi r / lambda)), Eq 2. Given: r in eps. Returned: eps. */
-double po_shape(const po_scene *scene, double r);
+double po_profile(const po_scene *scene, double r);
 
 /* df/dr. */
-double po_shape_slope(const po_scene *scene, double r);
+double po_profile_slope(const po_scene *scene, double r);
 
 /* f(r) with the waviness replaced by its mean over one wavelength: r^2/(2R) + A. */
-double po_shape_mean(const po_scene *scene, double r);
+double po_profile_mean(const po_scene *scene, double r);
 
 /* The first radius >= r (eps) at which averaging over whole waves may begin: a multiple of half the
  * wavelength, where the first harmonic's sine vanishes; r itself when smooth. */

@@ -1,6 +1,6 @@
 /* One scene, solved: what is asked, and what was read off the branch. */
-#ifndef PO_OUTCOME_H
-#define PO_OUTCOME_H
+#ifndef PO_RESULT_H
+#define PO_RESULT_H
 
 #include <signal.h>
 #include <stdbool.h>
@@ -54,19 +54,19 @@ enum { PO_WANT_COUNT = 5 };
 /* "curve", "profile", "hysteresis", "diagnostics", "preload": the name of want 1 << k. */
 const char *po_want_name(int k);
 
-/* Kinds of landmark: the folds in approach and the extrema of the load along the branch. */
+/* Kinds of special point: the folds in approach and the extrema of the load along the branch. */
 typedef enum {
   PO_JUMP_IN,  /* fold: approach has a local maximum along the branch, the surfaces jump closer */
   PO_JUMP_OUT, /* fold: approach has a local minimum along the branch, the surfaces jump apart */
   PO_MINIMUM,  /* the load has a local minimum (a pull-off candidate) */
   PO_MAXIMUM,  /* the load has a local maximum */
-} po_landmark_kind;
+} po_special_kind;
 
 /* "jump_in", "jump_out", "minimum", "maximum". */
-const char *po_landmark_kind_name(po_landmark_kind kind);
+const char *po_special_kind_name(po_special_kind kind);
 
 typedef struct {
-  po_landmark_kind kind;
+  po_special_kind kind;
   double approach;       /* Delta / eps */
   double load;           /* W / (pi w R), signed, > 0 compressive */
   double energy;         /* U / (pi w R eps), see po_curve_point */
@@ -74,9 +74,9 @@ typedef struct {
   double load_error;
   double contact_radius;                             /* in eps, see po_contact.h */
   double contact_radius_error, contact_radius_other; /* see po_contact_edge; NAN: not, none */
-  double position;    /* arclength along the branch, to order landmarks among points */
+  double position;    /* arclength along the branch, to order special points among points */
   int unstable_modes; /* of the equilibria just after it, in displacement control */
-} po_landmark;
+} po_special_point;
 
 typedef struct {
   double position; /* arclength along the branch */
@@ -133,7 +133,7 @@ typedef struct {
   po_status status; /* PO_OK: complete; else the results below are those found until then */
   char reason[256]; /* why the status is not PO_OK; "" otherwise */
   bool rigid;       /* solved without elasticity */
-  bool followed;    /* the pull-off alone, continued from other scenes, see po_line.h */
+  bool followed;    /* the pull-off alone, continued from other scenes, see po_series.h */
   double start;     /* first approach traced, in eps */
   struct {
     po_end_cause cause;
@@ -158,11 +158,11 @@ typedef struct {
     bool complete;                   /* no harder preload gives more */
     po_pressed searched;             /* else: the hardest preload looked at */
   } pull_off_any;
-  po_landmark *folds; /* along the branch */
+  po_special_point *folds; /* along the branch */
   size_t fold_count;
-  po_landmark *extrema; /* along the branch */
+  po_special_point *extrema; /* along the branch */
   size_t extremum_count;
-  po_curve_point *curve; /* along the branch, landmarks included; NULL unless wanted */
+  po_curve_point *curve; /* along the branch, special points included; NULL unless wanted */
   size_t curve_count;
   po_profile_point *profile; /* NULL unless wanted */
   size_t profile_count;
@@ -174,7 +174,7 @@ typedef struct {
   po_staircase staircase[2];  /* in displacement and in load control */
   po_diagnostics diagnostics; /* states is NULL unless wanted */
   po_work work;
-} po_outcome;
+} po_result;
 
 /* A request with every field at its default (po_scene_default, po_mesh_default, the rest NAN or 0).
  */
@@ -192,17 +192,17 @@ po_search po_request_search(const po_request *request);
 po_status po_request_check(const po_request *request);
 
 /* Traces the branch of a scene and reads off what the request wants.
- * Given: a request. Returned: an outcome, to be given to po_outcome_clear whatever the status.
- * Status: that of the outcome: PO_OK; PO_STEP_TOO_SMALL, PO_TOO_MANY_POINTS, PO_NOT_CONVERGED,
+ * Given: a request. Returned: a result, to be given to po_result_clear whatever the status.
+ * Status: that of the result: PO_OK; PO_STEP_TOO_SMALL, PO_TOO_MANY_POINTS, PO_NOT_CONVERGED,
  * PO_INTERRUPTED, PO_OUT_OF_TIME (with reason, and with what was found until then); PO_BAD_INPUT,
  * PO_NO_MEMORY. The time limit is looked at after every converged point of the branch: a solve may
  * exceed it by the time of one such step. */
-po_status po_observe(const po_request *request, po_outcome *outcome);
+po_status po_observe(const po_request *request, po_result *result);
 
-/* An outcome of which nothing is known. */
-po_outcome po_outcome_none(void);
+/* A result of which nothing is known. */
+po_result po_result_none(void);
 
-/* Frees the arrays of an outcome, of which nothing is known then. */
-void po_outcome_clear(po_outcome *outcome);
+/* Frees the arrays of a result, of which nothing is known then. */
+void po_result_clear(po_result *result);
 
 #endif

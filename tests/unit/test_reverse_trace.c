@@ -2,7 +2,7 @@
  * not. */
 #include <math.h>
 
-#include "po_outcome.h"
+#include "po_result.h"
 #include "run.h"
 
 typedef struct {
@@ -23,18 +23,18 @@ static const expected SCENES[] = {
     {{1.78343, 3.51838, 4.03854, 60.7776, INFINITY}, 5.2, 2, 9},
 };
 
-START_TEST(the_same_folds_on_the_way_back) {
+START_TEST(the_same_folds_on_the_reverse_trace) {
   const expected *known = &SCENES[_i];
   po_request request = po_request_default();
   request.scene = known->scene;
   request.preload.approach = known->preload;
   request.mesh.scheme = PO_PANEL;
   request.mesh.tolerance = 1e-6;
-  po_outcome plain, o;
+  po_result plain, o;
   ck_assert_int_eq(po_observe(&request, &plain), PO_OK);
   request.want = PO_WANT_DIAGNOSTICS;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
-  const po_way_back *way = &o.diagnostics.way_back;
+  const po_reverse_trace *way = &o.diagnostics.reverse_trace;
   ck_assert(way->made && way->same);
   ck_assert_int_eq(way->status, PO_OK);
   ck_assert_uint_eq(o.fold_count, known->folds);
@@ -52,8 +52,8 @@ START_TEST(the_same_folds_on_the_way_back) {
   ck_assert_double_eq(o.pull_off.force, plain.pull_off.force);
   ck_assert_uint_eq(o.work.factorizations, plain.work.factorizations);
   ck_assert_uint_eq(o.work.points, plain.work.points);
-  po_outcome_clear(&plain);
-  po_outcome_clear(&o);
+  po_result_clear(&plain);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -65,12 +65,12 @@ START_TEST(extrema_just_before_an_annulus_forms) {
   request.mesh.scheme = PO_PANEL;
   request.mesh.tolerance = 1e-4;
   request.preload.approach = 4.6;
-  po_outcome o;
+  po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_uint_ge(o.extremum_count, 7);
   ck_assert_double_eq_tol(o.extrema[5].approach, 4.452258, 1e-5);
   ck_assert_double_eq_tol(o.extrema[6].approach, 4.505330, 1e-5);
-  po_outcome_clear(&o);
+  po_result_clear(&o);
 }
 END_TEST
 
@@ -84,11 +84,11 @@ static const po_branch_point OUT[] = {
 };
 enum { COUNT = sizeof OUT / sizeof *OUT };
 
-/* What a way back of these points, changed by some fault, is judged as; the trace ended with
+/* What a reverse trace of these points, changed by some fault, is judged as; the trace ended with
  * status.
  */
-static po_way_back judge(size_t missing, po_point_kind last, double off, int modes,
-                         po_status status) {
+static po_reverse_trace judge(size_t missing, po_point_kind last, double off, int modes,
+                              po_status status) {
   po_passage out = {0}, back = {0};
   for (size_t k = 0; k < COUNT; ++k)
     ck_assert_int_eq(po_passage_note(&out, &OUT[k], 2e-7, 3e-6, false), PO_OK);
@@ -103,14 +103,14 @@ static po_way_back judge(size_t missing, po_point_kind last, double off, int mod
     if (k != missing)
       ck_assert_int_eq(po_passage_note(&back, &p, 1e-7, 3e-6, true), PO_OK);
   }
-  const po_way_back way = po_way_back_compare(&out, &back, status);
+  const po_reverse_trace way = po_reverse_trace_compare(&out, &back, status);
   po_passage_clear(&out);
   po_passage_clear(&back);
   return way;
 }
 
 START_TEST(differences_are_in_parts_of_the_errors) {
-  const po_way_back way = judge(COUNT, PO_POINT_APPROACH_MAX, 4.5e-7, 0, PO_OK);
+  const po_reverse_trace way = judge(COUNT, PO_POINT_APPROACH_MAX, 4.5e-7, 0, PO_OK);
   ck_assert(way.same);
   ck_assert_uint_eq(way.folds, 2);
   ck_assert_uint_eq(way.extrema, 1);
@@ -120,8 +120,8 @@ START_TEST(differences_are_in_parts_of_the_errors) {
 }
 END_TEST
 
-START_TEST(other_landmarks_are_told) {
-  const po_way_back missing = judge(1, PO_POINT_APPROACH_MAX, 0.0, 0, PO_OK);
+START_TEST(other_special_points_are_told) {
+  const po_reverse_trace missing = judge(1, PO_POINT_APPROACH_MAX, 0.0, 0, PO_OK);
   ck_assert(!missing.same && isnan(missing.excess));
   ck_assert_uint_eq(missing.folds, 1);
   ck_assert(!judge(2, PO_POINT_APPROACH_MAX, 0.0, 0, PO_OK).same);
@@ -132,12 +132,13 @@ START_TEST(other_landmarks_are_told) {
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_loop_test(tests, the_same_folds_on_the_way_back, 0, sizeof SCENES / sizeof *SCENES);
+  tcase_add_loop_test(tests, the_same_folds_on_the_reverse_trace, 0,
+                      sizeof SCENES / sizeof *SCENES);
   tcase_add_test(tests, extrema_just_before_an_annulus_forms);
   tcase_add_test(tests, differences_are_in_parts_of_the_errors);
-  tcase_add_test(tests, other_landmarks_are_told);
+  tcase_add_test(tests, other_special_points_are_told);
 }
 
 int main(void) {
-  return run_case("way_back", add);
+  return run_case("reverse_trace", add);
 }

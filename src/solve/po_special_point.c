@@ -1,4 +1,4 @@
-#include "po_landmark.h"
+#include "po_special_point.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -16,10 +16,10 @@ static const double SUSPECT = 0.4;
 
 /* Where a part of the contact is born or lost two extrema may be nearer to each other than steps
  * tell: that place is looked at so closely. With nothing of it a trace went over two extrema of the
- * load 0.07 eps apart, 0.023 along the gauge (tests/unit/test_way_back.c). */
+ * load 0.07 eps apart, 0.023 along the arclength functional (tests/unit/test_way_back.c). */
 static const double BIRTH_WAY = 0.02;
 /* The same for the two adjoining intervals: at mu = 1.57 two extrema of the load 0.053 eps
- * apart, within 0.034 along the gauge, lay just before an annulus formed
+ * apart, within 0.034 along the arclength functional, lay just before an annulus formed
  * (tests/unit/test_way_back.c). With 0.02 the trace of mu = 5, A = 10 takes 9 % more Newton
  * iterations and finds no other extrema. */
 static const double BESIDE_BIRTH_WAY = 0.03;
@@ -63,12 +63,12 @@ enum { NEITHER = 0, BEGINNING = 1, ENDING = 2 };
  * count: steps are short there anyway, and a smooth sphere of mu = 1 would take a tenth more Newton
  * iterations. */
 static bool changes_annuli(const po_sample *a, const po_sample *b) {
-  return a->fronts != b->fronts && a->fronts > 0 && b->fronts > 0;
+  return a->edges != b->edges && a->edges > 0 && b->edges > 0;
 }
 
 /* The largest length of an interval, by the contact annuli that form or vanish in or beside it. */
 static double longest_way(const po_sample *a, const po_sample *b, unsigned adjoins) {
-  if (a->fronts != b->fronts)
+  if (a->edges != b->edges)
     return BIRTH_WAY;
   return adjoins == NEITHER ? INFINITY : BESIDE_BIRTH_WAY;
 }

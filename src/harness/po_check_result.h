@@ -1,6 +1,6 @@
 /* What a check found. */
-#ifndef PO_RESULT_H
-#define PO_RESULT_H
+#ifndef PO_CHECK_RESULT_H
+#define PO_CHECK_RESULT_H
 
 #include <stdbool.h>
 
@@ -38,12 +38,12 @@ typedef struct {
   double approach, load; /* where on the curve; NAN: nowhere in particular */
   po_verdict verdict;
   char note[200];
-} po_result;
+} po_check_result;
 
 typedef struct {
-  po_result *items;
+  po_check_result *items;
   size_t count;
-} po_results;
+} po_check_results;
 
 /* "within", "outside", "no_result", "missing_reference", "improved", "regressed", "moved",
  * "wrong_and_frozen", "slack". */
@@ -54,15 +54,16 @@ const char *po_verdict_name(po_verdict verdict);
 bool po_verdict_passes(po_verdict verdict);
 
 /* The short name of the reference of a check: "reference/feng_pull_off.csv" -> "feng_pull_off". */
-void po_result_reference(const po_check *check, char name[64]);
+void po_check_result_reference(const po_check *check, char name[64]);
 
 /* Adds a result for one number, its verdict by the tolerance of the check; `name` is the quantity
  * in the results, `suffix` ends the id ("" or "jump_in-1"). Returned: the new item; NULL without
  * memory. */
-po_result *po_results_add(po_results *results, const po_case *kase, size_t point,
-                          const po_check *check, const char *name, const char *suffix,
-                          double obtained, po_reference_number expected);
+po_check_result *po_check_results_add(po_check_results *check_results, const po_case *kase,
+                                      size_t point, const po_check *check, const char *name,
+                                      const char *suffix, double obtained,
+                                      po_reference_number expected);
 
-void po_results_clear(po_results *results);
+void po_check_results_clear(po_check_results *check_results);
 
 #endif

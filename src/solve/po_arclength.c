@@ -1,4 +1,4 @@
-#include "po_gauge.h"
+#include "po_arclength.h"
 
 #include <math.h>
 
@@ -21,7 +21,8 @@ static size_t core_nodes(const po_equilibrium *e) {
   return n;
 }
 
-void po_gauge_values(const po_equilibrium *e, const double *state, double value[PO_GAUGE_SIZE]) {
+void po_arclength_values(const po_equilibrium *e, const double *state,
+                         double value[PO_ARCLENGTH_SIZE]) {
   double contact = 0.0;
   for (size_t j = core_nodes(e); j-- > 0;)
     contact += e->surface->length[j] / ((1.0 + state[j]) * (1.0 + state[j]));
@@ -30,8 +31,8 @@ void po_gauge_values(const po_equilibrium *e, const double *state, double value[
   value[2] = contact_weight(e) * contact;
 }
 
-void po_gauge_rates(const po_equilibrium *e, const double *state, const double *change,
-                    double rate[PO_GAUGE_SIZE]) {
+void po_arclength_rates(const po_equilibrium *e, const double *state, const double *change,
+                        double rate[PO_ARCLENGTH_SIZE]) {
   double contact = 0.0;
   for (size_t j = core_nodes(e); j-- > 0;) {
     const double h = 1.0 + state[j];
@@ -42,12 +43,13 @@ void po_gauge_rates(const po_equilibrium *e, const double *state, const double *
   rate[2] = contact_weight(e) * contact;
 }
 
-double po_gauge_along(const double direction[PO_GAUGE_SIZE], const double value[PO_GAUGE_SIZE]) {
+double po_arclength_along(const double direction[PO_ARCLENGTH_SIZE],
+                          const double value[PO_ARCLENGTH_SIZE]) {
   return direction[0] * value[0] + direction[1] * value[1] + direction[2] * value[2];
 }
 
-void po_gauge_border(const po_equilibrium *e, const double *state,
-                     const double direction[PO_GAUGE_SIZE], double *border) {
+void po_arclength_border(const po_equilibrium *e, const double *state,
+                         const double direction[PO_ARCLENGTH_SIZE], double *border) {
   const size_t core = core_nodes(e);
   for (size_t j = 0; j < e->n; ++j)
     border[j] = 2.0 / e->radius * direction[1] * e->surface->weight[j] * e->slope[j];

@@ -1,4 +1,4 @@
-#include "po_outcome.h"
+#include "po_result.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -36,24 +36,24 @@ static const char *const KINDS[] = {[PO_JUMP_IN] = "jump_in",
                                     [PO_MINIMUM] = "minimum",
                                     [PO_MAXIMUM] = "maximum"};
 
-const char *po_landmark_kind_name(po_landmark_kind kind) {
+const char *po_special_kind_name(po_special_kind kind) {
   return KINDS[kind];
 }
 
-po_outcome po_outcome_none(void) {
+po_result po_result_none(void) {
   const po_pressed unknown = {(double)NAN, (double)NAN};
-  return (po_outcome){.status = PO_OK,
-                      .start = NAN,
-                      .ended = {.approach = NAN, .load = NAN},
-                      .profile_approach = NAN,
-                      .pull_off = {.pressed = unknown, .until = unknown},
-                      .pull_off_any = {.pressed = unknown, .searched = unknown},
-                      .diagnostics = {.residual = NAN,
-                                      .rounding = NAN,
-                                      .energy_defect = NAN,
-                                      .energy_defect_at = NAN,
-                                      .way_back = {.excess = NAN},
-                                      .moved = {.change = NAN, .predicted = NAN}}};
+  return (po_result){.status = PO_OK,
+                     .start = NAN,
+                     .ended = {.approach = NAN, .load = NAN},
+                     .profile_approach = NAN,
+                     .pull_off = {.pressed = unknown, .until = unknown},
+                     .pull_off_any = {.pressed = unknown, .searched = unknown},
+                     .diagnostics = {.residual = NAN,
+                                     .rounding = NAN,
+                                     .energy_defect = NAN,
+                                     .energy_defect_at = NAN,
+                                     .reverse_trace = {.excess = NAN},
+                                     .moved = {.change = NAN, .predicted = NAN}}};
 }
 
 static void add_work(const po_work *more, po_work *work) {
@@ -68,21 +68,21 @@ static void add_work(const po_work *more, po_work *work) {
 }
 
 /* Whether the scheme says how far it errs, and for once cannot. */
-static bool is_unsure(const po_request *request, const po_outcome *outcome) {
-  return request->mesh.scheme == PO_PANEL && !outcome->rigid && outcome->has_pull_off &&
-         isnan(outcome->pull_off.force_error);
+static bool is_unsure(const po_request *request, const po_result *result) {
+  return request->mesh.scheme == PO_PANEL && !result->rigid && result->has_pull_off &&
+         isnan(result->pull_off.force_error);
 }
 
 /* The estimated error of the force in parts of what is asked; 0 when it is no more. What no
  * estimate sees is left out: no other mesh would make it less, and of the small forces that high
  * waves leave it is a large part. */
-static double excess_error(const po_request *request, const po_outcome *outcome) {
-  if (is_unsure(request, outcome))
+static double excess_error(const po_request *request, const po_result *result) {
+  if (is_unsure(request, result))
     return UNKNOWN_EXCESS;
-  if (!outcome->has_pull_off)
+  if (!result->has_pull_off)
     return 0.0;
-  const double force = outcome->pull_off.force;
-  const double seen = outcome->pull_off.force_error - po_estimate_load_error(request, 0.0, force);
+  const double force = result->pull_off.force;
+  const double seen = result->pull_off.force_error - po_estimate_load_error(request, 0.0, force);
   const double excess = seen / (request->mesh.tolerance * force);
   return excess > 1.0 ? excess : 0.0;
 }
@@ -114,7 +114,7 @@ static double farthest_of(const po_request *request) {
 }
 
 static po_status observe(const po_request *request, const po_keeper *keeper, double deadline,
-                         po_outcome *outcome) {
+                         po_result *result) {
   po_status status = po_request_check(request);
   if (status)
     return status;
@@ -127,10 +127,10 @@ static po_status observe(const po_request *request, const po_keeper *keeper, dou
                               request->scene.amplitude));
   po_work work = {0};
   for (int meshes = 0, traces = 1; meshes < MOST_MESHES; ++traces) {
-    po_outcome_clear(outcome);
-    status = po_trace(request, rigid, &a, deadline, keeper, outcome);
-    add_work(&outcome->work, &work);
-    double excess = status || rigid ? 0.0 : excess_error(request, outcome);
+    po_result_clear(result);
+    status = po_trace(request, rigid, &a, deadline, keeper, result);
+    add_work(&result->work, &work);
+    double excess = status || rigid ? 0.0 : excess_error(request, result);
     if (!status && a.unmet_folds > 0)
       excess = fmax(excess, UNKNOWN_EXCESS);
     if (status == PO_OUT_OF_DOMAIN) {
@@ -138,59 +138,59 @@ static po_status observe(const po_request *request, const po_keeper *keeper, dou
       ++meshes;
     } else if (excess > 0.0 && traces < MOST_TRACES) {
       a.tolerance *= SHARPER / excess;
-    } else if (!status && request->want & PO_WANT_HYSTERESIS && !outcome->has_hysteresis) {
+    } else if (!status && request->want & PO_WANT_HYSTERESIS && !result->has_hysteresis) {
       ++meshes; /* it begins farther out now */
     } else {
       break;
     }
   }
-  outcome->work = work;
-  if (!status && is_unsure(request, outcome))
+  result->work = work;
+  if (!status && is_unsure(request, result))
     return po_fail(
         PO_NOT_CONVERGED,
         "the error of the pull-off force %.6g at approach %.6g could not be estimated: no "
         "equilibrium was found there on a finer mesh",
-        outcome->pull_off.force, outcome->pull_off.approach);
-  if (!status && !rigid && excess_error(request, outcome) > MOST_EXCESS)
+        result->pull_off.force, result->pull_off.approach);
+  if (!status && !rigid && excess_error(request, result) > MOST_EXCESS)
     return po_fail(PO_NOT_CONVERGED,
                    "the error of the pull-off force %.6g is estimated at %.2g, far beyond the "
                    "tolerance, and more panels did not help",
-                   outcome->pull_off.force, outcome->pull_off.force_error);
+                   result->pull_off.force, result->pull_off.force_error);
   return status;
 }
 
-po_status po_observe(const po_request *request, po_outcome *outcome) {
-  return po_observe_kept(request, NULL, outcome);
+po_status po_observe(const po_request *request, po_result *result) {
+  return po_observe_kept(request, NULL, result);
 }
 
-po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po_outcome *outcome) {
-  *outcome = po_outcome_none();
+po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po_result *result) {
+  *result = po_result_none();
   const double begin = po_clock_wall();
   const double deadline =
       isnan(request->time_limit) ? INFINITY : po_clock_thread() + request->time_limit;
   po_message_clear();
-  outcome->status = po_linear_reserve(1);
-  if (!outcome->status)
-    outcome->status = observe(request, keeper, deadline, outcome);
-  outcome->work.seconds = po_clock_wall() - begin - outcome->diagnostics.seconds;
-  if (!outcome->status && (request->want & PO_WANT_DIAGNOSTICS))
-    outcome->status = po_diagnose_moved(request, deadline, outcome);
-  outcome->status = po_lack_or(outcome->status);
-  if (outcome->status)
-    snprintf(outcome->reason, sizeof outcome->reason, "%s",
-             *po_message() ? po_message() : po_status_text(outcome->status));
-  return outcome->status;
+  result->status = po_linear_reserve(1);
+  if (!result->status)
+    result->status = observe(request, keeper, deadline, result);
+  result->work.seconds = po_clock_wall() - begin - result->diagnostics.seconds;
+  if (!result->status && (request->want & PO_WANT_DIAGNOSTICS))
+    result->status = po_diagnose_moved(request, deadline, result);
+  result->status = po_lack_or(result->status);
+  if (result->status)
+    snprintf(result->reason, sizeof result->reason, "%s",
+             *po_message() ? po_message() : po_status_text(result->status));
+  return result->status;
 }
 
-void po_outcome_clear(po_outcome *outcome) {
-  free(outcome->folds);
-  free(outcome->extrema);
-  free(outcome->curve);
-  free(outcome->profile);
-  po_contact_annuli_clear(&outcome->annuli);
-  po_hysteresis_clear(&outcome->hysteresis);
-  po_staircase_clear(&outcome->staircase[0]);
-  po_staircase_clear(&outcome->staircase[1]);
-  free(outcome->diagnostics.states);
-  *outcome = po_outcome_none();
+void po_result_clear(po_result *result) {
+  free(result->folds);
+  free(result->extrema);
+  free(result->curve);
+  free(result->profile);
+  po_contact_annuli_clear(&result->annuli);
+  po_hysteresis_clear(&result->hysteresis);
+  po_staircase_clear(&result->staircase[0]);
+  po_staircase_clear(&result->staircase[1]);
+  free(result->diagnostics.states);
+  *result = po_result_none();
 }

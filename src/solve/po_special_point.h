@@ -1,6 +1,6 @@
 /* What lies between two points of a branch: folds, extrema of the load, an approach asked for. */
-#ifndef PO_LANDMARK_H
-#define PO_LANDMARK_H
+#ifndef PO_SPECIAL_POINT_H
+#define PO_SPECIAL_POINT_H
 
 #include <stddef.h>
 
@@ -18,7 +18,7 @@ typedef enum {
  * rates per parameter. */
 typedef struct {
   double at, value[2], rate[2];
-  size_t fronts; /* edges of the contact, where they are known */
+  size_t edges; /* edges of the contact, where they are known */
 } po_sample;
 
 typedef struct {

@@ -1,42 +1,42 @@
-#include "po_line.h"
+#include "po_series.h"
 
 #include <math.h>
 #include <stdlib.h>
 
+#include "po_checkpoint.h"
 #include "po_clock.h"
 #include "po_contact.h"
-#include "po_line_anchor.h"
-#include "po_line_scenes.h"
 #include "po_memory.h"
 #include "po_observe_parts.h"
+#include "po_series_scenes.h"
 
 /* A minimum that was followed and one that was traced are the same when their loads differ by no
  * more than this many tolerances, and their approaches by this part. */
 static const double SAME_LOAD = 10.0, SAME_APPROACH = 1e-2;
 
-/* A minimum followed from one anchor towards the other. */
+/* A minimum followed from one checkpoint towards the other. */
 typedef struct {
-  const po_line_minimum *from, *met; /* what the traces have of it; met NULL: nothing */
-  double lost;                       /* its load where it ended on the way; NAN: it did not */
+  const po_checkpoint_minimum *from, *met; /* what the traces have of it; met NULL: nothing */
+  double lost;                             /* its load where it ended on the way; NAN: it did not */
 } followed;
 
-/* The stretch between two anchors. */
+/* The stretch between two checkpoints. */
 typedef struct {
-  const po_line_scenes *l;
-  po_line_anchor *from, *to;
+  const po_series_scenes *l;
+  po_checkpoint *from, *to;
   po_follower *follower;
   size_t inside; /* scenes between */
   double *load;  /* a row of inside + 2 for each minimum followed: its load, NAN: not there */
   followed *row; /* one a row */
   size_t rows;
-  po_line_work before;
+  po_series_work before;
 } stretch;
 
 static bool may_follow(const stretch *s) {
   if (!s->from->usable || !s->to->usable)
     return false;
   for (size_t k = s->from->index; k < s->to->index; ++k)
-    if (!po_line_alike(&s->l->requests[k], &s->l->requests[k + 1]))
+    if (!po_series_alike(&s->l->requests[k], &s->l->requests[k + 1]))
       return false;
   return true;
 }
@@ -61,11 +61,11 @@ static double sameness(const stretch *s, double load) {
  * far. Returned: its load; NAN when the contact reaches the end of the core of the surface. */
 static double take(stretch *s, size_t index) {
   const po_request *request = &s->l->requests[index];
-  po_outcome *o = &s->l->outcomes[index];
+  po_result *o = &s->l->results[index];
   const double before = deepest_at(s, index);
-  const double root = po_follow_root(s->follower);
+  const double domain = po_follow_domain(s->follower);
   po_branch_point p = po_follow_point(s->follower, false);
-  if (po_line_is_cut_off(request, root, &p))
+  if (po_series_is_cut_off(request, domain, &p))
     return NAN;
   const double load = p.load;
   if (index == s->from->index || index == s->to->index || !(load < before))
@@ -73,7 +73,7 @@ static double take(stretch *s, size_t index) {
   o->work.nodes = o->work.nodes > p.n ? o->work.nodes : p.n;
   p = po_follow_point(s->follower, true);
   o->followed = o->has_pull_off = true;
-  const po_estimate e = po_estimate_of(request, root, &p);
+  const po_estimate e = po_estimate_of(request, domain, &p);
   o->pull_off.force = fabs(e.load);
   o->pull_off.approach = e.approach;
   o->pull_off.contact_radius = e.edge.radius;
@@ -84,10 +84,10 @@ static double take(stretch *s, size_t index) {
   return load;
 }
 
-/* The minimum of an anchor that the follower has arrived at; NULL: none of the trace. */
-static const po_line_minimum *find_arrived(const stretch *s, const po_line_anchor *at) {
+/* The minimum of a checkpoint that the follower has arrived at; NULL: none of the trace. */
+static const po_checkpoint_minimum *find_arrived(const stretch *s, const po_checkpoint *at) {
   const po_branch_point p = po_follow_point(s->follower, false);
-  const po_line_minimum *best = NULL;
+  const po_checkpoint_minimum *best = NULL;
   double nearest = SAME_APPROACH * (1.0 + fabs(p.approach));
   for (size_t k = 0; k < at->count; ++k) {
     const double apart = fabs(at->minima[k].approach - p.approach);
@@ -99,10 +99,10 @@ static const po_line_minimum *find_arrived(const stretch *s, const po_line_ancho
   return best;
 }
 
-/* Follows a minimum of one anchor towards the other. Status: as of po_run; a minimum that is lost
- * on the way is no failure. */
-static po_status follow(stretch *s, const po_line_minimum *m, bool forward) {
-  const po_line_anchor *from = forward ? s->from : s->to;
+/* Follows a minimum of one checkpoint towards the other. Status: as of po_run; a minimum that is
+ * lost on the way is no failure. */
+static po_status follow(stretch *s, const po_checkpoint_minimum *m, bool forward) {
+  const po_checkpoint *from = forward ? s->from : s->to;
   const size_t row = s->rows++, steps = s->inside + 1;
   s->row[row] = (followed){.from = m, .lost = NAN};
   for (size_t k = 0; k <= steps; ++k)
@@ -115,11 +115,11 @@ static po_status follow(stretch *s, const po_line_minimum *m, bool forward) {
     const volatile sig_atomic_t *stop = s->l->requests[index].stop;
     if (stop && *stop)
       return po_fail(PO_INTERRUPTED, "interrupted on a line");
-    status = po_follow_to(s->follower, (double)index, po_line_deadline(&s->l->requests[index]));
+    status = po_follow_to(s->follower, (double)index, po_series_deadline(&s->l->requests[index]));
     if (!status)
       *load_of(s, row, index) = take(s, index);
     const double now = po_clock_wall();
-    po_line_add_work(s->follower, now - begin, &s->before, &s->l->outcomes[index].work);
+    po_series_add_work(s->follower, now - begin, &s->before, &s->l->results[index].work);
     begin = now;
     if (!status && isnan(*load_of(s, row, index)))
       status = PO_NOT_FOUND;
@@ -152,7 +152,7 @@ static bool is_pull_off(const stretch *s, size_t row) {
   return is;
 }
 
-/* Whether traces of the scenes between would come as far as a minimum, as those of both anchors
+/* Whether traces of the scenes between would come as far as a minimum, as those of both checkpoints
  * did: they end where the sphere is pressed enough, and as a minimum before grows deeper, or the
  * load between, that may be short of it. Both must have come to it with room to spare, by which
  * they differ by less than either has. */
@@ -180,14 +180,14 @@ static bool agrees(const stretch *s) {
   return true;
 }
 
-static bool has_arrived(const stretch *s, const po_line_minimum *m) {
+static bool has_arrived(const stretch *s, const po_checkpoint_minimum *m) {
   bool has = false;
   for (size_t row = 0; row < s->rows; ++row)
     has = has || s->row[row].met == m;
   return has;
 }
 
-/* Follows the minima between two anchors. Returned: whether that settles the scenes between. */
+/* Follows the minima between two checkpoints. Returned: whether that settles the scenes between. */
 static po_status follow_between(stretch *s, bool *settled) {
   const size_t most = s->from->deep + s->to->deep;
   const double tolerance = fmin(s->from->tolerance, s->to->tolerance);
@@ -195,7 +195,7 @@ static po_status follow_between(stretch *s, bool *settled) {
   s->row = po_allocate(most, sizeof *s->row);
   po_status status = s->load && s->row ? PO_OK : PO_NO_MEMORY;
   if (!status)
-    status = po_line_follower(s->l, s->from->index, s->to->index, tolerance, &s->follower);
+    status = po_series_follower(s->l, s->from->index, s->to->index, tolerance, &s->follower);
   for (size_t k = 0; k < s->from->deep && !status; ++k)
     status = follow(s, &s->from->minima[k], true);
   for (size_t k = 0; k < s->to->deep && !status; ++k)
@@ -208,11 +208,11 @@ static po_status follow_between(stretch *s, bool *settled) {
   return status;
 }
 
-static po_status trace(const po_line_scenes *l, size_t index, po_line_anchor *anchor) {
-  po_outcome *o = &l->outcomes[index];
+static po_status trace(const po_series_scenes *l, size_t index, po_checkpoint *checkpoint) {
+  po_result *o = &l->results[index];
   const po_work spent = o->work; /* on following what did not agree */
-  po_outcome_clear(o);
-  const po_status status = po_line_anchor_trace(&l->requests[index], index, o, anchor);
+  po_result_clear(o);
+  const po_status status = po_checkpoint_trace(&l->requests[index], index, o, checkpoint);
   o->work.points += spent.points;
   o->work.newton_iterations += spent.newton_iterations;
   o->work.factorizations += spent.factorizations;
@@ -226,17 +226,17 @@ static po_status trace(const po_line_scenes *l, size_t index, po_line_anchor *an
 static po_status trace_what_errs(const stretch *s) {
   po_status status = PO_OK;
   for (size_t k = s->from->index + 1; k < s->to->index && !status; ++k) {
-    const po_outcome *o = &s->l->outcomes[k];
+    const po_result *o = &s->l->results[k];
     if (o->pull_off.force_error <= s->l->requests[k].mesh.tolerance * o->pull_off.force)
       continue;
-    po_line_anchor unused;
+    po_checkpoint unused;
     status = trace(s->l, k, &unused);
-    po_line_anchor_clear(&unused);
+    po_checkpoint_clear(&unused);
   }
   return status;
 }
 
-static po_status fill(const po_line_scenes *l, po_line_anchor *from, po_line_anchor *to) {
+static po_status fill(const po_series_scenes *l, po_checkpoint *from, po_checkpoint *to) {
   if (to->index - from->index < 2)
     return PO_OK;
   stretch s = {.l = l, .from = from, .to = to, .inside = to->index - from->index - 1};
@@ -244,35 +244,35 @@ static po_status fill(const po_line_scenes *l, po_line_anchor *from, po_line_anc
   po_status status = may_follow(&s) ? follow_between(&s, &settled) : PO_OK;
   if (settled)
     return trace_what_errs(&s);
-  po_line_anchor middle = {0};
+  po_checkpoint middle = {0};
   if (!status)
     status = trace(l, from->index + (to->index - from->index) / 2, &middle);
   if (!status)
     status = fill(l, from, &middle);
   if (!status)
     status = fill(l, &middle, to);
-  po_line_anchor_clear(&middle);
+  po_checkpoint_clear(&middle);
   return status;
 }
 
-po_status po_line_observe(const po_request *requests, size_t count, size_t anchor_every,
-                          po_outcome *outcomes) {
-  const po_line_scenes l = {requests, outcomes, count};
+po_status po_series_observe(const po_request *requests, size_t count, size_t checkpoint_every,
+                            po_result *results) {
+  const po_series_scenes l = {requests, results, count};
   for (size_t k = 0; k < count; ++k)
-    outcomes[k] = po_outcome_none();
+    results[k] = po_result_none();
   if (count == 0)
     return PO_OK;
-  po_line_anchor from, to = {0};
+  po_checkpoint from, to = {0};
   po_status status = trace(&l, 0, &from);
   for (size_t index = 0; index + 1 < count && !status;) {
-    index = count - 1 - index > anchor_every ? index + anchor_every : count - 1;
+    index = count - 1 - index > checkpoint_every ? index + checkpoint_every : count - 1;
     status = trace(&l, index, &to);
     if (!status)
       status = fill(&l, &from, &to);
-    po_line_anchor_clear(&from);
+    po_checkpoint_clear(&from);
     from = to;
-    to = (po_line_anchor){0};
+    to = (po_checkpoint){0};
   }
-  po_line_anchor_clear(&from);
+  po_checkpoint_clear(&from);
   return status;
 }

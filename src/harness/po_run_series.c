@@ -2,13 +2,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "po_line.h"
 #include "po_memory.h"
 #include "po_run.h"
+#include "po_series.h"
 
 /* A trace that fails is no failure of the line. */
-static po_status trace_again(const po_request *request, po_outcome *trace) {
-  po_outcome_clear(trace);
+static po_status trace_again(const po_request *request, po_result *trace) {
+  po_result_clear(trace);
   const po_status status = po_observe(request, trace);
   if (status && !trace->reason[0])
     snprintf(trace->reason, sizeof trace->reason, "%.250s", po_message());
@@ -23,15 +23,16 @@ po_status po_run_line(po_case_run *run, size_t first, const volatile sig_atomic_
   for (size_t k = 0; k < kase->line; ++k) {
     requests[k] = po_plan_request(run->plan, first + k);
     requests[k].stop = stop;
-    po_outcome_clear(&run->outcomes[first + k]);
+    po_result_clear(&run->results[first + k]);
   }
-  po_status status = po_line_observe(requests, kase->line, kase->anchors, &run->outcomes[first]);
+  po_status status =
+      po_series_observe(requests, kase->line, kase->checkpoints, &run->results[first]);
   status = po_lack_or(status);
   for (size_t k = 0; k < kase->line && !status; ++k)
     if (kase->points[first + k].traced)
       status = trace_again(&requests[k], &run->traces[first + k]);
   for (size_t k = 0; k < kase->line; ++k) {
-    run->seconds[first + k] = run->outcomes[first + k].work.seconds;
+    run->seconds[first + k] = run->results[first + k].work.seconds;
     run->processor_seconds[first + k] = NAN; /* a line is not timed */
   }
   free(requests);

@@ -1,4 +1,4 @@
-#include "po_line_anchor.h"
+#include "po_checkpoint.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -6,37 +6,37 @@
 #include "po_memory.h"
 #include "po_observe_parts.h"
 
-/* Minima at least so deep, in parts of the deepest, may be the deepest before the next anchor. At
- * A = 5.024, lambda = 20, R = 100 one of 0.69 at mu = 5 is the deepest from mu = 2.9 to 3.8, and
+/* Minima at least so deep, in parts of the deepest, may be the deepest before the next checkpoint.
+ * At A = 5.024, lambda = 20, R = 100 one of 0.69 at mu = 5 is the deepest from mu = 2.9 to 3.8, and
  * not there yet at 1.4. */
 static const double NEARLY = 0.3;
 
-static void forget(po_line_anchor *a) {
+static void forget(po_checkpoint *a) {
   for (size_t k = 0; k < a->count; ++k)
     po_track_point_free(&a->minima[k].point);
   a->count = 0;
 }
 
 static void begin(void *data, double tolerance) {
-  po_line_anchor *a = data;
+  po_checkpoint *a = data;
   forget(a);
   a->tolerance = tolerance;
 }
 
 static bool keep(void *data, const po_branch_point *point, double margin) {
-  po_line_anchor *a = data;
+  po_checkpoint *a = data;
   if (!point->track || point->kind != PO_POINT_LOAD_MIN || !(point->load < 0.0))
     return true;
   if (a->count == a->room) {
     const size_t room = a->room ? 2 * a->room : 8;
-    po_line_minimum *minima = po_resize(a->minima, room, sizeof *minima);
+    po_checkpoint_minimum *minima = po_resize(a->minima, room, sizeof *minima);
     if (!minima)
       return false;
     a->minima = minima;
     a->room = room;
   }
-  po_line_minimum *m = &a->minima[a->count++];
-  *m = (po_line_minimum){.approach = point->approach, .load = point->load, .margin = margin};
+  po_checkpoint_minimum *m = &a->minima[a->count++];
+  *m = (po_checkpoint_minimum){.approach = point->approach, .load = point->load, .margin = margin};
   if (po_track_point_allocate(&m->point, point->track->n))
     return false;
   po_track_point_copy(point->track, &m->point);
@@ -44,16 +44,16 @@ static bool keep(void *data, const po_branch_point *point, double margin) {
 }
 
 static int by_depth(const void *left, const void *right) {
-  const double a = ((const po_line_minimum *)left)->load;
-  const double b = ((const po_line_minimum *)right)->load;
+  const double a = ((const po_checkpoint_minimum *)left)->load;
+  const double b = ((const po_checkpoint_minimum *)right)->load;
   return (a > b) - (a < b);
 }
 
-po_status po_line_anchor_trace(const po_request *request, size_t index, po_outcome *outcome,
-                               po_line_anchor *a) {
-  *a = (po_line_anchor){.index = index};
+po_status po_checkpoint_trace(const po_request *request, size_t index, po_result *result,
+                              po_checkpoint *a) {
+  *a = (po_checkpoint){.index = index};
   const po_keeper keeper = {begin, keep, a, true};
-  const po_status status = po_observe_kept(request, &keeper, outcome);
+  const po_status status = po_observe_kept(request, &keeper, result);
   if (status == PO_NO_MEMORY || status == PO_INTERRUPTED)
     return status;
   a->usable = !status && a->count > 0;
@@ -68,8 +68,8 @@ po_status po_line_anchor_trace(const po_request *request, size_t index, po_outco
   return PO_OK;
 }
 
-void po_line_anchor_clear(po_line_anchor *a) {
+void po_checkpoint_clear(po_checkpoint *a) {
   forget(a);
   free(a->minima);
-  *a = (po_line_anchor){0};
+  *a = (po_checkpoint){0};
 }

@@ -5,17 +5,17 @@
 
 #include "po_compare_parts.h"
 
-/* The landmarks of one sort to set side by side. */
+/* The special points of one sort to set side by side. */
 typedef struct {
-  const po_landmark *ours;
+  const po_special_point *ours;
   size_t count;
   po_reference_point *theirs; /* to be freed */
   size_t their_count;
   bool spoken, solved; /* whether the reference speaks of the scene, and ours was solved */
-} landmark_lists;
+} special_point_lists;
 
-/* Landmarks ahead of the start of the traced branch were not ours to find (NaN: no such start). In
- * between, along the branch, the approach may well be smaller than at the start. */
+/* Special points ahead of the start of the traced branch were not ours to find (NaN: no such
+ * start). In between, along the branch, the approach may well be smaller than at the start. */
 static size_t drop_before_start(po_reference_point *points, size_t count, double start) {
   size_t first = 0;
   while (first < count && points[first].approach < start)
@@ -27,9 +27,10 @@ static size_t drop_before_start(po_reference_point *points, size_t count, double
 /* On a wavy sphere folds go on for ever, and the later ones may have a smaller approach than the
  * end of a shorter branch. Where a branch ends with its approach rising, the next fold of a longer
  * one is a jump_in above that end: with it begins what the shorter branch has no counterpart of.
- * Given: the number of landmarks found up to the end (which may be the last of them, and below
+ * Given: the number of special points found up to the end (which may be the last of them, and below
  * earlier ones). */
-static size_t count_ours_up_to(const po_landmark *ours, size_t count, size_t found, double end) {
+static size_t count_ours_up_to(const po_special_point *ours, size_t count, size_t found,
+                               double end) {
   for (size_t i = found; i < count; ++i)
     if (ours[i].approach > end)
       return i;
@@ -46,11 +47,11 @@ static size_t count_theirs_up_to(const po_reference_point *theirs, size_t count,
 
 /* The lists over the range both have. */
 static po_status find_lists(const po_request *request, bool folds, const po_reference *reference,
-                            const po_outcome *outcome, landmark_lists *l) {
-  *l = (landmark_lists){.ours = folds ? outcome->folds : outcome->extrema,
-                        .count = folds ? outcome->fold_count : outcome->extremum_count,
-                        .solved = outcome->status == PO_OK};
-  po_status status = po_reference_points(reference, folds ? PO_FOLDS : PO_EXTREMA, request, outcome,
+                            const po_result *result, special_point_lists *l) {
+  *l = (special_point_lists){.ours = folds ? result->folds : result->extrema,
+                             .count = folds ? result->fold_count : result->extremum_count,
+                             .solved = result->status == PO_OK};
+  po_status status = po_reference_points(reference, folds ? PO_FOLDS : PO_EXTREMA, request, result,
                                          &l->theirs, &l->their_count);
   if (status == PO_NOT_FOUND)
     return PO_OK;
@@ -62,15 +63,15 @@ static po_status find_lists(const po_request *request, bool folds, const po_refe
   l->spoken = true;
   if (!l->solved)
     return PO_OK;
-  l->their_count = drop_before_start(l->theirs, l->their_count, outcome->start);
+  l->their_count = drop_before_start(l->theirs, l->their_count, result->start);
   const size_t ours = l->count, theirs = l->their_count;
   l->count = count_ours_up_to(l->ours, ours, theirs, complete_to);
-  l->their_count = count_theirs_up_to(l->theirs, theirs, ours, outcome->ended.approach);
+  l->their_count = count_theirs_up_to(l->theirs, theirs, ours, result->ended.approach);
   return PO_OK;
 }
 
 /* The two lists correspond when they have the same kinds in the same order. */
-static bool lists_correspond(const po_landmark *ours, size_t count,
+static bool lists_correspond(const po_special_point *ours, size_t count,
                              const po_reference_point *theirs, size_t their_count) {
   bool same = count == their_count;
   for (size_t i = 0; same && i < count; ++i)
@@ -78,10 +79,11 @@ static bool lists_correspond(const po_landmark *ours, size_t count,
   return same;
 }
 
-/* What distinguishes lists that do not correspond: of the longer one, the landmark that is furthest
- * from all of its kind in the other. */
-static void tell_difference(const po_landmark *ours, size_t count, const po_reference_point *theirs,
-                            size_t their_count, char *note, size_t size) {
+/* What distinguishes lists that do not correspond: of the longer one, the special point that is
+ * furthest from all of its kind in the other. */
+static void tell_difference(const po_special_point *ours, size_t count,
+                            const po_reference_point *theirs, size_t their_count, char *note,
+                            size_t size) {
   const bool missing = their_count > count;
   const size_t more = missing ? their_count : count, fewer = missing ? count : their_count;
   double furthest = -1;
@@ -89,7 +91,7 @@ static void tell_difference(const po_landmark *ours, size_t count, const po_refe
   for (size_t i = 0; i < more; ++i) {
     double nearest = (double)INFINITY;
     for (size_t j = 0; j < fewer; ++j) {
-      const po_landmark *a = &ours[missing ? j : i];
+      const po_special_point *a = &ours[missing ? j : i];
       const po_reference_point *b = &theirs[missing ? i : j];
       if (a->kind == b->kind)
         nearest = fmin(nearest, hypot(a->approach - b->approach, a->load - b->load));
@@ -103,27 +105,28 @@ static void tell_difference(const po_landmark *ours, size_t count, const po_refe
     return;
   snprintf(note, size, "%s %s near approach %.4g, load %.4g (%zu found, reference %zu)",
            missing ? "missing" : "spurious",
-           po_landmark_kind_name(missing ? theirs[named].kind : ours[named].kind),
+           po_special_kind_name(missing ? theirs[named].kind : ours[named].kind),
            missing ? theirs[named].approach : ours[named].approach,
            missing ? theirs[named].load : ours[named].load, count, their_count);
 }
 
 static po_status add_pairs(const po_case *kase, size_t point, const po_check *check,
-                           const po_landmark *ours, const po_reference_point *theirs, size_t count,
-                           po_results *results) {
+                           const po_special_point *ours, const po_reference_point *theirs,
+                           size_t count, po_check_results *check_results) {
   const bool folds = check->quantity == PO_FOLDS;
   for (size_t i = 0; i < count; ++i)
     for (int load = 0; load < 2; ++load) {
       char suffix[64];
-      snprintf(suffix, sizeof suffix, "%s-%zu/%s", po_landmark_kind_name(ours[i].kind), i + 1,
+      snprintf(suffix, sizeof suffix, "%s-%zu/%s", po_special_kind_name(ours[i].kind), i + 1,
                load ? "load" : "approach");
       const char *name = load ? (folds ? "fold_load" : "extremum_load")
                               : (folds ? "fold_approach" : "extremum_approach");
       const po_reference_number expected = {load ? theirs[i].load : theirs[i].approach,
                                             load ? theirs[i].load_uncertainty
                                                  : theirs[i].approach_uncertainty};
-      po_result *item = po_results_add(results, kase, point, check, name, suffix,
-                                       load ? ours[i].load : ours[i].approach, expected);
+      po_check_result *item =
+          po_check_results_add(check_results, kase, point, check, name, suffix,
+                               load ? ours[i].load : ours[i].approach, expected);
       if (!item)
         return PO_NO_MEMORY;
       item->approach = ours[i].approach;
@@ -132,18 +135,18 @@ static po_status add_pairs(const po_case *kase, size_t point, const po_check *ch
   return PO_OK;
 }
 
-po_status po_compare_landmarks(const po_case *kase, size_t point, const po_check *check,
-                               const po_reference *reference, const po_outcome *outcome,
-                               po_results *results) {
+po_status po_compare_special_points(const po_case *kase, size_t point, const po_check *check,
+                                    const po_reference *reference, const po_result *result,
+                                    po_check_results *check_results) {
   const po_request request = po_check_request(check, &kase->points[point].request);
   const bool count_only = check->quantity == PO_FOLD_COUNT;
   const bool folds = check->quantity != PO_EXTREMA;
-  landmark_lists l;
-  po_status status = find_lists(&request, folds, reference, outcome, &l);
+  special_point_lists l;
+  po_status status = find_lists(&request, folds, reference, result, &l);
   if (!status) {
     const po_reference_number expected = {l.spoken ? (double)l.their_count : (double)NAN, 0};
-    po_result *item = po_results_add(
-        results, kase, point, check, folds ? "fold_count" : "extremum_count",
+    po_check_result *item = po_check_results_add(
+        check_results, kase, point, check, folds ? "fold_count" : "extremum_count",
         count_only ? "" : "count", l.solved ? (double)l.count : (double)NAN, expected);
     if (!item)
       status = PO_NO_MEMORY;
@@ -154,7 +157,7 @@ po_status po_compare_landmarks(const po_case *kase, size_t point, const po_check
         item->verdict = PO_OUTSIDE;
       tell_difference(l.ours, l.count, l.theirs, l.their_count, item->note, sizeof item->note);
     } else
-      status = add_pairs(kase, point, check, l.ours, l.theirs, l.count, results);
+      status = add_pairs(kase, point, check, l.ours, l.theirs, l.count, check_results);
   }
   free(l.theirs);
   return status;

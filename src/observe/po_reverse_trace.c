@@ -1,4 +1,4 @@
-#include "po_way_back.h"
+#include "po_reverse_trace.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -10,7 +10,7 @@ static bool is_fold(po_point_kind kind) {
   return kind == PO_POINT_APPROACH_MAX || kind == PO_POINT_APPROACH_MIN;
 }
 
-static bool is_landmark(po_point_kind kind) {
+static bool is_special_point(po_point_kind kind) {
   return kind != PO_POINT_STEP && kind != PO_POINT_STATION;
 }
 
@@ -19,7 +19,7 @@ po_status po_passage_note(po_passage *passage, const po_branch_point *p, double 
   const int before = passage->modes;
   passage->modes = p->unstable_modes;
   ++passage->points;
-  if (!is_landmark(p->kind))
+  if (!is_special_point(p->kind))
     return PO_OK;
   if (passage->count == passage->room) {
     const size_t room = passage->room ? 2 * passage->room : 32;
@@ -43,7 +43,8 @@ void po_passage_clear(po_passage *passage) {
   *passage = (po_passage){0};
 }
 
-static void compare_landmark(const po_passed *out, const po_passed *back, po_way_back *way) {
+static void compare_special_point(const po_passed *out, const po_passed *back,
+                                  po_reverse_trace *way) {
   const double approach = fabs(out->approach - back->approach), load = fabs(out->load - back->load);
   double *const approaches = is_fold(out->kind) ? &way->fold_approach : &way->extremum_approach;
   double *const loads = is_fold(out->kind) ? &way->fold_load : &way->extremum_load;
@@ -57,8 +58,9 @@ static void compare_landmark(const po_passed *out, const po_passed *back, po_way
     way->excess = isnan(way->excess) ? way->excess : parts;
 }
 
-po_way_back po_way_back_compare(const po_passage *out, const po_passage *back, po_status status) {
-  po_way_back way = {.made = true, .status = status, .points = back->points};
+po_reverse_trace po_reverse_trace_compare(const po_passage *out, const po_passage *back,
+                                          po_status status) {
+  po_reverse_trace way = {.made = true, .status = status, .points = back->points};
   if (status)
     snprintf(way.reason, sizeof way.reason, "%s",
              *po_message() ? po_message() : po_status_text(status));
@@ -68,7 +70,7 @@ po_way_back po_way_back_compare(const po_passage *out, const po_passage *back, p
   for (size_t k = 0; way.same && k < out->count; ++k) {
     const po_passed *a = &out->list[k], *b = &back->list[out->count - 1 - k];
     way.same = a->kind == b->kind && a->modes == b->modes;
-    compare_landmark(a, b, &way);
+    compare_special_point(a, b, &way);
   }
   if (!way.same)
     way.fold_approach = way.fold_load = way.extremum_approach = way.extremum_load = way.excess =

@@ -1,18 +1,19 @@
-#include "po_front.h"
+#include "po_moving_edges.h"
 
 #include <math.h>
 #include <stdbool.h>
 
-/* Half width of the constant part about a front, in parts of the distance to its neighbour. */
+/* Half width of the constant part about a contact edge, in parts of the distance to its neighbour.
+ */
 static const double PLATEAU = 0.2;
-/* Beyond the last front the displacement has died out at this multiple of its radius. */
+/* Beyond the last contact edge the displacement has died out at this multiple of its radius. */
 static const double OUTER_END = 2.0;
 enum { ITERATIONS = 60 };
 
 /* Of blend(). */
 static const double STEEPEST = 1.875;
 
-static double neighbour_distance(const po_fronts *f, size_t k) {
+static double neighbour_distance(const po_moving_edges *f, size_t k) {
   const double left = k > 0 ? f->at[k] - f->at[k - 1] : f->at[k];
   const double right = k + 1 < f->count ? f->at[k + 1] - f->at[k] : (OUTER_END - 1.0) * f->at[k];
   return fmin(left, right);
@@ -23,7 +24,7 @@ static double blend(double x) {
   return x * x * x * (10.0 + x * (6.0 * x - 15.0));
 }
 
-double po_front_displacement(const po_fronts *f, const double *shift, double r) {
+double po_edge_displacement(const po_moving_edges *f, const double *shift, double r) {
   double from = 0.0, value = 0.0; /* end of the last constant part, and the displacement there */
   for (size_t k = 0; k <= f->count; ++k) {
     const double half = k < f->count ? PLATEAU * neighbour_distance(f, k) : 0.0;
@@ -41,10 +42,10 @@ double po_front_displacement(const po_fronts *f, const double *shift, double r) 
   return 0.0;
 }
 
-double po_front_origin(const po_fronts *f, const double *shift, double r) {
+double po_edge_origin(const po_moving_edges *f, const double *shift, double r) {
   double origin = r;
   for (int k = 0; k < ITERATIONS; ++k) { /* contracts: the displacement's slope is below a half */
-    const double next = r - po_front_displacement(f, shift, origin);
+    const double next = r - po_edge_displacement(f, shift, origin);
     const double change = fabs(next - origin);
     origin = next;
     if (change <= 1e-15 * r)
@@ -53,8 +54,8 @@ double po_front_origin(const po_fronts *f, const double *shift, double r) {
   return origin;
 }
 
-static double strain(const po_fronts *f, const double *shift, size_t *where) {
-  double from = 0.0, value = 0.0, worst = 0.0; /* as in po_front_displacement */
+static double strain(const po_moving_edges *f, const double *shift, size_t *where) {
+  double from = 0.0, value = 0.0, worst = 0.0; /* as in po_edge_displacement */
   *where = 0;
   for (size_t k = 0; k <= f->count && f->count > 0; ++k) {
     const bool last = k == f->count;
@@ -72,12 +73,12 @@ static double strain(const po_fronts *f, const double *shift, size_t *where) {
   return worst;
 }
 
-double po_front_strain(const po_fronts *f, const double *shift) {
+double po_edge_strain(const po_moving_edges *f, const double *shift) {
   size_t where;
   return strain(f, shift, &where);
 }
 
-size_t po_front_tightest(const po_fronts *f, const double *shift) {
+size_t po_edge_tightest(const po_moving_edges *f, const double *shift) {
   size_t where;
   strain(f, shift, &where);
   return where;

@@ -1,4 +1,4 @@
-#include "po_shape.h"
+#include "po_profile.h"
 
 #include <float.h>
 #include <math.h>
@@ -6,7 +6,7 @@
 /* What the load may lose where single waves are replaced by their mean. */
 static const double AVERAGING_LOSS = 1e-9;
 
-double po_shape(const po_scene *scene, double r) {
+double po_profile(const po_scene *scene, double r) {
   double gap = 0.5 * r * r / scene->radius;
   if (po_scene_is_wavy(scene)) {
     const double half =
@@ -16,7 +16,7 @@ double po_shape(const po_scene *scene, double r) {
   return gap;
 }
 
-double po_shape_slope(const po_scene *scene, double r) {
+double po_profile_slope(const po_scene *scene, double r) {
   double slope = r / scene->radius;
   if (po_scene_is_wavy(scene))
     slope +=
@@ -24,7 +24,7 @@ double po_shape_slope(const po_scene *scene, double r) {
   return slope;
 }
 
-double po_shape_mean(const po_scene *scene, double r) {
+double po_profile_mean(const po_scene *scene, double r) {
   return 0.5 * r * r / scene->radius + scene->amplitude;
 }
 

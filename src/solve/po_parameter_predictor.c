@@ -1,0 +1,101 @@
+#include "po_parameter_predictor.h"
+
+#include <math.h>
+
+#include "po_profile.h"
+
+/* Slope of the displacement of the coordinates to the place expected, and to a mark. */
+static const double GREATEST_STRAIN = 0.5, GREATEST_STRAIN_BACK = 0.9;
+/* Gaps of a predictor are taken as no smaller. */
+static const double CLOSEST = -0.9;
+
+/* Lagrange's weights of the marks at a parameter. */
+static void weigh(po_predictor *f, double at) {
+  for (size_t i = 0; i < f->count; ++i) {
+    f->weight[i] = 1.0;
+    for (size_t k = 0; k < f->count; ++k)
+      if (k != i)
+        f->weight[i] *= (at - f->mark[k]->at) / (f->mark[i]->at - f->mark[k]->at);
+  }
+}
+
+/* Moves the contact edges of the latest mark, all or the outermost alone. */
+static bool move(po_predictor *f, const po_predictor_point *const *mark, size_t count, bool all,
+                 double at) {
+  const po_moving_edges *latest = &mark[0]->point.edges;
+  *f = (po_predictor){.edges = *latest};
+  if (!all && latest->count > 0) {
+    f->edges.count = 1;
+    f->edges.at[0] = latest->at[latest->count - 1];
+  }
+  for (size_t i = 0; i < count; ++i) {
+    const po_moving_edges *edges = &mark[i]->point.edges;
+    if (all ? edges->all != latest->all : (edges->count == 0) != (latest->count == 0))
+      break;
+    double *back = f->back[f->count];
+    for (size_t k = 0; k < f->edges.count; ++k)
+      back[k] = edges->at[edges->count - f->edges.count + k] - f->edges.at[k];
+    if (po_edge_strain(&f->edges, back) > GREATEST_STRAIN_BACK)
+      break;
+    f->mark[f->count++] = mark[i];
+  }
+  weigh(f, at);
+  for (size_t i = 0; i < f->count; ++i)
+    for (size_t k = 0; k < f->edges.count; ++k)
+      f->shift[k] += f->weight[i] * f->back[i][k];
+  return f->count == count && po_edge_strain(&f->edges, f->shift) < GREATEST_STRAIN;
+}
+
+bool po_predictor_make(const po_predictor_point *const *mark, size_t count, double at,
+                       po_predictor *f) {
+  return move(f, mark, count, true, at) || move(f, mark, count, false, at);
+}
+
+void po_predictor_still(const po_predictor_point *const *mark, size_t count, double at,
+                        po_predictor *f) {
+  *f = (po_predictor){.count = count};
+  for (size_t i = 0; i < count; ++i)
+    f->mark[i] = mark[i];
+  weigh(f, at);
+}
+
+/* The gap of a mark; undeformed outside its domain. */
+static double gap_of(const po_predictor_point *m, double r) {
+  if (r < m->domain)
+    return po_track_value_at(&m->point, &m->scene, m->domain, r).gap;
+  return po_profile(&m->scene, r) - m->point.state[m->point.n];
+}
+
+double po_predictor_gap(void *predictor, double r) {
+  const po_predictor *f = predictor;
+  const po_moving_edges *edges = &f->edges;
+  const double origin = po_edge_origin(edges, f->shift, r);
+  double gap = 0.0;
+  for (size_t i = 0; i < f->count; ++i)
+    gap +=
+        f->weight[i] * gap_of(f->mark[i], origin + po_edge_displacement(edges, f->back[i], origin));
+  return fmax(gap, CLOSEST);
+}
+
+void po_predictor_state(po_predictor *f, const po_equilibrium *e, size_t core, double *state) {
+  const size_t n = e->n;
+  for (size_t j = 0; j < core; ++j)
+    state[j] = po_predictor_gap(f, e->surface->node[j]);
+  for (size_t back = 0; back <= n - core; ++back) { /* from the approach inwards */
+    double value = back > 0 ? e->shape[n - back] : 0.0;
+    for (size_t i = 0; i < f->count; ++i) {
+      const po_track_point *p = &f->mark[i]->point;
+      value += f->weight[i] * (back > 0 ? p->deflection[p->n - back] : p->state[p->n]);
+    }
+    state[n - back] = value;
+  }
+}
+
+double po_predictor_error(po_predictor *f, const po_track_point *solved) {
+  double largest = 0.0;
+  for (size_t j = 0; j < solved->panels.count * PO_TABLE_ORDER; ++j) {
+    const double expected = po_predictor_gap(f, solved->node[j]);
+    largest = fmax(largest, fabs(solved->state[j] - expected) / (1.0 + solved->state[j]));
+  }
+  return largest;
+}
