@@ -17,7 +17,7 @@ DAEMONS = ("munged", "slurmctld", "slurmd")
 SBIN = os.pathsep.join(["/usr/sbin", "/sbin"])
 PATIENCE = 60  # seconds until the node is idle
 
-# Tasks are followed by their processes alone, and cores and memory are as many as the tasks of the README need, so
+# Tasks are followed by their processes alone, and cores and memory are as many as the tasks of the guide need, so
 # that any machine will do.
 CONFIGURATION = """\
 ClusterName=loopback

@@ -1,9 +1,9 @@
-"""Runs what the README says of several machines, as it is printed there, with GNU parallel and with Slurm.
+"""Runs what the guide says of several machines, as it is printed there, with GNU parallel and with Slurm.
 
-Usage: readme.py PULLOFF README
+Usage: guide.py PULLOFF GUIDE
 
-The commands are taken from the README; the cases they name are small ones in a data folder of the test. All is done
-with kernels of OpenBLAS chosen for an old processor, but for what the script of the README chooses itself: as on a
+The commands are taken from doc/guide.md; the cases they name are small ones in a data folder of the test. All is done
+with kernels of OpenBLAS chosen for an old processor, but for what the script of the guide chooses itself: as on a
 cluster whose front end is not of the kind of its nodes. What is merged must be the run of the whole, to the last
 bit but for times. Exit status 77: something that is needed is not installed.
 """
@@ -62,13 +62,13 @@ def skip_without_tools():
         sys.exit(SKIPPED)
 
 
-def commands(readme):
-    """What the README prints for GNU parallel, for shard.sh and for Slurm."""
-    text = pathlib.Path(readme).read_text()
-    text = text[text.index("On several machines"):]
+def commands(guide):
+    """What the guide prints for GNU parallel, for shard.sh and for Slurm."""
+    text = pathlib.Path(guide).read_text()
+    text = text[text.index("### Several machines"):]
     blocks = re.findall(r"^```sh\n(.*?)^```$", text, flags=re.M | re.S)
     assert len(blocks) >= 3 and blocks[0].startswith("parallel ") and blocks[1].startswith("#!/bin/sh\n#SBATCH ") \
-        and blocks[2].startswith("sbatch "), "the README no longer has three blocks of commands: change this test, too"
+        and blocks[2].startswith("sbatch "), "the guide no longer has three blocks of commands: change this test, too"
     return blocks[:3]
 
 
@@ -120,9 +120,9 @@ def whole_run(suites, kernels, work, environment):
 
 
 def main():
-    program, readme = (os.path.realpath(path) for path in sys.argv[1:])
+    program, guide = (os.path.realpath(path) for path in sys.argv[1:])
     skip_without_tools()
-    with_parallel, shard, with_slurm = commands(readme)
+    with_parallel, shard, with_slurm = commands(guide)
     with tempfile.TemporaryDirectory(prefix="pulloff-") as folder:
         work = pathlib.Path(folder, "work")
         make_place(work, program)

@@ -1,0 +1,167 @@
+#!/usr/bin/env python3
+"""Runs the commands that the documents print and compares the output that they show.
+
+Usage: documents.py PROGRAM SOURCE_TREE [--write]
+
+A command with its output is a fenced block:
+
+    ```console
+    $ pulloff solve --tabor 1
+    the output
+    ```
+
+`$ build/src/cli/pulloff` means the same, and a backslash at the end of a line continues the command. A line `...` stands
+for any number of lines of output. Output has to be the same word for word, except:
+
+- numbers may differ by 1e-6 (relative); numbers below 1e-5, such as errors, by a factor of 100;
+- lines that begin with `work`, and the seconds of JSON documents, are not compared;
+- a command whose block shows no output is run only.
+
+Commands in the manual page are indented lines that begin with `pulloff solve`, `follow` or `theory`. With --write the
+blocks whose output differs are replaced by the output of today; look at the difference before you commit it. Exit
+status: 0 all commands succeed and all output is shown as it is, 1 otherwise.
+"""
+
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+
+BLOCK = re.compile(r"^```console\n(.*?)^```$", re.M | re.S)
+COMMAND = re.compile(r"(?:build/src/cli/)?pulloff (.*)")
+NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?$")
+SIZE_ONLY, SIZE_FACTOR, RELATIVE = 1e-5, 100, 1e-6
+
+
+def number(word):
+    word = word.rstrip(",;")
+    return float(word) if NUMBER.match(word) else None
+
+
+def alike_words(shown, printed):
+    if shown.rstrip(",;") == printed.rstrip(",;"):
+        return True
+    a, b = number(shown), number(printed)
+    if a is None or b is None or a == 0 or b == 0:
+        return False
+    a, b, difference = abs(a), abs(b), abs(a - b)
+    return difference <= RELATIVE * b or (max(a, b) < SIZE_ONLY and a <= SIZE_FACTOR * b and b <= SIZE_FACTOR * a)
+
+
+def is_time(line):
+    return line.startswith("work") or re.match(r' *"seconds', line) is not None
+
+
+def alike_lines(shown, printed):
+    if is_time(shown) and is_time(printed):
+        return True
+    a, b = shown.split(), printed.split()
+    return len(a) == len(b) and all(map(alike_words, a, b))
+
+
+def difference(shown, printed):
+    """What is wrong with the lines that are shown; None when nothing is."""
+    place = 0
+    skip = False
+    for line in shown:
+        if line.strip() == "...":
+            skip = True
+            continue
+        while skip and place < len(printed) and not alike_lines(line, printed[place]):
+            place += 1
+        if place == len(printed):
+            return f"not printed: {line}"
+        if not alike_lines(line, printed[place]):
+            return f"shown:   {line}\n  printed: {printed[place]}"
+        place += 1
+        skip = False
+    return None if skip or place == len(printed) else f"not shown: {printed[place]}"
+
+
+def split(text):
+    """The commands of a block, each with the lines of output that follow it."""
+    found = []
+    for line in text.splitlines():
+        if line.startswith("$ "):
+            found.append([line, []])
+        elif found and found[-1][0].endswith("\\"):
+            found[-1][0] += "\n" + line
+        elif found:
+            found[-1][1].append(line)
+        else:
+            raise ValueError(f"a block that does not begin with a command: {line}")
+    return found
+
+
+class Tests:
+    def __init__(self, program, root, folder):
+        self.program, self.folder = program, folder
+        self.environment = dict(os.environ, PULLOFF_DATA=str(root))
+        self.passed = self.failed = 0
+
+    def tell(self, what, wrong):
+        if wrong is None:
+            self.passed += 1
+        else:
+            self.failed += 1
+            print(f"FAILED: {what}\n  {wrong}")
+
+    def run(self, command):
+        """The output of a command line, as lines; None when it fails."""
+        words = COMMAND.fullmatch(command.replace("\\\n", " "))
+        if not words:
+            self.tell(command, "not a command of pulloff")
+            return None
+        ended = subprocess.run([self.program, *shlex.split(words[1])], cwd=self.folder, env=self.environment,
+                               capture_output=True, text=True)
+        if ended.returncode:
+            self.tell(command, f"exit status {ended.returncode}: {ended.stderr.strip()}")
+            return None
+        return ended.stdout.splitlines()
+
+    def block(self, name, text):
+        """Tests a block. Returned: the block of today."""
+        today = []
+        for line, shown in split(text):
+            printed = self.run(line.removeprefix("$ "))
+            wrong = None if printed is None or not shown else difference(shown, printed)
+            if printed is not None:
+                self.tell(f"{name}: {line}", wrong)
+            keep = printed is None or wrong is None or "..." in map(str.strip, shown)
+            today += [line, *(shown if keep else printed)]
+        return "\n".join(today) + "\n"
+
+    def page(self, path, name, write):
+        text = path.read_text()
+        renewed = BLOCK.sub(lambda found: f"```console\n{self.block(name, found[1])}```", text)
+        if write and renewed != text:
+            path.write_text(renewed)
+            print(f"written: {name}")
+
+    def manual(self, path):
+        text = re.sub(r"\\\n +", " ", path.read_text())
+        commands = re.findall(r"^ *(pulloff (?:solve|follow|theory) .*)$", text, re.M)
+        self.tell(f"{path.name} has commands", None if commands else "none found")
+        for command in commands:
+            if self.run(command.replace("\\-", "-")) is not None:
+                self.tell(command, None)
+
+
+def main():
+    program, root = os.path.realpath(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve()
+    pages = [root / "README.md", *sorted(root.glob("doc/*.md")), root / "cases/README.md",
+             root / "reference/README.md", root / "reports/README.md"]
+    with tempfile.TemporaryDirectory() as folder:
+        tests = Tests(program, root, folder)
+        for path in pages:
+            tests.page(path, str(path.relative_to(root)), "--write" in sys.argv)
+        tests.manual(root / "src/cli/pulloff.1")
+    print(f"{tests.passed} passed, {tests.failed} failed")
+    return 1 if tests.failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
