@@ -4,6 +4,7 @@
 
 #include <stddef.h>
 
+#include "po_check.h"
 #include "po_input.h"
 #include "po_physical.h"
 #include "po_result.h"
@@ -28,52 +29,6 @@ typedef enum {
   PO_CASE_DIAGNOSTICS = 64,
   PO_CASE_PRELOAD = 128,
 } po_case_want;
-
-typedef enum {
-  PO_PULL_OFF_FORCE,
-  PO_PULL_OFF_APPROACH,
-  PO_CONTACT_RADIUS, /* at pull-off */
-  PO_RESIDUAL,       /* of the discrete equations, see po_diagnostics.h */
-  PO_MOVED_FORCE,    /* change of the force with the last bits of the inputs */
-  PO_ENERGY_DEFECT,  /* of dU = W dapproach */
-  PO_REVERSE_TRACE, /* differences of folds when the branch is followed back, see po_reverse_trace.h
-                     */
-  PO_HYSTERESIS_FORCE, /* the greatest tension met in unloading at given approach */
-  PO_HYSTERESIS_APPROACH,
-  PO_HYSTERESIS_LOSS, /* energy lost in all jumps of loading and unloading at given approach */
-  PO_JUMPS,           /* these jumps, one by one */
-  PO_PULL_OFF_ANY,    /* the force, the greatest that any preload gives */
-  PO_STEPS,           /* of the staircase at given approach, one by one */
-  PO_LOAD_STEPS,      /* at given load */
-  PO_FOLD_COUNT,
-  PO_FOLDS,
-  PO_EXTREMA,
-  PO_CURVE,
-  PO_WORK,         /* the counters of work, each on its own; only our own pins speak of them */
-  PO_SOLVED_SHARE, /* of the points of the case, not of one */
-  PO_QUANTITY_COUNT
-} po_quantity;
-
-typedef enum { PO_TOLERANCE_ABS, PO_TOLERANCE_REL, PO_TOLERANCE_ULP } po_tolerance_kind;
-
-/* A value of an axis as a number: of a name, its place in the list of names. */
-typedef struct {
-  double number;
-  unsigned index; /* of the value as written */
-} po_axis_value;
-
-/* A key and values of it, as written; or from, to, count and scale, from which the values are made
- * (po_case_axis.c). */
-typedef struct {
-  char *key;
-  char **values;
-  unsigned values_count;
-  char *from_text;
-  char *to_text;
-  char *count_text;
-  char *scale;              /* "log", "linear"; NULL: linear */
-  po_axis_value *ascending; /* the values by their numbers; NULL: not checked yet */
-} po_axis;
 
 /* One key drawn at random, as written, and parsed. */
 typedef struct {
@@ -106,27 +61,6 @@ typedef struct {
   char *count_text;
 } po_traced_words;
 
-/* A check, or a measurement (no tolerance, no verdict), as written in the file; parsed values
- * beside it. */
-typedef struct {
-  char *quantity_text;
-  char *reference;
-  char *tolerance_text;
-  char *kind_text;
-  char *because;
-  char *stand_in; /* the reference that stands in while that of this check is absent, which leaves
-                     the check out; NULL: it must be there */
-  po_axis
-      *as_if; /* the reference is asked of the scene with these keys changed, each of one value */
-  unsigned as_if_count;
-  po_axis *when; /* the points it concerns: all these must match; none: every point */
-  unsigned when_count;
-  po_quantity quantity;
-  double tolerance;
-  po_tolerance_kind kind;
-  size_t line; /* of the tolerance in the file */
-} po_check;
-
 /* One scene. */
 typedef struct {
   char id[24]; /* "0", "1"...: in the order of the sample, then of the sweep */
@@ -154,7 +88,7 @@ typedef struct {
   char *theory; /* as `pulloff theory` names it */
   po_axis *sweep;
   unsigned sweep_count;
-} po_series;
+} po_case_line;
 
 /* One item of a sweep: a key and its values, or settings of several keys that go together. */
 typedef struct {
@@ -188,7 +122,7 @@ typedef struct {
   unsigned leave_out_count;
   po_sample_words *sample; /* NULL: none */
   char *follow;           /* the key along which minima are followed; NULL: every scene is traced */
-  char *checkpoints_text; /* of a line of scenes, one in so many is traced; NULL: as po_series.h
+  char *checkpoints_text; /* of a line of scenes, one in so many is traced; NULL: as po_case_line.h
                              says */
   po_traced_words *traced; /* NULL: none of them is traced as well */
   char *repeats_text;
@@ -196,7 +130,7 @@ typedef struct {
   unsigned want_names_count;
   po_check *checks;
   unsigned checks_count;
-  po_series *lines;
+  po_case_line *lines;
   unsigned lines_count;
   po_check *measure; /* without tolerance, kind and reason */
   unsigned measure_count;
@@ -223,7 +157,7 @@ typedef struct {
 
 /* Reads and checks one case file. `shown` is its name in messages.
  * Status: PO_BAD_INPUT with one line `file:line: path is VALUE: expected ...`; PO_CANNOT_READ. */
-po_status po_case_read(const char *path, const char *shown, po_case **check_result);
+po_status po_case_read(const char *path, const char *shown, po_case **result);
 void po_case_destroy(po_case *kase);
 
 /* How many settings an item of a sweep has; the value that setting number `index` gives a key or a
@@ -234,16 +168,6 @@ bool po_sweep_names(const po_sweep *sweep, po_key key);
 bool po_sweep_varies(const po_sweep *sweep, po_key key);
 const char *po_sweep_value(const po_sweep *sweep, unsigned index, po_key key);
 
-/* Whether all conditions of a list hold for a scene. */
-bool po_axes_hold(const po_axis *axes, unsigned count, const po_request *request);
-bool po_check_concerns(const po_check *check, const po_request *request);
-
-/* The scene of which the reference of a check is asked: as_if applied. */
-po_request po_check_request(const po_check *check, const po_request *request);
-
-/* Whether a check is against our own last blessed values: its reference is the word "pin". */
-bool po_check_is_pin(const po_check *check);
-
 /* Marks a case as a file outside the folder of cases. Status: PO_NO_MEMORY. */
 po_status po_case_set_own(po_case *kase);
 
@@ -252,36 +176,8 @@ po_status po_case_set_own(po_case *kase);
 const char *po_case_argument(const po_case *kase);
 const char *po_case_word(const po_case *kase);
 
-/* The reference of a solved_share: every scene has its equilibria. */
-#define PO_EVERY_SCENE "every_scene"
-
-/* The reference of what an exact solution has none of: residuals and the like. */
-#define PO_ZERO "zero"
-
-/* The reference of a pull-off that was followed: what the trace of the same scene finds. */
-#define PO_TRACED "traced"
-bool po_check_is_traced(const po_check *check);
-
-/* Whether a quantity is one of the pull-off: all that is known of a scene that is followed. */
-bool po_quantity_is_pull_off(po_quantity quantity);
-
-/* Whether a quantity is of the diagnostics, and so only set beside zero. */
-bool po_quantity_is_diagnostic(po_quantity quantity);
-
-/* Whether a quantity is of loading and unloading, which are followed for it. */
-bool po_quantity_is_hysteresis(po_quantity quantity);
-
-/* Whether a quantity is read off the staircases. */
-bool po_quantity_is_preload(po_quantity quantity);
-bool po_quantity_is_steps(po_quantity quantity);
-
 /* Names, as in case files. */
-const char *po_quantity_name(po_quantity quantity);
-const char *po_tolerance_kind_name(po_tolerance_kind kind);
 unsigned po_suite_of_name(const char *name); /* 0: none of that name */
 extern const char *const PO_SUITE_NAMES;     /* "smoke, paper, extreme, precision or random" */
-
-/* The tolerance of a check around an expected value, as an absolute number. */
-double po_check_allowance(const po_check *check, double expected);
 
 #endif

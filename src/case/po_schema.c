@@ -45,13 +45,13 @@ static const cyaml_schema_value_t RANGE = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, po_axis, RANGE_FIELDS)};
 
 static const cyaml_schema_field_t LINE_FIELDS[] = {
-    TEXT("name", po_series, name),
-    TEXT("theory", po_series, theory),
-    LIST("sweep", 0, po_series, sweep, &RANGE),
+    TEXT("name", po_case_line, name),
+    TEXT("theory", po_case_line, theory),
+    LIST("sweep", 0, po_case_line, sweep, &RANGE),
     CYAML_FIELD_END,
 };
 static const cyaml_schema_value_t LINE = {
-    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, po_series, LINE_FIELDS)};
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, po_case_line, LINE_FIELDS)};
 
 static const cyaml_schema_field_t DRAW_FIELDS[] = {
     TEXT("key", po_draw, key),

@@ -6,11 +6,6 @@
 
 #include "po_case.h"
 #include "po_json_value.h"
-#include "po_yaml.h"
-
-/* Checks the section `lines`: names, forms, the keys of their sweeps, and that each form has what
- * it needs. Status: PO_BAD_INPUT. */
-po_status po_lines_parse(po_case *kase, const po_yaml *yaml);
 
 /* Writes line-NAME.csv for each line into the folder, one row a combination of its sweep: the swept
  * keys, then what the form gives along its variable if that is swept, else the rest; nan where it

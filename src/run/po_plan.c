@@ -102,16 +102,16 @@ static po_status make_keys(po_plan *plan) {
   return status;
 }
 
-po_status po_plan_create(const po_case *kase, const char *data_folder, po_plan **check_result) {
+po_status po_plan_create(const po_case *kase, const char *data_folder, po_plan **result) {
   po_arithmetic own;
   const po_status status = po_environment_arithmetic(&own);
-  *check_result = NULL;
-  return status ? status : po_plan_create_for(kase, data_folder, &own, check_result);
+  *result = NULL;
+  return status ? status : po_plan_create_for(kase, data_folder, &own, result);
 }
 
 po_status po_plan_create_for(const po_case *kase, const char *data_folder,
-                             const po_arithmetic *arithmetic, po_plan **check_result) {
-  *check_result = NULL;
+                             const po_arithmetic *arithmetic, po_plan **result) {
+  *result = NULL;
   po_plan *plan = po_allocate(1, sizeof *plan);
   if (!plan)
     return PO_NO_MEMORY;
@@ -127,7 +127,7 @@ po_status po_plan_create_for(const po_case *kase, const char *data_folder,
   if (status)
     po_plan_destroy(plan);
   else
-    *check_result = plan;
+    *result = plan;
   return status;
 }
 

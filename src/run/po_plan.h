@@ -23,11 +23,11 @@ typedef struct {
 /* Makes the plan of a case: opens its references, refuses tolerances tighter than these, decides.
  * Status: PO_CANNOT_READ (a reference), PO_BAD_INPUT (a tolerance, a figure script), PO_NO_MEMORY.
  */
-po_status po_plan_create(const po_case *kase, const char *data_folder, po_plan **check_result);
+po_status po_plan_create(const po_case *kase, const char *data_folder, po_plan **result);
 
 /* The same of what is computed, or was, by another arithmetic than that of this process. */
 po_status po_plan_create_for(const po_case *kase, const char *data_folder,
-                             const po_arithmetic *arithmetic, po_plan **check_result);
+                             const po_arithmetic *arithmetic, po_plan **result);
 void po_plan_destroy(po_plan *plan);
 
 /* What a check or a measurement is against, as a path or a name: "reference/feng_pull_off.csv",

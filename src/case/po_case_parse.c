@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_lines.h"
+#include "po_case_lines.h"
 #include "po_memory.h"
 #include "po_schema.h"
 
@@ -278,7 +278,7 @@ po_status po_case_parse(po_case *kase, const po_yaml *yaml) {
   for (unsigned i = 0; !status && i < kase->file->leave_out_count; ++i)
     status = parse_leave_out(&kase->file->leave_out[i], i + 1, yaml);
   if (!status)
-    status = po_lines_parse(kase, yaml);
+    status = po_case_lines_parse(kase, yaml);
   if (!status)
     status = po_case_follow_parse(kase, yaml);
   if (!status)
