@@ -8,6 +8,9 @@
 
 #include "po_memory.h"
 #include "po_quote.h"
+#include "po_utf8.h"
+
+static const char REPLACEMENT[] = "\xEF\xBF\xBD"; /* U+FFFD */
 
 static bool text_reserve(po_text *text, size_t extra) {
   if (text->failed)
@@ -81,4 +84,28 @@ const char *po_text_string(const po_text *text) {
 void po_text_clear(po_text *text) {
   free(text->data);
   *text = (po_text){0};
+}
+
+char *po_text_utf8(const char *text) {
+  char *copy = po_resize(NULL, (sizeof REPLACEMENT - 1) * strlen(text) + 1, 1);
+  if (!copy)
+    return NULL;
+  char *to = copy;
+  while (*text) {
+    size_t length = 0;
+    const size_t count = po_utf8_present(text, &length);
+    if (length > 0 && count == length) {
+      memcpy(to, text, length);
+      to += length;
+      text += length;
+    } else if (count > 0 && text[count] == '\0')
+      break;
+    else {
+      memcpy(to, REPLACEMENT, sizeof REPLACEMENT - 1);
+      to += sizeof REPLACEMENT - 1;
+      text += 1;
+    }
+  }
+  *to = '\0';
+  return copy;
 }

@@ -30,4 +30,9 @@ const char *po_text_string(const po_text *text);
 /* Frees and zeroes. */
 void po_text_clear(po_text *text);
 
+/* A copy that is UTF-8: each byte that belongs to no character becomes U+FFFD (the replacement
+ * character), and an incomplete character at the end, as a cut text has, is left out. Free it.
+ * NULL with a message without memory. */
+char *po_text_utf8(const char *text);
+
 #endif

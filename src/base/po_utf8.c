@@ -1,11 +1,5 @@
 #include "po_utf8.h"
 
-#include <string.h>
-
-#include "po_memory.h"
-
-static const char REPLACEMENT[] = "\xEF\xBF\xBD"; /* U+FFFD */
-
 /* The length that the first byte of a character announces, and the range of the second byte, which
  * excludes overlong forms, surrogates and what lies above U+10FFFF; 0: no first byte. */
 static size_t announced(unsigned char first, unsigned char *least, unsigned char *most) {
@@ -18,9 +12,7 @@ static size_t announced(unsigned char first, unsigned char *least, unsigned char
   return first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
 }
 
-/* How many bytes at `text` begin a character of the announced length: fewer when it is broken off.
- */
-static size_t present(const char *text, size_t *length) {
+size_t po_utf8_present(const char *text, size_t *length) {
   const unsigned char *c = (const unsigned char *)text;
   unsigned char least, most;
   *length = announced(c[0], &least, &most);
@@ -35,7 +27,7 @@ static size_t present(const char *text, size_t *length) {
 
 size_t po_utf8_character(const char *text) {
   size_t length = 0;
-  return present(text, &length) == length ? length : 0;
+  return po_utf8_present(text, &length) == length ? length : 0;
 }
 
 bool po_utf8_is_valid(const char *text) {
@@ -46,28 +38,4 @@ bool po_utf8_is_valid(const char *text) {
     text += length;
   }
   return true;
-}
-
-char *po_utf8_copy(const char *text) {
-  char *copy = po_resize(NULL, (sizeof REPLACEMENT - 1) * strlen(text) + 1, 1);
-  if (!copy)
-    return NULL;
-  char *to = copy;
-  while (*text) {
-    size_t length = 0;
-    const size_t count = present(text, &length);
-    if (length > 0 && count == length) {
-      memcpy(to, text, length);
-      to += length;
-      text += length;
-    } else if (count > 0 && text[count] == '\0')
-      break;
-    else {
-      memcpy(to, REPLACEMENT, sizeof REPLACEMENT - 1);
-      to += sizeof REPLACEMENT - 1;
-      text += 1;
-    }
-  }
-  *to = '\0';
-  return copy;
 }

@@ -14,9 +14,8 @@ size_t po_utf8_character(const char *text);
 /* Whether all of a text is UTF-8. */
 bool po_utf8_is_valid(const char *text);
 
-/* A copy that is UTF-8: each byte that belongs to no character becomes U+FFFD (the replacement
- * character), and an incomplete character at the end, as a cut text has, is left out. Free it.
- * NULL with a message without memory. */
-char *po_utf8_copy(const char *text);
+/* How many bytes at `text` begin a character of the length, 1 to 4, that its first byte announces
+ * (0: none does): fewer than that when it is broken off. */
+size_t po_utf8_present(const char *text, size_t *length);
 
 #endif

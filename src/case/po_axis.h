@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "po_result.h"
+#include "po_request.h"
 
 /* A value of an axis as a number: of a name, its place in the list of names. */
 typedef struct {

@@ -7,7 +7,7 @@
 #include "po_check.h"
 #include "po_input.h"
 #include "po_physical.h"
-#include "po_result.h"
+#include "po_request.h"
 #include "po_status.h"
 
 typedef enum {

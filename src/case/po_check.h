@@ -8,7 +8,7 @@
 #include <stddef.h>
 
 #include "po_axis.h"
-#include "po_result.h"
+#include "po_request.h"
 
 typedef enum {
   PO_PULL_OFF_FORCE,

@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "po_guduru_path.h"
 #include "po_input.h"
 #include "po_json.h"
 #include "po_print_physical.h"
@@ -141,19 +140,14 @@ static void print_staircase(const char *control, const po_staircase *s) {
   }
 }
 
-/* Those of the solve, and of the JKR theory where there is one. Status: PO_NO_MEMORY. */
-static po_status print_staircases(const po_request *request, const po_result *o) {
-  po_staircase jkr[2];
+/* Those of the solve, and of the JKR theory where there is one. */
+static void print_staircases(const po_result *o) {
   print_staircase("displacement control", &o->staircase[0]);
   print_staircase("load control", &o->staircase[1]);
-  const po_status status = po_guduru_staircases(&request->scene, jkr);
-  if (!status) {
-    print_staircase("JKR theory (Eq 5), displacement control", &jkr[0]);
-    print_staircase("JKR theory (Eq 5), load control", &jkr[1]);
-  }
-  po_staircase_clear(&jkr[0]);
-  po_staircase_clear(&jkr[1]);
-  return status == PO_NO_MEMORY ? status : PO_OK;
+  if (!o->theory.has_staircases)
+    return;
+  print_staircase("JKR theory (Eq 5), displacement control", &o->theory.staircase[0]);
+  print_staircase("JKR theory (Eq 5), load control", &o->theory.staircase[1]);
 }
 
 /* One loop: where loading was reversed, what was measured, and every jump. */
@@ -221,9 +215,8 @@ static void print_input(const po_request *request) {
   printf("\n");
 }
 
-po_status po_print_text(const po_request *request, const po_scene_flags *flags,
-                        const po_result *result) {
-  po_status status = PO_OK;
+void po_print_text(const po_request *request, const po_scene_flags *flags,
+                   const po_result *result) {
   print_input(request);
   printf("status   %s%s%s\n", po_status_name(result->status), result->rigid ? ", rigid" : "",
          result->has_pull_off ? "" : ", no pull-off found");
@@ -240,8 +233,8 @@ po_status po_print_text(const po_request *request, const po_scene_flags *flags,
     print_loop("displacement control", &result->hysteresis.displacement);
     print_loop("load control", &result->hysteresis.load);
   }
-  if (!status && result->has_staircases)
-    status = print_staircases(request, result);
+  if (result->has_staircases)
+    print_staircases(result);
   print_wanted(request, result);
   print_diagnostics(result);
   if (flags->from_physical)
@@ -251,5 +244,4 @@ po_status po_print_text(const po_request *request, const po_scene_flags *flags,
       (unsigned long long)result->work.points, (unsigned long long)result->work.newton_iterations,
       (unsigned long long)result->work.factorizations,
       (unsigned long long)result->work.factorized_nodes, result->work.seconds);
-  return status;
 }

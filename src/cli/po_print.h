@@ -3,6 +3,7 @@
 #define PO_PRINT_H
 
 #include "po_json_value.h"
+#include "po_request.h"
 #include "po_result.h"
 #include "po_scene_flags.h"
 
@@ -15,7 +16,6 @@ po_status po_print_json(const po_request *request, const po_scene_flags *flags,
                         const po_result *result);
 
 /* A table for people. */
-po_status po_print_text(const po_request *request, const po_scene_flags *flags,
-                        const po_result *result);
+void po_print_text(const po_request *request, const po_scene_flags *flags, const po_result *result);
 
 #endif

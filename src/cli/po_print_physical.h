@@ -3,6 +3,7 @@
 #define PO_PRINT_PHYSICAL_H
 
 #include "po_json_value.h"
+#include "po_request.h"
 #include "po_result.h"
 #include "po_scene_flags.h"
 

@@ -6,6 +6,7 @@
 #include "po_input.h"
 #include "po_interrupt.h"
 #include "po_linear.h"
+#include "po_observe.h"
 #include "po_options.h"
 #include "po_print.h"
 #include "po_scene_flags.h"
@@ -208,8 +209,11 @@ static int solve(solve_line *line) {
   const po_status solved = po_observe(&line->request, &result);
   if (solved && !result.reason[0])
     snprintf(result.reason, sizeof result.reason, "%.250s", po_message());
-  po_status status = line->json ? po_print_json(&line->request, &line->flags, &result)
-                                : po_print_text(&line->request, &line->flags, &result);
+  po_status status = PO_OK;
+  if (line->json)
+    status = po_print_json(&line->request, &line->flags, &result);
+  else
+    po_print_text(&line->request, &line->flags, &result);
   if (!status && !solved)
     status = write_files(line, &result); /* a result must not be lost with a file beside it */
   if (!status && solved)

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_utf8.h"
+#include "po_text.h"
 
 static void number_or_dash(double value, int digits, char text[32]) {
   if (isfinite(value))
@@ -138,7 +138,7 @@ void po_verdicts_tap(const po_case_run *runs, size_t count, po_text *text) {
 
 /* As XML, which has to be UTF-8. */
 static void add_escaped(po_text *text, const char *string) {
-  char *valid = po_utf8_copy(string);
+  char *valid = po_text_utf8(string);
   text->failed = text->failed || !valid;
   for (const char *c = valid; c && *c; ++c) {
     const char *entity = *c == '&'   ? "&amp;"

@@ -59,9 +59,9 @@ json_t *po_json_result(const po_request *request, const po_result *result) {
       {"extrema", special_points_of(result, result->extrema, result->extremum_count)},
       {"work", po_json_work(&result->work)});
   if (result->has_hysteresis)
-    po_json_set(&object, "hysteresis", po_json_hysteresis(request, result));
+    po_json_set(&object, "hysteresis", po_json_hysteresis(result));
   if (result->has_staircases)
-    po_json_set(&object, "staircase", po_json_staircases(request, result));
+    po_json_set(&object, "staircase", po_json_staircases(result));
   if (result->diagnostics.states || result->diagnostics.moved.solves)
     po_json_set(&object, "diagnostics", po_json_diagnostics(result));
   return object;

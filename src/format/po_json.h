@@ -4,6 +4,7 @@
 #define PO_JSON_H
 
 #include "po_json_value.h"
+#include "po_request.h"
 #include "po_result.h"
 #include "po_status.h"
 
@@ -22,11 +23,11 @@ json_t *po_json_profile(const po_result *result);
 
 /* {"displacement_control", "load_control", "jkr"}: both loops, and the two of the JKR theory (null
  * for a rigid scene). Each loop: {"preload", "pull_off", "energy_lost", "work", "jumps"}. */
-json_t *po_json_hysteresis(const po_request *request, const po_result *result);
+json_t *po_json_hysteresis(const po_result *result);
 
 /* {"displacement_control", "load_control", "jkr"}: the staircases, and those of the JKR theory
  * (null for a rigid scene). Each: {"steps": [...], "reached"}. */
-json_t *po_json_staircases(const po_request *request, const po_result *result);
+json_t *po_json_staircases(const po_result *result);
 
 /* The label of a jump, or of an end of one, numbered from 1: "1", "2"... in loading, "a", "b"...
  * "z", "aa"... in unloading. */
@@ -46,13 +47,10 @@ po_status po_json_read_result(const json_t *object, po_result *result);
  * together. NULL without memory. */
 json_t *po_json_contact(const po_result *result);
 
-/* A number, or NaN for null and what is absent. */
-double po_json_read_number(const json_t *object, const char *key);
-
-/* The inverse of po_json_hysteresis but for the theory; null or absent: none. */
+/* The inverse of po_json_hysteresis; null or absent: none. */
 po_status po_json_read_hysteresis(const json_t *object, po_result *result);
 
-/* The inverse of po_json_staircases but for the theory; null or absent: none. */
+/* The inverse of po_json_staircases; null or absent: none. */
 po_status po_json_read_staircases(const json_t *object, po_result *result);
 
 #endif

@@ -1,4 +1,4 @@
-/* The keys of numbers and counts, once for writing and reading. */
+/* Parts of a result as JSON and back: the keys of numbers and counts once for both. */
 #include <stddef.h>
 
 #include "po_json.h"
@@ -58,6 +58,15 @@ static void read_numbers(const json_t *object, const field *fields, size_t count
   }
 }
 
+json_t *po_json_pressed(const po_pressed *pressed) {
+  return PO_JSON_OBJECT({"approach", po_json_number(pressed->approach)},
+                        {"load", po_json_number(pressed->load)});
+}
+
+po_pressed po_json_read_pressed(const json_t *object) {
+  return (po_pressed){po_json_read_number(object, "approach"), po_json_read_number(object, "load")};
+}
+
 json_t *po_json_special_point(const po_special_point *special) {
   json_t *object = PO_JSON_OBJECT({"kind", po_json_text(po_special_kind_name(special->kind))});
   write_numbers(&object, SPECIAL_POINT, LENGTH(SPECIAL_POINT), special);
@@ -103,4 +112,27 @@ void po_json_read_work(const json_t *object, po_work *work) {
     *number = po_json_count_of(object, WORK[i].key);
   }
   work->seconds = po_json_read_number(object, "seconds");
+}
+
+json_t *po_json_pull_off_any(const po_result *o) {
+  if (!o->pull_off_any.is_known)
+    return json_null();
+  return PO_JSON_OBJECT({"force", po_json_number(o->pull_off_any.force)},
+                        {"error_estimate", po_json_number(o->pull_off_any.force_error)},
+                        {"approach", po_json_number(o->pull_off_any.approach)},
+                        {"approach_error_estimate", po_json_number(o->pull_off_any.approach_error)},
+                        {"preload", po_json_pressed(&o->pull_off_any.pressed)},
+                        {"complete", po_json_flag(o->pull_off_any.complete)},
+                        {"searched", po_json_pressed(&o->pull_off_any.searched)});
+}
+
+void po_json_read_pull_off_any(const json_t *object, po_result *o) {
+  o->pull_off_any.is_known = json_is_object(object);
+  o->pull_off_any.force = po_json_read_number(object, "force");
+  o->pull_off_any.force_error = po_json_read_number(object, "error_estimate");
+  o->pull_off_any.approach = po_json_read_number(object, "approach");
+  o->pull_off_any.approach_error = po_json_read_number(object, "approach_error_estimate");
+  o->pull_off_any.pressed = po_json_read_pressed(json_object_get(object, "preload"));
+  o->pull_off_any.complete = json_is_true(json_object_get(object, "complete"));
+  o->pull_off_any.searched = po_json_read_pressed(json_object_get(object, "searched"));
 }

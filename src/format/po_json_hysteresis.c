@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "po_guduru_path.h"
 #include "po_json.h"
 #include "po_memory.h"
 
@@ -63,23 +62,12 @@ static json_t *both(const po_hysteresis *h) {
                         {"load_control", loop(&h->load)});
 }
 
-/* The JKR theory from the same preload: the same approach when that was given, else the load. */
-static json_t *theory(const po_request *request, const po_hysteresis *found) {
-  po_preload preload = request->preload;
-  if (isnan(preload.approach) && isnan(preload.load))
-    preload.load = found->displacement.preload.load;
-  po_hysteresis h;
-  const po_status status = po_guduru_hysteresis(&request->scene, preload, &h);
-  json_t *object = status == PO_NO_MEMORY ? NULL : status ? json_null() : both(&h);
-  po_hysteresis_clear(&h);
-  return object;
-}
-
-json_t *po_json_hysteresis(const po_request *request, const po_result *result) {
+json_t *po_json_hysteresis(const po_result *result) {
   if (!result->has_hysteresis)
     return json_null();
   json_t *object = both(&result->hysteresis);
-  po_json_set(&object, "jkr", theory(request, &result->hysteresis));
+  po_json_set(&object, "jkr",
+              result->theory.has_hysteresis ? both(&result->theory.hysteresis) : json_null());
   return object;
 }
 
@@ -119,13 +107,19 @@ static po_status read_loop(const json_t *object, po_control control, po_loop *l)
   return PO_OK;
 }
 
-po_status po_json_read_hysteresis(const json_t *object, po_result *result) {
-  result->has_hysteresis = json_is_object(object);
-  if (!result->has_hysteresis)
+static po_status read_both(const json_t *object, bool *present, po_hysteresis *h) {
+  *present = json_is_object(object);
+  if (!*present)
     return PO_OK;
-  po_hysteresis *h = &result->hysteresis;
   const po_status status = read_loop(json_object_get(object, "displacement_control"),
                                      PO_DISPLACEMENT_CONTROL, &h->displacement);
   return status ? status
                 : read_loop(json_object_get(object, "load_control"), PO_LOAD_CONTROL, &h->load);
+}
+
+po_status po_json_read_hysteresis(const json_t *object, po_result *result) {
+  const po_status status = read_both(object, &result->has_hysteresis, &result->hysteresis);
+  return status ? status
+                : read_both(json_object_get(object, "jkr"), &result->theory.has_hysteresis,
+                            &result->theory.hysteresis);
 }

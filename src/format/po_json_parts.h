@@ -7,9 +7,6 @@
 
 #include "po_result.h"
 
-/* A count, or 0 for what is absent. */
-uint64_t po_json_count_of(const json_t *object, const char *key);
-
 /* Parts of a result, and back: a special point but for its kind, the pull-off (null when there is
  * none), the work. */
 json_t *po_json_special_point(const po_special_point *special);

@@ -1,5 +1,4 @@
 #include <limits.h>
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -7,15 +6,6 @@
 #include "po_json_parts.h"
 #include "po_memory.h"
 #include "po_quote.h"
-
-double po_json_read_number(const json_t *object, const char *key) {
-  const json_t *item = json_object_get(object, key);
-  return json_is_number(item) ? json_number_value(item) : (double)NAN;
-}
-
-uint64_t po_json_count_of(const json_t *object, const char *key) {
-  return (uint64_t)json_integer_value(json_object_get(object, key));
-}
 
 static bool read_kind(const json_t *object, po_special_kind *kind) {
   const char *name = json_string_value(json_object_get(object, "kind"));

@@ -1,42 +1,9 @@
-/* Pull-offs with their preloads, and staircases, as JSON and back. */
+/* Staircases as JSON and back. */
 #include <math.h>
 
-#include "po_guduru_path.h"
 #include "po_json.h"
 #include "po_json_parts.h"
 #include "po_memory.h"
-
-json_t *po_json_pressed(const po_pressed *pressed) {
-  return PO_JSON_OBJECT({"approach", po_json_number(pressed->approach)},
-                        {"load", po_json_number(pressed->load)});
-}
-
-po_pressed po_json_read_pressed(const json_t *object) {
-  return (po_pressed){po_json_read_number(object, "approach"), po_json_read_number(object, "load")};
-}
-
-json_t *po_json_pull_off_any(const po_result *o) {
-  if (!o->pull_off_any.is_known)
-    return json_null();
-  return PO_JSON_OBJECT({"force", po_json_number(o->pull_off_any.force)},
-                        {"error_estimate", po_json_number(o->pull_off_any.force_error)},
-                        {"approach", po_json_number(o->pull_off_any.approach)},
-                        {"approach_error_estimate", po_json_number(o->pull_off_any.approach_error)},
-                        {"preload", po_json_pressed(&o->pull_off_any.pressed)},
-                        {"complete", po_json_flag(o->pull_off_any.complete)},
-                        {"searched", po_json_pressed(&o->pull_off_any.searched)});
-}
-
-void po_json_read_pull_off_any(const json_t *object, po_result *o) {
-  o->pull_off_any.is_known = json_is_object(object);
-  o->pull_off_any.force = po_json_read_number(object, "force");
-  o->pull_off_any.force_error = po_json_read_number(object, "error_estimate");
-  o->pull_off_any.approach = po_json_read_number(object, "approach");
-  o->pull_off_any.approach_error = po_json_read_number(object, "approach_error_estimate");
-  o->pull_off_any.pressed = po_json_read_pressed(json_object_get(object, "preload"));
-  o->pull_off_any.complete = json_is_true(json_object_get(object, "complete"));
-  o->pull_off_any.searched = po_json_read_pressed(json_object_get(object, "searched"));
-}
 
 /* A state of a branch, by position, so that it can be found again; apart for ever the approach is
  * null. */
@@ -92,19 +59,10 @@ static json_t *both(const po_staircase s[2]) {
                         {"load_control", staircase(&s[1])});
 }
 
-/* Of the JKR theory, complete. */
-static json_t *theory(const po_request *request) {
-  po_staircase s[2];
-  const po_status status = po_guduru_staircases(&request->scene, s);
-  json_t *object = status == PO_NO_MEMORY ? NULL : status ? json_null() : both(s);
-  po_staircase_clear(&s[0]);
-  po_staircase_clear(&s[1]);
-  return object;
-}
-
-json_t *po_json_staircases(const po_request *request, const po_result *result) {
+json_t *po_json_staircases(const po_result *result) {
   json_t *object = both(result->staircase);
-  po_json_set(&object, "jkr", theory(request));
+  po_json_set(&object, "jkr",
+              result->theory.has_staircases ? both(result->theory.staircase) : json_null());
   return object;
 }
 
@@ -152,13 +110,20 @@ static po_status read_staircase(const json_t *object, po_control control, po_sta
   return status;
 }
 
-po_status po_json_read_staircases(const json_t *object, po_result *result) {
-  result->has_staircases = json_is_object(object);
-  if (!result->has_staircases)
+static po_status read_both(const json_t *object, bool *present, po_staircase staircase[2]) {
+  *present = json_is_object(object);
+  if (!*present)
     return PO_OK;
   const po_status status = read_staircase(json_object_get(object, "displacement_control"),
-                                          PO_DISPLACEMENT_CONTROL, &result->staircase[0]);
+                                          PO_DISPLACEMENT_CONTROL, &staircase[0]);
   return status ? status
                 : read_staircase(json_object_get(object, "load_control"), PO_LOAD_CONTROL,
-                                 &result->staircase[1]);
+                                 &staircase[1]);
+}
+
+po_status po_json_read_staircases(const json_t *object, po_result *result) {
+  const po_status status = read_both(object, &result->has_staircases, result->staircase);
+  return status ? status
+                : read_both(json_object_get(object, "jkr"), &result->theory.has_staircases,
+                            result->theory.staircase);
 }

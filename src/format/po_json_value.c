@@ -37,7 +37,7 @@ json_t *po_json_text(const char *text) {
     return json_null();
   if (po_utf8_is_valid(text))
     return made(json_string_nocheck(text));
-  char *copy = po_utf8_copy(text);
+  char *copy = po_text_utf8(text);
   json_t *value = copy ? made(json_string_nocheck(copy)) : NULL;
   free(copy);
   return value;
@@ -152,4 +152,13 @@ po_status po_json_parse(const char *bytes, size_t size, json_t **document) {
   if (*document)
     return PO_OK;
   return po_fail(PO_CANNOT_READ, "line %d: %s", error.line, error.text);
+}
+
+double po_json_read_number(const json_t *object, const char *key) {
+  const json_t *item = json_object_get(object, key);
+  return json_is_number(item) ? json_number_value(item) : (double)NAN;
+}
+
+uint64_t po_json_count_of(const json_t *object, const char *key) {
+  return (uint64_t)json_integer_value(json_object_get(object, key));
 }

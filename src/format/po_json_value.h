@@ -20,7 +20,7 @@ json_t *po_json_count(uint64_t value);
 json_t *po_json_integer(int value);
 json_t *po_json_flag(bool value);
 
-/* A text, made UTF-8 where it is not (po_utf8_copy); null for NULL. */
+/* A text, made UTF-8 where it is not (po_text_utf8); null for NULL. */
 json_t *po_json_text(const char *text);
 
 /* The same for an allocated text, of which it takes ownership; NULL for NULL, a text whose
@@ -58,6 +58,10 @@ po_status po_json_print_line(const json_t *document, po_text *text);
 /* Reads a document of `size` bytes, in which no key is given twice.
  * Status: PO_CANNOT_READ, with what is wrong and where as the message; PO_NO_MEMORY. */
 po_status po_json_parse(const char *bytes, size_t size, json_t **document);
+
+/* A member that is a number, or NaN for null and what is absent; a count, or 0. */
+double po_json_read_number(const json_t *object, const char *key);
+uint64_t po_json_count_of(const json_t *object, const char *key);
 
 #ifndef PO_JSON_VALUE_IS_MADE_HERE
 #pragma GCC poison json_object json_array json_string json_stringn json_integer json_real json_pack

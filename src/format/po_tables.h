@@ -2,6 +2,7 @@
 #ifndef PO_TABLES_H
 #define PO_TABLES_H
 
+#include "po_request.h"
 #include "po_result.h"
 #include "po_status.h"
 

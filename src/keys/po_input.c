@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_load_bound.h"
+#include "po_companion_jkr.h"
 #include "po_text.h"
 
 typedef enum {
@@ -45,7 +45,7 @@ static const struct {
 
 po_request po_input_default(void) {
   po_request request = po_request_default();
-  request.bound = po_load_bound_of_jkr;
+  request.companion = &PO_COMPANION_JKR;
   return request;
 }
 

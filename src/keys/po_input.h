@@ -9,7 +9,7 @@
 #include <stddef.h>
 
 #include "po_number.h"
-#include "po_result.h"
+#include "po_request.h"
 
 typedef enum {
   PO_KEY_TABOR,
@@ -34,7 +34,7 @@ typedef enum {
   PO_KEY_END
 } po_key;
 
-/* A request with every field at its default, and the bound of the load by the JKR theory. */
+/* A request with every field at its default, and the JKR theory as its companion. */
 po_request po_input_default(void);
 
 /* The key of that name, a group or not, or -1. */

@@ -59,7 +59,7 @@ static po_status diagnose(const po_kept_state *kept, po_equilibrium *e, po_adapt
   return PO_OK;
 }
 
-static po_status out_of_time(const po_request *request, const char *what) {
+po_status po_diagnose_out_of_time(const po_request *request, const char *what) {
   return po_fail(PO_OUT_OF_TIME, "after %g s of processor time the branch is traced, but %s",
                  request->time_limit, what);
 }
@@ -76,7 +76,7 @@ po_status po_diagnose_states(const po_request *request, double deadline, const p
     if (!kept->states[k].n)
       continue;
     if (po_clock_thread() > deadline) {
-      status = out_of_time(request, "not every state is diagnosed");
+      status = po_diagnose_out_of_time(request, "not every state is diagnosed");
       break;
     }
     const po_status made = diagnose(&kept->states[k], e, adaptive, state, d);
@@ -84,65 +84,6 @@ po_status po_diagnose_states(const po_request *request, double deadline, const p
     status = made == PO_NO_MEMORY ? made : PO_OK;
   }
   free(state);
-  d->seconds += po_clock_wall() - begin;
-  return status;
-}
-
-/* The largest change of a fold's approach; NaN when they are not the same folds. */
-static double change_of_folds(const po_result *a, const po_result *b) {
-  double largest = 0.0;
-  for (size_t k = 0; k < a->fold_count && a->fold_count == b->fold_count; ++k)
-    largest = fmax(largest, fabs(a->folds[k].approach - b->folds[k].approach));
-  return a->fold_count == b->fold_count ? largest : (double)NAN;
-}
-
-static po_status move(const po_request *request, const po_result *result, po_moved *moved) {
-  po_result again;
-  const po_status status = po_observe(request, &again);
-  ++moved->solves;
-  if (status || !again.has_pull_off) {
-    ++moved->failed;
-  } else {
-    const double change = fabs(again.pull_off.force / result->pull_off.force - 1.0);
-    moved->change = fmax(moved->change, change); /* the first is NaN */
-    const double folds = change_of_folds(result, &again);
-    if (!(folds <= moved->folds)) /* NaN stays */
-      moved->folds = isnan(moved->folds) ? moved->folds : folds;
-  }
-  po_result_clear(&again);
-  const bool ends = status == PO_NO_MEMORY || status == PO_INTERRUPTED || status == PO_OUT_OF_TIME;
-  return ends ? status : PO_OK;
-}
-
-po_status po_diagnose_moved(const po_request *request, double deadline, po_result *result) {
-  po_diagnostics *d = &result->diagnostics;
-  po_request moving = *request;
-  moving.want &= ~(unsigned)PO_WANT_DIAGNOSTICS; /* the rest may change the steps */
-  const bool wavy = po_scene_is_wavy(&request->scene);
-  const struct {
-    double *value, by;
-  } inputs[] = {{&moving.scene.tabor, d->force.tabor},
-                {&moving.scene.radius, d->force.radius},
-                {&moving.scene.amplitude, d->force.amplitude},
-                {&moving.scene.wavelength, d->force.wavelength}};
-  const double begin = po_clock_wall();
-  double most = 0.0;
-  po_status status = PO_OK;
-  for (size_t k = 0; k < (wavy ? 4 : 2); ++k) {
-    const double is = *inputs[k].value;
-    for (int up = 0; !status && up < 2 && is > 0.0; ++up) {
-      *inputs[k].value = nextafter(is, up ? INFINITY : 0.0);
-      most = fmax(most, fabs(inputs[k].by * (*inputs[k].value / is - 1.0)));
-      if (isfinite(deadline))
-        moving.time_limit = deadline - po_clock_thread();
-      status = moving.time_limit <= 0.0 ? PO_OUT_OF_TIME : move(&moving, result, &d->moved);
-      if (status == PO_OUT_OF_TIME)
-        status = out_of_time(request, "the solves with changed inputs are not complete");
-    }
-    *inputs[k].value = is;
-  }
-  if (d->has_sensitivity)
-    d->moved.predicted = most + fabs(d->force.residual) + d->force.rounding;
   d->seconds += po_clock_wall() - begin;
   return status;
 }

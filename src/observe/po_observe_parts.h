@@ -5,7 +5,19 @@
 #include "po_reader.h"
 #include "po_resolution.h"
 
-/* po_observe, with somebody who keeps minima and folds. */
+/* The processor time, on po_clock_thread, until which a request may be solved; INFINITY: no limit.
+ */
+double po_observe_deadline(const po_request *request);
+
+/* Traces the branch of a scene until its errors are within the tolerance. Given: who keeps minima
+ * and folds, or NULL. Returned: the result but for its status and reason. */
+po_status po_observe_attempts(const po_request *request, const po_keeper *keeper, double deadline,
+                              po_result *result);
+
+/* Writes the status of a solve and the reason into its result. Returned: the status. */
+po_status po_observe_finish(po_status status, po_result *result);
+
+/* Both: what po_observe does but for the theory and the solves with moved inputs. */
 po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po_result *result);
 
 /* What panels may leave for a request, and where Newton's method may stop, for a relative

@@ -4,6 +4,7 @@
 #define PO_PRESSED_H
 
 #include "po_path.h"
+#include "po_request.h"
 #include "po_result.h"
 #include "po_stopping.h"
 

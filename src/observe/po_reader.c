@@ -11,18 +11,6 @@
 #include "po_observe_parts.h"
 #include "po_profile.h"
 
-/* A contact that comes this close to the end of the panels of an unbounded surface does not leave
- * the far field to the panel beyond, in parts of the radius of that end. */
-static const double GREATEST_CONTACT = 0.9, LARGER_THAN_CONTACT = 1.15;
-
-double po_observe_core_of_contact(double contact_radius) {
-  return LARGER_THAN_CONTACT * contact_radius;
-}
-
-bool po_observe_is_cut_off(const po_scene *scene, double contact_radius, double core) {
-  return isinf(scene->outer_radius) && contact_radius > GREATEST_CONTACT * core;
-}
-
 /* A station is met to 1e-12. */
 static const double SAME_APPROACH = 1e-9;
 

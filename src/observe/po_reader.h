@@ -6,6 +6,7 @@
 #include "po_branch.h"
 #include "po_estimate.h"
 #include "po_kept.h"
+#include "po_request.h"
 #include "po_result.h"
 #include "po_stopping.h"
 

@@ -1,8 +1,6 @@
-/* What is asked: defaults and checks. */
-#include <math.h>
-#include <string.h>
+#include "po_request.h"
 
-#include "po_result.h"
+#include <math.h>
 
 po_request po_request_default(void) {
   return (po_request){.scene = po_scene_default(),
@@ -77,20 +75,7 @@ po_status po_request_check(const po_request *request) {
   return PO_OK;
 }
 
-static const char *const CAUSES[] = {
-    [PO_END_NONE] = "none",         [PO_END_COMPRESSED] = "compressed",
-    [PO_END_PRELOAD] = "preload",   [PO_END_COMPLETE] = "complete",
-    [PO_END_SEARCHED] = "searched", [PO_END_ASKED] = "approach_end"};
-
-const char *po_end_cause_name(po_end_cause cause) {
-  return CAUSES[cause];
-}
-
-bool po_end_cause_find(const char *name, po_end_cause *cause) {
-  for (size_t k = 0; name && k < sizeof CAUSES / sizeof *CAUSES; ++k)
-    if (strcmp(name, CAUSES[k]) == 0) {
-      *cause = (po_end_cause)k;
-      return true;
-    }
-  return false;
+double po_request_bound(const po_request *request, double load) {
+  const po_companion *companion = request->companion;
+  return companion ? companion->bound(&request->scene, load) : (double)NAN;
 }

@@ -1,35 +1,8 @@
 #include "po_result.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-
-#include "po_clock.h"
-#include "po_diagnose.h"
-#include "po_linear.h"
-#include "po_reader.h"
-#include "po_rigid.h"
-#include "po_trace.h"
-
-/* When the estimated error of the force is beyond the tolerance, or a finer mesh does not meet a
- * fold, which is then mostly of the mesh and not of the scene, the trace is made anew, with this
- * part of what would do. */
-static const double SHARPER = 0.3;
-/* What an error counts for that could not be estimated. */
-static const double UNKNOWN_EXCESS = 3.0;
-/* An estimate so many times the tolerance, after all, is of a contact that no mesh has met. */
-static const double MOST_EXCESS = 10.0;
-enum { MOST_TRACES = 3 };
-
-/* When the contact reaches the end of an unbounded surface's core, the trace is made anew on a
- * larger one. */
-static const double CORE_GROWTH = 1.5;
-enum { MOST_MESHES = 4 };
-
-/* Where a trace for hysteresis begins, in Tabor parameters and in eps: the smooth sphere jumps out
- * at -1.61 mu (JKR), and waves may hold on longer. */
-static const double BEYOND = 1.0; /* eps */
-static const double BEGIN_PER_TABOR = 4.0, BEGIN_AT_LEAST = 4.0;
+#include <string.h>
 
 static const char *const KINDS[] = {[PO_JUMP_IN] = "jump_in",
                                     [PO_JUMP_OUT] = "jump_out",
@@ -56,130 +29,22 @@ po_result po_result_none(void) {
                                      .moved = {.change = NAN, .predicted = NAN}}};
 }
 
-static void add_work(const po_work *more, po_work *work) {
-  work->points += more->points;
-  work->newton_iterations += more->newton_iterations;
-  work->factorizations += more->factorizations;
-  work->kernel_evaluations += more->kernel_evaluations;
-  work->meshes += more->meshes;
-  work->nodes = work->nodes > more->nodes ? work->nodes : more->nodes;
-  work->factorized_nodes = work->factorized_nodes > more->factorized_nodes ? work->factorized_nodes
-                                                                           : more->factorized_nodes;
+static const char *const CAUSES[] = {
+    [PO_END_NONE] = "none",         [PO_END_COMPRESSED] = "compressed",
+    [PO_END_PRELOAD] = "preload",   [PO_END_COMPLETE] = "complete",
+    [PO_END_SEARCHED] = "searched", [PO_END_ASKED] = "approach_end"};
+
+const char *po_end_cause_name(po_end_cause cause) {
+  return CAUSES[cause];
 }
 
-/* Whether the scheme says how far it errs, and for once cannot. */
-static bool is_unsure(const po_request *request, const po_result *result) {
-  return request->mesh.scheme == PO_PANEL && !result->rigid && result->has_pull_off &&
-         isnan(result->pull_off.force_error);
-}
-
-/* The estimated error of the force in parts of what is asked; 0 when it is no more. What no
- * estimate sees is left out: no other mesh would make it less, and of the small forces that high
- * waves leave it is a large part. */
-static double excess_error(const po_request *request, const po_result *result) {
-  if (is_unsure(request, result))
-    return UNKNOWN_EXCESS;
-  if (!result->has_pull_off)
-    return 0.0;
-  const double force = result->pull_off.force;
-  const double seen = result->pull_off.force_error - po_estimate_load_error(request, 0.0, force);
-  const double excess = seen / (request->mesh.tolerance * force);
-  return excess > 1.0 ? excess : 0.0;
-}
-
-static double finite_or_none(double value) {
-  return isfinite(value) ? value : (double)NAN;
-}
-
-/* A search goes on until the contact is so large, for a pull-off force of pi w R, if that is not
- * much farther than the core reaches anyway. */
-static const double SEARCHED_FORCE = 1.0, LARGEST_CORE = 1.6;
-
-/* The core of the surface that the trace begins with. */
-static double core_of(const po_request *request) {
-  const po_scene *scene = &request->scene;
-  const double deepest = fmax(fmax(request->approach_end, request->profile_approach),
-                              finite_or_none(request->preload.approach));
-  const double core = po_surface_core(scene, deepest);
-  if (po_request_search(request) == PO_SEARCH_NONE || !request->bound || !po_scene_is_wavy(scene) ||
-      isfinite(scene->outer_radius))
-    return core;
-  const double enough = po_observe_core_of_contact(request->bound(scene, -SEARCHED_FORCE));
-  return enough < LARGEST_CORE * core ? fmax(core, enough) : core;
-}
-
-/* A trace that is to end, or to be pressed, farther out than it would begin must begin beyond. */
-static double farthest_of(const po_request *request) {
-  return fmin(request->approach_end, finite_or_none(request->preload.approach)) - BEYOND;
-}
-
-static po_status observe(const po_request *request, const po_keeper *keeper, double deadline,
-                         po_result *result) {
-  po_status status = po_request_check(request);
-  if (status)
-    return status;
-  const bool rigid = po_rigid_suffices(&request->scene);
-  po_attempt a = {.core = core_of(request),
-                  .tolerance = request->mesh.tolerance,
-                  .begin = farthest_of(request)};
-  if (request->want & (PO_WANT_HYSTERESIS | PO_WANT_PRELOAD))
-    a.begin = fmin(a.begin, -(BEGIN_AT_LEAST + BEGIN_PER_TABOR * request->scene.tabor +
-                              request->scene.amplitude));
-  po_work work = {0};
-  for (int meshes = 0, traces = 1; meshes < MOST_MESHES; ++traces) {
-    po_result_clear(result);
-    status = po_trace(request, rigid, &a, deadline, keeper, result);
-    add_work(&result->work, &work);
-    double excess = status || rigid ? 0.0 : excess_error(request, result);
-    if (!status && a.unmet_folds > 0)
-      excess = fmax(excess, UNKNOWN_EXCESS);
-    if (status == PO_OUT_OF_DOMAIN) {
-      a.core *= CORE_GROWTH;
-      ++meshes;
-    } else if (excess > 0.0 && traces < MOST_TRACES) {
-      a.tolerance *= SHARPER / excess;
-    } else if (!status && request->want & PO_WANT_HYSTERESIS && !result->has_hysteresis) {
-      ++meshes; /* it begins farther out now */
-    } else {
-      break;
+bool po_end_cause_find(const char *name, po_end_cause *cause) {
+  for (size_t k = 0; name && k < sizeof CAUSES / sizeof *CAUSES; ++k)
+    if (strcmp(name, CAUSES[k]) == 0) {
+      *cause = (po_end_cause)k;
+      return true;
     }
-  }
-  result->work = work;
-  if (!status && is_unsure(request, result))
-    return po_fail(
-        PO_NOT_CONVERGED,
-        "the error of the pull-off force %.6g at approach %.6g could not be estimated: no "
-        "equilibrium was found there on a finer mesh",
-        result->pull_off.force, result->pull_off.approach);
-  if (!status && !rigid && excess_error(request, result) > MOST_EXCESS)
-    return po_fail(PO_NOT_CONVERGED,
-                   "the error of the pull-off force %.6g is estimated at %.2g, far beyond the "
-                   "tolerance, and more panels did not help",
-                   result->pull_off.force, result->pull_off.force_error);
-  return status;
-}
-
-po_status po_observe(const po_request *request, po_result *result) {
-  return po_observe_kept(request, NULL, result);
-}
-
-po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po_result *result) {
-  *result = po_result_none();
-  const double begin = po_clock_wall();
-  const double deadline =
-      isnan(request->time_limit) ? INFINITY : po_clock_thread() + request->time_limit;
-  po_message_clear();
-  result->status = po_linear_reserve(1);
-  if (!result->status)
-    result->status = observe(request, keeper, deadline, result);
-  result->work.seconds = po_clock_wall() - begin - result->diagnostics.seconds;
-  if (!result->status && (request->want & PO_WANT_DIAGNOSTICS))
-    result->status = po_diagnose_moved(request, deadline, result);
-  result->status = po_lack_or(result->status);
-  if (result->status)
-    snprintf(result->reason, sizeof result->reason, "%s",
-             *po_message() ? po_message() : po_status_text(result->status));
-  return result->status;
+  return false;
 }
 
 void po_result_clear(po_result *result) {
@@ -191,6 +56,9 @@ void po_result_clear(po_result *result) {
   po_hysteresis_clear(&result->hysteresis);
   po_staircase_clear(&result->staircase[0]);
   po_staircase_clear(&result->staircase[1]);
+  po_hysteresis_clear(&result->theory.hysteresis);
+  po_staircase_clear(&result->theory.staircase[0]);
+  po_staircase_clear(&result->theory.staircase[1]);
   free(result->diagnostics.states);
   *result = po_result_none();
 }

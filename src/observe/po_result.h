@@ -1,8 +1,7 @@
-/* One scene, solved: what is asked, and what was read off the branch. */
+/* What was read off the branch of a scene. */
 #ifndef PO_RESULT_H
 #define PO_RESULT_H
 
-#include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -10,49 +9,8 @@
 #include "po_contact.h"
 #include "po_diagnostics.h"
 #include "po_hysteresis.h"
-#include "po_scene.h"
 #include "po_staircase.h"
 #include "po_status.h"
-#include "po_surface.h"
-
-enum {
-  PO_WANT_CURVE = 1,       /* the points of the branch */
-  PO_WANT_PROFILE = 2,     /* gap and traction over the radius at one equilibrium */
-  PO_WANT_HYSTERESIS = 4,  /* loading to a preload and back */
-  PO_WANT_DIAGNOSTICS = 8, /* residuals, condition numbers, digits left; solves the scene anew */
-  PO_WANT_PRELOAD = 16,    /* what every preload gives: the staircases */
-};
-
-/* Whether a trace goes on beyond its preload, to find what harder ones give. */
-typedef enum {
-  PO_SEARCH_NONE,
-  PO_SEARCH_SOME, /* until none gives more, but at most for about as long as it took so far */
-  PO_SEARCH_ALL,  /* until none gives more, or the hardest preload that is looked at */
-} po_search;
-
-/* The contact radius, in eps, beyond which no equilibrium has a load, in pi w R, below a given one;
- * NAN: not known. */
-typedef double (*po_load_bound)(const po_scene *scene, double load);
-
-typedef struct {
-  po_scene scene;
-  po_mesh mesh;            /* scheme, grading, number of nodes */
-  double approach_start;   /* where the trace begins, in eps; NAN: far out, found by itself */
-  double approach_end;     /* where it ends, in eps; NAN: at the preload, see po_stopping.h */
-  unsigned want;           /* PO_WANT_... */
-  double profile_approach; /* in eps, first passage along the branch; NAN: at pull-off */
-  po_preload preload;      /* what the sphere is pressed to, see po_request_preload. Approach
-                              INFINITY: any, the pull-off is the greatest of all preloads */
-  po_search search;        /* beyond the preload; PO_SEARCH_ALL where preloads are wanted */
-  po_load_bound bound;     /* NULL: none; then no preload is known to be hard enough */
-  double time_limit;       /* seconds of processor time of the thread that solves; NAN: none */
-  const volatile sig_atomic_t *stop; /* asked now and then: nonzero stops the solve; may be NULL */
-} po_request;
-
-enum { PO_WANT_COUNT = 5 };
-
-/* "curve", "profile", "hysteresis", "diagnostics", "preload": the name of want 1 << k. */
-const char *po_want_name(int k);
 
 /* Kinds of special point: the folds in approach and the extrema of the load along the branch. */
 typedef enum {
@@ -170,34 +128,16 @@ typedef struct {
   po_contact_annuli annuli; /* there; none unless wanted */
   bool has_hysteresis;      /* whether the loops below are set: when wanted */
   po_hysteresis hysteresis;
-  bool has_staircases;        /* whether these are set: when preloads are wanted */
-  po_staircase staircase[2];  /* in displacement and in load control */
+  bool has_staircases;       /* whether these are set: when preloads are wanted */
+  po_staircase staircase[2]; /* in displacement and in load control */
+  struct {                   /* by the companion of the request, where it has them */
+    bool has_hysteresis, has_staircases;
+    po_hysteresis hysteresis;
+    po_staircase staircase[2];
+  } theory;
   po_diagnostics diagnostics; /* states is NULL unless wanted */
   po_work work;
 } po_result;
-
-/* A request with every field at its default (po_scene_default, po_mesh_default, the rest NAN or 0).
- */
-po_request po_request_default(void);
-
-/* What the sphere is pressed to, at given approach: the preload of the request; else its
- * approach_end; else the load pi w R. */
-po_preload po_request_preload(const po_request *request);
-
-/* How far the trace goes on beyond the preload; for a preload of INFINITY, and with preloads
- * wanted, all the way. */
-po_search po_request_search(const po_request *request);
-
-/* PO_BAD_INPUT, naming the key that is wrong, its value and what is expected. */
-po_status po_request_check(const po_request *request);
-
-/* Traces the branch of a scene and reads off what the request wants.
- * Given: a request. Returned: a result, to be given to po_result_clear whatever the status.
- * Status: that of the result: PO_OK; PO_STEP_TOO_SMALL, PO_TOO_MANY_POINTS, PO_NOT_CONVERGED,
- * PO_INTERRUPTED, PO_OUT_OF_TIME (with reason, and with what was found until then); PO_BAD_INPUT,
- * PO_NO_MEMORY. The time limit is looked at after every converged point of the branch: a solve may
- * exceed it by the time of one such step. */
-po_status po_observe(const po_request *request, po_result *result);
 
 /* A result of which nothing is known. */
 po_result po_result_none(void);

@@ -18,7 +18,7 @@ bool po_stopping_note_minimum(po_stopping *s, double load) {
   s->has_minimum = true;
   if (deepest) {
     s->deepest = load;
-    s->enough = s->request->bound ? s->request->bound(&s->request->scene, load) : (double)NAN;
+    s->enough = po_request_bound(s->request, load);
   }
   return deepest && !s->met;
 }
@@ -78,9 +78,9 @@ bool po_stopping_is_complete(const po_stopping *s, double load) {
   const po_scene *scene = &s->request->scene;
   if (!po_scene_is_wavy(scene))
     return s->has_minimum && s->greatest_load > 0.0;
-  if (!s->request->bound || !(s->disc > 0.0) || s->greatest_load < SOFTEST)
+  if (!s->request->companion || !(s->disc > 0.0) || s->greatest_load < SOFTEST)
     return false;
-  return s->disc > s->request->bound(scene, load) || s->disc >= scene->outer_radius;
+  return s->disc > po_request_bound(s->request, load) || s->disc >= scene->outer_radius;
 }
 
 static bool ends_compressed(const po_stopping *s) {

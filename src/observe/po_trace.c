@@ -107,14 +107,6 @@ static po_status trace_elastic(const po_request *request, const po_attempt *a, p
   return status;
 }
 
-/* The crest that pushes with this much more than the load, and this, outdoes all that pulls: the
- * attractive term of Eq 23, 8/(3 x^2) where its repulsive term, 2/(3 x^8), is such a push. */
-static const double PUSH_PER_LOAD = 1.1, PUSH_BEYOND_LOAD = 8.0;
-
-double po_observe_rigid_end(const po_scene *scene, double load) {
-  return po_rigid_approach_of_crest(scene, PUSH_PER_LOAD * load + PUSH_BEYOND_LOAD);
-}
-
 static po_status trace_rigid(const po_request *request, po_reader *reader) {
   po_branch_options options = options_of(request, NAN, reader);
   const bool searches = po_request_search(request) != PO_SEARCH_NONE;
@@ -132,12 +124,6 @@ static po_status trace_rigid(const po_request *request, po_reader *reader) {
   if (isnan(begin))
     begin = RIGID_START + fmin(0.0, options.end);
   return po_rigid_trace(&request->scene, begin, &options);
-}
-
-double po_observe_domain(const po_scene *scene, double core) {
-  return isfinite(scene->outer_radius)
-             ? core
-             : po_averaging_radius(scene, po_averaging_phase(scene, core));
 }
 
 /* The surface of a request: a mesh that stays, or panels; nodes only (for a profile) when rigid. */

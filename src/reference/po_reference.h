@@ -13,6 +13,7 @@
 
 #include "po_case.h"
 #include "po_csv.h"
+#include "po_request.h"
 #include "po_result.h"
 #include "po_status.h"
 

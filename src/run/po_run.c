@@ -12,6 +12,7 @@
 #include "po_judge.h"
 #include "po_linear.h"
 #include "po_memory.h"
+#include "po_observe.h"
 #include "po_progress.h"
 #include "po_record.h"
 #include "po_tasks.h"

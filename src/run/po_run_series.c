@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "po_memory.h"
+#include "po_observe.h"
 #include "po_run.h"
 #include "po_series.h"
 

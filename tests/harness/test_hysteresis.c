@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "po_guduru_path.h"
-#include "po_result.h"
+#include "po_observe.h"
 #include "run.h"
 
 /* The smooth sphere is pressed as hard as it pulls off. */

@@ -1,7 +1,7 @@
 /* The errors a solve by panels states are no less than its true errors, by every row of Feng's
  * problem. */
 #include "../unit/run.h"
-#include "po_result.h"
+#include "po_observe.h"
 #include "table.h"
 
 static const double TOLERANCES[] = {1e-4, 1e-7};

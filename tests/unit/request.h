@@ -2,7 +2,7 @@
 #ifndef REQUEST_H
 #define REQUEST_H
 
-#include "po_result.h"
+#include "po_request.h"
 
 static inline po_request request_of(double tabor, double amplitude, double wavelength,
                                     double outer) {

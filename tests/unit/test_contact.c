@@ -3,8 +3,8 @@
 
 #include "po_contact.h"
 #include "po_law.h"
+#include "po_observe.h"
 #include "po_profile.h"
-#include "po_result.h"
 #include "run.h"
 
 /* The gaps of a mesh that stays, on a half-space: radii between nodes are linear. */

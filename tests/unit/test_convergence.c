@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "po_branch.h"
-#include "po_result.h"
+#include "po_observe.h"
 #include "run.h"
 
 static const double FORCE = 1.67066477647629, APPROACH = -0.873379514904682;

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "po_law.h"
-#include "po_result.h"
+#include "po_observe.h"
 #include "po_surface.h"
 #include "run.h"
 

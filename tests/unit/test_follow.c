@@ -2,6 +2,7 @@
  * of each scene. */
 #include <math.h>
 
+#include "po_observe.h"
 #include "po_random.h"
 #include "po_series.h"
 #include "run.h"

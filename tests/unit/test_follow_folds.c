@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "po_follow.h"
+#include "po_observe.h"
 #include "po_observe_parts.h"
 #include "po_track.h"
 #include "run.h"

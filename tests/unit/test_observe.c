@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "po_law.h"
+#include "po_observe.h"
 #include "po_profile.h"
-#include "po_result.h"
 #include "request.h"
 #include "run.h"
 

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdint.h>
 
-#include "po_result.h"
+#include "po_observe.h"
 #include "run.h"
 
 /* Pull-off of smooth spheres: reference/feng_pull_off.csv. */

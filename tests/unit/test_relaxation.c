@@ -11,8 +11,8 @@
 
 #include "po_law.h"
 #include "po_linear.h"
+#include "po_observe.h"
 #include "po_profile.h"
-#include "po_result.h"
 #include "run.h"
 
 enum { MOST_STEPS = 3000, MOST_NEWTON = 30 };

@@ -2,7 +2,7 @@
  * not. */
 #include <math.h>
 
-#include "po_result.h"
+#include "po_observe.h"
 #include "run.h"
 
 typedef struct {

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "po_result.h"
+#include "po_observe.h"
 #include "po_staircase.h"
 #include "request.h"
 #include "run.h"
@@ -126,16 +126,17 @@ END_TEST
 
 /* A bound of the load that is never met, so that a search goes on to the hardest preload, and one
  * that always is. */
-static double never(const po_scene *scene, double load) {
+static double never_met(const po_scene *scene, double load) {
   (void)scene;
   (void)load;
   return 1e9;
 }
-static double always(const po_scene *scene, double load) {
+static double always_met(const po_scene *scene, double load) {
   (void)scene;
   (void)load;
   return 0.0;
 }
+static const po_companion NEVER = {.bound = never_met}, ALWAYS = {.bound = always_met};
 
 /* Every step of solved scenes against loops of separate solves that are loaded to just below and
  * just above it, in both controls. */
@@ -167,7 +168,7 @@ START_TEST(steps_are_those_of_separate_loops) {
   request.scene = SCENES[_i];
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-5};
   request.want = PO_WANT_PRELOAD;
-  request.bound = always;
+  request.companion = &ALWAYS;
   request.preload.load = 4.0;
   po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
@@ -199,7 +200,7 @@ START_TEST(what_decides_the_pull_off) {
   request.scene = SCENES[0];
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-6};
   request.want = PO_WANT_PRELOAD;
-  request.bound = always;
+  request.companion = &ALWAYS;
   request.preload.load = 5.0;
   po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
@@ -227,7 +228,7 @@ START_TEST(a_search_does_not_change_the_pull_off) {
   po_request request = po_request_default();
   request.scene = SCENES[0];
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-6};
-  request.bound = never;
+  request.companion = &NEVER;
   request.search = SEARCH[_i];
   po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
@@ -252,14 +253,14 @@ START_TEST(any_preload_gives_the_greatest) {
   request.scene = SCENES[1];
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
   request.preload.approach = INFINITY;
-  request.bound = never;
+  request.companion = &NEVER;
   po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_double_eq_tol(o.pull_off.force, 8.49669, 1e-4);
   ck_assert_double_eq_tol(o.pull_off_any.force, o.pull_off.force, 1e-9);
   ck_assert(!o.pull_off_any.complete);
   po_result_clear(&o);
-  request.bound = always;
+  request.companion = &ALWAYS;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_int_eq(o.ended.cause, PO_END_COMPLETE);
   ck_assert(o.pull_off_any.complete);
@@ -275,7 +276,7 @@ START_TEST(a_cut_surface_in_contact_is_complete) {
   po_request request = po_request_default();
   request.scene = (po_scene){4.84366, 0.152139, 21.7469, 33.9995, 9.58721};
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
-  request.bound = never;
+  request.companion = &NEVER;
   request.search = SEARCH[_i];
   po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);

@@ -5,7 +5,7 @@
 
 #include "po_clock.h"
 #include "po_diagnose.h"
-#include "po_result.h"
+#include "po_observe.h"
 #include "request.h"
 #include "run.h"
 

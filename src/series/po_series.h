@@ -17,6 +17,7 @@
 #ifndef PO_SERIES_H
 #define PO_SERIES_H
 
+#include "po_request.h"
 #include "po_result.h"
 
 /* Scenes from one checkpoint to the next when nobody says otherwise. */

@@ -1,6 +1,7 @@
-#include "po_load_bound.h"
+#include "po_companion_jkr.h"
 
 #include "po_guduru.h"
+#include "po_guduru_path.h"
 
 /* By how much the adhesive part of Eq 5 is taken to be greater, and, in waves, by how much a
  * contact radius may be smaller than that of the same minimum of Eq 5. Of 1,000 random scenes
@@ -10,6 +11,8 @@
  * of a search covers (po_stopping.c). */
 static const double EXCESS = 0.1, WAVES = 0.25;
 
-double po_load_bound_of_jkr(const po_scene *scene, double load) {
+static double bound(const po_scene *scene, double load) {
   return po_guduru_last_minimum(scene, load, EXCESS) + WAVES * scene->wavelength;
 }
+
+const po_companion PO_COMPANION_JKR = {bound, po_guduru_hysteresis, po_guduru_staircases};

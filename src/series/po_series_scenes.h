@@ -3,6 +3,7 @@
 #define PO_SERIES_SCENES_H
 
 #include "po_follow.h"
+#include "po_request.h"
 #include "po_result.h"
 
 /* The parameter of a scene is its number on the line. */
@@ -23,9 +24,6 @@ po_status po_series_follower(const po_series_scenes *l, size_t first, size_t las
 /* Whether the contact of a followed special point reaches the end of the core of its surface, so
  * that a trace would enlarge the core. Given: the radius of the domain of the panels. */
 bool po_series_is_cut_off(const po_request *request, double domain, const po_branch_point *special);
-
-/* The processor time until which a special point may be followed to a scene; INFINITY: no limit. */
-double po_series_deadline(const po_request *request);
 
 /* What a follower had done when it was last asked. */
 typedef struct {

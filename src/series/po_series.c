@@ -115,7 +115,7 @@ static po_status follow(stretch *s, const po_checkpoint_minimum *m, bool forward
     const volatile sig_atomic_t *stop = s->l->requests[index].stop;
     if (stop && *stop)
       return po_fail(PO_INTERRUPTED, "interrupted on a line");
-    status = po_follow_to(s->follower, (double)index, po_series_deadline(&s->l->requests[index]));
+    status = po_follow_to(s->follower, (double)index, po_observe_deadline(&s->l->requests[index]));
     if (!status)
       *load_of(s, row, index) = take(s, index);
     const double now = po_clock_wall();

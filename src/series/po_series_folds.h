@@ -2,6 +2,7 @@
 #ifndef PO_SERIES_FOLDS_H
 #define PO_SERIES_FOLDS_H
 
+#include "po_request.h"
 #include "po_result.h"
 
 /* Given: requests of neighbouring scenes, elastic, on panels, wavy all or none, bounded all or

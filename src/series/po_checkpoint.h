@@ -2,6 +2,7 @@
 #ifndef PO_CHECKPOINT_H
 #define PO_CHECKPOINT_H
 
+#include "po_request.h"
 #include "po_result.h"
 #include "po_track_point.h"
 

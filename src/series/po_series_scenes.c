@@ -63,10 +63,6 @@ bool po_series_is_cut_off(const po_request *request, double domain,
   return po_observe_is_cut_off(&request->scene, po_contact_radius(&gap), domain);
 }
 
-double po_series_deadline(const po_request *request) {
-  return isnan(request->time_limit) ? INFINITY : po_clock_thread() + request->time_limit;
-}
-
 void po_series_add_work(const po_follower *follower, double seconds, po_series_work *before,
                         po_work *work) {
   uint64_t kernel;

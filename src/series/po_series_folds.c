@@ -88,7 +88,7 @@ static po_status follow(const po_series_scenes *l, po_follower *follower,
     if (request->stop && *request->stop)
       return po_fail(PO_INTERRUPTED, "interrupted on a line");
     const double start = po_clock_wall();
-    status = po_follow_to(follower, (double)k, po_series_deadline(request));
+    status = po_follow_to(follower, (double)k, po_observe_deadline(request));
     if (!status && !take(follower, request, &o->folds[place]))
       status = PO_NOT_FOUND;
     po_series_add_work(follower, po_clock_wall() - start, before, &o->work);

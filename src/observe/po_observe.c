@@ -1,0 +1,45 @@
+#include "po_observe.h"
+
+#include <math.h>
+
+#include "po_diagnose.h"
+#include "po_observe_parts.h"
+
+/* The preload of the loops by theory: the approach asked for, else the load at which the solve
+ * reversed the loading. */
+static po_preload preload_of(const po_request *request, const po_result *result) {
+  po_preload preload = request->preload;
+  if (isnan(preload.approach) && isnan(preload.load))
+    preload.load = result->hysteresis.displacement.preload.load;
+  return preload;
+}
+
+/* Evaluates the theory beside what is wanted. Status: PO_NO_MEMORY; that there is none for the
+ * scene is no failure. */
+static po_status accompany(const po_request *request, po_result *result) {
+  const po_companion *theory = request->companion;
+  po_status status = PO_OK;
+  if (theory && theory->hysteresis && result->has_hysteresis) {
+    status = theory->hysteresis(&request->scene, preload_of(request, result),
+                                &result->theory.hysteresis);
+    result->theory.has_hysteresis = !status;
+  }
+  if (theory && theory->staircases && result->has_staircases && status != PO_NO_MEMORY) {
+    status = theory->staircases(&request->scene, result->theory.staircase);
+    result->theory.has_staircases = !status;
+  }
+  if (status == PO_NO_MEMORY)
+    return status;
+  po_message_clear();
+  return PO_OK;
+}
+
+po_status po_observe(const po_request *request, po_result *result) {
+  const double deadline = po_observe_deadline(request);
+  po_status status = po_observe_attempts(request, NULL, deadline, result);
+  if (!status && (request->want & PO_WANT_DIAGNOSTICS))
+    status = po_diagnose_moved(request, deadline, result);
+  if (!status)
+    status = accompany(request, result);
+  return po_observe_finish(status, result);
+}
