@@ -6,7 +6,7 @@
 
 #include "po_memory.h"
 
-enum { ORDER = PO_TABLE_ORDER, MOST_PANELS = 400 };
+enum { ORDER = PO_TABLE_ORDER };
 
 struct po_adaptive {
   const po_panel_table *table;
@@ -24,7 +24,7 @@ static size_t nodes_of(const po_adaptive *a, const po_panels *panels) {
 
 size_t po_adaptive_capacity(const po_adaptive *a) {
   (void)a;
-  return (MOST_PANELS + 1) * ORDER;
+  return (PO_MOST_PANELS + 1) * ORDER;
 }
 
 const po_surface *po_adaptive_surface(const po_adaptive *a) {
@@ -155,8 +155,6 @@ static void compute_block(po_adaptive *a, size_t target, size_t source, double *
 }
 
 po_status po_adaptive_mesh(po_adaptive *a, const po_panels *panels) {
-  if (panels->count > MOST_PANELS)
-    return po_fail(PO_OUT_OF_NODES, "the traction needs more than %d panels", MOST_PANELS);
   a->spare = po_reserve_matrix(a->spare, &a->spare_room, nodes_of(a, panels), sizeof *a->spare);
   if (!a->spare)
     return PO_NO_MEMORY;

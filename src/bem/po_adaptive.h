@@ -29,8 +29,7 @@ size_t po_adaptive_capacity(const po_adaptive *adaptive);
 po_status po_adaptive_panels_of(const po_adaptive *adaptive, size_t n, const double *node,
                                 po_panels *panels);
 
-/* Puts new panels in force. Status: PO_OUT_OF_NODES when they are too many; nothing is changed
- * then. */
+/* Puts new panels in force. Status: PO_NO_MEMORY; nothing is changed then. */
 po_status po_adaptive_mesh(po_adaptive *adaptive, const po_panels *panels);
 
 /* Gives the domain another radius; the panels in force stay. */

@@ -47,7 +47,8 @@ bool po_panels_split(po_panels *panels, const bool *split) {
   po_panels result = {.count = 0};
   for (size_t k = 0; k < panels->count; ++k) {
     const po_panel panel = panels->panel[k];
-    if (result.count + 2 > PO_MOST_PANELS || (all[k] && panel.level >= PO_DEEPEST_LEVEL))
+    if (result.count + (all[k] ? 2 : 1) > PO_MOST_PANELS ||
+        (all[k] && panel.level >= PO_DEEPEST_LEVEL))
       return false;
     if (all[k]) {
       result.panel[result.count++] = (po_panel){panel.level + 1, 2 * panel.index};

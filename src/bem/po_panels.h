@@ -7,7 +7,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { PO_MOST_PANELS = 512, PO_DEEPEST_LEVEL = 24, PO_MOST_LEVEL_STEP = 2 };
+/* The most panels of a mesh: with 12 nodes a panel the matrix of influences then takes 180 MB. The
+ * scenes of the cases need 51 at most. */
+enum { PO_MOST_PANELS = 400 };
+
+enum { PO_DEEPEST_LEVEL = 24, PO_MOST_LEVEL_STEP = 2 };
 
 /* The interval (index, index + 1) * domain / 2^level. */
 typedef struct {
