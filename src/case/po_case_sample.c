@@ -6,12 +6,8 @@
 
 #include "po_case_parse.h"
 #include "po_random.h"
+#include "po_range.h"
 #include "po_schema.h"
-
-/* A drawn value is rounded to so many significant digits and used as written: the line that solves
- * one point again is exact, and the last bits of exp and log, which differ between libraries, do
- * not show. */
-enum { DRAWN_DIGITS = 6 };
 
 enum { WHERE_LENGTH = 64 };
 
@@ -53,8 +49,7 @@ static po_status parse_key(const po_case_file *file, unsigned index, const char 
 
 static po_status parse_range(po_draw *draw, const char *where, const po_yaml *yaml) {
   po_request any = po_request_default();
-  draw->log = draw->scale && strcmp(draw->scale, "log") == 0;
-  if (draw->scale && !draw->log && strcmp(draw->scale, "linear") != 0)
+  if (draw->scale && !po_range_read_scale(draw->scale, &draw->log))
     return po_schema_refuse(yaml, NULL, "%s.scale", where);
   if (!po_number_parse(draw->from_text, &draw->from) ||
       !po_key_set(&any, draw->drawn, draw->from_text))
@@ -122,7 +117,7 @@ bool po_case_sample_draw(const po_case_file *file, size_t index, po_request *req
     const double value = draw->log ? draw->from * exp(part * log(draw->to / draw->from))
                                    : draw->from + part * (draw->to - draw->from);
     char text[PO_NUMBER_LENGTH];
-    snprintf(text, sizeof text, "%.*g", DRAWN_DIGITS, value * unit_of(draw, request));
+    po_range_round(value * unit_of(draw, request), text);
     possible = po_key_set(request, draw->drawn, text) && possible;
     po_text_add(label, "%s%s=%s", label->length ? " " : "", draw->key, text);
   }

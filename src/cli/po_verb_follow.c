@@ -10,6 +10,7 @@
 #include "po_memory.h"
 #include "po_options.h"
 #include "po_print.h"
+#include "po_range.h"
 #include "po_series.h"
 #include "po_series_folds.h"
 #include "po_text.h"
@@ -48,11 +49,6 @@ static const char HELP[] =
 enum { RUNS = 1, FROM, TO, POINTS, SCALE, OF, CHECKPOINTS, JSON, KEY };
 enum { DEFAULT_POINTS = 60 };
 
-/* Values of a line are rounded to so many digits, as those of a sweep. */
-enum { MADE_DIGITS = 6 };
-
-static const size_t MOST_POINTS = 10000;
-
 /* The values of the options of the scene are KEY + po_key. */
 static const struct option OPTIONS[] = {
     {"key", required_argument, NULL, RUNS},
@@ -79,10 +75,9 @@ typedef struct {
   const char *given[PO_KEY_END]; /* values of keys, as written */
   const char *runs;              /* the name of the key, as its option is called */
   po_key key;
-  double from, to;
-  size_t points;
+  po_range range;
   size_t checkpoints; /* 0: not given */
-  bool linear, folds, json;
+  bool folds, json;
 } follow_line;
 
 static const struct option *option_of(int value) {
@@ -110,7 +105,7 @@ static po_status take_runs(follow_line *line) {
 }
 
 static po_status take_count(const char *option, size_t least, size_t *count) {
-  if (po_number_parse_count(optarg, count) && *count >= least && *count <= MOST_POINTS)
+  if (po_number_parse_count(optarg, count) && *count >= least && *count <= PO_MOST_VALUES)
     return PO_OK;
   return po_options_refuse(option, optarg, "a whole number, of points at least 2, up to 10000");
 }
@@ -122,16 +117,15 @@ static po_status take_option(void *to, int option) {
     return take_runs(line);
   case FROM:
   case TO:
-    if (po_number_parse(optarg, option == FROM ? &line->from : &line->to))
+    if (po_number_parse(optarg, option == FROM ? &line->range.from : &line->range.to))
       return PO_OK;
     return po_options_refuse(option == FROM ? "from" : "to", optarg, "a finite number");
   case POINTS:
-    return take_count("points", 2, &line->points);
+    return take_count("points", 2, &line->range.count);
   case CHECKPOINTS:
     return take_count("checkpoint-every", 1, &line->checkpoints);
   case SCALE:
-    line->linear = strcmp(optarg, "linear") == 0;
-    if (line->linear || strcmp(optarg, "log") == 0)
+    if (po_range_read_scale(optarg, &line->range.log))
       return PO_OK;
     return po_options_refuse("scale", optarg, "log or linear");
   case OF:
@@ -149,16 +143,17 @@ static po_status take_option(void *to, int option) {
 }
 
 static po_status check_line(const follow_line *line) {
-  if (!line->runs || isnan(line->from) || isnan(line->to))
+  const po_range *range = &line->range;
+  if (!line->runs || isnan(range->from) || isnan(range->to))
     return po_fail(PO_BAD_INPUT, "--%s is not given: expected --key, --from and --to",
-                   !line->runs         ? "key"
-                   : isnan(line->from) ? "from"
-                                       : "to");
+                   !line->runs          ? "key"
+                   : isnan(range->from) ? "from"
+                                        : "to");
   if (line->given[line->key])
     return po_fail(PO_BAD_INPUT, "--%s is given, and runs: expected one of both", line->runs);
-  if (line->from == line->to || (!line->linear && !(line->from > 0.0 && line->to > 0.0)))
-    return po_fail(PO_BAD_INPUT, "the line goes from %g to %g: expected two values%s", line->from,
-                   line->to, line->linear ? "" : " > 0, or --scale linear");
+  if (range->from == range->to || (range->log && !(range->from > 0.0 && range->to > 0.0)))
+    return po_fail(PO_BAD_INPUT, "the line goes from %g to %g: expected two values%s", range->from,
+                   range->to, range->log ? " > 0, or --scale linear" : "");
   if ((line->given[PO_KEY_AMPLITUDE] || line->key == PO_KEY_AMPLITUDE) &&
       (line->given[PO_KEY_AMPLITUDE_RATIO] || line->key == PO_KEY_AMPLITUDE_RATIO))
     return po_fail(PO_BAD_INPUT, "amplitude and amplitude-ratio are both said: expected one");
@@ -183,11 +178,8 @@ static po_status set_key(po_request *request, int key, const char *text) {
 
 /* The request of a point of the line; keys before groups of them. */
 static po_status make_request(const follow_line *line, size_t point, po_request *request) {
-  const double part = (double)point / (double)(line->points - 1);
   char value[PO_NUMBER_LENGTH];
-  snprintf(value, sizeof value, "%.*g", MADE_DIGITS,
-           line->linear ? line->from + part * (line->to - line->from)
-                        : line->from * pow(line->to / line->from, part));
+  po_range_print(&line->range, point, value);
   *request = po_input_default();
   request->mesh.scheme = PO_PANEL;
   po_status status = PO_OK;
@@ -214,7 +206,7 @@ static void print_text(const follow_line *line, const po_request *requests,
          "error", "contact radius", "", "factorisations");
   uint64_t all = 0;
   size_t followed = 0;
-  for (size_t k = 0; k < line->points; ++k) {
+  for (size_t k = 0; k < line->range.count; ++k) {
     const po_result *o = &results[k];
     const unsigned long long factorizations = o->work.factorizations;
     printf("%15g ", po_key_number(&requests[k], line->key));
@@ -230,7 +222,7 @@ static void print_text(const follow_line *line, const po_request *requests,
     followed += o->followed;
   }
   printf("work     %llu factorisations for %zu scenes, %zu of them followed\n",
-         (unsigned long long)all, line->points, followed);
+         (unsigned long long)all, line->range.count, followed);
 }
 
 /* A block of rows for each fold of the first scene. */
@@ -239,11 +231,11 @@ static void print_folds(const follow_line *line, const po_request *requests,
   printf("%-9s %15s %16s %8s %14s %8s %14s\n", "", line->runs, "approach", "error", "load", "error",
          "contact radius");
   uint64_t all = 0;
-  for (size_t k = 0; k < line->points; ++k)
+  for (size_t k = 0; k < line->range.count; ++k)
     all += results[k].work.factorizations;
   for (size_t j = 0; j < results[0].fold_count; ++j) {
     bool there = true;
-    for (size_t k = 0; k < line->points && there; ++k) {
+    for (size_t k = 0; k < line->range.count && there; ++k) {
       const po_special_point *fold = &results[k].folds[j];
       there = !isnan(fold->approach);
       printf("%-9s %15g ", po_special_kind_name(fold->kind),
@@ -256,32 +248,32 @@ static void print_folds(const follow_line *line, const po_request *requests,
     }
   }
   printf("work     %llu factorisations for %zu folds of %zu scenes\n", (unsigned long long)all,
-         results[0].fold_count, line->points);
+         results[0].fold_count, line->range.count);
 }
 
 static po_status follow(const follow_line *line, po_request *requests, po_result *results) {
   po_status status = PO_OK;
-  for (size_t k = 0; k < line->points && !status; ++k)
+  for (size_t k = 0; k < line->range.count && !status; ++k)
     status = make_request(line, k, &requests[k]);
   if (status)
     return status;
   status = po_linear_reserve(1);
   if (!status)
     status = line->folds
-                 ? po_series_folds(requests, line->points, results)
-                 : po_series_observe(requests, line->points,
+                 ? po_series_folds(requests, line->range.count, results)
+                 : po_series_observe(requests, line->range.count,
                                      line->checkpoints ? line->checkpoints : PO_CHECKPOINT_EVERY,
                                      results);
   status = po_lack_or(status);
   if (status == PO_INTERRUPTED)
     return po_fail(status, "interrupted");
   if (!status && line->json)
-    status = print_json(requests, results, line->points);
+    status = print_json(requests, results, line->range.count);
   else if (!status && line->folds && !results[0].status)
     print_folds(line, requests, results);
   else if (!status && !line->folds)
     print_text(line, requests, results);
-  for (size_t k = 0; k < line->points && !status; ++k)
+  for (size_t k = 0; k < line->range.count && !status; ++k)
     if (results[k].status)
       status = po_fail(results[k].status, "a solve failed, at %s %g: %s", line->runs,
                        po_key_number(&requests[k], line->key), results[k].reason);
@@ -290,7 +282,7 @@ static po_status follow(const follow_line *line, po_request *requests, po_result
 
 int po_verb_follow(int argc, char **argv) {
   const po_options options = {"follow", HELP, OPTIONS, argc, argv};
-  follow_line line = {.from = NAN, .to = NAN, .points = DEFAULT_POINTS};
+  follow_line line = {.range = {NAN, NAN, DEFAULT_POINTS, true}};
   po_status status = PO_OK;
   if (!po_options_read(&options, take_option, &line, &status))
     return po_options_end(status);
@@ -299,10 +291,10 @@ int po_verb_follow(int argc, char **argv) {
     status = check_line(&line);
   if (status)
     return po_options_end(status);
-  po_request *requests = po_allocate(line.points, sizeof *requests);
-  po_result *results = po_allocate(line.points, sizeof *results);
+  po_request *requests = po_allocate(line.range.count, sizeof *requests);
+  po_result *results = po_allocate(line.range.count, sizeof *results);
   status = requests && results ? follow(&line, requests, results) : PO_NO_MEMORY;
-  for (size_t k = 0; results && k < line.points; ++k)
+  for (size_t k = 0; results && k < line.range.count; ++k)
     po_result_clear(&results[k]);
   free(requests);
   free(results);

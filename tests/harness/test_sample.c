@@ -11,6 +11,7 @@
 #include "po_case.h"
 #include "po_file.h"
 #include "po_random.h"
+#include "po_range.h"
 #include "run.h"
 
 /* The first outputs of splitmix64 seeded with 1234567, as published for other languages. */
@@ -161,6 +162,24 @@ START_TEST(sample_times_sweep) {
 }
 END_TEST
 
+/* Both ends are exact; between them equal steps or equal factors, rounded to 6 digits. */
+START_TEST(ranges_have_their_ends_and_equal_steps) {
+  static const char *const VALUES[2][4] = {{"1", "334", "667", "1000"}, {"1", "10", "100", "1000"}};
+  bool log = false;
+  char text[PO_NUMBER_LENGTH];
+  for (int scale = 0; scale < 2; ++scale)
+    for (size_t k = 0; k < 4; ++k) {
+      po_range_print(&(po_range){1, 1000, 4, scale == 1}, k, text);
+      ck_assert_str_eq(text, VALUES[scale][k]);
+    }
+  po_range_print(&(po_range){0.1, 7, 3, true}, 1, text);
+  ck_assert_str_eq(text, "0.83666"); /* sqrt(0.7) = 0.836660027 */
+  ck_assert(po_range_read_scale("log", &log) && log);
+  ck_assert(po_range_read_scale("linear", &log) && !log);
+  ck_assert(!po_range_read_scale("logarithmic", &log));
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, mix_is_splitmix64, 0, 5);
   tcase_add_test(tests, draws_are_uniform_and_unrelated);
@@ -169,6 +188,7 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, a_scene_does_not_depend_on_the_others, 0, 3);
   tcase_add_test(tests, another_seed_draws_other_scenes);
   tcase_add_test(tests, sample_times_sweep);
+  tcase_add_test(tests, ranges_have_their_ends_and_equal_steps);
 }
 
 int main(void) {
