@@ -91,13 +91,6 @@ static po_status check_when(po_axis *when, unsigned count, const char *list, uns
   return status;
 }
 
-/* A table; else a word for what is none. */
-static bool is_file(const char *reference) {
-  return strcmp(reference, "bradley") != 0 && strcmp(reference, "pin") != 0 &&
-         strcmp(reference, PO_ZERO) != 0 && strcmp(reference, PO_EVERY_SCENE) != 0 &&
-         strcmp(reference, PO_TRACED) != 0;
-}
-
 static po_status parse_check(const po_case_file *file, po_check *check, unsigned number,
                              const po_yaml *yaml) {
   const int quantity = quantity_of(check->quantity_text);
@@ -119,22 +112,24 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
     return po_schema_refuse(yaml, "abs, as the distance between curves is one", "checks[%u].kind",
                             number);
   check->kind = (po_tolerance_kind)kind;
+  const po_reference_type reference = po_reference_type_of(check->reference);
+  const bool is_table = reference == PO_REFERENCE_TABLE;
   const bool diagnostic = po_quantity_is_diagnostic(check->quantity);
-  if (diagnostic != (strcmp(check->reference, PO_ZERO) == 0))
+  if (diagnostic != (reference == PO_REFERENCE_ZERO))
     return po_schema_refuse(yaml,
                             diagnostic ? "zero, as an exact solution has none of it"
                                        : "bradley, pin or the path of a CSV file",
                             "checks[%u].reference", number);
   if (diagnostic && kind != PO_TOLERANCE_ABS)
     return po_schema_refuse(yaml, "abs, as the reference is zero", "checks[%u].kind", number);
-  if (po_quantity_is_hysteresis(check->quantity) && !is_file(check->reference))
+  if (po_quantity_is_hysteresis(check->quantity) && !is_table)
     return po_schema_refuse(yaml, "the path of a CSV file, as only tables speak of hysteresis",
                             "checks[%u].reference", number);
-  if (po_quantity_is_steps(check->quantity) && !is_file(check->reference))
+  if (po_quantity_is_steps(check->quantity) && !is_table)
     return po_schema_refuse(yaml, "the path of a CSV file, as only tables list steps",
                             "checks[%u].reference", number);
   const bool share = check->quantity == PO_SOLVED_SHARE;
-  if (share != (strcmp(check->reference, PO_EVERY_SCENE) == 0))
+  if (share != (reference == PO_REFERENCE_EVERY_SCENE))
     return po_schema_refuse(yaml,
                             share ? "every_scene, as the share is of the scenes of the case"
                                   : "bradley, pin or the path of a CSV file",
@@ -158,7 +153,8 @@ static po_status parse_measure(po_check *measure, unsigned number, const po_yaml
       po_quantity_is_hysteresis((po_quantity)quantity) ||
       po_quantity_is_preload((po_quantity)quantity))
     return po_schema_refuse(yaml, NULL, "measure[%u].quantity", number);
-  if (strcmp(measure->reference, "bradley") != 0 && !is_file(measure->reference))
+  const po_reference_type reference = po_reference_type_of(measure->reference);
+  if (reference != PO_REFERENCE_BRADLEY && reference != PO_REFERENCE_TABLE)
     return po_schema_refuse(yaml, NULL, "measure[%u].reference", number);
   measure->quantity = (po_quantity)quantity;
   measure->tolerance = (double)INFINITY;
@@ -199,7 +195,8 @@ static po_status check_stand_ins(const po_case *kase, const po_yaml *yaml) {
               strcmp(file->checks[k].reference, file->checks[i].stand_in) == 0;
     if (!found)
       return po_schema_refuse(yaml, NULL, "checks[%u].stand_in", i + 1);
-    if (file->checks[i].stand_in && !is_file(file->checks[i].reference))
+    if (file->checks[i].stand_in &&
+        po_reference_type_of(file->checks[i].reference) != PO_REFERENCE_TABLE)
       return po_schema_refuse(yaml, "the path of a CSV file, as something stands in for it",
                               "checks[%u].reference", i + 1);
   }

@@ -42,7 +42,7 @@ po_status po_case_traced_draw(po_case *kase, const po_yaml *yaml) {
   if (!po_number_parse_count(words->count_text, &count) || count < 1 || count > between)
     return po_schema_refuse(yaml, NULL, "traced.count");
   for (uint64_t draw = 0; count > 0; ++draw) { /* again where a checkpoint or the same is drawn */
-    const double part = po_random_uniform(seed, draw, PO_TRACED);
+    const double part = po_random_uniform(seed, draw, "traced");
     const size_t i = (size_t)floor(part * (double)kase->point_count);
     if (!is_between(kase, i) || kase->points[i].traced)
       continue;

@@ -72,12 +72,27 @@ po_request po_check_request(const po_check *check, const po_request *request) {
   return changed;
 }
 
+po_reference_type po_reference_type_of(const char *reference) {
+  static const struct {
+    const char *word;
+    po_reference_type type;
+  } WORDS[] = {{"bradley", PO_REFERENCE_BRADLEY},
+               {"pin", PO_REFERENCE_PINS},
+               {"zero", PO_REFERENCE_ZERO},
+               {"every_scene", PO_REFERENCE_EVERY_SCENE},
+               {"traced", PO_REFERENCE_TRACED}};
+  for (size_t i = 0; i < sizeof WORDS / sizeof *WORDS; ++i)
+    if (strcmp(reference, WORDS[i].word) == 0)
+      return WORDS[i].type;
+  return PO_REFERENCE_TABLE;
+}
+
 bool po_check_is_pin(const po_check *check) {
-  return strcmp(check->reference, "pin") == 0;
+  return po_reference_type_of(check->reference) == PO_REFERENCE_PINS;
 }
 
 bool po_check_is_traced(const po_check *check) {
-  return strcmp(check->reference, PO_TRACED) == 0;
+  return po_reference_type_of(check->reference) == PO_REFERENCE_TRACED;
 }
 
 double po_check_allowance(const po_check *check, double expected) {

@@ -35,6 +35,17 @@ typedef enum {
   PO_QUANTITY_COUNT
 } po_quantity;
 
+/* What a check compares with: a table, or what one of the other words stands for. */
+typedef enum {
+  PO_REFERENCE_TABLE,   /* a CSV file, by its path */
+  PO_REFERENCE_BRADLEY, /* the closed form of the rigid smooth sphere */
+  PO_REFERENCE_PINS,    /* our own last blessed values, see po_pins.h */
+  PO_REFERENCE_ZERO,    /* the quantity vanishes for an exact solution: residuals and the like */
+  PO_REFERENCE_EVERY_SCENE, /* of a solved_share: every scene has its equilibria */
+  PO_REFERENCE_TRACED,      /* of a pull-off that was followed: what the trace of the scene finds */
+  PO_REFERENCE_ABSENT /* a table that is not there, and the check says what stands in for it */
+} po_reference_type;
+
 typedef enum { PO_TOLERANCE_ABS, PO_TOLERANCE_REL, PO_TOLERANCE_ULP } po_tolerance_kind;
 
 /* A check, or a measurement (no tolerance, no verdict), as written in the file; parsed values
@@ -63,17 +74,10 @@ bool po_check_concerns(const po_check *check, const po_request *request);
 /* The scene of which the reference of a check is asked: as_if applied. */
 po_request po_check_request(const po_check *check, const po_request *request);
 
-/* Whether a check is against our own last blessed values: its reference is the word "pin". */
+/* The type of the reference that a case file names: "bradley", "pin", "zero", "every_scene",
+ * "traced"; any other text is the path of a table. */
+po_reference_type po_reference_type_of(const char *reference);
 bool po_check_is_pin(const po_check *check);
-
-/* The reference of a solved_share: every scene has its equilibria. */
-#define PO_EVERY_SCENE "every_scene"
-
-/* The reference of what an exact solution has none of: residuals and the like. */
-#define PO_ZERO "zero"
-
-/* The reference of a pull-off that was followed: what the trace of the same scene finds. */
-#define PO_TRACED "traced"
 bool po_check_is_traced(const po_check *check);
 
 /* Whether a quantity is one of the pull-off: all that is known of a scene that is followed. */

@@ -8,6 +8,7 @@
 #include "po_compare_parts.h"
 #include "po_curve.h"
 #include "po_memory.h"
+#include "po_pins.h"
 
 static const po_reference_number NOTHING = {(double)NAN, (double)NAN};
 
@@ -16,7 +17,8 @@ static const po_reference_number NOTHING = {(double)NAN, (double)NAN};
 static bool is_single(po_quantity quantity, const po_reference *reference) {
   return po_quantity_is_pull_off(quantity) || po_quantity_is_diagnostic(quantity) ||
          (po_quantity_is_hysteresis(quantity) && quantity != PO_JUMPS) ||
-         quantity == PO_PULL_OFF_ANY || (quantity == PO_FOLD_COUNT && reference->is_pin);
+         quantity == PO_PULL_OFF_ANY ||
+         (quantity == PO_FOLD_COUNT && reference->type == PO_REFERENCE_PINS);
 }
 
 static double obtained_of_loop(po_quantity quantity, const po_result *result) {
@@ -167,7 +169,7 @@ static void tell_reverse_trace(po_check_result *item, const po_result *result) {
 
 /* Why there is no pin, and how to make it; a command that does not fit is not cut but left out. */
 static void tell_pin(po_check_result *item, const po_case *kase, const po_reference *reference) {
-  const char *why = reference->is_missing ? "there is no file" : "not pinned in";
+  const char *why = po_pins_exist(reference) ? "not pinned in" : "there is no file";
   const int length =
       snprintf(item->note, sizeof item->note, "%s %s; to make it: pulloff bless %s --reason TEXT",
                why, reference->shown, po_case_word(kase));
@@ -186,7 +188,7 @@ static void tell_silence(po_check_result *item, const po_case *kase, const po_re
     tell_reverse_trace(item, result);
   else if (item->verdict == PO_NO_RESULT)
     snprintf(item->note, size, "nothing to compare over a common range");
-  else if (item->verdict == PO_MISSING_REFERENCE && reference->is_pin)
+  else if (item->verdict == PO_MISSING_REFERENCE && reference->type == PO_REFERENCE_PINS)
     tell_pin(item, kase, reference);
   else if (item->verdict == PO_MISSING_REFERENCE)
     snprintf(item->note, size, "the reference does not speak of this scene");
@@ -195,7 +197,8 @@ static void tell_silence(po_check_result *item, const po_case *kase, const po_re
 po_status po_compare(const po_case *kase, size_t point, const po_check *check,
                      const po_reference *reference, const po_result *result,
                      po_check_results *check_results) {
-  if (reference->is_absent || !po_check_concerns(check, &kase->points[point].request))
+  if (reference->type == PO_REFERENCE_ABSENT ||
+      !po_check_concerns(check, &kase->points[point].request))
     return PO_OK;
   const size_t before = check_results->count;
   po_status status = PO_OK;

@@ -39,7 +39,8 @@ static po_status check_points(const po_case *kase, const po_check *check, unsign
 
 po_status po_compare_check_tolerance(const po_case *kase, const po_check *check, unsigned number,
                                      const po_reference *reference) {
-  if (check->quantity == PO_SOLVED_SHARE || reference->is_traced) /* not known before the run */
+  if (check->quantity == PO_SOLVED_SHARE ||
+      reference->type == PO_REFERENCE_TRACED) /* not known before the run */
     return PO_OK;
   for (size_t i = 0; i < kase->point_count; ++i) {
     const po_request asked = po_check_request(check, &kase->points[i].request);

@@ -58,7 +58,7 @@ static void blame_frozen(const po_case_run *run, const po_check_result *item, po
   const po_reference *oracle = &plan->references[item->check - plan->kase->file->checks];
   const po_reference *pins = NULL;
   for (unsigned c = 0; c < plan->kase->file->checks_count; ++c)
-    if (plan->references[c].is_pin)
+    if (plan->references[c].type == PO_REFERENCE_PINS)
       pins = &plan->references[c];
   const char *then = NULL;
   for (size_t i = 0; pins && i < pins->table.header_count; ++i) {
@@ -69,7 +69,7 @@ static void blame_frozen(const po_case_run *run, const po_check_result *item, po
         strncmp(header->value + length, " sha256 ", 8) == 0)
       then = header->value + length + 8;
   }
-  if (oracle->is_bradley || !then)
+  if (oracle->type == PO_REFERENCE_BRADLEY || !then)
     say(blame, "program",
         "the result is what was blessed, so the program did not change; %s was not among the "
         "oracles that held then: the result was wrong before, or the reference is",

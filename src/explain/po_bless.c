@@ -18,7 +18,7 @@ enum { LONGEST_REASON = 500 };
 static const po_reference *old_pins(const po_plan *plan) {
   const po_case_file *file = plan->kase->file;
   for (unsigned c = 0; c < file->checks_count; ++c)
-    if (plan->references[c].is_pin)
+    if (plan->references[c].type == PO_REFERENCE_PINS)
       return &plan->references[c];
   return NULL;
 }
@@ -107,9 +107,7 @@ static void add_oracles(const po_plan *plan, po_text *text) {
   size_t number = 0;
   for (unsigned c = 0; c < file->checks_count; ++c) {
     const po_reference *reference = &plan->references[c];
-    const bool table = !reference->is_bradley && !reference->is_every_scene &&
-                       !reference->is_traced && !reference->is_zero && !reference->is_absent;
-    bool again = !table || reference->ledger != PO_LEDGER_ORACLE;
+    bool again = reference->type != PO_REFERENCE_TABLE || reference->ledger != PO_LEDGER_ORACLE;
     for (unsigned k = 0; k < c; ++k)
       again = again || strcmp(file->checks[k].reference, file->checks[c].reference) == 0;
     if (!again)

@@ -68,16 +68,7 @@ static po_status check_columns(const po_csv *table) {
 }
 
 static po_status read_table(po_reference *reference) {
-  char *bytes = NULL;
-  size_t size = 0;
-  po_status status = po_file_read(reference->path, &bytes, &size);
-  if (!status) {
-    po_digest_bytes(bytes, size, reference->digest);
-    status = po_csv_read(reference->path, reference->shown, &reference->table);
-  }
-  free(bytes);
-  if (!status)
-    status = po_reference_check_headers(reference);
+  po_status status = po_reference_read(reference->path, reference->shown, reference);
   if (!status && reference->ledger != PO_LEDGER_PIN)
     status = po_fail(PO_CANNOT_READ, "%s: kind is %s: expected pin", reference->shown,
                      po_ledger_name(reference->ledger));
@@ -85,18 +76,21 @@ static po_status read_table(po_reference *reference) {
 }
 
 po_status po_pins_open(const po_case *kase, const char *name, po_reference *reference) {
-  *reference = (po_reference){.name = name, .ledger = PO_LEDGER_PIN, .is_pin = true};
+  *reference = (po_reference){.name = name, .ledger = PO_LEDGER_PIN, .type = PO_REFERENCE_PINS};
   reference->path = beside(kase->path, kase->file->name);
   reference->shown = beside(kase->shown, kase->file->name);
   po_status status = reference->path && reference->shown ? PO_OK : PO_NO_MEMORY;
-  if (!status && !po_path_exists(reference->path)) {
-    reference->is_missing = true;
+  if (!status && !po_path_exists(reference->path))
     po_digest_bytes("", 0, reference->digest);
-  } else if (!status)
+  else if (!status)
     status = read_table(reference);
   if (status)
     po_reference_close(reference);
   return status;
+}
+
+bool po_pins_exist(const po_reference *pins) {
+  return pins->table.column_count > 0;
 }
 
 /* A scene as the pins write it, and where the table keeps each key. */
@@ -129,7 +123,7 @@ po_status po_pins_value(const po_reference *pins, const char *name, const po_req
                         double *value) {
   const po_csv *table = &pins->table;
   scene_words scene;
-  if (pins->is_missing || !describe(table, request, &scene))
+  if (!po_pins_exist(pins) || !describe(table, request, &scene))
     return PO_NOT_FOUND;
   const size_t quantity = (size_t)po_csv_find_column(table, "quantity");
   size_t found = 0, at = 0;

@@ -8,13 +8,17 @@
 #ifndef PO_PINS_H
 #define PO_PINS_H
 
-#include "po_reference.h"
+#include "po_case.h"
+#include "po_reference_table.h"
 
 enum { PO_PIN_NAME_LENGTH = 64, PO_WORK_COUNTERS = 5 };
 
-/* Opens the pins of a case as a reference. That there is no such file is no failure:
- * reference->is_missing. Status: PO_CANNOT_READ with file and line (damaged, edited by hand). */
+/* Opens the pins of a case as a reference. That there is no such file is no failure: nothing is
+ * pinned yet. Status: PO_CANNOT_READ with file and line (damaged, edited by hand). */
 po_status po_pins_open(const po_case *kase, const char *name, po_reference *reference);
+
+/* Whether there is a file of these pins. */
+bool po_pins_exist(const po_reference *pins);
 
 /* The value pinned under `name` ("pull_off_force", "folds/jump_in-1/approach", "work/points"...)
  * for a scene. Status: PO_NOT_FOUND; PO_CANNOT_READ: two rows for the same. */

@@ -11,47 +11,7 @@
 #ifndef PO_REFERENCE_H
 #define PO_REFERENCE_H
 
-#include "po_case.h"
-#include "po_csv.h"
-#include "po_request.h"
-#include "po_result.h"
-#include "po_status.h"
-
-typedef enum { PO_LEDGER_ORACLE, PO_LEDGER_PUBLISHED, PO_LEDGER_PIN } po_ledger;
-
-typedef struct {
-  const char *name; /* as the case names it */
-  po_ledger ledger;
-  bool is_bradley; /* the closed form; else the table */
-  bool is_every_scene;
-  bool is_zero;
-  bool is_traced;  /* the trace of the same scene, which is no part of the reference */
-  bool is_absent;  /* there is no such file, and the check says what stands in for it */
-  bool is_pin;     /* the table is that of our own blessed values, see po_pins.h */
-  bool is_missing; /* there are no pins yet */
-  char *path;      /* of pins: their file */
-  char *shown;     /* of pins: how messages and records call it */
-  po_csv table;
-  char digest[PO_DIGEST_LENGTH]; /* of the whole file; of the name for a closed form */
-} po_reference;
-
-/* What a reference says of one number. */
-typedef struct {
-  double value;
-  double uncertainty; /* absolute; NAN: not given */
-} po_reference_number;
-
-/* A point of a reference curve or a special point. */
-typedef struct {
-  double approach;
-  double load;
-  double approach_uncertainty;
-  double load_uncertainty;
-  po_special_kind kind; /* of special points */
-} po_reference_point;
-
-/* "oracle", "published", "pin". */
-const char *po_ledger_name(po_ledger ledger);
+#include "po_reference_table.h"
 
 /* Opens the reference a case names, relative to the data folder, and checks it: the headers what,
  * source, kind, method, units, uncertainty, generator, command, date, sha256, and the checksum.
@@ -62,21 +22,12 @@ po_status po_reference_open(const char *data_folder, const char *name, po_refere
  * of kind published when it is there. */
 po_status po_reference_open_check(const char *data_folder, const po_check *check,
                                   po_reference *reference);
-/* The headers and the checksum of an open table; sets the ledger. Status: PO_CANNOT_READ. */
-po_status po_reference_check_headers(po_reference *reference);
-void po_reference_close(po_reference *reference);
 
 /* What it says of `quantity` (pull_off_force, pull_off_approach, contact_radius) for a scene.
  * Status: PO_NOT_FOUND: nothing, of this scene; PO_CANNOT_READ: a column is missing or not a
  * number. */
 po_status po_reference_find(const po_reference *reference, po_quantity quantity,
                             const po_request *request, po_reference_number *number);
-
-/* Whether a row of its table is of a scene; a number of that row, with its uncertainty: that of the
- * column NAME_uncertainty, else as for all rows. Status: as above. */
-bool po_reference_row_is_of(const po_reference *reference, size_t row, const po_request *request);
-po_status po_reference_cell(const po_reference *reference, size_t row, const char *name,
-                            po_reference_number *number);
 
 /* Its folds, extrema or curve points (by `quantity`) for a scene, along the branch: *points of
  * *count, to be freed. `result` says where ours ran, for a closed form that has no end of its own.

@@ -4,7 +4,7 @@
 #ifndef PO_REFERENCE_BRADLEY_H
 #define PO_REFERENCE_BRADLEY_H
 
-#include "po_reference.h"
+#include "po_reference_table.h"
 
 /* As po_reference_find and po_reference_points. */
 po_status po_bradley_find(po_quantity quantity, const po_request *request,

@@ -23,7 +23,7 @@ const char *po_plan_reference_of(const po_plan *plan, const po_check *check) {
     if (check == &file->measure[i])
       return check->reference;
   const po_reference *reference = &plan->references[check - file->checks];
-  return reference->is_pin ? reference->shown : check->reference;
+  return reference->type == PO_REFERENCE_PINS ? reference->shown : check->reference;
 }
 
 static void decide(po_plan *plan) {
@@ -41,7 +41,7 @@ static void decide(po_plan *plan) {
     plan->want |= PO_WANT_PRELOAD;
   for (unsigned i = 0; i < kase->file->checks_count; ++i) {
     const po_quantity quantity = kase->file->checks[i].quantity;
-    if (quantity == PO_CURVE && !plan->references[i].is_absent)
+    if (quantity == PO_CURVE && plan->references[i].type != PO_REFERENCE_ABSENT)
       plan->want |= PO_WANT_CURVE;
     if (po_quantity_is_diagnostic(quantity))
       plan->want |= PO_WANT_DIAGNOSTICS;
@@ -67,7 +67,7 @@ static po_status open_references(po_plan *plan, const char *data_folder) {
     status = po_check_is_pin(check)
                  ? po_pins_open(plan->kase, check->reference, &plan->references[i])
                  : po_reference_open_check(data_folder, check, &plan->references[i]);
-    if (!status && !plan->references[i].is_absent)
+    if (!status && plan->references[i].type != PO_REFERENCE_ABSENT)
       status = po_compare_check_tolerance(plan->kase, check, i + 1, &plan->references[i]);
   }
   for (unsigned i = 0; !status && i < file->measure_count; ++i)

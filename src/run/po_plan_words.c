@@ -177,7 +177,7 @@ static bool is_spoken_of(const po_reference *reference, const po_check *check,
   po_reference_number number;
   po_reference_point *points = NULL;
   size_t count = 0;
-  if (check->quantity == PO_SOLVED_SHARE || reference->is_traced)
+  if (check->quantity == PO_SOLVED_SHARE || reference->type == PO_REFERENCE_TRACED)
     return true;
   if (check->quantity == PO_JUMPS || po_quantity_is_steps(check->quantity))
     return is_listed(reference, request);
@@ -196,7 +196,7 @@ static void count_points(const po_case *kase, const po_check *check, const po_re
                          size_t *concerned, size_t *spoken) {
   for (size_t k = 0; k < kase->point_count; ++k)
     if (po_check_concerns(check, &kase->points[k].request) &&
-        (kase->points[k].traced || !reference->is_traced)) {
+        (kase->points[k].traced || reference->type != PO_REFERENCE_TRACED)) {
       *concerned += 1;
       *spoken += is_spoken_of(reference, check, &kase->points[k].request);
     }
@@ -225,7 +225,7 @@ static po_status tell_checks(po_plan *plan) {
   po_status status = PO_OK;
   for (unsigned i = 0; !status && i < kase->file->checks_count; ++i) {
     const po_check *check = &kase->file->checks[i];
-    if (plan->references[i].is_absent) {
+    if (plan->references[i].type == PO_REFERENCE_ABSENT) {
       status = say(plan, "leave out %s against %s: there is no such file; %s stands in for it",
                    check->quantity_text, check->reference, check->stand_in);
       continue;
@@ -235,7 +235,7 @@ static po_status tell_checks(po_plan *plan) {
     status = say(plan, "compare %s with %s at %zu of %zu points, to %s %s", check->quantity_text,
                  po_plan_reference_of(plan, check), concerned, kase->point_count,
                  check->tolerance_text, check->kind_text);
-    if (!status && plan->references[i].is_missing)
+    if (!status && po_check_is_pin(check) && !po_pins_exist(&plan->references[i]))
       status =
           say(plan, "  but there are no pins yet; to make them: pulloff bless %s --reason TEXT",
               po_case_word(kase));

@@ -187,7 +187,7 @@ static json_t *left_out(const po_plan *plan) {
   json_t *array = po_json_empty_array();
   for (unsigned i = 0; i < plan->kase->file->checks_count; ++i) {
     const po_check *check = &plan->kase->file->checks[i];
-    if (plan->references[i].is_absent)
+    if (plan->references[i].type == PO_REFERENCE_ABSENT)
       po_json_append(&array, PO_JSON_OBJECT({"quantity", po_json_text(check->quantity_text)},
                                             {"reference", po_json_text(check->reference)},
                                             {"stand_in", po_json_text(check->stand_in)}));

@@ -63,7 +63,7 @@ static void ask(const po_reference *reference, const po_request *request) {
     size_t count = 0;
     if (quantity < PO_FOLD_COUNT)
       fuzz_require_message(po_reference_find(reference, (po_quantity)quantity, request, &number));
-    else if (quantity <= PO_CURVE && !(reference->is_pin && quantity == PO_CURVE)) {
+    else if (quantity <= PO_CURVE && !(reference->type == PO_REFERENCE_PINS && quantity == PO_CURVE)) {
       const po_status status =
           po_reference_points(reference, (po_quantity)quantity, request, NULL, &points, &count);
       fuzz_require(!status || count == 0, "a reference that fails has points");
@@ -72,7 +72,7 @@ static void ask(const po_reference *reference, const po_request *request) {
     free(points);
   }
   double approach = 0;
-  if (!reference->is_pin)
+  if (reference->type != PO_REFERENCE_PINS)
     fuzz_require_message(po_reference_complete_to(reference, request, &approach));
 }
 
@@ -110,7 +110,7 @@ static void open_pins(const fuzz_part *table) {
   fuzz_require_message(status);
   if (status)
     return;
-  fuzz_require(!pins.is_missing, "the pins are not found");
+  fuzz_require(po_pins_exist(&pins), "the pins are not found");
   ask_all(&pins);
   po_reference_close(&pins);
 }

@@ -39,7 +39,7 @@ static inline void make_run(void) {
   make_check(PUBLISHED, "reference/paper.csv", PO_LEDGER_PUBLISHED, 1e-2);
   make_check(PIN, "pin", PO_LEDGER_PIN, 1e-9);
   make_check(WORK, "pin", PO_LEDGER_PIN, 0.03);
-  made_references[PIN].is_pin = made_references[WORK].is_pin = true;
+  made_references[PIN].type = made_references[WORK].type = PO_REFERENCE_PINS;
   made_points[0] = (po_point){.id = "0", .label = (char *)"tabor=1"};
   made_points[1] = (po_point){.id = "1", .label = (char *)"tabor=2.385"};
   made_file = (po_case_file){.name = (char *)"made", .checks = made_checks, .checks_count = CHECKS};

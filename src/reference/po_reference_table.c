@@ -1,0 +1,169 @@
+#include "po_reference_table.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_file.h"
+#include "po_number.h"
+
+static const char *const LEDGERS[] = {"oracle", "published", "pin"};
+
+const char *po_ledger_name(po_ledger ledger) {
+  return LEDGERS[ledger];
+}
+
+static po_status check_headers(po_reference *reference) {
+  static const char *const NEEDED[] = {"what",        "source",    "kind",    "method", "units",
+                                       "uncertainty", "generator", "command", "date",   "sha256"};
+  const po_csv *table = &reference->table;
+  for (size_t i = 0; i < sizeof NEEDED / sizeof *NEEDED; ++i) {
+    const po_csv_header *header = po_csv_find_header(table, NEEDED[i]);
+    if (!header)
+      return po_fail(PO_CANNOT_READ, "%s:%zu: the header %s is missing: expected '# %s: ...' above",
+                     table->path, table->column_line, NEEDED[i], NEEDED[i]);
+    if (!*header->value)
+      return po_fail(PO_CANNOT_READ, "%s:%zu: the header %s is empty", table->path, header->line,
+                     NEEDED[i]);
+  }
+  const po_csv_header *digest = po_csv_find_header(table, "sha256");
+  if (strcmp(digest->value, table->digest) != 0)
+    return po_fail(PO_CANNOT_READ,
+                   "%s:%zu: sha256 is %.16s...: expected %.16s..., that of all other lines "
+                   "(damaged, or edited by hand)",
+                   table->path, digest->line, digest->value, table->digest);
+  const po_csv_header *kind = po_csv_find_header(table, "kind");
+  for (unsigned i = 0; i < 3; ++i)
+    if (strcmp(kind->value, LEDGERS[i]) == 0) {
+      reference->ledger = (po_ledger)i;
+      return PO_OK;
+    }
+  return po_fail(PO_CANNOT_READ, "%s:%zu: kind is %s: expected oracle, published or pin",
+                 table->path, kind->line, kind->value);
+}
+
+po_status po_reference_read(const char *path, const char *shown, po_reference *reference) {
+  char *bytes = NULL;
+  size_t size = 0;
+  po_status status = po_file_read(path, &bytes, &size);
+  if (!status) {
+    po_digest_bytes(bytes, size, reference->digest);
+    status = po_csv_read(path, shown, &reference->table);
+  }
+  free(bytes);
+  return status ? status : check_headers(reference);
+}
+
+void po_reference_close(po_reference *reference) {
+  po_csv_clear(&reference->table);
+  free(reference->path);
+  free(reference->shown);
+  *reference = (po_reference){0};
+}
+
+bool po_reference_headers_hold(const po_reference *reference, const po_request *request) {
+  const po_csv *table = &reference->table;
+  for (size_t i = 0; i < table->header_count; ++i) {
+    const int key = po_key_of_name(table->headers[i].key);
+    if (key >= 0 && !po_key_matches(request, (po_key)key, table->headers[i].value))
+      return false;
+  }
+  return true;
+}
+
+/* Whether the cells of a row that name keys of the scene hold for a scene. */
+static bool row_holds(const po_csv *table, size_t row, const po_request *request) {
+  for (size_t c = 0; c < table->column_count; ++c) {
+    const int key = po_key_of_name(table->columns[c]);
+    if (key >= 0 && !po_key_matches(request, (po_key)key, po_csv_cell(table, row, c)))
+      return false;
+  }
+  return true;
+}
+
+static po_status need_column(const po_csv *table, const char *name, size_t *column) {
+  const int found = po_csv_find_column(table, name);
+  if (found < 0)
+    return po_fail(PO_CANNOT_READ, "%s:%zu: the column %s is missing", table->path,
+                   table->column_line, name);
+  *column = (size_t)found;
+  return PO_OK;
+}
+
+/* The uncertainty of a cell: column `name`, else column uncertainty, else that header as a number.
+ */
+static po_status uncertainty_of(const po_csv *table, size_t row, const char *name, double *value) {
+  *value = (double)NAN;
+  int column = po_csv_find_column(table, name);
+  if (column < 0)
+    column = po_csv_find_column(table, "uncertainty");
+  if (column >= 0) {
+    const po_status status = po_csv_number(table, row, (size_t)column, value);
+    if (!status && *value < 0)
+      return po_fail(PO_CANNOT_READ, "%s:%zu: %s is negative: expected a number >= 0", table->path,
+                     table->lines[row], table->columns[column]);
+    return status;
+  }
+  const po_csv_header *header = po_csv_find_header(table, "uncertainty");
+  double number = 0;
+  if (po_number_parse(header->value, &number))
+    *value = number;
+  return PO_OK;
+}
+
+bool po_reference_row_is_of(const po_reference *reference, size_t row, const po_request *request) {
+  return row_holds(&reference->table, row, request) &&
+         po_reference_headers_hold(reference, request);
+}
+
+po_status po_reference_cell(const po_reference *reference, size_t row, const char *name,
+                            po_reference_number *number) {
+  char doubt[64];
+  size_t column = 0;
+  po_status status = need_column(&reference->table, name, &column);
+  if (!status)
+    status = po_csv_number(&reference->table, row, column, &number->value);
+  snprintf(doubt, sizeof doubt, "%s_uncertainty", name);
+  return status ? status : uncertainty_of(&reference->table, row, doubt, &number->uncertainty);
+}
+
+static po_status read_kind(const po_csv *table, size_t row, size_t column, po_special_kind *kind) {
+  const char *text = po_csv_cell(table, row, column);
+  for (int k = PO_JUMP_IN; k <= PO_MAXIMUM; ++k)
+    if (strcmp(text, po_special_kind_name((po_special_kind)k)) == 0) {
+      *kind = (po_special_kind)k;
+      return PO_OK;
+    }
+  return po_fail(PO_CANNOT_READ,
+                 "%s:%zu: kind is %s: expected jump_in, jump_out, minimum or maximum", table->path,
+                 table->lines[row], text);
+}
+
+static bool kind_fits(po_quantity quantity, po_special_kind kind) {
+  const bool is_fold = kind == PO_JUMP_IN || kind == PO_JUMP_OUT;
+  return quantity == PO_FOLDS ? is_fold : !is_fold;
+}
+
+po_status po_reference_row_point(const po_reference *reference, size_t row, po_quantity quantity,
+                                 po_reference_point *point, bool *fits) {
+  const po_csv *table = &reference->table;
+  size_t approach = 0, load = 0, kind = 0;
+  po_status status = need_column(table, "approach", &approach);
+  if (!status)
+    status = need_column(table, "load", &load);
+  if (!status && quantity != PO_CURVE)
+    status = need_column(table, "kind", &kind);
+  if (!status && quantity != PO_CURVE)
+    status = read_kind(table, row, kind, &point->kind);
+  if (!status)
+    status = po_csv_number(table, row, approach, &point->approach);
+  if (!status)
+    status = po_csv_number(table, row, load, &point->load);
+  if (!status)
+    status = uncertainty_of(table, row, "approach_uncertainty", &point->approach_uncertainty);
+  if (!status)
+    status = uncertainty_of(table, row, "load_uncertainty", &point->load_uncertainty);
+  *fits = !status && (quantity == PO_CURVE || kind_fits(quantity, point->kind));
+  return status;
+}
