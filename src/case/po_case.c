@@ -10,16 +10,6 @@
 #include "po_schema.h"
 #include "po_text.h"
 
-const char *const PO_SUITE_NAMES = "smoke, paper, extreme, precision or random";
-
-unsigned po_suite_of_name(const char *name) {
-  static const char *const NAMES[] = {"smoke", "paper", "extreme", "precision", "random"};
-  for (unsigned i = 0; i < sizeof NAMES / sizeof *NAMES; ++i)
-    if (strcmp(name, NAMES[i]) == 0)
-      return 1u << i;
-  return 0;
-}
-
 const char *po_case_argument(const po_case *kase) {
   return kase->is_own ? kase->shown : kase->file->name;
 }

@@ -10,14 +10,6 @@
 #include "po_request.h"
 #include "po_status.h"
 
-typedef enum {
-  PO_SUITE_SMOKE = 1,
-  PO_SUITE_PAPER = 2,
-  PO_SUITE_EXTREME = 4,
-  PO_SUITE_PRECISION = 8,
-  PO_SUITE_RANDOM = 16, /* long: only when it is named */
-} po_suite;
-
 /* What a case wants; the first three come with every branch. */
 typedef enum {
   PO_CASE_PULL_OFF = 1,
@@ -146,7 +138,6 @@ typedef struct {
   po_case_file *file;
   bool is_physical; /* the scene is in SI units, and results are told in them, too: */
   po_units units;
-  unsigned suites;    /* of po_suite */
   unsigned want;      /* of po_case_want */
   unsigned repeats;   /* how often each solve is timed */
   size_t line;        /* points that are solved together, one after another; 1: each by itself */
@@ -175,9 +166,5 @@ po_status po_case_set_own(po_case *kase);
  * the same quoted for a shell, to be printed in a command that can be pasted. */
 const char *po_case_argument(const po_case *kase);
 const char *po_case_word(const po_case *kase);
-
-/* Names, as in case files. */
-unsigned po_suite_of_name(const char *name); /* 0: none of that name */
-extern const char *const PO_SUITE_NAMES;     /* "smoke, paper, extreme, precision or random" */
 
 #endif

@@ -79,10 +79,22 @@ static unsigned find_same(const po_axis_value *ascending, unsigned count) {
   return found;
 }
 
+po_status po_case_refuse_key(const po_yaml *yaml, const char *what, bool (*fits)(po_key key),
+                             const char *where) {
+  po_text expected = {0};
+  po_text_add(&expected, "%s", what);
+  for (int key = 0, named = 0; key < PO_KEY_END; ++key)
+    if (!fits || fits((po_key)key))
+      po_text_add(&expected, "%s%s", named++ ? ", " : ": ", po_key_name((po_key)key));
+  const po_status status = po_schema_refuse(yaml, po_text_string(&expected), "%s.key", where);
+  po_text_clear(&expected);
+  return status;
+}
+
 po_status po_case_axis_check(po_axis *axis, const char *where, const po_yaml *yaml) {
   const int key = po_key_of_name(axis->key);
   if (key < 0)
-    return po_schema_refuse(yaml, NULL, "%s.key", where);
+    return po_case_refuse_key(yaml, "a key of the scene", NULL, where);
   po_request request = po_request_default();
   request.scene.amplitude = request.scene.wavelength = 1; /* so that groups of them have a value */
   axis->ascending = po_allocate(axis->values_count, sizeof *axis->ascending);

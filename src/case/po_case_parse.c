@@ -27,12 +27,9 @@ static po_status parse_names(po_case *kase, const po_yaml *yaml) {
     return po_schema_refuse(yaml, NULL, "name");
   if (file->figure_script && !po_case_is_name(file->figure_script))
     return po_schema_refuse(yaml, NULL, "figure_script");
-  for (unsigned i = 0; i < file->suite_names_count; ++i) {
-    const unsigned suite = po_suite_of_name(file->suite_names[i]);
-    if (!suite)
-      return po_schema_refuse(yaml, PO_SUITE_NAMES, "suites[%u]", i + 1);
-    kase->suites |= suite;
-  }
+  for (unsigned i = 0; i < file->suite_names_count; ++i)
+    if (!po_case_is_name(file->suite_names[i]))
+      return po_schema_refuse(yaml, "letters, digits, _ and -", "suites[%u]", i + 1);
   for (unsigned i = 0; i < file->want_names_count; ++i) {
     unsigned want = 0;
     for (unsigned k = 0; k < sizeof WANTS / sizeof *WANTS; ++k)

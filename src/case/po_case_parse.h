@@ -6,7 +6,7 @@
 #include "po_text.h"
 #include "po_yaml.h"
 
-/* Checks every value of kase->file and fills suites, want, repeats, checks and points.
+/* Checks every value of kase->file and fills want, repeats, checks and points.
  * Status: PO_BAD_INPUT with file, line, path, value and what was expected. */
 po_status po_case_parse(po_case *kase, const po_yaml *yaml);
 
@@ -42,6 +42,11 @@ po_status po_case_sweep_check(const po_case *kase, const po_yaml *yaml);
 /* Checks the key and the values of an axis and sorts these; `where` is its path, e.g.
  * "checks[1].when[2]". */
 po_status po_case_axis_check(po_axis *axis, const char *where, const po_yaml *yaml);
+
+/* Refuses the key at WHERE.key: expected is `what`, followed by the names of all keys of the scene
+ * that `fits` accepts (NULL: all). */
+po_status po_case_refuse_key(const po_yaml *yaml, const char *what, bool (*fits)(po_key key),
+                             const char *where);
 
 /* Frees what checking the axes of a case made. */
 void po_case_axes_clear(po_case_file *file);

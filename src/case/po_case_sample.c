@@ -28,16 +28,17 @@ static bool is_swept(const po_case_file *file, po_key key) {
 }
 
 /* A key that holds a number, not a name or a count. */
-static bool is_quantity(int key) {
-  return key >= 0 && key != PO_KEY_NODES && po_key_is_number((po_key)key);
+static bool is_quantity(po_key key) {
+  return key != PO_KEY_NODES && po_key_is_number(key);
 }
 
 static po_status parse_key(const po_case_file *file, unsigned index, const char *where,
                            const po_yaml *yaml) {
   po_draw *draw = &file->sample->keys[index];
   const int key = po_key_of_name(draw->key);
-  if (!is_quantity(key))
-    return po_schema_refuse(yaml, NULL, "%s.key", where);
+  if (key < 0 || !is_quantity((po_key)key))
+    return po_case_refuse_key(yaml, "a key of the scene whose value is a number, and not a count",
+                              is_quantity, where);
   for (unsigned k = 0; k < index; ++k)
     if (strcmp(file->sample->keys[k].key, draw->key) == 0)
       return po_schema_refuse(yaml, "each key drawn once", "%s.key", where);
@@ -69,7 +70,8 @@ static po_status parse_unit(const po_case_file *file, unsigned index, const char
     return PO_OK;
   draw->by_root = strcmp(draw->times, ROOT_RADIUS) == 0;
   const int unit = draw->by_root ? PO_KEY_RADIUS : po_key_of_name(draw->times);
-  bool known = is_quantity(unit) && (file->scene.values[unit] || is_swept(file, unit));
+  bool known =
+      unit >= 0 && is_quantity((po_key)unit) && (file->scene.values[unit] || is_swept(file, unit));
   for (unsigned k = 0; k < index; ++k)
     known = known || (int)file->sample->keys[k].drawn == unit;
   if (!known)

@@ -86,7 +86,7 @@ static po_status check_item(po_sweep *sweep, const char *where, const po_yaml *y
   if (sweep->together)
     return po_schema_refuse(yaml, "key and values, or together alone", "%s.together", where);
   if (!axis->key)
-    return po_schema_refuse(yaml, NULL, "%s.key", where);
+    return po_case_refuse_key(yaml, "a key of the scene", NULL, where);
   const po_status status = po_axis_fill(axis, where, yaml);
   return status ? status : po_case_axis_check(axis, where, yaml);
 }

@@ -1,10 +1,12 @@
 #include "po_catalog.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "po_file.h"
 #include "po_memory.h"
+#include "po_quote.h"
 #include "po_text.h"
 
 /* Of the name of a case file. */
@@ -122,10 +124,79 @@ static po_status move(po_catalog *from, const char *name, po_catalog *to) {
   return refuse_name(from, name);
 }
 
-static po_status take_suites(po_catalog *all, unsigned suites, po_catalog *catalog) {
-  po_status status = PO_OK;
+/* Long, so that it is run only when it is named. */
+static const char RANDOM[] = "random";
+
+/* Whether `names`, separated by commas, has the name of `length` characters. */
+static bool has_name(const char *names, const char *name, size_t length) {
+  while (*names) {
+    const size_t found = strcspn(names, ",");
+    if (found == length && strncmp(names, name, length) == 0)
+      return true;
+    names += found + (names[found] == ',');
+  }
+  return false;
+}
+
+static bool is_of_suites(const po_case *kase, po_suites suites) {
+  for (unsigned k = 0; k < kase->file->suite_names_count; ++k) {
+    const char *suite = kase->file->suite_names[k];
+    if (suites.names ? has_name(suites.names, suite, strlen(suite))
+                     : !suites.only_named || strcmp(suite, RANDOM) != 0)
+      return true;
+  }
+  return false;
+}
+
+static int by_name(const void *a, const void *b) {
+  return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+/* Refuses a suite that no case is of; lists those there are. */
+static po_status refuse_suite(const po_catalog *all, const char *name, size_t length) {
+  size_t count = 0;
+  for (size_t i = 0; i < all->count; ++i)
+    count += all->cases[i]->file->suite_names_count;
+  const char **names = po_allocate(count, sizeof *names);
+  if (!names)
+    return PO_NO_MEMORY;
+  count = 0;
+  for (size_t i = 0; i < all->count; ++i)
+    for (unsigned k = 0; k < all->cases[i]->file->suite_names_count; ++k)
+      names[count++] = all->cases[i]->file->suite_names[k];
+  if (count)
+    qsort(names, count, sizeof *names, by_name);
+  char given[64], shown[PO_QUOTE_LENGTH];
+  snprintf(given, sizeof given, "%.*s", (int)length, name);
+  po_text known = {0};
+  for (size_t i = 0; i < count; ++i)
+    if (i == 0 || strcmp(names[i], names[i - 1]) != 0)
+      po_text_add(&known, "%s%s", i ? ", " : "", names[i]);
+  const po_status status = po_fail(PO_BAD_INPUT, "no case is of the suite %s: expected one of %s",
+                                   po_quote(given, shown), po_text_string(&known));
+  po_text_clear(&known);
+  free(names);
+  return status;
+}
+
+static po_status check_suites(const po_catalog *all, const char *names) {
+  for (const char *at = names; at && *at;) {
+    const size_t length = strcspn(at, ",");
+    bool found = false;
+    for (size_t i = 0; i < all->count && !found; ++i)
+      for (unsigned k = 0; k < all->cases[i]->file->suite_names_count && !found; ++k)
+        found = has_name(all->cases[i]->file->suite_names[k], at, length);
+    if (!found)
+      return refuse_suite(all, at, length);
+    at += length + (at[length] == ',');
+  }
+  return PO_OK;
+}
+
+static po_status take_suites(po_catalog *all, po_suites suites, po_catalog *catalog) {
+  po_status status = check_suites(all, suites.names);
   for (size_t i = 0; !status && i < all->count;) {
-    if (!suites || (all->cases[i]->suites & suites))
+    if (is_of_suites(all->cases[i], suites))
       status = move(all, all->cases[i]->file->name, catalog);
     else
       ++i;
@@ -134,7 +205,7 @@ static po_status take_suites(po_catalog *all, unsigned suites, po_catalog *catal
 }
 
 po_status po_catalog_open(const char *data_folder, char *const *names, size_t name_count,
-                          unsigned suites, po_catalog *catalog) {
+                          po_suites suites, po_catalog *catalog) {
   po_catalog all = {0};
   *catalog = (po_catalog){0};
   bool strict = name_count == 0;

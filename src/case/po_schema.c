@@ -192,7 +192,7 @@ static const struct {
     {"figure", "the number of a figure"},
     {"equations", "the numbers of equations"},
     {"figure_script", "the name of a script"},
-    {"suites", "a list of smoke, paper, extreme, precision, random"},
+    {"suites", "a list of names of suites"},
     {"scene", "a mapping of scene keys"},
     {"scene.physical", "a mapping of modulus_pa, work_j_per_m2, distance_m, radius_m and more"},
     {"scene.physical.modulus_pa", "a number > 0 in Pa, or inf"},

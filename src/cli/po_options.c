@@ -12,7 +12,7 @@ static int next(const po_options *options) {
   opterr = 0;
   int index = 0;
   const int at = optind ? optind : 1;
-  const int found = getopt_long(options->argc, options->argv, ":", options->options, &index);
+  const int found = getopt_long(options->argc, options->argv, ":h", options->options, &index);
   const char *given = at < options->argc ? options->argv[optind > 1 ? optind - 1 : at] : "";
   switch (found) {
   case ':':
@@ -23,6 +23,8 @@ static int next(const po_options *options) {
     po_fail(PO_BAD_INPUT, "unknown option %s of %s (see pulloff %s --help)", given, options->verb,
             options->verb);
     return BAD;
+  case 'h':
+    return PO_OPTION_HELP;
   default:
     return found;
   }
@@ -47,8 +49,8 @@ po_status po_options_refuse(const char *option, const char *value, const char *e
   return po_fail(PO_BAD_INPUT, "--%s is %s: expected %s", option, po_quote(value, shown), expected);
 }
 
-po_status po_options_take_path(const char *option, const char *expected, const char **path) {
-  *path = optarg;
+po_status po_options_take_text(const char *option, const char *expected, const char **text) {
+  *text = optarg;
   return *optarg ? PO_OK : po_options_refuse(option, optarg, expected);
 }
 

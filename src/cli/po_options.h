@@ -18,7 +18,8 @@ enum {
   PO_EXIT_INTERRUPTED = 130 /* 128 + SIGINT, as shells say it */
 };
 
-/* The value of --help in every table of options; a verb's own are smaller, and > 0. */
+/* The value of --help in every table of options; a verb's own are > 0 and smaller than 'h', which
+ * is the value of -h. */
 enum { PO_OPTION_HELP = 1000 };
 
 /* A reader of one command line. */
@@ -43,8 +44,8 @@ bool po_options_read(const po_options *options, po_option_taker *take, void *lin
 /* Refuses the value of an option: PO_BAD_INPUT. */
 po_status po_options_refuse(const char *option, const char *value, const char *expected);
 
-/* Takes a path from optarg; refuses an empty one. */
-po_status po_options_take_path(const char *option, const char *expected, const char **path);
+/* Takes a path or names from optarg; refuses an empty text. */
+po_status po_options_take_text(const char *option, const char *expected, const char **text);
 
 /* A flag, whether it was given, and whether it has an effect here. */
 typedef struct {

@@ -20,20 +20,6 @@ po_session po_session_default(void) {
   return (po_session){.time_limit = NAN, .last = SIZE_MAX, .options = {.output = "build/run"}};
 }
 
-po_status po_session_suites(const char *list, unsigned *suites) {
-  while (*list) {
-    char name[32];
-    const size_t length = strcspn(list, ",");
-    snprintf(name, sizeof name, "%.*s", (int)(length < 31 ? length : 31), list);
-    const unsigned suite = po_suite_of_name(name);
-    if (!suite)
-      return po_options_refuse("suite", name, PO_SUITE_NAMES);
-    *suites |= suite;
-    list += length + (list[length] == ',');
-  }
-  return *suites ? PO_OK : po_options_refuse("suite", list, PO_SUITE_NAMES);
-}
-
 /* "17" or "0-499". */
 static po_status take_points(const char *text, po_session *session) {
   char first[32];
@@ -63,9 +49,9 @@ po_status po_session_option(void *to, int option) {
   size_t jobs = 0;
   switch (option) {
   case PO_SESSION_SUITE:
-    return po_session_suites(optarg, &session->suites);
+    return po_options_take_text("suite", "names of suites", &session->suites);
   case PO_SESSION_OUTPUT:
-    return po_options_take_path("output", "the name of a folder", &session->options.output);
+    return po_options_take_text("output", "the name of a folder", &session->options.output);
   case PO_SESSION_JOBS:
     if (!po_number_parse_count(optarg, &jobs) || jobs > MOST_JOBS)
       return po_options_refuse("jobs", optarg, "a whole number, 0 for all cores");
@@ -127,8 +113,7 @@ po_status po_session_open(po_session *session, char *const *names, size_t count)
     return po_fail(PO_BAD_INPUT, "cases and --suite are given: expected one of them");
   if (session->shard.count && session->last < SIZE_MAX)
     return po_fail(PO_BAD_INPUT, "--points and --shard are given: expected one of them");
-  /* What is long is run only when it is named. */
-  const unsigned suites = session->suites ? session->suites : ~(unsigned)PO_SUITE_RANDOM;
+  const po_suites suites = {.names = session->suites, .only_named = true};
   po_status status =
       po_catalog_open(po_environment_data(), names, count, suites, &session->catalog);
   if (!status && session->catalog.count == 0)

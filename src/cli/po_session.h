@@ -10,7 +10,7 @@
 #include "po_shard.h"
 
 typedef struct {
-  unsigned suites;
+  const char *suites;              /* their names, separated by commas; NULL: see po_catalog.h */
   double time_limit;               /* instead of that of the cases; NAN: theirs */
   size_t first, last;              /* the points asked for, of each case */
   po_shard shard;                  /* or those of this shard */
@@ -80,8 +80,5 @@ po_status po_session_summarise(const po_session *session);
 int po_session_end(po_session *session, po_status status);
 
 void po_session_clear(po_session *session);
-
-/* The suites of a comma-separated list added to *suites. Status: PO_BAD_INPUT. */
-po_status po_session_suites(const char *list, unsigned *suites);
 
 #endif

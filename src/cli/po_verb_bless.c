@@ -18,7 +18,7 @@ static const char HELP[] =
     "  --jobs N       points solved side by side (0: all cores); the numbers do not depend on it\n"
     "  --time-limit S seconds of processor time a solve may take, instead of what the case says\n"
     "  --fresh        solve again what is there\n"
-    "  --help         this text\n\n"
+    "  -h, --help     this text\n\n"
     "Example: pulloff bless smoke --reason \"Newton stops two digits later\"\n";
 
 enum { REASON = PO_SESSION_NEXT };

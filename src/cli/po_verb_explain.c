@@ -22,7 +22,7 @@ static const char HELP[] =
     "  --jobs N       points solved side by side (0: all cores); the numbers do not depend on it\n"
     "  --time-limit S seconds of processor time a solve may take, instead of what the case says\n"
     "  --fresh        solve again what is there\n"
-    "  --help         this text\n\n"
+    "  -h, --help     this text\n\n"
     "Example: pulloff explain fig03 --point tabor=1 --all\n";
 
 enum { POINT = PO_SESSION_NEXT, ALL, JSON };

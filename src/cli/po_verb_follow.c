@@ -42,7 +42,7 @@ static const char HELP[] =
     "                          none of them: load 1\n"
     "  --tolerance T           relative, of the pull-off force (1e-6)\n"
     "  --json                  one JSON document on standard output, nothing else\n"
-    "  --help                  this text\n\n"
+    "  -h, --help              this text\n\n"
     "Example: pulloff follow --key tabor --from 0.1 --to 5 --points 60 --amplitude 1 \\\n"
     "             --wavelength 20 --outer-radius 100\n";
 

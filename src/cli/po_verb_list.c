@@ -14,7 +14,7 @@ static const char HELP[] = "Usage: pulloff list [OPTION]...\n"
                            "  --references    every reference table, checked: exit code 4\n"
                            "                  when one is missing, cut short or altered\n"
                            "  --json          one JSON document\n"
-                           "  --help          this text\n\n"
+                           "  -h, --help      this text\n\n"
                            "Example: pulloff list --suite paper\n";
 
 enum { SUITE = 1, REFERENCES, JSON };
@@ -29,13 +29,13 @@ static void print_table(const po_catalog *catalog) {
   printf("%-20s %-7s %6s %6s  %-20s %s\n", "case", "figure", "points", "checks", "suites", "title");
   for (size_t i = 0; i < catalog->count; ++i) {
     const po_case *kase = catalog->cases[i];
-    char suites[64] = "";
+    po_text suites = {0};
     for (unsigned k = 0; k < kase->file->suite_names_count; ++k)
-      snprintf(suites + strlen(suites), sizeof suites - strlen(suites), "%s%s", k ? "," : "",
-               kase->file->suite_names[k]);
+      po_text_add(&suites, "%s%s", k ? "," : "", kase->file->suite_names[k]);
     printf("%-20s %-7s %6zu %6u  %-20s %s\n", kase->file->name,
            kase->file->figure ? kase->file->figure : "-", kase->point_count,
-           kase->file->checks_count, suites, kase->file->title);
+           kase->file->checks_count, po_text_string(&suites), kase->file->title);
+    po_text_clear(&suites);
   }
 }
 
@@ -60,7 +60,7 @@ static po_status print_json(const po_catalog *catalog) {
 }
 
 typedef struct {
-  unsigned suites;
+  const char *suites; /* NULL: all */
   bool json, references;
 } list_line;
 
@@ -71,7 +71,7 @@ static po_status take_option(void *to, int option) {
   else if (option == REFERENCES)
     line->references = true;
   else
-    return po_session_suites(optarg, &line->suites);
+    return po_options_take_text("suite", "names of suites", &line->suites);
   return PO_OK;
 }
 
@@ -84,7 +84,8 @@ int po_verb_list(int argc, char **argv) {
     return po_options_end(status);
   status = po_options_no_operands(&options);
   if (!status)
-    status = po_catalog_open(po_environment_data(), NULL, 0, line.suites, &catalog);
+    status = po_catalog_open(po_environment_data(), NULL, 0, (po_suites){.names = line.suites},
+                             &catalog);
   if (!status && line.references)
     status = po_list_references(&catalog, line.json);
   else if (!status && line.json)

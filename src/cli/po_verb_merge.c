@@ -15,7 +15,7 @@ static const char HELP[] =
     "order. All N shards must be present and finished, computed by this program for these cases,\n"
     "and with the same kernels of OpenBLAS; the kernels of this machine do not matter.\n\n"
     "  --output DIR    where the records go (build/run)\n"
-    "  --help          this text\n\n"
+    "  -h, --help      this text\n\n"
     "Example: pulloff merge shards/1 shards/2 shards/3 shards/4\n";
 
 static const struct option OPTIONS[] = {{"output", required_argument, NULL, PO_SESSION_OUTPUT},

@@ -9,7 +9,7 @@
 static const char HELP[] =
     "Usage: pulloff plan CASE...\n"
     "Says what would be computed for a case, what would not, and why. Solves nothing.\n\n"
-    "  --help   this text\n\n"
+    "  -h, --help  this text\n\n"
     "Example: pulloff plan fig03\n";
 
 static const struct option OPTIONS[] = {{"help", no_argument, NULL, PO_OPTION_HELP},
@@ -36,8 +36,8 @@ int po_verb_plan(int argc, char **argv) {
   if (optind == argc)
     status = po_fail(PO_BAD_INPUT, "plan needs the name of a case (see pulloff plan --help)");
   if (!status)
-    status =
-        po_catalog_open(po_environment_data(), argv + optind, (size_t)(argc - optind), 0, &catalog);
+    status = po_catalog_open(po_environment_data(), argv + optind, (size_t)(argc - optind),
+                             (po_suites){0}, &catalog);
   for (size_t i = 0; !status && i < catalog.count; ++i)
     status = print_plan(catalog.cases[i]);
   po_catalog_close(&catalog);

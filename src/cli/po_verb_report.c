@@ -15,7 +15,7 @@ static const char HELP[] = "Usage: pulloff report [OPTION]...\n"
                            "  --run DIR      the records (build/run)\n"
                            "  --output DIR   where the report goes (build/report)\n"
                            "  --fresh        draw it again even when nothing has changed\n"
-                           "  --help         this text\n\n"
+                           "  -h, --help     this text\n\n"
                            "Example: pulloff report --run build/run --output build/report\n";
 
 enum { RUN = 1, OUTPUT, FRESH };
@@ -91,9 +91,9 @@ static int run_script(const char *script, const report_line *line) {
 static po_status take_option(void *to, int option) {
   report_line *line = to;
   if (option == RUN)
-    return po_options_take_path("run", "the name of a folder", &line->run);
+    return po_options_take_text("run", "the name of a folder", &line->run);
   if (option == OUTPUT)
-    return po_options_take_path("output", "the name of a folder", &line->output);
+    return po_options_take_text("output", "the name of a folder", &line->output);
   line->fresh = true;
   return PO_OK;
 }

@@ -46,7 +46,7 @@ static const char HELP[] =
     "dimensionless\n"
     "  --profile FILE          write the profile as CSV, dimensionless\n"
     "  --json                  one JSON document on standard output, nothing else\n"
-    "  --help                  this text\n\n" PO_SCENE_FLAGS_HELP "\n"
+    "  -h, --help              this text\n\n" PO_SCENE_FLAGS_HELP "\n"
     "Example: pulloff solve --tabor 3 --amplitude 1 --wavelength 20 --outer-radius 100 --json\n"
     "Example: pulloff solve --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 \\\n"
     "             --distance-m 3e-10 --radius-m 1e-7\n";
@@ -121,13 +121,13 @@ static po_status take_option(void *to, int option) {
     return take_want(line, optarg);
   case CURVE_FILE:
     line->request.want |= PO_WANT_CURVE;
-    return po_options_take_path("curve", "the name of a file", &line->curve);
+    return po_options_take_text("curve", "the name of a file", &line->curve);
   case PROFILE_FILE:
     line->request.want |= PO_WANT_PROFILE;
-    return po_options_take_path("profile", "the name of a file", &line->profile);
+    return po_options_take_text("profile", "the name of a file", &line->profile);
   case STAIRCASE_FILE:
     line->request.want |= PO_WANT_PRELOAD;
-    return po_options_take_path("staircase", "the name of a file", &line->staircase);
+    return po_options_take_text("staircase", "the name of a file", &line->staircase);
   case JSON:
     line->json = true;
     return PO_OK;

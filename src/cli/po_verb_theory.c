@@ -25,7 +25,7 @@ static const char HELP[] =
     "  --contact-radius A      load and approach there, too (jkr, guduru, kesari-lew)\n"
     "  --gap H                 the traction there, too, H = h/epsilon - 1 (lennard-jones)\n"
     "  --json                  one JSON document on standard output, nothing else\n"
-    "  --help                  this text\n\n" PO_SCENE_FLAGS_HELP "\n"
+    "  -h, --help              this text\n\n" PO_SCENE_FLAGS_HELP "\n"
     "Example: pulloff theory guduru --tabor 5 --amplitude 10 --wavelength 20 --radius 100 --json\n"
     "Example: pulloff theory jkr --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 \\\n"
     "             --distance-m 3e-10 --radius-m 1e-7\n";

@@ -13,8 +13,7 @@ static const char HELP[] =
     "Runs what is missing of the cases, sets every number beside its reference and prints the\n"
     "verdicts. Exit code 1 when a check does not pass (within, improved and slack do), 3 when a\n"
     "solve failed. Without a CASE every reference table is checked first, used or not.\n\n"
-    "  --suite S[,S]   the cases of these suites: smoke, paper, extreme,\n"
-    "                  precision, random\n"
+    "  --suite S[,S]   the cases of these suites\n"
     "  --output DIR    where the records are (build/run)\n"
     "  --jobs N        points solved side by side (0: all cores); the numbers do not depend\n"
     "                  on it\n"
@@ -24,7 +23,7 @@ static const char HELP[] =
     "  --fresh         solve again what is there\n"
     "  --tap           print TAP 13, one line a check\n"
     "  --junit FILE    write JUnit XML, too\n"
-    "  --help          this text\n\n"
+    "  -h, --help      this text\n\n"
     "Example: pulloff verify --suite smoke\n";
 
 enum { TAP = PO_SESSION_NEXT, JUNIT };
@@ -76,7 +75,7 @@ static po_status take_option(void *to, int option) {
   if (option == TAP)
     line->tap = true;
   else if (option == JUNIT)
-    return po_options_take_path("junit", "the name of a file", &line->junit);
+    return po_options_take_text("junit", "the name of a file", &line->junit);
   else
     return po_session_option(&line->session, option);
   return PO_OK;

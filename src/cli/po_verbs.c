@@ -33,8 +33,8 @@ static void print_help(void) {
        "solved, checked against reference data, reported.\n");
   for (size_t i = 0; i < sizeof VERBS / sizeof *VERBS; ++i)
     printf("  %-8s %s\n", VERBS[i].name, VERBS[i].summary);
-  puts("\n  --help     this text, or that of a verb\n"
-       "  --version  the version\n\n"
+  puts("\n  -h, --help  this text, or that of a verb\n"
+       "  --version   the version\n\n"
        "Exit codes: 0 all well, 1 a check does not pass, 2 bad usage or input,\n"
        "3 a solve failed or memory ran out, 4 a file could not be read or written,\n"
        "130 interrupted.\n\n"
@@ -47,7 +47,7 @@ int po_verbs_run(int argc, char **argv) {
     po_fail(PO_BAD_INPUT, "no verb is given: expected " VERB_NAMES);
     return po_options_end(PO_BAD_INPUT);
   }
-  if (strcmp(argv[1], "--help") == 0) {
+  if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
     print_help();
     return PO_EXIT_OK;
   }

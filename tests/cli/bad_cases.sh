@@ -17,7 +17,8 @@ restore
 expect 0 '*good: 1 points, 1 checks: within' run --output out0
 expect 2 'pulloff: no case is named nobody: expected one of good' run nobody
 expect 2 'pulloff: cases and --suite are given: expected one of them' run good --suite smoke
-expect 2 'pulloff: there is no such case in *' run --suite extreme
+expect 2 'pulloff: no case is of the suite extreme: expected one of smoke' run --suite extreme
+expect 2 'pulloff: no case is of the suite empty: expected one of smoke' list --suite smoke,,smoke
 expect 4 'pulloff: absent.yaml cannot be opened: No such file or directory' run absent.yaml
 
 spoilt 's/radius: 100/radius: -3/' '7: scene.radius is -3: expected a finite number > 0'
@@ -51,13 +52,13 @@ spoilt 's/want: .*/want: pull_off/' '11: want is pull_off: expected a list of pu
 spoilt 's/want: .*/want: [pudding]/' \
   '11: want[[]1[]] is pudding: expected pull_off, folds, extrema, curve, profile, hysteresis, diagnostics or preload'
 spoilt 's/want: .*/want: []/' '11: want is a list: expected a list of pull_off, *'
-spoilt 's/suites: .*/suites: [dessert]/' \
-  '3: suites[[]1[]] is dessert: expected smoke, paper, extreme, precision or random'
+spoilt 's/suites: .*/suites: [smoke, "des,sert"]/' \
+  '3: suites[[]2[]] is des,sert: expected letters, digits, _ and -'
 spoilt 's/^title: .*/flavour: sweet/' '2: flavour is unknown: expected one of name, title, figure, *'
 spoilt 's/^scene:/scene: 3\nscenery:/' '4: scene is 3: expected a mapping of scene keys'
 spoilt 's/^want/repeats: 0\nwant/' '11: repeats is 0: expected a whole number from 1 to 1000'
 spoilt 's/^want/sweep:\n  - key: colour\n    values: [1]\nwant/' \
-  '12: sweep[[]1[]].key is colour: expected a key of the scene'
+  '12: sweep[[]1[]].key is colour: expected a key of the scene: tabor, amplitude, *, outer_ratio'
 spoilt 's/^want/sweep:\n  - key: tabor\n    values: [1]\nwant/' \
   '12: sweep[[]1[]].key is tabor: expected a key that the scene does not fix'
 spoilt 's/^want/sweep:\n  - key: approach_end\n    values: [1, nan]\nwant/' \

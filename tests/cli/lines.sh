@@ -91,5 +91,5 @@ bad 's/key: amplitude, values: .1, 2.*/key: radius, values: [1]}/' '*: lines[[]1
 bad 's/key: amplitude, values: .1\]/key: amplitude_ratio, values: [1]/' '*: sweep[[]2[]].key is amplitude_ratio: expected one of alpha *'
 bad 's/key: amplitude, values: .1\]/key: wavelength, values: [1]/' '*: sweep[[]2[]].key is wavelength: expected each key swept once'
 bad 's/as_if: .*/as_if: [{key: tabor, values: [0, 1]}]/' '*: checks[[]1[]].as_if[[]1[]].values is a list: expected one value'
-bad 's/as_if: .*/as_if: [{key: colour, values: [0]}]/' '*: checks[[]1[]].as_if[[]1[]].key is colour: expected a key of the scene'
+bad 's/as_if: .*/as_if: [{key: colour, values: [0]}]/' '*: checks[[]1[]].as_if[[]1[]].key is colour: expected a key of the scene: tabor, *'
 finish

@@ -8,8 +8,14 @@ expect 2 'pulloff: no verb is given: expected solve, follow, theory, list, plan,
 expect 2 'pulloff: unknown verb dance: expected solve, follow, theory, list, *' dance
 expect 0 '' --version
 expect 0 '' --help
-for verb in solve theory list plan run merge verify explain bless report; do
+cp "$work/stdout" "$work/help"
+expect 0 '' -h
+check 'the same help by -h' cmp -s "$work/stdout" "$work/help"
+for verb in solve follow theory list plan run merge verify explain bless report; do
+  expect 0 '' "$verb" -h
+  cp "$work/stdout" "$work/help"
   expect 0 '' "$verb" --help
+  check "the same help of $verb by -h" cmp -s "$work/stdout" "$work/help"
   check "help of $verb has an example" grep -q "^Example: pulloff $verb" "$work/stdout"
   for option in $(sed -n 's/^ *\(--[a-z-]*\).*/\1/p' "$work/stdout"); do
     check "the man page has $option of $verb" \
@@ -61,7 +67,8 @@ expect 2 'pulloff: --points begins at 6: expected less than 6, the points of smo
   run smoke --points 6
 expect 2 'pulloff: --time-limit is 0: expected a finite number > 0' run --time-limit 0
 expect 2 'pulloff: --output is empty: expected the name of a folder' run --output ''
-expect 2 'pulloff: --suite is dessert: expected smoke, paper, extreme, precision or random' \
-  run --suite dessert
+expect 2 'pulloff: no case is of the suite dessert: expected one of extreme, paper, precision, random, smoke' \
+  run --suite smoke,dessert
+expect 2 'pulloff: --suite is empty: expected names of suites' run --suite ''
 expect 2 'pulloff: list takes no smoke*' list smoke
 finish
