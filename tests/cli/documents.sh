@@ -13,4 +13,34 @@ awk '/^```yaml/ { inside = 1; next } /^```/ && inside { exit } inside' "$root/do
 expect 0 '' plan "$work/example.yaml"
 check 'the example has a point left out' grep -q -x '  leave out 1 scene: why not' "$work/stdout"
 check 'the commands of the documents' "$python" "$here/documents.py" "$program" "$root"
+# Files and functions that the pages on the code name are there.
+cat >names.py <<'NAMES'
+import pathlib
+import re
+import sys
+
+root = pathlib.Path(sys.argv[1]).resolve()
+source = "\n".join(path.read_text() for path in (root / "src").rglob("*.[ch]"))
+files = {path.name for folder in ("src", "tests") for path in (root / folder).rglob("*.*")}
+wrong = []
+for page in (root / "doc").glob("*.md"):
+    for line in page.read_text().splitlines(): # a row: functions, and the file that defines them
+        cells = [re.findall(r"`([^`]+)`", cell) for cell in line.split("|")[1:3]]
+        paths = [root / "src" / word for word in cells[1] if word.endswith(".c")] if len(cells) == 2 else []
+        if len(paths) == 1 and paths[0].exists():
+            text = paths[0].read_text()
+            wrong += [f"{page.name}: {word} is not in {paths[0].name}" for word in cells[0]
+                      if re.fullmatch(r"po_\w+", word) and not re.search(rf"\b{word}\(", text)]
+    for word in re.findall(r"`([^`\n]+)`", page.read_text()):
+        is_name = re.fullmatch(r"po_\w+|PO_[A-Z_]+", word)
+        is_path = re.fullmatch(r"(?:[\w.-]+/)+[\w.-]+\.(?:[chp]|py|sh|gp|md|toml|txt|build|csv)", word)
+        is_file = re.fullmatch(r"(?:po|test)_\w+\.[ch]", word)
+        if (is_name and not re.search(rf"\b{word}\b", source)
+                or is_path and "NAME" not in word and not any((root / folder / word).exists() for folder in (".", "src"))
+                or is_file and word not in files):
+            wrong.append(f"{page.name}: {word}")
+print("\n".join(wrong))
+sys.exit(bool(wrong))
+NAMES
+check 'the files and functions of the documents' "$python" names.py "$root"
 finish

@@ -41,6 +41,7 @@ SOLVES = [
     (f"--tabor 3 {WAVES} --tolerance 1e-4 --want hysteresis,preload,profile", 0),
     (f"--tabor 3 {WAVES} --tolerance 1e-4 --preload inf", 0),
     ("--tabor 3 --time-limit 1e-9", 3),
+    ("--tabor 1 --preload -5", 3),
     (f"{SI} --want curve,profile --profile-approach-m -3e-10", 0),
     (f"{WAVY_SI} {LENGTHS} --tolerance 1e-4", 0),
 ]
