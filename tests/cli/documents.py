@@ -17,7 +17,8 @@ for any number of lines of output. Output has to be the same word for word, exce
 - lines that begin with `work`, and the seconds of JSON documents, are not compared;
 - a command whose block shows no output is run only.
 
-Commands in the manual page are indented lines that begin with `pulloff solve`, `follow` or `theory`. With --write the
+Commands in the manual page are lines that begin with `pulloff solve`, `follow` or `theory`; and every option of the help
+of a verb has to be in the section of that verb. With --write the
 blocks whose output differs are replaced by the output of today; look at the difference before you commit it. Exit
 status: 0 all commands succeed and all output is shown as it is, 1 otherwise.
 """
@@ -142,12 +143,17 @@ class Tests:
             print(f"written: {name}")
 
     def manual(self, path):
-        text = re.sub(r"\\\n +", " ", path.read_text())
-        commands = re.findall(r"^ *(pulloff (?:solve|follow|theory) .*)$", text, re.M)
+        text = re.sub(r"\\\n +", " ", path.read_text()).replace("\\-", "-")
+        commands = re.findall(r"^ *(pulloff (?:solve|follow|theory) -*[a-z].*)$", text, re.M)
         self.tell(f"{path.name} has commands", None if commands else "none found")
         for command in commands:
-            if self.run(command.replace("\\-", "-")) is not None:
+            if self.run(command) is not None:
                 self.tell(command, None)
+        sections = {name.lower(): body for name, body in re.findall(r"^\.SH (\w+)$(.*?)(?=^\.SH )", text, re.M | re.S)}
+        for verb in re.findall(r"^  (\w+)  ", "\n".join(self.run("pulloff --help")), re.M):
+            helped = set(re.findall(r"--[a-z][a-z0-9-]*[a-z0-9]", "\n".join(self.run(f"pulloff {verb} --help"))))
+            lacking = helped - set(re.findall(r"--[a-z][a-z0-9-]*[a-z0-9]", sections.get(verb, ""))) - {"--help"}
+            self.tell(f"{path.name}, {verb}", lacking and f"options without a description: {sorted(lacking)}" or None)
 
 
 def main():
