@@ -1,7 +1,7 @@
 """Scenes drawn at random by a seed.
 
 A number depends on the seed, on the number k of the scene and on the name of its key, and on nothing else, as the
-scenes of a case with `sample` (cases/README.md): scene k stays what it is when more scenes are drawn, on every
+scenes of a case with `sample` (doc/cases.md): scene k stays what it is when more scenes are drawn, on every
 machine. The numbers are rounded to 6 significant digits, so that the printed command repeats the scene exactly."""
 
 import math

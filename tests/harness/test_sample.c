@@ -44,7 +44,7 @@ START_TEST(draws_are_uniform_and_unrelated) {
 }
 END_TEST
 
-/* Computed in Python from the description in cases/README.md, for the ranges of
+/* Computed in Python from the description in doc/cases.md, for the ranges of
  * cases/random.yaml. */
 static const struct {
   size_t number;
