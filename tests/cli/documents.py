@@ -13,7 +13,8 @@ A command with its output is a fenced block:
 `$ build/src/cli/pulloff` means the same, and a backslash at the end of a line continues the command. A line `...` stands
 for any number of lines of output. Output has to be the same word for word, except:
 
-- numbers may differ by 1e-6 (relative); numbers below 1e-5, such as errors, by a factor of 100;
+- numbers may differ by 1e-6 (relative); numbers below 1e-5, such as errors, by a factor of 100; below 1e-12 they are
+  taken for rounded zeros;
 - lines that begin with `work`, and the seconds of JSON documents, are not compared;
 - a command whose block shows no output is run only.
 
@@ -34,7 +35,7 @@ import tempfile
 BLOCK = re.compile(r"^```console\n(.*?)^```$", re.M | re.S)
 COMMAND = re.compile(r"(?:build/src/cli/)?pulloff (.*)")
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?$")
-SIZE_ONLY, SIZE_FACTOR, RELATIVE = 1e-5, 100, 1e-6
+ZERO, SIZE_ONLY, SIZE_FACTOR, RELATIVE = 1e-12, 1e-5, 100, 1e-6
 
 
 def number(word):
@@ -46,10 +47,11 @@ def alike_words(shown, printed):
     if shown.rstrip(",;") == printed.rstrip(",;"):
         return True
     a, b = number(shown), number(printed)
-    if a is None or b is None or a == 0 or b == 0:
+    if a is None or b is None:
         return False
     a, b, difference = abs(a), abs(b), abs(a - b)
-    return difference <= RELATIVE * b or (max(a, b) < SIZE_ONLY and a <= SIZE_FACTOR * b and b <= SIZE_FACTOR * a)
+    small = max(a, b) < SIZE_ONLY and a <= SIZE_FACTOR * b and b <= SIZE_FACTOR * a
+    return max(a, b) < ZERO or difference <= RELATIVE * b or small
 
 
 def is_time(line):
