@@ -1,0 +1,93 @@
+#!/usr/bin/python3
+"""Writes the table of constants into doc/method.md, from constants.toml, the source and doc/constants.csv.
+
+    document.py            writes it
+    document.py --check    exit code 1 if the document has another one"""
+
+import csv
+import os
+import sys
+
+import measure
+import scan
+
+DOCUMENT = os.path.join(measure.ROOT, "doc", "method.md")
+BEGIN, END = "<!-- constants: written by tests/constants/document.py -->\n", "<!-- end of the constants -->\n"
+SEEN = 0.02             # relative change of the work that is told
+LARGER = 1.2            # ratio of an error that is told
+
+
+def rows():
+    with open(measure.CSV, encoding="utf-8", newline="") as stream:
+        return {(row["file"], row["name"], row["value"], row["side"]): row
+                for row in csv.DictReader(line for line in stream if not line.startswith("#"))}
+
+
+def effect(row, base):
+    """A few words on one row."""
+    if row is None:
+        return "not measured"
+    if row["failed"] == "not built":
+        return "does not build"
+    if not int(row["changed"]):
+        return "–"
+    words = []
+    work = float(row["work_ratio"]) - 1.0
+    if abs(work) >= SEEN:
+        words.append(f"work {100.0 * work:+.0f} %".replace("-", "−"))
+    for key, text in (("failed", "failed"), ("lost", "lost"), ("extra", "spurious"), ("violated", "violated")):
+        more = int(row[key]) - int(base[key])
+        if more:
+            words.append(f"{text} {more:+d}".replace("-", "−"))
+    for key, text in (("median_error", "median error"), ("worst_error", "worst error"), ("worst_energy", "energy")):
+        ratio = float(row[key]) / float(base[key])
+        if not 1.0 / LARGER < ratio < LARGER:
+            words.append(f"{text} ×{ratio:.2g}")
+    if float(row["moved"]) > 1e-9:
+        words.append(f"others move {float(row['moved']):.0e}")
+    return ", ".join(words) if words else "less than 2 %"
+
+
+def lines():
+    """The table, and the line of the unchanged source."""
+    places, results = scan.constants(measure.ROOT), rows()
+    base = results[measure.UNCHANGED]
+    yield (f"The unchanged source, on {base['scenes']} commands: median error of the pull-off force "
+           f"{base['median_error']} tolerances, worst {base['worst_error']}; of {base['stated']} stated errors "
+           f"{base['held']} hold and {base['violated']} are violated (the others cannot be decided by the tight "
+           f"solution); {base['lost']} special points are lost and {base['extra']} spurious; largest error of an "
+           f"energy lost {base['worst_energy']} tolerances.\n")
+    room = None
+    for entry in measure.table():
+        value, path = places[entry["file"], entry["name"]][:2]
+        here = os.path.relpath(path, measure.ROOT)
+        if entry["file"] != room:
+            room = entry["file"]
+            yield f"\n`{here}`\n\n| constant | value | kind | what it is | half | twice |\n|---|---|---|---|---|---|\n"
+        sides = ["", ""]
+        if measure.is_measured(entry):
+            sides = [effect(results.get((entry["file"], entry["name"], value, side)), base)
+                     + (f" ({entry[side]})" if side in entry else "") for side in ("half", "twice")]
+        yield f"| `{entry['name']}` | {value} | {entry['kind']} | {entry['does']} | {sides[0]} | {sides[1]} |\n"
+
+
+def written():
+    """The document with the table in place."""
+    with open(DOCUMENT, encoding="utf-8") as stream:
+        text = stream.read()
+    begin, end = text.index(BEGIN) + len(BEGIN), text.index(END)
+    return text, text[:begin] + "\n" + "".join(lines()) + "\n" + text[end:]
+
+
+def main(args):
+    text, new = written()
+    if args == ["--check"]:
+        return int(text != new)
+    if text != new:
+        with open(DOCUMENT, "w", encoding="utf-8") as stream:
+            stream.write(new)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

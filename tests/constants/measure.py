@@ -1,0 +1,240 @@
+#!/usr/bin/python3
+"""What half and twice the value of each constant of the solver do to errors and work.
+
+    measure.py                         all that doc/constants.csv does not have yet
+    measure.py --only 'po_newton|FAR'  only constants whose file or name matches
+    measure.py --fresh                 everything anew
+
+For each constant of constants.toml with a measurement, a copy of the source has that one value changed, is built, and
+runs the commands of scenes.txt. The results are compared with solutions at a tolerance of 1e-8 and with those of the
+unchanged source. A row is written to doc/constants.csv as soon as it is known, so that an interrupted run goes on.
+Then `document.py` puts the table into doc/method.md.
+
+Exit code: 0 all is measured, 1 the unchanged source does not build or solve, 130 interrupted."""
+
+import argparse
+import csv
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tomllib
+
+import outcome
+import scan
+import scenes
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+CSV = os.path.join(ROOT, "doc", "constants.csv")
+TIGHT = "1e-8"
+LONGEST = 5                 # processor seconds of one command
+MOST_CRASHES = 4            # commands without a document after which the others are taken for such, too
+RESULTS = ("scenes", "changed", "failed", "lost", "extra", "median_error", "worst_error", "worst_energy", "stated", "held",
+           "violated", "moved")
+COLUMNS = ("file", "name", "value", "side", "tried", *RESULTS, *(f"{name}_ratio" for name in outcome.COUNTERS),
+           "work_ratio")
+UNCHANGED = ("-", "-", "", "")
+
+
+def table():
+    """Entries of constants.toml: the file and the name are keys like the others."""
+    with open(os.path.join(HERE, "constants.toml"), "rb") as stream:
+        files = tomllib.load(stream)
+    del files["labels"]
+    return [dict(entry, file=file, name=name) for file, names in files.items() for name, entry in names.items()]
+
+
+def is_measured(entry):
+    return entry["kind"] in ("tuned", "limit") and not entry.get("unmeasured")
+
+
+def tried(entry, value, side):
+    """The text that takes the place of the value."""
+    if side in entry:
+        return str(entry[side])
+    if re.fullmatch(r"\d+", value):
+        return str(max(1, int(value) // 2) if side == "half" else 2 * int(value))
+    return f"({'0.5' if side == 'half' else '2.0'} * ({value}))"
+
+
+def run(program, words):
+    """The document of a command; one without a document has the status `crashed`."""
+    done = subprocess.run(["prlimit", f"--cpu={LONGEST}", program, *words, "--json"], capture_output=True, check=False,
+                          text=True)
+    try:
+        return json.loads(done.stdout)
+    except ValueError:
+        return {"status": "crashed", "reason": f"exit code {done.returncode}"}
+
+
+def tight(words):
+    """The same command at the tight tolerance, every scene of a line traced; None for what has no tolerance."""
+    if "--tolerance" not in words or "diagnostics" in words:
+        return None
+    place = words.index("--tolerance") + 1
+    every = ["--checkpoint-every", "1"] if words[0] == "follow" and "folds" not in words else []
+    return [*words[:place], TIGHT, *words[place + 1:], *every]
+
+
+class Copy:
+    """A copy of the source in a build folder of its own."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.source, self.build = os.path.join(folder, "tree"), os.path.join(folder, "build")
+        self.program = os.path.join(self.build, "src", "cli", "pulloff")
+
+    def make(self):
+        """Returned: whether the unchanged source builds."""
+        shutil.rmtree(self.source, ignore_errors=True)
+        os.makedirs(self.source)
+        for name in ("meson.build", "meson_options.txt"):
+            shutil.copy(os.path.join(ROOT, name), self.source)
+        shutil.copytree(os.path.join(ROOT, "src"), os.path.join(self.source, "src"),
+                        copy_function=shutil.copy)      # not the time of the file: ninja must not take it for built
+        if not os.path.exists(os.path.join(self.build, "build.ninja")):
+            subprocess.run(["meson", "setup", "-Dtests=false", self.build, self.source], check=True,
+                           stdout=subprocess.DEVNULL)
+        return self.compile()
+
+    def compile(self):
+        return subprocess.run(["ninja", "-j1", "-C", self.build, "src/cli/pulloff"], stdout=subprocess.DEVNULL,
+                              check=False).returncode == 0
+
+    def documents(self, commands):
+        found, crashes = [], 0
+        for words in commands:
+            found.append(run(self.program, words) if crashes < MOST_CRASHES else {"status": "crashed"})
+            crashes += found[-1].get("status") == "crashed"
+        return found
+
+    def with_value(self, place, text, work):
+        """Calls `work` with one value changed. Returned: what it returns; None when that does not build."""
+        value, path, begin, end = place
+        path = os.path.join(self.source, os.path.relpath(path, ROOT))
+        with open(path, encoding="utf-8") as stream:
+            before = stream.read()
+        assert before[begin:end] == value
+        try:
+            with open(path, "w", encoding="utf-8") as stream:
+                stream.write(before[:begin] + text + before[end:])
+            return work() if self.compile() else None
+        finally:
+            with open(path, "w", encoding="utf-8") as stream:
+                stream.write(before)
+
+
+class Results:
+    """Rows of the table, kept in a file."""
+
+    def __init__(self, path):
+        self.path, self.rows = path, {}
+        if os.path.exists(path):
+            with open(path, encoding="utf-8", newline="") as stream:
+                lines = [line for line in stream if not line.startswith("#")]
+            self.rows = {(row["file"], row["name"], row["value"], row["side"]): row for row in csv.DictReader(lines)}
+
+    def put(self, key, row):
+        self.rows[key] = dict(zip(COLUMNS[:4], key), **row)
+        with open(self.path + ".new", "w", encoding="utf-8", newline="") as stream:
+            stream.write("# what: each constant at half and at twice its value, tests/constants/measure.py\n")
+            writer = csv.DictWriter(stream, COLUMNS, restval="", lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(self.rows[key] for key in sorted(self.rows))
+        os.replace(self.path + ".new", self.path)
+
+    def keep(self, keys):
+        self.rows = {key: row for key, row in self.rows.items() if key in keys}
+
+
+class Campaign:
+    """The set solved by the unchanged source, and by any other."""
+
+    def __init__(self, copy, commands):
+        self.copy, self.commands = copy, commands
+        self.base = copy.documents(commands)
+        self.cost = outcome.cost(self.base)
+        self.truth = self.truths()
+
+    def truths(self):
+        """Solutions at the tight tolerance; kept in the folder of the copy, as they take longest."""
+        path = os.path.join(self.copy.folder, "truth.json")
+        known = {}
+        if os.path.exists(path):
+            with open(path, encoding="utf-8") as stream:
+                known = json.load(stream)
+        for words in map(tight, self.commands):
+            if words and " ".join(words) not in known:
+                known[" ".join(words)] = run(self.copy.program, words)
+        with open(path, "w", encoding="utf-8") as stream:
+            json.dump(known, stream)
+        return [known[" ".join(words)] if words else None for words in map(tight, self.commands)]
+
+    def unsolved(self):
+        return [" ".join(words) for words, base, truth in zip(self.commands, self.base, self.truth)
+                if not outcome.is_solved(base) or (truth and not outcome.is_solved(truth))]
+
+    def row(self, documents):
+        tally = outcome.Tally()
+        for found, base, truth in zip(documents, self.base, self.truth):
+            tally.add(found, base, truth)
+        row = dict(tally.row(), scenes=len(documents))
+        both = [(found, base) for found, base in zip(documents, self.base) if outcome.is_solved(found)]
+        now, before = outcome.cost(found for found, _ in both), outcome.cost(base for _, base in both)
+        for name, value in now.items():
+            row[f"{name}_ratio"] = f"{value / before[name]:.4f}" if before[name] else ""
+        return row
+
+    def measure(self, place, text):
+        documents = self.copy.with_value(place, text, lambda: self.copy.documents(self.commands))
+        return dict(self.row(documents) if documents else {"failed": "not built"}, tried=text)
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--only", default="", help="constants whose file or name matches this regular expression")
+    parser.add_argument("--fresh", action="store_true", help="measures what was measured before, too")
+    parser.add_argument("--folder", default=os.path.join(ROOT, "build", "constants"), help="for the copy of the source")
+    parser.add_argument("--output", default=CSV, help="the table of results (doc/constants.csv)")
+    return parser.parse_args()
+
+
+def main():
+    wanted = arguments()
+    places = scan.constants(ROOT)
+    entries = [entry for entry in table() if is_measured(entry) and (entry["file"], entry["name"]) in places]
+    results = Results(wanted.output)
+    tasks = []
+    for entry in entries:
+        place = places[entry["file"], entry["name"]]
+        for side in ("half", "twice"):
+            key = (entry["file"], entry["name"], place[0], side)
+            if re.search(wanted.only, f"{entry['file']} {entry['name']}") and (wanted.fresh or key not in results.rows):
+                tasks.append((key, place, tried(entry, place[0], side)))
+    copy = Copy(wanted.folder)
+    if not copy.make():
+        print("measure.py: the unchanged source does not build", file=sys.stderr)
+        return 1
+    campaign = Campaign(copy, scenes.read())
+    unsolved = campaign.unsolved()
+    if unsolved:
+        print(f"measure.py: {len(unsolved)} commands are not solved, the first of them: pulloff {unsolved[0]}",
+              file=sys.stderr)
+        return 1
+    results.put(UNCHANGED, dict(campaign.row(campaign.base), tried=""))
+    for k, (key, place, text) in enumerate(tasks):
+        row = campaign.measure(place, text)
+        results.put(key, row)
+        print(f"{k + 1}/{len(tasks)} {key[0]} {key[1]} {key[3]}: {text}: changed {row.get('changed')}, "
+              f"failed {row['failed']}, work {row.get('work_ratio')}, worst {row.get('worst_error')}", flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        sys.exit(130)
