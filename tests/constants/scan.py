@@ -4,7 +4,8 @@ import glob
 import os
 import re
 
-ROOMS = ("math", "scene", "theory", "bem", "continuation", "path", "observe", "companion")
+ROOMS = ("math", "scene", "theory", "bem", "continuation", "path", "observe", "series",
+         "companion")
 NAME = r"\b(?P<name>[A-Z][A-Z0-9_]+)\s*=\s*"
 DECLARATION = re.compile(r"\b(?:static\s+)?const\s+(?:long\s+)?(?:double|float|size_t|int|u?int\d+_t)\s+"
                          r"(?P<body>[A-Z][^;(){}\[\]]*=[^;{}]*);")

@@ -49,9 +49,9 @@ solve --tabor 0 --amplitude 0.3 --wavelength 10
 solve --tabor 0 --amplitude 1 --wavelength 10 --outer-radius 100
 solve --tabor 0 --amplitude 10 --wavelength 20 --radius 300
 solve --tabor 0 --amplitude 100 --wavelength 60
-solve --tabor 0 --amplitude 3 --wavelength 0.05 --radius 100
+solve --tabor 0 --amplitude 3 --wavelength 0.01
 solve --tabor 0 --want preload,curve
-solve --tabor 1e-6 --amplitude 2 --wavelength 15 --want hysteresis
+solve --tabor 1e-6 --want hysteresis
 solve --tabor 1e-4 --amplitude 1 --wavelength 20 --tolerance 1e-6
 solve --tabor 1 --want diagnostics
 solve --tabor 0.5 --amplitude 0.5 --wavelength 20 --radius 40 --tolerance 1e-4 --want diagnostics
