@@ -34,6 +34,7 @@ def arguments(words):
     parser.add_argument("--claim", action="append", metavar="ID", help="only this claim; writes nothing")
     parser.add_argument("--sensitivity", action="store_true",
                         help="print for each claim by how much (relative) a number must be off for the answer to change")
+    parser.add_argument("--brief", action="store_true", help="print the counts, and the entries that are at fault or have no number")
     parser.add_argument("--json", action="store_true", help="one JSON document on standard output, nothing else")
     return parser.parse_args(words)
 
@@ -118,6 +119,18 @@ def line_of(name, part, verdict):
     return f"{name:<34} {claimed:>22} {numbers[2]:>16} {numbers[3]:>16}  {verdict}"
 
 
+def counts_of(made):
+    return ", ".join(f"{number} {WORDS.get(name, name)}" for name, number in made["counts"].items() if number)
+
+
+def brief_of(made):
+    """The counts, and before them the entries at fault or without a number, each with the command that shows it."""
+    lines = [f"{row['id']}: {text}\n    /usr/bin/python3 reports/claims/run.py --claim {row['id']}"
+             for row in made["claims"]
+             for text in row["faults"] + ([row["reason"]] if row["verdict"] == judge.NO_RESULT else [])]
+    return "\n".join([*lines, f"{len(made['claims'])} claims: {counts_of(made)}"])
+
+
 def text_of(made):
     """The table for a terminal: a line a claim and a line a choice, and the counts."""
     nothing = dict.fromkeys(("low", "high", "computed", "difference"))
@@ -130,7 +143,7 @@ def text_of(made):
         told = row["faults"] + ([row["reason"]] if row["verdict"] == judge.NO_RESULT else [])
         for text in told:
             lines += textwrap.wrap(text, 110, initial_indent="    ", subsequent_indent="    ")
-    lines.append(", ".join(f"{number} {WORDS.get(name, name)}" for name, number in made["counts"].items() if number))
+    lines.append(counts_of(made))
     return "\n".join(lines)
 
 
@@ -176,7 +189,7 @@ def main(words):
     except OSError as error:
         print(f"claims: {error.filename}: {error.strerror}", file=sys.stderr)
         return 4
-    show = sensitivity_of if wanted.sensitivity else text_of
+    show = sensitivity_of if wanted.sensitivity else brief_of if wanted.brief else text_of
     print(json.dumps(made, indent=1, ensure_ascii=False) if wanted.json else show(made))
     print(f"{given.seconds:.1f} s in commands that were not kept", file=sys.stderr)
     if made["counts"][judge.NO_RESULT]:

@@ -16,8 +16,14 @@
 
 static const size_t MOST_JOBS = 4096;
 
+static const char OUTPUT[] = "build/run";
+
 po_session po_session_default(void) {
-  return (po_session){.time_limit = NAN, .last = SIZE_MAX, .options = {.output = "build/run"}};
+  return (po_session){.time_limit = NAN, .last = SIZE_MAX, .options = {.output = OUTPUT}};
+}
+
+const char *po_session_output(const po_session *session) {
+  return strcmp(session->options.output, OUTPUT) == 0 ? NULL : session->options.output;
 }
 
 /* "17" or "0-499". */

@@ -53,6 +53,9 @@ enum {
 /* A session with the defaults. */
 po_session po_session_default(void);
 
+/* The folder of the records; NULL: it is the default. */
+const char *po_session_output(const po_session *session);
+
 /* Takes one option of the table above into a po_session: a po_option_taker. Nothing is to be
  * cleared before the session is opened. Status: PO_BAD_INPUT. */
 po_status po_session_option(void *session, int option);

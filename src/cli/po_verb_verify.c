@@ -2,6 +2,7 @@
 
 #include "po_environment.h"
 #include "po_file.h"
+#include "po_overview.h"
 #include "po_reference_list.h"
 #include "po_session.h"
 #include "po_text.h"
@@ -10,9 +11,11 @@
 
 static const char HELP[] =
     "Usage: pulloff verify [OPTION]... [CASE]...\n"
-    "Runs what is missing of the cases, sets every number beside its reference and prints the\n"
-    "verdicts. Exit code 1 when a check does not pass (within, improved and slack do), 3 when a\n"
-    "solve failed. Without a CASE every reference table is checked first, used or not.\n\n"
+    "Runs what is missing of the cases, compares every number with its reference and prints a\n"
+    "line a case, each failure with the command that explains it, and the totals. Exit code 1 "
+    "when\n"
+    "a check does not pass (within, improved and slack do), 3 when a solve failed. Without a CASE\n"
+    "every reference table is checked first, used or not.\n\n"
     "  --suite S[,S]   the cases of these suites\n"
     "  --output DIR    where the records are (build/run)\n"
     "  --jobs N        points solved side by side (0: all cores); the numbers do not depend\n"
@@ -21,15 +24,17 @@ static const char HELP[] =
     "                  the whole\n"
     "  --time-limit S  seconds of processor time a solve may take, instead of what the case says\n"
     "  --fresh         solve again what is there\n"
+    "  --verbose       print a line for every check\n"
     "  --tap           print TAP 13, one line a check\n"
     "  --junit FILE    write JUnit XML, too\n"
     "  -h, --help      this text\n\n"
     "Example: pulloff verify --suite smoke\n";
 
-enum { TAP = PO_SESSION_NEXT, JUNIT };
+enum { TAP = PO_SESSION_NEXT, JUNIT, VERBOSE };
 
 static const struct option OPTIONS[] = {PO_SESSION_OPTIONS,
                                         {"tap", no_argument, NULL, TAP},
+                                        {"verbose", no_argument, NULL, VERBOSE},
                                         {"junit", required_argument, NULL, JUNIT},
                                         {NULL, 0, NULL, 0}};
 
@@ -43,12 +48,22 @@ static po_status check_references(void) {
   return status;
 }
 
-static po_status print(const po_session *session, bool tap) {
+typedef struct {
+  po_session session;
+  bool tap, verbose;
+  const char *junit; /* a file; NULL: none */
+} verify_line;
+
+static po_status print(const verify_line *line) {
+  const po_session *session = &line->session;
+  const size_t count = session->catalog.count;
   po_text text = {0};
-  if (tap)
-    po_verdicts_tap(session->runs, session->catalog.count, &text);
+  if (line->tap)
+    po_verdicts_tap(session->runs, count, &text);
+  else if (line->verbose)
+    po_verdicts_table(session->runs, count, &text);
   else
-    po_verdicts_table(session->runs, session->catalog.count, &text);
+    po_overview_add(session->runs, count, po_session_output(session), &text);
   fputs(po_text_string(&text), stdout);
   const po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
   po_text_clear(&text);
@@ -64,16 +79,12 @@ static po_status write_junit(const po_session *session, const char *junit) {
   return status;
 }
 
-typedef struct {
-  po_session session;
-  bool tap;
-  const char *junit; /* a file; NULL: none */
-} verify_line;
-
 static po_status take_option(void *to, int option) {
   verify_line *line = to;
   if (option == TAP)
     line->tap = true;
+  else if (option == VERBOSE)
+    line->verbose = true;
   else if (option == JUNIT)
     return po_options_take_text("junit", "the name of a file", &line->junit);
   else
@@ -90,10 +101,11 @@ int po_verb_verify(int argc, char **argv) {
     return po_options_end(status);
   if (optind == argc)
     status = check_references();
+  session->options.brief = !line.verbose;
   if (!status)
     status = po_session_run(session, argv + optind, (size_t)(argc - optind));
   if (!status)
-    status = print(session, line.tap);
+    status = print(&line);
   if (!status && !line.tap)
     status = po_session_summarise(session);
   if (!status && line.junit)

@@ -19,7 +19,7 @@ static const struct {
     {"plan", po_verb_plan, "say what would be computed for a case, and why"},
     {"run", po_verb_run, "solve cases and keep their records"},
     {"merge", po_verb_merge, "put the shards of a run together"},
-    {"verify", po_verb_verify, "run what is missing and print a verdict for every check"},
+    {"verify", po_verb_verify, "run what is missing and judge every check"},
     {"explain", po_verb_explain, "say what differs, where, and which side is likely at fault"},
     {"bless", po_verb_bless, "accept the numbers of a case as its pins"},
     {"report", po_verb_report, "write the report of a run"},

@@ -58,8 +58,7 @@ static size_t count_verdicts(const po_case_run *runs, size_t count, size_t of[PO
   return total;
 }
 
-/* "69 checks pass (1 improved, 2 slack), 1 does not (1 outside), 0 solves failed". */
-static void totals(const po_case_run *runs, size_t count, po_text *text) {
+void po_verdicts_totals(const po_case_run *runs, size_t count, po_text *text) {
   size_t of[PO_VERDICT_COUNT] = {0}, failures = 0, passing = 0;
   const size_t total = count_verdicts(runs, count, of);
   for (size_t r = 0; r < count; ++r)
@@ -95,7 +94,7 @@ void po_verdicts_table(const po_case_run *runs, size_t count, po_text *text) {
         po_text_add(text, "%-12s %-23s %-24s failed: %s\n", run->plan->kase->file->name, "solve",
                     run->plan->kase->points[i].label, run->results[i].reason);
   }
-  totals(runs, count, text);
+  po_verdicts_totals(runs, count, text);
 }
 
 /* What there is to say of a check that is not simply within. */

@@ -99,7 +99,7 @@ static po_status finish_case(po_crew *crew, po_case_run *run) {
   run->finished = status == PO_OK;
   if (!status && po_case_run_is_whole(run))
     status = po_journal_remove(run, options->output);
-  if (!status)
+  if (!status && !(options->brief && crew->progress.live))
     tell_finished(crew, run);
   return status;
 }

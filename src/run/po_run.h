@@ -29,9 +29,10 @@ typedef struct {
 } po_case_run;
 
 typedef struct {
-  const char *output;                /* the folder of the run */
-  int jobs;                          /* threads; 0: all cores */
-  bool fresh;                        /* solve even what is there */
+  const char *output; /* the folder of the run */
+  int jobs;           /* threads; 0: all cores */
+  bool fresh;         /* solve even what is there */
+  bool brief; /* no line stays on a terminal for a case that is finished: an overview follows */
   const volatile sig_atomic_t *stop; /* nonzero: end soon */
 } po_run_options;
 

@@ -25,7 +25,7 @@ says() { # WHAT PATTERN
 }
 
 verified() { # CODE PATTERN
-  expect "$1" '*' verify good --output run
+  expect "$1" '*' verify --verbose good --output run
   says "the verdict: $2" "$2"
 }
 
@@ -78,7 +78,7 @@ check 'so nothing is written' cmp first.csv "$pins"
 
 # Altered: by its checksum, and when that was altered with it, by its value.
 sed -i 's/^pull_off_force,2/pull_off_force,2.1/' "$pins"
-expect 4 'pulloff: cases/pins/good.csv:*: sha256 is *: expected *, that of all other lines*' verify good
+expect 4 'pulloff: cases/pins/good.csv:*: sha256 is *: expected *, that of all other lines*' verify --verbose good
 expect 4 'pulloff: cases/pins/good.csv:*: sha256 is *' bless good --reason why
 alter 's/^pull_off_force,.*/pull_off_force,2.00001/'
 verified 0 'improved: the error against table fell from 1e-05 to 0: bless it'
@@ -99,17 +99,17 @@ alter '/^folds/d'
 verified 1 'missing_reference: not pinned in cases/pins/good.csv; to make it: pulloff bless good'
 cp first.csv "$pins"
 alter 's/^folds.count,0/folds\/count,1/'
-expect 4 'pulloff: cases/pins/good.csv: number 1 of the folds of a scene is missing' verify good
+expect 4 'pulloff: cases/pins/good.csv: number 1 of the folds of a scene is missing' verify --verbose good
 cp first.csv "$pins"
 alter 's/^pull_off_force,.*/&\n&/'
 expect 4 'pulloff: cases/pins/good.csv:*: a second pull_off_force for the same scene: expected one' \
-  verify good
+  verify --verbose good
 cp first.csv "$pins"
 alter 's/^quantity,/colour,/'
-expect 4 'pulloff: cases/pins/good.csv:*: the column colour is unknown: expected *' verify good
+expect 4 'pulloff: cases/pins/good.csv:*: the column colour is unknown: expected *' verify --verbose good
 cp first.csv "$pins"
 sed -i 's/^# kind: pin/# kind: oracle/' "$pins" && seal "$pins"
-expect 4 'pulloff: cases/pins/good.csv: kind is oracle: expected pin' verify good
+expect 4 'pulloff: cases/pins/good.csv: kind is oracle: expected pin' verify --verbose good
 cp first.csv "$pins"
 
 # Not while an oracle fails; a published value that does is no reason.

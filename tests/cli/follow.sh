@@ -160,12 +160,12 @@ d["key"] = ""
 json.dump(d, open(path, "w"))' "$record" "$drawn" "$1"
 }
 alter 'p["traced"]["pull_off"]["force"] *= 1 + 2e-5'
-expect 1 '*' verify good --output traced
+expect 1 '*' verify --verbose good --output traced
 check 'a trace that finds another force is outside' grep -q '^good  *pull_off_force .* oracle  *outside' "$work/stdout"
 expect 1 '*' explain good --output traced
 check 'the fault is told' grep -q 'the trace of the same scene finds another pull-off' "$work/stdout"
 alter 'p["traced"].update(status="not_converged", reason="it is made so", pull_off=None)'
-expect 1 '*' verify good --output traced
+expect 1 '*' verify --verbose good --output traced
 check 'a trace that failed is no agreement' grep -q 'missing_reference: the trace failed: it is made so' "$work/stdout"
 
 finish

@@ -30,7 +30,7 @@ body='work_j_per_m2: 0.05, distance_m: 3e-10, radius_m: 3e-8'
 # pi w R = 4.71238898038469e-9 N.
 write_table "$PULLOFF_DATA/reference/table.csv" tabor,radius,force,approach 1,100,1.67066478,-0.8734
 write_si "modulus_pa: 1666666666.6666667, $body" '' '' reference/table.csv 1e-7
-expect 0 '*' verify si --output run
+expect 0 '*' verify --verbose si --output run
 check 'the reference of the dimensionless scene holds' grep -q '^si  *pull_off_force .*oracle *within' "$work/stdout"
 check 'newton and metre are printed' grep -q '^si  *pull_off  *scene  *7.872822[23][0-9]*e-09 N at approach -2.6201.*e-10 m$' "$work/stdout"
 check 'and in the record' "$python" -c '
@@ -46,13 +46,13 @@ expect 0 'si: 1 points, 1 checks: within (kept)' run --output run
 
 # Bradley: 2 pi w R
 write_si "modulus_pa: inf, $body" '' '' bradley 1e-12
-expect 0 '*' verify si --output run
+expect 0 '*' verify --verbose si --output run
 check '2 pi w R' grep -q ' 9.424777961e-09 N at approach ' "$work/stdout"
 
 # A wave, and a surface cut; what is said once in metres is not said again in epsilon.
 wave='amplitude_m: 3e-11, wavelength_m: 3e-9, outer_radius_m: 3e-8'
 write_si "modulus_pa: 1666666666.6666667, $body, $wave" '' '' bradley 1
-expect 1 '*' verify si --output run
+expect 1 '*' verify --verbose si --output run
 check 'lengths over epsilon' "$python" -c '
 import json
 i = json.load(open("run/si/record.json"))["points"][0]["input"]

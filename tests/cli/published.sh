@@ -48,7 +48,7 @@ markers() {
 expect 0 '' plan curve
 check 'the plan says what is left out' grep -q -F 'leave out curve against reference/published/markers.csv: there is no such file; reference/table.csv stands in for it' "$work/stdout"
 check 'and that no curve is kept for it' grep -q 'no points of the branch kept' "$work/stdout"
-expect 0 '*' verify curve --output run
+expect 0 '*' verify --verbose curve --output run
 check 'one check is made' test 1 -eq "$(grep -c '^curve ' "$work/stdout")"
 check 'the record names what stands in' "$python" -c '
 import json
@@ -59,28 +59,28 @@ assert record["left_out"] == [{"quantity": "curve", "reference": "reference/publ
 # The pull-off, the fold where the surfaces jump together and one marker further out, and
 # one beyond the start of the computed branch; not sorted along it.
 markers published -0.8734,-1.6707 -1.629,-0.681 -1.9,-0.397 -2.5,-0.21 -0.87,-1.66
-expect 0 '*' verify curve --output run
+expect 0 '*' verify --verbose curve --output run
 check 'the markers join the checks' grep -q '^curve  *curve .*published *within' "$work/stdout"
 check 'four of them' grep -q '4 points compared, 1 beyond the ends' run/curve/record.json
 check 'nothing is left out any more' grep -q '"left_out": \[\]' run/curve/record.json
 expect 0 '' list --references
 check 'the list shows them' grep -q '^reference/published/markers.csv  *published  *5  *curve ' "$work/stdout"
 markers published -0.8734,-1.6707 -1.5,-0.681
-expect 1 '*' verify curve --output run
+expect 1 '*' verify --verbose curve --output run
 check 'a marker off the curve is outside' grep -q '^curve  *curve .*published *outside' "$work/stdout"
 check 'and told' grep -q 'furthest near approach -1.5, load -0.681' run/curve/record.json
 sed -i 's/^1,1,-1.5,-0.681/1,1,-1.629,-0.681/' "$published"
-expect 4 'pulloff: reference/published/markers.csv:10: sha256 is *' verify curve --output run
+expect 4 'pulloff: reference/published/markers.csv:10: sha256 is *' verify --verbose curve --output run
 expect 4 'pulloff: reference/published/markers.csv:10: sha256 is *' list --references
 "$python" "$here/../../reference/make/seal.py" "$published"
-expect 0 '*' verify curve --output run
+expect 0 '*' verify --verbose curve --output run
 markers oracle -0.8734,-1.6707
 expect 4 'pulloff: reference/published/markers.csv:3: kind is oracle: expected published, *' plan curve
 markers published -0.8734,-1.6707
 sed -i 's/0.02$/0.2/' "$published" && seal "$published"
 expect 2 'pulloff: cases/curve.yaml:20: checks[[]2[]].tolerance is 0.05: expected at least 0.2, *' plan curve
 rm "$published"
-expect 0 '*' verify curve --output run
+expect 0 '*' verify --verbose curve --output run
 check 'gone, it is left out again' grep -q '"stand_in": "reference/table.csv"' run/curve/record.json
 
 sed -i 's/stand_in:.*/stand_in: reference\/other.csv/' "$file"

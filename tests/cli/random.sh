@@ -78,10 +78,10 @@ check 'explain: no failed solve when the share is met' test "$(cat "$work/stdout
   'scenes: 0 of 1 checks told, the others are within'
 expect 0 '*' explain scenes --all
 check 'explain: the share is of no one point' grep -q '^scenes solved_share -: within$' "$work/stdout"
-expect 0 '*' verify scenes
+expect 0 '*' verify --verbose scenes
 check 'the verdict is of no one point' grep -qE '^scenes +solved_share +- +0.5 +1 ' "$work/stdout"
 write_scenes 0.4
-expect 3 'scenes: 6 points, 1 checks: failed (kept)' verify scenes
+expect 3 'scenes: 6 points, 1 checks: failed (kept)' verify --verbose scenes
 check 'too many' grep -q 'outside: 3 of 6 failed, the first point 1: after 1e-09 s' "$work/stdout"
 expect 3 '*' explain scenes --json
 cat >told.py <<'TOLD'
@@ -96,7 +96,7 @@ check 'explain: the share, and each failure' "$python" told.py
 expect 3 '*' explain scenes --point 3
 check 'explain: of one point its failure alone' grep -q '^scenes: 0 of 0 checks told$' "$work/stdout"
 expect 0 '*' explain scenes --point 0
-expect 3 '*' verify scenes
+expect 3 '*' verify --verbose scenes
 check 'now they are failures' test 3 -eq "$(grep -c 'time_limit=1e-9 .*failed: after' "$work/stdout")"
 "$program" run scenes >"$work/stdout" 2>"$work/stderr"
 check 'exit code 3 of a run with them' test $? -eq 3

@@ -76,7 +76,7 @@ refused "--only is fig99: expected claims, faults or one of $known" --only fig99
 refused "--only is fig: expected claims, faults or one of $known" --only fig03,fig
 check 'no log of what was refused' test ! -e "$tree/build/log"
 reproduce 0 --help
-for option in --only --fresh --jobs --no-install; do
+for option in --only --fresh --verbose --jobs --no-install; do
   check "the help has $option" grep -q -e "^  $option" "$work/stdout"
 done
 
@@ -84,10 +84,14 @@ reproduce 0 --no-install
 asked 'run --suite paper,precision,extreme --output build/run'
 asked 'faults --reuse --build build'
 asked 'claims --program build/src/cli/pulloff --run build/run'
+asked 'claims --program build/src/cli/pulloff --run build/run --brief'
 asked 'report --run build/run --output build/report'
 asked 'verify --suite paper,precision,extreme --output build/run'
 check 'steps are counted' grep -q -x '\[4/7\] Running the cases  *[0-9.]* s' "$work/stdout"
 check 'the last one' grep -q -x '\[7/7\] Writing the report  *[0-9.]* s' "$work/stdout"
+reproduce 0 --no-install --verbose
+asked 'verify --suite paper,precision,extreme --output build/run --verbose'
+not_asked '^claims .*--brief'
 mkdir -p "$tree/build/claims/kept"
 reproduce 0 --no-install --fresh --jobs 3
 check 'what claims kept is gone' test ! -e "$tree/build/claims"

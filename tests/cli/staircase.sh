@@ -104,15 +104,15 @@ sed -n -e '/^#/p' -e 's/^tabor.*/tabor,amplitude,wavelength,radius,outer_radius,
   -e '/-0.18078/s/.*/3,1,20,100,inf,9,0,2.65119295228145,-0.18078600567545/p' steps.csv | table load.csv
 table steps.csv <steps.csv
 write_case steps.csv
-expect 0 'stairs: 2 points, 30 checks: within' verify stairs
+expect 0 'stairs: 2 points, 30 checks: within' verify --verbose stairs
 check 'each number of each step is compared' test "$(grep -c 'step_.*within' stdout)" = 30
 sed 's/2.65119295228145/2.66/' steps.csv | table other.csv
 write_case other.csv
-expect 1 '*' verify stairs
+expect 1 '*' verify --verbose stairs
 check 'another force is seen' test "$(grep -c 'step_force.*outside' stdout)" = 2
 sed '$d' steps.csv | table fewer.csv
 write_case fewer.csv
-expect 1 '*' verify stairs
+expect 1 '*' verify --verbose stairs
 check 'and another number of steps' test "$(grep -c 'step_count.*outside' stdout)" = 2
 write_case steps.csv
 expect 0 '' plan stairs

@@ -323,5 +323,19 @@ class Judged(unittest.TestCase):
             claims.read(path)
 
 
+class Brief(unittest.TestCase):
+    """What ./reproduce prints of the claims."""
+
+    def test_the_counts_and_what_is_at_fault(self):
+        rows = [{"id": "good", "verdict": "reproduced", "faults": [], "reason": None},
+                {"id": "weak", "verdict": "reproduced", "faults": ["the answer stays"], "reason": None},
+                {"id": "lost", "verdict": judge.NO_RESULT, "faults": [], "reason": "there is no record"}]
+        made = {"claims": rows, "counts": {"reproduced": 2, "contradicted": 0, judge.NO_RESULT: 1}}
+        command = "    /usr/bin/python3 reports/claims/run.py --claim"
+        self.assertEqual(run.brief_of(made).splitlines(),
+                         ["weak: the answer stays", f"{command} weak", "lost: there is no record", f"{command} lost",
+                          "3 claims: 2 reproduced, 1 no result"])
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -1,0 +1,107 @@
+#include "po_overview.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "po_verdicts.h"
+
+static const char *label_of(const po_case_run *run, const po_check_result *item) {
+  return item->whole ? "all points" : run->plan->kase->points[item->point].label;
+}
+
+static void add_case(const po_case_run *run, po_text *text) {
+  const po_check_result *worst = NULL;
+  for (size_t i = 0; i < run->check_results.count; ++i) {
+    const po_check_result *item = &run->check_results.items[i];
+    if (isfinite(item->ratio) && (!worst || item->ratio > worst->ratio))
+      worst = item;
+  }
+  const size_t outside = po_case_run_outside(run);
+  po_text_add(text, "%-18s %7zu %7zu %8zu %9.1f ", run->plan->kase->file->name,
+              run->check_results.count - outside, outside, po_case_run_failures(run), run->elapsed);
+  if (worst)
+    po_text_add(text, "%10.*f  %s, %s\n", worst->ratio < 1e5 ? 3 : 0, worst->ratio, worst->subject,
+                label_of(run, worst));
+  else
+    po_text_add(text, "%10s\n", "-");
+}
+
+/* The command that explains a point of a case (NULL: all its points). */
+static void add_command(const po_case_run *run, const po_point *point, const char *output,
+                        po_text *text) {
+  po_text_add(text, "    pulloff explain %s", po_case_word(run->plan->kase));
+  if (point)
+    po_text_add(text, " --point %s", point->id);
+  if (output) {
+    po_text_add(text, " --output ");
+    po_text_add_word(text, output);
+  }
+  po_text_add(text, "\n");
+}
+
+/* Whether a result is further off than another (NULL: none). One without a number is. */
+static bool is_worse(const po_check_result *item, const po_check_result *than) {
+  return !than || (isfinite(than->ratio) && !(item->ratio <= than->ratio));
+}
+
+/* What is not simply within of one check of a case: how many results, the worst, and its command.
+ * Those that pass (improved, slack) apart from those that do not. */
+static void add_check(const po_case_run *run, const po_check *check, bool passes,
+                      const char *output, po_text *text) {
+  const po_check_result *worst = NULL;
+  size_t count = 0;
+  for (size_t i = 0; i < run->check_results.count; ++i) {
+    const po_check_result *item = &run->check_results.items[i];
+    if (item->check != check || item->verdict == PO_WITHIN ||
+        po_verdict_passes(item->verdict) != passes)
+      continue;
+    count += 1;
+    if (is_worse(item, worst))
+      worst = item;
+  }
+  if (!worst)
+    return;
+  po_text_add(text, "%s %s, %s: %s", run->plan->kase->file->name, worst->subject,
+              label_of(run, worst), po_verdict_name(worst->verdict));
+  if (isfinite(worst->ratio))
+    po_text_add(text, ", %.4g times the tolerance", worst->ratio);
+  po_text_add(text, " (%s)%s%s", po_plan_reference_of(run->plan, check), worst->note[0] ? ": " : "",
+              worst->note);
+  if (count > 1)
+    po_text_add(text, "; %zu results of this check %s, this is the worst", count,
+                passes ? "are improved or slack" : "do not pass");
+  po_text_add(text, "\n");
+  add_command(run, worst->whole ? NULL : &run->plan->kase->points[worst->point], output, text);
+}
+
+/* The solves that failed: how many, the first, and its command. */
+static void add_failures(const po_case_run *run, const char *output, po_text *text) {
+  const po_case *kase = run->plan->kase;
+  const size_t count = po_case_run_failures(run);
+  size_t first = 0;
+  while (first < kase->point_count && !(run->asked[first] && po_case_run_failed(run, first)))
+    ++first;
+  if (first == kase->point_count)
+    return;
+  po_text_add(text, "%s solve, %s: failed: %s", kase->file->name, kase->points[first].label,
+              run->results[first].reason);
+  if (count > 1)
+    po_text_add(text, "; %zu solves failed, this is the first", count);
+  po_text_add(text, "\n");
+  add_command(run, &kase->points[first], output, text);
+}
+
+void po_overview_add(const po_case_run *runs, size_t count, const char *output, po_text *text) {
+  po_text_add(text, "%-18s %7s %7s %8s %9s %10s  %s\n", "case", "pass", "fail", "unsolved",
+              "seconds", "|err|/tol", "of the worst check");
+  for (size_t r = 0; r < count; ++r)
+    add_case(&runs[r], text);
+  for (size_t r = 0; r < count; ++r) {
+    const po_case_file *file = runs[r].plan->kase->file;
+    for (int passes = 0; passes < 2; ++passes)
+      for (unsigned c = 0; c < file->checks_count; ++c)
+        add_check(&runs[r], &file->checks[c], passes, output, text);
+    add_failures(&runs[r], output, text);
+  }
+  po_verdicts_totals(runs, count, text);
+}
