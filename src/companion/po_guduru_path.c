@@ -9,9 +9,8 @@
 #include "po_root.h"
 
 enum { POINTS_PER_WAVE = 128, RULE = 8, MOST_LENGTHS = 10 };
-/* The walk begins at this part of a wave and takes steps of at most this ratio: the fold of a sharp
- * crest may be far inside. */
-static const double FIRST_FROM = 1e-9, RATIO = 1.05;
+/* Steps of the walk in the first wave have at most this ratio. */
+static const double RATIO = 1.05;
 /* The curve is made anew on so many times the contact radius while it is too short. */
 static const double LONGER = 1.6;
 /* Two evaluations of one load. */
@@ -96,7 +95,7 @@ static po_status build(builder *b, double end) {
     status = append(b, (po_path_point){.position = 0.0});
   if (!status) /* the same first touch, as the contact leaves it */
     status = append(b, (po_path_point){.approach_rate = -1.0});
-  double left = FIRST_FROM * wave;
+  double left = PO_GUDURU_FIRST * wave;
   if (!status)
     status = append_contact(b, left);
   while (left < end && !status) {

@@ -9,9 +9,8 @@
 #include "po_memory.h"
 #include "po_profile.h"
 
-/* A correction is done when no gap changes by more than this part of 1 + H: the digits that the
- * influence sums leave (1e-14), with a margin. */
-static const double CONVERGED = 2e-13;
+/* The digits that the influence sums leave (1e-14), with a margin. */
+const double PO_FINEST_PRECISION = 2e-13;
 
 /* What factorisations leave out: costs one iteration, saves much of the matrix. */
 static const double NEGLECT = 5e-3;
@@ -45,7 +44,7 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
   e->surface = surface;
   e->neglect = NEGLECT;
   e->most_active = SIZE_MAX;
-  e->precision = CONVERGED;
+  e->precision = PO_FINEST_PRECISION;
   double **const vectors[] = {&e->shape,  &e->reach, &e->traction, &e->slope,   &e->deflection,
                               &e->border, &e->right, &e->scratch,  &e->measure, &e->column};
   bool had = true;

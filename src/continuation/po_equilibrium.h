@@ -21,6 +21,9 @@
 #include "po_secant.h"
 #include "po_surface.h"
 
+/* Change of a gap, relative to 1 + H, at which a correction is as good as rounding lets it be. */
+extern const double PO_FINEST_PRECISION;
+
 typedef struct {
   uint64_t points, newton_iterations, tangent_iterations, factorizations;
   uint64_t factorized_nodes; /* largest order */

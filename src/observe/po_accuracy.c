@@ -23,10 +23,9 @@ static const double LEAST_CURVATURE = 8.0;
  * tolerance. */
 static const double LOAD_OF_TOLERANCE = 30.0;
 
-/* Where Newton's method may stop, in parts of 1 + H, per relative tolerance; and its limits:
- * rounding below, and what locating folds needs. */
-static const double PRECISION_OF_TOLERANCE = 1e-4, FINEST_PRECISION = 2e-13,
-                    COARSEST_PRECISION = 1e-9;
+/* Where Newton's method may stop, in parts of 1 + H, per relative tolerance; and what locating
+ * folds needs. */
+static const double PRECISION_OF_TOLERANCE = 1e-4, COARSEST_PRECISION = 1e-9;
 
 /* In that of the sphere; 0: smooth. */
 static double curvature_of_crests(const po_scene *scene) {
@@ -60,5 +59,5 @@ po_allowance po_observe_allowance(const po_request *request, double tolerance) {
 }
 
 double po_observe_precision(double tolerance) {
-  return fmax(FINEST_PRECISION, fmin(COARSEST_PRECISION, PRECISION_OF_TOLERANCE * tolerance));
+  return fmax(PO_FINEST_PRECISION, fmin(COARSEST_PRECISION, PRECISION_OF_TOLERANCE * tolerance));
 }

@@ -24,10 +24,10 @@ enum { MOST_TRACES = 3 };
 static const double CORE_GROWTH = 1.5;
 enum { MOST_MESHES = 4 };
 
-/* Where a trace for hysteresis begins, in Tabor parameters and in eps: the smooth sphere jumps out
- * at -1.61 mu (JKR), and waves may hold on longer. */
 static const double BEYOND = 1.0; /* eps */
-static const double BEGIN_PER_TABOR = 4.0, BEGIN_AT_LEAST = 4.0;
+/* Where a trace for hysteresis begins, in 1 + mu eps: the smooth sphere jumps out at -1.61 mu
+ * (JKR), and waves may hold on longer. */
+static const double BEGIN = 4.0;
 
 static void add_work(const po_work *more, po_work *work) {
   work->points += more->points;
@@ -96,8 +96,7 @@ static po_status attempt(const po_request *request, const po_keeper *keeper, dou
                   .tolerance = request->mesh.tolerance,
                   .begin = farthest_of(request)};
   if (request->want & (PO_WANT_HYSTERESIS | PO_WANT_PRELOAD))
-    a.begin = fmin(a.begin, -(BEGIN_AT_LEAST + BEGIN_PER_TABOR * request->scene.tabor +
-                              request->scene.amplitude));
+    a.begin = fmin(a.begin, -(BEGIN * (1.0 + request->scene.tabor) + request->scene.amplitude));
   po_work work = {0};
   for (int meshes = 0, traces = 1; meshes < MOST_MESHES; ++traces) {
     po_result_clear(result);

@@ -4,10 +4,10 @@
 
 #include "po_observe_parts.h"
 
-/* Errors of the load, of the approach and of the gap that halving the panels does not show,
- * relative to the tolerance. On random scenes at tolerance 1e-4, errors of the load of 3e-6 and of
- * the approach of 1e-7 occur. */
-static const double UNSEEN_LOAD = 3e-2, UNSEEN_APPROACH = 2e-3, UNSEEN_GAP = 2e-3;
+/* Errors of the load and of the approach that halving the panels does not show, relative to the
+ * tolerance. On random scenes at tolerance 1e-4, errors of the load of 3e-6 and of the approach of
+ * 1e-7 occur. */
+static const double UNSEEN_LOAD = 3e-2, UNSEEN_APPROACH = 2e-3;
 
 double po_estimate_load_error(const po_request *request, double change, double load) {
   return change + UNSEEN_LOAD * request->mesh.tolerance * (1.0 + fabs(load));
@@ -36,9 +36,9 @@ static po_contact_edge edge_on_panels(const po_request *request, double domain,
                                       const po_branch_point *p) {
   const po_contact_gap best = po_contact_gap_on_panels(&request->scene, domain, p->best);
   const po_contact_gap finer = po_contact_gap_on_panels(&request->scene, domain, p->finer);
-  const double tolerance = request->mesh.tolerance;
-  const po_contact_doubt doubt = {&finer, po_observe_precision(tolerance),
-                                  UNSEEN_GAP * tolerance * (1.0 + fabs(best.approach))};
+  /* an error of the approach is one of the gap */
+  const po_contact_doubt doubt = {&finer, po_observe_precision(request->mesh.tolerance),
+                                  po_estimate_approach_error(request, 0.0, best.approach)};
   return po_contact_estimate(&best, &doubt);
 }
 

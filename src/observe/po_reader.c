@@ -11,9 +11,6 @@
 #include "po_observe_parts.h"
 #include "po_profile.h"
 
-/* A station is met to 1e-12. */
-static const double SAME_APPROACH = 1e-9;
-
 /* Of the panels; there are none without a surface. */
 static double root_of(const po_reader *r) {
   return r->surface ? r->surface->core_radius : (double)NAN;
@@ -256,7 +253,8 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
     r->most_nodes = r->surface->n;
   add_curve_point(r, p, contact_radius);
   if (p->kind == PO_POINT_STATION && !o->profile && (r->request->want & PO_WANT_PROFILE) &&
-      fabs(p->approach - r->request->profile_approach) < SAME_APPROACH)
+      po_path_reaches(p->approach, r->request->profile_approach) &&
+      po_path_reaches(r->request->profile_approach, p->approach))
     keep_profile(r, p);
   po_stopping_note_point(&r->stopping, p, &gap, contact_radius);
   if (p->kind != PO_POINT_STEP && p->kind != PO_POINT_STATION)

@@ -116,8 +116,7 @@ static void scan(const po_scene *scene, const terms *t, double from, double to, 
 
 /* Points a wave: the rate has two zeros in one, and bends on the scale of a quarter of it. */
 enum { POINTS_PER_WAVE = 16, POINTS_OF_FIRST = 400, MOST_POINTS = 40000 };
-/* The first wave is scanned from this part of it on: a crest's own minimum may be far inside. */
-static const double FIRST_FROM = 1e-9;
+const double PO_GUDURU_FIRST = 1e-9;
 /* From so many waves within the contact on, the pull-off is where the load meets its envelope: the
  * next double is a part of 1e-8 of a wave away, and a minimum between two of them would be missed
  * by 1e-15 of the load. */
@@ -172,8 +171,8 @@ po_contact po_guduru_pull_off(const po_scene *scene) {
   if (!(isfinite(lowest / wave) && isfinite(t.hertz * lowest * lowest * lowest)))
     return none;
   po_contact best = {INFINITY, NAN, NAN};
-  const double from = fmin(FIRST_FROM * wave, 0.01 * crest_contact(scene));
-  const double points = ceil(POINTS_OF_FIRST * log10(wave / from) / -log10(FIRST_FROM));
+  const double from = fmin(PO_GUDURU_FIRST * wave, 0.01 * crest_contact(scene));
+  const double points = ceil(POINTS_OF_FIRST * log10(wave / from) / -log10(PO_GUDURU_FIRST));
   if (!(from > DBL_MIN && points < MOST_POINTS))
     return none;
   scan(scene, &t, from, wave, (int)points, true, &best);

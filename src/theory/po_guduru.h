@@ -12,6 +12,10 @@
  * reference/guduru.csv and kesari_lew_edges.csv (tests/theory/test_tables_theory.c). */
 po_contact po_guduru_at(const po_scene *scene, double contact_radius);
 
+/* Part of the first wave from which on minima and folds of Eq 5 are looked for: those of a sharp
+ * crest may be far inside. */
+extern const double PO_GUDURU_FIRST;
+
 /* dW/da of Eq 5, in 1/eps, by dP/da = 2 E* a dDelta/da of the contact without adhesion. */
 double po_guduru_load_rate(const po_scene *scene, double contact_radius);
 
