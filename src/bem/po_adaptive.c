@@ -6,7 +6,6 @@
 
 #include "po_memory.h"
 
-enum { ORDER = PO_TABLE_ORDER };
 
 struct po_adaptive {
   const po_panel_table *table;
@@ -19,12 +18,12 @@ struct po_adaptive {
 };
 
 static size_t nodes_of(const po_adaptive *a, const po_panels *panels) {
-  return (panels->count + (a->unbounded ? 1 : 0)) * ORDER;
+  return (panels->count + (a->unbounded ? 1 : 0)) * PO_TABLE_ORDER;
 }
 
 size_t po_adaptive_capacity(const po_adaptive *a) {
   (void)a;
-  return (PO_MOST_PANELS + 1) * ORDER;
+  return (PO_MOST_PANELS + 1) * PO_TABLE_ORDER;
 }
 
 const po_surface *po_adaptive_surface(const po_adaptive *a) {
@@ -79,7 +78,7 @@ void po_adaptive_destroy(po_adaptive *a) {
 /* Whether `node` are the nodes of a panel, to rounding. */
 static bool has_nodes(const po_adaptive *a, po_panel panel, const double *node) {
   const double begin = a->domain * po_panel_begin(panel), size = a->domain * po_panel_size(panel);
-  for (size_t j = 0; j < ORDER; ++j)
+  for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
     if (!(fabs(begin + size * a->table->rule.node[j] - node[j]) < 1e-9 * size))
       return false;
   return true;
@@ -89,16 +88,18 @@ po_status po_adaptive_panels_of(const po_adaptive *a, size_t n, const double *no
                                 po_panels *panels) {
   const double *x = a->table->rule.node;
   panels->count = 0;
-  for (size_t j = 0; j + ORDER <= n && panels->count < PO_MOST_PANELS; j += ORDER) {
-    const double size = (node[j + ORDER - 1] - node[j]) / (x[ORDER - 1] - x[0]);
+  for (size_t j = 0; j + PO_TABLE_ORDER <= n && panels->count < PO_MOST_PANELS;
+       j += PO_TABLE_ORDER) {
+    const double size = (node[j + PO_TABLE_ORDER - 1] - node[j]) / (x[PO_TABLE_ORDER - 1] - x[0]);
     const double begin = (node[j] - x[0] * size) / size;
     const po_panel panel = {(uint32_t)lround(log2(a->domain / size)), (uint32_t)lround(begin)};
     if (!has_nodes(a, panel, node + j))
       break;
     panels->panel[panels->count++] = panel;
   }
-  return panels->count * ORDER == n ? PO_OK
-                                    : po_fail(PO_BAD_INPUT, "radii that are not those of panels");
+  return panels->count * PO_TABLE_ORDER == n
+             ? PO_OK
+             : po_fail(PO_BAD_INPUT, "radii that are not those of panels");
 }
 
 static po_panel_span panel_of(const po_adaptive *a, const po_panels *panels, size_t k) {
@@ -111,10 +112,10 @@ static po_panel_span panel_of(const po_adaptive *a, const po_panels *panels, siz
 static void place_nodes(po_adaptive *a) {
   po_surface *s = &a->surface;
   s->n = nodes_of(a, &a->panels);
-  s->resolved = a->unbounded && a->wavy ? s->n - ORDER : s->n;
-  for (size_t k = 0; k < s->n / ORDER; ++k)
-    po_panel_nodes(&a->table->rule, panel_of(a, &a->panels, k), s->node + k * ORDER,
-                   s->weight + k * ORDER, s->length + k * ORDER);
+  s->resolved = a->unbounded && a->wavy ? s->n - PO_TABLE_ORDER : s->n;
+  for (size_t k = 0; k < s->n / PO_TABLE_ORDER; ++k)
+    po_panel_nodes(&a->table->rule, panel_of(a, &a->panels, k), s->node + k * PO_TABLE_ORDER,
+                   s->weight + k * PO_TABLE_ORDER, s->length + k * PO_TABLE_ORDER);
 }
 
 /* Where each panel of the mesh was in the mesh before: its place, or SIZE_MAX. */
@@ -133,8 +134,8 @@ static void match_panels(const po_adaptive *a, size_t *was) {
 }
 
 static void copy_block(const double *from, size_t from_stride, double *to, size_t to_stride) {
-  for (size_t j = 0; j < ORDER; ++j)
-    memcpy(to + j * to_stride, from + j * from_stride, ORDER * sizeof *to);
+  for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
+    memcpy(to + j * to_stride, from + j * from_stride, PO_TABLE_ORDER * sizeof *to);
 }
 
 static void compute_block(po_adaptive *a, size_t target, size_t source, double *to, size_t stride) {
@@ -142,16 +143,16 @@ static void compute_block(po_adaptive *a, size_t target, size_t source, double *
   if (target < panels->count && source < panels->count) {
     po_panel_block block;
     po_panel_table_block(a->table, panels->panel[target], panels->panel[source], block);
-    for (size_t j = 0; j < ORDER; ++j)
-      for (size_t i = 0; i < ORDER; ++i)
+    for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
+      for (size_t i = 0; i < PO_TABLE_ORDER; ++i)
         to[i + j * stride] = a->domain * block[i][j];
-    a->surface.kernel_evaluations += ORDER * ORDER;
+    a->surface.kernel_evaluations += PO_TABLE_ORDER * PO_TABLE_ORDER;
     return;
   }
   const po_panel_span panel = panel_of(a, panels, source);
-  for (size_t i = 0; i < ORDER; ++i)
+  for (size_t i = 0; i < PO_TABLE_ORDER; ++i)
     a->surface.kernel_evaluations += po_panel_influence(
-        &a->table->rule, panel, a->surface.node[target * ORDER + i], to + i, stride);
+        &a->table->rule, panel, a->surface.node[target * PO_TABLE_ORDER + i], to + i, stride);
 }
 
 po_status po_adaptive_mesh(po_adaptive *a, const po_panels *panels) {
@@ -164,13 +165,14 @@ po_status po_adaptive_mesh(po_adaptive *a, const po_panels *panels) {
   a->panels = *panels;
   place_nodes(a);
   match_panels(a, was);
-  const size_t n = a->surface.n, panel_count = n / ORDER;
+  const size_t n = a->surface.n, panel_count = n / PO_TABLE_ORDER;
   for (size_t source = 0; source < panel_count; ++source)
     for (size_t target = 0; target < panel_count; ++target) {
-      double *to = a->spare + target * ORDER + n * source * ORDER;
+      double *to = a->spare + target * PO_TABLE_ORDER + n * source * PO_TABLE_ORDER;
       if (was[target] != SIZE_MAX && was[source] != SIZE_MAX)
-        copy_block(a->surface.influence + was[target] * ORDER + old_n * was[source] * ORDER, old_n,
-                   to, n);
+        copy_block(a->surface.influence + was[target] * PO_TABLE_ORDER +
+                       old_n * was[source] * PO_TABLE_ORDER,
+                   old_n, to, n);
       else
         compute_block(a, target, source, to, n);
     }

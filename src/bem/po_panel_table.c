@@ -6,7 +6,7 @@
 
 #include "po_kernel.h"
 
-enum { ORDER = PO_TABLE_ORDER, FAR = 99 };
+enum { FAR = 99 };
 
 /* How a target lies to a source: its level less the source's, and its place in units of the finer
  * of the two. */
@@ -44,16 +44,16 @@ static double node_in_source(const po_panel_rule *rule, shape s, size_t i) {
 
 static void fill_logarithm(const po_panel_rule *rule, shape s, po_panel_block block) {
   static const double NO_MIRROR = 1e300;
-  for (size_t i = 0; i < ORDER; ++i) {
+  for (size_t i = 0; i < PO_TABLE_ORDER; ++i) {
     po_near_point point[PO_NEAR_MAX_POINTS];
-    double value[ORDER];
+    double value[PO_TABLE_ORDER];
     const size_t count = po_near_rule(&rule->near, node_in_source(rule, s, i), NO_MIRROR, point);
-    for (size_t j = 0; j < ORDER; ++j)
+    for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
       block[i][j] = 0.0;
     for (size_t q = 0; q < count; ++q) {
       const double factor = point[q].weight * log(fabs(point[q].offset));
-      po_lagrange(ORDER, rule->node, rule->barycentric, point[q].x, value);
-      for (size_t j = 0; j < ORDER; ++j)
+      po_lagrange(PO_TABLE_ORDER, rule->node, rule->barycentric, point[q].x, value);
+      for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
         block[i][j] += factor * value[j];
     }
   }
@@ -64,13 +64,13 @@ static po_status table_status;
 static once_flag table_once = ONCE_FLAG_INIT;
 
 static void fill_table(void) {
-  table_status = po_panel_rule_fill(ORDER, &table.rule);
+  table_status = po_panel_rule_fill(PO_TABLE_ORDER, &table.rule);
   if (table_status)
     return;
   for (int k = 0; k < PO_LOG_SHAPES; ++k)
     fill_logarithm(&table.rule, LOG_SHAPES[k], table.logarithm[k]);
   for (int k = 0; k < PO_AXIS_SHAPES; ++k)
-    for (size_t i = 0; i < ORDER; ++i)
+    for (size_t i = 0; i < PO_TABLE_ORDER; ++i)
       po_panel_influence(&table.rule, (po_panel_span){0.0, 1.0},
                          node_in_source(&table.rule, AXIS_SHAPES[k], i), table.axis[k][i], 1);
 }
@@ -85,10 +85,10 @@ static void near_block(const po_panel_table *t, po_panel target, po_panel source
                        po_panel_block block) {
   const double begin = po_panel_begin(source), size = po_panel_size(source);
   const double from = po_panel_begin(target), reach = po_panel_size(target), log_size = log(size);
-  for (size_t i = 0; i < ORDER; ++i) {
+  for (size_t i = 0; i < PO_TABLE_ORDER; ++i) {
     const double r = from + reach * t->rule.node[i];
     const double x0 = node_in_source(&t->rule, shape_of(target, source), i);
-    for (size_t j = 0; j < ORDER; ++j) {
+    for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
       const double x = t->rule.node[j], s = begin + size * x, distance = size * fabs(x0 - x);
       const double domain = 2.0 * sqrt(r * s);
       const double sum = r + s;
@@ -106,14 +106,14 @@ static void far_block(const po_panel_table *t, po_panel target, po_panel source,
                       po_panel_block block) {
   const double begin = po_panel_begin(source), size = po_panel_size(source);
   const double from = po_panel_begin(target), reach = po_panel_size(target);
-  double s[ORDER], weight[ORDER];
-  for (size_t j = 0; j < ORDER; ++j) {
+  double s[PO_TABLE_ORDER], weight[PO_TABLE_ORDER];
+  for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
     s[j] = begin + size * t->rule.node[j];
     weight[j] = size * s[j] * t->rule.weight[j];
   }
-  for (size_t i = 0; i < ORDER; ++i) {
-    po_kernel_row(from + reach * t->rule.node[i], s, ORDER, block[i]);
-    for (size_t j = 0; j < ORDER; ++j)
+  for (size_t i = 0; i < PO_TABLE_ORDER; ++i) {
+    po_kernel_row(from + reach * t->rule.node[i], s, PO_TABLE_ORDER, block[i]);
+    for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
       block[i][j] *= weight[j];
   }
 }
@@ -125,8 +125,8 @@ void po_panel_table_block(const po_panel_table *t, po_panel target, po_panel sou
     const int k = find(AXIS_SHAPES, PO_AXIS_SHAPES, s);
     const double size = po_panel_end(source);
     if (k >= 0) { /* the kernel scales as 1/length, s ds as its square */
-      for (size_t i = 0; i < ORDER; ++i)
-        for (size_t j = 0; j < ORDER; ++j)
+      for (size_t i = 0; i < PO_TABLE_ORDER; ++i)
+        for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
           block[i][j] = size * t->axis[k][i][j];
       return;
     }

@@ -2,60 +2,101 @@
 
 #include <math.h>
 
-/* Weight of the approach: along a curve it goes over several mu while the load goes over one or
- * two. */
+/* Global: weight of the approach. Along a curve it goes over several mu while the load goes over
+ * one or two. */
 static double approach_weight(const po_equilibrium *e) {
   return 1.0 / (2.0 + 2.0 * e->scene->tabor);
 }
 
-/* Contact is measured in radii at which the undeformed gap is eps. */
-static double contact_weight(const po_equilibrium *e) {
+/* Lengths are measured in radii at which the undeformed gap is eps. */
+static double per_length(const po_equilibrium *e) {
   return 1.0 / sqrt(2.0 * e->radius);
 }
 
-/* Nodes of the core: the panel to infinity touches nothing. */
-static size_t core_nodes(const po_equilibrium *e) {
-  size_t n = e->n;
-  while (n > 0 && e->surface->node[n - 1] > e->surface->core_radius)
-    --n;
-  return n;
+/* Nodal: square of the weight of the approach. */
+static const double APPROACH_WEIGHT = 0.05;
+/* Nodal: 1 + H counts up to this. */
+static const double FAR_GAP = 10.0;
+
+size_t po_arclength_size(po_arclength a, size_t n) {
+  return a == PO_ARCLENGTH_GLOBAL ? PO_ARCLENGTH_GLOBAL_SIZE : n + 1;
 }
 
-void po_arclength_values(const po_equilibrium *e, const double *state,
-                         double value[PO_ARCLENGTH_SIZE]) {
+static void global_coordinates(const po_equilibrium *e, const double *state, double *coordinate) {
   double contact = 0.0;
-  for (size_t j = core_nodes(e); j-- > 0;)
+  for (size_t j = po_equilibrium_core(e); j-- > 0;)
     contact += e->surface->length[j] / ((1.0 + state[j]) * (1.0 + state[j]));
-  value[0] = approach_weight(e) * state[e->n];
-  value[1] = po_equilibrium_load(e);
-  value[2] = contact_weight(e) * contact;
+  coordinate[0] = approach_weight(e) * state[e->n];
+  coordinate[1] = po_equilibrium_load(e);
+  coordinate[2] = per_length(e) * contact;
 }
 
-void po_arclength_rates(const po_equilibrium *e, const double *state, const double *change,
-                        double rate[PO_ARCLENGTH_SIZE]) {
+static void global_rates(const po_equilibrium *e, const double *state, const double *change,
+                         double *rate) {
   double contact = 0.0;
-  for (size_t j = core_nodes(e); j-- > 0;) {
+  for (size_t j = po_equilibrium_core(e); j-- > 0;) {
     const double h = 1.0 + state[j];
     contact -= 2.0 * e->surface->length[j] / (h * h * h) * change[j];
   }
   rate[0] = approach_weight(e) * change[e->n];
   rate[1] = po_equilibrium_load_rate(e, change);
-  rate[2] = contact_weight(e) * contact;
+  rate[2] = per_length(e) * contact;
 }
 
-double po_arclength_along(const double direction[PO_ARCLENGTH_SIZE],
-                          const double value[PO_ARCLENGTH_SIZE]) {
-  return direction[0] * value[0] + direction[1] * value[1] + direction[2] * value[2];
-}
-
-void po_arclength_border(const po_equilibrium *e, const double *state,
-                         const double direction[PO_ARCLENGTH_SIZE], double *border) {
-  const size_t core = core_nodes(e);
+static void global_border(const po_equilibrium *e, const double *state, const double *direction,
+                          double *border) {
+  const size_t core = po_equilibrium_core(e);
   for (size_t j = 0; j < e->n; ++j)
     border[j] = 2.0 / e->radius * direction[1] * e->surface->weight[j] * e->slope[j];
   for (size_t j = 0; j < core; ++j) {
     const double h = 1.0 + state[j];
-    border[j] -= 2.0 * contact_weight(e) * direction[2] * e->surface->length[j] / (h * h * h);
+    border[j] -= 2.0 * per_length(e) * direction[2] * e->surface->length[j] / (h * h * h);
   }
   border[e->n] = approach_weight(e) * direction[0];
+}
+
+static double nodal_weight(const po_equilibrium *e, size_t j) {
+  return sqrt(e->surface->length[j] * per_length(e));
+}
+
+/* d coordinate / dH at a node. */
+static double nodal_slope(const po_equilibrium *e, const double *state, size_t j) {
+  const double h = 1.0 + state[j];
+  return h < FAR_GAP ? nodal_weight(e, j) / h : 0.0;
+}
+
+static void nodal_coordinates(const po_equilibrium *e, const double *state, double *coordinate) {
+  for (size_t j = 0; j < e->n; ++j)
+    coordinate[j] = nodal_weight(e, j) * log(fmin(1.0 + state[j], FAR_GAP));
+  coordinate[e->n] = sqrt(APPROACH_WEIGHT) * state[e->n];
+}
+
+/* Factors that turn changes of the state into those of the coordinates, times others. */
+static void nodal_times(const po_equilibrium *e, const double *state, const double *others,
+                        double *product) {
+  for (size_t j = 0; j < e->n; ++j)
+    product[j] = nodal_slope(e, state, j) * others[j];
+  product[e->n] = sqrt(APPROACH_WEIGHT) * others[e->n];
+}
+
+void po_arclength_coordinates(po_arclength a, const po_equilibrium *e, const double *state,
+                              double *coordinate) {
+  (a == PO_ARCLENGTH_GLOBAL ? global_coordinates : nodal_coordinates)(e, state, coordinate);
+}
+
+void po_arclength_rates(po_arclength a, const po_equilibrium *e, const double *state,
+                        const double *change, double *rate) {
+  (a == PO_ARCLENGTH_GLOBAL ? global_rates : nodal_times)(e, state, change, rate);
+}
+
+double po_arclength_along(size_t size, const double *direction, const double *change) {
+  double sum = 0.0;
+  for (size_t i = 0; i < size; ++i)
+    sum += direction[i] * change[i];
+  return sum;
+}
+
+void po_arclength_border(po_arclength a, const po_equilibrium *e, const double *state,
+                         const double *direction, double *border) {
+  (a == PO_ARCLENGTH_GLOBAL ? global_border : nodal_times)(e, state, direction, border);
 }

@@ -15,18 +15,26 @@ static const double NEAR = 0.1;
 enum { MOST_ACTIVE = 1920 };
 
 po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive *adaptive) {
-  *c = (po_corrector){
-      .e = e, .adaptive = adaptive, .domain = po_adaptive_domain(adaptive), .direction = 1};
-  e->most_active = MOST_ACTIVE;
-  const size_t capacity = po_adaptive_capacity(adaptive);
-  c->border = po_allocate(capacity + 1, sizeof *c->border);
-  c->guess = po_allocate(capacity + 1, sizeof *c->guess);
-  return c->border && c->guess ? PO_OK : PO_NO_MEMORY;
+  *c = (po_corrector){.e = e,
+                      .adaptive = adaptive,
+                      .domain = e->surface->core_radius,
+                      .capacity = e->n,
+                      .direction = 1};
+  if (adaptive) {
+    c->domain = po_adaptive_domain(adaptive);
+    c->capacity = po_adaptive_capacity(adaptive);
+    e->most_active = MOST_ACTIVE;
+  }
+  c->border = po_allocate(c->capacity + 1, sizeof *c->border);
+  c->guess = po_allocate(c->capacity + 1, sizeof *c->guess);
+  c->coordinate = po_allocate(c->capacity + 1, sizeof *c->coordinate);
+  return c->border && c->guess && c->coordinate ? PO_OK : PO_NO_MEMORY;
 }
 
 void po_corrector_free(po_corrector *c) {
   free(c->border);
   free(c->guess);
+  free(c->coordinate);
 }
 
 po_status po_corrector_mesh(po_corrector *c, const po_panels *panels) {
@@ -40,43 +48,57 @@ po_status po_corrector_mesh(po_corrector *c, const po_panels *panels) {
   return PO_OK;
 }
 
-size_t po_corrector_core_nodes(const po_corrector *c) {
-  return po_adaptive_panels(c->adaptive)->count * PO_TABLE_ORDER;
+size_t po_corrector_moving_nodes(const po_corrector *c) {
+  return c->adaptive ? po_adaptive_panels(c->adaptive)->count * PO_TABLE_ORDER : 0;
 }
 
-void po_corrector_guess(po_corrector *c, const po_track_point *p) {
-  const po_track_field field = {p, c->e->scene, c->domain};
-  const size_t core = po_corrector_core_nodes(c), n = c->e->n;
+void po_corrector_guess(po_corrector *c, const po_solution *p) {
+  const po_solution_field field = {p, c->e->scene, c->domain};
+  const size_t core = po_corrector_moving_nodes(c), n = c->e->n;
   for (size_t j = 0; j < core; ++j)
-    c->guess[j] = po_track_gap((void *)&field, c->e->surface->node[j]);
+    c->guess[j] = po_solution_gap((void *)&field, c->e->surface->node[j]);
   for (size_t back = 0; back <= n - core; ++back) /* the panel to infinity and the approach stay */
     c->guess[n - back] = p->state[p->n - back];
 }
 
+typedef struct {
+  const po_solution *from;
+  double *coordinate; /* room */
+} place;
+
 /* How far along the arclength functional a state is. */
 static double functional_progress(const po_equilibrium *e, const double *state, const void *data) {
-  const po_track_point *from = data;
-  double value[PO_ARCLENGTH_SIZE];
-  po_arclength_values(e, state, value);
-  for (int i = 0; i < PO_ARCLENGTH_SIZE; ++i)
-    value[i] -= from->functional[i];
-  return po_arclength_along(from->rate, value);
+  const place *p = data;
+  const po_solution *from = p->from;
+  po_arclength_coordinates(from->arclength, e, state, p->coordinate);
+  for (size_t i = 0; i < from->coordinates; ++i)
+    p->coordinate[i] -= from->coordinate[i];
+  return po_arclength_along(from->coordinates, from->rate, p->coordinate);
 }
 
-static po_status factorize_at(po_corrector *c, const po_track_point *from, const double *state) {
+static po_status factorize_at(po_corrector *c, const po_solution *from, const double *state) {
   po_equilibrium_evaluate(c->e, state);
-  po_arclength_border(c->e, state, from->rate, c->border);
+  po_arclength_border(from->arclength, c->e, state, from->rate, c->border);
   const po_status status = po_equilibrium_factorize(c->e, state, c->border);
   if (status && status != PO_SINGULAR)
     c->trouble = status;
   return status;
 }
 
+void po_corrector_aim(po_corrector *c, const po_solution *from) {
+  if (!c->e->factorized)
+    return;
+  po_equilibrium_evaluate(c->e, from->state);
+  po_arclength_border(from->arclength, c->e, from->state, from->rate, c->border);
+  po_equilibrium_change_border(c->e, c->border);
+}
+
 /* The iteration from the state in out; where it contracts too slowly near a solution the factors
  * are renewed there, which costs less than a shorter step. */
-static po_status correct(po_corrector *c, const po_track_point *from, double distance,
-                         po_track_point *out) {
-  const po_constraint constraint = {functional_progress, from, distance};
+static po_status correct(po_corrector *c, const po_solution *from, double distance,
+                         po_solution *out) {
+  const place along = {from, c->coordinate};
+  const po_constraint constraint = {functional_progress, &along, distance};
   po_status status = po_equilibrium_correct_to(c->e, out->state, &constraint);
   for (int k = 0; status && k < MOST_RENEWALS && c->e->last_change < NEAR; ++k) {
     if (factorize_at(c, from, out->state))
@@ -86,8 +108,8 @@ static po_status correct(po_corrector *c, const po_track_point *from, double dis
   return status;
 }
 
-po_status po_corrector_solve(po_corrector *c, const po_track_point *from, double distance,
-                             bool keep_factors, double precision, po_track_point *out) {
+po_status po_corrector_solve(po_corrector *c, const po_solution *from, double distance,
+                             bool keep_factors, double precision, po_solution *out) {
   po_status status = PO_NOT_CONVERGED;
   for (int fresh = keep_factors && c->e->factorized ? 0 : 1; status && fresh < 2; ++fresh) {
     memcpy(out->state, c->guess, (c->e->n + 1) * sizeof *out->state);
@@ -99,6 +121,6 @@ po_status po_corrector_solve(po_corrector *c, const po_track_point *from, double
   }
   if (status)
     return status;
-  po_track_point_finish(out, c->e, c->adaptive);
+  po_solution_finish(out, c->e, c->adaptive);
   return c->e->orientation * c->direction > 0 ? PO_OK : PO_NOT_CONVERGED;
 }

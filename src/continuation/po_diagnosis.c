@@ -125,8 +125,8 @@ static double factorize(room *r, size_t order, po_status *status) {
  * branch. Where it does turn, the tangent is still right, as the solution of a nearly singular
  * system has the direction of its null vector. */
 static po_status find_border(const po_equilibrium *e, const double *state, room *r) {
-  static const double first[PO_ARCLENGTH_SIZE] = {0.0, 0.0, 1.0};
-  po_arclength_border(e, state, first, r->border);
+  static const double first[PO_ARCLENGTH_GLOBAL_SIZE] = {0.0, 0.0, 1.0};
+  po_arclength_border(PO_ARCLENGTH_GLOBAL, e, state, first, r->border);
   fill_bordered(e, r);
   po_status status;
   factorize(r, e->n + 1, &status);
@@ -137,12 +137,12 @@ static po_status find_border(const po_equilibrium *e, const double *state, room 
   po_linear_solve(e->n + 1, r->matrix, e->n + 1, r->pivots, r->x);
   for (size_t j = 0; j < e->n; ++j)
     r->x[j] *= r->scale[j];
-  double rate[PO_ARCLENGTH_SIZE];
-  po_arclength_rates(e, state, r->x, rate);
-  const double length = sqrt(po_arclength_along(rate, rate));
-  for (int k = 0; k < PO_ARCLENGTH_SIZE; ++k)
+  double rate[PO_ARCLENGTH_GLOBAL_SIZE];
+  po_arclength_rates(PO_ARCLENGTH_GLOBAL, e, state, r->x, rate);
+  const double length = sqrt(po_arclength_along(PO_ARCLENGTH_GLOBAL_SIZE, rate, rate));
+  for (int k = 0; k < PO_ARCLENGTH_GLOBAL_SIZE; ++k)
     rate[k] /= length;
-  po_arclength_border(e, state, rate, r->border);
+  po_arclength_border(PO_ARCLENGTH_GLOBAL, e, state, rate, r->border);
   return PO_OK;
 }
 

@@ -15,6 +15,10 @@ const double PO_FINEST_PRECISION = 2e-13;
 /* What factorisations leave out: costs one iteration, saves much of the matrix. */
 static const double NEGLECT = 5e-3;
 
+/* Pivot of a changed border, about the cosine between the tangent then and now, below which the
+ * factors are too old. */
+static const double LEAST_PIVOT = 0.5;
+
 void po_equilibrium_remesh(po_equilibrium *e) {
   const po_surface *s = e->surface;
   e->radius = e->scene->radius;
@@ -45,8 +49,9 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
   e->neglect = NEGLECT;
   e->most_active = SIZE_MAX;
   e->precision = PO_FINEST_PRECISION;
-  double **const vectors[] = {&e->shape,  &e->reach, &e->traction, &e->slope,   &e->deflection,
-                              &e->border, &e->right, &e->scratch,  &e->measure, &e->column};
+  double **const vectors[] = {&e->shape,  &e->reach,  &e->traction, &e->slope,   &e->deflection,
+                              &e->border, &e->right,  &e->scratch,  &e->measure, &e->column,
+                              &e->row,    &e->change, &e->response};
   bool had = true;
   for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
     had = (*vectors[k] = po_allocate(capacity + 1, sizeof(double))) && had;
@@ -65,14 +70,27 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
 void po_equilibrium_destroy(po_equilibrium *e) {
   if (!e)
     return;
-  double *const vectors[] = {e->shape,  e->reach, e->traction, e->slope,   e->deflection,
-                             e->border, e->right, e->scratch,  e->measure, e->column};
+  double *const vectors[] = {e->shape,  e->reach,  e->traction, e->slope,   e->deflection,
+                             e->border, e->right,  e->scratch,  e->measure, e->column,
+                             e->row,    e->change, e->response};
   for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
     free(vectors[k]);
   po_secant_free(&e->secant);
   po_factors_free(&e->factors);
   free(e->index);
   free(e);
+}
+
+size_t po_equilibrium_core(const po_equilibrium *e) {
+  size_t n = e->n;
+  while (n > 0 && e->surface->node[n - 1] > e->surface->core_radius)
+    --n;
+  return n;
+}
+
+double po_expected_gap(double gap) {
+  static const double CLOSEST = -0.9;
+  return fmax(gap, CLOSEST);
 }
 
 void po_equilibrium_evaluate(po_equilibrium *e, const double *state) {
@@ -143,25 +161,29 @@ static void choose_active(po_equilibrium *e) {
   }
 }
 
-/* Nodes left out follow the approach and the active nodes: change of gap = -change of approach +
- * coupling G slope change of the active. Their share of the border goes to these. Returned: to the
- * approach; in right, n: to the load on a node. */
-static double share_of_followers(po_equilibrium *e) {
+/* The border as a row of the matrix of the active nodes, active + 1. Nodes left out follow the
+ * approach and the active nodes: change of gap = -change of approach + coupling G slope change of
+ * the active. Their share of the border goes to these. */
+static void fill_row(po_equilibrium *e, double *row) {
   const size_t m = e->active;
-  double corner = e->border[e->n];
+  row[m] = e->border[e->n];
   memset(e->scratch, 0, e->n * sizeof *e->scratch);
   for (size_t b = m; b < e->n; ++b) {
     e->scratch[e->index[b]] = e->border[e->index[b]];
-    corner -= e->border[e->index[b]];
+    row[m] -= e->border[e->index[b]];
   }
   po_linear_apply_transposed(e->n, e->n, e->surface->influence, e->n, e->scratch, e->right);
-  return corner;
+  for (size_t b = 0; b < m; ++b) {
+    const size_t j = e->index[b];
+    row[b] = e->border[j] + e->coupling * e->slope[j] * e->right[j];
+  }
 }
 
 /* The bordered Jacobian of the active nodes, column by column. */
 static po_status assemble(po_equilibrium *e) {
   const size_t m = e->active;
-  const double corner = share_of_followers(e);
+  fill_row(e, e->row);
+  e->changed = false;
   if (!po_factors_begin(&e->factors, m + 1))
     return PO_NO_MEMORY;
   for (size_t b = 0; b < m; ++b) {
@@ -171,14 +193,30 @@ static po_status assemble(po_equilibrium *e) {
     for (size_t a = 0; a < m; ++a)
       e->column[a] = -factor * influence[e->index[a]];
     e->column[b] += 1.0;
-    e->column[m] = e->border[j] + factor * e->right[j];
+    e->column[m] = e->row[b];
     po_factors_put(&e->factors, b, e->column);
   }
   for (size_t a = 0; a < m; ++a)
     e->column[a] = 1.0;
-  e->column[m] = corner;
+  e->column[m] = e->row[m];
   po_factors_put(&e->factors, m, e->column);
   return PO_OK;
+}
+
+void po_equilibrium_change_border(po_equilibrium *e, const double *border) {
+  const size_t m = e->active;
+  memcpy(e->border, border, (e->n + 1) * sizeof *border);
+  fill_row(e, e->change);
+  memset(e->response, 0, m * sizeof *e->response);
+  e->response[m] = 1.0;
+  po_factors_solve(&e->factors, e->response);
+  e->pivot = 1.0;
+  for (size_t k = 0; k <= m; ++k) {
+    e->change[k] -= e->row[k];
+    e->pivot += e->change[k] * e->response[k];
+  }
+  e->changed = true;
+  e->factorized = e->pivot > LEAST_PIVOT;
 }
 
 po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const double *border) {

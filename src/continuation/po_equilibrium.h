@@ -45,6 +45,11 @@ typedef struct {
   size_t *index;           /* n: the active nodes first, then the others */
   po_factors factors;      /* of the bordered Jacobian of the active nodes; active + 1 square */
   double *column;          /* of it, n + 1 */
+  double *row;             /* active + 1: its last row, the border */
+  bool changed;            /* the border in force is not that of the factors; then */
+  double *change;          /* active + 1: what it has more, and */
+  double *response;        /* active + 1: the factors' solution for a unit of the last equation */
+  double pivot;            /* 1 + change . response */
   double *right, *scratch; /* n + 1 */
   double *measure;         /* n: coupling * |slope| * reach, when choosing nodes */
   double neglect;          /* sum of the measures left out */
@@ -67,6 +72,12 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
  * before is kept. */
 void po_equilibrium_remesh(po_equilibrium *e);
 void po_equilibrium_destroy(po_equilibrium *equilibrium);
+
+/* Nodes of the core, where contact can be: those up to the end of the scheme's own elements. */
+size_t po_equilibrium_core(const po_equilibrium *e);
+
+/* A gap as it may be evaluated: a closer one than -0.9 is an error of a prediction. */
+double po_expected_gap(double gap);
 
 /* Sets traction and slope from the gaps of a state, every 1 + H > 0. */
 void po_equilibrium_evaluate(po_equilibrium *e, const double *state);
@@ -93,6 +104,11 @@ double po_equilibrium_feedback(const po_equilibrium *e);
  * border, n + 1 (copied). Status: PO_SINGULAR; PO_OUT_OF_NODES beyond
  * most_active; PO_NO_MEMORY. */
 po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const double *border);
+
+/* Gives the factors in hand another border, by a rank-one correction of their last row (Sherman and
+ * Morrison). Given: border, n + 1 (copied), at the state last evaluated. The factors are given up
+ * where the new border is nearly normal to the tangent that they know. */
+void po_equilibrium_change_border(po_equilibrium *e, const double *border);
 
 /* Moves a state onto the equilibrium with border . (state - base) = distance, by Newton's method
  * with the factors in hand. Every 1 + H stays positive. Afterwards traction and slope are those of

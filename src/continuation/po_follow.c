@@ -10,21 +10,18 @@
 #include "po_parameter_predictor.h"
 #include "po_refine.h"
 
-enum { ORDER = PO_TABLE_ORDER, MOST_MESHES_A_POINT = 4, ROOT_LEVEL = 3 };
+enum { ROOT_LEVEL = 3 };
 
 /* Error of the predictor, in parts of 1 + H, that a step may have; and below which the next may be
  * longer. */
-static const double GREATEST_ERROR = 0.4, SMALL_ERROR = 0.1;
+static const double GREATEST_PREDICTOR_ERROR = 0.4, SMALL_PREDICTOR_ERROR = 0.1;
 /* The first step, in parts of the way to the parameter asked for: it tells how the special point
  * moves.
  */
-static const double FIRST_STEP = 0.02;
+static const double FIRST_PART = 0.02;
 /* A step this short, in the same parts, that fails: the special point is lost; and a first one,
  * when it is not known yet how it moves. */
-static const double SHORTEST_STEP = 0.1, SHORTEST_FIRST = 5e-4;
-/* Meshes are made for this part of the allowed error. */
-static const double MESH_MARGIN = 0.2;
-
+static const double SHORTEST_PART = 0.1, SHORTEST_FIRST_PART = 5e-4;
 struct po_follower {
   po_follow_options options;
   po_scene scene; /* in force */
@@ -36,7 +33,7 @@ struct po_follower {
   po_event_kind of;
   po_predictor_point mark[PO_PREDICTOR_MARKS + 1]; /* in a ring, with room for the next */
   size_t latest, count;
-  po_track_point seed, spare;
+  po_solution seed, spare;
   double slope; /* of the rate that vanishes, along the arclength functional */
   double value[2];
   double step; /* to try; INFINITY: the whole way */
@@ -73,11 +70,11 @@ po_status po_follow_create(const po_follow_options *options, double at, po_follo
   if (!status)
     status = po_corrector_allocate(&f->c, f->e, f->adaptive);
   for (size_t k = 0; k <= PO_PREDICTOR_MARKS && !status; ++k)
-    status = po_track_point_allocate(&f->mark[k].point, capacity);
+    status = po_solution_allocate(&f->mark[k].point, capacity);
   if (!status)
-    status = po_track_point_allocate(&f->seed, capacity);
+    status = po_solution_allocate(&f->seed, capacity);
   if (!status)
-    status = po_track_point_allocate(&f->spare, capacity);
+    status = po_solution_allocate(&f->spare, capacity);
   if (status) {
     po_follow_destroy(f);
     *follower = NULL;
@@ -94,9 +91,9 @@ void po_follow_destroy(po_follower *f) {
   if (!f)
     return;
   for (size_t k = 0; k <= PO_PREDICTOR_MARKS; ++k)
-    po_track_point_free(&f->mark[k].point);
-  po_track_point_free(&f->seed);
-  po_track_point_free(&f->spare);
+    po_solution_free(&f->mark[k].point);
+  po_solution_free(&f->seed);
+  po_solution_free(&f->spare);
   po_corrector_free(&f->c);
   po_equilibrium_destroy(f->e);
   po_adaptive_destroy(f->adaptive);
@@ -105,9 +102,7 @@ void po_follow_destroy(po_follower *f) {
 
 /* Puts panels in force that resolve a field, starting from others. */
 static po_status mesh_for(po_follower *f, const po_panels *from, const po_gap_field *field) {
-  po_resolution margin = f->resolution;
-  margin.allowed.gap *= MESH_MARGIN;
-  margin.allowed.load *= MESH_MARGIN;
+  const po_resolution margin = po_resolution_for_mesh(&f->resolution);
   po_panels panels = *from;
   const po_status status = po_resolution_panels(&margin, field, &panels);
   return status ? status : po_corrector_mesh(&f->c, &panels);
@@ -115,16 +110,16 @@ static po_status mesh_for(po_follower *f, const po_panels *from, const po_gap_fi
 
 /* The special point near the guess, on a mesh that resolves it. Given: seed, whose arclength
  * functional is that of the guess. */
-static po_status locate(po_follower *f, double *slope, double value[2], po_track_point *out) {
-  const po_track_point *from = &f->seed;
-  for (int mesh = 0; mesh < MOST_MESHES_A_POINT; ++mesh) {
+static po_status locate(po_follower *f, double *slope, double value[2], po_solution *out) {
+  const po_solution *from = &f->seed;
+  for (int mesh = 0; mesh < PO_MOST_MESHES_A_POINT; ++mesh) {
     po_status status = po_refine_locate(&f->c, from, f->of, slope, out, value);
     if (status || po_resolution_excess(&f->resolution, &out->panels, out->state) <= 1.0)
       return status;
-    po_track_point_copy(out, &f->spare);
+    po_solution_copy(out, &f->spare);
     from = &f->spare;
-    po_track_field solved = {from, &f->scene, f->c.domain};
-    status = mesh_for(f, &from->panels, &(po_gap_field){po_track_gap, &solved});
+    po_solution_field solved = {from, &f->scene, f->c.domain};
+    status = mesh_for(f, &from->panels, &(po_gap_field){po_solution_gap, &solved});
     if (status)
       return status;
     po_corrector_guess(&f->c, from);
@@ -141,14 +136,13 @@ static void accept(po_follower *f, double at) {
   f->count += f->count < PO_PREDICTOR_MARKS;
 }
 
-po_status po_follow_begin(po_follower *f, const po_track_point *special, po_event_kind of,
-                          double at) {
+po_status po_follow_begin(po_follower *f, const po_solution *special, po_event_kind of, double at) {
   f->of = of;
   f->count = 0;
   f->step = INFINITY;
   f->slope = NAN;
   set_scene(f, at);
-  po_track_point_copy(special, &f->seed);
+  po_solution_copy(special, &f->seed);
   po_status status = po_corrector_mesh(&f->c, &f->seed.panels);
   if (status)
     return status;
@@ -162,10 +156,10 @@ po_status po_follow_begin(po_follower *f, const po_track_point *special, po_even
 /* Seeds the search from the guess: its arclength functional, in the direction of the latest special
  * point. */
 static void seed_from_guess(po_follower *f) {
-  const po_track_point *latest = &mark_of(f, 0)->point;
+  const po_solution *latest = &mark_of(f, 0)->point;
   po_equilibrium_evaluate(f->e, f->c.guess);
-  po_arclength_values(f->e, f->c.guess, f->seed.functional);
-  memcpy(f->seed.rate, latest->rate, sizeof f->seed.rate);
+  po_arclength_coordinates(f->seed.arclength, f->e, f->c.guess, f->seed.coordinate);
+  memcpy(f->seed.rate, latest->rate, f->seed.coordinates * sizeof *f->seed.rate);
 }
 
 /* One attempt at a step; the last, if it fails. Returned: the error of the predictor, if it could
@@ -185,15 +179,15 @@ static po_status try_step(po_follower *f, double at, bool last, double *error) {
       mesh_for(f, &marks[0]->point.panels, &(po_gap_field){po_predictor_gap, &predictor});
   if (status)
     return status;
-  po_predictor_state(&predictor, f->e, po_corrector_core_nodes(&f->c), f->c.guess);
+  po_predictor_state(&predictor, f->e, po_corrector_moving_nodes(&f->c), f->c.guess);
   seed_from_guess(f);
   double slope = f->slope, value[2];
-  po_track_point *out = &next_mark(f)->point;
+  po_solution *out = &next_mark(f)->point;
   status = locate(f, &slope, value, out);
   if (status)
     return status;
   *error = po_predictor_error(&predictor, out);
-  if (!(*error < GREATEST_ERROR) || !(slope * f->slope > 0.0))
+  if (!(*error < GREATEST_PREDICTOR_ERROR) || !(slope * f->slope > 0.0))
     return PO_NOT_CONVERGED;
   f->slope = slope;
   memcpy(f->value, value, sizeof f->value);
@@ -209,12 +203,12 @@ po_status po_follow_to(po_follower *f, double at, double deadline) {
                      "the time limit was reached before the scene; the special point is at "
                      "approach %.6g, load %.6g",
                      f->value[0], f->value[1]);
-    const double most = f->count == 1 ? fmin(f->step, FIRST_STEP * fabs(whole)) : f->step;
+    const double most = f->count == 1 ? fmin(f->step, FIRST_PART * fabs(whole)) : f->step;
     const bool last = fabs(left) <= most;
     const double step = last ? left : copysign(most, left);
     const double to = last ? at : mark_of(f, 0)->at + step;
     const bool shortest =
-        fabs(step) < (f->count == 1 ? SHORTEST_FIRST : SHORTEST_STEP) * fabs(whole);
+        fabs(step) < (f->count == 1 ? SHORTEST_FIRST_PART : SHORTEST_PART) * fabs(whole);
     double error = INFINITY;
     if (try_step(f, to, shortest, &error)) {
       po_message_clear();
@@ -228,7 +222,7 @@ po_status po_follow_to(po_follower *f, double at, double deadline) {
     }
     accept(f, to);
     if (f->count > 2)
-      f->step = error < SMALL_ERROR ? fmax(2.0 * fabs(step), f->step) : fabs(step);
+      f->step = error < SMALL_PREDICTOR_ERROR ? fmax(2.0 * fabs(step), f->step) : fabs(step);
     left = last ? 0.0 : at - to;
   }
   return PO_OK;
@@ -244,7 +238,7 @@ po_branch_point po_follow_point(po_follower *f, bool judged) {
     r.finer = NULL;
   }
   f->c.trouble = PO_OK;
-  const po_track_point *p = r.point;
+  const po_solution *p = r.point;
   const bool rising = f->slope < 0.0;
   return (po_branch_point){.kind = f->of == PO_OF_LOAD
                                        ? (rising ? PO_POINT_LOAD_MAX : PO_POINT_LOAD_MIN)
@@ -256,10 +250,10 @@ po_branch_point po_follow_point(po_follower *f, bool judged) {
                            .load_error = r.error[1],
                            .approach_rate = p->tangent[p->n],
                            .load_rate = p->load_rate,
-                           .n = p->panels.count * ORDER,
+                           .n = p->core,
                            .node = p->node,
                            .gap = p->state,
-                           .track = p,
+                           .solution = p,
                            .best = r.finer ? p : NULL,
                            .finer = r.finer};
 }

@@ -4,10 +4,10 @@
 #ifndef PO_FOLLOW_H
 #define PO_FOLLOW_H
 
-#include "po_branch.h"
+#include "po_branch_point.h"
 #include "po_resolution.h"
+#include "po_solution.h"
 #include "po_special_point.h"
-#include "po_track_point.h"
 
 typedef struct po_follower po_follower;
 
@@ -28,8 +28,7 @@ void po_follow_destroy(po_follower *follower);
 
 /* Begins at a special point of a trace at a parameter; what was followed before is forgotten.
  * Given: of the load or of the approach. Status: PO_NOT_CONVERGED, PO_OUT_OF_NODES. */
-po_status po_follow_begin(po_follower *f, const po_track_point *special, po_event_kind of,
-                          double at);
+po_status po_follow_begin(po_follower *f, const po_solution *special, po_event_kind of, double at);
 
 /* Goes on to a parameter, in as many steps as it takes, or until the processor time of this thread
  * (po_clock_thread) is past the deadline, which is looked at before every step; INFINITY: none.

@@ -2,7 +2,7 @@
 #ifndef PO_JOIN_H
 #define PO_JOIN_H
 
-#include "po_branch.h"
+#include "po_branch_point.h"
 
 /* From the straight line: the sagitta of the chord, from the turn of the curve. */
 double po_join_sagitta(const po_branch_point *from, const po_branch_point *to);

@@ -1,7 +1,6 @@
 #include "po_moving_edges.h"
 
 #include <math.h>
-#include <stdbool.h>
 
 /* Half width of the constant part about a contact edge, in parts of the distance to its neighbour.
  */
@@ -9,6 +8,9 @@ static const double PLATEAU = 0.2;
 /* Beyond the last contact edge the displacement has died out at this multiple of its radius. */
 static const double OUTER_END = 2.0;
 enum { ITERATIONS = 60 };
+
+/* Slope of the displacement of the coordinates: to the place expected, and to a known solution. */
+static const double GREATEST_STRAIN = 0.5, GREATEST_STRAIN_BACK = 0.9;
 
 /* Of blend(). */
 static const double STEEPEST = 1.875;
@@ -76,6 +78,14 @@ static double strain(const po_moving_edges *f, const double *shift, size_t *wher
 double po_edge_strain(const po_moving_edges *f, const double *shift) {
   size_t where;
   return strain(f, shift, &where);
+}
+
+bool po_edge_may_move(const po_moving_edges *f, const double *shift) {
+  return po_edge_strain(f, shift) < GREATEST_STRAIN;
+}
+
+bool po_edge_may_relate(const po_moving_edges *f, const double *shift) {
+  return po_edge_strain(f, shift) < GREATEST_STRAIN_BACK;
 }
 
 size_t po_edge_tightest(const po_moving_edges *f, const double *shift) {

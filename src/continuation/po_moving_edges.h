@@ -4,6 +4,7 @@
 #ifndef PO_MOVING_EDGES_H
 #define PO_MOVING_EDGES_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 enum { PO_MOST_MOVING_EDGES = 48 };
@@ -27,6 +28,11 @@ double po_edge_origin(const po_moving_edges *edges, const double *shift, double 
 
 /* The largest slope of the displacement: below 1 no two places meet. */
 double po_edge_strain(const po_moving_edges *edges, const double *shift);
+
+/* Whether a prediction may move the edges by their shifts; and whether solutions whose edges are
+ * so far apart may be interpolated. */
+bool po_edge_may_move(const po_moving_edges *edges, const double *shift);
+bool po_edge_may_relate(const po_moving_edges *edges, const double *shift);
 
 /* Where that is: between this contact edge and the one before, or the axis; the count: beyond the
  * last. */

@@ -45,6 +45,11 @@ static void precondition(po_equilibrium *e, const double *residual, double *chan
     right[a] = residual[e->index[a]];
   right[m] = residual[n];
   po_factors_solve(&e->factors, right);
+  if (e->changed) {
+    const double excess = po_linear_dot(m + 1, e->change, right) / e->pivot;
+    for (size_t a = 0; a <= m; ++a)
+      right[a] -= excess * e->response[a];
+  }
   for (size_t a = 0; a < m; ++a)
     change[e->index[a]] = right[a];
   change[n] = right[m];

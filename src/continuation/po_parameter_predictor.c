@@ -4,11 +4,6 @@
 
 #include "po_profile.h"
 
-/* Slope of the displacement of the coordinates to the place expected, and to a mark. */
-static const double GREATEST_STRAIN = 0.5, GREATEST_STRAIN_BACK = 0.9;
-/* Gaps of a predictor are taken as no smaller. */
-static const double CLOSEST = -0.9;
-
 /* Lagrange's weights of the marks at a parameter. */
 static void weigh(po_predictor *f, double at) {
   for (size_t i = 0; i < f->count; ++i) {
@@ -35,7 +30,7 @@ static bool move(po_predictor *f, const po_predictor_point *const *mark, size_t 
     double *back = f->back[f->count];
     for (size_t k = 0; k < f->edges.count; ++k)
       back[k] = edges->at[edges->count - f->edges.count + k] - f->edges.at[k];
-    if (po_edge_strain(&f->edges, back) > GREATEST_STRAIN_BACK)
+    if (!po_edge_may_relate(&f->edges, back))
       break;
     f->mark[f->count++] = mark[i];
   }
@@ -43,7 +38,7 @@ static bool move(po_predictor *f, const po_predictor_point *const *mark, size_t 
   for (size_t i = 0; i < f->count; ++i)
     for (size_t k = 0; k < f->edges.count; ++k)
       f->shift[k] += f->weight[i] * f->back[i][k];
-  return f->count == count && po_edge_strain(&f->edges, f->shift) < GREATEST_STRAIN;
+  return f->count == count && po_edge_may_move(&f->edges, f->shift);
 }
 
 bool po_predictor_make(const po_predictor_point *const *mark, size_t count, double at,
@@ -62,7 +57,7 @@ void po_predictor_still(const po_predictor_point *const *mark, size_t count, dou
 /* The gap of a mark; undeformed outside its domain. */
 static double gap_of(const po_predictor_point *m, double r) {
   if (r < m->domain)
-    return po_track_value_at(&m->point, &m->scene, m->domain, r).gap;
+    return po_solution_value_at(&m->point, &m->scene, m->domain, r).gap;
   return po_profile(&m->scene, r) - m->point.state[m->point.n];
 }
 
@@ -74,7 +69,7 @@ double po_predictor_gap(void *predictor, double r) {
   for (size_t i = 0; i < f->count; ++i)
     gap +=
         f->weight[i] * gap_of(f->mark[i], origin + po_edge_displacement(edges, f->back[i], origin));
-  return fmax(gap, CLOSEST);
+  return po_expected_gap(gap);
 }
 
 void po_predictor_state(po_predictor *f, const po_equilibrium *e, size_t core, double *state) {
@@ -84,16 +79,16 @@ void po_predictor_state(po_predictor *f, const po_equilibrium *e, size_t core, d
   for (size_t back = 0; back <= n - core; ++back) { /* from the approach inwards */
     double value = back > 0 ? e->shape[n - back] : 0.0;
     for (size_t i = 0; i < f->count; ++i) {
-      const po_track_point *p = &f->mark[i]->point;
+      const po_solution *p = &f->mark[i]->point;
       value += f->weight[i] * (back > 0 ? p->deflection[p->n - back] : p->state[p->n]);
     }
     state[n - back] = value;
   }
 }
 
-double po_predictor_error(po_predictor *f, const po_track_point *solved) {
+double po_predictor_error(po_predictor *f, const po_solution *solved) {
   double largest = 0.0;
-  for (size_t j = 0; j < solved->panels.count * PO_TABLE_ORDER; ++j) {
+  for (size_t j = 0; j < solved->core; ++j) {
     const double expected = po_predictor_gap(f, solved->node[j]);
     largest = fmax(largest, fabs(solved->state[j] - expected) / (1.0 + solved->state[j]));
   }

@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "po_track_point.h"
+#include "po_solution.h"
 
 enum { PO_PREDICTOR_MARKS = 4 };
 
@@ -14,7 +14,7 @@ typedef struct {
   double at;
   po_scene scene;
   double domain; /* radius of the domain of the panels, eps */
-  po_track_point point;
+  po_solution point;
 } po_predictor_point;
 
 typedef struct {
@@ -46,6 +46,6 @@ double po_predictor_gap(void *predictor, double r);
 void po_predictor_state(po_predictor *f, const po_equilibrium *e, size_t core, double *state);
 
 /* Largest error of the gap expected, in parts of 1 + H, against the special point then solved. */
-double po_predictor_error(po_predictor *f, const po_track_point *solved);
+double po_predictor_error(po_predictor *f, const po_solution *solved);
 
 #endif

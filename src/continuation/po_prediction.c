@@ -2,27 +2,21 @@
 
 #include <math.h>
 
-enum { ORDER = PO_TABLE_ORDER };
-
 /* Cosine of arclength functional and its direction at the start of an interval below which a cubic
  * is no use. */
 static const double CUBIC_COSINE = 0.3;
-/* Slope of the displacement of the coordinates in one step; and over the step before. */
-static const double GREATEST_STRAIN = 0.5, GREATEST_STRAIN_BACK = 0.9;
 /* A step, along the arclength functional, that is short where two contact edges meet. */
 static const double MEETING_STEP = 1e-4;
 /* A distance at which nothing moves. */
 static const double NOTHING = 1e-12;
-/* Gaps of a prediction are taken as no smaller. */
-static const double CLOSEST = -0.9;
 
 /* Sets where the contact edges are expected. Returned: whether that is any use. */
 static bool move(po_prediction *p, double distance) {
   const po_moving_edges *edges = &p->edges;
   p->w = (po_hermite){1.0, distance, 0.0, 0.0};
-  const double whole = p->paired ? po_track_progress(p->a, p->b) : 0.0;
+  const double whole = p->paired ? po_solution_progress(p->a, p->b) : 0.0;
   p->cubic = p->paired && p->rate_b > CUBIC_COSINE && fabs(whole) > 0.0 &&
-             po_edge_strain(edges, p->back) < GREATEST_STRAIN_BACK;
+             po_edge_may_relate(edges, p->back);
   if (p->cubic)
     p->w = po_hermite_at(distance, whole);
   for (size_t f = 0; f < edges->count; ++f) {
@@ -30,7 +24,7 @@ static bool move(po_prediction *p, double distance) {
     if (p->cubic)
       p->shift[f] += p->w.f1 * p->back[f] + p->w.d1 * p->rate_back[f] / p->rate_b;
   }
-  return po_edge_strain(edges, p->shift) < GREATEST_STRAIN;
+  return po_edge_may_move(edges, p->shift);
 }
 
 /* Takes contact edges out of those that move the coordinates, from one up to another. */
@@ -57,12 +51,12 @@ static bool drop_tightest(po_prediction *p) {
 
 /* In the coordinates of all contact edges, that of the point b beside that of a. */
 static void pair(po_prediction *p) {
-  const po_track_point *a = p->a, *b = p->b;
+  const po_solution *a = p->a, *b = p->b;
   p->edges = a->edges;
   p->paired = b && b->edges.all == a->edges.all;
   if (!p->paired)
     return;
-  p->rate_b = po_arclength_along(a->rate, b->rate);
+  p->rate_b = po_solution_cosine(a, b);
   for (size_t f = 0; f < a->edges.count; ++f) {
     p->back[f] = b->edges.at[f] - a->edges.at[f];
     p->rate_back[f] = b->edges.rate[f];
@@ -77,8 +71,8 @@ static bool predict(po_prediction *p, double distance) {
   return useful;
 }
 
-bool po_prediction_make(const po_scene *scene, double domain, const po_track_point *a,
-                        const po_track_point *b, double distance, po_prediction *p) {
+bool po_prediction_make(const po_scene *scene, double domain, const po_solution *a,
+                        const po_solution *b, double distance, po_prediction *p) {
   *p = (po_prediction){.scene = scene, .domain = domain, .a = a, .b = b};
   pair(p);
   return predict(p, distance);
@@ -88,7 +82,7 @@ bool po_prediction_make(const po_scene *scene, double domain, const po_track_poi
  * their point. */
 static double difference(po_prediction *p, po_prediction *q) {
   double largest = 0.0;
-  for (size_t j = 0; j < p->a->panels.count * ORDER; ++j) {
+  for (size_t j = 0; j < p->a->core; ++j) {
     const double r = p->a->node[j];
     const double of_p = po_prediction_gap(p, r), of_q = po_prediction_gap(q, r);
     largest = fmax(largest, fabs(of_p - of_q) / (1.0 + of_p));
@@ -100,13 +94,12 @@ static double difference(po_prediction *p, po_prediction *q) {
 static double error_power(const po_prediction *p, double distance) {
   if (!p->cubic)
     return distance * distance;
-  const double product = distance * (distance - po_track_progress(p->a, p->b));
+  const double product = distance * (distance - po_solution_progress(p->a, p->b));
   return product * product;
 }
 
-double po_prediction_reach(const po_scene *scene, double domain, const po_track_point *a,
-                           const po_track_point *b, double distance, double error,
-                           po_prediction *p) {
+double po_prediction_reach(const po_scene *scene, double domain, const po_solution *a,
+                           const po_solution *b, double distance, double error, po_prediction *p) {
   po_prediction moving = {.scene = scene, .domain = domain, .a = a, .b = b};
   pair(&moving);
   double near = distance;
@@ -134,19 +127,19 @@ double po_prediction_gap(void *prediction, double r) {
   const po_prediction *p = prediction;
   const po_moving_edges *edges = &p->edges;
   const double origin = po_edge_origin(edges, p->shift, r);
-  const po_track_value a = po_track_value_at(p->a, p->scene, p->domain, origin);
+  const po_solution_value a = po_solution_value_at(p->a, p->scene, p->domain, origin);
   const double velocity = po_edge_displacement(edges, edges->rate, origin);
   double gap = a.gap + p->w.d0 * (a.tangent + a.slope * velocity);
   if (p->cubic) {
     const double at = origin + po_edge_displacement(edges, p->back, origin);
-    const po_track_value b = po_track_value_at(p->b, p->scene, p->domain, at);
+    const po_solution_value b = po_solution_value_at(p->b, p->scene, p->domain, at);
     const double velocity_b = po_edge_displacement(edges, p->rate_back, origin);
     gap += p->w.f1 * (b.gap - a.gap) + p->w.d1 * (b.tangent + b.slope * velocity_b) / p->rate_b;
   }
-  return fmax(gap, CLOSEST);
+  return po_expected_gap(gap);
 }
 
-/* Component of the state at a node that no mesh moves: the panel to infinity, the approach. */
+/* Component of the state at a node that does not move, or the approach. */
 static double component(const po_prediction *p, size_t of_a, size_t of_b) {
   double value = p->a->state[of_a] + p->w.d0 * p->a->tangent[of_a];
   if (p->cubic)
@@ -155,12 +148,15 @@ static double component(const po_prediction *p, size_t of_a, size_t of_b) {
   return value;
 }
 
-void po_prediction_state(po_prediction *p, const po_surface *surface, size_t core, double *state) {
+void po_prediction_state(po_prediction *p, const po_surface *surface, size_t moving,
+                         double *state) {
   const size_t n = surface->n;
-  for (size_t j = 0; j < core; ++j)
+  for (size_t j = 0; j < moving; ++j)
     state[j] = po_prediction_gap(p, surface->node[j]);
-  for (size_t back = 0; back <= n - core; ++back) /* from the approach inwards */
-    state[n - back] = component(p, p->a->n - back, p->cubic ? p->b->n - back : 0);
+  for (size_t back = 0; back <= n - moving; ++back) { /* from the approach inwards */
+    const double value = component(p, p->a->n - back, p->cubic ? p->b->n - back : 0);
+    state[n - back] = back > 0 ? po_expected_gap(value) : value;
+  }
 }
 
 /* Size of the panels that the point a wants at the place from which a radius (relative to the
@@ -180,9 +176,9 @@ bool po_prediction_too_large(const po_prediction *p, po_panel panel, double time
   return false;
 }
 
-double po_prediction_error(po_prediction *p, const double *guess, const po_track_point *solved) {
+double po_prediction_error(po_prediction *p, const double *guess, const po_solution *solved) {
   double largest = 0.0;
-  for (size_t j = 0; j < solved->panels.count * ORDER; ++j) {
+  for (size_t j = 0; j < solved->core; ++j) {
     const double expected = guess ? guess[j] : po_prediction_gap(p, solved->node[j]);
     largest = fmax(largest, fabs(solved->state[j] - expected) / (1.0 + solved->state[j]));
   }

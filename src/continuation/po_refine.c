@@ -13,9 +13,8 @@ static const double CONTRIBUTES = 0.01;
  */
 static const double TELLING_WAVES = 2.5;
 
-/* The rate whose root is the special point is found to this part of its slope. */
-static const double LOCATED = 1e-9;
-/* Or the secant has no more to say: its next step is this part of the last. */
+/* A special point is found when the next step of the secant method is shorter than PO_LOCATED, or
+ * than this part of the last. */
 static const double SMALL_STEP = 1e-3;
 /* Along the arclength functional, when the slope is to be found: narrow minima of the load are a
  * hundred times as wide. */
@@ -45,7 +44,7 @@ static void split_waves(const po_resolution *r, po_panels *panels) {
 }
 
 /* The panels of p, those halved that contribute to its error, and those split that may hide one. */
-static bool finer_panels(const po_resolution *r, const po_track_point *p, po_panels *panels) {
+static bool finer_panels(const po_resolution *r, const po_solution *p, po_panels *panels) {
   double excess[PO_MOST_PANELS], largest = 0.0;
   bool split[PO_MOST_PANELS];
   po_resolution_excesses(r, &p->panels, p->state, excess);
@@ -79,15 +78,15 @@ static void values_at_root(const po_sample *a, const po_sample *b, po_event_kind
     value[q] = po_hermite_value(a->value[q], a->rate[q], b->value[q], b->rate[q], x, h);
 }
 
-po_status po_refine_locate(po_corrector *c, const po_track_point *from, po_event_kind of,
-                           double *slope, po_track_point *out, double value[2]) {
+po_status po_refine_locate(po_corrector *c, const po_solution *from, po_event_kind of,
+                           double *slope, po_solution *out, double value[2]) {
   double at = 0.0;
   po_sample last = {.at = NAN}, s;
   for (int k = 0; k < MOST_SOLVES; ++k) {
     const po_status status = po_corrector_solve(c, from, at, k > 0, c->e->precision, out);
     if (status)
       return status;
-    s = po_track_sample(from, out);
+    s = po_solution_sample(from, out);
     for (int q = 0; q < 2; ++q)
       value[q] = s.value[q];
     if (k > 0) {
@@ -97,13 +96,12 @@ po_status po_refine_locate(po_corrector *c, const po_track_point *from, po_event
     const double step = isnan(*slope) ? TRIAL_STEP : -s.rate[of] / *slope;
     if (!isfinite(step))
       return PO_NOT_CONVERGED;
-    if (fabs(step) < LOCATED || (k > 0 && fabs(step) < SMALL_STEP * fabs(s.at - last.at)))
+    if (fabs(step) < PO_LOCATED || (k > 0 && fabs(step) < SMALL_STEP * fabs(s.at - last.at)))
       return PO_OK;
     at = s.at + step;
     last = s;
     for (size_t j = 0; j <= out->n; ++j)
-      c->guess[j] =
-          out->state[j] + step / po_arclength_along(from->rate, out->rate) * out->tangent[j];
+      c->guess[j] = out->state[j] + step / po_solution_cosine(from, out) * out->tangent[j];
   }
   return PO_NOT_CONVERGED;
 }
@@ -115,7 +113,7 @@ double po_refine_error(double precision, double change, double value) {
 /* Solves a special point on a finer mesh. Returned: it in finer, its approach and load in value,
  * and the errors that r has. */
 static po_status solve_finer(po_corrector *c, const po_resolution *resolution,
-                             const po_refinement *how, po_refined *r, po_track_point *finer,
+                             const po_refinement *how, po_refined *r, po_solution *finer,
                              double value[2]) {
   po_panels panels;
   if (!finer_panels(resolution, r->point, &panels))

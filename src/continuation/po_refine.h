@@ -13,9 +13,9 @@ double po_refine_error(double precision, double change, double value);
 
 /* A special point with its errors. */
 typedef struct {
-  const po_track_point *point; /* the one given, or one of the spares */
-  double value[2], error[2];   /* of approach and load: bounds, estimated */
-  const po_track_point *finer; /* the one of the spares that it was judged by */
+  const po_solution *point;  /* the one given, or one of the spares */
+  double value[2], error[2]; /* of approach and load: bounds, estimated */
+  const po_solution *finer;  /* the one of the spares that it was judged by */
 } po_refined;
 
 /* What a special point is judged by. */
@@ -24,7 +24,7 @@ typedef struct {
   double slope;  /* of the rate whose root it is, per distance along the arclength functional of its
                     point */
   double enough; /* error of the load that need not be made less; INFINITY: any */
-  po_track_point *spare[2];
+  po_solution *spare[2];
 } po_refinement;
 
 /* Given: a fold or an extremum of the load, its mesh resolved by `resolution`; its approach and
@@ -43,7 +43,7 @@ double po_refine_slope(const po_event *event, double cosine);
  * secant along the arclength functional of `from` for the rate to vanish. Given: slope of that
  * rate, roughly; NAN: unknown. Returned: the slope met, the special point in out, its approach and
  * load in value. Status: PO_NOT_CONVERGED. */
-po_status po_refine_locate(po_corrector *c, const po_track_point *from, po_event_kind of,
-                           double *slope, po_track_point *out, double value[2]);
+po_status po_refine_locate(po_corrector *c, const po_solution *from, po_event_kind of,
+                           double *slope, po_solution *out, double value[2]);
 
 #endif

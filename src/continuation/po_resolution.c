@@ -5,19 +5,16 @@
 
 #include "po_law.h"
 
-enum { ORDER = PO_TABLE_ORDER, LAST_COEFFICIENTS = 3, MOST_DEPTH = 6 };
+enum { LAST_COEFFICIENTS = 3, MOST_DEPTH = 6 };
 
 /* A parent takes the place of two panels when its own error is below this part of the allowed. */
-static const double JOIN_MARGIN = 0.1;
-
-/* Gaps of a prediction are taken as no smaller: a closer one is an error of the prediction. */
-static const double CLOSEST = -0.9;
+static const double PARENT_MARGIN = 0.1;
 
 void po_legendre_fill(const po_panel_rule *rule, po_legendre *legendre) {
-  for (size_t j = 0; j < ORDER; ++j) {
+  for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
     const double x = 2.0 * rule->node[j] - 1.0;
     double before = 0.0, now = 1.0;
-    for (int k = 0; k < ORDER; ++k) {
+    for (int k = 0; k < PO_TABLE_ORDER; ++k) {
       legendre->coefficient[k][j] = (2 * k + 1) * rule->weight[j] * now;
       const double next = ((2 * k + 1) * x * now - k * before) / (k + 1);
       before = now;
@@ -29,12 +26,12 @@ void po_legendre_fill(const po_panel_rule *rule, po_legendre *legendre) {
 /* Size of the last Legendre coefficients of nodal values, and of the largest of all. */
 static void decay(const po_legendre *legendre, const double *value, double *last, double *largest) {
   *last = *largest = 0.0;
-  for (int k = 0; k < ORDER; ++k) {
+  for (int k = 0; k < PO_TABLE_ORDER; ++k) {
     double sum = 0.0;
-    for (int j = 0; j < ORDER; ++j)
+    for (int j = 0; j < PO_TABLE_ORDER; ++j)
       sum += legendre->coefficient[k][j] * value[j];
     *largest = fmax(*largest, fabs(sum));
-    if (k >= ORDER - LAST_COEFFICIENTS)
+    if (k >= PO_TABLE_ORDER - LAST_COEFFICIENTS)
       *last = fmax(*last, fabs(sum));
   }
 }
@@ -44,16 +41,16 @@ static void decay(const po_legendre *legendre, const double *value, double *last
  * respond. The load, and the deflection elsewhere, integrated by Gauss's rule, suffer only from
  * twice the degree: the square of the decay. */
 static double excess_of(const po_resolution *r, double begin, double end, const double *gap) {
-  double traction[ORDER], response = 0.0, last, largest;
-  for (size_t j = 0; j < ORDER; ++j) {
-    const po_law law = po_law_at(fmax(gap[j], CLOSEST));
+  double traction[PO_TABLE_ORDER], response = 0.0, last, largest;
+  for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
+    const po_law law = po_law_at(po_expected_gap(gap[j]));
     traction[j] = law.traction;
     response = fmax(response, fabs(law.slope));
   }
   decay(r->legendre, traction, &last, &largest);
   const double length = end - begin, ring = 2.0 / r->e->radius * 0.5 * (begin + end) * length;
   const double felt = fmin(1.0, response * fmax(r->e->coupling * length, ring));
-  const double local = felt * r->e->coupling * length * last / ORDER;
+  const double local = felt * r->e->coupling * length * last / PO_TABLE_ORDER;
   return fmax(local / r->allowed.gap, ring * last * last / (largest + 1e-300) / r->allowed.load);
 }
 
@@ -61,7 +58,7 @@ void po_resolution_excesses(const po_resolution *r, const po_panels *panels, con
                             double *excess) {
   for (size_t k = 0; k < panels->count; ++k)
     excess[k] = excess_of(r, r->domain * po_panel_begin(panels->panel[k]),
-                          r->domain * po_panel_end(panels->panel[k]), gap + k * ORDER);
+                          r->domain * po_panel_end(panels->panel[k]), gap + k * PO_TABLE_ORDER);
 }
 
 double po_resolution_excess(const po_resolution *r, const po_panels *panels, const double *gap) {
@@ -74,8 +71,8 @@ double po_resolution_excess(const po_resolution *r, const po_panels *panels, con
 
 static double excess_of_panel(const po_resolution *r, const po_gap_field *field, po_panel panel) {
   const double begin = r->domain * po_panel_begin(panel), end = r->domain * po_panel_end(panel);
-  double gap[ORDER];
-  for (size_t i = 0; i < ORDER; ++i)
+  double gap[PO_TABLE_ORDER];
+  for (size_t i = 0; i < PO_TABLE_ORDER; ++i)
     gap[i] = field->gap_at(field->data, begin + (end - begin) * r->rule->node[i]);
   return excess_of(r, begin, end, gap);
 }
@@ -113,9 +110,20 @@ static void join_what_can_be(const po_resolution *r, const po_gap_field *field, 
     if (a.level < 2 || a.level != b.level || a.index % 2 || b.index != a.index + 1)
       continue;
     const po_panel parent = {a.level - 1, a.index / 2};
-    join[k] = join[k + 1] = excess_of_panel(r, field, parent) < JOIN_MARGIN;
+    join[k] = join[k + 1] = excess_of_panel(r, field, parent) < PARENT_MARGIN;
   }
   po_panels_join(panels, join);
+}
+
+/* Meshes are made for this part of the allowed error, and serve while it is not exceeded: the
+ * contact edges may move a little on them. */
+static const double MESH_MARGIN = 0.2;
+
+po_resolution po_resolution_for_mesh(const po_resolution *r) {
+  po_resolution margin = *r;
+  margin.allowed.gap *= MESH_MARGIN;
+  margin.allowed.load *= MESH_MARGIN;
+  return margin;
 }
 
 po_status po_resolution_panels(const po_resolution *r, const po_gap_field *field,

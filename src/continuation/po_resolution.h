@@ -38,6 +38,12 @@ void po_resolution_excesses(const po_resolution *r, const po_panels *panels, con
                             double *excess);
 double po_resolution_excess(const po_resolution *r, const po_panels *panels, const double *gap);
 
+/* The same, with a margin: what a mesh is made with. */
+po_resolution po_resolution_for_mesh(const po_resolution *r);
+
+/* Meshes that are tried for one point, each to resolve the solution on the one before. */
+enum { PO_MOST_MESHES_A_POINT = 4 };
+
 /* The panels that resolve a field: those given are split until they do, and joined where their
  * parent would do with a margin. Status: PO_OUT_OF_NODES. */
 po_status po_resolution_panels(const po_resolution *r, const po_gap_field *field,

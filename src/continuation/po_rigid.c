@@ -195,7 +195,7 @@ po_status po_rigid_energy(const po_scene *scene, double approach, double *energy
 
 typedef struct {
   const po_scene *scene;
-  const po_branch_options *options;
+  const po_continuation_options *options;
   double begin;
   po_status status;
   bool ended;
@@ -283,7 +283,8 @@ static void visit_between(rigid_tracer *t, const po_branch_point *from, const po
   }
 }
 
-po_status po_rigid_trace(const po_scene *scene, double begin, const po_branch_options *options) {
+po_status po_rigid_trace(const po_scene *scene, double begin,
+                         const po_continuation_options *options) {
   rigid_tracer t = {.scene = scene, .options = options, .begin = begin};
   const double end = options->end;
   if (!(end < 1.0))

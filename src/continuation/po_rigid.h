@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "po_branch.h"
+#include "po_continuation.h"
 
 /* Whether elasticity changes the load by less than 1e-8. */
 bool po_rigid_suffices(const po_scene *scene);
@@ -25,9 +25,10 @@ po_status po_rigid_energy(const po_scene *scene, double approach, double *energy
  * the repulsive term of Eq 23; at most 1 - 1e-3. */
 double po_rigid_approach_of_crest(const po_scene *scene, double load);
 
-/* Visits the loading curve as po_branch_trace does: points, extrema of the load, stations and end.
- * gap and traction of the points are NULL: the gap is shape - approach. Given: the first approach,
- * eps; options with an end below 1. Status: PO_BAD_INPUT. */
-po_status po_rigid_trace(const po_scene *scene, double begin, const po_branch_options *options);
+/* Visits the loading curve as po_continuation_run does: points, extrema of the load, stations and
+ * end. gap and traction of the points are NULL: the gap is shape - approach. Given: the first
+ * approach, eps; options with an end below 1. Status: PO_BAD_INPUT. */
+po_status po_rigid_trace(const po_scene *scene, double begin,
+                         const po_continuation_options *options);
 
 #endif

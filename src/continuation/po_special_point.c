@@ -5,8 +5,11 @@
 #include <stdlib.h>
 
 #include "po_hermite.h"
+#include "po_root.h"
 
-enum { MOST_ROOT_STEPS = 40, HALVING = 4, BISECTIONS = 60, MOST_SPLITS = 14 };
+enum { MOST_ROOT_STEPS = 40, HALVING = 4, MOST_SPLITS = 14 };
+
+const double PO_LOCATED = 1e-9;
 
 /* Error of an approach asked for. */
 static const double ARRIVED = 3e-11;
@@ -101,18 +104,25 @@ static double event_on_cubic(const po_interval *interval, po_event_kind of, cons
   return event_value(interval, of, &s);
 }
 
-/* Where that function changes sign, by bisection: it does between the ends. */
+typedef struct {
+  const po_interval *interval;
+  po_event_kind of;
+  const po_sample *a, *b;
+} cubic_event;
+
+/* Whether the event's function has the sign that it has at the first sample. */
+static bool is_before(double at, const void *data) {
+  const cubic_event *c = data;
+  const bool rises = event_value(c->interval, c->of, c->a) < 0.0;
+  return (event_on_cubic(c->interval, c->of, c->a, c->b, at) < 0.0) == rises;
+}
+
+/* Where that function changes sign: it does between the ends. */
 static double root_on_cubic(const po_interval *interval, po_event_kind of, const po_sample *a,
                             const po_sample *b) {
-  const bool rises = event_value(interval, of, a) < 0.0;
+  const cubic_event cubic = {interval, of, a, b};
   double low = a->at, high = b->at;
-  for (int k = 0; k < BISECTIONS; ++k) {
-    const double middle = 0.5 * (low + high);
-    if ((event_on_cubic(interval, of, a, b, middle) < 0.0) == rises)
-      low = middle;
-    else
-      high = middle;
-  }
+  po_bisect(is_before, &cubic, 0.0, &low, &high);
   return 0.5 * (low + high);
 }
 
@@ -139,8 +149,7 @@ static po_status locate(const po_interval *interval, po_event *ev) {
     double left = fabs(f * (at - other->at) / (f - f_other));
     if (k > 0)
       left = fmin(left, fabs(f * (at - last.at) / (f - f_last)));
-    if (left < (ev->of <= PO_OF_LOAD ? interval->located : ARRIVED) ||
-        fabs(high.at - low.at) < interval->located)
+    if (left < (ev->of <= PO_OF_LOAD ? PO_LOCATED : ARRIVED) || fabs(high.at - low.at) < PO_LOCATED)
       return PO_OK;
     *(is_high ? &high : &low) = s;
     last = s;

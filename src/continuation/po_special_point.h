@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#include "po_branch.h"
+#include "po_branch_point.h"
 #include "po_status.h"
 
 typedef enum {
@@ -28,6 +28,9 @@ typedef struct {
   size_t place;        /* under which its point is kept */
 } po_event;
 
+/* Error of the parameter at a special point: where its rate vanishes along the arclength. */
+extern const double PO_LOCATED;
+
 /* A step with more is too long. */
 enum { PO_MOST_EVENTS = 8 };
 
@@ -43,7 +46,6 @@ typedef struct {
   void (*keep)(void *data, size_t place); /* keeps the one last solved, in place of an earlier */
   const double *station;                  /* approaches, PO_STATIONS of them; NAN: none */
   double end;                             /* likewise */
-  double located;                         /* error of the parameter at an event */
 } po_interval;
 
 /* Finds and locates the events between two samples, in the parameter.

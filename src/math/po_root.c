@@ -36,3 +36,16 @@ double po_root(po_function f, const void *data, double a, double b) {
   }
   return fabs(fa) < fabs(fb) ? a : b;
 }
+
+/* 2^-60 of the bracket: below its last bits. */
+enum { HALVINGS = 60 };
+
+void po_bisect(po_side is_low, const void *data, double tolerance, double *low, double *high) {
+  for (int k = 0; k<HALVINGS && * high - *low> tolerance * *high; ++k) {
+    const double middle = 0.5 * (*low + *high);
+    if (is_low(middle, data))
+      *low = middle;
+    else
+      *high = middle;
+  }
+}

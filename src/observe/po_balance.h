@@ -4,7 +4,7 @@
 #ifndef PO_BALANCE_H
 #define PO_BALANCE_H
 
-#include "po_branch.h"
+#include "po_branch_point.h"
 
 typedef struct {
   po_branch_point last; /* of which only numbers are read */

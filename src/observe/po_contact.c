@@ -9,7 +9,7 @@
 #include "po_profile.h"
 #include "po_refine.h"
 #include "po_root.h"
-#include "po_track_point.h"
+#include "po_solution.h"
 
 /* The gap is sampled so many times per wavelength and per panel. Between two samples it has at most
  * one extremum, which the slopes at the samples show. */
@@ -26,14 +26,16 @@ typedef struct {
 } value;
 
 po_contact_gap po_contact_gap_on_panels(const po_scene *scene, double domain,
-                                        const po_track_point *track) {
-  return (po_contact_gap){
-      .scene = scene, .approach = track->state[track->n], .end = domain, .track = track};
+                                        const po_solution *solution) {
+  return (po_contact_gap){.scene = scene,
+                          .approach = solution->state[solution->n],
+                          .end = domain,
+                          .solution = solution};
 }
 
 po_contact_gap po_contact_gap_of(const po_scene *scene, double domain, const po_branch_point *p) {
-  if (p->track)
-    return po_contact_gap_on_panels(scene, domain, p->track);
+  if (p->solution)
+    return po_contact_gap_on_panels(scene, domain, p->solution);
   po_contact_gap g = {.scene = scene, .approach = p->approach};
   if (p->gap) {
     g.n = p->n;
@@ -75,8 +77,8 @@ static value value_on_elements(const po_contact_gap *g, double r) {
 }
 
 static value value_at(const po_contact_gap *g, double r) {
-  if (g->track) {
-    const po_track_value v = po_track_value_at(g->track, g->scene, g->end, r);
+  if (g->solution) {
+    const po_solution_value v = po_solution_value_at(g->solution, g->scene, g->end, r);
     return (value){v.gap, v.slope};
   }
   if (g->n)
@@ -120,8 +122,8 @@ static double slope_at(double r, const void *data) {
 /* The next smaller radius to look at. */
 static double inwards(const po_contact_gap *g, double r) {
   double step = INFINITY, begin = 0.0;
-  if (g->track) {
-    const po_panels *panels = &g->track->panels;
+  if (g->solution) {
+    const po_panels *panels = &g->solution->panels;
     size_t k = po_panels_find(panels, r / g->end);
     if (k > 0 && g->end * po_panel_begin(panels->panel[k]) >= r)
       --k;
@@ -152,16 +154,15 @@ static double skip_rigid(const sought *s, double r) {
  * by less than that range. */
 static double skip(const sought *s, double r) {
   const po_contact_gap *g = s->g;
-  if (!g->track)
+  if (!g->solution)
     return g->n ? r : skip_rigid(s, r);
-  enum { ORDER = PO_TABLE_ORDER };
-  const po_panels *panels = &g->track->panels;
+  const po_panels *panels = &g->solution->panels;
   size_t k = po_panels_find(panels, r / g->end);
   const double begin = g->end * po_panel_begin(panels->panel[k]);
   double least = INFINITY, largest = -INFINITY;
-  for (size_t j = k * ORDER; j < (k + 1) * ORDER; ++j) {
-    least = fmin(least, g->track->deflection[j]);
-    largest = fmax(largest, g->track->deflection[j]);
+  for (size_t j = k * PO_TABLE_ORDER; j < (k + 1) * PO_TABLE_ORDER; ++j) {
+    least = fmin(least, g->solution->deflection[j]);
+    largest = fmax(largest, g->solution->deflection[j]);
   }
   const double sphere = 0.5 * begin * begin / g->scene->radius;
   const double level = s->level + (s->side ? GREATEST_DOUBT : 0.0);
@@ -262,7 +263,7 @@ static const double SHORTEST_WAVE = 1e-8;
 
 static bool is_smeared(const po_contact_gap *g) {
   const po_scene *scene = g->scene;
-  return !g->track && g->n == 0 && po_scene_is_wavy(scene) &&
+  return !g->solution && g->n == 0 && po_scene_is_wavy(scene) &&
          scene->wavelength < SHORTEST_WAVE * g->end;
 }
 

@@ -9,7 +9,7 @@
 
 #include <stddef.h>
 
-#include "po_branch.h"
+#include "po_branch_point.h"
 #include "po_scene.h"
 #include "po_status.h"
 
@@ -18,7 +18,7 @@ typedef struct {
   const po_scene *scene;
   double approach;                    /* eps */
   double end;                         /* the gap is known up to this radius, eps */
-  const struct po_track_point *track; /* panels, whose domain ends at `end`; else NULL */
+  const struct po_solution *solution; /* panels, whose domain ends at `end`; else NULL */
   size_t n;                           /* nodes of rings or triangles; 0 on panels, and when rigid */
   const double *node, *gap;           /* n radii ascending (eps), n gaps */
 } po_contact_gap;
@@ -30,7 +30,7 @@ po_contact_gap po_contact_gap_of(const po_scene *scene, double domain,
 
 /* The same for a state on panels. */
 po_contact_gap po_contact_gap_on_panels(const po_scene *scene, double domain,
-                                        const struct po_track_point *track);
+                                        const struct po_solution *solution);
 
 /* The outermost contact edge, eps: 0 when the bodies are farther apart everywhere, `end` when they
  * are in contact as far as the surface goes. */

@@ -3,7 +3,7 @@
 #ifndef PO_ESTIMATE_H
 #define PO_ESTIMATE_H
 
-#include "po_branch.h"
+#include "po_branch_point.h"
 #include "po_contact.h"
 #include "po_request.h"
 #include "po_result.h"

@@ -3,7 +3,7 @@
 #ifndef PO_KEPT_H
 #define PO_KEPT_H
 
-#include "po_branch.h"
+#include "po_branch_point.h"
 
 typedef enum { PO_KEPT_START, PO_KEPT_FOLD, PO_KEPT_PULL_OFF, PO_KEPT_END } po_kept_kind;
 

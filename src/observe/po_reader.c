@@ -253,8 +253,7 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
     r->most_nodes = r->surface->n;
   add_curve_point(r, p, contact_radius);
   if (p->kind == PO_POINT_STATION && !o->profile && (r->request->want & PO_WANT_PROFILE) &&
-      po_path_reaches(p->approach, r->request->profile_approach) &&
-      po_path_reaches(r->request->profile_approach, p->approach))
+      po_path_is_at(p->approach, r->request->profile_approach))
     keep_profile(r, p);
   po_stopping_note_point(&r->stopping, p, &gap, contact_radius);
   if (p->kind != PO_POINT_STEP && p->kind != PO_POINT_STATION)

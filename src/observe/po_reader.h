@@ -3,7 +3,7 @@
 #define PO_READER_H
 
 #include "po_balance.h"
-#include "po_branch.h"
+#include "po_branch_point.h"
 #include "po_estimate.h"
 #include "po_kept.h"
 #include "po_request.h"

@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "po_branch.h"
+#include "po_branch_point.h"
 
 /* What the reverse trace came to. */
 typedef struct {

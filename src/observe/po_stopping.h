@@ -16,7 +16,7 @@
 
 #include <stdbool.h>
 
-#include "po_branch.h"
+#include "po_branch_point.h"
 #include "po_contact.h"
 #include "po_request.h"
 #include "po_result.h"

@@ -4,12 +4,12 @@
 
 #include "po_adaptive.h"
 #include "po_clock.h"
+#include "po_continuation.h"
 #include "po_diagnose.h"
 #include "po_pressed.h"
 #include "po_profile.h"
 #include "po_reader.h"
 #include "po_rigid.h"
-#include "po_track.h"
 
 /* How far a wanted curve may lie from the straight lines between its points. */
 static const double CURVE_SAGITTA = 5e-4;
@@ -20,8 +20,9 @@ static const double RIGID_START = -10.0;
 /* When unloading leads farther out than the trace began, it begins anew in units of that. */
 static const double FARTHER = 1.5;
 
-static po_branch_options options_of(const po_request *request, double begin, po_reader *reader) {
-  po_branch_options options = po_branch_options_default();
+static po_continuation_options options_of(const po_request *request, double begin,
+                                          po_reader *reader) {
+  po_continuation_options options = po_continuation_options_default();
   options.minima_only = reader->keeper && reader->keeper->minima_only;
   options.end = request->approach_end;
   if (isfinite(request->preload.approach))
@@ -53,10 +54,10 @@ static void note_work(const po_reader *reader, const po_equilibrium *e, bool pan
 
 /* Follows the branch back. Status: PO_NO_MEMORY, PO_INTERRUPTED; any other status of the
  * reverse trace is kept with its results. */
-static po_status trace_back(po_tracker *tracker, po_reader *reader) {
+static po_status trace_back(po_continuation *continuation, po_reader *reader) {
   po_diagnostics *d = &reader->result->diagnostics;
   const double begin = po_clock_wall();
-  po_status status = po_track_back(tracker, po_reader_visit_back, reader);
+  po_status status = po_continuation_reverse(continuation, po_reader_visit_back, reader);
   if (reader->status)
     status = reader->status;
   reader->status = PO_OK;
@@ -68,47 +69,35 @@ static po_status trace_back(po_tracker *tracker, po_reader *reader) {
   return PO_OK;
 }
 
-static po_status trace_panels(const po_request *request, const po_attempt *a, po_reader *reader,
-                              po_equilibrium *e, po_adaptive *panels,
-                              const po_branch_options *options) {
-  const po_allowance allowed = po_observe_allowance(request, a->tolerance);
-  po_tracker *tracker = NULL;
-  e->precision = po_observe_precision(request->mesh.tolerance);
-  po_status status = po_track_create(e, panels, allowed, options, &tracker);
-  if (!status)
-    status = po_track_onwards(tracker);
-  note_work(reader, e, true);
-  if (!status && !reader->status && reader->back)
-    status = trace_back(tracker, reader);
-  po_track_destroy(tracker);
-  return status;
-}
-
 static po_status trace_elastic(const po_request *request, const po_attempt *a, po_reader *reader,
                                po_adaptive *panels) {
-  po_equilibrium *e = NULL;
   const size_t capacity = panels ? po_adaptive_capacity(panels) : reader->surface->n;
+  const po_continuation_options options = options_of(request, a->begin, reader);
+  po_equilibrium *e = NULL;
+  po_continuation *continuation = NULL;
+  reader->begin = request->approach_start;
+  reader->begun = isnan(request->approach_start);
   po_status status = po_equilibrium_create(&request->scene, reader->surface, capacity, &e);
+  if (!status && panels)
+    e->precision = po_observe_precision(request->mesh.tolerance);
+  if (!status)
+    status = po_continuation_create(e, panels, po_observe_allowance(request, a->tolerance),
+                                    &options, &continuation);
   if (!status) {
-    const po_branch_options options = options_of(request, a->begin, reader);
-    reader->begin = request->approach_start;
-    reader->begun = isnan(request->approach_start);
-    if (panels) {
-      status = trace_panels(request, a, reader, e, panels, &options);
-    } else {
-      status = po_branch_trace(e, &options);
-      note_work(reader, e, false);
-    }
-    if (reader->kept && !status)
-      status =
-          po_diagnose_states(request, reader->deadline, reader->kept, e, panels, reader->result);
+    status = po_continuation_run(continuation);
+    note_work(reader, e, panels);
   }
+  if (!status && !reader->status && reader->back && panels)
+    status = trace_back(continuation, reader);
+  po_continuation_destroy(continuation);
+  if (reader->kept && !status)
+    status = po_diagnose_states(request, reader->deadline, reader->kept, e, panels, reader->result);
   po_equilibrium_destroy(e);
   return status;
 }
 
 static po_status trace_rigid(const po_request *request, po_reader *reader) {
-  po_branch_options options = options_of(request, NAN, reader);
+  po_continuation_options options = options_of(request, NAN, reader);
   const bool searches = po_request_search(request) != PO_SEARCH_NONE;
   if (isnan(options.end))
     options.end =

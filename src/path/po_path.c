@@ -3,10 +3,13 @@
 #include <math.h>
 
 #include "po_hermite.h"
-
-enum { BISECTIONS = 60 };
+#include "po_root.h"
 
 static const double SAME_APPROACH = 1e-9;
+
+bool po_path_is_at(double approach, double asked) {
+  return fabs(approach - asked) < SAME_APPROACH;
+}
 
 bool po_path_reaches(double approach, double asked) {
   return approach >= asked - SAME_APPROACH;
@@ -41,20 +44,24 @@ po_path_state po_path_at(const po_path *path, po_path_place place) {
                          .position = a->position + t * (b->position - a->position)};
 }
 
+typedef struct {
+  const cubic *c;
+  double target;
+} search;
+
+static bool is_before(double part, const void *data) {
+  const search *s = data;
+  return (value(s->c, part) < s->target) == (s->c->f0 < s->target);
+}
+
 po_path_place po_path_where(const po_path *path, size_t index, po_path_axis axis, double target) {
   cubic approach, load;
   cubics(path, index, &approach, &load);
-  const cubic *c = axis == PO_PATH_APPROACH ? &approach : &load;
+  const search s = {axis == PO_PATH_APPROACH ? &approach : &load, target};
   double low = 0.0, high = 1.0;
-  if (target == c->f0)
+  if (target == s.c->f0)
     return (po_path_place){index, 0.0};
-  for (int k = 0; k < BISECTIONS; ++k) {
-    const double middle = 0.5 * (low + high);
-    if ((value(c, middle) < target) == (c->f0 < target))
-      low = middle;
-    else
-      high = middle;
-  }
+  po_bisect(is_before, &s, 0.0, &low, &high);
   return (po_path_place){index, 0.5 * (low + high)};
 }
 

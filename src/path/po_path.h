@@ -41,7 +41,10 @@ typedef struct {
   double approach, load;
 } po_path_error;
 
-/* Whether an approach is at least one that was asked for, which a trace meets to 1e-12. */
+/* Whether an approach is one that was asked for, which a trace meets to 1e-12. */
+bool po_path_is_at(double approach, double asked);
+
+/* Whether an approach is at least one that was asked for, likewise. */
 bool po_path_reaches(double approach, double asked);
 
 /* Between points: the cubic of the position with the rates at both, the energy by its own; the

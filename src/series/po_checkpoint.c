@@ -13,7 +13,7 @@ static const double NEARLY = 0.3;
 
 static void forget(po_checkpoint *a) {
   for (size_t k = 0; k < a->count; ++k)
-    po_track_point_free(&a->minima[k].point);
+    po_solution_free(&a->minima[k].point);
   a->count = 0;
 }
 
@@ -25,7 +25,7 @@ static void begin(void *data, double tolerance) {
 
 static bool keep(void *data, const po_branch_point *point, double margin) {
   po_checkpoint *a = data;
-  if (!point->track || point->kind != PO_POINT_LOAD_MIN || !(point->load < 0.0))
+  if (!point->solution || point->kind != PO_POINT_LOAD_MIN || !(point->load < 0.0))
     return true;
   if (a->count == a->room) {
     const size_t room = a->room ? 2 * a->room : 8;
@@ -37,9 +37,9 @@ static bool keep(void *data, const po_branch_point *point, double margin) {
   }
   po_checkpoint_minimum *m = &a->minima[a->count++];
   *m = (po_checkpoint_minimum){.approach = point->approach, .load = point->load, .margin = margin};
-  if (po_track_point_allocate(&m->point, point->track->n))
+  if (po_solution_allocate(&m->point, point->solution->n))
     return false;
-  po_track_point_copy(point->track, &m->point);
+  po_solution_copy(point->solution, &m->point);
   return true;
 }
 

@@ -4,10 +4,10 @@
 
 #include "po_request.h"
 #include "po_result.h"
-#include "po_track_point.h"
+#include "po_solution.h"
 
 typedef struct {
-  po_track_point point;
+  po_solution point;
   double approach, load;
   double margin; /* of the trace up to there, see po_reader.h */
 } po_checkpoint_minimum;

@@ -12,14 +12,14 @@
 
 /* Folds of a trace, as they are on its panels. */
 typedef struct {
-  po_track_point *point;
+  po_solution *point;
   size_t count, room;
   double tolerance; /* that the trace took for the one asked for */
 } folds;
 
 static void forget(folds *f) {
   for (size_t k = 0; k < f->count; ++k)
-    po_track_point_free(&f->point[k]);
+    po_solution_free(&f->point[k]);
   f->count = 0;
 }
 
@@ -32,21 +32,21 @@ static void begin(void *data, double tolerance) {
 static bool keep(void *data, const po_branch_point *p, double margin) {
   folds *f = data;
   (void)margin;
-  if (!p->track || (p->kind != PO_POINT_APPROACH_MAX && p->kind != PO_POINT_APPROACH_MIN))
+  if (!p->solution || (p->kind != PO_POINT_APPROACH_MAX && p->kind != PO_POINT_APPROACH_MIN))
     return true;
   if (f->count == f->room) {
     const size_t room = f->room ? 2 * f->room : 8;
-    po_track_point *point = po_resize(f->point, room, sizeof *point);
+    po_solution *point = po_resize(f->point, room, sizeof *point);
     if (!point)
       return false;
     f->point = point;
     f->room = room;
   }
-  po_track_point *kept = &f->point[f->count++];
-  *kept = (po_track_point){0};
-  if (po_track_point_allocate(kept, p->track->n))
+  po_solution *kept = &f->point[f->count++];
+  *kept = (po_solution){0};
+  if (po_solution_allocate(kept, p->solution->n))
     return false;
-  po_track_point_copy(p->track, kept);
+  po_solution_copy(p->solution, kept);
   return true;
 }
 
@@ -79,8 +79,8 @@ static void fail_from(const po_series_scenes *l, size_t first, po_status status)
 }
 
 /* Follows one fold as far as it is there. Status: PO_INTERRUPTED, PO_NO_MEMORY. */
-static po_status follow(const po_series_scenes *l, po_follower *follower,
-                        const po_track_point *point, size_t place, po_series_work *before) {
+static po_status follow(const po_series_scenes *l, po_follower *follower, const po_solution *point,
+                        size_t place, po_series_work *before) {
   po_status status = po_follow_begin(follower, point, PO_OF_APPROACH, 0.0);
   for (size_t k = 1; k < l->count && !status; ++k) {
     const po_request *request = &l->requests[k];

@@ -97,7 +97,7 @@ START_TEST(rigid_pull_off_is_the_table) {
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const po_scene scene = rigid_scene(&t, row);
     deepest d = {0.0, NAN};
-    po_branch_options options = po_branch_options_default();
+    po_continuation_options options = po_continuation_options_default();
     options.end = po_rigid_approach_of_crest(&scene, 12.0); /* all else pulls with 2 at most */
     options.visit = look;
     options.data = &d;

@@ -3,8 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "po_branch.h"
 #include "run.h"
+#include "trace.h"
 
 enum { MOST = 64 };
 
@@ -29,26 +29,31 @@ static bool look(const po_branch_point *p, void *data) {
   return p->load > 0.5 && p->unstable_modes == 0;
 }
 
-/* Traces a smooth sphere on triangles; returned: the special points. */
+/* Traces a scene; returned: the special points. */
+static seen trace_on(const po_scene *scene, const po_mesh *mesh, double station) {
+  po_surface *surface = NULL;
+  po_equilibrium *e = NULL;
+  ck_assert_int_eq(po_surface_create(scene, mesh, po_surface_core(scene, NAN), true, &surface),
+                   PO_OK);
+  ck_assert_int_eq(po_equilibrium_create(scene, surface, surface->n, &e), PO_OK);
+  seen s = {.e = e};
+  po_continuation_options options = po_continuation_options_default();
+  options.visit = look;
+  options.data = &s;
+  options.station[0] = station;
+  ck_assert_int_eq(trace_fixed(e, &options), PO_OK);
+  po_equilibrium_destroy(e);
+  po_surface_destroy(surface);
+  return s;
+}
+
+/* Traces a smooth sphere on triangles. */
 static seen trace(double tabor, size_t nodes, double outer, double station) {
   po_scene scene = po_scene_default();
   scene.tabor = tabor;
   scene.outer_radius = outer;
   const po_mesh mesh = {PO_TRIANGLE, PO_UNIFORM, nodes, 0.0};
-  po_surface *surface = NULL;
-  po_equilibrium *e = NULL;
-  ck_assert_int_eq(po_surface_create(&scene, &mesh, po_surface_core(&scene, NAN), true, &surface),
-                   PO_OK);
-  ck_assert_int_eq(po_equilibrium_create(&scene, surface, surface->n, &e), PO_OK);
-  seen s = {.e = e};
-  po_branch_options options = po_branch_options_default();
-  options.visit = look;
-  options.data = &s;
-  options.station[0] = station;
-  ck_assert_int_eq(po_branch_trace(e, &options), PO_OK);
-  po_equilibrium_destroy(e);
-  po_surface_destroy(surface);
-  return s;
+  return trace_on(&scene, &mesh, station);
 }
 
 static int count_of(const seen *s, po_point_kind kind) {
@@ -87,6 +92,18 @@ START_TEST(folds_alternate_and_account_for_every_turn) {
   ck_assert_int_eq(turns % 2, 0);
   ck_assert_int_le(s.sign_changes, turns);
   ck_assert_int_eq((turns - s.sign_changes) % 2, 0);
+}
+END_TEST
+
+/* On 201 rings at mu = 2.6421 the approach turns twice within 6e-4. Steps whose predictions erred
+ * by up to 0.2 of 1 + H passed over both folds. */
+START_TEST(folds_near_each_other_are_found) {
+  po_scene scene = po_scene_default();
+  scene.tabor = 2.6421;
+  const po_mesh mesh = {PO_RING, PO_UNIFORM, 201, 0.0};
+  const seen s = trace_on(&scene, &mesh, NAN);
+  ck_assert_int_eq(count_of(&s, PO_POINT_APPROACH_MAX), 2);
+  ck_assert_int_eq(count_of(&s, PO_POINT_APPROACH_MIN), 2);
 }
 END_TEST
 
@@ -146,10 +163,10 @@ START_TEST(stability_from_the_turns_is_that_of_the_eigenvalues) {
   seen s = {.count = 0};
   ck_assert_int_eq(po_surface_create(&scene, &mesh, 60.0, true, &surface), PO_OK);
   ck_assert_int_eq(po_equilibrium_create(&scene, surface, surface->n, &s.e), PO_OK);
-  po_branch_options options = po_branch_options_default();
+  po_continuation_options options = po_continuation_options_default();
   options.visit = count_modes;
   options.data = &s;
-  ck_assert_int_eq(po_branch_trace(s.e, &options), PO_OK);
+  ck_assert_int_eq(trace_fixed(s.e, &options), PO_OK);
   ck_assert_int_eq(s.wrong_modes, 0);
   po_equilibrium_destroy(s.e);
   po_surface_destroy(surface);
@@ -171,16 +188,16 @@ START_TEST(end_is_met_and_points_are_limited) {
   ck_assert_int_eq(po_surface_create(&scene, &mesh, po_surface_core(&scene, 2.385), true, &surface),
                    PO_OK);
   ck_assert_int_eq(po_equilibrium_create(&scene, surface, surface->n, &e), PO_OK);
-  po_branch_options options = po_branch_options_default();
+  po_continuation_options options = po_continuation_options_default();
   options.visit = look;
   options.data = &s;
   options.end = 1.385;
-  ck_assert_int_eq(po_branch_trace(e, &options), PO_OK);
+  ck_assert_int_eq(trace_fixed(e, &options), PO_OK);
   ck_assert_double_eq_tol(s.last_approach, 1.385, 1e-11);
   options.visit = never;
   options.end = NAN;
   options.most_points = 17;
-  ck_assert_int_eq(po_branch_trace(e, &options), PO_TOO_MANY_POINTS);
+  ck_assert_int_eq(trace_fixed(e, &options), PO_TOO_MANY_POINTS);
   ck_assert_ptr_nonnull(strstr(po_message(), "17 points"));
   po_equilibrium_destroy(e);
   po_surface_destroy(surface);
@@ -190,6 +207,7 @@ END_TEST
 static void add(TCase *tests) {
   tcase_add_test(tests, smooth_sphere_folds_from_0_697_on);
   tcase_add_test(tests, folds_alternate_and_account_for_every_turn);
+  tcase_add_test(tests, folds_near_each_other_are_found);
   tcase_add_test(tests, special_points_are_converged);
   tcase_add_loop_test(tests, stability_from_the_turns_is_that_of_the_eigenvalues, 0, 3);
   tcase_add_test(tests, end_is_met_and_points_are_limited);

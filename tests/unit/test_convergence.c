@@ -3,9 +3,9 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "po_branch.h"
 #include "po_observe.h"
 #include "run.h"
+#include "trace.h"
 
 static const double FORCE = 1.67066477647629, APPROACH = -0.873379514904682;
 static const double JUMP_IN = -1.62921671169182, JUMP_OUT = -1.74343014358001;
@@ -60,10 +60,10 @@ static double pull_off(const po_scene *scene, double core, double size) {
   ck_assert_int_eq(po_surface_create(scene, &mesh, core, true, &surface), PO_OK);
   ck_assert_double_eq_tol(surface->core_radius, core, 1e-12);
   ck_assert_int_eq(po_equilibrium_create(scene, surface, surface->n, &e), PO_OK);
-  po_branch_options options = po_branch_options_default();
+  po_continuation_options options = po_continuation_options_default();
   options.visit = deepest;
   options.data = &least;
-  ck_assert_int_eq(po_branch_trace(e, &options), PO_OK);
+  ck_assert_int_eq(trace_fixed(e, &options), PO_OK);
   po_equilibrium_destroy(e);
   po_surface_destroy(surface);
   return least;

@@ -2,9 +2,9 @@
  * folds; in the rigid limit it is a closed form. */
 #include <math.h>
 
+#include "trace.h"
 #include "po_profile.h"
 #include "po_rigid.h"
-#include "po_track.h"
 #include "run.h"
 
 /* The integral of W d approach along a branch beside the change of energy. */
@@ -57,11 +57,11 @@ static balance of_triangles_or_rings(const po_scene *scene, po_scheme scheme, si
                    PO_OK);
   ck_assert_int_eq(po_equilibrium_create(scene, surface, surface->n, &e), PO_OK);
   balance b = {.enough = 0.5};
-  po_branch_options options = po_branch_options_default();
+  po_continuation_options options = po_continuation_options_default();
   options.largest_sagitta = 2e-3;
   options.visit = look;
   options.data = &b;
-  ck_assert_int_eq(po_branch_trace(e, &options), PO_OK);
+  ck_assert_int_eq(trace_fixed(e, &options), PO_OK);
   po_equilibrium_destroy(e);
   po_surface_destroy(surface);
   return b;
@@ -80,15 +80,16 @@ START_TEST(rate_of_energy_is_load_on_panels) {
       po_equilibrium_create(scene, po_adaptive_surface(panels), po_adaptive_capacity(panels), &e),
       PO_OK);
   balance b = {.enough = 0.5};
-  po_branch_options options = po_branch_options_default();
+  po_continuation_options options = po_continuation_options_default();
   options.largest_sagitta = 5e-6;
   options.visit = look;
   options.data = &b;
-  po_tracker *tracker = NULL;
-  ck_assert_int_eq(po_track_create(e, panels, (po_allowance){1e-5, 1e-9}, &options, &tracker),
-                   PO_OK);
-  ck_assert_int_eq(po_track_onwards(tracker), PO_OK);
-  po_track_destroy(tracker);
+  po_continuation *continuation = NULL;
+  ck_assert_int_eq(
+      po_continuation_create(e, panels, (po_allowance){1e-5, 1e-9}, &options, &continuation),
+      PO_OK);
+  ck_assert_int_eq(po_continuation_run(continuation), PO_OK);
+  po_continuation_destroy(continuation);
   ck_assert_int_ge(b.folds, 2);
   ck_assert_double_lt(b.worst, 4e-9); /* measured: 2e-11, 3e-11, 3e-10, 1.2e-9 */
   po_equilibrium_destroy(e);
@@ -123,7 +124,7 @@ END_TEST
 START_TEST(rate_of_rigid_energy_is_load) {
   const po_scene scene = {0.0, 0.7, 23.85, 100.0, _i ? 77.0 : (double)INFINITY};
   balance b = {.enough = INFINITY};
-  po_branch_options options = po_branch_options_default();
+  po_continuation_options options = po_continuation_options_default();
   options.largest_sagitta = 1e-5;
   options.end = po_rigid_approach_of_crest(&scene, 4.0);
   options.visit = look;

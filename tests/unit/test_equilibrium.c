@@ -1,7 +1,7 @@
 /* Residual and Jacobian of Eqs 15-16, and Newton's method on them. */
 #include <math.h>
 
-#include "po_equilibrium.h"
+#include "po_arclength.h"
 #include "po_law.h"
 #include "po_profile.h"
 #include "run.h"
@@ -146,12 +146,96 @@ START_TEST(factorisation_is_refused_beyond_its_limit) {
 }
 END_TEST
 
+/* An equilibrium, and the border of its tangent's own direction in the nodal arclength. */
+static void solve(fixture *f, double *tangent, double *rate) {
+  double base[NODES + 1];
+  for (int j = 0; j <= NODES; ++j)
+    base[j] = f->state[j];
+  ck_assert_int_eq(po_equilibrium_factorize(f->e, f->state, f->border), PO_OK);
+  ck_assert_int_eq(po_equilibrium_correct(f->e, f->state, base, 0.0), PO_OK);
+  ck_assert_int_eq(po_equilibrium_factorize(f->e, f->state, f->border), PO_OK);
+  ck_assert_int_eq(po_equilibrium_tangent(f->e, f->e->precision, tangent), PO_OK);
+  po_arclength_rates(PO_ARCLENGTH_NODAL, f->e, f->state, tangent, rate);
+}
+
+/* With a changed border the factors give the tangent, scaled to the new border, and the same sign
+ * of the determinant as factors made with it. */
+START_TEST(changed_border_is_as_good_as_new_factors) {
+  fixture f;
+  set_up(&f, TABORS[_i], -0.385 - 2.0 * TABORS[_i]);
+  double tangent[NODES + 1], rate[NODES + 1], border[NODES + 1], changed[NODES + 1];
+  solve(&f, tangent, rate);
+  po_arclength_border(PO_ARCLENGTH_NODAL, f.e, f.state, rate, border);
+  const double scale = po_arclength_along(NODES + 1, border, tangent);
+  po_equilibrium_change_border(f.e, border);
+  f.e->factorized = true; /* whatever the scale of the border */
+  const uint64_t iterations = f.e->work.tangent_iterations;
+  ck_assert_int_eq(po_equilibrium_tangent(f.e, f.e->precision, changed), PO_OK);
+  const uint64_t with_changed = f.e->work.tangent_iterations - iterations;
+  for (int j = 0; j <= NODES; ++j)
+    ck_assert_double_eq_tol(changed[j] * scale, tangent[j], 1e-11 * (1.0 + fabs(tangent[j])));
+  ck_assert_int_eq(po_equilibrium_factorize(f.e, f.state, border), PO_OK);
+  ck_assert_int_eq(po_equilibrium_tangent(f.e, f.e->precision, changed), PO_OK);
+  ck_assert_uint_le(with_changed, f.e->work.tangent_iterations - iterations - with_changed + 1);
+  tear_down(&f);
+}
+END_TEST
+
+START_TEST(factors_are_given_up_when_the_border_turns_round) {
+  fixture f;
+  set_up(&f, 2.385, -5.3);
+  double tangent[NODES + 1], rate[NODES + 1];
+  solve(&f, tangent, rate);
+  po_equilibrium_change_border(f.e, f.border);
+  ck_assert(f.e->factorized);
+  f.border[NODES] = -1.0;
+  po_equilibrium_change_border(f.e, f.border);
+  ck_assert(!f.e->factorized);
+  tear_down(&f);
+}
+END_TEST
+
+/* The border is the gradient of direction . coordinates, and the rates are their derivatives: by
+ * differences along a change of the state. */
+START_TEST(arclength_has_its_derivatives) {
+  const po_arclength a = _i ? PO_ARCLENGTH_NODAL : PO_ARCLENGTH_GLOBAL;
+  const size_t size = po_arclength_size(a, NODES);
+  ck_assert_uint_eq(size, _i ? NODES + 1 : PO_ARCLENGTH_GLOBAL_SIZE);
+  fixture f;
+  set_up(&f, 2.385, 0.613);
+  const double step = 1e-5;
+  double change[NODES + 1], state[NODES + 1], rate[NODES + 1], direction[NODES + 1];
+  double border[NODES + 1], at[2][NODES + 1];
+  for (int j = 0; j <= NODES; ++j)
+    change[j] = sin(0.7 * j) * (1.0 + (j < NODES ? f.state[j] : 0.0));
+  for (int k = 0; k < 2; ++k) {
+    for (int j = 0; j <= NODES; ++j)
+      state[j] = f.state[j] + (k ? step : -step) * change[j];
+    po_equilibrium_evaluate(f.e, state);
+    po_arclength_coordinates(a, f.e, state, at[k]);
+  }
+  po_equilibrium_evaluate(f.e, f.state);
+  po_arclength_rates(a, f.e, f.state, change, rate);
+  for (size_t i = 0; i < size; ++i) {
+    ck_assert_double_eq_tol((at[1][i] - at[0][i]) / (2.0 * step), rate[i], 1e-7);
+    direction[i] = cos(1.3 * (double)i);
+  }
+  po_arclength_border(a, f.e, f.state, direction, border);
+  ck_assert_double_eq_tol(po_arclength_along(NODES + 1, border, change),
+                          po_arclength_along(size, direction, rate), 1e-12);
+  tear_down(&f);
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, corrected_state_satisfies_eq_15, 0, TABOR_COUNT);
   tcase_add_loop_test(tests, tangent_is_the_derivative, 0, TABOR_COUNT);
   tcase_add_test(tests, result_does_not_depend_on_what_is_left_out);
   tcase_add_test(tests, gaps_stay_open);
   tcase_add_test(tests, factorisation_is_refused_beyond_its_limit);
+  tcase_add_loop_test(tests, changed_border_is_as_good_as_new_factors, 0, TABOR_COUNT);
+  tcase_add_test(tests, factors_are_given_up_when_the_border_turns_round);
+  tcase_add_loop_test(tests, arclength_has_its_derivatives, 0, 2);
 }
 
 int main(void) {

@@ -1,10 +1,10 @@
 /* Folds followed in a parameter of the scene, against the folds of full traces. */
 #include <math.h>
 
+#include "po_continuation.h"
 #include "po_follow.h"
 #include "po_observe.h"
 #include "po_observe_parts.h"
-#include "po_track.h"
 #include "run.h"
 
 enum { MOST = 16 };
@@ -40,7 +40,7 @@ static double domain_of(const po_scene *scene) {
 
 typedef struct {
   size_t count, most;
-  po_track_point point[MOST];
+  po_solution point[MOST];
   po_point_kind kind[MOST];
 } folds;
 
@@ -48,8 +48,8 @@ static bool keep(const po_branch_point *p, void *data) {
   folds *f = data;
   if (p->kind == PO_POINT_APPROACH_MAX || p->kind == PO_POINT_APPROACH_MIN) {
     ck_assert_uint_lt(f->count, MOST);
-    ck_assert_int_eq(po_track_point_allocate(&f->point[f->count], p->track->n), PO_OK);
-    po_track_point_copy(p->track, &f->point[f->count]);
+    ck_assert_int_eq(po_solution_allocate(&f->point[f->count], p->solution->n), PO_OK);
+    po_solution_copy(p->solution, &f->point[f->count]);
     f->kind[f->count++] = p->kind;
   }
   return f->count == f->most;
@@ -68,20 +68,20 @@ static void trace(const line *l, folds *f) {
   scene_at((void *)l, l->from, &scene);
   po_adaptive *panels = NULL;
   po_equilibrium *e = NULL;
-  po_tracker *tracker = NULL;
+  po_continuation *continuation = NULL;
   ck_assert_int_eq(po_adaptive_create(&scene, domain_of(&scene), 4, &panels), PO_OK);
   ck_assert_int_eq(
       po_equilibrium_create(&scene, po_adaptive_surface(panels), po_adaptive_capacity(panels), &e),
       PO_OK);
   e->precision = po_observe_precision(TOLERANCE);
   *f = (folds){.most = l->folds};
-  po_branch_options options = po_branch_options_default();
+  po_continuation_options options = po_continuation_options_default();
   options.visit = keep;
   options.data = f;
   const po_allowance allowed = allowance_of(&scene);
-  ck_assert_int_eq(po_track_create(e, panels, allowed, &options, &tracker), PO_OK);
-  ck_assert_int_eq(po_track_onwards(tracker), PO_OK);
-  po_track_destroy(tracker);
+  ck_assert_int_eq(po_continuation_create(e, panels, allowed, &options, &continuation), PO_OK);
+  ck_assert_int_eq(po_continuation_run(continuation), PO_OK);
+  po_continuation_destroy(continuation);
   po_equilibrium_destroy(e);
   po_adaptive_destroy(panels);
   ck_assert_uint_eq(f->count, l->folds);
@@ -136,7 +136,7 @@ START_TEST(folds_followed_are_those_of_traces) {
   ck_assert_uint_lt(work.factorizations, 40 * 3 * l->folds); /* errors of each included */
   po_follow_destroy(follower);
   for (size_t j = 0; j < f.count; ++j)
-    po_track_point_free(&f.point[j]);
+    po_solution_free(&f.point[j]);
   for (int k = 0; k < 3; ++k)
     po_result_clear(&traced[k]);
 }
@@ -152,7 +152,7 @@ START_TEST(folds_that_meet_are_lost) {
     ck_assert_int_eq(po_follow_begin(follower, &f.point[j], PO_OF_APPROACH, LINE.from), PO_OK);
     ck_assert_int_eq(po_follow_to(follower, LINE.to[0], INFINITY), PO_OK);
     ck_assert_int_eq(po_follow_to(follower, LINE.to[1], INFINITY), PO_NOT_FOUND);
-    po_track_point_free(&f.point[j]);
+    po_solution_free(&f.point[j]);
   }
   po_follow_destroy(follower);
 }

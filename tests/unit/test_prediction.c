@@ -1,9 +1,9 @@
 /* How far a prediction reaches where rings of contact are born, and how well. */
 #include <math.h>
 
+#include "po_continuation.h"
 #include "po_observe_parts.h"
 #include "po_prediction.h"
-#include "po_track.h"
 #include "run.h"
 
 enum { MOST = 200 };
@@ -15,15 +15,15 @@ static const po_scene SCENE = {2.0, 2.0, 5.0, 100.0, 100.0};
 /* The steps of a trace. */
 typedef struct {
   size_t count;
-  po_track_point point[MOST];
+  po_solution point[MOST];
 } steps;
 
 static bool keep(const po_branch_point *p, void *data) {
   steps *s = data;
   if (p->kind != PO_POINT_STEP)
     return false;
-  ck_assert_int_eq(po_track_point_allocate(&s->point[s->count], p->track->n), PO_OK);
-  po_track_point_copy(p->track, &s->point[s->count++]);
+  ck_assert_int_eq(po_solution_allocate(&s->point[s->count], p->solution->n), PO_OK);
+  po_solution_copy(p->solution, &s->point[s->count++]);
   return s->count == MOST || p->load > 1.0;
 }
 
@@ -32,22 +32,22 @@ static double trace(steps *s) {
   request.scene = SCENE;
   po_adaptive *panels = NULL;
   po_equilibrium *e = NULL;
-  po_tracker *tracker = NULL;
+  po_continuation *continuation = NULL;
   const double domain = po_observe_domain(&SCENE, po_surface_core(&SCENE, NAN));
   ck_assert_int_eq(po_adaptive_create(&SCENE, domain, 4, &panels), PO_OK);
   ck_assert_int_eq(
       po_equilibrium_create(&SCENE, po_adaptive_surface(panels), po_adaptive_capacity(panels), &e),
       PO_OK);
   e->precision = po_observe_precision(TOLERANCE);
-  po_branch_options options = po_branch_options_default();
+  po_continuation_options options = po_continuation_options_default();
   options.visit = keep;
   options.data = s;
-  ck_assert_int_eq(
-      po_track_create(e, panels, po_observe_allowance(&request, TOLERANCE), &options, &tracker),
-      PO_OK);
-  ck_assert_int_eq(po_track_onwards(tracker), PO_OK);
+  ck_assert_int_eq(po_continuation_create(e, panels, po_observe_allowance(&request, TOLERANCE),
+                                          &options, &continuation),
+                   PO_OK);
+  ck_assert_int_eq(po_continuation_run(continuation), PO_OK);
   const double met = po_adaptive_domain(panels);
-  po_track_destroy(tracker);
+  po_continuation_destroy(continuation);
   po_equilibrium_destroy(e);
   po_adaptive_destroy(panels);
   return met;
@@ -61,8 +61,8 @@ START_TEST(edges_are_left_where_that_does) {
   const double domain = trace(&s);
   size_t left = 0;
   for (size_t k = 1; k + 2 < s.count; ++k) {
-    const po_track_point *b = &s.point[k - 1], *a = &s.point[k], *to = &s.point[k + 2];
-    const double way = po_track_progress(a, to);
+    const po_solution *b = &s.point[k - 1], *a = &s.point[k], *to = &s.point[k + 2];
+    const double way = po_solution_progress(a, to);
     if (!(way > 0.0))
       continue;
     po_prediction p;
@@ -77,7 +77,7 @@ START_TEST(edges_are_left_where_that_does) {
   }
   ck_assert_uint_gt(left, 5);
   for (size_t k = 0; k < s.count; ++k)
-    po_track_point_free(&s.point[k]);
+    po_solution_free(&s.point[k]);
 }
 END_TEST
 
@@ -87,7 +87,7 @@ START_TEST(births_of_rings_take_few_steps) {
   trace(&s);
   ck_assert_uint_lt(s.count, 122);
   for (size_t k = 0; k < s.count; ++k)
-    po_track_point_free(&s.point[k]);
+    po_solution_free(&s.point[k]);
 }
 END_TEST
 

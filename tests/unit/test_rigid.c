@@ -94,7 +94,7 @@ static bool look(const po_branch_point *p, void *data) {
 START_TEST(trace_finds_pull_off_and_station) {
   const po_scene scene = {0.0, 0.0, 0.0, 83.0, INFINITY};
   seen s = {0, 0, 0, 0.0, 0.0, 0.0};
-  po_branch_options options = po_branch_options_default();
+  po_continuation_options options = po_continuation_options_default();
   options.visit = look;
   options.data = &s;
   options.station[0] = -0.7;

@@ -64,11 +64,31 @@ START_TEST(a_step_is_found_to_the_last_bit) {
 }
 END_TEST
 
+static bool is_below(double x, const void *data) {
+  return x < *(const double *)data;
+}
+
+START_TEST(a_side_is_bisected_to_the_last_bits_or_a_tolerance) {
+  const double at = 2.385;
+  double low = 1.0, high = 3.0;
+  po_bisect(is_below, &at, 0.0, &low, &high);
+  ck_assert_double_le(low, at);
+  ck_assert_double_ge(high, at);
+  ck_assert_double_le(high - low, 2.0 * DBL_EPSILON * at);
+  low = 1.0;
+  high = 3.0;
+  po_bisect(is_below, &at, 1e-3, &low, &high);
+  ck_assert_double_lt(high - low, 1e-3 * high);
+  ck_assert_double_gt(high - low, 0.25e-3 * high);
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, a_change_of_sign_is_found, 0, (int)(sizeof CROSSED / sizeof *CROSSED));
   tcase_add_loop_test(tests, no_change_of_sign_is_no_root, 0, 6);
   tcase_add_test(tests, an_end_may_be_the_root);
   tcase_add_test(tests, a_step_is_found_to_the_last_bit);
+  tcase_add_test(tests, a_side_is_bisected_to_the_last_bits_or_a_tolerance);
 }
 
 int main(void) {

@@ -1,10 +1,9 @@
-#include "po_track_parts.h"
+#include "po_continuation_parts.h"
 
-enum { MOST_MESHES_A_POINT = 4 };
+bool po_continuation_moves(const po_continuation *t) {
+  return t->c.adaptive != NULL;
+}
 
-/* Meshes are made for this part of the allowed error, and serve while it is not exceeded: the
- * contact edges may move a little on them. */
-static const double MESH_MARGIN = 0.2;
 /* Error of a guess, in parts of the allowed, on a mesh that is kept: half is left for what the
  * solution differs. */
 static const double GREATEST_EXCESS = 0.5;
@@ -13,7 +12,7 @@ static bool too_large(void *prediction, po_panel panel) {
   return po_prediction_too_large(prediction, panel, 1.0);
 }
 
-static bool mesh_serves(const po_tracker *t, const po_prediction *p) {
+static bool mesh_serves(const po_continuation *t, const po_prediction *p) {
   const po_panels *panels = po_adaptive_panels(t->c.adaptive);
   for (size_t k = 0; k < panels->count; ++k)
     if (po_prediction_too_large(p, panels->panel[k], 2.0))
@@ -22,27 +21,27 @@ static bool mesh_serves(const po_tracker *t, const po_prediction *p) {
 }
 
 /* The state expected, on the mesh in force. */
-static void guess(po_tracker *t, po_prediction *p) {
-  po_prediction_state(p, t->c.e->surface, po_corrector_core_nodes(&t->c), t->c.guess);
+static void guess(po_continuation *t, po_prediction *p) {
+  po_prediction_state(p, t->c.e->surface, po_corrector_moving_nodes(&t->c), t->c.guess);
 }
 
 /* The panels that resolve a field with a margin, from those given. */
-static po_status resolve(po_tracker *t, const po_gap_field *field, po_panels *panels) {
-  po_resolution margin = t->resolution;
-  margin.allowed.gap *= MESH_MARGIN;
-  margin.allowed.load *= MESH_MARGIN;
+static po_status resolve(po_continuation *t, const po_gap_field *field, po_panels *panels) {
+  const po_resolution margin = po_resolution_for_mesh(&t->resolution);
   return t->c.trouble = po_resolution_panels(&margin, field, panels);
 }
 
-po_status po_track_want_mesh(po_tracker *t, po_track_point *p) {
-  po_track_field solved = {p, t->c.e->scene, t->c.domain};
+po_status po_continuation_want_mesh(po_continuation *t, po_solution *p) {
+  if (!po_continuation_moves(t))
+    return PO_OK;
+  po_solution_field solved = {p, t->c.e->scene, t->c.domain};
   p->wanted = p->panels;
-  return resolve(t, &(po_gap_field){po_track_gap, &solved}, &p->wanted);
+  return resolve(t, &(po_gap_field){po_solution_gap, &solved}, &p->wanted);
 }
 
 /* Takes the point just solved to the mesh it wants, as a guess. */
-static po_status guess_from_solved(po_tracker *t, const po_track_point *out) {
-  po_track_point_copy(out, &t->spare);
+static po_status guess_from_solved(po_continuation *t, const po_solution *out) {
+  po_solution_copy(out, &t->spare);
   const po_status status = po_corrector_mesh(&t->c, &t->spare.wanted);
   if (!status)
     po_corrector_guess(&t->c, &t->spare);
@@ -50,17 +49,21 @@ static po_status guess_from_solved(po_tracker *t, const po_track_point *out) {
 }
 
 /* Whether panels that move with the coordinates follow all contact edges. */
-static bool all_move(const po_tracker *t, const po_prediction *p) {
+static bool all_move(const po_continuation *t, const po_prediction *p) {
   return p->edges.count == t->current.edges.all;
 }
 
-static double guessed_excess(const po_tracker *t) {
+static double guessed_excess(const po_continuation *t) {
   return po_resolution_excess(&t->resolution, po_adaptive_panels(t->c.adaptive), t->c.guess);
 }
 
-/* Puts a mesh in force for the prediction, or panels the one there is when it serves and may; and
- * the guess on it. */
-static po_status mesh_for(po_tracker *t, po_prediction *p, bool may_keep_mesh) {
+/* Puts a mesh in force for the prediction, or leaves the one there is when it serves and may, or
+ * stays; and the guess on it. */
+static po_status mesh_for(po_continuation *t, po_prediction *p, bool may_keep_mesh) {
+  if (!po_continuation_moves(t)) {
+    guess(t, p);
+    return PO_OK;
+  }
   if (may_keep_mesh && mesh_serves(t, p)) {
     guess(t, p);
     if (all_move(t, p) || guessed_excess(t) <= GREATEST_EXCESS)
@@ -82,22 +85,23 @@ static po_status mesh_for(po_tracker *t, po_prediction *p, bool may_keep_mesh) {
 
 /* Solves from the guess, and meshes again while the solution is not resolved. Status:
  * PO_NOT_CONVERGED also when no mesh resolves it. */
-static po_status solve_resolved(po_tracker *t, double distance, bool keep_factors, double precision,
-                                po_track_point *out) {
+static po_status solve_resolved(po_continuation *t, double distance, bool keep_factors,
+                                double precision, po_solution *out) {
   po_status status = PO_OK;
-  for (int mesh = 0; mesh < MOST_MESHES_A_POINT && !status; ++mesh) {
+  for (int mesh = 0; mesh < PO_MOST_MESHES_A_POINT && !status; ++mesh) {
     status = po_corrector_solve(&t->c, &t->current, distance, keep_factors, precision, out);
-    if (status || po_resolution_excess(&t->resolution, &out->panels, out->state) <= 1.0)
+    if (status || !po_continuation_moves(t) ||
+        po_resolution_excess(&t->resolution, &out->panels, out->state) <= 1.0)
       return status;
-    status = po_track_want_mesh(t, out);
+    status = po_continuation_want_mesh(t, out);
     if (!status)
       status = guess_from_solved(t, out);
   }
   return status ? status : PO_NOT_CONVERGED;
 }
 
-po_status po_track_solve(po_tracker *t, po_prediction *p, double distance, bool keep,
-                         double precision, po_track_point *out, double *error) {
+po_status po_continuation_solve(po_continuation *t, po_prediction *p, double distance, bool keep,
+                                double precision, po_solution *out, double *error) {
   po_status status = mesh_for(t, p, keep);
   if (status)
     return status;
@@ -109,6 +113,6 @@ po_status po_track_solve(po_tracker *t, po_prediction *p, double distance, bool 
   return status;
 }
 
-po_status po_track_solve_guessed(po_tracker *t, double distance, po_track_point *out) {
+po_status po_continuation_solve_guessed(po_continuation *t, double distance, po_solution *out) {
   return solve_resolved(t, distance, true, t->c.e->precision, out);
 }

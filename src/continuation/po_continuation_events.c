@@ -1,65 +1,61 @@
 #include <math.h>
 
+#include "po_continuation_parts.h"
 #include "po_refine.h"
-#include "po_track_parts.h"
-
-enum { ORDER = PO_TABLE_ORDER };
 
 /* A point this close to the one solved just before, in parts of the step, is on its tangent. */
 static const double ON_TANGENT = 0.02;
-/* An event's place along the arclength functional. */
-static const double LOCATED = 1e-9;
 
 /* The guess on the tangent of the inner point last solved. */
-static void guess_on_tangent(po_tracker *t, double at) {
-  const double step = (at - t->inner_at) / po_arclength_along(t->current.rate, t->inner.rate);
+static void guess_on_tangent(po_continuation *t, double at) {
+  const double step = (at - t->inner_at) / po_solution_cosine(&t->current, &t->inner);
   for (size_t j = 0; j <= t->inner.n; ++j)
     t->c.guess[j] = t->inner.state[j] + step * t->inner.tangent[j];
 }
 
 /* A point between current and next. */
 static po_status solve_inner(void *data, double at, po_sample *sample) {
-  po_tracker *t = data;
-  const double whole = po_track_progress(&t->current, &t->next);
+  po_continuation *t = data;
+  const double whole = po_solution_progress(&t->current, &t->next);
   po_status status;
   if (fabs(at - t->inner_at) < ON_TANGENT * whole) {
     guess_on_tangent(t, at);
-    status = po_track_solve_guessed(t, at, &t->inner);
+    status = po_continuation_solve_guessed(t, at, &t->inner);
   } else {
     po_prediction p;
     po_prediction_make(t->c.e->scene, t->c.domain, &t->current, &t->next, at, &p);
-    status = po_track_solve(t, &p, at, true, t->c.e->precision, &t->inner, NULL);
+    status = po_continuation_solve(t, &p, at, true, t->c.e->precision, &t->inner, NULL);
   }
   t->inner_at = status ? (double)NAN : at;
   if (status)
     return status;
-  t->inner.position = t->current.position + po_track_way(&t->current, &t->inner);
-  *sample = po_track_sample(&t->current, &t->inner);
+  t->inner.position = t->current.position + po_solution_way(&t->current, &t->inner);
+  *sample = po_solution_sample(&t->current, &t->inner);
   return PO_OK;
 }
 
 static void keep_inner(void *data, size_t place) {
-  po_tracker *t = data;
-  po_track_point_copy(&t->inner, &t->at_event[place]);
+  po_continuation *t = data;
+  po_solution_copy(&t->inner, &t->at_event[place]);
 }
 
-po_status po_track_find_events(po_tracker *t) {
+po_status po_continuation_find_events(po_continuation *t) {
   t->inner_at = NAN; /* comparisons with it are false */
   const po_interval interval = {.data = t,
                                 .solve = solve_inner,
                                 .keep = keep_inner,
                                 .station = t->options.station,
-                                .end = t->options.end,
-                                .located = LOCATED};
-  const po_sample from = po_track_sample(&t->current, &t->current),
-                  to = po_track_sample(&t->current, &t->next);
+                                .end = t->options.end};
+  const po_sample from = po_solution_sample(&t->current, &t->current),
+                  to = po_solution_sample(&t->current, &t->next);
   return po_events_find(&interval, &from, &to, &t->events);
 }
 
-po_branch_point po_track_seen(const po_tracker *t, const po_track_point *p, po_point_kind kind) {
+po_branch_point po_continuation_seen(const po_continuation *t, const po_solution *p,
+                                     po_point_kind kind) {
   return (po_branch_point){.kind = kind,
                            .position = p->position,
-                           .approach = po_track_approach(p),
+                           .approach = po_solution_approach(p),
                            .load = p->load,
                            .energy = p->energy,
                            .approach_error = NAN,
@@ -67,21 +63,23 @@ po_branch_point po_track_seen(const po_tracker *t, const po_track_point *p, po_p
                            .approach_rate = p->tangent[p->n],
                            .load_rate = p->load_rate,
                            .unstable_modes = t->unstable_modes,
-                           .n = p->panels.count * ORDER,
+                           .n = p->core,
                            .node = p->node,
                            .gap = p->state,
-                           .track = p};
+                           .solution = p->panels.count ? p : NULL};
 }
 
-void po_track_visit(po_tracker *t, const po_track_point *p, po_point_kind kind) {
-  const po_branch_point point = po_track_seen(t, p, kind);
+void po_continuation_visit(po_continuation *t, const po_solution *p, po_point_kind kind) {
+  const po_branch_point point = po_continuation_seen(t, p, kind);
   if (t->options.visit(&point, t->options.data))
     t->ended = true;
 }
 
-/* Whether errors of a special point are worth their price: of folds where they are asked for, and
- * of a minimum of the load that may be the pull-off. */
-static bool is_judged(const po_tracker *t, const po_branch_point *point) {
+/* Whether errors of a special point can be had, and are worth their price: of folds where they are
+ * asked for, and of a minimum of the load that may be the pull-off. */
+static bool is_judged(const po_continuation *t, const po_branch_point *point) {
+  if (!po_continuation_moves(t))
+    return false;
   if (point->kind == PO_POINT_APPROACH_MAX || point->kind == PO_POINT_APPROACH_MIN)
     return !t->options.minima_only;
   return point->kind == PO_POINT_LOAD_MIN && point->load <= t->deepest;
@@ -89,18 +87,18 @@ static bool is_judged(const po_tracker *t, const po_branch_point *point) {
 
 /* Judges a special point by finer meshes: its errors are of the mesh, of Newton's iteration, and of
  * the place. */
-static void judge(po_tracker *t, const po_event *ev, po_branch_point *point) {
-  const double cosine = po_arclength_along(t->current.rate, point->track->rate);
+static void judge(po_continuation *t, const po_event *ev, po_branch_point *point) {
+  const double cosine = po_solution_cosine(&t->current, point->solution);
   const double enough =
       point->kind == PO_POINT_LOAD_MIN ? t->options.sharpness * fabs(point->load) : INFINITY;
   const po_refinement how = {ev->of, po_refine_slope(ev, cosine), enough, {&t->spare, &t->inner}};
-  po_refined r = {.point = point->track, .value = {point->approach, point->load}};
+  po_refined r = {.point = point->solution, .value = {point->approach, point->load}};
   const po_status status = po_refine(&t->c, &t->resolution, &how, &r);
   if (!status) {
     point->approach_correction = r.value[0] - point->approach;
     point->load_correction = r.value[1] - point->load;
-    point->approach_error = r.error[0] + LOCATED * fabs(point->approach_rate);
-    point->load_error = r.error[1] + LOCATED * fabs(point->load_rate);
+    point->approach_error = r.error[0] + PO_LOCATED * fabs(point->approach_rate);
+    point->load_error = r.error[1] + PO_LOCATED * fabs(point->load_rate);
     point->best = r.point;
     point->finer = r.finer;
   }
@@ -108,8 +106,8 @@ static void judge(po_tracker *t, const po_event *ev, po_branch_point *point) {
   t->c.trouble = PO_OK; /* a mesh too fine for the estimate is no trouble for the trace */
 }
 
-static void visit_special_point(po_tracker *t, const po_event *ev) {
-  po_branch_point point = po_track_seen(t, &t->at_event[ev->place], po_event_point(ev));
+static void visit_special_point(po_continuation *t, const po_event *ev) {
+  po_branch_point point = po_continuation_seen(t, &t->at_event[ev->place], po_event_point(ev));
   if (is_judged(t, &point))
     judge(t, ev, &point);
   if (point.kind == PO_POINT_LOAD_MIN)
@@ -120,17 +118,17 @@ static void visit_special_point(po_tracker *t, const po_event *ev) {
 
 /* Whether an event lies beyond the end of the way out: passed in the step that ended it, and again
  * at the beginning of the reverse trace. */
-static bool is_beyond(po_tracker *t, const po_event *ev) {
+static bool is_beyond(po_continuation *t, const po_event *ev) {
   const bool beyond = t->back ? t->beyond > 0 : t->ended;
   if (beyond && ev->of <= PO_OF_LOAD)
     t->beyond += t->back ? -1 : 1;
   return beyond;
 }
 
-void po_track_visit_step(po_tracker *t) {
+void po_continuation_visit_step(po_continuation *t) {
   for (size_t k = 0; k < t->events.count; ++k) {
     const po_event *ev = &t->events.list[k];
-    const po_track_point *p = &t->at_event[ev->place];
+    const po_solution *p = &t->at_event[ev->place];
     const po_point_kind kind = po_event_point(ev);
     t->unstable_modes += po_change_of_modes(kind, p->load_rate);
     if (is_beyond(t, ev))
@@ -138,9 +136,9 @@ void po_track_visit_step(po_tracker *t) {
     if (ev->of <= PO_OF_LOAD)
       visit_special_point(t, ev);
     else
-      po_track_visit(t, p, kind);
+      po_continuation_visit(t, p, kind);
     t->ended = t->ended || ev->of == PO_AT_END;
   }
   if (!t->ended)
-    po_track_visit(t, &t->next, PO_POINT_STEP);
+    po_continuation_visit(t, &t->next, PO_POINT_STEP);
 }

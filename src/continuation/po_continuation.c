@@ -1,0 +1,191 @@
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_continuation_parts.h"
+#include "po_memory.h"
+#include "po_profile.h"
+
+/* Arclength of the first step: the next ones are made as long as the predictions allow. */
+static const double FIRST_STEP = 0.05;
+
+/* Feedback of the undeformed gap below which the start is safe. */
+static const double SAFE_FEEDBACK = 0.25;
+enum { MOST_DOUBLINGS = 40 };
+
+const double PO_STEP_TANGENT = 1e-6;
+
+po_continuation_options po_continuation_options_default(void) {
+  return (po_continuation_options){.station = {NAN, NAN},
+                                   .end = NAN,
+                                   .begin = NAN,
+                                   .largest_sagitta = INFINITY,
+                                   .largest_miss = INFINITY,
+                                   .sharpness = INFINITY,
+                                   .most_points = 30000};
+}
+
+double po_continuation_start(po_equilibrium *e) {
+  double approach = -2.0;
+  for (int k = 0; k < MOST_DOUBLINGS; ++k, approach *= 2.0) {
+    for (size_t j = 0; j < e->n; ++j)
+      e->right[j] = e->shape[j] - approach;
+    po_equilibrium_evaluate(e, e->right);
+    if (po_equilibrium_feedback(e) < SAFE_FEEDBACK)
+      break;
+  }
+  return approach;
+}
+
+static void shift(po_continuation *t) {
+  const po_solution oldest = t->previous;
+  t->previous = t->current;
+  t->current = t->next;
+  t->next = oldest;
+  t->has_previous = true;
+}
+
+typedef struct {
+  const po_scene *scene;
+  double approach;
+} undeformed;
+
+static double undeformed_gap(void *data, double r) {
+  const undeformed *u = data;
+  return po_profile(u->scene, r) - u->approach;
+}
+
+/* Puts panels in force that resolve the traction of the undeformed gap. */
+static po_status mesh_undeformed(po_continuation *t, double approach) {
+  undeformed u = {t->c.e->scene, approach};
+  const po_gap_field field = {undeformed_gap, &u};
+  po_panels panels = *po_adaptive_panels(t->c.adaptive);
+  const po_status status = po_resolution_panels(&t->resolution, &field, &panels);
+  return status ? status : po_corrector_mesh(&t->c, &panels);
+}
+
+/* The first equilibrium: Newton at fixed approach from the undeformed gap. */
+static po_status start(po_continuation *t) {
+  po_equilibrium *e = t->c.e;
+  const double approach = fmin(po_continuation_start(e), t->options.begin); /* begin may be NaN */
+  po_status status = po_continuation_moves(t) ? mesh_undeformed(t, approach) : PO_OK;
+  if (status)
+    return status;
+  po_solution *p = &t->current;
+  for (size_t j = 0; j < e->n; ++j)
+    t->c.guess[j] = p->state[j] = e->shape[j] - approach;
+  t->c.guess[e->n] = p->state[e->n] = approach;
+  memset(t->c.border, 0, (e->n + 1) * sizeof *t->c.border);
+  t->c.border[e->n] = 1.0;
+  status = po_equilibrium_factorize(e, p->state, t->c.border);
+  if (!status)
+    status = po_equilibrium_correct(e, p->state, t->c.guess, 0.0);
+  if (!status)
+    status = po_equilibrium_tangent(e, PO_STEP_TANGENT, p->tangent);
+  if (status)
+    return po_fail(status, "no equilibrium found far out, at approach %g", approach);
+  po_solution_finish(p, e, t->c.adaptive);
+  e->factorized = false; /* its border is not of the arclength functional */
+  return po_continuation_want_mesh(t, p);
+}
+
+static double least_gap(const po_solution *p) {
+  double least = INFINITY;
+  for (size_t j = 0; j < p->n; ++j)
+    least = fmin(least, p->state[j]);
+  return least;
+}
+
+/* On from the current point until the visitor ends it, or the branch is back where it began. */
+static po_status go_on(po_continuation *t) {
+  po_status status = PO_OK;
+  po_continuation_visit(t, &t->current, PO_POINT_STEP);
+  while (!status && !t->ended) {
+    status = po_continuation_advance(t);
+    const bool returned = !status && least_gap(&t->next) > t->farthest;
+    if (returned && !t->back)
+      status = po_fail(PO_NOT_CONVERGED, "the branch led back to where it began, at approach %.6g",
+                       po_solution_approach(&t->next));
+    if (!status)
+      po_continuation_visit_step(t);
+    if (!status && ++t->points > t->options.most_points)
+      status =
+          po_fail(PO_TOO_MANY_POINTS, "more than %zu points, the last at approach %.6g, load %.6g",
+                  t->options.most_points, po_solution_approach(&t->next), t->next.load);
+    t->ended = t->ended || returned;
+    shift(t);
+  }
+  return status;
+}
+
+po_status po_continuation_run(po_continuation *t) {
+  const po_status status = start(t);
+  if (status)
+    return status;
+  t->farthest = least_gap(&t->current);
+  return go_on(t);
+}
+
+/* The steps are found anew, and nothing is kept of the way so far but where it began. */
+po_status po_continuation_reverse(po_continuation *t, po_branch_visit visit_back, void *data) {
+  po_solution_turn(&t->current);
+  t->c.direction = -t->c.direction;
+  t->c.e->factorized = false; /* its border leads the other way */
+  t->c.trouble = PO_OK;
+  t->options.visit = visit_back;
+  t->options.data = data;
+  t->options.station[0] = t->options.station[1] = t->options.end = NAN;
+  t->step = FIRST_STEP;
+  t->has_previous = t->ended = false;
+  t->back = true;
+  t->points = 0;
+  return go_on(t);
+}
+
+static size_t points_of(po_continuation *t, po_solution **points) {
+  po_solution *const own[] = {&t->previous, &t->current, &t->next, &t->inner, &t->spare};
+  size_t count = 0;
+  for (size_t k = 0; k < sizeof own / sizeof *own; ++k)
+    points[count++] = own[k];
+  for (size_t k = 0; k < PO_MOST_EVENTS; ++k)
+    points[count++] = &t->at_event[k];
+  return count;
+}
+
+enum { MOST_POINTS_KEPT = 5 + PO_MOST_EVENTS };
+
+po_status po_continuation_create(po_equilibrium *equilibrium, po_adaptive *adaptive,
+                                 po_allowance allowed, const po_continuation_options *options,
+                                 po_continuation **continuation) {
+  po_continuation *t = *continuation = po_allocate(1, sizeof *t);
+  if (!t)
+    return PO_NO_MEMORY;
+  t->options = *options;
+  t->step = FIRST_STEP;
+  po_solution *points[MOST_POINTS_KEPT];
+  const size_t count = points_of(t, points);
+  po_status status = po_corrector_allocate(&t->c, equilibrium, adaptive);
+  for (size_t k = 0; k < count && !status; ++k)
+    status = po_solution_allocate(points[k], t->c.capacity);
+  if (adaptive) {
+    const po_panel_rule *rule = &po_panel_table_get()->rule;
+    po_legendre_fill(rule, &t->legendre);
+    t->resolution = (po_resolution){equilibrium, rule, &t->legendre, t->c.domain, allowed};
+  }
+  if (!status)
+    return PO_OK;
+  po_continuation_destroy(t);
+  *continuation = NULL;
+  return status;
+}
+
+void po_continuation_destroy(po_continuation *t) {
+  if (!t)
+    return;
+  po_solution *points[MOST_POINTS_KEPT];
+  const size_t count = points_of(t, points);
+  for (size_t k = 0; k < count; ++k)
+    po_solution_free(points[k]);
+  po_corrector_free(&t->c);
+  free(t);
+}

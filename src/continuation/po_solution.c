@@ -1,0 +1,204 @@
+#include "po_solution.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_law.h"
+#include "po_memory.h"
+#include "po_profile.h"
+#include "po_root.h"
+
+po_status po_solution_allocate(po_solution *p, size_t capacity) {
+  double **const arrays[] = {&p->state, &p->tangent,    &p->deflection, &p->slope,
+                             &p->node,  &p->coordinate, &p->rate};
+  bool had = true;
+  for (size_t k = 0; k < sizeof arrays / sizeof *arrays; ++k)
+    had = (*arrays[k] = po_allocate(capacity + 1, sizeof(double))) && had;
+  return had ? PO_OK : PO_NO_MEMORY;
+}
+
+void po_solution_free(po_solution *p) {
+  free(p->state);
+  free(p->tangent);
+  free(p->deflection);
+  free(p->slope);
+  free(p->node);
+  free(p->coordinate);
+  free(p->rate);
+}
+
+void po_solution_copy(const po_solution *from, po_solution *to) {
+  po_solution copy = *from;
+  copy.state = memcpy(to->state, from->state, (from->n + 1) * sizeof *to->state);
+  copy.tangent = memcpy(to->tangent, from->tangent, (from->n + 1) * sizeof *to->tangent);
+  copy.deflection = memcpy(to->deflection, from->deflection, from->n * sizeof *to->deflection);
+  copy.slope = memcpy(to->slope, from->slope, from->n * sizeof *to->slope);
+  copy.node = memcpy(to->node, from->node, from->n * sizeof *to->node);
+  const size_t size = from->coordinates * sizeof *to->rate;
+  copy.coordinate = memcpy(to->coordinate, from->coordinate, size);
+  copy.rate = memcpy(to->rate, from->rate, size);
+  *to = copy;
+}
+
+void po_solution_turn(po_solution *p) {
+  for (size_t j = 0; j <= p->n; ++j)
+    p->tangent[j] = -p->tangent[j];
+  for (size_t i = 0; i < p->coordinates; ++i)
+    p->rate[i] = -p->rate[i];
+  for (size_t k = 0; k < p->edges.count; ++k)
+    p->edges.rate[k] = -p->edges.rate[k];
+  p->load_rate = -p->load_rate;
+}
+
+double po_solution_approach(const po_solution *p) {
+  return p->state[p->n];
+}
+
+double po_solution_progress(const po_solution *from, const po_solution *to) {
+  double sum = 0.0;
+  for (size_t i = 0; i < from->coordinates; ++i)
+    sum += from->rate[i] * (to->coordinate[i] - from->coordinate[i]);
+  return sum;
+}
+
+double po_solution_cosine(const po_solution *a, const po_solution *b) {
+  return po_arclength_along(a->coordinates, a->rate, b->rate);
+}
+
+/* d/dx of the polynomial through nodal values, at the nodes. */
+static void differentiate(const po_panel_rule *rule, const double *value, double *derivative) {
+  for (size_t i = 0; i < PO_TABLE_ORDER; ++i) {
+    double sum = 0.0;
+    for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
+      if (j != i)
+        sum += rule->barycentric[j] / rule->barycentric[i] * (value[j] - value[i]) /
+               (rule->node[i] - rule->node[j]);
+    derivative[i] = sum;
+  }
+}
+
+po_solution_value po_solution_value_at(const po_solution *p, const po_scene *scene, double domain,
+                                       double r) {
+  const po_panel_rule *rule = &po_panel_table_get()->rule;
+  const double x = r / domain;
+  const size_t k = po_panels_find(&p->panels, x);
+  const double begin = po_panel_begin(p->panels.panel[k]), size = po_panel_size(p->panels.panel[k]);
+  double weight[PO_TABLE_ORDER];
+  po_lagrange(PO_TABLE_ORDER, rule->node, rule->barycentric, (x - begin) / size, weight);
+  po_solution_value v = {po_profile(scene, r), po_profile_slope(scene, r), 0.0};
+  for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
+    v.gap += weight[j] * p->deflection[k * PO_TABLE_ORDER + j];
+    v.slope += weight[j] * p->slope[k * PO_TABLE_ORDER + j];
+    v.tangent += weight[j] * p->tangent[k * PO_TABLE_ORDER + j];
+  }
+  return v;
+}
+
+typedef struct {
+  const po_solution *p;
+  const po_scene *scene;
+  double domain;
+  bool closer; /* than the gap of greatest tension, at the inner radius */
+} edge_search;
+
+static bool is_closer(const edge_search *s, double r) {
+  return po_solution_value_at(s->p, s->scene, s->domain, r).gap - PO_LAW_PEAK_GAP < 0.0;
+}
+
+static bool is_inside_edge(double r, const void *data) {
+  const edge_search *s = data;
+  return is_closer(s, r) == s->closer;
+}
+
+/* An edge's radius is found to this part of it: the last bits. */
+static const double EDGE_FOUND = 1e-14;
+
+/* The contact edge between two radii, on the panels' polynomials. */
+static void add_edge(po_solution *p, const po_scene *scene, double domain, double low,
+                     double high) {
+  edge_search s = {p, scene, domain, false};
+  s.closer = is_closer(&s, low);
+  po_bisect(is_inside_edge, &s, EDGE_FOUND, &low, &high);
+  const po_solution_value v = po_solution_value_at(p, scene, domain, low);
+  p->edges.at[p->edges.count] = low;
+  p->edges.rate[p->edges.count] = -v.tangent / v.slope;
+  ++p->edges.count;
+}
+
+/* From the outside inwards: the outermost edges are those that move. */
+static void find_edges(po_solution *p, const po_scene *scene, const po_surface *s) {
+  po_moving_edges *edges = &p->edges;
+  edges->count = edges->all = 0;
+  for (size_t j = p->panels.count * PO_TABLE_ORDER; j-- > 1;) {
+    const double left = p->state[j - 1] - PO_LAW_PEAK_GAP, right = p->state[j] - PO_LAW_PEAK_GAP;
+    if ((left < 0.0) == (right < 0.0))
+      continue;
+    if (edges->count < PO_MOST_MOVING_EDGES)
+      add_edge(p, scene, s->core_radius, s->node[j - 1], s->node[j]);
+    ++edges->all;
+  }
+  for (size_t k = 0; 2 * k + 1 < edges->count; ++k) { /* ascending */
+    const size_t other = edges->count - 1 - k;
+    const double at = edges->at[k], rate = edges->rate[k];
+    edges->at[k] = edges->at[other];
+    edges->rate[k] = edges->rate[other];
+    edges->at[other] = at;
+    edges->rate[other] = rate;
+  }
+}
+
+static void fill_slope(po_solution *p, double domain) {
+  for (size_t k = 0; k < p->panels.count; ++k) {
+    const double size = domain * po_panel_size(p->panels.panel[k]);
+    differentiate(&po_panel_table_get()->rule, p->deflection + k * PO_TABLE_ORDER,
+                  p->slope + k * PO_TABLE_ORDER);
+    for (size_t i = 0; i < PO_TABLE_ORDER; ++i)
+      p->slope[k * PO_TABLE_ORDER + i] /= size;
+  }
+}
+
+void po_solution_finish(po_solution *p, const po_equilibrium *e, const po_adaptive *adaptive) {
+  p->panels.count = 0;
+  if (adaptive)
+    p->panels = *po_adaptive_panels(adaptive);
+  p->n = e->n;
+  p->core = po_equilibrium_core(e);
+  p->arclength = adaptive ? PO_ARCLENGTH_GLOBAL : PO_ARCLENGTH_NODAL;
+  p->coordinates = po_arclength_size(p->arclength, p->n);
+  po_arclength_coordinates(p->arclength, e, p->state, p->coordinate);
+  po_arclength_rates(p->arclength, e, p->state, p->tangent, p->rate);
+  const double length = sqrt(po_solution_cosine(p, p));
+  for (size_t i = 0; i < p->coordinates; ++i)
+    p->rate[i] /= length;
+  for (size_t j = 0; j <= p->n; ++j)
+    p->tangent[j] /= length;
+  p->load = po_equilibrium_load(e);
+  p->load_rate = po_equilibrium_load_rate(e, p->tangent);
+  p->energy = po_equilibrium_energy(e, p->state);
+  memcpy(p->node, e->surface->node, p->n * sizeof *p->node);
+  for (size_t j = 0; j < p->n; ++j)
+    p->deflection[j] = p->state[j] - e->shape[j];
+  fill_slope(p, e->surface->core_radius);
+  find_edges(p, e->scene, e->surface);
+}
+
+double po_solution_gap(void *data, double r) {
+  const po_solution_field *f = data;
+  return po_solution_value_at(f->p, f->scene, f->domain, r).gap;
+}
+
+double po_solution_way(const po_solution *from, const po_solution *to) {
+  const double progress = po_solution_progress(from, to);
+  const double cosine = fmax(0.0, po_solution_cosine(from, to));
+  const double turn = cosine < 1.0 ? acos(cosine) : 0.0;
+  return turn > 0.0 ? progress * turn / sin(turn) : progress;
+}
+
+po_sample po_solution_sample(const po_solution *from, const po_solution *p) {
+  const double per_distance = 1.0 / po_solution_cosine(from, p);
+  return (po_sample){.at = po_solution_progress(from, p),
+                     .edges = p->edges.all,
+                     .value = {p->state[p->n], p->load},
+                     .rate = {p->tangent[p->n] * per_distance, p->load_rate * per_distance}};
+}
