@@ -6,7 +6,6 @@
 
 #include "po_memory.h"
 
-
 struct po_adaptive {
   const po_panel_table *table;
   double domain;

@@ -2,10 +2,10 @@
  * folds; in the rigid limit it is a closed form. */
 #include <math.h>
 
-#include "trace.h"
 #include "po_profile.h"
 #include "po_rigid.h"
 #include "run.h"
+#include "trace.h"
 
 /* The integral of W d approach along a branch beside the change of energy. */
 typedef struct {
