@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws the report of a run: report.html and report.pdf. Reads records; computes no physics."""
+"""Writes the report of a run, report.html and report.pdf, from its records. It computes no physics."""
 
 import argparse
 import hashlib
@@ -13,7 +13,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from pulloff_report.errors import BAD_FILE, ReportError  # noqa: E402
 
 OUTPUTS = ("report.html", "report.pdf")
-KEY = ".report-key"  # beside them: what they were made from
+KEY = ".report-key"  # the checksum of all inputs of the report beside it
 SOURCE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 
@@ -31,12 +31,12 @@ def arguments(words):
     parser.add_argument("--claims", metavar="FILE",
                         help="judged claims of the paper (default: claims/claims.json beside the run)")
     parser.add_argument("--fresh", action="store_true",
-                        help="draw it again even when nothing has changed")
+                        help="write the report again even if no input has changed")
     return parser.parse_args(words)
 
 
 def content_key(beside, *folders):
-    """sha256 of all that a report is made from: what lies beside the run, records, reference data, and this program."""
+    """sha256 of all inputs of a report: faults and claims, records, reference data, and the source of this program."""
     digest = hashlib.sha256((sys.version + json.dumps(beside)).encode())
     for folder in folders + (os.path.dirname(os.path.abspath(__file__)),):
         for place, inner, names in os.walk(folder):
@@ -53,7 +53,7 @@ def content_key(beside, *folders):
 
 
 def is_current(folder, key):
-    """Whether the folder holds the report made from just that."""
+    """Whether the folder has a report that was made from the inputs with this key."""
     if not all(os.path.isfile(os.path.join(folder, name)) for name in OUTPUTS):
         return False
     try:
@@ -64,7 +64,7 @@ def is_current(folder, key):
 
 
 def write_all(folder, files):
-    """Writes every file beside its place, then renames them all: none of them half-written."""
+    """Writes every file under a temporary name, then renames them all, so that no file is left incomplete."""
     beside = []
     try:
         os.makedirs(folder, exist_ok=True)
@@ -99,10 +99,10 @@ def make(wanted):
     judged = claims.read(wanted.claims or claims.beside(wanted.run))
     key = content_key([matrix, judged], wanted.run, wanted.reference)
     if not wanted.fresh and is_current(wanted.output, key):
-        print(f"kept: {wanted.output} holds the report of this run")
+        print(f"kept: the report in {wanted.output} is up to date")
         return
-    html = page.html(run, references.References(wanted.reference), matrix, judged)
-    write_all(wanted.output, {"report.html": html.encode("utf-8"), "report.pdf": page.pdf(html),
+    content = page.contents(run, references.References(wanted.reference), matrix, judged)
+    write_all(wanted.output, {"report.html": page.screen(content).encode("utf-8"), "report.pdf": page.pdf(content),
                               KEY: key.encode("ascii")})
 
 

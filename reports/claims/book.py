@@ -1,4 +1,4 @@
-"""The list of claims, claims.toml: read strictly, so that a wrong entry is told and not passed over."""
+"""Reads the list of claims, claims.toml, strictly: an invalid entry is an error."""
 
 import decimal
 import math
@@ -21,7 +21,7 @@ VERBS = ("theory", "solve")
 
 
 class BookError(Exception):
-    """What is wrong with the list, in one line."""
+    """An error in the list, described in one line."""
 
 
 def demand(holds, where, text):
@@ -44,7 +44,7 @@ def check_source(source, where):
 
 
 def limits(claimed, where):
-    """(low, high) of what is claimed; None for a formula."""
+    """The claimed interval (low, high), or None for a formula."""
     try:
         if isinstance(claimed, list):
             demand(len(claimed) == 2, where, "claimed: expected a low and a high end")
@@ -59,13 +59,13 @@ def limits(claimed, where):
 
 
 def quotes(claim):
-    """The sentences of the paper that a claim rests on."""
+    """The quoted sentences of a claim."""
     quote = claim.get("quote", [])
     return [quote] if isinstance(quote, str) else quote
 
 
 def filled(part, given):
-    """A source with its {keys} replaced by the values that a choice sets."""
+    """A source with its {keys} replaced by the values of a choice."""
     if isinstance(part, dict):
         return {key: filled(value, given) for key, value in part.items()}
     if isinstance(part, str):
@@ -75,7 +75,7 @@ def filled(part, given):
 
 
 def choices(claim):
-    """The claim once for each choice that the paper leaves open, with all that it takes to judge it; else once."""
+    """The claim for each choice that the paper leaves open, or for itself, with everything that is needed to judge it."""
     made = []
     for choice in claim.get("choice", [{}]):
         get = {name: filled(source, choice.get("set", {}))
@@ -95,7 +95,7 @@ def check_choices(claim, where):
 
 
 def check_numbers(choice, claim, where):
-    """One choice of a claim: what is claimed, what is got, and how the number follows from it."""
+    """Checks one choice of a claim: the claimed number, the sources, and the formula."""
     demand(choice["claimed"] is not None, where, "claimed is missing")
     got = choice["get"]
     for name, source in got.items():
@@ -150,7 +150,7 @@ def check_claim(claim, where):
 
 
 def read(path):
-    """All claims of a file, checked. BookError says where it is wrong."""
+    """All claims of a file, checked. Raises a BookError with the position of an error."""
     with open(path, "rb") as stream:
         try:
             book = tomllib.load(stream)

@@ -1,4 +1,4 @@
-"""Arithmetic on named numbers and lists, as the list of claims writes it; nothing of Python but that."""
+"""Evaluates the formulas of the list of claims: arithmetic on named numbers and lists, no other Python."""
 
 import ast
 import math
@@ -21,22 +21,22 @@ def slope(x, y):
 
 
 def where(extreme, values, places):
-    """The place of the greatest (max) or least (min) of the values."""
+    """The place of the largest (max) or smallest (min) of the values."""
     return extreme(zip(values, places, strict=True))[1]
 
 
 def ratios(above, below):
-    """One list in parts of another."""
+    """The elements of one list divided by those of another."""
     return [a / b for a, b in zip(above, below, strict=True)]
 
 
 def differences(above, below):
-    """One list less another."""
+    """The elements of one list minus those of another."""
     return [a - b for a, b in zip(above, below, strict=True)]
 
 
 def greatest_at(values, places):
-    """The greatest of the values at each place, the places in rising order."""
+    """The largest value at each place, in ascending order of the places."""
     found = {}
     for value, place in zip(values, places, strict=True):
         found[place] = max(value, found.get(place, value))
@@ -44,14 +44,14 @@ def greatest_at(values, places):
 
 
 def crossing(x, y, level):
-    """The x where y first rises to the level, on straight lines between the points."""
+    """The first x at which y rises to the level, by linear interpolation."""
     for before, after in zip(range(len(x) - 1), range(1, len(x))):
         if y[before] < level <= y[after]:
             return x[before] + (x[after] - x[before]) * (level - y[before]) / (y[after] - y[before])
     raise ValueError("the level is not crossed")
 
 
-# Elliptic integrals by their modulus, as the paper has them, and Struve functions.
+# The elliptic integrals have the modulus as argument, as in the paper; H is the Struve function.
 FUNCTIONS = {"sqrt": math.sqrt, "exp": math.exp, "cos": math.cos, "sin": math.sin, "log10": math.log10,
              "abs": abs, "max": max, "min": min,
              "count": len, "pick": pick, "slope": slope, "ratios": ratios,
@@ -64,15 +64,15 @@ FUNCTIONS = {"sqrt": math.sqrt, "exp": math.exp, "cos": math.cos, "sin": math.si
              "sum": None, "least": None,  # sum(j, first, last, term of j): see evaluate
              "H": lambda order, x: float(scipy.special.struve(order, x))}
 CONSTANTS = {"pi": math.pi}
-OVER = {"sum": math.fsum, "least": min}  # of the terms for every whole number from the first to the last
+OVER = {"sum": math.fsum, "least": min}  # over the terms for all integers from the first to the last
 
 
 class FormulaError(Exception):
-    """What is wrong with a formula, in one line."""
+    """An error in a formula, described in one line."""
 
 
 def parse(text):
-    """The tree of a formula whose every part is known; FormulaError otherwise."""
+    """The syntax tree of a formula. Raises a FormulaError for an unknown element."""
     try:
         tree = ast.parse(text, mode="eval").body
     except SyntaxError as error:
@@ -98,7 +98,7 @@ def check(tree, text):
 
 
 def names(text):
-    """The names a formula uses, but for constants and functions."""
+    """The names in a formula, except constants and functions."""
     tree = parse(text)
     calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
     called = {id(node.func) for node in calls}
@@ -108,7 +108,7 @@ def names(text):
 
 
 def evaluate(text, values):
-    """The number a formula has with these values. Status: FormulaError, a division by zero and the like too."""
+    """The value of a formula. Raises a FormulaError if it has none, for instance after a division by zero."""
     known = {**CONSTANTS, **values}
 
     def over(gather, name, first, last, term):

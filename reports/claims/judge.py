@@ -1,4 +1,4 @@
-"""The rule by which a claim is judged: from the numbers alone."""
+"""The rule by which claims are judged. It uses only the numbers."""
 
 import decimal
 import math
@@ -7,36 +7,37 @@ REPRODUCED, WITHIN_READING, DEPENDS, CONTRADICTED, NOT_TESTABLE, NO_RESULT, CHEC
     "reproduced", "within_reading", "depends", "contradicted", "not_testable", "no_result", "checked", "check_failed")
 HOLDS = (REPRODUCED, WITHIN_READING)
 
-# How the claimed number is known -> what its accuracy is.
+# How the claimed number is known -> its accuracy.
 READINGS = {"printed": "a number printed in full: within half a unit of its last digit",
-            "equation": "an equation, evaluated as it is printed",
+            "equation": "an equation, evaluated as printed",
             "about": "a number or a bound given by words such as about",
             "figure": "read off a figure"}
 EXACT = ("printed", "equation")
 
 
 def half_unit(text):
-    """Half a unit of the last digit of a number as it is printed: 0.00005 of "8.5761"."""
+    """Half a unit of the last digit of a printed number: 0.00005 for "8.5761"."""
     exponent = decimal.Decimal(text).as_tuple().exponent
     return 0.5 * 10.0 ** exponent
 
 
 def difference(computed, low, high):
-    """How far the computed number lies outside what is claimed, with its sign; 0 between the ends."""
+    """The signed distance of the computed number from the claimed interval; 0 within it."""
     return computed - low if computed < low else computed - high if computed > high else 0.0
 
 
 def side(computed, low, high, accuracy):
-    """0 if the computed number is no further off than the accuracy; otherwise -1 below and 1 above what is claimed."""
+    """0 if the difference does not exceed the accuracy; otherwise -1 below and 1 above the claimed interval."""
     off = difference(computed, low, high)
     return 0 if abs(off) <= accuracy else math.copysign(1, off)
 
 
 def verdict(computed, low, high, accuracy, reading):
-    """reproduced or within_reading when no further off than the accuracy, contradicted else.
+    """contradicted if the difference exceeds the accuracy, otherwise reproduced or within_reading.
 
-    What is printed in full or as an equation, what is counted, and an interval that holds the number are reproduced;
-    what is said roughly or read off a figure is so within the accuracy of reading it."""
+    A number printed in full, an equation, a count, and an interval that contains the computed number are reproduced;
+    an approximate number or one read off a figure is reproduced within reading accuracy.
+    """
     if computed is None or not math.isfinite(computed):
         return NO_RESULT
     if side(computed, low, high, accuracy):
@@ -47,7 +48,7 @@ def verdict(computed, low, high, accuracy, reading):
 
 
 def overall(verdicts, is_check=False):
-    """The verdict of a claim from those of its choices: depends if it holds for some of them and not for the others."""
+    """The verdict of a claim from those of its choices: depends if it holds for some choices and not for others."""
     if NO_RESULT in verdicts:
         return NO_RESULT
     if is_check:

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Judges every claim of claims.toml by numbers of pulloff, and writes them as JSON (README.md says what is in it)."""
+"""Judges every claim of claims.toml with numbers of pulloff and writes the result as JSON (see README.md)."""
 
 import argparse
 import hashlib
@@ -27,20 +27,20 @@ HEAD = ("id", "where", "tests", "kind", "reading", "brief", "note", "survives", 
 
 def arguments(words):
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", default="build/src/cli/pulloff", metavar="FILE", help="the program (build/src/cli/pulloff)")
-    parser.add_argument("--run", default="build/run", metavar="DIR", help="the records of the cases (build/run)")
-    parser.add_argument("--output", metavar="DIR", help="where claims.json goes (claims beside the run)")
-    parser.add_argument("--list", default=os.path.join(HERE, "claims.toml"), metavar="FILE", help="another list of claims")
-    parser.add_argument("--claim", action="append", metavar="ID", help="only this claim; writes nothing")
+    parser.add_argument("--program", default="build/src/cli/pulloff", metavar="FILE", help="the program (default build/src/cli/pulloff)")
+    parser.add_argument("--run", default="build/run", metavar="DIR", help="folder of the records of the cases (default build/run)")
+    parser.add_argument("--output", metavar="DIR", help="folder for claims.json (default: claims beside the run)")
+    parser.add_argument("--list", default=os.path.join(HERE, "claims.toml"), metavar="FILE", help="list of claims (default: claims.toml beside this program)")
+    parser.add_argument("--claim", action="append", metavar="ID", help="judge only this claim, and write nothing")
     parser.add_argument("--sensitivity", action="store_true",
-                        help="print for each claim by how much (relative) a number must be off for the answer to change")
+                        help="print for each claim the relative change of a number that changes the verdict")
     parser.add_argument("--brief", action="store_true", help="print the counts, and the entries that are at fault or have no number")
     parser.add_argument("--json", action="store_true", help="one JSON document on standard output, nothing else")
     return parser.parse_args(words)
 
 
 def collect(choice, given):
-    """(values by name, the lines that show them)."""
+    """(values by name, commands that compute them)."""
     values, lines = {}, []
     for name, source in choice["get"].items():
         values[name], shown = given.get(source)
@@ -49,7 +49,7 @@ def collect(choice, given):
 
 
 def judged(choice, claim, given):
-    """One choice of a claim with what was computed, its verdict, and the sources that cannot change it."""
+    """One choice of a claim with the computed number, the verdict, and the sources that cannot change the verdict."""
     part = {"words": choice["words"], "claimed": choice["claimed"] if isinstance(choice["claimed"], str) else None,
             "low": None, "high": None, "computed": None, "difference": None, "accuracy": None, "off_by": None,
             "counted": all(map(sensitivity.is_count, choice["get"].values())), "unmoved": [], "commands": [], "reason": None}
@@ -74,22 +74,22 @@ def judged(choice, claim, given):
 
 
 def faults_of(claim, row):
-    """What is wrong with a judged entry: it cannot fail, or it says too little about a contradiction."""
+    """The faults of a judged entry: it cannot fail, or it lacks texts that a contradiction requires."""
     told = []
     for part in row["choices"]:
         name = f"choice {part['words']!r}: " if part["words"] else ""
         if part["unmoved"] and part["off_by"] < math.inf:
-            told.append(f"{name}the answer stays if {', '.join(part['unmoved'])} is off by {part['off_by']:.3g} of itself")
+            told.append(f"{name}the verdict does not change if {', '.join(part['unmoved'])} changes by {part['off_by']:.3g} (relative)")
         if ("off_by" not in claim and not part["counted"] and part["verdict"] in judge.HOLDS
                 and part["off_by"] > sensitivity.LARGEST_DERIVED):
-            told.append(f"{name}only a number off by {part['off_by']:.3g} of itself changes the answer: state off_by and why")
+            told.append(f"{name}only a relative change by {part['off_by']:.3g} changes the verdict: state off_by and off_by_because")
     if row["verdict"] == judge.CONTRADICTED and not {"brief", "note", "survives"} <= set(claim):
         told.append("contradicted: expected brief, note and survives")
     return told
 
 
 def row_of(claim, given):
-    """One claim with what was computed, and its verdict."""
+    """One claim with its computed numbers and its verdict."""
     row = {key: claim.get(key) for key in HEAD}
     row |= {"quotes": book.quotes(claim), "implied": claim.get("implied", False), "choices": [], "faults": [],
             "reason": claim.get("untestable"), "verdict": judge.NOT_TESTABLE}
@@ -103,7 +103,7 @@ def row_of(claim, given):
 
 
 def finite(value):
-    """JSON knows no infinity: an open end is null."""
+    """The value for JSON, which has no infinity: an open end is null."""
     return None if value in (float("inf"), float("-inf")) else value
 
 
@@ -132,7 +132,7 @@ def brief_of(made):
 
 
 def text_of(made):
-    """The table for a terminal: a line a claim and a line a choice, and the counts."""
+    """The table for a terminal: one line for each claim and each choice, and the counts."""
     nothing = dict.fromkeys(("low", "high", "computed", "difference"))
     lines = []
     for row in made["claims"]:
@@ -148,7 +148,7 @@ def text_of(made):
 
 
 def sensitivity_of(made):
-    """By how much a number must be off for the answer to change, a line a claim and a line a choice."""
+    """The relative change that changes the verdict: one line for each claim and each choice."""
     lines = []
     for row in made["claims"]:
         for part in row["choices"]:

@@ -1,22 +1,23 @@
-"""Whether a claim can fail: the numbers it was judged by are moved, and the answer must change.
+"""Tests whether a claim can fail: the verdict must change when a source number changes by a given amount.
 
-Every source is moved by itself, up and down: multiplied and divided by 1 plus the amount, a list as a whole and each of
-its items alone; a count is moved by one, or by the whole part of the amount. The amount is stated by the claim (off_by) or
-derived from its accuracy or interval."""
+Each source is changed separately, upwards and downwards: it is multiplied and divided by 1 plus the amount, a list as a
+whole and each of its items. A count changes by one, or by the integer part of the amount. The claim states the amount
+(off_by), or it is derived from the accuracy or the interval.
+"""
 
 import math
 
 import formula
 import judge
 
-LARGEST_DERIVED = 0.101  # a claim that holds and would need a larger move has to state it, with its reason
-MARGIN = 1.5           # the derived move goes so much farther than to the end of what passes
+LARGEST_DERIVED = 0.101  # a claim that holds and needs a larger change must state the amount and its reason
+MARGIN = 1.5           # the derived change relative to the one that reaches the end of the accepted interval
 STEPS = tuple(2 ** (-place / 2) for place in range(14))
-MOST_ITEMS = 1000      # longer lists are moved as a whole only
+MOST_ITEMS = 1000      # longer lists are only changed as a whole
 
 
 def derived(part):
-    """The relative move that must change the answer: from the accuracy, the interval, or the difference; in units for a count."""
+    """The relative change that must change the verdict, from the accuracy, the interval or the difference; absolute for a count."""
     low, high, computed, accuracy = (part[key] for key in ("low", "high", "computed", "accuracy"))
     if judge.side(computed, low, high, accuracy):
         distance = abs(part["difference"])
@@ -31,12 +32,12 @@ def derived(part):
 
 
 def is_count(source):
-    """Whether a source counts, as `folds.#` does."""
+    """Whether a source is a count, such as `folds.#`."""
     return source.get("count", source.get("at", "").endswith("#"))
 
 
 def moved(got, move):
-    """What was got, moved as a whole; then, of a list, each item alone."""
+    """The value changed as a whole; for a list, then each item separately."""
     if not isinstance(got, list):
         yield move(got)
         return
@@ -46,7 +47,7 @@ def moved(got, move):
 
 
 def moves(source, got, amount):
-    """Every value that a source is moved to: up and down, by the amount and by parts of it."""
+    """All changed values of a source: upwards and downwards, by the amount and by fractions of it."""
     if is_count(source):
         for step in range(1, max(1, math.floor(amount)) + 1):
             yield from moved(got, lambda item, step=step: item + step)
@@ -58,7 +59,7 @@ def moves(source, got, amount):
 
 
 def unmoved(choice, values, amount, limits, accuracy):
-    """The names of the sources that can be off by the amount without any change of the answer."""
+    """The names of the sources whose change by the amount does not change the verdict."""
     def side(changed):
         low, high = limits(changed)
         return judge.side(formula.evaluate(choice["value"], changed), low, high, accuracy)

@@ -1,7 +1,8 @@
-"""Where the computed numbers come from: a command of pulloff, the record of a case, a reference table.
+"""The sources of the computed numbers: a command of pulloff, the record of a case, a reference table.
 
-What a command printed is kept under a key of the program's bytes and the command, so that it is run again only when
-one of them changed."""
+The output of a command is stored under a key of the program's bytes and the command. The command runs again only if
+one of them changes.
+"""
 
 import csv
 import hashlib
@@ -15,7 +16,7 @@ import time
 
 
 class SourceError(Exception):
-    """Why a source gives no number, in one line."""
+    """The reason why a source has no number, in one line."""
 
 
 def commands(source):
@@ -26,7 +27,7 @@ def commands(source):
 
 
 def follow(document, path):
-    """The value at a path: keys and places with points between, `*` every item, `#` how many there are."""
+    """The value at a path of keys and indices separated by points; `*` is every item, `#` the number of items."""
     name, _, rest = path.partition(".")
     if not name:
         return document
@@ -41,7 +42,7 @@ def follow(document, path):
 
 
 def number(text):
-    """A cell or a value as a number; a word stays a word."""
+    """A cell or a value as a number, or unchanged if it is no number."""
     try:
         return float(text)
     except (TypeError, ValueError):
@@ -49,7 +50,7 @@ def number(text):
 
 
 def is_selected(when, value_of):
-    """Whether a row or a point has the wanted values, numbers to a part in 10^9."""
+    """Whether a row or a point has the wanted values; numbers may differ by a relative 1e-9."""
     for key, wanted in when.items():
         found = number(value_of(key))
         choices = wanted if isinstance(wanted, list) else [wanted]
@@ -60,7 +61,7 @@ def is_selected(when, value_of):
 
 
 class Sources:
-    """All that claims draw on: a program, the folder of a run's records, and the tree with the reference data."""
+    """The data that claims are judged by: the program, the records of a run, and the reference data."""
 
     def __init__(self, program, run, tree, kept):
         self.program, self.run, self.tree, self.kept = program, run, tree, kept
@@ -70,7 +71,7 @@ class Sources:
             self.digest = hashlib.sha256(stream.read()).hexdigest()
 
     def get(self, source):
-        """(value, lines that show it): a number, or a list where the source says many."""
+        """(value, commands that compute it); the value is a number or a list."""
         if "pulloff" in source:
             found = [follow(self.document(line), source["at"]) for line in commands(source)]
             lines = ["pulloff " + line for line in commands(source)]
@@ -78,7 +79,7 @@ class Sources:
         return self.of_table(source) if "table" in source else self.of_case(source)
 
     def document(self, line):
-        """The JSON a command prints."""
+        """The JSON document that a command prints."""
         key = hashlib.sha256(f"{self.digest}\n{line}".encode()).hexdigest()
         path = os.path.join(self.kept, key + ".json")
         self.used.add(path)
@@ -102,7 +103,7 @@ class Sources:
         return json.loads(done.stdout)
 
     def forget_unused(self):
-        """Removes what was kept of another program or of claims that are gone."""
+        """Removes stored outputs of other programs and of claims that no longer exist."""
         for name in os.listdir(self.kept):
             path = os.path.join(self.kept, name)
             if path not in self.used:

@@ -1,5 +1,5 @@
-# The preload that doubles the pull-off force, over the Tabor parameter and A/lambda: (a) at given approach, (b) at
-# given load. Data: displacement_control.dat, load_control.dat: a block of cells a class of preloads, in logarithms.
+# The preload that gives twice the pull-off force, over the Tabor parameter and A/lambda: (a) displacement control,
+# (b) load control. Data: displacement_control.dat, load_control.dat: a block of cells (in logarithms) for each class of preloads.
 
 set multiplot
 unset grid

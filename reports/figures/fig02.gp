@@ -1,5 +1,5 @@
 # Figure 2: (a) traction against gap, law.dat; (b) surfaces.dat: radius, indenter, half-space, then
-# both as computed.
+# both in the deformed state.
 
 set multiplot
 set lmargin at screen 0.085; set rmargin at screen 0.42
@@ -17,7 +17,7 @@ set lmargin at screen 0.51; set rmargin at screen 0.985
 set xrange [-reach:reach]; set yrange [-2:8]
 set xtics 10; set ytics 2 format '%g'
 set xlabel '{/:Italic r}/ε'; set ylabel 'height/ε' offset 0.5,0
-# The nodes are few where the surfaces are smooth: a spline through them.
+# The nodes are sparse where the surfaces are smooth, so a spline is drawn through them.
 set samples 800
 set label 1 '(b)' at graph 0.5, graph 0.94 center
 plot for [k = 2:3] 'surfaces.dat' using 1:k smooth csplines with lines linewidth 1.6 linecolor rgb '#B0B0B0' notitle, \

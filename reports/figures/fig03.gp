@@ -1,8 +1,8 @@
 # Figure 3: load against minus the approach; below, the distance of the reference from the branch.
-# Data: computed.dat (a block a Tabor parameter), reference.dat, rigid.dat, published.dat; and, each with a block
-# by panels and one as in the paper, residual.dat, and for a soft sphere minimum.dat, nose.dat and folds.dat.
+# Data: computed.dat (a block for each Tabor parameter), reference.dat, rigid.dat, published.dat; with one block for
+# panels and one for the paper's discretisation: residual.dat and, for a soft sphere, minimum.dat, nose.dat and folds.dat.
 
-# Heights on the screen: all is moved up where there is room for the soft sphere below.
+# Heights on the screen: everything moves up if the soft sphere is drawn below.
 below = soft ? 0.28 : 0
 high(y) = below + (1 - below) * y
 left = 0.098; right = 0.985
@@ -30,7 +30,7 @@ plot for [i = 1:curve_count] 'computed.dat' index i-1 using 1:2 with lines \
 
 unset label
 
-# The residual strip.
+# The distance from the reference.
 set tmargin at screen high(0.335); set bmargin at screen high(0.105)
 set xtics 1 format '%g'; set mxtics 2
 set xlabel '−Δ†' offset 0,0.4
@@ -43,10 +43,10 @@ set key horizontal at graph 0.985, graph 0.95 right top Left reverse
 plot for [i = 1:(panel_count > 0)] 'residual.dat' index 0 using 1:2 with points \
        pointtype 7 pointsize 0.25 linecolor rgb blue title 'panels, unbounded', \
      for [i = 1:(paper_count > 0)] 'residual.dat' index 1 using 1:2 with points \
-       pointtype 6 pointsize 0.3 linecolor rgb vermillion title 'as in the paper', \
+       pointtype 6 pointsize 0.3 linecolor rgb vermillion title 'paper’s discretisation', \
      for [i = 1:(panel_count + paper_count == 0)] 1/0 notitle
 
-# A soft sphere: (a) about its pull-off, (b) where the surfaces jump apart.
+# A soft sphere: (a) about the pull-off, (b) about the jump out of contact.
 if (soft) {
   set tmargin at screen 0.255; set bmargin at screen 0.075
   unset logscale y

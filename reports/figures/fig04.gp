@@ -1,8 +1,8 @@
 # Figure 4: (a) pull-off force and (b) minus the approach at pull-off against the Tabor parameter,
 # with the difference from the reference below; (c) the number of folds. Data: force.dat and approach.dat, each
-# with blocks computed, reference, residual, tolerance, published and residual as in the paper; folds.dat.
+# with the blocks computed, reference, residual, tolerance, published, and residual of the paper's discretisation; folds.dat.
 
-# Heights on the screen: all is moved up where there is room for (c) below.
+# Heights on the screen: everything moves up if (c) is drawn below.
 below = fold_points ? 0.235 : 0
 high(y) = below + (1 - below) * y
 
@@ -63,7 +63,7 @@ do for [k = 1:2] {
   unset label 2
 }
 
-# Folds: 0 has a place on this scale, and 2 and 4 are told apart beside dozens.
+# Folds: the scale shows 0, and distinguishes 2 from 4 next to dozens.
 if (fold_points) {
   unset logscale y; set lmargin at screen panel_left[1]; set rmargin at screen panel_right[2]
   set tmargin at screen 0.235; set bmargin at screen 0.085
@@ -76,6 +76,6 @@ if (fold_points) {
   plot 'folds.dat' index 0 using 1:2 with linespoints pointtype 4 pointsize 0.7 linewidth 0.9 \
          linecolor rgb vermillion title 'panels', \
        for [i = 1:paper] 'folds.dat' index 1 using 1:2 with linespoints pointtype 6 pointsize 0.45 \
-         linewidth 0.9 linecolor rgb blue title 'as in the paper'
+         linewidth 0.9 linecolor rgb blue title 'paper’s discretisation'
 }
 unset multiplot

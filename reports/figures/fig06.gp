@@ -1,5 +1,5 @@
 # Figure 6: load against minus the approach of rigid wavy spheres; below, the distance from Eq 22.
-# Data: rigid.dat and computed.dat (a block a value of alpha), residual.dat (panels, the paper's).
+# Data: rigid.dat and computed.dat (a block for each value of alpha), residual.dat (panels, the paper's).
 
 set multiplot
 set lmargin at screen 0.088; set rmargin at screen 0.985
@@ -30,5 +30,5 @@ set key horizontal at graph 0.985, graph 0.95 right top Left reverse
 plot 'residual.dat' index 0 using 1:2 with points pointtype 7 pointsize 0.25 linecolor rgb blue \
        title 'panels, unbounded', \
      'residual.dat' index 1 using 1:2 with points pointtype 6 pointsize 0.3 linecolor rgb vermillion \
-       title 'as in the paper'
+       title 'paper’s discretisation'
 unset multiplot

@@ -1,6 +1,6 @@
 # Figure 7: pull-off of rigid wavy spheres against alpha; below, the relative difference from Eq 22.
-# Data: rigid.dat (a block an amplitude), computed.dat, doubled.dat and printed.dat (a block a
-# radius), residual.dat (panels, the paper's).
+# Data: rigid.dat (a block for each amplitude), computed.dat, doubled.dat and printed.dat (a block for
+# each radius), residual.dat (panels, the paper's).
 
 set multiplot
 set lmargin at screen 0.088; set rmargin at screen 0.93
@@ -36,5 +36,5 @@ set key horizontal at graph 0.02, graph 0.95 left top Left reverse
 plot 'residual.dat' index 0 using 1:2 with points pointtype 7 pointsize 0.35 linecolor rgb blue \
        title 'panels, unbounded', \
      'residual.dat' index 1 using 1:2 with points pointtype 6 pointsize 0.45 linecolor rgb vermillion \
-       title 'as in the paper'
+       title 'paper’s discretisation'
 unset multiplot

@@ -1,6 +1,6 @@
-# Figure 8: pull-off force against the Tabor parameter, above the axis of the paper on a logarithmic one what the JKR
-# limit has there; below, the difference of the paper's discretisation. Data: computed.dat, harder.dat (at any
-# preload), guduru.dat, difference.dat, each a block an amplitude.
+# Figure 8: pull-off force against the Tabor parameter; at the top, the JKR limit beyond the axis of the paper, on a
+# logarithmic axis; at the bottom, the difference from the paper's discretisation. Data: computed.dat, harder.dat (at
+# any preload), guduru.dat, difference.dat, each with a block for each amplitude.
 
 set multiplot
 set lmargin at screen 0.098; set rmargin at screen 0.985
@@ -8,7 +8,7 @@ set logscale x
 set xrange [0.0085:6]
 set xtics 10 format ''; set mxtics 10
 
-# what lies above the axis
+# the JKR limit above the axis of the paper
 set tmargin at screen 0.985; set bmargin at screen 0.815
 set logscale y; set yrange [top:above]; set ytics (10, 1e3, 1e5) format '10^{%L}'
 unset key

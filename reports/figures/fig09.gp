@@ -1,5 +1,5 @@
 # Figure 9: gap and traction against the radius at pull-off.
-# Data: gap.dat, traction.dat (a block a scene).
+# Data: gap.dat, traction.dat (a block for each scene).
 
 set multiplot
 set lmargin at screen 0.085; set rmargin at screen 0.985

@@ -1,6 +1,6 @@
-# Figure 10: pull-off force against A/lambda: in one frame as in the paper, then a frame a wavelength; below, the
-# relative difference of the paper's discretisation. Data: computed.dat, harder.dat (at any preload),
-# missing.dat, guduru.dat, difference.dat, each a block a pair of wavelength and radius, radii fastest.
+# Figure 10: pull-off force against A/lambda: all in one frame as in the paper, then one frame for each wavelength; at the
+# bottom, the relative difference from the paper's discretisation. Data: computed.dat, harder.dat (at any preload),
+# missing.dat, guduru.dat, difference.dat, each with a block for each pair of wavelength and radius, radii fastest.
 
 set multiplot
 set logscale xy
@@ -9,7 +9,7 @@ set xtics 10; set mxtics 10; set mytics 10
 groups = panel_count * radius_count
 set ylabel '|{/:Italic W̄}| at pull-off' offset 1,0
 
-# all, as in the paper: the shape of a marker is the wavelength, its colour the radius
+# all spheres, as in the paper: the shape of a marker shows the wavelength, its colour the radius
 set lmargin at screen 0.075; set rmargin at screen 0.985
 set tmargin at screen 0.988; set bmargin at screen 0.62
 set format x '10^{%L}'; set format y '%g'

@@ -1,5 +1,5 @@
-# Figure 11: effective work of adhesion against the Johnson parameter. Data: computed.dat (a block a
-# pair of wavelength and radius, radii fastest), clear.dat (the same, those clearly below Eq 30), harder.dat (the same,
+# Figure 11: effective work of adhesion against the Johnson parameter. Data: computed.dat (a block for
+# each pair of wavelength and radius, radii fastest), clear.dat (the same, for markers clearly below Eq 30), harder.dat (the same,
 # at any preload), envelope.dat (Eq 24), tosatti.dat (Eq 30).
 
 set logscale xy

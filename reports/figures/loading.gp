@@ -1,5 +1,5 @@
-# Figures 12 and 13: load against minus the approach over the Tabor parameter, the path of a test marked; with
-# `wide`, above it the same in a larger frame. Data: stable.dat, unstable.dat (a block a stretch),
+# Figures 12 and 13: load against minus the approach over the Tabor parameter, with the jumps of a test; with
+# `wide`, the same in a larger frame at the top. Data: stable.dat, unstable.dat (a block for each part of the branch),
 # triangle.dat, smooth.dat, guduru.dat.
 
 set multiplot

@@ -1,6 +1,6 @@
 # Figures 14 and 15: pull-off force over the Tabor parameter and A/lambda, both logarithmic.
-# Data, lengths in parts of the frame: regions.dat, the region where the force is known, then one block a level, the region above it;
-# lines.dat, the lines drawn; unknown.dat, scenes whose greatest force is not known; left.dat and right.dat: force against height, of the limit and computed.
+# Data, in coordinates relative to the frame: regions.dat, the region where the force is known, then for each level the region above it;
+# lines.dat, the contour lines; unknown.dat, scenes whose largest force is not known; left.dat and right.dat: force against height, limit and computed.
 
 set multiplot
 unset grid
@@ -29,7 +29,7 @@ do for [k = -3:2] {
 }
 set tics front
 set arrow 1 from graph 0, first mark to graph 1, first mark nohead dashtype 2 linewidth 1.6 linecolor rgb 'white' front
-# a rectangle under each label: a boxed one is a filter, which PDF has not
+# a rectangle under each label: a boxed label would be an SVG filter, which PDF does not support
 do for [k = 1:label_count] {
   set object 100 + k rectangle center label_x[k], label_y[k] size character 0.75 * strlen(label_text[k]) + 0.7, \
     character 0.8 fillcolor rgb 'white' fillstyle solid noborder front

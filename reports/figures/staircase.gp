@@ -1,5 +1,5 @@
-# Pull-off force against preload: a column a scene, at given approach above and at given load below.
-# Data: solver.dat, jkr.dat, each a block a frame, row by row.
+# Pull-off force against preload: one column for each scene; displacement control at the top, load control at the bottom.
+# Data: solver.dat, jkr.dat, each with a block for each frame, row by row.
 
 set multiplot
 gap = 0.055; left = 0.075; width = (0.985 - left - (scene_count - 1) * gap) / scene_count

@@ -1,5 +1,5 @@
-# What all figures share: the terminal, the typeface, the palette, the frame.
-# Width 680 is the width of the text on the page, so 11 here is about 8 points in print.
+# Settings of all figures: terminal, typeface, palette, frame.
+# The width of 680 fills the text width of a page; font size 11 is then about 8 points, and 7 points at 85 % of that width.
 
 if (!exists("figure_height")) figure_height = 480
 if (!exists("figure_width")) figure_width = 680
@@ -9,7 +9,7 @@ set terminal svg size figure_width,figure_height enhanced font 'Inter,11' linewi
 set output 'figure.svg'
 set minussign
 
-# Okabe and Ito's palette, told apart by colour-blind readers too.
+# The palette of Okabe and Ito, which colour-blind readers can distinguish.
 black = '#000000'; blue = '#0072B2'; green = '#009E73'; vermillion = '#D55E00'
 orange = '#E69F00'; purple = '#CC79A7'; sky = '#56B4E9'; grey = '#7A7A7A'; pale = '#D9D9D9'
 

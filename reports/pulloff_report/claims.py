@@ -1,4 +1,4 @@
-"""Reads the judged claims of the paper (reports/claims/README.md), if there are any."""
+"""Reads the judged claims of the paper (see reports/claims/README.md)."""
 
 import json
 import os
@@ -20,7 +20,7 @@ CHOICE = {"words": TEXT, "verdict": str, "low": NUMBER, "high": NUMBER, "compute
 
 
 def beside(run):
-    """Where the claims judged by a run are."""
+    """The path of the claims that were judged with a run."""
     return os.path.join(os.path.dirname(os.path.abspath(run)), PLACE)
 
 
@@ -50,5 +50,5 @@ def of_paper(judged):
 
 
 def contradicted(judged):
-    """The statements that the report has to name beside their number."""
+    """The statements that the first page names."""
     return [claim for claim in judged["claims"] if claim["verdict"] == "contradicted"] if judged else []

@@ -1,11 +1,11 @@
-"""The one kind of failure the report tells its user about."""
+"""The exception for errors that the report prints for its user."""
 
 BAD_USAGE = 2
 BAD_FILE = 4
 
 
 class ReportError(Exception):
-    """A one-line message that names what is wrong and where, and the exit code to leave with."""
+    """An error with a one-line message, which names the file and the fault, and an exit code."""
 
     def __init__(self, message, code=BAD_FILE):
         super().__init__(" ".join(str(message).split()))

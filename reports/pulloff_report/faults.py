@@ -1,4 +1,4 @@
-"""Reads the matrix of planted faults (tests/mutation/README.md), if there is one."""
+"""Reads the matrix of planted faults (see tests/mutation/README.md)."""
 
 import os
 
@@ -14,7 +14,7 @@ CELL = {"by": list, "failing": int, "caught": bool}
 
 
 def beside(run):
-    """Where the matrix of a run's build is."""
+    """The path of the matrix that belongs to a run."""
     return os.path.join(os.path.dirname(os.path.abspath(run)), PLACE)
 
 

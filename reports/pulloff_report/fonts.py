@@ -1,7 +1,7 @@
-"""The two typefaces of the report: where they are, how wide their text is, and what of them to embed.
+"""The two typefaces of the report: their files, the widths of text, and subsets to embed.
 
-Text in a figure is placed by the widths found here, and the same faces are embedded in the page,
-so a figure looks alike in every browser and in the PDF.
+Text in a figure is placed with the widths computed here, and the same typefaces are embedded in the page.
+A figure therefore looks the same in every browser and in the PDF.
 """
 
 import base64
@@ -16,7 +16,7 @@ from .errors import ReportError
 
 FOLDERS = ("/usr/share/fonts", "/usr/local/share/fonts")
 
-# Fonts are stamped with this time when they are written: the same run gives the same report.
+# fontTools and WeasyPrint write this time into their output, so that the same run gives the same bytes.
 os.environ.setdefault("SOURCE_DATE_EPOCH", "0")
 
 # (family, style, weight): file names in order of preference.
@@ -46,7 +46,7 @@ def installed():
 
 
 def path_of(family, style="normal", weight=400):
-    """The file of a face, or of the face that stands in for it."""
+    """The file of a face, or of its substitute."""
     for name in FILES[(family, style, weight)]:
         if name in installed():
             return installed()[name]
@@ -65,7 +65,7 @@ class Face:
             self.cap_height = getattr(font["OS/2"], "sCapHeight", 0.72 * self._unit) / self._unit
 
     def width(self, text, size):
-        """Width of text set solid, without kerning."""
+        """Width of text without kerning."""
         total = 0
         for character in text:
             name = self._names.get(ord(character))

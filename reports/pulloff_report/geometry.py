@@ -1,17 +1,17 @@
-"""How far the points of one curve lie from another: the residual of a branch that may turn back."""
+"""Distances between two curves that may turn back, as a branch does at a fold."""
 
 import numpy
 from scipy.interpolate import CubicSpline
 
-SAMPLES = 24      # of the smooth curve between two of its points, to find the nearest stretch
-REFINEMENTS = 6   # Newton steps on the foot of the normal; each doubles the correct digits
-UPRIGHT = 0.02    # cosine between the way to a point and the tangent at its foot, at most
-ROUND_OFF = 1e-12  # distances that small have no direction
-PAPER = (7.0, 4.2)  # width and height of the frame of a figure, in the units of a distance between markers
+SAMPLES = 24      # samples of the spline between two points, to find the nearest segment
+REFINEMENTS = 6   # Newton steps on the foot of the normal; convergence is quadratic
+UPRIGHT = 0.02    # largest cosine of the angle between the tangent and the direction to the point
+ROUND_OFF = 1e-12  # distances below this have no reliable direction
+PAPER = (7.0, 4.2)  # width and height of a figure's frame, in the unit of the distances between markers
 
 
 def through(curve_x, curve_y, position):
-    """The smooth curve through points along it, as a spline in `position`; None for too few."""
+    """The cubic spline through the points of a curve, in `position`; None for fewer than four points."""
     order = numpy.concatenate([[True], numpy.diff(position) > 0])
     if order.sum() < 4:
         return None
@@ -19,7 +19,7 @@ def through(curve_x, curve_y, position):
 
 
 def dense(curve_x, curve_y, position, between=8):
-    """The curve as a row of points close enough to be drawn by straight strokes."""
+    """Points of the curve that are dense enough to be joined by straight lines."""
     spline = through(curve_x, curve_y, position)
     if spline is None:
         return numpy.column_stack([curve_x, curve_y])
@@ -35,7 +35,7 @@ def inside(window, heights, x, y):
 
 
 def thinned(x, y, window, heights, apart):
-    """Points of a dense curve in a frame, one after another at least `apart` on paper."""
+    """Points of a dense curve in a frame whose successive distances on paper are at least `apart`."""
     chosen = inside(window, heights, x, y)
     size = (PAPER[0] / (window[1] - window[0]), PAPER[1] / (heights[1] - heights[0]))
     kept = []
@@ -46,9 +46,9 @@ def thinned(x, y, window, heights, apart):
 
 
 def common_range(curve_x, curve_y, x, y):
-    """Which of the points (x, y), taken along their own curve, lie between the ends of the other.
+    """Which of the points (x, y) of one curve lie between the ends of the other curve.
 
-    Beyond them the nearest piece of the other curve is a piece of another branch.
+    For points beyond these ends, the nearest part of the other curve would belong to another branch.
     """
     ends = [int(numpy.argmin(numpy.hypot(x - curve_x[end], y - curve_y[end]))) for end in (0, -1)]
     place = numpy.arange(len(x))
@@ -58,8 +58,8 @@ def common_range(curve_x, curve_y, x, y):
 def distances(curve_x, curve_y, position, x, y):
     """Distance from each point (x, y) to the curve, measured along the curve's normal.
 
-    The curve runs through its points as a cubic spline in `position`, so that where it folds over
-    itself the nearest branch counts. A point beyond either end of the curve has no normal: NaN.
+    The curve is interpolated by a cubic spline in `position`, so it may turn back; the nearest part counts.
+    The distance is NaN for a point beyond either end of the curve, which lies on no normal.
     """
     spline = through(curve_x, curve_y, position)
     if spline is None:
@@ -84,6 +84,6 @@ def distances(curve_x, curve_y, position, x, y):
     foot = numpy.clip(foot, knots[0], knots[-1])
     offset, tangent = spline(foot) - target, first(foot)
     result = numpy.hypot(*offset.T)
-    # Where the way to the point is not along the normal, the foot is an end of the curve.
+    # If the direction to the point is not normal to the curve, the foot is an end of the curve.
     lean = numpy.abs((offset * tangent).sum(axis=1)) / numpy.hypot(*tangent.T)
     return numpy.where(lean > UPRIGHT * result + ROUND_OFF, numpy.nan, result)

@@ -1,4 +1,4 @@
-"""Runs gnuplot on one figure script with the data prepared for it."""
+"""Runs gnuplot with the script of a figure and its data."""
 
 import math
 import os
@@ -21,7 +21,7 @@ def require():
 
 
 def quoted(value):
-    """A value as gnuplot writes it."""
+    """A value in the syntax of gnuplot."""
     if isinstance(value, str):
         return "'" + value.replace("'", "''") + "'"
     if isinstance(value, (list, tuple)):
@@ -37,7 +37,7 @@ def assignment(name, value):
 
 
 def write_blocks(path, blocks):
-    """Blocks of rows, two blank lines apart: gnuplot's `index` numbers them from 0."""
+    """Writes blocks of rows, separated by two blank lines; gnuplot's `index` counts them from 0."""
     with open(path, "w", encoding="utf-8") as stream:
         for block in blocks:
             rows = 0

@@ -1,4 +1,4 @@
-"""Puts the parts of the report together: one HTML page, and the same page on paper."""
+"""Builds the two forms of the report from the same sections: one HTML page for the screen, and a short edition on paper."""
 
 import logging
 import os
@@ -7,8 +7,7 @@ import re
 import jinja2
 from markupsafe import Markup
 
-from . import claims as judged_claims
-from . import fonts, sections, summary, svg, words
+from . import findings, fonts, sections, svg, words
 
 TITLE = "Pull-off of an adhesive sphere"
 TEMPLATES = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "templates")
@@ -20,7 +19,7 @@ def template_text(name):
 
 
 def style(name):
-    """A style sheet with its colours written out: WeasyPrint 57 knows no variable in a shorthand."""
+    """A style sheet with its colour variables replaced: WeasyPrint 57 supports no variable in a shorthand property."""
     colours = dict(re.findall(r"--([\w-]+):\s*(#\w+)", template_text("style.css")))
     return Markup(re.sub(r"var\(--([\w-]+)\)", lambda found: colours[found.group(1)],
                          template_text(name)))
@@ -34,39 +33,47 @@ def environment():
 
 
 def with_bars(text):
-    """W and a combining macron as a letter with a line over it, which every font sets right."""
+    """Replaces each letter with a combining macron by a letter with a line over it, which every font renders correctly."""
     return re.sub("(.)" + svg.MACRON, r'<span class="over">\1</span>', text)
 
 
-def html(run, references, faults=None, claims=None):
-    """The whole page as text; it refers to nothing outside itself."""
+def contents(run, references, faults=None, claims=None):
+    """All that either form of the report shows."""
     source = sections.Source(run, references, faults, claims)
-    kind, headline, text = summary.status(run)
-    rows = summary.rows(run)
-    content = {"title": TITLE, "facts": summary.facts(run), "rows": rows,
-               "totals": summary.totals(rows), "claims": summary.claims(claims),
-               "contradicted": judged_claims.contradicted(claims), "sections": sections.build_all(source),
-               "status": {"kind": kind, "headline": headline, "text": text},
-               "style": style("style.css"), "print_style": style("print.css"),
-               "script": Markup(template_text("script.js"))}
-    page = environment().get_template("report.html")
-    # The faces hold just the characters of the page, so it is filled in twice.
-    characters = page.render(font_faces="", **content)
-    return with_bars(page.render(font_faces=Markup(fonts.font_faces(characters)), **content))
+    return {"title": TITLE, "found": findings.build(run, claims), "sections": sections.build_all(source)}
 
 
-def for_paper(text):
-    """The page without the rows that are for the screen: hidden ones cost as much time and memory as others;
-    links to them are plain words."""
-    text = re.sub(r'<(tbody|tr)\b[^>]* class="screen">.*?</\1>', "", text, flags=re.DOTALL)
-    there = set(re.findall(r'\bid="([^"]+)"', text))
-    return re.sub(r'<a href="#(point-[^"]*)">(.*?)</a>',
-                  lambda link: link[0] if link[1] in there else link[2], text, flags=re.DOTALL)
+def filled(template, content, **more):
+    """A template filled with the content, with its typefaces embedded."""
+    page = environment().get_template(template)
+    # The embedded fonts hold exactly the characters of the page, so the template is filled twice.
+    characters = page.render(font_faces="", **content, **more)
+    return with_bars(page.render(font_faces=Markup(fonts.font_faces(characters)), **content, **more))
 
 
-def pdf(text):
-    """The page of html() as the bytes of a PDF."""
-    # Style rules for screens and the browser's script are not errors of the paper edition.
+def screen(content):
+    """The complete report as one HTML page without references to other files."""
+    return filled("report.html", content, paper=False, style=style("style.css"), script=Markup(template_text("script.js")))
+
+
+def paper(content):
+    """The HTML from which the PDF is made: only the sections that belong on paper."""
+    printed = [section for section in content["sections"] if section.on_paper]
+    omitted = [section for section in content["sections"] if not section.on_paper]
+    return filled("paper.html", dict(content, sections=printed), paper=True, omitted=omitted,
+                  style=style("style.css"), print_style=style("print.css"))
+
+
+def pdf(content):
+    """The paper edition as the bytes of a PDF."""
+    # WeasyPrint warns about style rules that are for screens only.
     logging.getLogger("weasyprint").setLevel(logging.ERROR)
     import weasyprint
-    return weasyprint.HTML(string=for_paper(text)).write_pdf()
+    return weasyprint.HTML(string=without_dead_links(paper(content))).write_pdf()
+
+
+def without_dead_links(text):
+    """The page with links to omitted parts replaced by their text."""
+    there = set(re.findall(r'\bid="([^"]+)"', text))
+    return re.sub(r'<a href="#([^"]*)">(.*?)</a>',
+                  lambda link: link[0] if link[1] in there else link[2], text, flags=re.DOTALL)

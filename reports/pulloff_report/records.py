@@ -1,4 +1,4 @@
-"""Reads the records of a run; says in one line what is wrong with one that cannot be read."""
+"""Reads the records of a run. A record that cannot be read raises a ReportError of one line."""
 
 import json
 import os
@@ -19,14 +19,14 @@ CHECK = {"id": str, "quantity": str, "obtained": NUMBER, "expected": NUMBER, "er
 LEFT_OUT = {"quantity": str, "reference": str, "stand_in": str}
 VERDICTS = ("within", "outside", "no_result", "missing_reference", "improved", "regressed", "moved",
             "wrong_and_frozen", "slack")
-PASSING = ("within", "improved", "slack")  # the last two are told nevertheless
-SILENT = ("no_result", "missing_reference")
+PASSING = ("within", "improved", "slack")
+NO_VERDICT = ("no_result", "missing_reference")
 TYPE_NAMES = {str: "a string", bool: "true or false", int: "a whole number", list: "a list",
               dict: "an object", NUMBER: "a number or null"}
 
 
 def demand(entry, wanted, path, where):
-    """Every wanted key is there with its type."""
+    """Raises a ReportError unless every wanted key is there with its type."""
     if not isinstance(entry, dict):
         raise ReportError(f"{path}: {where} is not an object")
     for key, kind in wanted.items():
@@ -39,7 +39,7 @@ def demand(entry, wanted, path, where):
 
 
 def read_judgement(path, schema):
-    """A JSON document beside the run, of a schema; None when there is no such file."""
+    """A JSON document with this schema; None when there is no such file."""
     if not path or not os.path.exists(path):
         return None
     try:
@@ -53,7 +53,7 @@ def read_judgement(path, schema):
 
 
 class Case:
-    """One case of a run: its record, and its curves and profiles when asked for."""
+    """One case of a run: its record, and its curves and profiles, which are read on request."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -73,8 +73,8 @@ class Case:
         self.checks = record["checks"]
         self.left_out = record.get("left_out", [])
         self.verdict = record["verdict"]
-        self.companion = None   # the same figure by the paper's discretisation, see Run.drawing
-        self.any_preload = None # the same figure at any preload, see there
+        self.companion = None    # the same figure computed with the paper's discretisation, see Run.drawing
+        self.any_preload = None  # the same figure at any preload, see Run.drawing
         self._lines = {line["name"]: line["table"] for line in record.get("lines", [])}
         self._points = {point["id"]: point for point in self.points}
 
@@ -108,7 +108,7 @@ class Case:
         return self._table(point.get("profile"))
 
     def line(self, name):
-        """A closed form along a sweep as a Table, or None when the case has no such line."""
+        """A closed-form solution along a sweep as a Table, or None when the case has no such line."""
         return self._table(self._lines.get(name))
 
     def _table(self, name):
@@ -121,17 +121,17 @@ class Case:
         return [point for point in self.points if point["status"] != "ok"]
 
     def failed_points(self):
-        """Those whose solve failed, but for what a share of the solves may."""
+        """Points whose solve failed. Failures within the fraction that the case permits are not counted."""
         return [point for point in self.points if point["failed"]]
 
     def worst(self):
-        """The greatest |error| in units of its tolerance, or None."""
+        """The largest |error| relative to its tolerance, or None."""
         ratios = [check["ratio"] for check in self.checks if check["ratio"] is not None]
         return max(ratios) if ratios else None
 
 
 class Run:
-    """All cases of a run folder, those of the paper's figures first and in their order."""
+    """All cases of a run folder: first those of the paper's figures, by number, then the others, by name."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -148,8 +148,11 @@ class Run:
         self.cases.sort(key=reading_order)
 
     def drawing(self, script):
-        """The cases that name this figure script, each with the cases of its name with _paper and _any after it:
-        the same by the discretisation of the paper, and at any preload."""
+        """The cases that name this figure script.
+
+        A case whose name ends in _paper or _any is attached to the case without that ending: the same figure with
+        the paper's discretisation (companion), and at any preload (any_preload).
+        """
         found = [case for case in self.cases if case.figure_script == script]
         names = {case.name: case for case in found}
         for case in found:

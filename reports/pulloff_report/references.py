@@ -1,4 +1,4 @@
-"""The reference data a run was compared with: where it comes from, and whether it is intact."""
+"""Access to the reference data that a run was compared with."""
 
 import os
 
@@ -6,14 +6,14 @@ from .tables import Table
 
 
 class References:
-    """The folder of reference data; a table is read when first asked for."""
+    """The folder of reference data; a table is read on first use."""
 
     def __init__(self, folder):
         self.folder = folder
         self._tables = {}
 
     def path_of(self, name):
-        """Pins lie beside the cases, which lie beside the reference data."""
+        """The path of a table. Pins are in the folder of the cases, next to the folder of the reference data."""
         folder = os.path.join(self.folder, "..", "cases") if name.startswith("pins/") else self.folder
         return os.path.join(folder, name)
 
@@ -21,7 +21,7 @@ class References:
         return os.path.isfile(self.path_of(name))
 
     def table(self, name):
-        """The Table of this file name, or None when there is no such file."""
+        """The Table with this file name, or None when there is no such file."""
         if name not in self._tables:
             path = self.path_of(name)
             self._tables[name] = Table(path) if os.path.isfile(path) else None

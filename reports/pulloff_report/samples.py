@@ -1,6 +1,6 @@
-"""Timed solves with measured errors: what the section on precision draws and tabulates.
+"""Timed solves with measured errors, for the section on error against run time.
 
-Everything here is arithmetic on the numbers of a record: medians, slopes, who is faster.
+The functions compute medians, slopes and comparisons from the numbers of a record.
 """
 
 import math
@@ -15,16 +15,21 @@ QUANTITIES = {"pull_off_force": "force", "pull_off_approach": "approach", "fold_
               "fold_count": "folds", "curve": "curve"}
 SERIES = ("ring uniform", "triangle uniform", "ring graded", "triangle graded", "panel")
 KEYS = ("tabor", "amplitude", "wavelength", "outer_radius")
-MARK = "triangle uniform", 501    # what the speed of panels is compared with
-ABOVE_FLOOR = 3                   # an error below so many floors says nothing of an order
+MARK = "triangle uniform", 501    # the mesh of the paper, with which the speed of panels is compared
+ABOVE_FLOOR = 3                   # errors below this multiple of the reference uncertainty are not used for orders
+
+
+def scene_of(point):
+    """Tabor parameter, amplitude, wavelength and outer radius of a point."""
+    return tuple(value_of(point, key) or 0 for key in KEYS)
 
 
 class Sample:
-    """One timed solve: scene, mesh, times, and by field its error, floor and whether folds fit."""
+    """One timed solve: its scene, mesh and times; for each field its error and the uncertainty of the reference."""
 
     def __init__(self, point, measured):
         self.label, self.status = point["label"], point["status"]
-        self.scene = tuple(value_of(point, key) or 0 for key in KEYS)
+        self.scene = scene_of(point)
         scheme = value_of(point, "scheme")
         self.series = scheme if scheme == "panel" else f"{scheme} {value_of(point, 'grading')}"
         self.nodes = None if scheme == "panel" else value_of(point, "nodes")
@@ -35,7 +40,7 @@ class Sample:
         self.failed = point["status"] != "ok"
         self.folds = len(point.get("folds") or [])
         self.errors, self.floors, self.notes = {}, {}, {}
-        self.misfit = False           # its folds are not those of the reference
+        self.misfit = False           # whether its folds differ in number or kind from those of the reference
         for item in measured:
             self.take(item)
 
@@ -46,7 +51,7 @@ class Sample:
         if item["outcome"] == "no_correspondence":
             self.misfit = True
             self.notes[field] = item["note"]
-        # The number of folds is no distance; and that of folds that do not fit is not one either.
+        # A difference in the number of folds is not an error of their place, and unmatched folds have no error.
         if item["error"] is None or item["quantity"] == "fold_count":
             return
         self.errors[field] = max(abs(item["error"]), self.errors.get(field, 0))
@@ -63,13 +68,13 @@ class Sample:
         return self.series, self.nodes or self.tolerance
 
     def reaches(self, field, error):
-        """Whether the error is no greater, and none of the folds is missing or spurious."""
+        """Whether the error does not exceed this one and no fold is missing or spurious."""
         return (not self.failed and not self.misfit and field in self.errors
                 and self.errors[field] <= error)
 
 
 def scene_name(scene):
-    """Its letters; that smooth spheres are unbounded and wavy ones cut the section says."""
+    """The parameters of a scene in the letters of the paper; the outer radius is left out."""
     tabor, amplitude, wavelength, _ = scene
     return f"μ = {plain(tabor)}" + (
         f", A† = {plain(amplitude)}, λ† = {plain(wavelength)}" if amplitude else "")
@@ -93,7 +98,7 @@ def of(samples, scene, series=None):
 
 
 def slope(points):
-    """Least squares of log y against log x."""
+    """Slope of the least-squares line of log y against log x."""
     logs = [(math.log(x), math.log(y)) for x, y in points]
     mean_x = statistics.fmean(x for x, _ in logs)
     mean_y = statistics.fmean(y for _, y in logs)
@@ -102,8 +107,11 @@ def slope(points):
 
 
 def order(samples, field):
-    """Observed order in the number of nodes, (order, first N, last N, count): over the finest meshes
-    without a failure, with the folds of the reference, above its floor. None: fewer than two."""
+    """Observed order of convergence in the number of nodes: (order, first N, last N, number of meshes).
+
+    The fit uses consecutive meshes, from the finest one down, that are solved, have the folds of the reference and
+    an error above ABOVE_FLOOR times its uncertainty. None for fewer than two such meshes.
+    """
     fit = []
     for sample in sorted(samples, key=lambda item: item.nodes, reverse=True):
         floor = ABOVE_FLOOR * sample.floors.get(field, 0)
@@ -116,15 +124,17 @@ def order(samples, field):
 
 
 def best(samples, field, seconds):
-    """The sample of the least error among those that take no longer; None: there is none."""
+    """The sample with the smallest error among those that take at most this time, or None."""
     known = [sample for sample in samples if not sample.failed and field in sample.errors
              and sample.seconds <= seconds and not (field == "folds" and sample.misfit)]
     return min(known, key=lambda sample: sample.errors[field], default=None)
 
 
 def overtaking(panels, others, field):
-    """From which time on panels have the smaller error, whatever the other scheme makes of that
-    time, and what the two are then: (seconds, panel, other or None). None: never."""
+    """The run time from which panels have the smaller error at every longer run time: (seconds, panel, other or None).
+
+    None if there is no such time.
+    """
     found = None
     for seconds in sorted({sample.seconds for sample in panels + others}, reverse=True):
         ours, theirs = best(panels, field, seconds), best(others, field, seconds)
@@ -135,12 +145,12 @@ def overtaking(panels, others, field):
 
 
 def quickest(panels, fields, goal):
-    """The quickest of the panels with errors no greater than those of `goal` in all fields."""
+    """The fastest panel solve whose errors do not exceed those of `goal` in any of the fields, or None."""
     able = [sample for sample in panels
             if all(sample.reaches(field, goal.errors.get(field, 0)) for field in fields)]
     return min(able, key=lambda sample: sample.seconds, default=None)
 
 
 def marked(samples):
-    """Triangle with 501 nodes, which the speed of panels is compared with."""
+    """The solve with 501 triangles on equal elements, or None."""
     return next((sample for sample in samples if sample.mesh == MARK), None)

@@ -1,8 +1,8 @@
-"""Makes the SVG of gnuplot and matplotlib fit to be set into a page.
+"""Prepares the SVG of gnuplot and matplotlib for embedding into a page.
 
-Both draw markers by reference and in `currentColor`, and gnuplot sets a label as several spans under
-one anchor; WeasyPrint 57 follows neither. Here every reference is drawn out, every colour is named,
-and every span of text gets a place of its own, so that browser and PDF show the same.
+Both draw markers by reference and in `currentColor`, and gnuplot writes a label as several spans under
+one anchor. WeasyPrint 57 supports neither. This module replaces each reference by a copy of its target and each
+`currentColor` by its value, and gives each span of text a position, so that browser and PDF show the same.
 """
 
 import copy
@@ -13,9 +13,9 @@ from . import fonts
 
 SVG = "http://www.w3.org/2000/svg"
 XLINK = "http://www.w3.org/1999/xlink"
-MACRON = "\u0304"  # combining, as in W̄: drawn as a line, since few fonts place it well
+MACRON = "\u0304"  # combining macron, as in W̄; drawn as a line, because few fonts place it correctly
 
-# Attributes that have done their work once references, colours and text are resolved.
+# Attributes that are not needed after references, colours and text are resolved.
 DROPPED = ("href", "color", "space", "text-anchor", "font-family", "font-size")
 
 ElementTree.register_namespace("", SVG)
@@ -57,7 +57,7 @@ class Spans:
 
 
 def font_of(element):
-    """Font properties an element sets itself, from attributes, style and the font shorthand."""
+    """Font properties that an element sets, from its attributes, style and font shorthand."""
     look = {}
     style = style_of(element)
     for name in ("font-family", "font-size", "font-style", "font-weight", "text-anchor", "fill"):
@@ -83,7 +83,7 @@ def face_of(look):
 
 
 def bar_over(face, before, letter, size, look, x, y):
-    """A line over one letter that starts `before` after x."""
+    """A line over a letter that follows the text `before`, which starts at x."""
     left = x + face.width(before, size)
     lean = 0.12 * size if look.get("font-style") == "italic" else 0.0
     inset = 0.06 * size
@@ -98,7 +98,7 @@ def bar_over(face, before, letter, size, look, x, y):
 
 
 def set_text(element, inherited):
-    """A group that shows what a text element says, every run placed by itself."""
+    """A group with the runs of a text element, each with its own position."""
     look = dict(inherited, **font_of(element))
     runs = Spans(element, inherited).runs
     sizes = [number(run_look.get("font-size", "12")) for _, run_look, _ in runs]
@@ -132,7 +132,7 @@ def set_text(element, inherited):
 
 
 class Flattener:
-    """Copies a tree with references drawn out, colours named and identifiers made its own."""
+    """Copies a tree with references and colours resolved, and identifiers with a prefix."""
 
     def __init__(self, root, prefix):
         self.prefix = prefix
@@ -173,7 +173,7 @@ class Flattener:
         return node
 
     def draw_out(self, element, colour):
-        """A use element as the group of what it refers to."""
+        """A use element as a group with a copy of its target."""
         target = self.targets.get(element.get(f"{{{XLINK}}}href", element.get("href"))[1:])
         group = ElementTree.Element(f"{{{SVG}}}g", self.attributes(element, colour))
         x, y = group.attrib.pop("x", None), group.attrib.pop("y", None)
@@ -187,9 +187,9 @@ class Flattener:
 
 
 def embeddable(text, prefix, label):
-    """SVG source as an element to be set into HTML: self-contained, scaled by its view box.
+    """SVG source as a self-contained HTML element, scaled by its view box.
 
-    prefix makes its identifiers unique in the page; label says what it shows to who cannot see it.
+    prefix makes its identifiers unique in the page; label is the text for readers who cannot see the figure.
     """
     root = ElementTree.fromstring(text)
     made = Flattener(root, prefix).copy(root)

@@ -67,11 +67,11 @@ class Table:
         return values
 
     def digest(self):
-        """sha256 of all lines but the one that states it, as written."""
+        """sha256 of all lines except the one that states it."""
         return hashlib.sha256(self._sealed.encode("utf-8")).hexdigest()
 
     def digest_state(self):
-        """Whether the data are those the header was written for."""
+        """Whether the data have the checksum that the header states: verified, differs, or absent."""
         stated = self.header.get("sha256")
         if stated is None:
             return "absent"

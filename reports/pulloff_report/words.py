@@ -1,4 +1,4 @@
-"""Numbers, symbols and names as the report writes them."""
+"""The notation of the report: numbers, symbols, names of quantities and verdicts."""
 
 import math
 import re
@@ -6,9 +6,9 @@ import re
 from markupsafe import Markup
 
 MINUS = "\u2212"
-THIN = "\u202f"  # narrow, and no line breaks at it
+THIN = "\u202f"  # narrow no-break space
 
-# Swept and scene keys -> the paper's letters.
+# Scene keys -> symbols of the paper.
 SYMBOLS = {"tabor": "μ", "nodes": "N", "amplitude": "A†", "wavelength": "λ†", "radius": "R†",
            "outer_radius": "r†max", "approach_start": "from Δ†", "approach_end": "to Δ†"}
 
@@ -17,24 +17,24 @@ QUANTITIES = {
     "pull_off_approach": "Approach at pull-off Δ†",
     "contact_radius": "Contact radius at pull-off, in ε",
     "residual": "Residual of the discrete equations",
-    "moved_force": "Pull-off force when inputs move by a last bit, relative change",
-    "energy_defect": "Energy gained less work done, over the range of the energy",
-    "reverse_trace": "Folds on the way back, difference over the error estimates",
+    "moved_force": "Relative change of the pull-off force when inputs change by their last bit",
+    "energy_defect": "Energy gained minus work done, relative to the range of the energy",
+    "reverse_trace": "Folds of the reverse trace, difference relative to the error estimates",
     "fold_count": "Number of folds",
     "fold_approach": "Approach at a fold Δ†",
     "fold_load": "Load at a fold W̄",
     "extremum_count": "Number of extrema of the load",
     "extremum_approach": "Approach at an extremum of the load Δ†",
-    "extremum_load": "Load at its extremum W̄",
-    "hysteresis_force": "Greatest tension met in unloading |W̄|",
-    "hysteresis_approach": "Approach at the greatest tension met in unloading Δ†",
+    "extremum_load": "Load at an extremum W̄",
+    "hysteresis_force": "Largest tension in unloading |W̄|",
+    "hysteresis_approach": "Approach at the largest tension in unloading Δ†",
     "hysteresis_loss": "Energy lost in loading and unloading, in πwRε",
     "jump_count": "Number of jumps in loading and unloading",
     "jump_approach": "Approach at a jump Δ†",
     "jump_load_before": "Load before a jump W̄",
     "jump_load_after": "Load after a jump W̄",
     "jump_energy_lost": "Energy lost in a jump, in πwRε",
-    "curve": "Loading curve, distance normal to the curve",
+    "curve": "Loading curve, distance along its normal",
     "work_points": "Work: equilibria",
     "work_newton_iterations": "Work: Newton iterations",
     "work_factorizations": "Work: factorisations",
@@ -50,32 +50,32 @@ VERDICT_SIGNS = {"within": "✓", "outside": "✗", "no_result": "∅", "missing
                  "improved": "✓", "regressed": "✗", "moved": "✗", "wrong_and_frozen": "✗",
                  "slack": "✓", "failed": "∅"}
 VERDICT_MEANINGS = {
-    "improved": "the pin moved towards every oracle, or there is less work: to be blessed",
-    "regressed": "the pin moved away from an oracle, or there is more work",
-    "moved": "the pin moved, and no oracle says whether for the better",
-    "wrong_and_frozen": "the oracle fails while the pin holds",
-    "slack": "within, but the tolerance is over a thousand times the largest error it met"}
+    "improved": "the value moved from its pin towards every oracle, or the work decreased; the new value can be accepted",
+    "regressed": "the value moved from its pin away from an oracle, or the work increased",
+    "moved": "the value moved from its pin, and there is no oracle to judge the change",
+    "wrong_and_frozen": "the value equals its pin but is outside the tolerance of an oracle",
+    "slack": "within the tolerance, which is more than a thousand times the largest error"}
 CLAIM_VERDICTS = {"reproduced": "reproduced", "within_reading": "reproduced within reading accuracy",
                   "depends": "dependent on a choice that the paper leaves open", "contradicted": "contradicted",
                   "not_testable": "not testable", "no_result": "no result"}
-# Comparisons that say nothing of the paper: both sides of them are this project's.
+# Comparisons of two results of this project, which say nothing about the paper.
 CHECK_VERDICTS = {"checked": "implementation check passed", "check_failed": "implementation check failed"}
 CHOICE_WORDS = {"reproduced": "holds", "within_reading": "holds within reading accuracy", "contradicted": "does not hold",
                 "no_result": "no result"}
 CLAIM_SIGNS = {"reproduced": "✓", "within_reading": "≈", "depends": "◐", "contradicted": "✗", "not_testable": "–",
                "no_result": "∅", "checked": "=", "check_failed": "≠"}
-LEDGERS = {"oracle": "exact or many digits, by an independent route",
-           "published": "published value, with its uncertainty",
-           "pin": "this program's own last accepted value, to notice change"}
+LEDGERS = {"oracle": "an exact or highly accurate value from an independent computation",
+           "published": "a published value with its uncertainty",
+           "pin": "the value of this program that was last accepted, to detect changes"}
 
 
 def signed(text):
-    """A hyphen at the front of a number made a minus sign."""
+    """A number with its hyphens replaced by minus signs."""
     return text.replace("-", MINUS)
 
 
 def plain(value):
-    """A number as short as it reads back, in words for what is no number."""
+    """A number with up to 12 digits; other values as text."""
     if value is None:
         return "–"
     if isinstance(value, bool):
@@ -86,14 +86,14 @@ def plain(value):
 
 
 def decimals_for(tolerance):
-    """Decimals that show two digits of the tolerance; None when it tells nothing."""
+    """Decimals that show two digits of the tolerance; None without a usable tolerance."""
     if not tolerance or not math.isfinite(tolerance) or tolerance <= 0:
         return None
     return min(max(1 - math.floor(math.log10(tolerance)), 0), 14)
 
 
 def fixed(value, decimals):
-    """A number with so many decimals, or in short when their number is unknown."""
+    """A number with this many decimals; in scientific notation if their number is unknown or too small."""
     if value is None or not isinstance(value, (int, float)):
         return plain(value)
     if decimals is None or (value != 0 and abs(value) < 10.0 ** -decimals):
@@ -102,7 +102,7 @@ def fixed(value, decimals):
 
 
 def scientific(value, digits=2):
-    """1.2 × 10⁻⁵ as HTML; small exponents are written out."""
+    """A number as 1.2 × 10⁻⁵ in HTML; as a decimal fraction if the exponent is small."""
     if value is None:
         return "–"
     if value == 0:
@@ -116,7 +116,7 @@ def scientific(value, digits=2):
 
 
 def ratio(value):
-    """An error in units of its tolerance: few digits, since only its size matters."""
+    """An error relative to its tolerance, with few digits."""
     if value is None:
         return "–"
     if value == 0:
@@ -125,7 +125,7 @@ def ratio(value):
 
 
 def seconds(value):
-    """A duration with the digits one cares for."""
+    """A duration with three digits, or in minutes and seconds."""
     if value is None:
         return "–"
     if value < 0.0995:
@@ -137,7 +137,7 @@ def seconds(value):
 
 
 def date(text):
-    """2026-01-02T10:00:00Z in a reader's spelling; anything else as it is."""
+    """2026-01-02T10:00:00Z as 2026-01-02 10:00 UTC; other text unchanged."""
     found = re.fullmatch(r"(\d{4}-\d\d-\d\d)T(\d\d:\d\d)(:\d\d)?Z", text)
     return f"{found.group(1)} {found.group(2)} UTC" if found else text
 
@@ -167,7 +167,7 @@ def sweep_label(point):
 
 
 def value_of(point, key):
-    """A swept value of a point, or that of its scene."""
+    """The value of a key in the sweep of a point, or in its scene."""
     if key in point["sweep"]:
         return point["sweep"][key]
     return (point.get("input") or {}).get(key)
@@ -175,6 +175,11 @@ def value_of(point, key):
 
 def count(number, singular, plural=None):
     return f"{number} {singular if number == 1 else plural or singular + 's'}"
+
+
+def lower_first(text):
+    """The text with a small first letter, to be used within a sentence."""
+    return text[:1].lower() + text[1:]
 
 
 def listing(items):

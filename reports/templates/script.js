@@ -1,5 +1,5 @@
 "use strict";
-// Sorting: a click on a column head sorts the rows of every body, or the bodies themselves.
+// Sorting: a click on a column head sorts the rows within each table body, or the bodies of a table of class by-body.
 function cellKey(row, column) {
   const cell = row.cells[column];
   if (!cell) return "";
@@ -45,6 +45,7 @@ function applyFilter(name) {
   const words = document.querySelector(`[data-filter="${name}"]`).value.toLowerCase().split(/\s+/);
   const only = document.querySelector(`[data-only="${name}"]`).checked;
   for (const table of document.querySelectorAll(`[data-table="${name}"]`)) {
+    let found = 0;
     for (const body of table.tBodies) {
       const head = body.rows[0].textContent.toLowerCase();
       let shown = 0;
@@ -54,12 +55,25 @@ function applyFilter(name) {
         shown += row.hidden ? 0 : 1;
       }
       body.hidden = shown === 0;
+      found += shown;
     }
+    const list = table.closest("details");
+    list.hidden = found === 0;
+    list.open = found > 0 && (only || words.some((word) => word !== ""));
   }
 }
 for (const input of document.querySelectorAll("[data-filter], [data-only]")) {
   input.addEventListener("input", () => applyFilter(input.dataset.filter || input.dataset.only));
 }
+// A link to something in a folded list unfolds the list.
+function reveal() {
+  const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  if (!target) return;
+  for (let list = target.closest("details"); list; list = list.parentElement.closest("details")) list.open = true;
+  target.scrollIntoView();
+}
+addEventListener("hashchange", reveal);
+reveal();
 // A figure enlarges to the window, where it can be zoomed and moved.
 const zoom = document.getElementById("zoom");
 const stage = zoom.querySelector(".stage");
@@ -117,7 +131,7 @@ for (const kind of ["pointerup", "pointercancel"]) {
 }
 zoom.querySelector(".close").addEventListener("click", () => zoom.close());
 zoom.addEventListener("close", () => pointers.clear());
-// The contents mark the section being read.
+// The table of contents marks the section that is being read.
 const links = new Map([...document.querySelectorAll("nav.contents a")].map((a) => [a.hash.slice(1), a]));
 const parts = [...links.keys()].map((id) => document.getElementById(id)).filter(Boolean);
 function mark() {

@@ -20,7 +20,7 @@ import judge  # noqa: E402
 import run  # noqa: E402
 import sensitivity  # noqa: E402
 import sources  # noqa: E402
-from pulloff_report import claims, sections, summary  # noqa: E402
+from pulloff_report import claims, findings, sections  # noqa: E402
 from pulloff_report.errors import ReportError  # noqa: E402
 
 # A program that knows two scenes, and leaves a line whenever it is asked.
@@ -287,9 +287,9 @@ class Judged(unittest.TestCase):
         self.assertEqual(self.row()["faults"], [])
         self.assertRegex(self.row(claimed="1.60")["faults"][0], "expected brief, note and survives")
         self.assertEqual(self.row(claimed="1.60", brief="made", note="made", survives="made")["faults"], [])
-        self.assertRegex(self.row(claimed="2")["faults"][0], "only a number off by .* state off_by and why")
+        self.assertRegex(self.row(claimed="2")["faults"][0], "only a relative change by .* state off_by and off_by_because")
         loose = {"claimed": 1.6, "reading": "figure", "accuracy": 1, "accuracy_because": "made"}
-        self.assertRegex(self.row(**loose, off_by=0.5, off_by_because="made")["faults"][0], "the answer stays if force is off by 0.5")
+        self.assertRegex(self.row(**loose, off_by=0.5, off_by_because="made")["faults"][0], "the verdict does not change if force changes by 0.5")
 
     def test_what_cannot_be_had_is_told(self):
         for get, message in (({"f": {"pulloff": "solve --tabor 4", "at": "x"}}, "no such scene"),
@@ -310,12 +310,15 @@ class Judged(unittest.TestCase):
         path = os.path.join(self.folder, "claims.json")
         run.write(path, made)
         judged = claims.read(path)
-        self.assertEqual(summary.claims(judged), "3 statements of the paper: 2 reproduced and 1 contradicted. "
-                         "Beside them: 1 implementation check passed.")
+        found = findings.claims(judged)
+        self.assertEqual(found["headline"], "1 of 3 statements of the paper is contradicted")
+        self.assertEqual(found["text"], "2 are reproduced.")
+        self.assertEqual([claim["id"] for claim in found["contradicted"]], ["other"])
         from pulloff_report.sections import claims as section
-        rows = section.build(sections.Source(None, None, None, judged)).data["rows"]
-        self.assertEqual([(row["claimed"], row["verdict"]["word"]) for row in rows],
-                         [("1.57", "reproduced"), ("1.60", "contradicted"), ("≥ 1.5", "reproduced"), ("1.57", "implementation check passed")])
+        groups = section.build(sections.Source(None, None, None, judged)).data["groups"]
+        self.assertEqual([[(row["claimed"], row["verdict"]["word"]) for row in group["rows"]] for group in groups],
+                         [[("1.60", "contradicted")], [("1.57", "reproduced"), ("≥ 1.5", "reproduced")],
+                          [("1.57", "implementation check passed")]])
         self.assertEqual([claim["id"] for claim in claims.contradicted(judged)], ["other"])
         made["claims"][0]["verdict"] = "believed"
         run.write(path, made)

@@ -15,10 +15,10 @@ for folder in ("reports", "tools"):
 
 import count_tests  # noqa: E402
 
-from pulloff_report import fonts, geometry, gnuplot, page, samples, svg, words  # noqa: E402
+from pulloff_report import findings, fonts, geometry, gnuplot, page, samples, svg, words  # noqa: E402
 from pulloff_report.errors import ReportError  # noqa: E402
 from pulloff_report.plots import doubling, loading, preload, staircase  # noqa: E402
-from pulloff_report.sections import checks  # noqa: E402
+from pulloff_report.plots.figure import Figure  # noqa: E402
 from pulloff_report.tables import Table  # noqa: E402
 
 
@@ -242,26 +242,22 @@ class Gnuplot(unittest.TestCase):
 
 
 class Paper(unittest.TestCase):
-    """What the PDF is spared of long tables."""
+    """The paper edition, which omits the long lists."""
 
-    def test_it_has_the_largest_errors_and_all_that_did_not_pass(self):
-        ratios = [0.1, 0.7, None, 0.3, 0.2, 0.01, 0.5]
-        group = {"rows": [{"check": {"ratio": ratio, "verdict": "regressed" if ratio == 0.01 else "within"},
-                           "screen": False} for ratio in ratios]}
-        checks.spare_paper(group)
-        self.assertEqual([row["check"]["ratio"] for row in group["rows"] if not row["screen"]],
-                         [0.7, 0.3, 0.01, 0.5])
-        self.assertEqual(group["printed"], 4)
-
-    def test_rows_for_the_screen_are_not_laid_out(self):
-        text = '<tbody class="a"><tr id="x" class="screen"><td>1</td></tr><tr><td>2</td></tr></tbody>' \
-               '<tbody id="y" class="screen"><tr><td>3</td></tr></tbody>'
-        self.assertEqual(page.for_paper(text), '<tbody class="a"><tr><td>2</td></tr></tbody>')
-
-    def test_a_link_to_what_is_not_laid_out_is_plain(self):
+    def test_a_link_to_an_omitted_part_is_plain_text(self):
         here, gone = '<a href="#point-x-0">one</a>', '<a href="#point-x-1">two</a>'
-        rows = '<tbody id="point-x-0"></tbody><tbody id="point-x-1" class="screen"></tbody>'
-        self.assertEqual(page.for_paper(here + gone + rows), here + 'two<tbody id="point-x-0"></tbody>')
+        part = '<p id="point-x-0"></p>'
+        self.assertEqual(page.without_dead_links(here + gone + part), here + "two" + part)
+
+    def test_a_figure_as_tall_as_it_is_wide_has_a_page_for_itself(self):
+        def made(*heights):
+            return Figure("x", "1", "made up", "".join(f'<svg viewBox="0 0 680 {height}"/>' for height in heights), "")
+        self.assertEqual([made(*heights).is_tall for heights in ((480,), (640,), (400,), (400, 400))],
+                         [False, True, False, True])
+
+    def test_a_version_without_its_build_options(self):
+        self.assertEqual([findings.short_version("GSL", text) for text in ("gcc 12.2.0", "2.7.1", "OpenBLAS 0.3.21 NO_LAPACKE", "git")],
+                         ["gcc 12.2.0", "GSL 2.7.1", "OpenBLAS 0.3.21", "git"])
 
 
 class Counting(unittest.TestCase):

@@ -1,9 +1,9 @@
-"""The figures: one module each, found by the `figure_script` a case names.
+"""The figures, one module each; the `figure_script` of a case names the module.
 
-A module offers NUMBER (of the paper's figure, or None), TITLE and make(case, references) -> Figure;
-CASE, when it draws the case of another figure; AT_ANY_PRELOAD, when it draws that of this name with _any
-after it; SCHEMATIC, when it draws none (case is None).
-To add one: write the module here and, when gnuplot draws it, figures/<name>.gp; enter it below.
+A module defines NUMBER (the number of the paper's figure, or None), TITLE and make(case, references) -> Figure.
+Optional: CASE, if it draws the case of another figure; AT_ANY_PRELOAD, if it draws the case with the suffix _any;
+SCHEMATIC, if it draws a sketch without a case (case is None).
+To add a figure: write the module, and figures/<name>.gp if gnuplot draws it; add it to BY_SCRIPT.
 """
 
 from . import (doubling, fig02, fig03, fig04, fig06, fig07, fig08, fig09, fig10, fig11, fig12, fig13,

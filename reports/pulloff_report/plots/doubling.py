@@ -1,4 +1,4 @@
-"""The preload that it takes to double the pull-off of the smooth sphere, over the Tabor parameter and A/λ."""
+"""The smallest preload that gives twice the pull-off force of the smooth sphere, over the Tabor parameter and A/λ."""
 
 import bisect
 import itertools
@@ -14,35 +14,37 @@ from .figure import Figure
 from .pull_off_map import place
 
 NUMBER = None
-TITLE = "Preload that doubles the pull-off of the smooth sphere"
+TITLE = "Preload that gives twice the pull-off force of the smooth sphere"
 CASE = "fig14"
-AT_ANY_PRELOAD = True   # drawn from the case at any preload
+AT_ANY_PRELOAD = True   # the case with the suffix _any is drawn
 FACTOR = 2.0
-LEAST_RATIO = 0.01     # A/λ from which cells are drawn
-# Upper ends of the classes of preloads, but for the last, which has none: approaches in ε and loads in πwR.
+LEAST_RATIO = 0.01     # smallest A/λ that is drawn
+# Upper ends of the classes of preloads, except the last class: approaches in ε and loads in πwR.
 LEVELS = {"displacement_control": (-2, 0, 2, 4, 8, 16), "load_control": (0, 0.25, 0.5, 1, 2, 4)}
 AXES = {"displacement_control": "approach", "load_control": "load"}
-GREATEST_LOAD = 100  # in πwR, to which preloads are looked at
+GREATEST_LOAD = 100  # largest preload that was computed, in πwR
 
 
 def doubling(steps, axis, wanted):
-    """The least preload from which the force is at least as wanted; None: there is none."""
+    """The smallest preload at which the force reaches the wanted value, or None."""
     for step in steps:
         if step["force"] >= wanted:
-            return step["preload"][axis] or 0.0   # the bodies come together under no load
+            return step["preload"][axis] or 0.0   # in load control the bodies come into contact at zero load
     return None
 
 
 def middles(values):
-    """Ends of cells around values, half way to the neighbours on a logarithmic scale; those at the edges as wide."""
+    """Edges of the cells around the values, half way between neighbours on a logarithmic scale."""
     logs = [math.log(value) for value in values]
     inner = [(a + b) / 2 for a, b in zip(logs, logs[1:])]
     return [2 * logs[0] - inner[0]] + inner + [2 * logs[-1] - inner[-1]]
 
 
 def cells(points, control, smooth):
-    """Blocks of cells (x, y, left, right, low, high) in logarithms: one a class of preloads, then where no preload
-    doubles the force, and where that is not known."""
+    """Blocks of cells (x, y, left, right, low, high) in logarithms.
+
+    One block for each class of preloads, one where no preload doubles the force, and one where this is unknown.
+    """
     tabors, ratios = (sorted({place(point)[k] for point in points}) for k in (0, 1))
     xs, ys = middles(tabors), middles(ratios)
     blocks = [[] for _ in range(len(LEVELS[control]) + 3)]
@@ -54,7 +56,7 @@ def cells(points, control, smooth):
 
 
 def class_of(point, control, wanted):
-    """Which class of preloads gives a scene the force wanted; -2: none does, -1: that is not known."""
+    """The class of preloads at which a scene reaches the wanted force; -2: no preload does, -1: unknown."""
     found = point and point.get("staircase")
     if not found:
         return -1
@@ -65,10 +67,10 @@ def class_of(point, control, wanted):
 
 
 def names(levels, axis):
-    """Of the classes: "up to 2", "2 to 4", "beyond 4"."""
+    """The names of the classes: "up to 2", "2 to 4", "above 4"."""
     first = "contact alone" if axis == "load" else f"up to {plain(levels[0])}"
     return [first] + [f"{plain(a)} to {plain(b)}" for a, b in zip(levels, levels[1:])] + [
-        f"beyond {plain(levels[-1])}", "by none", "not known"]
+        f"above {plain(levels[-1])}", "none", "unknown"]
 
 
 def make(case, references):
@@ -87,7 +89,7 @@ def make(case, references):
         "load_text": classes["load_control"],
         "colours": [matplotlib.colors.to_hex(shade) for shade in shades] + ["#FFFFFF", "#C8C8C8"],
         "x_low": frame[0], "x_high": frame[1], "y_low": frame[2], "y_high": frame[3], "figure_height": 330}, data)
-    label = "Preload that doubles the pull-off force of the smooth sphere, over the Tabor parameter and A/λ"
+    label = "Preload that gives twice the pull-off force of the smooth sphere, over the Tabor parameter and A/λ"
     return Figure("doubling", NUMBER, TITLE, Markup(svg.embeddable(drawn, "doubling", label)),
                   caption(waves, data), [], case.any_preload.record["command"])
 
@@ -96,10 +98,10 @@ def caption(waves, data):
     known = data["displacement_control"]
     doubled = sum(len(block) for block in known[:-2])
     return Markup(
-        "The least preload from which a test measures at least twice the pull-off force of the smooth sphere of the same "
-        "Tabor parameter, λ† = {}, R† = 100, r<sub>max</sub> = R, the spheres of Figure 14: (a) the greatest approach Δ† of a "
-        "test at given approach, (b) the greatest load W̄ of a test at given load. Each cell is a scene. Some preload doubles the "
-        "force in {} of {} with A/λ of {} or more; in {} none does; in {} none does up to a load of {} πwR, or the sphere was "
-        "not pressed so hard, as that takes minutes.").format(
-            plain(waves[0]["input"]["wavelength"]), doubled, count(sum(map(len, known)), "scene"), plain(LEAST_RATIO),
+        "The smallest preload at which a test measures at least twice the pull-off force of the smooth sphere with the same "
+        "Tabor parameter; λ† = {}, R† = 100, r<sub>max</sub> = R, as in Figure 14. (a) Displacement control: the largest approach Δ†; "
+        "(b) load control: the largest load W̄. Each cell is a scene. Of {} with A/λ of {} or more, {} reach twice the force at "
+        "some preload and {} at none. For the other {} this is unknown: no preload up to {} πwR is sufficient, or such preloads "
+        "were not computed because they take minutes.").format(
+            plain(waves[0]["input"]["wavelength"]), count(sum(map(len, known)), "scene"), plain(LEAST_RATIO), doubled,
             len(known[-2]), len(known[-1]), GREATEST_LOAD)

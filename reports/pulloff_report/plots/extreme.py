@@ -1,4 +1,4 @@
-"""How the pull-off force of the smooth sphere approaches its limits, with the observed rates."""
+"""The approach of the pull-off force of the smooth sphere to its limits, with the observed rates."""
 
 import io
 import math
@@ -13,13 +13,13 @@ from .figure import BLUE, GREY, VERMILLION, Figure, checks_of
 
 CASE = "extreme_tabor"
 TITLE = "Approach to the limits"
-# Reference of the limit -> its name, where rates are told, the row of the outermost, colour, marker.
+# Reference of the limit -> name, scenes whose rates are tabulated, row of the outermost rate, colour, marker.
 LIMITS = {"bradley": ("Bradley, 2, as μ → 0", lambda tabor: tabor <= 0.1, 1, BLUE, "o"),
           "reference/guduru_limit.csv": ("JKR, 3/2, as μ → ∞", lambda tabor: tabor >= 5, -1, VERMILLION, "s")}
 
 
 def limit_of(case, reference):
-    """What the reference says of the force; it is one number on a smooth sphere."""
+    """The limit of the force by this reference, which is the same for all smooth spheres."""
     for point in case.points:
         for check in checks_of(case, point, "pull_off_force"):
             if check.get("reference") == reference and check["expected"] is not None:
@@ -38,16 +38,16 @@ def distances(case, limit):
 
 
 def rates_of(name, limit, rows):
-    """The rate between a row and the one before: log(ratio of differences) / log(ratio of μ)."""
-    told = []
+    """The rate between each row and the previous one: log(ratio of differences) / log(ratio of μ)."""
+    made = []
     for place, (tabor, force, difference) in enumerate(rows):
         rate = None
         if place:
             before = rows[place - 1]
             rate = math.log(difference / before[2]) / math.log(tabor / before[0])
-        told.append({"first": place == 0, "name": name, "tabor": tabor, "force": force, "limit": limit,
+        made.append({"first": place == 0, "name": name, "tabor": tabor, "force": force, "limit": limit,
                      "difference": difference, "rate": rate})
-    return told
+    return made
 
 
 def draw(curves):
@@ -78,18 +78,18 @@ def draw(curves):
 def make(cases):
     """The figure and the table of rates; None and nothing without the case."""
     case = next((case for case in cases if case.name == CASE), None)
-    curves, told = [], []
+    curves, rows_of_table = [], []
     for reference, (name, near, outer, colour, marker) in LIMITS.items():
         limit = limit_of(case, reference) if case else None
         rows = distances(case, limit) if limit is not None else []
         rates = rates_of(name, limit, [row for row in rows if near(row[0])])
         if len(rates) > 1:
             curves.append((name, rows, near, rates[outer]["rate"], colour, marker))
-            told += rates
+            rows_of_table += rates
     if len(curves) < len(LIMITS):
-        return None, told
-    caption = Markup("Difference of the pull-off force of the smooth sphere from its limits: {}. Filled: the "
-                     "scenes whose rates are told below; the rate above each is that of the outermost "
-                     "two.").format(listing(curve[0] for curve in curves))
+        return None, rows_of_table
+    caption = Markup("Difference between the pull-off force of the smooth sphere and its limits: {}. Filled markers: the "
+                     "scenes of the table of rates. The rate above each panel is that between the two "
+                     "outermost scenes.").format(listing(curve[0] for curve in curves))
     drawn = Markup(svg.embeddable(draw(curves), "extreme-limits", TITLE))
-    return Figure("extreme-limits", "", TITLE, drawn, caption, command=case.record["command"]), told
+    return Figure("extreme-limits", "", TITLE, drawn, caption, command=case.record["command"]), rows_of_table

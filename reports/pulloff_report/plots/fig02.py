@@ -1,4 +1,4 @@
-"""Figure 2: the interaction law, and the equivalent geometry before and after an approach."""
+"""Figure 2: the traction-separation law, and the equivalent geometry before and after an approach."""
 
 import numpy
 from markupsafe import Markup
@@ -9,8 +9,8 @@ from . import twice
 from .figure import Figure
 
 NUMBER = "2"
-TITLE = "The interaction law and the equivalent geometry"
-REACH = 32.0              # of the drawn surfaces, in ε
+TITLE = "The traction–separation law and the equivalent geometry"
+REACH = 32.0              # largest radius that is drawn, in ε
 
 
 def surfaces(case, point):
@@ -19,11 +19,11 @@ def surfaces(case, point):
     if table is None:
         return [], None
     r, gap = table.numbers("radius"), table.numbers("gap")
-    shape = r ** 2 / (2 * scene["radius"]) + scene["amplitude"] * (
+    profile = r ** 2 / (2 * scene["radius"]) + scene["amplitude"] * (
         1 - numpy.cos(2 * numpy.pi * r / scene["wavelength"]))        # Eq 2
-    moved = 1.0 - point["pull_off"]["approach"] + shape
+    moved = 1.0 - point["pull_off"]["approach"] + profile
     chosen = r <= 1.2 * REACH
-    right = [tuple(map(float, row)) for row in zip(r[chosen], 1.0 + shape[chosen], 0.0 * r[chosen],
+    right = [tuple(map(float, row)) for row in zip(r[chosen], 1.0 + profile[chosen], 0.0 * r[chosen],
                                                    moved[chosen], (moved - 1.0 - gap)[chosen])]
     left = [(-row[0], *row[1:]) for row in reversed(right) if row[0] > 0]
     return left + right, point
@@ -41,12 +41,12 @@ def make(case, references):
 
 
 def caption(case, point):
-    text = Markup("(a) Lennard-Jones traction of Eq 9, compressive > 0, against the gap h.")
+    text = Markup("(a) Lennard-Jones traction of Eq 9, positive in compression, against the gap h.")
     if point:
         scene = point["input"]
-        text += Markup(" (b) The equivalent problem, Eq 10: a rough rigid indenter and the half-space, grey as they "
-                       "are, black at pull-off, Δ† = {}, where the half-space is pulled up to the indenter; computed "
-                       "at μ = {}, A† = {}, λ† = {}, R† = {}, {}.").format(
+        text += Markup(" (b) The equivalent problem, Eq 10: a rigid wavy indenter and the half-space. Grey: undeformed; "
+                       "black: at pull-off, Δ† = {}, where the half-space is pulled up to the indenter. Computed "
+                       "for μ = {}, A† = {}, λ† = {}, R† = {} with {}.").format(
                            fixed(point["pull_off"]["approach"], 4), plain(scene["tabor"]),
                            plain(scene["amplitude"]), plain(scene["wavelength"]), plain(scene["radius"]),
                            Markup(twice.how(case)))

@@ -15,13 +15,13 @@ NUMBER = "3"
 TITLE = "Load against approach of a smooth sphere"
 
 CURVES, BRADLEY = "feng_curves.csv", "bradley.csv"
-PUBLISHED = "published/feng_fig3.csv"   # Feng's own points, when somebody has digitised them
-WINDOW = (-1.05, 6.0)        # of −Δ†, as wide as the folds of μ = 3 ask for
+PUBLISHED = "published/feng_fig3.csv"   # Feng's own points, if a digitised file is available
+WINDOW = (-1.05, 6.0)        # of −Δ†; contains all folds of μ = 3
 LOADS = (-2.3, 1.0)          # of W̄
-BEYOND = 4.0                 # a greater Tabor parameter is not in the paper's figure, and is drawn below it
-NEAR = 0.7                   # of the approach, to either side of the pull-off there
-NOSE = 0.08                  # of the approach, to either side of the last jump apart there
-MARKERS_APART = 0.16         # between two markers, see geometry.thinned
+BEYOND = 4.0                 # a larger Tabor parameter is not in the paper's figure and is drawn in separate panels
+NEAR = 0.7                   # half width of panel (a) about the pull-off, in approach
+NOSE = 0.08                  # half width of panel (b) about the last jump out of contact, in approach
+MARKERS_APART = 0.16         # distance between markers, see geometry.thinned
 STYLES = [(BLUE, 6), (GREEN, 4), (PURPLE, 8), (ORANGE, 12)]
 
 
@@ -65,7 +65,7 @@ def thinned(x, y):
 
 
 def residual(computed, reference):
-    """Rows (−Δ†, distance) of the reference's points from the computed branch, in the window."""
+    """Rows (−Δ†, distance of a reference point from the computed branch), in the window."""
     x, y = reference
     chosen = inside(x, y) & geometry.common_range(computed[0], computed[1], x, y)
     gap = geometry.distances(computed[0], computed[1], computed[2], x[chosen], y[chosen])
@@ -73,7 +73,7 @@ def residual(computed, reference):
 
 
 def beside(case, tabor):
-    """The point of the companion at this Tabor parameter, or None."""
+    """The point of the companion case with this Tabor parameter, or None."""
     for point in case.companion.points if case.companion else []:
         if numpy.isclose(value_of(point, "tabor"), tabor, rtol=1e-9):
             return point
@@ -82,30 +82,30 @@ def beside(case, tabor):
 
 @dataclasses.dataclass
 class Soft:
-    """A sphere beyond the figure, by panels and by the paper's discretisation."""
+    """A softer sphere than in the paper's figure, with panels and with the paper's discretisation."""
     tabor: float
-    folds: list              # of either: their number
-    minimum: list            # of either: rows (−Δ†, W̄) about the pull-off
-    nose: list               # of either: rows about the folds of the paper's discretisation where the surfaces jump apart
-    at_folds: list           # of either: the folds there
-    element: float           # length of an element of the paper's discretisation, cut at r = R, in ε
-    hop: tuple               # least and greatest change of the contact radius between two of these folds, in ε
+    folds: list              # number of folds with each discretisation
+    minimum: list            # for each: rows (−Δ†, W̄) about the pull-off
+    nose: list               # for each: rows about the last jump out of contact
+    at_folds: list           # for each: the folds in that range
+    element: float           # element length of the paper's discretisation, in ε
+    hop: tuple               # smallest and largest change of the contact radius between successive folds, in ε
 
 
 def nose_folds(point, middle):
-    """Folds about the last jump apart."""
+    """The folds about the last jump out of contact."""
     return [fold for fold in point["folds"] or [] if abs(fold["approach"] - middle) <= NOSE]
 
 
 def hops(folds):
-    """Least and greatest change of the contact radius from one jump apart to the next."""
+    """Smallest and largest change of the contact radius from one jump out of contact to the next."""
     radii = [fold["contact_radius"] for fold in folds if fold["kind"] == "jump_out"]
     changes = [abs(b - a) for a, b in zip(radii, radii[1:])]
     return (min(changes), max(changes)) if changes else (0.0, 0.0)
 
 
 def softest(case, points):
-    """The sphere beyond the figure; None unless both discretisations have its curve."""
+    """The softer sphere, or None unless both discretisations have its curve."""
     for point in points:
         other = beside(case, value_of(point, "tabor"))
         both = branch(case, point), branch(case.companion, other) if other else None
@@ -188,29 +188,29 @@ def make(case, references):
 
 
 def caption(case, marks, dots, crosses, said, soft):
-    text = Markup("Dimensionless load W̄ against the approach {}Δ†. Lines: computed branches, {}; "
-                  "they turn back where the approach has a fold.").format(MINUS, Markup(twice.how(case)))
+    text = Markup("Dimensionless load W̄ against the approach {}Δ†. Lines: branches computed with {}. "
+                  "They turn back at the folds of the approach.").format(MINUS, Markup(twice.how(case)))
     if marks:
-        text += Markup(" Open markers: Feng’s problem solved independently (see the note on "
+        text += Markup(" Open markers: Feng’s problem, solved independently (see the note on "
                        "Feng’s points).")
     if crosses:
         text += " Crosses: Feng’s own points, read off his figure."
     if dots:
-        text += " Red dots: Bradley’s rigid solution, beside the computed branch for the least μ."
+        text += " Red dots: Bradley’s rigid solution, to compare with the branch for the smallest μ."
     if said[0]:
-        text += Markup(" Strip: distance of the reference’s points from the computed branch, "
-                       "normal to it, in units of the axes; at most {}").format(greatest(said[0]))
+        text += Markup(" Middle: distance of the reference points from the computed branch, "
+                       "along its normal, in units of the axes; at most {}").format(greatest(said[0]))
         if said[1]:
-            text += Markup("; red, {} by the paper’s discretisation ({})").format(
+            text += Markup(". Red: with the paper’s discretisation ({1}); at most {0}").format(
                 greatest(said[1]), twice.PAPER)
         text += "."
     if soft:
         text += Markup(
-            " Below: μ = {}, which the paper does not show here, (a) about the pull-off and (b) where the surfaces jump "
-            "apart. By panels (black) the branch has {} folds. By the paper’s discretisation (red) the contact edge "
-            "advances one element of {} ε at a time, and the load ripples with it; where the branch is steep, each ripple "
-            "is a pair of folds (dots), and it has {} folds in all. From one pair to the next the contact radius changes by "
-            "{} to {} ε, one element; the {} folds that panels do not find are spurious.").format(
+            " Bottom: μ = {}, which this figure of the paper does not show, (a) about the pull-off and (b) about the jump out of "
+            "contact. With panels (black) the branch has {} folds. With the paper’s discretisation (red) the contact edge "
+            "advances by one element of {} ε at a time, and the load oscillates. Where the branch is steep, each oscillation "
+            "is a pair of folds (dots), and the branch has {} folds. From one pair to the next the contact radius changes by "
+            "{} to {} ε, one element. The {} folds that panels do not find are spurious.").format(
                 plain(soft.tabor), soft.folds[0], plain(soft.element), soft.folds[1],
                 *(f"{value:.3f}" for value in soft.hop), soft.folds[1] - soft.folds[0])
     return text
@@ -222,12 +222,12 @@ def greatest(said):
 
 
 def remarks(case, points, lines, marks, dots):
-    told = twice.remarks(case, failures)
+    made = twice.remarks(case, failures)
     bare = [point["label"] for point in points if not point.get("curve")]
     if bare:
-        told.append(f"No curve was stored for {listing(bare)}.")
+        made.append(f"The record has no curve of {listing(bare)}.")
     if lines and not marks:
-        told.append(f"The reference curves ({CURVES}) are absent, so no markers are shown.")
+        made.append(f"The reference curves ({CURVES}) are not available, so no markers are drawn.")
     if lines and not dots:
-        told.append(f"Bradley’s solution ({BRADLEY}) is absent, so its dots are not shown.")
-    return told
+        made.append(f"Bradley’s solution ({BRADLEY}) is not available, so its dots are not drawn.")
+    return made

@@ -14,18 +14,18 @@ TITLE = "Pull-off of a smooth sphere against the Tabor parameter"
 PANELS = (("pull_off_force", "force", 1.0, "force"),
           ("pull_off_approach", "approach", -1.0, "approach"))
 PULL_OFF = "feng_pull_off.csv"
-PUBLISHED = "published/feng_fig4.csv"   # Feng's own points, when somebody has digitised them
+PUBLISHED = "published/feng_fig4.csv"   # Feng's own points, if a digitised file is available
 
 
 def rows_of(references, name, field, sign):
-    """(μ, value) of a table of pull-offs, in order; none while the file is absent."""
+    """Rows (μ, value) of a table of pull-offs, in order; empty if the file is not available."""
     table = references.table(name)
     return [] if table is None else sorted(
         zip(table.numbers("tabor").tolist(), (sign * table.numbers(field)).tolist()))
 
 
 def by_tabor(case):
-    """(μ, point) of a case in order; none without one."""
+    """Pairs (μ, point) of a case, in order; empty without a case."""
     found = [(value_of(point, "tabor"), point) for point in case.points] if case else []
     return sorted((pair for pair in found if pair[0] is not None), key=lambda pair: pair[0])
 
@@ -77,16 +77,16 @@ def make(case, references):
 
 def caption(case, data, said):
     text = Markup("(a) Pull-off force |W̄| and (b) approach {}Δ† at pull-off against the Tabor "
-                  "parameter μ. Red squares: this program, {}.").format(MINUS, Markup(twice.how(case)))
+                  "parameter μ. Red squares: computed with {}.").format(MINUS, Markup(twice.how(case)))
     if data["force"][1]:
-        text += Markup(" Blue asterisks: Feng’s problem solved independently (see the note on "
+        text += Markup(" Blue asterisks: Feng’s problem, solved independently (see the note on "
                        "Feng’s points).")
     if data["force"][4]:
         text += Markup(" Crosses: Feng’s own points, read off a figure.")
     if said:
-        text += Markup(" Strips: magnitude of the difference; at most {}").format(greatest(said, 1))
+        text += Markup(" Below: magnitude of the difference; at most {}").format(greatest(said, 1))
         if said[0][2]:
-            text += Markup("; open circles, {} by the paper’s discretisation ({})").format(
+            text += Markup(". Open circles: with the paper’s discretisation ({1}); at most {0}").format(
                 greatest(said, 2), twice.PAPER)
         text += "."
     if data["folds"][0]:
@@ -94,16 +94,16 @@ def caption(case, data, said):
         if data["folds"][1]:
             count, tabor, true = most_folds(data["folds"])
             text += Markup(
-                "; by the paper’s discretisation {} at μ = {} instead of {}. The others are spurious: the contact edge "
-                "advances one element at a time, as Figure 3 shows. Two of them are as little as {} ε of approach apart, "
-                "and a trace may step over such a pair, so that a trace with other steps, as that of Figure 3, may "
-                "count a few more or fewer").format(count, plain(tabor), true, scientific(least_apart(case.companion, tabor), 1))
+                "; with the paper’s discretisation {} at μ = {} instead of {}. The others are spurious: the contact edge "
+                "advances by one element at a time, see Figure 3. The approaches of two of them differ by only {} ε. "
+                "A trace may step over such a pair, so the trace of Figure 3, which has other steps, may "
+                "have a few more or fewer folds").format(count, plain(tabor), true, scientific(least_apart(case.companion, tabor), 1))
         text += "."
     return text
 
 
 def least_apart(case, tabor):
-    """The least distance in approach of two successive folds of a case at this Tabor parameter."""
+    """The smallest distance in approach of two successive folds at this Tabor parameter."""
     places = [[fold["approach"] for fold in point["folds"]] for found, point in by_tabor(case) if found == tabor]
     return min((abs(a - b) for row in places for a, b in zip(row, row[1:])), default=math.inf)
 
@@ -114,13 +114,13 @@ def greatest(said, which):
 
 
 def most_folds(both):
-    """Folds by the paper's discretisation, Tabor parameter and folds by panels where it has most."""
+    """The largest number of folds with the paper's discretisation, its Tabor parameter, and the number with panels there."""
     tabor, count = max(both[1], key=lambda row: row[1])
     return count, tabor, dict(both[0]).get(tabor, "—")
 
 
 def remarks(case, references):
-    told = twice.remarks(case, failures)
+    made = twice.remarks(case, failures)
     if not references.has(PULL_OFF):
-        told.append(f"The reference values ({PULL_OFF}) are absent, so no asterisks are shown.")
-    return told
+        made.append(f"The reference values ({PULL_OFF}) are not available, so no asterisks are drawn.")
+    return made

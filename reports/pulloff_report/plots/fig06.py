@@ -13,7 +13,7 @@ TITLE = "Rigid loading curves"
 CURVES = "rigid_curves.csv"
 WINDOW = (-0.4, 3.0)      # of −Δ†
 LOADS = (-2.3, 0.6)       # of W̄
-APART = 0.22              # between markers, see geometry.thinned
+APART = 0.22              # distance between markers, see geometry.thinned
 
 
 def branch(case, alpha):
@@ -35,7 +35,7 @@ def reference(references, alpha):
 
 
 def markers(computed):
-    """Points at about equal distances on paper, on the smooth curve through the computed ones."""
+    """Points at about equal distances on paper, on the spline through the computed points."""
     return geometry.thinned(*geometry.dense(*computed).T, WINDOW, LOADS, APART)
 
 
@@ -78,14 +78,14 @@ def make(case, references):
 
 def caption(case, strips):
     text = Markup("Load W̄ against the approach {}Δ† for A† = 1 and the values of log₁₀ α at the curves. "
-                  "Lines: Eq 22, computed by this program. Red squares: the elastic solver at μ = 10⁻⁴, {}.").format(
+                  "Lines: Eq 22, computed by this program. Red squares: the elastic solver at μ = 10⁻⁴, with {}.").format(
                       MINUS, Markup(twice.how(case)))
     worst = [max(row[1] for row in strip) if strip else None for strip in strips]
     if worst[0]:
-        text += Markup(" Strip: distance of points of Eq 22, computed independently, from the branch, normal to "
-                       "it, in units of the axes: at most {} for the squares").format(scientific(worst[0]))
+        text += Markup(" Below: distance of points of Eq 22, computed independently, from the branch, along its "
+                       "normal, in units of the axes; at most {}").format(scientific(worst[0]))
         if worst[1]:
-            text += Markup("; red, {} by the paper’s discretisation ({})").format(
+            text += Markup(". Red: with the paper’s discretisation ({1}); at most {0}").format(
                 scientific(worst[1]), twice.PAPER)
         text += "."
     return text

@@ -26,7 +26,7 @@ def residuals(case, stored):
 
 
 def apart(ends, factor):
-    """Heights for labels at these ends of lines, in their order, at least a factor apart."""
+    """Heights of the labels at the ends of lines; neighbours differ at least by the factor."""
     places, free = {}, math.inf
     for index in sorted(range(len(ends)), key=lambda i: -ends[i]):
         places[index] = free = min(ends[index], free / factor)
@@ -66,16 +66,16 @@ def make(case, references):
 
 def caption(case, strips):
     text = Markup("Pull-off force |W̄| of the rigid wavy sphere against α = A R/λ². Black lines: the minimum of "
-                  "Eq 22, computed independently, for the log₁₀ A† at their right ends. Red squares: the "
-                  "elastic solver at μ = 10⁻⁴, {}. Blue, dashed: Rumpf and Rabinowicz, Eq 20, for the log₁₀ R† "
-                  "at their right ends, doubled, since Eq 20 is in units of Bradley’s 2πwR and the axis in πwR; "
-                  "thin and dotted: Eq 20 as printed.").format(Markup(twice.how(case)))
+                  "Eq 22, computed independently; log₁₀ A† at the right ends. Red squares: the "
+                  "elastic solver at μ = 10⁻⁴, with {}. Blue dashed lines: Rumpf and Rabinowicz, Eq 20, multiplied by two, because "
+                  "Eq 20 is relative to Bradley’s 2πwR and the axis to πwR; log₁₀ R† at the right ends. "
+                  "Thin dotted lines: Eq 20 as printed.").format(Markup(twice.how(case)))
     if strips[0]:
-        text += Markup(" Strip: relative difference from Eq 22, at most {} for the squares").format(
+        text += Markup(" Below: relative difference from Eq 22; at most {}").format(
             scientific(max(row[1] for row in strips[0])))
         if strips[1]:
-            text += Markup("; red, by the paper’s discretisation ({}), up to {}, where the "
-                           "elements no longer resolve the crest at the axis").format(
+            text += Markup(". Red: with the paper’s discretisation ({}); up to {}, where the "
+                           "elements do not resolve the crest at the axis").format(
                                twice.PAPER, scientific(max(row[1] for row in strips[1])))
         text += "."
     return text

@@ -11,11 +11,11 @@ NUMBER = "8"
 TITLE = "Pull-off of three wavy spheres against the Tabor parameter"
 KEYS = ("amplitude", "tabor")
 COLOURS, SHAPES = (VERMILLION, GREEN, BLUE), (6, 4, 8)
-TOP = 5.0                 # of the linear axis, as much as the largest computed force needs
+TOP = 5.0                 # end of the linear axis, above the largest computed force
 
 
 def by_amplitude(found, amplitudes=None):
-    """Key values -> number, as one block an amplitude: of those given, or of all."""
+    """The amplitudes (those given, or all), and for each a block of rows (μ, value)."""
     amplitudes = amplitudes or sorted({key[0] for key in found})
     return amplitudes, [sorted((tabor, value) for (amplitude, tabor), value in found.items()
                                if amplitude == wanted) for wanted in amplitudes]
@@ -36,7 +36,7 @@ def make(case, references):
         "text": [f"A† = {plain(value)}" for value in amplitudes],
         "rigid": [rigid[key] for key in sorted(rigid)], "top": TOP, "last_tabor": last[0], "last": last[1],
         "above": 2.0 * max((row[1] for rows in guduru.values() for row in rows), default=50.0),
-        "figure_height": 560, "low": low, "high": high},
+        "figure_height": 470, "low": low, "high": high},
         {"computed": marks or [[]], "harder": harder or [[]], "guduru": [guduru[key] for key in sorted(guduru)] or [[]],
          "difference": strips or [[]]})
     label = "Pull-off force against the Tabor parameter for three amplitudes"
@@ -46,12 +46,12 @@ def make(case, references):
 
 def caption(case, amplitudes, strips, last):
     text = Markup("Pull-off force |W̄| against the Tabor parameter μ for λ† = 20, R† = 100 and A† = {}. "
-                  "Markers: {}. Dash-dotted: rigid limit, Eq 22. Dashed: JKR limit, Eq 5, which is "
-                  "continued above on a logarithmic axis; for A† = {} it is {} at μ = {} (circle).").format(
+                  "Markers: computed with {}. Dash-dotted lines: rigid limit, Eq 22. Dashed lines: JKR limit, Eq 5, continued "
+                  "at the top on a logarithmic axis; for A† = {} it is {} at μ = {} (circle).").format(
                       listing([plain(value) for value in amplitudes]), Markup(twice.how(case)),
                       plain(amplitudes[-1]) if amplitudes else "–", f"{last[1]:.3f}", plain(last[0]))
     if strips:
         worst = max(row[1] for strip in strips for row in strip)
-        text += Markup(" Strip: magnitude of the difference between these and the paper’s discretisation "
-                       "({}), at most {}.").format(twice.PAPER, scientific(worst))
+        text += Markup(" Below: magnitude of the difference from the paper’s discretisation "
+                       "({}); at most {}.").format(twice.PAPER, scientific(worst))
     return text + preload.caption(case, KEYS, "Filled markers")

@@ -11,8 +11,8 @@ TITLE = "Gap and traction at pull-off"
 
 # Tabor parameter, amplitude, colour and dashes of the scenes the paper shows.
 SHOWN = [(0.15, 1.0, BLACK, 1), (0.67, 1.0, BLUE, 3), (5.0, 1.0, VERMILLION, 4), (5.0, 10.0, GREEN, 2)]
-RADII = (0.0, 65.0)          # of r/ε
-GAPS = (-1.0, 22.0)          # of H
+RADII = (0.0, 65.0)          # range of r/ε
+GAPS = (-1.0, 22.0)          # range of H
 
 
 def point_of(case, tabor, amplitude):
@@ -40,25 +40,25 @@ def make(case, references):
     low = min(min(row[1] for row in block) for block in tractions)
     parameters = {"count": len(labels), "label": labels, "colour": colours, "dash": dashes,
                   "r_min": RADII[0], "r_max": RADII[1], "gap_min": GAPS[0], "gap_max": GAPS[1],
-                  "traction_min": 1.15 * low, "traction_max": -1.6 * low}
+                  "figure_height": 410, "traction_min": 1.15 * low, "traction_max": -1.6 * low}
     drawn = gnuplot.draw("fig09", parameters, {"gap": gaps, "traction": tractions})
     text = Markup("Gap H (above) and traction P = pμε/w (below) against r/ε at pull-off; λ† = 20, "
-                  "R† = 100, cut at r = R. Radii in ε at which the surfaces are pressed (H &lt; 0, compressive) "
-                  "and held as in contact (closer than where the tension is greatest): {}. A groove lies "
-                  "between two held rings.").format("; ".join(said))
+                  "R† = 100, half-space cut at r = R. Radii in ε where the traction is compressive (H &lt; 0), "
+                  "and where the surfaces are in contact (the gap is smaller than at the largest tension): {}. A groove is "
+                  "a gap between two contact annuli.").format("; ".join(said))
     label = "Gap and traction against the radius at pull-off for four scenes"
     return Figure("fig09", NUMBER, TITLE, Markup(svg.embeddable(drawn, "fig09", label)), text,
                   failures(case), case.record["command"])
 
 
 def rings(found, name):
-    """Rings as text."""
-    told = [f"{ring['inner']:.4g} to {ring['outer']:.4g}" for ring in found[name]]
-    return listing(told) if told else "nowhere"
+    """Annuli as text."""
+    found_rings = [f"{ring['inner']:.4g} to {ring['outer']:.4g}" for ring in found[name]]
+    return listing(found_rings) if found_rings else "nowhere"
 
 
 def contact(label, found):
     """The contact of a scene, in words."""
     grooves = found["grooves"]
-    return (f"{label}: pressed at {rings(found, 'compressed')}, held at {rings(found, 'held')}, "
+    return (f"{label}: compressed at {rings(found, 'compressed')}, in contact at {rings(found, 'held')}, "
             f"{grooves or 'no'} groove{'' if grooves == 1 else 's'}")

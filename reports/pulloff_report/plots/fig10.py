@@ -10,9 +10,9 @@ from .figure import BLUE, GREEN, VERMILLION, Figure, log_range
 NUMBER = "10"
 TITLE = "Pull-off against A/λ for twelve wavy spheres"
 KEYS = ("wavelength", "radius", "amplitude_ratio")
-COLOURS = (VERMILLION, GREEN, BLUE)   # a radius
-SHAPES = (6, 4, 8, 12)    # a wavelength
-FLOOR = 0.02              # of the axis; what was not solved is marked there
+COLOURS = (VERMILLION, GREEN, BLUE)   # of the radii
+SHAPES = (6, 4, 8, 12)    # of the wavelengths
+FLOOR = 0.02              # lower end of the axis, where unsolved scenes are marked
 
 
 def blocks_of(found, groups):
@@ -38,23 +38,23 @@ def make(case, references):
         {"computed": blocks_of(forces, groups), "harder": blocks_of(preload.larger(case, KEYS), groups),
          "missing": blocks_of(missing, groups),
          "guduru": [guduru.get(group, []) for group in groups], "difference": strips})
-    label = "Pull-off force against amplitude over wavelength, a panel a wavelength"
+    label = "Pull-off force against amplitude over wavelength, one panel for each wavelength"
     return Figure("fig10", NUMBER, TITLE, Markup(svg.embeddable(drawn, "fig10", label)),
                   caption(case, forces, missing, strips), twice.remarks(case), case.record["command"])
 
 
 def caption(case, forces, missing, strips):
     best = max(forces, key=forces.get)
-    text = Markup("Pull-off force |W̄| against A/λ at μ = {}: (a) all twelve, as in the paper; (b) a panel a "
-                  "wavelength. Markers: {}. Dash-dotted: a guide to the eye. Dashed: JKR, Eq 5. The greatest is {} at λ† = {}, R† = {}, A/λ = {}.").format(
+    text = Markup("Pull-off force |W̄| against A/λ at μ = {}: (a) all twelve spheres, as in the paper; (b) one panel for each "
+                  "wavelength. Markers: computed with {}; the dash-dotted lines connect them. Dashed lines: JKR, Eq 5. The largest force is {} at λ† = {}, R† = {}, A/λ = {}.").format(
                       plain(case.points[0]["input"]["tabor"]), Markup(twice.how(case)),
                       f"{forces[best]:.2f}", plain(best[0]), plain(best[1]), plain(best[2]))
     if missing:
-        text += Markup(" Crosses on the lower edge of (b): {} not solved (listed below).").format(
+        text += Markup(" Crosses at the lower edge of (b): {} not solved (listed below).").format(
             count(len(missing), "scene"))
     worst = [row[1] for strip in strips for row in strip]
     if worst:
         ratios = sorted({row[0] for strip in strips for row in strip})
-        text += Markup(" (c) Relative difference of the paper’s discretisation ({}) at A/λ = {}; at most {}.").format(
+        text += Markup(" (c) Relative difference from the paper’s discretisation ({}) at A/λ = {}; at most {}.").format(
                            twice.PAPER, listing([plain(value) for value in ratios]), scientific(max(worst)))
     return text + preload.caption(case, KEYS, "Filled markers in (b)")

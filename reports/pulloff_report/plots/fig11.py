@@ -10,12 +10,12 @@ from .figure import Figure
 NUMBER = "11"
 TITLE = "Effective work of adhesion against the Johnson parameter"
 CASE = "fig10"
-CLEAR = 0.02              # below Eq 30 by more than this share of it: seen on the page
+CLEAR = 0.02              # a marker is named if it is below Eq 30 by more than this fraction
 EFFECTIVE = 2.0 / 3.0     # w_eff/w over |W|/(pi w R): the left-hand side of Eq 24
 
 
 def estimates(table):
-    """Key values of a point -> (Johnson parameter, effective work) of a line."""
+    """Key values of a point -> (Johnson parameter, effective work) of a closed-form line."""
     if table is None:
         return {}
     names = [*fig10.KEYS, "johnson_parameter", "effective_work"]
@@ -40,7 +40,7 @@ def make(case, references):
         "wavelength_count": len(wavelengths), "radius_count": len(radii),
         "wavelength_text": [f"λ† = {plain(value)}" for value in wavelengths],
         "radius_text": [f"R† = {plain(value)}" for value in radii],
-        "colour": list(fig10.COLOURS), "shape": list(fig10.SHAPES),
+        "figure_height": 430, "colour": list(fig10.COLOURS), "shape": list(fig10.SHAPES),
         "clear_count": len(named), "clear_text": [name_of(group) for group, _ in named],
         "clear_x": [row[0] for _, row in named], "clear_y": [row[1] for _, row in named]},
         {"computed": blocks, "clear": clear,
@@ -53,7 +53,7 @@ def make(case, references):
 
 
 def shortfalls(forces, bounds):
-    """Key values -> how far a force is below Eq 30, relative to it, of those below it."""
+    """Key values -> relative difference from Eq 30, for the forces below it."""
     parts = {key: 1 - EFFECTIVE * forces[key] / row[1] for key, row in bounds.items() if row[1] > 0}
     return {key: part for key, part in parts.items() if part > 0}
 
@@ -64,15 +64,15 @@ def name_of(group):
 
 def caption(case, blocks, below, groups, clear):
     text = Markup("The pull-off forces of Figure 10 as effective work of adhesion, 2|W̄|/3, against the Johnson "
-                  "parameter α<sub>KLJ</sub>, μ = {}. Markers: {}. Solid: Eq 24. Dash-dotted: Eq 30 where it is above 0.").format(
+                  "parameter α<sub>KLJ</sub>; μ = {}. Markers: computed with {}. Solid line: Eq 24. Dash-dotted line: Eq 30 where it is positive.").format(
                       plain(case.points[0]["input"]["tabor"]), Markup(twice.how(case)))
     text += f" All scenes are {preload.declared(case)}, as in Figure 10."
     if case.any_preload:
-        text += " Crosses: the greatest at any preload, where it is larger."
+        text += " Crosses: the largest force at any preload, where it is larger."
     if not below:
         return text + " No marker lies below Eq 30."
     text += f" {len(below)} of {sum(map(len, blocks))} markers lie below Eq 30"
     many = [f"{len(rows)} of {name_of(group)}" for group, rows in zip(groups, clear) if rows]
     if not many:
-        return text + f", none by more than {CLEAR:.0%} of it."
-    return text + f", of these by more than {CLEAR:.0%} of it (filled): {listing(many)}."
+        return text + f", none by more than {CLEAR:.0%}."
+    return text + f"; by more than {CLEAR:.0%} (filled): {listing(many)}."

@@ -5,7 +5,7 @@ from . import loading
 NUMBER = "12"
 TITLE = "Loading and unloading of a wavy sphere, A† = 0.4"
 WINDOW, LOADS = (-1.2, 2.1), (-2.2, 0.3)  # of −Δ†/μ and W̄
-# Places of labels that would lie on one another: characters to the left, and lines up.
+# Offsets of labels that would overlap: characters to the left, lines upwards.
 BESIDE = {"2": (-1.6, 0.9), "3": (1.3, 0.1), "e": (-1.2, -0.6)}
 
 

@@ -1,12 +1,14 @@
-"""What a figure module hands to the page, and what several of them need."""
+"""The result of a figure module, and functions that several modules use."""
 
 import dataclasses
 import math
+import re
 
 from markupsafe import Markup
 
-# Okabe and Ito's colours, told apart by colour-blind readers too.
+# The palette of Okabe and Ito, which colour-blind readers can distinguish.
 BLUE, GREEN, VERMILLION, ORANGE = "#0072B2", "#009E73", "#D55E00", "#E69F00"
+TALL = 0.9  # height of a figure over its width from which it has a page for itself
 PURPLE, SKY, BLACK, GREY = "#CC79A7", "#56B4E9", "#000000", "#7A7A7A"
 
 
@@ -20,17 +22,24 @@ class Figure:
     caption: Markup
     remarks: list = dataclasses.field(default_factory=list)
     command: str = ""
-    followed: list = dataclasses.field(default_factory=list)  # checks of what was followed by traces, with their points
+    followed: list = dataclasses.field(default_factory=list)  # (point, check) of scenes computed in two ways
+
+    @property
+    def is_tall(self):
+        """Whether the picture is about as tall as it is wide, so that it fills most of a page."""
+        boxes = [(float(width), float(height)) for width, height in
+                 re.findall(r'viewBox="\S+ \S+ ([\d.]+) ([\d.]+)"', self.svg)]
+        return sum(height / width for width, height in boxes) > TALL
 
 
 def checks_of(case, point, quantity):
-    """The checks of one point on one quantity."""
+    """The checks of one quantity of one point."""
     return [check for check in case.checks
             if check["quantity"] == quantity and check.get("point") == point["id"]]
 
 
 def tolerance_of(check):
-    """The tolerance of a check as a plain difference; None when that is not known."""
+    """The absolute tolerance of a check, or None if it is not known."""
     if check["tolerance"] is None:
         return None
     if check["kind"] == "abs":
@@ -41,19 +50,19 @@ def tolerance_of(check):
 
 
 def distinct(values, digits=3):
-    """The values without repetition and without None, ascending."""
+    """The distinct values other than None, ascending."""
     return sorted({float(f"{value:.{digits}g}") for value in values if value})
 
 
 def failures(case):
-    """A sentence for every point that gave no full result."""
+    """A sentence for every point that was not solved."""
     return [f"{point['label']}: the solve ended with {point['status'].replace('_', ' ')}"
             + (f" ({point['reason']})" if point.get("reason") else "") + "."
             for point in case.unsolved_points()]
 
 
 def log_range(values, floor=1e-16):
-    """Whole decades around the positive values as (low, high), with room above for a label."""
+    """A range of whole decades that contains the positive values, as (low, high), with room above for a label."""
     positive = [value for value in values if value and value > 0 and math.isfinite(value)]
     if not positive:
         return 1e-9, 1e-3

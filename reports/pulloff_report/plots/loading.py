@@ -1,4 +1,4 @@
-"""Figures 12 and 13: loading and unloading of a wavy sphere, with its jumps, beside the JKR theory."""
+"""Figures 12 and 13: loading and unloading of a wavy sphere, with its jumps and the JKR theory."""
 
 import numpy
 from markupsafe import Markup
@@ -7,11 +7,11 @@ from .. import geometry, gnuplot, svg
 from ..words import MINUS, plain, scientific, value_of
 from .figure import Figure, failures
 
-APART = 0.22  # between markers, see geometry.thinned
+APART = 0.22  # distance between markers, see geometry.thinned
 
 
 def stretches(table, tabor):
-    """The branch as blocks of (−Δ†/μ, W̄), stable ones and unstable ones; neighbours share a point."""
+    """The stable and the unstable parts of the branch as blocks of (−Δ†/μ, W̄); adjacent blocks share a point."""
     x, y = -table.numbers("approach") / tabor, table.numbers("load")
     stable = table.numbers("unstable_modes") == 0
     blocks = {True: [], False: []}
@@ -25,7 +25,7 @@ def stretches(table, tabor):
 
 
 def line(case, name, tabor):
-    """(−Δ†/μ, W̄) of a closed form of the case."""
+    """(−Δ†/μ, W̄) of a closed-form solution of the case."""
     table = case.line(name)
     if table is None:
         return []
@@ -33,13 +33,13 @@ def line(case, name, tabor):
             zip(table.numbers("approach"), table.numbers("load")) if numpy.isfinite(a + b)]
 
 
-# Where the label of an end of a jump goes, left and up, by (loading, before): away from the branch, which falls
-# to the right.
+# Offset of the label at an end of a jump (left, up) by (loading, before): away from the branch, which falls to
+# the right.
 BESIDE = {(True, True): (1, 1), (True, False): (1.9, -0.9), (False, True): (-0.3, -1.5), (False, False): (-1, 1)}
 
 
 def ends(loop, tabor, beside):
-    """(x, y, label, loading, left, above) of both ends of every jump; `beside` has places of single labels."""
+    """(x, y, label, loading, left, above) of both ends of every jump; `beside` has offsets of single labels."""
     rows = []
     for jump in loop["jumps"]:
         loading = jump["phase"] == "loading"
@@ -56,15 +56,17 @@ def curve(case, point, tabor):
 
 
 def by_triangles(case, panel, triangle, tabor, window, loads):
-    """Markers of the branch by the paper's triangles, and their greatest distance from that by panels; in W̄ and
-    −Δ†/μ."""
+    """Markers on the branch of the paper's triangles, and their largest distance from the branch of the panels.
+
+    The distance is in units of W̄ and −Δ†/μ.
+    """
     markers = geometry.thinned(*geometry.dense(*curve(case, triangle, tabor)).T, window, loads, APART)
     gap = geometry.distances(*curve(case, panel, tabor), *numpy.array(markers).T) if markers else []
     return markers, max((value for value in gap if value == value), default=0.0)
 
 
 def solved(case, scheme):
-    """The point solved by a scheme, or None."""
+    """The point that was solved with a scheme, or None."""
     for point in case.points:
         if value_of(point, "scheme") == scheme and point.get("curve"):
             return point
@@ -72,7 +74,7 @@ def solved(case, scheme):
 
 
 def next_jump(approaches, preload):
-    """The approach of the first fold beyond a preload, along a curve that is loaded from its beginning; None: none."""
+    """The approach of the first fold in loading beyond a preload, or None. The curve starts far from contact."""
     for before, here, after in zip(approaches, approaches[1:], approaches[2:]):
         if before <= here > after and here > preload:
             return here
@@ -80,8 +82,7 @@ def next_jump(approaches, preload):
 
 
 def make(case, number, title, window, loads, wide=None, beside=None, key_below=False):
-    """The figure; `wide` are window and loads of a second frame above, for the JKR theory, and `beside` the places of
-    single labels."""
+    """The figure. `wide` is the window and the loads of a second frame for the JKR theory; `beside`: see ends()."""
     name = f"fig{number}"
     panel, triangle = solved(case, "panel"), solved(case, "triangle")
     tabor = value_of(panel, "tabor") or 1.0
@@ -103,7 +104,7 @@ def make(case, number, title, window, loads, wide=None, beside=None, key_below=F
         "preload_x": -loop["preload"]["approach"] / tabor, "preload_y": loop["preload"]["load"],
         "x_min": window[0], "x_max": window[1], "y_min": loads[0], "y_max": loads[1],
         "wide": [float(bound) for pair in wide or () for bound in pair], "wide_count": 4 if wide else 0,
-        "figure_height": 760 if wide else 500}
+        "figure_height": 760 if wide else 450}
     drawn = gnuplot.draw("loading", parameters, {
         "stable": stable or [[]], "unstable": unstable or [[]], "triangle": [markers],
         "smooth": [line(case, "smooth", tabor)], "guduru": [line(case, "guduru", tabor)]})
@@ -114,24 +115,24 @@ def make(case, number, title, window, loads, wide=None, beside=None, key_below=F
 
 def caption(panel, loop, apart, wide, theory):
     jkr = panel["hysteresis"]["jkr"]["displacement_control"]
-    text = Markup("Dimensionless load W̄ against {}Δ†/μ, on the surface cut at r = R").format(MINUS)
+    text = Markup("Dimensionless load W̄ against {}Δ†/μ; half-space cut at r = R").format(MINUS)
     if wide:
-        text += Markup(": (a) with the large swings of the JKR theory, (b) the rectangle of (a)")
+        text += Markup(": (a) with the large oscillations of the JKR theory, (b) the rectangle of (a)")
     text += Markup(
-        ". Thick red lines: stable at fixed approach; thin: unstable.")
+        ". Thick red lines: equilibria that are stable at fixed approach; thin red lines: unstable equilibria.")
     if apart:
         text += Markup(
-            " Triangles: by the paper’s 500 equal elements, at most {} from the lines in the units of the axes.").format(
+            " Triangles: with the paper’s 500 equal elements; at most {} from the lines, in units of the axes.").format(
                 scientific(apart))
     jump = next_jump(theory, loop["preload"]["approach"])
-    later = f"; its next jump in loading is at Δ† = {jump:.2f}" if jump else ""
+    later = f"; the next jump in loading is at Δ† = {jump:.2f}" if jump else ""
     return text + Markup(
-        " Arrows: loading to Δ† = {} (ends of the jumps 1 to 6) and unloading (a to f). The loop loses {:.4g} "
-        "πwRε; a test from this preload measures a pull-off force of {:.5g} in displacement control and "
-        "{:.5g} in load control; the greatest tension of the whole curve is {:.5g}. By the JKR theory of "
-        "the wavy sphere (Equation 5) the same test would lose {:.4g} and measure {:.5g}{}. The "
-        "paper does not print which points its labels are at; both ends of three jumps are taken, "
-        "as six in each phase would need a far larger preload in Figure 12 than in 13.").format(
+        " Arrows: the jumps in loading to Δ† = {} (ends 1 to 6) and in unloading (ends a to f). The energy lost in the loop is {:.4g} "
+        "πwRε. A test from this preload measures a pull-off force of {:.5g} in displacement control and "
+        "{:.5g} in load control; the largest tension of the whole curve is {:.5g}. By the JKR theory of "
+        "the wavy sphere (Eq 5) the same test loses {:.4g} and measures {:.5g}{}. The "
+        "paper does not state at which points its labels are. Here they are the ends of three jumps in each phase, "
+        "because six jumps in each phase would require a much larger preload in Figure 12 than in Figure 13.").format(
             plain(loop["preload"]["approach"]), loop["energy_lost"], loop["pull_off"]["force"],
             panel["hysteresis"]["load_control"]["pull_off"]["force"], panel["pull_off"]["force"],
             jkr["energy_lost"], jkr["pull_off"]["force"], later)

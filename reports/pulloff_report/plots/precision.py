@@ -1,4 +1,4 @@
-"""Error against run time: what a digit costs with each discretisation of the surface."""
+"""Error against run time for each discretisation of the half-space."""
 
 import io
 import math
@@ -18,19 +18,19 @@ COLOURS = {"ring": VERMILLION, "triangle": BLUE, "panel": GREEN}
 MARKERS = {"ring": "o", "triangle": "^", "panel": "s"}
 LABELS = {"force": "force", "approach": "approach", "folds": "folds", "curve": "curve"}
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-# Two figures, since one of seven rows would not fit a page of paper.
+# Two figures, because one with seven rows would not fit on a page.
 PARTS = (("smooth", "Error against run time, smooth spheres", False),
          ("wavy", "Error against run time, wavy spheres", True))
-FAILED_AT = 0.945        # of the height: where an error without bound would stand
+FAILED_AT = 0.945        # height of the markers of failed solves, relative to the panel
 
 
 def decade(value, _=None):
-    """10⁻⁵ without mark-up, so that it stays text."""
+    """A power of ten as plain text: 10⁻⁵."""
     return "10" + str(round(math.log10(value))).translate(SUPERSCRIPTS)
 
 
 def look():
-    """Matplotlib dressed as the gnuplot figures are."""
+    """Matplotlib settings that match the gnuplot figures."""
     for style in ("normal", "italic"):
         font_manager.fontManager.addfont(fonts.path_of("Inter", style))
     family = font_manager.FontProperties(fname=fonts.path_of("Inter")).get_name()
@@ -50,8 +50,7 @@ def style(series):
 
 
 def draw_series(axes, field, rows):
-    """One scheme: its line, a bar from its least to its greatest time, and open markers where its
-    folds are not those of the reference."""
+    """Draws one scheme: a line, a bar from the smallest to the largest time, and open markers for unmatched folds."""
     look_of = style(rows[0].series)
     good = [row for row in rows if row.seconds and not row.failed and field in row.errors
             and not (field == "folds" and row.misfit)]
@@ -64,7 +63,7 @@ def draw_series(axes, field, rows):
 
 
 def draw_failures(axes, field, rows):
-    """Failed solves, and folds that do not fit, stand at the upper edge."""
+    """Draws failed solves and unmatched folds at the upper edge."""
     for row in rows:
         if row.seconds and (row.failed or (field == "folds" and row.misfit)):
             axes.plot([row.seconds], [FAILED_AT], marker="X" if row.failed else "x", ls="",
@@ -74,7 +73,7 @@ def draw_failures(axes, field, rows):
 
 
 def frame(axes, field, rows):
-    """What the reference cannot tell is shaded."""
+    """Sets up a panel; errors below the uncertainty of the reference are shaded."""
     floors = [row.floors[field] for row in rows if field in row.floors]
     if floors:
         axes.axhspan(1e-30, max(floors), color="#E3E3E3", lw=0, zorder=0)
@@ -103,8 +102,8 @@ def add_legend(picture, series):
     handles = [pyplot.Line2D([], [], label=name, mfc=style(name)["color"], **style(name))
                for name in samples.SERIES if name in series]
     handles += [pyplot.Line2D([], [], ls="", marker="D", ms=3.4, mfc="white", mec=GREY,
-                              label="open: other folds"),
-                pyplot.Line2D([], [], ls="", marker="x", ms=4.4, color=GREY, label="folds wrong"),
+                              label="open: wrong folds"),
+                pyplot.Line2D([], [], ls="", marker="x", ms=4.4, color=GREY, label="wrong folds"),
                 pyplot.Line2D([], [], ls="", marker="X", ms=4.4, color="black", label="failed")]
     picture.legend(handles=handles, loc="upper center", ncol=4, bbox_to_anchor=(0.5, 1.0),
                    columnspacing=1.6, handlelength=2.4)
@@ -141,19 +140,19 @@ def caption(case, chosen):
     repeats = max(len(sample.times) for sample in chosen)
     failed = sum(sample.failed for sample in chosen)
     wrong = sum(sample.misfit and not sample.failed for sample in chosen)
-    text = ("Largest error of the pull-off force, of its approach, of the approach of all folds, "
-            "and distance of the whole curve, along its normal, against processor time, the median "
-            f"of {count(repeats, 'solve')} in rounds over all meshes with a bar from the least to "
-            "the greatest. Rings and triangles with 63, 125, 251, 501 and 1001 nodes, panels at "
+    text = ("Error of the pull-off force and of its approach, largest error of the approach of all folds, "
+            "and largest distance of the curve along its normal, against processor time: the median "
+            f"of {count(repeats, 'solve')}, with a bar from the smallest to "
+            "the largest. Rings and triangles with 63, 125, 251, 501 and 1001 nodes; panels with "
             "tolerances 1e-3 to 1e-9. Shaded: below the uncertainty of the reference. Open markers: "
-            "the solve found folds that are not there, or missed some; its folds then have no error "
-            "and stand at the upper edge, as failed solves do. ")
-    text += f"Of {len(chosen)} solves {wrong or 'none'} found other folds, {failed or 'none'} failed."
+            "the solve found spurious folds or missed some; its folds then have no error "
+            "and are drawn at the upper edge, as are failed solves. ")
+    text += f"Of {len(chosen)} solves, {wrong or 'none'} found wrong folds and {failed or 'none'} failed."
     return Markup("{}").format(text)
 
 
 def make(case):
-    """The figures; none when the case holds nothing to draw."""
+    """The figures; empty if the case has nothing to draw."""
     found = samples.read(case)
     figures = []
     for name, title, wavy in PARTS:

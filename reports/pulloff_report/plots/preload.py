@@ -1,12 +1,12 @@
-"""How hard the spheres of a figure were pressed, and what other preloads give."""
+"""The preload of the spheres of a figure, and the forces at other preloads."""
 
 import math
 
 from ..words import plain, value_of
 from . import twice
 
-USUAL_LOAD = 1.0   # in πwR: the preload of a case that gives none
-SEEN = 0.01        # a pull-off of a harder preload that is larger by less is not told apart
+USUAL_LOAD = 1.0   # in πwR: the preload of a case that states none
+SEEN = 0.01        # relative difference from which a larger force at a harder preload is drawn
 
 
 def words(approach, load):
@@ -18,13 +18,13 @@ def words(approach, load):
 
 
 def declared(case):
-    """The one preload of all scenes of a case, in words."""
+    """The preload of a case, which is the same for all its scenes, in words."""
     scene = case.points[0]["input"]
     return words(scene.get("preload"), scene.get("preload_load"))
 
 
 def greatest(case, keys):
-    """Key values -> (greatest force of all preloads, whether no harder one gives more) of the solved points."""
+    """Key values -> (largest force at any preload, whether it is known that no harder preload gives more)."""
     found = {}
     for point in case.points if case else []:
         known = point.get("pull_off_any")
@@ -34,21 +34,21 @@ def greatest(case, keys):
 
 
 def larger(case, keys):
-    """Of a case and its case at any preload: key values -> force of those that a harder preload makes larger to be seen."""
+    """Key values -> force at any preload, for the scenes where it is larger by more than SEEN."""
     stated = {key: value[0] for key, value in twice.rows(case, keys).items()}
     return {key: force for key, (force, _) in greatest(case.any_preload, keys).items()
             if not (twice.match(stated, key) or math.inf) * (1 + SEEN) > force}
 
 
 def caption(case, keys, sign):
-    """What the second layer of a figure is, in sentences; `sign` says what it is drawn as."""
-    text = (f" The paper does not state how hard the sphere was pressed; here all scenes are {declared(case)}.")
+    """Sentences on the preload and on the markers for other preloads; `sign` names these markers."""
+    text = (f" The paper does not state the preload; here all spheres are {declared(case)}.")
     if case.any_preload is None:
-        return text + f" This run holds no record of {case.name}_any, so other preloads are not shown."
+        return text + f" This run has no record of {case.name}_any, so other preloads are not drawn."
     known = greatest(case.any_preload, keys)
     open_ends = sum(not complete for _, complete in known.values())
-    text += (f" {sign}: the greatest force that any preload gives, where it is larger by more than {SEEN:.0%} "
-             f"({len(larger(case, keys))} of {len(case.any_preload.points)} scenes looked at).")
+    text += (f" {sign}: the largest force at any preload, where it is larger by more than {SEEN:.0%} "
+             f"({len(larger(case, keys))} of {len(case.any_preload.points)} scenes computed).")
     if open_ends:
-        text += f" In {open_ends} of the scenes looked at, preloads beyond a load of 100 πwR may give still more."
-    return text + " Steep waves of soft spheres, which it takes minutes to press so hard, were not looked at."
+        text += f" In {open_ends} of these scenes, preloads above 100 πwR may give a larger force."
+    return text + " Steep waves on soft spheres were not computed at any preload, because each takes minutes."

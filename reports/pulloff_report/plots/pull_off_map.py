@@ -9,20 +9,20 @@ import numpy
 from markupsafe import Markup
 
 from .. import gnuplot, svg
-from ..words import plain, scientific, value_of
+from ..words import count, plain, ratio, scientific, value_of
 from . import preload
 from .figure import Figure, failures
 
-# The forces at which the colour changes, close together about 1.5 (JKR) and 2 (Bradley).
+# Contour levels of the force, dense about 1.5 (JKR) and 2 (Bradley).
 LEVELS = (0.05, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0)
-# Those whose lines are drawn and labelled.
+# Levels whose lines are drawn and labelled.
 LABELLED = (0.1, 0.2, 0.5, 1.0, 1.5, 2.0, 3.0, 5.0, 7.0)
 LEAST = 1e-9     # below all forces: the region above it is where the force is known
-SHORTEST = 0.12  # of a line that is labelled, in parts of the width
-APART = 0.13     # of labels, likewise, and from the frame half of it
-CLEAR = 0.03     # of the middle of a label from the dashed line
-MARKED = 0.1     # A/λ from which the paper finds that JKR fails
-GREATEST = 8.0   # force shown at the sides
+SHORTEST = 0.12  # length from which a line is labelled, relative to the width
+APART = 0.13     # distance between labels, likewise; half of it from the frame
+CLEAR = 0.03     # distance of a label from the dashed line
+MARKED = 0.1     # A/λ above which, by the paper, the JKR theory fails
+GREATEST = 8.0   # end of the force axis at the sides
 
 
 def place(point):
@@ -37,7 +37,7 @@ def forces(case):
 
 
 def forces_at_any_preload(case):
-    """(μ, A/λ) -> greatest force of all preloads, and where a still harder one may give more."""
+    """(μ, A/λ) -> largest force at any preload; and the scenes where a harder preload may give more."""
     known = {place(point): point["pull_off_any"] for point in case.points
              if point["status"] == "ok" and point.get("pull_off_any") and place(point)[1] > 0}
     return ({key: found["force"] for key, found in known.items()},
@@ -45,7 +45,7 @@ def forces_at_any_preload(case):
 
 
 def rings(generator, level):
-    """The region above a level as closed paths; a hole hangs on its outline by a seam of no width."""
+    """The region above a level as closed paths; a hole is joined to its outline by a line traversed twice."""
     polygons, offsets = generator.filled(level, math.inf)
     for points, ends in zip(polygons, offsets):
         path = points[:ends[1]].tolist()
@@ -55,8 +55,7 @@ def rings(generator, level):
 
 
 def label_place(line, taken, mark):
-    """The straightest place of a line that is away from the frame, from the dashed line at height mark and
-    from other labels."""
+    """The straightest part of a line away from the frame, the dashed line at height mark, and other labels."""
     best, place = 0.0, None
     for k in range(3, len(line) - 3):
         x, y = line[k]
@@ -71,7 +70,7 @@ def label_place(line, taken, mark):
 
 
 def contours(tabors, ratios, force, mark):
-    """Filled regions, that of known forces and one a level, and the lines with the places of their labels."""
+    """Filled regions (all known forces, then one for each level), and the lines with the places of their labels."""
     x, y = ([math.log(value / values[0]) / math.log(values[-1] / values[0]) for value in values]
             for values in (tabors, ratios))
     z = numpy.array([[math.log(force.get((t, r), math.nan)) for t in tabors] for r in ratios])
@@ -92,7 +91,7 @@ def contours(tabors, ratios, force, mark):
 
 
 def edge(case, name, columns):
-    """The table of a line of the case: rows of A/λ and columns."""
+    """Rows of a closed-form line of the case, with these columns."""
     for line in case.record.get("lines", []):
         if line["name"] == name:
             table = case._table(line["table"])
@@ -101,7 +100,7 @@ def edge(case, name, columns):
 
 
 def drawn(case, name, title, force, unknown=()):
-    """One map; `unknown` are the scenes marked as of an unknown greatest force."""
+    """One map; `unknown` are the scenes where the largest force is not known."""
     tabors, ratios = sorted({t for t, _ in force}), sorted({r for _, r in force})
 
     def height(ratio):
@@ -144,8 +143,17 @@ def make(case, references):
 
 
 def spots(case):
-    """The checks of followed scenes by traces of their own, each with its point, in the order of the map."""
+    """(point, check) of the scenes that were computed by continuation and also traced, in the order of the map."""
     return [(case.point(check["point"]), check) for check in case.checks if check.get("reference") == "traced"]
+
+
+def spot_words(found):
+    """A sentence on the scenes that were computed in two ways."""
+    ratios = [check["ratio"] for _, check in found if check["ratio"] is not None]
+    if not ratios:
+        return ""
+    return Markup(" {} drawn at random were also traced; the largest difference is {} of its tolerance.").format(
+        count(len(found), "scene"), ratio(max(ratios)))
 
 
 def caption(case, wavelength, force):
@@ -155,29 +163,30 @@ def caption(case, wavelength, force):
                 for point in case.points if point.get("pull_off"))
     tabors = sorted({t for t, _ in force})
     text = Markup(
-        "Pull-off force |W̄| for λ† = {}, R† = 100, r<sub>max</sub> = R. (a) The paper does not state how hard the sphere was "
-        "pressed; here all scenes are {}. The shade changes at every level of the bar; the greatest force is {} at "
-        "μ = {}, A/λ = {}. Dashed: "
-        "A/λ = 0.1, beyond which the paper finds that JKR fails. At the sides, computed (symbols) and in the limit (lines): the force at μ = {} and "
-        "the rigid one (Eq 22), that at μ = {} and that of full contact (Eq 5). {} points, {} of them followed from "
-        "traced ones; the largest estimated error is {} of the force.").format(
+        "Pull-off force |W̄| for λ† = {}, R† = 100, r<sub>max</sub> = R. (a) The paper does not state the preload; "
+        "here all spheres are {}. The colour changes at each level of the bar; the largest force is {} at "
+        "μ = {}, A/λ = {}. Dashed line: "
+        "A/λ = 0.1, above which, by the paper, the JKR theory fails. Left: the force at μ = {} (symbols) and the rigid limit, Eq 22 (line). "
+        "Right: the force at μ = {} (symbols) and full contact, Eq 5 (line). Of {} scenes, {} were computed by parameter continuation between "
+        "full traces; the largest stated error is {} of the force.").format(
             plain(wavelength), preload.declared(case), plain(round(force[greatest], 3)), plain(greatest[0]),
             plain(round(greatest[1], 4)), plain(tabors[0]), plain(tabors[-1]), len(case.points), followed,
             scientific(worst))
+    text += spot_words(spots(case))
     if case.any_preload is None:
-        return text + f" This run holds no record of {case.name}_any, the map at any preload."
+        return text + f" This run has no record of {case.name}_any, the map at any preload."
     most, unknown = forces_at_any_preload(case.any_preload)
     top = max(most, key=most.get)
     return text + (
-        f" (b) The same at any preload, on {len(most)} points: the greatest is "
+        f" (b) The largest force at any preload, for {len(most)} scenes: its maximum is "
         f"{plain(round(most[top], 3))} at μ = {plain(top[0])}, A/λ = {plain(round(top[1], 4))}. White dots: "
-        f"preloads beyond a load of 100 πwR may give still more ({len(unknown)} points). Blank: not solved, as it takes minutes to press "
-        "steep waves of soft spheres so hard.")
+        f"preloads above 100 πwR may give a larger force ({len(unknown)} scenes). Blank: not computed, because steep waves on soft spheres "
+        "take minutes.")
 
 
 @dataclasses.dataclass(frozen=True)
 class Map:
-    """What stands for the module of a figure."""
+    """A figure that shares this module with another one."""
     NUMBER: str
     TITLE: str
 

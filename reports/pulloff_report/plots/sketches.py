@@ -1,4 +1,4 @@
-"""Figures 1 and 5: sketches, their profiles drawn from the formulas and from no run."""
+"""Figures 1 and 5: sketches, drawn from the formulas and without a run."""
 
 from markupsafe import Markup
 
@@ -7,7 +7,7 @@ from .figure import Figure
 
 
 class Sketch:
-    """One sketch: figures/<script>.gp draws it without data."""
+    """A sketch, drawn by figures/<script>.gp without data."""
     SCHEMATIC = True
 
     def __init__(self, script, number, title, caption):
@@ -22,10 +22,10 @@ class Sketch:
 FIG01 = Sketch(
     "fig01", "1", "Geometry of the contact",
     "A rigid sphere of radius R above a half-space with an axisymmetric waviness of wavelength λ and "
-    "amplitude A, Eq 1, which is 2A from crest to trough. The sphere is drawn as its Hertzian profile "
-    "r²/2R. A sketch, not to scale.")
+    "amplitude A (Eq 1); the height from trough to crest is 2A. The sphere is drawn as a paraboloid, "
+    "r²/2R. Not to scale.")
 FIG05 = Sketch(
     "fig05", "5", "The models of Rumpf and Rabinowicz and of Guduru",
     "Left: Rumpf and Rabinowicz, a sphere of radius R on a hemisphere of radius r₂ on a plane. Right: "
-    "Guduru, the sphere on the crest of a wavy surface, whose radius of curvature is "
-    "r₂ = λ²/(4π²A), Eq 18. A sketch, not to scale.")
+    "Guduru, a sphere on the crest of a wavy surface with the radius of curvature "
+    "r₂ = λ²/(4π²A), Eq 18. Not to scale.")

@@ -1,4 +1,4 @@
-"""Staircases: the pull-off force that a test measures, against how hard the sphere was pressed before."""
+"""Staircases: the pull-off force that a test measures against the preload."""
 
 from markupsafe import Markup
 
@@ -9,19 +9,19 @@ from .figure import Figure, failures
 NUMBER = None
 TITLE = "Pull-off force against preload"
 CONTROLS = (("displacement_control", "approach"), ("load_control", "load"))
-BEYOND = 1.15  # the axis goes on beyond the last step, relative to where that begins
+BEYOND = 1.15  # end of the axis, relative to the beginning of the last step
 
 
 def stairs(found, axis, end):
-    """Rows (preload, force) of a staircase, up to where the axis ends.
+    """Rows (preload, force) of a staircase up to the end of the axis.
 
-    Between two steps that do not touch, loading is on its way down to a minimum of the load and the tension at
-    reversal is measured; it is drawn straight there.
+    Between two steps that are not adjacent, the load falls towards a minimum while the approach increases, and the test
+    measures the tension at reversal; a straight line is drawn there.
     """
     rows = []
     for step in found["steps"]:
         begin, until = step["preload"][axis], end if step["open"] else step["until"][axis]
-        if begin is None:   # in load control the bodies come together under no load
+        if begin is None:   # in load control the bodies come into contact at zero load
             begin = 0.0
         rows += [(begin, step["force"]), (max(begin, min(until, end)), step["force"])]
     if rows and rows[-1][0] < end:
@@ -48,7 +48,7 @@ def make(case, references):
     drawn = gnuplot.draw("staircase", {
         "scene_count": len(points), "title_text": [title(point) for point in points], "end": ends, "begin": lowest,
         "top": [1.12 * value for value in tops], "figure_height": 470}, data)
-    label = "Pull-off force against the greatest approach and the greatest load before it, with the JKR theory"
+    label = "Pull-off force against the largest approach and the largest load before unloading, with the JKR theory"
     return Figure("staircase", NUMBER, TITLE, Markup(svg.embeddable(drawn, "staircase", label)),
                   caption(points), failures(case), case.record["command"])
 
@@ -59,10 +59,10 @@ def title(point):
 
 
 def caption(points):
-    text = Markup("The pull-off force |W̄| that a test measures, against the preload: above, at given approach, against the "
-                  "greatest approach Δ†; below, at given load, against the greatest load W̄. Each step begins where "
-                  "loading jumps at a fold or passes a minimum of the load, and is exact in between. Red: computed; dashed: by the JKR "
-                  "theory (Equation 5), whose contacts have no grooves.")
+    text = Markup("The pull-off force |W̄| that a test measures against the preload. Top: displacement control, against the "
+                  "largest approach Δ†; bottom: load control, against the largest load W̄. A step begins where "
+                  "loading jumps at a fold or passes a minimum of the load; the force is constant between two such preloads. Red: computed; "
+                  "dashed: the JKR theory (Eq 5), whose contacts have no grooves.")
     for number, point in enumerate(points, 1):
         steps = point["staircase"]["displacement_control"]["steps"]
         text += f" ({number}) " + "; ".join(

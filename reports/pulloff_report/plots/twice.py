@@ -1,14 +1,14 @@
-"""What the figures drawn twice share: by panels, and by the discretisation of the paper."""
+"""Functions for the figures that are computed twice: with panels, and with the discretisation of the paper."""
 
 import math
 
 from ..words import plain, scientific, value_of
 
-PAPER = "triangles on 501 equally spaced nodes, the surface cut at r = R"
+PAPER = "triangles on 501 equally spaced nodes, half-space cut at r = R"
 
 
 def rows(case, keys):
-    """Key values -> (force, approach) of the solved points of a case; {} without one."""
+    """Key values -> (force, approach) of the solved points of a case; empty without a case."""
     found = {}
     for point in case.points if case else []:
         if point["status"] == "ok" and point.get("pull_off"):
@@ -18,7 +18,7 @@ def rows(case, keys):
 
 
 def match(found, key):
-    """The entry of `found` whose key is this one to rounding, or None."""
+    """The entry of `found` whose key equals this one up to rounding, or None."""
     for other, value in found.items():
         if all(math.isclose(a, b, rel_tol=1e-9, abs_tol=1e-300) for a, b in zip(key, other)):
             return value
@@ -26,7 +26,7 @@ def match(found, key):
 
 
 def differences(case, keys, relative=False):
-    """Key values -> |force of the paper's discretisation - force by panels|."""
+    """Key values -> |force with the paper's discretisation - force with panels|."""
     truth, found = rows(case, keys), {}
     for key, (force, _) in rows(case.companion, keys).items():
         other = match(truth, key)
@@ -36,7 +36,7 @@ def differences(case, keys, relative=False):
 
 
 def table_blocks(table, by, x, y):
-    """One block of rows (x, y) for each distinct combination of the columns `by`, in their order."""
+    """One block of rows (x, y) for each distinct combination of the columns `by`, in order of appearance."""
     if table is None:
         return {}
     blocks = {}
@@ -47,31 +47,31 @@ def table_blocks(table, by, x, y):
 
 
 def how(case):
-    """How a case was computed, for its caption."""
+    """The discretisation of a case, for its caption."""
     point = case.points[0]["input"]
     domain = point["outer_radius"]
     where = ("on the unbounded half-space" if domain == "inf"
-             else f"on the surface cut at r = {plain(domain)} ε")
+             else f"on a half-space cut at r = {plain(domain)} ε")
     if point["scheme"] == "panel":
-        return f"panels to {scientific(point['tolerance'], 1)} {where}"
+        return f"panels at tolerance {scientific(point['tolerance'], 1)} {where}"
     return f"{point['scheme']}s on {point['nodes']} nodes {where}"
 
 
 def failed(case):
-    """What was not solved, in one sentence a reason however many points."""
-    told = {}
+    """The unsolved points, one sentence for each reason."""
+    made = {}
     for point in case.unsolved_points():
-        told.setdefault(point["status"].replace("_", " "), []).append(point["label"])
+        made.setdefault(point["status"].replace("_", " "), []).append(point["label"])
     return [f"Not solved ({reason}), {len(labels)} of {len(case.points)}: {'; '.join(labels)}."
-            for reason, labels in told.items()]
+            for reason, labels in made.items()]
 
 
 def remarks(case, tell=failed):
-    """What was not solved, as `tell` says it, and whether the paper's discretisation is there."""
-    told = tell(case)
+    """Sentences on unsolved points, worded by `tell`, and on a missing case with the paper's discretisation."""
+    made = tell(case)
     if case.companion is None:
-        told.append(f"This run holds no record of {case.name}_paper, so the difference to the paper’s "
-                    "discretisation is not shown.")
+        made.append(f"This run has no record of {case.name}_paper, so the difference from the paper’s "
+                    "discretisation is not drawn.")
     else:
-        told += [f"By the paper’s discretisation, {line}" for line in tell(case.companion)]
-    return told
+        made += [f"With the paper’s discretisation: {line}" for line in tell(case.companion)]
+    return made

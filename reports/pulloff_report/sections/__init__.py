@@ -1,7 +1,7 @@
-"""The sections of the report, in the order they are read.
+"""The sections of the report, in reading order.
 
-A section is a module with build(source) -> Section; its template stands in templates/sections/.
-To add one: write the module and the template, and enter it in ORDER.
+A section is a module with build(source) -> Section and a template in templates/sections/. To add one, write both
+and add the module to build_all.
 """
 
 import dataclasses
@@ -12,25 +12,27 @@ from ..references import References
 
 @dataclasses.dataclass
 class Source:
-    """What every section draws on."""
+    """The data that sections are built from."""
     run: Run
     references: References
     faults: dict | None = None  # the matrix of planted faults
-    claims: dict | None = None  # the claims of the paper, judged
+    claims: dict | None = None  # the judged claims of the paper
 
 
 @dataclasses.dataclass
 class Section:
-    """A headed part of the page: its template is filled with its data."""
+    """A section with a heading; its template is filled with its data."""
     id: str
     title: str
     template: str
     data: dict
-    entries: list = dataclasses.field(default_factory=list)  # (id, title) below it in the contents
+    entries: list = dataclasses.field(default_factory=list)  # (id, title) of its entries in the table of contents
+    on_paper: bool = True     # whether the PDF has the section
+    omitted_words: str = ""   # what the PDF says about a section that it does not have
 
 
 def build_all(source):
-    """Every section, in order."""
-    from . import cases, checks, claims, environment, extreme, figures, planted_faults, precision, provenance
-    order = (figures, claims, precision, extreme, checks, cases, planted_faults, provenance, environment)
+    """Every section, in order: those of the PDF first, then the long lists that only the HTML page has."""
+    from . import cases, checks, claims, environment, extreme, figures, planted_faults, precision, provenance, verdicts
+    order = (figures, claims, precision, extreme, planted_faults, verdicts, environment, checks, cases, provenance)
     return [module.build(source) for module in order]

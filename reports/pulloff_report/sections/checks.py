@@ -1,4 +1,4 @@
-"""Every check of the run: obtained, expected, error in units of the tolerance, verdict."""
+"""Every check of the run: computed value, expected value, error relative to the tolerance, verdict."""
 
 import math
 
@@ -8,14 +8,11 @@ from ..records import PASSING
 from ..references import file_name
 from ..words import VERDICT_MEANINGS, decimals_for, quantity, sweep_label
 
-# Checks of a group that paper has: those of the largest errors, and all that did not pass.
-LARGEST_PRINTED = 3
-
 GROUP_BY = ("quantity", "reference", "because", "kind", "tolerance", "ledger")
 
 
 def width_of(ratio):
-    """How full the bar of a ratio is, in percent: from 1e-4 to 1 in logarithm."""
+    """Length of the bar of a ratio in percent, on a logarithmic scale from 1e-4 to 1."""
     if ratio is None:
         return None
     if ratio >= 1:
@@ -24,7 +21,7 @@ def width_of(ratio):
 
 
 def detail(check):
-    """What of the id its group and point do not already say, such as "jump_in-1/approach"."""
+    """The last part of the id of a check, such as "jump_in-1/approach"; its group and point are shown elsewhere."""
     parts = check["id"].split("/", 3)
     return parts[3].replace("_", " ") if len(parts) > 3 else ""
 
@@ -36,7 +33,7 @@ def absolute_tolerance(check):
 
 
 def decimals_of(check):
-    """Decimals that show two digits of the tolerance; 0 where both numbers are counts, none beside what is to be 0."""
+    """Decimals that show two digits of the tolerance; 0 for counts, None if the expected value is 0."""
     if check["quantity"].endswith("_count") or check["quantity"].startswith("work_"):
         return 0
     if check["expected"] == 0:
@@ -48,12 +45,11 @@ def row(case, check, shown_ids):
     point = case.point(check.get("point"))
     return {"check": check, "label": sweep_label(point), "detail": detail(check),
             "decimals": decimals_of(check), "bar": width_of(check["ratio"]),
-            "point_id": f"point-{case.name}-{point['id']}" if point and point["id"] in shown_ids else None,
-            "screen": False}
+            "point_id": f"point-{case.name}-{point['id']}" if point and point["id"] in shown_ids else None}
 
 
 def groups(case):
-    """The checks of a case, those that differ only in their point under one heading."""
+    """The checks of a case; those that differ only in their point share a heading."""
     found = {}
     shown_ids = {point["id"] for point in shown(case)}
     for check in case.checks:
@@ -61,17 +57,7 @@ def groups(case):
         found.setdefault(key, {"first": check, "quantity": quantity(check["quantity"]),
                                "reference": file_name(check.get("reference")), "rows": []})
         found[key]["rows"].append(row(case, check, shown_ids))
-    for group in found.values():
-        spare_paper(group)
     return list(found.values())
-
-
-def spare_paper(group):
-    """Marks `screen` what paper is spared: all but the largest errors of a long group, and what did not pass."""
-    by_ratio = sorted(group["rows"], key=lambda entry: -(entry["check"]["ratio"] or 0.0))
-    for entry in by_ratio[LARGEST_PRINTED:]:
-        entry["screen"] = entry["check"]["verdict"] in PASSING
-    group["printed"] = sum(not entry["screen"] for entry in group["rows"])
 
 
 def build(source):
@@ -79,6 +65,7 @@ def build(source):
     ledgers = sorted({check["ledger"] for check in source.run.checks()})
     found = {check["verdict"] for check in source.run.checks()}
     verdicts = [name for name in VERDICT_MEANINGS if name in found]
-    entries = [(f"checks-{table['case'].name}", table["case"].title) for table in tables]
     return Section("checks", "Every check", "checks.html",
-                   {"tables": tables, "ledgers": ledgers, "verdicts": verdicts}, entries)
+                   {"tables": tables, "ledgers": ledgers, "verdicts": verdicts}, on_paper=False,
+                   omitted_words=f"all {len(source.run.checks())} checks with computed and expected value, error and tolerance, "
+                   "and the reason of the tolerance; the table can be searched and sorted")

@@ -1,19 +1,27 @@
-"""Every claim of the paper beside what was computed, and the command that shows it."""
+"""Every claim of the paper with the computed number, the verdict, and the command that computes the number."""
 
 import math
 
 from . import Section
 from ..words import CHECK_VERDICTS, CHOICE_WORDS, CLAIM_SIGNS, CLAIM_VERDICTS, MINUS, decimals_for, fixed, plain, scientific
 
-ABSENT = "The claims of the paper were not judged for this run: ./reproduce --only claims does that."
+ABSENT = "The claims of the paper were not judged for this run; ./reproduce --only claims judges them."
+# The groups of the tables, in reading order: (identifier, title, verdicts, whether the HTML page shows it unfolded).
+GROUPS = (("contradicted", "Contradicted statements", ("contradicted", "check_failed"), True),
+          ("depends", "Statements that depend on a choice that the paper leaves open", ("depends", "no_result"), True),
+          ("holds", "Statements that hold, in the order of the paper", ("reproduced", "within_reading"), False),
+          ("others", "Implementation checks and statements that cannot be tested", ("checked", "not_testable"), False))
 FEWEST_DECIMALS, MOST_DECIMALS = 3, 8
-WORDS = {**CLAIM_VERDICTS, **CHECK_VERDICTS, "depends": "depends"}
+WORDS = {**CLAIM_VERDICTS, **CHECK_VERDICTS, "depends": "depends on a choice"}
+# The words of the narrow columns of the paper edition.
+SHORT_WORDS = {"within_reading": "reproduced*", "checked": "check passed", "check_failed": "check failed"}
+SHORT_CHOICE_WORDS = {"within_reading": "holds*"}
 ORDER = ("contradicted", "check_failed", "depends", "within_reading", "reproduced", "checked", "not_testable", "no_result")
 NOTHING = dict.fromkeys(("words", "claimed", "low", "high", "computed", "difference", "accuracy", "off_by"))
 
 
 def decimals_of(choice):
-    """Enough to see the difference, or to a tenth of the accuracy; none for what is counted."""
+    """Decimals that show the difference, or a tenth of the accuracy; 0 for counts."""
     shown = [abs(choice["difference"] or 0), choice["accuracy"] or 0]
     numbers = [choice[key] for key in ("low", "high", "computed") if choice[key] is not None]
     if not choice["accuracy"] and all(number == round(number) for number in numbers):
@@ -25,7 +33,7 @@ def decimals_of(choice):
 
 
 def claimed(choice, reading):
-    """What the paper says, as it prints it, or as the number its equation gives."""
+    """The claimed number: as the paper prints it, or as its equation evaluates."""
     if reading == "printed":
         return choice["claimed"].replace("-", MINUS)
     low, high = choice["low"], choice["high"]
@@ -42,17 +50,17 @@ def sort_key(choice, name):
 
 
 def amount(choice):
-    """By how much a number must be off: in percent, or as a factor from twice on; what is counted in whole numbers."""
+    """The change of a number that changes the verdict: in percent, as a factor above 100 %, or as a whole number for counts."""
     value = choice["off_by"]
     if choice["counted"]:
         return str(max(1, math.floor(value)))
     if value >= 1:
         return f"a factor of {1 + value:.2g}"
-    return f"{100 * value:.2g} %" if value >= 1e-4 else scientific(value) + " of itself"
+    return f"{100 * value:.2g} %" if value >= 1e-4 else scientific(value) + " relative"
 
 
 def numbers(choice, reading):
-    """What the table shows of one choice."""
+    """The columns of one choice."""
     decimals = None if choice["computed"] is None else decimals_of(choice)
     return {"words": choice["words"], "claimed": claimed(choice, reading), "sort": lambda name: sort_key(choice, name),
             "computed": "–" if decimals is None else fixed(choice["computed"], decimals),
@@ -63,24 +71,33 @@ def verdict(name, words):
     return {"name": name, "sign": CLAIM_SIGNS[name], "word": words[name]}
 
 
+def choice_row(choice, reading):
+    return {**numbers(choice, reading), "verdict": verdict(choice["verdict"], CHOICE_WORDS),
+            "short": verdict(choice["verdict"], {**CHOICE_WORDS, **SHORT_CHOICE_WORDS})}
+
+
 def row(claim):
     single = len(claim["choices"]) < 2
     first = claim["choices"][0] if claim["choices"] else NOTHING
     lines = list(dict.fromkeys(line for choice in claim["choices"] for line in choice["commands"]))
     return {"claim": claim, "rank": ORDER.index(claim["verdict"]), "verdict": verdict(claim["verdict"], WORDS),
+            "short": verdict(claim["verdict"], {**WORDS, **SHORT_WORDS}),
             "accuracy": first["accuracy"], "commands": lines, "lead": "Implied by" if claim["implied"] else None,
             "off_by": amount(first) if single and first["off_by"] is not None and claim["verdict"] != "contradicted" else None,
             **numbers(first if single else NOTHING, claim["reading"] if single else None),
-            "choices": [] if single else [{**numbers(choice, claim["reading"]), "verdict": verdict(choice["verdict"], CHOICE_WORDS)}
-                                          for choice in claim["choices"]]}
+            "choices": [] if single else [choice_row(choice, claim["reading"]) for choice in claim["choices"]]}
 
 
 def build(source):
     judged = source.claims
-    data = {"absent": ABSENT, "rows": []}
+    data, entries = {"absent": ABSENT, "groups": []}, []
     if judged:
         words = {**CLAIM_VERDICTS, **CHECK_VERDICTS}
         counts = [(CLAIM_SIGNS[name], words[name], name, judged["counts"].get(name, 0)) for name in words]
-        data = {"absent": None, "rows": [row(claim) for claim in judged["claims"]],
+        found = [{"id": f"claims-{name}", "title": title, "is_open": is_open, "detailed": is_open,
+                  "rows": [row(claim) for claim in judged["claims"] if claim["verdict"] in verdicts]}
+                 for name, title, verdicts, is_open in GROUPS]
+        data = {"absent": None, "groups": [group for group in found if group["rows"]],
                 "counts": [entry for entry in counts if entry[-1]], "readings": judged["readings"]}
-    return Section("claims", "Claims of the paper", "claims.html", data)
+        entries = [(group["id"], f"{group['title']} ({len(group['rows'])})") for group in data["groups"]]
+    return Section("claims", "Claims of the paper", "claims.html", data, entries)

@@ -1,4 +1,4 @@
-"""What the run was computed with and on."""
+"""The program, the libraries and the machine that the run was computed with."""
 
 import platform
 import subprocess
@@ -10,17 +10,17 @@ from ..gnuplot import require
 LABELS = {"pulloff": "pulloff", "compiler": "Compiler", "gsl": "GSL", "openblas": "OpenBLAS",
           "lapacke": "LAPACKE", "jansson": "Jansson", "libcyaml": "libcyaml", "nettle": "Nettle",
           "system": "System", "machine": "Machine", "processor": "Processor", "cores": "Cores",
-          "jobs": "Points at a time", "date": "Date"}
+          "jobs": "Parallel jobs", "date": "Date"}
 
 
 def span(dates):
-    """From the first of them to the last, in words."""
+    """The range from the first date to the last, in words."""
     first, last = words.date(min(dates)), words.date(max(dates))
     return first if first == last else f"{first} to {last}"
 
 
 def merged(cases, part):
-    """Rows (label, [(value, names of the cases with it)]): one value where all cases agree."""
+    """Rows (label, [(value, names of the cases with this value)]); no names where all cases agree."""
     keys = list(dict.fromkeys(key for case in cases for key in case.record[part]))
     rows = []
     for key in keys:
@@ -36,7 +36,7 @@ def merged(cases, part):
 
 
 def tool_versions():
-    """Versions of what drew this report."""
+    """Versions of the programs that drew this report."""
     import jinja2
     import matplotlib
     import numpy

@@ -1,4 +1,4 @@
-"""Stiff and extreme scenes: each with its result, its work, and what tells how far it can be relied on."""
+"""Stiff and extreme scenes: the result, the work and the diagnostics of each."""
 
 from . import Section
 from ..plots import extreme
@@ -6,8 +6,8 @@ from ..records import PASSING
 from ..words import sweep_label
 
 SUITE = "extreme"
-ABSENT = ("Stiff and extreme scenes are left out: this run holds no record of the suite extreme "
-          "(pulloff run --suite extreme makes them).")
+ABSENT = ("Stiff and extreme scenes are omitted: this run has no record of the suite extreme "
+          "(pulloff run --suite extreme computes them).")
 
 
 def state_at(diagnostics, place):
@@ -19,7 +19,7 @@ def greatest(values):
 
 
 def row_of(case, point):
-    """What the table says of one scene."""
+    """The row of one scene."""
     found = point.get("diagnostics") or {}
     moved = found.get("moved") or {}
     judged = [check for check in case.checks if check.get("point") == point["id"]]

@@ -1,29 +1,29 @@
-"""The figures of the paper, each drawn from the case that names it; what cannot be drawn is said."""
+"""The figures of the paper, each drawn from the case that names it. A figure without a case is named in a sentence."""
 
 from markupsafe import Markup
 
 from . import Section
 from .. import plots
 
-PUBLISHED = {"published/feng_fig3.csv": "his Figure 3", "published/feng_fig4.csv": "his pull-off against μ, Figure 4"}
+PUBLISHED = {"published/feng_fig3.csv": "the curves of his Figure 3", "published/feng_fig4.csv": "his pull-off against μ, Figure 4"}
 FENG = Markup(
-    " <em>Feng’s problem</em> is the smooth sphere of Eqs 10–17, solved by a program that shares neither code "
-    "nor method with this one and carries its own uncertainty.")
+    " <em>Feng’s problem</em> is the smooth sphere of Eqs 10–17. Here it was solved by a second program that shares "
+    "neither code nor method with this one and states its own uncertainty.")
 
 
 def feng_note(references):
-    """What of Feng's own points is at hand, and what stands in for the rest."""
+    """Which of Feng's own points are available, and which reference is used instead of the others."""
     there = [name for name in PUBLISHED if references.has(name)]
     gone = [name for name in PUBLISHED if name not in there]
     note = Markup("")
     if there:
-        note += Markup("Feng’s points ({}) are those of {}, read off a figure, with the uncertainty stated there. "
-                       "Beside them stands Feng’s problem.").format(
+        note += Markup("Feng’s points ({}) were read off a printed figure and are in {}, with the uncertainty of the reading. "
+                       "The solution of Feng’s problem is drawn beside them.").format(
             " and ".join(PUBLISHED[name] for name in there), files(there))
     if gone:
-        note += Markup("{}Feng’s points ({}) are not available in tabulated form. What stands in for them is Feng’s "
-                       "problem. A digitised file of his points, {}, is drawn and compared once it is there, with its "
-                       "digitisation error.").format(
+        note += Markup("{}Feng’s points ({}) are not available in tabulated form; the solution of Feng’s problem is used "
+                       "instead. If a file with digitised points, {}, is added, the points are drawn and compared within "
+                       "their digitisation error.").format(
             " " if there else "", " and ".join(PUBLISHED[name] for name in gone), files(gone, "or"))
     return note + FENG
 
@@ -34,8 +34,8 @@ def files(names, word="and"):
 
 def missing(module, script):
     which = f"Figure {module.NUMBER}, {module.TITLE[0].lower()}{module.TITLE[1:]}," if module.NUMBER else f"{module.TITLE}"
-    return (f"{which} is left out: this "
-            f"run holds no record of a case that draws it (pulloff run {case_of(module, script)} makes one).")
+    return (f"{which} is omitted: this run has no record of a case that draws it "
+            f"(pulloff run {case_of(module, script)} computes one).")
 
 
 def case_of(module, script):

@@ -1,22 +1,22 @@
-"""Planted faults: which case or test notices which fault of the program."""
+"""Planted faults: which case or test detects which fault of the program."""
 
 from . import Section
 from ..words import count
 
-ABSENT = ("Whether the checks would notice a fault was not tried for this run: meson test -C build --suite mutation plants "
-          "faults in the program, one at a time, and the next report shows what caught which.")
+ABSENT = ("No matrix of planted faults is available for this run. meson test -C build --suite mutation plants faults in the "
+          "program, one at a time, and the next report shows which check detects which fault.")
 
-# Letter of a cell, by what failed; the first that applies.
+# Letter of a cell, by the kind of failure; the first that applies.
 SIGNS = {"oracle": "O", "test": "T", "no_result": "N", "refused": "R", "pin": "P", "timeout": "L"}
 MEANINGS = {"O": "a number is outside the tolerance of an oracle or a published value",
-            "T": "a test, or the comparison with a table, fails", "N": "solves fail",
-            "R": "the program refuses or breaks off", "P": "only a pin moved", "L": "too late: stopped",
-            "·": "passed, the fault was not noticed"}
-KINDS = {"physics": "In the physics and the mathematics", "harness": "In the harness"}
+            "T": "a test or the comparison with a table fails", "N": "solves fail",
+            "R": "the program ends with an error", "P": "only a pin changed", "L": "stopped at the time limit",
+            "·": "passes in spite of the fault"}
+KINDS = {"physics": "Faults in the physics and the mathematics", "harness": "Faults in the harness"}
 
 
 def cell(detector, fault):
-    """(letter, class) of one place of the matrix; nothing where the detector was not set at the fault."""
+    """(letter, class) of one cell of the matrix; empty if the detector was not run with this fault."""
     found = fault["cells"].get(detector["name"])
     if found is None:
         return "", ""
@@ -35,14 +35,14 @@ def groups(matrix):
 
 
 def verdict(matrix):
-    """One sentence: all caught, or what was not."""
+    """One sentence: how many faults are detected, and which are not."""
     missed = [fault["name"] for fault in matrix["faults"] if not fault["caught"]]
     idle = [detector["name"] for detector in matrix["detectors"] if not detector["catches"]]
     broken = [detector["name"] for detector in matrix["detectors"] if not detector["passes"]]
-    parts = [f"{len(matrix['faults']) - len(missed)} of {count(len(matrix['faults']), 'planted fault')} were caught"]
-    parts += [f"nobody caught {', '.join(missed)}"] if missed else []
-    parts += [f"caught nothing: {', '.join(idle)}"] if idle else []
-    parts += [f"failed without any fault: {', '.join(broken)}"] if broken else []
+    parts = [f"{len(matrix['faults']) - len(missed)} of {count(len(matrix['faults']), 'planted fault')} were detected"]
+    parts += [f"not detected: {', '.join(missed)}"] if missed else []
+    parts += [f"detectors that detect no fault: {', '.join(idle)}"] if idle else []
+    parts += [f"detectors that fail without a fault: {', '.join(broken)}"] if broken else []
     return "; ".join(parts) + "."
 
 

@@ -1,14 +1,14 @@
-"""Error against run time, orders observed, where schemes overtake each other, and how much faster."""
+"""Error against run time, observed orders of convergence, and the speed of panels relative to the other schemes."""
 
 from . import Section
 from .. import samples
 from ..plots import precision
 from ..plots.figure import failures
 
-ABSENT = ("Error against run time is left out: this run holds no record of the case precision "
-          "(pulloff run --suite precision makes one).")
-EMPTY = "Error against run time is left out: no point of the case has both an error and a time."
-TOLD = (("ring uniform", 501), samples.MARK, ("panel", 1e-6))  # whose work is set side by side
+ABSENT = ("Error against run time is omitted: this run has no record of the case precision "
+          "(pulloff run --suite precision computes one).")
+EMPTY = "Error against run time is omitted: no point of the case has both an error and a run time."
+COMPARED = (("ring uniform", 501), samples.MARK, ("panel", 1e-6))  # the meshes of the table of work
 
 
 def order_rows(found):
@@ -38,7 +38,7 @@ def crossing_rows(found):
 
 
 def speed_rows(found):
-    """Of each scene: the panels as good as triangles with 501 nodes, and how much faster."""
+    """For each scene: the fastest panel solve at least as accurate as 501 triangles, by field and for all fields."""
     rows = []
     for scene in samples.scenes(found):
         goal = samples.marked(samples.of(found, scene))
@@ -57,7 +57,7 @@ def speed_rows(found):
 def work_rows(found):
     rows = []
     for scene in samples.scenes(found):
-        for mesh in TOLD:
+        for mesh in COMPARED:
             rows += [{"scene": samples.scene_name(scene), "sample": sample}
                      for sample in samples.of(found, scene) if sample.mesh == mesh]
     return with_first(rows)
@@ -69,7 +69,7 @@ def every_row(found):
 
 
 def with_first(rows):
-    """Marks the rows with which a scene begins."""
+    """Marks the first row of each scene."""
     for before, row in zip([None] + rows, rows):
         row["first"] = before is None or before["scene"] != row["scene"]
     return rows

@@ -1,21 +1,21 @@
-"""The reference data the run was compared with: where each file comes from and whether it is intact."""
+"""The reference data of the checks: the origin of each file and whether it is intact."""
 
 from . import Section
 from ..references import file_name
 
 KEYS = ("source", "method", "units", "uncertainty", "generator", "command", "date")
-# What the words mean that stand for a reference and are no table.
-WORDS = {"every_scene": "Every scene has its equilibria: the share of those solved is to be 1",
-         "zero": "What an exact solution has none of",
-         "traced": "The trace of the same scene by the same program; it vouches for the following, not for the solver"}
-CLOSED_FORM = "A closed form built into the program"
-STATES = {"verified": "intact: the checksum is the stated one",
-          "differs": "altered: the checksum is not the stated one",
-          "absent": "no checksum is stated"}
+# References that are keywords and not tables.
+WORDS = {"every_scene": "Every scene has equilibria, so the expected fraction of solved scenes is 1",
+         "zero": "A quantity that vanishes for an exact solution",
+         "traced": "A full trace of the same scene by the same program; it verifies the parameter continuation, not the solver"}
+CLOSED_FORM = "A closed-form solution built into the program"
+STATES = {"verified": "intact: the data have the stated checksum",
+          "differs": "altered: the data do not have the stated checksum",
+          "absent": "the file states no checksum"}
 
 
 def card(source, name, cases):
-    """What is known of a reference; one without a file may be a closed form with a table of it."""
+    """The entry of a reference. A closed-form solution has no file of its own, but may have a table of values."""
     built_in = not name.endswith(".csv")
     table = source.references.table(name + ".csv" if built_in else name)
     entry = {"name": name, "cases": sorted(cases), "table": table, "built_in": built_in,
@@ -35,7 +35,7 @@ def card(source, name, cases):
 
 
 def absent(source):
-    """Published tables that are not there: name -> (what stands in, the cases that would use it)."""
+    """Published tables that are not available, with the reference used instead and the cases that would use them."""
     found = {}
     for case in source.run.cases:
         for check in case.left_out:
@@ -54,6 +54,6 @@ def build(source):
             if name:
                 used.setdefault(name, set()).add(case.name)
     cards = [card(source, name, cases) for name, cases in sorted(used.items())]
-    return Section("references", "Reference data", "provenance.html",
-                   {"cards": cards, "absent": absent(source)},
-                   [(f"reference-{item['name']}", item["name"]) for item in cards])
+    return Section("references", "Reference data", "provenance.html", {"cards": cards, "absent": absent(source)},
+                   on_paper=False, omitted_words=f"the {len(cards)} references of the checks: source, method, uncertainty, "
+                   "generator and checksum of each")
