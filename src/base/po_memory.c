@@ -53,6 +53,18 @@ void *po_resize(void *array, size_t count, size_t size) {
   return memory;
 }
 
+enum { FIRST_ROOM = 16 };
+
+void *po_grow(void *array, size_t count, size_t *room, size_t size) {
+  if (count < *room)
+    return array;
+  const size_t larger = *room ? 2 * *room : FIRST_ROOM;
+  void *moved = po_resize(array, larger, size);
+  if (moved)
+    *room = larger;
+  return moved;
+}
+
 char *po_copy_text(const char *text) {
   char *copy = strdup(text);
   if (!copy)

@@ -22,6 +22,10 @@ void *po_reserve_matrix(void *matrix, size_t *room, size_t n, size_t size);
  * array untouched. Not aligned: for records, not for linear algebra. */
 void *po_resize(void *array, size_t count, size_t size);
 
+/* Room for one more in an array of `count` that grows: the array, or a larger one that takes its
+ * place, and its room, in records; on failure as po_resize. */
+void *po_grow(void *array, size_t count, size_t *room, size_t size);
+
 /* A copy of a string, or NULL with a message. */
 char *po_copy_text(const char *text);
 

@@ -333,14 +333,11 @@ static po_status fill(const po_contact_gap *gap, double level, po_contact_annulu
     } else {
       if (*count == MOST_ANNULI)
         return too_many();
-      if (*count == room) {
-        room = room ? 2 * room : 8;
-        po_contact_annulus *more = po_resize(*list, room, sizeof *more);
-        if (!more)
-          return PO_NO_MEMORY;
-        *list = more;
-      }
-      (*list)[(*count)++] = (po_contact_annulus){fmax(edge, 0.0), outer};
+      po_contact_annulus *more = po_grow(*list, *count, &room, sizeof *more);
+      if (!more)
+        return PO_NO_MEMORY;
+      *list = more;
+      more[(*count)++] = (po_contact_annulus){fmax(edge, 0.0), outer};
       if (edge < 0.0)
         break;
     }

@@ -1,4 +1,8 @@
-/* Reads special points, curve, pull-off and profile off a branch as it is traced. */
+/* The visitor of a trace. It gives each point to the parts that read the branch: the record
+ * (po_record.h), the special points and the pull-off (po_special_list.h), the profile
+ * (po_contact_profile.h), what is diagnosed (po_kept.h, po_balance.h, po_reverse_trace.h), and the
+ * stopping rule (po_stopping.h); and ends the trace where one of these, the user or the time limit
+ * asks for it. */
 #ifndef PO_READER_H
 #define PO_READER_H
 
@@ -6,8 +10,10 @@
 #include "po_branch_point.h"
 #include "po_estimate.h"
 #include "po_kept.h"
+#include "po_record.h"
 #include "po_request.h"
 #include "po_result.h"
+#include "po_special_list.h"
 #include "po_stopping.h"
 
 /* Who keeps minima of the load and folds, for more than the result says of them. */
@@ -30,12 +36,10 @@ typedef struct {
   double begin;            /* points at a smaller approach are not recorded before it is reached */
   bool begun;
   po_stopping stopping;
-  po_path_point *path; /* the branch; owned */
-  size_t path_count, path_room;
-  size_t most_nodes;  /* of the surface so far */
-  size_t unmet_folds; /* that a finer mesh did not meet */
-  double deadline;    /* on po_clock_thread; INFINITY: none */
-  size_t extremum_room, fold_room, curve_room;
+  po_record record;
+  po_special_list special;
+  size_t most_nodes; /* of the surface so far */
+  double deadline;   /* on po_clock_thread; INFINITY: none */
   po_status status;
 } po_reader;
 

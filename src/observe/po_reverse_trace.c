@@ -21,20 +21,16 @@ po_status po_passage_note(po_passage *passage, const po_branch_point *p, double 
   ++passage->points;
   if (!is_special_point(p->kind))
     return PO_OK;
-  if (passage->count == passage->room) {
-    const size_t room = passage->room ? 2 * passage->room : 32;
-    po_passed *list = po_resize(passage->list, room, sizeof *list);
-    if (!list)
-      return PO_NO_MEMORY;
-    passage->list = list;
-    passage->room = room;
-  }
-  passage->list[passage->count++] = (po_passed){.kind = p->kind,
-                                                .approach = p->approach,
-                                                .load = p->load,
-                                                .approach_error = approach_error,
-                                                .load_error = load_error,
-                                                .modes = back ? before : p->unstable_modes};
+  po_passed *list = po_grow(passage->list, passage->count, &passage->room, sizeof *list);
+  if (!list)
+    return PO_NO_MEMORY;
+  passage->list = list;
+  list[passage->count++] = (po_passed){.kind = p->kind,
+                                       .approach = p->approach,
+                                       .load = p->load,
+                                       .approach_error = approach_error,
+                                       .load_error = load_error,
+                                       .modes = back ? before : p->unstable_modes};
   return PO_OK;
 }
 

@@ -135,7 +135,7 @@ static po_status make_surface(const po_request *request, bool rigid, double core
  * a->begin is set so that it will do, and nothing read off. */
 static po_status read_hysteresis(const po_reader *reader, po_attempt *a) {
   po_result *o = reader->result;
-  const po_path path = {reader->path, reader->path_count};
+  const po_path path = {reader->record.path, reader->record.path_count};
   double least = INFINITY;
   for (size_t k = 0; k < path.count; ++k)
     least = fmin(least, path.point[k].approach);
@@ -210,12 +210,12 @@ po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double 
   if (!status && !result->has_pull_off && isnan(request->approach_end))
     status = lacks_minimum(request, &reader);
   if (!status)
-    status = po_pressed_read(request, &(po_path){reader.path, reader.path_count}, &reader.stopping,
-                             result);
+    status = po_pressed_read(request, &(po_path){reader.record.path, reader.record.path_count},
+                             &reader.stopping, result);
   if (!status && (request->want & PO_WANT_HYSTERESIS))
     status = read_hysteresis(&reader, a);
 done:
-  a->unmet_folds = reader.unmet_folds;
+  a->unmet_folds = reader.special.unmet_folds;
   po_reader_end(&reader);
   result->diagnostics.energy_defect = po_balance_defect(&balance);
   result->diagnostics.energy_defect_at = balance.at;

@@ -52,16 +52,13 @@ static double step_from(double approach) {
 }
 
 static po_status sample(double start, double end, po_reference_point **points, size_t *count) {
-  size_t capacity = 0;
+  size_t room = 0;
   for (double approach = start;; approach = fmin(step_from(approach), end)) {
-    if (*count == capacity) {
-      capacity = capacity ? 2 * capacity : 1024;
-      po_reference_point *larger = po_resize(*points, capacity, sizeof *larger);
-      if (!larger)
-        return PO_NO_MEMORY;
-      *points = larger;
-    }
-    (*points)[(*count)++] = point_at(approach);
+    po_reference_point *larger = po_grow(*points, *count, &room, sizeof *larger);
+    if (!larger)
+      return PO_NO_MEMORY;
+    *points = larger;
+    larger[(*count)++] = point_at(approach);
     if (approach >= end)
       return PO_OK;
   }

@@ -27,15 +27,11 @@ static bool keep(void *data, const po_branch_point *point, double margin) {
   po_checkpoint *a = data;
   if (!point->solution || point->kind != PO_POINT_LOAD_MIN || !(point->load < 0.0))
     return true;
-  if (a->count == a->room) {
-    const size_t room = a->room ? 2 * a->room : 8;
-    po_checkpoint_minimum *minima = po_resize(a->minima, room, sizeof *minima);
-    if (!minima)
-      return false;
-    a->minima = minima;
-    a->room = room;
-  }
-  po_checkpoint_minimum *m = &a->minima[a->count++];
+  po_checkpoint_minimum *minima = po_grow(a->minima, a->count, &a->room, sizeof *minima);
+  if (!minima)
+    return false;
+  a->minima = minima;
+  po_checkpoint_minimum *m = &minima[a->count++];
   *m = (po_checkpoint_minimum){.approach = point->approach, .load = point->load, .margin = margin};
   if (po_solution_allocate(&m->point, point->solution->n))
     return false;

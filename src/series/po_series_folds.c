@@ -34,15 +34,11 @@ static bool keep(void *data, const po_branch_point *p, double margin) {
   (void)margin;
   if (!p->solution || (p->kind != PO_POINT_APPROACH_MAX && p->kind != PO_POINT_APPROACH_MIN))
     return true;
-  if (f->count == f->room) {
-    const size_t room = f->room ? 2 * f->room : 8;
-    po_solution *point = po_resize(f->point, room, sizeof *point);
-    if (!point)
-      return false;
-    f->point = point;
-    f->room = room;
-  }
-  po_solution *kept = &f->point[f->count++];
+  po_solution *point = po_grow(f->point, f->count, &f->room, sizeof *point);
+  if (!point)
+    return false;
+  f->point = point;
+  po_solution *kept = &point[f->count++];
   *kept = (po_solution){0};
   if (po_solution_allocate(kept, p->solution->n))
     return false;

@@ -84,7 +84,28 @@ START_TEST(quotes_are_cut_between_characters) {
 }
 END_TEST
 
+START_TEST(an_array_grows_when_it_is_full) {
+  int *array = NULL;
+  size_t room = 0;
+  for (int count = 0; count < 1000; ++count) {
+    int *grown = po_grow(array, (size_t)count, &room, sizeof *array);
+    ck_assert_ptr_nonnull(grown);
+    ck_assert_uint_gt(room, (size_t)count);
+    array = grown;
+    array[count] = 3 * count;
+  }
+  for (int k = 0; k < 1000; ++k)
+    ck_assert_int_eq(array[k], 3 * k);
+  room = SIZE_MAX / 4;
+  ck_assert_ptr_null(po_grow(array, room, &room, sizeof *array));
+  ck_assert_uint_eq(room, SIZE_MAX / 4);
+  ck_assert_int_eq(array[999], 2997);
+  free(array);
+}
+END_TEST
+
 static void add(TCase *tests) {
+  tcase_add_test(tests, an_array_grows_when_it_is_full);
   tcase_add_loop_test(tests, quotes_are_safe_to_show, 0, sizeof QUOTES / sizeof *QUOTES);
   tcase_add_test(tests, quotes_are_cut_between_characters);
   tcase_add_test(tests, statuses_have_names_and_texts);

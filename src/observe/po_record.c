@@ -1,0 +1,45 @@
+#include "po_record.h"
+
+#include <stdlib.h>
+
+#include "po_memory.h"
+
+void po_record_free(po_record *record) {
+  free(record->path);
+  *record = (po_record){0};
+}
+
+po_status po_record_path(po_record *record, const po_branch_point *p, double contact_radius) {
+  po_path_point *path = po_grow(record->path, record->path_count, &record->path_room, sizeof *path);
+  if (!path)
+    return PO_NO_MEMORY;
+  record->path = path;
+  path[record->path_count++] = (po_path_point){.approach = p->approach,
+                                               .load = p->load,
+                                               .energy = p->energy,
+                                               .approach_rate = p->approach_rate,
+                                               .load_rate = p->load_rate,
+                                               .contact_radius = contact_radius,
+                                               .position = p->position,
+                                               .unstable_modes = p->unstable_modes,
+                                               .minimum = p->kind == PO_POINT_LOAD_MIN};
+  return PO_OK;
+}
+
+po_status po_record_curve(po_record *record, const po_branch_point *p, double contact_radius,
+                          po_result *result) {
+  po_curve_point *curve =
+      po_grow(result->curve, result->curve_count, &record->curve_room, sizeof *curve);
+  if (!curve)
+    return PO_NO_MEMORY;
+  result->curve = curve;
+  curve[result->curve_count++] = (po_curve_point){.position = p->position,
+                                                  .approach = p->approach,
+                                                  .load = p->load,
+                                                  .energy = p->energy,
+                                                  .contact_radius = contact_radius,
+                                                  .approach_rate = p->approach_rate,
+                                                  .load_rate = p->load_rate,
+                                                  .unstable_modes = p->unstable_modes};
+  return PO_OK;
+}

@@ -1,0 +1,23 @@
+/* The special points of a result, folds and extrema of the load, with their stated values and
+ * errors; and the one of them that is the pull-off. */
+#ifndef PO_SPECIAL_LIST_H
+#define PO_SPECIAL_LIST_H
+
+#include "po_branch_point.h"
+#include "po_estimate.h"
+#include "po_result.h"
+
+/* What grows with the lists of the result. */
+typedef struct {
+  size_t fold_room, extremum_room;
+  size_t unmet_folds; /* that were not found on a finer mesh */
+} po_special_list;
+
+/* Adds a special point to the folds or the extrema of the result. Status: PO_NO_MEMORY. */
+po_status po_special_list_add(po_special_list *list, const po_branch_point *point,
+                              const po_estimate *estimate, po_result *result);
+
+/* States a minimum of the load as the pull-off. */
+void po_special_list_pull_off(const po_estimate *estimate, po_result *result);
+
+#endif
