@@ -39,20 +39,25 @@ COLUMNS = ("file", "name", "value", "side", "tried", *RESULTS, *(f"{name}_ratio"
            "work_ratio")
 UNCHANGED = ("-", "-", "", "")
 
-# Commands that use a file, by a regular expression; a file that is not here may be used by any. The others are not run:
-# their results are those of the unchanged source.
-FIXED, FOLLOW, ANY = r"--scheme", r"^follow", r"^(solve|follow)"
+# Commands that use a file, by a regular expression; a room stands for its files that are not here. The others are not
+# run: their results are those of the unchanged source.
+FIXED, FOLLOW, SOLVED = r"--scheme", r"^follow", r"^(solve|follow)"
 PANELS, RIGID = r"^(solve|follow) (?!.*--scheme)(?!--tabor (0|1e-6) )", r"--tabor (0|1e-6) "
 USED_BY = {
+    **{room: SOLVED for room in ("scene", "bem", "continuation", "path", "observe", "companion")}, "series": FOLLOW,
     "po_triangle.c": r"--scheme triangle", "po_surface.c": FIXED + "|" + RIGID, "po_rigid.c": RIGID,
     "po_wavy_rigid.c": r"^theory rigid", "po_guduru_path.c": r"preload|hysteresis",
-    "po_diagnosis.c": r"diagnostics", "po_kept.h": r"diagnostics",
-    **{name: FOLLOW for name in ("po_series.c", "po_series.h", "po_checkpoint.c", "po_follow.c",
-                                 "po_parameter_predictor.c", "po_parameter_predictor.h")},
-    **{name: ANY for name in ("po_extent.c", "po_path.c", "po_stopping.c")},
-    **{name: PANELS for name in ("po_panel_table.h", "po_panels.h", "po_corrector.c", "po_moving_edges.c",
-                                 "po_moving_edges.h", "po_prediction.c", "po_refine.c", "po_resolution.c", "po_track.c",
-                                 "po_track_events.c", "po_track_solve.c", "po_track_step.c", "po_accuracy.c")}}
+    "po_diagnosis.c": r"diagnostics", "po_kept.h": r"diagnostics", "po_follow.c": FOLLOW,
+    "po_parameter_predictor.h": FOLLOW,
+    **{name: PANELS for name in ("po_panel_table.h", "po_panels.h", "po_moving_edges.c", "po_moving_edges.h",
+                                 "po_refine.c", "po_resolution.c", "po_resolution.h", "po_accuracy.c")}}
+
+# What is measured first.
+ORDER = ("observe", "continuation", "bem", "series", "scene", "path", "math", "companion", "theory")
+
+
+def room_of(path):
+    return os.path.basename(os.path.dirname(path))
 
 
 def table():
@@ -212,7 +217,7 @@ class Campaign:
         return row
 
     def measure(self, place, text):
-        pattern = USED_BY.get(os.path.basename(place[1]), "")
+        pattern = USED_BY.get(os.path.basename(place[1]), USED_BY.get(room_of(place[1]), ""))
         use = [re.search(pattern, " ".join(words)) for words in self.commands]
         found = self.copy.with_value(place, text, lambda: iter(self.copy.documents(
             [words for words, used in zip(self.commands, use) if used])))
@@ -242,6 +247,7 @@ def main():
             key = (entry["file"], entry["name"], place[0], side)
             if re.search(wanted.only, f"{entry['file']} {entry['name']}") and (wanted.fresh or key not in results.rows):
                 tasks.append((key, place, tried(entry, place[0], side)))
+    tasks.sort(key=lambda task: (kinds[task[0][:2]] != "tuned", ORDER.index(room_of(task[1][1]))))
     copy = Copy(wanted.folder)
     if not copy.make():
         print("measure.py: the unchanged source does not build", file=sys.stderr)

@@ -31,7 +31,6 @@ OTHERS = """
 solve --tabor 20 --tolerance 1e-4
 solve --tabor 30 --radius 50 --tolerance 1e-4
 solve --tabor 4 --amplitude 0.4 --wavelength 10 --outer-radius 100 --tolerance 1e-4
-solve --tabor 5 --amplitude 3 --wavelength 20 --outer-radius 100 --tolerance 1e-4
 solve --tabor 10 --amplitude 0.2 --wavelength 20 --radius 50 --tolerance 1e-6
 solve --tabor 0.05 --amplitude 2 --wavelength 20 --tolerance 1e-6
 solve --tabor 0.5 --outer-radius 60 --scheme triangle --nodes 120
