@@ -35,14 +35,12 @@ static double event_value(const po_interval *interval, po_event_kind of, const p
   return s->value[PO_OF_APPROACH] - at;
 }
 
-/* Whether two extrema of a quantity hide between two samples, by the cubic between them, or might:
- * its rate falls far below that at the ends without changing sign. */
+/* Whether two extrema of a quantity may hide between two samples: on the cubic between them its
+ * rate falls far below that at the ends, or changes its sign twice. */
 static bool is_suspect(const po_sample *a, const po_sample *b, po_event_kind q) {
-  const double whole = b->at - a->at;
-  double at[2];
-  if (a->rate[q] * b->rate[q] > 0.0)
-    return po_hermite_least_rate(a->value[q], a->rate[q], b->value[q], b->rate[q], whole) < SUSPECT;
-  return po_hermite_extrema(a->value[q], a->rate[q], b->value[q], b->rate[q], whole, at) == 2;
+  return a->rate[q] * b->rate[q] > 0.0 &&
+         po_hermite_least_rate(a->value[q], a->rate[q], b->value[q], b->rate[q], b->at - a->at) <
+             SUSPECT;
 }
 
 static po_status collect_between(const po_interval *interval, const po_sample *a,

@@ -1,6 +1,5 @@
 #include "po_hermite.h"
 
-#include <gsl/gsl_poly.h>
 #include <math.h>
 
 po_hermite po_hermite_at(double x, double h) {
@@ -45,17 +44,6 @@ double po_hermite_work(const po_cubic_ends *load, const po_cubic_ends *way, doub
            po_hermite_rate(way->f0, way->d0, way->f1, way->d1, t, 1.0);
   }
   return half * sum;
-}
-
-size_t po_hermite_extrema(double f0, double d0, double f1, double d1, double h, double x[2]) {
-  const derivative q = derivative_of(f0, d0, f1, d1, h);
-  double root[2];
-  const int found = gsl_poly_solve_quadratic(3.0 * q.a, 2.0 * q.b, q.c, &root[0], &root[1]);
-  size_t count = 0;
-  for (int i = 0; i < found; ++i)
-    if (root[i] > 0.0 && root[i] < 1.0)
-      x[count++] = root[i] * h;
-  return count;
 }
 
 double po_hermite_least_rate(double f0, double d0, double f1, double d1, double h) {

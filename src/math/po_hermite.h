@@ -2,8 +2,6 @@
 #ifndef PO_HERMITE_H
 #define PO_HERMITE_H
 
-#include <stddef.h>
-
 /* The four cubic Hermite functions at x for the ends 0 and h: weights of f(0), f'(0), f(h), f'(h).
  * x may lie outside (0, h): then they extrapolate. */
 typedef struct {
@@ -24,12 +22,8 @@ typedef struct {
 /* Integral of `load` times the derivative of `way` from one t to another, exactly. */
 double po_hermite_work(const po_cubic_ends *load, const po_cubic_ends *way, double from, double to);
 
-/* Zeros in the open interval (0, h) of the derivative of the cubic with these end values and
- * slopes, ascending. Returned: how many (0, 1 or 2), in x. */
-size_t po_hermite_extrema(double f0, double d0, double f1, double d1, double h, double x[2]);
-
-/* The least |derivative| of that cubic on [0, h] in parts of the larger one at the ends; 0 when it
- * vanishes there. */
+/* The least |derivative| of the cubic with these end values and slopes on [0, h], relative to the
+ * larger one at the ends; 0 when it vanishes there. */
 double po_hermite_least_rate(double f0, double d0, double f1, double d1, double h);
 
 #endif
