@@ -34,8 +34,8 @@ def arguments(words):
     parser.add_argument("--claim", action="append", metavar="ID", help="judge only this claim, and write nothing")
     parser.add_argument("--sensitivity", action="store_true",
                         help="print for each claim the relative change of a number that changes the verdict")
-    parser.add_argument("--brief", action="store_true", help="print the counts, and the entries that are at fault or have no number")
-    parser.add_argument("--json", action="store_true", help="one JSON document on standard output, nothing else")
+    parser.add_argument("--brief", action="store_true", help="print only the counts, and the entries with a fault or without a number")
+    parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
     return parser.parse_args(words)
 
 
@@ -75,17 +75,17 @@ def judged(choice, claim, given):
 
 def faults_of(claim, row):
     """The faults of a judged entry: it cannot fail, or it lacks texts that a contradiction requires."""
-    told = []
+    found = []
     for part in row["choices"]:
         name = f"choice {part['words']!r}: " if part["words"] else ""
         if part["unmoved"] and part["off_by"] < math.inf:
-            told.append(f"{name}the verdict does not change if {', '.join(part['unmoved'])} changes by {part['off_by']:.3g} (relative)")
+            found.append(f"{name}the verdict does not change if {', '.join(part['unmoved'])} changes by {part['off_by']:.3g} (relative)")
         if ("off_by" not in claim and not part["counted"] and part["verdict"] in judge.HOLDS
                 and part["off_by"] > sensitivity.LARGEST_DERIVED):
-            told.append(f"{name}only a relative change by {part['off_by']:.3g} changes the verdict: state off_by and off_by_because")
+            found.append(f"{name}only a relative change by {part['off_by']:.3g} changes the verdict: state off_by and off_by_because")
     if row["verdict"] == judge.CONTRADICTED and not {"brief", "note", "survives"} <= set(claim):
-        told.append("contradicted: expected brief, note and survives")
-    return told
+        found.append("contradicted: expected brief, note and survives")
+    return found
 
 
 def row_of(claim, given):
@@ -124,7 +124,7 @@ def counts_of(made):
 
 
 def brief_of(made):
-    """The counts, and before them the entries at fault or without a number, each with the command that shows it."""
+    """The entries with a fault or without a number, each with the command that shows it, and the counts."""
     lines = [f"{row['id']}: {text}\n    /usr/bin/python3 reports/claims/run.py --claim {row['id']}"
              for row in made["claims"]
              for text in row["faults"] + ([row["reason"]] if row["verdict"] == judge.NO_RESULT else [])]
@@ -140,8 +140,8 @@ def text_of(made):
         lines.append(line_of(row["id"], row["choices"][0] if single else nothing, row["verdict"]))
         if not single:
             lines += [line_of("  " + part["words"], part, part["verdict"]) for part in row["choices"]]
-        told = row["faults"] + ([row["reason"]] if row["verdict"] == judge.NO_RESULT else [])
-        for text in told:
+        problems = row["faults"] + ([row["reason"]] if row["verdict"] == judge.NO_RESULT else [])
+        for text in problems:
             lines += textwrap.wrap(text, 110, initial_indent="    ", subsequent_indent="    ")
     lines.append(counts_of(made))
     return "\n".join(lines)

@@ -3,7 +3,7 @@
 
 set multiplot
 gap = 0.055; left = 0.075; width = (0.985 - left - (scene_count - 1) * gap) / scene_count
-array axis_text[2] = ['greatest approach Δ†', 'greatest load {/:Italic W̄}']
+array axis_text[2] = ['largest approach Δ†', 'largest load {/:Italic W̄}']
 do for [row = 1:2] {
   do for [column = 1:scene_count] {
     frame = (row - 1) * scene_count + column
