@@ -40,7 +40,7 @@ po_status po_case_read(const char *path, const char *shown, po_case **result) {
   if (!status)
     status = po_yaml_create(shown, kase->source, kase->source_size, &yaml);
   if (!status)
-    status = po_schema_load(yaml, kase->source, kase->source_size, &kase->file);
+    status = po_schema_load(yaml, &kase->file);
   if (!status)
     status = po_case_parse(kase, yaml);
   po_yaml_destroy(yaml);

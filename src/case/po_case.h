@@ -98,7 +98,7 @@ typedef struct {
   size_t points; /* so many */
 } po_leave_out;
 
-/* What the file says, filled by libcyaml, then checked and parsed. */
+/* What the file says, filled as po_schema.c describes it, then checked and parsed. */
 typedef struct {
   char *name;
   char *title;

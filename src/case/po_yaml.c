@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <yaml.h>
-
 #include "po_memory.h"
 #include "po_order.h"
 #include "po_quote.h"
@@ -177,9 +175,13 @@ const char *po_yaml_name(const po_yaml *yaml) {
   return yaml->name;
 }
 
+yaml_document_t *po_yaml_document(const po_yaml *yaml) {
+  return (yaml_document_t *)&yaml->document; /* libyaml knows no const */
+}
+
 /* Follows a path; the node, or NULL when it is absent, and the line where the way ended. */
 static yaml_node_t *find(const po_yaml *yaml, const char *path, size_t *line) {
-  yaml_document_t *document = (yaml_document_t *)&yaml->document; /* libyaml knows no const */
+  yaml_document_t *document = po_yaml_document(yaml);
   yaml_node_t *node = yaml_document_get_root_node(document);
   *line = node->start_mark.line + 1;
   while (*path && node) {
@@ -210,7 +212,9 @@ size_t po_yaml_line(const po_yaml *yaml, const char *path) {
   return line;
 }
 
-const char *po_yaml_value(const po_yaml *yaml, const char *path) {
+/* The scalar at `path` as it is written; "a mapping" or "a list" when it is one; NULL when absent.
+ */
+static const char *value_at(const po_yaml *yaml, const char *path) {
   size_t line = 1;
   const yaml_node_t *node = find(yaml, path, &line);
   if (!node)
@@ -223,7 +227,7 @@ const char *po_yaml_value(const po_yaml *yaml, const char *path) {
 }
 
 po_status po_yaml_refuse(const po_yaml *yaml, const char *path, const char *expected) {
-  const char *value = po_yaml_value(yaml, path);
+  const char *value = value_at(yaml, path);
   const size_t line = po_yaml_line(yaml, path);
   if (!value)
     return po_fail(PO_BAD_INPUT, "%s:%zu: %s is missing: expected %s", yaml->name, line, path,

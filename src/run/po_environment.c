@@ -7,8 +7,8 @@
 #include <sys/utsname.h>
 #include <time.h>
 
-#include <cyaml/cyaml.h>
 #include <gsl/gsl_version.h>
+#include <yaml.h>
 
 #include "po_file.h"
 #include "po_linear.h"
@@ -27,7 +27,7 @@ json_t *po_environment_versions(const char *openblas) {
                         {"openblas", po_json_text(openblas)},
                         {"lapacke", po_json_text(PULLOFF_LAPACKE_VERSION)},
                         {"jansson", po_json_text(jansson_version_str())},
-                        {"libcyaml", po_json_text(cyaml_version_str)});
+                        {"libyaml", po_json_text(yaml_get_version_string())});
 }
 
 /* The rest of the first line of a file that begins with `start`, after the separator and blanks and

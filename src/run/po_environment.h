@@ -5,7 +5,7 @@
 #include "po_digest.h"
 #include "po_json_value.h"
 
-/* {"pulloff", "compiler", "gsl", "openblas", "lapacke", "jansson", "libcyaml"}; `openblas` is what
+/* {"pulloff", "compiler", "gsl", "openblas", "lapacke", "jansson", "libyaml"}; `openblas` is what
  * the numbers were computed with. */
 json_t *po_environment_versions(const char *openblas);
 

@@ -54,6 +54,9 @@ spoilt 's/want: .*/want: [pudding]/' \
 spoilt 's/want: .*/want: []/' '11: want is a list: expected a list of pull_off, *'
 spoilt 's/suites: .*/suites: [smoke, "des,sert"]/' \
   '3: suites[[]2[]] is des,sert: expected letters, digits, _ and -'
+spoilt 's/^title: .*/title: A\n"a.b[1]": 3/' '3: a.b[[]1[]] is unknown: expected one of name, *'
+spoilt 's/^title: .*/title: A\n"": 3/' "3: '' is unknown: expected one of name, *"
+spoilt 's/^want: .*/want: [pull_off, [folds]]/' '11: want[[]2[]] is a list: expected a list of pull_off, *'
 spoilt 's/^title: .*/flavour: sweet/' '2: flavour is unknown: expected one of name, title, figure, *'
 spoilt 's/^scene:/scene: 3\nscenery:/' '4: scene is 3: expected a mapping of scene keys'
 spoilt 's/^want/repeats: 0\nwant/' '11: repeats is 0: expected a whole number from 1 to 1000'

@@ -112,7 +112,7 @@ def record(name, title, figure, points, checks, suites):
             "command": f"pulloff run {name}",
             "versions": {"pulloff": "0.1.0", "compiler": "gcc 12.2.0", "gsl": "2.7.1",
                          "openblas": "0.3.21", "lapacke": "3.11.0", "jansson": "2.14",
-                         "libcyaml": "1.3.1"},
+                         "libyaml": "0.2.5"},
             "environment": {"system": "Linux 6.1.0", "machine": "x86_64",
                             "processor": "a processor", "cores": 2, "jobs": 2,
                             "date": "2026-01-02T10:00:00Z"},

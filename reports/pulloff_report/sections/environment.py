@@ -8,7 +8,7 @@ from .. import words
 from ..gnuplot import require
 
 LABELS = {"pulloff": "pulloff", "compiler": "Compiler", "gsl": "GSL", "openblas": "OpenBLAS",
-          "lapacke": "LAPACKE", "jansson": "Jansson", "libcyaml": "libcyaml", "nettle": "Nettle",
+          "lapacke": "LAPACKE", "jansson": "Jansson", "libyaml": "libyaml", "nettle": "Nettle",
           "system": "System", "machine": "Machine", "processor": "Processor", "cores": "Cores",
           "jobs": "Parallel jobs", "date": "Date"}
 
