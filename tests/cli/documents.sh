@@ -13,6 +13,35 @@ awk '/^```yaml/ { inside = 1; next } /^```/ && inside { exit } inside' "$root/do
 expect 0 '' plan "$work/example.yaml"
 check 'the example has a point left out' grep -q -x '  leave out 1 scene: why not' "$work/stdout"
 check 'the commands of the documents' "$python" "$here/documents.py" "$program" "$root"
+# Links lead to files, and to headings of pages.
+cat >links.py <<'LINKS'
+import pathlib
+import re
+import sys
+
+root = pathlib.Path(sys.argv[1]).resolve()
+folders = ("doc", "cases", "reference", "reports", "tests")
+pages = [*root.glob("*.md"), *(page for folder in folders for page in (root / folder).rglob("*.md"))]
+
+
+def anchors(page):
+    headings = re.findall(r"^#+ (.*)$", page.read_text(), re.M)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+wrong = []
+for page in pages:
+    for target, anchor in re.findall(r"\]\(([^)#\s]*)(?:#([^)]*))?\)", page.read_text()):
+        if "://" in target:
+            continue
+        other = page.parent / target if target else page
+        if not other.exists() or (anchor and anchor not in anchors(other)):
+            wrong.append(f"{page.relative_to(root)}: {target}#{anchor}")
+print("\n".join(wrong))
+sys.exit(1 if wrong or len(pages) < 8 else 0)
+LINKS
+check 'the links of the documents' "$python" links.py "$root"
+
 # Files and functions that the pages on the code name are there.
 cat >names.py <<'NAMES'
 import pathlib
@@ -39,6 +68,9 @@ for page in (root / "doc").glob("*.md"):
                 or is_path and "NAME" not in word and not any((root / folder / word).exists() for folder in (".", "src"))
                 or is_file and word not in files):
             wrong.append(f"{page.name}: {word}")
+rooms = {path.parent.name for path in (root / "src").glob("*/meson.build")}
+table = set(re.findall(r"^\| `(\w+)` \|", (root / "doc/architecture.md").read_text(), re.M))
+wrong += [f"architecture.md: room {name}" for name in sorted(rooms ^ table)]
 print("\n".join(wrong))
 sys.exit(bool(wrong))
 NAMES
