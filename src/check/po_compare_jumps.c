@@ -4,35 +4,11 @@
 
 #include "po_compare_parts.h"
 
-/* What is compared of a jump: the column of the table, and the quantity in the results. */
-static const struct {
-  const char *column, *name;
-} NUMBERS[] = {{"approach", "jump_approach"},
-               {"load_before", "jump_load_before"},
-               {"load_after", "jump_load_after"},
-               {"energy_lost", "jump_energy_lost"}};
+static const po_compare_column NUMBERS[] = {{"approach", "jump_approach"},
+                                            {"load_before", "jump_load_before"},
+                                            {"load_after", "jump_load_after"},
+                                            {"energy_lost", "jump_energy_lost"}};
 enum { NUMBER_COUNT = sizeof NUMBERS / sizeof *NUMBERS };
-
-static double number_of(const po_jump *jump, size_t which) {
-  const double of[NUMBER_COUNT] = {jump->before.approach, jump->before.load, jump->after.load,
-                                   jump->energy_lost};
-  return of[which];
-}
-
-size_t po_compare_row(const po_reference *reference, const po_request *request, size_t index) {
-  size_t row = 0;
-  for (; row < reference->table.row_count; ++row)
-    if (po_reference_row_is_of(reference, row, request) && index-- == 0)
-      break;
-  return row;
-}
-
-size_t po_compare_row_count(const po_reference *reference, const po_request *request) {
-  size_t count = 0;
-  for (size_t row = 0; row < reference->table.row_count; ++row)
-    count += po_reference_row_is_of(reference, row, request);
-  return count;
-}
 
 static const char *phase_of(const po_jump *jump) {
   return jump->loading ? "loading" : "unloading";
@@ -47,29 +23,15 @@ static bool phases_agree(const po_reference *reference, const po_request *reques
   return true;
 }
 
-static po_status add_jump(const po_case *kase, size_t point, const po_check *check,
-                          const po_reference *reference, size_t row, const po_loop *loop,
-                          size_t index, po_check_results *check_results) {
+static po_status add_jump(const po_compare_target *target, size_t row, const po_loop *loop,
+                          size_t index) {
   const po_jump *jump = &loop->jumps[index];
-  po_status status = PO_OK;
-  for (size_t n = 0; n < NUMBER_COUNT && !status; ++n) {
-    char suffix[64];
-    po_reference_number expected = {0};
-    snprintf(suffix, sizeof suffix, "%s-%zu/%s", phase_of(jump),
-             jump->loading ? index + 1 : index + 1 - loop->loading_jumps, NUMBERS[n].column);
-    status = po_reference_cell(reference, row, NUMBERS[n].column, &expected);
-    po_check_result *item =
-        status ? NULL
-               : po_check_results_add(check_results, kase, point, check, NUMBERS[n].name, suffix,
-                                      number_of(jump, n), expected);
-    if (!status && !item)
-      status = PO_NO_MEMORY;
-    if (item) {
-      item->approach = jump->before.approach;
-      item->load = jump->before.load;
-    }
-  }
-  return status;
+  const double obtained[NUMBER_COUNT] = {jump->before.approach, jump->before.load, jump->after.load,
+                                         jump->energy_lost};
+  char subject[48];
+  snprintf(subject, sizeof subject, "%s-%zu", phase_of(jump),
+           jump->loading ? index + 1 : index + 1 - loop->loading_jumps);
+  return po_compare_row_add(target, row, subject, NUMBERS, obtained, NUMBER_COUNT, jump->before);
 }
 
 po_status po_compare_jumps(const po_case *kase, size_t point, const po_check *check,
@@ -97,33 +59,14 @@ po_status po_compare_jumps(const po_case *kase, size_t point, const po_check *ch
              loop->jump_count - loop->loading_jumps);
     return PO_OK;
   }
+  const po_compare_target target = {kase, point, check, reference, check_results};
   po_status status = PO_OK;
   for (size_t k = 0; k < rows && !status; ++k)
-    status = add_jump(kase, point, check, reference, po_compare_row(reference, &request, k), loop,
-                      k, check_results);
-  return status;
-}
-
-po_status po_compare_rows_doubt(const po_reference *reference, const po_request *request,
-                                const char *const *columns, size_t count,
-                                po_reference_number *most) {
-  po_status status = PO_OK;
-  *most = (po_reference_number){(double)NAN, 0};
-  for (size_t row = 0; row < reference->table.row_count; ++row)
-    for (size_t n = 0; n < count && !status; ++n) {
-      po_reference_number number = {0};
-      if (po_reference_row_is_of(reference, row, request))
-        status = po_reference_cell(reference, row, columns[n], &number);
-      if (number.uncertainty > most->uncertainty)
-        *most = number;
-    }
+    status = add_jump(&target, po_compare_row(reference, &request, k), loop, k);
   return status;
 }
 
 po_status po_compare_jumps_doubt(const po_reference *reference, const po_request *request,
                                  po_reference_number *most) {
-  const char *columns[NUMBER_COUNT];
-  for (size_t n = 0; n < NUMBER_COUNT; ++n)
-    columns[n] = NUMBERS[n].column;
-  return po_compare_rows_doubt(reference, request, columns, NUMBER_COUNT, most);
+  return po_compare_rows_doubt(reference, request, NUMBERS, NUMBER_COUNT, most);
 }

@@ -3,20 +3,20 @@
 
 #include "po_compare_parts.h"
 
-/* What is compared of a step: the column of the table, and the quantity in the results. */
-static const struct {
-  const char *column, *name;
-} NUMBERS[] = {{"from_approach", "step_preload"},
-               {"from_load", "step_preload_load"},
-               {"force", "step_force"},
-               {"approach", "step_approach"},
-               {"energy_lost", "step_energy_lost"}};
+static const po_compare_column NUMBERS[] = {{"from_approach", "step_preload"},
+                                            {"from_load", "step_preload_load"},
+                                            {"force", "step_force"},
+                                            {"approach", "step_approach"},
+                                            {"energy_lost", "step_energy_lost"}};
 enum { NUMBER_COUNT = sizeof NUMBERS / sizeof *NUMBERS };
 
 /* In load control the first step begins where the bodies are apart, and the energy lost is
- * boundless. */
-static bool is_compared(po_quantity quantity, size_t number) {
-  return quantity == PO_STEPS || (number > 0 && number + 1 < NUMBER_COUNT);
+ * boundless: the first and the last number are not compared. */
+static size_t first_compared(po_quantity quantity) {
+  return quantity == PO_STEPS ? 0 : 1;
+}
+static size_t count_compared(po_quantity quantity) {
+  return NUMBER_COUNT - 2 * first_compared(quantity);
 }
 
 /* What is driven, and its column. */
@@ -25,12 +25,6 @@ static double driven(po_quantity quantity, const po_path_state *state) {
 }
 static const char *driven_column(po_quantity quantity) {
   return quantity == PO_STEPS ? "from_approach" : "from_load";
-}
-
-static double number_of(const po_step *step, size_t which) {
-  const double of[NUMBER_COUNT] = {step->preload.approach, step->preload.load, -step->pull_off.load,
-                                   step->pull_off.approach, step->cycle[0].energy_lost};
-  return of[which];
 }
 
 /* The greatest approach (or load) up to which the table lists the steps of a scene; NAN: it does
@@ -64,29 +58,17 @@ static size_t count_theirs(po_quantity quantity, const po_reference *reference,
   return count;
 }
 
-static po_status add_step(const po_case *kase, size_t point, const po_check *check,
-                          const po_reference *reference, size_t row, const po_step *step,
-                          size_t index, po_check_results *check_results) {
-  po_status status = PO_OK;
-  for (size_t n = 0; n < NUMBER_COUNT && !status; ++n) {
-    if (!is_compared(check->quantity, n))
-      continue;
-    char suffix[64];
-    po_reference_number expected = {0};
-    snprintf(suffix, sizeof suffix, "step-%zu/%s", index + 1, NUMBERS[n].column);
-    status = po_reference_cell(reference, row, NUMBERS[n].column, &expected);
-    po_check_result *item =
-        status ? NULL
-               : po_check_results_add(check_results, kase, point, check, NUMBERS[n].name, suffix,
-                                      number_of(step, n), expected);
-    if (!status && !item)
-      status = PO_NO_MEMORY;
-    if (item) {
-      item->approach = step->pull_off.approach;
-      item->load = step->pull_off.load;
-    }
-  }
-  return status;
+static po_status add_step(const po_compare_target *target, size_t row, const po_step *step,
+                          size_t index) {
+  const po_quantity quantity = target->check->quantity;
+  const size_t first = first_compared(quantity);
+  const double obtained[NUMBER_COUNT] = {step->preload.approach, step->preload.load,
+                                         -step->pull_off.load, step->pull_off.approach,
+                                         step->cycle[0].energy_lost};
+  char subject[48];
+  snprintf(subject, sizeof subject, "step-%zu", index + 1);
+  return po_compare_row_add(target, row, subject, NUMBERS + first, obtained + first,
+                            count_compared(quantity), step->pull_off);
 }
 
 po_status po_compare_steps(const po_case *kase, size_t point, const po_check *check,
@@ -116,18 +98,14 @@ po_status po_compare_steps(const po_case *kase, size_t point, const po_check *ch
     item->verdict = PO_OUTSIDE;
     return PO_OK;
   }
+  const po_compare_target target = {kase, point, check, reference, check_results};
   for (size_t k = 0; k < count && !status; ++k)
-    status = add_step(kase, point, check, reference, po_compare_row(reference, &request, k),
-                      &ours->step[k], k, check_results);
+    status = add_step(&target, po_compare_row(reference, &request, k), &ours->step[k], k);
   return status;
 }
 
 po_status po_compare_steps_doubt(po_quantity quantity, const po_reference *reference,
                                  const po_request *request, po_reference_number *most) {
-  const char *columns[NUMBER_COUNT];
-  size_t count = 0;
-  for (size_t n = 0; n < NUMBER_COUNT; ++n)
-    if (is_compared(quantity, n))
-      columns[count++] = NUMBERS[n].column;
-  return po_compare_rows_doubt(reference, request, columns, count, most);
+  return po_compare_rows_doubt(reference, request, NUMBERS + first_compared(quantity),
+                               count_compared(quantity), most);
 }
