@@ -1,11 +1,11 @@
-/* Clocks. */
+/* Clocks: elapsed time and processor time. */
 #ifndef PO_CLOCK_H
 #define PO_CLOCK_H
 
-/* Seconds on a clock that only goes forward. */
+/* Elapsed time, in seconds, on a monotonic clock (CLOCK_MONOTONIC). */
 double po_clock_wall(void);
 
-/* Seconds of processor time the calling thread has had: it stands still while the thread waits. */
+/* Processor time that the calling thread has used, in seconds. */
 double po_clock_thread(void);
 
 #endif

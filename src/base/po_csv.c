@@ -33,7 +33,7 @@ static size_t count_cells(const char *line) {
   return count;
 }
 
-/* Cuts a line at its commas into `cells`. */
+/* Splits a line at its commas into `cells`. */
 static void split(char *line, char **cells) {
   for (size_t i = 0;; ++i) {
     cells[i] = line;
@@ -67,8 +67,8 @@ static po_status add_row(po_csv *csv, char *line, size_t number) {
   if (count != n)
     return po_fail(PO_CANNOT_READ, "%s:%zu: the row has %zu %s: expected %zu", csv->path, number,
                    line[0] ? count : 0, count == 1 && line[0] ? "cell" : "cells", n);
-  if ((csv->row_count & (csv->row_count - 1)) ==
-      0) { /* at 0, 1, 2, 4, 8...: room for twice as many */
+  /* if the row count is 0 or a power of 2, double the memory */
+  if ((csv->row_count & (csv->row_count - 1)) == 0) {
     const size_t rows = csv->row_count ? 2 * csv->row_count : 1;
     char **cells = po_resize(csv->cells, rows * n, sizeof *cells);
     if (!cells)
@@ -89,11 +89,11 @@ static po_status add_row(po_csv *csv, char *line, size_t number) {
   return PO_OK;
 }
 
-/* The digest of a text without its line of the digest itself. */
-static void take_digest(po_csv *csv, size_t size) {
-  static const char SEAL[] = "# sha256:";
+/* Computes the checksum of the text without the line that contains the checksum. */
+static void compute_digest(po_csv *csv, size_t size) {
+  static const char CHECKSUM_KEY[] = "# sha256:";
   const char *line = csv->text, *end = csv->text + size;
-  while (line < end && strncmp(line, SEAL, sizeof SEAL - 1) != 0) {
+  while (line < end && strncmp(line, CHECKSUM_KEY, sizeof CHECKSUM_KEY - 1) != 0) {
     const char *stop = strchr(line, '\n');
     line = stop ? stop + 1 : end;
   }
@@ -106,19 +106,20 @@ static po_status parse(po_csv *csv, size_t size) {
   if (size == 0)
     return po_fail(PO_CANNOT_READ, "%s is empty: expected a table", csv->path);
   if (memchr(csv->text, '\0', size))
-    return po_fail(PO_CANNOT_READ, "%s is not text: it holds a zero byte", csv->path);
-  take_digest(csv, size);
+    return po_fail(PO_CANNOT_READ, "%s is not a text file: it contains a NUL byte", csv->path);
+  compute_digest(csv, size);
   po_status status = PO_OK;
   size_t number = 1;
   for (char *line = csv->text, *end = csv->text + size; !status && line < end; ++number) {
     char *stop = strchr(line, '\n');
     if (!stop)
-      return po_fail(PO_CANNOT_READ, "%s:%zu: the last line does not end: the file is truncated",
+      return po_fail(PO_CANNOT_READ, "%s:%zu: the last line has no newline: the file is truncated",
                      csv->path, number);
     const bool is_header = line[0] == '#';
     const char *bad = po_quote_find(line, (size_t)(stop - line));
     if (bad)
-      return po_fail(PO_CANNOT_READ, "%s:%zu: the byte \\x%02x is no UTF-8 text: expected a table",
+      return po_fail(PO_CANNOT_READ,
+                     "%s:%zu: the byte \\x%02x is a control character or not UTF-8: expected text",
                      csv->path, number, (unsigned char)*bad);
     *stop = '\0';
     if (stop > line && stop[-1] == '\r')

@@ -1,6 +1,7 @@
-/* Tables in CSV: lines `# key: value`, one line of column names, rows of as many cells.
+/* Tables in CSV format: header lines `# key: value`, one line of column names, then rows with one
+ * cell for each column.
  *
- * No quoting: no cell of ours holds a comma. */
+ * Quoting is not supported, because no cell in this project contains a comma. */
 #ifndef PO_CSV_H
 #define PO_CSV_H
 
@@ -17,46 +18,49 @@ typedef struct {
 } po_csv_header;
 
 typedef struct {
-  char *path; /* as in messages */
-  char *text; /* what the pointers below point into */
+  char *path; /* the name of the file in messages */
+  char *text; /* the content of the file; the pointers below point into it */
   po_csv_header *headers;
   size_t header_count;
   char **columns;
   size_t column_count;
-  char **cells;  /* row after row */
-  size_t *lines; /* of each row in the file, from 1 */
+  char **cells;  /* row_count x column_count, stored row by row */
+  size_t *lines; /* the line number of each row in the file, from 1 */
   size_t row_count;
   size_t column_line;
-  char digest[PO_DIGEST_LENGTH]; /* of all its bytes but the line `# sha256: ...` */
+  char digest[PO_DIGEST_LENGTH]; /* SHA-256 of all bytes except the line `# sha256: ...` */
 } po_csv;
 
-/* Reads and checks a table. `name` is what messages call it.
- * Status: PO_CANNOT_READ with file and line: unreadable, empty, bytes that are not text, a header
- * line that is not `# key: value`, a key or a column twice, no column line, a row with too few or
- * too many cells or an empty one, a last line that does not end (a truncated file). */
+/* Reads and checks a table. Given: `name`, the name of the file in messages. Returned: csv, to be
+ * cleared with po_csv_clear. Status: PO_CANNOT_READ, with file and line, if the file cannot be read
+ * or is empty, has bytes that are not text, a header line that is not `# key: value`, a repeated
+ * key or column, no line of column names, a row with an empty cell or the wrong number of cells, or
+ * no newline after the last line (a truncated file). */
 po_status po_csv_read(const char *path, const char *name, po_csv *csv);
 
-/* Frees and zeroes. */
+/* Frees the table and sets it to zero. */
 void po_csv_clear(po_csv *csv);
 
-/* The header of that key, or NULL. */
+/* Returned: the header with this key, or NULL. */
 const po_csv_header *po_csv_find_header(const po_csv *csv, const char *key);
 
-/* The number of that column, or -1. */
+/* Returned: the index of the column with this name, or -1. */
 int po_csv_find_column(const po_csv *csv, const char *column);
 
-/* The text of a cell. */
+/* Returned: the text of a cell. */
 const char *po_csv_cell(const po_csv *csv, size_t row, size_t column);
 
-/* The finite number in a cell. Status: PO_CANNOT_READ with file, line, column and what is there. */
+/* Reads the finite number in a cell. Status: PO_CANNOT_READ, with file, line, column and
+ * content. */
 po_status po_csv_number(const po_csv *csv, size_t row, size_t column, double *value);
 
-/* Appends a table to `file`: the lines of its header, `# sha256: DIGEST` of header and rows, and
- * the rows with their line of column names. Returned: that digest, as po_csv_read finds it. */
+/* Appends a table to `file`: the header lines, the line `# sha256: DIGEST`, the line of column
+ * names and the rows. The checksum covers everything except its own line. Returned: the checksum,
+ * the same that po_csv_read computes. */
 void po_csv_seal(const po_text *header, const po_text *rows, po_text *file,
                  char digest[PO_DIGEST_LENGTH]);
 
-/* Appends one row of numbers, each printed so that it reads back exactly. */
+/* Appends one row of numbers. Each number is printed so that it reads back to the same double. */
 void po_csv_add_row(po_text *text, const double *values, size_t count);
 
 #endif

@@ -12,7 +12,8 @@
 
 #include "po_memory.h"
 
-/* Far above any case, reference or record; keeps a device or a wrong file from filling memory. */
+/* Far above the size of any case, reference or record; prevents a device or a wrong file from
+ * filling the memory. */
 static const size_t LONGEST_FILE = (size_t)256 << 20;
 
 static po_status read_descriptor(int file, const char *path, char **data, size_t *size) {
@@ -69,8 +70,8 @@ static int write_all(int file, const char *data, size_t size) {
   return 0;
 }
 
-/* Writes and closes; 0 or the errno. A disk may report that it is full as late as fsync or close.
- */
+/* Writes and closes a file. Returned: 0 or the errno. A disk may report that it is full only at
+ * fsync or close. */
 static int write_and_close(int file, const char *data, size_t size, bool flush) {
   int error = write_all(file, data, size);
   if (!error && flush && fsync(file) != 0)
@@ -88,16 +89,15 @@ static po_status write_in_place(const char *path, const char *data, size_t size)
   return PO_OK;
 }
 
-/* The file that a path leads to, from one symbolic link to the next; it need not be there yet.
- * Returned: 0 or the errno. */
+/* Resolves symbolic links. The target need not exist. Returned: 0 or the errno. */
 static int follow_links(const char *path, char target[PATH_MAX]) {
-  enum { MOST_LINKS = 40 }; /* as Linux has it */
+  enum { MOST_LINKS = 40 }; /* the limit of Linux */
   size_t length = (size_t)snprintf(target, PATH_MAX, "%s", path);
   for (int links = 0; links <= MOST_LINKS && length < PATH_MAX; ++links) {
     char link[PATH_MAX];
     const ssize_t got = readlink(target, link, sizeof link - 1);
     if (got < 0)
-      return 0; /* no link, or nothing */
+      return 0; /* `target` is not a link, or does not exist */
     link[got] = '\0';
     const char *name = strrchr(target, '/');
     const size_t folder = link[0] == '/' || !name ? 0 : (size_t)(name + 1 - target);
@@ -106,7 +106,8 @@ static int follow_links(const char *path, char target[PATH_MAX]) {
   return length < PATH_MAX ? ELOOP : ENAMETOOLONG;
 }
 
-/* `found`: what is there; NULL: nothing. */
+/* Writes a temporary file and renames it. Given: found, the attributes of the existing file, or
+ * NULL. */
 static po_status write_beside(const char *path, const struct stat *found, const char *data,
                               size_t size) {
   char target[PATH_MAX], beside[PATH_MAX];
@@ -119,7 +120,7 @@ static po_status write_beside(const char *path, const struct stat *found, const 
   if (file < 0)
     return po_fail(PO_CANNOT_WRITE, "%s cannot be written: %s", path, strerror(errno));
   if (found)
-    (void)fchmod(file, found->st_mode & 07777); /* else it has those of a new file */
+    (void)fchmod(file, found->st_mode & 07777); /* a new file has the default permissions */
   int error = write_and_close(file, data, size, true);
   if (!error && rename(beside, target) != 0)
     error = errno;
@@ -132,7 +133,7 @@ static po_status write_beside(const char *path, const struct stat *found, const 
 
 po_status po_file_write(const char *path, const char *data, size_t size) {
   struct stat found;
-  if (po_lack_or(PO_OK))
+  if (po_no_memory_or(PO_OK))
     return PO_NO_MEMORY;
   const bool there = stat(path, &found) == 0;
   if (there && !S_ISREG(found.st_mode) && !S_ISDIR(found.st_mode))
@@ -140,38 +141,38 @@ po_status po_file_write(const char *path, const char *data, size_t size) {
   return write_beside(path, there ? &found : NULL, data, size);
 }
 
-/* Whether the last line of a file of `size` bytes has no end. */
-static bool is_torn(int file, off_t size) {
+/* Returned: whether a file of `size` bytes ends without a newline. */
+static bool lacks_newline(int file, off_t size) {
   char last = '\n';
   return size > 0 && pread(file, &last, 1, size - 1) == 1 && last != '\n';
 }
 
-/* Takes back what was written of a line that did not get through; another process may have added
- * to the file since, then it stays, and is passed over when it is read. */
-static void take_back(int file, off_t before, off_t put) {
+/* Removes a line that was written only in part. If another process has appended to the file in the
+ * meantime, the partial line stays; readers skip it. */
+static void remove_partial_line(int file, off_t before, off_t put) {
   struct stat now;
   if (put > 0 && fstat(file, &now) == 0 && now.st_size == before + put)
     (void)!ftruncate(file, before);
 }
 
-/* 0 or the errno. */
+/* Appends a line. Returned: 0 or the errno. */
 static int append_line(int file, const char *line, size_t size) {
   struct stat found;
   if (fstat(file, &found) != 0)
     return errno;
-  if (is_torn(file, found.st_size) && write(file, "\n", 1) == 1)
+  if (lacks_newline(file, found.st_size) && write(file, "\n", 1) == 1)
     found.st_size += 1;
   errno = 0;
   const ssize_t put = write(file, line, size);
   if (put == (ssize_t)size)
     return 0;
-  const int error = put < 0 ? errno : ENOSPC; /* a short write has no errno */
-  take_back(file, found.st_size, put);
+  const int error = put < 0 ? errno : ENOSPC; /* a short write does not set errno */
+  remove_partial_line(file, found.st_size, put);
   return error;
 }
 
 po_status po_file_append_line(const char *path, const char *line, size_t size) {
-  if (po_lack_or(PO_OK))
+  if (po_no_memory_or(PO_OK))
     return PO_NO_MEMORY;
   const int file = open(path, O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   int error = file < 0 ? errno : append_line(file, line, size);
@@ -185,7 +186,7 @@ po_status po_folder_make(const char *path) {
   char part[PATH_MAX];
   const size_t length = strlen(path);
   if (length == 0 || length >= sizeof part)
-    return po_fail(PO_CANNOT_WRITE, "the folder '%s' cannot be made: its name is %s", path,
+    return po_fail(PO_CANNOT_WRITE, "the folder '%s' cannot be created: its name is %s", path,
                    length ? "too long" : "empty");
   memcpy(part, path, length + 1);
   for (size_t i = 1; i <= length; ++i) {
@@ -197,7 +198,7 @@ po_status po_folder_make(const char *path) {
       const int error =
           errno == EEXIST && stat(part, &found) == 0 && !S_ISDIR(found.st_mode) ? ENOTDIR : errno;
       if (error != EEXIST)
-        return po_fail(PO_CANNOT_WRITE, "the folder %s cannot be made: %s: %s", path, part,
+        return po_fail(PO_CANNOT_WRITE, "the folder %s cannot be created: %s: %s", path, part,
                        strerror(error));
     }
     part[i] = path[i];

@@ -1,4 +1,5 @@
-/* Whole files: read at once, written beside and renamed, so that nothing is ever half-written. */
+/* Reading and writing of complete files. A file is written under a temporary name and then renamed,
+ * so that no reader ever finds a partly written file. */
 #ifndef PO_FILE_H
 #define PO_FILE_H
 
@@ -7,42 +8,46 @@
 
 #include "po_status.h"
 
-/* Reads a file whole into *data (free it), with a NUL after its *size bytes.
- * Status: PO_CANNOT_READ naming the file and why (absent, a folder, no permission, too long). */
+/* Reads a complete file. Returned: *data, to be freed, with a NUL after its *size bytes. Status:
+ * PO_CANNOT_READ, with the name of the file and the reason (absent, a folder, no permission, too
+ * long). */
 po_status po_file_read(const char *path, char **data, size_t *size);
 
-/* After memory ran out in this thread (po_lack_or), po_file_write and po_file_append_line write
- * nothing, as their input may be incomplete. Status: PO_NO_MEMORY. */
+/* If an allocation has failed in this thread (see po_no_memory_or), po_file_write and
+ * po_file_append_line write nothing, because their input may be incomplete. Status:
+ * PO_NO_MEMORY. */
 
-/* Writes `size` bytes as the file `path`: into a file beside it, flushed to the disk, then renamed
- * over it, so a reader finds the old content or the new. What is there and is not a regular file
- * (/dev/stdout, a pipe) is written in place. A symbolic link stays, and the file it leads to is
- * written; the file keeps its permissions. Folders on the way are not made.
- * Status: PO_CANNOT_WRITE naming the file and why; then `path` is as it was and nothing is left. */
+/* Writes `size` bytes to the file `path`. The bytes are written to a temporary file in the same
+ * folder and flushed to the disk; then that file is renamed to `path`. A reader finds either the
+ * old content or the new one. If `path` exists and is not a regular file (/dev/stdout, a pipe), it
+ * is written in place. A symbolic link is kept and its target is written. An existing file keeps
+ * its permissions. Missing folders are not created. Status: PO_CANNOT_WRITE, with the name of the
+ * file and the reason; then `path` is unchanged and no temporary file remains. */
 po_status po_file_write(const char *path, const char *data, size_t size);
 
-/* Appends a line, which ends in a newline, in one piece, as another process may append to the same
- * file; the file is made if it does not exist. If the last line has no newline, as a killed process
- * or a full disk may leave it, the appended line begins on a new line. Status: PO_CANNOT_WRITE
- * naming the file and why; then nothing of the line is left. */
+/* Appends a line, which must end in a newline, with one write, because another process may append
+ * to the same file. The file is created if it does not exist. If its last line has no newline, as
+ * after a killed process or on a full disk, the new line starts after an added newline. Status:
+ * PO_CANNOT_WRITE, with the name of the file and the reason; then no part of the line remains. */
 po_status po_file_append_line(const char *path, const char *line, size_t size);
 
-/* Makes a folder and those above it, as mkdir -p. Status: PO_CANNOT_WRITE, naming what is in the
- * way.
- */
+/* Creates a folder and its parents, as mkdir -p does. Status: PO_CANNOT_WRITE, with the path that
+ * prevents it. */
 po_status po_folder_make(const char *path);
 
-/* Whether something is at `path`. */
+/* Returned: whether `path` exists. */
 bool po_path_exists(const char *path);
 
-/* Whether two paths lead to the same file. */
+/* Returned: whether two paths refer to the same existing file. */
 bool po_path_is_same(const char *a, const char *b);
 
-/* folder/name, or name alone when it is absolute or the folder is ""; NULL without memory. */
+/* Returned: folder/name, or a copy of name if it is absolute or the folder is "", to be freed; NULL
+ * if memory runs out. */
 char *po_path_join(const char *folder, const char *name);
 
-/* The names in a folder that end in `ending`, sorted by bytes: *names of *count, to be given to
- * po_names_free. Status: PO_CANNOT_READ. */
+/* Lists the names in a folder that end in `ending`, in byte order; hidden files are left out.
+ * Returned: *names, *count of them, to be freed with po_names_free. Status: PO_CANNOT_READ,
+ * PO_NO_MEMORY. */
 po_status po_folder_list(const char *path, const char *ending, char ***names, size_t *count);
 void po_names_free(char **names, size_t count);
 

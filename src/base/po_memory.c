@@ -22,8 +22,8 @@ void *po_reserve(size_t count, size_t size) {
   return memory;
 }
 
-/* A matrix is made for more than the order asked for, by this part: orders grow little by little.
- */
+/* po_reserve_matrix allocates for an order larger than requested by this factor, because the order
+ * grows in small increments. */
 static const double GROWTH = 1.3;
 
 void *po_reserve_matrix(void *matrix, size_t *room, size_t n, size_t size) {
@@ -53,6 +53,7 @@ void *po_resize(void *array, size_t count, size_t size) {
   return memory;
 }
 
+/* Records for which a growing array has memory at first; the memory is then doubled. */
 enum { FIRST_ROOM = 16 };
 
 void *po_grow(void *array, size_t count, size_t *room, size_t size) {

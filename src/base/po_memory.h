@@ -1,37 +1,40 @@
-/* Checked, aligned allocation. */
+/* Memory allocation with overflow checks and cache-line alignment. */
 #ifndef PO_MEMORY_H
 #define PO_MEMORY_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/* `count` zeroed objects of `size` bytes, aligned to a cache line (so that the BLAS kernels take
- * the same path, and give the same bits, in every run), or NULL with a message when there is no
- * memory or count*size overflows. Free with free(). A count of 0 gives a valid pointer. */
+/* Allocates `count` zeroed objects of `size` bytes, aligned to a cache line. With this alignment
+ * the BLAS kernels take the same code path, and give the same bits, in every run. Returned: the
+ * memory, to be freed with free(), a valid pointer also for a count of 0; NULL with a message if
+ * memory runs out or count * size overflows. */
 void *po_allocate(size_t count, size_t size);
 
-/* The same without zeroing: pages that are never written cost nothing. */
+/* As po_allocate, but without zeroing: pages that are never written use no physical memory. */
 void *po_reserve(size_t count, size_t size);
 
-/* Room for a square matrix of order n, what was in it being lost: the matrix itself where its room,
- * in numbers, will do, else a new one with some to spare. Returned: it, and its room; NULL with a
- * message, and room 0, when there is no memory. */
+/* Provides memory for a square matrix of order n. The content is lost. Given: matrix, from an
+ * earlier call or NULL; *room, the number of elements it has memory for. Returned: the same matrix
+ * if it is large enough, otherwise a new one with some reserve, and *room; NULL with a message, and
+ * *room = 0, if memory runs out. */
 void *po_reserve_matrix(void *matrix, size_t *room, size_t n, size_t size);
 
-/* As realloc for arrays that grow, checked for overflow; on failure NULL, a message, and the old
- * array untouched. Not aligned: for records, not for linear algebra. */
+/* As realloc, with a check for overflow. The memory is not aligned: it is meant for records, not
+ * for linear algebra. Returned: NULL with a message on failure; then the old array is unchanged. */
 void *po_resize(void *array, size_t count, size_t size);
 
-/* Room for one more in an array of `count` that grows: the array, or a larger one that takes its
- * place, and its room, in records; on failure as po_resize. */
+/* Provides memory for one more record in an array that grows. Given: array, with `count` records
+ * and memory for *room. Returned: the array, or a larger one that replaces it, and *room; on
+ * failure as po_resize. */
 void *po_grow(void *array, size_t count, size_t *room, size_t size);
 
-/* A copy of a string, or NULL with a message. */
+/* Returned: a copy of a string, to be freed; NULL with a message if memory runs out. */
 char *po_copy_text(const char *text);
 
-/* For library functions that report a failed allocation like any other failure, or not at all: call
- * po_memory_watch before the function; po_memory_ran_out after it returns whether an allocation of
- * this thread failed (POSIX: malloc then sets errno to ENOMEM). */
+/* Detect a failed allocation inside a library function that reports it like any other failure, or
+ * not at all: call po_memory_watch before the function; po_memory_ran_out after it returns whether
+ * an allocation of this thread failed (POSIX: malloc then sets errno to ENOMEM). */
 void po_memory_watch(void);
 bool po_memory_ran_out(void);
 

@@ -18,7 +18,8 @@ void po_number_print(double value, char text[PO_NUMBER_LENGTH]) {
   }
 }
 
-/* strtod alone would take hexadecimal, "nan", "infinity" and leading blanks. */
+/* strtod also accepts hexadecimal numbers, "nan", "infinity" and leading blanks; this check refuses
+ * them. */
 static bool number_is_decimal(const char *text) {
   const char *c = text + (*text == '+' || *text == '-');
   const size_t whole = strspn(c, "0123456789");

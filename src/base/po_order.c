@@ -9,10 +9,10 @@ typedef struct {
   size_t size;
   po_comparison *compare;
   void *context;
-} table;
+} sort_input;
 
-static int by_item(const void *a, const void *b, void *of) {
-  const table *t = of;
+static int by_item(const void *a, const void *b, void *data) {
+  const sort_input *t = data;
   const size_t i = *(const size_t *)a, k = *(const size_t *)b;
   const int order = t->compare(t->items + i * t->size, t->items + k * t->size, t->context);
   return order ? order : (i > k) - (i < k);
@@ -20,7 +20,7 @@ static int by_item(const void *a, const void *b, void *of) {
 
 size_t *po_order_make(const void *items, size_t count, size_t size, po_comparison *compare,
                       void *context) {
-  table t = {items, size, compare, context};
+  sort_input t = {items, size, compare, context};
   size_t *order = po_reserve(count, sizeof *order);
   for (size_t i = 0; order && i < count; ++i)
     order[i] = i;
@@ -36,7 +36,7 @@ po_status po_order_find_repeat(const void *items, size_t count, size_t size, po_
   *repeat = (po_repeat){.again = count};
   if (!order)
     return PO_NO_MEMORY;
-  /* Of several equal items the first two are neighbours. */
+  /* Equal items are adjacent in the sorted order; the two with the smallest indices come first. */
   for (size_t n = 1; n < count; ++n)
     if (order[n] < repeat->again &&
         compare(bytes + order[n - 1] * size, bytes + order[n] * size, context) == 0)

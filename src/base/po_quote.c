@@ -6,7 +6,7 @@
 
 #include "po_utf8.h"
 
-/* U+0000 to U+001F, U+007F to U+009F. */
+/* Returned: whether a character is U+0000 to U+001F or U+007F to U+009F. */
 static bool is_control(const char *text, size_t length) {
   const unsigned char *byte = (const unsigned char *)text;
   return length == 1 ? byte[0] < 0x20 || byte[0] == 0x7F
@@ -24,7 +24,7 @@ const char *po_quote_find(const char *text, size_t length) {
   return NULL;
 }
 
-/* The first `length` bytes of a text. */
+/* Quotes the first `length` bytes of a text. */
 static char *quote(const char *text, size_t length, char *shown, size_t size) {
   size_t used = 0;
   for (size_t i = 0; i < length;) {

@@ -1,23 +1,23 @@
-/* Text from outside (arguments, files, names of files) that is printed: control characters, which a
- * terminal would obey, and bytes that JSON cannot hold are made visible. */
+/* Makes text from outside the program (arguments, file contents, file names) safe to print: control
+ * characters, which a terminal would execute, and bytes that JSON cannot represent are escaped. */
 #ifndef PO_QUOTE_H
 #define PO_QUOTE_H
 
 #include <stddef.h>
 
-/* The first byte of `text`, `length` bytes and a NUL, that is a control character (C0 but tab and
- * line ends, DEL, C1: the escape sequences of terminals begin with one) or not valid UTF-8; NULL if
- * there is no such byte. */
+/* Finds the first byte of `text`, `length` bytes and a NUL, that belongs to a control character or
+ * is not valid UTF-8. Control characters are C0 (except tab and line ends), DEL and C1; the escape
+ * sequences of terminals begin with one. Returned: that byte, or NULL. */
 const char *po_quote_find(const char *text, size_t length);
 
-/* Copies `text` into `shown`, `size` bytes with the final NUL: valid UTF-8 is kept, control
- * characters and all other bytes are written as \xNN. Only whole characters are copied when there
- * is too little room. Returned: shown. */
+/* Copies `text` into `shown`, `size` bytes including the NUL. Valid UTF-8 is kept; control
+ * characters and invalid bytes are written as \xNN. If `shown` is too short, the copy ends after a
+ * complete character. Returned: shown. */
 char *po_quote_text(const char *text, char *shown, size_t size);
 
 enum { PO_QUOTE_BYTES = 80, PO_QUOTE_LENGTH = 4 * PO_QUOTE_BYTES + 1 };
 
-/* The same for a value in a message: its first 80 bytes, "empty" when there is none. */
+/* As po_quote_text, for a value in a message: its first 80 bytes; "empty" for an empty string. */
 char *po_quote(const char *value, char shown[PO_QUOTE_LENGTH]);
 
 #endif

@@ -1,4 +1,4 @@
-/* Numbers that look drawn at random and are the same on every machine. */
+/* Pseudorandom numbers that are the same on every machine. */
 #ifndef PO_RANDOM_H
 #define PO_RANDOM_H
 
@@ -9,8 +9,9 @@
  * Pseudorandom Number Generators, OOPSLA 2014, with the constants of S. Vigna's splitmix64.c. */
 uint64_t po_random_mix(uint64_t x);
 
-/* A number of the open interval (0, 1), uniform, that depends on seed, index and name and on
- * nothing else: no number is the successor of another, so that any of them can be had alone. */
+/* Returned: a number uniformly distributed in the open interval (0, 1), determined by seed, index
+ * and name alone. The generator has no state, so any number of the sequence can be computed without
+ * the ones before it. */
 double po_random_uniform(uint64_t seed, uint64_t index, const char *name);
 
 #endif

@@ -10,8 +10,8 @@
 enum { MESSAGE_LENGTH = 1024 };
 static _Thread_local char message[MESSAGE_LENGTH];
 
-/* The first message of PO_NO_MEMORY since po_lack_forget; "": none. */
-static _Thread_local char lack[MESSAGE_LENGTH];
+/* The first message of PO_NO_MEMORY since po_no_memory_forget; "" if there is none. */
+static _Thread_local char first_no_memory[MESSAGE_LENGTH];
 
 const char *po_status_text(po_status status) {
   switch (status) {
@@ -63,8 +63,8 @@ po_status po_fail(po_status status, const char *format, ...) {
     if (*c == '\n' || *c == '\r')
       *c = ' ';
   po_quote_text(text, message, sizeof message);
-  if (status == PO_NO_MEMORY && !lack[0])
-    snprintf(lack, sizeof lack, "%s", message);
+  if (status == PO_NO_MEMORY && !first_no_memory[0])
+    snprintf(first_no_memory, sizeof first_no_memory, "%s", message);
   return status;
 }
 
@@ -76,13 +76,13 @@ void po_message_clear(void) {
   message[0] = '\0';
 }
 
-po_status po_lack_or(po_status status) {
-  if (!lack[0])
+po_status po_no_memory_or(po_status status) {
+  if (!first_no_memory[0])
     return status;
-  memcpy(message, lack, sizeof message);
+  memcpy(message, first_no_memory, sizeof message);
   return PO_NO_MEMORY;
 }
 
-void po_lack_forget(void) {
-  lack[0] = '\0';
+void po_no_memory_forget(void) {
+  first_no_memory[0] = '\0';
 }

@@ -1,11 +1,11 @@
-/* Results of every function that can fail, and the message that goes with a failure. */
+/* The status codes of every function that can fail, and the message that accompanies a failure. */
 #ifndef PO_STATUS_H
 #define PO_STATUS_H
 
 #include <stdbool.h>
 
-/* Zero is success. Positive: an ordinary numerical result the caller acts on, its data unchanged.
- * Negative: misuse, bad input or an exhausted resource; a message says which. */
+/* Zero: success. Positive: an ordinary numerical result on which the caller acts; the data are
+ * unchanged. Negative: misuse, bad input or an exhausted resource, which the message states. */
 #define PO_STATUS_LIST(X)                                                                          \
   X(PO_OK, 0, "ok")                                                                                \
   X(PO_NOT_CONVERGED, 1, "not converged")                                                          \
@@ -21,38 +21,40 @@
   X(PO_NO_MEMORY, -2, "out of memory")                                                             \
   X(PO_CANNOT_READ, -3, "a file could not be read")                                                \
   X(PO_CANNOT_WRITE, -4, "a file could not be written")                                            \
-  X(PO_MISSING_TOOL, -5, "a program this needs is not installed")                                  \
+  X(PO_MISSING_TOOL, -5, "a required program is not installed")                                    \
   X(PO_CHECK_FAILED, -6, "a check does not pass")
 
 #define PO_STATUS_ENUM(name, value, text) name = value,
 typedef enum { PO_STATUS_LIST(PO_STATUS_ENUM) } po_status;
 #undef PO_STATUS_ENUM
 
-/* The fixed text of a status, e.g. "not converged"; never NULL. */
+/* Returned: the text of a status, e.g. "not converged"; never NULL. */
 const char *po_status_text(po_status status);
 
-/* The name of a status as written in records, e.g. "not_converged"; never NULL. */
+/* Returned: the name of a status as records contain it, e.g. "not_converged"; never NULL. */
 const char *po_status_name(po_status status);
 
-/* The status of a name; false for a name of none, or NULL. */
+/* Finds the status with a name. Returned: false if no status has it, or for NULL. */
 bool po_status_find(const char *name, po_status *status);
 
-/* Writes the message of a failure where it is seen, with the offending values (printf style), for
- * this thread, and returns `status`, so that `return po_fail(PO_BAD_INPUT, "...", x);` reads.
- * Control characters in the values, and bytes that are not UTF-8, are written as \xNN. */
+/* Sets the message of this thread (printf style). It is called where the failure is detected, and
+ * the message contains the offending values. Control characters in the values and bytes that are
+ * not UTF-8 are written as \xNN. Returned: `status`, so that a caller can write `return
+ * po_fail(PO_BAD_INPUT, "...", x);`. */
 po_status po_fail(po_status status, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* The last message written by po_fail in this thread; "" when there is none. One line. */
+/* Returned: the last message of po_fail in this thread, one line; "" if there is none. */
 const char *po_message(void);
 
-/* Forgets the message of this thread. */
+/* Deletes the message of this thread. */
 void po_message_clear(void);
 
-/* A failed allocation may be reported as another failure, e.g. as a step that did not converge.
- * So po_fail remembers PO_NO_MEMORY, and the function that passes on a result calls po_lack_or. If
- * memory ran out in this thread since po_lack_forget, that returns PO_NO_MEMORY with the first such
- * message; otherwise it returns `status`. */
-po_status po_lack_or(po_status status);
-void po_lack_forget(void);
+/* A function may report a failed allocation as another failure, e.g. as a step that did not
+ * converge. Therefore po_fail records the first PO_NO_MEMORY, and the function that returns the
+ * final status of a task calls po_no_memory_or. It returns PO_NO_MEMORY, and restores that first
+ * message, if an allocation failed in this thread since the last po_no_memory_forget; otherwise it
+ * returns `status`. */
+po_status po_no_memory_or(po_status status);
+void po_no_memory_forget(void);
 
 #endif

@@ -53,7 +53,7 @@ void po_text_add_bytes(po_text *text, const char *bytes, size_t size) {
   text->data[text->length] = '\0';
 }
 
-/* The characters that have no special meaning in a shell. */
+/* The characters without a special meaning in a shell. */
 static const char PLAIN[] =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+,./:=@%";
 

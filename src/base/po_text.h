@@ -1,12 +1,12 @@
-/* A string that grows. */
+/* A string with dynamic length. */
 #ifndef PO_TEXT_H
 #define PO_TEXT_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Zero-initialise, add, use `data` (NUL-terminated once something was added), clear. When memory
- * runs out `failed` stays set, further additions are ignored, and po_message() says so. */
+/* Initialise to zero, append, use `data` (NUL-terminated after the first append), clear. If memory
+ * runs out, `failed` is set, later appends are ignored, and po_message() states it. */
 typedef struct {
   char *data;
   size_t length;
@@ -14,25 +14,25 @@ typedef struct {
   bool failed;
 } po_text;
 
-/* Appends, printf style. */
+/* Appends formatted text (printf style). */
 void po_text_add(po_text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Appends `size` bytes as they are. */
+/* Appends `size` bytes unchanged. */
 void po_text_add_bytes(po_text *text, const char *bytes, size_t size);
 
-/* Appends a word so that a shell reads it back as it is: quoted if it needs to be, with the escapes
- * of $'...' if a terminal could not show it. */
+/* Appends a word so that a shell reads it back unchanged: quoted if necessary, with the escapes of
+ * $'...' if it has characters that a terminal cannot show. */
 void po_text_add_word(po_text *text, const char *word);
 
-/* The string so far; "" when nothing was added. */
+/* Returned: the string; "" before the first append. */
 const char *po_text_string(const po_text *text);
 
-/* Frees and zeroes. */
+/* Frees the string and sets it to zero. */
 void po_text_clear(po_text *text);
 
-/* A copy that is UTF-8: each byte that belongs to no character becomes U+FFFD (the replacement
- * character), and an incomplete character at the end, as a cut text has, is left out. Free it.
- * NULL with a message without memory. */
+/* Returned: a copy of a text in valid UTF-8, to be freed. Each byte that is not part of a character
+ * becomes U+FFFD (the replacement character); an incomplete character at the end of the text is
+ * left out. NULL with a message if memory runs out. */
 char *po_text_utf8(const char *text);
 
 #endif

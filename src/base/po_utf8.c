@@ -1,7 +1,8 @@
 #include "po_utf8.h"
 
-/* The length that the first byte of a character announces, and the range of the second byte, which
- * excludes overlong forms, surrogates and what lies above U+10FFFF; 0: no first byte. */
+/* Returned: the length that the first byte of a character announces, and in *least and *most the
+ * range of the second byte, which excludes overlong forms, surrogates and code points above
+ * U+10FFFF; 0 if no character begins with this byte. */
 static size_t announced(unsigned char first, unsigned char *least, unsigned char *most) {
   *least = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
   *most = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;

@@ -11,7 +11,7 @@ int main(int argc, char **argv) {
   signal(SIGXFSZ, SIG_IGN); /* a file that would grow too large is a write that fails */
   int code = po_verbs_run(argc, argv);
   /* Memory that was lacking somewhere on the way: the output may be incomplete. */
-  if (code == PO_EXIT_OK && po_lack_or(PO_OK))
+  if (code == PO_EXIT_OK && po_no_memory_or(PO_OK))
     code = po_options_end(PO_NO_MEMORY);
   /* What was printed may still fail to arrive, e.g. on a full disk. */
   if ((fflush(stdout) != 0 || ferror(stdout)) && code == PO_EXIT_OK) {

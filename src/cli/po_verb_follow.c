@@ -264,7 +264,7 @@ static po_status follow(const follow_line *line, po_request *requests, po_result
                  : po_series_observe(requests, line->range.count,
                                      line->checkpoints ? line->checkpoints : PO_CHECKPOINT_EVERY,
                                      results);
-  status = po_lack_or(status);
+  status = po_no_memory_or(status);
   if (status == PO_INTERRUPTED)
     return po_fail(status, "interrupted");
   if (!status && line->json)

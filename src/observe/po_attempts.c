@@ -148,7 +148,7 @@ po_status po_observe_attempts(const po_request *request, const po_keeper *keeper
 }
 
 po_status po_observe_finish(po_status status, po_result *result) {
-  result->status = po_lack_or(status);
+  result->status = po_no_memory_or(status);
   if (result->status)
     snprintf(result->reason, sizeof result->reason, "%s",
              *po_message() ? po_message() : po_status_text(result->status));

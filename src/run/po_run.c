@@ -194,12 +194,12 @@ static void do_task(po_crew *crew, const po_task *task) {
   const size_t line = run->plan->kase->line;
   const double begin = po_clock_wall();
   po_status status = PO_OK;
-  po_lack_forget();
+  po_no_memory_forget();
   if (line > 1)
     status = po_run_line(run, task->point, crew->options->stop);
   else {
     solve_point(crew, run, task);
-    po_lack_forget(); /* the result says it */
+    po_no_memory_forget(); /* the result says it */
   }
   const bool stopped = crew->options->stop && *crew->options->stop;
 #pragma omp critical(po_run_finish)
@@ -207,7 +207,7 @@ static void do_task(po_crew *crew, const po_task *task) {
     run->elapsed += po_clock_wall() - begin;
     for (size_t k = 0; k < line && !status; ++k)
       status = take_point(crew, run, task->point + k, task->round);
-    status = po_lack_or(status);
+    status = po_no_memory_or(status);
     if (status)
       give_up(crew, status);
   }
@@ -304,7 +304,7 @@ static po_status begin_case(po_crew *crew, po_case_run *run) {
 po_status po_run(po_case_run *runs, size_t count, const po_run_options *options) {
   po_crew crew = {.runs = runs, .options = options};
   crew.jobs = options->jobs > 0 ? options->jobs : po_environment_cores();
-  po_status status = po_lack_or(PO_OK);
+  po_status status = po_no_memory_or(PO_OK);
   if (!status)
     status = po_folder_make(options->output);
   po_progress_begin(&crew.progress, 0, 0);

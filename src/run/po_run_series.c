@@ -28,7 +28,7 @@ po_status po_run_line(po_case_run *run, size_t first, const volatile sig_atomic_
   }
   po_status status =
       po_series_observe(requests, kase->line, kase->checkpoints, &run->results[first]);
-  status = po_lack_or(status);
+  status = po_no_memory_or(status);
   for (size_t k = 0; k < kase->line && !status; ++k)
     if (kase->points[first + k].traced)
       status = trace_again(&requests[k], &run->traces[first + k]);

@@ -39,7 +39,7 @@ for name in $tables; do
   sed -i "$columns,\$s/,[^,]*\$//" "$file"
   noticed "$name" "reference/$name:*: sha256 is *"
   truncate -s -2 "$file"
-  noticed "$name" "reference/$name:*: the last line does not end: the file is truncated"
+  noticed "$name" "reference/$name:*: the last line has no newline: the file is truncated"
   # one digit: of the last number of a row in the middle, and of the header's uncertainty
   middle=$(((columns + $(wc -l <"$file")) / 2 + 1))
   digit=$(sed -n "${middle}s/.*\([0-9]\)[^0-9]*\$/\1/p" "$file")

@@ -22,11 +22,11 @@ expect 4 'pulloff: /dev/full cannot be written: No space left on device' \
 expect 4 'pulloff: nowhere/curve.csv cannot be written: No such file or directory' \
   solve --tabor 0 --curve nowhere/curve.csv
 : >file
-expect 4 'pulloff: the folder file cannot be made: file: Not a directory' run --output file
-expect 4 'pulloff: the folder file/run cannot be made: file*: Not a directory' run --output file/run
+expect 4 'pulloff: the folder file cannot be created: file: Not a directory' run --output file
+expect 4 'pulloff: the folder file/run cannot be created: file*: Not a directory' run --output file/run
 mkdir -p blocked
 : >blocked/good
-expect 4 'pulloff: the folder blocked/good cannot be made: *Not a directory' run --output blocked
+expect 4 'pulloff: the folder blocked/good cannot be created: *Not a directory' run --output blocked
 check 'what was in the way is still there' test -f blocked/good
 
 # A record that is there survives a disk that fills up.

@@ -19,7 +19,7 @@ refused 4 '*/reference/table.csv cannot be read: Is a directory'
 : >"$table"
 refused 4 'reference/table.csv is empty: expected a table'
 printf 'a\000b\n' >"$table"
-refused 4 'reference/table.csv is not text: it holds a zero byte'
+refused 4 'reference/table.csv is not a text file: it contains a NUL byte'
 sed -i 's/^0,2,0/0,2.1,0/' "$table"
 refused 4 'reference/table.csv:10: sha256 is *: expected *, that of all other lines*'
 sed -i 's/^# uncertainty: 0/# uncertainty: 1/' "$table"
@@ -53,7 +53,7 @@ refused 4 'reference/table.csv:12: tabor is -1: expected a finite number >= 0'
 write_table "$table" tabor,force,approach 0,2,0 0,2,0
 refused 4 'reference/table.csv:13: a second row for the same scene: expected one'
 truncate -s -1 "$table"
-refused 4 'reference/table.csv:12: the last line does not end: the file is truncated'
+refused 4 'reference/table.csv:12: the last line has no newline: the file is truncated'
 write_table "$table" tabor,force,approach,force_uncertainty 0,2,0,1e-6
 refused 2 'cases/good.yaml:15: checks[[]1[]].tolerance is 1e-9: expected at least 1e-06, *'
 

@@ -151,7 +151,7 @@ GIT_CONFIG_COUNT=1 GIT_CONFIG_KEY_0=user.name GIT_CONFIG_VALUE_0='A. Smith' \
 check 'beside it' grep -q '^# blessing 1: .*, A. Smith, ' my/pins/own.csv
 rm -r my/pins
 : >my/pins
-refused 4 'the folder my/pins cannot be made: ' bless my/own.yaml --reason 'mine'
+refused 4 'the folder my/pins cannot be created: ' bless my/own.yaml --reason 'mine'
 
 # A solve that failed within the share that may is no reason to refuse.
 restore

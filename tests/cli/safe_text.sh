@@ -57,6 +57,6 @@ clean plan
 printf '# what: \033[31mred\n' >"$PULLOFF_DATA/reference/red.csv"
 cp "$PULLOFF_DATA/reference/red.csv" "$PULLOFF_DATA/reference/$escape.csv"
 expect 4 '*' list --references
-check 'a table is text' grep -q 'red.csv:1: the byte \\x1b is no UTF-8 text: expected a table' stdout
+check 'a table is text' grep -q 'red.csv:1: the byte \\x1b is a control character or not UTF-8: expected text' stdout
 clean 'list --references'
 finish

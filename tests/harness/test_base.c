@@ -222,7 +222,7 @@ static const struct {
     {"a,b\n1,2\n\n", "t.csv:3: the row has 0 cells: expected 2"},
     {"a,a\n1,2\n", "t.csv:1: the column a is given twice"},
     {"a,\n1,2\n", "t.csv:1: column 2 has no name"},
-    {"a,b\n1,2", "t.csv:2: the last line does not end: the file is truncated"},
+    {"a,b\n1,2", "t.csv:2: the last line has no newline: the file is truncated"},
     {"# x\na\n1\n", "t.csv:1: '# x' is not a header: expected '# key: value'"},
     {"# x: 1\n# x: 2\na\n1\n", "t.csv:2: the header x is given twice"},
 };
