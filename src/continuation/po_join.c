@@ -22,6 +22,6 @@ double po_join_miss(const po_branch_point *from, const po_branch_point *to) {
   const po_cubic_ends approach = {from->approach, way * from->approach_rate, to->approach,
                                   way * to->approach_rate};
   const po_cubic_ends load = {from->load, way * from->load_rate, to->load, way * to->load_rate};
-  const double area = to->energy - from->energy - po_hermite_work(&load, &approach, 0.0, 1.0);
+  const double area = to->energy - from->energy - po_hermite_integral(&load, &approach, 0.0, 1.0);
   return LARGEST_OF_MEAN * fabs(area) / chord(from, to);
 }

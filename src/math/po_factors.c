@@ -36,14 +36,14 @@ po_status po_factors_compute(po_factors *f) {
 
 int po_factors_sign(const po_factors *f) {
   int sign = 1;
-  for (size_t i = 0; i < f->n; ++i) /* pivots count from 1 */
+  for (size_t i = 0; i < f->n; ++i) /* pivot indices start from 1 */
     if ((f->pivots[i] != (int)i + 1) != (f->matrix[i + f->n * i] < 0.0F))
       sign = -sign;
   return sign;
 }
 
 void po_factors_solve(po_factors *f, double *x) {
-  double scale = 0.0; /* so that single precision neither overflows nor vanishes */
+  double scale = 0.0; /* scaling prevents overflow and underflow in single precision */
   for (size_t i = 0; i < f->n; ++i)
     scale = fmax(scale, fabs(x[i]));
   if (scale == 0.0)

@@ -1,7 +1,7 @@
-/* The factors of a dense matrix that serve an iteration: in single precision, which takes half the
- * time of double, and leaves what rounding changes to the iteration. On smooth spheres up to mu =
- * 50 and wavy ones up to 10, at tolerances down to 1e-10, no iteration more was needed than with
- * double. */
+/* LU factors of a dense matrix in single precision, for the solution of linear systems inside an
+ * iteration. Single precision takes half the time of double precision; the iteration corrects the
+ * effect of its rounding. On smooth spheres up to mu = 50 and wavy spheres up to mu = 10, at
+ * tolerances down to 1e-10, no more iterations were needed than with double precision. */
 #ifndef PO_FACTORS_H
 #define PO_FACTORS_H
 
@@ -12,30 +12,30 @@
 
 typedef struct {
   size_t n;
-  size_t room;   /* of matrix, in numbers */
-  float *matrix; /* n x n, column-major; the factors once computed */
-  float *right;  /* n: a right-hand side */
-  int *pivots;   /* n, from 1 */
+  size_t room;   /* allocated size of `matrix`, in elements */
+  float *matrix; /* n x n, column-major; the LU factors after po_factors_compute */
+  float *right;  /* n: the scaled right-hand side */
+  int *pivots;   /* n, row indices from 1 (LAPACK) */
 } po_factors;
 
-/* For matrices of an order up to `capacity`. Returned: whether there was memory. */
+/* Allocates factors of matrices up to order `capacity`. Returned: false if memory runs out. */
 bool po_factors_allocate(po_factors *f, size_t capacity);
 void po_factors_free(po_factors *f);
 
-/* Begins a matrix of order n. Returned: whether there was memory. */
+/* Starts a new matrix of order n. Returned: false if memory runs out. */
 bool po_factors_begin(po_factors *f, size_t n);
 
-/* Puts a column, n. */
+/* Sets a column of the matrix. Given: values, n. */
 void po_factors_put(po_factors *f, size_t column, const double *values);
 
-/* LU with partial pivoting of what was put. Status: PO_SINGULAR when a pivot is exactly zero. */
+/* Computes the LU factors with partial pivoting. Status: PO_SINGULAR if a pivot is exactly zero. */
 po_status po_factors_compute(po_factors *f);
 
-/* Sign of the determinant. */
+/* Returned: the sign of the determinant, from the LU factors. */
 int po_factors_sign(const po_factors *f);
 
-/* Given: x, n, the right-hand side. Returned there: the solution, to some six digits less those
- * that the condition of the matrix takes. */
+/* Solves the linear system. Given: x, n, the right-hand side. Returned: in x, the solution.
+ * Accuracy: about six digits, less the digits that the condition number of the matrix costs. */
 void po_factors_solve(po_factors *f, double *x);
 
 #endif

@@ -10,7 +10,7 @@ po_hermite po_hermite_at(double x, double h) {
                       .d1 = -x * t * u};
 }
 
-/* With t = x/h the derivative, times h, is c + 2 b t + 3 a t^2. */
+/* With t = x/h, the derivative of the cubic times h is c + 2 b t + 3 a t^2. */
 typedef struct {
   double a, b, c;
 } derivative;
@@ -31,17 +31,16 @@ double po_hermite_rate(double f0, double d0, double f1, double d1, double x, dou
   return (q.c + t * (2.0 * q.b + 3.0 * q.a * t)) / h;
 }
 
-double po_hermite_work(const po_cubic_ends *load, const po_cubic_ends *way, double from,
-                       double to) {
-  /* Gauss's three points on (-1, 1), exact for the fifth degree of load times rate of way */
+double po_hermite_integral(const po_cubic_ends *f, const po_cubic_ends *g, double from, double to) {
+  /* The three-point Gauss rule on (-1, 1), exact for f g', which has degree 5. */
   static const double NODE[] = {-0.77459666924148338, 0.0, 0.77459666924148338}; /* sqrt(3/5) */
   static const double WEIGHT[] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
   const double half = 0.5 * (to - from), middle = 0.5 * (from + to);
   double sum = 0.0;
   for (int k = 0; k < 3; ++k) {
     const double t = middle + half * NODE[k];
-    sum += WEIGHT[k] * po_hermite_value(load->f0, load->d0, load->f1, load->d1, t, 1.0) *
-           po_hermite_rate(way->f0, way->d0, way->f1, way->d1, t, 1.0);
+    sum += WEIGHT[k] * po_hermite_value(f->f0, f->d0, f->f1, f->d1, t, 1.0) *
+           po_hermite_rate(g->f0, g->d0, g->f1, g->d1, t, 1.0);
   }
   return half * sum;
 }

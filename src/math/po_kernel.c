@@ -6,8 +6,8 @@ double po_kernel(double sum, double difference) {
   double a = sum, b = fabs(difference);
   if (b == 0.0)
     return INFINITY;
-  /* Quadratic convergence: when a - b is below the square root of the rounding unit, one more mean
-   * is exact. */
+  /* The iteration converges quadratically: when a - b is below the square root of the rounding unit
+   * (1.5e-8), one more mean is exact to rounding. */
   while (a - b > 1.5e-8 * a) {
     const double mean = 0.5 * (a + b);
     b = sqrt(a * b);
@@ -16,7 +16,8 @@ double po_kernel(double sum, double difference) {
   return 4.0 / (a + b);
 }
 
-/* Steps of the mean after which (a + b)/2 is exact to rounding when b/a >= ratio at the start. */
+/* Returned: the number of steps of the arithmetic-geometric mean after which (a + b)/2 is exact to
+ * rounding if b/a >= ratio at the start. */
 static int steps_for(double ratio) {
   int steps = 0;
   for (double a = 1.0, b = ratio; a - b > 1.5e-8 * a; ++steps) {
@@ -27,6 +28,7 @@ static int steps_for(double ratio) {
   return steps;
 }
 
+/* Radii that are processed together, so that the compiler can vectorise the loops. */
 enum { BLOCK = 64 };
 
 void po_kernel_row(double r, const double *s, size_t n, double *kernel) {
@@ -50,11 +52,12 @@ void po_kernel_row(double r, const double *s, size_t n, double *kernel) {
   }
 }
 
-/* K and E of modulus k, with kp = sqrt(1 - k^2) given so that it does not cancel; kp > 0.
- * E = K (1 - sum 2^(n-1) c_n^2) over the steps of the mean, c_0 = k. */
+/* The complete elliptic integrals K and E of modulus k. Given: kp = sqrt(1 - k^2) > 0, computed by
+ * the caller without cancellation. Formula: E = K (1 - sum 2^(n-1) c_n^2) over the steps of the
+ * arithmetic-geometric mean, c_0 = k (Abramowitz and Stegun 17.6). */
 static void elliptic(double k, double kp, double *K, double *E) {
   double a = 1.0, b = kp, c = k, power = 0.5, sum = power * c * c;
-  while (fabs(c) > 1e-9) { /* c falls quadratically: the next term is below 1e-18 */
+  while (fabs(c) > 1e-9) { /* c converges quadratically: the next term is below 1e-18 */
     c = 0.5 * (a - b);
     const double mean = 0.5 * (a + b);
     b = sqrt(a * b);

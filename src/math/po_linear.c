@@ -10,44 +10,45 @@
 extern void openblas_set_num_threads(int threads);
 extern char *openblas_get_config(void);
 extern char *openblas_get_corename(void);
-extern int blas_thread_shutdown_(void) __attribute__((weak)); /* NULL: a library without threads */
+/* NULL in an OpenBLAS that was built without threads. */
+extern int blas_thread_shutdown_(void) __attribute__((weak));
 
 extern void *blas_memory_alloc(int position) __attribute__((weak));
 extern void blas_memory_free(void *area) __attribute__((weak));
 
-/* When OpenBLAS is loaded it calls a function of this name for the number of threads to start, and
- * the dynamic linker finds this definition before that of OpenBLAS. So OpenBLAS starts no threads:
- * a thread of its own polls for work, which doubles the processor time of a short solve, and maps a
- * work area before main begins. */
+/* OpenBLAS calls a function of this name when it is loaded, to obtain the number of threads to
+ * start; the dynamic linker finds this definition before that of OpenBLAS. So OpenBLAS starts no
+ * threads. A thread of OpenBLAS polls for work, which doubles the processor time of a short solve,
+ * and maps a work area before main begins. */
 int openblas_num_threads_env(void);
 int openblas_num_threads_env(void) {
   return 1;
 }
 
-/* For an OpenBLAS that did not call the function above. */
+/* For versions of OpenBLAS that do not call the function above. */
 static void end_threads(void) {
   openblas_set_num_threads(1);
   if (blas_thread_shutdown_)
     blas_thread_shutdown_();
 }
 
-/* Once, since openblas_set_num_threads starts ended threads again. */
+/* Called once, because openblas_set_num_threads restarts threads that have ended. */
 void po_linear_single_thread(void) {
   static once_flag ended = ONCE_FLAG_INIT;
   call_once(&ended, end_threads);
 }
 
-/* OpenBLAS 0.3.21, common_x86_64.h: 32 << 22 bytes a work area; others have less or the same. The
- * rest is for the pages at its ends. */
+/* Size of a work area, in bytes: 32 << 22 in OpenBLAS 0.3.21, common_x86_64.h; other architectures
+ * have at most as much. The additional 1 MB covers the pages at both ends. */
 static const size_t WORK_AREA = ((size_t)32 << 22) + ((size_t)1 << 20);
 
-/* Whether so many bytes of address space are free. */
-static bool is_room(size_t bytes) {
+/* Returned: whether `bytes` bytes of contiguous address space are free. */
+static bool is_address_space_free(size_t bytes) {
   void *probe = mmap(NULL, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   return probe != MAP_FAILED && munmap(probe, bytes) == 0;
 }
 
-/* The size of the stack that a thread is given. */
+/* Returned: the default stack size of a thread, in bytes; 0 if it is unknown. */
 static size_t stack_size(void) {
   pthread_attr_t attributes;
   size_t size = 0;
@@ -58,14 +59,14 @@ static size_t stack_size(void) {
   return size;
 }
 
-/* Has OpenBLAS map work areas until there are `threads`: they are taken together, since one that is
- * given back is given out again. Returned: how many there are. */
+/* Lets OpenBLAS map work areas until there are `threads`. All are allocated before any is freed,
+ * because OpenBLAS reuses a freed area. Returned: the number of areas. */
 static int map_areas(int threads) {
   enum { MOST = 256 };
   void *areas[MOST];
   int count = 0;
-  const size_t beside = (size_t)(threads - 1) * stack_size();
-  while (count < threads && count < MOST && is_room(WORK_AREA + beside))
+  const size_t stacks = (size_t)(threads - 1) * stack_size();
+  while (count < threads && count < MOST && is_address_space_free(WORK_AREA + stacks))
     areas[count++] = blas_memory_alloc(0);
   for (int i = 0; i < count; ++i)
     blas_memory_free(areas[i]);
@@ -86,7 +87,7 @@ po_status po_linear_reserve(int threads) {
   return po_fail(
       PO_NO_MEMORY,
       "out of memory: OpenBLAS needs %zu MB of address space for each of %d threads, and "
-      "this process cannot have it: raise its limit (ulimit -v)%s",
+      "this process does not have it: raise the limit (ulimit -v)%s",
       WORK_AREA >> 20, threads, threads > 1 ? ", or solve fewer points at a time (--jobs)" : "");
 }
 
@@ -138,7 +139,8 @@ double po_linear_condition(size_t n, const double *a, size_t stride, double norm
   const lapack_int info = LAPACKE_dgecon(LAPACK_COL_MAJOR, '1', (lapack_int)n, a,
                                          (lapack_int)stride, norm, &reciprocal);
   if (info == LAPACK_WORK_MEMORY_ERROR)
-    po_fail(PO_NO_MEMORY, "out of memory: a condition number of %zu unknowns", n);
+    po_fail(PO_NO_MEMORY,
+            "out of memory while the condition number of a matrix of order %zu was computed", n);
   return info ? (double)NAN : 1.0 / reciprocal;
 }
 

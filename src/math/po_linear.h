@@ -1,4 +1,4 @@
-/* Dense linear algebra: the only file that names LAPACKE and CBLAS. Matrices are flat,
+/* Dense linear algebra. Only po_linear.c calls LAPACKE and CBLAS. Matrices are flat and
  * column-major. */
 #ifndef PO_LINEAR_H
 #define PO_LINEAR_H
@@ -7,53 +7,58 @@
 
 #include "po_status.h"
 
-/* Keeps OpenBLAS to one thread: solves run in parallel, not the algebra inside them. Does nothing
- * the second time. */
+/* Limits OpenBLAS to one thread: the program runs several solves in parallel, not one solve on
+ * several threads. Later calls have no effect. */
 void po_linear_single_thread(void);
 
-/* The same, and makes sure that so many threads of the program can solve at a time. OpenBLAS maps a
- * work area of 128 MB of address space (x86-64) for each when it first solves, and where there is
- * no room for it tries again for ever. Does nothing when they are there.
- * Status: PO_NO_MEMORY when the address space is too small. */
+/* As po_linear_single_thread; also ensures that `threads` threads of the program can solve at the
+ * same time. OpenBLAS maps a work area of 128 MB of address space (x86-64) for each thread at its
+ * first solve, and retries for ever if there is no space. This function maps the areas in advance.
+ * Status: PO_NO_MEMORY if the address space is too small. */
 po_status po_linear_reserve(int threads);
 
-/* "OpenBLAS 0.3.21 ..." : the library this process runs on; "Haswell": the kernels it chose for the
- * processor, or OPENBLAS_CORETYPE did. Both determine the last bits of results. */
+/* The version of the loaded library, e.g. "OpenBLAS 0.3.21 ...", and the CPU kernels it uses, e.g.
+ * "Haswell", which it selects by the processor or by OPENBLAS_CORETYPE. Both determine the last
+ * bits of results. */
 const char *po_linear_library(void);
 const char *po_linear_kernels(void);
 
-/* LU in place with partial pivoting; in single precision, see po_factors.h. Given: a, n x n with
- * leading dimension `stride`; pivots, n. Status: PO_SINGULAR when a pivot is exactly zero. */
+/* LU factorisation in place with partial pivoting, in double or single precision (see
+ * po_factors.h). Given: a, n x n with leading dimension `stride`. Returned: the factors in a;
+ * pivots, n. Status: PO_SINGULAR if a pivot is exactly zero. */
 po_status po_linear_factorize(size_t n, double *a, size_t stride, int *pivots);
 po_status po_linear_factorize_single(size_t n, float *a, size_t stride, int *pivots);
 
-/* Solves with the factors; x, n, holds the right-hand side and then the solution. */
+/* Solves a linear system with the LU factors. Given: x, n, the right-hand side. Returned: in x, the
+ * solution. */
 void po_linear_solve(size_t n, const double *a, size_t stride, const int *pivots, double *x);
 void po_linear_solve_single(size_t n, const float *a, size_t stride, const int *pivots, float *x);
 
-/* The same with the transpose of the matrix. */
+/* As po_linear_solve, with the transpose of the matrix. */
 void po_linear_solve_transposed(size_t n, const double *a, size_t stride, const int *pivots,
                                 double *x);
 
-/* The 1-norm: the largest sum of the moduli of a column. */
+/* Returned: the 1-norm of the matrix, the largest sum of the moduli of a column. */
 double po_linear_norm(size_t n, const double *a, size_t stride);
 
-/* An estimate (from below, mostly within a factor of 3: Higham, Accuracy and Stability, Ch. 15) of
- * the condition number in the 1-norm. Given: the factors, and the norm before. Returned: INFINITY
- * when singular; NaN without memory. */
+/* An estimate of the condition number in the 1-norm; it is a lower bound, mostly within a factor of
+ * 3 (Higham, Accuracy and Stability, Ch. 15). Given: the LU factors; norm, the 1-norm of the matrix
+ * before the factorisation. Returned: INFINITY for a singular matrix; NaN if memory runs out. */
 double po_linear_condition(size_t n, const double *a, size_t stride, double norm);
 
-/* y = A x, A rows x columns with leading dimension `stride`. */
+/* y = A x. Given: a, rows x columns with leading dimension `stride`; x, columns. Returned: y,
+ * rows. */
 void po_linear_apply(size_t rows, size_t columns, const double *a, size_t stride, const double *x,
                      double *y);
 
-/* The same with the transpose: y (columns) = A^T x (rows). */
+/* y = A^T x. Given: a as above; x, rows. Returned: y, columns. */
 void po_linear_apply_transposed(size_t rows, size_t columns, const double *a, size_t stride,
                                 const double *x, double *y);
 
-/* y += factor x, n. */
+/* y += factor * x, vectors of length n. */
 void po_linear_add(size_t n, double factor, const double *x, double *y);
 
+/* Returned: the scalar product of x and y, vectors of length n. */
 double po_linear_dot(size_t n, const double *x, const double *y);
 
 #endif

@@ -7,10 +7,12 @@ po_status po_near_tables_fill(po_near_tables *tables) {
   return po_gauss_rule(PO_NEAR_GAUSS_POINTS, tables->gauss_node, tables->gauss_weight);
 }
 
-/* Below this length a piece weighs nothing, whatever the logarithm on it. */
+/* The integral of the logarithm over a piece shorter than this is below the rounding of the
+ * result. */
 static const double LEAST_PIECE = 1e-20;
 
-/* Points of one side of x0: offsets from `from` to `to` (0 <= from < to) in direction sign. */
+/* Adds the points on one side of x0. Given: sign, the direction; from and to, the range of
+ * distances from x0 (0 <= from < to). Returned: the number of points. */
 static size_t add_side(const po_near_tables *tables, double x0, double sign, double from, double to,
                        double mirror, po_near_point *point) {
   size_t count = 0;
@@ -23,7 +25,7 @@ static size_t add_side(const po_near_tables *tables, double x0, double sign, dou
           .x = x0 + offset, .offset = offset, .weight = near * tables->log_weight[q]};
     }
   }
-  while (near < to) { /* each piece is as long as it is far from the singularity */
+  while (near < to) { /* the length of each piece equals its distance from the singularity */
     double length = near;
     if (near + 1.5 * length > to)
       length = to - near;
@@ -49,9 +51,11 @@ size_t po_near_rule(const po_near_tables *tables, double x0, double mirror,
 }
 
 int po_near_is_far(double x0, size_t n) {
-  /* Gauss with n points errs by rho^(-2n), rho the Bernstein ellipse through the singularity; half
-   * the digits are left to the polynomial it multiplies. */
+  /* The relative error of a Gauss rule with n points is rho^(-2n), where rho is the parameter of
+   * the Bernstein ellipse through the singularity. Requiring rho^n = 10^10.5, i.e. an error of
+   * 1e-21 for the kernel alone, leaves half of the digits for the polynomial that multiplies the
+   * kernel. */
   const double rho = pow(10.0, 10.5 / (double)n);
-  const double reach = 0.25 * (rho + 1.0 / rho) - 0.5; /* beyond the ends of (0, 1) */
+  const double reach = 0.25 * (rho + 1.0 / rho) - 0.5; /* distance beyond the ends of (0, 1) */
   return x0 <= -reach || x0 >= 1.0 + reach;
 }

@@ -1,4 +1,5 @@
-/* Quadrature over one element when the kernel's logarithmic singularity is on it or beside it. */
+/* Quadrature over one element if the logarithmic singularity of the kernel lies on the element or
+ * close to it. */
 #ifndef PO_NEAR_RULE_H
 #define PO_NEAR_RULE_H
 
@@ -6,9 +7,11 @@
 
 #include "po_quadrature.h"
 
+/* The largest number of points is that of 120 Gauss pieces: pieces double in length away from the
+ * singularity, from the rounding unit to 1, which takes at most 53 on each side. */
 enum { PO_NEAR_GAUSS_POINTS = 16, PO_NEAR_MAX_POINTS = 2 * PO_LOG_RULE_POINTS + 16 * 120 };
 
-/* The rules that near rules are made of; fill once with po_near_tables_fill. */
+/* The rules from which po_near_rule builds its rules; filled once by po_near_tables_fill. */
 typedef struct {
   double gauss_node[PO_NEAR_GAUSS_POINTS], gauss_weight[PO_NEAR_GAUSS_POINTS];
   double log_node[PO_LOG_RULE_POINTS], log_weight[PO_LOG_RULE_POINTS];
@@ -16,23 +19,25 @@ typedef struct {
 
 po_status po_near_tables_fill(po_near_tables *tables);
 
-/* A point of the rule: x in (0, 1) and its distance from the singularity, kept apart so that the
- * kernel's argument does not cancel. */
+/* A quadrature point: x in (0, 1), and its distance from the singularity, stored separately so that
+ * the argument of the kernel does not cancel. */
 typedef struct {
-  double x;      /* where */
+  double x;      /* position of the point */
   double offset; /* x - x0, to full relative precision */
   double weight;
 } po_near_point;
 
-/* A rule over x in (0, 1) for polynomials (degree <= 20) times a function with a logarithm at x0
- * (inside, at an end or outside) and its other singularity no nearer to x0 than `mirror`: pieces
- * that grow geometrically away from x0, the innermost one by the rule for logarithms. Given: x0;
- * mirror > 0. Returned: the number of points, at most PO_NEAR_MAX_POINTS. Accuracy: 1e-14 relative
- * (tests/test_quadrature.c). */
+/* A quadrature rule over x in (0, 1) for integrands that are a polynomial of degree up to 20 times
+ * a function with a logarithmic singularity at x0, inside the interval, at an end or outside. The
+ * rule is composed of pieces whose length grows geometrically away from x0; the piece at x0 uses
+ * the rule for logarithms, the others a Gauss rule. Given: x0; mirror > 0, a lower bound of the
+ * distance from x0 to the other singularity of the kernel (at s = -r). Returned: the number of
+ * points, at most PO_NEAR_MAX_POINTS. Accuracy: 1e-14 relative (tests/unit/test_quadrature.c). */
 size_t po_near_rule(const po_near_tables *tables, double x0, double mirror,
                     po_near_point point[PO_NEAR_MAX_POINTS]);
 
-/* Whether a Gauss rule of n points over (0, 1) is exact to rounding with the singularity at x0. */
+/* Returned: whether a Gauss rule of n points over (0, 1) is exact to rounding if the singularity is
+ * at x0. */
 int po_near_is_far(double x0, size_t n);
 
 #endif

@@ -17,7 +17,7 @@ void po_gsl_return_errors(void) {
 po_status po_gauss_rule(size_t n, double *node, double *weight) {
   gsl_integration_glfixed_table *table = gsl_integration_glfixed_table_alloc(n);
   if (!table)
-    return po_fail(PO_NO_MEMORY, "no memory for a Gauss rule of %zu points", n);
+    return po_fail(PO_NO_MEMORY, "out of memory while a Gauss rule of %zu points was computed", n);
   for (size_t i = 0; i < n; ++i)
     gsl_integration_glfixed_point(0.0, 1.0, i, &node[i], &weight[i], table);
   gsl_integration_glfixed_table_free(table);
@@ -25,8 +25,8 @@ po_status po_gauss_rule(size_t n, double *node, double *weight) {
 }
 
 void po_log_rule(double node[PO_LOG_RULE_POINTS], double weight[PO_LOG_RULE_POINTS]) {
-  /* x = 1/(1 + exp(-pi sinh t)), trapezoidal in t. The left end is where x log x falls below 1e-19,
-   * the right end where 1 - x does below 1e-17. */
+  /* x = 1/(1 + exp(-pi sinh t)) with the trapezoidal rule in t. The ends are chosen so that x log x
+   * is below 1e-19 at the left end and 1 - x is below 1e-17 at the right end. */
   const double left = -3.32, right = 3.20;
   const double step = (right - left) / (PO_LOG_RULE_POINTS - 1);
   for (size_t i = 0; i < PO_LOG_RULE_POINTS; ++i) {
@@ -42,7 +42,7 @@ void po_barycentric_weights(size_t n, const double *node, double *barycentric) {
     double product = 1.0;
     for (size_t k = 0; k < n; ++k)
       if (k != j)
-        product *= 4.0 * (node[j] - node[k]); /* 4: the capacity of (0, 1), against underflow */
+        product *= 4.0 * (node[j] - node[k]); /* (0, 1) has the capacity 1/4: no underflow */
     barycentric[j] = 1.0 / product;
   }
 }

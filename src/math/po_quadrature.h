@@ -6,26 +6,26 @@
 
 #include "po_status.h"
 
-/* Turns GSL's error handler off, once: GSL then returns its errors, as the rooms from math on
- * expect, instead of ending the program. The handler is one for the whole process, so the program
- * decides: the command line calls this first of all. Closed forms (theory) cause no error of GSL
- * except lack of memory, and do not change the handler; po_rigid, which needs it off, calls this,
- * too. */
+/* Turns off the error handler of GSL, so that GSL returns its errors, as the functions of this
+ * program expect, instead of ending the program. Later calls have no effect. The handler belongs to
+ * the whole process, so the program decides: the command line calls this function first. The closed
+ * forms (theory) cause no error of GSL except lack of memory and do not change the handler;
+ * po_rigid, which needs it off, calls this function too. */
 void po_gsl_return_errors(void);
 
-/* Gauss-Legendre on (0, 1): exact for polynomials of degree 2n - 1.
- * Given: 1 <= n <= 64. Returned: n nodes ascending, n weights of sum 1. Status: PO_NO_MEMORY. */
+/* The Gauss-Legendre rule on (0, 1), exact for polynomials of degree 2n - 1. Given: 1 <= n <= 64.
+ * Returned: node, n, ascending; weight, n, of sum 1. Status: PO_NO_MEMORY. */
 po_status po_gauss_rule(size_t n, double *node, double *weight);
 
 enum { PO_LOG_RULE_POINTS = 57 };
 
-/* A rule on (0, 1) for integrands with an endpoint singularity like log(x) at 0 and analytic
- * elsewhere (tanh-sinh; nodes near 0 are given to full relative precision). Accuracy: 1e-15 for
- * polynomials of degree up to 20 times log(x) (tests/test_quadrature.c). */
+/* A tanh-sinh rule on (0, 1) for integrands with a singularity like log(x) at 0 and analytic
+ * elsewhere. Nodes near 0 have full relative precision. Accuracy: 1e-15 for log(x) times
+ * polynomials of degree up to 20 (tests/unit/test_quadrature.c). */
 void po_log_rule(double node[PO_LOG_RULE_POINTS], double weight[PO_LOG_RULE_POINTS]);
 
-/* Lagrange polynomials of the nodes at x by the barycentric formula; barycentric[j] are the weights
- * from po_barycentric_weights. value[j] = l_j(x). */
+/* The Lagrange polynomials of the nodes by the barycentric formula. po_barycentric_weights returns
+ * the weights, n; po_lagrange returns value[j] = l_j(x), n. */
 void po_barycentric_weights(size_t n, const double *node, double *barycentric);
 void po_lagrange(size_t n, const double *node, const double *barycentric, double x, double *value);
 

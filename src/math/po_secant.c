@@ -6,7 +6,8 @@
 #include "po_linear.h"
 #include "po_memory.h"
 
-/* A correction whose denominator is below this would lengthen the step beyond use: left out. */
+/* The denominator 1 - v.z is the inverse of the factor by which the correction lengthens the step;
+ * a correction with a smaller denominator is left out. */
 static const double LEAST_DENOMINATOR = 0.2;
 
 bool po_secant_allocate(po_secant *s, size_t capacity) {
@@ -37,8 +38,8 @@ void po_secant_begin(po_secant *s) {
   s->has_step = false;
 }
 
-/* v of the last step: step' / |step|^2, the components in parts of their scales. Returned: v . z.
- */
+/* v = step' / |step|^2 of the last step, with components relative to their scales. Returned: v .
+ * z. */
 static double last_step(const po_secant *s, const double *z, double *v) {
   double square = 0.0;
   for (size_t j = 0; j < s->n; ++j) {
@@ -57,7 +58,8 @@ void po_secant_step(po_secant *s, double *change) {
   for (size_t k = 0; k < s->count; ++k)
     po_linear_add(s->n, po_linear_dot(s->n, s->v + k * s->capacity, change), s->u + k * s->capacity,
                   change);
-  if (s->count == PO_SECANT_DEPTH) { /* what is oldest is of least use, but the rest rests on it */
+  if (s->count == PO_SECANT_DEPTH) { /* the oldest correction is the least useful one, but the later
+                                        ones depend on it: drop all */
     s->count = 0;
     s->has_step = false;
   } else if (s->has_step) {

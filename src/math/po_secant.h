@@ -1,33 +1,36 @@
-/* Broyden's updates of a fixed approximate inverse M of a Jacobian: what successive steps of an
- * iteration tell about it, as a product of rank-one corrections, (1 + u_k v_k') ... (1 + u_1 v_1')
- * M. C. T. Kelley, Iterative Methods for Linear and Nonlinear Equations, SIAM 1995, Sec. 7.3. */
+/* Broyden's updates of an approximate inverse M of a Jacobian: each step of an iteration adds a
+ * rank-one correction to a product (1 + u_k v_k') ... (1 + u_1 v_1') M. Source: C. T. Kelley,
+ * Iterative Methods for Linear and Nonlinear Equations, SIAM 1995, Sec. 7.3. */
 #ifndef PO_SECANT_H
 #define PO_SECANT_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
+/* The largest number of corrections; then all are dropped. */
 enum { PO_SECANT_DEPTH = 16 };
 
 typedef struct {
   size_t n, capacity, count;
-  double *u, *v; /* capacity x PO_SECANT_DEPTH: the corrections */
-  double *scale; /* n: components of a step are compared in parts of these */
+  double *u, *v; /* capacity x PO_SECANT_DEPTH: the vectors u_k and v_k */
+  double *scale; /* n: components of a step are measured relative to these scales */
   double *step;  /* n: the last step */
-  bool has_step; /* the next change follows from the last step */
+  bool has_step; /* the next change is computed at the end of the last step */
 } po_secant;
 
-/* Given: room for vectors of `capacity`. Returned: whether there was memory. */
+/* Allocates updates for vectors of length up to `capacity`. Returned: false if memory runs out. */
 bool po_secant_allocate(po_secant *s, size_t capacity);
 void po_secant_free(po_secant *s);
 
-/* Forgets all corrections: M is new, vectors have n components, all scales are 1. */
+/* Deletes all corrections, because M has changed. Vectors then have length n and all scales are
+ * 1. */
 void po_secant_clear(po_secant *s, size_t n);
 
-/* The next change does not follow from the last: another iteration begins, or a step was cut. */
+/* Call if the next change is not computed at the end of the last step: a new iteration begins, or a
+ * step was shortened. */
 void po_secant_begin(po_secant *s);
 
-/* Given: change = -M residual, n. Returned in place: the step to take, which is remembered. */
+/* Given: change = -M residual, n. Returned: in `change`, the corrected step, which is stored. */
 void po_secant_step(po_secant *s, double *change);
 
 #endif

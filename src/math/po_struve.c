@@ -6,12 +6,13 @@
 
 _Static_assert(LDBL_MANT_DIG >= 64, "the power series needs a long double of at least 64 bits");
 
-/* Where the two methods meet: the largest terms of the series are 1e3 there, which costs the long
- * double 3 of its 19 digits, and the rule below is exact to rounding from there on. */
+/* Above this x the integral is used instead of the power series. The largest terms of the series
+ * are 1e3 here, which costs 3 of the 19 digits of a long double; the Gauss-Laguerre rule is exact
+ * to rounding from here on. */
 static const double SERIES_END = 9.0;
 
-/* The Gauss-Laguerre rule of 24 points, nodes and weights by mpmath with 50 digits, without the 5
- * points of weight below 1e-19. For an integrand with its singularities at +-i x the error is
+/* The Gauss-Laguerre rule of 24 points, computed with mpmath to 50 digits, without the 5 points
+ * whose weight is below 1e-19. For an integrand with singularities at +-i x its error is
  * exp(-sqrt(8 * 24 x)), 1e-18 at x = 9. */
 static const double LAGUERRE[][2] = {
     {0.059019852181507976973, 0.14281197333478185108},
@@ -36,11 +37,12 @@ static const double LAGUERRE[][2] = {
 };
 enum { LAGUERRE_COUNT = sizeof LAGUERRE / sizeof *LAGUERRE };
 
-/* (x/2)^(n+1) sum over k of (-1)^k (x/2)^2k / (Gamma(k + 3/2) Gamma(k + n + 3/2)). */
+/* The power series (Abramowitz and Stegun 12.1.3): (x/2)^(n+1) times the sum over k of (-1)^k
+ * (x/2)^2k / (Gamma(k + 3/2) Gamma(k + n + 3/2)). */
 static double series(int n, double x) {
   const long double half = 0.5L * (long double)x, square = half * half;
   const long double pi = 3.14159265358979323846264338327950288L;
-  long double term = 4.0L / pi * half; /* the first for n = 0 */
+  long double term = 4.0L / pi * half; /* the first term for n = 0 */
   for (int j = 1; j <= n; ++j)
     term *= half / ((long double)j + 0.5L);
   long double sum = 0.0L;
@@ -51,7 +53,8 @@ static double series(int n, double x) {
   return (double)sum;
 }
 
-/* The integral of exp(-s) (1 + s^2/x^2)^(n - 1/2) over s > 0, n 0 or 1. */
+/* The integral of exp(-s) (1 + s^2/x^2)^(n - 1/2) over s > 0 (Abramowitz and Stegun 12.1.8), n = 0
+ * or 1. */
 static double laplace(int n, double x) {
   double sum = 0.0;
   for (int i = 0; i < LAGUERRE_COUNT; ++i) {
@@ -61,43 +64,47 @@ static double laplace(int n, double x) {
   return sum;
 }
 
-/* By the recurrence f_2 = 2 f_1/x + 2 x/(3 pi) - f_0, where the middle term dominates. */
+/* The order 2 by the recurrence f_2 = 2 f_1/x + 2 x/(3 pi) - f_0, whose middle term dominates, so
+ * that it does not cancel. */
 static double second_order(double f0, double f1, double x) {
   return 2.0 * f1 / x + 2.0 / (3.0 * M_PI) * x - f0;
 }
 
-static double beyond_series(int n, double x) {
+static double integral_difference(int n, double x) {
   if (n == 0)
     return 2.0 / (M_PI * x) * laplace(0, x);
   if (n == 1)
     return 2.0 / M_PI * laplace(1, x);
-  return second_order(beyond_series(0, x), beyond_series(1, x), x);
+  return second_order(integral_difference(0, x), integral_difference(1, x), x);
 }
 
-/* Where Hankel's expansion is exact to rounding: its least term is exp(-2x) there. */
+/* Hankel's expansion is exact to rounding from this x on: its smallest term is exp(-2x). */
 static const double HANKEL_BEGIN = 25.0;
 
-/* Y_n(x), n 0 or 1, at a large x. Given: the phase, x less a multiple of 2 pi. */
+/* Y_n(x) for n = 0 or 1 at large x by Hankel's expansion (Abramowitz and Stegun 9.2.6). Given:
+ * phase, x minus a multiple of 2 pi. */
 static double hankel(int n, double x, double phase) {
-  double even = 0.0, odd = 0.0, term = 1.0; /* the term of order k, its sign taken apart */
+  double even = 0.0, odd = 0.0, term = 1.0; /* `term` is the modulus of the term of order k */
   const double order = 4.0 * n * n;
   for (int k = 0; fabs(term) > 0.25 * DBL_EPSILON; ++k) {
     *(k % 2 ? &odd : &even) += k % 4 < 2 ? term : -term;
     term *= (order - (2.0 * k + 1.0) * (2.0 * k + 1.0)) / (8.0 * (k + 1.0) * x);
   }
-  const double s = sin(phase), c = cos(phase); /* of x - pi/4, and of x - 3 pi/4 */
+  const double s = sin(phase), c = cos(phase); /* sqrt(2) times the sine and cosine of x - pi/4 (n =
+                                                  0) or x - 3 pi/4 (n = 1) */
   const double sine = n == 0 ? s - c : -s - c, cosine = n == 0 ? s + c : s - c;
   return (even * sine + odd * cosine) / sqrt(M_PI * x);
 }
 
-/* Y_n(x): GSL's would end in its error handler at an argument near 0, or beyond 4e15. */
+/* Y_n(x). GSL reports an error for arguments close to 0 and beyond 4e15, so those are computed
+ * here. */
 static double bessel(int n, double x, double phase) {
   if (x >= HANKEL_BEGIN && n < 2)
     return hankel(n, x, phase);
   if (n == 2)
     return 2.0 * bessel(1, x, phase) / x - bessel(0, x, phase);
   if (n == 1 && x < DBL_MIN / DBL_EPSILON)
-    return -2.0 / (M_PI * x); /* the first term of the series: the others are lost in it */
+    return -2.0 / (M_PI * x); /* the first term of the series; the others are below its rounding */
   gsl_sf_result y;
   return (n == 0 ? gsl_sf_bessel_Y0_e(x, &y) : gsl_sf_bessel_Y1_e(x, &y)) ? NAN : y.val;
 }
@@ -111,7 +118,7 @@ static double struve(int n, double x, double phase) {
     return n == 0 ? 0.0 : n == 1 ? 2.0 / M_PI : INFINITY;
   if (n == 2)
     return second_order(struve(0, x, phase), struve(1, x, phase), x);
-  return beyond_series(n, x) + bessel(n, x, phase);
+  return integral_difference(n, x) + bessel(n, x, phase);
 }
 
 double po_struve(int n, double x) {
@@ -131,5 +138,5 @@ double po_struve_minus_bessel(int n, double x) {
     return INFINITY;
   if (x <= SERIES_END)
     return series(n, x) - bessel(n, x, x);
-  return beyond_series(n, x);
+  return integral_difference(n, x);
 }

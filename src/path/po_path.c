@@ -68,5 +68,5 @@ po_path_place po_path_where(const po_path *path, size_t index, po_path_axis axis
 double po_path_work(const po_path *path, size_t index, double from, double to) {
   cubic approach, load;
   cubics(path, index, &approach, &load);
-  return po_hermite_work(&load, &approach, from, to);
+  return po_hermite_integral(&load, &approach, from, to);
 }
