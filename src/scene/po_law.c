@@ -9,9 +9,10 @@ po_law po_law_at(double gap) {
   return (po_law){.traction = -8.0 / 3.0 * (x3 - x9), .slope = 8.0 * x * (x3 - 3.0 * x9)};
 }
 
+/* The highest Legendre polynomial that the slope of the averaged law contains: P_9. */
 enum { DEGREE = 9 };
 
-/* Legendre polynomials at z >= 1, where their recurrence is stable upwards. */
+/* The Legendre polynomials P_0 to P_9 at z >= 1, where the upward recurrence is stable. */
 static void fill_legendre(double z, double legendre[DEGREE + 1]) {
   legendre[0] = 1.0;
   legendre[1] = z;

@@ -31,10 +31,11 @@ static po_status check(const po_physical *p) {
   return status;
 }
 
-/* A group that was not 0 must not have become so, nor lost digits, nor left the doubles. */
+/* Refuses a group that has underflowed to a subnormal number or 0, or has overflowed. */
 static po_status check_group(const char *name, double value) {
   return require(isfinite(value) && value >= DBL_MIN, name, value,
-                 "a number a double holds; the given sizes are too far apart");
+                 "a number within the range of doubles; the given sizes differ by too many orders "
+                 "of magnitude");
 }
 
 po_status po_physical_scene(const po_physical *physical, po_scene *scene) {

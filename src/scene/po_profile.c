@@ -3,14 +3,15 @@
 #include <float.h>
 #include <math.h>
 
-/* What the load may lose where single waves are replaced by their mean. */
+/* The allowed error of the load, in pi w R, where the waviness is replaced by its mean: a
+ * thousandth of the default tolerance. */
 static const double AVERAGING_LOSS = 1e-9;
 
 double po_profile(const po_scene *scene, double r) {
   double gap = 0.5 * r * r / scene->radius;
   if (po_scene_is_wavy(scene)) {
     const double half =
-        sin(M_PI * r / scene->wavelength); /* 1 - cos(2x) = 2 sin^2 x: no cancelling */
+        sin(M_PI * r / scene->wavelength); /* 1 - cos(2x) = 2 sin^2 x does not cancel */
     gap += 2.0 * scene->amplitude * half * half;
   }
   return gap;
@@ -32,17 +33,19 @@ double po_averaging_phase(const po_scene *scene, double r) {
   if (!po_scene_is_wavy(scene))
     return r;
   const double half = 0.5 * scene->wavelength;
-  return r < half / DBL_EPSILON ? half * ceil(r / half) : r; /* shorter waves than r can tell */
+  /* beyond half / DBL_EPSILON, the rounding of r exceeds half the wavelength */
+  return r < half / DBL_EPSILON ? half * ceil(r / half) : r;
 }
 
 double po_averaging_radius(const po_scene *scene, double from) {
   if (!po_scene_is_wavy(scene))
     return from;
-  /* The integrand is (16/(3R)) g^-3 r with g = r^2/(2R): its slope is at most 7 g^-3, of which a
-   * part of 3 A/g oscillates when A is small against g. */
+  /* The integrand of Eq 17 is (16/(3R)) g^-3 r with g = r^2/(2R), and its slope is at most 7
+   * (16/(3R)) g^-3. For amplitudes that are small against g, a fraction 3 A/g of it oscillates. */
   const double per_2pi = scene->wavelength / (2.0 * M_PI);
   const double scale = 7.0 * 16.0 / (3.0 * scene->radius) * per_2pi * per_2pi;
-  /* The gap from where on scale min(1, 3A/gap) < loss gap^3; then the next whole wave. */
+  /* The gap from which on scale * min(1, 3 A/gap) < AVERAGING_LOSS * gap^3; then the next whole
+   * wavelength. */
   const double cubed = scale / AVERAGING_LOSS;
   const double gap = fmin(cbrt(cubed), sqrt(sqrt(3.0 * scene->amplitude * cubed)));
   const double waves = ceil((sqrt(2.0 * scene->radius * gap) - from) / scene->wavelength);

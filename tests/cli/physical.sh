@@ -105,7 +105,7 @@ for verb in solve 'theory jkr'; do
   expect 2 'pulloff: --from-physical lacks --work-j-per-m2, --radius-m' $verb --from-physical --modulus-pa 1e9 --distance-m 1e-9
   expect 2 'pulloff: --distance-m is 0: expected a finite number > 0' $verb --distance-m 0
   expect 2 'pulloff: --modulus-pa is -1: expected a finite number > 0, or inf' $verb --modulus-pa -1
-  expect 2 'pulloff: the Tabor parameter is inf: expected a number a double holds; *' $verb --from-physical \
+  expect 2 'pulloff: the Tabor parameter is inf: expected a number within the range of doubles; *' $verb --from-physical \
     --modulus-pa 1e-300 --work-j-per-m2 1e300 --distance-m 1e-300 --radius-m 1e300
 done
 expect 2 'pulloff: --amplitude-m is given without --wavelength-m: expected both' solve $body --amplitude-m 1e-9
