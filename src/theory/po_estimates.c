@@ -5,13 +5,14 @@
 
 #include "po_root.h"
 
-/* A smooth sphere needs no wavelength. */
+/* Returned: whether radius, amplitude and wavelength are valid; a smooth sphere needs no
+ * wavelength. */
 static bool is_inside(const po_scene *scene) {
   return scene->radius > 0.0 &&
          (scene->amplitude == 0.0 || (scene->amplitude > 0.0 && scene->wavelength > 0.0));
 }
 
-/* A/lambda, 0 when smooth. */
+/* Returned: A/lambda; 0 for a smooth sphere; NaN outside the domain. */
 static double steepness(const po_scene *scene) {
   if (!is_inside(scene))
     return NAN;
@@ -33,10 +34,10 @@ double po_kesari_lew_work(const po_scene *scene) {
 }
 
 po_contact po_kesari_lew_edge(const po_scene *scene, double contact_radius, int side) {
-  const double swing = 1.0 / (sqrt(M_PI) * po_johnson_parameter(scene));
-  if (!(contact_radius >= 0.0) || isnan(swing))
+  const double relative_change = 1.0 / (sqrt(M_PI) * po_johnson_parameter(scene));
+  if (!(contact_radius >= 0.0) || isnan(relative_change))
     return (po_contact){NAN, NAN, NAN};
-  const double factor = side < 0 ? 1.0 + swing : 1.0 - swing;
+  const double factor = side < 0 ? 1.0 + relative_change : 1.0 - relative_change;
   const double a = contact_radius / po_scene_gamma(scene), cube = a * a * a;
   return (po_contact){.load = 4.0 / (3.0 * M_PI) * cube - factor * sqrt(8.0 / M_PI * cube),
                       .approach =
@@ -66,21 +67,23 @@ double po_persson_tosatti_work_with_area(const po_scene *scene) {
 double po_rumpf_rabinowicz_ratio(double alpha, double radius) {
   if (!(alpha >= 0.0 && radius > 0.0))
     return NAN;
-  const double crests = 4.0 * M_PI * M_PI * alpha, plane = 1.0 / (1.0 + radius / crests);
-  return 1.0 / (1.0 + crests) + plane * plane;
+  const double curvature = 4.0 * M_PI * M_PI * alpha, second = 1.0 / (1.0 + radius / curvature);
+  return 1.0 / (1.0 + curvature) + second * second;
 }
 
 double po_rumpf_rabinowicz_force(double alpha, double radius) {
   return 2.0 * po_rumpf_rabinowicz_ratio(alpha, radius);
 }
 
+/* The zeros of this function are the extrema of sin(x)/x: x^2 times its derivative, negated. */
 static double sinc_slope(double x, const void *unused) {
   (void)unused;
   return sin(x) - x * cos(x);
 }
 
 double po_compactness_bound(void) {
-  const double x = po_root(sinc_slope, NULL, M_PI, 2.0 * M_PI); /* the first tan x = x */
+  /* the first minimum of sin(x)/x, where tan x = x */
+  const double x = po_root(sinc_slope, NULL, M_PI, 2.0 * M_PI);
   return -4.0 * M_PI * M_PI * sin(x) / x;
 }
 
@@ -107,7 +110,7 @@ double po_lennard_jones_traction(double gap) {
   if (!(gap > -1.0))
     return NAN;
   const double x = 1.0 / (1.0 + gap);
-  return 8.0 / 3.0 * x * x * x * expm1(-6.0 * log1p(gap)); /* x^9 - x^3, without cancelling */
+  return 8.0 / 3.0 * x * x * x * expm1(-6.0 * log1p(gap)); /* x^9 - x^3 without cancellation */
 }
 
 double po_lennard_jones_peak_tension(void) {

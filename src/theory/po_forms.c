@@ -11,7 +11,7 @@ static void put(po_form_values *values, po_form_unit unit, const char *name, dou
   values->items[values->count++] = (po_form_value){name, unit, value, false};
 }
 
-/* What has no bound for a smooth sphere. */
+/* Appends a value that is infinite in the limit of a smooth sphere. */
 static void put_limit(const po_form_input *in, po_form_values *v, po_form_unit unit,
                       const char *name, double value) {
   put(v, unit, name, value);

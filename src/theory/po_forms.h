@@ -1,4 +1,4 @@
-/* The closed forms by name: what each needs, and the numbers it gives. */
+/* The closed forms by name: the input that each needs, and the numbers that it returns. */
 #ifndef PO_FORMS_H
 #define PO_FORMS_H
 
@@ -7,16 +7,16 @@
 
 #include "po_scene.h"
 
-/* What a form is asked of. */
+/* The input of a closed form. */
 typedef struct {
   po_scene scene;
-  double alpha; /* A R/lambda^2, given or of the scene; NAN: neither */
-  double at;    /* the value of its variable; NAN: not given */
+  double alpha; /* A R/lambda^2, given or computed from the scene; NAN: neither */
+  double at;    /* the value of the variable of the form; NAN: not given */
 } po_form_input;
 
-/* What a number is in units of. */
+/* The unit of a number. */
 typedef enum {
-  PO_FORM_PURE,    /* nothing */
+  PO_FORM_PURE,    /* dimensionless */
   PO_FORM_LENGTH,  /* eps */
   PO_FORM_FORCE,   /* pi w R */
   PO_FORM_WORK,    /* w */
@@ -24,10 +24,10 @@ typedef enum {
 } po_form_unit;
 
 typedef struct {
-  const char *name; /* "pull_off_force"... */
+  const char *name; /* for example "pull_off_force" */
   po_form_unit unit;
-  double value;         /* NAN or infinite where the numbers leave the range of doubles */
-  bool may_be_infinite; /* that is the number */
+  double value;         /* NAN or infinite outside the range of doubles */
+  bool may_be_infinite; /* an infinite value is the correct limit, not an overflow */
 } po_form_value;
 
 enum { PO_FORM_MOST_VALUES = 12 };
@@ -37,7 +37,7 @@ typedef struct {
   size_t count;
 } po_form_values;
 
-/* The variable along which a form is a curve. */
+/* The variable of a form that is a curve. */
 typedef enum {
   PO_FORM_AT_NOTHING,
   PO_FORM_AT_APPROACH,       /* < 1, eps */
@@ -46,38 +46,41 @@ typedef enum {
 } po_form_variable;
 
 enum {
-  PO_NEEDS_WAVES = 1, /* amplitude and wavelength; an amplitude of 0 is enough */
-  PO_NEEDS_ALPHA = 2, /* or, these two */
+  PO_NEEDS_WAVES =
+      1, /* amplitude and wavelength; the wavelength is not needed if the amplitude is 0 */
+  PO_NEEDS_ALPHA = 2, /* alpha, or amplitude and wavelength */
   PO_NEEDS_AMPLITUDE = 4,
   PO_NEEDS_ELASTIC = 8 /* a Tabor parameter above 0 */
 };
 
-/* What a form depends on beside its variable; anything else would change nothing. */
+/* The keys of the scene on which a form depends, besides its variable. The command line refuses
+ * other keys. */
 enum {
   PO_TAKES_TABOR = 1,
   PO_TAKES_AMPLITUDE = 2,
   PO_TAKES_WAVELENGTH = 4,
   PO_TAKES_RADIUS = 8,
-  PO_TAKES_ALPHA = 16 /* in place of the wavelength */
+  PO_TAKES_ALPHA = 16 /* alpha in place of the wavelength */
 };
 
-/* Both functions append. Source and accuracy of each number: at the function of this room that
- * computes it. */
+/* A closed form. Both functions append to `values`. Source and accuracy of each number are stated
+ * at the function of this folder that computes it. */
 typedef struct {
   const char *name;
   void (*fixed)(const po_form_input *input, po_form_values *values);
-  void (*along)(const po_form_input *input, po_form_values *values); /* at input->at; or NULL */
+  /* appends the values at input->at; NULL if the form has no variable */
+  void (*along)(const po_form_input *input, po_form_values *values);
   po_form_variable variable;
   unsigned needs, takes;
 } po_form;
 
-/* The form of that name, or NULL. */
+/* Returned: the form with this name, or NULL. */
 const po_form *po_form_find(const char *name);
 
-/* "bradley, rigid, ... or lennard-jones". */
+/* The names of all forms as a list for messages: "bradley, rigid, ... or lennard-jones". */
 extern const char *const PO_FORM_NAMES;
 
-/* "approach", "contact_radius", "gap"; "" for nothing. */
+/* Returned: "approach", "contact_radius" or "gap"; "" for PO_FORM_AT_NOTHING. */
 const char *po_form_variable_name(po_form_variable variable);
 
 #endif

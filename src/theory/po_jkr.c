@@ -5,14 +5,14 @@
 po_contact po_jkr_at(const po_scene *scene, double contact_radius) {
   if (!(scene->tabor > 0.0 && scene->radius > 0.0 && contact_radius >= 0.0))
     return (po_contact){NAN, NAN, NAN};
-  /* Eqs 7 and 8 with a / Gamma = (2 pi beta)^(1/3) a / lambda */
+  /* Eq 7 and Eq 8 with a/Gamma = (2 pi beta)^(1/3) a/lambda */
   const double a = contact_radius / po_scene_gamma(scene), cube = a * a * a;
   return (po_contact){.load = 4.0 / (3.0 * M_PI) * cube - sqrt(8.0 / M_PI * cube),
                       .approach = scene->tabor * (a * a - sqrt(2.0 * M_PI * a)),
                       .contact_radius = contact_radius};
 }
 
-/* dW/da = 0 at (a/Gamma)^3 = 9 pi/8, d(approach)/da = 0 at pi/8. */
+/* dW/da = 0 at (a/Gamma)^3 = 9 pi/8; dDelta/da = 0 at (a/Gamma)^3 = pi/8. */
 po_contact po_jkr_pull_off(const po_scene *scene) {
   return po_jkr_at(scene, cbrt(9.0 * M_PI / 8.0) * po_scene_gamma(scene));
 }

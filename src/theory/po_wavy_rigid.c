@@ -7,27 +7,27 @@
 #include "po_quadrature.h"
 #include "po_root.h"
 
-enum {
-  POINTS = 16, /* of the Gauss rule on a panel of length at most 1 in t */
-  DIRECT_WAVES =
-      128,          /* one by one; the next Euler-Maclaurin term is below 1e-10 of the load then */
-  SCAN_POINTS = 160 /* of ln(1 - approach): 2 to 3 per cent apart */
-};
+/* POINTS: points of the Gauss rule on a panel, whose length in t is at most 1. DIRECT_WAVES:
+ * wavelengths that are integrated one by one; the first neglected term of the Euler-Maclaurin
+ * formula is then below 1e-10 of the load. SCAN_POINTS: intervals, equal in ln(1 - approach), of
+ * the search for the pull-off; neighbouring values of 1 - approach differ by 2 to 3 per cent. */
+enum { POINTS = 16, DIRECT_WAVES = 128, SCAN_POINTS = 160 };
 
-/* y = 1 + H = x + c s^2 + A (1 - cos phi) at s = 2 pi nu + phi. */
+/* Eq 21 as y = 1 + H = x + c s^2 + A (1 - cos phi) with s = theta = 2 pi nu + phi; nu is the number
+ * of the wavelength. */
 typedef struct {
   double x, c, amplitude;
   double node[POINTS], weight[POINTS];
 } wave_field;
 
-/* Integrals over phi of one wave. */
+/* Integrals over phi of one wavelength, with the law l(y) = y^-3 - y^-9 of Eq 22. */
 typedef struct {
-  double load;       /* of s l(y), l = y^-3 - y^-9 */
-  double load_slope; /* of d(s l)/ds */
-  double rate;       /* of s l'(y) */
-  double rate_slope;
-  double beyond;      /* of e(y)/(2c)/(2 pi), e' = -l: all waves from nu on */
-  double beyond_rate; /* of -l(y)/(2c)/(2 pi) */
+  double load;        /* of s l(y) */
+  double load_slope;  /* of d(s l)/ds */
+  double rate;        /* of s l'(y) */
+  double rate_slope;  /* of d(s l')/ds */
+  double beyond;      /* of e(y)/(4 pi c), e' = -l: the integral of all wavelengths from nu on */
+  double beyond_rate; /* of -l(y)/(4 pi c): its derivative */
 } wave_sums;
 
 static void add_point(const wave_field *f, double nu, double phi, double weight, wave_sums *sums) {
@@ -36,20 +36,21 @@ static void add_point(const wave_field *f, double nu, double phi, double weight,
   const double v = 1.0 / y, v2 = v * v, v3 = v2 * v, v6 = v3 * v3;
   const double law = v3 * (1.0 - v6), first = -3.0 * v2 * v2 * (1.0 - 3.0 * v6);
   const double second = 12.0 * v2 * v3 - 90.0 * v6 * v3 * v2;
-  const double turn = 2.0 * f->c * s * s;
+  const double s_dy_ds = 2.0 * f->c * s * s;
   sums->load += weight * s * law;
-  sums->load_slope += weight * (law + turn * first);
+  sums->load_slope += weight * (law + s_dy_ds * first);
   sums->rate += weight * s * first;
-  sums->rate_slope += weight * (first + turn * second);
+  sums->rate_slope += weight * (first + s_dy_ds * second);
   sums->beyond += weight * (0.5 * v2 - 0.125 * v6 * v2) / (4.0 * M_PI * f->c);
   sums->beyond_rate -= weight * law / (4.0 * M_PI * f->c);
 }
 
-/* Farther than this in t no crest is felt: y grows as exp(2t), so that the integrands fall at least
- * as exp(-3t). It bounds the work of steep crests, whose width is a small part of the wave. */
+/* The integration over t ends at this distance: y grows as exp(2t), so that the integrands decrease
+ * at least as exp(-3t). The limit bounds the work for steep crests, whose width is a small fraction
+ * of the wavelength. */
 static const double FARTHEST = 16.0;
 
-/* From `crest` to `end`, with phi = crest + width sinh(t). */
+/* Adds the integrals from `crest` to `end`, with the substitution phi = crest + width sinh(t). */
 static void add_side(const wave_field *f, double nu, double crest, double end, double width,
                      wave_sums *sums) {
   const double whole = asinh((end - crest) / width);
@@ -63,7 +64,7 @@ static void add_side(const wave_field *f, double nu, double crest, double end, d
     }
 }
 
-/* The wave around s = 2 pi nu; for nu = 0 its outer half. */
+/* The integrals over the wavelength centred at s = 2 pi nu; for nu = 0 over its outer half. */
 static wave_sums wave(const wave_field *f, double nu) {
   wave_sums sums = {0};
   const double slope = 4.0 * M_PI * f->c * nu;
@@ -84,7 +85,8 @@ static void integrate(double amplitude, double alpha, double approach, double *l
   *load = *rate = NAN;
   if (po_gauss_rule(POINTS, f.node, f.weight))
     return;
-  /* sum over n >= N of I(n) = integral from N - 1/2 of I + I'(N - 1/2)/24 - ..., ds = 2 pi dnu */
+  /* Euler-Maclaurin formula: sum over n >= N of I(n) = integral of I from N - 1/2 + I'(N - 1/2)/24
+   * - ..., ds = 2 pi dnu */
   const wave_sums tail = wave(&f, DIRECT_WAVES - 0.5);
   double sum = tail.beyond + 2.0 * M_PI / 24.0 * tail.load_slope;
   double sum_rate = tail.beyond_rate + 2.0 * M_PI / 24.0 * tail.rate_slope;
@@ -93,7 +95,7 @@ static void integrate(double amplitude, double alpha, double approach, double *l
     sum += sums.load;
     sum_rate += sums.rate;
   }
-  *load = -32.0 / 3.0 * f.c * sum; /* 4 A/(3 pi^2 alpha) = 32 c/3 */
+  *load = -32.0 / 3.0 * f.c * sum; /* the factor of Eq 22: 4 A/(3 pi^2 alpha) = 32 c/3 */
   *rate = 32.0 / 3.0 * f.c * sum_rate;
 }
 
@@ -120,10 +122,10 @@ double po_wavy_rigid_rate(double amplitude, double alpha, double approach) {
 
 typedef struct {
   double amplitude, alpha;
-} shape;
+} scene_numbers;
 
 static double rate_at(double approach, const void *data) {
-  const shape *s = data;
+  const scene_numbers *s = data;
   return po_wavy_rigid_rate(s->amplitude, s->alpha, approach);
 }
 
@@ -133,11 +135,12 @@ po_rigid_pull_off po_wavy_rigid_pull_off(double amplitude, double alpha) {
   po_rigid_pull_off best = {NAN, NAN};
   if (!is_inside(amplitude, alpha, 0.0))
     return best;
-  /* Below `least` the repulsion of the first crest alone exceeds all attraction; above 3^(1/6)
-   * every tension falls with distance: the minimum lies between. */
+  /* The minimum lies between these values of x = 1 - approach: below `least` the repulsion of the
+   * first crest alone exceeds all attraction; above 3^(1/6) (text after Eq 9) the tension decreases
+   * with the gap everywhere. */
   const double least = pow(4.0 * (1.0 + 4.0 * M_PI * M_PI * alpha), -1.0 / 6.0);
   const double most = 1.01 * sqrt(cbrt(3.0)), ratio = pow(most / least, 1.0 / SCAN_POINTS);
-  const shape data = {amplitude, alpha};
+  const scene_numbers data = {amplitude, alpha};
   double x = most, right = 1.0 - x, right_rate = rate_at(right, &data);
   for (int i = 0; i < SCAN_POINTS; ++i) {
     const double left = right, left_rate = right_rate;
