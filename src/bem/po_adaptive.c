@@ -12,8 +12,8 @@ struct po_adaptive {
   bool unbounded, wavy;
   po_panels panels, before;
   po_surface surface;
-  double *spare;           /* the matrix of the next mesh */
-  size_t room, spare_room; /* of the matrices, in numbers */
+  double *spare;           /* memory for the influence matrix of the next mesh */
+  size_t room, spare_room; /* allocated sizes of the two matrices, in elements */
 };
 
 static size_t nodes_of(const po_adaptive *a, const po_panels *panels) {
@@ -74,7 +74,7 @@ void po_adaptive_destroy(po_adaptive *a) {
   free(a);
 }
 
-/* Whether `node` are the nodes of a panel, to rounding. */
+/* Returned: whether `node` are the nodes of a panel to rounding. */
 static bool has_nodes(const po_adaptive *a, po_panel panel, const double *node) {
   const double begin = a->domain * po_panel_begin(panel), size = a->domain * po_panel_size(panel);
   for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
@@ -98,7 +98,7 @@ po_status po_adaptive_panels_of(const po_adaptive *a, size_t n, const double *no
   }
   return panels->count * PO_TABLE_ORDER == n
              ? PO_OK
-             : po_fail(PO_BAD_INPUT, "radii that are not those of panels");
+             : po_fail(PO_BAD_INPUT, "the radii are not the nodes of panels");
 }
 
 static po_panel_span panel_of(const po_adaptive *a, const po_panels *panels, size_t k) {
@@ -117,19 +117,20 @@ static void place_nodes(po_adaptive *a) {
                    s->weight + k * PO_TABLE_ORDER, s->length + k * PO_TABLE_ORDER);
 }
 
-/* Where each panel of the mesh was in the mesh before: its place, or SIZE_MAX. */
-static void match_panels(const po_adaptive *a, size_t *was) {
+/* Finds for each panel its index in the mesh before, or SIZE_MAX if it is new. */
+static void match_panels(const po_adaptive *a, size_t *old_index) {
   size_t old = 0;
   for (size_t k = 0; k < a->panels.count; ++k) {
     const po_panel panel = a->panels.panel[k];
     while (old < a->before.count && po_panel_end(a->before.panel[old]) <= po_panel_begin(panel))
       ++old;
-    was[k] = old < a->before.count && po_panel_equal(a->before.panel[old], panel) ? old : SIZE_MAX;
+    old_index[k] =
+        old < a->before.count && po_panel_equal(a->before.panel[old], panel) ? old : SIZE_MAX;
   }
-  was[a->panels.count] =
-      a->before.count; /* the panel to infinity stays; unless there was no mesh */
+  /* the panel to infinity is in every mesh; before the first mesh there is none */
+  old_index[a->panels.count] = a->before.count;
   if (a->before.count == 0)
-    was[a->panels.count] = SIZE_MAX;
+    old_index[a->panels.count] = SIZE_MAX;
 }
 
 static void copy_block(const double *from, size_t from_stride, double *to, size_t to_stride) {
@@ -159,18 +160,18 @@ po_status po_adaptive_mesh(po_adaptive *a, const po_panels *panels) {
   if (!a->spare)
     return PO_NO_MEMORY;
   const size_t old_n = a->surface.n;
-  size_t was[PO_MOST_PANELS + 1];
+  size_t old_index[PO_MOST_PANELS + 1];
   a->before = a->panels;
   a->panels = *panels;
   place_nodes(a);
-  match_panels(a, was);
+  match_panels(a, old_index);
   const size_t n = a->surface.n, panel_count = n / PO_TABLE_ORDER;
   for (size_t source = 0; source < panel_count; ++source)
     for (size_t target = 0; target < panel_count; ++target) {
       double *to = a->spare + target * PO_TABLE_ORDER + n * source * PO_TABLE_ORDER;
-      if (was[target] != SIZE_MAX && was[source] != SIZE_MAX)
-        copy_block(a->surface.influence + was[target] * PO_TABLE_ORDER +
-                       old_n * was[source] * PO_TABLE_ORDER,
+      if (old_index[target] != SIZE_MAX && old_index[source] != SIZE_MAX)
+        copy_block(a->surface.influence + old_index[target] * PO_TABLE_ORDER +
+                       old_n * old_index[source] * PO_TABLE_ORDER,
                    old_n, to, n);
       else
         compute_block(a, target, source, to, n);
@@ -184,7 +185,7 @@ po_status po_adaptive_mesh(po_adaptive *a, const po_panels *panels) {
   return PO_OK;
 }
 
-/* Lengths go with the domain: nodes and the influence as the domain, weights as its square. */
+/* Nodes and influence coefficients scale with the domain, weights with its square. */
 void po_adaptive_resize(po_adaptive *a, double domain) {
   const double factor = domain / a->domain;
   if (factor == 1.0)

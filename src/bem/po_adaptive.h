@@ -1,5 +1,5 @@
-/* A surface of panels that can be meshed anew: graded where the traction needs it, blocks of the
- * influence matrix kept where panels stay. */
+/* An elastic surface meshed with panels that can be remeshed: the panels are graded where the
+ * traction needs it, and the blocks of the influence matrix between unchanged panels are kept. */
 #ifndef PO_ADAPTIVE_H
 #define PO_ADAPTIVE_H
 
@@ -9,30 +9,35 @@
 
 typedef struct po_adaptive po_adaptive;
 
-/* Panels on [0, domain] (eps), 2^level of them to begin with; on an unbounded scene a last one from
- * there to infinity with the waves averaged (po_averaging_phase of the domain is the domain).
- * Status: PO_NO_MEMORY. */
+/* Creates a surface with 2^level equal panels on [0, domain]. If the scene is unbounded, one more
+ * panel reaches from there to infinity and carries the law averaged over the waviness; `domain`
+ * must then be a radius from po_averaging_phase. Given: domain, eps. Status: PO_NO_MEMORY. */
 po_status po_adaptive_create(const po_scene *scene, double domain, uint32_t level,
                              po_adaptive **adaptive);
 void po_adaptive_destroy(po_adaptive *adaptive);
 
-/* The surface on the mesh in force: one object, whose content changes with the mesh. */
+/* Returned: the surface on the current mesh. The object stays the same; its content changes with
+ * the mesh. */
 const po_surface *po_adaptive_surface(const po_adaptive *adaptive);
+
+/* Returned: the panels of the current mesh, without the one to infinity; and the domain, eps. */
 const po_panels *po_adaptive_panels(const po_adaptive *adaptive);
 double po_adaptive_domain(const po_adaptive *adaptive);
 
-/* Nodes a surface may have at most: what arrays over the nodes need. */
+/* Returned: the largest number of nodes that the surface can have, for the allocation of arrays
+ * over the nodes. */
 size_t po_adaptive_capacity(const po_adaptive *adaptive);
 
-/* The panels whose nodes are the n radii (eps) inside the domain. Status: PO_BAD_INPUT when there
- * are none such. */
+/* Finds the panels to which n nodes belong. Given: node, n radii (eps) inside the domain,
+ * ascending. Status: PO_BAD_INPUT if they are not the nodes of panels. */
 po_status po_adaptive_panels_of(const po_adaptive *adaptive, size_t n, const double *node,
                                 po_panels *panels);
 
-/* Puts new panels in force. Status: PO_NO_MEMORY; nothing is changed then. */
+/* Remeshes the surface. Status: PO_OUT_OF_NODES if there are too many panels, PO_NO_MEMORY; then
+ * the surface is unchanged. */
 po_status po_adaptive_mesh(po_adaptive *adaptive, const po_panels *panels);
 
-/* Gives the domain another radius; the panels in force stay. */
+/* Changes the radius of the domain, eps; the panels keep their places relative to it. */
 void po_adaptive_resize(po_adaptive *adaptive, double domain);
 
 #endif

@@ -1,4 +1,4 @@
-/* The user's choice of a mesh: names, defaults and limits. */
+/* The mesh that the user chooses: names, defaults and limits. */
 #include <string.h>
 
 #include "po_surface.h"
@@ -7,9 +7,11 @@ static const char *const SCHEMES[] = {
     [PO_RING] = "ring", [PO_TRIANGLE] = "triangle", [PO_PANEL] = "panel"};
 static const char *const GRADINGS[] = {[PO_UNIFORM] = "uniform", [PO_GRADED] = "graded"};
 
-/* Below this, rounding; above, no mesh is coarse enough to make a difference. */
+/* Below the smallest tolerance rounding dominates; above the greatest one the coarsest mesh already
+ * meets the tolerance. */
 static const double LEAST_TOLERANCE = 1e-10, GREATEST_TOLERANCE = 1e-2;
-/* Fewer nodes resolve nothing; more would take a solve beyond 200 MB, which panels spare. */
+/* Fewer nodes do not resolve the contact; more would need over 200 MB for a solve, and panels reach
+ * the same accuracy with fewer. */
 enum { LEAST_NODES = 8, MOST_NODES = 2500 };
 
 po_mesh po_mesh_default(void) {

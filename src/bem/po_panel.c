@@ -35,14 +35,14 @@ void po_panel_nodes(const po_panel_rule *rule, po_panel_span panel, double *node
   }
 }
 
-/* The panel's variable x at radius r. */
+/* Returned: the variable x of the panel, 0 to 1 on it, at radius r. */
 static double variable_of(po_panel_span panel, double r) {
   if (isinf(panel.end))
     return r > 0.0 ? panel.begin / r : INFINITY;
   return (r - panel.begin) / (panel.end - panel.begin);
 }
 
-/* G(r, s) s ds/dx (times (x)^6 on an infinite panel) at a point of a near rule. */
+/* Returned: G(r, s) s ds/dx at a point of a near rule (on an infinite panel times x^6). */
 static double integrand(po_panel_span panel, double r, const po_near_point *point) {
   if (isinf(panel.end)) {
     const double x = point->x, s = panel.begin / x;
@@ -59,7 +59,7 @@ uint64_t po_panel_influence(const po_panel_rule *rule, po_panel_span panel, doub
   const size_t order = rule->order;
   const double x0 = variable_of(panel, r);
   double value[PO_PANEL_MAX_ORDER];
-  if (r == 0.0 || po_near_is_far(x0, order)) { /* on the axis G s = 2 */
+  if (r == 0.0 || po_near_is_far(x0, order)) { /* on the axis G s = 2 for all s */
     double node[PO_PANEL_MAX_ORDER], weight[PO_PANEL_MAX_ORDER], length[PO_PANEL_MAX_ORDER];
     po_panel_nodes(rule, panel, node, weight, length);
     po_kernel_row(r, node, order, value);
@@ -67,7 +67,8 @@ uint64_t po_panel_influence(const po_panel_rule *rule, po_panel_span panel, doub
       row[j * stride] = value[j] * weight[j];
     return order;
   }
-  /* The kernel's other singularity is at s = -r: in x twice as far from x0 as the axis is. */
+  /* The other singularity of the kernel is at s = -r: in x it is twice as far from x0 as the axis
+   * is. */
   const double mirror = isinf(panel.end) ? 2.0 * x0 : 2.0 * r / (panel.end - panel.begin);
   po_near_point point[PO_NEAR_MAX_POINTS];
   const size_t count = po_near_rule(&rule->near, x0, mirror, point);

@@ -1,7 +1,8 @@
-/* Gauss-Legendre panels: nodal tractions interpolated by a polynomial on each panel, the kernel
- * integrated against it exactly (product integration). The last panel may reach to infinity: there
- * the variable is t = begin/r in (0, 1) and the traction t^6 times a polynomial in t, the
- * Lennard-Jones decay (1 + H)^-3 with H ~ r^2. */
+/* Gauss-Legendre panels. On each panel the traction is a polynomial that interpolates the nodal
+ * values, and the product with the kernel of Eq 12 is integrated exactly (product integration). The
+ * last panel may reach to infinity: there the variable is t = begin/r in (0, 1) and the traction is
+ * t^6 times a polynomial in t, which is the decay of the Lennard-Jones traction, (1 + H)^-3 with H
+ * ~ r^2. */
 #ifndef PO_PANEL_H
 #define PO_PANEL_H
 
@@ -11,9 +12,10 @@
 #include "po_near_rule.h"
 #include "po_status.h"
 
+/* Nodes of a panel, at most. */
 enum { PO_PANEL_MAX_ORDER = 32 };
 
-/* The rule of one order; fill with po_panel_rule_fill. */
+/* The interpolation and quadrature rule of one order, filled by po_panel_rule_fill. */
 typedef struct {
   size_t order;
   double node[PO_PANEL_MAX_ORDER], weight[PO_PANEL_MAX_ORDER]; /* Gauss-Legendre on (0, 1) */
@@ -21,20 +23,22 @@ typedef struct {
   po_near_tables near;
 } po_panel_rule;
 
+/* Fills the rule. Given: order, nodes of a panel, 1 to PO_PANEL_MAX_ORDER. Status: PO_NO_MEMORY. */
 po_status po_panel_rule_fill(size_t order, po_panel_rule *rule);
 
 typedef struct {
   double begin, end; /* radii, eps; 0 <= begin < end; end may be INFINITY when begin > 0 */
 } po_panel_span;
 
-/* Nodes (ascending in r for a finite panel, descending for an infinite one), load weights
- * (sum of weight * p = integral of p r dr) and lengths (integral of dr), `order` of each. */
+/* Computes the nodes of a panel (ascending in r for a finite panel, descending for an infinite
+ * one), the load weights (sum of weight * p = integral of p r dr) and the lengths (sum of length *
+ * p = integral of p dr). Returned: `order` values of each. */
 void po_panel_nodes(const po_panel_rule *rule, po_panel_span panel, double *node, double *weight,
                     double *length);
 
-/* One row of the influence matrix: deflection at r (E* = 1) per unit nodal traction, row[j *
- * stride]. Returned: the kernel evaluations made. Accuracy: 1e-13 of the deflection
- * (tests/test_bem.c). */
+/* Computes one row of the influence matrix. Given: r, eps. Returned: row[j * stride], the
+ * deflection at r (E* = 1) per unit traction at node j; the number of evaluations of the kernel.
+ * Accuracy: 1e-13 of the deflection (tests/unit/test_bem.c). */
 uint64_t po_panel_influence(const po_panel_rule *rule, po_panel_span panel, double r, double *row,
                             size_t stride);
 

@@ -6,43 +6,45 @@
 
 #include "po_kernel.h"
 
+/* An offset of panels that are not near. */
 enum { FAR = 99 };
 
-/* How a target lies to a source: its level less the source's, and its place in units of the finer
- * of the two. */
+/* The position of a target relative to a source: the difference of their levels, and the offset of
+ * the target in units of the shorter of the two panels. */
 typedef struct {
-  int level, place;
-} shape;
+  int level, offset;
+} position;
 
-/* Itself; neighbours of equal size; of a half and a quarter; of twice and four times the size. */
-static const shape LOG_SHAPES[PO_LOG_SHAPES] = {{0, 0},  {0, -1},  {0, 1}, {1, -1},
-                                                {1, 2},  {2, -1},  {2, 4}, {-1, -2},
-                                                {-1, 1}, {-2, -4}, {-2, 1}};
-static const shape AXIS_SHAPES[PO_AXIS_SHAPES] = {{0, 0}, {0, 1}, {1, 2}, {2, 4}};
+/* The panel itself; neighbours of equal length; of one half and one quarter; of twice and four
+ * times the length. */
+static const position LOG_POSITIONS[PO_LOG_POSITIONS] = {{0, 0},  {0, -1},  {0, 1}, {1, -1},
+                                                         {1, 2},  {2, -1},  {2, 4}, {-1, -2},
+                                                         {-1, 1}, {-2, -4}, {-2, 1}};
+static const position AXIS_POSITIONS[PO_AXIS_POSITIONS] = {{0, 0}, {0, 1}, {1, 2}, {2, 4}};
 
-static shape shape_of(po_panel target, po_panel source) {
+static position position_of(po_panel target, po_panel source) {
   const int level = (int)target.level - (int)source.level;
   if (abs(level) > PO_MOST_LEVEL_STEP)
-    return (shape){level, FAR};
+    return (position){level, FAR};
   const int64_t to = (int64_t)target.index << (level < 0 ? -level : 0);
   const int64_t from = (int64_t)source.index << (level > 0 ? level : 0);
-  return (shape){level, to - from > FAR ? FAR : to - from < -FAR ? -FAR : (int)(to - from)};
+  return (position){level, to - from > FAR ? FAR : to - from < -FAR ? -FAR : (int)(to - from)};
 }
 
-static int find(const shape *shapes, int count, shape s) {
+static int find(const position *positions, int count, position s) {
   for (int k = 0; k < count; ++k)
-    if (shapes[k].level == s.level && shapes[k].place == s.place)
+    if (positions[k].level == s.level && positions[k].offset == s.offset)
       return k;
   return -1;
 }
 
-/* Place of the target's node i in the source's variable x. */
-static double node_in_source(const po_panel_rule *rule, shape s, size_t i) {
+/* Returned: the position of node i of the target in the variable x of the source. */
+static double node_in_source(const po_panel_rule *rule, position s, size_t i) {
   const double size = ldexp(1.0, -s.level), unit = fmin(size, 1.0);
-  return unit * s.place + size * rule->node[i];
+  return unit * s.offset + size * rule->node[i];
 }
 
-static void fill_logarithm(const po_panel_rule *rule, shape s, po_panel_block block) {
+static void fill_logarithm(const po_panel_rule *rule, position s, po_panel_block block) {
   static const double NO_MIRROR = 1e300;
   for (size_t i = 0; i < PO_TABLE_ORDER; ++i) {
     po_near_point point[PO_NEAR_MAX_POINTS];
@@ -67,12 +69,12 @@ static void fill_table(void) {
   table_status = po_panel_rule_fill(PO_TABLE_ORDER, &table.rule);
   if (table_status)
     return;
-  for (int k = 0; k < PO_LOG_SHAPES; ++k)
-    fill_logarithm(&table.rule, LOG_SHAPES[k], table.logarithm[k]);
-  for (int k = 0; k < PO_AXIS_SHAPES; ++k)
+  for (int k = 0; k < PO_LOG_POSITIONS; ++k)
+    fill_logarithm(&table.rule, LOG_POSITIONS[k], table.logarithm[k]);
+  for (int k = 0; k < PO_AXIS_POSITIONS; ++k)
     for (size_t i = 0; i < PO_TABLE_ORDER; ++i)
       po_panel_influence(&table.rule, (po_panel_span){0.0, 1.0},
-                         node_in_source(&table.rule, AXIS_SHAPES[k], i), table.axis[k][i], 1);
+                         node_in_source(&table.rule, AXIS_POSITIONS[k], i), table.axis[k][i], 1);
 }
 
 const po_panel_table *po_panel_table_get(void) {
@@ -80,20 +82,21 @@ const po_panel_table *po_panel_table_get(void) {
   return table_status ? NULL : &table;
 }
 
-/* G = a ln|r - s| + b times s h: the logarithm's part by its weights, the rest by Gauss's. */
+/* Computes a block near the singularity: G = a ln|r - s| + b, times s and the length of the source.
+ * The weights of the table integrate the logarithm, the Gauss rule the rest. */
 static void near_block(const po_panel_table *t, po_panel target, po_panel source, int k,
                        po_panel_block block) {
   const double begin = po_panel_begin(source), size = po_panel_size(source);
   const double from = po_panel_begin(target), reach = po_panel_size(target), log_size = log(size);
   for (size_t i = 0; i < PO_TABLE_ORDER; ++i) {
     const double r = from + reach * t->rule.node[i];
-    const double x0 = node_in_source(&t->rule, shape_of(target, source), i);
+    const double x0 = node_in_source(&t->rule, position_of(target, source), i);
     for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
       const double x = t->rule.node[j], s = begin + size * x, distance = size * fabs(x0 - x);
-      const double domain = 2.0 * sqrt(r * s);
+      const double geometric = 2.0 * sqrt(r * s);
       const double sum = r + s;
-      /* 1/agm(sum, domain) = kernel/2 with the difference `domain` */
-      const double a = -2.0 / M_PI * po_kernel(sum, domain);
+      /* 1/agm(sum, geometric) = po_kernel/2, with `geometric` in place of the difference */
+      const double a = -2.0 / M_PI * po_kernel(sum, geometric);
       const double b = distance > 0.0 ? po_kernel(sum, distance) - a * log(distance)
                                       : 2.0 * log(8.0 * r) / (M_PI * r);
       const double log_weight = t->logarithm[k][i][j] + log_size * t->rule.weight[j];
@@ -120,18 +123,18 @@ static void far_block(const po_panel_table *t, po_panel target, po_panel source,
 
 void po_panel_table_block(const po_panel_table *t, po_panel target, po_panel source,
                           po_panel_block block) {
-  const shape s = shape_of(target, source);
+  const position s = position_of(target, source);
   if (source.index == 0) {
-    const int k = find(AXIS_SHAPES, PO_AXIS_SHAPES, s);
+    const int k = find(AXIS_POSITIONS, PO_AXIS_POSITIONS, s);
     const double size = po_panel_end(source);
-    if (k >= 0) { /* the kernel scales as 1/length, s ds as its square */
+    if (k >= 0) { /* the kernel scales as 1/length and s ds as its square */
       for (size_t i = 0; i < PO_TABLE_ORDER; ++i)
         for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
           block[i][j] = size * t->axis[k][i][j];
       return;
     }
   } else {
-    const int k = find(LOG_SHAPES, PO_LOG_SHAPES, s);
+    const int k = find(LOG_POSITIONS, PO_LOG_POSITIONS, s);
     if (k >= 0) {
       near_block(t, target, source, k, block);
       return;

@@ -24,8 +24,8 @@ size_t po_panels_find(const po_panels *panels, double x) {
   return low;
 }
 
-/* Marks panels too coarse for what a neighbour is about to become. Returned: whether any was
- * marked. */
+/* Marks the panels that would be too coarse beside a neighbour that is to be split. Returned:
+ * whether a panel was marked. */
 static bool mark_neighbours(const po_panels *panels, bool *split) {
   bool marked = false;
   for (size_t k = 0; k + 1 < panels->count; ++k) {
@@ -85,8 +85,8 @@ bool po_panels_build(po_panels *panels, bool (*too_large)(void *data, po_panel p
   }
 }
 
-/* Whether panels k and k + 1 are siblings whose parent would not be too coarse for its neighbours.
- */
+/* Returned: whether panels k and k + 1 are siblings whose parent would not be too coarse for its
+ * neighbours. */
 static bool can_join(const po_panels *panels, size_t k) {
   const po_panel a = panels->panel[k], b = panels->panel[k + 1];
   if (a.level == 0 || a.level != b.level || a.index % 2 != 0 || b.index != a.index + 1)
@@ -101,8 +101,7 @@ size_t po_panels_join(po_panels *panels, const bool *join) {
   size_t joined = 0, to = 0;
   po_panels result = *panels;
   for (size_t k = 0; k < panels->count; ++k) {
-    /* the neighbour to the left may itself just have been joined: it is then coarser, which is fine
-     */
+    /* the left neighbour may have been joined in this loop: it is then coarser, which is allowed */
     if (k + 1 < panels->count && join[k] && join[k + 1] && can_join(panels, k)) {
       const po_panel a = panels->panel[k];
       result.panel[to++] = (po_panel){a.level - 1, a.index / 2};

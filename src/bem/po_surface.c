@@ -10,22 +10,25 @@
 #include "po_panel.h"
 #include "po_profile.h"
 
+/* Nodes of a panel on one wavelength, and of the panel that reaches to infinity. */
 enum { WAVE_ORDER = 12, TAIL_ORDER = 16 };
-/* Those of the largest core and 64 waves: a matrix of 90 MB. Without a matrix, some 10 MB. */
+/* Limits of the number of nodes: the largest core and 64 wavelengths give an influence matrix of 90
+ * MB; without a matrix the limit corresponds to about 10 MB. */
 static const double MOST_NODES = 3300, MOST_RIGID_NODES = 3e5;
 
-/* Of a wave: with fewer than two nodes in each the mesh sees other waves than there are. */
+/* The longest element, relative to the wavelength: with fewer than two elements in a wavelength the
+ * mesh represents a different waviness (aliasing). */
 static const double LONGEST_ELEMENT = 0.5;
 
-/* A graded mesh has its nodes at r_max sinh(GRADING x)/sinh(GRADING), x equally spaced: the
- * elements at the axis are 0.3 times, those at the edge three times as long as equal ones. */
+/* The nodes of a graded mesh are at r_max sinh(GRADING x)/sinh(GRADING) with x equally spaced: the
+ * elements at the axis are 0.3 times, those at the edge three times as long as uniform ones. */
 static const double GRADING = 3.0;
 
-/* Beyond the core the bodies must be well apart
- * (undeformed gap of 20 eps and more) up to the deepest approach. Pull-off happens before the JKR
- * contact radius at zero load, 2.42 Gamma (W = 0 in Eq 7), grown by the greatest enhancement of the
- * effective work of adhesion that Eq 24 would allow, w_eff^(1/3) each, bounded where internal
- * cracks end it (A / lambda ~ 0.1 and w_eff ~ 8 in the paper's Fig 11). */
+/* Beyond the core the bodies must be well apart (an initial gap of at least 20 eps) up to the
+ * deepest approach. Pull-off happens at contact radii below the JKR contact radius at zero load,
+ * 2.42 Gamma (W = 0 in Eq 7). That radius grows with the effective work of adhesion as w_eff^(1/3);
+ * w_eff is bounded by Eq 24, and by 8, because internal cracks limit the enhancement (A/lambda ~
+ * 0.1 and w_eff ~ 8 in Figure 11 of the paper). */
 double po_surface_core(const po_scene *scene, double deepest) {
   if (isfinite(scene->outer_radius))
     return scene->outer_radius;
@@ -41,8 +44,9 @@ double po_surface_core(const po_scene *scene, double deepest) {
   return sqrt(2.0 * scene->radius * gap);
 }
 
-/* Waves beyond the core that must not be averaged yet. Refused when they, or those of the core, are
- * too many for the mesh. */
+/* Counts the wavelengths beyond the core that must be resolved because averaging is not yet
+ * accurate. Status: PO_OUT_OF_NODES if there are too many, or if the mesh of the core does not
+ * resolve the waviness. */
 static po_status count_waves(const po_scene *scene, const po_mesh *mesh, double core_radius,
                              bool elastic, size_t *waves) {
   *waves = 0;
@@ -71,17 +75,18 @@ static po_status count_waves(const po_scene *scene, const po_mesh *mesh, double 
   return PO_OK;
 }
 
-/* What the parts of a surface are: `core` nodes of the scheme, then `waves` panels, then a tail. */
+/* The plan of a surface: `core` nodes of the scheme, then `waves` panels of one wavelength, then a
+ * panel to infinity. */
 typedef struct {
   po_mesh mesh;
   double core_radius, wavelength;
   size_t core, waves;
   bool bounded;
   double *edge; /* core + 1 ring edges, or core triangle nodes */
-} parts;
+} surface_plan;
 
-static po_status plan_parts(const po_scene *scene, const po_mesh *mesh, double core_radius,
-                            bool elastic, parts *p) {
+static po_status make_plan(const po_scene *scene, const po_mesh *mesh, double core_radius,
+                           bool elastic, surface_plan *p) {
   p->mesh = *mesh;
   p->bounded = isfinite(scene->outer_radius);
   p->core_radius = p->bounded ? scene->outer_radius : po_averaging_phase(scene, core_radius);
@@ -102,16 +107,16 @@ static po_status plan_parts(const po_scene *scene, const po_mesh *mesh, double c
   return PO_OK;
 }
 
-static po_panel_span wave_panel(const parts *p, size_t wave) {
+static po_panel_span wave_panel(const surface_plan *p, size_t wave) {
   const double begin = p->core_radius + (double)wave * p->wavelength;
   return (po_panel_span){begin, begin + p->wavelength};
 }
 
-static po_panel_span tail_panel(const parts *p) {
+static po_panel_span tail_panel(const surface_plan *p) {
   return (po_panel_span){p->core_radius + (double)p->waves * p->wavelength, INFINITY};
 }
 
-static void place_core(const parts *p, po_surface *s) {
+static void place_core(const surface_plan *p, po_surface *s) {
   if (p->mesh.scheme == PO_RING) {
     po_ring_weights(p->core, p->edge, s->weight);
     for (size_t j = 0; j < p->core; ++j) {
@@ -144,7 +149,7 @@ static po_surface *allocate_surface(size_t n, bool elastic) {
   return NULL;
 }
 
-static po_status fill_influence(const parts *p, const po_panel_rule *wave,
+static po_status fill_influence(const surface_plan *p, const po_panel_rule *wave,
                                 const po_panel_rule *tail, po_surface *s) {
   po_triangle *triangle = NULL;
   if (p->mesh.scheme == PO_TRIANGLE) {
@@ -170,13 +175,13 @@ static po_status fill_influence(const parts *p, const po_panel_rule *wave,
 po_status po_surface_create(const po_scene *scene, const po_mesh *mesh, double core_radius,
                             bool elastic, po_surface **surface) {
   po_panel_rule wave, tail;
-  parts p = {.edge = NULL};
+  surface_plan p = {.edge = NULL};
   po_surface *s = NULL;
   po_status status = po_scene_check(scene);
   if (!status)
     status = po_mesh_check(mesh);
   if (!status)
-    status = plan_parts(scene, mesh, core_radius, elastic, &p);
+    status = make_plan(scene, mesh, core_radius, elastic, &p);
   if (!status)
     status = po_panel_rule_fill(WAVE_ORDER, &wave);
   if (!status)

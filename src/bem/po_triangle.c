@@ -6,8 +6,9 @@
 #include "po_memory.h"
 #include "po_near_rule.h"
 
-/* Points of the Gauss rule for an element that is 20 of its lengths or more away from the radius:
- * the Bernstein ellipse is then above 80, the error 80^-8. */
+/* FAR_POINTS: points of the Gauss rule on an element whose distance from the radius is at least
+ * FAR_DISTANCE of its lengths; the parameter of the Bernstein ellipse is then above 80, the error
+ * 80^-8. MIDDLE_POINTS: points on an element for which po_near_is_far holds. */
 enum { FAR_POINTS = 4, MIDDLE_POINTS = 12 };
 static const double FAR_DISTANCE = 20.0;
 
@@ -17,7 +18,7 @@ struct po_triangle {
   double far_node[FAR_POINTS], far_weight[FAR_POINTS];
   double middle_node[MIDDLE_POINTS], middle_weight[MIDDLE_POINTS];
   po_near_tables near;
-  double *point; /* FAR_POINTS radii an element */
+  double *point; /* (n - 1) x FAR_POINTS radii, those of each element */
 };
 
 po_status po_triangle_create(size_t n, const double *node, po_triangle **triangle) {
@@ -54,13 +55,15 @@ void po_triangle_destroy(po_triangle *triangle) {
   free(triangle);
 }
 
-/* Adds an element's share, integral of G s (1 - x) and of G s x over it, to its two nodes. */
-static void add_share(double falling, double rising, double *row, size_t stride, size_t element) {
+/* Adds the integrals of G s (1 - x) and of G s x over an element to the coefficients of its two
+ * nodes. */
+static void add_element(double falling, double rising, double *row, size_t stride, size_t element) {
   row[element * stride] += falling;
   row[(element + 1) * stride] += rising;
 }
 
-/* Elements first..last - 1, all far from r: four points each, in one sweep of the kernel. */
+/* Adds the elements first to last - 1, which are all far from r, with one vectorised evaluation of
+ * the kernel. Returned: the number of evaluations. */
 static uint64_t add_far(const po_triangle *t, double r, size_t first, size_t last, double *row,
                         size_t stride) {
   enum { SWEEP = 16 };
@@ -77,7 +80,7 @@ static uint64_t add_far(const po_triangle *t, double r, size_t first, size_t las
         all += share;
         rising += share * t->far_node[q];
       }
-      add_share(all - rising, rising, row, stride, e);
+      add_element(all - rising, rising, row, stride, e);
     }
   }
   return (last - first) * FAR_POINTS;
@@ -94,13 +97,13 @@ static uint64_t add_middle(const po_triangle *t, double r, size_t e, double *row
     rising += share * t->middle_node[q];
     falling += share * (1.0 - t->middle_node[q]);
   }
-  add_share(falling, rising, row, stride, e);
+  add_element(falling, rising, row, stride, e);
   return MIDDLE_POINTS;
 }
 
 static uint64_t add_near(const po_triangle *t, double r, size_t e, double *row, size_t stride) {
   const double begin = t->node[e], length = t->node[e + 1] - begin;
-  const double x0 = r == t->node[e + 1] ? 1.0 : (r - begin) / length; /* exact at either end */
+  const double x0 = r == t->node[e + 1] ? 1.0 : (r - begin) / length; /* exact at both ends */
   po_near_point point[PO_NEAR_MAX_POINTS];
   const size_t count = po_near_rule(&t->near, x0, 2.0 * r / length, point);
   double rising = 0.0, falling = 0.0;
@@ -110,7 +113,7 @@ static uint64_t add_near(const po_triangle *t, double r, size_t e, double *row, 
     rising += share * point[q].x;
     falling += share * (1.0 - point[q].x);
   }
-  add_share(falling, rising, row, stride, e);
+  add_element(falling, rising, row, stride, e);
   return count;
 }
 
@@ -119,14 +122,14 @@ uint64_t po_triangle_influence(const po_triangle *triangle, double r, double *ro
   uint64_t evaluations = 0;
   for (size_t j = 0; j < n; ++j)
     row[j * stride] = 0.0;
-  if (r == 0.0) { /* G s = 2 on the axis */
+  if (r == 0.0) { /* on the axis G s = 2 for all s */
     for (size_t e = 0; e + 1 < n; ++e) {
       const double length = triangle->node[e + 1] - triangle->node[e];
-      add_share(length, length, row, stride, e);
+      add_element(length, length, row, stride, e);
     }
     return 0;
   }
-  size_t e = 0, run = 0; /* elements run..e-1 are far and wait for one sweep */
+  size_t e = 0, run = 0; /* elements run to e - 1 are far from r and are added together */
   for (; e + 1 < n; ++e) {
     const double begin = triangle->node[e], length = triangle->node[e + 1] - begin;
     const double x0 = (r - begin) / length;
