@@ -27,8 +27,8 @@ double po_estimate_miss(const po_request *request) {
   return fmax(drawn ? LEAST_MISS : LEAST_OF_STAIRCASE, MISS_OF_TOLERANCE * request->mesh.tolerance);
 }
 
-double po_estimate_energy_error(const po_request *request, double fold_error, double lever) {
-  return lever *
+double po_estimate_energy_error(const po_request *request, double fold_error, double error_factor) {
+  return error_factor *
          (po_estimate_miss(request) + fold_error + MISS_OF_TOLERANCE * request->mesh.tolerance);
 }
 

@@ -30,6 +30,6 @@ double po_estimate_miss(const po_request *request);
 /* A bound of the error of the energy lost in jumps. Given: bound of the errors of folds in
  * approach; the sum over the jumps of 1 and of the loads (magnitudes) before and after, by which
  * the place of a jump, and that of the curve where it lands, change the energies. */
-double po_estimate_energy_error(const po_request *request, double fold_error, double lever);
+double po_estimate_energy_error(const po_request *request, double fold_error, double error_factor);
 
 #endif

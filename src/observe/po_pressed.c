@@ -55,7 +55,8 @@ static void state_errors(const po_request *request, const po_result *o, po_stair
     for (size_t c = 0; c < step->cycle_count; ++c) {
       po_cycle *cycle = &step->cycle[c];
       const double fold = state_error(request, o, &cycle->preload).approach;
-      cycle->energy_error = po_estimate_energy_error(request, fmax(fold, worst), cycle->lever);
+      cycle->energy_error =
+          po_estimate_energy_error(request, fmax(fold, worst), cycle->error_factor);
     }
   }
 }

@@ -1,4 +1,5 @@
-/* What a test measures, coming from a preload, in displacement and in load control. */
+/* The loops that a test measures from a given preload, under displacement control and under load
+ * control. */
 #ifndef PO_HYSTERESIS_H
 #define PO_HYSTERESIS_H
 
@@ -8,10 +9,10 @@ typedef struct {
   po_loop displacement, load;
 } po_hysteresis;
 
-/* Both loops along a curve. In load control loading is reversed at the load of the preload in
- * displacement control, or under no load where that is in tension. Given: a preload that says
- * approach or load, the load >= 0. Returned: to be given to po_hysteresis_clear. Status:
- * as po_loop_follow. */
+/* Computes both loops along a curve of equilibria. The load-controlled loop is reversed at the load
+ * of the displacement-controlled preload, or at load 0 if that load is tensile. Given: a preload
+ * with an approach or a load >= 0. Returned: hysteresis, to be cleared with po_hysteresis_clear.
+ * Status: as po_loop_follow. */
 po_status po_hysteresis_follow(const po_path *path, po_preload preload, po_hysteresis *hysteresis);
 void po_hysteresis_clear(po_hysteresis *hysteresis);
 

@@ -11,13 +11,13 @@ typedef struct {
   po_preload preload;
   po_loop *loop;
   po_path_place at;
-} follower;
+} loop_state;
 
-static po_path_state state_of(const follower *f) {
+static po_path_state state_of(const loop_state *f) {
   return po_path_at(f->path, f->at);
 }
 
-static po_status add_jump(follower *f, bool loading, po_path_state before, po_path_state after) {
+static po_status add_jump(loop_state *f, bool loading, po_path_state before, po_path_state after) {
   po_loop *loop = f->loop;
   po_jump *jumps = po_resize(loop->jumps, loop->jump_count + 1, sizeof *jumps);
   if (!jumps)
@@ -31,83 +31,85 @@ static po_status add_jump(follower *f, bool loading, po_path_state before, po_pa
   return PO_OK;
 }
 
-/* The work of moving on the stretch in hand to a part of it. */
-static void move(follower *f, double part) {
-  f->loop->work += po_path_work(f->path, f->at.index, f->at.part, part);
-  f->at.part = part;
+/* Moves to a fraction of the current segment and adds the work. */
+static void move(loop_state *f, double fraction) {
+  f->loop->work += po_path_work(f->path, f->at.index, f->at.fraction, fraction);
+  f->at.fraction = fraction;
 }
 
-/* Whether the preload is met on the stretch in hand ahead of the place; then the part of it. */
-static bool meets_preload(const follower *f, double *part) {
+/* Returned: whether the preload is reached on the current segment ahead of the place; then
+ * *fraction is where. */
+static bool meets_preload(const loop_state *f, double *fraction) {
   const po_path_state here = state_of(f);
   const po_path_point *end = &f->path->point[f->at.index + 1];
   const po_preload p = f->preload;
   bool met = false;
-  *part = 1.0;
+  *fraction = 1.0;
   if (f->control == PO_DISPLACEMENT_CONTROL && po_path_reaches(end->approach, p.approach)) {
     met = true;
-    *part = po_path_where(f->path, f->at.index, PO_PATH_APPROACH, p.approach).part;
+    *fraction = po_path_where(f->path, f->at.index, PO_PATH_APPROACH, p.approach).fraction;
   }
   if (here.load >= p.load || end->load >= p.load) {
     const double by_load = here.load >= p.load
-                               ? f->at.part
-                               : po_path_where(f->path, f->at.index, PO_PATH_LOAD, p.load).part;
-    *part = fmin(*part, by_load);
+                               ? f->at.fraction
+                               : po_path_where(f->path, f->at.index, PO_PATH_LOAD, p.load).fraction;
+    *fraction = fmin(*fraction, by_load);
     met = true;
   }
-  *part = fmax(*part, f->at.part);
+  *fraction = fmax(*fraction, f->at.fraction);
   return met;
 }
 
-static po_status jump_on(follower *f, double value) {
+static po_status jump_on(loop_state *f, double value) {
   const po_path_state before = state_of(f);
   if (!po_stable_find(f->path, f->control, f->at.index, 1, value, &f->at))
-    return po_fail(PO_NOT_FOUND,
-                   "the curve ends at approach %.6g before the jump at approach %.6g, load %.6g, "
-                   "has landed: the preload is not reached",
-                   f->path->point[f->path->count - 1].approach, before.approach, before.load);
+    return po_fail(
+        PO_NOT_FOUND,
+        "the curve ends at approach %.6g and has no equilibrium after the jump at approach "
+        "%.6g, load %.6g: the preload is not reached",
+        f->path->point[f->path->count - 1].approach, before.approach, before.load);
   return add_jump(f, true, before, state_of(f));
 }
 
-static po_status start(follower *f) {
+static po_status start(loop_state *f) {
   f->at = (po_path_place){0, 0.0};
   if (f->control == PO_DISPLACEMENT_CONTROL)
     return PO_OK;
   if (!po_stable_find(f->path, f->control, 0, 1, 0.0, &f->at))
-    return po_fail(PO_NOT_FOUND, "the curve has no equilibrium that is stable without load");
+    return po_fail(PO_NOT_FOUND, "the curve has no stable equilibrium at load 0");
   return add_jump(f, true, po_stable_apart(0.0), state_of(f));
 }
 
-static po_status load(follower *f) {
+static po_status load(loop_state *f) {
   po_status status = start(f);
   while (!status) {
-    double part;
+    double fraction;
     if (!po_stable_is(f->path, f->control, f->at.index)) {
-      status = jump_on(f, po_stable_driven(f->path, f->control, f->at.index));
+      status = jump_on(f, po_stable_controlled(f->path, f->control, f->at.index));
       continue;
     }
-    if (meets_preload(f, &part)) {
-      move(f, part);
+    if (meets_preload(f, &fraction)) {
+      move(f, fraction);
       f->loop->preload = state_of(f);
       return PO_OK;
     }
     move(f, 1.0);
     if (f->at.index + 2 == f->path->count)
-      return po_fail(PO_NOT_FOUND, "the curve ends at approach %.6g, load %.6g, before the preload",
-                     f->path->point[f->at.index + 1].approach,
-                     f->path->point[f->at.index + 1].load);
+      return po_fail(
+          PO_NOT_FOUND, "the curve ends at approach %.6g, load %.6g: the preload is not reached",
+          f->path->point[f->at.index + 1].approach, f->path->point[f->at.index + 1].load);
     f->at = (po_path_place){f->at.index + 1, 0.0};
   }
   return status;
 }
 
-static void note_tension(follower *f) {
+static void note_tension(loop_state *f) {
   const po_path_state here = state_of(f);
   if (here.load < f->loop->pull_off.load)
     f->loop->pull_off = here;
 }
 
-static po_status unload(follower *f) {
+static po_status unload(loop_state *f) {
   f->loop->pull_off = state_of(f);
   for (;;) {
     move(f, 0.0);
@@ -119,13 +121,13 @@ static po_status unload(follower *f) {
       continue;
     }
     const po_path_state before = state_of(f);
-    const double value = po_stable_driven(f->path, f->control, f->at.index);
+    const double value = po_stable_controlled(f->path, f->control, f->at.index);
     if (!po_stable_find(f->path, f->control, f->at.index, -1, value, &f->at))
-      return f->control == PO_LOAD_CONTROL
-                 ? add_jump(f, false, before, po_stable_apart(value))
-                 : po_fail(PO_NOT_FOUND,
-                           "the curve begins at approach %.6g, after the jump at %.6g",
-                           f->path->point[0].approach, value);
+      return f->control == PO_LOAD_CONTROL ? add_jump(f, false, before, po_stable_apart(value))
+                                           : po_fail(PO_NOT_FOUND,
+                                                     "the curve begins at approach %.6g and has no "
+                                                     "equilibrium after the jump at approach %.6g",
+                                                     f->path->point[0].approach, value);
     const po_status status = add_jump(f, false, before, state_of(f));
     if (status)
       return status;
@@ -136,8 +138,9 @@ static po_status unload(follower *f) {
 po_status po_loop_follow(const po_path *path, po_control control, po_preload preload,
                          po_loop *loop) {
   *loop = (po_loop){.control = control};
-  follower f = {.path = path, .control = control, .preload = preload, .loop = loop};
-  po_status status = path->count < 2 ? po_fail(PO_NOT_FOUND, "the curve has no points") : PO_OK;
+  loop_state f = {.path = path, .control = control, .preload = preload, .loop = loop};
+  po_status status =
+      path->count < 2 ? po_fail(PO_NOT_FOUND, "the curve has fewer than two points") : PO_OK;
   if (!status)
     status = load(&f);
   if (!status)

@@ -5,6 +5,8 @@
 #include "po_hermite.h"
 #include "po_root.h"
 
+/* Two approaches (eps) that differ by less are the same: far above the 1e-12 with which a trace
+ * meets an approach, far below the errors of a solve. */
 static const double SAME_APPROACH = 1e-9;
 
 bool po_path_is_at(double approach, double asked) {
@@ -15,22 +17,23 @@ bool po_path_reaches(double approach, double asked) {
   return approach >= asked - SAME_APPROACH;
 }
 
-typedef po_cubic_ends cubic; /* of one quantity over the way from one point to the next */
+typedef po_cubic_ends cubic; /* one quantity as a function of the fraction of a segment */
 
 static void cubics(const po_path *path, size_t index, cubic *approach, cubic *load) {
   const po_path_point *a = &path->point[index], *b = a + 1;
-  const double way = b->position - a->position;
-  *approach = (cubic){a->approach, way * a->approach_rate, b->approach, way * b->approach_rate};
-  *load = (cubic){a->load, way * a->load_rate, b->load, way * b->load_rate};
+  const double length = b->position - a->position;
+  *approach =
+      (cubic){a->approach, length * a->approach_rate, b->approach, length * b->approach_rate};
+  *load = (cubic){a->load, length * a->load_rate, b->load, length * b->load_rate};
 }
 
-static double value(const cubic *c, double part) {
-  return po_hermite_value(c->f0, c->d0, c->f1, c->d1, part, 1.0);
+static double value(const cubic *c, double fraction) {
+  return po_hermite_value(c->f0, c->d0, c->f1, c->d1, fraction, 1.0);
 }
 
 po_path_state po_path_at(const po_path *path, po_path_place place) {
   const po_path_point *a = &path->point[place.index], *b = a + 1;
-  const double t = place.part;
+  const double t = place.fraction;
   if (t == 0.0)
     return (po_path_state){a->approach, a->load, a->energy, a->contact_radius, a->position};
   cubic approach, load;
@@ -49,9 +52,9 @@ typedef struct {
   double target;
 } search;
 
-static bool is_before(double part, const void *data) {
+static bool is_before(double fraction, const void *data) {
   const search *s = data;
-  return (value(s->c, part) < s->target) == (s->c->f0 < s->target);
+  return (value(s->c, fraction) < s->target) == (s->c->f0 < s->target);
 }
 
 po_path_place po_path_where(const po_path *path, size_t index, po_path_axis axis, double target) {

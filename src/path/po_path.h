@@ -1,5 +1,5 @@
-/* A curve of equilibria, point by point from far apart to pressed together, and what lies between
- * its points. It may come from a traced branch or from a closed form. */
+/* A curve of equilibria: points from far separation to compression, with interpolation between
+ * them. It may be a traced branch or a closed form. */
 #ifndef PO_PATH_H
 #define PO_PATH_H
 
@@ -8,16 +8,17 @@
 
 #include "po_status.h"
 
-/* Folds and extrema of the load must be among the points, so that approach and load each run one
- * way between neighbours. */
+/* A point of the curve. The folds and the extrema of the load must be points, so that approach and
+ * load are monotonic between neighbouring points. */
 typedef struct {
   double approach, load;           /* Delta/eps, W/(pi w R) */
-  double energy;                   /* U/(pi w R eps), d energy = load d approach */
+  double energy;                   /* U/(pi w R eps); d energy = load d approach */
   double contact_radius;           /* eps */
-  double position;                 /* ascending along the curve: arclength, or another parameter */
-  double approach_rate, load_rate; /* per position */
-  int unstable_modes;              /* of the equilibria just after it, at fixed approach */
-  bool minimum;                    /* the load has a local minimum here */
+  double position;                 /* increases along the curve: arclength, or another parameter */
+  double approach_rate, load_rate; /* derivatives by the position */
+  int unstable_modes; /* number of unstable modes, at fixed approach, of the equilibria just after
+                         the point */
+  bool minimum;       /* whether the load has a local minimum at the point */
 } po_path_point;
 
 typedef struct {
@@ -25,39 +26,39 @@ typedef struct {
   size_t count;
 } po_path;
 
-/* A place on a curve: a part (0 to 1) of the way from point `index` to the next. */
+/* A place on a curve: the fraction (0 to 1) of the segment from point `index` to the next point. */
 typedef struct {
   size_t index;
-  double part;
+  double fraction;
 } po_path_place;
 
-/* An equilibrium anywhere on it. */
+/* An equilibrium at any place on the curve; units as in po_path_point. */
 typedef struct {
   double approach, load, energy, contact_radius, position;
 } po_path_state;
 
-/* Bounds of the errors of a state. */
+/* Error bounds of a state. */
 typedef struct {
   double approach, load;
 } po_path_error;
 
-/* Whether an approach is one that was asked for, which a trace meets to 1e-12. */
+/* Returned: whether an approach is the requested one, or at least the requested one, up to 1e-9
+ * eps. A trace meets a requested approach to 1e-12 eps. */
 bool po_path_is_at(double approach, double asked);
-
-/* Whether an approach is at least one that was asked for, likewise. */
 bool po_path_reaches(double approach, double asked);
 
-/* Between points: the cubic of the position with the rates at both, the energy by its own; the
- * contact radius linearly. The error goes as the fourth power of the way. */
+/* Returned: the interpolated equilibrium at a place: approach, load and energy by cubic Hermite
+ * interpolation over the position with the derivatives at both points, the contact radius linearly.
+ * The interpolation error is of the fourth order in the length of the segment. */
 po_path_state po_path_at(const po_path *path, po_path_place place);
 
-/* The place between point `index` and the next at which a quantity has a value that lies between
- * theirs. */
+/* Finds the place on the segment from point `index` at which the approach or the load has a value
+ * between those of the two points. */
 typedef enum { PO_PATH_APPROACH, PO_PATH_LOAD } po_path_axis;
 po_path_place po_path_where(const po_path *path, size_t index, po_path_axis axis, double value);
 
-/* Integral of the load d approach between two parts of the way from point `index` to the next,
- * exactly on that cubic (which the energies have no part in). */
+/* Returned: the integral of the load over the approach between two fractions of the segment from
+ * point `index`, exact for the interpolating cubics; the stored energies are not used. */
 double po_path_work(const po_path *path, size_t index, double from, double to);
 
 #endif

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-double po_stable_driven(const po_path *path, po_control control, size_t point) {
+double po_stable_controlled(const po_path *path, po_control control, size_t point) {
   const po_path_point *p = &path->point[point];
   return control == PO_LOAD_CONTROL ? p->load : p->approach;
 }
@@ -14,7 +14,8 @@ po_path_axis po_stable_axis(po_control control) {
 bool po_stable_is(const po_path *path, po_control control, size_t point) {
   const po_path_point *p = &path->point[point];
   return point + 1 < path->count && p->unstable_modes == 0 && p[1].approach > p->approach &&
-         po_stable_driven(path, control, point + 1) > po_stable_driven(path, control, point);
+         po_stable_controlled(path, control, point + 1) >
+             po_stable_controlled(path, control, point);
 }
 
 bool po_stable_find(const po_path *path, po_control control, size_t from, int by, double value,
@@ -22,8 +23,8 @@ bool po_stable_find(const po_path *path, po_control control, size_t from, int by
   for (size_t k = from; by > 0 ? k + 1 < path->count : k-- > 0; k += by > 0) {
     if (!po_stable_is(path, control, k))
       continue;
-    const double here = po_stable_driven(path, control, k);
-    const double next = po_stable_driven(path, control, k + 1);
+    const double here = po_stable_controlled(path, control, k);
+    const double next = po_stable_controlled(path, control, k + 1);
     if (by > 0 ? here <= value && value < next : here < value && value <= next) {
       *found = po_path_where(path, k, po_stable_axis(control), value);
       return true;

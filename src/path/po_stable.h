@@ -1,5 +1,5 @@
-/* The stable stretches of a curve of equilibria at given approach, or at given load, and where a
- * jump lands among them (po_loop.h says why there). */
+/* The stable parts of a curve of equilibria at given approach (displacement control) or at given
+ * load (load control), and the equilibria at which jumps end (po_loop.h gives the reason). */
 #ifndef PO_STABLE_H
 #define PO_STABLE_H
 
@@ -9,24 +9,26 @@
 
 typedef enum { PO_DISPLACEMENT_CONTROL, PO_LOAD_CONTROL } po_control;
 
-/* What is given at a point of the curve: its approach (eps) or its load (pi w R). */
-double po_stable_driven(const po_path *path, po_control control, size_t point);
+/* The controlled quantity at a point of the curve: its approach (eps) or its load (pi w R). */
+double po_stable_controlled(const po_path *path, po_control control, size_t point);
 po_path_axis po_stable_axis(po_control control);
 
-/* Whether the curve from a point to the next is stable: no unstable modes, and the driven quantity
- * rises. At given load the approach is free, too, and the load must rise with it. */
+/* Returned: whether the segment from a point to the next is stable: there are no unstable modes,
+ * and the controlled quantity increases. Under load control the approach must increase too. */
 bool po_stable_is(const po_path *path, po_control control, size_t point);
 
-/* The next stable place along the curve, from point `from` upwards (by = 1) or from before it
- * downwards (by = -1), at which the driven quantity has a value. Returned: false: there is none. */
+/* Finds the next stable place along the curve, from point `from` upwards (by = 1) or before it
+ * downwards (by = -1), at which the controlled quantity has a value. Returned: false if there is
+ * none. */
 bool po_stable_find(const po_path *path, po_control control, size_t from, int by, double value,
                     po_path_place *found);
 
-/* The bodies apart for ever under a load: approach -INFINITY, position NAN. */
+/* Returned: the state of complete separation under a load: approach -INFINITY, position NAN. */
 po_path_state po_stable_apart(double load);
 
-/* What a jump loses: U, or U - W approach at given load; 0 apart without a load, NAN apart under
- * tension, where it falls without bound. */
+/* Returned: the potential whose decrease a jump dissipates: U under displacement control, U - W
+ * approach under load control. After complete separation it is 0 at load 0, and NAN under tension,
+ * where it decreases without bound. */
 double po_stable_potential(po_control control, const po_path_state *state);
 
 #endif

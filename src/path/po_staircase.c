@@ -6,30 +6,32 @@
 
 #include "po_memory.h"
 
-/* What jumps do together. */
+/* Sums over several jumps. */
 typedef struct {
-  double energy_lost, lever; /* see po_cycle */
+  double energy_lost, error_factor; /* see po_cycle */
   size_t count;
 } jumps;
 
-/* A stable stretch of the curve, and how unloading goes on from its lower end. */
+/* A stable stretch of the curve, and the unloading path below its lower end. */
 typedef struct {
-  size_t start, end;     /* points */
-  po_path_state deepest; /* of what unloading meets below it; load INFINITY: nothing */
-  jumps unloading;       /* from its lower end on */
+  size_t start, end;     /* indices of its first and last point */
+  po_path_state deepest; /* the state of lowest load on the unloading path below it; load INFINITY:
+                            there is none */
+  jumps unloading;       /* the jumps of unloading from its lower end on */
 } stretch;
 
 typedef struct {
   const po_path *path;
   po_control control;
   stretch *all;
-  size_t *of; /* of each point: the stretch of the segment from it to the next; SIZE_MAX: none */
+  size_t *stretch_of; /* for each segment its stretch, by the index of its first point; SIZE_MAX:
+                         unstable */
   size_t count;
   po_staircase *staircase;
   size_t step_room;
-  bool between;          /* no step holds: loading is on its way down to a minimum */
-  po_path_state deepest; /* the pull-off of the preload in hand */
-  jumps loading;         /* so far */
+  bool decreasing;       /* no step is open: the load decreases towards a minimum */
+  po_path_state deepest; /* the pull-off if loading were reversed here */
+  jumps loading;         /* the jumps of loading up to here */
 } walk;
 
 static const po_path_state NOTHING = {.load = (double)INFINITY, .position = (double)NAN};
@@ -46,8 +48,9 @@ static po_path_state deeper(po_path_state a, po_path_state b) {
   return b.load < a.load ? b : a;
 }
 
-/* What unloading meets from a place on a stretch downwards: minima of the load, and the ends. Other
- * points near a minimum may be below it by the error of their mesh. */
+/* Returned: the state of lowest load on the unloading path from a place on a stretch: minima of the
+ * load and the ends of stretches count. Other points close to a minimum may have a lower load by
+ * the error of their mesh. */
 static po_path_state deepest_from(const walk *w, const stretch *s, po_path_place place) {
   po_path_state deepest = deeper(s->deepest, state(w, place));
   for (size_t k = s->start; k <= place.index; ++k)
@@ -60,26 +63,27 @@ static void add_jump(const walk *w, const po_path_state *before, const po_path_s
                      jumps *to) {
   to->energy_lost +=
       po_stable_potential(w->control, before) - po_stable_potential(w->control, after);
-  to->lever += 1.0 + fabs(before->load) + fabs(after->load);
+  to->error_factor += 1.0 + fabs(before->load) + fabs(after->load);
   ++to->count;
 }
 
-/* Follows unloading from the lower end of a stretch; all stretches below it are known. */
+/* Determines the unloading path from the lower end of a stretch; those of all stretches below are
+ * known. */
 static void unload(const walk *w, stretch *s) {
   s->deepest = NOTHING;
   if (s->start == 0)
     return;
   const po_path_state before = point(w, s->start);
-  const double value = po_stable_driven(w->path, w->control, s->start);
+  const double value = po_stable_controlled(w->path, w->control, s->start);
   po_path_state after = po_stable_apart(value);
   po_path_place to;
   if (po_stable_find(w->path, w->control, s->start, -1, value, &to)) {
-    const stretch *below = &w->all[w->of[to.index]];
+    const stretch *below = &w->all[w->stretch_of[to.index]];
     after = state(w, to);
     s->deepest = deepest_from(w, below, to);
     s->unloading = below->unloading;
   } else if (w->control == PO_DISPLACEMENT_CONTROL) {
-    after.energy = NAN; /* it lands farther out than the curve reaches */
+    after.energy = NAN; /* the jump ends farther out than the curve begins */
   }
   add_jump(w, &before, &after, &s->unloading);
 }
@@ -87,18 +91,18 @@ static void unload(const walk *w, stretch *s) {
 static po_status find_stretches(walk *w) {
   const size_t n = w->path->count;
   w->all = po_allocate(n, sizeof *w->all);
-  w->of = po_allocate(n, sizeof *w->of);
-  if (!w->all || !w->of)
+  w->stretch_of = po_allocate(n, sizeof *w->stretch_of);
+  if (!w->all || !w->stretch_of)
     return PO_NO_MEMORY;
   for (size_t k = 0; k < n; ++k) {
-    w->of[k] = SIZE_MAX;
+    w->stretch_of[k] = SIZE_MAX;
     if (!po_stable_is(w->path, w->control, k))
       continue;
-    if (k == 0 || w->of[k - 1] == SIZE_MAX) {
+    if (k == 0 || w->stretch_of[k - 1] == SIZE_MAX) {
       w->all[w->count++] = (stretch){.start = k};
       unload(w, &w->all[w->count - 1]);
     }
-    w->of[k] = w->count - 1;
+    w->stretch_of[k] = w->count - 1;
     w->all[w->count - 1].end = k + 1;
   }
   return PO_OK;
@@ -132,11 +136,11 @@ static po_status begin_step(walk *w, po_path_state preload, bool jumped) {
                                   .pull_off = w->deepest,
                                   .preload_error = {NAN, NAN},
                                   .pull_off_error = {NAN, NAN}};
-  w->between = false;
+  w->decreasing = false;
   return PO_OK;
 }
 
-/* The cycles of all preloads from here on have the jumps of loading so far, and those of unloading
+/* Adds a cycle: preloads from here on have the jumps of loading up to here and those of unloading
  * from this stretch. */
 static po_status add_cycle(walk *w, const stretch *s, po_path_state preload) {
   po_step *step = last_step(w);
@@ -148,42 +152,42 @@ static po_status add_cycle(walk *w, const stretch *s, po_path_state preload) {
       (po_cycle){.preload = preload,
                  .energy_lost = w->loading.energy_lost + s->unloading.energy_lost,
                  .energy_error = NAN,
-                 .lever = w->loading.lever + s->unloading.lever,
+                 .error_factor = w->loading.error_factor + s->unloading.error_factor,
                  .jumps = w->loading.count + s->unloading.count};
   return PO_OK;
 }
 
-/* Loading has jumped from `before` to a place on a stretch. */
+/* Processes a jump of loading from `before` to a place on a stretch. */
 static po_status arrive(walk *w, const stretch *s, po_path_state before, po_path_place place) {
   const po_path_state after = state(w, place);
   add_jump(w, &before, &after, &w->loading);
   const double position = w->deepest.position;
   w->deepest = deepest_from(w, s, place);
-  if (!w->between && w->deepest.position == position)
+  if (!w->decreasing && w->deepest.position == position)
     return add_cycle(w, s, before);
   end_step(w, before);
-  w->between = w->deepest.position == after.position; /* the load goes on falling */
-  if (w->between)
+  w->decreasing = w->deepest.position == after.position; /* the load decreases further */
+  if (w->decreasing)
     return PO_OK;
   const po_status status = begin_step(w, before, true);
   return status ? status : add_cycle(w, s, before);
 }
 
-/* Loads on a stretch from a place to its end. */
+/* Follows loading on a stretch from a place to its end. */
 static po_status load_along(walk *w, const stretch *s, po_path_place from) {
   po_path_state last = state(w, from);
   for (size_t k = from.index + 1; k <= s->end; ++k) {
     const po_path_state here = point(w, k);
     const po_path_point *p = &w->path->point[k];
-    if (p->minimum ? w->between || here.load < w->deepest.load
+    if (p->minimum ? w->decreasing || here.load < w->deepest.load
                    : p->load_rate < 0.0 && here.load < w->deepest.load) {
-      if (!w->between)
+      if (!w->decreasing)
         end_step(w, last.load > w->deepest.load
                         ? state(w, po_path_where(w->path, k - 1, PO_PATH_LOAD, w->deepest.load))
                         : last);
-      w->between = true;
+      w->decreasing = true;
       w->deepest = here;
-    } else if (w->between && last.load < 0.0) {
+    } else if (w->decreasing && last.load < 0.0) {
       po_status status = begin_step(w, last, false);
       if (!status)
         status = add_cycle(w, s, last);
@@ -200,8 +204,9 @@ static bool begin(walk *w, po_path_place *at) {
   *at = (po_path_place){0, 0.0};
   if (w->control == PO_LOAD_CONTROL)
     return po_stable_find(w->path, w->control, 0, 1, 0.0, at);
-  return w->of[0] != SIZE_MAX ||
-         po_stable_find(w->path, w->control, 0, 1, po_stable_driven(w->path, w->control, 0), at);
+  return w->stretch_of[0] != SIZE_MAX ||
+         po_stable_find(w->path, w->control, 0, 1, po_stable_controlled(w->path, w->control, 0),
+                        at);
 }
 
 static po_status climb(walk *w) {
@@ -209,8 +214,8 @@ static po_status climb(walk *w) {
   if (!begin(w, &at))
     return PO_OK;
   po_status status = PO_OK;
-  const stretch *s = &w->all[w->of[at.index]];
-  w->between = true;
+  const stretch *s = &w->all[w->stretch_of[at.index]];
+  w->decreasing = true;
   w->deepest = state(w, at);
   if (w->control == PO_LOAD_CONTROL)
     status = arrive(w, s, po_stable_apart(0.0), at);
@@ -219,9 +224,9 @@ static po_status climb(walk *w) {
     const po_path_state before = point(w, s->end);
     if (status || s->end + 1 >= w->path->count ||
         !po_stable_find(w->path, w->control, s->end, 1,
-                        po_stable_driven(w->path, w->control, s->end), &at))
+                        po_stable_controlled(w->path, w->control, s->end), &at))
       break;
-    s = &w->all[w->of[at.index]];
+    s = &w->all[w->stretch_of[at.index]];
     status = arrive(w, s, before, at);
   }
   if (last_step(w) && last_step(w)->open)
@@ -238,7 +243,7 @@ po_status po_staircase_read(const po_path *path, po_control control, po_staircas
   if (!status)
     status = climb(&w);
   free(w.all);
-  free(w.of);
+  free(w.stretch_of);
   if (status)
     po_staircase_clear(staircase);
   return status;
