@@ -3,12 +3,12 @@
 #include "po_guduru.h"
 #include "po_guduru_path.h"
 
-/* By how much the adhesive part of Eq 5 is taken to be greater, and, in waves, by how much a
- * contact radius may be smaller than that of the same minimum of Eq 5. Of 1,000 random scenes
- * (tests/estimates/preloads.py) 96 minima in tension lie beyond the usual preload, and the bound
- * held for all of them without the excess: it is a margin. Without waves the JKR theory bounds
- * nothing at small Tabor parameters (2 pi w R of a rigid sphere against 1.5), which the least load
- * of a search covers (po_stopping.c). */
+/* Margins of the bound. EXCESS: the adhesive part of Eq 5 is multiplied by 1 + EXCESS. WAVES: the
+ * contact radius of a minimum may exceed that of the same minimum of Eq 5 by this fraction of a
+ * wavelength. Of 1,000 random scenes (tests/estimates/preloads.py) 96 have a tensile minimum beyond
+ * the default preload, and the bound held for all of them with EXCESS = 0. For smooth spheres of
+ * small Tabor parameter the JKR theory is no bound (its pull-off force is 1.5 pi w R, that of a
+ * rigid sphere 2 pi w R); there the smallest load of a search applies (po_stopping.c). */
 static const double EXCESS = 0.1, WAVES = 0.25;
 
 static double bound(const po_scene *scene, double load) {

@@ -8,12 +8,15 @@
 #include "po_quadrature.h"
 #include "po_root.h"
 
+/* POINTS_PER_WAVE: points of the curve in a wavelength. RULE: points of the Gauss rule for the
+ * energy between two of them. MOST_LENGTHS: extensions of the curve, at most. */
 enum { POINTS_PER_WAVE = 128, RULE = 8, MOST_LENGTHS = 10 };
-/* Steps of the walk in the first wave have at most this ratio. */
+/* The largest ratio of successive contact radii in the first wavelength. */
 static const double RATIO = 1.05;
-/* The curve is made anew on so many times the contact radius while it is too short. */
+/* While the curve is too short, it is computed again up to a contact radius that is larger by this
+ * factor. */
 static const double LONGER = 1.6;
-/* Two evaluations of one load. */
+/* Two loads that differ by less, relatively, are the same. */
 static const double SAME = 1e-9;
 
 typedef struct {
@@ -21,7 +24,7 @@ typedef struct {
   po_path_point *point;
   size_t count, room;
   double node[RULE], weight[RULE];
-  double energy, last; /* up to contact radius `last` */
+  double energy, last; /* the energy at contact radius `last` */
 } builder;
 
 static double approach_rate(double a, const void *scene) {
@@ -45,7 +48,8 @@ static po_status append(builder *b, po_path_point point) {
   return PO_OK;
 }
 
-/* The equilibrium of contact radius a, the energy by Gauss's rule from the one before. */
+/* Appends the equilibrium of contact radius a. The energy is integrated from the previous one with
+ * the Gauss rule. */
 static po_status append_contact(builder *b, double a) {
   const double step = a - b->last;
   for (int k = 0; k < RULE; ++k) {
@@ -63,11 +67,13 @@ static po_status append_contact(builder *b, double a) {
                                    .position = a});
 }
 
-/* Folds and extrema between two contact radii, in order, then the second. */
+/* Appends the folds and extrema between two contact radii in order, then the second contact
+ * radius. */
 static po_status append_up_to(builder *b, double left, double right) {
   const double fold = po_root(approach_rate, b->scene, left, right);
   const double extremum = po_root(load_rate, b->scene, left, right);
-  const double first = fmin(fold, extremum), second = fmax(fold, extremum); /* NaN: not there */
+  /* NaN if there is none; fmin and fmax then return the other */
+  const double first = fmin(fold, extremum), second = fmax(fold, extremum);
   po_status status = PO_OK;
   if (first > left && first < right)
     status = append_contact(b, first);
@@ -76,7 +82,8 @@ static po_status append_up_to(builder *b, double left, double right) {
   return status ? status : append_contact(b, right);
 }
 
-/* Stable at fixed approach where it rises with the contact radius. */
+/* Sets the stability and the minima of all points: an equilibrium is stable at fixed approach where
+ * the approach increases with the contact radius. */
 static void mark_points(builder *b) {
   for (size_t k = 0; k + 1 < b->count; ++k) {
     po_path_point *p = &b->point[k];
@@ -89,11 +96,11 @@ static po_status build(builder *b, double end) {
   const double gamma = po_scene_gamma(b->scene);
   const double wave = po_scene_is_wavy(b->scene) ? fmin(b->scene->wavelength, gamma) : gamma;
   po_status status = po_gauss_rule(RULE, b->node, b->weight);
-  if (!status) /* apart; its approach is set at the end */
+  if (!status) /* the separated bodies; the approach is set below */
     status = append(b, (po_path_point){.position = -1.0});
   if (!status)
     status = append(b, (po_path_point){.position = 0.0});
-  if (!status) /* the same first touch, as the contact leaves it */
+  if (!status) /* the first contact again, with the derivatives for positions above 0 */
     status = append(b, (po_path_point){.approach_rate = -1.0});
   double left = PO_GUDURU_FIRST * wave;
   if (!status)
@@ -108,7 +115,7 @@ static po_status build(builder *b, double end) {
     least = fmin(least, b->point[k].approach);
   if (!status) {
     b->point[0].approach = 2.0 * least;
-    b->point[0].approach_rate = b->point[1].approach_rate = -2.0 * least; /* per position */
+    b->point[0].approach_rate = b->point[1].approach_rate = -2.0 * least; /* by the position */
     mark_points(b);
   }
   return status;
@@ -124,8 +131,8 @@ po_status po_guduru_path(const po_scene *scene, double end, po_path_point **poin
   return status;
 }
 
-/* Whether some preload gives the least load of the curve. */
-static bool meets(const po_staircase *staircase, double load) {
+/* Returned: whether some preload gives the lowest load of the curve. */
+static bool reaches_load(const po_staircase *staircase, double load) {
   const po_step *step = po_staircase_greatest(staircase);
   return step && step->pull_off.load <= load * (1.0 - SAME);
 }
@@ -149,7 +156,7 @@ po_status po_guduru_staircases(const po_scene *scene, po_staircase staircase[2])
     for (int c = 0; c < 2 && !status; ++c)
       status = po_staircase_read(&path, staircase[c].control, &staircase[c]);
     free(point);
-    if (meets(&staircase[0], least.load) && meets(&staircase[1], least.load))
+    if (reaches_load(&staircase[0], least.load) && reaches_load(&staircase[1], least.load))
       break;
   }
   return status;

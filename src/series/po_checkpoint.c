@@ -6,12 +6,12 @@
 #include "po_memory.h"
 #include "po_observe_parts.h"
 
-/* Minima at least so deep, in parts of the deepest, may be the deepest before the next checkpoint.
- * At A = 5.024, lambda = 20, R = 100 one of 0.69 at mu = 5 is the deepest from mu = 2.9 to 3.8, and
- * not there yet at 1.4. */
-static const double NEARLY = 0.3;
+/* Minima whose load is at least this fraction of the deepest one may become the deepest before the
+ * next checkpoint. Example: at A = 5.024, lambda = 20, R = 100 (eps) a minimum of load -0.69 at mu
+ * = 5 is the deepest for mu = 2.9 to 3.8 and does not exist at mu = 1.4. */
+static const double CANDIDATE_DEPTH = 0.3;
 
-static void forget(po_checkpoint *a) {
+static void free_points(po_checkpoint *a) {
   for (size_t k = 0; k < a->count; ++k)
     po_solution_free(&a->minima[k].point);
   a->count = 0;
@@ -19,7 +19,7 @@ static void forget(po_checkpoint *a) {
 
 static void begin(void *data, double tolerance) {
   po_checkpoint *a = data;
-  forget(a);
+  free_points(a);
   a->tolerance = tolerance;
 }
 
@@ -54,18 +54,18 @@ po_status po_checkpoint_trace(const po_request *request, size_t index, po_result
     return status;
   a->usable = !status && a->count > 0;
   if (!a->usable) {
-    forget(a);
+    free_points(a);
     return PO_OK;
   }
   qsort(a->minima, a->count, sizeof *a->minima, by_depth);
   a->deepest = a->minima[0].load;
-  while (a->deep < a->count && a->minima[a->deep].load <= NEARLY * a->deepest)
-    ++a->deep;
+  while (a->candidates < a->count && a->minima[a->candidates].load <= CANDIDATE_DEPTH * a->deepest)
+    ++a->candidates;
   return PO_OK;
 }
 
 void po_checkpoint_clear(po_checkpoint *a) {
-  forget(a);
+  free_points(a);
   free(a->minima);
   *a = (po_checkpoint){0};
 }

@@ -10,29 +10,30 @@
 #include "po_observe_parts.h"
 #include "po_series_scenes.h"
 
-/* A minimum that was followed and one that was traced are the same when their loads differ by no
- * more than this many tolerances, and their approaches by this part. */
+/* A followed and a traced minimum are the same if their loads differ by at most SAME_LOAD times the
+ * relative tolerance, and their approaches by at most SAME_APPROACH relative to 1 + |approach|. */
 static const double SAME_LOAD = 10.0, SAME_APPROACH = 1e-2;
 
-/* A minimum followed from one checkpoint towards the other. */
+/* A minimum that was followed from one checkpoint towards the other. */
 typedef struct {
-  const po_checkpoint_minimum *from, *met; /* what the traces have of it; met NULL: nothing */
-  double lost;                             /* its load where it ended on the way; NAN: it did not */
+  const po_checkpoint_minimum *from, *arrived; /* in both traces; arrived NULL: not in the second */
+  double load_at_end; /* its load where it ended between the checkpoints; NAN: it did not end */
 } followed;
 
-/* The stretch between two checkpoints. */
+/* The interval between two checkpoints. */
 typedef struct {
   const po_series_scenes *l;
   po_checkpoint *from, *to;
   po_follower *follower;
-  size_t inside; /* scenes between */
-  double *load;  /* a row of inside + 2 for each minimum followed: its load, NAN: not there */
-  followed *row; /* one a row */
+  size_t inside; /* number of scenes between the checkpoints */
+  double *load;  /* rows x (inside + 2): the load of each followed minimum at each scene; NAN: it
+                    does not exist there */
+  followed *row; /* rows: the minima */
   size_t rows;
   po_series_work before;
-} stretch;
+} interval;
 
-static bool may_follow(const stretch *s) {
+static bool may_follow(const interval *s) {
   if (!s->from->usable || !s->to->usable)
     return false;
   for (size_t k = s->from->index; k < s->to->index; ++k)
@@ -41,25 +42,25 @@ static bool may_follow(const stretch *s) {
   return true;
 }
 
-static double *load_of(const stretch *s, size_t row, size_t index) {
+static double *load_of(const interval *s, size_t row, size_t index) {
   return &s->load[row * (s->inside + 2) + index - s->from->index];
 }
 
-/* The deepest of what was followed to a scene, and traced there. */
-static double deepest_at(const stretch *s, size_t index) {
+/* Returned: the lowest load of all minima followed to, or traced at, a scene. */
+static double deepest_at(const interval *s, size_t index) {
   double deepest = INFINITY;
   for (size_t row = 0; row < s->rows; ++row)
-    deepest = fmin(deepest, *load_of(s, row, index)); /* fmin passes over NAN */
+    deepest = fmin(deepest, *load_of(s, row, index)); /* fmin ignores NAN */
   return deepest;
 }
 
-static double sameness(const stretch *s, double load) {
+static double load_tolerance(const interval *s, double load) {
   return SAME_LOAD * s->l->requests[s->from->index].mesh.tolerance * fabs(load);
 }
 
-/* Takes the minimum that the follower is at for the pull-off of a scene, if it is the deepest so
- * far. Returned: its load; NAN when the contact reaches the end of the core of the surface. */
-static double take(stretch *s, size_t index) {
+/* Records the minimum at which the follower is as the pull-off of a scene if it is the deepest up
+ * to now. Returned: its load; NAN if the contact reaches the end of the core of the surface. */
+static double record_minimum(interval *s, size_t index) {
   const po_request *request = &s->l->requests[index];
   po_result *o = &s->l->results[index];
   const double before = deepest_at(s, index);
@@ -84,14 +85,15 @@ static double take(stretch *s, size_t index) {
   return load;
 }
 
-/* The minimum of a checkpoint that the follower has arrived at; NULL: none of the trace. */
-static const po_checkpoint_minimum *find_arrived(const stretch *s, const po_checkpoint *at) {
+/* Returned: the minimum of a checkpoint at which the follower has arrived; NULL if the trace did
+ * not find it. */
+static const po_checkpoint_minimum *find_arrived(const interval *s, const po_checkpoint *at) {
   const po_branch_point p = po_follow_point(s->follower, false);
   const po_checkpoint_minimum *best = NULL;
   double nearest = SAME_APPROACH * (1.0 + fabs(p.approach));
   for (size_t k = 0; k < at->count; ++k) {
     const double apart = fabs(at->minima[k].approach - p.approach);
-    if (fabs(at->minima[k].load - p.load) < sameness(s, p.load) && apart < nearest) {
+    if (fabs(at->minima[k].load - p.load) < load_tolerance(s, p.load) && apart < nearest) {
       nearest = apart;
       best = &at->minima[k];
     }
@@ -99,12 +101,12 @@ static const po_checkpoint_minimum *find_arrived(const stretch *s, const po_chec
   return best;
 }
 
-/* Follows a minimum of one checkpoint towards the other. Status: as of po_run; a minimum that is
- * lost on the way is no failure. */
-static po_status follow(stretch *s, const po_checkpoint_minimum *m, bool forward) {
+/* Follows a minimum of one checkpoint towards the other. Status: PO_NO_MEMORY, PO_INTERRUPTED; a
+ * minimum that ends between the checkpoints is not a failure. */
+static po_status follow(interval *s, const po_checkpoint_minimum *m, bool forward) {
   const po_checkpoint *from = forward ? s->from : s->to;
   const size_t row = s->rows++, steps = s->inside + 1;
-  s->row[row] = (followed){.from = m, .lost = NAN};
+  s->row[row] = (followed){.from = m, .load_at_end = NAN};
   for (size_t k = 0; k <= steps; ++k)
     *load_of(s, row, s->from->index + k) = NAN;
   *load_of(s, row, from->index) = m->load;
@@ -114,10 +116,10 @@ static po_status follow(stretch *s, const po_checkpoint_minimum *m, bool forward
     const size_t index = forward ? from->index + k : from->index - k;
     const volatile sig_atomic_t *stop = s->l->requests[index].stop;
     if (stop && *stop)
-      return po_fail(PO_INTERRUPTED, "interrupted on a line");
+      return po_fail(PO_INTERRUPTED, "interrupted in a series of scenes");
     status = po_follow_to(s->follower, (double)index, po_observe_deadline(&s->l->requests[index]));
     if (!status)
-      *load_of(s, row, index) = take(s, index);
+      *load_of(s, row, index) = record_minimum(s, index);
     const double now = po_clock_wall();
     po_series_add_work(s->follower, now - begin, &s->before, &s->l->results[index].work);
     begin = now;
@@ -125,16 +127,16 @@ static po_status follow(stretch *s, const po_checkpoint_minimum *m, bool forward
       status = PO_NOT_FOUND;
   }
   if (status)
-    s->row[row].lost = po_follow_point(s->follower, false).load;
+    s->row[row].load_at_end = po_follow_point(s->follower, false).load;
   else
-    s->row[row].met = find_arrived(s, forward ? s->to : s->from);
+    s->row[row].arrived = find_arrived(s, forward ? s->to : s->from);
   po_message_clear();
   return status == PO_NO_MEMORY ? status : PO_OK;
 }
 
-/* The load, at both of two neighbouring scenes at least so deep, of the deepest minimum that was
- * followed from one to the other; INFINITY: none. */
-static double spanning_load(const stretch *s, size_t index) {
+/* Returned: the load that the deepest minimum which exists at both of two neighbouring scenes has
+ * at the shallower of them; INFINITY if there is none. */
+static double spanning_load(const interval *s, size_t index) {
   double load = INFINITY;
   for (size_t row = 0; row < s->rows; ++row) {
     const double here = *load_of(s, row, index), there = *load_of(s, row, index + 1);
@@ -144,32 +146,35 @@ static double spanning_load(const stretch *s, size_t index) {
   return load;
 }
 
-/* Whether a minimum is the pull-off of a scene between. */
-static bool is_pull_off(const stretch *s, size_t row) {
+/* Returned: whether a minimum is the pull-off of a scene between the checkpoints. */
+static bool is_pull_off(const interval *s, size_t row) {
   bool is = false;
   for (size_t k = s->from->index + 1; k < s->to->index; ++k)
     is = is || *load_of(s, row, k) == deepest_at(s, k);
   return is;
 }
 
-/* Whether traces of the scenes between would come as far as a minimum, as those of both checkpoints
- * did: they end where the sphere is pressed enough, and as a minimum before grows deeper, or the
- * load between, that may be short of it. Both must have come to it with room to spare, by which
- * they differ by less than either has. */
+/* Returned: whether the traces of the scenes between would reach a minimum, as those of both
+ * checkpoints did. A trace ends where the sphere is pressed enough; if an earlier minimum becomes
+ * deeper, or the load maximum before the minimum higher, the trace may end before it. The margins
+ * of both traces must therefore exceed their difference. */
 static bool is_within(const followed *f) {
-  return f->met && fmin(f->from->margin, f->met->margin) > fabs(f->from->margin - f->met->margin);
+  return f->arrived &&
+         fmin(f->from->margin, f->arrived->margin) > fabs(f->from->margin - f->arrived->margin);
 }
 
-/* Whether what was followed agrees with both traces, and gives every scene between its pull-off. */
-static bool agrees(const stretch *s) {
+/* Returned: whether the followed minima agree with both traces and give every scene between them a
+ * pull-off (po_series.h). */
+static bool agrees(const interval *s) {
   const size_t first = s->from->index, last = s->to->index;
-  if (deepest_at(s, first) < s->from->deepest - sameness(s, s->from->deepest) ||
-      deepest_at(s, last) < s->to->deepest - sameness(s, s->to->deepest))
+  if (deepest_at(s, first) < s->from->deepest - load_tolerance(s, s->from->deepest) ||
+      deepest_at(s, last) < s->to->deepest - load_tolerance(s, s->to->deepest))
     return false;
+  /* a minimum that ends between the checkpoints must not be the deepest */
   for (size_t row = 0; row < s->rows; ++row)
-    for (size_t k = first; k < last; ++k) /* a minimum that ends on the way is not the deepest */
+    for (size_t k = first; k < last; ++k)
       if (isnan(*load_of(s, row, k)) != isnan(*load_of(s, row, k + 1)) &&
-          !(s->row[row].lost > spanning_load(s, k)))
+          !(s->row[row].load_at_end > spanning_load(s, k)))
         return false;
   for (size_t row = 0; row < s->rows; ++row)
     if (is_pull_off(s, row) && !is_within(&s->row[row]))
@@ -180,25 +185,26 @@ static bool agrees(const stretch *s) {
   return true;
 }
 
-static bool has_arrived(const stretch *s, const po_checkpoint_minimum *m) {
+static bool has_arrived(const interval *s, const po_checkpoint_minimum *m) {
   bool has = false;
   for (size_t row = 0; row < s->rows; ++row)
-    has = has || s->row[row].met == m;
+    has = has || s->row[row].arrived == m;
   return has;
 }
 
-/* Follows the minima between two checkpoints. Returned: whether that settles the scenes between. */
-static po_status follow_between(stretch *s, bool *settled) {
-  const size_t most = s->from->deep + s->to->deep;
+/* Follows the minima between two checkpoints. Returned: *settled, whether this determines the
+ * pull-off of all scenes between. */
+static po_status follow_between(interval *s, bool *settled) {
+  const size_t most = s->from->candidates + s->to->candidates;
   const double tolerance = fmin(s->from->tolerance, s->to->tolerance);
   s->load = po_allocate(most * (s->inside + 2), sizeof *s->load);
   s->row = po_allocate(most, sizeof *s->row);
   po_status status = s->load && s->row ? PO_OK : PO_NO_MEMORY;
   if (!status)
     status = po_series_follower(s->l, s->from->index, s->to->index, tolerance, &s->follower);
-  for (size_t k = 0; k < s->from->deep && !status; ++k)
+  for (size_t k = 0; k < s->from->candidates && !status; ++k)
     status = follow(s, &s->from->minima[k], true);
-  for (size_t k = 0; k < s->to->deep && !status; ++k)
+  for (size_t k = 0; k < s->to->candidates && !status; ++k)
     if (!has_arrived(s, &s->to->minima[k]))
       status = follow(s, &s->to->minima[k], false);
   *settled = !status && agrees(s);
@@ -210,7 +216,7 @@ static po_status follow_between(stretch *s, bool *settled) {
 
 static po_status trace(const po_series_scenes *l, size_t index, po_checkpoint *checkpoint) {
   po_result *o = &l->results[index];
-  const po_work spent = o->work; /* on following what did not agree */
+  const po_work spent = o->work; /* on minima that did not agree */
   po_result_clear(o);
   const po_status status = po_checkpoint_trace(&l->requests[index], index, o, checkpoint);
   o->work.points += spent.points;
@@ -222,8 +228,8 @@ static po_status trace(const po_series_scenes *l, size_t index, po_checkpoint *c
   return status;
 }
 
-/* Traces the scenes whose error estimate misses the tolerance, or that have none. */
-static po_status trace_what_errs(const stretch *s) {
+/* Traces the scenes whose error estimate exceeds the tolerance or is missing. */
+static po_status trace_inaccurate(const interval *s) {
   po_status status = PO_OK;
   for (size_t k = s->from->index + 1; k < s->to->index && !status; ++k) {
     const po_result *o = &s->l->results[k];
@@ -236,21 +242,23 @@ static po_status trace_what_errs(const stretch *s) {
   return status;
 }
 
-static po_status fill(const po_series_scenes *l, po_checkpoint *from, po_checkpoint *to) {
+/* Computes the scenes between two checkpoints: follows the minima, or traces the middle scene and
+ * continues with both halves. */
+static po_status solve_between(const po_series_scenes *l, po_checkpoint *from, po_checkpoint *to) {
   if (to->index - from->index < 2)
     return PO_OK;
-  stretch s = {.l = l, .from = from, .to = to, .inside = to->index - from->index - 1};
+  interval s = {.l = l, .from = from, .to = to, .inside = to->index - from->index - 1};
   bool settled = false;
   po_status status = may_follow(&s) ? follow_between(&s, &settled) : PO_OK;
   if (settled)
-    return trace_what_errs(&s);
+    return trace_inaccurate(&s);
   po_checkpoint middle = {0};
   if (!status)
     status = trace(l, from->index + (to->index - from->index) / 2, &middle);
   if (!status)
-    status = fill(l, from, &middle);
+    status = solve_between(l, from, &middle);
   if (!status)
-    status = fill(l, &middle, to);
+    status = solve_between(l, &middle, to);
   po_checkpoint_clear(&middle);
   return status;
 }
@@ -268,7 +276,7 @@ po_status po_series_observe(const po_request *requests, size_t count, size_t che
     index = count - 1 - index > checkpoint_every ? index + checkpoint_every : count - 1;
     status = trace(&l, index, &to);
     if (!status)
-      status = fill(&l, &from, &to);
+      status = solve_between(&l, &from, &to);
     po_checkpoint_clear(&from);
     from = to;
     to = (po_checkpoint){0};

@@ -10,14 +10,14 @@
 #include "po_observe_parts.h"
 #include "po_series_scenes.h"
 
-/* Folds of a trace, as they are on its panels. */
+/* The folds of a trace as points on its panels. */
 typedef struct {
   po_solution *point;
   size_t count, room;
-  double tolerance; /* that the trace took for the one asked for */
+  double tolerance; /* the tolerance with which the trace met the requested one */
 } folds;
 
-static void forget(folds *f) {
+static void free_points(folds *f) {
   for (size_t k = 0; k < f->count; ++k)
     po_solution_free(&f->point[k]);
   f->count = 0;
@@ -25,7 +25,7 @@ static void forget(folds *f) {
 
 static void begin(void *data, double tolerance) {
   folds *f = data;
-  forget(f);
+  free_points(f);
   f->tolerance = tolerance;
 }
 
@@ -46,9 +46,9 @@ static bool keep(void *data, const po_branch_point *p, double margin) {
   return true;
 }
 
-/* The special point where the follower is. Returned: false when the end of the surface cuts it off.
- */
-static bool take(po_follower *follower, const po_request *request, po_special_point *fold) {
+/* Records the special point at which the follower is. Returned: false if the contact reaches the
+ * end of the core of the surface. */
+static bool record_fold(po_follower *follower, const po_request *request, po_special_point *fold) {
   const double domain = po_follow_domain(follower);
   po_branch_point p = po_follow_point(follower, false);
   if (po_series_is_cut_off(request, domain, &p))
@@ -65,7 +65,7 @@ static bool take(po_follower *follower, const po_request *request, po_special_po
   return true;
 }
 
-/* From this scene on it is not known whether the fold exists. */
+/* Marks all scenes from `first` on: whether the fold exists there is unknown. */
 static void fail_from(const po_series_scenes *l, size_t first, po_status status) {
   for (size_t k = first; k < l->count; ++k) {
     po_result *o = &l->results[k];
@@ -74,7 +74,7 @@ static void fail_from(const po_series_scenes *l, size_t first, po_status status)
   }
 }
 
-/* Follows one fold as far as it is there. Status: PO_INTERRUPTED, PO_NO_MEMORY. */
+/* Follows one fold until it ends. Status: PO_INTERRUPTED, PO_NO_MEMORY. */
 static po_status follow(const po_series_scenes *l, po_follower *follower, const po_solution *point,
                         size_t place, po_series_work *before) {
   po_status status = po_follow_begin(follower, point, PO_OF_APPROACH, 0.0);
@@ -82,10 +82,10 @@ static po_status follow(const po_series_scenes *l, po_follower *follower, const 
     const po_request *request = &l->requests[k];
     po_result *o = &l->results[k];
     if (request->stop && *request->stop)
-      return po_fail(PO_INTERRUPTED, "interrupted on a line");
+      return po_fail(PO_INTERRUPTED, "interrupted in a series of scenes");
     const double start = po_clock_wall();
     status = po_follow_to(follower, (double)k, po_observe_deadline(request));
-    if (!status && !take(follower, request, &o->folds[place]))
+    if (!status && !record_fold(follower, request, &o->folds[place]))
       status = PO_NOT_FOUND;
     po_series_add_work(follower, po_clock_wall() - start, before, &o->work);
     if (status == PO_OUT_OF_TIME)
@@ -95,8 +95,8 @@ static po_status follow(const po_series_scenes *l, po_follower *follower, const 
   return status == PO_NO_MEMORY ? status : PO_OK;
 }
 
-/* Room for the folds of the first scene in all others, none of them there yet. */
-static po_status make_room(const po_series_scenes *l) {
+/* Allocates the folds of the first scene in all other results, initially as ended. */
+static po_status allocate_folds(const po_series_scenes *l) {
   const po_result *first = &l->results[0];
   for (size_t k = 1; k < l->count; ++k) {
     po_result *o = &l->results[k];
@@ -121,7 +121,7 @@ static po_status make_room(const po_series_scenes *l) {
 static po_status follow_all(const po_series_scenes *l, const folds *f) {
   po_follower *follower = NULL;
   po_series_work before = {0};
-  po_status status = make_room(l);
+  po_status status = allocate_folds(l);
   if (!status)
     status = po_series_follower(l, 0, l->count - 1, f->tolerance, &follower);
   for (size_t j = 0; j < f->count && !status; ++j)
@@ -138,17 +138,17 @@ po_status po_series_folds(const po_request *requests, size_t count, po_result *r
     if (!po_series_alike(&requests[k], &requests[k + 1]))
       return po_fail(PO_BAD_INPUT,
                      "folds are not followed from scene %zu to the next: expected both "
-                     "wavy or both smooth, both unbounded or both not",
+                     "wavy or both smooth, both bounded or both unbounded",
                      k + 1);
   folds f = {0};
   const po_keeper keeper = {begin, keep, &f, false};
   po_status status = po_observe_kept(&requests[0], &keeper, &results[0]);
   if (status != PO_NO_MEMORY && status != PO_INTERRUPTED)
     status = PO_OK;
-  /* of a rigid scene, or of one that begins late, there are other folds than were kept */
+  /* the numbers differ for a rigid scene, and for one whose curve begins after the first fold */
   if (!status && !results[0].status && f.count == results[0].fold_count)
     status = follow_all(&l, &f);
-  forget(&f);
+  free_points(&f);
   free(f.point);
   return status;
 }

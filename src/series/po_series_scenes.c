@@ -5,7 +5,7 @@
 #include "po_clock.h"
 #include "po_observe_parts.h"
 
-/* Between two values, evenly in the logarithm where that can be. */
+/* Interpolates between two values, logarithmically if both are positive. */
 static double between(double a, double b, double part) {
   if (a == b || isinf(a))
     return a;

@@ -1,4 +1,4 @@
-/* The scenes of a line, for what follows special points along it. */
+/* The scenes of a series, as the parameter continuation of special points uses them. */
 #ifndef PO_SERIES_SCENES_H
 #define PO_SERIES_SCENES_H
 
@@ -6,32 +6,35 @@
 #include "po_request.h"
 #include "po_result.h"
 
-/* The parameter of a scene is its number on the line. */
+/* The continuation parameter of a scene is its index in the series; non-integer values interpolate
+ * between scenes. */
 typedef struct {
   const po_request *requests;
   po_result *results;
   size_t count;
 } po_series_scenes;
 
-/* Whether nothing but numbers of the scene differ, and only what can be followed is wanted. */
+/* Returned: whether minima and folds can be followed between two scenes: only numbers of the scene
+ * differ, and only the pull-off is wanted. */
 bool po_series_alike(const po_request *a, const po_request *b);
 
-/* A follower for the scenes from one to another, in whichever is the more demanding, to a
- * tolerance; it begins at the first. Status: PO_NO_MEMORY. */
+/* Creates a follower for the scenes from `first` to `last`, with a tolerance; the mesh meets the
+ * stricter requirement of the two. It begins at the first. Status: PO_NO_MEMORY. */
 po_status po_series_follower(const po_series_scenes *l, size_t first, size_t last, double tolerance,
                              po_follower **follower);
 
-/* Whether the contact of a followed special point reaches the end of the core of its surface, so
- * that a trace would enlarge the core. Given: the radius of the domain of the panels. */
+/* Returned: whether the contact of a followed special point reaches the end of the core of its
+ * surface, so that a trace would enlarge the core. Given: domain, the radius of the domain of the
+ * panels, eps. */
 bool po_series_is_cut_off(const po_request *request, double domain, const po_branch_point *special);
 
-/* What a follower had done when it was last asked. */
+/* The work of a follower up to the last call of po_series_add_work. */
 typedef struct {
   po_solve_work work;
   uint64_t kernel;
 } po_series_work;
 
-/* Adds what it did since, in so many seconds. */
+/* Adds the work since the last call. Given: seconds, its elapsed time. */
 void po_series_add_work(const po_follower *follower, double seconds, po_series_work *before,
                         po_work *work);
 
