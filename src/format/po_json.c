@@ -31,7 +31,8 @@ static json_t *special_points(const po_special_point *list, size_t count) {
   return array;
 }
 
-/* Why and where the trace ended; of what was followed nothing was traced. */
+/* The reason and the place at which the trace ended; null for a followed pull-off, for which no
+ * trace exists. */
 static json_t *ended_of(const po_result *o) {
   if (o->followed)
     return json_null();
@@ -41,8 +42,8 @@ static json_t *ended_of(const po_result *o) {
                         {"load", po_json_number(o->ended.load)});
 }
 
-/* Of a pull-off that was followed nothing else is known, which is not the same as none; folds that
- * were followed are. */
+/* For a followed pull-off the special points are unknown (null), which differs from an empty list.
+ * Followed folds are listed. */
 static json_t *special_points_of(const po_result *result, const po_special_point *list,
                                  size_t count) {
   return result->followed && count == 0 ? json_null() : special_points(list, count);

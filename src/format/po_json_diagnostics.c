@@ -1,4 +1,4 @@
-/* Diagnostics as JSON, and back. */
+/* Diagnostics as JSON, and the inverse. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -37,7 +37,7 @@ static json_t *moved_json(const po_moved *m) {
                         {"fold_change", po_json_number(m->folds)});
 }
 
-/* Null where the branch is not followed back. */
+/* The reverse trace; null if there was none. */
 static json_t *reverse_trace_json(const po_reverse_trace *w) {
   if (!w->made)
     return json_null();

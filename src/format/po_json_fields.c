@@ -1,13 +1,14 @@
-/* Parts of a result as JSON and back: the keys of numbers and counts once for both. */
+/* Parts of a result as JSON, and their inverses; one table defines the keys of numbers and counts
+ * for both directions. */
 #include <stddef.h>
 
 #include "po_json.h"
 #include "po_json_parts.h"
 
-/* One of these by its place in the structure. */
+/* The key and the offset of a member of a structure. */
 typedef struct {
   const char *key;
-  size_t place;
+  size_t offset;
 } field;
 
 #define LENGTH(fields) (sizeof(fields) / sizeof *(fields))
@@ -46,14 +47,14 @@ static const field WORK[] = {
 
 static void write_numbers(json_t **object, const field *fields, size_t count, const void *from) {
   for (size_t i = 0; i < count; ++i) {
-    const double *number = (const void *)((const char *)from + fields[i].place);
+    const double *number = (const void *)((const char *)from + fields[i].offset);
     po_json_set(object, fields[i].key, po_json_number(*number));
   }
 }
 
 static void read_numbers(const json_t *object, const field *fields, size_t count, void *to) {
   for (size_t i = 0; i < count; ++i) {
-    double *number = (void *)((char *)to + fields[i].place);
+    double *number = (void *)((char *)to + fields[i].offset);
     *number = po_json_read_number(object, fields[i].key);
   }
 }
@@ -99,7 +100,7 @@ void po_json_read_pull_off(const json_t *object, po_result *result) {
 json_t *po_json_work(const po_work *work) {
   json_t *object = po_json_empty_object();
   for (size_t i = 0; i < LENGTH(WORK); ++i) {
-    const uint64_t *number = (const void *)((const char *)work + WORK[i].place);
+    const uint64_t *number = (const void *)((const char *)work + WORK[i].offset);
     po_json_set(&object, WORK[i].key, po_json_count(*number));
   }
   po_json_set(&object, "seconds", po_json_number(work->seconds));
@@ -108,7 +109,7 @@ json_t *po_json_work(const po_work *work) {
 
 void po_json_read_work(const json_t *object, po_work *work) {
   for (size_t i = 0; i < LENGTH(WORK); ++i) {
-    uint64_t *number = (void *)((char *)work + WORK[i].place);
+    uint64_t *number = (void *)((char *)work + WORK[i].offset);
     *number = po_json_count_of(object, WORK[i].key);
   }
   work->seconds = po_json_read_number(object, "seconds");

@@ -1,4 +1,4 @@
-/* Loading and unloading as JSON, and back. */
+/* Loops as JSON, and the inverse. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -6,6 +6,7 @@
 #include "po_json.h"
 #include "po_memory.h"
 
+/* Letters of the alphabet, for the labels of unloading. */
 enum { LETTERS = 26 };
 
 void po_json_jump_label(bool loading, size_t number, char label[PO_JUMP_LABEL_LENGTH]) {
@@ -30,7 +31,7 @@ static json_t *state(const po_path_state *s) {
                         {"position", po_json_number(s->position)});
 }
 
-/* `number` of the jump in its phase, from 1. */
+/* A jump. Given: number, its number in loading or in unloading, from 1. */
 static json_t *jump(const po_jump *j, size_t number) {
   char label[PO_JUMP_LABEL_LENGTH], from[PO_JUMP_LABEL_LENGTH], to[PO_JUMP_LABEL_LENGTH];
   po_json_jump_label(j->loading, number, label);
@@ -71,7 +72,7 @@ json_t *po_json_hysteresis(const po_result *result) {
   return object;
 }
 
-/* null of an approach: apart for ever. */
+/* Reads a state; a null approach means complete separation. */
 static po_path_state read_state(const json_t *object) {
   po_path_state s = {po_json_read_number(object, "approach"), po_json_read_number(object, "load"),
                      po_json_read_number(object, "energy"),

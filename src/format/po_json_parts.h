@@ -1,4 +1,4 @@
-/* What writers and readers of JSON share: inside the harness. */
+/* Functions that writers and readers of JSON share; private to this folder. */
 #ifndef PO_JSON_PARTS_H
 #define PO_JSON_PARTS_H
 
@@ -7,8 +7,8 @@
 
 #include "po_result.h"
 
-/* Parts of a result, and back: a special point but for its kind, the pull-off (null when there is
- * none), the work. */
+/* Parts of a result as JSON, and their inverses: a special point (read without its kind), the
+ * pull-off (null if there is none), the work. */
 json_t *po_json_special_point(const po_special_point *special);
 void po_json_read_special_point(const json_t *object, po_special_point *special);
 json_t *po_json_pull_off(const po_result *result);
@@ -20,7 +20,7 @@ void po_json_read_pull_off_any(const json_t *object, po_result *result);
 json_t *po_json_work(const po_work *work);
 void po_json_read_work(const json_t *object, po_work *work);
 
-/* The inverse of po_json_diagnostics; NULL: there are none. Status: PO_NO_MEMORY. */
+/* The inverse of po_json_diagnostics; NULL: there are no diagnostics. Status: PO_NO_MEMORY. */
 po_status po_json_read_diagnostics(const json_t *object, po_result *result);
 
 #endif

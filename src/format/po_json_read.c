@@ -21,7 +21,7 @@ static void read_ended(const json_t *object, po_result *result) {
   const char *why = json_string_value(json_object_get(object, "why"));
   result->ended.approach = po_json_read_number(object, "approach");
   result->ended.load = po_json_read_number(object, "load");
-  if (!po_end_cause_find(why, &result->ended.cause)) /* the status says it */
+  if (!po_end_cause_find(why, &result->ended.cause)) /* the status states the reason */
     result->ended.cause = PO_END_NONE;
 }
 

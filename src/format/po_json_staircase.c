@@ -1,12 +1,12 @@
-/* Staircases as JSON and back. */
+/* Staircases as JSON, and the inverse. */
 #include <math.h>
 
 #include "po_json.h"
 #include "po_json_parts.h"
 #include "po_memory.h"
 
-/* A state of a branch, by position, so that it can be found again; apart for ever the approach is
- * null. */
+/* A state of the branch with its position, by which it can be found on the curve; after complete
+ * separation the approach is null. */
 static json_t *state(const po_path_state *s) {
   return PO_JSON_OBJECT({"approach", po_json_number(s->approach)},
                         {"load", po_json_number(s->load)},

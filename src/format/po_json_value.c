@@ -9,23 +9,24 @@
 #include "po_memory.h"
 #include "po_utf8.h"
 
-/* Every text is made UTF-8 before jansson sees it, so lack of memory is the one reason left. */
-static json_t *made(json_t *value) {
+/* Reports lack of memory: texts are converted to valid UTF-8 before jansson reads them, so that no
+ * other failure is possible. */
+static json_t *checked(json_t *value) {
   if (!value)
-    po_fail(PO_NO_MEMORY, "no memory for a JSON document");
+    po_fail(PO_NO_MEMORY, "out of memory while a JSON document was written");
   return value;
 }
 
 json_t *po_json_number(double value) {
-  return isfinite(value) ? made(json_real(value)) : json_null();
+  return isfinite(value) ? checked(json_real(value)) : json_null();
 }
 
 json_t *po_json_count(uint64_t value) {
-  return made(json_integer((json_int_t)value));
+  return checked(json_integer((json_int_t)value));
 }
 
 json_t *po_json_integer(int value) {
-  return made(json_integer(value));
+  return checked(json_integer(value));
 }
 
 json_t *po_json_flag(bool value) {
@@ -36,9 +37,9 @@ json_t *po_json_text(const char *text) {
   if (!text)
     return json_null();
   if (po_utf8_is_valid(text))
-    return made(json_string_nocheck(text));
+    return checked(json_string_nocheck(text));
   char *copy = po_text_utf8(text);
-  json_t *value = copy ? made(json_string_nocheck(copy)) : NULL;
+  json_t *value = copy ? checked(json_string_nocheck(copy)) : NULL;
   free(copy);
   return value;
 }
@@ -50,11 +51,11 @@ json_t *po_json_take_text(char *text) {
 }
 
 json_t *po_json_empty_object(void) {
-  return made(json_object());
+  return checked(json_object());
 }
 
 json_t *po_json_empty_array(void) {
-  return made(json_array());
+  return checked(json_array());
 }
 
 json_t *po_json_object_of(const po_json_member *members, size_t count) {
@@ -64,35 +65,36 @@ json_t *po_json_object_of(const po_json_member *members, size_t count) {
   return object;
 }
 
-/* Releases a container to which something could not be added. */
-static void spoil(json_t **container) {
+/* Releases a container to which a value could not be added. */
+static void release_container(json_t **container) {
   json_decref(*container);
   *container = NULL;
-  made(NULL);
+  checked(NULL);
 }
 
 void po_json_set(json_t **object, const char *key, json_t *value) {
   if (!*object || !value) {
     json_decref(value);
-    spoil(object);
+    release_container(object);
   } else if (json_object_set_new(*object, key, value) != 0)
-    spoil(object);
+    release_container(object);
 }
 
 void po_json_append(json_t **array, json_t *value) {
   if (!*array || !value) {
     json_decref(value);
-    spoil(array);
+    release_container(array);
   } else if (json_array_append_new(*array, value) != 0)
-    spoil(array);
+    release_container(array);
 }
 
-/* json_object_update_missing drops what it has no memory for, and succeeds. */
+/* This function replaces json_object_update_missing, which omits members without an error if memory
+ * runs out. */
 void po_json_set_all(json_t **object, json_t *members) {
   const char *key;
   json_t *value;
   if (!members)
-    spoil(object);
+    release_container(object);
   json_object_foreach(members, key, value) {
     if (!json_object_get(*object, key))
       po_json_set(object, key, json_incref(value));
@@ -105,15 +107,17 @@ static int take_piece(const char *piece, size_t size, void *text) {
   return 0;
 }
 
-/* Into a text, which notices when it lacks memory: json_dumps goes on without what it could not
- * append, and gives a damaged document (jansson 2.14). */
+/* Prints into a po_text, which detects lack of memory. In jansson 2.14 json_dumps continues after a
+ * failed allocation and returns a damaged document. */
 static po_status print(const json_t *document, size_t layout, po_text *text) {
   if (!document)
-    return po_fail(PO_NO_MEMORY, "no memory for a JSON document");
+    return po_fail(PO_NO_MEMORY, "out of memory while a JSON document was written");
   const int failed =
       json_dump_callback(document, take_piece, text, layout | JSON_REAL_PRECISION(17));
   po_text_add_bytes(text, "\n", 1);
-  return failed || text->failed ? po_fail(PO_NO_MEMORY, "no memory for a JSON document") : PO_OK;
+  return failed || text->failed
+             ? po_fail(PO_NO_MEMORY, "out of memory while a JSON document was written")
+             : PO_OK;
 }
 
 po_status po_json_print(const json_t *document, po_text *text) {
@@ -124,8 +128,8 @@ po_status po_json_print_line(const json_t *document, po_text *text) {
   return print(document, JSON_COMPACT, text);
 }
 
-/* Jansson's reader goes on without what it could not append to a word, so that a number may lose
- * digits (jansson 2.14); its allocations tell. */
+/* In jansson 2.14 the parser continues after a failed allocation, so that a number may lose digits.
+ * Therefore its allocations are monitored. */
 static _Thread_local bool ran_out;
 
 static void *allocate(size_t size) {
@@ -147,7 +151,7 @@ po_status po_json_parse(const char *bytes, size_t size, json_t **document) {
   if (ran_out) {
     json_decref(*document);
     *document = NULL;
-    return po_fail(PO_NO_MEMORY, "no memory to read a JSON document");
+    return po_fail(PO_NO_MEMORY, "out of memory while a JSON document was read");
   }
   if (*document)
     return PO_OK;

@@ -1,7 +1,7 @@
-/* JSON documents that are complete or NULL. A value that could not be made is NULL, and so is every
- * object and array that would contain it; po_json_print checks this once, at the end. Functions of
- * jansson that may lose a value without reporting it cannot be called where this header is
- * included. */
+/* JSON documents that are either complete or NULL. A value whose allocation failed is NULL, and so
+ * is every object and array that would contain it; po_json_print checks this once, at the end.
+ * Functions of jansson that may lose a value without reporting it cannot be called where this
+ * header is included. */
 #ifndef PO_JSON_VALUE_H
 #define PO_JSON_VALUE_H
 
@@ -13,23 +13,23 @@
 #include "po_status.h"
 #include "po_text.h"
 
-/* A finite number; null for NaN and infinities, which JSON cannot represent. */
+/* Returned: a finite number; null for NaN and infinities, which JSON cannot represent. */
 json_t *po_json_number(double value);
 
 json_t *po_json_count(uint64_t value);
 json_t *po_json_integer(int value);
 json_t *po_json_flag(bool value);
 
-/* A text, made UTF-8 where it is not (po_text_utf8); null for NULL. */
+/* Returned: a text, converted to valid UTF-8 if necessary (po_text_utf8); null for NULL. */
 json_t *po_json_text(const char *text);
 
-/* The same for an allocated text, of which it takes ownership; NULL for NULL, a text whose
+/* As po_json_text, for an allocated text, which it frees; NULL for NULL, i.e. for a text whose
  * allocation failed. */
 json_t *po_json_take_text(char *text);
 
-/* An object of members {"key", value}, which it takes:
+/* Creates an object from members {"key", value} and takes ownership of the values:
  *   PO_JSON_OBJECT({"approach", po_json_number(x)}, {"load", po_json_number(y)}).
- * A key that is there twice has the later value. */
+ * If a key occurs twice, the later value counts. */
 typedef struct {
   const char *key;
   json_t *value;
@@ -42,24 +42,26 @@ json_t *po_json_object_of(const po_json_member *members, size_t count);
 json_t *po_json_empty_object(void);
 json_t *po_json_empty_array(void);
 
-/* Adds a value, which they take, to an object or an array of the caller. When either is NULL, or
- * memory runs out, the whole is released and *object or *array is NULL from then on. */
+/* Adds a value to an object or an array, and takes ownership of the value. If either is NULL, or
+ * memory runs out, the container is released and *object or *array becomes NULL. */
 void po_json_set(json_t **object, const char *key, json_t *value);
 void po_json_append(json_t **array, json_t *value);
 
-/* Adds the members of another object, which it takes; those that are there already stay. */
+/* Adds the members of another object, of which it takes ownership; members that exist already are
+ * kept. */
 void po_json_set_all(json_t **object, json_t *members);
 
-/* Appends a document to a text with 17 significant digits, and a newline: indented, or in one line.
- * Status: PO_NO_MEMORY, also of a document that is NULL. */
+/* Appends a document and a newline to a text: indented, or in one line; numbers have 17 significant
+ * digits. Status: PO_NO_MEMORY, also for a document that is NULL. */
 po_status po_json_print(const json_t *document, po_text *text);
 po_status po_json_print_line(const json_t *document, po_text *text);
 
-/* Reads a document of `size` bytes, in which no key is given twice.
- * Status: PO_CANNOT_READ, with what is wrong and where as the message; PO_NO_MEMORY. */
+/* Parses a document of `size` bytes. Repeated keys are errors. Status: PO_CANNOT_READ with the line
+ * and the error; PO_NO_MEMORY. */
 po_status po_json_parse(const char *bytes, size_t size, json_t **document);
 
-/* A member that is a number, or NaN for null and what is absent; a count, or 0. */
+/* Returned: a numeric member, NaN for null or an absent member; and a count, 0 for an absent
+ * member. */
 double po_json_read_number(const json_t *object, const char *key);
 uint64_t po_json_count_of(const json_t *object, const char *key);
 

@@ -17,7 +17,7 @@ static const char *const CURVE_NAMES[CURVE_COLUMNS] = {
     "position",       "approach",      "load",      "energy",
     "contact_radius", "approach_rate", "load_rate", "unstable_modes"};
 
-/* Writes `rows`, the line of column names included, under headers; clears it. */
+/* Writes a table. Given: rows, which begin with the line of column names and are cleared. */
 static po_status write_table(const char *path, const po_request *request, const char *what,
                              const char *units, po_text *rows, char *digest) {
   char own[PO_DIGEST_LENGTH];
@@ -52,9 +52,9 @@ po_status po_tables_write_curve(const char *path, const po_request *request,
   }
   return write_table(path, request, "load against approach along the branch",
                      "approach and contact_radius in epsilon; load in pi w R, compressive > 0; "
-                     "energy in pi w R epsilon, its rate by approach is the load; position: "
-                     "arclength along the branch in the metric of the solver, approach_rate and "
-                     "load_rate: per position",
+                     "energy in pi w R epsilon, its derivative by the approach is the load; "
+                     "position: arclength along the branch in the metric of the solver; "
+                     "approach_rate and load_rate: derivatives by the position",
                      &rows, digest);
 }
 
@@ -71,7 +71,7 @@ po_status po_tables_write_profile(const char *path, const po_request *request,
   }
   return write_table(path, request, what,
                      "radius and approach in epsilon; gap H = h/epsilon - 1; traction P = p mu "
-                     "epsilon / w, compressive > 0",
+                     "epsilon/w, compressive > 0",
                      &rows, digest);
 }
 
@@ -80,7 +80,8 @@ static void add_steps(po_text *rows, const char *control, const po_staircase *s)
     const po_step *step = &s->step[k];
     const po_cycle *cycle = &step->cycle[0];
     const bool lost = isfinite(cycle->energy_lost);
-    /* an open step holds as far as was looked; bodies that are apart have no approach */
+    /* if the step is open, `until` is the last state of loading on the curve; separated bodies have
+     * the approach -inf */
     const double row[] = {step->preload.approach,
                           step->preload.load,
                           step->until.approach,
@@ -104,16 +105,18 @@ po_status po_tables_write_staircase(const char *path, const po_request *request,
                      "force_error,approach,approach_error,energy_lost,energy_lost_error\n");
   add_steps(&rows, "displacement", &result->staircase[0]);
   add_steps(&rows, "load", &result->staircase[1]);
-  return write_table(path, request,
-                     "pull-off and energy lost by the preload: each row a step, from one greatest "
-                     "approach (control displacement) or load (control load) until another; open: "
-                     "or farther",
-                     "approaches in epsilon, -inf apart; loads and force in pi w R; energy in pi w "
-                     "R epsilon, nan: boundless",
-                     &rows, digest);
+  return write_table(
+      path, request,
+      "pull-off force and dissipated energy as functions of the preload: each row is "
+      "a step, the range of greatest approaches (control displacement) or loads "
+      "(control load) with the same pull-off; open: the curve ends before the step",
+      "approaches in epsilon, -inf for separated bodies; loads and force in pi w R; "
+      "energy in pi w R epsilon, nan: unbounded",
+      &rows, digest);
 }
 
-/* Reads a table whose columns must be `names`, in any order; *values is row after row in theirs. */
+/* Reads a table with the columns `names`, in any order. Returned: *values, *rows x count, stored
+ * row by row in the order of `names`, to be freed. */
 static po_status read_numbers(const char *path, const char *digest, const char *const *names,
                               size_t count, double **values, size_t *rows) {
   po_csv csv;
@@ -125,7 +128,8 @@ static po_status read_numbers(const char *path, const char *digest, const char *
   if (!*values)
     status = PO_NO_MEMORY;
   else if (strcmp(digest, csv.digest) != 0)
-    status = po_fail(PO_CANNOT_READ, "%s is not the table of this record", path);
+    status =
+        po_fail(PO_CANNOT_READ, "%s is not the table of this record: its checksum differs", path);
   for (size_t c = 0; !status && c < count; ++c) {
     const int column = po_csv_find_column(&csv, names[c]);
     if (column < 0)

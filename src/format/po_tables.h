@@ -1,4 +1,4 @@
-/* Curves and profiles as CSV. */
+/* Curves, profiles and staircases as CSV tables. */
 #ifndef PO_TABLES_H
 #define PO_TABLES_H
 
@@ -6,22 +6,25 @@
 #include "po_result.h"
 #include "po_status.h"
 
-/* Writes position,approach,load,energy,contact_radius,unstable_modes along the branch, under
- * headers that say which scene it is, in which units, and the checksum of all other lines.
- * Returned: that checksum, unless `digest` is NULL. Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
+/* Writes the branch with the columns position, approach, load, energy, contact_radius,
+ * approach_rate, load_rate and unstable_modes. The headers state the scene, the units and the
+ * checksum of all other lines. Returned: digest, that checksum, unless it is NULL. Status:
+ * PO_CANNOT_WRITE, PO_NO_MEMORY. */
 po_status po_tables_write_curve(const char *path, const po_request *request,
                                 const po_result *result, char *digest);
 
-/* Writes radius,gap,traction at result->profile_approach. */
+/* Writes the profile at result->profile_approach with the columns radius, gap and traction.
+ * Otherwise as po_tables_write_curve. */
 po_status po_tables_write_profile(const char *path, const po_request *request,
                                   const po_result *result, char *digest);
 
-/* Writes the steps of both staircases, a row each. */
+/* Writes the steps of both staircases, one in each row. Otherwise as po_tables_write_curve. */
 po_status po_tables_write_staircase(const char *path, const po_request *request,
                                     const po_result *result, char *digest);
 
-/* Read back what the first two wrote into result->curve, result->profile, when it is what has the
- * checksum `digest`. Status: PO_CANNOT_READ. */
+/* Read a table of po_tables_write_curve or po_tables_write_profile into result->curve or
+ * result->profile. Status: PO_CANNOT_READ, also if the checksum of the table is not `digest`;
+ * PO_NO_MEMORY. */
 po_status po_tables_read_curve(const char *path, const char *digest, po_result *result);
 po_status po_tables_read_profile(const char *path, const char *digest, po_result *result);
 

@@ -17,11 +17,11 @@ typedef enum {
   FINITE_OR_INFINITE,
   COUNT,
   NAME
-} po_domain;
+} value_type;
 
 static const struct {
   const char *name;
-  po_domain domain;
+  value_type type;
   const char *expected;
 } KEYS[PO_KEY_END] = {
     [PO_KEY_TABOR] = {"tabor", NOT_NEGATIVE, "a finite number >= 0"},
@@ -65,7 +65,7 @@ const char *po_key_expected(po_key key) {
 }
 
 bool po_key_is_number(po_key key) {
-  return KEYS[key].domain != NAME;
+  return KEYS[key].type != NAME;
 }
 
 bool po_key_is_group(int key) {
@@ -80,7 +80,7 @@ po_key po_key_target(po_key key) {
   return key == PO_KEY_AMPLITUDE_RATIO ? PO_KEY_AMPLITUDE : key;
 }
 
-/* Where the number of a key lives; NULL for names and counts. */
+/* Returned: the place of the value of a key in a request; NULL for names and counts. */
 static double *key_place(po_request *request, po_key key) {
   switch (key) {
   case PO_KEY_TABOR:
@@ -121,8 +121,8 @@ static bool set_name(po_request *request, po_key key, const char *text) {
   return true;
 }
 
-static bool domain_parse(po_domain domain, const char *text, double *value) {
-  switch (domain) {
+static bool parse_value(value_type type, const char *text, double *value) {
+  switch (type) {
   case ANY_NUMBER:
     return po_number_parse(text, value);
   case NOT_NEGATIVE:
@@ -139,9 +139,9 @@ static bool domain_parse(po_domain domain, const char *text, double *value) {
 }
 
 bool po_key_set(po_request *request, po_key key, const char *text) {
-  if (KEYS[key].domain == NAME)
+  if (KEYS[key].type == NAME)
     return set_name(request, key, text);
-  if (KEYS[key].domain == COUNT) {
+  if (KEYS[key].type == COUNT) {
     size_t count = 0;
     if (!po_number_parse_count(text, &count) || count == 0)
       return false;
@@ -149,7 +149,7 @@ bool po_key_set(po_request *request, po_key key, const char *text) {
     return true;
   }
   double value = 0;
-  if (!domain_parse(KEYS[key].domain, text, &value))
+  if (!parse_value(KEYS[key].type, text, &value))
     return false;
   if (key == PO_KEY_ALPHA)
     value = sqrt(request->scene.amplitude * request->scene.radius / value);
@@ -209,7 +209,7 @@ bool po_key_is_idle(const po_request *request, po_key key) {
          isnan(po_key_number(request, key)) || po_key_is_of_other_scheme(request, key);
 }
 
-/* Whether the command says the usual preload. */
+/* Returned: whether the command must state the default preload. */
 static bool adds_preload(const po_request *request) {
   return request->scene.amplitude > 0 && !request->want && isnan(request->preload.approach) &&
          isnan(request->preload.load) && isnan(request->approach_end);
@@ -229,7 +229,8 @@ char *po_input_command(const po_request *request) {
         *c = '-';
     po_text_add(&command, " --%s %s", flag, value);
   }
-  if (adds_preload(request)) /* as without it, but a single solve would go on beyond */
+  /* without the preload, a single solve would search beyond the default one */
+  if (adds_preload(request))
     po_text_add(&command, " --preload-load %g", po_request_preload(request).load);
   const char *before = " --want ";
   for (int k = 0; k < PO_WANT_COUNT; ++k)
