@@ -12,7 +12,7 @@
 /* As po_struve.h and po_kernel.h state them; 4 ulp. */
 static const double STRUVE_ACCURACY = 1e-14, KERNEL_ACCURACY = 4 * DBL_EPSILON;
 
-START_TEST(struve_is_the_table) {
+START_TEST(struve_agrees_with_the_table) {
   static const char *const COLUMNS[] = {"h0", "h1", "h2"};
   table t = table_open("struve.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row)
@@ -24,7 +24,7 @@ START_TEST(struve_is_the_table) {
 }
 END_TEST
 
-START_TEST(difference_is_the_table) {
+START_TEST(difference_agrees_with_the_table) {
   static const char *const COLUMNS[] = {"h0_minus_y0", "h1_minus_y1", "h2_minus_y2"};
   table t = table_open("struve.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row)
@@ -67,7 +67,7 @@ static double decimal_sum(decimal a, decimal b, int sign) {
   return (double)((long double)(a.mantissa + sign * b.mantissa) * powl(10.0L, a.exponent));
 }
 
-START_TEST(kernel_is_the_table) {
+START_TEST(kernel_agrees_with_the_table) {
   table t = table_open("kernel.csv");
   size_t points = 0;
   for (size_t row = 0; row < t.csv.row_count; ++row) {
@@ -84,7 +84,7 @@ START_TEST(kernel_is_the_table) {
 }
 END_TEST
 
-START_TEST(kernel_row_is_the_table) {
+START_TEST(kernel_row_agrees_with_the_table) {
   table t = table_open("kernel.csv");
   size_t points = 0;
   for (size_t row = 0; row < t.csv.row_count; ++row) {
@@ -108,10 +108,10 @@ END_TEST
 
 static void add(TCase *tests) {
   gsl_set_error_handler_off();
-  tcase_add_test(tests, struve_is_the_table);
-  tcase_add_test(tests, difference_is_the_table);
-  tcase_add_test(tests, kernel_is_the_table);
-  tcase_add_test(tests, kernel_row_is_the_table);
+  tcase_add_test(tests, struve_agrees_with_the_table);
+  tcase_add_test(tests, difference_agrees_with_the_table);
+  tcase_add_test(tests, kernel_agrees_with_the_table);
+  tcase_add_test(tests, kernel_row_agrees_with_the_table);
 }
 
 int main(void) {

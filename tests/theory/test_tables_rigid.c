@@ -6,7 +6,7 @@
 /* As the header states it. */
 static const double RIGID_ACCURACY = 1e-10;
 
-START_TEST(rigid_pull_off_is_the_table) {
+START_TEST(rigid_pull_off_agrees_with_the_table) {
   table t = table_open("rigid_pull_off.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const po_rigid_pull_off got =
@@ -19,7 +19,7 @@ START_TEST(rigid_pull_off_is_the_table) {
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_test(tests, rigid_pull_off_is_the_table);
+  tcase_add_test(tests, rigid_pull_off_agrees_with_the_table);
 }
 
 int main(void) {

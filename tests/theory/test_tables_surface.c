@@ -9,7 +9,7 @@
 /* As po_element.h and po_rigid.h state them. */
 static const double RING_ACCURACY = 1e-15, TRIANGLE_ACCURACY = 1e-12, RIGID_ACCURACY = 1e-9;
 
-START_TEST(ring_is_the_table) {
+START_TEST(ring_agrees_with_the_table) {
   table t = table_open("kernel.csv");
   size_t rings = 0;
   for (size_t row = 0; row < t.csv.row_count; ++row) {
@@ -30,7 +30,7 @@ START_TEST(ring_is_the_table) {
 }
 END_TEST
 
-START_TEST(triangle_is_the_table) {
+START_TEST(triangle_agrees_with_the_table) {
   table t = table_open("kernel.csv");
   size_t triangles = 0;
   for (size_t row = 0; row < t.csv.row_count; ++row) {
@@ -68,7 +68,7 @@ static po_scene rigid_scene(const table *t, size_t row) {
                     .outer_radius = INFINITY};
 }
 
-START_TEST(rigid_load_is_the_table) {
+START_TEST(rigid_load_agrees_with_the_table) {
   table t = table_open("rigid_integral.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const po_scene scene = rigid_scene(&t, row);
@@ -92,7 +92,7 @@ static bool look(const po_branch_point *p, void *data) {
   return false;
 }
 
-START_TEST(rigid_pull_off_is_the_table) {
+START_TEST(rigid_pull_off_agrees_with_the_table) {
   table t = table_open("rigid_pull_off.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const po_scene scene = rigid_scene(&t, row);
@@ -110,10 +110,10 @@ START_TEST(rigid_pull_off_is_the_table) {
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_test(tests, ring_is_the_table);
-  tcase_add_test(tests, triangle_is_the_table);
-  tcase_add_test(tests, rigid_load_is_the_table);
-  tcase_add_test(tests, rigid_pull_off_is_the_table);
+  tcase_add_test(tests, ring_agrees_with_the_table);
+  tcase_add_test(tests, triangle_agrees_with_the_table);
+  tcase_add_test(tests, rigid_load_agrees_with_the_table);
+  tcase_add_test(tests, rigid_pull_off_agrees_with_the_table);
 }
 
 int main(void) {

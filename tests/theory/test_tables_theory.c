@@ -33,7 +33,7 @@ static po_contact terms_at(const po_scene *s, double a) {
   };
 }
 
-START_TEST(guduru_is_the_table) {
+START_TEST(guduru_agrees_with_the_table) {
   table t = table_open("guduru.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const po_scene s = scene_of(&t, row);
@@ -46,7 +46,7 @@ START_TEST(guduru_is_the_table) {
 }
 END_TEST
 
-START_TEST(guduru_pull_off_is_the_table) {
+START_TEST(guduru_pull_off_agrees_with_the_table) {
   table t = table_open("guduru_pull_off.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const po_scene s = scene_of(&t, row);
@@ -60,7 +60,7 @@ START_TEST(guduru_pull_off_is_the_table) {
 }
 END_TEST
 
-START_TEST(envelope_is_the_table) {
+START_TEST(envelope_agrees_with_the_table) {
   table t = table_open("kesari_lew.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const po_scene s = scene_of(&t, row);
@@ -83,7 +83,7 @@ START_TEST(envelope_is_the_table) {
 }
 END_TEST
 
-START_TEST(edges_are_the_table) {
+START_TEST(edges_agree_with_the_table) {
   table t = table_open("kesari_lew_edges.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const po_scene s = scene_of(&t, row);
@@ -104,7 +104,7 @@ START_TEST(edges_are_the_table) {
 }
 END_TEST
 
-START_TEST(rigid_load_is_the_table) {
+START_TEST(rigid_load_agrees_with_the_table) {
   table t = table_open("rigid_integral.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const double load =
@@ -116,7 +116,7 @@ START_TEST(rigid_load_is_the_table) {
 }
 END_TEST
 
-START_TEST(bradley_is_the_table) {
+START_TEST(bradley_agrees_with_the_table) {
   table t = table_open("bradley.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const double approach = table_number(&t, row, "approach"), x = 1.0 - approach;
@@ -131,12 +131,12 @@ END_TEST
 
 static void add(TCase *tests) {
   gsl_set_error_handler_off();
-  tcase_add_test(tests, guduru_is_the_table);
-  tcase_add_test(tests, guduru_pull_off_is_the_table);
-  tcase_add_test(tests, envelope_is_the_table);
-  tcase_add_test(tests, edges_are_the_table);
-  tcase_add_test(tests, rigid_load_is_the_table);
-  tcase_add_test(tests, bradley_is_the_table);
+  tcase_add_test(tests, guduru_agrees_with_the_table);
+  tcase_add_test(tests, guduru_pull_off_agrees_with_the_table);
+  tcase_add_test(tests, envelope_agrees_with_the_table);
+  tcase_add_test(tests, edges_agree_with_the_table);
+  tcase_add_test(tests, rigid_load_agrees_with_the_table);
+  tcase_add_test(tests, bradley_agrees_with_the_table);
 }
 
 int main(void) {

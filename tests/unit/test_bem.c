@@ -68,7 +68,7 @@ START_TEST(panels_deflect_as_a_gaussian) {
 }
 END_TEST
 
-START_TEST(panels_reach_infinity) {
+START_TEST(panel_to_infinity_integrates_the_tail) {
   static const double EDGES[] = {0.0, 0.5, 1.0, 2.0, 5.0, INFINITY};
   const double r = RADII[_i];
   ck_assert_double_eq_tol(panel_deflection(EDGES, 5, 20, r, algebraic_traction),
@@ -176,7 +176,7 @@ END_TEST
 
 /* Coefficients may go into every other place, or a row of a matrix: whatever was there, the same
  * numbers, and nothing in between. */
-START_TEST(coefficients_at_a_distance) {
+START_TEST(coefficients_at_a_stride) {
   enum { N = 40, APART = 7 };
   static const double AT[] = {0.0, 0.31, 3.85, 200.0};
   double node[N + 1], plain[N + 1], row[APART * (N + 1)];
@@ -268,10 +268,10 @@ END_TEST
 
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, panels_deflect_as_a_gaussian, 0, RADIUS_COUNT);
-  tcase_add_loop_test(tests, panels_reach_infinity, 0, RADIUS_COUNT);
+  tcase_add_loop_test(tests, panel_to_infinity_integrates_the_tail, 0, RADIUS_COUNT);
   tcase_add_test(tests, panel_weights_integrate_the_load);
   tcase_add_test(tests, triangle_coefficients);
-  tcase_add_loop_test(tests, coefficients_at_a_distance, 0, 4);
+  tcase_add_loop_test(tests, coefficients_at_a_stride, 0, 4);
   tcase_add_loop_test(tests, schemes_converge_at_second_order, 0, 4);
   tcase_add_loop_test(tests, weights_add_up, 0, 4);
 }

@@ -81,7 +81,7 @@ END_TEST
 
 /* What pulls off last in the middle is neither there yet at one end, nor near the deepest at the
  * other: 0.69 of it. */
-START_TEST(deepest_in_the_middle_alone) {
+START_TEST(minimum_that_is_deepest_only_between_checkpoints) {
   static const line_words WORDS = {'t', 2.5, 5.0, 4, 0, 5.02378, 20.0, 100.0};
   po_request request[MOST];
   po_result result[MOST], traced;
@@ -100,7 +100,7 @@ END_TEST
 /* The deepest minimum at one end goes beyond the preload on the way, where a trace ends before it,
  * and is still there, shallower than the pull-off, at the other end: 5.1996 was given for 2.4515.
  */
-START_TEST(what_lies_beyond_the_preload_is_no_pull_off) {
+START_TEST(minima_beyond_the_preload_are_not_the_pull_off) {
   enum { COUNT = 8 };
   po_request request[COUNT];
   po_result result[COUNT];
@@ -128,7 +128,7 @@ END_TEST
 
 /* Between two checkpoints whose minima rise from wave to wave, and fall again before the trace
  * ends: no trace of a scene between would end there. */
-START_TEST(one_rise_is_no_end) {
+START_TEST(one_rise_of_the_minima_does_not_end_the_series) {
   enum { COUNT = 11 };
   po_request request[COUNT];
   po_result result[COUNT], traced;
@@ -152,7 +152,7 @@ START_TEST(one_rise_is_no_end) {
 END_TEST
 
 /* Lines on which no minimum ends: few factorisations a scene that is followed. */
-START_TEST(following_costs_little) {
+START_TEST(following_takes_few_factorizations) {
   po_request request[MOST];
   po_result result[MOST];
   const line_words *w = &LINES[_i];
@@ -202,10 +202,10 @@ END_TEST
 
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, followed_is_what_a_trace_finds, 0, sizeof LINES / sizeof *LINES);
-  tcase_add_loop_test(tests, following_costs_little, 2, 4);
-  tcase_add_test(tests, deepest_in_the_middle_alone);
-  tcase_add_test(tests, what_lies_beyond_the_preload_is_no_pull_off);
-  tcase_add_test(tests, one_rise_is_no_end);
+  tcase_add_loop_test(tests, following_takes_few_factorizations, 2, 4);
+  tcase_add_test(tests, minimum_that_is_deepest_only_between_checkpoints);
+  tcase_add_test(tests, minima_beyond_the_preload_are_not_the_pull_off);
+  tcase_add_test(tests, one_rise_of_the_minima_does_not_end_the_series);
   tcase_add_test(tests, what_cannot_be_followed_is_traced);
 }
 

@@ -143,7 +143,7 @@ START_TEST(folds_followed_are_those_of_traces) {
 END_TEST
 
 /* The two folds of a smooth sphere meet at mu = 0.697 and end there: below, none can be had. */
-START_TEST(folds_that_meet_are_lost) {
+START_TEST(merging_folds_end) {
   static const line LINE = {{0.0, 0.0, 0.0, 100.0, INFINITY}, false, 0.9, {0.75, 0.6, 0.0}, 2};
   folds f;
   trace(&LINE, &f);
@@ -160,7 +160,7 @@ END_TEST
 
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, folds_followed_are_those_of_traces, 0, sizeof LINES / sizeof *LINES);
-  tcase_add_test(tests, folds_that_meet_are_lost);
+  tcase_add_test(tests, merging_folds_end);
 }
 
 int main(void) {

@@ -19,7 +19,7 @@ static int threads(void) {
   return count;
 }
 
-START_TEST(test_one_thread) {
+START_TEST(openblas_has_one_thread) {
   po_linear_single_thread();
   ck_assert_int_eq(threads(), 1);
   po_linear_single_thread();
@@ -27,7 +27,7 @@ START_TEST(test_one_thread) {
 }
 END_TEST
 
-START_TEST(test_algebra_without_threads) {
+START_TEST(linear_algebra_needs_no_threads) {
   static double a[N * N], x[N];
   static int pivots[N];
   po_linear_single_thread();
@@ -45,7 +45,7 @@ START_TEST(test_algebra_without_threads) {
 END_TEST
 
 /* Two equal columns: a pivot is zero, in double and in single precision; moved apart it is not. */
-START_TEST(test_singular_is_noticed) {
+START_TEST(singular_matrix_is_reported) {
   double a[9] = {1, 2, 3, 4, 5, 7, 4, 5, 7};
   float b[9] = {1, 2, 3, 4, 5, 7, 4, 5, 7};
   int pivots[3];
@@ -60,9 +60,9 @@ START_TEST(test_singular_is_noticed) {
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_test(tests, test_one_thread);
-  tcase_add_test(tests, test_algebra_without_threads);
-  tcase_add_test(tests, test_singular_is_noticed);
+  tcase_add_test(tests, openblas_has_one_thread);
+  tcase_add_test(tests, linear_algebra_needs_no_threads);
+  tcase_add_test(tests, singular_matrix_is_reported);
 }
 
 int main(void) {

@@ -166,7 +166,7 @@ static const struct {
                   {{6.3507, 1.0448, 40.547, 110.44, INFINITY}, 1.0, 6, 300},
                   {{4.4434, 9.1904, 46.746, 87.672, INFINITY}, 12.0, 14, SIZE_MAX}};
 
-START_TEST(folds_are_of_the_scene_and_have_errors) {
+START_TEST(no_spurious_folds_and_all_have_error_estimates) {
   po_request request = panels(1.0, 1e-4);
   request.scene = MANY_FOLDS[_i].scene;
   request.preload.load = MANY_FOLDS[_i].preload;
@@ -207,7 +207,7 @@ END_TEST
 
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, a_pull_off_is_sharpened_by_itself, 0, 2);
-  tcase_add_loop_test(tests, folds_are_of_the_scene_and_have_errors, 0, 3);
+  tcase_add_loop_test(tests, no_spurious_folds_and_all_have_error_estimates, 0, 3);
   tcase_add_test(tests, pull_off_that_no_mesh_meets_is_refused);
   tcase_add_loop_test(tests, rigid_waves_are_solved_to_the_tolerance, 0, 2);
   tcase_add_loop_test(tests, pull_off_is_right_to_the_tolerance, 0, PULL_OFF_COUNT);

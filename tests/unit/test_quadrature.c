@@ -14,7 +14,7 @@ START_TEST(gauss_is_exact) {
 }
 END_TEST
 
-START_TEST(log_rule_takes_powers_times_log) { /* integral of x^k ln x = -1/(k + 1)^2 */
+START_TEST(log_rule_integrates_powers_times_log) { /* integral of x^k ln x = -1/(k + 1)^2 */
   double node[PO_LOG_RULE_POINTS], weight[PO_LOG_RULE_POINTS], log_sum = 0.0, sum = 0.0;
   po_log_rule(node, weight);
   for (int i = 0; i < PO_LOG_RULE_POINTS; ++i) {
@@ -41,7 +41,7 @@ static const double PLACES[] = {-1.7,   -0.31, -1e-3, -1e-9, 0.0,    1e-12,
                                 0.2385, 0.5,   0.99,  1.0,   1.0003, 2.6};
 enum { PLACE_COUNT = sizeof PLACES / sizeof *PLACES };
 
-START_TEST(near_rule_takes_the_logarithm_anywhere) {
+START_TEST(near_rule_integrates_the_logarithm_at_any_place) {
   static const double MIRRORS[] = {1e-6, 0.13, 5.0};
   po_near_tables tables;
   ck_assert_int_eq(po_near_tables_fill(&tables), PO_OK);
@@ -87,8 +87,8 @@ END_TEST
 
 static void add(TCase *tests) {
   tcase_add_test(tests, gauss_is_exact);
-  tcase_add_loop_test(tests, log_rule_takes_powers_times_log, 0, 20);
-  tcase_add_loop_test(tests, near_rule_takes_the_logarithm_anywhere, 0, PLACE_COUNT);
+  tcase_add_loop_test(tests, log_rule_integrates_powers_times_log, 0, 20);
+  tcase_add_loop_test(tests, near_rule_integrates_the_logarithm_at_any_place, 0, PLACE_COUNT);
   tcase_add_test(tests, lagrange_reproduces_a_polynomial);
   tcase_add_test(tests, hermite_is_exact_for_cubics);
 }

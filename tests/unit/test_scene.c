@@ -40,7 +40,7 @@ START_TEST(bad_scenes_are_named) {
 }
 END_TEST
 
-START_TEST(shape_is_eq_2) {
+START_TEST(profile_is_eq_2) {
   const po_scene scene = {1.0, 0.7, 13.0, 91.0, INFINITY};
   const double r = 2.385;
   ck_assert_double_eq_tol(po_profile(&scene, r),
@@ -118,7 +118,7 @@ END_TEST
 static void add(TCase *tests) {
   tcase_add_test(tests, groups_of_the_paper);
   tcase_add_loop_test(tests, bad_scenes_are_named, 0, sizeof BAD / sizeof *BAD);
-  tcase_add_test(tests, shape_is_eq_2);
+  tcase_add_test(tests, profile_is_eq_2);
   tcase_add_loop_test(tests, law_is_eq_16_and_derives_from_its_energy, 0,
                       sizeof GAPS / sizeof *GAPS);
   tcase_add_test(tests, law_peaks_where_the_paper_says);

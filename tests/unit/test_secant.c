@@ -44,21 +44,21 @@ static double iterate(int steps, bool updates, double scale) {
 }
 
 /* D. M. Gay, SIAM J. Numer. Anal. 16 (1979) 623: 2 n steps and the solution is exact. */
-START_TEST(broyden_ends_on_a_linear_system) {
+START_TEST(broyden_solves_a_linear_system_in_finitely_many_steps) {
   ck_assert_double_lt(iterate(2 * N, true, 1.7 * _i), 1e-13);
   ck_assert_double_gt(iterate(2 * N, false, 1.7 * _i), 1e-4);
 }
 END_TEST
 
 /* More steps than there is room for corrections: they are forgotten, and it still converges. */
-START_TEST(full_room_is_emptied) {
+START_TEST(full_corrections_are_dropped) {
   ck_assert_double_lt(iterate(3 * PO_SECANT_DEPTH, true, 0.0), 1e-13);
 }
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_loop_test(tests, broyden_ends_on_a_linear_system, 0, 3);
-  tcase_add_test(tests, full_room_is_emptied);
+  tcase_add_loop_test(tests, broyden_solves_a_linear_system_in_finitely_many_steps, 0, 3);
+  tcase_add_test(tests, full_corrections_are_dropped);
 }
 
 int main(void) {

@@ -91,7 +91,7 @@ END_TEST
 
 /* A point beside a minimum may be below it by the error of its mesh: what is measured is the
  * minimum. Of 1,000 random scenes one was said to have a pull-off that no preload gives. */
-START_TEST(a_step_is_of_the_minimum_itself) {
+START_TEST(a_step_begins_at_the_minimum_itself) {
   static const made CURVE[] = {
       {0, 0, 0}, {1, -1.00001, 0}, {1.1, -1, 0}, {1.2, -1.00001, 0}, {4, 1, 0}};
   po_path_point point[MOST];
@@ -290,7 +290,7 @@ END_TEST
 static void add(TCase *tests) {
   tcase_add_test(tests, minima_that_loading_passes_are_steps);
   tcase_add_test(tests, a_harder_preload_may_give_less);
-  tcase_add_test(tests, a_step_is_of_the_minimum_itself);
+  tcase_add_test(tests, a_step_begins_at_the_minimum_itself);
   tcase_add_test(tests, a_curve_without_minima_has_no_steps);
   tcase_add_loop_test(tests, steps_are_those_of_separate_loops, 0, sizeof SCENES / sizeof *SCENES);
   tcase_add_test(tests, what_decides_the_pull_off);

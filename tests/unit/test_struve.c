@@ -36,7 +36,7 @@ static const double TABLE[][4] = {
 };
 enum { TABLE_COUNT = sizeof TABLE / sizeof *TABLE };
 
-START_TEST(struve_is_mpmath) {
+START_TEST(struve_agrees_with_mpmath) {
   const double x = TABLE[_i][0];
   for (int n = 0; n < 3; ++n) {
     const double expected = TABLE[_i][n + 1];
@@ -47,14 +47,15 @@ START_TEST(struve_is_mpmath) {
 }
 END_TEST
 
-START_TEST(struve_is_published) { /* Abramowitz and Stegun table 12.1, MacLeod TOMS 757 */
+START_TEST(
+    struve_agrees_with_published_tables) { /* Abramowitz and Stegun table 12.1, MacLeod TOMS 757 */
   ck_assert_double_eq_tol(po_struve(1, 2.0), 0.6467637282835622, 1e-15);
   ck_assert_double_eq_tol(po_struve(2, 3.0), 0.74238666967748318564, 1e-15);
   ck_assert_double_eq_tol(po_struve(1, 9.0), 0.7485424374510771033, 1e-15);
 }
 END_TEST
 
-START_TEST(difference_is_difference) {
+START_TEST(struve_minus_bessel_is_the_difference) {
   const double x = TABLE[_i][0];
   for (int n = 0; n < 3; ++n) {
     const double y = gsl_sf_bessel_Yn(n, x), h = TABLE[_i][n + 1];
@@ -64,7 +65,7 @@ START_TEST(difference_is_difference) {
 }
 END_TEST
 
-START_TEST(series_and_integral_meet) {
+START_TEST(struve_series_and_integral_agree) {
   const double below = 9.0, above = nextafter(9.0, 10.0);
   for (int n = 0; n < 3; ++n) {
     ck_assert_double_eq_tol(po_struve(n, below), po_struve(n, above), 5e-15);
@@ -111,10 +112,10 @@ END_TEST
 
 static void add(TCase *tests) {
   gsl_set_error_handler_off();
-  tcase_add_loop_test(tests, struve_is_mpmath, 0, TABLE_COUNT);
-  tcase_add_test(tests, struve_is_published);
-  tcase_add_loop_test(tests, difference_is_difference, 0, TABLE_COUNT);
-  tcase_add_test(tests, series_and_integral_meet);
+  tcase_add_loop_test(tests, struve_agrees_with_mpmath, 0, TABLE_COUNT);
+  tcase_add_test(tests, struve_agrees_with_published_tables);
+  tcase_add_loop_test(tests, struve_minus_bessel_is_the_difference, 0, TABLE_COUNT);
+  tcase_add_test(tests, struve_series_and_integral_agree);
   tcase_add_loop_test(tests, slope_of_order_zero, 0, TABLE_COUNT);
   tcase_add_test(tests, outside_the_domain);
   tcase_add_test(tests, root_is_found);

@@ -52,7 +52,7 @@ static void call(const po_form *form, const po_scene *scene, double alpha, doubl
 }
 
 /* Each pair of sizes, the others as usual; then, drawn among all, any four. */
-START_TEST(every_form_returns) {
+START_TEST(every_form_returns_for_extreme_scenes) {
   const po_form *form = po_form_find(FORMS[_i]);
   /* The rigid wavy sphere is an integral, some 10 ms each; the others take microseconds. */
   const int stride = strcmp(form->name, "rigid") == 0 ? 151 : 1;
@@ -106,7 +106,7 @@ START_TEST(every_form_has_numbers) {
 END_TEST
 
 /* The functions of math that closed forms are made of. */
-START_TEST(functions_return) {
+START_TEST(closed_forms_are_finite_for_extreme_arguments) {
   limit_time();
   for (int i = 0; i < SIZE_COUNT; ++i) {
     const double x = SIZES[i];
@@ -137,7 +137,7 @@ END_TEST
 /* Waves by the million: the pull-off by the waves one by one, where that is still done, and by the
  * envelope from 1e8 on, meet; in work that does not grow. Of the approach the nearest trough is
  * what counts. */
-START_TEST(waves_by_the_million) {
+START_TEST(guduru_pull_off_with_many_waves_is_the_envelope) {
   limit_time();
   for (double wavelength = 1e-2; wavelength > 1e-12; wavelength *= 0.37) {
     const po_scene s = {5.0, 1.0, wavelength, 100.0, INFINITY};
@@ -223,7 +223,7 @@ static void own_handler(const char *reason, const char *file, int line, int erro
   ck_abort_msg("GSL: %s (%s:%d, %d)", reason, file, line, error);
 }
 
-START_TEST(handler_is_the_callers) {
+START_TEST(gsl_error_handler_is_unchanged) {
   gsl_set_error_handler(own_handler);
   for (int i = 0; i < FORM_COUNT; ++i) {
     const po_scene scene = {5.0, 1.0, 10.0, 100.0, INFINITY};
@@ -235,14 +235,14 @@ END_TEST
 
 static void
 add(TCase *tests) { /* each in a process of its own, with GSL's own handler, which aborts */
-  tcase_add_loop_test(tests, every_form_returns, 0, FORM_COUNT);
+  tcase_add_loop_test(tests, every_form_returns_for_extreme_scenes, 0, FORM_COUNT);
   tcase_add_loop_test(tests, every_form_has_numbers, 0, FORM_COUNT);
-  tcase_add_test(tests, functions_return);
-  tcase_add_test(tests, waves_by_the_million);
+  tcase_add_test(tests, closed_forms_are_finite_for_extreme_arguments);
+  tcase_add_test(tests, guduru_pull_off_with_many_waves_is_the_envelope);
   tcase_add_test(tests, phase_is_exact);
   tcase_add_test(tests, traction_near_equilibrium_does_not_cancel);
   tcase_add_test(tests, rigid_limits);
-  tcase_add_test(tests, handler_is_the_callers);
+  tcase_add_test(tests, gsl_error_handler_is_unchanged);
 }
 
 int main(void) {

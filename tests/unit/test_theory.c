@@ -18,7 +18,7 @@ static const po_scene SCENES[] = {{5.0, 10.0, 20.0, 100.0, INFINITY},
                                   {7.7, 0.03, 400.0, 91.0, INFINITY}};
 enum { SCENE_COUNT = sizeof SCENES / sizeof *SCENES };
 
-START_TEST(jkr_by_known_points) {
+START_TEST(jkr_at_known_points) {
   const po_scene *s = &SCENES[_i];
   const po_contact load = po_jkr_pull_off(s), last = po_jkr_last(s);
   ck_assert_double_eq_tol(load.load, -1.5, 1e-14);
@@ -108,12 +108,12 @@ START_TEST(pull_off_is_the_global_minimum) { /* no load on a dense grid is lower
 }
 END_TEST
 
-START_TEST(pull_off_of_the_notes) {
+START_TEST(guduru_pull_off_at_a_known_scene) {
   ck_assert_double_eq_tol(-po_guduru_pull_off(&SCENES[0]).load, 19.9243, 1e-4);
 }
 END_TEST
 
-START_TEST(envelope_holds_eq_5) { /* many short waves: between the edges, touching both */
+START_TEST(envelope_encloses_eq_5) { /* many short waves: between the edges, touching both */
   const po_scene s = {3.1, 0.02, 0.9, 770.0, INFINITY};
   const double middle = 60.0;
   double low = INFINITY, high = INFINITY;
@@ -215,14 +215,14 @@ END_TEST
 
 static void add(TCase *tests) {
   gsl_set_error_handler_off();
-  tcase_add_loop_test(tests, jkr_by_known_points, 0, SCENE_COUNT);
+  tcase_add_loop_test(tests, jkr_at_known_points, 0, SCENE_COUNT);
   tcase_add_loop_test(tests, guduru_is_eq_5, 0, SCENE_COUNT);
   tcase_add_loop_test(tests, guduru_rate_is_the_slope, 0, SCENE_COUNT);
   tcase_add_loop_test(tests, guduru_becomes_jkr, 0, SCENE_COUNT);
   tcase_add_loop_test(tests, smooth_is_jkr, 0, SCENE_COUNT);
   tcase_add_loop_test(tests, pull_off_is_the_global_minimum, 0, SCENE_COUNT);
-  tcase_add_test(tests, pull_off_of_the_notes);
-  tcase_add_test(tests, envelope_holds_eq_5);
+  tcase_add_test(tests, guduru_pull_off_at_a_known_scene);
+  tcase_add_test(tests, envelope_encloses_eq_5);
   tcase_add_loop_test(tests, rigid_is_eq_22, 0, RIGID_COUNT);
   tcase_add_test(tests, rigid_becomes_bradley);
   tcase_add_test(tests, rigid_pull_off);
