@@ -18,7 +18,6 @@ static const double JOIN_MARGIN = 0.85;
 /* A curve as straight as this many times what a cubic may miss is not looked at: the energies may
  * be rounded by more. */
 static const double STRAIGHT = 40.0;
-static const double SHORTEST_STEP = 1e-9;
 
 /* One attempt at a step. */
 typedef struct {
@@ -93,7 +92,7 @@ static po_status try_step(po_continuation *t, double step, attempt *a) {
 po_status po_continuation_advance(po_continuation *t) {
   bool missed = false;
   for (;;) {
-    if (t->step < SHORTEST_STEP)
+    if (t->step < PO_LOCATED)
       return po_fail(PO_STEP_TOO_SMALL,
                      "the branch could not be followed with the shortest step past approach %.6g, "
                      "load %.6g",

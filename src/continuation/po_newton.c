@@ -6,16 +6,15 @@
 #include "po_equilibrium.h"
 #include "po_linear.h"
 
-/* When rounding keeps a correction from its precision, this much is accepted if it no longer falls.
- */
+/* A change that rounding may have, with a wide margin: when rounding keeps a correction from its
+ * precision, this much is accepted if it no longer falls; and Broyden's updates learn nothing from
+ * a smaller one. */
 static const double STAGNATED = 1e-10;
 /* Share of 1 + H that one iteration may take from a gap. */
 static const double GREATEST_CLOSING = 0.7;
 /* A change of a gap, in parts of 1 + H, that no prediction is off by; and one that no iteration
  * recovers from once it began. */
 static const double GREATEST_CHANGE = 1e3, DIVERGED = 10.0;
-/* A change from which the next tells something about the Jacobian: a thousand times rounding. */
-static const double TELLING = 1e-10;
 /* An iteration that on average contracts less costs more than a new factorisation. */
 static const double SLOWEST = 0.45;
 enum { MOST_ITERATIONS = 20, PATIENCE = 3 };
@@ -78,7 +77,7 @@ static double newton_step(po_equilibrium *e, double *state, const po_constraint 
   }
   if (!isfinite(largest))
     return NAN;
-  if (largest < TELLING)
+  if (largest < STAGNATED)
     po_secant_begin(&e->secant);
   double share = 1.0;
   if (closing > GREATEST_CLOSING) {

@@ -2,21 +2,15 @@
 
 #include <math.h>
 
-/* Cosine of arclength functional and its direction at the start of an interval below which a cubic
- * is no use. */
-static const double CUBIC_COSINE = 0.3;
 /* A step, along the arclength functional, that is short where two contact edges meet. */
 static const double MEETING_STEP = 1e-4;
-/* A distance at which nothing moves. */
-static const double NOTHING = 1e-12;
 
 /* Sets where the contact edges are expected. Returned: whether that is any use. */
 static bool move(po_prediction *p, double distance) {
   const po_moving_edges *edges = &p->edges;
   p->w = (po_hermite){1.0, distance, 0.0, 0.0};
   const double whole = p->paired ? po_solution_progress(p->a, p->b) : 0.0;
-  p->cubic = p->paired && p->rate_b > CUBIC_COSINE && fabs(whole) > 0.0 &&
-             po_edge_may_relate(edges, p->back);
+  p->cubic = p->paired && fabs(whole) > 0.0 && po_edge_may_relate(edges, p->back);
   if (p->cubic)
     p->w = po_hermite_at(distance, whole);
   for (size_t f = 0; f < edges->count; ++f) {
@@ -106,7 +100,7 @@ double po_prediction_reach(const po_scene *scene, double domain, const po_soluti
   for (; !move(&moving, near); near *= 0.5) {
     if (fabs(near) < MEETING_STEP && po_prediction_make(scene, domain, a, b, near, p))
       return near;
-    if (fabs(near) < NOTHING)
+    if (fabs(near) < PO_LOCATED)
       return 0.0;
   }
   for (double far = distance; fabs(far) > 1.5 * fabs(near); far *= 0.5) {

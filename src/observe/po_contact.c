@@ -11,12 +11,10 @@
 #include "po_root.h"
 #include "po_solution.h"
 
-/* The gap is sampled so many times per wavelength and per panel. Between two samples it has at most
- * one extremum, which the slopes at the samples show. */
-static const double SAMPLES_A_WAVE = 16.0, SAMPLES_A_PANEL = 12.0;
-
-/* Without waves and panels the only scale of length is the radius. */
-static const double SAMPLES_OF_SPHERE = 16.0;
+/* The gap is sampled so many times per wavelength, and on a panel as often as it has nodes. Between
+ * two samples it has at most one extremum, which the slopes at the samples show. Without waves and
+ * panels the only scale of length is the radius. */
+static const double SAMPLES = 16.0;
 
 /* An error of the gap that no usable solution exceeds, eps. */
 static const double GREATEST_DOUBT = 1.0;
@@ -128,17 +126,17 @@ static double inwards(const po_contact_gap *g, double r) {
     if (k > 0 && g->end * po_panel_begin(panels->panel[k]) >= r)
       --k;
     begin = g->end * po_panel_begin(panels->panel[k]);
-    step = g->end * po_panel_size(panels->panel[k]) / SAMPLES_A_PANEL;
+    step = g->end * po_panel_size(panels->panel[k]) / PO_TABLE_ORDER;
   } else if (g->n) {
     size_t j = node_below(g, r);
     if (j > 0 && g->node[j] >= r)
       --j;
     begin = g->node[j] < r ? g->node[j] : 0.0;
   } else {
-    step = g->end / SAMPLES_OF_SPHERE;
+    step = g->end / SAMPLES;
   }
   if (po_scene_is_wavy(g->scene))
-    step = fmin(step, g->scene->wavelength / SAMPLES_A_WAVE);
+    step = fmin(step, g->scene->wavelength / SAMPLES);
   return fmax(begin, r - step);
 }
 

@@ -18,15 +18,14 @@ const char *po_want_name(int k) {
   return NAMES[k];
 }
 
-/* The preload that is declared where none is asked for, in pi w R. */
-static const double USUAL_PRELOAD = 1.0;
+const double PO_USUAL_PRELOAD = 1.0;
 
 po_preload po_request_preload(const po_request *request) {
   if (!isnan(request->preload.approach) || !isnan(request->preload.load))
     return request->preload;
   if (!isnan(request->approach_end))
     return (po_preload){request->approach_end, (double)NAN};
-  return (po_preload){(double)NAN, USUAL_PRELOAD};
+  return (po_preload){(double)NAN, PO_USUAL_PRELOAD};
 }
 
 po_search po_request_search(const po_request *request) {

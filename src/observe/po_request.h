@@ -63,8 +63,11 @@ const char *po_want_name(int k);
  */
 po_request po_request_default(void);
 
+/* The load of the preload where none is asked for, in pi w R. */
+extern const double PO_USUAL_PRELOAD;
+
 /* What the sphere is pressed to, at given approach: the preload of the request; else its
- * approach_end; else the load pi w R. */
+ * approach_end; else the usual load. */
 po_preload po_request_preload(const po_request *request);
 
 /* How far the trace goes on beyond the preload; for a preload of INFINITY, and with preloads

@@ -59,10 +59,10 @@ void po_stopping_note_point(po_stopping *s, const po_branch_point *p, const po_c
            s->greatest_load >= s->preload.load;
 }
 
-/* A search goes on at least to this load, in pi w R, as the bound is of JKR: at small Tabor
- * parameters the first minimum may be deeper than any of JKR. And it ends at this load. Of 1,000
+/* A search goes on at least to the usual preload, as the bound is of JKR: at small Tabor parameters
+ * the first minimum may be deeper than any of JKR. And it ends at this load, in pi w R. Of 1,000
  * random scenes (tests/estimates/README.md) 55 % are complete at the first, 80 % at the last. */
-static const double SOFTEST = 1.0, HARDEST = 100.0;
+static const double HARDEST = 100.0;
 /* A search of some effort takes at most so many times the effort before it, and this. The effort is
  * the sum over the points of their nodes squared, about the work of their matrices; 400 points of
  * 250 nodes take some tenths of a second. */
@@ -70,7 +70,7 @@ static const double EFFORT = 2.0, EFFORT_AT_LEAST = 400.0 * 250.0 * 250.0;
 
 bool po_stopping_is_searching(const po_stopping *s) {
   return po_request_search(s->request) != PO_SEARCH_NONE && s->has_minimum &&
-         (s->met || (isinf(s->preload.approach) && s->greatest_load >= SOFTEST));
+         (s->met || (isinf(s->preload.approach) && s->greatest_load >= PO_USUAL_PRELOAD));
 }
 
 /* On a cut surface nothing is left to come into contact beyond its edge. */
@@ -78,7 +78,7 @@ bool po_stopping_is_complete(const po_stopping *s, double load) {
   const po_scene *scene = &s->request->scene;
   if (!po_scene_is_wavy(scene))
     return s->has_minimum && s->greatest_load > 0.0;
-  if (!s->request->companion || !(s->disc > 0.0) || s->greatest_load < SOFTEST)
+  if (!s->request->companion || !(s->disc > 0.0) || s->greatest_load < PO_USUAL_PRELOAD)
     return false;
   return s->disc > po_request_bound(s->request, load) || s->disc >= scene->outer_radius;
 }
@@ -99,7 +99,8 @@ static bool is_carried(const po_stopping *s) {
 /* Why a search ends. */
 static po_end_cause search_ends(const po_stopping *s) {
   const po_scene *scene = &s->request->scene;
-  if (s->greatest_load >= SOFTEST && (s->disc > s->enough || s->disc >= scene->outer_radius))
+  if (s->greatest_load >= PO_USUAL_PRELOAD &&
+      (s->disc > s->enough || s->disc >= scene->outer_radius))
     return PO_END_COMPLETE;
   if (po_request_search(s->request) == PO_SEARCH_SOME &&
       s->effort > EFFORT * s->before + EFFORT_AT_LEAST)

@@ -72,6 +72,12 @@ def is_measured(entry):
     return entry["kind"] in ("tuned", "limit") and not entry.get("unmeasured")
 
 
+def wanted_keys(places):
+    """Keys of all rows that there should be."""
+    return {(entry["file"], entry["name"], places[entry["file"], entry["name"]][0], side) for entry in table()
+            if is_measured(entry) and (entry["file"], entry["name"]) in places for side in ("half", "twice")}
+
+
 def tried(entry, value, side):
     """The text that takes the place of the value."""
     if side in entry:
@@ -175,7 +181,13 @@ class Results:
         os.replace(self.path + ".new", self.path)
 
     def keep(self, keys):
+        """Drops what is not among these; a constant that moved to another file takes its rows along."""
+        stale = {key: row for key, row in self.rows.items() if key not in keys}
         self.rows = {key: row for key, row in self.rows.items() if key in keys}
+        for key in keys:
+            same = [old for old in stale if old[1:] == key[1:]]
+            if key not in self.rows and len(same) == 1:
+                self.rows[key] = dict(stale[same[0]], file=key[0])
 
 
 class Campaign:
@@ -229,6 +241,7 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", default="", help="constants whose file or name matches this regular expression")
     parser.add_argument("--fresh", action="store_true", help="measures what was measured before, too")
+    parser.add_argument("--missing", action="store_true", help="prints what is not measured; exit code 1 if something is")
     parser.add_argument("--folder", default=os.path.join(ROOT, "build", "constants"), help="for the copy of the source")
     parser.add_argument("--output", default=CSV, help="the table of results (doc/constants.csv)")
     return parser.parse_args()
@@ -241,6 +254,7 @@ def main():
     kinds = {(entry["file"], entry["name"]): entry["kind"] for entry in entries}
     results = Results(wanted.output)
     tasks = []
+    results.keep(wanted_keys(places) | {UNCHANGED})
     for entry in entries:
         place = places[entry["file"], entry["name"]]
         for side in ("half", "twice"):
@@ -248,6 +262,9 @@ def main():
             if re.search(wanted.only, f"{entry['file']} {entry['name']}") and (wanted.fresh or key not in results.rows):
                 tasks.append((key, place, tried(entry, place[0], side)))
     tasks.sort(key=lambda task: (kinds[task[0][:2]] != "tuned", ORDER.index(room_of(task[1][1]))))
+    if wanted.missing:
+        print("\n".join(" ".join(key) for key, _, _ in tasks))
+        return int(bool(tasks))
     copy = Copy(wanted.folder)
     if not copy.make():
         print("measure.py: the unchanged source does not build", file=sys.stderr)

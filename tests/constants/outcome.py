@@ -39,12 +39,16 @@ def cost(documents):
     return sums
 
 
+# Keys of a document whose numbers are no results, or depend on where the steps of a trace are.
+NO_RESULTS = {"input", "work", "diagnostics", "curve", "profile", "position", "start", "end", "ended", "until", "searched",
+              "reached"}
+
+
 def numbers(document, path=""):
-    """(path, value) of every number that is a result: not of the input, counted work, error estimates, diagnostics, nor
-    of the points of a curve, which lie elsewhere when steps do."""
+    """(path, value) of every number that is a result, but no error estimate."""
     if isinstance(document, dict):
         for key, inner in document.items():
-            if key not in ("input", "work", "diagnostics", "curve", "profile", "position") and "error" not in key:
+            if key not in NO_RESULTS and "error" not in key:
                 yield from numbers(inner, f"{path}/{key}")
     elif isinstance(document, list):
         for k, inner in enumerate(document):
