@@ -12,7 +12,7 @@ static const char *const GRADINGS[] = {[PO_UNIFORM] = "uniform", [PO_GRADED] = "
 static const double LEAST_TOLERANCE = 1e-10, GREATEST_TOLERANCE = 1e-2;
 /* Fewer nodes do not resolve the contact; more would need over 200 MB for a solve, and panels reach
  * the same accuracy with fewer. */
-enum { LEAST_NODES = 8, MOST_NODES = 2500 };
+enum { LEAST_NODES = 8, MOST_NODES_ASKED = 2500 };
 
 po_mesh po_mesh_default(void) {
   return (po_mesh){.scheme = PO_PANEL, .grading = PO_UNIFORM, .nodes = 501, .tolerance = 1e-6};
@@ -34,9 +34,9 @@ po_status po_mesh_check(const po_mesh *mesh) {
                      LEAST_TOLERANCE, GREATEST_TOLERANCE);
     return PO_OK;
   }
-  if (mesh->nodes < LEAST_NODES || mesh->nodes > MOST_NODES)
+  if (mesh->nodes < LEAST_NODES || mesh->nodes > MOST_NODES_ASKED)
     return po_fail(PO_BAD_INPUT, "nodes is %zu: expected %d to %d", mesh->nodes, LEAST_NODES,
-                   MOST_NODES);
+                   MOST_NODES_ASKED);
   return PO_OK;
 }
 

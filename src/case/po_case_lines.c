@@ -8,8 +8,6 @@
 #include "po_order.h"
 #include "po_schema.h"
 
-enum { WHERE_LENGTH = 64 };
-
 static const size_t MOST_ROWS = 100000;
 
 static bool is_variable(const po_form *form, const char *key) {
@@ -108,7 +106,7 @@ static po_status parse_line(po_case_file *file, unsigned index, const po_yaml *y
   if (line->sweep_count > PO_LINE_MOST_AXES)
     return po_schema_refuse(yaml, "a sweep of at most 5 keys", "lines[%u].sweep", index + 1);
   for (unsigned i = 0; i < line->sweep_count; ++i) {
-    char where[WHERE_LENGTH];
+    char where[PO_CASE_WHERE_LENGTH];
     snprintf(where, sizeof where, "lines[%u].sweep[%u]", index + 1, i + 1);
     const po_status status = parse_axis(&line->sweep[i], form, where, yaml);
     if (status)

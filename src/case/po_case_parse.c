@@ -10,8 +10,6 @@
 #include "po_memory.h"
 #include "po_schema.h"
 
-enum { WHERE_LENGTH = 64 };
-
 bool po_case_is_name(const char *text) {
   for (const char *c = text; *c; ++c)
     if (!isalnum((unsigned char)*c) && *c != '_' && *c != '-')
@@ -81,7 +79,7 @@ static po_status check_when(po_axis *when, unsigned count, const char *list, uns
                             const po_yaml *yaml) {
   po_status status = PO_OK;
   for (unsigned i = 0; !status && i < count; ++i) {
-    char where[WHERE_LENGTH];
+    char where[PO_CASE_WHERE_LENGTH];
     snprintf(where, sizeof where, "%s[%u].when[%u]", list, number, i + 1);
     status = po_case_axis_check(&when[i], where, yaml);
   }
@@ -97,7 +95,7 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
   check->quantity = (po_quantity)quantity;
   if (!po_number_parse(check->tolerance_text, &check->tolerance) || check->tolerance <= 0)
     return po_schema_refuse(yaml, NULL, "checks[%u].tolerance", number);
-  char path[WHERE_LENGTH];
+  char path[PO_CASE_WHERE_LENGTH];
   snprintf(path, sizeof path, "checks[%u].tolerance", number);
   check->line = po_yaml_line(yaml, path);
   while (kind <= PO_TOLERANCE_ULP &&
@@ -167,7 +165,7 @@ static po_status parse_leave_out(const po_leave_out *rule, unsigned number, cons
 
 static po_status check_as_if(const po_check *check, unsigned number, const po_yaml *yaml) {
   for (unsigned i = 0; i < check->as_if_count; ++i) {
-    char where[WHERE_LENGTH];
+    char where[PO_CASE_WHERE_LENGTH];
     snprintf(where, sizeof where, "checks[%u].as_if[%u]", number, i + 1);
     const po_status status = po_case_axis_check(&check->as_if[i], where, yaml);
     if (status)

@@ -24,6 +24,9 @@ bool po_case_sample_draw(const po_case_file *file, size_t index, po_request *req
 /* Letters, digits, _ and -. */
 bool po_case_is_name(const char *text);
 
+/* Room for the path of a value in a case, e.g. checks[2].when[0]. */
+enum { PO_CASE_WHERE_LENGTH = 64 };
+
 /* Makes the values of an axis that has its ends and their number instead. Status: as above. */
 po_status po_axis_fill(po_axis *axis, const char *where, const po_yaml *yaml);
 

@@ -9,8 +9,6 @@
 #include "po_range.h"
 #include "po_schema.h"
 
-enum { WHERE_LENGTH = 64 };
-
 static const char ROOT_RADIUS[] = "root_radius";
 
 bool po_case_draws(const po_case_file *file, po_key key) {
@@ -92,7 +90,7 @@ po_status po_case_sample_parse(po_case *kase, const po_yaml *yaml) {
   sample->seed = seed;
   po_status status = PO_OK;
   for (unsigned i = 0; !status && i < sample->keys_count; ++i) {
-    char where[WHERE_LENGTH];
+    char where[PO_CASE_WHERE_LENGTH];
     snprintf(where, sizeof where, "sample.keys[%u]", i + 1);
     status = parse_key(kase->file, i, where, yaml);
     if (!status)

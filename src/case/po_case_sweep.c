@@ -6,8 +6,6 @@
 #include "po_order.h"
 #include "po_schema.h"
 
-enum { WHERE_LENGTH = 64 };
-
 unsigned po_sweep_count(const po_sweep *sweep) {
   return sweep->together ? sweep->together_count : sweep->axis.values_count;
 }
@@ -101,7 +99,7 @@ po_status po_case_sweep_check(const po_case *kase, const po_yaml *yaml) {
   const po_case_file *file = kase->file;
   for (unsigned i = 0; i < file->sweep_count; ++i) {
     po_sweep *sweep = &file->sweep[i];
-    char where[WHERE_LENGTH];
+    char where[PO_CASE_WHERE_LENGTH];
     snprintf(where, sizeof where, "sweep[%u]", i + 1);
     const po_status status = check_item(sweep, where, yaml);
     if (status)

@@ -8,9 +8,9 @@
 #include "po_quadrature.h"
 #include "po_root.h"
 
-/* POINTS_PER_WAVE: points of the curve in a wavelength. RULE: points of the Gauss rule for the
+/* PATH_POINTS_PER_WAVE: points of the curve in a wavelength. RULE: points of the Gauss rule for the
  * energy between two of them. MOST_LENGTHS: extensions of the curve, at most. */
-enum { POINTS_PER_WAVE = 128, RULE = 8, MOST_LENGTHS = 10 };
+enum { PATH_POINTS_PER_WAVE = 128, RULE = 8, MOST_LENGTHS = 10 };
 /* The largest ratio of successive contact radii in the first wavelength. */
 static const double RATIO = 1.05;
 /* While the curve is too short, it is computed again up to a contact radius that is larger by this
@@ -106,7 +106,7 @@ static po_status build(builder *b, double end) {
   if (!status)
     status = append_contact(b, left);
   while (left < end && !status) {
-    const double right = fmin(RATIO * left, left + wave / POINTS_PER_WAVE);
+    const double right = fmin(RATIO * left, left + wave / PATH_POINTS_PER_WAVE);
     status = append_up_to(b, left, right);
     left = right;
   }

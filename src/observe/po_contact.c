@@ -168,7 +168,7 @@ static double skip(const sought *s, double r) {
 }
 
 /* An extremum that passes the level by less than this counts as not passing it: rounding, eps. */
-static const double ROUNDING = 1e-13;
+static const double GAP_ROUNDING = 1e-13;
 
 /* The radius of the extremum of the gap between a and b, a minimum or a maximum as asked; NaN when
  * there is none. */
@@ -192,7 +192,7 @@ static double edge_between(const sought *s, double a, value at_a, double b, valu
   }
   const double extremum = extremum_between(s, a, at_a, b, at_b, !inside);
   const double past = isnan(extremum) ? 0.0 : gap_beyond(extremum, s);
-  if (inside ? !(past > ROUNDING) : !(past < -ROUNDING))
+  if (inside ? !(past > GAP_ROUNDING) : !(past < -GAP_ROUNDING))
     return -1.0;
   return b_inside == inside ? po_root(gap_beyond, s, extremum, b) : b;
 }

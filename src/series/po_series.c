@@ -11,8 +11,9 @@
 #include "po_series_scenes.h"
 
 /* A followed and a traced minimum are the same if their loads differ by at most SAME_LOAD times the
- * relative tolerance, and their approaches by at most SAME_APPROACH relative to 1 + |approach|. */
-static const double SAME_LOAD = 10.0, SAME_APPROACH = 1e-2;
+ * relative tolerance, and their approaches by at most AGREEING_APPROACH relative to 1 + |approach|.
+ */
+static const double SAME_LOAD = 10.0, AGREEING_APPROACH = 1e-2;
 
 /* A minimum that was followed from one checkpoint towards the other. */
 typedef struct {
@@ -90,7 +91,7 @@ static double record_minimum(interval *s, size_t index) {
 static const po_checkpoint_minimum *find_arrived(const interval *s, const po_checkpoint *at) {
   const po_branch_point p = po_follow_point(s->follower, false);
   const po_checkpoint_minimum *best = NULL;
-  double nearest = SAME_APPROACH * (1.0 + fabs(p.approach));
+  double nearest = AGREEING_APPROACH * (1.0 + fabs(p.approach));
   for (size_t k = 0; k < at->count; ++k) {
     const double apart = fabs(at->minima[k].approach - p.approach);
     if (fabs(at->minima[k].load - p.load) < load_tolerance(s, p.load) && apart < nearest) {
