@@ -167,19 +167,8 @@ static void tell_reverse_trace(po_check_result *item, const po_result *result) {
              result->fold_count, w->folds, result->extremum_count, w->extrema);
 }
 
-/* Why there is no pin, and how to make it; a command that does not fit is not cut but left out. */
-static void tell_pin(po_check_result *item, const po_case *kase, const po_reference *reference) {
-  const char *why = po_pins_exist(reference) ? "not pinned in" : "there is no file";
-  const int length =
-      snprintf(item->note, sizeof item->note, "%s %s; to make it: pulloff bless %s --reason TEXT",
-               why, reference->shown, po_case_word(kase));
-  if ((size_t)length >= sizeof item->note)
-    snprintf(item->note, sizeof item->note, "%s %.100s; blessing the case makes it", why,
-             reference->shown);
-}
-
 /* What there is to say when there was nothing to compare. */
-static void tell_silence(po_check_result *item, const po_case *kase, const po_reference *reference,
+static void tell_silence(po_check_result *item, const po_reference *reference,
                          const po_result *result) {
   const size_t size = sizeof item->note;
   if (item->verdict == PO_NO_RESULT && result->status)
@@ -189,7 +178,8 @@ static void tell_silence(po_check_result *item, const po_case *kase, const po_re
   else if (item->verdict == PO_NO_RESULT)
     snprintf(item->note, size, "nothing to compare over a common range");
   else if (item->verdict == PO_MISSING_REFERENCE && reference->type == PO_REFERENCE_PINS)
-    tell_pin(item, kase, reference);
+    snprintf(item->note, size, "%s %.150s",
+             po_pins_exist(reference) ? "not pinned in" : "there is no file", reference->shown);
   else if (item->verdict == PO_MISSING_REFERENCE)
     snprintf(item->note, size, "the reference does not speak of this scene");
 }
@@ -216,7 +206,7 @@ po_status po_compare(const po_case *kase, size_t point, const po_check *check,
     status = po_compare_special_points(kase, point, check, reference, result, check_results);
   for (size_t i = before; i < check_results->count; ++i) {
     check_results->items[i].ledger = reference->ledger;
-    tell_silence(&check_results->items[i], kase, reference, result);
+    tell_silence(&check_results->items[i], reference, result);
   }
   return status;
 }

@@ -65,6 +65,22 @@ static po_status print_json(const po_reference_list *list, const po_catalog *cat
       PO_JSON_OBJECT({"schema", po_json_text("pulloff-references/1")}, {"references", tables}));
 }
 
+po_status po_list_references_check(const po_reference_list *list) {
+  const po_reference_entry *first = NULL;
+  size_t damaged = 0;
+  for (size_t i = 0; i < list->count; ++i)
+    if (!list->entries[i].intact) {
+      first = first ? first : &list->entries[i];
+      damaged += 1;
+    }
+  if (!first)
+    return PO_OK;
+  char more[64] = "";
+  if (damaged > 1)
+    snprintf(more, sizeof more, " (and %zu more: pulloff list --references)", damaged - 1);
+  return po_fail(PO_CANNOT_READ, "%s%s", first->message, more);
+}
+
 po_status po_list_references(const po_catalog *catalog, bool json) {
   po_reference_list list;
   po_status status = po_reference_list_open(po_environment_data(), &list);
@@ -78,7 +94,7 @@ po_status po_list_references(const po_catalog *catalog, bool json) {
       print_entry(&list.entries[i], catalog);
   }
   if (!status)
-    status = po_reference_list_check(&list);
+    status = po_list_references_check(&list);
   po_reference_list_close(&list);
   return status;
 }

@@ -5,10 +5,14 @@
 #include <stdbool.h>
 
 #include "po_catalog.h"
+#include "po_reference_list.h"
 #include "po_status.h"
 
 /* Prints every reference table, whether it is intact, and which of the cases use it.
  * Status: PO_CANNOT_READ when one is not intact, after all are printed. */
 po_status po_list_references(const po_catalog *catalog, bool json);
+
+/* PO_CANNOT_READ with the message of the first table that is not intact, and how many more. */
+po_status po_list_references_check(const po_reference_list *list);
 
 #endif

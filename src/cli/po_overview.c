@@ -71,7 +71,10 @@ static void add_check(const po_case_run *run, const po_check *check, bool passes
     po_text_add(text, "; %zu results of this check %s, this is the worst", count,
                 passes ? "are improved or slack" : "do not pass");
   po_text_add(text, "\n");
-  add_command(run, worst->whole ? NULL : &run->plan->kase->points[worst->point], output, text);
+  if (worst->ledger == PO_LEDGER_PIN && worst->verdict == PO_MISSING_REFERENCE)
+    po_text_add(text, "    pulloff bless %s --reason TEXT\n", po_case_word(run->plan->kase));
+  else
+    add_command(run, worst->whole ? NULL : &run->plan->kase->points[worst->point], output, text);
 }
 
 /* The solves that failed: how many, the first, and its command. */

@@ -7,6 +7,10 @@
 #include "po_json.h"
 #include "po_print_physical.h"
 
+void po_print_bless(const po_case *kase) {
+  printf("to make the pins: pulloff bless %s --reason TEXT\n", po_case_word(kase));
+}
+
 po_status po_print_document(json_t *document) {
   po_text text = {0};
   const po_status status = po_json_print(document, &text);

@@ -87,6 +87,12 @@ int po_verb_bless(int argc, char **argv) {
     status = po_session_solve(session);
   if (!status)
     status = bless(session, line.reason);
+  if (status == PO_CHECK_FAILED) {
+    char *why = po_copy_text(po_message());
+    po_fail(status, "%s (see pulloff explain %s)", why ? why : "a check does not pass",
+            po_case_word(session->catalog.cases[0]));
+    free(why);
+  }
   const int code = po_options_end(status);
   po_session_clear(session);
   return code;

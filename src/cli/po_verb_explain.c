@@ -59,6 +59,14 @@ static po_status print(const po_case_run *run, const po_explain_choice *choice, 
   const po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
   if (!status)
     fputs(po_text_string(&text), stdout);
+  bool lacking = false;
+  for (size_t i = 0; i < run->check_results.count; ++i) {
+    const po_check_result *item = &run->check_results.items[i];
+    lacking = lacking || (po_check_is_pin(item->check) && item->verdict == PO_MISSING_REFERENCE &&
+                          po_explain_concerns(run, choice, item));
+  }
+  if (!status && lacking)
+    po_print_bless(run->plan->kase);
   po_text_clear(&text);
   return status;
 }

@@ -3,7 +3,9 @@
 #include "po_catalog.h"
 #include "po_environment.h"
 #include "po_options.h"
+#include "po_pins.h"
 #include "po_plan.h"
+#include "po_print.h"
 #include "po_verbs.h"
 
 static const char HELP[] =
@@ -23,6 +25,12 @@ static po_status print_plan(const po_case *kase) {
   printf("%s: %s\n", kase->file->name, kase->file->title);
   for (size_t i = 0; i < plan->line_count; ++i)
     printf("  %s\n", plan->lines[i]);
+  bool lacking = false;
+  for (unsigned c = 0; c < kase->file->checks_count; ++c)
+    lacking = lacking ||
+              (po_check_is_pin(&kase->file->checks[c]) && !po_pins_exist(&plan->references[c]));
+  if (lacking)
+    po_print_bless(kase);
   po_plan_destroy(plan);
   return PO_OK;
 }

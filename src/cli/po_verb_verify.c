@@ -2,8 +2,8 @@
 
 #include "po_environment.h"
 #include "po_file.h"
+#include "po_list_references.h"
 #include "po_overview.h"
-#include "po_reference_list.h"
 #include "po_session.h"
 #include "po_text.h"
 #include "po_verbs.h"
@@ -43,7 +43,7 @@ static po_status check_references(void) {
   po_reference_list list;
   po_status status = po_reference_list_open(po_environment_data(), &list);
   if (!status)
-    status = po_reference_list_check(&list);
+    status = po_list_references_check(&list);
   po_reference_list_close(&list);
   return status;
 }

@@ -49,8 +49,8 @@ static po_status check_results(const po_case_run *run) {
     const po_check_result *item = &run->check_results.items[i];
     const bool bad_oracle = item->ledger == PO_LEDGER_ORACLE && !po_verdict_passes(item->verdict);
     if (bad_oracle || item->verdict == PO_NO_RESULT)
-      return po_fail(PO_CHECK_FAILED, "%s is not blessed: %s is %s (see pulloff explain %s)", name,
-                     item->id, po_verdict_name(item->verdict), po_case_word(kase));
+      return po_fail(PO_CHECK_FAILED, "%s is not blessed: %s is %s", name, item->id,
+                     po_verdict_name(item->verdict));
   }
   return PO_OK;
 }

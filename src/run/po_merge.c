@@ -44,7 +44,7 @@ static po_status read_part(po_merge *merge, const char *folder, char *path) {
   const json_int_t of = json_integer_value(json_object_get(part->root, "of"));
   if (strcmp(string_of(part->root, "schema"), PO_SHARD_SCHEMA) != 0 || number < 1 || number > of ||
       json_array_size(cases_of(part)) == 0)
-    return po_fail(PO_CANNOT_READ, "%s is damaged: expected what pulloff run --shard writes", path);
+    return po_fail(PO_CANNOT_READ, "%s is damaged: expected the description of a shard", path);
   if (of > PO_MOST_SHARDS)
     return po_fail(PO_CANNOT_READ, "%s is damaged: it is one of %lld shards, expected at most %d",
                    path, (long long)of, PO_MOST_SHARDS);
@@ -69,9 +69,10 @@ static po_status read_folder(po_merge *merge, const char *folder) {
   }
   po_names_free(names, count);
   if (!status && !found)
-    status = po_fail(PO_CANNOT_READ,
-                     "the folder %s holds no shard: expected the --output of pulloff run --shard",
-                     folder);
+    status = po_fail(
+        PO_CANNOT_READ,
+        "the folder %s holds no shard: expected the folder to which the run of a shard wrote",
+        folder);
   return status;
 }
 

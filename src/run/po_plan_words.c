@@ -236,9 +236,7 @@ static po_status tell_checks(po_plan *plan) {
                  po_plan_reference_of(plan, check), concerned, kase->point_count,
                  check->tolerance_text, check->kind_text);
     if (!status && po_check_is_pin(check) && !po_pins_exist(&plan->references[i]))
-      status =
-          say(plan, "  but there are no pins yet; to make them: pulloff bless %s --reason TEXT",
-              po_case_word(kase));
+      status = say(plan, "  but there are no pins yet");
     else if (!status && spoken < concerned)
       status = say(plan, "  but %s does not speak of %zu of these",
                    po_plan_reference_of(plan, check), concerned - spoken);

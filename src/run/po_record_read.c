@@ -119,10 +119,11 @@ po_status po_record_check_owner(const po_case_run *run, const char *output) {
   po_status status = folder ? load(folder, &record) : PO_NO_MEMORY;
   const char *owner = string_of(record, "file");
   if (!status && po_path_exists(owner) && !po_path_is_same(owner, kase->path))
-    status = po_fail(PO_BAD_INPUT,
-                     "%s: name is %s: expected another name or another --output, as %s holds the "
-                     "record of %s",
-                     kase->shown, kase->file->name, folder, owner);
+    status = po_fail(
+        PO_BAD_INPUT,
+        "%s: name is %s: expected another name or another folder for the records, as %s holds the "
+        "record of %s",
+        kase->shown, kase->file->name, folder, owner);
   json_decref(record);
   free(folder);
   return status == PO_NOT_FOUND ? PO_OK : status;

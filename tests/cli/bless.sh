@@ -57,10 +57,13 @@ expect 2 'pulloff: no case is named best: expected one of good' bless best --rea
 check 'nothing was solved for these' test ! -e run
 
 # No pins yet: said with the command that makes them.
-verified 1 'missing_reference: there is no file cases/pins/good.csv; to make it: pulloff bless good'
+verified 1 'missing_reference: there is no file cases/pins/good.csv'
 says 'and counted' '^1 checks pass (1 slack), 7 do not (7 missing_reference), 0 solves failed$'
 expect 0 '' plan good
-says 'in the plan, too' 'but there are no pins yet; to make them: pulloff bless good --reason TEXT'
+says 'in the plan, too' 'but there are no pins yet$'
+says 'with the command' '^to make the pins: pulloff bless good --reason TEXT$'
+expect 1 '*' verify good --output run
+says 'the same command in the overview' '^    pulloff bless good --reason TEXT$'
 
 # Made.
 expect 0 '*' bless good --reason 'the first, of a closed form' --output run
@@ -96,7 +99,7 @@ alter 's/^work.points,.*/work\/points,100/'
 verified 1 'improved: 100.0 % less work: bless it'
 cp first.csv "$pins"
 alter '/^folds/d'
-verified 1 'missing_reference: not pinned in cases/pins/good.csv; to make it: pulloff bless good'
+verified 1 'missing_reference: not pinned in cases/pins/good.csv'
 cp first.csv "$pins"
 alter 's/^folds.count,0/folds\/count,1/'
 expect 4 'pulloff: cases/pins/good.csv: number 1 of the folds of a scene is missing' verify --verbose good

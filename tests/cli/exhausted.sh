@@ -87,6 +87,6 @@ else
     echo $? >code
   )
   check 'four threads are refused' test "$(cat code)" -eq 3
-  check 'it says what to do' grep -q 'for each of 4 threads.*--jobs' stderr
+  check 'it says what to do' grep -q 'for each of 4 threads.*solve fewer points at a time' stderr
 fi
 finish

@@ -52,7 +52,7 @@ cat >>"$file" <<'CHECKS'
   - {quantity: pull_off_force, reference: pin, tolerance: 1e-10, kind: rel, because: it is quick to bless again}
 CHECKS
 explained 1 '^  fault      publication: reference/table.csv (oracle) agrees with the result' \
-  '^  fault      pin: it was not blessed yet$' 'to make it: pulloff bless good --reason TEXT$'
+  '^  fault      pin: it was not blessed yet$' '^to make the pins: pulloff bless good --reason TEXT$'
 
 # Wrong and frozen: the reference was altered since the blessing, or the tolerance was.
 expect 0 '*' bless good --reason 'the first' --output run
