@@ -8,7 +8,7 @@
 
 struct po_adaptive {
   const po_panel_table *table;
-  double domain;
+  double domain, decay; /* decay: of the traction beyond */
   bool unbounded, wavy;
   po_panels panels, before;
   po_surface surface;
@@ -45,6 +45,7 @@ po_status po_adaptive_create(const po_scene *scene, double domain, uint32_t leve
   a->domain = domain;
   a->unbounded = isinf(scene->outer_radius);
   a->wavy = po_scene_is_wavy(scene);
+  a->decay = po_panel_decay(scene);
   const size_t most = po_adaptive_capacity(a);
   po_surface *s = &a->surface;
   s->core_radius = domain;
@@ -103,9 +104,9 @@ po_status po_adaptive_panels_of(const po_adaptive *a, size_t n, const double *no
 
 static po_panel_span panel_of(const po_adaptive *a, const po_panels *panels, size_t k) {
   if (k == panels->count)
-    return (po_panel_span){a->domain, INFINITY};
-  return (po_panel_span){a->domain * po_panel_begin(panels->panel[k]),
-                         a->domain * po_panel_end(panels->panel[k])};
+    return (po_panel_span){a->domain, INFINITY, a->decay};
+  return (po_panel_span){.begin = a->domain * po_panel_begin(panels->panel[k]),
+                         .end = a->domain * po_panel_end(panels->panel[k])};
 }
 
 static void place_nodes(po_adaptive *a) {

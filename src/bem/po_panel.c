@@ -18,6 +18,22 @@ static double cube(double x) {
   return x * x * x;
 }
 
+/* That of the law of the paper, whose powers are computed by multiplication. */
+static const double USUAL_DECAY = 6.0;
+
+double po_panel_decay(const po_scene *scene) {
+  const po_law_far far = po_law_far_field(&scene->law);
+  return isinf(far.exponent) ? USUAL_DECAY : 2.0 * far.exponent;
+}
+
+/* x^(decay - 3), and x^decay */
+static double reduced_power(double decay, double x) {
+  return decay == USUAL_DECAY ? cube(x) : pow(x, decay - 3.0);
+}
+static double power(double decay, double x) {
+  return decay == USUAL_DECAY ? cube(x * x) : pow(x, decay);
+}
+
 void po_panel_nodes(const po_panel_rule *rule, po_panel_span panel, double *node, double *weight,
                     double *length) {
   const double begin = panel.begin, span = panel.end - panel.begin;
@@ -42,13 +58,13 @@ static double variable_of(po_panel_span panel, double r) {
   return (r - panel.begin) / (panel.end - panel.begin);
 }
 
-/* Returned: G(r, s) s ds/dx at a point of a near rule (on an infinite panel times x^6). */
+/* Returned: G(r, s) s ds/dx at a point of a near rule (on an infinite panel times x^decay). */
 static double integrand(po_panel_span panel, double r, const po_near_point *point) {
   if (isinf(panel.end)) {
     const double x = point->x, s = panel.begin / x;
     /* r - s = s (x - x0) / x0 with x0 = begin / r */
     const double difference = s * point->offset * r / panel.begin;
-    return po_kernel(r + s, difference) * panel.begin * panel.begin * cube(x);
+    return po_kernel(r + s, difference) * panel.begin * panel.begin * reduced_power(panel.decay, x);
   }
   const double span = panel.end - panel.begin, s = panel.begin + span * point->x;
   return po_kernel(r + s, span * point->offset) * s * span;
@@ -80,6 +96,6 @@ uint64_t po_panel_influence(const po_panel_rule *rule, po_panel_span panel, doub
       sum[j] += factor * value[j];
   }
   for (size_t j = 0; j < order; ++j)
-    row[j * stride] = isinf(panel.end) ? sum[j] / cube(rule->node[j] * rule->node[j]) : sum[j];
+    row[j * stride] = isinf(panel.end) ? sum[j] / power(panel.decay, rule->node[j]) : sum[j];
   return count;
 }

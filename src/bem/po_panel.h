@@ -1,8 +1,8 @@
 /* Gauss-Legendre panels. On each panel the traction is a polynomial that interpolates the nodal
  * values, and the product with the kernel of Eq 12 is integrated exactly (product integration). The
  * last panel may reach to infinity: there the variable is t = begin/r in (0, 1) and the traction is
- * t^6 times a polynomial in t, which is the decay of the Lennard-Jones traction, (1 + H)^-3 with H
- * ~ r^2. */
+ * t^decay times a polynomial in t. The decay of the Lennard-Jones traction, (1 + H)^-3 with H ~
+ * r^2, is 6. */
 #ifndef PO_PANEL_H
 #define PO_PANEL_H
 
@@ -10,6 +10,7 @@
 #include <stdint.h>
 
 #include "po_near_rule.h"
+#include "po_scene.h"
 #include "po_status.h"
 
 /* Nodes of a panel, at most. */
@@ -28,7 +29,12 @@ po_status po_panel_rule_fill(size_t order, po_panel_rule *rule);
 
 typedef struct {
   double begin, end; /* radii, eps; 0 <= begin < end; end may be INFINITY when begin > 0 */
+  double decay;      /* of an infinite one: the traction falls as r^-decay */
 } po_panel_span;
+
+/* The decay of the traction of a scene far out: twice the exponent of the far field of its law. A
+ * law without an algebraic far field leaves nothing there, and any decay serves. */
+double po_panel_decay(const po_scene *scene);
 
 /* Computes the nodes of a panel (ascending in r for a finite panel, descending for an infinite
  * one), the load weights (sum of weight * p = integral of p r dr) and the lengths (sum of length *

@@ -73,7 +73,7 @@ static void fill_table(void) {
     fill_logarithm(&table.rule, LOG_POSITIONS[k], table.logarithm[k]);
   for (int k = 0; k < PO_AXIS_POSITIONS; ++k)
     for (size_t i = 0; i < PO_TABLE_ORDER; ++i)
-      po_panel_influence(&table.rule, (po_panel_span){0.0, 1.0},
+      po_panel_influence(&table.rule, (po_panel_span){.begin = 0.0, .end = 1.0},
                          node_in_source(&table.rule, AXIS_POSITIONS[k], i), table.axis[k][i], 1);
 }
 

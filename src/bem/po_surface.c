@@ -24,7 +24,7 @@ static const double LONGEST_ELEMENT = 0.5;
  * elements at the axis are 0.3 times, those at the edge three times as long as uniform ones. */
 static const double GRADING = 3.0;
 
-/* Beyond the core the bodies must be well apart (an initial gap of at least 20 eps) up to the
+/* Beyond the core the bodies must be well apart (an initial gap of at least po_law_reach) up to the
  * deepest approach. Pull-off happens at contact radii below the JKR contact radius at zero load,
  * 2.42 Gamma (W = 0 in Eq 7). That radius grows with the effective work of adhesion as w_eff^(1/3);
  * w_eff is bounded by Eq 24, and by 8, because internal cracks limit the enhancement (A/lambda ~
@@ -40,7 +40,8 @@ double po_surface_core(const po_scene *scene, double deepest) {
     enhancement = fmin(8.0, gsl_pow_2(1.0 + 1.0 / sqrt(M_PI * johnson2)));
   }
   const double contact_gap = 0.5 * gsl_pow_2(2.42) * scene->tabor * pow(enhancement, 2.0 / 3.0);
-  const double gap = 20.0 + 2.0 * contact_gap + fmax(isnan(deepest) ? 0.0 : deepest, 0.0);
+  const double gap =
+      po_law_reach(&scene->law) + 2.0 * contact_gap + fmax(isnan(deepest) ? 0.0 : deepest, 0.0);
   return sqrt(2.0 * scene->radius * gap);
 }
 
@@ -79,7 +80,7 @@ static po_status count_waves(const po_scene *scene, const po_mesh *mesh, double 
  * panel to infinity. */
 typedef struct {
   po_mesh mesh;
-  double core_radius, wavelength;
+  double core_radius, wavelength, decay;
   size_t core, waves;
   bool bounded;
   double *edge; /* core + 1 ring edges, or core triangle nodes */
@@ -91,6 +92,7 @@ static po_status make_plan(const po_scene *scene, const po_mesh *mesh, double co
   p->bounded = isfinite(scene->outer_radius);
   p->core_radius = p->bounded ? scene->outer_radius : po_averaging_phase(scene, core_radius);
   p->wavelength = scene->wavelength;
+  p->decay = po_panel_decay(scene);
   p->core = mesh->nodes;
   const po_status status = count_waves(scene, mesh, p->core_radius, elastic, &p->waves);
   if (status)
@@ -109,11 +111,11 @@ static po_status make_plan(const po_scene *scene, const po_mesh *mesh, double co
 
 static po_panel_span wave_panel(const surface_plan *p, size_t wave) {
   const double begin = p->core_radius + (double)wave * p->wavelength;
-  return (po_panel_span){begin, begin + p->wavelength};
+  return (po_panel_span){.begin = begin, .end = begin + p->wavelength};
 }
 
 static po_panel_span tail_panel(const surface_plan *p) {
-  return (po_panel_span){p->core_radius + (double)p->waves * p->wavelength, INFINITY};
+  return (po_panel_span){p->core_radius + (double)p->waves * p->wavelength, INFINITY, p->decay};
 }
 
 static void place_core(const surface_plan *p, po_surface *s) {

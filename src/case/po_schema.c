@@ -123,7 +123,9 @@ static const po_field PHYSICAL[] = {
 #define SCENE_KEYS                                                                                 \
   SCENE_KEY("tabor", PO_KEY_TABOR), SCENE_KEY("amplitude", PO_KEY_AMPLITUDE),                      \
       SCENE_KEY("wavelength", PO_KEY_WAVELENGTH), SCENE_KEY("radius", PO_KEY_RADIUS),              \
-      SCENE_KEY("outer_radius", PO_KEY_OUTER_RADIUS), SCENE_KEY("scheme", PO_KEY_SCHEME),          \
+      SCENE_KEY("outer_radius", PO_KEY_OUTER_RADIUS), SCENE_KEY("law", PO_KEY_LAW),                \
+      SCENE_KEY("mie_m", PO_KEY_MIE_M), SCENE_KEY("mie_n", PO_KEY_MIE_N),                          \
+      SCENE_KEY("morse_a", PO_KEY_MORSE_A), SCENE_KEY("scheme", PO_KEY_SCHEME),                    \
       SCENE_KEY("grading", PO_KEY_GRADING), SCENE_KEY("nodes", PO_KEY_NODES),                      \
       SCENE_KEY("tolerance", PO_KEY_TOLERANCE),                                                    \
       SCENE_KEY("approach_start", PO_KEY_APPROACH_START),                                          \

@@ -154,3 +154,15 @@ po_status po_scene_flags_end(po_scene_flags *flags, bool elastic, po_scene *scen
   return flags->from_physical ? end_physical(flags, elastic, scene)
                               : end_dimensionless(flags, scene);
 }
+
+po_status po_scene_flags_check_law(const po_law *law, const bool given[PO_LAW_PARAMETER_COUNT]) {
+  for (int k = 0; k < PO_LAW_PARAMETER_COUNT; ++k)
+    if (given[k] && !po_law_has(law, (po_law_parameter)k)) {
+      char flag[32];
+      snprintf(flag, sizeof flag, "%s", po_law_parameter_name((po_law_parameter)k));
+      *strchr(flag, '_') = '-';
+      return po_fail(PO_BAD_INPUT, "--%s has no effect on the law %s: expected --law %.*s", flag,
+                     po_law_name(law), (int)strcspn(flag, "-"), flag);
+    }
+  return PO_OK;
+}

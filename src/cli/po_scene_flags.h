@@ -81,6 +81,10 @@ po_status po_scene_flags_take(po_scene_flags *flags, int option);
  * Status: PO_BAD_INPUT. */
 po_status po_scene_flags_end(po_scene_flags *flags, bool elastic, po_scene *scene);
 
+/* Refuses a parameter that the law of a scene does not have. Given: whether each was given.
+ * Status: PO_BAD_INPUT. */
+po_status po_scene_flags_check_law(const po_law *law, const bool given[PO_LAW_PARAMETER_COUNT]);
+
 /* The name of a length flag as the user is to write it here: "radius", or "radius-m". */
 void po_scene_flags_name(const po_scene_flags *flags, po_length length, char name[32]);
 

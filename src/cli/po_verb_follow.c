@@ -11,6 +11,7 @@
 #include "po_options.h"
 #include "po_print.h"
 #include "po_range.h"
+#include "po_scene_flags.h"
 #include "po_series.h"
 #include "po_series_folds.h"
 #include "po_text.h"
@@ -23,7 +24,7 @@ static const char HELP[] =
     "followed, at a few factorisations a scene, where that agrees with both traces.\n"
     "Lengths in units of the equilibrium distance epsilon; load in pi w R, compressive > 0.\n\n"
     "  --key KEY               what runs: tabor, amplitude, wavelength, radius, outer-radius,\n"
-    "                          amplitude-ratio (A / lambda)\n"
+    "                          amplitude-ratio (A / lambda), mie-m, mie-n, morse-a\n"
     "  --from A, --to B        its first and last value\n"
     "  --points N              how many values (60)\n"
     "  --scale log|linear      of equal steps (log)\n"
@@ -37,6 +38,8 @@ static const char HELP[] =
     "  --wavelength L          of the waviness\n"
     "  --radius R              of the sphere (100)\n"
     "  --outer-radius R|inf    where the surface is cut (inf: not cut)\n"
+    "  --law LAW               traction-separation law: lennard-jones (default, Eq 9), mie:M,N\n"
+    "                          or morse:A; the parameters also by --mie-m, --mie-n, --morse-a\n"
     "  --preload D|inf         greatest approach to which each sphere is pressed, inf: any; and\n"
     "  --preload-load W        greatest load, in pi w R; of both whichever is met first, of\n"
     "                          none of them: load 1\n"
@@ -65,6 +68,10 @@ static const struct option OPTIONS[] = {
     {"wavelength", required_argument, NULL, KEY + PO_KEY_WAVELENGTH},
     {"radius", required_argument, NULL, KEY + PO_KEY_RADIUS},
     {"outer-radius", required_argument, NULL, KEY + PO_KEY_OUTER_RADIUS},
+    {"law", required_argument, NULL, KEY + PO_KEY_LAW},
+    {"mie-m", required_argument, NULL, KEY + PO_KEY_MIE_M},
+    {"mie-n", required_argument, NULL, KEY + PO_KEY_MIE_N},
+    {"morse-a", required_argument, NULL, KEY + PO_KEY_MORSE_A},
     {"tolerance", required_argument, NULL, KEY + PO_KEY_TOLERANCE},
     {"preload", required_argument, NULL, KEY + PO_KEY_PRELOAD},
     {"preload-load", required_argument, NULL, KEY + PO_KEY_PRELOAD_LOAD},
@@ -91,7 +98,7 @@ static const struct option *option_of(int value) {
 static bool is_of_scene(const struct option *option) {
   const int key = option->val - KEY;
   return option->val >= KEY && option->val < PO_OPTION_HELP && key != PO_KEY_TOLERANCE &&
-         key != PO_KEY_PRELOAD && key != PO_KEY_PRELOAD_LOAD;
+         key != PO_KEY_LAW && key != PO_KEY_PRELOAD && key != PO_KEY_PRELOAD_LOAD;
 }
 
 static po_status take_runs(follow_line *line) {
@@ -188,6 +195,11 @@ static po_status make_request(const follow_line *line, size_t point, po_request 
     if (text)
       status = set_key(request, key, text);
   }
+  bool given[PO_LAW_PARAMETER_COUNT];
+  for (int k = 0; k < PO_LAW_PARAMETER_COUNT; ++k)
+    given[k] = line->given[PO_KEY_MIE_M + k] || (int)line->key == PO_KEY_MIE_M + k;
+  if (!status)
+    status = po_scene_flags_check_law(&request->scene.law, given);
   request->stop = po_interrupt_listen();
   return status ? status : po_request_check(request);
 }

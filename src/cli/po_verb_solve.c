@@ -23,6 +23,8 @@ static const char HELP[] =
     "  --wavelength L          of the waviness\n"
     "  --radius R              of the sphere (100)\n"
     "  --outer-radius R|inf    where the surface is cut (inf: not cut)\n"
+    "  --law LAW               traction-separation law: lennard-jones (default, Eq 9), mie:M,N\n"
+    "                          or morse:A; the parameters also by --mie-m, --mie-n, --morse-a\n"
     "  --scheme ring|triangle|panel  discretisation (panel)\n"
     "  --tolerance T           of panels: relative, of the pull-off force (1e-6)\n"
     "  --nodes N               of rings and triangles (501)\n"
@@ -57,6 +59,10 @@ enum { WANT = PO_FLAG_NEXT, CURVE_FILE, PROFILE_FILE, STAIRCASE_FILE, JSON, KEY 
 static const struct option OPTIONS[] = {
     PO_SCENE_OPTIONS,
     PO_LENGTH_OPTIONS("outer-radius", PO_LENGTH_OUTER_RADIUS),
+    {"law", required_argument, NULL, KEY + PO_KEY_LAW},
+    {"mie-m", required_argument, NULL, KEY + PO_KEY_MIE_M},
+    {"mie-n", required_argument, NULL, KEY + PO_KEY_MIE_N},
+    {"morse-a", required_argument, NULL, KEY + PO_KEY_MORSE_A},
     {"scheme", required_argument, NULL, KEY + PO_KEY_SCHEME},
     {"grading", required_argument, NULL, KEY + PO_KEY_GRADING},
     {"nodes", required_argument, NULL, KEY + PO_KEY_NODES},
@@ -166,6 +172,8 @@ static po_status end_line(solve_line *line) {
     status = po_scene_flags_end(&line->flags, true, &request->scene);
   if (!status)
     status = refuse_idle(line);
+  if (!status)
+    status = po_scene_flags_check_law(&request->scene.law, line->given + PO_KEY_MIE_M);
   if (status)
     return status;
   if (request->scene.amplitude > 0 && isnan(length[PO_LENGTH_WAVELENGTH])) {

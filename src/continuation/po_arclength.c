@@ -15,7 +15,7 @@ static double per_length(const po_equilibrium *e) {
 
 /* Nodal: square of the weight of the approach. */
 static const double APPROACH_WEIGHT = 0.05;
-/* Nodal: 1 + H counts up to this. */
+/* Nodal: the scale of the law, 1 + H for Lennard-Jones, counts up to this. */
 static const double FAR_GAP = 10.0;
 
 size_t po_arclength_size(po_arclength a, size_t n) {
@@ -24,8 +24,10 @@ size_t po_arclength_size(po_arclength a, size_t n) {
 
 static void global_coordinates(const po_equilibrium *e, const double *state, double *coordinate) {
   double contact = 0.0;
-  for (size_t j = po_equilibrium_core(e); j-- > 0;)
-    contact += e->surface->length[j] / ((1.0 + state[j]) * (1.0 + state[j]));
+  for (size_t j = po_equilibrium_core(e); j-- > 0;) {
+    const double h = po_law_size(&e->scene->law, state[j]);
+    contact += e->surface->length[j] / (h * h);
+  }
   coordinate[0] = approach_weight(e) * state[e->n];
   coordinate[1] = po_equilibrium_load(e);
   coordinate[2] = per_length(e) * contact;
@@ -35,8 +37,8 @@ static void global_rates(const po_equilibrium *e, const double *state, const dou
                          double *rate) {
   double contact = 0.0;
   for (size_t j = po_equilibrium_core(e); j-- > 0;) {
-    const double h = 1.0 + state[j];
-    contact -= 2.0 * e->surface->length[j] / (h * h * h) * change[j];
+    const po_law_scale h = po_law_scale_at(&e->scene->law, state[j]);
+    contact -= 2.0 * h.rate * e->surface->length[j] / (h.size * h.size * h.size) * change[j];
   }
   rate[0] = approach_weight(e) * change[e->n];
   rate[1] = po_equilibrium_load_rate(e, change);
@@ -49,8 +51,9 @@ static void global_border(const po_equilibrium *e, const double *state, const do
   for (size_t j = 0; j < e->n; ++j)
     border[j] = 2.0 / e->radius * direction[1] * e->surface->weight[j] * e->slope[j];
   for (size_t j = 0; j < core; ++j) {
-    const double h = 1.0 + state[j];
-    border[j] -= 2.0 * per_length(e) * direction[2] * e->surface->length[j] / (h * h * h);
+    const po_law_scale h = po_law_scale_at(&e->scene->law, state[j]);
+    border[j] -= 2.0 * h.rate * per_length(e) * direction[2] * e->surface->length[j] /
+                 (h.size * h.size * h.size);
   }
   border[e->n] = approach_weight(e) * direction[0];
 }
@@ -61,13 +64,13 @@ static double nodal_weight(const po_equilibrium *e, size_t j) {
 
 /* d coordinate / dH at a node. */
 static double nodal_slope(const po_equilibrium *e, const double *state, size_t j) {
-  const double h = 1.0 + state[j];
-  return h < FAR_GAP ? nodal_weight(e, j) / h : 0.0;
+  const po_law_scale h = po_law_scale_at(&e->scene->law, state[j]);
+  return h.size < FAR_GAP ? nodal_weight(e, j) * h.rate / h.size : 0.0;
 }
 
 static void nodal_coordinates(const po_equilibrium *e, const double *state, double *coordinate) {
   for (size_t j = 0; j < e->n; ++j)
-    coordinate[j] = nodal_weight(e, j) * log(fmin(1.0 + state[j], FAR_GAP));
+    coordinate[j] = nodal_weight(e, j) * log(fmin(po_law_size(&e->scene->law, state[j]), FAR_GAP));
   coordinate[e->n] = sqrt(APPROACH_WEIGHT) * state[e->n];
 }
 

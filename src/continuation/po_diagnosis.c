@@ -55,9 +55,8 @@ static po_status room_allocate(room *r, size_t n) {
 /* Eq 16 over mu in long double; where waves are averaged, the traction as it is. */
 static long double traction_at(const po_equilibrium *e, size_t j, double gap) {
   if (j >= e->surface->resolved)
-    return po_law_averaged(gap, e->amplitude).traction;
-  const long double x = 1.0L / (1.0L + gap), x3 = x * x * x;
-  return -8.0L / 3.0L * (x3 - x3 * x3 * x3);
+    return po_law_averaged(&e->scene->law, gap, e->amplitude).traction;
+  return po_law_traction(&e->scene->law, gap);
 }
 
 /* Eq 2 in long double. */
@@ -149,7 +148,7 @@ static po_status find_border(const po_equilibrium *e, const double *state, room 
 static void begin(po_equilibrium *e, const double *state, room *r) {
   po_equilibrium_evaluate(e, state);
   for (size_t j = 0; j < e->n; ++j)
-    r->scale[j] = 1.0 + state[j];
+    r->scale[j] = po_law_size(&e->scene->law, state[j]);
 }
 
 po_status po_diagnosis_complete(po_equilibrium *e, size_t core, double *state) {
@@ -163,7 +162,7 @@ po_status po_diagnosis_complete(po_equilibrium *e, size_t core, double *state) {
     change = 0.0;
     for (size_t i = core; i < n; ++i) {
       const double gap = e->shape[i] - state[n] + e->coupling * e->deflection[i];
-      change = fmax(change, fabs(gap - state[i]) / (1.0 + state[i]));
+      change = fmax(change, fabs(gap - state[i]) / po_law_size(&e->scene->law, state[i]));
       state[i] = gap;
     }
   }

@@ -88,17 +88,14 @@ size_t po_equilibrium_core(const po_equilibrium *e) {
   return n;
 }
 
-double po_expected_gap(double gap) {
-  static const double CLOSEST = -0.9;
-  return fmax(gap, CLOSEST);
-}
-
 void po_equilibrium_evaluate(po_equilibrium *e, const double *state) {
+  const po_law *law = &e->scene->law;
   const size_t resolved = e->surface->resolved;
   for (size_t j = 0; j < e->n; ++j) {
-    const po_law law = j < resolved ? po_law_at(state[j]) : po_law_averaged(state[j], e->amplitude);
-    e->traction[j] = law.traction;
-    e->slope[j] = law.slope;
+    const po_law_value p =
+        j < resolved ? po_law_at(law, state[j]) : po_law_averaged(law, state[j], e->amplitude);
+    e->traction[j] = p.traction;
+    e->slope[j] = p.slope;
   }
 }
 
@@ -107,12 +104,13 @@ double po_equilibrium_load(const po_equilibrium *e) {
 }
 
 double po_equilibrium_energy(const po_equilibrium *e, const double *state) {
+  const po_law *law = &e->scene->law;
   const size_t resolved = e->surface->resolved;
   const double approach = state[e->n];
   double sum = 0.0;
   for (size_t j = 0; j < e->n; ++j) {
-    const double interaction =
-        j < resolved ? po_law_energy(state[j]) : po_law_energy_averaged(state[j], e->amplitude);
+    const double interaction = j < resolved ? po_law_energy(law, state[j])
+                                            : po_law_energy_averaged(law, state[j], e->amplitude);
     const double deflection = state[j] + approach - e->shape[j];
     sum += e->surface->weight[j] * (interaction + 0.5 * e->traction[j] * deflection);
   }
@@ -225,7 +223,7 @@ po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const
     memcpy(e->border, border, (e->n + 1) * sizeof *border);
   po_secant_clear(&e->secant, e->n + 1);
   for (size_t j = 0; j < e->n; ++j)
-    e->secant.scale[j] = 1.0 + state[j];
+    e->secant.scale[j] = po_law_size(&e->scene->law, state[j]);
   choose_active(e);
   e->factorized = false;
   if (e->active > e->most_active)

@@ -76,9 +76,6 @@ void po_equilibrium_destroy(po_equilibrium *equilibrium);
 /* Nodes of the core, where contact can be: those up to the end of the scheme's own elements. */
 size_t po_equilibrium_core(const po_equilibrium *e);
 
-/* A gap as it may be evaluated: a closer one than -0.9 is an error of a prediction. */
-double po_expected_gap(double gap);
-
 /* Sets traction and slope from the gaps of a state, every 1 + H > 0. */
 void po_equilibrium_evaluate(po_equilibrium *e, const double *state);
 

@@ -59,6 +59,7 @@ static void precondition(po_equilibrium *e, const double *residual, double *chan
 /* One quasi-Newton step. Returned: the largest change of a gap in parts of 1 + H, or NaN. */
 static double newton_step(po_equilibrium *e, double *state, const po_constraint *constraint) {
   const size_t n = e->n;
+  const po_law *law = &e->scene->law;
   double *residual = e->deflection, *change = e->scratch;
   po_equilibrium_evaluate(e, state);
   deflect(e, e->traction);
@@ -69,7 +70,7 @@ static double newton_step(po_equilibrium *e, double *state, const po_constraint 
   po_secant_step(&e->secant, change);
   double largest = 0.0, closing = 0.0;
   for (size_t j = 0; j < n; ++j) {
-    const double relative = change[j] / (1.0 + state[j]);
+    const double relative = change[j] / po_law_size(law, state[j]);
     if (!(fabs(relative) <= largest))
       largest = fabs(relative);
     if (-relative > closing)

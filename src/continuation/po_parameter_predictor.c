@@ -69,7 +69,7 @@ double po_predictor_gap(void *predictor, double r) {
   for (size_t i = 0; i < f->count; ++i)
     gap +=
         f->weight[i] * gap_of(f->mark[i], origin + po_edge_displacement(edges, f->back[i], origin));
-  return po_expected_gap(gap);
+  return po_law_expected_gap(&f->mark[0]->scene.law, gap);
 }
 
 void po_predictor_state(po_predictor *f, const po_equilibrium *e, size_t core, double *state) {
@@ -90,7 +90,8 @@ double po_predictor_error(po_predictor *f, const po_solution *solved) {
   double largest = 0.0;
   for (size_t j = 0; j < solved->core; ++j) {
     const double expected = po_predictor_gap(f, solved->node[j]);
-    largest = fmax(largest, fabs(solved->state[j] - expected) / (1.0 + solved->state[j]));
+    largest = fmax(largest, fabs(solved->state[j] - expected) /
+                                po_law_size(&f->mark[0]->scene.law, solved->state[j]));
   }
   return largest;
 }

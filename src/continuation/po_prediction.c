@@ -79,7 +79,7 @@ static double difference(po_prediction *p, po_prediction *q) {
   for (size_t j = 0; j < p->a->core; ++j) {
     const double r = p->a->node[j];
     const double of_p = po_prediction_gap(p, r), of_q = po_prediction_gap(q, r);
-    largest = fmax(largest, fabs(of_p - of_q) / (1.0 + of_p));
+    largest = fmax(largest, fabs(of_p - of_q) / po_law_size(&p->scene->law, of_p));
   }
   return largest;
 }
@@ -130,7 +130,7 @@ double po_prediction_gap(void *prediction, double r) {
     const double velocity_b = po_edge_displacement(edges, p->rate_back, origin);
     gap += p->w.f1 * (b.gap - a.gap) + p->w.d1 * (b.tangent + b.slope * velocity_b) / p->rate_b;
   }
-  return po_expected_gap(gap);
+  return po_law_expected_gap(&p->scene->law, gap);
 }
 
 /* Component of the state at a node that does not move, or the approach. */
@@ -149,7 +149,7 @@ void po_prediction_state(po_prediction *p, const po_surface *surface, size_t mov
     state[j] = po_prediction_gap(p, surface->node[j]);
   for (size_t back = 0; back <= n - moving; ++back) { /* from the approach inwards */
     const double value = component(p, p->a->n - back, p->cubic ? p->b->n - back : 0);
-    state[n - back] = back > 0 ? po_expected_gap(value) : value;
+    state[n - back] = back > 0 ? po_law_expected_gap(&p->scene->law, value) : value;
   }
 }
 
@@ -174,7 +174,8 @@ double po_prediction_error(po_prediction *p, const double *guess, const po_solut
   double largest = 0.0;
   for (size_t j = 0; j < solved->core; ++j) {
     const double expected = guess ? guess[j] : po_prediction_gap(p, solved->node[j]);
-    largest = fmax(largest, fabs(solved->state[j] - expected) / (1.0 + solved->state[j]));
+    largest = fmax(largest, fabs(solved->state[j] - expected) /
+                                po_law_size(&p->scene->law, solved->state[j]));
   }
   return largest;
 }

@@ -41,11 +41,12 @@ static void decay(const po_legendre *legendre, const double *value, double *last
  * respond. The load, and the deflection elsewhere, integrated by Gauss's rule, suffer only from
  * twice the degree: the square of the decay. */
 static double excess_of(const po_resolution *r, double begin, double end, const double *gap) {
+  const po_law *law = &r->e->scene->law;
   double traction[PO_TABLE_ORDER], response = 0.0, last, largest;
   for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
-    const po_law law = po_law_at(po_expected_gap(gap[j]));
-    traction[j] = law.traction;
-    response = fmax(response, fabs(law.slope));
+    const po_law_value p = po_law_at(law, po_law_expected_gap(law, gap[j]));
+    traction[j] = p.traction;
+    response = fmax(response, fabs(p.slope));
   }
   decay(r->legendre, traction, &last, &largest);
   const double length = end - begin, ring = 2.0 / r->e->radius * 0.5 * (begin + end) * length;

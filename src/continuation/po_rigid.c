@@ -25,9 +25,6 @@ enum { INTERVALS = 200 };
 /* Steps in x = 1 - approach, the distance from the centre's core. */
 static const double STEP_RATIO = 0.97;
 
-/* The largest approach is 1 - NEAREST: even the sharpest crests repel before. */
-static const double NEAREST = 1e-3;
-
 bool po_rigid_suffices(const po_scene *scene) {
   return ELASTIC_EFFECT * pow(scene->tabor, 1.5) <= NEGLIGIBLE_LOAD;
 }
@@ -41,20 +38,26 @@ typedef struct {
   int of;                 /* TRACTION, SLOPE or ENERGY */
 } integral;
 
-static double chosen(const integral *q, po_law law) {
-  return q->of == SLOPE ? law.slope : law.traction;
+static double chosen(const integral *q, po_law_value p) {
+  return q->of == SLOPE ? p.slope : p.traction;
+}
+
+static double law_at(const integral *q, double gap) {
+  const po_law *law = &q->scene->law;
+  return q->of == ENERGY ? po_law_energy(law, gap) : chosen(q, po_law_at(law, gap));
 }
 
 static double resolved(double r, void *data) {
   const integral *q = data;
   const double gap = po_profile(q->scene, r) - q->approach;
-  return (q->of == ENERGY ? po_law_energy(gap) : chosen(q, po_law_at(gap))) * r;
+  return law_at(q, gap) * r;
 }
 
 static double mean_law(const integral *q, double r) {
   const double gap = po_profile_mean(q->scene, r) - q->approach, amplitude = q->scene->amplitude;
-  return q->of == ENERGY ? po_law_energy_averaged(gap, amplitude)
-                         : chosen(q, po_law_averaged(gap, amplitude));
+  const po_law *law = &q->scene->law;
+  return q->of == ENERGY ? po_law_energy_averaged(law, gap, amplitude)
+                         : chosen(q, po_law_averaged(law, gap, amplitude));
 }
 
 static double averaged(double t, void *data) { /* r = begin / t */
@@ -63,12 +66,18 @@ static double averaged(double t, void *data) { /* r = begin / t */
   return mean_law(q, r) * r * r / t;
 }
 
+/* The length over which the law changes at the axis: for Lennard-Jones the distance from the core.
+ */
+static double distance_at(const integral *q) {
+  return po_law_size(&q->scene->law, -q->approach);
+}
+
 /* Where the resolved part ends, and the length of its pieces: half waves, so that each holds one
  * crest or trough; for a smooth sphere, pieces that double. */
 static double next_edge(const integral *q, double r) {
   if (po_scene_is_wavy(q->scene))
     return r + 0.5 * q->scene->wavelength;
-  return fmax(2.0 * r, sqrt(2.0 * q->scene->radius * (1.0 - q->approach)));
+  return fmax(2.0 * r, sqrt(2.0 * q->scene->radius * distance_at(q)));
 }
 
 /* With c = lambda^2/(8 pi^2 R) and y = 1 - approach the load of waves so short that each of them is
@@ -82,7 +91,7 @@ static const double MOST_PIECES = 5e4;
 
 static bool has_short_waves(const integral *q) {
   const double c = pow(q->scene->wavelength / M_PI, 2.0) / (8.0 * q->scene->radius);
-  return po_scene_is_wavy(q->scene) && c < SHORT_WAVES * (1.0 - q->approach);
+  return po_scene_is_wavy(q->scene) && c < SHORT_WAVES * distance_at(q);
 }
 
 static double averaged_at(double r, void *data) {
@@ -96,7 +105,7 @@ static double at_axis(double phi, void *data) {
   const double half = sin(0.5 * phi);
   const double gap = 2.0 * q->scene->amplitude * half * half - q->approach;
   const double sum = M_PI * M_PI / 6.0 - 0.5 * phi * (M_PI - 0.5 * phi);
-  return (q->of == ENERGY ? po_law_energy(gap) : chosen(q, po_law_at(gap))) * sum;
+  return law_at(q, gap) * sum;
 }
 
 /* Adds the integral of a function between two radii, phases or parts. */
@@ -126,7 +135,7 @@ static int add_short_waves(integral *q, double end, gsl_integration_workspace *s
   double at_the_axis = 0.0;
   int failed = add_piece(at_axis, q, 0.0, M_PI, space, &at_the_axis);
   *sum -= pow(q->scene->wavelength / M_PI, 2.0) / (2.0 * M_PI) * at_the_axis;
-  const double first = sqrt(2.0 * q->scene->radius * (1.0 - q->approach));
+  const double first = sqrt(2.0 * q->scene->radius * distance_at(q));
   for (double r = 0.0; r < end && !failed;) {
     const double to = fmin(fmax(2.0 * r, first), end);
     failed = add_piece(averaged_at, q, r, to, space, sum);
@@ -250,7 +259,7 @@ static double extremum(rigid_tracer *t, double low, double high) {
 
 double po_rigid_approach_of_crest(const po_scene *scene, double load) {
   const double crest = 1.0 / (1.0 + 4.0 * M_PI * M_PI * po_scene_alpha(scene));
-  return 1.0 - fmax(NEAREST, pow(2.0 * crest / (3.0 * load), 0.125));
+  return po_law_approach_of_push(&scene->law, crest, load);
 }
 
 /* A station, or the end of the trace, between two points. */
@@ -287,12 +296,14 @@ po_status po_rigid_trace(const po_scene *scene, double begin,
                          const po_continuation_options *options) {
   rigid_tracer t = {.scene = scene, .options = options, .begin = begin};
   const double end = options->end;
-  if (!(end < 1.0))
-    return po_fail(PO_BAD_INPUT, "approach_end is %g: rigid bodies cannot come closer than 1", end);
+  const double closest = -po_law_closest(&scene->law);
+  if (!(end < closest))
+    return po_fail(PO_BAD_INPUT, "approach_end is %g: rigid bodies cannot come closer than %g", end,
+                   closest);
   po_branch_point from = solve(&t, begin, PO_POINT_STEP);
   visit(&t, &from);
   while (!t.ended && !t.status && from.approach < end) {
-    double step = (1.0 - from.approach) * (1.0 - STEP_RATIO);
+    double step = po_law_size(&scene->law, -from.approach) * (1.0 - STEP_RATIO);
     po_branch_point to = solve(&t, fmin(from.approach + step, end), PO_POINT_STEP);
     while (!t.status && po_join_sagitta(&from, &to) > options->largest_sagitta) {
       step *= 0.5;

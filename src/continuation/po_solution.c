@@ -103,7 +103,8 @@ typedef struct {
 } edge_search;
 
 static bool is_closer(const edge_search *s, double r) {
-  return po_solution_value_at(s->p, s->scene, s->domain, r).gap - PO_LAW_PEAK_GAP < 0.0;
+  return po_solution_value_at(s->p, s->scene, s->domain, r).gap - po_law_peak_gap(&s->scene->law) <
+         0.0;
 }
 
 static bool is_inside_edge(double r, const void *data) {
@@ -129,9 +130,10 @@ static void add_edge(po_solution *p, const po_scene *scene, double domain, doubl
 /* From the outside inwards: the outermost edges are those that move. */
 static void find_edges(po_solution *p, const po_scene *scene, const po_surface *s) {
   po_moving_edges *edges = &p->edges;
+  const double peak = po_law_peak_gap(&scene->law);
   edges->count = edges->all = 0;
   for (size_t j = p->panels.count * PO_TABLE_ORDER; j-- > 1;) {
-    const double left = p->state[j - 1] - PO_LAW_PEAK_GAP, right = p->state[j] - PO_LAW_PEAK_GAP;
+    const double left = p->state[j - 1] - peak, right = p->state[j] - peak;
     if ((left < 0.0) == (right < 0.0))
       continue;
     if (edges->count < PO_MOST_MOVING_EDGES)

@@ -29,6 +29,10 @@ static const struct {
     [PO_KEY_WAVELENGTH] = {"wavelength", POSITIVE, "a finite number > 0"},
     [PO_KEY_RADIUS] = {"radius", POSITIVE, "a finite number > 0"},
     [PO_KEY_OUTER_RADIUS] = {"outer_radius", POSITIVE_OR_INFINITE, "a finite number > 0, or inf"},
+    [PO_KEY_LAW] = {"law", NAME, "lennard-jones, mie:m,n or morse:a"},
+    [PO_KEY_MIE_M] = {"mie_m", POSITIVE, "a finite number > 1"},
+    [PO_KEY_MIE_N] = {"mie_n", POSITIVE, "a finite number > mie_m"},
+    [PO_KEY_MORSE_A] = {"morse_a", POSITIVE, "a finite number > 0"},
     [PO_KEY_SCHEME] = {"scheme", NAME, "ring, triangle or panel"},
     [PO_KEY_GRADING] = {"grading", NAME, "uniform or graded"},
     [PO_KEY_NODES] = {"nodes", COUNT, "a whole number > 0"},
@@ -93,6 +97,10 @@ static double *key_place(po_request *request, po_key key) {
     return &request->scene.radius;
   case PO_KEY_OUTER_RADIUS:
     return &request->scene.outer_radius;
+  case PO_KEY_MIE_M:
+  case PO_KEY_MIE_N:
+  case PO_KEY_MORSE_A:
+    return &request->scene.law.parameter[key - PO_KEY_MIE_M];
   case PO_KEY_TOLERANCE:
     return &request->mesh.tolerance;
   case PO_KEY_APPROACH_START:
@@ -110,7 +118,13 @@ static double *key_place(po_request *request, po_key key) {
   }
 }
 
+static bool is_of_law(po_key key) {
+  return key >= PO_KEY_MIE_M && key <= PO_KEY_MORSE_A;
+}
+
 static bool set_name(po_request *request, po_key key, const char *text) {
+  if (key == PO_KEY_LAW)
+    return po_law_set(&request->scene.law, text);
   const int found = key == PO_KEY_SCHEME ? po_scheme_of_name(text) : po_grading_of_name(text);
   if (found < 0)
     return false;
@@ -157,11 +171,16 @@ bool po_key_set(po_request *request, po_key key, const char *text) {
     value *= request->scene.wavelength;
   else if (key == PO_KEY_OUTER_RATIO)
     value *= request->scene.radius;
-  *key_place(request, po_key_target(key)) = value;
+  if (is_of_law(key))
+    po_law_set_parameter(&request->scene.law, (po_law_parameter)(key - PO_KEY_MIE_M), value);
+  else
+    *key_place(request, po_key_target(key)) = value;
   return true;
 }
 
 double po_key_number(const po_request *request, po_key key) {
+  if (is_of_law(key) && !po_law_has(&request->scene.law, (po_law_parameter)(key - PO_KEY_MIE_M)))
+    return (double)NAN;
   if (key == PO_KEY_ALPHA)
     return po_scene_alpha(&request->scene);
   if (key == PO_KEY_AMPLITUDE_RATIO)
@@ -174,11 +193,15 @@ double po_key_number(const po_request *request, po_key key) {
     return *place;
   if (key == PO_KEY_NODES)
     return (double)request->mesh.nodes;
+  if (key == PO_KEY_LAW)
+    return (double)po_law_index(&request->scene.law);
   return key == PO_KEY_SCHEME ? (double)request->mesh.scheme : (double)request->mesh.grading;
 }
 
 void po_key_print(const po_request *request, po_key key, char text[PO_NUMBER_LENGTH]) {
-  if (key == PO_KEY_SCHEME)
+  if (key == PO_KEY_LAW)
+    snprintf(text, PO_NUMBER_LENGTH, "%s", po_law_name(&request->scene.law));
+  else if (key == PO_KEY_SCHEME)
     snprintf(text, PO_NUMBER_LENGTH, "%s", po_scheme_name(request->mesh.scheme));
   else if (key == PO_KEY_GRADING)
     snprintf(text, PO_NUMBER_LENGTH, "%s", po_grading_name(request->mesh.grading));
@@ -190,12 +213,22 @@ void po_key_print(const po_request *request, po_key key, char text[PO_NUMBER_LEN
     po_number_print(po_key_number(request, key), text);
 }
 
+static bool is_close(double a, double b) {
+  return a == b || (isfinite(b) && fabs(a - b) <= 4 * DBL_EPSILON * fabs(b));
+}
+
 bool po_key_matches(const po_request *request, po_key key, const char *text) {
   po_request wanted = *request;
   if (!po_key_set(&wanted, key, text))
     return false;
-  const double a = po_key_number(request, key), b = po_key_number(&wanted, key);
-  return a == b || (isfinite(b) && fabs(a - b) <= 4 * DBL_EPSILON * fabs(b));
+  if (key == PO_KEY_LAW && po_law_index(&wanted.scene.law) == po_law_index(&request->scene.law)) {
+    for (int k = PO_KEY_MIE_M; k <= PO_KEY_MORSE_A; ++k)
+      if (po_law_has(&wanted.scene.law, (po_law_parameter)(k - PO_KEY_MIE_M)) &&
+          !is_close(po_key_number(request, (po_key)k), po_key_number(&wanted, (po_key)k)))
+        return false;
+    return true;
+  }
+  return is_close(po_key_number(request, key), po_key_number(&wanted, key));
 }
 
 bool po_key_is_of_other_scheme(const po_request *request, po_key key) {
@@ -206,6 +239,7 @@ bool po_key_is_of_other_scheme(const po_request *request, po_key key) {
 bool po_key_is_idle(const po_request *request, po_key key) {
   const bool smooth = request->scene.amplitude == 0;
   return (key == PO_KEY_AMPLITUDE && smooth) || (key == PO_KEY_WAVELENGTH && smooth) ||
+         (key == PO_KEY_LAW && po_law_index(&request->scene.law) == 0) ||
          isnan(po_key_number(request, key)) || po_key_is_of_other_scheme(request, key);
 }
 

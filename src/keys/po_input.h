@@ -17,6 +17,10 @@ typedef enum {
   PO_KEY_WAVELENGTH,
   PO_KEY_RADIUS,
   PO_KEY_OUTER_RADIUS,
+  PO_KEY_LAW,
+  PO_KEY_MIE_M, /* parameters of laws, in the order of po_law_parameter */
+  PO_KEY_MIE_N,
+  PO_KEY_MORSE_A,
   PO_KEY_SCHEME,
   PO_KEY_GRADING,
   PO_KEY_NODES,

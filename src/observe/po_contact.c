@@ -41,7 +41,7 @@ po_contact_gap po_contact_gap_of(const po_scene *scene, double domain, const po_
     g.gap = p->gap;
     g.end = p->node[p->n - 1];
   } else { /* rigid: the sphere alone bounds the contact */
-    const double reach = fmax(0.0, p->approach + PO_LAW_PEAK_GAP) + GREATEST_DOUBT;
+    const double reach = fmax(0.0, p->approach + po_law_peak_gap(&scene->law)) + GREATEST_DOUBT;
     g.end = fmin(sqrt(2.0 * scene->radius * reach), scene->outer_radius);
   }
   return g;
@@ -266,7 +266,7 @@ static bool is_smeared(const po_contact_gap *g) {
 }
 
 static double radius_of_sphere(const po_contact_gap *g, double doubt) {
-  const double reach = g->approach + PO_LAW_PEAK_GAP + doubt;
+  const double reach = g->approach + po_law_peak_gap(&g->scene->law) + doubt;
   return reach > 0.0 ? fmin(g->end, sqrt(2.0 * g->scene->radius * reach)) : 0.0;
 }
 
@@ -280,13 +280,13 @@ static po_contact_edge estimate_smeared(const po_contact_gap *g, double doubt) {
 double po_contact_radius(const po_contact_gap *gap) {
   if (is_smeared(gap))
     return radius_of_sphere(gap, 0.0);
-  return radius_of(&(sought){.g = gap, .level = PO_LAW_PEAK_GAP});
+  return radius_of(&(sought){.g = gap, .level = po_law_peak_gap(&gap->scene->law)});
 }
 
 double po_contact_disc(const po_contact_gap *gap) {
   if (is_smeared(gap))
     return radius_of_sphere(gap, 0.0);
-  const sought s = {.g = gap, .level = PO_LAW_PEAK_GAP};
+  const sought s = {.g = gap, .level = po_law_peak_gap(&gap->scene->law)};
   double edge = radius_of(&s);
   while (edge > 0.0) {
     const double inner = next_edge(&s, edge, true);
@@ -300,7 +300,7 @@ double po_contact_disc(const po_contact_gap *gap) {
 po_contact_edge po_contact_estimate(const po_contact_gap *gap, const po_contact_doubt *doubt) {
   if (is_smeared(gap))
     return estimate_smeared(gap, doubt->constant);
-  const sought s = {.g = gap, .doubt = doubt, .level = PO_LAW_PEAK_GAP};
+  const sought s = {.g = gap, .doubt = doubt, .level = po_law_peak_gap(&gap->scene->law)};
   po_contact_edge e = {.radius = radius_of(&s), .other = NAN};
   e.error = fmax(0.0, farthest(&s, e.radius, &e.other) - e.radius);
   e.error = fmax(e.error, e.radius - nearest(&s, e.radius, &e.other));
@@ -353,7 +353,7 @@ po_status po_contact_annuli_fill(const po_contact_gap *gap, po_contact_annuli *a
   if (is_smeared(gap))
     return too_many();
   const po_status status = fill(gap, 0.0, &a->compressed, &a->compressed_count);
-  return status ? status : fill(gap, PO_LAW_PEAK_GAP, &a->held, &a->held_count);
+  return status ? status : fill(gap, po_law_peak_gap(&gap->scene->law), &a->held, &a->held_count);
 }
 
 void po_contact_annuli_clear(po_contact_annuli *a) {

@@ -21,7 +21,7 @@ po_status po_contact_profile_take(const po_scene *scene, const po_surface *s,
       break;
     const double gap = p->gap ? p->gap[j] : po_profile(scene, radius) - p->approach;
     profile[o->profile_count++] = (po_profile_point){
-        .radius = radius, .gap = gap, .traction = tabor * po_law_at(gap).traction};
+        .radius = radius, .gap = gap, .traction = tabor * po_law_at(&scene->law, gap).traction};
   }
   const po_contact_gap field = po_contact_gap_of(scene, s->core_radius, p);
   return po_contact_annuli_fill(&field, &o->annuli);

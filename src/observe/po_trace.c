@@ -14,8 +14,9 @@
 /* How far a wanted curve may lie from the straight lines between its points. */
 static const double CURVE_SAGITTA = 5e-4;
 
-/* Where a rigid trace starts: the load there is below 2 % of pull-off. */
-static const double RIGID_START = -10.0;
+/* A rigid trace starts at this gap, or farther out, by a factor, until the load is below a part of
+ * pull-off: by Derjaguin's approximation it is 2 phi / w in pi w R. */
+static const double RIGID_START = 10.0, RIGID_START_GROWTH = 1.5, RIGID_START_LOAD = 0.02;
 
 /* When unloading leads farther out than the trace began, it begins anew in units of that. */
 static const double FARTHER = 1.5;
@@ -96,6 +97,13 @@ static po_status trace_elastic(const po_request *request, const po_attempt *a, p
   return status;
 }
 
+static double rigid_start(const po_law *law) {
+  double gap = RIGID_START;
+  while (-po_law_energy(law, gap) > RIGID_START_LOAD)
+    gap *= RIGID_START_GROWTH;
+  return gap;
+}
+
 static po_status trace_rigid(const po_request *request, po_reader *reader) {
   po_continuation_options options = options_of(request, NAN, reader);
   const bool searches = po_request_search(request) != PO_SEARCH_NONE;
@@ -105,13 +113,14 @@ static po_status trace_rigid(const po_request *request, po_reader *reader) {
             ? request->preload.approach
             : po_observe_rigid_end(&request->scene, fmax(0.0, po_request_preload(request).load));
   reader->result->rigid = true;
-  if (isfinite(request->preload.approach) && !(request->preload.approach < 1.0))
+  if (isfinite(request->preload.approach) &&
+      !(request->preload.approach < -po_law_closest(&request->scene.law)))
     return po_fail(PO_BAD_INPUT, "preload is %g: rigid bodies cannot come closer than 1",
                    request->preload.approach);
   reader->begun = true;
   double begin = request->approach_start;
   if (isnan(begin))
-    begin = RIGID_START + fmin(0.0, options.end);
+    begin = fmin(0.0, options.end) - rigid_start(&request->scene.law);
   return po_rigid_trace(&request->scene, begin, &options);
 }
 

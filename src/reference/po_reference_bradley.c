@@ -18,7 +18,8 @@ static const double FAR = 2;
 static const double LARGEST_APPROACH = 0.45;
 
 static bool speaks_of(const po_request *request) {
-  return request->scene.amplitude == 0 && isinf(request->scene.outer_radius);
+  return po_law_index(&request->scene.law) == 0 && request->scene.amplitude == 0 &&
+         isinf(request->scene.outer_radius);
 }
 
 po_status po_bradley_find(po_quantity quantity, const po_request *request,
@@ -31,7 +32,7 @@ po_status po_bradley_find(po_quantity quantity, const po_request *request,
   if (quantity == PO_PULL_OFF_FORCE)
     number->value = 2;
   if (quantity == PO_CONTACT_RADIUS)
-    number->value = sqrt(2 * request->scene.radius * PO_LAW_PEAK_GAP);
+    number->value = sqrt(2 * request->scene.radius * po_law_peak_gap(&request->scene.law));
   return PO_OK;
 }
 

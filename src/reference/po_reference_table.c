@@ -62,8 +62,17 @@ void po_reference_close(po_reference *reference) {
   *reference = (po_reference){0};
 }
 
+/* A table that names no law is of the law of the paper. */
+static bool has_law_of_paper(const po_csv *table, const po_request *request) {
+  const char *const name = po_key_name(PO_KEY_LAW);
+  return po_csv_find_column(table, name) >= 0 || po_csv_find_header(table, name) ||
+         po_law_index(&request->scene.law) == 0;
+}
+
 bool po_reference_headers_hold(const po_reference *reference, const po_request *request) {
   const po_csv *table = &reference->table;
+  if (!has_law_of_paper(table, request))
+    return false;
   for (size_t i = 0; i < table->header_count; ++i) {
     const int key = po_key_of_name(table->headers[i].key);
     if (key >= 0 && !po_key_matches(request, (po_key)key, table->headers[i].value))

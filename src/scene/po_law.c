@@ -1,42 +1,177 @@
 #include "po_law.h"
 
 #include <math.h>
+#include <string.h>
 
-const double PO_LAW_PEAK_GAP = 0.20093695517600277; /* 3^(1/6) - 1 */
+#include "po_law_kind.h"
+#include "po_number.h"
 
-po_law po_law_at(double gap) {
-  const double x = 1.0 / (1.0 + gap), x3 = x * x * x, x9 = x3 * x3 * x3;
-  return (po_law){.traction = -8.0 / 3.0 * (x3 - x9), .slope = 8.0 * x * (x3 - 3.0 * x9)};
+static const po_law_kind *const KINDS[] = {&PO_LENNARD_JONES, &PO_MIE, &PO_MORSE};
+enum { KIND_COUNT = sizeof KINDS / sizeof *KINDS };
+
+const char *const PO_LAW_EXPECTED = "lennard-jones, mie:m,n or morse:a";
+
+static const char *const PARAMETERS[PO_LAW_PARAMETER_COUNT] = {
+    [PO_MIE_M] = "mie_m", [PO_MIE_N] = "mie_n", [PO_MORSE_A] = "morse_a"};
+
+static const po_law_kind *kind_of(const po_law *law) {
+  return law->kind ? law->kind : &PO_LENNARD_JONES;
 }
 
-/* The highest Legendre polynomial that the slope of the averaged law contains: P_9. */
-enum { DEGREE = 9 };
-
-/* The Legendre polynomials P_0 to P_9 at z >= 1, where the upward recurrence is stable. */
-static void fill_legendre(double z, double legendre[DEGREE + 1]) {
-  legendre[0] = 1.0;
-  legendre[1] = z;
-  for (int n = 1; n < DEGREE; ++n)
-    legendre[n + 1] = ((2 * n + 1) * z * legendre[n] - n * legendre[n - 1]) / (n + 1);
+po_law po_law_lennard_jones(void) {
+  po_law law = {.kind = &PO_LENNARD_JONES};
+  for (size_t k = 0; k < PO_LAW_PARAMETER_COUNT; ++k)
+    law.parameter[k] = NAN;
+  return law;
 }
 
-po_law po_law_averaged(double gap, double amplitude) {
-  const double a = 1.0 + gap, y = 1.0 / sqrt((a - amplitude) * (a + amplitude));
-  double legendre[DEGREE + 1];
-  fill_legendre(a * y, legendre);
-  const double y3 = y * y * y, y9 = y3 * y3 * y3;
-  return (po_law){.traction = -8.0 / 3.0 * (y3 * legendre[2] - y9 * legendre[8]),
-                  .slope = 8.0 * y * (y3 * legendre[3] - 3.0 * y9 * legendre[9])};
+/* Reads the parameters of a law, all of them, from "4,10", or "4:10" as in tables with commas. */
+static bool read_parameters(const char *text, po_law *law) {
+  for (size_t k = 0; k < law->kind->parameters; ++k) {
+    char number[PO_NUMBER_LENGTH];
+    const size_t length = strcspn(text, ",:");
+    if (length >= sizeof number)
+      return false;
+    memcpy(number, text, length);
+    number[length] = '\0';
+    if (!po_number_parse(number, &law->parameter[law->kind->first + k]))
+      return false;
+    text += length;
+    if ((*text == '\0') != (k + 1 == law->kind->parameters))
+      return false;
+    text += *text != '\0';
+  }
+  return true;
 }
 
-double po_law_energy(double gap) {
-  const double x = 1.0 / (1.0 + gap), x2 = x * x;
-  return -4.0 / 3.0 * x2 + x2 * x2 * x2 * x2 / 3.0;
+static void derive(po_law *law) {
+  if (kind_of(law)->derive)
+    kind_of(law)->derive(law);
 }
 
-double po_law_energy_averaged(double gap, double amplitude) {
-  const double a = 1.0 + gap, y = 1.0 / sqrt((a - amplitude) * (a + amplitude)), y2 = y * y;
-  double legendre[DEGREE + 1];
-  fill_legendre(a * y, legendre);
-  return -4.0 / 3.0 * y2 * legendre[1] + y2 * y2 * y2 * y2 * legendre[7] / 3.0;
+bool po_law_set(po_law *law, const char *text) {
+  const size_t length = strcspn(text, ":");
+  for (size_t k = 0; k < KIND_COUNT; ++k) {
+    if (strlen(KINDS[k]->name) != length || strncmp(text, KINDS[k]->name, length) != 0)
+      continue;
+    po_law read = *law;
+    read.kind = KINDS[k];
+    if (text[length] == ':' &&
+        (!KINDS[k]->parameters || !read_parameters(text + length + 1, &read)))
+      return false;
+    derive(&read);
+    *law = read;
+    return true;
+  }
+  return false;
+}
+
+void po_law_set_parameter(po_law *law, po_law_parameter parameter, double value) {
+  law->parameter[parameter] = value;
+  derive(law);
+}
+
+const char *po_law_name(const po_law *law) {
+  return kind_of(law)->name;
+}
+
+size_t po_law_index(const po_law *law) {
+  size_t index = 0;
+  while (KINDS[index] != kind_of(law))
+    ++index;
+  return index;
+}
+
+bool po_law_has(const po_law *law, po_law_parameter parameter) {
+  const po_law_kind *kind = kind_of(law);
+  return parameter >= kind->first && parameter < kind->first + kind->parameters;
+}
+
+const char *po_law_parameter_name(po_law_parameter parameter) {
+  return PARAMETERS[parameter];
+}
+
+po_status po_law_check(const po_law *law) {
+  return kind_of(law)->check ? kind_of(law)->check(law) : PO_OK;
+}
+
+po_law_value po_law_at(const po_law *law, double gap) {
+  return kind_of(law)->at(law, gap);
+}
+
+long double po_law_traction(const po_law *law, long double gap) {
+  return kind_of(law)->traction(law, gap);
+}
+
+po_law_value po_law_averaged(const po_law *law, double gap, double amplitude) {
+  return kind_of(law)->averaged(law, gap, amplitude);
+}
+
+double po_law_energy(const po_law *law, double gap) {
+  return kind_of(law)->energy(law, gap);
+}
+
+double po_law_energy_averaged(const po_law *law, double gap, double amplitude) {
+  return kind_of(law)->energy_averaged(law, gap, amplitude);
+}
+
+po_law_scale po_law_scale_at(const po_law *law, double gap) {
+  return kind_of(law)->scale(law, gap);
+}
+
+double po_law_size(const po_law *law, double gap) {
+  return kind_of(law)->scale(law, gap).size;
+}
+
+double po_law_peak_gap(const po_law *law) {
+  return kind_of(law)->peak_gap(law);
+}
+
+double po_law_closest(const po_law *law) {
+  return kind_of(law)->closest(law);
+}
+
+double po_law_expected_gap(const po_law *law, double gap) {
+  return fmax(gap, kind_of(law)->least_gap(law));
+}
+
+double po_law_reach(const po_law *law) {
+  return kind_of(law)->reach(law);
+}
+
+po_law_far po_law_far_field(const po_law *law) {
+  return kind_of(law)->far_field(law);
+}
+
+double po_law_approach_of_push(const po_law *law, double share, double load) {
+  return kind_of(law)->approach_of_push(law, share, load);
+}
+
+po_law_scale po_law_scale_of_powers(const po_law *law, double gap) {
+  (void)law;
+  return (po_law_scale){1.0 + gap, 1.0};
+}
+
+double po_law_closest_of_powers(const po_law *law) {
+  (void)law;
+  return -1.0;
+}
+
+/* A tenth of the distance from the singularity. */
+double po_law_least_gap_of_powers(const po_law *law) {
+  (void)law;
+  return -0.9;
+}
+
+/* Twenty equilibrium distances, from where the law is its attractive power to 1e-8. */
+double po_law_reach_of_powers(const po_law *law) {
+  (void)law;
+  return 20.0;
+}
+
+/* Even the sharpest crests repel before they are so near to the singularity. */
+static const double NEAREST = 1e-3;
+
+double po_law_approach_of_distance(double distance) {
+  return 1.0 - fmax(NEAREST, distance);
 }

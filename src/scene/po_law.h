@@ -1,32 +1,112 @@
-/* The traction-separation law: Lennard-Jones between half-spaces, Eq 9, in the variables of Eq 14
- * and Eq 16. */
+/* The traction–separation law between two half-spaces: the traction as a function of the gap.
+ *
+ * Lengths are in units of epsilon, the length of the law, tractions in w/epsilon with the work of
+ * adhesion w. H = h/epsilon - 1 for laws that are singular at contact, and H = 0 is the equilibrium
+ * distance of every law: p(0) = 0, and the integral of -p over H from 0 to infinity is 1. The law
+ * of the paper, Eq 9, is the Mie law (3, 9). One file implements one law (po_law_kind);
+ * doc/extending.md says how to add one. */
 #ifndef PO_LAW_H
 #define PO_LAW_H
 
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "po_status.h"
+
+/* Parameters of all laws; each law has some of them. */
+typedef enum { PO_MIE_M, PO_MIE_N, PO_MORSE_A, PO_LAW_PARAMETER_COUNT } po_law_parameter;
+
+enum { PO_LAW_CONSTANTS = 3 };
+
+typedef struct po_law_kind po_law_kind;
+
+/* A law with its parameters. One of which nothing is set is that of the paper. */
 typedef struct {
-  double traction; /* P/mu = -(8/3) [x^3 - x^9], x = 1/(1 + H): Eq 16 */
-  double slope;    /* (dP/dH)/mu = 8 [x^4 - 3 x^10] */
+  const po_law_kind *kind;
+  double parameter[PO_LAW_PARAMETER_COUNT]; /* those of other laws are not looked at */
+  double constant[PO_LAW_CONSTANTS];        /* what its kind derives from the parameters */
 } po_law;
 
-/* The law at a gap, Eq 16. Given: gap H = h/eps - 1 > -1. */
-po_law po_law_at(double gap);
+typedef struct {
+  double traction; /* p = P / mu, P of Eq 16; > 0 compressive */
+  double slope;    /* dp/dH */
+} po_law_value;
+
+/* The length over which a law changes at a gap, eps, and its rate dsize/dH. */
+typedef struct {
+  double size, rate;
+} po_law_scale;
+
+/* Lennard-Jones, Eq 9; the parameters of the other laws are NAN. */
+po_law po_law_lennard_jones(void);
+
+/* Sets the law written as "lennard-jones", "mie" or "morse", or with its parameters in order, as
+ * "mie:4,10" or "mie:4:10"; without them those in place stay. False when the text is none of these;
+ * then the law is unchanged. Its parameters are checked by po_law_check. */
+bool po_law_set(po_law *law, const char *text);
+extern const char *const PO_LAW_EXPECTED; /* "lennard-jones, mie:m,n or morse:a" */
+
+/* Sets one parameter. */
+void po_law_set_parameter(po_law *law, po_law_parameter parameter, double value);
+
+/* "lennard-jones", "mie", "morse"; the number of a law among these; whether it has a parameter; the
+ * name of a parameter, "mie_m". */
+const char *po_law_name(const po_law *law);
+size_t po_law_index(const po_law *law);
+bool po_law_has(const po_law *law, po_law_parameter parameter);
+const char *po_law_parameter_name(po_law_parameter parameter);
+
+/* PO_BAD_INPUT, naming the parameter that is out of range, its value and what is expected. */
+po_status po_law_check(const po_law *law);
+
+/* Traction and slope at gap H, above po_law_closest. */
+po_law_value po_law_at(const po_law *law, double gap);
+
+/* The traction in long double. */
+long double po_law_traction(const po_law *law, long double gap);
 
 /* The law averaged over one period of a waviness about the mean gap: the mean over phi of the law
- * at H - A cos(phi). Given: H > -1; amplitude A/eps < 1 + H. Source: the mean of (a - A cos phi)^-n
- * is (a^2 - A^2)^(-n/2) P_{n-1}(a/sqrt(a^2 - A^2)), Laplace's integral for Legendre polynomials.
- * Accuracy: 1e-13 relative (tests/unit/test_scene.c). */
-po_law po_law_averaged(double gap, double amplitude);
+ * at H - A cos(phi), for A < H - po_law_closest. Accuracy: 1e-13 relative
+ * (tests/unit/test_scene.c). */
+po_law_value po_law_averaged(const po_law *law, double gap, double amplitude);
 
-/* The interaction energy per area, phi/w = -(4/3) x^2 + (1/3) x^8, x = 1/(1 + H), from phi' =
- * -sigma and Eq 9. Given: gap H > -1. */
-double po_law_energy(double gap);
+/* The interaction energy per area, phi / w with dphi/dH = -p and phi = 0 at infinity; and the same
+ * averaged over one period of a waviness. */
+double po_law_energy(const po_law *law, double gap);
+double po_law_energy_averaged(const po_law *law, double gap, double amplitude);
 
-/* The interaction energy averaged over one period of a waviness, as po_law_averaged. Accuracy:
- * 1e-13 relative (tests/unit/test_scene.c). */
-double po_law_energy_averaged(double gap, double amplitude);
+/* The length in which changes of a gap are measured, by Newton's method, steps and the arclength
+ * functional: positive, growing as the gap far out; the distance from the singularity where there
+ * is one. For Lennard-Jones 1 + H. */
+po_law_scale po_law_scale_at(const po_law *law, double gap);
 
-/* The gap H at which the tension is greatest: h = 3^(1/6) eps (text after Eq 9), H = 3^(1/6) -
- * 1. */
-extern const double PO_LAW_PEAK_GAP;
+/* The same, its size alone. */
+double po_law_size(const po_law *law, double gap);
+
+/* Gap of the greatest tension; for Lennard-Jones 3^(1/6) - 1 (after Eq 9). It defines the edge of a
+ * contact. */
+double po_law_peak_gap(const po_law *law);
+
+/* The gap at which the law is singular; -INFINITY: at none. */
+double po_law_closest(const po_law *law);
+
+/* A predicted gap, or the least one at which the law is evaluated: a closer gap is an error of the
+ * prediction. */
+double po_law_expected_gap(const po_law *law, double gap);
+
+/* The initial gap, eps, from which on the interaction is that of the far field, which one panel to
+ * infinity carries. */
+double po_law_reach(const po_law *law);
+
+/* The far field: the traction tends to -factor * (1 + H)^-exponent. Exponent INFINITY: it falls
+ * exponentially, and beyond po_law_reach there is none. */
+typedef struct {
+  double factor, exponent;
+} po_law_far;
+po_law_far po_law_far_field(const po_law *law);
+
+/* An approach at which the repulsion pushes a rigid body, which is a paraboloid of `share` times
+ * the radius R near its axis, with a load, in pi w R. */
+double po_law_approach_of_push(const po_law *law, double share, double load);
 
 #endif

@@ -37,17 +37,24 @@ double po_averaging_phase(const po_scene *scene, double r) {
   return r < half / DBL_EPSILON ? half * ceil(r / half) : r;
 }
 
+/* The undeformed gap g = r^2/(2R) from which on the waves may be averaged. */
+static double averaging_gap(const po_scene *scene) {
+  const po_law_far far = po_law_far_field(&scene->law);
+  if (isinf(far.exponent))
+    return po_law_reach(&scene->law);
+  /* The integrand of Eq 17 is (2k/R) g^-m r, k g^-m the far field: its slope is at most
+   * (2k/R)(2m + 1) g^-m, of which a part of m A/g oscillates when A is small against g. */
+  const double per_2pi = scene->wavelength / (2.0 * M_PI), m = far.exponent;
+  const double scale = (2.0 * m + 1.0) * 2.0 * far.factor / scene->radius * per_2pi * per_2pi;
+  /* From where on scale min(1, m A/g) < loss g^m. */
+  const double power = scale / AVERAGING_LOSS;
+  return fmin(pow(power, 1.0 / m), pow(m * scene->amplitude * power, 1.0 / (m + 1.0)));
+}
+
 double po_averaging_radius(const po_scene *scene, double from) {
   if (!po_scene_is_wavy(scene))
     return from;
-  /* The integrand of Eq 17 is (16/(3R)) g^-3 r with g = r^2/(2R), and its slope is at most 7
-   * (16/(3R)) g^-3. For amplitudes that are small against g, a fraction 3 A/g of it oscillates. */
-  const double per_2pi = scene->wavelength / (2.0 * M_PI);
-  const double scale = 7.0 * 16.0 / (3.0 * scene->radius) * per_2pi * per_2pi;
-  /* The gap from which on scale * min(1, 3 A/gap) < AVERAGING_LOSS * gap^3; then the next whole
-   * wavelength. */
-  const double cubed = scale / AVERAGING_LOSS;
-  const double gap = fmin(cbrt(cubed), sqrt(sqrt(3.0 * scene->amplitude * cubed)));
+  const double gap = averaging_gap(scene);
   const double waves = ceil((sqrt(2.0 * scene->radius * gap) - from) / scene->wavelength);
   return waves > 0.0 ? from + waves * scene->wavelength : from;
 }

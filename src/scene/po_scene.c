@@ -3,11 +3,27 @@
 #include <math.h>
 
 po_scene po_scene_default(void) {
-  return (po_scene){.tabor = 1.0, .radius = 100.0, .outer_radius = INFINITY};
+  return (po_scene){
+      .tabor = 1.0, .radius = 100.0, .outer_radius = INFINITY, .law = po_law_lennard_jones()};
 }
 
 static po_status require(bool holds, const char *key, double value, const char *expected) {
   return holds ? PO_OK : po_fail(PO_BAD_INPUT, "%s is %g: expected %s", key, value, expected);
+}
+
+/* On an unbounded surface the interaction energy, of which (1 + H)^(1 - m) r dr is the far part,
+ * must be finite. */
+static const double LEAST_EXPONENT = 2.0;
+
+static po_status check_far_field(const po_scene *scene) {
+  const po_law_far far = po_law_far_field(&scene->law);
+  return far.exponent > LEAST_EXPONENT || isfinite(scene->outer_radius)
+             ? PO_OK
+             : po_fail(
+                   PO_BAD_INPUT,
+                   "mie_m is %g: on an unbounded surface the energy of the far field is infinite; "
+                   "expected more than %g, or an outer radius",
+                   far.exponent, LEAST_EXPONENT);
 }
 
 po_status po_scene_check(const po_scene *scene) {
@@ -28,6 +44,10 @@ po_status po_scene_check(const po_scene *scene) {
   if (!status)
     status = require(scene->outer_radius > 0.0, "outer_radius", scene->outer_radius,
                      "a number > 0, or inf");
+  if (!status)
+    status = po_law_check(&scene->law);
+  if (!status)
+    status = check_far_field(scene);
   return status;
 }
 

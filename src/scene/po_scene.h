@@ -9,6 +9,7 @@
 
 #include <stdbool.h>
 
+#include "po_law.h"
 #include "po_status.h"
 
 typedef struct {
@@ -17,6 +18,7 @@ typedef struct {
   double wavelength;   /* lambda/eps; ignored when smooth */
   double radius;       /* R / eps */
   double outer_radius; /* r_max/eps, where the half-space ends; INFINITY: unbounded */
+  po_law law;          /* Lennard-Jones unless it is set */
 } po_scene;
 
 /* The default scene: a smooth sphere with Tabor parameter 1 and R = 100 eps on the unbounded

@@ -25,6 +25,10 @@ static void scene_at(void *data, double at, po_scene *scene) {
   scene->wavelength = between(a->wavelength, b->wavelength, part);
   scene->radius = between(a->radius, b->radius, part);
   scene->outer_radius = between(a->outer_radius, b->outer_radius, part);
+  for (int p = 0; p < PO_LAW_PARAMETER_COUNT; ++p)
+    if (po_law_has(&a->law, (po_law_parameter)p))
+      po_law_set_parameter(&scene->law, (po_law_parameter)p,
+                           between(a->law.parameter[p], b->law.parameter[p], part));
 }
 
 static double domain_of(const po_scene *scene) {
@@ -40,6 +44,7 @@ bool po_series_alike(const po_request *a, const po_request *b) {
          a->mesh.tolerance == b->mesh.tolerance && isnan(a->approach_end) &&
          isnan(b->approach_end) && is_same(a->preload.approach, b->preload.approach) &&
          is_same(a->preload.load, b->preload.load) &&
+         po_law_index(&a->scene.law) == po_law_index(&b->scene.law) &&
          po_scene_is_wavy(&a->scene) == po_scene_is_wavy(&b->scene) &&
          isinf(a->scene.outer_radius) == isinf(b->scene.outer_radius);
 }

@@ -13,7 +13,7 @@ def refuse(word):
 
 d = json.load(sys.stdin, parse_constant=refuse)
 assert d["schema"] == "pulloff/1" and d["status"] == "ok" and d["reason"] == ""
-assert list(d["input"]) == ["tabor", "amplitude", "wavelength", "radius", "outer_radius", "scheme",
+assert list(d["input"]) == ["tabor", "amplitude", "wavelength", "radius", "outer_radius", "law", "mie_m", "mie_n", "morse_a", "scheme",
                             "grading", "nodes", "tolerance", "approach_start", "approach_end", "preload", "preload_load",
                             "time_limit"], list(d["input"])
 assert d["input"]["outer_radius"] == "inf" and d["input"]["nodes"] == 101

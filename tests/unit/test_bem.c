@@ -51,7 +51,7 @@ static double panel_deflection(const double *edge, size_t panels, size_t order, 
   for (size_t k = 0; k < panels; ++k) {
     double node[PO_PANEL_MAX_ORDER], weight[PO_PANEL_MAX_ORDER], length[PO_PANEL_MAX_ORDER];
     double row[PO_PANEL_MAX_ORDER];
-    const po_panel_span panel = {edge[k], edge[k + 1]};
+    const po_panel_span panel = {edge[k], edge[k + 1], 6.0};
     po_panel_nodes(&rule, panel, node, weight, length);
     po_panel_influence(&rule, panel, r, row, 1);
     for (size_t j = 0; j < order; ++j)
@@ -83,7 +83,7 @@ START_TEST(panel_weights_integrate_the_load) { /* integral of (1 + s^2)^-3 s ds 
   po_panel_rule_fill(20, &rule);
   for (size_t k = 0; k < 5; ++k) {
     double node[20], weight[20], length[20];
-    po_panel_nodes(&rule, (po_panel_span){EDGES[k], EDGES[k + 1]}, node, weight, length);
+    po_panel_nodes(&rule, (po_panel_span){EDGES[k], EDGES[k + 1], 6.0}, node, weight, length);
     for (size_t j = 0; j < 20; ++j)
       sum += weight[j] * algebraic_traction(node[j]);
   }

@@ -7,6 +7,8 @@
 #include "po_profile.h"
 #include "run.h"
 
+static const double PEAK_GAP = 0.20093695517600277; /* 3^(1/6) - 1, of the law of the paper */
+
 /* The gaps of a mesh that stays, on a half-space: radii between nodes are linear. */
 static po_contact_gap gap_on_nodes(const po_scene *flat, size_t n, const double *node,
                                    const double *gap) {
@@ -20,8 +22,7 @@ static po_scene flat_scene(void) {
 
 START_TEST(radius_is_where_the_tension_is_greatest) {
   const double node[4] = {0.0, 1.0, 2.0, 3.0};
-  const double gap[4] = {0.0, 0.9, PO_LAW_PEAK_GAP - 0.1,
-                         PO_LAW_PEAK_GAP + 0.3}; /* a groove at 1 */
+  const double gap[4] = {0.0, 0.9, PEAK_GAP - 0.1, PEAK_GAP + 0.3}; /* a groove at 1 */
   const po_scene flat = flat_scene();
   po_contact_gap g = gap_on_nodes(&flat, 4, node, gap);
   ck_assert_double_eq_tol(po_contact_radius(&g), 2.25, 1e-14);
@@ -87,14 +88,14 @@ START_TEST(a_high_crest_that_barely_touches_is_found) {
   const po_scene scene = {0.0, 500.0, 3.0, 100.0, INFINITY};
   const double k = 2.0 * M_PI / scene.wavelength, dip = 1e-4;
   const double crest = crest_near(&scene, 2.0);
-  const double touching = gap_of_crest(&scene, crest) - PO_LAW_PEAK_GAP;
+  const double touching = gap_of_crest(&scene, crest) - PEAK_GAP;
   const double curvature = 1.0 / scene.radius + scene.amplitude * k * k * cos(k * crest);
   po_contact_gap g = rigid_gap(&scene, touching + dip);
   ck_assert_double_eq_tol(po_contact_radius(&g), crest + sqrt(2.0 * dip / curvature), 1e-8);
   g = rigid_gap(&scene, touching - dip);
   const double first = po_contact_radius(&g);
   ck_assert_double_lt(first, 1.1 * scene.wavelength); /* the crest before */
-  ck_assert_double_eq_tol(po_profile(&scene, first), touching - dip + PO_LAW_PEAK_GAP, 1e-10);
+  ck_assert_double_eq_tol(po_profile(&scene, first), touching - dip + PEAK_GAP, 1e-10);
 }
 END_TEST
 
@@ -102,7 +103,7 @@ END_TEST
 START_TEST(a_crest_within_the_error_gives_both_radii) {
   const po_scene scene = {0.0, 2.385, 7.0, 90.0, INFINITY};
   const double crest = crest_near(&scene, 1.0), by = 1e-7;
-  const double touching = gap_of_crest(&scene, crest) - PO_LAW_PEAK_GAP;
+  const double touching = gap_of_crest(&scene, crest) - PEAK_GAP;
   const po_contact_doubt doubt = {.constant = 1e-6}, certain = {.constant = 1e-8};
   po_contact_gap out = rigid_gap(&scene, touching - by), in = rigid_gap(&scene, touching + by);
   const po_contact_edge inner = po_contact_estimate(&out, &doubt);
@@ -125,7 +126,7 @@ START_TEST(no_annulus_is_left_out) {
   const po_scene scene = {0.0, 3.0, 2.0, 2e5, INFINITY};
   const double approach = 0.8;
   size_t crests = 1; /* the axis */
-  while (gap_of_crest(&scene, crest_near(&scene, (double)crests)) - approach < PO_LAW_PEAK_GAP)
+  while (gap_of_crest(&scene, crest_near(&scene, (double)crests)) - approach < PEAK_GAP)
     ++crests;
   ck_assert_uint_gt(crests, 100);
   const po_contact_gap g = rigid_gap(&scene, approach);

@@ -162,14 +162,15 @@ START_TEST(a_border_follows_the_branch) {
   state[41] = APPROACH[_i];
   for (size_t j = 0; j < 41; ++j) {
     state[j] = e->shape[j] - APPROACH[_i];
-    load -= 2.0 / 87.0 * surface->weight[j] * po_law_at(state[j]).slope;
+    load -= 2.0 / 87.0 * surface->weight[j] * po_law_at(&e->scene->law, state[j]).slope;
     contact += 2.0 * surface->length[j] / pow(1.0 + state[j], 3.0) / sqrt(2.0 * 87.0);
   }
   const double approach = 0.5 / (1.0 + 1e-8), length = hypot(hypot(approach, load), contact);
   for (size_t j = 0; j < 41; ++j) {
     const double scale = 1.0 + state[j];
     u[j] = 1.0 / scale;
-    v[j] = load / length * 2.0 / 87.0 * surface->weight[j] * po_law_at(state[j]).slope * scale -
+    v[j] = load / length * 2.0 / 87.0 * surface->weight[j] *
+               po_law_at(&e->scene->law, state[j]).slope * scale -
            contact / length * 2.0 * surface->length[j] / pow(scale, 2.0) / sqrt(2.0 * 87.0);
   }
   const double w = approach / length * approach;

@@ -31,11 +31,13 @@ static const double ENERGY_OF_TRIANGLES = 2e-5;
 /* Approach to begin with: there is one equilibrium. */
 static const double FAR = -12.0;
 
+static const po_law LAW = {0}; /* of the paper */
+
 typedef struct {
   const po_surface *surface;
   double coupling, radius;
   double *shape, *gap, *next, *jacobian, *change;
-  po_law *law;
+  po_law_value *law;
   int *pivots;
   size_t backwards; /* gaps that went against the drive */
 } relaxation;
@@ -43,7 +45,7 @@ typedef struct {
 static void evaluate(relaxation *r, double approach, double tau) {
   const size_t n = r->surface->n;
   for (size_t i = 0; i < n; ++i) {
-    r->law[i] = po_law_at(r->next[i]);
+    r->law[i] = po_law_at(&LAW, r->next[i]);
     r->change[i] = -(r->next[i] + approach - r->shape[i]);
   }
   for (size_t j = 0; j < n; ++j) {
@@ -81,7 +83,7 @@ static bool step(relaxation *r, double approach, double tau) {
 static double load_of(const relaxation *r) {
   double sum = 0.0;
   for (size_t j = 0; j < r->surface->n; ++j)
-    sum += r->surface->weight[j] * po_law_at(r->gap[j]).traction;
+    sum += r->surface->weight[j] * po_law_at(&LAW, r->gap[j]).traction;
   return 2.0 / r->radius * sum;
 }
 
@@ -120,7 +122,7 @@ static relaxation begin(const po_request *request, po_surface *surface, double a
                   .next = calloc(n, sizeof(double)),
                   .jacobian = calloc(n * n, sizeof(double)),
                   .change = calloc(n, sizeof(double)),
-                  .law = calloc(n, sizeof(po_law)),
+                  .law = calloc(n, sizeof(po_law_value)),
                   .pivots = calloc(n, sizeof(int))};
   for (size_t j = 0; j < n; ++j) {
     r.shape[j] = po_profile(scene, surface->node[j]);

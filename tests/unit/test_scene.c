@@ -1,9 +1,8 @@
-/* The scene: groups, gap shape, interaction law and its average, and Bradley's closed form. */
+/* The scene: groups and gap shape, and Bradley's closed form. */
 #include <math.h>
 #include <string.h>
 
 #include "po_bradley.h"
-#include "po_law.h"
 #include "po_profile.h"
 #include "po_scene.h"
 #include "run.h"
@@ -52,48 +51,6 @@ START_TEST(profile_is_eq_2) {
 }
 END_TEST
 
-static const double GAPS[] = {-0.4, -0.05, 0.0, 0.3, 2.385, 40.0};
-
-START_TEST(law_is_eq_16_and_derives_from_its_energy) {
-  const double gap = GAPS[_i], h = 1.0 + gap, step = 1e-5 * h;
-  const po_law law = po_law_at(gap);
-  ck_assert_double_eq_tol(law.traction, -8.0 / 3.0 * (pow(h, -3.0) - pow(h, -9.0)),
-                          1e-14 * (pow(h, -3.0) + pow(h, -9.0)));
-  const double slope =
-      (po_law_at(gap + step).traction - po_law_at(gap - step).traction) / (2 * step);
-  ck_assert_double_eq_tol(law.slope, slope, 3e-9 * (pow(h, -4.0) + pow(h, -10.0)) * 24.0);
-  const double force = -(po_law_energy(gap + step) - po_law_energy(gap - step)) / (2 * step);
-  ck_assert_double_eq_tol(law.traction, force, 3e-9 * (pow(h, -3.0) + pow(h, -9.0)) * 20.0);
-}
-END_TEST
-
-START_TEST(law_peaks_where_the_paper_says) { /* 16/(9 sqrt 3) at h = 3^(1/6), after Eq 9 */
-  ck_assert_double_eq_tol(po_law_at(PO_LAW_PEAK_GAP).traction, -16.0 / (9.0 * sqrt(3.0)), 1e-15);
-  ck_assert_double_eq_tol(po_law_at(PO_LAW_PEAK_GAP).slope, 0.0, 1e-14);
-  ck_assert_double_eq_tol(PO_LAW_PEAK_GAP, pow(3.0, 1.0 / 6.0) - 1.0, 1e-15);
-}
-END_TEST
-
-static const double AVERAGES[][2] = {
-    {5.0, 0.0}, {5.0, 0.385}, {5.0, 4.0}, {60.0, 10.0}, {2.0, 1.5}};
-
-START_TEST(averaged_law_is_the_mean_over_a_period) { /* the trapezoidal sum is spectral */
-  enum { POINTS = 4096 };
-  const double gap = AVERAGES[_i][0], amplitude = AVERAGES[_i][1];
-  double traction = 0.0, slope = 0.0, energy = 0.0;
-  for (int k = 0; k < POINTS; ++k) {
-    const po_law law = po_law_at(gap - amplitude * cos(2.0 * M_PI * k / POINTS));
-    traction += law.traction / POINTS;
-    slope += law.slope / POINTS;
-    energy += po_law_energy(gap - amplitude * cos(2.0 * M_PI * k / POINTS)) / POINTS;
-  }
-  const po_law law = po_law_averaged(gap, amplitude);
-  ck_assert_double_eq_tol(law.traction / traction, 1.0, 1e-13);
-  ck_assert_double_eq_tol(law.slope / slope, 1.0, 1e-12);
-  ck_assert_double_eq_tol(po_law_energy_averaged(gap, amplitude) / energy, 1.0, 1e-13);
-}
-END_TEST
-
 START_TEST(averaging_begins_where_a_wave_ends) {
   const po_scene scene = {3.0, 1.0, 20.0, 100.0, INFINITY};
   const double phase = po_averaging_phase(&scene, 83.0), end = po_averaging_radius(&scene, phase);
@@ -119,11 +76,6 @@ static void add(TCase *tests) {
   tcase_add_test(tests, groups_of_the_paper);
   tcase_add_loop_test(tests, bad_scenes_are_named, 0, sizeof BAD / sizeof *BAD);
   tcase_add_test(tests, profile_is_eq_2);
-  tcase_add_loop_test(tests, law_is_eq_16_and_derives_from_its_energy, 0,
-                      sizeof GAPS / sizeof *GAPS);
-  tcase_add_test(tests, law_peaks_where_the_paper_says);
-  tcase_add_loop_test(tests, averaged_law_is_the_mean_over_a_period, 0,
-                      sizeof AVERAGES / sizeof *AVERAGES);
   tcase_add_test(tests, averaging_begins_where_a_wave_ends);
   tcase_add_test(tests, bradley_is_eq_23);
 }

@@ -16,6 +16,8 @@
 #include "po_wavy_rigid.h"
 #include "run.h"
 
+static const po_law LAW = {0}; /* of the paper */
+
 static const double SIZES[] = {0.0,  5e-324, 1e-310, 1e-300, 2.385e-154, 1e-77,  1e-16, 3.7e-8,
                                1e-3, 0.41,   1.0,    7.7,    100.0,      1e4,    1e8,   4.6e15,
                                1e16, 1e30,   1e77,   1e154,  1e300,      DBL_MAX};
@@ -114,7 +116,7 @@ START_TEST(closed_forms_are_finite_for_extreme_arguments) {
       ck_assert(isfinite(po_struve(n, x)));
       ck_assert(!isnan(po_struve_minus_bessel(n, x)));
     }
-    ck_assert(!isnan(po_law_energy(x)) && !isnan(po_lennard_jones_traction(x)));
+    ck_assert(!isnan(po_law_energy(&LAW, x)) && !isnan(po_lennard_jones_traction(x)));
     for (int k = 0; k < SIZE_COUNT; ++k) {
       const double y = SIZES[k];
       if (y > 0.0 && isfinite(x / y))
@@ -211,7 +213,7 @@ START_TEST(rigid_limits) {
   for (double amplitude = 0.01; amplitude < 1e4; amplitude *= 3.7)
     for (double approach = -7.0; approach < 0.9; approach += 0.57) {
       /* load = 2/R integral of the mean law over r dr = integral over the gap */
-      const double mean = 2.0 * po_law_energy_averaged(amplitude - approach, amplitude);
+      const double mean = 2.0 * po_law_energy_averaged(&LAW, amplitude - approach, amplitude);
       ck_assert_double_eq_tol(po_wavy_rigid_load(amplitude, 1e25, approach), mean,
                               1e-10 * fabs(mean) + 1e-13);
     }

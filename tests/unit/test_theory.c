@@ -198,7 +198,9 @@ START_TEST(estimates) {
                           1e-15);
   ck_assert_double_eq(po_rumpf_rabinowicz_force(0.0, s->radius), 2.0);
   const double h = po_lennard_jones_peak_distance();
-  ck_assert_double_eq_tol(-po_law_at(h - 1.0).traction, po_lennard_jones_peak_tension(), 1e-15);
+  const po_law law = po_law_lennard_jones();
+  ck_assert_double_eq_tol(-po_law_at(&law, h - 1.0).traction, po_lennard_jones_peak_tension(),
+                          1e-15);
 }
 END_TEST
 

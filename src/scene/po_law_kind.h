@@ -1,0 +1,38 @@
+/* What one law is: the functions that po_law.h is made of. */
+#ifndef PO_LAW_KIND_H
+#define PO_LAW_KIND_H
+
+#include "po_law.h"
+
+struct po_law_kind {
+  const char *name;
+  size_t parameters; /* it has so many, from this one on */
+  po_law_parameter first;
+  /* Checks the parameters. Status: PO_BAD_INPUT with the value and what was expected. NULL: there
+   * is nothing to check. */
+  po_status (*check)(const po_law *law);
+  void (*derive)(po_law *law); /* sets the constants; NULL: there are none */
+  po_law_value (*at)(const po_law *law, double gap);
+  long double (*traction)(const po_law *law, long double gap);
+  double (*energy)(const po_law *law, double gap);
+  po_law_value (*averaged)(const po_law *law, double gap, double amplitude);
+  double (*energy_averaged)(const po_law *law, double gap, double amplitude);
+  po_law_scale (*scale)(const po_law *law, double gap);
+  double (*peak_gap)(const po_law *law);
+  double (*closest)(const po_law *law);
+  double (*least_gap)(const po_law *law);
+  double (*reach)(const po_law *law);
+  po_law_far (*far_field)(const po_law *law);
+  double (*approach_of_push)(const po_law *law, double share, double load);
+};
+
+extern const po_law_kind PO_LENNARD_JONES, PO_MIE, PO_MORSE;
+
+/* Scale, singularity and least gap of laws in powers of 1 + H. */
+po_law_scale po_law_scale_of_powers(const po_law *law, double gap);
+double po_law_closest_of_powers(const po_law *law);
+double po_law_least_gap_of_powers(const po_law *law);
+double po_law_reach_of_powers(const po_law *law);
+double po_law_approach_of_distance(double distance); /* from the singularity */
+
+#endif

@@ -1,0 +1,119 @@
+/* The Morse law of steepness a: p = -2a (e^{-aH} - e^{-2aH}). It has no singularity, and its far
+ * field falls exponentially. */
+#include <gsl/gsl_sf_bessel.h>
+#include <math.h>
+
+#include "po_law_kind.h"
+
+/* The range of the law of the paper is 1: that of a Morse law with the same stiffness at the
+ * equilibrium distance, 2 a^2 = 16, is taken to be 1, too. */
+static const double STEEPNESS_OF_RANGE_1 = 2.8284271247461903; /* sqrt(8) */
+/* Softer laws reach farther than surfaces are meshed; e^{2aH} of steeper ones overflows. */
+static const double SOFTEST = 0.05, STEEPEST = 50.0;
+/* The gaps over the steepness between which a state of contact lies: e^{-36} is rounding; no
+ * pressure of a contact is e^{12}. */
+static const double FARTHEST = 36.0, DEEPEST = 6.0;
+
+static double steepness(const po_law *law) {
+  return law->parameter[PO_MORSE_A];
+}
+
+static po_status check(const po_law *law) {
+  const double a = steepness(law);
+  if (!(a >= SOFTEST && a <= STEEPEST))
+    return po_fail(PO_BAD_INPUT, "morse_a is %g: expected a number from %g to %g", a, SOFTEST,
+                   STEEPEST);
+  return PO_OK;
+}
+
+static void derive(po_law *law) {
+  law->constant[0] = STEEPNESS_OF_RANGE_1 / steepness(law);
+}
+
+static po_law_value at(const po_law *law, double gap) {
+  const double a = steepness(law), e = exp(-a * gap);
+  return (po_law_value){.traction = -2.0 * a * (e - e * e),
+                        .slope = 2.0 * a * a * (e - 2.0 * e * e)};
+}
+
+static long double traction(const po_law *law, long double gap) {
+  const long double a = steepness(law), e = expl(-a * gap);
+  return -2.0L * a * (e - e * e);
+}
+
+static double energy(const po_law *law, double gap) {
+  const double e = exp(-steepness(law) * gap);
+  return e * e - 2.0 * e;
+}
+
+/* The mean over phi of exp(b A cos phi) is the modified Bessel function I0(b A). */
+static double mean_of_exponential(double power, double gap, double amplitude) {
+  const double z = power * amplitude;
+  return exp(z - power * gap) * gsl_sf_bessel_I0_scaled(z);
+}
+
+static po_law_value averaged(const po_law *law, double gap, double amplitude) {
+  const double a = steepness(law), e = mean_of_exponential(a, gap, amplitude),
+               e2 = mean_of_exponential(2.0 * a, gap, amplitude);
+  return (po_law_value){.traction = -2.0 * a * (e - e2), .slope = 2.0 * a * a * (e - 2.0 * e2)};
+}
+
+static double energy_averaged(const po_law *law, double gap, double amplitude) {
+  const double a = steepness(law);
+  return mean_of_exponential(2.0 * a, gap, amplitude) -
+         2.0 * mean_of_exponential(a, gap, amplitude);
+}
+
+/* The range plus the gap; of overlapping surfaces, which no singularity holds apart, the range
+ * times an exponential that goes on smoothly. */
+static po_law_scale scale(const po_law *law, double gap) {
+  const double range = law->constant[0];
+  if (gap >= 0.0)
+    return (po_law_scale){range + gap, 1.0};
+  const double e = exp(gap / range);
+  return (po_law_scale){range * e, e};
+}
+
+static double peak_gap(const po_law *law) {
+  return M_LN2 / steepness(law);
+}
+
+static double closest(const po_law *law) {
+  (void)law;
+  return -INFINITY;
+}
+
+static double least_gap(const po_law *law) {
+  return -DEEPEST / steepness(law);
+}
+
+static double reach(const po_law *law) {
+  return FARTHEST / steepness(law);
+}
+
+static po_law_far far_field(const po_law *law) {
+  return (po_law_far){2.0 * steepness(law), INFINITY};
+}
+
+/* The repulsive part of the load of a rigid paraboloid is 2 e^{-2aH}. */
+static double approach_of_push(const po_law *law, double share, double load) {
+  return log(0.5 * load / share) / (2.0 * steepness(law));
+}
+
+const po_law_kind PO_MORSE = {.name = "morse",
+                              .parameters = 1,
+                              .first = PO_MORSE_A,
+                              .check = check,
+                              .derive = derive,
+                              .at = at,
+                              .traction = traction,
+                              .energy = energy,
+                              .averaged = averaged,
+                              .energy_averaged = energy_averaged,
+                              .scale = scale,
+                              .peak_gap = peak_gap,
+                              .closest = closest,
+                              .least_gap = least_gap,
+                              .reach = reach,
+                              .far_field = far_field,
+                              .approach_of_push = approach_of_push};
