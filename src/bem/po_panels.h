@@ -7,8 +7,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* The most panels of a mesh: with 12 nodes a panel the matrix of influences then takes 180 MB. The
- * scenes of the cases need 51 at most. */
+/* The largest number of panels of a mesh: with 12 nodes in a panel, the influence matrix then takes
+ * 180 MB. The scenes of the cases need at most 51. */
 enum { PO_MOST_PANELS = 400 };
 
 enum { PO_DEEPEST_LEVEL = 24, PO_MOST_LEVEL_STEP = 2 };
