@@ -2,8 +2,11 @@
 
 Normalised unknowns: gap H(u) and approach D, with
 
-    F = H + D - shape(u) - mu * deflection[P(H)] = 0                   (Eq 16)
-    P(H) = -(8/3) mu [(1+H)^-3 - (1+H)^-9],  W = 2 int P u du       (Eqs 9, 15)
+    F = H + D - f(u) - elastic * deflection[P(H)] = 0                  (Eq 16)
+    W = 2 int P u du                                                   (Eq 15)
+
+with the profile f, the law P and one elastic number. For the smooth sphere of the paper the unit of
+radii is Gamma = sqrt(R mu epsilon), f = mu u^2/2, elastic = mu and P is mu times the law (Eq 9).
 
 The branch is followed by arclength in the three numbers Y = (D, W, H(0)): they
 do not depend on the mesh, so a state can be moved to another mesh at any point.
@@ -12,17 +15,20 @@ displacement control), dW/ds = 0 an extremum of the load.
 """
 
 from dataclasses import dataclass
-from typing import Callable
 
 import numpy as np
 
-from copson import TRACTION_DECAY, Surface, dyadic_edges, legendre_transform
+from copson import Surface, dyadic_edges, legendre_transform
+from laws import Mie
+from profiles import Sphere
 
 APPROACH, LOAD, CENTRE = 0, 1, 2        # components of Y
 
 NEWTON_ROUNDS = 12
 NEWTON_DONE = 1e-9      # last relative update; the error left is its square
-CLOSEST_GAP = 0.5       # one update may at most halve the distance 1 + H
+EDGE_LEVEL = 8          # halvings at least towards the edge of a bounded surface; the load at
+                        # mu = 3, A = 1, L = 1.15, outer 5.8 is the same to 1e-14 with 4 and with 22
+CLOSEST_GAP = 0.5       # one update may at most take half the room of the law (Lennard-Jones: 1 + H)
 
 
 class NotConverged(Exception):
@@ -31,45 +37,58 @@ class NotConverged(Exception):
 
 @dataclass(frozen=True)
 class Problem:
-    """What is pressed: Tabor parameter, undeformed gap shape(u) at zero
-    approach, the radius `outer` of the surface (None = unbounded), and, if
-    that is None, the least start of the mapped panel."""
-    tabor: float
-    shape: Callable
+    """What is pressed: law and profile in the units of the solver, the elastic number, the radius `outer` of the
+    surface (None = unbounded), the least start of the mapped panel if that is None, and the least halvings of the
+    panels towards the edge `outer`."""
+    law: object
+    profile: object
+    elastic: float
     outer: float = None
     core: float = 10.0
+    edge_level: int = EDGE_LEVEL
 
     def traction(self, gap):
-        h3 = (1.0 + gap)**-3
-        return -(8.0 / 3.0) * self.tabor * (h3 - h3**3)
+        return self.law.traction(gap)
 
     def slope(self, gap):
         """dP/dH."""
-        x = 1.0 / (1.0 + gap)
-        return 8.0 * self.tabor * (x**4 - 3.0 * x**10)
+        return self.law.slope(gap)
+
+    @property
+    def decay(self):
+        """Of the traction on the unbounded surface, and the root of the mapped panel."""
+        decay = self.law.decay * self.profile.growth
+        root = next((k for k in (1, 2) if (k * decay) % 1.0 == 0.0 and (k * self.profile.growth) % 1.0 == 0.0), None)
+        if decay <= 2.0:
+            raise ValueError(f"traction r^-{decay:g} far out: the load of an unbounded surface is not finite")
+        if root is None:
+            raise ValueError(f"traction r^-{decay:g}, gap r^{self.profile.growth:g} far out: the mapped panel takes "
+                             "multiples of 1/2; give an outer radius")
+        return decay, root
 
 
 def smooth_sphere(tabor, outer=None):
     """Feng's problem: A = 0, parabola mu u^2/2, by default on the unbounded half-space."""
-    return Problem(tabor, lambda u: 0.5 * tabor * u**2, outer)
+    # the mapped panel starts well outside both the range of the attraction, sqrt(2/mu), and any contact area met
+    # here (u < 3)
+    return Problem(Mie(3.0, 9.0, tabor), Sphere(tabor), tabor, outer, max(6.0 * np.sqrt(2.0 / tabor), 10.0))
 
 
 @dataclass(frozen=True)
 class Level:
     """A refinement level: nodes a panel, nodes of the mapped panel, tolerance
     on unresolved traction, start of the mapped panel (relative), additional
-    quadrature points."""
+    quadrature points, halvings of the panels towards a kink of the profile."""
     order: int
     tail: int
     tolerance: float
     cut: float = 1.0
     extra: int = 0
+    kink: int = 12
 
     def cut_radius(self, problem):
-        """Start of the mapped panel: well outside both the range of the
-        attraction, sqrt(2/mu), and any contact area met here (u < 3 on a
-        smooth sphere, whose core is 10)."""
-        return self.cut * max(6.0 * np.sqrt(2.0 / problem.tabor), problem.core)
+        """Start of the mapped panel."""
+        return self.cut * problem.core
 
     def warp(self, x):
         """Edges of a bounded surface, on [0, 1], from dyadic ones: so the
@@ -86,8 +105,6 @@ POLISH = (Level(order=14, tail=18, tolerance=1e-10),
 
 LEAST_LEVEL = 3         # coarsest panels: 1/8 of the finite part
 MOST_LEVEL = 22
-EDGE_LEVEL = 8          # halvings at least towards the edge of a bounded surface; the load at
-                        # mu = 3, A = 1, L = 1.15, outer 5.8 is the same to 1e-14 with 4 and with 22
 REMESH_FACTOR = 100.0   # re-mesh while tracing at this multiple of the tolerance
 MESH_ROUNDS = 8
 
@@ -110,15 +127,33 @@ class State:
 
 def make_surface(problem, level, unresolved, least=LEAST_LEVEL):
     """Adaptive panels with a mapped panel to infinity, or on a bounded surface
-    panels graded to its edge, where the traction jumps to zero."""
-    if problem.outer is None:
-        edges = dyadic_edges(level.cut_radius(problem), unresolved, least, MOST_LEVEL)
-        return Surface(edges, level.order, level.tail, level.extra)
-    graded = 1.0 - 0.5**EDGE_LEVEL
-    edges = dyadic_edges(1.0, lambda low, high: unresolved(
-        problem.outer * level.warp(low), problem.outer * level.warp(high)) or (
-        high == 1.0 and low < graded), least, MOST_LEVEL)
-    return Surface(problem.outer * level.warp(edges), level.order, 0, level.extra)
+    panels graded to its edge, where the traction jumps to zero; both graded to the kinks of the profile."""
+    end = level.cut_radius(problem) if problem.outer is None else problem.outer
+    kinks = [r for r in problem.profile.kinks if r < end]
+    ends = sorted({0.0, *kinks, end})
+    depth = int(np.ceil(level.kink * problem.profile.grading))
+    parts = []
+    for first, last in zip(ends, ends[1:]):
+        # the start of the mapped panel moves by itself
+        warp = level.warp if last < end or problem.outer is not None else lambda x: x
+
+        def coarse(low, high):
+            if low == 0.0 and first in kinks:
+                return high > 0.5**depth
+            if high == 1.0 and last in kinks:
+                return low < 1.0 - 0.5**depth
+            at_edge = high == 1.0 and last == problem.outer
+            return unresolved(first + (last - first) * warp(low), first + (last - first) * warp(high)) or (
+                at_edge and low < 1.0 - 0.5**problem.edge_level)
+
+        edges = first + (last - first) * warp(dyadic_edges(1.0, coarse, least, MOST_LEVEL))
+        edges[-1] = last
+        parts.append(edges[1:] if parts else edges)
+    edges = np.concatenate(parts)
+    exempt = np.isin(edges[:-1], kinks) | np.isin(edges[1:], kinks)
+    if problem.outer is not None:
+        return Surface(edges, level.order, 0, level.extra, exempt=exempt)
+    return Surface(edges, level.order, level.tail, level.extra, *problem.decay, exempt)
 
 
 def correct(problem, surface, gap, approach, direction, target, previous=None):
@@ -126,8 +161,8 @@ def correct(problem, surface, gap, approach, direction, target, previous=None):
 
     Returns the State; its tangent points the way of `previous` (a rate), or of
     `direction` if that is None."""
-    shape = problem.shape(surface.u)
-    operator = problem.tabor * surface.deflection
+    undeformed = problem.profile.gap(surface.u)
+    operator = problem.elastic * surface.deflection
     n = surface.size
     gap = gap.copy()
     matrix = np.empty((n + 1, n + 1))
@@ -146,7 +181,7 @@ def correct(problem, surface, gap, approach, direction, target, previous=None):
         matrix[n, :n] = direction[LOAD] * surface.weights * slope
         matrix[n, :surface.order] += direction[CENTRE] * surface.centre
         matrix[n, n] = direction[APPROACH]
-        rhs[:n, 0] = -(gap + approach - shape - operator @ p) * scale
+        rhs[:n, 0] = -(gap + approach - undeformed - operator @ p) * scale
         rhs[n, 0] = target - direction @ y
         solution = np.linalg.solve(matrix, rhs)
         if done:
@@ -154,7 +189,7 @@ def correct(problem, surface, gap, approach, direction, target, previous=None):
         step = solution[:, 0]
         if not np.isfinite(step).all():
             raise NotConverged
-        shrink = np.max(-step[:n] / (1.0 + gap))
+        shrink = np.max(-step[:n] / problem.law.room(gap))
         damping = min(1.0, CLOSEST_GAP / shrink) if shrink > 0 else 1.0
         gap += damping * step[:n]
         approach += damping * step[n]
@@ -210,7 +245,7 @@ def remesh(problem, state, level, direction=None, target=None):
             if len(inside) == 1 and high - low <= 1.01 * old_width[inside[0]]:
                 return bool(refine[inside[0]])
             u = np.sqrt(low**2 + 0.5 * (probe + 1.0) * (high**2 - low**2))
-            return any(np.abs(to_legendre[-2:] @ old.interpolate(f, u, TRACTION_DECAY)).max()
+            return any(np.abs(to_legendre[-2:] @ old.interpolate(f, u, old.decay)).max()
                        > level.tolerance * size for f, size in zip((p, p_rate), sizes))
 
         surface = make_surface(problem, level, rough)
@@ -219,9 +254,9 @@ def remesh(problem, state, level, direction=None, target=None):
         if same:
             return state
         # the elastic part of the gap is smooth everywhere: interpolate that
-        elastic = state.gap + state.approach - problem.shape(old.u)
+        elastic = state.gap + state.approach - problem.profile.gap(old.u)
         gap = (old.interpolate(elastic, surface.u, 1) - state.approach
-               + problem.shape(surface.u))
+               + problem.profile.gap(surface.u))
         state = correct(problem, surface, gap, state.approach, direction, target, state.rate)
     return state
 
@@ -229,7 +264,6 @@ def remesh(problem, state, level, direction=None, target=None):
 def start(problem, approach, level):
     """The nearly undeformed state far out, found at fixed approach."""
     surface = make_surface(problem, level, lambda low, high: False, least=5)
-    shape = problem.shape(surface.u)
-    state = correct(problem, surface, shape - approach, approach,
+    state = correct(problem, surface, problem.profile.gap(surface.u) - approach, approach,
                     np.array([1.0, 0.0, 0.0]), approach)
     return remesh(problem, state, level)

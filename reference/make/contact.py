@@ -1,11 +1,9 @@
 """Contact radius of an equilibrium: the outermost radius at which the gap is that of the greatest
-tension, H = 3^(1/6) - 1 (where dP/dH = 0, Eq 9)."""
+tension (where dP/dH = 0; H = 3^(1/6) - 1 for Lennard-Jones)."""
 
 import numpy as np
 from numpy.polynomial import chebyshev
 from scipy.optimize import brentq
-
-PEAK_GAP = 3.0**(1.0 / 6.0) - 1.0
 
 DEGREE = 24               # of the interpolant of the gap on a piece
 RESOLVED = 1e-11          # its last coefficients over the largest: else the piece is halved
@@ -22,8 +20,8 @@ def gap_between_nodes(problem, state):
     """The gap as a function of an array of radii. The elastic deflection is interpolated by the
     polynomials of the panels, and the undeformed gap is exact."""
     surface = state.surface
-    elastic = state.gap + state.approach - problem.shape(surface.u)
-    return lambda u: surface.interpolate(elastic, u, 1) - state.approach + problem.shape(u)
+    elastic = state.gap + state.approach - problem.profile.gap(surface.u)
+    return lambda u: surface.interpolate(elastic, u, 1) - state.approach + problem.profile.gap(u)
 
 
 def _outermost_root(excess, low, high, halvings=0):
@@ -54,18 +52,18 @@ def _outermost_root(excess, low, high, halvings=0):
 
 
 def contact_radius(problem, state):
-    """In units of Gamma = epsilon sqrt(R mu); 0 when the bodies are farther apart everywhere, and
+    """In the unit of radii of the problem; 0 when the bodies are farther apart everywhere, and
     the radius of a bounded surface that is in contact up to its edge."""
-    gap = gap_between_nodes(problem, state)
+    gap, peak_gap = gap_between_nodes(problem, state), problem.law.peak_gap
     edges = state.surface.edges
     outside = edges[-1] * np.linspace(1.0, 2.0, 64)
-    if problem.outer is None and not gap(outside).min() > PEAK_GAP:
+    if problem.outer is None and not gap(outside).min() > peak_gap:
         raise ValueError("the contact reaches the mapped panel")
-    if problem.outer is not None and gap(edges[-1:])[0] <= PEAK_GAP:
+    if problem.outer is not None and gap(edges[-1:])[0] <= peak_gap:
         return problem.outer
 
     def excess(u):
-        return gap(u) - PEAK_GAP
+        return gap(u) - peak_gap
 
     for low, high in zip(edges[-2::-1], edges[:0:-1]):
         # a radius on the edge of two panels belongs to the outer one: keep within [low, high)

@@ -36,7 +36,7 @@ def solve_landmarks(problem, ends, levels=POLISH, check=True):
     if check:
         finer = find_landmarks(problem, trace(problem, FINE_TRACE, refine=2.0, **ends))
         if landmark_kinds(finer) != landmark_kinds(marks):
-            raise NotConverged(f"tabor {problem.tabor}: the finer trace has other landmarks")
+            raise NotConverged(f"elastic number {problem.elastic}: the finer trace has other landmarks")
         marks = finer
     return [converge_mark(problem, mark, levels) for mark in marks]
 

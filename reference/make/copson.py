@@ -13,15 +13,15 @@ are polynomials in q = s^2 through Gauss-Legendre nodes in q.  Along the path
 of stage 1 q = t^2 + x^2 is quadratic in x, so the Gauss-Legendre rule of stage
 1 is exact for the interpolant; along stage 2 q = r^2 sin^2(phi) is entire in
 phi.  As 2 s ds = dq, the Gauss weights in q are also the load weights.
-The rest of the surface, [U, inf), is one mapped panel in y = 1/s, where
-p = y^6 * polynomial(y) (Lennard-Jones decay) and hence g = y^5 * polynomial(y).
+The rest of the surface, [U, inf), is one mapped panel in z = y^(1/root), y = 1/s,
+where p = y^decay * polynomial(z) and hence g = y^(decay - 1) * polynomial(z).
+A law that decays with the power m of a gap that grows with the power N gives
+decay = m N, and powers of y^N in the polynomial: root = 1 serves whole N, 2 halves.
+Lennard-Jones on a sphere has decay 6 (Eq 11 far out).
 """
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
-
-TRACTION_DECAY = 6          # p ~ s^-6: (1+H)^-3 with H ~ s^2 (Eq 11 far out)
-ABEL_DECAY = 5              # one power is lost by the integration over x
 
 
 def legendre_table(x, n):
@@ -58,12 +58,17 @@ class Surface:
     tail    nodes in the mapped panel [edges[-1], inf); 0 = bounded surface
             (p = 0 beyond edges[-1]; grade the edges towards it)
     extra   quadrature points above the minimum, to test the quadrature itself
+    decay, root     of the mapped panel
+    exempt  per panel: it touches a kink of the profile, where no polynomial resolves; it is as narrow as
+            the grading makes it
     """
 
-    def __init__(self, edges, order, tail, extra=0):
+    def __init__(self, edges, order, tail, extra=0, decay=6.0, root=1, exempt=None):
+        self.decay, self.root = decay, root
         self.edges = np.asarray(edges, float)
         self.order, self.tail, self.extra = order, tail, extra
         self.panels = len(self.edges) - 1
+        self.exempt = np.zeros(self.panels, bool) if exempt is None else exempt
         x, w, self.to_legendre = legendre_transform(order)
         self.q_edges = self.edges**2
         low, high = self.q_edges[:-1], self.q_edges[1:]
@@ -73,11 +78,12 @@ class Surface:
         if tail:
             xt, wt, self.tail_to_legendre = legendre_transform(tail)
             self.cut = self.edges[-1]
-            y = (xt + 1.0) / (2.0 * self.cut)
+            z = 0.5 * (xt + 1.0)                          # (cut y)^(1/root)
+            y = z**root / self.cut
             self.tail_y = y
             self.q = np.append(self.q, y**-2)
-            # 2 s ds = 2 y^-3 dy
-            self.weights = np.append(self.weights, wt / self.cut * y**-3)
+            # 2 s ds = 2 y^-3 dy, dy = root z^(root - 1) dz/cut
+            self.weights = np.append(self.weights, wt / self.cut * y**-3 * (root * z**(root - 1)))
         self.u = np.sqrt(self.q)
         self.size = len(self.q)
         self.deflection = (4.0 / np.pi) * (self._stage2() @ self._stage1())
@@ -98,8 +104,8 @@ class Surface:
         return moments @ self.to_legendre
 
     def _tail_rows(self, y, weight, power):
-        """The same for y^power * polynomial(y) on the mapped panel."""
-        xi = 2.0 * y * self.cut - 1.0
+        """The same for y^power * polynomial(z) on the mapped panel."""
+        xi = 2.0 * (y * self.cut)**(1.0 / self.root) - 1.0
         moments = np.einsum("im,iml->il", weight * (y * self.cut)**power,
                             legendre_table(xi, self.tail))
         return (moments @ self.tail_to_legendre) / (self.tail_y * self.cut)**power
@@ -116,15 +122,15 @@ class Surface:
             a[rows, self.columns(k)] = self._panel_rows(
                 k, qi[:, None] + path**2, half[:, None] * w[None, :])
         if self.tail:
-            # x = t cot(t eta): s = t / sin(t eta) = 1/y
+            # x = t cot(t eta): s = t / sin(t eta) = 1/y; eta = zeta^root makes z smooth in zeta
             x, w = leggauss(2 * self.tail + self.extra)
             t = self.u
-            stop = np.arcsin(np.minimum(t / self.cut, 1.0)) / t
-            eta, half = _segments(np.zeros_like(t), stop, x)
-            y = np.sin(t[:, None] * eta) / t[:, None]
-            # dx = -y^-2 d eta takes two of the six powers of y
-            a[:, self.columns(self.panels)] = self._tail_rows(
-                y, half[:, None] * w[None, :], TRACTION_DECAY - 2) / self.tail_y**2
+            stop = (np.arcsin(np.minimum(t / self.cut, 1.0)) / t)**(1.0 / self.root)
+            zeta, half = _segments(np.zeros_like(t), stop, x)
+            y = np.sin(t[:, None] * zeta**self.root) / t[:, None]
+            weight = half[:, None] * w[None, :] * (self.root * zeta**(self.root - 1))
+            # dx = -y^-2 d eta takes two of the powers of y
+            a[:, self.columns(self.panels)] = self._tail_rows(y, weight, self.decay - 2) / self.tail_y**2
         return a
 
     def _stage2(self):
@@ -141,13 +147,13 @@ class Surface:
         if self.tail:
             x, w = leggauss(2 * self.tail + 8 + self.extra)
             start = self.cut
-            while start < self.u.max():               # octaves: g ~ t^-5 is steep
+            while start < self.u.max():               # octaves: g ~ t^(1 - decay) is steep
                 rows = np.flatnonzero(self.u > start)
                 low, high = self._angle(start**2, rows), self._angle(4 * start**2, rows)
                 phi, half = _segments(low, high, x)
                 y = 1.0 / (self.u[rows, None] * np.sin(phi))
                 b[rows, self.columns(self.panels)] += self._tail_rows(
-                    y, half[:, None] * w[None, :], ABEL_DECAY)
+                    y, half[:, None] * w[None, :], self.decay - 1)
                 start *= 2.0
         return b
 
@@ -162,7 +168,7 @@ class Surface:
 
     def interpolate(self, f, u, decay=0):
         """Panel interpolant of nodal values f at radii u; beyond the last edge
-        f * s^decay is interpolated in 1/s."""
+        f * s^decay is interpolated in z."""
         u = np.asarray(u, float)
         out = np.empty_like(u)
         k = np.clip(np.searchsorted(self.edges, u, side="right") - 1, 0, self.panels)
@@ -183,7 +189,7 @@ class Surface:
         relative to max|f|, the measure of unresolved content."""
         n = self.panels * self.order
         coefficients = f[:n].reshape(self.panels, self.order) @ self.to_legendre.T
-        return np.abs(coefficients[:, -2:]).max(axis=1) / np.abs(f).max()
+        return np.where(self.exempt, 0.0, np.abs(coefficients[:, -2:]).max(axis=1) / np.abs(f).max())
 
 
 def dyadic_edges(cut, unresolved, least_level, most_level):

@@ -50,12 +50,12 @@ def walk(problem, state, level=TRACE, refine=1.0):
         if angle > 2.0 * turn:
             step *= 0.5
             if step < SHORTEST_STEP:
-                raise NotConverged(f"tabor {problem.tabor}: trace stuck at Y = {state.y}")
+                raise NotConverged(f"elastic number {problem.elastic}: trace stuck at Y = {state.y}")
             continue
         state = following
         yield state
         step = min(longest, step * min(GROWTH, turn / max(angle, 1e-3)))
-    raise NotConverged(f"tabor {problem.tabor}: too many steps")
+    raise NotConverged(f"elastic number {problem.elastic}: too many steps")
 
 
 def trace(problem, level=TRACE, first_approach=-12.0, last_load=1.0, refine=1.0,

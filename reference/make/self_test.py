@@ -8,7 +8,7 @@ from scipy.optimize import minimize_scalar
 from scipy.special import ellipkm1, ive
 
 from branch import POLISH, TRACE, State, smooth_sphere
-from contact import PEAK_GAP, contact_radius
+from contact import contact_radius
 from copson import Surface, dyadic_edges
 from landmarks import find_landmarks, polish, trace
 import wavy_sphere
@@ -23,7 +23,7 @@ UNIFORM, CUT = 4, 8.0         # 2^4 equal panels up to s = 8
 NEAR, SCAN = 1e-9, 400001     # gap of a crest beside the threshold of contact; points of a scan
 
 
-def _check(name, error, tolerance):
+def check(name, error, tolerance):
     print(f"{name:62s} {error:.1e}  (allowed {tolerance:.0e})")
     if not error <= tolerance:
         raise ValueError(f"self-test: {name}: error {error:.1e}")
@@ -38,9 +38,9 @@ def gaussian():
     s = _unbounded()
     p = np.exp(-s.q)
     exact = np.sqrt(pi) * ive(0, 0.5 * s.q)
-    _check("Gaussian: deflection, relative, all radii",
+    check("Gaussian: deflection, relative, all radii",
            np.abs(s.deflection @ p / exact - 1).max(), OPERATOR_TOLERANCE)
-    _check("Gaussian: load 1", abs(s.load(p) - 1), OPERATOR_TOLERANCE)
+    check("Gaussian: load 1", abs(s.load(p) - 1), OPERATOR_TOLERANCE)
 
 
 def power():
@@ -55,9 +55,9 @@ def power():
                    for a, b in zip(marks, marks[1:]))
 
     far = np.array([exact(r) for r in s.u])
-    _check("(1+s^2)^-3: deflection, relative, to the last far node",
+    check("(1+s^2)^-3: deflection, relative, to the last far node",
            np.abs(s.deflection @ p / far - 1).max(), OPERATOR_TOLERANCE)
-    _check("(1+s^2)^-3: load 1/2", abs(s.load(p) - 0.5), OPERATOR_TOLERANCE)
+    check("(1+s^2)^-3: load 1/2", abs(s.load(p) - 0.5), OPERATOR_TOLERANCE)
 
 
 def hertz():
@@ -65,9 +65,9 @@ def hertz():
     edges = np.append(1.0 - 0.5**np.arange(30), 1.0)      # graded to the edge
     s = Surface(edges, 16, 0)
     p = np.sqrt(1.0 - s.q)
-    _check("Hertz: deflection, r < 1",
+    check("Hertz: deflection, r < 1",
            np.abs(s.deflection @ p - pi / 4 * (2 - s.q)).max(), OPERATOR_TOLERANCE)
-    _check("Hertz: load 2/3", abs(s.load(p) - 2 / 3), OPERATOR_TOLERANCE)
+    check("Hertz: load 2/3", abs(s.load(p) - 2 / 3), OPERATOR_TOLERANCE)
 
 
 def reciprocity():
@@ -75,7 +75,7 @@ def reciprocity():
     s = _unbounded()
     one, two = np.exp(-s.q), (1.0 + s.q)**-3 * np.cos(s.q / (1.0 + s.q))
     a, b = s.load(one * (s.deflection @ two)), s.load(two * (s.deflection @ one))
-    _check("reciprocity, relative", abs(a / b - 1), OPERATOR_TOLERANCE)
+    check("reciprocity, relative", abs(a / b - 1), OPERATOR_TOLERANCE)
 
 
 def bradley():
@@ -84,12 +84,12 @@ def bradley():
     marks = find_landmarks(problem, trace(problem, TRACE, -4.0, 1.0))
     state = polish(problem, marks[-1], POLISH[1]).state
     x = 1.0 - state.approach
-    radius = np.sqrt(2.0 * (PEAK_GAP + state.approach) / RIGID_TABOR)
-    _check("rigid limit: contact radius, relative", abs(contact_radius(problem, state) / radius - 1),
+    radius = np.sqrt(2.0 * (problem.law.peak_gap + state.approach) / RIGID_TABOR)
+    check("rigid limit: contact radius, relative", abs(contact_radius(problem, state) / radius - 1),
            RIGID_TOLERANCE)
-    _check("rigid limit: one landmark only", len(marks) - 1, 0)
-    _check("rigid limit: pull-off 2", abs(state.load + 2.0), RIGID_TOLERANCE)
-    _check("rigid limit: load of Eq 23 at the same approach",
+    check("rigid limit: one landmark only", len(marks) - 1, 0)
+    check("rigid limit: pull-off 2", abs(state.load + 2.0), RIGID_TOLERANCE)
+    check("rigid limit: load of Eq 23 at the same approach",
            abs(state.load + 2 * (4 * x**6 - 1) / (3 * x**8)), RIGID_TOLERANCE)
 
 
@@ -98,33 +98,33 @@ def contact():
     Each crest in turn reaches the threshold of contact by NEAR, misses it by NEAR, or is pressed."""
     problem = wavy_sphere.Scene("1", "5", "12", "100", "inf", 0.0, 0.0).problem()
     surface, scan = _unbounded(), np.linspace(0.0, CUT, SCAN)
-    shape = problem.shape(scan)
+    shape = problem.profile.gap(scan)
     crests = np.flatnonzero((shape[1:-1] < shape[:-2]) & (shape[1:-1] < shape[2:])) + 1
     worst = 0.0
     for crest in crests:
-        lowest = minimize_scalar(problem.shape, bounds=scan[[crest - 1, crest + 1]], method="bounded",
+        lowest = minimize_scalar(problem.profile.gap, bounds=scan[[crest - 1, crest + 1]], method="bounded",
                                  options={"xatol": 1e-12}).fun
         for depth in (NEAR, -NEAR, 0.3):
-            approach = lowest + depth - PEAK_GAP
-            state = State(surface, problem.shape(surface.u) - approach, approach, 0.0, 0.0)
-            inside = np.flatnonzero(shape - approach <= PEAK_GAP)
+            approach = lowest + depth - problem.law.peak_gap
+            state = State(surface, problem.profile.gap(surface.u) - approach, approach, 0.0, 0.0)
+            inside = np.flatnonzero(shape - approach <= problem.law.peak_gap)
             if depth == NEAR:                     # narrower than the scan: its half width is left out
                 inside = np.array([crest])
             edge = scan[inside[-1]] if len(inside) else 0.0
             worst = max(worst, abs(contact_radius(problem, state) - edge))
-    _check(f"contact radius of undeformed waves, {len(crests)} crests", worst,
+    check(f"contact radius of undeformed waves, {len(crests)} crests", worst,
            2.0 * (CUT / SCAN + np.sqrt(NEAR)))
 
 
-def _equation_16(problem, state, radii):
+def equation_16(problem, state, radii):
     """Largest error of Eq 16 at radii between the nodes, with the elliptic
     kernel of Eq 12 (the one use of it) integrated by an adaptive rule."""
     s = state.surface
-    elastic = state.gap + state.approach - problem.shape(s.u)
+    elastic = state.gap + state.approach - problem.profile.gap(s.u)
 
     def gap(v):
         v = np.array([v])
-        return s.interpolate(elastic, v, 1) - state.approach + problem.shape(v)
+        return s.interpolate(elastic, v, 1) - state.approach + problem.profile.gap(v)
 
     def integrand(v, u):
         ratio = min(u, v) / max(u, v)
@@ -140,8 +140,8 @@ def _equation_16(problem, state, radii):
         if problem.outer is None:
             whole += quad(lambda z: integrand(1.0 / z, u) / z**2, 0.0, 1.0 / (u + reach**3),
                           **QUAD)[0]
-        here = gap(u)[0] + state.approach - problem.shape(u)
-        worst = max(worst, abs(here - problem.tabor * whole))
+        here = gap(u)[0] + state.approach - problem.profile.gap(u)
+        worst = max(worst, abs(here - problem.elastic * whole))
     return worst
 
 
@@ -150,8 +150,8 @@ def kernel():
     problem = smooth_sphere(1.0)
     mark = find_landmarks(problem, trace(problem))[-1]
     state = polish(problem, mark, POLISH[1]).state
-    _check("Eq 16 with the kernel of Eq 12 at the pull-off of mu = 1",
-           _equation_16(problem, state, (0.377, 1.213, 2.719)), KERNEL_TOLERANCE)
+    check("Eq 16 with the kernel of Eq 12 at the pull-off of mu = 1",
+           equation_16(problem, state, (0.377, 1.213, 2.719)), KERNEL_TOLERANCE)
 
 
 def cut():
@@ -160,8 +160,8 @@ def cut():
     states = trace(problem, TRACE, -8.0, np.inf, last_approach=CUT_SCENE.complete_to)
     marks = [mark for mark in find_landmarks(problem, states) if mark.kind == "minimum"]
     state = polish(problem, marks[-1], wavy_sphere.POLISH[1]).state
-    _check("wavy and cut: Eq 16 with the kernel of Eq 12 at the pull-off",
-           _equation_16(problem, state, (0.377, 2.719, 0.99 * problem.outer)), KERNEL_TOLERANCE)
+    check("wavy and cut: Eq 16 with the kernel of Eq 12 at the pull-off",
+           equation_16(problem, state, (0.377, 2.719, 0.99 * problem.outer)), KERNEL_TOLERANCE)
 
 
 def run():

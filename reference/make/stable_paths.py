@@ -2,7 +2,7 @@
 from there: the surfaces relax in time.
 
 Relaxation. A damping resists the change of the gap, so the elastic surface carries the traction
-q = P(H) - c dH/dt, with a local weight c > 0, and H + D - shape = mu * deflection[q]. At given approach
+q = P(H) - c dH/dt, with a local weight c > 0, and H + D - f = elastic * deflection[q]. At given approach
 D is constant; at given load the integral of q is the load, and D follows. Each of D and of the -H(u)
 then grows the faster the larger the others are (the flow is cooperative), for every c: pushed from an
 equilibrium to one side, the surfaces come to rest at the next one in that order, whatever c is.
@@ -56,10 +56,9 @@ class Piece:
 
 def energy(problem, state):
     """U/(pi w R eps), of the interaction and elastic; its rate along equilibria is the load."""
-    surface, x = state.surface, 1.0 / (1.0 + state.gap)
+    surface = state.surface
     p = problem.traction(state.gap)
-    attraction = (8.0 / 3.0) * problem.tabor * (x**8 / 8.0 - x**2 / 2.0)
-    return surface.load(attraction + 0.5 * p * problem.tabor * (surface.deflection @ p))
+    return surface.load(problem.law.energy(state.gap) + 0.5 * p * problem.elastic * (surface.deflection @ p))
 
 
 def turned(state, sense, component=APPROACH):
@@ -89,12 +88,12 @@ def piece(problem, state, sense, end, component=APPROACH):
     return Piece(marks[:at], fold, states)
 
 
-def step_in_time(problem, surface, shape, held, before, approach, step):
+def step_in_time(problem, surface, undeformed, held, before, approach, step):
     """The gap and the approach after one step of implicit Euler, or None. Given: held, the component
     of Y that is held and its value."""
     component, value = held
     n, scale = surface.size, 1.0 / (1.0 + np.abs(before))
-    operator = problem.tabor * surface.deflection
+    operator = problem.elastic * surface.deflection
     damping = (1.0 + surface.q / DAMPED**2)**-3 / step
     gap = before.copy()
     matrix, residual = np.empty((n + 1, n + 1)), np.empty(n + 1)
@@ -105,7 +104,7 @@ def step_in_time(problem, surface, shape, held, before, approach, step):
         matrix[:n, :n].flat[::n + 1] += 1.0
         matrix[:n, n] = 1.0
         matrix[:n] *= scale[:, None]
-        residual[:n] = (gap + approach - shape - operator @ elastic) * scale
+        residual[:n] = (gap + approach - undeformed - operator @ elastic) * scale
         if component == LOAD:
             matrix[n, :n], matrix[n, n] = surface.weights * slope, 0.0
             residual[n] = surface.load(elastic) - value
@@ -113,7 +112,7 @@ def step_in_time(problem, surface, shape, held, before, approach, step):
             matrix[n, :n], matrix[n, n] = 0.0, 1.0
             residual[n] = approach - value
         update = np.linalg.solve(matrix, -residual)
-        if not np.isfinite(update).all() or np.max(-update[:n] / (1.0 + gap)) > CLOSEST_GAP:
+        if not np.isfinite(update).all() or np.max(-update[:n] / problem.law.room(gap)) > CLOSEST_GAP:
             return None
         gap += update[:n]
         approach += update[n]
@@ -127,7 +126,7 @@ def relaxation_surface(scene, approach, level):
     problem, length = scene.problem(), float(scene.wavelength) / scene.width
 
     def wide(low, high):
-        gap = max(0.0, problem.shape(low + PROBES * (high - low)).min() - approach)
+        gap = max(0.0, problem.profile.gap(low + PROBES * (high - low)).min() - approach)
         limit = RELAX_WIDTH / scene.width * max(1.0, gap / WIDE_GAP)
         return high - low > (min(limit, PART_OF_WAVE * length) if gap < FAR_GAP else limit)
 
@@ -136,9 +135,9 @@ def relaxation_surface(scene, approach, level):
 
 def come_to_rest(problem, surface, held, gap, approach):
     """The gap and the approach at rest; None: the surfaces part for ever."""
-    shape, step = problem.shape(surface.u), FIRST_STEP
+    undeformed, step = problem.profile.gap(surface.u), FIRST_STEP
     for _ in range(MOST_STEPS):
-        found = step_in_time(problem, surface, shape, held, gap, approach, step)
+        found = step_in_time(problem, surface, undeformed, held, gap, approach, step)
         if found is None or np.max(np.abs(found[0] - gap) / (1.0 + np.abs(gap))) > FARTHEST:
             step *= 0.5
             continue
@@ -158,10 +157,10 @@ def relax(scene, left, component, value, target):
     gap, approach = left.gap, left.approach
     for level in RELAX_LEVEL, TRACE:        # the second one goes on where the first came to rest
         finer = relaxation_surface(scene, left.approach, level)
-        elastic = surface.interpolate(gap + approach - problem.shape(surface.u), finer.u, 1)
+        elastic = surface.interpolate(gap + approach - problem.profile.gap(surface.u), finer.u, 1)
         surface, approach = finer, value if component == APPROACH else approach
         found = come_to_rest(problem, surface, (component, value),
-                             elastic - approach + problem.shape(surface.u), approach)
+                             elastic - approach + problem.profile.gap(surface.u), approach)
         if found is None:
             return None
         gap, approach = found

@@ -20,6 +20,8 @@ from command_line import act_on_scenes, notes, options, run
 from converged import (BOUND_IN_WORDS, CURVE_CHECK, SAFETY, compare, converge_mark, landmark_cells,
                        pull_off_cells, show, solve_curve, worst)
 from landmarks import find_landmarks, landmark_kinds, pull_off, trace
+from laws import Mie
+from profiles import Sphere, Wave, Waved
 from tables import bound, number, read_table, write_table
 
 FAR = -15.0               # approach from which landmarks are looked for
@@ -65,10 +67,9 @@ class Scene:
         width = self.width
         k = 2.0 * np.pi * width / wavelength
 
-        def shape(u):
-            return 0.5 * mu * u**2 + 2.0 * amplitude * np.sin(0.5 * k * u)**2
-
-        return Problem(mu, shape, None if np.isinf(outer) else outer / width, CORE)
+        profile = Waved(Sphere(mu), (Wave(amplitude, k),))
+        return Problem(Mie(3.0, 9.0, mu), profile, mu, None if np.isinf(outer) else outer / width,
+                       max(6.0 * np.sqrt(2.0 / mu), CORE))
 
 
 SCENES = [
