@@ -57,7 +57,6 @@ def scenes():
 
 
 
-
 def values(row, scene, solved):
     """Load, approach, contact radius in the units of the tables, and the same of their spread."""
     factor = solved.load / scene.unit, 1.0, solved.width

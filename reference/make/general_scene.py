@@ -110,12 +110,13 @@ class Scene:
         end, edge_level, core = outer, EDGE_LEVEL, 1.0
         far_gap = max(FAR_GAP, -3.0 * first)
         if law.decay is None:
-            ended = farthest(base, law.reach(NO_TENSION) + 2.0 * size.stretch + max(self.complete_to or 0.0, FAR))
-            ended = max(ended, 2.5 * size.contact)
+            gap = law.reach(NO_TENSION) + 2.0 * size.stretch + max(self.complete_to or 0.0, FAR)
+            ended = max(farthest(base, gap, outer), 2.5 * size.contact)
             if ended < outer:
                 end, edge_level = ended, 0
         elif np.isinf(outer):
-            core = max(farthest(base, far_gap if self.waves == "-" else max(far_gap, WAVY_GAP)), 2.5 * size.contact)
+            core = farthest(base, far_gap if self.waves == "-" else max(far_gap, WAVY_GAP), outer)
+            core = max(core, 2.5 * size.contact)
         problem = Problem(scaled, profile.in_units_of(width), elastic, None if np.isinf(end) else end / width,
                           core / width, edge_level)
         if problem.outer is None:
@@ -128,11 +129,13 @@ def sphere(law, tabor, radius=100):
     return Scene(law, "sphere", "-", number(float(tabor)**1.5 / np.sqrt(radius)), str(radius), "inf", None, tabor)
 
 
-def farthest(base, gap):
-    """The radius where the initial gap is that."""
-    low, high = 0.0, 1.0
-    while base.gap(np.array(high)) < gap:
-        high *= 2.0
+def farthest(base, gap, end):
+    """The radius where the initial gap is that, or the end of the profile."""
+    low, high = 0.0, min(1.0, end)
+    while high < end and base.gap(np.array(high)) < gap:
+        high = min(2.0 * high, end)
+    if base.gap(np.array(high)) < gap:
+        return end
     for _ in range(60):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if base.gap(np.array(middle)) < gap else (low, middle)
