@@ -11,8 +11,10 @@ static const char *label_of(const po_case_run *run, const po_check_result *item)
 
 static void add_case(const po_case_run *run, po_text *text) {
   const po_check_result *worst = NULL;
+  size_t remarkable = 0; /* pass, and are not simply within */
   for (size_t i = 0; i < run->check_results.count; ++i) {
     const po_check_result *item = &run->check_results.items[i];
+    remarkable += item->verdict != PO_WITHIN && po_verdict_passes(item->verdict);
     if (isfinite(item->ratio) && (!worst || item->ratio > worst->ratio))
       worst = item;
   }
@@ -20,10 +22,13 @@ static void add_case(const po_case_run *run, po_text *text) {
   po_text_add(text, "%-18s %7zu %7zu %8zu %9.1f ", run->plan->kase->file->name,
               run->check_results.count - outside, outside, po_case_run_failures(run), run->elapsed);
   if (worst)
-    po_text_add(text, "%10.*f  %s, %s\n", worst->ratio < 1e5 ? 3 : 0, worst->ratio, worst->subject,
+    po_text_add(text, "%10.*f  %s, %s", worst->ratio < 1e5 ? 3 : 0, worst->ratio, worst->subject,
                 label_of(run, worst));
   else
-    po_text_add(text, "%10s\n", "-");
+    po_text_add(text, "%10s", "-");
+  if (remarkable)
+    po_text_add(text, "; %zu improved or slack", remarkable);
+  po_text_add(text, "\n");
 }
 
 /* The command that explains a point of a case (NULL: all its points). */
@@ -44,16 +49,14 @@ static bool is_worse(const po_check_result *item, const po_check_result *than) {
   return !than || (isfinite(than->ratio) && !(item->ratio <= than->ratio));
 }
 
-/* What is not simply within of one check of a case: how many results, the worst, and its command.
- * Those that pass (improved, slack) apart from those that do not. */
-static void add_check(const po_case_run *run, const po_check *check, bool passes,
-                      const char *output, po_text *text) {
+/* What does not pass of one check of a case: how many results, the worst, and its command. */
+static void add_check(const po_case_run *run, const po_check *check, const char *output,
+                      po_text *text) {
   const po_check_result *worst = NULL;
   size_t count = 0;
   for (size_t i = 0; i < run->check_results.count; ++i) {
     const po_check_result *item = &run->check_results.items[i];
-    if (item->check != check || item->verdict == PO_WITHIN ||
-        po_verdict_passes(item->verdict) != passes)
+    if (item->check != check || po_verdict_passes(item->verdict))
       continue;
     count += 1;
     if (is_worse(item, worst))
@@ -68,8 +71,7 @@ static void add_check(const po_case_run *run, const po_check *check, bool passes
   po_text_add(text, " (%s)%s%s", po_plan_reference_of(run->plan, check), worst->note[0] ? ": " : "",
               worst->note);
   if (count > 1)
-    po_text_add(text, "; %zu results of this check %s, this is the worst", count,
-                passes ? "are improved or slack" : "do not pass");
+    po_text_add(text, "; %zu results of this check do not pass, this is the worst", count);
   po_text_add(text, "\n");
   if (worst->ledger == PO_LEDGER_PIN && worst->verdict == PO_MISSING_REFERENCE)
     po_text_add(text, "    pulloff bless %s --reason TEXT\n", po_case_word(run->plan->kase));
@@ -101,9 +103,8 @@ void po_overview_add(const po_case_run *runs, size_t count, const char *output, 
     add_case(&runs[r], text);
   for (size_t r = 0; r < count; ++r) {
     const po_case_file *file = runs[r].plan->kase->file;
-    for (int passes = 0; passes < 2; ++passes)
-      for (unsigned c = 0; c < file->checks_count; ++c)
-        add_check(&runs[r], &file->checks[c], passes, output, text);
+    for (unsigned c = 0; c < file->checks_count; ++c)
+      add_check(&runs[r], &file->checks[c], output, text);
     add_failures(&runs[r], output, text);
   }
   po_verdicts_totals(runs, count, text);
