@@ -105,14 +105,15 @@ static double deepest_stable(const po_path *path) {
   return deepest;
 }
 
-/* Whether no harder preload gives more. A rigid trace that was to go on ends where the repulsion of
- * the central crest exceeds all attraction. */
+/* Whether no harder preload gives a greater pull-off force. The trace of a rigid wavy sphere is
+ * complete from the approach at which the repulsion of the central crest exceeds all attraction.
+ * The load of a smooth sphere, rigid or not, has no minimum under compression. */
 static bool is_complete(const po_request *request, const po_path *path, const po_stopping *stopping,
                         const po_result *o) {
   const double load = -o->pull_off_any.force;
   if (deepest_stable(path) < load - o->pull_off_any.force_error)
     return false;
-  if (o->rigid)
+  if (o->rigid && po_scene_is_wavy(&request->scene))
     return o->ended.approach >= po_observe_rigid_end(&request->scene, 0.0);
   return po_stopping_is_complete(stopping, load);
 }

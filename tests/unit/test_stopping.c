@@ -111,7 +111,26 @@ START_TEST(an_end_far_out_is_met) {
 }
 END_TEST
 
-/* A trace that is to end before the load of the preload cannot speak of it. */
+/* No harder preload gives a smooth sphere a greater pull-off force, and the result says so. */
+START_TEST(a_smooth_sphere_is_complete_under_compression) {
+  static const double TABOR[] = {1.0, 0.0}; /* elastic, rigid */
+  po_request request = request_of(TABOR[_i], 0.0, 0.0, INFINITY);
+  request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
+  request.search = PO_SEARCH_SOME;
+  po_result o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_int_eq(o.ended.cause, PO_END_COMPRESSED);
+  ck_assert(o.pull_off_any.is_known && o.pull_off_any.complete);
+  po_result_clear(&o);
+  request.search = PO_SEARCH_NONE;
+  request.preload.approach = -0.5; /* the trace ends while the load is still tensile */
+  ck_assert_int_eq(po_observe(&request, &o), _i ? PO_NOT_FOUND : PO_OK);
+  ck_assert(!o.pull_off_any.complete);
+  po_result_clear(&o);
+}
+END_TEST
+
+/* If a trace ends before its preload, the pull-off of the preload is unknown. */
 START_TEST(a_preload_beyond_the_end_is_refused) {
   po_request request = request_of(2.385, 0.0, 0.0, INFINITY);
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
@@ -299,6 +318,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, a_preload_below_the_first_contact_is_said);
   tcase_add_loop_test(tests, a_preload_just_before_a_fold_is_met_there, 0, 4);
   tcase_add_loop_test(tests, an_end_far_out_is_met, 0, 2);
+  tcase_add_loop_test(tests, a_smooth_sphere_is_complete_under_compression, 0, 2);
   tcase_add_test(tests, a_preload_beyond_the_end_is_refused);
   tcase_add_test(tests, a_cut_surface_is_traced_until_all_of_it_is_in_contact);
   tcase_add_loop_test(tests, the_end_of_a_trace_has_its_cause, 0, 6);
