@@ -1,7 +1,7 @@
-"""Counts the tests in a testlog.json of meson: prints how many passed and how many failed.
+"""Prints the number of passed and of failed tests in a testlog.json of meson.
 
-A test that speaks TAP counts with each of its lines; one that failed without saying where, by a
-crash, a timeout or a wrong plan, counts as one failure more.
+If a test prints TAP, each TAP line counts as a test. A TAP test that failed without a failed line
+(crash, timeout or wrong plan) counts as one more failure.
 """
 
 import json

@@ -1,11 +1,11 @@
 # shellcheck shell=sh
-# Sourced by ./reproduce: the parts of the paper one may ask for. Case files are read here by their lines, since this is
-# before anything is installed or built; a key of a case stands at the start of a line.
+# Sourced by ./reproduce: the parts that --only accepts. Case files are read with sed, because nothing is installed or
+# built yet. Each top-level key of a case must be at the start of a line.
 
-# key_of FILE KEY: its value, without quotes, brackets and comment
+# key_of FILE KEY: prints the value of the key, without quotes, brackets and comment
 key_of() { sed -n "s/^$2: *//p" "$1" | sed 's/ *#.*//; s/[]["]//g; s/,/ /g' | head -n 1; }
 
-# has_word WORD WORD...: whether the first is among the others
+# has_word WORD WORD...: whether the first word is among the others
 has_word() {
   sought=$1
   shift
@@ -13,8 +13,8 @@ has_word() {
   return 1
 }
 
-# cases_of_part PART: the names of its cases; a figure that no run is needed for has none
-# shellcheck disable=SC2046 # words are meant
+# cases_of_part PART: prints the names of its cases. A figure that needs no run has none.
+# shellcheck disable=SC2046 # the value is split into words on purpose
 cases_of_part() {
   for file in cases/*.yaml; do
     name=$(key_of "$file" name)
@@ -28,10 +28,10 @@ cases_of_part() {
 
 is_part() { [ -f "reports/figures/$1.gp" ] || [ -n "$(cases_of_part "$1")" ]; }
 
-# cases_of_claims: the cases that the claims of the paper take numbers from
+# cases_of_claims: prints the cases whose results the claims of the paper use
 cases_of_claims() { grep -o 'case = "[^"]*"' reports/claims/claims.toml | cut -d '"' -f 2 | sort -u | tr '\n' ' '; }
 
-# all_parts: on one line
+# all_parts: prints all parts on one line
 all_parts() {
   {
     for file in cases/*.yaml; do

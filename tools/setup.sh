@@ -1,6 +1,6 @@
 # shellcheck shell=sh disable=SC2154
-# Sourced by ./reproduce, ./check and .ci/run: installs what is missing, configures, builds.
-# The caller sets `command_name` and stands in the root of the source tree.
+# Sourced by ./reproduce, ./check and .ci/run: installs missing packages, configures, builds.
+# The caller sets `command_name`. The current folder must be the root of the source tree.
 
 build=build
 log_folder=$build/log
@@ -13,10 +13,10 @@ fail() {
 
 . tools/steps.sh
 
-# listed_packages LIST...: the names in these files, tools/packages and others
+# listed_packages LIST...: prints the names of packages in these files
 listed_packages() { sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$@"; }
 
-# missing_packages NAME...: those that are not installed, on one line
+# missing_packages NAME...: prints the packages that are not installed, on one line
 missing_packages() {
   for package in "$@"; do
     state=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) || state=absent
@@ -25,14 +25,14 @@ missing_packages() {
 }
 
 apt_install() {
-  # A list that cannot be refreshed is not yet a failure: what is needed may be known already.
+  # If the package lists cannot be refreshed, the packages may still be found in the present lists.
   $as_root env DEBIAN_FRONTEND=noninteractive apt-get -q update ||
-    printf 'apt-get update failed; trying to install all the same\n'
+    printf 'apt-get update failed; continuing with the present package lists\n'
   $as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends \
     -o DPkg::Lock::Timeout=300 install "$@"
 }
 
-# install_packages NAME...: installs those that are missing; with none missing calls nothing.
+# install_packages NAME...: installs the missing packages. If none is missing, apt-get and sudo are not called.
 install_packages() {
   if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
     fail "this is not a Debian system (no dpkg-query and apt-get): install the equivalents of" \
@@ -43,19 +43,19 @@ install_packages() {
   as_root=
   if [ "$(id -u)" -ne 0 ]; then
     command -v sudo >/dev/null ||
-      fail "neither root nor sudo: have someone install ${missing% }"
+      fail "not root, and sudo is not installed: ask an administrator to install ${missing% }"
     sudo -n true 2>/dev/null || sudo true ||
-      fail "sudo was refused: have someone install ${missing% }"
+      fail "sudo was refused: ask an administrator to install ${missing% }"
     as_root=sudo
   fi
-  # The word list is meant to split.
+  # The list is split into words on purpose.
   # shellcheck disable=SC2086
   set -- $missing
   step 'Installing packages' apt_install "$@"
 }
 
-# forget_foreign_build DIR: a build folder configured for a tree at another place, or whose
-# configuration was cut short, is configured anew; runs and reports in it stay.
+# forget_foreign_build DIR: removes the configuration of a build folder that belongs to a source tree at another place,
+# or whose configuration was interrupted. Runs and reports in the folder are kept.
 forget_foreign_build() {
   if [ -f "$1/meson-private/coredata.dat" ]; then
     if [ ! -f "$1/build.ninja" ] || [ "$(cat "$1/source-tree" 2>/dev/null)" != "$(pwd -P)" ]; then
@@ -77,7 +77,7 @@ configure_and_build() {
   step "Building$suffix" meson compile -C "$folder"
 }
 
-# prepare: the set-up both commands share
+# prepare: the set-up that ./reproduce and ./check have in common
 prepare() {
   start_log
   if [ "$install" = yes ]; then

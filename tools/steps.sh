@@ -1,27 +1,27 @@
 # shellcheck shell=sh disable=SC2154
-# Sourced by tools/setup.sh: the steps of a command. What a step prints goes to the log; the terminal gets a live line,
-# with how far the step and the whole are, and then one line a step with its time. Where standard error is no terminal
-# the live line is a plain one now and then.
-# `step_labels`, one a line, are the steps there may be, in their order; none: steps are not counted.
+# Sourced by tools/setup.sh: runs the steps of a command. The output of a step goes to the log. While a step runs, a
+# line on the terminal shows the progress of the step and of the command; when it has ended, one line shows its time. If
+# standard error is not a terminal, a progress line is printed every `plain_interval` seconds.
+# `step_labels`: the names of all steps in their order, one per line; empty: steps are not numbered.
 
 step_labels=
-step_times= # the file with the seconds each step took the last time; none: they are not kept
-step_open=  # the step of which nobody knows how long it will take until it tells itself
-step_least= # yes: that time is of a run that kept much, so a step is expected to take no less than the first time
+step_times= # file with the duration of each step in the last run, in seconds; empty: durations are not kept
+step_open=  # the step whose duration is unknown until its own progress lines estimate it
+step_least= # not empty: everything is computed again, so a step is expected to take at least as long as the first time
 
-# Seconds between plain lines: a log shows life without filling up.
+# Seconds between progress lines if standard error is not a terminal.
 plain_interval=60
 
 milliseconds() { date +%s%N | cut -c 1-13; }
 whole_begin=$(milliseconds)
 
-# seconds_since START: elapsed time with one decimal
+# seconds_since START: prints the elapsed time in seconds with one decimal
 seconds_since() {
   elapsed=$(($(milliseconds) - $1))
   printf '%d.%d s' $((elapsed / 1000)) $((elapsed % 1000 / 100))
 }
 
-# span SECONDS: as pulloff says it
+# span SECONDS: prints a duration in the format of pulloff run
 span() {
   if [ "$1" -lt 90 ]; then printf '%d s' "$1"; else printf '%d min %02d s' $(($1 / 60)) $(($1 % 60)); fi
 }
@@ -31,14 +31,14 @@ start_log() {
   : >"$log" || fail "cannot write $log"
 }
 
-# numbered LABEL: with its place among the steps
+# numbered LABEL: prints the label with its number among the steps
 numbered() {
   [ -z "$step_labels" ] || printf '%s\n' "$step_labels" |
     awk -v label="$1" '$0 == label { n = NR } END { if (n) printf "[%d/%d] ", n, NR }'
   printf '%s' "$1"
 }
 
-# first_time LABEL: about how many seconds it takes when nothing is kept, on two cores
+# first_time LABEL: prints the approximate duration of a first run, in seconds, on two cores
 first_time() {
   case $1 in
   'Installing packages') echo 90 ;;
@@ -52,7 +52,7 @@ first_time() {
   esac
 }
 
-# expected_time LABEL: the seconds it took the last time, if that is known
+# expected_time LABEL: prints the duration in the last run, or else that of a first run, in seconds
 expected_time() {
   expected=
   [ -z "$step_times" ] || [ ! -r "$step_times" ] ||
@@ -62,13 +62,13 @@ expected_time() {
   printf '%d' "$expected"
 }
 
-# is_open LABEL: whether nobody knows how long this step or one after it will take
+# is_open LABEL: whether the duration of this step or of a later one is unknown
 is_open() {
   [ -n "$step_open" ] && printf '%s\n' "$step_labels" |
     awk -v label="$1" -v open="$step_open" '$0 == label { seen = 1 } seen && $0 == open { found = 1 } END { exit !found }'
 }
 
-# time_after LABEL: the same of all steps after it
+# time_after LABEL: prints the expected duration of all later steps, in seconds
 time_after() {
   after=0
   found=
@@ -89,21 +89,22 @@ remember_time() { # LABEL SECONDS
   } >"$step_times.new" && mv "$step_times.new" "$step_times"
 }
 
-# own_progress: the last line in which the command of the step told how far it is, "3/8 solves, 5 s elapsed, about
-# 2 min 10 s remaining (...)", as "SECONDS 3/8 solves"
+# own_progress: reads the last progress line of the command that the step runs, such as "3/8 solves, 5 s elapsed, about
+# 2 min 10 s remaining (...)", and prints it as "REMAINING-SECONDS 3/8 solves"
 own_progress() {
   tail -n "+$((lines_before + 2))" "$log" | tail -c 4000 |
     sed -n 's/^\([0-9]*\/[0-9]* [a-z]*\), .* elapsed, about \(.*\) remaining.*/\2 \1/p' | tail -n 1 |
     awk '{ if ($2 == "min") print 60 * $1 + $3, $5, $6; else print $1, $3, $4 }'
 }
 
-# progress_line LABEL LATER: how far the step and the whole are; LATER seconds are expected after the step
+# progress_line LABEL LATER: prints the progress of the step and of the command; LATER is the expected duration of the
+# later steps, in seconds
 progress_line() {
-  told=$(own_progress)
+  own=$(own_progress)
   now=$(milliseconds)
-  if [ -n "$told" ]; then
-    left=${told%% *}
-    told=": ${told#* }"
+  if [ -n "$own" ]; then
+    left=${own%% *}
+    own=": ${own#* }"
   elif is_open "$1"; then
     left=unknown
   else
@@ -111,14 +112,14 @@ progress_line() {
     [ "$left" -gt 0 ] || left=0
   fi
   [ "$left" = unknown ] || left=$((left + $2))
-  printf '%s%s, %s since the start' "$(numbered "$1")" "$told" "$(span $(((now - whole_begin) / 1000)))"
+  printf '%s%s, %s since the start' "$(numbered "$1")" "$own" "$(span $(((now - whole_begin) / 1000)))"
   case $left in
   0 | unknown) ;;
   *) printf ', about %s left' "$(span "$left")" ;;
   esac
 }
 
-# watch_step LABEL: tells about the step until it is ended, or the shell is gone
+# watch_step LABEL: prints progress until it is ended or the shell that started it has ended
 watch_step() {
   later=$(time_after "$1")
   ticks=0
@@ -135,14 +136,14 @@ watch_step() {
 
 end_watch() {
   [ -n "${watcher:-}" ] || return 0
-  # A milder signal can be lost: a shell just begun has not yet put aside the traps of the one that began it.
+  # SIGTERM could be lost: a subshell that has just been started still has the traps of its parent.
   kill -KILL "$watcher" 2>/dev/null
   wait "$watcher" 2>/dev/null
   watcher=
   [ ! -t 2 ] || printf '\r\033[K' >&2
 }
 
-# try_step LABEL COMMAND...: runs the command quietly; sets step_status.
+# try_step LABEL COMMAND...: runs the command with its output in the log, and sets step_status.
 try_step() {
   label=$1
   shift
@@ -163,7 +164,7 @@ try_step() {
   fi
 }
 
-# step LABEL COMMAND...: the same; when it fails, shows the end of what it printed, and ends.
+# step LABEL COMMAND...: the same; if the command fails, prints the end of its output and exits.
 step() {
   try_step "$@"
   [ "$step_status" -ne 0 ] || return 0

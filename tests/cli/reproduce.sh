@@ -1,5 +1,6 @@
 #!/bin/sh
-# ./reproduce on a tree whose programs are made up: what it refuses, which parts it runs, and how it tells its steps.
+# ./reproduce in a folder with substitute programs: which options it refuses, which parts it runs, and how it reports its
+# steps.
 # shellcheck disable=SC1091,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 root=$here/../..
@@ -15,7 +16,7 @@ make_case fig06_paper 6 paper
 make_case timing '' precision
 mv "$tree/cases/timing.yaml" "$tree/cases/precise.yaml"
 
-# Made-up programs note their arguments; the first case of a solve fails when a file says so.
+# The substitute programs write their arguments to a file. The first case fails if a certain file exists.
 cat >"$tree/build/src/cli/pulloff" <<'PROGRAM'
 #!/bin/sh
 echo "$*" >>asked
@@ -60,7 +61,7 @@ refused() { # MESSAGE ARGUMENT...
   shift
   reproduce 2 "$@"
   check "one line: $message" test "$(cat "$work/stderr")" = "reproduce: $message (see ./reproduce --help)"
-  check 'nothing was begun' test ! -e "$tree/asked"
+  check 'no step was started' test ! -e "$tree/asked"
 }
 asked() { check "asked: $1" grep -q -x -e "$1" "$tree/asked"; }
 not_asked() { check "not asked: $1" test "$(grep -c -e "$1" "$tree/asked")" -eq 0; }
@@ -74,7 +75,7 @@ refused '--only needs the name of a part' --only ''
 known='fig03, fig05, fig06, fig06_paper, paper, precision, smoke, timing'
 refused "--only is fig99: expected claims, faults or one of $known" --only fig99
 refused "--only is fig: expected claims, faults or one of $known" --only fig03,fig
-check 'no log of what was refused' test ! -e "$tree/build/log"
+check 'a refused command writes no log' test ! -e "$tree/build/log"
 reproduce 0 --help
 for option in --only --fresh --verbose --jobs --no-install; do
   check "the help has $option" grep -q -e "^  $option" "$work/stdout"
@@ -88,13 +89,13 @@ asked 'claims --program build/src/cli/pulloff --run build/run --brief'
 asked 'report --run build/run --output build/report'
 asked 'verify --suite paper,precision,extreme --output build/run'
 check 'steps are counted' grep -q -x '\[4/7\] Running the cases  *[0-9.]* s' "$work/stdout"
-check 'the last one' grep -q -x '\[7/7\] Writing the report  *[0-9.]* s' "$work/stdout"
+check 'the last step is counted' grep -q -x '\[7/7\] Writing the report  *[0-9.]* s' "$work/stdout"
 reproduce 0 --no-install --verbose
 asked 'verify --suite paper,precision,extreme --output build/run --verbose'
 not_asked '^claims .*--brief'
 mkdir -p "$tree/build/claims/kept"
 reproduce 0 --no-install --fresh --jobs 3
-check 'what claims kept is gone' test ! -e "$tree/build/claims"
+check '--fresh removes the kept results of the claims' test ! -e "$tree/build/claims"
 asked 'run --suite paper,precision,extreme --output build/run --jobs 3 --fresh'
 asked 'faults --build build --jobs 3'
 asked 'report --run build/run --output build/report --fresh'
@@ -105,7 +106,7 @@ asked 'verify fig06 fig06_paper timing --output build/run'
 asked 'report .*'
 not_asked faults
 not_asked claims
-check 'steps without those' grep -q '^\[5/5\] Writing the report ' "$work/stdout"
+check 'only the selected steps are run' grep -q '^\[5/5\] Writing the report ' "$work/stdout"
 reproduce 0 --no-install --only fig3,smoke
 asked 'run fig03 fig03 --output build/run'
 reproduce 0 --no-install --only fig05
@@ -117,7 +118,7 @@ asked 'faults --reuse --build build'
 asked 'report .*'
 not_asked '^run'
 
-# The claims, by the cases that they take numbers from.
+# --only claims runs the cases whose results the claims use.
 reproduce 0 --no-install --only claims
 asked 'run fig03 timing --output build/run'
 asked 'claims --program build/src/cli/pulloff --run build/run'
@@ -129,13 +130,13 @@ asked 'run fig03 timing --output build/run'
 asked 'faults --reuse --build build'
 check 'all steps' grep -q '^\[7/7\] Writing the report ' "$work/stdout"
 
-# What failed is told, and the exit code says it.
+# Failures are reported, and the exit code states them.
 echo 3 >"$tree/code"
 reproduce 0 --no-install --only fig03
-check 'failed solves are for the report to show' grep -q 'Running the cases .*(status 3, see build/log/reproduce.log)' "$work/stdout"
+check 'the report is written although solves failed' grep -q 'Running the cases .*(status 3, see build/log/reproduce.log)' "$work/stdout"
 echo 130 >"$tree/code"
 reproduce 130 --no-install --only fig03
-check 'interrupted' grep -q 'interrupted; finished points are kept, run again to resume' "$work/stderr"
+check 'interrupted' grep -q 'interrupted; finished points are kept: run the command again to continue' "$work/stderr"
 not_asked '^report'
 echo 2 >"$tree/code"
 reproduce 4 --no-install --only fig03
@@ -148,37 +149,37 @@ for code in 1 3; do
 done
 echo 2 >"$tree/judged"
 reproduce 4 --no-install
-check 'a list of claims that is wrong' grep -q 'the claims could not be judged' "$work/stderr"
+check 'a faulty list of claims' grep -q 'the claims could not be judged' "$work/stderr"
 rm "$tree/judged"
 reproduce 0 --no-install
 
-# Progress: a plain line now and then, with what the step says of itself and what the later ones took the last time.
-# Kept times are of whole runs alone, as parts take less.
-check 'times are kept' test "$(cut -f 1 "$tree/build/log/reproduce.seconds" | sort | tr '\n' ,)" = \
+# Progress: a line at intervals, with the progress of the step and the durations of the later steps in the last run.
+# Durations are kept only for complete runs, because parts take less time.
+check 'durations are kept' test "$(cut -f 1 "$tree/build/log/reproduce.seconds" | sort | tr '\n' ,)" = \
   'Building,Judging the claims,Planting faults,Running the cases,Writing the report,'
 sed -i 's/^plain_interval=.*/plain_interval=1/' "$tree/tools/steps.sh"
 printf 'Planting faults\t20\nJudging the claims\t11\nWriting the report\t7\n' >"$tree/build/log/reproduce.seconds"
 echo 2.5 >"$tree/slow"
 reproduce 0 --no-install
-check 'how far all is: 130 s of this step, 38 s of those after it' \
+check 'remaining time: 130 s of this step, 38 s of the later steps' \
   grep -q -x '\[4/7\] Running the cases: 3/8 solves, [1-4] s since the start, about 2 min 48 s left' "$work/stderr"
 reproduce 0 --no-install --only fig03
-check 'of a part: 130 s of this step, 60 s of the report' \
+check 'remaining time of a part: 130 s of this step, 60 s of the report' \
   grep -q -x '\[4/5\] Running the cases: 3/8 solves, [1-4] s since the start, about 3 min 10 s left' "$work/stderr"
 printf '#!/bin/sh\nsleep 2.5\n' >"$work/bin/meson"
 reproduce 0 --no-install --only fig03
-check 'until they tell nobody knows how long the cases of a part take' \
+check 'no remaining time before the cases of a part report progress' \
   grep -q -x '\[3/5\] Building, [0-9]* s since the start' "$work/stderr"
 reproduce 0 --no-install --only fig05
-check 'a drawing is known' grep -q -x '\[3/4\] Building, [0-9]* s since the start, about .* left' "$work/stderr"
+check 'the duration of the report is known' grep -q -x '\[3/4\] Building, [0-9]* s since the start, about .* left' "$work/stderr"
 printf '#!/bin/sh\n' >"$work/bin/meson"
 if command -v script >/dev/null; then
   (cd "$tree" && script -qec './reproduce --no-install' /dev/null </dev/null) >"$work/screen" 2>&1
-  check 'on a terminal that line is live' grep -q "$(printf '\r')\[4/7\] Running the cases: 3/8 solves, " "$work/screen"
+  check 'on a terminal the progress line is updated in place' grep -q "$(printf '\r')\[4/7\] Running the cases: 3/8 solves, " "$work/screen"
 fi
 
-# Ctrl-C: the run ends, no report is written, nothing goes on telling. Python, since a shell cannot take back that
-# signals of what it starts in the background are ignored.
+# Ctrl-C: the run ends, no report is written, and no more progress is printed. Python starts the command, because a shell
+# starts background jobs with SIGINT ignored and cannot undo this.
 echo 20 >"$tree/slow"
 cat >"$work/start.py" <<'START'
 import os, signal, sys
@@ -195,6 +196,6 @@ sleep 2
 kill -INT -$child
 wait $child
 check 'exit code 130' test $? -eq 130
-check 'it says what is kept' grep -q 'interrupted; finished points are kept' "$work/stderr"
+check 'the message says what is kept' grep -q 'interrupted; finished points are kept' "$work/stderr"
 not_asked '^report'
 finish
