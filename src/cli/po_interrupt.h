@@ -1,10 +1,11 @@
-/* Ctrl-C, and the TERM signal: the first asks the solves to end, the second ends at once. */
+/* Handles Ctrl-C and the signal TERM: the first signal asks the solves to end, the second ends the
+ * program at once. */
 #ifndef PO_INTERRUPT_H
 #define PO_INTERRUPT_H
 
 #include <signal.h>
 
-/* Starts listening. Returned: the flag that becomes nonzero. */
+/* Installs the handlers. Returned: a flag that becomes nonzero when the first signal arrives. */
 const volatile sig_atomic_t *po_interrupt_listen(void);
 
 #endif

@@ -8,7 +8,7 @@
 #include "po_quote.h"
 #include "po_reference_list.h"
 
-/* Whether a case names the table; the closed form bradley is set beside its own. */
+/* Whether a check of the case has the table as its reference. */
 static bool uses(const po_case *kase, const char *name) {
   for (unsigned i = 0; i < kase->file->checks_count; ++i)
     if (strcmp(kase->file->checks[i].reference, name) == 0)

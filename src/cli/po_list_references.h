@@ -1,4 +1,4 @@
-/* The table of reference tables, for pulloff list --references. */
+/* The list of reference tables, for pulloff list --references. */
 #ifndef PO_LIST_REFERENCES_H
 #define PO_LIST_REFERENCES_H
 
@@ -8,8 +8,8 @@
 #include "po_reference_list.h"
 #include "po_status.h"
 
-/* Prints every reference table, whether it is intact, and which of the cases use it.
- * Status: PO_CANNOT_READ when one is not intact, after all are printed. */
+/* Prints every reference table, whether it is intact, and which cases use it. Status: after all
+ * tables have been printed, PO_CANNOT_READ if one is not intact. */
 po_status po_list_references(const po_catalog *catalog, bool json);
 
 /* PO_CANNOT_READ with the message of the first table that is not intact, and how many more. */

@@ -1,4 +1,5 @@
-/* pulloff: adhesion of a sphere with axisymmetric waviness, solved, checked and reported. */
+/* The program pulloff: solves the adhesive contact of a sphere with axisymmetric waviness, checks
+ * the results against references, and writes a report. */
 #include <errno.h>
 #include <signal.h>
 #include <stdio.h>
@@ -8,12 +9,12 @@
 #include "po_verbs.h"
 
 int main(int argc, char **argv) {
-  signal(SIGXFSZ, SIG_IGN); /* a file that would grow too large is a write that fails */
+  signal(SIGXFSZ, SIG_IGN); /* writing beyond the file-size limit then fails with EFBIG */
   int code = po_verbs_run(argc, argv);
-  /* Memory that was lacking somewhere on the way: the output may be incomplete. */
+  /* If memory ran out somewhere, the output may be incomplete. */
   if (code == PO_EXIT_OK && po_no_memory_or(PO_OK))
     code = po_options_end(PO_NO_MEMORY);
-  /* What was printed may still fail to arrive, e.g. on a full disk. */
+  /* Buffered output may still fail to be written, e.g. on a full disk. */
   if ((fflush(stdout) != 0 || ferror(stdout)) && code == PO_EXIT_OK) {
     po_fail(PO_CANNOT_WRITE, "standard output cannot be written: %s", strerror(errno));
     return po_options_end(PO_CANNOT_WRITE);

@@ -7,7 +7,8 @@
 
 enum { DONE = -1, BAD = -2 };
 
-/* The next option: its `val`; DONE when only operands are left; BAD with the message of po_fail. */
+/* The `val` of the next option; DONE if only operands are left; BAD, with the message of po_fail,
+ * if the option is unknown or lacks its value. */
 static int next(const po_options *options) {
   opterr = 0;
   int index = 0;
@@ -37,6 +38,8 @@ bool po_options_read(const po_options *options, po_option_taker *take, void *lin
   while (!*status && (option = next(options)) != DONE) {
     if (option == PO_OPTION_HELP) {
       fputs(options->help, stdout);
+      if (options->more_help)
+        fputs(options->more_help, stdout);
       return false;
     }
     *status = option == BAD ? PO_BAD_INPUT : take(line, option);
@@ -71,7 +74,7 @@ po_status po_options_refuse_idle(const char *what, const po_flag_use *flags, siz
       ++named;
     }
   return idle ? po_fail(PO_BAD_INPUT, "--%s has no effect on %s: expected %s", idle->name, what,
-                        *names ? names : "no such flag")
+                        *names ? names : "it to be left out")
               : PO_OK;
 }
 
@@ -79,8 +82,8 @@ po_status po_options_no_operands(const po_options *options) {
   if (optind >= options->argc)
     return PO_OK;
   char shown[PO_QUOTE_LENGTH];
-  return po_fail(PO_BAD_INPUT, "%s takes no %s (see pulloff %s --help)", options->verb,
-                 po_quote(options->argv[optind], shown), options->verb);
+  return po_fail(PO_BAD_INPUT, "unexpected argument %s of %s (see pulloff %s --help)",
+                 po_quote(options->argv[optind], shown), options->verb, options->verb);
 }
 
 static int exit_code(po_status status) {

@@ -1,4 +1,5 @@
-/* Command lines: long options read the same way, refused with one line, by every verb. */
+/* Reads the command line of a verb. All verbs read long options in the same way and refuse a wrong
+ * one with one line on standard error. */
 #ifndef PO_OPTIONS_H
 #define PO_OPTIONS_H
 
@@ -12,32 +13,34 @@
 enum {
   PO_EXIT_OK = 0,
   PO_EXIT_OUTSIDE = 1,      /* a check does not pass */
-  PO_EXIT_USAGE = 2,        /* bad usage or bad input */
+  PO_EXIT_USAGE = 2,        /* wrong usage or wrong input */
   PO_EXIT_SOLVE = 3,        /* a solve failed */
-  PO_EXIT_FILE = 4,         /* a file could not be read or written, a tool is missing */
-  PO_EXIT_INTERRUPTED = 130 /* 128 + SIGINT, as shells say it */
+  PO_EXIT_FILE = 4,         /* a file could not be read or written, or a program is missing */
+  PO_EXIT_INTERRUPTED = 130 /* 128 + SIGINT, the convention of shells */
 };
 
 /* The value of --help in every table of options; a verb's own are > 0 and smaller than 'h', which
  * is the value of -h. */
 enum { PO_OPTION_HELP = 1000 };
 
-/* A reader of one command line. */
+/* The command line of one verb, and the options it may have. */
 typedef struct {
   const char *verb;
   const char *help; /* printed by --help */
   const struct option *options;
   int argc;
   char **argv;
+  const char *more_help; /* printed after `help`; NULL: none */
 } po_options;
 
-/* Takes one option, whose value is in optarg, into the verb's `line`. Status: PO_BAD_INPUT. */
+/* Stores one option, whose value is in optarg, in the struct `line` of the verb. Status:
+ * PO_BAD_INPUT. */
 typedef po_status po_option_taker(void *line, int option);
 
-/* Hands every option to `take` (NULL: --help is the only one).
- * Returned: whether the verb goes on, with the operands from optind on. If not, *status says how it
- * ends: PO_OK, --help was asked for and printed; PO_BAD_INPUT, an option is unknown, lacks its
- * argument, or was refused by `take`. */
+/* Passes every option to `take`. NULL: the verb has no option but --help.
+ * Returned: whether the verb continues; its operands begin at argv[optind]. If it does not, *status
+ * is PO_OK if --help was given and the help printed, and PO_BAD_INPUT if an option is unknown,
+ * lacks its value, or was refused by `take`. */
 bool po_options_read(const po_options *options, po_option_taker *take, void *line,
                      po_status *status);
 
@@ -47,22 +50,22 @@ po_status po_options_refuse(const char *option, const char *value, const char *e
 /* Takes a path or names from optarg; refuses an empty text. */
 po_status po_options_take_text(const char *option, const char *expected, const char **text);
 
-/* A flag, whether it was given, and whether it has an effect here. */
+/* An option, whether it was given, and whether it has an effect in the present use. */
 typedef struct {
   char name[32]; /* without dashes */
   bool given, taken;
 } po_flag_use;
 
-/* Refuses the first flag that was given and has no effect on `what`, and names the flags that have
- * an effect: a user whose flag is ignored silently would misread the result. Status: PO_BAD_INPUT,
- * PO_OK. */
+/* Refuses the first option that was given although it has no effect on `what`, and names the
+ * options that have an effect. If the option were ignored silently, the user would misread the
+ * result. Status: PO_BAD_INPUT, PO_OK. */
 po_status po_options_refuse_idle(const char *what, const po_flag_use *flags, size_t count);
 
-/* Refuses operands where a verb takes none. */
+/* Refuses operands, for verbs that take none. */
 po_status po_options_no_operands(const po_options *options);
 
-/* Prints the message of a status as `pulloff: ...` on standard error; the exit code that belongs to
- * it. */
+/* Prints the message of a failed status as `pulloff: ...` on standard error. Returned: the exit
+ * code of the status. */
 int po_options_end(po_status status);
 
 #endif

@@ -37,7 +37,7 @@ po_status po_print_json(const po_request *request, const po_scene_flags *flags,
   return po_print_document(document);
 }
 
-/* An error of two digits, or nothing. */
+/* An error with two digits; empty if none was estimated. */
 static const char *error_text(double error, char text[16]) {
   snprintf(text, 16, isfinite(error) ? "%.1e" : "", error);
   return text;
@@ -46,20 +46,21 @@ static const char *error_text(double error, char text[16]) {
 static void print_special_points(const po_special_point *list, size_t count) {
   for (size_t i = 0; i < count; ++i) {
     char of_approach[16], of_load[16];
-    printf("%-9s %16.10f %8s %16.10f %8s %14.8g %9d\n", po_special_kind_name(list[i].kind),
+    printf("%-9s %16.10f %8s %16.10f %8s %14.8g %14d\n", po_special_kind_name(list[i].kind),
            list[i].approach, error_text(list[i].approach_error, of_approach), list[i].load,
            error_text(list[i].load_error, of_load), list[i].contact_radius, list[i].unstable_modes);
   }
 }
 
-/* Why and where the trace ended, and thus how far the pull-off was searched for. */
+/* Where and why the trace ended. */
 static void print_ended(const po_result *o) {
-  static const char *const WHY[] = {[PO_END_COMPRESSED] = "the sphere is stably under compression",
-                                    [PO_END_PRELOAD] = "the preload is reached",
-                                    [PO_END_COMPLETE] =
-                                        "no minimum of the load beyond can be deeper",
-                                    [PO_END_SEARCHED] = "harder preloads are not looked at",
-                                    [PO_END_ASKED] = "approach_end is reached"};
+  static const char *const WHY[] = {
+      [PO_END_COMPRESSED] = "the smooth sphere is stable under compression; no harder preload "
+                            "changes the pull-off",
+      [PO_END_PRELOAD] = "loading reached the preload",
+      [PO_END_COMPLETE] = "no later minimum of the load can be deeper",
+      [PO_END_SEARCHED] = "the search beyond the preload stopped without certainty",
+      [PO_END_ASKED] = "the trace reached approach_end"};
   if (o->ended.cause == PO_END_NONE)
     return;
   printf("ended    at approach %.6g, load %.6g: %s\n", o->ended.approach, o->ended.load,
@@ -80,42 +81,55 @@ static void print_pull_off(const po_result *o) {
            o->pull_off.approach_error, o->pull_off.contact_radius_error);
 }
 
-/* Whether some preload gives more than the declared one, by more than the errors. */
+/* Whether a preload is known whose pull-off force is greater than that of the declared preload, by
+ * more than the errors of both. */
 static bool gives_more(const po_result *o) {
   return o->pull_off_any.is_known &&
          o->pull_off_any.force - o->pull_off.force >
              fmax(o->pull_off.force_error, 0.0) + fmax(o->pull_off_any.force_error, 0.0);
 }
 
-/* What the pull-off takes, and what harder preloads give. */
+/* What is known about preloads that are harder than the declared one. */
+static void print_harder(const po_result *o) {
+  const po_pressed *until = &o->pull_off.until;
+  const bool reversal = !gives_more(o) && !isnan(until->approach);
+  if (!o->pull_off_any.is_known && !reversal)
+    return;
+  printf("harder   ");
+  if (gives_more(o))
+    printf("loading beyond approach %.6g (load %.6g) gives the pull-off force %.7g",
+           o->pull_off_any.pressed.approach, o->pull_off_any.pressed.load, o->pull_off_any.force);
+  else if (reversal)
+    printf("beyond approach %.4g the tension is greatest where loading is reversed",
+           until->approach);
+  if (o->pull_off_any.is_known) {
+    printf("%s", gives_more(o) || reversal ? "; " : "");
+    if (o->pull_off_any.complete)
+      printf("no harder preload gives a greater pull-off force");
+    else
+      printf("preloads beyond approach %.6g (load %.6g) were not examined",
+             o->pull_off_any.searched.approach, o->pull_off_any.searched.load);
+  }
+  printf("\n");
+}
+
+/* Which preloads give the pull-off, and what harder preloads give. */
 static void print_preload(const po_result *o) {
   if (!o->has_pull_off || o->status)
     return;
   const po_pressed *from = &o->pull_off.pressed, *until = &o->pull_off.until;
   printf("preload  ");
   if (isnan(from->approach))
-    printf("%.7g is the minimum of the load, which no test at given approach measures",
-           o->pull_off.force);
+    printf("no test at given approach measures this minimum of the load\n");
   else if (isnan(until->approach))
-    printf("%.7g for a preload beyond approach %.6g", o->pull_off.force, from->approach);
+    printf("loading beyond approach %.6g gives this pull-off\n", from->approach);
   else
-    printf("%.7g for a preload between approach %.6g and %.4g", o->pull_off.force, from->approach,
+    printf("loading to an approach between %.6g and %.4g gives this pull-off\n", from->approach,
            until->approach);
-  if (gives_more(o))
-    printf("; %.7g for one beyond approach %.6g, load %.6g", o->pull_off_any.force,
-           o->pull_off_any.pressed.approach, o->pull_off_any.pressed.load);
-  else if (!isnan(until->approach))
-    printf("; beyond, the tension is greater where loading is reversed");
-  if (!o->pull_off_any.is_known)
-    printf("\n");
-  else if (o->pull_off_any.complete)
-    printf("; no harder preload gives more\n");
-  else
-    printf("; harder than approach %.6g, load %.6g is not looked at\n",
-           o->pull_off_any.searched.approach, o->pull_off_any.searched.load);
+  print_harder(o);
 }
 
-/* A number, or a word where it is boundless. */
+/* A finite number, or `word`. */
 static const char *finite_or(double value, const char *word, char text[32]) {
   if (isfinite(value))
     snprintf(text, 32, "%.8g", value);
@@ -125,8 +139,8 @@ static const char *finite_or(double value, const char *word, char text[32]) {
 }
 
 static void print_staircase(const char *control, const po_staircase *s) {
-  printf("%s: the pull-off measured, by the preload\n%14s %14s %-8s %14s %16s %8s %16s %14s %8s\n",
-         control, "from approach", "load", "which is", "until", "force", "error", "at approach",
+  printf("%s: pull-off force against preload\n%14s %14s %-9s %14s %16s %8s %16s %14s %8s\n",
+         control, "from approach", "load", "begins at", "until", "force", "error", "at approach",
          "energy lost", "error");
   const bool loads = s->control == PO_LOAD_CONTROL;
   for (size_t k = 0; k < s->count; ++k) {
@@ -134,7 +148,7 @@ static void print_staircase(const char *control, const po_staircase *s) {
     const po_cycle *cycle = &step->cycle[0];
     const double end = loads ? step->until.load : step->until.approach;
     char from[32], until[32], error[16], lost[32], lost_error[16];
-    printf("%14s %14.8g %-8s %14s %16.10g %8s %16.10g %14s %8s\n",
+    printf("%14s %14.8g %-9s %14s %16.10g %8s %16.10g %14s %8s\n",
            finite_or(step->preload.approach, "contact", from), step->preload.load,
            step->jumped ? "jump" : "minimum",
            finite_or(step->open ? (double)NAN : end, "open", until), -step->pull_off.load,
@@ -144,7 +158,7 @@ static void print_staircase(const char *control, const po_staircase *s) {
   }
 }
 
-/* Those of the solve, and of the JKR theory where there is one. */
+/* The staircases of the solve, and those of the JKR theory if the scene has one. */
 static void print_staircases(const po_result *o) {
   print_staircase("displacement control", &o->staircase[0]);
   print_staircase("load control", &o->staircase[1]);
@@ -154,14 +168,16 @@ static void print_staircases(const po_result *o) {
   print_staircase("JKR theory (Eq 5), load control", &o->theory.staircase[1]);
 }
 
-/* One loop: where loading was reversed, what was measured, and every jump. */
+/* One cycle of loading and unloading: where loading was reversed, the measured pull-off, and every
+ * jump. */
 static void print_loop(const char *control, const po_loop *loop) {
-  printf("%s: reversed at approach %.6g, load %.6g; pull-off measured %.8g at approach %.8g",
+  printf("%s: loading reversed at approach %.6g, load %.6g; measured pull-off force %.8g at "
+         "approach %.8g",
          control, loop->preload.approach, loop->preload.load, fmax(0.0, -loop->pull_off.load),
          loop->pull_off.approach);
   if (isfinite(loop->energy_lost))
     printf("; energy lost %.6g", loop->energy_lost);
-  printf("\n%-5s%-10s %14s %14s %14s %14s %12s\n", "", "", "approach", "to", "load", "to",
+  printf("\n%-5s%-10s %14s %14s %14s %14s %12s\n", "jump", "phase", "approach", "to", "load", "to",
          "energy lost");
   for (size_t k = 0; k < loop->jump_count; ++k) {
     const po_jump *jump = &loop->jumps[k];
@@ -175,18 +191,19 @@ static void print_loop(const char *control, const po_loop *loop) {
   }
 }
 
-/* For results of --want that are too long for the terminal: their size, and how to write them. */
+/* The results of --want that are too long for the terminal: their size, and which option writes
+ * them. */
 static void print_wanted(const po_request *request, const po_result *o) {
   if (request->want & PO_WANT_CURVE)
-    printf("curve    %zu points: written with --curve FILE or --json\n", o->curve_count);
+    printf("curve    %zu points; --curve FILE or --json writes them\n", o->curve_count);
   if (!(request->want & PO_WANT_PROFILE) || o->profile_count == 0)
     return;
-  printf("profile  %zu radii at approach %.8g: written with --profile FILE or --json\n",
+  printf("profile  %zu radii at approach %.8g; --profile FILE or --json writes them\n",
          o->profile_count, o->profile_approach);
-  printf("annuli   ");
+  printf("annuli   in contact: ");
   for (size_t k = 0; k < o->annuli.held_count; ++k)
     printf("%s%.6g to %.6g", k ? ", " : "", o->annuli.held[k].inner, o->annuli.held[k].outer);
-  printf("%s\n", o->annuli.held_count ? " in contact" : "none in contact");
+  printf("%s\n", o->annuli.held_count ? "" : "none");
 }
 
 static void print_diagnostics(const po_result *o) {
@@ -196,14 +213,17 @@ static void print_diagnostics(const po_result *o) {
   char text[16];
   printf("checks   ");
   if (isfinite(d->residual))
-    printf("equations hold within %s; ", error_text(d->residual, text));
-  printf("energy balance within %s; ", error_text(d->energy_defect, text));
-  printf("last bits of the inputs change the force by %s\n", error_text(d->moved.change, text));
+    printf("residual of the discrete equations %s; ", error_text(d->residual, text));
+  printf("defect of the energy balance %s; ", error_text(d->energy_defect, text));
+  printf("relative change of the force by the last bit of an input %s\n",
+         error_text(d->moved.change, text));
   if (d->reverse_trace.made)
-    printf("reverse trace %s: %s special points\n", po_status_name(d->reverse_trace.status),
-           d->reverse_trace.same ? "the same" : "not the same");
+    printf("reverse  status %s: the reverse trace found %s special points\n",
+           po_status_name(d->reverse_trace.status),
+           d->reverse_trace.same ? "the same" : "different");
 }
 
+/* The scene, defaults included, and the units of all numbers below. */
 static void print_input(const po_request *request) {
   printf("scene   ");
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
@@ -216,20 +236,22 @@ static void print_input(const po_request *request) {
     po_key_print(request, (po_key)key, text);
     printf(" %s %s", po_key_name((po_key)key), text);
   }
-  printf("\n");
+  printf(
+      "\nunits    lengths in epsilon, load and force in pi w R; the load is > 0 in compression\n");
 }
 
 void po_print_text(const po_request *request, const po_scene_flags *flags,
                    const po_result *result) {
   print_input(request);
-  printf("status   %s%s%s\n", po_status_name(result->status), result->rigid ? ", rigid" : "",
+  printf("status   %s%s%s\n", po_status_name(result->status),
+         result->rigid ? ", solved as a rigid sphere" : "",
          result->has_pull_off ? "" : ", no pull-off found");
   print_pull_off(result);
   print_preload(result);
   print_ended(result);
   if (result->fold_count + result->extremum_count) {
-    printf("%-9s %16s %8s %16s %8s %14s %9s\n", "", "approach", "error", "load", "error",
-           "contact radius", "unstable");
+    printf("%-9s %16s %8s %16s %8s %14s %14s\n", "point", "approach", "error", "load", "error",
+           "contact radius", "unstable modes");
     print_special_points(result->folds, result->fold_count);
     print_special_points(result->extrema, result->extremum_count);
   }
@@ -243,9 +265,10 @@ void po_print_text(const po_request *request, const po_scene_flags *flags,
   print_diagnostics(result);
   if (flags->from_physical)
     po_print_physical(flags, result);
-  printf(
-      "work     %llu points, %llu Newton iterations, %llu factorisations of %llu nodes, %.3g s\n",
-      (unsigned long long)result->work.points, (unsigned long long)result->work.newton_iterations,
-      (unsigned long long)result->work.factorizations,
-      (unsigned long long)result->work.factorized_nodes, result->work.seconds);
+  printf("work     %llu points, %llu Newton iterations, %llu factorisations of at most %llu "
+         "nodes, %.3g s\n",
+         (unsigned long long)result->work.points,
+         (unsigned long long)result->work.newton_iterations,
+         (unsigned long long)result->work.factorizations,
+         (unsigned long long)result->work.factorized_nodes, result->work.seconds);
 }

@@ -1,4 +1,4 @@
-/* One solved scene, or any JSON document, on standard output. */
+/* Prints the result of one solve, as text or JSON, or any JSON document on standard output. */
 #ifndef PO_PRINT_H
 #define PO_PRINT_H
 
@@ -8,18 +8,19 @@
 #include "po_result.h"
 #include "po_scene_flags.h"
 
-/* Prints a document and releases it. NULL is one for which there was no memory. Status:
- * PO_NO_MEMORY. */
+/* Prints a document and releases it. A document is NULL if memory ran out while it was built; the
+ * status is then PO_NO_MEMORY. */
 po_status po_print_document(json_t *document);
 
-/* The document of schema "pulloff/1"; with `physical` for a scene that was given so. */
+/* Prints the document of schema "pulloff/1". It has the block `physical` if the scene was given in
+ * SI units. */
 po_status po_print_json(const po_request *request, const po_scene_flags *flags,
                         const po_result *result);
 
-/* Prints the command that makes the pins of a case. */
+/* Prints the command that writes the pins of a case. */
 void po_print_bless(const po_case *kase);
 
-/* A table for people. */
+/* Prints the result as text for the terminal. */
 void po_print_text(const po_request *request, const po_scene_flags *flags, const po_result *result);
 
 #endif

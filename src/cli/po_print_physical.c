@@ -6,7 +6,7 @@
 #include "po_json.h"
 #include "po_json_units.h"
 
-/* What can be given, as JSON names it. */
+/* The lengths that can be given in metres, by their JSON keys. */
 static const struct {
   const char *key;
   po_length length;
@@ -63,7 +63,7 @@ static json_t *curve(const po_units *u, const po_result *result) {
   return array;
 }
 
-/* The gap h = epsilon (1 + H) itself. */
+/* With the dimensional gap h = epsilon (1 + H). */
 static json_t *profile(const po_units *u, const po_result *result) {
   json_t *array = po_json_empty_array();
   for (size_t i = 0; i < result->profile_count; ++i) {
@@ -110,7 +110,7 @@ void po_print_physical_input(const po_scene_flags *flags) {
 
 static void print_special_points(const po_units *u, const po_special_point *list, size_t count) {
   for (size_t i = 0; i < count; ++i)
-    printf("%-9s %16.9e %16.9e %14.6g\n", po_special_kind_name(list[i].kind),
+    printf("%-9s %16.9e %16.9e %16.6g\n", po_special_kind_name(list[i].kind),
            list[i].approach * u->length, list[i].load * u->force,
            list[i].contact_radius * u->length);
 }
@@ -127,7 +127,7 @@ void po_print_physical(const po_scene_flags *flags, const po_result *result) {
            result->pull_off.force_error * u->force, result->pull_off.approach_error * u->length,
            result->pull_off.contact_radius_error * u->length);
   if (result->fold_count + result->extremum_count) {
-    printf("%-9s %16s %16s %14s\n", "", "approach/m", "load/N", "contact/m");
+    printf("%-9s %16s %16s %16s\n", "point", "approach/m", "load/N", "contact radius/m");
     print_special_points(u, result->folds, result->fold_count);
     print_special_points(u, result->extrema, result->extremum_count);
   }

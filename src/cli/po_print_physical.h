@@ -1,4 +1,4 @@
-/* What was given and found, in SI units. */
+/* Input and results in SI units, for scenes given with --from-physical. */
 #ifndef PO_PRINT_PHYSICAL_H
 #define PO_PRINT_PHYSICAL_H
 
@@ -8,15 +8,16 @@
 #include "po_scene_flags.h"
 
 /* {"input": {"modulus_pa", "work_j_per_m2", "distance_m", "radius_m", ...}, "units": {"length_m",
- * "force_n", "traction_pa"}}: what was given of a physical scene, and what a dimensionless number
- * is multiplied with. */
+ * "force_n", "traction_pa"}}: the options that were given, and the units by which dimensionless
+ * numbers are multiplied. */
 json_t *po_json_physical_input(const po_scene_flags *flags);
 
-/* The same with "pull_off", "folds", "extrema" and, when wanted, "curve" and "profile". */
+/* The same object with "pull_off", "folds", "extrema" and, if they are wanted, "curve" and
+ * "profile". */
 json_t *po_json_physical(const po_scene_flags *flags, const po_request *request,
                          const po_result *result);
 
-/* Prints them for people. */
+/* The same as text for the terminal. */
 void po_print_physical_input(const po_scene_flags *flags);
 void po_print_physical(const po_scene_flags *flags, const po_result *result);
 

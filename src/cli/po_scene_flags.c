@@ -6,7 +6,7 @@
 
 static const struct {
   const char *name;
-  int key; /* po_key whose values it takes; -1: none */
+  int key; /* the po_key with the same domain of values; -1: none */
 } LENGTHS[PO_LENGTH_COUNT] = {
     [PO_LENGTH_RADIUS] = {"radius", PO_KEY_RADIUS},
     [PO_LENGTH_AMPLITUDE] = {"amplitude", PO_KEY_AMPLITUDE},
@@ -27,7 +27,7 @@ po_scene_flags po_scene_flags_default(void) {
   return flags;
 }
 
-/* A value of the domain of a key of the scene. */
+/* Reads a value in the domain of a key of the scene. */
 static po_status take_key(po_key key, const char *name, double *value) {
   po_request scratch = po_request_default();
   if (!po_key_set(&scratch, key, optarg))
@@ -54,7 +54,8 @@ po_status po_scene_flags_take(po_scene_flags *flags, int option) {
     return PO_OK;
   case PO_FLAG_TABOR:
     return take_key(PO_KEY_TABOR, "tabor", &flags->tabor);
-  case PO_FLAG_MODULUS: /* these two have the domains of an outer radius and of a radius */
+  case PO_FLAG_MODULUS: /* its domain is that of an outer radius; that of work and distance, of a
+                           radius */
     return take_key(PO_KEY_OUTER_RADIUS, "modulus-pa", &flags->modulus);
   case PO_FLAG_WORK:
     return take_key(PO_KEY_RADIUS, "work-j-per-m2", &flags->work);
@@ -74,7 +75,7 @@ void po_scene_flags_name(const po_scene_flags *flags, po_length length, char nam
 }
 
 static po_status refuse_si(const char *name, const char *suffix) {
-  return po_fail(PO_BAD_INPUT, "--%s%s is in SI units: expected --from-physical with it", name,
+  return po_fail(PO_BAD_INPUT, "--%s%s is in SI units: expected --from-physical, too", name,
                  suffix);
 }
 
@@ -98,7 +99,7 @@ static po_status end_dimensionless(const po_scene_flags *flags, po_scene *scene)
   return PO_OK;
 }
 
-/* Names all that is missing at once. */
+/* Names all missing options in one message. */
 static po_status require_all(const po_scene_flags *flags, bool elastic) {
   const struct {
     const char *name;
@@ -112,14 +113,16 @@ static po_status require_all(const po_scene_flags *flags, bool elastic) {
     if (isnan(needed[i].value))
       snprintf(missing + strlen(missing), sizeof missing - strlen(missing), "%s%s",
                *missing ? ", " : "", needed[i].name);
-  return *missing ? po_fail(PO_BAD_INPUT, "--from-physical lacks %s", missing) : PO_OK;
+  return *missing ? po_fail(PO_BAD_INPUT,
+                            "--from-physical is given without %s: expected these, too", missing)
+                  : PO_OK;
 }
 
 static po_status end_physical(po_scene_flags *flags, bool elastic, po_scene *scene) {
   if (!isnan(flags->tabor))
-    return po_fail(PO_BAD_INPUT, "--tabor is given with --from-physical: expected the flags it "
-                                 "follows from, --modulus-pa, --work-j-per-m2, --distance-m and "
-                                 "--radius-m");
+    return po_fail(PO_BAD_INPUT, "--tabor is given with --from-physical: expected --modulus-pa, "
+                                 "--work-j-per-m2, --distance-m and --radius-m, from which it is "
+                                 "computed");
   for (int i = 0; i < PO_LENGTH_COUNT; ++i)
     if (!isnan(flags->length[i]))
       return po_fail(PO_BAD_INPUT,
@@ -144,7 +147,7 @@ static po_status end_physical(po_scene_flags *flags, bool elastic, po_scene *sce
     return status;
   for (int i = 0; i < PO_LENGTH_COUNT; ++i)
     flags->length[i] = m[i] / flags->distance;
-  if (!isnan(flags->length[PO_LENGTH_AMPLITUDE])) /* its wavelength may follow from elsewhere */
+  if (!isnan(flags->length[PO_LENGTH_AMPLITUDE])) /* also if --alpha replaces the wavelength */
     scene->amplitude = flags->length[PO_LENGTH_AMPLITUDE];
   flags->units = po_physical_units(&physical, scene);
   return PO_OK;

@@ -1,5 +1,5 @@
-/* The flags that say what is pressed, shared by the verbs that take a scene: dimensionless, in
- * units of epsilon, or in SI units after --from-physical. Never both. */
+/* The options that describe a scene, for the verbs that take one: dimensionless with lengths in
+ * epsilon, or in SI units after --from-physical. The two kinds cannot be mixed. */
 #ifndef PO_SCENE_FLAGS_H
 #define PO_SCENE_FLAGS_H
 
@@ -9,7 +9,7 @@
 #include "po_options.h"
 #include "po_physical.h"
 
-/* Lengths that can be given, as --NAME in epsilon or as --NAME-m in metres. */
+/* Lengths that can be given: --NAME is in epsilon, --NAME-m in metres. */
 typedef enum {
   PO_LENGTH_RADIUS,
   PO_LENGTH_AMPLITUDE,
@@ -24,7 +24,7 @@ typedef enum {
   PO_LENGTH_COUNT
 } po_length;
 
-/* Values of the options below; a verb's own begin at PO_FLAG_NEXT. */
+/* Values of the options below. Those of the verb's own options begin at PO_FLAG_NEXT. */
 enum {
   PO_FLAG_FROM_PHYSICAL = 1,
   PO_FLAG_TABOR,
@@ -53,39 +53,41 @@ enum {
   PO_LENGTH_OPTIONS("wavelength", PO_LENGTH_WAVELENGTH)
 // clang-format on
 
-/* For the help of a verb; what other lengths it takes it says itself. */
+/* The SI options in the help of a verb. The verb documents its other lengths itself. */
 #define PO_SCENE_FLAGS_HELP                                                                        \
-  "In SI units, the results in both:\n"                                                            \
-  "  --from-physical         then, and only then, the flags that name a unit:\n"                   \
-  "  --modulus-pa E          contact modulus E* of the pair; inf: rigid\n"                         \
-  "  --work-j-per-m2 W       work of adhesion\n"                                                   \
-  "  --distance-m EPSILON    equilibrium distance\n"                                               \
-  "  --radius-m R            and every other length above so: --amplitude-m, --wavelength-m...\n"
+  "SI units:\n"                                                                                    \
+  "  --from-physical         take the scene in SI units and print the results in both units;\n"    \
+  "                          lengths are then given by options that end in -m, such as\n"          \
+  "                          --amplitude-m\n"                                                      \
+  "  --modulus-pa E          contact modulus E* of the two bodies, in Pa; inf is a rigid sphere\n" \
+  "  --work-j-per-m2 W       work of adhesion, in J/m^2\n"                                         \
+  "  --distance-m EPSILON    equilibrium distance, in m\n"                                         \
+  "  --radius-m R            radius of the sphere, in m\n"
 
 typedef struct {
   bool from_physical;
-  double tabor, modulus, work, distance; /* as given; NAN: not given, as all below */
-  double length[PO_LENGTH_COUNT];        /* in epsilon, from either kind of flag after _end */
+  double tabor, modulus, work, distance; /* NAN: not given; the same for the lengths */
+  double length[PO_LENGTH_COUNT];        /* in epsilon; after _end, also those given in metres */
   double metres[PO_LENGTH_COUNT];
-  po_units units; /* after _end, of a physical scene */
+  po_units units; /* of a scene in SI units; set by _end */
 } po_scene_flags;
 
-/* Nothing given. */
+/* No option given. */
 po_scene_flags po_scene_flags_default(void);
 
-/* Takes one option below PO_FLAG_NEXT. Status: PO_BAD_INPUT. */
+/* Stores one option whose value is below PO_FLAG_NEXT. Status: PO_BAD_INPUT. */
 po_status po_scene_flags_take(po_scene_flags *flags, int option);
 
-/* Refuses flags of both kinds and names what a physical scene lacks; then puts the scene together,
- * what was not given staying as it is in *scene. Without `elastic` the modulus may be left out.
- * Status: PO_BAD_INPUT. */
+/* Refuses a mixture of both kinds and names the missing options of a scene in SI units. Then fills
+ * *scene; values that were not given keep what is in it. The modulus may be missing if `elastic` is
+ * false. Status: PO_BAD_INPUT. */
 po_status po_scene_flags_end(po_scene_flags *flags, bool elastic, po_scene *scene);
 
-/* Refuses a parameter that the law of a scene does not have. Given: whether each was given.
- * Status: PO_BAD_INPUT. */
+/* Refuses a parameter that the law of the scene does not have. `given`: whether each parameter was
+ * given. Status: PO_BAD_INPUT. */
 po_status po_scene_flags_check_law(const po_law *law, const bool given[PO_LAW_PARAMETER_COUNT]);
 
-/* The name of a length flag as the user is to write it here: "radius", or "radius-m". */
+/* The name of the option for a length: "radius", or "radius-m" if the scene is in SI units. */
 void po_scene_flags_name(const po_scene_flags *flags, po_length length, char name[32]);
 
 #endif

@@ -34,7 +34,7 @@ static po_status take_points(const char *text, po_session *session) {
   const char *last = text[length] ? text + length + 1 : first;
   if (!po_number_parse_count(first, &session->first) ||
       !po_number_parse_count(last, &session->last) || session->last < session->first)
-    return po_options_refuse("points", text, "FROM-TO or one number, counted from 0");
+    return po_options_refuse("points", text, "A-B or one number, counted from 0");
   return PO_OK;
 }
 
@@ -46,7 +46,7 @@ static po_status take_shard(const char *text, po_shard *shard) {
   if (!text[length] || !po_number_parse_count(number, &shard->number) ||
       !po_number_parse_count(text + length + 1, &shard->count) || shard->number < 1 ||
       shard->number > shard->count || shard->count > PO_MOST_SHARDS)
-    return po_options_refuse("shard", text, "K/N, the K-th of N shards, as 1/4");
+    return po_options_refuse("shard", text, "K/N, the K-th of N shards, such as 1/4");
   return PO_OK;
 }
 
@@ -100,13 +100,13 @@ static po_status check_points(const po_session *session) {
     const po_case *kase = session->catalog.cases[i];
     if (session->first >= kase->point_count)
       return po_fail(PO_BAD_INPUT,
-                     "--points begins at %zu: expected less than %zu, the points of %s",
+                     "--points begins at %zu: expected less than %zu, the number of points of %s",
                      session->first, kase->point_count, kase->file->name);
   }
   return PO_OK;
 }
 
-/* Chooses the points that are asked for. */
+/* Marks the points that --points or --shard selects. */
 static po_status ask(po_session *session) {
   for (size_t i = 0; i < session->catalog.count; ++i)
     po_case_run_ask(&session->runs[i], session->first, session->last);
@@ -190,7 +190,7 @@ int po_session_end(po_session *session, po_status status) {
   int code = po_options_end(status);
   if (failures) {
     char shown[PO_QUOTE_LENGTH];
-    fprintf(stderr, "pulloff: %zu solves failed, see the records in %s\n", failures,
+    fprintf(stderr, "pulloff: %zu solves failed; the records in %s state the reasons\n", failures,
             po_quote(session->options.output, shown));
     code = PO_EXIT_SOLVE;
   }

@@ -1,4 +1,4 @@
-/* What the verbs that run cases share: options, choosing cases, running them. */
+/* What the verbs that run cases have in common: their options, the choice of cases, the run. */
 #ifndef PO_SESSION_H
 #define PO_SESSION_H
 
@@ -10,17 +10,18 @@
 #include "po_shard.h"
 
 typedef struct {
-  const char *suites;              /* their names, separated by commas; NULL: see po_catalog.h */
-  double time_limit;               /* instead of that of the cases; NAN: theirs */
-  size_t first, last;              /* the points asked for, of each case */
-  po_shard shard;                  /* or those of this shard */
-  const po_arithmetic *arithmetic; /* what computed the points; NULL: this process does */
+  const char *suites; /* their names, separated by commas; NULL: see po_catalog.h */
+  double time_limit;  /* of each solve, in seconds; NAN: that of its case */
+  size_t first, last; /* the selected points of each case */
+  po_shard shard;     /* the shard to solve, if .count > 0 */
+  const po_arithmetic
+      *arithmetic; /* of the processes that computed the points; NULL: of this one */
   po_run_options options;
   po_catalog catalog;
   po_case_run *runs; /* one a case of the catalog */
 } po_session;
 
-/* The options every such verb takes, for its table, and their values. */
+/* The options that all these verbs take: values, and entries for the option tables. */
 enum {
   PO_SESSION_SUITE = 1,
   PO_SESSION_OUTPUT,
@@ -28,7 +29,7 @@ enum {
   PO_SESSION_POINTS,
   PO_SESSION_TIME_LIMIT,
   PO_SESSION_FRESH,
-  PO_SESSION_SHARD, /* of run alone */
+  PO_SESSION_SHARD, /* only for the verb run */
   PO_SESSION_NEXT
 };
 // clang-format off
@@ -41,7 +42,7 @@ enum {
   {"fresh", no_argument, NULL, PO_SESSION_FRESH},                                                  \
   {"help", no_argument, NULL, PO_OPTION_HELP}
 
-/* Those of a verb that looks at one case. */
+/* The options of a verb that takes one case. */
 #define PO_SESSION_CASE_OPTIONS                                                                    \
   {"output", required_argument, NULL, PO_SESSION_OUTPUT},                                          \
   {"jobs", required_argument, NULL, PO_SESSION_JOBS},                                              \
@@ -56,21 +57,21 @@ po_session po_session_default(void);
 /* The folder of the records; NULL: it is the default. */
 const char *po_session_output(const po_session *session);
 
-/* Takes one option of the table above into a po_session: a po_option_taker. Nothing is to be
- * cleared before the session is opened. Status: PO_BAD_INPUT. */
+/* Stores one option of the table above in a po_session: a po_option_taker. Before it is opened, a
+ * session owns nothing that has to be cleared. Status: PO_BAD_INPUT. */
 po_status po_session_option(void *session, int option);
 
-/* Reads, checks and plans the cases named by the operands (or the suites), all before anything is
- * run; then runs them. Status: as po_run. */
+/* Reads, checks and plans the cases that the operands (or the suites) name, and then runs them. No
+ * case is run if one of them is wrong. Status: as po_run. */
 po_status po_session_run(po_session *session, char *const *names, size_t count);
 
-/* The same in two steps. For the verbs that look at one case the first reads and plans the case
- * that is the one operand left. */
+/* The same in two steps. po_session_open_one expects one operand, for the verbs that take one case.
+ */
 po_status po_session_open(po_session *session, char *const *names, size_t count);
 po_status po_session_open_one(po_session *session, const po_options *options);
 po_status po_session_solve(po_session *session);
 
-/* Solves that failed, and checks that do not pass, of all cases. */
+/* The number of solves that failed, and of checks that do not pass, in all cases. */
 size_t po_session_failures(const po_session *session);
 size_t po_session_outside(const po_session *session);
 
@@ -78,8 +79,8 @@ size_t po_session_outside(const po_session *session);
  * Status: PO_NO_MEMORY. */
 po_status po_session_summarise(const po_session *session);
 
-/* Ends a verb that runs cases and judges nothing: the summaries, how many solves failed. Clears.
- * Returned: the exit code. */
+/* Ends a verb that runs cases and prints no verdicts: prints the summaries and the number of solves
+ * that failed, and clears the session. Returned: the exit code. */
 int po_session_end(po_session *session, po_status status);
 
 void po_session_clear(po_session *session);

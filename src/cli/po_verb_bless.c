@@ -9,16 +9,22 @@
 
 static const char HELP[] =
     "Usage: pulloff bless [OPTION]... CASE --reason TEXT\n"
-    "Runs what is missing of a case and makes its numbers the pins of its checks against `pin`:\n"
-    "pins/CASE.csv beside the case file, with the date, who did it, the version and the reason.\n"
-    "Says which pins moved by how much. Refused without a reason, when a solve failed (exit code\n"
-    "3), and while a check of the case against an oracle does not pass (exit code 1).\n\n"
-    "  --reason TEXT  why these numbers are accepted, in one line\n"
-    "  --output DIR   where the records are (build/run)\n"
-    "  --jobs N       points solved side by side (0: all cores); the numbers do not depend on it\n"
-    "  --time-limit S seconds of processor time a solve may take, instead of what the case says\n"
-    "  --fresh        solve again what is there\n"
-    "  -h, --help     this text\n\n"
+    "Accepts the present values of a case as its pins, the expected values of its checks against\n"
+    "the reference pin. First solves the points that have no valid record. The pins are written\n"
+    "to pins/CASE.csv in the folder of the case file, with the date, the author, the version of\n"
+    "the program and the reason. Prints by how much each pin moved. Refuses if no reason is\n"
+    "given, if a solve failed (exit code 3), or if a check against an oracle does not pass (exit\n"
+    "code 1).\n"
+    "\n"
+    "  --reason TEXT     why the values are accepted, in one line (required)\n"
+    "  --output DIR      folder of the records (default build/run)\n"
+    "  --jobs N          number of points solved in parallel; 0 means all cores (default 0); the\n"
+    "                    results do not depend on it\n"
+    "  --time-limit S    limit of the processor time of each solve, in seconds (default: the\n"
+    "                    limit in the case file, if any)\n"
+    "  --fresh           solve all points again, even those with a valid record\n"
+    "  -h, --help        print this text\n"
+    "\n"
     "Example: pulloff bless smoke --reason \"Newton stops two digits later\"\n";
 
 enum { REASON = PO_SESSION_NEXT };
@@ -26,7 +32,7 @@ enum { REASON = PO_SESSION_NEXT };
 static const struct option OPTIONS[] = {
     PO_SESSION_CASE_OPTIONS, {"reason", required_argument, NULL, REASON}, {NULL, 0, NULL, 0}};
 
-/* Who blesses: the name git signs commits with, else that of the account. */
+/* The author of the pins: user.name of git, or else the name of the account. */
 static po_status find_who(char who[128]) {
   who[0] = '\0';
   po_memory_watch();
@@ -37,7 +43,7 @@ static po_status find_who(char who[128]) {
     pclose(git);
   }
   if (po_memory_ran_out())
-    return po_fail(PO_NO_MEMORY, "no memory to ask git who blesses");
+    return po_fail(PO_NO_MEMORY, "memory ran out while git was asked for user.name");
   who[strcspn(who, "\n")] = '\0';
   const char *account = getenv("USER");
   if (!who[0])
@@ -71,7 +77,7 @@ static po_status take_option(void *to, int option) {
 }
 
 int po_verb_bless(int argc, char **argv) {
-  const po_options options = {"bless", HELP, OPTIONS, argc, argv};
+  const po_options options = {"bless", HELP, OPTIONS, argc, argv, NULL};
   bless_line line = {.session = po_session_default()};
   po_session *session = &line.session;
   po_status status = PO_OK;

@@ -10,19 +10,24 @@
 
 static const char HELP[] =
     "Usage: pulloff explain [OPTION]... CASE\n"
-    "Runs what is missing of a case and says of each check that is not simply within: what was\n"
-    "obtained and expected, how far apart in tolerances, where on the curve, which side is likely\n"
-    "at fault and why, the reason of the tolerance, and the command that repeats it. Exit codes "
-    "as\n"
-    "of verify, for the points chosen.\n\n"
-    "  --point P      only this point: its number, or words of its label, as \"tabor=1\"\n"
-    "  --all          the checks that are within, too\n"
-    "  --json         one JSON document\n"
-    "  --output DIR   where the records are (build/run)\n"
-    "  --jobs N       points solved side by side (0: all cores); the numbers do not depend on it\n"
-    "  --time-limit S seconds of processor time a solve may take, instead of what the case says\n"
-    "  --fresh        solve again what is there\n"
-    "  -h, --help     this text\n\n"
+    "Solves the points of a case that have no valid record. Then prints, for each check whose\n"
+    "verdict is not within: the value obtained and the value expected, their difference relative\n"
+    "to the tolerance, the place on the curve, the side that is probably wrong and why, the\n"
+    "reason for the tolerance, and the command that repeats the solve. The exit codes are those\n"
+    "of pulloff verify, for the chosen points.\n"
+    "\n"
+    "  --point P         explain only this point; P is its number, counted from 0, or words of\n"
+    "                    its label, such as \"tabor=1\" (default: all points)\n"
+    "  --all             explain also the checks whose verdict is within\n"
+    "  --json            print one JSON document and nothing else\n"
+    "  --output DIR      folder of the records (default build/run)\n"
+    "  --jobs N          number of points solved in parallel; 0 means all cores (default 0); the\n"
+    "                    results do not depend on it\n"
+    "  --time-limit S    limit of the processor time of each solve, in seconds (default: the\n"
+    "                    limit in the case file, if any)\n"
+    "  --fresh           solve all points again, even those with a valid record\n"
+    "  -h, --help        print this text\n"
+    "\n"
     "Example: pulloff explain fig03 --point tabor=1 --all\n";
 
 enum { POINT = PO_SESSION_NEXT, ALL, JSON };
@@ -33,7 +38,7 @@ static const struct option OPTIONS[] = {PO_SESSION_CASE_OPTIONS,
                                         {"json", no_argument, NULL, JSON},
                                         {NULL, 0, NULL, 0}};
 
-/* Which points are meant. Status: PO_BAD_INPUT when none is. */
+/* The points that --point selects. Status: PO_BAD_INPUT if it selects none. */
 static po_status choose(const po_case *kase, const char *text, bool **points) {
   *points = po_allocate(kase->point_count, sizeof **points);
   if (!*points)
@@ -103,7 +108,7 @@ static po_status take_option(void *to, int option) {
 }
 
 int po_verb_explain(int argc, char **argv) {
-  const po_options options = {"explain", HELP, OPTIONS, argc, argv};
+  const po_options options = {"explain", HELP, OPTIONS, argc, argv, NULL};
   explain_line line = {.session = po_session_default()};
   po_session *session = &line.session;
   bool *points = NULL;

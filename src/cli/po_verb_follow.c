@@ -19,42 +19,61 @@
 
 static const char HELP[] =
     "Usage: pulloff follow --key KEY --from A --to B [OPTION]...\n"
-    "The pull-off along a line of scenes: some are traced, between them the minima of the load "
-    "are\n"
-    "followed, at a few factorisations a scene, where that agrees with both traces.\n"
-    "Lengths in units of the equilibrium distance epsilon; load in pi w R, compressive > 0.\n\n"
-    "  --key KEY               what runs: tabor, amplitude, wavelength, radius, outer-radius,\n"
-    "                          amplitude-ratio (A / lambda), mie-m, mie-n, morse-a\n"
-    "  --from A, --to B        its first and last value\n"
-    "  --points N              how many values (60)\n"
-    "  --scale log|linear      of equal steps (log)\n"
-    "  --of pull-off|folds     what is followed (pull-off); folds: those of the first scene, "
-    "which\n"
-    "                          is traced, as far along the line as they are there\n"
-    "  --checkpoint-every K        one scene in K is traced at least (15)\n"
-    "  --tabor MU              Tabor parameter (1)\n"
-    "  --amplitude A           of the waviness (0: smooth)\n"
-    "  --amplitude-ratio Q     the same, in wavelengths, kept when the wavelength runs\n"
-    "  --wavelength L          of the waviness\n"
-    "  --radius R              of the sphere (100)\n"
-    "  --outer-radius R|inf    where the surface is cut (inf: not cut)\n"
-    "  --law LAW               traction-separation law: lennard-jones (default, Eq 9), mie:M,N\n"
-    "                          or morse:A; the parameters also by --mie-m, --mie-n, --morse-a\n"
-    "  --preload D|inf         greatest approach to which each sphere is pressed, inf: any; and\n"
-    "  --preload-load W        greatest load, in pi w R; of both whichever is met first, of\n"
-    "                          none of them: load 1\n"
-    "  --tolerance T           relative, of the pull-off force (1e-6)\n"
-    "  --json                  one JSON document on standard output, nothing else\n"
-    "  -h, --help              this text\n\n"
+    "Computes the pull-off for a series of scenes in which one parameter varies. Some scenes, the\n"
+    "checkpoints, are traced in full. Between two checkpoints the minima of the load are\n"
+    "continued in the parameter. If the result does not agree with both checkpoints, the scene\n"
+    "halfway between them is traced, too. The discretisation is always panel. Lengths are in\n"
+    "units of the equilibrium distance epsilon, loads in pi w R (w: work of adhesion). The\n"
+    "approach is positive when the bodies are pressed together, the load when it is compressive.\n"
+    "\n"
+    "Series:\n"
+    "  --key KEY               parameter that varies: tabor, amplitude, wavelength, radius,\n"
+    "                          outer-radius, amplitude-ratio, mie-m, mie-n or morse-a\n"
+    "  --from A                first value of the parameter\n"
+    "  --to B                  last value of the parameter\n"
+    "  --points N              number of scenes, 2 to 10000 (default 60)\n"
+    "  --scale NAME            scale on which the values are equidistant, log or linear (default\n"
+    "                          log)\n"
+    "  --of NAME               what is followed, pull-off or folds (default pull-off); with\n"
+    "                          folds, the first scene is traced and each of its folds is\n"
+    "                          continued for as long as it exists\n"
+    "  --checkpoint-every K    at least one scene in K is a checkpoint, 1 to 10000 (default 15)\n"
+    "\n"
+    "Scene:\n"
+    "  --tabor MU              Tabor parameter, >= 0 (default 1)\n"
+    "  --amplitude A           amplitude of the waviness, in epsilon; 0 is a smooth sphere\n"
+    "                          (default 0)\n"
+    "  --amplitude-ratio Q     amplitude divided by wavelength, instead of --amplitude; constant\n"
+    "                          if the wavelength varies\n"
+    "  --wavelength L          wavelength of the waviness, in epsilon\n"
+    "  --radius R              radius of the sphere, in epsilon (default 100)\n"
+    "  --outer-radius R        radius at which the elastic surface is cut, in epsilon; inf is the\n"
+    "                          unbounded half-space (default inf)\n"
+    "  --law LAW               traction-separation law: lennard-jones (Eq 9), mie:M,N with\n"
+    "                          N > M > 1, or morse:A (default lennard-jones)\n"
+    "  --mie-m M, --mie-n N    exponents M and N, for --law mie without exponents\n"
+    "  --morse-a A             parameter A, for --law morse without parameter\n"
+    "  --preload D             approach up to which each sphere is loaded before it is pulled\n"
+    "                          off, in epsilon; inf searches all preloads for the greatest\n"
+    "                          pull-off force\n"
+    "  --preload-load W        load up to which each sphere is loaded, in pi w R; with --preload,\n"
+    "                          loading ends at whichever is reached first (default 1, unless\n"
+    "                          --preload is given)\n"
+    "  --tolerance T           relative tolerance on the pull-off force, 1e-10 to 0.01 (default\n"
+    "                          1e-6)\n"
+    "\n"
+    "  --json                  print one JSON document and nothing else\n"
+    "  -h, --help              print this text\n"
+    "\n"
     "Example: pulloff follow --key tabor --from 0.1 --to 5 --points 60 --amplitude 1 \\\n"
     "             --wavelength 20 --outer-radius 100\n";
 
-enum { RUNS = 1, FROM, TO, POINTS, SCALE, OF, CHECKPOINTS, JSON, KEY };
+enum { VARIED = 1, FROM, TO, POINTS, SCALE, OF, CHECKPOINTS, JSON, KEY };
 enum { DEFAULT_POINTS = 60 };
 
 /* The values of the options of the scene are KEY + po_key. */
 static const struct option OPTIONS[] = {
-    {"key", required_argument, NULL, RUNS},
+    {"key", required_argument, NULL, VARIED},
     {"from", required_argument, NULL, FROM},
     {"to", required_argument, NULL, TO},
     {"points", required_argument, NULL, POINTS},
@@ -79,8 +98,8 @@ static const struct option OPTIONS[] = {
     {NULL, 0, NULL, 0}};
 
 typedef struct {
-  const char *given[PO_KEY_END]; /* values of keys, as written */
-  const char *runs;              /* the name of the key, as its option is called */
+  const char *given[PO_KEY_END]; /* the text of each option of the scene; NULL: not given */
+  const char *varied;            /* the name of the option whose value varies */
   po_key key;
   po_range range;
   size_t checkpoints; /* 0: not given */
@@ -94,34 +113,39 @@ static const struct option *option_of(int value) {
   return option;
 }
 
-/* Whether an option is of the scene, which may run along a line. */
+/* Whether an option sets a parameter of the scene that may vary along a series. */
 static bool is_of_scene(const struct option *option) {
   const int key = option->val - KEY;
   return option->val >= KEY && option->val < PO_OPTION_HELP && key != PO_KEY_TOLERANCE &&
          key != PO_KEY_LAW && key != PO_KEY_PRELOAD && key != PO_KEY_PRELOAD_LOAD;
 }
 
-static po_status take_runs(follow_line *line) {
+static po_status take_varied(follow_line *line) {
   for (const struct option *option = OPTIONS; option->name; ++option)
     if (is_of_scene(option) && strcmp(option->name, optarg) == 0) {
       line->key = (po_key)(option->val - KEY);
-      line->runs = option->name;
+      line->varied = option->name;
       return PO_OK;
     }
-  return po_options_refuse("key", optarg, "the name of an option of the scene");
+  return po_options_refuse("key", optarg,
+                           "tabor, amplitude, wavelength, radius, outer-radius, amplitude-ratio, "
+                           "mie-m, mie-n or morse-a");
 }
 
 static po_status take_count(const char *option, size_t least, size_t *count) {
   if (po_number_parse_count(optarg, count) && *count >= least && *count <= PO_MOST_VALUES)
     return PO_OK;
-  return po_options_refuse(option, optarg, "a whole number, of points at least 2, up to 10000");
+  char expected[64];
+  snprintf(expected, sizeof expected, "a whole number from %zu to %zu", least,
+           (size_t)PO_MOST_VALUES);
+  return po_options_refuse(option, optarg, expected);
 }
 
 static po_status take_option(void *to, int option) {
   follow_line *line = to;
   switch (option) {
-  case RUNS:
-    return take_runs(line);
+  case VARIED:
+    return take_varied(line);
   case FROM:
   case TO:
     if (po_number_parse(optarg, option == FROM ? &line->range.from : &line->range.to))
@@ -151,26 +175,30 @@ static po_status take_option(void *to, int option) {
 
 static po_status check_line(const follow_line *line) {
   const po_range *range = &line->range;
-  if (!line->runs || isnan(range->from) || isnan(range->to))
+  if (!line->varied || isnan(range->from) || isnan(range->to))
     return po_fail(PO_BAD_INPUT, "--%s is not given: expected --key, --from and --to",
-                   !line->runs          ? "key"
+                   !line->varied        ? "key"
                    : isnan(range->from) ? "from"
                                         : "to");
   if (line->given[line->key])
-    return po_fail(PO_BAD_INPUT, "--%s is given, and runs: expected one of both", line->runs);
+    return po_fail(PO_BAD_INPUT,
+                   "--%s is given, but its value varies (--key): expected only one of the two",
+                   line->varied);
   if (range->from == range->to || (range->log && !(range->from > 0.0 && range->to > 0.0)))
-    return po_fail(PO_BAD_INPUT, "the line goes from %g to %g: expected two values%s", range->from,
-                   range->to, range->log ? " > 0, or --scale linear" : "");
+    return po_fail(PO_BAD_INPUT, "--from is %g and --to is %g: expected two different values%s",
+                   range->from, range->to, range->log ? " > 0, or --scale linear" : "");
   if ((line->given[PO_KEY_AMPLITUDE] || line->key == PO_KEY_AMPLITUDE) &&
       (line->given[PO_KEY_AMPLITUDE_RATIO] || line->key == PO_KEY_AMPLITUDE_RATIO))
-    return po_fail(PO_BAD_INPUT, "amplitude and amplitude-ratio are both said: expected one");
+    return po_fail(PO_BAD_INPUT,
+                   "both amplitude and amplitude-ratio are given: expected only one of the two");
   const bool wavy = line->given[PO_KEY_AMPLITUDE] || line->key == PO_KEY_AMPLITUDE ||
                     line->given[PO_KEY_AMPLITUDE_RATIO] || line->key == PO_KEY_AMPLITUDE_RATIO;
   if (wavy && !line->given[PO_KEY_WAVELENGTH] && line->key != PO_KEY_WAVELENGTH)
     return po_fail(PO_BAD_INPUT, "a waviness is given without --wavelength: expected both");
   if (!wavy && line->key == PO_KEY_WAVELENGTH)
-    return po_fail(PO_BAD_INPUT, "the wavelength runs along scenes without amplitude: expected "
-                                 "--amplitude or --amplitude-ratio");
+    return po_fail(PO_BAD_INPUT,
+                   "the wavelength varies, but the scenes have no amplitude: expected "
+                   "--amplitude or --amplitude-ratio");
   const po_flag_use wavelength = {"wavelength", line->given[PO_KEY_WAVELENGTH], wavy};
   const po_flag_use checkpoints = {"checkpoint-every", line->checkpoints > 0, !line->folds};
   const po_status status = po_options_refuse_idle("scenes without amplitude", &wavelength, 1);
@@ -183,7 +211,8 @@ static po_status set_key(po_request *request, int key, const char *text) {
   return po_options_refuse(option_of(KEY + key)->name, text, po_key_expected((po_key)key));
 }
 
-/* The request of a point of the line; keys before groups of them. */
+/* The request of one point of the series. Groups such as the amplitude ratio are set after the keys
+ * on which they depend. */
 static po_status make_request(const follow_line *line, size_t point, po_request *request) {
   char value[PO_NUMBER_LENGTH];
   po_range_print(&line->range, point, value);
@@ -214,8 +243,8 @@ static po_status print_json(const po_request *requests, const po_result *results
 
 static void print_text(const follow_line *line, const po_request *requests,
                        const po_result *results) {
-  printf("%15s %14s %8s %16s %8s %14s %-9s %14s\n", line->runs, "force", "error", "approach",
-         "error", "contact radius", "", "factorisations");
+  printf("%15s %14s %8s %16s %8s %14s %-9s %14s\n", line->varied, "force", "error", "approach",
+         "error", "contact radius", "obtained", "factorisations");
   uint64_t all = 0;
   size_t followed = 0;
   for (size_t k = 0; k < line->range.count; ++k) {
@@ -237,11 +266,11 @@ static void print_text(const follow_line *line, const po_request *requests,
          (unsigned long long)all, line->range.count, followed);
 }
 
-/* A block of rows for each fold of the first scene. */
+/* Prints a block of rows for each fold of the first scene. */
 static void print_folds(const follow_line *line, const po_request *requests,
                         const po_result *results) {
-  printf("%-9s %15s %16s %8s %14s %8s %14s\n", "", line->runs, "approach", "error", "load", "error",
-         "contact radius");
+  printf("%-9s %15s %16s %8s %14s %8s %14s\n", "fold", line->varied, "approach", "error", "load",
+         "error", "contact radius");
   uint64_t all = 0;
   for (size_t k = 0; k < line->range.count; ++k)
     all += results[k].work.factorizations;
@@ -287,13 +316,13 @@ static po_status follow(const follow_line *line, po_request *requests, po_result
     print_text(line, requests, results);
   for (size_t k = 0; k < line->range.count && !status; ++k)
     if (results[k].status)
-      status = po_fail(results[k].status, "a solve failed, at %s %g: %s", line->runs,
+      status = po_fail(results[k].status, "the solve at %s %g failed: %s", line->varied,
                        po_key_number(&requests[k], line->key), results[k].reason);
   return status;
 }
 
 int po_verb_follow(int argc, char **argv) {
-  const po_options options = {"follow", HELP, OPTIONS, argc, argv};
+  const po_options options = {"follow", HELP, OPTIONS, argc, argv, NULL};
   follow_line line = {.range = {NAN, NAN, DEFAULT_POINTS, true}};
   po_status status = PO_OK;
   if (!po_options_read(&options, take_option, &line, &status))

@@ -8,14 +8,17 @@
 #include "po_session.h"
 #include "po_verbs.h"
 
-static const char HELP[] = "Usage: pulloff list [OPTION]...\n"
-                           "Lists the cases, or the reference tables.\n\n"
-                           "  --suite S[,S]   only those of these suites\n"
-                           "  --references    every reference table, checked: exit code 4\n"
-                           "                  when one is missing, cut short or altered\n"
-                           "  --json          one JSON document\n"
-                           "  -h, --help      this text\n\n"
-                           "Example: pulloff list --suite paper\n";
+static const char HELP[] =
+    "Usage: pulloff list [OPTION]...\n"
+    "Lists the cases with their number of points and checks, or the reference tables.\n"
+    "\n"
+    "  --suite S[,S]   list only the cases of these suites (default: all cases)\n"
+    "  --references    list the reference tables instead, and check them; exit code 4 if a table\n"
+    "                  is missing, truncated or altered\n"
+    "  --json          print one JSON document and nothing else\n"
+    "  -h, --help      print this text\n"
+    "\n"
+    "Example: pulloff list --suite paper\n";
 
 enum { SUITE = 1, REFERENCES, JSON };
 
@@ -76,7 +79,7 @@ static po_status take_option(void *to, int option) {
 }
 
 int po_verb_list(int argc, char **argv) {
-  const po_options options = {"list", HELP, OPTIONS, argc, argv};
+  const po_options options = {"list", HELP, OPTIONS, argc, argv, NULL};
   po_catalog catalog = {0};
   list_line line = {0};
   po_status status = PO_OK;

@@ -9,13 +9,15 @@
 
 static const char HELP[] =
     "Usage: pulloff merge [OPTION]... DIR...\n"
-    "Puts the shards of a run together: compares, and writes the records, which are those of one\n"
-    "run of the whole, but for times. DIR are the folders pulloff run --shard K/N wrote to, in "
-    "any\n"
-    "order. All N shards must be present and finished, computed by this program for these cases,\n"
-    "and with the same kernels of OpenBLAS; the kernels of this machine do not matter.\n\n"
-    "  --output DIR    where the records go (build/run)\n"
-    "  -h, --help      this text\n\n"
+    "Combines the shards of a run and compares the results with the references. The records are\n"
+    "those that one run of all points would write, except for the times. Each DIR is a folder\n"
+    "that pulloff run --shard K/N has written; the order is arbitrary. All N shards must be\n"
+    "present, finished, and computed by this program for these cases with the same OpenBLAS\n"
+    "kernels. The kernels of the machine that merges do not matter.\n"
+    "\n"
+    "  --output DIR    folder to which the records are written (default build/run)\n"
+    "  -h, --help      print this text\n"
+    "\n"
     "Example: pulloff merge shards/1 shards/2 shards/3 shards/4\n";
 
 static const struct option OPTIONS[] = {{"output", required_argument, NULL, PO_SESSION_OUTPUT},
@@ -26,10 +28,11 @@ static const struct option OPTIONS[] = {{"output", required_argument, NULL, PO_S
 static void tell_kernels(const po_arithmetic *arithmetic) {
   po_arithmetic own;
   if (!po_environment_arithmetic(&own) && strcmp(arithmetic->kernels, own.kernels) != 0)
-    fprintf(stderr,
-            "pulloff: solved with the OpenBLAS kernels %s, here they are %s: a later run keeps "
-            "these records with OPENBLAS_CORETYPE=%s, else it solves again\n",
-            arithmetic->kernels, own.kernels, arithmetic->kernels);
+    fprintf(
+        stderr,
+        "pulloff: the shards were solved with the OpenBLAS kernels %s, but this machine uses %s: "
+        "set OPENBLAS_CORETYPE=%s for a later run, or it solves all points again\n",
+        arithmetic->kernels, own.kernels, arithmetic->kernels);
 }
 
 static po_status put_together(po_session *session, const po_merge *merge) {
@@ -46,7 +49,7 @@ static po_status put_together(po_session *session, const po_merge *merge) {
   if (!status)
     status = po_session_solve(session); /* nothing is left to solve */
   if (status == PO_INTERRUPTED)
-    po_fail(status, "interrupted; the shards are as they were, merge them again");
+    po_fail(status, "interrupted; the shards are unchanged: run pulloff merge again");
   session->arithmetic = NULL;
   if (!status)
     tell_kernels(&arithmetic);
@@ -55,7 +58,7 @@ static po_status put_together(po_session *session, const po_merge *merge) {
 }
 
 int po_verb_merge(int argc, char **argv) {
-  const po_options options = {"merge", HELP, OPTIONS, argc, argv};
+  const po_options options = {"merge", HELP, OPTIONS, argc, argv, NULL};
   po_session session = po_session_default();
   po_merge merge = {0};
   po_status status = PO_OK;

@@ -10,8 +10,11 @@
 
 static const char HELP[] =
     "Usage: pulloff plan CASE...\n"
-    "Says what would be computed for a case, what would not, and why. Solves nothing.\n\n"
-    "  -h, --help  this text\n\n"
+    "Prints what would be computed for a case, what would not, and why. Solves nothing. CASE is a\n"
+    "name (see pulloff list) or the path of a YAML file.\n"
+    "\n"
+    "  -h, --help   print this text\n"
+    "\n"
     "Example: pulloff plan fig03\n";
 
 static const struct option OPTIONS[] = {{"help", no_argument, NULL, PO_OPTION_HELP},
@@ -36,7 +39,7 @@ static po_status print_plan(const po_case *kase) {
 }
 
 int po_verb_plan(int argc, char **argv) {
-  const po_options options = {"plan", HELP, OPTIONS, argc, argv};
+  const po_options options = {"plan", HELP, OPTIONS, argc, argv, NULL};
   po_catalog catalog = {0};
   po_status status = PO_OK;
   if (!po_options_read(&options, NULL, NULL, &status))

@@ -10,13 +10,16 @@
 #include "po_options.h"
 #include "po_verbs.h"
 
-static const char HELP[] = "Usage: pulloff report [OPTION]...\n"
-                           "Writes report.html and report.pdf from the records of a run.\n\n"
-                           "  --run DIR      the records (build/run)\n"
-                           "  --output DIR   where the report goes (build/report)\n"
-                           "  --fresh        draw it again even when nothing has changed\n"
-                           "  -h, --help     this text\n\n"
-                           "Example: pulloff report --run build/run --output build/report\n";
+static const char HELP[] =
+    "Usage: pulloff report [OPTION]...\n"
+    "Writes report.html and report.pdf from the records of a run. Solves nothing.\n"
+    "\n"
+    "  --run DIR       folder of the records (default build/run)\n"
+    "  --output DIR    folder to which the report is written (default build/report)\n"
+    "  --fresh         draw all figures again, even if their data have not changed\n"
+    "  -h, --help      print this text\n"
+    "\n"
+    "Example: pulloff report --run build/run --output build/report\n";
 
 enum { RUN = 1, OUTPUT, FRESH };
 
@@ -26,7 +29,7 @@ static const struct option OPTIONS[] = {{"run", required_argument, NULL, RUN},
                                         {"help", no_argument, NULL, PO_OPTION_HELP},
                                         {NULL, 0, NULL, 0}};
 
-/* Whether a program can be started: as a path, or by the folders of PATH. */
+/* Whether a program can be started, by its path or from a folder in PATH. */
 static bool is_program(const char *name) {
   if (strchr(name, '/'))
     return access(name, X_OK) == 0;
@@ -49,14 +52,18 @@ static const char *python(void) {
 
 static po_status check_means(const char *script, const char *run) {
   if (!po_path_exists(script))
-    return po_fail(PO_CANNOT_READ, "%s cannot be read: it is not there", script);
+    return po_fail(PO_CANNOT_READ,
+                   "%s does not exist: expected it in the data folder (PULLOFF_DATA)", script);
   if (!po_path_exists(run))
-    return po_fail(PO_CANNOT_READ, "there is no run in %s: expected one (pulloff run)", run);
+    return po_fail(PO_CANNOT_READ,
+                   "%s does not exist: expected the records of a run (see pulloff run --help)",
+                   run);
   if (!is_program(python()))
-    return po_fail(PO_MISSING_TOOL, "%s is not there: expected Python to write the report",
+    return po_fail(PO_MISSING_TOOL, "%s was not found: expected Python, which writes the report",
                    python());
   if (!is_program("gnuplot"))
-    return po_fail(PO_MISSING_TOOL, "gnuplot is not there: expected it on PATH to draw figures");
+    return po_fail(PO_MISSING_TOOL,
+                   "gnuplot was not found: expected it in PATH, to draw the figures");
   return PO_OK;
 }
 
@@ -65,7 +72,8 @@ typedef struct {
   bool fresh;
 } report_line;
 
-/* Runs the script and waits. Its own messages go where ours go; its exit code is ours. */
+/* Runs the script and waits for it. Its messages go to our standard error. Returned: its exit code.
+ */
 static int run_script(const char *script, const report_line *line) {
   fflush(stdout);
   const pid_t child = fork();
@@ -99,7 +107,7 @@ static po_status take_option(void *to, int option) {
 }
 
 int po_verb_report(int argc, char **argv) {
-  const po_options options = {"report", HELP, OPTIONS, argc, argv};
+  const po_options options = {"report", HELP, OPTIONS, argc, argv, NULL};
   report_line line = {.run = "build/run", .output = "build/report"};
   po_status status = PO_OK;
   if (!po_options_read(&options, take_option, &line, &status))

@@ -3,23 +3,27 @@
 
 static const char HELP[] =
     "Usage: pulloff run [OPTION]... [CASE]...\n"
-    "Solves cases, points side by side, and keeps a record of each. What an earlier run left and\n"
-    "still holds is kept. CASE is a name (see pulloff list) or the path of a YAML file; without\n"
-    "any, all cases but those of the suite random, which is long.\n\n"
-    "  --suite S[,S]   the cases of these suites\n"
-    "  --output DIR    where the records go (build/run)\n"
-    "  --jobs N        points solved side by side (0: all cores); the numbers do not depend\n"
-    "                  on it\n"
-    "  --points A[-B]  only these points of each case, counted from 0; they are kept for a run of\n"
-    "                  the whole\n"
-    "  --shard K/N     only the K-th of N parts of all points, for one of several machines; see\n"
-    "                  pulloff merge\n"
-    "  --time-limit S  seconds of processor time a solve may take, instead of what the case says\n"
-    "  --fresh         solve again what is there\n"
-    "  -h, --help      this text\n\n"
-    "Of a case whose scenes are drawn at random a summary is printed: how many ended how, what "
-    "they\n"
-    "took, and for each failure its reason and the line that repeats it.\n\n"
+    "Solves the points of cases and writes a record of each case. Points that an earlier run\n"
+    "solved are reused if their case, reference tables and program are unchanged. CASE is a name\n"
+    "(see pulloff list) or the path of a YAML file. Without CASE and --suite, all cases are taken\n"
+    "except those of the suite random, which take long.\n"
+    "\n"
+    "  --suite S[,S]     take the cases of these suites instead (see pulloff list)\n"
+    "  --output DIR      folder to which the records are written (default build/run)\n"
+    "  --jobs N          number of points solved in parallel; 0 means all cores (default 0); the\n"
+    "                    results do not depend on it\n"
+    "  --points A[-B]    solve only points A to B of each case, counted from 0 (default: all); a\n"
+    "                    later run of all points reuses them\n"
+    "  --shard K/N       solve only the K-th of N parts of all points, so that N machines can\n"
+    "                    share a run; pulloff merge combines the parts\n"
+    "  --time-limit S    limit of the processor time of each solve, in seconds (default: the\n"
+    "                    limit in the case file, if any)\n"
+    "  --fresh           solve all points again, even those with a valid record\n"
+    "  -h, --help        print this text\n"
+    "\n"
+    "For a case whose scenes are drawn at random, a summary is printed: the number of solves with\n"
+    "each status, their times, and for each failure its reason and the command that repeats it.\n"
+    "\n"
     "Example: pulloff run fig03 --jobs 2\n"
     "         pulloff run --suite paper --shard 1/4 --output shards/1\n";
 
@@ -27,7 +31,7 @@ static const struct option OPTIONS[] = {
     PO_SESSION_OPTIONS, {"shard", required_argument, NULL, PO_SESSION_SHARD}, {NULL, 0, NULL, 0}};
 
 int po_verb_run(int argc, char **argv) {
-  const po_options options = {"run", HELP, OPTIONS, argc, argv};
+  const po_options options = {"run", HELP, OPTIONS, argc, argv, NULL};
   po_session session = po_session_default();
   po_status status = PO_OK;
   if (!po_options_read(&options, po_session_option, &session, &status))

@@ -15,40 +15,73 @@
 
 static const char HELP[] =
     "Usage: pulloff solve [OPTION]...\n"
-    "Solves one scene: traces the branch of equilibria from far out and reads the pull-off off "
-    "it.\n"
-    "Lengths in units of the equilibrium distance epsilon; load in pi w R, compressive > 0.\n\n"
-    "  --tabor MU              Tabor parameter (1); 0: rigid\n"
-    "  --amplitude A           of the waviness (0: smooth)\n"
-    "  --wavelength L          of the waviness\n"
-    "  --radius R              of the sphere (100)\n"
-    "  --outer-radius R|inf    where the surface is cut (inf: not cut)\n"
-    "  --law LAW               traction-separation law: lennard-jones (default, Eq 9), mie:M,N\n"
-    "                          or morse:A; the parameters also by --mie-m, --mie-n, --morse-a\n"
-    "  --scheme ring|triangle|panel  discretisation (panel)\n"
-    "  --tolerance T           of panels: relative, of the pull-off force (1e-6)\n"
-    "  --nodes N               of rings and triangles (501)\n"
-    "  --grading uniform|graded  of rings and triangles (uniform)\n"
-    "  --approach-start D      where the trace begins (chosen by the solver)\n"
-    "  --preload D             greatest approach to which the sphere is pressed, inf: any, the\n"
-    "                          pull-off is the greatest of all preloads; and\n"
-    "  --preload-load W        greatest load, in pi w R; of both whichever is met first, of\n"
-    "                          none of them: load 1\n"
-    "  --approach-end D        where the trace ends, and then the preload (where the preload is\n"
-    "                          met; without --preload, --preload-load and --want the solve goes\n"
-    "                          on for a while, to see whether a harder preload gives more)\n"
-    "  --time-limit S          seconds of processor time after which the solve ends (none)\n"
-    "  --want LIST             of curve, profile, hysteresis, diagnostics, preload: points of the\n"
-    "                          branch; gap and traction over the radius; loading and unloading\n"
-    "                          with jumps; residuals, condition numbers, digits left; the\n"
-    "                          pull-off after every preload\n"
-    "  --profile-approach D    where the profile is taken (at pull-off)\n"
-    "  --curve FILE            write the points of the branch as CSV, dimensionless\n"
-    "  --staircase FILE        write the steps of the pull-off by the preload as CSV, "
-    "dimensionless\n"
-    "  --profile FILE          write the profile as CSV, dimensionless\n"
-    "  --json                  one JSON document on standard output, nothing else\n"
-    "  -h, --help              this text\n\n" PO_SCENE_FLAGS_HELP "\n"
+    "Solves one scene: traces the branch of equilibria from bodies far apart into contact and\n"
+    "prints the pull-off force, the folds at which the surfaces jump, the extrema of the load,\n"
+    "and their numerical errors. Lengths are in units of the equilibrium distance epsilon, loads\n"
+    "in pi w R (w: work of adhesion). The approach is positive when the bodies are pressed\n"
+    "together, the load when it is compressive.\n"
+    "\n"
+    "Scene:\n"
+    "  --tabor MU              Tabor parameter, >= 0; 0 is a rigid sphere (default 1)\n"
+    "  --amplitude A           amplitude of the waviness, in epsilon; 0 is a smooth sphere\n"
+    "                          (default 0)\n"
+    "  --wavelength L          wavelength of the waviness, in epsilon; needed if the amplitude is\n"
+    "                          > 0\n"
+    "  --radius R              radius of the sphere, in epsilon (default 100)\n"
+    "  --outer-radius R        radius at which the elastic surface is cut, in epsilon; inf is the\n"
+    "                          unbounded half-space (default inf)\n"
+    "  --law LAW               traction-separation law: lennard-jones (Eq 9), mie:M,N with\n"
+    "                          N > M > 1, or morse:A (default lennard-jones)\n"
+    "  --mie-m M, --mie-n N    exponents M and N, for --law mie without exponents\n"
+    "  --morse-a A             parameter A, for --law morse without parameter\n"
+    "\n"
+    "Preload and range of the trace:\n"
+    "  --preload D             approach up to which the sphere is loaded before it is pulled off,\n"
+    "                          in epsilon; inf searches all preloads for the greatest pull-off\n"
+    "                          force\n"
+    "  --preload-load W        load up to which the sphere is loaded, in pi w R; with --preload,\n"
+    "                          loading ends at whichever is reached first (default 1, unless\n"
+    "                          --preload or --approach-end is given)\n"
+    "  --approach-start D      approach at which the trace begins, in epsilon (default: chosen by\n"
+    "                          the solver, with the bodies far apart)\n"
+    "  --approach-end D        approach at which the trace ends, in epsilon; also the preload if\n"
+    "                          no preload is given (default: the trace ends once the preload is\n"
+    "                          reached)\n"
+    "  --time-limit S          processor time after which the solve is stopped, in seconds\n"
+    "                          (default: no limit)\n"
+    "Without --preload, --preload-load, --approach-end and --want, the trace continues beyond the\n"
+    "preload to find out whether a harder preload gives a greater pull-off force. It stops when\n"
+    "this is certain, or after about half a second of processor time or the time it took to reach\n"
+    "the preload, whichever is longer.\n"
+    "\n"
+    "Discretisation:\n"
+    "  --scheme NAME           elements that discretise the surface: ring, triangle or panel\n"
+    "                          (default panel)\n"
+    "  --tolerance T           relative tolerance on the pull-off force, 1e-10 to 0.01; panel\n"
+    "                          only (default 1e-6)\n"
+    "  --nodes N               number of nodes, 8 to 2500; ring and triangle only (default 501)\n"
+    "  --grading NAME          spacing of the nodes, uniform or graded; ring and triangle only\n"
+    "                          (default uniform)\n";
+
+static const char MORE_HELP[] =
+    "\n"
+    "Results:\n"
+    "  --want LIST             additional results, separated by commas (default: none):\n"
+    "                            curve        points of the branch\n"
+    "                            profile      gap and traction against radius\n"
+    "                            hysteresis   loading and unloading, with every jump\n"
+    "                            preload      the pull-off force for every preload\n"
+    "                            diagnostics  residuals, condition numbers, energy balance,\n"
+    "                                         sensitivities, reverse trace\n"
+    "  --profile-approach D    approach at which the profile is taken, in epsilon (default: that\n"
+    "                          of the pull-off)\n"
+    "  --curve FILE            write the points of the branch to FILE, as dimensionless CSV\n"
+    "  --profile FILE          write the profile to FILE, as dimensionless CSV\n"
+    "  --staircase FILE        write the pull-off force for every preload to FILE, as\n"
+    "                          dimensionless CSV\n"
+    "  --json                  print one JSON document and nothing else\n"
+    "  -h, --help              print this text\n"
+    "\n" PO_SCENE_FLAGS_HELP "\n"
     "Example: pulloff solve --tabor 3 --amplitude 1 --wavelength 20 --outer-radius 100 --json\n"
     "Example: pulloff solve --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 \\\n"
     "             --distance-m 3e-10 --radius-m 1e-7\n";
@@ -84,7 +117,7 @@ static const struct option OPTIONS[] = {
 typedef struct {
   po_request request;
   po_scene_flags flags;
-  bool given[PO_KEY_COUNT];                /* keys of the mesh or of the solve that were said */
+  bool given[PO_KEY_COUNT];                /* which keys of the mesh and of the solve were given */
   const char *curve, *profile, *staircase; /* files; NULL: none */
   bool json;
 } solve_line;
@@ -107,7 +140,7 @@ static po_status take_want(solve_line *line, const char *list) {
   }
 }
 
-/* A key of the mesh or of the solve, by the name its option has. */
+/* Sets a key of the mesh or of the solve. `option` is its value in OPTIONS. */
 static po_status take_key(solve_line *line, po_key key, int option) {
   line->given[key] = true;
   if (po_key_set(&line->request, key, optarg))
@@ -142,7 +175,7 @@ static po_status take_option(void *to, int option) {
   }
 }
 
-/* What is said must mean something. */
+/* Refuses options that have no effect with the chosen scheme. */
 static po_status refuse_keys_of_other_scheme(const solve_line *line) {
   static const po_key KEYS[] = {PO_KEY_TOLERANCE, PO_KEY_NODES, PO_KEY_GRADING};
   for (size_t i = 0; i < sizeof KEYS / sizeof *KEYS; ++i)
@@ -153,8 +186,8 @@ static po_status refuse_keys_of_other_scheme(const solve_line *line) {
   return PO_OK;
 }
 
-/* A wavelength without an amplitude has no effect; with amplitude 0 it is the smooth end of a
- * sweep. */
+/* Refuses a wavelength without an amplitude, which has no effect. A wavelength with amplitude 0 is
+ * accepted: it is the smooth end of a sweep. */
 static po_status refuse_idle(const solve_line *line) {
   const double *length = line->flags.length;
   po_flag_use flags[] = {{.given = !isnan(length[PO_LENGTH_WAVELENGTH]),
@@ -163,7 +196,7 @@ static po_status refuse_idle(const solve_line *line) {
   return po_options_refuse_idle("a scene without amplitude", flags, 1);
 }
 
-/* Puts the request together and checks it. */
+/* Completes the request and checks it. */
 static po_status end_line(solve_line *line) {
   po_request *request = &line->request;
   const double *length = line->flags.length;
@@ -187,7 +220,7 @@ static po_status end_line(solve_line *line) {
   request->approach_end = length[PO_LENGTH_APPROACH_END];
   request->profile_approach = length[PO_LENGTH_PROFILE_APPROACH];
   if (line->flags.from_physical && !isnan(request->preload.load))
-    return po_fail(PO_BAD_INPUT, "--preload-load is in pi w R: expected --preload-m with "
+    return po_fail(PO_BAD_INPUT, "--preload-load is dimensionless: expected --preload-m with "
                                  "--from-physical");
   request->preload.approach = length[PO_LENGTH_PRELOAD];
   if (!isnan(request->profile_approach))
@@ -197,7 +230,7 @@ static po_status end_line(solve_line *line) {
   return po_request_check(request);
 }
 
-/* Writes each file that can be written. */
+/* Writes all files, even if one of them cannot be written. */
 static po_status write_files(const solve_line *line, const po_result *result) {
   po_status status = PO_OK;
   fflush(stdout); /* a file may be /dev/stdout */
@@ -223,7 +256,9 @@ static int solve(solve_line *line) {
   else
     po_print_text(&line->request, &line->flags, &result);
   if (!status && !solved)
-    status = write_files(line, &result); /* a result must not be lost with a file beside it */
+    status = write_files(
+        line,
+        &result); /* after the result, which must be printed even if a file cannot be written */
   if (!status && solved)
     status = po_fail(solved, "the solve failed: %s", result.reason);
   po_result_clear(&result);
@@ -231,7 +266,7 @@ static int solve(solve_line *line) {
 }
 
 int po_verb_solve(int argc, char **argv) {
-  const po_options options = {"solve", HELP, OPTIONS, argc, argv};
+  const po_options options = {"solve", HELP, OPTIONS, argc, argv, MORE_HELP};
   solve_line line = {.request = po_input_default(), .flags = po_scene_flags_default()};
   po_status status = PO_OK;
   if (!po_options_read(&options, take_option, &line, &status))

@@ -12,27 +12,47 @@
 
 static const char HELP[] =
     "Usage: pulloff theory NAME [OPTION]...\n"
-    "Prints a closed form of the paper. NAME is one of bradley, rigid, jkr, guduru, kesari-lew,\n"
-    "persson-tosatti, rumpf-rabinowicz, compactness, crest, lennard-jones.\n"
-    "Lengths in units of the equilibrium distance epsilon; load in pi w R, compressive > 0.\n"
-    "A flag on which a form does not depend is refused.\n\n"
-    "  --tabor MU              Tabor parameter (1)\n"
-    "  --amplitude A           of the waviness; 0: smooth\n"
-    "  --wavelength L          of the waviness\n"
-    "  --radius R              of the sphere (100)\n"
-    "  --alpha ALPHA           A R/L^2, in place of the wavelength (rigid, rumpf-rabinowicz)\n"
-    "  --approach D            the load there, too (bradley, rigid)\n"
-    "  --contact-radius A      load and approach there, too (jkr, guduru, kesari-lew)\n"
-    "  --gap H                 the traction there, too, H = h/epsilon - 1 (lennard-jones)\n"
-    "  --json                  one JSON document on standard output, nothing else\n"
-    "  -h, --help              this text\n\n" PO_SCENE_FLAGS_HELP "\n"
+    "Evaluates a closed form of the paper. NAME is one of\n"
+    "  bradley             pull-off of a rigid smooth sphere (Eq 23)\n"
+    "  rigid               pull-off of a rigid wavy sphere (Eqs 21, 22)\n"
+    "  jkr                 JKR theory of a smooth sphere (Eqs 7, 8)\n"
+    "  guduru              JKR theory of a wavy sphere (Eq 5)\n"
+    "  kesari-lew          envelope of Eq 5 (Eq 24)\n"
+    "  persson-tosatti     effective work of adhesion of a rough surface (Eqs 25-30)\n"
+    "  rumpf-rabinowicz    rigid crest on a sphere (Eq 20)\n"
+    "  compactness         whether the gap is monotonic (Eqs 3, 4)\n"
+    "  crest               rigid central crest (Eqs 18, 19)\n"
+    "  lennard-jones       traction-separation law (Eq 9)\n"
+    "An option on which the closed form does not depend is refused. Lengths are in units of the\n"
+    "equilibrium distance epsilon, loads in pi w R (w: work of adhesion). The approach is\n"
+    "positive when the bodies are pressed together, the load when it is compressive.\n"
+    "\n"
+    "Scene:\n"
+    "  --tabor MU              Tabor parameter, > 0 for the elastic forms (default 1)\n"
+    "  --amplitude A           amplitude of the waviness, in epsilon; 0 is a smooth sphere\n"
+    "  --wavelength L          wavelength of the waviness, in epsilon\n"
+    "  --radius R              radius of the sphere, in epsilon (default 100)\n"
+    "  --alpha ALPHA           A R/L^2, instead of the wavelength (rigid) or of amplitude,\n"
+    "                          wavelength and radius (rumpf-rabinowicz)\n"
+    "\n"
+    "Additional results:\n"
+    "  --approach D            the load at this approach, in epsilon, < 1 (bradley, rigid)\n"
+    "  --contact-radius A      load and approach at this contact radius, in epsilon (jkr, guduru,\n"
+    "                          kesari-lew)\n"
+    "  --gap H                 the traction at this gap, H = h/epsilon - 1 > -1 (lennard-jones)\n"
+    "  --json                  print one JSON document and nothing else\n"
+    "  -h, --help              print this text\n"
+    "\n";
+
+static const char MORE_HELP[] = PO_SCENE_FLAGS_HELP
+    "\n"
     "Example: pulloff theory guduru --tabor 5 --amplitude 10 --wavelength 20 --radius 100 --json\n"
     "Example: pulloff theory jkr --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 \\\n"
     "             --distance-m 3e-10 --radius-m 1e-7\n";
 
 enum { ALPHA = PO_FLAG_NEXT, GAP, JSON };
 
-/* One command line, put together. */
+/* The options of one command line. */
 typedef struct {
   po_scene_flags flags;
   po_scene scene;
@@ -68,7 +88,8 @@ static po_status take_option(void *to, int option) {
   return PO_OK;
 }
 
-/* With alpha a form no longer depends on the wavelength, nor on what the two are made of. */
+/* The options that have an effect. If alpha is given, a form does not depend on the wavelength, nor
+ * on the other parameters that alpha replaces. */
 static unsigned taken_by(const po_theory_line *l, const po_form *form) {
   const unsigned in_place = form->needs & PO_NEEDS_AMPLITUDE
                                 ? PO_TAKES_WAVELENGTH | PO_TAKES_RADIUS
@@ -83,7 +104,7 @@ static po_flag_use use_of(const po_theory_line *l, po_length length, bool taken)
   return use;
 }
 
-/* Refuses flags that would change nothing. */
+/* Refuses options that have no effect on the form. */
 static po_status check_use(const po_theory_line *l, const po_form *form) {
   const unsigned takes = taken_by(l, form);
   char what[80];
@@ -93,7 +114,7 @@ static po_status check_use(const po_theory_line *l, const po_form *form) {
       {"tabor", !isnan(l->flags.tabor), takes & PO_TAKES_TABOR && !l->flags.from_physical},
       use_of(l, PO_LENGTH_AMPLITUDE, takes & PO_TAKES_AMPLITUDE),
       use_of(l, PO_LENGTH_WAVELENGTH, takes & PO_TAKES_WAVELENGTH),
-      /* the radius of a scene in SI units is in the unit of force, too */
+      /* in SI units, the unit of force contains the radius */
       use_of(l, PO_LENGTH_RADIUS, takes & PO_TAKES_RADIUS || l->flags.from_physical),
       {"alpha", !isnan(l->alpha), takes & PO_TAKES_ALPHA},
       use_of(l, PO_LENGTH_APPROACH, form->variable == PO_FORM_AT_APPROACH),
@@ -102,7 +123,7 @@ static po_status check_use(const po_theory_line *l, const po_form *form) {
   return po_options_refuse_idle(what, flags, sizeof flags / sizeof *flags);
 }
 
-/* Refuses what a form makes nothing of. */
+/* Refuses values outside the domain of the form. */
 static po_status check_values(const po_theory_line *l, const po_form *form) {
   const double approach = l->flags.length[PO_LENGTH_APPROACH];
   if (form->needs & PO_NEEDS_ELASTIC && !(l->scene.tabor > 0.0))
@@ -117,7 +138,7 @@ static po_status check_values(const po_theory_line *l, const po_form *form) {
   return PO_OK;
 }
 
-/* The scene and alpha from what was given, and whether that is enough for the form. */
+/* Computes the scene and alpha from the options, and refuses options that are missing. */
 static po_status complete(po_theory_line *l, const po_form *form) {
   const bool given = !isnan(l->alpha);
   l->scene = po_scene_default();
@@ -160,7 +181,7 @@ static const char *unit_of(const char *key) {
   return "";
 }
 
-/* An infinite one, such as the crest's radius of a smooth sphere, is null. */
+/* An infinite value, such as the crest radius of a smooth sphere, is null in JSON and - here. */
 static void print_number(const char *key, const json_t *value, const char *unit) {
   if (json_is_null(value))
     printf("%-34s -\n", key);
@@ -181,7 +202,7 @@ static void print_text(const po_theory_line *l, const json_t *out, json_t *si) {
   }
 }
 
-/* Takes both. */
+/* Releases `out` and `si`. */
 static po_status print_json(const po_theory_line *l, const char *name, json_t *out, json_t *si) {
   json_t *document =
       PO_JSON_OBJECT({"schema", po_json_text("pulloff/1")}, {"theory", po_json_text(name)});
@@ -194,7 +215,7 @@ static po_status print_json(const po_theory_line *l, const char *name, json_t *o
   return po_print_document(document);
 }
 
-/* What was found, by name, and the same in SI units, of what has one. */
+/* The results by name, and those that have a unit also in SI units. */
 static void fill(const po_theory_line *l, const po_form_values *values, json_t **out, json_t **si) {
   static const char *const SUFFIXES[] = {"", "m", "n", "j_per_m2", "pa"};
   const po_units *u = &l->flags.units;
@@ -210,16 +231,16 @@ static void fill(const po_theory_line *l, const po_form_values *values, json_t *
   }
 }
 
-/* NaN or an infinity must not be taken for a result. */
+/* Refuses a result that is NaN or infinite. */
 static po_status check_numbers(const po_form *form, const po_form_values *values) {
   for (size_t i = 0; i < values->count; ++i) {
     const po_form_value *item = &values->items[i];
     if (!isfinite(item->value) && !(isinf(item->value) && item->may_be_infinite))
       return po_fail(
           PO_BAD_INPUT,
-          "theory %s has no %s here: expected values less far apart, so that all numbers "
-          "on the way are within the range of doubles",
-          form->name, item->name);
+          "%s of theory %s cannot be computed: an intermediate value exceeds the range of "
+          "double precision; expected values of more similar size",
+          item->name, form->name);
   }
   return PO_OK;
 }
@@ -249,7 +270,7 @@ static po_status print(const po_theory_line *l, const po_form *form) {
 }
 
 int po_verb_theory(int argc, char **argv) {
-  const po_options options = {"theory", HELP, OPTIONS, argc, argv};
+  const po_options options = {"theory", HELP, OPTIONS, argc, argv, MORE_HELP};
   po_theory_line line = {.flags = po_scene_flags_default(), .alpha = NAN, .gap = NAN};
   po_status status = PO_OK;
   if (!po_options_read(&options, take_option, &line, &status))
@@ -257,9 +278,12 @@ int po_verb_theory(int argc, char **argv) {
   const char *name = optind < argc ? argv[optind++] : "";
   char shown[PO_QUOTE_LENGTH];
   const po_form *form = po_form_find(name);
+  if (!form && !*name)
+    return po_options_end(po_fail(
+        PO_BAD_INPUT, "theory needs the name of a closed form: expected %s", PO_FORM_NAMES));
   if (!form)
-    return po_options_end(po_fail(PO_BAD_INPUT, "theory %s is unknown: expected %s",
-                                  *name ? po_quote(name, shown) : "without a name", PO_FORM_NAMES));
+    return po_options_end(po_fail(PO_BAD_INPUT, "no closed form is named %s: expected %s",
+                                  po_quote(name, shown), PO_FORM_NAMES));
   status = po_options_no_operands(&options);
   if (!status)
     status = complete(&line, form);

@@ -11,23 +11,27 @@
 
 static const char HELP[] =
     "Usage: pulloff verify [OPTION]... [CASE]...\n"
-    "Runs what is missing of the cases, compares every number with its reference and prints a\n"
-    "line a case, each failure with the command that explains it, and the totals. Exit code 1 "
-    "when\n"
-    "a check does not pass (within, improved and slack do), 3 when a solve failed. Without a CASE\n"
-    "every reference table is checked first, used or not.\n\n"
-    "  --suite S[,S]   the cases of these suites\n"
-    "  --output DIR    where the records are (build/run)\n"
-    "  --jobs N        points solved side by side (0: all cores); the numbers do not depend\n"
-    "                  on it\n"
-    "  --points A[-B]  only these points of each case, counted from 0; they are kept for a run of\n"
-    "                  the whole\n"
-    "  --time-limit S  seconds of processor time a solve may take, instead of what the case says\n"
-    "  --fresh         solve again what is there\n"
-    "  --verbose       print a line for every check\n"
-    "  --tap           print TAP 13, one line a check\n"
-    "  --junit FILE    write JUnit XML, too\n"
-    "  -h, --help      this text\n\n"
+    "Solves the points that have no valid record, compares the results with the references and\n"
+    "prints a line for each case, each failure with the command that explains it, and the\n"
+    "totals. The exit code is 3 if a solve failed, and otherwise 1 if a check does\n"
+    "not pass (the verdicts within, improved and slack pass). Without CASE, all reference tables\n"
+    "are checked first. CASE is a name (see pulloff list) or the path of a YAML file. Without\n"
+    "CASE and --suite, all cases are taken except those of the suite random, which take long.\n"
+    "\n"
+    "  --suite S[,S]     take the cases of these suites instead (see pulloff list)\n"
+    "  --output DIR      folder of the records (default build/run)\n"
+    "  --jobs N          number of points solved in parallel; 0 means all cores (default 0); the\n"
+    "                    results do not depend on it\n"
+    "  --points A[-B]    solve only points A to B of each case, counted from 0 (default: all); a\n"
+    "                    later run of all points reuses them\n"
+    "  --time-limit S    limit of the processor time of each solve, in seconds (default: the\n"
+    "                    limit in the case file, if any)\n"
+    "  --fresh           solve all points again, even those with a valid record\n"
+    "  --verbose         print a line for every check\n"
+    "  --tap             print the verdicts as TAP 13, one line a check\n"
+    "  --junit FILE      write the verdicts also to FILE, as JUnit XML\n"
+    "  -h, --help        print this text\n"
+    "\n"
     "Example: pulloff verify --suite smoke\n";
 
 enum { TAP = PO_SESSION_NEXT, JUNIT, VERBOSE };
@@ -38,7 +42,8 @@ static const struct option OPTIONS[] = {PO_SESSION_OPTIONS,
                                         {"junit", required_argument, NULL, JUNIT},
                                         {NULL, 0, NULL, 0}};
 
-/* Without names: no table may be missing, cut short or altered, whether a case uses it or not. */
+/* If no case is named, no reference table may be missing, truncated or altered, even one that no
+ * case uses. */
 static po_status check_references(void) {
   po_reference_list list;
   po_status status = po_reference_list_open(po_environment_data(), &list);
@@ -93,7 +98,7 @@ static po_status take_option(void *to, int option) {
 }
 
 int po_verb_verify(int argc, char **argv) {
-  const po_options options = {"verify", HELP, OPTIONS, argc, argv};
+  const po_options options = {"verify", HELP, OPTIONS, argc, argv, NULL};
   verify_line line = {.session = po_session_default()};
   po_session *session = &line.session;
   po_status status = PO_OK;

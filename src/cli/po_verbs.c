@@ -12,16 +12,18 @@ static const struct {
   int (*run)(int argc, char **argv);
   const char *summary;
 } VERBS[] = {
-    {"solve", po_verb_solve, "solve one scene given by flags"},
-    {"follow", po_verb_follow, "follow the pull-off along a line of scenes"},
-    {"theory", po_verb_theory, "print a closed form of the paper"},
-    {"list", po_verb_list, "list the cases"},
-    {"plan", po_verb_plan, "say what would be computed for a case, and why"},
-    {"run", po_verb_run, "solve cases and keep their records"},
-    {"merge", po_verb_merge, "put the shards of a run together"},
-    {"verify", po_verb_verify, "run what is missing and judge every check"},
-    {"explain", po_verb_explain, "say what differs, where, and which side is likely at fault"},
-    {"bless", po_verb_bless, "accept the numbers of a case as its pins"},
+    {"solve", po_verb_solve, "solve one scene"},
+    {"follow", po_verb_follow,
+     "compute the pull-off of a series of scenes in which one parameter varies"},
+    {"theory", po_verb_theory, "evaluate a closed form of the paper"},
+    {"list", po_verb_list, "list the cases or the reference tables"},
+    {"plan", po_verb_plan, "print what would be computed for a case, and why"},
+    {"run", po_verb_run, "solve the points of cases and write their records"},
+    {"merge", po_verb_merge, "combine the shards of a run"},
+    {"verify", po_verb_verify,
+     "compare the results of cases with references and print the verdicts"},
+    {"explain", po_verb_explain, "explain the checks that are not within their tolerance"},
+    {"bless", po_verb_bless, "accept the values of a case as its pins"},
     {"report", po_verb_report, "write the report of a run"},
 };
 
@@ -29,15 +31,16 @@ static const struct {
 
 static void print_help(void) {
   puts("Usage: pulloff VERB [OPTION]...\n"
-       "Adhesion of a sphere with axisymmetric waviness under the Lennard-Jones law:\n"
-       "solved, checked against reference data, reported.\n");
+       "Solves the adhesive contact of a sphere that has an axisymmetric waviness, with the\n"
+       "Lennard-Jones or another traction-separation law, and checks the results against "
+       "references.\n");
   for (size_t i = 0; i < sizeof VERBS / sizeof *VERBS; ++i)
     printf("  %-8s %s\n", VERBS[i].name, VERBS[i].summary);
-  puts("\n  -h, --help  this text, or that of a verb\n"
-       "  --version   the version\n\n"
-       "Exit codes: 0 all well, 1 a check does not pass, 2 bad usage or input,\n"
-       "3 a solve failed or memory ran out, 4 a file could not be read or written,\n"
-       "130 interrupted.\n\n"
+  puts("\n  -h, --help  print this text, or with VERB the options of the verb\n"
+       "  --version   print the version\n\n"
+       "Exit codes: 0 success, 1 a check does not pass, 2 wrong usage or wrong input,\n"
+       "3 a solve failed or memory ran out, 4 a file could not be read or written or a\n"
+       "program is missing, 130 interrupted.\n\n"
        "Example: pulloff solve --tabor 1 --json");
 }
 

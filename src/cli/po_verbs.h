@@ -1,9 +1,9 @@
-/* The verbs of the program. Each reads its command line (argv[0] is the verb) and returns the exit
- * code. */
+/* The verbs of the program. Each function reads the command line of its verb (argv[0] is the verb)
+ * and returns the exit code. */
 #ifndef PO_VERBS_H
 #define PO_VERBS_H
 
-/* Reads a whole command line, argv[1] being the verb. */
+/* Reads the command line of the program (argv[1] is the verb) and runs the verb. */
 int po_verbs_run(int argc, char **argv);
 
 int po_verb_solve(int argc, char **argv);

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Every reference table of the source, used by a case or not: deleted, cut short, or with one digit altered, it
-# is noticed and named.
+# Tests every reference table of the source tree, even one that no case uses. If it is deleted, truncated, or one digit
+# is altered, the program detects it and names the table.
 # shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 source=$here/../..
@@ -10,15 +10,15 @@ cp -r "$source/cases" "$source/reference" "$PULLOFF_DATA"
 rm -rf "$PULLOFF_DATA/reference/make"
 folder=$PULLOFF_DATA/reference
 
-# noticed NAME MESSAGE: the spoilt table is named, in the list and on standard error; it is put right again.
+# noticed NAME MESSAGE: tests that the list and standard error name the damaged table, and restores it.
 noticed() {
   expect 4 "pulloff: $2" list --references
   check "the list says that $1 is damaged" grep -q "^reference/$1 .*damaged: " "$work/stdout"
-  check 'and nothing else' test 1 -eq "$(grep -c damaged "$work/stdout")"
+  check 'no other table is damaged' test 1 -eq "$(grep -c damaged "$work/stdout")"
   cp "$source/reference/$1" "$folder/$1"
 }
 
-# Every digit of the lines of a sed address becomes another.
+# Changes every digit of the lines of a sed address.
 alter() { # ADDRESS FILE
   sed -i "$1 { y/0123456789/1234567890/; }" "$2"
 }
@@ -40,7 +40,7 @@ for name in $tables; do
   noticed "$name" "reference/$name:*: sha256 is *"
   truncate -s -2 "$file"
   noticed "$name" "reference/$name:*: the last line has no newline: the file is truncated"
-  # one digit: of the last number of a row in the middle, and of the header's uncertainty
+  # one digit is altered, in the last number of a row in the middle and in the uncertainty in the header
   middle=$(((columns + $(wc -l <"$file")) / 2 + 1))
   digit=$(sed -n "${middle}s/.*\([0-9]\)[^0-9]*\$/\1/p" "$file")
   sed -i "${middle}s/$digit\([^0-9]*\)\$/$(((digit + 1) % 10))\1/" "$file"
@@ -52,7 +52,7 @@ for name in $tables; do
   noticed "$name" "reference/$name:*: sha256 is *"
 done
 
-# verify without a case checks them all, before anything is solved; with one, what the case uses.
+# Without a case, verify checks all tables before it solves anything. With a case, it checks the tables of the case.
 sed -i '$d' "$folder/struve.csv"
 expect 4 'pulloff: reference/struve.csv:*: sha256 is *' verify --suite smoke --output out
 check 'nothing is solved' test ! -e out
@@ -66,5 +66,5 @@ expect 4 'pulloff: *reference/index.txt cannot be opened: *' list --references
 cp "$source/reference/index.txt" "$folder"
 cp "$folder/struve.csv" "$folder/mine.csv"
 expect 0 '' list --references
-check 'a table beside them is shown' grep -q '^reference/mine.csv .*not in the index' "$work/stdout"
+check 'a table that is not in the index is shown' grep -q '^reference/mine.csv .*not in the index' "$work/stdout"
 finish

@@ -1,11 +1,12 @@
 #!/bin/sh
-# Bad case files: one line with file, line, path, value and what was expected; exit code 2; nothing written.
+# Wrong case files: the message is one line with file, line, path, value and what was expected. The exit code is 2, and
+# nothing is written.
 # shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
 file=$PULLOFF_DATA/cases/good.yaml
 
-# spoilt SED-SCRIPT MESSAGE: the good case, edited, is refused.
+# spoilt SED-SCRIPT MESSAGE: edits the good case and tests that it is refused.
 spoilt() {
   restore
   sed -i "$1" "$file"

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Disks that are full, folders that cannot be, tools that are absent: exit code 4, one line, nothing
-# half-written, nothing lost.
+# Full disks, folders that cannot be created, missing programs: the exit code is 4, the message is one line, no file is
+# written in part, and no earlier file is lost.
 # shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
@@ -10,7 +10,7 @@ expect_output_failure() {
   got=$?
   check "exit code 4 of pulloff $* on a full device" test "$got" -eq 4
   check 'one line' test "$(wc -l <"$work/stderr")" -eq 1
-  check 'that says why' grep -q 'No space left on device' "$work/stderr"
+  check 'the message states the reason' grep -q 'No space left on device' "$work/stderr"
 }
 expect_output_failure solve --tabor 0
 expect_output_failure solve --tabor 0 --json
@@ -27,9 +27,9 @@ expect 4 'pulloff: the folder file/run cannot be created: file*: Not a directory
 mkdir -p blocked
 : >blocked/good
 expect 4 'pulloff: the folder blocked/good cannot be created: *Not a directory' run --output blocked
-check 'what was in the way is still there' test -f blocked/good
+check 'the file in place of the folder is unchanged' test -f blocked/good
 
-# A record that is there survives a disk that fills up.
+# If the disk fills up, an existing record is kept.
 trap 'umount "$work/small" 2>/dev/null; rm -rf "$work"' EXIT
 if [ "$(id -u)" -eq 0 ] && mkdir small && mount -t tmpfs -o size=64k,mode=700 tmpfs small 2>mount.err; then
   expect 0 '*' run --output small/run
@@ -37,8 +37,8 @@ if [ "$(id -u)" -eq 0 ] && mkdir small && mount -t tmpfs -o size=64k,mode=700 tm
   cat /dev/zero >small/filler 2>/dev/null
   expect 4 'pulloff: small/run/good/* cannot be written: No space left on device' \
     run --output small/run --fresh
-  check 'the old record is whole' cmp kept.json small/run/good/record.json
-  check 'nothing is left beside it' test "$(find small/run/good -name '*.part-*' | wc -l)" -eq 0
+  check 'the old record is complete' cmp kept.json small/run/good/record.json
+  check 'no temporary file is left' test "$(find small/run/good -name '*.part-*' | wc -l)" -eq 0
   umount small
 else
   echo 'skipped: a full disk (needs root, and the right to mount)'
@@ -49,21 +49,21 @@ expect 0 '*good: 1 points, 1 checks: within' run --output run
 expect 0 '*good: 1 points, 1 checks: within (kept)' run --output run
 printf '{"schema": ' >run/good/record.json
 expect 0 '*good: 1 points, 1 checks: within' run --output run
-check 'the record is whole again' grep -q '"verdict": "within"' run/good/record.json
+check 'the record is complete again' grep -q '"verdict": "within"' run/good/record.json
 
-# The report, without what it needs.
+# The report, if a script, the records or a program is missing.
 mkdir -p "$PULLOFF_DATA/reports" bin
-expect 4 'pulloff: */reports/make_report.py cannot be read: it is not there' report --run run
+expect 4 'pulloff: */reports/make_report.py does not exist: expected *' report --run run
 printf 'import sys\nprint(sys.argv[1:])\nsys.exit(3)\n' >"$PULLOFF_DATA/reports/make_report.py"
-expect 4 'pulloff: there is no run in elsewhere: expected one (pulloff run)' report --run elsewhere
+expect 4 'pulloff: elsewhere does not exist: expected the records of a run (see pulloff run --help)' report --run elsewhere
 program_path=$work/bin
-expect 4 'pulloff: gnuplot is not there: expected it on PATH to draw figures' report --run run
+expect 4 'pulloff: gnuplot was not found: expected it in PATH, to draw the figures' report --run run
 program_path=
 PULLOFF_PYTHON=$work/bin/python expect 4 \
-  'pulloff: */bin/python is not there: expected Python to write the report' report --run run
+  'pulloff: */bin/python was not found: expected Python, which writes the report' report --run run
 printf '#!/bin/sh\n' >bin/gnuplot
 chmod +x bin/gnuplot
 program_path=$work/bin:$PATH
 expect 3 '' report --run run --output report
-check 'the script is told where' grep -q "'--run', 'run', '--output', 'report'" "$work/stdout"
+check 'the script gets the folders' grep -q "'--run', 'run', '--output', 'report'" "$work/stdout"
 finish

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Bad reference tables: one line with file and line; exit code 4 (unreadable, damaged) or 2 (the case asks more
-# than they can give).
+# Wrong reference tables: the message is one line with file and line. The exit code is 4 if the table is unreadable or
+# damaged, and 2 if the case needs a column or a row that the table does not have.
 # shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
@@ -57,7 +57,7 @@ refused 4 'reference/table.csv:12: the last line has no newline: the file is tru
 write_table "$table" tabor,force,approach,force_uncertainty 0,2,0,1e-6
 refused 2 'cases/good.yaml:15: checks[[]1[]].tolerance is 1e-9: expected at least 1e-06, *'
 
-# A reference that does not speak of the scene is a verdict: not passed, not an error.
+# If a reference has no row for the scene, the verdict is missing_reference. It does not pass, but it is no error.
 write_table "$table" tabor,force,approach 1,1.6,0
 expect 1 '*' verify good --output out
 check 'the verdict says so' grep -q missing_reference "$work/stdout"

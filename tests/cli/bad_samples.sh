@@ -1,5 +1,5 @@
 #!/bin/sh
-# The section `sample` of a case: one line with file, line, path, value and what was expected.
+# Wrong sections `sample` of a case: the message is one line with file, line, path, value and what was expected.
 # shellcheck disable=SC1091,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
@@ -37,9 +37,9 @@ write_sample
 expect 0 '*good: 3 points, 0 checks: within' run good --output out0
 expect 0 '' plan good
 check 'the plan says how many are drawn' grep -q '^  draw 3 scenes, each from seed 17' "$work/stdout"
-check 'and from where' \
+check 'the plan states the ranges' \
   grep -q '^    wavelength from 1 to 3 times the root of the radius, uniform in its' "$work/stdout"
-check 'and in what unit' grep -q '^    amplitude from 0 to 0.2 times wavelength, uniform$' "$work/stdout"
+check 'the plan states the units of the ranges' grep -q '^    amplitude from 0 to 0.2 times wavelength, uniform$' "$work/stdout"
 
 spoilt '/^  seed/d' '*: sample.seed is missing: expected a whole number of at most 15 digits'
 spoilt 's/seed: 17/seed: 1.5/' '8: sample.seed is 1.5: expected a whole number of at most 15 digits'

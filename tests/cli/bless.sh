@@ -1,5 +1,6 @@
 #!/bin/sh
-# Pins: made and renewed by bless, with a reason, and not while an oracle fails; noticed when altered.
+# pulloff bless writes and renews pins. It needs a reason and refuses if a check against an oracle does not pass. Altered
+# pins are detected.
 # shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
@@ -14,7 +15,7 @@ add_pin() { # CASE QUANTITY TOLERANCE KIND
 PIN
 }
 
-# Edits the rows of the pins and makes their checksum right again.
+# Edits the rows of the pins and corrects their checksum.
 alter() { # SED-SCRIPT
   sed -i "$1" "$pins"
   seal "$pins"
@@ -29,7 +30,8 @@ verified() { # CODE PATTERN
   says "the verdict: $2" "$2"
 }
 
-# Refused once the case is solved, which is itself told in a line before.
+# refused CODE PATTERN ARGUMENT...: tests that bless refuses after it has solved the case. Standard error also has a line
+# of progress.
 refused() { # CODE PATTERN ARGUMENT...
   wanted=$1
   pattern=$2
@@ -40,7 +42,7 @@ refused() { # CODE PATTERN ARGUMENT...
   check "refused: $pattern" grep -q -e "^pulloff: $pattern" "$work/stderr"
 }
 
-# Nothing to hold on to.
+# The case has no check against pins, or the arguments are wrong.
 expect 2 'pulloff: good pins nothing: expected a check whose reference is pin' \
   bless good --reason why --output run
 add_pin "$file" pull_off_force 1e-10 rel
@@ -56,7 +58,7 @@ expect 2 'pulloff: bless needs the name of one case (see pulloff bless --help)' 
 expect 2 'pulloff: no case is named best: expected one of good' bless best --reason why
 check 'nothing was solved for these' test ! -e run
 
-# No pins yet: said with the command that makes them.
+# No pins exist yet: the verdict says so, and the command that writes them is printed.
 verified 1 'missing_reference: there is no file cases/pins/good.csv'
 says 'and counted' '^1 checks pass (1 slack), 7 do not (7 missing_reference), 0 solves failed$'
 expect 0 '' plan good
@@ -65,21 +67,21 @@ says 'with the command' '^to make the pins: pulloff bless good --reason TEXT$'
 expect 1 '*' verify good --output run
 says 'the same command in the overview' '^    pulloff bless good --reason TEXT$'
 
-# Made.
+# The first pins are written.
 expect 0 '*' bless good --reason 'the first, of a closed form' --output run
 says 'what is new' '^scene  *pull_off_force  *new  *2$'
 says 'how many' '^cases/pins/good.csv: 7 pins, 0 moved, 7 new, 0 dropped$'
-check 'when, who, with what, why' grep -q \
+check 'the pins state date, author, program and reason' grep -q \
   '^# blessing 1: 20[0-9][0-9]-[01][0-9]-[0-3][0-9], tester, pulloff [0-9.]*: the first, of a closed form$' "$pins"
-check 'which oracle held' grep -q '^# checked 1: reference/table.csv sha256 ' "$pins"
+check 'the pins state which oracle agreed' grep -q '^# checked 1: reference/table.csv sha256 ' "$pins"
 verified 0 '^8 checks pass (1 slack), 0 do not, 0 solves failed$'
 verified 0 'slack: the tolerance is [0-9]* times the largest error this check met, here'
 cp "$pins" first.csv
 expect 0 '*' bless good --reason 'again' --output run
 says 'nothing moved' '7 pins, all as they were; nothing is written'
-check 'so nothing is written' cmp first.csv "$pins"
+check 'nothing is written' cmp first.csv "$pins"
 
-# Altered: by its checksum, and when that was altered with it, by its value.
+# An altered pin is detected by its checksum, or, if the checksum was corrected, by its value.
 sed -i 's/^pull_off_force,2/pull_off_force,2.1/' "$pins"
 expect 4 'pulloff: cases/pins/good.csv:*: sha256 is *: expected *, that of all other lines*' verify --verbose good
 expect 4 'pulloff: cases/pins/good.csv:*: sha256 is *' bless good --reason why
@@ -88,8 +90,8 @@ verified 0 'improved: the error against table fell from 1e-05 to 0: bless it'
 expect 0 '*' verify good --output run --tap --junit junit.xml
 says 'ok in TAP' '^ok 2 - good pull_off_force/pin/scene$'
 says 'with the word' '^# improved: obtained 2, expected 2.00001'
-check 'passed in JUnit, with the word' grep -q '<system-out>improved: ' junit.xml
-check 'and in the record' grep -q '"verdict": "improved"' run/good/record.json
+check 'JUnit has a passed test with the verdict' grep -q '<system-out>improved: ' junit.xml
+check 'the record has the verdict' grep -q '"verdict": "improved"' run/good/record.json
 write_table "$table" tabor,force,approach 0,2.0000000005,0
 alter 's/^pull_off_force,.*/pull_off_force,2.0000000004/'
 verified 1 'regressed: the error against table rose from 1e-10 to 5e-10'
@@ -115,12 +117,12 @@ sed -i 's/^# kind: pin/# kind: oracle/' "$pins" && seal "$pins"
 expect 4 'pulloff: cases/pins/good.csv: kind is oracle: expected pin' verify --verbose good
 cp first.csv "$pins"
 
-# Not while an oracle fails; a published value that does is no reason.
+# bless refuses if a check against an oracle does not pass, but not if one against a published value does not.
 write_table "$table" tabor,force,approach 0,2.1,0
 verified 1 'oracle    wrong_and_frozen'
 refused 1 'good is not blessed: pull_off_force/table/scene is wrong_and_frozen (see pulloff explain good)$' \
   bless good --reason why
-check 'the pins are as they were' cmp first.csv "$pins"
+check 'the pins are unchanged' cmp first.csv "$pins"
 write_table "$table" tabor,force,approach 7,2.1,0
 refused 1 'good is not blessed: pull_off_force/table/scene is missing_reference ' bless good --reason why
 write_table "$table" tabor,force,approach 0,2.1,0
@@ -129,11 +131,11 @@ alter 's/^pull_off_force,.*/pull_off_force,2.00001/'
 verified 1 'moved: no oracle speaks of it'
 expect 0 '*' bless good --reason 'the paper rounds' --output run
 says 'by how much' '^scene  *pull_off_force  *moved  2.00001 -> 2, by -1e-05$'
-check 'the first blessing is remembered' grep -q '^# blessing 1: .*: the first, of a closed form$' "$pins"
+check 'the first blessing is kept' grep -q '^# blessing 1: .*: the first, of a closed form$' "$pins"
 check 'the second is added' grep -q '^# blessing 2: .*: the paper rounds$' "$pins"
 write_table "$table" tabor,force,approach 0,2,0
 
-# Another scene is not pinned by the old values, and they go when it is.
+# Pins of another scene do not apply, and bless removes them.
 sed -i 's/^  radius: 100/  radius: 90/' "$file"
 verified 1 'missing_reference: not pinned in'
 expect 0 '*' bless good --reason 'a smaller sphere' --output run
@@ -142,21 +144,22 @@ verified 0 '^8 checks pass'
 sed -i 's/^  radius: 90/&\n  approach_end: 5/' "$file"
 cp "$pins" third.csv
 refused 3 'good is not blessed: the solve of scene failed: ' bless good --reason why
-check 'a failed solve leaves the pins' cmp third.csv "$pins"
+check 'after a failed solve the pins are unchanged' cmp third.csv "$pins"
 
-# A case anywhere has its pins beside it; who blesses is who commits; no folder can be made of a file.
+# The pins of a case are in the folder of the case file. The author is user.name of git. A file in place of the folder
+# is an error.
 mkdir -p my
 write_case my/own.yaml
 sed -i 's/^name: good/name: own/' my/own.yaml
 add_pin my/own.yaml pull_off_approach 1e-10 abs
 GIT_CONFIG_COUNT=1 GIT_CONFIG_KEY_0=user.name GIT_CONFIG_VALUE_0='A. Smith' \
   expect 0 '*' bless my/own.yaml --reason 'mine' --output run
-check 'beside it' grep -q '^# blessing 1: .*, A. Smith, ' my/pins/own.csv
+check 'the pins are in the folder of the case' grep -q '^# blessing 1: .*, A. Smith, ' my/pins/own.csv
 rm -r my/pins
 : >my/pins
 refused 4 'the folder my/pins cannot be created: ' bless my/own.yaml --reason 'mine'
 
-# A solve that failed within the share that may is no reason to refuse.
+# bless accepts a solve that failed if the stated fraction of solves may fail.
 restore
 sed -i 's/^want/sweep: [{key: approach_end, values: [0.1, 0.2, 5]}]\nwant/; s/quantity: pull_off_force/quantity: solved_share/;
   s/reference: .*/reference: every_scene/; s/tolerance: 1e-9/tolerance: 0.6/;
@@ -165,7 +168,7 @@ add_pin "$file" pull_off_force 1e-10 rel
 sed -i 's/, because: it is quick to bless again/&, when: [{key: approach_end, values: [0.1]}]/' "$file"
 expect 0 '*' bless good --reason 'one of two may fail' --output run
 says 'the one that must not fail' ' 1 pins, 0 moved, 1 new, 0 dropped$'
-check 'a share is no table that held' test 0 -eq "$(grep -c '^# checked' "$pins")"
+check 'a fraction of solves is not listed as an oracle' test 0 -eq "$(grep -c '^# checked' "$pins")"
 sed -i 's/tolerance: 0.6/tolerance: 0.4/' "$file"
 refused 3 'good is not blessed: the solve of approach_end=5 failed: ' bless good --reason why
 finish

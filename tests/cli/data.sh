@@ -1,4 +1,4 @@
-# A data folder of its own, with one quick good case and one good reference, to be spoilt.
+# Creates a data folder with one correct case that is solved quickly and one correct reference table, to be damaged.
 # shellcheck shell=sh disable=SC2154
 export PULLOFF_DATA="$work/data"
 mkdir -p "$PULLOFF_DATA/cases" "$PULLOFF_DATA/reference"
@@ -25,7 +25,7 @@ checks:
 CASE
 }
 
-# Rows under a header whose checksum is right, whatever the rows.
+# Writes a table with these rows and a header with the correct checksum.
 write_table() { # FILE COLUMNS ROW...
   into=$1
   shift
@@ -45,7 +45,7 @@ TABLE
   seal "$into"
 }
 
-# Puts the right checksum into a table, above the line of column names.
+# Writes the correct checksum into a table, above the line of column names.
 seal() { # FILE
   sed -i '/^# sha256:/d' "$1"
   line=$(grep -n -m 1 -v '^#' "$1" | cut -d: -f1)

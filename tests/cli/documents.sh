@@ -1,12 +1,12 @@
 #!/bin/sh
-# What the documents print, a reader may type: every command runs, the output shown is that of today, and the example
-# of a case is a case. documents.py says what is compared.
+# Every command in the documents runs, the output shown there is that of the present program, and the example of a case
+# file is a valid case. documents.py describes the comparison.
 # shellcheck disable=SC1091,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 root=$here/../..
 python=${PYTHON:-python3}
 
-# The data of this tree: the example of a case names its tables.
+# The example of a case uses the reference tables of this source tree.
 PULLOFF_DATA=$root
 export PULLOFF_DATA
 awk '/^```yaml/ { inside = 1; next } /^```/ && inside { exit } inside' "$root/doc/cases.md" >"$work/example.yaml"
@@ -42,7 +42,7 @@ sys.exit(1 if wrong or len(pages) < 8 else 0)
 LINKS
 check 'the links of the documents' "$python" links.py "$root"
 
-# Files and functions that the pages on the code name are there.
+# The files and functions that the documents name exist.
 cat >names.py <<'NAMES'
 import pathlib
 import re

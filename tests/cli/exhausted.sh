@@ -1,6 +1,6 @@
 #!/bin/sh
-# Memory, address space and disks that run out: a message and an exit code, nothing that spins or is torn, and the next
-# run goes on with what is there.
+# If memory, address space or disk space runs out, the program ends with a message and an exit code. It does not hang,
+# leaves no damaged file, and the next run continues.
 # shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154,SC3045
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
@@ -26,16 +26,17 @@ ends_whole() { [ -s "$1" ] && [ -z "$(tail -c 1 "$1")" ]; }
 expect 0 'parts: 6 points, 0 checks: within' run --jobs 1 --output whole
 strip whole/parts/record.json >at-once
 
-# A file-size limit is a disk that fills up in the middle of a line. What is left is whole, and goes on.
+# A limit of the file size acts like a disk that fills up in the middle of a line. The file that remains is complete, and
+# the next run continues it.
 (
   ulimit -f 8
   "$program" run --jobs 1 --output limited 2>stderr
   echo $? >code
 )
-check 'a file that may not grow: exit code 4, no signal' test "$(cat code)" -eq 4
-check 'it says which file and why' \
+check 'exit code 4 at the file-size limit, no signal' test "$(cat code)" -eq 4
+check 'the message names the file and the reason' \
   grep -q '^pulloff: limited/parts/points.jsonl cannot be written: \(File too large\|No space left on device\)$' stderr
-check 'no half line is left' ends_whole limited/$journal
+check 'no incomplete line is left' ends_whole limited/$journal
 kept=$(wc -l <limited/$journal)
 check 'some points are kept' test "$kept" -ge 1
 expect 0 "parts: 6 points, 0 checks: within ($kept points kept)" run --jobs 1 --output limited
@@ -46,23 +47,23 @@ check 'the record is that of an undisturbed run' cmp mended at-once
   "$program" solve --tabor 0 --curve curve.csv >/dev/null 2>stderr
   echo $? >code
 )
-check 'a curve that may not be written: exit code 4' test "$(cat code)" -eq 4
-check 'nothing is left of it' test -z "$(find . -name 'curve.csv*')"
+check 'exit code 4 if a curve cannot be written' test "$(cat code)" -eq 4
+check 'no part of the curve is left' test -z "$(find . -name 'curve.csv*')"
 
-# A half line, as a killed process may leave it: the next point begins a new one.
+# After an incomplete line, which a killed process may leave, the next point begins a new line.
 expect 0 'parts: 2 of 6 points, 0 checks: within' run --jobs 1 --output torn --points 0-1
 truncate -s -40 torn/$journal
 expect 0 'parts: 1 of 6 points, 0 checks: within' run --jobs 1 --output torn --points 3
 expect 0 'parts: 6 points, 0 checks: within (2 points kept)' run --jobs 1 --output torn
 strip torn/parts/record.json >mended
-check 'the record of the torn one is whole' cmp mended at-once
+check 'the record made from the damaged journal is complete' cmp mended at-once
 
-# What found no memory is no result, whatever an earlier version kept.
+# A point that ran out of memory is no result, even if an earlier version kept it.
 expect 0 'parts: 3 of 6 points, 0 checks: within' run --jobs 1 --output starved --points 0-2
 sed -i '2s/"status":"ok"/"status":"no_memory"/' starved/$journal
 expect 0 'parts: 6 points, 0 checks: within (2 points kept)' run --jobs 1 --output starved
 
-# With little address space OpenBLAS asked for its work area for ever, deaf to SIGTERM.
+# With little address space, OpenBLAS used to request its work area for ever and to ignore SIGTERM.
 if ldd "$program" | grep -q 'lib[a-z]*asan'; then
   echo 'skipped: little address space (the address sanitizer needs much)'
 else
@@ -80,13 +81,13 @@ else
     *) check "an end within $room kB" false ;;
     esac
   done
-  check 'there is a result at last' test "$(cat code)" -eq 0
+  check 'with enough address space there is a result' test "$(cat code)" -eq 0
   (
     ulimit -v 200000
     timeout -k 1 60 "$program" run --jobs 4 --output small 2>stderr
     echo $? >code
   )
   check 'four threads are refused' test "$(cat code)" -eq 3
-  check 'it says what to do' grep -q 'for each of 4 threads.*solve fewer points at a time' stderr
+  check 'the message says what to do' grep -q 'for each of 4 threads.*solve fewer points at a time' stderr
 fi
 finish

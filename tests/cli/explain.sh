@@ -1,5 +1,5 @@
 #!/bin/sh
-# explain: what differs, where, who is likely at fault, and a command that repeats it.
+# pulloff explain prints what differs, where, which side is probably wrong, and a command that repeats the solve.
 # shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
@@ -25,9 +25,9 @@ explained 0 '^good pull_off_force scene: slack$' '^  fault      tolerance: .*: n
 sed -i 's/tolerance: 1e-9/tolerance: 1e-12/' "$file"
 explained 0 '^good: 0 of 1 checks told, the others are within$'
 expect 0 '*' explain good --output run --all
-check 'all: what is within, too' grep -q '^good pull_off_force scene: within$' "$work/stdout"
+check '--all explains also checks that are within' grep -q '^good pull_off_force scene: within$' "$work/stdout"
 
-# Outside, with only one witness.
+# A check is outside, and no other check is of the same quantity.
 restore
 write_table "$table" tabor,force,approach,force_uncertainty 0,2.5,0,1e-10
 explained 1 '^good pull_off_force scene: outside$' '^  obtained   2$' '^  expected   2.5$' \
@@ -37,13 +37,13 @@ explained 1 '^good pull_off_force scene: outside$' '^  obtained   2$' '^  expect
   '^  fault      program: .*nothing else speaks of this' \
   '^  tolerance  because it has a closed form$' '^good: 1 of 1 checks told$'
 command=$(sed -n 's/^  rerun      pulloff //p' "$work/stdout")
-check 'every key of the scene' test "$command" = \
+check 'the explanation states every key of the scene' test "$command" = \
   'solve --tabor 0 --radius 100 --outer-radius inf --scheme triangle --grading uniform --nodes 101'
 # shellcheck disable=SC2086 # words are meant
 expect 0 '' $command
 check 'the command repeats it' grep -q '^pull-off force 2 ' "$work/stdout"
 
-# A published value that fails beside an oracle that holds.
+# A check against a published value does not pass, but the check against an oracle does.
 restore
 write_table "$PULLOFF_DATA/reference/paper.csv" tabor,force,approach 0,1.9,0
 sed -i 's/^# kind: .*/# kind: published/' "$PULLOFF_DATA/reference/paper.csv" && seal "$PULLOFF_DATA/reference/paper.csv"
@@ -54,7 +54,7 @@ CHECKS
 explained 1 '^  fault      publication: reference/table.csv (oracle) agrees with the result' \
   '^  fault      pin: it was not blessed yet$' '^to make the pins: pulloff bless good --reason TEXT$'
 
-# Wrong and frozen: the reference was altered since the blessing, or the tolerance was.
+# wrong_and_frozen: the reference or the tolerance was altered after the pins had been blessed.
 expect 0 '*' bless good --reason 'the first' --output run
 write_table "$table" tabor,force,approach 0,2.1,0
 explained 1 '^good pull_off_force scene: wrong_and_frozen$' \
@@ -64,7 +64,7 @@ expect 0 '*' bless good --reason 'another oracle' --output run
 sed -i 's/tolerance: 1e-9/tolerance: 1e-10/' "$file"
 explained 1 '^  fault      tolerance: .*it is what it was then'
 
-# A curve: where, between which landmarks, and one document of it.
+# A curve: the place, the special points on both sides, and the JSON document.
 restore
 sed -i 's/quantity: pull_off_force/quantity: curve/; s/tolerance: 1e-9/tolerance: 1e-7/;
   s/reference: .*/reference: bradley/; s/^  tabor: 0//; s/^want/sweep: [{key: tabor, values: [0, 0.01]}]\nwant/' "$file"
@@ -83,7 +83,7 @@ assert c["because"] == "it has a closed form" and c["reference"] == "bradley"
 LOOK
 check 'the document' "$python" look.py <"$work/stdout"
 expect 1 '*' explain good --output run --point 0
-check 'the other point alone' grep -q '^good: 1 of 1 checks told$' "$work/stdout"
+check '--point selects the other point' grep -q '^good: 1 of 1 checks told$' "$work/stdout"
 
 # A solve that failed.
 restore

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Pull-off along a line of scenes: the verb follow, and cases that say `follow`.
+# The pull-off of a series of scenes: the verb follow, and cases with the key `follow`.
 # shellcheck disable=SC1091,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
@@ -8,19 +8,19 @@ file=$PULLOFF_DATA/cases/good.yaml
 expect 2 'pulloff: --key is not given: expected --key, --from and --to' follow --from 1 --to 2
 expect 2 'pulloff: --from is not given: expected --key, --from and --to' follow --key tabor --to 2
 expect 2 'pulloff: --to is not given: expected --key, --from and --to' follow --key tabor --from 2 --scale linear
-expect 2 'pulloff: the line goes from 2 to 2: expected two values > 0, or --scale linear' \
+expect 2 'pulloff: --from is 2 and --to is 2: expected two different values > 0, or --scale linear' \
   follow --key tabor --from 2 --to 2
 expect 2 'pulloff: --key is scheme: expected *' follow --key scheme --from 1 --to 2
-expect 2 'pulloff: --tabor is given, and runs: *' follow --key tabor --from 1 --to 2 --tabor 1
-expect 2 'pulloff: the line goes from 0 to 2: expected two values > 0, or --scale linear' \
+expect 2 'pulloff: --tabor is given, but its value varies (--key): *' follow --key tabor --from 1 --to 2 --tabor 1
+expect 2 'pulloff: --from is 0 and --to is 2: expected two different values > 0, or --scale linear' \
   follow --key tabor --from 0 --to 2
 expect 2 'pulloff: a waviness is given without --wavelength*' follow --key tabor --from 1 --to 2 --amplitude 1
-expect 2 'pulloff: amplitude and amplitude-ratio are both said*' \
+expect 2 'pulloff: both amplitude and amplitude-ratio are given*' \
   follow --key amplitude --from 1 --to 2 --amplitude-ratio 0.1 --wavelength 20
 expect 2 'pulloff: --radius is -3: *' follow --key tabor --from 1 --to 2 --radius -3
 expect 2 'pulloff: --points is 1: *' follow --key tabor --from 1 --to 2 --points 1
 
-# Amplitude and wavelength in proportion: what is followed is what a trace of that scene finds.
+# Amplitude and wavelength in proportion: a followed value equals that of a trace.
 expect 0 '' follow --key wavelength --from 17.3 --to 24.1 --points 7 --amplitude-ratio 0.0385 --tabor 0.71 \
   --tolerance 1e-5 --json
 cp "$work/stdout" line.json
@@ -28,9 +28,9 @@ python=$(command -v python3)
 field() { # FILE EXPRESSION, of the document d
   "$python" -c 'import json, sys; d = json.load(open(sys.argv[1])); print(eval(sys.argv[2]))' "$1" "$2"
 }
-check 'ends are traced, the rest followed' test \
+check 'the ends are traced, the other scenes followed' test \
   "$(field line.json '[p["followed"] for p in d["points"]] == [False] + 5 * [True] + [False]')" = True
-check 'followed: no folds are known' test "$(field line.json 'd["points"][3]["folds"]')" = None
+check 'a followed scene has no folds' test "$(field line.json 'd["points"][3]["folds"]')" = None
 for k in 2 5; do
   "$program" solve --tolerance 1e-5 --tabor 0.71 --wavelength "$(field line.json "d['points'][$k]['input']['wavelength']")" \
     --amplitude "$(field line.json "d['points'][$k]['input']['amplitude']")" --json >solve.json
@@ -44,15 +44,15 @@ for k in 2 5; do
   done
 done
 
-# Folds: as those of traces, and ended where two have met (mu = 0.697).
+# Followed folds equal those of traces and end where two of them merge (mu = 0.697).
 expect 2 'pulloff: --of is fold: expected pull-off or folds' follow --key tabor --from 1 --to 2 --of fold
 expect 2 'pulloff: folds are not followed from scene 1 to the next: *' follow --key amplitude --from 0 --to 1 \
   --scale linear --points 3 --wavelength 20 --of folds
 expect 0 '' follow --of folds --key tabor --from 1.35 --to 0.61 --points 6 --scale linear --radius 87 --json
 cp "$work/stdout" folds.json
-check 'the first is traced, the rest followed' test \
+check 'the first scene is traced, the others followed' test \
   "$(field folds.json '[p["followed"] for p in d["points"]] == [False] + 5 * [True]')" = True
-check 'two folds until they meet' test \
+check 'two folds until they merge' test \
   "$(field folds.json '[[f["kind"] for f in p["folds"] if f["approach"]] for p in d["points"]] == 5 * [["jump_in", "jump_out"]] + [[]]')" = True
 "$program" solve --tabor "$(field folds.json 'd["points"][3]["input"]["tabor"]')" --radius 87 --json >solve.json
 for value in approach load; do
@@ -66,7 +66,7 @@ for value in approach load; do
   done
 done
 
-# A case of two lines.
+# A case with two series.
 restore
 write_case() { # what differs
   cat >"$file" <<CASE
@@ -99,17 +99,17 @@ write_case 'follow: tabor
 checkpoint_every: 4
 want: [pull_off]'
 expect 0 '' plan good
-check 'the plan tells' grep -q 'along tabor in 2 lines of 6: traced once in 4 scenes' "$work/stdout"
+check 'the plan lists the series' grep -q 'along tabor in 2 lines of 6: traced once in 4 scenes' "$work/stdout"
 expect 0 'good: 12 points, 1 checks: within' run good --output whole --jobs 2
-check 'most are followed' test "$(field whole/good/record.json 'sum(p["followed"] for p in d["points"])')" -ge 6
+check 'most scenes are followed' test "$(field whole/good/record.json 'sum(p["followed"] for p in d["points"])')" -ge 6
 
-# A line is solved as a whole, whatever is there of it and whatever is asked for.
+# A series is solved as a whole, whichever of its points are kept or selected.
 numbers() { field "$1" '[(p["id"], p["pull_off"], p["followed"], p["work"]["newton_iterations"]) for p in d["points"]]'; }
 expect 0 'good: 3 of 12 points, 1 checks: within' run good --output parts --points 7-9
 expect 0 'good: 12 points, 1 checks: within (3 points kept)' run good --output parts --jobs 1
 check 'the record is the same' test "$(numbers parts/good/record.json)" = "$(numbers whole/good/record.json)"
 expect 0 'good: 12 points, 1 checks: within (kept)' run good --output parts
-# Some of them are traced as well; the two must agree.
+# Some scenes are also traced; both values must agree.
 write_case 'follow: tabor
 traced: {seed: 7, count: 3}
 want: [pull_off]'
@@ -132,23 +132,23 @@ write_traced 'traced: {seed: -1, count: 3}' pull_off_force
 expect 2 '*traced.seed is -1: expected a whole number*' plan good
 write_traced 'traced: {seed: 7, count: 3}' pull_off_force
 expect 0 '' plan good
-check 'the plan tells what is compared' grep -q 'compare pull_off_force with traced at 3 of 12 points, to' "$work/stdout"
+check 'the plan lists the comparison' grep -q 'compare pull_off_force with traced at 3 of 12 points, to' "$work/stdout"
 check 'no trace is missed' test "$(grep -c 'does not speak' "$work/stdout")" -eq 0
-check 'the plan tells what is traced' grep -q 'trace 3 of the scenes between, too, drawn with seed 7' "$work/stdout"
+check 'the plan lists the traced scenes' grep -q 'trace 3 of the scenes between, too, drawn with seed 7' "$work/stdout"
 expect 0 'good: 12 points, 4 checks: within' run good --output traced --jobs 2
 record=traced/good/record.json
-check 'three scenes that are followed have a trace' test \
+check 'three followed scenes have a trace' test \
   "$(field $record '[p["followed"] for p in d["points"] if "traced" in p] == 3 * [True]')" = True
-check 'the trace is one' test "$(field $record '[p["traced"]["folds"] is None for p in d["points"] if "traced" in p]')" = \
+check 'the trace is a full trace' test "$(field $record '[p["traced"]["folds"] is None for p in d["points"] if "traced" in p]')" = \
   '[False, False, False]'
-check 'what is followed is what it is without' test "$(numbers $record)" = "$(numbers whole/good/record.json)"
+check 'the traces do not change the followed values' test "$(numbers $record)" = "$(numbers whole/good/record.json)"
 drawn=$(field $record '[p["id"] for p in d["points"] if "traced" in p][1]')
 expect 0 "good: 1 of 12 points, 2 checks: within" run good --output one --points "$drawn"
 expect 0 'good: 12 points, 4 checks: within (1 points kept)' run good --output one --jobs 1
 traces() { field "$1" '[(p["id"], p["traced"]["pull_off"]) for p in d["points"] if "traced" in p]'; }
 check 'the traces are the same, point by point' test "$(traces one/good/record.json)" = "$(traces $record)"
 
-# What was followed and what was traced must not differ, and a trace that is not there is no agreement.
+# A difference between a followed and a traced value is an error. A missing trace is no agreement.
 alter() { # STATEMENT on the point p
   "$python" -c '
 import json, sys
@@ -163,9 +163,9 @@ alter 'p["traced"]["pull_off"]["force"] *= 1 + 2e-5'
 expect 1 '*' verify --verbose good --output traced
 check 'a trace that finds another force is outside' grep -q '^good  *pull_off_force .* oracle  *outside' "$work/stdout"
 expect 1 '*' explain good --output traced
-check 'the fault is told' grep -q 'the trace of the same scene finds another pull-off' "$work/stdout"
+check 'the message explains the difference' grep -q 'the trace of the same scene finds another pull-off' "$work/stdout"
 alter 'p["traced"].update(status="not_converged", reason="it is made so", pull_off=None)'
 expect 1 '*' verify --verbose good --output traced
-check 'a trace that failed is no agreement' grep -q 'missing_reference: the trace failed: it is made so' "$work/stdout"
+check 'a failed trace is no agreement' grep -q 'missing_reference: the trace failed: it is made so' "$work/stdout"
 
 finish

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Loading and unloading: what solve prints, and what a record keeps.
+# Loading and unloading: the output of solve, and the record.
 # shellcheck disable=SC1091,SC2154
 . "$(dirname "$0")/lib.sh"
 python=${PYTHON:-python3}
@@ -32,10 +32,10 @@ assert math.isclose(h["jkr"]["displacement_control"]["pull_off"]["force"], 1.5)
 LOOK
 expect 0 '' solve --tabor 2.385 --preload 0.7 --want hysteresis --json
 cp "$work/stdout" solved.json
-check 'the block of solve is of the documented form' "$python" look.py solved.json
+check 'the JSON block has the documented form' "$python" look.py solved.json
 expect 0 '' solve --tabor 2.385 --preload 0.7 --want hysteresis
-check 'for people: what is measured' grep -q '^displacement control: reversed at approach 0.7, ' "$work/stdout"
-check 'and where it jumps' grep -q '^a    unloading ' "$work/stdout"
+check 'the printed result has the measured pull-off' grep -q '^displacement control: loading reversed at approach 0.7, ' "$work/stdout"
+check 'the printed result has the jumps' grep -q '^a    unloading ' "$work/stdout"
 
 cat >loop.yaml <<'CASE'
 name: loop
@@ -45,23 +45,23 @@ scene: {tabor: 2.385, radius: 100, outer_radius: inf, scheme: panel, preload: 0.
 want: [hysteresis]
 CASE
 expect 0 'loop: 1 points, 0 checks: *' run loop.yaml --output run
-check 'the record has it' "$python" look.py run/loop/record.json
+check 'the record has the block' "$python" look.py run/loop/record.json
 cp run/loop/record.json first.json
 sed -i 's/A loop/The loop/' loop.yaml
 expect 0 'loop: 1 points, 0 checks: *' run loop.yaml --output run
-check 'a record made of a kept one has it' "$python" look.py run/loop/record.json
+check 'a record made from a kept one has the block' "$python" look.py run/loop/record.json
 cat >same.py <<'LOOK'
 import json
 
 a, b = (json.load(open(name))["points"][0] for name in ("first.json", "run/loop/record.json"))
 assert a["hysteresis"] == b["hysteresis"] and a["seconds_all"] == b["seconds_all"]
 LOOK
-check 'the same, not solved again' "$python" same.py
+check 'a kept record is used' "$python" same.py
 expect 0 '' plan loop.yaml
-check 'the plan says so' grep -q 'follow loading and unloading' "$work/stdout"
+check 'the plan lists the hysteresis' grep -q 'follow loading and unloading' "$work/stdout"
 
 expect 2 'pulloff: --preload-load is -1: expected a finite number >= 0' solve --preload-load -1
-expect 2 'pulloff: --preload-load is in pi w R*' solve --from-physical --modulus-pa 2e9 \
+expect 2 'pulloff: --preload-load is dimensionless: *' solve --from-physical --modulus-pa 2e9 \
   --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 1e-7 --preload-load 1
 expect 2 'pulloff: approach_end is 0.5: expected at least the preload, 0.7' \
   solve --approach-end 0.5 --preload 0.7

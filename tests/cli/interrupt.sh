@@ -1,6 +1,6 @@
 #!/bin/sh
-# Ctrl-C: the run ends by itself with exit code 130, finished cases are kept whole, the next run goes on.
-# And: the numbers do not depend on how many points are solved side by side.
+# After Ctrl-C a run ends with exit code 130 and keeps all finished cases; the next run continues. The results do not
+# depend on the number of points solved in parallel.
 # shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
@@ -28,25 +28,25 @@ interrupt() { # SIGNAL
 }
 
 write_long long 801
-# A shell gives its background jobs SIGINT ignored; the program must hear it all the same.
+# A shell starts background jobs with SIGINT ignored. The program must handle the signal nevertheless.
 interrupt INT
 check 'exit code 130 after SIGINT' test $? -eq 130
-check 'it says so' grep -q 'pulloff: interrupted; finished points are kept in run' "$work/stderr"
+check 'the message says that it was interrupted' grep -q 'pulloff: interrupted; finished points are kept in run' "$work/stderr"
 check 'the finished case is kept' test -s run/good/record.json
-check 'the other has no record' test ! -e run/long/record.json
+check 'the other case has no record' test ! -e run/long/record.json
 interrupt TERM
 check 'exit code 130 after SIGTERM' test $? -eq 130
 expect_line() { check "$1: $2" grep -q "^$2" "$work/stderr"; }
 rm "$PULLOFF_DATA/cases/long.yaml"
 write_long long 101
 "$program" run --output run --jobs 2 2>"$work/stderr"
-check 'the next run goes on' test $? -eq 0
+check 'the next run continues' test $? -eq 0
 expect_line 'finished before' 'good: 1 points, 1 checks: within (kept)'
 expect_line 'finished now' 'long: 6 points, 0 checks: within'
 "$program" run --output run 2>"$work/stderr"
 expect_line 'all kept' 'long: 6 points, 0 checks: within (kept)'
 
-# Closed forms take their time, too, and the points they are drawn beside are not solved again for them.
+# The evaluation of closed forms can be interrupted, too. The points of the case are not solved again after that.
 write_lines() { # COUNT
   cat >"$PULLOFF_DATA/cases/drawn.yaml" <<CASE
 name: drawn
@@ -68,12 +68,12 @@ child=$!
 wait_for test -s lines/drawn/curve-0.csv # written before the lines are made
 kill -INT $child
 wait $child
-check 'exit code 130 after SIGINT among closed forms' test $? -eq 130
-check 'that are not made to their end' test ! -e lines/drawn/line-along.csv
-check 'so there is no record' test ! -e lines/drawn/record.json
+check 'exit code 130 after SIGINT during closed forms' test $? -eq 130
+check 'the closed forms are not completed' test ! -e lines/drawn/line-along.csv
+check 'there is no record' test ! -e lines/drawn/record.json
 write_lines 2
 expect 0 'drawn: 1 points, 0 checks: within (1 points kept)' run drawn --output lines
-check 'which comes with the rest' test -s lines/drawn/record.json
+check 'the next run writes the record' test -s lines/drawn/record.json
 rm "$PULLOFF_DATA/cases/drawn.yaml"
 
 "$program" solve --tabor 3 --scheme triangle --nodes 1501 --json >out.json 2>"$work/stderr" &
@@ -82,7 +82,7 @@ sleep 0.7
 kill -INT $child
 wait $child
 check 'exit code 130 of an interrupted solve' test $? -eq 130
-check 'whose document says so' grep -q '"status": "interrupted"' out.json
+check 'the JSON document states the interruption' grep -q '"status": "interrupted"' out.json
 
 "$program" run long --output alone --jobs 1 2>"$work/stderr"
 for i in 0 1 2 3 4 5; do
@@ -91,5 +91,5 @@ done
 strip() { grep -v -E '"(seconds|date|jobs)"|^ *[0-9.]+(e-[0-9]+)?$' "$1"; }
 strip run/long/record.json >two
 strip alone/long/record.json >one
-check 'nor does the record, but for times' cmp one two
+check 'the record does not depend on it, except for the times' cmp one two
 finish

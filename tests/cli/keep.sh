@@ -1,6 +1,6 @@
 #!/bin/sh
-# What is kept and what is done again: solves when the scenes change, comparisons when the checks or the
-# references do, nothing when nothing did.
+# Points are solved again if their scenes change, results compared again if checks or references change, and nothing is
+# done if nothing changed.
 # shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
@@ -18,8 +18,8 @@ check 'a new tolerance is compared again' grep -q '"tolerance": 1.*e-0*8' "$reco
 
 write_table "$PULLOFF_DATA/reference/table.csv" tabor,force,approach 0,2.5,0
 expect 0 'good: 1 points, 1 checks: outside (kept)' run --output run
-check 'so is a new reference' grep -q '"expected": 2.5' "$record"
-check 'with the verdict of the case' grep -q '"verdict": "outside"' "$record"
+check 'a new reference is compared again' grep -q '"expected": 2.5' "$record"
+check 'the verdict of the case is updated' grep -q '"verdict": "outside"' "$record"
 
 write_table "$PULLOFF_DATA/reference/table.csv" tabor,force,approach 0,2,0
 sed -i 's/approach_end.*//; s/^  nodes: 101/  nodes: 101\n  approach_end: 0.1/' "$file"
@@ -28,16 +28,16 @@ expect 0 'good: 1 points, 1 checks: within' run --output run --fresh
 
 sed -i 's/^want: .*/want: [pull_off, curve, profile]/' "$file"
 expect 0 'good: 1 points, 1 checks: within' run --output run
-check 'a curve is wanted: there it is' test -s run/good/curve-0.csv
-check 'a profile is wanted: there it is' test -s run/good/profile-0.csv
+check 'a wanted curve is written' test -s run/good/curve-0.csv
+check 'a wanted profile is written' test -s run/good/profile-0.csv
 expect 0 'good: 1 points, 1 checks: within (kept)' run --output run
 rm run/good/curve-0.csv
 expect 0 'good: 1 points, 1 checks: within' run --output run
-check 'a lost curve is made again' test -s run/good/curve-0.csv
+check 'a lost curve is computed again' test -s run/good/curve-0.csv
 cp run/good/curve-0.csv curve.csv
 sed -i 's/^\(0,[^,]*\),[^,]*/\1,7/' run/good/curve-0.csv
 expect 0 'good: 1 points, 1 checks: within' run --output run
-check 'so is one that was changed' cmp curve.csv run/good/curve-0.csv
+check 'a changed curve is computed again' cmp curve.csv run/good/curve-0.csv
 
 sed -i 's/^want/repeats: 3\nwant/' "$file"
 expect 0 'good: 1 points, 1 checks: within' run --output run

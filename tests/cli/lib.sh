@@ -1,5 +1,5 @@
-# What the tests of the command line share. Sourced with the program as $1; all happens in $work, which is
-# removed at the end.
+# Functions for the tests of the command line. Sourced with the program as $1. The tests run in the folder $work, which
+# is removed at the end.
 # shellcheck shell=sh disable=SC2034
 here=$(cd "$(dirname "$0")" && pwd)
 program=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
@@ -19,8 +19,9 @@ tell() { # ok|not-ok, what was tried, what went wrong
   fi
 }
 
-# expect CODE MESSAGE ARGUMENT...: the program ends with CODE; standard error is the one line MESSAGE
-# (a shell pattern; '': nothing), but for the lines of progress of a slow machine. The program sees $program_path as PATH when that is set.
+# expect CODE MESSAGE ARGUMENT...: tests that the program ends with the exit code CODE and that standard error is the one
+# line MESSAGE (a shell pattern; '': nothing). Lines of progress, which a slow machine prints, are ignored. If
+# $program_path is set, the program gets it as PATH.
 expect() {
   code=$1
   message=$2
@@ -43,14 +44,14 @@ expect() {
   fi
 }
 
-# check WHAT COMMAND...: the command succeeds.
+# check WHAT COMMAND...: tests that the command succeeds.
 check() {
   what=$1
   shift
   if "$@"; then tell ok; else tell not-ok "$what" "$*"; fi
 }
 
-# wait_for COMMAND...: until it succeeds, for some 20 s at most.
+# wait_for COMMAND...: repeats the command until it succeeds, for at most about 20 s.
 wait_for() {
   tries=0
   until "$@" || [ $tries -gt 400 ]; do

@@ -1,23 +1,23 @@
 #!/bin/sh
-# Sweeps by their ends, groups of keys, references of another scene, and closed forms along a sweep.
+# Sweeps given by their ends, groups of keys, references for another scene, and closed forms along a sweep.
 # shellcheck disable=SC1091,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
 file=$PULLOFF_DATA/cases/good.yaml
 
-# column FILE NAME ROW: a cell of a table, rows from 1.
+# column FILE NAME ROW: prints a cell of a table; the first row is 1.
 column() {
   grep -v '^#' "$1" | awk -F, -v name="$2" -v row="$3" \
     'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) c = i } NR == row + 1 { print $c }'
 }
 
-# same WHAT A B TOLERANCE: two numbers agree, relatively.
+# same WHAT A B TOLERANCE: tests that two numbers agree to a relative tolerance.
 same() {
   check "$1: $2 and $3" awk -v a="$2" -v b="$3" -v t="$4" \
     'BEGIN { d = a - b; exit !(a != "" && b != "" && (d < 0 ? -d : d) <= t * (b < 0 ? -b : b)) }'
 }
 
-# from_theory KEY ARGUMENT...: a number as `pulloff theory` prints it.
+# from_theory KEY ARGUMENT...: prints a result of `pulloff theory`.
 from_theory() {
   key=$1
   shift
@@ -62,7 +62,7 @@ expect 0 '*good: 2 points, 1 checks: within' run --output out
 record=out/good/record.json
 rigid=out/good/line-rigid.csv
 curve=out/good/line-curve.csv
-check 'the record names both' grep -q line-curve.csv "$record"
+check 'the record names both closed forms' grep -q line-curve.csv "$record"
 check 'ten rows' test "$(grep -vc '^#' "$rigid")" -eq 11
 check 'forty-one rows' test "$(grep -vc '^#' "$curve")" -eq 42
 same 'alpha of a decade' "$(column "$rigid" alpha 5)" 1 1e-15
@@ -73,7 +73,7 @@ same 'guduru' "$(column "$curve" load 18)" "$(from_theory load guduru --tabor 2.
 same 'wavelength of a group' "$(awk '/"wavelength"/ { gsub(/[",]/, ""); l = $2 } END { print l * l }' "$record")" \
   "$(awk 'BEGIN { print 61.3 / 4 }')" 1e-5
 
-# bad SED-SCRIPT MESSAGE
+# bad SED-SCRIPT MESSAGE: edits the case and tests that it is refused.: edits the case and tests that it is refused.: edits the case and tests that it is refused.: edits the case and tests that it is refused.
 cp "$file" kept.yaml
 bad() {
   sed "$1" kept.yaml >"$file"

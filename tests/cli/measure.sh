@@ -1,5 +1,6 @@
 #!/bin/sh
-# Errors measured without a verdict, settings that vary together, combinations left out, solves timed in rounds.
+# Errors that are measured without a verdict, keys that vary together, scenes that are left out, and solves that are
+# timed in rounds.
 # shellcheck disable=SC1091,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
@@ -32,21 +33,21 @@ measure:
     reference: bradley
     when: [{key: tabor, values: [0]}, {key: scheme, values: [panel]}]
 CASE
-  # One fold too many at 0.7, where there are two, and none of the rigid sphere.
+  # The reference has one fold too many at 0.7, where there are two, and no fold for the rigid sphere.
   write_table "$PULLOFF_DATA/reference/landmarks.csv" tabor,kind,approach,load \
     0.7,jump_in,-1.2,-1 0.7,jump_out,-1.3,-1.1 0.7,jump_in,-1.1,-1.2
 }
 
 write_measured
 expect 0 '' plan measured
-check 'the plan says what is measured' grep -q \
+check 'the plan lists the measured quantities' grep -q \
   '^  measure the error of pull_off_force against bradley at 5 of 5 points, without a verdict$' "$work/stdout"
-check 'of what the reference does not speak' grep -q \
+check 'the plan lists the scenes without reference' grep -q \
   '^    but reference/landmarks.csv does not speak of 3 of these$' "$work/stdout"
-check 'what is left out' grep -q '^  leave out 1 scene: it is made so$' "$work/stdout"
-check 'and how it is timed' grep -q 'each solve 3 times, alone on the machine, in rounds' "$work/stdout"
+check 'the plan lists the scenes that are left out' grep -q '^  leave out 1 scene: it is made so$' "$work/stdout"
+check 'the plan says how the solves are timed' grep -q 'each solve 3 times, alone on the machine, in rounds' "$work/stdout"
 
-# Nothing is checked, so nothing fails, however wrong.
+# Measured quantities have no verdict, so even a wrong value does not fail.
 expect 0 '*measured: 5 points, 0 checks: within' verify
 cat >read.py <<'READ'
 import json
@@ -86,15 +87,15 @@ READ
 check 'the record' "$python" read.py
 cp build/run/measured/record.json first.json
 expect 0 'measured: 5 points, 0 checks: within (kept)' verify measured
-check 'a kept record is kept to the byte' cmp first.json build/run/measured/record.json
+check 'a kept record is not changed in any byte' cmp first.json build/run/measured/record.json
 sed -i '/quantity: folds/d' "$file"
 expect 0 'measured: 5 points, 0 checks: within (kept)' verify measured
-check 'and its times, when only what is measured changes' "$python" -c '
+check 'the times are kept if only the measured quantities change' "$python" -c '
 import json
 a, b = (json.load(open(p))["points"] for p in ("first.json", "build/run/measured/record.json"))
 assert a == b'
 
-# A failed solve has no error, and says so.
+# A failed solve has no measured error, and the record says so.
 sed -i 's/scheme: ring, nodes: 63}/scheme: ring, nodes: 63, time_limit: 1e-9}/' "$file"
 expect 3 '*measured: 5 points, 0 checks: failed' verify measured
 check 'it has no result' "$python" -c '
@@ -127,7 +128,7 @@ spoilt 's/{key: tabor, values: \[0.7\]}/{key: tabor, values: [0.8]}/' \
 spoilt 's/{key: tabor, values: \[0.7\]}/{key: radius, values: [100]}/; s/\[ring\]/[ring, panel, triangle]/' \
   '13: leave_out is *: expected rules that leave some point'
 spoilt 's/quantity: curve/quantity: work/' '20: measure[[]3[]].quantity is work: expected pull_off_force, *'
-# What no reference speaks of is never computed.
+# A quantity without any reference is not computed.
 for quantity in residual moved_force energy_defect reverse_trace hysteresis_force jumps; do
   spoilt "s/quantity: curve/quantity: $quantity/" "20: measure[[]3[]].quantity is $quantity: expected pull_off_force, *"
 done

@@ -1,16 +1,16 @@
 #!/bin/sh
-# Folders whose names are not ASCII: no check is lost from a document, where a text is cut inside a character, nor
-# where a name is not even UTF-8, as on a disk that was written under Latin-1.
+# Names of folders that are not ASCII: no check is lost from a document if a text would be cut inside a character, or if
+# a name is not valid UTF-8, such as one written under Latin-1.
 # shellcheck disable=SC1091,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
 
-# How many checks a document has, and whether it is UTF-8 throughout.
+# Prints the number of checks in a document, and tests that the document is valid UTF-8.
 checks_of() { # FILE
   /usr/bin/python3 -c 'import json, sys; print(len(json.loads(open(sys.argv[1], "rb").read().decode())["checks"]))' "$1"
 }
 
-# Four checks, two of them against pins that are not there: their notes name the folder, cut to a length.
+# Four checks, two of them against pins that do not exist. Their notes contain the name of the folder, cut to a length.
 write_own() { # FILE
   sed 's/^name: good/name: own/' "$PULLOFF_DATA/cases/good.yaml" >"$1"
   cat >>"$1" <<'CASE'
@@ -35,7 +35,7 @@ try_folder() { # FOLDER WHAT
     /usr/bin/python3 -c 'import xml.dom.minidom; xml.dom.minidom.parse("junit.xml")'
 }
 
-# Wherever a character of two, three or four bytes falls on the place where a note is cut.
+# Characters of two, three and four bytes at every position relative to the cut.
 for before in '' a ab abc; do
   for letter in ä € 😀; do
     name=$before

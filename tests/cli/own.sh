@@ -1,6 +1,6 @@
 #!/bin/sh
-# Cases of the user's own, anywhere in the file system: every command that is printed for one works when it is
-# pasted, and none of them takes the place of another case.
+# Case files outside the data folder: every command that is printed for such a case works when it is pasted into a shell,
+# and no such case replaces another case.
 # shellcheck disable=SC1091,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
@@ -28,7 +28,7 @@ checks:
 CASE
 }
 
-# Every command in what is printed and written of a case, one a line.
+# Prints all commands in the output and the files of a case, one per line.
 cat >commands.py <<'PYTHON'
 import json, re, sys
 out, name, *texts = sys.argv[1:]
@@ -41,7 +41,7 @@ for line in sorted(set(found)):
     print(line + (" --reason tried" if "pulloff bless" in line else ""))
 PYTHON
 
-# commands_work FILE NAME: those of the case in that file do, in the folder where the program was started.
+# commands_work FILE NAME: tests that these commands work in the folder in which the program was started.
 commands_work() {
   write_own "$1" "$2" '21, 22'
   "$program" plan "$1" >plan.txt
@@ -50,7 +50,7 @@ commands_work() {
   check "verify $1" test $? -eq 1
   "$program" explain "$1" --output "out-$2" >explain.txt 2>"$work/stderr"
   "$program" bless "$1" --reason refused --output "out-$2" >bless.txt 2>&1
-  check 'which is refused with a command' grep -q 'pulloff explain' bless.txt
+  check 'bless is refused with a command to explain it' grep -q 'pulloff explain' bless.txt
   "$python" commands.py "out-$2" "$2" plan.txt verify.txt explain.txt bless.txt >commands.txt
   check "$1 has commands" test $? -eq 0
   for verb in run verify bless explain; do
@@ -80,20 +80,20 @@ write_own ./-dash.yaml dash 21
 "$program" plan -- -dash.yaml >plan.txt
 check 'no path is printed as an option' grep -q 'pulloff bless ./-dash.yaml' plan.txt
 
-# The path of a case of the data folder is as good as its name.
+# A case of the data folder can be given by its path or by its name.
 (cd data && "$program" run cases/good.yaml --shard 1/1 --output ../built-in 2>"$work/stderr")
-check 'a case of the data folder by its path' test $? -eq 0
-check 'goes by its name' grep -q '"argument": "good"' built-in/shard-1-of-1.json
+check 'a case of the data folder is found by its path' test $? -eq 0
+check 'it is printed with its name' grep -q '"argument": "good"' built-in/shard-1-of-1.json
 expect 0 'good: 1 points, 1 checks: within' merge built-in --output merged
 expect 0 'good: 1 points, 1 checks: within (kept)' run good data/cases/good.yaml --output merged
 
-# Names are for one case each.
+# Two cases with the same name are refused.
 write_own taken.yaml good 21
 for verb in run verify plan explain; do
   expect 2 'pulloff: taken.yaml: name is good: expected another name, as cases/good.yaml has this one' $verb taken.yaml
 done
 expect 2 'pulloff: taken.yaml: name is good: *' run taken.yaml --shard 1/2 --output taken
-check 'and no shard is written' test ! -e taken
+check 'no shard is written' test ! -e taken
 write_own one.yaml twin 21
 write_own two.yaml twin 22
 expect 2 'pulloff: two.yaml: name is twin: expected another name, as one.yaml has this one' run one.yaml two.yaml
@@ -101,12 +101,12 @@ expect 0 'twin: 1 points, 2 checks: outside' run one.yaml --output twins
 cp twins/twin/record.json before.json
 expect 2 'pulloff: two.yaml: name is twin: expected another name or another folder for the records, as twins/twin holds the record of one.yaml' \
   run two.yaml --output twins --fresh
-check 'whose record is as it was' cmp before.json twins/twin/record.json
+check 'the record is unchanged' cmp before.json twins/twin/record.json
 expect 0 'twin: 1 points, 2 checks: outside (kept)' run ./one.yaml --output twins
 mv one.yaml renamed.yaml
 expect 0 'twin: 1 points, 2 checks: outside (kept)' run renamed.yaml --output twins
 expect 0 'twin: 1 points, 2 checks: outside' run two.yaml --output twins
-# What is wrong with a case of the data folder does not concern one's own.
+# A wrong case file in the data folder does not affect a case outside it.
 echo 'name: [' >"$PULLOFF_DATA/cases/broken.yaml"
 expect 0 'twin: 1 points, 2 checks: outside (kept)' run two.yaml --output twins
 expect 2 'pulloff: cases/broken.yaml:*' run good --output twins

@@ -1,6 +1,6 @@
 #!/bin/sh
-# --from-physical: a scene in SI units is solved as the dimensionless one it makes, and its results come back in
-# newton and metre; the two kinds of flags are never mixed, and what is missing is named.
+# --from-physical: a scene in SI units is converted to a dimensionless scene and solved, and its results are printed in
+# newton and metre, too. Both kinds of options cannot be mixed, and missing options are named.
 # shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2086,SC2154
 . "$(dirname "$0")/lib.sh"
 python=${PYTHON:-python3}
@@ -40,7 +40,7 @@ for a, b in zip(p["profile"], d["profile"]):
     assert near(a["radius_m"], b["radius"] * eps)
 assert abs(p["profile_approach_m"] + 2.3e-10) < 1e-19
 
-# panels bound their errors, in units, too
+# with panels, the errors are printed in SI units, too
 found = json.loads(subprocess.run(sys.argv[1:2] + shlex.split("""solve --from-physical --modulus-pa 1.3385e9
     --work-j-per-m2 0.0537 --distance-m 3.1e-10 --radius-m 2.7e-8 --scheme panel --json"""), capture_output=True,
     check=True).stdout)
@@ -51,7 +51,7 @@ for a, b in zip(found["physical"]["folds"], found["folds"]):
     assert near(a["error_estimate_m"], b["error_estimate"] * eps)
     assert near(a["load_error_estimate_n"], b["load_error_estimate"] * force)
 
-# the same scene without units, to the last bit
+# the same dimensionless scene, equal to the last bit
 flags = [word for key in ("tabor", "amplitude", "wavelength", "radius", "outer_radius", "scheme", "nodes",
                           "approach_start", "approach_end")
          for word in ("--" + key.replace("_", "-"), str(i[key]))]
@@ -64,16 +64,16 @@ for key in same:
 LOOK
 check 'SI and dimensionless results agree' "$python" look.py "$program"
 expect 0 '' solve $body --scheme triangle --nodes 101
-check 'for people: newton' grep -q '^pull-off force [0-9.e-]* N at approach [0-9.e-]* m' "$work/stdout"
-check 'and what was given' grep -q '^physical modulus 1.3385e+09 Pa work 0.0537 J/m^2 distance 3.1e-10 m radius 2.7e-08 m$' "$work/stdout"
+check 'the printed result has newton' grep -q '^pull-off force [0-9.e-]* N at approach [0-9.e-]* m' "$work/stdout"
+check 'the printed result has the input' grep -q '^physical modulus 1.3385e+09 Pa work 0.0537 J/m^2 distance 3.1e-10 m radius 2.7e-08 m$' "$work/stdout"
 expect 0 '' solve --from-physical --modulus-pa inf --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 1e-7 --json
-check 'rigid: Bradley' "$python" -c '
+check 'the rigid sphere has the force of Bradley' "$python" -c '
 import json, math
 d = json.load(open("stdout"))
 assert d["rigid"] and abs(d["physical"]["pull_off"]["force_n"] / (2 * math.pi * 0.05e-7) - 1) < 1e-9
 assert d["physical"]["input"]["modulus_pa"] == "inf" and d["physical"]["units"]["traction_pa"] is None'
 
-# near KEY VALUE ARGUMENT...: the physical block of theory has it.
+# near KEY VALUE ARGUMENT...: tests a value in the block physical of theory.
 near() {
   key=$1 value=$2
   shift 2
@@ -83,7 +83,7 @@ import json, sys
 d = json.load(open("stdout"))["physical"]
 assert abs(d[sys.argv[1]] / float(sys.argv[2]) - 1) < 1e-12, d' "$key" "$value"
 }
-# 3/2 pi w R; a^3 = 9 pi w R^2/(8 E*); by hand
+# expected values by hand: 3/2 pi w R; a^3 = 9 pi w R^2/(8 E*)
 near pull_off_force_n 6.832492782659762e-09 jkr $body
 near pull_off_contact_radius_m 4.693123085913775e-09 jkr $body
 near load_n -3.1415926535897932e-08 bradley --from-physical --work-j-per-m2 0.05 --distance-m 3e-10 \
@@ -93,16 +93,16 @@ near peak_tension_pa 171066746.4265558 lennard-jones --from-physical --work-j-pe
 near pull_off_force_n 1.1640478568314679e-08 rigid --from-physical --work-j-per-m2 0.05 --distance-m 3e-10 \
   --radius-m 1e-7 --alpha 0.25 --amplitude-m 3e-10
 expect 0 '' theory guduru $body --amplitude-m 1e-10 --wavelength-m 5e-9
-check 'for people' grep -q '^pull_off_force_n  *[0-9.e-]* N$' "$work/stdout"
+check 'the printed result has units' grep -q '^pull_off_force_n  *[0-9.e-]* N$' "$work/stdout"
 
-# Never mixed, never incomplete.
+# Mixed and incomplete options are refused.
 for verb in solve 'theory jkr'; do
   expect 2 'pulloff: --tabor is given with --from-physical: *' $verb $body --tabor 1
   expect 2 'pulloff: --radius is in units of epsilon: expected --radius-m with --from-physical' $verb $body --radius 3
-  expect 2 'pulloff: --radius-m is in SI units: expected --from-physical with it' $verb --radius-m 3
+  expect 2 'pulloff: --radius-m is in SI units: expected --from-physical, too' $verb --radius-m 3
   expect 2 'pulloff: --modulus-pa is in SI units: *' $verb --modulus-pa 3
-  expect 2 'pulloff: --from-physical lacks --modulus-pa, --work-j-per-m2, --distance-m, --radius-m' $verb --from-physical
-  expect 2 'pulloff: --from-physical lacks --work-j-per-m2, --radius-m' $verb --from-physical --modulus-pa 1e9 --distance-m 1e-9
+  expect 2 'pulloff: --from-physical is given without --modulus-pa, --work-j-per-m2, --distance-m, --radius-m: *' $verb --from-physical
+  expect 2 'pulloff: --from-physical is given without --work-j-per-m2, --radius-m: *' $verb --from-physical --modulus-pa 1e9 --distance-m 1e-9
   expect 2 'pulloff: --distance-m is 0: expected a finite number > 0' $verb --distance-m 0
   expect 2 'pulloff: --modulus-pa is -1: expected a finite number > 0, or inf' $verb --modulus-pa -1
   expect 2 'pulloff: the Tabor parameter is inf: expected a number within the range of doubles; *' $verb --from-physical \

@@ -1,5 +1,5 @@
 #!/bin/sh
-# A case whose scene is said in SI units: solved as the dimensionless one it makes, told in newton and metre, too.
+# A case whose scene is in SI units is solved as a dimensionless scene; its results are also in newton and metre.
 # shellcheck disable=SC1091,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
@@ -33,7 +33,7 @@ write_si "modulus_pa: 1666666666.6666667, $body" '' '' reference/table.csv 1e-7
 expect 0 '*' verify --verbose si --output run
 check 'the reference of the dimensionless scene holds' grep -q '^si  *pull_off_force .*oracle *within' "$work/stdout"
 check 'newton and metre are printed' grep -q '^si  *pull_off  *scene  *7.872822[23][0-9]*e-09 N at approach -2.6201.*e-10 m$' "$work/stdout"
-check 'and in the record' "$python" -c '
+check 'the record has newton and metre' "$python" -c '
 import json
 point = json.load(open("run/si/record.json"))["points"][0]
 assert abs(point["input"]["tabor"] - 1) < 1e-15 and abs(point["input"]["radius"] / 100 - 1) < 1e-15
@@ -49,11 +49,11 @@ write_si "modulus_pa: inf, $body" '' '' bradley 1e-12
 expect 0 '*' verify --verbose si --output run
 check '2 pi w R' grep -q ' 9.424777961e-09 N at approach ' "$work/stdout"
 
-# A wave, and a surface cut; what is said once in metres is not said again in epsilon.
+# A wavy sphere on a cut surface. A length that is given in metres cannot also be given in epsilon.
 wave='amplitude_m: 3e-11, wavelength_m: 3e-9, outer_radius_m: 3e-8'
 write_si "modulus_pa: 1666666666.6666667, $body, $wave" '' '' bradley 1
 expect 1 '*' verify --verbose si --output run
-check 'lengths over epsilon' "$python" -c '
+check 'lengths are divided by epsilon' "$python" -c '
 import json
 i = json.load(open("run/si/record.json"))["points"][0]["input"]
 for key, value in (("amplitude", 0.1), ("wavelength", 10), ("outer_radius", 100)):

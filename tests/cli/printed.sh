@@ -1,5 +1,5 @@
 #!/bin/sh
-# The tables printed for people, number for number, under the right headings: as --json has them.
+# The printed tables contain the numbers of the JSON document, under the right headings.
 # shellcheck disable=SC1091,SC2154
 . "$(dirname "$0")/lib.sh"
 python=${PYTHON:-python3}
@@ -10,15 +10,16 @@ import json
 import math
 import re
 
-HEADING = re.compile(r"contact radius|energy lost|\S+")
+HEADING = re.compile(r"contact radius|energy lost|unstable modes|\S+")
+LABELS = {"point", "jump", "phase", "fold", "obtained"}  # columns of words
 
 
-def tables(path, first):
-    """The tables whose headings begin with a word: for each its rows, as lists of (heading, cell)."""
+def tables(path, *first):
+    """The tables whose first heading is one of these: for each its rows, as lists of (heading, cell)."""
     found, edges = [], None
     for line in open(path):
-        if line.split()[:1] == [first]:
-            edges = [(m.end(), m.group()) for m in HEADING.finditer(line)]
+        if line.split() and line.split()[0] in first:
+            edges = [(m.end(), m.group()) for m in HEADING.finditer(line) if m.group() not in LABELS]
             found.append([])
         elif edges and line[:1].isalnum() or edges and line[:1] == " " and line.strip():
             if line.startswith("work"):
@@ -32,7 +33,7 @@ def tables(path, first):
 
 
 def same(cell, value, places):
-    """A printed number of so many significant digits; blank for what is not known."""
+    """Whether a cell shows a number to so many significant digits; an unknown number is blank."""
     if value is None or not cell:
         return value is None and not cell
     return math.isclose(float(cell), value, rel_tol=10.0 ** (1 - places), abs_tol=1e-9)
@@ -62,11 +63,11 @@ cat >solve.py <<'SOLVE'
 from tables import *
 
 d = document("solve.json")
-special, held, loaded = tables("solve.text", "approach")
+special, held, loaded = tables("solve.text", "point", "jump")
 assert len(special) >= len(d["folds"]) + len(d["extrema"])
 for (words, row), found in zip(special, d["folds"] + d["extrema"]):
     assert words[0] == found["kind"], (words, found)
-    check(row, *landmark(found), ("unstable", found["unstable_modes"], 9))
+    check(row, *landmark(found), ("unstable modes", found["unstable_modes"], 9))
 for rows, control in ((held, "displacement_control"), (loaded, "load_control")):
     jumps = d["hysteresis"][control]["jumps"]
     for (words, row), jump in zip(rows, jumps):
@@ -113,7 +114,7 @@ for (words, row), point in zip(rows, d):
           ("contact radius", p["contact_radius"], 6), ("factorisations", point["work"]["factorizations"], 9))
     assert ("followed" if point["followed"] else "traced") in words
 d = document("folds.json")["points"]
-(rows,) = tables("folds.text", "tabor")
+(rows,) = tables("folds.text", "fold")
 assert len(rows) == 2 * len(d) == 6
 for k, (words, row) in enumerate(rows):
     point = d[k % 3]
@@ -122,7 +123,7 @@ for k, (words, row) in enumerate(rows):
 FOLLOW
 check 'follow: pull-off and folds' "$python" follow.py
 
-# What is wanted and too long for a terminal is said to be there; it was left out in silence.
+# Results of --want that are too long for the terminal are mentioned.
 expect 0 '' solve --tabor 1 --tolerance 1e-4 --want curve,profile,diagnostics
 cp "$work/stdout" wanted.text
 expect 0 '' solve --tabor 1 --tolerance 1e-4 --want curve,profile,diagnostics --json
@@ -134,11 +135,12 @@ d = document("wanted.json")
 lines = {words[0]: words for words in map(str.split, open("wanted.text")) if words}
 assert lines["curve"][1] == str(len(d["curve"]))
 assert lines["profile"][1] == str(len(d["profile"]))
-assert same(lines["profile"][5].rstrip(":"), d["profile_approach"], 8)
+assert same(lines["profile"][5].rstrip(";"), d["profile_approach"], 8)
 (held,) = d["contact"]["held"]
-assert held["inner"] == 0 and same(lines["annuli"][3], held["outer"], 6)
-assert same(lines["checks"][4].rstrip(";"), d["diagnostics"]["residual"], 2)
-assert lines["reverse"][1:] == ["trace", "ok:", "the", "same", "special", "points"]
+assert held["inner"] == 0 and same(lines["annuli"][5], held["outer"], 6)
+assert same(lines["checks"][6].rstrip(";"), d["diagnostics"]["residual"], 2)
+assert lines["reverse"][1:] == ["status", "ok:", "the", "reverse", "trace", "found", "the", "same",
+                                "special", "points"]
 assert lines["ended"][3].rstrip(",") and same(lines["ended"][3].rstrip(","), d["ended"]["approach"], 6)
 assert same(lines["ended"][5].rstrip(":"), d["ended"]["load"], 6)
 WANTED

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Published numbers that may not be at hand: left out and said to be, compared once the file is there.
+# Tables of published values that may be missing: their checks are left out, the plan says so, and the checks are made
+# once the file exists.
 # shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
@@ -34,7 +35,7 @@ checks:
 CASE
 write_table "$PULLOFF_DATA/reference/table.csv" tabor,force,approach 1,1.6707,-0.8734
 
-# markers KIND APPROACH,LOAD...: in no order; the first two lie on the curve, see Figure 3
+# markers KIND APPROACH,LOAD...: writes markers in arbitrary order; the first two lie on the curve, see Figure 3
 markers() {
   kind=$1
   shift
@@ -46,18 +47,18 @@ markers() {
 }
 
 expect 0 '' plan curve
-check 'the plan says what is left out' grep -q -F 'leave out curve against reference/published/markers.csv: there is no such file; reference/table.csv stands in for it' "$work/stdout"
-check 'and that no curve is kept for it' grep -q 'no points of the branch kept' "$work/stdout"
+check 'the plan lists the checks that are left out' grep -q -F 'leave out curve against reference/published/markers.csv: there is no such file; reference/table.csv stands in for it' "$work/stdout"
+check 'the plan says that no curve is kept' grep -q 'no points of the branch kept' "$work/stdout"
 expect 0 '*' verify --verbose curve --output run
 check 'one check is made' test 1 -eq "$(grep -c '^curve ' "$work/stdout")"
-check 'the record names what stands in' "$python" -c '
+check 'the record names the table that is used instead' "$python" -c '
 import json
 record = json.load(open("run/curve/record.json"))
 assert record["left_out"] == [{"quantity": "curve", "reference": "reference/published/markers.csv",
                                "stand_in": "reference/table.csv"}], record["left_out"]'
 
-# The pull-off, the fold where the surfaces jump together and one marker further out, and
-# one beyond the start of the computed branch; not sorted along it.
+# Markers at the pull-off, at the fold jump_in, farther out, and beyond the start of the computed branch, not sorted along
+# the branch.
 markers published -0.8734,-1.6707 -1.629,-0.681 -1.9,-0.397 -2.5,-0.21 -0.87,-1.66
 expect 0 '*' verify --verbose curve --output run
 check 'the markers join the checks' grep -q '^curve  *curve .*published *within' "$work/stdout"
@@ -68,7 +69,7 @@ check 'the list shows them' grep -q '^reference/published/markers.csv  *publishe
 markers published -0.8734,-1.6707 -1.5,-0.681
 expect 1 '*' verify --verbose curve --output run
 check 'a marker off the curve is outside' grep -q '^curve  *curve .*published *outside' "$work/stdout"
-check 'and told' grep -q 'furthest near approach -1.5, load -0.681' run/curve/record.json
+check 'the message describes it' grep -q 'furthest near approach -1.5, load -0.681' run/curve/record.json
 sed -i 's/^1,1,-1.5,-0.681/1,1,-1.629,-0.681/' "$published"
 expect 4 'pulloff: reference/published/markers.csv:10: sha256 is *' verify --verbose curve --output run
 expect 4 'pulloff: reference/published/markers.csv:10: sha256 is *' list --references
@@ -81,14 +82,14 @@ sed -i 's/0.02$/0.2/' "$published" && seal "$published"
 expect 2 'pulloff: cases/curve.yaml:20: checks[[]2[]].tolerance is 0.05: expected at least 0.2, *' plan curve
 rm "$published"
 expect 0 '*' verify --verbose curve --output run
-check 'gone, it is left out again' grep -q '"stand_in": "reference/table.csv"' run/curve/record.json
+check 'after the file is removed, the check is left out again' grep -q '"stand_in": "reference/table.csv"' run/curve/record.json
 
 sed -i 's/stand_in:.*/stand_in: reference\/other.csv/' "$file"
 expect 2 'pulloff: cases/curve.yaml:19: checks[[]2[]].stand_in is reference/other.csv: expected the reference of another check, *' plan curve
 sed -i 's/stand_in:.*/stand_in: reference\/table.csv/; s/reference: reference\/published.*/reference: bradley/' "$file"
 expect 2 'pulloff: cases/curve.yaml:18: checks[[]2[]].reference is bradley: expected the path of a CSV file, *' plan curve
 
-# What is absent is no oracle that held.
+# A missing table is not listed as an oracle that agreed.
 sed -i 's/reference: bradley/reference: reference\/published\/markers.csv/' "$file"
 echo '  - {quantity: pull_off_force, reference: pin, tolerance: 1e-10, kind: rel, because: it is quick}' >>"$file"
 GIT_CONFIG_GLOBAL=/dev/null USER=tester expect 0 '*' bless curve --reason 'without the paper' --output run

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Scenes at random: the summary counts and repeats the failures, its lines repeat the points to the last bit, and
-# a share of failures may be let pass.
+# Random scenes: the summary counts the failures, its commands repeat the points to the last bit, and a stated fraction of
+# solves may fail.
 # shellcheck disable=SC1091,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
@@ -37,20 +37,20 @@ check 'three failed' grep -qE '^out_of_time +3$' summary
 for what in seconds points nodes; do
   check "the cost in $what" grep -qE "^$what +[0-9.e-]+ +[0-9.e+-]+ +[0-9.e+-]+$" summary
 done
-check 'each with its reason' test 3 -eq \
+check 'each failure has its reason' test 3 -eq \
   "$(grep -c '^point [135], out_of_time: after 1e-09 s of processor time the trace is at' summary)"
 expect 0 '' plan scenes
 check 'the plan says what is compared' \
   grep -q '^  compare solved_share with every_scene at 6 of 6 points, to 0.6 abs$' "$work/stdout"
-check 'the record has the check of no one point' grep -q '"point": null' build/run/scenes/record.json
+check 'the record has the check that belongs to no single point' grep -q '"point": null' build/run/scenes/record.json
 
-# The line after a failure repeats it: the same reason, the same exit code as that of a failed solve.
+# The command after a failure repeats it, with the same reason and the exit code of a failed solve.
 line=$(sed -n '/^point 3, out_of_time: /{n;s/^ *pulloff //;p;}' summary)
 reason=$(sed -n 's/^point 3, out_of_time: //p' summary)
 # shellcheck disable=SC2086 # words are meant
 expect 3 "pulloff: the solve failed: $reason" $line
-# The line of a point that was solved: every number, to the last bit.
-# Only the slowest points have one: whichever comes first.
+# The command of a solved point repeats every number to the last bit.
+# Only the slowest points have a command; the first of them is taken.
 solved=$(sed -n 's/^point \([0-9]*\), ok, .*/\1/p' summary | head -n 1)
 line=$(sed -n "/^point $solved, ok, /{n;s/^ *pulloff //;p;}" summary)
 # shellcheck disable=SC2086
@@ -59,7 +59,7 @@ cat >same.py <<'SAME'
 import json, sys
 again = json.load(open("stdout"))
 point = json.load(open("build/run/scenes/record.json"))["points"][int(sys.argv[1])]
-# The line declares the usual preload, so that the solve does not go on beyond it.
+# The command contains the default preload, so that the solve does not continue beyond it.
 assert again["input"].pop("preload_load") == 1 and point["input"].pop("preload_load") is None
 for key in ("input", "status", "pull_off", "folds", "extrema"):
     assert again[key] == point[key], (key, again[key], point[key])
@@ -67,22 +67,22 @@ del again["work"]["seconds"], point["work"]["seconds"]
 assert again["work"] == point["work"]
 assert point["sweep"].keys() == {"time_limit", "tabor", "radius", "wavelength", "amplitude"}
 SAME
-check 'its line repeats a point' "$python" same.py "$solved"
+check 'the command repeats a point' "$python" same.py "$solved"
 
 expect 0 'scenes: 6 points, 1 checks: within (kept)' verify scenes --tap
-check 'TAP: the share, and not the failures in it' test "$(sed -n 2p "$work/stdout")" = 1..1
+check 'TAP has the fraction, not the failures that it allows' test "$(sed -n 2p "$work/stdout")" = 1..1
 expect 0 '*' verify scenes --junit out.xml
-check 'JUnit likewise' grep -q '<testsuite name="scenes" tests="1" failures="0"' out.xml
+check 'JUnit has the same' grep -q '<testsuite name="scenes" tests="1" failures="0"' out.xml
 expect 0 '*' explain scenes
-check 'explain: no failed solve when the share is met' test "$(cat "$work/stdout")" = \
+check 'explain: no failed solve if few enough failed' test "$(cat "$work/stdout")" = \
   'scenes: 0 of 1 checks told, the others are within'
 expect 0 '*' explain scenes --all
-check 'explain: the share is of no one point' grep -q '^scenes solved_share -: within$' "$work/stdout"
+check 'explain: the fraction belongs to no single point' grep -q '^scenes solved_share -: within$' "$work/stdout"
 expect 0 '*' verify --verbose scenes
-check 'the verdict is of no one point' grep -qE '^scenes +solved_share +- +0.5 +1 ' "$work/stdout"
+check 'the verdict belongs to no single point' grep -qE '^scenes +solved_share +- +0.5 +1 ' "$work/stdout"
 write_scenes 0.4
 expect 3 'scenes: 6 points, 1 checks: failed (kept)' verify --verbose scenes
-check 'too many' grep -q 'outside: 3 of 6 failed, the first point 1: after 1e-09 s' "$work/stdout"
+check 'too many solves failed' grep -q 'outside: 3 of 6 failed, the first point 1: after 1e-09 s' "$work/stdout"
 expect 3 '*' explain scenes --json
 cat >told.py <<'TOLD'
 import json, sys
@@ -92,15 +92,15 @@ assert (c["id"], c["point"], c["label"], c["fault"]) == ("solved_share/every_sce
 assert [f["point"] for f in d["failed"]] == ["1", "3", "5"]
 assert c["command"] == d["failed"][0]["command"] and " --time-limit 1e-09" in c["command"], c["command"]
 TOLD
-check 'explain: the share, and each failure' "$python" told.py
+check 'explain: the fraction, and each failure' "$python" told.py
 expect 3 '*' explain scenes --point 3
-check 'explain: of one point its failure alone' grep -q '^scenes: 0 of 0 checks told$' "$work/stdout"
+check 'explain: for one point only its failure' grep -q '^scenes: 0 of 0 checks told$' "$work/stdout"
 expect 0 '*' explain scenes --point 0
 expect 3 '*' verify --verbose scenes
-check 'now they are failures' test 3 -eq "$(grep -c 'time_limit=1e-9 .*failed: after' "$work/stdout")"
+check 'now the failed solves count' test 3 -eq "$(grep -c 'time_limit=1e-9 .*failed: after' "$work/stdout")"
 "$program" run scenes >"$work/stdout" 2>"$work/stderr"
-check 'exit code 3 of a run with them' test $? -eq 3
+check 'exit code 3 of the run' test $? -eq 3
 expect 0 '*' run scenes --time-limit 3600
-check 'the time limit of the command line holds' grep -qE '^none failed$' "$work/stdout"
+check 'the time limit of the command line applies' grep -qE '^none failed$' "$work/stdout"
 expect 0 '*(kept)' explain scenes --time-limit 3600 --all
 finish

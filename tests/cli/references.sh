@@ -1,5 +1,5 @@
 #!/bin/sh
-# The list of references: which tables there are, how many rows each has, and which cases use it, as the files say.
+# pulloff list --references prints the tables, their numbers of rows and the cases that use them, as in the files.
 # shellcheck disable=SC1091,SC2154
 . "$(dirname "$0")/lib.sh"
 python=${PYTHON:-python3}
@@ -40,5 +40,5 @@ for entry in listed:
     shown = [] if cases == "-" else cases.split(",")
     assert shown == entry["cases"][:len(shown)] and (shown or not entry["cases"]), (text[name], entry)
 LOOK
-check 'as the files say' "$python" look.py "$root"
+check 'the list agrees with the files' "$python" look.py "$root"
 finish

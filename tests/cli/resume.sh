@@ -1,5 +1,6 @@
 #!/bin/sh
-# A case is kept point by point: after Ctrl-C, and when it is run in parts, on one machine or on several.
+# Each point of a case is kept as soon as it is solved: after Ctrl-C, and if the case is run in parts on one or several
+# machines.
 # shellcheck disable=SC1091,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
@@ -29,13 +30,13 @@ check 'a finished case leaves no journal' test ! -e whole/parts/points.jsonl
 
 expect 0 'parts: 3 of 6 points, 0 checks: within' run --output run --points 0-2
 check 'three points are kept' test "$(wc -l <$journal)" -eq 3
-check 'there is no record of a part' test ! -e run/parts/record.json
+check 'a part of a case has no record' test ! -e run/parts/record.json
 expect 0 'parts: 3 of 6 points, 0 checks: within (3 points kept)' run --output run --points 0-2
-check 'nothing is solved twice' test "$(wc -l <$journal)" -eq 3
+check 'no point is solved twice' test "$(wc -l <$journal)" -eq 3
 expect 0 'parts: 1 of 6 points, 0 checks: within' run --output run --points 2 --fresh
-check 'unless it is asked for' test "$(wc -l <$journal)" -eq 4
+check '--fresh solves all points again' test "$(wc -l <$journal)" -eq 4
 
-# Two machines: their journals, and the curves, put together.
+# Two machines: their journals and curves are combined.
 cp -r run one
 expect 0 'parts: 3 of 6 points, 0 checks: within' run --output two --points 3-99
 cat two/parts/points.jsonl >>one/parts/points.jsonl
@@ -43,10 +44,10 @@ cp two/parts/curve-*.csv one/parts/
 expect 0 'parts: 6 points, 0 checks: within (6 points kept)' run --output one
 strip one/parts/record.json >joined
 strip whole/parts/record.json >at-once
-check 'the record is that of one run, but for times' cmp joined at-once
+check 'the record is that of one run, except for the times' cmp joined at-once
 
-# Damage is passed over, and what it hit is solved again: a torn line, a line of another point, a lost curve.
-# Points are kept in the order they end, so a line is told by its point.
+# Damaged parts are ignored and their points are solved again: an incomplete line, a line of another point, a lost curve.
+# The lines are in the order in which the solves end, so a line is identified by its point.
 cp -r run torn
 sed -i '/"id":"1"/s/.\{40\}$//' torn/parts/points.jsonl
 expect 0 'parts: 6 points, 0 checks: within (2 points kept)' run --output torn
@@ -61,9 +62,9 @@ for folder in torn other lost; do
   check "the record of $folder is whole" cmp mended at-once
 done
 expect 0 'parts: 6 points, 0 checks: within' run --output run --fresh
-check 'fresh takes nothing over' test ! -e $journal
+check '--fresh reuses nothing' test ! -e $journal
 
-# More scenes: those that were are kept. Another mesh: none is.
+# If scenes are added, the earlier points are kept. If the mesh changes, no point is kept.
 expect 0 'parts: 2 of 6 points, 0 checks: within' run --output more --points 0-1
 write_parts 8 81
 expect 0 'parts: 8 points, 0 checks: within (2 points kept)' run --output more
@@ -71,7 +72,7 @@ expect 0 'parts: 2 of 8 points, 0 checks: within' run --output mesh --points 0-1
 write_parts 8 91
 expect 0 'parts: 8 points, 0 checks: within' run --output mesh
 
-# Ctrl-C: what is solved is kept.
+# After Ctrl-C the solved points are kept.
 write_parts 400 301
 "$program" run --output stopped --jobs 1 2>"$work/stderr" &
 child=$!
@@ -81,9 +82,9 @@ wait_for two_lines
 kill -INT $child
 wait $child
 check 'exit code 130' test $? -eq 130
-check 'it says what is kept' grep -q 'interrupted; finished points are kept in stopped' "$work/stderr"
+check 'the message says what is kept' grep -q 'interrupted; finished points are kept in stopped' "$work/stderr"
 kept=$(wc -l <$stopped)
-check 'some are' test "$kept" -ge 2
+check 'some points are kept' test "$kept" -ge 2
 expect 0 "parts: $kept of 400 points, 0 checks: within ($kept points kept)" \
   run --output stopped --points "0-$((kept - 1))" --jobs 0
 finish

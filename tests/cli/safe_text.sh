@@ -1,13 +1,13 @@
 #!/bin/sh
-# Text from outside: no control character of a case, a table, an argument or the name of a file reaches the
-# terminal, none ends a text early, and what is beyond ASCII stays readable.
+# Text from outside: no control character in a case, a table, an argument or the name of a file reaches the terminal or
+# ends a text early. Characters beyond ASCII stay readable.
 # shellcheck disable=SC1091,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
 python=${PYTHON:-python3}
 escape=$(printf '\033[31m')
 
-# Neither stream has a control character.
+# Tests that neither output stream has a control character.
 clean() {
   cat stdout stderr >both
   check "what '$1' prints is clean" "$python" -c '
@@ -34,7 +34,7 @@ spoilt 's/^title: .*/"tit\\0le": text/' '\\x00'
 cp whole.yaml "$case"
 sed -i 's/^title: .*/title: "Kugel, glatt — größer, 球"/' "$case"
 expect 0 '' plan good
-check 'what is beyond ASCII stays' grep -q 'größer, 球' stdout
+check 'characters beyond ASCII are kept' grep -q 'größer, 球' stdout
 cp whole.yaml "$case"
 
 expect 2 'pulloff: --tabor is \\x1b[[]31m1: expected *' solve --tabor "${escape}1"
@@ -46,17 +46,17 @@ expect 2 'pulloff: --tabor is empty: expected *' solve --tabor ''
 long=$(printf 'x%.0s' $(seq 79))
 expect 2 "pulloff: --tabor is $long: expected *" solve --tabor "${long}öö"
 expect 2 'pulloff: unknown verb \\x1b[[]31m: expected *' "$escape"
-expect 2 'pulloff: theory \\x1b[[]31m is unknown: expected *' theory "$escape"
-expect 2 'pulloff: solve takes no \\x1b[[]31m *' solve "$escape"
+expect 2 'pulloff: no closed form is named \\x1b[[]31m: expected *' theory "$escape"
+expect 2 'pulloff: unexpected argument \\x1b[[]31m of solve *' solve "$escape"
 expect 2 'pulloff: unknown option --\\x1b[[]31m *' solve "--$escape"
 expect 4 'pulloff: nowhere/\\x1b[[]31m cannot be written: *' solve --tabor 0 --curve "nowhere/$escape"
 expect 4 'pulloff: *\\x1b[[]31m.yaml*' plan "./$escape.yaml"
 clean plan
 
-# A table is text, and the name of one may be anything.
+# A table must be text, but its name may contain any character.
 printf '# what: \033[31mred\n' >"$PULLOFF_DATA/reference/red.csv"
 cp "$PULLOFF_DATA/reference/red.csv" "$PULLOFF_DATA/reference/$escape.csv"
 expect 4 '*' list --references
-check 'a table is text' grep -q 'red.csv:1: the byte \\x1b is a control character or not UTF-8: expected text' stdout
+check 'a table must be text' grep -q 'red.csv:1: the byte \\x1b is a control character or not UTF-8: expected text' stdout
 clean 'list --references'
 finish

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Shards of a run: put together they are the run of the whole, to the last bit; what does not belong together is
-# refused by name.
+# Shards of a run: merged, they equal a single run to the last bit. Shards that do not belong together are refused, and
+# the message names them.
 # shellcheck disable=SC1091,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
@@ -57,7 +57,7 @@ CASE
 }
 strip() { grep -v -E '"(seconds|date|jobs)"|^ *[0-9.]+(e-[0-9]+)?,?$' "$1"; }
 
-# ends CODE ARGUMENT...: the program ends with CODE, whatever it says.
+# ends CODE ARGUMENT...: tests that the program ends with the exit code CODE; its output is not tested.
 ends() {
   code=$1
   shift
@@ -65,7 +65,7 @@ ends() {
   check "exit code $code of pulloff $*" test $? -eq "$code"
 }
 
-expect 2 'pulloff: --shard is 0/3: expected K/N, the K-th of N shards, as 1/4' run --shard 0/3
+expect 2 'pulloff: --shard is 0/3: expected K/N, the K-th of N shards, such as 1/4' run --shard 0/3
 expect 2 'pulloff: --shard is 4/3: expected K/N*' run --shard 4/3
 expect 2 'pulloff: --shard is 2: expected K/N*' run --shard 2
 expect 2 'pulloff: --shard is 1/: expected K/N*' run --shard 1/
@@ -81,7 +81,7 @@ ends 0 run --output whole
 for k in 1 2 3; do
   ends 0 run --output part-$k --shard $k/3 --jobs $k
 done
-check 'no shard has a record of a case dealt out' test ! -e part-1/drawn/record.json -a ! -e part-2/drawn/record.json
+check 'no shard has a record of a case that is divided' test ! -e part-1/drawn/record.json -a ! -e part-2/drawn/record.json
 cat >dealt.py <<'DEALT'
 import json
 parts = [json.load(open(f"part-{k}/shard-{k}-of-3.json")) for k in (1, 2, 3)]
@@ -94,7 +94,7 @@ sizes = [sum(asked[name][k] / size for name, size in (("drawn", 1), ("rigid", 1)
          for k in range(3)]
 assert max(sizes) - min(sizes) <= 1, sizes
 DEALT
-check 'parts are dealt out evenly, and lines and timed cases are whole' "$python" dealt.py
+check 'points are divided evenly, and series and timed cases are not divided' "$python" dealt.py
 
 ends 0 merge --output merged part-3 part-1 part-2
 cp "$work/stderr" said
@@ -107,13 +107,13 @@ done
 for table in drawn/curve-0.csv drawn/curve-6.csv rigid/profile-3.csv; do
   check "$table is the same" cmp merged/$table whole/$table
 done
-check 'every case is told' test "$(grep -c 'within$' said)" -eq 4
+check 'every case is reported' test "$(grep -c 'within$' said)" -eq 4
 expect 0 'drawn: 7 points, 1 checks: within (kept)' run drawn --output merged
 ends 0 merge --output part-1 part-1 part-2 part-3
 ends 0 merge --output again part-1 part-2 part-3
 strip again/drawn/record.json >joined
 strip whole/drawn/record.json >at-once
-check 'a shard that has become the whole can be merged again' cmp joined at-once
+check 'the folder of a shard that became the complete run can be merged again' cmp joined at-once
 
 # All shards in one folder.
 for k in 2 1; do
@@ -129,7 +129,7 @@ for k in 1 2 3 4 5 6 7; do
 done
 expect 0 'rigid: 5 points, 5 checks: within' merge --output few many-7 many-6 many-5 many-4 many-3 many-2 many-1
 
-# What is missing, twice, damaged or not done.
+# Shards that are missing, given twice, damaged or not finished.
 expect 2 'pulloff: a shard is missing: 2/3; expected all 3 shards' merge part-1 part-3
 expect 2 'pulloff: shards are missing: 1/3, 3/3; expected all 3 shards' merge part-2
 cp -r part-2 twin
@@ -144,8 +144,8 @@ expect 4 'pulloff: torn lacks 1 of * points of drawn: expected shard 2/3 to have
 ends 0 run --output torn --shard 2/3
 ends 0 merge --output mended part-3 torn part-1
 strip mended/drawn/record.json >joined
-check 'a shard that was cut short goes on' cmp joined at-once
-# A file that lies about the number of shards once kept the program busy for ever.
+check 'an interrupted shard continues' cmp joined at-once
+# A file with a wrong number of shards used to keep the program busy for ever.
 mkdir lies
 lie() { # NUMBER OF
   sed "s/\"shard\": 2/\"shard\": $1/; s/\"of\": 3/\"of\": $2/" part-2/shard-2-of-3.json >lies/shard-2-of-3.json
@@ -163,7 +163,7 @@ expect 4 'pulloff: lies/shard-2-of-3.json is damaged: *' merge lies
 echo '{}' >torn/shard-2-of-3.json
 expect 4 'pulloff: torn/shard-2-of-3.json is damaged: *' merge part-1 torn part-3
 
-# Another program, other cases, other scenes, another time limit.
+# Shards of another program, other cases, other scenes, or another time limit.
 cp "$program" other-program
 printf x >>other-program # the same numbers, but who knows
 program_here=$program
@@ -174,10 +174,10 @@ program=$program_here
 expect 2 'pulloff: other/shard-2-of-3.json was computed by another program than part-1/*' \
   merge part-1 other part-3
 
-# The kernels OpenBLAS has for different processors differ in last bits: they must agree among shards. Those of
-# the process that merges do not matter.
+# The OpenBLAS kernels for different processors differ in the last bits, so all shards must use the same kernels. The
+# kernels of the process that merges do not matter.
 OPENBLAS_CORETYPE=Prescott ends 0 run rigid --output probe --shard 1/1
-if grep -q '"kernels": "Prescott"' probe/shard-1-of-1.json; then # else it has one kind alone
+if grep -q '"kernels": "Prescott"' probe/shard-1-of-1.json; then # otherwise OpenBLAS has only one set of kernels
   for k in 1 2 3; do
     OPENBLAS_CORETYPE=Prescott ends 0 run --output old-$k --shard $k/3
   done
@@ -185,8 +185,8 @@ if grep -q '"kernels": "Prescott"' probe/shard-1-of-1.json; then # else it has o
   ends 0 merge --output old-merged old-1 old-2 old-3
   cp "$work/stderr" said
   OPENBLAS_CORETYPE=Prescott ends 0 merge --output old-alike old-3 old-2 old-1
-  check 'other kernels are told' grep -q 'a later run keeps these records with OPENBLAS_CORETYPE=Prescott' said
-  check 'the same are not' test "$(grep -c OPENBLAS_CORETYPE "$work/stderr")" -eq 0
+  check 'other kernels are reported' grep -q 'set OPENBLAS_CORETYPE=Prescott for a later run' said
+  check 'the same kernels are not reported' test "$(grep -c OPENBLAS_CORETYPE "$work/stderr")" -eq 0
   for name in drawn rigid timed followed; do
     strip old-whole/$name/record.json >at-once
     for folder in old-merged old-alike; do
@@ -194,8 +194,8 @@ if grep -q '"kernels": "Prescott"' probe/shard-1-of-1.json; then # else it has o
       check "the record of $name in $folder is that of the whole run with these kernels" cmp joined at-once
     done
   done
-  check 'it has their name' grep -q '"openblas": ".*Prescott' old-merged/drawn/record.json
-  check 'and their numbers' test "$(cmp old-merged/drawn/curve-0.csv whole/drawn/curve-0.csv)"
+  check 'the record has the name of the kernels' grep -q '"openblas": ".*Prescott' old-merged/drawn/record.json
+  check 'the record has the numbers of these kernels' test "$(cmp old-merged/drawn/curve-0.csv whole/drawn/curve-0.csv)"
   OPENBLAS_CORETYPE=Prescott expect 0 'drawn: 7 points, 1 checks: within (kept)' run drawn --output old-merged
   expect 2 'pulloff: old-2/shard-2-of-3.json was computed with the OpenBLAS kernels Prescott, part-1/shard-1-of-3.json with *: expected the same *' \
     merge part-1 old-2 part-3
@@ -211,7 +211,7 @@ ends 0 run --output late --shard 2/3 --time-limit 600
 expect 2 'pulloff: late/shard-2-of-3.json has other scenes of case drawn than part-1/*' merge part-1 late part-3
 for k in 1 3; do ends 0 run --output late --shard $k/3 --time-limit 600; done
 ends 0 merge --output limited late
-check 'the time limit of the shards holds' grep -q -e '--time-limit 600' limited/drawn/record.json
+check 'the time limit of the shards applies' grep -q -e '--time-limit 600' limited/drawn/record.json
 write_cases 91
 expect 2 'pulloff: part-1/shard-1-of-3.json has other scenes of case drawn than cases/drawn.yaml: *' \
   merge part-1 part-2 part-3
@@ -220,7 +220,7 @@ expect 2 'pulloff: mesh/shard-3-of-3.json has other scenes of case drawn than pa
 rm "$PULLOFF_DATA/cases/drawn.yaml"
 expect 2 'pulloff: no case is named drawn: *' merge part-1 part-2 part-3
 
-# A solve that fails does so in its shard and in the whole.
+# A solve that fails in a shard fails in the merged run, too.
 sed -i 's/scheme: ring}/scheme: ring, time_limit: 1e-9}/' "$PULLOFF_DATA/cases/timed.yaml"
 ends 3 run timed --output failed --shard 1/1
 ends 3 merge --output failures failed

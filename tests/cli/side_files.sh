@@ -1,6 +1,6 @@
 #!/bin/sh
-# Files written beside a result: one that cannot be written never takes the result with it, a symbolic link
-# stays one, permissions stay, an empty name is refused.
+# Files written in addition to a result: if one cannot be written, the result is still printed. A symbolic link is
+# kept, and so are permissions. An empty name is refused.
 # shellcheck disable=SC1091,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
@@ -14,11 +14,11 @@ for file in nowhere/curve.csv /dev/full .; do
   rm curve.csv
 done
 expect 4 'pulloff: nowhere/curve.csv cannot be written: *' solve --tabor 0 --curve nowhere/curve.csv --json
-check 'so it is as JSON' grep -q '"force": 2.0' stdout
+check 'the JSON document is printed' grep -q '"force": 2.0' stdout
 "$program" verify good --junit nowhere/out.xml --tap >stdout 2>stderr
 check 'a file of results that cannot be written is exit code 4' test $? = 4
 check 'the message' grep -q '^pulloff: nowhere/out.xml cannot be written: ' stderr
-check 'and the verdicts' grep -q '^ok 1 ' stdout
+check 'the verdicts are printed' grep -q '^ok 1 ' stdout
 
 for option in --curve --profile --staircase; do
   expect 2 "pulloff: $option is empty: expected the name of a file" solve --tabor 0 "$option" ''
@@ -27,7 +27,7 @@ expect 2 'pulloff: --junit is empty: expected the name of a file' verify good --
 expect 2 'pulloff: --output is empty: expected the name of a folder' report --output ''
 expect 2 'pulloff: --run is empty: expected the name of a folder' report --run ''
 
-# A link to a file, to a link, to what is not there yet, to itself.
+# Links to a file, to a link, to a file that does not exist, and to itself.
 mkdir folder
 echo old >folder/old.csv
 chmod 600 folder/old.csv
@@ -38,9 +38,9 @@ ln -s loop loop
 expect 0 '' solve --tabor 0 --curve two
 check 'the links stay' test -L one -a -L two
 check 'the file has the curve' grep -q '^position,' folder/old.csv
-check 'and its permissions' test "$(stat -c %a folder/old.csv)" = 600
+check 'the file keeps its permissions' test "$(stat -c %a folder/old.csv)" = 600
 expect 0 '' solve --tabor 0 --curve folder/three
-check 'a link may lead to what is not there yet' test -L folder/three -a -f folder/new.csv
+check 'a link may lead to a file that does not exist' test -L folder/three -a -f folder/new.csv
 expect 4 'pulloff: loop cannot be written: Too many levels of symbolic links' solve --tabor 0 --curve loop
-check 'nothing is left over' test "$(find . -name '*.part-*' | wc -l)" = 0
+check 'no temporary file is left' test "$(find . -name '*.part-*' | wc -l)" = 0
 finish

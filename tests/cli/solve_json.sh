@@ -1,5 +1,6 @@
 #!/bin/sh
-# solve: one JSON document and nothing else, of the documented form; the tables; the exit codes.
+# pulloff solve --json prints one JSON document of the documented form and nothing else. Tests also the CSV tables and the
+# exit codes.
 # shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 python=${PYTHON:-python3}
@@ -44,13 +45,13 @@ assert len(d["profile"]) > 10 and set(d["profile"][0]) == {"radius", "gap", "tra
 assert all(q["gap"] > -1 for q in d["profile"])
 assert math.isclose(d["profile_approach"], p["approach"])
 LOOK
-check 'the document is of the documented form' "$python" look.py <"$work/stdout"
+check 'the document has the documented form' "$python" look.py <"$work/stdout"
 expect 0 '' solve --tabor 1 --scheme triangle --nodes 101 --json --curve curve.csv --profile profile.csv
 check 'the curve has its columns' grep -q '^position,approach,load,energy,contact_radius,approach_rate,load_rate,unstable_modes$' \
   curve.csv
 check 'the profile has its columns' grep -q '^radius,gap,traction$' profile.csv
 
-# Diagnostics: on their own, with a fold, on panels and on a mesh that stays; rigid.
+# Diagnostics alone, with a fold, with panels, on a fixed mesh, and for a rigid sphere.
 cat >diagnosed.py <<'LOOK'
 import json, sys
 
@@ -80,21 +81,21 @@ for scheme in panel 'triangle --nodes 101'; do
   check "diagnostics of $scheme" "$python" diagnosed.py ${scheme%% *} <"$work/stdout"
 done
 expect 0 '' solve --tabor 0 --want diagnostics --json
-check 'rigid: nothing was solved, and the digits stay' "$python" -c 'import json, sys
+check 'rigid: nothing is solved, and all digits are kept' "$python" -c 'import json, sys
 d = json.load(sys.stdin)["diagnostics"]
 assert d["states"] == [] and d["residual"] is None and d["moved"]["digits_kept"] > 14' <"$work/stdout"
 expect 0 '' solve --tabor 1 --scheme triangle --nodes 101
-check 'for people: the pull-off' grep -q '^pull-off force 1.67' "$work/stdout"
+check 'the printed result has the pull-off' grep -q '^pull-off force 1.67' "$work/stdout"
 expect 0 '' solve --tabor 0 --json
 check 'rigid' grep -q '"rigid": true' "$work/stdout"
 
-# A solve that takes too long says how far it came.
+# A solve that exceeds the time limit states the point that it reached.
 expect 3 'pulloff: the solve failed: after 1e-09 s of processor time the trace is at approach -*, load *' \
   solve --tabor 1 --time-limit 1e-9 --json
-check 'its document says so' grep -q '"status": "out_of_time"' "$work/stdout"
+check 'the JSON document states it' grep -q '"status": "out_of_time"' "$work/stdout"
 expect 2 'pulloff: --time-limit is 0: expected a finite number > 0' solve --time-limit 0
 
-# The same numbers every time, to the last bit.
+# A repeated solve gives the same numbers to the last bit.
 "$program" solve --tabor 2 --scheme triangle --nodes 101 --want curve --json | grep -v seconds >first
 "$program" solve --tabor 2 --scheme triangle --nodes 101 --want curve --json | grep -v seconds >second
 check 'a solve repeats to the last bit' cmp first second

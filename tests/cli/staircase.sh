@@ -1,5 +1,5 @@
 #!/bin/sh
-# The pull-off after every preload: what solve prints and writes, what a record keeps, and how steps are checked.
+# The pull-off for every preload: the output and the files of solve, the record, and the checks of the steps.
 # shellcheck disable=SC1091,SC2154
 . "$(dirname "$0")/lib.sh"
 . "$here/data.sh"
@@ -20,7 +20,7 @@ for step in held + loaded:
     assert step["error_estimate"] < 1e-3 and step["cycles"][0]["preload"] == {
         key: step["preload"][key] for key in ("approach", "load", "position")}
 assert [step["decided_by"] for step in held] == ["jump", "jump"] and [step["open"] for step in held] == [False, True]
-# Where a step begins and what decides it are special points, with their values and errors.
+# Steps begin at special points and are decided by special points, with the same values and errors.
 for step in held:
     fold = next(f for f in d["folds"] if f["position"] == step["preload"]["position"])
     assert fold["approach"] == step["preload"]["approach"] and fold["kind"] == "jump_in"
@@ -45,13 +45,14 @@ scene='--tabor 3 --amplitude 1 --wavelength 20 --tolerance 1e-4'
 # shellcheck disable=SC2086 # words are meant
 expect 0 '' solve $scene --staircase steps.csv --json
 cp stdout solved.json
-check 'JSON and CSV agree, and with the special points' "$python" look.py
+check 'JSON, CSV and the special points agree' "$python" look.py
 # shellcheck disable=SC2086
 expect 0 '' solve $scene --want preload
-check 'for people' grep -q '^displacement control: the pull-off measured, by the preload' stdout
-check 'and in one line' grep -q '^preload  2.651.* for a preload beyond approach 2.61.*; no harder preload gives more$' stdout
+check 'the printed table' grep -q '^displacement control: pull-off force against preload' stdout
+check 'which preloads give the pull-off' grep -q '^preload  loading beyond approach 2.61.* gives this pull-off$' stdout
+check 'and that no harder one gives more' grep -q '^harder   no harder preload gives a greater pull-off force$' stdout
 
-# A preload that is declared, however it is: the same pull-off; a harder one, a softer one.
+# The pull-off depends on the preload, not on the option by which it is given.
 # shellcheck disable=SC2086
 for preload in '--preload 2.5' '--preload-load 0.01' '--approach-end 2.5' '--preload inf'; do
   expect 0 '' solve $scene $preload --json
@@ -68,7 +69,7 @@ expect 2 'pulloff: preload is inf: expected a finite number for the hysteresis*'
   solve --preload inf --want hysteresis
 expect 2 'pulloff: --preload is -inf: expected a finite number, or inf' solve --preload -inf
 
-# Cases: sweeps, shards, records that are reused, checks.
+# Cases: sweeps, shards, reused records, checks.
 cat >steps.csv <<'TABLE'
 # what: steps by an independent solver
 # source: the test
@@ -109,11 +110,11 @@ check 'each number of each step is compared' test "$(grep -c 'step_.*within' std
 sed 's/2.65119295228145/2.66/' steps.csv | table other.csv
 write_case other.csv
 expect 1 '*' verify --verbose stairs
-check 'another force is seen' test "$(grep -c 'step_force.*outside' stdout)" = 2
+check 'a wrong force is detected' test "$(grep -c 'step_force.*outside' stdout)" = 2
 sed '$d' steps.csv | table fewer.csv
 write_case fewer.csv
 expect 1 '*' verify --verbose stairs
-check 'and another number of steps' test "$(grep -c 'step_count.*outside' stdout)" = 2
+check 'a wrong number of steps is detected' test "$(grep -c 'step_count.*outside' stdout)" = 2
 write_case steps.csv
 expect 0 '' plan stairs
 check 'the plan says so' grep -q 'trace on until no harder preload gives more' stdout
@@ -135,9 +136,9 @@ for record in (kept, merged):
             assert a[key] == b[key], key
 assert [len(p["staircase"]["displacement_control"]["steps"]) for p in first["points"]] == [2, 2]
 SAME
-check 'records that are kept and merged have it, to the last bit' "$python" same.py
+check 'kept and merged records have the staircase, to the last bit' "$python" same.py
 
-# Lines: the preload is that of every scene; at any preload the pull-off is not less.
+# Series: the preload applies to every scene; the greatest pull-off over all preloads is not smaller.
 along='--key tabor --from 2.5 --to 4 --points 4 --amplitude 4 --wavelength 20 --outer-radius 100 --tolerance 1e-4'
 # shellcheck disable=SC2086
 expect 0 '' follow $along --preload 4 --json
@@ -153,6 +154,6 @@ ratios = [b["pull_off"]["force"] / a["pull_off"]["force"] for a, b in zip(some, 
 assert min(ratios) > 0.999 and max(ratios) > 2, ratios
 assert all(p["ended"] is None or p["ended"]["why"] == "preload" for p in some)
 MORE
-check 'a line at any preload' "$python" more.py
-expect 2 'pulloff: --key is preload: expected the name of an option of the scene' follow --key preload --from 1 --to 2
+check 'a series with --preload inf' "$python" more.py
+expect 2 'pulloff: --key is preload: expected tabor, amplitude, *' follow --key preload --from 1 --to 2
 finish

@@ -1,10 +1,10 @@
 #!/bin/sh
-# theory: the closed forms by name, as JSON and for people; what is missing or wrong, in one line.
+# pulloff theory: the closed forms by name, as JSON and as text; the message for missing or wrong options is one line.
 # shellcheck disable=SC1091,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 python=${PYTHON:-python3}
 
-# near KEY VALUE TOLERANCE ARGUMENT...: the JSON document of `theory ARGUMENT...` has it.
+# near KEY VALUE TOLERANCE ARGUMENT...: tests a value in the JSON document of `theory ARGUMENT...`.
 near() {
   key=$1 value=$2 tolerance=$3
   shift 3
@@ -29,7 +29,7 @@ near load -2 1e-15 bradley --approach 0
 near traction -1.02639201129570 1e-13 lennard-jones --gap 0.2
 near part_of_bradley 1 1e-4 rumpf-rabinowicz --alpha 1e-7 --radius 100
 near composite_radius 48.4 1 crest --amplitude 0.1 --wavelength 19.4
-# Amplitude 0 is the smooth sphere, not a mistake.
+# Amplitude 0 is the smooth sphere and is accepted.
 near pull_off_force 1.5 1e-14 guduru --tabor 2.385 --amplitude 0
 near pull_off_approach -1.8445993817945 1e-12 guduru --tabor 2.385 --amplitude 0
 near effective_work 1 0 kesari-lew --tabor 2.385 --amplitude 0 --wavelength 20
@@ -40,11 +40,11 @@ near critical_radius 0 0 compactness --amplitude 0
 expect 0 '' theory kesari-lew --amplitude 0
 check 'an infinite Johnson parameter is a dash' grep -q '^johnson_parameter  *-$' "$work/stdout"
 expect 0 '' theory kesari-lew --amplitude 1 --wavelength 20 --contact-radius 30
-check 'for people' grep -q '^effective_work ' "$work/stdout"
+check 'the printed result' grep -q '^effective_work ' "$work/stdout"
 
-expect 2 'pulloff: theory without a name is unknown: expected bradley, *' theory
-expect 2 'pulloff: theory alchemy is unknown: expected bradley, *' theory alchemy
-# What each form needs, in one list: waves, or an elastic half-space, or both.
+expect 2 'pulloff: theory needs the name of a closed form: expected bradley, *' theory
+expect 2 'pulloff: no closed form is named alchemy: expected bradley, *' theory alchemy
+# The parameters that each form needs: waves, an elastic half-space, or both.
 for form in guduru kesari-lew persson-tosatti compactness crest; do
   expect 2 "pulloff: theory $form needs --amplitude and --wavelength" theory $form
 done
@@ -60,17 +60,17 @@ expect 2 'pulloff: --tabor is 0: expected a finite number > 0' theory jkr --tabo
 expect 2 'pulloff: --approach is 1: expected a finite number < 1' theory bradley --approach 1
 expect 2 'pulloff: --radius is nan: expected a finite number > 0' theory jkr --radius nan
 expect 2 'pulloff: --gap is -1: expected a finite number > -1' theory lennard-jones --gap -1
-expect 2 'pulloff: theory takes no more*' theory jkr more
+expect 2 'pulloff: unexpected argument more of theory*' theory jkr more
 
-# Sizes far apart: GSL's handler ended the program, or the search for the deepest wave did not end.
+# Extreme ratios of lengths. GSL's error handler used to end the program, or the search for the deepest wave did not end.
 near load 3.79606689822e43 1e33 guduru --tabor 5 --amplitude 1 --wavelength 10 --contact-radius 1e16
 near pull_off_force 2.10744797525e12 10 guduru --tabor 5 --amplitude 1 --wavelength 1e-12
 near pull_off_force 210780002.771 1e-3 guduru --tabor 5 --amplitude 1 --wavelength 1e-8
-far='expected values less far apart, *'
-expect 2 "pulloff: theory guduru has no pull_off_force here: $far" theory guduru --tabor 5 --amplitude 1 --wavelength 1e-300
-expect 2 "pulloff: theory rigid has no pull_off_force here: $far" theory rigid --amplitude 1 --wavelength 1e-300
-expect 2 "pulloff: theory jkr has no load here: $far" theory jkr --contact-radius 1e200
-# Waves so short that the rigid load has only their mean: as the theory, by a route of its own.
+far='*expected values of more similar size'
+expect 2 "pulloff: pull_off_force of theory guduru cannot be computed: $far" theory guduru --tabor 5 --amplitude 1 --wavelength 1e-300
+expect 2 "pulloff: pull_off_force of theory rigid cannot be computed: $far" theory rigid --amplitude 1 --wavelength 1e-300
+expect 2 "pulloff: load of theory jkr cannot be computed: $far" theory jkr --contact-radius 1e200
+# For very short waves the rigid load is their mean: the solver and the closed form compute it independently.
 for wavelength in 0.02 1e-8 1e-150; do
   expect 0 '' solve --tabor 0 --amplitude 1.3 --wavelength $wavelength --json
   check "rigid waves of $wavelength end" grep -q '"status": "ok"' stdout
@@ -81,7 +81,7 @@ near pull_off_force "$force" 1e-10 rigid --amplitude 1.3 --wavelength 0.02
 expect 3 'pulloff: the solve failed: the rigid load would be the sum of 2e+10 half waves up to radius 100, *' \
   solve --tabor 0 --amplitude 1 --wavelength 1e-8 --outer-radius 100
 
-# A flag that changes nothing is refused, whatever the form.
+# An option that has no effect is refused for every form.
 idle() { # NAME FLAG EXPECTED ARGUMENT...
   name=$1 flag=$2 expected=$3
   shift 3
@@ -112,15 +112,15 @@ idle rumpf-rabinowicz --approach 'only --radius or --alpha' --alpha 1
 expect 2 'pulloff: --contact-radius-m has no effect on theory bradley: expected only --radius-m or --approach-m' \
   theory bradley --from-physical --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 1e-7 --contact-radius-m 1e-9
 
-# So they are in the other verbs.
+# Options without effect are refused by the other verbs, too.
 expect 2 'pulloff: --wavelength has no effect on a scene without amplitude: expected *' solve --wavelength 9
 expect 2 'pulloff: --wavelength has no effect on scenes without amplitude: expected *' \
   follow --key tabor --from 1 --to 2 --wavelength 9
-expect 2 'pulloff: the wavelength runs along scenes without amplitude: expected *' follow --key wavelength --from 1 --to 2
+expect 2 'pulloff: the wavelength varies, but the scenes have no amplitude: expected *' follow --key wavelength --from 1 --to 2
 expect 2 'pulloff: --checkpoint-every has no effect on --of folds: expected *' \
   follow --key tabor --from 1 --to 2 --of folds --checkpoint-every 3
 
-# Fixed meshes have nodes for a number of waves; the rest was left out without a word.
+# A fixed mesh on the unbounded surface resolves a limited number of waves; scenes with more waves are refused.
 expect 3 'pulloff: the solve failed: * waves beyond radius * must be resolved, with 12 nodes each: * expected *' \
   solve --tabor 0.1 --scheme ring --amplitude 10 --wavelength 0.3 --nodes 2500
 expect 3 'pulloff: the solve failed: elements of length * cannot represent waves of length 0.1; expected at least * nodes, *' \

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Bad usage: one line that names what is wrong, exit code 2; help with an example for every verb.
+# Wrong usage: the message is one line that names the mistake, and the exit code is 2. The help of every verb has an
+# example.
 # shellcheck disable=SC1091,SC2013,SC2016,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 
@@ -10,7 +11,7 @@ expect 0 '' --version
 expect 0 '' --help
 cp "$work/stdout" "$work/help"
 expect 0 '' -h
-check 'the same help by -h' cmp -s "$work/stdout" "$work/help"
+check '-h prints the same help' cmp -s "$work/stdout" "$work/help"
 for verb in solve follow theory list plan run merge verify explain bless report; do
   expect 0 '' "$verb" -h
   cp "$work/stdout" "$work/help"
@@ -56,19 +57,19 @@ expect 2 'pulloff: --want is sugar: expected any of curve, profile, hysteresis*'
 expect 2 'pulloff: --want is curve,: expected any of curve, profile, hysteresis*' solve --want curve,
 expect 2 'pulloff: --amplitude is given without --wavelength: expected both' solve --amplitude 1
 expect 2 'pulloff: *approach_end*' solve --approach-start 1 --approach-end 0
-expect 2 'pulloff: solve takes no leftover*' solve --tabor 0 leftover
+expect 2 'pulloff: unexpected argument leftover of solve (see pulloff solve --help)' solve --tabor 0 leftover
 expect 2 'pulloff: plan needs the name of a case*' plan
 expect 2 'pulloff: --jobs is -1: expected a whole number, 0 for all cores' run --jobs -1
 expect 2 'pulloff: --jobs is many: expected a whole number, 0 for all cores' run --jobs many
-expect 2 'pulloff: --points is 5-3: expected FROM-TO or one number, counted from 0' run --points 5-3
-expect 2 'pulloff: --points is 5-: expected FROM-TO or one number, counted from 0' run --points 5-
-expect 2 'pulloff: --points is few: expected FROM-TO or one number, counted from 0' run --points few
-expect 2 'pulloff: --points begins at 6: expected less than 6, the points of smoke' \
+expect 2 'pulloff: --points is 5-3: expected A-B or one number, counted from 0' run --points 5-3
+expect 2 'pulloff: --points is 5-: expected A-B or one number, counted from 0' run --points 5-
+expect 2 'pulloff: --points is few: expected A-B or one number, counted from 0' run --points few
+expect 2 'pulloff: --points begins at 6: expected less than 6, the number of points of smoke' \
   run smoke --points 6
 expect 2 'pulloff: --time-limit is 0: expected a finite number > 0' run --time-limit 0
 expect 2 'pulloff: --output is empty: expected the name of a folder' run --output ''
 expect 2 'pulloff: no case is of the suite dessert: expected one of extreme, paper, precision, random, smoke' \
   run --suite smoke,dessert
 expect 2 'pulloff: --suite is empty: expected names of suites' run --suite ''
-expect 2 'pulloff: list takes no smoke*' list smoke
+expect 2 'pulloff: unexpected argument smoke of list*' list smoke
 finish
