@@ -1,4 +1,4 @@
-/* The branch: folds, extrema, stability, stations, ends; and that nothing is skipped. */
+/* The branch: folds, extrema, stability, stations, ends. No special point is missed. */
 #include <gsl/gsl_eigen.h>
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* Contact edges and annuli: where they are, how much they err, and a crest at the threshold. */
+/* Contact edges and annuli: their radii, the errors of these, and a crest at the threshold. */
 #include <math.h>
 
 #include "po_contact.h"

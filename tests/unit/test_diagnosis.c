@@ -1,5 +1,5 @@
-/* Diagnostics: sensitivities against differences of whole solves, residuals and condition numbers
- * where they are known, and that asking for them changes nothing. */
+/* Diagnostics: sensitivities against finite differences of complete solves, residuals and condition
+ * numbers in cases where they are known. Diagnostics do not change the results. */
 #include <math.h>
 
 #include "po_law.h"

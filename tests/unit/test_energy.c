@@ -1,5 +1,5 @@
-/* The potential energy: its rate by the approach is the load, along every branch and through its
- * folds; in the rigid limit it is a closed form. */
+/* The potential energy: its derivative with respect to the approach is the load, along every branch
+ * and through its folds. In the rigid limit it has a closed form. */
 #include <math.h>
 
 #include "po_profile.h"

@@ -1,4 +1,5 @@
-/* How far a curve is from what joins its points, on a circle, where both are known. */
+/* The interpolation error between the points of a curve, on a circle, where the exact curve is
+ * known. */
 #include <check.h>
 #include <math.h>
 

@@ -1,5 +1,5 @@
-/* OpenBLAS once started a thread a core with every process, and they waited by asking for work
- * again and again: a solve of 40 ms took 80 ms of processor time. */
+/* OpenBLAS used to start one thread for each core in every process. The threads polled for work, so
+ * that a solve of 40 ms took 80 ms of processor time. */
 #include <dirent.h>
 #include <math.h>
 

@@ -1,4 +1,5 @@
-/* What is read off a branch: pull-off against known values, curves, profiles, preloads. */
+/* Quantities that are computed from a branch: pull-off against known values, curves, profiles,
+ * preloads. */
 #include <math.h>
 #include <string.h>
 

@@ -1,4 +1,4 @@
-/* How far a prediction reaches where rings of contact are born, and how well. */
+/* The length of predictor steps where contact annuli form, and their error. */
 #include <math.h>
 
 #include "po_continuation.h"

@@ -1,4 +1,5 @@
-/* Roots between two points of different sign, and what is none. */
+/* Roots between two points at which the function has different signs, and intervals without a
+ * root. */
 #include <float.h>
 #include <math.h>
 #include <stdint.h>

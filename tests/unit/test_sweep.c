@@ -1,5 +1,5 @@
-/* Every closed form over its domain and far beyond, with GSL's error handler as a program finds it:
- * each call returns, soon, with numbers or NaN. */
+/* Every closed form inside and far outside its domain, with the default error handler of GSL: each
+ * call returns soon, with numbers or NaN. */
 #include <float.h>
 #include <gsl/gsl_errno.h>
 #include <math.h>

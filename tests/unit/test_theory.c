@@ -1,4 +1,5 @@
-/* The closed forms: limits, energy, inverses, and each beside something it did not come from. */
+/* The closed forms: limits, energy, inverses, and a comparison of each form with an independent
+ * computation. */
 #include <gsl/gsl_errno.h>
 #include <math.h>
 
