@@ -140,6 +140,7 @@ static po_status locate(const po_interval *interval, po_event *ev) {
     const double f = event_value(interval, ev->of, &s);
     const bool is_high = (f < 0.0) == (event_value(interval, ev->of, &high) < 0.0);
     ev->root = at;
+    ev->here = s;
     interval->keep(interval->data, ev->place);
     /* how far the root may still be: by the secant, or within the bracket */
     const po_sample *other = is_high ? &low : &high;
@@ -156,6 +157,28 @@ static po_status locate(const po_interval *interval, po_event *ev) {
   return PO_NOT_CONVERGED;
 }
 
+/* Adds an approach asked for that is passed twice between two samples, before and after a fold:
+ * both samples lie on one side of it, the fold on the other. */
+static po_status add_hidden(const po_interval *interval, const po_event *fold, po_events *found) {
+  for (po_event_kind q = PO_AT_STATION; q <= PO_AT_END; ++q) {
+    const double low = event_value(interval, q, &fold->low),
+                 high = event_value(interval, q, &fold->high),
+                 turn = event_value(interval, q, &fold->here);
+    if (!(low * high > 0.0 && low * turn < 0.0))
+      continue;
+    if (found->count + 2 > PO_MOST_EVENTS)
+      return PO_NOT_CONVERGED;
+    for (int after = 0; after < 2; ++after) {
+      found->list[found->count] = (po_event){.of = q,
+                                             .low = after ? fold->here : fold->low,
+                                             .high = after ? fold->high : fold->here,
+                                             .place = found->count};
+      ++found->count;
+    }
+  }
+  return PO_OK;
+}
+
 static int by_root(const void *left, const void *right) {
   const double a = ((const po_event *)left)->root, b = ((const po_event *)right)->root;
   return (a > b) - (a < b);
@@ -165,7 +188,13 @@ po_status po_events_find(const po_interval *interval, const po_sample *from, con
                          po_events *found) {
   found->count = 0;
   po_status status = collect(interval, from, to, NEITHER, 0, found);
-  for (size_t k = 0; k < found->count && !status; ++k)
+  size_t k = 0;
+  for (; k < found->count && !status; ++k)
+    status = locate(interval, &found->list[k]);
+  for (size_t fold = 0, folds = k; fold < folds && !status; ++fold)
+    if (found->list[fold].of == PO_OF_APPROACH)
+      status = add_hidden(interval, &found->list[fold], found);
+  for (; k < found->count && !status; ++k)
     status = locate(interval, &found->list[k]);
   qsort(found->list, found->count, sizeof *found->list, by_root);
   return status;

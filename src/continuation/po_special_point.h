@@ -25,6 +25,7 @@ typedef struct {
   po_event_kind of;
   po_sample low, high; /* bracket */
   double root;         /* the parameter there */
+  po_sample here;      /* the sample there, as far as it is located */
   size_t place;        /* under which its point is kept */
 } po_event;
 

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "po_special_point.h"
 #include "run.h"
 #include "trace.h"
 
@@ -204,7 +205,44 @@ START_TEST(end_is_met_and_points_are_limited) {
 }
 END_TEST
 
+/* A curve with one fold: the approach is a parabola of the parameter, the load the parameter. */
+static po_status solve_parabola(void *data, double at, po_sample *sample) {
+  (void)data;
+  *sample = (po_sample){
+      .at = at, .value = {0.3 - pow(at - 0.45, 2.0), at}, .rate = {-2.0 * (at - 0.45), 1.0}};
+  return PO_OK;
+}
+
+static void keep_nothing(void *data, size_t place) {
+  (void)data;
+  (void)place;
+}
+
+/* An approach just below a fold is passed twice in the step that contains the fold, and neither end
+ * of the step shows it. `solve --tabor 1 --approach-end -1.6295` went past both and ended at the
+ * third passage. */
+START_TEST(an_approach_that_a_fold_hides_is_met_before_and_after_it) {
+  const double station[PO_STATIONS] = {0.29, NAN};
+  const po_interval interval = {
+      .solve = solve_parabola, .keep = keep_nothing, .station = station, .end = 0.2996};
+  po_sample from, to;
+  po_events found;
+  solve_parabola(NULL, 0.0, &from);
+  solve_parabola(NULL, 1.0, &to);
+  ck_assert_int_eq(po_events_find(&interval, &from, &to, &found), PO_OK);
+  static const double EXPECTED[] = {0.35, 0.43, 0.45, 0.47, 0.55};
+  static const po_event_kind KINDS[] = {PO_AT_STATION, PO_AT_END, PO_OF_APPROACH, PO_AT_END,
+                                        PO_AT_STATION};
+  ck_assert_uint_eq(found.count, 5);
+  for (size_t k = 0; k < found.count; ++k) {
+    ck_assert_double_eq_tol(found.list[k].root, EXPECTED[k], 1e-8);
+    ck_assert_int_eq(found.list[k].of, KINDS[k]);
+  }
+}
+END_TEST
+
 static void add(TCase *tests) {
+  tcase_add_test(tests, an_approach_that_a_fold_hides_is_met_before_and_after_it);
   tcase_add_test(tests, smooth_sphere_folds_from_0_697_on);
   tcase_add_test(tests, folds_alternate_and_account_for_every_turn);
   tcase_add_test(tests, folds_near_each_other_are_found);
