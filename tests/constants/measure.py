@@ -13,6 +13,7 @@ Then `document.py` puts the table into doc/method.md.
 Exit code: 0 all is measured, 1 the unchanged source does not build or solve, 130 interrupted."""
 
 import argparse
+import concurrent.futures
 import csv
 import filecmp
 import json
@@ -116,8 +117,8 @@ def copy_if_different(source, target):
 class Copy:
     """A copy of the source in a build folder of its own."""
 
-    def __init__(self, folder):
-        self.folder = folder
+    def __init__(self, folder, jobs=1):
+        self.folder, self.jobs = folder, jobs
         self.source, self.build = os.path.join(folder, "tree"), os.path.join(folder, "build")
         self.program = os.path.join(self.build, "src", "cli", "pulloff")
 
@@ -139,11 +140,17 @@ class Copy:
                               check=False).returncode == 0
 
     def documents(self, commands):
-        found, crashes = [], 0
-        for words in commands:
-            found.append(run(self.program, words) if crashes < MOST_CRASHES else {"status": "crashed"})
-            crashes += found[-1].get("status") == "crashed"
-        return found
+        """In the order of the commands, `jobs` at a time."""
+        crashes = []
+
+        def document(words):
+            found = run(self.program, words) if len(crashes) < MOST_CRASHES else {"status": "crashed"}
+            if found.get("status") == "crashed":
+                crashes.append(words)
+            return found
+
+        with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
+            return list(pool.map(document, commands))
 
     def with_value(self, place, text, work):
         """Calls `work` with one value changed. Returned: what it returns; None when that does not build."""
@@ -242,6 +249,7 @@ def arguments():
     parser.add_argument("--only", default="", help="constants whose file or name matches this regular expression")
     parser.add_argument("--fresh", action="store_true", help="measures what was measured before, too")
     parser.add_argument("--missing", action="store_true", help="prints what is not measured; exit code 1 if something is")
+    parser.add_argument("--jobs", type=int, default=1, help="commands that are run at a time (1)")
     parser.add_argument("--folder", default=os.path.join(ROOT, "build", "constants"), help="for the copy of the source")
     parser.add_argument("--output", default=CSV, help="the table of results (doc/constants.csv)")
     return parser.parse_args()
@@ -265,7 +273,7 @@ def main():
     if wanted.missing:
         print("\n".join(" ".join(key) for key, _, _ in tasks))
         return int(bool(tasks))
-    copy = Copy(wanted.folder)
+    copy = Copy(wanted.folder, wanted.jobs)
     if not copy.make():
         print("measure.py: the unchanged source does not build", file=sys.stderr)
         return 1
