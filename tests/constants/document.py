@@ -35,7 +35,8 @@ def effect(row, base):
     work = float(row["work_ratio"]) - 1.0
     if abs(work) >= SEEN:
         words.append(f"work {100.0 * work:+.0f} %".replace("-", "−"))
-    for key, text in (("failed", "failed"), ("lost", "lost"), ("extra", "spurious"), ("violated", "violated")):
+    for key, text in (("failed", "failed"), ("lost", "lost"), ("extra", "spurious"), ("violated", "violated"),
+                      ("held", "held")):
         more = int(row[key]) - int(base[key])
         if more:
             words.append(f"{text} {more:+d}".replace("-", "−"))
