@@ -4,10 +4,6 @@ bool po_continuation_moves(const po_continuation *t) {
   return t->c.adaptive != NULL;
 }
 
-/* Error of a guess, in parts of the allowed, on a mesh that is kept: half is left for what the
- * solution differs. */
-static const double GREATEST_EXCESS = 0.5;
-
 static bool too_large(void *prediction, po_panel panel) {
   return po_prediction_too_large(prediction, panel, 1.0);
 }
@@ -53,12 +49,9 @@ static bool all_move(const po_continuation *t, const po_prediction *p) {
   return p->edges.count == t->current.edges.all;
 }
 
-static double guessed_excess(const po_continuation *t) {
-  return po_resolution_excess(&t->resolution, po_adaptive_panels(t->c.adaptive), t->c.guess);
-}
-
 /* Puts a mesh in force for the prediction, or leaves the one there is when it serves and may, or
- * stays; and the guess on it. */
+ * stays; and the guess on it. A mesh that serves has the margin that it was made with; a solution
+ * that it does not resolve is meshed again. */
 static po_status mesh_for(po_continuation *t, po_prediction *p, bool may_keep_mesh) {
   if (!po_continuation_moves(t)) {
     guess(t, p);
@@ -66,8 +59,7 @@ static po_status mesh_for(po_continuation *t, po_prediction *p, bool may_keep_me
   }
   if (may_keep_mesh && mesh_serves(t, p)) {
     guess(t, p);
-    if (all_move(t, p) || guessed_excess(t) <= GREATEST_EXCESS)
-      return PO_OK;
+    return PO_OK;
   }
   po_panels panels;
   if (!po_panels_build(&panels, too_large, p))
