@@ -19,11 +19,11 @@ static const double SUSPECT = 0.4;
 
 /* Where a part of the contact is born or lost two extrema may be nearer to each other than steps
  * tell: that place is looked at so closely. With nothing of it a trace went over two extrema of the
- * load 0.07 eps apart, 0.023 along the arclength functional (tests/unit/test_way_back.c). */
+ * load 0.07 eps apart, 0.023 along the arclength functional (tests/unit/test_reverse_trace.c). */
 static const double BIRTH_WAY = 0.02;
 /* The same for the two adjoining intervals: at mu = 1.57 two extrema of the load 0.053 eps
  * apart, within 0.034 along the arclength functional, lay just before an annulus formed
- * (tests/unit/test_way_back.c). With 0.02 the trace of mu = 5, A = 10 takes 9 % more Newton
+ * (tests/unit/test_reverse_trace.c). With 0.02 the trace of mu = 5, A = 10 takes 9 % more Newton
  * iterations and finds no other extrema. */
 static const double BESIDE_BIRTH_WAY = 0.03;
 

@@ -29,7 +29,7 @@ static const struct {
     [PO_KEY_WAVELENGTH] = {"wavelength", POSITIVE, "a finite number > 0"},
     [PO_KEY_RADIUS] = {"radius", POSITIVE, "a finite number > 0"},
     [PO_KEY_OUTER_RADIUS] = {"outer_radius", POSITIVE_OR_INFINITE, "a finite number > 0, or inf"},
-    [PO_KEY_LAW] = {"law", NAME, "lennard-jones, mie:m,n or morse:a"},
+    [PO_KEY_LAW] = {"law", NAME, PO_LAW_EXPECTED},
     [PO_KEY_MIE_M] = {"mie_m", POSITIVE, "a finite number > 1"},
     [PO_KEY_MIE_N] = {"mie_n", POSITIVE, "a finite number > mie_m"},
     [PO_KEY_MORSE_A] = {"morse_a", POSITIVE, "a finite number > 0"},

@@ -9,8 +9,6 @@
 static const po_law_kind *const KINDS[] = {&PO_LENNARD_JONES, &PO_MIE, &PO_MORSE};
 enum { KIND_COUNT = sizeof KINDS / sizeof *KINDS };
 
-const char *const PO_LAW_EXPECTED = "lennard-jones, mie:m,n or morse:a";
-
 static const char *const PARAMETERS[PO_LAW_PARAMETER_COUNT] = {
     [PO_MIE_M] = "mie_m", [PO_MIE_N] = "mie_n", [PO_MORSE_A] = "morse_a"};
 
@@ -163,7 +161,8 @@ double po_law_least_gap_of_powers(const po_law *law) {
   return -0.9;
 }
 
-/* Twenty equilibrium distances, from where the law is its attractive power to 1e-8. */
+/* Beyond 20 the law is its attractive power to a part of 21^-(n-m), 1.2e-8 for (3, 9). A larger
+ * remainder is left to the polynomial of the panel to infinity. */
 double po_law_reach_of_powers(const po_law *law) {
   (void)law;
   return 20.0;

@@ -44,7 +44,7 @@ po_law po_law_lennard_jones(void);
  * "mie:4,10" or "mie:4:10"; without them those in place stay. False when the text is none of these;
  * then the law is unchanged. Its parameters are checked by po_law_check. */
 bool po_law_set(po_law *law, const char *text);
-extern const char *const PO_LAW_EXPECTED; /* "lennard-jones, mie:m,n or morse:a" */
+#define PO_LAW_EXPECTED "lennard-jones, mie:m,n or morse:a"
 
 /* Sets one parameter. */
 void po_law_set_parameter(po_law *law, po_law_parameter parameter, double value);
