@@ -1,14 +1,19 @@
 #include "po_case.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
+#include <ctype.h>
 
-#include "po_case_parse.h"
-#include "po_file.h"
-#include "po_memory.h"
-#include "po_schema.h"
 #include "po_text.h"
+
+bool po_case_is_name(const char *text) {
+  for (const char *c = text; *c; ++c)
+    if (!isalnum((unsigned char)*c) && *c != '_' && *c != '-')
+      return false;
+  return *text != '\0' && *text != '-';
+}
+
+bool po_sweep_names(const po_sweep *sweep, po_key key) {
+  return sweep->named >> key & 1U;
+}
 
 const char *po_case_argument(const po_case *kase) {
   return kase->is_own ? kase->shown : kase->file->name;
@@ -26,42 +31,4 @@ po_status po_case_set_own(po_case *kase) {
   kase->is_own = true;
   kase->word = word.data;
   return word.failed ? PO_NO_MEMORY : PO_OK;
-}
-
-po_status po_case_read(const char *path, const char *shown, po_case **result) {
-  *result = NULL;
-  po_yaml *yaml = NULL;
-  po_case *kase = po_allocate(1, sizeof *kase);
-  po_status status = kase ? PO_OK : PO_NO_MEMORY;
-  if (!status && (!(kase->path = po_copy_text(path)) || !(kase->shown = po_copy_text(shown))))
-    status = PO_NO_MEMORY;
-  if (!status)
-    status = po_file_read(path, &kase->source, &kase->source_size);
-  if (!status)
-    status = po_yaml_create(shown, kase->source, kase->source_size, &yaml);
-  if (!status)
-    status = po_schema_load(yaml, &kase->file);
-  if (!status)
-    status = po_case_parse(kase, yaml);
-  po_yaml_destroy(yaml);
-  if (status)
-    po_case_destroy(kase);
-  else
-    *result = kase;
-  return status;
-}
-
-void po_case_destroy(po_case *kase) {
-  if (!kase)
-    return;
-  for (size_t i = 0; kase->points && i < kase->point_count; ++i)
-    free(kase->points[i].label);
-  free(kase->points);
-  po_case_axes_clear(kase->file);
-  po_schema_free(kase->file);
-  free(kase->source);
-  free(kase->word);
-  free(kase->shown);
-  free(kase->path);
-  free(kase);
 }

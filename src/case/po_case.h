@@ -1,4 +1,4 @@
-/* A case: scenes to solve, what is wanted of them, and the checks their numbers must pass. */
+/* A case: the scenes to solve, the wanted results, and the checks that the results must pass. */
 #ifndef PO_CASE_H
 #define PO_CASE_H
 
@@ -10,7 +10,7 @@
 #include "po_request.h"
 #include "po_status.h"
 
-/* What a case wants; the first three come with every branch. */
+/* The wanted results. Every traced branch delivers the first three. */
 typedef enum {
   PO_CASE_PULL_OFF = 1,
   PO_CASE_FOLDS = 2,
@@ -22,22 +22,22 @@ typedef enum {
   PO_CASE_PRELOAD = 128,
 } po_case_want;
 
-/* One key drawn at random, as written, and parsed. */
+/* A key whose value is drawn at random: as written, and parsed. */
 typedef struct {
   char *key;
   char *from_text;
   char *to_text;
-  char *scale; /* "log", "linear"; NULL: linear */
-  char *times; /* what the value is in units of: a key, or "root_radius"; NULL: none */
+  char *scale; /* "log" or "linear"; NULL: linear */
+  char *times; /* the unit of the drawn number: a key, or "root_radius"; NULL: no unit */
   po_key drawn;
   double from, to;
   bool log;
-  po_key unit;  /* when `times` is there */
-  bool by_root; /* the root of that */
+  po_key unit;  /* the key named by `times` */
+  bool by_root; /* the unit is the square root of the value of that key */
 } po_draw;
 
-/* Scenes drawn at random: each value depends on the seed, the number of the scene and the name of
- * the key, and so not on how many scenes or other keys there are. */
+/* Scenes drawn at random. A value depends on the seed, the number of the scene and the name of the
+ * key alone; the number of scenes and the other keys have no influence. */
 typedef struct {
   char *seed_text;
   char *count_text;
@@ -47,7 +47,8 @@ typedef struct {
   size_t count;
 } po_sample_words;
 
-/* Of scenes that are followed, so many are traced as well, drawn at random. */
+/* A number of scenes of the series, drawn at random, that are traced in addition to the parameter
+ * continuation, for comparison. */
 typedef struct {
   char *seed_text;
   char *count_text;
@@ -56,25 +57,24 @@ typedef struct {
 /* One scene. */
 typedef struct {
   char id[24]; /* "0", "1"...: in the order of the sample, then of the sweep */
-  char *label; /* "tabor=1 nodes=501", or "scene" without either */
+  char *label; /* "tabor=1 nodes=501"; "scene" in a case without sweep and sample */
   po_request request;
-  bool traced; /* by itself, too, beside what following finds */
+  bool traced; /* the scene belongs to a series and is traced in addition, see po_traced_words */
 } po_point;
 
-/* The scene in SI units as written; NULL: not given. */
+/* The scene in SI units as written. Keys that are not given are NULL. */
 typedef struct {
   char *modulus, *work, *distance, *radius, *amplitude, *wavelength, *outer_radius;
 } po_physical_words;
 
-/* The scene as written; NULL: not given. What a physical block makes is filled in when it is
- * parsed.
- */
+/* The scene as written. Keys that are not given are NULL; the parser fills in those that follow
+ * from a block `physical`. */
 typedef struct {
   char *values[PO_KEY_COUNT];
   po_physical_words *physical;
 } po_scene_words;
 
-/* Closed forms along a sweep, to be drawn beside what is solved. */
+/* A closed form evaluated along a sweep, to be drawn beside the computed results. */
 typedef struct {
   char *name;
   char *theory; /* as `pulloff theory` names it */
@@ -82,28 +82,28 @@ typedef struct {
   unsigned sweep_count;
 } po_case_line;
 
-/* One item of a sweep: a key and its values, or settings of several keys that go together. */
+/* An item of a sweep: a key and its values, or a list of settings, each of several keys. */
 typedef struct {
-  po_axis axis;             /* its key is NULL: settings */
-  po_scene_words *together; /* NULL: a key */
+  po_axis axis;             /* its key is NULL if the item is a list of settings */
+  po_scene_words *together; /* the settings; NULL if the item is a key and its values */
   unsigned together_count;
-  unsigned named; /* the keys and groups it names, a bit each; filled when it is checked */
+  unsigned named; /* bit set of the keys and groups in the item; filled by po_case_sweep_check */
 } po_sweep;
 
-/* Which combinations of a sweep are not solved, and why. */
+/* A rule that excludes combinations of a sweep, with its reason. */
 typedef struct {
-  po_axis *when; /* all these must match */
+  po_axis *when; /* a combination is excluded if all these conditions hold */
   unsigned when_count;
   char *because;
-  size_t points; /* so many */
+  size_t points; /* number of excluded combinations */
 } po_leave_out;
 
-/* What the file says, filled as po_schema.c describes it, then checked and parsed. */
+/* The content of a case file. po_schema.c fills it; po_case_parse.c checks and parses it. */
 typedef struct {
   char *name;
   char *title;
-  char *figure;    /* NULL: none */
-  char *equations; /* NULL: none */
+  char *figure;    /* of the paper; NULL: not given */
+  char *equations; /* of the paper; NULL: not given */
   char *figure_script;
   char **suite_names;
   unsigned suite_names_count;
@@ -112,11 +112,10 @@ typedef struct {
   unsigned sweep_count;
   po_leave_out *leave_out;
   unsigned leave_out_count;
-  po_sample_words *sample; /* NULL: none */
-  char *follow;           /* the key along which minima are followed; NULL: every scene is traced */
-  char *checkpoints_text; /* of a line of scenes, one in so many is traced; NULL: as po_case_line.h
-                             says */
-  po_traced_words *traced; /* NULL: none of them is traced as well */
+  po_sample_words *sample; /* NULL: no scene is drawn */
+  char *follow;            /* the parameter of the continuation; NULL: every scene is traced */
+  char *checkpoints_text;  /* key checkpoint_every; NULL: PO_CHECKPOINT_EVERY */
+  po_traced_words *traced; /* NULL: only checkpoints are traced */
   char *repeats_text;
   char **want_names;
   unsigned want_names_count;
@@ -124,46 +123,41 @@ typedef struct {
   unsigned checks_count;
   po_case_line *lines;
   unsigned lines_count;
-  po_check *measure; /* without tolerance, kind and reason */
+  po_check *measure; /* measurements: without tolerance, kind and reason */
   unsigned measure_count;
 } po_case_file;
 
 typedef struct {
-  char *path;   /* where it was read */
-  char *shown;  /* how messages and records call it, e.g. "cases/fig03.yaml" */
-  bool is_own;  /* a file outside the folder of cases: found by its path alone */
-  char *word;   /* how a command line calls it, quoted for a shell; NULL: by its name */
+  char *path;   /* of the file */
+  char *shown;  /* name of the file in messages and records, e.g. "cases/fig03.yaml" */
+  bool is_own;  /* the file lies outside the folder of cases; it is found by its path alone */
+  char *word;   /* the argument that selects the case, quoted for a shell; NULL: the name */
   char *source; /* the text of the file */
   size_t source_size;
   po_case_file *file;
-  bool is_physical; /* the scene is in SI units, and results are told in them, too: */
-  po_units units;
-  unsigned want;      /* of po_case_want */
-  unsigned repeats;   /* how often each solve is timed */
-  size_t line;        /* points that are solved together, one after another; 1: each by itself */
-  size_t checkpoints; /* of them one in so many is traced for certain */
+  bool is_physical;     /* the scene is given in SI units; results are reported in them as well */
+  po_units units;       /* if is_physical */
+  unsigned want;        /* bit set of po_case_want */
+  unsigned repeats;     /* number of timed repetitions of each solve */
+  size_t series_length; /* scenes of a series in parameter continuation; 1: every scene is traced */
+  size_t checkpoints;   /* every so many scenes of a series one is a checkpoint */
   po_point *points;
   size_t point_count;
 } po_case;
 
-/* Reads and checks one case file. `shown` is its name in messages.
- * Status: PO_BAD_INPUT with one line `file:line: path is VALUE: expected ...`; PO_CANNOT_READ. */
-po_status po_case_read(const char *path, const char *shown, po_case **result);
-void po_case_destroy(po_case *kase);
+/* Reports whether a text may be the name of a case, a suite, a script or a line: letters, digits, _
+ * and -; not empty, and not beginning with -. */
+bool po_case_is_name(const char *text);
 
-/* How many settings an item of a sweep has; the value that setting number `index` gives a key or a
- * group (NULL: none); whether the item names that key or group; whether it varies a key, by itself
- * or by a group. */
-unsigned po_sweep_count(const po_sweep *sweep);
+/* Reports whether an item of a sweep contains a key or a group. */
 bool po_sweep_names(const po_sweep *sweep, po_key key);
-bool po_sweep_varies(const po_sweep *sweep, po_key key);
-const char *po_sweep_value(const po_sweep *sweep, unsigned index, po_key key);
 
 /* Marks a case as a file outside the folder of cases. Status: PO_NO_MEMORY. */
 po_status po_case_set_own(po_case *kase);
 
-/* How a command line calls a case: its name, or the path of a file of one's own, as it was given;
- * the same quoted for a shell, to be printed in a command that can be pasted. */
+/* Returned: the argument that selects the case on a command line, which is its name, or the path of
+ * a file outside the folder of cases as it was given; po_case_word quotes it for a shell, so that a
+ * printed command can be pasted. */
 const char *po_case_argument(const po_case *kase);
 const char *po_case_word(const po_case *kase);
 

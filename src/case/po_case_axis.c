@@ -1,5 +1,4 @@
-/* Axes, a key and values of it: those of a sweep as written, or made from their ends and their
- * number; conditions, and whether they hold. */
+/* Axes: their values, as written or computed from a range, and the evaluation of conditions. */
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
@@ -32,8 +31,9 @@ po_status po_axis_fill(po_axis *axis, const char *where, const po_yaml *yaml) {
   po_range r = {0};
   const bool ranged = axis->from_text || axis->to_text || axis->count_text || axis->scale;
   if (axis->values)
-    return ranged ? po_schema_refuse(yaml, "nothing beside from, to and count", "%s.values", where)
-                  : PO_OK;
+    return ranged
+               ? po_schema_refuse(yaml, "either values, or from, to and count", "%s.values", where)
+               : PO_OK;
   if (!ranged)
     return po_schema_refuse(yaml, "a list of values, or from, to and count", "%s.values", where);
   const po_status status = parse_range(axis, where, yaml, &r);
@@ -53,7 +53,7 @@ po_status po_axis_fill(po_axis *axis, const char *where, const po_yaml *yaml) {
   return PO_OK;
 }
 
-/* Values whose relative difference is at most this are the same, as in po_key_matches. */
+/* Values with at most this relative difference are equal, as in po_key_matches. */
 static const double SAME_VALUE = 4 * DBL_EPSILON;
 
 static bool is_same(double a, double b) {
@@ -67,7 +67,7 @@ static int by_number(const void *a, const void *b) {
   return (x->index > y->index) - (x->index < y->index);
 }
 
-/* The value that is the same as an earlier one, by its index; `count`: none. */
+/* Returned: the least index of a value that equals an earlier one; `count` if all differ. */
 static unsigned find_same(const po_axis_value *ascending, unsigned count) {
   unsigned found = count;
   for (unsigned n = 1; n < count; ++n) {
@@ -112,7 +112,8 @@ po_status po_case_axis_check(po_axis *axis, const char *where, const po_yaml *ya
   return PO_OK;
 }
 
-/* The least of the values that is not below a number; values_count: none. */
+/* Returned: the place in `ascending` of the least value that is not below a number; values_count if
+ * all are below it. */
 static unsigned first_from(const po_axis *axis, double number) {
   unsigned begin = 0, end = axis->values_count;
   while (begin < end) {
@@ -125,7 +126,7 @@ static unsigned first_from(const po_axis *axis, double number) {
   return begin;
 }
 
-/* A group computed from other keys may differ in a few last bits more. */
+/* A group is computed from other keys and has a larger rounding error. */
 static const double NEAR_VALUE = 16 * DBL_EPSILON;
 
 static bool axis_holds(const po_axis *axis, const po_request *request) {

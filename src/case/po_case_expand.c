@@ -6,7 +6,7 @@
 #include "po_schema.h"
 #include "po_text.h"
 
-/* More points than this in one case is a slip of the pen, not a study. */
+/* A case with more points than this is assumed to be a mistake. */
 static const size_t MOST_POINTS = 100000;
 
 enum { GROUPS = PO_KEY_END - PO_KEY_COUNT };
@@ -31,8 +31,8 @@ static po_status count_points(po_case *kase, const po_yaml *yaml) {
   return kase->points ? PO_OK : PO_NO_MEMORY;
 }
 
-/* Gives a point the values of one setting of an item of the sweep, but for a group, which is set
- * when all others are. */
+/* Sets the keys of a point to the values of one setting of an item of the sweep. A group is set
+ * later, when the keys that it depends on have their values. */
 static void add_setting(po_point *point, const po_sweep *sweep, unsigned setting, po_text *label) {
   for (int key = 0; key < PO_KEY_END; ++key) {
     const char *value = po_sweep_value(sweep, setting, (po_key)key);
@@ -44,8 +44,8 @@ static void add_setting(po_point *point, const po_sweep *sweep, unsigned setting
   }
 }
 
-/* Point number `index` of the product: the scenes of the sample turn slowest, the last key of the
- * sweep fastest. */
+/* Fills point number `index` of the product of sample and sweep. The scene of the sample varies
+ * slowest, the last key of the sweep fastest. */
 static po_status fill_point(const po_case *kase, size_t index, const po_yaml *yaml) {
   po_point *point = &kase->points[index];
   const po_case_file *file = kase->file;
@@ -68,7 +68,7 @@ static po_status fill_point(const po_case *kase, size_t index, const po_yaml *ya
     add_setting(point, sweep, setting, &label);
   }
   bool possible = po_case_sample_draw(file, scene, &point->request, &label);
-  for (int i = 0; i < GROUPS; ++i) /* when what they are groups of is there */
+  for (int i = 0; i < GROUPS; ++i) /* after the keys that the groups depend on */
     possible = (!group[i] || po_key_set(&point->request, (po_key)(PO_KEY_COUNT + i), group[i])) &&
                possible;
   if (!label.length)
@@ -77,7 +77,7 @@ static po_status fill_point(const po_case *kase, size_t index, const po_yaml *ya
   if (label.failed)
     return PO_NO_MEMORY;
   if (!possible)
-    return po_fail(PO_BAD_INPUT, "%s:%zu: sample draws %s: expected what these keys may be",
+    return po_fail(PO_BAD_INPUT, "%s:%zu: sample draws %s: expected permitted values of these keys",
                    po_yaml_name(yaml), po_yaml_line(yaml, "sample.keys"), point->label);
   if (po_request_check(&point->request) == PO_OK)
     return PO_OK;
@@ -100,7 +100,7 @@ static bool is_left_out(po_case_file *file, const po_request *request) {
   return false;
 }
 
-/* The points that no rule leaves out, numbered anew. */
+/* Keeps the points that no rule excludes, and numbers them from 0. */
 static po_status keep_points(po_case *kase, const po_yaml *yaml) {
   size_t kept = 0;
   for (size_t i = 0; i < kase->point_count; ++i) {
@@ -113,7 +113,7 @@ static po_status keep_points(po_case *kase, const po_yaml *yaml) {
     kase->points[kept++] = *point;
   }
   kase->point_count = kept;
-  return kept ? PO_OK : po_schema_refuse(yaml, "rules that leave some point", "leave_out");
+  return kept ? PO_OK : po_schema_refuse(yaml, "rules that do not exclude all points", "leave_out");
 }
 
 po_status po_case_expand(po_case *kase, const po_yaml *yaml) {

@@ -1,4 +1,5 @@
-/* Lines of scenes along which minima are followed: the key `follow` of a case. */
+/* The keys `follow` and `checkpoint_every` of a case: series of scenes in parameter continuation.
+ */
 #include <string.h>
 
 #include "po_case_parse.h"
@@ -17,7 +18,7 @@ static po_status parse_checkpoints(po_case *kase, const po_yaml *yaml) {
   return PO_OK;
 }
 
-/* A key of the scene, or a group of them, that has a number for a value. */
+/* Reports whether a name is that of a continuous parameter of the scene, or of a group. */
 static bool can_be_followed(const char *name) {
   const int key = po_key_of_name(name);
   return po_key_is_group(key) || key == PO_KEY_TABOR || key == PO_KEY_AMPLITUDE ||
@@ -27,28 +28,29 @@ static bool can_be_followed(const char *name) {
 
 po_status po_case_follow_parse(po_case *kase, const po_yaml *yaml) {
   const po_case_file *file = kase->file;
-  kase->line = 1;
+  kase->series_length = 1;
   const po_status status = parse_checkpoints(kase, yaml);
   if (status || !file->follow)
     return status;
   const po_axis *last = file->sweep_count ? &file->sweep[file->sweep_count - 1].axis : NULL;
   if (!last || !last->key || strcmp(last->key, file->follow) != 0 || !can_be_followed(file->follow))
     return po_schema_refuse(yaml, NULL, "follow");
-  kase->line = last->values_count;
+  kase->series_length = last->values_count;
   if (file->leave_out_count)
-    return po_schema_refuse(yaml, "nothing beside follow, as lines are whole", "leave_out");
+    return po_schema_refuse(yaml, "no rules, as a series in follow is solved as a whole",
+                            "leave_out");
   if (kase->repeats > 1)
-    return po_schema_refuse(yaml, "1, as lines that are followed are not timed", "repeats");
+    return po_schema_refuse(yaml, "1, as series in follow are not timed", "repeats");
   for (unsigned i = 0; i < file->want_names_count; ++i)
     if (strcmp(file->want_names[i], "pull_off") != 0)
-      return po_schema_refuse(yaml, "pull_off alone, as only minima are followed", "want[%u]",
-                              i + 1);
+      return po_schema_refuse(yaml, "pull_off alone, as follow continues only the pull-off",
+                              "want[%u]", i + 1);
   for (unsigned i = 0; i < file->checks_count; ++i) {
     const po_quantity quantity = file->checks[i].quantity;
     if (!po_quantity_is_pull_off(quantity) && quantity != PO_SOLVED_SHARE)
       return po_schema_refuse(yaml,
                               "pull_off_force, pull_off_approach, contact_radius or solved_share, "
-                              "as only minima are followed",
+                              "as follow continues only the pull-off",
                               "checks[%u].quantity", i + 1);
   }
   return PO_OK;

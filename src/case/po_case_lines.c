@@ -14,7 +14,7 @@ static bool is_variable(const po_form *form, const char *key) {
   return form->along && strcmp(key, po_form_variable_name(form->variable)) == 0;
 }
 
-/* A key that a closed form knows of. */
+/* Reports whether a key of the scene can be an input of a closed form. */
 static bool is_of_forms(int key) {
   return (key >= PO_KEY_TABOR && key <= PO_KEY_RADIUS) || key == PO_KEY_ALPHA ||
          key == PO_KEY_AMPLITUDE_RATIO;
@@ -61,7 +61,8 @@ po_form_input po_case_line_input(const po_case_file *file, const po_case_line *l
   return input;
 }
 
-static const char *lacking(const po_form *form, const po_form_input *input) {
+/* Returned: the input that the form needs and the scene does not give; NULL: none is missing. */
+static const char *missing_input(const po_form *form, const po_form_input *input) {
   const po_scene *scene = &input->scene;
   if (form->needs & PO_NEEDS_ELASTIC && !(scene->tabor > 0))
     return "a tabor > 0";
@@ -119,8 +120,8 @@ static po_status parse_line(po_case_file *file, unsigned index, const po_yaml *y
     return po_schema_refuse(yaml, "fewer than 100000 combinations", "lines[%u].sweep", index + 1);
   double swept[PO_LINE_MOST_AXES];
   const po_form_input input = po_case_line_input(file, line, 0, swept);
-  const char *lack = lacking(form, &input);
-  return lack ? po_schema_refuse(yaml, lack, "lines[%u].theory", index + 1) : PO_OK;
+  const char *missing = missing_input(form, &input);
+  return missing ? po_schema_refuse(yaml, missing, "lines[%u].theory", index + 1) : PO_OK;
 }
 
 static int by_name(const void *a, const void *b, void *unused) {

@@ -1,6 +1,5 @@
 #include "po_case_parse.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,13 +8,6 @@
 #include "po_case_lines.h"
 #include "po_memory.h"
 #include "po_schema.h"
-
-bool po_case_is_name(const char *text) {
-  for (const char *c = text; *c; ++c)
-    if (!isalnum((unsigned char)*c) && *c != '_' && *c != '-')
-      return false;
-  return *text != '\0' && *text != '-';
-}
 
 static po_status parse_names(po_case *kase, const po_yaml *yaml) {
   static const char *const WANTS[] = {"pull_off", "folds",      "extrema",     "curve",
@@ -52,22 +44,24 @@ static po_status parse_repeats(po_case *kase, const po_yaml *yaml) {
   return PO_OK;
 }
 
-/* What may be pinned, and what only pins speak of. */
+/* Refuses pins of numbers that cannot be pinned, and other references of numbers that only pins
+ * have. */
 static po_status check_pin(const po_case_file *file, const po_check *check, unsigned number,
                            const po_yaml *yaml) {
   if (po_check_is_pin(check) && po_case_varies(file, PO_KEY_TIME_LIMIT))
-    return po_schema_refuse(yaml, "no pin, as time_limit varies and pins are the same for each",
-                            "checks[%u].reference", number);
+    return po_schema_refuse(
+        yaml, "a reference other than pin, as pins do not depend on time_limit and it varies",
+        "checks[%u].reference", number);
   if (check->quantity == PO_CURVE && po_check_is_pin(check))
-    return po_schema_refuse(yaml, "a curve to be pinned by its folds and extrema",
+    return po_schema_refuse(yaml, "folds and extrema, as a curve itself cannot be pinned",
                             "checks[%u].quantity", number);
   if (check->quantity == PO_WORK && !po_check_is_pin(check))
-    return po_schema_refuse(yaml, "pin, as only our own blessed values speak of work",
-                            "checks[%u].reference", number);
+    return po_schema_refuse(yaml, "pin, as work has no other reference", "checks[%u].reference",
+                            number);
   return PO_OK;
 }
 
-/* The number of a name; `count` when there is none such. */
+/* Returned: the quantity with a name; PO_QUANTITY_COUNT if there is none. */
 static int quantity_of(const char *name) {
   int quantity = 0;
   while (quantity < PO_QUANTITY_COUNT && strcmp(name, po_quantity_name((po_quantity)quantity)) != 0)
@@ -97,41 +91,42 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
     return po_schema_refuse(yaml, NULL, "checks[%u].tolerance", number);
   char path[PO_CASE_WHERE_LENGTH];
   snprintf(path, sizeof path, "checks[%u].tolerance", number);
-  check->line = po_yaml_line(yaml, path);
+  check->tolerance_line = po_yaml_line(yaml, path);
   while (kind <= PO_TOLERANCE_ULP &&
          strcmp(check->kind_text, po_tolerance_kind_name((po_tolerance_kind)kind)) != 0)
     ++kind;
   if (kind > PO_TOLERANCE_ULP)
     return po_schema_refuse(yaml, NULL, "checks[%u].kind", number);
   if (check->quantity == PO_CURVE && kind != PO_TOLERANCE_ABS)
-    return po_schema_refuse(yaml, "abs, as the distance between curves is one", "checks[%u].kind",
-                            number);
+    return po_schema_refuse(yaml, "abs, as the distance between curves is absolute",
+                            "checks[%u].kind", number);
   check->kind = (po_tolerance_kind)kind;
   const po_reference_type reference = po_reference_type_of(check->reference);
   const bool is_table = reference == PO_REFERENCE_TABLE;
   const bool diagnostic = po_quantity_is_diagnostic(check->quantity);
   if (diagnostic != (reference == PO_REFERENCE_ZERO))
     return po_schema_refuse(yaml,
-                            diagnostic ? "zero, as an exact solution has none of it"
+                            diagnostic ? "zero, as the quantity vanishes for an exact solution"
                                        : "bradley, pin or the path of a CSV file",
                             "checks[%u].reference", number);
   if (diagnostic && kind != PO_TOLERANCE_ABS)
     return po_schema_refuse(yaml, "abs, as the reference is zero", "checks[%u].kind", number);
   if (po_quantity_is_hysteresis(check->quantity) && !is_table)
-    return po_schema_refuse(yaml, "the path of a CSV file, as only tables speak of hysteresis",
+    return po_schema_refuse(yaml, "the path of a CSV file, as only tables contain hysteresis",
                             "checks[%u].reference", number);
   if (po_quantity_is_steps(check->quantity) && !is_table)
-    return po_schema_refuse(yaml, "the path of a CSV file, as only tables list steps",
+    return po_schema_refuse(yaml, "the path of a CSV file, as only tables contain steps",
                             "checks[%u].reference", number);
   const bool share = check->quantity == PO_SOLVED_SHARE;
   if (share != (reference == PO_REFERENCE_EVERY_SCENE))
     return po_schema_refuse(yaml,
-                            share ? "every_scene, as the share is of the scenes of the case"
+                            share ? "every_scene, as the share refers to all scenes of the case"
                                   : "bradley, pin or the path of a CSV file",
                             "checks[%u].reference", number);
   if (share && (kind != PO_TOLERANCE_ABS || check->tolerance >= 1))
-    return po_schema_refuse(yaml, kind ? "abs, as a share is" : "the share that may fail, below 1",
-                            "checks[%u].%s", number, kind ? "kind" : "tolerance");
+    return po_schema_refuse(
+        yaml, kind ? "abs, as a share is absolute" : "the share that may fail, below 1",
+        "checks[%u].%s", number, kind ? "kind" : "tolerance");
   if (check->because[strspn(check->because, " \t\n")] == '\0')
     return po_schema_refuse(yaml, NULL, "checks[%u].because", number);
   const po_status pin = check_pin(file, check, number, yaml);
@@ -140,7 +135,7 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
   return check_when(check->when, check->when_count, "checks", number, yaml);
 }
 
-/* How far off a number is is measured by an independent one, and needs no tolerance. */
+/* A measurement compares with an independent value, and has no tolerance. */
 static po_status parse_measure(po_check *measure, unsigned number, const po_yaml *yaml) {
   const int quantity = quantity_of(measure->quantity_text);
   if (quantity == PO_QUANTITY_COUNT || quantity == PO_WORK || quantity == PO_SOLVED_SHARE ||
@@ -175,12 +170,13 @@ static po_status check_as_if(const po_check *check, unsigned number, const po_ya
   }
   if (check->as_if_count && (po_check_is_pin(check) || po_check_is_traced(check)))
     return po_schema_refuse(yaml,
-                            "a reference other than pin and traced, as as_if asks of another scene",
+                            "a reference other than pin and traced, as as_if selects another scene",
                             "checks[%u].reference", number);
   return PO_OK;
 }
 
-/* What stands in must itself be compared, or the check would be left out for nothing. */
+/* A stand-in must be the reference of a check without stand-in. Otherwise nothing would be compared
+ * when the table is absent. */
 static po_status check_stand_ins(const po_case *kase, const po_yaml *yaml) {
   const po_case_file *file = kase->file;
   for (unsigned i = 0; i < file->checks_count; ++i) {
@@ -192,7 +188,7 @@ static po_status check_stand_ins(const po_case *kase, const po_yaml *yaml) {
       return po_schema_refuse(yaml, NULL, "checks[%u].stand_in", i + 1);
     if (file->checks[i].stand_in &&
         po_reference_type_of(file->checks[i].reference) != PO_REFERENCE_TABLE)
-      return po_schema_refuse(yaml, "the path of a CSV file, as something stands in for it",
+      return po_schema_refuse(yaml, "the path of a CSV file, as it has a stand-in",
                               "checks[%u].reference", i + 1);
   }
   return PO_OK;
@@ -206,10 +202,10 @@ static bool concerns_none(const po_case *kase, const po_check *check) {
   return true;
 }
 
-/* A check that concerns no point would pass for ever, unseen. */
+/* A check that applies to no point would never fail, and nobody would notice. */
 static po_status check_concerned(const po_case *kase, const po_yaml *yaml) {
   const po_case_file *file = kase->file;
-  static const char EXPECTED[] = "a condition that holds for some point";
+  static const char EXPECTED[] = "a condition that holds for at least one point";
   for (unsigned i = 0; i < file->checks_count; ++i)
     if (concerns_none(kase, &file->checks[i]))
       return po_schema_refuse(yaml, EXPECTED, "checks[%u].when", i + 1);
@@ -231,8 +227,8 @@ static void mark_shares(const po_case *kase, bool *may_fail) {
           may_fail[p] || po_check_concerns(&kase->file->checks[k], &kase->points[p].request);
 }
 
-/* A scene whose solve may fail has nothing to hold on to: it could be blessed on one machine and
- * fail on another. */
+/* A scene whose solve may fail cannot be pinned: the solve could succeed on the machine where it is
+ * blessed and fail on another. */
 static po_status check_pinned(const po_case *kase, const po_yaml *yaml) {
   const po_case_file *file = kase->file;
   bool *may_fail = po_allocate(kase->point_count, sizeof *may_fail);

@@ -1,4 +1,4 @@
-/* From what a case file says to what it means. */
+/* Checks the content of a case file and computes the points of the case from it. */
 #ifndef PO_CASE_PARSE_H
 #define PO_CASE_PARSE_H
 
@@ -6,65 +6,78 @@
 #include "po_text.h"
 #include "po_yaml.h"
 
-/* Checks every value of kase->file and fills want, repeats, checks and points.
- * Status: PO_BAD_INPUT with file, line, path, value and what was expected. */
+/* Checks every value of kase->file and fills want, repeats, checks and points. Status:
+ * PO_BAD_INPUT; the message states file, line, path, value and what was expected. */
 po_status po_case_parse(po_case *kase, const po_yaml *yaml);
 
 /* Checks and parses the section `sample`, if there is one. Status: as above. */
 po_status po_case_sample_parse(po_case *kase, const po_yaml *yaml);
 
-/* Whether a key is drawn. */
+/* Reports whether the section `sample` draws a key. */
 bool po_case_draws(const po_case_file *file, po_key key);
 
-/* Puts the drawn values of scene number `index` into a request that has those of scene and sweep,
- * and adds them to its label. False when one of them is not possible for its key. */
+/* Draws the values of scene number `index` and stores them in `request`, which already holds the
+ * values of scene and sweep; adds them to the label. Returned: false if a drawn value is not
+ * possible for its key. */
 bool po_case_sample_draw(const po_case_file *file, size_t index, po_request *request,
                          po_text *label);
 
-/* Letters, digits, _ and -. */
-bool po_case_is_name(const char *text);
-
-/* Room for the path of a value in a case, e.g. checks[2].when[0]. */
+/* Size of a buffer for the path of a value in a case, e.g. checks[2].when[1]. */
 enum { PO_CASE_WHERE_LENGTH = 64 };
 
-/* Makes the values of an axis that has its ends and their number instead. Status: as above. */
+/* Computes the values of an axis that gives from, to and count instead of values. Status: as above.
+ */
 po_status po_axis_fill(po_axis *axis, const char *where, const po_yaml *yaml);
 
-/* Reads `follow` and what it asks of the rest of the case: only pull-offs are wanted and checked.
- * Status: as above. */
+/* Parses `follow` and `checkpoint_every`, and checks that the rest of the case agrees with them:
+ * only pull-offs may be wanted and checked. Status: as above. */
 po_status po_case_follow_parse(po_case *kase, const po_yaml *yaml);
 
-/* Reads `traced`, and whether it and the checks against it go together; when there are points,
- * draws those that are traced. Status: as above. */
+/* po_case_traced_parse checks `traced`, and that a check against the reference `traced` exists if
+ * and only if the key is given. po_case_traced_draw draws the scenes to trace; it needs the points.
+ * Status: as above. */
 po_status po_case_traced_parse(const po_case *kase, const po_yaml *yaml);
 po_status po_case_traced_draw(po_case *kase, const po_yaml *yaml);
 
 /* Checks the section `sweep`, if there is one, and fills it. Status: as above. */
 po_status po_case_sweep_check(const po_case *kase, const po_yaml *yaml);
 
-/* Checks the key and the values of an axis and sorts these; `where` is its path, e.g.
- * "checks[1].when[2]". */
+/* Returned: the number of settings of an item of a sweep. */
+unsigned po_sweep_count(const po_sweep *sweep);
+
+/* Reports whether an item of a sweep varies a key, either directly or by a group. */
+bool po_sweep_varies(const po_sweep *sweep, po_key key);
+
+/* Returned: the value of a key or a group in setting number `index` of an item; NULL: the setting
+ * does not contain it. */
+const char *po_sweep_value(const po_sweep *sweep, unsigned index, po_key key);
+
+/* Checks the key and the values of an axis and sorts the values; `where` is the path of the axis,
+ * e.g. "checks[1].when[2]". Status: as above. */
 po_status po_case_axis_check(po_axis *axis, const char *where, const po_yaml *yaml);
 
-/* Refuses the key at WHERE.key: expected is `what`, followed by the names of all keys of the scene
- * that `fits` accepts (NULL: all). */
+/* Refuses the key at WHERE.key. The message says that `what` was expected and lists all keys of the
+ * scene that `fits` accepts (NULL: all keys). Status: as above. */
 po_status po_case_refuse_key(const po_yaml *yaml, const char *what, bool (*fits)(po_key key),
                              const char *where);
 
-/* Frees what checking the axes of a case made. */
+/* Frees the arrays that po_case_axis_check allocated. */
 void po_case_axes_clear(po_case_file *file);
 
-/* Swept or drawn. */
+/* Reports whether the sweep or the sample varies a key. */
 bool po_case_varies(const po_case_file *file, po_key key);
 
-/* What a case leaves unsaid a reader would have to guess: the keys that must be given, but for what
- * follows from the rest. Status: as above. */
+/* Checks the scene, and that scene, sweep and sample together give every key that has no default.
+ * Keys that follow from others may be absent: nodes of panels, the wavelength of a smooth sphere.
+ * Status: as above. */
 po_status po_case_scene_check(const po_case *kase, const po_yaml *yaml);
 
-/* The drawn scenes, each with every combination of the sweep but those left out: kase->points. */
+/* Computes kase->points: every drawn scene with every combination of the sweep, without those that
+ * a rule of `leave_out` excludes. Status: as above; PO_NO_MEMORY. */
 po_status po_case_expand(po_case *kase, const po_yaml *yaml);
 
-/* Makes the dimensionless scene of a block `physical`, if there is one, and its units. */
+/* Converts the block `physical`, if there is one, to the dimensionless scene and stores its units.
+ * Status: as above. */
 po_status po_case_physical_parse(po_case *kase, const po_yaml *yaml);
 
 #endif

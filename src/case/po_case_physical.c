@@ -1,4 +1,4 @@
-/* A scene said in SI units: the block `physical` of a case. */
+/* The block `physical` of a case: a scene given in SI units. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,12 +7,12 @@
 #include "po_memory.h"
 #include "po_schema.h"
 
-/* What the block makes, and what so cannot be said beside it. */
-static const po_key MADE[] = {PO_KEY_TABOR, PO_KEY_AMPLITUDE, PO_KEY_WAVELENGTH, PO_KEY_RADIUS,
-                              PO_KEY_OUTER_RADIUS};
-enum { MADE_COUNT = sizeof MADE / sizeof *MADE };
+/* The keys that follow from the block, and therefore may not be given beside it. */
+static const po_key DERIVED[] = {PO_KEY_TABOR, PO_KEY_AMPLITUDE, PO_KEY_WAVELENGTH, PO_KEY_RADIUS,
+                                 PO_KEY_OUTER_RADIUS};
+enum { DERIVED_COUNT = sizeof DERIVED / sizeof *DERIVED };
 
-/* A number of the block; what may be inf says so. */
+/* Parses a number of the block. */
 static po_status parse(const char *text, bool may_be_inf, const char *name, double *value,
                        const po_yaml *yaml) {
   if (may_be_inf && strcmp(text, "inf") == 0) {
@@ -48,17 +48,17 @@ static po_status read_words(const po_physical_words *words, po_physical *p, cons
 static po_status refuse_both(const po_case_file *file, const po_yaml *yaml) {
   static const char NOT_BOTH[] = "none of tabor, amplitude, wavelength, radius, outer_radius, or a "
                                  "group of them, beside scene.physical";
-  for (int i = 0; i < MADE_COUNT; ++i)
-    if (file->scene.values[MADE[i]])
-      return po_schema_refuse(yaml, NOT_BOTH, "scene.%s", po_key_name(MADE[i]));
+  for (int i = 0; i < DERIVED_COUNT; ++i)
+    if (file->scene.values[DERIVED[i]])
+      return po_schema_refuse(yaml, NOT_BOTH, "scene.%s", po_key_name(DERIVED[i]));
   for (unsigned k = 0; k < file->sweep_count; ++k) {
     const char *what = file->sweep[k].together ? "together" : "key";
-    for (int i = 0; i < MADE_COUNT; ++i)
-      if (po_sweep_varies(&file->sweep[k], MADE[i]))
+    for (int i = 0; i < DERIVED_COUNT; ++i)
+      if (po_sweep_varies(&file->sweep[k], DERIVED[i]))
         return po_schema_refuse(yaml, NOT_BOTH, "sweep[%u].%s", k + 1, what);
   }
-  for (int i = 0; i < MADE_COUNT; ++i)
-    if (po_case_draws(file, MADE[i]))
+  for (int i = 0; i < DERIVED_COUNT; ++i)
+    if (po_case_draws(file, DERIVED[i]))
       return po_schema_refuse(yaml, NOT_BOTH, "scene.physical");
   return PO_OK;
 }
@@ -84,13 +84,13 @@ po_status po_case_physical_parse(po_case *kase, const po_yaml *yaml) {
   }
   kase->is_physical = true;
   kase->units = po_physical_units(&physical, &request.scene);
-  for (int i = 0; i < MADE_COUNT; ++i) {
+  for (int i = 0; i < DERIVED_COUNT; ++i) {
     char text[PO_NUMBER_LENGTH];
-    if (MADE[i] == PO_KEY_WAVELENGTH && !(physical.amplitude > 0.0))
+    if (DERIVED[i] == PO_KEY_WAVELENGTH && !(physical.amplitude > 0.0))
       continue;
-    po_key_print(&request, MADE[i], text);
-    words->values[MADE[i]] = po_copy_text(text);
-    if (!words->values[MADE[i]])
+    po_key_print(&request, DERIVED[i], text);
+    words->values[DERIVED[i]] = po_copy_text(text);
+    if (!words->values[DERIVED[i]])
       return PO_NO_MEMORY;
   }
   return PO_OK;

@@ -25,7 +25,7 @@ static bool is_swept(const po_case_file *file, po_key key) {
   return false;
 }
 
-/* A key that holds a number, not a name or a count. */
+/* Reports whether the value of a key is a number, and neither a name nor a count. */
 static bool is_quantity(po_key key) {
   return key != PO_KEY_NODES && po_key_is_number(key);
 }
@@ -41,7 +41,7 @@ static po_status parse_key(const po_case_file *file, unsigned index, const char 
     if (strcmp(file->sample->keys[k].key, draw->key) == 0)
       return po_schema_refuse(yaml, "each key drawn once", "%s.key", where);
   if (file->scene.values[key] || is_swept(file, (po_key)key))
-    return po_schema_refuse(yaml, "a key that neither scene nor sweep fixes", "%s.key", where);
+    return po_schema_refuse(yaml, "a key that neither scene nor sweep gives", "%s.key", where);
   draw->drawn = (po_key)key;
   return PO_OK;
 }
@@ -60,7 +60,8 @@ static po_status parse_range(po_draw *draw, const char *where, const po_yaml *ya
   return PO_OK;
 }
 
-/* The unit must be known when the value is drawn. */
+/* The value of the unit must be known when the number is drawn: the scene, the sweep or an earlier
+ * item of the sample gives it. */
 static po_status parse_unit(const po_case_file *file, unsigned index, const char *where,
                             const po_yaml *yaml) {
   po_draw *draw = &file->sample->keys[index];

@@ -1,4 +1,4 @@
-/* The section `sweep` of a case, and what scene, sweep and sample must give together. */
+/* The section `sweep` of a case. */
 #include <stdio.h>
 #include <string.h>
 
@@ -16,10 +16,6 @@ const char *po_sweep_value(const po_sweep *sweep, unsigned index, po_key key) {
   return po_key_of_name(sweep->axis.key) == (int)key ? sweep->axis.values[index] : NULL;
 }
 
-bool po_sweep_names(const po_sweep *sweep, po_key key) {
-  return sweep->named >> key & 1U;
-}
-
 static void find_names(po_sweep *sweep) {
   sweep->named = 0;
   for (unsigned i = 0; i < po_sweep_count(sweep); ++i)
@@ -33,13 +29,6 @@ bool po_sweep_varies(const po_sweep *sweep, po_key key) {
     if (po_key_target((po_key)other) == key && po_sweep_names(sweep, (po_key)other))
       return true;
   return false;
-}
-
-bool po_case_varies(const po_case_file *file, po_key key) {
-  for (unsigned i = 0; i < file->sweep_count; ++i)
-    if (po_sweep_varies(&file->sweep[i], key))
-      return true;
-  return po_case_draws(file, key);
 }
 
 static int by_settings(const void *a, const void *b, void *unused) {
@@ -71,11 +60,11 @@ static po_status check_together(const po_sweep *sweep, const char *where, const 
   const po_status status = po_order_find_repeat(
       sweep->together, sweep->together_count, sizeof *sweep->together, by_settings, NULL, &repeat);
   if (!status && repeat.found)
-    return po_schema_refuse(yaml, "each of them once", "%s.together[%zu]", where, repeat.again + 1);
+    return po_schema_refuse(yaml, "each setting once", "%s.together[%zu]", where, repeat.again + 1);
   return status;
 }
 
-/* One item: its form and its values. */
+/* Checks the form and the values of one item. */
 static po_status check_item(po_sweep *sweep, const char *where, const po_yaml *yaml) {
   po_axis *axis = &sweep->axis;
   const bool ranged = axis->from_text || axis->to_text || axis->count_text || axis->scale;
@@ -89,7 +78,8 @@ static po_status check_item(po_sweep *sweep, const char *where, const po_yaml *y
   return status ? status : po_case_axis_check(axis, where, yaml);
 }
 
-/* Groups that would have to be solved for together. */
+/* Reports whether the item varies alpha or amplitude_ratio. A sweep may contain one of them:
+ * amplitude and wavelength would have to be computed from both at once. */
 static bool has_waviness(const po_sweep *sweep) {
   const int key = sweep->axis.key ? po_key_of_name(sweep->axis.key) : -1;
   return key == PO_KEY_ALPHA || key == PO_KEY_AMPLITUDE_RATIO;
@@ -115,56 +105,10 @@ po_status po_case_sweep_check(const po_case *kase, const po_yaml *yaml) {
       for (unsigned k = 0; k < i; ++k)
         twice = twice || po_sweep_varies(&file->sweep[k], (po_key)key);
       if (twice || file->scene.values[key])
-        return po_schema_refuse(yaml,
-                                twice ? "each key swept once" : "a key that the scene does not fix",
-                                "%s.%s", where, sweep->together ? "together" : "key");
+        return po_schema_refuse(
+            yaml, twice ? "each key swept once" : "a key that the scene does not give", "%s.%s",
+            where, sweep->together ? "together" : "key");
     }
   }
   return PO_OK;
-}
-
-static const po_key NEEDED[] = {PO_KEY_TABOR,  PO_KEY_RADIUS, PO_KEY_OUTER_RADIUS,
-                                PO_KEY_SCHEME, PO_KEY_NODES,  PO_KEY_WAVELENGTH};
-enum { NEEDED_COUNT = sizeof NEEDED / sizeof *NEEDED };
-
-/* A key that one of the settings gives is one that all must, but for what follows from the rest:
- * nodes of panels, the wavelength of a smooth sphere. */
-static po_status check_settings(const po_sweep *sweep, unsigned number, const po_yaml *yaml) {
-  for (unsigned i = 0; i < sweep->together_count; ++i) {
-    const char *const *given = (const char *const *)sweep->together[i].values;
-    const bool panels = given[PO_KEY_SCHEME] && strcmp(given[PO_KEY_SCHEME], "panel") == 0;
-    for (size_t k = 0; k < NEEDED_COUNT; ++k) {
-      const po_key key = NEEDED[k];
-      if (given[key] || !po_sweep_varies(sweep, key) || (key == PO_KEY_NODES && panels) ||
-          (key == PO_KEY_WAVELENGTH && !given[PO_KEY_AMPLITUDE]))
-        continue;
-      return po_schema_refuse(yaml, po_key_expected(key), "sweep[%u].together[%u].%s", number,
-                              i + 1, po_key_name(key));
-    }
-  }
-  return PO_OK;
-}
-
-po_status po_case_scene_check(const po_case *kase, const po_yaml *yaml) {
-  const po_case_file *file = kase->file;
-  po_request request = po_request_default();
-  for (int key = 0; key < PO_KEY_COUNT; ++key)
-    if (file->scene.values[key] && !po_key_set(&request, (po_key)key, file->scene.values[key]))
-      return po_schema_refuse(yaml, NULL, "scene.%s", po_key_name((po_key)key));
-  const bool panels = request.mesh.scheme == PO_PANEL && !po_case_varies(file, PO_KEY_SCHEME);
-  const bool wavy = request.scene.amplitude > 0 || po_case_varies(file, PO_KEY_AMPLITUDE);
-  for (size_t i = 0; i < NEEDED_COUNT; ++i) {
-    const po_key key = NEEDED[i];
-    if (file->scene.values[key] || po_case_varies(file, key) ||
-        (key == PO_KEY_WAVELENGTH && !wavy) || (key == PO_KEY_NODES && panels))
-      continue;
-    char expected[128];
-    snprintf(expected, sizeof expected, "%s, here, in the sweep or in the sample",
-             po_key_expected(key));
-    return po_schema_refuse(yaml, expected, "scene.%s", po_key_name(key));
-  }
-  po_status status = PO_OK;
-  for (unsigned i = 0; !status && i < file->sweep_count; ++i)
-    status = check_settings(&file->sweep[i], i + 1, yaml);
-  return status;
 }

@@ -1,17 +1,18 @@
-/* Scenes that are traced beside being followed: the key `traced` of a case. */
+/* The key `traced` of a case: scenes of a series that are traced in addition, for comparison. */
 #include <math.h>
 
 #include "po_case_parse.h"
 #include "po_random.h"
 #include "po_schema.h"
 
-/* Checkpoints and the end of a line are traced whatever is drawn. */
+/* Reports whether a point lies between two checkpoints. Checkpoints, and the last scene of a
+ * series, are always traced. */
 static bool is_between(const po_case *kase, size_t point) {
-  const size_t place = point % kase->line;
-  return place % kase->checkpoints != 0 && place + 1 != kase->line;
+  const size_t place = point % kase->series_length;
+  return place % kase->checkpoints != 0 && place + 1 != kase->series_length;
 }
 
-static bool is_drawn_from(const po_case_file *file, const po_check *check) {
+static bool can_be_traced(const po_case_file *file, const po_check *check) {
   return file->traced && po_quantity_is_pull_off(check->quantity);
 }
 
@@ -20,8 +21,9 @@ po_status po_case_traced_parse(const po_case *kase, const po_yaml *yaml) {
   bool checked = !file->traced;
   for (unsigned i = 0; i < file->checks_count; ++i) {
     const po_check *check = &file->checks[i];
-    if (po_check_is_traced(check) && !is_drawn_from(file, check))
-      return po_schema_refuse(yaml, "traced of a pull-off alone, beside `traced: {seed, count}`",
+    if (po_check_is_traced(check) && !can_be_traced(file, check))
+      return po_schema_refuse(yaml,
+                              "traced only for a pull-off, in a case with `traced: {seed, count}`",
                               "checks[%u].reference", i + 1);
     checked = checked || po_check_is_traced(check);
   }
@@ -41,7 +43,7 @@ po_status po_case_traced_draw(po_case *kase, const po_yaml *yaml) {
     return po_schema_refuse(yaml, NULL, "traced.seed");
   if (!po_number_parse_count(words->count_text, &count) || count < 1 || count > between)
     return po_schema_refuse(yaml, NULL, "traced.count");
-  for (uint64_t draw = 0; count > 0; ++draw) { /* again where a checkpoint or the same is drawn */
+  for (uint64_t draw = 0; count > 0; ++draw) { /* skips checkpoints and repeated scenes */
     const double part = po_random_uniform(seed, draw, "traced");
     const size_t i = (size_t)floor(part * (double)kase->point_count);
     if (!is_between(kase, i) || kase->points[i].traced)

@@ -4,12 +4,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "po_case_read.h"
 #include "po_file.h"
 #include "po_memory.h"
 #include "po_quote.h"
 #include "po_text.h"
 
-/* Of the name of a case file. */
+/* The ending of the name of a case file. */
 static const char ENDING[] = ".yaml";
 
 static po_case *find(const po_catalog *catalog, const char *name) {
@@ -19,8 +20,8 @@ static po_case *find(const po_catalog *catalog, const char *name) {
   return NULL;
 }
 
-/* Adds a case; takes it. A name may stand for one case only, of this catalog and of another (NULL:
- * of none), since records and pins go by it. */
+/* Adds a case and takes ownership of it. Records and pins are stored under the name, so no other
+ * case of this catalog, or of `other` (may be NULL), may have it. */
 static po_status add(po_catalog *catalog, const po_catalog *other, po_case *kase) {
   const po_case *twin = find(catalog, kase->file->name);
   if (!twin && other)
@@ -52,7 +53,7 @@ static po_status read_built_in(const char *folder, const char *name, po_catalog 
   return status;
 }
 
-/* All cases of the folder; when `strict` is false without those that cannot be read. */
+/* Reads all cases of the folder. If `strict` is false, files that cannot be read are skipped. */
 static po_status read_folder(const char *folder, bool strict, po_catalog *catalog) {
   char **names = NULL;
   size_t count = 0;
@@ -63,7 +64,8 @@ static po_status read_folder(const char *folder, bool strict, po_catalog *catalo
   return strict || status == PO_NO_MEMORY ? status : PO_OK;
 }
 
-/* Whether a path is that of a file of the folder of cases, whichever way it is written. */
+/* Reports whether a path leads to a case file in the folder of cases; the same file may be written
+ * in several ways. */
 static bool is_in_folder(const char *folder, const char *path) {
   const char *slash = strrchr(path, '/');
   const char *name = slash ? slash + 1 : path;
@@ -75,7 +77,8 @@ static bool is_in_folder(const char *folder, const char *path) {
   return found;
 }
 
-/* Reads the case at a path that was given. One of its own must have a name of its own. */
+/* Reads the case at a given path. A file outside the folder must have a name that no case of the
+ * folder has. */
 static po_status read_given(const char *folder, const po_catalog *all, const char *path,
                             po_catalog *catalog) {
   po_case *kase = NULL;
@@ -83,7 +86,7 @@ static po_status read_given(const char *folder, const po_catalog *all, const cha
   if (status)
     return status;
   if (is_in_folder(folder, path) && find(catalog, kase->file->name)) {
-    po_case_destroy(kase); /* asked for twice */
+    po_case_destroy(kase); /* requested twice */
     return PO_OK;
   }
   if (is_in_folder(folder, path))
@@ -110,10 +113,10 @@ static po_status refuse_name(const po_catalog *all, const char *name) {
   return status;
 }
 
-/* Moves the case of that name from one catalog to another. */
+/* Moves the case with a name from one catalog to another. */
 static po_status move(po_catalog *from, const char *name, po_catalog *to) {
   if (find(to, name))
-    return PO_OK; /* asked for twice */
+    return PO_OK; /* requested twice */
   for (size_t i = 0; i < from->count; ++i)
     if (strcmp(from->cases[i]->file->name, name) == 0) {
       po_case *kase = from->cases[i];
@@ -124,10 +127,11 @@ static po_status move(po_catalog *from, const char *name, po_catalog *to) {
   return refuse_name(from, name);
 }
 
-/* Long, so that it is run only when it is named. */
+/* The suite that runs only when it is named, because it takes long. */
 static const char RANDOM[] = "random";
 
-/* Whether `names`, separated by commas, has the name of `length` characters. */
+/* Reports whether a list of names, separated by commas, contains the first `length` characters of
+ * `name`. */
 static bool has_name(const char *names, const char *name, size_t length) {
   while (*names) {
     const size_t found = strcspn(names, ",");
@@ -152,7 +156,7 @@ static int by_name(const void *a, const void *b) {
   return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-/* Refuses a suite that no case is of; lists those there are. */
+/* Refuses a suite to which no case belongs; the message lists all suites. */
 static po_status refuse_suite(const po_catalog *all, const char *name, size_t length) {
   size_t count = 0;
   for (size_t i = 0; i < all->count; ++i)
@@ -172,8 +176,9 @@ static po_status refuse_suite(const po_catalog *all, const char *name, size_t le
   for (size_t i = 0; i < count; ++i)
     if (i == 0 || strcmp(names[i], names[i - 1]) != 0)
       po_text_add(&known, "%s%s", i ? ", " : "", names[i]);
-  const po_status status = po_fail(PO_BAD_INPUT, "no case is of the suite %s: expected one of %s",
-                                   po_quote(given, shown), po_text_string(&known));
+  const po_status status =
+      po_fail(PO_BAD_INPUT, "no case belongs to the suite %s: expected one of %s",
+              po_quote(given, shown), po_text_string(&known));
   po_text_clear(&known);
   free(names);
   return status;

@@ -11,7 +11,7 @@
 
 enum { MOST_FIELDS = 32, PATH_LENGTH = 128 };
 
-/* Where in the tree the loader is. The path holds known keys and numbers of items only. */
+/* The place of the loader in the tree. The path consists of known keys and numbers of items. */
 typedef struct {
   const po_yaml *yaml;
   char path[PATH_LENGTH];
@@ -19,7 +19,7 @@ typedef struct {
 
 static size_t enter(place *at, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Adds to the path. Returned: its length before, to be given to leave. */
+/* Extends the path. Returned: its previous length, the argument of `leave`. */
 static size_t enter(place *at, const char *format, ...) {
   const size_t length = strlen(at->path);
   va_list arguments;
@@ -45,7 +45,7 @@ static po_status refuse(const place *at, const po_field *field) {
   return po_yaml_refuse(at->yaml, at->path, po_field_expected(field));
 }
 
-/* A node by its number. */
+/* Returned: the node with a number. */
 static const yaml_node_t *node_of(const place *at, int number) {
   return yaml_document_get_node(po_yaml_document(at->yaml), number);
 }
@@ -82,7 +82,8 @@ static po_status load_part(place *at, const yaml_node_t *node, const po_field *f
                                          : refuse(at, field);
 }
 
-/* Room for what a member points to, which is cleared with the struct whatever fails later. */
+/* Allocates the object that a member points to. po_fields_clear frees it with the struct, whatever
+ * fails later. */
 static char *make_room(const po_field *field, size_t count, char *structure) {
   void *room = po_allocate(count, field->size);
   memcpy(structure + field->offset, &room, sizeof room);

@@ -7,7 +7,8 @@
 #include "po_fields.h"
 #include "po_memory.h"
 
-/* Every scalar is taken as text: po_number is strict, and messages can quote what is written. */
+/* Every scalar is stored as text. The parsers of po_number are stricter than YAML, and messages can
+ * quote the text as written. */
 #define TEXT(key, structure, member, expected)                                                     \
   { key, PO_FIELD_TEXT, false, expected, offsetof(structure, member), 0, 0, NULL }
 #define OPTIONAL_TEXT(key, structure, member, expected)                                            \
@@ -71,7 +72,7 @@ static const po_field DRAW[] = {
     TEXT("to", po_draw, to_text, TO),
     OPTIONAL_TEXT("scale", po_draw, scale, SCALE),
     OPTIONAL_TEXT("times", po_draw, times,
-                  "root_radius or a key given before: by scene, sweep or an earlier item"),
+                  "root_radius, or a key given in scene, sweep or an earlier item"),
     {0},
 };
 
@@ -85,7 +86,7 @@ static const po_field SAMPLE[] = {
 static const po_field TRACED[] = {
     TEXT("seed", po_traced_words, seed_text, SEED),
     TEXT("count", po_traced_words, count_text,
-         "a whole number from 1 up to all scenes between two checkpoints"),
+         "a whole number from 1 to the number of scenes between checkpoints"),
     {0},
 };
 
@@ -100,9 +101,10 @@ static const po_field CHECK[] = {
     TEXT("tolerance", po_check, tolerance_text, "a finite number > 0"),
     TEXT("kind", po_check, kind_text, "abs, rel or ulp"),
     TEXT("because", po_check, because, "the reason for the tolerance"),
-    OPTIONAL_TEXT("stand_in", po_check, stand_in,
-                  "the reference of another check, which stands in while this one's is absent"),
-    OPTIONAL_LIST("as_if", po_check, as_if, AXIS, "a list of {key, values}, each of one value"),
+    OPTIONAL_TEXT(
+        "stand_in", po_check, stand_in,
+        "the reference of another check, used while the table of this check does not exist"),
+    OPTIONAL_LIST("as_if", po_check, as_if, AXIS, "a list of {key, values}, each with one value"),
     OPTIONAL_LIST("when", po_check, when, AXIS, WHEN),
     {0},
 };
@@ -152,7 +154,7 @@ static const po_field SWEEP[] = {
 
 static const po_field LEAVE_OUT[] = {
     LIST("when", po_leave_out, when, AXIS, WHEN),
-    TEXT("because", po_leave_out, because, "the reason why these are not solved"),
+    TEXT("because", po_leave_out, because, "the reason why these points are not solved"),
     {0},
 };
 
@@ -176,7 +178,7 @@ static const po_field CASE[] = {
     OPTIONAL_LIST("leave_out", po_case_file, leave_out, LEAVE_OUT, "a list of {when, because}"),
     OPTIONAL_PART("sample", po_case_file, sample, SAMPLE, "a mapping of seed, count, keys"),
     OPTIONAL_TEXT("follow", po_case_file, follow,
-                  "the last key of the sweep, with a number for a value"),
+                  "the last key of the sweep, whose value is a number"),
     OPTIONAL_TEXT("checkpoint_every", po_case_file, checkpoints_text,
                   "a whole number from 1 to 1000, beside follow"),
     OPTIONAL_PART("traced", po_case_file, traced, TRACED,

@@ -15,7 +15,8 @@ struct po_yaml {
   bool loaded;
 };
 
-/* The value of `key` in a mapping, or NULL; *line is set to the line of the key. */
+/* Returned: the value of a key in a mapping, and in *line the line of the key; NULL: no such key.
+ */
 static yaml_node_t *mapping_find(yaml_document_t *document, const yaml_node_t *mapping,
                                  const char *key, size_t length, size_t *line) {
   for (yaml_node_pair_t *pair = mapping->data.mapping.pairs.start;
@@ -30,7 +31,7 @@ static yaml_node_t *mapping_find(yaml_document_t *document, const yaml_node_t *m
   return NULL;
 }
 
-/* Pairs of a mapping by the bytes of their keys. */
+/* Orders the pairs of a mapping by the bytes of their keys. */
 static int by_key(const void *a, const void *b, void *document) {
   const yaml_node_t *x = yaml_document_get_node(document, ((const yaml_node_pair_t *)a)->key);
   const yaml_node_t *y = yaml_document_get_node(document, ((const yaml_node_pair_t *)b)->key);
@@ -61,18 +62,19 @@ static po_status check_mapping(const po_yaml *yaml, yaml_document_t *document,
                  first->start_mark.line + 1);
 }
 
-/* YAML escapes such as "\\0" and "\\e" are the one way in for what ends a string early, or is
- * obeyed by a terminal. */
+/* Escapes such as "\\0" and "\\e" are the only way to write control characters in YAML. A zero byte
+ * would end a string early; a terminal would execute an escape sequence. */
 static po_status check_scalar(const po_yaml *yaml, const yaml_node_t *node) {
   const char *text = (const char *)node->data.scalar.value;
   const char *bad = po_quote_find(text, node->data.scalar.length);
   return bad ? po_fail(PO_BAD_INPUT,
-                       "%s:%zu: a text holds the control character \\x%02x: expected none",
+                       "%s:%zu: a text contains the control character \\x%02x: expected none",
                        yaml->name, node->start_mark.line + 1, (unsigned char)*bad)
              : PO_OK;
 }
 
-/* With an alias one node has two places, and a line in a message could be of either. */
+/* Refuses aliases: a node with an alias has two places in the file, and a message could report the
+ * line of the wrong one. */
 static po_status check_tree(const po_yaml *yaml, yaml_document_t *document) {
   const ptrdiff_t count = document->nodes.top - document->nodes.start;
   int *uses = po_allocate((size_t)count + 1, sizeof *uses);
@@ -95,8 +97,8 @@ static po_status check_tree(const po_yaml *yaml, yaml_document_t *document) {
   }
   for (int i = 1; !status && i <= count; ++i)
     if (uses[i] > 1)
-      status = po_fail(PO_BAD_INPUT, "%s:%zu: an alias refers to this: expected none", yaml->name,
-                       yaml_document_get_node(document, i)->start_mark.line + 1);
+      status = po_fail(PO_BAD_INPUT, "%s:%zu: an alias refers to this value: expected none",
+                       yaml->name, yaml_document_get_node(document, i)->start_mark.line + 1);
   free(uses);
   return status;
 }
@@ -141,7 +143,8 @@ static po_status parse(po_yaml *yaml, yaml_parser_t *parser) {
 po_status po_yaml_create(const char *name, const char *bytes, size_t size, po_yaml **yaml) {
   *yaml = NULL;
   if (memchr(bytes, '\0', size))
-    return po_fail(PO_BAD_INPUT, "%s:1: not text, it holds a zero byte: expected a case", name);
+    return po_fail(PO_BAD_INPUT,
+                   "%s:1: the file is not text, it contains a zero byte: expected a case", name);
   po_yaml *made = po_allocate(1, sizeof *made);
   if (!made)
     return PO_NO_MEMORY;
@@ -176,10 +179,11 @@ const char *po_yaml_name(const po_yaml *yaml) {
 }
 
 yaml_document_t *po_yaml_document(const po_yaml *yaml) {
-  return (yaml_document_t *)&yaml->document; /* libyaml knows no const */
+  return (yaml_document_t *)&yaml->document; /* the functions of libyaml have no const */
 }
 
-/* Follows a path; the node, or NULL when it is absent, and the line where the way ended. */
+/* Returned: the node at a path; NULL if it is absent. *line is the line of the innermost existing
+ * node on the path. */
 static yaml_node_t *find(const po_yaml *yaml, const char *path, size_t *line) {
   yaml_document_t *document = po_yaml_document(yaml);
   yaml_node_t *node = yaml_document_get_root_node(document);
@@ -212,8 +216,8 @@ size_t po_yaml_line(const po_yaml *yaml, const char *path) {
   return line;
 }
 
-/* The scalar at `path` as it is written; "a mapping" or "a list" when it is one; NULL when absent.
- */
+/* Returned: the scalar at `path` as it is written, or "a mapping" or "a list"; NULL if the value is
+ * absent. */
 static const char *value_at(const po_yaml *yaml, const char *path) {
   size_t line = 1;
   const yaml_node_t *node = find(yaml, path, &line);

@@ -1,4 +1,4 @@
-/* A YAML file as a tree that knows its lines.
+/* A YAML file as a tree whose nodes have line numbers.
  *
  * A path is written as in messages: "scene.radius", "checks[2].kind" (items counted from 1). */
 #ifndef PO_YAML_H
@@ -12,24 +12,25 @@
 
 typedef struct po_yaml po_yaml;
 
-/* Parses `size` bytes. `name` is what messages call the file.
- * Status: PO_BAD_INPUT with file and line: empty, not text, not YAML, more than one document, a key
- * twice in a mapping, an alias, a control character. */
+/* Parses `size` bytes.
+ * Given: `name`, the name of the file in messages.
+ * Status: PO_BAD_INPUT with file and line: the file is empty, no text, no YAML, or has more than
+ * one document, a repeated key in a mapping, an alias, or a control character. */
 po_status po_yaml_create(const char *name, const char *bytes, size_t size, po_yaml **yaml);
 void po_yaml_destroy(po_yaml *yaml);
 
-/* The tree itself, as libyaml has it: its root is a mapping, and keys are scalars. */
+/* Returned: the document of libyaml. Its root is a mapping, and all keys are scalars. */
 yaml_document_t *po_yaml_document(const po_yaml *yaml);
 
-/* The name given at creation. */
+/* Returned: the name given to po_yaml_create. */
 const char *po_yaml_name(const po_yaml *yaml);
 
-/* The line of the value at `path`, from 1; when it is absent, the line of the nearest thing on the
- * way to it. */
+/* Returned: the line of the value at `path`, counted from 1. If the value is absent, the line of
+ * the innermost existing mapping or list on the path. */
 size_t po_yaml_line(const po_yaml *yaml, const char *path);
 
-/* PO_BAD_INPUT with the message `file:line: path is VALUE: expected EXPECTED`, or `... is missing`.
- */
+/* Status: PO_BAD_INPUT with the message `file:line: path is VALUE: expected EXPECTED`, or
+ * `file:line: path is missing: expected EXPECTED` if the value is absent. */
 po_status po_yaml_refuse(const po_yaml *yaml, const char *path, const char *expected);
 
 #endif

@@ -10,7 +10,8 @@ static po_status refuse(const po_case *kase, const po_check *check, unsigned num
   return po_fail(PO_BAD_INPUT,
                  "%s:%zu: checks[%u].tolerance is %s: expected at least %s, the uncertainty of %s "
                  "itself",
-                 kase->shown, check->line, number, check->tolerance_text, text, reference->name);
+                 kase->shown, check->tolerance_line, number, check->tolerance_text, text,
+                 reference->name);
 }
 
 static bool too_tight(const po_check *check, double expected, double uncertainty) {

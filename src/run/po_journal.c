@@ -26,7 +26,7 @@ static po_status make_key(const po_case_run *run, size_t point, char key[PO_DIGE
   char *command = po_input_command(&plan->kase->points[point].request);
   po_text_add(&text, "%s|%u|%u|%s", plan->program, plan->want, plan->kase->repeats,
               command ? command : "");
-  if (plan->kase->line > 1)
+  if (plan->kase->series_length > 1)
     po_text_add(&text, "|%s", plan->solve_key);
   const bool made = command && !text.failed;
   po_digest_bytes(po_text_string(&text), text.length, key);

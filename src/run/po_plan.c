@@ -80,8 +80,8 @@ static po_status make_keys(po_plan *plan) {
   po_text text = {0};
   po_arithmetic_digest(&plan->arithmetic, plan->program);
   po_text_add(&text, "%s|%u|%u|", plan->program, plan->want, kase->repeats);
-  if (kase->line > 1)
-    po_text_add(&text, "%s|%zu|%zu|", kase->file->follow, kase->line, kase->checkpoints);
+  if (kase->series_length > 1)
+    po_text_add(&text, "%s|%zu|%zu|", kase->file->follow, kase->series_length, kase->checkpoints);
   if (kase->file->traced)
     po_text_add(&text, "%s|%s|", kase->file->traced->seed_text, kase->file->traced->count_text);
   for (size_t i = 0; i < kase->point_count; ++i) {

@@ -70,15 +70,15 @@ static po_status tell_sample(po_plan *plan) {
 }
 
 static po_status tell_scenes(po_plan *plan, const census *n) {
-  po_status status =
-      say(plan, "solve %zu %s: each traced as one branch from far out%s", n->points,
-          n->points == 1 ? "scene" : "scenes", plan->kase->line > 1 ? ", or followed" : "");
-  if (!status && plan->kase->line > 1)
+  po_status status = say(plan, "solve %zu %s: each traced as one branch from far out%s", n->points,
+                         n->points == 1 ? "scene" : "scenes",
+                         plan->kase->series_length > 1 ? ", or followed" : "");
+  if (!status && plan->kase->series_length > 1)
     status = say(plan,
                  "follow the minima of the load along %s in %zu lines of %zu: traced once in %zu "
                  "scenes, and where two traces do not agree with what was followed between them",
-                 plan->kase->file->follow, n->points / plan->kase->line, plan->kase->line,
-                 plan->kase->checkpoints);
+                 plan->kase->file->follow, n->points / plan->kase->series_length,
+                 plan->kase->series_length, plan->kase->checkpoints);
   if (!status && plan->kase->file->traced)
     status = say(plan,
                  "trace %s of the scenes between, too, drawn with seed %s, beside what following "
@@ -122,7 +122,7 @@ static po_status tell_left_out(po_plan *plan) {
 static po_status tell_wants(po_plan *plan) {
   const po_case *kase = plan->kase;
   po_status status =
-      plan->kase->line > 1
+      plan->kase->series_length > 1
           ? say(plan,
                 "no folds or extrema: of scenes that are followed there is the pull-off alone")
           : say(plan, "read off each branch: pull-off, folds, extrema of the load");

@@ -158,7 +158,7 @@ static po_status end_point(po_crew *crew, po_case_run *run, size_t point) {
 /* Of a solve of a point, to tell how long the rest will take: followed scenes take a tenth of the
  * others (measured: README). */
 static double effort(const po_case_run *run) {
-  return run->plan->kase->line > 1 ? 0.1 : 1;
+  return run->plan->kase->series_length > 1 ? 0.1 : 1;
 }
 
 /* Whether a solve of a point found no memory, which is no result: the point is neither kept nor
@@ -191,7 +191,7 @@ static po_status take_point(po_crew *crew, po_case_run *run, size_t point, unsig
 
 static void do_task(po_crew *crew, const po_task *task) {
   po_case_run *run = &crew->runs[task->run];
-  const size_t line = run->plan->kase->line;
+  const size_t line = run->plan->kase->series_length;
   const double begin = po_clock_wall();
   po_status status = PO_OK;
   po_no_memory_forget();

@@ -18,21 +18,21 @@ static po_status trace_again(const po_request *request, po_result *trace) {
 
 po_status po_run_line(po_case_run *run, size_t first, const volatile sig_atomic_t *stop) {
   const po_case *kase = run->plan->kase;
-  po_request *requests = po_allocate(kase->line, sizeof *requests);
+  po_request *requests = po_allocate(kase->series_length, sizeof *requests);
   if (!requests)
     return PO_NO_MEMORY;
-  for (size_t k = 0; k < kase->line; ++k) {
+  for (size_t k = 0; k < kase->series_length; ++k) {
     requests[k] = po_plan_request(run->plan, first + k);
     requests[k].stop = stop;
     po_result_clear(&run->results[first + k]);
   }
   po_status status =
-      po_series_observe(requests, kase->line, kase->checkpoints, &run->results[first]);
+      po_series_observe(requests, kase->series_length, kase->checkpoints, &run->results[first]);
   status = po_no_memory_or(status);
-  for (size_t k = 0; k < kase->line && !status; ++k)
+  for (size_t k = 0; k < kase->series_length && !status; ++k)
     if (kase->points[first + k].traced)
       status = trace_again(&requests[k], &run->traces[first + k]);
-  for (size_t k = 0; k < kase->line; ++k) {
+  for (size_t k = 0; k < kase->series_length; ++k) {
     run->seconds[first + k] = run->results[first + k].work.seconds;
     run->processor_seconds[first + k] = NAN; /* a line is not timed */
   }

@@ -17,7 +17,7 @@ typedef struct {
 } part;
 
 static size_t part_length(const po_case *kase) {
-  return kase->repeats > 1 ? kase->point_count : kase->line;
+  return kase->repeats > 1 ? kase->point_count : kase->series_length;
 }
 
 static int by_place(const void *a, const void *b) {

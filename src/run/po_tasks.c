@@ -5,7 +5,7 @@
 /* Whether a point is to be solved, or some of the line that begins there. */
 static bool is_wanted(const po_case_run *run, size_t begin) {
   bool wanted = false;
-  for (size_t p = begin; p < begin + run->plan->kase->line; ++p)
+  for (size_t p = begin; p < begin + run->plan->kase->series_length; ++p)
     wanted = wanted || (run->asked[p] && !run->done[p]);
   return wanted;
 }
@@ -18,7 +18,7 @@ static void add_round(const po_case_run *runs, size_t count, bool timed, unsigne
     const unsigned repeats = run->plan->kase->repeats;
     if (run->finished || (repeats > 1) != timed || round >= repeats)
       continue;
-    for (size_t p = 0; p < run->plan->kase->point_count; p += run->plan->kase->line)
+    for (size_t p = 0; p < run->plan->kase->point_count; p += run->plan->kase->series_length)
       if (is_wanted(run, p))
         tasks[(*total)++] = (po_task){r, p, round};
   }

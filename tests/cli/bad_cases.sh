@@ -18,8 +18,8 @@ restore
 expect 0 '*good: 1 points, 1 checks: within' run --output out0
 expect 2 'pulloff: no case is named nobody: expected one of good' run nobody
 expect 2 'pulloff: cases and --suite are given: expected one of them' run good --suite smoke
-expect 2 'pulloff: no case is of the suite extreme: expected one of smoke' run --suite extreme
-expect 2 'pulloff: no case is of the suite empty: expected one of smoke' list --suite smoke,,smoke
+expect 2 'pulloff: no case belongs to the suite extreme: expected one of smoke' run --suite extreme
+expect 2 'pulloff: no case belongs to the suite empty: expected one of smoke' list --suite smoke,,smoke
 expect 4 'pulloff: absent.yaml cannot be opened: No such file or directory' run absent.yaml
 
 spoilt 's/radius: 100/radius: -3/' '7: scene.radius is -3: expected a finite number > 0'
@@ -64,7 +64,7 @@ spoilt 's/^want/repeats: 0\nwant/' '11: repeats is 0: expected a whole number fr
 spoilt 's/^want/sweep:\n  - key: colour\n    values: [1]\nwant/' \
   '12: sweep[[]1[]].key is colour: expected a key of the scene: tabor, amplitude, *, outer_ratio'
 spoilt 's/^want/sweep:\n  - key: tabor\n    values: [1]\nwant/' \
-  '12: sweep[[]1[]].key is tabor: expected a key that the scene does not fix'
+  '12: sweep[[]1[]].key is tabor: expected a key that the scene does not give'
 spoilt 's/^want/sweep:\n  - key: approach_end\n    values: [1, nan]\nwant/' \
   '13: sweep[[]1[]].values[[]2[]] is nan: expected a finite number'
 spoilt 's/^want/sweep:\n  - key: approach_end\n    values: [0.1, 0.10]\nwant/' \
@@ -73,9 +73,9 @@ spoilt 's/^want/sweep:\n  - key: approach_end\nwant/' \
   '12: sweep[[]1[]].values is missing: expected a list of values, or from, to and count'
 spoilt 's/pull_off_force/pull_on/' '13: checks[[]1[]].quantity is pull_on: expected pull_off_force, *'
 spoilt 's/pull_off_force/work/' \
-  '14: checks[[]1[]].reference is reference/table.csv: expected pin, as only *'
+  '14: checks[[]1[]].reference is reference/table.csv: expected pin, as work has no other reference'
 spoilt 's/pull_off_force/curve/; s/reference: .*/reference: pin/' \
-  '13: checks[[]1[]].quantity is curve: expected a curve to be pinned by its folds and extrema'
+  '13: checks[[]1[]].quantity is curve: expected folds and extrema, as a curve itself cannot be pinned'
 spoilt 's/tolerance: 1e-9/tolerance: 0/' \
   '15: checks[[]1[]].tolerance is 0: expected a finite number > 0'
 spoilt 's/tolerance: 1e-9/tolerance: .nan/' \
@@ -87,9 +87,9 @@ spoilt 's/pull_off_force/solved_share/' \
 spoilt 's/reference: .*/reference: every_scene/' \
   '14: checks[[]1[]].reference is every_scene: expected bradley, pin or the path of a CSV file'
 spoilt 's/pull_off_force/jumps/; s/reference: .*/reference: pin/' \
-  '14: checks[[]1[]].reference is pin: expected the path of a CSV file, as only tables speak of hysteresis'
+  '14: checks[[]1[]].reference is pin: expected the path of a CSV file, as only tables contain hysteresis'
 spoilt 's/pull_off_force/solved_share/; s/reference: .*/reference: every_scene/; s/kind: abs/kind: rel/' \
-  '16: checks[[]1[]].kind is rel: expected abs, as a share is'
+  '16: checks[[]1[]].kind is rel: expected abs, as a share is absolute'
 spoilt 's/pull_off_force/solved_share/; s/reference: .*/reference: every_scene/; s/1e-9/1/' \
   '15: checks[[]1[]].tolerance is 1: expected the share that may fail, below 1'
 spoilt 's/pull_off_force/residual/' \
@@ -104,18 +104,18 @@ spoilt 's/because: .*/because: ""/' \
 spoilt 's/because: .*/because: "  "/' \
   '17: checks[[]1[]].because is   : expected the reason for the tolerance'
 spoilt 's/because: .*/&\n    when: [{key: tabor, values: [3]}]/' \
-  '18: checks[[]1[]].when is a list: expected a condition that holds for some point'
+  '18: checks[[]1[]].when is a list: expected a condition that holds for at least one point'
 spoilt 's/because: .*/&\n    whence: 3/' '18: checks[[]1[]].whence is unknown: expected one of *'
 spoilt 's/^  tabor: 0/\ttabor: 0/' '*: not YAML: found character that cannot start any token'
 spoilt 's/^want: .*/want: [pull_off/' '*: not YAML: *'
-spoilt 's/^  tabor: 0/  tabor: \&x 0\n  grading: *x/' '5: an alias refers to this: expected none'
+spoilt 's/^  tabor: 0/  tabor: \&x 0\n  grading: *x/' '5: an alias refers to this value: expected none'
 spoilt '$a---\nname: more' '*: a second document begins: expected one case a file'
 
 restore
 : >"$file"
 expect 2 'pulloff: cases/good.yaml:1: the file is empty: expected a case' list
 printf '\177ELF\002\001\000\000\000' >"$file"
-expect 2 'pulloff: cases/good.yaml:1: not text, it holds a zero byte: expected a case' list
+expect 2 'pulloff: cases/good.yaml:1: the file is not text, it contains a zero byte: expected a case' list
 printf '\377\376\375name' >"$file"
 expect 2 'pulloff: cases/good.yaml:1: not YAML: *' list
 printf '%s\n' '- a' '- b' >"$file"

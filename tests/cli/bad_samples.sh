@@ -58,9 +58,9 @@ spoilt 's/key: tabor/key: colour/' \
 spoilt 's/key: radius/key: tabor/' \
   '12: sample.keys[[]2[]].key is tabor: expected each key drawn once'
 spoilt 's/outer_radius: inf/&\n  tabor: 1/' \
-  '12: sample.keys[[]1[]].key is tabor: expected a key that neither scene nor sweep fixes'
+  '12: sample.keys[[]1[]].key is tabor: expected a key that neither scene nor sweep gives'
 spoilt 's/^sample/sweep: [{key: tabor, values: [1]}]\n&/' \
-  '12: sample.keys[[]1[]].key is tabor: expected a key that neither scene nor sweep fixes'
+  '12: sample.keys[[]1[]].key is tabor: expected a key that neither scene nor sweep gives'
 spoilt 's/, from: 30//' '12: sample.keys[[]2[]].from is missing: expected a finite number'
 spoilt 's/from: 30/from: -30/' '12: sample.keys[[]2[]].from is -30: expected a finite number > 0'
 spoilt 's/from: 30/from: nan/' '12: sample.keys[[]2[]].from is nan: expected a finite number > 0'
@@ -71,16 +71,16 @@ spoilt 's/to: 1e-6/to: 1e-6, scale: log/' \
 spoilt 's/radius, from: 30, to: 500, scale: log/radius, from: 30, to: 500, scale: cubic/' \
   '12: sample.keys[[]2[]].scale is cubic: expected linear or log'
 spoilt 's/times: root_radius/times: root_tabor/' \
-  '13: sample.keys[[]3[]].times is root_tabor: expected root_radius or a key given before: *'
+  '13: sample.keys[[]3[]].times is root_tabor: expected root_radius, or a key given in *'
 spoilt 's/times: root_radius/times: amplitude/' \
-  '13: sample.keys[[]3[]].times is amplitude: expected root_radius or a key given before: *'
+  '13: sample.keys[[]3[]].times is amplitude: expected root_radius, or a key given in *'
 spoilt 's/times: root_radius/times: scheme/' \
-  '13: sample.keys[[]3[]].times is scheme: expected root_radius or a key given before: *'
+  '13: sample.keys[[]3[]].times is scheme: expected root_radius, or a key given in *'
 spoilt '/key: radius/d' \
-  '12: sample.keys[[]2[]].times is root_radius: expected root_radius or a key given before: *'
+  '12: sample.keys[[]2[]].times is root_radius: expected root_radius, or a key given in *'
 spoilt '/key: tabor/d' '4: scene.tabor is missing: expected a finite number >= 0, here, in the *'
 spoilt 's/times: root_radius/times: outer_radius/' \
-  '10: sample draws tabor=*: expected what these keys may be'
+  '10: sample draws tabor=*: expected permitted values of these keys'
 spoilt '/key: wavelength/d; s/times: wavelength/times: radius/' \
   '4: scene.wavelength is missing: expected a finite number > 0, here, in the sweep or in the sample'
 finish

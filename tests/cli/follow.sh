@@ -123,11 +123,11 @@ want: [pull_off]"
   echo "$against" | sed "s/QUANTITY/$2/" >>"$file"
 }
 write_traced '' pull_off_force
-expect 2 '*checks?2?.reference is traced: expected traced of a pull-off alone, beside*' plan good
+expect 2 '*checks?2?.reference is traced: expected traced only for a pull-off, in a case with*' plan good
 write_traced 'traced: {seed: 7, count: 3}' solved_share
 expect 2 '*checks?2?.reference is traced: expected every_scene*' plan good
 write_traced 'traced: {seed: 7, count: 7}' pull_off_force
-expect 2 '*traced.count is 7: expected a whole number from 1 up to all scenes between two checkpoints' plan good
+expect 2 '*traced.count is 7: expected a whole number from 1 to the number of scenes between checkpoints' plan good
 write_traced 'traced: {seed: -1, count: 3}' pull_off_force
 expect 2 '*traced.seed is -1: expected a whole number*' plan good
 write_traced 'traced: {seed: 7, count: 3}' pull_off_force

@@ -83,7 +83,7 @@ bad 's/from: 0.01/from: 0/' '*: lines[[]1[]].sweep[[]1[]].from is 0: expected a 
 bad 's/to: 100/to: 0.001/' '*: lines[[]1[]].sweep[[]1[]].to is 0.001: expected a finite number > from'
 bad 's/count: 5/count: 1/' '*: lines[[]1[]].sweep[[]1[]].count is 1: expected a whole number from 2 to 10000'
 bad 's/scale: log/scale: round/' '*: lines[[]1[]].sweep[[]1[]].scale is round: expected linear or log'
-bad 's/count: 41/count: 41, values: [1]/' '*values*: expected nothing beside from, to and count'
+bad 's/count: 41/count: 41, values: [1]/' '*values*: expected either values, or from, to and count'
 bad 's/theory: rigid/theory: alchemy/' '*: lines[[]1[]].theory is alchemy: expected bradley, *'
 bad 's/name: curve/name: rigid/' '*: lines[[]2[]].name is rigid: expected each name once'
 bad 's/key: contact_radius/key: approach/' '*: lines[[]2[]].sweep[[]4[]].key is approach: expected tabor, *'

@@ -112,10 +112,10 @@ spoilt() { # SED-SCRIPT MESSAGE
   expect 2 "pulloff: cases/measured.yaml:$2" list
 }
 spoilt 's/tabor: 0.7}/tabor: 0.7, nodes: 5}/' '*: sweep[[]2[]].together *: expected each key swept once'
-spoilt 's/tabor: 0.7}/tabor: 0.7, radius: 5}/' '*: sweep[[]1[]].together *: expected a key that the scene does not fix'
+spoilt 's/tabor: 0.7}/tabor: 0.7, radius: 5}/' '*: sweep[[]1[]].together *: expected a key that the scene does not give'
 spoilt 's/tabor: 0.7}/tabor: -7}/' '8: sweep[[]1[]].together[[]2[]].tabor is -7: expected *'
 spoilt 's/{tabor: 0.7}/{approach_end: 0.7}/' '8: sweep[[]1[]].together[[]2[]].tabor is missing: expected *'
-spoilt 's/{scheme: ring, nodes: 63}/{scheme: triangle, nodes: 63}/' '12: sweep[[]2[]].together[[]3[]] is *: expected each of them once'
+spoilt 's/{scheme: ring, nodes: 63}/{scheme: triangle, nodes: 63}/' '12: sweep[[]2[]].together[[]3[]] is *: expected each setting once'
 spoilt 's/{scheme: ring, nodes: 63}/{scheme: ring}/' '12: sweep[[]2[]].together[[]3[]].nodes is missing: expected *'
 spoilt 's/tabor: 0.7}/tabour: 0.7}/' '8: sweep[[]1[]].together[[]2[]].tabour is unknown: expected one of tabor, *'
 spoilt 's/^leave_out:/  - {key: nodes}\nleave_out:/' '13: sweep[[]3[]].values is missing: expected a list of values, or from, to and count'
@@ -124,9 +124,9 @@ spoilt 's/^leave_out:/  - {key: grading, values: [graded], together: [{tabor: 1}
 spoilt 's/because: it is made so/because: ""/' '14: leave_out[[]1[]].because is empty: expected the reason *'
 spoilt 's/values: \[ring\]/values: [rind]/' '14: leave_out[[]1[]].when[[]2[]].values[[]1[]] is rind: *'
 spoilt 's/{key: tabor, values: \[0.7\]}/{key: tabor, values: [0.8]}/' \
-  '14: leave_out[[]1[]].when is *: expected a condition that holds for some point'
+  '14: leave_out[[]1[]].when is *: expected a condition that holds for at least one point'
 spoilt 's/{key: tabor, values: \[0.7\]}/{key: radius, values: [100]}/; s/\[ring\]/[ring, panel, triangle]/' \
-  '13: leave_out is *: expected rules that leave some point'
+  '13: leave_out is *: expected rules that do not exclude all points'
 spoilt 's/quantity: curve/quantity: work/' '20: measure[[]3[]].quantity is work: expected pull_off_force, *'
 # A quantity without any reference is not computed.
 for quantity in residual moved_force energy_defect reverse_trace hysteresis_force jumps; do

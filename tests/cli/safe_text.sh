@@ -22,7 +22,7 @@ spoilt() { # SED-SCRIPT BYTE
   sed "$1" whole.yaml >"$case"
   for verb in list 'plan good' 'run good'; do
     # shellcheck disable=SC2086 # two words are meant
-    expect 2 "pulloff: cases/good.yaml:*: a text holds the control character $2: expected none" $verb
+    expect 2 "pulloff: cases/good.yaml:*: a text contains the control character $2: expected none" $verb
     clean "$verb"
   done
 }

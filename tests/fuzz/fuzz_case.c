@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "fuzz.h"
+#include "po_case_read.h"
 
 /* A plan asks every reference for every point: of more points it says the same for longer. */
 enum { MOST_PLANNED = 2000 };

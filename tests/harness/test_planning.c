@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "po_case_read.h"
 #include "po_file.h"
 #include "po_record.h"
 #include "po_run.h"

@@ -8,9 +8,9 @@
 /* A sweep of 40 rows of 4 values, lines of 5 scenes, a timed case. */
 enum { RUNS = 3, SWEPT = 160, VALUES = 4, FOLLOWED = 60, LINE = 5, TIMED = 9, MOST = SWEPT };
 
-static po_case cases[RUNS] = {{.repeats = 1, .line = 1, .point_count = SWEPT},
-                              {.repeats = 1, .line = LINE, .point_count = FOLLOWED},
-                              {.repeats = 3, .line = 1, .point_count = TIMED}};
+static po_case cases[RUNS] = {{.repeats = 1, .series_length = 1, .point_count = SWEPT},
+                              {.repeats = 1, .series_length = LINE, .point_count = FOLLOWED},
+                              {.repeats = 3, .series_length = 1, .point_count = TIMED}};
 static po_plan plans[RUNS];
 static po_case_run runs[RUNS];
 static bool asked[RUNS][MOST];

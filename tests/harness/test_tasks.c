@@ -19,7 +19,7 @@ static bool done[RUNS][3], asked[RUNS][3];
 
 /* A run of three points, of which `done` are there. */
 static void make_run(size_t which, unsigned repeats, size_t points_done) {
-  parts[which] = (made_parts){.kase = {.repeats = repeats, .line = 1, .point_count = 3}};
+  parts[which] = (made_parts){.kase = {.repeats = repeats, .series_length = 1, .point_count = 3}};
   parts[which].plan.kase = &parts[which].kase;
   runs[which] = (po_case_run){.plan = &parts[which].plan,
                               .done = done[which],
