@@ -66,7 +66,7 @@ class Table:
         agreement = Agreement(self.limit)
         rows = [self.row(point, agreement) for point in self.points]
         header = {**self.header, "evidence": f"{self.header['evidence']}: {agreement}",
-                  "date": DATE}
+                  "date": self.header.get("date", DATE)}
         write_table(folder / self.name, header, self.columns, rows)
         print(f"{self.name}: {len(rows)} rows; {agreement}")
 

@@ -43,18 +43,20 @@ def scenes():
     def ladder(laws, tabors):
         return [sphere(law, tabor) for tabor in tabors.split() for law in laws]
 
-    def profiles(laws, outer):
-        return [Scene(law, profile, "-", c, "-", outer) for profile, stiff in PROFILES.items()
-                for c in (SOFT, stiff) for law in laws]
+    def profiles(laws, outer, stiff):
+        return [Scene(law, profile, "-", PROFILES[profile] if stiff else SOFT, "-", outer)
+                for profile in PROFILES for law in laws]
 
-    def wavy(laws, outer, couplings):
-        return [Scene(law, "sphere", WAVES, c, "50", outer, 6.0) for c in couplings for law in laws]
+    def wavy(laws, outer, coupling):
+        return [Scene(law, "sphere", WAVES, coupling, "50", outer, 6.0) for law in laws]
 
-    return [*ladder(main, "0.1 1 3"), *profiles(main, "inf"), *wavy(main, "40", ("0.05", "0.5")),
-            *profiles(main, CUT), *ladder(other, "0.1 1 3"), *profiles(other, "inf"),
-            *wavy(other, "40", ("0.05", "0.5")), *wavy(("morse:1", "morse:3"), "inf", ("0.05",)),
-            *ladder(main + other, "0.01 0.3 10 30 50")]
-
+    out = ladder(main, "0.1 1")
+    for laws in main, other:
+        out += [*profiles(laws, "inf", False), *wavy(laws, "40", "0.05"), *ladder(laws, "3"),
+                *profiles(laws, CUT, False), *profiles(laws, "inf", True), *wavy(laws, "40", "0.5"),
+                *profiles(laws, CUT, True), *ladder(laws, "0.01 0.3 10")]
+        out += ladder(other, "0.1 1") if laws == main else []
+    return out + wavy(("morse:1", "morse:3"), "inf", "0.05") + ladder(main + other, "30 50")
 
 
 def values(row, scene, solved):

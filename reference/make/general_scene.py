@@ -19,9 +19,9 @@ from tables import number
 
 TRACE = Level(order=12, tail=14, tolerance=1e-6, kink=6)
 FINE_TRACE = Level(order=14, tail=16, tolerance=1e-7, cut=1.1, kink=8)
-POLISH = (Level(order=14, tail=18, tolerance=1e-10, kink=12),
-          Level(order=18, tail=22, tolerance=1e-11, cut=1.21, kink=15),
-          Level(order=22, tail=28, tolerance=1e-12, cut=1.37, extra=8, kink=18))
+POLISH = (Level(order=14, tail=18, tolerance=1e-9, kink=12),
+          Level(order=16, tail=22, tolerance=1e-10, cut=1.21, kink=13),
+          Level(order=18, tail=26, tolerance=1e-11, cut=1.37, extra=8, kink=14))
 
 FIRM = 1.0                # load, in units of half the pull-off, at which the branch of a smooth profile ends
 FAR = 12.0                # the trace begins this far out, and farther by the stretch of JKR at given approach

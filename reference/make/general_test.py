@@ -116,6 +116,23 @@ def kernel():
               KERNEL_TOLERANCE)
 
 
+def limits():
+    """The tabulated pull-off of smooth spheres falls from 2 to 1.5 as the Tabor parameter grows. The rate at which 1.5
+    is approached rises, and stays below the rate mu^-2 of Maugis-Dugdale."""
+    ladders = {"feng": [(float(row["tabor"]), float(row["force"])) for row in read_table(STORED / "feng_pull_off.csv")[1]]}
+    table = STORED / "general_pull_off.csv"
+    for row in read_table(table)[1] if table.exists() else []:
+        if row["tabor"] != "-":
+            ladders.setdefault(row["law"], []).append((float(row["tabor"]), float(row["pull_off_force"])))
+    for name, ladder in ladders.items():
+        tabor, force = np.array(sorted(ladder)).T
+        rates = -np.diff(np.log(force - 1.5)) / np.diff(np.log(tabor))
+        check(f"{name}: pull-off between 1.5 and 2, falling with mu", float(not (
+            force[0] < 2 and (np.diff(force) < 0).all() and force[-1] > 1.5)), 0)
+        check(f"{name}: rate of the approach to 1.5 rises ({rates[-1]:.2f} last), below 2",
+              float(not ((np.diff(rates) > 0).all() and rates[-1] < 2.0)), 0)
+
+
 def run():
-    for test in (laws, profiles, tails, rigid, cases, kernel):
+    for test in (laws, profiles, tails, rigid, cases, kernel, limits):
         test()
