@@ -14,7 +14,7 @@
 /* The gap is sampled so many times per wavelength, and on a panel as often as it has nodes. Between
  * two samples it has at most one extremum, which the slopes at the samples show. Without waves and
  * panels the only scale of length is the radius. */
-static const double SAMPLES = 16.0;
+static const double SAMPLES_A_LENGTH = 16.0;
 
 /* An error of the gap that no usable solution exceeds, eps. */
 static const double GREATEST_DOUBT = 1.0;
@@ -133,10 +133,10 @@ static double inwards(const po_contact_gap *g, double r) {
       --j;
     begin = g->node[j] < r ? g->node[j] : 0.0;
   } else {
-    step = g->end / SAMPLES;
+    step = g->end / SAMPLES_A_LENGTH;
   }
   if (po_scene_is_wavy(g->scene))
-    step = fmin(step, g->scene->wavelength / SAMPLES);
+    step = fmin(step, g->scene->wavelength / SAMPLES_A_LENGTH);
   return fmax(begin, r - step);
 }
 

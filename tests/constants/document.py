@@ -44,7 +44,9 @@ def effect(row, base):
         ratio = float(row[key]) / float(base[key])
         if not 1.0 / LARGER < ratio < LARGER:
             words.append(f"{text} ×{ratio:.2g}")
-    if float(row["moved"]) > 1e-9:
+    if row["moved"] == "inf":
+        words.append("others lose or gain results")
+    elif float(row["moved"]) > 1e-9:
         words.append(f"others move {float(row['moved']):.0e}")
     return ", ".join(words) if words else "less than 2 %"
 
