@@ -51,6 +51,30 @@ def effect(row, base):
     return ", ".join(words) if words else "less than 2 %"
 
 
+def is_small(row, base):
+    """Whether a row has less work changed than is told, and the same failures, special points and violations."""
+    return row["failed"] == base["failed"] and abs(float(row["work_ratio"]) - 1.0) < SEEN and all(
+        int(row[key]) <= int(base[key]) for key in ("lost", "extra", "violated"))
+
+
+def summary(results, base):
+    """How many of the tuned constants matter on this set."""
+    idle = small = count = 0
+    for entry in measure.table():
+        pair = [row for (file, name, _, _), row in results.items() if (file, name) == (entry["file"], entry["name"])]
+        if entry["kind"] != "tuned" or len(pair) < 2:
+            continue
+        count += 1
+        if all(row["changed"] == "0" for row in pair):
+            idle += 1
+        elif all(is_small(row, base) for row in pair):
+            small += 1
+    return (f"Of {count} tuned constants {idle} change nothing on this set, neither at half nor at twice the value: they "
+            f"belong to what is rare, such as a trace that is repeated on a larger domain or a search that ends by its "
+            f"effort. {small} others change the work by less than 2 %, lose no special point and violate no stated "
+            f"error.\n")
+
+
 def lines():
     """The table, and the line of the unchanged source."""
     places, results = scan.constants(measure.ROOT), rows()
@@ -60,6 +84,7 @@ def lines():
            f"{base['held']} hold and {base['violated']} are violated (the others cannot be decided by the tight "
            f"solution); {base['lost']} special points are lost and {base['extra']} spurious; largest error of an "
            f"energy lost {base['worst_energy']} tolerances.\n")
+    yield "\n" + summary(results, base)
     room = None
     for entry in measure.table():
         value, path = places[entry["file"], entry["name"]][:2]

@@ -179,7 +179,7 @@ class Results:
             self.rows = {(row["file"], row["name"], row["value"], row["side"]): row for row in csv.DictReader(lines)}
 
     def put(self, key, row):
-        self.rows[key] = dict(zip(COLUMNS[:4], key), **row)
+        self.rows[key] = {**row, **dict(zip(COLUMNS[:4], key))}
         with open(self.path + ".new", "w", encoding="utf-8", newline="") as stream:
             stream.write("# what: each constant at half and at twice its value, tests/constants/measure.py\n")
             writer = csv.DictWriter(stream, COLUMNS, restval="", lineterminator="\n")
