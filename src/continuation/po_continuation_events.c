@@ -30,7 +30,7 @@ static po_status solve_inner(void *data, double at, po_sample *sample) {
   if (status)
     return status;
   t->inner.position = t->current.position + po_solution_way(&t->current, &t->inner);
-  *sample = po_solution_sample(&t->current, &t->inner);
+  *sample = po_corrector_sample(&t->current, &t->inner);
   return PO_OK;
 }
 
@@ -46,8 +46,8 @@ po_status po_continuation_find_events(po_continuation *t) {
                                 .keep = keep_inner,
                                 .station = t->options.station,
                                 .end = t->options.end};
-  const po_sample from = po_solution_sample(&t->current, &t->current),
-                  to = po_solution_sample(&t->current, &t->next);
+  const po_sample from = po_corrector_sample(&t->current, &t->current),
+                  to = po_corrector_sample(&t->current, &t->next);
   return po_events_find(&interval, &from, &to, &t->events);
 }
 

@@ -124,3 +124,11 @@ po_status po_corrector_solve(po_corrector *c, const po_solution *from, double di
   po_solution_finish(out, c->e, c->adaptive);
   return c->e->orientation * c->direction > 0 ? PO_OK : PO_NOT_CONVERGED;
 }
+
+po_sample po_corrector_sample(const po_solution *from, const po_solution *p) {
+  const double per_distance = 1.0 / po_solution_cosine(from, p);
+  return (po_sample){.at = po_solution_progress(from, p),
+                     .edges = p->edges.all,
+                     .value = {p->state[p->n], p->load},
+                     .rate = {p->tangent[p->n] * per_distance, p->load_rate * per_distance}};
+}

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 
 #include "po_solution.h"
+#include "po_special_point.h"
 
 typedef struct {
   po_equilibrium *e;
@@ -40,5 +41,9 @@ void po_corrector_aim(po_corrector *c, const po_solution *from);
  * out. Status: PO_NOT_CONVERGED, also when the branch there runs the other way. */
 po_status po_corrector_solve(po_corrector *c, const po_solution *from, double distance,
                              bool keep_factors, double precision, po_solution *out);
+
+/* Approach and load, with their rates, as functions of the distance along the arclength functional
+ * of `from`, at the point p. */
+po_sample po_corrector_sample(const po_solution *from, const po_solution *p);
 
 #endif

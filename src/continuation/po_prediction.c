@@ -2,6 +2,9 @@
 
 #include <math.h>
 
+#include "po_law.h"
+#include "po_special_point.h"
+
 /* A step, along the arclength functional, that is short where two contact edges meet. */
 static const double MEETING_STEP = 1e-4;
 

@@ -86,7 +86,7 @@ po_status po_refine_locate(po_corrector *c, const po_solution *from, po_event_ki
     const po_status status = po_corrector_solve(c, from, at, k > 0, c->e->precision, out);
     if (status)
       return status;
-    s = po_solution_sample(from, out);
+    s = po_corrector_sample(from, out);
     for (int q = 0; q < 2; ++q)
       value[q] = s.value[q];
     if (k > 0) {

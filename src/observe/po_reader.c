@@ -47,7 +47,7 @@ po_reader po_reader_begin(const po_request *request, po_result *result, double d
 }
 
 void po_reader_end(po_reader *reader) {
-  po_record_free(&reader->record);
+  po_trace_points_free(&reader->points);
 }
 
 /* Whether the preload is met and a search of some effort goes on: it may end anywhere. */
@@ -130,7 +130,7 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
   }
   const po_contact_gap gap = po_contact_gap_of(&r->request->scene, root_of(r), p);
   const double contact_radius = po_contact_radius(&gap);
-  keep_status(r, po_record_path(&r->record, p, contact_radius));
+  keep_status(r, po_trace_points_add_to_path(&r->points, p, contact_radius));
   if (!r->begun && !(p->approach >= r->begin))
     return false;
   if (isnan(o->start))
@@ -141,7 +141,7 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
   if (r->surface && r->surface->n > r->most_nodes)
     r->most_nodes = r->surface->n;
   if (r->request->want & PO_WANT_CURVE)
-    keep_status(r, po_record_curve(&r->record, p, contact_radius, o));
+    keep_status(r, po_trace_points_add_to_curve(&r->points, p, contact_radius, o));
   if (p->kind == PO_POINT_STATION && !o->profile && (r->request->want & PO_WANT_PROFILE) &&
       po_path_is_at(p->approach, r->request->profile_approach))
     take_profile(r, p);

@@ -1,5 +1,5 @@
-/* The visitor of a trace. It gives each point to the parts that read the branch: the record
- * (po_record.h), the special points and the pull-off (po_special_list.h), the profile
+/* The visitor of a trace. It gives each point to the parts that read the branch: the points
+ * (po_trace_points.h), the special points and the pull-off (po_special_list.h), the profile
  * (po_contact_profile.h), what is diagnosed (po_kept.h, po_balance.h, po_reverse_trace.h), and the
  * stopping rule (po_stopping.h); and ends the trace where one of these, the user or the time limit
  * asks for it. */
@@ -10,11 +10,11 @@
 #include "po_branch_point.h"
 #include "po_estimate.h"
 #include "po_kept.h"
-#include "po_record.h"
 #include "po_request.h"
 #include "po_result.h"
 #include "po_special_list.h"
 #include "po_stopping.h"
+#include "po_trace_points.h"
 
 /* Who keeps minima of the load and folds, for more than the result says of them. */
 typedef struct {
@@ -36,7 +36,7 @@ typedef struct {
   double begin;            /* points at a smaller approach are not recorded before it is reached */
   bool begun;
   po_stopping stopping;
-  po_record record;
+  po_trace_points points;
   po_special_list special;
   size_t most_nodes; /* of the surface so far */
   double deadline;   /* on po_clock_thread; INFINITY: none */

@@ -9,7 +9,7 @@
 #include "po_pressed.h"
 #include "po_profile.h"
 #include "po_reader.h"
-#include "po_rigid.h"
+#include "po_rigid_trace.h"
 
 /* How far a wanted curve may lie from the straight lines between its points. */
 static const double CURVE_SAGITTA = 5e-4;
@@ -144,7 +144,7 @@ static po_status make_surface(const po_request *request, bool rigid, double core
  * a->begin is set so that it will do, and nothing read off. */
 static po_status read_hysteresis(const po_reader *reader, po_attempt *a) {
   po_result *o = reader->result;
-  const po_path path = {reader->record.path, reader->record.path_count};
+  const po_path path = {reader->points.path, reader->points.path_count};
   double least = INFINITY;
   for (size_t k = 0; k < path.count; ++k)
     least = fmin(least, path.point[k].approach);
@@ -219,7 +219,7 @@ po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double 
   if (!status && !result->has_pull_off && isnan(request->approach_end))
     status = lacks_minimum(request, &reader);
   if (!status)
-    status = po_pressed_read(request, &(po_path){reader.record.path, reader.record.path_count},
+    status = po_pressed_read(request, &(po_path){reader.points.path, reader.points.path_count},
                              &reader.stopping, result);
   if (!status && (request->want & PO_WANT_HYSTERESIS))
     status = read_hysteresis(&reader, a);

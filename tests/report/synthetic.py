@@ -306,7 +306,7 @@ def make_faults(folder, missed=False):
               ("one-sided", "harness", "only what is too large is outside", "src/harness/po_result.c",
                {"smoke": fault_cell(), "compare": fault_cell("test")})]
     if missed:
-        faults.append(("jacobian", "physics", "the Jacobian is off", "src/continuation/po_equilibrium.c",
+        faults.append(("jacobian", "physics", "the Jacobian is off", "src/equilibrium/po_equilibrium.c",
                        {"smoke": fault_cell("pin", caught=False), "tables_math": fault_cell()}))
     rows = [{"name": name, "kind": kind, "what": what, "file": file, "cells": cells, "problem": "",
              "caught": any(cell["caught"] for cell in cells.values())} for name, kind, what, file, cells in faults]

@@ -4,6 +4,7 @@
 #include "../unit/run.h"
 #include "po_element.h"
 #include "po_rigid.h"
+#include "po_rigid_trace.h"
 #include "table.h"
 
 /* As po_element.h and po_rigid.h state them. */

@@ -4,6 +4,7 @@
 
 #include "po_profile.h"
 #include "po_rigid.h"
+#include "po_rigid_trace.h"
 #include "run.h"
 #include "trace.h"
 

@@ -3,6 +3,7 @@
 
 #include "po_law.h"
 #include "po_rigid.h"
+#include "po_rigid_trace.h"
 #include "run.h"
 
 static const double APPROACHES[] = {-30.0, -2.385, -0.3, 0.0, 0.385, 0.8};

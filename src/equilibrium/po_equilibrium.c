@@ -99,6 +99,20 @@ void po_equilibrium_evaluate(po_equilibrium *e, const double *state) {
   }
 }
 
+void po_equilibrium_deflect(const po_equilibrium *e, const double *traction, double *deflection) {
+  po_linear_apply(e->n, e->n, e->surface->influence, e->n, traction, deflection);
+  for (size_t i = 0; i < e->n; ++i)
+    deflection[i] *= e->coupling;
+}
+
+/* Eq 15. */
+void po_equilibrium_residual(po_equilibrium *e, const double *state, double *residual) {
+  po_equilibrium_evaluate(e, state);
+  po_equilibrium_deflect(e, e->traction, residual);
+  for (size_t i = 0; i < e->n; ++i)
+    residual[i] += e->shape[i] - state[e->n] - state[i];
+}
+
 double po_equilibrium_load(const po_equilibrium *e) {
   return 2.0 / e->radius * po_linear_dot(e->n, e->surface->weight, e->traction);
 }

@@ -196,11 +196,3 @@ double po_solution_way(const po_solution *from, const po_solution *to) {
   const double turn = cosine < 1.0 ? acos(cosine) : 0.0;
   return turn > 0.0 ? progress * turn / sin(turn) : progress;
 }
-
-po_sample po_solution_sample(const po_solution *from, const po_solution *p) {
-  const double per_distance = 1.0 / po_solution_cosine(from, p);
-  return (po_sample){.at = po_solution_progress(from, p),
-                     .edges = p->edges.all,
-                     .value = {p->state[p->n], p->load},
-                     .rate = {p->tangent[p->n] * per_distance, p->load_rate * per_distance}};
-}

@@ -2,11 +2,8 @@
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
-#include <gsl/gsl_roots.h>
 #include <math.h>
-#include <stdlib.h>
 
-#include "po_join.h"
 #include "po_law.h"
 #include "po_profile.h"
 #include "po_quadrature.h"
@@ -17,16 +14,14 @@ static const double ELASTIC_EFFECT = 6.0, NEGLIGIBLE_LOAD = 1e-8;
 
 /* Relative accuracy asked of each piece of the quadrature, and what is small against any load. */
 static const double PIECE_ACCURACY = 1e-12, SMALL = 1e-14;
-/* What comes of it: error of the load in parts of 1 + |load|; and of the approach at which its rate
- * vanishes, a rate that is as accurate as the load and falls by 1 an eps or more. */
-static const double QUADRATURE_ERROR = 1e-10, LOCATION_ERROR = 1e-9;
 enum { INTERVALS = 200 };
 
-/* Steps in x = 1 - approach, the distance from the centre's core. */
-static const double STEP_RATIO = 0.97;
+double po_rigid_elastic_effect(const po_scene *scene) {
+  return ELASTIC_EFFECT * pow(scene->tabor, 1.5);
+}
 
 bool po_rigid_suffices(const po_scene *scene) {
-  return ELASTIC_EFFECT * pow(scene->tabor, 1.5) <= NEGLIGIBLE_LOAD;
+  return po_rigid_elastic_effect(scene) <= NEGLIGIBLE_LOAD;
 }
 
 /* What is integrated: p, dp/dH, or the energy per area. */
@@ -202,116 +197,7 @@ po_status po_rigid_energy(const po_scene *scene, double approach, double *energy
   return integrate_each(scene, approach, OF, 1, energy);
 }
 
-typedef struct {
-  const po_scene *scene;
-  const po_continuation_options *options;
-  double begin;
-  po_status status;
-  bool ended;
-} rigid_tracer;
-
-static double rate_at(double approach, void *data) {
-  rigid_tracer *t = data;
-  double load = 0.0, rate = 0.0;
-  const po_status status = po_rigid_load(t->scene, approach, &load, &rate);
-  t->status = t->status ? t->status : status;
-  return rate;
-}
-
-/* Fills a point of the loading curve. */
-static po_branch_point solve(rigid_tracer *t, double approach, po_point_kind kind) {
-  po_branch_point point = {
-      .kind = kind, .position = approach - t->begin, .approach = approach, .approach_rate = 1.0};
-  const po_status status = po_rigid_load(t->scene, approach, &point.load, &point.load_rate);
-  t->status = t->status ? t->status : status;
-  if (!t->status)
-    t->status = po_rigid_energy(t->scene, approach, &point.energy);
-  const double elastic = ELASTIC_EFFECT * pow(t->scene->tabor, 1.5);
-  point.load_error = elastic + QUADRATURE_ERROR * (1.0 + fabs(point.load));
-  point.approach_error = elastic + LOCATION_ERROR;
-  return point;
-}
-
-static void visit(rigid_tracer *t, const po_branch_point *point) {
-  if (!t->status && !t->ended && t->options->visit(point, t->options->data))
-    t->ended = true;
-}
-
-/* The approach between two at which the rate of the load vanishes. */
-static double extremum(rigid_tracer *t, double low, double high) {
-  gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
-  if (!solver) {
-    t->status = po_fail(PO_NO_MEMORY, "no memory for a root");
-    return low;
-  }
-  gsl_function f = {rate_at, t};
-  gsl_root_fsolver_set(solver, &f, low, high);
-  double root = low;
-  do { /* ends: Brent's bracket always shrinks */
-    gsl_root_fsolver_iterate(solver);
-    root = gsl_root_fsolver_root(solver);
-    low = gsl_root_fsolver_x_lower(solver);
-    high = gsl_root_fsolver_x_upper(solver);
-  } while (!t->status && gsl_root_test_interval(low, high, 1e-13, 1e-14) == GSL_CONTINUE);
-  gsl_root_fsolver_free(solver);
-  return root;
-}
-
 double po_rigid_approach_of_crest(const po_scene *scene, double load) {
   const double crest = 1.0 / (1.0 + 4.0 * M_PI * M_PI * po_scene_alpha(scene));
   return po_law_approach_of_push(&scene->law, crest, load);
-}
-
-/* A station, or the end of the trace, between two points. */
-typedef struct {
-  double approach;
-  po_point_kind kind;
-} between;
-
-static int by_approach(const void *left, const void *right) {
-  const double a = ((const between *)left)->approach, b = ((const between *)right)->approach;
-  return (a > b) - (a < b);
-}
-
-/* Visits what lies between two points, in order. */
-static void visit_between(rigid_tracer *t, const po_branch_point *from, const po_branch_point *to) {
-  between found[PO_STATIONS + 1];
-  size_t count = 0;
-  for (size_t k = 0; k < PO_STATIONS; ++k) {
-    const double station = t->options->station[k];
-    if (station > from->approach && station <= to->approach)
-      found[count++] = (between){station, PO_POINT_STATION};
-  }
-  if (from->load_rate * to->load_rate < 0.0)
-    found[count++] = (between){extremum(t, from->approach, to->approach),
-                               from->load_rate < 0.0 ? PO_POINT_LOAD_MIN : PO_POINT_LOAD_MAX};
-  qsort(found, count, sizeof *found, by_approach);
-  for (size_t k = 0; k < count; ++k) {
-    const po_branch_point point = solve(t, found[k].approach, found[k].kind);
-    visit(t, &point);
-  }
-}
-
-po_status po_rigid_trace(const po_scene *scene, double begin,
-                         const po_continuation_options *options) {
-  rigid_tracer t = {.scene = scene, .options = options, .begin = begin};
-  const double end = options->end;
-  const double closest = -po_law_closest(&scene->law);
-  if (!(end < closest))
-    return po_fail(PO_BAD_INPUT, "approach_end is %g: rigid bodies cannot come closer than %g", end,
-                   closest);
-  po_branch_point from = solve(&t, begin, PO_POINT_STEP);
-  visit(&t, &from);
-  while (!t.ended && !t.status && from.approach < end) {
-    double step = po_law_size(&scene->law, -from.approach) * (1.0 - STEP_RATIO);
-    po_branch_point to = solve(&t, fmin(from.approach + step, end), PO_POINT_STEP);
-    while (!t.status && po_join_sagitta(&from, &to) > options->largest_sagitta) {
-      step *= 0.5;
-      to = solve(&t, fmin(from.approach + step, end), PO_POINT_STEP);
-    }
-    visit_between(&t, &from, &to);
-    visit(&t, &to);
-    from = to;
-  }
-  return t.status;
 }

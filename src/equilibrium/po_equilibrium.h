@@ -79,6 +79,16 @@ size_t po_equilibrium_core(const po_equilibrium *e);
 /* Sets traction and slope from the gaps of a state, every 1 + H > 0. */
 void po_equilibrium_evaluate(po_equilibrium *e, const double *state);
 
+/* The integral of Eq 15: deflection_i = coupling * sum_j G_ij traction_j. Given: n values of the
+ * traction p, or of a change of it. Returned: deflection, n. */
+void po_equilibrium_deflect(const po_equilibrium *e, const double *traction, double *deflection);
+
+/* The residual of Eq 15 at a state, which vanishes for an equilibrium:
+ *   residual_i = f_i - approach + coupling * sum_j G_ij p(H_j) - H_i.
+ * Given: state, n + 1, every 1 + H > 0. Returned: residual, n; traction and slope are those of the
+ * state. */
+void po_equilibrium_residual(po_equilibrium *e, const double *state, double *residual);
+
 /* W/(pi w R), Eq 17, of the state last evaluated; and its change per change of state. */
 double po_equilibrium_load(const po_equilibrium *e);
 double po_equilibrium_load_rate(const po_equilibrium *e, const double *change);

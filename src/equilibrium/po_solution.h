@@ -6,7 +6,6 @@
 #include "po_adaptive.h"
 #include "po_arclength.h"
 #include "po_moving_edges.h"
-#include "po_special_point.h"
 
 typedef struct po_solution {
   po_panels panels, wanted; /* the mesh it was solved on, and the one that just resolves it; none
@@ -67,9 +66,5 @@ typedef struct {
 } po_solution_field;
 
 double po_solution_gap(void *data, double r);
-
-/* Approach and load as functions of the distance along the arclength functional from another point.
- */
-po_sample po_solution_sample(const po_solution *from, const po_solution *p);
 
 #endif

@@ -19,13 +19,6 @@ static const double GREATEST_CHANGE = 1e3, DIVERGED = 10.0;
 static const double SLOWEST = 0.45;
 enum { MOST_ITERATIONS = 20, PATIENCE = 3 };
 
-/* deflection = coupling * G load */
-static void deflect(po_equilibrium *e, const double *load) {
-  po_linear_apply(e->n, e->n, e->surface->influence, e->n, load, e->deflection);
-  for (size_t i = 0; i < e->n; ++i)
-    e->deflection[i] *= e->coupling;
-}
-
 /* border . (state - base): the constraint of po_equilibrium_correct. */
 static double distance_of(const po_equilibrium *e, const double *state, const void *data) {
   const double *base = data;
@@ -61,10 +54,7 @@ static double newton_step(po_equilibrium *e, double *state, const po_constraint 
   const size_t n = e->n;
   const po_law *law = &e->scene->law;
   double *residual = e->deflection, *change = e->scratch;
-  po_equilibrium_evaluate(e, state);
-  deflect(e, e->traction);
-  for (size_t i = 0; i < n; ++i)
-    residual[i] += e->shape[i] - state[n] - state[i];
+  po_equilibrium_residual(e, state, residual);
   residual[n] = constraint->target - constraint->value(e, state, constraint->data);
   precondition(e, residual, change);
   po_secant_step(&e->secant, change);
@@ -158,7 +148,7 @@ po_status po_equilibrium_tangent(po_equilibrium *e, double precision, double *ta
     residual[n] = 1.0 - e->border[n] * tangent[n] - po_linear_dot(n, e->border, tangent);
     for (size_t j = 0; j < n; ++j)
       change[j] = e->slope[j] * tangent[j];
-    deflect(e, change);
+    po_equilibrium_deflect(e, change, residual);
     for (size_t i = 0; i < n; ++i)
       residual[i] -= tangent[n] + tangent[i];
     precondition(e, residual, change);

@@ -1,20 +1,21 @@
-#include "po_record.h"
+#include "po_trace_points.h"
 
 #include <stdlib.h>
 
 #include "po_memory.h"
 
-void po_record_free(po_record *record) {
-  free(record->path);
-  *record = (po_record){0};
+void po_trace_points_free(po_trace_points *points) {
+  free(points->path);
+  *points = (po_trace_points){0};
 }
 
-po_status po_record_path(po_record *record, const po_branch_point *p, double contact_radius) {
-  po_path_point *path = po_grow(record->path, record->path_count, &record->path_room, sizeof *path);
+po_status po_trace_points_add_to_path(po_trace_points *points, const po_branch_point *p,
+                                      double contact_radius) {
+  po_path_point *path = po_grow(points->path, points->path_count, &points->path_room, sizeof *path);
   if (!path)
     return PO_NO_MEMORY;
-  record->path = path;
-  path[record->path_count++] = (po_path_point){.approach = p->approach,
+  points->path = path;
+  path[points->path_count++] = (po_path_point){.approach = p->approach,
                                                .load = p->load,
                                                .energy = p->energy,
                                                .approach_rate = p->approach_rate,
@@ -26,10 +27,10 @@ po_status po_record_path(po_record *record, const po_branch_point *p, double con
   return PO_OK;
 }
 
-po_status po_record_curve(po_record *record, const po_branch_point *p, double contact_radius,
-                          po_result *result) {
+po_status po_trace_points_add_to_curve(po_trace_points *points, const po_branch_point *p,
+                                       double contact_radius, po_result *result) {
   po_curve_point *curve =
-      po_grow(result->curve, result->curve_count, &record->curve_room, sizeof *curve);
+      po_grow(result->curve, result->curve_count, &points->curve_room, sizeof *curve);
   if (!curve)
     return PO_NO_MEMORY;
   result->curve = curve;

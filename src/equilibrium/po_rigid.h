@@ -4,7 +4,11 @@
 
 #include <stdbool.h>
 
-#include "po_continuation.h"
+#include "po_scene.h"
+#include "po_status.h"
+
+/* Upper bound of the change of the load by elasticity, in pi w R: 6 mu^(3/2). */
+double po_rigid_elastic_effect(const po_scene *scene);
 
 /* Whether elasticity changes the load by less than 1e-8. */
 bool po_rigid_suffices(const po_scene *scene);
@@ -24,11 +28,5 @@ po_status po_rigid_energy(const po_scene *scene, double approach, double *energy
 /* Approach at which the central crest, of radius R/(1 + 4 pi^2 alpha) (Eq 18), pushes with `load`:
  * the repulsive term of Eq 23; at most 1 - 1e-3. */
 double po_rigid_approach_of_crest(const po_scene *scene, double load);
-
-/* Visits the loading curve as po_continuation_run does: points, extrema of the load, stations and
- * end. gap and traction of the points are NULL: the gap is shape - approach. Given: the first
- * approach, eps; options with an end below 1. Status: PO_BAD_INPUT. */
-po_status po_rigid_trace(const po_scene *scene, double begin,
-                         const po_continuation_options *options);
 
 #endif
