@@ -81,8 +81,21 @@ bool po_reference_headers_hold(const po_reference *reference, const po_request *
   return true;
 }
 
+/* Tables of general scenes name in each row a profile and waves, which no key describes: of these
+ * rows only those of a smooth sphere apply. */
+static bool has_profile_of_paper(const po_csv *table, size_t row, const po_request *request) {
+  const int profile = po_csv_find_column(table, "profile");
+  const int waves = po_csv_find_column(table, "waves");
+  if (profile >= 0 && strcmp(po_csv_cell(table, row, (size_t)profile), "sphere") != 0)
+    return false;
+  return waves < 0 || (strcmp(po_csv_cell(table, row, (size_t)waves), "-") == 0 &&
+                       !po_scene_is_wavy(&request->scene));
+}
+
 /* Whether the cells of a row that name keys of the scene hold for a scene. */
 static bool row_holds(const po_csv *table, size_t row, const po_request *request) {
+  if (!has_profile_of_paper(table, row, request))
+    return false;
   for (size_t c = 0; c < table->column_count; ++c) {
     const int key = po_key_of_name(table->columns[c]);
     if (key >= 0 && !po_key_matches(request, (po_key)key, po_csv_cell(table, row, c)))

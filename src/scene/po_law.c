@@ -23,11 +23,11 @@ po_law po_law_lennard_jones(void) {
   return law;
 }
 
-/* Reads the parameters of a law, all of them, from "4,10", or "4:10" as in tables with commas. */
+/* Reads the parameters of a law, all of them, from "4,10", or "4;10" as in tables with commas. */
 static bool read_parameters(const char *text, po_law *law) {
   for (size_t k = 0; k < law->kind->parameters; ++k) {
     char number[PO_NUMBER_LENGTH];
-    const size_t length = strcspn(text, ",:");
+    const size_t length = strcspn(text, ",;");
     if (length >= sizeof number)
       return false;
     memcpy(number, text, length);

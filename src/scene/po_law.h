@@ -41,7 +41,7 @@ typedef struct {
 po_law po_law_lennard_jones(void);
 
 /* Sets the law written as "lennard-jones", "mie" or "morse", or with its parameters in order, as
- * "mie:4,10" or "mie:4:10"; without them those in place stay. False when the text is none of these;
+ * "mie:4,10" or "mie:4;10"; without them those in place stay. False when the text is none of these;
  * then the law is unchanged. Its parameters are checked by po_law_check. */
 bool po_law_set(po_law *law, const char *text);
 #define PO_LAW_EXPECTED "lennard-jones, mie:m,n or morse:a"

@@ -71,11 +71,14 @@ restore
 sed -i 's/^  tabor: 0$/  tabor: 0\n  law: "mie:4,10"/' "$PULLOFF_DATA/cases/good.yaml"
 expect 1 '*outside*' verify good --output run --verbose
 check 'another law has no reference' grep -q missing_reference "$work/stdout"
-write_table "$PULLOFF_DATA/reference/table.csv" tabor,law,force,approach 0,mie:4:10,2,0 0,mie:4:12,3,0
+write_table "$PULLOFF_DATA/reference/table.csv" tabor,law,force,approach '0,mie:4;10,2,0' '0,mie:4;12,3,0'
 expect 0 '*within*' verify good --output run --verbose
 sed -i 's/mie:4,10/mie:4,12/' "$PULLOFF_DATA/cases/good.yaml"
 expect 1 '*outside*' verify good --output run --verbose
 check 'the row of the law is compared' grep -q 'expected *3\|oracle *outside' "$work/stdout"
+write_table "$PULLOFF_DATA/reference/table.csv" tabor,law,profile,waves,force,approach '0,mie:4;12,cone:0.3,-,7,0' \
+  '0,mie:4;12,sphere,0.4@12,8,0' '0,mie:4;12,sphere,-,2,0'
+expect 0 '*within*' verify good --output run --verbose
 sed -i 's/mie:4,12/mie:4,3/' "$PULLOFF_DATA/cases/good.yaml"
 expect 2 '*mie_n is 3: expected a number > mie_m*' verify good --output run
 
