@@ -102,9 +102,9 @@ def header(what, columns, rows):
                   "the profile; to the cut, with a mapped panel to infinity (Mie), or to where the tension is below "
                   f"{NO_TENSION:g} w/epsilon (Morse, unbounded); Newton; arclength in (approach, load, central gap); "
                   "shares no code or method with src/",
-        "law": "mie:m;n: p = -k (x^m - x^n), x = 1/(1 + H), k = (m - 1)(n - 1)/(n - m), H = gap/epsilon - 1; "
+        "laws": "mie:m;n: p = -k (x^m - x^n), x = 1/(1 + H), k = (m - 1)(n - 1)/(n - m), H = gap/epsilon - 1; "
                "morse:a: p = -2a (e^(-aH) - e^(-2aH)), H = (gap - equilibrium gap)/epsilon; p in w/epsilon",
-        "profile": "sphere: r^2/(2R), R = radius; cone:t: t r; power:C;n: C r^n; punch:b;R: 0 up to b, "
+        "profiles": "sphere: r^2/(2R), R = radius; cone:t: t r; power:C;n: C r^n; punch:b;R: 0 up to b, "
                    "(r - b)^2/(2R) beyond; truncated:b;R: 0 up to b, (r^2 - b^2)/(2R) beyond; waves A@L;...: each adds "
                    "A (1 - cos(2 pi r/L)); -: none",
         "units": "lengths in epsilon, approach > 0 pressed together; load > 0 compressive, in units of pi w R where "

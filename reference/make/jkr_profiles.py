@@ -221,7 +221,7 @@ PROFILES = ("sphere: r^2/(2R), R = radius; cone:t: t r; power:C;n: C r^n; punch:
 
 def header(what, source, evidence, generator="jkr_profiles"):
     return {"what": what, "source": source, "kind": "oracle",
-            "method": "mpmath, 40 digits; shares no code or method with src/", "profile": PROFILES, "units": UNITS,
+            "method": "mpmath, 40 digits; shares no code or method with src/", "profiles": PROFILES, "units": UNITS,
             "date": "2026-11-22", "uncertainty": "all digits printed (18, rounded)", "evidence": evidence,
             "generator": f"reference/make/{generator}.py",
             "command": f"python3 reference/make/{generator}.py --write"}
