@@ -1,13 +1,13 @@
 #!/usr/bin/python3
-"""Whether the errors that the solver states hold: solves scenes drawn at random loosely and tightly, and compares.
+"""Tests the error estimates of the solver: solves random scenes with a loose and a tight tolerance, and compares.
 
     campaign.py --count 300 --seed 1          solve and compare, on all cores
     campaign.py --scenes 17,40-44             only these of the drawn scenes
     campaign.py --reference                   the scenes of the reference tables, against these tables
 
 Prints how often the stated errors hold and how much too large they are, and each violation with the commands that
-repeat it. What is solved is kept, and an interrupted campaign goes on. Exit code: 0 no violation, 1 a violation,
-2 bad usage, 3 nothing could be compared, 4 a file cannot be written, 130 interrupted."""
+repeat it. Solutions are kept, so that an interrupted campaign can be continued. Exit code: 0 no violation, 1 a
+violation, 2 bad usage, 3 nothing could be compared, 4 a file cannot be written, 130 interrupted."""
 
 import collections
 import sys
@@ -56,7 +56,7 @@ def tasks_of(wanted):
 
 
 def statuses(tasks):
-    """How many solves ended how, where one did not end well."""
+    """How many solves ended with each status, if one failed."""
     count = collections.Counter()
     for task in tasks:
         for side, solution in (("loose", task.loose), ("tight", task.tight)):
@@ -68,7 +68,7 @@ def statuses(tasks):
 
 
 def ends(tasks):
-    """Why the traces ended, where the program says it."""
+    """How many traces ended for each cause, if the program states it."""
     count = collections.Counter((task.loose.get("ended") or {}).get("why", "?") for task in tasks)
     return "" if set(count) == {"?"} else ", ".join(f"{why} {n}" for why, n in count.most_common())
 
@@ -83,7 +83,7 @@ def tell_violation(task, comparison, wanted):
 
 
 def report(tasks, wanted):
-    """The table and the violations; the exit code."""
+    """Prints the table and the violations, and returns the exit code."""
     crashed = [task for task in tasks if "crashed" in (task.loose["status"], task.tight["status"])]
     compared = [(task, compare.compare(task.loose, task.tight)) for task in tasks if task.is_comparable]
     against = "the reference tables" if wanted.reference else f"{wanted.tight:g}"

@@ -1,26 +1,26 @@
-"""Two solutions of a scene: whether the errors that the looser one states hold.
+"""Compares a loose and a tight solution of a scene, to test the errors that the loose one states.
 
-The tighter solution has an error of its own, which it states. So a stated error *holds* when the difference and the
-error of the tighter solution are together no larger, is *violated* when the difference is larger than both stated
-errors together, and is *open* in between, where the tighter solution is not tight enough to decide."""
+The tight solution states an error, too. A stated error of the loose solution *holds* if the sum of the difference and
+the error of the tight solution does not exceed it. It is *violated* if the difference exceeds the sum of both stated
+errors. Otherwise it is *open*: the tight solution is not accurate enough to decide."""
 
 import math
 from dataclasses import dataclass, field
 
-# A landmark of one solution that no landmark of the other lies nearer to than twice this, in the plane of approach/eps
-# and load/(pi w R), is not in the other. Half and twice the value found the same in 300 scenes.
+# Two special points farther apart than twice this, in the plane of approach/eps and load/(pi w R), are not the same
+# point. Half and twice the value gave the same pairs in 300 scenes.
 APART = 0.05
-ROUNDING = 1e-14         # of a number beside its size: what a difference of two printed numbers may be off by
+ROUNDING = 1e-14         # relative error of a difference of two printed numbers
 
 
 @dataclass
 class Finding:
-    """One number of the looser solution."""
+    """One number of the loose solution."""
     quantity: str
     where: str
-    stated: float            # nan: no error is stated
+    stated: float            # NaN: no error is stated
     difference: float
-    own: float               # error of the tighter solution
+    own: float               # error of the tight solution
 
     @property
     def verdict(self):
@@ -30,7 +30,7 @@ class Finding:
 
     @property
     def ratio(self):
-        """How many times larger than the true error the stated one is; at least this, where `is_bound`."""
+        """The stated error divided by the true one. If `is_bound`, a lower bound of it."""
         return self.stated / max(self.difference, self.own)
 
     @property
@@ -40,12 +40,12 @@ class Finding:
 
 @dataclass
 class Comparison:
-    """What was found of one scene."""
+    """The comparison of one scene."""
     findings: list = field(default_factory=list)
-    missing: list = field(default_factory=list)     # folds and extrema of the tighter solution alone, as text
-    added: list = field(default_factory=list)       # of the looser one alone
-    faint: int = 0                                  # of both, those below the stated errors
-    ended_apart: bool = False                       # one trace went on further: compared up to the earlier end
+    missing: list = field(default_factory=list)     # folds and extrema of the tight solution alone, as text
+    added: list = field(default_factory=list)       # those of the loose solution alone
+    faint: int = 0                                  # number of those of either that are below the stated errors
+    ended_apart: bool = False                       # one trace is longer: compared up to the earlier end
     beyond: bool = False                            # and found a deeper minimum there
     tie: bool = False                               # two minima are equally deep within the stated errors
     undecided: bool = False                         # a crest at the threshold of contact: two radii are stated
@@ -58,26 +58,26 @@ class Comparison:
 
 
 def value(document, key):
-    """A number of a JSON object; null and what is not there are nan."""
+    """A number of a JSON object; NaN if it is null or missing."""
     found = document.get(key)
     return math.nan if found is None else float(found)
 
 
-def landmarks(document, name):
+def special_points(document, name):
     return sorted(document[name], key=lambda mark: mark["position"])
 
 
 def after(document, name, start):
-    """The landmarks without those that a trace from the approach `start` has not met: of all kinds together the first
-    ones along the branch, below `start`. Later the branch may come back to there."""
+    """The special points that a trace from the approach `start` meets. The first points along the branch, of all kinds,
+    are left out as long as their approach is below `start`. Later the branch may return to such approaches."""
     met = [mark["position"] for mark in document["folds"] + document["extrema"] if mark["approach"] >= start]
-    return [mark for mark in landmarks(document, name) if met and mark["position"] >= min(met)]
+    return [mark for mark in special_points(document, name) if met and mark["position"] >= min(met)]
 
 
 def met_by_both(pairs, ends):
-    """Without the landmarks at the end of the list that one trace met beyond the end of the other. A branch ends with
-    its approach rising: of what is left over at the end of a list, the first one beyond the other's end is the first
-    that the other has not met."""
+    """The pairs without the special points at the end of the list that one trace met beyond the end of the other. The
+    approach increases at the end of a branch. So among the points that remain at the end of a list, the first one
+    beyond the end of the other trace is the first that the other trace has not met."""
     for side in (0, 1):
         first = len(pairs)
         while first and not pairs[first - 1][1 - side]:
@@ -89,7 +89,7 @@ def met_by_both(pairs, ends):
 
 
 def common(loose, tight, name):
-    """Pairs of the landmarks of both along the part of the branch that both traced, with None for what one lacks."""
+    """Pairs of special points on the part of the branch that both traces cover; None stands for a missing one."""
     pairs = align(after(loose, name, value(tight, "start")), after(tight, name, value(loose, "start")))
     return met_by_both(pairs, (value(loose, "end"), value(tight, "end")))
 
@@ -101,8 +101,8 @@ def distance(one, other):
 
 
 def align(ours, theirs):
-    """Pairs (one, other) in order, with None for what the other list does not have, of the least sum of distances; a
-    landmark alone counts APART."""
+    """Pairs (one, other) in order, with the least sum of distances. None stands for a missing point; a point without a
+    partner counts APART."""
     if len(ours) == len(theirs) and all(distance(*pair) < APART for pair in zip(ours, theirs)):
         return list(zip(ours, theirs))
     rows, columns = len(ours), len(theirs)
@@ -126,8 +126,8 @@ def align(ours, theirs):
 
 
 def radius_difference(ours, theirs, comparison):
-    """The difference of two contact radii. Where a crest lies at the threshold of contact within the error, a solution
-    states both radii, and either may be the right one."""
+    """The difference of two contact radii. If a crest is at the threshold of contact within the error, a solution
+    states both radii, and either may be correct."""
     radii = [value(ours, "contact_radius")]
     if ours.get("contact_radius_other") is not None:
         radii.append(value(ours, "contact_radius_other"))
@@ -144,7 +144,7 @@ def add(comparison, quantity, where, stated, difference, own, size):
 
 
 def add_radius(comparison, quantity, where, ours, theirs):
-    """Where both have no contact there is nothing to compare."""
+    """Compares the contact radii, unless neither solution has a contact."""
     difference = radius_difference(ours, theirs, comparison)
     if difference or ours["contact_radius"]:
         add(comparison, quantity, where, value(ours, "contact_radius_error_estimate"), difference,
@@ -169,8 +169,8 @@ def text_of(mark):
 
 
 def add_unpaired(comparison, loose, name, pairs):
-    """Folds and extrema appear in pairs. A pair whose two members differ by less than the largest stated error of such
-    a number cannot be told from none."""
+    """Folds and extrema appear in pairs. If the two members of a pair differ by less than the largest stated error of
+    such a number, the branch cannot be distinguished from one without them."""
     key, error = ("approach", "error_estimate") if name == "fold" else ("load", "load_error_estimate")
     stated = [value(mark, error) for mark in loose["folds"] + loose["extrema"]]
     visible = max((e for e in stated if not math.isnan(e)), default=0.0)
@@ -192,7 +192,7 @@ def deepest(marks):
 
 
 def errors_of(document, mark):
-    """The pull-off with its stated errors, when it is this minimum, else the minimum: name -> number."""
+    """The pull-off with its stated errors if it is at this minimum, otherwise the minimum: name -> number."""
     best = document["pull_off"]
     if best["approach"] == mark["approach"] and -best["force"] == mark["load"]:
         return dict(mark, load_error=value(best, "error_estimate"),
@@ -203,8 +203,8 @@ def errors_of(document, mark):
 
 
 def add_pull_off(comparison, loose, tight, pairs):
-    """The deepest minimum of what both traced. Its place is compared with the same minimum of the tighter solution,
-    also where another one is as deep within the errors."""
+    """Compares the deepest minimum on the part of the branch that both traces cover. Its approach and contact radius
+    are compared with the same minimum of the tight solution, even if another one is as deep within the errors."""
     ours = deepest(mine for mine, _ in pairs if mine)
     theirs = deepest(other for _, other in pairs if other)
     if not ours or not theirs:
@@ -226,7 +226,7 @@ def add_pull_off(comparison, loose, tight, pairs):
 
 
 def compare(loose, tight):
-    """Two documents of `pulloff solve --json` with status ok and a pull-off."""
+    """Compares two documents of `pulloff solve --json` with status ok and a pull-off."""
     comparison = Comparison()
     counts = []
     for name, key in (("fold", "folds"), ("extremum", "extrema")):

@@ -1,8 +1,8 @@
-"""Scenes drawn at random by a seed.
+"""Random scenes from a seed.
 
-A number depends on the seed, on the number k of the scene and on the name of its key, and on nothing else, as the
-scenes of a case with `sample` (doc/cases.md): scene k stays what it is when more scenes are drawn, on every
-machine. The numbers are rounded to 6 significant digits, so that the printed command repeats the scene exactly."""
+A number depends only on the seed, on the number k of the scene and on the name of its key, as in a case with `sample`
+(doc/cases.md). So scene k is the same on every machine and if more scenes are drawn. The numbers are rounded to 6
+significant digits, so that the printed command repeats the scene exactly."""
 
 import math
 
@@ -26,15 +26,15 @@ def uniform(seed, index, name):
 
 
 def between(bounds, part):
-    """The value at `part` of a range, on a logarithmic scale."""
+    """The value at the fraction `part` of a range, on a logarithmic scale."""
     low, high = bounds
     return float(f"{low * (high / low)**part:.6g}")
 
 
 def scene(seed, index, ranges):
-    """Flags of `pulloff solve`, name -> number or "inf". Of the ranges those of wavelength, amplitude and outer radius
-    are in units of sqrt(R epsilon), of the wavelength and of R; `smooth`, `cut` and `at_radius` are the shares of
-    scenes without waves, of surfaces that end, and of these that end at R itself."""
+    """Flags of `pulloff solve`, name -> number or "inf". The ranges of wavelength, amplitude and outer radius are in
+    units of sqrt(R epsilon), of the wavelength and of R. `smooth` and `cut` are the fractions of scenes without waves
+    and of bounded surfaces, `at_radius` is the fraction of bounded surfaces with outer radius R."""
     def part(name):
         return uniform(seed, index, name)
 

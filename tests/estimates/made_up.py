@@ -1,4 +1,4 @@
-"""Campaigns on a made-up program."""
+"""Tests of campaigns with a synthetic program in place of pulloff."""
 
 import contextlib
 import io
@@ -9,7 +9,7 @@ import unittest
 
 
 class Case(unittest.TestCase):
-    """A program, given by its text, in a folder of its own."""
+    """A synthetic program, given as text, in a temporary folder."""
 
     PROGRAM = None
 
@@ -22,7 +22,7 @@ class Case(unittest.TestCase):
         os.chmod(self.program, stat.S_IRWXU)
 
     def run_campaign(self, main, *words):
-        """The exit code and what is printed."""
+        """Returns the exit code and the printed text."""
         text = io.StringIO()
         with contextlib.redirect_stdout(text):
             code = main(["--program", self.program, "--journal", os.path.join(self.folder.name, "journal"), "--quiet",

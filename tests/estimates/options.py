@@ -1,4 +1,4 @@
-"""What the command lines of the campaigns share."""
+"""Command line options of all campaigns."""
 
 import argparse
 
@@ -21,7 +21,7 @@ def share(text):
     return float(text)
 
 
-# Of the reference tables some are of 1e-10: looser is what they can judge.
+# Some reference tables have uncertainties of 1e-10, so they can only judge looser tolerances.
 def tolerance(text):
     if not 1e-10 <= float(text) <= 1e-2:
         raise argparse.ArgumentTypeError(f"{text} is no tolerance: expected a number from 1e-10 to 1e-2")
@@ -29,7 +29,7 @@ def tolerance(text):
 
 
 def numbers(text):
-    """Numbers of scenes: "3,7-9"."""
+    """Reads numbers of scenes, such as "3,7-9"."""
     found = []
     for part in text.split(","):
         first, _, last = part.partition("-")
@@ -40,7 +40,7 @@ def numbers(text):
 
 
 def parser_of(document, journal, count, tolerances):
-    """Options of every campaign. Given: name of the journal in the build folder, how many scenes, and the two
+    """Options of every campaign. Given: the name of the journal in the build folder, the number of scenes, and the two
     tolerances."""
     parser = argparse.ArgumentParser(description=document.split("\n", maxsplit=1)[0],
                                      formatter_class=argparse.ArgumentDefaultsHelpFormatter)
@@ -62,7 +62,7 @@ def parser_of(document, journal, count, tolerances):
 
 
 def add_ranges(parser, spans, shares):
-    """Ranges and shares of the scenes, with these defaults."""
+    """Adds options for the ranges and fractions of the scenes, with these defaults."""
     ranges = parser.add_argument_group("ranges of the scenes, each value uniform in its logarithm")
     for name, what in (("tabor", "Tabor parameter"), ("radius", "R, in epsilon"),
                        ("wavelength", "in units of sqrt(R epsilon)"), ("amplitude", "in units of the wavelength"),

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""What the choice of a preload changes, and whether the bound by the JKR theory holds: scenes drawn at random.
+"""Solves random scenes with several preloads, to see what the preload changes and to test the bound from JKR theory.
 
-    preloads.py --count 1000 --seed 1         each pressed to several loads, and to any
+    preloads.py --count 1000 --seed 1         each scene with several preloads, and with an unlimited one
     preloads.py --scenes 17,40-44             only these of the drawn scenes
 
-Prints for each load how many scenes would be pulled off with more after a harder preload, of how many it is known that
-none gives more, and the work; of all solves, how often the deepest minimum of the load up to the preload is not what a
-test at given approach measures; and by how much minima of the load beyond the usual preload exceed the bound that
+Prints for each preload how many scenes have a larger pull-off force after a harder preload, for how many it is known
+that none gives more, and the work. Prints how often the deepest minimum of the load up to the preload is not what a
+test at given approach measures, and by how much minima of the load beyond the default preload exceed the bound that
 `complete` relies on. Exit code: 0 the bound holds, 1 it does not, 2 bad usage, 130 interrupted."""
 
 import math
@@ -22,10 +22,10 @@ import options
 import solve
 
 LOADS = (0, 0.5, 1, 1.5, 2, 3, 5)
-USUAL = 1          # the preload of a solve that says nothing else, pi w R
-MORE = 0.02        # by which a pull-off is said to be more
-WAVES = 0.25       # what the solver allows the contact radius of a minimum to be off, in waves
-SAMPLES = 40       # of Eq 5 in a wave
+USUAL = 1          # the default preload of a solve, pi w R
+MORE = 0.02        # relative difference above which a pull-off force counts as larger
+WAVES = 0.25       # allowance of the solver for the contact radius of a minimum, in wavelengths
+SAMPLES = 40       # samples of Eq 5 in a wavelength
 EXCESSES = (0, 0.05, 0.1, 0.2, 0.5, 1)
 
 
@@ -42,7 +42,7 @@ def points(solution):
 
 
 def row(name, found, beside):
-    """One preload: its solutions, and those at any."""
+    """The row of one preload. Given: its solutions, and those with an unlimited preload."""
     both = [(one, other) for one, other in zip(found, beside) if one["status"] == other["status"] == "ok"]
     if not both:
         return f"{name:8}{0:8}"
@@ -55,7 +55,7 @@ def row(name, found, beside):
 
 
 def loads(scene, radii):
-    """Eq 5 at contact radii, in pi w R: without adhesion, and its adhesive part."""
+    """The load of Eq 5 at contact radii, in pi w R: the part without adhesion, and the adhesive part."""
     stiffness = math.sqrt(scene["radius"] / scene["tabor"]**3)
     x = 2 * math.pi / scene["wavelength"] * radii
     elastic = (4 * stiffness / (3 * math.pi * scene["radius"]**2) * radii**3
@@ -64,8 +64,8 @@ def loads(scene, radii):
 
 
 def excess(scene, minimum):
-    """By how much the adhesive part of Eq 5 must be greater for a minimum of it, at a contact radius no smaller, to be as
-    deep: one of EXCESSES, or infinity."""
+    """The factor on the adhesive part of Eq 5 with which it has a minimum as deep as the given one, at a contact radius
+    no smaller: one of EXCESSES, or infinity."""
     length = scene["wavelength"]
     first = max(minimum["contact_radius"] - WAVES * length, 1e-3 * length)
     radii = np.arange(first, 3 * first + 4 * length, length / SAMPLES)
@@ -80,7 +80,7 @@ def excess(scene, minimum):
 
 
 def beyond(scene, usual, most):
-    """Minima in tension that only a trace beyond the usual preload finds."""
+    """Minima in tension that only a trace beyond the default preload finds."""
     if usual["status"] != "ok" or most["status"] != "ok" or most["rigid"] or scene["tabor"] == 0:
         return []
     minima = [[mark for mark in one["extrema"] if mark["kind"] == "minimum"] for one in (usual, most)]

@@ -1,4 +1,4 @@
-"""The tables of the independent solver (reference/) as documents of `pulloff solve --json`."""
+"""Converts the tables of the independent solver (reference/) to documents as of `pulloff solve --json`."""
 
 import csv
 import math
@@ -6,7 +6,7 @@ import os
 
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "reference")
 FOLDS = ("jump_in", "jump_out")
-SMOOTH_RADIUS = 100.0     # the tables of smooth spheres hold for every radius
+SMOOTH_RADIUS = 100.0     # the tables of smooth spheres do not depend on the radius
 
 
 def rows(name):
@@ -15,7 +15,7 @@ def rows(name):
 
 
 def smooth(row):
-    """Flags of a row of feng_*.csv, and the unit of its contact radius."""
+    """The flags of a row of feng_*.csv, and the unit of its contact radius."""
     return (("tabor", row["tabor"]), ("radius", f"{SMOOTH_RADIUS:g}"), ("outer-radius", "inf")), math.sqrt(SMOOTH_RADIUS)
 
 
@@ -24,7 +24,7 @@ def wavy(row):
                  for key in ("tabor", "amplitude", "wavelength", "radius", "outer_radius")), 1.0
 
 
-def landmark(row, radius, unit):
+def special_point(row, radius, unit):
     return {"kind": row["kind"], "approach": float(row["approach"]), "load": float(row["load"]),
             "error_estimate": float(row["approach_uncertainty"]), "load_error_estimate": float(row["load_uncertainty"]),
             "contact_radius": unit * float(row[radius]),
@@ -37,7 +37,7 @@ def add_tables(prefix, flags_of, radius, documents):
         flags, unit = flags_of(row)
         document = documents.setdefault(flags, {"status": "ok", "folds": [], "extrema": [], "start": -math.inf,
                                                 "end": float(row.get("complete_to", math.inf))})
-        document["folds" if row["kind"] in FOLDS else "extrema"].append(landmark(row, radius, unit))
+        document["folds" if row["kind"] in FOLDS else "extrema"].append(special_point(row, radius, unit))
     for row in rows(f"{prefix}_pull_off.csv"):
         flags, unit = flags_of(row)
         documents[flags]["pull_off"] = {

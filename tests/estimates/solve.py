@@ -1,4 +1,4 @@
-"""Runs `pulloff solve --json`, and keeps every solution in a journal, so that an interrupted campaign goes on."""
+"""Runs `pulloff solve --json` and keeps every solution in a journal, so that a campaign can be continued."""
 
 import concurrent.futures
 import hashlib
@@ -10,16 +10,16 @@ import sys
 import threading
 import time
 
-SLACK = 60       # processor seconds beyond twice the time limit after which a solve is ended from outside
+SLACK = 60       # a solve is stopped after twice the time limit plus this, in seconds of processor time
 
 
 def number(value):
-    """As on the command line."""
+    """A number in the form of the command line."""
     return value if isinstance(value, str) else f"{value:.17g}" if float(f"{value:g}") != value else f"{value:g}"
 
 
 def words(scene, tolerance, limit=None):
-    """The command of a solve without the program; without a limit: as it is printed."""
+    """The arguments of a solve. Without a limit they are those that are printed."""
     flags = dict(scene, tolerance=tolerance, **({"time-limit": limit} if limit else {}))
     return ["solve", *(word for name, value in flags.items() for word in (f"--{name}", number(value)))]
 
@@ -29,7 +29,7 @@ def command(scene, tolerance):
 
 
 def solve(program, scene, tolerance, limit):
-    """The document of one solve. One that ends without a document has the status `crashed` and says why."""
+    """The document of one solve. If the program prints none, the status is `crashed` and the reason is stated."""
     most = int(2 * limit) + SLACK
     done = subprocess.run(["prlimit", f"--cpu={most}", program, *words(scene, tolerance, limit), "--json"],
                           capture_output=True, check=False, text=True)
@@ -43,7 +43,7 @@ def solve(program, scene, tolerance, limit):
 
 
 class Journal:
-    """Solutions by program, scene and tolerance: a line each."""
+    """Solutions by program, scene and tolerance, one on each line."""
 
     def __init__(self, path, program, limit, fresh=False):
         with open(program, "rb") as stream:
@@ -53,7 +53,7 @@ class Journal:
         self.kept = {} if fresh else self.read(path)
         self.stream = open(path, "w" if fresh else "a", encoding="utf-8")  # pylint: disable=consider-using-with
         if not fresh and os.path.getsize(path) and not self.whole:
-            self.stream.write("\n")                     # what was torn stays a line of its own
+            self.stream.write("\n")                     # an incomplete last line stays a separate line
 
     def read(self, path):
         kept, self.whole = {}, True
@@ -75,7 +75,7 @@ class Journal:
         return self.key(scene, tolerance) in self.kept
 
     def solution(self, scene, tolerance):
-        """Solves, unless that was done before."""
+        """Solves the scene unless the journal has its solution."""
         key = self.key(scene, tolerance)
         if key not in self.kept:
             found = solve(self.program, scene, tolerance, self.limit)
@@ -90,7 +90,7 @@ class Journal:
 
 
 def run(tasks, journal, wanted):
-    """Has every task solve what is not in the journal."""
+    """Every task solves the scenes that are not in the journal."""
     begin, done = time.monotonic(), 0
     pool = concurrent.futures.ThreadPoolExecutor(wanted.jobs or len(os.sched_getaffinity(0)))
     try:
@@ -104,7 +104,7 @@ def run(tasks, journal, wanted):
 
 
 def campaign(name, journal_name, tasks, wanted, report):
-    """Solves all tasks and reports; the exit code."""
+    """Solves all tasks, reports, and returns the exit code."""
     program = wanted.program or os.path.join(wanted.build, "src", "cli", "pulloff")
     path = wanted.journal or os.path.join(wanted.build, journal_name)
     try:
@@ -123,7 +123,7 @@ def campaign(name, journal_name, tasks, wanted, report):
 
 
 def exit_code(violated, compared, crashed):
-    """Prints how many scenes violate something, and returns the exit code of a campaign."""
+    """Prints how many scenes have a violation, and returns the exit code of a campaign."""
     print(f"{violated} of {compared} scenes with a violation")
     if violated or crashed:
         return 1

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
-"""Whether a test measures what the staircase of `pulloff solve --want preload` says: scenes drawn at random.
+"""Compares the staircase of `pulloff solve --want preload` with single loops, for random scenes.
 
     staircase.py --count 200                  every step of a scene against two loops, reversed just below and above it
     staircase.py --count 200 --scenes 17,40-44   only these of the drawn scenes
-    staircase.py --complete --count 500       where no harder preload is said to give more: a trace twice as far
+    staircase.py --complete --count 500       scenes in which no harder preload gives more, against a trace twice as far
 
-Prints how often the statements hold, and each violation with the commands that repeat it. What is solved is kept, and
-an interrupted campaign goes on. Exit code: 0 no violation, 1 a violation, 2 bad usage, 3 nothing could be compared,
-4 a file cannot be written, 130 interrupted."""
+Prints how often the statements hold, and each violation with the commands that repeat it. Solutions are kept, so that
+an interrupted campaign can be continued. Exit code: 0 no violation, 1 a violation, 2 bad usage, 3 nothing could be
+compared, 4 a file cannot be written, 130 interrupted."""
 
 import collections
 import sys
@@ -39,8 +39,8 @@ def arguments(args):
 
 
 class Task:
-    """A scene, its staircase, and the solutions that this is compared with: (scene with what is wanted, tolerance,
-    document)."""
+    """A scene, its staircase, and the solutions with which it is compared: (scene with its wants, tolerance, document).
+    """
 
     def __init__(self, name, scene):
         self.name, self.scene = name, scene
@@ -55,7 +55,7 @@ class Task:
         return dict(self.scene, want="preload", **more)
 
     def other(self, journal, scene, tolerance):
-        """One more solution."""
+        """Solves a scene for the comparison."""
         self.others.append((scene, tolerance, journal.solution(scene, tolerance)))
         return self.others[-1][2]
 
@@ -74,7 +74,7 @@ class Task:
 
 
 class Steps(Task):
-    """Every step against two loops."""
+    """Compares every step with two loops."""
 
     def compare(self, journal, wanted):
         for control, place, preload in steps.loops(self.staircase, wanted.most):
@@ -90,7 +90,7 @@ class Steps(Task):
 
 
 class Complete(Task):
-    """The greatest pull-off over all preloads against a trace twice as far."""
+    """Compares the greatest pull-off over all preloads with a trace twice as far."""
 
     @property
     def is_complete(self):
@@ -123,7 +123,7 @@ def counts(words):
 
 
 def lines(tasks, wanted):
-    """What is said of all scenes together."""
+    """The lines about all scenes together."""
     yield (f"{len(tasks)} scenes by seed {wanted.seed}, staircases at {wanted.loose:g}, "
            + ("traced twice as far" if wanted.complete else f"loops at {wanted.tight:g}")
            + f": {sum(task.is_compared for task in tasks)} compared")
@@ -159,7 +159,7 @@ def tell(task, wanted):
 
 
 def report(tasks, wanted):
-    """The table and the violations; the exit code."""
+    """Prints the table and the violations, and returns the exit code."""
     print("\n".join(lines(tasks, wanted)))
     violated = [task for task in tasks if task.violations]
     for task in violated:

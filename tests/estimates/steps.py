@@ -1,26 +1,26 @@
-"""The staircase of a solution, and loops that are reversed just below and just above where a step or a cycle of it
-begins or ends.
+"""The staircase of a solution, and loops that are reversed just below and just above the bounds of its steps and
+cycles.
 
-A staircase says for every preload what a test then measures. So each loop is set beside what the staircase says at its
-preload: the pull-off of the step that holds there and the energy of its cycle, or, between two steps, that the tension
-is greatest at the reversal itself."""
+A staircase states for every preload what a test measures. So each loop is compared with the statement for its preload:
+the pull-off of the step that holds there and the energy of its cycle or, between two steps, that the tension is
+greatest at the reversal."""
 
 import math
 from dataclasses import dataclass
 
 import compare
 
-# Of the size of a preload: how far from a bound of a step a loop is reversed, at least; and where the bound has no
-# stated error of its own (the load of loading falls below that of the pull-off) or is a minimum, beside which the load
-# is the same to the square of the distance.
+# Least distance between a bound of a step and the reversal of a loop, relative to the preload. The second value holds
+# if the bound has no stated error (the load of loading falls below that of the pull-off), or if it is a minimum, near
+# which the load changes with the square of the distance only.
 NEAR, WIDE = 1e-9, 1e-4
-# The loop of a bound whose error is e is reversed this many e away.
+# The loop of a bound with the error e is reversed at a distance of this many e.
 ERRORS = 3.0
 
 
 @dataclass(frozen=True)
 class Control:
-    """What of a preload is given, and with which flag a loop is reversed there."""
+    """Which component of a preload is given, and the flag with which a loop is reversed there."""
     name: str
     component: str
     flag: str
@@ -32,7 +32,7 @@ CONTROLS = (Control("displacement_control", "approach", "preload"),
 
 @dataclass(frozen=True)
 class Place:
-    """A preload where the staircase says that what is measured changes, and a margin beyond its error."""
+    """A preload at which the measured values change according to the staircase, and a margin larger than its error."""
     value: float
     margin: float
     what: str
@@ -43,14 +43,14 @@ def marks(document):
 
 
 def error_at(document, position, component):
-    """The stated error of the special point at a position; nan: it has none, or there is no such point."""
+    """The stated error of the special point at a position; NaN if it has none, or if there is no such point."""
     key = "error_estimate" if component == "approach" else "load_error_estimate"
     found = [compare.value(mark, key) for mark in marks(document) if mark["position"] == position]
     return found[0] if found else math.nan
 
 
 def margin(document, bound, component):
-    """How far from a bound of a step a loop is reversed."""
+    """The distance between a bound of a step and the reversal of a loop."""
     value, error = bound[component], error_at(document, bound["position"], component)
     size = max(1.0, abs(value))
     flat = any(mark["kind"] == "minimum" and mark["position"] == bound["position"] for mark in document["extrema"])
@@ -59,7 +59,7 @@ def margin(document, bound, component):
 
 
 def places(document, control):
-    """Where steps begin and end, and where cycles begin, in order and each once."""
+    """The preloads at which steps begin and end and cycles begin, in order and each once."""
     found = {}
     every = document["staircase"][control.name]["steps"]
     bounds = [("step ends", step["until"]) for step in every if not step["open"]]
@@ -73,13 +73,13 @@ def places(document, control):
 
 
 def begin_of(bound, control):
-    """The least preload of a step or a cycle; apart: none is too small."""
+    """The least preload of a step or a cycle. If it begins with the surfaces apart, no preload is too small."""
     value = compare.value(bound, control.component)
     return -math.inf if math.isnan(value) else value
 
 
 def said(document, control, preload):
-    """(step, cycle) that hold at a preload; None: the tension at reversal is the greatest."""
+    """The (step, cycle) at a preload; None if the tension is greatest at the reversal."""
     for step in document["staircase"][control.name]["steps"]:
         until = math.inf if step["open"] else step["until"][control.component]
         if begin_of(step["preload"], control) <= preload < until:
@@ -96,8 +96,8 @@ def step_before(document, control, preload):
 
 
 def loops(document, most):
-    """(control, place, preload) of the loops that are set beside a staircase; the places evenly chosen, at most so many
-    of each control. Where two places lie nearer to each other than their margins nothing can be said between them."""
+    """(control, place, preload) of the loops that are compared with a staircase, for at most `most` evenly chosen
+    places of each control. If two places are closer than their margins, nothing is compared between them."""
     chosen = []
     for control in CONTROLS:
         every = places(document, control)
@@ -112,12 +112,12 @@ def loops(document, most):
 
 
 def energy_size(document):
-    """The largest energy on the branch: a difference of two such is the energy lost in a jump."""
+    """The largest energy on the branch. The energy lost in a jump is the difference of two energies on it."""
     return max([1.0] + [abs(fold["energy"]) for fold in document["folds"] if fold["energy"] is not None])
 
 
 class Beside:
-    """The findings of one loop."""
+    """The findings from one loop."""
 
     def __init__(self, staircase, solution, control, place, preload, tight):
         self.where = f" ({control.component} {preload:.12g}: {place.what} at {place.value:.12g})"
@@ -131,7 +131,7 @@ class Beside:
             self.add_reversal(step_before(staircase, control, preload), loop)
 
     def own(self, loop, component):
-        """The error of the tight solution in its pull-off; where it states none, its tolerance."""
+        """The error of the pull-off of the tight solution; its tolerance if it states none."""
         stated = error_at(self.solution, loop["pull_off"]["position"], component)
         return self.tight * max(1.0, abs(loop["pull_off"]["force"])) if math.isnan(stated) else stated
 
@@ -142,7 +142,7 @@ class Beside:
         measured = loop["pull_off"]
         self.add("force", compare.value(step, "error_estimate"), abs(step["force"] - measured["force"]),
                  self.own(loop, "load"))
-        # Where the step ends, the tension at reversal is as great within the errors: either may be the greatest.
+        # Where the step ends, the tension at the reversal is equal within the errors, so either may be the greatest.
         self.tie = self.is_reversal(loop) and self.findings[-1].verdict != "violated"
         if not self.tie:
             self.add("approach", compare.value(step, "approach_error_estimate"),
@@ -156,11 +156,11 @@ class Beside:
         self.add("energy lost", compare.value(cycle, "energy_lost_error_estimate"), abs(lost - energy), own)
 
     def is_reversal(self, loop):
-        """Whether the greatest tension of a loop is that where it is reversed."""
+        """Whether the greatest tension of a loop is that at its reversal."""
         return abs(loop["pull_off"]["approach"] - loop["preload"]["approach"]) <= self.own(loop, "approach")
 
     def add_reversal(self, before, loop):
-        """Between two steps, the first one given (None: there is none)."""
+        """Compares a loop between two steps. Given: the first of them, or None."""
         if self.is_reversal(loop):
             return
         measured = loop["pull_off"]

@@ -1,4 +1,4 @@
-"""What a campaign found, for people."""
+"""The printed table of a campaign."""
 
 import statistics
 
@@ -8,7 +8,7 @@ VERDICTS = ("held", "open", "violated", "unstated")
 
 
 def quantile(values, part):
-    """Of sorted values, linearly between them."""
+    """A quantile of sorted values, with linear interpolation."""
     place = part * (len(values) - 1)
     low = int(place)
     high = min(low + 1, len(values) - 1)
@@ -26,7 +26,7 @@ def row(quantity, findings):
 
 
 def grid(findings, order):
-    """A row a quantity."""
+    """The rows of the table, one for each quantity."""
     head = ["", "stated", *VERDICTS, "10 %", "median", "90 %", "at least"]
     rows = [head] + [row(quantity, findings) for quantity in order]
     widths = [max(len(cells[i]) for cells in rows) for i in range(len(head))]

@@ -1,4 +1,4 @@
-"""The campaign on made-up solutions: what it must accept, and what it must not."""
+"""Tests of the campaign with synthetic solutions: which it must accept, and which not."""
 
 import contextlib
 import io
@@ -17,8 +17,8 @@ import draw  # noqa: E402
 import made_up  # noqa: E402
 import reference  # noqa: E402
 
-# A program whose errors are as large as it states times FAULT, and which fails at a Tabor parameter above 9. It notes
-# each call in the file CALLS.
+# A program whose true errors are FAULT times those that it states, and which fails at Tabor parameters above 9. It
+# records each call in the file CALLS.
 PROGRAM = """#!/usr/bin/python3
 import json, os, sys
 with open(os.environ["CALLS"], "a") as stream:
@@ -44,7 +44,7 @@ def mark(kind, approach, load, error=1e-4, position=None, **more):
 
 
 def document(folds=(), extrema=((-1.0, -1.5),), end=5.0, error=1e-4, **more):
-    """A solution; the deepest of its minima is the pull-off."""
+    """A solution, whose pull-off is the deepest of its minima."""
     minima = [mark("minimum", approach, load, error) for approach, load in extrema]
     best = dict(min(minima, key=lambda one: one["load"]), **more)
     return {"status": "ok", "start": -9.0, "end": end, "folds": list(folds), "extrema": minima,
@@ -78,49 +78,49 @@ class Comparisons(unittest.TestCase):
         self.assertAlmostEqual(found.ratio, 1e3)
         self.assertTrue(found.is_bound)
 
-    def test_the_pull_off_of_each_quantity(self):
+    def test_every_quantity_of_the_pull_off_is_compared(self):
         found = self.check(document(), tight(), 0)
         for quantity in ("force", "approach", "contact radius"):
             self.assertEqual(verdicts(found, quantity), ["held"])
-        found = self.check(document(extrema=[(-1.0, -1.5004)]), tight(), 2)     # of the extremum, too
+        found = self.check(document(extrema=[(-1.0, -1.5004)]), tight(), 2)     # also that of the extremum
         self.assertEqual(verdicts(found, "force"), ["violated"])
         found = self.check(document(contact_radius=2.01), tight(), 1)
         self.assertEqual(verdicts(found, "contact radius"), ["violated"])
 
-    def test_no_stated_error_is_counted_by_itself(self):
+    def test_numbers_without_a_stated_error_are_counted_separately(self):
         loose = document()
         loose["pull_off"]["error_estimate"] = None
         self.assertEqual(verdicts(self.check(loose, tight(), 0), "force"), ["unstated"])
 
-    def test_either_of_two_radii_may_be_the_right_one(self):
+    def test_either_of_two_stated_radii_may_be_correct(self):
         found = self.check(document(contact_radius=9.0, contact_radius_other=2.0), tight(), 0)
         self.assertTrue(found.undecided)
         self.check(document(contact_radius=9.0, contact_radius_other=5.0), tight(), 1)
 
-    def test_what_only_one_trace_came_to_is_not_compared(self):
+    def test_points_beyond_the_end_of_one_trace_are_not_compared(self):
         shorter, longer = [(-1.0, -1.5)], [(-1.0, -1.5), (6.0, -1.7)]
         found = self.check(document(extrema=shorter), tight(extrema=longer, end=9.0), 0)
         self.assertTrue(found.ended_apart and found.beyond)
         self.assertEqual(verdicts(found, "force"), ["held"])
         self.check(document(extrema=shorter, end=9.0), tight(extrema=longer, end=9.0), 2)   # minimum and force
 
-    def test_a_branch_may_come_back_to_before_its_start(self):
+    def test_a_branch_may_return_to_approaches_before_its_start(self):
         pair = [mark("jump_in", -1.0, -0.7, position=1.0), mark("jump_out", -2.4, -1.0, position=2.0)]
         loose, other = document(folds=pair, extrema=[(-2.2, -1.5)]), tight(folds=pair, extrema=[(-2.2, -1.5)])
         for one in (loose, other):
             one.update(start=-2.0)
             one["extrema"][0]["position"] = 3.0
         self.assertEqual(verdicts(self.check(loose, other, 0), "force"), ["held"])
-        other["folds"].insert(0, mark("jump_in", -3.0, -0.1, position=0.0))     # ahead of the start of the loose one
+        other["folds"].insert(0, mark("jump_in", -3.0, -0.1, position=0.0))     # before the start of the loose trace
         self.check(loose, other, 0)
 
-    def test_two_minima_as_deep_within_the_errors(self):
+    def test_two_minima_may_be_equally_deep_within_the_errors(self):
         found = self.check(document(extrema=[(-1.0, -1.50003), (2.0, -1.5)]),
                            tight(extrema=[(-1.0, -1.5), (2.0, -1.50001)]), 0)
         self.assertTrue(found.tie)
         self.assertEqual(verdicts(found, "approach"), ["held"])
 
-    def test_missing_and_added_folds(self):
+    def test_missing_and_additional_folds_are_violations(self):
         pair = [mark("jump_in", -1.0, -0.7, position=1.0), mark("jump_out", -1.4, -1.0, position=2.0)]
         more = pair + [mark("jump_in", -0.5, -0.3, position=3.0), mark("jump_out", -0.8, -0.2, position=4.0)]
         found = self.check(document(folds=pair), tight(folds=more), 2)
@@ -129,14 +129,14 @@ class Comparisons(unittest.TestCase):
         self.assertEqual((len(found.missing), len(found.added)), (0, 2))
         self.assertEqual(len(verdicts(found, "fold approach")), 2)
 
-    def test_a_pair_below_the_stated_errors_cannot_be_told_from_none(self):
+    def test_a_pair_below_the_stated_errors_is_no_violation(self):
         faint = [mark("jump_in", -0.5, -0.3, position=3.0), mark("jump_out", -0.50005, -0.3, position=4.0)]
         self.assertEqual(self.check(document(), tight(folds=faint), 0).faint, 2)
         self.check(document(error=1e-5), tight(folds=faint), 2)
 
 
-    def test_a_faint_pair_among_others_moves_no_other_pair(self):
-        """Both lists are as long, as the loose one ends before the last pair of the tight one."""
+    def test_a_pair_below_the_errors_does_not_shift_other_pairs(self):
+        """Both lists have the same length, because the loose one ends before the last pair of the tight one."""
         pairs = [mark("jump_in", -3.0, -0.2, position=1.0), mark("jump_out", -5.0, -0.3, position=2.0),
                  mark("jump_in", 1.0, -0.8, position=5.0), mark("jump_out", -2.0, -1.3, position=6.0)]
         faint = [mark("jump_in", -4.0, -0.25, position=1.3), mark("jump_out", -4.00005, -0.25, position=1.6)]
@@ -149,10 +149,10 @@ class Comparisons(unittest.TestCase):
 class Draws(unittest.TestCase):
     RANGES = vars(campaign.arguments([]))
 
-    def test_scene_k_is_what_it_was(self):
+    def test_scene_k_stays_the_same(self):
         self.assertEqual(draw.scene(1, 0, self.RANGES), draw.scene(1, 0, self.RANGES))
         self.assertNotEqual(draw.scene(1, 0, self.RANGES), draw.scene(2, 0, self.RANGES))
-        # Scenes of the case random, as tests/harness/test_sample.c has them.
+        # The same scenes of the case `random` as in tests/harness/test_sample.c.
         for k, tabor, radius in ((199, 0.00108449, 52.0513), (999, 0.00416498, 113.855)):
             self.assertEqual(draw.between((1e-3, 10), draw.uniform(20200908, k, "tabor")), tabor)
             self.assertEqual(draw.between((30, 500), draw.uniform(20200908, k, "radius")), radius)
@@ -180,7 +180,7 @@ class Campaigns(made_up.Case):
         os.environ.update(FAULT=str(fault), CALLS=os.path.join(self.folder.name, "calls"))
         return self.run_campaign(campaign.main, "--count", "6", "--tabor", "0.1:8", *more)
 
-    def test_errors_that_hold_and_errors_that_do_not(self):
+    def test_violated_errors_are_reported(self):
         self.assertEqual(self.run_it(0.5)[0], 0)
         code, text = self.run_it(3, "--fresh")
         self.assertEqual(code, 1)
@@ -189,7 +189,7 @@ class Campaigns(made_up.Case):
         done = subprocess.run([self.program, *command.split()[1:]], capture_output=True, check=True)
         self.assertEqual(json.loads(done.stdout)["status"], "ok")
 
-    def test_what_was_solved_is_kept(self):
+    def test_solutions_are_kept(self):
         self.run_it(0.5)
         self.assertEqual(self.calls(), 12)
         self.run_it(0.5, "--count", "7")
@@ -197,18 +197,18 @@ class Campaigns(made_up.Case):
         with open(os.path.join(self.folder.name, "journal"), "r+", encoding="utf-8") as stream:
             text = stream.read()
             stream.seek(0)
-            stream.truncate(len(text) - 20)                 # as when killed within a line
+            stream.truncate(len(text) - 20)                 # as if it was killed while writing a line
         self.assertEqual(self.run_it(0.5, "--count", "7")[0], 0)
         self.assertEqual(self.calls(), 15)
         self.run_it(0.5, "--count", "7")
         self.assertEqual(self.calls(), 15)
 
-    def test_a_solve_without_a_document_is_no_success(self):
+    def test_a_solve_without_a_document_is_a_failure(self):
         code, text = self.run_it(0.5, "--tabor", "9.5:9.9")
         self.assertEqual(code, 1)
         self.assertIn("crashed: scene 0: exit code 1: pulloff: no such thing", text)
 
-    def test_bad_usage(self):
+    def test_bad_usage_is_refused(self):
         for words in (["--tabor", "3"], ["--tabor", "5:1"], ["--loose", "1e-7", "--tight", "1e-4"], ["--scenes", "a"],
                       ["--smooth", "2"], ["--tight", "0"]):
             with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit) as end:
@@ -217,7 +217,7 @@ class Campaigns(made_up.Case):
 
 
 class References(unittest.TestCase):
-    def test_the_tables_as_documents(self):
+    def test_reference_tables_become_documents(self):
         documents = reference.documents()
         self.assertGreater(len(documents), 30)
         flags, smooth = next((flags, one) for flags, one in documents if flags["tabor"] == 1 and len(flags) == 3)

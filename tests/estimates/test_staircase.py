@@ -1,4 +1,4 @@
-"""The campaign on staircases, on a made-up program: what it must accept, and what it must not."""
+"""Tests of the campaign on staircases with a synthetic program: what it must accept, and what not."""
 
 import contextlib
 import io
@@ -14,9 +14,9 @@ import made_up  # noqa: E402
 import staircase  # noqa: E402
 import steps  # noqa: E402
 
-# A program with a minimum of the load at approach -1, and a jump of loading at approach 5 and load 2 with a greater
-# pull-off beyond. Before that jump the load falls from a maximum at approach 4, load 2.1, to below that of the minimum at
-# approach 4.9. In load control the jump is at the load 2.1. FAULT: what a loop does otherwise.
+# A program with a minimum of the load at approach -1, a jump of loading at approach 5 and load 2, and a greater
+# pull-off beyond the jump. Before the jump the load falls from a maximum of 2.1 at approach 4; at approach 4.9 it falls
+# below the load of the minimum. In load control the jump is at the load 2.1. FAULT: how a loop differs from this.
 PROGRAM = """#!/usr/bin/python3
 import json, os, sys
 fault = json.loads(os.environ["FAULT"])
@@ -81,19 +81,19 @@ class Campaigns(made_up.Case):
         os.environ["FAULT"] = json.dumps(fault)
         return self.run_campaign(staircase.main, "--fresh", "--count", "2", "--tabor", "0.1:4", *more)
 
-    def test_a_staircase_that_holds(self):
+    def test_a_correct_staircase_is_accepted(self):
         code, text = self.run_it({})
         self.assertEqual(code, 0, text)
-        # Both sides of the minimum, of the end of the first step, and of the jump; in load control of the jump.
+        # Both sides of the minimum, of the end of the first step and of the jump; in load control, only of the jump.
         self.assertIn("steps 8, loops 16", text)
         self.assertIn("0 of 2 scenes with a violation", text)
 
-    def test_a_tension_at_reversal_that_is_as_great(self):
+    def test_equal_tension_at_the_reversal_is_no_violation(self):
         code, text = self.run_it({"end": 1e-7})
         self.assertEqual(code, 0, text)
         self.assertIn("of these 4 with a tension at reversal as great", text)
 
-    def test_what_a_loop_measures_otherwise(self):
+    def test_a_loop_that_differs_is_a_violation(self):
         for fault, words in (({"fold": 1e-3}, "force"), ({"fold": -1e-3}, "no step"), ({"force": 1e-3}, "force"),
                              ({"energy": 1e-2}, "energy lost"), ({"reversal": 1e-3}, "no step is said to hold"),
                              ({"part": 3}, "force"), ({"end": 1e-3}, "no step is said to hold"), ({"end": 1e-3}, "force"),
@@ -104,18 +104,18 @@ class Campaigns(made_up.Case):
             violated = [line for line in text.splitlines() if line.startswith("  ") and words in line]
             self.assertTrue(violated, (fault, text))
 
-    def test_a_harder_preload_gives_more(self):
+    def test_a_greater_pull_off_after_a_harder_preload_is_a_violation(self):
         self.assertEqual(self.run_it({}, "--complete")[0], 0)
         code, text = self.run_it({"longer": 1e-3}, "--complete")
         self.assertEqual(code, 1)
         self.assertIn("said of 2 of 2 scenes", text)
 
-    def test_a_solve_without_a_document_is_no_success(self):
+    def test_a_solve_without_a_document_is_a_failure(self):
         code, text = self.run_it({}, "--tabor", "4.6:4.9")
         self.assertEqual(code, 1)
         self.assertIn("crashed: scene 0: exit code 1: pulloff: no such thing", text)
 
-    def test_bad_usage(self):
+    def test_bad_usage_is_refused(self):
         for words in (["--most", "1"], ["--loose", "1e-7", "--tight", "1e-4"]):
             with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit) as end:
                 staircase.main(words)
@@ -123,7 +123,7 @@ class Campaigns(made_up.Case):
 
 
 class Places(unittest.TestCase):
-    def test_at_most_so_many_and_the_last_one_of_them(self):
+    def test_number_of_compared_places_is_limited_and_includes_the_last(self):
         control = steps.CONTROLS[0]
         cycles = [{"preload": {"approach": float(k), "position": float(k)}, "energy_lost": 0.0} for k in range(20)]
         one = {"preload": cycles[0]["preload"], "until": None, "open": True, "cycles": cycles}
