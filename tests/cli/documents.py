@@ -18,10 +18,10 @@ for any number of lines of output. Output has to be the same word for word, exce
 - lines that begin with `work`, and the seconds of JSON documents, are not compared;
 - a command whose block shows no output is run only.
 
-Commands in the manual page are lines that begin with `pulloff solve`, `follow` or `theory`; and every option of the help
-of a verb has to be in the section of that verb. With --write the
-blocks whose output differs are replaced by the output of today; look at the difference before you commit it. Exit
-status: 0 all commands succeed and all output is shown as it is, 1 otherwise.
+Commands in the manual page are lines that begin with `pulloff solve`, `follow` or `theory`. Every option in the help of
+a verb must be in the section of that verb. With --write the blocks whose output differs are replaced by the current
+output; check the differences before you commit them. Exit status: 0 all commands succeed and all shown output is
+correct, 1 otherwise.
 """
 
 import os
@@ -66,7 +66,7 @@ def alike_lines(shown, printed):
 
 
 def difference(shown, printed):
-    """What is wrong with the lines that are shown; None when nothing is."""
+    """What is wrong with the shown lines; None if nothing is."""
     place = 0
     skip = False
     for line in shown:
@@ -85,7 +85,7 @@ def difference(shown, printed):
 
 
 def split(text):
-    """The commands of a block, each with the lines of output that follow it."""
+    """The commands of a block, each with the lines of output after it."""
     found = []
     for line in text.splitlines():
         if line.startswith("$ "):
@@ -113,7 +113,7 @@ class Tests:
             print(f"FAILED: {what}\n  {wrong}")
 
     def run(self, command):
-        """The output of a command line, as lines; None when it fails."""
+        """The lines that a command line prints; None if it fails."""
         words = COMMAND.fullmatch(command.replace("\\\n", " "))
         if not words:
             self.tell(command, "not a command of pulloff")
@@ -126,7 +126,7 @@ class Tests:
         return ended.stdout.splitlines()
 
     def block(self, name, text):
-        """Tests a block. Returned: the block of today."""
+        """Tests a block and returns it with the current output."""
         today = []
         for line, shown in split(text):
             printed = self.run(line.removeprefix("$ "))

@@ -1,12 +1,13 @@
 #!/usr/bin/python3
-"""The JSON Schema of the documents (doc/pulloff-1.schema.json) beside real output and beside doc/json.md.
+"""Compares the JSON Schema of the documents (doc/pulloff-1.schema.json) with real output and with doc/json.md.
 
 Usage: schema.py PROGRAM SOURCE_TREE
 
-- Every document that the commands below print or write is valid, and every property of the schema occurs in one of
-  them, so that none is left from an earlier version.
-- An added key, a missing key and a value of a wrong type are found: each document is spoilt in these three ways.
-- doc/json.md has a row for every key of every definition, and no others.
+- Every document that the commands below print or write must be valid, and every property of the schema must occur in
+  one of them, so that no property of an earlier version is left.
+- The schema must reject an added key, a missing key and a value of a wrong type: each document is changed in these
+  three ways.
+- doc/json.md must have a row for every key of every definition, and no others.
 
 Exit status: 0 all hold, 1 otherwise, 77 python3-jsonschema is not installed.
 """
@@ -138,7 +139,7 @@ class Tests:
             self.tell(f"{what}: {spoil.__name__} is found", not self.errors(definition, spoilt) and "valid")
 
     def note(self, definition, value):
-        """Takes the properties of a value from those that have not been seen."""
+        """Removes the properties of a value from those that have not occurred yet."""
         self.note_schema(self.definitions[definition], value, definition)
 
     def note_schema(self, schema, value, name=None):
@@ -156,7 +157,7 @@ class Tests:
                     self.note_schema(inner, value[key])
 
     def documented(self, page):
-        """The tables of doc/json.md: the first cell of the first row names definitions, those below it their keys."""
+        """The tables of doc/json.md. The first cell of the first row names the definitions, the others keys."""
         rows, names = {}, None
         for line in page.read_text().splitlines():
             cells = re.match(r"\| (`[^|]*`) \|", line)
@@ -187,7 +188,7 @@ def drop_key(document):
 
 
 def retype(document):
-    """The last value that is a list or an object becomes a text."""
+    """Replaces the last value that is a list or an object by a text."""
     key = [key for key, value in document.items() if isinstance(value, (list, dict))] or [*document][1:]
     document[key[-1]] = {"not": "this"} if isinstance(document[key[-1]], (list, float)) else "not this"
 
@@ -217,7 +218,7 @@ def main():
     return 1 if tests.failed else 0
 
 
-# The reason why a table is not intact: the tables of the source tree are.
+# This key says why a table is damaged. The tables of the source tree are intact, so it does not occur.
 NOT_HERE = {("listed_table", "reason")}
 
 if __name__ == "__main__":

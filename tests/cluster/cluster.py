@@ -1,7 +1,7 @@
-"""A cluster of one machine, on its loopback interface and in a temporary folder: munged, slurmctld, slurmd.
+"""A Slurm cluster of one machine on its loopback interface and in a temporary folder: munged, slurmctld, slurmd.
 
-It is up inside the `with`, and all of it is stopped at the end. Nothing of the system is changed; an ordinary user
-can do it, too.
+The daemons run inside the `with` statement and are stopped at its end. The system is not changed, and an ordinary user
+can run it.
 """
 
 import os
@@ -17,8 +17,8 @@ DAEMONS = ("munged", "slurmctld", "slurmd")
 SBIN = os.pathsep.join(["/usr/sbin", "/sbin"])
 PATIENCE = 60  # seconds until the node is idle
 
-# Tasks are followed by their processes alone, and cores and memory are as many as the tasks of the guide need, so
-# that any machine will do.
+# Slurm tracks the processes of tasks without cgroups. The stated cores and memory are those that the tasks of the guide
+# need, so that any machine suffices.
 CONFIGURATION = """\
 ClusterName=loopback
 SlurmctldHost={host}(127.0.0.1)
@@ -55,7 +55,7 @@ def daemon_path(name):
 
 
 def free_ports(count):
-    """Ports of the loopback interface that nobody listens at; different ones."""
+    """Different ports of the loopback interface that are not in use."""
     sockets = [socket.socket() for _ in range(count)]
     try:
         for one in sockets:
@@ -82,7 +82,7 @@ class Cluster:
                                                    start_new_session=True))
 
     def configure(self):
-        os.chmod(self.folder, 0o755)  # as munged demands of the folder of its socket
+        os.chmod(self.folder, 0o755)  # munged requires this of the folder of its socket
         for name in ("state", "spool"):
             os.mkdir(self.path(name))
         with open(os.open(self.path("munge.key"), os.O_WRONLY | os.O_CREAT, 0o600), "wb") as key:

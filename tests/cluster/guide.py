@@ -1,11 +1,11 @@
-"""Runs what the guide says of several machines, as it is printed there, with GNU parallel and with Slurm.
+"""Runs the commands of the guide for several machines, as printed there, with GNU parallel and with Slurm.
 
 Usage: guide.py PULLOFF GUIDE
 
-The commands are taken from doc/guide.md; the cases they name are small ones in a data folder of the test. All is done
-with kernels of OpenBLAS chosen for an old processor, but for what the script of the guide chooses itself: as on a
-cluster whose front end is not of the kind of its nodes. What is merged must be the run of the whole, to the last
-bit but for times. Exit status 77: something that is needed is not installed.
+The commands are taken from doc/guide.md. The cases that they name are small ones in a data folder of the test. OpenBLAS
+uses the CPU kernels of an old processor, except where the script of the guide sets them: as on a cluster whose front
+end has other processors than its nodes. The merged run must be equal to the run on one machine, to the last bit except
+for times. Exit status 77: a required program is not installed.
 """
 
 import filecmp
@@ -63,7 +63,7 @@ def skip_without_tools():
 
 
 def commands(guide):
-    """What the guide prints for GNU parallel, for shard.sh and for Slurm."""
+    """The commands of the guide for GNU parallel, for shard.sh and for Slurm."""
     text = pathlib.Path(guide).read_text()
     text = text[text.index("### Several machines"):]
     blocks = re.findall(r"^```sh\n(.*?)^```$", text, flags=re.M | re.S)
@@ -79,7 +79,7 @@ def without_times(value):
 
 
 def compare(merged, whole, kernels):
-    """Every file of the two runs: the same cases, records but for times, tables to the byte."""
+    """Compares all files of two runs: the same cases, equal records except for times, and identical tables."""
     names = [{str(path.relative_to(run)) for path in run.rglob("*") if path.is_file()} for run in (merged, whole)]
     assert names[0] == names[1], f"other files: {names[0] ^ names[1]}"
     for name in sorted(names[0]):
@@ -94,7 +94,7 @@ def compare(merged, whole, kernels):
 
 
 def make_place(work, program):
-    """A folder like the source tree: build/src/cli/pulloff, and cases of its own."""
+    """Creates a folder like the source tree, with build/src/cli/pulloff and the cases of the test."""
     (work / "build/src/cli").mkdir(parents=True)
     (work / "build/src/cli/pulloff").symlink_to(program)
     (work / "data/cases").mkdir(parents=True)
