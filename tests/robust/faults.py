@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""Lets one allocation or system call after another fail, and looks at what the program makes of it.
+"""Lets one allocation or system call after another fail, and checks how the program ends.
 
-A command whose k-th call fails has to end as it does undisturbed, but for times, or with a message and a code that is
-not 0. Nothing may leak; every file is as before, as after an undisturbed run, or absent; and the next run, undisturbed,
-gives what it would have given. Prints TAP, one line a command and kind of fault (README.md)."""
+A command whose k-th call fails must end as an undisturbed one, except for times, or with a message and an exit code
+other than 0. It must not leak memory. Every file must be as before, as after an undisturbed run, or absent, and the
+next undisturbed run must give the usual results. Prints TAP, one line for each command and kind of fault
+(README.md)."""
 
 import argparse
 import concurrent.futures
@@ -56,15 +57,15 @@ COMMANDS = [
     Command("report", ("report", "--run", "run", "--output", "report"), (("run", "tiny", *RUN),), True),
 ]
 
-# libyaml 0.2.5 loses the node it is making when there is no memory for the stack of its parser.
-LOSES_OF_ITS_OWN = "/libyaml-0.so"
+# libyaml 0.2.5 leaks the current node if the memory for the stack of its parser cannot be allocated.
+LEAKS_OF_ITS_OWN = "/libyaml-0.so"
 
 KINDS = ("allocate", "open", "read", "write", "short", "close", "fsync", "ftruncate", "rename", "mkdir", "unlink")
 MODES = ("once", "on", "kill")
 
 
 def judge(command, kind, ending, right, before):
-    """What is wrong with an ending; '' when nothing is."""
+    """What is wrong with the end of a command; '' if nothing is."""
     if ending.code is None:
         return "does not end"
     if ending.code < 0:
@@ -76,26 +77,27 @@ def judge(command, kind, ending, right, before):
         if path not in ending.files and path in right.files:
             return f"{path} is lost"
     grown = [place for place, count in ending.report["kept"].items()
-             if count > right.report["kept"].get(place, 0) and LOSES_OF_ITS_OWN not in place]
+             if count > right.report["kept"].get(place, 0) and LEAKS_OF_ITS_OWN not in place]
     if grown:
         return f"leaks {', '.join(grown)}"
     if ending.code != 0:
         if len(ending.errors) != 1:
             return f"ends with {ending.code} and {len(ending.errors)} lines of message: {ending.errors[:2]}"
         if kind == "allocate" and "memory" not in ending.errors[0]:
-            return f"does not speak of memory: {ending.errors[0]}"
+            return f"the message does not mention memory: {ending.errors[0]}"
         return ""
     if ending.output != right.output:
-        return "ends with 0, and another output"
+        return "ends with 0, but its output differs"
     if ending.errors != right.errors:
-        return f"ends with 0, and says {ending.errors[:1]}"
+        return f"ends with 0, but prints {ending.errors[:1]}"
     if ending.files != right.files:
-        return f"ends with 0, and other files: {sorted(p for p in right.files if ending.files.get(p) != right.files[p])}"
+        differing = sorted(path for path in right.files if ending.files.get(path) != right.files[path])
+        return f"ends with 0, but files differ: {differing}"
     return ""
 
 
 def try_fault(place, command, template, before, right, kind, mode, number):
-    """Returned: what is wrong, or ''; and whether the fault was delivered."""
+    """Returns what is wrong, or '', and whether the fault was delivered."""
     here = place.copy(template, f"{command.name}-{kind}-{mode}-{number}")
     try:
         ending = place.run(here, command.words, {"kind": kind, "at": number, "mode": mode})
@@ -116,7 +118,7 @@ def try_fault(place, command, template, before, right, kind, mode, number):
 
 
 def choose(count, sample, seed):
-    """The numbers of the calls that fail: all, or a sample drawn by a seed, the first and the last among them."""
+    """The numbers of the calls that fail: all, or a sample drawn from a seed, with the first and the last call."""
     if sample == 0 or count <= sample:
         return list(range(1, count + 1))
     return sorted({1, count, *random.Random(seed).sample(range(1, count + 1), sample)})
@@ -147,19 +149,19 @@ def campaign(place, commands, kinds, modes, sample, seed, crew):
                 for k, what in wrong[:12]:
                     print(f"#   call {k}: {what}", flush=True)
     print(f"1..{number}")
-    print(f"# {trials} faults, seed {seed}; {failed} of {number} lines have one that is not met", flush=True)
+    print(f"# {trials} faults, seed {seed}; {failed} of {number} lines failed", flush=True)
     return failed
 
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("program", help="the program: build/src/cli/pulloff")
-    parser.add_argument("shim", help="the library that makes the faults: build/tests/robust/libshim.so")
+    parser.add_argument("shim", help="the library that injects the faults: build/tests/robust/libshim.so")
     parser.add_argument("--command", action="append", metavar="NAME", help="only these commands")
     parser.add_argument("--kind", action="append", choices=KINDS, help="only these kinds of faults")
-    parser.add_argument("--mode", action="append", choices=MODES, help="only once, from then on, or killed there")
-    parser.add_argument("--sample", type=int, default=0, metavar="N", help="so many calls of each command and kind (all)")
-    parser.add_argument("--seed", type=int, default=11, help="of the sample (11)")
+    parser.add_argument("--mode", action="append", choices=MODES, help="one call fails, all later ones too, or a kill")
+    parser.add_argument("--sample", type=int, default=0, metavar="N", help="calls of each command and kind (all)")
+    parser.add_argument("--seed", type=int, default=11, help="seed of the sample (11)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N", help="trials side by side (all cores)")
     return parser.parse_args()
 

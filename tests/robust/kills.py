@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 """Kills runs of the program at random moments, by SIGKILL and SIGTERM in turn, and runs them again.
 
-After each kill every file is whole (a journal may end in half a line, a record is that of the finished run), and the
-run that goes on in the end gives what an undisturbed one gives, but for times. Prints TAP (README.md)."""
+After each kill every file must be complete (a journal may end in half a line, a record must be that of the finished
+run). The run that is continued to its end must give the same as an undisturbed one, except for times. Prints TAP
+(README.md)."""
 
 import argparse
 import concurrent.futures
@@ -19,11 +20,11 @@ from trial import Command, Place
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 RUN = Command("run", ("run", "many", "--jobs", "2", "--output", "run"), writes=True)
-MOST_KILLS = 60  # of one run, in case that it never gets on
+MOST_KILLS = 60  # of one run, in case it makes no progress
 
 
 def torn(files, right):
-    """What is not as a killed run may leave it; '' when nothing is."""
+    """A file that a killed run must not leave; '' if there is none."""
     for path, contents in files.items():
         if ".part-" in path or path.startswith("data/") or path.endswith("points.jsonl"):
             continue
@@ -33,7 +34,7 @@ def torn(files, right):
 
 
 def points_kept(here):
-    """The whole lines of the journal."""
+    """The number of complete points in the journal."""
     path = os.path.join(here, "run/many/points.jsonl")
     if not os.path.exists(path):
         return 0
@@ -49,7 +50,7 @@ def points_kept(here):
 
 
 def kill_once(place, here, number, after, right):
-    """Starts the run and kills it after so many seconds. Returned: whether it was killed, and what is wrong."""
+    """Starts the run and kills it after `after` seconds. Returns whether it was killed, and what is wrong."""
     before = points_kept(here)
     process = place.start(here, RUN.words, None)
     time.sleep(after)
@@ -58,7 +59,7 @@ def kill_once(place, here, number, after, right):
     ending = place.ending(here, process.returncode, output, errors)
     if ending.code == 0:
         return False, ""
-    expected = (-number,) if number == signal.SIGKILL else (-number, 130)  # killed before it listens, or ends by itself
+    expected = (-number,) if number == signal.SIGKILL else (-number, 130)  # killed at once, or ended by itself
     if ending.code not in expected:
         return True, f"ends with {ending.code} after signal {number}: {ending.errors}"
     if points_kept(here) < before and not os.path.exists(os.path.join(here, "run/many/record.json")):
@@ -67,7 +68,7 @@ def kill_once(place, here, number, after, right):
 
 
 def one_run(place, template, right, seed, seconds):
-    """One run, killed until it is through. Returned: how often it was killed, and what is wrong."""
+    """One run, killed again and again until it is finished. Returns how often it was killed, and what is wrong."""
     chance = random.Random(seed)
     here = place.copy(template, f"run-{seed}")
     kills = 0
@@ -83,9 +84,9 @@ def one_run(place, template, right, seed, seconds):
         ending = place.run(here, RUN.words)
         left = {path: contents for path, contents in ending.files.items() if ".part-" not in path}
         if ending.code != 0:
-            return kills, f"cannot go on: {ending.code}, {ending.errors}"
+            return kills, f"cannot be continued: {ending.code}, {ending.errors}"
         if left != right.files:
-            return kills, "gives other files: " + ", ".join(
+            return kills, "files differ: " + ", ".join(
                 sorted(path for path in {*left, *right.files} if left.get(path) != right.files.get(path)))
         return kills, ""
     finally:
@@ -95,8 +96,8 @@ def one_run(place, template, right, seed, seconds):
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("program", help="the program: build/src/cli/pulloff")
-    parser.add_argument("--kills", type=int, default=200, metavar="N", help="how many at least (200)")
-    parser.add_argument("--seed", type=int, default=11, help="of the moments and signals (11)")
+    parser.add_argument("--kills", type=int, default=200, metavar="N", help="least number of kills (200)")
+    parser.add_argument("--seed", type=int, default=11, help="seed of the moments and signals (11)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N", help="runs side by side (all cores)")
     return parser.parse_args()
 

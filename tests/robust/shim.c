@@ -1,13 +1,14 @@
-/* Faults on demand, preloaded into the program (LD_PRELOAD): the k-th allocation, or the k-th call
- * that opens, reads, writes, renames..., fails as it does on a machine without memory or on a full
- * disk. README.md says how it is used.
+/* Faults on demand, preloaded into the program (LD_PRELOAD). The k-th allocation, or the k-th call
+ * that opens, reads, writes or renames a file, fails as it does on a machine without memory or on a
+ * full disk. README.md says how it is used.
  *
  *   FAULT_KIND    which calls are counted: a name of KINDS below
- *   FAULT_AT      the number of the call that fails, from 1; absent: none does
- *   FAULT_MODE    once (default); on: that one and all later ones; kill: the process is killed at
- * it FAULT_TRACE   prints where it is (for addr2line) FAULT_REPORT  a file for what was counted:
- * how many calls of each kind, whether a fault was delivered, and the blocks that the program did
- * not release, by the place that allocated them
+ *   FAULT_AT      the number of the call that fails, from 1; absent: no call fails
+ *   FAULT_MODE    once (default): only this call fails; on: this call and all later ones fail;
+ *                 kill: the process is killed at this call
+ *   FAULT_TRACE   prints the place of the failing call (for addr2line)
+ *   FAULT_REPORT  the file for the counts: the number of calls of each kind, whether a fault was
+ *                 delivered, and the place that allocated each block that was not released
  *
  * Calls are counted from the beginning of main on. Needs glibc. */
 #include <dirent.h>
@@ -78,7 +79,7 @@ static void tell_place(void) {
   inside = false;
 }
 
-/* Whether this call is to fail; errno is set then. */
+/* Returns whether this call must fail, and sets errno if so. */
 static bool fails(fault_kind kind) {
   if (!armed || inside)
     return false;
@@ -94,7 +95,7 @@ static bool fails(fault_kind kind) {
   return true;
 }
 
-/* Blocks that are not released yet, by open addressing. */
+/* Blocks that are not released yet, in a hash table with open addressing. */
 enum { SLOTS = 1 << 20 };
 typedef struct {
   void *block, *caller;
@@ -217,7 +218,7 @@ void free(void *block) {
   __libc_free(block);
 }
 
-/* The functions that are wrapped below, as the C library has them. */
+/* The functions of the C library that are wrapped below. */
 static struct {
   int (*open)(const char *, int, ...);
   FILE *(*fopen)(const char *, const char *);
@@ -232,7 +233,9 @@ static struct {
   int (*unlink)(const char *);
 } real;
 
-/* The address of a function in the next library; POSIX has it that a pointer to data holds it. */
+/* The address of a function in the next library. POSIX guarantees that a pointer to data can hold
+ * it.
+ */
 static void find(const char *name, void *function) {
   void *found = dlsym(RTLD_NEXT, name);
   memcpy(function, &found, sizeof found);
@@ -278,7 +281,8 @@ ssize_t read(int file, void *bytes, size_t size) {
   return fails(READ) ? -1 : real.read(file, bytes, size);
 }
 
-/* A short write puts half of the bytes there, and the next fails, as on a disk that fills up. */
+/* A short write writes half of the bytes, and the next call fails, as on a disk that becomes full.
+ */
 ssize_t write(int file, const void *bytes, size_t size) {
   READY;
   static atomic_bool full;
@@ -332,7 +336,7 @@ int unlink(const char *path) {
   return fails(UNLINK) ? -1 : real.unlink(path);
 }
 
-/* Standard output by way of the write above: the C library calls its own. */
+/* Standard output must use the write above, because the C library calls its own. */
 static ssize_t write_output(void *cookie, const char *bytes, size_t size) {
   (void)cookie;
   size_t done = 0;
@@ -352,10 +356,11 @@ static void read_orders(void) {
   fail_at = at ? strtoul(at, NULL, 10) : 0;
   mode = how && strcmp(how, "on") == 0 ? ON : how && strcmp(how, "kill") == 0 ? KILL : ONCE;
   trace = getenv("FAULT_TRACE") != NULL;
-  unsetenv("LD_PRELOAD"); /* the programs it starts are spared */
+  unsetenv("LD_PRELOAD"); /* not for the programs that it starts */
 }
 
-/* The libraries whose blocks the program owns; others keep some for as long as they are loaded. */
+/* The libraries whose blocks the program owns. Others keep some blocks as long as they are loaded.
+ */
 static bool is_owned(const char *object) {
   static const char *const OTHERS[] = {"libc.so",  "libgomp",    "libopenblas", "libgfortran",
                                        "ld-linux", "libomp",     "libpthread",  "libstdc++",
@@ -397,7 +402,7 @@ static int main_with_faults(int argc, char **argv, char **environment) {
   read_orders();
   void *frames[2];
   if (trace)
-    backtrace(frames, 2); /* loads what it needs now */
+    backtrace(frames, 2); /* the first call loads a library, which allocates */
   if (getenv("FAULT_REPORT"))
     slots = mmap(NULL, SLOTS * sizeof *slots, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS,
                  -1, 0);
@@ -410,7 +415,7 @@ static int main_with_faults(int argc, char **argv, char **environment) {
   return real_main(argc, argv, environment);
 }
 
-/* Where a program begins: with main_with_faults in the place of its main. */
+/* The start of a program, with main_with_faults instead of its main. */
 int __libc_start_main(int (*begin)(int, char **, char **), int argc, char **argv,
                       void (*init)(void), void (*fini)(void), void (*rtld_fini)(void),
                       void *stack_end);

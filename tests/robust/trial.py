@@ -1,4 +1,4 @@
-"""One trial: a command in a folder of its own, with a fault or without, and what it left there."""
+"""One trial: a command that runs in a separate folder, with or without a fault, and the files that it leaves there."""
 
 import dataclasses
 import json
@@ -7,29 +7,29 @@ import re
 import shutil
 import subprocess
 
-# What differs from run to run, whatever happens: times, and where it ran. And the keys by which a run knows its own
-# results: where the program cannot read itself they are others, and points are solved again.
+# Values that always differ between runs: times, and the machine. Also the keys of stored results: they depend on a
+# checksum of the program, so they change if the program cannot read its own file, and points are solved again.
 TIMES = {"seconds", "seconds_all", "processor_seconds_all", "date", "jobs", "key", "solve_key", "system", "processor"}
 PROGRESS = re.compile(r"^(\d+/\d+ .* elapsed.*|\S+: \d+.* points, \d+ checks: .*)$")
 
 
 @dataclasses.dataclass(frozen=True)
 class Command:
-    """A command line, and what has to be there before."""
+    """A command line, and the commands that must run before it."""
 
     name: str
     words: tuple
-    before: tuple = ()  # command lines that make what it works on
-    writes: bool = False  # files: then it is run again after a fault
+    before: tuple = ()  # command lines that create its input
+    writes: bool = False  # whether it writes files; if so, it is run again after a fault
 
 
 @dataclasses.dataclass
 class Ending:
     code: int
     output: str
-    errors: list  # lines of standard error, but for those of progress
+    errors: list  # lines of standard error without those of the progress
     files: dict  # path: contents without times
-    report: dict  # what the shim counted
+    report: dict  # the counts of the shim
 
 
 def without_times(value):
@@ -41,7 +41,7 @@ def without_times(value):
 
 
 def comparable(path, data):
-    """The contents of a file or of an output, without times; bytes where it is not a whole document."""
+    """The contents of a file or an output without times; the bytes if it is not a complete document."""
     try:
         text = data.decode()
         if path.endswith(".jsonl"):
@@ -80,7 +80,7 @@ def read_report(path):
 
 
 class Place:
-    """Where trials are made: the program, the shim, and a folder."""
+    """The program, the shim and the folder of the trials."""
 
     def __init__(self, program, shim, data, folder, seconds=120):
         self.program, self.shim, self.data, self.folder, self.seconds = program, shim, data, folder, seconds
@@ -98,7 +98,7 @@ class Place:
                                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, **how)
 
     def run(self, here, words, orders=None, **how):
-        """Runs to the end; a code of None: it had to be stopped."""
+        """Runs a command to its end. The exit code is None if it had to be stopped."""
         process = self.start(here, words, orders, **how)
         try:
             output, errors = process.communicate(timeout=self.seconds)
@@ -115,7 +115,7 @@ class Place:
         return Ending(code, comparable("", output), lines, files_below(here), report)
 
     def prepare(self, command):
-        """A folder with all that the command works on."""
+        """Creates a folder with the input of a command."""
         here = os.path.join(self.folder, command.name + "-before")
         os.makedirs(here)
         shutil.copytree(self.data, os.path.join(here, "data"))
