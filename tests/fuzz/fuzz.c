@@ -20,8 +20,9 @@
 #include "po_json_value.h"
 #include "po_record.h"
 
-/* The digest of the running program costs more than all the rest of an input, and would change the
- * keys in the corpus with each build. Linked in its place by --wrap. */
+/* Linked instead of the function that describes the running program (--wrap). Computing the digest
+ * of the program takes longer than everything else for an input, and the keys in the corpus would
+ * change with each build. */
 po_status __wrap_po_environment_arithmetic(po_arithmetic *own);
 po_status __wrap_po_environment_arithmetic(po_arithmetic *own) {
   *own = (po_arithmetic){.program = "program", .openblas = "OpenBLAS", .kernels = "kernels"};
@@ -40,8 +41,8 @@ void fuzz_require(bool holds, const char *format, ...) {
   abort();
 }
 
-/* The length of the UTF-8 character at `c`; 0 for none. Surrogates and what is longer than need be
- * are none. */
+/* The length of the UTF-8 character at `c`; 0 if it is not valid. Surrogates and overlong encodings
+ * are not valid. */
 static size_t character_length(const unsigned char *c) {
   if (c[0] < 0x80)
     return 1;

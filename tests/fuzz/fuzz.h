@@ -1,7 +1,7 @@
-/* What the fuzz targets share: properties that are required, parts of an input, a scratch folder.
+/* Functions of all fuzz targets: required properties, parts of an input, a scratch folder.
  *
- * Each target defines LLVMFuzzerTestOneInput, which libFuzzer calls with inputs of its own making
- * and replay.c with those of the corpus. */
+ * Each target defines LLVMFuzzerTestOneInput. libFuzzer calls it with generated inputs, replay.c
+ * with those of the corpus. */
 #ifndef FUZZ_H
 #define FUZZ_H
 
@@ -20,25 +20,25 @@ void fuzz_require(bool holds, const char *format, ...) __attribute__((format(pri
  * allowed in a text of several lines. */
 void fuzz_require_words(const char *what, const char *text, bool lines);
 
-/* Requires of a refusal that its message is there and made of such words, on one line; forgets the
- * message. Nothing is required of PO_OK, and of PO_NOT_FOUND only the words: it is an answer. */
+/* Requires that a status other than PO_OK has a message of one line of such text, and clears the
+ * message. PO_NOT_FOUND is an answer and may have no message. */
 void fuzz_require_message(po_status status);
 
 /* Requires that each key of a request can be printed and read back equal. */
 void fuzz_require_request(const po_request *request);
 
-/* A file in a scratch folder of this process, which is removed at its end; `name` may hold one
- * folder. The path stays valid until the end. */
+/* The path of a file in the scratch folder of this process, which is removed when the process ends.
+ * `name` may contain one folder. The path stays valid until the end. */
 const char *fuzz_path(const char *name);
 
-/* Writes a file of the scratch folder, making its folder. */
+/* Writes a file of the scratch folder and creates its folder. */
 void fuzz_write(const char *path, const char *bytes, size_t size);
 
 /* Removes the files of a folder, not the folders in it. */
 void fuzz_empty(const char *folder);
 
-/* A copy of the input, ended by a NUL, cut at lines that are `%%`: the parts of *count, at most
- * `most`. The text of the last part is the rest. Free the first part to free all. */
+/* A copy of the input, ended by a NUL, divided at lines `%%` into *count parts, at most `most`. The
+ * last part contains the rest. Freeing the first part frees all. */
 typedef struct {
   char *bytes;
   size_t size;
@@ -51,22 +51,22 @@ typedef struct {
 } fuzz_token;
 fuzz_part fuzz_fill(const fuzz_part *part, const fuzz_token *tokens, size_t count);
 
-/* The checksum of a table, as its record names it; "" when it is none. */
+/* The checksum of a table as a record states it; "" if the text is no table. */
 void fuzz_table_digest(const char *path, char digest[PO_DIGEST_LENGTH]);
 
 /* Writes the second and third part of an input as the curve and the profile of point 0 into a
- * folder of the scratch folder, and their checksums. */
+ * folder of the scratch folder, and returns their checksums. */
 typedef char fuzz_digests[2][PO_DIGEST_LENGTH];
 void fuzz_write_tables(const char *folder, const fuzz_part *parts, size_t count,
                        fuzz_digests digests);
 
-/* A case of tests/fuzz/data/cases, planned. It lives until the end of the process. */
+/* The plan of a case of tests/fuzz/data/cases. It exists until the end of the process. */
 po_case_run *fuzz_run(const char *name);
 
-/* Forgets the results of a run, so that it can be read once more. */
+/* Clears the results of a run, so that it can be read again. */
 void fuzz_run_reset(po_case_run *run);
 
-/* Requires that two runs have the same result of a point, as their records say it. */
+/* Requires that the records of two runs state the same result of a point. */
 void fuzz_require_same_point(const po_case_run *a, const po_case_run *b, size_t point);
 
 #endif

@@ -5,7 +5,8 @@
 #include "fuzz.h"
 #include "po_case_read.h"
 
-/* A plan asks every reference for every point: of more points it says the same for longer. */
+/* A plan looks up every reference for every point. More points take more time and test nothing new.
+ */
 enum { MOST_PLANNED = 2000 };
 
 static void require_points(const po_case *kase) {
@@ -49,7 +50,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   if (kase->point_count <= MOST_PLANNED) {
     char key[PO_DIGEST_LENGTH] = "", again[PO_DIGEST_LENGTH] = "";
     const po_status planned = plan(kase, key);
-    if (size % 8 == 0) /* of some: a plan is most of the price */
+    if (size % 8 == 0) /* only for some inputs: planning takes most of the time */
       fuzz_require(plan(kase, again) == planned && strcmp(key, again) == 0,
                    "two plans of a case differ");
   }

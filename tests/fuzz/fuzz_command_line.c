@@ -1,6 +1,6 @@
-/* Command lines: each line of the input is an argument. Every verb reads its own whole; where it
- * would solve, draw a report or write a file, a stub stands (linked by --wrap), so that an input
- * costs no more than reading it. */
+/* Command lines: each line of the input is an argument. Every verb reads its arguments completely.
+ * Stubs (linked by --wrap) replace the functions that solve, draw a report or write a file, so that
+ * an input costs no more than reading it. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,7 +14,7 @@
 
 enum { MOST_ARGUMENTS = 64 };
 
-static po_request solved; /* the last request that was to be solved */
+static po_request solved; /* the last request that a verb tried to solve */
 static bool was_solved;
 
 po_status __wrap_po_observe(const po_request *request, po_result *result);
@@ -92,10 +92,10 @@ pid_t __wrap_fork(void) {
   return -1;
 }
 
-/* Runs a command line; its exit code. */
+/* Runs a command line and returns its exit code. */
 static int run(int argc, char **argv) {
   was_solved = false;
-  optind = 0; /* getopt begins anew */
+  optind = 0; /* restarts getopt */
   po_message_clear();
   const int code = po_verbs_run(argc, argv);
   const bool known = code == PO_EXIT_OK || code == PO_EXIT_OUTSIDE || code == PO_EXIT_USAGE ||
@@ -108,7 +108,7 @@ static int run(int argc, char **argv) {
   return code;
 }
 
-/* What was to be solved is what its own command says. */
+/* The command that is printed for a request must give the same request. */
 static void require_command(void) {
   const po_request before = solved;
   char *argv[MOST_ARGUMENTS], *rest = NULL;

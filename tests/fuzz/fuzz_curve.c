@@ -1,5 +1,5 @@
-/* Curves: a table of ours, as a record keeps it, and in the second part of the input a reference of
- * the columns approach,load. Compared with each other, and with themselves. */
+/* Curves: the first part of the input is a computed curve as a record stores it, the second a
+ * reference with the columns approach,load. Each is compared with the other and with itself. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,13 +11,14 @@
 #include "po_plane.h"
 #include "po_tables.h"
 
-/* Comparing takes the product of the numbers of points. */
+/* The time of a comparison is proportional to the product of the numbers of points. */
 enum { MOST_POINTS = 400 };
 
-/* Beyond this products of coordinates are not finite, and a curve may be said to be off itself. */
+/* For larger coordinates their products overflow, and the distance of a curve from itself may not
+ * be 0. */
 static const double HUGE_EXTENT = 1e100;
 
-/* Reads a curve and requires that it can be written and is then read as the same. */
+/* Reads a curve. Requires that it can be written and that reading it again gives the same curve. */
 static po_status read_ours(const char *path, po_result *result) {
   char digest[PO_DIGEST_LENGTH];
   po_result back = {0};
@@ -66,10 +67,10 @@ static void require_verdict(const po_curve_verdict *verdict, size_t points) {
   fuzz_require_words("a note", verdict->note, false);
 }
 
-/* The squares of lengths below this are zero, or have lost digits: distances then mean nothing. */
+/* The squares of smaller lengths underflow, so that distances have no meaning. */
 static const double TINY_EXTENT = 1e-140;
 
-/* The length of the box around a curve. */
+/* The diagonal of the box around a curve. */
 static double extent(const po_plane_curve *curve) {
   po_plane_point least = curve->points[0], most = least;
   for (size_t i = 1; i < curve->count; ++i) {
@@ -82,7 +83,7 @@ static double extent(const po_plane_curve *curve) {
               fmax(fabs(least.load), fabs(most.load)));
 }
 
-/* A curve is no way from itself. */
+/* The distance of a curve from itself is 0. */
 static void require_self(const po_plane_curve *curve) {
   po_curve_verdict verdict;
   if (curve->count < 2 || extent(curve) > HUGE_EXTENT || extent(curve) < TINY_EXTENT)
@@ -95,8 +96,8 @@ static void require_self(const po_plane_curve *curve) {
                verdict.distance);
 }
 
-/* A curve moved aside by so many times its size is not the same curve, whatever its numbers:
- * without rates the doubt of joining its points is less than a hundred times its size. */
+/* A curve that is shifted by this multiple of its size differs from the original. Without rates the
+ * uncertainty of its interpolation is less than a hundred times its size. */
 static const double ASIDE = 1000;
 
 static void require_apart(const po_plane_curve *curve) {

@@ -15,7 +15,7 @@ enum { POINTS = 2 };
 static po_case_run *run, *back;
 static char keys[POINTS][PO_DIGEST_LENGTH];
 
-/* The keys of the points are in what is written of them. */
+/* The keys of the points appear in the written journal. */
 static void find_keys(void) {
   for (size_t i = 0; i < POINTS; ++i) {
     char *bytes = NULL;
@@ -67,12 +67,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   for (size_t i = 0; i < POINTS; ++i) {
     if (!run->done[i])
       continue;
-    /* What was read is written and read as the same, in a journal of its own ... */
+    /* A point that was read, written to a new journal, is read again as the same point. */
     po_status status = po_journal_add(run, i, fuzz_path("back"));
     fuzz_require(!status, "a point that was read cannot be written: %s", po_message());
     require_same(fuzz_path("back"), i);
   }
-  /* ... and a point that is added to the journal that was read is found there, however it ends. */
+  /* A point that is added to the journal of the input is found in it, however that journal ends. */
   if (!run->done[0])
     run->results[0].status = PO_NOT_CONVERGED;
   const po_status status = po_journal_add(run, 0, fuzz_path("run"));

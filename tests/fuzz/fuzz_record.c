@@ -14,7 +14,7 @@ enum { CASES = 2 };
 
 static const char *const NAMES[CASES] = {"plain", "followed"};
 
-/* Two runs of each case: one reads the input, the other what the first wrote. */
+/* Two runs of each case: the first reads the input, the second reads what the first wrote. */
 static po_case_run *runs[CASES], *backs[CASES];
 
 static void write_parts(const po_case_run *run, const char *folder, const fuzz_part *parts,
@@ -32,7 +32,7 @@ static void write_parts(const po_case_run *run, const char *folder, const fuzz_p
   free(record.bytes);
 }
 
-/* What was read can be written, and is then read as the same. */
+/* A record that was read can be written, and reading it again gives the same results. */
 static void require_written(po_case_run *run, po_case_run *back) {
   const char *output = fuzz_path("back");
   run->environment = strdup("{}");
@@ -44,7 +44,7 @@ static void require_written(po_case_run *run, po_case_run *back) {
     fuzz_require_same_point(run, back, i);
 }
 
-/* The run of a whole record compares it, and says what it found. */
+/* A complete record is compared with its references, and the result is printed. */
 static void tell(po_case_run *run, const char *output) {
   const po_run_options options = {.output = output, .jobs = 1};
   const po_explain_choice all = {.all = true};

@@ -1,5 +1,5 @@
-/* Reference tables and tables of pins: read, checked, asked. In an input @SHA256@ stands for the
- * checksum that the table has. */
+/* Reference tables and tables of pins: they are read, checked and queried. In an input @SHA256@
+ * stands for the checksum of the table. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 #include "po_pins.h"
 #include "po_reference.h"
 
-/* A table is a table again when it is written as it was read. */
+/* A table that was read and written is read again as the same table. */
 static void require_written(const po_csv *csv) {
   po_text text = {0};
   po_csv back;
@@ -42,7 +42,7 @@ static void require_written(const po_csv *csv) {
   po_csv_clear(&back);
 }
 
-/* The scene of a row: what its columns and the headers say. */
+/* The scene of a row, from its columns and the header. */
 static po_request request_of(const po_csv *csv, size_t row) {
   po_request request = po_request_default();
   for (int key = 0; key < PO_KEY_END; ++key) {
@@ -63,7 +63,8 @@ static void ask(const po_reference *reference, const po_request *request) {
     size_t count = 0;
     if (quantity < PO_FOLD_COUNT)
       fuzz_require_message(po_reference_find(reference, (po_quantity)quantity, request, &number));
-    else if (quantity <= PO_CURVE && !(reference->type == PO_REFERENCE_PINS && quantity == PO_CURVE)) {
+    else if (quantity <= PO_CURVE &&
+             !(reference->type == PO_REFERENCE_PINS && quantity == PO_CURVE)) {
       const po_status status =
           po_reference_points(reference, (po_quantity)quantity, request, NULL, &points, &count);
       fuzz_require(!status || count == 0, "a reference that fails has points");

@@ -1,6 +1,7 @@
-/* The shards of a run, as merge reads them: each part of the input is the file of one. Tokens:
- * @PROGRAM@, @OPENBLAS@ and @KERNELS@ for what computes, @PLAIN@ and @FOLLOWED@ for the keys of the
- * two cases. */
+/* The shards of a run, as merge reads them. Each part of the input is the file of one shard.
+ * Tokens:
+ * @PROGRAM@, @OPENBLAS@ and @KERNELS@ for the program, OpenBLAS and its CPU kernels, @PLAIN@ and
+ * @FOLLOWED@ for the keys of the two cases. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,7 +24,7 @@ static void require_complete(const po_merge *merge) {
                    "a shard is accepted twice");
 }
 
-/* The runs of the cases that are named, when all are known. */
+/* The runs of the named cases, if all of these are known. */
 static size_t find_runs(char *const *names, size_t count, po_case_run *chosen) {
   for (size_t i = 0; i < count; ++i) {
     int c = 0;

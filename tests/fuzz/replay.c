@@ -12,8 +12,8 @@
 #include "fuzz.h"
 #include "po_file.h"
 
-/* Seconds of the clock that an input may take: the slowest of the corpus takes a hundredth of it.
- */
+/* Limit of the processor time of an input, in seconds. The slowest of the corpus takes a hundredth
+ * of it. */
 enum { TIME_LIMIT = 20 };
 
 static char current[PATH_MAX];
@@ -38,7 +38,7 @@ static void end(int signal_number) {
   raise(signal_number);
 }
 
-/* Of the processor, not of the clock, which runs on a busy machine, too. 0: no limit. */
+/* Limits the processor time, so that a busy machine does not matter. 0: no limit. */
 static void limit_time(int seconds) {
   const struct itimerval limit = {.it_value = {.tv_sec = seconds}};
   setitimer(ITIMER_PROF, &limit, NULL);
@@ -49,7 +49,7 @@ static size_t replay_file(const char *path) {
   size_t size = 0;
   snprintf(current, sizeof current, "%s", path);
   fuzz_require(po_file_read(path, &bytes, &size) == PO_OK, "%s", po_message());
-  /* Of its exact size, so that a sanitizer sees a read beyond it. */
+  /* The buffer has the exact size of the input, so that a sanitizer detects a read beyond it. */
   uint8_t *exact = malloc(size ? size : 1);
   fuzz_require(exact != NULL, "no memory for %s", path);
   memcpy(exact, bytes, size);
