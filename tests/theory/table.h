@@ -1,4 +1,4 @@
-/* A reference table, row by row beside what the program computes. */
+/* A reference table, whose rows are compared with computed values. */
 #ifndef TABLE_H
 #define TABLE_H
 
@@ -11,12 +11,12 @@
 
 typedef struct {
   po_csv csv;
-  size_t compared; /* numbers set beside ours so far */
+  size_t compared; /* how many numbers have been compared */
   double worst;    /* greatest difference, in units of its tolerance */
-  char where[80];  /* line and column of that */
+  char where[80];  /* line and column of the greatest difference */
 } table;
 
-/* Opens reference/NAME, whose rows must have the checksum the header states. */
+/* Opens reference/NAME. Its rows must have the checksum that its header states. */
 static inline table table_open(const char *name) {
   table t = {0};
   char path[1024];
@@ -44,7 +44,7 @@ static inline double table_number(const table *t, size_t row, const char *column
   return value;
 }
 
-/* Sets `obtained` beside the cell; the tolerance is absolute. */
+/* Compares `obtained` with the cell. The tolerance is absolute. */
 static inline void table_compare(table *t, size_t row, const char *column, double obtained,
                                  double tolerance) {
   const double expected = table_number(t, row, column), error = fabs(obtained - expected);
@@ -58,8 +58,8 @@ static inline void table_compare(table *t, size_t row, const char *column, doubl
                 t->csv.lines[row], column, expected, obtained, error, tolerance);
 }
 
-/* Closes it; every one of its `rows` rows must have been compared `each` times. What was measured
- * goes to standard output, for the log of the test. */
+/* Closes the table. It must have `rows` rows, and each must have been compared `each` times. Prints
+ * the greatest difference for the log of the test. */
 static inline void table_close(table *t, const char *what, size_t rows, size_t each) {
   ck_assert_uint_eq(t->csv.row_count, rows);
   ck_assert_uint_eq(t->compared, rows * each);

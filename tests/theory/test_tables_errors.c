@@ -1,5 +1,5 @@
-/* The errors a solve by panels states are no less than its true errors, by every row of Feng's
- * problem. */
+/* The error estimates of panels are not smaller than the true errors, for every row of the tables
+ * of the smooth sphere (reference/feng_*.csv). */
 #include "../unit/run.h"
 #include "po_observe.h"
 #include "table.h"
@@ -23,7 +23,7 @@ START_TEST(pull_off_is_within_its_stated_errors) {
                   o.pull_off.force_error + table_number(&t, row, "force_uncertainty"));
     table_compare(&t, row, "approach", o.pull_off.approach,
                   o.pull_off.approach_error + table_number(&t, row, "approach_uncertainty"));
-    /* an error stated a hundred times beyond what was asked would bound everything */
+    /* the estimate must not be too large either: it would bound any error */
     ck_assert_double_le(o.pull_off.force_error, 100.0 * TOLERANCES[_i] * o.pull_off.force);
     po_result_clear(&o);
   }

@@ -1,4 +1,4 @@
-/* Struve functions and the kernel beside every row of their reference tables. */
+/* Struve functions and the kernel against every row of their reference tables. */
 #include <float.h>
 #include <gsl/gsl_errno.h>
 #include <stdbool.h>
@@ -9,7 +9,7 @@
 #include "po_struve.h"
 #include "table.h"
 
-/* As po_struve.h and po_kernel.h state them; 4 ulp. */
+/* The tolerances stated in po_struve.h and po_kernel.h; 4 ulp. */
 static const double STRUVE_ACCURACY = 1e-14, KERNEL_ACCURACY = 4 * DBL_EPSILON;
 
 START_TEST(struve_agrees_with_the_table) {
@@ -37,7 +37,7 @@ START_TEST(difference_agrees_with_the_table) {
 }
 END_TEST
 
-/* A decimal number as mantissa * 10^exponent, exactly; up to 18 digits. */
+/* An exact decimal number, mantissa * 10^exponent, of up to 18 digits. */
 typedef struct {
   long long mantissa;
   int exponent;
@@ -58,7 +58,7 @@ static decimal decimal_of(const char *text) {
   return d;
 }
 
-/* a + sign b, rounded once or twice: what the rows hold as r and s1 may be one double. */
+/* a + sign b from the decimal numbers: r and s1 of a row may round to the same double. */
 static double decimal_sum(decimal a, decimal b, int sign) {
   for (; a.exponent > b.exponent; --a.exponent)
     a.mantissa *= 10;
@@ -91,12 +91,13 @@ START_TEST(kernel_row_agrees_with_the_table) {
     if (strcmp(table_word(&t, row, "kind"), "point") != 0)
       continue;
     const double r = table_number(&t, row, "r"), s = table_number(&t, row, "s1");
-    if (r == s) /* one double: the row form does not take it */
+    if (r == s) /* equal doubles: po_kernel_row does not accept them */
       continue;
     const double value = table_number(&t, row, "value"), three[] = {0.5 * s + 0.1, s, 7 * s + 3};
     double kernel[3];
     po_kernel_row(r, three, 3, kernel);
-    /* half an ulp of a radius turns r - s, and G by its slope 4/(pi (r + s) |r - s|) */
+    /* a radius is rounded by half an ulp; this changes r - s, and G by its slope
+     * 4/(pi (r + s) |r - s|) */
     const double inherited = DBL_EPSILON * fmax(r, s) * 4 / (M_PI * (r + s) * fabs(r - s));
     table_compare(&t, row, "value", kernel[1], KERNEL_ACCURACY * value + inherited);
     ++points;

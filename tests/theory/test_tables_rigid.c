@@ -1,9 +1,10 @@
-/* The pull-off of Eq 22 beside every row of its reference table: by itself, as it takes seconds. */
+/* The pull-off of Eq 22 against every row of its reference table. It takes seconds, so it is a
+ * program of its own. */
 #include "../unit/run.h"
 #include "po_wavy_rigid.h"
 #include "table.h"
 
-/* As the header states it. */
+/* The tolerance that the header states. */
 static const double RIGID_ACCURACY = 1e-10;
 
 START_TEST(rigid_pull_off_agrees_with_the_table) {

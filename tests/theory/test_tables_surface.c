@@ -1,4 +1,5 @@
-/* Influence coefficients and the rigid loading curve beside every row of their reference tables. */
+/* Influence coefficients and the rigid loading curve against every row of their reference tables.
+ */
 #include <float.h>
 
 #include "../unit/run.h"
@@ -7,7 +8,7 @@
 #include "po_rigid_trace.h"
 #include "table.h"
 
-/* As po_element.h and po_rigid.h state them. */
+/* The tolerances stated in po_element.h and po_rigid.h. */
 static const double RING_ACCURACY = 1e-15, TRIANGLE_ACCURACY = 1e-12, RIGID_ACCURACY = 1e-9;
 
 START_TEST(ring_agrees_with_the_table) {
@@ -20,7 +21,7 @@ START_TEST(ring_agrees_with_the_table) {
     const double r = table_number(&t, row, "r");
     double deflection = NAN;
     po_ring_influence(1, edge, r, &deflection, 1);
-    /* half an ulp of a radius as read, times the integrand G s there, about its mean */
+    /* the rounding of a radius by half an ulp, times the integrand G s, which is about its mean */
     const double read = 0.5 * DBL_EPSILON * (edge[0] + edge[1] + r);
     const double inherited = read * table_number(&t, row, "value") / (edge[1] - edge[0]);
     table_compare(&t, row, "value", deflection, RING_ACCURACY * fmax(r, edge[1]) + inherited);
@@ -40,7 +41,7 @@ START_TEST(triangle_agrees_with_the_table) {
     double node[3], deflection[3] = {NAN, NAN, NAN};
     size_t n = 0, top = 0;
     static const char *const COLUMNS[] = {"s1", "s2", "s3"};
-    for (int k = 0; k < 3; ++k) { /* half a triangle has two nodes */
+    for (int k = 0; k < 3; ++k) { /* half a hat function has two nodes */
       const double s = table_number(&t, row, COLUMNS[k]);
       if (!n || s != node[n - 1])
         node[n++] = s;
@@ -60,7 +61,7 @@ START_TEST(triangle_agrees_with_the_table) {
 }
 END_TEST
 
-/* The rows are for alpha; any radius does. */
+/* The rows depend on alpha only, so any radius may be chosen. */
 static po_scene rigid_scene(const table *t, size_t row) {
   const double amplitude = table_number(t, row, "amplitude"), radius = 77.0;
   return (po_scene){.amplitude = amplitude,
@@ -99,7 +100,8 @@ START_TEST(rigid_pull_off_agrees_with_the_table) {
     const po_scene scene = rigid_scene(&t, row);
     deepest d = {0.0, NAN};
     po_continuation_options options = po_continuation_options_default();
-    options.end = po_rigid_approach_of_crest(&scene, 12.0); /* all else pulls with 2 at most */
+    /* the central crest pushes with 12 and everything else pulls with at most 2 */
+    options.end = po_rigid_approach_of_crest(&scene, 12.0);
     options.visit = look;
     options.data = &d;
     ck_assert_int_eq(po_rigid_trace(&scene, -0.3, &options), PO_OK);

@@ -1,4 +1,4 @@
-/* The closed forms beside every row of their reference tables. */
+/* The closed forms against every row of their reference tables. */
 #include <gsl/gsl_errno.h>
 
 #include "../unit/run.h"
@@ -8,7 +8,7 @@
 #include "po_wavy_rigid.h"
 #include "table.h"
 
-/* As the headers state them. */
+/* The tolerances that the headers state. */
 static const double GUDURU_ACCURACY = 1e-14, PULL_OFF_ACCURACY = 1e-13, RIGID_ACCURACY = 1e-10,
                     ESTIMATE_ACCURACY = 1e-14;
 
@@ -20,8 +20,8 @@ static po_scene scene_of(const table *t, size_t row) {
                     .outer_radius = INFINITY};
 }
 
-/* The larger term of load and approach of Eq 5 at a contact radius: what rounding is relative to.
- * The waves' phase 2 pi a/lambda carries its own rounding, of so many ulp as it is large. */
+/* The larger term of load and approach in Eq 5 at a contact radius. Rounding errors are relative to
+ * it. The phase 2 pi a/lambda has a rounding error in proportion to its size. */
 static po_contact terms_at(const po_scene *s, double a) {
   const double e = sqrt(s->radius / pow(s->tabor, 3.0)), R = s->radius, A = s->amplitude;
   const double x = A > 0.0 ? 2.0 * M_PI * a / s->wavelength : 0.0, turns = 1.0 + 0.1 * x;
@@ -69,8 +69,8 @@ START_TEST(envelope_agrees_with_the_table) {
                   ESTIMATE_ACCURACY * table_number(&t, row, "johnson"));
     table_compare(&t, row, "effective_work", work, ESTIMATE_ACCURACY * work);
     table_compare(&t, row, "force", 1.5 * work, ESTIMATE_ACCURACY * work);
-    /* the upper edge is deepest where (a/Gamma)^3 = (9 pi/8) factor^2, and nowhere tensile without
-     * a factor above 0 */
+    /* the upper envelope is deepest where (a/Gamma)^3 = (9 pi/8) factor^2; it is tensile only if
+     * the factor is positive */
     const double factor = fmax(0.0, 1.0 - 1.0 / (sqrt(M_PI) * johnson));
     const double a = cbrt(9.0 * M_PI / 8.0 * factor * factor) * po_scene_gamma(&s);
     table_compare(&t, row, "upper_force", -po_kesari_lew_edge(&s, a, 1).load, ESTIMATE_ACCURACY);
@@ -120,7 +120,7 @@ START_TEST(bradley_agrees_with_the_table) {
   table t = table_open("bradley.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
     const double approach = table_number(&t, row, "approach"), x = 1.0 - approach;
-    /* 4 ulp of the larger term, and what half an ulp of the approach makes of it */
+    /* 4 ulp of the larger term, and the effect of rounding the approach by half an ulp */
     const double larger = fmax(8.0 / (3.0 * x * x), 2.0 / (3.0 * pow(x, 8.0)));
     const double ulp = 4.0 + 8.0 * fabs(approach) / x;
     table_compare(&t, row, "load", po_bradley_load(approach), ulp * 2.220446049250313e-16 * larger);
