@@ -1,4 +1,4 @@
-"""What is set at a planted fault: cases of the harness, reference tables, tests of the harness itself."""
+"""Runs the detectors of a planted fault: cases, reference tables and tests."""
 
 import os
 import re
@@ -14,15 +14,16 @@ KINDS = ("case", "table", "test")
 PULLOFF = "src/cli/pulloff"
 NOT_OK = re.compile(r"^not ok \d+ - \S+ ([^/ ]+)/([^/ ]+)", re.MULTILINE)
 
-# A detector may take so many times its processor time without a fault, and so many seconds more: a fault may make the
-# solver crawl, which is told apart from being caught. By the clock it may take so many times that: a loaded machine.
+# Limit of the processor time of a detector: this multiple of its time without a fault, plus these seconds. A fault may
+# make the solver very slow; this is distinguished from being caught. The limit of the elapsed time is a multiple of the
+# limit of the processor time, for loaded machines.
 SLOWER, LONGER, FIRST_LIMIT, WALL = 8, 2, 120, 10
 
-RUNNING = set()  # the process groups of what runs at present
+RUNNING = set()  # the process groups that are running
 
 
 def stop_all():
-    """Ends what runs at present, and what that started."""
+    """Ends the running processes and their children."""
     for group in list(RUNNING):
         try:
             os.killpg(group, signal.SIGKILL)
@@ -41,7 +42,7 @@ def read_detectors(path):
 
 
 def program_of(detector):
-    """The program a detector runs, as its build names it."""
+    """The program that a detector runs, by its name in the build."""
     return detector.get("program", PULLOFF)
 
 
@@ -55,7 +56,7 @@ def command(detector, program, place):
 
 
 def catches(detector, code, output):
-    """What made the detector fail: a list out of oracle, pin, no_result, test, refused; empty when it passed."""
+    """What made the detector fail: a list of oracle, pin, no_result, test, refused; empty if it passed."""
     found = set()
     if "verify" in detector:
         for quantity, reference in NOT_OK.findall(output):
@@ -68,8 +69,8 @@ def catches(detector, code, output):
 
 
 def wait(process, seconds):
-    """Waits for a process; kills it, and what it started, when it is still there after so many seconds. Returned: its
-    exit code, None when killed or out of processor time; the processor time of it and what it waited for."""
+    """Waits for a process, and kills it and its children if it runs for longer than `seconds`. Returns its exit code
+    (None if it was killed or exceeded its processor time), and the processor time of it and its children."""
     killed = threading.Event()
 
     def kill():
@@ -85,14 +86,14 @@ def wait(process, seconds):
 
 
 def execute(words, log, environment, folder, limit):
-    """Runs a command, `limit` seconds of processor time at most. Returned: its exit code, None when it was stopped; the
-    processor time; what it printed, which the file `log` has, too."""
+    """Runs a command with at most `limit` seconds of processor time. Returns its exit code (None if it was stopped),
+    the processor time, and its output, which is also in the file `log`."""
     os.makedirs(os.path.dirname(log), exist_ok=True)
     with open(log, "w+", encoding="utf-8", errors="replace") as stream:
         process = subprocess.Popen(words, stdout=stream, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
                                    env=environment, cwd=folder, start_new_session=True)
         RUNNING.add(process.pid)
-        # the hard limit stays, as a test may set limits of its own
+        # the hard limit stays unchanged, because a test may set its own limits
         resource.prlimit(process.pid, resource.RLIMIT_CPU, (round(limit), resource.RLIM_INFINITY))
         code, seconds = wait(process, WALL * limit)
         RUNNING.discard(process.pid)
@@ -101,11 +102,11 @@ def execute(words, log, environment, folder, limit):
 
 
 def run(detector, program, place, limit=FIRST_LIMIT):
-    """Runs a detector on a program, `limit` seconds of processor time at most. Returned: a cell of the matrix; `by` is
-    empty when it passed."""
+    """Runs a detector on a program with at most `limit` seconds of processor time. Returns a cell of the matrix; `by`
+    is empty if it passed."""
     environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", PULLOFF_DATA=SOURCE)
     if "script" in detector:
-        del environment["PULLOFF_DATA"]  # scripts bring their own
+        del environment["PULLOFF_DATA"]  # scripts set their own
     log = os.path.join(place, detector["name"] + ".log")
     code, seconds, output = execute(command(detector, program, place), log, environment, HERE, limit)
     by = ["timeout"] if code is None else catches(detector, code, output)

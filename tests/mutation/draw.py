@@ -1,4 +1,4 @@
-"""Draws edits of the source by a seed: of each room of src its share, and in a room of each kind in turn."""
+"""Draws random edits of the source from a seed: a number for each room of src, and within a room each kind in turn."""
 
 import concurrent.futures
 import hashlib
@@ -33,12 +33,13 @@ def candidates(root):
 
 
 def rank(seed, name):
-    """What decides who comes first. It depends on the edit alone: a change elsewhere leaves the draw as it is."""
+    """The rank of an edit in the draw. It depends on the edit and the seed alone, so that changes of the source
+    elsewhere do not change the draw."""
     return hashlib.sha256(f"{seed}/{name}".encode()).digest()
 
 
 def order_of(seed, room, edits):
-    """The edits of a room as they are drawn: kind after kind, and of a kind by rank."""
+    """The edits of a room in the order of the draw: the kinds in turn, and by rank within a kind."""
     queues = {kind: [] for kind in sorted(tokens.KINDS, key=lambda kind: rank(seed, f"{room}/{kind}"))}
     for edit in sorted(edits, key=lambda edit: rank(seed, edit.name)):
         queues[edit.kind].append(edit)
@@ -46,7 +47,7 @@ def order_of(seed, room, edits):
 
 
 def draw_room(seed, room, edits, count, is_effective):
-    """The first `count` edits of a room that change what the program does."""
+    """The first `count` edits of a room that change the program."""
     queues, drawn = order_of(seed, room, edits), []
     while len(drawn) < count and any(queues.values()):
         for queue in queues.values():
@@ -59,8 +60,8 @@ def draw_room(seed, room, edits, count, is_effective):
 
 
 def shares(seed, sizes, count):
-    """How many edits each room gets, by the root of its size: a large room gets more of them, a small one more for its
-    size. Dealt out one by one (Sainte-Lague), so that a larger draw holds a smaller one."""
+    """The number of edits of each room, in proportion to the square root of the number of its candidates. They are
+    assigned one by one (Sainte-Lague), so that a larger draw contains a smaller one."""
     share = dict.fromkeys(sizes, 0)
     for _ in range(count):
         share[max(sizes, key=lambda room: (math.sqrt(sizes[room]) / (2 * share[room] + 1), rank(seed, room)))] += 1
@@ -68,7 +69,7 @@ def shares(seed, sizes, count):
 
 
 def draw(seed, rooms, count, is_effective, jobs=1):
-    """`count` edits of all rooms, those of one room after those of another."""
+    """Draws `count` edits, in the order of the rooms."""
     share = shares(seed, {room: len(edits) for room, edits in rooms.items()}, count)
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         drawn = pool.map(lambda room: draw_room(seed, room, rooms[room], share[room], is_effective), sorted(rooms))
@@ -76,13 +77,13 @@ def draw(seed, rooms, count, is_effective, jobs=1):
 
 
 class Compiler:
-    """Says of an edit whether it compiles without a warning and changes the object file, in a way no other did."""
+    """Tests whether an edit compiles without a warning and gives an object file that no other edit gave."""
 
     def __init__(self, build, place):
         self.build, self.place, self.objects = build, place, {}
 
     def object_bytes(self, file, text):
-        """The object file of a text in place of a source; None when the compiler objects to it."""
+        """The object file of a text in place of a source; None if the compiler prints a warning or an error."""
         try:
             made, _ = self.build.compile_text(file, text, self.place(file), ["-Werror"])
         except plant.Stale:
@@ -91,7 +92,7 @@ class Compiler:
             return stream.read()
 
     def is_effective(self, edit):
-        """Of one file in one thread at a time, as it is called with the edits of a room."""
+        """Each room is drawn in one thread, so the edits of a file are never tested at the same time."""
         path = os.path.join(self.build.source, edit.file)
         if path not in self.build.compile:
             return False

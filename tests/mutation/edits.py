@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Draws random edits of the source and runs the tests at each: prints those that no test noticed.
+"""Draws random edits of the source, runs the tests with each, and prints the edits that no test noticed.
 
-Works in a copy of the tree, with a build of its own, below --output. What was tried is kept there and not tried again
-until the sources or tests change. README.md says how edits are drawn, and how to judge those that survive."""
+Works in a copy of the tree with a separate build, below --output. Results are kept there and used again until the
+sources or tests change. README.md says how edits are drawn, and how to judge those that survive."""
 
 import argparse
 import collections
@@ -29,19 +29,19 @@ import plant
 
 SUITES = ("unit", "theory", "convergence", "cases", "cli")
 LEFT_OUT = {".git", ".ccache", "__pycache__"}
-NO_PART = ("tests/mutation/", "tests/report/", "reports/")  # of the copy, what no test set at an edit looks at
+NO_PART = ("tests/mutation/", "tests/report/", "reports/")  # parts of the copy that no test of an edit reads
 JUDGED = {"file": str, "function": str, "line": str, "becomes": str, "nth": int, "because": str}
 KEY = ("file", "function", "line", "becomes", "nth")
 ENOUGH = 95  # per cent of the edits that are not equivalent
 
-# The first order of the tests: as if each had been run so many times and caught one edit, or, of a room that the test is
-# of, so many.
+# The initial order of the tests assumes that each test was run PRIOR times and caught one edit, or PRIOR_OWN edits of
+# the room that it belongs to.
 PRIOR, PRIOR_OWN = 10, 6
 
-# Seconds that it takes to link a program, more or less.
+# Approximate time to link a program, in seconds.
 LINK = 0.2
 
-# What an altered program may take, as it may ask for anything: bytes of memory and of one file.
+# Limits of an edited program, which may request any amount: bytes of memory and of one file.
 MOST_MEMORY, MOST_FILE = 6 << 30, 256 << 20
 
 
@@ -67,7 +67,7 @@ def arguments(words):
 # -- The copy of the tree
 
 def files_below(root):
-    """All files of a tree, relative to it, without builds and what git keeps."""
+    """All files of a tree, relative to it, without builds and the git directory."""
     for place, inner, names in os.walk(root):
         at_root = os.path.samefile(place, root)
         inner[:] = sorted(name for name in inner if name not in LEFT_OUT and not (at_root and name.startswith("build")))
@@ -81,7 +81,7 @@ def content(path):
 
 
 def mirror(root, copy):
-    """Makes a folder a copy of a tree; a file that is the same already stays untouched, for the build to keep."""
+    """Makes a folder a copy of a tree. Equal files are not touched, so that the build does not compile them again."""
     wanted = set(files_below(root))
     if os.path.isdir(copy):
         for name in set(files_below(copy)) - wanted:
@@ -94,7 +94,7 @@ def mirror(root, copy):
 
 
 def digest_of(root, below=("",)):
-    """sha256 of all that an outcome depends on; or only of what is below these folders."""
+    """sha256 of all files that a result depends on, or only of those below the given folders."""
     digest = hashlib.sha256()
     for name in files_below(root):
         if name.startswith(below) and not name.startswith(NO_PART):
@@ -103,7 +103,7 @@ def digest_of(root, below=("",)):
 
 
 def stamps_of(root):
-    """Size and time of every file: whether something wrote into the tree."""
+    """Size and time of every file, to detect whether a test wrote into the tree."""
     found = {}
     for name in files_below(root):
         state = os.stat(os.path.join(root, name))
@@ -112,7 +112,7 @@ def stamps_of(root):
 
 
 def make_build(tree, folder, options):
-    """Configures and builds the copy; what is there is built on."""
+    """Configures and builds the copy; an existing build is updated."""
     setup = [] if os.path.exists(os.path.join(folder, "build.ninja")) else [["meson", "setup", folder, tree, *options]]
     for words in [*setup, ["ninja", "-C", folder]]:
         said = subprocess.run(words, capture_output=True, text=True, check=False)
@@ -123,7 +123,7 @@ def make_build(tree, folder, options):
 # -- The list of judged edits
 
 def read_judged(path):
-    """The reasons why edits need not be caught, by (file, function, line, becomes, nth)."""
+    """The reasons why edits need not be caught, with the keys (file, function, line, becomes, nth)."""
     with open(path, "rb") as stream:
         entries = tomllib.load(stream).get("equivalent", [])
     judged = {}
@@ -144,7 +144,7 @@ def key_of(edit):
 
 
 def entry_of(edit):
-    """What to put into the list of judged edits, but for the reason."""
+    """The entry of an edit for the list of judged edits, without the reason."""
     lines = ["[[equivalent]]"] + [f"{name} = {json.dumps(getattr(edit, name), ensure_ascii=False)}"
                                   for name in KEY if name != "nth" or edit.nth > 1]
     return "\n".join([*lines, 'because = ""', ""])
@@ -153,7 +153,7 @@ def entry_of(edit):
 # -- The tests
 
 class Tests:
-    """The tests of a build, each with the program or programs it runs."""
+    """The tests of a build, each with the programs that it runs."""
 
     def __init__(self, build, suites):
         self.build = build
@@ -171,12 +171,12 @@ class Tests:
                 self.tests[name] = dict(test, programs=programs, rooms={self.build.room_of(name) for name in programs})
 
     def program_of(self, word):
-        """The program of the build that a word of a command names, as the build names it; None when it names none."""
+        """The name of the program of the build that a word of a command refers to; None if there is none."""
         name = os.path.relpath(os.path.join(self.build.folder, word), self.build.folder)
         return name if name in self.programs else None
 
     def command(self, name, programs, place):
-        """The command of a test with other programs in place of those of the build, and its output in `place`."""
+        """The command of a test with other programs instead of those of the build, and its output in `place`."""
         words = []
         for word in self.tests[name]["cmd"]:
             inside = os.path.join(self.build.folder, word)
@@ -190,8 +190,8 @@ class Tests:
         return words
 
     def run(self, name, programs, place, limit):
-        """Returned: what caught the edit, `test` or `timeout`, or None; and the processor time."""
-        temporary = tempfile.mkdtemp(prefix="pulloff-edit-")  # not below the tree: git and others look there
+        """Runs a test. Returns what caught the edit (`test`, `timeout` or None) and the processor time."""
+        temporary = tempfile.mkdtemp(prefix="pulloff-edit-")  # not below the tree, which git reads
         environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", TMPDIR=temporary,
                            UBSAN_OPTIONS="halt_on_error=1", **self.tests[name]["env"])
         environment.pop("PULLOFF_DATA", None)
@@ -203,7 +203,8 @@ class Tests:
 
 
 def expected_cost(seconds, tried, caught, own=False):
-    """Processor time for each edit that a test catches: tests are run in the order of it. `own`: of the room itself."""
+    """Expected processor time of a test for each edit that it catches. It determines the order of the tests. `own`: the
+    test belongs to the room of the edit."""
     return (seconds + LINK) * (tried + PRIOR) / (caught + (PRIOR_OWN if own else 1))
 
 
@@ -221,7 +222,7 @@ class Campaign:
             fcntl.flock(self.hold, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError as error:
             raise plant.Stale(f"another run works in {self.output}: expected one with --output of its own") from error
-        self.whole = os.path.join(self.output, "whole")  # what the copy is made of again when an edit wrote into it
+        self.whole = os.path.join(self.output, "whole")  # from which the copy is restored if an edit wrote into it
         mirror(plant.SOURCE, self.whole)
         mirror(self.whole, self.tree)
         self.digest = digest_of(self.tree)
@@ -264,7 +265,7 @@ class Campaign:
         os.replace(path + ".new", path)
 
     def run_baseline(self):
-        """The processor time of every test without an edit. A test that fails then cannot say anything."""
+        """The processor time of every test without an edit. No test may fail then."""
         path = os.path.join(self.results, "..", os.path.basename(self.results) + "-baseline.json")
         kept = self.kept(path)
         known = kept.get("seconds", {}) if kept.get("digest") == self.digest else {}
@@ -275,7 +276,7 @@ class Campaign:
             programs = {program: os.path.join(self.tested.folder, program)
                         for program in self.tests.tests[name]["programs"]}
             place = self.place("baseline", name)
-            for _ in range(2):  # a second time, as a machine under load may be late once
+            for _ in range(2):  # a second time, because a test may time out once on a loaded machine
                 by, seconds = self.tests.run(name, programs, place, detect.FIRST_LIMIT * (10 if self.wanted.sanitize
                                                                                          else 1))
                 if not by:
@@ -287,7 +288,7 @@ class Campaign:
         self.asked = {name for name, seconds in self.baseline.items() if seconds <= self.wanted.longest}
 
     def draw(self):
-        """The edits that are asked for. Which of the candidates change anything is kept, as it takes compiling."""
+        """The selected edits. Keeps which candidates change the program, because finding out needs a compilation."""
         rooms = draw.candidates(self.tree)
         edits = {edit.name: edit for found in rooms.values() for edit in found}
         known = {key_of(edit) for edit in edits.values()}
@@ -320,12 +321,12 @@ class Campaign:
         return os.path.join(self.results, edit.name + ".json")
 
     def read_history(self):
-        """What earlier runs found, of whatever sources: it orders the tests, and decides nothing."""
+        """Reads the results of earlier runs, of any version of the sources. They only set the order of the tests."""
         rows = [self.kept(os.path.join(self.results, name)) for name in sorted(os.listdir(self.results))]
         return [row for row in rows if row.get("room")]
 
     def order(self, edit, last):
-        """The tests for an edit: what caught it last time, then by cost for each edit caught in its room."""
+        """The tests for an edit: first the one that caught it last time, then by the expected cost of a caught edit."""
         tried, caught, room = collections.Counter(), collections.Counter(), edit.file.split("/")[1]
         with self.lock:
             for row in self.history:
@@ -338,7 +339,7 @@ class Campaign:
                                         room in self.tests.tests[name]["rooms"]), name))
 
     def try_edit(self, edit, kept):
-        """Runs the tests at an edit until one fails, but those it passed already. Returned: its row of the results."""
+        """Runs the tests with an edit until one fails, except those that it passed before. Returns its row."""
         row = {"name": edit.name, "digest": self.digest, "room": edit.file.split("/")[1], "kind": edit.kind,
                "caught_by": None, "by": None, "passed": [], "seconds": 0.0}
         if kept.get("digest") == self.digest and not self.wanted.fresh:
@@ -353,7 +354,7 @@ class Campaign:
             limit = detect.limit_of({"seconds": self.baseline[name]})
             by, _ = self.tests.run(name, altered, place, limit)
             if by and self.tests.tests[name]["cmd"][0] not in altered.values():
-                by, _ = self.tests.run(name, altered, place, limit)  # a script may be late once: it has to fail twice
+                by, _ = self.tests.run(name, altered, place, limit)  # a script may time out once, so it must fail twice
             if not by and stamps_of(self.tree) != self.stamps:
                 by = "tree"
             if by:
@@ -367,7 +368,7 @@ class Campaign:
         return row
 
     def altered(self, name, programs, made, place):
-        """The programs of a test, those that have the edited file with the edit; none when none has it."""
+        """The programs of a test, linked with the edit where they contain the edited file; none if no program does."""
         for program in self.tests.tests[name]["programs"]:
             if program not in programs:
                 programs[program] = self.tested.program(program, made, place)
@@ -377,14 +378,14 @@ class Campaign:
         return {program: path or os.path.join(self.tested.folder, program) for program, path in own.items()}
 
     def restore(self):
-        """An altered program may write anywhere: the copy of the tree is as it was."""
+        """Restores the copy of the tree, because an edited program may write anywhere."""
         with self.lock:
             if stamps_of(self.tree) != self.stamps:
                 mirror(self.whole, self.tree)
                 self.stamps = stamps_of(self.tree)
 
     def outcome(self, edit):
-        """The row of an edit, kept or made."""
+        """The row of an edit, from an earlier run or from this one."""
         kept = self.kept(self.path_of(edit))
         known = kept.get("digest") == self.digest and not self.wanted.fresh
         if not (known and (kept["caught_by"] or self.asked <= set(kept["covers"]))):
@@ -414,7 +415,7 @@ class Campaign:
 
 
 def summary(campaign, results):
-    """Prints the survivors and the counts; returns whether enough were caught."""
+    """Prints the edits that survive and the counts. Returns whether enough edits were caught."""
     caught = [row for _, row in results if row["caught_by"]]
     left = [edit for edit, row in results if not row["caught_by"]]
     judged = [edit for edit in left if key_of(edit) in campaign.judged]
@@ -444,14 +445,14 @@ def summary(campaign, results):
 
 
 def interrupted(*_):
-    """What is tried is lost, what was tried is kept."""
+    """Ends the campaign. Finished results are kept, the running ones are lost."""
     detect.stop_all()
     os._exit(130)
 
 
 def main(words):
     wanted = arguments(words)
-    if not wanted.sanitize:  # the sanitizers take terabytes of addresses
+    if not wanted.sanitize:  # the sanitizers reserve terabytes of address space
         resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, resource.RLIM_INFINITY))
     resource.setrlimit(resource.RLIMIT_FSIZE, (MOST_FILE, resource.RLIM_INFINITY))
     for number in (signal.SIGINT, signal.SIGTERM):

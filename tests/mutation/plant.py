@@ -1,5 +1,5 @@
-"""Plants one fault in the program: an altered copy of one source file, compiled as the build compiles it and
-linked in front of the libraries, whose own object of that file is then not taken. The tree stays as it is."""
+"""Plants one fault in the program: an edited copy of one source file is compiled as the build does and linked before
+the libraries, so that it replaces their object of that file. The source tree remains unchanged."""
 
 import json
 import os
@@ -16,11 +16,11 @@ OPTIONAL = {"tests": list, "pin_suffices": bool, "timeout_counts": bool}
 
 
 class Stale(Exception):
-    """A fault, or the build, is not what this program can work with."""
+    """A fault does not fit the source, or the build cannot be used."""
 
 
 def read_faults(path):
-    """The faults of a table, each with all its keys."""
+    """The faults of a file, each with all keys."""
     with open(path, "rb") as stream:
         faults = tomllib.load(stream)["fault"]
     names = set()
@@ -38,7 +38,7 @@ def read_faults(path):
 
 
 def altered(fault):
-    """The source with the fault in it. Its text must be there once, or the table has fallen behind the source."""
+    """The source with the fault. The text of the fault must occur in it exactly once."""
     path = os.path.join(SOURCE, fault["file"])
     try:
         with open(path, encoding="utf-8") as stream:
@@ -53,13 +53,13 @@ def altered(fault):
 
 
 class Build:
-    """How a build folder of meson compiles its files and links its programs."""
+    """The commands with which a build folder of meson compiles files and links programs."""
 
     def __init__(self, folder, source=SOURCE):
         self.folder, self.source = os.path.abspath(folder), source
         with open(os.path.join(self.folder, "compile_commands.json"), encoding="utf-8") as stream:
             entries = json.load(stream)
-        # a source that tests compile once more, in a way of their own, is that of the library all the same
+        # some tests compile a source again with other options; the command of the library counts
         entries.sort(key=lambda entry: entry["output"].startswith("src/"))
         self.compile = {os.path.normpath(os.path.join(self.folder, entry["file"])): entry for entry in entries}
         self.links = {}
@@ -72,17 +72,17 @@ class Build:
         return self.links[program]
 
     def room_of(self, program):
-        """The room a program is of: that of the first library it is linked with, or its own folder."""
+        """The room of a program: that of the first library that it is linked with, or its own folder."""
         libraries = [word for word in self.link_command(program) if word.endswith(".a") and word.startswith("src/")]
         own = os.path.basename(os.path.dirname(program))
         return own if program.startswith("src/") or not libraries else os.path.basename(os.path.dirname(libraries[0]))
 
     def object_of(self, fault, place):
-        """Compiles the altered source into `place`; returns the object and the one it stands for."""
+        """Compiles the edited source into `place`. Returns the new object and the object that it replaces."""
         return self.compile_text(fault["file"], altered(fault), place, ["-w"])
 
     def compile_text(self, file, text, place, options):
-        """Compiles a text in place of a source, with more options, into `place`; returned as by object_of."""
+        """Compiles a text instead of a source, with additional options, into `place`. Returns the same as object_of."""
         entry = self.compile.get(os.path.join(self.source, file))
         if entry is None:
             raise Stale(f"{file} is not compiled in {self.folder}")
@@ -100,12 +100,12 @@ class Build:
         return made, entry["output"]
 
     def program(self, program, fault_object, place):
-        """Links a program with the altered object; None when the program has no part of that file."""
+        """Links a program with the edited object; None if the program does not contain that file."""
         made, original = fault_object
         words = list(self.link_command(program))
         room = os.path.join(os.path.dirname(os.path.dirname(original)), os.path.basename(os.path.dirname(original)))
         library = room.removesuffix(".p")
-        if original in words:  # an object of the program itself
+        if original in words:  # an object of the program, not of a library
             words[words.index(original)] = made
         elif library in words:
             first = next(place for place, word in enumerate(words) if word.endswith(".o"))

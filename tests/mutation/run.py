@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Plants every fault of faults.toml, one at a time, and sets the detectors of detectors.toml at it.
+"""Plants every fault of faults.toml, one at a time, and runs the detectors of detectors.toml with it.
 
-Fails when a fault is caught by nobody, when a detector catches nothing, when a detector fails without a fault, and
-when a fault no longer fits the source. Prints TAP; writes the matrix as JSON (README.md says what is in it)."""
+Fails if no detector catches a fault, if a detector catches no fault, if a detector fails without a fault, or if a fault
+does not fit the source. Prints TAP and writes the matrix as JSON (README.md describes it)."""
 
 import argparse
 import concurrent.futures
@@ -33,7 +33,7 @@ def arguments(words):
 
 
 def key_of(build, detectors):
-    """sha256 of all that the matrix depends on: the programs, the sources, cases, references and tests."""
+    """sha256 of everything that the matrix depends on: programs, sources, cases, references and tests."""
     digest = hashlib.sha256()
     paths = [os.path.join(build.folder, program)
              for program in sorted({detect.program_of(detector) for detector in detectors})]
@@ -48,14 +48,14 @@ def key_of(build, detectors):
 
 
 def concerns(detector, fault):
-    """Physics is for cases and tables to catch, but for what only the named tests look at."""
+    """Whether a detector is run with a fault: for physics, cases, tables and the tests that the fault names."""
     if detector["name"] in fault["tests"]:
         return True
     return not detector.get("named") and (detector["kind"] != "test" or fault["kind"] == "harness")
 
 
 def is_caught(fault, cell):
-    """Whether a cell is what catches this fault: a moved pin is no evidence of wrong physics, and slow is not wrong."""
+    """Whether a cell catches the fault. A pin that moved does not show wrong physics, and slow is not wrong."""
     weak = set() if fault["pin_suffices"] or fault["kind"] == "harness" else {"pin"}
     weak |= set() if fault["timeout_counts"] else {"timeout"}
     return bool(set(cell["by"]) - weak)
@@ -66,7 +66,7 @@ def span(seconds):
 
 
 class Campaign:
-    """All faults against all detectors of one build."""
+    """All faults and all detectors of one build."""
 
     def __init__(self, wanted):
         self.build = plant.Build(wanted.build)
@@ -83,7 +83,7 @@ class Campaign:
         self.telling = threading.Lock()
 
     def choose(self, names):
-        """Only these faults, and the detectors that are set at one of them."""
+        """Selects these faults, and the detectors that are run with at least one of them."""
         unknown = set(names) - {fault["name"] for fault in self.faults}
         if unknown:
             raise plant.Stale(f"there is no fault {', '.join(sorted(unknown))} in tests/mutation/faults.toml")
@@ -98,7 +98,7 @@ class Campaign:
         return path
 
     def run_baseline(self):
-        """Every detector on the program as it is."""
+        """Runs every detector on the program without a fault."""
         def one(detector):
             place = self.place(os.path.join("baseline", detector["name"]))
             return detect.run(detector, os.path.join(self.build.folder, detect.program_of(detector)), place)
@@ -107,7 +107,7 @@ class Campaign:
         self.baseline = {detector["name"]: cell for detector, cell in zip(self.detectors, cells)}
 
     def run_fault(self, fault):
-        """The row of a fault: its cells by detector; of one that is not concerned there is none."""
+        """The row of a fault: its cells by detector. Detectors that are not run with the fault have no cell."""
         row = {key: fault[key] for key in ("name", "kind", "what", "file")}
         row.update(cells={}, caught=False, problem="")
         place = self.place(fault["name"])
@@ -134,7 +134,7 @@ class Campaign:
         return row
 
     def tell(self, what):
-        """How far the faults are, as `pulloff run` says it of its solves."""
+        """Prints the progress in the form of `pulloff run`."""
         with self.telling:
             self.done += 1
             spent = time.monotonic() - self.begin
@@ -165,7 +165,7 @@ def tell(tap, number, passes, name, why):
 
 
 def tap_of(matrix, part):
-    """A line a detector and a fault; of a part of the faults a detector need not catch any."""
+    """One line for each detector and each fault. If only some faults are run, a detector need not catch any."""
     tap, number = [], 0
     for detector in matrix["detectors"]:
         why = "it fails without any fault" if not detector["passes"] else "it caught no fault"
@@ -184,7 +184,7 @@ def tap_of(matrix, part):
 
 
 def table_of(matrix):
-    """The matrix for people, as lines of a comment."""
+    """The matrix as a table in TAP comments."""
     names = [detector["name"] for detector in matrix["detectors"]]
     width = max(len(row["name"]) for row in matrix["faults"])
     signs = {"oracle": "O", "pin": "p", "no_result": "n", "test": "T", "refused": "R", "timeout": "t"}
@@ -208,7 +208,7 @@ def is_kept(path, key):
 
 
 def print_fit():
-    """Whether every fault fits its source; says of each that does not."""
+    """Prints the faults that do not fit their sources. Returns whether all fit."""
     stale = 0
     for fault in plant.read_faults(os.path.join(plant.HERE, "faults.toml")):
         try:

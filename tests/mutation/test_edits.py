@@ -1,5 +1,5 @@
-"""The drawing of random edits: what is edited and what is not, that the draw is fair and stays as it is, and that the
-list of judged edits can be read."""
+"""Tests of the random edits: what is edited and what is not, that the draw is fair and reproducible, and that the list
+of judged edits can be read."""
 
 import collections
 import os
@@ -48,7 +48,7 @@ def pairs(kind):
 
 
 class Edits(unittest.TestCase):
-    def test_comments_directives_and_wording_stay(self):
+    def test_comments_directives_and_messages_are_not_edited(self):
         at = [PROGRAM[edit.start:edit.end] for edit in found()]
         for part in ("3 < 4", "TWICE", "if (a < b)", "sum %d < 8"):
             begin = PROGRAM.index(part)
@@ -57,14 +57,14 @@ class Edits(unittest.TestCase):
             self.assertEqual(inside, [], part)
         self.assertIn("<", at)
 
-    def test_a_loop_is_one_off(self):
+    def test_loop_bounds_are_shifted_by_one(self):
         head = "for (size_t i = 0; i < n; ++i) {"
         self.assertEqual(pairs("bound"), {
             (head, "for (size_t i = 1; i < n; ++i) {"), (head, "for (size_t i = 0; i <= n; ++i) {"),
             (head, "for (size_t i = 0; i + 1 < n; ++i) {")})
         self.assertNotIn((head, "for (size_t i = 0; i > n; ++i) {"), pairs("comparison"))
 
-    def test_each_kind_does_what_it_says(self):
+    def test_each_kind_makes_its_edits(self):
         condition = "if (sum > 7 && !m->late)"
         self.assertEqual({becomes for line, becomes in pairs("comparison") if line == condition},
                          {"if (sum >= 7 && !m->late)", "if (sum < 7 && !m->late)"})
@@ -84,12 +84,12 @@ class Edits(unittest.TestCase):
         self.assertIn(("take(n, sum);", ";"), pairs("deletion"))
         self.assertIn(("return PO_OK;", ";"), pairs("deletion"))
 
-    def test_a_condition_before_a_question_mark_ends_where_it_began(self):
+    def test_condition_before_a_question_mark_is_negated_as_a_whole(self):
         text = "int f(int a) {\n  g(1, h(a) ? 2 : 3);\n  return a < 1 && k[a] ? b : c;\n}\n"
         self.assertEqual({edit.becomes for edit in tokens.edits_of("f.c", text, STATUSES) if edit.kind == "condition"},
                          {"g(1, !(h(a)) ? 2 : 3);", "return !(a < 1 && k[a]) ? b : c;"})
 
-    def test_each_edit_is_one_change_and_has_a_name_of_its_own(self):
+    def test_each_edit_changes_the_text_and_has_a_unique_name(self):
         names = {edit.name for edit in found()}
         self.assertEqual(len(names), len(found()))
         for edit in found():
@@ -97,11 +97,11 @@ class Edits(unittest.TestCase):
             self.assertIn(edit.function, ("", "po_made_up"))
         self.assertEqual({edit.function for edit in found() if "LENGTHS" in edit.line}, {""})
 
-    def test_a_name_does_not_depend_on_what_stands_around(self):
+    def test_a_name_does_not_depend_on_other_code(self):
         moved = PROGRAM.replace("// if", "\n\nstatic int more(int x) {\n  return x + 1;\n}\n// if")
         self.assertLess({edit.name for edit in found()}, {edit.name for edit in found(moved)})
 
-    def test_equal_lines_of_a_function_are_told_apart(self):
+    def test_equal_lines_of_a_function_are_distinguished(self):
         twice = PROGRAM.replace("  take(n, sum);\n", "  take(n, sum);\n" * 2)
         swapped = [edit for edit in found(twice) if edit.becomes == "take(sum, n);"]
         self.assertEqual([edit.nth for edit in swapped], [1, 2])
@@ -123,13 +123,13 @@ class Draw(unittest.TestCase):
         self.assertEqual({edit.kind for edit in everything}, set(tokens.KINDS))
         self.assertEqual(len({edit.name for edit in everything}), len(everything))
 
-    def test_the_same_seed_draws_the_same_and_another_others(self):
+    def test_the_draw_depends_on_the_seed_only(self):
         first = self.drawn(1, 120)
         self.assertEqual(len(first), 120)
         self.assertEqual(first, self.drawn(1, 120))
         self.assertLess(len(set(first) & set(self.drawn(2, 120))), 12)
 
-    def test_a_larger_draw_holds_a_smaller_one(self):
+    def test_a_larger_draw_contains_a_smaller_one(self):
         self.assertLess(set(self.drawn(1, 50)), set(self.drawn(1, 120)))
 
     def test_no_room_and_no_kind_is_left_out(self):
@@ -141,13 +141,13 @@ class Draw(unittest.TestCase):
         kinds = collections.Counter(edit.kind for edit in drawn)
         self.assertGreaterEqual(min(kinds[kind] for kind in tokens.KINDS), 8)
 
-    def test_what_is_not_effective_is_passed_over(self):
+    def test_edits_without_effect_are_left_out(self):
         first = self.drawn(1, 40)
         without = draw.draw(1, self.rooms, 40, lambda edit: edit != first[0])
         self.assertEqual(len(without), 40)
         self.assertEqual(len(set(first) & set(without)), 39)
 
-    def test_a_change_elsewhere_leaves_the_others_drawn(self):
+    def test_a_change_of_some_files_keeps_most_of_the_draw(self):
         first = self.drawn(1, 120)
         gone = {edit.file for edit in first[:3]}
         rooms = {room: [edit for edit in found if edit.file not in gone] for room, found in self.rooms.items()}
@@ -162,10 +162,10 @@ class Judged(unittest.TestCase):
             stream.flush()
             return edits.read_judged(stream.name)
 
-    def test_the_list_of_the_project_is_whole(self):
+    def test_the_list_of_the_project_can_be_read(self):
         edits.read_judged(os.path.join(HERE, "equivalents.toml"))
 
-    def test_an_entry_needs_its_reason_and_stands_there_once(self):
+    def test_an_entry_has_a_reason_and_occurs_once(self):
         edit = found()[0]
         entry = edits.entry_of(edit)
         with self.assertRaisesRegex(plant.Stale, "without a reason"):
@@ -179,7 +179,7 @@ class Judged(unittest.TestCase):
 
 
 class Order(unittest.TestCase):
-    def test_cheap_tests_and_those_that_caught_something_come_first(self):
+    def test_cheap_and_successful_tests_come_first(self):
         cost = edits.expected_cost
         self.assertLess(cost(0.1, 0, 0), cost(2.0, 0, 0))
         self.assertLess(cost(2.0, 10, 10), cost(1.0, 10, 0))
@@ -187,7 +187,7 @@ class Order(unittest.TestCase):
 
 
 class Copy(unittest.TestCase):
-    def test_a_copy_is_made_whole_again_and_leaves_builds_out(self):
+    def test_a_copy_is_restored_and_contains_no_builds(self):
         with tempfile.TemporaryDirectory() as place:
             root, copy = os.path.join(place, "root"), os.path.join(place, "copy")
             for name in ("src/a.c", "build/b.o", "build-clang/c.o", "tests/build.c", ".git/d"):

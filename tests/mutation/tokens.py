@@ -1,4 +1,4 @@
-"""Reads C source as tokens, and lists the edits of one line or so that a careless hand could make in it."""
+"""Reads C source as tokens, and lists small edits of the kind of typical programming errors."""
 
 import collections
 import hashlib
@@ -31,7 +31,7 @@ NAMED = {"true": ("false",), "false": ("true",), "INFINITY": ("0.0",), "NAN": ("
 
 
 def tokens_of(source):
-    """The tokens that mean something to the compiler, without directives of the preprocessor."""
+    """The tokens of the compiler, without comments and preprocessor directives."""
     found, place = [], 0
     while place < len(source):
         match = TOKEN.match(source, place)
@@ -44,8 +44,8 @@ def tokens_of(source):
 
 
 class Edit(collections.namedtuple("Edit", "file function line becomes nth kind start end new")):
-    """One edit of a file: `new` in place of what lies between two offsets. It is known by its file, its function, the
-    text of the lines before and after it, and which of several such lines it is; not by where it lies."""
+    """One edit of a file: `new` replaces the text between two offsets. An edit is identified by its file, its function,
+    the text of its lines before and after the edit, and its number among equal lines; not by its position."""
 
     @property
     def name(self):
@@ -57,7 +57,7 @@ class Edit(collections.namedtuple("Edit", "file function line becomes nth kind s
 
 
 class Source:
-    """The tokens of a file, which bracket belongs to which, and in which function a token is."""
+    """The tokens of a file, with matching brackets and the function of each token."""
 
     def __init__(self, text):
         self.text, self.tokens = text, tokens_of(text)
@@ -76,7 +76,7 @@ class Source:
             self.function[k] = function if opened or token.text == "}" else ""
 
     def begun(self, k):
-        """The name of the function whose body this brace opens; "" when it opens none."""
+        """The name of the function whose body this brace opens; "" if it opens none."""
         if self.is_mark(k - 1, ")"):
             first = self.pair.get(k - 1)
             if first and self.tokens[first - 1].kind == "word":
@@ -90,7 +90,7 @@ class Source:
         return self.tokens[k].text if 0 <= k < len(self.tokens) and self.tokens[k].kind == "word" else ""
 
     def is_binary(self, k):
-        """Whether something that can be an operand stands before this operator."""
+        """Whether the token before this operator can end an operand."""
         if k == 0:
             return False
         before = self.tokens[k - 1]
@@ -102,7 +102,7 @@ class Source:
         return self.text[self.tokens[first].start:self.tokens[last].end]
 
     def parts(self, first, mark):
-        """The parts of a bracket between its commas or semicolons, each as its first and its last token."""
+        """The parts of a bracket between commas or semicolons, each as its first and last token."""
         found, begin = [], first + 1
         for k in range(first + 1, self.pair[first] + 1):
             if k == self.pair[first] or (self.inside[k] == first and self.is_mark(k, mark)):
@@ -112,7 +112,7 @@ class Source:
 
 
 def loop_bounds(source):
-    """What a loop begins with and ends at, one too early or too late; returned with the tokens it is about."""
+    """Edits that shift the first or last value of a loop by one. Returns them with the tokens that they concern."""
     changes, taken = [], set()
     for k, token in enumerate(source.tokens):
         if token.text != "for" or token.kind != "word" or k + 1 not in source.pair:
@@ -134,7 +134,7 @@ def loop_bounds(source):
 
 
 def constants(token):
-    """What a constant may be mistaken for."""
+    """Values that may replace a constant."""
     if token.kind == "word":
         return NAMED.get(token.text, ())
     whole = INTEGER.fullmatch(token.text)
@@ -147,7 +147,7 @@ def constants(token):
 
 
 def one_token(source, taken, statuses):
-    """Edits that put one token in place of another, as (kind, start, end, new)."""
+    """Edits that replace one token, as (kind, start, end, new)."""
     for k, token in enumerate(source.tokens):
         if k in taken:
             continue
@@ -164,7 +164,7 @@ def one_token(source, taken, statuses):
             if token.text in "!~":
                 found.append(("logic", ""))
         elif token.kind == "word" and token.text in statuses:
-            # of the others, success and the two that follow in the list
+            # success and the next two statuses of the list
             place = statuses.index(token.text)
             others = {statuses[0], statuses[(place + 1) % len(statuses)], statuses[(place + 2) % len(statuses)]}
             found += [("status", new) for new in sorted(others - {token.text})]
@@ -175,7 +175,7 @@ def one_token(source, taken, statuses):
 
 
 def conditions(source):
-    """Conditions negated: of `if`, of `while`, and what stands before a question mark."""
+    """Edits that negate a condition: of `if`, of `while`, and before a question mark."""
     for k in range(len(source.tokens)):
         if source.word(k) in ("if", "while") and k + 1 in source.pair:
             first, last = k + 2, source.pair[k + 1] - 1
@@ -190,14 +190,14 @@ def conditions(source):
 
 
 def ends_condition(source, k, inside):
-    """Whether a token before a question mark no longer belongs to its condition."""
+    """Whether a token before a question mark is outside its condition."""
     return k == inside or source.word(k) == "return" or (
         source.tokens[k].kind == "mark" and source.tokens[k].text in
         ("=", ",", ";", "{", "}", "?", ":", "+=", "-=", "*=", "/=", "|=", "&="))
 
 
 def deletions(source):
-    """Statements that are deleted whole."""
+    """Edits that delete a statement."""
     for k in range(1, len(source.tokens)):
         inside = source.inside[k]
         if inside is None or not source.is_mark(inside, "{") or not begins_statement(source, k):
@@ -223,7 +223,7 @@ def begins_statement(source, k):
 
 
 def swaps(source):
-    """Neighbouring arguments of a call, exchanged."""
+    """Edits that exchange neighbouring arguments of a call."""
     for k in range(1, len(source.tokens)):
         if not source.is_mark(k, "(") or not source.word(k - 1) or source.word(k - 1) in NOT_CALLED or \
                 source.inside[k] is None or k not in source.pair:
@@ -237,7 +237,7 @@ def swaps(source):
 
 
 def edits_of(file, text, statuses):
-    """All edits of a file, in the order of its text; `statuses`: the names of all, success first."""
+    """All edits of a file, in the order of its text. `statuses`: the names of all statuses, success first."""
     source = Source(text)
     bounds, taken = loop_bounds(source)
     found = [("bound", *change) for change in bounds]
