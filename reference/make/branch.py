@@ -1,6 +1,6 @@
 """Equilibrium branch of an adhesive axisymmetric contact (Eqs 10-17).
 
-Normalised unknowns: gap H(u) and approach D, with
+The unknowns are the gap H(u) and the approach D, with
 
     F = H + D - f(u) - elastic * deflection[P(H)] = 0                  (Eq 16)
     W = 2 int P u du                                                   (Eq 15)
@@ -8,8 +8,8 @@ Normalised unknowns: gap H(u) and approach D, with
 with the profile f, the law P and one elastic number. For the smooth sphere of the paper the unit of
 radii is Gamma = sqrt(R mu epsilon), f = mu u^2/2, elastic = mu and P is mu times the law (Eq 9).
 
-The branch is followed by arclength in the three numbers Y = (D, W, H(0)): they
-do not depend on the mesh, so a state can be moved to another mesh at any point.
+The branch is followed by arclength in the three numbers Y = (D, W, H(0)). They do
+not depend on the mesh, so a state can be transferred to another mesh at any point.
 The tangent (dD, dW, dH0)/ds has unit length; dD/ds = 0 is a fold (jump under
 displacement control), dW/ds = 0 an extremum of the load.
 """
@@ -25,21 +25,22 @@ from profiles import Sphere
 APPROACH, LOAD, CENTRE = 0, 1, 2        # components of Y
 
 NEWTON_ROUNDS = 12
-NEWTON_DONE = 1e-9      # last relative update; the error left is its square
-EDGE_LEVEL = 8          # halvings at least towards the edge of a bounded surface; the load at
+NEWTON_DONE = 1e-9      # last relative update; the remaining error is its square
+EDGE_LEVEL = 8          # least number of halvings towards the edge of a bounded surface; the load at
                         # mu = 3, A = 1, L = 1.15, outer 5.8 is the same to 1e-14 with 4 and with 22
-CLOSEST_GAP = 0.5       # one update may at most take half the room of the law (Lennard-Jones: 1 + H)
+CLOSEST_GAP = 0.5       # one update may at most halve the distance to the singularity of the law
+                        # (Lennard-Jones: 1 + H)
 
 
 class NotConverged(Exception):
-    """Newton's method failed; the caller shortens its step."""
+    """Newton's method failed. The caller shortens its step."""
 
 
 @dataclass(frozen=True)
 class Problem:
-    """What is pressed: law and profile in the units of the solver, the elastic number, the radius `outer` of the
-    surface (None = unbounded), the least start of the mapped panel if that is None, and the least halvings of the
-    panels towards the edge `outer`."""
+    """A contact problem: the law and the profile in the units of the solver, the elastic number, the radius `outer` of
+    the surface (None = unbounded), the least start of the mapped panel of an unbounded surface, and the least number of
+    halvings of the panels towards the edge `outer`."""
     law: object
     profile: object
     elastic: float
@@ -56,7 +57,7 @@ class Problem:
 
     @property
     def decay(self):
-        """Of the traction on the unbounded surface, and the root of the mapped panel."""
+        """The decay of the traction on an unbounded surface, and the root of the mapped panel (copson.py)."""
         decay = self.law.decay * self.profile.growth
         root = next((k for k in (1, 2) if (k * decay) % 1.0 == 0.0 and (k * self.profile.growth) % 1.0 == 0.0), None)
         if decay <= 2.0:
@@ -68,7 +69,7 @@ class Problem:
 
 
 def smooth_sphere(tabor, outer=None):
-    """Feng's problem: A = 0, parabola mu u^2/2, by default on the unbounded half-space."""
+    """A smooth sphere (A = 0, parabola mu u^2/2), by default on the unbounded half-space."""
     # the mapped panel starts well outside both the range of the attraction, sqrt(2/mu), and any contact area met
     # here (u < 3)
     return Problem(Mie(3.0, 9.0, tabor), Sphere(tabor), tabor, outer, max(6.0 * np.sqrt(2.0 / tabor), 10.0))
@@ -76,8 +77,8 @@ def smooth_sphere(tabor, outer=None):
 
 @dataclass(frozen=True)
 class Level:
-    """A refinement level: nodes a panel, nodes of the mapped panel, tolerance
-    on unresolved traction, start of the mapped panel (relative), additional
+    """A refinement level: nodes of a panel, nodes of the mapped panel, tolerance
+    on the unresolved traction, start of the mapped panel (relative), additional
     quadrature points, halvings of the panels towards a kink of the profile."""
     order: int
     tail: int
@@ -91,12 +92,12 @@ class Level:
         return self.cut * problem.core
 
     def warp(self, x):
-        """Edges of a bounded surface, on [0, 1], from dyadic ones: so the
-        meshes of two levels have no edge in common but the ends."""
+        """Maps dyadic panel edges on [0, 1] to those of a bounded surface, so that
+        the meshes of two levels have only the ends in common."""
         return x / (x + self.cut * (1.0 - x))
 
 
-# The tail order and the cut vary too, so that comparing levels tests everything.
+# The order of the mapped panel and its start differ, too, so that the comparison of levels tests every part.
 TRACE = Level(order=14, tail=16, tolerance=1e-8)
 FINE_TRACE = Level(order=16, tail=18, tolerance=1e-9)
 POLISH = (Level(order=14, tail=18, tolerance=1e-10),
@@ -105,7 +106,7 @@ POLISH = (Level(order=14, tail=18, tolerance=1e-10),
 
 LEAST_LEVEL = 3         # coarsest panels: 1/8 of the finite part
 MOST_LEVEL = 22
-REMESH_FACTOR = 100.0   # re-mesh while tracing at this multiple of the tolerance
+REMESH_FACTOR = 100.0   # during a trace a new mesh is made at this multiple of the tolerance
 MESH_ROUNDS = 8
 
 
@@ -127,14 +128,15 @@ class State:
 
 def make_surface(problem, level, unresolved, least=LEAST_LEVEL):
     """Adaptive panels with a mapped panel to infinity, or on a bounded surface
-    panels graded to its edge, where the traction jumps to zero; both graded to the kinks of the profile."""
+    panels graded towards its edge, where the traction jumps to zero. Both are graded towards the kinks of the
+    profile."""
     end = level.cut_radius(problem) if problem.outer is None else problem.outer
     kinks = [r for r in problem.profile.kinks if r < end]
     ends = sorted({0.0, *kinks, end})
     depth = int(np.ceil(level.kink * problem.profile.grading))
     parts = []
     for first, last in zip(ends, ends[1:]):
-        # the start of the mapped panel moves by itself
+        # the start of the mapped panel depends on the level already
         warp = level.warp if last < end or problem.outer is not None else lambda x: x
 
         def coarse(low, high):
@@ -159,7 +161,7 @@ def make_surface(problem, level, unresolved, least=LEAST_LEVEL):
 def correct(problem, surface, gap, approach, direction, target, previous=None):
     """Newton's method for F = 0 together with direction . Y = target.
 
-    Returns the State; its tangent points the way of `previous` (a rate), or of
+    Returns the State. Its tangent has the sense of `previous` (a rate), or of
     `direction` if that is None."""
     undeformed = problem.profile.gap(surface.u)
     operator = problem.elastic * surface.deflection
@@ -172,7 +174,7 @@ def correct(problem, surface, gap, approach, direction, target, previous=None):
     for _ in range(NEWTON_ROUNDS):
         p, slope = problem.traction(gap), problem.slope(gap)
         y = np.array([approach, surface.load(p), surface.centre @ gap[:surface.order]])
-        # rows scaled by 1/(1+|H|): the far gap is huge and of no consequence
+        # rows are scaled by 1/(1+|H|), because the far gap is large and does not matter
         scale = 1.0 / (1.0 + np.abs(gap))
         matrix[:n, :n] = -operator * slope[None, :]
         matrix[:n, :n].flat[::n + 1] += 1.0
@@ -206,23 +208,23 @@ def correct(problem, surface, gap, approach, direction, target, previous=None):
 
 
 def advance(problem, state, distance):
-    """The equilibrium `distance` further along (measured along the tangent)."""
+    """The equilibrium at `distance` from a state, measured along its tangent."""
     return correct(problem, state.surface, state.gap + distance * state.gap_rate,
                    state.approach + distance * state.rate[APPROACH],
                    state.rate, state.rate @ state.y + distance)
 
 
 def unresolved(problem, state):
-    """Per panel: unresolved part of the traction and of its rate of change."""
+    """For each panel the unresolved part of the traction and of its rate of change."""
     surface = state.surface
     return np.maximum(surface.roughness(problem.traction(state.gap)),
                       surface.roughness(problem.slope(state.gap) * state.gap_rate))
 
 
 def remesh(problem, state, level, direction=None, target=None):
-    """Move `state` to a mesh of `level` adapted to it and re-converge with
-    direction . Y = target (as it stands: the state's own rate and Y); repeated
-    until the mesh no longer asks to be cut finer."""
+    """Transfers `state` to a mesh of `level` that is adapted to it, and solves again with
+    direction . Y = target (by default the rate and Y of the state). This is repeated
+    until the mesh needs no further refinement."""
     if direction is None:
         direction, target = state.rate, state.rate @ state.y
     probe, _, to_legendre = legendre_transform(level.order)
@@ -235,7 +237,7 @@ def remesh(problem, state, level, direction=None, target=None):
         refine = np.append(unresolved(problem, state) > level.tolerance, False)
 
         def rough(low, high):
-            # the old interpolant says nothing on scales below its own panels:
+            # the old interpolant has no information on scales below its own panels:
             # cut those at most once, and only if they are unresolved
             inside = np.arange(np.searchsorted(old.edges, low * (1 + 1e-12), "right") - 1,
                                np.searchsorted(old.edges, high * (1 - 1e-12), "left"))
@@ -262,7 +264,7 @@ def remesh(problem, state, level, direction=None, target=None):
 
 
 def start(problem, approach, level):
-    """The nearly undeformed state far out, found at fixed approach."""
+    """The nearly undeformed state at a far approach, which is held fixed."""
     surface = make_surface(problem, level, lambda low, high: False, least=5)
     state = correct(problem, surface, problem.profile.gap(surface.u) - approach, approach,
                     np.array([1.0, 0.0, 0.0]), approach)

@@ -1,4 +1,4 @@
-"""Tables of values each computed by two routes that agree: checking, printing, command line."""
+"""Tables whose values are each computed by two independent methods ("routes"): comparison, printing, command line."""
 
 from dataclasses import dataclass, field
 from typing import Callable
@@ -19,12 +19,12 @@ INTERFACE_UNITS = ("lengths, approach and contact radius in units of epsilon, ap
 
 
 def text(x, digits):
-    """A number rounded to so many significant digits."""
+    """A number rounded to the given significant digits."""
     return nstr(mpf(x), digits, strip_zeros=True, min_fixed=-6, max_fixed=digits)
 
 
 class Agreement:
-    """Largest relative difference seen between two routes; refuses one above the limit."""
+    """The largest relative difference between two routes so far. A difference above the limit is an error."""
 
     def __init__(self, limit):
         self.limit = mpf(limit)
@@ -32,7 +32,7 @@ class Agreement:
         self.count = 0
 
     def check(self, label, value, other, scale=None):
-        """The value, once the other route gives the same (relative to scale, else to itself)."""
+        """Returns the value if the other route agrees, relative to `scale` or, by default, to the value."""
         size = abs(value) if scale is None else mpf(scale)
         difference = abs(value - other) / size if value != other else mpf(0)
         if not difference <= self.limit:
@@ -49,17 +49,17 @@ class Agreement:
 
 @dataclass
 class Table:
-    """One file: its header, and how a point (a tuple) becomes a row (strings)."""
+    """One file: its header, its points (tuples) and the function that gives the row (strings) of a point."""
     name: str
     columns: list
     points: list
     row: Callable              # row(point, agreement) -> strings, as many as columns
     header: dict
-    limit: str                 # of the relative difference of the routes
-    tolerance: str             # relative, for a row recomputed by --sample
-    stride: int                # --sample takes every so many points
-    absolute: str = "0"        # or absolute, whichever is wider
-    checks: Callable = field(default=lambda: None)   # known values; raises on disagreement
+    limit: str                 # largest relative difference of the routes
+    tolerance: str             # relative tolerance of a row that --sample recomputes
+    stride: int                # --sample recomputes every stride-th point
+    absolute: str = "0"        # absolute tolerance; the larger of the two counts
+    checks: Callable = field(default=lambda: None)   # compares known values; raises an exception if they differ
 
     def write(self, folder):
         self.checks()
@@ -87,7 +87,7 @@ class Table:
 
 
 def same(old, new, tolerance, absolute):
-    """Two printed entries, words or numbers."""
+    """Whether two printed entries, words or numbers, agree."""
     if old == new:
         return True
     try:
@@ -98,7 +98,7 @@ def same(old, new, tolerance, absolute):
 
 
 def command_line(document, tables):
-    """--write [DIR] or --sample."""
+    """The command line with --write [DIR] and --sample."""
     parser, _ = options(document)
 
     def act(arguments):

@@ -1,4 +1,4 @@
-"""What the command lines here share: one option says what is to be done."""
+"""The command lines of the generators. One option selects the action."""
 
 import argparse
 import os
@@ -10,7 +10,7 @@ STORED = Path(__file__).resolve().parent.parent
 
 
 def options(document):
-    """A parser with --sample and --write, and their group, of which one is to be given."""
+    """A parser with --sample and --write, and the group of these options, of which exactly one must be given."""
     parser = argparse.ArgumentParser(description=document.split("\n\n")[0])
     group = parser.add_mutually_exclusive_group(required=True)
     group.add_argument("--sample", action="store_true",
@@ -21,7 +21,7 @@ def options(document):
 
 
 def notes():
-    """A function that notes how far the work is, with the seconds since now."""
+    """A function that prints the progress, with the seconds since this call."""
     begin = time.time()
 
     def note(text):
@@ -31,8 +31,8 @@ def notes():
 
 
 def run(act, arguments, failure=ValueError):
-    """Calls act(arguments). The exit code: 1, with one line, when a number or a file is not as it
-    should be; `failure` is one more exception that says so."""
+    """Calls act(arguments) and returns the exit code: 1, with a message of one line, if a number or a
+    file is wrong. `failure` is a further exception type that reports this."""
     try:
         act(arguments)
     except (ValueError, OSError, failure) as problem:
@@ -42,8 +42,8 @@ def run(act, arguments, failure=ValueError):
 
 
 def act_on_scenes(arguments, scenes, show, sample, write):
-    """What one of --list, --scene, --sample and --write asks for. Given: the scenes of the tables, and
-    functions of a scene, of the folder of the stored tables, and of a folder."""
+    """Does what --list, --scene, --sample or --write requests. Given: the scenes of the tables, and the
+    functions show(scene), sample(folder of the stored tables) and write(folder)."""
     if arguments.list:
         print("\n".join(" ".join(scene) for scene in scenes))
     elif arguments.scene:

@@ -6,10 +6,10 @@ from numpy.polynomial import chebyshev
 from scipy.optimize import brentq
 
 DEGREE = 24               # of the interpolant of the gap on a piece
-RESOLVED = 1e-11          # its last coefficients over the largest: else the piece is halved
+RESOLVED = 1e-11          # the piece is halved unless its last coefficients over the largest are below this
 MOST_HALVINGS = 40
-ROUNDING = 1e-9           # imaginary part of a root that counts as real; and the overlap of pieces
-BRACKET = 1e-6            # about a root of the interpolant, over the width of its piece
+ROUNDING = 1e-9           # largest imaginary part of a real root; also the overlap of pieces
+BRACKET = 1e-6            # around a root of the interpolant, relative to the width of its piece
 ROOT_TOLERANCE = 1e-15    # of the radius, relative
 
 _POINTS = chebyshev.chebpts1(DEGREE + 1)
@@ -25,13 +25,13 @@ def gap_between_nodes(problem, state):
 
 
 def _outermost_root(excess, low, high, halvings=0):
-    """The largest zero of `excess` in [low, high], which lies within one panel; None: there is none.
+    """The largest zero of `excess` in [low, high], which lies within one panel; None if there is none.
     All real zeros of an interpolant are found at once, as eigenvalues."""
     middle, half = 0.5 * (low + high), 0.5 * (high - low)
     coefficients = _TO_COEFFICIENTS @ excess(middle + half * _POINTS)
     size = np.abs(coefficients)
     if coefficients[0] > 2.0 * size[1:].sum():
-        return None                           # positive throughout, resolved or not
+        return None                           # positive everywhere, whether resolved or not
     if size[-3:].max() > RESOLVED * size.max():
         if halvings == MOST_HALVINGS:
             raise ValueError(f"the gap is not resolved near u = {middle}")
@@ -45,15 +45,15 @@ def _outermost_root(excess, low, high, halvings=0):
     root = middle + half * min(1.0, roots.max())
     bracket = max(low, root - BRACKET * half), min(high, root + BRACKET * half)
     ends = excess(np.array(bracket))
-    if ends[0] * ends[1] < 0.0:               # else the gap touches, or the root is an end
+    if ends[0] * ends[1] < 0.0:               # otherwise the gap only touches the threshold, or the root is an end
         root = brentq(lambda u: excess(np.array([u]))[0], *bracket, xtol=ROOT_TOLERANCE * root,
                       rtol=1e-15)
     return root
 
 
 def contact_radius(problem, state):
-    """In the unit of radii of the problem; 0 when the bodies are farther apart everywhere, and
-    the radius of a bounded surface that is in contact up to its edge."""
+    """The contact radius in the unit of radii of the problem: 0 if the bodies are not in contact, and
+    the radius of the surface if it is bounded and in contact up to its edge."""
     gap, peak_gap = gap_between_nodes(problem, state), problem.law.peak_gap
     edges = state.surface.edges
     outside = edges[-1] * np.linspace(1.0, 2.0, 64)

@@ -1,5 +1,5 @@
-"""Values converged on several levels with the differences between the levels:
-landmarks of a branch and points along it."""
+"""Special points of a branch and points along it, converged on several levels, with the
+differences between the levels."""
 
 from dataclasses import dataclass
 
@@ -12,7 +12,7 @@ from tables import bound, number
 
 SAFETY = 3.0              # stored uncertainty / observed difference between levels
 CURVE_POINTS = 180
-CURVE_CHECK = 10          # every so many points the third level is solved as well
+CURVE_CHECK = 10          # every CURVE_CHECK-th point is also solved on the third level
 
 BOUND_IN_WORDS = (f"bound: {SAFETY:g} times the largest difference between refinement levels, "
                   "not below 1e-10")
@@ -20,8 +20,8 @@ BOUND_IN_WORDS = (f"bound: {SAFETY:g} times the largest difference between refin
 
 @dataclass(frozen=True)
 class Row:
-    """A converged landmark; contact_radius in units of Gamma = epsilon sqrt(R mu);
-    `spread` = differences between levels (D, W, contact radius)."""
+    """A converged special point, with contact_radius in units of Gamma = epsilon sqrt(R mu).
+    `spread`: differences between levels (D, W, contact radius)."""
     kind: str
     approach: float
     load: float
@@ -30,8 +30,8 @@ class Row:
 
 
 def solve_landmarks(problem, ends, levels=POLISH, check=True):
-    """Converged landmarks in order along the branch; ends: arguments of trace.
-    With `check` they are searched for on a second trace, of other mesh and step."""
+    """Converged special points in order along the branch. `ends`: arguments of trace.
+    With `check` they are searched again on a second trace with another mesh and other steps."""
     marks = find_landmarks(problem, trace(problem, TRACE, **ends))
     if check:
         finer = find_landmarks(problem, trace(problem, FINE_TRACE, refine=2.0, **ends))
@@ -51,9 +51,9 @@ def converge_mark(problem, mark, levels):
 
 
 def curve_states(problem, states):
-    """About CURVE_POINTS states from the first to the last, spread evenly over
-    a monitor of which half is arclength and half turning in the (D, W) plane,
-    so that bends are well covered."""
+    """About CURVE_POINTS states from the first to the last. They are evenly spaced in a
+    monitor function, half arclength and half change of direction in the (D, W) plane,
+    so that bends have enough points."""
     y = np.array([s.y[:2] for s in states])
     slope = np.array([s.rate[:2] for s in states])
     turn = np.abs(np.diff(np.unwrap(np.arctan2(slope[:, 1], slope[:, 0]))))
@@ -95,21 +95,21 @@ def solve_curve(problem, first, component, end, levels=POLISH):
 
 
 def worst(curves):
-    """Largest spread of the points of all curves on two levels and on three."""
+    """The largest spread of the points of all curves on two levels, and on three."""
     every = [row for rows in curves for row in rows]
     return max(r[2] for r in every if not r[3]), max(r[2] for r in every if r[3])
 
 
 def landmark_cells(rows, width):
-    """index, kind, approach, load, contact radius and the uncertainties, as in the tables. Given:
-    width, the value of Gamma in the unit of the contact radius."""
+    """Index, kind, approach, load, contact radius and their uncertainties, as in the tables. `width`:
+    the value of Gamma in the unit of the contact radius."""
     return [(str(i + 1), r.kind, number(r.approach), number(r.load), number(r.contact_radius * width),
              bound(SAFETY * r.spread[0]), bound(SAFETY * r.spread[1]),
              bound(SAFETY * r.spread[2] * width)) for i, r in enumerate(rows)]
 
 
 def pull_off_cells(rows, width):
-    """force, approach, contact radius and the uncertainties."""
+    """Force, approach, contact radius and their uncertainties."""
     r = pull_off(rows)
     return (number(-r.load), number(r.approach), number(r.contact_radius * width),
             bound(SAFETY * r.spread[1]), bound(SAFETY * r.spread[0]),
@@ -117,7 +117,7 @@ def pull_off_cells(rows, width):
 
 
 def show(rows, width, unit):
-    """Prints landmarks for a reader; width: as in landmark_cells."""
+    """Prints special points. `width`: as in landmark_cells."""
     for r in rows:
         print(f"{r.kind:9s} approach {r.approach: .13f} load {r.load: .13f} "
               f"contact radius {r.contact_radius * width:.12f} {unit} "
@@ -131,9 +131,9 @@ def _compare(where, value, stored, uncertainty):
 
 
 def compare(where, rows, landmarks, best, width, radius):
-    """Raise if recomputed landmarks are outside the stored uncertainty: rows of
-    the table of landmarks, the row of the table of pull-off. Given: width, as in
-    landmark_cells; radius, the name of the column of contact radii."""
+    """Raises an exception if recomputed special points are outside the stored uncertainty.
+    Given: the rows of the table of special points, the row of the table of pull-off;
+    `width`, as in landmark_cells; `radius`, the name of the column of contact radii."""
     if [r.kind for r in rows] != [s["kind"] for s in landmarks]:
         raise ValueError(f"{where}: other kinds of landmarks")
     for r, s in zip(rows, landmarks):

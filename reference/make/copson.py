@@ -8,16 +8,17 @@ For a traction p(s) on an elastic half-space the deflection is (E* = 1)
 which equals int G(r,s) p(s) s ds with the kernel of Eq 12, but contains
 neither an elliptic integral nor a singular integrand.
 
-Discretisation.  The radius [0, U) is cut into panels.  On each panel p and g
+Discretisation.  The radius [0, U) is divided into panels.  On each panel p and g
 are polynomials in q = s^2 through Gauss-Legendre nodes in q.  Along the path
 of stage 1 q = t^2 + x^2 is quadratic in x, so the Gauss-Legendre rule of stage
 1 is exact for the interpolant; along stage 2 q = r^2 sin^2(phi) is entire in
 phi.  As 2 s ds = dq, the Gauss weights in q are also the load weights.
 The rest of the surface, [U, inf), is one mapped panel in z = y^(1/root), y = 1/s,
 where p = y^decay * polynomial(z) and hence g = y^(decay - 1) * polynomial(z).
-A law that decays with the power m of a gap that grows with the power N gives
-decay = m N, and powers of y^N in the polynomial: root = 1 serves whole N, 2 halves.
-Lennard-Jones on a sphere has decay 6 (Eq 11 far out).
+If the law decays with the power m of the gap, and the gap grows with the power N of
+the radius, then decay = m N, and the polynomial has powers of y^N: root = 1 is for
+integer N, root = 2 for half-integer N. Lennard-Jones on a sphere has decay 6 (Eq 11 at
+large radii).
 """
 
 import numpy as np
@@ -45,7 +46,7 @@ def legendre_transform(n):
 
 
 def _segments(lower, upper, x):
-    """Map the rule points x in [-1,1] to the segments [lower_i, upper_i]."""
+    """Maps the points x of a rule on [-1,1] to the segments [lower_i, upper_i]."""
     half = 0.5 * (upper - lower)
     return half[:, None] * (x[None, :] + 1.0) + lower[:, None], half
 
@@ -59,8 +60,8 @@ class Surface:
             (p = 0 beyond edges[-1]; grade the edges towards it)
     extra   quadrature points above the minimum, to test the quadrature itself
     decay, root     of the mapped panel
-    exempt  per panel: it touches a kink of the profile, where no polynomial resolves; it is as narrow as
-            the grading makes it
+    exempt  for each panel, whether it touches a kink of the profile. No polynomial resolves a kink, so such
+            a panel is only as narrow as the grading makes it
     """
 
     def __init__(self, edges, order, tail, extra=0, decay=6.0, root=1, exempt=None):
@@ -185,16 +186,16 @@ class Surface:
         return out
 
     def roughness(self, f):
-        """Per finite panel: size of the last two Legendre coefficients of f
-        relative to max|f|, the measure of unresolved content."""
+        """For each finite panel the size of the last two Legendre coefficients of f
+        relative to max|f|, as a measure of the unresolved part."""
         n = self.panels * self.order
         coefficients = f[:n].reshape(self.panels, self.order) @ self.to_legendre.T
         return np.where(self.exempt, 0.0, np.abs(coefficients[:, -2:]).max(axis=1) / np.abs(f).max())
 
 
 def dyadic_edges(cut, unresolved, least_level, most_level):
-    """Edges of [0, cut] cut in halves wherever unresolved(low, high) is true;
-    every panel is between least_level and most_level halvings deep."""
+    """Panel edges of [0, cut]. Panels are halved where unresolved(low, high) is true;
+    every panel has between least_level and most_level halvings."""
     edges = [0.0]
     stack = [(0, 0)]                                   # (level, index)
     while stack:

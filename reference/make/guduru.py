@@ -33,7 +33,7 @@ OTHERS = [("0.1", "1", "20", "100"), ("0.25", "0.05", "3.7", "17"), ("1", "1", "
           ("5", "0.1", "20", "100"), ("5", "1", "20", "100"), ("2.385", "0.7", "11", "250"),
           ("5", "5", "5", "100"), ("3", "0", "20", "100"), ("5", "0.05", "5", "100")]
 
-# What the Lennard-Jones solution tends to as mu grows: smooth and gently wavy spheres.
+# Scenes for the limit of the Lennard-Jones solution at large mu: smooth and gently wavy spheres.
 LIMITS = ([(tabor, "0", "20", "100") for tabor in "2 3 5 7 10 14 20 30 50".split()]
           + [(tabor, amplitude, "10", "100") for tabor in ("5", "10", "20")
              for amplitude in ("0.02", "0.1", "0.4")])
@@ -42,7 +42,7 @@ KNOWN = (("5", "10", "20", "100"), "19.9243")           # pull-off force, as in 
 
 
 def product(a, b):
-    """Exact decimal product, as text."""
+    """The exact product of two decimal numbers, as text."""
     return text(mpf(a) * mpf(b), 12).removesuffix(".0")
 
 
@@ -54,7 +54,7 @@ def scenes():
 
 
 class Scene:
-    """The dimensionless problem: modulus E* epsilon/w (notes, section 1), waviness, radius."""
+    """The dimensionless problem: modulus E* epsilon/w, waviness, radius."""
 
     def __init__(self, words):
         self.tabor, self.amplitude, self.wavelength, self.radius = (mpf(x) for x in words)
@@ -67,7 +67,7 @@ class Scene:
                 sqrt(2 * pi * a / self.modulus))
 
     def formula(self, a):
-        """(load, approach, d load/d a): Eq 5 by Struve functions, the bracket in physical form."""
+        """(load, approach, d load/d a) from Eq 5 with Struve functions, with the bracket in physical form."""
         x = self.number * a
         h0, h1 = struveh(0, x), struveh(1, x)
         load = self.modulus * (4 * a ** 3 / (3 * self.radius)
@@ -78,7 +78,8 @@ class Scene:
         return self.with_adhesion(a, load, approach, slope)
 
     def printed(self, a):
-        """Load by Eq 5 as printed, with H2 (cancels; "4 sqrt(beta) a^3" read as 4 sqrt(beta a^3))."""
+        """The load from Eq 5 as printed, with H2, which loses digits by cancellation. The printed
+        "4 sqrt(beta) a^3" is read as 4 sqrt(beta a^3)."""
         alpha = self.amplitude * self.radius / self.wavelength ** 2
         beta = self.wavelength ** 3 * self.modulus / (2 * pi * self.radius ** 2)
         s = a / self.wavelength
@@ -88,7 +89,7 @@ class Scene:
             - 4 * sqrt(beta * s ** 3)
 
     def direct(self, a):
-        """The same from the profile: r = a sin(angle),
+        """The same, directly from the profile: r = a sin(angle),
 
         delta_H = a int f'(r) d(angle), P_H = 2 E* int r^2 f'(r) d(angle),
         dP_H/da = 2 E* a d(delta_H)/da, d(delta_H)/da = int [f'(r) + r f''(r)] d(angle).
@@ -115,7 +116,7 @@ class Scene:
         return load - load_part, approach - depth_part, slope - 3 * load_part / (2 * a)
 
     def contact_bound(self):
-        """No minimum of the load lies beyond: there the load is positive.
+        """A contact radius beyond which the load is positive, so that no minimum in tension lies there.
 
         |x H0 - H1| <= x (|Y0| + 2/(pi x)) + |H1| < 1.2 sqrt(x) + 2 for every x.
         """
@@ -128,8 +129,8 @@ class Scene:
             a *= 1.1
 
     def pull_off(self, slope):
-        """Contact radius of the global minimum of the load: every minimum of a scan in double
-        precision (40 points a wavelength and geometric near 0), the lowest few refined."""
+        """Contact radius of the global minimum of the load. The lowest few minima of a scan in double
+        precision (40 points per wavelength, geometric near 0) are refined."""
         last = float(self.contact_bound())
         step = float(self.wavelength) / 40
         a = np.concatenate([np.geomspace(1e-6 * step, step, 200)[:-1], np.arange(step, last, step)])
@@ -146,7 +147,7 @@ class Scene:
 
 @lru_cache(maxsize=1)
 def gauss_nodes(count=60):
-    """Gauss-Legendre nodes and weights on 0..1, Newton from the double-precision ones."""
+    """Gauss-Legendre nodes and weights on 0..1, by Newton's method from those in double precision."""
     result = []
     for guess in np.polynomial.legendre.leggauss(count)[0]:
         z = mpf(guess)
@@ -197,7 +198,7 @@ def pull_off_row(point, agreement):
 
 
 def known():
-    """The value of the notes, and the smooth limit (Eqs 7-8): 3/2 at -0.77341693157 tabor."""
+    """Compares the known value, and the smooth limit (Eqs 7-8): 3/2 at -0.77341693157 tabor."""
     scene = Scene(KNOWN[0])
     force = -scene.formula(scene.pull_off(lambda a: scene.formula(a)[2]))[0]
     if abs(force - mpf(KNOWN[1])) > mpf("5e-5"):

@@ -5,7 +5,7 @@
     kernel.py --sample           recompute a sample, compare (exit 1 on disagreement)
 
 Routes: complete elliptic integrals by the arithmetic-geometric mean, against quadrature of the
-Copson (double Abel) form, which knows no elliptic integral:
+Copson (double Abel) form, which contains no elliptic integral:
 u(r) = 4/pi int_0^(pi/2) g(r sin(angle)) d(angle), g(t) = int_0^inf p(sqrt(t^2 + x^2)) dx, E* = 1.
 """
 
@@ -16,7 +16,7 @@ from mpmath import agm, cos, ellipe, ellipk, log, mpf, pi, quad, sin, sqrt
 from certified import PAPER, Table, command_line, text
 
 DIGITS = 20
-NOT_THERE = "-"           # in a column the kind does not have
+NOT_THERE = "-"           # in a column that this kind of row does not use
 
 POINT_PAIRS = """0 1|1 0|0 1e-9|1 1.5|1.5 1|0.3 0.7|1 1e-8|1e-8 1|1 0.999|1 0.999999|1 0.999999999999
 0.999999999999 1|1 1.0000000000000001|123.456 7.89|100 99.75|1e5 99999.5|1e-6 1.1e-6|3.7 41.9|2.5 2.25"""
@@ -35,7 +35,7 @@ TRIANGLE_QUADS = """0 0 1 0|0 0 1 0.5|0 0 1 1|0 0 1 2|0 0 0.2 0|0 0 0.2 99.8|0 1
 
 
 def points():
-    """kind, r, s1, s2, s3; the observing radius r is printed last in the lists above."""
+    """The points (kind, r, s1, s2, s3). In the lists above the radius r is the last number."""
     def words(lists):
         return [entry.split() for line in lists.split("\n") for entry in line.split("|")]
     return ([("point", r, s, "", "") for r, s in words(POINT_PAIRS)]
@@ -46,7 +46,7 @@ def points():
 # Complete elliptic integrals.
 
 def kernel(r, s):
-    """Eq 12; modulus k, so parameter k^2."""
+    """Eq 12, with the modulus k; mpmath takes the parameter k^2."""
     low, high = min(r, s), max(r, s)
     return 4 / (pi * high) * ellipk((low / high) ** 2)
 
@@ -62,13 +62,13 @@ def ring_function(c, r):
 
 
 def kernel_offset(r, d):
-    """G(r, r + d) with d given, so that the complementary modulus does not cancel near d = 0."""
+    """G(r, r + d). It takes d, to avoid the cancellation in the complementary modulus near d = 0."""
     high = max(r, r + d)
     return 2 / (high * agm(1, sqrt(abs(d) * (2 * r + d)) / high))
 
 
 def side(r, top, foot):
-    """int G(r, s) p(s) s ds, p linear from 1 at top to 0 at foot; d = s - r, panels closing in on 0."""
+    """int G(r, s) p(s) s ds, with p linear from 1 at top to 0 at foot; the panels in d = s - r are graded towards 0."""
     low, high = sorted((top - r, foot - r))
     edges = {low, high}
     steps = [sign * (foot - top) * mpf(8) ** -i for i in range(13) for sign in (-1, 1)]
@@ -78,14 +78,14 @@ def side(r, top, foot):
 
 
 def triangle_elliptic(a, b, c, r):
-    """Eq 11 for p falling linearly from 1 at b to 0 at a and at c."""
+    """Eq 11 for p that decreases linearly from 1 at b to 0 at a and at c."""
     return (side(r, b, a) if b > a else 0) + (side(r, b, c) if c > b else 0)
 
 
 # Copson form.
 
 def kernel_copson(r, s):
-    """Ring load of unit strength at s: g(t) = 1/sqrt(s^2 - t^2) for t < s; angle from the edge."""
+    """The deflection of a ring load of unit strength at s: g(t) = 1/sqrt(s^2 - t^2) for t < s."""
     low, high = min(r, s), max(r, s)
     gap = (high - low) * (high + low)
     near = sqrt(gap) / high
@@ -139,7 +139,7 @@ def deflection_copson(pieces, r):
 
 
 def graded():
-    """Panels of the angle, closing in on both ends (square roots and logarithms lie near)."""
+    """Panels of the angle, graded towards both ends, near which there are square roots and logarithms."""
     ends = [pi / 2 * mpf(8) ** -i for i in range(1, 9)]
     return [mpf(0)] + ends[::-1] + [pi / 2 - x for x in ends] + [pi / 2]
 

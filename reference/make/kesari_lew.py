@@ -23,7 +23,7 @@ from certified import INTERFACE_UNITS, PAPER, Table, command_line, text
 from guduru import CURVES, Scene, scenes
 
 DIGITS = 20
-TOUCHES = (1, 2, 3, 4, 7, 8, 15, 16, 29, 30)           # extremes of the ripple, counted from r = 0
+TOUCHES = (1, 2, 3, 4, 7, 8, 15, 16, 29, 30)           # indices of extremes of the ripple, from r = 0 on
 SCENES = [words for words in scenes() if mpf(words[1]) > 0]
 LOAD_BOUND = 1            # |load - edge| < LOAD_BOUND c sqrt(8 pi w E* a^3)/x^2
 APPROACH_BOUND = 1        # |approach - edge| < APPROACH_BOUND A/x^(3/2)
@@ -35,7 +35,7 @@ def johnson(scene):
 
 
 def swing(scene):
-    """c as the leading term of the ripple of Eq 5 over the adhesive term (no Johnson parameter)."""
+    """c from the leading term of the ripple of Eq 5 over the adhesive term, without the Johnson parameter."""
     ripple = pi * scene.modulus * scene.amplitude * sqrt(2 / pi * scene.number)    # times a^(3/2)
     return ripple / sqrt(8 * pi * scene.modulus)
 
@@ -49,7 +49,7 @@ def edge(scene, sign, a):
 
 
 def least(scene, sign):
-    """Greatest tension of an edge by a search of its minimum (0 if it has none)."""
+    """The greatest tension of an edge, from a search of its minimum; 0 if there is none."""
     factor = 1 + sign * swing(scene)
     if factor <= 0:
         return mpf(0)
@@ -76,7 +76,7 @@ def pull_off_row(words, agreement):
 
 
 def touch(scene, index):
-    """Contact radius at an extreme of (x H0 - H1)/sqrt(x), near x = (index + 3/4) pi."""
+    """The contact radius at an extreme of (x H0 - H1)/sqrt(x), near x = (index + 3/4) pi."""
     def slope(x):
         h0, h1 = struveh(0, x), struveh(1, x)
         return x * (2 / pi - h1) - h0 / 2 + 3 * h1 / (2 * x)
@@ -112,7 +112,7 @@ def edge_row(point, agreement):
 
 
 def known():
-    """The limit itself: Eq 5 with a wavelength a thousandth of the contact meets Eq 24."""
+    """Compares the limit: Eq 5 with wavelengths of 1/1000 of the contact radius agrees with Eq 24."""
     scene = Scene(("3", "0.02", "0.05", "100"))
     force = -scene.formula(scene.pull_off(lambda a: scene.formula(a)[2]))[0]
     if abs(force / (mpf(3) / 2 * (1 + swing(scene)) ** 2) - 1) > 1e-5:

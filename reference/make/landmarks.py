@@ -1,4 +1,4 @@
-"""Following a branch, and the folds and load extrema on it."""
+"""Follows a branch, and finds the special points on it: folds and extrema of the load."""
 
 from dataclasses import dataclass
 
@@ -12,13 +12,13 @@ from branch import (APPROACH, LOAD, POLISH, REMESH_FACTOR, TRACE, NotConverged, 
 TURN = 0.12
 LONGEST_STEP = 0.25
 SHORTEST_STEP = 1e-7
-GROWTH = 1.25             # of the step, at most, after a success
+GROWTH = 1.25             # largest factor of the step after a success
 MOST_STEPS = 5000
 
-LOCATE_TOLERANCE = 1e-9   # of a landmark on the trace mesh; polishing goes on from there
-POLISH_PASSES = 2         # the landmark may move a little off the mesh first adapted
-FIRST_SECANT = 1e-5, 1e-7  # second point of the secant method, in arclength; the second one where
-                          # the branch turns back within the first, as a needle
+LOCATE_TOLERANCE = 1e-9   # of a special point on the mesh of the trace, from which polishing starts
+POLISH_PASSES = 2         # the point may move a little, so the mesh is adapted to it again
+FIRST_SECANT = 1e-5, 1e-7  # second point of the secant method, in arclength; the second value is used
+                          # if the branch turns back sharply within the first
 SECANT_ROUNDS = 12
 SECANT_DONE = 1e-12       # last change in arclength
 
@@ -26,7 +26,7 @@ SECANT_DONE = 1e-12       # last change in arclength
 @dataclass(frozen=True)
 class Landmark:
     component: int          # APPROACH: fold, LOAD: extremum of the load
-    sense: int              # +1: the component's rate goes from < 0 to > 0 (a minimum)
+    sense: int              # +1: the rate of the component changes from < 0 to > 0 (a minimum)
     state: object
 
     @property
@@ -36,7 +36,7 @@ class Landmark:
 
 
 def walk(problem, state, level=TRACE, refine=1.0):
-    """The states along the branch after `state`, the way its tangent points;
+    """The states along the branch after `state`, in the direction of its tangent.
     refine > 1 shortens the steps."""
     turn, longest, step = TURN / refine, LONGEST_STEP / refine, 0.1
     for _ in range(MOST_STEPS):
@@ -60,8 +60,8 @@ def walk(problem, state, level=TRACE, refine=1.0):
 
 def trace(problem, level=TRACE, first_approach=-12.0, last_load=1.0, refine=1.0,
           last_approach=np.inf):
-    """States along the branch from far out until the load exceeds last_load or
-    the approach last_approach; refine as in walk."""
+    """The states along the branch from `first_approach` until the load exceeds last_load or
+    the approach exceeds last_approach. `refine`: as in walk."""
     states = [start(problem, first_approach, level)]
     for state in walk(problem, states[0], level, refine):
         states.append(state)
@@ -71,8 +71,8 @@ def trace(problem, level=TRACE, first_approach=-12.0, last_load=1.0, refine=1.0,
 
 
 def between(problem, *states):
-    """Function distance -> state, along the tangent of the first of `states`
-    and predicted from the nearest of them, and the distance to the last."""
+    """A function distance -> state, and the distance to the last of `states`. Distances are along
+    the tangent of the first of them, and the nearest one is the initial guess."""
     direction = states[0].rate
     places = np.array([direction @ (s.y - states[0].y) for s in states])
 
@@ -87,8 +87,8 @@ def between(problem, *states):
 
 
 def insert_near_misses(problem, states):
-    """Where |dD/ds| or |dW/ds| dips between points without changing sign, look
-    at the bottom of the dip: a close pair of landmarks must not be missed."""
+    """Adds states where |dD/ds| or |dW/ds| has a minimum between points without a change of sign,
+    so that two special points close together are not missed."""
     out = list(states)
     for component in (APPROACH, LOAD):
         i = 1
@@ -110,7 +110,7 @@ def insert_near_misses(problem, states):
 
 
 def find_landmarks(problem, states):
-    """All folds and load extrema along a trace, in order."""
+    """All folds and extrema of the load along a trace, in order."""
     states = insert_near_misses(problem, states)
     marks = []
     for a, b in zip(states, states[1:]):
@@ -125,7 +125,7 @@ def find_landmarks(problem, states):
 
 
 def polish(problem, mark, level):
-    """The landmark converged on a mesh of `level`."""
+    """The special point, converged on a mesh of `level`."""
     state, f = mark.state, mark.component
     for _ in range(POLISH_PASSES):
         state = remesh(problem, state, level)
@@ -134,7 +134,7 @@ def polish(problem, mark, level):
 
 
 def root_of_rate(problem, state, component):
-    """The distance from a state to the landmark close by."""
+    """The distance from a state to the special point near it."""
     for first in FIRST_SECANT:
         try:
             return newton(lambda d: advance(problem, state, d).rate[component], 0.0, x1=first,
@@ -145,7 +145,7 @@ def root_of_rate(problem, state, component):
 
 
 def converge(solve, levels=POLISH):
-    """Solve on every level.  Returns the values of the finest level and the
+    """Solves on every level. Returns the values of the finest level and the
     largest difference of the other levels from it."""
     values = np.array([solve(level) for level in levels])
     return values[-1], np.abs(values - values[-1]).max(axis=0)
@@ -156,6 +156,5 @@ def landmark_kinds(marks):
 
 
 def pull_off(rows):
-    """The row (kind, ...) of the global minimum of the load; rows carry
-    attributes kind and load."""
+    """The row of the global minimum of the load. Rows have the attributes kind and load."""
     return min((r for r in rows if r.kind == "minimum"), key=lambda r: r.load)

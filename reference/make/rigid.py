@@ -9,10 +9,10 @@ With x = 1 - approach and q(t) = x + A (1 - cos t) + A t^2/(8 pi^2 alpha), Eqs 2
     load = -(4 A/(3 pi^2 alpha)) int_0^inf [q^-3 - q^-9] t dt.
 
 Route 1 (panels): Gauss-Legendre on quarter waves, split geometrically towards the crests, over N
-periods; the rest by Richardson extrapolation in 1/N^2.
-Route 2 (folded): t = phi + 2 pi n; the sum over n >= 0 is done first (direct terms, the rest by
-Euler-Maclaurin, of which the integral is elementary), then tanh-sinh quadrature over phi in 0..2 pi.
-Both in extended precision (64-bit mantissa), which gives 16 to 18 digits.
+periods. The rest follows by Richardson extrapolation in 1/N^2.
+Route 2 (folded): t = phi + 2 pi n. The sum over n >= 0 comes first (direct terms, then
+Euler-Maclaurin, whose integral is elementary), then tanh-sinh quadrature over phi in 0..2 pi.
+Both use extended precision (64-bit mantissa), which gives 16 to 18 digits.
 """
 
 import math
@@ -31,7 +31,7 @@ PI = LONG("3.14159265358979323846264338327950288")
 AMPLITUDES = "-3 -0.5 0 1 2 4".split()                  # log10 A of Figure 7
 ALPHAS = [str(x) for x in (-4, -3.75, -3.5, -3.25, -3, -2.75, -2.5, -2.25, -2, -1.75, -1.5, -1.25, -1,
                            -0.75, -0.5, -0.25, 0, 0.25, 0.5, 0.75, 1, 1.25, 1.5, 1.75, 2)]
-PLAIN = [("0.25", "1"), ("0.37", "3.3"), ("1.7", "27")]         # alpha, A as they are
+PLAIN = [("0.25", "1"), ("0.37", "3.3"), ("1.7", "27")]         # alpha, A themselves
 
 # Figure 6: A = 1; distances 1/(a + k h), closest where the load is steep, up to LAST_LOAD.
 CURVES = ["0.0001", "0.01", "0.1", "1", "10"]
@@ -44,7 +44,7 @@ INTEGRAL_PAIRS = [("0.25", "1"), ("0.0001", "1"), ("100", "0.001"), ("100", "100
                   ("0.37", "3.3"), ("1.7", "27"), ("13", "0.3"), ("0.003", "150"), ("1", "1000")]
 APPROACHES = ["-30", "-3.7", "-1", "-0.1", "0", "0.15", "0.3", "0.6"]
 
-KNOWN = (("0.25", "1", "0.7410559"), ("0.0001", "1", "1.992148"))          # forces of the notes
+KNOWN = (("0.25", "1", "0.7410559"), ("0.0001", "1", "1.992148"))          # alpha, A, force
 
 # Terms coefficient * q^-power: of the load, its first and second derivative in x.
 TERMS = (((1, 3), (-1, 9)), ((-3, 4), (9, 10)), ((12, 5), (-90, 11)))
@@ -56,14 +56,14 @@ def extended(value):
 
 
 def exact(value):
-    """An extended number in mpmath, exactly."""
+    """The exact value of an extended-precision number in mpmath."""
     high = float(value)
     return mpf(high) + mpf(float(value - LONG(high)))
 
 
 @lru_cache(maxsize=None)
 def gauss(count):
-    """Gauss-Legendre nodes and weights on 0..1, Newton in extended precision."""
+    """Gauss-Legendre nodes and weights on 0..1, by Newton's method in extended precision."""
     z = np.polynomial.legendre.leggauss(count)[0].astype(LONG)
     for _ in range(4):
         before, value = np.ones_like(z), z
@@ -124,7 +124,7 @@ def combination(q, order):
 
 @lru_cache(maxsize=None)
 def tanh_sinh(step):
-    """Nodes as distances from the nearer end of 0..1, and weights, extended precision."""
+    """Nodes, as distances from the nearer end of 0..1, and weights, in extended precision."""
     count = math.ceil(4.2 / step)
     u = np.arange(-count, count + 1).astype(LONG) * LONG(step)
     s = PI / 2 * np.sinh(np.abs(u))
@@ -160,7 +160,7 @@ def folded_sum(start, offset, power):
 
 
 def folded_integral(alpha, amplitude, x, order, step=1 / 64):
-    """The same integral: sum over periods first, tanh-sinh over the period."""
+    """The same integral: first the sum over periods, then tanh-sinh quadrature over a period."""
     scale = amplitude / (2 * alpha)        # A t^2/(8 pi^2 alpha) = scale (n + a)^2, a = phi/(2 pi)
     from_left, distance, weight = tanh_sinh(step)
     total = LONG(0)
@@ -214,9 +214,9 @@ def curve_row(point, agreement):
 
 
 def pull_off(alpha, amplitude):
-    """x of the global minimum of the load: every local minimum of a scan, refined.
+    """x of the global minimum of the load, from the refined local minima of a scan.
 
-    Above x = 3^(1/6) = 1.2009 the tension of every point falls with x, so no minimum lies there.
+    Above x = 3^(1/6) = 1.2009 the tension at every point decreases with x, so there is no minimum.
     """
     xs = np.concatenate([np.geomspace(0.08, 0.5, 30), np.linspace(0.5, 1.21, 143)[1:]]).astype(LONG)
     loads = [load(coarse, alpha, amplitude, x) for x in xs]
@@ -233,7 +233,7 @@ def coarse(alpha, amplitude, x, order):
 
 
 def refine(route, alpha, amplitude, x, steps=15):
-    """Newton on the slope, the curvature by the folded route (it only sets the pace)."""
+    """Newton's method for the zero of the slope. The curvature is from route 2; it only affects the convergence."""
     for _ in range(steps):
         change = load(route, alpha, amplitude, x, 1) / load(folded_integral, alpha, amplitude, x, 2)
         x = x - change
@@ -262,7 +262,7 @@ def limit_row(words, agreement):
 
 
 def known():
-    """The forces of the notes, and a smooth sphere (Bradley, Eq 23): 2 as alpha goes to 0."""
+    """Compares known forces, and a smooth sphere (Bradley, Eq 23): the force tends to 2 as alpha tends to 0."""
     for alpha, amplitude, force in KNOWN:
         alpha, amplitude = LONG(alpha), LONG(amplitude)
         value = -load(folded_integral, alpha, amplitude, pull_off(alpha, amplitude))
@@ -270,7 +270,7 @@ def known():
             raise ValueError(f"pull-off at alpha {alpha}, A {amplitude}: {value}, not {force}")
     x, flat = LONG("1.1"), LONG("1e-20")
     bradley = -2 * (4 * x ** 6 - 1) / (3 * x ** 8)
-    # A smooth sphere: no waviness left but the curvature kept, A/alpha = 1e20 flat.
+    # A smooth sphere: the waves vanish and the curvature remains.
     if abs(load(folded_integral, flat, flat, x) / bradley - 1) > 1e-16:
         raise ValueError("a vanishing waviness is not Bradley's sphere")
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Puts the checksum into a table made by hand, such as a digitised figure.
+"""Writes the checksum into a table that was made by hand, such as a digitised figure.
 
-    seal.py FILE...              writes or renews the line `# sha256:` above the column names
+    seal.py FILE...              writes or updates the line `# sha256:` above the column names
 
-Only for a table whose numbers were just looked at: a sealed file passes for undamaged.
+Use it only for a table whose numbers you have just checked: a file with a correct checksum counts as undamaged.
 """
 
 import sys

@@ -1,4 +1,4 @@
-"""Exact results the operator and the solver must meet."""
+"""Exact results that the elastic operator and the solver must give."""
 
 from math import pi, sin
 
@@ -13,14 +13,14 @@ from copson import Surface, dyadic_edges
 from landmarks import find_landmarks, polish, trace
 import wavy_sphere
 
-OPERATOR_TOLERANCE = 1e-13    # a few hundred roundings
-RIGID_TOLERANCE = 1e-8        # beyond mu^1.5 = 1e-9, the order of the elastic correction
+OPERATOR_TOLERANCE = 1e-13    # a few hundred rounding errors
+RIGID_TOLERANCE = 1e-8        # larger than mu^1.5 = 1e-9, the order of the elastic correction
 RIGID_TABOR = 1e-6
 KERNEL_TOLERANCE = 1e-11       # limited by the adaptive quadrature
 QUAD = {"epsabs": 1e-12, "epsrel": 1e-12, "limit": 400}
 CUT_SCENE = wavy_sphere.Scene("1", "1", "20", "100", "31.7", 0.5, 0.5)
 UNIFORM, CUT = 4, 8.0         # 2^4 equal panels up to s = 8
-NEAR, SCAN = 1e-9, 400001     # gap of a crest beside the threshold of contact; points of a scan
+NEAR, SCAN = 1e-9, 400001     # distance of the gap of a crest from the threshold of contact; points of a scan
 
 
 def check(name, error, tolerance):
@@ -94,8 +94,8 @@ def bradley():
 
 
 def contact():
-    """The contact radius of undeformed waves on coarse panels, beside the crossings of a fine scan.
-    Each crest in turn reaches the threshold of contact by NEAR, misses it by NEAR, or is pressed."""
+    """The contact radius of undeformed waves on coarse panels, compared with the crossings of a fine scan.
+    Each crest in turn is beyond the threshold of contact by NEAR, below it by NEAR, or far beyond it."""
     problem = wavy_sphere.Scene("1", "5", "12", "100", "inf", 0.0, 0.0).problem()
     surface, scan = _unbounded(), np.linspace(0.0, CUT, SCAN)
     shape = problem.profile.gap(scan)
@@ -108,7 +108,7 @@ def contact():
             approach = lowest + depth - problem.law.peak_gap
             state = State(surface, problem.profile.gap(surface.u) - approach, approach, 0.0, 0.0)
             inside = np.flatnonzero(shape - approach <= problem.law.peak_gap)
-            if depth == NEAR:                     # narrower than the scan: its half width is left out
+            if depth == NEAR:                     # narrower than the step of the scan: its half-width is neglected
                 inside = np.array([crest])
             edge = scan[inside[-1]] if len(inside) else 0.0
             worst = max(worst, abs(contact_radius(problem, state) - edge))
@@ -133,7 +133,7 @@ def equation_16(problem, state, radii):
 
     worst = 0.0
     for u in radii:
-        # v = u -+ z^3 takes the edge off the logarithm at v = u
+        # v = u -+ z^3 weakens the logarithmic singularity at v = u
         reach = 1.5 if problem.outer is None else (problem.outer - u)**(1 / 3)
         whole = quad(lambda z: 3 * z**2 * integrand(u - z**3, u), 0.0, u**(1 / 3), **QUAD)[0]
         whole += quad(lambda z: 3 * z**2 * integrand(u + z**3, u), 0.0, reach, **QUAD)[0]
@@ -155,7 +155,7 @@ def kernel():
 
 
 def cut():
-    """Pull-off of a wavy sphere on a surface cut so near that it matters."""
+    """Pull-off of a wavy sphere on a bounded surface so small that its size matters."""
     problem = CUT_SCENE.problem()
     states = trace(problem, TRACE, -8.0, np.inf, last_approach=CUT_SCENE.complete_to)
     marks = [mark for mark in find_landmarks(problem, states) if mark.kind == "minimum"]

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """Feng's problem: adhesion of a smooth sphere, Eqs 10-17 with A = 0, unbounded.
 
-An oracle for the C solver that shares neither code nor method with it: the
-elastic surface in Copson's form on spectral panels (copson.py), adaptive
-meshes and an arclength in (approach, load, central gap) (branch.py), folds and
-extrema by root finding and converged on three meshes (landmarks.py).
+Reference data for the C solver from a program that shares neither code nor method with it:
+the elastic surface is in Copson's form on spectral panels (copson.py), meshes are adaptive,
+the arclength is in (approach, load, central gap) (branch.py), and folds and extrema are
+found by root finding and converged on three meshes (landmarks.py).
 
     smooth_sphere.py --self-test       the operator and the solver against exact results
-    smooth_sphere.py --tabor 2         landmarks of one Tabor parameter
+    smooth_sphere.py --tabor 2         special points of one Tabor parameter
     smooth_sphere.py --sample          recompute a sample, compare with the stored tables
     smooth_sphere.py --write [DIR]     regenerate all tables (about 15 minutes)
 """
@@ -28,22 +28,22 @@ TABORS = ("0.01 0.015 0.02 0.03 0.05 0.07 0.1 0.15 0.2 0.3 0.4 0.5 0.6 0.7 0.8 1
 SAMPLE = ("0.3", "1", "3")
 CURVES = {"0.01": -8.0, "1": -12.0, "2": -12.0, "3": -12.0, "5": -12.0}     # tabor: first approach
 CURVE_END = 3.0           # load of the last point of a curve
-FAR = -12.0               # approach from which landmarks are looked for
-FIRM = 1.0                # load at which the search for landmarks ends
+FAR = -12.0               # approach from which special points are searched for
+FIRM = 1.0                # load at which the search for special points ends
 ENDS = {"first_approach": FAR, "last_load": FIRM}
 DATE = "2026-11-21"
-RADIUS_DATE = "2026-11-22"  # of the tables with contact radii
+RADIUS_DATE = "2026-11-22"  # date of the tables with contact radii
 
 PULL_OFF, LANDMARKS, CURVE = "feng_pull_off.csv", "feng_landmarks.csv", "feng_curves.csv"
-# Approach and load do not depend on R. The contact radius is proportional to sqrt(R): stored is
-# that in units of sqrt(R epsilon).
+# Approach and load do not depend on R. The contact radius is proportional to sqrt(R), so it is stored
+# in units of sqrt(R epsilon).
 RADIUS = "contact_radius_over_root_radius"
 RADIUS_UNITS = (f"; {RADIUS}: the outermost radius where the gap is that of the greatest tension, "
                 "H = 3^(1/6) - 1, in units of sqrt(R epsilon); 0 when there is none")
 
 
 def solve_tabor(tabor, levels=POLISH, check=True):
-    """Converged landmarks of one Tabor parameter, in order along the branch."""
+    """Converged special points of one Tabor parameter, in order along the branch."""
     return solve_landmarks(smooth_sphere(float(tabor)), ENDS, levels, check)
 
 
@@ -142,7 +142,7 @@ def write_all(folder):
 
 
 def sample(folder):
-    """Recompute the sample on one level and compare with the stored tables."""
+    """Recomputes the sample on one level and compares it with the stored tables."""
     landmarks = read_table(folder / LANDMARKS)[1]
     best = {row["tabor"]: row for row in read_table(folder / PULL_OFF)[1]}
     read_table(folder / CURVE)

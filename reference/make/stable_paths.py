@@ -1,11 +1,11 @@
-"""Stable equilibria followed at given approach, or at given load, up to where they end, and the jump
-from there: the surfaces relax in time.
+"""Follows stable equilibria at given approach, or at given load, to the point where they end, and
+computes the jump from there by a relaxation of the surfaces in time.
 
-Relaxation. A damping resists the change of the gap, so the elastic surface carries the traction
-q = P(H) - c dH/dt, with a local weight c > 0, and H + D - f = elastic * deflection[q]. At given approach
-D is constant; at given load the integral of q is the load, and D follows. Each of D and of the -H(u)
-then grows the faster the larger the others are (the flow is cooperative), for every c: pushed from an
-equilibrium to one side, the surfaces come to rest at the next one in that order, whatever c is.
+Relaxation. A damping resists the change of the gap, so that the elastic surface carries the traction
+q = P(H) - c dH/dt with a local weight c > 0, and H + D - f = elastic * deflection[q]. At given approach
+D is constant. At given load the integral of q is the load, and D follows from it. The rate of each of
+D and -H(u) increases with all others (the flow is cooperative), for every c. So a perturbation of an
+equilibrium to one side leads to the next equilibrium in this order, whatever c is.
 """
 
 from dataclasses import dataclass, replace
@@ -18,27 +18,27 @@ from branch import (APPROACH, CLOSEST_GAP, LOAD, TRACE, Level, NotConverged, cor
 from landmarks import Landmark, between, find_landmarks, polish, walk
 
 FAR = -15.0               # approach at which loading begins and unloading ends
-APART = -60.0             # at given load: from here on nothing holds the surfaces together
-BEYOND = 1e-3             # past the fold, so that no equilibrium is left to rest at there
-# Steps of implicit Euler. Only where the surfaces come to rest counts.
+APART = -60.0             # at given load: below this approach the surfaces are separated
+BEYOND = 1e-3             # distance beyond a fold, in approach or load, at which there is no equilibrium near it
+# Steps of the implicit Euler method. Only the state of rest matters.
 FIRST_STEP, LAST_STEP = 1e-2, 1e6   # in time; the last one is Newton's method
 GROWTH = 1.6              # of the step after a success; it is halved after a failure
-FARTHEST = 0.2            # of 1 + H in one step: how far the path of the relaxation is followed
-RELAX_ROUNDS = 12         # of Newton in one step
+FARTHEST = 0.2            # largest change of 1 + H in one step, relative: the relaxation must follow its path
+RELAX_ROUNDS = 12         # Newton iterations in one step
 RELAX_DONE = 1e-6         # last relative update of one step
 MOST_STEPS = 3000
 RELAX_LEVEL = Level(order=8, tail=12, tolerance=1e-8)
-# Panels relaxed on, in eps: the contact's edge sweeps over all whose undeformed gap is below WIDE_GAP,
-# and beyond they widen with the gap, but not more than part of a wave where the gap is below FAR_GAP.
+# Panels of the relaxation; gaps in eps. The contact edge passes over all panels whose undeformed gap is below
+# WIDE_GAP. Beyond, their width grows with the gap, limited to a part of a wave where the gap is below FAR_GAP.
 RELAX_WIDTH, WIDE_GAP, FAR_GAP, PART_OF_WAVE = 1.6, 12.0, 100.0, 0.25
 PROBES = np.linspace(0.0, 1.0, 9)
-DAMPED = 8.0              # in Gamma: beyond, the damping decays as the traction does
-ALONG = np.eye(3)         # ALONG[APPROACH], ALONG[LOAD]: the directions in Y that hold these
+DAMPED = 8.0              # in Gamma: at larger radii the damping decays like the traction
+ALONG = np.eye(3)         # ALONG[APPROACH], ALONG[LOAD]: directions in Y with which approach or load is held
 
 
 @dataclass(frozen=True)
 class Leap:
-    """A jump on the mesh of the walk: the fold it leaves, and where it comes to rest (None: apart)."""
+    """A jump on the mesh of the walk: the fold at which it begins, and the state of rest (None: the surfaces part)."""
     loading: bool
     fold: Landmark
     rest: object
@@ -47,15 +47,16 @@ class Leap:
 @dataclass(frozen=True)
 class Piece:
     """Stable equilibria in order from one of them towards larger or smaller approach (or load): the
-    extrema of the load passed, the fold where they end (None: the end asked for is nearer), and the
-    states, of which the last one is the fold or the end."""
+    extrema of the load on the way, the fold where they end (None: the requested end comes first), and
+    the states, of which the last one is the fold or the end."""
     passed: list
     fold: Landmark
     states: list
 
 
 def energy(problem, state):
-    """U/(pi w R eps), of the interaction and elastic; its rate along equilibria is the load."""
+    """The energy U/(pi w R eps) of interaction and elasticity. Its derivative with respect to the approach
+    is the load."""
     surface = state.surface
     p = problem.traction(state.gap)
     return surface.load(problem.law.energy(state.gap) + 0.5 * p * problem.elastic * (surface.deflection @ p))
@@ -69,8 +70,8 @@ def turned(state, sense, component=APPROACH):
 
 
 def piece(problem, state, sense, end, component=APPROACH):
-    """The equilibria from a stable one towards larger or smaller approach (or load), up to where they
-    end, or `end`. A fold in load is an extremum of the load."""
+    """The equilibria from a stable one towards larger or smaller approach (or load), until the stable
+    states end or `end` is reached. In load control an extremum of the load is the end of stable states."""
     states = [turned(state, sense, component)]
     for following in walk(problem, states[0], TRACE):
         states.append(following)
@@ -89,8 +90,8 @@ def piece(problem, state, sense, end, component=APPROACH):
 
 
 def step_in_time(problem, surface, undeformed, held, before, approach, step):
-    """The gap and the approach after one step of implicit Euler, or None. Given: held, the component
-    of Y that is held and its value."""
+    """The gap and the approach after one step of the implicit Euler method; None if Newton's method fails.
+    `held`: the component of Y that is held, and its value."""
     component, value = held
     n, scale = surface.size, 1.0 / (1.0 + np.abs(before))
     operator = problem.elastic * surface.deflection
@@ -122,7 +123,7 @@ def step_in_time(problem, surface, undeformed, held, before, approach, step):
 
 
 def relaxation_surface(scene, approach, level):
-    """Panels narrow wherever the contact's edge may come."""
+    """Panels that are narrow wherever the contact edge may be."""
     problem, length = scene.problem(), float(scene.wavelength) / scene.width
 
     def wide(low, high):
@@ -134,7 +135,7 @@ def relaxation_surface(scene, approach, level):
 
 
 def come_to_rest(problem, surface, held, gap, approach):
-    """The gap and the approach at rest; None: the surfaces part for ever."""
+    """The gap and the approach at rest; None if the surfaces separate."""
     undeformed, step = problem.profile.gap(surface.u), FIRST_STEP
     for _ in range(MOST_STEPS):
         found = step_in_time(problem, surface, undeformed, held, gap, approach, step)
@@ -151,11 +152,11 @@ def come_to_rest(problem, surface, held, gap, approach):
 
 
 def relax(scene, left, component, value, target):
-    """Where the surfaces come to rest when they are left in a state and the approach, or the load, is
-    held at `value`; the equilibrium there at `target`, close by. None: they part for ever."""
+    """Relaxes the surfaces from a state with the approach, or the load, held at `value`. Returns the
+    equilibrium at `target` near the state of rest; None if the surfaces separate."""
     problem, surface = scene.problem(), left.surface
     gap, approach = left.gap, left.approach
-    for level in RELAX_LEVEL, TRACE:        # the second one goes on where the first came to rest
+    for level in RELAX_LEVEL, TRACE:        # the second level starts from the state of rest on the first
         finer = relaxation_surface(scene, left.approach, level)
         elastic = surface.interpolate(gap + approach - problem.profile.gap(surface.u), finer.u, 1)
         surface, approach = finer, value if component == APPROACH else approach
@@ -171,14 +172,14 @@ def relax(scene, left, component, value, target):
 
 
 def leap(scene, fold, loading, component=APPROACH):
-    """The jump from a fold, as that is passed by BEYOND."""
+    """The jump from a fold that is exceeded by BEYOND."""
     value = fold.state.y[component]
     past = value + (BEYOND if loading else -BEYOND)
     return Leap(loading, fold, relax(scene, fold.state, component, past, value))
 
 
 def leap_on_level(problem, jump, level):
-    """Of a jump at given approach: the approach, the load before and after, the energy lost."""
+    """The approach, the load before and after, and the energy lost of a jump at given approach."""
     fold = polish(problem, jump.fold, level).state
     rest = remesh(problem, jump.rest, level, ALONG[APPROACH], fold.approach)
     return fold.approach, fold.load, rest.load, energy(problem, fold) - energy(problem, rest)

@@ -4,8 +4,8 @@
     struve.py --write [DIR]      regenerate struve.csv
     struve.py --sample           recompute a sample, compare (exit 1 on disagreement)
 
-Routes: the power series in integer (fixed-point) arithmetic wide enough for its cancellation,
-against quadrature of an integral representation; numbers of the equations are those of the DLMF.
+Routes: the power series in integer (fixed-point) arithmetic with enough bits for its cancellation,
+against quadrature of an integral representation. Equation numbers are those of the DLMF.
 """
 
 import sys
@@ -16,9 +16,9 @@ from mpmath import asinh, bessely, cos, cosh, exp, mpf, pi, quad, sin, sinh
 from certified import Table, command_line, text
 
 DIGITS = 20
-FINITE_RANGE = 40         # up to here H_n by the integral over a finite range
+FINITE_RANGE = 40         # up to this x H_n is the integral over a finite range
 
-# Exact binary fractions above 16, so that reading them in double precision does not turn the phase.
+# Numbers above 16 are exact binary fractions, so that reading them in double precision does not change the phase.
 POINTS = """1e-8 1e-6 1e-5 0.0001 0.001 0.01 0.03 0.1 0.25 0.3 0.5 0.75 1 1.3 1.6 2 2.5 3 3.14159265358979
 3.5 3.9 4 4.33 4.5 4.9 5 6 6.78 7 7.5 7.99 8 8.01 9 9.5 10 11 12 12.5 13 14.9 15 16 16.0078125 17 19.5
 20 22.75 24.9921875 25 29.5 30.0078125 33.25 40 49.75 63.9375 100 123.4375 250.5 500.25 1000.5
@@ -31,9 +31,9 @@ FACTOR = (Fraction(2), Fraction(2, 3), Fraction(2, 15))   # of x^(n+1)/pi: the f
 
 
 def series(n, x):
-    """H_n by its power series, DLMF 11.2.1, the terms as integers scaled by a power of two.
+    """H_n from its power series, DLMF 11.2.1, with the terms as integers scaled by a power of two.
 
-    The largest term is about exp(x): x/log 2 bits above the sum, and as many below to be right.
+    The largest term is about exp(x). It needs x/log 2 bits above the sum, and as many are kept below.
     """
     x = Fraction(x)
     bits = int(float(x) * 1.4427) + 260
@@ -51,7 +51,7 @@ def series(n, x):
 
 
 def finite_integral(n, x):
-    """H_n by DLMF 11.5.1, t = cos(angle): no special function, no cancellation."""
+    """H_n from DLMF 11.5.1 with t = cos(angle): no special function, no cancellation."""
     weight = (2 / pi, 2 * x / pi, 2 * x * x / (3 * pi))[n]
     pieces = 1 + int(x / 12)
     edges = [pi / 2 * i / pieces for i in range(pieces + 1)]
@@ -60,7 +60,7 @@ def finite_integral(n, x):
 
 
 def difference_integral(n, x):
-    """H_n - Y_n by DLMF 11.5.2, t = sinh(y), tanh-sinh on pieces."""
+    """H_n - Y_n from DLMF 11.5.2 with t = sinh(y), by tanh-sinh quadrature on subintervals."""
     weight = (2 / pi, 2 * x / pi, 2 * x * x / (3 * pi))[n]
     last = asinh(150 / x)      # beyond, exp(-x sinh(y)) < 1e-65
     pieces = 2 + int(last / 2)
@@ -83,7 +83,7 @@ def row(point, agreement):
 
 
 def known():
-    """Published values."""
+    """Compares published values."""
     for n, x, value in KNOWN:
         digits = len(value) - 2
         if abs(series(n, x) - mpf(value)) > mpf(10) ** -digits:

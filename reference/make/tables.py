@@ -12,30 +12,30 @@ STORED_FLOOR = 1e-10      # no stored uncertainty is smaller
 
 
 def number(x):
-    """15 significant digits: more than any value here is good for."""
+    """A number with 15 significant digits, more than the accuracy of any value."""
     return f"{x:.15g}"
 
 
 def bound(x):
-    """An uncertainty, two digits."""
+    """An uncertainty, with two digits."""
     return f"{max(x, STORED_FLOOR):.1e}"
 
 
 def checksum(lines):
-    """Of all lines but the one that states it."""
+    """The checksum of all lines except the one that states it."""
     text = "".join(line for line in lines if not line.startswith(SEAL))
     return hashlib.sha256(text.encode()).hexdigest()
 
 
 def seal_lines(lines):
-    """The lines with the right checksum above the line of column names."""
+    """The lines with the correct checksum above the line of column names."""
     lines = [line for line in lines if not line.startswith(SEAL)]
     place = next(i for i, line in enumerate(lines) if not line.startswith("#"))
     return lines[:place] + [f"{SEAL} {checksum(lines)}\n"] + lines[place:]
 
 
 def write_table(path, header, columns, rows):
-    """rows are sequences of strings; written through a temporary file."""
+    """Writes a table by way of a temporary file. Rows are sequences of strings."""
     body = "\n".join([",".join(columns)] + [",".join(row) for row in rows]) + "\n"
     head = "".join(f"# {key}: {value}\n" for key, value in header.items())
     path = Path(path)
@@ -45,7 +45,7 @@ def write_table(path, header, columns, rows):
 
 
 def read_table(path):
-    """(header, rows): rows are dictionaries of strings.  Checks the checksum."""
+    """Reads a table and verifies its checksum. Returns (header, rows); rows are dictionaries of strings."""
     lines = Path(path).read_text().splitlines(keepends=True)
     head = [line for line in lines if line.startswith("#")]
     header = dict(line[1:].strip().split(": ", 1) for line in head)

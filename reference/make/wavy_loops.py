@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Loading and unloading of wavy spheres at given approach: jumps, pull-off measured, energy lost.
 
-The equations of wavy_sphere.py, but no branch is followed past a fold: from far out a stable
-equilibrium is followed up to where it ends, the surfaces are then let relax in time at that
-approach, and so on from where they come to rest, up to the preload and back.
+The equations are those of wavy_sphere.py, but no branch is followed through a fold. Stable equilibria
+are followed from far out to the fold at which they end. There the surfaces relax in time at constant
+approach, and the path continues from the state of rest, up to the preload and back.
 
     wavy_loops.py --list                          the scenes of the tables
     wavy_loops.py --scene 4 3 10 100 100 4        one of them (outer radius, preload last)
@@ -32,7 +32,7 @@ DATE = "2026-11-21"
 
 
 def loop(scene, preload):
-    """Leaps of loading and unloading, and the minima of the load passed in unloading."""
+    """The jumps of loading and unloading, and the minima of the load on the way of unloading."""
     problem = scene.problem()
     leaps, minima, state = [], [], start(problem, FAR, TRACE)
     for sense, end in ((1, preload), (-1, FAR)):
@@ -49,8 +49,8 @@ def loop(scene, preload):
 
 @dataclass(frozen=True)
 class Solved:
-    """A loop: of each leap its phase, and approach, load before, load after, energy lost (values and
-    spread between levels); of the whole the same of force, approach and energy lost."""
+    """A loop. For each jump: phase, approach, load before, load after, energy lost (values and spread
+    between levels). For the whole loop: force, approach and energy lost, in the same way."""
     key: tuple
     phases: list
     leaps: np.ndarray
@@ -60,7 +60,7 @@ class Solved:
 
 
 def on_level(problem, leaps, pull, level):
-    """Leaps and whole on one level."""
+    """The values of the jumps and of the whole loop on one level."""
     rows = [leap_on_level(problem, jump, level) for jump in leaps]
     deepest = polish(problem, pull, level).state
     return np.array(rows), np.array([-deepest.load, deepest.approach, sum(row[3] for row in rows)])
@@ -150,7 +150,7 @@ def show(one):
 
 
 def sample(folder):
-    """Recompute the sample on one level and compare with the stored tables."""
+    """Recomputes the sample on one level and compares it with the stored tables."""
     jumps, loops = (read_table(folder / name)[1] for name in (JUMPS, LOOPS))
     for key in SAMPLE:
         one = solve(key, wavy_sphere.POLISH[1:2])

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Wavy spheres with Lennard-Jones adhesion, Eqs 10-17: pull-off, landmarks, curves.
+"""Wavy spheres with Lennard-Jones adhesion, Eqs 10-17: pull-off, special points, curves.
 
 The equations of smooth_sphere.py with the undeformed gap mu u^2/2 + A (1 - cos(2 pi u/L)),
-L = lambda/sqrt(R mu), on the surface cut at r = R as in the paper, or unbounded.
+L = lambda/sqrt(R mu), on a surface that ends at r = R as in the paper, or on an unbounded one.
 
     wavy_sphere.py --list                    the scenes of the tables, numbered
-    wavy_sphere.py --scene 3 1 20 100 100    landmarks of one of them (outer radius last)
+    wavy_sphere.py --scene 3 1 20 100 100    special points of one of them (outer radius last)
     wavy_sphere.py --sample                  recompute a sample, compare with the stored tables
     wavy_sphere.py --write [DIR]             regenerate the tables (about half an hour)
 """
@@ -24,17 +24,17 @@ from laws import Mie
 from profiles import Sphere, Wave, Waved
 from tables import bound, number, read_table, write_table
 
-FAR = -15.0               # approach from which landmarks are looked for
+FAR = -15.0               # approach from which special points are searched for
 CURVE_FAR = -8.0          # approach of the first point of a curve
-CORE = 40.0               # start of the mapped panel of an unbounded surface: the waves beyond,
-                          # which it does not resolve, carry less than 1e-9 of the load
+CORE = 40.0               # start of the mapped panel of an unbounded surface. It does not resolve the
+                          # waves, which contribute less than 1e-9 of the load there
 DATE = "2026-11-21"
-RADIUS_DATE = "2026-11-22"  # of the tables with contact radii
+RADIUS_DATE = "2026-11-22"  # date of the tables with contact radii
 RADIUS_UNITS = ("; contact_radius: the outermost radius where the gap is that of the greatest "
                 "tension, H = 3^(1/6) - 1, in epsilon; 0 when there is none")
 
-# Less than 1e-12 of the largest traction cannot be resolved: a gap of up to 50 eps less an approach
-# of 20 is rounded to 1e-14, and where the crests are squeezed the traction is 100 times steeper.
+# Less than 1e-12 of the largest traction cannot be resolved. The difference of a gap of up to 50 eps and an
+# approach of 20 has a rounding error of 1e-14, and at compressed crests the traction is 100 times steeper.
 POLISH = (Level(order=14, tail=18, tolerance=1e-10),
           Level(order=18, tail=22, tolerance=1e-11, cut=1.21),
           Level(order=22, tail=28, tolerance=1e-12, cut=1.37, extra=8))
@@ -42,9 +42,9 @@ POLISH = (Level(order=14, tail=18, tolerance=1e-10),
 
 @dataclass(frozen=True)
 class Scene:
-    """One wavy sphere (texts, as in the tables), up to which approach its
-    landmarks are converged, and how far the branch is followed to make sure
-    that no minimum of the load is deeper."""
+    """One wavy sphere (texts, as in the tables), the approach up to which its special
+    points are converged, and the end of the branch, which is followed further to make
+    sure that no minimum of the load is deeper."""
     tabor: str
     amplitude: str
     wavelength: str
@@ -99,20 +99,20 @@ def scene_of(key):
 
 @dataclass(frozen=True)
 class Solved:
-    """Landmarks of a scene up to complete_to, and the least load beyond."""
+    """The special points of a scene up to complete_to, and the least load beyond."""
     scene: Scene
     rows: list
     beyond: float = np.nan
 
 
 def first_passage(states, approach):
-    """The states up to the first beyond an approach."""
+    """The states up to the first one beyond an approach."""
     return states[:1 + next(i for i, s in enumerate(states) if s.approach > approach)]
 
 
 def solve(scene, levels=POLISH, check=True):
-    """Landmarks; with `check` searched for on a second trace of other mesh and
-    step, and the branch followed further (check_beyond)."""
+    """Solves a scene. With `check` the special points are searched again on a second trace
+    with another mesh and other steps, and the branch is followed further (check_beyond)."""
     problem = scene.problem()
     ends = {"first_approach": FAR, "last_load": np.inf}
     states = trace(problem, TRACE, last_approach=scene.traced_to if check else scene.complete_to,
@@ -132,8 +132,8 @@ def solve(scene, levels=POLISH, check=True):
 
 def check_beyond(scene, states, deepest):
     """The least load beyond complete_to, which must not be below `deepest`.
-    The next extremum of the load must lie above complete_to, as the next fold
-    does of itself: by that a comparison sees where the list ends."""
+    The next extremum of the load must be at a larger approach than complete_to. (The
+    next fold always is.) From this a comparison knows where the list ends."""
     least = min(s.load for s in states)
     turn = next((b for a, b in zip(states, states[1:]) if a.rate[LOAD] * b.rate[LOAD] < 0), None)
     if not least > deepest or (turn and turn.approach < scene.complete_to):
@@ -232,7 +232,7 @@ def write_all(folder):
 
 
 def sample(folder):
-    """Recompute the sample on one level and compare with the stored tables."""
+    """Recomputes the sample on one level and compares it with the stored tables."""
     landmarks = read_table(folder / LANDMARKS)[1]
     best = {tuple(row[k] for k in KEYS): row for row in read_table(folder / PULL_OFF)[1]}
     read_table(folder / CURVE)

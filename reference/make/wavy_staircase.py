@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""The pull-off of wavy spheres by how hard they were pressed: the steps of the staircase.
+"""The pull-off of wavy spheres as a function of the preload: the steps of the staircase.
 
 Loading follows the stable equilibria from far out and jumps where they end (stable_paths.py). A test
-that reverses within one piece of loading unloads through the states of that piece below it, and jumps
-from its lower end; all tests of a piece have the jumps in common. So each piece is unloaded once, and
-what a test measures is the greatest tension on its way, the reversal itself included.
+that is reversed within one piece of loading unloads through the lower states of that piece, and jumps
+from its lower end. All tests of a piece have these jumps in common, so each piece is unloaded once. A
+test measures the greatest tension on its way, including that at the reversal.
 
     wavy_staircase.py --list                            the scenes of the tables
     wavy_staircase.py --scene 3 10.15 50 50 inf 30      steps up to a preload, at given approach
@@ -28,8 +28,8 @@ from stable_paths import ALONG, FAR, leap, leap_on_level, piece, relax
 from tables import STORED_FLOOR, bound, number, read_table, write_table
 from wavy_loops import compare
 
-SAME = 1e-6               # folds whose approaches and loads differ by less are one
-CLEAR = 2.0               # gap of surfaces that are apart, at least
+SAME = 1e-6               # folds whose approaches and loads differ by less are the same
+CLEAR = 2.0               # least gap of separated surfaces
 
 KEYS = "tabor amplitude wavelength radius outer_radius complete_to".split()
 SCENES = {
@@ -45,7 +45,7 @@ SAMPLE = {APPROACH: [("1", "1", "20", "100", "100", "12")],
 DATE = "2026-11-22"
 
 
-# A place on a path, on the mesh of the walk; at(problem, level): its state there.
+# Places on a path, on the mesh of the walk. at(problem, level) gives the state on another level.
 @dataclass(frozen=True)
 class Special:
     """A fold or an extremum of the load."""
@@ -61,7 +61,7 @@ class Special:
 
 @dataclass(frozen=True)
 class Landing:
-    """Where a jump comes to rest."""
+    """The state of rest after a jump."""
     jump: object
     component: int
 
@@ -76,7 +76,7 @@ class Landing:
 
 @dataclass(frozen=True)
 class Apart:
-    """Where loading begins in load control: far apart, under no load."""
+    """The beginning of loading in load control: far apart, without load."""
     approach: float = -np.inf
     load: float = 0.0
 
@@ -86,7 +86,7 @@ class Apart:
 
 @dataclass(frozen=True)
 class Level:
-    """Where the load is that of another place."""
+    """A state with the same load as another place."""
     state: object
     other: object
 
@@ -96,8 +96,8 @@ class Level:
 
 @dataclass
 class Step:
-    """A pull-off measured: where the tension is greatest, up to which preload it holds (None: not met),
-    and its cycles: from which preload on, and the jumps of the test that reverses there."""
+    """A measured pull-off: the place of the greatest tension, the preload up to which it is measured (None:
+    not reached), and its cycles: the preload at which each begins, and the jumps of a test reversed there."""
     pull: object
     cycles: list
     until: object = None
@@ -109,22 +109,22 @@ class Step:
 
 @dataclass
 class Way:
-    """Unloading from a place on: its jumps, and the places where the tension may be greatest."""
+    """The unloading from a place: its jumps, and the places where the tension may be greatest."""
     jumps: list = field(default_factory=list)
     places: list = field(default_factory=list)
 
 
 class Climb:
-    """Loading of a scene up to `end`, and the unloading of each piece of it."""
+    """The loading of a scene up to `end`, and the unloading from each piece of it."""
 
     def __init__(self, scene, component, end):
         self.scene, self.problem = scene, scene.problem()
         self.component, self.end = component, end
         self.up = []                    # jumps of loading
-        self.ways = []                  # (fold, Way) of unloading: each jump is relaxed once
+        self.ways = []                  # (fold, Way) of unloading, so that each jump is computed once
 
     def down(self, state):
-        """Unloading from a stable state."""
+        """The unloading from a stable state."""
         apart = FAR if self.component == APPROACH else -np.inf
         here = piece(self.problem, state, -1, apart, self.component)
         places = [Special(mark) for mark in here.passed if mark.kind == "minimum"]
@@ -138,7 +138,7 @@ class Climb:
         return Way(beyond.jumps, places + beyond.places)
 
     def down_from(self, fold):
-        """Unloading from where stable states end."""
+        """The unloading from a fold at which stable states end."""
         for known, way in self.ways:
             if same(known.state, fold.state):
                 return way
@@ -152,8 +152,8 @@ class Climb:
         return way
 
     def pieces(self):
-        """The pieces of loading in their order: where each begins, its states, and the unloading from
-        the first of them."""
+        """The pieces of loading in order: the place where each begins, its states, and the unloading from
+        the first state."""
         begin, way = None, Way()
         state = start(self.problem, FAR, TRACE)
         if self.component == LOAD:
@@ -170,12 +170,12 @@ class Climb:
 
 
 def same(one, other):
-    """Whether two states are one, by approach and load."""
+    """Whether two states have the same approach and load."""
     return np.abs(one.y - other.y)[:2].max() < SAME
 
 
 def crossing(problem, states, place):
-    """Where along the states the load first falls below that at a place."""
+    """The first point along the states at which the load falls below that at a place."""
     load = place.state.load
     for a, b in zip(states, states[1:]):
         if a.load >= load > b.load:
@@ -185,14 +185,14 @@ def crossing(problem, states, place):
 
 
 def staircase(scene, component, end):
-    """The steps in order of their preload. A piece of loading begins at most one by its unloading, and
-    others where loading passes a minimum of the load that is the least so far."""
+    """The steps in order of their preload. At the beginning of a piece of loading a step may begin because of
+    its unloading. Other steps begin where loading passes a minimum of the load that is the least so far."""
     climb, steps, current = Climb(scene, component, end), [], None
     for begin, here, way in climb.pieces():
         jumps, first = climb.up + way.jumps, here.states[0]
         best = min(way.places, key=lambda place: place.state.load, default=None)
         if best and best.state.load > first.load:
-            best = None                 # the tension at reversal is greater
+            best = None                 # the tension at the reversal is greater
         if current and not (best and same(current.pull.state, best.state)):
             current.until, current = begin, None
         if best and not current:
@@ -215,8 +215,8 @@ def staircase(scene, component, end):
 
 @dataclass(frozen=True)
 class Solved:
-    """The steps and the cycles of a scene: names of the columns beside the keys, labels of each row, the
-    values and their spread between levels."""
+    """The steps or the cycles of a scene: names of the columns after the keys, labels of each row, values and
+    their spread between levels."""
     names: tuple
     labels: list
     values: np.ndarray
@@ -231,7 +231,7 @@ class Solved:
 
 
 def on_level(problem, steps, component, level):
-    """Rows of steps and, at given approach, rows of cycles."""
+    """The rows of steps and, at given approach, the rows of cycles."""
     known = {}
 
     def once(key, solve_it):
@@ -257,7 +257,7 @@ def on_level(problem, steps, component, level):
 
 
 def differences(found):
-    """The values on the last level, and how far the others are off."""
+    """The values on the last level, and the differences of the others from them."""
     finite = [np.where(np.isfinite(values), values, 0.0) for values in found]
     return found[-1], np.max([np.abs(values - finite[-1]) for values in finite], axis=0)
 
@@ -326,7 +326,7 @@ def header(component, what, solved):
 
 
 def write_tables(folder, component, solved):
-    """solved: of each scene what solve() gives."""
+    """Writes the tables. `solved`: the result of solve() for each scene."""
     for place, (name, labels, what) in enumerate(TABLES[component]):
         here = [(key, tables[place]) for key, tables in solved]
         write_table(folder / name, header(component, what, [one for _, one in here]),
@@ -351,7 +351,7 @@ def show(component, tables):
 
 
 def sample(folder):
-    """Recompute the sample on one level and compare with the stored tables."""
+    """Recomputes the sample on one level and compares it with the stored tables."""
     for component, keys in SAMPLE.items():
         for key in keys:
             for (name, labels, _), one in zip(TABLES[component], solve(key, component, wavy_sphere.POLISH[1:2])):
