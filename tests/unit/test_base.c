@@ -38,7 +38,7 @@ START_TEST(allocation_is_aligned_zeroed_and_checked) {
 }
 END_TEST
 
-/* What may be shown, and what is shown in its place. */
+/* A text of unknown origin, and the text that is printed for it. */
 static const struct {
   const char *text, *shown;
 } QUOTES[] = {
@@ -49,9 +49,9 @@ static const struct {
     {"\177", "\\x7f"},
     {"gr\303\266\303\237er \347\220\203 \360\237\224\265", /* 2, 3 and 4 bytes */
      "gr\303\266\303\237er \347\220\203 \360\237\224\265"},
-    {"\302\2331m", "\\xc2\\x9b1m"},     /* C1: another way to begin an escape */
+    {"\302\2331m", "\\xc2\\x9b1m"},     /* C1 control character: also begins an escape sequence */
     {"gr\366\337er", "gr\\xf6\\xdfer"}, /* Latin-1 */
-    {"\300\257 \340\200\257", "\\xc0\\xaf \\xe0\\x80\\xaf"}, /* longer than need be */
+    {"\300\257 \340\200\257", "\\xc0\\xaf \\xe0\\x80\\xaf"}, /* overlong encodings */
     {"\355\240\200", "\\xed\\xa0\\x80"},                     /* half a surrogate */
     {"\364\220\200\200", "\\xf4\\x90\\x80\\x80"},            /* above U+10FFFF */
     {"cut \347\220", "cut \\xe7\\x90"},
@@ -66,7 +66,7 @@ START_TEST(quotes_are_safe_to_show) {
 }
 END_TEST
 
-/* At every length: within the room, and no character in two. */
+/* A quote of any size fits its buffer, and no character is cut in two. */
 START_TEST(quotes_are_cut_between_characters) {
   static const char TEXT[] = "\303\266\347\220\203\033x\377";
   for (size_t size = 1; size <= 24; ++size) {

@@ -1,5 +1,6 @@
 /* Influence matrices against pressures whose deflection is known in closed form (E* = 1), and their
- * coefficients against quadrature of Eq 11 by the Copson form, which knows no elliptic integral. */
+ * coefficients against quadrature of Eq 11 in Copson's form, which contains no elliptic integral.
+ */
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_sf_bessel.h>
@@ -60,7 +61,7 @@ static double panel_deflection(const double *edge, size_t panels, size_t order, 
   return sum;
 }
 
-START_TEST(panels_deflect_as_a_gaussian) {
+START_TEST(panels_give_the_deflection_of_a_gaussian_traction) {
   static const double EDGES[] = {0.0, 0.5, 1.3, 2.0, 2.8, 4.0, 6.5};
   const double r = RADII[_i];
   ck_assert_double_eq_tol(panel_deflection(EDGES, 6, 16, r, gauss_traction), gauss_deflection(r),
@@ -76,7 +77,8 @@ START_TEST(panel_to_infinity_integrates_the_tail) {
 }
 END_TEST
 
-START_TEST(panel_weights_integrate_the_load) { /* integral of (1 + s^2)^-3 s ds = 1/4 */
+START_TEST(
+    panel_weights_integrate_the_traction_to_the_load) { /* integral of (1 + s^2)^-3 s ds = 1/4 */
   static const double EDGES[] = {0.0, 0.5, 1.0, 2.0, 5.0, INFINITY};
   po_panel_rule rule;
   double sum = 0.0;
@@ -91,7 +93,9 @@ START_TEST(panel_weights_integrate_the_load) { /* integral of (1 + s^2)^-3 s ds 
 }
 END_TEST
 
-/* Integral of G(r, s) s p(s) ds by the Copson form for a hat p between a and c with top b. */
+/* Integral of G(r, s) s p(s) ds in Copson's form, for a hat function p on (a, c) with its peak at
+ * b.
+ */
 typedef struct {
   double a, b, c, t;
 } hat;
@@ -153,10 +157,11 @@ static double hat_deflection(double a, double b, double c, double r) {
   return 4.0 / M_PI * sum;
 }
 
-START_TEST(triangle_coefficients) { /* 1e-12 relative, diagonal and neighbours included */
+START_TEST(triangle_coefficients_agree_with_quadrature) { /* 1e-12 relative, diagonal and neighbours
+                                                             included */
   enum { N = 40 };
   double node[N], row[N];
-  for (int j = 0; j < N; ++j) /* uneven, to ratios of 1.4 */
+  for (int j = 0; j < N; ++j) /* uneven: neighbouring lengths differ by factors of up to 1.4 */
     node[j] = 0.385 * j + 0.06 * sin(2.1 * j);
   node[0] = 0.0;
   po_triangle *triangle = NULL;
@@ -174,9 +179,9 @@ START_TEST(triangle_coefficients) { /* 1e-12 relative, diagonal and neighbours i
 }
 END_TEST
 
-/* Coefficients may go into every other place, or a row of a matrix: whatever was there, the same
- * numbers, and nothing in between. */
-START_TEST(coefficients_at_a_stride) {
+/* Coefficients may be stored with a stride, such as in a row of a matrix. They are the same numbers
+ * as without a stride, and the places in between keep their contents. */
+START_TEST(coefficients_do_not_depend_on_the_stride) {
   enum { N = 40, APART = 7 };
   static const double AT[] = {0.0, 0.31, 3.85, 200.0};
   double node[N + 1], plain[N + 1], row[APART * (N + 1)];
@@ -206,7 +211,7 @@ START_TEST(coefficients_at_a_stride) {
 }
 END_TEST
 
-/* Largest error at the nodes within r <= 1 of a surface's deflection under a traction. */
+/* Largest error of the deflection of a surface under a traction, at the nodes with r <= up_to. */
 static double surface_error(po_scheme scheme, po_grading grading, size_t nodes, double outer,
                             double (*traction)(double), double (*deflection)(double),
                             double up_to) {
@@ -238,8 +243,8 @@ START_TEST(schemes_converge_at_second_order) {
   ck_assert_double_lt(fine, 2e-3);
   if (grading == PO_GRADED)
     return;
-  /* Hertz has a domain at the edge of contact: order 3/2 less a logarithm, the edge being at a node
-   */
+  /* The traction of Hertz has a square root at the edge of contact, which is at a node here: the
+   * order is 3/2, apart from a logarithm. */
   const size_t end = scheme == PO_TRIANGLE;
   const double rough =
       surface_error(scheme, grading, 100 + end, 2.0, hertz_traction, hertz_deflection, 1.0);
@@ -249,7 +254,7 @@ START_TEST(schemes_converge_at_second_order) {
 }
 END_TEST
 
-START_TEST(weights_add_up) { /* integral of r dr over the disc */
+START_TEST(weights_add_up_to_the_area_of_the_disc) { /* integral of r dr over the disc, and of dr */
   const po_mesh mesh = {_i / 2 ? PO_TRIANGLE : PO_RING, _i % 2 ? PO_GRADED : PO_UNIFORM, 73, 0.0};
   po_scene scene = po_scene_default();
   scene.outer_radius = 23.85;
@@ -267,13 +272,13 @@ START_TEST(weights_add_up) { /* integral of r dr over the disc */
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_loop_test(tests, panels_deflect_as_a_gaussian, 0, RADIUS_COUNT);
+  tcase_add_loop_test(tests, panels_give_the_deflection_of_a_gaussian_traction, 0, RADIUS_COUNT);
   tcase_add_loop_test(tests, panel_to_infinity_integrates_the_tail, 0, RADIUS_COUNT);
-  tcase_add_test(tests, panel_weights_integrate_the_load);
-  tcase_add_test(tests, triangle_coefficients);
-  tcase_add_loop_test(tests, coefficients_at_a_stride, 0, 4);
+  tcase_add_test(tests, panel_weights_integrate_the_traction_to_the_load);
+  tcase_add_test(tests, triangle_coefficients_agree_with_quadrature);
+  tcase_add_loop_test(tests, coefficients_do_not_depend_on_the_stride, 0, 4);
   tcase_add_loop_test(tests, schemes_converge_at_second_order, 0, 4);
-  tcase_add_loop_test(tests, weights_add_up, 0, 4);
+  tcase_add_loop_test(tests, weights_add_up_to_the_area_of_the_disc, 0, 4);
 }
 
 int main(void) {

@@ -30,7 +30,7 @@ static bool look(const po_branch_point *p, void *data) {
   return p->load > 0.5 && p->unstable_modes == 0;
 }
 
-/* Traces a scene; returned: the special points. */
+/* Traces a scene and returns its special points. */
 static seen trace_on(const po_scene *scene, const po_mesh *mesh, double station) {
   po_surface *surface = NULL;
   po_equilibrium *e = NULL;
@@ -64,8 +64,9 @@ static int count_of(const seen *s, po_point_kind kind) {
   return count;
 }
 
-/* S-shaped from mu = 0.697 on (our notes), not from 1. At 0.70 the two folds are 1.2e-4 apart in
- * approach (reference/feng_landmarks.csv) and were once stepped over. */
+/* The curve of load against approach is S-shaped from mu = 0.697 on, not from mu = 1. At 0.70 the
+ * two folds are 1.2e-4 apart in approach (reference/feng_landmarks.csv); an earlier version stepped
+ * over them. */
 START_TEST(smooth_sphere_folds_from_0_697_on) {
   const seen below = trace(0.69, 801, INFINITY, NAN), above = trace(0.70, 801, INFINITY, NAN);
   ck_assert_int_eq(count_of(&below, PO_POINT_APPROACH_MAX), 0);
@@ -76,8 +77,8 @@ START_TEST(smooth_sphere_folds_from_0_697_on) {
 END_TEST
 
 START_TEST(folds_alternate_and_account_for_every_turn) {
-  const seen s =
-      trace(3.0, 301, INFINITY, NAN); /* coarse: some folds are the mesh's, none is missed */
+  /* The mesh is so coarse that it has spurious folds; these must not be missed either. */
+  const seen s = trace(3.0, 301, INFINITY, NAN);
   int turns = 0;
   po_point_kind last = PO_POINT_APPROACH_MIN;
   for (int k = 0; k < s.count; ++k) {
@@ -108,8 +109,8 @@ START_TEST(folds_near_each_other_are_found) {
 }
 END_TEST
 
-START_TEST(special_points_are_converged) { /* the same to 1e-10 on the same mesh with another step
-                                              history */
+/* On the same mesh, another sequence of steps gives the same special points to 1e-10. */
+START_TEST(special_points_do_not_depend_on_the_steps) {
   const seen a = trace(1.3, 201, 60.0, NAN), b = trace(1.3, 201, 60.0, -1.9);
   ck_assert_int_eq(a.count + 1, b.count); /* the station */
   for (int k = 0, j = 0; k < a.count; ++k, ++j) {
@@ -126,8 +127,8 @@ START_TEST(special_points_are_converged) { /* the same to 1e-10 on the same mesh
 }
 END_TEST
 
-/* Number of eigenvalues of the Jacobian I - coupling G diag(slope) below zero: the unstable modes,
- * counted from the matrix instead of from the turns of the curve. */
+/* Number of negative eigenvalues of the Jacobian I - coupling G diag(slope). This is the number of
+ * unstable modes, which the trace counts from the turns of the curve instead. */
 static int unstable_modes_of(const po_equilibrium *e) {
   const size_t n = e->n;
   gsl_matrix *m = gsl_matrix_alloc(n, n);
@@ -156,7 +157,7 @@ static bool count_modes(const po_branch_point *p, void *data) {
   return p->load > 0.5 && p->unstable_modes == 0;
 }
 
-START_TEST(stability_from_the_turns_is_that_of_the_eigenvalues) {
+START_TEST(unstable_modes_agree_with_the_eigenvalues) {
   static const double SCENES[][3] = {{1.5, 0.0, 0.0}, {5.0, 0.0, 0.0}, {3.0, 1.0, 20.0}};
   const po_scene scene = {SCENES[_i][0], SCENES[_i][1], SCENES[_i][2], 100.0, 60.0};
   const po_mesh mesh = {PO_TRIANGLE, PO_UNIFORM, 81, 0.0};
@@ -180,7 +181,7 @@ static bool never(const po_branch_point *p, void *data) {
   return false;
 }
 
-START_TEST(end_is_met_and_points_are_limited) {
+START_TEST(trace_ends_at_its_end_or_at_the_limit_of_points) {
   po_scene scene = po_scene_default();
   const po_mesh mesh = {PO_RING, PO_GRADED, 101, 0.0};
   po_surface *surface = NULL;
@@ -246,9 +247,9 @@ static void add(TCase *tests) {
   tcase_add_test(tests, smooth_sphere_folds_from_0_697_on);
   tcase_add_test(tests, folds_alternate_and_account_for_every_turn);
   tcase_add_test(tests, folds_near_each_other_are_found);
-  tcase_add_test(tests, special_points_are_converged);
-  tcase_add_loop_test(tests, stability_from_the_turns_is_that_of_the_eigenvalues, 0, 3);
-  tcase_add_test(tests, end_is_met_and_points_are_limited);
+  tcase_add_test(tests, special_points_do_not_depend_on_the_steps);
+  tcase_add_loop_test(tests, unstable_modes_agree_with_the_eigenvalues, 0, 3);
+  tcase_add_test(tests, trace_ends_at_its_end_or_at_the_limit_of_points);
 }
 
 int main(void) {

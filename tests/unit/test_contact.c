@@ -9,7 +9,7 @@
 
 static const double PEAK_GAP = 0.20093695517600277; /* 3^(1/6) - 1, of the law of the paper */
 
-/* The gaps of a mesh that stays, on a half-space: radii between nodes are linear. */
+/* The gaps of a fixed mesh on a half-space. Radii between nodes are interpolated linearly. */
 static po_contact_gap gap_on_nodes(const po_scene *flat, size_t n, const double *node,
                                    const double *gap) {
   const po_branch_point point = {.n = n, .node = node, .gap = gap};
@@ -29,7 +29,7 @@ START_TEST(radius_is_where_the_tension_is_greatest) {
   const double open[2] = {0.3, 0.9}, closed[2] = {-0.3, 0.1};
   g = gap_on_nodes(&flat, 2, node, open);
   ck_assert_double_eq(po_contact_radius(&g), 0.0);
-  g = gap_on_nodes(&flat, 2, node, closed); /* as far as the surface goes */
+  g = gap_on_nodes(&flat, 2, node, closed); /* closed up to the end of the surface */
   ck_assert_double_eq(po_contact_radius(&g), 1.0);
 }
 END_TEST
@@ -50,7 +50,7 @@ START_TEST(annuli_are_where_the_gap_is_small) {
   const double shallow[] = {-0.1, 0.1, 0.1, -0.2, 0.2, 0.6};
   g = gap_on_nodes(&flat, 6, node, shallow);
   ck_assert_int_eq(po_contact_annuli_fill(&g, &a), PO_OK); /* filled again */
-  ck_assert_uint_eq(a.held_count, 1);                      /* no groove left */
+  ck_assert_uint_eq(a.held_count, 1);                      /* the groove is closed */
   const double at_end[] = {0.3, 0.1};
   g = gap_on_nodes(&flat, 2, node, at_end);
   ck_assert_int_eq(po_contact_annuli_fill(&g, &a), PO_OK);
@@ -81,9 +81,9 @@ static double gap_of_crest(const po_scene *scene, double r) {
   return 0.5 * r * r / scene->radius + scene->amplitude * (1.0 - cos(k * r));
 }
 
-/* The contact of a high crest is narrower than any step of a search: half of its width is that of
- * the parabola of its curvature. It was looked for in steps of a 256th of the wavelength, and a
- * crest of A = 500 that dips 1e-4 was passed over. */
+/* The contact of a high crest is narrower than any step of a search; its half-width follows from
+ * the curvature of the crest. An earlier version searched in steps of 1/256 of the wavelength and
+ * missed a crest of A = 500 that penetrates by 1e-4. */
 START_TEST(a_high_crest_that_barely_touches_is_found) {
   const po_scene scene = {0.0, 500.0, 3.0, 100.0, INFINITY};
   const double k = 2.0 * M_PI / scene.wavelength, dip = 1e-4;
@@ -94,12 +94,13 @@ START_TEST(a_high_crest_that_barely_touches_is_found) {
   ck_assert_double_eq_tol(po_contact_radius(&g), crest + sqrt(2.0 * dip / curvature), 1e-8);
   g = rigid_gap(&scene, touching - dip);
   const double first = po_contact_radius(&g);
-  ck_assert_double_lt(first, 1.1 * scene.wavelength); /* the crest before */
+  ck_assert_double_lt(first, 1.1 * scene.wavelength); /* the previous crest */
   ck_assert_double_eq_tol(po_profile(&scene, first), touching - dip + PEAK_GAP, 1e-10);
 }
 END_TEST
 
-/* Whether the crest is in contact is less than the error: both radii, whichever is taken. */
+/* The error of the gap is too large to decide whether the crest is in contact. Both radii are
+ * stated, whichever is taken as the result. */
 START_TEST(a_crest_within_the_error_gives_both_radii) {
   const po_scene scene = {0.0, 2.385, 7.0, 90.0, INFINITY};
   const double crest = crest_near(&scene, 1.0), by = 1e-7;
@@ -109,19 +110,21 @@ START_TEST(a_crest_within_the_error_gives_both_radii) {
   const po_contact_edge inner = po_contact_estimate(&out, &doubt);
   ck_assert_double_lt(inner.radius, 0.5 * scene.wavelength);
   ck_assert_double_eq_tol(inner.other, crest, 1e-6);
-  ck_assert_double_lt(inner.error, 1e-4); /* of the radius, as long as the crest is not */
+  ck_assert_double_lt(inner.error, 1e-4); /* of the radius if the crest is not in contact */
   ck_assert_double_gt(inner.error, 1e-8);
   const po_contact_edge outer = po_contact_estimate(&in, &doubt);
   ck_assert_double_gt(outer.radius, crest);
   ck_assert_double_eq_tol(outer.other, inner.radius, 1e-5);
   ck_assert_double_lt(outer.error, 1e-2);
-  ck_assert_double_ge(outer.error, outer.radius - crest); /* the width of the crest may be any */
+  ck_assert_double_ge(outer.error,
+                      outer.radius - crest); /* the contact of the crest may have any width */
   ck_assert_double_nan(po_contact_estimate(&out, &certain).other);
   ck_assert_double_nan(po_contact_estimate(&in, &certain).other);
 }
 END_TEST
 
-/* Every one of a hundred crests; there was room for 48 edges, and the outermost were left out. */
+/* All of more than a hundred crests are found. An earlier version had room for 48 edges and left
+ * out the outermost. */
 START_TEST(no_annulus_is_left_out) {
   const po_scene scene = {0.0, 3.0, 2.0, 2e5, INFINITY};
   const double approach = 0.8;
@@ -143,10 +146,11 @@ START_TEST(no_annulus_is_left_out) {
 }
 END_TEST
 
-/* Loosely and tightly solved the radius is the same within the errors stated, and these fall with
- * the tolerance. Between nodes it was linear: 13.5664 at mu = 1 where it is 13.56821, whatever the
- * tolerance; and on nearly rigid spheres it was a hundredth off. */
-START_TEST(radius_converges_as_its_error_says) {
+/* A loose and a tight tolerance give the same radius within the stated errors, and these errors
+ * decrease with the tolerance. Linear interpolation between the nodes, as in an earlier version,
+ * gives 13.5664 instead of 13.56821 at mu = 1 for any tolerance, and errors of 1 % on nearly rigid
+ * spheres. */
+START_TEST(radius_differs_by_no_more_than_its_stated_error) {
   static const po_scene SCENES[] = {{1.0, 0.0, 0.0, 100.0, INFINITY},
                                     {0.0137, 0.0, 0.0, 850.766, INFINITY},
                                     {3.0, 1.0, 20.0, 100.0, 100.0},
@@ -180,7 +184,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, a_high_crest_that_barely_touches_is_found);
   tcase_add_test(tests, a_crest_within_the_error_gives_both_radii);
   tcase_add_test(tests, no_annulus_is_left_out);
-  tcase_add_loop_test(tests, radius_converges_as_its_error_says, 0, 4);
+  tcase_add_loop_test(tests, radius_differs_by_no_more_than_its_stated_error, 0, 4);
 }
 
 int main(void) {

@@ -1,5 +1,6 @@
-/* Observed order: halving the elements divides the errors of pull-off and folds by four, towards
- * the independent reference (reference/feng_landmarks.csv, mu = 1, to 1e-10). */
+/* Observed order of convergence: if the elements are half as long, the errors of the pull-off and
+ * of the folds are a quarter. The errors are relative to the independent reference
+ * (reference/feng_landmarks.csv, mu = 1, accurate to 1e-10). */
 #include <math.h>
 #include <stdio.h>
 
@@ -26,7 +27,7 @@ static errors errors_of(po_scheme scheme, po_grading grading, size_t elements) {
   return e;
 }
 
-START_TEST(second_order) {
+START_TEST(triangles_and_rings_converge_at_second_order) {
   const po_scheme scheme = _i / 2 ? PO_TRIANGLE : PO_RING;
   const po_grading grading = _i % 2 ? PO_GRADED : PO_UNIFORM;
   errors e[3];
@@ -36,7 +37,7 @@ START_TEST(second_order) {
            po_grading_name(grading), (size_t)250 << k, e[k].force, e[k].approach, e[k].jump_in,
            e[k].jump_out);
   }
-  /* over two halvings, 16 to within half an order */
+  /* 16 over two halvings; the order may be off by one half */
   ck_assert_double_ge(fabs(e[0].jump_in / e[2].jump_in), 8.0);
   ck_assert_double_ge(fabs(e[0].jump_out / e[2].jump_out), 8.0);
   ck_assert_double_ge(fabs(e[0].force / e[2].force), 8.0);
@@ -69,9 +70,10 @@ static double pull_off(const po_scene *scene, double core, double size) {
   return least;
 }
 
-/* The far tail of an unbounded surface is right to 1e-8: where the elements end and the panels
- * begin does not matter, once the elements' own error (h^2) is extrapolated away. */
-START_TEST(tail_is_right_to_1e_8) {
+/* The far tail of an unbounded surface is accurate to 1e-8: the radius at which the elements end
+ * and the panels begin does not change the result, once the error of the elements, of order h^2, is
+ * removed by extrapolation. */
+START_TEST(tail_of_an_unbounded_surface_is_accurate_to_1e_8) {
   const po_scene scene = {1.0, _i ? 0.3 : 0.0, 15.0, 100.0, INFINITY};
   double load[2];
   for (int k = 0; k < 2; ++k) {
@@ -84,8 +86,8 @@ START_TEST(tail_is_right_to_1e_8) {
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_loop_test(tests, second_order, 0, 4);
-  tcase_add_loop_test(tests, tail_is_right_to_1e_8, 0, 2);
+  tcase_add_loop_test(tests, triangles_and_rings_converge_at_second_order, 0, 4);
+  tcase_add_loop_test(tests, tail_of_an_unbounded_surface_is_accurate_to_1e_8, 0, 2);
 }
 
 int main(void) {

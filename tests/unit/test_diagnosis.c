@@ -27,7 +27,7 @@ static double force(const po_request *request) {
   return value;
 }
 
-/* d ln(force) / d ln(key), by central differences: 1e-3 squared is what they err by. */
+/* d ln(force) / d ln(key) by central differences, whose error is of order (1e-3)^2. */
 static double difference(po_request *request, double *key) {
   const double is = *key, part = 1e-3;
   *key = is * (1.0 + part);
@@ -38,7 +38,7 @@ static double difference(po_request *request, double *key) {
   return log(more / less) / log((1.0 + part) / (1.0 - part));
 }
 
-START_TEST(sensitivities_are_those_of_whole_solves) {
+START_TEST(sensitivities_agree_with_finite_differences) {
   po_request request = awkward();
   request.want = PO_WANT_DIAGNOSTICS;
   po_result o;
@@ -50,13 +50,13 @@ START_TEST(sensitivities_are_those_of_whole_solves) {
   ck_assert_double_eq_tol(by.amplitude, difference(&request, &request.scene.amplitude), 1e-5);
   ck_assert_double_eq_tol(by.wavelength, difference(&request, &request.scene.wavelength), 1e-5);
   ck_assert_double_eq_tol(by.radius, difference(&request, &request.scene.radius), 1e-5);
-  /* Radii scaled by k, the radius of the sphere by its square: the same problem. */
+  /* The problem stays the same if radii are multiplied by k and the radius of the sphere by k^2. */
   ck_assert_double_eq_tol(by.wavelength + 2.0 * by.radius, 0.0, 1e-6);
   po_result_clear(&o);
 }
 END_TEST
 
-START_TEST(residuals_are_small_and_digits_stay) {
+START_TEST(residuals_are_small_and_the_force_keeps_its_digits) {
   po_request request = awkward();
   request.mesh.tolerance = 1e-6;
   request.want = PO_WANT_DIAGNOSTICS;
@@ -66,14 +66,14 @@ START_TEST(residuals_are_small_and_digits_stay) {
   ck_assert_uint_ge(d->state_count, 3);
   ck_assert_uint_eq(d->undiagnosed, 0);
   ck_assert_double_gt(d->residual, 0.0);
-  ck_assert_double_lt(d->residual, 1e-10); /* where Newton stops, 1e-4 of the tolerance */
+  ck_assert_double_lt(d->residual, 1e-10); /* Newton's method stops at 1e-4 of the tolerance */
   ck_assert_uint_eq(d->moved.solves, 8);
   ck_assert_uint_eq(d->moved.failed, 0);
   ck_assert_double_lt(d->moved.change, 1e-12);
   ck_assert_double_lt(fabs(d->force.residual), 1e-10);
   for (size_t k = 0; k < d->state_count; ++k) {
     ck_assert_double_ge(d->states[k].found.condition, 1.0);
-    if (d->states[k].at == PO_KEPT_FOLD) /* singular but for the border */
+    if (d->states[k].at == PO_KEPT_FOLD) /* singular without the border */
       ck_assert_double_gt(d->states[k].found.condition,
                           1e4 * d->states[k].found.bordered_condition);
   }
@@ -81,7 +81,7 @@ START_TEST(residuals_are_small_and_digits_stay) {
 }
 END_TEST
 
-START_TEST(diagnostics_change_nothing) {
+START_TEST(diagnostics_do_not_change_the_result) {
   po_request request = awkward();
   request.mesh.tolerance = 1e-5;
   po_result plain, diagnosed;
@@ -98,7 +98,7 @@ START_TEST(diagnostics_change_nothing) {
 }
 END_TEST
 
-/* A sphere so stiff that tractions do nothing, on 41 nodes. */
+/* A sphere so stiff that the tractions do not deform it, on 41 nodes. */
 static void create_stiff(po_surface **surface, po_equilibrium **e) {
   static const po_scene STIFF = {.tabor = 1e-8, .radius = 87.0, .outer_radius = 87.0};
   const po_mesh mesh = {.scheme = PO_TRIANGLE, .grading = PO_UNIFORM, .nodes = 41};
@@ -106,9 +106,9 @@ static void create_stiff(po_surface **surface, po_equilibrium **e) {
   ck_assert_int_eq(po_equilibrium_create(&STIFF, *surface, (*surface)->n, e), PO_OK);
 }
 
-/* Of the stiff sphere the undeformed gap is the solution, and the Jacobian the unit matrix. Moved
- * away by a known part of 1 + H, that is the residual. */
-START_TEST(a_stiff_sphere_is_known) {
+/* The solution of the stiff sphere is the undeformed gap, and its Jacobian is the unit matrix. A
+ * gap that is changed by a known fraction of 1 + H has this fraction as its residual. */
+START_TEST(residual_and_condition_of_a_stiff_sphere_are_exact) {
   po_surface *surface = NULL;
   po_equilibrium *e = NULL;
   create_stiff(&surface, &e);
@@ -128,7 +128,7 @@ START_TEST(a_stiff_sphere_is_known) {
 }
 END_TEST
 
-/* The 1-norm of [1 u; v w], n + 1 square with the unit matrix inside. */
+/* The 1-norm of the matrix [I u; v w], where I is the unit matrix of size n. */
 static double bordered_norm(size_t n, const double *u, const double *v, double w) {
   double last = fabs(w), largest = 0.0;
   for (size_t j = 0; j < n; ++j) {
@@ -138,7 +138,7 @@ static double bordered_norm(size_t n, const double *u, const double *v, double w
   return fmax(largest, last);
 }
 
-/* The same of its inverse, [1 + u v/s, -u/s; -v/s, 1/s] with s = w - v.u. */
+/* The 1-norm of its inverse, [I + u v/s, -u/s; -v/s, 1/s] with s = w - v.u. */
 static double inverse_norm(size_t n, const double *u, const double *v, double w) {
   double s = w, sum = 0.0, largest = 0.0;
   for (size_t j = 0; j < n; ++j) {
@@ -151,9 +151,10 @@ static double inverse_norm(size_t n, const double *u, const double *v, double w)
   return fmax(largest, (sum + 1.0) / fabs(s));
 }
 
-/* Where tractions do nothing, pressing by one takes one from every gap: the tangent of the branch
- * is known, and with it the border, and the inverse of the bordered Jacobian in closed form. */
-START_TEST(a_border_follows_the_branch) {
+/* If tractions do not deform the sphere, an approach larger by 1 reduces every gap by 1. So the
+ * tangent of the branch is known, and with it the border and the inverse of the bordered Jacobian
+ * in closed form. */
+START_TEST(bordered_condition_of_a_stiff_sphere_is_exact) {
   static const double APPROACH[] = {-2.385, -0.3, 0.0, 0.385};
   po_surface *surface = NULL;
   po_equilibrium *e = NULL;
@@ -183,7 +184,7 @@ START_TEST(a_border_follows_the_branch) {
 }
 END_TEST
 
-START_TEST(digits_of_a_change) {
+START_TEST(number_of_digits_follows_from_the_relative_change) {
   ck_assert_double_eq_tol(po_digits_left(2.5e-9), 8.602, 1e-3);
   ck_assert_double_eq_tol(po_digits_left(0.0), 15.95, 0.01);
   ck_assert_double_nan(po_digits_left((double)NAN));
@@ -191,12 +192,12 @@ START_TEST(digits_of_a_change) {
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_test(tests, sensitivities_are_those_of_whole_solves);
-  tcase_add_test(tests, residuals_are_small_and_digits_stay);
-  tcase_add_test(tests, diagnostics_change_nothing);
-  tcase_add_test(tests, a_stiff_sphere_is_known);
-  tcase_add_loop_test(tests, a_border_follows_the_branch, 0, 4);
-  tcase_add_test(tests, digits_of_a_change);
+  tcase_add_test(tests, sensitivities_agree_with_finite_differences);
+  tcase_add_test(tests, residuals_are_small_and_the_force_keeps_its_digits);
+  tcase_add_test(tests, diagnostics_do_not_change_the_result);
+  tcase_add_test(tests, residual_and_condition_of_a_stiff_sphere_are_exact);
+  tcase_add_loop_test(tests, bordered_condition_of_a_stiff_sphere_is_exact, 0, 4);
+  tcase_add_test(tests, number_of_digits_follows_from_the_relative_change);
 }
 
 int main(void) {

@@ -8,7 +8,7 @@
 #include "run.h"
 #include "trace.h"
 
-/* The integral of W d approach along a branch beside the change of energy. */
+/* The integral of W d approach along a branch, and the change of energy. */
 typedef struct {
   po_branch_point last;
   bool has_last;
@@ -16,9 +16,9 @@ typedef struct {
   int folds;
 } balance;
 
-/* Integral of W d approach along the arc between two points: the trapezium, and what lies between
- * chord and arc, a cubic over the chord with the slopes of both ends. It is a matter of the plane
- * alone and does not mind folds. */
+/* Integral of W d approach along the arc between two points: the trapezium below the chord, and the
+ * area between chord and arc, where the arc is a cubic over the chord with the slopes of both ends.
+ * The formula uses only the curve in the plane, so it also holds through folds. */
 static double integral(const po_branch_point *a, const po_branch_point *b) {
   const double dx = b->approach - a->approach, dy = b->load - a->load, square = dx * dx + dy * dy;
   const double trapezium = 0.5 * (a->load + b->load) * dx;
@@ -42,14 +42,14 @@ static bool look(const po_branch_point *p, void *data) {
   return p->load > b->enough && p->unstable_modes == 0;
 }
 
-/* Each with folds, smooth and wavy, whole and cut. */
+/* Scenes with folds: smooth and wavy, on unbounded and bounded surfaces. */
 static const po_scene SCENES[] = {{1.0, 0.0, 0.0, 100.0, INFINITY},
                                   {2.385, 0.0, 0.0, 83.0, INFINITY},
                                   {1.3, 0.7, 23.85, 100.0, INFINITY},
                                   {0.67, 1.0, 20.0, 100.0, 100.0}};
 enum { SCENE_COUNT = sizeof SCENES / sizeof *SCENES };
 
-/* What is lacking in the balance, and how many folds there are. */
+/* The largest defect of the balance, and the number of folds, with triangles or rings. */
 static balance of_triangles_or_rings(const po_scene *scene, po_scheme scheme, size_t nodes) {
   const po_mesh mesh = {scheme, PO_UNIFORM, nodes, 0.0};
   po_surface *surface = NULL;
@@ -68,7 +68,7 @@ static balance of_triangles_or_rings(const po_scene *scene, po_scheme scheme, si
   return b;
 }
 
-START_TEST(rate_of_energy_is_load_on_panels) {
+START_TEST(energy_derivative_is_the_load_on_panels) {
   const po_scene *scene = &SCENES[_i];
   const double core = po_surface_core(scene, NAN);
   const double domain = isfinite(scene->outer_radius)
@@ -98,7 +98,7 @@ START_TEST(rate_of_energy_is_load_on_panels) {
 }
 END_TEST
 
-START_TEST(rate_of_energy_is_load_to_second_order) {
+START_TEST(energy_derivative_is_the_load_to_second_order) {
   const po_scene *scene = &SCENES[_i / 2];
   const po_scheme scheme = _i % 2 ? PO_RING : PO_TRIANGLE;
   const balance coarse = of_triangles_or_rings(scene, scheme, 151);
@@ -109,9 +109,9 @@ START_TEST(rate_of_energy_is_load_to_second_order) {
 }
 END_TEST
 
-/* The integral of Eq 23, -8/(3x) + 2/(21 x^7) with x = 1 - approach: from twice that of the energy
- * per area over the gap, as r dr = R dH. */
-START_TEST(smooth_rigid_energy_in_closed_form) {
+/* The integral of Eq 23 over the approach is -8/(3x) + 2/(21 x^7) with x = 1 - approach. It is
+ * twice the integral of the energy per area over the gap, since r dr = R dH. */
+START_TEST(smooth_rigid_energy_agrees_with_its_closed_form) {
   static const double APPROACHES[] = {-30.0, -2.385, 0.0, 0.385, 0.8};
   const po_scene scene = {0.0, 0.0, 0.0, 83.0, INFINITY};
   const double x = 1.0 - APPROACHES[_i];
@@ -122,7 +122,7 @@ START_TEST(smooth_rigid_energy_in_closed_form) {
 }
 END_TEST
 
-START_TEST(rate_of_rigid_energy_is_load) {
+START_TEST(rigid_energy_derivative_is_the_load) {
   const po_scene scene = {0.0, 0.7, 23.85, 100.0, _i ? 77.0 : (double)INFINITY};
   balance b = {.enough = INFINITY};
   po_continuation_options options = po_continuation_options_default();
@@ -135,21 +135,23 @@ START_TEST(rate_of_rigid_energy_is_load) {
 }
 END_TEST
 
-/* An elastic scene of Tabor parameter near 0 has the energy of the rigid one, closed form again. */
+/* If the Tabor parameter tends to 0, the energy of an elastic sphere tends to the closed form of
+ * the rigid sphere. */
 START_TEST(elastic_energy_tends_to_rigid) {
   const po_scene scene = {1e-4, 0.0, 0.0, 100.0, INFINITY};
   const balance b = of_triangles_or_rings(&scene, _i ? PO_RING : PO_TRIANGLE, 501);
   const double x = 1.0 - b.last.approach;
   const double exact = -8.0 / (3.0 * x) + 2.0 / (21.0 * pow(x, 7.0));
-  ck_assert_double_eq_tol(b.last.energy, exact, 2e-4); /* elements and elasticity */
+  ck_assert_double_eq_tol(b.last.energy, exact,
+                          2e-4); /* error of the elements and effect of elasticity */
 }
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_loop_test(tests, rate_of_energy_is_load_on_panels, 0, SCENE_COUNT);
-  tcase_add_loop_test(tests, rate_of_energy_is_load_to_second_order, 0, 2 * SCENE_COUNT);
-  tcase_add_loop_test(tests, smooth_rigid_energy_in_closed_form, 0, 5);
-  tcase_add_loop_test(tests, rate_of_rigid_energy_is_load, 0, 2);
+  tcase_add_loop_test(tests, energy_derivative_is_the_load_on_panels, 0, SCENE_COUNT);
+  tcase_add_loop_test(tests, energy_derivative_is_the_load_to_second_order, 0, 2 * SCENE_COUNT);
+  tcase_add_loop_test(tests, smooth_rigid_energy_agrees_with_its_closed_form, 0, 5);
+  tcase_add_loop_test(tests, rigid_energy_derivative_is_the_load, 0, 2);
   tcase_add_loop_test(tests, elastic_energy_tends_to_rigid, 0, 2);
 }
 

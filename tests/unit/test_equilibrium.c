@@ -1,4 +1,4 @@
-/* Residual and Jacobian of Eqs 15-16, and Newton's method on them. */
+/* Residual and Jacobian of Eqs 15-16, and Newton's method for them. */
 #include <math.h>
 
 #include "po_arclength.h"
@@ -33,7 +33,7 @@ static void tear_down(fixture *f) {
   po_surface_destroy(f->surface);
 }
 
-/* Eq 15 as the paper writes it: u, Gamma, G' and P. */
+/* Eq 15 in the variables of the paper: u, Gamma, G' and P. */
 static double residual_of_paper(const fixture *f, int i) {
   const double mu = f->scene.tabor, gamma = sqrt(f->scene.radius * mu);
   const double u = f->surface->node[i] / gamma, L = f->scene.wavelength / gamma;
@@ -57,7 +57,7 @@ START_TEST(corrected_state_satisfies_eq_15) {
   for (int j = 0; j <= NODES; ++j)
     base[j] = f.state[j];
   po_status status = PO_NOT_CONVERGED;
-  for (int fresh = 0; status && fresh < 5; ++fresh) { /* a chord may ask for new factors */
+  for (int fresh = 0; status && fresh < 5; ++fresh) { /* the chord method may need new factors */
     ck_assert_int_eq(po_equilibrium_factorize(f.e, f.state, f.border), PO_OK);
     status = po_equilibrium_correct(f.e, f.state, base, 0.0);
   }
@@ -69,7 +69,8 @@ START_TEST(corrected_state_satisfies_eq_15) {
 }
 END_TEST
 
-START_TEST(tangent_is_the_derivative) { /* of the equilibrium by the approach, by differences */
+/* The tangent is the derivative of the equilibrium with respect to the approach. */
+START_TEST(tangent_agrees_with_finite_differences) {
   fixture f;
   set_up(&f, TABORS[_i], -0.385 - 2.0 * TABORS[_i]);
   double base[NODES + 1], tangent[NODES + 1], at[2][NODES + 1], load[2];
@@ -98,7 +99,7 @@ START_TEST(tangent_is_the_derivative) { /* of the equilibrium by the approach, b
 }
 END_TEST
 
-START_TEST(result_does_not_depend_on_what_is_left_out) {
+START_TEST(load_does_not_depend_on_nodes_left_out_of_the_jacobian) {
   double load[2];
   for (int all = 0; all < 2; ++all) {
     fixture f;
@@ -117,7 +118,7 @@ START_TEST(result_does_not_depend_on_what_is_left_out) {
 }
 END_TEST
 
-START_TEST(gaps_stay_open) { /* a wild prediction: either converged or refused, never H <= -1 */
+START_TEST(gaps_stay_above_the_singularity_of_the_law) { /* from a bad initial guess */
   fixture f;
   set_up(&f, 3.0, -6.2);
   double base[NODES + 1];
@@ -133,7 +134,7 @@ START_TEST(gaps_stay_open) { /* a wild prediction: either converged or refused, 
 }
 END_TEST
 
-START_TEST(factorisation_is_refused_beyond_its_limit) {
+START_TEST(factorisation_is_refused_above_its_limit_of_nodes) {
   fixture f;
   set_up(&f, 2.385, -5.3);
   ck_assert_int_eq(po_equilibrium_factorize(f.e, f.state, f.border), PO_OK);
@@ -146,7 +147,7 @@ START_TEST(factorisation_is_refused_beyond_its_limit) {
 }
 END_TEST
 
-/* An equilibrium, and the border of its tangent's own direction in the nodal arclength. */
+/* Computes an equilibrium, its tangent, and the rates of the nodal arclength along the tangent. */
 static void solve(fixture *f, double *tangent, double *rate) {
   double base[NODES + 1];
   for (int j = 0; j <= NODES; ++j)
@@ -158,9 +159,9 @@ static void solve(fixture *f, double *tangent, double *rate) {
   po_arclength_rates(PO_ARCLENGTH_NODAL, f->e, f->state, tangent, rate);
 }
 
-/* With a changed border the factors give the tangent, scaled to the new border, and the same sign
- * of the determinant as factors made with it. */
-START_TEST(changed_border_is_as_good_as_new_factors) {
+/* If the border is changed, the old factors give the tangent, scaled to the new border. This takes
+ * at most one iteration more than new factors. */
+START_TEST(changed_border_gives_the_tangent_of_new_factors) {
   fixture f;
   set_up(&f, TABORS[_i], -0.385 - 2.0 * TABORS[_i]);
   double tangent[NODES + 1], rate[NODES + 1], border[NODES + 1], changed[NODES + 1];
@@ -181,7 +182,7 @@ START_TEST(changed_border_is_as_good_as_new_factors) {
 }
 END_TEST
 
-START_TEST(factors_are_given_up_when_the_border_turns_round) {
+START_TEST(factors_are_discarded_if_the_border_reverses) {
   fixture f;
   set_up(&f, 2.385, -5.3);
   double tangent[NODES + 1], rate[NODES + 1];
@@ -195,9 +196,9 @@ START_TEST(factors_are_given_up_when_the_border_turns_round) {
 }
 END_TEST
 
-/* The border is the gradient of direction . coordinates, and the rates are their derivatives: by
- * differences along a change of the state. */
-START_TEST(arclength_has_its_derivatives) {
+/* The border is the gradient of direction . coordinates, and the rates are the derivatives of the
+ * coordinates. Both are compared with finite differences along a change of the state. */
+START_TEST(arclength_derivatives_agree_with_finite_differences) {
   const po_arclength a = _i ? PO_ARCLENGTH_NODAL : PO_ARCLENGTH_GLOBAL;
   const size_t size = po_arclength_size(a, NODES);
   ck_assert_uint_eq(size, _i ? NODES + 1 : PO_ARCLENGTH_GLOBAL_SIZE);
@@ -229,13 +230,13 @@ END_TEST
 
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, corrected_state_satisfies_eq_15, 0, TABOR_COUNT);
-  tcase_add_loop_test(tests, tangent_is_the_derivative, 0, TABOR_COUNT);
-  tcase_add_test(tests, result_does_not_depend_on_what_is_left_out);
-  tcase_add_test(tests, gaps_stay_open);
-  tcase_add_test(tests, factorisation_is_refused_beyond_its_limit);
-  tcase_add_loop_test(tests, changed_border_is_as_good_as_new_factors, 0, TABOR_COUNT);
-  tcase_add_test(tests, factors_are_given_up_when_the_border_turns_round);
-  tcase_add_loop_test(tests, arclength_has_its_derivatives, 0, 2);
+  tcase_add_loop_test(tests, tangent_agrees_with_finite_differences, 0, TABOR_COUNT);
+  tcase_add_test(tests, load_does_not_depend_on_nodes_left_out_of_the_jacobian);
+  tcase_add_test(tests, gaps_stay_above_the_singularity_of_the_law);
+  tcase_add_test(tests, factorisation_is_refused_above_its_limit_of_nodes);
+  tcase_add_loop_test(tests, changed_border_gives_the_tangent_of_new_factors, 0, TABOR_COUNT);
+  tcase_add_test(tests, factors_are_discarded_if_the_border_reverses);
+  tcase_add_loop_test(tests, arclength_derivatives_agree_with_finite_differences, 0, 2);
 }
 
 int main(void) {

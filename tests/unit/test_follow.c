@@ -1,5 +1,5 @@
-/* The pull-off along a line of scenes, followed from checkpoint to checkpoint, against a full trace
- * of each scene. */
+/* The pull-off along a series of scenes, followed from checkpoint to checkpoint, against a full
+ * trace of each scene. */
 #include <math.h>
 
 #include "po_observe.h"
@@ -9,20 +9,22 @@
 
 enum { MOST = 24, SEED = 2385 };
 
-/* A line: the key that runs, from where to where, the others. Lengths in eps; 0: unbounded. */
+/* A series of scenes: the parameter that varies, its range, and the other parameters. Lengths are
+ * in units of epsilon; outer_radius 0: unbounded. */
 typedef struct {
   char key; /* t: tabor, a: amplitude, w: wavelength, r: amplitude and wavelength in proportion */
   double from, to;
   size_t count;
   double tabor, amplitude, wavelength, outer_radius;
-} line_words;
+} series_words;
 
-static const line_words LINES[] = {
-    /* the first crest pulls off last, then the second; a minimum is born, another ends */
+static const series_words SERIES[] = {
+    /* the contact pulls off at the first crest, later at the second; a minimum appears, another
+       ends */
     {'t', 0.11, 1.13, 16, 0, 1.0, 20.0, 100.0},
-    /* the second crest, then the third */
+    /* at the second crest, later at the third */
     {'t', 1.31, 4.2, 13, 0, 1.0, 20.0, 100.0},
-    /* folds in approach are born near 0.697: nothing happens to the minimum */
+    /* two folds appear near 0.697; they do not change the minimum */
     {'t', 0.61, 0.83, 12, 0, 0.0, 0.0, 0.0},
     {'t', 0.4, 3.1, 12, 0, 0.0, 0.0, 90.0},
     {'a', 0.023, 2.7, 14, 0.87, 0, 23.85, 0.0},
@@ -31,7 +33,7 @@ static const line_words LINES[] = {
     {'a', 0.3, 19.0, 14, 0.43, 0, 20.0, 100.0},
 };
 
-static void make_line(const line_words *w, po_request *request) {
+static void make_series(const series_words *w, po_request *request) {
   for (size_t k = 0; k < w->count; ++k) {
     const double value = w->from * pow(w->to / w->from, (double)k / (double)(w->count - 1));
     request[k] = po_request_default();
@@ -45,12 +47,13 @@ static void make_line(const line_words *w, po_request *request) {
   }
 }
 
-/* Of every line the ends, and points drawn at random of those that were followed. */
-START_TEST(followed_is_what_a_trace_finds) {
+/* The ends of each series are checkpoints. Of the other scenes that were followed, a random
+ * selection is compared. */
+START_TEST(followed_pull_off_agrees_with_full_traces) {
   po_request request[MOST];
   po_result result[MOST];
-  const line_words *w = &LINES[_i];
-  make_line(w, request);
+  const series_words *w = &SERIES[_i];
+  make_series(w, request);
   ck_assert_int_eq(po_series_observe(request, w->count, 7, result), PO_OK);
   ck_assert(!result[0].followed && !result[w->count - 1].followed);
   size_t checked = 0;
@@ -66,7 +69,8 @@ START_TEST(followed_is_what_a_trace_finds) {
                         result[k].pull_off.force_error + traced.pull_off.force_error);
     ck_assert_double_le(fabs(result[k].pull_off.approach - traced.pull_off.approach),
                         result[k].pull_off.approach_error + traced.pull_off.approach_error);
-    /* linear between the nodes of either mesh: it tells the waves apart, no more */
+    /* the radius is interpolated linearly between the nodes; this only decides which wave it is at
+     */
     ck_assert_double_eq_tol(result[k].pull_off.contact_radius, traced.pull_off.contact_radius,
                             0.05);
     ck_assert_double_le(result[k].pull_off.force_error, 1e-5 * result[k].pull_off.force);
@@ -79,13 +83,13 @@ START_TEST(followed_is_what_a_trace_finds) {
 }
 END_TEST
 
-/* What pulls off last in the middle is neither there yet at one end, nor near the deepest at the
- * other: 0.69 of it. */
-START_TEST(minimum_that_is_deepest_only_between_checkpoints) {
-  static const line_words WORDS = {'t', 2.5, 5.0, 4, 0, 5.02378, 20.0, 100.0};
+/* The minimum that is deepest in the middle does not exist at one end of the series, and is far
+ * from the deepest at the other: 0.69 of its depth. */
+START_TEST(minimum_that_is_deepest_only_between_checkpoints_is_found) {
+  static const series_words WORDS = {'t', 2.5, 5.0, 4, 0, 5.02378, 20.0, 100.0};
   po_request request[MOST];
   po_result result[MOST], traced;
-  make_line(&WORDS, request);
+  make_series(&WORDS, request);
   ck_assert_int_eq(po_series_observe(request, WORDS.count, MOST, result), PO_OK);
   ck_assert_int_eq(po_observe(&request[1], &traced), PO_OK);
   ck_assert_double_eq_tol(result[1].pull_off.force, traced.pull_off.force, 2e-5);
@@ -97,9 +101,9 @@ START_TEST(minimum_that_is_deepest_only_between_checkpoints) {
 }
 END_TEST
 
-/* The deepest minimum at one end goes beyond the preload on the way, where a trace ends before it,
- * and is still there, shallower than the pull-off, at the other end: 5.1996 was given for 2.4515.
- */
+/* The deepest minimum at one end of the series moves beyond the preload, where a trace ends before
+ * it. It still exists at the other end, shallower than the pull-off. An earlier version gave a
+ * pull-off of 5.1996 instead of 2.4515. */
 START_TEST(minima_beyond_the_preload_are_not_the_pull_off) {
   enum { COUNT = 8 };
   po_request request[COUNT];
@@ -126,8 +130,8 @@ START_TEST(minima_beyond_the_preload_are_not_the_pull_off) {
 }
 END_TEST
 
-/* Between two checkpoints whose minima rise from wave to wave, and fall again before the trace
- * ends: no trace of a scene between would end there. */
+/* Two checkpoints whose minima rise from wave to wave, and fall again before the trace ends. A
+ * trace of a scene between them would not end at the rise. */
 START_TEST(one_rise_of_the_minima_does_not_end_the_series) {
   enum { COUNT = 11 };
   po_request request[COUNT];
@@ -151,12 +155,13 @@ START_TEST(one_rise_of_the_minima_does_not_end_the_series) {
 }
 END_TEST
 
-/* Lines on which no minimum ends: few factorisations a scene that is followed. */
+/* Series in which no minimum ends: a followed scene needs less than a tenth of the factorisations
+ * of a traced one. */
 START_TEST(following_takes_few_factorizations) {
   po_request request[MOST];
   po_result result[MOST];
-  const line_words *w = &LINES[_i];
-  make_line(w, request);
+  const series_words *w = &SERIES[_i];
+  make_series(w, request);
   ck_assert_int_eq(po_series_observe(request, w->count, MOST, result), PO_OK);
   double traced = 0.0, followed = 0.0;
   size_t many = 0;
@@ -172,8 +177,9 @@ START_TEST(following_takes_few_factorizations) {
 }
 END_TEST
 
-/* Scenes that cannot be followed are traced: rigid, smooth beside wavy, cut beside not. */
-START_TEST(what_cannot_be_followed_is_traced) {
+/* Scenes that cannot be followed are traced: rigid ones, a smooth one next to a wavy one, a bounded
+ * surface next to an unbounded one. */
+START_TEST(scenes_that_cannot_be_followed_are_traced) {
   static const po_scene SCENES[] = {
       {0.0, 0.9, 21.0, 100.0, 90.0}, {0.0, 0.8, 21.0, 100.0, 90.0},
       {0.7, 0.8, 21.0, 100.0, 90.0}, {0.7, 0.0, 21.0, 100.0, 90.0},
@@ -201,12 +207,13 @@ START_TEST(what_cannot_be_followed_is_traced) {
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_loop_test(tests, followed_is_what_a_trace_finds, 0, sizeof LINES / sizeof *LINES);
+  tcase_add_loop_test(tests, followed_pull_off_agrees_with_full_traces, 0,
+                      sizeof SERIES / sizeof *SERIES);
   tcase_add_loop_test(tests, following_takes_few_factorizations, 2, 4);
-  tcase_add_test(tests, minimum_that_is_deepest_only_between_checkpoints);
+  tcase_add_test(tests, minimum_that_is_deepest_only_between_checkpoints_is_found);
   tcase_add_test(tests, minima_beyond_the_preload_are_not_the_pull_off);
   tcase_add_test(tests, one_rise_of_the_minima_does_not_end_the_series);
-  tcase_add_test(tests, what_cannot_be_followed_is_traced);
+  tcase_add_test(tests, scenes_that_cannot_be_followed_are_traced);
 }
 
 int main(void) {

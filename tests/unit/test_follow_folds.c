@@ -9,27 +9,28 @@
 
 enum { MOST = 16 };
 
-/* Newton's precision and the panels are for this. */
+/* The tolerance of the panels and of Newton's method. */
 static const double TOLERANCE = 1e-8;
 
-/* Scenes along the parameter: mu, or with `amplitude` the amplitude. */
+/* A series of scenes: the parameter that varies is the amplitude if `amplitude` is set, otherwise
+ * mu. */
 typedef struct {
   po_scene scene;
   bool amplitude;
   double from, to[3];
   size_t folds;
-} line;
+} series;
 
-static const line LINES[] = {
+static const series SERIES[] = {
     {{0.0, 0.0, 0.0, 87.0, INFINITY}, false, 2.385, {2.2, 2.61, 3.07}, 2},
-    /* of the third the contact closes at the axis on the way down: its edge moves ever faster */
+    /* as mu decreases, the contact edge of the third fold reaches the axis, faster and faster */
     {{0.0, 0.0, 0.0, 100.0, INFINITY}, false, 5.0, {4.7, 4.385, 5.41}, 4},
     {{3.0, 0.0, 20.0, 100.0, 100.0}, true, 1.0, {0.97, 1.04, 1.1}, 6},
     {{0.0, 0.3, 17.0, 100.0, INFINITY}, false, 1.7, {1.66, 1.81, 1.93}, 2},
 };
 
 static void scene_at(void *data, double at, po_scene *scene) {
-  const line *l = data;
+  const series *l = data;
   *scene = l->scene;
   *(l->amplitude ? &scene->amplitude : &scene->tabor) = at;
 }
@@ -55,15 +56,15 @@ static bool keep(const po_branch_point *p, void *data) {
   return f->count == f->most;
 }
 
-/* What panels may leave on a scene. */
+/* The allowed discretisation error of the panels in a scene. */
 static po_allowance allowance_of(const po_scene *scene) {
   po_request request = po_request_default();
   request.scene = *scene;
   return po_observe_allowance(&request, TOLERANCE);
 }
 
-/* The folds of a trace, as they are on its panels. */
-static void trace(const line *l, folds *f) {
+/* The folds of a trace, on its own panels. */
+static void trace(const series *l, folds *f) {
   po_scene scene;
   scene_at((void *)l, l->from, &scene);
   po_adaptive *panels = NULL;
@@ -87,8 +88,8 @@ static void trace(const line *l, folds *f) {
   ck_assert_uint_eq(f->count, l->folds);
 }
 
-/* Makes a follower that begins where the line does. */
-static po_follower *follower_of(const line *l) {
+/* Creates a follower at the beginning of the series. */
+static po_follower *follower_of(const series *l) {
   po_scene scene;
   scene_at((void *)l, l->from, &scene);
   const po_follow_options options = {
@@ -99,8 +100,8 @@ static po_follower *follower_of(const line *l) {
   return follower;
 }
 
-/* The folds of a trace of the scene at a parameter, by themselves. */
-static void solve(const line *l, double at, po_result *o) {
+/* The folds of a full trace of the scene at a value of the parameter. */
+static void solve(const series *l, double at, po_result *o) {
   po_request request = po_request_default();
   scene_at((void *)l, at, &request.scene);
   request.mesh.scheme = PO_PANEL;
@@ -109,8 +110,8 @@ static void solve(const line *l, double at, po_result *o) {
   ck_assert_uint_eq(o->fold_count, l->folds);
 }
 
-START_TEST(folds_followed_are_those_of_traces) {
-  const line *l = &LINES[_i];
+START_TEST(followed_folds_agree_with_full_traces) {
+  const series *l = &SERIES[_i];
   folds f;
   trace(l, &f);
   po_result traced[3];
@@ -133,7 +134,7 @@ START_TEST(folds_followed_are_those_of_traces) {
   }
   uint64_t kernel;
   const po_solve_work work = po_follow_work(follower, &kernel);
-  ck_assert_uint_lt(work.factorizations, 40 * 3 * l->folds); /* errors of each included */
+  ck_assert_uint_lt(work.factorizations, 40 * 3 * l->folds); /* error estimates included */
   po_follow_destroy(follower);
   for (size_t j = 0; j < f.count; ++j)
     po_solution_free(&f.point[j]);
@@ -142,16 +143,16 @@ START_TEST(folds_followed_are_those_of_traces) {
 }
 END_TEST
 
-/* The two folds of a smooth sphere meet at mu = 0.697 and end there: below, none can be had. */
-START_TEST(merging_folds_end) {
-  static const line LINE = {{0.0, 0.0, 0.0, 100.0, INFINITY}, false, 0.9, {0.75, 0.6, 0.0}, 2};
+/* The two folds of a smooth sphere merge at mu = 0.697. Below this value there are none. */
+START_TEST(folds_that_merge_are_not_found_beyond) {
+  static const series MERGING = {{0.0, 0.0, 0.0, 100.0, INFINITY}, false, 0.9, {0.75, 0.6, 0.0}, 2};
   folds f;
-  trace(&LINE, &f);
-  po_follower *follower = follower_of(&LINE);
+  trace(&MERGING, &f);
+  po_follower *follower = follower_of(&MERGING);
   for (size_t j = 0; j < f.count; ++j) {
-    ck_assert_int_eq(po_follow_begin(follower, &f.point[j], PO_OF_APPROACH, LINE.from), PO_OK);
-    ck_assert_int_eq(po_follow_to(follower, LINE.to[0], INFINITY), PO_OK);
-    ck_assert_int_eq(po_follow_to(follower, LINE.to[1], INFINITY), PO_NOT_FOUND);
+    ck_assert_int_eq(po_follow_begin(follower, &f.point[j], PO_OF_APPROACH, MERGING.from), PO_OK);
+    ck_assert_int_eq(po_follow_to(follower, MERGING.to[0], INFINITY), PO_OK);
+    ck_assert_int_eq(po_follow_to(follower, MERGING.to[1], INFINITY), PO_NOT_FOUND);
     po_solution_free(&f.point[j]);
   }
   po_follow_destroy(follower);
@@ -159,8 +160,9 @@ START_TEST(merging_folds_end) {
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_loop_test(tests, folds_followed_are_those_of_traces, 0, sizeof LINES / sizeof *LINES);
-  tcase_add_test(tests, merging_folds_end);
+  tcase_add_loop_test(tests, followed_folds_agree_with_full_traces, 0,
+                      sizeof SERIES / sizeof *SERIES);
+  tcase_add_test(tests, folds_that_merge_are_not_found_beyond);
 }
 
 int main(void) {

@@ -8,7 +8,7 @@
 
 static const double RADIUS = 2.385;
 
-/* A branch on a circle: its energy is the integral of load d approach, from angle 0 on. */
+/* A branch that is a circle. Its energy is the integral of load d approach from angle 0 on. */
 static po_branch_point at(double angle) {
   return (po_branch_point){.position = RADIUS * angle,
                            .approach = RADIUS * cos(angle),
@@ -20,18 +20,18 @@ static po_branch_point at(double angle) {
 
 static const double TURNS[] = {0.037, 0.1, 0.29, 0.6};
 
-START_TEST(a_circle_is_missed_by_so_much) {
+START_TEST(interpolation_error_on_a_circle_is_known) {
   const double turn = TURNS[_i], begin = 0.71 + 1.3 * _i;
   const po_branch_point from = at(begin), to = at(begin + turn);
   ck_assert_double_eq_tol(po_join_sagitta(&from, &to) / (RADIUS * (1.0 - cos(0.5 * turn))), 1.0,
                           turn * turn / 12.0);
-  const double missed = RADIUS * pow(turn, 4.0) / 384.0; /* half way on, inwards */
-  ck_assert_double_eq_tol(po_join_miss(&from, &to) / missed, 1.0, 0.1);
+  const double exact = RADIUS * pow(turn, 4.0) / 384.0; /* half way between the points */
+  ck_assert_double_eq_tol(po_join_miss(&from, &to) / exact, 1.0, 0.1);
 }
 END_TEST
 
-/* An energy that is not the integral of the load is seen. */
-START_TEST(a_wrong_energy_is_a_miss) {
+/* If the energy is not the integral of the load, the estimated interpolation error is large. */
+START_TEST(wrong_energy_increases_the_interpolation_error) {
   const po_branch_point from = at(0.4);
   po_branch_point to = at(0.5);
   const double before = po_join_miss(&from, &to);
@@ -41,8 +41,9 @@ START_TEST(a_wrong_energy_is_a_miss) {
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_loop_test(tests, a_circle_is_missed_by_so_much, 0, sizeof TURNS / sizeof *TURNS);
-  tcase_add_test(tests, a_wrong_energy_is_a_miss);
+  tcase_add_loop_test(tests, interpolation_error_on_a_circle_is_known, 0,
+                      sizeof TURNS / sizeof *TURNS);
+  tcase_add_test(tests, wrong_energy_increases_the_interpolation_error);
 }
 
 int main(void) {

@@ -1,4 +1,5 @@
-/* The kernel and the elliptic integrals against GSL's, which come by another route (Carlson). */
+/* The kernel and the elliptic integrals against those of GSL, which uses another method (Carlson).
+ */
 #include <check.h>
 #include <gsl/gsl_sf_ellint.h>
 #include <math.h>
@@ -19,7 +20,8 @@ static double kernel_of_paper(double r, double s) { /* Eq 12 */
 START_TEST(kernel_is_eq_12) {
   const double r = RADII[_i][0], s = RADII[_i][1];
   const double modulus = fmin(r, s) / fmax(r, s);
-  /* Kcomp forms 1 - k^2, which loses 1/(1 - k) ulp near r = s; agm does not. */
+  /* Kcomp computes 1 - k^2, whose rounding error near r = s is 1/(1 - k) ulp. The
+   * arithmetic-geometric mean has no such error. */
   const double tolerance = 1e-15 + 2e-16 / (1.0 - modulus);
   ck_assert_double_eq_tol(po_kernel(r + s, r - s) / kernel_of_paper(r, s), 1.0, tolerance);
   ck_assert_double_eq(po_kernel(r + s, r - s), po_kernel(s + r, s - r));
@@ -33,7 +35,7 @@ END_TEST
 
 START_TEST(kernel_is_infinite_on_the_circle) {
   ck_assert(isinf(po_kernel(2.0, 0.0)));
-  /* G ~ (4 / (pi 2 r)) ln(8 r / |r - s|): the logarithm is right down to the last bits */
+  /* G ~ (4 / (pi 2 r)) ln(8 r / |r - s|), also where r and s differ only in their last bits */
   const double r = 1.7, d = 1e-200;
   ck_assert_double_eq_tol(po_kernel(2.0 * r, d) / (2.0 / (M_PI * r) * (log(8.0 * r) - log(d))), 1.0,
                           1e-14);

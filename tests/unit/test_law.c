@@ -1,5 +1,6 @@
-/* Traction–separation laws: each derives from its energy, has the work of adhesion 1, and is
- * averaged over a wave as it should be; that of the paper is Eqs 9 and 16; bad ones are refused. */
+/* Traction–separation laws: the traction is the derivative of the energy, the work of adhesion is
+ * 1, the average over a wave is correct. The law of the paper is Eqs 9 and 16. Invalid laws are
+ * refused. */
 #include <math.h>
 #include <string.h>
 
@@ -18,9 +19,8 @@ static po_law law_of(const char *text) {
   return law;
 }
 
-/* By central differences of the energy and of the traction, whose errors are 1e-10 of their size.
- */
-START_TEST(law_derives_from_its_energy) {
+/* Central differences of the energy and of the traction, whose relative errors are 1e-10. */
+START_TEST(traction_and_slope_are_derivatives_of_the_energy) {
   const po_law law = law_of(LAWS[_i / GAP_COUNT]);
   const double gap = GAPS[_i % GAP_COUNT], step = 1e-5 * po_law_size(&law, gap);
   const po_law_value p = po_law_at(&law, gap);
@@ -36,8 +36,9 @@ START_TEST(law_derives_from_its_energy) {
 }
 END_TEST
 
-/* p(0) = 0; the energy at H = 0 is that of adhesion, -1, and 0 far away; the tension is greatest at
- * the peak; far out the law is its far field; the scale is positive and changes at its rate. */
+/* p(0) = 0. The energy is -1, the work of adhesion, at H = 0, and 0 far away. The tension is
+ * greatest at the peak. At large gaps the law tends to its far field. The scale is positive, and
+ * its rate is its derivative. */
 START_TEST(law_is_normalised) {
   const po_law law = law_of(LAWS[_i]);
   ck_assert_double_eq_tol(po_law_at(&law, 0.0).traction, 0.0, 1e-15);
@@ -63,8 +64,9 @@ START_TEST(law_is_normalised) {
 }
 END_TEST
 
-/* Eqs 9 and 16, and 16/(9 sqrt 3) at h = 3^(1/6); the Mie law (3, 9) is the same. */
-START_TEST(law_of_the_paper) {
+/* Eqs 9 and 16, with the greatest tension 16/(9 sqrt 3) at h = 3^(1/6). The Mie law (3, 9) is the
+ * same. */
+START_TEST(lennard_jones_is_the_law_of_the_paper) {
   const po_law law = po_law_lennard_jones(), mie = law_of("mie:3,9"), unset = {0};
   for (size_t k = 0; k < GAP_COUNT; ++k) {
     const double h = 1.0 + GAPS[k], size = pow(h, -3.0) + pow(h, -9.0);
@@ -87,7 +89,8 @@ static const double AVERAGES[][2] = {
     {5.0, 0.0}, {5.0, 0.385}, {5.0, 4.0}, {30.0, 10.0}, {2.0, 1.5}};
 enum { AVERAGE_COUNT = sizeof AVERAGES / sizeof *AVERAGES };
 
-START_TEST(averaged_law_is_the_mean_over_a_period) { /* the trapezoidal sum is spectral */
+/* The trapezoidal sum of a periodic function converges spectrally. */
+START_TEST(averaged_law_is_the_mean_over_a_period) {
   enum { POINTS = 4096 };
   const po_law law = law_of(LAWS[_i / AVERAGE_COUNT]);
   const double gap = AVERAGES[_i % AVERAGE_COUNT][0], amplitude = AVERAGES[_i % AVERAGE_COUNT][1];
@@ -119,7 +122,7 @@ START_TEST(parameters_are_set_one_by_one) {
   ck_assert_double_eq(po_law_at(&law, 0.385).traction, po_law_at(&whole, 0.385).traction);
   ck_assert(po_law_has(&law, PO_MIE_M) && !po_law_has(&law, PO_MORSE_A));
   ck_assert_str_eq(po_law_parameter_name(PO_MORSE_A), "morse_a");
-  const po_law semicolons = law_of("mie:4;10"); /* as in tables */
+  const po_law semicolons = law_of("mie:4;10"); /* the form used in tables */
   ck_assert_double_eq(po_law_at(&semicolons, 0.385).traction, po_law_at(&whole, 0.385).traction);
 }
 END_TEST
@@ -128,7 +131,7 @@ static const char *const BAD[] = {"",         "mie:",      "mie:3",  "mie:3,nan"
                                   "mie:3,9x", "morse:1,2", "morse:", "lennard",   "lennard-jones:3",
                                   "Mie:3,9",  "mie;3,9"};
 
-START_TEST(bad_words_are_refused) {
+START_TEST(malformed_laws_are_refused) {
   po_law law = law_of("morse:1");
   ck_assert(!po_law_set(&law, BAD[_i]));
   ck_assert_str_eq(po_law_name(&law), "morse");
@@ -140,7 +143,7 @@ static const char *const OUT_OF_RANGE[] = {"mie:9,3",     "mie:1,9",  "mie:3,3",
                                            "mie:3,1e300", "morse:-1", "morse:0",
                                            "morse:1e6",   "mie",      "morse"};
 
-START_TEST(bad_parameters_are_named) {
+START_TEST(parameters_out_of_range_are_named) {
   po_law law = po_law_lennard_jones();
   ck_assert(po_law_set(&law, OUT_OF_RANGE[_i]));
   ck_assert_int_eq(po_law_check(&law), PO_BAD_INPUT);
@@ -150,13 +153,14 @@ START_TEST(bad_parameters_are_named) {
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_loop_test(tests, law_derives_from_its_energy, 0, LAW_COUNT * GAP_COUNT);
+  tcase_add_loop_test(tests, traction_and_slope_are_derivatives_of_the_energy, 0,
+                      LAW_COUNT * GAP_COUNT);
   tcase_add_loop_test(tests, law_is_normalised, 0, LAW_COUNT);
-  tcase_add_test(tests, law_of_the_paper);
+  tcase_add_test(tests, lennard_jones_is_the_law_of_the_paper);
   tcase_add_loop_test(tests, averaged_law_is_the_mean_over_a_period, 0, LAW_COUNT * AVERAGE_COUNT);
   tcase_add_test(tests, parameters_are_set_one_by_one);
-  tcase_add_loop_test(tests, bad_words_are_refused, 0, sizeof BAD / sizeof *BAD);
-  tcase_add_loop_test(tests, bad_parameters_are_named, 0,
+  tcase_add_loop_test(tests, malformed_laws_are_refused, 0, sizeof BAD / sizeof *BAD);
+  tcase_add_loop_test(tests, parameters_out_of_range_are_named, 0,
                       sizeof OUT_OF_RANGE / sizeof *OUT_OF_RANGE);
 }
 

@@ -6,9 +6,9 @@
 #include "po_linear.h"
 #include "run.h"
 
-enum { N = 317 }; /* OpenBLAS shares out the factorisation of a matrix so large */
+enum { N = 317 }; /* OpenBLAS would use several threads for the factorisation of such a matrix */
 
-/* Of this process. */
+/* The number of threads of this process. */
 static int threads(void) {
   int count = 0;
   DIR *folder = opendir("/proc/self/task");
@@ -44,7 +44,8 @@ START_TEST(linear_algebra_needs_no_threads) {
 }
 END_TEST
 
-/* Two equal columns: a pivot is zero, in double and in single precision; moved apart it is not. */
+/* With two equal columns a pivot is zero, in double and in single precision. With different columns
+ * it is not. */
 START_TEST(singular_matrix_is_reported) {
   double a[9] = {1, 2, 3, 4, 5, 7, 4, 5, 7};
   float b[9] = {1, 2, 3, 4, 5, 7, 4, 5, 7};

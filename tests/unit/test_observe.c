@@ -9,7 +9,7 @@
 #include "request.h"
 #include "run.h"
 
-/* A code comparison from an unrelated ring solver (our notes, 4.7), each +- 3e-5. */
+/* Values of an unrelated ring solver, each +- 3e-5. */
 START_TEST(smooth_sphere_against_another_code) {
   static const double KNOWN[][3] = {
       {1.0, 1.67067, -0.8734}, {2.0, 1.5836, -1.6581}, {3.0, 1.55104, -2.4263}};
@@ -17,7 +17,8 @@ START_TEST(smooth_sphere_against_another_code) {
   request.mesh.nodes = 501;
   po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
-  /* second order: the cohesive zone, about eps sqrt(R)/mu wide, has some 20 elements at mu = 3 */
+  /* second order: the cohesive zone, whose width is about eps sqrt(R)/mu, has some 20 elements at
+   * mu = 3 */
   ck_assert_double_eq_tol(o.pull_off.force, KNOWN[_i][1],
                           3e-5 + 4e-5 * KNOWN[_i][0] * KNOWN[_i][0]);
   ck_assert_double_eq_tol(o.pull_off.approach, KNOWN[_i][2],
@@ -26,7 +27,7 @@ START_TEST(smooth_sphere_against_another_code) {
 }
 END_TEST
 
-START_TEST(curve_holds_its_special_points_in_order) {
+START_TEST(curve_contains_its_special_points_in_order) {
   po_request request = request_of(3.0, 1.0, 20.0, 100.0);
   request.want = PO_WANT_CURVE;
   request.approach_start = -6.5;
@@ -48,7 +49,7 @@ START_TEST(curve_holds_its_special_points_in_order) {
 }
 END_TEST
 
-/* The load where a curve first reaches an approach, by the cubic between two of its points. */
+/* The load where a curve first reaches an approach, from the cubic between two of its points. */
 static double load_where(const po_result *o, double approach) {
   po_path_point two[2];
   for (size_t k = 0; k + 1 < o->curve_count; ++k) {
@@ -66,12 +67,13 @@ static double load_where(const po_result *o, double approach) {
   return (double)NAN;
 }
 
-/* Between its points a curve on panels is known by the slopes there: as an equilibrium that was
- * solved says, to a tenth of the tolerance; by a solve of its own, as the steps of that trace end
- * elsewhere. Coarse triangles leave theirs longer. */
-START_TEST(curve_is_known_between_its_points) {
+/* A curve on panels is interpolated between its points with the computed slopes, accurate to a
+ * tenth of the tolerance. It is compared with equilibria at given approaches, each from a separate
+ * trace with other steps. On coarse triangles the steps are longer, so the interpolation is less
+ * accurate. */
+START_TEST(interpolated_curve_agrees_with_separate_equilibria) {
   static const double APPROACH[] = {-3.85, -2.385, 0.71, 4.1};
-  static const double MISSED[] = {1e-7, 1e-7, 2e-5};
+  static const double ERROR[] = {1e-7, 1e-7, 2e-5};
   po_request request = request_of(3.0, 1.0, 20.0, 100.0);
   request.mesh = _i < 2 ? (po_mesh){PO_PANEL, PO_UNIFORM, 0, 1e-6}
                         : (po_mesh){PO_TRIANGLE, PO_UNIFORM, 141, 0};
@@ -88,14 +90,14 @@ START_TEST(curve_is_known_between_its_points) {
     size_t at = 0;
     while (fabs(station.curve[at].approach - APPROACH[i]) > 1e-9)
       ++at;
-    ck_assert_double_eq_tol(load_where(&curve, APPROACH[i]), station.curve[at].load, MISSED[_i]);
+    ck_assert_double_eq_tol(load_where(&curve, APPROACH[i]), station.curve[at].load, ERROR[_i]);
     po_result_clear(&station);
   }
   po_result_clear(&curve);
 }
 END_TEST
 
-/* The approach stands still at a fold, the load at an extremum. */
+/* The derivative of the approach vanishes at a fold, that of the load at an extremum. */
 START_TEST(curve_turns_at_its_special_points) {
   po_request request = request_of(3.0, 1.0, 20.0, 100.0);
   request.want = PO_WANT_CURVE;
@@ -119,7 +121,8 @@ START_TEST(curve_turns_at_its_special_points) {
 }
 END_TEST
 
-START_TEST(profile_is_an_equilibrium) { /* at pull-off; and at an approach asked for */
+/* At the pull-off, and at a given approach. */
+START_TEST(profile_is_an_equilibrium) {
   po_request request = request_of(1.3, 0.7, 23.85, 100.0);
   request.want = PO_WANT_PROFILE;
   po_result o;
@@ -157,7 +160,7 @@ START_TEST(rigid_scene_is_solved_without_a_surface) {
 }
 END_TEST
 
-START_TEST(small_tabor_goes_to_the_rigid_limit) { /* elastic at 1e-4, by another code path */
+START_TEST(small_tabor_goes_to_the_rigid_limit) { /* a scene with mu = 1e-4 is solved as elastic */
   po_request request = request_of(1e-4, 1.0, 20.0, INFINITY);
   request.mesh.nodes = 801;
   po_result o;
@@ -168,7 +171,8 @@ START_TEST(small_tabor_goes_to_the_rigid_limit) { /* elastic at 1e-4, by another
 }
 END_TEST
 
-START_TEST(unbounded_and_cut_differ_by_the_tail) { /* notes, 2: 1.0e-3 of the load at R = 100 */
+/* At R = 100 the tail beyond r = R contributes 1.0e-3 to the load. */
+START_TEST(unbounded_and_bounded_surfaces_differ_by_the_tail) {
   po_request request = request_of(1.0, 0.0, 0.0, 100.0);
   po_result cut, whole;
   ck_assert_int_eq(po_observe(&request, &cut), PO_OK);
@@ -180,7 +184,7 @@ START_TEST(unbounded_and_cut_differ_by_the_tail) { /* notes, 2: 1.0e-3 of the lo
 }
 END_TEST
 
-/* A cleared result is one of nothing: as if never solved, and clearing it again does no harm. */
+/* A cleared result is the same as one before any solve. It may be cleared again. */
 START_TEST(cleared_result_is_empty) {
   po_request request = request_of(0.0, 0.0, 0.0, INFINITY);
   request.want = PO_WANT_CURVE | PO_WANT_PROFILE;
@@ -216,8 +220,8 @@ START_TEST(bad_requests_are_refused) {
 }
 END_TEST
 
-/* The preload is met exactly whether or not a profile is taken somewhere else: it was not, and its
- * load off by 4e-8. */
+/* The trace meets the preload exactly, whether or not a profile is wanted at another approach. An
+ * earlier version did not, and the load was wrong by 4e-8. */
 START_TEST(a_profile_does_not_move_the_preload) {
   po_request request = po_request_default();
   request.scene.tabor = 3.0;
@@ -238,13 +242,13 @@ END_TEST
 
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, smooth_sphere_against_another_code, 0, 3);
-  tcase_add_test(tests, curve_holds_its_special_points_in_order);
-  tcase_add_loop_test(tests, curve_is_known_between_its_points, 0, 3);
+  tcase_add_test(tests, curve_contains_its_special_points_in_order);
+  tcase_add_loop_test(tests, interpolated_curve_agrees_with_separate_equilibria, 0, 3);
   tcase_add_test(tests, curve_turns_at_its_special_points);
   tcase_add_test(tests, profile_is_an_equilibrium);
   tcase_add_test(tests, rigid_scene_is_solved_without_a_surface);
   tcase_add_test(tests, small_tabor_goes_to_the_rigid_limit);
-  tcase_add_test(tests, unbounded_and_cut_differ_by_the_tail);
+  tcase_add_test(tests, unbounded_and_bounded_surfaces_differ_by_the_tail);
   tcase_add_test(tests, a_profile_does_not_move_the_preload);
   tcase_add_test(tests, cleared_result_is_empty);
   tcase_add_test(tests, bad_requests_are_refused);

@@ -1,5 +1,5 @@
-/* The tabulated influence of panels on a graded tree against product integration, which is itself
- * checked against closed forms in test_bem.c; and the tree. */
+/* The tabulated influence of panels on a graded tree against product integration, which test_bem.c
+ * compares with closed forms. Properties of the tree. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,8 +23,9 @@ static po_panels refined_towards(double x, uint32_t level) {
   }
 }
 
-static void
-check_tree(const po_panels *panels) { /* covers, ascends, neighbours alike to one level */
+/* The panels cover the domain in ascending order, and the levels of neighbours differ by no more
+ * than the limit. */
+static void check_tree(const po_panels *panels) {
   double end = 0.0;
   for (size_t k = 0; k < panels->count; ++k) {
     ck_assert_double_eq(po_panel_begin(panels->panel[k]), end);
@@ -68,7 +69,7 @@ END_TEST
 
 static const double FOCI[] = {0.0, 0.2385, 0.5, 0.9999};
 
-START_TEST(blocks_are_product_integration) {
+START_TEST(tabulated_blocks_agree_with_product_integration) {
   const po_panel_table *table = po_panel_table_get();
   ck_assert_ptr_nonnull(table);
   const po_panels panels = refined_towards(FOCI[_i], 8);
@@ -97,9 +98,9 @@ START_TEST(blocks_are_product_integration) {
 }
 END_TEST
 
-/* The panels of a mesh are told by its radii, those of a part by the first of these; other radii
- * are of no panels. */
-START_TEST(panels_are_those_of_their_nodes) {
+/* The panels of a mesh are recognised from its radii, those of a part of the mesh from the first of
+ * these. Other radii belong to no panels. */
+START_TEST(panels_are_recognised_from_their_nodes) {
   static const po_scene SCENE = {.tabor = 2.385, .radius = 93.0, .outer_radius = 71.0};
   po_adaptive *adaptive = NULL;
   ck_assert_int_eq(po_adaptive_create(&SCENE, 71.0, 2, &adaptive), PO_OK);
@@ -127,8 +128,8 @@ END_TEST
 static void add(TCase *tests) {
   tcase_add_test(tests, tree_stays_graded);
   tcase_add_test(tests, split_without_room_changes_nothing);
-  tcase_add_loop_test(tests, blocks_are_product_integration, 0, 4);
-  tcase_add_test(tests, panels_are_those_of_their_nodes);
+  tcase_add_loop_test(tests, tabulated_blocks_agree_with_product_integration, 0, 4);
+  tcase_add_test(tests, panels_are_recognised_from_their_nodes);
 }
 
 int main(void) {

@@ -1,4 +1,5 @@
-/* The adaptive scheme against the independent reference (reference/feng_*.csv) and the paper's. */
+/* The adaptive scheme against the independent reference (reference/feng_*.csv) and against
+ * triangles. */
 #include <math.h>
 #include <stdint.h>
 
@@ -21,21 +22,22 @@ static po_request panels(double tabor, double tolerance) {
   return request;
 }
 
-START_TEST(pull_off_is_right_to_the_tolerance) {
+START_TEST(pull_off_is_accurate_to_the_tolerance) {
   static const double TOLERANCES[] = {1e-4, 1e-6, 1e-8};
   for (int k = 0; k < 3; ++k) {
     const po_request request = panels(PULL_OFF[_i][0], TOLERANCES[k]);
     po_result o;
     ck_assert_int_eq(po_observe(&request, &o), PO_OK);
     ck_assert_double_eq_tol(o.pull_off.force / PULL_OFF[_i][1], 1.0, TOLERANCES[k]);
-    /* the load is flat at its minimum: the square domain, at worst */
+    /* the load is flat at its minimum, so the error of the approach may be the square root of that
+     * of the load */
     ck_assert_double_eq_tol(o.pull_off.approach, PULL_OFF[_i][2], sqrt(TOLERANCES[k]));
     po_result_clear(&o);
   }
 }
 END_TEST
 
-/* Every special point of mu = 5: reference/feng_landmarks.csv. N = 500 equal elements find some
+/* Every special point at mu = 5 (reference/feng_landmarks.csv). 500 equal elements find about
  * seventy folds here. */
 START_TEST(four_folds_at_mu_5_and_no_more) {
   static const double FOLDS[4][2] = {{-4.26358240711533, -0.167117565240784},
@@ -72,8 +74,8 @@ START_TEST(folds_close_together_are_both_found) {
 }
 END_TEST
 
-/* Triangles extrapolated to no element size at all (order 2) meet the panels, waves and cut
- * included. */
+/* Results with triangles, extrapolated to element size 0 (order 2), agree with panels, also for
+ * wavy spheres and bounded surfaces. */
 START_TEST(triangles_converge_to_the_panels) {
   po_request request = panels(1.3, 1e-8);
   request.scene.amplitude = 0.7;
@@ -87,7 +89,8 @@ START_TEST(triangles_converge_to_the_panels) {
   request.mesh.nodes = 801;
   ck_assert_int_eq(po_observe(&request, &fine), PO_OK);
   const double limit = (4.0 * fine.pull_off.force - coarse.pull_off.force) / 3.0;
-  ck_assert_double_eq_tol(limit, panel.pull_off.force, 5e-7); /* the next order is 2e-7 here */
+  ck_assert_double_eq_tol(limit, panel.pull_off.force,
+                          5e-7); /* the term of the next order is 2e-7 */
   ck_assert_uint_eq(fine.fold_count, panel.fold_count);
   for (size_t k = 0; k < panel.fold_count; ++k)
     ck_assert_double_eq_tol((4.0 * fine.folds[k].approach - coarse.folds[k].approach) / 3.0,
@@ -98,7 +101,7 @@ START_TEST(triangles_converge_to_the_panels) {
 }
 END_TEST
 
-START_TEST(panel_profile_is_on_its_own_nodes) { /* though the mesh goes on to change */
+START_TEST(panel_profile_is_on_its_own_nodes) { /* although the mesh changes later */
   po_request request = panels(2.385, 1e-6);
   request.want = PO_WANT_PROFILE;
   po_result o;
@@ -124,9 +127,9 @@ START_TEST(tolerance_has_limits) {
 }
 END_TEST
 
-/* Crests so narrow that the first contact meets no node: 3e-5 was returned as ok, the rigid limit,
- * which is all but reached, being 5.56e-3. */
-START_TEST(pull_off_that_no_mesh_meets_is_refused) {
+/* The crests are so narrow that the first contact has no node. An earlier version returned a force
+ * of 3e-5 with status ok, although the scene is nearly rigid and the rigid limit is 5.56e-3. */
+START_TEST(pull_off_that_no_mesh_resolves_is_refused) {
   po_request request = panels(1e-3, 1e-4);
   request.scene.amplitude = 1e4;
   request.scene.wavelength = 20.0;
@@ -137,13 +140,14 @@ START_TEST(pull_off_that_no_mesh_meets_is_refused) {
 }
 END_TEST
 
-/* All but rigid waves, alpha = A R / lambda^2 = 100: force by reference/rigid_pull_off.csv. The one
- * has a hundred waves in reach, the other so small a force that what no estimate sees is much of
- * it; both were refused. */
+/* Nearly rigid waves with alpha = A R / lambda^2 = 100; the forces are those of
+ * reference/rigid_pull_off.csv. In the first scene a hundred waves are within the range of the
+ * attraction. In the second the force is so small that errors without an estimate are a large part
+ * of it. An earlier version refused both. */
 static const double RIGID[][3] = {{0.31622776601683794, 0.5623413251903491, 1.58690369},
                                   {1e4, 100.0, 0.00058922685}};
 
-START_TEST(rigid_waves_are_solved_to_the_tolerance) {
+START_TEST(nearly_rigid_waves_are_solved_to_the_tolerance) {
   po_request request = panels(1e-4, 1e-4);
   request.scene.amplitude = RIGID[_i][0];
   request.scene.wavelength = RIGID[_i][1];
@@ -155,9 +159,10 @@ START_TEST(rigid_waves_are_solved_to_the_tolerance) {
 }
 END_TEST
 
-/* Scenes that had two folds of the mesh too many, while waves so weak might have panels as coarse
- * as high ones, and need no second trace now; and one of high waves with a fold that no finer mesh
- * has at first. The number of folds is that of traces at 1e-7 and 1e-8. */
+/* The first two scenes had two spurious folds each when weak waves were allowed panels as coarse as
+ * high waves; now they need no second trace. The third scene has high waves, and its first mesh
+ * gives a fold that finer meshes do not have. The expected number of folds is that of traces with
+ * tolerances 1e-7 and 1e-8. */
 static const struct {
   po_scene scene;
   double preload; /* load, pi w R */
@@ -182,13 +187,13 @@ START_TEST(no_spurious_folds_and_all_have_error_estimates) {
 }
 END_TEST
 
-/* Scenes whose first estimate is beyond the tolerance, so that their pull-off is solved again on a
- * finer mesh by itself: what is told is that one, better than asked, and in one trace. */
-static const double SHARPENED[][2] = {{3.143, 0.271}, {3.589, 0.271}};
+/* Scenes whose first error estimate exceeds the tolerance. The pull-off alone is then solved again
+ * on a finer mesh, without another trace, and the result is more accurate than required. */
+static const double REFINED[][2] = {{3.143, 0.271}, {3.589, 0.271}};
 
-START_TEST(a_pull_off_is_sharpened_by_itself) {
-  po_request request = panels(SHARPENED[_i][0], 1e-4);
-  request.scene.amplitude = SHARPENED[_i][1];
+START_TEST(pull_off_is_refined_without_another_trace) {
+  po_request request = panels(REFINED[_i][0], 1e-4);
+  request.scene.amplitude = REFINED[_i][1];
   request.scene.wavelength = 5.0;
   request.scene.outer_radius = request.scene.radius = 100.0;
   po_result o, finer;
@@ -206,11 +211,11 @@ START_TEST(a_pull_off_is_sharpened_by_itself) {
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_loop_test(tests, a_pull_off_is_sharpened_by_itself, 0, 2);
+  tcase_add_loop_test(tests, pull_off_is_refined_without_another_trace, 0, 2);
   tcase_add_loop_test(tests, no_spurious_folds_and_all_have_error_estimates, 0, 3);
-  tcase_add_test(tests, pull_off_that_no_mesh_meets_is_refused);
-  tcase_add_loop_test(tests, rigid_waves_are_solved_to_the_tolerance, 0, 2);
-  tcase_add_loop_test(tests, pull_off_is_right_to_the_tolerance, 0, PULL_OFF_COUNT);
+  tcase_add_test(tests, pull_off_that_no_mesh_resolves_is_refused);
+  tcase_add_loop_test(tests, nearly_rigid_waves_are_solved_to_the_tolerance, 0, 2);
+  tcase_add_loop_test(tests, pull_off_is_accurate_to_the_tolerance, 0, PULL_OFF_COUNT);
   tcase_add_test(tests, four_folds_at_mu_5_and_no_more);
   tcase_add_test(tests, folds_close_together_are_both_found);
   tcase_add_loop_test(tests, triangles_converge_to_the_panels, 0, 2);

@@ -1,4 +1,5 @@
-/* SI units to groups and back: round trips at awkward and extreme constants, and refusals. */
+/* Conversion from SI units to dimensionless groups and back, with ordinary and extreme values, and
+ * refusals. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -11,7 +12,7 @@ static const po_physical BODIES[] = {
     {2.385e9, 0.0537, 3.1e-10, 1.7e-6, 4.3e-9, 2.9e-7, 1.1e-6},  /* a soft particle, rough */
     {7.3e10, 0.0271, 1.65e-10, 3.3e-8, 0.0, 0.0, INFINITY},      /* a probe of silica */
     {1.13e6, 0.0413, 5.7e-10, 7.7e-3, 8.1e-7, 3.7e-4, INFINITY}, /* a lens of rubber */
-    {3.1, 1.9e-7, 7.3e-4, 41.0, 0.83, 5.9, 77.0},                /* nothing on earth */
+    {3.1, 1.9e-7, 7.3e-4, 41.0, 0.83, 5.9, 77.0},                /* no real material */
     {4.7e40, 3.3e-60, 9.1e-90, 2.3e-80, 1.9e-85, 8.3e-82, INFINITY},
     {6.1e-70, 7.9e120, 5.3e90, 4.9e130, 3.7e110, 2.1e125, 8.8e129},
     {1.7e308, 1.3e-300, 2.9e-150, 3.1e10, 0.0, 0.0, INFINITY},
@@ -29,7 +30,7 @@ START_TEST(groups_are_those_of_the_paper) {
   const po_physical *p = &BODIES[_i];
   po_scene s;
   ck_assert_msg(po_physical_scene(p, &s) == PO_OK, "%s", po_message());
-  /* Eq 14 in logarithms, in extended precision: no order of the factors to overflow */
+  /* Eq 14 in logarithms and extended precision, so that no intermediate product overflows */
   const long double log_mu =
       (logl((long double)p->radius) + 2 * logl((long double)p->work) -
        2 * logl((long double)p->modulus) - 3 * logl((long double)p->distance)) /
@@ -42,7 +43,7 @@ START_TEST(groups_are_those_of_the_paper) {
 }
 END_TEST
 
-START_TEST(round_trip) {
+START_TEST(conversion_and_back_gives_the_same_values) {
   const po_physical *p = &BODIES[_i];
   po_scene s, again;
   ck_assert_int_eq(po_physical_scene(p, &s), PO_OK);
@@ -71,8 +72,7 @@ START_TEST(units_are_those_of_the_paper) {
   const double a = 2.385e-7, hertz = 4.0 / 3.0 * p->modulus * a * a * a / p->radius;
   const double cube = pow(a / p->distance / po_scene_gamma(&s), 3.0);
   ck_assert_double_eq_tol(4.0 / (3.0 * M_PI) * cube * u.force / hertz, 1.0, 1e-13);
-  /* the mean pressure of that contact over the load in units of traction and Gamma: W = 2 int P u
-   * du */
+  /* the units of traction and of Gamma give the unit of force: W = 2 int P u du */
   const double gamma = po_scene_gamma(&s) * u.length;
   ck_assert_double_eq_tol(2.0 * M_PI * gamma * gamma * u.traction / (2.0 * u.force), 1.0, 1e-13);
 }
@@ -107,7 +107,7 @@ static const struct {
     {offsetof(po_physical, amplitude), 1e-323, "the amplitude over the equilibrium distance is "},
 };
 
-START_TEST(refusals_name_what_is_wrong) {
+START_TEST(refusals_name_the_bad_value) {
   po_physical p = BODIES[0];
   memcpy((char *)&p + BAD[_i].place, &BAD[_i].value, sizeof(double));
   po_scene s = {.tabor = 7.7};
@@ -120,10 +120,10 @@ END_TEST
 
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, groups_are_those_of_the_paper, 0, BODY_COUNT);
-  tcase_add_loop_test(tests, round_trip, 0, BODY_COUNT);
+  tcase_add_loop_test(tests, conversion_and_back_gives_the_same_values, 0, BODY_COUNT);
   tcase_add_test(tests, units_are_those_of_the_paper);
   tcase_add_test(tests, rigid_has_no_tabor_parameter);
-  tcase_add_loop_test(tests, refusals_name_what_is_wrong, 0, sizeof BAD / sizeof *BAD);
+  tcase_add_loop_test(tests, refusals_name_the_bad_value, 0, sizeof BAD / sizeof *BAD);
 }
 
 int main(void) {

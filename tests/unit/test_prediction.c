@@ -9,7 +9,7 @@
 enum { MOST = 200 };
 
 static const double TOLERANCE = 1e-4, ERROR = 0.01;
-/* Rings are born until the contact has 13 edges. */
+/* Contact annuli form until the contact has 13 edges. */
 static const po_scene SCENE = {2.0, 2.0, 5.0, 100.0, 100.0};
 
 /* The steps of a trace. */
@@ -53,10 +53,10 @@ static double trace(steps *s) {
   return met;
 }
 
-/* As far as the point after the next, which is twice as far as its error allows: ten times as much
- * is made there. Where some contact edges were left behind it is no more, and there are such
- * places. */
-START_TEST(edges_are_left_where_that_does) {
+/* Predictions to the point after the next, twice as far as the error of the prediction allows. The
+ * error there may be ten times the limit. It is no larger where the prediction leaves out some
+ * contact edges, and the trace has more than five such places. */
+START_TEST(edges_are_left_out_only_if_the_prediction_stays_accurate) {
   steps s = {0};
   const double domain = trace(&s);
   size_t left = 0;
@@ -81,8 +81,8 @@ START_TEST(edges_are_left_where_that_does) {
 }
 END_TEST
 
-/* Steps that go with the contact edges of every ring from its birth are 133. */
-START_TEST(births_of_rings_take_few_steps) {
+/* If the steps follow the contact edges of every annulus from its first contact, there are 133. */
+START_TEST(contact_annuli_form_in_few_steps) {
   steps s = {0};
   trace(&s);
   ck_assert_uint_lt(s.count, 122);
@@ -92,8 +92,8 @@ START_TEST(births_of_rings_take_few_steps) {
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_test(tests, edges_are_left_where_that_does);
-  tcase_add_test(tests, births_of_rings_take_few_steps);
+  tcase_add_test(tests, edges_are_left_out_only_if_the_prediction_stays_accurate);
+  tcase_add_test(tests, contact_annuli_form_in_few_steps);
 }
 
 int main(void) {

@@ -5,7 +5,7 @@
 #include "po_near_rule.h"
 #include "run.h"
 
-START_TEST(gauss_is_exact) {
+START_TEST(gauss_rule_is_exact_for_polynomials) {
   double node[9], weight[9], sum = 0.0;
   ck_assert_int_eq(po_gauss_rule(9, node, weight), PO_OK);
   for (int i = 0; i < 9; ++i)
@@ -26,7 +26,7 @@ START_TEST(log_rule_integrates_powers_times_log) { /* integral of x^k ln x = -1/
 }
 END_TEST
 
-/* The integral of ln|x - x0| over (0, 1), and of x times it. */
+/* The integral of x^power ln|x - x0| over (0, 1) for the powers 0 and 1. */
 static double log_moment(double x0, int power) {
   const double a = fabs(x0), b = fabs(1.0 - x0), right = 1.0 - x0;
   const double zeroth = (b > 0.0 ? right * log(b) : 0.0) + (a > 0.0 ? x0 * log(a) : 0.0) - 1.0;
@@ -78,7 +78,8 @@ START_TEST(hermite_is_exact_for_cubics) { /* f = x^3 - 2 x^2 + 0.3 x on (0, 1.7)
   const po_hermite w = po_hermite_at(x, h);
   ck_assert_double_eq_tol(w.d0 * 0.3 + w.f1 * f1 + w.d1 * d1, x * x * x - 2.0 * x * x + 0.3 * x,
                           1e-14);
-  /* its rate 3 x^2 - 4 x + 0.3 vanishes inside; raised by 1.2 it is least at 2/3 */
+  /* its derivative 3 x^2 - 4 x + 0.3 vanishes inside; increased by 1.2 it is positive and least at
+   * x = 2/3 */
   ck_assert_double_eq(po_hermite_least_rate(0.0, 0.3, f1, d1, h), 0.0);
   ck_assert_double_eq_tol(po_hermite_least_rate(0.0, 1.5, f1 + 1.2 * h, d1 + 1.2, h),
                           (1.5 - 4.0 / 3.0) / (d1 + 1.2), 1e-14);
@@ -86,7 +87,7 @@ START_TEST(hermite_is_exact_for_cubics) { /* f = x^3 - 2 x^2 + 0.3 x on (0, 1.7)
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_test(tests, gauss_is_exact);
+  tcase_add_test(tests, gauss_rule_is_exact_for_polynomials);
   tcase_add_loop_test(tests, log_rule_integrates_powers_times_log, 0, 20);
   tcase_add_loop_test(tests, near_rule_integrates_the_logarithm_at_any_place, 0, PLACE_COUNT);
   tcase_add_test(tests, lagrange_reproduces_a_polynomial);

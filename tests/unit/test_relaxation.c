@@ -1,5 +1,4 @@
-/* Where jumps land: by letting the surface relax in time, against the path followed along the
- * branch.
+/* The states after jumps: a relaxation of the surface in time, against the path along the branch.
  *
  * The deflection u relaxes against a local damping: du/dt = p(H) - (coupling G)^-1 u, at fixed
  * approach. A step of the implicit Euler method, multiplied by coupling G =: K, is
@@ -17,18 +16,20 @@
 
 enum { MOST_STEPS = 3000, MOST_NEWTON = 30 };
 
-/* Newton's method is done; nothing moves any more, per time; and how far a gap may go in one step,
- * so that the step does not choose among equilibria. */
+/* Limits of the gap H: the update at which Newton's method stops; the rate of change below which
+ * the surface is at rest; the largest change in one step, so that a step cannot lead to the basin
+ * of another equilibrium. */
 static const double SOLVED = 1e-11, AT_REST = 1e-8, FARTHEST = 0.1;
-/* Beyond a fold by this much there is no equilibrium near. */
+/* Distance beyond a fold, in approach, at which there is no equilibrium nearby. */
 static const double BEYOND = 5e-4;
-/* What that changes of the load where the landing is near a fold itself. */
+/* Change of the load over this distance if the jump ends near another fold. */
 static const double CLOSE = 2e-3;
-/* The preload is a point of the curve: what AT_REST leaves, three times over. */
+/* Error of the load at the preload, which is a point of the curve: three times the error that
+ * AT_REST leaves. */
 static const double AT_PRELOAD = 1e-7;
-/* What triangles leave of a balance of energy in a jump that is small. */
+/* Discretisation error of the energy balance of a small jump on triangles. */
 static const double ENERGY_OF_TRIANGLES = 2e-5;
-/* Approach to begin with: there is one equilibrium. */
+/* Approach at the start, where there is only one equilibrium. */
 static const double FAR = -12.0;
 
 static const po_law LAW = {0}; /* of the paper */
@@ -39,7 +40,7 @@ typedef struct {
   double *shape, *gap, *next, *jacobian, *change;
   po_law_value *law;
   int *pivots;
-  size_t backwards; /* gaps that went against the drive */
+  size_t backwards; /* gaps that opened in loading or closed in unloading */
 } relaxation;
 
 static void evaluate(relaxation *r, double approach, double tau) {
@@ -59,7 +60,7 @@ static void evaluate(relaxation *r, double approach, double tau) {
   }
 }
 
-/* The next gaps after a time tau. Returned: whether Newton's method found them. */
+/* Computes the gaps after a time step tau. Returns whether Newton's method converged. */
 static bool step(relaxation *r, double approach, double tau) {
   const size_t n = r->surface->n;
   memcpy(r->next, r->gap, n * sizeof *r->gap);
@@ -68,7 +69,7 @@ static bool step(relaxation *r, double approach, double tau) {
     if (po_linear_factorize(n, r->jacobian, n, r->pivots))
       return false;
     po_linear_solve(n, r->jacobian, n, r->pivots, r->change);
-    double part = 1.0, update = 0.0; /* every 1 + H keeps half of what it is */
+    double part = 1.0, update = 0.0; /* 1 + H is at most halved */
     for (size_t j = 0; j < n; ++j) {
       update = fmax(update, fabs(r->change[j]));
       part = fmin(part, 0.5 * (1.0 + r->next[j]) / fabs(r->change[j]));
@@ -87,7 +88,7 @@ static double load_of(const relaxation *r) {
   return 2.0 / r->radius * sum;
 }
 
-/* Relaxes at an approach until nothing moves. Returned: the load at rest. */
+/* Relaxes the surface at a given approach until it is at rest. Returns the load. */
 static double relax(relaxation *r, double approach, bool loading) {
   const size_t n = r->surface->n;
   double tau = 0.05, moved = INFINITY;
@@ -141,14 +142,14 @@ static void end(relaxation *r) {
   free(r->pivots);
 }
 
-/* Scenes with several stable equilibria at the approach of a jump: two waves apart, and with the
- * groove inside the contact open or closed. */
+/* Scenes with several stable equilibria at the approach of a jump: their contact edges are two
+ * waves apart, or the groove inside the contact is open or closed. */
 static const struct {
   po_scene scene;
   double preload;
 } LOOPS[] = {{{4.0, 0.4, 10.0, 100.0, 60.0}, 4.0}, {{4.0, 3.0, 10.0, 100.0, 70.0}, 14.0}};
 
-START_TEST(relaxation_lands_where_the_path_does) {
+START_TEST(relaxation_after_a_jump_agrees_with_the_path) {
   po_request request = po_request_default();
   request.scene = LOOPS[_i].scene;
   request.mesh = (po_mesh){PO_TRIANGLE, PO_UNIFORM, 141, 0.0};
@@ -160,7 +161,7 @@ START_TEST(relaxation_lands_where_the_path_does) {
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_int_eq(po_surface_create(&request.scene, &request.mesh, NAN, true, &surface), PO_OK);
   const po_loop *loop = &o.hysteresis.displacement;
-  ck_assert_uint_ge(loop->loading_jumps, 3); /* some are of the coarse mesh: so much the better */
+  ck_assert_uint_ge(loop->loading_jumps, 3); /* the coarse mesh adds some */
   relaxation r = begin(&request, surface, FAR);
   for (size_t k = 0; k < loop->jump_count; ++k) {
     const po_jump *jump = &loop->jumps[k];
@@ -179,7 +180,7 @@ START_TEST(relaxation_lands_where_the_path_does) {
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_loop_test(tests, relaxation_lands_where_the_path_does, 0, 2);
+  tcase_add_loop_test(tests, relaxation_after_a_jump_agrees_with_the_path, 0, 2);
 }
 
 int main(void) {

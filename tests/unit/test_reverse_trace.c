@@ -1,5 +1,5 @@
-/* The branch followed back from its end meets the folds of the way out, and what tells when it does
- * not. */
+/* A reverse trace from the end of the branch must find the folds of the forward trace. The
+ * comparison of the two reports it if not. */
 #include <math.h>
 
 #include "po_observe.h"
@@ -11,19 +11,20 @@ typedef struct {
   size_t folds, extrema;
 } expected;
 
-/* Folds of the first: reference/feng_landmarks.csv, of the second: reference/wavy_landmarks.csv. */
+/* The folds of the first scene are in reference/feng_landmarks.csv, those of the second in
+ * reference/wavy_landmarks.csv. */
 static const expected SCENES[] = {
     {{5.0, 0.0, 0.0, 100.0, INFINITY}, NAN, 4, 3},
     {{3.0, 1.0, 20.0, 100.0, 100.0}, NAN, 6, 5},
     {{0.385, 0.0, 0.0, 71.0, 60.0}, NAN, 0, 1}, /* no fold at all */
-    /* a groove closes as the branch is followed back: its two edges meet ever faster, and steps
-     * that went along with them ended there */
+    /* on the reverse trace a groove closes; its two edges approach each other ever faster, and a
+     * trace whose steps followed them ended there */
     {{1.97598, 6.31644, 9.55822, 201.659, INFINITY}, NAN, 8, 5},
-    /* a ring comes into contact between two extrema 0.07 eps apart: the way out went past them */
+    /* a contact annulus forms between two extrema 0.07 eps apart; a forward trace missed both */
     {{1.78343, 3.51838, 4.03854, 60.7776, INFINITY}, 5.2, 2, 9},
 };
 
-START_TEST(the_same_folds_on_the_reverse_trace) {
+START_TEST(reverse_trace_finds_the_same_folds) {
   const expected *known = &SCENES[_i];
   po_request request = po_request_default();
   request.scene = known->scene;
@@ -46,9 +47,9 @@ START_TEST(the_same_folds_on_the_reverse_trace) {
   ck_assert_double_lt(way->fold_load, 1e-5);
   ck_assert_double_lt(way->extremum_approach, 1e-5);
   ck_assert_double_lt(way->extremum_load, 1e-7);
-  if (known->folds > 0) /* others steps and meshes: no copy of the way out */
+  if (known->folds > 0) /* other steps and meshes, so not identical */
     ck_assert_double_gt(way->fold_approach, 0.0);
-  /* the scene's own numbers and counters know nothing of it */
+  /* the reverse trace does not change the results and counters of the scene */
   ck_assert_double_eq(o.pull_off.force, plain.pull_off.force);
   ck_assert_uint_eq(o.work.factorizations, plain.work.factorizations);
   ck_assert_uint_eq(o.work.points, plain.work.points);
@@ -57,9 +58,9 @@ START_TEST(the_same_folds_on_the_reverse_trace) {
 }
 END_TEST
 
-/* Before a contact annulus forms the load has two extrema 0.053 eps apart. At this tolerance a
- * trace went past them, and on to another end. */
-START_TEST(extrema_just_before_an_annulus_forms) {
+/* Just before a contact annulus forms, the load has two extrema 0.053 eps apart. At this tolerance
+ * an earlier version missed them and ended elsewhere. */
+START_TEST(extrema_just_before_an_annulus_forms_are_found) {
   po_request request = po_request_default();
   request.scene = (po_scene){1.56744, 3.76602, 13.2004, 502.623, 278.158};
   request.mesh.scheme = PO_PANEL;
@@ -74,7 +75,7 @@ START_TEST(extrema_just_before_an_annulus_forms) {
 }
 END_TEST
 
-/* A branch out and back as it might be told: fold, minimum, fold. */
+/* Points of a synthetic forward trace: fold, minimum, fold. */
 static const po_branch_point OUT[] = {
     {.kind = PO_POINT_STEP},
     {.kind = PO_POINT_APPROACH_MAX, .approach = -2.385, .load = -0.31, .unstable_modes = 1},
@@ -84,9 +85,9 @@ static const po_branch_point OUT[] = {
 };
 enum { COUNT = sizeof OUT / sizeof *OUT };
 
-/* What a reverse trace of these points, changed by some fault, is judged as; the trace ended with
- * status.
- */
+/* Compares the points with those of a synthetic reverse trace that ended with `status`. One point
+ * is missing (COUNT: none); the point met last but one has another kind, approach and number of
+ * unstable modes. */
 static po_reverse_trace judge(size_t missing, po_point_kind last, double off, int modes,
                               po_status status) {
   po_passage out = {0}, back = {0};
@@ -109,7 +110,7 @@ static po_reverse_trace judge(size_t missing, po_point_kind last, double off, in
   return way;
 }
 
-START_TEST(differences_are_in_parts_of_the_errors) {
+START_TEST(differences_are_relative_to_the_errors) {
   const po_reverse_trace way = judge(COUNT, PO_POINT_APPROACH_MAX, 4.5e-7, 0, PO_OK);
   ck_assert(way.same);
   ck_assert_uint_eq(way.folds, 2);
@@ -120,7 +121,7 @@ START_TEST(differences_are_in_parts_of_the_errors) {
 }
 END_TEST
 
-START_TEST(other_special_points_are_told) {
+START_TEST(different_special_points_are_reported) {
   const po_reverse_trace missing = judge(1, PO_POINT_APPROACH_MAX, 0.0, 0, PO_OK);
   ck_assert(!missing.same && isnan(missing.excess));
   ck_assert_uint_eq(missing.folds, 1);
@@ -132,11 +133,10 @@ START_TEST(other_special_points_are_told) {
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_loop_test(tests, the_same_folds_on_the_reverse_trace, 0,
-                      sizeof SCENES / sizeof *SCENES);
-  tcase_add_test(tests, extrema_just_before_an_annulus_forms);
-  tcase_add_test(tests, differences_are_in_parts_of_the_errors);
-  tcase_add_test(tests, other_special_points_are_told);
+  tcase_add_loop_test(tests, reverse_trace_finds_the_same_folds, 0, sizeof SCENES / sizeof *SCENES);
+  tcase_add_test(tests, extrema_just_before_an_annulus_forms_are_found);
+  tcase_add_test(tests, differences_are_relative_to_the_errors);
+  tcase_add_test(tests, different_special_points_are_reported);
 }
 
 int main(void) {

@@ -8,13 +8,13 @@
 
 static const double APPROACHES[] = {-30.0, -2.385, -0.3, 0.0, 0.385, 0.8};
 
-/* Eq 23, written out here: theory and solve do not know each other. */
+/* Eq 23, written out here so that this test does not depend on the theory code. */
 static double bradley(double approach) {
   const double x = 1.0 - approach;
   return -2.0 * (4.0 * pow(x, 6.0) - 1.0) / (3.0 * pow(x, 8.0));
 }
 
-START_TEST(smooth_is_bradley) {
+START_TEST(smooth_rigid_sphere_is_eq_23) {
   const po_scene scene = {0.0, 0.0, 0.0, 83.0, INFINITY};
   const double approach = APPROACHES[_i];
   double load = NAN, rate = NAN;
@@ -25,8 +25,8 @@ START_TEST(smooth_is_bradley) {
 }
 END_TEST
 
-/* Eq 22 by a fine midpoint sum in theta with the first Euler-Maclaurin term at 0; beyond 400
- * periods the mean gap. */
+/* Eq 22 by a fine midpoint sum in theta with the first Euler-Maclaurin term at 0. Beyond 400
+ * periods the gap is replaced by its mean over a period. */
 static double eq_22(double alpha, double amplitude, double approach) {
   const double step = 4e-4 * M_PI, end = 800.0 * M_PI;
   const double x0 = 1.0 / (1.0 - approach);
@@ -50,7 +50,7 @@ static const double WAVES[][3] = {
     {0.03, 5.0, -0.4},
     {1.1, 40.0, 0.1}};
 
-START_TEST(wavy_is_eq_22) {
+START_TEST(wavy_rigid_sphere_is_eq_22) {
   const double alpha = WAVES[_i][0], amplitude = WAVES[_i][1], approach = WAVES[_i][2];
   const double radius = 77.0;
   const po_scene scene = {0.0, amplitude, sqrt(amplitude * radius / alpha), radius, INFINITY};
@@ -64,7 +64,8 @@ START_TEST(wavy_is_eq_22) {
 }
 END_TEST
 
-START_TEST(cut_surface_loses_the_tail) { /* integral of (1 + H)^-3 over r > r_max = R, exactly */
+/* The load of the tail, r > r_max = R, in closed form. */
+START_TEST(bounded_surface_lacks_the_load_of_the_tail) {
   const po_scene whole = {0.0, 0.0, 0.0, 100.0, INFINITY}, cut = {0.0, 0.0, 0.0, 100.0, 100.0};
   double a = NAN, b = NAN, rate;
   po_rigid_load(&whole, 0.0, &a, &rate);
@@ -111,9 +112,9 @@ START_TEST(trace_finds_pull_off_and_station) {
 }
 END_TEST
 
-START_TEST(rigid_only_where_elasticity_is_nothing) {
+START_TEST(scene_is_solved_as_rigid_only_at_negligible_elasticity) {
   po_scene scene = po_scene_default();
-  scene.tabor = 1e-4; /* the paper's own rigid runs are elastic */
+  scene.tabor = 1e-4; /* the value that the paper uses for its rigid limit */
   ck_assert(!po_rigid_suffices(&scene));
   scene.tabor = 1e-7;
   ck_assert(po_rigid_suffices(&scene));
@@ -123,11 +124,12 @@ START_TEST(rigid_only_where_elasticity_is_nothing) {
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_loop_test(tests, smooth_is_bradley, 0, sizeof APPROACHES / sizeof *APPROACHES);
-  tcase_add_loop_test(tests, wavy_is_eq_22, 0, sizeof WAVES / sizeof *WAVES);
-  tcase_add_test(tests, cut_surface_loses_the_tail);
+  tcase_add_loop_test(tests, smooth_rigid_sphere_is_eq_23, 0,
+                      sizeof APPROACHES / sizeof *APPROACHES);
+  tcase_add_loop_test(tests, wavy_rigid_sphere_is_eq_22, 0, sizeof WAVES / sizeof *WAVES);
+  tcase_add_test(tests, bounded_surface_lacks_the_load_of_the_tail);
   tcase_add_test(tests, trace_finds_pull_off_and_station);
-  tcase_add_test(tests, rigid_only_where_elasticity_is_nothing);
+  tcase_add_test(tests, scene_is_solved_as_rigid_only_at_negligible_elasticity);
 }
 
 int main(void) {

@@ -7,7 +7,7 @@
 #include "po_root.h"
 #include "run.h"
 
-/* scale (x - root) (1 + (x - root)^2), which goes through zero once. */
+/* scale (x - root) (1 + (x - root)^2), which has one zero. */
 typedef struct {
   double root, scale;
   int calls;
@@ -36,8 +36,8 @@ START_TEST(a_change_of_sign_is_found) {
 }
 END_TEST
 
-/* Both ends on one side of the root, in either order, or an end that is no number. */
-START_TEST(no_change_of_sign_is_no_root) {
+/* Both ends are on the same side of the root, in either order, or one end is NaN. */
+START_TEST(without_a_change_of_sign_there_is_no_root) {
   static const double ENDS[][2] = {{3.0, 4.0}, {4.0, 3.0}, {1.0, 2.0},
                                    {2.0, 1.0}, {NAN, 3.0}, {1.0, NAN}};
   cubic up = {2.385, 1.0, 0}, down = {2.385, -1.0, 0};
@@ -53,7 +53,7 @@ START_TEST(an_end_may_be_the_root) {
 }
 END_TEST
 
-/* A step from -1 to 1: no slope says where, and it is found by bisection, to the last bit. */
+/* A step from -1 to 1. Its slope does not help, so it is found by bisection, to the last bit. */
 static double step_at(double x, const void *data) {
   return x < *(const double *)data ? -1.0 : 1.0;
 }
@@ -69,7 +69,7 @@ static bool is_below(double x, const void *data) {
   return x < *(const double *)data;
 }
 
-START_TEST(a_side_is_bisected_to_the_last_bits_or_a_tolerance) {
+START_TEST(bisection_ends_at_the_last_bits_or_at_a_tolerance) {
   const double at = 2.385;
   double low = 1.0, high = 3.0;
   po_bisect(is_below, &at, 0.0, &low, &high);
@@ -86,10 +86,10 @@ END_TEST
 
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, a_change_of_sign_is_found, 0, (int)(sizeof CROSSED / sizeof *CROSSED));
-  tcase_add_loop_test(tests, no_change_of_sign_is_no_root, 0, 6);
+  tcase_add_loop_test(tests, without_a_change_of_sign_there_is_no_root, 0, 6);
   tcase_add_test(tests, an_end_may_be_the_root);
   tcase_add_test(tests, a_step_is_found_to_the_last_bit);
-  tcase_add_test(tests, a_side_is_bisected_to_the_last_bits_or_a_tolerance);
+  tcase_add_test(tests, bisection_ends_at_the_last_bits_or_at_a_tolerance);
 }
 
 int main(void) {

@@ -7,7 +7,7 @@
 #include "po_scene.h"
 #include "run.h"
 
-START_TEST(groups_of_the_paper) {
+START_TEST(dimensionless_groups_are_those_of_the_paper) {
   po_scene scene = {.tabor = 2.385,
                     .amplitude = 1.3,
                     .wavelength = 17.0,
@@ -45,7 +45,7 @@ START_TEST(profile_is_eq_2) {
   ck_assert_double_eq_tol(po_profile(&scene, r),
                           r * r / 182.0 + 0.7 * (1.0 - cos(2.0 * M_PI * r / 13.0)), 1e-15);
   ck_assert_double_eq_tol(po_profile_mean(&scene, r), r * r / 182.0 + 0.7, 1e-15);
-  /* no cancelling near the axis: f ~ r^2 (1/(2R) + 2 pi^2 A / lambda^2) */
+  /* no cancellation near the axis, where f ~ r^2 (1/(2R) + 2 pi^2 A / lambda^2) */
   const double tiny = 1e-9, curvature = 1.0 / 182.0 + 2.0 * M_PI * M_PI * 0.7 / 169.0;
   ck_assert_double_eq_tol(po_profile(&scene, tiny) / (tiny * tiny * curvature), 1.0, 1e-14);
 }
@@ -73,7 +73,7 @@ START_TEST(bradley_is_eq_23) {
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_test(tests, groups_of_the_paper);
+  tcase_add_test(tests, dimensionless_groups_are_those_of_the_paper);
   tcase_add_loop_test(tests, bad_scenes_are_named, 0, sizeof BAD / sizeof *BAD);
   tcase_add_test(tests, profile_is_eq_2);
   tcase_add_test(tests, averaging_begins_where_a_wave_ends);

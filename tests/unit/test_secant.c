@@ -1,4 +1,6 @@
-/* Broyden's updates: on a linear system they end, for any inverse to start from. */
+/* Broyden's updates. For a linear system they end after finitely many steps, for any initial
+ * inverse.
+ */
 #include <math.h>
 
 #include "po_secant.h"
@@ -6,14 +8,14 @@
 
 enum { N = 4 };
 
-/* Not symmetric; the distance from the unit matrix is 0.61 in its largest row sum. */
+/* Not symmetric. Its difference from the unit matrix has the maximum norm 0.61. */
 static const double MATRIX[N][N] = {{1.23, 0.11, -0.07, 0.19},
                                     {-0.31, 0.89, 0.13, 0.03},
                                     {0.05, -0.17, 1.37, 0.02},
                                     {0.09, 0.23, 0.041, 0.77}};
 static const double SOLUTION[N] = {2.385, -0.613, 1.17, 0.0451};
 
-/* Residual of MATRIX x = MATRIX SOLUTION, with the sign of a change. */
+/* MATRIX (SOLUTION - x): the residual, with the sign of the correction. */
 static void change_of(const double *x, double *change) {
   for (int i = 0; i < N; ++i) {
     change[i] = 0.0;
@@ -22,7 +24,7 @@ static void change_of(const double *x, double *change) {
   }
 }
 
-/* Iterates from 0 with the unit matrix as inverse. Returned: the error left. */
+/* Iterates from 0 with the unit matrix as initial inverse. Returns the remaining error. */
 static double iterate(int steps, bool updates, double scale) {
   po_secant s;
   ck_assert(po_secant_allocate(&s, N));
@@ -43,22 +45,23 @@ static double iterate(int steps, bool updates, double scale) {
   return error;
 }
 
-/* D. M. Gay, SIAM J. Numer. Anal. 16 (1979) 623: 2 n steps and the solution is exact. */
+/* D. M. Gay, SIAM J. Numer. Anal. 16 (1979) 623: after 2 n steps the solution is exact. */
 START_TEST(broyden_solves_a_linear_system_in_finitely_many_steps) {
   ck_assert_double_lt(iterate(2 * N, true, 1.7 * _i), 1e-13);
   ck_assert_double_gt(iterate(2 * N, false, 1.7 * _i), 1e-4);
 }
 END_TEST
 
-/* More steps than there is room for corrections: they are forgotten, and it still converges. */
-START_TEST(full_corrections_are_dropped) {
+/* If there are more steps than room for corrections, the corrections are discarded. The iteration
+ * still converges. */
+START_TEST(iteration_converges_if_corrections_are_discarded) {
   ck_assert_double_lt(iterate(3 * PO_SECANT_DEPTH, true, 0.0), 1e-13);
 }
 END_TEST
 
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, broyden_solves_a_linear_system_in_finitely_many_steps, 0, 3);
-  tcase_add_test(tests, full_corrections_are_dropped);
+  tcase_add_test(tests, iteration_converges_if_corrections_are_discarded);
 }
 
 int main(void) {

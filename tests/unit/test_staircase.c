@@ -1,4 +1,5 @@
-/* The pull-off after every preload: steps of made curves and of solved scenes, against loops. */
+/* The pull-off after every preload: the steps of synthetic curves and of solved scenes, against
+ * loops. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -7,16 +8,17 @@
 #include "request.h"
 #include "run.h"
 
-/* A made curve through these points, modes as given. */
+/* A point of a synthetic curve, with its number of unstable modes. */
 typedef struct {
   double approach, load;
   int modes;
-} made;
+} synthetic;
 
 enum { MOST = 16 };
 
-static po_path path_of(const made *list, size_t count, po_path_point point[MOST]) {
-  const double little = 1e-3; /* of the secants: the curve is near them */
+static po_path path_of(const synthetic *list, size_t count, po_path_point point[MOST]) {
+  const double small =
+      1e-3; /* slopes relative to the secants, so that the curve is near the secants */
   for (size_t k = 0; k < count; ++k) {
     const double before = k > 0 ? list[k].load - list[k - 1].load : 0.0;
     const double after = k + 1 < count ? list[k + 1].load - list[k].load : before;
@@ -25,17 +27,17 @@ static po_path path_of(const made *list, size_t count, po_path_point point[MOST]
                                .load = list[k].load,
                                .energy = -(double)(k * k),
                                .position = (double)k,
-                               .load_rate = minimum ? 0.0 : little * after,
+                               .load_rate = minimum ? 0.0 : small * after,
                                .unstable_modes = list[k].modes,
                                .minimum = minimum};
   }
   return (po_path){point, count};
 }
 
-/* Loading falls to a minimum of -1 at approach 1, rises, falls again to -2 at 3 and rises. No jump:
- * between the steps the tension at the reversal is the greatest. */
-START_TEST(minima_that_loading_passes_are_steps) {
-  static const made CURVE[] = {{0, 0, 0}, {1, -1, 0}, {2, -0.5, 0}, {3, -2, 0}, {4, 1, 0}};
+/* The load falls to a minimum of -1 at approach 1, rises, falls to -2 at 3 and rises again. There
+ * is no jump. For preloads between the steps the greatest tension is that at the reversal. */
+START_TEST(minima_on_the_loading_path_are_steps) {
+  static const synthetic CURVE[] = {{0, 0, 0}, {1, -1, 0}, {2, -0.5, 0}, {3, -2, 0}, {4, 1, 0}};
   po_path_point point[MOST];
   const po_path path = path_of(CURVE, 5, point);
   po_staircase s;
@@ -59,12 +61,12 @@ START_TEST(minima_that_loading_passes_are_steps) {
 }
 END_TEST
 
-/* Two branches: the fold at approach 2 leads to one that is followed back to 0.5, past a minimum of
- * -3; a second jump at 5 leads to one on which unloading pulls less. The pull-off does not grow
- * with the preload. */
-START_TEST(a_harder_preload_may_give_less) {
-  static const made CURVE[] = {{-2, 0, 0}, {2, -1, 1},    {0.5, -2, 0}, {1, -3, 0},
-                               {5, 2, 1},  {-1, -0.5, 0}, {1.5, 0, 0},  {9, 9, 0}};
+/* The jump at the fold at approach 2 leads to a stable stretch that reaches back to 0.5 and has a
+ * minimum of -3. The jump at 5 leads to a stretch with less tension in unloading. So the pull-off
+ * force decreases with the preload. */
+START_TEST(a_harder_preload_may_give_a_smaller_force) {
+  static const synthetic CURVE[] = {{-2, 0, 0}, {2, -1, 1},    {0.5, -2, 0}, {1, -3, 0},
+                                    {5, 2, 1},  {-1, -0.5, 0}, {1.5, 0, 0},  {9, 9, 0}};
   po_path_point point[MOST];
   const po_path path = path_of(CURVE, 8, point);
   po_staircase s;
@@ -76,7 +78,7 @@ START_TEST(a_harder_preload_may_give_less) {
   ck_assert_double_eq(s.step[1].preload.approach, 5.0);
   ck_assert_double_eq(s.step[1].pull_off.load, -0.5);
   ck_assert_ptr_eq(po_staircase_greatest(&s), &s.step[0]);
-  for (size_t k = 0; k < 2; ++k) { /* the loops to just beyond the jumps */
+  for (size_t k = 0; k < 2; ++k) { /* loops with preloads just beyond the jumps */
     po_loop loop;
     const po_preload preload = {s.step[k].preload.approach + 1e-3, NAN};
     ck_assert_int_eq(po_loop_follow(&path, PO_DISPLACEMENT_CONTROL, preload, &loop), PO_OK);
@@ -89,10 +91,11 @@ START_TEST(a_harder_preload_may_give_less) {
 }
 END_TEST
 
-/* A point beside a minimum may be below it by the error of its mesh: what is measured is the
- * minimum. Of 1,000 random scenes one was said to have a pull-off that no preload gives. */
+/* A point next to a minimum may lie below it by the discretisation error. A test measures the
+ * minimum. An earlier version gave one of 1,000 random scenes a pull-off that no preload produces.
+ */
 START_TEST(a_step_begins_at_the_minimum_itself) {
-  static const made CURVE[] = {
+  static const synthetic CURVE[] = {
       {0, 0, 0}, {1, -1.00001, 0}, {1.1, -1, 0}, {1.2, -1.00001, 0}, {4, 1, 0}};
   po_path_point point[MOST];
   const po_path path = path_of(CURVE, 5, point);
@@ -110,7 +113,7 @@ START_TEST(a_step_begins_at_the_minimum_itself) {
 END_TEST
 
 START_TEST(a_curve_without_minima_has_no_steps) {
-  static const made CURVE[] = {{0, -0.1, 0}, {1, -1, 0}, {2, -2, 0}};
+  static const synthetic CURVE[] = {{0, -0.1, 0}, {1, -1, 0}, {2, -2, 0}};
   po_path_point point[MOST];
   const po_path path = path_of(CURVE, 3, point), none = {point, 0};
   po_staircase s;
@@ -124,8 +127,8 @@ START_TEST(a_curve_without_minima_has_no_steps) {
 }
 END_TEST
 
-/* A bound of the load that is never met, so that a search goes on to the hardest preload, and one
- * that always is. */
+/* A bound of the load that is never reached, so that a search goes on to the hardest preload, and a
+ * bound that is always reached. */
 static double never_met(const po_scene *scene, double load) {
   (void)scene;
   (void)load;
@@ -138,31 +141,25 @@ static double always_met(const po_scene *scene, double load) {
 }
 static const po_companion NEVER = {.bound = never_met}, ALWAYS = {.bound = always_met};
 
-/* Every step of solved scenes against loops of separate solves that are loaded to just below and
- * just above it, in both controls. */
+/* Every step of solved scenes is compared with loops of separate solves, whose preloads are just
+ * inside the step and just below it. */
 static const po_scene SCENES[] = {{3.0, 10.15, 50.0, 50.0, INFINITY},
                                   {2.911, 7.784, 35.18, 56.7, INFINITY},
                                   {2.385, 0.37, 13.7, 61.3, 61.3},
                                   {1.3, 0.7, 23.85, 100.0, INFINITY}};
 
-/* The loop of a separate solve, in one control. */
-static po_path_state pulled(po_request request, po_control control, double preload) {
+/* The pull-off in the loop of a separate solve, at given approach. */
+static po_path_state pulled(po_request request, double preload) {
   po_result o;
   request.want = PO_WANT_HYSTERESIS;
-  request.preload =
-      control == PO_LOAD_CONTROL ? (po_preload){NAN, preload} : (po_preload){preload, NAN};
+  request.preload = (po_preload){preload, NAN};
   ck_assert_msg(!po_observe(&request, &o), "preload %.12g: %s", preload, o.reason);
-  const po_loop *loop = &o.hysteresis.displacement;
-  po_path_state pull_off = loop->pull_off;
-  if (control == PO_LOAD_CONTROL) { /* reversed at the load of the other, which may jump past it */
-    pull_off = o.hysteresis.load.pull_off;
-    ck_assert_double_ge(o.hysteresis.load.preload.load, preload - 1e-9);
-  }
+  const po_path_state pull_off = o.hysteresis.displacement.pull_off;
   po_result_clear(&o);
   return pull_off;
 }
 
-START_TEST(steps_are_those_of_separate_loops) {
+START_TEST(steps_agree_with_separate_loops) {
   const double near = 1e-3;
   po_request request = po_request_default();
   request.scene = SCENES[_i];
@@ -179,23 +176,22 @@ START_TEST(steps_are_those_of_separate_loops) {
     const po_step *step = &s->step[k];
     const double error = 2.0 * step->pull_off_error.load + 1e-5;
     const double at = step->preload.approach;
-    po_path_state above = pulled(request, PO_DISPLACEMENT_CONTROL, at + near);
+    po_path_state above = pulled(request, at + near);
     ck_assert_double_eq_tol(above.load, step->pull_off.load, error);
     if (!step->open) {
-      above = pulled(request, PO_DISPLACEMENT_CONTROL, step->until.approach - near);
+      above = pulled(request, step->until.approach - near);
       ck_assert_double_eq_tol(above.load, step->pull_off.load, error);
     }
     if (k > 0 && step->jumped && s->step[k - 1].until.approach == at)
-      ck_assert_double_eq_tol(pulled(request, PO_DISPLACEMENT_CONTROL, at - near).load,
-                              s->step[k - 1].pull_off.load, error);
+      ck_assert_double_eq_tol(pulled(request, at - near).load, s->step[k - 1].pull_off.load, error);
   }
   po_result_clear(&o);
 }
 END_TEST
 
-/* The two steps that made the question: values and preloads of the issue are from traces of their
- * own. */
-START_TEST(what_decides_the_pull_off) {
+/* A scene whose pull-off depends strongly on the preload. The expected values are from separate
+ * traces. */
+START_TEST(steps_of_a_scene_are_accurate) {
   po_request request = po_request_default();
   request.scene = SCENES[0];
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-6};
@@ -216,13 +212,14 @@ START_TEST(what_decides_the_pull_off) {
   }
   ck_assert_double_eq(o.pull_off_any.force, -s->step[2].pull_off.load);
   ck_assert_double_eq(o.pull_off_any.pressed.approach, s->step[2].preload.approach);
-  /* the declared preload, 5, is beyond all of them */
+  /* the preload of this request, the load 5, is beyond all steps */
   ck_assert_double_eq(o.pull_off.pressed.approach, s->step[2].preload.approach);
   po_result_clear(&o);
 }
 END_TEST
 
-/* The usual preload is the load pi w R; a search beyond it does not change what it gives. */
+/* The default preload is the load pi w R. A search beyond it does not change the pull-off after it.
+ */
 START_TEST(a_search_does_not_change_the_pull_off) {
   static const po_search SEARCH[] = {PO_SEARCH_NONE, PO_SEARCH_SOME, PO_SEARCH_ALL};
   po_request request = po_request_default();
@@ -247,8 +244,9 @@ START_TEST(a_search_does_not_change_the_pull_off) {
 }
 END_TEST
 
-/* Pressed to anything, the pull-off is the greatest; and the trace ends once the bound is met. */
-START_TEST(any_preload_gives_the_greatest) {
+/* With an unlimited preload the pull-off is the greatest of all, and the trace ends when the bound
+ * is reached. */
+START_TEST(an_unlimited_preload_gives_the_greatest_pull_off) {
   po_request request = po_request_default();
   request.scene = SCENES[1];
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
@@ -264,14 +262,15 @@ START_TEST(any_preload_gives_the_greatest) {
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_int_eq(o.ended.cause, PO_END_COMPLETE);
   ck_assert(o.pull_off_any.complete);
-  ck_assert_double_lt(o.ended.load, 3.0); /* it is believed */
+  ck_assert_double_lt(o.ended.load, 3.0); /* the bound is reached early */
   po_result_clear(&o);
 }
 END_TEST
 
-/* A small cut surface: once all of it is in contact no preload changes the pull-off, whatever the
- * bound says. Solves of this one pressed on until there were not enough nodes, and failed. */
-START_TEST(a_cut_surface_in_contact_is_complete) {
+/* A small bounded surface. When all of it is in contact, no harder preload changes the pull-off,
+ * whatever the bound says. An earlier version pressed this one further until the nodes were
+ * exhausted, and failed. */
+START_TEST(a_bounded_surface_in_full_contact_is_complete) {
   static const po_search SEARCH[] = {PO_SEARCH_SOME, PO_SEARCH_ALL};
   po_request request = po_request_default();
   request.scene = (po_scene){4.84366, 0.152139, 21.7469, 33.9995, 9.58721};
@@ -288,15 +287,15 @@ START_TEST(a_cut_surface_in_contact_is_complete) {
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_test(tests, minima_that_loading_passes_are_steps);
-  tcase_add_test(tests, a_harder_preload_may_give_less);
+  tcase_add_test(tests, minima_on_the_loading_path_are_steps);
+  tcase_add_test(tests, a_harder_preload_may_give_a_smaller_force);
   tcase_add_test(tests, a_step_begins_at_the_minimum_itself);
   tcase_add_test(tests, a_curve_without_minima_has_no_steps);
-  tcase_add_loop_test(tests, steps_are_those_of_separate_loops, 0, sizeof SCENES / sizeof *SCENES);
-  tcase_add_test(tests, what_decides_the_pull_off);
+  tcase_add_loop_test(tests, steps_agree_with_separate_loops, 0, sizeof SCENES / sizeof *SCENES);
+  tcase_add_test(tests, steps_of_a_scene_are_accurate);
   tcase_add_loop_test(tests, a_search_does_not_change_the_pull_off, 0, 3);
-  tcase_add_test(tests, any_preload_gives_the_greatest);
-  tcase_add_loop_test(tests, a_cut_surface_in_contact_is_complete, 0, 2);
+  tcase_add_test(tests, an_unlimited_preload_gives_the_greatest_pull_off);
+  tcase_add_loop_test(tests, a_bounded_surface_in_full_contact_is_complete, 0, 2);
 }
 
 int main(void) {

@@ -1,5 +1,5 @@
-/* Where a trace ends, and why: the stopping rule, the edge of a cut surface, time limits, a stop.
- */
+/* The end of a trace and its cause: the stopping rule, the edge of a bounded surface, time limits,
+ * interruption. */
 #include <math.h>
 #include <string.h>
 
@@ -9,9 +9,9 @@
 #include "request.h"
 #include "run.h"
 
-/* No deeper pull-off beyond the point where the trace ends by itself: the same scene, far deeper.
- */
-START_TEST(pull_off_is_behind_when_the_trace_ends) {
+/* Beyond the point where a trace ends by itself there is no greater pull-off. The same scene is
+ * traced much further. */
+START_TEST(no_greater_pull_off_beyond_the_end_of_a_trace) {
   static const double SCENES[][3] = {{2.385, 0.0, 0.0}, {3.0, 1.0, 20.0}, {1.0, 3.0, 12.0},
                                      {0.3, 6.0, 25.0},  {2.0, 0.1, 30.0}, {3.0, 0.5, 7.0}};
   po_request request = request_of(SCENES[_i][0], SCENES[_i][1], SCENES[_i][2], 90.0);
@@ -28,9 +28,9 @@ START_TEST(pull_off_is_behind_when_the_trace_ends) {
 }
 END_TEST
 
-/* The first minimum of the third wave is compressive, and yet, once the trough behind it has
- * closed, that wave pulls off last: which of the minima is measured is a matter of the preload. */
-START_TEST(a_closed_trough_pulls_deeper) {
+/* The first minimum at the third wave is compressive. When the trough inside has closed, the
+ * contact pulls off at this wave nevertheless. So the preload decides which minimum is measured. */
+START_TEST(a_closed_trough_gives_a_greater_pull_off) {
   po_request request = request_of(4.1, 4.0, 20.0, 100.0);
   request.mesh.scheme = PO_PANEL;
   request.mesh.tolerance = 1e-4;
@@ -49,8 +49,8 @@ START_TEST(a_closed_trough_pulls_deeper) {
 }
 END_TEST
 
-/* The first state of loading that carries the preload ends the trace, whatever was pulled with
- * before; states that loading jumps past do not count. */
+/* The trace ends at the first state of the loading path that carries the preload. States that
+ * loading jumps past do not count. */
 START_TEST(trace_ends_at_the_preload) {
   static const double SCENES[][3] = {
       {4.0, 0.4, 10.0}, {3.0, 0.5, 7.0}, {1.5, 1.0, 10.0}, {3.0, 1.0, 20.0}};
@@ -77,9 +77,9 @@ START_TEST(trace_ends_at_the_preload) {
 }
 END_TEST
 
-/* A preload between a step of the trace and the fold that follows: the step went past both passages
- * of that approach, and what lies behind the fold was taken for the pull-off. */
-START_TEST(a_preload_just_before_a_fold_is_met_there) {
+/* A preload between a step of the trace and the next fold. The branch passes this approach twice
+ * within one step. An earlier version missed both, and took the pull-off from beyond the fold. */
+START_TEST(a_preload_just_before_a_fold_is_reached) {
   static const double PRELOADS[] = {4.26, 4.263, 4.2636, 4.3};
   po_request request = request_of(3.0, 8.0, 30.0, INFINITY);
   request.scene.radius = 60.0;
@@ -92,8 +92,10 @@ START_TEST(a_preload_just_before_a_fold_is_met_there) {
 }
 END_TEST
 
-/* An end farther out than a trace begins by itself was never met. */
-START_TEST(an_end_far_out_is_met) {
+/* An end at a smaller approach than the usual start of a trace. An earlier version never reached
+ * it.
+ */
+START_TEST(an_end_at_a_small_approach_is_reached) {
   static const double TABOR[] = {1.0, 0.0}; /* elastic, rigid */
   po_request request = request_of(TABOR[_i], 0.0, 0.0, INFINITY);
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
@@ -145,8 +147,8 @@ START_TEST(a_preload_beyond_the_end_is_refused) {
 }
 END_TEST
 
-/* Pressed so little that the bodies stay apart: there is nothing to pull off. */
-START_TEST(a_preload_below_the_first_contact_is_said) {
+/* The preload is so small that the bodies do not come into contact, so there is no pull-off. */
+START_TEST(a_preload_without_contact_is_reported) {
   po_request request = request_of(2.385, 1.0, 20.0, INFINITY);
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
   request.preload.approach = -9.0;
@@ -157,7 +159,7 @@ START_TEST(a_preload_below_the_first_contact_is_said) {
 }
 END_TEST
 
-/* The limit is the first thing looked at on the first point, and is named in the reason. */
+/* The time limit is checked first at the first point. The reason states it. */
 START_TEST(time_limit_ends_a_solve) {
   static const po_scheme SCHEMES[] = {PO_RING, PO_TRIANGLE, PO_PANEL};
   static const double TABOR[] = {2.385, 0.0}; /* elastic, rigid */
@@ -173,7 +175,8 @@ START_TEST(time_limit_ends_a_solve) {
 }
 END_TEST
 
-/* A search beyond the preload that runs out of time ends there: the pull-off is known. */
+/* If the time ends during a search beyond the preload, the solve succeeds, because the pull-off
+ * after the preload is known. */
 START_TEST(time_limit_ends_a_search_without_failure) {
   po_request request = request_of(4.0, 3.0, 10.0, 100.0);
   request.mesh = (po_mesh){.scheme = PO_PANEL, .tolerance = 1e-4};
@@ -202,7 +205,7 @@ START_TEST(time_limit_ends_a_search_without_failure) {
 }
 END_TEST
 
-START_TEST(time_limit_not_reached_changes_nothing) {
+START_TEST(time_limit_that_is_not_reached_changes_nothing) {
   po_request request = request_of(2.385, 0.0, 0.0, INFINITY);
   request.mesh.nodes = 101;
   po_result free_of, limited;
@@ -225,7 +228,7 @@ START_TEST(time_limit_is_a_positive_number) {
 }
 END_TEST
 
-/* What is made after the trace has no more time than the trace left. */
+/* The diagnostics after the trace may use only the time that the trace left. */
 START_TEST(time_limit_bounds_the_diagnostics) {
   po_request request = request_of(2.385, 0.0, 0.0, INFINITY);
   request.mesh.nodes = 101;
@@ -246,7 +249,7 @@ START_TEST(time_limit_bounds_the_diagnostics) {
 }
 END_TEST
 
-START_TEST(stop_ends_a_solve) {
+START_TEST(an_interruption_ends_a_solve) {
   volatile sig_atomic_t stop = 1;
   po_request request = request_of(1.0, 0.0, 0.0, INFINITY);
   request.stop = &stop;
@@ -257,11 +260,11 @@ START_TEST(stop_ends_a_solve) {
 }
 END_TEST
 
-/* The contact of this sphere comes to the edge of the surface before the load has its deepest
- * minimum. The trace ended there without a word, at 0.9 of the radius, with a pull-off of 1.36395
- * and an error of 7e-8 beside it. The problem is well posed as far as the whole surface is in
- * contact; triangles and panels agree on what is found. */
-START_TEST(a_cut_surface_is_traced_until_all_of_it_is_in_contact) {
+/* The contact of this sphere reaches the edge of the surface before the load has its deepest
+ * minimum. An earlier version ended at 0.9 of the radius without a message, and stated a pull-off
+ * of 1.36395 with an error of 7e-8. The problem is well posed until the whole surface is in
+ * contact. Triangles and panels agree. */
+START_TEST(a_bounded_surface_is_traced_until_full_contact) {
   po_request request = request_of(4.0, 0.4, 10.0, 30.0);
   po_result triangles, panels;
   request.mesh.nodes = 401;
@@ -284,8 +287,8 @@ START_TEST(a_cut_surface_is_traced_until_all_of_it_is_in_contact) {
 }
 END_TEST
 
-/* Every result says why its trace ended, and where. */
-START_TEST(the_end_of_a_trace_has_its_cause) {
+/* Every result states where its trace ended, and the cause. */
+START_TEST(the_end_of_a_trace_has_a_cause) {
   static const struct {
     double tabor, amplitude, end;
     po_end_cause cause;
@@ -312,20 +315,20 @@ START_TEST(the_end_of_a_trace_has_its_cause) {
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_loop_test(tests, pull_off_is_behind_when_the_trace_ends, 0, 6);
-  tcase_add_test(tests, a_closed_trough_pulls_deeper);
+  tcase_add_loop_test(tests, no_greater_pull_off_beyond_the_end_of_a_trace, 0, 6);
+  tcase_add_test(tests, a_closed_trough_gives_a_greater_pull_off);
   tcase_add_loop_test(tests, trace_ends_at_the_preload, 0, 4);
-  tcase_add_test(tests, a_preload_below_the_first_contact_is_said);
-  tcase_add_loop_test(tests, a_preload_just_before_a_fold_is_met_there, 0, 4);
-  tcase_add_loop_test(tests, an_end_far_out_is_met, 0, 2);
+  tcase_add_test(tests, a_preload_without_contact_is_reported);
+  tcase_add_loop_test(tests, a_preload_just_before_a_fold_is_reached, 0, 4);
+  tcase_add_loop_test(tests, an_end_at_a_small_approach_is_reached, 0, 2);
   tcase_add_loop_test(tests, a_smooth_sphere_is_complete_under_compression, 0, 2);
   tcase_add_test(tests, a_preload_beyond_the_end_is_refused);
-  tcase_add_test(tests, a_cut_surface_is_traced_until_all_of_it_is_in_contact);
-  tcase_add_loop_test(tests, the_end_of_a_trace_has_its_cause, 0, 6);
-  tcase_add_test(tests, stop_ends_a_solve);
+  tcase_add_test(tests, a_bounded_surface_is_traced_until_full_contact);
+  tcase_add_loop_test(tests, the_end_of_a_trace_has_a_cause, 0, 6);
+  tcase_add_test(tests, an_interruption_ends_a_solve);
   tcase_add_loop_test(tests, time_limit_ends_a_solve, 0, 6);
   tcase_add_test(tests, time_limit_ends_a_search_without_failure);
-  tcase_add_test(tests, time_limit_not_reached_changes_nothing);
+  tcase_add_test(tests, time_limit_that_is_not_reached_changes_nothing);
   tcase_add_test(tests, time_limit_bounds_the_diagnostics);
   tcase_add_loop_test(tests, time_limit_is_a_positive_number, 0, 3);
 }

@@ -47,8 +47,8 @@ START_TEST(struve_agrees_with_mpmath) {
 }
 END_TEST
 
-START_TEST(
-    struve_agrees_with_published_tables) { /* Abramowitz and Stegun table 12.1, MacLeod TOMS 757 */
+/* Abramowitz and Stegun, table 12.1; MacLeod, TOMS 757. */
+START_TEST(struve_agrees_with_published_tables) {
   ck_assert_double_eq_tol(po_struve(1, 2.0), 0.6467637282835622, 1e-15);
   ck_assert_double_eq_tol(po_struve(2, 3.0), 0.74238666967748318564, 1e-15);
   ck_assert_double_eq_tol(po_struve(1, 9.0), 0.7485424374510771033, 1e-15);
@@ -75,7 +75,7 @@ START_TEST(struve_series_and_integral_agree) {
 }
 END_TEST
 
-START_TEST(slope_of_order_zero) { /* H0' = 2/pi - H1 */
+START_TEST(derivative_of_order_zero_is_known) { /* H0' = 2/pi - H1 */
   const double x = TABLE[_i][0];
   if (x < 1e-2 || x > 1e3)
     return;
@@ -87,7 +87,7 @@ START_TEST(slope_of_order_zero) { /* H0' = 2/pi - H1 */
 }
 END_TEST
 
-START_TEST(outside_the_domain) {
+START_TEST(outside_the_domain_the_result_is_nan) {
   ck_assert(isnan(po_struve(0, -1e-300)));
   ck_assert(isnan(po_struve(1, NAN)));
   ck_assert(isnan(po_struve(3, 1.0)));
@@ -116,8 +116,8 @@ static void add(TCase *tests) {
   tcase_add_test(tests, struve_agrees_with_published_tables);
   tcase_add_loop_test(tests, struve_minus_bessel_is_the_difference, 0, TABLE_COUNT);
   tcase_add_test(tests, struve_series_and_integral_agree);
-  tcase_add_loop_test(tests, slope_of_order_zero, 0, TABLE_COUNT);
-  tcase_add_test(tests, outside_the_domain);
+  tcase_add_loop_test(tests, derivative_of_order_zero_is_known, 0, TABLE_COUNT);
+  tcase_add_test(tests, outside_the_domain_the_result_is_nan);
   tcase_add_test(tests, root_is_found);
 }
 

@@ -33,9 +33,9 @@ static const char *const FORMS[] = {
     "rumpf-rabinowicz", "compactness", "crest", "lennard-jones"};
 enum { FORM_COUNT = sizeof FORMS / sizeof *FORMS };
 
-/* A closed form takes microseconds, the integral of the rigid one 0.2 s at most; a test in which
- * one does not end is killed. Of the processor, not of the clock: a busy machine is no fault of
- * theirs. */
+/* A closed form takes microseconds, the integral of the rigid sphere at most 0.2 s. A test in which
+ * a call does not return is killed. The limit is in processor time, so that a busy machine does not
+ * matter. */
 static void limit_time(void) {
   const struct rlimit seconds = {60, 60};
   ck_assert_int_eq(setrlimit(RLIMIT_CPU, &seconds), 0);
@@ -53,7 +53,8 @@ static void call(const po_form *form, const po_scene *scene, double alpha, doubl
     ck_assert_uint_gt(strlen(values.items[i].name), 0);
 }
 
-/* Each pair of sizes, the others as usual; then, drawn among all, any four. */
+/* First each pair of parameters takes all pairs of sizes while the others have ordinary values.
+ * Then all four parameters are drawn at random from the sizes. */
 START_TEST(every_form_returns_for_extreme_scenes) {
   const po_form *form = po_form_find(FORMS[_i]);
   /* The rigid wavy sphere is an integral, some 10 ms each; the others take microseconds. */
@@ -85,8 +86,8 @@ START_TEST(every_form_returns_for_extreme_scenes) {
 }
 END_TEST
 
-/* Where all sizes are within a factor of 1e20 of each other, there is a number. */
-START_TEST(every_form_has_numbers) {
+/* If all parameters are within a factor of 1e20 of each other, every value is finite. */
+START_TEST(every_form_is_finite_for_moderate_scenes) {
   const po_form *form = po_form_find(FORMS[_i]);
   static const double USUAL[] = {1e-10, 1e-5, 0.1, 1.0, 31.0, 1e5, 1e10};
   const int stride = strcmp(form->name, "rigid") == 0 ? 31 : 1;
@@ -107,7 +108,7 @@ START_TEST(every_form_has_numbers) {
 }
 END_TEST
 
-/* The functions of math that closed forms are made of. */
+/* The mathematical functions that the closed forms use. */
 START_TEST(closed_forms_are_finite_for_extreme_arguments) {
   limit_time();
   for (int i = 0; i < SIZE_COUNT; ++i) {
@@ -122,7 +123,7 @@ START_TEST(closed_forms_are_finite_for_extreme_arguments) {
       if (y > 0.0 && isfinite(x / y))
         for (int n = 0; n < 2; ++n)
           ck_assert_double_le(fabs(po_struve_wave(n, x, y)), 1.0);
-      if (x + y > 1e-150 && x + y < 1e150) /* its square must be a double */
+      if (x + y > 1e-150 && x + y < 1e150) /* its square must not overflow or underflow */
         ck_assert(po_kernel(x + y, x - y) > 0.0);
       if (x < 1e300 && y < 1e300)
         ck_assert(isfinite(po_disc_deflection(x, y)));
@@ -136,9 +137,9 @@ START_TEST(closed_forms_are_finite_for_extreme_arguments) {
 }
 END_TEST
 
-/* Waves by the million: the pull-off by the waves one by one, where that is still done, and by the
- * envelope from 1e8 on, meet; in work that does not grow. Of the approach the nearest trough is
- * what counts. */
+/* Contacts with very many waves. The pull-off is found wave by wave up to 1e8 waves, and from the
+ * envelope beyond. Both agree with the envelope, and the work is bounded. The approach is that of
+ * the nearest trough. */
 START_TEST(guduru_pull_off_with_many_waves_is_the_envelope) {
   limit_time();
   for (double wavelength = 1e-2; wavelength > 1e-12; wavelength *= 0.37) {
@@ -149,7 +150,7 @@ START_TEST(guduru_pull_off_with_many_waves_is_the_envelope) {
     ck_assert_double_eq_tol(-got.load / force, 1.0, 1e-14 + 0.3 / (waves * waves));
     const po_contact edge = po_kesari_lew_edge(&s, a, -1);
     ck_assert_double_eq_tol(got.approach / edge.approach, 1.0, 1e-14 + 1.0 / waves / waves);
-    if (waves < 1e11) { /* the contact radius can say so: there the load is that */
+    if (waves < 1e11) { /* the phase is resolved by the contact radius: Eq 5 gives the load there */
       const po_contact there = po_guduru_at(&s, a);
       const double phase = 2.0 * M_PI * DBL_EPSILON * waves;
       ck_assert_double_eq_tol(there.load / got.load, 1.0, 1e-14 + phase * phase);
@@ -159,8 +160,8 @@ START_TEST(guduru_pull_off_with_many_waves_is_the_envelope) {
 }
 END_TEST
 
-/* H0 and H1 of many waves: what the rounding of 2 pi a/lambda would take is not lost. mpmath, 40
- * digits, of these doubles. */
+/* H0 and H1 for many waves: no digits are lost by the rounding of 2 pi a/lambda. The values were
+ * computed with mpmath and 40 digits for these doubles. */
 static const struct {
   double distance, wavelength, h0, h1;
 } WAVES[] = {
@@ -174,7 +175,7 @@ static const struct {
     {777.7, 2.385, -0.0046438596636612413784, 0.61970193796199908349},
 };
 
-START_TEST(phase_is_exact) {
+START_TEST(struve_functions_of_many_waves_keep_their_digits) {
   for (size_t i = 0; i < sizeof WAVES / sizeof *WAVES; ++i) {
     const double size = 1e-15 * (1.0 + M_2_PI);
     ck_assert_double_eq_tol(
@@ -186,7 +187,8 @@ START_TEST(phase_is_exact) {
 }
 END_TEST
 
-/* -(8/3) (x^3 - x^9) of these doubles by mpmath: near the equilibrium the two terms are one. */
+/* -(8/3) (x^3 - x^9) with x = 1/(1 + H), computed with mpmath for these doubles. Near the
+ * equilibrium the two terms are nearly equal. */
 START_TEST(traction_near_equilibrium_does_not_cancel) {
   ck_assert_double_eq_tol(po_lennard_jones_traction(1e-300) / -1.6e-299, 1.0, 2e-15);
   ck_assert_double_eq_tol(po_lennard_jones_traction(1e-15) / -1.5999999999999897243e-14, 1.0,
@@ -201,9 +203,9 @@ START_TEST(traction_near_equilibrium_does_not_cancel) {
 }
 END_TEST
 
-/* The limits of the rigid wavy sphere: one crest, no waves, and crests so close that only their
- * mean is left. */
-START_TEST(rigid_limits) {
+/* The limits of the rigid wavy sphere: one crest, no waves, and waves so short that only the
+ * average of the law over a wave matters. */
+START_TEST(rigid_wavy_sphere_tends_to_its_limits) {
   for (double alpha = 1e-3; alpha < 1e3; alpha *= 57.3)
     for (double amplitude = 1e13; amplitude < 1e60; amplitude *= 1e23)
       ck_assert_double_eq_tol(
@@ -220,7 +222,7 @@ START_TEST(rigid_limits) {
 }
 END_TEST
 
-/* No closed form has touched the handler: it is the program's. */
+/* The error handler that the program has set. */
 static void own_handler(const char *reason, const char *file, int line, int error) {
   ck_abort_msg("GSL: %s (%s:%d, %d)", reason, file, line, error);
 }
@@ -235,15 +237,15 @@ START_TEST(gsl_error_handler_is_unchanged) {
 }
 END_TEST
 
-static void
-add(TCase *tests) { /* each in a process of its own, with GSL's own handler, which aborts */
+/* Each test is a separate process, with the default error handler of GSL, which aborts. */
+static void add(TCase *tests) {
   tcase_add_loop_test(tests, every_form_returns_for_extreme_scenes, 0, FORM_COUNT);
-  tcase_add_loop_test(tests, every_form_has_numbers, 0, FORM_COUNT);
+  tcase_add_loop_test(tests, every_form_is_finite_for_moderate_scenes, 0, FORM_COUNT);
   tcase_add_test(tests, closed_forms_are_finite_for_extreme_arguments);
   tcase_add_test(tests, guduru_pull_off_with_many_waves_is_the_envelope);
-  tcase_add_test(tests, phase_is_exact);
+  tcase_add_test(tests, struve_functions_of_many_waves_keep_their_digits);
   tcase_add_test(tests, traction_near_equilibrium_does_not_cancel);
-  tcase_add_test(tests, rigid_limits);
+  tcase_add_test(tests, rigid_wavy_sphere_tends_to_its_limits);
   tcase_add_test(tests, gsl_error_handler_is_unchanged);
 }
 

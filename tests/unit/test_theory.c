@@ -19,7 +19,7 @@ static const po_scene SCENES[] = {{5.0, 10.0, 20.0, 100.0, INFINITY},
                                   {7.7, 0.03, 400.0, 91.0, INFINITY}};
 enum { SCENE_COUNT = sizeof SCENES / sizeof *SCENES };
 
-START_TEST(jkr_at_known_points) {
+START_TEST(jkr_agrees_with_known_values) {
   const po_scene *s = &SCENES[_i];
   const po_contact load = po_jkr_pull_off(s), last = po_jkr_last(s);
   ck_assert_double_eq_tol(load.load, -1.5, 1e-14);
@@ -29,7 +29,8 @@ START_TEST(jkr_at_known_points) {
 }
 END_TEST
 
-START_TEST(guduru_is_eq_5) { /* as printed, with H2, in alpha and beta */
+/* In the form of the paper, with H2, alpha and beta. */
+START_TEST(guduru_is_eq_5) {
   const po_scene *s = &SCENES[_i];
   const double alpha = po_scene_alpha(s);
   const double beta = pow(s->wavelength, 3.0) / (2.0 * M_PI * pow(s->radius * s->tabor, 1.5));
@@ -49,7 +50,7 @@ START_TEST(guduru_is_eq_5) { /* as printed, with H2, in alpha and beta */
 }
 END_TEST
 
-START_TEST(guduru_rate_is_the_slope) {
+START_TEST(guduru_load_rate_agrees_with_finite_differences) {
   const po_scene *s = &SCENES[_i];
   for (double a = 0.1 * s->wavelength; a < 6.0 * s->wavelength; a *= 1.6) {
     const double h = 1e-4 * fmin(a, s->wavelength);
@@ -60,7 +61,7 @@ START_TEST(guduru_rate_is_the_slope) {
 }
 END_TEST
 
-START_TEST(guduru_becomes_jkr) {
+START_TEST(guduru_tends_to_jkr_for_small_amplitudes) {
   po_scene s = SCENES[_i];
   s.amplitude = 1e-11;
   const po_contact wavy = po_guduru_pull_off(&s), smooth = po_jkr_pull_off(&s);
@@ -70,7 +71,8 @@ START_TEST(guduru_becomes_jkr) {
 }
 END_TEST
 
-START_TEST(smooth_is_jkr) { /* amplitude 0, with or without a wavelength, is the limit itself */
+/* Amplitude 0, with or without a wavelength, gives the JKR values exactly. */
+START_TEST(amplitude_zero_is_jkr) {
   po_scene s = SCENES[_i];
   s.amplitude = 0.0;
   for (int k = 0; k < 2; ++k, s.wavelength = 0.0) {
@@ -114,7 +116,8 @@ START_TEST(guduru_pull_off_at_a_known_scene) {
 }
 END_TEST
 
-START_TEST(envelope_encloses_eq_5) { /* many short waves: between the edges, touching both */
+/* With many short waves the load is between the two envelopes and touches both. */
+START_TEST(envelope_encloses_eq_5) {
   const po_scene s = {3.1, 0.02, 0.9, 770.0, INFINITY};
   const double middle = 60.0;
   double low = INFINITY, high = INFINITY;
@@ -130,7 +133,7 @@ START_TEST(envelope_encloses_eq_5) { /* many short waves: between the edges, tou
 }
 END_TEST
 
-/* Eq 22 by a fine midpoint sum in theta; beyond 400 waves the mean gap. */
+/* Eq 22 by a fine midpoint sum in theta. Beyond 400 waves the gap is replaced by its mean. */
 static double eq_22(double amplitude, double alpha, double approach) {
   const double step = 4e-4 * M_PI, end = 800.0 * M_PI, c = amplitude / (8.0 * M_PI * M_PI * alpha);
   const double x0 = 1.0 / (1.0 - approach);
@@ -149,7 +152,7 @@ static const double RIGID[][3] = {{1.0, 0.25, 0.2}, {0.7, 2.385, 0.31}, {5.0, 0.
                                   {40.0, 1.1, 0.1}, {1.0, 0.25, -1.3},  {0.31, 0.0997, 0.12}};
 enum { RIGID_COUNT = sizeof RIGID / sizeof *RIGID };
 
-START_TEST(rigid_is_eq_22) {
+START_TEST(rigid_wavy_sphere_is_eq_22) {
   const double A = RIGID[_i][0], alpha = RIGID[_i][1], approach = RIGID[_i][2];
   ck_assert_double_eq_tol(po_wavy_rigid_load(A, alpha, approach), eq_22(A, alpha, approach), 2e-9);
   const double h = 1e-4, slope = (po_wavy_rigid_load(A, alpha, approach + h) -
@@ -160,7 +163,7 @@ START_TEST(rigid_is_eq_22) {
 }
 END_TEST
 
-START_TEST(rigid_becomes_bradley) {
+START_TEST(rigid_wavy_sphere_tends_to_bradley) {
   for (double approach = -3.1; approach < 0.5; approach += 0.7) {
     const double exact = po_bradley_load(approach);
     ck_assert_double_eq_tol(po_wavy_rigid_load(2.385, 1e-12, approach), exact,
@@ -171,22 +174,23 @@ START_TEST(rigid_becomes_bradley) {
 }
 END_TEST
 
-START_TEST(rigid_pull_off) {
+START_TEST(rigid_pull_off_is_within_its_limits) {
   ck_assert_double_eq_tol(po_wavy_rigid_pull_off(1.0, 0.25).force, 0.7410559, 1e-7);
   ck_assert_double_eq_tol(po_wavy_rigid_pull_off(1.0, 1e-4).force, 1.992148, 1e-6);
   for (double A = 1e-3; A < 2e4; A *= 100.0)
     for (double alpha = 1e-4; alpha < 2e3; alpha *= 100.0) {
       const po_rigid_pull_off p = po_wavy_rigid_pull_off(A, alpha);
       ck_assert_double_gt(p.force, 0.0);
-      ck_assert_double_lt(p.force, 2.001); /* 2.00008 at A 1e-3, alpha 0.01, by brute force too */
-      /* where one crest carries it all: Bradley's force of the crest (Eqs 18 and 19) */
+      ck_assert_double_lt(p.force,
+                          2.001); /* 2.00008 at A = 1e-3, alpha = 0.01, confirmed by quadrature */
+      /* if one crest carries the load: Bradley's force for the crest (Eqs 18 and 19) */
       if (A >= 1e3 && alpha <= 0.1)
         ck_assert_double_eq_tol(p.force / po_crest_force(alpha), 1.0, 1e-2);
     }
 }
 END_TEST
 
-START_TEST(estimates) {
+START_TEST(estimates_agree_with_their_formulas) {
   const po_scene *s = &SCENES[_i];
   const double johnson = po_johnson_parameter(s), alpha = po_scene_alpha(s);
   const double beta = pow(s->wavelength, 3.0) / (2.0 * M_PI * pow(s->radius * s->tabor, 1.5));
@@ -205,7 +209,7 @@ START_TEST(estimates) {
 }
 END_TEST
 
-START_TEST(outside_the_domain) {
+START_TEST(outside_the_domain_the_result_is_nan) {
   const po_scene rigid = {0.0, 1.0, 20.0, 100.0, INFINITY};
   ck_assert(isnan(po_guduru_pull_off(&rigid).load));
   ck_assert(isnan(po_jkr_at(&rigid, 1.0).load));
@@ -218,19 +222,19 @@ END_TEST
 
 static void add(TCase *tests) {
   gsl_set_error_handler_off();
-  tcase_add_loop_test(tests, jkr_at_known_points, 0, SCENE_COUNT);
+  tcase_add_loop_test(tests, jkr_agrees_with_known_values, 0, SCENE_COUNT);
   tcase_add_loop_test(tests, guduru_is_eq_5, 0, SCENE_COUNT);
-  tcase_add_loop_test(tests, guduru_rate_is_the_slope, 0, SCENE_COUNT);
-  tcase_add_loop_test(tests, guduru_becomes_jkr, 0, SCENE_COUNT);
-  tcase_add_loop_test(tests, smooth_is_jkr, 0, SCENE_COUNT);
+  tcase_add_loop_test(tests, guduru_load_rate_agrees_with_finite_differences, 0, SCENE_COUNT);
+  tcase_add_loop_test(tests, guduru_tends_to_jkr_for_small_amplitudes, 0, SCENE_COUNT);
+  tcase_add_loop_test(tests, amplitude_zero_is_jkr, 0, SCENE_COUNT);
   tcase_add_loop_test(tests, pull_off_is_the_global_minimum, 0, SCENE_COUNT);
   tcase_add_test(tests, guduru_pull_off_at_a_known_scene);
   tcase_add_test(tests, envelope_encloses_eq_5);
-  tcase_add_loop_test(tests, rigid_is_eq_22, 0, RIGID_COUNT);
-  tcase_add_test(tests, rigid_becomes_bradley);
-  tcase_add_test(tests, rigid_pull_off);
-  tcase_add_loop_test(tests, estimates, 0, SCENE_COUNT);
-  tcase_add_test(tests, outside_the_domain);
+  tcase_add_loop_test(tests, rigid_wavy_sphere_is_eq_22, 0, RIGID_COUNT);
+  tcase_add_test(tests, rigid_wavy_sphere_tends_to_bradley);
+  tcase_add_test(tests, rigid_pull_off_is_within_its_limits);
+  tcase_add_loop_test(tests, estimates_agree_with_their_formulas, 0, SCENE_COUNT);
+  tcase_add_test(tests, outside_the_domain_the_result_is_nan);
 }
 
 int main(void) {
