@@ -41,7 +41,8 @@ static char *make_id(const po_case *kase, size_t point, const po_check *check, c
   return text.data;
 }
 
-/* Of a special point, which one; its quantity says the rest. */
+/* Composes the subject of the quantity and, for a special point, its name. The quantity says
+ * whether the number is its approach or its load. */
 static void name_subject(po_check_result *item, const char *suffix) {
   const size_t length = strcspn(suffix, "/");
   const bool special = suffix[length] == '/';

@@ -1,4 +1,4 @@
-/* What a check found. */
+/* The results of checks. */
 #ifndef PO_CHECK_RESULT_H
 #define PO_CHECK_RESULT_H
 
@@ -11,31 +11,34 @@ typedef enum {
   PO_WITHIN,
   PO_OUTSIDE,
   PO_NO_RESULT,         /* the solve did not deliver the quantity */
-  PO_MISSING_REFERENCE, /* the reference says nothing of this scene */
-  /* What the ledgers say together, see po_judge.h. */
-  PO_IMPROVED,         /* the pin moved, towards every oracle; or less work: bless it */
-  PO_REGRESSED,        /* the pin moved, away from an oracle; or more work */
-  PO_MOVED,            /* the pin moved, and no oracle says whether for the better */
-  PO_WRONG_AND_FROZEN, /* the oracle fails, and the pin holds */
-  PO_SLACK,            /* within, but the tolerance is so wide that it says nothing */
+  PO_MISSING_REFERENCE, /* the reference has no value for this scene */
+  /* Verdicts that combine several references, see po_judge.h. */
+  PO_IMPROVED,         /* the value differs from its pin, and is closer to every oracle; or the
+                          work decreased. The new value can be blessed. */
+  PO_REGRESSED,        /* the value differs from its pin, and is further from an oracle; or the
+                          work increased */
+  PO_MOVED,            /* the value differs from its pin, and no oracle decides which is better */
+  PO_WRONG_AND_FROZEN, /* the check against the oracle fails, and the one against the pin passes */
+  PO_SLACK,            /* within, but the tolerance is too wide to detect an error */
   PO_VERDICT_COUNT
 } po_verdict;
 
 typedef struct {
   char *id;     /* "pull_off_force/feng_pull_off/tabor=1" */
-  size_t point; /* of the case; when `whole`, one of those the result is of */
-  bool whole;   /* of all points of the case together */
+  size_t point; /* number of the point in the case; if `whole`, an example */
+  bool whole;   /* the result belongs to all points of the case together */
   const po_check *check;
   char quantity[32]; /* "pull_off_force", "fold_approach"... */
-  char subject[64];  /* the same of the same point in every ledger: "fold_approach/jump_in-1" */
+  char subject[64];  /* identifies the number in a point, e.g. "fold_approach/jump_in-1"; equal in
+                        checks of the same number against different references */
   po_ledger ledger;
-  double obtained;       /* NAN: none; for a curve none, only `error` */
-  double expected;       /* NAN: none */
-  double error;          /* obtained - expected, or a distance; NAN: none */
-  double allowance;      /* the tolerance as an absolute number; NAN: unknown without `expected` */
+  double obtained;       /* NAN: no result, or a curve, which has only an error */
+  double expected;       /* NAN: no reference value, or a curve */
+  double error;          /* obtained - expected, or the distance of curves; NAN: not known */
+  double allowance;      /* the tolerance as an absolute number; NAN: not known */
   double uncertainty;    /* of the reference, absolute; NAN: not given */
-  double ratio;          /* |error| / allowance; NAN: none */
-  double approach, load; /* where on the curve; NAN: nowhere in particular */
+  double ratio;          /* |error| / allowance; NAN: not known */
+  double approach, load; /* place on the curve; NAN: the number has no place */
   po_verdict verdict;
   char note[200];
 } po_check_result;
@@ -45,20 +48,22 @@ typedef struct {
   size_t count;
 } po_check_results;
 
-/* "within", "outside", "no_result", "missing_reference", "improved", "regressed", "moved",
- * "wrong_and_frozen", "slack". */
+/* Returned: "within", "outside", "no_result", "missing_reference", "improved", "regressed",
+ * "moved", "wrong_and_frozen" or "slack". */
 const char *po_verdict_name(po_verdict verdict);
 
-/* Whether a check with this verdict passes: within, improved and slack do. The last two are to be
- * told nevertheless. */
+/* Reports whether a check with this verdict passes: within, improved or slack. Improved and slack
+ * are reported to the user nevertheless. */
 bool po_verdict_passes(po_verdict verdict);
 
-/* The short name of the reference of a check: "reference/feng_pull_off.csv" -> "feng_pull_off". */
+/* Returned: in `name`, the short name of the reference of a check: "feng_pull_off" for
+ * "reference/feng_pull_off.csv". */
 void po_check_result_reference(const po_check *check, char name[64]);
 
-/* Adds a result for one number, its verdict by the tolerance of the check; `name` is the quantity
- * in the results, `suffix` ends the id ("" or "jump_in-1"). Returned: the new item; NULL without
- * memory. */
+/* Adds the result of the comparison of one number; the tolerance of the check decides the verdict.
+ * Given: `name`, the quantity in the results; `suffix`, the end of the id ("" or
+ * "jump_in-1/load").
+ * Returned: the new item; NULL without memory. */
 po_check_result *po_check_results_add(po_check_results *check_results, const po_case *kase,
                                       size_t point, const po_check *check, const char *name,
                                       const char *suffix, double obtained,

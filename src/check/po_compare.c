@@ -10,10 +10,10 @@
 #include "po_memory.h"
 #include "po_pins.h"
 
-static const po_reference_number NOTHING = {(double)NAN, (double)NAN};
+static const po_reference_number UNKNOWN = {(double)NAN, (double)NAN};
 
-/* A number of folds is one in a table of pins; elsewhere it is that of the special points in range.
- */
+/* Reports whether a quantity is a single number in the reference. Pins contain the number of folds;
+ * for other references it is the number of listed folds over the common range. */
 static bool is_single(po_quantity quantity, const po_reference *reference) {
   return po_quantity_is_pull_off(quantity) || po_quantity_is_diagnostic(quantity) ||
          (po_quantity_is_hysteresis(quantity) && quantity != PO_JUMPS) ||
@@ -55,13 +55,13 @@ double po_compare_obtained(po_quantity quantity, const po_result *result) {
 static po_status compare_single(const po_case *kase, size_t point, const po_check *check,
                                 const po_reference *reference, const po_result *result,
                                 po_check_results *check_results) {
-  po_reference_number expected = NOTHING;
+  po_reference_number expected = UNKNOWN;
   const po_request request = po_check_request(check, &kase->points[point].request);
   const po_status status = po_reference_find(reference, check->quantity, &request, &expected);
   if (status && status != PO_NOT_FOUND)
     return status;
   if (status)
-    expected = NOTHING;
+    expected = UNKNOWN;
   po_check_result *item =
       po_check_results_add(check_results, kase, point, check, po_quantity_name(check->quantity), "",
                            po_compare_obtained(check->quantity, result), expected);
@@ -74,7 +74,7 @@ static po_status compare_single(const po_case *kase, size_t point, const po_chec
   return PO_OK;
 }
 
-/* Points, rates and positions of a curve of ours; owned by the caller. */
+/* Returned: in *curve, points, rates and positions of the computed curve; the caller frees them. */
 static po_status plane_of(const po_result *result, po_plane_curve *curve) {
   const size_t count = result->curve_count;
   po_plane_point *plane = po_allocate(2 * count, sizeof *plane);
@@ -120,21 +120,22 @@ static po_status compare_curve(const po_case *kase, size_t point, const po_check
   po_curve_verdict found = {0};
   const po_request request = po_check_request(check, &kase->points[point].request);
   po_status status = po_reference_points(reference, PO_CURVE, &request, result, &theirs, &count);
-  const bool spoken = status == PO_OK;
-  double doubt = (double)NAN;
-  for (size_t i = 0; spoken && i < count; ++i)
-    doubt = fmax(doubt, fmax(theirs[i].approach_uncertainty, theirs[i].load_uncertainty));
-  if (spoken)
-    /* markers read off a figure do not run along the branch */
+  const bool known = status == PO_OK;
+  double uncertainty = (double)NAN;
+  for (size_t i = 0; known && i < count; ++i)
+    uncertainty =
+        fmax(uncertainty, fmax(theirs[i].approach_uncertainty, theirs[i].load_uncertainty));
+  if (known)
+    /* published points are markers read off a figure, which are not in the order of the branch */
     status = compare_planes(result, theirs, count, reference->ledger == PO_LEDGER_PUBLISHED,
                             check->tolerance, &found);
   free(theirs);
   if (status && status != PO_NOT_FOUND)
     return status;
-  const bool compared = spoken && found.compared > 0 && result->status == PO_OK;
+  const bool compared = known && found.compared > 0 && result->status == PO_OK;
   po_check_result *item = po_check_results_add(
       check_results, kase, point, check, "curve", "", compared ? found.distance : (double)NAN,
-      (po_reference_number){spoken ? 0 : (double)NAN, doubt});
+      (po_reference_number){known ? 0 : (double)NAN, uncertainty});
   if (!item)
     return PO_NO_MEMORY;
   item->obtained = item->expected = (double)NAN;
@@ -148,40 +149,41 @@ static po_status compare_curve(const po_case *kase, size_t point, const po_check
     snprintf(item->note, sizeof item->note, "%s", found.note);
   else
     snprintf(item->note, sizeof item->note,
-             "furthest near approach %.4g, load %.4g; %zu points compared, %zu beyond the ends",
+             "largest distance near approach %.4g, load %.4g; %zu points compared, %zu beyond the "
+             "ends",
              found.where.approach, found.where.load, found.compared, found.left_out);
   return PO_OK;
 }
 
-/* Why the reverse trace has no number. */
-static void tell_reverse_trace(po_check_result *item, const po_result *result) {
+/* Writes the reason why the reverse trace has no result. */
+static void explain_no_reverse_trace(po_check_result *item, const po_result *result) {
   const po_reverse_trace *w = &result->diagnostics.reverse_trace;
   const size_t size = sizeof item->note;
   if (!w->made)
-    snprintf(item->note, size, "the branch is followed back on panels alone, and not when rigid");
+    snprintf(item->note, size, "only elastic scenes on panels have a reverse trace");
   else if (w->status)
     snprintf(item->note, size, "on the reverse trace: %.170s", w->reason);
   else
     snprintf(item->note, size,
-             "%zu folds on the way out, %zu on the reverse trace; extrema %zu and %zu",
+             "%zu folds on the trace, %zu on the reverse trace; extrema %zu and %zu",
              result->fold_count, w->folds, result->extremum_count, w->extrema);
 }
 
-/* What there is to say when there was nothing to compare. */
-static void tell_silence(po_check_result *item, const po_reference *reference,
-                         const po_result *result) {
+/* Writes the reason into the note if nothing was compared. */
+static void explain_no_comparison(po_check_result *item, const po_reference *reference,
+                                  const po_result *result) {
   const size_t size = sizeof item->note;
   if (item->verdict == PO_NO_RESULT && result->status)
     snprintf(item->note, size, "%.190s", result->reason);
   else if (item->verdict == PO_NO_RESULT && strcmp(item->quantity, "reverse_trace") == 0)
-    tell_reverse_trace(item, result);
+    explain_no_reverse_trace(item, result);
   else if (item->verdict == PO_NO_RESULT)
-    snprintf(item->note, size, "nothing to compare over a common range");
+    snprintf(item->note, size, "result and reference have no common range");
   else if (item->verdict == PO_MISSING_REFERENCE && reference->type == PO_REFERENCE_PINS)
     snprintf(item->note, size, "%s %.150s",
              po_pins_exist(reference) ? "not pinned in" : "there is no file", reference->shown);
   else if (item->verdict == PO_MISSING_REFERENCE)
-    snprintf(item->note, size, "the reference does not speak of this scene");
+    snprintf(item->note, size, "the reference does not contain this scene");
 }
 
 po_status po_compare(const po_case *kase, size_t point, const po_check *check,
@@ -206,7 +208,7 @@ po_status po_compare(const po_case *kase, size_t point, const po_check *check,
     status = po_compare_special_points(kase, point, check, reference, result, check_results);
   for (size_t i = before; i < check_results->count; ++i) {
     check_results->items[i].ledger = reference->ledger;
-    tell_silence(&check_results->items[i], reference, result);
+    explain_no_comparison(&check_results->items[i], reference, result);
   }
   return status;
 }

@@ -55,8 +55,8 @@ po_status po_compare_jumps(const po_case *kase, size_t point, const po_check *ch
     return PO_OK;
   if (loop->jump_count != rows || !phases_agree(reference, &request, loop, (size_t)column)) {
     item->verdict = PO_OUTSIDE;
-    snprintf(item->note, sizeof item->note, "%zu in loading, %zu in unloading", loop->loading_jumps,
-             loop->jump_count - loop->loading_jumps);
+    snprintf(item->note, sizeof item->note, "jumps in loading: %zu, in unloading: %zu",
+             loop->loading_jumps, loop->jump_count - loop->loading_jumps);
     return PO_OK;
   }
   const po_compare_target target = {kase, point, check, reference, check_results};
@@ -66,7 +66,7 @@ po_status po_compare_jumps(const po_case *kase, size_t point, const po_check *ch
   return status;
 }
 
-po_status po_compare_jumps_doubt(const po_reference *reference, const po_request *request,
-                                 po_reference_number *most) {
-  return po_compare_rows_doubt(reference, request, NUMBERS, NUMBER_COUNT, most);
+po_status po_compare_jumps_uncertainty(const po_reference *reference, const po_request *request,
+                                       po_reference_number *most) {
+  return po_compare_rows_uncertainty(reference, request, NUMBERS, NUMBER_COUNT, most);
 }

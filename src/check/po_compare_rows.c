@@ -1,4 +1,4 @@
-/* Tables that list several things of a scene, a row each. */
+/* Comparison with tables that have several rows for a scene. */
 #include <math.h>
 #include <stdio.h>
 
@@ -41,9 +41,9 @@ po_status po_compare_row_add(const po_compare_target *target, size_t row, const 
   return PO_OK;
 }
 
-po_status po_compare_rows_doubt(const po_reference *reference, const po_request *request,
-                                const po_compare_column *columns, size_t count,
-                                po_reference_number *most) {
+po_status po_compare_rows_uncertainty(const po_reference *reference, const po_request *request,
+                                      const po_compare_column *columns, size_t count,
+                                      po_reference_number *most) {
   po_status status = PO_OK;
   *most = (po_reference_number){(double)NAN, 0};
   for (size_t row = 0; row < reference->table.row_count; ++row)

@@ -8,7 +8,7 @@
 po_status po_compare_share(const po_case *kase, const bool *asked, const po_check *check,
                            const po_reference *reference, const po_result *results,
                            po_check_results *check_results) {
-  size_t concerned = 0, solved = 0, silent = 0, example = 0;
+  size_t concerned = 0, solved = 0, without_reason = 0, example = 0;
   for (size_t i = 0; i < kase->point_count; ++i) {
     if (!asked[i] || !po_check_concerns(check, &kase->points[i].request))
       continue;
@@ -16,7 +16,7 @@ po_status po_compare_share(const po_case *kase, const bool *asked, const po_chec
     if (results[i].status == PO_OK)
       solved += 1;
     else {
-      silent += results[i].reason[0] ? 0 : 1;
+      without_reason += results[i].reason[0] ? 0 : 1;
       example = concerned == solved + 1 ? i : example;
     }
   }
@@ -35,12 +35,12 @@ po_status po_compare_share(const po_case *kase, const bool *asked, const po_chec
   item->id = id;
   item->whole = true;
   item->ledger = reference->ledger;
-  if (silent) {
+  if (without_reason) {
     item->verdict = PO_OUTSIDE;
-    snprintf(item->note, sizeof item->note, "%zu of %zu failures give no reason", silent,
+    snprintf(item->note, sizeof item->note, "%zu of %zu failures have no reason", without_reason,
              concerned - solved);
   } else if (solved < concerned)
-    snprintf(item->note, sizeof item->note, "%zu of %zu failed, the first point %s: %.100s",
+    snprintf(item->note, sizeof item->note, "%zu of %zu points failed, first point %s: %.100s",
              concerned - solved, concerned, kase->points[example].id, results[example].reason);
   return PO_OK;
 }

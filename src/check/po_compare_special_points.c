@@ -5,17 +5,18 @@
 
 #include "po_compare_parts.h"
 
-/* The special points of one sort to set side by side. */
+/* The folds or the extrema of a result and of the reference, over the common range. */
 typedef struct {
   const po_special_point *ours;
   size_t count;
   po_reference_point *theirs; /* to be freed */
   size_t their_count;
-  bool spoken, solved; /* whether the reference speaks of the scene, and ours was solved */
+  bool known, solved; /* the reference contains the scene; the scene was solved */
 } special_point_lists;
 
-/* Special points ahead of the start of the traced branch were not ours to find (NaN: no such
- * start). In between, along the branch, the approach may well be smaller than at the start. */
+/* Removes the special points before the start of the traced branch (NAN: the branch has no limited
+ * start). Only the first ones of the list are removed: later on the branch the approach can again
+ * be smaller than at the start. */
 static size_t drop_before_start(po_reference_point *points, size_t count, double start) {
   size_t first = 0;
   while (first < count && points[first].approach < start)
@@ -24,11 +25,13 @@ static size_t drop_before_start(po_reference_point *points, size_t count, double
   return count - first;
 }
 
-/* On a wavy sphere folds go on for ever, and the later ones may have a smaller approach than the
- * end of a shorter branch. Where a branch ends with its approach rising, the next fold of a longer
- * one is a jump_in above that end: with it begins what the shorter branch has no counterpart of.
- * Given: the number of special points found up to the end (which may be the last of them, and below
- * earlier ones). */
+/* Counts the special points up to the end of the shorter of two branches. On a wavy sphere the
+ * number of folds is unlimited, and later folds may have a smaller approach than the end of the
+ * shorter branch. If that branch ends while its approach increases, the next fold of the longer
+ * branch is a jump_in at a larger approach than the end; this fold and all later ones have no
+ * counterpart.
+ * Given: `found`, the number of special points of the shorter branch, which all have a counterpart;
+ * `end`, the approach of its end. */
 static size_t count_ours_up_to(const po_special_point *ours, size_t count, size_t found,
                                double end) {
   for (size_t i = found; i < count; ++i)
@@ -45,7 +48,7 @@ static size_t count_theirs_up_to(const po_reference_point *theirs, size_t count,
   return count;
 }
 
-/* The lists over the range both have. */
+/* Finds both lists over the common range. */
 static po_status find_lists(const po_request *request, bool folds, const po_reference *reference,
                             const po_result *result, special_point_lists *l) {
   *l = (special_point_lists){.ours = folds ? result->folds : result->extrema,
@@ -60,7 +63,7 @@ static po_status find_lists(const po_request *request, bool folds, const po_refe
     status = po_reference_complete_to(reference, request, &complete_to);
   if (status)
     return status;
-  l->spoken = true;
+  l->known = true;
   if (!l->solved)
     return PO_OK;
   l->their_count = drop_before_start(l->theirs, l->their_count, result->start);
@@ -70,7 +73,7 @@ static po_status find_lists(const po_request *request, bool folds, const po_refe
   return PO_OK;
 }
 
-/* The two lists correspond when they have the same kinds in the same order. */
+/* Reports whether the two lists have the same kinds of special points in the same order. */
 static bool lists_correspond(const po_special_point *ours, size_t count,
                              const po_reference_point *theirs, size_t their_count) {
   bool same = count == their_count;
@@ -79,11 +82,11 @@ static bool lists_correspond(const po_special_point *ours, size_t count,
   return same;
 }
 
-/* What distinguishes lists that do not correspond: of the longer one, the special point that is
- * furthest from all of its kind in the other. */
-static void tell_difference(const po_special_point *ours, size_t count,
-                            const po_reference_point *theirs, size_t their_count, char *note,
-                            size_t size) {
+/* Describes the difference of two lists: names the special point of the longer list that is
+ * furthest from all points of its kind in the other list. */
+static void describe_difference(const po_special_point *ours, size_t count,
+                                const po_reference_point *theirs, size_t their_count, char *note,
+                                size_t size) {
   const bool missing = their_count > count;
   const size_t more = missing ? their_count : count, fewer = missing ? count : their_count;
   double furthest = -1;
@@ -144,18 +147,18 @@ po_status po_compare_special_points(const po_case *kase, size_t point, const po_
   special_point_lists l;
   po_status status = find_lists(&request, folds, reference, result, &l);
   if (!status) {
-    const po_reference_number expected = {l.spoken ? (double)l.their_count : (double)NAN, 0};
+    const po_reference_number expected = {l.known ? (double)l.their_count : (double)NAN, 0};
     po_check_result *item = po_check_results_add(
         check_results, kase, point, check, folds ? "fold_count" : "extremum_count",
         count_only ? "" : "count", l.solved ? (double)l.count : (double)NAN, expected);
     if (!item)
       status = PO_NO_MEMORY;
-    else if (!l.spoken || !l.solved || (count_only && l.count == l.their_count))
+    else if (!l.known || !l.solved || (count_only && l.count == l.their_count))
       status = PO_OK;
     else if (!lists_correspond(l.ours, l.count, l.theirs, l.their_count)) {
       if (!count_only)
         item->verdict = PO_OUTSIDE;
-      tell_difference(l.ours, l.count, l.theirs, l.their_count, item->note, sizeof item->note);
+      describe_difference(l.ours, l.count, l.theirs, l.their_count, item->note, sizeof item->note);
     } else
       status = add_pairs(kase, point, check, l.ours, l.theirs, l.count, check_results);
   }

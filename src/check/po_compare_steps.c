@@ -10,8 +10,8 @@ static const po_compare_column NUMBERS[] = {{"from_approach", "step_preload"},
                                             {"energy_lost", "step_energy_lost"}};
 enum { NUMBER_COUNT = sizeof NUMBERS / sizeof *NUMBERS };
 
-/* In load control the first step begins where the bodies are apart, and the energy lost is
- * boundless: the first and the last number are not compared. */
+/* Under load control the first step begins with separated bodies, at no finite approach, and the
+ * energy lost is infinite. So the first and the last number are not compared. */
 static size_t first_compared(po_quantity quantity) {
   return quantity == PO_STEPS ? 0 : 1;
 }
@@ -19,7 +19,8 @@ static size_t count_compared(po_quantity quantity) {
   return NUMBER_COUNT - 2 * first_compared(quantity);
 }
 
-/* What is driven, and its column. */
+/* Returned: the controlled quantity, approach or load; the column of its value at the begin of a
+ * step. */
 static double driven(po_quantity quantity, const po_path_state *state) {
   return quantity == PO_STEPS ? state->approach : state->load;
 }
@@ -27,8 +28,8 @@ static const char *driven_column(po_quantity quantity) {
   return quantity == PO_STEPS ? "from_approach" : "from_load";
 }
 
-/* The greatest approach (or load) up to which the table lists the steps of a scene; NAN: it does
- * not say, or lists none. */
+/* Returned: the greatest approach (or load) up to which the table lists all steps of a scene; NAN:
+ * the table has no column complete_to, or no row for the scene. */
 static double table_reach(const po_reference *reference, const po_request *request) {
   const size_t row = po_compare_row(reference, request, 0);
   po_reference_number number = {(double)NAN, 0};
@@ -44,7 +45,7 @@ static size_t count_ours(po_quantity quantity, const po_staircase *ours, double 
   return count;
 }
 
-/* The rows that list steps up to where loading came. */
+/* Counts the rows whose steps begin within the range of loading, up to `reach`. */
 static size_t count_theirs(po_quantity quantity, const po_reference *reference,
                            const po_request *request, double reach, po_status *status) {
   const size_t all = po_compare_row_count(reference, request);
@@ -104,8 +105,8 @@ po_status po_compare_steps(const po_case *kase, size_t point, const po_check *ch
   return status;
 }
 
-po_status po_compare_steps_doubt(po_quantity quantity, const po_reference *reference,
-                                 const po_request *request, po_reference_number *most) {
-  return po_compare_rows_doubt(reference, request, NUMBERS + first_compared(quantity),
-                               count_compared(quantity), most);
+po_status po_compare_steps_uncertainty(po_quantity quantity, const po_reference *reference,
+                                       const po_request *request, po_reference_number *most) {
+  return po_compare_rows_uncertainty(reference, request, NUMBERS + first_compared(quantity),
+                                     count_compared(quantity), most);
 }

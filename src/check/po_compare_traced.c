@@ -3,6 +3,7 @@
 
 #include "po_compare_parts.h"
 
+/* Returned: the value of a quantity in the trace, with its estimated error as the uncertainty. */
 static po_reference_number number_of(const po_check *check, const po_result *trace) {
   double error = trace->pull_off.approach_error;
   if (check->quantity == PO_PULL_OFF_FORCE)
@@ -34,7 +35,7 @@ po_status po_compare_traced(const po_case *kase, const bool *asked, const po_che
     else if (result->status)
       snprintf(item->note, sizeof item->note, "%.190s", result->reason);
     else if (!result->followed)
-      snprintf(item->note, sizeof item->note, "not followed: the line was traced here");
+      snprintf(item->note, sizeof item->note, "not computed by continuation: the scene was traced");
   }
   return PO_OK;
 }

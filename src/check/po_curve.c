@@ -10,13 +10,14 @@
 /* A curve, the part of it that is compared, and the folds in that part. */
 typedef struct {
   po_plane_curve curve;
-  size_t first, last; /* of the compared points */
-  size_t *folds;      /* indices of points where the approach turns */
+  size_t first, last; /* indices of the first and the last compared point */
+  size_t *folds;      /* indices of points at which the approach has an extremum */
   size_t fold_count;
 } po_track;
 
-/* The last point to look at: where the approach first exceeds the end of the other curve, if that
- * end is the other's greatest approach. On a wavy sphere what follows may turn back below it. */
+/* Returned: the last point that can be compared: the one at which the approach first exceeds the
+ * end of the other curve, if that end has the greatest approach of the other curve. On a wavy
+ * sphere the approach of later points may be below it again. */
 static size_t first_passage(const po_track *track, double end, const po_track *other) {
   for (size_t i = 0; i < other->curve.count; ++i)
     if (other->curve.points[i].approach > end)
@@ -27,9 +28,10 @@ static size_t first_passage(const po_track *track, double end, const po_track *o
   return track->curve.count - 1;
 }
 
-/* The branch begins far out, at small approach, and ends in contact, at large: what one curve has
- * ahead of the other's start, and beyond its end, has no counterpart. Beside the ends a steep curve
- * is beyond in load rather than in approach. */
+/* Determines the compared part of a curve. The branch begins at large separation, with small
+ * approach, and ends in contact, with large approach. Points before the start or beyond the end of
+ * the other curve have no counterpart. Where the curve is steep, a point can lie beyond the end in
+ * load rather than in approach, so the nearest point is tested as well. */
 static void track_trim(po_track *track, const po_track *other) {
   const po_stretch whole = po_plane_whole(&other->curve);
   const double start = other->curve.points[0].approach,
@@ -66,17 +68,17 @@ static double chord(const po_track *track, size_t i) {
   return hypot(q.approach - p.approach, q.load - p.load);
 }
 
-/* The spacing of the points beside fold k: the point of a curve that is its fold may lie as far
- * behind the true one. A fold is never the first or the last point. */
+/* Returned: the larger distance of the point of fold k from its neighbours. The true fold may lie
+ * at this distance from the point. A fold is never the first or the last point. */
 static double track_spacing(const po_track *track, size_t k) {
   return fmax(chord(track, track->folds[k] - 1), chord(track, track->folds[k]));
 }
 
-/* What of `track` the points of stretch k of `other` are set beside: from its fold k - 1 to its
- * fold k; the first and last stretch run to the ends of the curve. Either curve may turn beside the
- * point where it is seen to turn. So one element more belongs to it, beyond which the curve has
- * turned, and as many more as cover the spacing of the other beside its fold: how short the first
- * is, is up to chance. */
+/* Returned: the stretch of `track` that is compared with stretch k of `other`: from fold k - 1 to
+ * fold k of `track`; the first and the last stretch extend to the ends of the curve. The true fold
+ * of either curve lies beside the point that is taken for it. Therefore the stretch is extended
+ * over each fold by one element, and by further elements that cover the spacing of `other` at its
+ * fold. The first element alone does not suffice, because it can be arbitrarily short. */
 static po_stretch track_stretch(const po_track *track, const po_track *other, size_t k) {
   po_stretch stretch = po_plane_whole(&track->curve);
   if (k > 0) {
@@ -93,7 +95,7 @@ static po_stretch track_stretch(const po_track *track, const po_track *other, si
   return stretch;
 }
 
-/* The stretch point i is on. */
+/* Returned: the number of the stretch to which point i belongs. */
 static size_t track_stretch_of(const po_track *track, size_t i) {
   size_t k = 0;
   while (k < track->fold_count && i > track->folds[k])
@@ -106,14 +108,14 @@ static size_t track_stretch_of(const po_track *track, size_t i) {
  * a number, as that is no evidence that the curves agree. */
 static double excess(po_plane_point point, const po_stretch *stretch) {
   const po_foot foot = po_plane_foot(point, stretch);
-  const double doubt = po_plane_doubt(&stretch->curve, foot.index);
-  return isfinite(foot.distance) && isfinite(doubt) ? fmax(0.0, foot.distance - doubt)
-                                                    : (double)INFINITY;
+  const double uncertainty = po_plane_uncertainty(&stretch->curve, foot.index);
+  return isfinite(foot.distance) && isfinite(uncertainty) ? fmax(0.0, foot.distance - uncertainty)
+                                                          : (double)INFINITY;
 }
 
-/* The largest excess of the compared points of `a` over `b`: from the corresponding stretch when
- * the folds correspond. Whether one so far off lies within the tolerance of another stretch, too.
- */
+/* Finds the largest distance of the compared points of `a` from `b`; from the corresponding stretch
+ * if the numbers of folds agree. If such a point is within the tolerance of another stretch, the
+ * note reports a different branch. */
 static void measure(const po_track *a, const po_track *b, double tolerance,
                     po_curve_verdict *verdict) {
   for (size_t i = a->first; i <= a->last; ++i) {
@@ -139,8 +141,8 @@ static double fold_distance(const po_track *a, size_t i, const po_track *b, size
   return hypot(p.approach - q.approach, p.load - q.load);
 }
 
-/* With unequal numbers of folds: names the fold of the longer list that is furthest from any of the
- * other; its neighbours of the same pair are told by the counts. */
+/* If the numbers of folds differ: names the fold of the longer list that is furthest from all folds
+ * of the other list. Folds come in pairs; the note names one of them and states both numbers. */
 static void name_fold(const po_track *ours, const po_track *reference, po_curve_verdict *verdict) {
   const bool missing = reference->fold_count > ours->fold_count;
   const po_track *more = missing ? reference : ours, *fewer = missing ? ours : reference;

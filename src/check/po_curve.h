@@ -1,6 +1,6 @@
-/* Curves in the plane of approach (in epsilon) and load (in pi w R), compared as curves: stretch by
- * stretch between folds, by the distance normal to the curve. Where a branch is multivalued a
- * comparison at equal approach would say nothing. */
+/* Compares curves in the plane of approach (in epsilon) and load (in pi w R). The distance normal
+ * to the curve is computed separately for each stretch between two folds. A comparison at equal
+ * approach would be meaningless, because the load is a multivalued function of the approach. */
 #ifndef PO_CURVE_H
 #define PO_CURVE_H
 
@@ -14,34 +14,37 @@ typedef struct {
   double load;
 } po_plane_point;
 
-/* A curve by points along it, from far out to contact. */
+/* A curve, given by points along it from large separation to contact. */
 typedef struct {
   const po_plane_point *points;
-  const po_plane_point *rates; /* of the points per position; NULL: not known */
-  const double *positions;     /* ascending; NULL with the rates */
+  const po_plane_point *rates; /* derivatives of the points by the position; NULL: not known */
+  const double *positions;     /* arclength of the points, ascending; NULL: without rates */
   size_t count;
 } po_plane_curve;
 
 typedef struct {
-  size_t compared; /* points of the reference set beside ours; 0: the curves have no common range */
-  size_t left_out; /* points of the reference beyond the ends of ours */
-  double distance; /* the largest, of a point of one from the other curve */
-  po_plane_point where; /* there */
-  bool same_folds;      /* the folds of the two correspond, one by one */
-  char note[160];       /* a missing or spurious fold, a different branch; "" otherwise */
+  size_t compared;      /* compared points of the reference; 0: the curves have no common range */
+  size_t left_out;      /* points of the reference beyond the ends of our curve */
+  double distance;      /* the largest distance of a point of one curve from the other curve */
+  po_plane_point where; /* that point */
+  bool same_folds;      /* both curves have the same number of folds */
+  char note[160];       /* reports a missing or spurious fold, or a different branch; else "" */
 } po_curve_verdict;
 
-/* Compares two curves given by points along them, ends included. Each runs through its points as in
- * po_plane.h; a fold is where the approach turns. Only the range both have is compared. A point of
- * ours counts by how much farther from the reference it is than joining the points of a reference
- * without rates may err. When the folds do not correspond `distance` is from the whole of the other
- * curve. Given: `tolerance`, beyond which a stretch that lies on another stretch of the reference
- * is called a different branch. Status: PO_OK, PO_NO_MEMORY. */
+/* Compares two curves over their common range. Both are interpolated as described in po_plane.h. A
+ * fold is a point at which the approach has an extremum along the curve. If the numbers of folds
+ * agree, corresponding stretches are compared; otherwise each point is compared with the whole of
+ * the other curve. If the reference has no rates, the uncertainty of its interpolation is
+ * subtracted from each distance.
+ * Given: `tolerance`; a point at a larger distance than this that lies on another stretch of the
+ * reference is reported as a different branch.
+ * Status: PO_OK, PO_NO_MEMORY. */
 po_status po_curve_compare(const po_plane_curve *ours, const po_plane_curve *reference,
                            double tolerance, po_curve_verdict *verdict);
 
-/* The same for a reference that is points of a curve in no order, as markers read off a figure: the
- * greatest distance of one of them from the nearest point of ours. Nothing is said of folds. */
+/* Compares our curve with points in no order, such as markers read off a figure.
+ * Returned: in *verdict, the largest distance of one of these points from our curve; folds are not
+ * compared. */
 void po_curve_scatter(const po_plane_curve *ours, const po_plane_point *points, size_t point_count,
                       po_curve_verdict *verdict);
 

@@ -5,77 +5,78 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A tolerance so many times wider than every error it met would not notice the program getting a
- * hundred times worse. */
+/* With a tolerance this many times the largest error, the check would not detect errors that are a
+ * hundred times larger. */
 static const double SLACK = 1000;
 
-/* Errors below so many units of rounding of the value are those of the last digits of a long sum,
- * not of the method. */
+/* Relative errors below this are rounding errors of a long sum, not errors of the method. */
 static const double ROUNDING = 4 * DBL_EPSILON;
 
-static bool is_of_same(const po_check_result *a, const po_check_result *b) {
+/* Reports whether two results belong to the same number of the same point. */
+static bool is_same_number(const po_check_result *a, const po_check_result *b) {
   return a->point == b->point && strcmp(a->subject, b->subject) == 0;
 }
 
-static bool is_counted(const po_check_result *item) {
+static bool is_compared(const po_check_result *item) {
   return item->verdict != PO_NO_RESULT && item->verdict != PO_MISSING_REFERENCE;
 }
 
-/* The error below which a reference cannot tell one value from another. */
+/* Returned: the error below which a reference cannot distinguish two values. */
 static double resolution(const po_check_result *item) {
   const double rounding = ROUNDING * fmax(fabs(item->obtained), fabs(item->expected));
   return fmax(isnan(rounding) ? 0 : rounding, isnan(item->uncertainty) ? 0 : item->uncertainty);
 }
 
-/* What all oracles say of a pinned value and of that which took its place. */
+/* The comparison of a pinned value and of the new value with all oracles. */
 typedef struct {
-  bool fell, rose, outside;
-  char note[128]; /* by how much, against the one it rose against, else the last it fell against */
-} testimony;
+  bool decreased, increased; /* the error against at least one oracle */
+  bool outside;              /* the new value is outside the tolerance of an oracle */
+  char note[128];            /* both errors, against an oracle with an increase if there is one */
+} oracle_summary;
 
-static void hear(const po_check_result *oracle, double pinned, testimony *said) {
+static void add_oracle(const po_check_result *oracle, double pinned, oracle_summary *summary) {
   const double before = fabs(pinned - oracle->expected), after = fabs(oracle->error);
-  said->outside = said->outside || oracle->verdict == PO_OUTSIDE;
+  summary->outside = summary->outside || oracle->verdict == PO_OUTSIDE;
   if (fmax(before, after) <= resolution(oracle) || before == after)
     return;
-  const bool rose = after > before;
-  if (rose || !said->rose) {
+  const bool increased = after > before;
+  if (increased || !summary->increased) {
     char reference[64];
     po_check_result_reference(oracle->check, reference);
-    snprintf(said->note, sizeof said->note, "the error against %.40s %s from %.2g to %.2g",
-             reference, rose ? "rose" : "fell", before, after);
+    snprintf(summary->note, sizeof summary->note, "the error against %.40s %s from %.2g to %.2g",
+             reference, increased ? "increased" : "decreased", before, after);
   }
-  said->rose = said->rose || rose;
-  said->fell = said->fell || !rose;
+  summary->increased = summary->increased || increased;
+  summary->decreased = summary->decreased || !increased;
 }
 
 static void judge_moved(const po_check_results *check_results, po_check_result *pin) {
-  testimony said = {0};
+  oracle_summary summary = {0};
   bool any = false;
   for (size_t i = 0; i < check_results->count; ++i) {
     const po_check_result *other = &check_results->items[i];
-    if (other->ledger != PO_LEDGER_ORACLE || !is_of_same(other, pin) || !is_counted(other))
+    if (other->ledger != PO_LEDGER_ORACLE || !is_same_number(other, pin) || !is_compared(other))
       continue;
     any = true;
-    hear(other, pin->expected, &said);
+    add_oracle(other, pin->expected, &summary);
   }
   char why[sizeof pin->note];
-  if (said.rose) {
+  if (summary.increased) {
     pin->verdict = PO_REGRESSED;
-    snprintf(why, sizeof why, "%s", said.note);
-  } else if (said.fell && !said.outside) {
+    snprintf(why, sizeof why, "%s", summary.note);
+  } else if (summary.decreased && !summary.outside) {
     pin->verdict = PO_IMPROVED;
-    snprintf(why, sizeof why, "%s: bless it", said.note);
+    snprintf(why, sizeof why, "%s: bless it", summary.note);
   } else {
     pin->verdict = PO_MOVED;
     snprintf(why, sizeof why, "%s",
-             said.fell ? "the error fell, but the oracle still fails"
-             : any     ? "no oracle can tell the two values apart"
-                       : "no oracle speaks of it");
+             summary.decreased ? "the error decreased, but the check against the oracle still fails"
+             : any             ? "no oracle can distinguish the two values"
+                               : "no oracle covers this number");
   }
-  char had[sizeof pin->note]; /* a special point that is missing or spurious */
+  char had[sizeof pin->note]; /* the note about a missing or spurious special point */
   snprintf(had, sizeof had, "%s", pin->note);
-  snprintf(pin->note, sizeof pin->note, "%.100s%s%.90s", had, had[0] ? "; " : "", why);
+  snprintf(pin->note, sizeof pin->note, "%.100s%s%.97s", had, had[0] ? "; " : "", why);
 }
 
 static void judge_work(po_check_result *pin) {
@@ -104,21 +105,23 @@ static void judge_oracles(po_check_results *check_results) {
       continue;
     for (size_t k = 0; k < check_results->count; ++k) {
       const po_check_result *pin = &check_results->items[k];
-      if (pin->ledger == PO_LEDGER_PIN && pin->verdict == PO_WITHIN && is_of_same(pin, oracle))
+      if (pin->ledger == PO_LEDGER_PIN && pin->verdict == PO_WITHIN && is_same_number(pin, oracle))
         oracle->verdict = PO_WRONG_AND_FROZEN;
     }
   }
 }
 
-/* A number that is counted, not computed. */
+/* Reports whether a number is a count, which has no numerical error. */
 static bool is_exact(const po_check_result *item) {
   return item->whole || strcmp(item->quantity, "fold_count") == 0 ||
          strcmp(item->quantity, "extremum_count") == 0 || strcmp(item->quantity, "jump_count") == 0;
 }
 
-/* Of the results of one check, from `first` on, the one with the largest error in units of the
- * tolerance; *last is the end of them. NULL: none to be measured by, no error at all, or
- * one that fails. */
+/* Finds the result with the largest error in units of the tolerance among the results of one check.
+ * Given: `first`, the first of these results.
+ * Returned: that result, and in *largest the ratio; NULL if the check is against pins, if a result
+ * is not within, or if there is no error. In *last, the index after the last result of the check.
+ */
 static po_check_result *worst_of_check(po_check_results *check_results, size_t first, size_t *last,
                                        double *largest) {
   const po_check *check = check_results->items[first].check;
@@ -146,7 +149,8 @@ static void judge_tolerances(po_check_results *check_results) {
       continue;
     worst->verdict = PO_SLACK;
     snprintf(worst->note, sizeof worst->note,
-             "the tolerance is %.0f times the largest error this check met, here", 1 / largest);
+             "the tolerance is %.0f times the largest error of this check, which is here",
+             1 / largest);
   }
 }
 

@@ -1,33 +1,32 @@
-/* What the ledgers say together.
+/* Verdicts that combine the checks of the same number against different references.
  *
- * An oracle says whether a number is right, a pin whether it is what it was. Together:
+ * An oracle shows whether a number is correct, a pin shows whether it changed. The combination:
  *
- *   pin    oracle                        verdict of the pin   of the oracle
- *   holds  within                        within               within
- *   holds  outside                       within               wrong_and_frozen
- *   moved  within, error fell            improved             within
- *   moved  error rose                    regressed            within or outside
- *   moved  outside, though error fell    moved                outside
- *   moved  silent, or no oracle          moved
+ *   value         error against the oracle       verdict of the pin   of the oracle
+ *   as pinned     within                         within               within
+ *   as pinned     outside                        within               wrong_and_frozen
+ *   changed       decreased, within              improved             within
+ *   changed       increased                      regressed            within or outside
+ *   changed       decreased, but outside         moved                outside
+ *   changed       undecided, or no oracle        moved
  *
- * An oracle is silent when both errors lie below its own uncertainty: it cannot tell them apart.
- * With several oracles an error that rose against one of them rose. Published values judge by
- * themselves: their uncertainty is of the size of the errors, and no pin is moved for their sake.
+ * An oracle is undecided if the errors of both values are below its uncertainty. With several
+ * oracles, an increase against one of them counts as an increase. Published values have no
+ * influence on the verdict of a pin: their uncertainty is as large as the errors.
  *
- * Counters of work have no oracle: more is regressed, less is improved.
+ * Counters of work have no oracle: an increase is regressed, a decrease is improved.
  *
- * A tolerance against an oracle or a published value is slack when it is more than a thousand times
- * the largest error it met, at any point of the case: one tolerance serves all points of a check,
- * so the worst of them is what it must be measured by. An error counts as no less than the
- * uncertainty of its reference and than rounding. Numbers of folds and shares of solves are counted
- * and no tolerance of theirs is slack; nor is that of a pin, which a program that did not change
- * meets to the bit. */
+ * The tolerance of a check against an oracle or a published value is slack if it is more than a
+ * thousand times the largest error of all points of the case, because the same tolerance applies to
+ * all of them. Errors below the uncertainty of the reference, or below rounding, are replaced by
+ * these. Two kinds of tolerance are never slack: those of integers (numbers of folds, shares of
+ * solved points), and those of pins, which an unchanged program reproduces to the last bit. */
 #ifndef PO_JUDGE_H
 #define PO_JUDGE_H
 
 #include "po_check_result.h"
 
-/* Turns the verdicts of the checks of one case, each judged by itself, into the common ones. */
+/* Replaces the verdicts of the individual checks of a case by the combined verdicts. */
 void po_judge(po_check_results *check_results);
 
 #endif

@@ -18,7 +18,7 @@ static po_plane_point times(double factor, po_plane_point a) {
   return (po_plane_point){factor * a.approach, factor * a.load};
 }
 
-/* The derivative at point i with respect to the length along the chords. */
+/* Returned: the derivative at point i with respect to the length of the chords. */
 static po_plane_point tangent(const po_plane_curve *s, size_t i) {
   const po_plane_point *p = s->points;
   const size_t middle = i == 0 ? 1 : i == s->count - 1 ? s->count - 2 : i;
@@ -39,7 +39,7 @@ static po_plane_point tangent(const po_plane_curve *s, size_t i) {
                           a * left.load / l + b * right.load / r};
 }
 
-/* The cubic between points i and i + 1 at t in [0, 1], and its derivative in t. */
+/* A Hermite cubic on t in [0, 1]: its ends p and q, and its derivatives u and v there. */
 typedef struct {
   po_plane_point p, q, u, v;
 } po_cubic;
@@ -47,8 +47,8 @@ typedef struct {
 static po_cubic cubic_of(const po_plane_curve *s, size_t i) {
   const po_plane_point p = s->points[i], q = s->points[i + 1];
   if (s->rates) {
-    const double way = s->positions[i + 1] - s->positions[i];
-    return (po_cubic){p, q, times(way, s->rates[i]), times(way, s->rates[i + 1])};
+    const double step = s->positions[i + 1] - s->positions[i];
+    return (po_cubic){p, q, times(step, s->rates[i]), times(step, s->rates[i + 1])};
   }
   const double size = length(minus(q, p));
   return (po_cubic){p, q, times(size, tangent(s, i)), times(size, tangent(s, i + 1))};
@@ -91,8 +91,8 @@ static double chord_distance(po_plane_point point, po_plane_point p, po_plane_po
                                               p.load + t * (q.load - p.load)}));
 }
 
-/* Gauss-Newton on the foot of the normal; from the foot on the chord it needs two or three steps.
- */
+/* Gauss-Newton iteration for the nearest point of a cubic. It starts at the nearest point of the
+ * chord and needs two or three steps. */
 static double cubic_foot(po_plane_point point, const po_cubic *c, double *foot) {
   enum { STEPS = 8 };
   double t = chord_parameter(point, c->p, c->q);
@@ -137,7 +137,7 @@ po_foot po_plane_foot(po_plane_point point, const po_stretch *stretch) {
     return (po_foot){.distance = length(minus(point, curve->points[stretch->from])),
                      .index = stretch->from};
   const size_t nearest = nearest_chord(point, stretch);
-  /* The cubic bulges from its chord: the nearest may be one element on. */
+  /* The cubic deviates from its chord, so the nearest point may lie in a neighbouring element. */
   const size_t from = nearest > stretch->from ? nearest - 1 : nearest;
   const size_t to = nearest + 1 < stretch->to ? nearest + 1 : nearest;
   po_foot foot = {.distance = (double)INFINITY};
@@ -145,7 +145,7 @@ po_foot po_plane_foot(po_plane_point point, const po_stretch *stretch) {
     const po_cubic cubic = cubic_of(curve, i);
     double t = 0;
     const double distance = cubic_foot(point, &cubic, &t);
-    if (!(distance < foot.distance)) /* nor when it is not a number */
+    if (!(distance < foot.distance)) /* also if it is NAN */
       continue;
     const size_t last = curve->count - 2;
     foot = (po_foot){
@@ -158,8 +158,8 @@ po_foot po_plane_foot(po_plane_point point, const po_stretch *stretch) {
   return foot;
 }
 
-/* How far point i is from the cubic through two neighbours on either side. */
-static double left_out(const po_plane_curve *curve, size_t i) {
+/* Returned: the distance of point i from the cubic through its two neighbours on either side. */
+static double omission_error(const po_plane_curve *curve, size_t i) {
   po_plane_point around[4];
   size_t count = 0, before = 0;
   for (size_t k = i < 2 ? 0 : i - 2; k <= i + 2 && k < curve->count; ++k) {
@@ -173,13 +173,14 @@ static double left_out(const po_plane_curve *curve, size_t i) {
   return po_plane_foot(curve->points[i], &across).distance;
 }
 
-double po_plane_doubt(const po_plane_curve *curve, size_t index) {
-  /* Evenly spaced, a curve errs by a sixteenth of what it does when points are left out. Where the
-   * spacing is uneven, or the error changes sign, as much as six times the distance of the points
-   * beside was met (the curves of Feng's problem and of the wavy sphere). */
-  static const double OF_LEFT_OUT = 8.0;
+double po_plane_uncertainty(const po_plane_curve *curve, size_t index) {
+  /* With evenly spaced points the interpolation error is a sixteenth of the error with every other
+   * point omitted. With unevenly spaced points, or where the error changes sign, errors up to six
+   * times the distance of the omitted points were found (curves of Feng's problem and of the wavy
+   * sphere). */
+  static const double OMISSION_FACTOR = 8.0;
   double most = 0.0;
   for (size_t i = index > 0 ? index - 1 : 0; !curve->rates && i <= index + 2; ++i)
-    most = fmax(most, left_out(curve, i));
-  return OF_LEFT_OUT * most;
+    most = fmax(most, omission_error(curve, i));
+  return OMISSION_FACTOR * most;
 }

@@ -1,4 +1,4 @@
-/* The distance of a point from a curve given by points along it. */
+/* The distance of a point from a curve that is given by points along it. */
 #ifndef PO_PLANE_H
 #define PO_PLANE_H
 
@@ -6,32 +6,34 @@
 
 #include "po_curve.h"
 
-/* The part of a curve from point `from` to point `to`; the curve around it shapes its ends. */
+/* A stretch: the part of a curve from point `from` to point `to`. Its interpolation uses the points
+ * of the curve outside the stretch as well. */
 typedef struct {
   po_plane_curve curve;
   size_t from, to;
 } po_stretch;
 
-/* Where a point is with respect to a stretch. */
+/* The point of a stretch that is nearest to a given point. */
 typedef struct {
   double distance;
-  size_t index; /* between this point and the next */
-  bool before;  /* nearest to the start of the whole curve, and ahead of it: no counterpart */
-  bool beyond;  /* the same at its end */
+  size_t index; /* the nearest point lies between point `index` and the next */
+  bool before;  /* the given point lies before the start of the whole curve, beyond its range */
+  bool beyond;  /* the given point lies after the end of the whole curve, beyond its range */
 } po_foot;
 
-/* The whole of a curve. */
+/* Returned: the stretch that is the whole curve. */
 po_stretch po_plane_whole(const po_plane_curve *curve);
 
-/* The nearest point of the stretch, the curve being the cubic of the position with the rates at
- * both points; without rates that in the length of the chords, with the slope of the parabola
- * through three neighbours. Either errs by the fourth order in the way between points (beside an
- * end of the latter the third), with rates fifty times less: sixteenths of what they do without. */
+/* Finds the nearest point of a stretch. Between two points the curve is the Hermite cubic in the
+ * position with the given rates. Without rates it is the Hermite cubic in the length of the chords,
+ * with the slopes of the parabola through three neighbouring points. The error of both is of fourth
+ * order in the distance between points (without rates, third order beside an end of the curve), and
+ * about fifty times smaller with rates. */
 po_foot po_plane_foot(po_plane_point point, const po_stretch *stretch);
 
-/* How far the cubic between a point and the next may be from the curve when there are no rates,
- * from how far the points around are from cubics that leave them out. A bound in practice, not an
- * estimate: mostly a hundred times what it errs. With rates: 0. */
-double po_plane_doubt(const po_plane_curve *curve, size_t index);
+/* Returned: the uncertainty of the interpolation between point `index` and the next: a multiple of
+ * the largest distance of the points around from cubics that omit them. In practice it is a bound,
+ * mostly a hundred times the actual error. 0 if the curve has rates. */
+double po_plane_uncertainty(const po_plane_curve *curve, size_t index);
 
 #endif

@@ -35,8 +35,8 @@ void po_pins_name_special_point(po_quantity quantity, po_special_kind kind, size
            po_special_kind_name(kind), index + 1, load ? "load" : "approach");
 }
 
-/* folder/pins/NAME.csv for a case file folder/anything. */
-static char *beside(const char *case_path, const char *case_name) {
+/* Returned: FOLDER/pins/NAME.csv for a case file in FOLDER; NULL without memory. */
+static char *pins_path(const char *case_path, const char *case_name) {
   po_text text = {0};
   const char *slash = strrchr(case_path, '/');
   const int length = slash ? (int)(slash - case_path + 1) : 0;
@@ -46,7 +46,7 @@ static char *beside(const char *case_path, const char *case_name) {
   return text.data;
 }
 
-/* The columns of a table of pins: keys of the scene, quantity, value, and nothing else. */
+/* Checks that the columns of a table of pins are keys of the scene, quantity and value. */
 static po_status check_columns(const po_csv *table) {
   char shown[PO_QUOTE_LENGTH];
   for (size_t c = 0; c < table->column_count; ++c)
@@ -77,8 +77,8 @@ static po_status read_table(po_reference *reference) {
 
 po_status po_pins_open(const po_case *kase, const char *name, po_reference *reference) {
   *reference = (po_reference){.name = name, .ledger = PO_LEDGER_PIN, .type = PO_REFERENCE_PINS};
-  reference->path = beside(kase->path, kase->file->name);
-  reference->shown = beside(kase->shown, kase->file->name);
+  reference->path = pins_path(kase->path, kase->file->name);
+  reference->shown = pins_path(kase->shown, kase->file->name);
   po_status status = reference->path && reference->shown ? PO_OK : PO_NO_MEMORY;
   if (!status && !po_path_exists(reference->path))
     po_digest_bytes("", 0, reference->digest);
@@ -93,13 +93,13 @@ bool po_pins_exist(const po_reference *pins) {
   return pins->table.column_count > 0;
 }
 
-/* A scene as the pins write it, and where the table keeps each key. */
+/* The values of a scene as written in a table of pins, and the column of each key. */
 typedef struct {
   char texts[PO_KEY_COUNT][PO_NUMBER_LENGTH];
   int columns[PO_KEY_COUNT]; /* -1: no column */
 } scene_words;
 
-/* False when the headers are of another scene. */
+/* Fills `scene`. Returned: false if the headers of the table exclude the scene. */
 static bool describe(const po_csv *table, const po_request *request, scene_words *scene) {
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
     po_pins_key_text(request, (po_key)key, scene->texts[key]);
@@ -145,7 +145,8 @@ po_status po_pins_find(const po_reference *pins, po_quantity quantity, const po_
   return po_pins_value(pins, po_quantity_name(quantity), request, &number->value);
 }
 
-/* Special point number `index`, whose kind is part of its name. */
+/* Finds special point number `index`. Its kind is part of the name of the pin and is not known in
+ * advance, so all kinds are tried. */
 static po_status find_special_point(const po_reference *pins, po_quantity quantity,
                                     const po_request *request, size_t index,
                                     po_reference_point *point) {
@@ -162,8 +163,8 @@ static po_status find_special_point(const po_reference *pins, po_quantity quanti
     if (status != PO_NOT_FOUND)
       return status;
   }
-  return po_fail(PO_CANNOT_READ, "%s: number %zu of the %s of a scene is missing", pins->shown,
-                 index + 1, po_quantity_name(quantity));
+  return po_fail(PO_CANNOT_READ, "%s: special point %zu of the %s of a scene is missing",
+                 pins->shown, index + 1, po_quantity_name(quantity));
 }
 
 po_status po_pins_points(const po_reference *pins, po_quantity quantity, const po_request *request,

@@ -11,6 +11,7 @@
 #include "po_pins.h"
 #include "po_reference_bradley.h"
 
+/* Checks the values of the columns and headers that have the name of a scene key. */
 static po_status check_selectors(const po_csv *table) {
   po_request request = po_request_default();
   for (size_t c = 0; c < table->column_count; ++c) {
@@ -64,14 +65,14 @@ po_status po_reference_open_check(const char *data_folder, const po_check *check
   if (status || !check->stand_in || reference->ledger == PO_LEDGER_PUBLISHED)
     return status;
   const po_csv_header *kind = po_csv_find_header(&reference->table, "kind");
-  const po_status refused = po_fail(
-      PO_CANNOT_READ, "%s:%zu: kind is %s: expected published, as something stands in for it",
-      reference->table.path, kind->line, kind->value);
+  const po_status refused =
+      po_fail(PO_CANNOT_READ, "%s:%zu: kind is %s: expected published, as the table has a stand-in",
+              reference->table.path, kind->line, kind->value);
   po_reference_close(reference);
   return refused;
 }
 
-/* The column of a number that a scene has one of. */
+/* Returned: the column of a quantity that is a single number. */
 static const char *column_of(po_quantity quantity) {
   if (quantity == PO_HYSTERESIS_LOSS)
     return "energy_lost";
@@ -80,8 +81,9 @@ static const char *column_of(po_quantity quantity) {
   return quantity == PO_PULL_OFF_FORCE || quantity == PO_HYSTERESIS_FORCE ? "force" : "approach";
 }
 
-/* A table without a column contact_radius may have that column instead: smooth spheres on the
- * unbounded half-space differ by the root of their radius alone. */
+/* A table without a column contact_radius may have this column instead. The contact radius of a
+ * smooth sphere on the unbounded half-space is proportional to the square root of the radius of the
+ * sphere. */
 static const char PER_ROOT_RADIUS[] = "contact_radius_over_root_radius";
 
 static po_status contact_radius_of(const po_reference *reference, size_t row,

@@ -7,27 +7,28 @@
 #include "po_law.h"
 #include "po_memory.h"
 
-/* Points of the sampled curve lie about so far apart, in the plane of approach and load, near
- * contact: a cubic through them follows the curve, whose radius of curvature is 1/32 at the minimum
- * and nowhere less, to 1e-8. Far out, where it straightens as x^-4, they lie further apart, as x^2
- * / FAR. */
+/* Distance between points of the sampled curve near contact, in the plane of approach and load. The
+ * least radius of curvature is 1/32, at the minimum, so that a cubic through the points is accurate
+ * to 1e-8. Far from contact the curvature decreases as x^-4, and the distance grows by x^2 / FAR.
+ */
 static const double SPACING = 0.002;
 static const double FAR = 2;
 
-/* Where nothing is compared: beyond, the load is far above any a contact test sees. */
+/* The curve ends at this approach; beyond it the load is far larger than in any contact test. */
 static const double LARGEST_APPROACH = 0.45;
 
-static bool speaks_of(const po_request *request) {
+static bool applies_to(const po_request *request) {
   return po_law_index(&request->scene.law) == 0 && request->scene.amplitude == 0 &&
          isinf(request->scene.outer_radius);
 }
 
 po_status po_bradley_find(po_quantity quantity, const po_request *request,
                           po_reference_number *number) {
-  if (!speaks_of(request))
+  if (!applies_to(request))
     return PO_NOT_FOUND;
-  /* The minimum -2 at approach 0; approach is a single-valued parameter, so there is no fold. The
-   * contact ends where the parabola r^2/(2 R) is the gap of the greatest tension. */
+  /* The minimum of the load is -2, at approach 0. The load is a function of the approach, so there
+   * is no fold. At the contact edge the parabola r^2/(2 R) equals the gap of the greatest tension.
+   */
   *number = (po_reference_number){.uncertainty = 0};
   if (quantity == PO_PULL_OFF_FORCE)
     number->value = 2;
@@ -44,7 +45,7 @@ static po_reference_point point_at(double approach) {
                               .load_uncertainty = 4 * DBL_EPSILON * larger_term};
 }
 
-/* The next approach about SPACING further along the curve. */
+/* Returned: the approach of the next point, at the distance described at SPACING. */
 static double step_from(double approach) {
   const double h = 1e-6;
   const double slope = (po_bradley_load(approach + h) - po_bradley_load(approach - h)) / (2 * h);
@@ -67,7 +68,7 @@ static po_status sample(double start, double end, po_reference_point **points, s
 
 po_status po_bradley_points(po_quantity quantity, const po_request *request,
                             const po_result *result, po_reference_point **points, size_t *count) {
-  if (!speaks_of(request))
+  if (!applies_to(request))
     return PO_NOT_FOUND;
   if (quantity == PO_CURVE && result && result->curve_count)
     return sample(fmin(result->curve[0].approach, LARGEST_APPROACH),

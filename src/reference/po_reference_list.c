@@ -17,7 +17,7 @@ static po_reference_entry *find(const po_reference_list *list, const char *name)
   return NULL;
 }
 
-/* Adds folder/name unless it is there. */
+/* Adds folder/name, unless the list already contains it. */
 static po_status add(po_reference_list *list, const char *folder, const char *name, bool listed) {
   char *whole = po_path_join(folder, name);
   if (!whole)
@@ -71,7 +71,7 @@ static po_status add_published(const char *data_folder, po_reference_list *list)
   return status;
 }
 
-static void look(const char *data_folder, po_reference_entry *entry) {
+static void read_entry(const char *data_folder, po_reference_entry *entry) {
   po_reference reference;
   const po_status status = po_reference_open(data_folder, entry->name, &reference);
   entry->intact = status == PO_OK;
@@ -99,7 +99,7 @@ po_status po_reference_list_open(const char *data_folder, po_reference_list *lis
   if (!status)
     status = add_published(data_folder, list);
   for (size_t i = 0; !status && i < list->count; ++i)
-    look(data_folder, &list->entries[i]);
+    read_entry(data_folder, &list->entries[i]);
   if (status)
     po_reference_list_close(list);
   else if (list->count)

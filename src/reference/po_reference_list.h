@@ -1,7 +1,7 @@
-/* Every reference table there is, whether or not a case uses it: present, intact, known.
+/* All reference tables, including those that no case uses, and whether each is intact.
  *
- * reference/index.txt names the tables of the folder, one file name a line; so one that was deleted
- * is noticed. Tables of the folders published/ (which need not be there) are found, not listed. */
+ * reference/index.txt lists the tables of the folder, one file name a line, so that a deleted table
+ * is detected. Tables in reference/published/ are not listed; that folder may be absent. */
 #ifndef PO_REFERENCE_LIST_H
 #define PO_REFERENCE_LIST_H
 
@@ -11,11 +11,11 @@
 #include "po_reference.h"
 
 typedef struct {
-  char *name; /* "reference/struve.csv" */
-  bool listed;
-  bool intact;       /* present, complete, of the checksum it states */
-  char message[300]; /* why it is not */
-  po_ledger ledger;  /* of an intact one, as is what follows */
+  char *name;        /* "reference/struve.csv" */
+  bool listed;       /* in reference/index.txt */
+  bool intact;       /* the file exists, is complete, and its checksum agrees */
+  char message[300]; /* the reason if the table is not intact */
+  po_ledger ledger;  /* this and the following members: only if the table is intact */
   size_t rows;
   char uncertainty[120];
 } po_reference_entry;
@@ -25,8 +25,8 @@ typedef struct {
   size_t count;
 } po_reference_list;
 
-/* Reads and checks all tables of a data folder. Status: PO_CANNOT_READ (the index or the folder),
- * PO_NO_MEMORY; a table that is not intact is in the list, not a status. */
+/* Reads and checks all tables of a data folder. A table that is not intact is reported in its
+ * entry. Status: PO_CANNOT_READ (the index or the folder), PO_NO_MEMORY. */
 po_status po_reference_list_open(const char *data_folder, po_reference_list *list);
 void po_reference_list_close(po_reference_list *list);
 

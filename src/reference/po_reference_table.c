@@ -30,7 +30,7 @@ static po_status check_headers(po_reference *reference) {
   const po_csv_header *digest = po_csv_find_header(table, "sha256");
   if (strcmp(digest->value, table->digest) != 0)
     return po_fail(PO_CANNOT_READ,
-                   "%s:%zu: sha256 is %.16s...: expected %.16s..., that of all other lines "
+                   "%s:%zu: sha256 is %.16s...: expected %.16s..., the digest of all other lines "
                    "(damaged, or edited by hand)",
                    table->path, digest->line, digest->value, table->digest);
   const po_csv_header *kind = po_csv_find_header(table, "kind");
@@ -62,8 +62,8 @@ void po_reference_close(po_reference *reference) {
   *reference = (po_reference){0};
 }
 
-/* A table that names no law is of the law of the paper. */
-static bool has_law_of_paper(const po_csv *table, const po_request *request) {
+/* A table without a key law is valid for the law of the paper only. */
+static bool law_is_possible(const po_csv *table, const po_request *request) {
   const char *const name = po_key_name(PO_KEY_LAW);
   return po_csv_find_column(table, name) >= 0 || po_csv_find_header(table, name) ||
          po_law_index(&request->scene.law) == 0;
@@ -71,7 +71,7 @@ static bool has_law_of_paper(const po_csv *table, const po_request *request) {
 
 bool po_reference_headers_hold(const po_reference *reference, const po_request *request) {
   const po_csv *table = &reference->table;
-  if (!has_law_of_paper(table, request))
+  if (!law_is_possible(table, request))
     return false;
   for (size_t i = 0; i < table->header_count; ++i) {
     const int key = po_key_of_name(table->headers[i].key);
@@ -81,8 +81,8 @@ bool po_reference_headers_hold(const po_reference *reference, const po_request *
   return true;
 }
 
-/* Tables of general scenes name in each row a profile and waves, which no key describes: of these
- * rows only those of a smooth sphere apply. */
+/* Tables of general scenes have columns `profile` and `waves`, which are not keys of the scene.
+ * Only their rows for a smooth sphere apply. */
 static bool has_profile_of_paper(const po_csv *table, size_t row, const po_request *request) {
   const int profile = po_csv_find_column(table, "profile");
   const int waves = po_csv_find_column(table, "waves");
@@ -92,7 +92,7 @@ static bool has_profile_of_paper(const po_csv *table, size_t row, const po_reque
                        !po_scene_is_wavy(&request->scene));
 }
 
-/* Whether the cells of a row that name keys of the scene hold for a scene. */
+/* Reports whether all columns that are keys of the scene have the values of a scene. */
 static bool row_holds(const po_csv *table, size_t row, const po_request *request) {
   if (!has_profile_of_paper(table, row, request))
     return false;
@@ -113,8 +113,8 @@ static po_status need_column(const po_csv *table, const char *name, size_t *colu
   return PO_OK;
 }
 
-/* The uncertainty of a cell: column `name`, else column uncertainty, else that header as a number.
- */
+/* Reads the uncertainty of a cell from the column `name`, else from the column `uncertainty`, else
+ * from the header `uncertainty` if that is a number. */
 static po_status uncertainty_of(const po_csv *table, size_t row, const char *name, double *value) {
   *value = (double)NAN;
   int column = po_csv_find_column(table, name);
@@ -141,13 +141,14 @@ bool po_reference_row_is_of(const po_reference *reference, size_t row, const po_
 
 po_status po_reference_cell(const po_reference *reference, size_t row, const char *name,
                             po_reference_number *number) {
-  char doubt[64];
+  char uncertainty[64];
   size_t column = 0;
   po_status status = need_column(&reference->table, name, &column);
   if (!status)
     status = po_csv_number(&reference->table, row, column, &number->value);
-  snprintf(doubt, sizeof doubt, "%s_uncertainty", name);
-  return status ? status : uncertainty_of(&reference->table, row, doubt, &number->uncertainty);
+  snprintf(uncertainty, sizeof uncertainty, "%s_uncertainty", name);
+  return status ? status
+                : uncertainty_of(&reference->table, row, uncertainty, &number->uncertainty);
 }
 
 static po_status read_kind(const po_csv *table, size_t row, size_t column, po_special_kind *kind) {

@@ -33,7 +33,7 @@ for name in $tables; do
   rm "$file"
   noticed "$name" "*reference/$name cannot be opened: No such file or directory"
   sed -i '$d' "$file"
-  noticed "$name" "reference/$name:*: sha256 is *: expected *, that of all other lines*"
+  noticed "$name" "reference/$name:*: sha256 is *: expected *, the digest of all other lines*"
   sed -i '$s/,[^,]*$//' "$file"
   noticed "$name" "reference/$name:*: the row has * cell*: expected *"
   sed -i "$columns,\$s/,[^,]*\$//" "$file"

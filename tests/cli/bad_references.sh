@@ -21,9 +21,9 @@ refused 4 'reference/table.csv is empty: expected a table'
 printf 'a\000b\n' >"$table"
 refused 4 'reference/table.csv is not a text file: it contains a NUL byte'
 sed -i 's/^0,2,0/0,2.1,0/' "$table"
-refused 4 'reference/table.csv:10: sha256 is *: expected *, that of all other lines*'
+refused 4 'reference/table.csv:10: sha256 is *: expected *, the digest of all other lines*'
 sed -i 's/^# uncertainty: 0/# uncertainty: 1/' "$table"
-refused 4 'reference/table.csv:10: sha256 is *: expected *, that of all other lines*'
+refused 4 'reference/table.csv:10: sha256 is *: expected *, the digest of all other lines*'
 sed -i '/^# units/d' "$table"
 refused 4 'reference/table.csv:10: the header units is missing: expected *'
 sed -i 's/^# units:.*/# units:/' "$table"

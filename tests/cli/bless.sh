@@ -75,7 +75,7 @@ check 'the pins state date, author, program and reason' grep -q \
   '^# blessing 1: 20[0-9][0-9]-[01][0-9]-[0-3][0-9], tester, pulloff [0-9.]*: the first, of a closed form$' "$pins"
 check 'the pins state which oracle agreed' grep -q '^# checked 1: reference/table.csv sha256 ' "$pins"
 verified 0 '^8 checks pass (1 slack), 0 do not, 0 solves failed$'
-verified 0 'slack: the tolerance is [0-9]* times the largest error this check met, here'
+verified 0 'slack: the tolerance is [0-9]* times the largest error of this check, which is here'
 cp "$pins" first.csv
 expect 0 '*' bless good --reason 'again' --output run
 says 'nothing moved' '7 pins, all as they were; nothing is written'
@@ -83,10 +83,10 @@ check 'nothing is written' cmp first.csv "$pins"
 
 # An altered pin is detected by its checksum, or, if the checksum was corrected, by its value.
 sed -i 's/^pull_off_force,2/pull_off_force,2.1/' "$pins"
-expect 4 'pulloff: cases/pins/good.csv:*: sha256 is *: expected *, that of all other lines*' verify --verbose good
+expect 4 'pulloff: cases/pins/good.csv:*: sha256 is *: expected *, the digest of all other lines*' verify --verbose good
 expect 4 'pulloff: cases/pins/good.csv:*: sha256 is *' bless good --reason why
 alter 's/^pull_off_force,.*/pull_off_force,2.00001/'
-verified 0 'improved: the error against table fell from 1e-05 to 0: bless it'
+verified 0 'improved: the error against table decreased from 1e-05 to 0: bless it'
 expect 0 '*' verify good --output run --tap --junit junit.xml
 says 'ok in TAP' '^ok 2 - good pull_off_force/pin/scene$'
 says 'with the word' '^# improved: obtained 2, expected 2.00001'
@@ -94,7 +94,7 @@ check 'JUnit has a passed test with the verdict' grep -q '<system-out>improved: 
 check 'the record has the verdict' grep -q '"verdict": "improved"' run/good/record.json
 write_table "$table" tabor,force,approach 0,2.0000000005,0
 alter 's/^pull_off_force,.*/pull_off_force,2.0000000004/'
-verified 1 'regressed: the error against table rose from 1e-10 to 5e-10'
+verified 1 'regressed: the error against table increased from 1e-10 to 5e-10'
 expect 1 '*' verify good --output run --tap
 says 'not ok in TAP' '^not ok 2 - good pull_off_force/pin/scene$'
 alter 's/^work.points,.*/work\/points,100/'
@@ -104,7 +104,7 @@ alter '/^folds/d'
 verified 1 'missing_reference: not pinned in cases/pins/good.csv'
 cp first.csv "$pins"
 alter 's/^folds.count,0/folds\/count,1/'
-expect 4 'pulloff: cases/pins/good.csv: number 1 of the folds of a scene is missing' verify --verbose good
+expect 4 'pulloff: cases/pins/good.csv: special point 1 of the folds of a scene is missing' verify --verbose good
 cp first.csv "$pins"
 alter 's/^pull_off_force,.*/&\n&/'
 expect 4 'pulloff: cases/pins/good.csv:*: a second pull_off_force for the same scene: expected one' \
@@ -128,7 +128,7 @@ refused 1 'good is not blessed: pull_off_force/table/scene is missing_reference 
 write_table "$table" tabor,force,approach 0,2.1,0
 sed -i 's/^# kind: oracle/# kind: published/' "$table" && seal "$table"
 alter 's/^pull_off_force,.*/pull_off_force,2.00001/'
-verified 1 'moved: no oracle speaks of it'
+verified 1 'moved: no oracle covers this number'
 expect 0 '*' bless good --reason 'the paper rounds' --output run
 says 'by how much' '^scene  *pull_off_force  *moved  2.00001 -> 2, by -1e-05$'
 check 'the first blessing is kept' grep -q '^# blessing 1: .*: the first, of a closed form$' "$pins"

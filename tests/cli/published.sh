@@ -69,7 +69,7 @@ check 'the list shows them' grep -q '^reference/published/markers.csv  *publishe
 markers published -0.8734,-1.6707 -1.5,-0.681
 expect 1 '*' verify --verbose curve --output run
 check 'a marker off the curve is outside' grep -q '^curve  *curve .*published *outside' "$work/stdout"
-check 'the message describes it' grep -q 'furthest near approach -1.5, load -0.681' run/curve/record.json
+check 'the message describes it' grep -q 'largest distance near approach -1.5, load -0.681' run/curve/record.json
 sed -i 's/^1,1,-1.5,-0.681/1,1,-1.629,-0.681/' "$published"
 expect 4 'pulloff: reference/published/markers.csv:10: sha256 is *' verify --verbose curve --output run
 expect 4 'pulloff: reference/published/markers.csv:10: sha256 is *' list --references

@@ -82,7 +82,7 @@ expect 0 '*' verify --verbose scenes
 check 'the verdict belongs to no single point' grep -qE '^scenes +solved_share +- +0.5 +1 ' "$work/stdout"
 write_scenes 0.4
 expect 3 'scenes: 6 points, 1 checks: failed (kept)' verify --verbose scenes
-check 'too many solves failed' grep -q 'outside: 3 of 6 failed, the first point 1: after 1e-09 s' "$work/stdout"
+check 'too many solves failed' grep -q 'outside: 3 of 6 points failed, first point 1: after 1e-09 s' "$work/stdout"
 expect 3 '*' explain scenes --json
 cat >told.py <<'TOLD'
 import json, sys

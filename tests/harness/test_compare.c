@@ -74,7 +74,7 @@ START_TEST(tolerance_tighter_than_the_reference) {
   ck_assert_int_eq(po_compare_check_tolerance(kase, &kase->file->checks[0], 1, &reference),
                    PO_BAD_INPUT);
   ck_assert_str_eq(po_message(), "made.yaml:8: checks[1].tolerance is 1e-10: expected at least "
-                                 "1e-09, the uncertainty of table.csv itself");
+                                 "1e-09, the uncertainty of table.csv");
   const size_t count = kase->point_count;
   kase->point_count = 0; /* what lies behind the last point is of no case */
   ck_assert_int_eq(po_compare_check_tolerance(kase, &kase->file->checks[0], 1, &reference), PO_OK);
@@ -91,7 +91,7 @@ START_TEST(reverse_trace_without_a_number) {
   *w = (po_reverse_trace){.excess = (double)NAN};
   compare(0, &result);
   ck_assert_str_eq(check_results.items[0].note,
-                   "the branch is followed back on panels alone, and not when rigid");
+                   "only elastic scenes on panels have a reverse trace");
   w->made = true;
   w->status = PO_STEP_TOO_SMALL;
   snprintf(w->reason, sizeof w->reason, "%s", "the step is too small at 100 %");
@@ -103,7 +103,7 @@ START_TEST(reverse_trace_without_a_number) {
   w->extrema = 5;
   compare(0, &result);
   ck_assert_str_eq(check_results.items[2].note,
-                   "2 folds on the way out, 4 on the reverse trace; extrema 3 and 5");
+                   "2 folds on the trace, 4 on the reverse trace; extrema 3 and 5");
   for (size_t i = 0; i < 3; ++i)
     ck_assert_int_eq(check_results.items[i].verdict, PO_NO_RESULT);
 }
@@ -156,9 +156,10 @@ static const struct {
 } SHARES[] = {
     {"0.4", PO_OK, PO_OK, "", 1, PO_WITHIN, ""},
     {"0.6", PO_OK, PO_OUT_OF_TIME, "late", 0.5, PO_WITHIN,
-     "1 of 2 failed, the first point 1: late"},
-    {"0.4", PO_OUT_OF_TIME, PO_OK, "", 0.5, PO_OUTSIDE, "1 of 2 failed, the first point 0: late"},
-    {"0.6", PO_OK, PO_OUT_OF_TIME, "", 0.5, PO_OUTSIDE, "1 of 1 failures give no reason"},
+     "1 of 2 points failed, first point 1: late"},
+    {"0.4", PO_OUT_OF_TIME, PO_OK, "", 0.5, PO_OUTSIDE,
+     "1 of 2 points failed, first point 0: late"},
+    {"0.6", PO_OK, PO_OUT_OF_TIME, "", 0.5, PO_OUTSIDE, "1 of 1 failures have no reason"},
 };
 
 START_TEST(share_of_the_scenes_solved) {

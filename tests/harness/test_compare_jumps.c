@@ -52,7 +52,7 @@ START_TEST(jumps_that_are_others) {
   kase->points[0].request.preload.approach = 0.7;
   compare(0, &one);
   ck_assert_int_eq(check_results.items[1].verdict, PO_OUTSIDE);
-  ck_assert_str_eq(check_results.items[1].note, "1 in loading, 0 in unloading");
+  ck_assert_str_eq(check_results.items[1].note, "jumps in loading: 1, in unloading: 0");
   po_jump both[] = {JUMPS[0], JUMPS[0]};
   const po_result loading = loop_of(both, 2);
   compare(0, &loading);

@@ -80,14 +80,14 @@ START_TEST(distance_from_a_circle_with_rates) {
   }
   ck_assert_double_lt(largest, 1.05 * error);
   ck_assert_double_gt(largest, 0.5 * error);
-  ck_assert_double_eq(po_plane_doubt(&curve, 7), 0);
+  ck_assert_double_eq(po_plane_uncertainty(&curve, 7), 0);
 }
 END_TEST
 
-/* Without, the doubt is more than the error, by the distance of the points on which it is. */
-START_TEST(joining_errs_less_than_its_doubt) {
+/* Without, the uncertainty is more than the error, by the distance of the points on which it is. */
+START_TEST(interpolation_error_is_below_its_uncertainty) {
   po_plane_point circle[41];
-  double largest = 0, doubt = 0;
+  double largest = 0, uncertainty = 0;
   for (int i = 0; i < 41; ++i)
     circle[i] = (po_plane_point){2.385 * cos(0.05 * i), 2.385 * sin(0.05 * i)};
   const po_plane_curve curve = {.points = circle, .count = 41};
@@ -95,11 +95,11 @@ START_TEST(joining_errs_less_than_its_doubt) {
   for (double angle = 0.003; angle < 2; angle += 0.0072) {
     const po_plane_point on = {2.385 * cos(angle), 2.385 * sin(angle)};
     const po_foot foot = po_plane_foot(on, &whole);
-    ck_assert_double_lt(foot.distance, po_plane_doubt(&curve, foot.index));
+    ck_assert_double_lt(foot.distance, po_plane_uncertainty(&curve, foot.index));
     largest = fmax(largest, foot.distance);
-    doubt = fmax(doubt, po_plane_doubt(&curve, foot.index));
+    uncertainty = fmax(uncertainty, po_plane_uncertainty(&curve, foot.index));
   }
-  ck_assert_double_lt(doubt, 200 * largest);
+  ck_assert_double_lt(uncertainty, 200 * largest);
 }
 END_TEST
 
@@ -110,7 +110,7 @@ START_TEST(rates_make_a_sparse_curve_do) {
   const po_curve_verdict found = compare_curves(&a, m, 1e-5);
   ck_assert(found.same_folds);
   ck_assert_double_lt(found.distance, 4e-6);
-  ours[23].load += 1e-4; /* seen beyond the doubt */
+  ours[23].load += 1e-4; /* seen beyond the uncertainty */
   ck_assert_double_gt(compare_curves(&a, m, 1e-5).distance, 2e-5);
 }
 END_TEST
@@ -304,7 +304,7 @@ END_TEST
 static void add(TCase *tests) {
   tcase_add_test(tests, distance_from_a_circle);
   tcase_add_test(tests, distance_from_a_circle_with_rates);
-  tcase_add_test(tests, joining_errs_less_than_its_doubt);
+  tcase_add_test(tests, interpolation_error_is_below_its_uncertainty);
   tcase_add_test(tests, rates_make_a_sparse_curve_do);
   tcase_add_test(tests, same_curve_other_points);
   tcase_add_test(tests, error_shrinks_with_the_points);

@@ -93,7 +93,8 @@ START_TEST(a_whole_run) {
                                                                                               "no "
                                                                                               "solu"
                                                                                               "tion"
-                                                                                              "\n" COMMAND("7.385"));
+                                                                                              "\n" COMMAND(
+                                                                                                  "7.385"));
 }
 END_TEST
 
