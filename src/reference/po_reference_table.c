@@ -14,6 +14,10 @@ const char *po_ledger_name(po_ledger ledger) {
   return LEDGERS[ledger];
 }
 
+const char *po_reference_shown(const po_reference *reference) {
+  return reference->type == PO_REFERENCE_PINS ? reference->shown : reference->name;
+}
+
 static po_status check_headers(po_reference *reference) {
   static const char *const NEEDED[] = {"what",        "source",    "kind",    "method", "units",
                                        "uncertainty", "generator", "command", "date",   "sha256"};

@@ -37,6 +37,10 @@ typedef struct {
   po_special_kind kind; /* of special points */
 } po_reference_point;
 
+/* Returned: the name of a reference in messages and records: the path of the file of pins, else the
+ * name in the case file. */
+const char *po_reference_shown(const po_reference *reference);
+
 /* Returned: "oracle", "published" or "pin". */
 const char *po_ledger_name(po_ledger ledger);
 

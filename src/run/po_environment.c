@@ -30,8 +30,8 @@ json_t *po_environment_versions(const char *openblas) {
                         {"libyaml", po_json_text(yaml_get_version_string())});
 }
 
-/* The rest of the first line of a file that begins with `start`, after the separator and blanks and
- * without quotes; "unknown" when there is none. */
+/* Returned: in `text`, the value in the first line of a file that begins with `start`, without
+ * separator, blanks and quotes; "unknown" if there is no such line. */
 static void find_line(const char *path, const char *start, char *text, size_t size) {
   snprintf(text, size, "unknown");
   po_memory_watch();

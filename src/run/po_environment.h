@@ -1,38 +1,38 @@
-/* Which program this is, made of what, running where. */
+/* The program, the versions of its libraries, and the machine. */
 #ifndef PO_ENVIRONMENT_H
 #define PO_ENVIRONMENT_H
 
 #include "po_digest.h"
 #include "po_json_value.h"
 
-/* {"pulloff", "compiler", "gsl", "openblas", "lapacke", "jansson", "libyaml"}; `openblas` is what
- * the numbers were computed with. */
+/* Returned: {"pulloff", "compiler", "gsl", "openblas", "lapacke", "jansson", "libyaml"}.
+ * Given: `openblas`, the library with which the results were computed. */
 json_t *po_environment_versions(const char *openblas);
 
-/* {"system", "machine", "processor", "cores", "jobs", "date"}. */
+/* Returned: {"system", "machine", "processor", "cores", "jobs", "date"}. */
 json_t *po_environment_describe(int jobs);
 
-/* The number of processors this process may run on. */
+/* Returned: the number of processors on which this process may run. */
 int po_environment_cores(void);
 
-/* What determines every bit of a number, beside the scene: two runs of equal arithmetic give the
- * same numbers. */
+/* The program and the linear algebra library. Two runs with equal arithmetic give equal results for
+ * a scene, to the last bit. */
 typedef struct {
-  char program[PO_DIGEST_LENGTH]; /* a digest of the executable */
-  char openblas[256]; /* the library that it uses, with its kernels: po_linear_library */
-  char kernels[32];   /* the kernels alone: po_linear_kernels */
+  char program[PO_DIGEST_LENGTH]; /* digest of version, compiler and executable */
+  char openblas[256];             /* the library with its kernels, as po_linear_library */
+  char kernels[32];               /* the kernels alone, as po_linear_kernels */
 } po_arithmetic;
 
-/* The arithmetic of this process; the digest of the executable is left out if the system has no
- * /proc/self/exe. Status: PO_CANNOT_READ if the executable cannot be read, as results would be
- * taken for those of another program; PO_NO_MEMORY. */
+/* Returned: in *own, the arithmetic of this process. If the system has no /proc/self/exe, `program`
+ * does not depend on the executable. Status: PO_CANNOT_READ (the executable cannot be read, so that
+ * results could be mistaken for those of another program), PO_NO_MEMORY. */
 po_status po_environment_arithmetic(po_arithmetic *own);
 
-/* A digest of an arithmetic. */
+/* Returned: in `digest`, a digest of an arithmetic. */
 void po_arithmetic_digest(const po_arithmetic *arithmetic, char digest[PO_DIGEST_LENGTH]);
 
-/* The folder that holds cases/, reference/ and reports/: PULLOFF_DATA of the environment, else the
- * source tree this program was built from. */
+/* Returned: the folder that contains cases/, reference/ and reports/: the environment variable
+ * PULLOFF_DATA, else the folder that was set when this program was built. */
 const char *po_environment_data(void);
 
 #endif

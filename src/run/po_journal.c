@@ -11,15 +11,16 @@
 #include "po_json.h"
 #include "po_record.h"
 
-/* The folder of the case and the journal in it; to be freed. */
+/* Returned: the folder of the case and the path of the journal, which the caller frees; false
+ * without memory. */
 static bool find_journal(const po_case_run *run, const char *output, char **folder, char **path) {
   *folder = po_path_join(output, run->plan->kase->file->name);
   *path = *folder ? po_path_join(*folder, "points.jsonl") : NULL;
   return *path != NULL;
 }
 
-/* What determines the numbers of one point, whatever other points the case has, unless they are
- * followed from one to the next. */
+/* Returned: a digest of all that determines the results of a point. It does not depend on the other
+ * points of the case, except in a series, where each result depends on its predecessors. */
 static po_status make_key(const po_case_run *run, size_t point, char key[PO_DIGEST_LENGTH]) {
   const po_plan *plan = run->plan;
   po_text text = {0};
@@ -35,7 +36,7 @@ static po_status make_key(const po_case_run *run, size_t point, char key[PO_DIGE
   return made ? PO_OK : PO_NO_MEMORY;
 }
 
-/* Takes over a point if it is of these solves. */
+/* Reads a point if it is requested and its key agrees. */
 static po_status read_entry(po_case_run *run, const json_t *entry, const char *folder) {
   const json_t *point = json_object_get(entry, "point");
   const char *key = json_string_value(json_object_get(entry, "key"));
@@ -56,7 +57,7 @@ static po_status read_entry(po_case_run *run, const json_t *entry, const char *f
   return status == PO_NO_MEMORY ? status : PO_OK;
 }
 
-/* A line that is no JSON was torn or damaged: its point is solved again. */
+/* A line that is not JSON is incomplete or damaged; it is ignored and its point is solved again. */
 static po_status read_line(po_case_run *run, const char *line, size_t length, const char *folder) {
   json_t *entry = NULL;
   po_status status = po_json_parse(line, length, &entry);

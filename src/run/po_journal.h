@@ -1,23 +1,22 @@
-/* The points of a case that is not finished: <output>/<case>/points.jsonl, one JSON document a
- * line, added as each point is solved. So an interrupted run goes on where it was, and the journals
- * of runs of different points, on one machine or on several, can be put together by appending one
- * to the other. With the record of the case it has done its work and goes. */
+/* The journal of a case: the solved points of a run that is not finished, in
+ * <output>/<case>/points.jsonl. Each solved point is appended as one line with a JSON document. An
+ * interrupted run is resumed from the journal. Journals of runs of different points, on one machine
+ * or on several, can be concatenated. The journal is deleted when the record is written. */
 #ifndef PO_JOURNAL_H
 #define PO_JOURNAL_H
 
 #include "po_run.h"
 
-/* Takes over what is in the journal of a case, of these solves by this program; marks those of
- * them that are asked for as done. Of a point that is there twice the later holds; lines that are
- * of other solves, or damaged, are passed over. Status: PO_NO_MEMORY; PO_CANNOT_READ when there is
- * a journal that cannot be read. */
+/* Reads the requested points from the journal and marks them as done. Lines of other scenes or of
+ * another program, and damaged lines, are ignored. If a point occurs twice, the later line is used.
+ * Status: PO_NO_MEMORY, PO_CANNOT_READ (the journal exists but cannot be read). */
 po_status po_journal_read(po_case_run *run, const char *output);
 
-/* Adds a point that was just solved, and writes its curve and profile.
+/* Appends a point that was just solved, and writes its curve and profile.
  * Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
 po_status po_journal_add(const po_case_run *run, size_t point, const char *output);
 
-/* Deletes the journal, if there is one. Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
+/* Deletes the journal if it exists. Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
 po_status po_journal_remove(const po_case_run *run, const char *output);
 
 #endif

@@ -10,7 +10,8 @@
 
 enum { MOST_CELLS = PO_LINE_MOST_AXES + PO_FORM_MOST_VALUES };
 
-/* Names in a table stay apart: a contact radius swept and one given back are the same number. */
+/* Reports whether a name is a key of the sweep. A value of the form with this name is the same
+ * number and gets no second column. */
 static bool is_swept(const po_case_line *line, const char *name) {
   for (unsigned i = 0; i < line->sweep_count; ++i)
     if (strcmp(line->sweep[i].key, name) == 0)

@@ -22,7 +22,7 @@ static const json_t *cases_of(const po_merge_part *part) {
   return json_object_get(part->root, "cases");
 }
 
-/* Reads the file of a shard; takes `path`. */
+/* Reads the file of a shard; takes ownership of `path`. */
 static po_status read_part(po_merge *merge, const char *folder, char *path) {
   po_merge_part *parts = po_resize(merge->parts, merge->count + 1, sizeof *parts);
   if (!parts) {
@@ -36,7 +36,7 @@ static po_status read_part(po_merge *merge, const char *folder, char *path) {
   size_t size = 0;
   po_status status = po_file_read(path, &bytes, &size);
   if (!status && (status = po_json_parse(bytes, size, &part->root)) == PO_CANNOT_READ)
-    status = PO_OK; /* damaged, as what is not of a shard */
+    status = PO_OK; /* reported below, like a file that does not describe a shard */
   free(bytes);
   if (status)
     return status;
@@ -69,14 +69,14 @@ static po_status read_folder(po_merge *merge, const char *folder) {
   }
   po_names_free(names, count);
   if (!status && !found)
-    status = po_fail(
-        PO_CANNOT_READ,
-        "the folder %s holds no shard: expected the folder to which the run of a shard wrote",
-        folder);
+    status =
+        po_fail(PO_CANNOT_READ,
+                "the folder %s contains no shard: expected the output folder of the run of a shard",
+                folder);
   return status;
 }
 
-/* Whether two shards are of the same cases; if not, the name of one that is not of both. */
+/* Returned: the name of a case that only one of two shards has; NULL if their cases agree. */
 static const char *other_case(const po_merge_part *a, const po_merge_part *b) {
   const json_t *mine = cases_of(a), *theirs = cases_of(b);
   for (size_t i = 0; i < json_array_size(mine) || i < json_array_size(theirs); ++i) {
@@ -87,7 +87,7 @@ static const char *other_case(const po_merge_part *a, const po_merge_part *b) {
   return NULL;
 }
 
-/* What computed a shard. */
+/* Returned: the arithmetic with which a shard was computed. */
 static po_arithmetic arithmetic_of(const po_merge_part *part) {
   po_arithmetic found;
   snprintf(found.program, sizeof found.program, "%s", string_of(part->root, "program"));
@@ -96,27 +96,29 @@ static po_arithmetic arithmetic_of(const po_merge_part *part) {
   return found;
 }
 
-/* Sets one shard beside the first. What they were computed with must agree to the last bit. */
+/* Compares a shard with the first one: their arithmetic, cases and scenes must agree. */
 static po_status check_part(const po_merge_part *first, const po_merge_part *part) {
   if (part->shard.count != first->shard.count)
     return po_fail(PO_BAD_INPUT, "%s is one of %zu shards: expected one of %zu, as %s is",
                    part->path, part->shard.count, first->shard.count, first->path);
   const po_arithmetic a = arithmetic_of(first), b = arithmetic_of(part);
   if (strcmp(a.program, b.program) != 0)
-    return po_fail(PO_BAD_INPUT, "%s was computed by another program than %s: expected the same",
+    return po_fail(PO_BAD_INPUT,
+                   "%s was computed by another program than %s: expected the same program",
                    part->path, first->path);
   if (strcmp(a.kernels, b.kernels) != 0)
-    return po_fail(PO_BAD_INPUT,
-                   "%s was computed with the OpenBLAS kernels %s, %s with %s: expected the same "
-                   "for all shards, which OPENBLAS_CORETYPE chooses",
-                   part->path, b.kernels, first->path, a.kernels);
+    return po_fail(
+        PO_BAD_INPUT,
+        "%s was computed with the OpenBLAS kernels %s, %s with %s: expected the same "
+        "kernels for all shards; the environment variable OPENBLAS_CORETYPE selects them",
+        part->path, b.kernels, first->path, a.kernels);
   if (strcmp(a.openblas, b.openblas) != 0)
     return po_fail(PO_BAD_INPUT, "%s was computed with %s, %s with %s: expected the same library",
                    part->path, b.openblas, first->path, a.openblas);
   const char *other = other_case(first, part);
   if (other)
     return po_fail(PO_BAD_INPUT,
-                   "%s is of other cases than %s: expected the same, but %s is in one", part->path,
+                   "%s has other cases than %s: expected the same, but only one has %s", part->path,
                    first->path, other);
   for (size_t i = 0; i < json_array_size(cases_of(part)); ++i) {
     const json_t *entry = json_array_get(cases_of(part), i);
@@ -135,7 +137,7 @@ static int by_number(const void *a, const void *b, void *unused) {
   return (x > y) - (x < y);
 }
 
-/* So many missing shards are named; of the rest the number is. */
+/* The message names at most this many missing shards, and states the number of the others. */
 static const size_t MOST_NAMED = 10;
 
 static po_status refuse_missing(const po_merge *merge) {
@@ -159,7 +161,7 @@ static po_status refuse_missing(const po_merge *merge) {
   return status;
 }
 
-/* Each shard is there, once. */
+/* Checks that each shard exists exactly once. */
 static po_status check_complete(const po_merge *merge) {
   po_repeat repeat;
   const po_status status = po_order_find_repeat(merge->parts, merge->count, sizeof *merge->parts,
@@ -215,17 +217,18 @@ po_arithmetic po_merge_arithmetic(const po_merge *merge) {
   return arithmetic_of(&merge->parts[0]);
 }
 
-/* The shards are of this program and of these scenes. On which kind of processor this runs does not
- * matter: it solves nothing. */
+/* Checks that the shards were computed by this program, for the scenes of these cases. The OpenBLAS
+ * kernels of this process do not matter, because merging solves nothing. */
 static po_status check_runs(const po_merge_part *first, const po_case_run *runs, size_t count) {
   po_arithmetic own;
   const po_status status = po_environment_arithmetic(&own);
   if (status)
     return status;
   if (strcmp(string_of(first->root, "program"), own.program) != 0)
-    return po_fail(PO_BAD_INPUT,
-                   "%s was computed by another program than this: expected the one that merges",
-                   first->path);
+    return po_fail(
+        PO_BAD_INPUT,
+        "%s was computed by another program: expected the program that merges the shards",
+        first->path);
   for (size_t r = 0; r < count; ++r) {
     const json_t *entry = json_array_get(cases_of(first), r);
     if (strcmp(string_of(entry, "case"), runs[r].plan->kase->file->name) != 0 ||
@@ -236,7 +239,8 @@ static po_status check_runs(const po_merge_part *first, const po_case_run *runs,
   return PO_OK;
 }
 
-/* A case that one shard has whole has a record in the place of a journal. */
+/* Reads the points from a record. A shard that solved all points of a case has a record in place of
+ * a journal. */
 static po_status read_record(po_case_run *run, const char *folder) {
   for (size_t i = 0; i < run->plan->kase->point_count; ++i)
     po_result_clear(&run->results[i]);
@@ -256,7 +260,7 @@ static po_status take_environment(const po_merge_part *part, po_case_run *run) {
   return status;
 }
 
-/* The points a shard was asked for; what else lies in its folder is not looked at. */
+/* Reads the points that belong to a shard. Other points in its folder are ignored. */
 static po_status read_points(const po_merge_part *part, po_case_run *run) {
   po_status status = po_journal_read(run, part->folder);
   if (status)
@@ -266,7 +270,7 @@ static po_status read_points(const po_merge_part *part, po_case_run *run) {
     lacking += run->asked[i] && !run->done[i];
   if (lacking && (status = read_record(run, part->folder)) == PO_NOT_FOUND)
     return po_fail(PO_CANNOT_READ,
-                   "%s lacks %zu of %zu points of %s: expected shard %zu/%zu to have ended; run it "
+                   "%s lacks %zu of %zu points of %s: expected the complete shard %zu/%zu; run it "
                    "again",
                    part->folder, lacking, run->asked_count, run->plan->kase->file->name,
                    part->shard.number, part->shard.count);

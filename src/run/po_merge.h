@@ -1,14 +1,14 @@
-/* The shards of a run put together again. */
+/* Merges the shards of a run. */
 #ifndef PO_MERGE_H
 #define PO_MERGE_H
 
 #include "po_json_value.h"
 #include "po_shard.h"
 
-/* One shard as found in a folder. */
+/* A shard that was found in a folder. */
 typedef struct {
   char *folder;
-  char *path; /* of its shard-K-of-N.json */
+  char *path; /* of shard-K-of-N.json in that folder */
   json_t *root;
   po_shard shard;
 } po_merge_part;
@@ -18,26 +18,31 @@ typedef struct {
   size_t count;
 } po_merge;
 
-/* Finds the shards in folders, in any order; a folder may hold several.
- * Status: PO_CANNOT_READ when a folder holds none or one is damaged; PO_BAD_INPUT when one is there
- * twice, is of another number of shards, another program or other kernels of OpenBLAS, other cases
- * or another time limit than the first, or is missing: each named. */
+/* Finds the shards in some folders, in any order. A folder may contain several shards.
+ * Status: PO_CANNOT_READ if a folder contains no shard or a shard is damaged; PO_BAD_INPUT if a
+ * shard occurs twice or is missing, or if it differs from the first in the number of shards, the
+ * program, the OpenBLAS library and its kernels, the cases or their scenes. The message names the
+ * shard. */
 po_status po_merge_open(char *const *folders, size_t count, po_merge *merge);
 void po_merge_close(po_merge *merge);
 
-/* The cases, as a command line calls them: *names of *count, to be given to po_names_free; and the
- * time limit the shards were solved with instead of that of the cases (NAN: theirs). */
+/* Returned: the arguments that select the cases on a command line: *count strings in *names, which
+ * po_names_free frees. */
 po_status po_merge_cases(const po_merge *merge, char ***names, size_t *count);
+
+/* Returned: the time limit that replaced those of the cases when the shards were solved; NAN: the
+ * time limits of the cases were used. */
 double po_merge_time_limit(const po_merge *merge);
 
-/* What all shards were computed with, to make the plans by. */
+/* Returned: the arithmetic of the shards, with which the plans are to be created. */
 po_arithmetic po_merge_arithmetic(const po_merge *merge);
 
-/* Takes over all points of the shards into the runs of these cases; po_run then compares and writes
+/* Reads all points of the shards into the runs of the cases; po_run then compares them and writes
  * the records. A record has the environment of the shard that solved the first point of its case.
- * The kernels of OpenBLAS in this process need not be those of the shards.
- * Status: PO_BAD_INPUT when the shards are of another program than this, or a case of other scenes;
- * PO_CANNOT_READ when a shard lacks a point, as one that was interrupted does: each named. */
+ * The OpenBLAS kernels of this process may differ from those of the shards.
+ * Status: PO_BAD_INPUT if the shards were computed by another program, or a case has other scenes;
+ * PO_CANNOT_READ if a shard is incomplete, e.g. because it was interrupted. The message names the
+ * shard. */
 po_status po_merge_fill(const po_merge *merge, po_case_run *runs, size_t count);
 
 #endif

@@ -22,10 +22,10 @@ const char *po_plan_reference_of(const po_plan *plan, const po_check *check) {
   for (unsigned i = 0; i < file->measure_count; ++i)
     if (check == &file->measure[i])
       return check->reference;
-  const po_reference *reference = &plan->references[check - file->checks];
-  return reference->type == PO_REFERENCE_PINS ? reference->shown : check->reference;
+  return po_reference_shown(&plan->references[check - file->checks]);
 }
 
+/* Determines which results the case and its checks need. */
 static void decide(po_plan *plan) {
   const po_case *kase = plan->kase;
   plan->want = 0;
@@ -123,7 +123,7 @@ po_status po_plan_create_for(const po_case *kase, const char *data_folder,
     status = make_keys(plan);
   }
   if (!status)
-    status = po_plan_tell(plan);
+    status = po_plan_describe(plan);
   if (status)
     po_plan_destroy(plan);
   else

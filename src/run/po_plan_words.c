@@ -12,38 +12,41 @@
 
 static po_status say(po_plan *plan, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* Adds a line to the description. */
 static po_status say(po_plan *plan, const char *format, ...) {
   char **lines = po_resize(plan->lines, plan->line_count + 1, sizeof *lines);
-  char *said = NULL;
+  char *printed = NULL;
   if (lines)
     plan->lines = lines;
   va_list arguments;
   va_start(arguments, format);
-  const int length = lines ? vasprintf(&said, format, arguments) : -1;
+  const int length = lines ? vasprintf(&printed, format, arguments) : -1;
   va_end(arguments);
   if (length < 0)
-    return po_fail(PO_NO_MEMORY, "no memory for the words of a plan");
-  /* A reason may have several lines, and be cut inside a character. */
+    return po_fail(PO_NO_MEMORY, "no memory for the description of a plan");
+  /* A reason may have several lines, and may have been truncated inside a character. */
   const size_t room = 4 * (size_t)length + 1;
   char *line = po_resize(NULL, room, 1);
   if (line)
-    lines[plan->line_count++] = po_quote_text(said, line, room);
-  free(said);
+    lines[plan->line_count++] = po_quote_text(printed, line, room);
+  free(printed);
   return line ? PO_OK : PO_NO_MEMORY;
 }
 
-/* Of how many points something holds. */
+/* The numbers of points with certain properties. */
 typedef struct {
-  size_t points, rigid, smooth, cut, to_end;
-} census;
+  size_t points, rigid, smooth;
+  size_t bounded; /* outer_radius is finite */
+  size_t to_end;  /* approach_end is given */
+} point_counts;
 
-static census take_census(const po_case *kase) {
-  census count = {.points = kase->point_count};
+static point_counts count_properties(const po_case *kase) {
+  point_counts count = {.points = kase->point_count};
   for (size_t i = 0; i < kase->point_count; ++i) {
     const po_request *request = &kase->points[i].request;
     count.rigid += po_rigid_suffices(&request->scene) ? 1 : 0;
     count.smooth += po_scene_is_wavy(&request->scene) ? 0 : 1;
-    count.cut += isfinite(request->scene.outer_radius) ? 1 : 0;
+    count.bounded += isfinite(request->scene.outer_radius) ? 1 : 0;
     count.to_end += isnan(request->approach_end) ? 0 : 1;
   }
   return count;
@@ -55,34 +58,37 @@ static po_status tell_sample(po_plan *plan) {
     return PO_OK;
   po_status status =
       say(plan,
-          "draw %zu scenes, each from seed %s, its number and the name of the key:", sample->count,
-          sample->seed_text);
+          "draw %zu scenes; each value depends on seed %s, the number of the scene and the name of "
+          "its key:",
+          sample->count, sample->seed_text);
   for (unsigned i = 0; !status && i < sample->keys_count; ++i) {
     const po_draw *draw = &sample->keys[i];
     status = say(plan, "  %s from %s to %s%s%s, %s", draw->key, draw->from_text, draw->to_text,
                  draw->times ? " times " : "",
                  !draw->times    ? ""
-                 : draw->by_root ? "the root of the radius"
+                 : draw->by_root ? "the square root of the radius"
                                  : draw->times,
-                 draw->log ? "uniform in its logarithm" : "uniform");
+                 draw->log ? "uniform in the logarithm" : "uniform");
   }
   return status;
 }
 
-static po_status tell_scenes(po_plan *plan, const census *n) {
-  po_status status = say(plan, "solve %zu %s: each traced as one branch from far out%s", n->points,
-                         n->points == 1 ? "scene" : "scenes",
-                         plan->kase->series_length > 1 ? ", or followed" : "");
+static po_status tell_scenes(po_plan *plan, const point_counts *n) {
+  po_status status =
+      say(plan, "solve %zu %s: each traced as one branch from large separation%s", n->points,
+          n->points == 1 ? "scene" : "scenes",
+          plan->kase->series_length > 1 ? ", or computed by parameter continuation" : "");
   if (!status && plan->kase->series_length > 1)
     status = say(plan,
-                 "follow the minima of the load along %s in %zu lines of %zu: traced once in %zu "
-                 "scenes, and where two traces do not agree with what was followed between them",
+                 "continue the pull-off in %s along %zu series of %zu scenes; every %zu scenes one "
+                 "is traced as a checkpoint, and further scenes where checkpoints contradict the "
+                 "continuation between them",
                  plan->kase->file->follow, n->points / plan->kase->series_length,
                  plan->kase->series_length, plan->kase->checkpoints);
   if (!status && plan->kase->file->traced)
     status = say(plan,
-                 "trace %s of the scenes between, too, drawn with seed %s, beside what following "
-                 "finds there",
+                 "trace %s scenes between checkpoints in addition, drawn with seed %s, and compare "
+                 "them with the continuation",
                  plan->kase->file->traced->count_text, plan->kase->file->traced->seed_text);
   if (!status && n->rigid)
     status = say(plan,
@@ -95,16 +101,16 @@ static po_status tell_scenes(po_plan *plan, const census *n) {
   if (!status && n->smooth)
     status = say(plan, "no waviness for %zu smooth %s: amplitude is 0", n->smooth,
                  n->smooth == 1 ? "scene" : "scenes");
-  if (!status && n->cut < n->points)
-    status = say(plan, "the load beyond the mesh added for %zu %s: outer_radius is inf",
-                 n->points - n->cut, n->points - n->cut == 1 ? "scene" : "scenes");
+  if (!status && n->bounded < n->points)
+    status = say(plan, "add the load beyond the mesh for %zu %s: outer_radius is inf",
+                 n->points - n->bounded, n->points - n->bounded == 1 ? "scene" : "scenes");
   if (!status && n->to_end < n->points)
-    status = say(plan, plan->want & PO_WANT_PRELOAD ? "no branch beyond the preload from which on "
-                                                      "none gives more"
-                                                    : "no branch beyond the preload: preloads are "
-                                                      "not wanted");
+    status =
+        say(plan, plan->want & PO_WANT_PRELOAD
+                      ? "end each branch where no harder preload gives a greater pull-off force"
+                      : "end each branch at the preload: the case does not want other preloads");
   if (!status && n->to_end)
-    status = say(plan, "%zu %s traced up to approach_end", n->to_end,
+    status = say(plan, "trace %zu %s up to approach_end", n->to_end,
                  n->to_end == 1 ? "branch" : "branches");
   return status;
 }
@@ -123,38 +129,35 @@ static po_status tell_wants(po_plan *plan) {
   const po_case *kase = plan->kase;
   po_status status =
       plan->kase->series_length > 1
-          ? say(plan,
-                "no folds or extrema: of scenes that are followed there is the pull-off alone")
-          : say(plan, "read off each branch: pull-off, folds, extrema of the load");
+          ? say(plan, "no folds or extrema: parameter continuation delivers only the pull-off")
+          : say(plan, "find on each branch: pull-off, folds, extrema of the load");
   if (!status)
     status =
         plan->want & PO_WANT_CURVE
             ? say(plan, "keep the points of the branch: %s",
                   kase->want & PO_CASE_CURVE ? "the case wants the curve" : "the curve is compared")
-            : say(plan, "no points of the branch kept: nothing wants the curve");
+            : say(plan, "no curves: neither the case nor a check needs them");
   if (!status)
     status = plan->want & PO_WANT_PROFILE
-                 ? say(plan, "gap and traction at pull-off: the case wants the profile")
+                 ? say(plan, "keep gap and traction at pull-off: the case wants the profile")
                  : say(plan, "no profiles: the case does not want them");
   if (!status && plan->want & PO_WANT_HYSTERESIS)
-    status = say(plan, "follow loading and unloading, by approach and by load: the case wants the "
-                       "hysteresis");
+    status = say(plan, "simulate loading and unloading, at given approach and at given load: the "
+                       "case wants the hysteresis");
   if (!status && plan->want & PO_WANT_PRELOAD)
-    status =
-        say(plan, "trace on until no harder preload gives more, and read off what every preload "
-                  "gives");
+    status = say(plan, "find the pull-off for every preload: the case wants the staircase");
   if (!status)
     status = plan->want & PO_WANT_DIAGNOSTICS
-                 ? say(plan, "diagnose each scene, and solve it again with each input moved by a "
-                             "last bit, both ways")
-                 : say(plan, "no diagnostics: nothing wants them");
+                 ? say(plan, "diagnose each scene, and solve it again with the last bit of each "
+                             "input increased and decreased")
+                 : say(plan, "no diagnostics: neither the case nor a check needs them");
   if (!status && kase->repeats > 1)
     status = say(plan,
-                 "each solve %u times, alone on the machine, in rounds over all points: the times "
-                 "are the result",
+                 "repeat each solve %u times, one solve at a time, in rounds over all points: the "
+                 "case measures times",
                  kase->repeats);
   for (unsigned i = 0; !status && i < kase->file->lines_count; ++i)
-    status = say(plan, "the closed form %.40s along a sweep, as line %.60s",
+    status = say(plan, "evaluate the closed form %.40s along a sweep, for line %.60s",
                  kase->file->lines[i].theory, kase->file->lines[i].name);
   if (!status)
     status = kase->file->figure_script ? say(plan, "figure by script %s", kase->file->figure_script)
@@ -162,6 +165,7 @@ static po_status tell_wants(po_plan *plan) {
   return status;
 }
 
+/* Reports whether the table has a row for a scene. */
 static bool is_listed(const po_reference *reference, const po_request *request) {
   bool known = false;
   for (size_t row = 0; row < reference->table.row_count; ++row)
@@ -169,9 +173,9 @@ static bool is_listed(const po_reference *reference, const po_request *request) 
   return known;
 }
 
-/* Whether the reference says anything of a point. */
-static bool is_spoken_of(const po_reference *reference, const po_check *check,
-                         const po_request *solved) {
+/* Reports whether the reference has a value of the quantity of a check for a scene. */
+static bool is_covered(const po_reference *reference, const po_check *check,
+                       const po_request *solved) {
   const po_request asked = po_check_request(check, solved);
   const po_request *request = &asked;
   po_reference_number number;
@@ -191,14 +195,15 @@ static bool is_spoken_of(const po_reference *reference, const po_check *check,
   return status == PO_OK;
 }
 
-/* How many points a check concerns, and of how many of these the reference says anything. */
+/* Counts the points to which a check applies, and those of them for which the reference has a
+ * value. */
 static void count_points(const po_case *kase, const po_check *check, const po_reference *reference,
-                         size_t *concerned, size_t *spoken) {
+                         size_t *concerned, size_t *covered) {
   for (size_t k = 0; k < kase->point_count; ++k)
     if (po_check_concerns(check, &kase->points[k].request) &&
         (kase->points[k].traced || reference->type != PO_REFERENCE_TRACED)) {
       *concerned += 1;
-      *spoken += is_spoken_of(reference, check, &kase->points[k].request);
+      *covered += is_covered(reference, check, &kase->points[k].request);
     }
 }
 
@@ -207,13 +212,13 @@ static po_status tell_measures(po_plan *plan) {
   po_status status = PO_OK;
   for (unsigned i = 0; !status && i < kase->file->measure_count; ++i) {
     const po_check *measure = &kase->file->measure[i];
-    size_t concerned = 0, spoken = 0;
-    count_points(kase, measure, &plan->measures[i], &concerned, &spoken);
+    size_t concerned = 0, covered = 0;
+    count_points(kase, measure, &plan->measures[i], &concerned, &covered);
     status = say(plan, "measure the error of %s against %s at %zu of %zu points, without a verdict",
                  measure->quantity_text, measure->reference, concerned, kase->point_count);
-    if (!status && spoken < concerned)
-      status = say(plan, "  but %s does not speak of %zu of these", measure->reference,
-                   concerned - spoken);
+    if (!status && covered < concerned)
+      status = say(plan, "  but %s has no value for %zu of these", measure->reference,
+                   concerned - covered);
   }
   return status;
 }
@@ -226,26 +231,27 @@ static po_status tell_checks(po_plan *plan) {
   for (unsigned i = 0; !status && i < kase->file->checks_count; ++i) {
     const po_check *check = &kase->file->checks[i];
     if (plan->references[i].type == PO_REFERENCE_ABSENT) {
-      status = say(plan, "leave out %s against %s: there is no such file; %s stands in for it",
+      status = say(plan, "leave out %s against %s: the file does not exist; its stand-in is %s",
                    check->quantity_text, check->reference, check->stand_in);
       continue;
     }
-    size_t concerned = 0, spoken = 0;
-    count_points(kase, check, &plan->references[i], &concerned, &spoken);
-    status = say(plan, "compare %s with %s at %zu of %zu points, to %s %s", check->quantity_text,
-                 po_plan_reference_of(plan, check), concerned, kase->point_count,
+    const po_reference *reference = &plan->references[i];
+    size_t concerned = 0, covered = 0;
+    count_points(kase, check, reference, &concerned, &covered);
+    status = say(plan, "compare %s with %s at %zu of %zu points, tolerance %s %s",
+                 check->quantity_text, po_reference_shown(reference), concerned, kase->point_count,
                  check->tolerance_text, check->kind_text);
-    if (!status && po_check_is_pin(check) && !po_pins_exist(&plan->references[i]))
+    if (!status && po_check_is_pin(check) && !po_pins_exist(reference))
       status = say(plan, "  but there are no pins yet");
-    else if (!status && spoken < concerned)
-      status = say(plan, "  but %s does not speak of %zu of these",
-                   po_plan_reference_of(plan, check), concerned - spoken);
+    else if (!status && covered < concerned)
+      status = say(plan, "  but %s has no value for %zu of these", po_reference_shown(reference),
+                   concerned - covered);
   }
   return status;
 }
 
-po_status po_plan_tell(po_plan *plan) {
-  const census count = take_census(plan->kase);
+po_status po_plan_describe(po_plan *plan) {
+  const point_counts count = count_properties(plan->kase);
   po_status status = tell_sample(plan);
   if (!status)
     status = tell_scenes(plan, &count);

@@ -1,10 +1,11 @@
-/* The plan in words. */
+/* The description of a plan for the user. */
 #ifndef PO_PLAN_WORDS_H
 #define PO_PLAN_WORDS_H
 
 #include "po_plan.h"
 
-/* Fills plan->lines. */
-po_status po_plan_tell(po_plan *plan);
+/* Fills plan->lines. Given: a plan whose other members are complete. Status: PO_NO_MEMORY,
+ * PO_CANNOT_READ (a reference). */
+po_status po_plan_describe(po_plan *plan);
 
 #endif

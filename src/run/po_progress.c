@@ -6,7 +6,7 @@
 
 #include "po_clock.h"
 
-/* Seconds between plain lines: a log shows life without filling up. */
+/* Least time between separate lines in seconds, so that a log does not become long. */
 static const double PLAIN_INTERVAL = 2;
 
 static void clear_line(po_progress *progress) {

@@ -43,7 +43,7 @@ static json_t *sweep(const po_case *kase, size_t point) {
   return object;
 }
 
-/* The times of a point, round after round. */
+/* Returned: the times of a point in the order of the rounds. */
 static json_t *times(const po_case_run *run, const double *seconds, size_t point) {
   const unsigned repeats = run->plan->kase->repeats;
   json_t *array = po_json_empty_array();
@@ -56,8 +56,8 @@ static void table_name(char name[64], const char *what, const po_point *point) {
   snprintf(name, 64, "%s-%s.csv", what, point->id);
 }
 
-/* Writes the curve or the profile of a point, if there is one, and says so in its entry: the name
- * of the file and its checksum, by which a table that is not of this record is told. */
+/* Writes the curve or the profile of a point, if it has one, and adds the name of the file and its
+ * checksum to the entry. The checksum detects a table of another record. */
 static po_status add_table(const po_case_run *run, size_t index, bool profile, const char *folder,
                            json_t **entry) {
   const po_point *point = &run->plan->kase->points[index];
@@ -108,7 +108,7 @@ json_t *po_record_point(const po_case_run *run, size_t index) {
   return object;
 }
 
-/* A command of one verb for a case, to be pasted. */
+/* Returned: the command that applies a verb to a case, quoted for a shell. */
 static json_t *command_json(const char *verb, const po_case *kase) {
   po_text text = {0};
   po_text_add(&text, "pulloff %s %s", verb, po_case_word(kase));
@@ -136,9 +136,8 @@ static json_t *check_json(const po_case_run *run, const po_check_result *item) {
       {"because", po_json_text(check->because)}, {"command", command_json("verify", kase)});
 }
 
-/* How a measurement ended; `outside` are curves and special points that have no one-to-one
- * counterpart.
- */
+/* Returned: the result of a measurement. Its tolerance is infinite, so the verdict `outside` means
+ * that the special points or folds of result and reference do not correspond one to one. */
 static const char *measured_as(po_verdict verdict) {
   return verdict == PO_OUTSIDE             ? "no_correspondence"
          : verdict == PO_NO_RESULT         ? "no_result"
@@ -170,7 +169,7 @@ static json_t *conditions(const po_leave_out *rule) {
   return when;
 }
 
-/* The scenes that are not solved, rule by rule. */
+/* Returned: the rules of `leave_out`, with the number of points that each excludes. */
 static json_t *not_solved(const po_case *kase) {
   json_t *array = po_json_empty_array();
   for (unsigned i = 0; i < kase->file->leave_out_count; ++i) {
@@ -182,7 +181,7 @@ static json_t *not_solved(const po_case *kase) {
   return array;
 }
 
-/* The checks that were left out since their reference is absent. */
+/* Returned: the checks that were not made because their reference is absent. */
 static json_t *left_out(const po_plan *plan) {
   json_t *array = po_json_empty_array();
   for (unsigned i = 0; i < plan->kase->file->checks_count; ++i) {
@@ -195,7 +194,7 @@ static json_t *left_out(const po_plan *plan) {
   return array;
 }
 
-/* The points, whose tables are written. */
+/* Writes the tables of all points. Returned: in *points, the entries. */
 static po_status write_points(const po_case_run *run, const char *folder, json_t **points) {
   po_status status = PO_OK;
   *points = po_json_empty_array();
@@ -223,7 +222,7 @@ static json_t *results_json(const po_case_run *run, const po_check_results *chec
   return items;
 }
 
-/* Where it was solved. */
+/* Returned: the environment in which the case was solved. */
 static json_t *environment(const po_case_run *run, int jobs) {
   json_t *found = NULL;
   if (!run->environment)
@@ -231,7 +230,7 @@ static json_t *environment(const po_case_run *run, int jobs) {
   return po_json_parse(run->environment, strlen(run->environment), &found) ? NULL : found;
 }
 
-/* Takes the points and the lines. */
+/* Takes ownership of `points` and `lines`. */
 static json_t *record_json(const po_case_run *run, int jobs, json_t *points, json_t *lines) {
   const po_case *kase = run->plan->kase;
   const po_case_file *file = kase->file;

@@ -1,4 +1,5 @@
-/* The record of a case: <output>/<case>/record.json, beside it the curves and profiles. */
+/* The record of a case: <output>/<case>/record.json, with the curves and profiles in the same
+ * folder. */
 #ifndef PO_RECORD_H
 #define PO_RECORD_H
 
@@ -6,30 +7,31 @@
 #include "po_run.h"
 
 /* Writes the tables, then the record.
- * Status: PO_CANNOT_WRITE, PO_NO_MEMORY; PO_INTERRUPTED when *stop became nonzero while closed
- * forms were computed: then there is no record, or still the earlier one. */
+ * Status: PO_CANNOT_WRITE, PO_NO_MEMORY; PO_INTERRUPTED if *stop became nonzero while closed forms
+ * were evaluated: the record is not written, and an earlier one remains. */
 po_status po_record_write(const po_case_run *run, const char *output, int jobs,
                           const volatile sig_atomic_t *stop);
 
-/* Reads the results of an earlier run of the same solves back. Status: PO_NOT_FOUND when there is
- * none, or it is of other scenes, another program, or damaged: then it has to be solved again;
+/* Reads the results of an earlier run. Status: PO_NOT_FOUND if there is no record, or if it is
+ * damaged or belongs to other scenes or another program, so that the case must be solved again;
  * PO_NO_MEMORY. */
 po_status po_record_read(po_case_run *run, const char *output);
 
-/* Whether the folder of a case of the user's own is free for it: a record of another file that is
- * still there would be lost. Status: PO_BAD_INPUT, naming both files; PO_NO_MEMORY. */
+/* Checks, for a case file outside the folder of cases, that its record would not replace the record
+ * of another existing file. Status: PO_BAD_INPUT (the message names both files), PO_NO_MEMORY. */
 po_status po_record_check_owner(const po_case_run *run, const char *output);
 
-/* The entry of one point in the record; NULL without memory. */
+/* Returned: the entry of a point in the record; NULL without memory. */
 json_t *po_record_point(const po_case_run *run, size_t index);
 
-/* Writes the curve and the profile of a point, if there are, and names them in its entry. */
+/* Writes the curve and the profile of a point, if it has them, and adds their names to its entry.
+ * Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
 po_status po_record_add_tables(const po_case_run *run, size_t index, const char *folder,
                                json_t **entry);
 
-/* The inverse of both: the result of a point from its entry and its tables.
- * Status: PO_NOT_FOUND when the entry is of another point, or something is lost or damaged;
- * PO_NO_MEMORY. */
+/* Reads the result of a point from its entry and its tables: the inverse of po_record_point and
+ * po_record_add_tables. Status: PO_NOT_FOUND if the entry belongs to another point, or if the entry
+ * or a table is missing or damaged; PO_NO_MEMORY. */
 po_status po_record_read_point(po_case_run *run, size_t index, const json_t *entry,
                                const char *folder);
 

@@ -43,7 +43,7 @@ po_status po_record_read_point(po_case_run *run, size_t index, const json_t *poi
     return PO_NOT_FOUND;
   po_status status = po_json_read_result(point, result);
   if (!status && result->status == PO_NO_MEMORY)
-    status = PO_NOT_FOUND; /* that is no result: another time there may be memory */
+    status = PO_NOT_FOUND; /* lack of memory is no result: the point is solved again */
   if (!status && run->plan->kase->points[index].traced) {
     po_result_clear(&run->traces[index]);
     status = po_json_read_result(json_object_get(point, "traced"), &run->traces[index]);
@@ -81,12 +81,12 @@ static po_status read_record(po_case_run *run, const json_t *record, const char 
   return status;
 }
 
-/* What is damaged is not there; without memory nothing can be said of it. */
+/* A damaged record counts as absent. Without memory it is not known whether it is damaged. */
 static po_status found_or_not(po_status status) {
   return status == PO_OK || status == PO_NO_MEMORY ? status : PO_NOT_FOUND;
 }
 
-/* The record in the folder of a case. */
+/* Reads the record in the folder of a case. */
 static po_status load(const char *folder, json_t **record) {
   char *path = po_path_join(folder, "record.json");
   char *bytes = NULL;
@@ -121,8 +121,8 @@ po_status po_record_check_owner(const po_case_run *run, const char *output) {
   if (!status && po_path_exists(owner) && !po_path_is_same(owner, kase->path))
     status = po_fail(
         PO_BAD_INPUT,
-        "%s: name is %s: expected another name or another folder for the records, as %s holds the "
-        "record of %s",
+        "%s: name is %s: expected another name or another folder for the records, as %s contains "
+        "the record of %s",
         kase->shown, kase->file->name, folder, owner);
   json_decref(record);
   free(folder);

@@ -17,17 +17,17 @@
 #include "po_record.h"
 #include "po_tasks.h"
 
-/* What the threads of a run share. */
+/* The data that the threads of a run share. */
 typedef struct {
   po_case_run *runs;
   const po_run_options *options;
   int jobs;
   po_progress progress;
-  bool broken;      /* something but a solve failed: no more is started */
-  po_status status; /* why, and its message, which po_fail keeps by thread */
-  char message[512];
-  size_t starved; /* solves that ended without memory, and why the first did */
-  char starved_message[512];
+  bool broken;               /* a failure other than that of a solve: no further solve is started */
+  po_status status;          /* of that failure */
+  char message[512];         /* of that failure; po_fail stores messages by thread */
+  size_t starved;            /* number of solves that ended for lack of memory */
+  char starved_message[512]; /* of the first of them */
 } po_crew;
 
 static bool must_end(const po_crew *crew) {
@@ -37,7 +37,7 @@ static bool must_end(const po_crew *crew) {
   return broken || (crew->options->stop && *crew->options->stop);
 }
 
-/* Inside the critical section. */
+/* Stores the status and ends the run. To be called inside the critical section. */
 static void give_up(po_crew *crew, po_status status) {
   if (crew->broken)
     return;
@@ -77,7 +77,7 @@ static po_status compare_all(po_case_run *run) {
   return status;
 }
 
-static void tell_finished(po_crew *crew, const po_case_run *run) {
+static void report_finished(po_crew *crew, const po_case_run *run) {
   char kept[64] = "", part[64] = "";
   if (run->kept)
     snprintf(kept, sizeof kept, " (kept)");
@@ -90,7 +90,7 @@ static void tell_finished(po_crew *crew, const po_case_run *run) {
                   po_case_run_verdict(run), kept);
 }
 
-/* Compares and writes the record of a case whose last point is there. */
+/* Makes the checks and writes the record of a case whose points are all solved. */
 static po_status finish_case(po_crew *crew, po_case_run *run) {
   const po_run_options *options = crew->options;
   po_status status = compare_all(run);
@@ -100,11 +100,12 @@ static po_status finish_case(po_crew *crew, po_case_run *run) {
   if (!status && po_case_run_is_whole(run))
     status = po_journal_remove(run, options->output);
   if (!status && !(options->brief && crew->progress.live))
-    tell_finished(crew, run);
+    report_finished(crew, run);
   return status;
 }
 
-/* The last point of a whole case goes straight into the record. */
+/* Adds a point to the journal, except the last point of a whole case: the record follows at once.
+ */
 static po_status keep_point(const po_crew *crew, const po_case_run *run, size_t point) {
   if (run->pending == 0 && po_case_run_is_whole(run))
     return PO_OK;
@@ -117,13 +118,13 @@ static int ascending(const void *a, const void *b) {
 }
 
 static double median(const double *values, unsigned count) {
-  double sorted[1000]; /* as many as a case may repeat */
+  double sorted[1000]; /* the greatest value of `repeats` */
   memcpy(sorted, values, count * sizeof *sorted);
   qsort(sorted, count, sizeof *sorted, ascending);
   return count % 2 ? sorted[count / 2] : (sorted[count / 2 - 1] + sorted[count / 2]) / 2;
 }
 
-/* Solves a point; the result is that of the first round, later ones only time it. */
+/* Solves a point. The first round gives the result, later rounds only the time. */
 static void solve_point(const po_crew *crew, po_case_run *run, const po_task *task) {
   const unsigned repeats = run->plan->kase->repeats;
   const size_t place = task->point * repeats + task->round;
@@ -144,7 +145,7 @@ static void solve_point(const po_crew *crew, po_case_run *run, const po_task *ta
     first->work.seconds = median(run->seconds + task->point * repeats, repeats);
 }
 
-/* Counts and keeps a point that is solved as often as it is to be. */
+/* Counts and stores a point after its last round. */
 static po_status end_point(po_crew *crew, po_case_run *run, size_t point) {
   run->pending -= 1;
   run->done[point] = true;
@@ -155,14 +156,14 @@ static po_status end_point(po_crew *crew, po_case_run *run, size_t point) {
   return finished == PO_INTERRUPTED ? po_journal_add(run, point, crew->options->output) : finished;
 }
 
-/* Of a solve of a point, to tell how long the rest will take: followed scenes take a tenth of the
- * others (measured: README). */
+/* Returned: the effort of a solve relative to a full trace, for the estimate of the remaining time.
+ * A scene in parameter continuation takes about a tenth. */
 static double effort(const po_case_run *run) {
   return run->plan->kase->series_length > 1 ? 0.1 : 1;
 }
 
-/* Whether a solve of a point found no memory, which is no result: the point is neither kept nor
- * done, and solved again by the next run. */
+/* Reports whether a solve ended for lack of memory. This is no result: the point is not stored, and
+ * the next run solves it again. */
 static bool is_starved(po_crew *crew, const po_case_run *run, size_t point) {
   const po_result *result = &run->results[point];
   if (result->status != PO_NO_MEMORY)
@@ -173,7 +174,7 @@ static bool is_starved(po_crew *crew, const po_case_run *run, size_t point) {
   return true;
 }
 
-/* A point was solved once, if it was asked for. Inside the critical section. */
+/* Counts one solve of a requested point. To be called inside the critical section. */
 static po_status take_point(po_crew *crew, po_case_run *run, size_t point, unsigned round) {
   if (run->done[point] || !run->asked[point])
     return PO_OK;
@@ -191,21 +192,21 @@ static po_status take_point(po_crew *crew, po_case_run *run, size_t point, unsig
 
 static void do_task(po_crew *crew, const po_task *task) {
   po_case_run *run = &crew->runs[task->run];
-  const size_t line = run->plan->kase->series_length;
+  const size_t points = run->plan->kase->series_length;
   const double begin = po_clock_wall();
   po_status status = PO_OK;
   po_no_memory_forget();
-  if (line > 1)
-    status = po_run_line(run, task->point, crew->options->stop);
+  if (points > 1)
+    status = po_run_series(run, task->point, crew->options->stop);
   else {
     solve_point(crew, run, task);
-    po_no_memory_forget(); /* the result says it */
+    po_no_memory_forget(); /* the status of the result reports it */
   }
   const bool stopped = crew->options->stop && *crew->options->stop;
 #pragma omp critical(po_run_finish)
   if (!stopped) {
     run->elapsed += po_clock_wall() - begin;
-    for (size_t k = 0; k < line && !status; ++k)
+    for (size_t k = 0; k < points && !status; ++k)
       status = take_point(crew, run, task->point + k, task->round);
     status = po_no_memory_or(status);
     if (status)
@@ -225,8 +226,8 @@ static void begin_progress(po_crew *crew, size_t count) {
   po_progress_begin(&crew->progress, solves, all);
 }
 
-/* The tasks that may be done side by side. A parallel region of one thread would allocate, too, and
- * ends the program where it cannot. */
+/* Does the tasks that may run in parallel. With one thread no parallel region is used, because it
+ * allocates memory and ends the program if there is none. */
 static void do_shared(po_crew *crew, const po_task *tasks, size_t count, int threads) {
   if (threads <= 1) {
     for (size_t i = 0; i < count && !must_end(crew); ++i)
@@ -261,22 +262,22 @@ static po_status work_through(po_crew *crew, size_t count) {
     return po_fail(crew->status, "%s", crew->message);
   if (crew->starved && !(crew->options->stop && *crew->options->stop))
     return po_fail(PO_NO_MEMORY,
-                   "%zu solves ended without memory, the first of them %s; finished points are "
+                   "%zu solves ended for lack of memory, the first is %s; finished points are "
                    "kept in %s, run again to solve the others",
                    crew->starved, crew->starved_message, crew->options->output);
   for (size_t r = 0; r < count; ++r)
     if (!crew->runs[r].finished)
       return po_fail(PO_INTERRUPTED,
-                     "interrupted; finished points are kept in %s, run again to go on",
+                     "interrupted; finished points are kept in %s, run again to continue",
                      crew->options->output);
   return PO_OK;
 }
 
-/* Takes over what earlier runs left of a case, unless all is to be solved afresh. */
+/* Reads the results of earlier runs of a case, unless all points are to be solved again. */
 static po_status begin_case(po_crew *crew, po_case_run *run) {
   const po_run_options *options = crew->options;
   if (po_case_run_is_done(run) && run->asked_count)
-    return finish_case(crew, run); /* put together from elsewhere */
+    return finish_case(crew, run); /* merged from shards */
   if (options->fresh && po_case_run_is_whole(run)) {
     const po_status status = po_journal_remove(run, options->output);
     if (status)
@@ -310,7 +311,7 @@ po_status po_run(po_case_run *runs, size_t count, const po_run_options *options)
   po_progress_begin(&crew.progress, 0, 0);
   for (size_t i = 0; !status && i < count; ++i) {
     status = begin_case(&crew, &runs[i]);
-    if (status == PO_INTERRUPTED) /* as the rest then is: work_through says so */
+    if (status == PO_INTERRUPTED) /* work_through reports it */
       status = PO_OK;
   }
   return status ? status : work_through(&crew, count);

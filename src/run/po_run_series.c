@@ -7,8 +7,9 @@
 #include "po_run.h"
 #include "po_series.h"
 
-/* A trace that fails is no failure of the line. */
-static po_status trace_again(const po_request *request, po_result *trace) {
+/* Traces a scene in addition to the continuation. A failed trace is a result, not a failure of the
+ * series. */
+static po_status trace_in_addition(const po_request *request, po_result *trace) {
   po_result_clear(trace);
   const po_status status = po_observe(request, trace);
   if (status && !trace->reason[0])
@@ -16,7 +17,7 @@ static po_status trace_again(const po_request *request, po_result *trace) {
   return status == PO_NO_MEMORY || status == PO_INTERRUPTED ? status : PO_OK;
 }
 
-po_status po_run_line(po_case_run *run, size_t first, const volatile sig_atomic_t *stop) {
+po_status po_run_series(po_case_run *run, size_t first, const volatile sig_atomic_t *stop) {
   const po_case *kase = run->plan->kase;
   po_request *requests = po_allocate(kase->series_length, sizeof *requests);
   if (!requests)
@@ -31,11 +32,11 @@ po_status po_run_line(po_case_run *run, size_t first, const volatile sig_atomic_
   status = po_no_memory_or(status);
   for (size_t k = 0; k < kase->series_length && !status; ++k)
     if (kase->points[first + k].traced)
-      status = trace_again(&requests[k], &run->traces[first + k]);
+      status = trace_in_addition(&requests[k], &run->traces[first + k]);
   for (size_t k = 0; k < kase->series_length; ++k) {
     run->seconds[first + k] = run->results[first + k].work.seconds;
-    run->processor_seconds[first + k] = NAN; /* a line is not timed */
+    run->processor_seconds[first + k] = NAN; /* a series is not timed */
   }
   free(requests);
-  return status == PO_INTERRUPTED ? PO_OK : status; /* the run sees to that */
+  return status == PO_INTERRUPTED ? PO_OK : status; /* the run reports the interruption */
 }

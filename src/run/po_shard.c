@@ -10,9 +10,9 @@
 #include "po_memory.h"
 #include "po_random.h"
 
-/* Points that stay together. */
+/* A group of points that belong to the same shard. */
 typedef struct {
-  uint64_t place; /* in the order in which parts are dealt */
+  uint64_t place; /* in the order in which the groups are assigned */
   size_t run, first, length;
 } part;
 

@@ -1,25 +1,26 @@
-/* A shard of a run: the part that one of several machines solves. */
+/* Shards: the parts of a run that several machines solve. */
 #ifndef PO_SHARD_H
 #define PO_SHARD_H
 
 #include "po_run.h"
 
 typedef struct {
-  size_t number, count; /* this one, from 1, of so many; count 0: no shard */
+  size_t number, count; /* shard `number`, from 1, of `count`; count 0: the whole run */
 } po_shard;
 
-/* The most there may be of them. */
+/* Largest number of shards. */
 enum { PO_MOST_SHARDS = 1000000 };
 
-/* Asks of all runs only for the points of one shard. What depends on each other stays together: a
- * line of followed scenes, and a case that is timed. These parts are dealt out in turn over all
- * cases, in an order that looks random and is the same everywhere, so that neither the steep end of
- * a sweep nor every n-th value of it falls to one shard.
+/* Requests, in all runs, only the points of one shard. Points that depend on each other belong to
+ * the same shard: a series in parameter continuation, and all points of a case that is timed. These
+ * groups are assigned to the shards in turn, in a pseudo-random order that is the same on all
+ * machines. So no shard gets the expensive end of a sweep, or every n-th value of it.
  * Status: PO_NO_MEMORY. */
 po_status po_shard_deal(po_case_run *runs, size_t count, po_shard shard);
 
-/* Writes <output>/shard-K-of-N.json: which part of what was solved by which program and where, for
- * po_merge.h. `time_limit`: instead of that of the cases; NAN: theirs.
+/* Writes <output>/shard-K-of-N.json, which describes the shard for po_merge.h: its number, the
+ * cases and their scenes, the program, and the environment.
+ * Given: `time_limit`, which replaces those of the cases; NAN: it does not.
  * Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
 po_status po_shard_write(const po_case_run *runs, size_t count, po_shard shard, double time_limit,
                          int jobs, const char *output);

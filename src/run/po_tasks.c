@@ -2,7 +2,8 @@
 
 #include "po_memory.h"
 
-/* Whether a point is to be solved, or some of the line that begins there. */
+/* Reports whether a point of the series that begins at `begin` (or this point alone) is requested
+ * and not done. */
 static bool is_wanted(const po_case_run *run, size_t begin) {
   bool wanted = false;
   for (size_t p = begin; p < begin + run->plan->kase->series_length; ++p)
@@ -10,7 +11,7 @@ static bool is_wanted(const po_case_run *run, size_t begin) {
   return wanted;
 }
 
-/* Adds the solves of one round over the points of every case that is timed, or that is not. */
+/* Adds the solves of one round over the points of all cases that are timed, or of all others. */
 static void add_round(const po_case_run *runs, size_t count, bool timed, unsigned round,
                       po_task *tasks, size_t *total) {
   for (size_t r = 0; r < count; ++r) {

@@ -36,9 +36,9 @@ spoilt() { # SED-SCRIPT MESSAGE
 write_sample
 expect 0 '*good: 3 points, 0 checks: within' run good --output out0
 expect 0 '' plan good
-check 'the plan says how many are drawn' grep -q '^  draw 3 scenes, each from seed 17' "$work/stdout"
+check 'the plan says how many are drawn' grep -q '^  draw 3 scenes; each value depends on seed 17' "$work/stdout"
 check 'the plan states the ranges' \
-  grep -q '^    wavelength from 1 to 3 times the root of the radius, uniform in its' "$work/stdout"
+  grep -q '^    wavelength from 1 to 3 times the square root of the radius, uniform in the' "$work/stdout"
 check 'the plan states the units of the ranges' grep -q '^    amplitude from 0 to 0.2 times wavelength, uniform$' "$work/stdout"
 
 spoilt '/^  seed/d' '*: sample.seed is missing: expected a whole number of at most 15 digits'

@@ -99,7 +99,7 @@ write_case 'follow: tabor
 checkpoint_every: 4
 want: [pull_off]'
 expect 0 '' plan good
-check 'the plan lists the series' grep -q 'along tabor in 2 lines of 6: traced once in 4 scenes' "$work/stdout"
+check 'the plan lists the series' grep -q 'in tabor along 2 series of 6 scenes; every 4 scenes one is traced' "$work/stdout"
 expect 0 'good: 12 points, 1 checks: within' run good --output whole --jobs 2
 check 'most scenes are followed' test "$(field whole/good/record.json 'sum(p["followed"] for p in d["points"])')" -ge 6
 
@@ -132,9 +132,9 @@ write_traced 'traced: {seed: -1, count: 3}' pull_off_force
 expect 2 '*traced.seed is -1: expected a whole number*' plan good
 write_traced 'traced: {seed: 7, count: 3}' pull_off_force
 expect 0 '' plan good
-check 'the plan lists the comparison' grep -q 'compare pull_off_force with traced at 3 of 12 points, to' "$work/stdout"
-check 'no trace is missed' test "$(grep -c 'does not speak' "$work/stdout")" -eq 0
-check 'the plan lists the traced scenes' grep -q 'trace 3 of the scenes between, too, drawn with seed 7' "$work/stdout"
+check 'the plan lists the comparison' grep -q 'compare pull_off_force with traced at 3 of 12 points, tolerance' "$work/stdout"
+check 'no trace is missed' test "$(grep -c 'has no value' "$work/stdout")" -eq 0
+check 'the plan lists the traced scenes' grep -q 'trace 3 scenes between checkpoints in addition, drawn with seed 7' "$work/stdout"
 expect 0 'good: 12 points, 4 checks: within' run good --output traced --jobs 2
 record=traced/good/record.json
 check 'three followed scenes have a trace' test \

@@ -58,7 +58,7 @@ assert a["hysteresis"] == b["hysteresis"] and a["seconds_all"] == b["seconds_all
 LOOK
 check 'a kept record is used' "$python" same.py
 expect 0 '' plan loop.yaml
-check 'the plan lists the hysteresis' grep -q 'follow loading and unloading' "$work/stdout"
+check 'the plan lists the hysteresis' grep -q 'simulate loading and unloading' "$work/stdout"
 
 expect 2 'pulloff: --preload-load is -1: expected a finite number >= 0' solve --preload-load -1
 expect 2 'pulloff: --preload-load is dimensionless: *' solve --from-physical --modulus-pa 2e9 \

@@ -43,9 +43,9 @@ expect 0 '' plan measured
 check 'the plan lists the measured quantities' grep -q \
   '^  measure the error of pull_off_force against bradley at 5 of 5 points, without a verdict$' "$work/stdout"
 check 'the plan lists the scenes without reference' grep -q \
-  '^    but reference/landmarks.csv does not speak of 3 of these$' "$work/stdout"
+  '^    but reference/landmarks.csv has no value for 3 of these$' "$work/stdout"
 check 'the plan lists the scenes that are left out' grep -q '^  leave out 1 scene: it is made so$' "$work/stdout"
-check 'the plan says how the solves are timed' grep -q 'each solve 3 times, alone on the machine, in rounds' "$work/stdout"
+check 'the plan says how the solves are timed' grep -q 'repeat each solve 3 times, one solve at a time, in rounds' "$work/stdout"
 
 # Measured quantities have no verdict, so even a wrong value does not fail.
 expect 0 '*measured: 5 points, 0 checks: within' verify

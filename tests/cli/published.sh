@@ -47,8 +47,8 @@ markers() {
 }
 
 expect 0 '' plan curve
-check 'the plan lists the checks that are left out' grep -q -F 'leave out curve against reference/published/markers.csv: there is no such file; reference/table.csv stands in for it' "$work/stdout"
-check 'the plan says that no curve is kept' grep -q 'no points of the branch kept' "$work/stdout"
+check 'the plan lists the checks that are left out' grep -q -F 'leave out curve against reference/published/markers.csv: the file does not exist; its stand-in is reference/table.csv' "$work/stdout"
+check 'the plan says that no curve is kept' grep -q 'no curves: neither' "$work/stdout"
 expect 0 '*' verify --verbose curve --output run
 check 'one check is made' test 1 -eq "$(grep -c '^curve ' "$work/stdout")"
 check 'the record names the table that is used instead' "$python" -c '

@@ -41,7 +41,7 @@ check 'each failure has its reason' test 3 -eq \
   "$(grep -c '^point [135], out_of_time: after 1e-09 s of processor time the trace is at' summary)"
 expect 0 '' plan scenes
 check 'the plan says what is compared' \
-  grep -q '^  compare solved_share with every_scene at 6 of 6 points, to 0.6 abs$' "$work/stdout"
+  grep -q '^  compare solved_share with every_scene at 6 of 6 points, tolerance 0.6 abs$' "$work/stdout"
 check 'the record has the check that belongs to no single point' grep -q '"point": null' build/run/scenes/record.json
 
 # The command after a failure repeats it, with the same reason and the exit code of a failed solve.

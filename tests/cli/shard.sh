@@ -73,7 +73,7 @@ expect 2 'pulloff: --shard is 1/2/3: expected K/N*' run --shard 1/2/3
 expect 2 'pulloff: --points and --shard are given: expected one of them' run --shard 1/2 --points 0
 expect 2 'pulloff: merge needs the folders of the shards (see pulloff merge --help)' merge
 mkdir empty
-expect 4 'pulloff: the folder empty holds no shard: expected *' merge empty
+expect 4 'pulloff: the folder empty contains no shard: expected *' merge empty
 expect 4 'pulloff: the folder absent cannot be read: *' merge absent
 
 write_cases 81
@@ -139,7 +139,7 @@ expect 2 'pulloff: shared/shard-1-of-2.json is one of 2 shards: expected one of 
   merge part-1 shared part-3
 cp -r part-2 torn
 sed -i '1d' torn/drawn/points.jsonl
-expect 4 'pulloff: torn lacks 1 of * points of drawn: expected shard 2/3 to have ended; run it again' \
+expect 4 'pulloff: torn lacks 1 of * points of drawn: expected the complete shard 2/3; run it again' \
   merge part-3 torn part-1
 ends 0 run --output torn --shard 2/3
 ends 0 merge --output mended part-3 torn part-1
@@ -169,7 +169,7 @@ printf x >>other-program # the same numbers, but who knows
 program_here=$program
 program=$work/other-program
 ends 0 run --output other --shard 2/3
-expect 2 'pulloff: part-1/shard-1-of-3.json was computed by another program than this: *' merge part-1 part-2 part-3
+expect 2 'pulloff: part-1/shard-1-of-3.json was computed by another program: expected the program that merges *' merge part-1 part-2 part-3
 program=$program_here
 expect 2 'pulloff: other/shard-2-of-3.json was computed by another program than part-1/*' \
   merge part-1 other part-3
@@ -205,7 +205,7 @@ expect 2 'pulloff: lies/shard-2-of-3.json was computed with OpenBLAS 0.0.0 *, pa
   merge part-1 lies part-3
 
 ends 0 run drawn rigid --output less --shard 2/3
-expect 2 'pulloff: less/* is of other cases than part-1/shard-1-of-3.json: expected the same, but * is in one' \
+expect 2 'pulloff: less/* has other cases than part-1/shard-1-of-3.json: expected the same, but only one has *' \
   merge part-1 less part-3
 ends 0 run --output late --shard 2/3 --time-limit 600
 expect 2 'pulloff: late/shard-2-of-3.json has other scenes of case drawn than part-1/*' merge part-1 late part-3

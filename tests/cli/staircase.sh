@@ -117,7 +117,7 @@ expect 1 '*' verify --verbose stairs
 check 'a wrong number of steps is detected' test "$(grep -c 'step_count.*outside' stdout)" = 2
 write_case steps.csv
 expect 0 '' plan stairs
-check 'the plan says so' grep -q 'trace on until no harder preload gives more' stdout
+check 'the plan says so' grep -q 'find the pull-off for every preload: the case wants the staircase' stdout
 expect 0 'stairs: 2 points, *' run stairs --output whole
 cp whole/stairs/record.json first.json
 sed -i 's/Every preload/All preloads/' "$PULLOFF_DATA/cases/stairs.yaml"
