@@ -71,9 +71,9 @@ def cells(row, scene, solved, sign=1.0):
     return [number(sign * value[0]), *map(number, value[1:]), *(bound(SAFETY * s) for s in spread)]
 
 
-PULL_OFF_COLUMNS = KEYS + ("tabor complete_to pull_off_force pull_off_approach contact_radius "
-                           "pull_off_force_uncertainty pull_off_approach_uncertainty contact_radius_uncertainty").split()
-SPECIAL_COLUMNS = KEYS + ("complete_to index kind load approach contact_radius load_uncertainty "
+PULL_OFF_COLUMNS = KEYS + ("tabor complete_to force approach contact_radius "
+                           "force_uncertainty approach_uncertainty contact_radius_uncertainty").split()
+SPECIAL_COLUMNS = KEYS + ("tabor complete_to index kind load approach contact_radius load_uncertainty "
                           "approach_uncertainty contact_radius_uncertainty").split()
 
 
@@ -81,7 +81,7 @@ def rows_of(scene, solved):
     """The row of the table of pull-off and those of the table of special points."""
     end = number(solved.complete_to)
     best = [*scene.key, scene.tabor, end, *cells(pull_off(solved.rows), scene, solved, -1.0)]
-    return best, [[*scene.key, end, str(i + 1), row.kind, *cells(row, scene, solved)]
+    return best, [[*scene.key, scene.tabor, end, str(i + 1), row.kind, *cells(row, scene, solved)]
                   for i, row in enumerate(solved.rows)]
 
 
@@ -108,7 +108,7 @@ def header(what, columns, rows):
                    "(r - b)^2/(2R) beyond; truncated:b;R: 0 up to b, (r^2 - b^2)/(2R) beyond; waves A@L;...: each adds "
                    "A (1 - cos(2 pi r/L)); -: none",
         "units": "lengths in epsilon, approach > 0 pressed together; load > 0 compressive, in units of pi w R where "
-                 "radius is that of a sphere, and of pi w epsilon where radius is -; pull_off_force = -load; "
+                 "radius is that of a sphere, and of pi w epsilon where radius is -; force = -load; "
                  "coupling = w/(E* epsilon); tabor = (R w^2/(E*^2 epsilon^3))^(1/3) where the row was made by it; "
                  "outer_radius: the cut (inf: unbounded); contact_radius: the outermost radius where the gap is that "
                  "of the greatest tension, 0 when there is none",

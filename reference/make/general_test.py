@@ -127,7 +127,7 @@ def limits():
     table = STORED / "general_pull_off.csv"
     for row in read_table(table)[1] if table.exists() else []:
         if row["tabor"] != "-":
-            ladders.setdefault(row["law"], []).append((float(row["tabor"]), float(row["pull_off_force"])))
+            ladders.setdefault(row["law"], []).append((float(row["tabor"]), float(row["force"])))
     for name, ladder in ladders.items():
         tabor, force = np.array(sorted(ladder)).T
         rates = -np.diff(np.log(force - 1.5)) / np.diff(np.log(tabor))

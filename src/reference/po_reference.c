@@ -11,13 +11,18 @@
 #include "po_pins.h"
 #include "po_reference_bradley.h"
 
+/* The cell of a row whose scene does not have the key: the row applies to no scene of the program.
+ */
+static const char NO_VALUE[] = "-";
+
 /* Checks the values of the columns and headers that have the name of a scene key. */
 static po_status check_selectors(const po_csv *table) {
   po_request request = po_request_default();
   for (size_t c = 0; c < table->column_count; ++c) {
     const int key = po_key_of_name(table->columns[c]);
     for (size_t r = 0; key >= 0 && r < table->row_count; ++r)
-      if (!po_key_set(&request, (po_key)key, po_csv_cell(table, r, c)))
+      if (strcmp(po_csv_cell(table, r, c), NO_VALUE) != 0 &&
+          !po_key_set(&request, (po_key)key, po_csv_cell(table, r, c)))
         return po_fail(PO_CANNOT_READ, "%s:%zu: %s is %s: expected %s", table->path,
                        table->lines[r], table->columns[c], po_csv_cell(table, r, c),
                        po_key_expected((po_key)key));
