@@ -1,4 +1,4 @@
-/* Which side is likely at fault when ledgers disagree, and why that one. */
+/* Determines which side is probably wrong if references disagree, and why. */
 #ifndef PO_BLAME_H
 #define PO_BLAME_H
 
@@ -9,7 +9,8 @@ typedef struct {
   char why[400];
 } po_blame;
 
-/* What the other results of the same point say of one result. Given: a finished run. */
+/* Determines the side that is probably wrong from one result and the other results of the same
+ * point. Given: a finished run. */
 void po_blame_find(const po_case_run *run, const po_check_result *item, po_blame *blame);
 
 #endif

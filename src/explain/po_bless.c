@@ -11,10 +11,10 @@
 #include "po_file.h"
 #include "po_memory.h"
 
-/* A reason is a header of one line; longer than this it is no reason but a report. */
+/* Largest length of a reason, which is a header of one line. */
 enum { LONGEST_REASON = 500 };
 
-/* The pins the case has now: those of any of its checks that are against pins. */
+/* Returned: the present pins of the case; NULL if no check is against pins. */
 static const po_reference *old_pins(const po_plan *plan) {
   const po_case_file *file = plan->kase->file;
   for (unsigned c = 0; c < file->checks_count; ++c)
@@ -30,14 +30,15 @@ static po_status check_reason(const char *reason) {
     plain = plain && !iscntrl((unsigned char)*c);
   }
   if (blank || !plain || strlen(reason) > LONGEST_REASON)
-    return po_fail(PO_BAD_INPUT, "the reason is %s: expected one line that says why",
+    return po_fail(PO_BAD_INPUT, "the reason is %s: expected one line that states the reason",
                    blank    ? "empty"
-                   : !plain ? "of several lines, or holds control characters"
+                   : !plain ? "of several lines, or contains control characters"
                             : "longer than 500 characters");
   return PO_OK;
 }
 
-/* What was never solved, or is wrong by an independent route, is nothing to hold on to. */
+/* Refuses results that may not be pinned: failed solves, missing results, and results that an
+ * oracle contradicts. */
 static po_status check_results(const po_case_run *run) {
   const po_case *kase = run->plan->kase;
   const char *name = kase->file->name;
@@ -67,13 +68,13 @@ po_status po_bless_check(const po_case_run *run, const char *reason) {
   return status ? status : check_results(run);
 }
 
-/* How many pins are new, moved, or no more; a line for each. */
+/* The numbers of new, changed and removed pins. */
 typedef struct {
   size_t new, moved, dropped;
 } changes;
 
-static po_status tell_changes(const po_case_run *run, const po_reference *old,
-                              const po_pin_list *list, changes *found, po_text *report) {
+static po_status report_changes(const po_case_run *run, const po_reference *old,
+                                const po_pin_list *list, changes *found, po_text *report) {
   const po_case *kase = run->plan->kase;
   size_t known = 0;
   for (size_t i = 0; i < list->count; ++i) {
@@ -100,8 +101,8 @@ static po_status tell_changes(const po_case_run *run, const po_reference *old,
   return PO_OK;
 }
 
-/* The oracles that hold now, by their checksums: when one fails later although the pin
- * holds, this tells whether the oracle was altered since. */
+/* Adds a header with the checksum of each oracle whose checks pass now. If an oracle fails later
+ * and the pin does not, the checksum shows whether the oracle was altered since. */
 static void add_oracles(const po_plan *plan, po_text *text) {
   const po_case_file *file = plan->kase->file;
   size_t number = 0;
@@ -116,7 +117,7 @@ static void add_oracles(const po_plan *plan, po_text *text) {
   }
 }
 
-/* The headers of `old` that begin with `start`, as they are; how many. */
+/* Copies the headers of `old` that begin with `start`. Returned: their number. */
 static size_t copy_headers(const po_csv *old, const char *start, po_text *text) {
   size_t count = 0;
   for (size_t i = 0; i < old->header_count; ++i)
@@ -201,7 +202,7 @@ po_status po_bless(const po_case_run *run, const char *who, const char *reason, 
   changes found = {0};
   status = po_pin_list_make(run, &list);
   if (!status)
-    status = tell_changes(run, old, &list, &found, report);
+    status = report_changes(run, old, &list, &found, report);
   const bool changed = found.new + found.moved + found.dropped > 0 || !same_oracles(run->plan, old);
   if (!status && changed)
     status = write_pins(run, old, &list, who, reason);

@@ -8,7 +8,7 @@
 #include "po_compare_parts.h"
 #include "po_memory.h"
 
-/* Adds a value unless another check pinned it already. */
+/* Adds a value, unless another check has added it already. */
 static po_status add(po_pin_list *list, size_t point, const char *name, double value) {
   for (size_t i = 0; i < list->count; ++i)
     if (list->items[i].point == point && strcmp(list->items[i].name, name) == 0)
@@ -78,7 +78,8 @@ void po_pin_list_clear(po_pin_list *list) {
   *list = (po_pin_list){0};
 }
 
-/* The text of a key when it is the same for all scenes of the list; false when it is not. */
+/* Reports whether a key has the same value for all scenes of the list. Returned: in `text`, this
+ * value. */
 static bool is_shared(const po_case *kase, const po_pin_list *list, po_key key,
                       char text[PO_NUMBER_LENGTH]) {
   strcpy(text, "-");

@@ -1,4 +1,4 @@
-/* The pins of a case as a run would have them. */
+/* The list of pins of a case with the values of a run. */
 #ifndef PO_BLESS_LIST_H
 #define PO_BLESS_LIST_H
 
@@ -17,12 +17,12 @@ typedef struct {
   size_t count;
 } po_pin_list;
 
-/* All values the checks of the case pin, each once. Status: PO_NO_MEMORY. */
+/* Lists all values that the checks of the case pin, each once. Status: PO_NO_MEMORY. */
 po_status po_pin_list_make(const po_case_run *run, po_pin_list *list);
 void po_pin_list_clear(po_pin_list *list);
 
-/* The line of column names and the rows of the table; and the keys that all scenes of the list
- * share, as headers. */
+/* Adds the line of column names and the rows of the table; adds, as headers, the keys that have the
+ * same value for all scenes of the list. */
 void po_pin_list_rows(const po_case *kase, const po_pin_list *list, po_text *rows);
 void po_pin_list_headers(const po_case *kase, const po_pin_list *list, po_text *text);
 

@@ -9,7 +9,7 @@
 #include "po_json.h"
 #include "po_place.h"
 
-/* Whether `word` of `length` is among the words of a label. */
+/* Reports whether the first `length` characters of `word` are a word of a label. */
 static bool has_word(const char *label, const char *word, size_t length) {
   while (*label) {
     label += strspn(label, " ");
@@ -49,13 +49,13 @@ bool po_explain_concerns(const po_case_run *run, const po_explain_choice *choice
   return true;
 }
 
-static bool is_told(const po_case_run *run, const po_explain_choice *choice,
-                    const po_check_result *item) {
+static bool is_explained(const po_case_run *run, const po_explain_choice *choice,
+                         const po_check_result *item) {
   return po_explain_concerns(run, choice, item) && (choice->all || item->verdict != PO_WITHIN);
 }
 
-/* The command that repeats a point; for a curve, keeping it. What the command line says of the time
- * limit is part of the request. */
+/* Returned: the command that repeats the solve of a point, with its time limit; for a curve, with
+ * the option that writes it. */
 static char *command_of(const po_case_run *run, size_t point, bool curve) {
   const po_request request = po_plan_request(run->plan, point);
   char *solve = po_input_command(&request);
@@ -68,7 +68,8 @@ static char *command_of(const po_case_run *run, size_t point, bool curve) {
   return text.data;
 }
 
-/* What repeats a result: of all points together the first solve that failed, if any did. */
+/* Returned: the command that repeats a result. For a result of all points together it is that of
+ * the first failed solve, or `verify` if none failed. */
 static char *command_of_item(const po_case_run *run, const po_check_result *item) {
   if (!item->whole || run->results[item->point].status != PO_OK)
     return command_of(run, item->point, item->check->quantity == PO_CURVE);
@@ -77,7 +78,7 @@ static char *command_of_item(const po_case_run *run, const po_check_result *item
   return text.data;
 }
 
-static void tell_numbers(const po_case_run *run, const po_check_result *item, po_text *text) {
+static void explain_numbers(const po_case_run *run, const po_check_result *item, po_text *text) {
   const po_check *check = item->check;
   const char *reference = po_plan_reference_of(run->plan, check);
   if (isfinite(item->obtained))
@@ -86,7 +87,7 @@ static void tell_numbers(const po_case_run *run, const po_check_result *item, po
     po_text_add(text, "  expected   %.12g\n", item->expected);
   po_text_add(text, "  ledger     %s: %s", po_ledger_name(item->ledger), reference);
   if (isfinite(item->uncertainty) && item->uncertainty > 0)
-    po_text_add(text, ", itself uncertain by %.2g", item->uncertainty);
+    po_text_add(text, ", with an uncertainty of %.2g", item->uncertainty);
   po_text_add(text, "\n");
   if (isfinite(item->error))
     po_text_add(text, "  %s %+.3g, %.4g times the tolerance of %s %s\n",
@@ -94,16 +95,16 @@ static void tell_numbers(const po_case_run *run, const po_check_result *item, po
                 check->tolerance_text, check->kind_text);
 }
 
-static void tell_item(const po_case_run *run, const po_check_result *item, po_text *text) {
+static void explain_item(const po_case_run *run, const po_check_result *item, po_text *text) {
   const po_case *kase = run->plan->kase;
   char place[PO_PLACE_LENGTH] = "";
   po_blame blame;
   po_blame_find(run, item, &blame);
   po_text_add(text, "%s %s %s: %s\n", kase->file->name, item->subject,
               item->whole ? "-" : kase->points[item->point].label, po_verdict_name(item->verdict));
-  tell_numbers(run, item, text);
+  explain_numbers(run, item, text);
   if (isfinite(item->approach)) {
-    po_place_tell(&run->results[item->point], item->approach, item->load, place);
+    po_place_describe(&run->results[item->point], item->approach, item->load, place);
     po_text_add(text, "  where      approach %.6g, load %.6g%s%s\n", item->approach, item->load,
                 *place ? ", " : "", place);
   }
@@ -119,14 +120,14 @@ static void tell_item(const po_case_run *run, const po_check_result *item, po_te
 
 void po_explain_text(const po_case_run *run, const po_explain_choice *choice, po_text *text) {
   const po_case *kase = run->plan->kase;
-  size_t told = 0, considered = 0;
+  size_t explained = 0, considered = 0;
   for (size_t i = 0; i < run->check_results.count; ++i) {
     const po_check_result *item = &run->check_results.items[i];
     considered += po_explain_concerns(run, choice, item);
-    if (!is_told(run, choice, item))
+    if (!is_explained(run, choice, item))
       continue;
-    tell_item(run, item, text);
-    told += 1;
+    explain_item(run, item, text);
+    explained += 1;
   }
   for (size_t i = 0; i < kase->point_count; ++i)
     if (is_chosen(choice, i) && po_case_run_failed(run, i)) {
@@ -136,8 +137,8 @@ void po_explain_text(const po_case_run *run, const po_explain_choice *choice, po
                   command ? command : "");
       free(command);
     }
-  po_text_add(text, "%s: %zu of %zu checks told%s\n", kase->file->name, told, considered,
-              told < considered ? ", the others are within" : "");
+  po_text_add(text, "%s: %zu of %zu checks explained%s\n", kase->file->name, explained, considered,
+              explained < considered ? ", the others are within" : "");
 }
 
 static json_t *item_json(const po_case_run *run, const po_check_result *item) {
@@ -149,7 +150,7 @@ static json_t *item_json(const po_case_run *run, const po_check_result *item) {
   po_blame_find(run, item, &blame);
   json_t *where = json_null();
   if (isfinite(item->approach)) {
-    po_place_tell(&run->results[item->point], item->approach, item->load, place);
+    po_place_describe(&run->results[item->point], item->approach, item->load, place);
     where = PO_JSON_OBJECT({"approach", po_json_number(item->approach)},
                            {"load", po_json_number(item->load)},
                            {"special_points", po_json_text(place)});
@@ -175,7 +176,7 @@ json_t *po_explain_json(const po_case_run *run, const po_explain_choice *choice)
   const po_case *kase = run->plan->kase;
   json_t *checks = po_json_empty_array(), *failed = po_json_empty_array();
   for (size_t i = 0; i < run->check_results.count; ++i)
-    if (is_told(run, choice, &run->check_results.items[i]))
+    if (is_explained(run, choice, &run->check_results.items[i]))
       po_json_append(&checks, item_json(run, &run->check_results.items[i]));
   for (size_t i = 0; i < kase->point_count; ++i)
     if (is_chosen(choice, i) && po_case_run_failed(run, i))

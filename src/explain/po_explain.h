@@ -1,4 +1,5 @@
-/* A finished run, check by check: what differs, where, who is likely at fault, how to repeat it. */
+/* Explains the checks of a finished run: the difference, its place on the branch, the side that is
+ * probably wrong, and the command that repeats the solve. */
 #ifndef PO_EXPLAIN_H
 #define PO_EXPLAIN_H
 
@@ -7,22 +8,24 @@
 #include "po_text.h"
 
 typedef struct {
-  const bool *points; /* which points of the case; NULL: all */
-  bool all;           /* also the checks that are within */
+  const bool *points; /* one a point: the point is selected; NULL: all are */
+  bool all;           /* include checks whose verdict is within */
 } po_explain_choice;
 
-/* Whether a point is meant by what a user wrote: its number, or words of its label. */
+/* Reports whether a text selects a point: it is the number of the point, or consists of words of
+ * its label. */
 bool po_explain_means(const po_point *point, const char *text);
 
-/* Whether a result is of the points chosen; one of all points together is when all are. */
+/* Reports whether a result belongs to the selected points. A result of all points together does if
+ * all points are selected. */
 bool po_explain_concerns(const po_case_run *run, const po_explain_choice *choice,
                          const po_check_result *item);
 
-/* For people; a paragraph a check, and one for each solve that failed (as po_case_run_failed says).
- */
+/* Adds a paragraph for each check, and one for each failed solve (see po_case_run_failed). */
 void po_explain_text(const po_case_run *run, const po_explain_choice *choice, po_text *text);
 
-/* The same as a document of schema "pulloff-explain/1". NULL without memory. */
+/* Returned: the content of these paragraphs as a document of schema "pulloff-explain/1"; NULL
+ * without memory. */
 json_t *po_explain_json(const po_case_run *run, const po_explain_choice *choice);
 
 #endif

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Special point number `index` of the folds, then of the extrema. */
+/* Returned: special point number `index` in the list of all folds followed by all extrema. */
 static const po_special_point *special(const po_result *result, size_t index) {
   return index < result->fold_count ? &result->folds[index]
                                     : &result->extrema[index - result->fold_count];
@@ -15,7 +15,7 @@ static void name(const po_result *result, size_t index, char words[32]) {
   snprintf(words, 32, "%s-%zu", po_special_kind_name(special(result, index)->kind), number + 1);
 }
 
-/* The arclength at which the curve passes nearest; NAN without a curve. */
+/* Returned: the arclength of the nearest point of the curve; NAN without a curve. */
 static double position_of(const po_result *result, double approach, double load) {
   double nearest = (double)INFINITY, position = (double)NAN;
   for (size_t i = 0; i < result->curve_count; ++i) {
@@ -29,8 +29,8 @@ static double position_of(const po_result *result, double approach, double load)
   return position;
 }
 
-void po_place_tell(const po_result *result, double approach, double load,
-                   char words[PO_PLACE_LENGTH]) {
+void po_place_describe(const po_result *result, double approach, double load,
+                       char words[PO_PLACE_LENGTH]) {
   const size_t count = result->fold_count + result->extremum_count, none = count;
   const double position = position_of(result, approach, load);
   size_t before = none, after = none;

@@ -1,4 +1,4 @@
-/* Where on the branch a result is, in words. */
+/* Describes the place of a result on the branch. */
 #ifndef PO_PLACE_H
 #define PO_PLACE_H
 
@@ -6,10 +6,11 @@
 
 enum { PO_PLACE_LENGTH = 160 };
 
-/* "at jump_in-1", "between jump_out-2 and minimum-1", "before jump_in-1", "after minimum-1": the
- * special points are called as in the ids of checks. "" when the branch has no special point, or
- * the place cannot be told without the points of the curve, which the result lacks. */
-void po_place_tell(const po_result *result, double approach, double load,
-                   char words[PO_PLACE_LENGTH]);
+/* Returned: in `words`, the place relative to the special points, which have the names that the ids
+ * of checks contain: "at jump_in-1", "between jump_out-2 and minimum-1", "before jump_in-1", "after
+ * minimum-1". "" if the branch has no special point, or if the place depends on the points of the
+ * curve and the result has none. */
+void po_place_describe(const po_result *result, double approach, double load,
+                       char words[PO_PLACE_LENGTH]);
 
 #endif

@@ -32,7 +32,8 @@ static int ascending(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* The smallest value that a part of all do not exceed (nearest rank). */
+/* Returned: the quantile by the nearest rank: the least value that a fraction `part` of the values
+ * does not exceed. */
 static double quantile(const double *sorted, size_t count, double part) {
   const size_t rank = (size_t)ceil(part * (double)count);
   return sorted[rank > 0 ? rank - 1 : 0];
@@ -60,7 +61,7 @@ static void add_command(const po_case_run *run, size_t point, po_text *text) {
   free(command);
 }
 
-/* A search for each of a few costs less than it takes to read them. */
+/* Adds the slowest solves. Each is found by a search through all points, as there are few. */
 static void add_slowest(const po_case_run *run, po_text *text) {
   double below = (double)INFINITY;
   po_text_add(text, "slowest\n");

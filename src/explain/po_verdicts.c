@@ -21,7 +21,8 @@ static void ratio_or_dash(double value, char text[24]) {
     strcpy(text, "-");
 }
 
-/* A curve has no one number; its largest distance from the reference stands for it. */
+/* Adds the line of a check. A curve is not a single number; its line shows the largest distance
+ * from the reference. */
 static void table_line(const po_case_run *run, const po_check_result *item, po_text *text) {
   char obtained[32], expected[32], ratio[24];
   const bool curve = item->check->quantity == PO_CURVE;
@@ -36,7 +37,7 @@ static void table_line(const po_case_run *run, const po_check_result *item, po_t
               item->verdict != PO_WITHIN ? item->note : "");
 }
 
-/* The pull-off of each point in newton and metre, of a scene that was given in them. */
+/* Adds the pull-off of each point in newton and metre, if the scene is given in SI units. */
 static void physical_lines(const po_case_run *run, po_text *text) {
   const po_case *kase = run->plan->kase;
   for (size_t i = 0; kase->is_physical && i < kase->point_count; ++i)
@@ -47,7 +48,7 @@ static void physical_lines(const po_case_run *run, po_text *text) {
                   run->results[i].pull_off.approach * kase->units.length);
 }
 
-/* How many checks of all cases have each verdict. */
+/* Counts the checks of all cases by verdict. Returned: the number of all checks. */
 static size_t count_verdicts(const po_case_run *runs, size_t count, size_t of[PO_VERDICT_COUNT]) {
   size_t total = 0;
   for (size_t r = 0; r < count; ++r)
@@ -97,8 +98,8 @@ void po_verdicts_table(const po_case_run *runs, size_t count, po_text *text) {
   po_verdicts_totals(runs, count, text);
 }
 
-/* What there is to say of a check that is not simply within. */
-static void tell(const po_check_result *item, char text[400]) {
+/* Composes the diagnostic text of a check whose verdict is not within. */
+static void describe(const po_check_result *item, char text[400]) {
   char obtained[32], expected[32], error[32];
   number_or_dash(item->obtained, 17, obtained);
   number_or_dash(item->expected, 17, expected);
@@ -115,7 +116,7 @@ static void tap_check(const po_case_run *run, const po_check_result *item, size_
   if (item->verdict == PO_WITHIN)
     return;
   char why[400];
-  tell(item, why);
+  describe(item, why);
   po_text_add(text, "# %s\n", why);
 }
 
@@ -135,7 +136,7 @@ void po_verdicts_tap(const po_case_run *runs, size_t count, po_text *text) {
   }
 }
 
-/* As XML, which has to be UTF-8. */
+/* Adds a string to XML, which must be UTF-8. */
 static void add_escaped(po_text *text, const char *string) {
   char *valid = po_text_utf8(string);
   text->failed = text->failed || !valid;
@@ -153,7 +154,7 @@ static void add_escaped(po_text *text, const char *string) {
   free(valid);
 }
 
-/* One test: failed, or passed with something to say, or just passed. */
+/* Adds one test: failed, passed with the text `words`, or passed (`words` is NULL). */
 static void junit_test(const char *kase, const char *id, bool passes, const char *words,
                        double seconds, po_text *text) {
   po_text_add(text, "    <testcase classname=\"%s\" name=\"", kase);
@@ -177,7 +178,7 @@ static void junit_suite(const po_case_run *run, po_text *text) {
   for (size_t i = 0; i < run->check_results.count; ++i) {
     const po_check_result *item = &run->check_results.items[i];
     char words[400];
-    tell(item, words);
+    describe(item, words);
     junit_test(kase->file->name, item->id, po_verdict_passes(item->verdict),
                item->verdict == PO_WITHIN ? NULL : words, run->results[item->point].work.seconds,
                text);

@@ -49,7 +49,7 @@ add_pin "$file" pull_off_force 1e-10 rel
 add_pin "$file" folds 1e-10 abs
 add_pin "$file" work 0.03 rel
 expect 2 'pulloff: bless needs --reason TEXT (see pulloff bless --help)' bless good --output run
-expect 2 'pulloff: the reason is empty: expected one line that says why' bless good --reason ' '
+expect 2 'pulloff: the reason is empty: expected one line that states the reason' bless good --reason ' '
 expect 2 'pulloff: the reason is of several lines, *' bless good --reason 'one
 two'
 expect 2 'pulloff: bless needs the name of one case (see pulloff bless --help)' bless --reason why

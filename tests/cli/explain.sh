@@ -21,9 +21,9 @@ expect 2 'pulloff: explain needs the name of one case (see pulloff explain --hel
 expect 2 'pulloff: --point is tabor=1: expected a number below 1, or words of a label such as scene' \
   explain good --point tabor=1
 check 'nothing was solved for these' test ! -e run
-explained 0 '^good pull_off_force scene: slack$' '^  fault      tolerance: .*: narrow it$'
+explained 0 '^good pull_off_force scene: slack$' '^  fault      tolerance: .*: reduce it$'
 sed -i 's/tolerance: 1e-9/tolerance: 1e-12/' "$file"
-explained 0 '^good: 0 of 1 checks told, the others are within$'
+explained 0 '^good: 0 of 1 checks explained, the others are within$'
 expect 0 '*' explain good --output run --all
 check '--all explains also checks that are within' grep -q '^good pull_off_force scene: within$' "$work/stdout"
 
@@ -31,11 +31,11 @@ check '--all explains also checks that are within' grep -q '^good pull_off_force
 restore
 write_table "$table" tabor,force,approach,force_uncertainty 0,2.5,0,1e-10
 explained 1 '^good pull_off_force scene: outside$' '^  obtained   2$' '^  expected   2.5$' \
-  '^  ledger     oracle: reference/table.csv, itself uncertain by 1e-10$' \
+  '^  ledger     oracle: reference/table.csv, with an uncertainty of 1e-10$' \
   '^  difference -0.5, 5e+08 times the tolerance of 1e-9 abs$' \
   '^  where      approach .*, load -2, at minimum-1$' \
-  '^  fault      program: .*nothing else speaks of this' \
-  '^  tolerance  because it has a closed form$' '^good: 1 of 1 checks told$'
+  '^  fault      program: .*no other reference covers this number' \
+  '^  tolerance  because it has a closed form$' '^good: 1 of 1 checks explained$'
 command=$(sed -n 's/^  rerun      pulloff //p' "$work/stdout")
 check 'the explanation states every key of the scene' test "$command" = \
   'solve --tabor 0 --radius 100 --outer-radius inf --scheme triangle --grading uniform --nodes 101'
@@ -52,7 +52,7 @@ cat >>"$file" <<'CHECKS'
   - {quantity: pull_off_force, reference: pin, tolerance: 1e-10, kind: rel, because: it is quick to bless again}
 CHECKS
 explained 1 '^  fault      publication: reference/table.csv (oracle) agrees with the result' \
-  '^  fault      pin: it was not blessed yet$' '^to make the pins: pulloff bless good --reason TEXT$'
+  '^  fault      pin: it is not blessed yet$' '^to make the pins: pulloff bless good --reason TEXT$'
 
 # wrong_and_frozen: the reference or the tolerance was altered after the pins had been blessed.
 expect 0 '*' bless good --reason 'the first' --output run
@@ -62,7 +62,7 @@ explained 1 '^good pull_off_force scene: wrong_and_frozen$' \
 write_table "$table" tabor,force,approach 0,2.0000000005,0
 expect 0 '*' bless good --reason 'another oracle' --output run
 sed -i 's/tolerance: 1e-9/tolerance: 1e-10/' "$file"
-explained 1 '^  fault      tolerance: .*it is what it was then'
+explained 1 '^  fault      tolerance: .*the table has not changed'
 
 # A curve: the place, the special points on both sides, and the JSON document.
 restore
@@ -83,7 +83,7 @@ assert c["because"] == "it has a closed form" and c["reference"] == "bradley"
 LOOK
 check 'the document' "$python" look.py <"$work/stdout"
 expect 1 '*' explain good --output run --point 0
-check '--point selects the other point' grep -q '^good: 1 of 1 checks told$' "$work/stdout"
+check '--point selects the other point' grep -q '^good: 1 of 1 checks explained$' "$work/stdout"
 
 # A solve that failed.
 restore

@@ -75,7 +75,7 @@ expect 0 '*' verify scenes --junit out.xml
 check 'JUnit has the same' grep -q '<testsuite name="scenes" tests="1" failures="0"' out.xml
 expect 0 '*' explain scenes
 check 'explain: no failed solve if few enough failed' test "$(cat "$work/stdout")" = \
-  'scenes: 0 of 1 checks told, the others are within'
+  'scenes: 0 of 1 checks explained, the others are within'
 expect 0 '*' explain scenes --all
 check 'explain: the fraction belongs to no single point' grep -q '^scenes solved_share -: within$' "$work/stdout"
 expect 0 '*' verify --verbose scenes
@@ -94,7 +94,7 @@ assert c["command"] == d["failed"][0]["command"] and " --time-limit 1e-09" in c[
 TOLD
 check 'explain: the fraction, and each failure' "$python" told.py
 expect 3 '*' explain scenes --point 3
-check 'explain: for one point only its failure' grep -q '^scenes: 0 of 0 checks told$' "$work/stdout"
+check 'explain: for one point only its failure' grep -q '^scenes: 0 of 0 checks explained$' "$work/stdout"
 expect 0 '*' explain scenes --point 0
 expect 3 '*' verify --verbose scenes
 check 'now the failed solves count' test 3 -eq "$(grep -c 'time_limit=1e-9 .*failed: after' "$work/stdout")"

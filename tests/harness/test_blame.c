@@ -15,18 +15,19 @@ static const struct {
   int asked;
   const char *side, *why;
 } SIDES[] = {
-    {1.5, NONE, NONE, 1.5001, 1.503, ORACLE, "program", "the result has left both"},
-    {1.5, NONE, NONE, 1.504, 1.503, ORACLE, "program", "though for the better"},
-    {1.5, NONE, NONE, 1.5001, 1.503, PIN, "program", "away from reference/sage.csv"},
+    {1.5, NONE, NONE, 1.5001, 1.503, ORACLE, "program", "the result differs from both"},
+    {1.5, NONE, NONE, 1.504, 1.503, ORACLE, "program", "and the error decreased"},
+    {1.5, NONE, NONE, 1.5001, 1.503, PIN, "program",
+     "its error against reference/sage.csv increased"},
     {1.5, 1.503, NONE, NONE, 1.503, ORACLE, "reference", "reference/seer.csv (oracle) agrees"},
     {1.5, NONE, 1.504, NONE, 1.503, ORACLE, "reference", "reference/paper.csv (published) agrees"},
     {1.5, 1.5001, NONE, NONE, 1.503, ORACLE, "program", "seer.csv (oracle) does not agree"},
-    {1.5, NONE, NONE, NONE, 1.503, ORACLE, "program", "nothing else speaks of this"},
+    {1.5, NONE, NONE, NONE, 1.503, ORACLE, "program", "no other reference covers this number"},
     {1.5, NONE, 1.55, NONE, 1.5001, PUBLISHED, "publication", "sage.csv (oracle) agrees"},
     {1.5, NONE, 1.50, NONE, 1.55, PUBLISHED, "program", "does not agree with the result either"},
-    {NONE, NONE, 1.55, NONE, 1.5001, PUBLISHED, "publication", "an oracle would tell"},
-    {NONE, NONE, NONE, 1.5, 1.5001, PIN, "program", "no oracle says"},
-    {1.5, NONE, NONE, 1.5002, 1.5001, PIN, "pin", "for the better: bless it"},
+    {NONE, NONE, 1.55, NONE, 1.5001, PUBLISHED, "publication", "an oracle would decide"},
+    {NONE, NONE, NONE, 1.5, 1.5001, PIN, "program", "no oracle decides"},
+    {1.5, NONE, NONE, 1.5002, 1.5001, PIN, "pin", "the error decreased: bless it"},
     {1.5, NONE, NONE, 1.7, 1.5001, PIN, "pin", "the pin was altered"},
     {1.5, NONE, NONE, 1.5002, 1.5002, PIN, "none", ""},
 };
@@ -54,7 +55,7 @@ END_TEST
 static const struct {
   const char *checked, *side, *why;
 } FROZEN[] = {
-    {"reference/sage.csv sha256 0123", "tolerance", "it is what it was then"},
+    {"reference/sage.csv sha256 0123", "tolerance", "the table has not changed"},
     {"reference/sage.csv sha256 4567", "reference", "the reference was altered"},
     {"reference/seer.csv sha256 0123", "program", "was not among the oracles"},
 };
@@ -76,14 +77,14 @@ START_TEST(wrong_and_frozen) {
 END_TEST
 
 /* A curve has no pin of its own; those of the special points of the same point speak for it. */
-START_TEST(the_pins_of_a_point_speak_for_its_curve) {
+START_TEST(the_pins_of_a_point_are_used_for_its_curve) {
   const size_t curve = found(ORACLE, 0, "curve", "", 0.01, 0, 1e-10);
   found(PIN, 0, "fold_load", "jump_in-1/load", -0.7, -0.6999, 0);
   po_judge(&made_run.check_results);
   po_blame blame;
   po_blame_find(&made_run, &made_run.check_results.items[curve], &blame);
   ck_assert_str_eq(blame.side, "program");
-  ck_assert_ptr_nonnull(strstr(blame.why, "not what was blessed either"));
+  ck_assert_ptr_nonnull(strstr(blame.why, "not the blessed value either"));
 }
 END_TEST
 
@@ -117,7 +118,7 @@ START_TEST(a_place_between_special_points) {
                             .curve = CURVE,
                             .curve_count = 4};
   char words[PO_PLACE_LENGTH];
-  po_place_tell(&result, PLACES[_i].approach, PLACES[_i].load, words);
+  po_place_describe(&result, PLACES[_i].approach, PLACES[_i].load, words);
   ck_assert_str_eq(words, PLACES[_i].words);
 }
 END_TEST
@@ -138,7 +139,7 @@ static void add(TCase *tests) {
   tcase_add_checked_fixture(tests, make_run, clear_run);
   tcase_add_loop_test(tests, the_side_at_fault, 0, (int)(sizeof SIDES / sizeof *SIDES));
   tcase_add_loop_test(tests, wrong_and_frozen, 0, (int)(sizeof FROZEN / sizeof *FROZEN));
-  tcase_add_test(tests, the_pins_of_a_point_speak_for_its_curve);
+  tcase_add_test(tests, the_pins_of_a_point_are_used_for_its_curve);
   tcase_add_loop_test(tests, a_place_between_special_points, 0,
                       (int)(sizeof PLACES / sizeof *PLACES));
   tcase_add_test(tests, a_point_is_meant_by_number_or_words);
