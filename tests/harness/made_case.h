@@ -1,4 +1,4 @@
-/* A case with one check and the table that it names, both made up. */
+/* A made-up case with one check, and the made-up table of its reference. */
 #ifndef MADE_CASE_H
 #define MADE_CASE_H
 
@@ -35,7 +35,7 @@ static const char ROWS[] = "tabor,index,kind,approach,load,uncertainty\n"
                            "1,3,minimum,-0.9,-1.67,1e-9\n"
                            "1,4,maximum,5,3,1e-9\n";
 
-/* `more` is header lines beside those every table has. */
+/* Given: `more`, header lines in addition to those that every table has. */
 static inline void write_table(const char *more, const char *rows_text) {
   po_text header = {0}, rows = {0}, text = {0};
   char digest[PO_DIGEST_LENGTH];

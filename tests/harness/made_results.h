@@ -1,4 +1,5 @@
-/* A made-up run of two points, with a check against each ledger, for tests of what is judged. */
+/* A made-up run of two points with a check against each kind of reference, for tests of verdicts.
+ */
 #ifndef MADE_RESULTS_H
 #define MADE_RESULTS_H
 
@@ -55,7 +56,7 @@ static inline void clear_run(void) {
   po_check_results_clear(&made_run.check_results);
 }
 
-/* Adds what one check found; the place of it among the results. */
+/* Adds the result of one check. Returned: its index among the results. */
 static inline size_t found(int which, size_t point, const char *name, const char *suffix,
                            double obtained, double expected, double uncertainty) {
   po_check_result *item =

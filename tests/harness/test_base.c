@@ -1,4 +1,4 @@
-/* Text, numbers, digests, files and tables: what the harness stands on. */
+/* Tests of text, numbers, digests, files and tables. */
 #include <check.h>
 #include <math.h>
 #include <stdio.h>
@@ -141,7 +141,7 @@ START_TEST(file_is_written_whole_or_not_at_all) {
   ck_assert_uint_eq(size, 8);
   ck_assert(memcmp(data, "second\0x", 9) == 0);
   free(data);
-  /* Over a folder: refused, and the folder holds nothing new. */
+  /* Writing to the path of a folder fails, and the folder contains no new file. */
   char **names = NULL;
   size_t count = 0;
   ck_assert_int_eq(po_file_write(folder, "x", 1), PO_CANNOT_WRITE);
@@ -179,7 +179,7 @@ START_TEST(csv_reads_headers_columns_rows) {
   po_digest_bytes("# what: a: b\n#units:\na,b\n1,2\n2.385,-4e3\n", 40, digest);
   ck_assert_str_eq(csv.digest, digest);
   po_csv_clear(&csv);
-  /* its own line does not count, wherever it is; a header does */
+  /* the digest covers all lines except its own, wherever that is */
   ck_assert_int_eq(read_text("# what: a: b\n#units:\n# sha256: x\na,b\n1,2\n2.385,-4e3\n", &csv),
                    PO_OK);
   ck_assert_str_eq(csv.digest, digest);
@@ -255,8 +255,8 @@ END_TEST
 
 #define COUNT(table) (int)(sizeof(table) / sizeof *(table))
 
-/* The last column of a curve counts unstable modes: 0.5 was read as 0, and what is beyond an int as
- * anything. */
+/* The last column of a curve is the number of unstable modes. Regression: 0.5 was read as 0, and a
+ * number beyond the range of int as an arbitrary one. */
 static const struct {
   const char *modes;
   po_status expected;

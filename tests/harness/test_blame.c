@@ -1,4 +1,4 @@
-/* Which side is told to be at fault, and where on the branch. */
+/* Tests of the side that is reported as probably wrong, and of the place on the branch. */
 #include "made_results.h"
 
 #include "po_blame.h"
@@ -8,8 +8,8 @@
 
 static const double NONE = (double)NAN;
 
-/* What each ledger expects of one number (NAN: it does not speak), what was obtained, whose result
- * is asked about, and which side is named with which word. */
+/* The value of one number in each reference (NAN: none), the result, the reference whose check is
+ * explained, and the reported side with words of the reason. */
 static const struct {
   double oracle, other, paper, pin, obtained;
   int asked;
@@ -51,7 +51,7 @@ START_TEST(the_side_at_fault) {
 }
 END_TEST
 
-/* The pin holds and the oracle fails; `checked` is what the pins say of the oracle then. */
+/* The pin passes and the oracle fails; `checked` is the header of the pins about that oracle. */
 static const struct {
   const char *checked, *side, *why;
 } FROZEN[] = {
@@ -76,7 +76,7 @@ START_TEST(wrong_and_frozen) {
 }
 END_TEST
 
-/* A curve has no pin of its own; those of the special points of the same point speak for it. */
+/* A curve has no pin; the pins of the special points of the same point are used instead. */
 START_TEST(the_pins_of_a_point_are_used_for_its_curve) {
   const size_t curve = found(ORACLE, 0, "curve", "", 0.01, 0, 1e-10);
   found(PIN, 0, "fold_load", "jump_in-1/load", -0.7, -0.6999, 0);

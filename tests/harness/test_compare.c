@@ -1,4 +1,4 @@
-/* Numbers and curves beside a reference: verdicts of made-up results, known before. */
+/* Comparison of numbers and curves with a reference: made-up results with known verdicts. */
 #include <check.h>
 #include <math.h>
 #include <string.h>
@@ -29,7 +29,8 @@ START_TEST(force_within_and_outside) {
 }
 END_TEST
 
-/* The closed form of the rigid sphere, a column of its own, and one in units of sqrt(R eps). */
+/* The contact radius by the closed form of the rigid sphere, from its own column, and from a column
+ * in units of sqrt(R eps). */
 static const struct {
   const char *reference, *rows;
   double expected, uncertainty;
@@ -82,8 +83,8 @@ START_TEST(tolerance_tighter_than_the_reference) {
 }
 END_TEST
 
-/* Why the reverse trace has no number is in the note: it was not gone, it failed, or met other
- * folds. */
+/* The note states why the reverse trace has no result: it was not made, it failed, or it found
+ * other folds. */
 START_TEST(reverse_trace_without_a_number) {
   load("reverse_trace", "zero", "1e-3", "abs");
   po_result result = {.has_pull_off = true, .fold_count = 2, .extremum_count = 3};
@@ -109,8 +110,8 @@ START_TEST(reverse_trace_without_a_number) {
 }
 END_TEST
 
-/* A closed form has its rounding errors: of the load 3.5e-15 at the contact of 0.2, 2e-17 far out.
- */
+/* The load of the closed form has a rounding error: 3.5e-15 at approach 0.2, 2e-17 at large
+ * separation. */
 START_TEST(tolerance_tighter_than_rounding) {
   static const struct {
     const char *tolerance;

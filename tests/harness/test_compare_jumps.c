@@ -1,4 +1,4 @@
-/* The jumps and the numbers of a loop beside a table. */
+/* Comparison of the jumps and the numbers of a loop with a table. */
 #include <check.h>
 #include <math.h>
 #include <string.h>
@@ -6,7 +6,7 @@
 #include "made_case.h"
 #include "run.h"
 
-/* Two jumps, at another preload nothing. */
+/* A table with two jumps for one preload and none for another. */
 static const char JUMP_ROWS[] = "tabor,preload,index,phase,approach,load_before,load_after,energy_"
                                 "lost,energy_lost_uncertainty\n"
                                 "1,0.7,1,loading,-1.6,-0.7,-1.1,0.31,2e-4\n"
@@ -64,7 +64,7 @@ START_TEST(jumps_that_are_others) {
 }
 END_TEST
 
-/* A table of jumps that does not say which of them are of loading has an error, and its line. */
+/* A table of jumps without the column phase is refused with its line. */
 START_TEST(jumps_of_no_phase) {
   write_table("", "tabor,preload,index,approach,load_before,load_after,energy_lost\n"
                   "1,0.7,1,-1.6,-0.7,-1.1,0.31\n");

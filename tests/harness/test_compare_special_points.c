@@ -1,4 +1,4 @@
-/* Special points beside a reference: which are compared, which are missing or spurious. */
+/* Comparison of special points with a reference: which are compared, missing or spurious. */
 #include <check.h>
 #include <math.h>
 #include <string.h>
@@ -166,7 +166,8 @@ START_TEST(a_scene_the_reference_does_not_know) {
 }
 END_TEST
 
-/* A header named as a key of the scene holds for all rows: the table is silent of other scenes. */
+/* A header with the name of a scene key applies to all rows: the table has no values for other
+ * scenes. */
 START_TEST(a_scene_the_headers_exclude) {
   write_table("# outer_radius: 100\n", ROWS);
   load("folds", "table.csv", "1e-3", "abs");

@@ -1,4 +1,4 @@
-/* Curves compared as curves: what the comparison must see, and what it must not mind. */
+/* Comparison of curves: differences that it must detect, and those that it must not. */
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>
@@ -36,7 +36,7 @@ static po_curve_verdict compare(size_t count, size_t reference_count, double tol
   return compare_curves(&a, reference_count, tolerance);
 }
 
-/* Ours with the rates of the s curve, per a parameter that runs unevenly along it. */
+/* Our curve with rates, with respect to a parameter that is not proportional to the arclength. */
 static po_plane_curve with_rates(size_t count) {
   for (size_t i = 0; i < count; ++i) {
     const double s = 2 * (sqrt(1 + (ours[i].load + 2) / 2) - 1); /* load = -2 + 2 s + s^2 / 2 */
@@ -61,7 +61,7 @@ START_TEST(distance_from_a_circle) {
 }
 END_TEST
 
-/* By its rates a cubic follows a circle to angle^4/384 of the radius. */
+/* With rates, the error of a cubic along a circle is angle^4/384 of the radius. */
 START_TEST(distance_from_a_circle_with_rates) {
   po_plane_point circle[41], along[41];
   double angle_of[41];
@@ -84,7 +84,7 @@ START_TEST(distance_from_a_circle_with_rates) {
 }
 END_TEST
 
-/* Without, the uncertainty is more than the error, by the distance of the points on which it is. */
+/* Without rates, the uncertainty exceeds the error of the interpolation. */
 START_TEST(interpolation_error_is_below_its_uncertainty) {
   po_plane_point circle[41];
   double largest = 0, uncertainty = 0;
@@ -184,7 +184,7 @@ START_TEST(nothing_in_common_is_nothing_compared) {
 }
 END_TEST
 
-/* A branch that jumps where the true one folds. */
+/* A branch that jumps at the fold of the true one. */
 START_TEST(missing_folds_are_named) {
   size_t n = s_curve(ours, 200, -1, -0.34, 0);
   n += s_curve(ours + n, 200, 0.7, 1, 0);
@@ -206,8 +206,8 @@ START_TEST(spurious_folds_are_named) {
 }
 END_TEST
 
-/* A branch that turns back on itself at the first fold and jumps to the last stretch: it has as
- * many folds as the true one, but what should be its middle stretch lies on the first. */
+/* A branch that turns back at the first fold and then jumps to the last stretch. It has as many
+ * folds as the true one, but its middle stretch coincides with the first. */
 START_TEST(another_branch_is_named) {
   size_t n = s_curve(ours, 200, -1, -1.0 / 3, 0);
   n += s_curve(ours + n, 200, -0.34, -0.65, 0);
@@ -258,7 +258,7 @@ START_TEST(points_close_to_a_fold_do_not_matter) {
 }
 END_TEST
 
-/* Markers in no order, one beyond each end: only how far they are off is told, not their folds. */
+/* Markers in no order, one beyond each end: their distance is reported, folds are not compared. */
 START_TEST(markers_need_no_order) {
   const size_t n = s_curve(ours, 400, -1, 1, 0);
   const double at[] = {0.31, -0.7, 0.9, -0.36, 0.02, -0.99};
@@ -284,8 +284,8 @@ START_TEST(markers_need_no_order) {
 }
 END_TEST
 
-/* Products of such coordinates are infinite and their differences no numbers: nothing says that the
- * curves agree, and they differ by a tenth. */
+/* Products of such coordinates are infinite, and differences of these are NAN. The curves, which
+ * differ by a tenth, must not pass. */
 START_TEST(numbers_too_large_to_compare_do_not_agree) {
   const size_t n = s_curve(ours, 200, -1, 1, 0);
   for (size_t i = 0; i < n; ++i) {

@@ -1,4 +1,4 @@
-/* Loading and unloading: closed forms, and the balance of energy of whole loops. */
+/* Tests of loading and unloading: closed forms, and the energy balance of whole loops. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -6,7 +6,7 @@
 #include "po_observe.h"
 #include "run.h"
 
-/* The smooth sphere is pressed as hard as it pulls off. */
+/* The preload of the smooth sphere. */
 static const po_preload PRESSED = {NAN, 1.5};
 
 /* Energy of the JKR sphere at a contact radius in units of Gamma, integral of Eq 7 d(Eq 8). */

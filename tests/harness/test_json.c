@@ -1,4 +1,4 @@
-/* JSON documents: whole, or none. */
+/* A JSON document is printed and read completely, or not at all. */
 #include <check.h>
 #include <errno.h>
 #include <math.h>
@@ -28,7 +28,7 @@ static void begin(size_t number) {
   failing = number;
 }
 
-/* How many there were; from here on none fails. */
+/* Returned: the number of allocations so far; later ones do not fail. */
 static size_t end(void) {
   failing = 0;
   return allocations;
@@ -61,7 +61,8 @@ static po_status print_document(size_t k, po_text *text, size_t *total) {
   return status;
 }
 
-/* A document that lacked a member, or memory on the way, was printed as if it were whole. */
+/* Regression: a document without one of its members, for lack of memory, was printed as complete.
+ */
 START_TEST(document_is_whole_or_none) {
   json_t *document = NULL;
   po_text text = {0};
@@ -109,7 +110,8 @@ START_TEST(reading_tells_damage_from_lack_of_memory) {
 }
 END_TEST
 
-/* Names of files are bytes, and texts are cut inside characters: both were no memory. */
+/* Names of files are bytes, and texts may be truncated inside a character. Regression: both were
+ * reported as lack of memory. */
 static const struct {
   const char *text, *repaired;
 } TEXTS[] = {

@@ -1,4 +1,4 @@
-/* What the ledgers say together, verdict by verdict. */
+/* Tests of the verdicts that combine several references. */
 #include "made_results.h"
 
 #include "run.h"
@@ -21,8 +21,8 @@ START_TEST(which_pass) {
 }
 END_TEST
 
-/* The oracle says 1.5 within 1e-3; the tolerance of the pin is 1e-9. NAN: there is no such value,
- * or, of the oracle's uncertainty, no such oracle. */
+/* The oracle is 1.5 with tolerance 1e-3; the tolerance of the pin is 1e-9. NAN: there is no such
+ * value; an uncertainty of NAN: there is no oracle. */
 static const struct {
   double pinned, obtained, uncertainty;
   po_verdict pin, oracle;
@@ -92,7 +92,8 @@ START_TEST(other_points_special_points_and_papers_have_no_say) {
 }
 END_TEST
 
-/* A published value that fails while the pin holds is not frozen: it may be the paper's fault. */
+/* A published value that fails while the pin passes is not wrong_and_frozen: the publication may be
+ * wrong. */
 START_TEST(published_values_judge_by_themselves) {
   const size_t paper = found(PUBLISHED, 0, "pull_off_force", "", 1.55, 1.5, 1e-3);
   found(PIN, 0, "pull_off_force", "", 1.55, 1.55, 0);
@@ -118,7 +119,7 @@ START_TEST(more_work_is_worse_and_less_is_better) {
 }
 END_TEST
 
-/* Errors of one check (tolerance 1e-3) at two points; which of them is slack, -1: none. */
+/* Errors of one check (tolerance 1e-3) at two points, and the point that is slack (-1: none). */
 static const struct {
   const char *name;
   double errors[2], uncertainty;
@@ -147,7 +148,7 @@ START_TEST(a_tolerance_is_measured_by_the_worst_error_it_met) {
 }
 END_TEST
 
-/* To 1e-12 of 2 no double can be a thousand times better. */
+/* With tolerance 1e-12 and value 2, rounding alone is more than a thousandth of the tolerance. */
 START_TEST(rounding_is_an_error_too) {
   made_checks[ORACLE].tolerance = 1e-12;
   const size_t exact = found(ORACLE, 0, "pull_off_force", "", 2, 2, 0);
@@ -156,7 +157,8 @@ START_TEST(rounding_is_an_error_too) {
 }
 END_TEST
 
-/* What is exactly 0, as where there is no fold to differ, measures no tolerance. */
+/* An error of exactly 0, e.g. because there is no fold to compare, does not make a tolerance slack.
+ */
 START_TEST(no_error_at_all_tells_nothing) {
   const size_t none = found(ORACLE, 0, "reverse_trace", "", 0, 0, 0);
   po_judge(&made_run.check_results);
@@ -164,7 +166,7 @@ START_TEST(no_error_at_all_tells_nothing) {
 }
 END_TEST
 
-/* A share of solves is counted: all solved is what is hoped for, not a tolerance too wide. */
+/* A share of solved points is a count: if all are solved, the tolerance is not slack. */
 START_TEST(a_share_is_never_slack) {
   const size_t share = found(ORACLE, 0, "solved_share", "", 1, 1, (double)NAN);
   made_run.check_results.items[share].whole = true;

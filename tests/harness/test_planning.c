@@ -1,4 +1,4 @@
-/* What it takes to read and plan a case grows with its size, not with the square of it. The work is
+/* The work to read and plan a case must be proportional to its size, not to the square. It is
  * counted in basic blocks: for this program the sources of the harness are compiled with
  * -fsanitize-coverage=trace-pc, which calls a function in each of them. A sweep of 10,000 values
  * once took 22 s and a mapping of 60,000 keys 35 s, as each was compared with every other. */
@@ -68,7 +68,7 @@ static void checks(po_text *text, size_t n) {
     po_text_add(text, CHECK "[3]}]}\n");
 }
 
-/* Pins and shares of the same points would be refused: these are of different ones. */
+/* Pins and shares of the same points would be refused, so these belong to different points. */
 static void pins_and_shares(po_text *text, size_t n) {
   add_sweep(text, 3);
   po_text_add(text, "checks:\n");
@@ -122,7 +122,7 @@ static void describe(po_plan *plan) {
   po_case_run_clear(&run);
 }
 
-/* The blocks it takes to read, plan and describe a case of size n. */
+/* Returned: the number of blocks that reading, planning and describing a case of size n takes. */
 static uint64_t work(int which, size_t n) {
   char path[] = "/tmp/planning-XXXXXX";
   const int file = mkstemp(path);
@@ -148,8 +148,8 @@ static uint64_t work(int which, size_t n) {
   return blocks;
 }
 
-/* Twice the size takes twice the work, and a little more where something is sorted: measured 1.8 to
- * 2.1. What goes as the square takes four times as much. */
+/* Twice the size takes twice the work, and slightly more where a list is sorted: measured 1.8 to
+ * 2.1. Quadratic work would be four times as much. */
 START_TEST(work_grows_with_size) {
   enum { SIZE = 1000 };
   const uint64_t once = work(_i, SIZE), twice = work(_i, 2 * SIZE);

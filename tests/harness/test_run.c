@@ -1,4 +1,5 @@
-/* A run that is asked to stop: it reports to be interrupted exactly if something is missing. */
+/* Tests of a run that is stopped: its status is PO_INTERRUPTED if and only if a result is missing.
+ */
 #include <check.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -46,7 +47,7 @@ static void teardown(void) {
   remove(folder);
 }
 
-/* Runs the case with a value of its line, its first points, and the wish to stop. */
+/* Runs the first points of the case, with a value of its line, and optionally stops the run. */
 static po_status run_case_file(const char *value, size_t points, volatile sig_atomic_t stop) {
   char text[sizeof CASE + 16], *path = within("case.yaml");
   snprintf(text, sizeof text, CASE, value);
@@ -73,7 +74,8 @@ START_TEST(nothing_is_solved_after_a_stop) {
 }
 END_TEST
 
-/* Ctrl-C when all is done, or with nothing to do, once was "interrupted" with exit code 130. */
+/* Regression: Ctrl-C after the last point, or without points to solve, gave "interrupted" and exit
+ * code 130. */
 START_TEST(nothing_is_missing_of_what_is_kept) {
   ck_assert_int_eq(run_case_file("1", 3, 0), PO_OK);
   ck_assert(is_there("stopped/record.json"));
@@ -82,7 +84,7 @@ START_TEST(nothing_is_missing_of_what_is_kept) {
 }
 END_TEST
 
-/* The points are there, the closed form of another value is not. */
+/* The points are solved, the closed form for another value is not evaluated yet. */
 START_TEST(a_line_that_is_missing_is_not_made_after_a_stop) {
   ck_assert_int_eq(run_case_file("1", 3, 0), PO_OK);
   ck_assert_int_eq(run_case_file("2", 3, 1), PO_INTERRUPTED);
@@ -92,7 +94,7 @@ START_TEST(a_line_that_is_missing_is_not_made_after_a_stop) {
 }
 END_TEST
 
-/* So are those of a part of the points. */
+/* The same for a part of the points. */
 START_TEST(points_in_the_journal_are_not_missing) {
   ck_assert_int_eq(run_case_file("1", 2, 0), PO_OK);
   ck_assert(is_there("stopped/points.jsonl"));
@@ -108,7 +110,7 @@ const char *__asan_default_options(void) {
   return "allocator_may_return_null=1";
 }
 
-/* More points than there are addresses: no memory, and not a run of nothing. */
+/* More points than the address space can hold: the status is PO_NO_MEMORY. */
 START_TEST(a_run_too_large_is_refused) {
   const po_case large = {.point_count = SIZE_MAX / 2, .repeats = 1};
   po_plan plan = {.kase = &large};

@@ -67,8 +67,8 @@ START_TEST(random_case_draws_what_another_program_draws) {
 }
 END_TEST
 
-/* The drawn values are those of the label, to the last bit, and the line that solves the point
- * again says them so. */
+/* The drawn values equal those in the label and in the command that repeats the solve, to the last
+ * bit. */
 START_TEST(label_and_command_are_exact) {
   po_case *kase = NULL;
   ck_assert_int_eq(po_case_read(SOURCE_ROOT "/cases/random.yaml", "random.yaml", &kase), PO_OK);
@@ -144,7 +144,7 @@ START_TEST(another_seed_draws_other_scenes) {
 }
 END_TEST
 
-/* Each drawn scene comes with every combination of the sweep, and a unit may be swept. */
+/* Each drawn scene is combined with every combination of the sweep; a unit may be swept. */
 START_TEST(sample_times_sweep) {
   po_case *kase = case_of("sweep: [{key: tabor, values: [1, 2.385]}]\n"
                           "sample: {seed: 7, count: 3, keys: [" RADIUS

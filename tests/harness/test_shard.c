@@ -1,11 +1,11 @@
-/* How the points of cases are dealt out to shards. */
+/* Tests of the assignment of points to shards. */
 #include <check.h>
 #include <stdint.h>
 
 #include "po_shard.h"
 #include "run.h"
 
-/* A sweep of 40 rows of 4 values, lines of 5 scenes, a timed case. */
+/* A sweep of 40 rows of 4 values, series of 5 scenes, a timed case. */
 enum { RUNS = 3, SWEPT = 160, VALUES = 4, FOLLOWED = 60, LINE = 5, TIMED = 9, MOST = SWEPT };
 
 static po_case cases[RUNS] = {{.repeats = 1, .series_length = 1, .point_count = SWEPT},
@@ -59,8 +59,9 @@ START_TEST(each_point_is_in_one_shard) {
 }
 END_TEST
 
-/* In turn in the order of the sweep each of four shards would have one of four values in all rows.
- * At random it has 10 of the 40 of each, with a deviation of 2.6. */
+/* If points were assigned in the order of the sweep, each of four shards would get one of the four
+ * values in all rows. At random it gets 10 of the 40 points of each value, with a standard
+ * deviation of 2.6. */
 START_TEST(no_shard_has_the_dear_end_of_a_sweep) {
   for (size_t k = 1; k <= VALUES; ++k) {
     deal(k, VALUES);

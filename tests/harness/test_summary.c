@@ -1,5 +1,5 @@
-/* What `pulloff run` says of a case of many scenes: how many ended how, what they cost, the slowest
- * of them and the failures, of a run made up by hand. */
+/* Tests of the summary that `pulloff run` prints for a case with many scenes: numbers by status,
+ * costs, the slowest solves and the failures of a made-up run. */
 #include <stdio.h>
 
 #include "made_results.h"
@@ -98,8 +98,8 @@ START_TEST(a_whole_run) {
 }
 END_TEST
 
-/* Points that were not asked for are nowhere in it; fewer than five are listed whole. Of two the
- * first is half. */
+/* Points that were not requested do not appear; fewer than five solves are all listed. The median of
+ * two values is the first. */
 START_TEST(a_part_of_a_run) {
   make_seven();
   for (size_t i = 0; i < COUNT; ++i)
@@ -125,7 +125,7 @@ START_TEST(nothing_was_asked_for) {
 }
 END_TEST
 
-/* Six that took the same time: five of them, not six. */
+/* Of six solves with equal times five are listed, not six. */
 START_TEST(slowest_of_equals) {
   make_seven();
   for (size_t i = 0; i < COUNT; ++i)

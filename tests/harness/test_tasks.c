@@ -1,5 +1,5 @@
-/* The order in which a run solves: what is timed comes last, alone, and in rounds over all points.
- */
+/* Tests of the order of the solves of a run: timed cases come last, one solve at a time, in rounds
+ * over all points. */
 #include <check.h>
 #include <stdlib.h>
 
@@ -17,7 +17,7 @@ static made_parts parts[RUNS];
 static po_case_run runs[RUNS];
 static bool done[RUNS][3], asked[RUNS][3];
 
-/* A run of three points, of which `done` are there. */
+/* A run of three points, of which `done` are solved. */
 static void make_run(size_t which, unsigned repeats, size_t points_done) {
   parts[which] = (made_parts){.kase = {.repeats = repeats, .series_length = 1, .point_count = 3}};
   parts[which].plan.kase = &parts[which].kase;
@@ -33,11 +33,11 @@ static void make_run(size_t which, unsigned repeats, size_t points_done) {
   }
 }
 
-/* Two timed cases, of 3 and 2 rounds, one of them begun; one that is not timed; one that is there.
- */
+/* Two timed cases, with 3 and 2 rounds, one of them partly solved; one that is not timed; one that
+ * is finished. */
 START_TEST(timed_solves_go_round) {
   static const po_task EXPECTED[] = {
-      {1, 0, 0}, {1, 1, 0}, {1, 2, 0},                       /* side by side */
+      {1, 0, 0}, {1, 1, 0}, {1, 2, 0},                       /* in parallel */
       {0, 0, 0}, {0, 1, 0}, {0, 2, 0}, {2, 1, 0}, {2, 2, 0}, /* the first round */
       {0, 0, 1}, {0, 1, 1}, {0, 2, 1}, {2, 1, 1}, {2, 2, 1}, /* the second */
       {0, 0, 2}, {0, 1, 2}, {0, 2, 2}};
