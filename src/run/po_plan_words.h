@@ -4,8 +4,7 @@
 
 #include "po_plan.h"
 
-/* Fills plan->lines. Given: a plan whose other members are complete. Status: PO_NO_MEMORY,
- * PO_CANNOT_READ (a reference). */
+/* Fills plan->lines. Given: a plan whose other members are complete. Status: PO_NO_MEMORY. */
 po_status po_plan_describe(po_plan *plan);
 
 #endif

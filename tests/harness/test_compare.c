@@ -77,7 +77,7 @@ START_TEST(tolerance_tighter_than_the_reference) {
   ck_assert_str_eq(po_message(), "made.yaml:8: checks[1].tolerance is 1e-10: expected at least "
                                  "1e-09, the uncertainty of table.csv");
   const size_t count = kase->point_count;
-  kase->point_count = 0; /* what lies behind the last point is of no case */
+  kase->point_count = 0; /* the memory after the last point belongs to no case */
   ck_assert_int_eq(po_compare_check_tolerance(kase, &kase->file->checks[0], 1, &reference), PO_OK);
   kase->point_count = count;
 }

@@ -6,9 +6,9 @@
 #include "made_case.h"
 #include "run.h"
 
-/* A list that ends at 0.4: what a longer trace finds beyond was not looked for. The last fold lies
- * below that end, but behind the first passage of it; the reference has it since its own trace went
- * on to the next wave. */
+/* A list that is complete up to 0.4; special points of a longer trace beyond it are not compared.
+ * The last fold lies below 0.4, but after the first point above it; the reference contains it
+ * because its own trace continued to the next wave. */
 static const char COMPLETE_ROWS[] = "tabor,complete_to,index,kind,approach,load,uncertainty\n"
                                     "1,0.4,1,jump_in,-1.6,-0.7,1e-9\n"
                                     "1,0.4,2,jump_out,-1.7,-1.0,1e-9\n"
@@ -67,7 +67,7 @@ static po_special_point LATER_FOLDS[] = {
     {.kind = PO_JUMP_IN, .approach = 0.52, .load = 0.4}, /* beyond the end of the list ... */
     {.kind = PO_JUMP_OUT,
      .approach = -0.1,
-     .load = 0.3} /* ... and what follows, at whatever approach */
+     .load = 0.3} /* ... and all later ones, at any approach */
 };
 
 /* Folds a longer trace finds beyond the end of the reference's list are not compared; one before it
@@ -94,8 +94,8 @@ START_TEST(folds_beyond_the_end_of_the_list) {
 }
 END_TEST
 
-/* As many of ours as the reference has are compared, even if they lie beyond: the list may end with
- * its last one. */
+/* At least as many special points are compared as the reference has, even if they lie beyond the
+ * end: the list may end with its last special point. */
 START_TEST(the_last_of_the_list_lies_beyond_its_end) {
   write_table("", COMPLETE_ROWS);
   load("folds", "table.csv", "1e-3", "abs");
@@ -123,7 +123,7 @@ START_TEST(extrema_beyond_the_end_of_the_list) {
   for (size_t i = 0; i < 5; ++i)
     ck_assert_int_eq(check_results.items[i].verdict, PO_WITHIN);
 
-  /* ours ends before the reference's maximum: that is not asked for */
+  /* our branch ends before the maximum of the reference, which is not compared */
   const po_result shorter = {
       .start = -10, .ended.approach = 0.3, .extrema = extrema, .extremum_count = 1};
   compare(0, &shorter);
@@ -132,7 +132,7 @@ START_TEST(extrema_beyond_the_end_of_the_list) {
   for (size_t i = 5; i < 8; ++i)
     ck_assert_int_eq(check_results.items[i].verdict, PO_WITHIN);
 
-  /* ours went past it without finding it */
+  /* our branch passed it without finding it */
   const po_result blind = {
       .start = -10, .ended.approach = 2, .extrema = extrema, .extremum_count = 1};
   compare(0, &blind);

@@ -90,9 +90,9 @@ static void check_balance(const po_loop *loop, double accuracy) {
   ck_assert_double_eq_tol(loop->work / loop->energy_lost, 1.0, accuracy);
 }
 
-/* The integral of the loads over the closed loop is the sum of the drops of the energy, which was
- * had from the gaps, as well as cubics follow the curve, a tenth of the tolerance of 1e-6; by
- * theory, too, on the points it is given. */
+/* The integral of the load over the closed loop equals the sum of the energies lost in the jumps,
+ * which are computed from the gaps. The error of the integral is that of the cubic interpolation, a
+ * tenth of the tolerance of 1e-6. The same holds for the loops of the theory on their points. */
 START_TEST(loop_loses_what_its_jumps_do) {
   po_request request = po_request_default();
   request.scene = LOOPS[_i].scene;
@@ -114,8 +114,8 @@ START_TEST(loop_loses_what_its_jumps_do) {
 }
 END_TEST
 
-/* Pressed no farther than onto the first crest, a test measures less than after the usual preload;
- * the pull-off is what the test measures. */
+/* With a preload that reaches only the first crest, the pull-off force of a test is smaller than
+ * with the default preload. The reported pull-off must be that of the test. */
 START_TEST(a_small_preload_measures_less) {
   po_request request = po_request_default();
   request.scene = (po_scene){4.0, 3.0, 10.0, 100.0, 100.0};

@@ -38,7 +38,7 @@ static const struct {
     {1.5002, 1.502, 1e-10, PO_REGRESSED, PO_OUTSIDE},
     {1.503, 1.502, 1e-10, PO_MOVED, PO_OUTSIDE},        /* better, and still outside */
     {1.5002, 1.4998, 1e-10, PO_MOVED, PO_WITHIN},       /* as far off, on the other side */
-    {1.5002, 1.5001, 5e-4, PO_MOVED, PO_WITHIN},        /* the oracle cannot tell them apart */
+    {1.5002, 1.5001, 5e-4, PO_MOVED, PO_WITHIN},        /* the oracle cannot distinguish them */
     {1.5002, 1.5001, (double)NAN, PO_MOVED, PO_WITHIN}, /* there is no oracle */
     {1.5002, (double)NAN, 1e-10, PO_NO_RESULT, PO_NO_RESULT},
     {(double)NAN, 1.5001, 1e-10, PO_MISSING_REFERENCE, PO_WITHIN},

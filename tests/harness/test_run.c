@@ -103,7 +103,7 @@ START_TEST(points_in_the_journal_are_not_missing) {
 }
 END_TEST
 
-/* What AddressSanitizer asks for its options: an allocation that is too large fails, as without it.
+/* The options of AddressSanitizer: an allocation that is too large returns NULL, as without it.
  */
 const char *__asan_default_options(void);
 const char *__asan_default_options(void) {

@@ -24,8 +24,8 @@ START_TEST(mix_is_splitmix64) {
 }
 END_TEST
 
-/* Mean, variance and the correlation of neighbours and of names, each within five times what chance
- * makes of 10000 draws. */
+/* Mean, variance, and the correlations of neighbouring scenes and of different keys, each within
+ * five standard deviations of 10000 draws. */
 START_TEST(draws_are_uniform_and_unrelated) {
   enum { COUNT = 10000 };
   double mean = 0, square = 0, neighbour = 0, other = 0;

@@ -6,8 +6,8 @@
 #include "po_summary.h"
 #include "run.h"
 
-/* Seven points, and behind them one that is none: who reads it takes it for a failure, the slowest
- * and the dearest of all. */
+/* Seven points, and after them an element that belongs to no point: code that reads it counts it as
+ * a failure, and as the slowest and most expensive solve. */
 enum { COUNT = 7 };
 
 static po_point points[COUNT + 1];
@@ -49,8 +49,8 @@ static void summary_is(const char *expected) {
   "  pulloff solve --tabor " tabor " --radius 100 --outer-radius inf"                              \
   " --scheme panel --tolerance 1e-06\n"
 
-/* By nearest rank half of seven is the fourth, 95 % the last. Of seven the five slowest have a line
- * each, equal ones in the order of the case. */
+/* By nearest rank the median of seven values is the fourth, and the 95 % quantile the last. The
+ * five slowest of the seven have a line each; equal ones are in the order of the case. */
 START_TEST(a_whole_run) {
   make_seven();
   summary_is(
@@ -98,8 +98,8 @@ START_TEST(a_whole_run) {
 }
 END_TEST
 
-/* Points that were not requested do not appear; fewer than five solves are all listed. The median of
- * two values is the first. */
+/* Points that were not requested do not appear; fewer than five solves are all listed. The median
+ * of two values is the first. */
 START_TEST(a_part_of_a_run) {
   make_seven();
   for (size_t i = 0; i < COUNT; ++i)
