@@ -99,7 +99,7 @@ write_own two.yaml twin 22
 expect 2 'pulloff: two.yaml: name is twin: expected another name, as one.yaml has this one' run one.yaml two.yaml
 expect 0 'twin: 1 points, 2 checks: outside' run one.yaml --output twins
 cp twins/twin/record.json before.json
-expect 2 'pulloff: two.yaml: name is twin: expected another name or another folder for the records, as twins/twin holds the record of one.yaml' \
+expect 2 'pulloff: two.yaml: name is twin: expected another name or another folder for the records, as twins/twin contains the record of one.yaml' \
   run two.yaml --output twins --fresh
 check 'the record is unchanged' cmp before.json twins/twin/record.json
 expect 0 'twin: 1 points, 2 checks: outside (kept)' run ./one.yaml --output twins
