@@ -1,4 +1,4 @@
-/* A point of a branch of equilibria, as it is visited. */
+/* A point of a branch of equilibria, as the continuation gives it to its visitor. */
 #ifndef PO_BRANCH_POINT_H
 #define PO_BRANCH_POINT_H
 
@@ -9,39 +9,41 @@
 
 typedef enum {
   PO_POINT_STEP,         /* a step of the continuation */
-  PO_POINT_APPROACH_MAX, /* fold: the approach has a maximum along the branch */
-  PO_POINT_APPROACH_MIN, /* fold: a minimum */
+  PO_POINT_APPROACH_MAX, /* fold: maximum of the approach along the branch */
+  PO_POINT_APPROACH_MIN, /* fold: minimum of the approach */
   PO_POINT_LOAD_MAX,
   PO_POINT_LOAD_MIN,
-  PO_POINT_STATION, /* the approach asked for */
+  PO_POINT_STATION, /* an approach that the options list */
 } po_point_kind;
 
-/* Approaches that may be asked for. */
+/* Number of approaches that the options can list. */
 enum { PO_STATIONS = 2 };
 
 typedef struct {
   po_point_kind kind;
-  double position;       /* arclength from the start */
-  double approach, load; /* Delta/eps, W/(pi w R) */
-  double energy;         /* U/(pi w R eps): its rate by approach is the load */
-  double approach_correction, load_correction; /* by a finer mesh, of a special point; 0: none */
+  double position;                             /* arclength from the start of the trace */
+  double approach, load;                       /* Delta/eps, W/(pi w R) */
+  double energy;                               /* U/(pi w R eps): dU/d(approach) is the load */
+  double approach_correction, load_correction; /* of a special point, from a finer mesh: to be
+                                                  added; 0 if none was computed */
   double approach_error,
-      load_error;       /* of a special point so corrected: bounds, estimated; NAN: not */
-  bool unmet;           /* by a finer mesh: the special point may be of this one */
+      load_error; /* of a special point: estimated bounds; NAN if none was computed */
+  bool unmet; /* the special point was not found on a finer mesh: it may be an artefact of this mesh
+               */
   double approach_rate; /* d approach / ds */
   double load_rate;     /* d load / ds */
-  int unstable_modes;   /* of the equilibrium at fixed approach, just after this point */
+  int unstable_modes;   /* of the equilibrium at given approach, just after this point */
   size_t n;             /* nodes of the core */
-  const double *node;   /* n: their radii, eps, ascending; NULL when rigid */
-  const double *gap;    /* n: H there */
-  const struct po_solution *solution; /* all of it, on panels; else NULL */
-  /* For a corrected special point: the solution that has the corrected values, and the solution on
-   * a finer mesh from which its errors are estimated; else NULL. Valid while the point is visited.
-   */
+  const double *node;   /* n: radii, eps, ascending; NULL for rigid scenes */
+  const double *gap;    /* n: H at the nodes */
+  const struct po_solution *solution; /* the complete solution, on panels; otherwise NULL */
+  /* For a special point with errors: the solution that has the corrected values, and the solution
+   * on a finer mesh from which the errors were estimated; otherwise NULL. Valid during the visit
+   * only. */
   const struct po_solution *best, *finer;
 } po_branch_point;
 
-/* Visits the points in order along the branch. Returned: true ends the trace. */
+/* Receives the points in their order along the branch. Returned: true to end the trace. */
 typedef bool (*po_branch_visit)(const po_branch_point *point, void *data);
 
 #endif

@@ -6,10 +6,11 @@
 #include "po_memory.h"
 #include "po_profile.h"
 
-/* Arclength of the first step: the next ones are made as long as the predictions allow. */
+/* Length of the first step. The lengths of the following steps are set by the error of the
+ * predictions. */
 static const double FIRST_STEP = 0.05;
 
-/* Feedback of the undeformed gap below which the start is safe. */
+/* po_equilibrium_feedback of the initial gap below which Newton's method converges from it. */
 static const double SAFE_FEEDBACK = 0.25;
 enum { MOST_DOUBLINGS = 40 };
 
@@ -29,7 +30,7 @@ double po_continuation_start(po_equilibrium *e) {
   double approach = -2.0;
   for (int k = 0; k < MOST_DOUBLINGS; ++k, approach *= 2.0) {
     for (size_t j = 0; j < e->n; ++j)
-      e->right[j] = e->shape[j] - approach;
+      e->right[j] = e->initial_gap[j] - approach;
     po_equilibrium_evaluate(e, e->right);
     if (po_equilibrium_feedback(e) < SAFE_FEEDBACK)
       break;
@@ -55,7 +56,7 @@ static double undeformed_gap(void *data, double r) {
   return po_profile(u->scene, r) - u->approach;
 }
 
-/* Puts panels in force that resolve the traction of the undeformed gap. */
+/* Makes panels that resolve the traction of the undeformed gap the current mesh. */
 static po_status mesh_undeformed(po_continuation *t, double approach) {
   undeformed u = {t->c.e->scene, approach};
   const po_gap_field field = {undeformed_gap, &u};
@@ -64,7 +65,7 @@ static po_status mesh_undeformed(po_continuation *t, double approach) {
   return status ? status : po_corrector_mesh(&t->c, &panels);
 }
 
-/* The first equilibrium: Newton at fixed approach from the undeformed gap. */
+/* The first equilibrium: Newton's method at given approach from the undeformed gap. */
 static po_status start(po_continuation *t) {
   po_equilibrium *e = t->c.e;
   const double approach = fmin(po_continuation_start(e), t->options.begin); /* begin may be NaN */
@@ -73,7 +74,7 @@ static po_status start(po_continuation *t) {
     return status;
   po_solution *p = &t->current;
   for (size_t j = 0; j < e->n; ++j)
-    t->c.guess[j] = p->state[j] = e->shape[j] - approach;
+    t->c.guess[j] = p->state[j] = e->initial_gap[j] - approach;
   t->c.guess[e->n] = p->state[e->n] = approach;
   memset(t->c.border, 0, (e->n + 1) * sizeof *t->c.border);
   t->c.border[e->n] = 1.0;
@@ -83,9 +84,10 @@ static po_status start(po_continuation *t) {
   if (!status)
     status = po_equilibrium_tangent(e, PO_STEP_TANGENT, p->tangent);
   if (status)
-    return po_fail(status, "no equilibrium found far out, at approach %g", approach);
+    return po_fail(status, "no equilibrium was found at the start of the trace, approach %g",
+                   approach);
   po_solution_finish(p, e, t->c.adaptive);
-  e->factorized = false; /* its border is not of the arclength functional */
+  e->factorized = false; /* their border is the approach, not the arclength functional */
   return po_continuation_want_mesh(t, p);
 }
 
@@ -96,7 +98,8 @@ static double least_gap(const po_solution *p) {
   return least;
 }
 
-/* On from the current point until the visitor ends it, or the branch is back where it began. */
+/* Traces from the current point until the visitor ends the trace, or the branch returns to its
+ * beginning. */
 static po_status go_on(po_continuation *t) {
   po_status status = PO_OK;
   po_continuation_visit(t, &t->current, PO_POINT_STEP);
@@ -104,7 +107,7 @@ static po_status go_on(po_continuation *t) {
     status = po_continuation_advance(t);
     const bool returned = !status && least_gap(&t->next) > t->farthest;
     if (returned && !t->back)
-      status = po_fail(PO_NOT_CONVERGED, "the branch led back to where it began, at approach %.6g",
+      status = po_fail(PO_NOT_CONVERGED, "the branch returned to its beginning, at approach %.6g",
                        po_solution_approach(&t->next));
     if (!status)
       po_continuation_visit_step(t);
@@ -126,11 +129,12 @@ po_status po_continuation_run(po_continuation *t) {
   return go_on(t);
 }
 
-/* The steps are found anew, and nothing is kept of the way so far but where it began. */
+/* Steps and meshes are those of the reverse trace: of the forward trace only the last point and the
+ * least gap at the first point are used. */
 po_status po_continuation_reverse(po_continuation *t, po_branch_visit visit_back, void *data) {
   po_solution_turn(&t->current);
   t->c.direction = -t->c.direction;
-  t->c.e->factorized = false; /* its border leads the other way */
+  t->c.e->factorized = false; /* their border has the forward direction */
   t->c.trouble = PO_OK;
   t->options.visit = visit_back;
   t->options.data = data;

@@ -1,16 +1,17 @@
-/* The branch of equilibria, followed from far out by pseudo-arclength continuation, with its folds
- * in approach and its extrema of the load.
+/* The branch of equilibria, traced from far apart by pseudo-arclength continuation, with its folds
+ * in the approach and its extrema of the load. See doc/method.md, "The branch".
  *
- * A step predicts the equilibrium at a distance along the arclength functional (po_arclength.h) by
- * the cubic through the last two points (po_prediction.h), corrects the prediction by Newton's
- * method (po_corrector.h), locates what lies between (po_special_point.h), and visits it. The
- * length of a step is set so that the prediction errs by a set part of 1 + H. A corrected point far
- * from its prediction, or a direction that turned too far, is not accepted: the trace neither
- * leaves the branch nor passes over part of it.
+ * Each step predicts the equilibrium at a given value of the arclength functional (po_arclength.h)
+ * from the cubic through the last two points (po_prediction.h), corrects the prediction by Newton's
+ * method (po_corrector.h), locates the special points of the step (po_special_point.h), and gives
+ * all points to the visitor. The length of a step is chosen so that the error of the prediction,
+ * relative to 1 + H, has a given value. A step is repeated with a smaller length if the solution is
+ * too far from its prediction or the direction turned too far, so that the trace stays on the
+ * branch and does not pass over a part of it.
  *
- * The mesh may be panels that follow the contact edges: each point is then solved on panels that
- * resolve its traction, predictions are made in coordinates that move with the edges, and special
- * points are solved again on finer panels. A mesh that stays is the simple case without these. */
+ * On panels, each point is solved on a mesh that resolves its traction, predictions are made in
+ * coordinates that move with the contact edges, and special points are solved again on a finer
+ * mesh. A fixed mesh is the simple case without these. */
 #ifndef PO_CONTINUATION_H
 #define PO_CONTINUATION_H
 
@@ -19,51 +20,55 @@
 #include "po_resolution.h"
 
 typedef struct {
-  /* approaches at which exact points are wanted, each time the branch passes them; NAN: none */
+  /* approaches, eps, at which a point is computed each time the branch passes them; NAN: none */
   double station[PO_STATIONS];
-  double end;   /* approach at which the trace ends, if met; NAN: none */
-  double begin; /* the trace starts here when that is farther out than it needs; NAN: no */
-  double largest_sagitta; /* of a step's chord, in the plane of approach and load: how far from the
-                             curve a drawing by straight lines may be */
-  double largest_miss; /* likewise of the cubic with the rates at both ends; INFINITY on a mesh that
-                          stays, where the energies are not as good as the loads */
-  double sharpness;    /* relative error of a minimum of the load for which it is solved again on
-                          a finer mesh; panels only */
-  bool minima_only;    /* nobody asks for the errors of folds */
+  double end;   /* approach, eps, at which the trace ends if it is met; NAN: none */
+  double begin; /* approach, eps, at which the trace starts if it is below the one that the solver
+                   chooses; NAN: none */
+  double
+      largest_sagitta; /* of the chord of a step in the plane of approach and load: the greatest
+                          allowed distance of the curve from a straight line between its points */
+  double largest_miss; /* the same for the cubic with the rates at both ends, po_join_miss; INFINITY
+                          on a fixed mesh, where the energy is less accurate than the load */
+  double sharpness; /* relative error of a minimum of the load above which it is solved again on a
+                       finer mesh; panels only */
+  bool minima_only; /* errors are estimated for minima of the load only, not for folds */
   size_t most_points;
   po_branch_visit visit;
   void *data;
 } po_continuation_options;
 
-/* No station, no end, steps and minima free, 30000 points; visit to be set. */
+/* Defaults: no stations, no end, no limits on sagitta and error, 30000 points. The caller sets
+ * `visit`. */
 po_continuation_options po_continuation_options_default(void);
 
-/* The approach at which a trace starts: a negative power of two at which the feedback of the
- * undeformed gap is below a quarter, so that there is one equilibrium and Newton's method finds it.
- */
+/* The approach, eps, at which a trace starts: the first of -2, -4, -8, ... at which
+ * po_equilibrium_feedback of the initial gap less the approach is below 1/4, so that the
+ * equilibrium is unique and Newton's method finds it. */
 double po_continuation_start(po_equilibrium *equilibrium);
 
 typedef struct po_continuation po_continuation;
 
-/* Given: an equilibrium; the panels that its surface consists of, with room for their capacity, and
- * what their resolution of the traction may leave; NULL when the mesh stays. Both objects must
- * outlive the continuation. Options are copied, their data must outlive it. Status: PO_NO_MEMORY.
- */
+/* Given: an equilibrium; the panels of its surface, NULL for a fixed mesh, and the errors that
+ * their resolution may leave; options, which are copied. Equilibrium, panels and the data of the
+ * options must outlive the continuation. Status: PO_NO_MEMORY. */
 po_status po_continuation_create(po_equilibrium *equilibrium, po_adaptive *adaptive,
                                  po_allowance allowed, const po_continuation_options *options,
                                  po_continuation **continuation);
 void po_continuation_destroy(po_continuation *continuation);
 
-/* Follows the branch from far out until visit ends it or the approach reaches `end`. Status: PO_OK;
- * PO_STEP_TOO_SMALL, PO_TOO_MANY_POINTS with a message that says where; PO_NOT_CONVERGED when there
- * is no start; PO_OUT_OF_NODES; PO_NO_MEMORY. */
+/* Traces the branch from far apart until the visitor ends the trace or the approach reaches `end`.
+ * Status: PO_OK; PO_STEP_TOO_SMALL, PO_TOO_MANY_POINTS, with a message that states the place;
+ * PO_NOT_CONVERGED if the first equilibrium is not found or the branch returns to its beginning;
+ * PO_OUT_OF_NODES; PO_NO_MEMORY. */
 po_status po_continuation_run(po_continuation *continuation);
 
-/* Turns round at the end, once, and follows the branch back to where it began, by steps and meshes
- * of its own. Visits the points on the way, the last one of the way out first: position grows on,
- * rates and the unstable modes just after a point are those of the reverse trace, so that these end
- * as 0; errors are those of folds. Special points beyond the one that ended the way out are left
- * out. Given: a continuation whose way out ended with PO_OK. Status: as po_continuation_run. */
+/* The reverse trace: traces the branch from its end back to its beginning, with its own steps and
+ * meshes. The first point visited is the last of the forward trace. The position continues to grow;
+ * rates, and the unstable modes just after a point, are those of the reverse direction, so that the
+ * unstable modes end at 0. Special points beyond the end of the forward trace are not visited.
+ * Given: a continuation whose forward trace ended with PO_OK; once only. Status: as
+ * po_continuation_run. */
 po_status po_continuation_reverse(po_continuation *continuation, po_branch_visit visit, void *data);
 
 #endif

@@ -3,17 +3,18 @@
 #include "po_continuation_parts.h"
 #include "po_refine.h"
 
-/* A point this close to the one solved just before, in parts of the step, is on its tangent. */
+/* Distance from the last inner point, relative to the step, within which its tangent is the
+ * prediction. */
 static const double ON_TANGENT = 0.02;
 
-/* The guess on the tangent of the inner point last solved. */
+/* Sets the guess to the tangent at the last inner point. */
 static void guess_on_tangent(po_continuation *t, double at) {
   const double step = (at - t->inner_at) / po_solution_cosine(&t->current, &t->inner);
   for (size_t j = 0; j <= t->inner.n; ++j)
     t->c.guess[j] = t->inner.state[j] + step * t->inner.tangent[j];
 }
 
-/* A point between current and next. */
+/* Solves for a point between t->current and t->next. */
 static po_status solve_inner(void *data, double at, po_sample *sample) {
   po_continuation *t = data;
   const double whole = po_solution_progress(&t->current, &t->next);
@@ -75,8 +76,8 @@ void po_continuation_visit(po_continuation *t, const po_solution *p, po_point_ki
     t->ended = true;
 }
 
-/* Whether errors of a special point can be had, and are worth their price: of folds where they are
- * asked for, and of a minimum of the load that may be the pull-off. */
+/* Whether the errors of a special point are estimated: on panels, for folds if the options require
+ * it, and for a minimum of the load that is the deepest so far. */
 static bool is_judged(const po_continuation *t, const po_branch_point *point) {
   if (!po_continuation_moves(t))
     return false;
@@ -85,8 +86,8 @@ static bool is_judged(const po_continuation *t, const po_branch_point *point) {
   return point->kind == PO_POINT_LOAD_MIN && point->load <= t->deepest;
 }
 
-/* Judges a special point by finer meshes: its errors are of the mesh, of Newton's iteration, and of
- * the place. */
+/* Estimates the errors of a special point on finer meshes. They consist of the errors of the mesh,
+ * of Newton's method, and of the place of the special point. */
 static void judge(po_continuation *t, const po_event *ev, po_branch_point *point) {
   const double cosine = po_solution_cosine(&t->current, point->solution);
   const double enough =
@@ -103,7 +104,7 @@ static void judge(po_continuation *t, const po_event *ev, po_branch_point *point
     point->finer = r.finer;
   }
   point->unmet = status == PO_NOT_CONVERGED && !t->c.trouble;
-  t->c.trouble = PO_OK; /* a mesh too fine for the estimate is no trouble for the trace */
+  t->c.trouble = PO_OK; /* the trace continues if the mesh of the estimate has too many panels */
 }
 
 static void visit_special_point(po_continuation *t, const po_event *ev) {
@@ -116,8 +117,8 @@ static void visit_special_point(po_continuation *t, const po_event *ev) {
     t->ended = true;
 }
 
-/* Whether an event lies beyond the end of the way out: passed in the step that ended it, and again
- * at the beginning of the reverse trace. */
+/* Whether an event is beyond the end of the forward trace. The last step of the forward trace and
+ * the first of the reverse trace pass it. */
 static bool is_beyond(po_continuation *t, const po_event *ev) {
   const bool beyond = t->back ? t->beyond > 0 : t->ended;
   if (beyond && ev->of <= PO_OF_LOAD)

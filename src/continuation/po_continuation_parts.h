@@ -1,5 +1,5 @@
-/* What the files of the continuation share: its state, and how a point is solved, a step is made,
- * and what lies on it is visited. */
+/* Private to the files po_continuation*.c: the state of a continuation, and the functions that
+ * solve a point, make a step, and locate and visit its points. */
 #ifndef PO_CONTINUATION_PARTS_H
 #define PO_CONTINUATION_PARTS_H
 
@@ -17,48 +17,51 @@ struct po_continuation {
   po_solution previous, current, next, inner, spare, at_event[PO_MOST_EVENTS];
   po_events events;
   double step;
-  double inner_at; /* of the point in inner, solved on the mesh in force; NAN: none */
+  double inner_at; /* value of the arclength functional at `inner`, which is on the current mesh;
+                      NAN: none */
   bool has_previous, ended;
   bool back;       /* on the reverse trace */
-  int beyond;      /* special points of the last step that lie beyond the end */
-  double farthest; /* least gap where the branch began */
+  int beyond;      /* number of special points of the last step beyond the end of the trace */
+  double farthest; /* least gap at the first point */
   int unstable_modes;
-  double deepest; /* minimum of the load so far */
+  double deepest; /* deepest minimum of the load so far */
   size_t points;
 };
 
-/* Precision of the tangent at a step: it serves to predict the next, and to see what lies between.
- */
+/* Precision of the tangent at a step. The tangent is used to predict the next point and to detect
+ * special points. */
 extern const double PO_STEP_TANGENT;
 
 /* Whether the mesh consists of panels that follow the contact edges. */
 bool po_continuation_moves(const po_continuation *t);
 
-/* The mesh that just resolves a point just solved, into p->wanted; none where the mesh stays. */
+/* Sets p->wanted to the coarsest mesh that resolves the solution p. Does nothing on a fixed mesh.
+ */
 po_status po_continuation_want_mesh(po_continuation *t, po_solution *p);
 
-/* The equilibrium at a distance along the arclength functional from the current point, as
- * predicted, on a mesh that resolves it. Given: whether the mesh in force and its factors may
- * serve; precision of the tangent. Returned: out; the error of the prediction, in parts of 1 + H.
- * Status: PO_NOT_CONVERGED also when no mesh resolves it; of a mesh that could not be had. */
+/* Solves for the equilibrium at a distance along the arclength functional from the current point,
+ * on a mesh that resolves it. Given: the prediction; `keep`, whether the current mesh and factors
+ * may be used; precision of the tangent. Returned: out; error, that of the prediction relative to 1
+ * + H, unless NULL. Status: PO_NOT_CONVERGED, also if no mesh resolves the solution;
+ * PO_OUT_OF_NODES. */
 po_status po_continuation_solve(po_continuation *t, po_prediction *p, double distance, bool keep,
                                 double precision, po_solution *out, double *error);
 
-/* The same from the guess of the corrector, with the factors in hand. */
+/* The same from the guess of the corrector, with the present factors. */
 po_status po_continuation_solve_guessed(po_continuation *t, double distance, po_solution *out);
 
-/* From current to next, by as many attempts as it takes, with the events between. Status:
- * PO_STEP_TOO_SMALL, of a mesh that could not be had. */
+/* One step, from t->current to t->next, with as many attempts as necessary, and its events. Status:
+ * PO_STEP_TOO_SMALL; PO_OUT_OF_NODES. */
 po_status po_continuation_advance(po_continuation *t);
 
-/* What lies between current and next. */
+/* Finds the special points and stations between t->current and t->next. */
 po_status po_continuation_find_events(po_continuation *t);
 
 po_branch_point po_continuation_seen(const po_continuation *t, const po_solution *p,
                                      po_point_kind kind);
 void po_continuation_visit(po_continuation *t, const po_solution *p, po_point_kind kind);
 
-/* Tells the visitor of the events between current and next, and of next. */
+/* Visits the events between t->current and t->next, then t->next. */
 void po_continuation_visit_step(po_continuation *t);
 
 #endif

@@ -16,12 +16,12 @@ static bool mesh_serves(const po_continuation *t, const po_prediction *p) {
   return true;
 }
 
-/* The state expected, on the mesh in force. */
+/* Sets the guess to the prediction, on the current mesh. */
 static void guess(po_continuation *t, po_prediction *p) {
   po_prediction_state(p, t->c.e->surface, po_corrector_moving_nodes(&t->c), t->c.guess);
 }
 
-/* The panels that resolve a field with a margin, from those given. */
+/* Adapts panels so that they resolve a field with a margin. */
 static po_status resolve(po_continuation *t, const po_gap_field *field, po_panels *panels) {
   const po_resolution margin = po_resolution_for_mesh(&t->resolution);
   return t->c.trouble = po_resolution_panels(&margin, field, panels);
@@ -35,7 +35,7 @@ po_status po_continuation_want_mesh(po_continuation *t, po_solution *p) {
   return resolve(t, &(po_gap_field){po_solution_gap, &solved}, &p->wanted);
 }
 
-/* Takes the point just solved to the mesh it wants, as a guess. */
+/* Makes the mesh that resolves the solution the current one, and the solution the guess on it. */
 static po_status guess_from_solved(po_continuation *t, const po_solution *out) {
   po_solution_copy(out, &t->spare);
   const po_status status = po_corrector_mesh(&t->c, &t->spare.wanted);
@@ -49,9 +49,9 @@ static bool all_move(const po_continuation *t, const po_prediction *p) {
   return p->edges.count == t->current.edges.all;
 }
 
-/* Puts a mesh in force for the prediction, or leaves the one there is when it serves and may, or
- * stays; and the guess on it. A mesh that serves has the margin that it was made with; a solution
- * that it does not resolve is meshed again. */
+/* Makes a mesh for the prediction the current one, and sets the guess on it. The current mesh is
+ * kept if it is fixed, or if it may be kept and is fine enough; if it does not resolve the
+ * solution, the point is solved again on another. */
 static po_status mesh_for(po_continuation *t, po_prediction *p, bool may_keep_mesh) {
   if (!po_continuation_moves(t)) {
     guess(t, p);
@@ -75,8 +75,8 @@ static po_status mesh_for(po_continuation *t, po_prediction *p, bool may_keep_me
   return status;
 }
 
-/* Solves from the guess, and meshes again while the solution is not resolved. Status:
- * PO_NOT_CONVERGED also when no mesh resolves it. */
+/* Solves from the guess, and repeats that on a new mesh while the solution is not resolved. Status:
+ * PO_NOT_CONVERGED, also if no mesh resolves the solution. */
 static po_status solve_resolved(po_continuation *t, double distance, bool keep_factors,
                                 double precision, po_solution *out) {
   po_status status = PO_OK;

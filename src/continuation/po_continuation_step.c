@@ -3,31 +3,35 @@
 #include "po_continuation_parts.h"
 #include "po_join.h"
 
-/* Error of the prediction, in parts of 1 + H, that a step aims at, and that it may have: with 0.14
- * a step went over the two folds of mu = 4 that lie within 1e-4 of approach -4.0232. */
+/* Error of the prediction, relative to 1 + H, that a step aims at, and the greatest that is
+ * accepted. With a limit of 0.14 a step passed over the two folds of mu = 4 that are within 1e-4 of
+ * approach -4.0232. */
 static const double AIMED_ERROR = 0.01, GREATEST_ERROR = 0.05;
-/* The same with waves: with 0.05 a step went over two extrema of the load, 0.026 eps apart at mu =
- * 1, A = 0.4, lambda = 10, approach 26.6, where the edge of the contact goes over a crest. */
+/* The greatest error for wavy scenes. With 0.05 a step passed over two extrema of the load, 0.026
+ * eps apart at mu = 1, A = 0.4, lambda = 10, approach 26.6, where the contact edge passes a crest.
+ */
 static const double GREATEST_ERROR_OF_WAVES = 0.03;
-/* Growth of a step at most. */
+/* Greatest ratio of the lengths of successive steps. */
 static const double GREATEST_GROWTH = 2.0;
-/* Cosine below which the arclength functional turned too far in one step. */
+/* Least cosine of the angle between the directions at both ends of a step. */
 static const double LEAST_COSINE = 0.7;
-/* Steps are made so much shorter than what would just do for the curve between to be joined. */
+/* The length of a step relative to the greatest for which the curve between its ends is
+ * interpolated as accurately as required. */
 static const double JOIN_MARGIN = 0.85;
-/* A curve as straight as this many times what a cubic may miss is not looked at: the energies may
- * be rounded by more. */
+/* If the sagitta of a step is below this multiple of largest_miss, the error of the cubic is not
+ * computed: the rounding of the energies may exceed it. */
 static const double STRAIGHT = 40.0;
 
 /* One attempt at a step. */
 typedef struct {
-  double step; /* tried, no longer than asked for */
-  double next; /* to try then */
-  bool met;    /* an equilibrium was found there */
+  double step; /* length of the attempt, at most the one given */
+  double next; /* length of the next attempt, or of the next step */
+  bool met;    /* an equilibrium was found */
 } attempt;
 
-/* The step whose prediction has the error aimed at, from that of one taken: it goes as the square
- * of the distance to the point it starts from, times that to the one before when a cubic. */
+/* The length of a step with the aimed error, from the error of the step just made. The error of the
+ * tangent goes as the square of the length; that of the cubic as the square of the length times the
+ * distance from the previous point. */
 static double next_step(const po_continuation *t, const po_prediction *p, double step,
                         double error) {
   const double ratio = sqrt(AIMED_ERROR / fmax(error, 1e-30));
@@ -39,8 +43,8 @@ static double next_step(const po_continuation *t, const po_prediction *p, double
   return fmin(longer, GREATEST_GROWTH * step);
 }
 
-/* How many times as long as from current to next a step may be for the curve between to be joined
- * as asked: below 1 it is not. */
+/* The factor by which the present step could be longer with the interpolation of the curve still as
+ * accurate as required; below 1 the step is too long. */
 static double joined_for(const po_continuation *t) {
   const po_continuation_options *o = &t->options;
   const po_branch_point from = po_continuation_seen(t, &t->current, PO_POINT_STEP);
@@ -52,7 +56,8 @@ static double joined_for(const po_continuation *t) {
   return fmin(by_sagitta, pow(o->largest_miss / po_join_miss(&from, &to), 0.25));
 }
 
-/* Current to next. Given: the step asked for. Status: PO_OK when it is taken. */
+/* One attempt to step from t->current to t->next. Given: the length of the step. Status: PO_OK if
+ * the step is accepted. */
 static po_status try_step(po_continuation *t, double step, attempt *a) {
   po_prediction p;
   if (!po_continuation_moves(t))
@@ -94,18 +99,18 @@ po_status po_continuation_advance(po_continuation *t) {
   for (;;) {
     if (t->step < PO_LOCATED)
       return po_fail(PO_STEP_TOO_SMALL,
-                     "the branch could not be followed with the shortest step past approach %.6g, "
+                     "the continuation failed with the shortest step at approach %.6g, "
                      "load %.6g",
                      po_solution_approach(&t->current), t->current.load);
     attempt a;
     const po_status status = try_step(t, t->step, &a);
     t->step = a.next;
     if (!a.met)
-      t->c.e->factorized = false; /* those of a state too far from the branch */
+      t->c.e->factorized = false; /* they are of a state too far from the branch */
     if (t->c.trouble)
       return t->c.trouble;
     if (!status) {
-      /* waves in a row are alike: what was too long here is too long there */
+      /* waves are alike: a length that failed here would fail at the next wave, too */
       if (missed && po_scene_is_wavy(t->c.e->scene))
         t->step = fmin(a.next, a.step);
       return PO_OK;

@@ -5,13 +5,13 @@
 
 #include "po_memory.h"
 
-/* The factors are renewed so often while an iteration is so near a solution, in parts of 1 + H,
- * that Newton's converges. */
+/* If the iteration is slow but its last change, relative to 1 + H, is below NEAR, the Jacobian is
+ * factorised there, at most MOST_RENEWALS times. */
 enum { MOST_RENEWALS = 2 };
 static const double NEAR = 0.1;
 
-/* Nodes that answer each other, at most. There may be many more of rigid waves: those cost but
- * their sums. */
+/* Largest number of nodes in the factorised Jacobian. Nodes outside it cost only matrix-vector
+ * products. */
 enum { MOST_ACTIVE = 1920 };
 
 po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive *adaptive) {
@@ -57,16 +57,17 @@ void po_corrector_guess(po_corrector *c, const po_solution *p) {
   const size_t core = po_corrector_moving_nodes(c), n = c->e->n;
   for (size_t j = 0; j < core; ++j)
     c->guess[j] = po_solution_gap((void *)&field, c->e->surface->node[j]);
-  for (size_t back = 0; back <= n - core; ++back) /* the panel to infinity and the approach stay */
+  for (size_t back = 0; back <= n - core;
+       ++back) /* nodes of the panel to infinity, and the approach, are copied */
     c->guess[n - back] = p->state[p->n - back];
 }
 
 typedef struct {
   const po_solution *from;
-  double *coordinate; /* room */
+  double *coordinate; /* work */
 } place;
 
-/* How far along the arclength functional a state is. */
+/* The arclength functional of a point, evaluated at a state. */
 static double functional_progress(const po_equilibrium *e, const double *state, const void *data) {
   const place *p = data;
   const po_solution *from = p->from;
@@ -93,8 +94,8 @@ void po_corrector_aim(po_corrector *c, const po_solution *from) {
   po_equilibrium_change_border(c->e, c->border);
 }
 
-/* The iteration from the state in out; where it contracts too slowly near a solution the factors
- * are renewed there, which costs less than a shorter step. */
+/* Newton's method from the state in `out`. If it contracts too slowly near a solution, the Jacobian
+ * is factorised there, which costs less than a shorter step. */
 static po_status correct(po_corrector *c, const po_solution *from, double distance,
                          po_solution *out) {
   const place along = {from, c->coordinate};

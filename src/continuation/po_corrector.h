@@ -1,5 +1,6 @@
-/* Equilibria at a given place of a branch: the mesh in force, a guess on it, and Newton's iteration
- * from there. The mesh consists of panels that follow the contact edges, or it stays. */
+/* The corrector: solves for the equilibrium at a given value of the arclength functional, by
+ * Newton's method from a guess on the current mesh. The mesh consists of panels that follow the
+ * contact edges, or it is fixed. */
 #ifndef PO_CORRECTOR_H
 #define PO_CORRECTOR_H
 
@@ -10,40 +11,43 @@
 
 typedef struct {
   po_equilibrium *e;
-  po_adaptive *adaptive;  /* NULL: the mesh stays */
-  double domain;          /* radius of the domain that the mesh covers, eps */
-  size_t capacity;        /* nodes that the mesh may have */
+  po_adaptive *adaptive;  /* NULL for a fixed mesh */
+  double domain;          /* radius of the domain, eps */
+  size_t capacity;        /* largest number of nodes */
   double *border, *guess; /* capacity + 1 */
-  double *coordinate;     /* of the arclength, likewise */
-  int direction;          /* of the branch: 1 as it comes from far out, -1 back */
-  po_status trouble;      /* of a mesh that could not be had: no shorter step helps */
+  double *coordinate;     /* capacity + 1: work, coordinates of the arclength */
+  int direction;          /* of the trace: 1 forward, -1 reverse */
+  po_status trouble; /* status of a failure that no shorter step avoids, as of a mesh with too many
+                        panels */
 } po_corrector;
 
-/* Given: adaptive, NULL for a mesh that stays. Status: PO_NO_MEMORY. Both objects must outlive the
- * corrector. */
+/* Given: equilibrium and panels (NULL for a fixed mesh), which must outlive the corrector. Status:
+ * PO_NO_MEMORY. */
 po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive *adaptive);
 void po_corrector_free(po_corrector *c);
 
-/* Puts panels in force. Status: PO_OUT_OF_NODES, kept in trouble. */
+/* Makes `panels` the current mesh. Status: PO_OUT_OF_NODES, which is also stored in `trouble`. */
 po_status po_corrector_mesh(po_corrector *c, const po_panels *panels);
 
-/* Nodes of the mesh in force that follow the contact edges: those of the panels. */
+/* Number of nodes of the current mesh that follow the contact edges: those of the panels; 0 for a
+ * fixed mesh. */
 size_t po_corrector_moving_nodes(const po_corrector *c);
 
-/* The state of a point as a guess on the mesh in force. */
+/* Sets the guess to the state of a point, interpolated to the current mesh. */
 void po_corrector_guess(po_corrector *c, const po_solution *p);
 
-/* Gives factors in hand the border of another point, if there are any. */
+/* Replaces the border of the present factors, if any, by that of another point. */
 void po_corrector_aim(po_corrector *c, const po_solution *from);
 
-/* The equilibrium at a distance along the arclength functional from a point, starting at the guess;
- * with the factors in hand first where they may serve. Given: precision of the tangent. Returned:
- * out. Status: PO_NOT_CONVERGED, also when the branch there runs the other way. */
+/* Solves for the equilibrium at a distance along the arclength functional of the point `from`,
+ * starting at the guess. Given: keep_factors, whether the present factors are tried before new
+ * ones; precision of the tangent. Returned: out. Status: PO_NOT_CONVERGED, also if the sign of the
+ * determinant shows that the solution is on another branch. */
 po_status po_corrector_solve(po_corrector *c, const po_solution *from, double distance,
                              bool keep_factors, double precision, po_solution *out);
 
-/* Approach and load, with their rates, as functions of the distance along the arclength functional
- * of `from`, at the point p. */
+/* Approach and load at the point p, with their rates with respect to the arclength functional of
+ * `from`. */
 po_sample po_corrector_sample(const po_solution *from, const po_solution *p);
 
 #endif

@@ -12,31 +12,31 @@
 
 enum { ROOT_LEVEL = 3 };
 
-/* Error of the predictor, in parts of 1 + H, that a step may have; and below which the next may be
- * longer. */
+/* Greatest error of the predictor, relative to 1 + H, with which a step is accepted; and the error
+ * below which the next step is longer. */
 static const double GREATEST_PREDICTOR_ERROR = 0.4, SMALL_PREDICTOR_ERROR = 0.1;
-/* The first step, in parts of the way to the parameter asked for: it tells how the special point
- * moves.
- */
+/* Length of the first step, relative to the distance to the parameter asked for. The first step
+ * shows how the special point moves. */
 static const double FIRST_PART = 0.02;
-/* A step this short, in the same parts, that fails: the special point is lost; and a first one,
- * when it is not known yet how it moves. */
+/* Length of a step, relative to the same distance, below which the special point is given up if the
+ * step fails; and the same for the first step. */
 static const double SHORTEST_PART = 0.1, SHORTEST_FIRST_PART = 5e-4;
 struct po_follower {
   po_follow_options options;
-  po_scene scene; /* in force */
+  po_scene scene; /* at the present value of the parameter */
   po_adaptive *adaptive;
   po_equilibrium *e;
   po_corrector c;
   po_resolution resolution;
   po_legendre legendre;
   po_event_kind of;
-  po_predictor_point mark[PO_PREDICTOR_MARKS + 1]; /* in a ring, with room for the next */
+  po_predictor_point
+      mark[PO_PREDICTOR_MARKS + 1]; /* ring buffer, with one element for the next mark */
   size_t latest, count;
   po_solution seed, spare;
-  double slope; /* of the rate that vanishes, along the arclength functional */
+  double slope; /* derivative of the rate that vanishes, along the arclength functional */
   double value[2];
-  double step; /* to try; INFINITY: the whole way */
+  double step; /* length of the next attempt; INFINITY: the whole distance */
 };
 
 static po_predictor_point *mark_of(po_follower *f, size_t back) {
@@ -47,7 +47,7 @@ static po_predictor_point *next_mark(po_follower *f) {
   return &f->mark[(f->latest + 1) % (PO_PREDICTOR_MARKS + 1)];
 }
 
-/* Puts the scene of a parameter in force, on the mesh there is. */
+/* Sets the scene of a parameter, on the current mesh. */
 static void set_scene(po_follower *f, double at) {
   f->options.scene_at(f->options.data, at, &f->scene);
   po_adaptive_resize(f->adaptive, f->options.domain_of(&f->scene));
@@ -100,7 +100,7 @@ void po_follow_destroy(po_follower *f) {
   free(f);
 }
 
-/* Puts panels in force that resolve a field, starting from others. */
+/* Makes panels that resolve a field the current mesh, adapted from other panels. */
 static po_status mesh_for(po_follower *f, const po_panels *from, const po_gap_field *field) {
   const po_resolution margin = po_resolution_for_mesh(&f->resolution);
   po_panels panels = *from;
@@ -153,8 +153,8 @@ po_status po_follow_begin(po_follower *f, const po_solution *special, po_event_k
   return status;
 }
 
-/* Seeds the search from the guess: its arclength functional, in the direction of the latest special
- * point. */
+/* Sets the arclength functional by which the special point is located: through the guess, in the
+ * direction of the latest mark. */
 static void seed_from_guess(po_follower *f) {
   const po_solution *latest = &mark_of(f, 0)->point;
   po_equilibrium_evaluate(f->e, f->c.guess);
@@ -162,8 +162,8 @@ static void seed_from_guess(po_follower *f) {
   memcpy(f->seed.rate, latest->rate, f->seed.coordinates * sizeof *f->seed.rate);
 }
 
-/* One attempt at a step; the last, if it fails. Returned: the error of the predictor, if it could
- * be had. */
+/* One attempt at a step. Given: last, whether the special point is given up if the attempt fails.
+ * Returned: the error of the predictor, if a solution was found. */
 static po_status try_step(po_follower *f, double at, bool last, double *error) {
   const po_predictor_point *marks[PO_PREDICTOR_MARKS];
   po_predictor predictor;
@@ -199,10 +199,11 @@ po_status po_follow_to(po_follower *f, double at, double deadline) {
   double left = whole;
   while (left != 0.0) {
     if (po_clock_thread() > deadline)
-      return po_fail(PO_OUT_OF_TIME,
-                     "the time limit was reached before the scene; the special point is at "
-                     "approach %.6g, load %.6g",
-                     f->value[0], f->value[1]);
+      return po_fail(
+          PO_OUT_OF_TIME,
+          "the time limit was reached before the special point was followed to the scene; it is at "
+          "approach %.6g, load %.6g",
+          f->value[0], f->value[1]);
     const double most = f->count == 1 ? fmin(f->step, FIRST_PART * fabs(whole)) : f->step;
     const bool last = fabs(left) <= most;
     const double step = last ? left : copysign(most, left);
@@ -214,9 +215,10 @@ po_status po_follow_to(po_follower *f, double at, double deadline) {
       po_message_clear();
       f->c.trouble = PO_OK;
       if (shortest)
-        return po_fail(PO_NOT_FOUND,
-                       "the special point at approach %.6g, load %.6g ends on the way", f->value[0],
-                       f->value[1]);
+        return po_fail(
+            PO_NOT_FOUND,
+            "the special point at approach %.6g, load %.6g ends before the scene is reached",
+            f->value[0], f->value[1]);
       f->step = (f->count == 1 ? 0.1 : 0.5) * fabs(step);
       continue;
     }

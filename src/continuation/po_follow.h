@@ -1,6 +1,7 @@
-/* A special point of the branch, an extremum of the load or a fold, followed in a parameter of the
- * scene by its own extended system: an equilibrium at which the rate of the load, or of the
- * approach, vanishes. One or two factorisations a step, against hundreds of a trace. */
+/* Parameter continuation of a special point, an extremum of the load or a fold: Eq 15 together with
+ * the condition that the rate of the load, or of the approach, vanishes is solved for successive
+ * values of a parameter of the scene. A step takes one or two factorisations, a trace hundreds. See
+ * doc/method.md, "Parameter continuation". */
 #ifndef PO_FOLLOW_H
 #define PO_FOLLOW_H
 
@@ -11,36 +12,39 @@
 
 typedef struct po_follower po_follower;
 
-/* Scenes along a parameter: smooth in it, all wavy or all smooth, all bounded or all not. */
+/* The scenes as a function of the parameter. The function is smooth; all scenes are wavy or all are
+ * smooth, and all surfaces are cut or none is. */
 typedef struct {
   void (*scene_at)(void *data, double at, po_scene *scene);
   double (*domain_of)(const po_scene *scene); /* radius of the domain of the panels, eps */
   void *data;
-  po_allowance allowed; /* what panels may leave */
-  double precision;     /* of Newton's iteration, see po_equilibrium */
-  double sharpness;     /* relative error of an extremum of the load for which it is solved
-                           again on a finer mesh when it is judged */
+  po_allowance allowed; /* allowed errors of the panels */
+  double precision;     /* of Newton's method, see po_equilibrium.h */
+  double sharpness; /* relative error of an extremum of the load above which po_follow_point solves
+                       it again on a finer mesh */
 } po_follow_options;
 
-/* Status: PO_NO_MEMORY. Options are copied, their data must outlive the follower. */
+/* Given: options, which are copied, and whose data must outlive the follower; at, the first value
+ * of the parameter. Status: PO_NO_MEMORY. */
 po_status po_follow_create(const po_follow_options *options, double at, po_follower **follower);
 void po_follow_destroy(po_follower *follower);
 
-/* Begins at a special point of a trace at a parameter; what was followed before is forgotten.
- * Given: of the load or of the approach. Status: PO_NOT_CONVERGED, PO_OUT_OF_NODES. */
+/* Begins at a special point of a trace, which replaces the one followed before. Given: its
+ * solution; whether it is of the load or of the approach; the value of the parameter. Status:
+ * PO_NOT_CONVERGED, PO_OUT_OF_NODES. */
 po_status po_follow_begin(po_follower *f, const po_solution *special, po_event_kind of, double at);
 
-/* Goes on to a parameter, in as many steps as it takes, or until the processor time of this thread
- * (po_clock_thread) is past the deadline, which is looked at before every step; INFINITY: none.
- * Status: PO_NOT_FOUND when the special point is lost on the way, mostly since it met another and
- * both ended there; PO_OUT_OF_NODES; PO_OUT_OF_TIME. */
+/* Follows the special point to a value of the parameter, in as many steps as necessary. Given:
+ * deadline, the processor time of this thread (po_clock_thread) at which the function gives up,
+ * checked before every step; INFINITY: none. Status: PO_NOT_FOUND if the special point is lost,
+ * usually because it merges with another and both end there; PO_OUT_OF_NODES; PO_OUT_OF_TIME. */
 po_status po_follow_to(po_follower *f, double at, double deadline);
 
-/* The special point where the follower is; what it points to holds until the next step. With
- * `judged` it is solved on finer meshes, too, for the errors. */
+/* The special point at the present value of the parameter. Its pointers are valid until the next
+ * call. Given: judged, whether it is solved on finer meshes for its errors. */
 po_branch_point po_follow_point(po_follower *f, bool judged);
 
-/* Radius of the domain of the panels there, and the work so far. */
+/* Radius of the domain, eps, at the present value of the parameter; and the work so far. */
 double po_follow_domain(const po_follower *f);
 po_solve_work po_follow_work(const po_follower *f, uint64_t *kernel_evaluations);
 

@@ -4,7 +4,8 @@
 
 #include "po_hermite.h"
 
-/* What a cubic misses goes as t^2 (1 - t)^2: the largest over the mean. */
+/* The error of the cubic is proportional to t^2 (1 - t)^2: ratio of the largest to the mean value.
+ */
 static const double LARGEST_OF_MEAN = 30.0 / 16.0;
 
 static double chord(const po_branch_point *from, const po_branch_point *to) {

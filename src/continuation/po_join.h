@@ -1,15 +1,18 @@
-/* How far the curve of approach and load between two points of a branch is from what joins them. */
+/* Error of the interpolation of the curve (approach, load) between two points of a branch. See
+ * doc/method.md, "Prediction and correction". */
 #ifndef PO_JOIN_H
 #define PO_JOIN_H
 
 #include "po_branch_point.h"
 
-/* From the straight line: the sagitta of the chord, from the turn of the curve. */
+/* Distance of the curve from the straight line between the points: the sagitta of an arc that turns
+ * as the curve does. */
 double po_join_sagitta(const po_branch_point *from, const po_branch_point *to);
 
-/* From the cubic of the position with the rates at both ends: by the difference between the load
- * integrated over the approach along it and that of the energies. Given: points whose energies are
- * as good as their loads. Accuracy: a tenth on an arc of 0.6 (tests/unit/test_join.c). */
+/* Distance of the curve from the cubic in the position with the rates at both points, from the
+ * identity dU = W d(approach): the integral of the load over the approach along the cubic is
+ * compared with the difference of the energies. Given: points whose energies are as accurate as
+ * their loads. Accuracy: 10 % on an arc of 0.6 (tests/unit/test_join.c). */
 double po_join_miss(const po_branch_point *from, const po_branch_point *to);
 
 #endif

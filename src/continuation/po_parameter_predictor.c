@@ -4,7 +4,7 @@
 
 #include "po_profile.h"
 
-/* Lagrange's weights of the marks at a parameter. */
+/* The weights of the marks in Lagrange's polynomial at a parameter. */
 static void weigh(po_predictor *f, double at) {
   for (size_t i = 0; i < f->count; ++i) {
     f->weight[i] = 1.0;
@@ -14,7 +14,8 @@ static void weigh(po_predictor *f, double at) {
   }
 }
 
-/* Moves the contact edges of the latest mark, all or the outermost alone. */
+/* Predicts the shifts of the contact edges of the latest mark: of all, or of the outermost only.
+ * Returned: whether the coordinates can move by them. */
 static bool move(po_predictor *f, const po_predictor_point *const *mark, size_t count, bool all,
                  double at) {
   const po_moving_edges *latest = &mark[0]->point.edges;
@@ -54,7 +55,7 @@ void po_predictor_still(const po_predictor_point *const *mark, size_t count, dou
   weigh(f, at);
 }
 
-/* The gap of a mark; undeformed outside its domain. */
+/* The gap of a mark; outside its domain the undeformed gap. */
 static double gap_of(const po_predictor_point *m, double r) {
   if (r < m->domain)
     return po_solution_value_at(&m->point, &m->scene, m->domain, r).gap;
@@ -77,7 +78,7 @@ void po_predictor_state(po_predictor *f, const po_equilibrium *e, size_t core, d
   for (size_t j = 0; j < core; ++j)
     state[j] = po_predictor_gap(f, e->surface->node[j]);
   for (size_t back = 0; back <= n - core; ++back) { /* from the approach inwards */
-    double value = back > 0 ? e->shape[n - back] : 0.0;
+    double value = back > 0 ? e->initial_gap[n - back] : 0.0;
     for (size_t i = 0; i < f->count; ++i) {
       const po_solution *p = &f->mark[i]->point;
       value += f->weight[i] * (back > 0 ? p->deflection[p->n - back] : p->state[p->n]);

@@ -5,10 +5,11 @@
 #include "po_law.h"
 #include "po_special_point.h"
 
-/* A step, along the arclength functional, that is short where two contact edges meet. */
+/* Distance along the arclength functional below which edges that are about to meet are left out of
+ * the displacement. */
 static const double MEETING_STEP = 1e-4;
 
-/* Sets where the contact edges are expected. Returned: whether that is any use. */
+/* Predicts the shifts of the contact edges. Returned: whether the coordinates can move by them. */
 static bool move(po_prediction *p, double distance) {
   const po_moving_edges *edges = &p->edges;
   p->w = (po_hermite){1.0, distance, 0.0, 0.0};
@@ -24,7 +25,7 @@ static bool move(po_prediction *p, double distance) {
   return po_edge_may_move(edges, p->shift);
 }
 
-/* Takes contact edges out of those that move the coordinates, from one up to another. */
+/* Removes the contact edges first <= k < end from those that move the coordinates. */
 static void drop(po_prediction *p, size_t first, size_t end) {
   po_moving_edges *edges = &p->edges;
   for (size_t from = end, to = first; from < edges->count; ++from, ++to) {
@@ -36,8 +37,8 @@ static void drop(po_prediction *p, size_t first, size_t end) {
   edges->count -= end - first;
 }
 
-/* Takes the two contact edges out that move most towards each other, or one that closes at the
- * axis; not the outermost alone. */
+/* Removes the two contact edges with the largest strain between them, or the innermost one if it
+ * closes at the axis. Returned: false if only the outermost edge could be removed. */
 static bool drop_tightest(po_prediction *p) {
   const size_t second = po_edge_tightest(&p->edges, p->shift);
   if (p->edges.count <= 1 || second == p->edges.count)
@@ -46,7 +47,7 @@ static bool drop_tightest(po_prediction *p) {
   return true;
 }
 
-/* In the coordinates of all contact edges, that of the point b beside that of a. */
+/* Pairs the contact edges of a with those of b, if they are as many. */
 static void pair(po_prediction *p) {
   const po_solution *a = p->a, *b = p->b;
   p->edges = a->edges;
@@ -60,7 +61,7 @@ static void pair(po_prediction *p) {
   }
 }
 
-/* Predicts at a distance, in the coordinates of as many contact edges as they can be. */
+/* Predicts at a distance, with as many moving contact edges as possible. */
 static bool predict(po_prediction *p, double distance) {
   bool useful = move(p, distance);
   while (!useful && drop_tightest(p))
@@ -75,8 +76,7 @@ bool po_prediction_make(const po_scene *scene, double domain, const po_solution 
   return predict(p, distance);
 }
 
-/* Largest difference of the gaps expected by two predictions, in parts of 1 + H, at the nodes of
- * their point. */
+/* The largest difference of the gaps of two predictions, relative to 1 + H, at the nodes of a. */
 static double difference(po_prediction *p, po_prediction *q) {
   double largest = 0.0;
   for (size_t j = 0; j < p->a->core; ++j) {
@@ -87,7 +87,7 @@ static double difference(po_prediction *p, po_prediction *q) {
   return largest;
 }
 
-/* How the error of a prediction goes with the distance. */
+/* The error of a prediction is proportional to this function of the distance. */
 static double error_power(const po_prediction *p, double distance) {
   if (!p->cubic)
     return distance * distance;
@@ -136,7 +136,7 @@ double po_prediction_gap(void *prediction, double r) {
   return po_law_expected_gap(&p->scene->law, gap);
 }
 
-/* Component of the state at a node that does not move, or the approach. */
+/* The predicted gap at a node that does not move, or the predicted approach. */
 static double component(const po_prediction *p, size_t of_a, size_t of_b) {
   double value = p->a->state[of_a] + p->w.d0 * p->a->tangent[of_a];
   if (p->cubic)
@@ -156,8 +156,7 @@ void po_prediction_state(po_prediction *p, const po_surface *surface, size_t mov
   }
 }
 
-/* Size of the panels that the point a wants at the place from which a radius (relative to the
- * domain) is expected to come. */
+/* Size of the panel of a->wanted at the origin of a radius, both relative to the domain. */
 static double wanted_size(const po_prediction *p, double x) {
   const double origin = po_edge_origin(&p->edges, p->shift, x * p->domain) / p->domain;
   const po_panels *wanted = &p->a->wanted;

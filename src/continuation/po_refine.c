@@ -6,24 +6,25 @@
 
 enum { MOST_SOLVES = 5 };
 
-/* Panels whose error is below this part of the largest are left as they are. */
+/* Panels with an excess below this part of the largest are not halved. */
 static const double CONTRIBUTES = 0.01;
 
-/* A panel of more waves of the waviness is too coarse for its coefficients to tell what it misses.
- */
+/* Greatest number of wavelengths on a panel. The Legendre coefficients of a longer panel do not
+ * show its error. */
 static const double TELLING_WAVES = 2.5;
 
-/* A special point is found when the next step of the secant method is shorter than PO_LOCATED, or
- * than this part of the last. */
+/* The secant method ends when its next step is shorter than PO_LOCATED, or than this part of its
+ * last step. */
 static const double SMALL_STEP = 1e-3;
-/* Along the arclength functional, when the slope is to be found: narrow minima of the load are a
- * hundred times as wide. */
+/* First step of the secant method along the arclength functional if the slope is unknown. Narrow
+ * minima of the load are a hundred times as wide. */
 static const double TRIAL_STEP = 1e-5;
-/* Errors of special points: times the change on a finer mesh; and times the precision of Newton. */
+/* Factors of the stated error of a special point: of the change on a finer mesh, and of the
+ * precision of Newton's method. */
 static const double SAFETY = 3.0, FLOOR = 10.0;
 
-/* Splits panels until all are of few waves. Where there is no room for that they are left as they
- * were. */
+/* Splits panels until none spans more than TELLING_WAVES wavelengths. If that takes too many
+ * panels, none is split. */
 static void split_waves(const po_resolution *r, po_panels *panels) {
   const po_scene *scene = r->e->scene;
   const po_panels before = *panels;
@@ -43,7 +44,8 @@ static void split_waves(const po_resolution *r, po_panels *panels) {
   }
 }
 
-/* The panels of p, those halved that contribute to its error, and those split that may hide one. */
+/* The finer mesh: panels of p that contribute to the error are halved, panels of several waves are
+ * split. */
 static bool finer_panels(const po_resolution *r, const po_solution *p, po_panels *panels) {
   double excess[PO_MOST_PANELS], largest = 0.0;
   bool split[PO_MOST_PANELS];
@@ -59,7 +61,7 @@ static bool finer_panels(const po_resolution *r, const po_solution *p, po_panels
   return true;
 }
 
-/* On the cubic of its interval. */
+/* By differences on the cubic of the interval. */
 double po_refine_slope(const po_event *ev, double cosine) {
   const po_sample *a = &ev->low, *b = &ev->high;
   const double h = b->at - a->at, x = ev->root - a->at, by = 0.01 * h;
@@ -70,7 +72,7 @@ double po_refine_slope(const po_event *ev, double cosine) {
   return (rate[1] - rate[0]) / (2.0 * by) * cosine * cosine;
 }
 
-/* The value of the special point's quantities where the rate between two samples vanishes. */
+/* Approach and load at the root of the rate between two samples. */
 static void values_at_root(const po_sample *a, const po_sample *b, po_event_kind of,
                            double value[2]) {
   const double h = b->at - a->at, x = -a->rate[of] * h / (b->rate[of] - a->rate[of]);
@@ -110,14 +112,14 @@ double po_refine_error(double precision, double change, double value) {
   return SAFETY * fabs(change) + FLOOR * precision * (1.0 + fabs(value));
 }
 
-/* Solves a special point on a finer mesh. Returned: it in finer, its approach and load in value,
- * and the errors that r has. */
+/* Solves a special point on a finer mesh. Returned: the solution in finer, its approach and load in
+ * value, and the errors in r. */
 static po_status solve_finer(po_corrector *c, const po_resolution *resolution,
                              const po_refinement *how, po_refined *r, po_solution *finer,
                              double value[2]) {
   po_panels panels;
   if (!finer_panels(resolution, r->point, &panels))
-    return po_fail(PO_OUT_OF_NODES, "no room for a finer mesh");
+    return po_fail(PO_OUT_OF_NODES, "a finer mesh needs more panels than are possible");
   po_status status = po_corrector_mesh(c, &panels);
   if (status)
     return status;

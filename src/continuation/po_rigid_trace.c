@@ -9,11 +9,12 @@
 #include "po_law.h"
 #include "po_rigid.h"
 
-/* What comes of it: error of the load in parts of 1 + |load|; and of the approach at which its rate
- * vanishes, a rate that is as accurate as the load and falls by 1 an eps or more. */
+/* Error of the load relative to 1 + |load|, from the accuracy of the quadrature; and error of the
+ * approach at which the rate of the load vanishes. The rate is as accurate as the load, and its
+ * slope is at least 1. */
 static const double QUADRATURE_ERROR = 1e-10, LOCATION_ERROR = 1e-9;
 
-/* Steps in x = 1 - approach, the distance from the centre's core. */
+/* Ratio of successive values of 1 - approach. */
 static const double STEP_RATIO = 0.97;
 
 typedef struct {
@@ -32,7 +33,7 @@ static double rate_at(double approach, void *data) {
   return rate;
 }
 
-/* Fills a point of the loading curve. */
+/* Computes a point of the loading curve. */
 static po_branch_point solve(rigid_tracer *t, double approach, po_point_kind kind) {
   po_branch_point point = {
       .kind = kind, .position = approach - t->begin, .approach = approach, .approach_rate = 1.0};
@@ -61,7 +62,7 @@ static double extremum(rigid_tracer *t, double low, double high) {
   gsl_function f = {rate_at, t};
   gsl_root_fsolver_set(solver, &f, low, high);
   double root = low;
-  do { /* ends: Brent's bracket always shrinks */
+  do { /* terminates: Brent's method always reduces the bracket */
     gsl_root_fsolver_iterate(solver);
     root = gsl_root_fsolver_root(solver);
     low = gsl_root_fsolver_x_lower(solver);
@@ -82,7 +83,7 @@ static int by_approach(const void *left, const void *right) {
   return (a > b) - (a < b);
 }
 
-/* Visits what lies between two points, in order. */
+/* Visits the stations and the extremum of the load between two points, in their order. */
 static void visit_between(rigid_tracer *t, const po_branch_point *from, const po_branch_point *to) {
   between found[PO_STATIONS + 1];
   size_t count = 0;
@@ -107,8 +108,10 @@ po_status po_rigid_trace(const po_scene *scene, double begin,
   const double end = options->end;
   const double closest = -po_law_closest(&scene->law);
   if (!(end < closest))
-    return po_fail(PO_BAD_INPUT, "approach_end is %g: rigid bodies cannot come closer than %g", end,
-                   closest);
+    return po_fail(
+        PO_BAD_INPUT,
+        "approach_end is %g: expected less than %g, the greatest approach of rigid bodies", end,
+        closest);
   po_branch_point from = solve(&t, begin, PO_POINT_STEP);
   visit(&t, &from);
   while (!t.ended && !t.status && from.approach < end) {

@@ -11,23 +11,25 @@ enum { MOST_ROOT_STEPS = 40, HALVING = 4, MOST_SPLITS = 14 };
 
 const double PO_LOCATED = 1e-9;
 
-/* Error of an approach asked for. */
+/* Accuracy to which a station is met, eps. */
 static const double ARRIVED = 3e-11;
 
-/* A rate that falls to this part of that at the ends of an interval may change sign unseen. */
+/* If the rate of the cubic falls below this part of the greater end value, two special points are
+ * suspected in the interval. */
 static const double SUSPECT = 0.4;
 
-/* Where a part of the contact is born or lost two extrema may be nearer to each other than steps
- * tell: that place is looked at so closely. With nothing of it a trace went over two extrema of the
- * load 0.07 eps apart, 0.023 along the arclength functional (tests/unit/test_reverse_trace.c). */
+/* Length, along the arclength functional, to which an interval is halved if the number of contact
+ * edges changes in it: special points may be close together there. Without this rule a trace passed
+ * over two extrema of the load 0.07 eps apart, 0.023 along the arclength functional
+ * (tests/unit/test_reverse_trace.c). */
 static const double BIRTH_WAY = 0.02;
-/* The same for the two adjoining intervals: at mu = 1.57 two extrema of the load 0.053 eps
- * apart, within 0.034 along the arclength functional, lay just before an annulus formed
+/* The same for the two adjacent intervals. At mu = 1.57 two extrema of the load 0.053 eps apart,
+ * 0.034 along the arclength functional, are just before a contact annulus forms
  * (tests/unit/test_reverse_trace.c). With 0.02 the trace of mu = 5, A = 10 takes 9 % more Newton
  * iterations and finds no other extrema. */
 static const double BESIDE_BIRTH_WAY = 0.03;
 
-/* The function whose root is the event; NaN when nothing is asked for. */
+/* The function whose root is the event; NaN for a station or an end that is not set. */
 static double event_value(const po_interval *interval, po_event_kind of, const po_sample *s) {
   if (of <= PO_OF_LOAD)
     return s->rate[of];
@@ -35,8 +37,8 @@ static double event_value(const po_interval *interval, po_event_kind of, const p
   return s->value[PO_OF_APPROACH] - at;
 }
 
-/* Whether two extrema of a quantity may hide between two samples: on the cubic between them its
- * rate falls far below that at the ends, or changes its sign twice. */
+/* Whether two extrema of a quantity are suspected between two samples: the rate of the cubic
+ * between them falls far below the end values, or changes its sign twice. */
 static bool is_suspect(const po_sample *a, const po_sample *b, po_event_kind q) {
   return a->rate[q] * b->rate[q] > 0.0 &&
          po_hermite_least_rate(a->value[q], a->rate[q], b->value[q], b->rate[q], b->at - a->at) <
@@ -57,24 +59,27 @@ static po_status collect_between(const po_interval *interval, const po_sample *a
   return PO_OK;
 }
 
-/* Which ends of an interval adjoin one in which a contact annulus forms or vanishes. */
+/* Which ends of an interval are shared with an interval in which a contact annulus forms or
+ * vanishes. */
 enum { NEITHER = 0, BEGINNING = 1, ENDING = 2 };
 
-/* Whether a contact annulus forms or vanishes between two samples. The first contact does not
- * count: steps are short there anyway, and a smooth sphere of mu = 1 would take a tenth more Newton
+/* Whether a contact annulus forms or vanishes between two samples. The first contact is not
+ * counted: steps are short there, and a smooth sphere of mu = 1 would take a tenth more Newton
  * iterations. */
 static bool changes_annuli(const po_sample *a, const po_sample *b) {
   return a->edges != b->edges && a->edges > 0 && b->edges > 0;
 }
 
-/* The largest length of an interval, by the contact annuli that form or vanish in or beside it. */
+/* The greatest allowed length of an interval, depending on whether a contact annulus forms or
+ * vanishes in it or in an adjacent one. */
 static double longest_way(const po_sample *a, const po_sample *b, unsigned adjoins) {
   if (a->edges != b->edges)
     return BIRTH_WAY;
   return adjoins == NEITHER ? INFINITY : BESIDE_BIRTH_WAY;
 }
 
-/* Collects the events between two samples; halves the interval while extrema may hide in it. */
+/* Collects the events between two samples. Halves the interval while it is too long or extrema are
+ * suspected in it. */
 static po_status collect(const po_interval *interval, const po_sample *a, const po_sample *b,
                          unsigned adjoins, int splits, po_events *found) {
   const bool split = is_suspect(a, b, PO_OF_APPROACH) || is_suspect(a, b, PO_OF_LOAD) ||
@@ -91,7 +96,7 @@ static po_status collect(const po_interval *interval, const po_sample *a, const 
   return status ? status : collect(interval, &middle, b, second, splits + 1, found);
 }
 
-/* The event's function on the cubic between two samples. */
+/* The function of the event, evaluated on the cubic between two samples. */
 static double event_on_cubic(const po_interval *interval, po_event_kind of, const po_sample *a,
                              const po_sample *b, double at) {
   const po_event_kind q = of <= PO_OF_LOAD ? of : PO_OF_APPROACH;
@@ -108,14 +113,14 @@ typedef struct {
   const po_sample *a, *b;
 } cubic_event;
 
-/* Whether the event's function has the sign that it has at the first sample. */
+/* Whether the function of the event has the same sign as at the first sample. */
 static bool is_before(double at, const void *data) {
   const cubic_event *c = data;
   const bool rises = event_value(c->interval, c->of, c->a) < 0.0;
   return (event_on_cubic(c->interval, c->of, c->a, c->b, at) < 0.0) == rises;
 }
 
-/* Where that function changes sign: it does between the ends. */
+/* The root of that function, which has different signs at the two samples. */
 static double root_on_cubic(const po_interval *interval, po_event_kind of, const po_sample *a,
                             const po_sample *b) {
   const cubic_event cubic = {interval, of, a, b};
@@ -124,8 +129,8 @@ static double root_on_cubic(const po_interval *interval, po_event_kind of, const
   return 0.5 * (low + high);
 }
 
-/* Narrows an event's bracket to its root, on the cubic between its ends; by halves where that
- * gains nothing. */
+/* Locates an event: repeatedly solves for the equilibrium at the root of the cubic between the ends
+ * of the bracket; every HALVING-th time at the middle of the bracket. */
 static po_status locate(const po_interval *interval, po_event *ev) {
   po_sample low = ev->low, high = ev->high, last = {.at = NAN};
   double f_last = NAN;
@@ -142,7 +147,7 @@ static po_status locate(const po_interval *interval, po_event *ev) {
     ev->root = at;
     ev->here = s;
     interval->keep(interval->data, ev->place);
-    /* how far the root may still be: by the secant, or within the bracket */
+    /* distance of the root, by the secants through the other end and through the last sample */
     const po_sample *other = is_high ? &low : &high;
     const double f_other = event_value(interval, ev->of, other);
     double left = fabs(f * (at - other->at) / (f - f_other));
@@ -157,8 +162,8 @@ static po_status locate(const po_interval *interval, po_event *ev) {
   return PO_NOT_CONVERGED;
 }
 
-/* Adds an approach asked for that is passed twice between two samples, before and after a fold:
- * both samples lie on one side of it, the fold on the other. */
+/* Adds the stations that are passed twice between two samples, before and after a fold: both
+ * samples are on one side of the station, the fold is on the other. */
 static po_status add_hidden(const po_interval *interval, const po_event *fold, po_events *found) {
   for (po_event_kind q = PO_AT_STATION; q <= PO_AT_END; ++q) {
     const double low = event_value(interval, q, &fold->low),
@@ -209,9 +214,8 @@ po_point_kind po_event_point(const po_event *ev) {
   return rising ? PO_POINT_LOAD_MAX : PO_POINT_LOAD_MIN;
 }
 
-/* On the side of a fold where the load falls steeply with the approach the mode that changes is
- * stable: the potential's second derivative along it goes to zero from above, and d load / d
- * approach to minus infinity (load = dU/d approach). */
+/* The mode that changes is stable on that side of a fold on which d(load)/d(approach) goes to minus
+ * infinity: there the second derivative of the potential along the mode goes to zero from above. */
 int po_change_of_modes(po_point_kind kind, double load_rate) {
   if (kind == PO_POINT_APPROACH_MAX)
     return load_rate < 0.0 ? 1 : -1;

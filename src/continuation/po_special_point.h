@@ -1,4 +1,5 @@
-/* What lies between two points of a branch: folds, extrema of the load, an approach asked for. */
+/* The events between two points of a branch: special points (folds and extrema of the load),
+ * stations, and the end of the trace. See doc/method.md, "Special points". */
 #ifndef PO_SPECIAL_POINT_H
 #define PO_SPECIAL_POINT_H
 
@@ -10,29 +11,30 @@
 typedef enum {
   PO_OF_APPROACH,
   PO_OF_LOAD,
-  PO_AT_STATION, /* the first of PO_STATIONS */
+  PO_AT_STATION, /* the first of PO_STATIONS stations */
   PO_AT_END = PO_AT_STATION + PO_STATIONS,
 } po_event_kind;
 
-/* A point as a function of a parameter that grows along the branch: approach and load, and their
- * rates per parameter. */
+/* Approach and load of a point, and their rates, as functions of a parameter that grows along the
+ * branch: the arclength functional of the point at which the step begins. The index is
+ * PO_OF_APPROACH or PO_OF_LOAD. */
 typedef struct {
   double at, value[2], rate[2];
-  size_t edges; /* edges of the contact, where they are known */
+  size_t edges; /* number of contact edges, on panels */
 } po_sample;
 
 typedef struct {
   po_event_kind of;
   po_sample low, high; /* bracket */
-  double root;         /* the parameter there */
-  po_sample here;      /* the sample there, as far as it is located */
-  size_t place;        /* under which its point is kept */
+  double root;         /* the parameter at the event */
+  po_sample here;      /* the sample at `root` */
+  size_t place;        /* index under which its solution is kept */
 } po_event;
 
-/* Error of the parameter at a special point: where its rate vanishes along the arclength. */
+/* Accuracy to which the parameter at a special point is found. */
 extern const double PO_LOCATED;
 
-/* A step with more is too long. */
+/* Largest number of events of a step. A step with more is repeated with a smaller length. */
 enum { PO_MOST_EVENTS = 8 };
 
 typedef struct {
@@ -40,25 +42,29 @@ typedef struct {
   size_t count;
 } po_events;
 
-/* How points between the two are had. */
+/* Access to the points between two points of a branch. */
 typedef struct {
   void *data;
-  po_status (*solve)(void *data, double at, po_sample *sample); /* the equilibrium there */
-  void (*keep)(void *data, size_t place); /* keeps the one last solved, in place of an earlier */
-  const double *station;                  /* approaches, PO_STATIONS of them; NAN: none */
-  double end;                             /* likewise */
+  po_status (*solve)(void *data, double at,
+                     po_sample *sample); /* solves for the equilibrium at a parameter */
+  void (*keep)(void *data,
+               size_t place); /* keeps the last solution under an index, replacing an earlier one */
+  const double *station;      /* PO_STATIONS approaches, eps; NAN: none */
+  double end;                 /* approach at which the trace ends, eps; NAN: none */
 } po_interval;
 
-/* Finds and locates the events between two samples, in the parameter.
- * Status: PO_NOT_CONVERGED when the step is too long for that. */
+/* Finds the events between two samples and locates them. Status: PO_NOT_CONVERGED if the step is
+ * too long: an equilibrium between the samples is not found, or there are too many events. */
 po_status po_events_find(const po_interval *interval, const po_sample *from, const po_sample *to,
                          po_events *found);
 
-/* The kind of point an event is. */
+/* The kind of the point of an event. */
 po_point_kind po_event_point(const po_event *event);
 
-/* How the number of unstable modes at fixed approach changes in passing a point along the branch.
- * Given: its kind and the rate of the load along the branch there. */
+/* The change of the number of unstable modes at given approach when the trace passes a point.
+ * Given: the kind of the point, and the rate of the load along the branch at it. Returned: 1, -1 or
+ * 0. Source: doc/method.md, "Stability". Accuracy: compared with the motion of perturbed equilibria
+ * in tests/unit/test_relaxation.c. */
 int po_change_of_modes(po_point_kind kind, double load_rate);
 
 #endif

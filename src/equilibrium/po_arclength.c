@@ -2,20 +2,22 @@
 
 #include <math.h>
 
-/* Global: weight of the approach. Along a curve it goes over several mu while the load goes over
- * one or two. */
+/* Weight of the approach in the global coordinates. Along a branch the approach varies by several
+ * mu, the load by one or two. */
 static double approach_weight(const po_equilibrium *e) {
   return 1.0 / (2.0 + 2.0 * e->scene->tabor);
 }
 
-/* Lengths are measured in radii at which the undeformed gap is eps. */
+/* The inverse of the unit of length of the coordinates: the radius at which the initial gap is eps.
+ */
 static double per_length(const po_equilibrium *e) {
   return 1.0 / sqrt(2.0 * e->radius);
 }
 
-/* Nodal: square of the weight of the approach. */
+/* Square of the weight of the approach in the nodal coordinates. */
 static const double APPROACH_WEIGHT = 0.05;
-/* Nodal: the scale of the law, 1 + H for Lennard-Jones, counts up to this. */
+/* In the nodal coordinates, the scale of the law (1 + H for Lennard-Jones) is limited to this
+ * value. */
 static const double FAR_GAP = 10.0;
 
 size_t po_arclength_size(po_arclength a, size_t n) {
@@ -62,7 +64,7 @@ static double nodal_weight(const po_equilibrium *e, size_t j) {
   return sqrt(e->surface->length[j] * per_length(e));
 }
 
-/* d coordinate / dH at a node. */
+/* d(coordinate)/dH at a node, for the nodal coordinates. */
 static double nodal_slope(const po_equilibrium *e, const double *state, size_t j) {
   const po_law_scale h = po_law_scale_at(&e->scene->law, state[j]);
   return h.size < FAR_GAP ? nodal_weight(e, j) * h.rate / h.size : 0.0;
@@ -74,7 +76,7 @@ static void nodal_coordinates(const po_equilibrium *e, const double *state, doub
   coordinate[e->n] = sqrt(APPROACH_WEIGHT) * state[e->n];
 }
 
-/* Factors that turn changes of the state into those of the coordinates, times others. */
+/* The derivatives d(coordinate_j)/d(state_j), which form a diagonal matrix, times a vector. */
 static void nodal_times(const po_equilibrium *e, const double *state, const double *others,
                         double *product) {
   for (size_t j = 0; j < e->n; ++j)

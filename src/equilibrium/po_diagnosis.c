@@ -12,12 +12,12 @@
 
 static const long double PI = 3.141592653589793238462643383279502884L;
 
-/* The far part of a state: converged at this change, in parts of 1 + H, which a contraction by its
- * tractions' feedback (1e-3 at most) meets in a few rounds. */
+/* Change, relative to 1 + H, at which the far part of a state has converged. The iteration
+ * contracts by 1e-3 or faster, so that a few rounds suffice. */
 static const double SETTLED = 1e-15;
 enum { MOST_ROUNDS = 40 };
 
-/* What a diagnosis works on: one allocation. */
+/* Work space of a diagnosis. */
 typedef struct {
   double *matrix, *border, *x, *scale; /* (n + 1) square; n + 1 each */
   int *pivots;
@@ -52,15 +52,16 @@ static po_status room_allocate(room *r, size_t n) {
   return had ? PO_OK : PO_NO_MEMORY;
 }
 
-/* Eq 16 over mu in long double; where waves are averaged, the traction as it is. */
+/* p, Eq 16 without its factor mu, in long double. Where waves are averaged, the traction of the
+ * solver. */
 static long double traction_at(const po_equilibrium *e, size_t j, double gap) {
   if (j >= e->surface->resolved)
     return po_law_averaged(&e->scene->law, gap, e->amplitude).traction;
   return po_law_traction(&e->scene->law, gap);
 }
 
-/* Eq 2 in long double. */
-static long double shape_at(const po_equilibrium *e, size_t j) {
+/* The initial gap f, Eq 2, in long double. */
+static long double initial_gap_at(const po_equilibrium *e, size_t j) {
   const long double r = e->surface->node[j], amplitude = e->amplitude;
   const long double sphere = 0.5L * r * r / e->radius;
   if (!po_scene_is_wavy(e->scene))
@@ -71,16 +72,17 @@ static long double shape_at(const po_equilibrium *e, size_t j) {
   return sphere + 2.0L * amplitude * half * half;
 }
 
-/* Residuals (what the gap is too small by), and the sizes of their terms. */
+/* The residual of Eq 15 (see po_equilibrium_residual) in long double, and for each equation the sum
+ * of the moduli of its terms. */
 static void fill_residual(const po_equilibrium *e, const double *state, room *r) {
   const size_t n = e->n;
   const long double tabor = e->scene->tabor;
   const long double coupling = tabor * sqrtl(tabor / (long double)e->radius);
   for (size_t j = 0; j < n; ++j) {
     r->traction[j] = coupling * traction_at(e, j, state[j]);
-    const long double shape = shape_at(e, j);
-    r->residual[j] = shape - state[n] - state[j];
-    r->size[j] = (double)fabsl(shape) + fabs(state[n]) + fabs(state[j]);
+    const long double initial_gap = initial_gap_at(e, j);
+    r->residual[j] = initial_gap - state[n] - state[j];
+    r->size[j] = (double)fabsl(initial_gap) + fabs(state[n]) + fabs(state[j]);
   }
   for (size_t j = 0; j < n; ++j)
     for (size_t i = 0; i < n; ++i) {
@@ -90,8 +92,8 @@ static void fill_residual(const po_equilibrium *e, const double *state, room *r)
     }
 }
 
-/* The Jacobian at fixed approach, of changes in parts of `scale`, n square. Given: traction and
- * slope evaluated. */
+/* The Jacobian of Eq 15 at given approach, n square, with equations and unknowns relative to
+ * `scale`. Given: traction and slope evaluated. */
 static void fill_jacobian(const po_equilibrium *e, const double *scale, size_t stride, double *to) {
   for (size_t j = 0; j < e->n; ++j) {
     const double factor = -e->coupling * e->slope[j] * scale[j];
@@ -101,7 +103,7 @@ static void fill_jacobian(const po_equilibrium *e, const double *scale, size_t s
   }
 }
 
-/* The bordered Jacobian, n + 1 square, border given per change of state. */
+/* The scaled bordered Jacobian, n + 1 square. The border in r is not scaled. */
 static void fill_bordered(const po_equilibrium *e, room *r) {
   const size_t n = e->n, order = n + 1;
   fill_jacobian(e, r->scale, order, r->matrix);
@@ -112,17 +114,17 @@ static void fill_bordered(const po_equilibrium *e, room *r) {
   r->matrix[n + order * n] = r->border[n];
 }
 
-/* Factorises `order` rows and columns. Returned: the condition number. */
+/* Factorises the matrix of the given order. Returned: its condition number. */
 static double factorize(room *r, size_t order, po_status *status) {
   const double norm = po_linear_norm(order, r->matrix, order);
   *status = po_linear_factorize(order, r->matrix, order, r->pivots);
   return *status ? INFINITY : po_linear_condition(order, r->matrix, order, norm);
 }
 
-/* The arclength functional's border along the branch: by the tangent, found with the amount of
- * contact as the border. Unlike the approach and the load this turns at no special point of the
- * branch. Where it does turn, the tangent is still right, as the solution of a nearly singular
- * system has the direction of its null vector. */
+/* The border of the arclength functional at this state. It needs the tangent, which is computed
+ * with the amount of contact as the border: unlike the approach and the load, the amount of contact
+ * has no extremum at the special points. Where it has an extremum elsewhere, the tangent is still
+ * right, because the solution of a nearly singular system has the direction of its null vector. */
 static po_status find_border(const po_equilibrium *e, const double *state, room *r) {
   static const double first[PO_ARCLENGTH_GLOBAL_SIZE] = {0.0, 0.0, 1.0};
   po_arclength_border(PO_ARCLENGTH_GLOBAL, e, state, first, r->border);
@@ -155,13 +157,13 @@ po_status po_diagnosis_complete(po_equilibrium *e, size_t core, double *state) {
   const size_t n = e->n;
   double change = INFINITY;
   for (size_t i = core; i < n; ++i)
-    state[i] = e->shape[i] - state[n];
+    state[i] = e->initial_gap[i] - state[n];
   for (int round = 0; round < MOST_ROUNDS && change > SETTLED && core < n; ++round) {
     po_equilibrium_evaluate(e, state);
     po_linear_apply(n, n, e->surface->influence, n, e->traction, e->deflection);
     change = 0.0;
     for (size_t i = core; i < n; ++i) {
-      const double gap = e->shape[i] - state[n] + e->coupling * e->deflection[i];
+      const double gap = e->initial_gap[i] - state[n] + e->coupling * e->deflection[i];
       change = fmax(change, fabs(gap - state[i]) / po_law_size(&e->scene->law, state[i]));
       state[i] = gap;
     }
@@ -182,7 +184,7 @@ po_status po_diagnosis_make(po_equilibrium *e, const double *state, po_diagnosis
     made->rounding = fmax(made->rounding, 0.5 * DBL_EPSILON * r.size[i] / r.scale[i]);
   }
   fill_jacobian(e, r.scale, e->n, r.matrix);
-  made->condition = factorize(&r, e->n, &singular); /* at a fold it may well be */
+  made->condition = factorize(&r, e->n, &singular); /* may be singular at a fold */
   status = find_border(e, state, &r);
   if (!status) {
     fill_bordered(e, &r);
@@ -192,13 +194,13 @@ po_status po_diagnosis_make(po_equilibrium *e, const double *state, po_diagnosis
   return status;
 }
 
-/* d shape / d ln(key) at a node, and d deflection / d ln(key). */
+/* d(f + deflection)/d ln(parameter) at a node, with the tractions fixed. */
 static po_sensitivity sources_at(const po_equilibrium *e, size_t j, double deflection) {
   const double r = e->surface->node[j], sphere = 0.5 * r * r / e->radius;
   po_sensitivity s = {.tabor = 1.5 * deflection, .radius = -0.5 * deflection - sphere};
   if (!po_scene_is_wavy(e->scene))
     return s;
-  s.amplitude = e->shape[j] - sphere;
+  s.amplitude = e->initial_gap[j] - sphere;
   const double x = 2.0 * M_PI * r / e->scene->wavelength;
   s.wavelength = j < e->surface->resolved ? -e->amplitude * x * sin(x) : 0.0;
   return s;
@@ -215,7 +217,7 @@ po_status po_sensitivity_make(po_equilibrium *e, const double *state, po_sensiti
   fill_residual(e, state, &r);
   fill_jacobian(e, r.scale, n, r.matrix);
   factorize(&r, n, &status);
-  for (size_t j = 0; j < n; ++j) /* the load's gradient by H / scale */
+  for (size_t j = 0; j < n; ++j) /* gradient of the load with respect to H / scale */
     r.x[j] = 2.0 / e->radius * e->surface->weight[j] * e->slope[j] * r.scale[j];
   if (!status)
     po_linear_solve_transposed(n, r.matrix, n, r.pivots, r.x);

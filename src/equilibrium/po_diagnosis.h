@@ -1,39 +1,45 @@
-/* How well an equilibrium was solved, and how well it can be: the residual in more digits than the
- * solver carries, condition numbers, and what the inputs' last bits do to the load. */
+/* Accuracy of one equilibrium: the residual of Eq 15 in extended precision, condition numbers, and
+ * the sensitivity of the load to the parameters of the scene. */
 #ifndef PO_DIAGNOSIS_H
 #define PO_DIAGNOSIS_H
 
 #include "po_equilibrium.h"
 
-/* Condition numbers are of the 1-norm, of the Jacobian of changes in parts of 1 + H. */
+/* Condition numbers are in the 1-norm. The Jacobian is scaled: equations and unknowns are relative
+ * to 1 + H. */
 typedef struct {
-  double residual;           /* largest of the discrete equations, in parts of 1 + H */
-  double rounding;           /* what one rounding of each term of these equations makes, likewise */
-  double condition;          /* at fixed approach: infinite at a fold */
+  double residual;           /* largest residual of Eq 15 at a node, relative to 1 + H */
+  double rounding;           /* bound of the same if each term of the equation is rounded once */
+  double condition;          /* at given approach: infinite at a fold */
   double bordered_condition; /* with the border of the arclength functional along the branch: finite
-                                at folds */
+                                at a fold */
 } po_diagnosis;
 
-/* The load of an equilibrium at fixed approach as a function of its inputs. At a pull-off, where
- * the load does not change along the branch, these are also the changes of the pull-off load. */
+/* Derivatives of the load of an equilibrium at given approach. At pull-off the load is stationary
+ * along the branch, so that they are also the derivatives of the load at pull-off. Loads are in pi
+ * w R. */
 typedef struct {
-  double tabor, amplitude, wavelength, radius; /* d load / d ln(key); 0 for what is not there */
-  double residual; /* the change of the load, to first order, if the residual were taken away */
-  double rounding; /* a bound of the same for one rounding of each term of the equations */
+  double tabor, amplitude, wavelength,
+      radius;      /* d load / d ln(parameter); 0 for parameters that the scene does not have */
+  double residual; /* first-order change of the load when the residual is removed */
+  double rounding; /* bound of the change of the load when each term of Eq 15 is rounded once */
 } po_sensitivity;
 
-/* Fills the part of a state beyond its first `core` nodes from the equations there, by iteration:
- * far out tractions hardly act back. Status: PO_NOT_CONVERGED. */
+/* Fills the gaps of a state beyond its first `core` nodes by fixed-point iteration of Eq 15, which
+ * contracts because tractions far out hardly deflect the surface. Given: state, n + 1, with the
+ * first `core` gaps and the approach. Status: PO_NOT_CONVERGED. */
 po_status po_diagnosis_complete(po_equilibrium *e, size_t core, double *state);
 
-/* Given: a state, n + 1, near an equilibrium, at a fold or not. The residual is evaluated in long
- * double (64 bits of mantissa, law and undeformed gap included; the influence matrix as it is).
- * Status: PO_NO_MEMORY; PO_SINGULAR. Source: LAPACK dgecon. */
+/* Diagnoses an equilibrium. Given: a state, n + 1, near an equilibrium, which may be a fold. The
+ * residual, the law and the initial gap are evaluated in long double (64 bits of mantissa); the
+ * influence matrix is the one of the solver. Status: PO_NO_MEMORY; PO_SINGULAR. Source: LAPACK
+ * dgecon for the condition numbers. */
 po_status po_diagnosis_make(po_equilibrium *e, const double *state, po_diagnosis *made);
 
-/* Given: as above, not at a fold. By the adjoint: one transposed solve. What waves that are
- * averaged far out do is left out. Accuracy: 1e-5 of differences of whole solves
- * (tests/unit/test_diagnosis.c). Status: as above. */
+/* Computes the sensitivities by the adjoint method: one transposed solve. Given: as for
+ * po_diagnosis_make, but not at a fold. The derivative of the averaged waves beyond the core with
+ * respect to the wavelength is neglected. Accuracy: agrees to 1e-5 with differences of complete
+ * solves (tests/unit/test_diagnosis.c). Status: as po_diagnosis_make. */
 po_status po_sensitivity_make(po_equilibrium *e, const double *state, po_sensitivity *made);
 
 #endif

@@ -9,14 +9,15 @@
 #include "po_memory.h"
 #include "po_profile.h"
 
-/* The digits that the influence sums leave (1e-14), with a margin. */
+/* The rounding error of the sums over the influence matrix is 1e-14; this is a margin of 20. */
 const double PO_FINEST_PRECISION = 2e-13;
 
-/* What factorisations leave out: costs one iteration, saves much of the matrix. */
+/* Sum of the measures of the nodes that are not factorised. It costs about one iteration and saves
+ * most of the matrix. */
 static const double NEGLECT = 5e-3;
 
-/* Pivot of a changed border, about the cosine between the tangent then and now, below which the
- * factors are too old. */
+/* Pivot of a changed border below which the factors are discarded. The pivot is about the cosine
+ * between the tangent at the factorisation and the present one. */
 static const double LEAST_PIVOT = 0.5;
 
 void po_equilibrium_remesh(po_equilibrium *e) {
@@ -34,7 +35,7 @@ void po_equilibrium_remesh(po_equilibrium *e) {
       reach = size > reach ? size : reach; /* a call of fmax costs ten times as much */
     }
     e->reach[j] = reach;
-    e->shape[j] = j < s->resolved ? po_profile(e->scene, r) : po_profile_mean(e->scene, r);
+    e->initial_gap[j] = j < s->resolved ? po_profile(e->scene, r) : po_profile_mean(e->scene, r);
   }
 }
 
@@ -49,9 +50,9 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
   e->neglect = NEGLECT;
   e->most_active = SIZE_MAX;
   e->precision = PO_FINEST_PRECISION;
-  double **const vectors[] = {&e->shape,  &e->reach,  &e->traction, &e->slope,   &e->deflection,
-                              &e->border, &e->right,  &e->scratch,  &e->measure, &e->column,
-                              &e->row,    &e->change, &e->response};
+  double **const vectors[] = {
+      &e->initial_gap, &e->reach,   &e->traction, &e->slope, &e->deflection, &e->border,  &e->right,
+      &e->scratch,     &e->measure, &e->column,   &e->row,   &e->change,     &e->response};
   bool had = true;
   for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
     had = (*vectors[k] = po_allocate(capacity + 1, sizeof(double))) && had;
@@ -70,9 +71,9 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
 void po_equilibrium_destroy(po_equilibrium *e) {
   if (!e)
     return;
-  double *const vectors[] = {e->shape,  e->reach,  e->traction, e->slope,   e->deflection,
-                             e->border, e->right,  e->scratch,  e->measure, e->column,
-                             e->row,    e->change, e->response};
+  double *const vectors[] = {e->initial_gap, e->reach,  e->traction, e->slope,   e->deflection,
+                             e->border,      e->right,  e->scratch,  e->measure, e->column,
+                             e->row,         e->change, e->response};
   for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
     free(vectors[k]);
   po_secant_free(&e->secant);
@@ -105,12 +106,12 @@ void po_equilibrium_deflect(const po_equilibrium *e, const double *traction, dou
     deflection[i] *= e->coupling;
 }
 
-/* Eq 15. */
+/* Eq 15: the residual at each node. */
 void po_equilibrium_residual(po_equilibrium *e, const double *state, double *residual) {
   po_equilibrium_evaluate(e, state);
   po_equilibrium_deflect(e, e->traction, residual);
   for (size_t i = 0; i < e->n; ++i)
-    residual[i] += e->shape[i] - state[e->n] - state[i];
+    residual[i] += e->initial_gap[i] - state[e->n] - state[i];
 }
 
 double po_equilibrium_load(const po_equilibrium *e) {
@@ -125,7 +126,7 @@ double po_equilibrium_energy(const po_equilibrium *e, const double *state) {
   for (size_t j = 0; j < e->n; ++j) {
     const double interaction = j < resolved ? po_law_energy(law, state[j])
                                             : po_law_energy_averaged(law, state[j], e->amplitude);
-    const double deflection = state[j] + approach - e->shape[j];
+    const double deflection = state[j] + approach - e->initial_gap[j];
     sum += e->surface->weight[j] * (interaction + 0.5 * e->traction[j] * deflection);
   }
   return 2.0 / e->radius * sum;
@@ -153,10 +154,11 @@ static int by_measure(const void *left, const void *right, void *data) {
   const double *measure = data;
   const double a = measure[*(const size_t *)left], b = measure[*(const size_t *)right];
   const size_t i = *(const size_t *)left, j = *(const size_t *)right;
-  return a != b ? (a < b ? 1 : -1) : (i < j ? -1 : i > j); /* descending; ties by place */
+  return a != b ? (a < b ? 1 : -1) : (i < j ? -1 : i > j); /* descending; equal measures by index */
 }
 
-/* Orders the nodes by what leaving them out would cost, and keeps those that matter. */
+/* Sorts the nodes by their measure, and chooses the active ones: all but the last whose measures
+ * add up to `neglect`. */
 static void choose_active(po_equilibrium *e) {
   for (size_t j = 0; j < e->n; ++j) {
     e->index[j] = j;
@@ -173,9 +175,12 @@ static void choose_active(po_equilibrium *e) {
   }
 }
 
-/* The border as a row of the matrix of the active nodes, active + 1. Nodes left out follow the
- * approach and the active nodes: change of gap = -change of approach + coupling G slope change of
- * the active. Their share of the border goes to these. */
+/* The border as the last row of the matrix of the active nodes, active + 1 values. The gaps of the
+ * other nodes are eliminated by their own linearised equations,
+ *
+ *   dH_i = -d(approach) + coupling * sum_j G_ij p'(H_j) dH_j,   j active,
+ *
+ * which distributes their part of the border to the active nodes and the approach. */
 static void fill_row(po_equilibrium *e, double *row) {
   const size_t m = e->active;
   row[m] = e->border[e->n];
@@ -191,7 +196,7 @@ static void fill_row(po_equilibrium *e, double *row) {
   }
 }
 
-/* The bordered Jacobian of the active nodes, column by column. */
+/* Assembles the bordered Jacobian of Eq 15 for the active nodes, column by column. */
 static po_status assemble(po_equilibrium *e) {
   const size_t m = e->active;
   fill_row(e, e->row);

@@ -2,17 +2,18 @@
 
 #include <math.h>
 
-/* Half width of the constant part about a contact edge, in parts of the distance to its neighbour.
- */
+/* Half width of the interval of constant displacement about a contact edge, relative to the
+ * distance to the nearest edge. */
 static const double PLATEAU = 0.2;
-/* Beyond the last contact edge the displacement has died out at this multiple of its radius. */
+/* The displacement is zero beyond this multiple of the radius of the outermost contact edge. */
 static const double OUTER_END = 2.0;
 enum { ITERATIONS = 60 };
 
-/* Slope of the displacement of the coordinates: to the place expected, and to a known solution. */
+/* Largest strain of the displacement to predicted contact edges, and to those of a known solution.
+ */
 static const double GREATEST_STRAIN = 0.5, GREATEST_STRAIN_BACK = 0.9;
 
-/* Of blend(). */
+/* The largest slope of blend(). */
 static const double STEEPEST = 1.875;
 
 static double neighbour_distance(const po_moving_edges *f, size_t k) {
@@ -21,13 +22,14 @@ static double neighbour_distance(const po_moving_edges *f, size_t k) {
   return fmin(left, right);
 }
 
-/* 0 to 1 with two vanishing derivatives at either end. */
+/* Rises from 0 to 1; its first two derivatives vanish at both ends. */
 static double blend(double x) {
   return x * x * x * (10.0 + x * (6.0 * x - 15.0));
 }
 
 double po_edge_displacement(const po_moving_edges *f, const double *shift, double r) {
-  double from = 0.0, value = 0.0; /* end of the last constant part, and the displacement there */
+  double from = 0.0,
+         value = 0.0; /* end of the last constant interval, and the displacement there */
   for (size_t k = 0; k <= f->count; ++k) {
     const double half = k < f->count ? PLATEAU * neighbour_distance(f, k) : 0.0;
     const double begin = k < f->count ? f->at[k] - half

@@ -1,6 +1,6 @@
-/* Edges of the contact, and the displacement that carries the radii with them: in coordinates that
- * move with the edges an equilibrium changes slowly along the branch, however steep the gap is
- * there. */
+/* Contact edges, and the displacement field that moves radii with them. In coordinates that move
+ * with the contact edges the gap changes slowly along the branch, even where it is steep. See
+ * doc/method.md, "Moving coordinates". */
 #ifndef PO_MOVING_EDGES_H
 #define PO_MOVING_EDGES_H
 
@@ -9,33 +9,37 @@
 
 enum { PO_MOST_MOVING_EDGES = 48 };
 
-/* Radii where the gap passes that of the greatest tension, ascending, and how fast they move: the
- * outermost ones, where there are more than there is room for. */
+/* Contact edges: radii at which the gap passes that of the greatest tension, ascending. If there
+ * are more than PO_MOST_MOVING_EDGES, the outermost ones are kept. */
 typedef struct {
   size_t count;
-  size_t all;                      /* how many such radii there are */
+  size_t all;                      /* number of contact edges, kept or not */
   double at[PO_MOST_MOVING_EDGES]; /* eps */
   double rate[PO_MOST_MOVING_EDGES];
 } po_moving_edges;
 
-/* The displacement at radius r that moves each contact edge by its shift and dies out between
- * contact edges, at the axis and beyond the last: constant about each contact edge, smooth (C2),
- * linear in the shifts. */
+/* The displacement, eps, at radius r. It equals the shift of a contact edge in an interval about
+ * that edge, is blended between two edges, and is zero at the axis and beyond the outermost edge.
+ * It is twice continuously differentiable in r and linear in the shifts. Given: shift, one value an
+ * edge, eps. */
 double po_edge_displacement(const po_moving_edges *edges, const double *shift, double r);
 
-/* The radius whose displaced place is r. The strain must be below a half or so. */
+/* The radius that the displacement moves to r. Given: shifts with a strain below about a half. */
 double po_edge_origin(const po_moving_edges *edges, const double *shift, double r);
 
-/* The largest slope of the displacement: below 1 no two places meet. */
+/* The strain: the largest modulus of the slope of the displacement. Below 1 the displaced radii
+ * keep their order. */
 double po_edge_strain(const po_moving_edges *edges, const double *shift);
 
-/* Whether a prediction may move the edges by their shifts; and whether solutions whose edges are
- * so far apart may be interpolated. */
+/* Whether the strain is small enough for a prediction to move the edges by these shifts; and
+ * whether it is small enough for interpolation between solutions whose edges differ by these
+ * shifts. */
 bool po_edge_may_move(const po_moving_edges *edges, const double *shift);
 bool po_edge_may_relate(const po_moving_edges *edges, const double *shift);
 
-/* Where that is: between this contact edge and the one before, or the axis; the count: beyond the
- * last. */
+/* The interval in which the strain is attained. Returned: the index k of the contact edge at its
+ * outer end (its inner end is edge k - 1, or the axis for k = 0); the number of edges for the
+ * interval beyond the outermost edge. */
 size_t po_edge_tightest(const po_moving_edges *edges, const double *shift);
 
 #endif

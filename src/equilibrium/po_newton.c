@@ -1,25 +1,27 @@
-/* Quasi-Newton iterations with the factors of po_equilibrium: onto an equilibrium, and to the
- * tangent. Broyden's updates make up for factors that are a little old. */
+/* Quasi-Newton iterations for Eq 15 and for the tangent of the branch. Both use the factors of
+ * po_equilibrium, which may be those of an earlier state, and Broyden's updates. See doc/method.md,
+ * "Newton's method". */
 #include <math.h>
 #include <string.h>
 
 #include "po_equilibrium.h"
 #include "po_linear.h"
 
-/* A change that rounding may have, with a wide margin: when rounding keeps a correction from its
- * precision, this much is accepted if it no longer falls; and Broyden's updates learn nothing from
- * a smaller one. */
+/* A change, relative to 1 + H, that may be due to rounding, with a wide margin. A smaller change
+ * that no longer decreases is accepted as converged, and Broyden's method makes no update from it.
+ */
 static const double STAGNATED = 1e-10;
-/* Share of 1 + H that one iteration may take from a gap. */
+/* Largest decrease of a gap in one iteration, relative to 1 + H. */
 static const double GREATEST_CLOSING = 0.7;
-/* A change of a gap, in parts of 1 + H, that no prediction is off by; and one that no iteration
- * recovers from once it began. */
+/* Changes of a gap, relative to 1 + H, at which an iteration is given up: larger than the error of
+ * any prediction; and, after the first iteration, larger than any from which the iteration
+ * converges. */
 static const double GREATEST_CHANGE = 1e3, DIVERGED = 10.0;
-/* An iteration that on average contracts less costs more than a new factorisation. */
+/* Mean contraction of an iteration above which a new factorisation is cheaper. */
 static const double SLOWEST = 0.45;
 enum { MOST_ITERATIONS = 20, PATIENCE = 3 };
 
-/* border . (state - base): the constraint of po_equilibrium_correct. */
+/* border . (state - base): the condition of po_equilibrium_correct. */
 static double distance_of(const po_equilibrium *e, const double *state, const void *data) {
   const double *base = data;
   double sum = e->border[e->n] * (state[e->n] - base[e->n]);
@@ -28,8 +30,8 @@ static double distance_of(const po_equilibrium *e, const double *state, const vo
   return sum;
 }
 
-/* change = -M residual, n + 1, by the factors: of the active nodes and the approach; the others
- * follow from their own equations. */
+/* Solves for the change of the state, n + 1, from the residual, n + 1. The factors give the change
+ * at the active nodes and of the approach; the other nodes follow from their own equations. */
 static void precondition(po_equilibrium *e, const double *residual, double *change) {
   const size_t n = e->n, m = e->active;
   double *right = e->right;
@@ -49,7 +51,8 @@ static void precondition(po_equilibrium *e, const double *residual, double *chan
     change[e->index[b]] = residual[e->index[b]] - change[n];
 }
 
-/* One quasi-Newton step. Returned: the largest change of a gap in parts of 1 + H, or NaN. */
+/* One quasi-Newton iteration for Eq 15 and the condition. Returned: the largest change of a gap
+ * relative to 1 + H; NaN if it is not finite. */
 static double newton_step(po_equilibrium *e, double *state, const po_constraint *constraint) {
   const size_t n = e->n;
   const po_law *law = &e->scene->law;
@@ -80,13 +83,13 @@ static double newton_step(po_equilibrium *e, double *state, const po_constraint 
   return largest;
 }
 
-/* How an iteration converges: the sizes of its first change and of the last ones. */
+/* Convergence of an iteration: the sizes of its first change and of its last three. */
 typedef struct {
   double first, now, before, earlier;
   int count;
 } progress;
 
-static progress progress_begin(void) { /* comparisons with what has not happened yet are false */
+static progress progress_begin(void) { /* comparisons with NaN are false */
   return (progress){NAN, NAN, NAN, NAN, 0};
 }
 
@@ -98,15 +101,15 @@ static void note_change(progress *p, double change) {
     p->first = change;
 }
 
-/* Whether it does not converge, or too slowly to be worth waiting for. */
+/* Whether the iteration diverges, or converges so slowly that it is given up. */
 static bool is_hopeless(const progress *p) {
   return !(p->now < GREATEST_CHANGE) || (p->count > 1 && p->now > DIVERGED) ||
          (p->count > PATIENCE && p->now > STAGNATED &&
           p->now > p->first * pow(SLOWEST, p->count - 1));
 }
 
-/* Whether what is left is below the precision: this change was, or the next will be; or it is small
- * and rounding keeps it from falling. */
+/* Whether the iteration has converged: its change, or the change expected next, is below the
+ * precision; or the change is small and no longer decreases because of rounding. */
 static bool is_converged(const progress *p, double precision) {
   const double rate = fmax(p->now / p->before, p->before / p->earlier);
   return p->now < precision || (rate < SLOWEST && 2.0 * rate * p->now < precision) ||

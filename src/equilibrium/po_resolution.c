@@ -7,7 +7,7 @@
 
 enum { LAST_COEFFICIENTS = 3, MOST_DEPTH = 6 };
 
-/* A parent takes the place of two panels when its own error is below this part of the allowed. */
+/* Excess of a parent panel below which it replaces its two halves. */
 static const double PARENT_MARGIN = 0.1;
 
 void po_legendre_fill(const po_panel_rule *rule, po_legendre *legendre) {
@@ -23,7 +23,8 @@ void po_legendre_fill(const po_panel_rule *rule, po_legendre *legendre) {
   }
 }
 
-/* Size of the last Legendre coefficients of nodal values, and of the largest of all. */
+/* Largest modulus of the last Legendre coefficients of the nodal values, and of all coefficients.
+ */
 static void decay(const po_legendre *legendre, const double *value, double *last, double *largest) {
   *last = *largest = 0.0;
   for (int k = 0; k < PO_TABLE_ORDER; ++k) {
@@ -36,10 +37,11 @@ static void decay(const po_legendre *legendre, const double *value, double *last
   }
 }
 
-/* The error of a panel in parts of the allowed. A traction of high degree deflects the surface by
- * its size times the panel's length over the degree; that matters as far as the tractions there
- * respond. The load, and the deflection elsewhere, integrated by Gauss's rule, suffer only from
- * twice the degree: the square of the decay. */
+/* The excess of a panel. A traction of high degree deflects the surface on the panel by its
+ * amplitude times the length of the panel over the degree; this changes the solution as far as the
+ * traction there depends on the gap. The load and the deflection elsewhere are integrals by Gauss's
+ * rule, which is exact to twice the degree; their error goes as the square of the decay of the
+ * coefficients. */
 static double excess_of(const po_resolution *r, double begin, double end, const double *gap) {
   const po_law *law = &r->e->scene->law;
   double traction[PO_TABLE_ORDER], response = 0.0, last, largest;
@@ -78,9 +80,9 @@ static double excess_of_panel(const po_resolution *r, const po_gap_field *field,
   return excess_of(r, begin, end, gap);
 }
 
-/* Splits panels of a tree until each resolves. */
+/* Splits panels until none has an excess above 1. Returned: false if there are too many panels. */
 static bool split_all(const po_resolution *r, const po_gap_field *field, po_panels *panels) {
-  bool known[PO_MOST_PANELS] = {false}; /* panel k was found to do */
+  bool known[PO_MOST_PANELS] = {false}; /* the excess of panel k is known to be at most 1 */
   for (int pass = 0; pass < MOST_DEPTH; ++pass) {
     bool split[PO_MOST_PANELS], any = false;
     for (size_t k = 0; k < panels->count; ++k) {
@@ -94,7 +96,8 @@ static bool split_all(const po_resolution *r, const po_gap_field *field, po_pane
       return false;
     bool now_known[PO_MOST_PANELS] = {false};
     size_t old = 0;
-    for (size_t k = 0; k < panels->count; ++k) { /* what was not split still does */
+    for (size_t k = 0; k < panels->count;
+         ++k) { /* panels that were not split need no second look */
       while (po_panel_end(before.panel[old]) <= po_panel_begin(panels->panel[k]))
         ++old;
       now_known[k] = po_panel_equal(before.panel[old], panels->panel[k]);
@@ -116,8 +119,8 @@ static void join_what_can_be(const po_resolution *r, const po_gap_field *field, 
   po_panels_join(panels, join);
 }
 
-/* Meshes are made for this part of the allowed error, and serve while it is not exceeded: the
- * contact edges may move a little on them. */
+/* A mesh is made for this part of the allowed errors and kept until the allowed errors are
+ * exceeded, so that the contact edges can move a little on it. */
 static const double MESH_MARGIN = 0.2;
 
 po_resolution po_resolution_for_mesh(const po_resolution *r) {

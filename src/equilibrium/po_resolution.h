@@ -1,27 +1,28 @@
-/* How well panels resolve the traction, and which panels would. */
+/* How well panels resolve the traction, and the choice of panels that resolve it. See
+ * doc/method.md, "The mesh". */
 #ifndef PO_RESOLUTION_H
 #define PO_RESOLUTION_H
 
 #include "po_adaptive.h"
 #include "po_equilibrium.h"
 
-/* Legendre coefficients from nodal values of one panel. */
+/* The matrix that computes Legendre coefficients from the nodal values of one panel. */
 typedef struct {
   double coefficient[PO_TABLE_ORDER][PO_TABLE_ORDER]; /* [degree][node] */
 } po_legendre;
 
 void po_legendre_fill(const po_panel_rule *rule, po_legendre *legendre);
 
-/* A field of gaps, of what is to be resolved. */
+/* A gap as a function of the radius, whose traction is to be resolved. */
 typedef struct {
-  double (*gap_at)(void *data, double r); /* r in eps, inside the domain */
+  double (*gap_at)(void *data, double r); /* H at r, eps, inside the domain */
   void *data;
 } po_gap_field;
 
-/* Errors that the last Legendre coefficients of a panel's traction may make. */
+/* Allowed errors of one panel, estimated from the last Legendre coefficients of its traction. */
 typedef struct {
-  double gap;  /* of the gap, in eps, as far as the tractions respond to it */
-  double load; /* of the load, in pi w R, by the square of their decay */
+  double gap;  /* of the gap, eps, times the response of the traction, which is at most 1 */
+  double load; /* of the load, pi w R */
 } po_allowance;
 
 typedef struct {
@@ -32,20 +33,21 @@ typedef struct {
   po_allowance allowed;
 } po_resolution;
 
-/* The error that each panel makes, in parts of what is allowed, from the last Legendre coefficients
- * of the traction at the nodes; and the largest of these. */
+/* The excess of each panel: its estimated error relative to the allowed one; and the largest excess
+ * of all panels. Given: gap, H at the nodes of the panels. Returned: excess, one value a panel;
+ * above 1 the panel is too coarse. */
 void po_resolution_excesses(const po_resolution *r, const po_panels *panels, const double *gap,
                             double *excess);
 double po_resolution_excess(const po_resolution *r, const po_panels *panels, const double *gap);
 
-/* The same, with a margin: what a mesh is made with. */
+/* The same with smaller allowed errors, as used to make a mesh. */
 po_resolution po_resolution_for_mesh(const po_resolution *r);
 
-/* Meshes that are tried for one point, each to resolve the solution on the one before. */
+/* Largest number of meshes tried for one point. Each resolves the solution on the mesh before. */
 enum { PO_MOST_MESHES_A_POINT = 4 };
 
-/* The panels that resolve a field: those given are split until they do, and joined where their
- * parent would do with a margin. Status: PO_OUT_OF_NODES. */
+/* Adapts panels to a field. Panels with an excess above 1 are split, and two panels are joined if
+ * the excess of their parent is below 0.1. Given and returned: panels. Status: PO_OUT_OF_NODES. */
 po_status po_resolution_panels(const po_resolution *r, const po_gap_field *field,
                                po_panels *panels);
 

@@ -8,11 +8,11 @@
 #include "po_profile.h"
 #include "po_quadrature.h"
 
-/* The elastic approach of the surfaces, in eps, is at most 2 coupling integral |p| dr, about
- * 3 mu^(3/2); the load changes by at most twice that per eps. */
+/* The deflection, in eps, is at most 2 coupling integral |p| dr, about 3 mu^(3/2), and the load
+ * changes by at most 2 per eps. */
 static const double ELASTIC_EFFECT = 6.0, NEGLIGIBLE_LOAD = 1e-8;
 
-/* Relative accuracy asked of each piece of the quadrature, and what is small against any load. */
+/* Relative and absolute accuracy of each piece of the quadrature. */
 static const double PIECE_ACCURACY = 1e-12, SMALL = 1e-14;
 enum { INTERVALS = 200 };
 
@@ -24,12 +24,12 @@ bool po_rigid_suffices(const po_scene *scene) {
   return po_rigid_elastic_effect(scene) <= NEGLIGIBLE_LOAD;
 }
 
-/* What is integrated: p, dp/dH, or the energy per area. */
+/* The integrand: p, dp/dH, or the energy per area phi. */
 enum { TRACTION, SLOPE, ENERGY };
 
 typedef struct {
   const po_scene *scene;
-  double approach, begin; /* begin: of the tail, where the waves are averaged */
+  double approach, begin; /* begin: radius beyond which the waves are averaged */
   int of;                 /* TRACTION, SLOPE or ENERGY */
 } integral;
 
@@ -61,27 +61,27 @@ static double averaged(double t, void *data) { /* r = begin / t */
   return mean_law(q, r) * r * r / t;
 }
 
-/* The length over which the law changes at the axis: for Lennard-Jones the distance from the core.
- */
+/* The length over which the traction changes at the axis, eps: for Lennard-Jones 1 - approach. */
 static double distance_at(const integral *q) {
   return po_law_size(&q->scene->law, -q->approach);
 }
 
-/* Where the resolved part ends, and the length of its pieces: half waves, so that each holds one
- * crest or trough; for a smooth sphere, pieces that double. */
+/* The end of the piece of the quadrature that begins at r: half a wave further, so that each piece
+ * has one crest or trough; for a smooth sphere, twice the radius. */
 static double next_edge(const integral *q, double r) {
   if (po_scene_is_wavy(q->scene))
     return r + 0.5 * q->scene->wavelength;
   return fmax(2.0 * r, sqrt(2.0 * q->scene->radius * distance_at(q)));
 }
 
-/* With c = lambda^2/(8 pi^2 R) and y = 1 - approach the load of waves so short that each of them is
- * flat is that of the averaged law, less 4c sum a_j/j^2, a_j the Fourier coefficients of the law
- * over the wave at the axis (by parts, twice; the ends of the other parts vanish); what follows is
- * smaller by some 50 c/y, 1e-11 of the load below this c/y. There are never more than some thousand
- * waves above it. Measured against the waves one by one: tests/unit/test_rigid.c. */
+/* Largest c/y for which short waves are averaged, with c = lambda^2/(8 pi^2 R) and y = 1 -
+ * approach. The load of short waves is that of the averaged law less 4c sum_j a_j/j^2, where a_j
+ * are the Fourier coefficients of the law over the wave at the axis (two integrations by parts,
+ * whose other boundary terms vanish). The next term is smaller by about 50 c/y; the error is below
+ * 1e-11 of the load at this limit. Scenes above the limit have a few thousand waves at most.
+ * Compared with the integral over every wave in tests/unit/test_rigid.c. */
 static const double SHORT_WAVES = 1e-7;
-/* Half waves that are integrated one by one: 0.1 s a load. */
+/* Largest number of half waves that are integrated one by one; the load then takes 0.1 s. */
 static const double MOST_PIECES = 5e4;
 
 static bool has_short_waves(const integral *q) {
@@ -94,7 +94,8 @@ static double averaged_at(double r, void *data) {
   return mean_law(q, r) * r;
 }
 
-/* At phase phi of the wave at the axis: its law times sum cos(j phi)/j^2. */
+/* The integrand of the correction for short waves: the law at the phase phi of the wave at the
+ * axis, times sum_j cos(j phi)/j^2. */
 static double at_axis(double phi, void *data) {
   const integral *q = data;
   const double half = sin(0.5 * phi);
@@ -103,7 +104,8 @@ static double at_axis(double phi, void *data) {
   return law_at(q, gap) * sum;
 }
 
-/* Adds the integral of a function between two radii, phases or parts. */
+/* Adds the integral of a function between two values of its variable to *sum. Returned: an error
+ * code of GSL; 0 for success. */
 static int add_piece(double (*function)(double, void *), integral *q, double from, double to,
                      gsl_integration_workspace *space, double *sum) {
   gsl_function f = {function, q};
@@ -111,10 +113,10 @@ static int add_piece(double (*function)(double, void *), integral *q, double fro
   const int failed = gsl_integration_qag(&f, from, to, SMALL, PIECE_ACCURACY, INTERVALS,
                                          GSL_INTEG_GAUSS21, space, &part, &error);
   *sum += part;
-  return failed == GSL_EROUND ? 0 : failed; /* as good as rounding lets it be */
+  return failed == GSL_EROUND ? 0 : failed; /* the accuracy is limited by rounding */
 }
 
-/* Waves one by one up to `end`. */
+/* Adds the integral from the axis to `end`, wave by wave. */
 static int add_resolved(integral *q, double end, gsl_integration_workspace *space, double *sum) {
   int failed = 0;
   for (double r = 0.0; r < end && !failed;) {
@@ -125,7 +127,8 @@ static int add_resolved(integral *q, double end, gsl_integration_workspace *spac
   return failed;
 }
 
-/* The mean of short waves up to `end`, in pieces that double. */
+/* Adds the integral of the averaged law from the axis to `end`, and the correction for short waves.
+ */
 static int add_short_waves(integral *q, double end, gsl_integration_workspace *space, double *sum) {
   double at_the_axis = 0.0;
   int failed = add_piece(at_axis, q, 0.0, M_PI, space, &at_the_axis);
@@ -164,10 +167,10 @@ static po_status integrate(integral *q, gsl_integration_workspace *space, double
                 : PO_OK;
 }
 
-/* (2/R) times the integrals of what is asked, over r dr. */
+/* (2/R) times the integral of each integrand over r dr. */
 static po_status integrate_each(const po_scene *scene, double approach, const int *of, int count,
                                 double *value) {
-  po_gsl_return_errors(); /* a rounding error is an ordinary result of a quadrature */
+  po_gsl_return_errors(); /* a quadrature limited by rounding is not an error */
   gsl_integration_workspace *space = gsl_integration_workspace_alloc(INTERVALS);
   if (!space)
     return po_fail(PO_NO_MEMORY, "no memory for a quadrature");
@@ -188,7 +191,7 @@ po_status po_rigid_load(const po_scene *scene, double approach, double *load, do
   double value[2];
   const po_status status = integrate_each(scene, approach, OF, 2, value);
   *load = value[0];
-  *load_rate = -value[1]; /* dH = -d approach */
+  *load_rate = -value[1]; /* dH = -d(approach) */
   return status;
 }
 

@@ -1,4 +1,5 @@
-/* The rigid limit: no elasticity, the load by quadrature of Eq 17 over the undeformed gap. */
+/* The rigid limit: the load and the energy by quadrature of Eq 17 over the initial gap, without
+ * deflection. See doc/method.md, "Rigid scenes". */
 #ifndef PO_RIGID_H
 #define PO_RIGID_H
 
@@ -7,26 +8,28 @@
 #include "po_scene.h"
 #include "po_status.h"
 
-/* Upper bound of the change of the load by elasticity, in pi w R: 6 mu^(3/2). */
+/* Upper bound of the change of the load by elasticity, in pi w R. */
 double po_rigid_elastic_effect(const po_scene *scene);
 
 /* Whether elasticity changes the load by less than 1e-8. */
 bool po_rigid_suffices(const po_scene *scene);
 
 /* W/(pi w R) of the rigid bodies at an approach < 1, and its derivative by the approach.
- * Given: scene (its Tabor parameter is not read). Returned: load and load_rate; status
- * PO_NOT_CONVERGED when the quadrature fails. Accuracy: 1e-10 of max(1, |load|) of a smooth scene
- * (tests/unit/test_rigid.c); 1e-9 of a wavy one, what po_averaging_radius may lose,
- * measured 9.4e-10 on every row of reference/rigid_integral.csv
+ * Given: scene (the Tabor parameter is not used); approach, eps. Returned: load, and load_rate in
+ * pi w R / eps. Status: PO_NOT_CONVERGED if the quadrature fails; PO_OUT_OF_NODES if there are too
+ * many waves. Source: Eqs 16, 17; for a wavy sphere also Eq 22. Accuracy: 1e-10 relative to max(1,
+ * |load|) for a smooth scene (tests/unit/test_rigid.c); 1e-9 for a wavy scene, the error allowed by
+ * po_averaging_radius, measured 9.4e-10 at most on the rows of reference/rigid_integral.csv
  * (tests/theory/test_tables_surface.c). */
 po_status po_rigid_load(const po_scene *scene, double approach, double *load, double *load_rate);
 
-/* The energy of the interaction, U/(pi w R eps), zero when infinitely apart: its derivative by the
- * approach is the load. Accuracy: 1e-10 of max(1, |energy|) (tests/unit/test_energy.c). */
+/* The energy of the interaction, U/(pi w R eps), zero when the bodies are infinitely far apart. Its
+ * derivative with respect to the approach is the load. Accuracy: 1e-10 relative to max(1, |energy|)
+ * (tests/unit/test_energy.c). */
 po_status po_rigid_energy(const po_scene *scene, double approach, double *energy);
 
-/* Approach at which the central crest, of radius R/(1 + 4 pi^2 alpha) (Eq 18), pushes with `load`:
- * the repulsive term of Eq 23; at most 1 - 1e-3. */
+/* Approach, eps, at which the repulsion of the central crest alone equals `load`, pi w R: the crest
+ * has the radius R/(1 + 4 pi^2 alpha) of Eq 18, and its load is the repulsive term of Eq 23. */
 double po_rigid_approach_of_crest(const po_scene *scene, double load);
 
 #endif

@@ -66,7 +66,7 @@ double po_solution_cosine(const po_solution *a, const po_solution *b) {
   return po_arclength_along(a->coordinates, a->rate, b->rate);
 }
 
-/* d/dx of the polynomial through nodal values, at the nodes. */
+/* The derivative of the polynomial through nodal values, at the nodes of the unit interval. */
 static void differentiate(const po_panel_rule *rule, const double *value, double *derivative) {
   for (size_t i = 0; i < PO_TABLE_ORDER; ++i) {
     double sum = 0.0;
@@ -99,7 +99,7 @@ typedef struct {
   const po_solution *p;
   const po_scene *scene;
   double domain;
-  bool closer; /* than the gap of greatest tension, at the inner radius */
+  bool closer; /* the gap at the inner radius is below that of the greatest tension */
 } edge_search;
 
 static bool is_closer(const edge_search *s, double r) {
@@ -112,10 +112,10 @@ static bool is_inside_edge(double r, const void *data) {
   return is_closer(s, r) == s->closer;
 }
 
-/* An edge's radius is found to this part of it: the last bits. */
+/* Relative error of the radius of a contact edge: a few roundings. */
 static const double EDGE_FOUND = 1e-14;
 
-/* The contact edge between two radii, on the panels' polynomials. */
+/* Finds the contact edge between two radii on the polynomials of the panels. */
 static void add_edge(po_solution *p, const po_scene *scene, double domain, double low,
                      double high) {
   edge_search s = {p, scene, domain, false};
@@ -127,7 +127,7 @@ static void add_edge(po_solution *p, const po_scene *scene, double domain, doubl
   ++p->edges.count;
 }
 
-/* From the outside inwards: the outermost edges are those that move. */
+/* Finds the contact edges, beginning with the outermost, since the outermost are kept. */
 static void find_edges(po_solution *p, const po_scene *scene, const po_surface *s) {
   po_moving_edges *edges = &p->edges;
   const double peak = po_law_peak_gap(&scene->law);
@@ -140,7 +140,7 @@ static void find_edges(po_solution *p, const po_scene *scene, const po_surface *
       add_edge(p, scene, s->core_radius, s->node[j - 1], s->node[j]);
     ++edges->all;
   }
-  for (size_t k = 0; 2 * k + 1 < edges->count; ++k) { /* ascending */
+  for (size_t k = 0; 2 * k + 1 < edges->count; ++k) { /* to ascending order */
     const size_t other = edges->count - 1 - k;
     const double at = edges->at[k], rate = edges->rate[k];
     edges->at[k] = edges->at[other];
@@ -180,7 +180,7 @@ void po_solution_finish(po_solution *p, const po_equilibrium *e, const po_adapti
   p->energy = po_equilibrium_energy(e, p->state);
   memcpy(p->node, e->surface->node, p->n * sizeof *p->node);
   for (size_t j = 0; j < p->n; ++j)
-    p->deflection[j] = p->state[j] - e->shape[j];
+    p->deflection[j] = p->state[j] - e->initial_gap[j];
   fill_slope(p, e->surface->core_radius);
   find_edges(p, e->scene, e->surface);
 }

@@ -1,5 +1,5 @@
-/* The solution at a point of a branch: its mesh, state and tangent, and on panels their values
- * between nodes. */
+/* The solution at one point of a branch: mesh, state, tangent, and what follows from them. On
+ * panels it has values between the nodes. */
 #ifndef PO_SOLUTION_H
 #define PO_SOLUTION_H
 
@@ -8,23 +8,23 @@
 #include "po_moving_edges.h"
 
 typedef struct po_solution {
-  po_panels panels, wanted; /* the mesh it was solved on, and the one that just resolves it; none
-                               where the mesh stays */
-  size_t n, core;           /* nodes: all, and of the core */
+  po_panels panels, wanted; /* the mesh of this solution, and the coarsest that resolves it; empty
+                               on a fixed mesh */
+  size_t n, core;           /* numbers of nodes: all, and in the core */
   double *state, *tangent;  /* n + 1 */
-  double *deflection;       /* n: gap less undeformed gap, up to the approach */
-  double *slope;            /* n: d deflection / dr */
-  double *node;             /* n: radii */
+  double *deflection;       /* n: H - f, the deflection less the approach */
+  double *slope;            /* n: d(deflection)/dr */
+  double *node;             /* n: radii, eps */
   po_arclength arclength;
-  size_t coordinates; /* of the arclength */
-  double *coordinate; /* where it is on the branch */
-  double *rate;       /* of them, per arclength: a unit vector */
+  size_t coordinates; /* number of coordinates of the arclength */
+  double *coordinate; /* its coordinates (po_arclength.h) */
+  double *rate; /* their derivatives by the arclength: a unit vector, the direction of the branch */
   double load, load_rate, energy;
   double position;
-  po_moving_edges edges; /* of the contact, on panels */
+  po_moving_edges edges; /* contact edges, on panels only */
 } po_solution;
 
-/* Values of a point at one radius. */
+/* Values of a solution at one radius. */
 typedef struct {
   double gap, slope; /* H and dH/dr */
   double tangent;    /* dH/ds */
@@ -34,31 +34,32 @@ po_status po_solution_allocate(po_solution *p, size_t capacity);
 void po_solution_free(po_solution *p);
 void po_solution_copy(const po_solution *from, po_solution *to);
 
-/* The same point on the reverse trace: all that is a rate along the branch changes its sign. */
+/* Reverses the direction of the branch: every derivative along the branch changes its sign. */
 void po_solution_turn(po_solution *p);
 
-/* Fills what follows from state and tangent (known up to its length) on the mesh in force, the
- * state being the one last evaluated. Given: adaptive, NULL where the mesh stays. */
+/* Fills all other members from state and tangent on the current mesh, and scales the tangent to
+ * unit arclength. Given: the state must be the one last evaluated; adaptive is NULL on a fixed
+ * mesh. */
 void po_solution_finish(po_solution *p, const po_equilibrium *e, const po_adaptive *adaptive);
 
 double po_solution_approach(const po_solution *p);
 
-/* The cosine of the directions of two points. */
+/* The cosine of the angle between the directions of the branch at two points. */
 double po_solution_cosine(const po_solution *a, const po_solution *b);
 
-/* How far one point is from another along the arclength functional, in the direction of the first.
- */
+/* The arclength functional of the first point, evaluated at the second: direction . (difference of
+ * the coordinates). */
 double po_solution_progress(const po_solution *from, const po_solution *to);
 
-/* The arclength of the arclength functional between two points, as of an arc that turns as their
- * rates do. */
+/* The arclength between two points, as that of a circular arc with the directions at both. */
 double po_solution_way(const po_solution *from, const po_solution *to);
 
-/* Values at a radius inside the domain, of a solution on panels. */
+/* Values of a solution on panels at a radius inside the domain. Given: r and domain, eps. */
 po_solution_value po_solution_value_at(const po_solution *p, const po_scene *scene, double domain,
                                        double r);
 
-/* The gap of a point as a function of the radius, for po_gap_field: data is a po_solution_field. */
+/* The gap of a solution as a function of the radius, for po_gap_field: `data` is a
+ * po_solution_field. */
 typedef struct {
   const po_solution *p;
   const po_scene *scene;

@@ -2,32 +2,34 @@
 
 #include "po_observe_parts.h"
 
-/* Error of the gap, in eps, that panels may make by their last coefficients, over the root of the
- * relative tolerance of the pull-off force: what these coefficients do to the load goes as their
- * square, by Gauss's rule. Set by the smooth sphere (tests/unit/test_panels.c). */
+/* Allowed error of the gap, eps, divided by the square root of the relative tolerance of the
+ * pull-off force, for smooth and for wavy scenes, and its greatest value at any tolerance. The
+ * square root, because the error of the load goes as the square of the last Legendre coefficients.
+ * Chosen for the smooth sphere (tests/unit/test_panels.c). */
 static const double ERROR_OF_TOLERANCE = 0.3, ERROR_OF_WAVES = 1.0, COARSEST_ERROR = 3e-4;
-/* Beyond this Tabor parameter the coarsest error falls as its square: on coarser panels the
- * iteration onto mu = 50 needs steps three times shorter. */
+/* Above this Tabor parameter the greatest allowed error is inversely proportional to its square: on
+ * coarser panels the steps at mu = 50 are three times shorter. */
 static const double STIFF_TABOR = 14.0;
-/* Below it waves may have more, by the fourth power: their minima are sharp, whereas that of a
- * sphere is flat, and its approach would suffer. With 5e-3 at mu = 20 folds appear that are not.
- * Nothing is gained where the surface hardly gives way (a limit at 1 would be crossed by the last
- * bit of many a scene), nor when a curve is wanted: its cubics need twice as many steps over what
- * coarse panels leave of ripples. */
+/* Below it wavy scenes have a larger allowed error, inversely proportional to the fourth power, up
+ * to COARSEST_OF_WAVES. Their minima of the load are sharp; that of a smooth sphere is flat, so
+ * that its approach would be less accurate. With 5e-3 at mu = 20 spurious folds appear. Below
+ * LEAST_PLIANT_TABOR a larger error saves nothing; the value is not 1 because rounding would decide
+ * for the many scenes of mu = 1. If a curve is wanted, a larger error costs twice as many steps,
+ * since the cubics must follow the ripples of coarse panels. */
 static const double COARSEST_OF_WAVES = 1e-2, LEAST_PLIANT_TABOR = 1.05;
-/* Waves whose crests are no more than so many times as curved as the sphere are hardly more than a
- * smooth one: of random scenes from mu = 4 to 10 at 1e-4 one in eight had a fold that no finer mesh
- * found, or two folds too many; of the others one in thirty. */
+/* Curvature of the crests, relative to that of the sphere, above which the larger error is allowed.
+ * Of random scenes from mu = 4 to 10 at a tolerance of 1e-4 with a smaller curvature, one in eight
+ * had spurious folds with the larger error; of the others one in thirty. */
 static const double LEAST_CURVATURE = 8.0;
-/* Error of the load that a panel may make, by an estimate that is mostly too large, over the same
- * tolerance. */
+/* Allowed error of the load of a panel, divided by the tolerance. The estimate of this error is
+ * usually too large. */
 static const double LOAD_OF_TOLERANCE = 30.0;
 
-/* Where Newton's method may stop, in parts of 1 + H, per relative tolerance; and what locating
- * folds needs. */
+/* Precision of Newton's method, relative to 1 + H, divided by the tolerance; and its greatest
+ * value, which the location of folds requires. */
 static const double PRECISION_OF_TOLERANCE = 1e-4, COARSEST_PRECISION = 1e-9;
 
-/* In that of the sphere; 0: smooth. */
+/* The curvature of the crests relative to that of the sphere; 0 for a smooth scene. */
 static double curvature_of_crests(const po_scene *scene) {
   if (!po_scene_is_wavy(scene))
     return 0.0;
@@ -41,7 +43,7 @@ static bool may_be_coarse(const po_request *request) {
          !(request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS));
 }
 
-/* The error of the gap that panels may make at any tolerance. */
+/* The greatest allowed error of the gap, at any tolerance. */
 static double coarsest_error(const po_request *request) {
   const double stiff = request->scene.tabor / STIFF_TABOR;
   if (stiff > 1.0)

@@ -1,4 +1,5 @@
-/* Traces a scene as often as it takes: on a larger core, on finer panels, from farther out. */
+/* Traces a scene, and repeats the trace if necessary: with a larger core, with smaller allowed
+ * errors, or from a smaller approach. */
 #include "po_observe_parts.h"
 
 #include <math.h>
@@ -9,24 +10,24 @@
 #include "po_rigid.h"
 #include "po_trace.h"
 
-/* When the estimated error of the force is beyond the tolerance, or a finer mesh does not meet a
- * fold, which is then mostly of the mesh and not of the scene, the trace is made anew, with this
- * part of what would do. */
+/* If the estimated error of the pull-off force exceeds the tolerance, or a fold is not found on a
+ * finer mesh and is therefore probably spurious, the trace is repeated with this part of the
+ * tolerance that would suffice. */
 static const double SHARPER = 0.3;
-/* What an error counts for that could not be estimated. */
+/* Ratio of error to tolerance that is assumed if the error could not be estimated. */
 static const double UNKNOWN_EXCESS = 3.0;
-/* An estimate so many times the tolerance, after all, is of a contact that no mesh has met. */
+/* Ratio of error to tolerance above which the solve fails after the last trace. */
 static const double MOST_EXCESS = 10.0;
 enum { MOST_TRACES = 3 };
 
-/* When the contact reaches the end of an unbounded surface's core, the trace is made anew on a
- * larger one. */
+/* If the contact reaches the end of the core of an unbounded surface, the trace is repeated with a
+ * core larger by this factor. */
 static const double CORE_GROWTH = 1.5;
 enum { MOST_MESHES = 4 };
 
 static const double BEYOND = 1.0; /* eps */
-/* Where a trace for hysteresis begins, in 1 + mu eps: the smooth sphere jumps out at -1.61 mu
- * (JKR), and waves may hold on longer. */
+/* The approach at which a trace for hysteresis begins is -4 (1 + mu) eps or less. The smooth sphere
+ * jumps out at -1.61 mu (JKR), wavy scenes at smaller approaches. */
 static const double BEGIN = 4.0;
 
 static void add_work(const po_work *more, po_work *work) {
@@ -40,15 +41,15 @@ static void add_work(const po_work *more, po_work *work) {
                                                                            : more->factorized_nodes;
 }
 
-/* Whether the scheme says how far it errs, and for once cannot. */
+/* Whether the scheme estimates errors and did not find that of the pull-off force. */
 static bool is_unsure(const po_request *request, const po_result *result) {
   return request->mesh.scheme == PO_PANEL && !result->rigid && result->has_pull_off &&
          isnan(result->pull_off.force_error);
 }
 
-/* The estimated error of the force in parts of what is asked; 0 when it is no more. What no
- * estimate sees is left out: no other mesh would make it less, and of the small forces that high
- * waves leave it is a large part. */
+/* The estimated error of the pull-off force relative to the tolerance; 0 if it is within the
+ * tolerance. The part that a finer mesh does not show is not counted: no other mesh would reduce
+ * it, and it is a large part of the small forces of high waves. */
 static double excess_error(const po_request *request, const po_result *result) {
   if (is_unsure(request, result))
     return UNKNOWN_EXCESS;
@@ -64,11 +65,11 @@ static double finite_or_none(double value) {
   return isfinite(value) ? value : (double)NAN;
 }
 
-/* A search goes on until the contact is so large, for a pull-off force of pi w R, if that is not
- * much farther than the core reaches anyway. */
+/* The core for a search reaches to the contact at which the search is complete for a pull-off force
+ * of SEARCHED_FORCE, pi w R, if that is at most LARGEST_CORE times the core without a search. */
 static const double SEARCHED_FORCE = 1.0, LARGEST_CORE = 1.6;
 
-/* The core of the surface that the trace begins with. */
+/* The radius of the core, eps, of the first trace. */
 static double core_of(const po_request *request) {
   const po_scene *scene = &request->scene;
   const double deepest = fmax(fmax(request->approach_end, request->profile_approach),
@@ -81,7 +82,8 @@ static double core_of(const po_request *request) {
   return enough < LARGEST_CORE * core ? fmax(core, enough) : core;
 }
 
-/* A trace that is to end, or to be pressed, farther out than it would begin must begin beyond. */
+/* If approach_end or the preload is below the approach at which the trace would begin, the trace
+ * begins at a smaller approach. */
 static double farthest_of(const po_request *request) {
   return fmin(request->approach_end, finite_or_none(request->preload.approach)) - BEYOND;
 }
@@ -111,7 +113,7 @@ static po_status attempt(const po_request *request, const po_keeper *keeper, dou
     } else if (excess > 0.0 && traces < MOST_TRACES) {
       a.tolerance *= SHARPER / excess;
     } else if (!status && request->want & PO_WANT_HYSTERESIS && !result->has_hysteresis) {
-      ++meshes; /* it begins farther out now */
+      ++meshes; /* the next trace begins at a smaller approach */
     } else {
       break;
     }
@@ -125,8 +127,8 @@ static po_status attempt(const po_request *request, const po_keeper *keeper, dou
         result->pull_off.force, result->pull_off.approach);
   if (!status && !rigid && excess_error(request, result) > MOST_EXCESS)
     return po_fail(PO_NOT_CONVERGED,
-                   "the error of the pull-off force %.6g is estimated at %.2g, far beyond the "
-                   "tolerance, and more panels did not help",
+                   "the error of the pull-off force %.6g is estimated at %.2g, far above the "
+                   "tolerance, also on finer panels",
                    result->pull_off.force, result->pull_off.force_error);
   return status;
 }

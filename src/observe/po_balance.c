@@ -4,13 +4,13 @@
 
 #include "po_hermite.h"
 
-/* Gauss-Legendre of three points on (0, 1), exact for the integrand: a cubic times the slope of
- * another. */
+/* Gauss's rule with three points on (0, 1). It is exact for the integrand, a cubic times the
+ * derivative of a cubic. */
 static const double NODE[] = {0.11270166537925831, 0.5, 0.88729833462074169};
 static const double WEIGHT[] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
 
-/* Integral of the load over the approach along cubics through two points and their tangents. What
- * the arclength of the tangents is does not matter to the area to this order. */
+/* The integral of the load over the approach along the cubics with the values and rates at two
+ * points. The parameter of the rates does not change the area to this order. */
 static double work_between(const po_branch_point *a, const po_branch_point *b) {
   const double h = b->position - a->position;
   double sum = 0.0;

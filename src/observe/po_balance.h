@@ -1,24 +1,24 @@
-/* Whether the energy of the equilibria along a branch changes by the work done on them, dU = W
- * dapproach: a state that belongs to another branch, or a load that is not the energy's, breaks it.
- */
+/* The energy balance dU = W d(approach) along a branch. It is violated if a state belongs to
+ * another branch, or if load and energy are inconsistent. */
 #ifndef PO_BALANCE_H
 #define PO_BALANCE_H
 
 #include "po_branch_point.h"
 
 typedef struct {
-  po_branch_point last; /* of which only numbers are read */
+  po_branch_point last; /* its pointers are not used */
   bool begun;
-  double gained, done;    /* since the beginning: energy, and work by cubics through the points */
-  double worst;           /* the largest of their difference so far */
-  double lowest, highest; /* energy gained */
-  double at;              /* approach at the worst */
+  double gained, done; /* since the first point: change of the energy, and work along cubics through
+                          the points */
+  double worst;        /* largest difference of the two so far */
+  double lowest, highest; /* range of the change of the energy */
+  double at;              /* approach at the largest difference, eps */
 } po_balance;
 
-/* Takes note of the next point along the branch. */
+/* Adds the next point along the branch. */
 void po_balance_note(po_balance *balance, const po_branch_point *point);
 
-/* The largest difference in parts of the range of the energy; NAN before there are two points. */
+/* The largest difference relative to the range of the energy; NAN for fewer than two points. */
 double po_balance_defect(const po_balance *balance);
 
 #endif

@@ -11,12 +11,12 @@
 #include "po_root.h"
 #include "po_solution.h"
 
-/* The gap is sampled so many times per wavelength, and on a panel as often as it has nodes. Between
- * two samples it has at most one extremum, which the slopes at the samples show. Without waves and
- * panels the only scale of length is the radius. */
+/* Number of samples of the gap per wavelength; a panel is sampled as often as it has nodes. Between
+ * two samples the gap has at most one extremum, which the slopes at the samples show. A smooth
+ * sphere without panels is sampled this many times along its radius. */
 static const double SAMPLES_A_LENGTH = 16.0;
 
-/* An error of the gap that no usable solution exceeds, eps. */
+/* Largest error of the gap that is used, eps. */
 static const double GREATEST_DOUBT = 1.0;
 
 typedef struct {
@@ -40,14 +40,14 @@ po_contact_gap po_contact_gap_of(const po_scene *scene, double domain, const po_
     g.node = p->node;
     g.gap = p->gap;
     g.end = p->node[p->n - 1];
-  } else { /* rigid: the sphere alone bounds the contact */
+  } else { /* rigid: the contact is bounded by that of the sphere without waves */
     const double reach = fmax(0.0, p->approach + po_law_peak_gap(&scene->law)) + GREATEST_DOUBT;
     g.end = fmin(sqrt(2.0 * scene->radius * reach), scene->outer_radius);
   }
   return g;
 }
 
-/* The last node at or below a radius; the first one below all. */
+/* The index of the last node at or below a radius; 0 if all nodes are above it. */
 static size_t node_below(const po_contact_gap *g, double r) {
   size_t low = 0, high = g->n;
   while (high - low > 1) {
@@ -60,7 +60,7 @@ static size_t node_below(const po_contact_gap *g, double r) {
   return low;
 }
 
-/* Linear in the deflection, which does not change within the first node. */
+/* Linear interpolation of the deflection, which is constant inside the first node. */
 static value value_on_elements(const po_contact_gap *g, double r) {
   const size_t j = node_below(g, r);
   const double here = g->gap[j] - po_profile(g->scene, g->node[j]);
@@ -84,10 +84,11 @@ static value value_at(const po_contact_gap *g, double r) {
   return (value){po_profile(g->scene, r) - g->approach, po_profile_slope(g->scene, r)};
 }
 
-/* A gap moved by its error towards one side: `side` -1: closer, 1: farther, 0: as it is. */
+/* A gap changed by the bound of its error: `side` is -1 for the smaller gap, 1 for the larger, 0
+ * for the gap itself. */
 typedef struct {
   const po_contact_gap *g;
-  const po_contact_doubt *doubt; /* read unless side is 0 */
+  const po_contact_doubt *doubt; /* not used if side is 0 */
   int side;
   double level;
 } sought;
@@ -100,8 +101,8 @@ static double doubt_at(const sought *s, double r, double gap) {
          po_refine_error(d->precision, value_at(d->finer, fmin(r, d->finer->end)).gap - gap, gap);
 }
 
-/* The gap less the level, and the slope (of the gap itself: the error changes little on the way
- * between two samples). */
+/* The gap less the level, and the slope. The slope is that of the gap itself, since the error
+ * changes little between two samples. */
 static value beyond(const sought *s, double r) {
   value v = value_at(s->g, r);
   if (s->side)
@@ -117,7 +118,7 @@ static double slope_at(double r, const void *data) {
   return beyond(data, r).slope;
 }
 
-/* The next smaller radius to look at. */
+/* The next smaller radius at which the gap is sampled. */
 static double inwards(const po_contact_gap *g, double r) {
   double step = INFINITY, begin = 0.0;
   if (g->solution) {
@@ -140,16 +141,16 @@ static double inwards(const po_contact_gap *g, double r) {
   return fmax(begin, r - step);
 }
 
-/* A radius beyond which rigid surfaces are certainly out of contact: the waves only add to the gap
- * of the sphere. */
+/* A radius beyond which rigid surfaces are not in contact: the waves only increase the gap of the
+ * sphere. */
 static double skip_rigid(const sought *s, double r) {
   const double reach = s->g->approach + s->level + (s->side ? s->doubt->constant : 0.0);
   return reach > 0.0 ? fmin(r, sqrt(2.0 * s->g->scene->radius * reach)) : 0.0;
 }
 
-/* The inner end of the panel below a radius, where the gap is above a level all over it; the radius
- * itself elsewhere. The waves only add to the sphere; the deflection panels the range of its nodes
- * by less than that range. */
+/* The inner end of the panel below a radius if the gap is above the level on the whole panel;
+ * otherwise the radius itself. The bound: the waves only increase the gap of the sphere, and the
+ * deflection exceeds the range of its nodal values by less than that range. */
 static double skip(const sought *s, double r) {
   const po_contact_gap *g = s->g;
   if (!g->solution)
@@ -167,11 +168,10 @@ static double skip(const sought *s, double r) {
   return sphere + least - (largest - least) > level ? begin : r;
 }
 
-/* An extremum that passes the level by less than this counts as not passing it: rounding, eps. */
+/* Rounding, eps: an extremum that passes the level by less is taken as not passing it. */
 static const double GAP_ROUNDING = 1e-13;
 
-/* The radius of the extremum of the gap between a and b, a minimum or a maximum as asked; NaN when
- * there is none. */
+/* The radius of the minimum or maximum of the gap between a and b; NaN if there is none. */
 static double extremum_between(const sought *s, double a, value at_a, double b, value at_b,
                                bool minimum) {
   const double sign = minimum ? 1.0 : -1.0;
@@ -179,12 +179,12 @@ static double extremum_between(const sought *s, double a, value at_a, double b, 
                                                             : (double)NAN;
 }
 
-/* The edge between a and b, looked for inwards of b; -1: none. Where b is an edge itself its gap
- * may, by rounding, be on either side. */
+/* The outermost edge between a and b; -1 if there is none. If b is itself an edge, the sign of its
+ * gap less the level is undetermined because of rounding. */
 static double edge_between(const sought *s, double a, value at_a, double b, value at_b,
                            bool inside) {
   const bool a_inside = at_a.gap <= 0.0, b_inside = at_b.gap <= 0.0;
-  if (a_inside != inside) { /* farther in than an extremum on the side of b */
+  if (a_inside != inside) { /* inside the extremum */
     const double extremum = extremum_between(s, a, at_a, b, at_b, inside);
     if (!isnan(extremum) && (gap_beyond(extremum, s) <= 0.0) == inside)
       return po_root(gap_beyond, s, a, extremum);
@@ -215,7 +215,7 @@ static double next_edge(const sought *s, double from, bool inside) {
   return -1.0;
 }
 
-/* The outermost edge of what is below the level inside a radius at which it is above; 0: none. */
+/* The outermost edge inside a radius at which the gap is above the level; 0 if there is none. */
 static double outermost(const sought *s, double from) {
   return fmax(0.0, next_edge(s, from, false));
 }
@@ -224,8 +224,8 @@ static double radius_of(const sought *s) {
   return beyond(s, s->g->end).gap <= 0.0 ? s->g->end : outermost(s, s->g->end);
 }
 
-/* How far out the edge may be. If the gap minus its error has contact annuli farther out that the
- * gap itself does not have, the outermost of them is noted. */
+/* Upper bound of the radius of the edge. If the gap minus its error has contact annuli farther out
+ * that the gap itself does not have, the edge of the outermost one is recorded. */
 static double farthest(const sought *as_it_is, double radius, double *other) {
   sought closer = *as_it_is;
   closer.side = -1;
@@ -241,8 +241,8 @@ static double farthest(const sought *as_it_is, double radius, double *other) {
   return edge;
 }
 
-/* How far in the edge may be. If nothing of the outermost annulus remains with the gap plus its
- * error, the edge of the next annulus is noted. */
+/* Lower bound of the radius of the edge. If the outermost annulus vanishes with the gap plus its
+ * error, the edge of the next annulus is recorded. */
 static double nearest(const sought *as_it_is, double radius, double *other) {
   sought farther = *as_it_is;
   farther.side = 1;
@@ -255,8 +255,8 @@ static double nearest(const sought *as_it_is, double radius, double *other) {
   return 0.5 * (inner + radius);
 }
 
-/* Waves of rigid bodies that are shorter than this, relative to the radius, are not resolved: the
- * outermost crest in contact is within a wavelength of the contact edge of the smooth sphere. */
+/* Wavelength of a rigid scene, relative to the radius, below which waves are not resolved: the
+ * outermost crest in contact is within one wavelength of the contact edge of the smooth sphere. */
 static const double SHORTEST_WAVE = 1e-8;
 
 static bool is_smeared(const po_contact_gap *g) {
@@ -307,7 +307,7 @@ po_contact_edge po_contact_estimate(const po_contact_gap *gap, const po_contact_
   return e;
 }
 
-/* There may be as many annuli as waves within the contact; longer lists are of no use. */
+/* Largest number of annuli that are listed. There can be as many as waves in the contact. */
 enum { MOST_ANNULI = 10000 };
 
 static po_status too_many(void) {

@@ -6,9 +6,9 @@
 #include "po_result.h"
 #include "po_surface.h"
 
-/* Takes the profile at the nodes up to the end of the core, P = mu p; a rigid one from the
- * undeformed gap at the nodes of the surface, with P / mu when mu is 0. Returned: in the result, in
- * place of an earlier one. Status: PO_NO_MEMORY. */
+/* Computes gap and traction P = mu p at the nodes of the core, for a rigid scene from the initial
+ * gap at the nodes of the surface (if mu is 0, the traction is P/mu), and the contact annuli.
+ * Returned: in the result, replacing an earlier profile. Status: PO_NO_MEMORY. */
 po_status po_contact_profile_take(const po_scene *scene, const po_surface *surface,
                                   const po_branch_point *point, po_result *result);
 

@@ -12,7 +12,8 @@ double po_digits_left(double change) {
   return isnan(change) ? change : -log10(fmax(fabs(change), 0.5 * DBL_EPSILON));
 }
 
-/* The whole state of one kept, on its own mesh: state, room for the capacity + 1. */
+/* The complete state of a kept one, on its own mesh. Returned: state, with memory for capacity + 1
+ * values. */
 static po_status restore(const po_kept_state *kept, po_equilibrium *e, po_adaptive *adaptive,
                          double *state) {
   po_panels panels;

@@ -1,5 +1,5 @@
-/* How far the numbers of a result can be relied on: how well the discrete equations hold, how
- * they are conditioned, and how many digits of the pull-off force the inputs' last bits leave. */
+/* Diagnostics of a result: residuals of the discrete equations, condition numbers, and the number
+ * of digits of the pull-off force that are determined by the parameters of the scene. */
 #ifndef PO_DIAGNOSTICS_H
 #define PO_DIAGNOSTICS_H
 
@@ -11,7 +11,7 @@
 #include "po_kept.h"
 #include "po_reverse_trace.h"
 
-/* The equations at one state of the branch. */
+/* The diagnosis of one state of the branch. */
 typedef struct {
   po_kept_kind at;
   double approach, load;
@@ -19,33 +19,37 @@ typedef struct {
   po_diagnosis found;
 } po_diagnosed_state;
 
-/* The pull-off force when an input is moved to the next number a double holds, up and down, and
- * the scene solved anew, for each of tabor, radius, and, of a wavy scene, amplitude, wavelength. */
+/* Changes of the results when a parameter is changed by one unit in the last place, up and down,
+ * and the scene is solved again: for the Tabor parameter, the radius and, of a wavy scene,
+ * amplitude and wavelength. */
 typedef struct {
-  size_t solves; /* 0: not done */
-  size_t failed; /* of these */
-  double change; /* largest of the force, relative; NAN: none */
+  size_t solves;    /* number of solves; 0: none was made */
+  size_t failed;    /* number of these that failed */
+  double change;    /* largest relative change of the pull-off force; NAN: none */
+  double predicted; /* bound of the same from the sensitivities, the residual and rounding; NAN:
+                       none */
   double
-      predicted; /* the same from the sensitivities, and what the residual and rounding do; NAN */
-  double folds;  /* largest change of a fold's approach, eps; NAN: another number of folds */
+      folds; /* largest change of the approach of a fold, eps; NAN: the number of folds changed */
 } po_moved;
 
 typedef struct {
   po_diagnosed_state *states; /* in the order start, pull_off, end, folds */
   size_t state_count;
-  size_t undiagnosed;   /* states that could not be */
-  double residual;      /* the largest of the states; NAN: none, as of a rigid scene */
-  double rounding;      /* what rounding may make of a residual, the largest */
-  bool has_sensitivity; /* whether that of the force is set */
-  po_sensitivity force; /* d ln(force) / d ln(key); residual and rounding relative to the force */
+  size_t undiagnosed;   /* number of states whose diagnosis failed */
+  double residual;      /* largest of all states; NAN: none, as for a rigid scene */
+  double rounding;      /* largest bound of a residual due to rounding */
+  bool has_sensitivity; /* whether `force` is set */
+  po_sensitivity
+      force; /* d ln(force) / d ln(parameter); residual and rounding relative to the force */
   po_moved moved;
-  double energy_defect;    /* of dU = W dapproach along the branch, see po_balance.h; NAN: none */
+  double energy_defect;    /* of dU = W d(approach) along the branch, see po_balance.h; NAN: none */
   double energy_defect_at; /* approach where it is largest */
   po_reverse_trace reverse_trace;
-  double seconds; /* for all of this, by the clock */
+  double seconds; /* wall time of the diagnostics */
 } po_diagnostics;
 
-/* Decimal digits that a relative change leaves: at most those of a double. NAN of NAN. */
+/* Number of decimal digits that are unchanged by a relative change, at most those of a double; NAN
+ * for NAN. */
 double po_digits_left(double change);
 
 #endif

@@ -17,9 +17,10 @@ double po_estimate_approach_error(const po_request *request, double change, doub
   return change + UNSEEN_APPROACH * request->mesh.tolerance * (1.0 + fabs(approach));
 }
 
-/* Relative to the tolerance of panels, and the least distance asked for: the cost grows as its
- * fourth root falls. Staircases alone need the curve between special points for the energies lost
- * only; at 1e-5 they take a third of the points. */
+/* Greatest allowed distance of the curve from the cubics between its points, relative to the
+ * tolerance of panels, and its least values. The cost is inversely proportional to its fourth root.
+ * Staircases need the curve between special points for the energies lost only; with 1e-5 they take
+ * a third of the points. */
 static const double MISS_OF_TOLERANCE = 0.1, LEAST_MISS = 1e-8, LEAST_OF_STAIRCASE = 1e-5;
 
 double po_estimate_miss(const po_request *request) {
@@ -36,7 +37,7 @@ static po_contact_edge edge_on_panels(const po_request *request, double domain,
                                       const po_branch_point *p) {
   const po_contact_gap best = po_contact_gap_on_panels(&request->scene, domain, p->best);
   const po_contact_gap finer = po_contact_gap_on_panels(&request->scene, domain, p->finer);
-  /* an error of the approach is one of the gap */
+  /* an error of the approach is an error of the gap */
   const po_contact_doubt doubt = {&finer, po_observe_precision(request->mesh.tolerance),
                                   po_estimate_approach_error(request, 0.0, best.approach)};
   return po_contact_estimate(&best, &doubt);

@@ -1,5 +1,5 @@
-/* The values stated for a special point of a branch (as corrected on the finest mesh solved), and
- * bounds of their errors. */
+/* The stated values of a special point, corrected on the finest mesh, and bounds of their errors.
+ * See doc/method.md, "Errors". */
 #ifndef PO_ESTIMATE_H
 #define PO_ESTIMATE_H
 
@@ -10,26 +10,27 @@
 
 typedef struct {
   double approach, load;             /* eps; pi w R */
-  double approach_error, load_error; /* bounds; NaN: not estimated */
-  po_contact_edge edge; /* the outermost contact edge, its error NaN where it was not estimated */
+  double approach_error, load_error; /* bounds; NAN: not estimated */
+  po_contact_edge edge; /* the outermost contact edge; its error is NAN if it was not estimated */
 } po_estimate;
 
-/* Given: the radius of the domain of the panels, for panels only; a special point while it is
- * visited. */
+/* Given: the radius of the domain of the panels, eps (panels only); a special point during its
+ * visit. */
 po_estimate po_estimate_of(const po_request *request, double domain, const po_branch_point *point);
 
-/* Bounds of the errors of a load and of an approach on panels, from what a finer mesh changes and
- * from what it cannot show. */
+/* Bounds of the errors of a load and of an approach on panels. Given: change, the error estimated
+ * from a finer mesh, to which the error is added that a finer mesh does not show; the value. */
 double po_estimate_load_error(const po_request *request, double change, double load);
 double po_estimate_approach_error(const po_request *request, double change, double approach);
 
-/* How far a curve kept for loading and unloading may lie from the cubics between its points, in eps
- * and in pi w R. */
+/* Greatest allowed distance of the curve from the cubics between its points, in eps and pi w R, for
+ * loading and unloading. */
 double po_estimate_miss(const po_request *request);
 
-/* A bound of the error of the energy lost in jumps. Given: bound of the errors of folds in
- * approach; the sum over the jumps of 1 and of the loads (magnitudes) before and after, by which
- * the place of a jump, and that of the curve where it lands, change the energies. */
+/* A bound of the error of the energy lost in jumps. Given: bound of the errors of the folds in
+ * approach; error_factor, the sum over the jumps of 1 plus the magnitudes of the loads before and
+ * after the jump, which bounds the change of the energies with the place of the jump and of the
+ * curve where it ends. */
 double po_estimate_energy_error(const po_request *request, double fold_error, double error_factor);
 
 #endif

@@ -1,12 +1,13 @@
-/* How far a trace goes, and how far its surface reaches. */
+/* The end of a rigid trace, and the size of the domain of the panels. */
 #include <math.h>
 
 #include "po_observe_parts.h"
 #include "po_profile.h"
 #include "po_rigid.h"
 
-/* The crest that pushes with this much more than the load, and this, outdoes all that pulls: the
- * attractive term of Eq 23, 8/(3 x^2) where its repulsive term, 2/(3 x^8), is such a push. */
+/* If the repulsion of the central crest is PUSH_PER_LOAD times the load plus PUSH_BEYOND_LOAD, it
+ * exceeds the load and all attraction: the attraction is at most the term 8/(3 x^2) of Eq 23, at
+ * the x at which the repulsive term 2/(3 x^8) has that value. */
 static const double PUSH_PER_LOAD = 1.1, PUSH_BEYOND_LOAD = 8.0;
 
 double po_observe_rigid_end(const po_scene *scene, double load) {
@@ -19,8 +20,8 @@ double po_observe_domain(const po_scene *scene, double core) {
              : po_averaging_radius(scene, po_averaging_phase(scene, core));
 }
 
-/* A contact that comes this close to the end of the panels of an unbounded surface does not leave
- * the far field to the panel beyond, in parts of the radius of that end. */
+/* Greatest contact radius on an unbounded surface, relative to the radius of the domain: beyond,
+ * the panel to infinity does not represent the far field. */
 static const double GREATEST_CONTACT = 0.9, LARGER_THAN_CONTACT = 1.15;
 
 double po_observe_core_of_contact(double contact_radius) {

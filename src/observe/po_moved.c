@@ -4,7 +4,7 @@
 #include "po_diagnose.h"
 #include "po_observe_parts.h"
 
-/* The largest change of a fold's approach; NaN when they are not the same folds. */
+/* The largest change of the approach of a fold; NaN if the number of folds differs. */
 static double change_of_folds(const po_result *a, const po_result *b) {
   double largest = 0.0;
   for (size_t k = 0; k < a->fold_count && a->fold_count == b->fold_count; ++k)
@@ -33,7 +33,7 @@ static po_status move(const po_request *request, const po_result *result, po_mov
 po_status po_diagnose_moved(const po_request *request, double deadline, po_result *result) {
   po_diagnostics *d = &result->diagnostics;
   po_request moving = *request;
-  moving.want &= ~(unsigned)PO_WANT_DIAGNOSTICS; /* the rest may change the steps */
+  moving.want &= ~(unsigned)PO_WANT_DIAGNOSTICS; /* the other results may change the steps */
   const bool wavy = po_scene_is_wavy(&request->scene);
   const struct {
     double *value, by;

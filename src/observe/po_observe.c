@@ -5,8 +5,8 @@
 #include "po_diagnose.h"
 #include "po_observe_parts.h"
 
-/* The preload of the loops by theory: the approach asked for, else the load at which the solve
- * reversed the loading. */
+/* The preload of the loops of the JKR theory: the approach of the request, otherwise the load at
+ * which the solve reversed the loading. */
 static po_preload preload_of(const po_request *request, const po_result *result) {
   po_preload preload = request->preload;
   if (isnan(preload.approach) && isnan(preload.load))
@@ -14,8 +14,8 @@ static po_preload preload_of(const po_request *request, const po_result *result)
   return preload;
 }
 
-/* Evaluates the theory beside what is wanted. Status: PO_NO_MEMORY; that there is none for the
- * scene is no failure. */
+/* Evaluates the theory for the results that are wanted. Status: PO_NO_MEMORY. A scene to which the
+ * theory does not apply is not a failure. */
 static po_status accompany(const po_request *request, po_result *result) {
   const po_companion *theory = request->companion;
   po_status status = PO_OK;

@@ -5,7 +5,7 @@
 #include "po_estimate.h"
 #include "po_observe_parts.h"
 
-/* The special point of a branch at a position of it; NULL: none. */
+/* The special point at a position on the branch; NULL if there is none. */
 static const po_special_point *mark_at(const po_result *o, double position) {
   for (size_t k = 0; k < o->fold_count; ++k)
     if (o->folds[k].position == position)
@@ -16,21 +16,21 @@ static const po_special_point *mark_at(const po_result *o, double position) {
   return NULL;
 }
 
-/* The greatest errors of special points; NAN where none was estimated. */
+/* The greatest errors of the special points; NAN if none was estimated. */
 static po_path_error greatest_error(const po_result *o) {
   po_path_error e = {NAN, NAN};
   for (size_t k = 0; k < o->fold_count + o->extremum_count; ++k) {
     const po_special_point *mark =
         k < o->fold_count ? &o->folds[k] : &o->extrema[k - o->fold_count];
-    e.approach = fmax(e.approach, mark->approach_error); /* passes over NAN */
+    e.approach = fmax(e.approach, mark->approach_error); /* ignores NAN */
     e.load = fmax(e.load, mark->load_error);
   }
   return e;
 }
 
-/* The values stated for a special point, with their errors, in place of those on its mesh. Any
- * other state, and a special point without an error of its own, errs as those that have one do, and
- * by the distance of the curve from its interpolation. */
+/* The stated values and errors of a special point. The error of any other state, and of a special
+ * point without an error, is the greatest error of the special points plus the distance of the
+ * curve from its interpolation. */
 static po_path_error state_error(const po_request *request, const po_result *o,
                                  po_path_state *state) {
   const po_special_point *mark = mark_at(o, state->position);
@@ -87,7 +87,7 @@ static void read_any(const po_staircase *s, po_result *o) {
   o->pull_off_any.pressed = pressed(&step->preload);
 }
 
-/* Where on the branch the pull-off is. */
+/* The position of the pull-off on the branch. */
 static double pull_off_position(const po_result *o) {
   for (size_t k = 0; k < o->extremum_count && o->has_pull_off; ++k)
     if (o->extrema[k].load == -o->pull_off.force && o->extrema[k].approach == o->pull_off.approach)
@@ -95,8 +95,8 @@ static double pull_off_position(const po_result *o) {
   return NAN;
 }
 
-/* The least load at a stable equilibrium of the branch, whether or not a preload so far leads
- * there: one harder may. */
+/* The least load at a stable equilibrium of the branch, including equilibria to which only a harder
+ * preload may lead. */
 static double deepest_stable(const po_path *path) {
   double deepest = INFINITY;
   for (size_t k = 0; k < path->count; ++k)

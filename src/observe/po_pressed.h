@@ -1,5 +1,5 @@
-/* What the pull-offs of a branch take: the preload of each, and the greatest that any preload
- * gives. */
+/* The preload that belongs to the pull-off of a branch, and the greatest pull-off force of all
+ * preloads. */
 #ifndef PO_PRESSED_H
 #define PO_PRESSED_H
 
@@ -8,9 +8,10 @@
 #include "po_result.h"
 #include "po_stopping.h"
 
-/* Given: the branch, and how far it went; a result with its special points, its pull-off, and how
- * the trace ended. Returned: preloads of the pull-off and of the greatest of all, and the
- * staircases when they are wanted, with their errors. Status: PO_NO_MEMORY. */
+/* Given: the path of the branch; the state of the stopping rule at its end; a result with special
+ * points, pull-off and the cause of the end of the trace. Returned: in the result, the preload of
+ * the pull-off, the greatest pull-off of all preloads, and the staircases with their errors if they
+ * are wanted. Status: PO_NO_MEMORY. */
 po_status po_pressed_read(const po_request *request, const po_path *path,
                           const po_stopping *stopping, po_result *result);
 

@@ -7,7 +7,7 @@
 #include "po_contact_profile.h"
 #include "po_observe_parts.h"
 
-/* Of the panels; there are none without a surface. */
+/* The radius of the domain of the panels, eps; without a surface there are none. */
 static double root_of(const po_reader *r) {
   return r->surface ? r->surface->core_radius : (double)NAN;
 }
@@ -16,7 +16,7 @@ static po_estimate estimate_of(const po_reader *r, const po_branch_point *p) {
   return po_estimate_of(r->request, root_of(r), p);
 }
 
-/* The first failure of a part ends the trace. */
+/* Stores the first failure of a part, which ends the trace. */
 static void keep_status(po_reader *r, po_status status) {
   if (!r->status)
     r->status = status;
@@ -50,12 +50,13 @@ void po_reader_end(po_reader *reader) {
   po_trace_points_free(&reader->points);
 }
 
-/* Whether the preload is met and a search of some effort goes on: it may end anywhere. */
+/* Whether the preload is met and a search of limited effort is in progress, which may end at any
+ * point. */
 static bool only_searches(const po_reader *r) {
   return r->stopping.met && po_request_search(r->request) == PO_SEARCH_SOME;
 }
 
-/* Whether to go on: nobody stops it, and there is time. */
+/* Whether the trace continues: it is not interrupted, and the time limit is not reached. */
 static bool may_go_on(po_reader *r, const po_branch_point *p) {
   if (r->request->stop && *r->request->stop)
     r->status = po_fail(PO_INTERRUPTED, "interrupted at approach %.6g", p->approach);
@@ -87,7 +88,7 @@ static void read_special_point(po_reader *r, const po_branch_point *p) {
     r->status = PO_NO_MEMORY;
 }
 
-/* What is diagnosed later. */
+/* Passes a point to the diagnostics. */
 static void keep_for_diagnosis(po_reader *r, const po_branch_point *p) {
   po_balance_note(r->balance, p);
   const bool deepest = p->kind == PO_POINT_LOAD_MIN && r->result->has_pull_off &&
@@ -96,8 +97,8 @@ static void keep_for_diagnosis(po_reader *r, const po_branch_point *p) {
     r->status = po_kept_note(r->kept, p, deepest);
 }
 
-/* The contact has come to the end of the meshed surface: a search of some effort ends there, any
- * other trace is repeated on a larger one. */
+/* The contact has reached the end of the meshed surface: a search of limited effort ends here, any
+ * other trace is repeated on a larger surface. */
 static void note_cut_off(po_reader *r, const po_branch_point *p, double contact_radius) {
   if (only_searches(r))
     r->result->ended.cause = PO_END_SEARCHED;
@@ -109,7 +110,7 @@ static void note_cut_off(po_reader *r, const po_branch_point *p, double contact_
                         r->stopping.met ? "" : ", before the preload is met");
 }
 
-/* Whether the trace goes on no farther than a point, and why. */
+/* Whether the trace ends at a point; stores the cause. */
 static bool ends_at(po_reader *r, const po_branch_point *p, double contact_radius) {
   const po_scene *scene = &r->request->scene;
   if (!r->status && p->gap && po_observe_is_cut_off(scene, contact_radius, r->surface->core_radius))

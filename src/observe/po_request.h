@@ -1,4 +1,4 @@
-/* One scene, and what is wanted of it. */
+/* A request: one scene, and the results that are wanted. */
 #ifndef PO_REQUEST_H
 #define PO_REQUEST_H
 
@@ -15,43 +15,47 @@ enum {
   PO_WANT_CURVE = 1,       /* the points of the branch */
   PO_WANT_PROFILE = 2,     /* gap and traction over the radius at one equilibrium */
   PO_WANT_HYSTERESIS = 4,  /* loading to a preload and back */
-  PO_WANT_DIAGNOSTICS = 8, /* residuals, condition numbers, digits left; solves the scene anew */
-  PO_WANT_PRELOAD = 16,    /* what every preload gives: the staircases */
+  PO_WANT_DIAGNOSTICS = 8, /* residuals, condition numbers, digits left; solves the scene again with
+                              changed parameters */
+  PO_WANT_PRELOAD = 16,    /* the pull-off after every preload: the staircases */
 };
 
-/* Whether a trace goes on beyond its preload, to find what harder ones give. */
+/* Whether the trace continues beyond its preload, to find the pull-off after harder preloads. */
 typedef enum {
   PO_SEARCH_NONE,
-  PO_SEARCH_SOME, /* until none gives more, but at most for about as long as it took so far */
-  PO_SEARCH_ALL,  /* until none gives more, or the hardest preload that is looked at */
+  PO_SEARCH_SOME, /* until no harder preload gives more, with about as much effort as before at most
+                   */
+  PO_SEARCH_ALL, /* until no harder preload gives more, or to the hardest preload, see po_stopping.h
+                  */
 } po_search;
 
-/* What a closed-form theory says of a scene, evaluated beside the solve. po_companion_jkr.h is one.
- */
+/* A closed-form theory that is evaluated for the scene beside the solve, as po_companion_jkr.h. */
 typedef struct {
-  /* The contact radius, in eps, beyond which no equilibrium has a load, in pi w R, below a given
-   * one; NAN: not known. */
+  /* The contact radius, eps, beyond which no equilibrium has a load below the given one, pi w R;
+   * NAN: unknown. */
   double (*bound)(const po_scene *scene, double load);
   /* The loops of loading and unloading from a preload, and the staircases in displacement and load
-   * control; to be cleared whatever the status, which is PO_NO_MEMORY or says that there are none.
-   * NULL: the theory does not give them. */
+   * control. NULL if the theory does not give them. The results must be cleared whatever the
+   * status. Status: PO_NO_MEMORY; another failure if there are none for the scene. */
   po_status (*hysteresis)(const po_scene *scene, po_preload preload, po_hysteresis *hysteresis);
   po_status (*staircases)(const po_scene *scene, po_staircase staircase[2]);
 } po_companion;
 
 typedef struct {
   po_scene scene;
-  po_mesh mesh;                  /* scheme, grading, number of nodes */
-  double approach_start;         /* where the trace begins, in eps; NAN: far out, found by itself */
-  double approach_end;           /* where it ends, in eps; NAN: at the preload, see po_stopping.h */
-  unsigned want;                 /* PO_WANT_... */
-  double profile_approach;       /* in eps, first passage along the branch; NAN: at pull-off */
-  po_preload preload;            /* what the sphere is pressed to, see po_request_preload. Approach
-                                    INFINITY: any, the pull-off is the greatest of all preloads */
-  po_search search;              /* beyond the preload; PO_SEARCH_ALL where preloads are wanted */
-  const po_companion *companion; /* NULL: none; then no preload is known to be hard enough */
-  double time_limit; /* seconds of processor time of the thread that solves; NAN: none */
-  const volatile sig_atomic_t *stop; /* asked now and then: nonzero stops the solve; may be NULL */
+  po_mesh mesh;          /* scheme, grading, number of nodes */
+  double approach_start; /* approach at which the trace begins, eps; NAN: chosen by the solver */
+  double approach_end; /* approach at which it ends, eps; NAN: at the preload, see po_stopping.h */
+  unsigned want;       /* PO_WANT_... */
+  double profile_approach; /* approach of the profile, eps, at the first passage along the branch;
+                              NAN: at pull-off */
+  po_preload preload;      /* see po_request_preload. With the approach INFINITY the pull-off is the
+                              greatest of all preloads */
+  po_search search;        /* beyond the preload; PO_SEARCH_ALL if PO_WANT_PRELOAD */
+  const po_companion *companion; /* NULL: none; a search is then never known to be complete */
+  double time_limit;             /* seconds of processor time of the solving thread; NAN: none */
+  const volatile sig_atomic_t
+      *stop; /* nonzero interrupts the solve; checked at every point; may be NULL */
 } po_request;
 
 enum { PO_WANT_COUNT = 5 };
@@ -63,21 +67,22 @@ const char *po_want_name(int k);
  */
 po_request po_request_default(void);
 
-/* The load of the preload where none is asked for, in pi w R. */
+/* The load of the default preload, pi w R. */
 extern const double PO_USUAL_PRELOAD;
 
-/* What the sphere is pressed to, at given approach: the preload of the request; else its
- * approach_end; else the usual load. */
+/* The preload, in displacement control: that of the request, otherwise its approach_end, otherwise
+ * the default load. */
 po_preload po_request_preload(const po_request *request);
 
-/* How far the trace goes on beyond the preload; for a preload of INFINITY, and with preloads
- * wanted, all the way. */
+/* Whether the trace continues beyond the preload: PO_SEARCH_ALL for a preload of INFINITY and if
+ * PO_WANT_PRELOAD, otherwise that of the request. */
 po_search po_request_search(const po_request *request);
 
-/* PO_BAD_INPUT, naming the key that is wrong, its value and what is expected. */
+/* Checks a request. Status: PO_BAD_INPUT, with a message that names the wrong key, its value and
+ * the expected one. */
 po_status po_request_check(const po_request *request);
 
-/* The bound of its companion for a load; NAN: not known. */
+/* The bound of the companion for a load, pi w R; NAN: unknown. */
 double po_request_bound(const po_request *request, double load);
 
 #endif

@@ -1,4 +1,4 @@
-/* What was read off the branch of a scene. */
+/* The result of a solve: what was computed along the branch of a scene. */
 #ifndef PO_RESULT_H
 #define PO_RESULT_H
 
@@ -25,27 +25,29 @@ const char *po_special_kind_name(po_special_kind kind);
 
 typedef struct {
   po_special_kind kind;
-  double approach;       /* Delta / eps */
-  double load;           /* W / (pi w R), signed, > 0 compressive */
-  double energy;         /* U / (pi w R eps), see po_curve_point */
-  double approach_error; /* bounds of the errors of approach and load, estimated; NAN: not */
+  double approach; /* Delta / eps */
+  double load;     /* W / (pi w R), signed, > 0 compressive */
+  double energy;   /* U / (pi w R eps), see po_curve_point */
+  double
+      approach_error; /* estimated bounds of the errors of approach and load; NAN: not estimated */
   double load_error;
-  double contact_radius;                             /* in eps, see po_contact.h */
-  double contact_radius_error, contact_radius_other; /* see po_contact_edge; NAN: not, none */
-  double position;    /* arclength along the branch, to order special points among points */
-  int unstable_modes; /* of the equilibria just after it, in displacement control */
+  double contact_radius; /* in eps, see po_contact.h */
+  double contact_radius_error,
+      contact_radius_other; /* see po_contact_edge; NAN: not estimated, none */
+  double position;    /* arclength along the branch, which orders special points and other points */
+  int unstable_modes; /* of the equilibria just after it, at given approach */
 } po_special_point;
 
 typedef struct {
-  double position; /* arclength along the branch */
-  double approach; /* Delta / eps */
-  double load;     /* W / (pi w R), > 0 compressive */
-  double energy;   /* U / (pi w R eps), elastic and of the interaction, 0 infinitely apart: its
-                      rate by the approach along the branch is the load */
-  double contact_radius;           /* in eps */
-  double approach_rate, load_rate; /* per position: the direction of the curve. 0 at a fold, and at
-                                      an extremum of the load */
-  int unstable_modes;              /* 0: stable at fixed approach */
+  double position;       /* arclength along the branch */
+  double approach;       /* Delta / eps */
+  double load;           /* W / (pi w R), > 0 compressive */
+  double energy;         /* U / (pi w R eps), elastic and of the interaction, 0 infinitely apart;
+                            dU/d(approach) along the branch is the load */
+  double contact_radius; /* in eps */
+  double approach_rate, load_rate; /* derivatives by the position. approach_rate is 0 at a fold,
+                                      load_rate at an extremum of the load */
+  int unstable_modes;              /* 0: stable at given approach */
 } po_curve_point;
 
 typedef struct {
@@ -60,38 +62,38 @@ typedef struct {
   uint64_t newton_iterations;  /* corrector iterations */
   uint64_t factorizations;     /* LU factorisations */
   uint64_t kernel_evaluations; /* of G(r, s), or of F(c, r) for rings */
-  uint64_t nodes;              /* unknowns of the surface (the largest, when it changes) */
+  uint64_t nodes;              /* largest number of nodes of the surface */
   uint64_t factorized_nodes;   /* largest order of a factorised matrix */
   uint64_t meshes;             /* changes of the mesh */
   double seconds;              /* wall time */
 } po_work;
 
-/* What the sphere is pressed to: eps, pi w R. */
+/* A preload that was reached: approach, eps, and load, pi w R. */
 typedef struct {
   double approach, load;
 } po_pressed;
 
 /* Why the trace of a branch ended; see po_stopping.h. */
 typedef enum {
-  PO_END_NONE,       /* nothing was traced, or the status says why */
-  PO_END_COMPRESSED, /* a smooth sphere, stably under compression */
+  PO_END_NONE,       /* nothing was traced, or the status gives the reason */
+  PO_END_COMPRESSED, /* a smooth sphere, at a stable point under compression */
   PO_END_PRELOAD,    /* at the preload */
   PO_END_COMPLETE,   /* no minimum beyond can be as deep, by the bound of the request */
-  PO_END_SEARCHED,   /* at the hardest preload that is looked at, see po_stopping.h */
+  PO_END_SEARCHED,   /* at the hardest preload of a search, see po_stopping.h */
   PO_END_ASKED,      /* at the approach_end of the request */
 } po_end_cause;
 
 /* "none", "compressed", "preload", "complete", "searched", "approach_end". */
 const char *po_end_cause_name(po_end_cause cause);
 
-/* The cause of that name; false when there is none. */
+/* The cause with a given name. Returned: false if there is none. */
 bool po_end_cause_find(const char *name, po_end_cause *cause);
 
 typedef struct {
-  po_status status; /* PO_OK: complete; else the results below are those found until then */
+  po_status status; /* PO_OK: complete; otherwise the results are those found before the failure */
   char reason[256]; /* why the status is not PO_OK; "" otherwise */
   bool rigid;       /* solved without elasticity */
-  bool followed;    /* the pull-off alone, continued from other scenes, see po_series.h */
+  bool followed;    /* only the pull-off, by parameter continuation, see po_series.h */
   double start;     /* first approach traced, in eps */
   struct {
     po_end_cause cause;
@@ -100,21 +102,24 @@ typedef struct {
   bool has_pull_off; /* whether the fields of pull_off are set */
   struct {
     double force;          /* |min W| of the branch up to the preload, / (pi w R) */
-    double approach;       /* where, in eps */
-    double contact_radius; /* there, in eps */
-    double force_error;    /* bound of the error of force, estimated; NAN: not by this scheme */
+    double approach;       /* at pull-off, eps */
+    double contact_radius; /* at pull-off, eps */
+    double
+        force_error; /* estimated bound of the error of force; NAN: not estimated by this scheme */
     double approach_error; /* the same of approach */
-    double contact_radius_error, contact_radius_other; /* see po_contact_edge; NAN: not, none */
-    po_pressed pressed; /* the least preload that gives it; NAN: none of those traced does */
-    po_pressed until;   /* the hardest that gives it, before a change; NAN: none such is traced */
+    double contact_radius_error,
+        contact_radius_other; /* see po_contact_edge; NAN: not estimated, none */
+    po_pressed pressed;       /* the least preload with this pull-off; NAN: none on the trace */
+    po_pressed
+        until; /* the hardest preload with this pull-off; NAN: the trace ended before it changed */
   } pull_off;
   struct {
-    bool is_known; /* whether the fields are set: a test measures a pull-off on the branch */
-    double force, force_error;       /* the greatest that any preload gives, / (pi w R) */
+    bool is_known;                   /* whether the fields are set */
+    double force, force_error;       /* greatest pull-off force of all preloads, / (pi w R) */
     double approach, approach_error; /* where, in eps */
-    po_pressed pressed;              /* the least preload that gives it */
+    po_pressed pressed;              /* the least preload with this pull-off */
     bool complete;                   /* no harder preload gives more */
-    po_pressed searched;             /* else: the hardest preload looked at */
+    po_pressed searched;             /* otherwise: the hardest preload of the trace */
   } pull_off_any;
   po_special_point *folds; /* along the branch */
   size_t fold_count;
@@ -124,13 +129,13 @@ typedef struct {
   size_t curve_count;
   po_profile_point *profile; /* NULL unless wanted */
   size_t profile_count;
-  double profile_approach;  /* where it was taken */
-  po_contact_annuli annuli; /* there; none unless wanted */
-  bool has_hysteresis;      /* whether the loops below are set: when wanted */
+  double profile_approach;  /* approach of the profile, eps */
+  po_contact_annuli annuli; /* at the same approach; none unless the profile is wanted */
+  bool has_hysteresis;      /* whether `hysteresis` is set */
   po_hysteresis hysteresis;
-  bool has_staircases;       /* whether these are set: when preloads are wanted */
+  bool has_staircases;       /* whether `staircase` is set */
   po_staircase staircase[2]; /* in displacement and in load control */
-  struct {                   /* by the companion of the request, where it has them */
+  struct {                   /* of the companion of the request, if it gives them */
     bool has_hysteresis, has_staircases;
     po_hysteresis hysteresis;
     po_staircase staircase[2];
@@ -139,10 +144,10 @@ typedef struct {
   po_work work;
 } po_result;
 
-/* A result of which nothing is known. */
+/* An empty result. */
 po_result po_result_none(void);
 
-/* Frees the arrays of a result, of which nothing is known then. */
+/* Frees the arrays of a result, which is then empty. */
 void po_result_clear(po_result *result);
 
 #endif

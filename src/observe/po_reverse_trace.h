@@ -1,6 +1,6 @@
-/* The branch followed back from its end: the special points met on the way must be those of the way
- * out in the other order. Steps and meshes are others, so that one of the two that went past a
- * fold, or onto another branch, gives itself away. */
+/* Comparison of the forward trace with the reverse trace. The reverse trace must find the special
+ * points of the forward trace in the opposite order. Its steps and meshes are different, so that a
+ * difference shows that one of the traces passed over a fold or changed to another branch. */
 #ifndef PO_REVERSE_TRACE_H
 #define PO_REVERSE_TRACE_H
 
@@ -9,41 +9,43 @@
 
 #include "po_branch_point.h"
 
-/* What the reverse trace came to. */
+/* The result of the reverse trace. */
 typedef struct {
-  bool made;             /* on panels alone */
-  po_status status;      /* of that trace */
-  char reason[256];      /* why it is not PO_OK */
+  bool made;             /* whether it was made: on panels only */
+  po_status status;      /* of the reverse trace */
+  char reason[256];      /* why the status is not PO_OK */
   size_t points;         /* steps and special points visited */
-  size_t folds, extrema; /* met */
-  bool same; /* the special points of the way out, each kind and number of unstable modes */
-  /* largest differences between the ways, eps and pi w R, 0 without special points; NAN: not the
-   * same */
+  size_t folds, extrema; /* numbers found */
+  bool same; /* whether the special points of both traces agree in kind and number of unstable modes
+              */
+  /* largest differences between the two traces, eps and pi w R; 0 without special points, NAN if
+   * `same` is false */
   double fold_approach, fold_load, extremum_approach, extremum_load;
-  double
-      excess; /* the largest of a fold, in parts of the sum of both error estimates; 0, NAN alike */
+  double excess; /* largest difference of a fold relative to the sum of both error estimates; 0 and
+                    NAN as above */
 } po_reverse_trace;
 
 typedef struct {
   po_point_kind kind;
   double approach, load, approach_error, load_error;
-  int modes; /* unstable, on the side farther along the way out */
+  int modes; /* number of unstable modes, on the side that is later on the forward trace */
 } po_passed;
 
-/* Special points as they are passed. */
+/* The special points of a trace in their order. */
 typedef struct {
   po_passed *list;
   size_t count, room;
   size_t points;
-  int modes; /* after the point visited last */
+  int modes; /* number of unstable modes after the last point */
 } po_passage;
 
-/* Takes note of a point on the way. Given: bounds of its errors. Status: PO_NO_MEMORY. */
+/* Adds a point of a trace. Given: bounds of its errors; back, whether the trace is the reverse one.
+ * Status: PO_NO_MEMORY. */
 po_status po_passage_note(po_passage *passage, const po_branch_point *point, double approach_error,
                           double load_error, bool back);
 void po_passage_clear(po_passage *passage);
 
-/* Compares the ways out and back, when the trace of the latter had a status. */
+/* Compares the forward trace with the reverse trace. Given: the status of the reverse trace. */
 po_reverse_trace po_reverse_trace_compare(const po_passage *out, const po_passage *back,
                                           po_status status);
 

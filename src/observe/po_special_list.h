@@ -1,5 +1,5 @@
 /* The special points of a result, folds and extrema of the load, with their stated values and
- * errors; and the one of them that is the pull-off. */
+ * errors; and the pull-off, which is one of the minima. */
 #ifndef PO_SPECIAL_LIST_H
 #define PO_SPECIAL_LIST_H
 
@@ -7,17 +7,17 @@
 #include "po_estimate.h"
 #include "po_result.h"
 
-/* What grows with the lists of the result. */
+/* Sizes of the lists of the result. */
 typedef struct {
   size_t fold_room, extremum_room;
-  size_t unmet_folds; /* that were not found on a finer mesh */
+  size_t unmet_folds; /* number of folds that were not found on a finer mesh */
 } po_special_list;
 
 /* Adds a special point to the folds or the extrema of the result. Status: PO_NO_MEMORY. */
 po_status po_special_list_add(po_special_list *list, const po_branch_point *point,
                               const po_estimate *estimate, po_result *result);
 
-/* States a minimum of the load as the pull-off. */
+/* Makes a minimum of the load the pull-off of the result. */
 void po_special_list_pull_off(const po_estimate *estimate, po_result *result);
 
 #endif

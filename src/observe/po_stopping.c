@@ -25,7 +25,7 @@ bool po_stopping_note_minimum(po_stopping *s, double load) {
 
 static void note_loading(po_stopping *s, const po_branch_point *p, const po_contact_gap *gap,
                          double contact_radius) {
-  /* loading comes to a fold, too, though what follows it is not stable */
+  /* loading reaches a fold, although the points after it are unstable */
   if (p->unstable_modes > (p->kind == PO_POINT_APPROACH_MAX ? 1 : 0))
     return;
   if (p->approach >= s->greatest_approach) {
@@ -38,8 +38,8 @@ static void note_loading(po_stopping *s, const po_branch_point *p, const po_cont
     s->carried = fmax(s->carried, p->load);
 }
 
-/* The trace of a slightly different scene might have ended at a point where this one just goes on.
- */
+/* Updates the margin. The trace of a slightly different scene might have ended at a point where
+ * this one continues. */
 static void note_margin(po_stopping *s) {
   if (!isnan(s->preload.approach))
     s->margin = fmin(s->margin, s->preload.approach - s->greatest_approach);
@@ -59,13 +59,14 @@ void po_stopping_note_point(po_stopping *s, const po_branch_point *p, const po_c
            s->greatest_load >= s->preload.load;
 }
 
-/* A search goes on at least to the usual preload, as the bound is of JKR: at small Tabor parameters
- * the first minimum may be deeper than any of JKR. And it ends at this load, in pi w R. Of 1,000
- * random scenes (tests/estimates/README.md) 55 % are complete at the first, 80 % at the last. */
+/* Load, pi w R, at which a search ends. A search continues at least to the default preload, because
+ * its bound is that of the JKR theory: at small Tabor parameters the first minimum may be deeper
+ * than any of the JKR theory. Of 1,000 random scenes (tests/estimates/README.md) 55 % are complete
+ * at the default preload, 80 % at this load. */
 static const double HARDEST = 100.0;
-/* A search of some effort takes at most so many times the effort before it, and this. The effort is
- * the sum over the points of their nodes squared, about the work of their matrices; 400 points of
- * 250 nodes take some tenths of a second. */
+/* The effort of a limited search is at most a multiple of the effort before it, plus a constant.
+ * The effort is the sum over the points of the square of the number of nodes, about the work of the
+ * matrices; 400 points of 250 nodes take some tenths of a second. */
 static const double EFFORT = 2.0, EFFORT_AT_LEAST = 400.0 * 250.0 * 250.0;
 
 bool po_stopping_is_searching(const po_stopping *s) {
@@ -73,7 +74,7 @@ bool po_stopping_is_searching(const po_stopping *s) {
          (s->met || (isinf(s->preload.approach) && s->greatest_load >= PO_USUAL_PRELOAD));
 }
 
-/* On a cut surface nothing is left to come into contact beyond its edge. */
+/* A cut surface has no contact beyond its end. */
 bool po_stopping_is_complete(const po_stopping *s, double load) {
   const po_scene *scene = &s->request->scene;
   if (!po_scene_is_wavy(scene))
@@ -89,14 +90,13 @@ static bool ends_compressed(const po_stopping *s) {
          !(r->want & (PO_WANT_HYSTERESIS | PO_WANT_PRELOAD));
 }
 
-/* Whether loads have been carried in load control that are as hard as the approach so far needed.
- */
+/* Whether loading at given load has reached the greatest load of loading at given approach. */
 static bool is_carried(const po_stopping *s) {
   const bool both = s->request->want & (PO_WANT_HYSTERESIS | PO_WANT_PRELOAD);
   return !both || s->carried >= fmax(0.0, s->greatest_load);
 }
 
-/* Why a search ends. */
+/* The cause for which a search ends; PO_END_NONE if it continues. */
 static po_end_cause search_ends(const po_stopping *s) {
   const po_scene *scene = &s->request->scene;
   if (s->greatest_load >= PO_USUAL_PRELOAD &&

@@ -11,14 +11,17 @@
 #include "po_reader.h"
 #include "po_rigid_trace.h"
 
-/* How far a wanted curve may lie from the straight lines between its points. */
+/* Greatest allowed distance of a wanted curve from the straight lines between its points, in eps
+ * and pi w R. */
 static const double CURVE_SAGITTA = 5e-4;
 
-/* A rigid trace starts at this gap, or farther out, by a factor, until the load is below a part of
- * pull-off: by Derjaguin's approximation it is 2 phi / w in pi w R. */
+/* A rigid trace starts at this gap, or at a gap larger by a power of a factor at which the load is
+ * below a given part of the pull-off force. By Derjaguin's approximation the load is 2 phi/w, in pi
+ * w R. */
 static const double RIGID_START = 10.0, RIGID_START_GROWTH = 1.5, RIGID_START_LOAD = 0.02;
 
-/* When unloading leads farther out than the trace began, it begins anew in units of that. */
+/* If unloading leads to a smaller approach than that at which the trace began, the trace is
+ * repeated from this multiple of it. */
 static const double FARTHER = 1.5;
 
 static po_continuation_options options_of(const po_request *request, double begin,
@@ -53,7 +56,7 @@ static void note_work(const po_reader *reader, const po_equilibrium *e, bool pan
   work->kernel_evaluations = reader->surface->kernel_evaluations;
 }
 
-/* Follows the branch back. Status: PO_NO_MEMORY, PO_INTERRUPTED; any other status of the
+/* Makes the reverse trace. Status: PO_NO_MEMORY, PO_INTERRUPTED; any other status of the
  * reverse trace is kept with its results. */
 static po_status trace_back(po_continuation *continuation, po_reader *reader) {
   po_diagnostics *d = &reader->result->diagnostics;
@@ -115,8 +118,9 @@ static po_status trace_rigid(const po_request *request, po_reader *reader) {
   reader->result->rigid = true;
   if (isfinite(request->preload.approach) &&
       !(request->preload.approach < -po_law_closest(&request->scene.law)))
-    return po_fail(PO_BAD_INPUT, "preload is %g: rigid bodies cannot come closer than 1",
-                   request->preload.approach);
+    return po_fail(PO_BAD_INPUT,
+                   "preload is %g: expected less than %g, the greatest approach of rigid bodies",
+                   request->preload.approach, -po_law_closest(&request->scene.law));
   reader->begun = true;
   double begin = request->approach_start;
   if (isnan(begin))
@@ -124,7 +128,8 @@ static po_status trace_rigid(const po_request *request, po_reader *reader) {
   return po_rigid_trace(&request->scene, begin, &options);
 }
 
-/* The surface of a request: a mesh that stays, or panels; nodes only (for a profile) when rigid. */
+/* Creates the surface of a request: a fixed mesh or panels; for a rigid scene only the nodes, which
+ * a profile needs. */
 static po_status make_surface(const po_request *request, bool rigid, double core,
                               po_surface **fixed, po_adaptive **panels) {
   const po_scene *scene = &request->scene;
@@ -140,8 +145,8 @@ static po_status make_surface(const po_request *request, bool rigid, double core
                             panels);
 }
 
-/* Loading and unloading along the branch traced; where unloading leads farther out than it began,
- * a->begin is set so that it will do, and nothing read off. */
+/* Computes loading and unloading along the traced branch. If unloading leads to a smaller approach
+ * than the trace began with, only a->begin is set, and the trace must be repeated. */
 static po_status read_hysteresis(const po_reader *reader, po_attempt *a) {
   po_result *o = reader->result;
   const po_path path = {reader->points.path, reader->points.path_count};
@@ -158,7 +163,7 @@ static po_status read_hysteresis(const po_reader *reader, po_attempt *a) {
   return status;
 }
 
-/* Pressed so little that no minimum of the load was passed. */
+/* Fails because the preload is so small that the trace passed no minimum of the load. */
 static po_status lacks_minimum(const po_request *request, const po_reader *reader) {
   const po_preload preload = po_request_preload(request);
   if (isnan(preload.approach))
@@ -171,7 +176,7 @@ static po_status lacks_minimum(const po_request *request, const po_reader *reade
       preload.approach);
 }
 
-/* A search beyond the preload may find no way on: then it ends there. */
+/* If the continuation fails in a search beyond the preload, the search ends there. */
 static po_status end_search(po_status status, po_reader *reader) {
   const bool stuck = status == PO_STEP_TOO_SMALL || status == PO_NOT_CONVERGED ||
                      status == PO_OUT_OF_NODES || status == PO_TOO_MANY_POINTS;
@@ -214,7 +219,7 @@ po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double 
   if (!status && !reader.stopping.met && !isnan(request->approach_end) &&
       !isnan(request->preload.load))
     status = po_fail(PO_NOT_FOUND,
-                     "the trace ends at approach %.6g, load %.6g, before the load %g is met",
+                     "the trace ended at approach %.6g, load %.6g, before the load %g was reached",
                      result->ended.approach, result->ended.load, request->preload.load);
   if (!status && !result->has_pull_off && isnan(request->approach_end))
     status = lacks_minimum(request, &reader);

@@ -65,6 +65,6 @@ expect 2 'pulloff: --preload-load is dimensionless: *' solve --from-physical --m
   --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 1e-7 --preload-load 1
 expect 2 'pulloff: approach_end is 0.5: expected at least the preload, 0.7' \
   solve --approach-end 0.5 --preload 0.7
-expect 3 'pulloff: the solve failed: the trace ends at approach 0.5, load *, before the load 7 is met' \
+expect 3 'pulloff: the solve failed: the trace ended at approach 0.5, load *, before the load 7 was reached' \
   solve --tabor 2.385 --approach-end 0.5 --preload-load 7
 finish

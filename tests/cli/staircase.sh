@@ -63,7 +63,7 @@ check 'the preload decides' cmp forces wanted
 # shellcheck disable=SC2086
 expect 3 'pulloff: the solve failed: the load has no minimum up to the preload, approach -9: *' \
   solve $scene --preload -9
-expect 2 'pulloff: the solve failed: preload is 3: rigid bodies cannot come closer than 1' solve --tabor 0 --preload 3
+expect 2 'pulloff: the solve failed: preload is 3: expected less than 1, the greatest approach of rigid bodies' solve --tabor 0 --preload 3
 expect 2 'pulloff: preload is inf beside preload_load: expected one of both' solve --preload inf --preload-load 3
 expect 2 'pulloff: preload is inf: expected a finite number for the hysteresis*' \
   solve --preload inf --want hysteresis

@@ -114,7 +114,7 @@ START_TEST(residual_and_condition_of_a_stiff_sphere_are_exact) {
   create_stiff(&surface, &e);
   double state[42];
   for (size_t j = 0; j < 41; ++j)
-    state[j] = e->shape[j] + 0.3;
+    state[j] = e->initial_gap[j] + 0.3;
   state[41] = -0.3;
   po_diagnosis d;
   ck_assert_int_eq(po_diagnosis_make(e, state, &d), PO_OK);
@@ -162,7 +162,7 @@ START_TEST(bordered_condition_of_a_stiff_sphere_is_exact) {
   double state[42], u[41], v[41], load = 0.0, contact = 0.0;
   state[41] = APPROACH[_i];
   for (size_t j = 0; j < 41; ++j) {
-    state[j] = e->shape[j] - APPROACH[_i];
+    state[j] = e->initial_gap[j] - APPROACH[_i];
     load -= 2.0 / 87.0 * surface->weight[j] * po_law_at(&e->scene->law, state[j]).slope;
     contact += 2.0 * surface->length[j] / pow(1.0 + state[j], 3.0) / sqrt(2.0 * 87.0);
   }

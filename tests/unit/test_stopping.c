@@ -142,7 +142,7 @@ START_TEST(a_preload_beyond_the_end_is_refused) {
   request.preload = (po_preload){NAN, 7.0};
   po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_NOT_FOUND);
-  ck_assert_ptr_nonnull(strstr(o.reason, "before the load 7 is met"));
+  ck_assert_ptr_nonnull(strstr(o.reason, "before the load 7 was reached"));
   po_result_clear(&o);
 }
 END_TEST
