@@ -87,7 +87,8 @@ double po_law_size(const po_law *law, double gap);
  * contact. */
 double po_law_peak_gap(const po_law *law);
 
-/* The gap at which the law is singular; -INFINITY: at none. */
+/* The gap that no state reaches: that at which the law is singular; for the Morse law, which is
+ * not, an overlap at which its repulsion is beyond any pressure of a contact. */
 double po_law_closest(const po_law *law);
 
 /* A predicted gap, or the least one at which the law is evaluated: a closer gap is an error of the

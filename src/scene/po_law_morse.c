@@ -13,6 +13,8 @@ static const double SOFTEST = 0.05, STEEPEST = 50.0;
 /* The gaps over the steepness between which a state of contact lies: e^{-36} is rounding; no
  * pressure of a contact is e^{12}. */
 static const double FARTHEST = 36.0, DEEPEST = 6.0;
+/* A rigid trace ends before that overlap. */
+static const double DEEPEST_TRACE = 0.999 * 6.0;
 
 static double steepness(const po_law *law) {
   return law->parameter[PO_MORSE_A];
@@ -78,13 +80,14 @@ static double peak_gap(const po_law *law) {
   return M_LN2 / steepness(law);
 }
 
+/* Rigid bodies may be pressed to any overlap, but there the load grows as e^{2a approach}: beyond
+ * this overlap it is e^{12} times that of adhesion. */
 static double closest(const po_law *law) {
-  (void)law;
-  return -INFINITY;
+  return -DEEPEST / steepness(law);
 }
 
 static double least_gap(const po_law *law) {
-  return -DEEPEST / steepness(law);
+  return closest(law);
 }
 
 static double reach(const po_law *law) {
@@ -97,7 +100,7 @@ static po_law_far far_field(const po_law *law) {
 
 /* The repulsive part of the load of a rigid paraboloid is 2 e^{-2aH}. */
 static double approach_of_push(const po_law *law, double share, double load) {
-  return log(0.5 * load / share) / (2.0 * steepness(law));
+  return fmin(log(0.5 * load / share) / 2.0, DEEPEST_TRACE) / steepness(law);
 }
 
 const po_law_kind PO_MORSE = {.name = "morse",

@@ -16,6 +16,12 @@ expect 2 'pulloff: --mie-m has no effect on the law lennard-jones: expected --la
 expect 2 'pulloff: --key is law: *' follow --key law --from 1 --to 2
 expect 2 'pulloff: --mie-n has no effect on the law morse: expected --law mie' follow --key mie-n --from 4 --to 5 --law morse:1
 
+# Without a singularity the load of a rigid sphere grows without bound: the trace to an approach of 30 never ended.
+expect 2 'pulloff: *preload is 30: expected less than 3, the greatest approach of rigid bodies' \
+  solve --tabor 0 --law morse:2 --preload 30
+expect 0 '' solve --tabor 0 --law morse:2 --preload 2.9
+expect 0 '' solve --tabor 0 --law morse:2 --preload-load 1e9
+
 # A rigid sphere pulls off with 2 at approach 0 for every law (Derjaguin), a soft one tends to JKR; the Mie law (3, 9)
 # is that of the paper, and a law set by parts is the same as one set at once.
 cat >limits.py <<'LOOK'
