@@ -13,8 +13,8 @@ static const double SOFTEST = 0.05, STEEPEST = 50.0;
 /* The gaps over the steepness between which a state of contact lies: e^{-36} is rounding; no
  * pressure of a contact is e^{12}. */
 static const double FARTHEST = 36.0, DEEPEST = 6.0;
-/* A rigid trace ends before that overlap. */
-static const double DEEPEST_TRACE = 0.999 * 6.0;
+/* The longest rigid trace ends at this part of the greatest overlap. */
+static const double TRACED_PART = 0.999;
 
 static double steepness(const po_law *law) {
   return law->parameter[PO_MORSE_A];
@@ -100,7 +100,7 @@ static po_law_far far_field(const po_law *law) {
 
 /* The repulsive part of the load of a rigid paraboloid is 2 e^{-2aH}. */
 static double approach_of_push(const po_law *law, double share, double load) {
-  return fmin(log(0.5 * load / share) / 2.0, DEEPEST_TRACE) / steepness(law);
+  return fmin(log(0.5 * load / share) / 2.0, TRACED_PART * DEEPEST) / steepness(law);
 }
 
 const po_law_kind PO_MORSE = {.name = "morse",
