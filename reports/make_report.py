@@ -25,7 +25,7 @@ def arguments(words):
     parser.add_argument("--output", required=True, metavar="DIR",
                         help="folder for report.html and report.pdf")
     parser.add_argument("--reference", default=os.path.join(SOURCE, "reference"), metavar="DIR",
-                        help="folder of the reference data (default: that of the source tree)")
+                        help="folder of the reference data (default: that beside the folder of this program)")
     parser.add_argument("--faults", metavar="FILE",
                         help="matrix of planted faults (default: mutation/matrix.json beside the run)")
     parser.add_argument("--claims", metavar="FILE",
@@ -91,8 +91,8 @@ def make(wanted):
         from pulloff_report import claims, faults, gnuplot, page, records, references
         import weasyprint  # noqa: F401
     except ImportError as error:
-        raise ReportError(f"Python module {error.name} is missing: install the packages of "
-                          "tools/packages") from error
+        raise ReportError(f"Python module {error.name} is missing: install numpy, scipy, "
+                          "matplotlib, jinja2 and weasyprint") from error
     gnuplot.require()
     run = records.Run(wanted.run)
     matrix = faults.read(wanted.faults or faults.beside(wanted.run))

@@ -1,11 +1,13 @@
 #include "po_environment.h"
 
+#include <limits.h>
 #include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/utsname.h>
 #include <time.h>
+#include <unistd.h>
 
 #include <gsl/gsl_version.h>
 #include <yaml.h>
@@ -29,6 +31,8 @@ json_t *po_environment_versions(const char *openblas) {
                         {"jansson", po_json_text(jansson_version_str())},
                         {"libyaml", po_json_text(yaml_get_version_string())});
 }
+
+static const char EXECUTABLE[] = "/proc/self/exe";
 
 /* Returned: in `text`, the value in the first line of a file that begins with `start`, without
  * separator, blanks and quotes; "unknown" if there is no such line. */
@@ -73,7 +77,6 @@ json_t *po_environment_describe(int jobs) {
 }
 
 po_status po_environment_arithmetic(po_arithmetic *own) {
-  static const char EXECUTABLE[] = "/proc/self/exe";
   char *program = NULL;
   size_t size = 0;
   po_text text = {0};
@@ -101,7 +104,26 @@ void po_arithmetic_digest(const po_arithmetic *arithmetic, char digest[PO_DIGEST
   po_digest_bytes(text, (size_t)length, digest);
 }
 
+/* Finds a folder whose path is relative to that of the executable. Returned: its path without
+ * symbolic links; false if there is no such folder. */
+static bool find_beside_program(const char *relative, char folder[PATH_MAX]) {
+  char path[2 * PATH_MAX];
+  const ssize_t length = readlink(EXECUTABLE, path, PATH_MAX - 1);
+  if (length <= 0)
+    return false;
+  path[length] = '\0';
+  char *name = strrchr(path, '/') + 1;
+  snprintf(name, sizeof path - (size_t)(name - path), "%s", relative);
+  return realpath(path, folder) != NULL;
+}
+
 const char *po_environment_data(void) {
-  const char *folder = getenv("PULLOFF_DATA");
-  return folder && *folder ? folder : PULLOFF_DATA_FOLDER;
+  static char found[PATH_MAX];
+  const char *chosen = getenv("PULLOFF_DATA");
+  if (chosen && *chosen)
+    return chosen;
+  if (!*found && !find_beside_program("pulloff-data", found) &&
+      !find_beside_program(PULLOFF_DATA_FROM_PROGRAM, found))
+    snprintf(found, sizeof found, "%s", PULLOFF_DATA_INSTALLED);
+  return found;
 }

@@ -31,8 +31,11 @@ po_status po_environment_arithmetic(po_arithmetic *own);
 /* Returned: in `digest`, a digest of an arithmetic. */
 void po_arithmetic_digest(const po_arithmetic *arithmetic, char digest[PO_DIGEST_LENGTH]);
 
-/* Returned: the folder that contains cases/, reference/ and reports/: the environment variable
- * PULLOFF_DATA, else the folder that was set when this program was built. */
+/* Returned: the folder that contains cases/, reference/ and reports/. It is, in this order: that of
+ * the environment variable PULLOFF_DATA; the link `pulloff-data` beside the program, which only a
+ * build folder has and which leads to the source tree; the data folder of the installation, first
+ * by its path relative to the program, so that an installed tree can be moved, then by the prefix.
+ * The pointer stays valid. Not for several threads at once. */
 const char *po_environment_data(void);
 
 #endif

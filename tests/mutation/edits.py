@@ -194,7 +194,7 @@ class Tests:
         temporary = tempfile.mkdtemp(prefix="pulloff-edit-")  # not below the tree, which git reads
         environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", TMPDIR=temporary,
                            UBSAN_OPTIONS="halt_on_error=1", **self.tests[name]["env"])
-        environment.pop("PULLOFF_DATA", None)
+        environment["PULLOFF_DATA"] = self.build.source  # scripts set their own
         code, seconds, _ = detect.execute(self.command(name, programs, place),
                                           os.path.join(place, name.replace("/", "-") + ".log"), environment, place,
                                           limit)

@@ -1,0 +1,62 @@
+# Completion of the command line of pulloff in bash. Verbs, closed forms, options and cases are read from the program, so
+# that they are those of the installed version.
+# shellcheck shell=bash
+
+# _pulloff_names PROGRAM [VERB]: prints the names that the help lists on lines "  NAME   text".
+_pulloff_names() { "$1" ${2:+"$2"} --help 2>/dev/null | sed -n 's/^  \([a-z][a-z-]*\)  *[A-Za-z].*/\1/p'; }
+
+# _pulloff_options PROGRAM VERB: prints the options that the help lists on lines "  --NAME VALUE   text".
+_pulloff_options() { "$1" "$2" --help 2>/dev/null | sed -n '/^  -/{s/^  //; s/   *.*//; p;}' | grep -o -e '--[a-z][a-z0-9-]*'; }
+
+# _pulloff_values OPTION: prints the values of an option that are names.
+_pulloff_values() {
+  case $1 in
+  --scheme) echo ring triangle panel ;;
+  --grading) echo uniform graded ;;
+  --law) echo lennard-jones mie: morse: ;;
+  --scale) echo log linear ;;
+  --of) echo pull-off folds ;;
+  --want) echo curve profile hysteresis preload diagnostics ;;
+  --suite) echo smoke paper extreme precision random ;;
+  --key) echo tabor amplitude wavelength radius outer-radius amplitude-ratio mie-m mie-n morse-a ;;
+  --preload | --outer-radius | --modulus-pa) echo inf ;;
+  esac
+}
+
+# The lengths that --from-physical takes in metres, as --NAME-m.
+_pulloff_lengths=' --radius --amplitude --wavelength --outer-radius --approach-start --approach-end --profile-approach --preload --approach --contact-radius '
+
+_pulloff() {
+  local program=${COMP_WORDS[0]} word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} verb=${COMP_WORDS[1]}
+  local words='' action=() option
+  case $COMP_CWORD:$before in
+  1:*) words="$(_pulloff_names "$program") --help --version" ;;
+  *:--output | *:--run) action=(-d) ;;
+  *:--curve | *:--profile | *:--staircase | *:--plot | *:--junit) action=(-f) ;;
+  *:--*) words=$(_pulloff_values "$before") ;;
+  esac
+  if [ -z "$words" ] && [ ${#action[@]} -eq 0 ]; then
+    case $word:$verb in
+    -*)
+      for option in $(_pulloff_options "$program" "$verb"); do
+        words="$words $option"
+        [[ " ${COMP_WORDS[*]} " != *' --from-physical '* || $_pulloff_lengths != *" $option "* ]] || words="$words $option-m"
+      done
+      ;;
+    *:plan | *:run | *:verify | *:explain | *:bless)
+      words=$("$program" list 2>/dev/null | awk 'NR > 1 { print $1 }')
+      action=(-f -X '!*.yaml')
+      ;;
+    *:merge) action=(-d) ;;
+    *:theory) words=$(_pulloff_names "$program" theory) ;;
+    esac
+  fi
+  mapfile -t COMPREPLY < <(
+    {
+      [ -z "$words" ] || compgen -W "$words" -- "$word"
+      [ ${#action[@]} -eq 0 ] || compgen "${action[@]}" -- "$word"
+    } | sort -u
+  )
+}
+
+complete -o filenames -F _pulloff pulloff

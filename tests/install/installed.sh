@@ -1,0 +1,41 @@
+#!/bin/sh
+# An installed program works without the source tree, from any folder: its cases, reference data and report are found
+# relative to the program.
+# shellcheck disable=SC1091,SC2016,SC2154
+. "$(dirname "$0")/lib.sh"
+data=$work/prefix/share/pulloff
+
+check 'no path of the source tree is installed' fails grep -rl -e "$source" -e "$build" "$work/prefix"
+check 'nothing outside the prefix is installed' test -z "$(find "$work/root" -type f)"
+check 'no compiled Python is installed' test -z "$(find "$work/prefix" -name '*.pyc')"
+check 'the version' sh -c 'test "$(prefix/bin/pulloff --version)" = "pulloff $0"' \
+  "$(meson introspect "$build" --projectinfo | sed 's/.*"version": "\([^"]*\)".*/\1/')"
+check 'cases' alone pulloff plan smoke fig03
+check 'every table is there' alone pulloff list --references
+check 'every table is intact and in the index' sh -c '! grep -q -v -e "intact *$" -e "^table " "$0"' "$work/output"
+cp "$data/reference/bradley.csv" bradley.csv
+echo 1,2,3 >>"$data/reference/bradley.csv"
+check 'the tables are those of the installation' fails alone pulloff list --references
+mv bradley.csv "$data/reference/bradley.csv"
+check 'the checks pass' alone pulloff verify smoke --output run
+ln -s "$work/prefix/bin/pulloff" link
+check 'by a symbolic link' alone ./link plan smoke
+check 'PULLOFF_DATA has precedence' fails alone PULLOFF_DATA="$work/nowhere" pulloff plan smoke
+
+# The report, if its Python packages are installed.
+if /usr/bin/python3 -c 'import numpy, scipy, matplotlib, jinja2, weasyprint' 2>/dev/null && command -v gnuplot >/dev/null; then
+  chmod -R a-w "$work/prefix"
+  check 'the report' alone PULLOFF_PYTHON=/usr/bin/python3 PYTHONDONTWRITEBYTECODE=1 pulloff report --run run --output report
+  chmod -R u+w "$work/prefix"
+  check 'its pages' test -s report/report.html -a -s report/report.pdf
+  check 'claims of the paper' alone PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$data/reports/claims/run.py" --run run \
+    --program "$work/prefix/bin/pulloff" --claim eq4-compactness
+fi
+
+check 'the manual page' test -s "$work/prefix/share/man/man1/pulloff.1"
+if command -v man >/dev/null; then
+  check 'the manual page has no fault' sh -c 'LC_ALL=C.UTF-8 MANWIDTH=100 man --warnings -l "$0" 2>&1 >/dev/null | (! grep .)' \
+    "$work/prefix/share/man/man1/pulloff.1"
+fi
+check 'links in the documents' /usr/bin/python3 "$here/links.py" "$work/prefix/share/doc/pulloff"
+finish
