@@ -6,9 +6,9 @@
 #include <gsl/gsl_math.h>
 
 #include "po_element.h"
+#include "po_initial_gap.h"
 #include "po_memory.h"
 #include "po_panel.h"
-#include "po_profile.h"
 
 /* Nodes of a panel on one wavelength, and of the panel that reaches to infinity. */
 enum { WAVE_ORDER = 12, TAIL_ORDER = 16 };

@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "po_continuation_parts.h"
+#include "po_initial_gap.h"
 #include "po_memory.h"
-#include "po_profile.h"
 
 /* Length of the first step. The lengths of the following steps are set by the error of the
  * predictions. */
@@ -53,7 +53,7 @@ typedef struct {
 
 static double undeformed_gap(void *data, double r) {
   const undeformed *u = data;
-  return po_profile(u->scene, r) - u->approach;
+  return po_initial_gap(u->scene, r) - u->approach;
 }
 
 /* Makes panels that resolve the traction of the undeformed gap the current mesh. */

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "po_profile.h"
+#include "po_initial_gap.h"
 
 /* The weights of the marks in Lagrange's polynomial at a parameter. */
 static void weigh(po_predictor *f, double at) {
@@ -59,7 +59,7 @@ void po_predictor_still(const po_predictor_point *const *mark, size_t count, dou
 static double gap_of(const po_predictor_point *m, double r) {
   if (r < m->domain)
     return po_solution_value_at(&m->point, &m->scene, m->domain, r).gap;
-  return po_profile(&m->scene, r) - m->point.state[m->point.n];
+  return po_initial_gap(&m->scene, r) - m->point.state[m->point.n];
 }
 
 double po_predictor_gap(void *predictor, double r) {

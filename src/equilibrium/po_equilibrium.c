@@ -4,10 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "po_initial_gap.h"
 #include "po_law.h"
 #include "po_linear.h"
 #include "po_memory.h"
-#include "po_profile.h"
 
 /* The rounding error of the sums over the influence matrix is 1e-14; this is a margin of 20. */
 const double PO_FINEST_PRECISION = 2e-13;
@@ -35,7 +35,8 @@ void po_equilibrium_remesh(po_equilibrium *e) {
       reach = size > reach ? size : reach; /* a call of fmax costs ten times as much */
     }
     e->reach[j] = reach;
-    e->initial_gap[j] = j < s->resolved ? po_profile(e->scene, r) : po_profile_mean(e->scene, r);
+    e->initial_gap[j] =
+        j < s->resolved ? po_initial_gap(e->scene, r) : po_initial_gap_mean(e->scene, r);
   }
 }
 

@@ -4,8 +4,8 @@
 #include <gsl/gsl_integration.h>
 #include <math.h>
 
+#include "po_initial_gap.h"
 #include "po_law.h"
-#include "po_profile.h"
 #include "po_quadrature.h"
 
 /* The deflection, in eps, is at most 2 coupling integral |p| dr, about 3 mu^(3/2), and the load
@@ -44,12 +44,13 @@ static double law_at(const integral *q, double gap) {
 
 static double resolved(double r, void *data) {
   const integral *q = data;
-  const double gap = po_profile(q->scene, r) - q->approach;
+  const double gap = po_initial_gap(q->scene, r) - q->approach;
   return law_at(q, gap) * r;
 }
 
 static double mean_law(const integral *q, double r) {
-  const double gap = po_profile_mean(q->scene, r) - q->approach, amplitude = q->scene->amplitude;
+  const double gap = po_initial_gap_mean(q->scene, r) - q->approach,
+               amplitude = q->scene->amplitude;
   const po_law *law = &q->scene->law;
   return q->of == ENERGY ? po_law_energy_averaged(law, gap, amplitude)
                          : chosen(q, po_law_averaged(law, gap, amplitude));

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "po_initial_gap.h"
 #include "po_law.h"
 #include "po_memory.h"
-#include "po_profile.h"
 #include "po_root.h"
 
 po_status po_solution_allocate(po_solution *p, size_t capacity) {
@@ -86,7 +86,7 @@ po_solution_value po_solution_value_at(const po_solution *p, const po_scene *sce
   const double begin = po_panel_begin(p->panels.panel[k]), size = po_panel_size(p->panels.panel[k]);
   double weight[PO_TABLE_ORDER];
   po_lagrange(PO_TABLE_ORDER, rule->node, rule->barycentric, (x - begin) / size, weight);
-  po_solution_value v = {po_profile(scene, r), po_profile_slope(scene, r), 0.0};
+  po_solution_value v = {po_initial_gap(scene, r), po_initial_gap_slope(scene, r), 0.0};
   for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
     v.gap += weight[j] * p->deflection[k * PO_TABLE_ORDER + j];
     v.slope += weight[j] * p->slope[k * PO_TABLE_ORDER + j];

@@ -4,9 +4,9 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
+#include "po_initial_gap.h"
 #include "po_law.h"
 #include "po_memory.h"
-#include "po_profile.h"
 #include "po_refine.h"
 #include "po_root.h"
 #include "po_solution.h"
@@ -63,11 +63,11 @@ static size_t node_below(const po_contact_gap *g, double r) {
 /* Linear interpolation of the deflection, which is constant inside the first node. */
 static value value_on_elements(const po_contact_gap *g, double r) {
   const size_t j = node_below(g, r);
-  const double here = g->gap[j] - po_profile(g->scene, g->node[j]);
-  value v = {po_profile(g->scene, r) + here, po_profile_slope(g->scene, r)};
+  const double here = g->gap[j] - po_initial_gap(g->scene, g->node[j]);
+  value v = {po_initial_gap(g->scene, r) + here, po_initial_gap_slope(g->scene, r)};
   if (r <= g->node[0] || j + 1 == g->n)
     return v;
-  const double next = g->gap[j + 1] - po_profile(g->scene, g->node[j + 1]);
+  const double next = g->gap[j + 1] - po_initial_gap(g->scene, g->node[j + 1]);
   const double slope = (next - here) / (g->node[j + 1] - g->node[j]);
   v.gap += slope * (r - g->node[j]);
   v.slope += slope;
@@ -81,7 +81,7 @@ static value value_at(const po_contact_gap *g, double r) {
   }
   if (g->n)
     return value_on_elements(g, r);
-  return (value){po_profile(g->scene, r) - g->approach, po_profile_slope(g->scene, r)};
+  return (value){po_initial_gap(g->scene, r) - g->approach, po_initial_gap_slope(g->scene, r)};
 }
 
 /* A gap changed by the bound of its error: `side` is -1 for the smaller gap, 1 for the larger, 0

@@ -1,9 +1,9 @@
 #include "po_contact_profile.h"
 
 #include "po_contact.h"
+#include "po_initial_gap.h"
 #include "po_law.h"
 #include "po_memory.h"
-#include "po_profile.h"
 
 po_status po_contact_profile_take(const po_scene *scene, const po_surface *s,
                                   const po_branch_point *p, po_result *o) {
@@ -19,7 +19,7 @@ po_status po_contact_profile_take(const po_scene *scene, const po_surface *s,
     const double radius = p->gap ? p->node[j] : s->node[j];
     if (radius > s->core_radius)
       break;
-    const double gap = p->gap ? p->gap[j] : po_profile(scene, radius) - p->approach;
+    const double gap = p->gap ? p->gap[j] : po_initial_gap(scene, radius) - p->approach;
     profile[o->profile_count++] = (po_profile_point){
         .radius = radius, .gap = gap, .traction = tabor * po_law_at(&scene->law, gap).traction};
   }

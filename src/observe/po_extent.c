@@ -1,8 +1,8 @@
 /* The end of a rigid trace, and the size of the domain of the panels. */
 #include <math.h>
 
+#include "po_initial_gap.h"
 #include "po_observe_parts.h"
-#include "po_profile.h"
 #include "po_rigid.h"
 
 /* If the repulsion of the central crest is PUSH_PER_LOAD times the load plus PUSH_BEYOND_LOAD, it

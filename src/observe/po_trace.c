@@ -6,8 +6,8 @@
 #include "po_clock.h"
 #include "po_continuation.h"
 #include "po_diagnose.h"
+#include "po_initial_gap.h"
 #include "po_pressed.h"
-#include "po_profile.h"
 #include "po_reader.h"
 #include "po_rigid_trace.h"
 

@@ -1,10 +1,9 @@
 #include "po_law.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "po_law_kind.h"
-#include "po_number.h"
+#include "po_parameters.h"
 
 static const po_law_kind *const KINDS[] = {&PO_LENNARD_JONES, &PO_MIE, &PO_MORSE};
 enum { KIND_COUNT = sizeof KINDS / sizeof *KINDS };
@@ -23,39 +22,20 @@ po_law po_law_lennard_jones(void) {
   return law;
 }
 
-/* Reads the parameters of a law, all of them, from "4,10", or "4;10" as in tables with commas. */
-static bool read_parameters(const char *text, po_law *law) {
-  for (size_t k = 0; k < law->kind->parameters; ++k) {
-    char number[PO_NUMBER_LENGTH];
-    const size_t length = strcspn(text, ",;");
-    if (length >= sizeof number)
-      return false;
-    memcpy(number, text, length);
-    number[length] = '\0';
-    if (!po_number_parse(number, &law->parameter[law->kind->first + k]))
-      return false;
-    text += length;
-    if ((*text == '\0') != (k + 1 == law->kind->parameters))
-      return false;
-    text += *text != '\0';
-  }
-  return true;
-}
-
 static void derive(po_law *law) {
   if (kind_of(law)->derive)
     kind_of(law)->derive(law);
 }
 
 bool po_law_set(po_law *law, const char *text) {
-  const size_t length = strcspn(text, ":");
+  const char *rest;
   for (size_t k = 0; k < KIND_COUNT; ++k) {
-    if (strlen(KINDS[k]->name) != length || strncmp(text, KINDS[k]->name, length) != 0)
+    if (!po_parameters_follow(text, KINDS[k]->name, &rest))
       continue;
     po_law read = *law;
     read.kind = KINDS[k];
-    if (text[length] == ':' &&
-        (!KINDS[k]->parameters || !read_parameters(text + length + 1, &read)))
+    if (rest && (!KINDS[k]->parameters ||
+                 !po_parameters_read(rest, KINDS[k]->parameters, read.parameter + KINDS[k]->first)))
       return false;
     derive(&read);
     *law = read;

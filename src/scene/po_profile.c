@@ -1,60 +1,154 @@
 #include "po_profile.h"
 
-#include <float.h>
 #include <math.h>
+#include <string.h>
 
-/* The allowed error of the load, in pi w R, where the waviness is replaced by its mean: a
- * thousandth of the default tolerance. */
-static const double AVERAGING_LOSS = 1e-9;
+#include "po_parameters.h"
+#include "po_profile_kind.h"
+#include "po_profile_table.h"
 
-double po_profile(const po_scene *scene, double r) {
-  double gap = 0.5 * r * r / scene->radius;
-  if (po_scene_is_wavy(scene)) {
-    const double half =
-        sin(M_PI * r / scene->wavelength); /* 1 - cos(2x) = 2 sin^2 x does not cancel */
-    gap += 2.0 * scene->amplitude * half * half;
+static const po_profile_kind *const KINDS[] = {&PO_SPHERE, &PO_POWER,     &PO_CONE,
+                                               &PO_PUNCH,  &PO_TRUNCATED, &PO_TABLE};
+enum { KIND_COUNT = sizeof KINDS / sizeof *KINDS };
+
+static const char *const PARAMETERS[PO_PROFILE_PARAMETER_COUNT] = {
+    [PO_POWER_C] = "power_c",         [PO_POWER_N] = "power_n", [PO_CONE_T] = "cone_t",
+    [PO_PUNCH_B] = "punch_b",         [PO_PUNCH_R] = "punch_r", [PO_TRUNCATED_B] = "truncated_b",
+    [PO_TRUNCATED_R] = "truncated_r",
+};
+
+static const po_profile_kind *kind_of(const po_profile *profile) {
+  return profile->kind ? profile->kind : &PO_SPHERE;
+}
+
+po_profile po_profile_sphere(void) {
+  po_profile profile = {.kind = &PO_SPHERE};
+  for (size_t k = 0; k < PO_PROFILE_PARAMETER_COUNT; ++k)
+    profile.parameter[k] = NAN;
+  return profile;
+}
+
+bool po_profile_set(po_profile *profile, const char *text) {
+  const char *rest;
+  for (size_t k = 0; k < KIND_COUNT; ++k) {
+    const po_profile_kind *kind = KINDS[k];
+    if (kind == &PO_TABLE || !po_parameters_follow(text, kind->name, &rest))
+      continue;
+    po_profile read = *profile;
+    read.kind = kind;
+    read.table = NULL;
+    if (rest && (!kind->parameters ||
+                 !po_parameters_read(rest, kind->parameters, read.parameter + kind->first)))
+      return false;
+    *profile = read;
+    return true;
   }
-  return gap;
+  return false;
 }
 
-double po_profile_slope(const po_scene *scene, double r) {
-  double slope = r / scene->radius;
-  if (po_scene_is_wavy(scene))
-    slope +=
-        2.0 * M_PI * scene->amplitude / scene->wavelength * sin(2.0 * M_PI * r / scene->wavelength);
-  return slope;
+void po_profile_set_parameter(po_profile *profile, po_profile_parameter parameter, double value) {
+  profile->parameter[parameter] = value;
 }
 
-double po_profile_mean(const po_scene *scene, double r) {
-  return 0.5 * r * r / scene->radius + scene->amplitude;
+po_status po_profile_set_file(po_profile *profile, const char *path) {
+  const po_profile_table *table;
+  const po_status status = po_profile_table_read(path, &table);
+  if (status)
+    return status;
+  profile->kind = &PO_TABLE;
+  profile->table = table;
+  return PO_OK;
 }
 
-double po_averaging_phase(const po_scene *scene, double r) {
-  if (!po_scene_is_wavy(scene))
-    return r;
-  const double half = 0.5 * scene->wavelength;
-  /* beyond half / DBL_EPSILON, the rounding of r exceeds half the wavelength */
-  return r < half / DBL_EPSILON ? half * ceil(r / half) : r;
+const char *po_profile_name(const po_profile *profile) {
+  return kind_of(profile)->name;
 }
 
-/* The undeformed gap g = r^2/(2R) from which on the waves may be averaged. */
-static double averaging_gap(const po_scene *scene) {
-  const po_law_far far = po_law_far_field(&scene->law);
-  if (isinf(far.exponent))
-    return po_law_reach(&scene->law);
-  /* The integrand of Eq 17 is (2k/R) g^-m r, k g^-m the far field: its slope is at most
-   * (2k/R)(2m + 1) g^-m, of which a part of m A/g oscillates when A is small against g. */
-  const double per_2pi = scene->wavelength / (2.0 * M_PI), m = far.exponent;
-  const double scale = (2.0 * m + 1.0) * 2.0 * far.factor / scene->radius * per_2pi * per_2pi;
-  /* From where on scale min(1, m A/g) < loss g^m. */
-  const double power = scale / AVERAGING_LOSS;
-  return fmin(pow(power, 1.0 / m), pow(m * scene->amplitude * power, 1.0 / (m + 1.0)));
+size_t po_profile_index(const po_profile *profile) {
+  size_t index = 0;
+  while (KINDS[index] != kind_of(profile))
+    ++index;
+  return index;
 }
 
-double po_averaging_radius(const po_scene *scene, double from) {
-  if (!po_scene_is_wavy(scene))
-    return from;
-  const double gap = averaging_gap(scene);
-  const double waves = ceil((sqrt(2.0 * scene->radius * gap) - from) / scene->wavelength);
-  return waves > 0.0 ? from + waves * scene->wavelength : from;
+bool po_profile_has(const po_profile *profile, po_profile_parameter parameter) {
+  const po_profile_kind *kind = kind_of(profile);
+  return parameter >= kind->first && parameter < kind->first + kind->parameters;
+}
+
+const char *po_profile_parameter_name(po_profile_parameter parameter) {
+  return PARAMETERS[parameter];
+}
+
+const char *po_profile_file(const po_profile *profile) {
+  return profile->table ? profile->table->path : "-";
+}
+
+bool po_profile_equal(const po_profile *a, const po_profile *b) {
+  if (kind_of(a) != kind_of(b) || a->table != b->table)
+    return false;
+  for (int k = 0; k < PO_PROFILE_PARAMETER_COUNT; ++k)
+    if (po_profile_has(a, (po_profile_parameter)k) && a->parameter[k] != b->parameter[k])
+      return false;
+  return true;
+}
+
+po_status po_profile_check(const po_profile *profile) {
+  return kind_of(profile)->check ? kind_of(profile)->check(profile) : PO_OK;
+}
+
+bool po_profile_is_sphere(const po_profile *profile) {
+  return kind_of(profile) == &PO_SPHERE;
+}
+
+double po_profile_gap(const po_profile *profile, double radius, double r) {
+  return kind_of(profile)->gap(profile, radius, r);
+}
+
+double po_profile_slope(const po_profile *profile, double radius, double r) {
+  return kind_of(profile)->slope(profile, radius, r);
+}
+
+long double po_profile_gap_exact(const po_profile *profile, double radius, long double r) {
+  return kind_of(profile)->gap_exact(profile, radius, r);
+}
+
+double po_profile_gap_beyond(const po_profile *profile, double radius, double r) {
+  const po_profile_kind *kind = kind_of(profile);
+  return (kind->gap_beyond ? kind->gap_beyond : kind->gap)(profile, radius, r);
+}
+
+double po_profile_radius_of_gap(const po_profile *profile, double radius, double gap) {
+  return kind_of(profile)->radius_of_gap(profile, radius, gap);
+}
+
+size_t po_profile_kinks(const po_profile *profile, double kink[PO_MOST_KINKS]) {
+  if (!kind_of(profile)->kink)
+    return 0;
+  kink[0] = kind_of(profile)->kink(profile);
+  return 1;
+}
+
+double po_profile_growth(const po_profile *profile) {
+  return kind_of(profile)->growth(profile);
+}
+
+double po_profile_end(const po_profile *profile) {
+  return kind_of(profile)->end ? kind_of(profile)->end(profile) : INFINITY;
+}
+
+double po_profile_detail(const po_profile *profile) {
+  return kind_of(profile)->detail ? kind_of(profile)->detail(profile) : INFINITY;
+}
+
+bool po_profile_is_convex(const po_profile *profile) {
+  return kind_of(profile)->is_convex ? kind_of(profile)->is_convex(profile) : true;
+}
+
+po_status po_profile_require_positive(const po_profile *profile, po_profile_parameter parameter) {
+  const double value = profile->parameter[parameter];
+  return isfinite(value) && value > 0.0
+             ? PO_OK
+             : po_fail(PO_BAD_INPUT, "%s is %g: expected a finite number > 0",
+                       PARAMETERS[parameter], value);
 }

@@ -1,30 +1,105 @@
-/* The initial gap of Eq 2 (the profile), in units of epsilon. */
+/* The profile: the initial gap of the two bodies without waves, as a function of the radius.
+ *
+ * Lengths are in units of epsilon. The bodies touch at one point or on a disc: f(0) = 0. The
+ * profile of the paper is the sphere, r^2/(2R). One file implements one family of profiles
+ * (po_profile_kind); doc/extending.md says how to add one. Waves are added by the scene
+ * (po_initial_gap.h). */
 #ifndef PO_PROFILE_H
 #define PO_PROFILE_H
 
-#include "po_scene.h"
+#include <stdbool.h>
+#include <stddef.h>
 
-/* The initial gap f(r) = r^2/(2R) + A (1 - cos(2 pi r/lambda)), Eq 2; its second term is the
- * waviness, -y(r) of Eq 1. Given: r in eps. Returned: f in eps. */
-double po_profile(const po_scene *scene, double r);
+#include "po_status.h"
 
-/* Returned: df/dr of Eq 2; it is > 0 everywhere when Eq 3 holds. Given: r in eps. */
-double po_profile_slope(const po_scene *scene, double r);
+/* Parameters of all profiles; each profile has some of them. The radius R of the sphere is one of
+ * the scene (po_scene.h), which measures loads by it. */
+typedef enum {
+  PO_POWER_C, /* C r^n */
+  PO_POWER_N,
+  PO_CONE_T,  /* t r, t the tangent of the angle between the flank and the flat body */
+  PO_PUNCH_B, /* flat to b, then (r - b)^2/(2R) */
+  PO_PUNCH_R,
+  PO_TRUNCATED_B, /* flat to b, then (r^2 - b^2)/(2R): a sphere that is cut flat */
+  PO_TRUNCATED_R,
+  PO_PROFILE_PARAMETER_COUNT
+} po_profile_parameter;
 
-/* The initial gap with the waviness replaced by its mean over one wavelength: r^2/(2R) + A, in
- * eps. */
-double po_profile_mean(const po_scene *scene, double r);
+enum { PO_MOST_KINKS = 1 };
 
-/* Returned: the smallest radius >= r (eps) at which averaging over whole wavelengths may begin: a
- * multiple of half the wavelength, where the sine of the first harmonic vanishes; r itself for a
- * smooth sphere. */
-double po_averaging_phase(const po_scene *scene, double r);
+typedef struct po_profile_kind po_profile_kind;
+struct po_profile_table;
 
-/* Returned: the radius (eps), a whole number of wavelengths beyond `from`, beyond which the
- * waviness may be replaced by its mean with an error of the load below 1e-9; `from` itself for a
- * smooth sphere. Integration by parts gives the error as (lambda/2 pi)^2 times the slope, at that
- * radius, of the oscillating part of the integrand of Eq 17. The function uses the smaller of a
- * bound for small and a bound for large amplitudes. */
-double po_averaging_radius(const po_scene *scene, double from);
+/* A profile with its parameters. One of which nothing is set is the sphere. */
+typedef struct {
+  const po_profile_kind *kind;
+  double parameter[PO_PROFILE_PARAMETER_COUNT]; /* those of other profiles are not looked at */
+  const struct po_profile_table *table;         /* of a profile read from a file */
+} po_profile;
+
+/* The sphere; the parameters of the other profiles are NAN. */
+po_profile po_profile_sphere(void);
+
+/* Sets the profile written as "sphere", "power", "cone", "punch" or "truncated", or with its
+ * parameters in order, as "power:0.05,1.5" or "power:0.05;1.5"; without them those in place stay.
+ * False when the text is none of these; then the profile is unchanged. Its parameters are checked
+ * by po_profile_check. */
+bool po_profile_set(po_profile *profile, const char *text);
+#define PO_PROFILE_EXPECTED                                                                        \
+  "sphere, power:C,n, cone:t, punch:b,R or truncated:b,R; a table of radii and gaps by "           \
+  "profile_file"
+
+/* Sets one parameter. */
+void po_profile_set_parameter(po_profile *profile, po_profile_parameter parameter, double value);
+
+/* Sets the profile of a table in a CSV file with the columns r and gap (po_profile_table.h).
+ * Status: PO_CANNOT_READ, with file and line; PO_BAD_INPUT. */
+po_status po_profile_set_file(po_profile *profile, const char *path);
+
+/* "sphere", "power", "cone", "punch", "truncated", "table"; the number of a profile among these;
+ * whether it has a parameter; the name of a parameter, "power_c". The path of a table; "-" for
+ * other profiles. */
+const char *po_profile_name(const po_profile *profile);
+size_t po_profile_index(const po_profile *profile);
+bool po_profile_has(const po_profile *profile, po_profile_parameter parameter);
+const char *po_profile_parameter_name(po_profile_parameter parameter);
+const char *po_profile_file(const po_profile *profile);
+
+/* Whether two profiles are the same. */
+bool po_profile_equal(const po_profile *a, const po_profile *b);
+
+/* PO_BAD_INPUT, naming the parameter that is out of range, its value and what is expected. */
+po_status po_profile_check(const po_profile *profile);
+
+bool po_profile_is_sphere(const po_profile *profile);
+
+/* f, df/dr, and f in long double, at a radius r >= 0. Given: `radius`, R of the sphere; other
+ * profiles do not look at it. */
+double po_profile_gap(const po_profile *profile, double radius, double r);
+double po_profile_slope(const po_profile *profile, double radius, double r);
+long double po_profile_gap_exact(const po_profile *profile, double radius, long double r);
+
+/* The least gap at r and beyond; f(r) of a profile that rises everywhere. */
+double po_profile_gap_beyond(const po_profile *profile, double radius, double r);
+
+/* The largest radius at which f is not above a gap >= 0. */
+double po_profile_radius_of_gap(const po_profile *profile, double radius, double gap);
+
+/* The radii at which f is not smooth, but for r = 0. Returned: their number. */
+size_t po_profile_kinks(const po_profile *profile, double kink[PO_MOST_KINKS]);
+
+/* N, with f ~ r^N far out. */
+double po_profile_growth(const po_profile *profile);
+
+/* The radius from which on f is not known and is continued by a power of r; INFINITY but for a
+ * table. */
+double po_profile_end(const po_profile *profile);
+
+/* A length, in which f has at most one extremum; INFINITY if f rises everywhere. */
+double po_profile_detail(const po_profile *profile);
+
+/* Whether f is convex. By JKR theory the load of a convex profile without waves then has one
+ * minimum. */
+bool po_profile_is_convex(const po_profile *profile);
 
 #endif

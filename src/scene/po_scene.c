@@ -1,29 +1,56 @@
 #include "po_scene.h"
 
 #include <math.h>
+#include <string.h>
+
+#include "po_number.h"
 
 po_scene po_scene_default(void) {
-  return (po_scene){
-      .tabor = 1.0, .radius = 100.0, .outer_radius = INFINITY, .law = po_law_lennard_jones()};
+  return (po_scene){.tabor = 1.0,
+                    .radius = 100.0,
+                    .outer_radius = INFINITY,
+                    .law = po_law_lennard_jones(),
+                    .profile = po_profile_sphere()};
 }
 
 static po_status require(bool holds, const char *key, double value, const char *expected) {
   return holds ? PO_OK : po_fail(PO_BAD_INPUT, "%s is %g: expected %s", key, value, expected);
 }
 
-/* On an unbounded surface the interaction energy, of which (1 + H)^(1 - m) r dr is the far part,
- * must be finite. */
+/* The far field of an unbounded surface falls as r^-mN with the powers m of the law and N of the
+ * profile: its load is finite if mN > 2. That of laws with m <= 2 converges too slowly for the
+ * panel to infinity, whatever the profile. */
 static const double LEAST_EXPONENT = 2.0;
 
 static po_status check_far_field(const po_scene *scene) {
   const po_law_far far = po_law_far_field(&scene->law);
-  return far.exponent > LEAST_EXPONENT || isfinite(scene->outer_radius)
-             ? PO_OK
-             : po_fail(
-                   PO_BAD_INPUT,
+  const double growth = po_profile_growth(&scene->profile);
+  if (isfinite(scene->outer_radius) || isinf(far.exponent))
+    return PO_OK;
+  if (!(far.exponent > LEAST_EXPONENT))
+    return po_fail(PO_BAD_INPUT,
                    "mie_m is %g: on an unbounded surface the energy of the far field is infinite; "
                    "expected more than %g, or an outer radius",
                    far.exponent, LEAST_EXPONENT);
+  if (!(far.exponent * growth > 2.0))
+    return po_fail(PO_BAD_INPUT,
+                   "the profile grows as r^%g far out, and the law falls as gap^-%g: the load of "
+                   "an unbounded surface is infinite; expected an outer radius",
+                   growth, far.exponent);
+  return PO_OK;
+}
+
+static po_status check_waves(const po_scene *scene) {
+  po_status status = PO_OK;
+  for (size_t k = 1; k < po_scene_waves(scene) && !status; ++k) {
+    const po_wave wave = po_scene_wave(scene, k);
+    status = require(isfinite(wave.amplitude) && wave.amplitude > 0.0, "the amplitude of a wave",
+                     wave.amplitude, "a finite number > 0");
+    if (!status)
+      status = require(isfinite(wave.length) && wave.length > 0.0, "the length of a wave",
+                       wave.length, "a finite number > 0");
+  }
+  return status;
 }
 
 po_status po_scene_check(const po_scene *scene) {
@@ -45,7 +72,11 @@ po_status po_scene_check(const po_scene *scene) {
     status = require(scene->outer_radius > 0.0, "outer_radius", scene->outer_radius,
                      "a number > 0, or inf");
   if (!status)
+    status = check_waves(scene);
+  if (!status)
     status = po_law_check(&scene->law);
+  if (!status)
+    status = po_profile_check(&scene->profile);
   if (!status)
     status = check_far_field(scene);
   return status;
@@ -53,6 +84,77 @@ po_status po_scene_check(const po_scene *scene) {
 
 bool po_scene_is_wavy(const po_scene *scene) {
   return scene->amplitude > 0.0;
+}
+
+size_t po_scene_waves(const po_scene *scene) {
+  return po_scene_is_wavy(scene) ? 1 + scene->more_waves : 0;
+}
+
+po_wave po_scene_wave(const po_scene *scene, size_t k) {
+  return k > 0 ? scene->more[k - 1] : (po_wave){scene->amplitude, scene->wavelength};
+}
+
+bool po_scene_add_wave(po_scene *scene, po_wave wave) {
+  if (po_scene_waves(scene) == PO_MOST_WAVES)
+    return false;
+  if (po_scene_is_wavy(scene)) {
+    scene->more[scene->more_waves++] = wave;
+  } else {
+    scene->amplitude = wave.amplitude;
+    scene->wavelength = wave.length;
+    scene->more_waves = 0;
+  }
+  return true;
+}
+
+/* Reads "A@L" up to the end or a semicolon. */
+static bool read_wave(const char *text, size_t length, po_wave *wave) {
+  char copy[2 * PO_NUMBER_LENGTH];
+  if (length >= sizeof copy)
+    return false;
+  memcpy(copy, text, length);
+  copy[length] = '\0';
+  char *at = strchr(copy, '@');
+  if (!at)
+    return false;
+  *at = '\0';
+  return po_number_parse(copy, &wave->amplitude) && po_number_parse(at + 1, &wave->length) &&
+         wave->amplitude > 0.0 && wave->length > 0.0;
+}
+
+bool po_scene_set_waves(po_scene *scene, const char *text) {
+  po_scene set = *scene;
+  set.amplitude = 0.0;
+  set.more_waves = 0;
+  const bool none = strcmp(text, "-") == 0;
+  while (!none) {
+    po_wave wave;
+    const size_t length = strcspn(text, ";");
+    if (!read_wave(text, length, &wave) || !po_scene_add_wave(&set, wave))
+      return false;
+    text += length;
+    if (!*text)
+      break;
+    ++text;
+  }
+  *scene = set;
+  return true;
+}
+
+bool po_scene_is_simple(const po_scene *scene) {
+  return !po_scene_is_wavy(scene) && po_profile_is_convex(&scene->profile);
+}
+
+bool po_scene_is_of_paper(const po_scene *scene) {
+  return po_profile_is_sphere(&scene->profile) && po_scene_waves(scene) < 2;
+}
+
+double po_scene_coupling(const po_scene *scene) {
+  return scene->tabor * sqrt(scene->tabor / scene->radius);
+}
+
+double po_scene_tabor_of_coupling(double coupling, double radius) {
+  return cbrt(coupling) * cbrt(coupling) * cbrt(radius);
 }
 
 double po_scene_gamma(const po_scene *scene) {

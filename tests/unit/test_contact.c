@@ -2,9 +2,9 @@
 #include <math.h>
 
 #include "po_contact.h"
+#include "po_initial_gap.h"
 #include "po_law.h"
 #include "po_observe.h"
-#include "po_profile.h"
 #include "run.h"
 
 static const double PEAK_GAP = 0.20093695517600277; /* 3^(1/6) - 1, of the law of the paper */
@@ -95,7 +95,7 @@ START_TEST(a_high_crest_that_barely_touches_is_found) {
   g = rigid_gap(&scene, touching - dip);
   const double first = po_contact_radius(&g);
   ck_assert_double_lt(first, 1.1 * scene.wavelength); /* the previous crest */
-  ck_assert_double_eq_tol(po_profile(&scene, first), touching - dip + PEAK_GAP, 1e-10);
+  ck_assert_double_eq_tol(po_initial_gap(&scene, first), touching - dip + PEAK_GAP, 1e-10);
 }
 END_TEST
 

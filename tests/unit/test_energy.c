@@ -2,7 +2,7 @@
  * and through its folds. In the rigid limit it has a closed form. */
 #include <math.h>
 
-#include "po_profile.h"
+#include "po_initial_gap.h"
 #include "po_rigid.h"
 #include "po_rigid_trace.h"
 #include "run.h"

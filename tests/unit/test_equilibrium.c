@@ -2,8 +2,8 @@
 #include <math.h>
 
 #include "po_arclength.h"
+#include "po_initial_gap.h"
 #include "po_law.h"
-#include "po_profile.h"
 #include "run.h"
 
 enum { NODES = 81 };
@@ -21,7 +21,7 @@ static void set_up(fixture *f, double tabor, double approach) {
   ck_assert_int_eq(po_surface_create(&f->scene, &mesh, 60.0, true, &f->surface), PO_OK);
   ck_assert_int_eq(po_equilibrium_create(&f->scene, f->surface, f->surface->n, &f->e), PO_OK);
   for (int j = 0; j < NODES; ++j) {
-    f->state[j] = fmax(-0.02, po_profile(&f->scene, f->surface->node[j]) - approach);
+    f->state[j] = fmax(-0.02, po_initial_gap(&f->scene, f->surface->node[j]) - approach);
     f->border[j] = 0.0;
   }
   f->state[NODES] = approach;

@@ -3,9 +3,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "po_initial_gap.h"
 #include "po_law.h"
 #include "po_observe.h"
-#include "po_profile.h"
 #include "request.h"
 #include "run.h"
 

@@ -8,10 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "po_initial_gap.h"
 #include "po_law.h"
 #include "po_linear.h"
 #include "po_observe.h"
-#include "po_profile.h"
 #include "run.h"
 
 enum { MOST_STEPS = 3000, MOST_NEWTON = 30 };
@@ -126,7 +126,7 @@ static relaxation begin(const po_request *request, po_surface *surface, double a
                   .law = calloc(n, sizeof(po_law_value)),
                   .pivots = calloc(n, sizeof(int))};
   for (size_t j = 0; j < n; ++j) {
-    r.shape[j] = po_profile(scene, surface->node[j]);
+    r.shape[j] = po_initial_gap(scene, surface->node[j]);
     r.gap[j] = r.shape[j] - approach;
   }
   return r;

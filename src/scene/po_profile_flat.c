@@ -1,0 +1,101 @@
+/* Profiles that are flat to a radius b: the punch with a rounded edge, (r - b)^2/(2R) beyond b, and
+ * the truncated sphere, (r^2 - b^2)/(2R) beyond b. */
+#include <math.h>
+
+#include "po_profile_kind.h"
+
+static double punch_flat(const po_profile *profile) {
+  return profile->parameter[PO_PUNCH_B];
+}
+static double punch_edge(const po_profile *profile) {
+  return profile->parameter[PO_PUNCH_R];
+}
+
+static po_status punch_check(const po_profile *profile) {
+  const po_status status = po_profile_require_positive(profile, PO_PUNCH_B);
+  return status ? status : po_profile_require_positive(profile, PO_PUNCH_R);
+}
+
+static double punch_gap(const po_profile *profile, double radius, double r) {
+  (void)radius;
+  const double beyond = r - punch_flat(profile);
+  return beyond > 0.0 ? 0.5 * beyond * beyond / punch_edge(profile) : 0.0;
+}
+
+static double punch_slope(const po_profile *profile, double radius, double r) {
+  (void)radius;
+  return fmax(r - punch_flat(profile), 0.0) / punch_edge(profile);
+}
+
+static long double punch_exact(const po_profile *profile, double radius, long double r) {
+  (void)radius;
+  const long double beyond = r - punch_flat(profile);
+  return beyond > 0.0L ? 0.5L * beyond * beyond / punch_edge(profile) : 0.0L;
+}
+
+static double punch_radius_of_gap(const po_profile *profile, double radius, double gap) {
+  (void)radius;
+  return punch_flat(profile) + sqrt(2.0 * punch_edge(profile) * gap);
+}
+
+static double growth(const po_profile *profile) {
+  (void)profile;
+  return 2.0;
+}
+
+const po_profile_kind PO_PUNCH = {.name = "punch",
+                                  .parameters = 2,
+                                  .first = PO_PUNCH_B,
+                                  .check = punch_check,
+                                  .gap = punch_gap,
+                                  .slope = punch_slope,
+                                  .gap_exact = punch_exact,
+                                  .radius_of_gap = punch_radius_of_gap,
+                                  .kink = punch_flat,
+                                  .growth = growth};
+
+static double cut_flat(const po_profile *profile) {
+  return profile->parameter[PO_TRUNCATED_B];
+}
+static double cut_radius(const po_profile *profile) {
+  return profile->parameter[PO_TRUNCATED_R];
+}
+
+static po_status cut_check(const po_profile *profile) {
+  const po_status status = po_profile_require_positive(profile, PO_TRUNCATED_B);
+  return status ? status : po_profile_require_positive(profile, PO_TRUNCATED_R);
+}
+
+static double cut_gap(const po_profile *profile, double radius, double r) {
+  (void)radius;
+  const double b = cut_flat(profile);
+  return r > b ? 0.5 * (r - b) * (r + b) / cut_radius(profile) : 0.0;
+}
+
+static double cut_slope(const po_profile *profile, double radius, double r) {
+  (void)radius;
+  return r > cut_flat(profile) ? r / cut_radius(profile) : 0.0;
+}
+
+static long double cut_exact(const po_profile *profile, double radius, long double r) {
+  (void)radius;
+  const long double b = cut_flat(profile);
+  return r > b ? 0.5L * (r - b) * (r + b) / cut_radius(profile) : 0.0L;
+}
+
+static double cut_radius_of_gap(const po_profile *profile, double radius, double gap) {
+  (void)radius;
+  const double b = cut_flat(profile);
+  return sqrt(b * b + 2.0 * cut_radius(profile) * gap);
+}
+
+const po_profile_kind PO_TRUNCATED = {.name = "truncated",
+                                      .parameters = 2,
+                                      .first = PO_TRUNCATED_B,
+                                      .check = cut_check,
+                                      .gap = cut_gap,
+                                      .slope = cut_slope,
+                                      .gap_exact = cut_exact,
+                                      .radius_of_gap = cut_radius_of_gap,
+                                      .kink = cut_flat,
+                                      .growth = growth};

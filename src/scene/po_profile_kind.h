@@ -1,0 +1,32 @@
+/* What one profile is: the functions that po_profile.h is made of. */
+#ifndef PO_PROFILE_KIND_H
+#define PO_PROFILE_KIND_H
+
+#include "po_profile.h"
+
+/* `radius` is R of the sphere. */
+struct po_profile_kind {
+  const char *name;
+  size_t parameters; /* it has so many, from this one on */
+  po_profile_parameter first;
+  /* Checks the parameters. Status: PO_BAD_INPUT with the value and what was expected. NULL: there
+   * is nothing to check. */
+  po_status (*check)(const po_profile *profile);
+  double (*gap)(const po_profile *profile, double radius, double r);
+  double (*slope)(const po_profile *profile, double radius, double r);
+  long double (*gap_exact)(const po_profile *profile, double radius, long double r);
+  double (*gap_beyond)(const po_profile *profile, double radius, double r); /* NULL: f rises */
+  double (*radius_of_gap)(const po_profile *profile, double radius, double gap);
+  double (*kink)(const po_profile *profile); /* NULL: there is none */
+  double (*growth)(const po_profile *profile);
+  double (*end)(const po_profile *profile);     /* NULL: f is known everywhere */
+  double (*detail)(const po_profile *profile);  /* NULL: f rises everywhere */
+  bool (*is_convex)(const po_profile *profile); /* NULL: it is */
+};
+
+extern const po_profile_kind PO_SPHERE, PO_POWER, PO_CONE, PO_PUNCH, PO_TRUNCATED, PO_TABLE;
+
+/* Requires a finite parameter > 0. */
+po_status po_profile_require_positive(const po_profile *profile, po_profile_parameter parameter);
+
+#endif

@@ -1,0 +1,132 @@
+/* Profiles that are one power of the radius: the sphere r^2/(2R), C r^n, and the cone t r. */
+#include <math.h>
+
+#include "po_profile_kind.h"
+
+static double sphere_gap(const po_profile *profile, double radius, double r) {
+  (void)profile;
+  return 0.5 * r * r / radius;
+}
+
+static double sphere_slope(const po_profile *profile, double radius, double r) {
+  (void)profile;
+  return r / radius;
+}
+
+static long double sphere_exact(const po_profile *profile, double radius, long double r) {
+  (void)profile;
+  return 0.5L * r * r / radius;
+}
+
+static double sphere_radius_of_gap(const po_profile *profile, double radius, double gap) {
+  (void)profile;
+  return sqrt(2.0 * radius * gap);
+}
+
+static double sphere_growth(const po_profile *profile) {
+  (void)profile;
+  return 2.0;
+}
+
+const po_profile_kind PO_SPHERE = {.name = "sphere",
+                                   .gap = sphere_gap,
+                                   .slope = sphere_slope,
+                                   .gap_exact = sphere_exact,
+                                   .radius_of_gap = sphere_radius_of_gap,
+                                   .growth = sphere_growth};
+
+/* Flatter powers than the cone have an infinite slope on the axis; steeper ones than the largest
+ * are flat punches, and their powers overflow. */
+static const double SMALLEST_POWER = 1.0, LARGEST_POWER = 40.0;
+
+static double factor(const po_profile *profile) {
+  return profile->parameter[PO_POWER_C];
+}
+static double exponent(const po_profile *profile) {
+  return profile->parameter[PO_POWER_N];
+}
+
+static po_status power_check(const po_profile *profile) {
+  const double n = exponent(profile);
+  const po_status status = po_profile_require_positive(profile, PO_POWER_C);
+  if (status)
+    return status;
+  return n >= SMALLEST_POWER && n <= LARGEST_POWER
+             ? PO_OK
+             : po_fail(PO_BAD_INPUT, "power_n is %g: expected a number from %g to %g", n,
+                       SMALLEST_POWER, LARGEST_POWER);
+}
+
+static double power_gap(const po_profile *profile, double radius, double r) {
+  (void)radius;
+  return factor(profile) * pow(r, exponent(profile));
+}
+
+static double power_slope(const po_profile *profile, double radius, double r) {
+  (void)radius;
+  return factor(profile) * exponent(profile) * pow(r, exponent(profile) - 1.0);
+}
+
+static long double power_exact(const po_profile *profile, double radius, long double r) {
+  (void)radius;
+  return (long double)factor(profile) * powl(r, exponent(profile));
+}
+
+static double power_radius_of_gap(const po_profile *profile, double radius, double gap) {
+  (void)radius;
+  return pow(gap / factor(profile), 1.0 / exponent(profile));
+}
+
+const po_profile_kind PO_POWER = {.name = "power",
+                                  .parameters = 2,
+                                  .first = PO_POWER_C,
+                                  .check = power_check,
+                                  .gap = power_gap,
+                                  .slope = power_slope,
+                                  .gap_exact = power_exact,
+                                  .radius_of_gap = power_radius_of_gap,
+                                  .growth = exponent};
+
+static double tangent(const po_profile *profile) {
+  return profile->parameter[PO_CONE_T];
+}
+
+static po_status cone_check(const po_profile *profile) {
+  return po_profile_require_positive(profile, PO_CONE_T);
+}
+
+static double cone_gap(const po_profile *profile, double radius, double r) {
+  (void)radius;
+  return tangent(profile) * r;
+}
+
+static double cone_slope(const po_profile *profile, double radius, double r) {
+  (void)radius;
+  (void)r;
+  return tangent(profile);
+}
+
+static long double cone_exact(const po_profile *profile, double radius, long double r) {
+  (void)radius;
+  return tangent(profile) * r;
+}
+
+static double cone_radius_of_gap(const po_profile *profile, double radius, double gap) {
+  (void)radius;
+  return gap / tangent(profile);
+}
+
+static double cone_growth(const po_profile *profile) {
+  (void)profile;
+  return 1.0;
+}
+
+const po_profile_kind PO_CONE = {.name = "cone",
+                                 .parameters = 1,
+                                 .first = PO_CONE_T,
+                                 .check = cone_check,
+                                 .gap = cone_gap,
+                                 .slope = cone_slope,
+                                 .gap_exact = cone_exact,
+                                 .radius_of_gap = cone_radius_of_gap,
+                                 .growth = cone_growth};

@@ -1,0 +1,300 @@
+#include "po_profile_table.h"
+
+#include <math.h>
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_csv.h"
+#include "po_hermite.h"
+#include "po_memory.h"
+#include "po_profile_kind.h"
+#include "po_root.h"
+#include "po_spline.h"
+
+/* A spline of every other row needs four rows. */
+enum { LEAST_ROWS = 8 };
+
+/* If the spline of every other row differs by more than this part of the distance between the
+ * bodies, 1 + gap, the rows are too far apart. */
+static const double COARSEST = 0.1;
+
+static po_status refuse(const po_csv *csv, size_t row, const char *what, double value,
+                        const char *expected) {
+  return po_fail(PO_CANNOT_READ, "%s:%zu: %s is %g: expected %s", csv->path, csv->lines[row], what,
+                 value, expected);
+}
+
+static po_status read_rows(const po_csv *csv, po_profile_table *t) {
+  const int r = po_csv_find_column(csv, "r"), gap = po_csv_find_column(csv, "gap");
+  if (r < 0 || gap < 0)
+    return po_fail(PO_CANNOT_READ, "%s:%zu: expected the columns r and gap", csv->path,
+                   csv->column_line);
+  if (csv->row_count < LEAST_ROWS)
+    return po_fail(PO_CANNOT_READ, "%s: %zu rows are too few for a profile: expected at least %d",
+                   csv->path, csv->row_count, LEAST_ROWS);
+  t->rows = csv->row_count;
+  t->r = po_allocate(t->rows, sizeof *t->r);
+  t->gap = po_allocate(t->rows, sizeof *t->gap);
+  t->slope = po_allocate(t->rows, sizeof *t->slope);
+  t->beyond = po_allocate(t->rows, sizeof *t->beyond);
+  if (!t->r || !t->gap || !t->slope || !t->beyond)
+    return PO_NO_MEMORY;
+  for (size_t k = 0; k < t->rows; ++k) {
+    po_status status = po_csv_number(csv, k, (size_t)r, &t->r[k]);
+    if (!status)
+      status = po_csv_number(csv, k, (size_t)gap, &t->gap[k]);
+    if (status)
+      return status;
+    if (k == 0 && t->r[0] != 0.0)
+      return refuse(csv, k, "the first r", t->r[k], "0");
+    if (k > 0 && !(t->r[k] > t->r[k - 1]))
+      return refuse(csv, k, "r", t->r[k], "more than in the row before");
+    if (k > 0)
+      t->gap[k] -= t->gap[0];
+  }
+  t->gap[0] = 0.0;
+  const size_t last = t->rows - 1;
+  if (!(t->gap[last] > 0.0 && t->gap[last] > t->gap[last - 1]))
+    return refuse(csv, last, "the last gap", t->gap[last],
+                  "more than in the row before and on the axis");
+  return PO_OK;
+}
+
+/* The slopes of the spline, limited. */
+static po_status slopes_of(size_t rows, const double *r, const double *gap, double *slope) {
+  const po_status status = po_spline_slopes(rows, r, gap, slope);
+  if (!status)
+    po_spline_limit(rows, r, gap, slope);
+  return status;
+}
+
+static double value_between(const double *r, const double *gap, const double *slope, size_t k,
+                            double at) {
+  return po_hermite_value(gap[k], slope[k], gap[k + 1], slope[k + 1], at - r[k], r[k + 1] - r[k]);
+}
+
+/* Compares the spline with that of every other row at the rows left out. */
+static po_status compare_coarse(const po_csv *csv, po_profile_table *t) {
+  const size_t half = (t->rows + 1) / 2;
+  double *room = po_allocate(3 * half, sizeof *room);
+  if (!room)
+    return PO_NO_MEMORY;
+  double *const r = room, *const gap = room + half, *const slope = room + 2 * half;
+  for (size_t k = 0; k < half; ++k) {
+    r[k] = t->r[2 * k];
+    gap[k] = t->gap[2 * k];
+  }
+  po_status status = slopes_of(half, r, gap, slope);
+  for (size_t k = 0; k + 1 < half && !status; ++k) {
+    const size_t row = 2 * k + 1;
+    const double difference = fabs(value_between(r, gap, slope, k, t->r[row]) - t->gap[row]);
+    t->uncertainty = fmax(t->uncertainty, difference);
+    if (difference > COARSEST * (1.0 + fabs(t->gap[row])))
+      status = refuse(csv, row, "without this row the gap changes; the change", difference,
+                      "rows so near each other that it is less than a tenth of 1 + gap");
+  }
+  free(room);
+  return status;
+}
+
+/* The least of the four Bezier points of a cubic, a lower bound of it. */
+static double least_between(const po_profile_table *t, size_t k) {
+  const double third = (t->r[k + 1] - t->r[k]) / 3.0;
+  return fmin(fmin(t->gap[k], t->gap[k + 1]),
+              fmin(t->gap[k] + third * t->slope[k], t->gap[k + 1] - third * t->slope[k + 1]));
+}
+
+static double second_derivative(const po_profile_table *t, size_t k, bool at_end) {
+  const double h = t->r[k + 1] - t->r[k], chord = (t->gap[k + 1] - t->gap[k]) / h;
+  return at_end ? (2.0 * t->slope[k] + 4.0 * t->slope[k + 1] - 6.0 * chord) / h
+                : (6.0 * chord - 4.0 * t->slope[k] - 2.0 * t->slope[k + 1]) / h;
+}
+
+/* Part of the second derivative of a parabola with the same end that counts as rounding. */
+static const double ROUNDED = 1e-6;
+
+static void derive(po_profile_table *t) {
+  const size_t last = t->rows - 1;
+  const double end = t->r[last];
+  t->growth = end * t->slope[last] / t->gap[last];
+  t->beyond[last] = t->gap[last];
+  t->detail = INFINITY;
+  t->is_convex = true;
+  const double rounding = ROUNDED * t->gap[last] / (end * end);
+  double narrowest = INFINITY;
+  for (size_t k = last; k-- > 0;) {
+    const double least = least_between(t, k);
+    t->beyond[k] = fmin(least, t->beyond[k + 1]);
+    narrowest = fmin(narrowest, t->r[k + 1] - t->r[k]);
+    if (least < t->gap[k] || t->slope[k] < 0.0)
+      t->detail = 0.0;
+    if (second_derivative(t, k, false) < -rounding || second_derivative(t, k, true) < -rounding)
+      t->is_convex = false;
+  }
+  if (t->detail == 0.0)
+    t->detail = narrowest;
+}
+
+static void destroy(po_profile_table *t) {
+  free(t->path);
+  free(t->r);
+  free(t->gap);
+  free(t->slope);
+  free(t->beyond);
+  free(t);
+}
+
+static po_status make(const char *path, const po_csv *csv, po_profile_table **table) {
+  po_profile_table *t = *table = po_allocate(1, sizeof *t);
+  if (!t)
+    return PO_NO_MEMORY;
+  memcpy(t->digest, csv->digest, sizeof t->digest);
+  t->path = po_copy_text(path);
+  po_status status = t->path ? read_rows(csv, t) : PO_NO_MEMORY;
+  if (!status)
+    status = slopes_of(t->rows, t->r, t->gap, t->slope);
+  if (!status)
+    status = compare_coarse(csv, t);
+  if (!status) {
+    derive(t);
+    return PO_OK;
+  }
+  destroy(t);
+  *table = NULL;
+  return status;
+}
+
+/* All tables that were read. */
+static po_profile_table *tables;
+static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+
+static const po_profile_table *find(const char *path, const char *digest) {
+  const po_profile_table *t = tables;
+  while (t && (strcmp(t->path, path) != 0 || strcmp(t->digest, digest) != 0))
+    t = t->next;
+  return t;
+}
+
+po_status po_profile_table_read(const char *path, const po_profile_table **table) {
+  po_csv csv;
+  po_status status = po_csv_read(path, path, &csv);
+  if (status)
+    return status;
+  pthread_mutex_lock(&lock);
+  *table = find(path, csv.digest);
+  if (!*table) {
+    po_profile_table *made;
+    status = make(path, &csv, &made);
+    if (!status) {
+      made->next = tables;
+      *table = tables = made;
+    }
+  }
+  pthread_mutex_unlock(&lock);
+  po_csv_clear(&csv);
+  return status;
+}
+
+/* The interval of a radius, by bisection. */
+static size_t interval_of(const po_profile_table *t, double r) {
+  size_t low = 0, high = t->rows - 1;
+  while (high - low > 1) {
+    const size_t middle = (low + high) / 2;
+    if (t->r[middle] <= r)
+      low = middle;
+    else
+      high = middle;
+  }
+  return low;
+}
+
+static double end(const po_profile *profile) {
+  return profile->table->r[profile->table->rows - 1];
+}
+
+static double gap(const po_profile *profile, double radius, double r) {
+  (void)radius;
+  const po_profile_table *t = profile->table;
+  const size_t last = t->rows - 1;
+  if (r > t->r[last])
+    return t->gap[last] * pow(r / t->r[last], t->growth);
+  return value_between(t->r, t->gap, t->slope, interval_of(t, r), r);
+}
+
+static double slope(const po_profile *profile, double radius, double r) {
+  const po_profile_table *t = profile->table;
+  if (r > t->r[t->rows - 1])
+    return t->growth * gap(profile, radius, r) / r;
+  const size_t k = interval_of(t, r);
+  return po_hermite_rate(t->gap[k], t->slope[k], t->gap[k + 1], t->slope[k + 1], r - t->r[k],
+                         t->r[k + 1] - t->r[k]);
+}
+
+/* The rows are doubles; their spline is evaluated in long double. */
+static long double gap_exact(const po_profile *profile, double radius, long double r) {
+  (void)radius;
+  const po_profile_table *t = profile->table;
+  const size_t last = t->rows - 1;
+  if (r > t->r[last])
+    return t->gap[last] * powl(r / t->r[last], t->growth);
+  const size_t k = interval_of(t, (double)r);
+  const long double h = (long double)t->r[k + 1] - t->r[k], x = (r - t->r[k]) / h, y = 1.0L - x;
+  return y * y * ((1.0L + 2.0L * x) * t->gap[k] + x * h * t->slope[k]) +
+         x * x * ((1.0L + 2.0L * y) * t->gap[k + 1] - y * h * t->slope[k + 1]);
+}
+
+static double gap_beyond(const po_profile *profile, double radius, double r) {
+  const po_profile_table *t = profile->table;
+  const size_t last = t->rows - 1;
+  if (r >= t->r[last])
+    return gap(profile, radius, r);
+  const size_t k = interval_of(t, r);
+  return isinf(t->detail) ? gap(profile, radius, r) : fmin(t->beyond[k], t->beyond[k + 1]);
+}
+
+typedef struct {
+  const po_profile *profile;
+  double gap;
+} level;
+
+static double above(double r, const void *data) {
+  const level *l = data;
+  return gap(l->profile, 0.0, r) - l->gap;
+}
+
+/* Found from outside, since a table need not rise everywhere. */
+static double radius_of_gap(const po_profile *profile, double radius, double sought) {
+  (void)radius;
+  const po_profile_table *t = profile->table;
+  size_t k = t->rows - 1;
+  if (t->gap[k] <= sought)
+    return t->r[k] * pow(sought / t->gap[k], 1.0 / t->growth);
+  while (k > 0 && t->gap[k - 1] > sought)
+    --k;
+  if (k == 0)
+    return 0.0;
+  const level l = {profile, sought};
+  return po_root(above, &l, t->r[k - 1], t->r[k]);
+}
+
+static double growth(const po_profile *profile) {
+  return profile->table->growth;
+}
+static double detail(const po_profile *profile) {
+  return profile->table->detail;
+}
+static bool is_convex(const po_profile *profile) {
+  return profile->table->is_convex;
+}
+
+const po_profile_kind PO_TABLE = {.name = "table",
+                                  .gap = gap,
+                                  .slope = slope,
+                                  .gap_exact = gap_exact,
+                                  .gap_beyond = gap_beyond,
+                                  .radius_of_gap = radius_of_gap,
+                                  .growth = growth,
+                                  .end = end,
+                                  .detail = detail,
+                                  .is_convex = is_convex};

@@ -1,0 +1,39 @@
+/* A profile read from a table of radii and gaps.
+ *
+ * Between the rows the gap is a cubic spline with continuous second derivative (not-a-knot at both
+ * ends). Where the rows rise or fall over three successive intervals, its slopes are limited by the
+ * filter of Hyman (SIAM J. Sci. Stat. Comput. 4 (1983) 645), so that the spline rises or falls with
+ * them. Beyond the last row the gap is continued by the power of the radius with the same value and
+ * slope. */
+#ifndef PO_PROFILE_TABLE_H
+#define PO_PROFILE_TABLE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "po_digest.h"
+#include "po_status.h"
+
+typedef struct po_profile_table {
+  char *path; /* as it was given */
+  char digest[PO_DIGEST_LENGTH];
+  size_t rows;
+  double *r, *gap; /* rows: ascending from 0; gap less that at r = 0 */
+  double *slope;   /* rows: of the spline */
+  double *beyond;  /* rows: a lower bound of the gap from this row on */
+  double growth;   /* the power of the continuation */
+  double detail;   /* the smallest interval; INFINITY if the spline rises everywhere */
+  bool is_convex;
+  double uncertainty; /* greatest difference between this spline and that of every other row, eps */
+  struct po_profile_table *next;
+} po_profile_table;
+
+/* Reads a table, or finds it among those that were read: a CSV file (po_csv.h) with the columns `r`
+ * and `gap` in units of epsilon. The table stays in memory until the program ends, so that scenes
+ * can be copied. Thread-safe. Status: PO_CANNOT_READ, with file and line, if the file cannot be
+ * read, a number is not finite, r does not start at 0 or does not rise, there are fewer than 5
+ * rows, or the gap does not rise at the end or falls below the contact so that the bodies overlap;
+ * PO_NO_MEMORY. */
+po_status po_profile_table_read(const char *path, const po_profile_table **table);
+
+#endif

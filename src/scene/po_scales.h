@@ -1,0 +1,24 @@
+/* Sizes of a scene before it is solved, by the theories of the two limits: where a trace begins,
+ * how large the meshed surface is, which load is a usual one. They are good to some percent, and no
+ * result depends on them. */
+#ifndef PO_SCALES_H
+#define PO_SCALES_H
+
+#include "po_scene.h"
+
+/* Of the scene without its waves. For a sphere: load 1, stretch mu, contact_gap 2.93 mu. */
+typedef struct {
+  double load;        /* half the pull-off force of the rigid bodies or two thirds of that of JKR,
+                         whichever is less; pi w R */
+  double stretch;     /* the elastic elongation at pull-off, as the Tabor parameter of a sphere with
+                         the same contact_gap, eps */
+  double contact_gap; /* the initial gap at the contact radius of JKR at zero load, eps */
+} po_scales;
+
+po_scales po_scene_scales(const po_scene *scene);
+
+/* g(a) = a times the integral of f'(a sin t) over t from 0 to pi/2: the Abel transform of the
+ * profile without waves, to some percent. */
+double po_scales_abel(const po_scene *scene, double a);
+
+#endif
