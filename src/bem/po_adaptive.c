@@ -52,10 +52,11 @@ po_status po_adaptive_create(const po_scene *scene, double domain, uint32_t leve
   s->node = po_allocate(most, sizeof *s->node);
   s->weight = po_allocate(most, sizeof *s->weight);
   s->length = po_allocate(most, sizeof *s->length);
+  s->reach = po_allocate(most, sizeof *s->reach);
   po_panels panels;
   po_panels_uniform(&panels, level);
   po_status status = PO_NO_MEMORY;
-  if (a->table && s->node && s->weight && s->length)
+  if (a->table && s->node && s->weight && s->length && s->reach)
     status = po_adaptive_mesh(a, &panels);
   if (status) {
     po_adaptive_destroy(a);
@@ -71,6 +72,7 @@ void po_adaptive_destroy(po_adaptive *a) {
   free(a->surface.weight);
   free(a->surface.length);
   free(a->surface.influence);
+  free(a->surface.reach);
   free(a->spare);
   free(a);
 }
@@ -134,9 +136,21 @@ static void match_panels(const po_adaptive *a, size_t *old_index) {
     old_index[a->panels.count] = SIZE_MAX;
 }
 
-static void copy_block(const double *from, size_t from_stride, double *to, size_t to_stride) {
+static void copy_blocks(const double *from, size_t from_stride, double *to, size_t to_stride,
+                        size_t count) {
   for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
-    memcpy(to + j * to_stride, from + j * from_stride, PO_TABLE_ORDER * sizeof *to);
+    memcpy(to + j * to_stride, from + j * from_stride, count * PO_TABLE_ORDER * sizeof *to);
+}
+
+/* Returned: the number of panels from `first` on, up to `end`, that were neighbours in the same
+ * order in the mesh before; 0 if `first` is new. */
+static size_t kept_together(const size_t *old_index, size_t first, size_t end) {
+  if (old_index[first] == SIZE_MAX)
+    return 0;
+  size_t count = 1;
+  while (first + count < end && old_index[first + count] == old_index[first] + count)
+    ++count;
+  return count;
 }
 
 static void compute_block(po_adaptive *a, size_t target, size_t source, double *to, size_t stride) {
@@ -156,6 +170,17 @@ static void compute_block(po_adaptive *a, size_t target, size_t source, double *
         &a->table->rule, panel, a->surface.node[target * PO_TABLE_ORDER + i], to + i, stride);
 }
 
+/* The kernel decreases with the distance, so the largest coefficient of a column is in the panel of
+ * its node or in a neighbour. */
+static void find_reach(po_surface *s) {
+  for (size_t j = 0; j < s->n; ++j) {
+    const size_t panel = j / PO_TABLE_ORDER * PO_TABLE_ORDER;
+    const size_t end = panel + 2 * PO_TABLE_ORDER;
+    s->reach[j] =
+        po_surface_largest(s, j, panel > 0 ? panel - PO_TABLE_ORDER : 0, end < s->n ? end : s->n);
+  }
+}
+
 po_status po_adaptive_mesh(po_adaptive *a, const po_panels *panels) {
   a->spare = po_reserve_matrix(a->spare, &a->spare_room, nodes_of(a, panels), sizeof *a->spare);
   if (!a->spare)
@@ -168,14 +193,17 @@ po_status po_adaptive_mesh(po_adaptive *a, const po_panels *panels) {
   match_panels(a, old_index);
   const size_t n = a->surface.n, panel_count = n / PO_TABLE_ORDER;
   for (size_t source = 0; source < panel_count; ++source)
-    for (size_t target = 0; target < panel_count; ++target) {
+    for (size_t target = 0, count; target < panel_count; target += count) {
       double *to = a->spare + target * PO_TABLE_ORDER + n * source * PO_TABLE_ORDER;
-      if (old_index[target] != SIZE_MAX && old_index[source] != SIZE_MAX)
-        copy_block(a->surface.influence + old_index[target] * PO_TABLE_ORDER +
-                       old_n * old_index[source] * PO_TABLE_ORDER,
-                   old_n, to, n);
-      else
+      count = old_index[source] == SIZE_MAX ? 0 : kept_together(old_index, target, panel_count);
+      if (count > 0) {
+        copy_blocks(a->surface.influence + old_index[target] * PO_TABLE_ORDER +
+                        old_n * old_index[source] * PO_TABLE_ORDER,
+                    old_n, to, n, count);
+      } else {
         compute_block(a, target, source, to, n);
+        count = 1;
+      }
     }
   double *const matrix = a->surface.influence;
   const size_t room = a->room;
@@ -183,6 +211,7 @@ po_status po_adaptive_mesh(po_adaptive *a, const po_panels *panels) {
   a->room = a->spare_room;
   a->spare = matrix;
   a->spare_room = room;
+  find_reach(&a->surface);
   return PO_OK;
 }
 
@@ -196,4 +225,5 @@ void po_adaptive_resize(po_adaptive *a, double domain) {
   place_nodes(a);
   for (size_t j = 0; j < s->n * s->n; ++j)
     s->influence[j] *= factor;
+  find_reach(s);
 }

@@ -145,10 +145,20 @@ static po_surface *allocate_surface(size_t n, bool elastic) {
   s->weight = po_allocate(n, sizeof *s->weight);
   s->length = po_allocate(n, sizeof *s->length);
   s->influence = elastic ? po_allocate(n * n, sizeof *s->influence) : NULL;
-  if (s->node && s->weight && s->length && (s->influence || !elastic))
+  s->reach = elastic ? po_allocate(n, sizeof *s->reach) : NULL;
+  if (s->node && s->weight && s->length && ((s->influence && s->reach) || !elastic))
     return s;
   po_surface_destroy(s);
   return NULL;
+}
+
+double po_surface_largest(const po_surface *s, size_t j, size_t begin, size_t end) {
+  double largest = 0.0;
+  for (size_t i = begin; i < end; ++i) {
+    const double size = fabs(s->influence[i + s->n * j]);
+    largest = size > largest ? size : largest; /* a call of fmax costs ten times as much */
+  }
+  return largest;
 }
 
 static po_status fill_influence(const surface_plan *p, const po_panel_rule *wave,
@@ -171,6 +181,8 @@ static po_status fill_influence(const surface_plan *p, const po_panel_rule *wave
       s->kernel_evaluations += po_panel_influence(tail, tail_panel(p), r, row + j * s->n, s->n);
   }
   po_triangle_destroy(triangle);
+  for (size_t j = 0; j < s->n; ++j)
+    s->reach[j] = po_surface_largest(s, j, 0, s->n);
   return PO_OK;
 }
 
@@ -221,5 +233,6 @@ void po_surface_destroy(po_surface *surface) {
   free(surface->weight);
   free(surface->length);
   free(surface->influence);
+  free(surface->reach);
   free(surface);
 }

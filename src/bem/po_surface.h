@@ -61,8 +61,14 @@ typedef struct {
   double *length;     /* n: integral of p dr = sum of length * p */
   double *influence;  /* n x n, column-major: deflection at node i per unit traction at node j; NULL
                          for a rigid surface */
+  double *reach;      /* n: largest modulus in each column of the influence matrix; NULL for a rigid
+                         surface */
   uint64_t kernel_evaluations;
 } po_surface;
+
+/* Returned: the largest modulus of the influence coefficients of node j at the nodes begin <= i <
+ * end. */
+double po_surface_largest(const po_surface *surface, size_t j, size_t begin, size_t end);
 
 /* Returned: the radius, eps, of the core, which the elements of the scheme mesh. On an unbounded
  * surface the bodies do not touch beyond the core while the approach is at most `deepest` (eps;

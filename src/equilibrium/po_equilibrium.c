@@ -28,13 +28,7 @@ void po_equilibrium_remesh(po_equilibrium *e) {
   e->n = s->n;
   e->factorized = false;
   for (size_t j = 0; j < e->n; ++j) {
-    const double r = s->node[j], *column = s->influence + e->n * j;
-    double reach = 0.0;
-    for (size_t i = 0; i < e->n; ++i) {
-      const double size = fabs(column[i]);
-      reach = size > reach ? size : reach; /* a call of fmax costs ten times as much */
-    }
-    e->reach[j] = reach;
+    const double r = s->node[j];
     e->initial_gap[j] =
         j < s->resolved ? po_initial_gap(e->scene, r) : po_initial_gap_mean(e->scene, r);
   }
@@ -51,9 +45,9 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
   e->neglect = NEGLECT;
   e->most_active = SIZE_MAX;
   e->precision = PO_FINEST_PRECISION;
-  double **const vectors[] = {
-      &e->initial_gap, &e->reach,   &e->traction, &e->slope, &e->deflection, &e->border,  &e->right,
-      &e->scratch,     &e->measure, &e->column,   &e->row,   &e->change,     &e->response};
+  double **const vectors[] = {&e->initial_gap, &e->traction, &e->slope,   &e->deflection,
+                              &e->border,      &e->right,    &e->scratch, &e->measure,
+                              &e->column,      &e->row,      &e->change,  &e->response};
   bool had = true;
   for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
     had = (*vectors[k] = po_allocate(capacity + 1, sizeof(double))) && had;
@@ -72,9 +66,9 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
 void po_equilibrium_destroy(po_equilibrium *e) {
   if (!e)
     return;
-  double *const vectors[] = {e->initial_gap, e->reach,  e->traction, e->slope,   e->deflection,
-                             e->border,      e->right,  e->scratch,  e->measure, e->column,
-                             e->row,         e->change, e->response};
+  double *const vectors[] = {e->initial_gap, e->traction, e->slope,   e->deflection,
+                             e->border,      e->right,    e->scratch, e->measure,
+                             e->column,      e->row,      e->change,  e->response};
   for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
     free(vectors[k]);
   po_secant_free(&e->secant);
@@ -163,7 +157,7 @@ static int by_measure(const void *left, const void *right, void *data) {
 static void choose_active(po_equilibrium *e) {
   for (size_t j = 0; j < e->n; ++j) {
     e->index[j] = j;
-    e->measure[j] = e->coupling * fabs(e->slope[j]) * e->reach[j];
+    e->measure[j] = e->coupling * fabs(e->slope[j]) * e->surface->reach[j];
   }
   qsort_r(e->index, e->n, sizeof *e->index, by_measure, e->measure);
   double left_out = 0.0;

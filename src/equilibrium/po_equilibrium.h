@@ -44,7 +44,6 @@ typedef struct {
   size_t n;
   double radius, amplitude, coupling;
   double *initial_gap; /* n: initial gap f, Eq 2 */
-  double *reach;       /* n: largest modulus in each column of the influence matrix */
   double *traction;    /* n: p at the state last evaluated */
   double *slope;       /* n: dp/dH */
   double *deflection;  /* n + 1: work: a deflection, or the residual of an iteration */
