@@ -32,7 +32,8 @@ typedef struct {
   double decay;      /* of an infinite one: the traction falls as r^-decay */
 } po_panel_span;
 
-/* The decay of the traction of a scene far out: twice the exponent of the far field of its law. A
+/* The decay of the traction of a scene far out: the exponent of the far field of its
+ * law times the power by which its profile grows. A
  * law without an algebraic far field leaves nothing there, and any decay serves. */
 double po_panel_decay(const po_scene *scene);
 

@@ -9,6 +9,7 @@
 #include "po_initial_gap.h"
 #include "po_memory.h"
 #include "po_panel.h"
+#include "po_scales.h"
 
 /* Nodes of a panel on one wavelength, and of the panel that reaches to infinity. */
 enum { WAVE_ORDER = 12, TAIL_ORDER = 16 };
@@ -33,37 +34,41 @@ double po_surface_core(const po_scene *scene, double deepest) {
   if (isfinite(scene->outer_radius))
     return scene->outer_radius;
   double enhancement = 1.0;
-  if (po_scene_is_wavy(scene)) {
-    const double ratio = scene->amplitude / scene->wavelength;
+  for (size_t k = 0; k < po_scene_waves(scene); ++k) {
+    const po_wave wave = po_scene_wave(scene, k);
+    const double ratio = wave.amplitude / wave.length;
     const double johnson2 = 2.0 * sqrt(gsl_pow_3(scene->tabor) / scene->radius) /
-                            (M_PI * M_PI * ratio * ratio * scene->wavelength);
-    enhancement = fmin(8.0, gsl_pow_2(1.0 + 1.0 / sqrt(M_PI * johnson2)));
+                            (M_PI * M_PI * ratio * ratio * wave.length);
+    const double enhanced = fmin(8.0, gsl_pow_2(1.0 + 1.0 / sqrt(M_PI * johnson2)));
+    enhancement = fmax(enhancement, enhanced);
   }
-  const double contact_gap = 0.5 * gsl_pow_2(2.42) * scene->tabor * pow(enhancement, 2.0 / 3.0);
+  const double contact_gap = po_scene_scales(scene).contact_gap * pow(enhancement, 2.0 / 3.0);
   const double gap =
       po_law_reach(&scene->law) + 2.0 * contact_gap + fmax(isnan(deepest) ? 0.0 : deepest, 0.0);
-  return sqrt(2.0 * scene->radius * gap);
+  return po_initial_gap_radius(scene, gap);
 }
 
 /* Counts the wavelengths beyond the core that must be resolved because averaging is not yet
- * accurate. Status: PO_OUT_OF_NODES if there are too many, or if the mesh of the core does not
- * resolve the waviness. */
+ * accurate, each by a panel of the length returned. Status: PO_OUT_OF_NODES if there are too many,
+ * or if the mesh of the core does not resolve the waviness. */
 static po_status count_waves(const po_scene *scene, const po_mesh *mesh, double core_radius,
-                             bool elastic, size_t *waves) {
+                             bool elastic, size_t *waves, double *length) {
   *waves = 0;
+  *length = scene->wavelength;
   if (!po_scene_is_wavy(scene))
     return PO_OK;
   const double element = core_radius / (double)mesh->nodes;
-  if (elastic && element > LONGEST_ELEMENT * scene->wavelength)
+  const double shortest = po_initial_gap_detail(scene);
+  if (elastic && element > LONGEST_ELEMENT * shortest)
     return po_fail(PO_OUT_OF_NODES,
                    "elements of length %g cannot represent waves of length %g; expected at least "
                    "%.0f nodes, a longer wavelength or scheme panel",
-                   element, scene->wavelength,
-                   ceil(core_radius / scene->wavelength / LONGEST_ELEMENT));
+                   element, shortest, ceil(core_radius / shortest / LONGEST_ELEMENT));
   if (isfinite(scene->outer_radius))
     return PO_OK;
   const double end = po_averaging_radius(scene, core_radius);
-  const double count = round((end - core_radius) / scene->wavelength);
+  const double count = po_scene_waves(scene) > 1 ? ceil((end - core_radius) / shortest)
+                                                 : round((end - core_radius) / shortest);
   const double nodes = (double)mesh->nodes + WAVE_ORDER * count + TAIL_ORDER;
   const double most = elastic ? MOST_NODES : MOST_RIGID_NODES;
   if (!(nodes <= most))
@@ -73,6 +78,8 @@ static po_status count_waves(const po_scene *scene, const po_mesh *mesh, double 
                    "scheme panel",
                    count, core_radius, WAVE_ORDER, nodes, most);
   *waves = (size_t)count;
+  if (po_scene_waves(scene) > 1 && count > 0.0)
+    *length = (end - core_radius) / count;
   return PO_OK;
 }
 
@@ -91,10 +98,10 @@ static po_status make_plan(const po_scene *scene, const po_mesh *mesh, double co
   p->mesh = *mesh;
   p->bounded = isfinite(scene->outer_radius);
   p->core_radius = p->bounded ? scene->outer_radius : po_averaging_phase(scene, core_radius);
-  p->wavelength = scene->wavelength;
   p->decay = po_panel_decay(scene);
   p->core = mesh->nodes;
-  const po_status status = count_waves(scene, mesh, p->core_radius, elastic, &p->waves);
+  const po_status status =
+      count_waves(scene, mesh, p->core_radius, elastic, &p->waves, &p->wavelength);
   if (status)
     return status;
   p->edge = po_allocate(mesh->nodes + 1, sizeof *p->edge);

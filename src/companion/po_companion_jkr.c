@@ -1,5 +1,7 @@
 #include "po_companion_jkr.h"
 
+#include <math.h>
+
 #include "po_guduru.h"
 #include "po_guduru_path.h"
 
@@ -12,7 +14,25 @@
 static const double EXCESS = 0.1, WAVES = 0.25;
 
 static double bound(const po_scene *scene, double load) {
+  if (!po_scene_is_of_paper(scene))
+    return NAN;
   return po_guduru_last_minimum(scene, load, EXCESS) + WAVES * scene->wavelength;
 }
 
-const po_companion PO_COMPANION_JKR = {bound, po_guduru_hysteresis, po_guduru_staircases};
+static po_status require_paper(const po_scene *scene) {
+  return po_scene_is_of_paper(scene)
+             ? PO_OK
+             : po_fail(PO_BAD_INPUT, "Eq 5 is of a sphere with one wave or none");
+}
+
+static po_status hysteresis(const po_scene *scene, po_preload preload, po_hysteresis *loops) {
+  const po_status status = require_paper(scene);
+  return status ? status : po_guduru_hysteresis(scene, preload, loops);
+}
+
+static po_status staircases(const po_scene *scene, po_staircase staircase[2]) {
+  const po_status status = require_paper(scene);
+  return status ? status : po_guduru_staircases(scene, staircase);
+}
+
+const po_companion PO_COMPANION_JKR = {bound, hysteresis, staircases};

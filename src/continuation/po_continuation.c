@@ -114,7 +114,8 @@ static po_status go_on(po_continuation *t) {
     if (!status && ++t->points > t->options.most_points)
       status =
           po_fail(PO_TOO_MANY_POINTS, "more than %zu points, the last at approach %.6g, load %.6g",
-                  t->options.most_points, po_solution_approach(&t->next), t->next.load);
+                  t->options.most_points, po_solution_approach(&t->next),
+                  t->next.load * po_scene_load_unit(t->c.e->scene));
     t->ended = t->ended || returned;
     shift(t);
   }

@@ -75,7 +75,7 @@ static po_status try_step(po_continuation *t, double step, attempt *a) {
     return status;
   a->met = true;
   t->next.position = t->current.position + po_solution_way(&t->current, &t->next);
-  const bool wavy = po_scene_is_wavy(t->c.e->scene);
+  const bool wavy = !po_scene_is_simple(t->c.e->scene);
   if (error > (wavy ? GREATEST_ERROR_OF_WAVES : GREATEST_ERROR) ||
       po_solution_cosine(&t->current, &t->next) < LEAST_COSINE) {
     a->next = a->step * fmax(0.25, fmin(0.7, pow(AIMED_ERROR / error, 0.25)));
@@ -101,7 +101,8 @@ po_status po_continuation_advance(po_continuation *t) {
       return po_fail(PO_STEP_TOO_SMALL,
                      "the continuation failed with the shortest step at approach %.6g, "
                      "load %.6g",
-                     po_solution_approach(&t->current), t->current.load);
+                     po_solution_approach(&t->current),
+                     t->current.load * po_scene_load_unit(t->c.e->scene));
     attempt a;
     const po_status status = try_step(t, t->step, &a);
     t->step = a.next;
@@ -111,7 +112,7 @@ po_status po_continuation_advance(po_continuation *t) {
       return t->c.trouble;
     if (!status) {
       /* waves are alike: a length that failed here would fail at the next wave, too */
-      if (missed && po_scene_is_wavy(t->c.e->scene))
+      if (missed && !po_scene_is_simple(t->c.e->scene))
         t->step = fmin(a.next, a.step);
       return PO_OK;
     }

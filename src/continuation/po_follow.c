@@ -203,7 +203,7 @@ po_status po_follow_to(po_follower *f, double at, double deadline) {
           PO_OUT_OF_TIME,
           "the time limit was reached before the special point was followed to the scene; it is at "
           "approach %.6g, load %.6g",
-          f->value[0], f->value[1]);
+          f->value[0], f->value[1] * po_scene_load_unit(&f->scene));
     const double most = f->count == 1 ? fmin(f->step, FIRST_PART * fabs(whole)) : f->step;
     const bool last = fabs(left) <= most;
     const double step = last ? left : copysign(most, left);
@@ -218,7 +218,7 @@ po_status po_follow_to(po_follower *f, double at, double deadline) {
         return po_fail(
             PO_NOT_FOUND,
             "the special point at approach %.6g, load %.6g ends before the scene is reached",
-            f->value[0], f->value[1]);
+            f->value[0], f->value[1] * po_scene_load_unit(&f->scene));
       f->step = (f->count == 1 ? 0.1 : 0.5) * fabs(step);
       continue;
     }

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "po_hermite.h"
+#include "po_initial_gap.h"
 
 enum { MOST_SOLVES = 5 };
 
@@ -28,13 +29,14 @@ static const double SAFETY = 3.0, FLOOR = 10.0;
 static void split_waves(const po_resolution *r, po_panels *panels) {
   const po_scene *scene = r->e->scene;
   const po_panels before = *panels;
-  bool any = po_scene_is_wavy(scene);
+  const double longest = TELLING_WAVES * po_initial_gap_detail(scene);
+  bool any = isfinite(longest);
   while (any) {
     bool split[PO_MOST_PANELS];
     any = false;
     for (size_t k = 0; k < panels->count; ++k) {
       const double length = r->domain * po_panel_size(panels->panel[k]);
-      split[k] = length > TELLING_WAVES * scene->wavelength;
+      split[k] = length > longest;
       any = any || split[k];
     }
     if (any && !po_panels_split(panels, split)) {

@@ -6,11 +6,10 @@
 #include <string.h>
 
 #include "po_arclength.h"
+#include "po_initial_gap.h"
 #include "po_law.h"
 #include "po_linear.h"
 #include "po_memory.h"
-
-static const long double PI = 3.141592653589793238462643383279502884L;
 
 /* Change, relative to 1 + H, at which the far part of a state has converged. The iteration
  * contracts by 1e-3 or faster, so that a few rounds suffice. */
@@ -62,14 +61,8 @@ static long double traction_at(const po_equilibrium *e, size_t j, double gap) {
 
 /* The initial gap f, Eq 2, in long double. */
 static long double initial_gap_at(const po_equilibrium *e, size_t j) {
-  const long double r = e->surface->node[j], amplitude = e->amplitude;
-  const long double sphere = 0.5L * r * r / e->radius;
-  if (!po_scene_is_wavy(e->scene))
-    return sphere;
-  if (j >= e->surface->resolved)
-    return sphere + amplitude;
-  const long double half = sinl(PI * r / e->scene->wavelength);
-  return sphere + 2.0L * amplitude * half * half;
+  return j < e->surface->resolved ? po_initial_gap_exact(e->scene, e->surface->node[j])
+                                  : (long double)e->initial_gap[j];
 }
 
 /* The residual of Eq 15 (see po_equilibrium_residual) in long double, and for each equation the sum
@@ -196,13 +189,16 @@ po_status po_diagnosis_make(po_equilibrium *e, const double *state, po_diagnosis
 
 /* d(f + deflection)/d ln(parameter) at a node, with the tractions fixed. */
 static po_sensitivity sources_at(const po_equilibrium *e, size_t j, double deflection) {
-  const double r = e->surface->node[j], sphere = 0.5 * r * r / e->radius;
-  po_sensitivity s = {.tabor = 1.5 * deflection, .radius = -0.5 * deflection - sphere};
+  const double r = e->surface->node[j];
+  po_sensitivity s = {.tabor = 1.5 * deflection, .radius = -0.5 * deflection};
+  if (po_profile_is_sphere(&e->scene->profile))
+    s.radius -= 0.5 * r * r / e->radius;
   if (!po_scene_is_wavy(e->scene))
     return s;
-  s.amplitude = e->initial_gap[j] - sphere;
-  const double x = 2.0 * M_PI * r / e->scene->wavelength;
-  s.wavelength = j < e->surface->resolved ? -e->amplitude * x * sin(x) : 0.0;
+  const double x = 2.0 * M_PI * r / e->scene->wavelength, half = sin(0.5 * x);
+  const bool resolved = j < e->surface->resolved;
+  s.amplitude = e->scene->amplitude * (resolved ? 2.0 * half * half : 1.0);
+  s.wavelength = resolved ? -e->scene->amplitude * x * sin(x) : 0.0;
   return s;
 }
 

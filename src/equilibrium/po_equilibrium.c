@@ -23,8 +23,9 @@ static const double LEAST_PIVOT = 0.5;
 void po_equilibrium_remesh(po_equilibrium *e) {
   const po_surface *s = e->surface;
   e->radius = e->scene->radius;
-  e->amplitude = e->scene->amplitude;
-  e->coupling = e->scene->tabor * sqrt(e->scene->tabor / e->scene->radius);
+  e->amplitude = po_initial_gap_amplitude(e->scene);
+  e->coupling = po_scene_coupling(e->scene);
+  e->energy_at_zero = po_scene_has_infinite_energy(e->scene);
   e->n = s->n;
   e->factorized = false;
   for (size_t j = 0; j < e->n; ++j) {
@@ -113,6 +114,15 @@ double po_equilibrium_load(const po_equilibrium *e) {
   return 2.0 / e->radius * po_linear_dot(e->n, e->surface->weight, e->traction);
 }
 
+/* The energy of the interaction at a node beyond the core for the initial gap at approach 0. */
+static double energy_at_zero(const po_equilibrium *e, size_t j) {
+  if (e->surface->node[j] <= e->surface->core_radius)
+    return 0.0;
+  return j < e->surface->resolved
+             ? po_law_energy(&e->scene->law, e->initial_gap[j])
+             : po_law_energy_averaged(&e->scene->law, e->initial_gap[j], e->amplitude);
+}
+
 double po_equilibrium_energy(const po_equilibrium *e, const double *state) {
   const po_law *law = &e->scene->law;
   const size_t resolved = e->surface->resolved;
@@ -122,7 +132,8 @@ double po_equilibrium_energy(const po_equilibrium *e, const double *state) {
     const double interaction = j < resolved ? po_law_energy(law, state[j])
                                             : po_law_energy_averaged(law, state[j], e->amplitude);
     const double deflection = state[j] + approach - e->initial_gap[j];
-    sum += e->surface->weight[j] * (interaction + 0.5 * e->traction[j] * deflection);
+    const double zero = e->energy_at_zero ? energy_at_zero(e, j) : 0.0;
+    sum += e->surface->weight[j] * (interaction - zero + 0.5 * e->traction[j] * deflection);
   }
   return 2.0 / e->radius * sum;
 }

@@ -42,7 +42,8 @@ typedef struct {
   const po_scene *scene;
   const po_surface *surface;
   size_t n;
-  double radius, amplitude, coupling;
+  double radius, amplitude, coupling; /* amplitude: by which the law is averaged */
+  bool energy_at_zero; /* the energy beyond the core is relative to that of the initial gap */
   double *initial_gap; /* n: initial gap f, Eq 2 */
   double *traction;    /* n: p at the state last evaluated */
   double *slope;       /* n: dp/dH */
@@ -109,6 +110,9 @@ double po_equilibrium_load_rate(const po_equilibrium *e, const double *change);
  * deflection:
  *
  *   U = (2/R) sum_j weight_j [phi(H_j) + (1/2) p_j u_j],   phi' = -p,   u_j = H_j + approach - f_j
+ *
+ * If the energy of the far field is infinite, as for a cone under the law of the paper, that of the
+ * initial gap at approach 0 is subtracted beyond the core.
  *
  * Along every branch dU/d(approach) = W/(pi w R), as far as the discretised kernel is symmetric
  * (tests/unit/test_energy.c). Given: the state last evaluated, which is an equilibrium, so that u

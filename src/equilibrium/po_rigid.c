@@ -17,7 +17,8 @@ static const double PIECE_ACCURACY = 1e-12, SMALL = 1e-14;
 enum { INTERVALS = 200 };
 
 double po_rigid_elastic_effect(const po_scene *scene) {
-  return ELASTIC_EFFECT * pow(scene->tabor, 1.5);
+  const double reach = po_initial_gap_radius(scene, 0.5); /* sqrt(R) for a sphere */
+  return ELASTIC_EFFECT * pow(scene->tabor, 1.5) * (reach / sqrt(scene->radius));
 }
 
 bool po_rigid_suffices(const po_scene *scene) {
@@ -31,6 +32,7 @@ typedef struct {
   const po_scene *scene;
   double approach, begin; /* begin: radius beyond which the waves are averaged */
   int of;                 /* TRACTION, SLOPE or ENERGY */
+  bool from_zero;         /* beyond `begin` the energy is relative to that at approach 0 */
 } integral;
 
 static double chosen(const integral *q, po_law_value p) {
@@ -50,7 +52,7 @@ static double resolved(double r, void *data) {
 
 static double mean_law(const integral *q, double r) {
   const double gap = po_initial_gap_mean(q->scene, r) - q->approach,
-               amplitude = q->scene->amplitude;
+               amplitude = po_initial_gap_amplitude(q->scene);
   const po_law *law = &q->scene->law;
   return q->of == ENERGY ? po_law_energy_averaged(law, gap, amplitude)
                          : chosen(q, po_law_averaged(law, gap, amplitude));
@@ -59,7 +61,11 @@ static double mean_law(const integral *q, double r) {
 static double averaged(double t, void *data) { /* r = begin / t */
   const integral *q = data;
   const double r = q->begin / t;
-  return mean_law(q, r) * r * r / t;
+  const double zero = q->from_zero
+                          ? po_law_energy_averaged(&q->scene->law, po_initial_gap_mean(q->scene, r),
+                                                   po_initial_gap_amplitude(q->scene))
+                          : 0.0;
+  return (mean_law(q, r) - zero) * r * r / t;
 }
 
 /* The length over which the traction changes at the axis, eps: for Lennard-Jones 1 - approach. */
@@ -67,12 +73,18 @@ static double distance_at(const integral *q) {
   return po_law_size(&q->scene->law, -q->approach);
 }
 
+/* The radius of the profile at which the gap has changed by that distance. */
+static double first_edge(const integral *q) {
+  return po_initial_gap_radius(q->scene, distance_at(q));
+}
+
 /* The end of the piece of the quadrature that begins at r: half a wave further, so that each piece
- * has one crest or trough; for a smooth sphere, twice the radius. */
+ * has one crest or trough; without waves, twice the radius. The profile is analytic on a piece. */
 static double next_edge(const integral *q, double r) {
+  const double joint = po_profile_next_joint(&q->scene->profile, r);
   if (po_scene_is_wavy(q->scene))
-    return r + 0.5 * q->scene->wavelength;
-  return fmax(2.0 * r, sqrt(2.0 * q->scene->radius * distance_at(q)));
+    return fmin(joint, r + 0.5 * po_initial_gap_detail(q->scene));
+  return fmin(joint, fmax(2.0 * r, first_edge(q)));
 }
 
 /* Largest c/y for which short waves are averaged, with c = lambda^2/(8 pi^2 R) and y = 1 -
@@ -87,7 +99,8 @@ static const double MOST_PIECES = 5e4;
 
 static bool has_short_waves(const integral *q) {
   const double c = pow(q->scene->wavelength / M_PI, 2.0) / (8.0 * q->scene->radius);
-  return po_scene_is_wavy(q->scene) && c < SHORT_WAVES * distance_at(q);
+  return po_scene_is_wavy(q->scene) && po_scene_is_of_paper(q->scene) &&
+         c < SHORT_WAVES * distance_at(q);
 }
 
 static double averaged_at(double r, void *data) {
@@ -134,7 +147,7 @@ static int add_short_waves(integral *q, double end, gsl_integration_workspace *s
   double at_the_axis = 0.0;
   int failed = add_piece(at_axis, q, 0.0, M_PI, space, &at_the_axis);
   *sum -= pow(q->scene->wavelength / M_PI, 2.0) / (2.0 * M_PI) * at_the_axis;
-  const double first = sqrt(2.0 * q->scene->radius * distance_at(q));
+  const double first = first_edge(q);
   for (double r = 0.0; r < end && !failed;) {
     const double to = fmin(fmax(2.0 * r, first), end);
     failed = add_piece(averaged_at, q, r, to, space, sum);
@@ -143,14 +156,20 @@ static int add_short_waves(integral *q, double end, gsl_integration_workspace *s
   return failed;
 }
 
+/* The integral is taken piece by piece at least to the radius with this initial gap less the
+ * approach. */
+static const double NEAR_GAP = 4.0;
+
 static po_status integrate(integral *q, gsl_integration_workspace *space, double *sum) {
   const po_scene *scene = q->scene;
   const bool bounded = isfinite(scene->outer_radius), mean = !bounded && has_short_waves(q);
-  const double reach = sqrt(2.0 * scene->radius * (4.0 + fmax(0.0, q->approach)));
+  const double reach =
+      po_initial_gap_radius(scene, NEAR_GAP + (q->from_zero ? 1.0 : fmax(0.0, q->approach)));
   const double end = bounded ? scene->outer_radius
                      : mean  ? reach
                              : po_averaging_radius(scene, po_averaging_phase(scene, reach));
-  const double pieces = po_scene_is_wavy(scene) && !mean ? 2.0 * end / scene->wavelength : 0.0;
+  const double pieces =
+      po_scene_is_wavy(scene) && !mean ? 2.0 * end / po_initial_gap_detail(scene) : 0.0;
   if (!(pieces <= MOST_PIECES))
     return po_fail(PO_OUT_OF_NODES,
                    "the rigid load would be the sum of %.3g half waves up to radius %g, more than "
@@ -177,7 +196,10 @@ static po_status integrate_each(const po_scene *scene, double approach, const in
     return po_fail(PO_NO_MEMORY, "no memory for a quadrature");
   po_status status = PO_OK;
   for (int k = 0; k < count; ++k) {
-    integral q = {.scene = scene, .approach = approach, .of = of[k]};
+    integral q = {.scene = scene,
+                  .approach = approach,
+                  .of = of[k],
+                  .from_zero = of[k] == ENERGY && po_scene_has_infinite_energy(scene)};
     double sum = 0.0;
     if (!status)
       status = integrate(&q, space, &sum);

@@ -8,6 +8,7 @@
 #include "po_clock.h"
 #include "po_linear.h"
 #include "po_rigid.h"
+#include "po_scales.h"
 #include "po_trace.h"
 
 /* If the estimated error of the pull-off force exceeds the tolerance, or a fold is not found on a
@@ -76,7 +77,7 @@ static double core_of(const po_request *request) {
                               finite_or_none(request->preload.approach));
   const double core = po_surface_core(scene, deepest);
   if (po_request_search(request) == PO_SEARCH_NONE || !request->companion ||
-      !po_scene_is_wavy(scene) || isfinite(scene->outer_radius))
+      po_scene_is_simple(scene) || isfinite(scene->outer_radius))
     return core;
   const double enough = po_observe_core_of_contact(po_request_bound(request, -SEARCHED_FORCE));
   return enough < LARGEST_CORE * core ? fmax(core, enough) : core;
@@ -86,6 +87,13 @@ static double core_of(const po_request *request) {
  * begins at a smaller approach. */
 static double farthest_of(const po_request *request) {
   return fmin(request->approach_end, finite_or_none(request->preload.approach)) - BEYOND;
+}
+
+static double farthest_start(const po_scene *scene) {
+  double start = BEGIN * (1.0 + po_scene_scales(scene).stretch);
+  for (size_t k = 0; k < po_scene_waves(scene); ++k)
+    start += po_scene_wave(scene, k).amplitude;
+  return start;
 }
 
 static po_status attempt(const po_request *request, const po_keeper *keeper, double deadline,
@@ -98,7 +106,7 @@ static po_status attempt(const po_request *request, const po_keeper *keeper, dou
                   .tolerance = request->mesh.tolerance,
                   .begin = farthest_of(request)};
   if (request->want & (PO_WANT_HYSTERESIS | PO_WANT_PRELOAD))
-    a.begin = fmin(a.begin, -(BEGIN * (1.0 + request->scene.tabor) + request->scene.amplitude));
+    a.begin = fmin(a.begin, -farthest_start(&request->scene));
   po_work work = {0};
   for (int meshes = 0, traces = 1; meshes < MOST_MESHES; ++traces) {
     po_result_clear(result);

@@ -42,7 +42,7 @@ po_contact_gap po_contact_gap_of(const po_scene *scene, double domain, const po_
     g.end = p->node[p->n - 1];
   } else { /* rigid: the contact is bounded by that of the sphere without waves */
     const double reach = fmax(0.0, p->approach + po_law_peak_gap(&scene->law)) + GREATEST_DOUBT;
-    g.end = fmin(sqrt(2.0 * scene->radius * reach), scene->outer_radius);
+    g.end = fmin(po_initial_gap_radius(scene, reach), scene->outer_radius);
   }
   return g;
 }
@@ -136,16 +136,14 @@ static double inwards(const po_contact_gap *g, double r) {
   } else {
     step = g->end / SAMPLES_A_LENGTH;
   }
-  if (po_scene_is_wavy(g->scene))
-    step = fmin(step, g->scene->wavelength / SAMPLES_A_LENGTH);
-  return fmax(begin, r - step);
+  return fmax(begin, r - fmin(step, po_initial_gap_detail(g->scene) / SAMPLES_A_LENGTH));
 }
 
 /* A radius beyond which rigid surfaces are not in contact: the waves only increase the gap of the
- * sphere. */
+ * profile. */
 static double skip_rigid(const sought *s, double r) {
   const double reach = s->g->approach + s->level + (s->side ? s->doubt->constant : 0.0);
-  return reach > 0.0 ? fmin(r, sqrt(2.0 * s->g->scene->radius * reach)) : 0.0;
+  return fmin(r, po_initial_gap_radius(s->g->scene, reach));
 }
 
 /* The inner end of the panel below a radius if the gap is above the level on the whole panel;
@@ -163,9 +161,9 @@ static double skip(const sought *s, double r) {
     least = fmin(least, g->solution->deflection[j]);
     largest = fmax(largest, g->solution->deflection[j]);
   }
-  const double sphere = 0.5 * begin * begin / g->scene->radius;
+  const double initial = po_initial_gap_beyond(g->scene, begin);
   const double level = s->level + (s->side ? GREATEST_DOUBT : 0.0);
-  return sphere + least - (largest - least) > level ? begin : r;
+  return initial + least - (largest - least) > level ? begin : r;
 }
 
 /* Rounding, eps: an extremum that passes the level by less is taken as not passing it. */
@@ -255,26 +253,27 @@ static double nearest(const sought *as_it_is, double radius, double *other) {
   return 0.5 * (inner + radius);
 }
 
-/* Wavelength of a rigid scene, relative to the radius, below which waves are not resolved: the
- * outermost crest in contact is within one wavelength of the contact edge of the smooth sphere. */
+/* Shortest wavelength of a rigid scene, relative to the radius, below which waves are not resolved:
+ * the outermost crest in contact is within one wavelength of the contact edge of the smooth sphere.
+ */
 static const double SHORTEST_WAVE = 1e-8;
 
 static bool is_smeared(const po_contact_gap *g) {
   const po_scene *scene = g->scene;
   return !g->solution && g->n == 0 && po_scene_is_wavy(scene) &&
-         scene->wavelength < SHORTEST_WAVE * g->end;
+         po_initial_gap_detail(scene) < SHORTEST_WAVE * g->end;
 }
 
 static double radius_of_sphere(const po_contact_gap *g, double doubt) {
   const double reach = g->approach + po_law_peak_gap(&g->scene->law) + doubt;
-  return reach > 0.0 ? fmin(g->end, sqrt(2.0 * g->scene->radius * reach)) : 0.0;
+  return fmin(g->end, po_initial_gap_radius(g->scene, reach));
 }
 
 static po_contact_edge estimate_smeared(const po_contact_gap *g, double doubt) {
   const double radius = radius_of_sphere(g, 0.0);
   const double change =
       fmax(radius_of_sphere(g, doubt) - radius, radius - radius_of_sphere(g, -doubt));
-  return (po_contact_edge){radius, change + g->scene->wavelength, NAN};
+  return (po_contact_edge){radius, change + po_initial_gap_detail(g->scene), NAN};
 }
 
 double po_contact_radius(const po_contact_gap *gap) {

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "po_initial_gap.h"
+#include "po_law.h"
 #include "po_observe_parts.h"
 #include "po_rigid.h"
 
@@ -10,14 +11,49 @@
  * the x at which the repulsive term 2/(3 x^8) has that value. */
 static const double PUSH_PER_LOAD = 1.1, PUSH_BEYOND_LOAD = 8.0;
 
+/* Bisections of the approach at which the load of rigid bodies has a value. */
+enum { BISECTIONS = 30 };
+
+/* The same for any profile: the approach at which the load itself has that value. */
+static double end_of_load(const po_scene *scene, double push) {
+  double low = 0.0, high = -po_law_closest(&scene->law);
+  for (int k = 0; k < BISECTIONS; ++k) {
+    const double middle = 0.5 * (low + high);
+    double load, rate;
+    if (po_rigid_load(scene, middle, &load, &rate) || load > push)
+      high = middle;
+    else
+      low = middle;
+  }
+  return low;
+}
+
 double po_observe_rigid_end(const po_scene *scene, double load) {
-  return po_rigid_approach_of_crest(scene, PUSH_PER_LOAD * load + PUSH_BEYOND_LOAD);
+  const double push = PUSH_PER_LOAD * load + PUSH_BEYOND_LOAD;
+  return po_profile_is_sphere(&scene->profile) ? po_rigid_approach_of_crest(scene, push)
+                                               : end_of_load(scene, push);
+}
+
+/* Panels end at the kink of a profile if it is at this fraction, with the denominator a power of 2,
+ * of the domain. */
+enum { KINK_PARTS = 64 };
+
+/* The smallest domain of at least `least` in which the kink is at the end of a panel. */
+static double with_kink(double kink, double least) {
+  const double part = fmin(kink / least, 1.0);
+  for (double parts = 1.0; parts <= KINK_PARTS; parts *= 2.0)
+    if (part * parts >= KINK_PARTS / 4)
+      return kink * parts / floor(part * parts);
+  return part * KINK_PARTS >= 1.0 ? kink * KINK_PARTS / floor(part * KINK_PARTS) : least;
 }
 
 double po_observe_domain(const po_scene *scene, double core) {
-  return isfinite(scene->outer_radius)
-             ? core
-             : po_averaging_radius(scene, po_averaging_phase(scene, core));
+  if (isfinite(scene->outer_radius))
+    return core;
+  const double kink = po_profile_kink(&scene->profile);
+  if (!isnan(kink) && !po_scene_is_wavy(scene))
+    return with_kink(kink, core);
+  return po_averaging_radius(scene, po_averaging_phase(scene, core));
 }
 
 /* Greatest contact radius on an unbounded surface, relative to the radius of the domain: beyond,

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "po_diagnose.h"
+#include "po_load_unit.h"
 #include "po_observe_parts.h"
 
 /* The preload of the loops of the JKR theory: the approach of the request, otherwise the load at
@@ -34,12 +35,14 @@ static po_status accompany(const po_request *request, po_result *result) {
   return PO_OK;
 }
 
-po_status po_observe(const po_request *request, po_result *result) {
-  const double deadline = po_observe_deadline(request);
-  po_status status = po_observe_attempts(request, NULL, deadline, result);
-  if (!status && (request->want & PO_WANT_DIAGNOSTICS))
-    status = po_diagnose_moved(request, deadline, result);
+po_status po_observe(const po_request *asked, po_result *result) {
+  const po_request request = po_load_unit_request(asked);
+  const double deadline = po_observe_deadline(&request);
+  po_status status = po_observe_attempts(&request, NULL, deadline, result);
+  if (!status && (request.want & PO_WANT_DIAGNOSTICS))
+    status = po_diagnose_moved(&request, deadline, result);
   if (!status)
-    status = accompany(request, result);
+    status = accompany(&request, result);
+  po_load_unit_result(&request.scene, result);
   return po_observe_finish(status, result);
 }

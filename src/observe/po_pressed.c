@@ -113,7 +113,7 @@ static bool is_complete(const po_request *request, const po_path *path, const po
   const double load = -o->pull_off_any.force;
   if (deepest_stable(path) < load - o->pull_off_any.force_error)
     return false;
-  if (o->rigid && po_scene_is_wavy(&request->scene))
+  if (o->rigid && !po_scene_is_simple(&request->scene))
     return o->ended.approach >= po_observe_rigid_end(&request->scene, 0.0);
   return po_stopping_is_complete(stopping, load);
 }

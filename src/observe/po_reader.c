@@ -63,9 +63,9 @@ static bool may_go_on(po_reader *r, const po_branch_point *p) {
   else if (po_clock_thread() > r->deadline && only_searches(r))
     r->result->ended.cause = PO_END_SEARCHED;
   else if (po_clock_thread() > r->deadline)
-    r->status = po_fail(PO_OUT_OF_TIME,
-                        "after %g s of processor time the trace is at approach %.6g, load %.6g",
-                        r->request->time_limit, p->approach, p->load);
+    r->status = po_fail(
+        PO_OUT_OF_TIME, "after %g s of processor time the trace is at approach %.6g, load %.6g",
+        r->request->time_limit, p->approach, p->load * po_scene_load_unit(&r->request->scene));
   return !r->status;
 }
 
@@ -106,13 +106,20 @@ static void note_cut_off(po_reader *r, const po_branch_point *p, double contact_
     r->status = po_fail(PO_OUT_OF_DOMAIN,
                         "the contact radius %.6g reached the end of the meshed surface, %.6g, at "
                         "approach %.6g, load %.6g%s",
-                        contact_radius, r->surface->core_radius, p->approach, p->load,
+                        contact_radius, r->surface->core_radius, p->approach,
+                        p->load * po_scene_load_unit(&r->request->scene),
                         r->stopping.met ? "" : ", before the preload is met");
 }
 
 /* Whether the trace ends at a point; stores the cause. */
 static bool ends_at(po_reader *r, const po_branch_point *p, double contact_radius) {
   const po_scene *scene = &r->request->scene;
+  if (!r->status && contact_radius > po_profile_end(&scene->profile))
+    r->status = po_fail(PO_BAD_INPUT,
+                        "the table of the profile ends at r = %g, before the contact does: its "
+                        "radius is %.6g at approach %.6g; expected rows for larger radii, or a "
+                        "smaller approach_end",
+                        po_profile_end(&scene->profile), contact_radius, p->approach);
   if (!r->status && p->gap && po_observe_is_cut_off(scene, contact_radius, r->surface->core_radius))
     note_cut_off(r, p, contact_radius);
   else if (!r->status)

@@ -77,7 +77,7 @@ bool po_stopping_is_searching(const po_stopping *s) {
 /* A cut surface has no contact beyond its end. */
 bool po_stopping_is_complete(const po_stopping *s, double load) {
   const po_scene *scene = &s->request->scene;
-  if (!po_scene_is_wavy(scene))
+  if (po_scene_is_simple(scene))
     return s->has_minimum && s->greatest_load > 0.0;
   if (!s->request->companion || !(s->disc > 0.0) || s->greatest_load < PO_USUAL_PRELOAD)
     return false;
@@ -86,7 +86,7 @@ bool po_stopping_is_complete(const po_stopping *s, double load) {
 
 static bool ends_compressed(const po_stopping *s) {
   const po_request *r = s->request;
-  return !po_scene_is_wavy(&r->scene) && isnan(r->preload.approach) && isnan(r->preload.load) &&
+  return po_scene_is_simple(&r->scene) && isnan(r->preload.approach) && isnan(r->preload.load) &&
          !(r->want & (PO_WANT_HYSTERESIS | PO_WANT_PRELOAD));
 }
 

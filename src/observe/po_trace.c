@@ -140,7 +140,7 @@ static po_status make_surface(const po_request *request, bool rigid, double core
     return po_surface_create(scene, &mesh, core, !rigid, fixed);
   }
   const double domain = po_observe_domain(scene, core);
-  const double waves = po_scene_is_wavy(scene) ? domain / scene->wavelength : 0.0;
+  const double waves = domain / po_initial_gap_detail(scene);
   return po_adaptive_create(scene, domain, (uint32_t)ceil(log2(fmin(fmax(waves, 4.0), 64.0))),
                             panels);
 }
@@ -218,9 +218,10 @@ po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double 
     result->ended.cause = isnan(request->approach_end) ? PO_END_COMPLETE : PO_END_ASKED;
   if (!status && !reader.stopping.met && !isnan(request->approach_end) &&
       !isnan(request->preload.load))
-    status = po_fail(PO_NOT_FOUND,
-                     "the trace ended at approach %.6g, load %.6g, before the load %g was reached",
-                     result->ended.approach, result->ended.load, request->preload.load);
+    status = po_fail(
+        PO_NOT_FOUND, "the trace ended at approach %.6g, load %.6g, before the load %g was reached",
+        result->ended.approach, result->ended.load * po_scene_load_unit(&request->scene),
+        request->preload.load * po_scene_load_unit(&request->scene));
   if (!status && !result->has_pull_off && isnan(request->approach_end))
     status = lacks_minimum(request, &reader);
   if (!status)

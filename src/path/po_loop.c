@@ -66,8 +66,8 @@ static po_status jump_on(loop_state *f, double value) {
     return po_fail(
         PO_NOT_FOUND,
         "the curve ends at approach %.6g and has no equilibrium after the jump at approach "
-        "%.6g, load %.6g: the preload is not reached",
-        f->path->point[f->path->count - 1].approach, before.approach, before.load);
+        "%.6g: the preload is not reached",
+        f->path->point[f->path->count - 1].approach, before.approach);
   return add_jump(f, true, before, state_of(f));
 }
 
@@ -95,9 +95,8 @@ static po_status load(loop_state *f) {
     }
     move(f, 1.0);
     if (f->at.index + 2 == f->path->count)
-      return po_fail(
-          PO_NOT_FOUND, "the curve ends at approach %.6g, load %.6g: the preload is not reached",
-          f->path->point[f->at.index + 1].approach, f->path->point[f->at.index + 1].load);
+      return po_fail(PO_NOT_FOUND, "the curve ends at approach %.6g: the preload is not reached",
+                     f->path->point[f->at.index + 1].approach);
     f->at = (po_path_place){f->at.index + 1, 0.0};
   }
   return status;

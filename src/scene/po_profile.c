@@ -122,11 +122,15 @@ double po_profile_radius_of_gap(const po_profile *profile, double radius, double
   return kind_of(profile)->radius_of_gap(profile, radius, gap);
 }
 
-size_t po_profile_kinks(const po_profile *profile, double kink[PO_MOST_KINKS]) {
-  if (!kind_of(profile)->kink)
-    return 0;
-  kink[0] = kind_of(profile)->kink(profile);
-  return 1;
+double po_profile_kink(const po_profile *profile) {
+  return kind_of(profile)->kink ? kind_of(profile)->kink(profile) : (double)NAN;
+}
+
+double po_profile_next_joint(const po_profile *profile, double r) {
+  if (kind_of(profile)->next_joint)
+    return kind_of(profile)->next_joint(profile, r);
+  const double kink = po_profile_kink(profile);
+  return kink > r ? kink : INFINITY;
 }
 
 double po_profile_growth(const po_profile *profile) {

@@ -25,8 +25,6 @@ typedef enum {
   PO_PROFILE_PARAMETER_COUNT
 } po_profile_parameter;
 
-enum { PO_MOST_KINKS = 1 };
-
 typedef struct po_profile_kind po_profile_kind;
 struct po_profile_table;
 
@@ -85,8 +83,12 @@ double po_profile_gap_beyond(const po_profile *profile, double radius, double r)
 /* The largest radius at which f is not above a gap >= 0. */
 double po_profile_radius_of_gap(const po_profile *profile, double radius, double gap);
 
-/* The radii at which f is not smooth, but for r = 0. Returned: their number. */
-size_t po_profile_kinks(const po_profile *profile, double kink[PO_MOST_KINKS]);
+/* The smallest radius > r at which f is not analytic; INFINITY if there is none: the end of a flat
+ * part, or the next row of a table. */
+double po_profile_next_joint(const po_profile *profile, double r);
+
+/* The radius at which the slope or the curvature of f jumps; NAN if there is none. */
+double po_profile_kink(const po_profile *profile);
 
 /* N, with f ~ r^N far out. */
 double po_profile_growth(const po_profile *profile);

@@ -17,7 +17,8 @@ struct po_profile_kind {
   long double (*gap_exact)(const po_profile *profile, double radius, long double r);
   double (*gap_beyond)(const po_profile *profile, double radius, double r); /* NULL: f rises */
   double (*radius_of_gap)(const po_profile *profile, double radius, double gap);
-  double (*kink)(const po_profile *profile); /* NULL: there is none */
+  double (*kink)(const po_profile *profile);                 /* NULL: there is none */
+  double (*next_joint)(const po_profile *profile, double r); /* NULL: only the kink */
   double (*growth)(const po_profile *profile);
   double (*end)(const po_profile *profile);     /* NULL: f is known everywhere */
   double (*detail)(const po_profile *profile);  /* NULL: f rises everywhere */

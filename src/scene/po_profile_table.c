@@ -278,6 +278,11 @@ static double radius_of_gap(const po_profile *profile, double radius, double sou
   return po_root(above, &l, t->r[k - 1], t->r[k]);
 }
 
+static double next_joint(const po_profile *profile, double r) {
+  const po_profile_table *t = profile->table;
+  return r < t->r[t->rows - 1] ? t->r[interval_of(t, r) + 1] : INFINITY;
+}
+
 static double growth(const po_profile *profile) {
   return profile->table->growth;
 }
@@ -294,6 +299,7 @@ const po_profile_kind PO_TABLE = {.name = "table",
                                   .gap_exact = gap_exact,
                                   .gap_beyond = gap_beyond,
                                   .radius_of_gap = radius_of_gap,
+                                  .next_joint = next_joint,
                                   .growth = growth,
                                   .end = end,
                                   .detail = detail,

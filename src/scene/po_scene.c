@@ -17,10 +17,10 @@ static po_status require(bool holds, const char *key, double value, const char *
   return holds ? PO_OK : po_fail(PO_BAD_INPUT, "%s is %g: expected %s", key, value, expected);
 }
 
-/* The far field of an unbounded surface falls as r^-mN with the powers m of the law and N of the
- * profile: its load is finite if mN > 2. That of laws with m <= 2 converges too slowly for the
- * panel to infinity, whatever the profile. */
-static const double LEAST_EXPONENT = 2.0;
+/* The traction of an unbounded surface falls as r^-mN far out, with the powers m of the law and N
+ * of the profile. The load of a sphere is finite for m > 1, its energy for m > 2. A cone under the
+ * law of the paper has mN = 3; the integrals over the panel to infinity need as much. */
+static const double LEAST_EXPONENT = 2.0, SLOWEST_DECAY = 3.0 - 1e-9;
 
 static po_status check_far_field(const po_scene *scene) {
   const po_law_far far = po_law_far_field(&scene->law);
@@ -29,13 +29,13 @@ static po_status check_far_field(const po_scene *scene) {
     return PO_OK;
   if (!(far.exponent > LEAST_EXPONENT))
     return po_fail(PO_BAD_INPUT,
-                   "mie_m is %g: on an unbounded surface the energy of the far field is infinite; "
+                   "mie_m is %g: the far field of an unbounded surface falls too slowly; "
                    "expected more than %g, or an outer radius",
                    far.exponent, LEAST_EXPONENT);
-  if (!(far.exponent * growth > 2.0))
+  if (!(far.exponent * growth >= SLOWEST_DECAY))
     return po_fail(PO_BAD_INPUT,
-                   "the profile grows as r^%g far out, and the law falls as gap^-%g: the load of "
-                   "an unbounded surface is infinite; expected an outer radius",
+                   "the profile grows as r^%g far out, and the law falls as gap^-%g: the far field "
+                   "of an unbounded surface falls too slowly; expected an outer radius",
                    growth, far.exponent);
   return PO_OK;
 }
@@ -147,6 +147,15 @@ bool po_scene_is_simple(const po_scene *scene) {
 
 bool po_scene_is_of_paper(const po_scene *scene) {
   return po_profile_is_sphere(&scene->profile) && po_scene_waves(scene) < 2;
+}
+
+bool po_scene_has_infinite_energy(const po_scene *scene) {
+  const double fall = po_law_far_field(&scene->law).exponent - 1.0;
+  return isinf(scene->outer_radius) && fall * po_profile_growth(&scene->profile) <= 2.0;
+}
+
+double po_scene_load_unit(const po_scene *scene) {
+  return scene->load_unit > 0.0 ? scene->load_unit : 1.0;
 }
 
 double po_scene_coupling(const po_scene *scene) {

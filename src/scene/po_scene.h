@@ -34,7 +34,8 @@ typedef struct {
   double outer_radius; /* r_max/eps, where the half-space ends; INFINITY: unbounded */
   po_law law;          /* Lennard-Jones unless it is set */
   po_profile profile;  /* the sphere unless it is set */
-  size_t more_waves;   /* number of further waves */
+  double load_unit;  /* inside a solve, pi w R of this scene in that of the scene asked for; 0: 1 */
+  size_t more_waves; /* number of further waves */
   po_wave more[PO_MOST_WAVES - 1];
 } po_scene;
 
@@ -67,6 +68,14 @@ bool po_scene_is_simple(const po_scene *scene);
 /* Returned: whether the scene is one that the paper, and the closed forms for it, describe: a
  * sphere with one wave or none. */
 bool po_scene_is_of_paper(const po_scene *scene);
+
+/* Whether the energy of the interaction far out, in proportion to the integral of r^(N(1-m)) r dr
+ * with the powers m of the law and N of the profile, is infinite. Energies are then relative to
+ * that of the initial gap at approach 0, far out. */
+bool po_scene_has_infinite_energy(const po_scene *scene);
+
+/* The factor of a load in messages, see po_load_unit.h. */
+double po_scene_load_unit(const po_scene *scene);
 
 /* The coupling c = w/(E* eps) = mu^(3/2)/sqrt(R/eps). */
 double po_scene_coupling(const po_scene *scene);

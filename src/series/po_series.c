@@ -264,8 +264,9 @@ static po_status solve_between(const po_series_scenes *l, po_checkpoint *from, p
   return status;
 }
 
-po_status po_series_observe(const po_request *requests, size_t count, size_t checkpoint_every,
-                            po_result *results) {
+/* po_series_observe for requests in the units of their solves. */
+static po_status observe(const po_request *requests, size_t count, size_t checkpoint_every,
+                         po_result *results) {
   const po_series_scenes l = {requests, results, count};
   for (size_t k = 0; k < count; ++k)
     results[k] = po_result_none();
@@ -283,5 +284,15 @@ po_status po_series_observe(const po_request *requests, size_t count, size_t che
     to = (po_checkpoint){0};
   }
   po_checkpoint_clear(&from);
+  return status;
+}
+
+po_status po_series_observe(const po_request *requests, size_t count, size_t checkpoint_every,
+                            po_result *results) {
+  po_request *solved = po_series_requests(requests, count);
+  if (!solved)
+    return PO_NO_MEMORY;
+  const po_status status = observe(solved, count, checkpoint_every, results);
+  po_series_finish(solved, count, results);
   return status;
 }

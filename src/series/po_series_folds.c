@@ -130,7 +130,8 @@ static po_status follow_all(const po_series_scenes *l, const folds *f) {
   return status;
 }
 
-po_status po_series_folds(const po_request *requests, size_t count, po_result *results) {
+/* po_series_folds for requests in the units of their solves. */
+static po_status observe(const po_request *requests, size_t count, po_result *results) {
   const po_series_scenes l = {requests, results, count};
   for (size_t k = 0; k < count; ++k)
     results[k] = po_result_none();
@@ -150,5 +151,14 @@ po_status po_series_folds(const po_request *requests, size_t count, po_result *r
     status = follow_all(&l, &f);
   free_points(&f);
   free(f.point);
+  return status;
+}
+
+po_status po_series_folds(const po_request *requests, size_t count, po_result *results) {
+  po_request *solved = po_series_requests(requests, count);
+  if (!solved)
+    return PO_NO_MEMORY;
+  const po_status status = observe(solved, count, results);
+  po_series_finish(solved, count, results);
   return status;
 }

@@ -1,8 +1,11 @@
 #include "po_series_scenes.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "po_clock.h"
+#include "po_load_unit.h"
+#include "po_memory.h"
 #include "po_observe_parts.h"
 
 /* Interpolates between two values, logarithmically if both are positive. */
@@ -24,11 +27,32 @@ static void scene_at(void *data, double at, po_scene *scene) {
   scene->amplitude = between(a->amplitude, b->amplitude, part);
   scene->wavelength = between(a->wavelength, b->wavelength, part);
   scene->radius = between(a->radius, b->radius, part);
+  for (size_t w = 0; w < a->more_waves; ++w) {
+    scene->more[w].amplitude = between(a->more[w].amplitude, b->more[w].amplitude, part);
+    scene->more[w].length = between(a->more[w].length, b->more[w].length, part);
+  }
+  for (int p = 0; p < PO_PROFILE_PARAMETER_COUNT; ++p)
+    if (po_profile_has(&a->profile, (po_profile_parameter)p))
+      po_profile_set_parameter(&scene->profile, (po_profile_parameter)p,
+                               between(a->profile.parameter[p], b->profile.parameter[p], part));
   scene->outer_radius = between(a->outer_radius, b->outer_radius, part);
   for (int p = 0; p < PO_LAW_PARAMETER_COUNT; ++p)
     if (po_law_has(&a->law, (po_law_parameter)p))
       po_law_set_parameter(&scene->law, (po_law_parameter)p,
                            between(a->law.parameter[p], b->law.parameter[p], part));
+}
+
+po_request *po_series_requests(const po_request *requests, size_t count) {
+  po_request *solved = po_allocate(count + 1, sizeof *solved);
+  for (size_t k = 0; solved && k < count; ++k)
+    solved[k] = po_load_unit_request(&requests[k]);
+  return solved;
+}
+
+void po_series_finish(po_request *solved, size_t count, po_result *results) {
+  for (size_t k = 0; k < count; ++k)
+    po_load_unit_result(&solved[k].scene, &results[k]);
+  free(solved);
 }
 
 static double domain_of(const po_scene *scene) {
@@ -45,7 +69,9 @@ bool po_series_alike(const po_request *a, const po_request *b) {
          isnan(b->approach_end) && is_same(a->preload.approach, b->preload.approach) &&
          is_same(a->preload.load, b->preload.load) &&
          po_law_index(&a->scene.law) == po_law_index(&b->scene.law) &&
-         po_scene_is_wavy(&a->scene) == po_scene_is_wavy(&b->scene) &&
+         po_profile_index(&a->scene.profile) == po_profile_index(&b->scene.profile) &&
+         a->scene.profile.table == b->scene.profile.table &&
+         po_scene_waves(&a->scene) == po_scene_waves(&b->scene) &&
          isinf(a->scene.outer_radius) == isinf(b->scene.outer_radius);
 }
 

@@ -14,6 +14,11 @@ typedef struct {
   size_t count;
 } po_series_scenes;
 
+/* The requests in the units of their solves (po_load_unit.h), to be given to po_series_finish,
+ * which converts the results and frees them; NULL if memory runs out. */
+po_request *po_series_requests(const po_request *requests, size_t count);
+void po_series_finish(po_request *solved, size_t count, po_result *results);
+
 /* Returned: whether minima and folds can be followed between two scenes: only numbers of the scene
  * differ, and only the pull-off is wanted. */
 bool po_series_alike(const po_request *a, const po_request *b);
