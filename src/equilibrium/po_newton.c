@@ -1,6 +1,7 @@
 /* Quasi-Newton iterations for Eq 15 and for the tangent of the branch. Both use the factors of
  * po_equilibrium, which may be those of an earlier state, and Broyden's updates. See doc/method.md,
  * "Newton's method". */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -51,6 +52,21 @@ static void precondition(po_equilibrium *e, const double *residual, double *chan
     change[e->index[b]] = residual[e->index[b]] - change[n];
 }
 
+/* A change below this part of a gap is one of its rounding, which matters if it is more than this,
+ * eps. */
+static const double ROUNDING = 2.0 * DBL_EPSILON, LARGE_ROUNDING = 1e-9;
+
+/* Sets changes of the gaps that are not factorised to 0 if they are rounding: far out on a steep
+ * profile they exceed all other changes, which Broyden's updates would then not see. */
+static void drop_rounding(const po_equilibrium *e, const double *state, double *change) {
+  for (size_t b = e->active; b < e->n; ++b) {
+    const size_t j = e->index[b];
+    const double rounding = ROUNDING * fabs(state[j]);
+    if (rounding > LARGE_ROUNDING && fabs(change[j]) < rounding)
+      change[j] = 0.0;
+  }
+}
+
 /* One quasi-Newton iteration for Eq 15 and the condition. Returned: the largest change of a gap
  * relative to 1 + H; NaN if it is not finite. */
 static double newton_step(po_equilibrium *e, double *state, const po_constraint *constraint) {
@@ -60,6 +76,7 @@ static double newton_step(po_equilibrium *e, double *state, const po_constraint 
   po_equilibrium_residual(e, state, residual);
   residual[n] = constraint->target - constraint->value(e, state, constraint->data);
   precondition(e, residual, change);
+  drop_rounding(e, state, change);
   po_secant_step(&e->secant, change);
   double largest = 0.0, closing = 0.0;
   for (size_t j = 0; j < n; ++j) {

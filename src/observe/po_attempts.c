@@ -132,12 +132,13 @@ static po_status attempt(const po_request *request, const po_keeper *keeper, dou
         PO_NOT_CONVERGED,
         "the error of the pull-off force %.6g at approach %.6g could not be estimated: no "
         "equilibrium was found there on a finer mesh",
-        result->pull_off.force, result->pull_off.approach);
+        result->pull_off.force * po_scene_load_unit(&request->scene), result->pull_off.approach);
   if (!status && !rigid && excess_error(request, result) > MOST_EXCESS)
     return po_fail(PO_NOT_CONVERGED,
                    "the error of the pull-off force %.6g is estimated at %.2g, far above the "
                    "tolerance, also on finer panels",
-                   result->pull_off.force, result->pull_off.force_error);
+                   result->pull_off.force * po_scene_load_unit(&request->scene),
+                   result->pull_off.force_error * po_scene_load_unit(&request->scene));
   return status;
 }
 
