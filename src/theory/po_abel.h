@@ -1,0 +1,51 @@
+/* The Abel transform of the initial gap, g(x) = x times the integral of f'(r)/sqrt(x^2 - r^2) over
+ * r from 0 to x (Sneddon 1965). A rigid profile f in frictionless contact with an elastic
+ * half-space on the disc r < a has the approach g(a) and the load 2 E* [a g(a) - integral of g from
+ * 0 to a]. */
+#ifndef PO_ABEL_H
+#define PO_ABEL_H
+
+#include "po_scene.h"
+
+/* Lengths in eps. */
+typedef struct {
+  double g;     /* eps */
+  double rate;  /* dg/dx; at a kink of the profile the limit from the left */
+  double press; /* x g(x) - integral of g from 0 to x = integral of x dg, eps^2 */
+} po_abel;
+
+/* The transform at a radius x >= 0 (eps), of the profile alone and with its waves. Source: for the
+ * sphere, powers, the cone, flat profiles and waves the integral in closed form (elementary
+ * functions, Struve functions); for a table the integral over each cubic of its spline by Gauss
+ * rules that are exact to rounding, and beyond its end the incomplete Beta function of its power.
+ * Returned: NaN in all members for a profile whose transform is not known here. Accuracy: 1e-14 of
+ * the largest term (tests/theory/test_tables_profiles.c). */
+po_abel po_abel_of_profile(const po_scene *scene, double x);
+po_abel po_abel_at(const po_scene *scene, double x);
+
+/* The same by adaptive quadrature over the slope of the initial gap alone, which is an independent
+ * route: g(x) = x times the integral of f'(x sin t) over t from 0 to pi/2, and the press is the
+ * integral of (x sin t)^2 f'(x sin t). Returned: the rate is NAN. Status: PO_NOT_CONVERGED,
+ * PO_NO_MEMORY. Accuracy: 1e-11 relative. */
+po_status po_abel_by_quadrature(const po_scene *scene, double x, po_abel *abel);
+
+/* Bounds. `fall`: the transform of the profile without waves falls nowhere faster than this; 0 for
+ * profiles that are convex. `po_abel_greatest_rate`: no smaller than dg/dx anywhere up to x, waves
+ * included; it grows with x. `po_abel_waves_least_g`, `po_abel_waves_least_press`: no
+ * greater than the part of the waves in g and press anywhere on [low, high]. */
+double po_abel_fall(const po_scene *scene);
+double po_abel_greatest_rate(const po_scene *scene, double x);
+double po_abel_waves_least_g(const po_scene *scene, double low, double high);
+double po_abel_waves_least_press(const po_scene *scene, double low, double high);
+
+/* A length in which dg/dx is close to a parabola: a part of the shortest wavelength, of x, and for
+ * a table of the interval between its rows. */
+double po_abel_detail(const po_scene *scene, double x);
+
+/* The longest wavelength; 0 without waves. */
+double po_abel_longest_wave(const po_scene *scene);
+
+/* The first row of the table beyond x; INFINITY if there is none. */
+double po_abel_next_row(const po_scene *scene, double x);
+
+#endif

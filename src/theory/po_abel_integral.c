@@ -1,0 +1,90 @@
+#include "po_abel_integral.h"
+
+#include <math.h>
+
+#include "po_abel_parts.h"
+#include "po_quadrature.h"
+
+/* Points of the rule in a piece. */
+enum { POINTS = 16 };
+static const double MOST_PIECES = 1e6;
+/* Near the axis g is a power of x: pieces grow by this factor, the first is this part of the whole.
+ */
+static const double GROWTH = 4.0, FIRST = 1e-5, PART_OF_WAVE = 0.5;
+
+typedef struct {
+  const po_scene *scene;
+  po_abel_integrand f;
+  const void *data;
+  bool to_edge; /* with the weight 1/sqrt(to^2 - x^2) */
+  double to;
+  double node[POINTS], weight[POINTS];
+} integral;
+
+/* The end of the piece that begins at x. */
+static double piece_end(const integral *q, double x) {
+  double end = fmin(q->to, fmax(GROWTH * x, FIRST * q->to)), kink[PO_MOST_KINKS];
+  const size_t kinks = po_profile_kinks(&q->scene->profile, kink);
+  for (size_t k = 0; k < kinks; ++k)
+    if (kink[k] > x)
+      end = fmin(end, kink[k]);
+  for (size_t k = 0; k < po_scene_waves(q->scene); ++k)
+    end = fmin(end, x + PART_OF_WAVE * po_scene_wave(q->scene, k).length);
+  return fmin(end, po_abel_next_row(q->scene, x));
+}
+
+/* arccos(x/to) */
+static double angle_of(const integral *q, double x) {
+  return atan2(sqrt((q->to - x) * (q->to + x)), x);
+}
+
+/* Beyond a kink or a row g is smooth in the square root of the distance from it, in which the rule
+ * is applied. The weight goes by the angle arccos(x/to). */
+static double piece(const integral *q, double from, double to) {
+  const double first = q->to_edge ? angle_of(q, from) : from,
+               whole = (q->to_edge ? angle_of(q, to) : to) - first;
+  double sum = 0.0;
+  for (int i = 0; i < POINTS; ++i) {
+    const double v = q->node[i], place = first + whole * v * v;
+    const double x = fmin(fmax(q->to_edge ? q->to * cos(place) : place, from), to);
+    sum += q->weight[i] * 2.0 * v * fabs(whole) * q->f(x, po_abel_at(q->scene, x), q->data);
+  }
+  return sum;
+}
+
+static double integrate(integral *q, double from) {
+  if (!(from < q->to))
+    return from == q->to ? 0.0 : NAN;
+  if (po_gauss_rule(POINTS, q->node, q->weight))
+    return NAN;
+  double sum = 0.0, pieces = 0.0;
+  for (double x = from; x < q->to;) {
+    const double end = piece_end(q, x);
+    if (!(end > x) || ++pieces > MOST_PIECES)
+      return NAN;
+    sum += piece(q, x, end);
+    x = end;
+  }
+  return sum;
+}
+
+double po_abel_integral(const po_scene *scene, double from, double to, po_abel_integrand f,
+                        const void *data) {
+  integral q = {.scene = scene, .f = f, .data = data, .to = to};
+  return integrate(&q, from);
+}
+
+double po_abel_integral_to_edge(const po_scene *scene, double from, double to, po_abel_integrand f,
+                                const void *data) {
+  integral q = {.scene = scene, .f = f, .data = data, .to_edge = true, .to = to};
+  return integrate(&q, from);
+}
+
+static double less(double x, po_abel t, const void *data) {
+  (void)x;
+  return t.g - *(const double *)data;
+}
+
+double po_abel_gap(const po_scene *scene, double a, double approach, double r) {
+  return M_2_PI * po_abel_integral_to_edge(scene, a, r, less, &approach);
+}

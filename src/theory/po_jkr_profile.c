@@ -1,0 +1,295 @@
+#include "po_jkr_profile.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "po_abel.h"
+#include "po_abel_integral.h"
+#include "po_initial_gap.h"
+#include "po_memory.h"
+#include "po_minima.h"
+
+static const po_contact NONE = {NAN, NAN, NAN};
+
+/* A curve and its bounds. */
+typedef struct {
+  const po_scene *scene;
+  po_given given;
+  double coupling;
+  double adhesion; /* factor of the adhesive part; 1 in equilibrium */
+  double fall;     /* po_abel_fall */
+} curve;
+
+static bool is_inside(const po_scene *scene, double a) {
+  return scene->tabor > 0.0 && scene->radius > 0.0 && a >= 0.0;
+}
+
+static curve curve_of(const po_scene *scene, po_given given) {
+  return (curve){scene, given, po_scene_coupling(scene), 1.0, po_abel_fall(scene)};
+}
+
+/* sqrt(2 pi w a/E*), the part of the adhesion in the approach. */
+static double pull_in(double coupling, double a) {
+  return sqrt(2.0 * M_PI * coupling * a);
+}
+
+/* The load of a press a g - integral of g and the adhesion sqrt(8 pi w E* a^3), pi w R. */
+static double load_of(const curve *c, double press, double a) {
+  const double scale = 2.0 / (M_PI * c->scene->radius * c->coupling);
+  return scale * (press - c->adhesion * a * pull_in(c->coupling, a));
+}
+
+static double value_of(const curve *c, po_abel t, double a) {
+  return c->given == PO_GIVEN_LOAD ? load_of(c, t.press, a)
+                                   : t.g - c->adhesion * pull_in(c->coupling, a);
+}
+
+/* dDelta/da = g' - sqrt(pi c/(2a)); dW/da = 2a/(pi R c) (g' - 3 sqrt(pi c/(2a))) */
+static double rate_of(const curve *c, double rate, double a) {
+  const double adhesion = c->adhesion * sqrt(0.5 * M_PI * c->coupling / a);
+  return c->given == PO_GIVEN_LOAD
+             ? 2.0 * a / (M_PI * c->scene->radius * c->coupling) * (rate - 3.0 * adhesion)
+             : rate - adhesion;
+}
+
+static double value_at(double a, const void *data) {
+  const curve *c = data;
+  return value_of(c, po_abel_at(c->scene, a), a);
+}
+
+static double rate_at(double a, const void *data) {
+  const curve *c = data;
+  return rate_of(c, po_abel_at(c->scene, a).rate, a);
+}
+
+/* Load or approach at a from the profile alone at another radius, with the bounds of the waves on
+ * [low, a]. */
+static double bound_of(const curve *c, double at, double low, double a) {
+  po_abel t = po_abel_of_profile(c->scene, at);
+  const double fall = c->fall * (a - at);
+  if (c->given == PO_GIVEN_LOAD)
+    t.press += po_abel_waves_least_press(c->scene, low, a) - 0.5 * fall * (a + at);
+  else
+    t.g += po_abel_waves_least_g(c->scene, low, a) - fall;
+  return value_of(c, t, a);
+}
+
+/* The profile alone gives no less than at the lower end, but for its fall; the adhesion is greatest
+ * at the upper end. */
+static double below(double low, double high, const void *data) {
+  return bound_of(data, low, low, high);
+}
+
+static double detail(double a, const void *data) {
+  const curve *c = data;
+  return po_abel_detail(c->scene, a);
+}
+
+po_contact po_jkr_profile_at(const po_scene *scene, double contact_radius) {
+  if (!is_inside(scene, contact_radius))
+    return NONE;
+  const curve c = curve_of(scene, PO_GIVEN_LOAD);
+  const po_abel t = po_abel_at(scene, contact_radius);
+  return (po_contact){.load = load_of(&c, t.press, contact_radius),
+                      .approach = t.g - pull_in(c.coupling, contact_radius),
+                      .contact_radius = contact_radius};
+}
+
+double po_jkr_profile_rate(const po_scene *scene, po_given given, double contact_radius) {
+  const curve c = curve_of(scene, given);
+  return is_inside(scene, contact_radius) ? rate_at(contact_radius, &c) : NAN;
+}
+
+static const double SMALLEST = 1e-150, LARGEST = 1e150;
+
+/* Whether all rates up to a are below that of the adhesion. */
+static bool falls_to(const po_scene *scene, double coupling, double a) {
+  return po_abel_greatest_rate(scene, a) * sqrt(a) < sqrt(0.5 * M_PI * coupling);
+}
+
+double po_jkr_profile_first(const po_scene *scene) {
+  if (!is_inside(scene, 0.0))
+    return NAN;
+  const double coupling = po_scene_coupling(scene);
+  double a = 1.0;
+  while (a > SMALLEST && !falls_to(scene, coupling, a))
+    a *= 0.25;
+  while (a < LARGEST && falls_to(scene, coupling, 2.0 * a))
+    a *= 2.0;
+  return a > SMALLEST && a < LARGEST ? a : NAN;
+}
+
+/* A contact radius beyond which the lower bound is positive. From the longest wavelength on, the
+ * bounds of waves and adhesion grow as a^(3/2), or in the approach as sqrt(a), and the profile
+ * faster. */
+static double last_radius(const curve *c, double from) {
+  double a = fmax(from, po_abel_longest_wave(c->scene));
+  while (a < LARGEST && !(bound_of(c, a, 0.0, a) > 0.0))
+    a *= 2.0;
+  return a;
+}
+
+/* A profile that grows as a lower power loses against adhesion and waves at large radii. */
+static const double LEAST_GROWTH = 0.5;
+
+enum { MOST_EDGES = 2 + PO_MOST_KINKS };
+
+/* The edges of the search: from where the curve has fallen to where it stays positive, with the
+ * kinks between. */
+static po_status find_edges(const curve *c, double edge[MOST_EDGES], size_t *edges) {
+  const po_scene *scene = c->scene;
+  const double growth = po_profile_growth(&scene->profile), end = po_profile_end(&scene->profile);
+  if (!is_inside(scene, 0.0))
+    return po_fail(PO_BAD_INPUT, "tabor is %g: expected a number > 0 for the JKR theory",
+                   scene->tabor);
+  if (!(growth > LEAST_GROWTH))
+    return po_fail(PO_BAD_INPUT,
+                   "the profile grows as r^%g far out: by the JKR theory its pull-off force is "
+                   "infinite; expected a growth faster than r^%g",
+                   growth, LEAST_GROWTH);
+  double kink[PO_MOST_KINKS];
+  const size_t kinks = po_profile_kinks(&scene->profile, kink);
+  edge[0] = 0.5 * po_jkr_profile_first(scene);
+  double outer = edge[0];
+  if (kinks)
+    outer = fmax(outer, 2.0 * kink[kinks - 1]);
+  if (isfinite(end))
+    outer = fmax(outer, 2.0 * end);
+  outer = last_radius(c, outer);
+  *edges = 1;
+  for (size_t k = 0; k < kinks; ++k)
+    if (kink[k] > edge[0])
+      edge[(*edges)++] = kink[k];
+  edge[(*edges)++] = outer;
+  return edge[0] > 0.0 && outer < LARGEST && isfinite(value_at(outer, c))
+             ? PO_OK
+             : po_fail(PO_BAD_INPUT,
+                       "the pull-off by the JKR theory is beyond the range of numbers: expected "
+                       "values of more similar size");
+}
+
+static po_minima_function function_of(const curve *c, const double *edge, size_t edges) {
+  return (po_minima_function){c, value_at, rate_at, below, detail, edge, edges};
+}
+
+po_status po_jkr_profile_pull_off(const po_scene *scene, po_given given, po_contact *least) {
+  const curve c = curve_of(scene, given);
+  double edge[MOST_EDGES], a;
+  size_t edges;
+  *least = NONE;
+  po_status status = find_edges(&c, edge, &edges);
+  if (status)
+    return status;
+  const po_minima_function f = function_of(&c, edge, edges);
+  status = po_minima_least(&f, &a);
+  if (!status)
+    *least = po_jkr_profile_at(scene, a);
+  return status;
+}
+
+po_status po_jkr_profile_minima(const po_scene *scene, po_given given, size_t room,
+                                po_contact *minimum, size_t *count) {
+  const curve c = curve_of(scene, given);
+  double edge[MOST_EDGES];
+  size_t edges;
+  *count = 0;
+  po_status status = find_edges(&c, edge, &edges);
+  if (status)
+    return status;
+  double *a = po_allocate(room, sizeof *a);
+  if (!a)
+    return PO_NO_MEMORY;
+  const po_minima_function f = function_of(&c, edge, edges);
+  status = po_minima_all(&f, 0.0, room, a, count);
+  for (size_t k = 0; k < *count; ++k)
+    minimum[k] = po_jkr_profile_at(scene, a[k]);
+  free(a);
+  return status;
+}
+
+double po_jkr_profile_last_minimum(const po_scene *scene, double load, double excess) {
+  curve c = curve_of(scene, PO_GIVEN_LOAD);
+  c.adhesion = 1.0 + excess;
+  double edge[MOST_EDGES], a;
+  size_t edges;
+  if (!(load < 0.0) || find_edges(&c, edge, &edges))
+    return NAN;
+  const po_minima_function f = function_of(&c, edge, edges);
+  const po_status status = po_minima_last(&f, load, &a);
+  return status == PO_OK ? a : status == PO_NOT_FOUND ? 0.0 : NAN;
+}
+
+static double square(double x, po_abel t, const void *data) {
+  (void)x;
+  const double difference = *(const double *)data - t.g;
+  return difference * difference;
+}
+
+po_status po_jkr_profile_energy(const po_scene *scene, double contact_radius, double *energy) {
+  *energy = NAN;
+  if (!is_inside(scene, contact_radius))
+    return PO_OK;
+  const double approach = po_jkr_profile_at(scene, contact_radius).approach;
+  const double sum = po_abel_integral(scene, 0.0, contact_radius, square, &approach);
+  if (isnan(sum))
+    return po_fail(PO_NO_MEMORY, "no memory for the energy of a contact of radius %g",
+                   contact_radius);
+  *energy =
+      (sum / (M_PI * po_scene_coupling(scene)) - contact_radius * contact_radius) / scene->radius;
+  return PO_OK;
+}
+
+/* Radii outside the contact at which the transform and the gap are looked at, at most. */
+enum { MOST_LOOKS = 1 << 18 };
+
+/* Finds the first radius beyond the contact at which g < approach. Returned: INFINITY if there is
+ * none; NaN if it takes too many looks. */
+static double first_below(const curve *c, double a, double approach) {
+  const po_scene *scene = c->scene;
+  const double end = po_profile_end(&scene->profile);
+  const double whole = fmax(isfinite(end) ? 2.0 * end : 0.0, po_abel_longest_wave(scene));
+  double x = a;
+  for (int k = 0; k < MOST_LOOKS; ++k) {
+    const po_abel profile = po_abel_of_profile(scene, x);
+    if (x >= whole && profile.g + po_abel_waves_least_g(scene, 0.0, x) > approach)
+      return INFINITY;
+    if (k > 0 && po_abel_at(scene, x).g < approach)
+      return x;
+    x += po_abel_detail(scene, x);
+  }
+  return NAN;
+}
+
+po_status po_jkr_profile_check(const po_scene *scene, double contact_radius, double *gap,
+                               double *radius) {
+  const double a = contact_radius;
+  *gap = 0.0;
+  *radius = a;
+  if (!is_inside(scene, a) || a == 0.0)
+    return PO_OK;
+  const curve c = curve_of(scene, PO_GIVEN_APPROACH);
+  const double approach = po_jkr_profile_at(scene, a).approach;
+  const double profile = po_abel_of_profile(scene, a).g + c.fall * a;
+  /* The deflection outside is at least -greatest a/r, as g is not above approach + greatest inside:
+   * y H0(y) <= sqrt(2y/pi) + 1.3. */
+  double greatest = profile - po_abel_waves_least_g(scene, 0.0, a) - approach;
+  for (size_t k = 0; k < po_scene_waves(scene); ++k)
+    greatest += 1.3 * M_PI_2 * po_scene_wave(scene, k).amplitude;
+  double r = first_below(&c, a, approach);
+  for (int k = 0; k < MOST_LOOKS && isfinite(r); ++k) {
+    const double lowest = po_profile_gap_beyond(&scene->profile, scene->radius, r);
+    if (lowest - approach > greatest * a / r)
+      return PO_OK;
+    const double here = po_abel_gap(scene, a, approach, r);
+    if (here < *gap) {
+      *gap = here;
+      *radius = r;
+    }
+    r += po_abel_detail(scene, r);
+  }
+  return isinf(r) ? PO_OK
+                  : po_fail(PO_TOO_MANY_POINTS,
+                            "the gap outside the contact of radius %g has more than %d points to "
+                            "look at: expected fewer waves",
+                            a, MOST_LOOKS);
+}

@@ -1,0 +1,338 @@
+/* The JKR theory of any profile against every row of its reference table, and by other routes. */
+#include <gsl/gsl_errno.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "../unit/run.h"
+#include "po_abel.h"
+#include "po_abel_integral.h"
+#include "po_guduru.h"
+#include "po_jkr_profile.h"
+#include "table.h"
+
+/* The tolerances that the headers state. */
+static const double JKR_ACCURACY = 1e-14, PULL_OFF_ACCURACY = 1e-13, QUADRATURE_ACCURACY = 1e-11,
+                    INTEGRAL_ACCURACY = 1e-12;
+
+/* The scene of a row: `radius` is - where the unit of the load is pi w eps. */
+static po_scene scene_of(const table *t, size_t row) {
+  po_scene s = po_scene_default();
+  s.radius = strcmp(table_word(t, row, "radius"), "-") == 0 ? 1.0 : table_number(t, row, "radius");
+  s.tabor = po_scene_tabor_of_coupling(table_number(t, row, "coupling"), s.radius);
+  ck_assert(po_profile_set(&s.profile, table_word(t, row, "profile")));
+  ck_assert(po_scene_set_waves(&s, table_word(t, row, "waves")));
+  ck_assert_msg(po_scene_check(&s) == PO_OK, "%s", po_message());
+  return s;
+}
+
+/* The adhesive part of load and approach, which is no smaller than the half of the elastic part
+ * near pull-off. Rounding errors are relative to the largest term. */
+static po_contact terms_at(const po_scene *s, double a) {
+  const double c = po_scene_coupling(s);
+  const po_contact at = po_jkr_profile_at(s, a);
+  return (po_contact){.load = fabs(at.load) + sqrt(8.0 * a * a * a / (M_PI * c)) / s->radius,
+                      .approach = fabs(at.approach) + sqrt(2.0 * M_PI * a * c)};
+}
+
+START_TEST(jkr_agrees_with_the_table) {
+  table t = table_open("jkr_profiles.csv");
+  for (size_t row = 0; row < t.csv.row_count; ++row) {
+    const po_scene s = scene_of(&t, row);
+    const double a = table_number(&t, row, "contact_radius");
+    const char *kind = table_word(&t, row, "kind");
+    const bool is_point = strcmp(kind, "point") == 0;
+    po_contact got = po_jkr_profile_at(&s, a);
+    if (!is_point) {
+      const po_given given = strcmp(kind, "pull_off_load") == 0 ? PO_GIVEN_LOAD : PO_GIVEN_APPROACH;
+      ck_assert_msg(po_jkr_profile_pull_off(&s, given, &got) == PO_OK, "%s", po_message());
+    }
+    const po_contact size = terms_at(&s, a);
+    const double accuracy = is_point ? JKR_ACCURACY : PULL_OFF_ACCURACY;
+    table_compare(&t, row, "load", got.load, accuracy * size.load);
+    table_compare(&t, row, "approach", got.approach, accuracy * size.approach);
+    table_compare(&t, row, "contact_radius", got.contact_radius, PULL_OFF_ACCURACY * a);
+  }
+  table_close(&t, "JKR of any profile", 203, 3);
+}
+END_TEST
+
+/* Every profile, with and without waves. */
+static const char *const PROFILES[] = {"sphere",         "cone:0.3",   "power:0.05,1.5",
+                                       "power:1e-9,7.3", "punch:5,20", "punch:1e-3,1e6",
+                                       "truncated:5,20"};
+static const char *const WAVES[] = {"-", "0.4@10;0.1@3", "1e-4@0.7"};
+enum {
+  PROFILE_COUNT = sizeof PROFILES / sizeof *PROFILES,
+  WAVE_COUNT = sizeof WAVES / sizeof *WAVES
+};
+
+static po_scene scene_of_words(const char *profile, const char *waves, double coupling) {
+  po_scene s = po_scene_default();
+  ck_assert(po_profile_set(&s.profile, profile));
+  if (!po_profile_is_sphere(&s.profile))
+    s.radius = 1.0;
+  s.tabor = po_scene_tabor_of_coupling(coupling, s.radius);
+  ck_assert(po_scene_set_waves(&s, waves));
+  return s;
+}
+
+static void compare(const char *what, const po_scene *s, double a, double got, double expected,
+                    double tolerance) {
+  ck_assert_msg(fabs(got - expected) <= tolerance,
+                "%s of %s at %g: %.17g, expected %.17g: off by %.2e, expected %.2e", what,
+                po_profile_name(&s->profile), a, got, expected, fabs(got - expected), tolerance);
+}
+
+static void compare_with_quadrature(const po_scene *s, double x) {
+  po_abel other;
+  const po_abel t = po_abel_at(s, x);
+  ck_assert_msg(po_abel_by_quadrature(s, x, &other) == PO_OK, "%s", po_message());
+  double swing = fabs(t.g);
+  for (size_t k = 0; k < po_scene_waves(s); ++k)
+    swing = fmax(swing, po_scene_wave(s, k).amplitude * sqrt(x / po_scene_wave(s, k).length));
+  compare("g", s, x, t.g, other.g, QUADRATURE_ACCURACY * swing);
+  compare("press", s, x, t.press, other.press, QUADRATURE_ACCURACY * swing * x);
+  /* the rate by central differences of the closed form, of the order h^2 but beside a kink */
+  const double h = 1e-4 * x;
+  const double difference = (po_abel_at(s, x + h).g - po_abel_at(s, x - h).g) / (2.0 * h);
+  if (!po_scene_is_wavy(s))
+    compare("rate", s, x, t.rate, difference, 1e-5 * fabs(t.rate));
+}
+
+START_TEST(transform_agrees_with_quadrature) {
+  static const double RADII[] = {1.1e-3, 0.3, 4.9, 5.1, 13.0, 170.0};
+  for (int p = 0; p < PROFILE_COUNT; ++p)
+    for (int w = 0; w < WAVE_COUNT; ++w)
+      for (size_t k = 0; k < sizeof RADII / sizeof *RADII; ++k) {
+        const po_scene s = scene_of_words(PROFILES[p], WAVES[w], 0.3);
+        compare_with_quadrature(&s, RADII[k]);
+      }
+}
+END_TEST
+
+/* Writes the rows of a profile to a table, and reads it. */
+static po_scene scene_of_table(double (*gap)(double r), int rows, double end, double coupling) {
+  char path[] = "/tmp/po_profile_XXXXXX";
+  const int file = mkstemp(path);
+  ck_assert_int_ge(file, 0);
+  FILE *f = fdopen(file, "w");
+  ck_assert_ptr_nonnull(f);
+  fprintf(f, "r,gap\n");
+  for (int k = 0; k < rows; ++k) {
+    const double r = end * k / (rows - 1);
+    fprintf(f, "%.17g,%.17g\n", r, gap(r));
+  }
+  ck_assert_int_eq(fclose(f), 0);
+  po_scene s = scene_of_words("sphere", "-", coupling);
+  s.radius = 1.0;
+  s.tabor = po_scene_tabor_of_coupling(coupling, 1.0);
+  const po_status status = po_profile_set_file(&s.profile, path);
+  ck_assert_msg(status == PO_OK, "%s", po_message());
+  ck_assert_int_eq(unlink(path), 0);
+  return s;
+}
+
+static double parabola(double r) {
+  return r * r / 200.0;
+}
+
+static double bumps(double r) {
+  return r * r / 200.0 + 0.02 * (1.0 - cos(0.4 * r));
+}
+
+START_TEST(transform_of_a_table_agrees_with_quadrature) {
+  static const double RADII[] = {0.07, 3.0, 24.9, 39.3, 40.3, 97.0, 3000.0};
+  const po_scene tables[] = {scene_of_table(parabola, 21, 40.0, 0.3),
+                             scene_of_table(bumps, 33, 40.0, 0.3)};
+  for (int i = 0; i < 2; ++i)
+    for (size_t k = 0; k < sizeof RADII / sizeof *RADII; ++k)
+      compare_with_quadrature(&tables[i], RADII[k]);
+}
+END_TEST
+
+/* A spline meets a parabola, and so does the power beyond its end. */
+START_TEST(table_of_a_sphere_gives_its_theory) {
+  const po_scene s = scene_of_table(parabola, 21, 20.0, 0.3),
+                 sphere = scene_of_words("sphere", "-", 0.3);
+  po_contact got, expected;
+  for (po_given given = PO_GIVEN_LOAD; given <= PO_GIVEN_APPROACH; ++given) {
+    ck_assert(po_jkr_profile_pull_off(&s, given, &got) == PO_OK);
+    ck_assert(po_jkr_profile_pull_off(&sphere, given, &expected) == PO_OK);
+    compare("load", &s, expected.contact_radius, got.load / 100.0, expected.load, 1e-12);
+    compare("approach", &s, expected.contact_radius, got.approach, expected.approach, 1e-12);
+    compare("contact radius", &s, expected.contact_radius, got.contact_radius,
+            expected.contact_radius, 1e-11 * expected.contact_radius);
+  }
+}
+END_TEST
+
+/* The sphere with one wave and with none by the formulas of the paper. */
+START_TEST(jkr_of_the_paper_is_a_case) {
+  static const double TABOR[] = {1.1e-3, 0.3, 5.0, 300.0}, LENGTH[] = {3.0, 20.0, 170.0};
+  for (int m = 0; m < 4; ++m)
+    for (int l = 0; l < 3; ++l)
+      for (double amplitude = 0.0; amplitude < 0.2; amplitude += 0.09) {
+        const po_scene s = {.tabor = TABOR[m],
+                            .radius = 100.0,
+                            .amplitude = amplitude * LENGTH[l],
+                            .wavelength = LENGTH[l],
+                            .outer_radius = INFINITY};
+        const po_contact eq_5 = po_guduru_pull_off(&s);
+        po_contact got;
+        ck_assert_msg(po_jkr_profile_pull_off(&s, PO_GIVEN_LOAD, &got) == PO_OK, "%s",
+                      po_message());
+        compare("pull-off", &s, eq_5.contact_radius, got.load, eq_5.load, -1e-13 * eq_5.load);
+        const double a = 1.7 * eq_5.contact_radius;
+        const po_contact here = po_jkr_profile_at(&s, a), expected = po_guduru_at(&s, a),
+                         size = terms_at(&s, a);
+        compare("load", &s, a, here.load, expected.load, 1e-13 * size.load);
+        compare("approach", &s, a, here.approach, expected.approach, 1e-13 * size.approach);
+        compare("load rate", &s, a, po_jkr_profile_rate(&s, PO_GIVEN_LOAD, a),
+                po_guduru_load_rate(&s, a), 1e-11 * size.load / a);
+        compare("approach rate", &s, a, po_jkr_profile_rate(&s, PO_GIVEN_APPROACH, a),
+                po_guduru_approach_rate(&s, a), 1e-11 * size.approach / a);
+        const double load = 0.7 * eq_5.load;
+        const double last = po_guduru_last_minimum(&s, load, 0.1);
+        compare("last minimum", &s, a, po_jkr_profile_last_minimum(&s, load, 0.1), last,
+                1e-11 * last);
+      }
+}
+END_TEST
+
+/* C r^n: a_c^(2n-1) = xi^2 pi c/(2 (n kappa C)^2) with xi = 3 at given load and 1 at given
+ * approach, the load -(2n-1)/(n+1) sqrt(8 a^3/(pi c))/2, over eighteen decades of the factor and of
+ * the coupling. */
+START_TEST(pull_off_of_powers_over_many_decades) {
+  for (double n = 1.0; n < 12.0; n *= 1.7)
+    for (double factor = 1e-12; factor < 1e7; factor *= 1e3)
+      for (double coupling = 1e-9; coupling < 1e10; coupling *= 1e3) {
+        po_scene s = po_scene_default();
+        ck_assert(po_profile_set(&s.profile, "power"));
+        po_profile_set_parameter(&s.profile, PO_POWER_C, factor);
+        po_profile_set_parameter(&s.profile, PO_POWER_N, n);
+        s.radius = 1.0;
+        s.tabor = po_scene_tabor_of_coupling(coupling, 1.0);
+        const double kappa = 0.5 * sqrt(M_PI) * n * tgamma(0.5 * n) / tgamma(0.5 * n + 0.5);
+        const double slope = n * kappa * factor;
+        po_contact got;
+        ck_assert_msg(po_jkr_profile_pull_off(&s, PO_GIVEN_LOAD, &got) == PO_OK, "%s",
+                      po_message());
+        const double a = exp(log(4.5 * M_PI * coupling / (slope * slope)) / (2.0 * n - 1.0));
+        compare("contact radius", &s, a, got.contact_radius, a, 1e-12 * a);
+        const double load =
+            -(2.0 * n - 1.0) / (n + 1.0) * sqrt(2.0 * M_PI / coupling * a * a * a) / M_PI;
+        compare("load", &s, a, got.load, load, -1e-11 * load);
+        ck_assert(po_jkr_profile_pull_off(&s, PO_GIVEN_APPROACH, &got) == PO_OK);
+        const double last = exp(log(0.5 * M_PI * coupling / (slope * slope)) / (2.0 * n - 1.0));
+        compare("last contact radius", &s, last, got.contact_radius, last, 1e-12 * last);
+      }
+}
+END_TEST
+
+/* dU = W dDelta: the energy by quadrature against that integrated along the curve, by Simpson's
+ * rule between near radii. */
+START_TEST(energy_is_the_work_of_the_load) {
+  for (int p = 0; p < PROFILE_COUNT; ++p)
+    for (int w = 0; w < 2; ++w) {
+      const po_scene s = scene_of_words(PROFILES[p], WAVES[w], 0.3);
+      for (double a = 0.9; a < 20.0; a *= 1.9) {
+        const double h = 2e-4 * a;
+        double before, after;
+        ck_assert(po_jkr_profile_energy(&s, a - h, &before) == PO_OK);
+        ck_assert(po_jkr_profile_energy(&s, a + h, &after) == PO_OK);
+        double work = 0.0;
+        for (int i = -1; i <= 1; ++i) {
+          const double x = a + i * h;
+          work += (i ? 1.0 : 4.0) * h / 3.0 * po_jkr_profile_at(&s, x).load *
+                  po_jkr_profile_rate(&s, PO_GIVEN_APPROACH, x);
+        }
+        const po_contact size = terms_at(&s, a);
+        compare("energy", &s, a, after - before, work,
+                1e-9 * fabs(work) + INTEGRAL_ACCURACY * size.load * size.approach);
+      }
+    }
+}
+END_TEST
+
+/* The gap outside the contact, by the deflection of the half-space: f - D + u, u = (2/pi) times the
+ * integral of (D - g)/sqrt(r^2 - x^2) over the contact. For a sphere it is closed. */
+START_TEST(gap_outside_is_that_of_the_sphere) {
+  const po_scene s = scene_of_words("sphere", "-", 0.3);
+  const double a = 9.0, R = s.radius, D = po_jkr_profile_at(&s, a).approach;
+  for (double r = 1.0001 * a; r < 5.0 * a; r *= 1.2) {
+    const double angle = asin(a / r);
+    const double u =
+        M_2_PI * (D * angle - (0.5 * r * r * angle - 0.5 * a * sqrt(r * r - a * a)) / R);
+    compare("gap", &s, r, po_abel_gap(&s, a, D, r), 0.5 * r * r / R - D + u,
+            1e-13 * (1.0 + fabs(D)));
+  }
+}
+END_TEST
+
+START_TEST(overlap_outside_is_found) {
+  double gap, radius;
+  po_contact c;
+  const po_scene smooth = scene_of_words("sphere", "-", 0.3);
+  ck_assert(po_jkr_profile_check(&smooth, 9.0, &gap, &radius) == PO_OK);
+  ck_assert_double_eq(gap, 0.0);
+  /* deep waves on a stiff sphere: a contact of one crest passes through the next ring */
+  const po_scene deep = scene_of_words("sphere", "3@10", 1e-3);
+  ck_assert(po_jkr_profile_check(&deep, 7.0, &gap, &radius) == PO_OK);
+  c = po_jkr_profile_at(&deep, 7.0);
+  ck_assert_double_lt(gap, 0.0);
+  ck_assert_double_gt(radius, 7.0);
+  compare("gap", &deep, radius, gap, po_abel_gap(&deep, 7.0, c.approach, radius), 1e-12);
+}
+END_TEST
+
+/* The minima that are listed are those that a dense scan finds. */
+START_TEST(all_minima_are_listed) {
+  const po_scene s = scene_of_words("sphere", "0.4@10;0.1@3", 0.05);
+  po_contact minimum[64], least;
+  size_t count, found = 0;
+  ck_assert(po_jkr_profile_minima(&s, PO_GIVEN_LOAD, 64, minimum, &count) == PO_OK);
+  double before = po_jkr_profile_rate(&s, PO_GIVEN_LOAD, 1e-3), deepest = 0.0;
+  for (double a = 1e-3; a < 200.0; a += 1e-3) {
+    const double rate = po_jkr_profile_rate(&s, PO_GIVEN_LOAD, a);
+    if (before < 0.0 && rate >= 0.0 && po_jkr_profile_at(&s, a).load < 0.0) {
+      ck_assert_uint_lt(found, count);
+      compare("contact radius", &s, a, minimum[found].contact_radius, a, 2e-3);
+      deepest = fmin(deepest, minimum[found].load);
+      ++found;
+    }
+    before = rate;
+  }
+  ck_assert_uint_eq(found, count);
+  ck_assert_uint_gt(count, 3);
+  ck_assert(po_jkr_profile_pull_off(&s, PO_GIVEN_LOAD, &least) == PO_OK);
+  ck_assert_double_eq(least.load, deepest);
+}
+END_TEST
+
+START_TEST(unusable_profiles_are_refused) {
+  po_contact c;
+  po_scene s = scene_of_words("cone:0.3", "-", 0.05);
+  s.tabor = 0.0;
+  ck_assert(po_jkr_profile_pull_off(&s, PO_GIVEN_LOAD, &c) == PO_BAD_INPUT);
+  ck_assert(isnan(po_jkr_profile_last_minimum(&s, -1.0, 0.1)));
+}
+END_TEST
+
+static void add(TCase *tests) {
+  gsl_set_error_handler_off();
+  tcase_add_test(tests, jkr_agrees_with_the_table);
+  tcase_add_test(tests, transform_agrees_with_quadrature);
+  tcase_add_test(tests, transform_of_a_table_agrees_with_quadrature);
+  tcase_add_test(tests, table_of_a_sphere_gives_its_theory);
+  tcase_add_test(tests, jkr_of_the_paper_is_a_case);
+  tcase_add_test(tests, pull_off_of_powers_over_many_decades);
+  tcase_add_test(tests, energy_is_the_work_of_the_load);
+  tcase_add_test(tests, gap_outside_is_that_of_the_sphere);
+  tcase_add_test(tests, overlap_outside_is_found);
+  tcase_add_test(tests, all_minima_are_listed);
+  tcase_add_test(tests, unusable_profiles_are_refused);
+}
+
+int main(void) {
+  return run_case("tables_profiles", add);
+}
