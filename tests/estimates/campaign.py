@@ -3,6 +3,7 @@
 
     campaign.py --count 300 --seed 1          solve and compare, on all cores
     campaign.py --scenes 17,40-44             only these of the drawn scenes
+    campaign.py --general                     scenes of any law, profile, waves and coupling
     campaign.py --reference                   the scenes of the reference tables, against these tables
 
 Prints how often the stated errors hold and how much too large they are, and each violation with the commands that
@@ -22,6 +23,7 @@ import table
 def arguments(args):
     parser = options.parser_of(__doc__, "estimates.jsonl", 300, (1e-4, 1e-7))
     parser.add_argument("--reference", action="store_true", help="the scenes of the reference tables, against these")
+    parser.add_argument("--general", action="store_true", help="scenes of any law, profile, waves and coupling")
     options.add_ranges(parser, {"tabor": (0.01, 10.0), "radius": (30.0, 1000.0), "wavelength": (0.4, 6.0),
                                 "amplitude": (0.003, 0.5), "outer": (0.25, 1.0)},
                        {"smooth": 0.2, "cut": 0.5, "at-radius": 0.5})
@@ -51,7 +53,10 @@ class Task:
 def tasks_of(wanted):
     if wanted.reference:
         return [Task(f"table {i}", scene, truth) for i, (scene, truth) in enumerate(reference.documents())]
-    return [Task(f"scene {k}", draw.scene(wanted.seed, k, vars(wanted)))
+    def drawn(k):
+        return draw.general_scene(wanted.seed, k) if wanted.general else draw.scene(wanted.seed, k, vars(wanted))
+
+    return [Task(f"scene {k}", drawn(k))
             for k in (wanted.scenes if wanted.scenes is not None else range(wanted.count))]
 
 

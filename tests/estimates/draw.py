@@ -52,3 +52,61 @@ def scene(seed, index, ranges):
         outer = between(ranges["outer"], part("outer")) * flags["radius"]
         flags["outer-radius"] = float(f"{outer:.6g}")
     return flags
+
+
+def law(part):
+    """A law as on the command line: in four scenes of ten that of the paper, in three each Mie and Morse."""
+    kind = part("law")
+    if kind < 0.4:
+        return "lennard-jones"
+    if kind < 0.7:
+        small = 2.5 + 3.5 * part("mie_m")
+        return f"mie:{small:.4g},{small + 2.0 + 8.0 * part('mie_n'):.4g}"
+    return f"morse:{between((0.6, 5.0), part('morse_a')):g}"
+
+
+def profile(part, width):
+    """A profile whose gap is of order epsilon at the radius `width`."""
+    kind = int(6.0 * part("profile"))
+    edge = between((0.3, 5.0), part("edge"))
+    if kind == 0:
+        return f"cone:{float(f'{1.0 / width:.6g}'):g}"
+    if kind in (1, 2):
+        power = float(f"{between((1.1, 6.0), part('power')):.4g}")
+        return f"power:{float(f'{width**-power:.6g}'):.10g},{power:g}"
+    if kind in (3, 4):
+        name = "punch" if kind == 3 else "truncated"
+        return f"{name}:{float(f'{edge * width:.6g}'):g},{float(f'{0.5 * width * width:.6g}'):g}"
+    return "sphere"
+
+
+# The ranges of general scenes: waves and cut radii in units of the width.
+GENERAL = {"width": (3.0, 30.0), "pliant": (1e-3, 30.0), "wavelength": (0.3, 4.0), "amplitude": (0.003, 0.3),
+           "outer": (1.5, 10.0), "smooth": 0.3, "cut": 0.5}
+
+
+def general_scene(seed, index, ranges=None):
+    """Flags of a scene of any law, profile, waves and coupling. The widths are those at which the gap is of order
+    epsilon. The elastic deformation is of the order of coupling times width (mu^(3/2) for a sphere). Lengths and
+    amplitudes of the waves as in `scene`, cut radii in units of the width."""
+    ranges = ranges or GENERAL
+
+    def part(name):
+        return uniform(seed, index, name)
+
+    width = between(ranges["width"], part("width"))
+    flags = {"law": law(part), "profile": profile(part, width)}
+    flags["coupling"] = float(f"{between(ranges['pliant'], part('pliant')) / width:.6g}")
+    if flags["profile"] == "sphere":
+        flags["radius"] = float(f"{0.5 * width * width:.6g}")
+    count = int(4.0 * part("waves")) if part("smooth") >= ranges["smooth"] else 0
+    flags["wave"] = []
+    for k in range(count):
+        length = between(ranges["wavelength"], part(f"wavelength {k}")) * width
+        height = between(ranges["amplitude"], part(f"amplitude {k}")) * length
+        flags["wave"].append(f"{height:.6g},{length:.6g}")
+    if part("cut") >= ranges["cut"]:
+        flags["outer-radius"] = "inf"
+    else:
+        flags["outer-radius"] = float(f"{between(ranges['outer'], part('outer')) * width:.6g}")
+    return flags

@@ -21,7 +21,8 @@ def number(value):
 def words(scene, tolerance, limit=None):
     """The arguments of a solve. Without a limit they are those that are printed."""
     flags = dict(scene, tolerance=tolerance, **({"time-limit": limit} if limit else {}))
-    return ["solve", *(word for name, value in flags.items() for word in (f"--{name}", number(value)))]
+    return ["solve", *(word for name, value in flags.items() for one in (value if isinstance(value, list) else [value])
+                       for word in (f"--{name}", number(one)))]
 
 
 def command(scene, tolerance):
