@@ -123,8 +123,7 @@ double po_abel_fall(const po_scene *scene) {
 double po_abel_greatest_rate(const po_scene *scene, double x) {
   const po_profile_table *t = table_of(scene);
   double sum = t ? po_abel_table_greatest_rate(t, x) : po_abel_of_profile(scene, x).rate;
-  double kink[PO_MOST_KINKS];
-  if (po_profile_kinks(&scene->profile, kink) && x > kink[0])
+  if (x > po_profile_kink(&scene->profile))
     sum = INFINITY; /* the rate may fall beyond a kink */
   /* H0(y) + y (2/pi - H1(y)) <= (4/pi) y: its series begins so, and the largest ratio at 2e6 points
    * up to y = 3000 is that at 0 */
@@ -195,12 +194,6 @@ double po_abel_detail(const po_scene *scene, double x) {
   return t && next < t->rows ? fmin(detail, t->r[next] - t->r[next - 1]) : detail;
 }
 
-double po_abel_next_row(const po_scene *scene, double x) {
-  const po_profile_table *t = table_of(scene);
-  const size_t next = t ? po_abel_table_next(t, x) : 0;
-  return t && next < t->rows ? t->r[next] : INFINITY;
-}
-
 typedef struct {
   const po_scene *scene;
   double x;
@@ -217,13 +210,10 @@ static double of_slope(double t, void *data) {
 static const double PIECE_ACCURACY = 1e-13;
 enum { INTERVALS = 200 };
 
-/* The end of the piece of the quadrature that begins at r: a kink, a row of a table, half a wave.
+/* The end of the piece of the quadrature that begins at r: a joint of the profile, half a wave.
  */
 static double piece_end(const po_scene *scene, double r, double x) {
-  double end = x, kink[PO_MOST_KINKS];
-  if (po_profile_kinks(&scene->profile, kink) && kink[0] > r)
-    end = fmin(end, kink[0]);
-  end = fmin(end, po_abel_next_row(scene, r));
+  double end = fmin(x, po_profile_next_joint(&scene->profile, r));
   for (size_t k = 0; k < po_scene_waves(scene); ++k)
     end = fmin(end, r + 0.5 * po_scene_wave(scene, k).length);
   return end;

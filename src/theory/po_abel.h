@@ -45,7 +45,4 @@ double po_abel_detail(const po_scene *scene, double x);
 /* The longest wavelength; 0 without waves. */
 double po_abel_longest_wave(const po_scene *scene);
 
-/* The first row of the table beyond x; INFINITY if there is none. */
-double po_abel_next_row(const po_scene *scene, double x);
-
 #endif

@@ -2,7 +2,6 @@
 
 #include <math.h>
 
-#include "po_abel_parts.h"
 #include "po_quadrature.h"
 
 /* Points of the rule in a piece. */
@@ -23,14 +22,11 @@ typedef struct {
 
 /* The end of the piece that begins at x. */
 static double piece_end(const integral *q, double x) {
-  double end = fmin(q->to, fmax(GROWTH * x, FIRST * q->to)), kink[PO_MOST_KINKS];
-  const size_t kinks = po_profile_kinks(&q->scene->profile, kink);
-  for (size_t k = 0; k < kinks; ++k)
-    if (kink[k] > x)
-      end = fmin(end, kink[k]);
+  double end = fmin(q->to, fmax(GROWTH * x, FIRST * q->to));
+  end = fmin(end, po_profile_next_joint(&q->scene->profile, x));
   for (size_t k = 0; k < po_scene_waves(q->scene); ++k)
     end = fmin(end, x + PART_OF_WAVE * po_scene_wave(q->scene, k).length);
-  return fmin(end, po_abel_next_row(q->scene, x));
+  return end;
 }
 
 /* arccos(x/to) */

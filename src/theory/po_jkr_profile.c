@@ -132,10 +132,10 @@ static double last_radius(const curve *c, double from) {
 /* A profile that grows as a lower power loses against adhesion and waves at large radii. */
 static const double LEAST_GROWTH = 0.5;
 
-enum { MOST_EDGES = 2 + PO_MOST_KINKS };
+enum { MOST_EDGES = 3 };
 
 /* The edges of the search: from where the curve has fallen to where it stays positive, with the
- * kinks between. */
+ * kink between. */
 static po_status find_edges(const curve *c, double edge[MOST_EDGES], size_t *edges) {
   const po_scene *scene = c->scene;
   const double growth = po_profile_growth(&scene->profile), end = po_profile_end(&scene->profile);
@@ -147,19 +147,15 @@ static po_status find_edges(const curve *c, double edge[MOST_EDGES], size_t *edg
                    "the profile grows as r^%g far out: by the JKR theory its pull-off force is "
                    "infinite; expected a growth faster than r^%g",
                    growth, LEAST_GROWTH);
-  double kink[PO_MOST_KINKS];
-  const size_t kinks = po_profile_kinks(&scene->profile, kink);
+  const double kink = po_profile_kink(&scene->profile);
   edge[0] = 0.5 * po_jkr_profile_first(scene);
-  double outer = edge[0];
-  if (kinks)
-    outer = fmax(outer, 2.0 * kink[kinks - 1]);
+  double outer = fmax(edge[0], 2.0 * kink); /* of NAN the other */
   if (isfinite(end))
     outer = fmax(outer, 2.0 * end);
   outer = last_radius(c, outer);
   *edges = 1;
-  for (size_t k = 0; k < kinks; ++k)
-    if (kink[k] > edge[0])
-      edge[(*edges)++] = kink[k];
+  if (kink > edge[0])
+    edge[(*edges)++] = kink;
   edge[(*edges)++] = outer;
   return edge[0] > 0.0 && outer < LARGEST && isfinite(value_at(outer, c))
              ? PO_OK
