@@ -70,7 +70,7 @@ typedef struct {
 /* The scene as written. Keys that are not given are NULL; the parser fills in those that follow
  * from a block `physical`. */
 typedef struct {
-  char *values[PO_KEY_COUNT];
+  char *values[PO_KEY_END]; /* of groups only the coupling can be given */
   po_physical_words *physical;
 } po_scene_words;
 
@@ -87,7 +87,7 @@ typedef struct {
   po_axis axis;             /* its key is NULL if the item is a list of settings */
   po_scene_words *together; /* the settings; NULL if the item is a key and its values */
   unsigned together_count;
-  unsigned named; /* bit set of the keys and groups in the item; filled by po_case_sweep_check */
+  uint64_t named; /* bit set of the keys and groups in the item; filled by po_case_sweep_check */
 } po_sweep;
 
 /* A rule that excludes combinations of a sweep, with its reason. */

@@ -67,15 +67,18 @@ static int by_number(const void *a, const void *b) {
   return (x->index > y->index) - (x->index < y->index);
 }
 
-/* Returned: the least index of a value that equals an earlier one; `count` if all differ. */
-static unsigned find_same(const po_axis_value *ascending, unsigned count) {
-  unsigned found = count;
-  for (unsigned n = 1; n < count; ++n) {
-    const po_axis_value *x = &ascending[n - 1], *y = &ascending[n];
-    const unsigned later = x->index > y->index ? x->index : y->index;
-    if (later < found && is_same(x->number, y->number))
-      found = later;
-  }
+/* Returned: the least index of a value that equals an earlier one; `count` if all differ. Different
+ * names can have the same number: mie:3,9 and mie:4,10. */
+static unsigned find_same(const po_axis *axis, po_key key) {
+  const po_axis_value *ascending = axis->ascending;
+  unsigned found = axis->values_count;
+  for (unsigned n = 1; n < axis->values_count; ++n)
+    for (unsigned m = n; m-- > 0 && is_same(ascending[m].number, ascending[n].number);) {
+      const unsigned x = ascending[m].index, y = ascending[n].index, later = x > y ? x : y;
+      if (later < found &&
+          (po_key_is_number(key) || po_key_same(key, axis->values[x], axis->values[y])))
+        found = later;
+    }
   return found;
 }
 
@@ -103,10 +106,13 @@ po_status po_case_axis_check(po_axis *axis, const char *where, const po_yaml *ya
   for (unsigned i = 0; i < axis->values_count; ++i) {
     if (!po_key_set(&request, (po_key)key, axis->values[i]))
       return po_schema_refuse(yaml, po_key_expected((po_key)key), "%s.values[%u]", where, i + 1);
-    axis->ascending[i] = (po_axis_value){po_key_number(&request, (po_key)key), i};
+    double number = po_key_number(&request, (po_key)key);
+    if (isnan(number)) /* a parameter of another law or profile than that of the request */
+      po_number_parse(axis->values[i], &number);
+    axis->ascending[i] = (po_axis_value){number, i};
   }
   qsort(axis->ascending, axis->values_count, sizeof *axis->ascending, by_number);
-  const unsigned same = find_same(axis->ascending, axis->values_count);
+  const unsigned same = find_same(axis, (po_key)key);
   if (same < axis->values_count)
     return po_schema_refuse(yaml, "each value once", "%s.values[%u]", where, same + 1);
   return PO_OK;

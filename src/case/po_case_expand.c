@@ -55,7 +55,9 @@ static po_status fill_point(const po_case *kase, size_t index, const po_yaml *ya
       po_key_set(&point->request, (po_key)key, file->scene.values[key]);
   size_t block = kase->point_count / (file->sample ? file->sample->count : 1);
   const size_t scene = index / block;
-  const char *group[GROUPS] = {NULL};
+  const char *group[GROUPS];
+  for (int i = 0; i < GROUPS; ++i)
+    group[i] = file->scene.values[PO_KEY_COUNT + i];
   po_text label = {0};
   for (unsigned i = 0; i < file->sweep_count; ++i) {
     const po_sweep *sweep = &file->sweep[i];

@@ -20,10 +20,7 @@ static po_status parse_checkpoints(po_case *kase, const po_yaml *yaml) {
 
 /* Reports whether a name is that of a continuous parameter of the scene, or of a group. */
 static bool can_be_followed(const char *name) {
-  const int key = po_key_of_name(name);
-  return po_key_is_group(key) || key == PO_KEY_TABOR || key == PO_KEY_AMPLITUDE ||
-         key == PO_KEY_WAVELENGTH || key == PO_KEY_RADIUS || key == PO_KEY_OUTER_RADIUS ||
-         key == PO_KEY_MIE_M || key == PO_KEY_MIE_N || key == PO_KEY_MORSE_A;
+  return po_key_is_continuous(po_key_of_name(name));
 }
 
 po_status po_case_follow_parse(po_case *kase, const po_yaml *yaml) {

@@ -38,7 +38,7 @@ po_form_input po_case_line_input(const po_case_file *file, const po_case_line *l
                                  double swept[PO_LINE_MOST_AXES]) {
   po_request request = po_request_default();
   po_form_input input = {.alpha = (double)NAN, .at = (double)NAN};
-  for (int key = 0; key < PO_KEY_COUNT; ++key)
+  for (int key = 0; key < PO_KEY_END; ++key)
     if (file->scene.values[key])
       po_key_set(&request, (po_key)key, file->scene.values[key]);
   for (int groups = 0; groups < 2; ++groups)

@@ -251,11 +251,15 @@ po_status po_case_parse(po_case *kase, const po_yaml *yaml) {
   if (!status)
     status = parse_repeats(kase, yaml);
   if (!status)
+    status = po_case_profile_resolve(kase, yaml);
+  if (!status)
     status = po_case_sweep_check(kase, yaml);
   if (!status)
     status = po_case_sample_parse(kase, yaml);
   if (!status)
     status = po_case_physical_parse(kase, yaml);
+  if (!status)
+    status = po_case_profile_check(kase->file, yaml);
   if (!status)
     status = po_case_scene_check(kase, yaml);
   for (unsigned i = 0; !status && i < kase->file->checks_count; ++i)

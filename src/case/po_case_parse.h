@@ -72,6 +72,13 @@ bool po_case_varies(const po_case_file *file, po_key key);
  * Status: as above. */
 po_status po_case_scene_check(const po_case *kase, const po_yaml *yaml);
 
+/* Replaces the names of tables of profiles, which are relative to the case file, by their paths,
+ * and reads the tables. Status: as above; PO_CANNOT_READ. */
+po_status po_case_profile_resolve(po_case *kase, const po_yaml *yaml);
+
+/* Refuses two keys that set the same, as tabor and coupling. Status: as above. */
+po_status po_case_profile_check(const po_case_file *file, const po_yaml *yaml);
+
 /* Computes kase->points: every drawn scene with every combination of the sweep, without those that
  * a rule of `leave_out` excludes. Status: as above; PO_NO_MEMORY. */
 po_status po_case_expand(po_case *kase, const po_yaml *yaml);

@@ -85,7 +85,7 @@ po_status po_case_physical_parse(po_case *kase, const po_yaml *yaml) {
   kase->is_physical = true;
   kase->units = po_physical_units(&physical, &request.scene);
   for (int i = 0; i < DERIVED_COUNT; ++i) {
-    char text[PO_NUMBER_LENGTH];
+    char text[PO_KEY_TEXT_LENGTH];
     if (DERIVED[i] == PO_KEY_WAVELENGTH && !(physical.amplitude > 0.0))
       continue;
     po_key_print(&request, DERIVED[i], text);

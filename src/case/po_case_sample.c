@@ -9,11 +9,19 @@
 #include "po_range.h"
 #include "po_schema.h"
 
+enum { GROUPS = PO_KEY_END - PO_KEY_COUNT };
+
 static const char ROOT_RADIUS[] = "root_radius";
+
+/* Whether a key is drawn, directly or by a group. */
+static bool draws(const po_draw *draw, po_key key) {
+  const int drawn = po_key_of_name(draw->key);
+  return drawn == (int)key || (drawn >= 0 && po_key_target((po_key)drawn) == key);
+}
 
 bool po_case_draws(const po_case_file *file, po_key key) {
   for (unsigned i = 0; file->sample && i < file->sample->keys_count; ++i)
-    if (po_key_of_name(file->sample->keys[i].key) == (int)key)
+    if (draws(&file->sample->keys[i], key))
       return true;
   return false;
 }
@@ -112,6 +120,7 @@ static double unit_of(const po_draw *draw, const po_request *request) {
 bool po_case_sample_draw(const po_case_file *file, size_t index, po_request *request,
                          po_text *label) {
   bool possible = true;
+  char group[GROUPS][PO_NUMBER_LENGTH] = {""};
   for (unsigned i = 0; file->sample && i < file->sample->keys_count; ++i) {
     const po_draw *draw = &file->sample->keys[i];
     const double part = po_random_uniform(file->sample->seed, index, draw->key);
@@ -121,6 +130,11 @@ bool po_case_sample_draw(const po_case_file *file, size_t index, po_request *req
     po_range_round(value * unit_of(draw, request), text);
     possible = po_key_set(request, draw->drawn, text) && possible;
     po_text_add(label, "%s%s=%s", label->length ? " " : "", draw->key, text);
+    if (po_key_is_group(draw->drawn))
+      memcpy(group[draw->drawn - PO_KEY_COUNT], text, sizeof text);
   }
+  for (int i = 0; i < GROUPS; ++i) /* again, after all keys that the groups depend on */
+    possible =
+        (!*group[i] || po_key_set(request, (po_key)(PO_KEY_COUNT + i), group[i])) && possible;
   return possible;
 }

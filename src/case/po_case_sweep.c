@@ -12,7 +12,7 @@ unsigned po_sweep_count(const po_sweep *sweep) {
 
 const char *po_sweep_value(const po_sweep *sweep, unsigned index, po_key key) {
   if (sweep->together)
-    return po_key_is_group(key) ? NULL : sweep->together[index].values[key];
+    return sweep->together[index].values[key];
   return po_key_of_name(sweep->axis.key) == (int)key ? sweep->axis.values[index] : NULL;
 }
 
@@ -21,10 +21,12 @@ static void find_names(po_sweep *sweep) {
   for (unsigned i = 0; i < po_sweep_count(sweep); ++i)
     for (int key = 0; key < PO_KEY_END; ++key)
       if (po_sweep_value(sweep, i, (po_key)key))
-        sweep->named |= 1U << key;
+        sweep->named |= UINT64_C(1) << key;
 }
 
 bool po_sweep_varies(const po_sweep *sweep, po_key key) {
+  if (po_sweep_names(sweep, key))
+    return true;
   for (int other = 0; other < PO_KEY_END; ++other)
     if (po_key_target((po_key)other) == key && po_sweep_names(sweep, (po_key)other))
       return true;
@@ -35,7 +37,7 @@ static int by_settings(const void *a, const void *b, void *unused) {
   const po_scene_words *x = a, *y = b;
   int order = 0;
   (void)unused;
-  for (int key = 0; key < PO_KEY_COUNT && !order; ++key) {
+  for (int key = 0; key < PO_KEY_END && !order; ++key) {
     const char *p = x->values[key], *q = y->values[key];
     order = p && q ? strcmp(p, q) : (p != NULL) - (q != NULL);
   }
@@ -47,7 +49,7 @@ static po_status check_together(const po_sweep *sweep, const char *where, const 
     const po_scene_words *words = &sweep->together[i];
     po_request request = po_request_default();
     unsigned given = 0;
-    for (int key = 0; key < PO_KEY_COUNT; ++key) {
+    for (int key = 0; key < PO_KEY_END; ++key) {
       given += words->values[key] != NULL;
       if (words->values[key] && !po_key_set(&request, (po_key)key, words->values[key]))
         return po_schema_refuse(yaml, po_key_expected((po_key)key), "%s.together[%u].%s", where,

@@ -127,7 +127,13 @@ static const po_field PHYSICAL[] = {
       SCENE_KEY("wavelength", PO_KEY_WAVELENGTH), SCENE_KEY("radius", PO_KEY_RADIUS),              \
       SCENE_KEY("outer_radius", PO_KEY_OUTER_RADIUS), SCENE_KEY("law", PO_KEY_LAW),                \
       SCENE_KEY("mie_m", PO_KEY_MIE_M), SCENE_KEY("mie_n", PO_KEY_MIE_N),                          \
-      SCENE_KEY("morse_a", PO_KEY_MORSE_A), SCENE_KEY("scheme", PO_KEY_SCHEME),                    \
+      SCENE_KEY("morse_a", PO_KEY_MORSE_A), SCENE_KEY("profile", PO_KEY_PROFILE),                  \
+      SCENE_KEY("power_c", PO_KEY_POWER_C), SCENE_KEY("power_n", PO_KEY_POWER_N),                  \
+      SCENE_KEY("cone_t", PO_KEY_CONE_T), SCENE_KEY("punch_b", PO_KEY_PUNCH_B),                    \
+      SCENE_KEY("punch_r", PO_KEY_PUNCH_R), SCENE_KEY("truncated_b", PO_KEY_TRUNCATED_B),          \
+      SCENE_KEY("truncated_r", PO_KEY_TRUNCATED_R), SCENE_KEY("table_scale", PO_KEY_TABLE_SCALE),  \
+      SCENE_KEY("profile_file", PO_KEY_PROFILE_FILE), SCENE_KEY("waves", PO_KEY_WAVES),            \
+      SCENE_KEY("coupling", PO_KEY_COUPLING), SCENE_KEY("scheme", PO_KEY_SCHEME),                  \
       SCENE_KEY("grading", PO_KEY_GRADING), SCENE_KEY("nodes", PO_KEY_NODES),                      \
       SCENE_KEY("tolerance", PO_KEY_TOLERANCE),                                                    \
       SCENE_KEY("approach_start", PO_KEY_APPROACH_START),                                          \

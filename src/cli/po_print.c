@@ -6,6 +6,7 @@
 #include "po_input.h"
 #include "po_json.h"
 #include "po_print_physical.h"
+#include "po_profile_table.h"
 
 void po_print_bless(const po_case *kase) {
   printf("to make the pins: pulloff bless %s --reason TEXT\n", po_case_word(kase));
@@ -223,21 +224,45 @@ static void print_diagnostics(const po_result *o) {
            d->reverse_trace.same ? "the same" : "different");
 }
 
+/* Whether the line of the scene has a key. The smooth sphere has an amplitude, 0, there. */
+static bool is_printed(const po_request *request, po_key key) {
+  switch (key) {
+  case PO_KEY_AMPLITUDE:
+    return po_scene_waves(&request->scene) < 2;
+  case PO_KEY_WAVELENGTH:
+  case PO_KEY_WAVES:
+  case PO_KEY_PROFILE:
+  case PO_KEY_PROFILE_FILE:
+  case PO_KEY_TABLE_SCALE:
+    return !po_key_is_idle(request, key);
+  default:
+    return !isnan(po_key_number(request, key)) && !po_key_is_of_other_scheme(request, key);
+  }
+}
+
+static void print_table(const po_profile *profile) {
+  const po_profile_table *table = profile->table;
+  printf(
+      "table    %zu rows to radius %.6g, beyond which the gap is continued as r^%.4g; its spline "
+      "is uncertain by %.1e\n",
+      table->rows, po_profile_end(profile), po_profile_growth(profile),
+      profile->parameter[PO_TABLE_SCALE] * table->uncertainty);
+}
+
 /* The scene, defaults included, and the units of all numbers below. */
 static void print_input(const po_request *request) {
   printf("scene   ");
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
-    char text[PO_NUMBER_LENGTH];
-    if (key == PO_KEY_WAVELENGTH && request->scene.amplitude == 0)
-      continue;
-    if (isnan(po_key_number(request, (po_key)key)) ||
-        po_key_is_of_other_scheme(request, (po_key)key))
+    char text[PO_KEY_TEXT_LENGTH];
+    if (!is_printed(request, (po_key)key))
       continue;
     po_key_print(request, (po_key)key, text);
     printf(" %s %s", po_key_name((po_key)key), text);
   }
-  printf(
-      "\nunits    lengths in epsilon, load and force in pi w R; the load is > 0 in compression\n");
+  printf("\nunits    lengths in epsilon, load and force in %s; the load is > 0 in compression\n",
+         po_input_load_unit(request));
+  if (po_profile_is_table(&request->scene.profile))
+    print_table(&request->scene.profile);
 }
 
 void po_print_text(const po_request *request, const po_scene_flags *flags,

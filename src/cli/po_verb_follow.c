@@ -23,12 +23,15 @@ static const char HELP[] =
     "checkpoints, are traced in full. Between two checkpoints the minima of the load are\n"
     "continued in the parameter. If the result does not agree with both checkpoints, the scene\n"
     "halfway between them is traced, too. The discretisation is always panel. Lengths are in\n"
-    "units of the equilibrium distance epsilon, loads in pi w R (w: work of adhesion). The\n"
-    "approach is positive when the bodies are pressed together, the load when it is compressive.\n"
+    "units of the equilibrium distance epsilon, loads in pi w R (w: work of adhesion), or in\n"
+    "pi w epsilon for a profile without a radius. The approach is positive when the bodies are\n"
+    "pressed together, the load when it is compressive.\n"
     "\n"
     "Series:\n"
     "  --key KEY               parameter that varies: tabor, amplitude, wavelength, radius,\n"
-    "                          outer-radius, amplitude-ratio, mie-m, mie-n or morse-a\n"
+    "                          outer-radius, amplitude-ratio, coupling, or a parameter of the law\n"
+    "                          or the profile: mie-m, mie-n, morse-a, power-c, power-n, cone-t,\n"
+    "                          punch-b, punch-r, truncated-b, truncated-r or table-scale\n"
     "  --from A                first value of the parameter\n"
     "  --to B                  last value of the parameter\n"
     "  --points N              number of scenes, 2 to 10000 (default 60)\n"
@@ -38,7 +41,9 @@ static const char HELP[] =
     "                          folds, the first scene is traced and each of its folds is\n"
     "                          continued for as long as it exists\n"
     "  --checkpoint-every K    at least one scene in K is a checkpoint, 1 to 10000 (default 15)\n"
-    "\n"
+    "\n";
+
+static const char MORE_HELP[] =
     "Scene:\n"
     "  --tabor MU              Tabor parameter, >= 0 (default 1)\n"
     "  --amplitude A           amplitude of the waviness, in epsilon; 0 is a smooth sphere\n"
@@ -46,13 +51,16 @@ static const char HELP[] =
     "  --amplitude-ratio Q     amplitude divided by wavelength, instead of --amplitude; constant\n"
     "                          if the wavelength varies\n"
     "  --wavelength L          wavelength of the waviness, in epsilon\n"
-    "  --radius R              radius of the sphere, in epsilon (default 100)\n"
+    "  --radius R              radius of the sphere, in epsilon (default 100); for another "
+    "profile\n"
+    "                          the length R in the unit of the load, pi w R (default 1)\n"
     "  --outer-radius R        radius at which the elastic surface is cut, in epsilon; inf is the\n"
     "                          unbounded half-space (default inf)\n"
     "  --law LAW               traction-separation law: lennard-jones (Eq 9), mie:M,N with\n"
     "                          N > M > 1, or morse:A (default lennard-jones)\n"
     "  --mie-m M, --mie-n N    exponents M and N, for --law mie without exponents\n"
     "  --morse-a A             parameter A, for --law morse without parameter\n"
+    "  --coupling C            w/(E* epsilon), >= 0, instead of --tabor\n" PO_PROFILE_HELP
     "  --preload D             approach up to which each sphere is loaded before it is pulled\n"
     "                          off, in epsilon; inf searches all preloads for the greatest\n"
     "                          pull-off force\n"
@@ -68,7 +76,7 @@ static const char HELP[] =
     "Example: pulloff follow --key tabor --from 0.1 --to 5 --points 60 --amplitude 1 \\\n"
     "             --wavelength 20 --outer-radius 100\n";
 
-enum { VARIED = 1, FROM, TO, POINTS, SCALE, OF, CHECKPOINTS, JSON, KEY };
+enum { VARIED = 1, FROM, TO, POINTS, SCALE, OF, CHECKPOINTS, JSON, KEY = PO_OPTION_KEYS };
 enum { DEFAULT_POINTS = 60 };
 
 /* The values of the options of the scene are KEY + po_key. */
@@ -91,6 +99,18 @@ static const struct option OPTIONS[] = {
     {"mie-m", required_argument, NULL, KEY + PO_KEY_MIE_M},
     {"mie-n", required_argument, NULL, KEY + PO_KEY_MIE_N},
     {"morse-a", required_argument, NULL, KEY + PO_KEY_MORSE_A},
+    {"coupling", required_argument, NULL, KEY + PO_KEY_COUPLING},
+    {"profile", required_argument, NULL, KEY + PO_KEY_PROFILE},
+    {"profile-file", required_argument, NULL, KEY + PO_KEY_PROFILE_FILE},
+    {"power-c", required_argument, NULL, KEY + PO_KEY_POWER_C},
+    {"power-n", required_argument, NULL, KEY + PO_KEY_POWER_N},
+    {"cone-t", required_argument, NULL, KEY + PO_KEY_CONE_T},
+    {"punch-b", required_argument, NULL, KEY + PO_KEY_PUNCH_B},
+    {"punch-r", required_argument, NULL, KEY + PO_KEY_PUNCH_R},
+    {"truncated-b", required_argument, NULL, KEY + PO_KEY_TRUNCATED_B},
+    {"truncated-r", required_argument, NULL, KEY + PO_KEY_TRUNCATED_R},
+    {"table-scale", required_argument, NULL, KEY + PO_KEY_TABLE_SCALE},
+    {"wave", required_argument, NULL, KEY + PO_KEY_WAVES},
     {"tolerance", required_argument, NULL, KEY + PO_KEY_TOLERANCE},
     {"preload", required_argument, NULL, KEY + PO_KEY_PRELOAD},
     {"preload-load", required_argument, NULL, KEY + PO_KEY_PRELOAD_LOAD},
@@ -99,7 +119,9 @@ static const struct option OPTIONS[] = {
 
 typedef struct {
   const char *given[PO_KEY_END]; /* the text of each option of the scene; NULL: not given */
-  const char *varied;            /* the name of the option whose value varies */
+  po_wave wave[PO_MOST_WAVES];   /* of --wave, which may be repeated */
+  size_t waves;
+  const char *varied; /* the name of the option whose value varies */
   po_key key;
   po_range range;
   size_t checkpoints; /* 0: not given */
@@ -115,9 +137,8 @@ static const struct option *option_of(int value) {
 
 /* Whether an option sets a parameter of the scene that may vary along a series. */
 static bool is_of_scene(const struct option *option) {
-  const int key = option->val - KEY;
-  return option->val >= KEY && option->val < PO_OPTION_HELP && key != PO_KEY_TOLERANCE &&
-         key != PO_KEY_LAW && key != PO_KEY_PRELOAD && key != PO_KEY_PRELOAD_LOAD;
+  return option->val >= KEY && option->val < PO_OPTION_HELP &&
+         po_key_is_continuous(option->val - KEY);
 }
 
 static po_status take_varied(follow_line *line) {
@@ -128,8 +149,8 @@ static po_status take_varied(follow_line *line) {
       return PO_OK;
     }
   return po_options_refuse("key", optarg,
-                           "tabor, amplitude, wavelength, radius, outer-radius, amplitude-ratio, "
-                           "mie-m, mie-n or morse-a");
+                           "tabor, coupling, amplitude, wavelength, radius, outer-radius, "
+                           "amplitude-ratio, or a parameter of the law or the profile");
 }
 
 static po_status take_count(const char *option, size_t least, size_t *count) {
@@ -144,6 +165,8 @@ static po_status take_count(const char *option, size_t least, size_t *count) {
 static po_status take_option(void *to, int option) {
   follow_line *line = to;
   switch (option) {
+  case KEY + PO_KEY_WAVES:
+    return po_scene_flags_take_wave(line->wave, &line->waves);
   case VARIED:
     return take_varied(line);
   case FROM:
@@ -173,6 +196,11 @@ static po_status take_option(void *to, int option) {
   }
 }
 
+/* Whether a key is given or varies. */
+static bool is_given(const follow_line *line, int key) {
+  return line->given[key] || (int)line->key == key;
+}
+
 static po_status check_line(const follow_line *line) {
   const po_range *range = &line->range;
   if (!line->varied || isnan(range->from) || isnan(range->to))
@@ -191,6 +219,10 @@ static po_status check_line(const follow_line *line) {
       (line->given[PO_KEY_AMPLITUDE_RATIO] || line->key == PO_KEY_AMPLITUDE_RATIO))
     return po_fail(PO_BAD_INPUT,
                    "both amplitude and amplitude-ratio are given: expected only one of the two");
+  if (is_given(line, PO_KEY_COUPLING) && is_given(line, PO_KEY_TABOR))
+    return po_fail(PO_BAD_INPUT, "both coupling and tabor are given: expected only one of the two");
+  if (line->given[PO_KEY_PROFILE] && line->given[PO_KEY_PROFILE_FILE])
+    return po_fail(PO_BAD_INPUT, "both --profile and --profile-file are given: expected only one");
   const bool wavy = line->given[PO_KEY_AMPLITUDE] || line->key == PO_KEY_AMPLITUDE ||
                     line->given[PO_KEY_AMPLITUDE_RATIO] || line->key == PO_KEY_AMPLITUDE_RATIO;
   if (wavy && !line->given[PO_KEY_WAVELENGTH] && line->key != PO_KEY_WAVELENGTH)
@@ -206,6 +238,11 @@ static po_status check_line(const follow_line *line) {
 }
 
 static po_status set_key(po_request *request, int key, const char *text) {
+  if (key == PO_KEY_PROFILE_FILE) {
+    const po_status status = po_profile_set_file(&request->scene.profile, text);
+    if (status)
+      return status;
+  }
   if (po_key_set(request, (po_key)key, text))
     return PO_OK;
   return po_options_refuse(option_of(KEY + key)->name, text, po_key_expected((po_key)key));
@@ -224,11 +261,17 @@ static po_status make_request(const follow_line *line, size_t point, po_request 
     if (text)
       status = set_key(request, key, text);
   }
-  bool given[PO_LAW_PARAMETER_COUNT];
+  bool of_law[PO_LAW_PARAMETER_COUNT], of_profile[PO_PROFILE_PARAMETER_COUNT];
   for (int k = 0; k < PO_LAW_PARAMETER_COUNT; ++k)
-    given[k] = line->given[PO_KEY_MIE_M + k] || (int)line->key == PO_KEY_MIE_M + k;
+    of_law[k] = is_given(line, PO_KEY_MIE_M + k);
+  for (int k = 0; k < PO_PROFILE_PARAMETER_COUNT; ++k)
+    of_profile[k] = is_given(line, PO_KEY_POWER_C + k);
   if (!status)
-    status = po_scene_flags_check_law(&request->scene.law, given);
+    status = po_scene_flags_check_law(&request->scene.law, of_law);
+  if (!status)
+    status = po_scene_flags_check_profile(&request->scene.profile, of_profile);
+  if (!status)
+    status = po_scene_flags_add_waves(line->wave, line->waves, 1.0, &request->scene);
   request->stop = po_interrupt_listen();
   return status ? status : po_request_check(request);
 }
@@ -322,7 +365,7 @@ static po_status follow(const follow_line *line, po_request *requests, po_result
 }
 
 int po_verb_follow(int argc, char **argv) {
-  const po_options options = {"follow", HELP, OPTIONS, argc, argv, NULL};
+  const po_options options = {"follow", HELP, OPTIONS, argc, argv, MORE_HELP};
   follow_line line = {.range = {NAN, NAN, DEFAULT_POINTS, true}};
   po_status status = PO_OK;
   if (!po_options_read(&options, take_option, &line, &status))

@@ -18,8 +18,8 @@ static const char HELP[] =
     "Solves one scene: traces the branch of equilibria from bodies far apart into contact and\n"
     "prints the pull-off force, the folds at which the surfaces jump, the extrema of the load,\n"
     "and their numerical errors. Lengths are in units of the equilibrium distance epsilon, loads\n"
-    "in pi w R (w: work of adhesion). The approach is positive when the bodies are pressed\n"
-    "together, the load when it is compressive.\n"
+    "in pi w R (w: work of adhesion), or in pi w epsilon for a profile without a radius. The\n"
+    "approach is positive when the bodies are pressed together, the load when it is compressive.\n"
     "\n"
     "Scene:\n"
     "  --tabor MU              Tabor parameter, >= 0; 0 is a rigid sphere (default 1)\n"
@@ -27,14 +27,16 @@ static const char HELP[] =
     "                          (default 0)\n"
     "  --wavelength L          wavelength of the waviness, in epsilon; needed if the amplitude is\n"
     "                          > 0\n"
-    "  --radius R              radius of the sphere, in epsilon (default 100)\n"
+    "  --radius R              radius of the sphere, in epsilon (default 100); for another "
+    "profile\n"
+    "                          the length R in the unit of the load, pi w R (default 1)\n"
     "  --outer-radius R        radius at which the elastic surface is cut, in epsilon; inf is the\n"
     "                          unbounded half-space (default inf)\n"
     "  --law LAW               traction-separation law: lennard-jones (Eq 9), mie:M,N with\n"
     "                          N > M > 1, or morse:A (default lennard-jones)\n"
     "  --mie-m M, --mie-n N    exponents M and N, for --law mie without exponents\n"
     "  --morse-a A             parameter A, for --law morse without parameter\n"
-    "\n"
+    "  --coupling C            w/(E* epsilon), >= 0, instead of --tabor\n" PO_PROFILE_HELP "\n"
     "Preload and range of the trace:\n"
     "  --preload D             approach up to which the sphere is loaded before it is pulled off,\n"
     "                          in epsilon; inf searches all preloads for the greatest pull-off\n"
@@ -76,17 +78,20 @@ static const char MORE_HELP[] =
     "  --profile-approach D    approach at which the profile is taken, in epsilon (default: that\n"
     "                          of the pull-off)\n"
     "  --curve FILE            write the points of the branch to FILE, as dimensionless CSV\n"
-    "  --profile FILE          write the profile to FILE, as dimensionless CSV\n"
+    "  --profile-csv FILE      write gap and traction to FILE, as dimensionless CSV; --profile "
+    "FILE\n"
+    "                          does the same if FILE has a period or a slash\n"
     "  --staircase FILE        write the pull-off force for every preload to FILE, as\n"
     "                          dimensionless CSV\n"
     "  --json                  print one JSON document and nothing else\n"
     "  -h, --help              print this text\n"
     "\n" PO_SCENE_FLAGS_HELP "\n"
     "Example: pulloff solve --tabor 3 --amplitude 1 --wavelength 20 --outer-radius 100 --json\n"
+    "Example: pulloff solve --profile punch:5,20 --coupling 0.05 --wave 0.2,3 --outer-radius 60\n"
     "Example: pulloff solve --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 \\\n"
     "             --distance-m 3e-10 --radius-m 1e-7\n";
 
-enum { WANT = PO_FLAG_NEXT, CURVE_FILE, PROFILE_FILE, STAIRCASE_FILE, JSON, KEY };
+enum { WANT = PO_FLAG_NEXT, CURVE_FILE, PROFILE_FILE, STAIRCASE_FILE, JSON, KEY = PO_OPTION_KEYS };
 
 /* The values of the options of the mesh are KEY + po_key. */
 static const struct option OPTIONS[] = {
@@ -108,7 +113,7 @@ static const struct option OPTIONS[] = {
     {"want", required_argument, NULL, WANT},
     PO_LENGTH_OPTIONS("profile-approach", PO_LENGTH_PROFILE_APPROACH),
     {"curve", required_argument, NULL, CURVE_FILE},
-    {"profile", required_argument, NULL, PROFILE_FILE},
+    {"profile-csv", required_argument, NULL, PROFILE_FILE},
     {"staircase", required_argument, NULL, STAIRCASE_FILE},
     {"json", no_argument, NULL, JSON},
     {"help", no_argument, NULL, PO_OPTION_HELP},
@@ -151,8 +156,17 @@ static po_status take_key(solve_line *line, po_key key, int option) {
   return po_options_refuse(given->name, optarg, po_key_expected(key));
 }
 
+/* --profile gives the profile of the scene; as in earlier versions, it also gives the file for gap
+ * and traction if its value is a path with a period or a slash. */
+static bool names_file(const char *text) {
+  return !*text || strcspn(text, "./") < strcspn(text, ":");
+}
+
 static po_status take_option(void *to, int option) {
   solve_line *line = to;
+  const bool old = option == PO_FLAG_PROFILE && names_file(optarg);
+  if (old)
+    option = PROFILE_FILE;
   if (option < PO_FLAG_NEXT)
     return po_scene_flags_take(&line->flags, option);
   switch (option) {
@@ -163,7 +177,8 @@ static po_status take_option(void *to, int option) {
     return po_options_take_text("curve", "the name of a file", &line->curve);
   case PROFILE_FILE:
     line->request.want |= PO_WANT_PROFILE;
-    return po_options_take_text("profile", "the name of a file", &line->profile);
+    return po_options_take_text(old ? "profile" : "profile-csv", "the name of a file",
+                                &line->profile);
   case STAIRCASE_FILE:
     line->request.want |= PO_WANT_PRELOAD;
     return po_options_take_text("staircase", "the name of a file", &line->staircase);
@@ -209,7 +224,7 @@ static po_status end_line(solve_line *line) {
     status = po_scene_flags_check_law(&request->scene.law, line->given + PO_KEY_MIE_M);
   if (status)
     return status;
-  if (request->scene.amplitude > 0 && isnan(length[PO_LENGTH_WAVELENGTH])) {
+  if (length[PO_LENGTH_AMPLITUDE] > 0 && isnan(length[PO_LENGTH_WAVELENGTH])) {
     char amplitude[32], wavelength[32];
     po_scene_flags_name(&line->flags, PO_LENGTH_AMPLITUDE, amplitude);
     po_scene_flags_name(&line->flags, PO_LENGTH_WAVELENGTH, wavelength);

@@ -29,6 +29,7 @@ static const char HELP[] =
     "\n"
     "Scene:\n"
     "  --tabor MU              Tabor parameter, > 0 for the elastic forms (default 1)\n"
+    "  --coupling C            w/(E* epsilon), >= 0, instead of --tabor\n"
     "  --amplitude A           amplitude of the waviness, in epsilon; 0 is a smooth sphere\n"
     "  --wavelength L          wavelength of the waviness, in epsilon\n"
     "  --radius R              radius of the sphere, in epsilon (default 100)\n"
@@ -112,6 +113,7 @@ static po_status check_use(const po_theory_line *l, const po_form *form) {
            takes != form->takes ? " with --alpha" : "");
   const po_flag_use flags[] = {
       {"tabor", !isnan(l->flags.tabor), takes & PO_TAKES_TABOR && !l->flags.from_physical},
+      {"coupling", !isnan(l->flags.coupling), takes & PO_TAKES_TABOR && !l->flags.from_physical},
       use_of(l, PO_LENGTH_AMPLITUDE, takes & PO_TAKES_AMPLITUDE),
       use_of(l, PO_LENGTH_WAVELENGTH, takes & PO_TAKES_WAVELENGTH),
       /* in SI units, the unit of force contains the radius */
@@ -149,6 +151,12 @@ static po_status complete(po_theory_line *l, const po_form *form) {
   const po_status idle = check_use(l, form);
   if (idle)
     return idle;
+  if (!po_scene_is_of_paper(&l->scene))
+    return po_fail(
+        PO_BAD_INPUT,
+        "theory %s is that of a sphere with one wave or none, not of the profile %s with "
+        "%zu waves",
+        form->name, po_profile_name(&l->scene.profile), po_scene_waves(&l->scene));
   const double *length = l->flags.length;
   const bool smooth = length[PO_LENGTH_AMPLITUDE] == 0.0;
   const bool waves =

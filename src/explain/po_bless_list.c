@@ -81,10 +81,10 @@ void po_pin_list_clear(po_pin_list *list) {
 /* Reports whether a key has the same value for all scenes of the list. Returned: in `text`, this
  * value. */
 static bool is_shared(const po_case *kase, const po_pin_list *list, po_key key,
-                      char text[PO_NUMBER_LENGTH]) {
+                      char text[PO_KEY_TEXT_LENGTH]) {
   strcpy(text, "-");
   for (size_t i = 0; i < list->count; ++i) {
-    char other[PO_NUMBER_LENGTH];
+    char other[PO_KEY_TEXT_LENGTH];
     po_pins_key_text(&kase->points[list->items[i].point].request, key, i ? other : text);
     if (i && strcmp(other, text) != 0)
       return false;
@@ -93,7 +93,7 @@ static bool is_shared(const po_case *kase, const po_pin_list *list, po_key key,
 }
 
 void po_pin_list_headers(const po_case *kase, const po_pin_list *list, po_text *text) {
-  char value[PO_NUMBER_LENGTH];
+  char value[PO_KEY_TEXT_LENGTH];
   for (int key = 0; key < PO_KEY_COUNT; ++key)
     if (is_shared(kase, list, (po_key)key, value) && strcmp(value, "-") != 0)
       po_text_add(text, "# %s: %s\n", po_key_name((po_key)key), value);
@@ -101,7 +101,7 @@ void po_pin_list_headers(const po_case *kase, const po_pin_list *list, po_text *
 
 void po_pin_list_rows(const po_case *kase, const po_pin_list *list, po_text *rows) {
   bool column[PO_KEY_COUNT];
-  char value[PO_NUMBER_LENGTH];
+  char value[PO_KEY_TEXT_LENGTH];
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
     column[key] = !is_shared(kase, list, (po_key)key, value);
     if (column[key])

@@ -2,26 +2,40 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "po_input.h"
 #include "po_json_parts.h"
+#include "po_profile_table.h"
 
 json_t *po_json_input(const po_request *request) {
   json_t *object = po_json_empty_object();
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
     const double value = po_key_number(request, (po_key)key);
-    char text[PO_NUMBER_LENGTH];
+    char text[PO_KEY_TEXT_LENGTH];
     po_key_print(request, (po_key)key, text);
     json_t *item = NULL;
     if (!po_key_is_number((po_key)key) || isinf(value))
-      item = po_json_text(text);
+      item = strcmp(text, "-") == 0 ? json_null() : po_json_text(text);
     else if (key == PO_KEY_NODES)
       item = po_json_count(request->mesh.nodes);
     else
       item = po_json_number(value);
     po_json_set(&object, po_key_name((po_key)key), item);
   }
+  po_json_set(&object, "load_unit", po_json_text(po_input_load_unit(request)));
   return object;
+}
+
+/* The table of the profile of a scene, which must have one. */
+static json_t *table_of(const po_profile *profile) {
+  const po_profile_table *table = profile->table;
+  const double scale = profile->parameter[PO_TABLE_SCALE];
+  return PO_JSON_OBJECT({"rows", po_json_count(table->rows)},
+                        {"end_radius", po_json_number(po_profile_end(profile))},
+                        {"exponent", po_json_number(table->growth)},
+                        {"uncertainty", po_json_number(scale * table->uncertainty)},
+                        {"sha256", po_json_text(table->digest)});
 }
 
 static json_t *special_points(const po_special_point *list, size_t count) {
@@ -59,6 +73,8 @@ json_t *po_json_result(const po_request *request, const po_result *result) {
       {"folds", special_points_of(result, result->folds, result->fold_count)},
       {"extrema", special_points_of(result, result->extrema, result->extremum_count)},
       {"work", po_json_work(&result->work)});
+  if (po_profile_is_table(&request->scene.profile))
+    po_json_set(&object, "profile_table", table_of(&request->scene.profile));
   if (result->has_hysteresis)
     po_json_set(&object, "hysteresis", po_json_hysteresis(result));
   if (result->has_staircases)

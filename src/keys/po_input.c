@@ -33,6 +33,18 @@ static const struct {
     [PO_KEY_MIE_M] = {"mie_m", POSITIVE, "a finite number > 1"},
     [PO_KEY_MIE_N] = {"mie_n", POSITIVE, "a finite number > mie_m"},
     [PO_KEY_MORSE_A] = {"morse_a", POSITIVE, "a finite number > 0"},
+    [PO_KEY_PROFILE] = {"profile", NAME, PO_PROFILE_EXPECTED},
+    [PO_KEY_POWER_C] = {"power_c", POSITIVE, "a finite number > 0"},
+    [PO_KEY_POWER_N] = {"power_n", POSITIVE, "a number from 1 to 40"},
+    [PO_KEY_CONE_T] = {"cone_t", POSITIVE, "a finite number > 0"},
+    [PO_KEY_PUNCH_B] = {"punch_b", POSITIVE, "a finite number > 0"},
+    [PO_KEY_PUNCH_R] = {"punch_r", POSITIVE, "a finite number > 0"},
+    [PO_KEY_TRUNCATED_B] = {"truncated_b", POSITIVE, "a finite number > 0"},
+    [PO_KEY_TRUNCATED_R] = {"truncated_r", POSITIVE, "a finite number > 0"},
+    [PO_KEY_TABLE_SCALE] = {"table_scale", POSITIVE, "a finite number > 0"},
+    [PO_KEY_PROFILE_FILE] = {"profile_file", NAME, "a CSV file with the columns r and gap"},
+    [PO_KEY_WAVES] = {"waves", NAME,
+                      "A@L;A@L;..., amplitude and wavelength of at most 8 waves, all > 0, or -"},
     [PO_KEY_SCHEME] = {"scheme", NAME, "ring, triangle or panel"},
     [PO_KEY_GRADING] = {"grading", NAME, "uniform or graded"},
     [PO_KEY_NODES] = {"nodes", COUNT, "a whole number > 0"},
@@ -45,6 +57,7 @@ static const struct {
     [PO_KEY_ALPHA] = {"alpha", POSITIVE, "a finite number > 0"},
     [PO_KEY_AMPLITUDE_RATIO] = {"amplitude_ratio", NOT_NEGATIVE, "a finite number >= 0"},
     [PO_KEY_OUTER_RATIO] = {"outer_ratio", POSITIVE, "a finite number > 0"},
+    [PO_KEY_COUPLING] = {"coupling", NOT_NEGATIVE, "a finite number >= 0"},
 };
 
 po_request po_input_default(void) {
@@ -76,12 +89,35 @@ bool po_key_is_group(int key) {
   return key >= PO_KEY_COUNT;
 }
 
+static bool is_of_law(int key) {
+  return key >= PO_KEY_MIE_M && key <= PO_KEY_MORSE_A;
+}
+
+static bool is_of_profile(int key) {
+  return key >= PO_KEY_POWER_C && key <= PO_KEY_TABLE_SCALE;
+}
+
+bool po_key_is_continuous(int key) {
+  return (key >= PO_KEY_TABOR && key <= PO_KEY_OUTER_RADIUS) || is_of_law(key) ||
+         is_of_profile(key) || po_key_is_group(key);
+}
+
 po_key po_key_target(po_key key) {
-  if (key == PO_KEY_ALPHA)
+  switch (key) {
+  case PO_KEY_ALPHA:
     return PO_KEY_WAVELENGTH;
-  if (key == PO_KEY_OUTER_RATIO)
+  case PO_KEY_OUTER_RATIO:
     return PO_KEY_OUTER_RADIUS;
-  return key == PO_KEY_AMPLITUDE_RATIO ? PO_KEY_AMPLITUDE : key;
+  case PO_KEY_AMPLITUDE_RATIO:
+  case PO_KEY_WAVES:
+    return PO_KEY_AMPLITUDE;
+  case PO_KEY_COUPLING:
+    return PO_KEY_TABOR;
+  case PO_KEY_PROFILE_FILE:
+    return PO_KEY_PROFILE;
+  default:
+    return key;
+  }
 }
 
 /* Returned: the place of the value of a key in a request; NULL for names and counts. */
@@ -101,6 +137,15 @@ static double *key_place(po_request *request, po_key key) {
   case PO_KEY_MIE_N:
   case PO_KEY_MORSE_A:
     return &request->scene.law.parameter[key - PO_KEY_MIE_M];
+  case PO_KEY_POWER_C:
+  case PO_KEY_POWER_N:
+  case PO_KEY_CONE_T:
+  case PO_KEY_PUNCH_B:
+  case PO_KEY_PUNCH_R:
+  case PO_KEY_TRUNCATED_B:
+  case PO_KEY_TRUNCATED_R:
+  case PO_KEY_TABLE_SCALE:
+    return &request->scene.profile.parameter[key - PO_KEY_POWER_C];
   case PO_KEY_TOLERANCE:
     return &request->mesh.tolerance;
   case PO_KEY_APPROACH_START:
@@ -118,13 +163,22 @@ static double *key_place(po_request *request, po_key key) {
   }
 }
 
-static bool is_of_law(po_key key) {
-  return key >= PO_KEY_MIE_M && key <= PO_KEY_MORSE_A;
+/* The radius of a profile for which none was given. */
+static bool with_radius(po_request *request, bool set) {
+  if (set && !request->radius_given)
+    request->scene.radius = po_profile_default_radius(&request->scene.profile);
+  return set;
 }
 
 static bool set_name(po_request *request, po_key key, const char *text) {
   if (key == PO_KEY_LAW)
     return po_law_set(&request->scene.law, text);
+  if (key == PO_KEY_PROFILE)
+    return with_radius(request, po_profile_set(&request->scene.profile, text));
+  if (key == PO_KEY_PROFILE_FILE)
+    return with_radius(request, po_profile_set_file(&request->scene.profile, text) == PO_OK);
+  if (key == PO_KEY_WAVES)
+    return po_scene_set_waves(&request->scene, text);
   const int found = key == PO_KEY_SCHEME ? po_scheme_of_name(text) : po_grading_of_name(text);
   if (found < 0)
     return false;
@@ -171,6 +225,10 @@ bool po_key_set(po_request *request, po_key key, const char *text) {
     value *= request->scene.wavelength;
   else if (key == PO_KEY_OUTER_RATIO)
     value *= request->scene.radius;
+  else if (key == PO_KEY_COUPLING)
+    value = po_scene_tabor_of_coupling(value, request->scene.radius);
+  else if (key == PO_KEY_RADIUS)
+    request->radius_given = true;
   if (is_of_law(key))
     po_law_set_parameter(&request->scene.law, (po_law_parameter)(key - PO_KEY_MIE_M), value);
   else
@@ -181,6 +239,11 @@ bool po_key_set(po_request *request, po_key key, const char *text) {
 double po_key_number(const po_request *request, po_key key) {
   if (is_of_law(key) && !po_law_has(&request->scene.law, (po_law_parameter)(key - PO_KEY_MIE_M)))
     return (double)NAN;
+  if (is_of_profile(key) &&
+      !po_profile_has(&request->scene.profile, (po_profile_parameter)(key - PO_KEY_POWER_C)))
+    return (double)NAN;
+  if (key == PO_KEY_COUPLING)
+    return po_scene_coupling(&request->scene);
   if (key == PO_KEY_ALPHA)
     return po_scene_alpha(&request->scene);
   if (key == PO_KEY_AMPLITUDE_RATIO)
@@ -195,40 +258,110 @@ double po_key_number(const po_request *request, po_key key) {
     return (double)request->mesh.nodes;
   if (key == PO_KEY_LAW)
     return (double)po_law_index(&request->scene.law);
+  if (key == PO_KEY_PROFILE || key == PO_KEY_PROFILE_FILE)
+    return (double)po_profile_index(&request->scene.profile);
+  if (key == PO_KEY_WAVES)
+    return (double)po_scene_waves(&request->scene);
   return key == PO_KEY_SCHEME ? (double)request->mesh.scheme : (double)request->mesh.grading;
 }
 
-void po_key_print(const po_request *request, po_key key, char text[PO_NUMBER_LENGTH]) {
+static void print_waves(const po_scene *scene, char text[PO_KEY_TEXT_LENGTH]) {
+  size_t length = 0;
+  snprintf(text, PO_KEY_TEXT_LENGTH, "-");
+  for (size_t k = 0; k < po_scene_waves(scene); ++k) {
+    const po_wave wave = po_scene_wave(scene, k);
+    char amplitude[PO_NUMBER_LENGTH], wavelength[PO_NUMBER_LENGTH];
+    po_number_print(wave.amplitude, amplitude);
+    po_number_print(wave.length, wavelength);
+    length += (size_t)snprintf(text + length, PO_KEY_TEXT_LENGTH - length, "%s%s@%s", k ? ";" : "",
+                               amplitude, wavelength);
+  }
+}
+
+void po_key_print(const po_request *request, po_key key, char text[PO_KEY_TEXT_LENGTH]) {
+  const po_scene *scene = &request->scene;
+  const char *name = NULL;
   if (key == PO_KEY_LAW)
-    snprintf(text, PO_NUMBER_LENGTH, "%s", po_law_name(&request->scene.law));
+    name = po_law_name(&scene->law);
+  else if (key == PO_KEY_PROFILE)
+    name = po_profile_name(&scene->profile);
+  else if (key == PO_KEY_PROFILE_FILE)
+    name = po_profile_file(&scene->profile);
   else if (key == PO_KEY_SCHEME)
-    snprintf(text, PO_NUMBER_LENGTH, "%s", po_scheme_name(request->mesh.scheme));
+    name = po_scheme_name(request->mesh.scheme);
   else if (key == PO_KEY_GRADING)
-    snprintf(text, PO_NUMBER_LENGTH, "%s", po_grading_name(request->mesh.grading));
+    name = po_grading_name(request->mesh.grading);
+  if (name)
+    snprintf(text, PO_KEY_TEXT_LENGTH, "%s", name);
+  else if (key == PO_KEY_WAVES)
+    print_waves(scene, text);
   else if (key == PO_KEY_NODES)
-    snprintf(text, PO_NUMBER_LENGTH, "%zu", request->mesh.nodes);
+    snprintf(text, PO_KEY_TEXT_LENGTH, "%zu", request->mesh.nodes);
   else if (isnan(po_key_number(request, key)))
-    snprintf(text, PO_NUMBER_LENGTH, key == PO_KEY_TIME_LIMIT ? "none" : "auto");
+    snprintf(text, PO_KEY_TEXT_LENGTH, key == PO_KEY_TIME_LIMIT ? "none" : "auto");
   else
     po_number_print(po_key_number(request, key), text);
 }
 
+static bool is_near(double a, double b, int ulps) {
+  return a == b || (isfinite(b) && fabs(a - b) <= ulps * DBL_EPSILON * fabs(b));
+}
+
 static bool is_close(double a, double b) {
-  return a == b || (isfinite(b) && fabs(a - b) <= 4 * DBL_EPSILON * fabs(b));
+  return is_near(a, b, 4);
+}
+
+/* The coupling is computed from the Tabor parameter, and tables give it with 15 digits: half a unit
+ * of the last is up to 23 ulp. */
+enum { ULPS_OF_COUPLING = 32 };
+
+static bool parameters_match(const po_request *a, const po_request *b, int first, int last) {
+  for (int key = first; key <= last; ++key) {
+    const double x = po_key_number(a, (po_key)key), y = po_key_number(b, (po_key)key);
+    if (!isnan(y) && !is_close(x, y))
+      return false;
+  }
+  return true;
+}
+
+static bool waves_match(const po_scene *a, const po_scene *b) {
+  bool match = po_scene_waves(a) == po_scene_waves(b);
+  for (size_t k = 0; match && k < po_scene_waves(a); ++k) {
+    const po_wave x = po_scene_wave(a, k), y = po_scene_wave(b, k);
+    match = is_close(x.amplitude, y.amplitude) && is_close(x.length, y.length);
+  }
+  return match;
 }
 
 bool po_key_matches(const po_request *request, po_key key, const char *text) {
   po_request wanted = *request;
+  const po_scene *scene = &request->scene;
+  if (key == PO_KEY_PROFILE_FILE && strcmp(text, po_profile_digest(&scene->profile)) == 0)
+    return true;
   if (!po_key_set(&wanted, key, text))
     return false;
-  if (key == PO_KEY_LAW && po_law_index(&wanted.scene.law) == po_law_index(&request->scene.law)) {
-    for (int k = PO_KEY_MIE_M; k <= PO_KEY_MORSE_A; ++k)
-      if (po_law_has(&wanted.scene.law, (po_law_parameter)(k - PO_KEY_MIE_M)) &&
-          !is_close(po_key_number(request, (po_key)k), po_key_number(&wanted, (po_key)k)))
-        return false;
-    return true;
+  switch (key) {
+  case PO_KEY_LAW:
+    return po_law_index(&wanted.scene.law) == po_law_index(&scene->law) &&
+           parameters_match(request, &wanted, PO_KEY_MIE_M, PO_KEY_MORSE_A);
+  case PO_KEY_PROFILE:
+    return po_profile_index(&wanted.scene.profile) == po_profile_index(&scene->profile) &&
+           parameters_match(request, &wanted, PO_KEY_POWER_C, PO_KEY_TRUNCATED_R);
+  case PO_KEY_PROFILE_FILE:
+    return strcmp(po_profile_digest(&wanted.scene.profile), po_profile_digest(&scene->profile)) ==
+           0;
+  case PO_KEY_WAVES:
+    return waves_match(scene, &wanted.scene);
+  case PO_KEY_COUPLING:
+    return is_near(po_key_number(request, key), po_key_number(&wanted, key), ULPS_OF_COUPLING);
+  default:
+    return is_close(po_key_number(request, key), po_key_number(&wanted, key));
   }
-  return is_close(po_key_number(request, key), po_key_number(&wanted, key));
+}
+
+bool po_key_same(po_key key, const char *a, const char *b) {
+  po_request request = po_request_default();
+  return po_key_set(&request, key, a) && po_key_matches(&request, key, b);
 }
 
 bool po_key_is_of_other_scheme(const po_request *request, po_key key) {
@@ -237,10 +370,30 @@ bool po_key_is_of_other_scheme(const po_request *request, po_key key) {
 }
 
 bool po_key_is_idle(const po_request *request, po_key key) {
-  const bool smooth = request->scene.amplitude == 0;
-  return (key == PO_KEY_AMPLITUDE && smooth) || (key == PO_KEY_WAVELENGTH && smooth) ||
-         (key == PO_KEY_LAW && po_law_index(&request->scene.law) == 0) ||
-         isnan(po_key_number(request, key)) || po_key_is_of_other_scheme(request, key);
+  const po_scene *scene = &request->scene;
+  const bool sphere = po_profile_is_sphere(&scene->profile);
+  switch (key) {
+  case PO_KEY_AMPLITUDE:
+  case PO_KEY_WAVELENGTH:
+    return po_scene_waves(scene) != 1;
+  case PO_KEY_WAVES:
+    return po_scene_waves(scene) < 2;
+  case PO_KEY_LAW:
+    return po_law_index(&scene->law) == 0;
+  case PO_KEY_PROFILE:
+    return sphere || po_profile_is_table(&scene->profile);
+  case PO_KEY_PROFILE_FILE:
+    return !po_profile_is_table(&scene->profile);
+  case PO_KEY_TABLE_SCALE:
+    return !po_profile_is_table(&scene->profile) || po_key_number(request, key) == 1.0;
+  default:
+    return isnan(po_key_number(request, key)) || po_key_is_of_other_scheme(request, key);
+  }
+}
+
+const char *po_input_load_unit(const po_request *request) {
+  const po_scene *scene = &request->scene;
+  return po_profile_is_sphere(&scene->profile) || scene->radius != 1.0 ? "pi w R" : "pi w epsilon";
 }
 
 /* Returned: whether the command must state the default preload. */
@@ -249,20 +402,41 @@ static bool adds_preload(const po_request *request) {
          isnan(request->preload.load) && isnan(request->approach_end);
 }
 
+/* Adds an option for each wave. */
+static void add_waves(po_text *command, const char *waves) {
+  for (const char *wave = waves; *wave;) {
+    const int amplitude = (int)strcspn(wave, "@");
+    const int length = (int)strcspn(wave + amplitude + 1, ";");
+    po_text_add(command, " --wave %.*s,%.*s", amplitude, wave, length, wave + amplitude + 1);
+    wave += amplitude + 1 + length;
+    wave += *wave == ';';
+  }
+}
+
+static void add_option(po_text *command, const po_request *request, po_key key) {
+  char value[PO_KEY_TEXT_LENGTH], flag[PO_NUMBER_LENGTH];
+  po_key_print(request, key, value);
+  if (key == PO_KEY_WAVES) {
+    add_waves(command, value);
+    return;
+  }
+  snprintf(flag, sizeof flag, "%s", KEYS[key].name);
+  for (char *c = flag; *c; ++c)
+    if (*c == '_')
+      *c = '-';
+  po_text_add(command, " --%s ", flag);
+  if (key == PO_KEY_PROFILE_FILE)
+    po_text_add_word(command, value);
+  else
+    po_text_add(command, "%s", value);
+}
+
 char *po_input_command(const po_request *request) {
   po_text command = {0};
   po_text_add(&command, "pulloff solve");
-  for (int key = 0; key < PO_KEY_COUNT; ++key) {
-    if (po_key_is_idle(request, (po_key)key))
-      continue;
-    char value[PO_NUMBER_LENGTH], flag[PO_NUMBER_LENGTH];
-    po_key_print(request, (po_key)key, value);
-    snprintf(flag, sizeof flag, "%s", KEYS[key].name);
-    for (char *c = flag; *c; ++c)
-      if (*c == '_')
-        *c = '-';
-    po_text_add(&command, " --%s %s", flag, value);
-  }
+  for (int key = 0; key < PO_KEY_COUNT; ++key)
+    if (!po_key_is_idle(request, (po_key)key))
+      add_option(&command, request, (po_key)key);
   /* without the preload, a single solve would search beyond the default one */
   if (adds_preload(request))
     po_text_add(&command, " --preload-load %g", po_request_preload(request).load);

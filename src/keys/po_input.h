@@ -21,6 +21,17 @@ typedef enum {
   PO_KEY_MIE_M, /* parameters of laws, in the order of po_law_parameter */
   PO_KEY_MIE_N,
   PO_KEY_MORSE_A,
+  PO_KEY_PROFILE,
+  PO_KEY_POWER_C, /* parameters of profiles, in the order of po_profile_parameter */
+  PO_KEY_POWER_N,
+  PO_KEY_CONE_T,
+  PO_KEY_PUNCH_B,
+  PO_KEY_PUNCH_R,
+  PO_KEY_TRUNCATED_B,
+  PO_KEY_TRUNCATED_R,
+  PO_KEY_TABLE_SCALE,
+  PO_KEY_PROFILE_FILE, /* sets the profile */
+  PO_KEY_WAVES,        /* all waves; amplitude and wavelength are the first of them */
   PO_KEY_SCHEME,
   PO_KEY_GRADING,
   PO_KEY_NODES,
@@ -36,8 +47,12 @@ typedef enum {
   PO_KEY_ALPHA = PO_KEY_COUNT, /* A R/lambda^2, Eq 6: sets the wavelength */
   PO_KEY_AMPLITUDE_RATIO,      /* A/lambda: sets the amplitude */
   PO_KEY_OUTER_RATIO,          /* r_max/R: sets the outer radius */
+  PO_KEY_COUPLING,             /* w/(E* epsilon): sets tabor */
   PO_KEY_END
 } po_key;
+
+/* The longest text of a value, and its NUL: a path or all waves. */
+enum { PO_KEY_TEXT_LENGTH = 1024 };
 
 /* Returned: a request with every field at its default, and the JKR theory as its companion. */
 po_request po_input_default(void);
@@ -55,34 +70,47 @@ const char *po_key_expected(po_key key);
 /* Returned: whether the value is a number (otherwise it is a name, as for scheme). */
 bool po_key_is_number(po_key key);
 
-/* Returned: whether a key is a group; and the key that a group sets (otherwise the key itself). A
- * group must be set after all other keys. */
+/* Returned: whether the value is a number that can vary continuously along a series of scenes. */
+bool po_key_is_continuous(int key);
+
+/* Returned: whether a key is a group; and the key that a group, `profile_file` or `waves` sets
+ * (otherwise the key itself). A group must be set after all other keys. */
 bool po_key_is_group(int key);
 po_key po_key_target(po_key key);
 
 /* Sets a key to the value in `text`. Returned: false if the key does not accept the value; then the
- * request is unchanged. */
+ * request is unchanged. A profile sets the radius to its default, unless the radius was given. A
+ * table that cannot be used has its own message (po_message). */
 bool po_key_set(po_request *request, po_key key, const char *text);
 
 /* Prints the value of a key; "auto" for an approach that the solver chooses, "none" for no time
  * limit. */
-void po_key_print(const po_request *request, po_key key, char text[PO_NUMBER_LENGTH]);
+void po_key_print(const po_request *request, po_key key, char text[PO_KEY_TEXT_LENGTH]);
 
-/* Returned: the value of a key as a number; for a name its number in the enumeration. */
+/* Returned: the value of a key as a number; for a name its number in the enumeration, for waves
+ * their number. */
 double po_key_number(const po_request *request, po_key key);
 
 /* Returned: whether a key of the request has the value in `text`; numbers are compared to 4 ulp, so
- * that 0.1 in two files agrees however it was computed. False if the key does not accept the
- * value. */
+ * that 0.1 in two files agrees however it was computed, and the coupling to the 15 digits of
+ * tables. A table of radii and gaps has the value of a file with the same content, or of its
+ * SHA-256. False if the key does not accept the value. */
 bool po_key_matches(const po_request *request, po_key key, const char *text);
 
 /* Returned: whether a key can be left out of the description of a scene: the solver chooses its
  * value, or does not use it. */
 bool po_key_is_idle(const po_request *request, po_key key);
 
+/* Returned: whether two texts are the same value of a key. */
+bool po_key_same(po_key key, const char *a, const char *b);
+
 /* Returned: whether the scheme of the request does not use a key: panels use the tolerance, rings
  * and triangles the nodes and the grading. */
 bool po_key_is_of_other_scheme(const po_request *request, po_key key);
+
+/* Returned: the unit of loads, "pi w R", or "pi w epsilon" if the profile is not a sphere and its
+ * length of reference R is epsilon. */
+const char *po_input_load_unit(const po_request *request);
 
 /* Returned: a command line, e.g. "pulloff solve --tabor 1 ...", that repeats the solve and does not
  * search beyond its preload, to be freed; NULL if memory runs out. */

@@ -43,6 +43,7 @@ typedef struct {
 
 typedef struct {
   po_scene scene;
+  bool radius_given;     /* the radius of the scene stays when a profile is set, see po_input.h */
   po_mesh mesh;          /* scheme, grading, number of nodes */
   double approach_start; /* approach at which the trace begins, eps; NAN: chosen by the solver */
   double approach_end; /* approach at which it ends, eps; NAN: at the preload, see po_stopping.h */

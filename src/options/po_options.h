@@ -19,9 +19,10 @@ enum {
   PO_EXIT_INTERRUPTED = 130 /* 128 + SIGINT, the convention of shells */
 };
 
-/* The value of --help in every table of options; a verb's own are > 0 and smaller than 'h', which
- * is the value of -h. */
-enum { PO_OPTION_HELP = 1000 };
+/* The value of --help in every table of options. A verb's own are > 0 and smaller, and none of the
+ * characters ':', '?' and 'h', which getopt returns: either smaller than ':', or from
+ * PO_OPTION_KEYS on. */
+enum { PO_OPTION_KEYS = 200, PO_OPTION_HELP = 1000 };
 
 /* The command line of one verb, and the options it may have. */
 typedef struct {

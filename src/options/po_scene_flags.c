@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "po_parameters.h"
+
 static const struct {
   const char *name;
   int key; /* the po_key with the same domain of values; -1: none */
@@ -21,7 +23,10 @@ static const struct {
 };
 
 po_scene_flags po_scene_flags_default(void) {
-  po_scene_flags flags = {.tabor = NAN, .modulus = NAN, .work = NAN, .distance = NAN};
+  po_scene_flags flags = {
+      .tabor = NAN, .modulus = NAN, .work = NAN, .distance = NAN, .coupling = NAN};
+  for (int k = 0; k < PO_PROFILE_PARAMETER_COUNT; ++k)
+    flags.parameter[k] = NAN;
   for (int i = 0; i < PO_LENGTH_COUNT; ++i)
     flags.length[i] = flags.metres[i] = NAN;
   return flags;
@@ -47,6 +52,52 @@ static po_status take_length(po_length length, const char *suffix, double *value
   return po_options_refuse(name, optarg, positive ? "a finite number >= 0" : "a finite number");
 }
 
+po_status po_scene_flags_take_wave(po_wave wave[PO_MOST_WAVES], size_t *count) {
+  double values[2];
+  if (*count == PO_MOST_WAVES)
+    return po_fail(PO_BAD_INPUT, "--wave is given more than %d times: expected at most %d waves",
+                   PO_MOST_WAVES, PO_MOST_WAVES);
+  if (!po_parameters_read(optarg, 2, values) || !(values[0] > 0.0 && values[1] > 0.0))
+    return po_options_refuse("wave", optarg, "A,L: amplitude and wavelength, two numbers > 0");
+  wave[(*count)++] = (po_wave){values[0], values[1]};
+  return PO_OK;
+}
+
+po_status po_scene_flags_add_waves(const po_wave *wave, size_t count, double unit,
+                                   po_scene *scene) {
+  for (size_t k = 0; k < count; ++k)
+    if (!po_scene_add_wave(scene, (po_wave){wave[k].amplitude * unit, wave[k].length * unit}))
+      return po_fail(PO_BAD_INPUT,
+                     "--wave is given %zu times beside --amplitude: expected at most %d waves",
+                     count, PO_MOST_WAVES);
+  return PO_OK;
+}
+
+static po_status take_profile(po_scene_flags *flags) {
+  po_profile scratch = po_profile_sphere();
+  flags->profile = optarg;
+  return po_profile_set(&scratch, optarg)
+             ? PO_OK
+             : po_options_refuse("profile", optarg, PO_PROFILE_EXPECTED);
+}
+
+/* The option of a key: its name with dashes. */
+static void flag_of(const char *key, char flag[32]) {
+  snprintf(flag, 32, "%s", key);
+  for (char *c = flag; *c; ++c)
+    if (*c == '_')
+      *c = '-';
+}
+
+static po_status take_parameter(po_profile_parameter parameter, double *value) {
+  char name[32];
+  const po_key key = (po_key)(PO_KEY_POWER_C + (int)parameter);
+  flag_of(po_key_name(key), name);
+  return po_number_parse(optarg, value) && *value > 0.0
+             ? PO_OK
+             : po_options_refuse(name, optarg, po_key_expected(key));
+}
+
 po_status po_scene_flags_take(po_scene_flags *flags, int option) {
   switch (option) {
   case PO_FLAG_FROM_PHYSICAL:
@@ -61,7 +112,20 @@ po_status po_scene_flags_take(po_scene_flags *flags, int option) {
     return take_key(PO_KEY_RADIUS, "work-j-per-m2", &flags->work);
   case PO_FLAG_DISTANCE:
     return take_key(PO_KEY_RADIUS, "distance-m", &flags->distance);
+  case PO_FLAG_COUPLING:
+    if (po_number_parse(optarg, &flags->coupling) && flags->coupling >= 0.0)
+      return PO_OK;
+    return po_options_refuse("coupling", optarg, po_key_expected(PO_KEY_COUPLING));
+  case PO_FLAG_PROFILE:
+    return take_profile(flags);
+  case PO_FLAG_PROFILE_FILE:
+    return po_options_take_text("profile-file", "the name of a file", &flags->profile_file);
+  case PO_FLAG_WAVE:
+    return po_scene_flags_take_wave(flags->wave, &flags->waves);
   default:
+    if (option < PO_FLAG_LENGTH)
+      return take_parameter((po_profile_parameter)(option - PO_FLAG_PARAMETER),
+                            &flags->parameter[option - PO_FLAG_PARAMETER]);
     if (option < PO_FLAG_METRES)
       return take_length((po_length)(option - PO_FLAG_LENGTH), "",
                          &flags->length[option - PO_FLAG_LENGTH]);
@@ -79,6 +143,28 @@ static po_status refuse_si(const char *name, const char *suffix) {
                  suffix);
 }
 
+/* Sets the profile and its default radius. */
+static po_status set_profile(const po_scene_flags *flags, po_scene *scene) {
+  bool given[PO_PROFILE_PARAMETER_COUNT];
+  po_status status = PO_OK;
+  if (flags->profile && flags->profile_file)
+    return po_fail(PO_BAD_INPUT, "both --profile and --profile-file are given: expected only one");
+  for (int k = 0; k < PO_PROFILE_PARAMETER_COUNT; ++k) {
+    given[k] = !isnan(flags->parameter[k]);
+    if (given[k])
+      po_profile_set_parameter(&scene->profile, (po_profile_parameter)k, flags->parameter[k]);
+  }
+  if (flags->profile)
+    po_profile_set(&scene->profile, flags->profile);
+  if (flags->profile_file)
+    status = po_profile_set_file(&scene->profile, flags->profile_file);
+  if (!status)
+    status = po_scene_flags_check_profile(&scene->profile, given);
+  if (flags->profile || flags->profile_file)
+    scene->radius = po_profile_default_radius(&scene->profile);
+  return status;
+}
+
 static po_status end_dimensionless(const po_scene_flags *flags, po_scene *scene) {
   if (!isnan(flags->modulus))
     return refuse_si("modulus-pa", "");
@@ -89,6 +175,11 @@ static po_status end_dimensionless(const po_scene_flags *flags, po_scene *scene)
   for (int i = 0; i < PO_LENGTH_COUNT; ++i)
     if (!isnan(flags->metres[i]))
       return refuse_si(LENGTHS[i].name, "-m");
+  if (!isnan(flags->coupling) && !isnan(flags->tabor))
+    return po_fail(PO_BAD_INPUT, "both --coupling and --tabor are given: expected only one");
+  const po_status status = set_profile(flags, scene);
+  if (status)
+    return status;
   double *const places[] = {&scene->radius, &scene->amplitude, &scene->wavelength,
                             &scene->outer_radius};
   for (int i = 0; i <= PO_LENGTH_OUTER_RADIUS; ++i)
@@ -96,7 +187,13 @@ static po_status end_dimensionless(const po_scene_flags *flags, po_scene *scene)
       *places[i] = flags->length[i];
   if (!isnan(flags->tabor))
     scene->tabor = flags->tabor;
-  return PO_OK;
+  if (!isnan(flags->coupling))
+    scene->tabor = po_scene_tabor_of_coupling(flags->coupling, scene->radius);
+  return po_scene_flags_add_waves(flags->wave, flags->waves, 1.0, scene);
+}
+
+static bool has_sphere(const po_scene_flags *flags) {
+  return !flags->profile_file && (!flags->profile || strcmp(flags->profile, "sphere") == 0);
 }
 
 /* Names all missing options in one message. */
@@ -107,7 +204,7 @@ static po_status require_all(const po_scene_flags *flags, bool elastic) {
   } needed[] = {{"--modulus-pa", elastic ? flags->modulus : 0},
                 {"--work-j-per-m2", flags->work},
                 {"--distance-m", flags->distance},
-                {"--radius-m", flags->metres[PO_LENGTH_RADIUS]}};
+                {"--radius-m", has_sphere(flags) ? flags->metres[PO_LENGTH_RADIUS] : 0}};
   char missing[100] = "";
   for (size_t i = 0; i < sizeof needed / sizeof *needed; ++i)
     if (isnan(needed[i].value))
@@ -128,6 +225,9 @@ static po_status end_physical(po_scene_flags *flags, bool elastic, po_scene *sce
       return po_fail(PO_BAD_INPUT,
                      "--%s is in units of epsilon: expected --%s-m with --from-physical",
                      LENGTHS[i].name, LENGTHS[i].name);
+  if (!isnan(flags->coupling))
+    return po_fail(PO_BAD_INPUT, "--coupling is given with --from-physical: expected --modulus-pa, "
+                                 "--work-j-per-m2 and --distance-m, from which it is computed");
   po_status status = require_all(flags, elastic);
   if (status)
     return status;
@@ -137,12 +237,17 @@ static po_status end_physical(po_scene_flags *flags, bool elastic, po_scene *sce
       .modulus = isnan(flags->modulus) ? (double)INFINITY : flags->modulus,
       .work = flags->work,
       .distance = flags->distance,
-      .radius = m[PO_LENGTH_RADIUS],
+      .radius = isnan(m[PO_LENGTH_RADIUS]) ? flags->distance : m[PO_LENGTH_RADIUS],
       .amplitude = wavy ? m[PO_LENGTH_AMPLITUDE] : 0,
       .wavelength = wavy ? m[PO_LENGTH_WAVELENGTH] : 0,
       .outer_radius =
           isnan(m[PO_LENGTH_OUTER_RADIUS]) ? (double)INFINITY : m[PO_LENGTH_OUTER_RADIUS]};
-  status = po_physical_scene(&physical, scene);
+  status = set_profile(flags, scene);
+  if (!status)
+    status = po_profile_check(&scene->profile);
+  po_profile_rescale(&scene->profile, flags->distance);
+  if (!status)
+    status = po_physical_scene(&physical, scene);
   if (status)
     return status;
   for (int i = 0; i < PO_LENGTH_COUNT; ++i)
@@ -150,7 +255,7 @@ static po_status end_physical(po_scene_flags *flags, bool elastic, po_scene *sce
   if (!isnan(flags->length[PO_LENGTH_AMPLITUDE])) /* also if --alpha replaces the wavelength */
     scene->amplitude = flags->length[PO_LENGTH_AMPLITUDE];
   flags->units = po_physical_units(&physical, scene);
-  return PO_OK;
+  return po_scene_flags_add_waves(flags->wave, flags->waves, 1.0 / flags->distance, scene);
 }
 
 po_status po_scene_flags_end(po_scene_flags *flags, bool elastic, po_scene *scene) {
@@ -158,14 +263,30 @@ po_status po_scene_flags_end(po_scene_flags *flags, bool elastic, po_scene *scen
                               : end_dimensionless(flags, scene);
 }
 
+/* Refuses a parameter of another law or profile: `key` is "mie_m", and belongs to `mie`. */
+static po_status refuse_parameter(const char *what, const char *name, const char *key) {
+  char flag[32];
+  flag_of(key, flag);
+  const int length = (int)strcspn(flag, "-");
+  if (strncmp(flag, "table", (size_t)length) == 0)
+    return po_fail(PO_BAD_INPUT, "--%s has no effect on the %s %s: expected --profile-file", flag,
+                   what, name);
+  return po_fail(PO_BAD_INPUT, "--%s has no effect on the %s %s: expected --%s %.*s", flag, what,
+                 name, what, length, flag);
+}
+
 po_status po_scene_flags_check_law(const po_law *law, const bool given[PO_LAW_PARAMETER_COUNT]) {
   for (int k = 0; k < PO_LAW_PARAMETER_COUNT; ++k)
-    if (given[k] && !po_law_has(law, (po_law_parameter)k)) {
-      char flag[32];
-      snprintf(flag, sizeof flag, "%s", po_law_parameter_name((po_law_parameter)k));
-      *strchr(flag, '_') = '-';
-      return po_fail(PO_BAD_INPUT, "--%s has no effect on the law %s: expected --law %.*s", flag,
-                     po_law_name(law), (int)strcspn(flag, "-"), flag);
-    }
+    if (given[k] && !po_law_has(law, (po_law_parameter)k))
+      return refuse_parameter("law", po_law_name(law), po_law_parameter_name((po_law_parameter)k));
+  return PO_OK;
+}
+
+po_status po_scene_flags_check_profile(const po_profile *profile,
+                                       const bool given[PO_PROFILE_PARAMETER_COUNT]) {
+  for (int k = 0; k < PO_PROFILE_PARAMETER_COUNT; ++k)
+    if (given[k] && !po_profile_has(profile, (po_profile_parameter)k))
+      return refuse_parameter("profile", po_profile_name(profile),
+                              po_profile_parameter_name((po_profile_parameter)k));
   return PO_OK;
 }

@@ -22,9 +22,11 @@ double po_work_count(const po_work *work, int counter) {
   return (double)counts[counter];
 }
 
-void po_pins_key_text(const po_request *request, po_key key, char text[PO_NUMBER_LENGTH]) {
+void po_pins_key_text(const po_request *request, po_key key, char text[PO_KEY_TEXT_LENGTH]) {
   if (po_key_is_idle(request, key) || key == PO_KEY_TIME_LIMIT)
-    snprintf(text, PO_NUMBER_LENGTH, "-");
+    snprintf(text, PO_KEY_TEXT_LENGTH, "-");
+  else if (key == PO_KEY_PROFILE_FILE)
+    snprintf(text, PO_KEY_TEXT_LENGTH, "%s", po_profile_digest(&request->scene.profile));
   else
     po_key_print(request, key, text);
 }
@@ -95,7 +97,7 @@ bool po_pins_exist(const po_reference *pins) {
 
 /* The values of a scene as written in a table of pins, and the column of each key. */
 typedef struct {
-  char texts[PO_KEY_COUNT][PO_NUMBER_LENGTH];
+  char texts[PO_KEY_COUNT][PO_KEY_TEXT_LENGTH];
   int columns[PO_KEY_COUNT]; /* -1: no column */
 } scene_words;
 

@@ -45,6 +45,6 @@ const char *po_work_name(int counter);
 double po_work_count(const po_work *work, int counter);
 
 /* Returned: in `text`, the value of a key as written in a table of pins, or "-". */
-void po_pins_key_text(const po_request *request, po_key key, char text[PO_NUMBER_LENGTH]);
+void po_pins_key_text(const po_request *request, po_key key, char text[PO_KEY_TEXT_LENGTH]);
 
 #endif

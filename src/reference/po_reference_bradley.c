@@ -18,8 +18,8 @@ static const double FAR = 2;
 static const double LARGEST_APPROACH = 0.45;
 
 static bool applies_to(const po_request *request) {
-  return po_law_index(&request->scene.law) == 0 && request->scene.amplitude == 0 &&
-         isinf(request->scene.outer_radius);
+  return po_law_index(&request->scene.law) == 0 && po_scene_is_of_paper(&request->scene) &&
+         request->scene.amplitude == 0 && isinf(request->scene.outer_radius);
 }
 
 po_status po_bradley_find(po_quantity quantity, const po_request *request,

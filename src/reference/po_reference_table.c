@@ -66,16 +66,24 @@ void po_reference_close(po_reference *reference) {
   *reference = (po_reference){0};
 }
 
-/* A table without a key law is valid for the law of the paper only. */
-static bool law_is_possible(const po_csv *table, const po_request *request) {
-  const char *const name = po_key_name(PO_KEY_LAW);
-  return po_csv_find_column(table, name) >= 0 || po_csv_find_header(table, name) ||
-         po_law_index(&request->scene.law) == 0;
+static bool names(const po_csv *table, po_key key) {
+  return po_csv_find_column(table, po_key_name(key)) >= 0 ||
+         po_csv_find_header(table, po_key_name(key));
+}
+
+/* A table without a key law is valid for the law of the paper only, one without a profile for the
+ * sphere only, and one without waves for at most one wave. */
+static bool is_possible(const po_csv *table, const po_request *request) {
+  const po_scene *scene = &request->scene;
+  return (names(table, PO_KEY_LAW) || po_law_index(&scene->law) == 0) &&
+         (names(table, PO_KEY_PROFILE) || names(table, PO_KEY_PROFILE_FILE) ||
+          po_profile_is_sphere(&scene->profile)) &&
+         (names(table, PO_KEY_WAVES) || po_scene_waves(scene) < 2);
 }
 
 bool po_reference_headers_hold(const po_reference *reference, const po_request *request) {
   const po_csv *table = &reference->table;
-  if (!law_is_possible(table, request))
+  if (!is_possible(table, request))
     return false;
   for (size_t i = 0; i < table->header_count; ++i) {
     const int key = po_key_of_name(table->headers[i].key);
@@ -85,24 +93,22 @@ bool po_reference_headers_hold(const po_reference *reference, const po_request *
   return true;
 }
 
-/* Tables of general scenes have columns `profile` and `waves`, which are not keys of the scene.
- * Only their rows for a smooth sphere apply. */
-static bool has_profile_of_paper(const po_csv *table, size_t row, const po_request *request) {
-  const int profile = po_csv_find_column(table, "profile");
-  const int waves = po_csv_find_column(table, "waves");
-  if (profile >= 0 && strcmp(po_csv_cell(table, row, (size_t)profile), "sphere") != 0)
-    return false;
-  return waves < 0 || (strcmp(po_csv_cell(table, row, (size_t)waves), "-") == 0 &&
-                       !po_scene_is_wavy(&request->scene));
+/* Whether a cell that is a key of the scene has the value of a scene. Rows for other profiles than
+ * the sphere do not name a radius, if their loads are in pi w epsilon, nor a Tabor parameter. */
+static bool cell_holds(const po_request *request, po_key key, const char *text) {
+  const bool is_named = strcmp(text, "-") != 0;
+  if (!is_named && key == PO_KEY_RADIUS)
+    return !po_profile_is_sphere(&request->scene.profile) && request->scene.radius == 1.0;
+  if (!is_named && key == PO_KEY_TABOR)
+    return !po_profile_is_sphere(&request->scene.profile);
+  return po_key_matches(request, key, text);
 }
 
 /* Reports whether all columns that are keys of the scene have the values of a scene. */
 static bool row_holds(const po_csv *table, size_t row, const po_request *request) {
-  if (!has_profile_of_paper(table, row, request))
-    return false;
   for (size_t c = 0; c < table->column_count; ++c) {
     const int key = po_key_of_name(table->columns[c]);
-    if (key >= 0 && !po_key_matches(request, (po_key)key, po_csv_cell(table, row, c)))
+    if (key >= 0 && !cell_holds(request, (po_key)key, po_csv_cell(table, row, c)))
       return false;
   }
   return true;

@@ -50,7 +50,8 @@ po_status po_physical_scene(const po_physical *physical, po_scene *scene) {
                       .wavelength = wavy ? p->wavelength / p->distance : 0.0,
                       .radius = p->radius / p->distance,
                       .outer_radius = p->outer_radius / p->distance,
-                      .law = scene->law};
+                      .law = scene->law,
+                      .profile = scene->profile};
   po_status bad = rigid ? PO_OK : check_group("the Tabor parameter", s.tabor);
   if (!bad)
     bad = check_group("the radius over the equilibrium distance", s.radius);

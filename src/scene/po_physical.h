@@ -23,10 +23,10 @@ typedef struct {
   double traction; /* w/(mu epsilon), Pa: unit of P = p mu epsilon/w, Eq 14; INFINITY when rigid */
 } po_units;
 
-/* Computes the dimensionless scene but for its law, which stays: mu = (R w^2/(E*^2 eps^3))^(1/3)
- * (text after Eq 15) and the lengths in units of epsilon. Intermediate results cannot overflow.
- * Status: PO_BAD_INPUT, naming the quantity that is not positive and finite, or the group that is
- * outside the range of doubles. Accuracy: 8 ulp (tests/unit/test_physical.c). */
+/* Computes the dimensionless scene but for its law and its profile, which stay: mu = (R w^2/(E*^2
+ * eps^3))^(1/3) (text after Eq 15) and the lengths in units of epsilon. Intermediate results cannot
+ * overflow. Status: PO_BAD_INPUT, naming the quantity that is not positive and finite, or the group
+ * that is outside the range of doubles. Accuracy: 8 ulp (tests/unit/test_physical.c). */
 po_status po_physical_scene(const po_physical *physical, po_scene *scene);
 
 /* The inverse of po_physical_scene. Given: what a dimensionless scene does not determine: modulus

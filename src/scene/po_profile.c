@@ -12,9 +12,10 @@ static const po_profile_kind *const KINDS[] = {&PO_SPHERE, &PO_POWER,     &PO_CO
 enum { KIND_COUNT = sizeof KINDS / sizeof *KINDS };
 
 static const char *const PARAMETERS[PO_PROFILE_PARAMETER_COUNT] = {
-    [PO_POWER_C] = "power_c",         [PO_POWER_N] = "power_n", [PO_CONE_T] = "cone_t",
-    [PO_PUNCH_B] = "punch_b",         [PO_PUNCH_R] = "punch_r", [PO_TRUNCATED_B] = "truncated_b",
-    [PO_TRUNCATED_R] = "truncated_r",
+    [PO_POWER_C] = "power_c",         [PO_POWER_N] = "power_n",
+    [PO_CONE_T] = "cone_t",           [PO_PUNCH_B] = "punch_b",
+    [PO_PUNCH_R] = "punch_r",         [PO_TRUNCATED_B] = "truncated_b",
+    [PO_TRUNCATED_R] = "truncated_r", [PO_TABLE_SCALE] = "table_scale",
 };
 
 static const po_profile_kind *kind_of(const po_profile *profile) {
@@ -51,12 +52,17 @@ void po_profile_set_parameter(po_profile *profile, po_profile_parameter paramete
 }
 
 po_status po_profile_set_file(po_profile *profile, const char *path) {
+  if (strlen(path) > PO_PROFILE_PATH_LENGTH)
+    return po_fail(PO_BAD_INPUT, "the path of a profile has %zu bytes: expected at most %d",
+                   strlen(path), PO_PROFILE_PATH_LENGTH);
   const po_profile_table *table;
   const po_status status = po_profile_table_read(path, &table);
   if (status)
     return status;
   profile->kind = &PO_TABLE;
   profile->table = table;
+  if (isnan(profile->parameter[PO_TABLE_SCALE]))
+    profile->parameter[PO_TABLE_SCALE] = 1.0;
   return PO_OK;
 }
 
@@ -84,6 +90,10 @@ const char *po_profile_file(const po_profile *profile) {
   return profile->table ? profile->table->path : "-";
 }
 
+const char *po_profile_digest(const po_profile *profile) {
+  return profile->table ? profile->table->digest : "-";
+}
+
 bool po_profile_equal(const po_profile *a, const po_profile *b) {
   if (kind_of(a) != kind_of(b) || a->table != b->table)
     return false;
@@ -99,6 +109,24 @@ po_status po_profile_check(const po_profile *profile) {
 
 bool po_profile_is_sphere(const po_profile *profile) {
   return kind_of(profile) == &PO_SPHERE;
+}
+
+bool po_profile_is_table(const po_profile *profile) {
+  return kind_of(profile) == &PO_TABLE;
+}
+
+double po_profile_default_radius(const po_profile *profile) {
+  return po_profile_is_sphere(profile) ? 100.0 : 1.0;
+}
+
+void po_profile_rescale(po_profile *profile, double epsilon) {
+  double *p = profile->parameter;
+  p[PO_POWER_C] *= pow(epsilon, p[PO_POWER_N] - 1.0);
+  p[PO_PUNCH_B] /= epsilon;
+  p[PO_PUNCH_R] /= epsilon;
+  p[PO_TRUNCATED_B] /= epsilon;
+  p[PO_TRUNCATED_R] /= epsilon;
+  p[PO_TABLE_SCALE] /= epsilon;
 }
 
 double po_profile_gap(const po_profile *profile, double radius, double r) {

@@ -22,8 +22,11 @@ typedef enum {
   PO_PUNCH_R,
   PO_TRUNCATED_B, /* flat to b, then (r^2 - b^2)/(2R): a sphere that is cut flat */
   PO_TRUNCATED_R,
+  PO_TABLE_SCALE, /* the unit of the numbers of a table, in epsilon */
   PO_PROFILE_PARAMETER_COUNT
 } po_profile_parameter;
+
+enum { PO_PROFILE_PATH_LENGTH = 1000 };
 
 typedef struct po_profile_kind po_profile_kind;
 struct po_profile_table;
@@ -50,18 +53,20 @@ bool po_profile_set(po_profile *profile, const char *text);
 /* Sets one parameter. */
 void po_profile_set_parameter(po_profile *profile, po_profile_parameter parameter, double value);
 
-/* Sets the profile of a table in a CSV file with the columns r and gap (po_profile_table.h).
- * Status: PO_CANNOT_READ, with file and line; PO_BAD_INPUT. */
+/* Sets the profile of a table in a CSV file with the columns r and gap (po_profile_table.h). Its
+ * scale is 1 unless it is set. Status: PO_CANNOT_READ, with file and line; PO_BAD_INPUT if the path
+ * is longer than PO_PROFILE_PATH_LENGTH. */
 po_status po_profile_set_file(po_profile *profile, const char *path);
 
 /* "sphere", "power", "cone", "punch", "truncated", "table"; the number of a profile among these;
- * whether it has a parameter; the name of a parameter, "power_c". The path of a table; "-" for
- * other profiles. */
+ * whether it has a parameter; the name of a parameter, "power_c". The path of a table and the
+ * SHA-256 of its content; "-" for other profiles. */
 const char *po_profile_name(const po_profile *profile);
 size_t po_profile_index(const po_profile *profile);
 bool po_profile_has(const po_profile *profile, po_profile_parameter parameter);
 const char *po_profile_parameter_name(po_profile_parameter parameter);
 const char *po_profile_file(const po_profile *profile);
+const char *po_profile_digest(const po_profile *profile);
 
 /* Whether two profiles are the same. */
 bool po_profile_equal(const po_profile *a, const po_profile *b);
@@ -70,6 +75,15 @@ bool po_profile_equal(const po_profile *a, const po_profile *b);
 po_status po_profile_check(const po_profile *profile);
 
 bool po_profile_is_sphere(const po_profile *profile);
+bool po_profile_is_table(const po_profile *profile);
+
+/* The radius of a scene for which none is given: 100 for the sphere; for every other profile, whose
+ * length of reference it is, 1. */
+double po_profile_default_radius(const po_profile *profile);
+
+/* Converts the parameters, given in another unit of length, to units of epsilon. Given: epsilon in
+ * that unit. */
+void po_profile_rescale(po_profile *profile, double epsilon);
 
 /* f, df/dr, and f in long double, at a radius r >= 0. Given: `radius`, R of the sphere; other
  * profiles do not look at it. */

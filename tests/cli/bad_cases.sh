@@ -62,7 +62,7 @@ spoilt 's/^title: .*/flavour: sweet/' '2: flavour is unknown: expected one of na
 spoilt 's/^scene:/scene: 3\nscenery:/' '4: scene is 3: expected a mapping of scene keys'
 spoilt 's/^want/repeats: 0\nwant/' '11: repeats is 0: expected a whole number from 1 to 1000'
 spoilt 's/^want/sweep:\n  - key: colour\n    values: [1]\nwant/' \
-  '12: sweep[[]1[]].key is colour: expected a key of the scene: tabor, amplitude, *, outer_ratio'
+  '12: sweep[[]1[]].key is colour: expected a key of the scene: tabor, amplitude, *, coupling'
 spoilt 's/^want/sweep:\n  - key: tabor\n    values: [1]\nwant/' \
   '12: sweep[[]1[]].key is tabor: expected a key that the scene does not give'
 spoilt 's/^want/sweep:\n  - key: approach_end\n    values: [1, nan]\nwant/' \

@@ -10,7 +10,7 @@ expect 2 'pulloff: --law is mie:9: expected lennard-jones, mie:m,n or morse:a' s
 expect 2 'pulloff: mie_n is 3: expected a number > mie_m, 9, and at most 60' solve --law mie:9,3
 expect 2 'pulloff: mie_m is nan: expected a finite number > 1' solve --law mie --mie-n 9
 expect 2 'pulloff: morse_a is 60: expected a number from 0.05 to 50' solve --law morse:60
-expect 2 'pulloff: mie_m is 1.5: on an unbounded surface *expected more than 2, or an outer radius' solve --law mie:1.5,9
+expect 2 'pulloff: mie_m is 1.5: *unbounded surface*expected more than 2, or an outer radius' solve --law mie:1.5,9
 expect 2 'pulloff: --morse-a has no effect on the law mie: expected --law morse' solve --law mie:4,10 --morse-a 3
 expect 2 'pulloff: --mie-m has no effect on the law lennard-jones: expected --law mie' solve --mie-m 3
 expect 2 'pulloff: --key is law: *' follow --key law --from 1 --to 2

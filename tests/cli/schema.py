@@ -41,6 +41,8 @@ SOLVES = [
     ("--tabor 3 --outer-radius 100 --approach-end -3", 0),
     (f"--tabor 3 {WAVES} --tolerance 1e-4 --want hysteresis,preload,profile", 0),
     (f"--tabor 3 {WAVES} --tolerance 1e-4 --preload inf", 0),
+    ("--profile power:0.005,2 --radius 100 --tolerance 1e-4", 0),
+    ("--profile-file table.csv --radius 100 --outer-radius 40 --tolerance 1e-4", 0),
     ("--tabor 3 --time-limit 1e-9", 3),
     ("--tabor 1 --preload -5", 3),
     (f"{SI} --want curve,profile --profile-approach-m -3e-10", 0),
@@ -197,6 +199,8 @@ def main():
     program, root = os.path.realpath(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve()
     with tempfile.TemporaryDirectory() as folder:
         tests = Tests(program, root, folder)
+        rows = "\n".join(f"{r},{r * r / 200}" for r in range(0, 60, 2))
+        pathlib.Path(folder, "table.csv").write_text(f"r,gap\n{rows}\n")
         for flags, code in SOLVES:
             tests.valid("solve", tests.run(f"solve {flags} --json", code), f"solve {flags}")
         for flags in THEORIES:

@@ -20,7 +20,7 @@ check 'a file of results that cannot be written is exit code 4' test $? = 4
 check 'the message' grep -q '^pulloff: nowhere/out.xml cannot be written: ' stderr
 check 'the verdicts are printed' grep -q '^ok 1 ' stdout
 
-for option in --curve --profile --staircase; do
+for option in --curve --profile --profile-csv --staircase; do
   expect 2 "pulloff: $option is empty: expected the name of a file" solve --tabor 0 "$option" ''
 done
 expect 2 'pulloff: --junit is empty: expected the name of a file' verify good --junit ''

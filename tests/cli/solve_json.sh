@@ -14,9 +14,10 @@ def refuse(word):
 
 d = json.load(sys.stdin, parse_constant=refuse)
 assert d["schema"] == "pulloff/1" and d["status"] == "ok" and d["reason"] == ""
-assert list(d["input"]) == ["tabor", "amplitude", "wavelength", "radius", "outer_radius", "law", "mie_m", "mie_n", "morse_a", "scheme",
-                            "grading", "nodes", "tolerance", "approach_start", "approach_end", "preload", "preload_load",
-                            "time_limit"], list(d["input"])
+assert list(d["input"]) == ["tabor", "amplitude", "wavelength", "radius", "outer_radius", "law", "mie_m", "mie_n", "morse_a",
+                            "profile", "power_c", "power_n", "cone_t", "punch_b", "punch_r", "truncated_b", "truncated_r", "table_scale", "profile_file",
+                            "waves", "scheme", "grading", "nodes", "tolerance", "approach_start", "approach_end", "preload", "preload_load",
+                            "time_limit", "load_unit"], list(d["input"])
 assert d["input"]["outer_radius"] == "inf" and d["input"]["nodes"] == 101
 p = d["pull_off"]
 assert abs(p["force"] - 1.67067) < 1e-3 and abs(p["approach"] + 0.8734) < 2e-3

@@ -88,7 +88,7 @@ idle() { # NAME FLAG EXPECTED ARGUMENT...
   expect 2 "pulloff: $flag has no effect on theory $name*: expected $expected" theory "$name" "$@" "$flag" 0.7
 }
 for flag in --amplitude --wavelength --alpha --approach --gap; do
-  idle jkr $flag 'only --tabor, --radius or --contact-radius'
+  idle jkr $flag 'only --tabor, --coupling, --radius or --contact-radius'
 done
 for flag in --tabor --amplitude --wavelength --radius --alpha --approach --contact-radius; do
   idle lennard-jones $flag 'only --gap'
@@ -98,13 +98,13 @@ for flag in --tabor --amplitude --wavelength --radius --alpha --contact-radius -
 done
 for name in guduru kesari-lew; do
   for flag in --alpha --approach --gap; do
-    idle $name $flag 'only --tabor, --amplitude, --wavelength, --radius or --contact-radius' --amplitude 1 --wavelength 9
+    idle $name $flag 'only --tabor, --coupling, --amplitude, --wavelength, --radius or --contact-radius' --amplitude 1 --wavelength 9
   done
 done
 for name in compactness crest; do
   idle $name --tabor 'only --amplitude, --wavelength or --radius' --amplitude 1 --wavelength 9
 done
-idle persson-tosatti --contact-radius 'only --tabor, --amplitude, --wavelength or --radius' --amplitude 1 --wavelength 9
+idle persson-tosatti --contact-radius 'only --tabor, --coupling, --amplitude, --wavelength or --radius' --amplitude 1 --wavelength 9
 idle rigid --radius 'only --amplitude, --alpha or --approach' --alpha 1 --amplitude 1
 idle rigid --wavelength 'only --amplitude, --alpha or --approach' --alpha 1 --amplitude 1
 idle rumpf-rabinowicz --amplitude 'only --radius or --alpha' --alpha 1

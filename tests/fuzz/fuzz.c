@@ -84,7 +84,7 @@ void fuzz_require_message(po_status status) {
 void fuzz_require_request(const po_request *request) {
   po_request back = po_request_default();
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
-    char text[PO_NUMBER_LENGTH];
+    char text[PO_KEY_TEXT_LENGTH];
     const double value = po_key_number(request, (po_key)key);
     po_key_print(request, (po_key)key, text);
     if (po_key_is_idle(request, (po_key)key))

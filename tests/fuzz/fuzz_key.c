@@ -28,7 +28,7 @@ static void require_number(const char *text) {
 static void set(po_request *request, const char *name, const char *text) {
   const int key = po_key_of_name(name);
   po_request before;
-  char printed[PO_NUMBER_LENGTH];
+  char printed[PO_KEY_TEXT_LENGTH];
   if (key < 0)
     return;
   memcpy(&before, request, sizeof before); /* with its padding, unlike an assignment */
