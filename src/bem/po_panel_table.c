@@ -1,8 +1,9 @@
 #include "po_panel_table.h"
 
 #include <math.h>
+#include <pthread.h>
+#include <stdbool.h>
 #include <stdlib.h>
-#include <threads.h>
 
 #include "po_kernel.h"
 
@@ -62,12 +63,12 @@ static void fill_logarithm(const po_panel_rule *rule, position s, po_panel_block
 }
 
 static po_panel_table table;
-static po_status table_status;
-static once_flag table_once = ONCE_FLAG_INIT;
+static bool is_filled;
+static pthread_mutex_t table_lock = PTHREAD_MUTEX_INITIALIZER;
 
+/* A table that could not be filled for lack of memory is filled by a later call. */
 static void fill_table(void) {
-  table_status = po_panel_rule_fill(PO_TABLE_ORDER, &table.rule);
-  if (table_status)
+  if (is_filled || po_panel_rule_fill(PO_TABLE_ORDER, &table.rule))
     return;
   for (int k = 0; k < PO_LOG_POSITIONS; ++k)
     fill_logarithm(&table.rule, LOG_POSITIONS[k], table.logarithm[k]);
@@ -75,11 +76,15 @@ static void fill_table(void) {
     for (size_t i = 0; i < PO_TABLE_ORDER; ++i)
       po_panel_influence(&table.rule, (po_panel_span){.begin = 0.0, .end = 1.0},
                          node_in_source(&table.rule, AXIS_POSITIONS[k], i), table.axis[k][i], 1);
+  is_filled = true;
 }
 
 const po_panel_table *po_panel_table_get(void) {
-  call_once(&table_once, fill_table);
-  return table_status ? NULL : &table;
+  pthread_mutex_lock(&table_lock);
+  fill_table();
+  const bool filled = is_filled;
+  pthread_mutex_unlock(&table_lock);
+  return filled ? &table : NULL;
 }
 
 /* Computes a block near the singularity: G = a ln|r - s| + b, times s and the length of the source.

@@ -28,7 +28,7 @@ typedef struct {
 } po_panel_table;
 
 /* Returned: the table, which the first call of any thread computes; NULL with a message if memory
- * runs out. */
+ * runs out; a later call then tries again. */
 const po_panel_table *po_panel_table_get(void);
 
 /* Computes the block of influence coefficients for the nodes of `target` and of `source`, for a

@@ -24,15 +24,7 @@ po_status po_print_document(json_t *document) {
 
 po_status po_print_json(const po_request *request, const po_scene_flags *flags,
                         const po_result *result) {
-  json_t *document = PO_JSON_OBJECT({"schema", po_json_text("pulloff/1")});
-  po_json_set_all(&document, po_json_result(request, result));
-  if (request->want & PO_WANT_CURVE)
-    po_json_set(&document, "curve", po_json_curve(result));
-  if (request->want & PO_WANT_PROFILE) {
-    po_json_set(&document, "profile_approach", po_json_number(result->profile_approach));
-    po_json_set(&document, "profile", po_json_profile(result));
-    po_json_set(&document, "contact", po_json_contact(result));
-  }
+  json_t *document = po_json_document(request, result);
   if (flags->from_physical)
     po_json_set(&document, "physical", po_json_physical(flags, request, result));
   return po_print_document(document);

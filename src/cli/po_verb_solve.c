@@ -127,24 +127,6 @@ typedef struct {
   bool json;
 } solve_line;
 
-static po_status take_want(solve_line *line, const char *list) {
-  for (const char *item = list;; ++item) {
-    const size_t length = strcspn(item, ",");
-    int k = 0;
-    while (k < PO_WANT_COUNT &&
-           (strlen(po_want_name(k)) != length || strncmp(item, po_want_name(k), length) != 0))
-      ++k;
-    if (k == PO_WANT_COUNT)
-      return po_options_refuse(
-          "want", list,
-          "any of curve, profile, hysteresis, diagnostics, preload, with commas between");
-    line->request.want |= 1u << k;
-    item += length;
-    if (*item == '\0')
-      return PO_OK;
-  }
-}
-
 /* Sets a key of the mesh or of the solve. `option` is its value in OPTIONS. */
 static po_status take_key(solve_line *line, po_key key, int option) {
   line->given[key] = true;
@@ -171,7 +153,9 @@ static po_status take_option(void *to, int option) {
     return po_scene_flags_take(&line->flags, option);
   switch (option) {
   case WANT:
-    return take_want(line, optarg);
+    return po_want_read(optarg, &line->request.want)
+               ? PO_OK
+               : po_options_refuse("want", optarg, PO_WANT_EXPECTED);
   case CURVE_FILE:
     line->request.want |= PO_WANT_CURVE;
     return po_options_take_text("curve", "the name of a file", &line->curve);
@@ -240,8 +224,7 @@ static po_status end_line(solve_line *line) {
   request->preload.approach = length[PO_LENGTH_PRELOAD];
   if (!isnan(request->profile_approach))
     request->want |= PO_WANT_PROFILE;
-  if (!request->want && isnan(request->preload.approach) && isnan(request->preload.load))
-    request->search = PO_SEARCH_SOME;
+  po_request_choose_search(request);
   return po_request_check(request);
 }
 

@@ -239,29 +239,12 @@ static void fill(const po_theory_line *l, const po_form_values *values, json_t *
   }
 }
 
-/* Refuses a result that is NaN or infinite. */
-static po_status check_numbers(const po_form *form, const po_form_values *values) {
-  for (size_t i = 0; i < values->count; ++i) {
-    const po_form_value *item = &values->items[i];
-    if (!isfinite(item->value) && !(isinf(item->value) && item->may_be_infinite))
-      return po_fail(
-          PO_BAD_INPUT,
-          "%s of theory %s cannot be computed: an intermediate value exceeds the range of "
-          "double precision; expected values of more similar size",
-          item->name, form->name);
-  }
-  return PO_OK;
-}
-
 static po_status print(const po_theory_line *l, const po_form *form) {
   const double variables[] = {(double)NAN, l->flags.length[PO_LENGTH_APPROACH],
                               l->flags.length[PO_LENGTH_CONTACT_RADIUS], l->gap};
   const po_form_input input = {l->scene, l->alpha, variables[form->variable]};
   po_form_values values = {.count = 0};
-  form->fixed(&input, &values);
-  if (!isnan(input.at))
-    form->along(&input, &values);
-  const po_status status = check_numbers(form, &values);
+  const po_status status = po_form_evaluate(form, &input, &values);
   if (status)
     return status;
   json_t *out = po_json_empty_object();

@@ -84,6 +84,19 @@ json_t *po_json_result(const po_request *request, const po_result *result) {
   return object;
 }
 
+json_t *po_json_document(const po_request *request, const po_result *result) {
+  json_t *document = PO_JSON_OBJECT({"schema", po_json_text("pulloff/1")});
+  po_json_set_all(&document, po_json_result(request, result));
+  if (request->want & PO_WANT_CURVE)
+    po_json_set(&document, "curve", po_json_curve(result));
+  if (request->want & PO_WANT_PROFILE) {
+    po_json_set(&document, "profile_approach", po_json_number(result->profile_approach));
+    po_json_set(&document, "profile", po_json_profile(result));
+    po_json_set(&document, "contact", po_json_contact(result));
+  }
+  return document;
+}
+
 json_t *po_json_curve(const po_result *result) {
   json_t *array = po_json_empty_array();
   for (size_t i = 0; i < result->curve_count; ++i) {

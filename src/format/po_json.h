@@ -18,6 +18,10 @@ json_t *po_json_input(const po_request *request);
  * memory runs out. */
 json_t *po_json_result(const po_request *request, const po_result *result);
 
+/* The document of schema "pulloff/1": the result, and "curve", "profile_approach", "profile" and
+ * "contact" if they were requested. Returned: NULL if memory runs out. */
+json_t *po_json_document(const po_request *request, const po_result *result);
+
 /* The points of the branch, and the points of the profile (gap and traction over the radius). */
 json_t *po_json_curve(const po_result *result);
 json_t *po_json_profile(const po_result *result);

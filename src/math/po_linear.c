@@ -4,10 +4,12 @@
 #include <lapacke.h>
 #include <math.h>
 #include <pthread.h>
+#include <stdbool.h>
 #include <sys/mman.h>
 #include <threads.h>
 
 extern void openblas_set_num_threads(int threads);
+extern int openblas_get_num_threads(void);
 extern char *openblas_get_config(void);
 extern char *openblas_get_corename(void);
 /* NULL in an OpenBLAS that was built without threads. */
@@ -16,17 +18,14 @@ extern int blas_thread_shutdown_(void) __attribute__((weak));
 extern void *blas_memory_alloc(int position) __attribute__((weak));
 extern void blas_memory_free(void *area) __attribute__((weak));
 
-/* OpenBLAS calls a function of this name when it is loaded, to obtain the number of threads to
- * start; the dynamic linker finds this definition before that of OpenBLAS. So OpenBLAS starts no
- * threads. A thread of OpenBLAS polls for work, which doubles the processor time of a short solve,
- * and maps a work area before main begins. */
-int openblas_num_threads_env(void);
-int openblas_num_threads_env(void) {
-  return 1;
-}
+/* Whether the threads of OpenBLAS belong to a process that also uses them itself. */
+static bool is_shared;
 
-/* For versions of OpenBLAS that do not call the function above. */
+/* For versions of OpenBLAS that do not call the function of po_linear_start.c, and for programs
+ * that do not have it. */
 static void end_threads(void) {
+  if (is_shared)
+    return;
   openblas_set_num_threads(1);
   if (blas_thread_shutdown_)
     blas_thread_shutdown_();
@@ -36,6 +35,19 @@ static void end_threads(void) {
 void po_linear_single_thread(void) {
   static once_flag ended = ONCE_FLAG_INIT;
   call_once(&ended, end_threads);
+}
+
+int po_linear_share_threads(void) {
+  is_shared = true;
+  const int threads = openblas_get_num_threads();
+  if (threads != 1)
+    openblas_set_num_threads(1);
+  return threads;
+}
+
+void po_linear_return_threads(int threads) {
+  if (threads != 1)
+    openblas_set_num_threads(threads);
 }
 
 /* Size of a work area, in bytes: 32 << 22 in OpenBLAS 0.3.21, common_x86_64.h; other architectures

@@ -1,6 +1,7 @@
 #include "po_request.h"
 
 #include <math.h>
+#include <string.h>
 
 po_request po_request_default(void) {
   return (po_request){.scene = po_scene_default(),
@@ -18,6 +19,25 @@ const char *po_want_name(int k) {
   return NAMES[k];
 }
 
+bool po_want_read(const char *list, unsigned *want) {
+  unsigned found = 0;
+  for (const char *item = list;; ++item) {
+    const size_t length = strcspn(item, ",");
+    int k = 0;
+    while (k < PO_WANT_COUNT &&
+           (strlen(po_want_name(k)) != length || strncmp(item, po_want_name(k), length) != 0))
+      ++k;
+    if (k == PO_WANT_COUNT)
+      return false;
+    found |= 1u << k;
+    item += length;
+    if (*item == '\0')
+      break;
+  }
+  *want |= found;
+  return true;
+}
+
 const double PO_USUAL_PRELOAD = 1.0;
 
 po_preload po_request_preload(const po_request *request) {
@@ -26,6 +46,11 @@ po_preload po_request_preload(const po_request *request) {
   if (!isnan(request->approach_end))
     return (po_preload){request->approach_end, (double)NAN};
   return (po_preload){(double)NAN, PO_USUAL_PRELOAD};
+}
+
+void po_request_choose_search(po_request *request) {
+  if (!request->want && isnan(request->preload.approach) && isnan(request->preload.load))
+    request->search = PO_SEARCH_SOME;
 }
 
 po_search po_request_search(const po_request *request) {

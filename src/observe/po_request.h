@@ -64,6 +64,12 @@ enum { PO_WANT_COUNT = 5 };
 /* "curve", "profile", "hysteresis", "diagnostics", "preload": the name of want 1 << k. */
 const char *po_want_name(int k);
 
+/* Adds the results that a list names, with commas between, to *want. Returned: false if a name is
+ * unknown; then *want is unchanged. */
+bool po_want_read(const char *list, unsigned *want);
+#define PO_WANT_EXPECTED                                                                           \
+  "any of curve, profile, hysteresis, diagnostics, preload, with commas between"
+
 /* A request with every field at its default (po_scene_default, po_mesh_default, the rest NAN or 0).
  */
 po_request po_request_default(void);
@@ -74,6 +80,10 @@ extern const double PO_USUAL_PRELOAD;
 /* The preload, in displacement control: that of the request, otherwise its approach_end, otherwise
  * the default load. */
 po_preload po_request_preload(const po_request *request);
+
+/* The search of a single solve: PO_SEARCH_SOME if neither a preload nor an additional result is
+ * wanted. */
+void po_request_choose_search(po_request *request);
 
 /* Whether the trace continues beyond the preload: PO_SEARCH_ALL for a preload of INFINITY and if
  * PO_WANT_PRELOAD, otherwise that of the request. */

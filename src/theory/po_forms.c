@@ -1,5 +1,6 @@
 #include "po_forms.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "po_bradley.h"
@@ -151,6 +152,24 @@ const po_form *po_form_find(const char *name) {
     if (strcmp(name, FORMS[i].name) == 0)
       return &FORMS[i];
   return NULL;
+}
+
+po_status po_form_evaluate(const po_form *form, const po_form_input *input,
+                           po_form_values *values) {
+  values->count = 0;
+  form->fixed(input, values);
+  if (!isnan(input->at))
+    form->along(input, values);
+  for (size_t i = 0; i < values->count; ++i) {
+    const po_form_value *item = &values->items[i];
+    if (!isfinite(item->value) && !(isinf(item->value) && item->may_be_infinite))
+      return po_fail(
+          PO_BAD_INPUT,
+          "%s of theory %s cannot be computed: an intermediate value exceeds the range of "
+          "double precision; expected values of more similar size",
+          item->name, form->name);
+  }
+  return PO_OK;
 }
 
 const char *po_form_variable_name(po_form_variable variable) {

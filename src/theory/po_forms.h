@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "po_scene.h"
+#include "po_status.h"
 
 /* The input of a closed form. */
 typedef struct {
@@ -76,6 +77,11 @@ typedef struct {
 
 /* Returned: the form with this name, or NULL. */
 const po_form *po_form_find(const char *name);
+
+/* Evaluates a form, at input->at if it is not NAN. Given: an input in the domain of the form.
+ * Status: PO_BAD_INPUT, naming the number that is NaN or infinite because an intermediate value
+ * exceeds the range of doubles. */
+po_status po_form_evaluate(const po_form *form, const po_form_input *input, po_form_values *values);
 
 /* The names of all forms as a list for messages: "bradley, rigid, ... or lennard-jones". */
 extern const char *const PO_FORM_NAMES;

@@ -1,0 +1,41 @@
+/* What the functions of the library share; not installed. */
+#ifndef PO_LIBRARY_H
+#define PO_LIBRARY_H
+
+#include "pulloff.h"
+
+#include "po_input.h"
+#include "po_json_value.h"
+#include "po_process.h"
+#include "po_result.h"
+
+struct pulloff_scene {
+  char *text[PO_KEY_END]; /* the value of each key; NULL: not set */
+  double profile_approach;
+  unsigned want;
+  const volatile sig_atomic_t *stop;
+};
+
+struct pulloff_result {
+  po_request request;
+  po_result result; /* empty for a closed form */
+  pulloff_special_point *folds, *extrema;
+  pulloff_curve_point *curve;
+  pulloff_profile_point *profile;
+  json_t *document;
+};
+
+/* Ends a function: copies the message of a failure, or of another thread-local cause, to `message`.
+ * Returned: the status for the caller of the library. */
+pulloff_status po_library_end(po_status status, pulloff_message *message);
+
+/* The request of a scene, with a further value for one key; key -1: none. Status: PO_BAD_INPUT,
+ * PO_CANNOT_READ, PO_NO_MEMORY. */
+po_status po_library_request(const pulloff_scene *scene, int key, const char *value,
+                             po_request *request);
+
+/* Turns what was solved into a result of the library, which takes over the arrays of *solved.
+ * Returned: NULL if memory runs out; *solved is then cleared. */
+pulloff_result *po_library_result(const po_request *request, po_result *solved);
+
+#endif

@@ -1,0 +1,290 @@
+/* Scenes of the library: the texts of their keys, which become a request when they are solved, so
+ * that groups such as amplitude_ratio do not depend on the order in which keys are set. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_library.h"
+#include "po_memory.h"
+#include "po_physical.h"
+#include "po_quote.h"
+
+/* The keys that are not in the table of src/keys. */
+enum { WANT = PO_KEY_END, PROFILE_APPROACH, KEY_COUNT };
+
+const char *pulloff_version(void) {
+  return PULLOFF_VERSION;
+}
+
+const char *pulloff_status_text(pulloff_status status) {
+  return po_status_text((po_status)status);
+}
+
+pulloff_status po_library_end(po_status status, pulloff_message *message) {
+  if (message)
+    snprintf(message->text, sizeof message->text, "%s",
+             !status         ? ""
+             : *po_message() ? po_message()
+                             : po_status_text(status));
+  return (pulloff_status)status;
+}
+
+pulloff_status pulloff_scene_create(pulloff_scene **scene, pulloff_message *message) {
+  po_message_clear();
+  *scene = po_allocate(1, sizeof **scene);
+  if (!*scene)
+    return po_library_end(PO_NO_MEMORY, message);
+  (*scene)->profile_approach = NAN;
+  return po_library_end(PO_OK, message);
+}
+
+void pulloff_scene_destroy(pulloff_scene *scene) {
+  for (int key = 0; scene && key < PO_KEY_END; ++key)
+    free(scene->text[key]);
+  free(scene);
+}
+
+pulloff_status pulloff_scene_copy(const pulloff_scene *scene, pulloff_scene **copy,
+                                  pulloff_message *message) {
+  const pulloff_status status = pulloff_scene_create(copy, message);
+  if (status)
+    return status;
+  **copy = *scene;
+  bool whole = true;
+  for (int key = 0; key < PO_KEY_END; ++key) {
+    (*copy)->text[key] = scene->text[key] ? po_copy_text(scene->text[key]) : NULL;
+    whole = whole && !(*copy)->text[key] == !scene->text[key];
+  }
+  if (whole)
+    return po_library_end(PO_OK, message);
+  pulloff_scene_destroy(*copy);
+  *copy = NULL;
+  return po_library_end(PO_NO_MEMORY, message);
+}
+
+size_t pulloff_key_count(void) {
+  return KEY_COUNT;
+}
+
+const char *pulloff_key_name(size_t number) {
+  if (number < PO_KEY_END)
+    return po_key_name((po_key)number);
+  return number == WANT ? "want" : number == PROFILE_APPROACH ? "profile_approach" : NULL;
+}
+
+const char *pulloff_key_expected(size_t number) {
+  if (number < PO_KEY_END)
+    return po_key_expected((po_key)number);
+  return number == WANT ? PO_WANT_EXPECTED : number == PROFILE_APPROACH ? "a finite number" : NULL;
+}
+
+/* The number of a key, or -1 with a message. */
+static int find_key(const char *name) {
+  char shown[PO_QUOTE_LENGTH];
+  for (size_t k = 0; k < KEY_COUNT; ++k)
+    if (strcmp(pulloff_key_name(k), name) == 0)
+      return (int)k;
+  po_fail(PO_BAD_INPUT, "unknown key %s of a scene: expected one that pulloff_key_name names",
+          po_quote(name, shown));
+  return -1;
+}
+
+static po_status refuse(int key, const char *value) {
+  char shown[PO_QUOTE_LENGTH];
+  return *po_message()
+             ? PO_BAD_INPUT
+             : po_fail(PO_BAD_INPUT, "%s is %s: expected %s", pulloff_key_name((size_t)key),
+                       po_quote(value, shown), pulloff_key_expected((size_t)key));
+}
+
+/* Sets a key that the table does not have; NULL: to its default. */
+static po_status set_other(pulloff_scene *scene, int key, const char *value) {
+  if (key == WANT) {
+    unsigned want = 0;
+    if (value && *value && !po_want_read(value, &want))
+      return refuse(key, value);
+    scene->want = want;
+    return PO_OK;
+  }
+  double number = NAN;
+  if (value && !po_number_parse(value, &number))
+    return refuse(key, value);
+  scene->profile_approach = number;
+  return PO_OK;
+}
+
+static po_status set(pulloff_scene *scene, int key, const char *value) {
+  if (key < 0)
+    return PO_BAD_INPUT;
+  if (key >= PO_KEY_END)
+    return set_other(scene, key, value);
+  po_request scratch = po_input_default();
+  if (value && !po_key_set(&scratch, (po_key)key, value))
+    return po_no_memory_or(refuse(key, value));
+  char *copy = value ? po_copy_text(value) : NULL;
+  if (value && !copy)
+    return PO_NO_MEMORY;
+  free(scene->text[key]);
+  scene->text[key] = copy;
+  return PO_OK;
+}
+
+pulloff_status pulloff_scene_set(pulloff_scene *scene, const char *key, const char *value,
+                                 pulloff_message *message) {
+  po_process_state state;
+  po_status status = po_process_enter(&state);
+  if (status)
+    return po_library_end(status, message);
+  status = set(scene, find_key(key), value);
+  po_process_leave(&state);
+  return po_library_end(status, message);
+}
+
+/* Prints a number so that it is read back to the same bits. */
+static void print_number(double value, char text[PO_NUMBER_LENGTH]) {
+  if (isinf(value))
+    snprintf(text, PO_NUMBER_LENGTH, value > 0 ? "inf" : "-inf");
+  else
+    po_number_print(value, text);
+}
+
+pulloff_status pulloff_scene_set_number(pulloff_scene *scene, const char *key, double value,
+                                        pulloff_message *message) {
+  po_process_state state;
+  po_status status = po_process_enter(&state);
+  if (status)
+    return po_library_end(status, message);
+  char text[PO_NUMBER_LENGTH];
+  print_number(value, text);
+  status = set(scene, find_key(key), text);
+  po_process_leave(&state);
+  return po_library_end(status, message);
+}
+
+/* Refuses keys that have no effect with the scheme or the law of the request. */
+static po_status refuse_idle(const pulloff_scene *scene, const po_request *request) {
+  for (int key = 0; key < PO_KEY_COUNT; ++key)
+    if (scene->text[key] && (po_key_is_of_other_scheme(request, (po_key)key) ||
+                             isnan(po_key_number(request, (po_key)key))))
+      return po_fail(PO_BAD_INPUT,
+                     "%s has no effect on the scheme %s with the law %s: expected it "
+                     "to be unset",
+                     po_key_name((po_key)key), po_scheme_name(request->mesh.scheme),
+                     po_law_name(&request->scene.law));
+  return PO_OK;
+}
+
+po_status po_library_request(const pulloff_scene *scene, int key, const char *value,
+                             po_request *request) {
+  *request = po_input_default();
+  for (int k = 0; k < PO_KEY_END; ++k) {
+    const char *text = k == key ? value : scene->text[k];
+    if (text && !po_key_set(request, (po_key)k, text))
+      return po_no_memory_or(refuse(k, text));
+  }
+  request->profile_approach = scene->profile_approach;
+  request->want = scene->want;
+  if (!isnan(request->profile_approach))
+    request->want |= PO_WANT_PROFILE;
+  request->stop = scene->stop;
+  po_request_choose_search(request);
+  const po_status status = refuse_idle(scene, request);
+  return status ? status : po_request_check(request);
+}
+
+static po_status get(const pulloff_scene *scene, int key, char *text, size_t size) {
+  po_request request;
+  const po_status status = key < 0 ? PO_BAD_INPUT : po_library_request(scene, -1, NULL, &request);
+  if (status)
+    return status;
+  char value[PO_NUMBER_LENGTH] = "auto";
+  if (key < PO_KEY_COUNT)
+    po_key_print(&request, (po_key)key, value);
+  else if (key < PO_KEY_END)
+    print_number(po_key_number(&request, (po_key)key), value);
+  else if (key == PROFILE_APPROACH && !isnan(request.profile_approach))
+    print_number(request.profile_approach, value);
+  if (key != WANT) {
+    snprintf(text, size, "%s", value);
+    return PO_OK;
+  }
+  size_t length = 0;
+  if (size)
+    *text = '\0';
+  for (int k = 0; k < PO_WANT_COUNT; ++k)
+    if (request.want & (1u << k) && length < size)
+      length += (size_t)snprintf(text + length, size - length, "%s%s", length ? "," : "",
+                                 po_want_name(k));
+  return PO_OK;
+}
+
+pulloff_status pulloff_scene_get(const pulloff_scene *scene, const char *key, char *text,
+                                 size_t size, pulloff_message *message) {
+  po_process_state state;
+  po_status status = po_process_enter(&state);
+  if (status)
+    return po_library_end(status, message);
+  status = get(scene, find_key(key), text, size);
+  po_process_leave(&state);
+  return po_library_end(status, message);
+}
+
+static po_status set_physical(pulloff_scene *scene, const pulloff_physical *given,
+                              pulloff_units *units) {
+  const po_physical physical = {.modulus = given->modulus,
+                                .work = given->work,
+                                .distance = given->distance,
+                                .radius = given->radius,
+                                .amplitude = given->amplitude,
+                                .wavelength = given->wavelength,
+                                .outer_radius = given->outer_radius};
+  po_scene converted = po_scene_default();
+  po_status status = po_physical_scene(&physical, &converted);
+  if (status)
+    return status;
+  const struct {
+    po_key key;
+    double value;
+  } values[] = {{PO_KEY_TABOR, converted.tabor},
+                {PO_KEY_RADIUS, converted.radius},
+                {PO_KEY_AMPLITUDE, converted.amplitude},
+                {PO_KEY_WAVELENGTH, converted.wavelength},
+                {PO_KEY_OUTER_RADIUS, converted.outer_radius}};
+  pulloff_scene *changed = NULL;
+  status = (po_status)pulloff_scene_copy(scene, &changed, NULL);
+  for (size_t i = 0; i < sizeof values / sizeof *values && !status; ++i) {
+    char text[PO_NUMBER_LENGTH];
+    print_number(values[i].value, text);
+    const bool idle = values[i].key == PO_KEY_WAVELENGTH && converted.amplitude == 0.0;
+    status = set(changed, (int)values[i].key, idle ? NULL : text);
+  }
+  if (status) {
+    pulloff_scene_destroy(changed);
+    return status;
+  }
+  const pulloff_scene before = *scene;
+  *scene = *changed;
+  *changed = before;
+  pulloff_scene_destroy(changed);
+  if (units) {
+    const po_units u = po_physical_units(&physical, &converted);
+    *units = (pulloff_units){u.length, u.force, u.work, u.traction};
+  }
+  return PO_OK;
+}
+
+pulloff_status pulloff_scene_set_physical(pulloff_scene *scene, const pulloff_physical *physical,
+                                          pulloff_units *units, pulloff_message *message) {
+  po_process_state state;
+  po_status status = po_process_enter(&state);
+  if (status)
+    return po_library_end(status, message);
+  status = set_physical(scene, physical, units);
+  po_process_leave(&state);
+  return po_library_end(status, message);
+}
+
+void pulloff_scene_set_stop(pulloff_scene *scene, const volatile sig_atomic_t *stop) {
+  scene->stop = stop;
+}

@@ -1,0 +1,182 @@
+/* What the library computes: single scenes, series of scenes, closed forms. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_forms.h"
+#include "po_library.h"
+#include "po_memory.h"
+#include "po_observe.h"
+#include "po_quote.h"
+#include "po_series.h"
+
+/* Whether a solve gave a result, complete or not. */
+static bool has_result(po_status status) {
+  return status >= 0;
+}
+
+static po_status solve(const pulloff_scene *scene, pulloff_result **result) {
+  po_request request;
+  po_status status = po_library_request(scene, -1, NULL, &request);
+  if (status)
+    return status;
+  po_result solved = {0};
+  status = po_observe(&request, &solved);
+  if (status && !solved.reason[0])
+    snprintf(solved.reason, sizeof solved.reason, "%.250s", po_message());
+  if (!has_result(status)) {
+    po_result_clear(&solved);
+    return status;
+  }
+  *result = po_library_result(&request, &solved);
+  if (!*result)
+    return PO_NO_MEMORY;
+  return status ? po_fail(status, "the solve failed: %s", (*result)->result.reason) : PO_OK;
+}
+
+pulloff_status pulloff_solve(const pulloff_scene *scene, pulloff_result **result,
+                             pulloff_message *message) {
+  *result = NULL;
+  po_process_state state;
+  po_status status = po_process_enter(&state);
+  if (status)
+    return po_library_end(status, message);
+  status = solve(scene, result);
+  po_process_leave(&state);
+  return po_library_end(status, message);
+}
+
+static po_status make_requests(const pulloff_scene *scene, const char *name, const double *values,
+                               size_t count, po_request *requests) {
+  char shown[PO_QUOTE_LENGTH];
+  const int key = po_key_of_name(name);
+  if (key < 0 || !po_key_is_number((po_key)key))
+    return po_fail(PO_BAD_INPUT, "the key of a series is %s: expected a number of the scene",
+                   po_quote(name, shown));
+  po_status status = PO_OK;
+  for (size_t k = 0; k < count && !status; ++k) {
+    char text[PO_NUMBER_LENGTH];
+    po_number_print(values[k], text);
+    status = po_library_request(scene, key, text, &requests[k]);
+    requests[k].search = PO_SEARCH_NONE;
+  }
+  return status;
+}
+
+static po_status follow(const pulloff_scene *scene, const char *key, const double *values,
+                        size_t count, pulloff_result **results) {
+  po_request *requests = po_allocate(count, sizeof *requests);
+  po_result *solved = po_allocate(count, sizeof *solved);
+  po_status status =
+      requests && solved ? make_requests(scene, key, values, count, requests) : PO_NO_MEMORY;
+  if (!status)
+    status = po_series_observe(requests, count, PO_CHECKPOINT_EVERY, solved);
+  status = po_no_memory_or(status);
+  for (size_t k = 0; k < count && !status; ++k) {
+    results[k] = po_library_result(&requests[k], &solved[k]);
+    status = results[k] ? PO_OK : PO_NO_MEMORY;
+  }
+  for (size_t k = 0; k < count && status; ++k) {
+    pulloff_result_destroy(results[k]);
+    results[k] = NULL;
+    if (solved)
+      po_result_clear(&solved[k]);
+  }
+  free(requests);
+  free(solved);
+  return status;
+}
+
+pulloff_status pulloff_follow(const pulloff_scene *scene, const char *key, const double *values,
+                              size_t count, pulloff_result **results, pulloff_message *message) {
+  for (size_t k = 0; k < count; ++k)
+    results[k] = NULL;
+  po_process_state state;
+  po_status status = po_process_enter(&state);
+  if (status)
+    return po_library_end(status, message);
+  status = count ? follow(scene, key, values, count, results)
+                 : po_fail(PO_BAD_INPUT, "a series has 0 values: expected at least 1");
+  po_process_leave(&state);
+  return po_library_end(status, message);
+}
+
+/* Refuses an input outside the domain of a form. */
+static po_status check_form(const po_form *form, const pulloff_scene *scene,
+                            const po_form_input *input) {
+  const bool waves = scene->text[PO_KEY_AMPLITUDE];
+  if ((form->needs & (PO_NEEDS_WAVES | PO_NEEDS_AMPLITUDE)) && !waves)
+    return po_fail(PO_BAD_INPUT, "theory %s needs the key amplitude", form->name);
+  if ((form->needs & PO_NEEDS_ALPHA) && isnan(input->alpha))
+    return po_fail(PO_BAD_INPUT, "theory %s needs alpha, or the keys amplitude and wavelength",
+                   form->name);
+  if (!isnan(input->alpha) && !(input->alpha >= 0 && isfinite(input->alpha)))
+    return po_fail(PO_BAD_INPUT, "alpha is %g: expected a finite number > 0", input->alpha);
+  if ((form->needs & PO_NEEDS_ELASTIC) && !(input->scene.tabor > 0))
+    return po_fail(PO_BAD_INPUT, "tabor is 0: expected a finite number > 0");
+  if (isnan(input->at))
+    return PO_OK;
+  const double at = input->at;
+  const struct {
+    bool is_inside;
+    const char *expected;
+  } domain[] = {[PO_FORM_AT_NOTHING] = {false, "none"},
+                [PO_FORM_AT_APPROACH] = {at < 1, "a finite number < 1"},
+                [PO_FORM_AT_CONTACT_RADIUS] = {at >= 0, "a finite number >= 0"},
+                [PO_FORM_AT_GAP] = {at > -1, "a finite number > -1"}};
+  const char *variable = po_form_variable_name(form->variable);
+  return domain[form->variable].is_inside && isfinite(at)
+             ? PO_OK
+             : po_fail(PO_BAD_INPUT, "%s of theory %s is %g: expected %s",
+                       *variable ? variable : "the variable", form->name, at,
+                       domain[form->variable].expected);
+}
+
+static po_status evaluate(const char *name, const pulloff_scene *scene, double alpha, double at,
+                          pulloff_result **result) {
+  char shown[PO_QUOTE_LENGTH];
+  const po_form *form = po_form_find(name);
+  if (!form)
+    return po_fail(PO_BAD_INPUT, "no closed form is named %s: expected %s", po_quote(name, shown),
+                   PO_FORM_NAMES);
+  po_request request;
+  po_status status = po_library_request(scene, -1, NULL, &request);
+  if (status)
+    return status;
+  po_form_input input = {request.scene, alpha, at};
+  if (isnan(alpha) && scene->text[PO_KEY_AMPLITUDE])
+    input.alpha = po_scene_alpha(&request.scene);
+  status = check_form(form, scene, &input);
+  po_form_values values = {.count = 0};
+  if (!status)
+    status = po_form_evaluate(form, &input, &values);
+  if (status)
+    return status;
+  po_result none = po_result_none();
+  *result = po_library_result(&request, &none);
+  if (!*result)
+    return PO_NO_MEMORY;
+  json_decref((*result)->document);
+  (*result)->document =
+      PO_JSON_OBJECT({"schema", po_json_text("pulloff/1")}, {"theory", po_json_text(form->name)});
+  for (size_t i = 0; i < values.count; ++i)
+    po_json_set(&(*result)->document, values.items[i].name, po_json_number(values.items[i].value));
+  if ((*result)->document)
+    return PO_OK;
+  pulloff_result_destroy(*result);
+  *result = NULL;
+  return po_fail(PO_NO_MEMORY, "out of memory for the numbers of a closed form");
+}
+
+pulloff_status pulloff_theory(const char *form, const pulloff_scene *scene, double alpha, double at,
+                              pulloff_result **result, pulloff_message *message) {
+  *result = NULL;
+  po_process_state state;
+  po_status status = po_process_enter(&state);
+  if (status)
+    return po_library_end(status, message);
+  status = evaluate(form, scene, alpha, at, result);
+  po_process_leave(&state);
+  return po_library_end(status, message);
+}

@@ -1,0 +1,60 @@
+#include "po_process.h"
+
+#include <gsl/gsl_errno.h>
+#include <pthread.h>
+#include <stddef.h>
+
+#include "po_linear.h"
+
+static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+static int users; /* threads between enter and leave */
+static gsl_error_handler_t *handler;
+static int blas_threads;
+
+/* The first thread changes the state of the process. OpenBLAS needs a work area for each thread. */
+static po_status begin_use(void) {
+  pthread_mutex_lock(&lock);
+  if (users == 0) {
+    handler = gsl_set_error_handler_off();
+    blas_threads = po_linear_share_threads();
+  }
+  users += 1;
+  const po_status status = po_linear_reserve(users);
+  pthread_mutex_unlock(&lock);
+  return status;
+}
+
+/* The last thread restores it. */
+static void end_use(void) {
+  pthread_mutex_lock(&lock);
+  users -= 1;
+  if (users == 0) {
+    gsl_set_error_handler(handler);
+    po_linear_return_threads(blas_threads);
+  }
+  pthread_mutex_unlock(&lock);
+}
+
+po_status po_process_enter(po_process_state *state) {
+  po_message_clear();
+  po_no_memory_forget();
+  const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0); /* allocates nothing */
+  if (!plain)
+    return po_fail(PO_NO_MEMORY, "out of memory for the locale C");
+  const po_status status = begin_use();
+  if (status) {
+    end_use();
+    freelocale(plain);
+    return status;
+  }
+  state->locale = uselocale(plain);
+  fegetenv(&state->floating_point);
+  fesetenv(FE_DFL_ENV);
+  return PO_OK;
+}
+
+void po_process_leave(const po_process_state *state) {
+  fesetenv(&state->floating_point);
+  freelocale(uselocale(state->locale));
+  end_use();
+}

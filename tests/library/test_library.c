@@ -1,0 +1,360 @@
+/* The functions of the library, through the public header. */
+#include <check.h>
+#include <fenv.h>
+#include <locale.h>
+#include <math.h>
+#include <stdio.h>
+
+#include "use.h"
+
+static pulloff_message message;
+static pulloff_scene *scene;
+static pulloff_result *result;
+
+static void begin(void) {
+  ck_assert_int_eq(pulloff_scene_create(&scene, &message), PULLOFF_OK);
+  result = NULL;
+}
+
+static void end(void) {
+  pulloff_result_destroy(result);
+  pulloff_scene_destroy(scene);
+}
+
+static void expect_value(const char *key, const char *expected) {
+  char text[64];
+  ck_assert_int_eq(pulloff_scene_get(scene, key, text, sizeof text, &message), PULLOFF_OK);
+  ck_assert_str_eq(text, expected);
+}
+
+START_TEST(keys_have_names_and_defaults) {
+  ck_assert_uint_gt(pulloff_key_count(), 20);
+  for (size_t k = 0; k < pulloff_key_count(); ++k) {
+    ck_assert_ptr_nonnull(pulloff_key_name(k));
+    ck_assert_ptr_nonnull(pulloff_key_expected(k));
+  }
+  ck_assert_ptr_null(pulloff_key_name(pulloff_key_count()));
+  ck_assert_ptr_null(pulloff_key_expected(pulloff_key_count()));
+  expect_value("tabor", "1");
+  expect_value("outer_radius", "inf");
+  expect_value("law", "lennard-jones");
+  expect_value("approach_end", "auto");
+  expect_value("time_limit", "none");
+  expect_value("want", "");
+  expect_value("profile_approach", "auto");
+}
+END_TEST
+
+START_TEST(values_are_set_and_unset) {
+  ck_assert_int_eq(pulloff_scene_set_number(scene, "tabor", 0.1 + 0.2, &message), PULLOFF_OK);
+  ck_assert_str_eq(message.text, "");
+  expect_value("tabor", "0.30000000000000004");
+  ck_assert_int_eq(pulloff_scene_set_number(scene, "outer_radius", INFINITY, NULL), PULLOFF_OK);
+  ck_assert_int_eq(
+      set_words(scene, "amplitude_ratio 0.1 wavelength 20 want profile,curve", &message),
+      PULLOFF_OK);
+  expect_value("amplitude", "2");
+  expect_value("want", "curve,profile");
+  pulloff_scene *copy;
+  ck_assert_int_eq(pulloff_scene_copy(scene, &copy, &message), PULLOFF_OK);
+  ck_assert_int_eq(pulloff_scene_set(scene, "amplitude_ratio", NULL, &message), PULLOFF_OK);
+  ck_assert_int_eq(pulloff_scene_set(scene, "want", NULL, &message), PULLOFF_OK);
+  expect_value("amplitude", "0");
+  expect_value("want", "");
+  pulloff_scene_destroy(scene);
+  scene = copy;
+  expect_value("amplitude", "2");
+  char text[4] = "xyz";
+  ck_assert_int_eq(pulloff_scene_get(scene, "law", text, sizeof text, &message), PULLOFF_OK);
+  ck_assert_str_eq(text, "len");
+}
+END_TEST
+
+START_TEST(wrong_values_are_refused) {
+  const struct {
+    const char *key, *value, *message;
+  } wrong[] = {
+      {"tabor", "-1", "tabor is -1: expected a finite number >= 0"},
+      {"tabor", "0,5", "tabor is 0,5: expected a finite number >= 0"},
+      {"scheme", "square", "scheme is square: expected ring, triangle or panel"},
+      {"taber", "1", "unknown key taber of a scene: expected one that pulloff_key_name names"},
+      {"want", "curve,work",
+       "want is curve,work: expected any of curve, profile, hysteresis, diagnostics, preload, with "
+       "commas between"},
+      {"profile_approach", "inf", "profile_approach is inf: expected a finite number"},
+  };
+  for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
+    ck_assert_int_eq(pulloff_scene_set(scene, wrong[i].key, wrong[i].value, &message),
+                     PULLOFF_BAD_INPUT);
+    ck_assert_str_eq(message.text, wrong[i].message);
+    ck_assert_int_eq(pulloff_scene_set(scene, wrong[i].key, wrong[i].value, NULL),
+                     PULLOFF_BAD_INPUT);
+  }
+  ck_assert_int_eq(pulloff_scene_set_number(scene, "tabor", NAN, &message), PULLOFF_BAD_INPUT);
+  ck_assert_str_eq(message.text, "tabor is nan: expected a finite number >= 0");
+  expect_value("tabor", "1");
+}
+END_TEST
+
+/* Keys that do not agree are refused when the scene is solved. */
+START_TEST(wrong_scenes_are_refused) {
+  const struct {
+    const char *words, *message;
+  } wrong[] = {
+      {"nodes 101",
+       "nodes has no effect on the scheme panel with the law lennard-jones: expected it "
+       "to be unset"},
+      {"mie_m 4",
+       "mie_m has no effect on the scheme panel with the law lennard-jones: expected it to "
+       "be unset"},
+      {"approach_start 3 approach_end 2",
+       "approach_end is 2: expected more than approach_start, 3"},
+  };
+  for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
+    ck_assert_int_eq(solve_words(wrong[i].words, &result, &message), PULLOFF_BAD_INPUT);
+    ck_assert_ptr_null(result);
+    ck_assert_str_eq(message.text, wrong[i].message);
+  }
+  ck_assert_int_eq(solve_words("amplitude 1", &result, &message), PULLOFF_BAD_INPUT);
+  ck_assert_ptr_null(result);
+}
+END_TEST
+
+START_TEST(a_result_has_its_parts) {
+  ck_assert_int_eq(solve_words("tabor 3 amplitude 1 wavelength 20 want curve,profile,hysteresis",
+                               &result, &message),
+                   PULLOFF_OK);
+  ck_assert_int_eq(pulloff_result_status(result), PULLOFF_OK);
+  ck_assert_str_eq(pulloff_result_reason(result), "");
+  pulloff_pull_off p;
+  ck_assert(pulloff_result_pull_off(result, &p));
+  ck_assert_double_eq_tol(p.force, 2.65119276, 1e-7);
+  ck_assert_double_lt(p.force_error, 1e-5);
+  double force = 0;
+  ck_assert_int_eq(pulloff_result_number(result, "pull_off.force", &force, &message), PULLOFF_OK);
+  ck_assert(force == p.force);
+  size_t folds, extrema, points, radii, jumps, count;
+  const pulloff_special_point *fold = pulloff_result_folds(result, &folds);
+  ck_assert_uint_ge(folds, 2);
+  ck_assert_int_eq(fold[0].kind, PULLOFF_JUMP_IN);
+  ck_assert_int_eq(fold[1].kind, PULLOFF_JUMP_OUT);
+  const pulloff_special_point *extremum = pulloff_result_extrema(result, &extrema);
+  ck_assert_uint_ge(extrema, 2);
+  ck_assert(extremum[0].kind == PULLOFF_MINIMUM || extremum[0].kind == PULLOFF_MAXIMUM);
+  const pulloff_curve_point *curve = pulloff_result_curve(result, &points);
+  ck_assert_uint_gt(points, 50);
+  ck_assert_int_eq(pulloff_result_count(result, "curve", &count, &message), PULLOFF_OK);
+  ck_assert_uint_eq(count, points);
+  double *load = calloc(points, sizeof *load);
+  ck_assert_int_eq(pulloff_result_column(result, "curve", "load", load, points, &message),
+                   PULLOFF_OK);
+  for (size_t i = 0; i < points; ++i)
+    ck_assert(load[i] == curve[i].load);
+  ck_assert_int_eq(pulloff_result_column(result, "curve", "load", load, points - 1, &message),
+                   PULLOFF_NOT_FOUND);
+  ck_assert_int_eq(pulloff_result_column(result, "curve", "weight", load, points, &message),
+                   PULLOFF_NOT_FOUND);
+  free(load);
+  const pulloff_profile_point *profile = pulloff_result_profile(result, &radii);
+  ck_assert_uint_gt(radii, 20);
+  ck_assert_double_gt(profile[radii - 1].radius, profile[0].radius);
+  ck_assert_int_eq(
+      pulloff_result_count(result, "hysteresis.displacement_control.jumps", &jumps, &message),
+      PULLOFF_OK);
+  ck_assert_uint_ge(jumps, 2);
+}
+END_TEST
+
+START_TEST(values_are_found_by_their_path) {
+  ck_assert_int_eq(solve_words("tabor 1", &result, &message), PULLOFF_OK);
+  double value = 0;
+  const char *text = NULL;
+  size_t count = 7;
+  ck_assert_int_eq(pulloff_result_text(result, "input.scheme", &text, &message), PULLOFF_OK);
+  ck_assert_str_eq(text, "panel");
+  ck_assert_int_eq(pulloff_result_number(result, "input.outer_radius", &value, &message),
+                   PULLOFF_OK);
+  ck_assert(isinf(value));
+  ck_assert_int_eq(pulloff_result_number(result, "input.approach_end", &value, &message),
+                   PULLOFF_OK);
+  ck_assert(isnan(value));
+  ck_assert_int_eq(pulloff_result_number(result, "folds.1.load", &value, &message), PULLOFF_OK);
+  ck_assert_double_eq_tol(value, -1.0324330652, 1e-6);
+  static const char *const WRONG[] = {
+      "folds.2.load", "folds.x.load",     "folds.-1", "folds", "", ".",
+      "pull_off.",    "pull_off.force.0", "status",   "curve"};
+  for (size_t i = 0; i < sizeof WRONG / sizeof *WRONG; ++i) {
+    ck_assert_int_eq(pulloff_result_number(result, WRONG[i], &value, &message), PULLOFF_NOT_FOUND);
+    ck_assert_ptr_nonnull(strstr(message.text, "the result has no number"));
+  }
+  ck_assert_int_eq(pulloff_result_text(result, "pull_off.force", &text, NULL), PULLOFF_NOT_FOUND);
+  ck_assert_int_eq(pulloff_result_count(result, "status", &count, NULL), PULLOFF_NOT_FOUND);
+  ck_assert_uint_eq(count, 7);
+  ck_assert_ptr_null(pulloff_result_curve(result, &count));
+  ck_assert_uint_eq(count, 0);
+}
+END_TEST
+
+START_TEST(a_solve_that_ends_early_has_a_result) {
+  ck_assert_int_eq(solve_words("tabor 5 amplitude 2 wavelength 9 time_limit 1e-6 preload_load 1",
+                               &result, &message),
+                   PULLOFF_OUT_OF_TIME);
+  ck_assert_ptr_nonnull(result);
+  ck_assert_int_eq(pulloff_result_status(result), PULLOFF_OUT_OF_TIME);
+  ck_assert_ptr_nonnull(strstr(message.text, pulloff_result_reason(result)));
+  pulloff_result_destroy(result);
+  static volatile sig_atomic_t stop = 1;
+  pulloff_scene_set_stop(scene, &stop);
+  ck_assert_int_eq(pulloff_solve(scene, &result, &message), PULLOFF_INTERRUPTED);
+  ck_assert_int_eq(pulloff_result_status(result), PULLOFF_INTERRUPTED);
+  pulloff_pull_off p;
+  ck_assert(!pulloff_result_pull_off(result, &p));
+}
+END_TEST
+
+START_TEST(a_series_is_followed) {
+  enum { COUNT = 5 };
+  const double values[COUNT] = {1, 1.1, 1.2, 1.3, 1.4};
+  pulloff_result *results[COUNT];
+  ck_assert_int_eq(pulloff_follow(scene, "tabor", values, COUNT, results, &message), PULLOFF_OK);
+  for (size_t k = 0; k < COUNT; ++k) {
+    double tabor = 0;
+    pulloff_pull_off p, alone;
+    ck_assert_int_eq(pulloff_result_number(results[k], "input.tabor", &tabor, NULL), PULLOFF_OK);
+    ck_assert(tabor == values[k]);
+    ck_assert(pulloff_result_pull_off(results[k], &p));
+    pulloff_scene_set_number(scene, "tabor", values[k], NULL);
+    ck_assert_int_eq(pulloff_solve(scene, &result, &message), PULLOFF_OK);
+    ck_assert(pulloff_result_pull_off(result, &alone));
+    ck_assert_double_le(fabs(p.force - alone.force), p.force_error + alone.force_error);
+    pulloff_result_destroy(result);
+    pulloff_result_destroy(results[k]);
+  }
+  result = NULL;
+  pulloff_scene_set(scene, "tabor", NULL, NULL);
+  ck_assert_int_eq(pulloff_follow(scene, "law", values, COUNT, results, &message),
+                   PULLOFF_BAD_INPUT);
+  ck_assert_ptr_null(results[COUNT - 1]);
+  ck_assert_int_eq(pulloff_follow(scene, "tabor", values, 0, results, &message), PULLOFF_BAD_INPUT);
+  const double bad[2] = {1, -1};
+  ck_assert_int_eq(pulloff_follow(scene, "tabor", bad, 2, results, &message), PULLOFF_BAD_INPUT);
+  ck_assert_str_eq(message.text, "tabor is -1: expected a finite number >= 0");
+}
+END_TEST
+
+START_TEST(closed_forms_are_evaluated) {
+  const double none = NAN;
+  double value = 0;
+  ck_assert_int_eq(pulloff_theory("jkr", scene, none, none, &result, &message), PULLOFF_OK);
+  ck_assert_int_eq(pulloff_result_number(result, "pull_off_force", &value, NULL), PULLOFF_OK);
+  ck_assert_double_eq_tol(value, 1.5, 1e-15);
+  pulloff_result_destroy(result);
+  ck_assert_int_eq(pulloff_theory("bradley", scene, none, -1, &result, &message), PULLOFF_OK);
+  ck_assert_int_eq(pulloff_result_number(result, "load", &value, NULL), PULLOFF_OK);
+  const struct {
+    const char *form, *words;
+    double alpha, at;
+    const char *message;
+  } wrong[] = {
+      {"nobody", "", none, none, "no closed form is named nobody: expected "},
+      {"bradley", "", none, 1, "approach of theory bradley is 1: expected a finite number < 1"},
+      {"crest", "amplitude 0", none, 3, "the variable of theory crest is 3: expected none"},
+      {"guduru", "amplitude 0 tabor 0", none, none, "tabor is 0: expected a finite number > 0"},
+      {"rigid", "amplitude 0 tabor 0", -2, none, "alpha is -2: expected a finite number > 0"},
+  };
+  for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
+    pulloff_result *other;
+    ck_assert_int_eq(set_words(scene, wrong[i].words, &message), PULLOFF_OK);
+    ck_assert_int_eq(
+        pulloff_theory(wrong[i].form, scene, wrong[i].alpha, wrong[i].at, &other, &message),
+        PULLOFF_BAD_INPUT);
+    ck_assert_ptr_null(other);
+    ck_assert_msg(strncmp(message.text, wrong[i].message, strlen(wrong[i].message)) == 0, "%s",
+                  message.text);
+  }
+  pulloff_scene_set(scene, "amplitude", NULL, NULL);
+  pulloff_result *other;
+  ck_assert_int_eq(pulloff_theory("guduru", scene, none, none, &other, &message),
+                   PULLOFF_BAD_INPUT);
+  ck_assert_str_eq(message.text, "theory guduru needs the key amplitude");
+}
+END_TEST
+
+START_TEST(scenes_in_si_units) {
+  const pulloff_physical tip = {
+      .modulus = 2e9, .work = 0.05, .distance = 3e-10, .radius = 1e-7, .outer_radius = INFINITY};
+  pulloff_units units;
+  ck_assert_int_eq(pulloff_scene_set(scene, "wavelength", "20", &message), PULLOFF_OK);
+  ck_assert_int_eq(pulloff_scene_set_physical(scene, &tip, &units, &message), PULLOFF_OK);
+  ck_assert_double_eq_tol(units.length, 3e-10, 1e-24);
+  ck_assert_double_eq_tol(units.force, M_PI * 0.05 * 1e-7, 1e-22);
+  ck_assert_double_eq_tol(units.work, 0.05, 1e-17);
+  char text[40];
+  ck_assert_int_eq(pulloff_scene_get(scene, "tabor", text, sizeof text, &message), PULLOFF_OK);
+  ck_assert_double_eq_tol(strtod(text, NULL), cbrt(1e-7 * 0.0025 / (4e18 * 2.7e-29)), 1e-13);
+  ck_assert_double_gt(units.traction, 0);
+  pulloff_physical wrong = tip;
+  wrong.work = -1;
+  ck_assert_int_eq(pulloff_scene_set_physical(scene, &wrong, NULL, &message), PULLOFF_BAD_INPUT);
+  ck_assert_str_ne(message.text, "");
+  wrong = tip;
+  wrong.modulus = INFINITY;
+  ck_assert_int_eq(pulloff_scene_set_physical(scene, &wrong, NULL, &message), PULLOFF_OK);
+  expect_value("tabor", "0");
+}
+END_TEST
+
+/* The state of the calling thread is that of the program during a call, and its own afterwards. */
+START_TEST(the_thread_keeps_its_state) {
+  pulloff_pull_off usual, changed;
+  ck_assert_int_eq(solve_words("tabor 1 preload_load 1", &result, &message), PULLOFF_OK);
+  ck_assert(pulloff_result_pull_off(result, &usual));
+  pulloff_result_destroy(result);
+  const locale_t other = newlocale(LC_ALL_MASK, "de_DE.UTF-8", (locale_t)0);
+  if (other)
+    uselocale(other);
+  fesetround(FE_UPWARD);
+  ck_assert_int_eq(solve_words("tabor 1 preload_load 1", &result, &message), PULLOFF_OK);
+  ck_assert_int_eq(fegetround(), FE_UPWARD);
+  fesetround(FE_TONEAREST);
+  if (other) {
+    ck_assert_ptr_eq(uselocale(LC_GLOBAL_LOCALE), other);
+    freelocale(other);
+  }
+  ck_assert(pulloff_result_pull_off(result, &changed));
+  ck_assert(changed.force == usual.force && changed.approach == usual.approach);
+}
+END_TEST
+
+START_TEST(statuses_have_texts) {
+  ck_assert_str_eq(pulloff_version(), PULLOFF_VERSION);
+  ck_assert_str_eq(pulloff_status_text(PULLOFF_OK), "ok");
+  ck_assert_str_eq(pulloff_status_text(PULLOFF_CANNOT_READ), "a file could not be read");
+  ck_assert_str_eq(pulloff_status_text((pulloff_status)77), "unknown status");
+}
+END_TEST
+
+int main(void) {
+  Suite *suite = suite_create("library");
+  TCase *tests = tcase_create("library");
+  tcase_set_timeout(tests, 200);
+  tcase_add_checked_fixture(tests, begin, end);
+  tcase_add_test(tests, keys_have_names_and_defaults);
+  tcase_add_test(tests, values_are_set_and_unset);
+  tcase_add_test(tests, wrong_values_are_refused);
+  tcase_add_test(tests, wrong_scenes_are_refused);
+  tcase_add_test(tests, a_result_has_its_parts);
+  tcase_add_test(tests, values_are_found_by_their_path);
+  tcase_add_test(tests, a_solve_that_ends_early_has_a_result);
+  tcase_add_test(tests, a_series_is_followed);
+  tcase_add_test(tests, closed_forms_are_evaluated);
+  tcase_add_test(tests, scenes_in_si_units);
+  tcase_add_test(tests, the_thread_keeps_its_state);
+  tcase_add_test(tests, statuses_have_texts);
+  suite_add_tcase(suite, tests);
+  SRunner *runner = srunner_create(suite);
+  srunner_run_all(runner, CK_NORMAL);
+  const int failed = srunner_ntests_failed(runner);
+  srunner_free(runner);
+  return failed != 0;
+}
