@@ -34,6 +34,24 @@ static double power(double decay, double x) {
   return decay == USUAL_DECAY ? cube(x * x) : pow(x, decay);
 }
 
+/* The integral of x^exponent times the polynomial of degree order - 1 that is 1 at the node x of a
+ * rule and 0 at the others, over the weight of the node. Gauss's rule takes it as x^exponent, which
+ * is exact for whole exponents only. The integral of x^e times the Legendre polynomial P_k of the
+ * unit interval is e (e - 1) ... (e - k + 1) / ((e + 1) ... (e + k + 1)). */
+static double product_of_power(size_t order, double exponent, double x) {
+  const double y = 2.0 * x - 1.0;
+  double before = 0.0, now = 1.0, moment = 1.0 / (exponent + 1.0), sum = 0.0;
+  for (size_t degree = 0; degree < order; ++degree) {
+    const double k = (double)degree;
+    sum += (2.0 * k + 1.0) * moment * now;
+    const double next = ((2.0 * k + 1.0) * y * now - k * before) / (k + 1.0);
+    before = now;
+    now = next;
+    moment *= (exponent - k) / (exponent + k + 2.0);
+  }
+  return sum;
+}
+
 void po_panel_nodes(const po_panel_rule *rule, po_panel_span panel, double *node, double *weight,
                     double *length) {
   const double begin = panel.begin, span = panel.end - panel.begin;
@@ -43,6 +61,9 @@ void po_panel_nodes(const po_panel_rule *rule, po_panel_span panel, double *node
       node[j] = begin / x;
       length[j] = w * begin / (x * x);
       weight[j] = w * begin * begin / cube(x); /* Gauss is exact: degree order - 1 + 3 */
+      if (panel.decay != round(panel.decay))
+        weight[j] = w * begin * begin * product_of_power(rule->order, panel.decay - 3.0, x) /
+                    pow(x, panel.decay);
     } else {
       node[j] = begin + span * x;
       length[j] = w * span;
