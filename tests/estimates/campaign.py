@@ -26,7 +26,7 @@ def arguments(args):
     parser.add_argument("--general", action="store_true", help="scenes of any law, profile, waves and coupling")
     options.add_ranges(parser, {"tabor": (0.01, 10.0), "radius": (30.0, 1000.0), "wavelength": (0.4, 6.0),
                                 "amplitude": (0.003, 0.5), "outer": (0.25, 1.0)},
-                       {"smooth": 0.2, "cut": 0.5, "at-radius": 0.5})
+                       {"smooth": 0.2, "cut": 0.5, "at-radius": 0.5, "any-law": 0.5})
     wanted = parser.parse_args(args)
     if wanted.tight >= wanted.loose and not wanted.reference:
         parser.error(f"--tight {wanted.tight:g}: expected less than --loose {wanted.loose:g}")

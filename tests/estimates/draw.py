@@ -51,6 +51,8 @@ def scene(seed, index, ranges):
     else:
         outer = between(ranges["outer"], part("outer")) * flags["radius"]
         flags["outer-radius"] = float(f"{outer:.6g}")
+    if part("any law") < ranges.get("any_law", 0.0):
+        flags["law"] = law(part)
     return flags
 
 

@@ -69,5 +69,8 @@ def add_ranges(parser, spans, shares):
                        ("outer", "outer radius where it is not R, in units of R")):
         ranges.add_argument(f"--{name}", type=span, default=spans[name], metavar=BETWEEN, help=what)
     for name, what in (("smooth", "share of scenes without waves"), ("cut", "share of surfaces that end"),
-                       ("at-radius", "share of these that end at R")):
+                       ("at-radius", "share of these that end at R"),
+                       ("any-law", "share of scenes whose law is drawn")):
+        if name not in shares:
+            continue
         ranges.add_argument(f"--{name}", type=share, default=shares[name], metavar="SHARE", help=what)
