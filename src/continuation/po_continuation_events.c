@@ -98,8 +98,8 @@ static void judge(po_continuation *t, const po_event *ev, po_branch_point *point
   if (!status) {
     point->approach_correction = r.value[0] - point->approach;
     point->load_correction = r.value[1] - point->load;
-    point->approach_error = r.error[0] + PO_LOCATED * fabs(point->approach_rate);
-    point->load_error = r.error[1] + PO_LOCATED * fabs(point->load_rate);
+    point->approach_error = r.error[0];
+    point->load_error = r.error[1];
     point->best = r.point;
     point->finer = r.finer;
   }

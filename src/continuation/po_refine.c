@@ -7,16 +7,21 @@
 
 enum { MOST_SOLVES = 5 };
 
-/* Panels with an excess below this part of the largest are not halved. */
-static const double CONTRIBUTES = 0.01;
+/* Panels with an excess below this part of the largest are not halved. With 1e-3, the change of one
+ * fold in 200 was a quarter of its error, since the excess of a panel may be small by chance. If
+ * the mesh takes too many panels or nodes, the part is COARSER times as large, up to
+ * MOST_CONTRIBUTES. */
+static const double CONTRIBUTES = 1e-4, COARSER = 10.0, MOST_CONTRIBUTES = 0.1;
 
 /* Greatest number of wavelengths on a panel. The Legendre coefficients of a longer panel do not
- * show its error. */
-static const double TELLING_WAVES = 2.5;
+ * show its error; nor, with 2.5 waves, does the panel cut in half. */
+static const double TELLING_WAVES = 1.0;
 
 /* The secant method ends when its next step is shorter than PO_LOCATED, or than this part of its
  * last step. */
 static const double SMALL_STEP = 1e-3;
+/* The same for the first step, whose slope may be wrong by some percent. */
+static const double AT_ROOT = 1e-11;
 /* First step of the secant method along the arclength functional if the slope is unknown. Narrow
  * minima of the load are a hundred times as wide. */
 static const double TRIAL_STEP = 1e-5;
@@ -46,16 +51,20 @@ static void split_waves(const po_resolution *r, po_panels *panels) {
   }
 }
 
-/* The finer mesh: panels of p that contribute to the error are halved, panels of several waves are
- * split. */
-static bool finer_panels(const po_resolution *r, const po_solution *p, po_panels *panels) {
+/* The finer mesh: panels of p whose excess is above a part of the largest are halved, panels of
+ * several waves are split. The last panel of a cut surface is always halved: the deflection has an
+ * infinite slope at the end of the traction, which the excess does not show. */
+static bool finer_panels(const po_resolution *r, const po_solution *p, double part,
+                         po_panels *panels) {
   double excess[PO_MOST_PANELS], largest = 0.0;
   bool split[PO_MOST_PANELS];
   po_resolution_excesses(r, &p->panels, p->state, excess);
   for (size_t k = 0; k < p->panels.count; ++k)
     largest = fmax(largest, excess[k]);
   for (size_t k = 0; k < p->panels.count; ++k)
-    split[k] = excess[k] > CONTRIBUTES * largest;
+    split[k] = excess[k] > part * largest;
+  if (isfinite(r->e->scene->outer_radius))
+    split[p->panels.count - 1] = true;
   *panels = p->panels;
   if (!po_panels_split(panels, split))
     return false;
@@ -74,12 +83,13 @@ double po_refine_slope(const po_event *ev, double cosine) {
   return (rate[1] - rate[0]) / (2.0 * by) * cosine * cosine;
 }
 
-/* Approach and load at the root of the rate between two samples. */
-static void values_at_root(const po_sample *a, const po_sample *b, po_event_kind of,
-                           double value[2]) {
-  const double h = b->at - a->at, x = -a->rate[of] * h / (b->rate[of] - a->rate[of]);
-  for (int q = 0; q < 2; ++q)
-    value[q] = po_hermite_value(a->value[q], a->rate[q], b->value[q], b->rate[q], x, h);
+/* Moves a solution along its tangent, by a step of the arclength functional of `from`. */
+static void move(po_corrector *c, const po_solution *from, double step, po_solution *p) {
+  const double by = step / po_solution_cosine(from, p);
+  for (size_t j = 0; j <= p->n; ++j)
+    p->state[j] += by * p->tangent[j];
+  po_equilibrium_evaluate(c->e, p->state);
+  po_solution_finish(p, c->e, c->adaptive);
 }
 
 po_status po_refine_locate(po_corrector *c, const po_solution *from, po_event_kind of,
@@ -91,17 +101,18 @@ po_status po_refine_locate(po_corrector *c, const po_solution *from, po_event_ki
     if (status)
       return status;
     s = po_corrector_sample(from, out);
-    for (int q = 0; q < 2; ++q)
-      value[q] = s.value[q];
-    if (k > 0) {
+    const double before = k > 0 ? fabs(s.at - last.at) : 0.0;
+    if (before > PO_LOCATED) /* a shorter secant is inaccurate because of rounding */
       *slope = (s.rate[of] - last.rate[of]) / (s.at - last.at);
-      values_at_root(&last, &s, of, value);
-    }
     const double step = isnan(*slope) ? TRIAL_STEP : -s.rate[of] / *slope;
     if (!isfinite(step))
       return PO_NOT_CONVERGED;
-    if (fabs(step) < PO_LOCATED || (k > 0 && fabs(step) < SMALL_STEP * fabs(s.at - last.at)))
+    if (fabs(step) < fmax(k > 0 ? PO_LOCATED : AT_ROOT, SMALL_STEP * before)) {
+      move(c, from, step, out);
+      value[0] = out->state[out->n];
+      value[1] = out->load;
       return PO_OK;
+    }
     at = s.at + step;
     last = s;
     for (size_t j = 0; j <= out->n; ++j)
@@ -114,28 +125,55 @@ double po_refine_error(double precision, double change, double value) {
   return SAFETY * fabs(change) + FLOOR * precision * (1.0 + fabs(value));
 }
 
+/* Corrects the values of a special point from the place at which it was located to the root of its
+ * rate. */
+static void place_at_root(const po_refinement *how, po_refined *r) {
+  const double rate[2] = {r->point->tangent[r->point->n], r->point->load_rate};
+  const double step = -rate[how->of] / how->slope;
+  for (int q = 0; q < 2 && fabs(step) < PO_LOCATED; ++q)
+    r->value[q] += step * rate[q];
+}
+
 /* Solves a special point on a finer mesh. Returned: the solution in finer, its approach and load in
- * value, and the errors in r. */
+ * value. */
+static po_status solve_on(po_corrector *c, const po_panels *panels, const po_refinement *how,
+                          const po_solution *point, po_solution *finer, double value[2]) {
+  const po_status status = po_corrector_mesh(c, panels);
+  if (status)
+    return status;
+  po_corrector_guess(c, point);
+  double slope = how->slope;
+  return po_refine_locate(c, point, how->of, &slope, finer, value);
+}
+
+/* The same on the finest mesh that is possible, to the precision of rounding. Returned: also the
+ * errors, in r. */
 static po_status solve_finer(po_corrector *c, const po_resolution *resolution,
                              const po_refinement *how, po_refined *r, po_solution *finer,
                              double value[2]) {
-  po_panels panels;
-  if (!finer_panels(resolution, r->point, &panels))
-    return po_fail(PO_OUT_OF_NODES, "a finer mesh needs more panels than are possible");
-  po_status status = po_corrector_mesh(c, &panels);
-  if (status)
-    return status;
-  po_corrector_guess(c, r->point);
-  double slope = how->slope;
-  status = po_refine_locate(c, r->point, how->of, &slope, finer, value);
+  const double precision = c->e->precision;
+  po_status status = PO_OUT_OF_NODES;
+  c->e->precision = PO_FINEST_PRECISION;
+  for (double part = CONTRIBUTES; status == PO_OUT_OF_NODES && part <= MOST_CONTRIBUTES;
+       part *= COARSER) {
+    po_panels panels;
+    c->trouble = PO_OK;
+    status = finer_panels(resolution, r->point, part, &panels)
+                 ? solve_on(c, &panels, how, r->point, finer, value)
+                 : po_fail(PO_OUT_OF_NODES, "a finer mesh needs more panels than are possible");
+    if (c->trouble)
+      status = c->trouble;
+  }
+  c->e->precision = precision;
   for (int q = 0; q < 2 && !status; ++q)
-    r->error[q] = po_refine_error(c->e->precision, value[q] - r->value[q], r->value[q]);
+    r->error[q] = po_refine_error(PO_FINEST_PRECISION, value[q] - r->value[q], r->value[q]);
   r->finer = status ? NULL : finer;
   return status;
 }
 
 po_status po_refine(po_corrector *c, const po_resolution *resolution, const po_refinement *how,
                     po_refined *r) {
+  place_at_root(how, r);
   po_refined finer = *r;
   po_status status = solve_finer(c, resolution, how, r, how->spare[0], finer.value);
   finer.point = how->spare[0];

@@ -49,15 +49,14 @@ static bool is_unsure(const po_request *request, const po_result *result) {
 }
 
 /* The estimated error of the pull-off force relative to the tolerance; 0 if it is within the
- * tolerance. The part that a finer mesh does not show is not counted: no other mesh would reduce
- * it, and it is a large part of the small forces of high waves. */
+ * tolerance. The part of the far field is not counted: no other mesh would reduce it. */
 static double excess_error(const po_request *request, const po_result *result) {
   if (is_unsure(request, result))
     return UNKNOWN_EXCESS;
   if (!result->has_pull_off)
     return 0.0;
   const double force = result->pull_off.force;
-  const double seen = result->pull_off.force_error - po_estimate_load_error(request, 0.0, force);
+  const double seen = result->pull_off.force_error - result->pull_off.far_force_error;
   const double excess = seen / (request->mesh.tolerance * force);
   return excess > 1.0 ? excess : 0.0;
 }

@@ -2,20 +2,8 @@
 
 #include <math.h>
 
+#include "po_far_field.h"
 #include "po_observe_parts.h"
-
-/* Errors of the load and of the approach that halving the panels does not show, relative to the
- * tolerance. On random scenes at tolerance 1e-4, errors of the load of 3e-6 and of the approach of
- * 1e-7 occur. */
-static const double UNSEEN_LOAD = 3e-2, UNSEEN_APPROACH = 2e-3;
-
-double po_estimate_load_error(const po_request *request, double change, double load) {
-  return change + UNSEEN_LOAD * request->mesh.tolerance * (1.0 + fabs(load));
-}
-
-double po_estimate_approach_error(const po_request *request, double change, double approach) {
-  return change + UNSEEN_APPROACH * request->mesh.tolerance * (1.0 + fabs(approach));
-}
 
 /* Greatest allowed distance of the curve from the cubics between its points, relative to the
  * tolerance of panels, and its least values. The cost is inversely proportional to its fourth root.
@@ -39,7 +27,7 @@ static po_contact_edge edge_on_panels(const po_request *request, double domain,
   const po_contact_gap finer = po_contact_gap_on_panels(&request->scene, domain, p->finer);
   /* an error of the approach is an error of the gap */
   const po_contact_doubt doubt = {&finer, po_observe_precision(request->mesh.tolerance),
-                                  po_estimate_approach_error(request, 0.0, best.approach)};
+                                  po_far_field_error(&request->scene, domain, p->best).approach};
   return po_contact_estimate(&best, &doubt);
 }
 
@@ -59,9 +47,11 @@ po_estimate po_estimate_of(const po_request *request, double domain, const po_br
                    .approach_error = p->approach_error,
                    .load_error = p->load_error,
                    .edge = edge_of(request, domain, p)};
-  if (p->gap) { /* not rigid */
-    e.approach_error = po_estimate_approach_error(request, p->approach_error, e.approach);
-    e.load_error = po_estimate_load_error(request, p->load_error, e.load);
+  if (p->best) {
+    const po_far_field far = po_far_field_error(&request->scene, domain, p->best);
+    e.approach_error += far.approach;
+    e.load_error += far.load;
+    e.far_load_error = far.load;
   }
   return e;
 }

@@ -11,17 +11,13 @@
 typedef struct {
   double approach, load;             /* eps; pi w R */
   double approach_error, load_error; /* bounds; NAN: not estimated */
+  double far_load_error;             /* the part of load_error that no other mesh reduces */
   po_contact_edge edge; /* the outermost contact edge; its error is NAN if it was not estimated */
 } po_estimate;
 
 /* Given: the radius of the domain of the panels, eps (panels only); a special point during its
  * visit. */
 po_estimate po_estimate_of(const po_request *request, double domain, const po_branch_point *point);
-
-/* Bounds of the errors of a load and of an approach on panels. Given: change, the error estimated
- * from a finer mesh, to which the error is added that a finer mesh does not show; the value. */
-double po_estimate_load_error(const po_request *request, double change, double load);
-double po_estimate_approach_error(const po_request *request, double change, double approach);
 
 /* Greatest allowed distance of the curve from the cubics between its points, in eps and pi w R, for
  * loading and unloading. */

@@ -106,7 +106,8 @@ typedef struct {
     double contact_radius; /* at pull-off, eps */
     double
         force_error; /* estimated bound of the error of force; NAN: not estimated by this scheme */
-    double approach_error; /* the same of approach */
+    double far_force_error; /* the part of force_error that no other mesh reduces */
+    double approach_error;  /* the same of approach */
     double contact_radius_error,
         contact_radius_other; /* see po_contact_edge; NAN: not estimated, none */
     po_pressed pressed;       /* the least preload with this pull-off; NAN: none on the trace */

@@ -26,8 +26,8 @@ po_status po_passage_note(po_passage *passage, const po_branch_point *p, double 
     return PO_NO_MEMORY;
   passage->list = list;
   list[passage->count++] = (po_passed){.kind = p->kind,
-                                       .approach = p->approach,
-                                       .load = p->load,
+                                       .approach = p->approach + p->approach_correction,
+                                       .load = p->load + p->load_correction,
                                        .approach_error = approach_error,
                                        .load_error = load_error,
                                        .modes = back ? before : p->unstable_modes};

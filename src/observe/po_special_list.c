@@ -49,6 +49,7 @@ void po_special_list_pull_off(const po_estimate *e, po_result *o) {
   o->pull_off.approach = e->approach;
   o->pull_off.contact_radius = e->edge.radius;
   o->pull_off.force_error = e->load_error;
+  o->pull_off.far_force_error = e->far_load_error;
   o->pull_off.approach_error = e->approach_error;
   o->pull_off.contact_radius_error = e->edge.error;
   o->pull_off.contact_radius_other = e->edge.other;

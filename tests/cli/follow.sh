@@ -39,8 +39,9 @@ for k in 2 5; do
     a=$(field line.json "d['points'][$k]['pull_off']['$value']")
     b=$(field solve.json "d['pull_off']['$value']")
     e=$(field solve.json "d['pull_off']['$error']")
+    f=$(field line.json "d['points'][$k]['pull_off']['$error']")
     check "$value of point $k: $a followed, $b traced" \
-      awk -v a="$a" -v b="$b" -v e="$e" 'BEGIN { d = a - b; exit !(a != "" && (d < 0 ? -d : d) <= 2 * e) }'
+      awk -v a="$a" -v b="$b" -v e="$e" -v f="$f" 'BEGIN { d = a - b; exit !(a != "" && (d < 0 ? -d : d) <= e + f) }'
   done
 done
 
@@ -61,8 +62,9 @@ for value in approach load; do
     a=$(field folds.json "d['points'][3]['folds'][$j]['$value']")
     b=$(field solve.json "d['folds'][$j]['$value']")
     e=$(field solve.json "d['folds'][$j]['$error']")
+    f=$(field folds.json "d['points'][3]['folds'][$j]['$error']")
     check "$value of fold $j: $a followed, $b traced" \
-      awk -v a="$a" -v b="$b" -v e="$e" 'BEGIN { d = a - b; exit !(a != "" && (d < 0 ? -d : d) <= 2 * e) }'
+      awk -v a="$a" -v b="$b" -v e="$e" -v f="$f" 'BEGIN { d = a - b; exit !(a != "" && (d < 0 ? -d : d) <= e + f) }'
   done
 done
 
