@@ -17,6 +17,12 @@
   X(PO_OUT_OF_DOMAIN, 7, "the contact reached the end of the meshed surface")                      \
   X(PO_OUT_OF_NODES, 8, "the traction needs more nodes than allowed")                              \
   X(PO_OUT_OF_TIME, 9, "the solve took more processor time than allowed")                          \
+  X(PO_UNSUPPORTED, 10, "the solver does not support the scene")                                   \
+  X(PO_FAILED, 11, "the solver reports a failure")                                                 \
+  X(PO_TIMED_OUT, 12, "the solver did not answer within the time limit")                           \
+  X(PO_CRASHED, 13, "the solver crashed")                                                          \
+  X(PO_NO_ANSWER, 14, "the solver ended without an answer")                                        \
+  X(PO_INVALID, 15, "the solver gave an invalid answer")                                           \
   X(PO_BAD_INPUT, -1, "bad input")                                                                 \
   X(PO_NO_MEMORY, -2, "out of memory")                                                             \
   X(PO_CANNOT_READ, -3, "a file could not be read")                                                \

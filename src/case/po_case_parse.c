@@ -61,14 +61,6 @@ static po_status check_pin(const po_case_file *file, const po_check *check, unsi
   return PO_OK;
 }
 
-/* Returned: the quantity with a name; PO_QUANTITY_COUNT if there is none. */
-static int quantity_of(const char *name) {
-  int quantity = 0;
-  while (quantity < PO_QUANTITY_COUNT && strcmp(name, po_quantity_name((po_quantity)quantity)) != 0)
-    ++quantity;
-  return quantity;
-}
-
 static po_status check_when(po_axis *when, unsigned count, const char *list, unsigned number,
                             const po_yaml *yaml) {
   po_status status = PO_OK;
@@ -82,7 +74,7 @@ static po_status check_when(po_axis *when, unsigned count, const char *list, uns
 
 static po_status parse_check(const po_case_file *file, po_check *check, unsigned number,
                              const po_yaml *yaml) {
-  const int quantity = quantity_of(check->quantity_text);
+  const int quantity = po_quantity_of_name(check->quantity_text);
   int kind = 0;
   if (quantity == PO_QUANTITY_COUNT)
     return po_schema_refuse(yaml, NULL, "checks[%u].quantity", number);
@@ -137,7 +129,7 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
 
 /* A measurement compares with an independent value, and has no tolerance. */
 static po_status parse_measure(po_check *measure, unsigned number, const po_yaml *yaml) {
-  const int quantity = quantity_of(measure->quantity_text);
+  const int quantity = po_quantity_of_name(measure->quantity_text);
   if (quantity == PO_QUANTITY_COUNT || quantity == PO_WORK || quantity == PO_SOLVED_SHARE ||
       po_quantity_is_diagnostic((po_quantity)quantity) ||
       po_quantity_is_hysteresis((po_quantity)quantity) ||

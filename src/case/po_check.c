@@ -34,6 +34,13 @@ const char *po_quantity_name(po_quantity quantity) {
   return QUANTITIES[quantity];
 }
 
+int po_quantity_of_name(const char *name) {
+  int quantity = 0;
+  while (quantity < PO_QUANTITY_COUNT && strcmp(name, QUANTITIES[quantity]) != 0)
+    ++quantity;
+  return quantity;
+}
+
 bool po_quantity_is_pull_off(po_quantity quantity) {
   return quantity == PO_PULL_OFF_FORCE || quantity == PO_PULL_OFF_APPROACH ||
          quantity == PO_CONTACT_RADIUS;

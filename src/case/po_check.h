@@ -94,6 +94,9 @@ bool po_quantity_is_hysteresis(po_quantity quantity);
 bool po_quantity_is_preload(po_quantity quantity);
 bool po_quantity_is_steps(po_quantity quantity);
 
+/* Returned: the quantity with a name; PO_QUANTITY_COUNT if there is none. */
+int po_quantity_of_name(const char *name);
+
 /* Returned: the name in case files. */
 const char *po_quantity_name(po_quantity quantity);
 const char *po_tolerance_kind_name(po_tolerance_kind kind);

@@ -24,10 +24,12 @@ static const struct {
      "compare the results of cases with references and print the verdicts"},
     {"explain", po_verb_explain, "explain the checks that are not within their tolerance"},
     {"bless", po_verb_bless, "accept the values of a case as its pins"},
+    {"conform", po_verb_conform, "test whether an external solver follows the protocol"},
     {"report", po_verb_report, "write the report of a run"},
 };
 
-#define VERB_NAMES "solve, follow, theory, list, plan, run, merge, verify, explain, bless or report"
+#define VERB_NAMES                                                                                 \
+  "solve, follow, theory, list, plan, run, merge, verify, explain, bless, conform or report"
 
 static void print_help(void) {
   puts("Usage: pulloff VERB [OPTION]...\n"

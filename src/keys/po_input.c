@@ -369,6 +369,23 @@ bool po_key_is_of_other_scheme(const po_request *request, po_key key) {
   return panel ? key == PO_KEY_NODES || key == PO_KEY_GRADING : key == PO_KEY_TOLERANCE;
 }
 
+bool po_key_is_of_scene(po_key key) {
+  switch (key) {
+  case PO_KEY_SCHEME:
+  case PO_KEY_GRADING:
+  case PO_KEY_NODES:
+  case PO_KEY_TOLERANCE:
+  case PO_KEY_APPROACH_START:
+  case PO_KEY_APPROACH_END:
+  case PO_KEY_PRELOAD:
+  case PO_KEY_PRELOAD_LOAD:
+  case PO_KEY_TIME_LIMIT:
+    return false;
+  default:
+    return !po_key_is_group((int)key);
+  }
+}
+
 bool po_key_is_idle(const po_request *request, po_key key) {
   const po_scene *scene = &request->scene;
   const bool sphere = po_profile_is_sphere(&scene->profile);

@@ -112,6 +112,10 @@ bool po_key_is_of_other_scheme(const po_request *request, po_key key);
  * length of reference R is epsilon. */
 const char *po_input_load_unit(const po_request *request);
 
+/* Returned: whether a key describes what is pressed. The others describe the mesh, the part of the
+ * branch that is traced, and the time limit. */
+bool po_key_is_of_scene(po_key key);
+
 /* Returned: a command line, e.g. "pulloff solve --tabor 1 ...", that repeats the solve and does not
  * search beyond its preload, to be freed; NULL if memory runs out. */
 char *po_input_command(const po_request *request);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "fuzz.h"
+#include "po_ask.h"
 #include "po_file.h"
 #include "po_options.h"
 #include "po_series.h"
@@ -24,6 +25,9 @@ po_status __wrap_po_series_folds(const po_request *requests, size_t count, po_re
 po_status __wrap_po_run(po_case_run *runs, size_t count, const po_run_options *options);
 po_status __wrap_po_shard_write(const po_case_run *runs, size_t count, po_shard shard,
                                 double time_limit, int jobs, const char *output);
+po_status __wrap_po_ask(const po_solver *solver, const po_question *questions, size_t count,
+                        const char *folder, const volatile sig_atomic_t *stop,
+                        po_answer_taker *take, void *context, po_ask_log *log);
 po_status __wrap_po_file_write(const char *path, const char *data, size_t size);
 po_status __wrap_po_folder_make(const char *path);
 const volatile sig_atomic_t *__wrap_po_interrupt_listen(void);
@@ -67,6 +71,15 @@ po_status __wrap_po_shard_write(const po_case_run *runs, size_t count, po_shard 
   fuzz_require(shard.number >= 1 && shard.number <= shard.count, "shard %zu of %zu is accepted",
                shard.number, shard.count);
   return PO_OK;
+}
+
+po_status __wrap_po_ask(const po_solver *solver, const po_question *questions, size_t count,
+                        const char *folder, const volatile sig_atomic_t *stop,
+                        po_answer_taker *take, void *context, po_ask_log *log) {
+  (void)questions, (void)count, (void)stop, (void)take, (void)context;
+  *log = (po_ask_log){0};
+  fuzz_require(*folder && solver->command[0], "a solver without a folder or a command");
+  return po_fail(PO_INTERRUPTED, "no solver is started here");
 }
 
 po_status __wrap_po_file_write(const char *path, const char *data, size_t size) {

@@ -47,6 +47,7 @@ _pulloff() {
       words=$("$program" list 2>/dev/null | awk 'NR > 1 { print $1 }')
       action=(-f -X '!*.yaml')
       ;;
+    *:conform) action=(-f -X '!*.yaml') ;;
     *:merge) action=(-d) ;;
     *:theory) words=$(_pulloff_names "$program" theory) ;;
     esac

@@ -1,0 +1,71 @@
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "po_conform.h"
+#include "po_environment.h"
+#include "po_interrupt.h"
+#include "po_options.h"
+#include "po_print_solver.h"
+#include "po_verbs.h"
+
+static const char HELP[] =
+    "Usage: pulloff conform [OPTION]... MANIFEST\n"
+    "Tests whether an external solver follows the protocol and computes known scenes: starts the\n"
+    "command of the manifest with an empty request, with smooth spheres near the limits of\n"
+    "Bradley and JKR, with repeats, with a scene that the manifest excludes, and ends it while it\n"
+    "works. A wrong sign, unit or factor is named. The program of the command runs in a folder of\n"
+    "its own with a minimal environment; where the kernel allows it, it can write nowhere else.\n"
+    "The exit code is 1 if a line begins with wrong.\n"
+    "\n"
+    "  --knob VALUE      value of the knob of the manifest (default: the last one)\n"
+    "  --output DIR      folder in which the solver runs (default build/run)\n"
+    "  -h, --help        print this text\n"
+    "\n"
+    "Example: pulloff conform reference/solvers/newton.yaml\n";
+
+enum { KNOB = 1, OUTPUT };
+
+static const struct option OPTIONS[] = {{"knob", required_argument, NULL, KNOB},
+                                        {"output", required_argument, NULL, OUTPUT},
+                                        {"help", no_argument, NULL, PO_OPTION_HELP},
+                                        {NULL, 0, NULL, 0}};
+
+typedef struct {
+  const char *knob, *output;
+} conform_line;
+
+static po_status take_option(void *to, int option) {
+  conform_line *line = to;
+  if (option == KNOB)
+    return po_options_take_text("knob", "a value of the knob", &line->knob);
+  return po_options_take_text("output", "the name of a folder", &line->output);
+}
+
+int po_verb_conform(int argc, char **argv) {
+  const po_options options = {"conform", HELP, OPTIONS, argc, argv, NULL};
+  conform_line line = {.output = "build/run"};
+  po_solver *solver = NULL;
+  po_status status = PO_OK;
+  if (!po_options_read(&options, take_option, &line, &status))
+    return po_options_end(status);
+  if (argc - optind != 1)
+    status = po_fail(PO_BAD_INPUT, "conform needs one manifest (see pulloff conform --help)");
+  if (!status)
+    status = po_solver_read(argv[optind], line.knob, &solver);
+  po_conform_report report = {.tell = true};
+  char *folder = status ? NULL : po_solver_folder(solver, line.output);
+  if (!status && !folder)
+    status = PO_NO_MEMORY;
+  if (!status) {
+    po_print_solver(solver, stdout);
+    status = po_conform(solver, po_environment_data(), folder, po_interrupt_listen(), &report);
+  }
+  const size_t wrong = report.wrong;
+  if (!status && wrong)
+    printf("%zu of the findings are wrong\n", wrong);
+  const int code = status ? po_options_end(status) : wrong ? PO_EXIT_OUTSIDE : PO_EXIT_OK;
+  po_text_clear(&report.lines);
+  po_solver_destroy(solver);
+  free(folder);
+  return code;
+}

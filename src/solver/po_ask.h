@@ -1,0 +1,43 @@
+/* Asks an external solver: starts it with the open questions, reads its answers as it writes them,
+ * and starts it again for the rest when it crashes or exceeds a time limit. */
+#ifndef PO_ASK_H
+#define PO_ASK_H
+
+#include <signal.h>
+
+#include "po_answer.h"
+#include "po_process.h"
+
+/* Takes an answer. It is called for the answers of the solver in the order in which they come, and
+ * for the questions that end without one (status PO_TIMED_OUT, PO_CRASHED, PO_NO_ANSWER, or
+ * PO_INVALID); such a call replaces what was taken for the same question before. The answer may be
+ * moved out of *answer. Given: `final`, whether it is the last one for the question. Status: any; a
+ * status other than PO_OK ends po_ask. */
+typedef po_status po_answer_taker(void *context, size_t question, po_answer *answer, bool final);
+
+/* One process of the solver. */
+typedef struct {
+  size_t asked, answered; /* points */
+  double wall, processor; /* seconds */
+  double first;           /* seconds from its start to its first answer; NAN: none */
+  double reported;        /* sum of the times that its answers report */
+  size_t left;            /* processes that it left behind */
+} po_ask_process;
+
+typedef struct {
+  po_ask_process *processes;
+  size_t count;
+  char *folder; /* of the last process that gave an invalid answer or did not end as it should, with
+                   its request and response; NULL: there was none */
+} po_ask_log;
+
+/* Asks all questions. Given: `folder`, in which the solver gets folders of its own; `stop`, ends
+ * the process when it becomes nonzero; may be NULL. Returned: log, to be cleared whatever the
+ * status. Status: PO_INTERRUPTED, PO_CANNOT_WRITE, PO_CANNOT_READ (the program cannot be started),
+ * PO_NO_MEMORY, that of `take`. */
+po_status po_ask(const po_solver *solver, const po_question *questions, size_t count,
+                 const char *folder, const volatile sig_atomic_t *stop, po_answer_taker *take,
+                 void *context, po_ask_log *log);
+void po_ask_log_clear(po_ask_log *log);
+
+#endif

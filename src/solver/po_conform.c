@@ -1,0 +1,405 @@
+#include "po_conform.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_clock.h"
+#include "po_input.h"
+#include "po_recognise.h"
+#include "po_reference.h"
+
+/* The pull-off of the smooth sphere on the unbounded half-space. */
+static const char TABLE[] = "reference/feng_pull_off.csv";
+
+/* Relative tolerance on the numbers of these scenes. It is wide, because only wrong signs, factors
+ * and units are looked for; the cases measure the accuracy. The smallest distance of two factors
+ * that are recognised, 4/3 and 3/2, is 12 %. */
+static const double CLOSE = 0.05;
+
+/* Approaches and contact radii below this, in eps, are not compared: a coarse mesh has a larger
+ * error. */
+static const double SMALL_APPROACH = 0.2, SMALL_RADIUS = 10;
+
+enum { MOST_SCENES = 4 };
+
+typedef struct {
+  const char *limit; /* the theory near which the scene is */
+  po_question question;
+  double force, approach, contact_radius; /* expected */
+  po_answer answer;                       /* the first one, or the last without an answer */
+  unsigned answers;                       /* with status ok */
+  bool final;
+} conform_scene;
+
+typedef struct {
+  const po_solver *solver;
+  const char *folder;
+  const volatile sig_atomic_t *stop;
+  po_conform_report *report;
+  po_reference table;
+  conform_scene scenes[MOST_SCENES];
+  size_t count;
+  volatile sig_atomic_t enough; /* ends a process after its first answer */
+  size_t taken;                 /* answers of that process */
+  double at;                    /* time of the first of them */
+} conforming;
+
+static void tell(conforming *c, const char *verdict, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+static void tell(conforming *c, const char *verdict, const char *format, ...) {
+  char text[600];
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  c->report->wrong += strcmp(verdict, "wrong") == 0;
+  po_text_add(&c->report->lines, "%-8s %s\n", verdict, text);
+  if (c->report->tell) {
+    printf("%-8s %s\n", verdict, text);
+    fflush(stdout);
+  }
+}
+
+/* Expected numbers of a smooth scene. Returned: false if the table does not contain it. */
+static bool expect(const conforming *c, conform_scene *scene) {
+  static const po_quantity WHAT[] = {PO_PULL_OFF_FORCE, PO_PULL_OFF_APPROACH, PO_CONTACT_RADIUS};
+  double *to[] = {&scene->force, &scene->approach, &scene->contact_radius};
+  po_request unbounded = scene->question.request;
+  unbounded.scene.outer_radius = INFINITY;
+  for (size_t i = 0; i < 3; ++i) {
+    po_reference_number number;
+    if (po_reference_find(&c->table, WHAT[i], &unbounded, &number))
+      return false;
+    *to[i] = number.value;
+  }
+  return true;
+}
+
+/* Adds a scene near a limit if the solver accepts it: on the unbounded surface, else on one that is
+ * cut at the radius of the sphere, where the force differs by less than a thousandth. */
+static bool add_scene(conforming *c, const char *limit, double tabor, double radius) {
+  const double outer[] = {INFINITY, radius};
+  for (size_t i = 0; i < 2 && c->count < MOST_SCENES; ++i) {
+    char why[PO_SOLVER_WHY];
+    conform_scene scene = {.limit = limit, .question = {.request = po_input_default()}};
+    scene.question.request.scene.tabor = tabor;
+    scene.question.request.scene.radius = radius;
+    scene.question.request.scene.outer_radius = outer[i];
+    if (!po_solver_accepts(c->solver, &scene.question.request, why) || !expect(c, &scene))
+      continue;
+    snprintf(scene.question.id, sizeof scene.question.id, "%zu", c->count);
+    scene.question.want = c->solver->quantities;
+    scene.question.repeats = 1;
+    scene.question.limit = c->solver->time_limit;
+    c->scenes[c->count++] = scene;
+    return true;
+  }
+  return false;
+}
+
+/* Chooses up to four scenes: the most rigid one, the softest one, and one between them, with a
+ * second radius. */
+static void choose_scenes(conforming *c) {
+  static const double RIGID[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1},
+                      SOFT[] = {3, 2.5, 2, 1.5, 1.25, 1},
+                      MIDDLE[] = {0.8, 1, 1.25, 0.6, 1.5, 0.5, 0.3, 2};
+  static const double RADIUS[] = {100, 50, 200, 30, 500, 20, 10, 1000};
+  enum { RADII = sizeof RADIUS / sizeof *RADIUS };
+  size_t radius = 0;
+  bool found = false;
+  for (size_t r = 0; !found && r < RADII; ++r)
+    for (size_t i = 0; !found && i < sizeof RIGID / sizeof *RIGID; ++i) {
+      found = add_scene(c, "Bradley", RIGID[i], RADIUS[r]);
+      radius = r;
+    }
+  for (size_t i = 0; found && i < sizeof SOFT / sizeof *SOFT; ++i)
+    if (add_scene(c, "JKR", SOFT[i], RADIUS[radius]))
+      break;
+  for (size_t i = 0; found && i < sizeof MIDDLE / sizeof *MIDDLE; ++i)
+    if (add_scene(c, "between", MIDDLE[i], RADIUS[radius])) {
+      for (size_t r = radius + 1; r < RADII; ++r)
+        if (add_scene(c, "between", MIDDLE[i], RADIUS[r]))
+          return;
+      return;
+    }
+}
+
+/* The pull-off of the stable path and of the whole branch are the same for a smooth sphere.
+ * Returned: force and approach of an answer, from whichever part it has; NAN: none. */
+static void pull_off_of(const po_result *o, double *force, double *approach) {
+  *force = *approach = (double)NAN;
+  if (o->has_pull_off) {
+    *force = o->pull_off.force;
+    *approach = o->pull_off.approach;
+  }
+  if (o->has_hysteresis && isnan(*force)) {
+    *force = -o->hysteresis.displacement.pull_off.load;
+    *approach = o->hysteresis.displacement.pull_off.approach;
+  }
+  for (size_t i = 0; i < o->extremum_count && !o->has_pull_off && !o->has_hysteresis; ++i)
+    if (isnan(*force) || -o->extrema[i].load > *force) {
+      *force = -o->extrema[i].load;
+      *approach = o->extrema[i].approach;
+    }
+  for (size_t i = 0; i < o->curve_count && !o->has_pull_off && !o->has_hysteresis; ++i)
+    if (isnan(*force) || -o->curve[i].load > *force) {
+      *force = -o->curve[i].load;
+      *approach = o->curve[i].approach;
+    }
+}
+
+/* Keeps an answer. */
+static po_status take(void *context, size_t question, po_answer *answer, bool final) {
+  conforming *c = context;
+  conform_scene *scene = &c->scenes[question];
+  scene->answers += answer->result.status == PO_OK;
+  scene->final = final;
+  if (scene->answers <= 1 || answer->result.status) {
+    po_answer_clear(&scene->answer);
+    scene->answer = *answer;
+    answer->result = po_result_none();
+  }
+  return PO_OK;
+}
+
+static void forget_answers(conforming *c) {
+  for (size_t i = 0; i < c->count; ++i) {
+    po_answer_clear(&c->scenes[i].answer);
+    c->scenes[i].answer = (po_answer){.result = po_result_none()};
+    c->scenes[i].answers = 0;
+    c->scenes[i].final = false;
+  }
+}
+
+static po_status ask(conforming *c, size_t count, unsigned repeats,
+                     const volatile sig_atomic_t *stop, po_answer_taker *taker, po_ask_log *log) {
+  po_question questions[MOST_SCENES];
+  forget_answers(c);
+  for (size_t i = 0; i < count; ++i) {
+    questions[i] = c->scenes[i].question;
+    questions[i].repeats = repeats;
+  }
+  return po_ask(c->solver, questions, count, c->folder, stop, taker, c, log);
+}
+
+static po_status test_empty(conforming *c) {
+  po_ask_log log;
+  const po_status status = ask(c, 0, 1, c->stop, take, &log);
+  if (!status) {
+    const po_ask_process *p = &log.processes[0];
+    const bool ok = !log.folder;
+    tell(c, ok ? "ok" : "wrong", "empty request: %s %.2f s, %.2f s of processor time%s",
+         ok ? "ended after" : "expected the end with exit status 0; after", p->wall, p->processor,
+         p->left ? "; processes that it left behind were killed" : "");
+  }
+  po_ask_log_clear(&log);
+  return status;
+}
+
+/* Compares one number of all scenes. Given: the pairs; `unit`, what is expected. */
+static void test_numbers(conforming *c, const char *what, const char *unit, const po_pair *pairs,
+                         size_t count, bool offset) {
+  char name[PO_FACTOR_LENGTH];
+  if (count == 0)
+    return;
+  if (po_recognise_factor(pairs, count, CLOSE, name)) {
+    const bool ok = strcmp(name, "1") == 0;
+    if (ok)
+      tell(c, "ok", "%s: within %.0f %% of the expected value in %zu scenes", what, 100 * CLOSE,
+           count);
+    else
+      tell(c, "wrong", "%s: the expected value times %s in %zu scenes; expected: %s", what, name,
+           count, unit);
+  } else if (offset && po_recognise_offset(pairs, count, CLOSE, name))
+    tell(c, "wrong", "%s: the expected value %s in %zu scenes; expected: %s", what, name, count,
+         unit);
+  else {
+    size_t worst = 0;
+    for (size_t i = 1; i < count; ++i)
+      if (fabs(pairs[i].obtained / pairs[i].expected - 1) >
+          fabs(pairs[worst].obtained / pairs[worst].expected - 1))
+        worst = i;
+    tell(c, "wrong",
+         "%s: no common factor; worst for tabor %g, radius %g: %.6g, expected %.6g (%s)", what,
+         pairs[worst].scene->tabor, pairs[worst].scene->radius, pairs[worst].obtained,
+         pairs[worst].expected, unit);
+  }
+}
+
+static void compare_scenes(conforming *c) {
+  po_pair force[MOST_SCENES], approach[MOST_SCENES], radius[MOST_SCENES];
+  size_t forces = 0, approaches = 0, radii = 0;
+  for (size_t i = 0; i < c->count; ++i) {
+    const conform_scene *s = &c->scenes[i];
+    const po_scene *scene = &s->question.request.scene;
+    double f = NAN, a = NAN;
+    if (s->answer.result.status || !s->final)
+      continue;
+    pull_off_of(&s->answer.result, &f, &a);
+    if (isfinite(f))
+      force[forces++] = (po_pair){f, s->force, scene};
+    if (isfinite(a) && fabs(s->approach) > SMALL_APPROACH)
+      approach[approaches++] = (po_pair){a, s->approach, scene};
+    if (s->answer.result.has_pull_off && isfinite(s->answer.result.pull_off.contact_radius) &&
+        s->contact_radius > SMALL_RADIUS)
+      radius[radii++] =
+          (po_pair){s->answer.result.pull_off.contact_radius, s->contact_radius, scene};
+  }
+  test_numbers(c, "force at pull-off", "the magnitude, > 0, in pi w R", force, forces, false);
+  test_numbers(c, "approach at pull-off",
+               "in epsilon, > 0 when pressed together, 0 at the gap of equilibrium", approach,
+               approaches, true);
+  test_numbers(c, "contact radius at pull-off", "in epsilon", radius, radii, false);
+}
+
+static po_status test_scenes(conforming *c) {
+  po_ask_log log;
+  const po_status status = ask(c, c->count, 1, c->stop, take, &log);
+  double reported = 0, wall = 0;
+  size_t left = 0;
+  for (size_t i = 0; i < log.count; ++i) {
+    reported += log.processes[i].reported;
+    wall += log.processes[i].wall;
+    left += log.processes[i].left;
+  }
+  for (size_t i = 0; !status && i < c->count; ++i) {
+    const conform_scene *s = &c->scenes[i];
+    const po_result *o = &s->answer.result;
+    const po_scene *scene = &s->question.request.scene;
+    double force = NAN, approach = NAN;
+    pull_off_of(o, &force, &approach);
+    if (o->status)
+      tell(c, "wrong", "%s, tabor %g, radius %g: %s: %s", s->limit, scene->tabor, scene->radius,
+           po_status_name(o->status), o->reason);
+    else
+      tell(c, "ok", "%s, tabor %g, radius %g: answered; force %.6g, expected %.6g", s->limit,
+           scene->tabor, scene->radius, force, s->force);
+  }
+  if (!status)
+    compare_scenes(c);
+  /* a solver may use several processor cores, but its own clock cannot run faster than ours */
+  if (!status && reported > 1.05 * wall + 0.05)
+    tell(c, "wrong", "seconds: %.3g s are reported, but the process took %.3g s", reported, wall);
+  if (!status && left)
+    tell(c, "note", "%zu processes that the solver left behind were killed", left);
+  if (!status && log.folder)
+    tell(c, "note", "request and response are in %s", log.folder);
+  po_ask_log_clear(&log);
+  return status;
+}
+
+static po_status test_repeats(conforming *c) {
+  po_ask_log log;
+  const po_status status = ask(c, 1, 2, c->stop, take, &log);
+  const conform_scene *s = &c->scenes[0];
+  if (!status)
+    tell(c, s->answers == 2 ? "ok" : "wrong", "repeats: %u answers to a request of 2 repeats%s%s",
+         s->answers, s->answer.result.reason[0] ? ": " : "", s->answer.result.reason);
+  po_ask_log_clear(&log);
+  return status;
+}
+
+/* Finds a scene that the solver does not accept. */
+static bool find_beyond(const conforming *c, po_request *request, char why[PO_SOLVER_WHY]) {
+  *request = c->scenes[0].question.request;
+  po_request changed[4] = {*request, *request, *request, *request};
+  po_key_set(&changed[0], PO_KEY_LAW, "morse:2");
+  po_key_set(&changed[1], PO_KEY_AMPLITUDE, "1");
+  po_key_set(&changed[1], PO_KEY_WAVELENGTH, "20");
+  po_key_set(&changed[2], PO_KEY_TABOR, "1000");
+  po_key_set(&changed[3], PO_KEY_OUTER_RADIUS, "7");
+  for (size_t i = 0; i < 4; ++i)
+    if (!po_solver_accepts(c->solver, &changed[i], why)) {
+      *request = changed[i];
+      return true;
+    }
+  return false;
+}
+
+static po_status test_unsupported(conforming *c) {
+  po_ask_log log;
+  char why[PO_SOLVER_WHY];
+  conform_scene kept = c->scenes[0];
+  if (!find_beyond(c, &c->scenes[0].question.request, why))
+    return PO_OK;
+  const po_status status = ask(c, 1, 1, c->stop, take, &log);
+  const po_result *o = &c->scenes[0].answer.result;
+  if (!status && o->status == PO_UNSUPPORTED)
+    tell(c, "ok", "a scene outside the manifest (%s): unsupported: %s", why, o->reason);
+  else if (!status && o->status)
+    tell(c, "wrong", "a scene outside the manifest (%s): %s: %s; expected the status unsupported",
+         why, po_status_name(o->status), o->reason);
+  else if (!status)
+    tell(c, "note", "a scene outside the manifest (%s) is solved; it will never be asked", why);
+  c->scenes[0].question = kept.question;
+  po_ask_log_clear(&log);
+  return status;
+}
+
+/* Notes the first answer, and asks for the end of the process. */
+static po_status take_and_stop(void *context, size_t question, po_answer *answer, bool final) {
+  conforming *c = context;
+  (void)question;
+  (void)answer;
+  (void) final;
+  if (!c->taken++)
+    c->at = po_clock_wall();
+  c->enough = 1;
+  return PO_OK;
+}
+
+/* Ends a process while it works: the answers that it has given must have arrived, one by one. */
+static po_status test_stop(conforming *c) {
+  po_ask_log log;
+  c->enough = 0;
+  c->taken = 0;
+  po_status status = ask(c, c->count, 1, &c->enough, take_and_stop, &log);
+  const double seconds = po_clock_wall() - c->at;
+  if (status == PO_INTERRUPTED && !(c->stop && *c->stop))
+    status = PO_OK;
+  if (status || !c->taken)
+    ; /* the answers themselves are wrong, which another finding says */
+  else if (c->taken >= c->count)
+    tell(c, "note",
+         "all answers arrived together: either the scenes take no time, or the lines are "
+         "not flushed");
+  else
+    tell(c, "ok", "stopped after %zu of %zu answers: these were written at once", c->taken,
+         c->count);
+  if (!status && c->taken && seconds > 2 && c->taken < c->count)
+    tell(c, "note", "the signal TERM does not end the solver; KILL does");
+  po_ask_log_clear(&log);
+  return status;
+}
+
+po_status po_conform(const po_solver *solver, const char *data_folder, const char *folder,
+                     const volatile sig_atomic_t *stop, po_conform_report *report) {
+  conforming c = {.solver = solver, .folder = folder, .stop = stop, .report = report};
+  po_status status = po_reference_open(data_folder, TABLE, &c.table);
+  if (status)
+    return status;
+  choose_scenes(&c);
+  forget_answers(&c);
+  tell(&c, "ok", "manifest: %u quantities, %s", solver->file->can.quantities_count,
+       solver->unstable ? "finds unstable equilibria" : "follows stable equilibria");
+  if (!po_process_confines())
+    tell(&c, "note", "this kernel cannot confine the files that the solver writes");
+  status = test_empty(&c);
+  if (!status && c.count == 0)
+    tell(&c, "note", "no smooth sphere is within the manifest: no scene was asked");
+  if (!status && c.count)
+    status = test_scenes(&c);
+  if (!status && c.count)
+    status = test_repeats(&c);
+  if (!status && c.count)
+    status = test_unsupported(&c);
+  if (!status && c.count > 1)
+    status = test_stop(&c);
+  forget_answers(&c);
+  po_reference_close(&c.table);
+  return !status && report->lines.failed ? PO_NO_MEMORY : status;
+}

@@ -1,0 +1,383 @@
+#include "po_solver.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "po_case.h"
+#include "po_field_table.h"
+#include "po_file.h"
+#include "po_input.h"
+#include "po_memory.h"
+#include "po_text.h"
+
+/* Seconds, where the manifest gives none. The start of Octave, Julia or MATLAB takes up to half a
+ * minute on a machine with other work. */
+static const double START_LIMIT = 60, TIME_LIMIT = 600;
+
+static const char NAMES[] = "a list of names of quantities that a solver can compute: "
+                            "pull_off_force, pull_off_approach, contact_radius, hysteresis_force, "
+                            "hysteresis_approach, hysteresis_loss, jumps, fold_count, folds, "
+                            "extrema, curve",
+                  SECONDS[] = "a finite number of seconds > 0";
+
+static const po_field KEY[] = {
+    TEXT("key", po_solver_key, axis.key, "a key of the scene"),
+    OPTIONAL_TEXTS("values", po_solver_key, axis.values, "a list of values"),
+    OPTIONAL_TEXT("from", po_solver_key, axis.from_text, "a finite number"),
+    OPTIONAL_TEXT("to", po_solver_key, axis.to_text, "a finite number >= from"),
+    {0},
+};
+
+static const po_field CAN[] = {
+    LIST("scene", po_solver_can, scene, KEY, "a list of {key}, {key, values} or {key, from, to}"),
+    TEXTS("quantities", po_solver_can, quantities, NAMES),
+    TEXT("unstable", po_solver_can, unstable, "true or false"),
+    {0},
+};
+
+static const po_field KNOB[] = {
+    TEXT("name", po_solver_knob, name, "the name of the knob"),
+    TEXTS("values", po_solver_knob, values, "a list of values, from coarse to fine"),
+    {0},
+};
+
+static const po_field MANIFEST[] = {
+    TEXT("protocol", po_solver_file, protocol, PO_SOLVER_PROTOCOL),
+    TEXT("solver", po_solver_file, name, "letters, digits, _ and -; not pulloff"),
+    TEXTS("command", po_solver_file, command, "a list of words: a program and its arguments"),
+    OPTIONAL_TEXTS("files", po_solver_file, files, "a list of files, relative to the manifest"),
+    OPTIONAL_TEXTS("environment", po_solver_file, environment,
+                   "a list of names of environment variables"),
+    PART("can", po_solver_file, can, CAN, "a mapping of scene, quantities and unstable"),
+    OPTIONAL_PART("knob", po_solver_file, knob, KNOB, "a mapping of name and values"),
+    OPTIONAL_TEXT("approach_step", po_solver_file, approach_step_text, "a finite number >= 0"),
+    OPTIONAL_TEXT("start_limit", po_solver_file, start_limit_text, SECONDS),
+    OPTIONAL_TEXT("time_limit", po_solver_file, time_limit_text, SECONDS),
+    {0},
+};
+
+static po_status refuse(const po_yaml *yaml, const char *path) {
+  return po_yaml_refuse(yaml, path, po_field_expected(po_fields_find(MANIFEST, path)));
+}
+
+static po_status parse_bound(const po_yaml *yaml, const char *text, unsigned item, const char *what,
+                             double *bound) {
+  char path[64];
+  if (!text || po_number_parse(text, bound))
+    return PO_OK;
+  snprintf(path, sizeof path, "can.scene[%u].%s", item + 1, what);
+  return refuse(yaml, path);
+}
+
+/* Parses an item of can.scene. */
+static po_status parse_key(const po_yaml *yaml, po_solver_key *item, unsigned i) {
+  char path[64];
+  const int key = po_key_of_name(item->axis.key);
+  snprintf(path, sizeof path, "can.scene[%u].key", i + 1);
+  if (key < 0 || !po_key_is_of_scene((po_key)key))
+    return refuse(yaml, path);
+  for (unsigned v = 0; v < item->axis.values_count; ++v) {
+    po_request request = po_input_default();
+    snprintf(path, sizeof path, "can.scene[%u].values[%u]", i + 1, v + 1);
+    if (!po_key_set(&request, (po_key)key, item->axis.values[v]))
+      return po_yaml_refuse(yaml, path, po_key_expected((po_key)key));
+  }
+  item->from = -INFINITY;
+  item->to = INFINITY;
+  po_status status = parse_bound(yaml, item->axis.from_text, i, "from", &item->from);
+  if (!status)
+    status = parse_bound(yaml, item->axis.to_text, i, "to", &item->to);
+  const bool bounded = item->axis.from_text || item->axis.to_text;
+  snprintf(path, sizeof path, "can.scene[%u]", i + 1);
+  if (!status && bounded && (item->axis.values || !po_key_is_number((po_key)key)))
+    status = po_yaml_refuse(yaml, path, "either values, or from and to for a number");
+  if (!status && item->from > item->to) {
+    snprintf(path, sizeof path, "can.scene[%u].to", i + 1);
+    status = refuse(yaml, path);
+  }
+  return status;
+}
+
+/* Reports whether an external solver can compute a quantity: it has a place in an answer. */
+static bool has_answer(po_quantity quantity) {
+  return po_quantity_is_pull_off(quantity) || po_quantity_is_hysteresis(quantity) ||
+         quantity == PO_FOLD_COUNT || quantity == PO_FOLDS || quantity == PO_EXTREMA ||
+         quantity == PO_CURVE;
+}
+
+/* Reports whether a quantity describes parts of the branch on which equilibria are unstable. */
+static bool needs_unstable(po_quantity quantity) {
+  return quantity == PO_FOLD_COUNT || quantity == PO_FOLDS || quantity == PO_EXTREMA ||
+         quantity == PO_CURVE;
+}
+
+static po_status parse_quantities(const po_yaml *yaml, po_solver *solver) {
+  const po_solver_can *can = &solver->file->can;
+  for (unsigned i = 0; i < can->quantities_count; ++i) {
+    char path[64];
+    const int quantity = po_quantity_of_name(can->quantities[i]);
+    snprintf(path, sizeof path, "can.quantities[%u]", i + 1);
+    if (quantity == PO_QUANTITY_COUNT || !has_answer((po_quantity)quantity))
+      return po_yaml_refuse(yaml, path, NAMES);
+    if (!solver->unstable && needs_unstable((po_quantity)quantity))
+      return po_yaml_refuse(yaml, path,
+                            "a quantity of stable equilibria, because can.unstable is false: "
+                            "pull_off_force, pull_off_approach, contact_radius, hysteresis_force, "
+                            "hysteresis_approach, hysteresis_loss or jumps");
+    solver->quantities |= 1U << quantity;
+  }
+  return PO_OK;
+}
+
+static po_status parse_number(const po_yaml *yaml, const char *path, const char *text, bool zero,
+                              double *number) {
+  if (!text || (po_number_parse(text, number) && (*number > 0 || (zero && *number == 0))))
+    return PO_OK;
+  return refuse(yaml, path);
+}
+
+/* Chooses the value of the knob, and composes the name of the solver. */
+static po_status choose_knob(po_solver *solver, const char *wanted) {
+  const po_solver_knob *knob = solver->file->knob;
+  const unsigned last = knob ? knob->values_count - 1 : 0;
+  po_text name = {0};
+  for (unsigned i = 0; knob && i <= last; ++i)
+    if (!wanted ? i == last : strcmp(knob->values[i], wanted) == 0)
+      solver->knob = knob->values[i];
+  if (wanted && !solver->knob)
+    return po_fail(PO_BAD_INPUT, "--knob is %s: expected %s", wanted,
+                   knob ? "one of the values of the knob in the manifest"
+                        : "no such option, as the manifest has no knob");
+  po_text_add(&name, "%s", solver->file->name);
+  if (knob && solver->knob != knob->values[last])
+    po_text_add(&name, "@%s", solver->knob);
+  solver->name = name.data;
+  return name.failed ? PO_NO_MEMORY : PO_OK;
+}
+
+static po_status parse(const po_yaml *yaml, const char *knob, po_solver *solver) {
+  const po_solver_file *file = solver->file;
+  po_status status = PO_OK;
+  if (strcmp(file->protocol, PO_SOLVER_PROTOCOL) != 0)
+    return refuse(yaml, "protocol");
+  if (!po_case_is_name(file->name) || strcmp(file->name, "pulloff") == 0)
+    return refuse(yaml, "solver");
+  solver->unstable = strcmp(file->can.unstable, "true") == 0;
+  if (!solver->unstable && strcmp(file->can.unstable, "false") != 0)
+    return refuse(yaml, "can.unstable");
+  for (unsigned i = 0; !status && i < file->can.scene_count; ++i)
+    status = parse_key(yaml, &file->can.scene[i], i);
+  if (!status)
+    status = parse_quantities(yaml, solver);
+  for (unsigned i = 0; !status && file->knob && i < file->knob->values_count; ++i)
+    if (strchr(file->knob->values[i], '/'))
+      status = refuse(yaml, "knob.values");
+  solver->start_limit = START_LIMIT;
+  solver->time_limit = TIME_LIMIT;
+  if (!status)
+    status =
+        parse_number(yaml, "approach_step", file->approach_step_text, true, &solver->approach_step);
+  if (!status)
+    status = parse_number(yaml, "start_limit", file->start_limit_text, false, &solver->start_limit);
+  if (!status)
+    status = parse_number(yaml, "time_limit", file->time_limit_text, false, &solver->time_limit);
+  return status ? status : choose_knob(solver, knob);
+}
+
+char *po_solver_replace(const char *word, const char *name, const char *value) {
+  po_text text = {0};
+  po_text_add(&text, "%s", "");
+  for (const char *at = word; *at;) {
+    const char *next = strstr(at, name);
+    po_text_add_bytes(&text, at, next ? (size_t)(next - at) : strlen(at));
+    if (next)
+      po_text_add(&text, "%s", value);
+    at = next ? next + strlen(name) : at + strlen(at);
+  }
+  if (text.failed)
+    po_text_clear(&text);
+  return text.data;
+}
+
+/* Returned: the path of a program that PATH contains; NULL if there is none, or without memory. */
+static char *find_program(const char *name) {
+  const char *path = getenv("PATH");
+  while (path && *path) {
+    po_text file = {0};
+    const size_t length = strcspn(path, ":");
+    po_text_add(&file, "%.*s/%s", (int)length, path, name);
+    if (!file.failed && access(file.data, X_OK) == 0)
+      return file.data;
+    po_text_clear(&file);
+    path += length + (path[length] == ':');
+  }
+  return NULL;
+}
+
+static po_status make_command(const po_yaml *yaml, po_solver *solver) {
+  const po_solver_file *file = solver->file;
+  solver->command = po_allocate(file->command_count + 1, sizeof *solver->command);
+  if (!solver->command)
+    return PO_NO_MEMORY;
+  for (unsigned i = 0; i < file->command_count; ++i)
+    if (!(solver->command[i] = po_solver_replace(file->command[i], "{here}", solver->here)))
+      return PO_NO_MEMORY;
+  if (solver->command[0][0] == '/')
+    return access(solver->command[0], X_OK) == 0
+               ? PO_OK
+               : po_yaml_refuse(yaml, "command[1]", "a program that can be executed");
+  char *found = strchr(solver->command[0], '/') ? NULL : find_program(solver->command[0]);
+  if (!found)
+    return po_yaml_refuse(yaml, "command[1]",
+                          "a program in PATH, an absolute path, or a path that begins with {here}");
+  free(solver->command[0]);
+  solver->command[0] = found;
+  return PO_OK;
+}
+
+/* Adds the digest of a file to a text, if it is one. */
+static po_status add_file(const po_solver *solver, const char *name, bool needed, po_text *text) {
+  char *path = po_path_join(solver->here, name), *bytes = NULL, digest[PO_DIGEST_LENGTH];
+  size_t size = 0;
+  if (!path)
+    return PO_NO_MEMORY;
+  po_status status = PO_OK;
+  if (needed || po_path_exists(path))
+    status = po_file_read(path, &bytes, &size);
+  if (status == PO_CANNOT_READ && !needed)
+    status = PO_OK; /* a folder, for example */
+  if (bytes) {
+    po_digest_bytes(bytes, size, digest);
+    po_text_add(text, "%s|", digest);
+  }
+  free(bytes);
+  free(path);
+  return status;
+}
+
+/* The manifest, the files that its command names, and those that it lists. */
+static po_status make_digest(const char *bytes, size_t size, po_solver *solver) {
+  const po_solver_file *file = solver->file;
+  po_text text = {0};
+  po_text_add(&text, PO_SOLVER_PROTOCOL "|%s|", solver->knob ? solver->knob : "");
+  po_text_add_bytes(&text, bytes, size);
+  po_status status = PO_OK;
+  for (unsigned i = 1; !status && i < file->command_count; ++i)
+    status = add_file(solver, solver->command[i], false, &text);
+  for (unsigned i = 0; !status && i < file->files_count; ++i)
+    status = add_file(solver, file->files[i], true, &text);
+  if (!status && text.failed)
+    status = PO_NO_MEMORY;
+  po_digest_bytes(po_text_string(&text), text.length, solver->digest);
+  po_text_clear(&text);
+  return status;
+}
+
+/* Returned: the absolute path of the folder of a file; NULL without memory. */
+static char *folder_of(const char *path) {
+  char *real = realpath(path, NULL);
+  char *slash = real ? strrchr(real, '/') : NULL;
+  if (slash)
+    slash[slash == real] = '\0';
+  return real;
+}
+
+po_status po_solver_read(const char *path, const char *knob, po_solver **result) {
+  char *bytes = NULL;
+  size_t size = 0;
+  po_yaml *yaml = NULL;
+  *result = NULL;
+  po_solver *solver = po_allocate(1, sizeof *solver);
+  if (!solver)
+    return PO_NO_MEMORY;
+  solver->file = po_allocate(1, sizeof *solver->file);
+  solver->path = po_copy_text(path);
+  po_status status = solver->file && solver->path ? PO_OK : PO_NO_MEMORY;
+  if (!status)
+    status = po_file_read(path, &bytes, &size);
+  if (!status && !(solver->here = folder_of(path)))
+    status = po_fail(PO_CANNOT_READ, "the folder of %s cannot be found", path);
+  if (!status)
+    status = po_yaml_create(path, bytes, size, &yaml);
+  if (!status)
+    status = po_fields_load(yaml, MANIFEST, solver->file);
+  if (!status)
+    status = parse(yaml, knob, solver);
+  if (!status)
+    status = make_command(yaml, solver);
+  if (!status)
+    status = make_digest(bytes, size, solver);
+  po_yaml_destroy(yaml);
+  free(bytes);
+  if (status)
+    po_solver_destroy(solver);
+  else
+    *result = solver;
+  return status;
+}
+
+void po_solver_destroy(po_solver *solver) {
+  if (!solver)
+    return;
+  for (unsigned i = 0; solver->command && i < solver->file->command_count; ++i)
+    free(solver->command[i]);
+  free(solver->command);
+  if (solver->file)
+    po_fields_clear(MANIFEST, solver->file);
+  free(solver->file);
+  free(solver->path);
+  free(solver->here);
+  free(solver->name);
+  free(solver);
+}
+
+char *po_solver_folder(const po_solver *solver, const char *output) {
+  char *solvers = po_path_join(output, "solvers");
+  char *folder = solvers ? po_path_join(solvers, solver->name) : NULL;
+  free(solvers);
+  return folder;
+}
+
+static const po_solver_key *find_key(const po_solver *solver, po_key key) {
+  const po_solver_can *can = &solver->file->can;
+  for (unsigned i = 0; i < can->scene_count; ++i)
+    if (strcmp(can->scene[i].axis.key, po_key_name(key)) == 0)
+      return &can->scene[i];
+  return NULL;
+}
+
+static bool accepts_value(const po_solver_key *item, const po_request *request, po_key key) {
+  for (unsigned v = 0; v < item->axis.values_count; ++v)
+    if (po_key_matches(request, key, item->axis.values[v]))
+      return true;
+  if (item->axis.values)
+    return false;
+  const double value = po_key_is_number(key) ? po_key_number(request, key) : 0;
+  return !po_key_is_number(key) || (value >= item->from && value <= item->to);
+}
+
+bool po_solver_accepts(const po_solver *solver, const po_request *request,
+                       char why[PO_SOLVER_WHY]) {
+  for (int key = 0; key < PO_KEY_COUNT; ++key) {
+    if (!po_key_is_of_scene((po_key)key) || po_key_is_idle(request, (po_key)key))
+      continue;
+    char value[PO_NUMBER_LENGTH];
+    const po_solver_key *item = find_key(solver, (po_key)key);
+    if (item && accepts_value(item, request, (po_key)key))
+      continue;
+    po_key_print(request, (po_key)key, value);
+    snprintf(why, PO_SOLVER_WHY, "%s is %s: %s", po_key_name((po_key)key), value,
+             item ? "outside the values that the manifest declares"
+                  : "the manifest does not declare this key");
+    return false;
+  }
+  return true;
+}
+
+bool po_solver_computes(const po_solver *solver, po_quantity quantity) {
+  return quantity == PO_SOLVED_SHARE || (solver->quantities & (1U << quantity)) != 0;
+}

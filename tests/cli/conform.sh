@@ -1,0 +1,135 @@
+#!/bin/sh
+# pulloff conform: a good solver, planted factors, and every kind of wrong answer.
+. "$(dirname "$0")/lib.sh"
+root=$here/../..
+export PULLOFF_DATA="$root"
+
+# manifest MODE [MORE LINES]: the manifest of a responder.
+manifest() {
+  cat >"$1.yaml" <<END
+protocol: pulloff-ask/1
+solver: $1
+command: [/usr/bin/python3, '$here/responder.py', $1, '$root/reference/feng_pull_off.csv', '{request}', '{response}']
+can:
+  scene: [{key: tabor}, {key: radius}, {key: outer_radius}]
+  quantities: [pull_off_force, pull_off_approach, contact_radius]
+  unstable: true
+start_limit: ${start_limit:-20}
+time_limit: ${time_limit:-1}
+$2
+END
+}
+
+# conform CODE MODE PATTERN...: tests that the exit code is CODE, and that each pattern (grep -E) is a line.
+conform() {
+  code=$1
+  mode=$2
+  shift 2
+  manifest "$mode" "$more"
+  "$program" conform "$mode.yaml" --output out >"$work/stdout" 2>"$work/stderr"
+  got=$?
+  check "conform $mode: exit code $got, expected $code: $(cat "$work/stdout")" [ "$got" -eq "$code" ]
+  for pattern in "$@"; do
+    check "conform $mode: a line $pattern: $(cat "$work/stdout")" grep -qE "^$pattern" "$work/stdout"
+  done
+}
+
+conform 0 good 'ok +manifest: 3 quantities' 'ok +empty request: ended' 'ok +Bradley, tabor 0.01' 'ok +JKR, tabor 3' \
+  'ok +between, tabor 0.8, radius 50' 'ok +force at pull-off: within' 'ok +approach at pull-off: within' \
+  'ok +contact radius at pull-off: within' 'ok +repeats: 2 answers' 'ok +a scene outside .*unsupported'
+check 'no folder is left after a good solver' [ -z "$(ls out/solvers/good 2>/dev/null)" ]
+conform 0 slow 'ok +stopped after [123] of 4 answers'
+conform 0 scalar 'ok +force at pull-off: within'
+conform 0 noise 'ok +force at pull-off: within'
+
+# Planted factors: each is named in one line.
+conform 1 sign 'wrong +force at pull-off: the expected value times -1 \(a wrong sign\)'
+conform 1 pi 'wrong +force at pull-off: the expected value times pi in'
+conform 1 half 'wrong +force at pull-off: the expected value times 1/2 in'
+conform 1 four_thirds 'wrong +force at pull-off: the expected value times 4/3 in'
+conform 1 radius 'wrong +force at pull-off: the expected value times R in'
+conform 1 pi_radius 'wrong +force at pull-off: the expected value times pi R in'
+conform 1 random 'wrong +force at pull-off: no common factor; worst for tabor 3'
+conform 1 approach_sign 'wrong +approach at pull-off: the expected value times -1 \(a wrong sign\)' 'ok +force at pull-off'
+conform 1 shifted 'wrong +approach at pull-off: the expected value -1 eps' 'ok +force at pull-off'
+check 'one line names the fault' [ "$(grep -c '^wrong' "$work/stdout")" -eq 1 ]
+
+# Wrong answers: the point gets a status, the others are judged.
+conform 1 nothing 'wrong +Bradley, .*: no_answer: the solver ended without an answer' \
+  'wrong +between, tabor 0.8, radius 50: no_answer'
+conform 1 skip 'ok +Bradley' 'wrong +JKR, .*: no_answer' 'ok +between'
+conform 1 half_line 'ok +Bradley' 'wrong +JKR, .*: invalid: a line is not JSON' 'ok +between'
+conform 1 wrong_type 'wrong +JKR, .*: invalid: pull_off.force is a text: expected a number' 'ok +between'
+conform 1 list 'wrong +JKR, .*: invalid: a line is an array: expected an object' 'ok +between'
+conform 1 no_status 'wrong +JKR, .*: invalid: status is missing: expected ok, unsupported or failed'
+conform 1 nan "wrong +JKR, .*: invalid: a line is not JSON: .*near 'NaN'" 'ok +between'
+conform 1 null 'wrong +JKR, .*: invalid: pull_off.force is missing or not a finite number'
+conform 1 lacking 'wrong +JKR, .*: invalid: pull_off.approach is missing'
+conform 1 stranger 'wrong +JKR, .*: invalid: an answer has the id 4711, which was not asked' 'ok +between'
+conform 1 twice 'ok +Bradley' 'wrong +JKR, .*: invalid: two answers for repeat 1: expected one' 'ok +between'
+conform 1 crash 'ok +Bradley' 'wrong +JKR, .*: crashed: the solver ended with exit status 3: a secret reason' 'ok +between'
+conform 1 abort 'wrong +JKR, .*: crashed: signal 11 .Segmentation fault. ended the solver' 'ok +between'
+conform 1 always_crash 'wrong +empty request' 'wrong +Bradley, .*: crashed' 'wrong +between, .*: no_answer: not asked any more'
+conform 1 link 'wrong +Bradley, .*: invalid: the response cannot be opened, or is a symbolic link'
+conform 1 shorter 'wrong +JKR, .*: invalid: the response became shorter' 'ok +between'
+conform 1 quick_clock 'wrong +seconds: 400 s are reported, but the process took'
+time_limit=20
+conform 1 gigabyte 'ok +Bradley' 'wrong +JKR, .*: (crashed: signal 25|invalid: a line of the response has more)' 'ok +between'
+conform 1 flood 'ok +Bradley' 'wrong +JKR, .*: (invalid: it printed more than 256 MB|crashed: signal 13)' 'ok +between'
+time_limit=1
+conform 1 hang 'ok +Bradley' 'wrong +JKR, .*: timed_out: no answer within 1 s; the solver was stopped' 'ok +between'
+conform 1 deaf 'wrong +JKR, .*: timed_out' 'ok +between' 'note +request and response are in'
+
+# Nothing that the solver has started lives on, not even in a session of its own.
+conform 1 spawn 'wrong +JKR, .*: timed_out' 'ok +between'
+check 'no child is left' [ -z "$(pgrep -f 'sleep 471[12]' || true)" ]
+
+# Of the environment the solver gets what it needs, and what its manifest names.
+SECRET=hidden
+NAMED=shown
+export SECRET NAMED
+more='environment: [NAMED, ABSENT]'
+conform 1 environment 'wrong +JKR, .*: crashed: the solver ended with exit status 5: HOME=.* LANG=C.UTF-8 .*NAMED=shown'
+check 'no secret of the environment is passed on' sh -c "! grep -q 'hidden' '$work/stdout'"
+more=
+
+# It writes in its own folder alone, where the kernel can see to that.
+echo precious >"$work/precious"
+TARGET=$work/precious
+export TARGET
+more='environment: [TARGET]'
+manifest outside "$more"
+"$program" conform outside.yaml --output out >"$work/stdout" 2>"$work/stderr"
+if grep -q 'cannot confine' "$work/stdout"; then
+  echo 'not tested: this kernel cannot confine the files of a process'
+else
+  check "outside: $(cat "$work/stdout")" grep -qE '^wrong +JKR, .*: crashed: .*PermissionError' "$work/stdout"
+  check 'a file elsewhere is unchanged' grep -qx precious "$work/precious"
+fi
+more=
+
+# Wrong manifests and a wrong command line.
+expect 2 'pulloff: conform needs one manifest (see pulloff conform --help)' conform
+expect 4 'pulloff: absent.yaml cannot be opened: *' conform absent.yaml
+refuse() { # MESSAGE SED-SCRIPT: a manifest that the script has changed is refused.
+  manifest good
+  sed "$2" good.yaml >changed.yaml
+  expect 2 "$1" conform changed.yaml --output out
+}
+refuse 'pulloff: changed.yaml:1: protocol is pulloff-ask/2: expected pulloff-ask/1' 's/ask.1/ask\/2/'
+refuse 'pulloff: changed.yaml:2: solver is ../x: expected letters*' 's/solver: good/solver: ..\/x/'
+refuse 'pulloff: changed.yaml:2: solver is pulloff: expected letters*' 's/solver: good/solver: pulloff/'
+refuse 'pulloff: changed.yaml:3: command\[1\] is no-such-program: expected a program in PATH*' 's/.usr.bin.python3/no-such-program/'
+refuse 'pulloff: changed.yaml:3: command\[1\] is /no/such: expected a program that can be executed' 's/.usr.bin.python3/\/no\/such/'
+refuse 'pulloff: changed.yaml:5: can.scene\[1\].key is tabour: expected a key of the scene' 's/key: tabor/key: tabour/'
+refuse 'pulloff: changed.yaml:5: can.scene\[1\].key is nodes: expected a key of the scene' 's/key: tabor/key: nodes/'
+refuse 'pulloff: changed.yaml:5: can.scene\[1\].to is 0: expected a finite number >= from' 's/key: tabor/key: tabor, from: 1, to: 0/'
+refuse 'pulloff: changed.yaml:6: can.quantities\[3\] is steps: expected a list of names*' 's/contact_radius\]/steps]/'
+refuse 'pulloff: changed.yaml:6: can.quantities\[3\] is folds: expected a quantity of stable*' 's/contact_radius\]/folds]/; s/: true/: false/'
+refuse 'pulloff: changed.yaml:7: can.unstable is maybe: expected true or false' 's/: true/: maybe/'
+refuse 'pulloff: changed.yaml:9: time_limit is 0: expected a finite number of seconds > 0' 's/^time_limit.*/time_limit: 0/'
+refuse 'pulloff: changed.yaml:3: colour is unknown: expected one of protocol, solver*' '3i colour: red'
+manifest good
+expect 2 'pulloff: --knob is 7: expected no such option, as the manifest has no knob' conform good.yaml --knob 7
+
+finish

@@ -1,0 +1,139 @@
+#!/usr/bin/python3
+"""A solver that behaves in a chosen way: responder.py MODE TABLE REQUEST RESPONSE
+
+It knows the pull-off of smooth spheres, from the reference table TABLE, and answers with these numbers in the mode
+`good`. The other modes are the mistakes that tests/cli/solver_*.sh expect the program to find.
+"""
+
+import csv
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+
+
+def read_table(path):
+    with open(path, encoding="utf-8") as stream:
+        rows = csv.DictReader(line for line in stream if not line.startswith("#"))
+        return {float(row["tabor"]): row for row in rows}
+
+
+FAULTS = {  # of the force
+    "sign": lambda force, scene: -force,
+    "pi": lambda force, scene: 3.14159265 * force,
+    "half": lambda force, scene: force / 2,
+    "four_thirds": lambda force, scene: 4 / 3 * force,
+    "radius": lambda force, scene: scene["radius"] * force,
+    "pi_radius": lambda force, scene: 3.14159265 * scene["radius"] * force,
+    "random": lambda force, scene: force * (1 + scene["tabor"]),
+}
+SHIFTS = {"approach_sign": lambda approach: -approach, "shifted": lambda approach: approach - 1}
+
+
+def answer(mode, table, point):
+    scene = point["scene"]
+    row = table.get(float(scene["tabor"]))
+    if row is None or set(scene) - {"tabor", "radius", "outer_radius"}:
+        return {"id": point["id"], "status": "unsupported", "reason": "only smooth spheres of the table"}
+    force, approach = float(row["force"]), float(row["approach"])
+    force = FAULTS.get(mode, lambda force, scene: force)(force, scene)
+    approach = SHIFTS.get(mode, lambda approach: approach)(approach)
+    radius = float(row["contact_radius_over_root_radius"]) * scene["radius"]**0.5
+    return {"id": point["id"], "repeat": 1, "status": "ok", "seconds": {"solve": 1e-3},
+            "pull_off": {"force": force, "approach": approach, "contact_radius": radius}}
+
+
+def write(stream, found):
+    stream.write(json.dumps(found) + "\n")
+    stream.flush()
+
+
+def spoil(mode, stream, k, found):
+    """Answers point number k (from 0) of the request as the mode says."""
+    if mode == "nothing" or (mode == "skip" and k == 1):
+        return
+    if mode == "half_line" and k == 1:
+        stream.write(json.dumps(found)[:40])
+        stream.flush()
+        sys.exit(0)
+    if mode == "wrong_type" and k == 1:
+        found["pull_off"]["force"] = "two"
+    if mode == "list" and k == 1:
+        found = [found]
+    if mode == "no_status" and k == 1:
+        del found["status"]
+    if mode == "nan" and k == 1:
+        found["pull_off"]["force"] = float("nan")
+    if mode == "null" and k == 1:
+        found["pull_off"]["force"] = None
+    if mode == "lacking" and k == 1:
+        del found["pull_off"]["approach"]
+    if mode == "scalar" and "pull_off" in found:
+        found["pull_off"]["force"] = [found["pull_off"]["force"]]
+    if mode == "stranger" and k == 1:
+        found["id"] = "4711"
+    if mode == "crash" and k == 1:
+        print("a secret reason", file=sys.stderr)
+        sys.exit(3)
+    if mode == "abort" and k == 1:
+        os.kill(os.getpid(), signal.SIGSEGV)
+    if mode == "hang" and k == 1:
+        time.sleep(1000)
+    if mode == "deaf" and k == 1:
+        signal.signal(signal.SIGTERM, signal.SIG_IGN)
+        time.sleep(1000)
+    if mode == "spawn" and k == 1:
+        # children that live on, one of them in a session of its own
+        subprocess.Popen(["sleep", "4711"])
+        subprocess.Popen(["sleep", "4712"], start_new_session=True, stdout=subprocess.DEVNULL)
+        time.sleep(1000)
+    if mode == "flood" and k == 1:
+        try:
+            while True:
+                sys.stdout.write("x" * 1000000)
+        except OSError:
+            sys.exit(0)
+    if mode == "gigabyte" and k == 1:
+        for _ in range(1000):
+            stream.write("x" * 1000000)
+    if mode == "outside" and k == 1:
+        with open(os.environ["TARGET"], "w", encoding="utf-8") as other:
+            other.write("changed\n")
+    if mode == "environment" and k == 1:
+        print(" ".join(f"{key}={value}" for key, value in sorted(os.environ.items())))
+        sys.exit(5)
+    if mode == "shorter" and k == 1:
+        time.sleep(0.2)
+        stream.truncate(0)
+        time.sleep(1000)
+    if mode == "noise":
+        print("converged in 7 iterations\n" * 1000)
+    if mode == "quick_clock" and "seconds" in found:
+        found["seconds"]["solve"] = 100.0
+    write(stream, found)
+    if mode == "twice" and k == 1:
+        write(stream, found)
+
+
+def main():
+    mode, table, request, response = sys.argv[1:5]
+    with open(request, encoding="utf-8") as stream:
+        asked = json.load(stream)
+    if mode == "link" and asked["points"]:
+        os.symlink("/etc/passwd", response)
+        time.sleep(1)
+        return
+    if mode == "always_crash":
+        sys.exit(1)
+    table = read_table(table)
+    with open(response, "a", encoding="utf-8") as stream:
+        for k, point in enumerate(asked["points"]):
+            for repeat in range(asked["repeats"]):
+                spoil(mode, stream, k, answer(mode, table, point) | {"repeat": repeat + 1})
+                if mode == "slow":
+                    time.sleep(0.3)
+
+
+main()
