@@ -1,6 +1,8 @@
 #include "po_question.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "po_input.h"
@@ -15,13 +17,27 @@ static bool is_asked(const po_request *request, int key) {
   return po_key_is_of_scene((po_key)key) && !po_key_is_idle(request, (po_key)key);
 }
 
+/* Prints the value of a key. The solver runs in another folder: it gets the absolute path of a
+ * table. */
+static void print_value(const po_request *request, po_key key, char text[PO_KEY_TEXT_LENGTH]) {
+  po_key_print(request, key, text);
+  char *real = key == PO_KEY_PROFILE_FILE ? realpath(text, NULL) : NULL;
+  if (real)
+    snprintf(text, PO_KEY_TEXT_LENGTH, "%s", real);
+  free(real);
+}
+
 /* Returned: the keys that describe the scene, as po_json_input writes them. */
 static json_t *scene_json(const po_request *request) {
   json_t *object = po_json_empty_object(), *input = po_json_input(request);
   for (int key = 0; key < PO_KEY_COUNT; ++key)
     if (is_asked(request, key)) {
       const char *name = po_key_name((po_key)key);
-      po_json_set(&object, name, json_incref(json_object_get(input, name)));
+      char path[PO_KEY_TEXT_LENGTH];
+      print_value(request, (po_key)key, path);
+      po_json_set(&object, name,
+                  key == PO_KEY_PROFILE_FILE ? po_json_text(path)
+                                             : json_incref(json_object_get(input, name)));
     }
   json_decref(input);
   return object;
@@ -51,7 +67,7 @@ static json_t *knob_json(const po_solver *solver) {
 static json_t *question_json(const po_solver *solver, const po_question *q) {
   const po_preload preload = po_request_preload(&q->request);
   return PO_JSON_OBJECT({"id", po_json_text(q->id)}, {"scene", scene_json(&q->request)},
-                        {"load_unit", po_json_text("pi w R")},
+                        {"load_unit", po_json_text(po_input_load_unit(&q->request))},
                         {"preload", PO_JSON_OBJECT({"approach", number_json(preload.approach)},
                                                    {"load", number_json(preload.load)})},
                         {"approach_start", po_json_number(q->request.approach_start)},
@@ -106,9 +122,9 @@ po_status po_questions_table(const po_solver *solver, const po_question *questio
     if (solver->knob)
       po_text_add(text, ",%s", solver->knob);
     for (int key = 0; key < PO_KEY_COUNT; ++key) {
-      char value[PO_NUMBER_LENGTH] = "-";
+      char value[PO_KEY_TEXT_LENGTH] = "-";
       if (used[key] && is_asked(&q->request, key))
-        po_key_print(&q->request, (po_key)key, value);
+        print_value(&q->request, (po_key)key, value);
       if (used[key])
         po_text_add(text, ",%s", value);
     }

@@ -365,12 +365,12 @@ bool po_solver_accepts(const po_solver *solver, const po_request *request,
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
     if (!po_key_is_of_scene((po_key)key) || po_key_is_idle(request, (po_key)key))
       continue;
-    char value[PO_NUMBER_LENGTH];
+    char value[PO_KEY_TEXT_LENGTH];
     const po_solver_key *item = find_key(solver, (po_key)key);
     if (item && accepts_value(item, request, (po_key)key))
       continue;
     po_key_print(request, (po_key)key, value);
-    snprintf(why, PO_SOLVER_WHY, "%s is %s: %s", po_key_name((po_key)key), value,
+    snprintf(why, PO_SOLVER_WHY, "%s is %.60s: %s", po_key_name((po_key)key), value,
              item ? "outside the values that the manifest declares"
                   : "the manifest does not declare this key");
     return false;
