@@ -2,18 +2,23 @@
 
 #include <math.h>
 
+#include "po_abel.h"
 #include "po_guduru.h"
-#include "po_guduru_path.h"
+#include "po_jkr_path.h"
+#include "po_jkr_profile.h"
 
 /* Margins of the bound. EXCESS: the adhesive part of Eq 5 is multiplied by 1 + EXCESS. WAVES: the
- * contact radius of a minimum may exceed that of the same minimum of Eq 5 by this fraction of a
- * wavelength. Of 1,000 random scenes (tests/estimates/preloads.py) 96 have a tensile minimum beyond
- * the default preload, and the bound held for all of them with EXCESS = 0. For smooth spheres of
- * small Tabor parameter the JKR theory is no bound (its pull-off force is 1.5 pi w R, that of a
- * rigid sphere 2 pi w R); there the smallest load of a search applies (po_stopping.c). */
+ * contact radius of a minimum may exceed that of the same minimum of Eq 5 by this fraction of the
+ * longest wavelength. Of 1,000 random scenes (tests/estimates/preloads.py) 96 have a tensile
+ * minimum beyond the default preload, and the bound held for all of them with EXCESS = 0. For
+ * smooth spheres of small Tabor parameter the JKR theory is no bound (its pull-off force is 1.5 pi
+ * w R, that of a rigid sphere 2 pi w R); there the smallest load of a search applies
+ * (po_stopping.c). */
 static const double EXCESS = 0.1, WAVES = 0.25;
 
 static double bound(const po_scene *scene, double load) {
+  if (!po_scene_is_of_paper(scene))
+    return po_jkr_profile_last_minimum(scene, load, EXCESS) + WAVES * po_abel_longest_wave(scene);
   if (!po_scene_is_of_paper(scene))
     return NAN;
   return po_guduru_last_minimum(scene, load, EXCESS) + WAVES * scene->wavelength;
@@ -27,12 +32,12 @@ static po_status require_paper(const po_scene *scene) {
 
 static po_status hysteresis(const po_scene *scene, po_preload preload, po_hysteresis *loops) {
   const po_status status = require_paper(scene);
-  return status ? status : po_guduru_hysteresis(scene, preload, loops);
+  return status ? status : po_jkr_hysteresis(scene, preload, loops);
 }
 
 static po_status staircases(const po_scene *scene, po_staircase staircase[2]) {
   const po_status status = require_paper(scene);
-  return status ? status : po_guduru_staircases(scene, staircase);
+  return status ? status : po_jkr_staircases(scene, staircase);
 }
 
 const po_companion PO_COMPANION_JKR = {bound, hysteresis, staircases};

@@ -1,5 +1,5 @@
-/* The JKR theory of the wavy sphere (Eq 5) as the companion of a solve: the closed form that is
- * evaluated beside the numerical solution. */
+/* The JKR theory (Eq 5, or that of any profile) as the companion of a solve: the closed form that
+ * is evaluated beside the numerical solution. */
 #ifndef PO_COMPANION_JKR_H
 #define PO_COMPANION_JKR_H
 

@@ -2,7 +2,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "po_guduru_path.h"
+#include "po_jkr_path.h"
+#include "po_jkr_profile.h"
 #include "po_observe.h"
 #include "run.h"
 
@@ -21,9 +22,11 @@ static double jkr_energy(double tabor, double a) {
  * under a load it comes together to the radius of no load, (9 pi/2)^(1/3), and parts at 3/2. */
 START_TEST(jkr_in_closed_form) {
   const double tabor = 2.385;
-  const po_scene scene = {tabor, 0.0, 0.0, 83.0, INFINITY};
+  po_scene scene = {tabor, 0.0, 0.0, 83.0, INFINITY};
+  if (_i) /* the same sphere as a power */
+    ck_assert(po_profile_set(&scene.profile, "power:0.0060240963855421684,2"));
   po_hysteresis h;
-  ck_assert_int_eq(po_guduru_hysteresis(&scene, PRESSED, &h), PO_OK);
+  ck_assert_int_eq(po_jkr_hysteresis(&scene, PRESSED, &h), PO_OK);
   const po_loop *d = &h.displacement, *l = &h.load;
   ck_assert_uint_eq(d->jump_count, 2);
   ck_assert_uint_eq(d->loading_jumps, 1);
@@ -42,6 +45,76 @@ START_TEST(jkr_in_closed_form) {
   ck_assert_double_eq_tol(l->jumps[1].before.load, -1.5, 1e-12);
   ck_assert(isnan(l->jumps[1].energy_lost) && isnan(l->energy_lost));
   po_hysteresis_clear(&h);
+}
+END_TEST
+
+/* The cone t r by JKR: at approach a it is g = (pi/2) t a. It jumps in at first touch to the radius
+ * of approach 0, parts at given approach where g' = sqrt(pi c/(2a)), and pulls off at given load
+ * under 54 c/(pi^2 t^3). */
+START_TEST(cone_in_closed_form) {
+  const double t = 0.3, coupling = 0.7, slope = M_PI_2 * t;
+  po_scene scene = po_scene_default();
+  scene.radius = 1.0;
+  scene.tabor = po_scene_tabor_of_coupling(coupling, 1.0);
+  ck_assert(po_profile_set(&scene.profile, "cone:0.3"));
+  po_hysteresis h;
+  ck_assert_int_eq(po_jkr_hysteresis(&scene, (po_preload){NAN, 40.0}, &h), PO_OK);
+  const po_loop *d = &h.displacement, *l = &h.load;
+  const double last = 0.5 * M_PI * coupling / (slope * slope);
+  ck_assert_uint_eq(d->jump_count, 2);
+  ck_assert_double_eq_tol(d->jumps[0].before.approach, 0.0, 1e-15);
+  ck_assert_double_eq_tol(d->jumps[0].after.contact_radius, 4.0 * last, 1e-3 * last);
+  ck_assert_double_eq_tol(d->jumps[1].before.contact_radius, last, 1e-10);
+  ck_assert_double_eq_tol(d->jumps[1].before.approach, -slope * last, 1e-10);
+  ck_assert_double_eq_tol(d->pull_off.load, -54.0 * coupling / (M_PI * M_PI * t * t * t), 1e-9);
+  ck_assert_double_eq_tol(d->work, d->energy_lost, 1e-6 * d->work);
+  ck_assert_double_eq_tol(l->jumps[1].before.load, d->pull_off.load, 1e-9);
+  po_hysteresis_clear(&h);
+}
+END_TEST
+
+/* A truncated sphere parts from its corner, at the radius of the flat, under either control. */
+START_TEST(truncated_sphere_parts_from_its_corner) {
+  po_scene scene = po_scene_default();
+  scene.radius = 1.0;
+  scene.tabor = po_scene_tabor_of_coupling(0.05, 1.0);
+  ck_assert(po_profile_set(&scene.profile, "truncated:5,20"));
+  po_hysteresis h;
+  ck_assert_int_eq(po_jkr_hysteresis(&scene, (po_preload){NAN, 40.0}, &h), PO_OK);
+  const po_contact corner = po_jkr_profile_at(&scene, 5.0);
+  const po_loop *d = &h.displacement, *l = &h.load;
+  ck_assert_uint_eq(d->jump_count, 2);
+  ck_assert_double_eq_tol(d->jumps[1].before.contact_radius, 5.0, 1e-12);
+  ck_assert_double_eq_tol(d->jumps[1].before.approach, corner.approach, 1e-12);
+  ck_assert_double_eq_tol(d->pull_off.load, corner.load, 1e-10);
+  ck_assert_double_eq_tol(l->jumps[1].before.load, corner.load, 1e-10);
+  ck_assert_double_eq_tol(d->work, d->energy_lost, 1e-6 * d->work);
+  po_hysteresis_clear(&h);
+}
+END_TEST
+
+/* Two waves: the greatest step of both staircases is the lowest minimum of the curve; with a second
+ * wave of no height the staircases are those of Eq 5. */
+START_TEST(staircases_of_two_waves) {
+  po_scene scene = po_scene_default();
+  scene.tabor = 5.0;
+  po_staircase one[2], two[2];
+  ck_assert(po_scene_set_waves(&scene, "4@20"));
+  ck_assert_int_eq(po_jkr_staircases(&scene, one), PO_OK);
+  ck_assert(po_scene_set_waves(&scene, _i ? "4@20;1e-13@6" : "4@20;0.1@6"));
+  ck_assert_int_eq(po_jkr_staircases(&scene, two), PO_OK);
+  po_contact least;
+  ck_assert_int_eq(po_jkr_profile_pull_off(&scene, PO_GIVEN_LOAD, &least), PO_OK);
+  for (int c = 0; c < 2; ++c) {
+    const po_step *greatest = po_staircase_greatest(&two[c]);
+    ck_assert_ptr_nonnull(greatest);
+    ck_assert_double_eq_tol(greatest->pull_off.load, least.load, 1e-9);
+    ck_assert_uint_gt(one[c].count, 1);
+    for (size_t k = 0; _i && k < one[c].count; ++k)
+      ck_assert_double_eq_tol(two[c].step[k].pull_off.load, one[c].step[k].pull_off.load, 1e-9);
+    po_staircase_clear(&one[c]);
+    po_staircase_clear(&two[c]);
+  }
 }
 END_TEST
 
@@ -104,7 +177,7 @@ START_TEST(loop_loses_what_its_jumps_do) {
   ck_assert_uint_eq(o.hysteresis.displacement.jump_count, LOOPS[_i].jumps);
   check_balance(&o.hysteresis.displacement, 1e-7);
   po_hysteresis h;
-  ck_assert_int_eq(po_guduru_hysteresis(&request.scene, po_request_preload(&request), &h), PO_OK);
+  ck_assert_int_eq(po_jkr_hysteresis(&request.scene, po_request_preload(&request), &h), PO_OK);
   check_balance(&h.displacement, 1e-8);
   /* as much as the pull-off of the whole curve, at most */
   ck_assert_double_le(-o.hysteresis.displacement.pull_off.load, o.pull_off.force + 1e-9);
@@ -152,7 +225,10 @@ START_TEST(a_preload_beyond_the_trace_is_refused) {
 END_TEST
 
 static void add(TCase *tests) {
-  tcase_add_test(tests, jkr_in_closed_form);
+  tcase_add_loop_test(tests, jkr_in_closed_form, 0, 2);
+  tcase_add_test(tests, cone_in_closed_form);
+  tcase_add_test(tests, truncated_sphere_parts_from_its_corner);
+  tcase_add_loop_test(tests, staircases_of_two_waves, 0, 2);
   tcase_add_test(tests, bradley_in_closed_form);
   tcase_add_loop_test(tests, loop_loses_what_its_jumps_do, 0, sizeof LOOPS / sizeof *LOOPS);
   tcase_add_test(tests, a_small_preload_measures_less);
