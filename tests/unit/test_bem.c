@@ -61,6 +61,25 @@ static double panel_deflection(const double *edge, size_t panels, size_t order, 
   return sum;
 }
 
+/* The load of t^(decay + k) on the panel from b to infinity is b^2/(decay + k - 2); weights are
+ * exact for k < order, whether the decay is a whole number or not. */
+START_TEST(weights_to_infinity_are_exact) {
+  static const double DECAYS[] = {6.0, 8.0, 5.182, 4.3, 2.7};
+  enum { ORDER = 12 };
+  const double begin = 2.385;
+  po_panel_rule rule;
+  ck_assert_int_eq(po_panel_rule_fill(ORDER, &rule), PO_OK);
+  double node[PO_PANEL_MAX_ORDER], weight[PO_PANEL_MAX_ORDER], length[PO_PANEL_MAX_ORDER];
+  po_panel_nodes(&rule, (po_panel_span){begin, INFINITY, DECAYS[_i]}, node, weight, length);
+  for (int k = 0; k < ORDER; ++k) {
+    double load = 0.0;
+    for (int j = 0; j < ORDER; ++j)
+      load += weight[j] * pow(begin / node[j], DECAYS[_i] + k);
+    ck_assert_double_eq_tol(load * (DECAYS[_i] + k - 2.0) / (begin * begin), 1.0, 1e-13);
+  }
+}
+END_TEST
+
 START_TEST(panels_give_the_deflection_of_a_gaussian_traction) {
   static const double EDGES[] = {0.0, 0.5, 1.3, 2.0, 2.8, 4.0, 6.5};
   const double r = RADII[_i];
@@ -272,6 +291,7 @@ START_TEST(weights_add_up_to_the_area_of_the_disc) { /* integral of r dr over th
 END_TEST
 
 static void add(TCase *tests) {
+  tcase_add_loop_test(tests, weights_to_infinity_are_exact, 0, 5);
   tcase_add_loop_test(tests, panels_give_the_deflection_of_a_gaussian_traction, 0, RADIUS_COUNT);
   tcase_add_loop_test(tests, panel_to_infinity_integrates_the_tail, 0, RADIUS_COUNT);
   tcase_add_test(tests, panel_weights_integrate_the_traction_to_the_load);

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdint.h>
 
+#include "po_law.h"
 #include "po_observe.h"
 #include "run.h"
 
@@ -211,7 +212,68 @@ START_TEST(pull_off_is_refined_without_another_trace) {
 }
 END_TEST
 
+/* The waves beyond the domain are averaged with an error of 7.5e-10 of the load, which no mesh
+ * shows. The force is that with a domain three times as large. */
+START_TEST(errors_include_the_far_field) {
+  po_request request = panels(0.38604, 1e-9);
+  request.scene.radius = 601.45;
+  request.scene.amplitude = 0.0832256;
+  request.scene.wavelength = 17.3339;
+  po_result o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  const double error = fabs(o.pull_off.force - 1.7930167752824);
+  ck_assert_double_gt(error, 5e-10);
+  ck_assert_double_le(error, o.pull_off.force_error);
+  ck_assert_double_le(o.pull_off.force_error, 3.0 * error);
+  ck_assert_double_le(fabs(o.pull_off.approach + 0.3292032459831), o.pull_off.approach_error);
+  po_result_clear(&o);
+}
+END_TEST
+
+/* On a cut surface the slope of the deflection is infinite at the end of the traction. The error of
+ * the last panel decreases by a factor 4 with each halving, at any tolerance of the Legendre
+ * coefficients. The values are the limits of four halvings. */
+START_TEST(errors_include_the_end_of_a_cut_surface) {
+  po_request request = panels(1.65906, 1e-8);
+  request.scene.radius = 52.4711;
+  request.scene.outer_radius = 22.569;
+  ck_assert(po_law_set(&request.scene.law, "mie:2.931,4.018"));
+  po_result o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_double_le(fabs(o.pull_off.force - 1.52085111088), o.pull_off.force_error);
+  ck_assert_double_le(fabs(o.folds[0].approach + 2.65733637916), o.folds[0].approach_error);
+  ck_assert_double_le(fabs(o.folds[0].load + 0.57717267330), o.folds[0].load_error);
+  po_result_clear(&o);
+}
+END_TEST
+
+/* The stated errors of a smooth sphere are near the true ones at every tolerance: the force and the
+ * approach of the pull-off, and the folds, at mu = 5. */
+START_TEST(errors_are_not_far_above_the_true_ones) {
+  static const double TOLERANCES[] = {1e-4, 1e-6};
+  static const double FOLD[] = {-4.2635824071153, -4.5208248857290, -4.5047625877670,
+                                -8.1897676562737};
+  const po_request request = panels(5.0, TOLERANCES[_i]);
+  po_result o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  const double force = fabs(o.pull_off.force - 1.52571846471487);
+  ck_assert_double_le(force, o.pull_off.force_error);
+  ck_assert_double_le(o.pull_off.force_error, 5.0 * force);
+  const double approach = fabs(o.pull_off.approach + 3.95939113589);
+  ck_assert_double_le(approach, o.pull_off.approach_error);
+  ck_assert_double_le(o.pull_off.approach_error, 5.0 * approach);
+  ck_assert_uint_eq(o.fold_count, 4);
+  for (size_t k = 0; k < 4; ++k)
+    ck_assert_double_le(fabs(o.folds[k].approach - FOLD[k]), o.folds[k].approach_error);
+  ck_assert_double_le(o.folds[0].approach_error, 5.0 * fabs(o.folds[0].approach - FOLD[0]));
+  po_result_clear(&o);
+}
+END_TEST
+
 static void add(TCase *tests) {
+  tcase_add_test(tests, errors_include_the_far_field);
+  tcase_add_test(tests, errors_include_the_end_of_a_cut_surface);
+  tcase_add_loop_test(tests, errors_are_not_far_above_the_true_ones, 0, 2);
   tcase_add_loop_test(tests, pull_off_is_refined_without_another_trace, 0, 2);
   tcase_add_loop_test(tests, no_spurious_folds_and_all_have_error_estimates, 0, 3);
   tcase_add_test(tests, pull_off_that_no_mesh_resolves_is_refused);
