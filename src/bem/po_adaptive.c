@@ -13,6 +13,7 @@ struct po_adaptive {
   po_panels panels, before;
   po_surface surface;
   double *spare;           /* memory for the influence matrix of the next mesh */
+  bool spare_is_before;    /* `spare` still holds the matrix of the mesh `before` */
   size_t room, spare_room; /* allocated sizes of the two matrices, in elements */
 };
 
@@ -181,7 +182,31 @@ static void find_reach(po_surface *s) {
   }
 }
 
+static void exchange_matrices(po_adaptive *a) {
+  double *const matrix = a->surface.influence;
+  const size_t room = a->room;
+  a->surface.influence = a->spare;
+  a->room = a->spare_room;
+  a->spare = matrix;
+  a->spare_room = room;
+}
+
+/* Returns to the mesh before, whose matrix is still there. */
+static void go_back(po_adaptive *a) {
+  const po_panels panels = a->panels;
+  a->panels = a->before;
+  a->before = panels;
+  place_nodes(a);
+  exchange_matrices(a);
+  find_reach(&a->surface);
+}
+
 po_status po_adaptive_mesh(po_adaptive *a, const po_panels *panels) {
+  if (a->spare_is_before && po_panels_equal(panels, &a->before)) {
+    go_back(a);
+    return PO_OK;
+  }
+  a->spare_is_before = false;
   a->spare = po_reserve_matrix(a->spare, &a->spare_room, nodes_of(a, panels), sizeof *a->spare);
   if (!a->spare)
     return PO_NO_MEMORY;
@@ -205,12 +230,8 @@ po_status po_adaptive_mesh(po_adaptive *a, const po_panels *panels) {
         count = 1;
       }
     }
-  double *const matrix = a->surface.influence;
-  const size_t room = a->room;
-  a->surface.influence = a->spare;
-  a->room = a->spare_room;
-  a->spare = matrix;
-  a->spare_room = room;
+  exchange_matrices(a);
+  a->spare_is_before = a->before.count > 0;
   find_reach(&a->surface);
   return PO_OK;
 }
@@ -222,6 +243,7 @@ void po_adaptive_resize(po_adaptive *a, double domain) {
     return;
   po_surface *s = &a->surface;
   a->domain = s->core_radius = domain;
+  a->spare_is_before = false;
   place_nodes(a);
   for (size_t j = 0; j < s->n * s->n; ++j)
     s->influence[j] *= factor;

@@ -171,8 +171,9 @@ static po_status solve_finer(po_corrector *c, const po_resolution *resolution,
   return status;
 }
 
-po_status po_refine(po_corrector *c, const po_resolution *resolution, const po_refinement *how,
-                    po_refined *r) {
+/* The errors, by one finer mesh; and by a second one if the first does not suffice. */
+static po_status estimate(po_corrector *c, const po_resolution *resolution,
+                          const po_refinement *how, po_refined *r) {
   place_at_root(how, r);
   po_refined finer = *r;
   po_status status = solve_finer(c, resolution, how, r, how->spare[0], finer.value);
@@ -184,4 +185,14 @@ po_status po_refine(po_corrector *c, const po_resolution *resolution, const po_r
       finer.error[1] < r->error[1])
     *r = finer;
   return PO_OK;
+}
+
+po_status po_refine(po_corrector *c, const po_resolution *resolution, const po_refinement *how,
+                    po_refined *r) {
+  const po_panels panels = *po_adaptive_panels(c->adaptive);
+  const po_status status = estimate(c, resolution, how, r);
+  const po_status trouble = c->trouble;
+  po_corrector_mesh(c, &panels); /* the matrix of the mesh before a finer one is kept */
+  c->trouble = trouble;
+  return status;
 }

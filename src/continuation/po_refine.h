@@ -33,7 +33,7 @@ typedef struct {
  * several waves are split. If the error of the load exceeds how->enough, the finer solution
  * replaces the special point and is compared with one on a still finer mesh. Given: resolution,
  * that of the mesh of the special point; r->point, and its approach and load in r->value. Returned:
- * r. The current mesh is changed. Status: PO_NOT_CONVERGED, PO_OUT_OF_NODES. */
+ * r. The current mesh stays, without its factors. Status: PO_NOT_CONVERGED, PO_OUT_OF_NODES. */
 po_status po_refine(po_corrector *c, const po_resolution *resolution, const po_refinement *how,
                     po_refined *r);
 
