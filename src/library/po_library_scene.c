@@ -90,12 +90,13 @@ static int find_key(const char *name) {
   return -1;
 }
 
+/* Refuses a value. A file that cannot be used has its own message. */
 static po_status refuse(int key, const char *value) {
   char shown[PO_QUOTE_LENGTH];
-  return *po_message()
-             ? PO_BAD_INPUT
-             : po_fail(PO_BAD_INPUT, "%s is %s: expected %s", pulloff_key_name((size_t)key),
-                       po_quote(value, shown), pulloff_key_expected((size_t)key));
+  if (*po_message())
+    return key == PO_KEY_PROFILE_FILE ? PO_CANNOT_READ : PO_BAD_INPUT;
+  return po_fail(PO_BAD_INPUT, "%s is %s: expected %s", pulloff_key_name((size_t)key),
+                 po_quote(value, shown), pulloff_key_expected((size_t)key));
 }
 
 /* Sets a key that the table does not have; NULL: to its default. */
@@ -162,16 +163,20 @@ pulloff_status pulloff_scene_set_number(pulloff_scene *scene, const char *key, d
   return po_library_end(status, message);
 }
 
-/* Refuses keys that have no effect with the scheme or the law of the request. */
+/* Refuses keys that have no effect on the request, and two keys that set the same. */
 static po_status refuse_idle(const pulloff_scene *scene, const po_request *request) {
-  for (int key = 0; key < PO_KEY_COUNT; ++key)
-    if (scene->text[key] && (po_key_is_of_other_scheme(request, (po_key)key) ||
-                             isnan(po_key_number(request, (po_key)key))))
-      return po_fail(PO_BAD_INPUT,
-                     "%s has no effect on the scheme %s with the law %s: expected it "
-                     "to be unset",
-                     po_key_name((po_key)key), po_scheme_name(request->mesh.scheme),
-                     po_law_name(&request->scene.law));
+  for (int k = 0; k < PO_KEY_END; ++k) {
+    const po_key key = (po_key)k, target = po_key_target(key);
+    if (!scene->text[k])
+      continue;
+    if (target != key && scene->text[target])
+      return po_fail(PO_BAD_INPUT, "both %s and %s are set: expected only one of the two",
+                     po_key_name(key), po_key_name(target));
+    if (k < PO_KEY_COUNT &&
+        (po_key_is_of_other_scheme(request, key) || isnan(po_key_number(request, key))))
+      return po_fail(PO_BAD_INPUT, "%s has no effect on this scene: expected it to be unset",
+                     po_key_name(key));
+  }
   return PO_OK;
 }
 
@@ -198,7 +203,7 @@ static po_status get(const pulloff_scene *scene, int key, char *text, size_t siz
   const po_status status = key < 0 ? PO_BAD_INPUT : po_library_request(scene, -1, NULL, &request);
   if (status)
     return status;
-  char value[PO_NUMBER_LENGTH] = "auto";
+  char value[PO_KEY_TEXT_LENGTH] = "auto";
   if (key < PO_KEY_COUNT)
     po_key_print(&request, (po_key)key, value);
   else if (key < PO_KEY_END)

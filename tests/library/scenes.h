@@ -14,6 +14,8 @@ static const char *const SCENES[] = {
     "tabor 2 law mie:4,10 want curve",
     "tabor 1 approach_start 5 approach_end 6",
     "tabor 0.1 scheme ring nodes 61 outer_radius 50 want profile profile_approach -1",
+    "tabor 0.5 profile power:0.05,1.5 want curve",
+    "coupling 0.05 profile punch:10,20 preload_load 5 outer_radius 100",
     "tabor 1 amplitude_ratio 0.02 wavelength 30 preload_load 2 want hysteresis",
 };
 enum { SCENE_COUNT = sizeof SCENES / sizeof *SCENES };

@@ -64,6 +64,12 @@ START_TEST(values_are_set_and_unset) {
   pulloff_scene_destroy(scene);
   scene = copy;
   expect_value("amplitude", "2");
+  ck_assert_int_eq(pulloff_scene_set(scene, "amplitude_ratio", NULL, &message), PULLOFF_OK);
+  ck_assert_int_eq(pulloff_scene_set(scene, "wavelength", NULL, &message), PULLOFF_OK);
+  ck_assert_int_eq(set_words(scene, "waves 0.5@20;0.2@9 profile cone:0.2", &message), PULLOFF_OK);
+  expect_value("waves", "0.5@20;0.2@9");
+  expect_value("profile", "cone");
+  expect_value("cone_t", "0.2");
   char text[4] = "xyz";
   ck_assert_int_eq(pulloff_scene_get(scene, "law", text, sizeof text, &message), PULLOFF_OK);
   ck_assert_str_eq(text, "len");
@@ -93,6 +99,9 @@ START_TEST(wrong_values_are_refused) {
   ck_assert_int_eq(pulloff_scene_set_number(scene, "tabor", NAN, &message), PULLOFF_BAD_INPUT);
   ck_assert_str_eq(message.text, "tabor is nan: expected a finite number >= 0");
   expect_value("tabor", "1");
+  ck_assert_int_eq(pulloff_scene_set(scene, "profile_file", "nowhere.csv", &message),
+                   PULLOFF_CANNOT_READ);
+  ck_assert_ptr_nonnull(strstr(message.text, "nowhere.csv"));
 }
 END_TEST
 
@@ -101,12 +110,10 @@ START_TEST(wrong_scenes_are_refused) {
   const struct {
     const char *words, *message;
   } wrong[] = {
-      {"nodes 101",
-       "nodes has no effect on the scheme panel with the law lennard-jones: expected it "
-       "to be unset"},
-      {"mie_m 4",
-       "mie_m has no effect on the scheme panel with the law lennard-jones: expected it to "
-       "be unset"},
+      {"nodes 101", "nodes has no effect on this scene: expected it to be unset"},
+      {"mie_m 4", "mie_m has no effect on this scene: expected it to be unset"},
+      {"power_n 2", "power_n has no effect on this scene: expected it to be unset"},
+      {"tabor 1 coupling 0.1", "both coupling and tabor are set: expected only one of the two"},
       {"approach_start 3 approach_end 2",
        "approach_end is 2: expected more than approach_start, 3"},
   };
