@@ -105,7 +105,13 @@ pulloff_status pulloff_follow(const pulloff_scene *scene, const char *key, const
 /* Refuses an input outside the domain of a form. */
 static po_status check_form(const po_form *form, const pulloff_scene *scene,
                             const po_form_input *input) {
-  const bool waves = scene->text[PO_KEY_AMPLITUDE];
+  const bool waves = scene->text[PO_KEY_AMPLITUDE] || po_scene_is_wavy(&input->scene);
+  if (!po_scene_is_of_paper(&input->scene))
+    return po_fail(PO_BAD_INPUT,
+                   "theory %s is that of a sphere with one wave or none, not of the profile %s with "
+                   "%zu waves",
+                   form->name, po_profile_name(&input->scene.profile),
+                   po_scene_waves(&input->scene));
   if ((form->needs & (PO_NEEDS_WAVES | PO_NEEDS_AMPLITUDE)) && !waves)
     return po_fail(PO_BAD_INPUT, "theory %s needs the key amplitude", form->name);
   if ((form->needs & PO_NEEDS_ALPHA) && isnan(input->alpha))
@@ -145,7 +151,7 @@ static po_status evaluate(const char *name, const pulloff_scene *scene, double a
   if (status)
     return status;
   po_form_input input = {request.scene, alpha, at};
-  if (isnan(alpha) && scene->text[PO_KEY_AMPLITUDE])
+  if (isnan(alpha) && (scene->text[PO_KEY_AMPLITUDE] || po_scene_is_wavy(&request.scene)))
     input.alpha = po_scene_alpha(&request.scene);
   status = check_form(form, scene, &input);
   po_form_values values = {.count = 0};

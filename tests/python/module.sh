@@ -1,0 +1,27 @@
+#!/bin/sh
+# The installed Python module finds the installed library; pip installs the folder python/; the example runs.
+# Usage: module.sh BUILD
+# shellcheck disable=SC1091,SC2154
+. "$(dirname "$0")/../install/lib.sh"
+python=/usr/bin/python3
+module=$(dirname "$(dirname "$(find "$work/prefix" -path '*/pulloff/__init__.py')")")
+example=$work/prefix/share/doc/pulloff/doc/examples/tour.py
+
+check 'the module is installed' test -d "$module"
+check 'the example with the installed module' alone PYTHONPATH="$module" $python -W error -B "$example"
+cp output tour.txt
+check 'its numbers' grep -q '^pull-off force 2.651192. +- ' tour.txt
+check 'its figure is drawn' alone PYTHONPATH="$module" $python -B "$example" tour.svg
+check 'its figure' test -s tour.svg
+check 'the library is that of the installation' alone PYTHONPATH="$module" $python -B -c \
+  'import pulloff._library as l, sys; sys.exit(not l.candidates()[0].startswith(sys.argv[1]))' "$work/prefix"
+if $python -c 'import setuptools, wheel, pip' 2>/dev/null; then
+  cp -r "$source/python" package
+  check 'pip installs the folder' $python -m pip install --quiet --no-build-isolation --no-deps --no-index --target site ./package
+  folder=$(dirname "$(find "$work/prefix" -name libpulloff.so)")
+  check 'the example with the module of pip' alone PYTHONPATH="$work/site" LD_LIBRARY_PATH="$folder" $python -W error -B "$example"
+  check 'without a library' fails alone PYTHONPATH="$work/site" PULLOFF_LIBRARY=/nowhere $python -B -c 'import pulloff'
+  alone PYTHONPATH="$work/site" PULLOFF_LIBRARY=/nowhere $python -B -c 'import pulloff' >said.txt 2>&1
+  check 'says what to do' grep -q 'ImportError: the C library of pulloff cannot be loaded .* set PULLOFF_LIBRARY' said.txt
+fi
+finish

@@ -1,0 +1,180 @@
+#!/usr/bin/python3
+"""The Python module, beside the program: the same numbers to the last bit.
+
+Usage: test_pulloff.py PROGRAM. PULLOFF_LIBRARY and PYTHONPATH lead to the library and the module."""
+
+import json
+import math
+import pathlib
+import re
+import subprocess
+import sys
+import threading
+import unittest
+
+import numpy as np
+
+import pulloff
+
+PROGRAM = sys.argv.pop(1)
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+
+
+def program(*words):
+    said = subprocess.run([PROGRAM, *words, "--json"], capture_output=True, text=True, check=True)
+    return json.loads(said.stdout)
+
+
+def timeless(document):
+    """A document without the times, which differ from solve to solve."""
+    if isinstance(document, dict):
+        return {key: timeless(value) for key, value in document.items() if key != "seconds"}
+    return [timeless(item) for item in document] if isinstance(document, list) else document
+
+
+def column(document, name):
+    return np.array([math.nan if row[name] is None else row[name] for row in document])
+
+
+class SameNumbers(unittest.TestCase):
+    def test_documents(self):
+        for keys in ({"tabor": 1, "preload_load": 1},
+                     {"tabor": 2.5, "amplitude": 0.9, "wavelength": 21, "want": "curve,profile,hysteresis,preload"},
+                     {"tabor": 0.7, "scheme": "triangle", "nodes": 81, "outer_radius": 100, "want": "curve"},
+                     {"tabor": 1, "law": "mie:4,10", "preload": 0.5},
+                     {"tabor": 0.1 + 0.2, "want": "profile", "profile_approach": -1.25}):
+            words = [word for key, value in keys.items() for word in ("--" + key.replace("_", "-"), str(value))]
+            self.assertEqual(timeless(program("solve", *words)), timeless(pulloff.solve(**keys).document), keys)
+
+    def test_arrays(self):
+        result = pulloff.solve(tabor=3, amplitude=1, wavelength=20, outer_radius=100, want=["curve", "profile"])
+        shown = program("solve", "--tabor", "3", "--amplitude", "1", "--wavelength", "20", "--outer-radius", "100", "--want",
+                        "curve,profile")
+        for name in ("curve", "profile", "folds", "extrema"):
+            array = getattr(result, name)
+            self.assertGreater(len(array), 1)
+            self.assertEqual(len(array), len(shown[name]))
+            for field in array.dtype.names:
+                key = "error_estimate" if field == "approach_error" else field.replace("_error", "_error_estimate")
+                np.testing.assert_array_equal(array[field], column(shown[name], key) if field != "kind"
+                                              else [row["kind"] for row in shown[name]])
+        self.assertEqual(result.pull_off.force, shown["pull_off"]["force"])
+        self.assertEqual(result.pull_off.force_error, shown["pull_off"]["error_estimate"])
+        self.assertEqual(result.pull_off.contact_radius, shown["pull_off"]["contact_radius"])
+        self.assertEqual(result["ended"], shown["ended"])
+        self.assertEqual(len(pulloff.solve(tabor=1).curve), 0)
+
+    def test_theory(self):
+        shown = program("theory", "guduru", "--tabor", "5", "--amplitude", "10", "--wavelength", "20",
+                        "--contact-radius", "12")
+        self.assertEqual(pulloff.theory("guduru", tabor=5, amplitude=10, wavelength=20, at=12),
+                         {key: value for key, value in shown.items() if key not in ("schema", "theory")})
+        self.assertEqual(pulloff.theory("bradley")["pull_off_force"], 2)
+        self.assertIsNone(pulloff.theory("crest", amplitude=0)["crest_radius"])
+
+    def test_series(self):
+        shown = program("follow", "--key", "tabor", "--from", "0.5", "--to", "2", "--points", "7", "--scale", "linear")
+        values = [point["input"]["tabor"] for point in shown["points"]]
+        results = pulloff.follow("tabor", values)
+        self.assertEqual([timeless(one.document)["pull_off"] for one in results],
+                         [point["pull_off"] for point in shown["points"]])
+        self.assertTrue(any(one["followed"] for one in results))
+
+    def test_si_units(self):
+        words = {"modulus": "2e9", "work": "0.05", "distance": "3e-10", "radius": "1e-7"}
+        shown = program("solve", "--from-physical", "--modulus-pa", "2e9", "--work-j-per-m2", "0.05", "--distance-m",
+                        "3e-10", "--radius-m", "1e-7", "--want", "profile")
+        scene = pulloff.Scene.physical(**{key: float(value) for key, value in words.items()}, want="profile")
+        result = scene.solve()
+        physical = shown.pop("physical")
+        self.assertEqual(timeless(shown), timeless(result.document))
+        self.assertEqual(result.units, scene.units)
+        self.assertEqual(result.pull_off.force * result.units.force, physical["pull_off"]["force_n"])
+        self.assertEqual(scene.units.length, physical["units"]["length_m"])
+        self.assertEqual(scene.units.traction, physical["units"]["traction_pa"])
+
+
+class Scenes(unittest.TestCase):
+    def test_keys(self):
+        self.assertEqual(set(pulloff.keys()) & {"tabor", "law", "amplitude_ratio", "want", "profile_approach"},
+                         {"tabor", "law", "amplitude_ratio", "want", "profile_approach"})
+        self.assertEqual(pulloff.keys()["tabor"], "a finite number >= 0")
+        scene = pulloff.Scene(tabor=np.float64(2), nodes=np.int64(101), scheme="ring", outer_radius=math.inf)
+        self.assertEqual([scene[key] for key in ("tabor", "nodes", "scheme", "outer_radius", "law")],
+                         ["2", "101", "ring", "inf", "lennard-jones"])
+        other = scene.copy()
+        del scene["tabor"]
+        scene["nodes"] = None
+        self.assertEqual((scene["tabor"], scene["nodes"], other["tabor"], other["nodes"]), ("1", "501", "2", "101"))
+        scene.solve(scheme="panel", want="curve")
+        self.assertEqual((scene["scheme"], scene["want"]), ("ring", ""))
+
+    def test_wrong_values(self):
+        for wrong, words in (({"tabor": -1}, "tabor is -1: expected a finite number >= 0"),
+                             ({"tabor": math.nan}, "tabor is nan: expected a finite number >= 0"),
+                             ({"nodes": 3.5}, "nodes is 3.5: expected a whole number > 0"),
+                             ({"taber": 1}, "unknown key taber of a scene: .*"),
+                             ({"want": "all"}, "want is all: expected any of curve, .*"),
+                             ({"nodes": 101}, "nodes has no effect on this scene: .*")):
+            with self.assertRaises(pulloff.Error) as caught:
+                pulloff.solve(**wrong)
+            self.assertTrue(re.fullmatch(words, str(caught.exception)), str(caught.exception))
+            self.assertLess(caught.exception.status, 0)
+        with self.assertRaises(pulloff.Error):
+            pulloff.theory("nobody")
+        with self.assertRaises(pulloff.Error):
+            pulloff.follow("tabor", [])
+
+    def test_a_solve_that_ends_early(self):
+        with self.assertRaises(pulloff.SolveError) as caught:
+            pulloff.solve(tabor=5, amplitude=2, wavelength=9, preload_load=1, time_limit=1e-6)
+        self.assertEqual(caught.exception.result.status, "out_of_time")
+        self.assertIn(caught.exception.result.reason, str(caught.exception))
+
+    def test_threads(self):
+        tabor = [0.5, 1, 1.5, 2, 2.5, 3]
+        single = [pulloff.solve(tabor=value, preload_load=1).pull_off for value in tabor]
+        found = [None] * len(tabor)
+
+        def work(k):
+            found[k] = pulloff.solve(tabor=tabor[k], preload_load=1).pull_off
+
+        threads = [threading.Thread(target=work, args=(k,)) for k in range(len(tabor))]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(found, single)
+
+    def test_an_interrupt_ends_a_solve(self):
+        source = ("import os, pulloff, signal, threading, time\n"
+                  "threading.Timer(0.7, os.kill, (os.getpid(), signal.SIGINT)).start()\n"
+                  "begin = time.monotonic()\n"
+                  "try:\n"
+                  "    pulloff.solve(tabor=8, amplitude=8, wavelength=16, preload='inf', tolerance=1e-9)\n"
+                  "except KeyboardInterrupt:\n"
+                  "    print('interrupted')\n")
+        said = subprocess.run([sys.executable, "-c", source], capture_output=True, text=True, timeout=60, check=False)
+        self.assertEqual((said.stdout, said.stderr), ("interrupted\n", ""))
+
+
+class Texts(unittest.TestCase):
+    def test_versions(self):
+        project = (SOURCE / "python" / "pyproject.toml").read_text()
+        self.assertEqual(re.search(r'^version = "(.*)"', project, re.M)[1], pulloff.version())
+
+    def test_everything_is_documented(self):
+        for name in pulloff.__all__:
+            self.assertTrue(getattr(pulloff, name).__doc__, name)
+        for name in ("update", "copy", "physical", "solve"):
+            self.assertTrue(getattr(pulloff.Scene, name).__doc__, name)
+
+    def test_the_header_declares_these_functions(self):
+        from pulloff import _library
+        header = (SOURCE / "src" / "library" / "pulloff.h").read_text()
+        declared = set(re.findall(r"\bpulloff_(\w+)\(", header))
+        self.assertLessEqual(set(_library.FUNCTIONS), declared)
+
+
+if __name__ == "__main__":
+    unittest.main()
