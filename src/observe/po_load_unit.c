@@ -8,9 +8,12 @@ po_request po_load_unit_request(const po_request *request) {
   po_request r = *request;
   if (po_profile_is_sphere(&r.scene.profile) || po_scene_check(&r.scene))
     return r;
-  const double unit = po_scene_scales(&r.scene).load;
+  const double radius = po_profile_radius_of_sphere(&r.scene.profile);
+  const double unit = isnan(radius) ? po_scene_scales(&r.scene).load : radius / r.scene.radius;
   if (!(isfinite(unit) && unit > 0.0))
     return r;
+  if (!isnan(radius))
+    r.scene.profile = po_profile_sphere();
   r.scene.load_unit = unit;
   r.scene.radius *= unit;
   r.scene.tabor *= cbrt(unit);

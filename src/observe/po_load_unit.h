@@ -4,7 +4,8 @@
  * solved with a length of reference R' instead of its R, so that loads in pi w R' are as those of a
  * sphere in pi w R (po_scales.h); the coupling stays. The constants of the solver then mean the
  * same for every profile. The scene of the solve knows the ratio R'/R (po_scene.load_unit), by
- * which messages and results are converted back. Spheres are solved in their own unit. */
+ * which messages and results are converted back. Spheres are solved in their own unit, and a
+ * profile C r^2 as the sphere of radius 1/(2C). */
 #ifndef PO_LOAD_UNIT_H
 #define PO_LOAD_UNIT_H
 
