@@ -28,6 +28,10 @@ static const double TRIAL_STEP = 1e-5;
 /* Factors of the stated error of a special point: of the change on a finer mesh, and of the
  * precision of Newton's method. */
 static const double SAFETY = 3.0, FLOOR = 10.0;
+/* Part of the change of the other quantity of a fold, approach or load, that is added to the error
+ * of one: the change of one may be near zero by chance. In 235 scenes that was so for one fold of
+ * 742; the changes of approach and load are usually equal within a factor 50. */
+static const double OF_OTHER = 0.02;
 
 /* Splits panels until none spans more than TELLING_WAVES wavelengths. If that takes too many
  * panels, none is split. */
@@ -165,8 +169,11 @@ static po_status solve_finer(po_corrector *c, const po_resolution *resolution,
       status = c->trouble;
   }
   c->e->precision = precision;
-  for (int q = 0; q < 2 && !status; ++q)
+  for (int q = 0; q < 2 && !status; ++q) {
     r->error[q] = po_refine_error(PO_FINEST_PRECISION, value[q] - r->value[q], r->value[q]);
+    if (how->of == PO_OF_APPROACH)
+      r->error[q] += OF_OTHER * fabs(value[1 - q] - r->value[1 - q]);
+  }
   r->finer = status ? NULL : finer;
   return status;
 }
