@@ -1,0 +1,334 @@
+#include "po_maugis.h"
+
+#include <math.h>
+
+#include "po_abel.h"
+#include "po_abel_integral.h"
+#include "po_initial_gap.h"
+#include "po_root.h"
+
+/* A contact radius, and what is needed to find the end of the tension. */
+typedef struct {
+  const po_scene *scene;
+  double coupling, tension, a;
+  po_abel at; /* the transform at a */
+} ring;
+
+/* Lengths of a width d = c - a of the ring, without cancellation. */
+typedef struct {
+  double c, s, angle; /* s = sqrt(c^2 - a^2), angle = arccos(a/c) */
+} lengths;
+
+static lengths lengths_of(const ring *m, double width) {
+  const double s = sqrt(width * (2.0 * m->a + width));
+  return (lengths){m->a + width, s, atan2(s, m->a)};
+}
+
+static double less(double x, po_abel t, const void *data) {
+  (void)x;
+  return t.g - *(const double *)data;
+}
+
+/* The gap at the end of a ring of this width, less 1/tension. */
+static double excess_gap(double width, const void *data) {
+  const ring *m = data;
+  const lengths l = lengths_of(m, width);
+  const double profile = po_abel_integral_to_edge(m->scene, m->a, l.c, less, &m->at.g);
+  return M_2_PI * (profile + 2.0 * m->tension * m->coupling * (l.s * l.angle - width)) -
+         1.0 / m->tension;
+}
+
+static ring ring_of(const po_scene *scene, double tension, double a) {
+  return (ring){scene, po_scene_coupling(scene), tension, a, po_abel_at(scene, a)};
+}
+
+/* The width grows by this factor, and by no more than this part of a wave, until the gap is
+ * reached. */
+static const double WIDER = 1.5, PART_OF_WAVE = 0.125;
+/* Part of the range of a width at which its search begins; steps of the search. */
+static const double NARROW = 1e-6;
+enum { MOST_STEPS = 4000 };
+
+static double shortest_wave(const po_scene *scene) {
+  double length = INFINITY;
+  for (size_t k = 0; k < po_scene_waves(scene); ++k)
+    length = fmin(length, po_scene_wave(scene, k).length);
+  return length;
+}
+
+/* The width of the ring. Given: a guess > 0. Returned: NaN if none is found. */
+static double width_of(const ring *m, double guess) {
+  const double step = PART_OF_WAVE * shortest_wave(m->scene);
+  double low = guess, high = guess;
+  int k = 0;
+  while (!(excess_gap(low, m) < 0.0) && ++k < MOST_STEPS) {
+    high = low;
+    low /= WIDER;
+  }
+  while (!(excess_gap(high, m) >= 0.0) && ++k < MOST_STEPS) {
+    low = high;
+    high = fmin(WIDER * high, high + step);
+  }
+  return k < MOST_STEPS ? po_root(excess_gap, m, low, high) : NAN;
+}
+
+/* A width well below any: that of a rigid ring, or that of the JKR limit, pi/(8 q^2 k). */
+static double narrow_width(const ring *m) {
+  const double rigid = po_initial_gap_radius(m->scene, 1.0 / m->tension),
+               stiff = M_PI_4 / (2.0 * m->tension * m->tension * m->coupling);
+  return NARROW * fmin(rigid, stiff);
+}
+
+static po_contact contact_of(const ring *m, lengths l) {
+  const double q = m->tension, k = m->coupling;
+  return (po_contact){.load =
+                          (2.0 / k * m->at.press - 2.0 * q * (m->a * l.s + l.c * l.c * l.angle)) /
+                          (M_PI * m->scene->radius),
+                      .approach = m->at.g - 2.0 * q * k * l.s,
+                      .contact_radius = m->a};
+}
+
+static po_status check_input(const po_scene *scene, double tension, double a) {
+  if (!(scene->tabor > 0.0))
+    return po_fail(PO_BAD_INPUT, "tabor is %g: expected a number > 0 for Maugis-Dugdale",
+                   scene->tabor);
+  if (!(tension > 0.0 && isfinite(tension)))
+    return po_fail(PO_BAD_INPUT, "the tension is %g: expected a finite number > 0", tension);
+  return a >= 0.0 && isfinite(a)
+             ? PO_OK
+             : po_fail(PO_BAD_INPUT, "the contact radius is %g: expected a finite number >= 0", a);
+}
+
+/* The state at a contact radius. Given: a guess of the width, or NAN. */
+static po_status solve(const po_scene *scene, double tension, double a, double guess,
+                       po_maugis *state) {
+  const ring m = ring_of(scene, tension, a);
+  const double width = width_of(&m, guess > 0.0 ? guess : narrow_width(&m));
+  *state = (po_maugis){{NAN, NAN, NAN}, NAN};
+  if (!(width > 0.0))
+    return po_fail(PO_NOT_FOUND,
+                   "no radius outside the contact of radius %g has the gap %g at which the tension "
+                   "%g ends",
+                   a, 1.0 / tension, tension);
+  *state = (po_maugis){contact_of(&m, lengths_of(&m, width)), a + width};
+  return PO_OK;
+}
+
+double po_maugis_matched_tension(const po_scene *scene) {
+  return -po_law_at(&scene->law, po_law_peak_gap(&scene->law)).traction;
+}
+
+po_status po_maugis_at(const po_scene *scene, double tension, double contact_radius,
+                       po_maugis *state) {
+  const po_status status = check_input(scene, tension, contact_radius);
+  return status ? status : solve(scene, tension, contact_radius, NAN, state);
+}
+
+static double rate_by_cosine(double x, po_abel t, const void *data) {
+  return t.rate * x / *(const double *)data;
+}
+
+/* By the implicit function of the gap: along the curve dc/da = -gap_a/gap_c. */
+double po_maugis_rate(const po_scene *scene, double tension, po_given given,
+                      const po_maugis *state) {
+  const double a = state->contact.contact_radius, c = state->end;
+  const ring m = ring_of(scene, tension, a);
+  const lengths l = lengths_of(&m, c - a);
+  const double pull = 2.0 * tension * m.coupling;
+  const double slope = po_abel_integral_to_edge(scene, a, c, rate_by_cosine, &c);
+  const double approach_a = m.at.rate + pull * a / l.s, approach_c = -pull * c / l.s;
+  const double gap_a = -l.angle * approach_a;
+  const double gap_c = slope + pull * (a / c + c * l.angle / l.s - 1.0);
+  const double end_rate = -gap_a / gap_c;
+  if (given == PO_GIVEN_APPROACH)
+    return approach_a + approach_c * end_rate;
+  const double load_a = 2.0 * a / m.coupling * (m.at.rate + pull * a / l.s),
+               load_c = -4.0 * tension * c * (a / l.s + l.angle);
+  return (load_a + load_c * end_rate) / (M_PI * scene->radius);
+}
+
+/* The search for the pull-off. */
+typedef struct {
+  const po_scene *scene;
+  double tension;
+  po_given given;
+  double width; /* a guess */
+} search;
+
+static double value_of(const search *s, const po_maugis *state) {
+  return s->given == PO_GIVEN_LOAD ? state->contact.load : state->contact.approach;
+}
+
+static double rate_at(double a, const void *data) {
+  const search *s = data;
+  po_maugis state;
+  if (solve(s->scene, s->tension, a, s->width, &state))
+    return NAN;
+  return po_maugis_rate(s->scene, s->tension, s->given, &state);
+}
+
+/* Steps of the contact radius relative to it, and to a wave; the first one relative to the width of
+ * a ring about the axis and to the radius up to which the JKR curve falls; the most steps. */
+static const double STEP = 0.1, FIRST = 1e-3;
+enum { MOST_RADII = 20000 };
+/* The part of the radius of a corner beside it at which the rate on its right is taken. */
+static const double BESIDE = 1e-12;
+
+/* Whether load and approach stay positive from here on: the profile alone, with the bounds of the
+ * waves, is more than the tension, whose part grows more slowly. */
+static bool is_beyond(const search *s, const po_maugis *state) {
+  const po_scene *scene = s->scene;
+  const double a = state->contact.contact_radius, end = po_profile_end(&scene->profile);
+  if (a < po_abel_longest_wave(scene) || a < 2.0 * po_profile_kink(&scene->profile) ||
+      (isfinite(end) && a < 2.0 * end))
+    return false;
+  const po_abel all = po_abel_at(scene, a), profile = po_abel_of_profile(scene, a);
+  if (s->given == PO_GIVEN_APPROACH)
+    return state->contact.approach - all.g + profile.g + po_abel_waves_least_g(scene, 0.0, a) > 0.0;
+  const double waves = po_abel_waves_least_press(scene, 0.0, a) + profile.press - all.press;
+  return state->contact.load + 2.0 * waves / (po_scene_coupling(scene) * M_PI * scene->radius) >
+         0.0;
+}
+
+static double next_radius(const search *s, double a) {
+  const double next = a + fmin(STEP * a, 0.5 * PART_OF_WAVE * shortest_wave(s->scene)),
+               kink = po_profile_kink(&s->scene->profile);
+  return a < kink && kink < next ? kink : next;
+}
+
+/* Takes the state at a if it is the lowest. */
+static po_status take(search *s, double a, po_maugis *least) {
+  po_maugis state;
+  const po_status status = solve(s->scene, s->tension, a, s->width, &state);
+  if (!status && (isnan(least->end) || value_of(s, &state) < value_of(s, least)))
+    *least = state;
+  return status;
+}
+
+/* The rate at a contact radius, on the right of a corner, and the guess of the width. */
+static po_status rate_beyond(search *s, double a, po_maugis *state, double *rate) {
+  const po_status status = solve(s->scene, s->tension, a, s->width, state);
+  if (!status) {
+    s->width = state->end - a;
+    *rate = po_maugis_rate(s->scene, s->tension, s->given, state);
+  }
+  return status;
+}
+
+po_status po_maugis_pull_off(const po_scene *scene, double tension, po_given given,
+                             po_maugis *state) {
+  search s = {scene, tension, given, NAN};
+  *state = (po_maugis){{NAN, NAN, NAN}, NAN};
+  po_status status = check_input(scene, tension, 0.0);
+  if (!status)
+    status = take(&s, 0.0, state);
+  double a = FIRST * fmin(state->end, po_jkr_profile_first(scene)), left = a, left_rate = 0.0;
+  for (int k = 0; k < MOST_RADII && !status; ++k) {
+    po_maugis here;
+    double rate;
+    status = rate_beyond(&s, a, &here, &rate);
+    if (status || is_beyond(&s, &here))
+      return status;
+    if (left_rate < 0.0 && rate >= 0.0)
+      status = take(&s, po_root(rate_at, &s, left, a), state);
+    left = a;
+    left_rate = rate;
+    if (!status &&
+        a == po_profile_kink(&scene->profile)) { /* a corner, and the rate on its right */
+      left = a * (1.0 + BESIDE);
+      status = rate_beyond(&s, left, &here, &left_rate);
+      if (!status && rate < 0.0 && left_rate >= 0.0)
+        status = take(&s, a, state);
+    }
+    a = next_radius(&s, a);
+  }
+  return status ? status
+                : po_fail(PO_TOO_MANY_POINTS,
+                          "the pull-off is not found within %d contact radii: expected fewer waves",
+                          MOST_RADII);
+}
+
+/* The part of the gap outside the contact that the tension makes at r, over 2 q k: the integral of
+ * sqrt(c^2 - x^2)/sqrt(r^2 - x^2) from a to the lesser of r and c. */
+typedef struct {
+  double r, c;
+} two_radii;
+
+static double from_tension(double x, po_abel t, const void *data) {
+  const two_radii *at = data;
+  (void)t;
+  return at->r < at->c ? sqrt((at->c - x) * (at->c + x))
+                       : (at->c - x) * (at->c + x) / sqrt((at->r - x) * (at->r + x));
+}
+
+static double gap_at(const ring *m, const lengths *l, double r) {
+  const two_radii at = {r, l->c};
+  const double profile = po_abel_integral_to_edge(m->scene, m->a, r, less, &m->at.g);
+  const double angle = atan2(sqrt((r - m->a) * (r + m->a)), m->a);
+  const double part = po_abel_integral_to_edge(m->scene, m->a, fmin(r, l->c), from_tension, &at);
+  return M_2_PI * (profile + 2.0 * m->tension * m->coupling * (l->s * angle - part));
+}
+
+static double from_rate(double x, po_abel t, const void *data) {
+  const double r = *(const double *)data;
+  return t.rate / sqrt((x - r) * (x + r));
+}
+
+/* The pressure at r inside the contact, w/eps. */
+static double pressure_at(const ring *m, const lengths *l, double r) {
+  const double profile = po_abel_integral(m->scene, r, m->a, from_rate, &r);
+  const double angle = atan2(l->s, sqrt((m->a - r) * (m->a + r)));
+  return profile / (M_PI * m->coupling) - M_2_PI * m->tension * angle;
+}
+
+/* Radii that are looked at, at most, and the rounding of what is found there. */
+enum { MOST_LOOKS = 20000 };
+static const double ROUNDING = 1e-6;
+
+static po_status refuse(const char *what, double value, double r) {
+  return po_fail(PO_BAD_INPUT,
+                 "Maugis-Dugdale needs a full disc of contact and a ring of tension around it, but "
+                 "%s is %g at radius %g: expected shallower waves, another contact radius or "
+                 "another tension",
+                 what, value, r);
+}
+
+static po_status check_radius(const ring *m, const lengths *l, double r) {
+  const double whole = 1.0 / m->tension;
+  if (r < m->a) {
+    const double pressure = pressure_at(m, l, r);
+    return pressure < -(1.0 + ROUNDING) * m->tension
+               ? refuse("the pressure in the contact", pressure, r)
+               : PO_OK;
+  }
+  const double gap = gap_at(m, l, r);
+  const bool is_right = r < l->c ? gap > -ROUNDING * whole && gap < (1.0 + ROUNDING) * whole
+                                 : gap > (1.0 - ROUNDING) * whole;
+  return is_right ? PO_OK : refuse(r < l->c ? "the gap of the ring" : "the gap outside", gap, r);
+}
+
+po_status po_maugis_check(const po_scene *scene, double tension, const po_maugis *state) {
+  const ring m = ring_of(scene, tension, state->contact.contact_radius);
+  const lengths l = lengths_of(&m, state->end - m.a);
+  if (!po_scene_is_wavy(scene) && po_abel_fall(scene) == 0.0)
+    return PO_OK;
+  /* Outside, the deflection is at least -greatest a/r, as in po_jkr_profile_check, less that of the
+   * tension, which attracts. */
+  double greatest = po_abel_of_profile(scene, l.c).g + po_abel_fall(scene) * l.c -
+                    po_abel_waves_least_g(scene, 0.0, l.c) - state->contact.approach +
+                    2.0 * tension * m.coupling * l.s;
+  for (size_t k = 0; k < po_scene_waves(scene); ++k)
+    greatest += 1.3 * M_PI_2 * po_scene_wave(scene, k).amplitude;
+  double r = fmin(FIRST * l.c, po_abel_detail(scene, l.c));
+  for (int k = 0; k < MOST_LOOKS; ++k) {
+    const double lowest = po_profile_gap_beyond(&scene->profile, scene->radius, r);
+    if (r > l.c && lowest - state->contact.approach - greatest * l.c / r > 1.0 / tension)
+      return PO_OK;
+    const po_status status = r == m.a ? PO_OK : check_radius(&m, &l, r);
+    if (status)
+      return status;
+    r += 2.0 * po_abel_detail(scene, r);
+  }
+  return po_fail(PO_TOO_MANY_POINTS,
+                 "the gap has more than %d points to look at: expected fewer waves", MOST_LOOKS);
+}

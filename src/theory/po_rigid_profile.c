@@ -1,0 +1,231 @@
+#include "po_rigid_profile.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+#include <math.h>
+
+#include "po_initial_gap.h"
+#include "po_law_kind.h"
+#include "po_profile_kind.h"
+#include "po_root.h"
+
+/* p is a sum of two terms, factor (1 + H)^-exponent or factor exp(-exponent H). */
+typedef struct {
+  double factor[2], exponent[2];
+  bool is_exponential;
+} law_terms;
+
+static bool terms_of(const po_law *law, law_terms *t) {
+  const po_law_kind *kind = law->kind ? law->kind : &PO_LENNARD_JONES;
+  if (kind == &PO_MORSE) {
+    const double a = law->parameter[PO_MORSE_A];
+    *t = (law_terms){{-2.0 * a, 2.0 * a}, {a, 2.0 * a}, true};
+    return true;
+  }
+  if (kind != &PO_MIE && kind != &PO_LENNARD_JONES)
+    return false;
+  const double m = kind == &PO_MIE ? law->parameter[PO_MIE_M] : 3.0,
+               n = kind == &PO_MIE ? law->parameter[PO_MIE_N] : 9.0;
+  const double k = (m - 1.0) * (n - 1.0) / (n - m);
+  *t = (law_terms){{-k, k}, {m, n}, false};
+  return true;
+}
+
+/* A profile without waves is flat up to a radius, and beyond it the area within the radius of gap h
+ * grows as the sum of 2 factor h^q/q: the load is pi flat^2 p(-D) plus 2 pi factor times the moment
+ * of each q. A power C r^n has q = 2/n and the factor C^-q/n. */
+typedef struct {
+  double flat, factor[2], q[2];
+} area_terms;
+
+static bool areas_of(const po_scene *scene, area_terms *t) {
+  const po_profile_kind *kind = scene->profile.kind ? scene->profile.kind : &PO_SPHERE;
+  const double *of = scene->profile.parameter;
+  *t = (area_terms){.q = {1.0, 0.5}};
+  if (kind == &PO_SPHERE) {
+    t->factor[0] = scene->radius;
+  } else if (kind == &PO_POWER) {
+    t->q[0] = 2.0 / of[PO_POWER_N];
+    t->factor[0] = pow(of[PO_POWER_C], -t->q[0]) / of[PO_POWER_N];
+  } else if (kind == &PO_CONE) {
+    t->q[0] = 2.0;
+    t->factor[0] = 1.0 / (of[PO_CONE_T] * of[PO_CONE_T]);
+  } else if (kind == &PO_TRUNCATED) {
+    t->flat = of[PO_TRUNCATED_B];
+    t->factor[0] = of[PO_TRUNCATED_R];
+  } else if (kind == &PO_PUNCH) { /* r = b + sqrt(2 R h) */
+    t->flat = of[PO_PUNCH_B];
+    t->factor[0] = of[PO_PUNCH_R];
+    t->factor[1] = t->flat * sqrt(0.5 * of[PO_PUNCH_R]);
+  } else {
+    return false;
+  }
+  return !po_scene_is_wavy(scene) && isinf(scene->outer_radius);
+}
+
+/* Adds factor times the moment, the integral of p(h - D) h^(q - 1) over h from 0: Beta functions of
+ * powers, Gamma functions of exponentials; and its derivative by D. */
+static void add_moment(const law_terms *law, double approach, double q, double factor, double *load,
+                       double *rate) {
+  for (int i = 0; i < 2; ++i) {
+    const double e = law->exponent[i], k = factor * law->factor[i] * tgamma(q), x = 1.0 - approach;
+    if (law->is_exponential) {
+      const double part = k * exp(e * approach) * pow(e, -q);
+      *load += part;
+      *rate += e * part;
+    } else {
+      const double part = k * tgamma(e - q) / tgamma(e) * pow(x, q - e);
+      *load += part;
+      *rate += (e - q) / x * part;
+    }
+  }
+}
+
+static bool closed_load(const po_scene *scene, double approach, double *load, double *rate) {
+  law_terms law;
+  area_terms area;
+  if (!terms_of(&scene->law, &law) || !areas_of(scene, &area))
+    return false;
+  const po_law_value flat = po_law_at(&scene->law, -approach);
+  *load = 0.5 * area.flat * area.flat * flat.traction;
+  *rate = -0.5 * area.flat * area.flat * flat.slope;
+  for (int j = 0; j < 2 && area.factor[j] > 0.0; ++j)
+    add_moment(&law, approach, area.q[j], area.factor[j], load, rate);
+  *load *= 2.0 / scene->radius;
+  *rate *= 2.0 / scene->radius;
+  return true;
+}
+
+typedef struct {
+  const po_scene *scene;
+  double approach, begin; /* begin: the radius beyond which the law is averaged over the waves */
+  bool slope;
+} integrand;
+
+static double near_axis(double r, void *data) {
+  const integrand *q = data;
+  const po_law_value p = po_law_at(&q->scene->law, po_initial_gap(q->scene, r) - q->approach);
+  return r * (q->slope ? -p.slope : p.traction);
+}
+
+/* r = begin/t */
+static double far_out(double t, void *data) {
+  const integrand *q = data;
+  const double r = q->begin / t, gap = po_initial_gap_mean(q->scene, r) - q->approach;
+  const po_law_value p = po_law_averaged(&q->scene->law, gap, po_initial_gap_amplitude(q->scene));
+  return (q->slope ? -p.slope : p.traction) * r * r / t;
+}
+
+/* Relative accuracy of a piece; absolute, relative to the area; intervals of its bisection; pieces.
+ */
+static const double PIECE_ACCURACY = 1e-12, SMALL = 1e-15;
+enum { INTERVALS = 200, MOST_PIECES = 50000 };
+/* The pieces end beyond this gap, or beyond the reach of a law without far field. */
+static const double FARTHEST_GAP = 10.0;
+
+static po_status add(double (*f)(double, void *), integrand *q, double from, double to, double area,
+                     gsl_integration_workspace *space, double *sum) {
+  gsl_function function = {f, q};
+  double part, error;
+  const int failed = gsl_integration_qag(&function, from, to, SMALL * area, PIECE_ACCURACY,
+                                         INTERVALS, GSL_INTEG_GAUSS21, space, &part, &error);
+  *sum += part;
+  return failed && failed != GSL_EROUND
+             ? po_fail(PO_NOT_CONVERGED, "the rigid load failed at approach %g: %s", q->approach,
+                       gsl_strerror(failed))
+             : PO_OK;
+}
+
+static po_status integrate(integrand *q, gsl_integration_workspace *space, double *sum) {
+  const po_scene *scene = q->scene;
+  const po_law *law = &scene->law;
+  const double first = po_initial_gap_radius(scene, po_law_size(law, -q->approach));
+  const bool has_far_field = isfinite(po_law_far_field(law).exponent);
+  const double gap = (has_far_field ? FARTHEST_GAP : po_law_reach(law)) + fmax(0.0, q->approach);
+  const double whole =
+      po_averaging_radius(scene, po_averaging_phase(scene, po_initial_gap_radius(scene, gap)));
+  q->begin = fmin(whole, scene->outer_radius);
+  *sum = 0.0;
+  double r = 0.0;
+  po_status status = PO_OK;
+  for (int k = 0; r < q->begin && !status; ++k) {
+    const double wave = po_scene_is_wavy(scene) ? 0.5 * po_initial_gap_detail(scene) : INFINITY;
+    double to = fmin(r + wave, fmin(q->begin, po_profile_next_joint(&scene->profile, r)));
+    to = fmin(to, fmax(first, 2.0 * r));
+    if (k == MOST_PIECES)
+      return po_fail(PO_TOO_MANY_POINTS,
+                     "the rigid load has more than %d pieces: expected fewer waves", MOST_PIECES);
+    status = add(near_axis, q, r, to, first * first, space, sum);
+    r = to;
+  }
+  return !status && has_far_field && isinf(scene->outer_radius)
+             ? add(far_out, q, 0.0, 1.0, first * first, space, sum)
+             : status;
+}
+
+po_status po_rigid_profile_quadrature(const po_scene *scene, double approach, double *load,
+                                      double *rate) {
+  gsl_integration_workspace *space = gsl_integration_workspace_alloc(INTERVALS);
+  if (!space)
+    return po_fail(PO_NO_MEMORY, "no memory for a quadrature");
+  integrand q = {.scene = scene, .approach = approach};
+  po_status status = integrate(&q, space, load);
+  q.slope = true;
+  if (!status)
+    status = integrate(&q, space, rate);
+  gsl_integration_workspace_free(space);
+  *load *= 2.0 / scene->radius;
+  *rate *= 2.0 / scene->radius;
+  return status;
+}
+
+po_status po_rigid_profile_load(const po_scene *scene, double approach, double *load,
+                                double *rate) {
+  *load = *rate = NAN;
+  if (!(approach < -po_law_closest(&scene->law)))
+    return po_fail(PO_BAD_INPUT, "the approach is %g: expected a number < %g", approach,
+                   -po_law_closest(&scene->law));
+  return closed_load(scene, approach, load, rate)
+             ? PO_OK
+             : po_rigid_profile_quadrature(scene, approach, load, rate);
+}
+
+static double rate_at(double approach, const void *data) {
+  double load, rate = NAN;
+  return po_rigid_profile_load(data, approach, &load, &rate) ? NAN : rate;
+}
+
+/* Approaches of the scan; the part of the range to the singularity of the law at which it ends,
+ * where even sharp crests repel; the part by which it begins farther out than the greatest tension.
+ */
+enum { SCAN_POINTS = 200 };
+static const double NEAREST = 1e-3, FARTHER = 1.01;
+
+po_status po_rigid_profile_pull_off(const po_scene *scene, po_rigid_pull_off *pull_off) {
+  const double closest = -po_law_closest(&scene->law),
+               begin = closest + FARTHER * po_law_peak_gap(&scene->law);
+  /* the distance from the closest approach, which falls by one factor */
+  const double factor = pow(NEAREST * closest / begin, 1.0 / SCAN_POINTS);
+  *pull_off = (po_rigid_pull_off){NAN, NAN};
+  double x = begin, left = 0.0, left_rate = NAN;
+  for (int k = 0; k <= SCAN_POINTS; ++k, x *= factor) {
+    const double right = closest - x;
+    double load, rate;
+    po_status status = po_rigid_profile_load(scene, right, &load, &rate);
+    if (status)
+      return status;
+    if (left_rate < 0.0 && rate >= 0.0) {
+      const double at = po_root(rate_at, scene, left, right);
+      status = po_rigid_profile_load(scene, at, &load, &left_rate);
+      if (status)
+        return status;
+      if (!(-load <= pull_off->force))
+        *pull_off = (po_rigid_pull_off){-load, at};
+    }
+    left = right;
+    left_rate = rate;
+  }
+  return isnan(pull_off->force)
+             ? po_fail(PO_NOT_FOUND, "the load of the rigid bodies has no minimum")
+             : PO_OK;
+}
