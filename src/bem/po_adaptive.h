@@ -1,5 +1,5 @@
 /* An elastic surface meshed with panels that can be remeshed: the panels are graded where the
- * traction needs it, and the blocks of the influence matrix between unchanged panels are kept. */
+ * traction needs it. */
 #ifndef PO_ADAPTIVE_H
 #define PO_ADAPTIVE_H
 
@@ -33,8 +33,7 @@ size_t po_adaptive_capacity(const po_adaptive *adaptive);
 po_status po_adaptive_panels_of(const po_adaptive *adaptive, size_t n, const double *node,
                                 po_panels *panels);
 
-/* Remeshes the surface. Status: PO_OUT_OF_NODES if there are too many panels, PO_NO_MEMORY; then
- * the surface is unchanged. */
+/* Remeshes the surface. Status: PO_NO_MEMORY; then the surface cannot be used. */
 po_status po_adaptive_mesh(po_adaptive *adaptive, const po_panels *panels);
 
 /* Changes the radius of the domain, eps; the panels keep their places relative to it. */

@@ -2,11 +2,13 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <gsl/gsl_math.h>
 
 #include "po_element.h"
 #include "po_initial_gap.h"
+#include "po_linear.h"
 #include "po_memory.h"
 #include "po_panel.h"
 #include "po_scales.h"
@@ -159,13 +161,43 @@ static po_surface *allocate_surface(size_t n, bool elastic) {
   return NULL;
 }
 
-double po_surface_largest(const po_surface *s, size_t j, size_t begin, size_t end) {
-  double largest = 0.0;
-  for (size_t i = begin; i < end; ++i) {
-    const double size = fabs(s->influence[i + s->n * j]);
-    largest = size > largest ? size : largest; /* a call of fmax costs ten times as much */
+/* Sets the largest modulus of each column. */
+static void find_reach(po_surface *s) {
+  for (size_t j = 0; j < s->n; ++j) {
+    double largest = 0.0;
+    for (size_t i = 0; i < s->n; ++i) {
+      const double size = fabs(s->influence[i + s->n * j]);
+      largest = size > largest ? size : largest; /* a call of fmax costs ten times as much */
+    }
+    s->reach[j] = largest;
   }
-  return largest;
+}
+
+void po_surface_apply(const po_surface *s, const double *x, double *y) {
+  if (!s->hierarchy) {
+    po_linear_apply(s->n, s->n, s->influence, s->n, x, y);
+    return;
+  }
+  po_hierarchy_apply(s->hierarchy, x, y);
+  for (size_t i = 0; i < s->n; ++i)
+    y[i] *= s->core_radius;
+}
+
+void po_surface_apply_transposed(const po_surface *s, const double *x, double *y) {
+  if (!s->hierarchy) {
+    po_linear_apply_transposed(s->n, s->n, s->influence, s->n, x, y);
+    return;
+  }
+  po_hierarchy_apply_transposed(s->hierarchy, x, y);
+  for (size_t i = 0; i < s->n; ++i)
+    y[i] *= s->core_radius;
+}
+
+void po_surface_fill_matrix(const po_surface *s, double *matrix) {
+  if (s->hierarchy)
+    po_hierarchy_fill_matrix(s->hierarchy, s->core_radius, matrix);
+  else
+    memcpy(matrix, s->influence, s->n * s->n * sizeof *matrix);
 }
 
 static po_status fill_influence(const surface_plan *p, const po_panel_rule *wave,
@@ -188,8 +220,7 @@ static po_status fill_influence(const surface_plan *p, const po_panel_rule *wave
       s->kernel_evaluations += po_panel_influence(tail, tail_panel(p), r, row + j * s->n, s->n);
   }
   po_triangle_destroy(triangle);
-  for (size_t j = 0; j < s->n; ++j)
-    s->reach[j] = po_surface_largest(s, j, 0, s->n);
+  find_reach(s);
   return PO_OK;
 }
 

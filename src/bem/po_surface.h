@@ -9,6 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "po_hierarchy.h"
 #include "po_scene.h"
 #include "po_status.h"
 
@@ -60,15 +61,20 @@ typedef struct {
   double *weight;     /* n: integral of p r dr = sum of weight * p */
   double *length;     /* n: integral of p dr = sum of length * p */
   double *influence;  /* n x n, column-major: deflection at node i per unit traction at node j; NULL
-                         for a rigid surface */
-  double *reach;      /* n: largest modulus in each column of the influence matrix; NULL for a rigid
-                         surface */
+                         for a rigid surface and for panels */
+  po_hierarchy *hierarchy; /* of panels: the same for a core of radius 1; NULL for others */
+  double *reach; /* n: largest modulus in each column of the influence matrix; NULL for a rigid
+                    surface */
   uint64_t kernel_evaluations;
 } po_surface;
 
-/* Returned: the largest modulus of the influence coefficients of node j at the nodes begin <= i <
- * end. */
-double po_surface_largest(const po_surface *surface, size_t j, size_t begin, size_t end);
+/* The deflection by tractions, y = G x, and the transpose, y = G^T x. Given: x, n. Returned: y, n.
+ */
+void po_surface_apply(const po_surface *surface, const double *x, double *y);
+void po_surface_apply_transposed(const po_surface *surface, const double *x, double *y);
+
+/* Fills a dense copy of the influence matrix. Returned: matrix, n x n, column-major. */
+void po_surface_fill_matrix(const po_surface *surface, double *matrix);
 
 /* Returned: the radius, eps, of the core, which the elements of the scheme mesh. On an unbounded
  * surface the bodies do not touch beyond the core while the approach is at most `deepest` (eps;

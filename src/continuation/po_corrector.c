@@ -10,10 +10,6 @@
 enum { MOST_RENEWALS = 2 };
 static const double NEAR = 0.1;
 
-/* Largest number of nodes in the factorised Jacobian. Nodes outside it cost only matrix-vector
- * products. */
-enum { MOST_ACTIVE = 1920 };
-
 po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive *adaptive) {
   *c = (po_corrector){.e = e,
                       .adaptive = adaptive,
@@ -23,7 +19,6 @@ po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive 
   if (adaptive) {
     c->domain = po_adaptive_domain(adaptive);
     c->capacity = po_adaptive_capacity(adaptive);
-    e->most_active = MOST_ACTIVE;
   }
   c->border = po_allocate(c->capacity + 1, sizeof *c->border);
   c->guess = po_allocate(c->capacity + 1, sizeof *c->guess);

@@ -18,6 +18,7 @@ enum { MOST_ROUNDS = 40 };
 
 /* Work space of a diagnosis. */
 typedef struct {
+  double *influence;                   /* n square */
   double *matrix, *border, *x, *scale; /* (n + 1) square; n + 1 each */
   int *pivots;
   long double *traction, *residual; /* n */
@@ -25,6 +26,7 @@ typedef struct {
 } room;
 
 static void room_free(room *r) {
+  free(r->influence);
   free(r->matrix);
   free(r->border);
   free(r->x);
@@ -35,8 +37,10 @@ static void room_free(room *r) {
   free(r->size);
 }
 
-static po_status room_allocate(room *r, size_t n) {
-  *r = (room){.matrix = po_reserve((n + 1) * (n + 1), sizeof *r->matrix),
+static po_status room_allocate(room *r, const po_equilibrium *e) {
+  const size_t n = e->n;
+  *r = (room){.influence = po_reserve(n * n, sizeof *r->influence),
+              .matrix = po_reserve((n + 1) * (n + 1), sizeof *r->matrix),
               .border = po_allocate(n + 1, sizeof *r->border),
               .x = po_allocate(n + 1, sizeof *r->x),
               .scale = po_allocate(n + 1, sizeof *r->scale),
@@ -44,9 +48,11 @@ static po_status room_allocate(room *r, size_t n) {
               .traction = po_allocate(n, sizeof *r->traction),
               .residual = po_allocate(n, sizeof *r->residual),
               .size = po_allocate(n, sizeof *r->size)};
-  const bool had = r->matrix && r->border && r->x && r->scale && r->pivots && r->traction &&
-                   r->residual && r->size;
-  if (!had)
+  const bool had = r->influence && r->matrix && r->border && r->x && r->scale && r->pivots &&
+                   r->traction && r->residual && r->size;
+  if (had)
+    po_surface_fill_matrix(e->surface, r->influence);
+  else
     room_free(r);
   return had ? PO_OK : PO_NO_MEMORY;
 }
@@ -79,7 +85,7 @@ static void fill_residual(const po_equilibrium *e, const double *state, room *r)
   }
   for (size_t j = 0; j < n; ++j)
     for (size_t i = 0; i < n; ++i) {
-      const long double term = e->surface->influence[i + n * j] * r->traction[j];
+      const long double term = r->influence[i + n * j] * r->traction[j];
       r->residual[i] += term;
       r->size[i] += (double)fabsl(term);
     }
@@ -87,11 +93,12 @@ static void fill_residual(const po_equilibrium *e, const double *state, room *r)
 
 /* The Jacobian of Eq 15 at given approach, n square, with equations and unknowns relative to
  * `scale`. Given: traction and slope evaluated. */
-static void fill_jacobian(const po_equilibrium *e, const double *scale, size_t stride, double *to) {
+static void fill_jacobian(const po_equilibrium *e, const room *r, size_t stride, double *to) {
+  const double *scale = r->scale;
   for (size_t j = 0; j < e->n; ++j) {
     const double factor = -e->coupling * e->slope[j] * scale[j];
     for (size_t i = 0; i < e->n; ++i)
-      to[i + stride * j] = factor * e->surface->influence[i + e->n * j] / scale[i];
+      to[i + stride * j] = factor * r->influence[i + e->n * j] / scale[i];
     to[j + stride * j] += 1.0;
   }
 }
@@ -99,7 +106,7 @@ static void fill_jacobian(const po_equilibrium *e, const double *scale, size_t s
 /* The scaled bordered Jacobian, n + 1 square. The border in r is not scaled. */
 static void fill_bordered(const po_equilibrium *e, room *r) {
   const size_t n = e->n, order = n + 1;
-  fill_jacobian(e, r->scale, order, r->matrix);
+  fill_jacobian(e, r, order, r->matrix);
   for (size_t i = 0; i < n; ++i) {
     r->matrix[i + order * n] = 1.0 / r->scale[i];
     r->matrix[n + order * i] = r->border[i] * r->scale[i];
@@ -153,7 +160,7 @@ po_status po_diagnosis_complete(po_equilibrium *e, size_t core, double *state) {
     state[i] = e->initial_gap[i] - state[n];
   for (int round = 0; round < MOST_ROUNDS && change > SETTLED && core < n; ++round) {
     po_equilibrium_evaluate(e, state);
-    po_linear_apply(n, n, e->surface->influence, n, e->traction, e->deflection);
+    po_surface_apply(e->surface, e->traction, e->deflection);
     change = 0.0;
     for (size_t i = core; i < n; ++i) {
       const double gap = e->initial_gap[i] - state[n] + e->coupling * e->deflection[i];
@@ -166,7 +173,7 @@ po_status po_diagnosis_complete(po_equilibrium *e, size_t core, double *state) {
 
 po_status po_diagnosis_make(po_equilibrium *e, const double *state, po_diagnosis *made) {
   room r;
-  po_status status = room_allocate(&r, e->n), singular;
+  po_status status = room_allocate(&r, e), singular;
   if (status)
     return status;
   *made = (po_diagnosis){.condition = NAN, .bordered_condition = NAN};
@@ -176,7 +183,7 @@ po_status po_diagnosis_make(po_equilibrium *e, const double *state, po_diagnosis
     made->residual = fmax(made->residual, (double)fabsl(r.residual[i]) / r.scale[i]);
     made->rounding = fmax(made->rounding, 0.5 * DBL_EPSILON * r.size[i] / r.scale[i]);
   }
-  fill_jacobian(e, r.scale, e->n, r.matrix);
+  fill_jacobian(e, &r, e->n, r.matrix);
   made->condition = factorize(&r, e->n, &singular); /* may be singular at a fold */
   status = find_border(e, state, &r);
   if (!status) {
@@ -205,19 +212,19 @@ static po_sensitivity sources_at(const po_equilibrium *e, size_t j, double defle
 po_status po_sensitivity_make(po_equilibrium *e, const double *state, po_sensitivity *made) {
   const size_t n = e->n;
   room r;
-  po_status status = room_allocate(&r, n);
+  po_status status = room_allocate(&r, e);
   if (status)
     return status;
   *made = (po_sensitivity){0};
   begin(e, state, &r);
   fill_residual(e, state, &r);
-  fill_jacobian(e, r.scale, n, r.matrix);
+  fill_jacobian(e, &r, n, r.matrix);
   factorize(&r, n, &status);
   for (size_t j = 0; j < n; ++j) /* gradient of the load with respect to H / scale */
     r.x[j] = 2.0 / e->radius * e->surface->weight[j] * e->slope[j] * r.scale[j];
   if (!status)
     po_linear_solve_transposed(n, r.matrix, n, r.pivots, r.x);
-  po_linear_apply(n, n, e->surface->influence, n, e->traction, e->deflection);
+  po_surface_apply(e->surface, e->traction, e->deflection);
   for (size_t j = 0; !status && j < n; ++j) {
     const double adjoint = r.x[j] / r.scale[j];
     const po_sensitivity s = sources_at(e, j, e->coupling * e->deflection[j]);

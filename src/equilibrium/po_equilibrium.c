@@ -1,6 +1,7 @@
 #include "po_equilibrium.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -44,8 +45,8 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
   e->scene = scene;
   e->surface = surface;
   e->neglect = NEGLECT;
-  e->most_active = SIZE_MAX;
   e->precision = PO_FINEST_PRECISION;
+  e->together = surface->hierarchy ? PO_TABLE_ORDER : 1;
   double **const vectors[] = {&e->initial_gap, &e->traction, &e->slope,   &e->deflection,
                               &e->border,      &e->right,    &e->scratch, &e->measure,
                               &e->column,      &e->row,      &e->change,  &e->response};
@@ -53,7 +54,10 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
   for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
     had = (*vectors[k] = po_allocate(capacity + 1, sizeof(double))) && had;
   e->index = po_allocate(capacity, sizeof *e->index);
-  had = po_factors_allocate(&e->factors, capacity + 1) && had;
+  if (surface->hierarchy)
+    had = !po_elimination_create(surface->hierarchy, &e->elimination) && had;
+  else
+    had = po_factors_allocate(&e->factors, capacity + 1) && had;
   had = po_secant_allocate(&e->secant, capacity + 1) && had;
   if (!had || !e->index) {
     po_equilibrium_destroy(e);
@@ -74,6 +78,7 @@ void po_equilibrium_destroy(po_equilibrium *e) {
     free(vectors[k]);
   po_secant_free(&e->secant);
   po_factors_free(&e->factors);
+  po_elimination_destroy(e->elimination);
   free(e->index);
   free(e);
 }
@@ -97,7 +102,7 @@ void po_equilibrium_evaluate(po_equilibrium *e, const double *state) {
 }
 
 void po_equilibrium_deflect(const po_equilibrium *e, const double *traction, double *deflection) {
-  po_linear_apply(e->n, e->n, e->surface->influence, e->n, traction, deflection);
+  po_surface_apply(e->surface, traction, deflection);
   for (size_t i = 0; i < e->n; ++i)
     deflection[i] *= e->coupling;
 }
@@ -145,14 +150,15 @@ double po_equilibrium_load_rate(const po_equilibrium *e, const double *change) {
   return 2.0 / e->radius * sum;
 }
 
-double po_equilibrium_feedback(const po_equilibrium *e) {
+/* The coefficients of the influence matrix are positive, apart from some of neighbouring panels
+ * that do not matter for a sum over a row. */
+double po_equilibrium_feedback(po_equilibrium *e) {
   double largest = 0.0;
-  for (size_t i = 0; i < e->n; ++i) {
-    double sum = 0.0;
-    for (size_t j = 0; j < e->n; ++j)
-      sum += fabs(e->surface->influence[i + e->n * j] * e->slope[j]);
-    largest = fmax(largest, sum);
-  }
+  for (size_t j = 0; j < e->n; ++j)
+    e->scratch[j] = fabs(e->slope[j]);
+  po_surface_apply(e->surface, e->scratch, e->right);
+  for (size_t i = 0; i < e->n; ++i)
+    largest = fmax(largest, e->right[i]);
   return e->coupling * largest;
 }
 
@@ -163,22 +169,30 @@ static int by_measure(const void *left, const void *right, void *data) {
   return a != b ? (a < b ? 1 : -1) : (i < j ? -1 : i > j); /* descending; equal measures by index */
 }
 
-/* Sorts the nodes by their measure, and chooses the active ones: all but the last whose measures
- * add up to `neglect`. */
-static void choose_active(po_equilibrium *e) {
-  for (size_t j = 0; j < e->n; ++j) {
-    e->index[j] = j;
-    e->measure[j] = e->coupling * fabs(e->slope[j]) * e->surface->reach[j];
-  }
-  qsort_r(e->index, e->n, sizeof *e->index, by_measure, e->measure);
+/* Sorts the first `count` entries of the index by their measure. Returned: how many there are
+ * without the last whose measures add up to `neglect`. */
+static size_t sort_active(po_equilibrium *e, size_t count) {
+  for (size_t k = 0; k < count; ++k)
+    e->index[k] = k;
+  qsort_r(e->index, count, sizeof *e->index, by_measure, e->measure);
   double left_out = 0.0;
-  e->active = e->n;
-  while (e->active > 0) {
-    left_out += e->measure[e->index[e->active - 1]];
+  for (; count > 0; --count) {
+    left_out += e->measure[e->index[count - 1]];
     if (!(left_out <= e->neglect))
       break;
-    --e->active;
   }
+  return count;
+}
+
+/* The measure of a node: the largest change of a gap by a change of its own. */
+static double measure_of(const po_equilibrium *e, size_t j) {
+  return e->coupling * fabs(e->slope[j]) * e->surface->reach[j];
+}
+
+static void choose_active(po_equilibrium *e) {
+  for (size_t j = 0; j < e->n; ++j)
+    e->measure[j] = measure_of(e, j);
+  e->active = sort_active(e, e->n);
 }
 
 /* The border as the last row of the matrix of the active nodes, active + 1 values. The gaps of the
@@ -195,7 +209,7 @@ static void fill_row(po_equilibrium *e, double *row) {
     e->scratch[e->index[b]] = e->border[e->index[b]];
     row[m] -= e->border[e->index[b]];
   }
-  po_linear_apply_transposed(e->n, e->n, e->surface->influence, e->n, e->scratch, e->right);
+  po_surface_apply_transposed(e->surface, e->scratch, e->right);
   for (size_t b = 0; b < m; ++b) {
     const size_t j = e->index[b];
     row[b] = e->border[j] + e->coupling * e->slope[j] * e->right[j];
@@ -226,9 +240,9 @@ static po_status assemble(po_equilibrium *e) {
   return PO_OK;
 }
 
-void po_equilibrium_change_border(po_equilibrium *e, const double *border) {
+/* Replaces the border of the factors. Returned: the determinant over that before. */
+static double change_row(po_equilibrium *e) {
   const size_t m = e->active;
-  memcpy(e->border, border, (e->n + 1) * sizeof *border);
   fill_row(e, e->change);
   memset(e->response, 0, m * sizeof *e->response);
   e->response[m] = 1.0;
@@ -239,7 +253,47 @@ void po_equilibrium_change_border(po_equilibrium *e, const double *border) {
     e->pivot += e->change[k] * e->response[k];
   }
   e->changed = true;
-  e->factorized = e->pivot > LEAST_PIVOT;
+  return e->pivot;
+}
+
+void po_equilibrium_change_border(po_equilibrium *e, const double *border) {
+  memcpy(e->border, border, (e->n + 1) * sizeof *border);
+  const double ratio =
+      e->elimination ? po_elimination_border(e->elimination, border) / e->pivot : change_row(e);
+  e->factorized = ratio > LEAST_PIVOT;
+}
+
+static po_status factorize_dense(po_equilibrium *e) {
+  choose_active(e);
+  po_status status = assemble(e);
+  if (!status)
+    status = po_factors_compute(&e->factors);
+  e->orientation = status ? 0 : po_factors_sign(&e->factors);
+  return status;
+}
+
+/* Panels whose measures add up to `neglect` are left out of the factors. */
+static po_status factorize_panels(po_equilibrium *e) {
+  const size_t panels = e->n / PO_TABLE_ORDER;
+  for (size_t k = 0; k < panels; ++k) {
+    e->measure[k] = 0.0;
+    for (size_t j = k * PO_TABLE_ORDER; j < (k + 1) * PO_TABLE_ORDER; ++j)
+      e->measure[k] += measure_of(e, j);
+  }
+  const size_t active = sort_active(e, panels);
+  e->active = active * PO_TABLE_ORDER;
+  memset(e->scratch, 0, e->n * sizeof *e->scratch);
+  const double factor = e->coupling * e->surface->core_radius;
+  for (size_t k = 0; k < active; ++k)
+    for (size_t j = e->index[k] * PO_TABLE_ORDER, i = 0; i < PO_TABLE_ORDER; ++i)
+      e->scratch[j + i] = factor * e->slope[j + i];
+  const po_status status = po_elimination_factorize(e->elimination, e->scratch);
+  if (status)
+    return status;
+  e->pivot = po_elimination_border(e->elimination, e->border);
+  e->orientation =
+      e->pivot < 0.0 ? -po_elimination_sign(e->elimination) : po_elimination_sign(e->elimination);
+  return e->pivot != 0.0 ? PO_OK : PO_SINGULAR;
 }
 
 po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const double *border) {
@@ -249,18 +303,35 @@ po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const
   po_secant_clear(&e->secant, e->n + 1);
   for (size_t j = 0; j < e->n; ++j)
     e->secant.scale[j] = po_law_size(&e->scene->law, state[j]);
-  choose_active(e);
-  e->factorized = false;
-  if (e->active > e->most_active)
-    return po_fail(PO_OUT_OF_NODES, "the contact needs more than %zu nodes", e->most_active);
-  po_status status = assemble(e);
-  if (!status)
-    status = po_factors_compute(&e->factors);
-  const size_t order = e->active + 1;
+  const po_status status = e->elimination ? factorize_panels(e) : factorize_dense(e);
   e->factorized = !status;
-  e->orientation = status ? 0 : po_factors_sign(&e->factors);
+  const size_t order = e->active + 1;
   ++e->work.factorizations;
   if (order > e->work.factorized_nodes)
     e->work.factorized_nodes = order;
   return status;
+}
+
+void po_equilibrium_precondition(po_equilibrium *e, const double *residual, double *change) {
+  const size_t n = e->n, m = e->active;
+  double *right = e->right;
+  if (e->elimination) {
+    memcpy(change, residual, (n + 1) * sizeof *change);
+    po_elimination_solve(e->elimination, change);
+    return;
+  }
+  for (size_t a = 0; a < m; ++a)
+    right[a] = residual[e->index[a]];
+  right[m] = residual[n];
+  po_factors_solve(&e->factors, right);
+  if (e->changed) {
+    const double excess = po_linear_dot(m + 1, e->change, right) / e->pivot;
+    for (size_t a = 0; a <= m; ++a)
+      right[a] -= excess * e->response[a];
+  }
+  for (size_t a = 0; a < m; ++a)
+    change[e->index[a]] = right[a];
+  change[n] = right[m];
+  for (size_t b = m; b < n; ++b)
+    change[e->index[b]] = residual[e->index[b]] - change[n];
 }

@@ -23,6 +23,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "po_elimination.h"
 #include "po_factors.h"
 #include "po_scene.h"
 #include "po_secant.h"
@@ -50,18 +51,21 @@ typedef struct {
   double *deflection;  /* n + 1: work: a deflection, or the residual of an iteration */
   double *border;      /* n + 1: the current border */
   size_t active;       /* number of active nodes, which are factorised */
-  size_t *index;       /* n: the active nodes first, then the others */
-  po_factors factors;  /* of the bordered Jacobian of the active nodes, active + 1 square */
-  double *column;      /* n + 1: one column of that matrix */
-  double *row;         /* active + 1: last row of the factorised matrix, its border */
-  bool changed;        /* the current border differs from that of the factors */
-  double *change;      /* active + 1: current border less that of the factors */
-  double *response;    /* active + 1: solution of the factorised system for the last unit vector */
-  double pivot;        /* 1 + change . response */
+  size_t together;     /* nodes that are active together: those of a panel, or 1 */
+  size_t
+      *index; /* n: the active nodes first, then the others; or the panels to which they belong */
+  po_elimination *elimination; /* of panels: the factors of the bordered Jacobian; NULL of rings and
+                                  triangles, which have: */
+  po_factors factors;          /* of the bordered Jacobian of the active nodes, active + 1 square */
+  double *column;              /* n + 1: one column of that matrix */
+  double *row;                 /* active + 1: last row of the factorised matrix, its border */
+  bool changed;                /* the current border differs from that of the factors */
+  double *change;              /* active + 1: current border less that of the factors */
+  double *response; /* active + 1: solution of the factorised system for the last unit vector */
+  double pivot;     /* 1 + change . response */
   double *right, *scratch; /* n + 1 */
   double *measure;         /* n: coupling * |slope| * reach, by which active nodes are chosen */
   double neglect;          /* largest sum of the measures of the nodes that are not active */
-  size_t most_active;      /* largest number of active nodes; SIZE_MAX: no limit */
   double precision;   /* change of a gap, relative to 1 + H, at which an iteration has converged:
                          PO_FINEST_PRECISION unless the owner sets another */
   double last_change; /* largest change of a gap, relative to 1 + H, in the last iteration of a
@@ -121,18 +125,23 @@ double po_equilibrium_energy(const po_equilibrium *e, const double *state);
 
 /* The largest row sum of coupling |G_ij| |dp/dH_j| at the state last evaluated. If it is below 1,
  * Eq 15 at given approach is a contraction near that state and the equilibrium there is unique. */
-double po_equilibrium_feedback(const po_equilibrium *e);
+double po_equilibrium_feedback(po_equilibrium *e);
 
 /* Factorises the bordered Jacobian of Eq 15 at a state and sets its orientation. The orientation is
  * constant along a branch as long as the border makes an acute angle with the tangent in the
  * direction of the trace. Given: state, and border, n + 1 each; the border is copied. Status:
- * PO_SINGULAR; PO_OUT_OF_NODES if more than most_active nodes are active; PO_NO_MEMORY. */
+ * PO_SINGULAR; PO_NO_MEMORY. */
 po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const double *border);
 
 /* Replaces the border of the present factors, by a rank-one correction of their last row (Sherman
  * and Morrison). Given: border, n + 1 (copied), at the state last evaluated. The factors are
  * discarded if the new border is nearly normal to the tangent at the state of the factorisation. */
 void po_equilibrium_change_border(po_equilibrium *e, const double *border);
+
+/* Solves for the change of a state from a residual with the present factors. The factors give the
+ * change at the active nodes and of the approach; the other nodes follow from their own equations.
+ * Given: residual, n + 1. Returned: change, n + 1. */
+void po_equilibrium_precondition(po_equilibrium *e, const double *residual, double *change);
 
 /* Solves Eq 15 with the condition border . (state - base) = distance by Newton's method with the
  * present factors. Every 1 + H stays positive. Given: state, n + 1, a prediction. Returned: state;

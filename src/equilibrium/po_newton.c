@@ -31,27 +31,6 @@ static double distance_of(const po_equilibrium *e, const double *state, const vo
   return sum;
 }
 
-/* Solves for the change of the state, n + 1, from the residual, n + 1. The factors give the change
- * at the active nodes and of the approach; the other nodes follow from their own equations. */
-static void precondition(po_equilibrium *e, const double *residual, double *change) {
-  const size_t n = e->n, m = e->active;
-  double *right = e->right;
-  for (size_t a = 0; a < m; ++a)
-    right[a] = residual[e->index[a]];
-  right[m] = residual[n];
-  po_factors_solve(&e->factors, right);
-  if (e->changed) {
-    const double excess = po_linear_dot(m + 1, e->change, right) / e->pivot;
-    for (size_t a = 0; a <= m; ++a)
-      right[a] -= excess * e->response[a];
-  }
-  for (size_t a = 0; a < m; ++a)
-    change[e->index[a]] = right[a];
-  change[n] = right[m];
-  for (size_t b = m; b < n; ++b)
-    change[e->index[b]] = residual[e->index[b]] - change[n];
-}
-
 /* A change below this part of a gap is one of its rounding, which matters if it is more than this,
  * eps. */
 static const double ROUNDING = 2.0 * DBL_EPSILON, LARGE_ROUNDING = 1e-9;
@@ -59,8 +38,9 @@ static const double ROUNDING = 2.0 * DBL_EPSILON, LARGE_ROUNDING = 1e-9;
 /* Sets changes of the gaps that are not factorised to 0 if they are rounding: far out on a steep
  * profile they exceed all other changes, which Broyden's updates would then not see. */
 static void drop_rounding(const po_equilibrium *e, const double *state, double *change) {
+  const size_t together = e->together;
   for (size_t b = e->active; b < e->n; ++b) {
-    const size_t j = e->index[b];
+    const size_t j = e->index[b / together] * together + b % together;
     const double rounding = ROUNDING * fabs(state[j]);
     if (rounding > LARGE_ROUNDING && fabs(change[j]) < rounding)
       change[j] = 0.0;
@@ -75,7 +55,7 @@ static double newton_step(po_equilibrium *e, double *state, const po_constraint 
   double *residual = e->deflection, *change = e->scratch;
   po_equilibrium_residual(e, state, residual);
   residual[n] = constraint->target - constraint->value(e, state, constraint->data);
-  precondition(e, residual, change);
+  po_equilibrium_precondition(e, residual, change);
   drop_rounding(e, state, change);
   po_secant_step(&e->secant, change);
   double largest = 0.0, closing = 0.0;
@@ -171,7 +151,7 @@ po_status po_equilibrium_tangent(po_equilibrium *e, double precision, double *ta
     po_equilibrium_deflect(e, change, residual);
     for (size_t i = 0; i < n; ++i)
       residual[i] -= tangent[n] + tangent[i];
-    precondition(e, residual, change);
+    po_equilibrium_precondition(e, residual, change);
     po_secant_step(&e->secant, change);
     double largest = 0.0, size = 0.0;
     for (size_t j = 0; j <= n; ++j) {

@@ -1,7 +1,8 @@
 /* LU factors of a dense matrix in single precision, for the solution of linear systems inside an
- * iteration. Single precision takes half the time of double precision; the iteration corrects the
- * effect of its rounding. On smooth spheres up to mu = 50 and wavy spheres up to mu = 10, at
- * tolerances down to 1e-10, no more iterations were needed than with double precision. */
+ * iteration (of rings and triangles). Single precision takes half the time of double precision; the
+ * iteration corrects the effect of its rounding. On smooth spheres up to mu = 50 and wavy spheres
+ * up to mu = 10, at tolerances down to 1e-10, no more iterations were needed than with double
+ * precision. */
 #ifndef PO_FACTORS_H
 #define PO_FACTORS_H
 

@@ -1,6 +1,7 @@
 /* The branch: folds, extrema, stability, stations, ends. No special point is missed. */
 #include <gsl/gsl_eigen.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "po_special_point.h"
@@ -131,17 +132,20 @@ END_TEST
  * unstable modes, which the trace counts from the turns of the curve instead. */
 static int unstable_modes_of(const po_equilibrium *e) {
   const size_t n = e->n;
+  double *influence = malloc(n * n * sizeof *influence);
+  po_surface_fill_matrix(e->surface, influence);
   gsl_matrix *m = gsl_matrix_alloc(n, n);
   gsl_vector_complex *values = gsl_vector_complex_alloc(n);
   gsl_eigen_nonsymm_workspace *space = gsl_eigen_nonsymm_alloc(n);
   for (size_t i = 0; i < n; ++i)
     for (size_t j = 0; j < n; ++j)
       gsl_matrix_set(m, i, j,
-                     (i == j) - e->coupling * e->surface->influence[i + n * j] * e->slope[j]);
+                     (i == j) - e->coupling * influence[i + n * j] * e->slope[j]);
   gsl_eigen_nonsymm(m, values, space);
   int below = 0;
   for (size_t i = 0; i < n; ++i)
     below += GSL_REAL(gsl_vector_complex_get(values, i)) < 0.0;
+  free(influence);
   gsl_matrix_free(m);
   gsl_vector_complex_free(values);
   gsl_eigen_nonsymm_free(space);

@@ -134,19 +134,6 @@ START_TEST(gaps_stay_above_the_singularity_of_the_law) { /* from a bad initial g
 }
 END_TEST
 
-START_TEST(factorisation_is_refused_above_its_limit_of_nodes) {
-  fixture f;
-  set_up(&f, 2.385, -5.3);
-  ck_assert_int_eq(po_equilibrium_factorize(f.e, f.state, f.border), PO_OK);
-  f.e->most_active = f.e->active;
-  ck_assert_int_eq(po_equilibrium_factorize(f.e, f.state, f.border), PO_OK);
-  f.e->most_active = f.e->active - 1;
-  ck_assert_int_eq(po_equilibrium_factorize(f.e, f.state, f.border), PO_OUT_OF_NODES);
-  ck_assert(!f.e->factorized);
-  tear_down(&f);
-}
-END_TEST
-
 /* Computes an equilibrium, its tangent, and the rates of the nodal arclength along the tangent. */
 static void solve(fixture *f, double *tangent, double *rate) {
   double base[NODES + 1];
@@ -233,7 +220,6 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, tangent_agrees_with_finite_differences, 0, TABOR_COUNT);
   tcase_add_test(tests, load_does_not_depend_on_nodes_left_out_of_the_jacobian);
   tcase_add_test(tests, gaps_stay_above_the_singularity_of_the_law);
-  tcase_add_test(tests, factorisation_is_refused_above_its_limit_of_nodes);
   tcase_add_loop_test(tests, changed_border_gives_the_tangent_of_new_factors, 0, TABOR_COUNT);
   tcase_add_test(tests, factors_are_discarded_if_the_border_reverses);
   tcase_add_loop_test(tests, arclength_derivatives_agree_with_finite_differences, 0, 2);

@@ -1,0 +1,146 @@
+#include "po_block.h"
+
+#include <math.h>
+
+/* Widths of vector registers for which a function is compiled; the one that fits the processor is
+ * chosen when the program is loaded. */
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__)
+#define FOR_ALL_WIDTHS __attribute__((target_clones("avx512f", "avx2", "default")))
+#else
+#define FOR_ALL_WIDTHS
+#endif
+/* Functions that are compiled for a constant number of rows. */
+#define FOR_CONSTANT_ROWS static inline __attribute__((always_inline))
+
+/* Values that are processed together, and the groups of them in a column. */
+enum { LANES = 4, MOST_GROUPS = 4 };
+typedef double lanes __attribute__((vector_size(LANES * sizeof(double)), aligned(8), may_alias));
+
+/* y += factor * A x, with 4 * groups rows. */
+FOR_CONSTANT_ROWS void apply(size_t groups, size_t columns, double factor, const double *a,
+                             const double *x, double *y) {
+  const lanes *from = (const lanes *)a;
+  lanes *to = (lanes *)y, sum[MOST_GROUPS];
+  for (size_t p = 0; p < groups; ++p)
+    sum[p] = to[p];
+  for (size_t j = 0; j < columns; ++j, from += groups)
+    for (size_t p = 0; p < groups; ++p)
+      sum[p] += from[p] * (factor * x[j]);
+  for (size_t p = 0; p < groups; ++p)
+    to[p] = sum[p];
+}
+
+FOR_CONSTANT_ROWS double dot(size_t groups, const lanes *a, const lanes *x) {
+  lanes sum = a[0] * x[0];
+  for (size_t p = 1; p < groups; ++p)
+    sum += a[p] * x[p];
+  return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
+FOR_CONSTANT_ROWS void apply_transposed(size_t groups, size_t columns, const double *a,
+                                        const double *x, double *y) {
+  const lanes *from = (const lanes *)a;
+  for (size_t j = 0; j < columns; ++j, from += groups)
+    y[j] += dot(groups, from, (const lanes *)x);
+}
+
+FOR_ALL_WIDTHS void po_block_apply(size_t rows, size_t columns, const double *a, const double *x,
+                                   double *y) {
+  if (rows == 12)
+    apply(3, columns, 1.0, a, x, y);
+  else
+    apply(4, columns, 1.0, a, x, y);
+}
+
+FOR_ALL_WIDTHS void po_block_apply_transposed(size_t rows, size_t columns, const double *a,
+                                              const double *x, double *y) {
+  if (rows == 12)
+    apply_transposed(3, columns, a, x, y);
+  else
+    apply_transposed(4, columns, a, x, y);
+}
+
+FOR_ALL_WIDTHS void po_block_apply_both(const double *block, const double *x, double *y,
+                                        const double *u, double *v) {
+  const lanes *b = (const lanes *)block, *from = (const lanes *)u;
+  lanes *to = (lanes *)y;
+  lanes y0 = to[0], y1 = to[1], y2 = to[2];
+  const lanes u0 = from[0], u1 = from[1], u2 = from[2];
+  for (int j = 0; j < PO_TABLE_ORDER; ++j, b += 3) {
+    const lanes b0 = b[0], b1 = b[1], b2 = b[2];
+    y0 += b0 * x[j];
+    y1 += b1 * x[j];
+    y2 += b2 * x[j];
+    const lanes sum = b0 * u0 + b1 * u1 + b2 * u2;
+    v[j] += (sum[0] + sum[1]) + (sum[2] + sum[3]);
+  }
+  to[0] = y0;
+  to[1] = y1;
+  to[2] = y2;
+}
+
+FOR_ALL_WIDTHS void po_block_multiply(size_t rows, size_t inner, size_t columns, double factor,
+                                      const double *a, const double *b, double *c) {
+  for (size_t j = 0; j < columns; ++j)
+    if (rows == 12)
+      apply(3, inner, factor, a, b + inner * j, c + rows * j);
+    else
+      apply(4, inner, factor, a, b + inner * j, c + rows * j);
+}
+
+FOR_CONSTANT_ROWS void exchange(size_t groups, lanes *a, lanes *b) {
+  for (size_t p = 0; p < groups; ++p) {
+    const lanes x = a[p];
+    a[p] = b[p];
+    b[p] = x;
+  }
+}
+
+/* Works on the columns as the rows of the transpose, whose inverse is the transpose of the inverse.
+ */
+FOR_CONSTANT_ROWS int invert(size_t groups, double *a) {
+  const size_t n = groups * LANES;
+  size_t from[MOST_GROUPS * LANES];
+  int sign = 1;
+  for (size_t k = 0; k < n; ++k) {
+    size_t best = k;
+    for (size_t i = k + 1; i < n; ++i)
+      if (fabs(a[k + n * i]) > fabs(a[k + n * best]))
+        best = i;
+    from[k] = best;
+    lanes *row = (lanes *)(a + n * k);
+    if (best != k) {
+      exchange(groups, row, (lanes *)(a + n * best));
+      sign = -sign;
+    }
+    const double pivot = a[k + n * k];
+    if (!(fabs(pivot) > 0.0))
+      return 0;
+    if (pivot < 0.0)
+      sign = -sign;
+    a[k + n * k] = 1.0;
+    for (size_t p = 0; p < groups; ++p)
+      row[p] *= 1.0 / pivot;
+    for (size_t i = 0; i < n; ++i) {
+      if (i == k)
+        continue;
+      lanes *other = (lanes *)(a + n * i);
+      const double factor = a[k + n * i];
+      a[k + n * i] = 0.0;
+      for (size_t p = 0; p < groups; ++p)
+        other[p] -= factor * row[p];
+    }
+  }
+  for (size_t k = n; k-- > 0;) /* the rows that were exchanged are columns of the inverse */
+    if (from[k] != k)
+      for (size_t i = 0; i < n; ++i) {
+        const double x = a[k + n * i];
+        a[k + n * i] = a[from[k] + n * i];
+        a[from[k] + n * i] = x;
+      }
+  return sign;
+}
+
+FOR_ALL_WIDTHS int po_block_invert(size_t n, double *a) {
+  return n == 12 ? invert(3, a) : invert(4, a);
+}

@@ -1,0 +1,33 @@
+/* Products of small matrices, column-major, with 12 or 16 rows. They are compiled for several
+ * widths of vector registers; the sums are the same, in the same order, for all of them. */
+#ifndef PO_BLOCK_H
+#define PO_BLOCK_H
+
+#include <stddef.h>
+
+#include "po_panel_table.h"
+
+/* Values of the influence block of two panels. */
+enum { PO_BLOCK_SIZE = PO_TABLE_ORDER * PO_TABLE_ORDER };
+
+/* y += A x. Given: rows, 12 or 16. */
+void po_block_apply(size_t rows, size_t columns, const double *a, const double *x, double *y);
+
+/* y += A^T x. */
+void po_block_apply_transposed(size_t rows, size_t columns, const double *a, const double *x,
+                               double *y);
+
+/* y += B x and v += B^T u, for the influence block of two panels. */
+void po_block_apply_both(const double *block, const double *x, double *y, const double *u,
+                         double *v);
+
+/* C += factor * A B. Given: rows of A and C, 12 or 16; the inner dimension; columns of B and C. */
+void po_block_multiply(size_t rows, size_t inner, size_t columns, double factor, const double *a,
+                       const double *b, double *c);
+
+/* Replaces a square matrix of order 12 or 16 by its inverse (Gauss and Jordan, with partial
+ * pivoting). Returned: the sign of its determinant; 0 if it is singular, and then the matrix is
+ * undefined. */
+int po_block_invert(size_t n, double *a);
+
+#endif

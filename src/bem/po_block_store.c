@@ -1,0 +1,81 @@
+#include "po_block_store.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_memory.h"
+
+/* Blocks of one allocation, and places of the first table. */
+enum { CHUNK_BLOCKS = 128, FIRST_PLACES = 1024 };
+
+/* Returned: the place of the key, or the empty place where it belongs. */
+static size_t place_of(const po_block_store *s, uint64_t key) {
+  static const uint64_t MIX = 0x9e3779b97f4a7c15U; /* 2^64 over the golden ratio (Knuth) */
+  size_t place = (size_t)((key * MIX) >> 20) & (s->room - 1);
+  while (s->key[place] != 0 && s->key[place] != key)
+    place = (place + 1) & (s->room - 1);
+  return place;
+}
+
+static int enlarge(po_block_store *s) {
+  po_block_store larger = *s;
+  larger.room = s->room ? 2 * s->room : FIRST_PLACES;
+  larger.key = po_allocate(larger.room, sizeof *larger.key);
+  larger.block = po_allocate(larger.room, sizeof *larger.block);
+  if (!larger.key || !larger.block) {
+    free(larger.key);
+    free(larger.block);
+    return 0;
+  }
+  for (size_t k = 0; k < s->room; ++k)
+    if (s->key[k] != 0) {
+      const size_t place = place_of(&larger, s->key[k]);
+      larger.key[place] = s->key[k];
+      larger.block[place] = s->block[k];
+    }
+  free(s->key);
+  free(s->block);
+  *s = larger;
+  return 1;
+}
+
+static double *new_block(po_block_store *s) {
+  const size_t within = s->count % CHUNK_BLOCKS;
+  if (within == 0) {
+    double **chunk = po_grow(s->chunk, s->chunks, &s->chunk_room, sizeof *chunk);
+    if (!chunk)
+      return NULL;
+    s->chunk = chunk;
+    s->chunk[s->chunks] = po_reserve((size_t)CHUNK_BLOCKS * PO_STORED_SIZE, sizeof(double));
+    if (!s->chunk[s->chunks])
+      return NULL;
+    ++s->chunks;
+  }
+  return s->chunk[s->chunks - 1] + within * PO_STORED_SIZE;
+}
+
+double *po_block_store_find(po_block_store *s, uint64_t key, int *is_new) {
+  *is_new = 0;
+  if (2 * s->count >= s->room && !enlarge(s))
+    return NULL;
+  const size_t place = place_of(s, key);
+  if (s->key[place] == key)
+    return s->block[place];
+  double *block = new_block(s);
+  if (!block)
+    return NULL;
+  ++s->count;
+  s->key[place] = key;
+  s->block[place] = block;
+  *is_new = 1;
+  return block;
+}
+
+void po_block_store_clear(po_block_store *s) {
+  for (size_t k = 0; k < s->chunks; ++k)
+    free(s->chunk[k]);
+  free(s->chunk);
+  free(s->key);
+  free(s->block);
+  *s = (po_block_store){0};
+}

@@ -1,0 +1,425 @@
+#include "po_hierarchy.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_block_store.h"
+#include "po_kernel.h"
+#include "po_memory.h"
+#include "po_skeleton.h"
+
+enum { N = PO_TABLE_ORDER };
+
+/* Gap between two cells, in lengths of a cell, from which the kernel is a polynomial on it. */
+static const double SEPARATION = 2.0;
+
+/* Blocks above which the store is cleared at a change of the mesh, if most are not of this mesh: 74
+ * MB. */
+enum { MOST_BLOCKS = 1 << 16 };
+
+/* Two cells, or panels, that interact: `block` maps the charges of `source` to `target`, its
+ * transpose those of `target` to `source`. */
+typedef struct {
+  uint32_t target, source;
+  const double *block;
+} interaction;
+
+typedef struct {
+  size_t count, room;
+  interaction *pair;
+} interactions;
+
+struct po_hierarchy {
+  const po_panel_table *table;
+  bool unbounded;
+  double decay;
+  double from_parent[2][PO_BLOCK_SIZE]; /* interpolation to the left and the right child */
+  po_block_store store;
+  po_panels panels;
+  size_t cells;
+  po_cell *cell;           /* 2 panels - 1 */
+  uint32_t *cell_of_panel; /* panels */
+  const double **own;      /* panels: the block of a panel itself */
+  const double **to_tail;  /* panels: the block that maps a panel to that to infinity */
+  const double **halves;   /* 2 panels - 1: between the skeletons of the halves of a cell */
+  double *weight;          /* nodes of the panels: weights on a domain of radius 1 */
+  double *charge, *field;  /* cells x 12: work */
+  size_t room;             /* panels for which there is memory */
+  interactions kernel;     /* between cells, through the kernel */
+  interactions product;    /* between panels, source to target only, with the traction */
+  po_status trouble;
+  uint64_t evaluations;
+};
+
+po_status po_hierarchy_create(const po_panel_table *table, bool unbounded, double decay,
+                              po_hierarchy **hierarchy) {
+  po_hierarchy *h = *hierarchy = po_allocate(1, sizeof *h);
+  if (!h)
+    return PO_NO_MEMORY;
+  h->table = table;
+  h->unbounded = unbounded;
+  h->decay = decay;
+  const po_panel_rule *rule = &table->rule;
+  for (int child = 0; child < 2; ++child)
+    for (size_t i = 0; i < N; ++i) {
+      double value[N];
+      po_lagrange(N, rule->node, rule->barycentric, 0.5 * (rule->node[i] + child), value);
+      for (size_t j = 0; j < N; ++j)
+        h->from_parent[child][i + N * j] = value[j];
+    }
+  return PO_OK;
+}
+
+static void free_mesh(po_hierarchy *h) {
+  free(h->cell);
+  free(h->cell_of_panel);
+  free(h->own);
+  free(h->to_tail);
+  free(h->halves);
+  free(h->weight);
+  free(h->charge);
+  free(h->field);
+}
+
+void po_hierarchy_destroy(po_hierarchy *h) {
+  if (!h)
+    return;
+  free_mesh(h);
+  free(h->kernel.pair);
+  free(h->product.pair);
+  po_block_store_clear(&h->store);
+  free(h);
+}
+
+static bool is_panel(const po_cell *cell) {
+  return cell->end - cell->panel == 1;
+}
+
+/* The length and the ends of a cell on a domain of radius 1. */
+static double size_of(const po_cell *cell) {
+  return po_panel_size(cell->place);
+}
+
+enum kind { KERNEL, PRODUCT, TAIL, HALVES };
+
+static uint64_t key_of(enum kind kind, po_panel a, po_panel b) {
+  const uint64_t one = (uint64_t)a.level << PO_DEEPEST_LEVEL | a.index;
+  const uint64_t two = (uint64_t)b.level << PO_DEEPEST_LEVEL | b.index;
+  return 1 | (uint64_t)kind << 1 | one << 3 | two << (8 + PO_DEEPEST_LEVEL);
+}
+
+static void place_nodes(const po_hierarchy *h, po_panel place, double *node) {
+  const double begin = po_panel_begin(place), size = po_panel_size(place);
+  for (size_t j = 0; j < N; ++j)
+    node[j] = begin + size * h->table->rule.node[j];
+}
+
+static void fill_kernel(po_hierarchy *h, po_panel target, po_panel source, double *block) {
+  double r[N], s[N];
+  place_nodes(h, target, r);
+  place_nodes(h, source, s);
+  for (size_t j = 0; j < N; ++j) /* symmetric: a row of the transpose is a column */
+    po_kernel_row(s[j], r, N, block + N * j);
+  h->evaluations += PO_BLOCK_SIZE;
+}
+
+static void fill_product(po_hierarchy *h, po_panel target, po_panel source, double *block) {
+  po_panel_block rows;
+  po_panel_table_block(h->table, target, source, rows);
+  for (size_t j = 0; j < N; ++j)
+    for (size_t i = 0; i < N; ++i)
+      block[i + N * j] = rows[i][j];
+  h->evaluations += PO_BLOCK_SIZE;
+}
+
+/* The kernel between the skeleton nodes of the halves of a cell. */
+static void fill_halves(po_hierarchy *h, po_panel cell, double *block) {
+  const double *x = po_skeleton_get()->node;
+  const double begin = po_panel_begin(cell), half = 0.5 * po_panel_size(cell);
+  double left[PO_SKELETON_NODES], right[PO_SKELETON_NODES];
+  for (size_t i = 0; i < PO_SKELETON_NODES; ++i) {
+    left[i] = begin + half * x[i];
+    right[i] = begin + half + half * x[i];
+  }
+  for (size_t j = 0; j < PO_SKELETON_NODES; ++j)
+    po_kernel_row(right[j], left, PO_SKELETON_NODES, block + PO_SKELETON_NODES * j);
+  h->evaluations += PO_SKELETON_SIZE;
+}
+
+/* The block that maps the panel to infinity to the panel a, or b to it, or, without either, to
+ * itself. */
+static void fill_tail(po_hierarchy *h, const po_panel *a, const po_panel *b, double *block) {
+  po_panel_span tail = {.begin = 1.0, .end = INFINITY, .decay = h->decay};
+  double r[N];
+  if (a)
+    place_nodes(h, *a, r);
+  for (size_t i = 0; i < N && !a; ++i)
+    r[i] = 1.0 / h->table->rule.node[i];
+  if (b)
+    tail = (po_panel_span){.begin = po_panel_begin(*b), .end = po_panel_end(*b)};
+  for (size_t i = 0; i < N; ++i)
+    h->evaluations += po_panel_influence(&h->table->rule, tail, r[i], block + i, N);
+}
+
+/* Returned: the block of this kind from the store, computed if it is new; NULL, with `trouble`, if
+ * memory runs out. Where a panel is not given, it is that to infinity. */
+static const double *stored(po_hierarchy *h, enum kind kind, const po_panel *a, const po_panel *b) {
+  static const po_panel NO_PANEL = {PO_DEEPEST_LEVEL + 1, 0};
+  int is_new;
+  double *block =
+      po_block_store_find(&h->store, key_of(kind, a ? *a : NO_PANEL, b ? *b : NO_PANEL), &is_new);
+  if (!block)
+    h->trouble = PO_NO_MEMORY;
+  if (!block || !is_new)
+    return block;
+  if (kind == KERNEL)
+    fill_kernel(h, *a, *b, block);
+  else if (kind == PRODUCT)
+    fill_product(h, *a, *b, block);
+  else if (kind == HALVES)
+    fill_halves(h, *a, block);
+  else
+    fill_tail(h, a, b, block);
+  return block;
+}
+
+static void add(po_hierarchy *h, interactions *list, uint32_t target, uint32_t source,
+                const double *block) {
+  interaction *pair = po_grow(list->pair, list->count, &list->room, sizeof *pair);
+  if (!pair) {
+    h->trouble = PO_NO_MEMORY;
+    return;
+  }
+  list->pair = pair;
+  list->pair[list->count++] = (interaction){target, source, block};
+}
+
+static const double *add_product(po_hierarchy *h, const po_cell *target, const po_cell *source) {
+  const double *block = stored(h, PRODUCT, &target->place, &source->place);
+  add(h, &h->product, target->panel, source->panel, block);
+  return block;
+}
+
+/* Adds the interactions between the panels of two cells, the first of which is nearer to the axis.
+ */
+static void pair_cells(po_hierarchy *h, uint32_t left, uint32_t right) {
+  const po_cell *a = h->cell + left, *b = h->cell + right;
+  const double gap = po_panel_begin(b->place) - po_panel_end(a->place);
+  const bool serves_a = is_panel(a) || gap >= SEPARATION * size_of(a);
+  const bool serves_b = is_panel(b) || gap >= SEPARATION * size_of(b);
+  if (serves_a && serves_b) {
+    if (gap > 0.0) {
+      add(h, &h->kernel, left, right, stored(h, KERNEL, &a->place, &b->place));
+    } else {
+      add_product(h, a, b);
+      add_product(h, b, a);
+    }
+  } else if (serves_b || (!serves_a && size_of(a) >= size_of(b))) {
+    pair_cells(h, left + 1, right);
+    pair_cells(h, h->cell[left].right, right);
+  } else {
+    pair_cells(h, left, right + 1);
+    pair_cells(h, left, h->cell[right].right);
+  }
+}
+
+static void pair_within(po_hierarchy *h, uint32_t at) {
+  const po_cell *cell = h->cell + at;
+  if (is_panel(cell)) {
+    h->own[cell->panel] = add_product(h, cell, cell);
+    return;
+  }
+  h->halves[at] = stored(h, HALVES, &cell->place, NULL);
+  pair_within(h, at + 1);
+  pair_within(h, h->cell[at].right);
+  pair_cells(h, at + 1, h->cell[at].right);
+}
+
+/* Adds the interactions of all panels with the panel to infinity. */
+static void pair_with_tail(po_hierarchy *h) {
+  const uint32_t tail = (uint32_t)h->panels.count;
+  for (uint32_t k = 0; k < tail; ++k) {
+    const po_panel *place = &h->panels.panel[k];
+    add(h, &h->product, k, tail, stored(h, TAIL, place, NULL));
+    h->to_tail[k] = stored(h, TAIL, NULL, place);
+    add(h, &h->product, tail, k, h->to_tail[k]);
+  }
+  add(h, &h->product, tail, tail, stored(h, TAIL, NULL, NULL));
+}
+
+/* Makes the cell that contains panels from `first` on, and those below it. Returned: the end of its
+ * panels. */
+static uint32_t make_cell(po_hierarchy *h, po_panel place, uint32_t parent, uint32_t first) {
+  const uint32_t at = (uint32_t)h->cells++;
+  po_cell *cell = h->cell + at;
+  *cell = (po_cell){place, parent, PO_NO_CELL, first, first + 1};
+  if (po_panel_equal(h->panels.panel[first], place)) {
+    h->cell_of_panel[first] = at;
+    return first + 1;
+  }
+  const po_panel child = {place.level + 1, 2 * place.index};
+  const uint32_t middle = make_cell(h, child, at, first);
+  cell->right = (uint32_t)h->cells;
+  cell->end = make_cell(h, (po_panel){child.level, child.index + 1}, at, middle);
+  return cell->end;
+}
+
+static po_status reserve(po_hierarchy *h, size_t panels) {
+  if (panels <= h->room)
+    return PO_OK;
+  const size_t room = panels + panels / 2;
+  free_mesh(h);
+  h->cell = po_allocate(2 * room, sizeof *h->cell);
+  h->cell_of_panel = po_allocate(room, sizeof *h->cell_of_panel);
+  h->own = po_allocate(room, sizeof *h->own);
+  h->to_tail = po_allocate(room, sizeof *h->to_tail);
+  h->halves = po_allocate(2 * room, sizeof *h->halves);
+  h->weight = po_allocate(room * N, sizeof *h->weight);
+  h->charge = po_allocate(2 * room * N, sizeof *h->charge);
+  h->field = po_allocate(2 * room * N, sizeof *h->field);
+  const bool had = h->cell && h->cell_of_panel && h->own && h->to_tail && h->halves && h->weight &&
+                   h->charge && h->field;
+  h->room = had ? room : 0;
+  return had ? PO_OK : PO_NO_MEMORY;
+}
+
+po_status po_hierarchy_mesh(po_hierarchy *h, const po_panels *panels) {
+  h->panels = *panels;
+  h->trouble = reserve(h, panels->count);
+  if (h->trouble)
+    return h->trouble;
+  if (h->store.count > MOST_BLOCKS &&
+      h->store.count > 4 * (h->kernel.count + h->product.count)) /* blocks of the mesh before */
+    po_block_store_clear(&h->store);
+  h->cells = h->kernel.count = h->product.count = 0;
+  make_cell(h, (po_panel){0, 0}, PO_NO_CELL, 0);
+  double node[N];
+  for (size_t k = 0; k < panels->count; ++k) {
+    place_nodes(h, panels->panel[k], node);
+    for (size_t j = 0; j < N; ++j)
+      h->weight[k * N + j] = h->table->rule.weight[j] * po_panel_size(panels->panel[k]) * node[j];
+  }
+  pair_within(h, 0);
+  if (h->unbounded)
+    pair_with_tail(h);
+  return h->trouble;
+}
+
+const po_cell *po_hierarchy_cells(const po_hierarchy *h, size_t *count) {
+  *count = h->cells;
+  return h->cell;
+}
+
+/* The field of the charges of all panels through the kernel. The charges of the panels are set; the
+ * fields of the panels are returned. */
+static void apply_kernel(po_hierarchy *h) {
+  memset(h->field, 0, h->cells * N * sizeof *h->field);
+  for (size_t c = h->cells; c-- > 0;) {
+    const po_cell *cell = h->cell + c;
+    if (is_panel(cell))
+      continue;
+    double *charge = h->charge + c * N;
+    memset(charge, 0, N * sizeof *charge);
+    po_block_apply_transposed(N, N, h->from_parent[0], h->charge + (c + 1) * N, charge);
+    po_block_apply_transposed(N, N, h->from_parent[1], h->charge + cell->right * N, charge);
+  }
+  for (size_t k = 0; k < h->kernel.count; ++k) {
+    const interaction *i = h->kernel.pair + k;
+    const size_t a = (size_t)i->target * N, b = (size_t)i->source * N;
+    po_block_apply_both(i->block, h->charge + b, h->field + a, h->charge + a, h->field + b);
+  }
+  for (size_t c = 0; c < h->cells; ++c) {
+    const po_cell *cell = h->cell + c;
+    if (is_panel(cell))
+      continue;
+    po_block_apply(N, N, h->from_parent[0], h->field + c * N, h->field + (c + 1) * N);
+    po_block_apply(N, N, h->from_parent[1], h->field + c * N, h->field + cell->right * N);
+  }
+}
+
+void po_hierarchy_apply(po_hierarchy *h, const double *x, double *y) {
+  for (size_t k = 0; k < h->panels.count; ++k) {
+    double *charge = h->charge + (size_t)h->cell_of_panel[k] * N;
+    for (size_t j = 0; j < N; ++j)
+      charge[j] = h->weight[k * N + j] * x[k * N + j];
+  }
+  apply_kernel(h);
+  for (size_t k = 0; k < h->panels.count; ++k)
+    memcpy(y + k * N, h->field + (size_t)h->cell_of_panel[k] * N, N * sizeof *y);
+  if (h->unbounded)
+    memset(y + h->panels.count * N, 0, N * sizeof *y);
+  for (size_t k = 0; k < h->product.count; ++k) {
+    const interaction *i = h->product.pair + k;
+    po_block_apply(N, N, i->block, x + (size_t)i->source * N, y + (size_t)i->target * N);
+  }
+}
+
+void po_hierarchy_apply_transposed(po_hierarchy *h, const double *x, double *y) {
+  for (size_t k = 0; k < h->panels.count; ++k)
+    memcpy(h->charge + (size_t)h->cell_of_panel[k] * N, x + k * N, N * sizeof *x);
+  apply_kernel(h);
+  for (size_t k = 0; k < h->panels.count; ++k) {
+    const double *field = h->field + (size_t)h->cell_of_panel[k] * N;
+    for (size_t j = 0; j < N; ++j)
+      y[k * N + j] = h->weight[k * N + j] * field[j];
+  }
+  if (h->unbounded)
+    memset(y + h->panels.count * N, 0, N * sizeof *y);
+  for (size_t k = 0; k < h->product.count; ++k) {
+    const interaction *i = h->product.pair + k;
+    po_block_apply_transposed(N, N, i->block, x + (size_t)i->target * N, y + (size_t)i->source * N);
+  }
+}
+
+void po_hierarchy_fill_matrix(const po_hierarchy *h, double radius, double *matrix) {
+  po_hierarchy work = {.table = h->table, .decay = h->decay};
+  const size_t n = po_hierarchy_nodes(h);
+  for (size_t target = 0; target < n / N; ++target)
+    for (size_t source = 0; source < n / N; ++source) {
+      const po_panel *a = target < h->panels.count ? h->panels.panel + target : NULL;
+      const po_panel *b = source < h->panels.count ? h->panels.panel + source : NULL;
+      double block[PO_BLOCK_SIZE];
+      if (a && b)
+        fill_product(&work, *a, *b, block);
+      else
+        fill_tail(&work, a, b, block);
+      for (size_t j = 0; j < N; ++j)
+        for (size_t i = 0; i < N; ++i)
+          matrix[target * N + i + n * (source * N + j)] = radius * block[i + N * j];
+    }
+}
+
+const double *po_hierarchy_to_tail(const po_hierarchy *h, size_t panel) {
+  return h->unbounded ? h->to_tail[panel] : NULL;
+}
+size_t po_hierarchy_nodes(const po_hierarchy *h) {
+  return (h->panels.count + (h->unbounded ? 1 : 0)) * N;
+}
+
+const double *po_hierarchy_own_block(const po_hierarchy *h, size_t panel) {
+  return h->own[panel];
+}
+const double *po_hierarchy_halves(const po_hierarchy *h, size_t cell) {
+  return h->halves[cell];
+}
+const double *po_hierarchy_weight(const po_hierarchy *h) {
+  return h->weight;
+}
+
+/* The kernel decreases with the distance, so the largest coefficient is in the panel of the node or
+ * in a neighbour. */
+void po_hierarchy_reach(const po_hierarchy *h, double *reach) {
+  memset(reach, 0, (h->panels.count + (h->unbounded ? 1 : 0)) * N * sizeof *reach);
+  for (size_t k = 0; k < h->product.count; ++k) {
+    const interaction *pair = h->product.pair + k;
+    double *of_source = reach + (size_t)pair->source * N;
+    for (size_t j = 0; j < N; ++j)
+      for (size_t i = 0; i < N; ++i)
+        of_source[j] = fmax(of_source[j], fabs(pair->block[i + N * j]));
+  }
+}
+
+uint64_t po_hierarchy_evaluations(const po_hierarchy *h) {
+  return h->evaluations;
+}
