@@ -5,8 +5,14 @@ if (!exists("figure_height")) figure_height = 480
 if (!exists("figure_width")) figure_width = 680
 
 set encoding utf8
-set terminal svg size figure_width,figure_height enhanced font 'Inter,11' linewidth 1
-set output 'figure.svg'
+# The report embeds SVG; `pulloff plot` also draws PNG and PDF, to standard output.
+if (!exists("figure_terminal")) figure_terminal = 'svg'
+if (!exists("figure_output")) figure_output = 'figure.svg'
+if (figure_terminal eq 'svg') set terminal svg size figure_width,figure_height enhanced font 'Inter,11' linewidth 1
+if (figure_terminal eq 'png') set terminal pngcairo size 2*figure_width,2*figure_height enhanced font 'Inter,11' fontscale 1.5 \
+  linewidth 2 pointscale 2
+if (figure_terminal eq 'pdf') set terminal pdfcairo size figure_width/72.0,figure_height/72.0 enhanced font 'Inter,11' linewidth 1.3
+if (figure_output eq '') { set output } else { set output figure_output }
 set minussign
 
 # The palette of Okabe and Ito, which colour-blind readers can distinguish.

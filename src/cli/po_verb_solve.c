@@ -8,6 +8,8 @@
 #include "po_linear.h"
 #include "po_observe.h"
 #include "po_options.h"
+#include "po_plot.h"
+#include "po_plot_verb.h"
 #include "po_print.h"
 #include "po_scene_flags.h"
 #include "po_tables.h"
@@ -83,6 +85,9 @@ static const char MORE_HELP[] =
     "                          does the same if FILE has a period or a slash\n"
     "  --staircase FILE        write the pull-off force for every preload to FILE, as\n"
     "                          dimensionless CSV\n"
+    "  --plot FILE             draw the branch, and the additional results that are wanted, in "
+    "FILE,\n"
+    "                          which ends in .svg, .png or .pdf (needs gnuplot)\n"
     "  --json                  print one JSON document and nothing else\n"
     "  -h, --help              print this text\n"
     "\n" PO_SCENE_FLAGS_HELP "\n"
@@ -91,10 +96,20 @@ static const char MORE_HELP[] =
     "Example: pulloff solve --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 \\\n"
     "             --distance-m 3e-10 --radius-m 1e-7\n";
 
-enum { WANT = PO_FLAG_NEXT, CURVE_FILE, PROFILE_FILE, STAIRCASE_FILE, JSON, KEY = PO_OPTION_KEYS };
+enum {
+  WANT = PO_FLAG_NEXT,
+  CURVE_FILE,
+  PROFILE_FILE,
+  STAIRCASE_FILE,
+  PLOT_FILE,
+  RUN,
+  JSON,
+  KEY = PO_OPTION_KEYS
+};
 
 /* The values of the options of the mesh are KEY + po_key. */
 static const struct option OPTIONS[] = {
+    {"run", required_argument, NULL, RUN}, /* only for the verb plot */
     PO_SCENE_OPTIONS,
     PO_LENGTH_OPTIONS("outer-radius", PO_LENGTH_OUTER_RADIUS),
     {"law", required_argument, NULL, KEY + PO_KEY_LAW},
@@ -115,6 +130,7 @@ static const struct option OPTIONS[] = {
     {"curve", required_argument, NULL, CURVE_FILE},
     {"profile-csv", required_argument, NULL, PROFILE_FILE},
     {"staircase", required_argument, NULL, STAIRCASE_FILE},
+    {"plot", required_argument, NULL, PLOT_FILE},
     {"json", no_argument, NULL, JSON},
     {"help", no_argument, NULL, PO_OPTION_HELP},
     {NULL, 0, NULL, 0}};
@@ -124,6 +140,7 @@ typedef struct {
   po_scene_flags flags;
   bool given[PO_KEY_COUNT];                /* which keys of the mesh and of the solve were given */
   const char *curve, *profile, *staircase; /* files; NULL: none */
+  const char *plot, *run;                  /* figure, and folder of records; NULL: none */
   bool json;
 } solve_line;
 
@@ -166,6 +183,11 @@ static po_status take_option(void *to, int option) {
   case STAIRCASE_FILE:
     line->request.want |= PO_WANT_PRELOAD;
     return po_options_take_text("staircase", "the name of a file", &line->staircase);
+  case PLOT_FILE:
+    line->request.want |= PO_WANT_CURVE;
+    return po_plot_take_file(optarg, &line->plot);
+  case RUN:
+    return po_options_take_text("run", "the name of a folder", &line->run);
   case JSON:
     line->json = true;
     return PO_OK;
@@ -239,7 +261,8 @@ static po_status write_files(const solve_line *line, const po_result *result) {
   const po_status staircase =
       line->staircase ? po_tables_write_staircase(line->staircase, &line->request, result, NULL)
                       : PO_OK;
-  return curve ? curve : staircase ? staircase : status;
+  const po_status plot = line->plot ? po_plot_to_file(&line->request, result, line->plot) : PO_OK;
+  return curve ? curve : staircase ? staircase : plot ? plot : status;
 }
 
 static int solve(solve_line *line) {
@@ -263,8 +286,86 @@ static int solve(solve_line *line) {
   return po_options_end(status);
 }
 
+static const char PLOT_HELP[] =
+    "Usage: pulloff plot [OPTION]... [FILE]\n"
+    "       pulloff plot [--run DIR] CASE [FILE]\n"
+    "Plots one scene, which is given by the options of pulloff solve, or the pull-off forces of a\n"
+    "case against the number that varies in it. FILE ends in .svg, .png or .pdf and is drawn with\n"
+    "gnuplot; without FILE, the plot is printed as characters.\n"
+    "\n"
+    "  --want LIST       what is plotted, separated by commas (default: curve,hysteresis):\n"
+    "                      curve        load against approach: the branch, its folds, the "
+    "pull-off\n"
+    "                      hysteresis   the jumps of loading and unloading\n"
+    "                      profile      gap and traction against radius at pull-off\n"
+    "                      preload      the pull-off force for every preload\n"
+    "  --run DIR         folder of the records of CASE (default build/run); points without a\n"
+    "                    result are solved\n"
+    "  -h, --help        print this text\n"
+    "\n"
+    "The options of the scene, the preload and the discretisation are those of pulloff solve.\n"
+    "\n"
+    "Example: pulloff plot --tabor 3 --amplitude 1 --wavelength 20 wavy.svg\n"
+    "         pulloff plot fig15\n";
+
+/* Takes the operands of plot: a case, a figure, or both in this order. */
+static po_status take_operands(solve_line *line, const po_options *options, char **name) {
+  const int count = options->argc - optind;
+  char **operand = options->argv + optind;
+  const bool figure = count > 0 && po_plot_is_figure(operand[count - 1]);
+  if (count > 2 || (count == 2 && !figure))
+    return po_fail(PO_BAD_INPUT,
+                   "plot takes a case and a file that ends in .svg, .png or .pdf (see "
+                   "pulloff plot --help)");
+  line->plot = figure ? operand[count - 1] : NULL;
+  *name = count > figure ? operand[0] : NULL;
+  if (line->run && !*name)
+    return po_fail(PO_BAD_INPUT, "--run is given without a case: expected both");
+  return line->json
+             ? po_fail(PO_BAD_INPUT, "--json has no effect on plot: expected it to be left out")
+             : PO_OK;
+}
+
+/* Solves the scene and plots it. */
+static po_status plot(solve_line *line) {
+  po_result result = {0};
+  line->request.stop = po_interrupt_listen();
+  po_status status = po_observe(&line->request, &result);
+  if (!status)
+    status = line->plot ? po_plot_to_file(&line->request, &result, line->plot)
+                        : po_plot_to_terminal(&line->request, &result);
+  po_result_clear(&result);
+  return status;
+}
+
+int po_verb_plot(int argc, char **argv) {
+  const po_options options = {"plot", PLOT_HELP, OPTIONS, argc, argv, NULL};
+  solve_line line = {.request = po_input_default(), .flags = po_scene_flags_default()};
+  char *name = NULL;
+  po_status status = PO_OK;
+  if (!po_options_read(&options, take_option, &line, &status))
+    return po_options_end(status);
+  const bool scene = optind > (line.run ? 3 : 1); /* options other than --run DIR */
+  status = take_operands(&line, &options, &name);
+  if (!status && name && scene)
+    status =
+        po_fail(PO_BAD_INPUT, "options of a scene have no effect on a case: expected them to be "
+                              "left out");
+  if (!status && name)
+    return po_options_end(po_plot_case(name, line.run, line.plot));
+  if (!(line.request.want & PO_PLOT_WANTS))
+    line.request.want |= isinf(line.flags.length[PO_LENGTH_PRELOAD])
+                             ? PO_WANT_CURVE
+                             : PO_WANT_CURVE | PO_WANT_HYSTERESIS;
+  else if (line.request.want & PO_WANT_HYSTERESIS)
+    line.request.want |= PO_WANT_CURVE;
+  if (!status)
+    status = end_line(&line);
+  return po_options_end(status ? status : plot(&line));
+}
+
 int po_verb_solve(int argc, char **argv) {
-  const po_options options = {"solve", HELP, OPTIONS, argc, argv, MORE_HELP};
+  const po_options options = {"solve", HELP, OPTIONS + 1, argc, argv, MORE_HELP};
   solve_line line = {.request = po_input_default(), .flags = po_scene_flags_default()};
   po_status status = PO_OK;
   if (!po_options_read(&options, take_option, &line, &status))

@@ -16,6 +16,7 @@ static const struct {
     {"follow", po_verb_follow,
      "compute the pull-off of a series of scenes in which one parameter varies"},
     {"theory", po_verb_theory, "evaluate a closed form of the paper"},
+    {"plot", po_verb_plot, "plot one scene or the pull-off forces of a case"},
     {"list", po_verb_list, "list the cases or the reference tables"},
     {"plan", po_verb_plan, "print what would be computed for a case, and why"},
     {"run", po_verb_run, "solve the points of cases and write their records"},
@@ -29,7 +30,7 @@ static const struct {
 };
 
 #define VERB_NAMES                                                                                 \
-  "solve, follow, theory, list, plan, run, merge, verify, explain, bless, conform or report"
+  "solve, follow, theory, plot, list, plan, run, merge, verify, explain, bless, conform or report"
 
 static void print_help(void) {
   puts("Usage: pulloff VERB [OPTION]...\n"

@@ -51,6 +51,9 @@ check() {
   if "$@"; then tell ok; else tell not-ok "$what" "$*"; fi
 }
 
+# fails COMMAND...: succeeds if the command fails.
+fails() { ! "$@"; }
+
 # wait_for COMMAND...: repeats the command until it succeeds, for at most about 20 s.
 wait_for() {
   tries=0

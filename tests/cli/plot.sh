@@ -1,0 +1,62 @@
+#!/bin/sh
+# Plots: as characters, and as figures by gnuplot in three formats.
+# shellcheck disable=SC1091,SC2016,SC2034,SC2154
+. "$(dirname "$0")/lib.sh"
+root=$(cd "$here/../.." && pwd)
+export PULLOFF_DATA="$root"
+
+expect 0 '' plot --tabor 1
+check 'the legend' grep -q '^\* stable, \. unstable, o fold, X pull-off, | jump$' stdout
+check 'the least load is on the axis' grep -q '^ *-1.671 |' stdout
+check 'one pull-off' test "$(tail -n +3 stdout | grep -o X | wc -l)" = 1
+check 'two folds' test "$(tail -n +3 stdout | grep -o o | wc -l)" -ge 2
+check 'no line is too long' awk 'length($0) > 80 { exit 1 }' stdout
+expect 0 '' plot --tabor 1 --want profile,preload
+check 'the profile and the staircase' test "$(grep -c -e '^traction P' -e '^pull-off force in' stdout)" = 2
+check 'and no curve' fails grep -q '^load in' stdout
+expect 0 '' plot --tabor 0.5 --profile cone:0.5 --preload inf
+check 'the unit of the load' grep -q '^load in pi w epsilon against' stdout
+
+if command -v gnuplot >/dev/null; then
+  # drawn FILE: tests that it is an image of its kind with something in it
+  drawn() {
+    case $1 in
+    *.svg) grep -q '</svg>' "$1" && [ "$(grep -c '<path' "$1")" -gt 10 ] ;;
+    *.png) head -c 8 "$1" | od -c | grep -q 'P   N   G' && [ "$(wc -c <"$1")" -gt 5000 ] ;;
+    *.pdf) head -c 5 "$1" | grep -q '%PDF-' && [ "$(wc -c <"$1")" -gt 5000 ] ;;
+    esac
+  }
+  for file in a.svg a.png a.pdf; do
+    expect 0 '' plot --tabor 3 --amplitude 1 --wavelength 20 $file
+    check "$file" drawn $file
+    check 'nothing is printed' test ! -s stdout
+  done
+  check 'the caption is the command' grep -q 'pulloff solve --tabor 3 --amplitude 1 --wavelength 20' a.svg
+  expect 0 '' solve --tabor 1 --want profile,hysteresis,preload --plot all.svg
+  check 'the result is printed' grep -q '^pull-off force 1.67066' stdout
+  check 'all panels' test "$(grep -c -e 'approach Δ†/ε' -e 'radius' -e 'preload, largest' all.svg)" -ge 3
+  expect 0 '' solve --tabor 0 --plot rigid.svg
+  check 'a rigid sphere' drawn rigid.svg
+  expect 4 'pulloff: nowhere/a.svg cannot be written: *' solve --tabor 1 --plot nowhere/a.svg
+  check 'the result is printed although the figure is not' grep -q '^pull-off force 1.67066' stdout
+  expect 0 '*' plot fig04 --run run fig04.svg
+  check 'a run' drawn fig04.svg
+  expect 0 '*' plot fig04 --run run
+  check 'a run as characters' grep -q 'pull-off force against tabor$' stdout
+  check 'no file is left' test "$(find . -name 'figure*' | wc -l)" = 0
+  mkdir empty
+  program_path=$work/empty
+  expect 4 'pulloff: gnuplot was not found: *' plot --tabor 0 b.svg
+  program_path=
+fi
+expect 2 'pulloff: --plot is a.gif: expected the name of a file that ends in .svg, .png or .pdf' solve --plot a.gif
+expect 2 'pulloff: plot takes a case and a file that ends in *' plot fig04 fig06
+expect 2 'pulloff: --run is given without a case: expected both' plot --run run
+expect 2 'pulloff: --json has no effect on plot: *' plot --json
+expect 2 'pulloff: options of a scene have no effect on a case: *' plot fig04 --tabor 2
+expect 2 'pulloff: unknown option --run of solve *' solve --run run
+. "$here/data.sh"
+"$program" plot good --run own >out 2>err
+check 'a case without a sweep' test $? -eq 2
+check 'its message' grep -q 'pulloff: no number varies in the case good: expected' err
+finish
