@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""JKR of any profile: points of the curve and pull-off.
+"""JKR of any profile: points of the curve and pull-off, and the pull-off against the coupling.
 
-    jkr_profiles.py --write [DIR]   regenerate jkr_profiles.csv
+    jkr_profiles.py --write [DIR]   regenerate jkr_profiles.csv and jkr_pull_off.csv
     jkr_profiles.py --sample        recompute a sample, compare (exit 1 on disagreement)
 
 A rigid profile f(r) on an elastic half-space is in frictionless contact on the disc r < a. With the Abel transform
@@ -33,6 +33,10 @@ SCENES_JKR = [  # profile, waves, radius
     ("cone:0.5", "0.2@7", "-")]
 COUPLINGS = "0.05 0.7".split()
 STIFF = "12"              # for profiles without waves
+LIMITS = [("sphere", "-", "100"), ("cone:0.3", "-", "-"), ("power:0.05;1.5", "-", "-"), ("power:0.001;4", "-", "-"),
+          ("punch:5;20", "-", "-"), ("truncated:5;20", "-", "-"), ("sphere", "0.4@12;0.1@5", "50")]
+LIMIT_COUPLINGS = "0.001 0.003 0.01 0.03 0.1 0.3 1 3 10 30 100".split()
+STIFF_SPHERE = "35.3553390593274 3162.27766016838 100000".split()   # Tabor parameters 50, 1,000 and 10,000
 RADII = "0.3 1.7 4.9 7.3 13".split()                   # contact radii of the points, in epsilon
 
 
@@ -173,6 +177,7 @@ def least(words, coupling, xi):
             radii.append(a)
             a = a * mpf(10) ** (mpf(1) / SCAN) if step is None or a * mpf("0.039") < step else a + step
             if beyond_minima(profile, c, a):
+                radii.append(a)     # the minimum may be a corner just before it
                 break
         found = [jkr(profile, c, a)[which] for a in radii]
     finally:
@@ -213,6 +218,13 @@ def jkr_row(point, agreement):
             text(load / profile.unit, DIGITS)]
 
 
+def limit_row(point, agreement):
+    words, coupling = point
+    profile, waves, radius, _, place, approach, load = [*words, *jkr_row((words, coupling, "pull_off_load", None), agreement)[4:]]
+    return [profile, waves, coupling, radius, place, "0" if abs(mpf(approach)) < mpf(10) ** -30 else approach,
+            load.removeprefix("-")]
+
+
 UNITS = ("lengths and approach in epsilon, approach > 0 pressed together; load > 0 compressive, in units of pi w R where "
          "radius is that of a sphere and of pi w epsilon where radius is -; coupling = w/(E* epsilon)")
 PROFILES = ("sphere: r^2/(2R), R = radius; cone:t: t r; power:C;n: C r^n; punch:b;R: 0 up to b, (r - b)^2/(2R) beyond; "
@@ -244,6 +256,13 @@ TABLES = [
                  "profile as in I. N. Sneddon (1965); derived anew",
                  "g and its integral in closed form against integrals over the slope of the profile"),
           "1e-20", "1e-15", 11, "1e-15", checks),
+    Table("jkr_pull_off.csv", "profile waves coupling radius contact_radius approach force".split(),
+          [(words, coupling) for words in LIMITS for coupling in LIMIT_COUPLINGS + STIFF_SPHERE * (words == LIMITS[0])],
+          limit_row,
+          header("pull-off of a JKR contact on a full disc against the coupling: the deepest minimum of the load over every "
+                 "contact radius, force = -load. The limit of any law for large coupling",
+                 "as jkr_profiles.csv", "g and its integral in closed form against integrals over the slope of the profile"),
+          "1e-20", "1e-15", 9, "1e-15"),
 ]
 
 if __name__ == "__main__":

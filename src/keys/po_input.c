@@ -333,6 +333,13 @@ static bool waves_match(const po_scene *a, const po_scene *b) {
   return match;
 }
 
+/* The Lennard-Jones law of the paper is the Mie law (3, 9): one name for both. */
+static po_request with_one_name(po_request request) {
+  if (po_law_index(&request.scene.law) == 0)
+    po_law_set(&request.scene.law, "mie:3,9");
+  return request;
+}
+
 bool po_key_matches(const po_request *request, po_key key, const char *text) {
   po_request wanted = *request;
   const po_scene *scene = &request->scene;
@@ -341,9 +348,12 @@ bool po_key_matches(const po_request *request, po_key key, const char *text) {
   if (!po_key_set(&wanted, key, text))
     return false;
   switch (key) {
-  case PO_KEY_LAW:
-    return po_law_index(&wanted.scene.law) == po_law_index(&scene->law) &&
-           parameters_match(request, &wanted, PO_KEY_MIE_M, PO_KEY_MORSE_A);
+  case PO_KEY_LAW: {
+    const po_request own = with_one_name(*request);
+    wanted = with_one_name(wanted);
+    return po_law_index(&wanted.scene.law) == po_law_index(&own.scene.law) &&
+           parameters_match(&own, &wanted, PO_KEY_MIE_M, PO_KEY_MORSE_A);
+  }
   case PO_KEY_PROFILE:
     return po_profile_index(&wanted.scene.profile) == po_profile_index(&scene->profile) &&
            parameters_match(request, &wanted, PO_KEY_POWER_C, PO_KEY_TRUNCATED_R);

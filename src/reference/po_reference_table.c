@@ -75,7 +75,7 @@ static bool names(const po_csv *table, po_key key) {
  * sphere only, and one without waves for at most one wave. */
 static bool is_possible(const po_csv *table, const po_request *request) {
   const po_scene *scene = &request->scene;
-  return (names(table, PO_KEY_LAW) || po_law_index(&scene->law) == 0) &&
+  return (names(table, PO_KEY_LAW) || po_key_matches(request, PO_KEY_LAW, "lennard-jones")) &&
          (names(table, PO_KEY_PROFILE) || names(table, PO_KEY_PROFILE_FILE) ||
           po_profile_is_sphere(&scene->profile)) &&
          (names(table, PO_KEY_WAVES) || po_scene_waves(scene) < 2);
@@ -94,13 +94,15 @@ bool po_reference_headers_hold(const po_reference *reference, const po_request *
 }
 
 /* Whether a cell that is a key of the scene has the value of a scene. Rows for other profiles than
- * the sphere do not name a radius, if their loads are in pi w epsilon, nor a Tabor parameter. */
-static bool cell_holds(const po_request *request, po_key key, const char *text) {
+ * the sphere do not name a radius, if their loads are in pi w epsilon. A row whose elasticity is
+ * given by its coupling may leave the Tabor parameter open. */
+static bool cell_holds(const po_csv *table, const po_request *request, po_key key,
+                       const char *text) {
   const bool is_named = strcmp(text, "-") != 0;
   if (!is_named && key == PO_KEY_RADIUS)
     return !po_profile_is_sphere(&request->scene.profile) && request->scene.radius == 1.0;
   if (!is_named && key == PO_KEY_TABOR)
-    return !po_profile_is_sphere(&request->scene.profile);
+    return po_csv_find_column(table, po_key_name(PO_KEY_COUPLING)) >= 0;
   return po_key_matches(request, key, text);
 }
 
@@ -108,7 +110,7 @@ static bool cell_holds(const po_request *request, po_key key, const char *text) 
 static bool row_holds(const po_csv *table, size_t row, const po_request *request) {
   for (size_t c = 0; c < table->column_count; ++c) {
     const int key = po_key_of_name(table->columns[c]);
-    if (key >= 0 && !cell_holds(request, (po_key)key, po_csv_cell(table, row, c)))
+    if (key >= 0 && !cell_holds(table, request, (po_key)key, po_csv_cell(table, row, c)))
       return false;
   }
   return true;
