@@ -41,4 +41,23 @@ for entry in listed:
     assert shown == entry["cases"][:len(shown)] and (shown or not entry["cases"]), (text[name], entry)
 LOOK
 check 'the list agrees with the files' "$python" look.py "$root"
+
+# The case general has the scene of every row of the general table, so a row that is added needs its scene there. LJ is
+# the Mie law (3, 9), also in a reference.
+rows=$(($(grep -vc '^#' "$root/reference/general_pull_off.csv") - 1))
+expect 0 '' plan general
+check 'general has every scene of its table' \
+  grep -q "compare pull_off_force with reference/general_pull_off.csv at $rows of $rows points" stdout
+check 'every scene of general has its row' sh -c '! grep -q "has no value" stdout'
+cat >mie.yaml <<'CASE'
+name: mie
+title: The Lennard-Jones law by its powers
+suites: [smoke]
+scene: {law: "mie:3,9", radius: 100, outer_radius: inf, scheme: panel, tabor: 1}
+want: [pull_off]
+checks:
+  - {quantity: pull_off_force, reference: reference/feng_pull_off.csv, tolerance: 1e-6, kind: abs, because: the same law}
+CASE
+expect 0 'mie: *' verify mie.yaml --output out
+check 'the Mie law (3, 9) is compared with the tables of Lennard-Jones' grep -q '1 checks pass' stdout
 finish
