@@ -74,24 +74,33 @@ def after(document, name, start):
     return [mark for mark in special_points(document, name) if met and mark["position"] >= min(met)]
 
 
-def met_by_both(pairs, ends):
-    """The pairs without the special points at the end of the list that one trace met beyond the end of the other. The
-    approach increases at the end of a branch. So among the points that remain at the end of a list, the first one
-    beyond the end of the other trace is the first that the other trace has not met."""
+def unmet(pairs, side):
+    """The index from which on the pairs have a member of this side alone."""
+    first = len(pairs)
+    while first and not pairs[first - 1][1 - side]:
+        first -= 1
+    return first
+
+
+def met_by_both(lists, ends):
+    """The lists of pairs without the special points at their ends that one trace met beyond the end of the other. The
+    approach increases at the end of a branch. So among the points that remain at the end of the lists, the first one
+    beyond the end of the other trace, and all later ones of any kind, are those that the other trace has not met."""
     for side in (0, 1):
-        first = len(pairs)
-        while first and not pairs[first - 1][1 - side]:
-            first -= 1
-        for index in range(first, len(pairs)):
-            if pairs[index][side]["approach"] > ends[1 - side]:
-                return pairs[:index]
-    return pairs
+        rest = [(pairs, unmet(pairs, side)) for pairs in lists]
+        beyond = min((pair[side]["position"] for pairs, first in rest for pair in pairs[first:]
+                      if pair[side]["approach"] > ends[1 - side]), default=math.inf)
+        lists = [pairs[:first] + [pair for pair in pairs[first:] if pair[side]["position"] < beyond]
+                 for pairs, first in rest]
+    return lists
 
 
-def common(loose, tight, name):
-    """Pairs of special points on the part of the branch that both traces cover; None stands for a missing one."""
-    pairs = align(after(loose, name, value(tight, "start")), after(tight, name, value(loose, "start")))
-    return met_by_both(pairs, (value(loose, "end"), value(tight, "end")))
+def common(loose, tight):
+    """Pairs of folds, and of extrema, on the part of the branch that both traces cover; None stands for a missing
+    one."""
+    lists = [align(after(loose, name, value(tight, "start")), after(tight, name, value(loose, "start")))
+             for name in ("folds", "extrema")]
+    return met_by_both(lists, (value(loose, "end"), value(tight, "end")))
 
 
 def distance(one, other):
@@ -229,8 +238,8 @@ def compare(loose, tight):
     """Compares two documents of `pulloff solve --json` with status ok and a pull-off."""
     comparison = Comparison()
     counts = []
-    for name, key in (("fold", "folds"), ("extremum", "extrema")):
-        pairs = common(loose, tight, key)
+    lists = common(loose, tight)
+    for name, key, pairs in (("fold", "folds", lists[0]), ("extremum", "extrema", lists[1])):
         met = [sum(1 for pair in pairs if pair[side]) for side in (0, 1)]
         counts.append(met[0] < len(loose[key]) or met[1] < len(tight[key]))
         add_pairs(comparison, name, pairs)
