@@ -12,10 +12,12 @@
 
 static const char HELP[] =
     "Usage: pulloff theory NAME [OPTION]...\n"
-    "Evaluates a closed form of the paper. NAME is one of\n"
+    "Evaluates a closed form. NAME is one of\n"
     "  bradley             pull-off of a rigid smooth sphere (Eq 23)\n"
-    "  rigid               pull-off of a rigid wavy sphere (Eqs 21, 22)\n"
-    "  jkr                 JKR theory of a smooth sphere (Eqs 7, 8)\n"
+    "  rigid               pull-off of a rigid wavy sphere (Eqs 21, 22), or of any rigid\n"
+    "                      profile, waves and law\n"
+    "  jkr                 JKR theory of a smooth sphere (Eqs 7, 8), or of any profile and waves\n"
+    "  maugis              Maugis-Dugdale theory of any profile and waves\n"
     "  guduru              JKR theory of a wavy sphere (Eq 5)\n"
     "  kesari-lew          envelope of Eq 5 (Eq 24)\n"
     "  persson-tosatti     effective work of adhesion of a rough surface (Eqs 25-30)\n"
@@ -32,14 +34,19 @@ static const char HELP[] =
     "  --coupling C            w/(E* epsilon), >= 0, instead of --tabor\n"
     "  --amplitude A           amplitude of the waviness, in epsilon; 0 is a smooth sphere\n"
     "  --wavelength L          wavelength of the waviness, in epsilon\n"
-    "  --radius R              radius of the sphere, in epsilon (default 100)\n"
+    "  --radius R              radius of the sphere, in epsilon (default 100)\n" PO_PROFILE_HELP
+    "                          (profile and waves: rigid, jkr, maugis)\n"
+    "  --law LAW               traction-separation law: lennard-jones, mie:M,N or morse:A\n"
+    "                          (rigid, maugis; default lennard-jones)\n"
+    "  --tension Q             tension of Maugis-Dugdale, in w/epsilon (maugis; default: the\n"
+    "                          greatest tension of the law)\n"
     "  --alpha ALPHA           A R/L^2, instead of the wavelength (rigid) or of amplitude,\n"
     "                          wavelength and radius (rumpf-rabinowicz)\n"
     "\n"
     "Additional results:\n"
     "  --approach D            the load at this approach, in epsilon, < 1 (bradley, rigid)\n"
-    "  --contact-radius A      load and approach at this contact radius, in epsilon (jkr, guduru,\n"
-    "                          kesari-lew)\n"
+    "  --contact-radius A      load and approach at this contact radius, in epsilon (jkr, maugis,\n"
+    "                          guduru, kesari-lew)\n"
     "  --gap H                 the traction at this gap, H = h/epsilon - 1 > -1 (lennard-jones)\n"
     "  --json                  print one JSON document and nothing else\n"
     "  -h, --help              print this text\n"
@@ -51,14 +58,17 @@ static const char MORE_HELP[] = PO_SCENE_FLAGS_HELP
     "Example: pulloff theory jkr --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 \\\n"
     "             --distance-m 3e-10 --radius-m 1e-7\n";
 
-enum { ALPHA = PO_FLAG_NEXT, GAP, JSON };
+enum { ALPHA = PO_FLAG_NEXT, GAP, LAW, TENSION, JSON };
 
 /* The options of one command line. */
 typedef struct {
   po_scene_flags flags;
   po_scene scene;
-  double alpha; /* A R/lambda^2, given or of the scene; NAN: neither */
-  double gap;   /* NAN: not given */
+  double alpha;   /* A R/lambda^2, given or of the scene; NAN: neither */
+  double gap;     /* NAN: not given */
+  double tension; /* NAN: not given */
+  po_law law;
+  bool has_law;
   bool json;
 } po_theory_line;
 
@@ -68,6 +78,8 @@ static const struct option OPTIONS[] = {
     PO_LENGTH_OPTIONS("approach", PO_LENGTH_APPROACH),
     PO_LENGTH_OPTIONS("contact-radius", PO_LENGTH_CONTACT_RADIUS),
     {"gap", required_argument, NULL, GAP},
+    {"law", required_argument, NULL, LAW},
+    {"tension", required_argument, NULL, TENSION},
     {"json", no_argument, NULL, JSON},
     {"help", no_argument, NULL, PO_OPTION_HELP},
     {NULL, 0, NULL, 0}};
@@ -84,6 +96,14 @@ static po_status take_option(void *to, int option) {
     return po_number_parse(optarg, &l->gap) && l->gap > -1.0
                ? PO_OK
                : po_options_refuse("gap", optarg, "a finite number > -1");
+  if (option == LAW) {
+    l->has_law = true;
+    return po_law_set(&l->law, optarg) ? PO_OK : po_options_refuse("law", optarg, PO_LAW_EXPECTED);
+  }
+  if (option == TENSION)
+    return po_number_parse(optarg, &l->tension) && l->tension > 0.0
+               ? PO_OK
+               : po_options_refuse("tension", optarg, "a finite number > 0");
   if (!po_number_parse(optarg, &l->alpha) || !(l->alpha > 0.0))
     return po_options_refuse("alpha", optarg, "a finite number > 0");
   return PO_OK;
@@ -96,7 +116,8 @@ static unsigned taken_by(const po_theory_line *l, const po_form *form) {
                                 ? PO_TAKES_WAVELENGTH | PO_TAKES_RADIUS
                                 : PO_TAKES_WAVELENGTH | PO_TAKES_AMPLITUDE;
   const bool alpha = !isnan(l->alpha) && form->takes & PO_TAKES_ALPHA;
-  return alpha ? form->takes & ~in_place : form->takes;
+  const unsigned replaced = in_place | PO_TAKES_PROFILE | PO_TAKES_LAW;
+  return alpha ? form->takes & ~replaced : form->takes;
 }
 
 static po_flag_use use_of(const po_theory_line *l, po_length length, bool taken) {
@@ -121,17 +142,35 @@ static po_status check_use(const po_theory_line *l, const po_form *form) {
       {"alpha", !isnan(l->alpha), takes & PO_TAKES_ALPHA},
       use_of(l, PO_LENGTH_APPROACH, form->variable == PO_FORM_AT_APPROACH),
       use_of(l, PO_LENGTH_CONTACT_RADIUS, form->variable == PO_FORM_AT_CONTACT_RADIUS),
-      {"gap", !isnan(l->gap), form->variable == PO_FORM_AT_GAP}};
+      {"gap", !isnan(l->gap), form->variable == PO_FORM_AT_GAP},
+      {"law", l->has_law, takes & PO_TAKES_LAW},
+      {"tension", !isnan(l->tension), takes & PO_TAKES_TENSION},
+      {"profile", l->flags.profile != NULL, takes & PO_TAKES_PROFILE},
+      {"profile-file", l->flags.profile_file != NULL, takes & PO_TAKES_PROFILE},
+      {"wave", l->flags.waves > 0, takes & PO_TAKES_PROFILE}};
   return po_options_refuse_idle(what, flags, sizeof flags / sizeof *flags);
+}
+
+/* Whether profile, waves or law are given: the forms of any profile apply. */
+static bool is_general(const po_theory_line *l) {
+  return l->flags.profile || l->flags.profile_file || l->flags.waves > 0 || l->has_law;
+}
+
+static po_status check_elastic(const po_theory_line *l, const po_form *form) {
+  if (!(form->needs & PO_NEEDS_ELASTIC) || l->scene.tabor > 0.0)
+    return PO_OK;
+  return l->flags.from_physical
+             ? po_fail(PO_BAD_INPUT, "--modulus-pa is inf: expected a finite number > 0")
+             : po_fail(PO_BAD_INPUT, "--%s is 0: expected a finite number > 0",
+                       isnan(l->flags.coupling) ? "tabor" : "coupling");
 }
 
 /* Refuses values outside the domain of the form. */
 static po_status check_values(const po_theory_line *l, const po_form *form) {
   const double approach = l->flags.length[PO_LENGTH_APPROACH];
-  if (form->needs & PO_NEEDS_ELASTIC && !(l->scene.tabor > 0.0))
-    return l->flags.from_physical
-               ? po_fail(PO_BAD_INPUT, "--modulus-pa is inf: expected a finite number > 0")
-               : po_fail(PO_BAD_INPUT, "--tabor is 0: expected a finite number > 0");
+  const po_status status = check_elastic(l, form);
+  if (status)
+    return status;
   if (approach >= 1.0 && l->flags.from_physical)
     return po_fail(PO_BAD_INPUT, "--approach-m is %g: expected less than --distance-m, %g",
                    l->flags.metres[PO_LENGTH_APPROACH], l->flags.distance);
@@ -151,12 +190,11 @@ static po_status complete(po_theory_line *l, const po_form *form) {
   const po_status idle = check_use(l, form);
   if (idle)
     return idle;
-  if (!po_scene_is_of_paper(&l->scene))
-    return po_fail(
-        PO_BAD_INPUT,
-        "theory %s is that of a sphere with one wave or none, not of the profile %s with "
-        "%zu waves",
-        form->name, po_profile_name(&l->scene.profile), po_scene_waves(&l->scene));
+  l->scene.law = l->law;
+  if (is_general(l)) {
+    const po_status wrong = po_scene_check(&l->scene);
+    return wrong ? wrong : check_elastic(l, form);
+  }
   const double *length = l->flags.length;
   const bool smooth = length[PO_LENGTH_AMPLITUDE] == 0.0;
   const bool waves =
@@ -242,7 +280,8 @@ static void fill(const po_theory_line *l, const po_form_values *values, json_t *
 static po_status print(const po_theory_line *l, const po_form *form) {
   const double variables[] = {(double)NAN, l->flags.length[PO_LENGTH_APPROACH],
                               l->flags.length[PO_LENGTH_CONTACT_RADIUS], l->gap};
-  const po_form_input input = {l->scene, l->alpha, variables[form->variable]};
+  const po_form_input input = {l->scene, l->alpha, variables[form->variable], l->tension,
+                               is_general(l)};
   po_form_values values = {.count = 0};
   const po_status status = po_form_evaluate(form, &input, &values);
   if (status)
@@ -262,7 +301,11 @@ static po_status print(const po_theory_line *l, const po_form *form) {
 
 int po_verb_theory(int argc, char **argv) {
   const po_options options = {"theory", HELP, OPTIONS, argc, argv, MORE_HELP};
-  po_theory_line line = {.flags = po_scene_flags_default(), .alpha = NAN, .gap = NAN};
+  po_theory_line line = {.flags = po_scene_flags_default(),
+                         .alpha = NAN,
+                         .gap = NAN,
+                         .tension = NAN,
+                         .law = po_law_lennard_jones()};
   po_status status = PO_OK;
   if (!po_options_read(&options, take_option, &line, &status))
     return po_options_end(status);

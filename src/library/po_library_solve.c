@@ -106,18 +106,19 @@ pulloff_status pulloff_follow(const pulloff_scene *scene, const char *key, const
 static po_status check_form(const po_form *form, const pulloff_scene *scene,
                             const po_form_input *input) {
   const bool waves = scene->text[PO_KEY_AMPLITUDE] || po_scene_is_wavy(&input->scene);
-  if (!po_scene_is_of_paper(&input->scene))
-    return po_fail(PO_BAD_INPUT,
-                   "theory %s is that of a sphere with one wave or none, not of the profile %s with "
-                   "%zu waves",
-                   form->name, po_profile_name(&input->scene.profile),
-                   po_scene_waves(&input->scene));
-  if ((form->needs & (PO_NEEDS_WAVES | PO_NEEDS_AMPLITUDE)) && !waves)
+  const bool general = !po_scene_is_of_paper(&input->scene) && form->takes & PO_TAKES_PROFILE;
+  if (!po_scene_is_of_paper(&input->scene) && !general)
+    return po_fail(
+        PO_BAD_INPUT,
+        "theory %s is that of a sphere with one wave or none, not of the profile %s with "
+        "%zu waves",
+        form->name, po_profile_name(&input->scene.profile), po_scene_waves(&input->scene));
+  if ((form->needs & (PO_NEEDS_WAVES | PO_NEEDS_AMPLITUDE)) && !waves && !general)
     return po_fail(PO_BAD_INPUT, "theory %s needs the key amplitude", form->name);
-  if ((form->needs & PO_NEEDS_ALPHA) && isnan(input->alpha))
+  if ((form->needs & PO_NEEDS_ALPHA) && isnan(input->alpha) && !general)
     return po_fail(PO_BAD_INPUT, "theory %s needs alpha, or the keys amplitude and wavelength",
                    form->name);
-  if (!isnan(input->alpha) && !(input->alpha >= 0 && isfinite(input->alpha)))
+  if (!general && !isnan(input->alpha) && !(input->alpha >= 0 && isfinite(input->alpha)))
     return po_fail(PO_BAD_INPUT, "alpha is %g: expected a finite number > 0", input->alpha);
   if ((form->needs & PO_NEEDS_ELASTIC) && !(input->scene.tabor > 0))
     return po_fail(PO_BAD_INPUT, "tabor is 0: expected a finite number > 0");

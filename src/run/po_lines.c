@@ -42,6 +42,8 @@ static po_status add_rows(po_text *rows, const po_case_file *file, const po_case
       form->fixed(&input, &values);
     else
       form->along(&input, &values);
+    if (values.status)
+      return values.status;
     if (row == 0)
       add_names(rows, line, &values);
     for (size_t i = 0; i < values.count; ++i)

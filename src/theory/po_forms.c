@@ -5,11 +5,17 @@
 
 #include "po_bradley.h"
 #include "po_estimates.h"
+#include "po_forms_profile.h"
 #include "po_guduru.h"
 #include "po_wavy_rigid.h"
 
 static void put(po_form_values *values, po_form_unit unit, const char *name, double value) {
-  values->items[values->count++] = (po_form_value){name, unit, value, false};
+  po_form_put(values, unit, name, value);
+}
+
+/* Whether the forms of any profile apply. */
+static bool is_general(const po_form_input *in) {
+  return in->general || !po_scene_is_of_paper(&in->scene);
 }
 
 /* Appends a value that is infinite in the limit of a smooth sphere. */
@@ -50,20 +56,36 @@ static void bradley_along(const po_form_input *in, po_form_values *v) {
 }
 
 static void rigid(const po_form_input *in, po_form_values *v) {
+  if (is_general(in)) {
+    po_form_rigid_profile(in, v);
+    return;
+  }
   const po_rigid_pull_off p = po_wavy_rigid_pull_off(in->scene.amplitude, in->alpha);
   put_pull_off(v, p.force, p.approach);
 }
 
 static void rigid_along(const po_form_input *in, po_form_values *v) {
+  if (is_general(in)) {
+    po_form_rigid_profile_along(in, v);
+    return;
+  }
   put(v, PO_FORM_FORCE, "load", po_wavy_rigid_load(in->scene.amplitude, in->alpha, in->at));
 }
 
 static void jkr(const po_form_input *in, po_form_values *v) {
+  if (is_general(in)) {
+    po_form_jkr_profile(in, v);
+    return;
+  }
   put_pull_off_contact(v, po_jkr_pull_off(&in->scene));
   put_contact(v, LAST, po_jkr_last(&in->scene));
 }
 
 static void jkr_along(const po_form_input *in, po_form_values *v) {
+  if (is_general(in)) {
+    po_form_jkr_profile_along(in, v);
+    return;
+  }
   put_contact(v, HERE, po_jkr_at(&in->scene, in->at));
 }
 
@@ -129,9 +151,11 @@ enum {
 static const po_form FORMS[] = {
     {"bradley", bradley, bradley_along, PO_FORM_AT_APPROACH, 0, 0},
     {"rigid", rigid, rigid_along, PO_FORM_AT_APPROACH, PO_NEEDS_ALPHA | PO_NEEDS_AMPLITUDE,
-     WAVES | PO_TAKES_ALPHA},
+     WAVES | PO_TAKES_ALPHA | PO_TAKES_PROFILE | PO_TAKES_LAW},
     {"jkr", jkr, jkr_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_ELASTIC,
-     PO_TAKES_TABOR | PO_TAKES_RADIUS},
+     PO_TAKES_TABOR | PO_TAKES_RADIUS | PO_TAKES_PROFILE},
+    {"maugis", po_form_maugis, po_form_maugis_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_ELASTIC,
+     ALL | PO_TAKES_PROFILE | PO_TAKES_LAW | PO_TAKES_TENSION},
     {"guduru", guduru, guduru_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_WAVES | PO_NEEDS_ELASTIC,
      ALL},
     {"kesari-lew", kesari_lew, kesari_lew_along, PO_FORM_AT_CONTACT_RADIUS,
@@ -144,8 +168,9 @@ static const po_form FORMS[] = {
     {"crest", crest, NULL, PO_FORM_AT_NOTHING, PO_NEEDS_WAVES, WAVES},
     {"lennard-jones", lennard_jones, lennard_jones_along, PO_FORM_AT_GAP, 0, 0}};
 
-const char *const PO_FORM_NAMES = "bradley, rigid, jkr, guduru, kesari-lew, persson-tosatti, "
-                                  "rumpf-rabinowicz, compactness, crest or lennard-jones";
+const char *const PO_FORM_NAMES =
+    "bradley, rigid, jkr, maugis, guduru, kesari-lew, persson-tosatti, "
+    "rumpf-rabinowicz, compactness, crest or lennard-jones";
 
 const po_form *po_form_find(const char *name) {
   for (size_t i = 0; i < sizeof FORMS / sizeof *FORMS; ++i)
@@ -157,9 +182,12 @@ const po_form *po_form_find(const char *name) {
 po_status po_form_evaluate(const po_form *form, const po_form_input *input,
                            po_form_values *values) {
   values->count = 0;
+  values->status = PO_OK;
   form->fixed(input, values);
-  if (!isnan(input->at))
+  if (!isnan(input->at) && !values->status)
     form->along(input, values);
+  if (values->status)
+    return values->status;
   for (size_t i = 0; i < values->count; ++i) {
     const po_form_value *item = &values->items[i];
     if (!isfinite(item->value) && !(isinf(item->value) && item->may_be_infinite))

@@ -11,8 +11,11 @@
 /* The input of a closed form. */
 typedef struct {
   po_scene scene;
-  double alpha; /* A R/lambda^2, given or computed from the scene; NAN: neither */
-  double at;    /* the value of the variable of the form; NAN: not given */
+  double alpha;   /* A R/lambda^2, given or computed from the scene; NAN: neither */
+  double at;      /* the value of the variable of the form; NAN: not given */
+  double tension; /* of Maugis-Dugdale, w/eps; not > 0: the peak of the law */
+  bool general; /* profile, waves or law are given: the forms of any profile apply; they also apply
+                   to every scene that is not of the paper */
 } po_form_input;
 
 /* The unit of a number. */
@@ -31,11 +34,12 @@ typedef struct {
   bool may_be_infinite; /* an infinite value is the correct limit, not an overflow */
 } po_form_value;
 
-enum { PO_FORM_MOST_VALUES = 12 };
+enum { PO_FORM_MOST_VALUES = 16 };
 
 typedef struct {
   po_form_value items[PO_FORM_MOST_VALUES];
   size_t count;
+  po_status status; /* of a failure with a message, if any */
 } po_form_values;
 
 /* The variable of a form that is a curve. */
@@ -61,7 +65,10 @@ enum {
   PO_TAKES_AMPLITUDE = 2,
   PO_TAKES_WAVELENGTH = 4,
   PO_TAKES_RADIUS = 8,
-  PO_TAKES_ALPHA = 16 /* alpha in place of the wavelength */
+  PO_TAKES_ALPHA = 16,   /* alpha in place of the wavelength */
+  PO_TAKES_PROFILE = 32, /* any profile and any waves */
+  PO_TAKES_LAW = 64,
+  PO_TAKES_TENSION = 128
 };
 
 /* A closed form. Both functions append to `values`. Source and accuracy of each number are stated

@@ -56,7 +56,9 @@ THEORIES = [
     f"bradley {SI} --approach-m -1e-10", f"rigid {WAVY_SI} --approach-m -1e-10", f"jkr {SI} --contact-radius-m 6e-9",
     f"guduru {WAVY_SI} --contact-radius-m 6e-9", f"kesari-lew {WAVY_SI} --contact-radius-m 6e-9",
     f"persson-tosatti {WAVY_SI}", f"rumpf-rabinowicz {WAVY_SI}", f"compactness {WAVY_SI}", f"crest {WAVY_SI}",
-    f"lennard-jones {SI} --gap 0.2",
+    f"lennard-jones {SI} --gap 0.2", "jkr --profile cone:0.3 --coupling 0.05 --contact-radius 3",
+    "maugis --tabor 1 --contact-radius 9", f"jkr {SI} --wave 1e-10,5e-9 --contact-radius-m 6e-9",
+    f"maugis {SI} --contact-radius-m 6e-9", "rigid --law morse:2 --approach 0.1",
 ]
 FOLLOWS = ["--key tabor --from 1 --to 2 --points 4", "--key tabor --from 2 --to 0.5 --points 5 --of folds",
            "--key tabor --from 0 --to 1 --points 2 --scale linear"]

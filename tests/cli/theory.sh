@@ -88,7 +88,7 @@ idle() { # NAME FLAG EXPECTED ARGUMENT...
   expect 2 "pulloff: $flag has no effect on theory $name*: expected $expected" theory "$name" "$@" "$flag" 0.7
 }
 for flag in --amplitude --wavelength --alpha --approach --gap; do
-  idle jkr $flag 'only --tabor, --coupling, --radius or --contact-radius'
+  idle jkr $flag 'only --tabor, --coupling, --radius, --contact-radius, --profile, --profile-file or --wave'
 done
 for flag in --tabor --amplitude --wavelength --radius --alpha --approach --contact-radius; do
   idle lennard-jones $flag 'only --gap'
@@ -111,6 +111,19 @@ idle rumpf-rabinowicz --amplitude 'only --radius or --alpha' --alpha 1
 idle rumpf-rabinowicz --approach 'only --radius or --alpha' --alpha 1
 expect 2 'pulloff: --contact-radius-m has no effect on theory bradley: expected only --radius-m or --approach-m' \
   theory bradley --from-physical --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 1e-7 --contact-radius-m 1e-9
+
+# The forms of any profile: the cone, the sphere as a power, the peak of the law, the reasons of what is refused.
+near pull_off_force 10.1321183642338 1e-12 jkr --profile cone:0.3 --coupling 0.05
+near pull_off_least_gap 0 0 jkr --profile cone:0.3 --coupling 0.05
+near pull_off_force 1.5 1e-13 jkr --profile power:0.005,2 --radius 100 --tabor 2.385
+near approach_rate 0 1e-12 jkr --profile cone:0.3 --coupling 0.05 --contact-radius 0.35367765131532297
+near tension 1.0264004785593346 1e-15 maugis --tabor 1
+near pull_off_force 2 1e-12 rigid --law morse:1.7
+near pull_off_force 137.425431733702511 1e-10 rigid --profile punch:5,20 --law morse:3
+expect 2 'pulloff: Maugis-Dugdale needs a full disc of contact *' theory maugis --wave 3,10 --tabor 0.5
+expect 2 'pulloff: --wave has no effect on theory guduru: *' theory guduru --wave 1,20
+expect 2 'pulloff: --tension is 0: expected a finite number > 0' theory maugis --tension 0
+expect 2 'pulloff: --coupling is 0: expected a finite number > 0' theory jkr --profile cone:0.3 --coupling 0
 
 # Options without effect are refused by the other verbs, too.
 expect 2 'pulloff: --wavelength has no effect on a scene without amplitude: expected *' solve --wavelength 9
