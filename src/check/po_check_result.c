@@ -14,13 +14,14 @@ const char *po_verdict_name(po_verdict verdict) {
       [PO_NO_RESULT] = "no_result", [PO_MISSING_REFERENCE] = "missing_reference",
       [PO_IMPROVED] = "improved",   [PO_REGRESSED] = "regressed",
       [PO_MOVED] = "moved",         [PO_WRONG_AND_FROZEN] = "wrong_and_frozen",
-      [PO_SLACK] = "slack",
+      [PO_SLACK] = "slack",         [PO_NOT_REACHABLE] = "not_reachable",
   };
   return NAMES[verdict];
 }
 
 bool po_verdict_passes(po_verdict verdict) {
-  return verdict == PO_WITHIN || verdict == PO_IMPROVED || verdict == PO_SLACK;
+  return verdict == PO_WITHIN || verdict == PO_IMPROVED || verdict == PO_SLACK ||
+         verdict == PO_NOT_REACHABLE;
 }
 
 void po_check_result_reference(const po_check *check, char name[64]) {

@@ -20,6 +20,8 @@ typedef enum {
   PO_MOVED,            /* the value differs from its pin, and no oracle decides which is better */
   PO_WRONG_AND_FROZEN, /* the check against the oracle fails, and the one against the pin passes */
   PO_SLACK,            /* within, but the tolerance is too wide to detect an error */
+  PO_NOT_REACHABLE,    /* outside, but an external solver that follows stable equilibria cannot see
+                          the expected value */
   PO_VERDICT_COUNT
 } po_verdict;
 
@@ -49,11 +51,11 @@ typedef struct {
 } po_check_results;
 
 /* Returned: "within", "outside", "no_result", "missing_reference", "improved", "regressed",
- * "moved", "wrong_and_frozen" or "slack". */
+ * "moved", "wrong_and_frozen", "slack" or "not_reachable". */
 const char *po_verdict_name(po_verdict verdict);
 
-/* Reports whether a check with this verdict passes: within, improved or slack. Improved and slack
- * are reported to the user nevertheless. */
+/* Reports whether a check with this verdict passes: within, improved, slack or not_reachable. All
+ * but the first are reported to the user nevertheless. */
 bool po_verdict_passes(po_verdict verdict);
 
 /* Returned: in `name`, the short name of the reference of a check: "feng_pull_off" for

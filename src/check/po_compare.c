@@ -82,11 +82,17 @@ static po_status plane_of(const po_result *result, po_plane_curve *curve) {
   *curve = (po_plane_curve){plane, plane ? plane + count : NULL, positions, count};
   if (!plane || !positions)
     return PO_NO_MEMORY;
+  if (count > 0 && isnan(result->curve[0].approach_rate)) { /* of an external solver */
+    free(positions);
+    curve->positions = positions = NULL;
+    curve->rates = NULL;
+  }
   for (size_t i = 0; i < count; ++i) {
     const po_curve_point *p = &result->curve[i];
     plane[i] = (po_plane_point){p->approach, p->load};
     plane[count + i] = (po_plane_point){p->approach_rate, p->load_rate};
-    positions[i] = p->position;
+    if (positions)
+      positions[i] = p->position;
   }
   return PO_OK;
 }

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "po_verdicts.h"
 
@@ -19,7 +20,7 @@ static void add_case(const po_case_run *run, po_text *text) {
       worst = item;
   }
   const size_t outside = po_case_run_outside(run);
-  po_text_add(text, "%-18s %7zu %7zu %8zu %9.1f ", run->plan->kase->file->name,
+  po_text_add(text, "%-18s %7zu %7zu %8zu %9.1f ", po_plan_name(run->plan),
               run->check_results.count - outside, outside, po_case_run_failures(run), run->elapsed);
   if (worst)
     po_text_add(text, "%10.*f  %s, %s", worst->ratio < 1e5 ? 3 : 0, worst->ratio, worst->subject,
@@ -27,7 +28,11 @@ static void add_case(const po_case_run *run, po_text *text) {
   else
     po_text_add(text, "%10s", "-");
   if (remarkable)
-    po_text_add(text, "; %zu improved or slack", remarkable);
+    po_text_add(text, "; %zu improved%s or slack", remarkable,
+                run->coverage.not_reachable ? ", not reachable" : "");
+  if (run->plan->solver)
+    po_text_add(text, "; coverage %zu/%zu points, %zu/%zu checks", run->coverage.asked,
+                run->coverage.points, run->coverage.made, run->coverage.checks);
   po_text_add(text, "\n");
 }
 
@@ -37,6 +42,14 @@ static void add_command(const po_case_run *run, const po_point *point, const cha
   po_text_add(text, "    pulloff explain %s", po_case_word(run->plan->kase));
   if (point)
     po_text_add(text, " --point %s", point->id);
+  if (run->plan->solver) {
+    po_text_add(text, " --solver ");
+    po_text_add_word(text, run->plan->solver->path);
+  }
+  if (run->plan->solver && run->plan->solver->knob && strchr(run->plan->solver->name, '@')) {
+    po_text_add(text, " --knob ");
+    po_text_add_word(text, run->plan->solver->knob);
+  }
   if (output) {
     po_text_add(text, " --output ");
     po_text_add_word(text, output);
@@ -64,8 +77,8 @@ static void add_check(const po_case_run *run, const po_check *check, const char 
   }
   if (!worst)
     return;
-  po_text_add(text, "%s %s, %s: %s", run->plan->kase->file->name, worst->subject,
-              label_of(run, worst), po_verdict_name(worst->verdict));
+  po_text_add(text, "%s %s, %s: %s", po_plan_name(run->plan), worst->subject, label_of(run, worst),
+              po_verdict_name(worst->verdict));
   if (isfinite(worst->ratio))
     po_text_add(text, ", %.4g times the tolerance", worst->ratio);
   po_text_add(text, " (%s)%s%s", po_plan_reference_of(run->plan, check), worst->note[0] ? ": " : "",
@@ -88,7 +101,7 @@ static void add_failures(const po_case_run *run, const char *output, po_text *te
     ++first;
   if (first == kase->point_count)
     return;
-  po_text_add(text, "%s solve, %s: failed: %s", kase->file->name, kase->points[first].label,
+  po_text_add(text, "%s solve, %s: failed: %s", po_plan_name(run->plan), kase->points[first].label,
               run->results[first].reason);
   if (count > 1)
     po_text_add(text, "; %zu solves failed, this is the first", count);

@@ -10,6 +10,7 @@
 #include "po_interrupt.h"
 #include "po_memory.h"
 #include "po_number.h"
+#include "po_print_solver.h"
 #include "po_quote.h"
 #include "po_record.h"
 #include "po_summary.h"
@@ -67,6 +68,13 @@ po_status po_session_option(void *to, int option) {
     return take_points(optarg, session);
   case PO_SESSION_SHARD:
     return take_shard(optarg, &session->shard);
+  case PO_SESSION_SOLVER:
+    if (session->solver_count == PO_MOST_SOLVERS)
+      return po_options_refuse("solver", optarg, "at most 16 solvers");
+    return po_options_take_text("solver", "the path of a manifest, or pulloff",
+                                &session->manifests[session->solver_count++]);
+  case PO_SESSION_KNOB:
+    return po_options_take_text("knob", "a value of the knob", &session->knob);
   case PO_SESSION_TIME_LIMIT:
     return po_number_parse(optarg, &session->time_limit) && session->time_limit > 0
                ? PO_OK
@@ -77,21 +85,56 @@ po_status po_session_option(void *to, int option) {
   }
 }
 
+/* Reads the manifests. Two solvers must not write to the same folder. */
+static po_status read_solvers(po_session *session) {
+  po_status status = PO_OK;
+  if (session->knob && !session->solver_count)
+    return po_fail(PO_BAD_INPUT, "--knob is given without --solver: expected both");
+  for (size_t s = 0; !status && s < session->solver_count; ++s) {
+    const bool own = strcmp(session->manifests[s], "pulloff") == 0;
+    if (!own)
+      status = po_solver_read(session->manifests[s], session->knob, &session->solvers[s]);
+    for (size_t k = 0; !status && k < s; ++k) {
+      const po_solver *a = session->solvers[k], *b = session->solvers[s];
+      if ((!a && !b) || (a && b && strcmp(a->name, b->name) == 0))
+        status = po_fail(PO_BAD_INPUT, "--solver names %s twice: expected each solver once",
+                         b ? b->name : "pulloff");
+    }
+  }
+  for (size_t s = 0; !status && s < session->solver_count; ++s)
+    if (session->solvers[s])
+      po_print_solver(session->solvers[s], stderr);
+  if (!session->solver_count)
+    session->solver_count = 1;
+  return status;
+}
+
+static po_status plan_one(const po_session *session, po_case *kase, const po_solver *solver,
+                          po_case_run *run) {
+  po_plan *plan = NULL;
+  const char *data = po_environment_data();
+  const po_status status = solver ? po_plan_create_solver(kase, data, solver, &plan)
+                           : session->arithmetic
+                               ? po_plan_create_for(kase, data, session->arithmetic, &plan)
+                               : po_plan_create(kase, data, &plan);
+  return status ? status : po_case_run_create(plan, run);
+}
+
 static po_status plan_all(po_session *session) {
   const size_t count = session->catalog.count;
-  session->runs = po_allocate(count, sizeof *session->runs);
-  po_status status = session->runs ? PO_OK : PO_NO_MEMORY;
+  po_status status = read_solvers(session);
+  session->run_count = session->solver_count * count;
+  session->runs = status ? NULL : po_allocate(session->run_count, sizeof *session->runs);
+  if (!status && !session->runs)
+    status = PO_NO_MEMORY;
   for (size_t i = 0; !status && i < count; ++i) {
-    po_plan *plan = NULL;
     po_case *kase = session->catalog.cases[i];
     for (size_t k = 0; !isnan(session->time_limit) && k < kase->point_count; ++k)
       kase->points[k].request.time_limit = session->time_limit;
-    status = session->arithmetic
-                 ? po_plan_create_for(kase, po_environment_data(), session->arithmetic, &plan)
-                 : po_plan_create(kase, po_environment_data(), &plan);
-    if (!status)
-      status = po_case_run_create(plan, &session->runs[i]);
   }
+  for (size_t r = 0; !status && r < session->run_count; ++r)
+    status = plan_one(session, session->catalog.cases[r % count], session->solvers[r / count],
+                      &session->runs[r]);
   return status;
 }
 
@@ -106,12 +149,15 @@ static po_status check_points(const po_session *session) {
   return PO_OK;
 }
 
-/* Marks the points that --points or --shard selects. */
+/* Marks the points that --points or --shard selects. Each solver has the same shards. */
 static po_status ask(po_session *session) {
-  for (size_t i = 0; i < session->catalog.count; ++i)
-    po_case_run_ask(&session->runs[i], session->first, session->last);
-  return session->shard.count ? po_shard_deal(session->runs, session->catalog.count, session->shard)
-                              : PO_OK;
+  const size_t count = session->catalog.count;
+  po_status status = PO_OK;
+  for (size_t r = 0; r < session->run_count; ++r)
+    po_case_run_ask(&session->runs[r], session->first, session->last);
+  for (size_t s = 0; !status && session->shard.count && s < session->solver_count; ++s)
+    status = po_shard_deal(session->runs + s * count, count, session->shard);
+  return status;
 }
 
 po_status po_session_open(po_session *session, char *const *names, size_t count) {
@@ -133,17 +179,33 @@ po_status po_session_open(po_session *session, char *const *names, size_t count)
   return status;
 }
 
+/* Runs the cases for one solver. */
+static po_status solve_with(po_session *session, size_t s) {
+  const size_t count = session->catalog.count;
+  po_case_run *runs = session->runs + s * count;
+  po_run_options options = session->options;
+  char *folder = session->solvers[s] ? po_solver_folder(session->solvers[s], options.output)
+                                     : po_copy_text(options.output);
+  options.output = folder;
+  po_status status = folder ? PO_OK : PO_NO_MEMORY;
+  for (size_t i = 0; !status && i < count; ++i)
+    status = po_record_check_owner(&runs[i], folder);
+  if (!status && session->shard.count)
+    status = po_shard_write(runs, count, session->shard, session->time_limit, options.jobs, folder);
+  if (!status)
+    status = po_run(runs, count, &options);
+  free(folder);
+  return status;
+}
+
 po_status po_session_solve(po_session *session) {
   session->options.stop = po_interrupt_listen();
   if (session->options.jobs == 0)
     session->options.jobs = po_environment_cores();
   po_status status = PO_OK;
-  for (size_t i = 0; !status && i < session->catalog.count; ++i)
-    status = po_record_check_owner(&session->runs[i], session->options.output);
-  if (!status && session->shard.count)
-    status = po_shard_write(session->runs, session->catalog.count, session->shard,
-                            session->time_limit, session->options.jobs, session->options.output);
-  return status ? status : po_run(session->runs, session->catalog.count, &session->options);
+  for (size_t s = 0; !status && s < session->solver_count; ++s)
+    status = solve_with(session, s);
+  return status;
 }
 
 po_status po_session_run(po_session *session, char *const *names, size_t count) {
@@ -155,27 +217,29 @@ po_status po_session_open_one(po_session *session, const po_options *options) {
   if (options->argc - optind != 1)
     return po_fail(PO_BAD_INPUT, "%s needs the name of one case (see pulloff %s --help)",
                    options->verb, options->verb);
+  if (session->solver_count > 1)
+    return po_fail(PO_BAD_INPUT, "%s takes one solver: expected --solver once", options->verb);
   return po_session_open(session, options->argv + optind, 1);
 }
 
 size_t po_session_failures(const po_session *session) {
   size_t total = 0;
-  for (size_t i = 0; i < session->catalog.count; ++i)
+  for (size_t i = 0; i < session->run_count; ++i)
     total += po_case_run_failures(&session->runs[i]);
   return total;
 }
 
 size_t po_session_outside(const po_session *session) {
   size_t total = 0;
-  for (size_t i = 0; i < session->catalog.count; ++i)
+  for (size_t i = 0; i < session->run_count; ++i)
     total += po_case_run_outside(&session->runs[i]);
   return total;
 }
 
 po_status po_session_summarise(const po_session *session) {
   po_text text = {0};
-  for (size_t i = 0; i < session->catalog.count; ++i)
-    if (session->catalog.cases[i]->file->sample)
+  for (size_t i = 0; i < session->run_count; ++i)
+    if (session->runs[i].plan->kase->file->sample)
       po_summary_add(&session->runs[i], &text);
   fputs(po_text_string(&text), stdout);
   const po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
@@ -199,9 +263,12 @@ int po_session_end(po_session *session, po_status status) {
 }
 
 void po_session_clear(po_session *session) {
-  for (size_t i = 0; session->runs && i < session->catalog.count; ++i)
-    po_case_run_clear(&session->runs[i]);
+  for (size_t i = 0; session->runs && i < session->run_count; ++i)
+    if (session->runs[i].plan)
+      po_case_run_clear(&session->runs[i]);
   free(session->runs);
+  for (size_t s = 0; s < session->solver_count && s < PO_MOST_SOLVERS; ++s)
+    po_solver_destroy(session->solvers[s]);
   po_catalog_close(&session->catalog);
   *session = (po_session){0};
 }

@@ -8,6 +8,9 @@
 #include "po_options.h"
 #include "po_run.h"
 #include "po_shard.h"
+#include "po_solver.h"
+
+enum { PO_MOST_SOLVERS = 16 };
 
 typedef struct {
   const char *suites; /* their names, separated by commas; NULL: see po_catalog.h */
@@ -17,8 +20,13 @@ typedef struct {
   const po_arithmetic
       *arithmetic; /* of the processes that computed the points; NULL: of this one */
   po_run_options options;
+  const char *manifests[PO_MOST_SOLVERS]; /* of --solver, "pulloff" for this program */
+  const char *knob;                       /* of --knob; NULL: not given */
+  po_solver *solvers[PO_MOST_SOLVERS];    /* NULL: this program */
+  size_t solver_count;                    /* without --solver 1, this program */
   po_catalog catalog;
-  po_case_run *runs; /* one a case of the catalog */
+  po_case_run *runs; /* one a solver and case; those of a solver are neighbours */
+  size_t run_count;
 } po_session;
 
 /* The options that all these verbs take: values, and entries for the option tables. */
@@ -30,10 +38,17 @@ enum {
   PO_SESSION_TIME_LIMIT,
   PO_SESSION_FRESH,
   PO_SESSION_SHARD, /* only for the verb run */
+  PO_SESSION_SOLVER,
+  PO_SESSION_KNOB,
   PO_SESSION_NEXT
 };
 // clang-format off
+#define PO_SESSION_SOLVER_OPTIONS                                                                  \
+  {"solver", required_argument, NULL, PO_SESSION_SOLVER},                                          \
+  {"knob", required_argument, NULL, PO_SESSION_KNOB}
+
 #define PO_SESSION_OPTIONS                                                                         \
+  PO_SESSION_SOLVER_OPTIONS,                                                                       \
   {"suite", required_argument, NULL, PO_SESSION_SUITE},                                            \
   {"output", required_argument, NULL, PO_SESSION_OUTPUT},                                          \
   {"jobs", required_argument, NULL, PO_SESSION_JOBS},                                              \
@@ -44,6 +59,7 @@ enum {
 
 /* The options of a verb that takes one case. */
 #define PO_SESSION_CASE_OPTIONS                                                                    \
+  PO_SESSION_SOLVER_OPTIONS,                                                                       \
   {"output", required_argument, NULL, PO_SESSION_OUTPUT},                                          \
   {"jobs", required_argument, NULL, PO_SESSION_JOBS},                                              \
   {"time-limit", required_argument, NULL, PO_SESSION_TIME_LIMIT},                                  \
@@ -53,6 +69,13 @@ enum {
 
 /* A session with the defaults. */
 po_session po_session_default(void);
+
+/* The lines of --solver and --knob in the help of a verb. */
+#define PO_SESSION_SOLVER_HELP                                                                     \
+  "  --solver MANIFEST ask this external solver (doc/solvers.md) instead; may be given several\n"  \
+  "                    times; pulloff is this program. Its records are in DIR/solvers/NAME\n"      \
+  "  --knob VALUE      value of the knob of the external solver (default: the last one of its\n"   \
+  "                    manifest)\n"
 
 /* The folder of the records; NULL: it is the default. */
 const char *po_session_output(const po_session *session);

@@ -21,7 +21,7 @@ static const char HELP[] =
     "  --jobs N          number of points solved in parallel; 0 means all cores (default 0); the\n"
     "                    results do not depend on it\n"
     "  --time-limit S    limit of the processor time of each solve, in seconds (default: the\n"
-    "                    limit in the case file, if any)\n"
+    "                    limit in the case file, if any)\n" PO_SESSION_SOLVER_HELP
     "  --fresh           solve all points again, even those with a valid record\n"
     "  -h, --help        print this text\n"
     "\n"

@@ -16,11 +16,15 @@ static const char HELP[] =
     "kernels. The kernels of the machine that merges do not matter.\n"
     "\n"
     "  --output DIR    folder to which the records are written (default build/run)\n"
+    "  --solver M      the shards are those of the external solver with the manifest M; each DIR\n"
+    "                  is then the folder solvers/NAME of a shard\n"
+    "  --knob VALUE    value of the knob of that solver (default: the last one)\n"
     "  -h, --help      print this text\n"
     "\n"
     "Example: pulloff merge shards/1 shards/2 shards/3 shards/4\n";
 
-static const struct option OPTIONS[] = {{"output", required_argument, NULL, PO_SESSION_OUTPUT},
+static const struct option OPTIONS[] = {PO_SESSION_SOLVER_OPTIONS,
+                                        {"output", required_argument, NULL, PO_SESSION_OUTPUT},
                                         {"help", no_argument, NULL, PO_OPTION_HELP},
                                         {NULL, 0, NULL, 0}};
 
@@ -51,7 +55,7 @@ static po_status put_together(po_session *session, const po_merge *merge) {
   if (status == PO_INTERRUPTED)
     po_fail(status, "interrupted; the shards are unchanged: run pulloff merge again");
   session->arithmetic = NULL;
-  if (!status)
+  if (!status && !session->solvers[0])
     tell_kernels(&arithmetic);
   po_names_free(names, count);
   return status;
@@ -64,7 +68,9 @@ int po_verb_merge(int argc, char **argv) {
   po_status status = PO_OK;
   if (!po_options_read(&options, po_session_option, &session, &status))
     return po_options_end(status);
-  if (optind == argc)
+  if (session.solver_count > 1)
+    status = po_fail(PO_BAD_INPUT, "merge takes one solver: expected --solver once");
+  if (!status && optind == argc)
     status =
         po_fail(PO_BAD_INPUT, "merge needs the folders of the shards (see pulloff merge --help)");
   if (!status)

@@ -17,7 +17,7 @@ static const char HELP[] =
     "  --shard K/N       solve only the K-th of N parts of all points, so that N machines can\n"
     "                    share a run; pulloff merge combines the parts\n"
     "  --time-limit S    limit of the processor time of each solve, in seconds (default: the\n"
-    "                    limit in the case file, if any)\n"
+    "                    limit in the case file, if any)\n" PO_SESSION_SOLVER_HELP
     "  --fresh           solve all points again, even those with a valid record\n"
     "  -h, --help        print this text\n"
     "\n"

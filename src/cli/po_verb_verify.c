@@ -25,7 +25,7 @@ static const char HELP[] =
     "  --points A[-B]    solve only points A to B of each case, counted from 0 (default: all); a\n"
     "                    later run of all points reuses them\n"
     "  --time-limit S    limit of the processor time of each solve, in seconds (default: the\n"
-    "                    limit in the case file, if any)\n"
+    "                    limit in the case file, if any)\n" PO_SESSION_SOLVER_HELP
     "  --fresh           solve all points again, even those with a valid record\n"
     "  --verbose         print a line for every check\n"
     "  --tap             print the verdicts as TAP 13, one line a check\n"
@@ -61,7 +61,7 @@ typedef struct {
 
 static po_status print(const verify_line *line) {
   const po_session *session = &line->session;
-  const size_t count = session->catalog.count;
+  const size_t count = session->run_count;
   po_text text = {0};
   if (line->tap)
     po_verdicts_tap(session->runs, count, &text);
@@ -77,7 +77,7 @@ static po_status print(const verify_line *line) {
 
 static po_status write_junit(const po_session *session, const char *junit) {
   po_text text = {0};
-  po_verdicts_junit(session->runs, session->catalog.count, &text);
+  po_verdicts_junit(session->runs, session->run_count, &text);
   const po_status status =
       text.failed ? PO_NO_MEMORY : po_file_write(junit, text.data, text.length);
   po_text_clear(&text);

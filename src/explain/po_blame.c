@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "po_plan.h"
+#include "po_recognise.h"
 
 static void say(po_blame *blame, const char *side, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
@@ -196,9 +197,49 @@ static bool blame_alone(const po_check_result *item, po_blame *blame) {
   }
 }
 
+/* A wrong factor is recognised with this relative tolerance, which leaves room for the error of a
+ * coarse mesh. */
+static const double CLOSE = 0.05;
+
+enum { MOST_PAIRS = 100 };
+
+/* The results of an external solver. A factor between the obtained and the expected numbers of a
+ * quantity, the same at all points, is named. */
+static void blame_solver(const po_case_run *run, const po_check_result *item, po_blame *blame) {
+  po_pair pairs[MOST_PAIRS];
+  size_t count = 0;
+  char factor[PO_FACTOR_LENGTH] = "1";
+  for (size_t i = 0; i < run->check_results.count && count < MOST_PAIRS; ++i) {
+    const po_check_result *other = &run->check_results.items[i];
+    if (other->check == item->check && strcmp(other->quantity, item->quantity) == 0 &&
+        isfinite(other->obtained) && isfinite(other->expected) && other->expected != 0)
+      pairs[count++] = (po_pair){other->obtained, other->expected,
+                                 &run->plan->kase->points[other->point].request.scene};
+  }
+  if (count > 0 && po_recognise_factor(pairs, count, CLOSE, factor) && strcmp(factor, "1") != 0)
+    say(blame, "solver",
+        "the results of %s are the expected values times %s at all %zu points: a wrong "
+        "unit, sign or factor",
+        run->plan->solver->name, factor, count);
+  else if (item->verdict == PO_NOT_REACHABLE)
+    say(blame, "none",
+        "%s follows stable equilibria and cannot see this value: the check does not "
+        "count",
+        run->plan->solver->name);
+  else
+    say(blame, "solver",
+        "%s was computed by an independent method: check %s first, and whether its mesh is fine "
+        "enough",
+        item->check->reference, run->plan->solver->name);
+}
+
 void po_blame_find(const po_case_run *run, const po_check_result *item, po_blame *blame) {
   if (blame_alone(item, blame))
     return;
+  if (run->plan->solver && item->ledger != PO_LEDGER_PIN) {
+    blame_solver(run, item, blame);
+    return;
+  }
   const other_results others = collect(&run->check_results, item);
   if (item->ledger == PO_LEDGER_ORACLE)
     blame_oracle(run, item, &others, blame);

@@ -100,7 +100,7 @@ static void explain_item(const po_case_run *run, const po_check_result *item, po
   char place[PO_PLACE_LENGTH] = "";
   po_blame blame;
   po_blame_find(run, item, &blame);
-  po_text_add(text, "%s %s %s: %s\n", kase->file->name, item->subject,
+  po_text_add(text, "%s %s %s: %s\n", po_plan_name(run->plan), item->subject,
               item->whole ? "-" : kase->points[item->point].label, po_verdict_name(item->verdict));
   explain_numbers(run, item, text);
   if (isfinite(item->approach)) {
@@ -133,12 +133,12 @@ void po_explain_text(const po_case_run *run, const po_explain_choice *choice, po
     if (is_chosen(choice, i) && po_case_run_failed(run, i)) {
       char *command = command_of(run, i, false);
       po_text_add(text, "%s solve %s: failed\n  reason     %s\n  rerun      %s\n\n",
-                  kase->file->name, kase->points[i].label, run->results[i].reason,
+                  po_plan_name(run->plan), kase->points[i].label, run->results[i].reason,
                   command ? command : "");
       free(command);
     }
-  po_text_add(text, "%s: %zu of %zu checks explained%s\n", kase->file->name, explained, considered,
-              explained < considered ? ", the others are within" : "");
+  po_text_add(text, "%s: %zu of %zu checks explained%s\n", po_plan_name(run->plan), explained,
+              considered, explained < considered ? ", the others are within" : "");
 }
 
 static json_t *item_json(const po_case_run *run, const po_check_result *item) {

@@ -110,7 +110,7 @@ void po_summary_add(const po_case_run *run, po_text *text) {
     text->failed = true;
     return;
   }
-  po_text_add(text, "%s: %zu of %zu points\n", run->plan->kase->file->name, run->asked_count,
+  po_text_add(text, "%s: %zu of %zu points\n", po_plan_name(run->plan), run->asked_count,
               run->plan->kase->point_count);
   add_statuses(run, text);
   add_costs(run, space, text);

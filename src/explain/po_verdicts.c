@@ -29,7 +29,7 @@ static void table_line(const po_case_run *run, const po_check_result *item, po_t
   number_or_dash(curve ? item->error : item->obtained, 9, obtained);
   number_or_dash(curve && isfinite(item->error) ? 0 : item->expected, 9, expected);
   ratio_or_dash(item->ratio, ratio);
-  po_text_add(text, "%-12s %-23s %-24s %14s %14s %9s  %-9s %s%s%s\n", run->plan->kase->file->name,
+  po_text_add(text, "%-12s %-23s %-24s %14s %14s %9s  %-9s %s%s%s\n", po_plan_name(run->plan),
               item->quantity, item->whole ? "-" : run->plan->kase->points[item->point].label,
               obtained, expected, ratio, po_ledger_name(item->ledger),
               po_verdict_name(item->verdict),
@@ -42,7 +42,7 @@ static void physical_lines(const po_case_run *run, po_text *text) {
   const po_case *kase = run->plan->kase;
   for (size_t i = 0; kase->is_physical && i < kase->point_count; ++i)
     if (run->results[i].has_pull_off)
-      po_text_add(text, "%-12s %-23s %-24s %.10g N at approach %.10g m\n", kase->file->name,
+      po_text_add(text, "%-12s %-23s %-24s %.10g N at approach %.10g m\n", po_plan_name(run->plan),
                   "pull_off", kase->points[i].label,
                   run->results[i].pull_off.force * kase->units.force,
                   run->results[i].pull_off.approach * kase->units.length);
@@ -92,7 +92,7 @@ void po_verdicts_table(const po_case_run *runs, size_t count, po_text *text) {
     physical_lines(run, text);
     for (size_t i = 0; i < run->plan->kase->point_count; ++i)
       if (po_case_run_failed(run, i))
-        po_text_add(text, "%-12s %-23s %-24s failed: %s\n", run->plan->kase->file->name, "solve",
+        po_text_add(text, "%-12s %-23s %-24s failed: %s\n", po_plan_name(run->plan), "solve",
                     run->plan->kase->points[i].label, run->results[i].reason);
   }
   po_verdicts_totals(runs, count, text);
@@ -112,7 +112,7 @@ static void describe(const po_check_result *item, char text[400]) {
 static void tap_check(const po_case_run *run, const po_check_result *item, size_t number,
                       po_text *text) {
   po_text_add(text, "%s %zu - %s %s\n", po_verdict_passes(item->verdict) ? "ok" : "not ok", number,
-              run->plan->kase->file->name, item->id);
+              po_plan_name(run->plan), item->id);
   if (item->verdict == PO_WITHIN)
     return;
   char why[400];
@@ -131,7 +131,7 @@ void po_verdicts_tap(const po_case_run *runs, size_t count, po_text *text) {
       tap_check(run, &run->check_results.items[i], ++number, text);
     for (size_t i = 0; i < run->plan->kase->point_count; ++i)
       if (po_case_run_failed(run, i))
-        po_text_add(text, "not ok %zu - %s solve/%s\n# %s\n", ++number, run->plan->kase->file->name,
+        po_text_add(text, "not ok %zu - %s solve/%s\n# %s\n", ++number, po_plan_name(run->plan),
                     run->plan->kase->points[i].label, run->results[i].reason);
   }
 }
@@ -173,13 +173,13 @@ static void junit_suite(const po_case_run *run, po_text *text) {
   const po_case *kase = run->plan->kase;
   const size_t failures = po_case_run_failures(run);
   po_text_add(text, "  <testsuite name=\"%s\" tests=\"%zu\" failures=\"%zu\" time=\"%.3f\">\n",
-              kase->file->name, run->check_results.count + failures,
+              po_plan_name(run->plan), run->check_results.count + failures,
               po_case_run_outside(run) + failures, run->elapsed);
   for (size_t i = 0; i < run->check_results.count; ++i) {
     const po_check_result *item = &run->check_results.items[i];
     char words[400];
     describe(item, words);
-    junit_test(kase->file->name, item->id, po_verdict_passes(item->verdict),
+    junit_test(po_plan_name(run->plan), item->id, po_verdict_passes(item->verdict),
                item->verdict == PO_WITHIN ? NULL : words, run->results[item->point].work.seconds,
                text);
   }
@@ -187,8 +187,8 @@ static void junit_suite(const po_case_run *run, po_text *text) {
     if (po_case_run_failed(run, i)) {
       char id[300];
       snprintf(id, sizeof id, "solve/%s", kase->points[i].label);
-      junit_test(kase->file->name, id, false, run->results[i].reason, run->results[i].work.seconds,
-                 text);
+      junit_test(po_plan_name(run->plan), id, false, run->results[i].reason,
+                 run->results[i].work.seconds, text);
     }
   po_text_add(text, "  </testsuite>\n");
 }

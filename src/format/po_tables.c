@@ -117,6 +117,14 @@ po_status po_tables_write_staircase(const char *path, const po_request *request,
 
 /* Reads a table with the columns `names`, in any order. Returned: *values, *rows x count, stored
  * row by row in the order of `names`, to be freed. */
+/* Reports whether a cell says that a number is unknown: the curve of an external solver has neither
+ * energies nor contact radii nor rates. */
+static bool is_unknown(const char *column, const char *cell) {
+  return strcmp(cell, "nan") == 0 &&
+         (strcmp(column, "energy") == 0 || strcmp(column, "contact_radius") == 0 ||
+          strcmp(column, "approach_rate") == 0 || strcmp(column, "load_rate") == 0);
+}
+
 static po_status read_numbers(const char *path, const char *digest, const char *const *names,
                               size_t count, double **values, size_t *rows) {
   po_csv csv;
@@ -135,8 +143,13 @@ static po_status read_numbers(const char *path, const char *digest, const char *
     if (column < 0)
       status = po_fail(PO_CANNOT_READ, "%s:%zu: the column %s is missing", path, csv.column_line,
                        names[c]);
-    for (size_t r = 0; !status && r < csv.row_count; ++r)
-      status = po_csv_number(&csv, r, (size_t)column, &(*values)[r * count + c]);
+    for (size_t r = 0; !status && r < csv.row_count; ++r) {
+      double *value = &(*values)[r * count + c];
+      if (is_unknown(names[c], po_csv_cell(&csv, r, (size_t)column)))
+        *value = (double)NAN;
+      else
+        status = po_csv_number(&csv, r, (size_t)column, value);
+    }
   }
   po_csv_clear(&csv);
   if (status) {

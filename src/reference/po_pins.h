@@ -15,9 +15,12 @@
 
 enum { PO_PIN_NAME_LENGTH = 64, PO_WORK_COUNTERS = 5 };
 
-/* Opens the pins of a case as a reference. If the file does not exist, nothing is pinned yet, and
- * the status is PO_OK. Status: PO_CANNOT_READ with file and line (damaged or edited by hand). */
-po_status po_pins_open(const po_case *kase, const char *name, po_reference *reference);
+/* Opens the pins of a case as a reference. Given: `solver`, the name of the external solver whose
+ * pins they are, pins/SOLVER/NAME.csv; NULL: those of this program. If the file does not exist,
+ * nothing is pinned yet, and the status is PO_OK. Status: PO_CANNOT_READ with file and line
+ * (damaged or edited by hand). */
+po_status po_pins_open(const po_case *kase, const char *name, const char *solver,
+                       po_reference *reference);
 
 /* Reports whether the file of the pins exists. */
 bool po_pins_exist(const po_reference *pins);

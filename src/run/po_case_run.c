@@ -2,6 +2,7 @@
 
 #include "po_memory.h"
 #include "po_run.h"
+#include "po_run_solver.h"
 
 po_status po_case_run_create(po_plan *plan, po_case_run *run) {
   const size_t points = plan->kase->point_count;
@@ -16,7 +17,7 @@ po_status po_case_run_create(po_plan *plan, po_case_run *run) {
       !run->asked)
     return PO_NO_MEMORY;
   po_case_run_ask(run, 0, points);
-  return PO_OK;
+  return plan->solver ? po_run_solver_begin(run) : PO_OK;
 }
 
 void po_case_run_clear(po_case_run *run) {
@@ -31,6 +32,9 @@ void po_case_run_clear(po_case_run *run) {
   free(run->done);
   free(run->asked);
   free(run->environment);
+  free(run->beyond);
+  free(run->processes);
+  free(run->kept_folder);
   po_check_results_clear(&run->check_results);
   po_check_results_clear(&run->measured);
   po_plan_destroy(run->plan);
@@ -57,7 +61,7 @@ bool po_case_run_is_done(const po_case_run *run) {
 }
 
 bool po_case_run_failed(const po_case_run *run, size_t point) {
-  if (run->results[point].status == PO_OK)
+  if (run->results[point].status == PO_OK || (run->beyond && run->beyond[point]))
     return false;
   for (size_t i = 0; i < run->check_results.count; ++i) {
     const po_check_result *item = &run->check_results.items[i];

@@ -224,7 +224,8 @@ static po_status check_runs(const po_merge_part *first, const po_case_run *runs,
   const po_status status = po_environment_arithmetic(&own);
   if (status)
     return status;
-  if (strcmp(string_of(first->root, "program"), own.program) != 0)
+  const po_solver *solver = runs[0].plan->solver;
+  if (strcmp(string_of(first->root, "program"), solver ? solver->digest : own.program) != 0)
     return po_fail(
         PO_BAD_INPUT,
         "%s was computed by another program: expected the program that merges the shards",

@@ -1,6 +1,7 @@
 #include "po_plan.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -23,6 +24,43 @@ const char *po_plan_reference_of(const po_plan *plan, const po_check *check) {
     if (check == &file->measure[i])
       return check->reference;
   return po_reference_shown(&plan->references[check - file->checks]);
+}
+
+/* The quantities of loading and unloading. */
+static const unsigned HYSTERESIS = 1U << PO_HYSTERESIS_FORCE | 1U << PO_HYSTERESIS_APPROACH |
+                                   1U << PO_HYSTERESIS_LOSS | 1U << PO_JUMPS;
+
+const char *po_plan_name(const po_plan *plan) {
+  return plan->name ? plan->name : plan->kase->file->name;
+}
+
+bool po_plan_covers(const po_plan *plan, const po_check *check) {
+  if (!plan->solver)
+    return true;
+  if (po_check_is_traced(check) || !po_solver_computes(plan->solver, check->quantity))
+    return false;
+  return !po_check_is_pin(check) ||
+         po_pins_exist(&plan->references[check - plan->kase->file->checks]);
+}
+
+unsigned po_plan_asked(const po_plan *plan) {
+  const po_case *kase = plan->kase;
+  unsigned asked = 0;
+  if (kase->want & PO_CASE_PULL_OFF)
+    asked |= 1U << PO_PULL_OFF_FORCE | 1U << PO_PULL_OFF_APPROACH;
+  if (kase->want & PO_CASE_FOLDS)
+    asked |= 1U << PO_FOLDS;
+  if (kase->want & PO_CASE_EXTREMA)
+    asked |= 1U << PO_EXTREMA;
+  if (kase->want & PO_CASE_CURVE)
+    asked |= 1U << PO_CURVE;
+  if (kase->want & PO_CASE_HYSTERESIS)
+    asked |= HYSTERESIS;
+  for (unsigned i = 0; i < kase->file->checks_count; ++i)
+    asked |= 1U << kase->file->checks[i].quantity;
+  for (unsigned i = 0; i < kase->file->measure_count; ++i)
+    asked |= 1U << kase->file->measure[i].quantity;
+  return asked & plan->solver->quantities;
 }
 
 /* Determines which results the case and its checks need. */
@@ -53,6 +91,11 @@ static void decide(po_plan *plan) {
   for (unsigned i = 0; i < kase->file->measure_count; ++i)
     if (kase->file->measure[i].quantity == PO_CURVE)
       plan->want |= PO_WANT_CURVE;
+  if (plan->solver) {
+    const unsigned asked = po_plan_asked(plan);
+    plan->want &= (asked & (1U << PO_CURVE) ? PO_WANT_CURVE : 0U) |
+                  (asked & HYSTERESIS ? PO_WANT_HYSTERESIS : 0U);
+  }
 }
 
 static po_status open_references(po_plan *plan, const char *data_folder) {
@@ -65,7 +108,8 @@ static po_status open_references(po_plan *plan, const char *data_folder) {
   for (unsigned i = 0; !status && i < file->checks_count; ++i) {
     const po_check *check = &file->checks[i];
     status = po_check_is_pin(check)
-                 ? po_pins_open(plan->kase, check->reference, &plan->references[i])
+                 ? po_pins_open(plan->kase, check->reference,
+                                plan->solver ? plan->solver->name : NULL, &plan->references[i])
                  : po_reference_open_check(data_folder, check, &plan->references[i]);
     if (!status && plan->references[i].type != PO_REFERENCE_ABSENT)
       status = po_compare_check_tolerance(plan->kase, check, i + 1, &plan->references[i]);
@@ -109,15 +153,29 @@ po_status po_plan_create(const po_case *kase, const char *data_folder, po_plan *
   return status ? status : po_plan_create_for(kase, data_folder, &own, result);
 }
 
-po_status po_plan_create_for(const po_case *kase, const char *data_folder,
-                             const po_arithmetic *arithmetic, po_plan **result) {
+/* Composes the name of the plan of an external solver. */
+static po_status name_plan(po_plan *plan) {
+  po_text name = {0};
+  if (!plan->solver)
+    return PO_OK;
+  po_text_add(&name, "%s:%s", plan->solver->name, plan->kase->file->name);
+  plan->name = name.data;
+  return name.failed ? PO_NO_MEMORY : PO_OK;
+}
+
+static po_status create(const po_case *kase, const char *data_folder,
+                        const po_arithmetic *arithmetic, const po_solver *solver,
+                        po_plan **result) {
   *result = NULL;
   po_plan *plan = po_allocate(1, sizeof *plan);
   if (!plan)
     return PO_NO_MEMORY;
   plan->kase = kase;
+  plan->solver = solver;
   plan->arithmetic = *arithmetic;
-  po_status status = open_references(plan, data_folder);
+  po_status status = name_plan(plan);
+  if (!status)
+    status = open_references(plan, data_folder);
   if (!status) {
     decide(plan);
     status = make_keys(plan);
@@ -129,6 +187,18 @@ po_status po_plan_create_for(const po_case *kase, const char *data_folder,
   else
     *result = plan;
   return status;
+}
+
+po_status po_plan_create_for(const po_case *kase, const char *data_folder,
+                             const po_arithmetic *arithmetic, po_plan **result) {
+  return create(kase, data_folder, arithmetic, NULL, result);
+}
+
+po_status po_plan_create_solver(const po_case *kase, const char *data_folder,
+                                const po_solver *solver, po_plan **result) {
+  po_arithmetic arithmetic = {.openblas = "", .kernels = ""};
+  snprintf(arithmetic.program, sizeof arithmetic.program, "%s", solver->digest);
+  return create(kase, data_folder, &arithmetic, solver, result);
 }
 
 void po_plan_destroy(po_plan *plan) {
@@ -143,5 +213,6 @@ void po_plan_destroy(po_plan *plan) {
   for (size_t i = 0; i < plan->line_count; ++i)
     free(plan->lines[i]);
   free(plan->lines);
+  free(plan->name);
   free(plan);
 }

@@ -6,9 +6,12 @@
 #include "po_digest.h"
 #include "po_environment.h"
 #include "po_reference.h"
+#include "po_solver.h"
 
 typedef struct {
   const po_case *kase;
+  const po_solver *solver;  /* that computes the results; NULL: this program */
+  char *name;               /* in printed lines: of the case, or "SOLVER:CASE"; see po_plan_name */
   po_reference *references; /* one a check, open */
   po_reference *measures;   /* one a measurement, open */
   unsigned want;            /* bit set of PO_WANT_..., for every point */
@@ -29,7 +32,22 @@ po_status po_plan_create(const po_case *kase, const char *data_folder, po_plan *
  */
 po_status po_plan_create_for(const po_case *kase, const char *data_folder,
                              const po_arithmetic *arithmetic, po_plan **result);
+
+/* Creates the plan of a case for an external solver, which must outlive the plan. Only what the
+ * solver computes is wanted. */
+po_status po_plan_create_solver(const po_case *kase, const char *data_folder,
+                                const po_solver *solver, po_plan **result);
 void po_plan_destroy(po_plan *plan);
+
+/* Returned: the name of the case in printed lines. */
+const char *po_plan_name(const po_plan *plan);
+
+/* Reports whether a check is made: an external solver computes its quantity, and has pins if it is
+ * a check against pins. Every check is made on results of this program. */
+bool po_plan_covers(const po_plan *plan, const po_check *check);
+
+/* Returned: the quantities that an external solver is asked for: bit set of 1 << po_quantity. */
+unsigned po_plan_asked(const po_plan *plan);
 
 /* Returned: the reference of a check or a measurement, as a path or a name:
  * "reference/feng_pull_off.csv", "bradley", "cases/pins/smoke.csv". */

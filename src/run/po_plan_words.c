@@ -250,7 +250,25 @@ static po_status tell_checks(po_plan *plan) {
   return status;
 }
 
+/* The plan of an external solver: what it is asked, and what it is not. */
+static po_status describe_solver(po_plan *plan) {
+  const po_case *kase = plan->kase;
+  size_t asked = 0, made = 0;
+  char why[PO_SOLVER_WHY] = "";
+  for (size_t i = 0; i < kase->point_count; ++i)
+    asked += po_solver_accepts(plan->solver, &kase->points[i].request, why);
+  for (unsigned c = 0; c < kase->file->checks_count; ++c)
+    made += po_plan_covers(plan, &kase->file->checks[c]);
+  po_status status = say(plan, "ask the solver %s for %zu of %zu points", plan->solver->name, asked,
+                         kase->point_count);
+  if (!status && asked < kase->point_count)
+    status = say(plan, "leave out the others, for example because %s", why);
+  return status ? status : say(plan, "make %zu of %u checks", made, kase->file->checks_count);
+}
+
 po_status po_plan_describe(po_plan *plan) {
+  if (plan->solver)
+    return describe_solver(plan);
   const point_counts count = count_properties(plan->kase);
   po_status status = tell_sample(plan);
   if (!status)

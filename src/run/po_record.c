@@ -11,6 +11,7 @@
 #include "po_json.h"
 #include "po_json_units.h"
 #include "po_lines.h"
+#include "po_run_solver.h"
 #include "po_tables.h"
 
 static json_t *suites(const po_case *kase) {
@@ -246,7 +247,8 @@ static json_t *record_json(const po_case_run *run, int jobs, json_t *points, jso
       {"seconds", po_json_number(run->elapsed)}, {"plan", plan_json(run->plan)}, {"points", points},
       {"checks", results_json(run, &run->check_results, check_json)},
       {"measured", results_json(run, &run->measured, measure_json)},
-      {"left_out", left_out(run->plan)}, {"not_solved", not_solved(kase)}, {"lines", lines});
+      {"left_out", left_out(run->plan)}, {"not_solved", not_solved(kase)}, {"lines", lines},
+      {"solver", po_run_solver_json(run)});
 }
 
 po_status po_record_write(const po_case_run *run, const char *output, int jobs,

@@ -15,6 +15,7 @@
 #include "po_observe.h"
 #include "po_progress.h"
 #include "po_record.h"
+#include "po_run_solver.h"
 #include "po_tasks.h"
 
 /* The data that the threads of a run share. */
@@ -47,14 +48,40 @@ static void give_up(po_crew *crew, po_status status) {
   crew->broken = true;
 }
 
-static po_status compare_all(po_case_run *run) {
+/* Reports whether the results of a point are compared: it is requested, and an external solver was
+ * asked for it. */
+static bool is_judged(const po_case_run *run, size_t point) {
+  return run->asked[point] && !(run->beyond && run->beyond[point]);
+}
+
+static bool is_measured(const po_case_run *run, const po_check *measure) {
+  return !run->plan->solver || po_solver_computes(run->plan->solver, measure->quantity);
+}
+
+/* The share of solved points among those that an external solver was asked for. */
+static po_status compare_share(po_case_run *run, const po_check *check,
+                               const po_reference *reference) {
+  const po_case *kase = run->plan->kase;
+  bool *judged = po_allocate(kase->point_count, sizeof *judged);
+  if (!judged)
+    return PO_NO_MEMORY;
+  for (size_t i = 0; i < kase->point_count; ++i)
+    judged[i] = is_judged(run, i);
+  const po_status status =
+      po_compare_share(kase, judged, check, reference, run->results, &run->check_results);
+  free(judged);
+  return status;
+}
+
+static po_status compare_all(po_case_run *run, const volatile sig_atomic_t *stop) {
   const po_case *kase = run->plan->kase;
   po_status status = PO_OK;
   for (unsigned c = 0; !status && c < kase->file->checks_count; ++c) {
     const po_check *check = &kase->file->checks[c];
+    if (!po_plan_covers(run->plan, check))
+      continue;
     if (check->quantity == PO_SOLVED_SHARE) {
-      status = po_compare_share(kase, run->asked, check, &run->plan->references[c], run->results,
-                                &run->check_results);
+      status = compare_share(run, check, &run->plan->references[c]);
       continue;
     }
     if (po_check_is_traced(check)) {
@@ -63,18 +90,18 @@ static po_status compare_all(po_case_run *run) {
       continue;
     }
     for (size_t i = 0; !status && i < kase->point_count; ++i)
-      if (run->asked[i])
+      if (is_judged(run, i))
         status = po_compare(kase, i, check, &run->plan->references[c], &run->results[i],
                             &run->check_results);
   }
   for (unsigned m = 0; !status && m < kase->file->measure_count; ++m)
     for (size_t i = 0; !status && i < kase->point_count; ++i)
-      if (run->asked[i])
+      if (is_judged(run, i) && is_measured(run, &kase->file->measure[m]))
         status = po_compare(kase, i, &kase->file->measure[m], &run->plan->measures[m],
                             &run->results[i], &run->measured);
   if (!status)
     po_judge(&run->check_results);
-  return status;
+  return !status && run->plan->solver ? po_run_solver_judge(run, stop) : status;
 }
 
 static void report_finished(po_crew *crew, const po_case_run *run) {
@@ -85,15 +112,14 @@ static void report_finished(po_crew *crew, const po_case_run *run) {
     snprintf(kept, sizeof kept, " (%zu points kept)", run->resumed);
   if (!po_case_run_is_whole(run))
     snprintf(part, sizeof part, " of %zu", run->plan->kase->point_count);
-  po_progress_say(&crew->progress, "%s: %zu%s points, %zu checks: %s%s",
-                  run->plan->kase->file->name, run->asked_count, part, run->check_results.count,
-                  po_case_run_verdict(run), kept);
+  po_progress_say(&crew->progress, "%s: %zu%s points, %zu checks: %s%s", po_plan_name(run->plan),
+                  run->asked_count, part, run->check_results.count, po_case_run_verdict(run), kept);
 }
 
 /* Makes the checks and writes the record of a case whose points are all solved. */
 static po_status finish_case(po_crew *crew, po_case_run *run) {
   const po_run_options *options = crew->options;
-  po_status status = compare_all(run);
+  po_status status = compare_all(run, options->stop);
   if (!status && po_case_run_is_whole(run) && strcmp(run->old_key, run->plan->key) != 0)
     status = po_record_write(run, options->output, crew->jobs, options->stop);
   run->finished = status == PO_OK;
@@ -170,7 +196,7 @@ static bool is_starved(po_crew *crew, const po_case_run *run, size_t point) {
     return false;
   if (!crew->starved)
     snprintf(crew->starved_message, sizeof crew->starved_message, "%s %s: %s",
-             run->plan->kase->file->name, run->plan->kase->points[point].label, result->reason);
+             po_plan_name(run->plan), run->plan->kase->points[point].label, result->reason);
   return true;
 }
 
@@ -179,7 +205,7 @@ static po_status take_point(po_crew *crew, po_case_run *run, size_t point, unsig
   if (run->done[point] || !run->asked[point])
     return PO_OK;
   char what[128];
-  snprintf(what, sizeof what, "%.40s %.60s", run->plan->kase->file->name,
+  snprintf(what, sizeof what, "%.40s %.60s", po_plan_name(run->plan),
            run->plan->kase->points[point].label);
   po_progress_step(&crew->progress, what, effort(run));
   if (round + 1 < run->plan->kase->repeats)
@@ -190,8 +216,46 @@ static po_status take_point(po_crew *crew, po_case_run *run, size_t point, unsig
   return PO_OK;
 }
 
+/* Stores a point that an external solver has answered. Its answer is in the journal before the next
+ * one is read. To be called inside the critical section. */
+static po_status take_solved(void *context, po_case_run *run, size_t point, bool again) {
+  po_crew *crew = context;
+  char what[128];
+  if (!again) {
+    snprintf(what, sizeof what, "%.40s %.60s", po_plan_name(run->plan),
+             run->plan->kase->points[point].label);
+    po_progress_step(&crew->progress, what, effort(run));
+    run->pending -= 1;
+    run->done[point] = true;
+  }
+  return po_journal_add(run, point, crew->options->output);
+}
+
+/* Asks an external solver for its share of the points. */
+static void do_share(po_crew *crew, const po_task *task) {
+  po_case_run *run = &crew->runs[task->run];
+  const double begin = po_clock_wall();
+  po_no_memory_forget();
+  po_status status = po_run_solver_ask(run, task->point, crew->options->output, crew->options->stop,
+                                       take_solved, crew);
+#pragma omp critical(po_run_finish)
+  {
+    run->elapsed += po_clock_wall() - begin;
+    run->shares_left -= 1;
+    if (!status && run->pending == 0 && run->shares_left == 0)
+      status = finish_case(crew, run);
+    status = po_no_memory_or(status);
+    if (status && status != PO_INTERRUPTED)
+      give_up(crew, status);
+  }
+}
+
 static void do_task(po_crew *crew, const po_task *task) {
   po_case_run *run = &crew->runs[task->run];
+  if (run->plan->solver) {
+    do_share(crew, task);
+    return;
+  }
   const size_t points = run->plan->kase->series_length;
   const double begin = po_clock_wall();
   po_status status = PO_OK;
@@ -219,7 +283,8 @@ static void begin_progress(po_crew *crew, size_t count) {
   double all = 0;
   for (size_t r = 0; r < count; ++r) {
     const po_case_run *run = &crew->runs[r];
-    const size_t pending = run->finished ? 0 : run->pending * run->plan->kase->repeats;
+    const unsigned rounds = run->plan->solver ? 1 : run->plan->kase->repeats;
+    const size_t pending = run->finished ? 0 : run->pending * rounds;
     solves += pending;
     all += (double)pending * effort(run);
   }
@@ -288,17 +353,24 @@ static po_status begin_case(po_crew *crew, po_case_run *run) {
       return finish_case(crew, run);
     if (status == PO_NOT_FOUND)
       status = po_journal_read(run, options->output);
+    if (!status && run->plan->solver)
+      status = po_run_solver_recover(run, options->output);
     if (status)
       return status;
   }
+  run->chunks = run->plan->kase->repeats > 1 ? 1 : (size_t)crew->jobs;
   run->pending = 0;
   for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
     if (!run->asked[i])
       continue;
     run->pending += run->done[i] ? 0 : 1;
-    run->resumed += run->done[i] ? 1 : 0;
-    run->elapsed += run->done[i] ? run->results[i].work.seconds : 0;
+    const bool resumed = run->done[i] && !(run->beyond && run->beyond[i]);
+    run->resumed += resumed;
+    run->elapsed += resumed && !run->plan->solver ? run->results[i].work.seconds : 0;
   }
+  if (run->chunks > run->pending)
+    run->chunks = run->pending;
+  run->shares_left = run->chunks;
   return run->pending ? PO_OK : finish_case(crew, run);
 }
 

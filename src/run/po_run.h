@@ -4,8 +4,16 @@
 
 #include <signal.h>
 
+#include "po_ask.h"
 #include "po_check_result.h"
 #include "po_plan.h"
+
+/* How much of a case an external solver covers. */
+typedef struct {
+  size_t points, asked; /* requested points, and those within its manifest */
+  size_t checks, made;  /* pairs of a check and a point, and those that were compared */
+  size_t not_reachable; /* of these, the ones whose expected value it cannot see */
+} po_coverage;
 
 /* A case in a run. */
 typedef struct {
@@ -26,6 +34,14 @@ typedef struct {
   po_check_results measured; /* the measurements: errors without a verdict */
   double elapsed;            /* seconds that the solves took */
   char *environment;         /* of the solves, as JSON; NULL: that of this process */
+  /* Of an external solver (po_run_solver.h). */
+  bool *beyond;       /* one a point: its manifest excludes the point; NULL: none */
+  size_t chunks;      /* number of shares into which the points are divided */
+  size_t shares_left; /* number of shares whose process has not ended */
+  po_coverage coverage;
+  po_ask_process *processes; /* those that were run */
+  size_t process_count;
+  char *kept_folder; /* of a process that did not end as it should; NULL: none */
 } po_case_run;
 
 typedef struct {

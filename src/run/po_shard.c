@@ -75,6 +75,8 @@ po_status po_shard_write(const po_case_run *runs, size_t count, po_shard shard, 
   po_status status = po_environment_arithmetic(&own);
   if (status)
     return status;
+  if (runs[0].plan->solver)
+    own = runs[0].plan->arithmetic;
   json_t *document = PO_JSON_OBJECT(
       {"schema", po_json_text(PO_SHARD_SCHEMA)}, {"shard", po_json_count(shard.number)},
       {"of", po_json_count(shard.count)}, {"program", po_json_text(own.program)},

@@ -19,6 +19,11 @@ static void add_round(const po_case_run *runs, size_t count, bool timed, unsigne
     const unsigned repeats = run->plan->kase->repeats;
     if (run->finished || (repeats > 1) != timed || round >= repeats)
       continue;
+    if (run->plan->solver) {
+      for (size_t share = 0; round == 0 && share < run->chunks; ++share)
+        tasks[(*total)++] = (po_task){r, share, 0};
+      continue;
+    }
     for (size_t p = 0; p < run->plan->kase->point_count; p += run->plan->kase->series_length)
       if (is_wanted(run, p))
         tasks[(*total)++] = (po_task){r, p, round};

@@ -4,7 +4,8 @@
 
 #include "po_run.h"
 
-/* The solve of a point, or of the series that begins with this point. */
+/* The solve of a point, or of the series that begins with this point; for an external solver, a
+ * process that is asked for a share of the points: `point` is the number of the share. */
 typedef struct {
   size_t run, point;
   unsigned round; /* number of the repetition, from 0 */

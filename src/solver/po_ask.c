@@ -1,10 +1,12 @@
 #include "po_ask.h"
 
+#include <fcntl.h>
 #include <ftw.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include "po_clock.h"
@@ -27,6 +29,7 @@ typedef struct {
   const po_solver *solver;
   const po_question *questions;
   size_t count;
+  const char *key;
   const volatile sig_atomic_t *stop;
   po_answer_taker *take;
   void *context;
@@ -148,6 +151,7 @@ static po_status take_lines(asking *a, po_response *response, bool last, po_ask_
 
 typedef struct {
   char *folder, *request, *table, *response;
+  int lock; /* the file of the key, locked while this program lives; -1: none */
 } places;
 
 static void clear_places(places *p) {
@@ -155,7 +159,9 @@ static void clear_places(places *p) {
   free(p->request);
   free(p->table);
   free(p->response);
-  *p = (places){0};
+  if (p->lock >= 0)
+    close(p->lock);
+  *p = (places){.lock = -1};
 }
 
 static int remove_entry(const char *path, const struct stat *found, int type, struct FTW *walk) {
@@ -169,10 +175,27 @@ static void remove_folder(const char *folder) {
   nftw(folder, remove_entry, 16, FTW_DEPTH | FTW_PHYS | FTW_MOUNT);
 }
 
+/* The file of the key, in the folder of a process. */
+static const char KEY_FILE[] = "key";
+
+/* Writes the key into the folder of a process and locks the file. */
+static po_status lock_key(const asking *a, places *p) {
+  char *path = po_path_join(p->folder, KEY_FILE);
+  if (!path)
+    return PO_NO_MEMORY;
+  po_status status = po_file_write(path, a->key, strlen(a->key));
+  if (!status)
+    p->lock = open(path, O_RDONLY | O_CLOEXEC);
+  if (p->lock >= 0)
+    (void)flock(p->lock, LOCK_EX | LOCK_NB);
+  free(path);
+  return status;
+}
+
 /* Creates a folder for a process, with its request. */
 static po_status make_places(asking *a, const char *folder, places *p) {
   po_text request = {0}, table = {0};
-  *p = (places){.folder = po_path_join(folder, "ask-XXXXXX")};
+  *p = (places){.folder = po_path_join(folder, "ask-XXXXXX"), .lock = -1};
   po_status status = p->folder ? po_folder_make(folder) : PO_NO_MEMORY;
   if (!status && !mkdtemp(p->folder))
     status = po_fail(PO_CANNOT_WRITE, "a folder for the solver cannot be created in %s", folder);
@@ -186,6 +209,8 @@ static po_status make_places(asking *a, const char *folder, places *p) {
   }
   if (!status && !(p->request && p->table && p->response))
     status = PO_NO_MEMORY;
+  if (!status && a->key)
+    status = lock_key(a, p);
   if (!status)
     status = po_questions_json(a->solver, a->questions, a->open, a->count, &request);
   if (!status)
@@ -451,13 +476,14 @@ static po_status ask_all(asking *a, const char *folder) {
 }
 
 po_status po_ask(const po_solver *solver, const po_question *questions, size_t count,
-                 const char *folder, const volatile sig_atomic_t *stop, po_answer_taker *take,
-                 void *context, po_ask_log *log) {
+                 const char *folder, const char *key, const volatile sig_atomic_t *stop,
+                 po_answer_taker *take, void *context, po_ask_log *log) {
   const unsigned repeats = count ? questions[0].repeats : 1;
   *log = (po_ask_log){0};
   asking a = {.solver = solver,
               .questions = questions,
               .count = count,
+              .key = key,
               .stop = stop,
               .take = take,
               .context = context,
@@ -482,6 +508,75 @@ po_status po_ask(const po_solver *solver, const po_question *questions, size_t c
   free(a.answers);
   free(a.seen);
   free(a.spoiled);
+  return status;
+}
+
+/* Takes the complete successful answers of a response that an interrupted run left. */
+static po_status recover_response(const po_question *questions, size_t count, bool *done,
+                                  const char *path, po_answer_taker *take, void *context) {
+  po_response response = {.path = path, .file = -1};
+  po_status status = PO_OK;
+  const char *line = NULL;
+  size_t length = 0, before = 0;
+  do {
+    before = response.read;
+    if (!po_response_read(&response))
+      break;
+    while (!status && (line = po_response_line(&response, false, &length))) {
+      po_answer answer;
+      status = po_answer_read(line, length, &answer);
+      size_t q = 0;
+      while (q < count && (done[q] || strcmp(questions[q].id, answer.id) != 0))
+        ++q;
+      if (!status && q < count)
+        po_answer_check(&questions[q], &answer);
+      /* of repeated solves, all would be needed: such a point is solved again */
+      if (!status && q < count && answer.result.status == PO_OK && questions[q].repeats == 1 &&
+          answer.repeat == 1) {
+        done[q] = true;
+        status = take(context, q, &answer, true);
+      }
+      po_answer_clear(&answer);
+    }
+  } while (!status && response.read > before);
+  po_response_close(&response);
+  return status;
+}
+
+/* Reports whether a folder belongs to a process with the same key whose run does not live. */
+static bool is_left(const char *folder, const char *key) {
+  char *path = po_path_join(folder, KEY_FILE), found[PO_DIGEST_LENGTH] = "";
+  const int file = path ? open(path, O_RDONLY | O_CLOEXEC) : -1;
+  free(path);
+  if (file < 0)
+    return false;
+  const bool same =
+      read(file, found, sizeof found - 1) == (ssize_t)strlen(key) && strcmp(found, key) == 0;
+  const bool left = same && flock(file, LOCK_EX | LOCK_NB) == 0;
+  close(file);
+  return left;
+}
+
+po_status po_ask_recover(const po_question *questions, size_t count, const char *folder,
+                         const char *key, po_answer_taker *take, void *context) {
+  char **names = NULL;
+  size_t name_count = 0;
+  bool *done = po_allocate(count, sizeof *done);
+  po_status status = done ? PO_OK : PO_NO_MEMORY;
+  if (!status && po_path_exists(folder))
+    status = po_folder_list(folder, "", &names, &name_count);
+  for (size_t i = 0; !status && i < name_count; ++i) {
+    char *path = strncmp(names[i], "ask-", 4) == 0 ? po_path_join(folder, names[i]) : NULL;
+    char *response = path && is_left(path, key) ? po_path_join(path, "response.jsonl") : NULL;
+    if (response)
+      status = recover_response(questions, count, done, response, take, context);
+    if (response && !status)
+      remove_folder(path);
+    free(response);
+    free(path);
+  }
+  po_names_free(names, name_count);
+  free(done);
   return status;
 }
 

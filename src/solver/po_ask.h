@@ -31,13 +31,20 @@ typedef struct {
                    its request and response; NULL: there was none */
 } po_ask_log;
 
-/* Asks all questions. Given: `folder`, in which the solver gets folders of its own; `stop`, ends
- * the process when it becomes nonzero; may be NULL. Returned: log, to be cleared whatever the
- * status. Status: PO_INTERRUPTED, PO_CANNOT_WRITE, PO_CANNOT_READ (the program cannot be started),
- * PO_NO_MEMORY, that of `take`. */
+/* Asks all questions. Given: `folder`, in which the solver gets folders of its own; `key`, a digest
+ * that identifies the questions for po_ask_recover, or NULL; `stop`, ends the process when it
+ * becomes nonzero; may be NULL. Returned: log, to be cleared whatever the status. Status:
+ * PO_INTERRUPTED, PO_CANNOT_WRITE, PO_CANNOT_READ (the program cannot be started), PO_NO_MEMORY,
+ * that of `take`. */
 po_status po_ask(const po_solver *solver, const po_question *questions, size_t count,
-                 const char *folder, const volatile sig_atomic_t *stop, po_answer_taker *take,
-                 void *context, po_ask_log *log);
+                 const char *folder, const char *key, const volatile sig_atomic_t *stop,
+                 po_answer_taker *take, void *context, po_ask_log *log);
+
+/* Takes the successful answers that processes wrote for the same key while this program was killed,
+ * and removes their folders. A process that is still running, of another run in the same folder, is
+ * left alone. Status: PO_NO_MEMORY, that of `take`. */
+po_status po_ask_recover(const po_question *questions, size_t count, const char *folder,
+                         const char *key, po_answer_taker *take, void *context);
 void po_ask_log_clear(po_ask_log *log);
 
 #endif

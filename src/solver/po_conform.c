@@ -183,7 +183,7 @@ static po_status ask(conforming *c, size_t count, unsigned repeats,
     questions[i] = c->scenes[i].question;
     questions[i].repeats = repeats;
   }
-  return po_ask(c->solver, questions, count, c->folder, stop, taker, c, log);
+  return po_ask(c->solver, questions, count, c->folder, NULL, stop, taker, c, log);
 }
 
 static po_status test_empty(conforming *c) {

@@ -60,6 +60,8 @@ static bool explains(const po_pair *pairs, size_t count, const factor *f, bool i
   double least = INFINITY, most = 0;
   for (size_t i = 0; i < count; ++i) {
     const double value = f->number * (f->of ? f->of(pairs[i].scene) : 1);
+    if (!(value > 0) || !isfinite(value))
+      return false;
     const double x = (negative ? -1 : 1) * (inverse ? 1 / value : value);
     if (!(fabs(pairs[i].obtained - x * pairs[i].expected) <=
           tolerance * fabs(x * pairs[i].expected)))

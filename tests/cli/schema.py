@@ -104,6 +104,18 @@ want: [pull_off]
 """, 0),
 }
 
+# An external solver, which knows one of the points of `mixed`.
+SOLVER = """
+protocol: pulloff-ask/1
+solver: good
+command: [/usr/bin/python3, '%s', '%s', '%s', '{request}', '{response}']
+can:
+  scene: [{key: tabor, to: 1.5}, {key: radius}, {key: outer_radius}]
+  quantities: [pull_off_force, pull_off_approach]
+  unstable: true
+knob: {name: nodes, values: [3, 7]}
+"""
+
 
 class Tests:
     def __init__(self, program, root, folder):
@@ -218,6 +230,10 @@ def main():
             tests.valid("record", pathlib.Path(folder, f"run/{name}/record.json").read_text(), f"record of {name}")
             explained = tests.run(f"explain {path.name} --output run --all --json", code)
             tests.valid("explain", explained, f"explain {name}")
+        root_words = f"{root}/tests/cli/responder.py", "good", f"{root}/reference/feng_pull_off.csv"
+        pathlib.Path(folder, "solver.yaml").write_text(SOLVER % root_words)
+        tests.run("run mixed.yaml --solver solver.yaml --output run")
+        tests.valid("record", pathlib.Path(folder, "run/solvers/good/mixed/record.json").read_text(), "record of a solver")
     tests.tell("every property was seen", sorted(map(".".join, tests.unseen - NOT_HERE)))
     tests.documented(root / "doc/json.md")
     print(f"{tests.passed} passed, {tests.failed} failed")

@@ -26,7 +26,7 @@ po_status __wrap_po_run(po_case_run *runs, size_t count, const po_run_options *o
 po_status __wrap_po_shard_write(const po_case_run *runs, size_t count, po_shard shard,
                                 double time_limit, int jobs, const char *output);
 po_status __wrap_po_ask(const po_solver *solver, const po_question *questions, size_t count,
-                        const char *folder, const volatile sig_atomic_t *stop,
+                        const char *folder, const char *key, const volatile sig_atomic_t *stop,
                         po_answer_taker *take, void *context, po_ask_log *log);
 po_status __wrap_po_file_write(const char *path, const char *data, size_t size);
 po_status __wrap_po_folder_make(const char *path);
@@ -74,9 +74,9 @@ po_status __wrap_po_shard_write(const po_case_run *runs, size_t count, po_shard 
 }
 
 po_status __wrap_po_ask(const po_solver *solver, const po_question *questions, size_t count,
-                        const char *folder, const volatile sig_atomic_t *stop,
+                        const char *folder, const char *key, const volatile sig_atomic_t *stop,
                         po_answer_taker *take, void *context, po_ask_log *log) {
-  (void)questions, (void)count, (void)stop, (void)take, (void)context;
+  (void)key, (void)questions, (void)count, (void)stop, (void)take, (void)context;
   *log = (po_ask_log){0};
   fuzz_require(*folder && solver->command[0], "a solver without a folder or a command");
   return po_fail(PO_INTERRUPTED, "no solver is started here");

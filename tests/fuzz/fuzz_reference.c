@@ -107,7 +107,7 @@ static void open_pins(const fuzz_part *table) {
       .path = (char *)fuzz_path("case.yaml"), .shown = (char *)"case.yaml", .file = &file};
   po_reference pins;
   fuzz_write(fuzz_path("pins/table.csv"), table->bytes, table->size);
-  const po_status status = po_pins_open(&kase, "pin", &pins);
+  const po_status status = po_pins_open(&kase, "pin", NULL, &pins);
   fuzz_require_message(status);
   if (status)
     return;

@@ -1,0 +1,191 @@
+#!/bin/sh
+# Cases that an external solver solves: verdicts, coverage, what is kept, shards, pins, explanations.
+# shellcheck disable=SC1091,SC2034,SC2154
+. "$(dirname "$0")/lib.sh"
+root=$here/../..
+export PULLOFF_DATA="$root"
+python=/usr/bin/python3
+
+manifest() { # MODE [MORE LINES]: the manifest MODE.yaml of a responder.
+  cat >"$1.yaml" <<END
+protocol: pulloff-ask/1
+solver: $1
+command: [$python, '$here/responder.py', $1, '$root/reference/feng_pull_off.csv', '{request}', '{response}']
+can:
+  scene: [{key: tabor, to: ${most:-5}}, {key: radius}, {key: outer_radius}]
+  quantities: [pull_off_force, pull_off_approach, contact_radius]
+  unstable: ${unstable:-true}
+time_limit: 2
+$2
+END
+}
+
+write_case() { # NAME TABORS
+  cat >"$1.yaml" <<END
+name: $1
+title: Smooth spheres
+suites: [own]
+scene: {radius: 100, outer_radius: inf}
+sweep:
+  - together: [{scheme: panel}, {scheme: triangle, nodes: 51}]
+  - {key: tabor, values: [$2]}
+want: [pull_off]
+checks:
+  - {quantity: pull_off_force, reference: reference/feng_pull_off.csv, tolerance: 1e-2, kind: abs, because: b}
+  - {quantity: contact_radius, reference: reference/feng_pull_off.csv, tolerance: 1.5, kind: abs, because: b}
+  - {quantity: folds, reference: reference/feng_landmarks.csv, tolerance: 1e-2, kind: abs, because: b}
+  - {quantity: pull_off_force, reference: pin, tolerance: 1e-9, kind: abs, because: b}
+END
+}
+printed() { # PATTERN: tests that standard output or standard error has a line with the pattern.
+  check "a line with: $1; there is: $(cat "$work/stdout" "$work/stderr")" grep -qE "$1" "$work/stdout" "$work/stderr"
+}
+value() { # FILE EXPRESSION: prints a value of a record.
+  $python -c "import json, sys; r = json.load(open(sys.argv[1])); print($2)" "$1"
+}
+go() { # CODE ARGUMENT...: runs the program; the exit code must be CODE.
+  want=$1
+  shift
+  "$program" "$@" >"$work/stdout" 2>"$work/stderr"
+  got=$?
+  check "pulloff $*: exit code $got, expected $want: $(cat "$work/stderr")" [ $got -eq "$want" ]
+}
+
+# A good solver: its verdicts, its coverage, its record. Points that differ only in our mesh are asked once.
+manifest good
+write_case judged '0.5, 1, 2, 3'
+go 0 verify judged.yaml --solver good.yaml --output run
+printed '^solver   good \(good.yaml\)'
+printed '^command  /usr/bin/python3'
+printed '^good:judged .*coverage 8/8 points, 16/32 checks'
+printed '^16 checks pass'
+record=run/solvers/good/judged/record.json
+check 'the record names the solver' [ "$(value $record "r['solver']['name']")" = good ]
+check 'four questions are asked for eight points' [ "$(value $record "sum(p['asked'] for p in r['solver']['processes'])")" = 4 ]
+check 'both meshes have the answer' \
+  [ "$(value $record "r['points'][0]['pull_off']['force'] == r['points'][4]['pull_off']['force'] > 1.7")" = True ]
+check 'our records are untouched' [ ! -e run/judged ]
+check 'no folder of a process is left' [ -z "$(find run -name 'ask-*')" ]
+go 0 run judged.yaml --solver good.yaml --output run
+printed 'good:judged: 8 points, 16 checks: within \(kept\)'
+
+# What the manifest excludes is left out, and the coverage says so.
+most=1.5
+manifest part
+sed 's/^solver: part/solver: part/; s/, part,/, good,/' part.yaml >part.tmp && mv part.tmp part.yaml
+most=
+go 0 verify judged.yaml --solver part.yaml --output run
+printed '^part:judged .*coverage 4/8 points, 8/32 checks'
+check 'a point that is left out says why' [ "$(value run/solvers/part/judged/record.json \
+  "r['points'][2]['status'], r['points'][2]['reason'], r['points'][2]['failed']")" = \
+  'unsupported not asked: tabor is 2: outside the values that the manifest declares False' ]
+
+# Several solvers at once, one of them this program.
+go 1 verify judged.yaml --solver good.yaml --solver pulloff --output run --points 0-3
+printed '^good:judged .*coverage 4/4 points, 8/16 checks'
+printed '^judged .*missing_reference|^judged +12 +4'
+expect 2 'pulloff: --solver names good twice: expected each solver once' \
+  verify judged.yaml --solver good.yaml --solver good.yaml
+expect 2 'pulloff: explain takes one solver: expected --solver once' \
+  explain judged.yaml --solver good.yaml --solver pulloff
+expect 2 'pulloff: --knob is given without --solver: expected both' run judged.yaml --knob 3
+expect 4 'pulloff: absent.yaml cannot be opened: *' run judged.yaml --solver absent.yaml
+
+# A planted factor: verify fails, explain names it.
+manifest pi
+go 1 verify judged.yaml --solver pi.yaml --output run
+printed '^    pulloff explain judged.yaml --point 0 --solver pi.yaml --output run'
+go 1 explain judged.yaml --solver pi.yaml --output run
+printed 'fault +solver: the results of pi are the expected values times pi at all 8 points'
+
+# Every kind of failure is a status of its point; the others are judged.
+# What ends the process does so again at the second point of the next one.
+for mode in crash:4 hang:4 nan:6 skip:6 twice:6 lacking:6 stranger:6 half_line:4; do
+  solved=${mode#*:}
+  mode=${mode%:*}
+  manifest $mode 'start_limit: 5'
+  go 3 verify judged.yaml --solver $mode.yaml --output run --jobs 1
+  check "$mode: $solved points are solved: $(cat "$work/stdout")" \
+    [ "$(value run/solvers/$mode/judged/record.json "[p['status'] for p in r['points']].count('ok')")" = $solved ]
+done
+for pair in crash:crashed hang:timed_out nan:invalid skip:no_answer twice:invalid lacking:invalid half_line:invalid; do
+  check "$pair" [ "$(value run/solvers/${pair%:*}/judged/record.json "r['points'][1]['status']")" = ${pair#*:} ]
+done
+
+# Killed at any moment, the program loses no answer that was written; the solver does not outlive it.
+manifest slow
+write_case long '0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 1, 1.25, 1.5'
+journal=kill/solvers/slow/long/points.jsonl
+answers() { # the distinct points that are answered, in the journal or in a response
+  cat kill/solvers/slow/long/ask-*/response.jsonl $journal 2>/dev/null |
+    $python -c "
+import json, sys
+found = set()
+for line in sys.stdin:
+    try:
+        found.add(int((json.loads(line).get('point') or json.loads(line))['id']) % 12)
+    except ValueError:
+        pass
+print(len(found))"
+}
+for pause in 0.35 0.5 0.8; do
+  "$program" run long.yaml --solver slow.yaml --output kill --jobs 1 2>/dev/null &
+  child=$!
+  sleep $pause
+  kill -9 $child
+  wait $child 2>/dev/null
+done
+sleep 0.2
+check 'the solver does not outlive the program' [ -z "$(pgrep -f "responder.py slow" || true)" ]
+before=$(answers)
+check "answers were written before: $before" [ "$before" -ge 2 ]
+go 0 run long.yaml --solver slow.yaml --output kill --jobs 2
+asked=$(value kill/solvers/slow/long/record.json "sum(p['answered'] for p in r['solver']['processes'])")
+check "$before answers were written, $asked were asked again: expected 12 together" [ $((before + asked)) -eq 12 ]
+check 'nothing is left of the killed processes' [ -z "$(find kill -name 'ask-*')" ]
+
+# An answer that only the response of a killed process has is taken from there.
+"$program" run long.yaml --solver slow.yaml --output lost --jobs 1 2>/dev/null &
+child=$!
+wait_for test -s lost/solvers/slow/long/points.jsonl
+kill -9 $child
+wait $child 2>/dev/null
+rm lost/solvers/slow/long/points.jsonl
+go 0 run long.yaml --solver slow.yaml --output lost --jobs 1
+printed 'slow:long: 24 points, .* \([1-9][0-9]* points kept\)'
+
+# Shards, merged, are the whole.
+for k in 1 2; do
+  go 0 run judged.yaml --solver good.yaml --shard $k/2 --output shards/$k
+done
+go 0 merge shards/1/solvers/good shards/2/solvers/good --solver good.yaml --output merged
+strip() { $python -c "
+import json, sys
+r = json.load(open(sys.argv[1]))
+print([(p['id'], p['status'], p['pull_off'], p['folds']) for p in r['points']], r['checks'], r['solver']['coverage'])" "$1"; }
+strip merged/solvers/good/judged/record.json >a
+strip run/solvers/good/judged/record.json >b
+check 'the merged record is that of one run' cmp a b
+expect 2 'pulloff: * was computed by another program*' merge shards/1/solvers/good shards/2/solvers/good
+
+# Pins of its own.
+go 0 bless judged.yaml --solver good.yaml --output run --reason first
+check 'the pins of the solver' [ -s pins/good/judged.csv ]
+check 'no pins of ours' [ ! -e pins/judged.csv ]
+go 0 verify judged.yaml --solver good.yaml --output run
+printed '^good:judged .*coverage 8/8 points, 24/32 checks'
+manifest scalar
+go 0 verify judged.yaml --solver scalar.yaml --output run
+printed '^scalar:judged .*coverage 8/8 points, 16/32 checks'
+
+# The step of a solver that locates jumps with one.
+unstable=false
+manifest shifted 'approach_step: 1.5'
+write_case steps '1, 2'
+sed -i 's/contact_radius,\(.*\)1.5/pull_off_approach,\11e-3/' steps.yaml
+go 0 verify steps.yaml --solver shifted.yaml --output run --verbose
+printed 'pull_off_approach .* within$'
+manifest shifted 'approach_step: 0.5'
+go 1 verify steps.yaml --solver shifted.yaml --output run
+
+finish
