@@ -1,7 +1,5 @@
 #include "po_companion_jkr.h"
 
-#include <math.h>
-
 #include "po_abel.h"
 #include "po_guduru.h"
 #include "po_jkr_path.h"
@@ -19,25 +17,7 @@ static const double EXCESS = 0.1, WAVES = 0.25;
 static double bound(const po_scene *scene, double load) {
   if (!po_scene_is_of_paper(scene))
     return po_jkr_profile_last_minimum(scene, load, EXCESS) + WAVES * po_abel_longest_wave(scene);
-  if (!po_scene_is_of_paper(scene))
-    return NAN;
   return po_guduru_last_minimum(scene, load, EXCESS) + WAVES * scene->wavelength;
 }
 
-static po_status require_paper(const po_scene *scene) {
-  return po_scene_is_of_paper(scene)
-             ? PO_OK
-             : po_fail(PO_BAD_INPUT, "Eq 5 is of a sphere with one wave or none");
-}
-
-static po_status hysteresis(const po_scene *scene, po_preload preload, po_hysteresis *loops) {
-  const po_status status = require_paper(scene);
-  return status ? status : po_jkr_hysteresis(scene, preload, loops);
-}
-
-static po_status staircases(const po_scene *scene, po_staircase staircase[2]) {
-  const po_status status = require_paper(scene);
-  return status ? status : po_jkr_staircases(scene, staircase);
-}
-
-const po_companion PO_COMPANION_JKR = {bound, hysteresis, staircases};
+const po_companion PO_COMPANION_JKR = {bound, po_jkr_hysteresis, po_jkr_staircases};

@@ -52,6 +52,22 @@ check 'the printed table' grep -q '^displacement control: pull-off force against
 check 'which preloads give the pull-off' grep -q '^preload  loading beyond approach 2.61.* gives this pull-off$' stdout
 check 'and that no harder one gives more' grep -q '^harder   no harder preload gives a greater pull-off force$' stdout
 
+# The staircase of the JKR theory of another profile ends at the deepest minimum of the load, as in
+# reference/jkr_profiles.csv.
+cat >jkr.py <<'LOOK'
+import csv, json, sys
+
+rows = csv.DictReader(line for line in open(sys.argv[1]) if not line.startswith("#"))
+wanted = [-float(row["load"]) for row in rows if (row["profile"], row["waves"], row["coupling"], row["kind"]) ==
+          ("cone:0.5", "0.2@7", "0.7", "pull_off_load")]
+jkr = json.load(open("cone.json"))["staircase"]["jkr"]
+found = [jkr[control]["steps"][-1]["force"] for control in ("displacement_control", "load_control")]
+assert all(abs(force - wanted[0]) < 1e-10 * wanted[0] for force in found), (found, wanted)
+LOOK
+expect 0 '' solve --profile cone:0.5 --wave 0.2,7 --coupling 0.7 --tolerance 1e-4 --want preload --json
+cp stdout cone.json
+check 'the JKR staircase of a wavy cone' "$python" jkr.py "$here/../../reference/jkr_profiles.csv"
+
 # The pull-off depends on the preload, not on the option by which it is given.
 # shellcheck disable=SC2086
 for preload in '--preload 2.5' '--preload-load 0.01' '--approach-end 2.5' '--preload inf'; do
@@ -155,5 +171,5 @@ assert min(ratios) > 0.999 and max(ratios) > 2, ratios
 assert all(p["ended"] is None or p["ended"]["why"] == "preload" for p in some)
 MORE
 check 'a series with --preload inf' "$python" more.py
-expect 2 'pulloff: --key is preload: expected tabor, amplitude, *' follow --key preload --from 1 --to 2
+expect 2 'pulloff: --key is preload: expected tabor, coupling, amplitude, *' follow --key preload --from 1 --to 2
 finish
