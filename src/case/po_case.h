@@ -65,6 +65,7 @@ typedef struct {
 /* The scene in SI units as written. Keys that are not given are NULL. */
 typedef struct {
   char *modulus, *work, *distance, *radius, *amplitude, *wavelength, *outer_radius;
+  char *profile, *profile_file, *waves;
 } po_physical_words;
 
 /* The scene as written. Keys that are not given are NULL; the parser fills in those that follow

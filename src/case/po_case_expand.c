@@ -33,14 +33,16 @@ static po_status count_points(po_case *kase, const po_yaml *yaml) {
 
 /* Sets the keys of a point to the values of one setting of an item of the sweep. A group is set
  * later, when the keys that it depends on have their values. */
-static void add_setting(po_point *point, const po_sweep *sweep, unsigned setting, po_text *label) {
+static void add_setting(const po_case *kase, po_point *point, const po_sweep *sweep,
+                        unsigned setting, po_text *label) {
   for (int key = 0; key < PO_KEY_END; ++key) {
     const char *value = po_sweep_value(sweep, setting, (po_key)key);
     if (!value)
       continue;
     if (!po_key_is_group(key))
       po_key_set(&point->request, (po_key)key, value);
-    po_text_add(label, "%s%s=%s", label->length ? " " : "", po_key_name((po_key)key), value);
+    po_text_add(label, "%s%s=%s", label->length ? " " : "", po_key_name((po_key)key),
+                key == PO_KEY_PROFILE_FILE ? po_case_profile_shown(kase, value) : value);
   }
 }
 
@@ -67,7 +69,7 @@ static po_status fill_point(const po_case *kase, size_t index, const po_yaml *ya
     for (int key = PO_KEY_COUNT; key < PO_KEY_END; ++key)
       if (po_sweep_value(sweep, setting, (po_key)key))
         group[key - PO_KEY_COUNT] = po_sweep_value(sweep, setting, (po_key)key);
-    add_setting(point, sweep, setting, &label);
+    add_setting(kase, point, sweep, setting, &label);
   }
   bool possible = po_case_sample_draw(file, scene, &point->request, &label);
   for (int i = 0; i < GROUPS; ++i) /* after the keys that the groups depend on */

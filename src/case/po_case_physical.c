@@ -8,8 +8,11 @@
 #include "po_schema.h"
 
 /* The keys that follow from the block, and therefore may not be given beside it. */
-static const po_key DERIVED[] = {PO_KEY_TABOR, PO_KEY_AMPLITUDE, PO_KEY_WAVELENGTH, PO_KEY_RADIUS,
-                                 PO_KEY_OUTER_RADIUS};
+static const po_key DERIVED[] = {
+    PO_KEY_TABOR,   PO_KEY_AMPLITUDE,   PO_KEY_WAVELENGTH,  PO_KEY_RADIUS,      PO_KEY_OUTER_RADIUS,
+    PO_KEY_PROFILE, PO_KEY_POWER_C,     PO_KEY_POWER_N,     PO_KEY_CONE_T,      PO_KEY_PUNCH_B,
+    PO_KEY_PUNCH_R, PO_KEY_TRUNCATED_B, PO_KEY_TRUNCATED_R, PO_KEY_TABLE_SCALE, PO_KEY_PROFILE_FILE,
+    PO_KEY_WAVES,   PO_KEY_COUPLING};
 enum { DERIVED_COUNT = sizeof DERIVED / sizeof *DERIVED };
 
 /* Parses a number of the block. */
@@ -46,8 +49,8 @@ static po_status read_words(const po_physical_words *words, po_physical *p, cons
 }
 
 static po_status refuse_both(const po_case_file *file, const po_yaml *yaml) {
-  static const char NOT_BOTH[] = "none of tabor, amplitude, wavelength, radius, outer_radius, or a "
-                                 "group of them, beside scene.physical";
+  static const char NOT_BOTH[] = "none of tabor, amplitude, wavelength, radius, outer_radius, the "
+                                 "profile and waves, or a group of them, beside scene.physical";
   for (int i = 0; i < DERIVED_COUNT; ++i)
     if (file->scene.values[DERIVED[i]])
       return po_schema_refuse(yaml, NOT_BOTH, "scene.%s", po_key_name(DERIVED[i]));
@@ -63,6 +66,54 @@ static po_status refuse_both(const po_case_file *file, const po_yaml *yaml) {
   return PO_OK;
 }
 
+/* Whether a key has no value in a scene that was given in SI units: those of the profile and the
+ * waves that it does not have. */
+static bool is_absent(const po_request *request, po_key key) {
+  return po_key_is_group(key) || (po_key_is_idle(request, key) &&
+                                  (key != PO_KEY_AMPLITUDE || po_scene_waves(&request->scene) > 1));
+}
+
+/* Sets the profile of the block. */
+static po_status set_profile(const po_case *kase, po_physical_words *words, double distance,
+                             po_request *request, const po_yaml *yaml) {
+  po_profile *profile = &request->scene.profile;
+  po_status status = PO_OK;
+  if (words->profile && words->profile_file)
+    return po_schema_refuse(yaml, "only one of profile and profile_file",
+                            "scene.physical.profile_file");
+  if (words->waves && words->amplitude)
+    return po_schema_refuse(yaml, "only waves, or amplitude_m and wavelength_m",
+                            "scene.physical.waves");
+  if (words->profile && !po_profile_set(profile, words->profile))
+    return po_schema_refuse(yaml, NULL, "scene.physical.profile");
+  if (words->profile && (status = po_profile_check(profile)))
+    return po_case_refuse_for(yaml, "scene.physical.profile", status);
+  po_profile_rescale(profile, distance);
+  if (words->profile_file) {
+    status = po_case_profile_path(kase, &words->profile_file);
+    if (!status)
+      status = po_profile_set_file(profile, words->profile_file);
+    if (status)
+      return po_case_refuse_for(yaml, "scene.physical.profile_file", status);
+  }
+  if (!words->radius && po_profile_is_sphere(profile))
+    return po_schema_refuse(yaml, NULL, "scene.physical.radius_m");
+  return PO_OK;
+}
+
+/* Sets the waves of the block, in metres. */
+static po_status set_waves(const char *text, double distance, po_scene *scene,
+                           const po_yaml *yaml) {
+  po_scene metres = po_scene_default();
+  if (!po_scene_set_waves(&metres, text))
+    return po_schema_refuse(yaml, NULL, "scene.physical.waves");
+  for (size_t k = 0; k < po_scene_waves(&metres); ++k) {
+    const po_wave wave = po_scene_wave(&metres, k);
+    po_scene_add_wave(scene, (po_wave){wave.amplitude / distance, wave.length / distance});
+  }
+  return PO_OK;
+}
+
 po_status po_case_physical_parse(po_case *kase, const po_yaml *yaml) {
   po_scene_words *words = &kase->file->scene;
   if (!words->physical)
@@ -72,21 +123,25 @@ po_status po_case_physical_parse(po_case *kase, const po_yaml *yaml) {
   po_status status = refuse_both(kase->file, yaml);
   if (!status)
     status = read_words(words->physical, &physical, yaml);
+  if (!status && physical.distance > 0.0)
+    status = set_profile(kase, words->physical, physical.distance, &request, yaml);
   if (status)
     return status;
+  if (!words->physical->radius)
+    physical.radius = physical.distance;
   status = po_physical_scene(&physical, &request.scene);
   if (status) {
-    char *why = po_copy_text(po_message());
-    status = po_fail(PO_BAD_INPUT, "%s:%zu: scene.physical: %s", po_yaml_name(yaml),
-                     po_yaml_line(yaml, "scene.physical"), why ? why : "refused");
-    free(why);
-    return status;
+    return po_case_refuse_for(yaml, "scene.physical", status);
   }
+  if (words->physical->waves)
+    status = set_waves(words->physical->waves, physical.distance, &request.scene, yaml);
+  if (status)
+    return status;
   kase->is_physical = true;
   kase->units = po_physical_units(&physical, &request.scene);
   for (int i = 0; i < DERIVED_COUNT; ++i) {
     char text[PO_KEY_TEXT_LENGTH];
-    if (DERIVED[i] == PO_KEY_WAVELENGTH && !(physical.amplitude > 0.0))
+    if (is_absent(&request, DERIVED[i]))
       continue;
     po_key_print(&request, DERIVED[i], text);
     words->values[DERIVED[i]] = po_copy_text(text);

@@ -9,6 +9,29 @@
 #include "po_memory.h"
 #include "po_schema.h"
 
+/* The length of the folder of the case file in its path, with the slash. */
+static size_t folder_length(const po_case *kase) {
+  const char *slash = strrchr(kase->path, '/');
+  return slash ? (size_t)(slash - kase->path) + 1 : 0;
+}
+
+const char *po_case_profile_shown(const po_case *kase, const char *path) {
+  const size_t length = folder_length(kase);
+  return strncmp(path, kase->path, length) == 0 ? path + length : path;
+}
+
+po_status po_case_profile_path(const po_case *kase, char **word) {
+  po_text path = {0};
+  if ((*word)[0] == '/')
+    return PO_OK;
+  po_text_add(&path, "%.*s%s", (int)folder_length(kase), kase->path, *word);
+  if (path.failed)
+    return PO_NO_MEMORY;
+  free(*word);
+  *word = path.data;
+  return PO_OK;
+}
+
 /* Replaces the name of a table, relative to the case file, by its path, and reads it. */
 static po_status resolve(const po_case *kase, const po_yaml *yaml, char **word, const char *format,
                          ...) __attribute__((format(printf, 4, 5)));
@@ -20,24 +43,11 @@ static po_status resolve(const po_case *kase, const po_yaml *yaml, char **word, 
   va_start(arguments, format);
   vsnprintf(where, sizeof where, format, arguments);
   va_end(arguments);
-  const char *slash = strrchr(kase->path, '/');
-  if ((*word)[0] != '/' && slash) {
-    po_text path = {0};
-    po_text_add(&path, "%.*s/%s", (int)(slash - kase->path), kase->path, *word);
-    if (path.failed)
-      return PO_NO_MEMORY;
-    free(*word);
-    *word = path.data;
-  }
   po_profile scratch = po_profile_sphere();
-  const po_status status = po_profile_set_file(&scratch, *word);
-  if (!status || status == PO_NO_MEMORY)
-    return status;
-  char *why = po_copy_text(po_message());
-  const po_status failed = po_fail(status, "%s:%zu: %s: %s", po_yaml_name(yaml),
-                                   po_yaml_line(yaml, where), where, why ? why : "refused");
-  free(why);
-  return failed;
+  po_status status = po_case_profile_path(kase, word);
+  if (!status)
+    status = po_profile_set_file(&scratch, *word);
+  return status ? po_case_refuse_for(yaml, where, status) : PO_OK;
 }
 
 static po_status resolve_axes(const po_case *kase, const po_yaml *yaml, po_axis *axes,
@@ -78,6 +88,16 @@ static po_status resolve_sweep(const po_case *kase, const po_yaml *yaml) {
                          "sweep[%u].together[%u].profile_file", i + 1, k + 1);
   }
   return status;
+}
+
+po_status po_case_refuse_for(const po_yaml *yaml, const char *where, po_status status) {
+  if (status == PO_NO_MEMORY)
+    return status;
+  char *why = po_copy_text(po_message());
+  const po_status failed = po_fail(status, "%s:%zu: %s: %s", po_yaml_name(yaml),
+                                   po_yaml_line(yaml, where), where, why ? why : "refused");
+  free(why);
+  return failed;
 }
 
 po_status po_case_profile_resolve(po_case *kase, const po_yaml *yaml) {

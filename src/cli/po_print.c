@@ -237,8 +237,7 @@ static void print_table(const po_profile *profile) {
   printf(
       "table    %zu rows to radius %.6g, beyond which the gap is continued as r^%.4g; its spline "
       "is uncertain by %.1e\n",
-      table->rows, po_profile_end(profile), po_profile_growth(profile),
-      profile->parameter[PO_TABLE_SCALE] * table->uncertainty);
+      table->rows, po_profile_end(profile), po_profile_growth(profile), table->uncertainty);
 }
 
 /* The scene, defaults included, and the units of all numbers below. */

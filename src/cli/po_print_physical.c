@@ -25,6 +25,20 @@ static void set(json_t **object, const char *key, double value) {
   po_json_set(object, key, isinf(value) ? po_json_text("inf") : po_json_number(value));
 }
 
+/* The waves in metres, as the key `waves` has them in epsilon. */
+static json_t *waves_of(const po_scene_flags *flags) {
+  po_text text = {0};
+  for (size_t k = 0; k < flags->waves; ++k) {
+    char amplitude[PO_NUMBER_LENGTH], length[PO_NUMBER_LENGTH];
+    po_number_print(flags->wave[k].amplitude, amplitude);
+    po_number_print(flags->wave[k].length, length);
+    po_text_add(&text, "%s%s@%s", k ? ";" : "", amplitude, length);
+  }
+  if (text.failed)
+    po_text_clear(&text);
+  return po_json_take_text(text.data);
+}
+
 json_t *po_json_physical_input(const po_scene_flags *flags) {
   json_t *input = po_json_empty_object();
   if (!isnan(flags->modulus))
@@ -34,6 +48,12 @@ json_t *po_json_physical_input(const po_scene_flags *flags) {
   for (int i = 0; i < LENGTH_COUNT; ++i)
     if (!isnan(flags->metres[LENGTHS[i].length]))
       set(&input, LENGTHS[i].key, flags->metres[LENGTHS[i].length]);
+  if (flags->profile)
+    po_json_set(&input, "profile", po_json_text(flags->shown));
+  if (flags->profile_file)
+    po_json_set(&input, "profile_file", po_json_text(flags->profile_file));
+  if (flags->waves)
+    po_json_set(&input, "waves", waves_of(flags));
   return PO_JSON_OBJECT({"input", input}, {"units", po_json_units(&flags->units)});
 }
 
@@ -105,6 +125,12 @@ void po_print_physical_input(const po_scene_flags *flags) {
       printf(" %.*s %g m", (int)(snprintf(NULL, 0, "%s", name) - 2), name,
              flags->metres[LENGTHS[i].length]);
     }
+  if (flags->profile)
+    printf(" profile %s in m", flags->shown);
+  if (flags->profile_file)
+    printf(" profile of %s in m", flags->profile_file);
+  for (size_t k = 0; k < flags->waves; ++k)
+    printf(" wave %g,%g m", flags->wave[k].amplitude, flags->wave[k].length);
   printf("\n");
 }
 

@@ -31,7 +31,7 @@ static const char HELP[] =
     "  --key KEY               parameter that varies: tabor, amplitude, wavelength, radius,\n"
     "                          outer-radius, amplitude-ratio, coupling, or a parameter of the law\n"
     "                          or the profile: mie-m, mie-n, morse-a, power-c, power-n, cone-t,\n"
-    "                          punch-b, punch-r, truncated-b, truncated-r or table-scale\n"
+    "                          punch-b, punch-r, truncated-b or truncated-r\n"
     "  --from A                first value of the parameter\n"
     "  --to B                  last value of the parameter\n"
     "  --points N              number of scenes, 2 to 10000 (default 60)\n"

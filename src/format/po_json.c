@@ -30,12 +30,10 @@ json_t *po_json_input(const po_request *request) {
 /* The table of the profile of a scene, which must have one. */
 static json_t *table_of(const po_profile *profile) {
   const po_profile_table *table = profile->table;
-  const double scale = profile->parameter[PO_TABLE_SCALE];
-  return PO_JSON_OBJECT({"rows", po_json_count(table->rows)},
-                        {"end_radius", po_json_number(po_profile_end(profile))},
-                        {"exponent", po_json_number(table->growth)},
-                        {"uncertainty", po_json_number(scale * table->uncertainty)},
-                        {"sha256", po_json_text(table->digest)});
+  return PO_JSON_OBJECT(
+      {"rows", po_json_count(table->rows)}, {"end_radius", po_json_number(po_profile_end(profile))},
+      {"exponent", po_json_number(table->growth)},
+      {"uncertainty", po_json_number(table->uncertainty)}, {"sha256", po_json_text(table->digest)});
 }
 
 static json_t *special_points(const po_special_point *list, size_t count) {

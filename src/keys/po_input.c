@@ -99,7 +99,7 @@ static bool is_of_profile(int key) {
 
 bool po_key_is_continuous(int key) {
   return (key >= PO_KEY_TABOR && key <= PO_KEY_OUTER_RADIUS) || is_of_law(key) ||
-         is_of_profile(key) || po_key_is_group(key);
+         (is_of_profile(key) && key != PO_KEY_TABLE_SCALE) || po_key_is_group(key);
 }
 
 po_key po_key_target(po_key key) {
@@ -189,6 +189,17 @@ static bool set_name(po_request *request, po_key key, const char *text) {
   return true;
 }
 
+/* A table that was read before is read again in the new unit. */
+static bool set_scale(po_request *request, double scale) {
+  po_profile profile = request->scene.profile;
+  po_profile_set_parameter(&profile, PO_TABLE_SCALE, scale);
+  const bool set = !po_profile_is_table(&profile) ||
+                   po_profile_set_file(&profile, po_profile_file(&profile)) == PO_OK;
+  if (set)
+    request->scene.profile = profile;
+  return set;
+}
+
 static bool parse_value(value_type type, const char *text, double *value) {
   switch (type) {
   case ANY_NUMBER:
@@ -229,6 +240,8 @@ bool po_key_set(po_request *request, po_key key, const char *text) {
     value = po_scene_tabor_of_coupling(value, request->scene.radius);
   else if (key == PO_KEY_RADIUS)
     request->radius_given = true;
+  if (key == PO_KEY_TABLE_SCALE)
+    return set_scale(request, value);
   if (is_of_law(key))
     po_law_set_parameter(&request->scene.law, (po_law_parameter)(key - PO_KEY_MIE_M), value);
   else
@@ -440,7 +453,7 @@ static void add_waves(po_text *command, const char *waves) {
   }
 }
 
-static void add_option(po_text *command, const po_request *request, po_key key) {
+static void add_option(po_text *command, const po_request *request, po_key key, bool identity) {
   char value[PO_KEY_TEXT_LENGTH], flag[PO_NUMBER_LENGTH];
   po_key_print(request, key, value);
   if (key == PO_KEY_WAVES) {
@@ -453,17 +466,17 @@ static void add_option(po_text *command, const po_request *request, po_key key) 
       *c = '-';
   po_text_add(command, " --%s ", flag);
   if (key == PO_KEY_PROFILE_FILE)
-    po_text_add_word(command, value);
+    po_text_add_word(command, identity ? po_profile_digest(&request->scene.profile) : value);
   else
     po_text_add(command, "%s", value);
 }
 
-char *po_input_command(const po_request *request) {
+static char *describe(const po_request *request, bool identity) {
   po_text command = {0};
   po_text_add(&command, "pulloff solve");
   for (int key = 0; key < PO_KEY_COUNT; ++key)
     if (!po_key_is_idle(request, (po_key)key))
-      add_option(&command, request, (po_key)key);
+      add_option(&command, request, (po_key)key, identity);
   /* without the preload, a single solve would search beyond the default one */
   if (adds_preload(request))
     po_text_add(&command, " --preload-load %g", po_request_preload(request).load);
@@ -476,4 +489,12 @@ char *po_input_command(const po_request *request) {
   if (command.failed)
     po_text_clear(&command);
   return command.data;
+}
+
+char *po_input_command(const po_request *request) {
+  return describe(request, false);
+}
+
+char *po_input_identity(const po_request *request) {
+  return describe(request, true);
 }

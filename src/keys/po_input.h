@@ -120,4 +120,8 @@ bool po_key_is_of_scene(po_key key);
  * search beyond its preload, to be freed; NULL if memory runs out. */
 char *po_input_command(const po_request *request);
 
+/* Returned: a text that differs for solves that may have different results, to be freed: the
+ * command, with the content of a table instead of its path; NULL if memory runs out. */
+char *po_input_identity(const po_request *request);
+
 #endif

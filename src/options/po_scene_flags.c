@@ -143,8 +143,20 @@ static po_status refuse_si(const char *name, const char *suffix) {
                  suffix);
 }
 
-/* Sets the profile and its default radius. */
-static po_status set_profile(const po_scene_flags *flags, po_scene *scene) {
+/* Writes the name of a profile and its parameters. */
+static void show_profile(const po_profile *profile, char *shown, size_t size) {
+  char number[PO_NUMBER_LENGTH];
+  int length = snprintf(shown, size, "%s", po_profile_name(profile));
+  for (int k = 0, named = 0; k < PO_PROFILE_PARAMETER_COUNT; ++k)
+    if (po_profile_has(profile, (po_profile_parameter)k)) {
+      po_number_print(profile->parameter[k], number);
+      length +=
+          snprintf(shown + length, size - (size_t)length, "%c%s", named++ ? ',' : ':', number);
+    }
+}
+
+/* Sets the profile and its default radius. Given: epsilon in the unit of the parameters. */
+static po_status set_profile(po_scene_flags *flags, double epsilon, po_scene *scene) {
   bool given[PO_PROFILE_PARAMETER_COUNT];
   po_status status = PO_OK;
   if (flags->profile && flags->profile_file)
@@ -156,6 +168,12 @@ static po_status set_profile(const po_scene_flags *flags, po_scene *scene) {
   }
   if (flags->profile)
     po_profile_set(&scene->profile, flags->profile);
+  if (!flags->profile_file)
+    status = po_profile_check(&scene->profile);
+  if (flags->profile)
+    show_profile(&scene->profile, flags->shown, sizeof flags->shown);
+  if (epsilon != 1.0)
+    po_profile_rescale(&scene->profile, epsilon);
   if (flags->profile_file)
     status = po_profile_set_file(&scene->profile, flags->profile_file);
   if (!status)
@@ -165,7 +183,7 @@ static po_status set_profile(const po_scene_flags *flags, po_scene *scene) {
   return status;
 }
 
-static po_status end_dimensionless(const po_scene_flags *flags, po_scene *scene) {
+static po_status end_dimensionless(po_scene_flags *flags, po_scene *scene) {
   if (!isnan(flags->modulus))
     return refuse_si("modulus-pa", "");
   if (!isnan(flags->work))
@@ -177,7 +195,7 @@ static po_status end_dimensionless(const po_scene_flags *flags, po_scene *scene)
       return refuse_si(LENGTHS[i].name, "-m");
   if (!isnan(flags->coupling) && !isnan(flags->tabor))
     return po_fail(PO_BAD_INPUT, "both --coupling and --tabor are given: expected only one");
-  const po_status status = set_profile(flags, scene);
+  const po_status status = set_profile(flags, 1.0, scene);
   if (status)
     return status;
   double *const places[] = {&scene->radius, &scene->amplitude, &scene->wavelength,
@@ -242,10 +260,7 @@ static po_status end_physical(po_scene_flags *flags, bool elastic, po_scene *sce
       .wavelength = wavy ? m[PO_LENGTH_WAVELENGTH] : 0,
       .outer_radius =
           isnan(m[PO_LENGTH_OUTER_RADIUS]) ? (double)INFINITY : m[PO_LENGTH_OUTER_RADIUS]};
-  status = set_profile(flags, scene);
-  if (!status)
-    status = po_profile_check(&scene->profile);
-  po_profile_rescale(&scene->profile, flags->distance);
+  status = set_profile(flags, flags->distance, scene);
   if (!status)
     status = po_physical_scene(&physical, scene);
   if (status)

@@ -105,7 +105,8 @@ typedef struct {
   double parameter[PO_PROFILE_PARAMETER_COUNT]; /* of the profile */
   po_wave wave[PO_MOST_WAVES];                  /* of --wave; in metres with --from-physical */
   size_t waves;
-  po_units units; /* of a scene in SI units; set by _end */
+  char shown[128]; /* the profile with its parameters as they were given; empty: the sphere */
+  po_units units;  /* of a scene in SI units; set by _end */
 } po_scene_flags;
 
 /* No option given. */

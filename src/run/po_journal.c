@@ -24,7 +24,7 @@ static bool find_journal(const po_case_run *run, const char *output, char **fold
 static po_status make_key(const po_case_run *run, size_t point, char key[PO_DIGEST_LENGTH]) {
   const po_plan *plan = run->plan;
   po_text text = {0};
-  char *command = po_input_command(&plan->kase->points[point].request);
+  char *command = po_input_identity(&plan->kase->points[point].request);
   po_text_add(&text, "%s|%u|%u|%s", plan->program, plan->want, plan->kase->repeats,
               command ? command : "");
   if (plan->kase->series_length > 1)

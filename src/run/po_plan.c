@@ -129,7 +129,7 @@ static po_status make_keys(po_plan *plan) {
   if (kase->file->traced)
     po_text_add(&text, "%s|%s|", kase->file->traced->seed_text, kase->file->traced->count_text);
   for (size_t i = 0; i < kase->point_count; ++i) {
-    char *command = po_input_command(&kase->points[i].request);
+    char *command = po_input_identity(&kase->points[i].request);
     po_text_add(&text, "%s|", command ? command : "");
     text.failed = text.failed || !command;
     free(command);

@@ -56,13 +56,13 @@ po_status po_profile_set_file(po_profile *profile, const char *path) {
     return po_fail(PO_BAD_INPUT, "the path of a profile has %zu bytes: expected at most %d",
                    strlen(path), PO_PROFILE_PATH_LENGTH);
   const po_profile_table *table;
-  const po_status status = po_profile_table_read(path, &table);
+  const double given = profile->parameter[PO_TABLE_SCALE], scale = isnan(given) ? 1.0 : given;
+  const po_status status = po_profile_table_read(path, scale, &table);
   if (status)
     return status;
   profile->kind = &PO_TABLE;
   profile->table = table;
-  if (isnan(profile->parameter[PO_TABLE_SCALE]))
-    profile->parameter[PO_TABLE_SCALE] = 1.0;
+  profile->parameter[PO_TABLE_SCALE] = scale;
   return PO_OK;
 }
 
@@ -126,7 +126,7 @@ void po_profile_rescale(po_profile *profile, double epsilon) {
   p[PO_PUNCH_R] /= epsilon;
   p[PO_TRUNCATED_B] /= epsilon;
   p[PO_TRUNCATED_R] /= epsilon;
-  p[PO_TABLE_SCALE] /= epsilon;
+  p[PO_TABLE_SCALE] = (isnan(p[PO_TABLE_SCALE]) ? 1.0 : p[PO_TABLE_SCALE]) / epsilon;
 }
 
 double po_profile_radius_of_sphere(const po_profile *profile) {
@@ -185,6 +185,9 @@ bool po_profile_is_convex(const po_profile *profile) {
 
 po_status po_profile_require_positive(const po_profile *profile, po_profile_parameter parameter) {
   const double value = profile->parameter[parameter];
+  if (isnan(value))
+    return po_fail(PO_BAD_INPUT, "%s is not given: the profile %s needs it", PARAMETERS[parameter],
+                   po_profile_name(profile));
   return isfinite(value) && value > 0.0
              ? PO_OK
              : po_fail(PO_BAD_INPUT, "%s is %g: expected a finite number > 0",

@@ -53,9 +53,10 @@ bool po_profile_set(po_profile *profile, const char *text);
 /* Sets one parameter. */
 void po_profile_set_parameter(po_profile *profile, po_profile_parameter parameter, double value);
 
-/* Sets the profile of a table in a CSV file with the columns r and gap (po_profile_table.h). Its
- * scale is 1 unless it is set. Status: PO_CANNOT_READ, with file and line; PO_BAD_INPUT if the path
- * is longer than PO_PROFILE_PATH_LENGTH. */
+/* Sets the profile of a table in a CSV file with the columns r and gap (po_profile_table.h), in
+ * units of the parameter PO_TABLE_SCALE, which is 1 unless it was set before. Status:
+ * PO_CANNOT_READ, with file and line; PO_BAD_INPUT if the path is longer than
+ * PO_PROFILE_PATH_LENGTH. */
 po_status po_profile_set_file(po_profile *profile, const char *path);
 
 /* "sphere", "power", "cone", "punch", "truncated", "table"; the number of a profile among these;
@@ -86,7 +87,7 @@ bool po_profile_is_table(const po_profile *profile);
 double po_profile_default_radius(const po_profile *profile);
 
 /* Converts the parameters, given in another unit of length, to units of epsilon. Given: epsilon in
- * that unit. */
+ * that unit. A table must be set after it. */
 void po_profile_rescale(po_profile *profile, double epsilon);
 
 /* f, df/dr, and f in long double, at a radius r >= 0. Given: `radius`, R of the sphere; other

@@ -51,6 +51,8 @@ static po_status power_check(const po_profile *profile) {
   const po_status status = po_profile_require_positive(profile, PO_POWER_C);
   if (status)
     return status;
+  if (isnan(n))
+    return po_profile_require_positive(profile, PO_POWER_N);
   return n >= SMALLEST_POWER && n <= LARGEST_POWER
              ? PO_OK
              : po_fail(PO_BAD_INPUT, "power_n is %g: expected a number from %g to %g", n,

@@ -15,6 +15,10 @@
 /* A spline of every other row needs four rows. */
 enum { LEAST_ROWS = 8 };
 
+/* If the spline of every other row differs by more than this part of the distance between the
+ * bodies, 1 + gap, the rows are too far apart. */
+static const double COARSEST = 0.1;
+
 static po_status refuse(const po_csv *csv, size_t row, const char *what, double value,
                         const char *expected) {
   return po_fail(PO_CANNOT_READ, "%s:%zu: %s is %g: expected %s", csv->path, csv->lines[row], what,
@@ -34,17 +38,18 @@ static po_status read_rows(const po_csv *csv, po_profile_table *t) {
   t->gap = po_allocate(t->rows, sizeof *t->gap);
   t->slope = po_allocate(t->rows, sizeof *t->slope);
   t->beyond = po_allocate(t->rows, sizeof *t->beyond);
-  t->change = po_allocate(t->rows, sizeof *t->change);
-  t->line = po_allocate(t->rows, sizeof *t->line);
-  if (!t->r || !t->gap || !t->slope || !t->beyond || !t->change || !t->line)
+  if (!t->r || !t->gap || !t->slope || !t->beyond)
     return PO_NO_MEMORY;
   for (size_t k = 0; k < t->rows; ++k) {
-    t->line[k] = csv->lines[k];
     po_status status = po_csv_number(csv, k, (size_t)r, &t->r[k]);
     if (!status)
       status = po_csv_number(csv, k, (size_t)gap, &t->gap[k]);
     if (status)
       return status;
+    t->r[k] *= t->scale;
+    t->gap[k] *= t->scale;
+    if (!isfinite(t->r[k]) || !isfinite(t->gap[k]))
+      return refuse(csv, k, "the scale", t->scale, "one with which r and gap are finite");
     if (k == 0 && t->r[0] != 0.0)
       return refuse(csv, k, "the first r", t->r[k], "0");
     if (k > 0 && !(t->r[k] > t->r[k - 1]))
@@ -74,7 +79,7 @@ static double value_between(const double *r, const double *gap, const double *sl
 }
 
 /* Compares the spline with that of every other row at the rows left out. */
-static po_status compare_coarse(po_profile_table *t) {
+static po_status compare_coarse(const po_csv *csv, po_profile_table *t) {
   const size_t half = (t->rows + 1) / 2;
   double *room = po_allocate(3 * half, sizeof *room);
   if (!room)
@@ -84,11 +89,14 @@ static po_status compare_coarse(po_profile_table *t) {
     r[k] = t->r[2 * k];
     gap[k] = t->gap[2 * k];
   }
-  const po_status status = slopes_of(half, r, gap, slope);
+  po_status status = slopes_of(half, r, gap, slope);
   for (size_t k = 0; k + 1 < half && !status; ++k) {
     const size_t row = 2 * k + 1;
-    t->change[row] = fabs(value_between(r, gap, slope, k, t->r[row]) - t->gap[row]);
-    t->uncertainty = fmax(t->uncertainty, t->change[row]);
+    const double difference = fabs(value_between(r, gap, slope, k, t->r[row]) - t->gap[row]);
+    t->uncertainty = fmax(t->uncertainty, difference);
+    if (difference > COARSEST * (1.0 + fabs(t->gap[row])))
+      status = refuse(csv, row, "without this row the gap changes; the change", difference,
+                      "rows so near each other that it is less than a tenth of 1 + gap");
   }
   free(room);
   return status;
@@ -138,22 +146,21 @@ static void destroy(po_profile_table *t) {
   free(t->gap);
   free(t->slope);
   free(t->beyond);
-  free(t->change);
-  free(t->line);
   free(t);
 }
 
-static po_status make(const char *path, const po_csv *csv, po_profile_table **table) {
+static po_status make(const char *path, double scale, const po_csv *csv, po_profile_table **table) {
   po_profile_table *t = *table = po_allocate(1, sizeof *t);
   if (!t)
     return PO_NO_MEMORY;
+  t->scale = scale;
   memcpy(t->digest, csv->digest, sizeof t->digest);
   t->path = po_copy_text(path);
   po_status status = t->path ? read_rows(csv, t) : PO_NO_MEMORY;
   if (!status)
     status = slopes_of(t->rows, t->r, t->gap, t->slope);
   if (!status)
-    status = compare_coarse(t);
+    status = compare_coarse(csv, t);
   if (!status) {
     derive(t);
     return PO_OK;
@@ -167,20 +174,20 @@ static po_status make(const char *path, const po_csv *csv, po_profile_table **ta
 static po_profile_table *tables;
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 
-static const po_profile_table *find(const char *path) {
+static const po_profile_table *find(const char *path, double scale) {
   const po_profile_table *t = tables;
-  while (t && strcmp(t->path, path) != 0)
+  while (t && (strcmp(t->path, path) != 0 || t->scale != scale))
     t = t->next;
   return t;
 }
 
-static po_status read_new(const char *path, const po_profile_table **table) {
+static po_status read_new(const char *path, double scale, const po_profile_table **table) {
   po_csv csv;
   po_profile_table *made;
   po_status status = po_csv_read(path, path, &csv);
   if (status)
     return status;
-  status = make(path, &csv, &made);
+  status = make(path, scale, &csv, &made);
   po_csv_clear(&csv);
   if (!status) {
     made->next = tables;
@@ -189,10 +196,10 @@ static po_status read_new(const char *path, const po_profile_table **table) {
   return status;
 }
 
-po_status po_profile_table_read(const char *path, const po_profile_table **table) {
+po_status po_profile_table_read(const char *path, double scale, const po_profile_table **table) {
   pthread_mutex_lock(&lock);
-  *table = find(path);
-  const po_status status = *table ? PO_OK : read_new(path, table);
+  *table = find(path, scale);
+  const po_status status = *table ? PO_OK : read_new(path, scale, table);
   pthread_mutex_unlock(&lock);
   return status;
 }
@@ -210,54 +217,25 @@ static size_t interval_of(const po_profile_table *t, double r) {
   return low;
 }
 
-/* If the spline of every other row differs by more than this part of the distance between the
- * bodies, 1 + gap, the rows are too far apart. */
-static const double COARSEST = 0.1;
-
-static double scale(const po_profile *profile) {
-  return profile->parameter[PO_TABLE_SCALE];
-}
-
-/* The rows must be near each other in units of epsilon, so that this depends on the scale. */
-static po_status check(const po_profile *profile) {
-  const po_status status = po_profile_require_positive(profile, PO_TABLE_SCALE);
-  if (status)
-    return status;
-  const po_profile_table *t = profile->table;
-  for (size_t k = 0; k < t->rows; ++k)
-    if (scale(profile) * t->change[k] > COARSEST * (1.0 + scale(profile) * fabs(t->gap[k])))
-      return po_fail(PO_BAD_INPUT,
-                     "%s:%zu: without this row the gap changes by %g epsilon: expected rows so "
-                     "near each other that it is less than a tenth of 1 + gap",
-                     t->path, t->line[k], scale(profile) * t->change[k]);
-  return PO_OK;
-}
-
 static double end(const po_profile *profile) {
-  return scale(profile) * profile->table->r[profile->table->rows - 1];
+  return profile->table->r[profile->table->rows - 1];
 }
 
-/* The gap in the unit of the table, as the radius. */
-static double table_gap(const po_profile_table *t, double r) {
+static double gap(const po_profile *profile, double radius, double r) {
+  (void)radius;
+  const po_profile_table *t = profile->table;
   const size_t last = t->rows - 1;
   if (r > t->r[last])
     return t->gap[last] * pow(r / t->r[last], t->growth);
   return value_between(t->r, t->gap, t->slope, interval_of(t, r), r);
 }
 
-static double gap(const po_profile *profile, double radius, double r) {
-  (void)radius;
-  return scale(profile) * table_gap(profile->table, r / scale(profile));
-}
-
 static double slope(const po_profile *profile, double radius, double r) {
-  (void)radius;
   const po_profile_table *t = profile->table;
-  const double at = r / scale(profile);
-  if (at > t->r[t->rows - 1])
-    return t->growth * table_gap(t, at) / at;
-  const size_t k = interval_of(t, at);
-  return po_hermite_rate(t->gap[k], t->slope[k], t->gap[k + 1], t->slope[k + 1], at - t->r[k],
+  if (r > t->r[t->rows - 1])
+    return t->growth * gap(profile, radius, r) / r;
+  const size_t k = interval_of(t, r);
+  return po_hermite_rate(t->gap[k], t->slope[k], t->gap[k + 1], t->slope[k + 1], r - t->r[k],
                          t->r[k + 1] - t->r[k]);
 }
 
@@ -266,65 +244,65 @@ static long double gap_exact(const po_profile *profile, double radius, long doub
   (void)radius;
   const po_profile_table *t = profile->table;
   const size_t last = t->rows - 1;
-  const long double unit = scale(profile), at = r / unit;
-  if (at > t->r[last])
-    return unit * t->gap[last] * powl(at / t->r[last], t->growth);
-  const size_t k = interval_of(t, (double)at);
-  const long double h = (long double)t->r[k + 1] - t->r[k], x = (at - t->r[k]) / h, y = 1.0L - x;
-  return unit * (y * y * ((1.0L + 2.0L * x) * t->gap[k] + x * h * t->slope[k]) +
-                 x * x * ((1.0L + 2.0L * y) * t->gap[k + 1] - y * h * t->slope[k + 1]));
+  if (r > t->r[last])
+    return t->gap[last] * powl(r / t->r[last], t->growth);
+  const size_t k = interval_of(t, (double)r);
+  const long double h = (long double)t->r[k + 1] - t->r[k], x = (r - t->r[k]) / h, y = 1.0L - x;
+  return y * y * ((1.0L + 2.0L * x) * t->gap[k] + x * h * t->slope[k]) +
+         x * x * ((1.0L + 2.0L * y) * t->gap[k + 1] - y * h * t->slope[k + 1]);
 }
 
 static double gap_beyond(const po_profile *profile, double radius, double r) {
   const po_profile_table *t = profile->table;
-  const double at = r / scale(profile);
-  if (isinf(t->detail) || at >= t->r[t->rows - 1])
+  const size_t last = t->rows - 1;
+  if (r >= t->r[last])
     return gap(profile, radius, r);
-  const size_t k = interval_of(t, at);
-  return scale(profile) * fmin(t->beyond[k], t->beyond[k + 1]);
+  const size_t k = interval_of(t, r);
+  return isinf(t->detail) ? gap(profile, radius, r) : fmin(t->beyond[k], t->beyond[k + 1]);
 }
 
 typedef struct {
-  const po_profile_table *table;
+  const po_profile *profile;
   double gap;
 } level;
 
 static double above(double r, const void *data) {
   const level *l = data;
-  return table_gap(l->table, r) - l->gap;
+  return gap(l->profile, 0.0, r) - l->gap;
 }
 
 /* Found from outside, since a table need not rise everywhere. */
 static double radius_of_gap(const po_profile *profile, double radius, double sought) {
   (void)radius;
   const po_profile_table *t = profile->table;
-  const level l = {t, sought / scale(profile)};
   size_t k = t->rows - 1;
-  if (t->gap[k] <= l.gap)
-    return scale(profile) * t->r[k] * pow(l.gap / t->gap[k], 1.0 / t->growth);
-  while (k > 0 && t->gap[k - 1] > l.gap)
+  if (t->gap[k] <= sought)
+    return t->r[k] * pow(sought / t->gap[k], 1.0 / t->growth);
+  while (k > 0 && t->gap[k - 1] > sought)
     --k;
-  return k > 0 ? scale(profile) * po_root(above, &l, t->r[k - 1], t->r[k]) : 0.0;
+  if (k == 0)
+    return 0.0;
+  const level l = {profile, sought};
+  return po_root(above, &l, t->r[k - 1], t->r[k]);
 }
 
 static double next_joint(const po_profile *profile, double r) {
   const po_profile_table *t = profile->table;
-  if (!(r < end(profile)))
-    return INFINITY;
-  size_t k = interval_of(t, r / scale(profile)) + 1;
-  while (scale(profile) * t->r[k] <= r) /* the quotient may be rounded down */
-    ++k;
-  return scale(profile) * t->r[k];
+  return r < t->r[t->rows - 1] ? t->r[interval_of(t, r) + 1] : INFINITY;
 }
 
 static double growth(const po_profile *profile) {
   return profile->table->growth;
 }
 static double detail(const po_profile *profile) {
-  return scale(profile) * profile->table->detail;
+  return profile->table->detail;
 }
 static bool is_convex(const po_profile *profile) {
   return profile->table->is_convex;
+}
+
+static po_status check(const po_profile *profile) {
+  return po_profile_require_positive(profile, PO_TABLE_SCALE);
 }
 
 const po_profile_kind PO_TABLE = {.name = "table",

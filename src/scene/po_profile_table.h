@@ -15,26 +15,26 @@
 #include "po_status.h"
 
 typedef struct po_profile_table {
-  char *path; /* as it was given */
+  char *path;   /* as it was given */
+  double scale; /* the unit of the file, eps */
   char digest[PO_DIGEST_LENGTH];
   size_t rows;
-  size_t *line;    /* rows: of the file */
   double *r, *gap; /* rows: ascending from 0; gap less that at r = 0 */
   double *slope;   /* rows: of the spline */
   double *beyond;  /* rows: a lower bound of the gap from this row on */
-  double *change;  /* rows: difference between this spline and that of every other row */
   double growth;   /* the power of the continuation */
   double detail;   /* the smallest interval; INFINITY if the spline rises everywhere */
   bool is_convex;
-  double uncertainty; /* the greatest change */
+  double uncertainty; /* greatest difference between this spline and that of every other row, eps */
   struct po_profile_table *next;
 } po_profile_table;
 
-/* Reads a table, unless the path was read before: a CSV file (po_csv.h) with the columns `r` and
- * `gap`, in units of epsilon or of the scale of the profile. The table stays in memory until the
- * program ends, so that scenes can be copied. Thread-safe. Status: PO_CANNOT_READ, with file and
- * line, if the file cannot be read, a number is not finite, r does not start at 0 or does not rise,
- * there are fewer than 8 rows, or the gap does not rise at the end; PO_NO_MEMORY. */
-po_status po_profile_table_read(const char *path, const po_profile_table **table);
+/* Reads a table, or finds it among those that were read: a CSV file (po_csv.h) with the columns `r`
+ * and `gap`. Given: their unit in epsilon. A file that was read with the same unit is not read
+ * again. The table stays in memory until the program ends, so that scenes can be copied.
+ * Thread-safe. Status: PO_CANNOT_READ, with file and line, if the file cannot be read, a number is
+ * not finite, r does not start at 0 or does not rise, there are fewer than 8 rows, the rows are too
+ * far from each other, or the gap does not rise at the end; PO_NO_MEMORY. */
+po_status po_profile_table_read(const char *path, double scale, const po_profile_table **table);
 
 #endif

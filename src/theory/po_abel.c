@@ -77,15 +77,8 @@ static po_abel truncated(const po_scene *scene, double x) {
   return (po_abel){x * s / R, (s + x * (x / s)) / R, s * (2.0 * x * x + b * b) / (3.0 * R)};
 }
 
-/* The unit of the numbers of a table, eps. */
-static double unit_of(const po_scene *scene) {
-  return scene->profile.parameter[PO_TABLE_SCALE];
-}
-
 static po_abel table(const po_scene *scene, double x) {
-  const double unit = unit_of(scene);
-  const po_abel t = po_abel_of_table(scene->profile.table, x / unit);
-  return (po_abel){unit * t.g, t.rate, unit * unit * t.press};
+  return po_abel_of_table(scene->profile.table, x);
 }
 
 static const struct {
@@ -129,8 +122,7 @@ double po_abel_fall(const po_scene *scene) {
 
 double po_abel_greatest_rate(const po_scene *scene, double x) {
   const po_profile_table *t = table_of(scene);
-  double sum =
-      t ? po_abel_table_greatest_rate(t, x / unit_of(scene)) : po_abel_of_profile(scene, x).rate;
+  double sum = t ? po_abel_table_greatest_rate(t, x) : po_abel_of_profile(scene, x).rate;
   if (x > po_profile_kink(&scene->profile))
     sum = INFINITY; /* the rate may fall beyond a kink */
   /* H0(y) + y (2/pi - H1(y)) <= (4/pi) y: its series begins so, and the largest ratio at 2e6 points
@@ -198,10 +190,8 @@ double po_abel_detail(const po_scene *scene, double x) {
   for (size_t k = 0; k < po_scene_waves(scene); ++k)
     detail = fmin(detail, PART_OF_WAVE * po_scene_wave(scene, k).length);
   const po_profile_table *t = table_of(scene);
-  if (!t)
-    return detail;
-  const size_t next = po_abel_table_next(t, x / unit_of(scene));
-  return next < t->rows ? fmin(detail, unit_of(scene) * (t->r[next] - t->r[next - 1])) : detail;
+  const size_t next = t ? po_abel_table_next(t, x) : 0;
+  return t && next < t->rows ? fmin(detail, t->r[next] - t->r[next - 1]) : detail;
 }
 
 typedef struct {

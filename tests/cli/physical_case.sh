@@ -58,7 +58,28 @@ import json
 i = json.load(open("run/si/record.json"))["points"][0]["input"]
 for key, value in (("amplitude", 0.1), ("wavelength", 10), ("outer_radius", 100)):
     assert abs(i[key] / value - 1) < 4e-15, key'
-both='expected none of tabor, amplitude, wavelength, radius, outer_radius, or a group of them, beside scene.physical'
+both='expected none of tabor, amplitude, wavelength, radius, outer_radius, the profile and waves, or a group of them, beside scene.physical'
+
+# A profile whose lengths are in metres; without a radius, loads are in pi w epsilon.
+tip='modulus_pa: 1666666666.6666667, work_j_per_m2: 0.05, distance_m: 3e-10'
+write_si "$tip, profile: \"punch:1.5e-9,6e-9\", waves: \"3e-11@3e-9;1.5e-11@6e-10\"" '' '' bradley 1
+expect 1 '*' verify --verbose si --output run
+check 'profile and waves are divided by epsilon' "$python" -c '
+import json, math
+point = json.load(open("run/si/record.json"))["points"][0]
+i = point["input"]
+assert i["profile"] == "punch" and i["load_unit"] == "pi w epsilon" and i["radius"] == 1, i
+assert abs(i["punch_b"] / 5 - 1) < 4e-15 and abs(i["punch_r"] / 20 - 1) < 4e-15, i
+waves = [[float(x) for x in wave.split("@")] for wave in i["waves"].split(";")]
+assert all(abs(a / b - 1) < 4e-15 for w, v in zip(waves, ((0.1, 10), (0.05, 2))) for a, b in zip(w, v)), waves
+assert abs(i["tabor"] ** 1.5 / 0.1 - 1) < 1e-14, i
+assert abs(point["physical"]["units"]["force_n"] / (math.pi * 0.05 * 3e-10) - 1) < 1e-14'
+write_si "$tip, profile: \"power:1e9\"" '' '' bradley 1
+expect 2 'pulloff: cases/si.yaml:5: scene.physical.profile is power:1e9: expected sphere, *' plan si
+write_si "$tip, radius_m: 3e-8, profile_file: none.csv" '' '' bradley 1
+expect 4 'pulloff: cases/si.yaml:5: scene.physical.profile_file: */cases/none.csv cannot be opened: *' plan si
+write_si "$tip, profile: \"cone:0.3\", amplitude_m: 1e-9, wavelength_m: 1e-8, waves: \"1e-9@1e-8\"" '' '' bradley 1
+expect 2 'pulloff: cases/si.yaml:5: scene.physical.waves is *: expected only waves, or amplitude_m and wavelength_m' plan si
 write_si "modulus_pa: 1e9, $body" '  tabor: 1' '' bradley 1
 expect 2 "pulloff: cases/si.yaml:8: scene.tabor is 1: $both" plan si
 write_si "modulus_pa: 1e9, $body" '' 'sweep: [{key: radius, values: [50, 100]}]' bradley 1

@@ -47,6 +47,8 @@ SOLVES = [
     ("--tabor 1 --preload -5", 3),
     (f"{SI} --want curve,profile --profile-approach-m -3e-10", 0),
     (f"{WAVY_SI} {LENGTHS} --tolerance 1e-4", 0),
+    (f"{SI} --profile-file metres.csv --wave 1e-11,3e-9 --outer-radius-m 1e-8 --tolerance 1e-4", 0),
+    (f"{SI} --profile power:5e6,2 --tolerance 1e-4", 0),
 ]
 THEORIES = [
     "bradley --approach -0.5", f"rigid {WAVES} --approach -0.5", "jkr --tabor 3 --contact-radius 20",
@@ -215,6 +217,8 @@ def main():
         tests = Tests(program, root, folder)
         rows = "\n".join(f"{r},{r * r / 200}" for r in range(0, 60, 2))
         pathlib.Path(folder, "table.csv").write_text(f"r,gap\n{rows}\n")
+        rows = "\n".join(f"{r}e-10,{5e-14 * r * r}" for r in range(0, 120, 4))
+        pathlib.Path(folder, "metres.csv").write_text(f"r,gap\n{rows}\n")
         for flags, code in SOLVES:
             tests.valid("solve", tests.run(f"solve {flags} --json", code), f"solve {flags}")
         for flags in THEORIES:

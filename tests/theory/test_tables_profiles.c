@@ -114,8 +114,9 @@ START_TEST(transform_agrees_with_quadrature) {
 }
 END_TEST
 
-/* Writes the rows of a profile to a table, and reads it. */
-static po_scene scene_of_table(double (*gap)(double r), int rows, double end, double coupling) {
+/* Writes the rows of a profile to a table, and reads it. Given: the unit of the table, eps. */
+static po_scene scene_of_table(double (*gap)(double r), int rows, double end, double unit,
+                               double coupling) {
   char path[] = "/tmp/po_profile_XXXXXX";
   const int file = mkstemp(path);
   ck_assert_int_ge(file, 0);
@@ -130,6 +131,7 @@ static po_scene scene_of_table(double (*gap)(double r), int rows, double end, do
   po_scene s = scene_of_words("sphere", "-", coupling);
   s.radius = 1.0;
   s.tabor = po_scene_tabor_of_coupling(coupling, 1.0);
+  po_profile_set_parameter(&s.profile, PO_TABLE_SCALE, unit);
   const po_status status = po_profile_set_file(&s.profile, path);
   ck_assert_msg(status == PO_OK, "%s", po_message());
   ck_assert_int_eq(unlink(path), 0);
@@ -146,8 +148,8 @@ static double bumps(double r) {
 
 START_TEST(transform_of_a_table_agrees_with_quadrature) {
   static const double RADII[] = {0.07, 3.0, 24.9, 39.3, 40.3, 97.0, 3000.0};
-  const po_scene tables[] = {scene_of_table(parabola, 21, 40.0, 0.3),
-                             scene_of_table(bumps, 33, 40.0, 0.3)};
+  const po_scene tables[] = {scene_of_table(parabola, 21, 40.0, 1.0, 0.3),
+                             scene_of_table(bumps, 33, 40.0, 1.0, 0.3)};
   for (int i = 0; i < 2; ++i)
     for (size_t k = 0; k < sizeof RADII / sizeof *RADII; ++k)
       compare_with_quadrature(&tables[i], RADII[k]);
@@ -156,9 +158,9 @@ END_TEST
 
 /* A spline meets a parabola, and so does the power beyond its end. */
 START_TEST(table_of_a_sphere_gives_its_theory) {
-  po_scene s = scene_of_table(parabola, 21, 20.0, 0.3), sphere = scene_of_words("sphere", "-", 0.3);
+  const po_scene s = scene_of_table(parabola, 21, 20.0, _i ? 2.5 : 1.0, 0.3);
+  po_scene sphere = scene_of_words("sphere", "-", 0.3);
   if (_i) { /* the numbers in units of 2.5 eps: r^2/200 is then r^2/500 */
-    po_profile_set_parameter(&s.profile, PO_TABLE_SCALE, 2.5);
     sphere.radius = 250.0;
     sphere.tabor = po_scene_tabor_of_coupling(0.3, sphere.radius);
   }
@@ -439,7 +441,7 @@ START_TEST(rigid_waves_and_tables) {
   compare("force", &s, 0.0, got.force, eq_22.force, 1e-8);
   compare("approach", &s, 0.0, got.approach, eq_22.approach, 1e-6);
   static const char *const LAWS[] = {"lennard-jones", "mie:4,10", "mie:2.5,7.3", "morse:1.7"};
-  po_scene by_table = scene_of_table(parabola, 21, 20.0, 0.3);
+  po_scene by_table = scene_of_table(parabola, 21, 20.0, 1.0, 0.3);
   for (int l = 0; l < 4; ++l) {
     ck_assert(po_law_set(&by_table.law, LAWS[l]));
     ck_assert_msg(po_rigid_profile_pull_off(&by_table, &got) == PO_OK, "%s", po_message());
