@@ -47,10 +47,10 @@ po_status po_adaptive_create(const po_scene *scene, double domain, uint32_t leve
   const size_t most = po_adaptive_capacity(a);
   po_surface *s = &a->surface;
   s->core_radius = domain;
-  s->node = po_allocate(most, sizeof *s->node);
-  s->weight = po_allocate(most, sizeof *s->weight);
-  s->length = po_allocate(most, sizeof *s->length);
-  s->reach = po_allocate(most, sizeof *s->reach);
+  s->node = po_reserve(most, sizeof *s->node);
+  s->weight = po_reserve(most, sizeof *s->weight);
+  s->length = po_reserve(most, sizeof *s->length);
+  s->reach = po_reserve(most, sizeof *s->reach);
   po_panels panels;
   po_panels_uniform(&panels, level);
   po_status status = PO_NO_MEMORY;
@@ -127,7 +127,7 @@ static void fill_reach(po_surface *s) {
 }
 
 po_status po_adaptive_mesh(po_adaptive *a, const po_panels *panels) {
-  a->panels = *panels;
+  po_panels_copy(panels, &a->panels);
   place_nodes(a);
   const po_status status = po_hierarchy_mesh(a->surface.hierarchy, panels);
   if (status)

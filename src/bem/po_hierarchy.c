@@ -285,7 +285,7 @@ static po_status reserve(po_hierarchy *h, size_t panels) {
 }
 
 po_status po_hierarchy_mesh(po_hierarchy *h, const po_panels *panels) {
-  h->panels = *panels;
+  po_panels_copy(panels, &h->panels);
   h->trouble = reserve(h, panels->count);
   if (h->trouble)
     return h->trouble;

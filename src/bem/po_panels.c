@@ -1,9 +1,26 @@
 #include "po_panels.h"
 
+#include <math.h>
 #include <string.h>
 
 bool po_panel_equal(po_panel a, po_panel b) {
   return a.level == b.level && a.index == b.index;
+}
+
+void po_panels_copy(const po_panels *from, po_panels *to) {
+  to->count = from->count;
+  memmove(to->panel, from->panel, from->count * sizeof *to->panel);
+}
+
+void po_panels_exchange(po_panels *a, po_panels *b) {
+  const size_t count = a->count;
+  for (size_t k = 0; k < a->count || k < b->count; ++k) {
+    const po_panel panel = a->panel[k];
+    a->panel[k] = b->panel[k];
+    b->panel[k] = panel;
+  }
+  a->count = b->count;
+  b->count = count;
 }
 
 void po_panels_uniform(po_panels *panels, uint32_t level) {
@@ -12,11 +29,18 @@ void po_panels_uniform(po_panels *panels, uint32_t level) {
     panels->panel[i] = (po_panel){level, i};
 }
 
+/* In units of the smallest panel all panels begin at integers. */
+static uint32_t whole_begin(po_panel panel) {
+  return panel.index << (PO_DEEPEST_LEVEL - panel.level);
+}
+
 size_t po_panels_find(const po_panels *panels, double x) {
+  const double unit = (double)(1 << PO_DEEPEST_LEVEL);
+  const uint32_t at = x > 0.0 ? (uint32_t)fmin(x * unit, unit - 1.0) : 0;
   size_t low = 0, high = panels->count;
   while (high - low > 1) {
     const size_t middle = (low + high) / 2;
-    if (po_panel_begin(panels->panel[middle]) <= x)
+    if (whole_begin(panels->panel[middle]) <= at)
       low = middle;
     else
       high = middle;
@@ -44,7 +68,8 @@ bool po_panels_split(po_panels *panels, const bool *split) {
   memcpy(all, split, panels->count * sizeof *all);
   while (mark_neighbours(panels, all))
     ;
-  po_panels result = {.count = 0};
+  po_panels result;
+  result.count = 0;
   for (size_t k = 0; k < panels->count; ++k) {
     const po_panel panel = panels->panel[k];
     if (result.count + (all[k] ? 2 : 1) > PO_MOST_PANELS ||
@@ -57,7 +82,7 @@ bool po_panels_split(po_panels *panels, const bool *split) {
       result.panel[result.count++] = panel;
     }
   }
-  *panels = result;
+  po_panels_copy(&result, panels);
   return true;
 }
 
@@ -99,7 +124,7 @@ static bool can_join(const po_panels *panels, size_t k) {
 
 size_t po_panels_join(po_panels *panels, const bool *join) {
   size_t joined = 0, to = 0;
-  po_panels result = *panels;
+  po_panels result;
   for (size_t k = 0; k < panels->count; ++k) {
     /* the left neighbour may have been joined in this loop: it is then coarser, which is allowed */
     if (k + 1 < panels->count && join[k] && join[k + 1] && can_join(panels, k)) {
@@ -112,6 +137,6 @@ size_t po_panels_join(po_panels *panels, const bool *join) {
     }
   }
   result.count = to;
-  *panels = result;
+  po_panels_copy(&result, panels);
   return joined;
 }

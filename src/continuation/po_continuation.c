@@ -39,10 +39,8 @@ double po_continuation_start(po_equilibrium *e) {
 }
 
 static void shift(po_continuation *t) {
-  const po_solution oldest = t->previous;
-  t->previous = t->current;
-  t->current = t->next;
-  t->next = oldest;
+  po_solution_exchange(&t->previous, &t->current);
+  po_solution_exchange(&t->current, &t->next);
   t->has_previous = true;
 }
 
@@ -60,7 +58,8 @@ static double undeformed_gap(void *data, double r) {
 static po_status mesh_undeformed(po_continuation *t, double approach) {
   undeformed u = {t->c.e->scene, approach};
   const po_gap_field field = {undeformed_gap, &u};
-  po_panels panels = *po_adaptive_panels(t->c.adaptive);
+  po_panels panels;
+  po_panels_copy(po_adaptive_panels(t->c.adaptive), &panels);
   const po_status status = po_resolution_panels(&t->resolution, &field, &panels);
   return status ? status : po_corrector_mesh(&t->c, &panels);
 }

@@ -20,9 +20,9 @@ po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive 
     c->domain = po_adaptive_domain(adaptive);
     c->capacity = po_adaptive_capacity(adaptive);
   }
-  c->border = po_allocate(c->capacity + 1, sizeof *c->border);
-  c->guess = po_allocate(c->capacity + 1, sizeof *c->guess);
-  c->coordinate = po_allocate(c->capacity + 1, sizeof *c->coordinate);
+  c->border = po_reserve(c->capacity + 1, sizeof *c->border);
+  c->guess = po_reserve(c->capacity + 1, sizeof *c->guess);
+  c->coordinate = po_reserve(c->capacity + 1, sizeof *c->coordinate);
   return c->border && c->guess && c->coordinate ? PO_OK : PO_NO_MEMORY;
 }
 

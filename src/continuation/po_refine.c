@@ -37,7 +37,8 @@ static const double OF_OTHER = 0.02;
  * panels, none is split. */
 static void split_waves(const po_resolution *r, po_panels *panels) {
   const po_scene *scene = r->e->scene;
-  const po_panels before = *panels;
+  po_panels before;
+  po_panels_copy(panels, &before);
   const double longest = TELLING_WAVES * po_initial_gap_detail(scene);
   bool any = isfinite(longest);
   while (any) {
@@ -49,7 +50,7 @@ static void split_waves(const po_resolution *r, po_panels *panels) {
       any = any || split[k];
     }
     if (any && !po_panels_split(panels, split)) {
-      *panels = before;
+      po_panels_copy(&before, panels);
       return;
     }
   }
@@ -69,7 +70,7 @@ static bool finer_panels(const po_resolution *r, const po_solution *p, double pa
     split[k] = excess[k] > part * largest;
   if (isfinite(r->e->scene->outer_radius))
     split[p->panels.count - 1] = true;
-  *panels = p->panels;
+  po_panels_copy(&p->panels, panels);
   if (!po_panels_split(panels, split))
     return false;
   split_waves(r, panels);
@@ -196,10 +197,11 @@ static po_status estimate(po_corrector *c, const po_resolution *resolution,
 
 po_status po_refine(po_corrector *c, const po_resolution *resolution, const po_refinement *how,
                     po_refined *r) {
-  const po_panels panels = *po_adaptive_panels(c->adaptive);
+  po_panels panels;
+  po_panels_copy(po_adaptive_panels(c->adaptive), &panels);
   const po_status status = estimate(c, resolution, how, r);
   const po_status trouble = c->trouble;
-  po_corrector_mesh(c, &panels); /* the matrix of the mesh before a finer one is kept */
+  po_corrector_mesh(c, &panels);
   c->trouble = trouble;
   return status;
 }

@@ -52,8 +52,8 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
                               &e->column,      &e->row,      &e->change,  &e->response};
   bool had = true;
   for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
-    had = (*vectors[k] = po_allocate(capacity + 1, sizeof(double))) && had;
-  e->index = po_allocate(capacity, sizeof *e->index);
+    had = (*vectors[k] = po_reserve(capacity + 1, sizeof(double))) && had;
+  e->index = po_reserve(capacity, sizeof *e->index);
   if (surface->hierarchy)
     had = !po_elimination_create(surface->hierarchy, &e->elimination) && had;
   else

@@ -27,23 +27,36 @@ static double blend(double x) {
   return x * x * x * (10.0 + x * (6.0 * x - 15.0));
 }
 
+/* Returned: the index of the first contact edge at or beyond r. */
+static size_t next_edge(const po_moving_edges *f, double r) {
+  size_t low = 0, high = f->count;
+  while (low < high) {
+    const size_t middle = (low + high) / 2;
+    if (f->at[middle] < r)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low;
+}
+
 double po_edge_displacement(const po_moving_edges *f, const double *shift, double r) {
+  if (f->count == 0)
+    return 0.0;
+  const size_t k = next_edge(f, r);
   double from = 0.0,
          value = 0.0; /* end of the last constant interval, and the displacement there */
-  for (size_t k = 0; k <= f->count; ++k) {
-    const double half = k < f->count ? PLATEAU * neighbour_distance(f, k) : 0.0;
-    const double begin = k < f->count ? f->at[k] - half
-                         : f->count   ? OUTER_END * f->at[k - 1]
-                                      : INFINITY;
-    const double next = k < f->count ? shift[k] : 0.0;
-    if (r < begin)
-      return value + (next - value) * blend((r - from) / (begin - from));
-    if (k < f->count && r <= f->at[k] + half)
-      return next;
-    from = k < f->count ? f->at[k] + half : begin;
-    value = next;
+  if (k > 0) {
+    from = f->at[k - 1] + PLATEAU * neighbour_distance(f, k - 1);
+    value = shift[k - 1];
+    if (r <= from)
+      return value;
   }
-  return 0.0;
+  const bool last = k == f->count;
+  const double begin =
+      last ? OUTER_END * f->at[k - 1] : f->at[k] - PLATEAU * neighbour_distance(f, k);
+  const double next = last ? 0.0 : shift[k];
+  return r < begin ? value + (next - value) * blend((r - from) / (begin - from)) : next;
 }
 
 double po_edge_origin(const po_moving_edges *f, const double *shift, double r) {

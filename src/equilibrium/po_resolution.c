@@ -91,7 +91,8 @@ static bool split_all(const po_resolution *r, const po_gap_field *field, po_pane
     }
     if (!any)
       return true;
-    const po_panels before = *panels;
+    po_panels before;
+    po_panels_copy(panels, &before);
     if (!po_panels_split(panels, split))
       return false;
     bool now_known[PO_MOST_PANELS] = {false};

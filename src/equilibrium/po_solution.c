@@ -1,6 +1,7 @@
 #include "po_solution.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,7 +15,7 @@ po_status po_solution_allocate(po_solution *p, size_t capacity) {
                              &p->node,  &p->coordinate, &p->rate};
   bool had = true;
   for (size_t k = 0; k < sizeof arrays / sizeof *arrays; ++k)
-    had = (*arrays[k] = po_allocate(capacity + 1, sizeof(double))) && had;
+    had = (*arrays[k] = po_reserve(capacity + 1, sizeof(double))) && had;
   return had ? PO_OK : PO_NO_MEMORY;
 }
 
@@ -28,17 +29,32 @@ void po_solution_free(po_solution *p) {
   free(p->rate);
 }
 
+/* Size of the members before the panels. */
+enum { SMALL_MEMBERS = offsetof(po_solution, panels) };
+
 void po_solution_copy(const po_solution *from, po_solution *to) {
-  po_solution copy = *from;
-  copy.state = memcpy(to->state, from->state, (from->n + 1) * sizeof *to->state);
-  copy.tangent = memcpy(to->tangent, from->tangent, (from->n + 1) * sizeof *to->tangent);
-  copy.deflection = memcpy(to->deflection, from->deflection, from->n * sizeof *to->deflection);
-  copy.slope = memcpy(to->slope, from->slope, from->n * sizeof *to->slope);
-  copy.node = memcpy(to->node, from->node, from->n * sizeof *to->node);
-  const size_t size = from->coordinates * sizeof *to->rate;
-  copy.coordinate = memcpy(to->coordinate, from->coordinate, size);
-  copy.rate = memcpy(to->rate, from->rate, size);
-  *to = copy;
+  double *const own[] = {to->state, to->tangent,    to->deflection, to->slope,
+                         to->node,  to->coordinate, to->rate};
+  memcpy(to, from, SMALL_MEMBERS);
+  const size_t n = from->n, coordinates = from->coordinates;
+  to->state = memcpy(own[0], from->state, (n + 1) * sizeof *to->state);
+  to->tangent = memcpy(own[1], from->tangent, (n + 1) * sizeof *to->tangent);
+  to->deflection = memcpy(own[2], from->deflection, n * sizeof *to->deflection);
+  to->slope = memcpy(own[3], from->slope, n * sizeof *to->slope);
+  to->node = memcpy(own[4], from->node, n * sizeof *to->node);
+  to->coordinate = memcpy(own[5], from->coordinate, coordinates * sizeof *to->coordinate);
+  to->rate = memcpy(own[6], from->rate, coordinates * sizeof *to->rate);
+  po_panels_copy(&from->panels, &to->panels);
+  po_panels_copy(&from->wanted, &to->wanted);
+}
+
+void po_solution_exchange(po_solution *a, po_solution *b) {
+  char small[SMALL_MEMBERS];
+  memcpy(small, a, SMALL_MEMBERS);
+  memcpy(a, b, SMALL_MEMBERS);
+  memcpy(b, small, SMALL_MEMBERS);
+  po_panels_exchange(&a->panels, &b->panels);
+  po_panels_exchange(&a->wanted, &b->wanted);
 }
 
 void po_solution_turn(po_solution *p) {
@@ -163,7 +179,7 @@ static void fill_slope(po_solution *p, double domain) {
 void po_solution_finish(po_solution *p, const po_equilibrium *e, const po_adaptive *adaptive) {
   p->panels.count = 0;
   if (adaptive)
-    p->panels = *po_adaptive_panels(adaptive);
+    po_panels_copy(po_adaptive_panels(adaptive), &p->panels);
   p->n = e->n;
   p->core = po_equilibrium_core(e);
   p->arclength = adaptive ? PO_ARCLENGTH_GLOBAL : PO_ARCLENGTH_NODAL;

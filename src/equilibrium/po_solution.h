@@ -8,13 +8,11 @@
 #include "po_moving_edges.h"
 
 typedef struct po_solution {
-  po_panels panels, wanted; /* the mesh of this solution, and the coarsest that resolves it; empty
-                               on a fixed mesh */
-  size_t n, core;           /* numbers of nodes: all, and in the core */
-  double *state, *tangent;  /* n + 1 */
-  double *deflection;       /* n: H - f, the deflection less the approach */
-  double *slope;            /* n: d(deflection)/dr */
-  double *node;             /* n: radii, eps */
+  size_t n, core;          /* numbers of nodes: all, and in the core */
+  double *state, *tangent; /* n + 1 */
+  double *deflection;      /* n: H - f, the deflection less the approach */
+  double *slope;           /* n: d(deflection)/dr */
+  double *node;            /* n: radii, eps */
   po_arclength arclength;
   size_t coordinates; /* number of coordinates of the arclength */
   double *coordinate; /* its coordinates (po_arclength.h) */
@@ -22,6 +20,9 @@ typedef struct po_solution {
   double load, load_rate, energy;
   double position;
   po_moving_edges edges; /* contact edges, on panels only */
+  /* the mesh of this solution, and the coarsest that resolves it; empty on a fixed mesh. They are
+   * large, and are copied and exchanged as far as there are panels. */
+  po_panels panels, wanted;
 } po_solution;
 
 /* Values of a solution at one radius. */
@@ -33,6 +34,7 @@ typedef struct {
 po_status po_solution_allocate(po_solution *p, size_t capacity);
 void po_solution_free(po_solution *p);
 void po_solution_copy(const po_solution *from, po_solution *to);
+void po_solution_exchange(po_solution *a, po_solution *b);
 
 /* Reverses the direction of the branch: every derivative along the branch changes its sign. */
 void po_solution_turn(po_solution *p);

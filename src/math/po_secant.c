@@ -12,10 +12,10 @@ static const double LEAST_DENOMINATOR = 0.2;
 
 bool po_secant_allocate(po_secant *s, size_t capacity) {
   *s = (po_secant){.capacity = capacity};
-  s->u = po_allocate(capacity * PO_SECANT_DEPTH, sizeof *s->u);
-  s->v = po_allocate(capacity * PO_SECANT_DEPTH, sizeof *s->v);
-  s->scale = po_allocate(capacity, sizeof *s->scale);
-  s->step = po_allocate(capacity, sizeof *s->step);
+  s->u = po_reserve(capacity * PO_SECANT_DEPTH, sizeof *s->u);
+  s->v = po_reserve(capacity * PO_SECANT_DEPTH, sizeof *s->v);
+  s->scale = po_reserve(capacity, sizeof *s->scale);
+  s->step = po_reserve(capacity, sizeof *s->step);
   return s->u && s->v && s->scale && s->step;
 }
 

@@ -131,7 +131,7 @@ START_TEST(work_is_proportional_to_the_number_of_panels) {
   double per_panel[2];
   for (int k = 0; k < 2; ++k) {
     po_panels panels;
-    po_panels_uniform(&panels, k ? 8 : 6);
+    po_panels_uniform(&panels, k ? 10 : 7);
     po_hierarchy *h;
     ck_assert_int_eq(po_hierarchy_create(po_panel_table_get(), false, 6.0, &h), PO_OK);
     ck_assert_int_eq(po_hierarchy_mesh(h, &panels), PO_OK);

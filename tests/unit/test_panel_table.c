@@ -55,7 +55,7 @@ END_TEST
 
 START_TEST(split_without_room_changes_nothing) {
   po_panels panels;
-  po_panels_uniform(&panels, 8);
+  po_panels_uniform(&panels, 11);
   bool split[PO_MOST_PANELS];
   for (size_t k = 0; k < panels.count; ++k)
     split[k] = k < PO_MOST_PANELS - panels.count;
