@@ -26,11 +26,13 @@ static const struct {
     {"explain", po_verb_explain, "explain the checks that are not within their tolerance"},
     {"bless", po_verb_bless, "accept the values of a case as its pins"},
     {"conform", po_verb_conform, "test whether an external solver follows the protocol"},
+    {"seal", po_verb_seal, "make reference tables of CSV files"},
     {"report", po_verb_report, "write the report of a run"},
 };
 
 #define VERB_NAMES                                                                                 \
-  "solve, follow, theory, plot, list, plan, run, merge, verify, explain, bless, conform or report"
+  "solve, follow, theory, plot, list, plan, run, merge, verify, explain, bless, conform, seal or " \
+  "report"
 
 static void print_help(void) {
   puts("Usage: pulloff VERB [OPTION]...\n"

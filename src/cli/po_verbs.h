@@ -16,6 +16,7 @@ int po_verb_run(int argc, char **argv);
 int po_verb_merge(int argc, char **argv);
 int po_verb_verify(int argc, char **argv);
 int po_verb_conform(int argc, char **argv);
+int po_verb_seal(int argc, char **argv);
 int po_verb_report(int argc, char **argv);
 int po_verb_explain(int argc, char **argv);
 int po_verb_bless(int argc, char **argv);

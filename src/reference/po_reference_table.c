@@ -7,6 +7,7 @@
 
 #include "po_file.h"
 #include "po_number.h"
+#include "po_text.h"
 
 static const char *const LEDGERS[] = {"oracle", "published", "pin"};
 
@@ -18,19 +19,43 @@ const char *po_reference_shown(const po_reference *reference) {
   return reference->type == PO_REFERENCE_PINS ? reference->shown : reference->name;
 }
 
+/* Checks that headers are there; the message names all that are not. */
+static po_status check_needed(const po_csv *table, const char *const *needed, size_t count) {
+  po_text missing = {0};
+  size_t lacking = 0;
+  const char *one = "";
+  for (size_t i = 0; i < count; ++i) {
+    const po_csv_header *header = po_csv_find_header(table, needed[i]);
+    if (header && !*header->value) {
+      po_text_clear(&missing);
+      return po_fail(PO_CANNOT_READ, "%s:%zu: the header %s is empty", table->path, header->line,
+                     needed[i]);
+    }
+    if (header)
+      continue;
+    po_text_add(&missing, "%s%s", lacking++ ? ", " : "", needed[i]);
+    one = needed[i];
+  }
+  po_status status = PO_OK;
+  if (lacking == 1)
+    status = po_fail(PO_CANNOT_READ, "%s:%zu: the header %s is missing: expected '# %s: ...' above",
+                     table->path, table->column_line, one, one);
+  else if (lacking)
+    status = po_fail(PO_CANNOT_READ,
+                     "%s:%zu: %zu headers are missing: expected lines '# KEY: ...' above for %s; "
+                     "pulloff seal adds them",
+                     table->path, table->column_line, lacking, po_text_string(&missing));
+  po_text_clear(&missing);
+  return status;
+}
+
 static po_status check_headers(po_reference *reference) {
   static const char *const NEEDED[] = {"what",        "source",    "kind",    "method", "units",
                                        "uncertainty", "generator", "command", "date",   "sha256"};
   const po_csv *table = &reference->table;
-  for (size_t i = 0; i < sizeof NEEDED / sizeof *NEEDED; ++i) {
-    const po_csv_header *header = po_csv_find_header(table, NEEDED[i]);
-    if (!header)
-      return po_fail(PO_CANNOT_READ, "%s:%zu: the header %s is missing: expected '# %s: ...' above",
-                     table->path, table->column_line, NEEDED[i], NEEDED[i]);
-    if (!*header->value)
-      return po_fail(PO_CANNOT_READ, "%s:%zu: the header %s is empty", table->path, header->line,
-                     NEEDED[i]);
-  }
+  const po_status status = check_needed(table, NEEDED, sizeof NEEDED / sizeof *NEEDED);
+  if (status)
+    return status;
   const po_csv_header *digest = po_csv_find_header(table, "sha256");
   if (strcmp(digest->value, table->digest) != 0)
     return po_fail(PO_CANNOT_READ,

@@ -7,6 +7,7 @@
 
 #include "po_compare.h"
 #include "po_environment.h"
+#include "po_file.h"
 #include "po_memory.h"
 #include "po_pins.h"
 #include "po_plan_words.h"
@@ -98,6 +99,38 @@ static void decide(po_plan *plan) {
   }
 }
 
+/* Returned: the folder from which a reference of a case is taken, to be freed; NULL without memory.
+ * For a case file outside the folder of cases it is that of the file, unless only the data folder
+ * has the table. */
+static char *folder_for(const po_case *kase, const char *data_folder, const char *name) {
+  const char *slash = strrchr(kase->path, '/');
+  if (!kase->is_own || po_reference_type_of(name) != PO_REFERENCE_TABLE)
+    return po_copy_text(data_folder);
+  char *folder = po_copy_text(slash ? kase->path : "");
+  if (folder && slash)
+    folder[slash - kase->path + 1] = '\0';
+  char *own = folder ? po_path_join(folder, name) : NULL;
+  char *shared = po_path_join(data_folder, name);
+  const bool use_shared = own && shared && !po_path_exists(own) && po_path_exists(shared);
+  const bool made = own && shared;
+  free(own);
+  free(shared);
+  if (made && !use_shared)
+    return folder;
+  free(folder);
+  return made ? po_copy_text(data_folder) : NULL;
+}
+
+static po_status open_check(const po_plan *plan, const char *data_folder, const po_check *check,
+                            bool measure, po_reference *reference) {
+  char *folder = folder_for(plan->kase, data_folder, check->reference);
+  const po_status status = !folder   ? PO_NO_MEMORY
+                           : measure ? po_reference_open(folder, check->reference, reference)
+                                     : po_reference_open_check(folder, check, reference);
+  free(folder);
+  return status;
+}
+
 static po_status open_references(po_plan *plan, const char *data_folder) {
   const po_case_file *file = plan->kase->file;
   plan->references = po_allocate(file->checks_count, sizeof *plan->references);
@@ -110,12 +143,12 @@ static po_status open_references(po_plan *plan, const char *data_folder) {
     status = po_check_is_pin(check)
                  ? po_pins_open(plan->kase, check->reference,
                                 plan->solver ? plan->solver->name : NULL, &plan->references[i])
-                 : po_reference_open_check(data_folder, check, &plan->references[i]);
+                 : open_check(plan, data_folder, check, false, &plan->references[i]);
     if (!status && plan->references[i].type != PO_REFERENCE_ABSENT)
       status = po_compare_check_tolerance(plan->kase, check, i + 1, &plan->references[i]);
   }
   for (unsigned i = 0; !status && i < file->measure_count; ++i)
-    status = po_reference_open(data_folder, file->measure[i].reference, &plan->measures[i]);
+    status = open_check(plan, data_folder, &file->measure[i], true, &plan->measures[i]);
   return status;
 }
 

@@ -12,7 +12,7 @@ expect 0 '' --help
 cp "$work/stdout" "$work/help"
 expect 0 '' -h
 check '-h prints the same help' cmp -s "$work/stdout" "$work/help"
-for verb in solve follow theory list plan run merge verify explain bless conform report; do
+for verb in solve follow theory list plan run merge verify explain bless conform seal report; do
   expect 0 '' "$verb" -h
   cp "$work/stdout" "$work/help"
   expect 0 '' "$verb" --help

@@ -1,0 +1,144 @@
+#include "po_seal.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "po_file.h"
+#include "po_memory.h"
+#include "po_quote.h"
+#include "po_reference_table.h"
+#include "po_text.h"
+
+const char *const PO_SEAL_NAMES[PO_SEAL_HEADERS] = {
+    "what", "source", "kind", "method", "units", "uncertainty", "date", "generator", "command"};
+enum { DATE = 6, GENERATOR, COMMAND };
+
+/* Returned: the length of the key of a header line `# key: value`; 0 if the line is no header. */
+static size_t key_of(const char *line, const char **key) {
+  if (line[0] != '#')
+    return 0;
+  *key = line + 1 + strspn(line + 1, " ");
+  const size_t length = strcspn(*key, ":");
+  return (*key)[length] == ':' ? length : 0;
+}
+
+static int find_name(const char *key, size_t length) {
+  for (int i = 0; i < PO_SEAL_HEADERS; ++i)
+    if (strlen(PO_SEAL_NAMES[i]) == length && strncmp(PO_SEAL_NAMES[i], key, length) == 0)
+      return i;
+  return -1;
+}
+
+/* Splits the lines of a file into headers, without those that are replaced and without the
+ * checksum, and all others. Returned: in `had`, the headers that the file keeps. */
+static void split(char *bytes, const char *const values[PO_SEAL_HEADERS], po_text *header,
+                  po_text *rows, bool had[PO_SEAL_HEADERS]) {
+  static const char MARK[] = "\xEF\xBB\xBF"; /* the byte order mark in UTF-8 */
+  char *at = bytes + (strncmp(bytes, MARK, strlen(MARK)) == 0 ? strlen(MARK) : 0);
+  while (*at) {
+    const size_t length = strcspn(at, "\r\n");
+    const char end = at[length];
+    at[length] = '\0';
+    const char *key = "";
+    const size_t size = key_of(at, &key);
+    const int name = find_name(key, size);
+    const bool digest = size == strlen("sha256") && strncmp(key, "sha256", size) == 0;
+    if (name >= 0 && !values[name])
+      had[name] = true;
+    if (!length || digest || (size && name >= 0 && values[name]))
+      ; /* left out */
+    else if (at[0] == '#')
+      po_text_add(header, "%s\n", at);
+    else
+      po_text_add(rows, "%s\n", at);
+    at += length + (end != '\0');
+  }
+}
+
+static void today(char date[16]) {
+  const time_t now = time(NULL);
+  struct tm utc;
+  gmtime_r(&now, &utc);
+  strftime(date, 16, "%Y-%m-%d", &utc);
+}
+
+/* Names all headers that neither the file nor the user gives. */
+static po_status refuse_missing(const char *path, const char *const values[PO_SEAL_HEADERS],
+                                const bool had[PO_SEAL_HEADERS]) {
+  po_text missing = {0};
+  size_t count = 0;
+  for (int i = 0; i < DATE; ++i)
+    if (!values[i] && !had[i])
+      po_text_add(&missing, "%s--%s", count++ ? ", " : "", PO_SEAL_NAMES[i]);
+  const po_status status =
+      count ? po_fail(PO_BAD_INPUT, "%s lacks %zu headers: expected the option%s %s", path, count,
+                      count == 1 ? "" : "s", po_text_string(&missing))
+            : PO_OK;
+  po_text_clear(&missing);
+  return status;
+}
+
+static void add_headers(const char *path, const char *const values[PO_SEAL_HEADERS],
+                        const bool had[PO_SEAL_HEADERS], po_text *header) {
+  char date[16];
+  today(date);
+  for (int i = 0; i < PO_SEAL_HEADERS; ++i) {
+    if (had[i])
+      continue;
+    po_text_add(header, "# %s: ", PO_SEAL_NAMES[i]);
+    if (values[i])
+      po_text_add(header, "%s", values[i]);
+    else if (i == COMMAND) {
+      po_text_add(header, "pulloff seal ");
+      po_text_add_word(header, path);
+    } else
+      po_text_add(header, "%s", i == DATE ? date : "by hand");
+    po_text_add(header, "\n");
+  }
+}
+
+/* Writes the table to a file beside it, reads that as a reference, and takes its place. */
+static po_status replace(const char *path, const po_text *text) {
+  po_text beside = {0};
+  po_reference reference = {0};
+  po_text_add(&beside, "%s.seal-%ld", path, (long)getpid());
+  if (beside.failed)
+    return PO_NO_MEMORY;
+  po_status status = po_file_write(beside.data, text->data, text->length);
+  if (!status)
+    status = po_reference_read(beside.data, path, &reference);
+  po_reference_close(&reference);
+  unlink(beside.data);
+  po_text_clear(&beside);
+  return status ? status : po_file_write(path, text->data, text->length);
+}
+
+po_status po_seal(const char *path, const char *const values[PO_SEAL_HEADERS]) {
+  char *bytes = NULL, digest[PO_DIGEST_LENGTH];
+  size_t size = 0;
+  bool had[PO_SEAL_HEADERS] = {false};
+  po_text header = {0}, rows = {0}, text = {0};
+  for (int i = 0; i < PO_SEAL_HEADERS; ++i)
+    if (values[i] && (strchr(values[i], '\n') || po_quote_find(values[i], strlen(values[i]))))
+      return po_fail(PO_BAD_INPUT,
+                     "--%s has several lines or a control character: expected one line",
+                     PO_SEAL_NAMES[i]);
+  po_status status = po_file_read(path, &bytes, &size);
+  if (!status) {
+    split(bytes, values, &header, &rows, had);
+    status = refuse_missing(path, values, had);
+  }
+  if (!status) {
+    add_headers(path, values, had, &header);
+    po_csv_seal(&header, &rows, &text, digest);
+    status = text.failed || header.failed || rows.failed ? PO_NO_MEMORY : replace(path, &text);
+  }
+  free(bytes);
+  po_text_clear(&header);
+  po_text_clear(&rows);
+  po_text_clear(&text);
+  return status;
+}

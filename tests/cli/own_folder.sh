@@ -1,0 +1,59 @@
+#!/bin/sh
+# The page on a case folder of one's own: its commands, one after the other, in an empty folder. And pulloff seal.
+# shellcheck disable=SC1091,SC2154
+. "$(dirname "$0")/lib.sh"
+mkdir bin empty
+ln -s "$program" bin/pulloff
+PATH=$work/bin:$PATH
+PULLOFF_DATA=$here/../..
+export PATH PULLOFF_DATA
+
+awk '/^```sh$/ { inside = 1; next } /^```$/ { inside = 0 } inside' "$here/../../doc/own_cases.md" >commands
+check 'the page has commands' test "$(grep -c pulloff commands)" -gt 8
+(cd empty && sh -e ../commands) >stdout 2>stderr
+check "the commands of the page: $(cat stderr)" test $? -eq 0
+has() { check "printed: $1; there is: $(cat stdout stderr)" grep -qE "$1" stdout stderr; }
+has 'my/data/tip.csv lacks 6 headers: expected the options --what, --source, --kind, --method, --units, --uncertainty'
+has '^my/data/tip.csv is sealed'
+has '^tips +4 +0 +0'
+has '^tips +6 +0 +0'
+has '^wrong +repeats: 1 answers to a request of 2 repeats'
+has '^rigid:tips .*coverage 1/2 points, 2/6 checks'
+has 'rigid:tips pull_off_force, tabor=0.1: outside'
+check 'pins are beside the case' test -s empty/my/pins/tips.csv
+
+# A table of one's own: what other programs write, and what is wrong.
+expect 2 'pulloff: seal needs the names of tables (see pulloff seal --help)' seal
+expect 4 'pulloff: absent.csv cannot be opened: *' seal absent.csv
+all="--what a --source b --kind oracle --method c --units d --uncertainty 0"
+printf '\357\273\277tabor,force\r\n1,1.67\r\n2,1.58' >foreign.csv
+# shellcheck disable=SC2086 # words are meant
+expect 0 '' seal $all foreign.csv
+check 'line ends and the byte order mark are removed' \
+  sh -c '! grep -q "$(printf "\r")" foreign.csv && tail -n 1 foreign.csv | grep -qx 2,1.58 && head -c 1 foreign.csv | grep -q "#"'
+cp foreign.csv before.csv
+expect 0 '' seal foreign.csv
+check 'a second time nothing changes' cmp foreign.csv before.csv
+sed -i 's/1.58/1.59/' foreign.csv
+expect 0 '' seal --what other foreign.csv
+check 'a header is replaced' grep -qx '# what: other' foreign.csv
+printf 'tabor,force\n1,1.67,3\n' >ragged.csv
+cp ragged.csv before.csv
+# shellcheck disable=SC2086
+expect 4 'pulloff: ragged.csv:*' seal $all ragged.csv
+check 'a table that is refused is unchanged' cmp ragged.csv before.csv
+check 'no other file is left' test -z "$(ls ./*.seal-* 2>/dev/null)"
+printf 'tabor,force\n1,1.67\n' >bare.csv
+cat >case.yaml <<'END'
+name: bare
+title: A table without headers
+suites: [own]
+scene: {tabor: 1, radius: 100, outer_radius: inf, scheme: panel}
+want: [pull_off]
+checks: [{quantity: pull_off_force, reference: bare.csv, tolerance: 1, kind: abs, because: b}]
+END
+expect 4 'pulloff: bare.csv:1: 10 headers are missing: expected lines *: ...* above for what, source, kind, method, units, uncertainty, generator, command, date, sha256; pulloff seal adds them' verify case.yaml
+# shellcheck disable=SC2086
+expect 2 'pulloff: --what has several lines or a control character: expected one line' seal $all --what "a
+b" bare.csv
+finish
