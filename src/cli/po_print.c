@@ -48,7 +48,7 @@ static void print_special_points(const po_special_point *list, size_t count) {
 /* Where and why the trace ended. */
 static void print_ended(const po_result *o) {
   static const char *const WHY[] = {
-      [PO_END_COMPRESSED] = "the smooth sphere is stable under compression; no harder preload "
+      [PO_END_COMPRESSED] = "the smooth profile is stable under compression; no harder preload "
                             "changes the pull-off",
       [PO_END_PRELOAD] = "loading reached the preload",
       [PO_END_COMPLETE] = "no later minimum of the load can be deeper",
@@ -216,11 +216,19 @@ static void print_diagnostics(const po_result *o) {
            d->reverse_trace.same ? "the same" : "different");
 }
 
+/* Whether the scene is stated by its coupling: without a radius there is no Tabor parameter. */
+static bool has_coupling(const po_request *request) {
+  const po_scene *scene = &request->scene;
+  return !po_profile_is_sphere(&scene->profile) && scene->radius == 1.0;
+}
+
 /* Whether the line of the scene has a key. The smooth sphere has an amplitude, 0, there. */
 static bool is_printed(const po_request *request, po_key key) {
   switch (key) {
   case PO_KEY_AMPLITUDE:
     return po_scene_waves(&request->scene) < 2;
+  case PO_KEY_RADIUS: /* of reference, epsilon, of a profile that is not a sphere */
+    return !has_coupling(request);
   case PO_KEY_WAVELENGTH:
   case PO_KEY_WAVES:
   case PO_KEY_PROFILE:
@@ -247,8 +255,13 @@ static void print_input(const po_request *request) {
     char text[PO_KEY_TEXT_LENGTH];
     if (!is_printed(request, (po_key)key))
       continue;
-    po_key_print(request, (po_key)key, text);
-    printf(" %s %s", po_key_name((po_key)key), text);
+    const bool coupling = key == PO_KEY_TABOR && has_coupling(request);
+    const po_key shown = coupling ? PO_KEY_COUPLING : (po_key)key;
+    if (coupling)
+      snprintf(text, sizeof text, "%.15g", po_key_number(request, shown));
+    else
+      po_key_print(request, shown, text);
+    printf(" %s %s", po_key_name(shown), text);
   }
   printf("\nunits    lengths in epsilon, load and force in %s; the load is > 0 in compression\n",
          po_input_load_unit(request));
@@ -260,7 +273,7 @@ void po_print_text(const po_request *request, const po_scene_flags *flags,
                    const po_result *result) {
   print_input(request);
   printf("status   %s%s%s\n", po_status_name(result->status),
-         result->rigid ? ", solved as a rigid sphere" : "",
+         result->rigid ? ", solved as rigid" : "",
          result->has_pull_off ? "" : ", no pull-off found");
   print_pull_off(result);
   print_preload(result);
