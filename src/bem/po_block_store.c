@@ -5,8 +5,8 @@
 
 #include "po_memory.h"
 
-/* Blocks of one allocation, and places of the first table. */
-enum { CHUNK_BLOCKS = 128, FIRST_PLACES = 1024 };
+/* Values of one allocation, and places of the first table. */
+enum { CHUNK_VALUES = 1 << 14, FIRST_PLACES = 1024 };
 
 /* Returned: the place of the key, or the empty place where it belongs. */
 static size_t place_of(const po_block_store *s, uint64_t key) {
@@ -39,29 +39,30 @@ static int enlarge(po_block_store *s) {
   return 1;
 }
 
-static double *new_block(po_block_store *s) {
-  const size_t within = s->count % CHUNK_BLOCKS;
-  if (within == 0) {
+static double *new_block(po_block_store *s, size_t size) {
+  if (s->chunks == 0 || s->used + size > CHUNK_VALUES) {
     double **chunk = po_grow(s->chunk, s->chunks, &s->chunk_room, sizeof *chunk);
     if (!chunk)
       return NULL;
     s->chunk = chunk;
-    s->chunk[s->chunks] = po_reserve((size_t)CHUNK_BLOCKS * PO_STORED_SIZE, sizeof(double));
+    s->chunk[s->chunks] = po_reserve(CHUNK_VALUES, sizeof(double));
     if (!s->chunk[s->chunks])
       return NULL;
     ++s->chunks;
+    s->used = 0;
   }
-  return s->chunk[s->chunks - 1] + within * PO_STORED_SIZE;
+  s->used += size;
+  return s->chunk[s->chunks - 1] + s->used - size;
 }
 
-double *po_block_store_find(po_block_store *s, uint64_t key, int *is_new) {
+double *po_block_store_find(po_block_store *s, uint64_t key, size_t size, int *is_new) {
   *is_new = 0;
   if (2 * s->count >= s->room && !enlarge(s))
     return NULL;
   const size_t place = place_of(s, key);
   if (s->key[place] == key)
     return s->block[place];
-  double *block = new_block(s);
+  double *block = new_block(s, size);
   if (!block)
     return NULL;
   ++s->count;

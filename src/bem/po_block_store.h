@@ -5,25 +5,19 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "po_skeleton.h"
-
-/* Values of the largest block. */
-enum { PO_STORED_SIZE = PO_SKELETON_SIZE };
-_Static_assert((int)PO_SKELETON_NODES >= (int)PO_TABLE_ORDER,
-               "the influence block of two panels has room");
-
 typedef struct {
   size_t count, room; /* keys stored, and places for keys: a power of 2 */
   uint64_t *key;      /* room: 0 for an empty place */
   double **block;     /* room */
   double **chunk;     /* memory of the blocks */
   size_t chunks, chunk_room;
+  size_t used; /* values of the last chunk that belong to blocks */
 } po_block_store;
 
-/* Finds the block of a key. Given: key, not 0. Returned: the block, column-major, PO_STORED_SIZE
- * values; *is_new, whether it was added by this call, with undefined values. NULL if memory runs
- * out. A block stays where it is until the store is cleared. */
-double *po_block_store_find(po_block_store *store, uint64_t key, int *is_new);
+/* Finds the block of a key. Given: key, not 0; size, the number of its values, the same at every call
+ * with this key. Returned: the block; *is_new, whether it was added by this call, with undefined
+ * values. NULL if memory runs out. A block stays where it is until the store is cleared. */
+double *po_block_store_find(po_block_store *store, uint64_t key, size_t size, int *is_new);
 
 /* Removes all blocks. */
 void po_block_store_clear(po_block_store *store);

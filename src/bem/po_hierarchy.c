@@ -14,7 +14,7 @@ enum { N = PO_TABLE_ORDER };
 /* Gap between two cells, in lengths of a cell, from which the kernel is a polynomial on it. */
 static const double SEPARATION = 2.0;
 
-/* Blocks above which the store is cleared at a change of the mesh, if most are not of this mesh: 74
+/* Blocks above which the store is cleared at a change of the mesh, if most are not of this mesh: 80
  * MB. */
 enum { MOST_BLOCKS = 1 << 16 };
 
@@ -167,8 +167,9 @@ static void fill_tail(po_hierarchy *h, const po_panel *a, const po_panel *b, dou
 static const double *stored(po_hierarchy *h, enum kind kind, const po_panel *a, const po_panel *b) {
   static const po_panel NO_PANEL = {PO_DEEPEST_LEVEL + 1, 0};
   int is_new;
-  double *block =
-      po_block_store_find(&h->store, key_of(kind, a ? *a : NO_PANEL, b ? *b : NO_PANEL), &is_new);
+  const size_t size = kind == HALVES ? PO_SKELETON_SIZE : PO_BLOCK_SIZE;
+  double *block = po_block_store_find(&h->store, key_of(kind, a ? *a : NO_PANEL, b ? *b : NO_PANEL),
+                                      size, &is_new);
   if (!block)
     h->trouble = PO_NO_MEMORY;
   if (!block || !is_new)
