@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "po_input.h"
 #include "po_interrupt.h"
@@ -79,7 +80,9 @@ static const char MORE_HELP[] =
     "                                         sensitivities, reverse trace\n"
     "  --profile-approach D    approach at which the profile is taken, in epsilon (default: that\n"
     "                          of the pull-off)\n"
-    "  --curve FILE            write the points of the branch to FILE, as dimensionless CSV\n"
+    "  --curve FILE            write the points of the branch to FILE, as dimensionless CSV; for\n"
+    "                          this and the other files, - is standard output, and the result is\n"
+    "                          printed on standard error\n"
     "  --profile-csv FILE      write gap and traction to FILE, as dimensionless CSV; --profile "
     "FILE\n"
     "                          does the same if FILE has a period or a slash\n"
@@ -217,6 +220,15 @@ static po_status refuse_idle(const solve_line *line) {
   return po_options_refuse_idle("a scene without amplitude", flags, 1);
 }
 
+static bool is_output(const char *file) {
+  return file && strcmp(file, "-") == 0;
+}
+
+/* The number of tables that are written to standard output. */
+static int tables_on_output(const solve_line *line) {
+  return is_output(line->curve) + is_output(line->profile) + is_output(line->staircase);
+}
+
 /* Completes the request and checks it. */
 static po_status end_line(solve_line *line) {
   po_request *request = &line->request;
@@ -237,6 +249,9 @@ static po_status end_line(solve_line *line) {
     return po_fail(PO_BAD_INPUT, "--%s is given without --%s: expected both", amplitude,
                    wavelength);
   }
+  if (tables_on_output(line) + line->json > 1)
+    return po_fail(PO_BAD_INPUT, "standard output is asked for twice: expected only one of --json "
+                                 "and the file -");
   request->approach_start = length[PO_LENGTH_APPROACH_START];
   request->approach_end = length[PO_LENGTH_APPROACH_END];
   request->profile_approach = length[PO_LENGTH_PROFILE_APPROACH];
@@ -248,6 +263,23 @@ static po_status end_line(solve_line *line) {
     request->want |= PO_WANT_PROFILE;
   po_request_choose_search(request);
   return po_request_check(request);
+}
+
+/* Prints the result; on standard error if standard output is for a table. */
+static po_status print_result(const solve_line *line, const po_result *result) {
+  if (line->json)
+    return po_print_json(&line->request, &line->flags, result);
+  fflush(stdout);
+  const int output = tables_on_output(line) ? dup(STDOUT_FILENO) : -1;
+  if (output >= 0)
+    dup2(STDERR_FILENO, STDOUT_FILENO);
+  po_print_text(&line->request, &line->flags, result);
+  fflush(stdout);
+  if (output >= 0) {
+    dup2(output, STDOUT_FILENO);
+    close(output);
+  }
+  return PO_OK;
 }
 
 /* Writes all files, even if one of them cannot be written. */
@@ -271,11 +303,7 @@ static int solve(solve_line *line) {
   const po_status solved = po_observe(&line->request, &result);
   if (solved && !result.reason[0])
     snprintf(result.reason, sizeof result.reason, "%.250s", po_message());
-  po_status status = PO_OK;
-  if (line->json)
-    status = po_print_json(&line->request, &line->flags, &result);
-  else
-    po_print_text(&line->request, &line->flags, &result);
+  po_status status = print_result(line, &result);
   if (!status && !solved)
     status = write_files(
         line,

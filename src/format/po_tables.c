@@ -1,5 +1,6 @@
 #include "po_tables.h"
 
+#include <errno.h>
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
@@ -17,6 +18,16 @@ static const char *const CURVE_NAMES[CURVE_COLUMNS] = {
     "position",       "approach",      "load",      "energy",
     "contact_radius", "approach_rate", "load_rate", "unstable_modes"};
 
+/* Writes to a file, or to standard output for "-". */
+static po_status write_text(const char *path, const po_text *text) {
+  if (strcmp(path, "-") != 0)
+    return po_file_write(path, text->data, text->length);
+  errno = 0;
+  if (fwrite(text->data, 1, text->length, stdout) == text->length && fflush(stdout) == 0)
+    return PO_OK;
+  return po_fail(PO_CANNOT_WRITE, "standard output cannot be written: %s", strerror(errno));
+}
+
 /* Writes a table. Given: rows, which begin with the line of column names and are cleared. */
 static po_status write_table(const char *path, const po_request *request, const char *what,
                              const char *units, po_text *rows, char *digest) {
@@ -27,7 +38,7 @@ static po_status write_table(const char *path, const po_request *request, const 
               command ? command : "");
   po_csv_seal(&header, rows, &text, own);
   const bool failed = text.failed || !command;
-  const po_status status = failed ? PO_NO_MEMORY : po_file_write(path, text.data, text.length);
+  const po_status status = failed ? PO_NO_MEMORY : write_text(path, &text);
   if (digest)
     memcpy(digest, own, sizeof own);
   free(command);

@@ -8,7 +8,7 @@
 
 /* Writes the branch with the columns position, approach, load, energy, contact_radius,
  * approach_rate, load_rate and unstable_modes. The headers state the scene, the units and the
- * checksum of all other lines. Returned: digest, that checksum, unless it is NULL. Status:
+ * checksum of all other lines. The path "-" is standard output. Returned: digest, that checksum, unless it is NULL. Status:
  * PO_CANNOT_WRITE, PO_NO_MEMORY. */
 po_status po_tables_write_curve(const char *path, const po_request *request,
                                 const po_result *result, char *digest);

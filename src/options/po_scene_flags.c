@@ -273,7 +273,27 @@ static po_status end_physical(po_scene_flags *flags, bool elastic, po_scene *sce
   return po_scene_flags_add_waves(flags->wave, flags->waves, 1.0 / flags->distance, scene);
 }
 
+/* Warns of lengths in epsilon that only make sense as metres. */
+static void warn_of_metres(const po_scene_flags *flags) {
+  /* Much less than an atom, for a radius; still less for the waves, which may be extreme. */
+  const double least_radius = 1e-2, least_wave = 1e-6;
+  const double *length = flags->length;
+  const double amplitude = length[PO_LENGTH_AMPLITUDE], wavelength = length[PO_LENGTH_WAVELENGTH];
+  po_length suspect = PO_LENGTH_COUNT;
+  if (length[PO_LENGTH_RADIUS] < least_radius)
+    suspect = PO_LENGTH_RADIUS;
+  else if (amplitude > 0 && amplitude < least_wave && wavelength < least_wave)
+    suspect = PO_LENGTH_WAVELENGTH;
+  if (suspect < PO_LENGTH_COUNT)
+    fprintf(stderr,
+            "pulloff: warning: --%s is %g epsilon, which looks like metres: for SI units, use "
+            "--from-physical and --%s-m\n",
+            LENGTHS[suspect].name, length[suspect], LENGTHS[suspect].name);
+}
+
 po_status po_scene_flags_end(po_scene_flags *flags, bool elastic, po_scene *scene) {
+  if (!flags->from_physical)
+    warn_of_metres(flags);
   return flags->from_physical ? end_physical(flags, elastic, scene)
                               : end_dimensionless(flags, scene);
 }

@@ -20,6 +20,29 @@ check 'a file of results that cannot be written is exit code 4' test $? = 4
 check 'the message' grep -q '^pulloff: nowhere/out.xml cannot be written: ' stderr
 check 'the verdicts are printed' grep -q '^ok 1 ' stdout
 
+# The file - is standard output; the result is then on standard error.
+for option in --curve --profile-csv --staircase; do
+  "$program" solve --tabor 0 "$option" - >table.csv 2>result.txt
+  check "$option -" test $? = 0
+  "$program" solve --tabor 0 "$option" file.csv >/dev/null
+  check "$option - is the table" cmp table.csv file.csv
+  check "$option -: the result" grep -q "$force" result.txt
+done
+expect 2 'pulloff: standard output is asked for twice: *' solve --tabor 0 --curve - --json
+expect 2 'pulloff: standard output is asked for twice: *' solve --tabor 0 --curve - --profile-csv -
+check 'no file of this name' test ! -e -
+"$program" solve --tabor 0 --curve - >/dev/full 2>result.txt
+check 'standard output that cannot be written' test $? = 4
+
+# Lengths in metres without --from-physical.
+for lengths in '--radius 1e-7' '--amplitude 1e-9 --wavelength 2e-8'; do
+  # shellcheck disable=SC2086 # words
+  "$program" solve --tabor 0 --preload-load 1 $lengths >/dev/null 2>warning.txt
+  check "a warning of $lengths" grep -q '^pulloff: warning: --.* epsilon, which looks like metres: for SI units, use --from-physical and --.*-m$' warning.txt
+done
+expect 0 '' solve --tabor 0 --radius 0.02
+expect 0 '' solve --from-physical --modulus-pa inf --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 1e-7
+
 for option in --curve --profile --profile-csv --staircase; do
   expect 2 "pulloff: $option is empty: expected the name of a file" solve --tabor 0 "$option" ''
 done

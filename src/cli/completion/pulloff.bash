@@ -14,6 +14,7 @@ _pulloff_values() {
   --scheme) echo ring triangle panel ;;
   --grading) echo uniform graded ;;
   --law) echo lennard-jones mie: morse: ;;
+  --profile) echo sphere power: cone: punch: truncated: ;;
   --scale) echo log linear ;;
   --of) echo pull-off folds ;;
   --want) echo curve profile hysteresis preload diagnostics ;;
@@ -32,7 +33,7 @@ _pulloff() {
   case $COMP_CWORD:$before in
   1:*) words="$(_pulloff_names "$program") --help --version" ;;
   *:--output | *:--run) action=(-d) ;;
-  *:--curve | *:--profile | *:--staircase | *:--plot | *:--junit) action=(-f) ;;
+  *:--curve | *:--profile-csv | *:--profile-file | *:--staircase | *:--plot | *:--junit) action=(-f) ;;
   *:--*) words=$(_pulloff_values "$before") ;;
   esac
   if [ -z "$words" ] && [ ${#action[@]} -eq 0 ]; then
