@@ -117,6 +117,8 @@ static double second_derivative(const po_profile_table *t, size_t k, bool at_end
 
 /* Part of the second derivative of a parabola with the same end that counts as rounding. */
 static const double ROUNDED = 1e-6;
+/* Part of the last gap that counts as rounding where the gap falls. */
+static const double ROUNDED_GAP = 1e-12;
 
 static void derive(po_profile_table *t) {
   const size_t last = t->rows - 1;
@@ -126,12 +128,13 @@ static void derive(po_profile_table *t) {
   t->detail = INFINITY;
   t->is_convex = true;
   const double rounding = ROUNDED * t->gap[last] / (end * end);
+  const double dip = ROUNDED_GAP * t->gap[last];
   double narrowest = INFINITY;
   for (size_t k = last; k-- > 0;) {
     const double least = least_between(t, k);
     t->beyond[k] = fmin(least, t->beyond[k + 1]);
     narrowest = fmin(narrowest, t->r[k + 1] - t->r[k]);
-    if (least < t->gap[k] || t->slope[k] < 0.0)
+    if (least < t->gap[k] - dip)
       t->detail = 0.0;
     if (second_derivative(t, k, false) < -rounding || second_derivative(t, k, true) < -rounding)
       t->is_convex = false;

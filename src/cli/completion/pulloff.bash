@@ -19,7 +19,7 @@ _pulloff_values() {
   --of) echo pull-off folds ;;
   --want) echo curve profile hysteresis preload diagnostics ;;
   --suite) echo smoke paper extreme precision random ;;
-  --key) echo tabor amplitude wavelength radius outer-radius amplitude-ratio mie-m mie-n morse-a ;;
+  --key) echo tabor amplitude wavelength radius outer-radius amplitude-ratio coupling mie-m mie-n morse-a power-c power-n cone-t punch-b punch-r truncated-b truncated-r ;;
   --preload | --outer-radius | --modulus-pa) echo inf ;;
   esac
 }
