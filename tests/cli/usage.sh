@@ -5,8 +5,8 @@
 . "$(dirname "$0")/lib.sh"
 
 man_page=$here/../../src/cli/pulloff.1
-expect 2 'pulloff: no verb is given: expected solve, follow, theory, list, plan, run, merge, verify, explain, *'
-expect 2 'pulloff: unknown verb dance: expected solve, follow, theory, list, *' dance
+expect 2 'pulloff: no verb is given: expected solve, follow, theory, plot, list, plan, run, merge, verify, explain, *'
+expect 2 'pulloff: unknown verb dance: expected solve, follow, theory, plot, list, *' dance
 expect 0 '' --version
 expect 0 '' --help
 cp "$work/stdout" "$work/help"
