@@ -8,7 +8,8 @@ import math
 from dataclasses import dataclass, field
 
 # Two special points farther apart than twice this, in the plane of approach/eps and load/(pi w R), are not the same
-# point. Half and twice the value gave the same pairs in 300 scenes.
+# point. Half and twice the value gave the same pairs in 300 scenes. Loads of profiles without a radius, in pi w eps,
+# are divided by the pull-off force.
 APART = 0.05
 ROUNDING = 1e-14         # relative error of a difference of two printed numbers
 
@@ -64,7 +65,10 @@ def value(document, key):
 
 
 def special_points(document, name):
-    return sorted(document[name], key=lambda mark: mark["position"])
+    sphere = document.get("input", {}).get("profile", "sphere") == "sphere"
+    unit = 1.0 if sphere else document["pull_off"]["force"]
+    return sorted(({**mark, "shown": mark["load"] / unit} for mark in document[name]),
+                  key=lambda mark: mark["position"])
 
 
 def after(document, name, start):
@@ -106,7 +110,7 @@ def common(loose, tight):
 def distance(one, other):
     if one["kind"] != other["kind"]:
         return math.inf
-    return math.hypot(one["approach"] - other["approach"], one["load"] - other["load"])
+    return math.hypot(one["approach"] - other["approach"], one["shown"] - other["shown"])
 
 
 def align(ours, theirs):
