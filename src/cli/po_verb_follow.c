@@ -7,6 +7,7 @@
 #include "po_interrupt.h"
 #include "po_json.h"
 #include "po_linear.h"
+#include "po_live.h"
 #include "po_memory.h"
 #include "po_options.h"
 #include "po_print.h"
@@ -14,6 +15,7 @@
 #include "po_scene_flags.h"
 #include "po_series.h"
 #include "po_series_folds.h"
+#include "po_tables.h"
 #include "po_text.h"
 #include "po_verbs.h"
 
@@ -70,13 +72,18 @@ static const char MORE_HELP[] =
     "  --tolerance T           relative tolerance on the pull-off force, 1e-10 to 0.01 (default\n"
     "                          1e-6)\n"
     "\n"
+    "  --time-limit S          processor time after which each solve is stopped, in seconds\n"
+    "                          (default: no limit)\n"
+    "\n"
+    "  --curve FILE            write the pull-offs to FILE, as dimensionless CSV; - is standard\n"
+    "                          output, on which nothing else is then printed\n"
     "  --json                  print one JSON document and nothing else\n"
     "  -h, --help              print this text\n"
     "\n"
     "Example: pulloff follow --key tabor --from 0.1 --to 5 --points 60 --amplitude 1 \\\n"
     "             --wavelength 20 --outer-radius 100\n";
 
-enum { VARIED = 1, FROM, TO, POINTS, SCALE, OF, CHECKPOINTS, JSON, KEY = PO_OPTION_KEYS };
+enum { VARIED = 1, FROM, TO, POINTS, SCALE, OF, CHECKPOINTS, CURVE, JSON, KEY = PO_OPTION_KEYS };
 enum { DEFAULT_POINTS = 60 };
 
 /* The values of the options of the scene are KEY + po_key. */
@@ -88,6 +95,7 @@ static const struct option OPTIONS[] = {
     {"scale", required_argument, NULL, SCALE},
     {"of", required_argument, NULL, OF},
     {"checkpoint-every", required_argument, NULL, CHECKPOINTS},
+    {"curve", required_argument, NULL, CURVE},
     {"json", no_argument, NULL, JSON},
     {"tabor", required_argument, NULL, KEY + PO_KEY_TABOR},
     {"amplitude", required_argument, NULL, KEY + PO_KEY_AMPLITUDE},
@@ -114,6 +122,7 @@ static const struct option OPTIONS[] = {
     {"tolerance", required_argument, NULL, KEY + PO_KEY_TOLERANCE},
     {"preload", required_argument, NULL, KEY + PO_KEY_PRELOAD},
     {"preload-load", required_argument, NULL, KEY + PO_KEY_PRELOAD_LOAD},
+    {"time-limit", required_argument, NULL, KEY + PO_KEY_TIME_LIMIT},
     {"help", no_argument, NULL, PO_OPTION_HELP},
     {NULL, 0, NULL, 0}};
 
@@ -125,6 +134,7 @@ typedef struct {
   po_key key;
   po_range range;
   size_t checkpoints; /* 0: not given */
+  const char *curve;  /* a file; NULL: none */
   bool folds, json;
 } follow_line;
 
@@ -187,6 +197,8 @@ static po_status take_option(void *to, int option) {
     if (line->folds || strcmp(optarg, "pull-off") == 0)
       return PO_OK;
     return po_options_refuse("of", optarg, "pull-off or folds");
+  case CURVE:
+    return po_options_take_text("curve", "the name of a file", &line->curve);
   case JSON:
     line->json = true;
     return PO_OK;
@@ -233,6 +245,11 @@ static po_status check_line(const follow_line *line) {
                    "--amplitude or --amplitude-ratio");
   const po_flag_use wavelength = {"wavelength", line->given[PO_KEY_WAVELENGTH], wavy};
   const po_flag_use checkpoints = {"checkpoint-every", line->checkpoints > 0, !line->folds};
+  if (line->curve && line->folds)
+    return po_fail(PO_BAD_INPUT, "--curve has no effect on --of folds: expected it to be left out");
+  if (line->curve && line->json && strcmp(line->curve, "-") == 0)
+    return po_fail(PO_BAD_INPUT, "standard output is asked for twice: expected only one of --json "
+                                 "and the file -");
   const po_status status = po_options_refuse_idle("scenes without amplitude", &wavelength, 1);
   return status ? status : po_options_refuse_idle("--of folds", &checkpoints, 1);
 }
@@ -335,6 +352,49 @@ static void print_folds(const follow_line *line, const po_request *requests,
          results[0].fold_count, line->range.count);
 }
 
+/* The scenes of which a trace or a followed minimum has been seen. */
+typedef struct {
+  po_live live;
+  size_t seen, count;
+} follow_progress;
+
+typedef struct {
+  follow_progress *progress;
+  bool is_seen;
+} follow_mark;
+
+static void show_scene(void *watcher, double approach, double load) {
+  (void)approach, (void)load;
+  follow_mark *mark = watcher;
+  mark->progress->seen += !mark->is_seen;
+  mark->is_seen = true;
+  if (po_live_is_due(&mark->progress->live))
+    po_live_show(&mark->progress->live, "%zu/%zu scenes", mark->progress->seen,
+                 mark->progress->count);
+}
+
+/* Computes the series; one of more than a second shows its progress. */
+static po_status compute(const follow_line *line, po_request *requests, po_result *results) {
+  const size_t count = line->range.count;
+  follow_progress progress = {.live = po_live_begin(true), .count = count};
+  follow_mark *marks = po_allocate(count, sizeof *marks);
+  if (!marks)
+    return PO_NO_MEMORY;
+  for (size_t k = 0; k < count; ++k) {
+    marks[k].progress = &progress;
+    requests[k].watch = show_scene;
+    requests[k].watcher = &marks[k];
+  }
+  const po_status status =
+      line->folds
+          ? po_series_folds(requests, count, results)
+          : po_series_observe(requests, count,
+                              line->checkpoints ? line->checkpoints : PO_CHECKPOINT_EVERY, results);
+  po_live_end(&progress.live);
+  free(marks);
+  return status;
+}
+
 static po_status follow(const follow_line *line, po_request *requests, po_result *results) {
   po_status status = PO_OK;
   for (size_t k = 0; k < line->range.count && !status; ++k)
@@ -343,11 +403,7 @@ static po_status follow(const follow_line *line, po_request *requests, po_result
     return status;
   status = po_linear_reserve(1);
   if (!status)
-    status = line->folds
-                 ? po_series_folds(requests, line->range.count, results)
-                 : po_series_observe(requests, line->range.count,
-                                     line->checkpoints ? line->checkpoints : PO_CHECKPOINT_EVERY,
-                                     results);
+    status = compute(line, requests, results);
   status = po_no_memory_or(status);
   if (status == PO_INTERRUPTED)
     return po_fail(status, "interrupted");
@@ -355,8 +411,11 @@ static po_status follow(const follow_line *line, po_request *requests, po_result
     status = print_json(requests, results, line->range.count);
   else if (!status && line->folds && !results[0].status)
     print_folds(line, requests, results);
-  else if (!status && !line->folds)
+  else if (!status && !line->folds && !(line->curve && strcmp(line->curve, "-") == 0))
     print_text(line, requests, results);
+  fflush(stdout);
+  if (!status && line->curve)
+    status = po_tables_write_series(line->curve, line->key, requests, results, line->range.count);
   for (size_t k = 0; k < line->range.count && !status; ++k)
     if (results[k].status)
       status = po_fail(results[k].status, "the solve at %s %g failed: %s", line->varied,

@@ -7,6 +7,7 @@
 #include "po_input.h"
 #include "po_interrupt.h"
 #include "po_linear.h"
+#include "po_live.h"
 #include "po_observe.h"
 #include "po_options.h"
 #include "po_plot.h"
@@ -297,10 +298,33 @@ static po_status write_files(const solve_line *line, const po_result *result) {
   return curve ? curve : staircase ? staircase : plot ? plot : status;
 }
 
+typedef struct {
+  po_live live;
+  size_t points;
+} solve_progress;
+
+static void show_point(void *watcher, double approach, double load) {
+  solve_progress *progress = watcher;
+  ++progress->points;
+  if (po_live_is_due(&progress->live))
+    po_live_show(&progress->live, "%zu points, approach %.4g, load %.4g", progress->points,
+                 approach, load);
+}
+
+/* Solves the scene; a solve of more than a second shows its progress on a terminal. */
+static po_status observe(solve_line *line, po_result *result) {
+  solve_progress progress = {.live = po_live_begin(false)};
+  line->request.stop = po_interrupt_listen();
+  line->request.watch = show_point;
+  line->request.watcher = &progress;
+  const po_status status = po_observe(&line->request, result);
+  po_live_end(&progress.live);
+  return status;
+}
+
 static int solve(solve_line *line) {
   po_result result = {0};
-  line->request.stop = po_interrupt_listen();
-  const po_status solved = po_observe(&line->request, &result);
+  const po_status solved = observe(line, &result);
   if (solved && !result.reason[0])
     snprintf(result.reason, sizeof result.reason, "%.250s", po_message());
   po_status status = print_result(line, &result);
@@ -357,8 +381,7 @@ static po_status take_operands(solve_line *line, const po_options *options, char
 /* Solves the scene and plots it. */
 static po_status plot(solve_line *line) {
   po_result result = {0};
-  line->request.stop = po_interrupt_listen();
-  po_status status = po_observe(&line->request, &result);
+  po_status status = observe(line, &result);
   if (!status)
     status = line->plot ? po_plot_to_file(&line->request, &result, line->plot)
                         : po_plot_to_terminal(&line->request, &result);

@@ -126,6 +126,34 @@ po_status po_tables_write_staircase(const char *path, const po_request *request,
       &rows, digest);
 }
 
+po_status po_tables_write_series(const char *path, po_key key, const po_request *requests,
+                                 const po_result *results, size_t count) {
+  po_text rows = {0};
+  po_text_add(&rows,
+              "%s,force,force_error,approach,approach_error,contact_radius,"
+              "contact_radius_error,followed\n",
+              po_key_name(key));
+  for (size_t k = 0; k < count; ++k) {
+    const po_result *o = &results[k];
+    const double none = (double)NAN;
+    const double row[] = {po_key_number(&requests[k], key),
+                          o->has_pull_off ? o->pull_off.force : none,
+                          o->has_pull_off ? o->pull_off.force_error : none,
+                          o->has_pull_off ? o->pull_off.approach : none,
+                          o->has_pull_off ? o->pull_off.approach_error : none,
+                          o->has_pull_off ? o->pull_off.contact_radius : none,
+                          o->has_pull_off ? o->pull_off.contact_radius_error : none,
+                          o->followed};
+    po_csv_add_row(&rows, row, sizeof row / sizeof *row);
+  }
+  return write_table(
+      path, &requests[0],
+      "pull-off of scenes in which one key varies; the command solves the first",
+      "approach and contact_radius in epsilon; force in pi w R; errors are estimated "
+      "bounds",
+      &rows, NULL);
+}
+
 /* Reads a table with the columns `names`, in any order. Returned: *values, *rows x count, stored
  * row by row in the order of `names`, to be freed. */
 /* Reports whether a cell says that a number is unknown: the curve of an external solver has neither

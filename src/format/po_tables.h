@@ -2,14 +2,15 @@
 #ifndef PO_TABLES_H
 #define PO_TABLES_H
 
+#include "po_input.h"
 #include "po_request.h"
 #include "po_result.h"
 #include "po_status.h"
 
 /* Writes the branch with the columns position, approach, load, energy, contact_radius,
  * approach_rate, load_rate and unstable_modes. The headers state the scene, the units and the
- * checksum of all other lines. The path "-" is standard output. Returned: digest, that checksum, unless it is NULL. Status:
- * PO_CANNOT_WRITE, PO_NO_MEMORY. */
+ * checksum of all other lines. The path "-" is standard output. Returned: digest, that checksum,
+ * unless it is NULL. Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
 po_status po_tables_write_curve(const char *path, const po_request *request,
                                 const po_result *result, char *digest);
 
@@ -21,6 +22,13 @@ po_status po_tables_write_profile(const char *path, const po_request *request,
 /* Writes the steps of both staircases, one in each row. Otherwise as po_tables_write_curve. */
 po_status po_tables_write_staircase(const char *path, const po_request *request,
                                     const po_result *result, char *digest);
+
+/* Writes the pull-offs of a series of scenes in which a key varies, one scene in each row, with the
+ * columns KEY, force, force_error, approach, approach_error, contact_radius, contact_radius_error
+ * and followed (0: traced); nan where a scene has no pull-off. Otherwise as po_tables_write_curve.
+ */
+po_status po_tables_write_series(const char *path, po_key key, const po_request *requests,
+                                 const po_result *results, size_t count);
 
 /* Read a table of po_tables_write_curve or po_tables_write_profile into result->curve or
  * result->profile. Status: PO_CANNOT_READ, also if the checksum of the table is not `digest`;

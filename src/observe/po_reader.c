@@ -58,6 +58,9 @@ static bool only_searches(const po_reader *r) {
 
 /* Whether the trace continues: it is not interrupted, and the time limit is not reached. */
 static bool may_go_on(po_reader *r, const po_branch_point *p) {
+  if (r->request->watch)
+    r->request->watch(r->request->watcher, p->approach,
+                      p->load * po_scene_load_unit(&r->request->scene));
   if (r->request->stop && *r->request->stop)
     r->status = po_fail(PO_INTERRUPTED, "interrupted at approach %.6g", p->approach);
   else if (po_clock_thread() > r->deadline && only_searches(r))

@@ -57,6 +57,10 @@ typedef struct {
   double time_limit;             /* seconds of processor time of the solving thread; NAN: none */
   const volatile sig_atomic_t
       *stop; /* nonzero interrupts the solve; checked at every point; may be NULL */
+  /* Told of every point of a trace: approach, eps, and load, pi w R; of a scene of a series that is
+   * followed: NAN. NULL: nobody. */
+  void (*watch)(void *watcher, double approach, double load);
+  void *watcher;
 } po_request;
 
 enum { PO_WANT_COUNT = 5 };

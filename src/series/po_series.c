@@ -118,6 +118,8 @@ static po_status follow(interval *s, const po_checkpoint_minimum *m, bool forwar
     const volatile sig_atomic_t *stop = s->l->requests[index].stop;
     if (stop && *stop)
       return po_fail(PO_INTERRUPTED, "interrupted in a series of scenes");
+    if (s->l->requests[index].watch)
+      s->l->requests[index].watch(s->l->requests[index].watcher, (double)NAN, (double)NAN);
     status = po_follow_to(s->follower, (double)index, po_observe_deadline(&s->l->requests[index]));
     if (!status)
       *load_of(s, row, index) = record_minimum(s, index);

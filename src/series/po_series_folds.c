@@ -83,6 +83,8 @@ static po_status follow(const po_series_scenes *l, po_follower *follower, const 
     po_result *o = &l->results[k];
     if (request->stop && *request->stop)
       return po_fail(PO_INTERRUPTED, "interrupted in a series of scenes");
+    if (request->watch)
+      request->watch(request->watcher, (double)NAN, (double)NAN);
     const double start = po_clock_wall();
     status = po_follow_to(follower, (double)k, po_observe_deadline(request));
     if (!status && !record_fold(follower, request, &o->folds[place]))

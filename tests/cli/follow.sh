@@ -170,4 +170,19 @@ alter 'p["traced"].update(status="not_converged", reason="it is made so", pull_o
 expect 1 '*' verify --verbose good --output traced
 check 'a failed trace is no agreement' grep -q 'missing_reference: the trace failed: it is made so' "$work/stdout"
 
+# The table of the pull-offs.
+"$program" follow --key tabor --from 1 --to 2 --points 4 --curve - >table.csv 2>stderr
+check 'a table on standard output' test $? = 0
+check 'its columns' grep -q '^tabor,force,force_error,approach,approach_error,contact_radius,contact_radius_error,followed$' table.csv
+check 'its rows' test "$(grep -c '^[0-9]' table.csv)" = 4
+expect 0 '' follow --key tabor --from 1 --to 2 --points 4 --curve file.csv
+check 'a file' cmp table.csv file.csv
+check 'and the printed table' grep -q '^work ' stdout
+expect 4 'pulloff: nowhere/a.csv cannot be written: *' follow --key tabor --from 1 --to 2 --points 2 --curve nowhere/a.csv
+check 'the result is printed although the file is not written' grep -q '^work ' stdout
+expect 2 'pulloff: standard output is asked for twice: *' follow --key tabor --from 1 --to 2 --curve - --json
+expect 2 'pulloff: --curve has no effect on --of folds: *' follow --key tabor --from 1 --to 2 --of folds --curve a.csv
+expect 2 'pulloff: --key is time-limit: *' follow --key time-limit --from 1 --to 2
+expect 3 'pulloff: the solve at tabor * failed: after 1e-06 s of processor time *' \
+  follow --key tabor --from 3 --to 4 --points 2 --amplitude 1 --wavelength 20 --time-limit 1e-6
 finish

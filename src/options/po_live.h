@@ -1,0 +1,27 @@
+/* The progress of a verb that may take long: a line on standard error that is updated on a
+ * terminal, from the second second on; elsewhere, if `plain` is set, a line every ten seconds. */
+#ifndef PO_LIVE_H
+#define PO_LIVE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct {
+  bool is_terminal, plain;
+  double begin, last; /* seconds of the monotonic clock */
+  size_t width;       /* of the line that is now on the terminal */
+} po_live;
+
+/* Begins now. */
+po_live po_live_begin(bool plain);
+
+/* Returned: whether a line is due. */
+bool po_live_is_due(const po_live *live);
+
+/* Shows a line, with the time since the beginning after it. */
+void po_live_show(po_live *live, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Erases the updated line. */
+void po_live_end(po_live *live);
+
+#endif
