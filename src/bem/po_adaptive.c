@@ -1,5 +1,6 @@
 #include "po_adaptive.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -80,7 +81,8 @@ void po_adaptive_destroy(po_adaptive *a) {
 static bool has_nodes(const po_adaptive *a, po_panel panel, const double *node) {
   const double begin = a->domain * po_panel_begin(panel), size = a->domain * po_panel_size(panel);
   for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
-    if (!(fabs(begin + size * a->table->rule.node[j] - node[j]) < 1e-9 * size))
+    if (!(fabs(begin + size * a->table->rule.node[j] - node[j]) <
+          1e-9 * size + 4.0 * DBL_EPSILON * a->domain))
       return false;
   return true;
 }
@@ -92,8 +94,9 @@ po_status po_adaptive_panels_of(const po_adaptive *a, size_t n, const double *no
   for (size_t j = 0; j + PO_TABLE_ORDER <= n && panels->count < PO_MOST_PANELS;
        j += PO_TABLE_ORDER) {
     const double size = (node[j + PO_TABLE_ORDER - 1] - node[j]) / (x[PO_TABLE_ORDER - 1] - x[0]);
-    const double begin = (node[j] - x[0] * size) / size;
-    const po_panel panel = {(uint32_t)lround(log2(a->domain / size)), (uint32_t)lround(begin)};
+    const uint32_t level = (uint32_t)lround(log2(a->domain / size));
+    const double begin = ldexp(node[j] / a->domain, (int)level) - x[0];
+    const po_panel panel = {level, (uint32_t)lround(begin)};
     if (!has_nodes(a, panel, node + j))
       break;
     panels->panel[panels->count++] = panel;

@@ -119,8 +119,13 @@ static void far_block(const po_panel_table *t, po_panel target, po_panel source,
     s[j] = begin + size * t->rule.node[j];
     weight[j] = size * s[j] * t->rule.weight[j];
   }
+  const double between = from - begin; /* exact: both are multiples of the deepest panel's size */
   for (size_t i = 0; i < PO_TABLE_ORDER; ++i) {
-    po_kernel_row(from + reach * t->rule.node[i], s, PO_TABLE_ORDER, block[i]);
+    const double x = reach * t->rule.node[i];
+    double apart[PO_TABLE_ORDER];
+    for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
+      apart[j] = between + (x - size * t->rule.node[j]);
+    po_kernel_row_apart(from + x, s, apart, PO_TABLE_ORDER, block[i]);
     for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
       block[i][j] *= weight[j];
   }

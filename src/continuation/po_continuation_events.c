@@ -10,8 +10,7 @@ static const double ON_TANGENT = 0.02;
 /* Sets the guess to the tangent at the last inner point. */
 static void guess_on_tangent(po_continuation *t, double at) {
   const double step = (at - t->inner_at) / po_solution_cosine(&t->current, &t->inner);
-  for (size_t j = 0; j <= t->inner.n; ++j)
-    t->c.guess[j] = t->inner.state[j] + step * t->inner.tangent[j];
+  po_corrector_guess_near(&t->c, &t->inner, step);
 }
 
 /* Solves for a point between t->current and t->next. */
@@ -45,6 +44,7 @@ po_status po_continuation_find_events(po_continuation *t) {
   const po_interval interval = {.data = t,
                                 .solve = solve_inner,
                                 .keep = keep_inner,
+                                .precision = t->c.e->precision,
                                 .station = t->options.station,
                                 .end = t->options.end};
   const po_sample from = po_corrector_sample(&t->current, &t->current),
@@ -98,8 +98,9 @@ static void judge(po_continuation *t, const po_event *ev, po_branch_point *point
   if (!status) {
     point->approach_correction = r.value[0] - point->approach;
     point->load_correction = r.value[1] - point->load;
-    point->approach_error = r.error[0];
-    point->load_error = r.error[1];
+    const double beyond = ev->left > PO_LOCATED ? ev->left : 0.0;
+    point->approach_error = r.error[0] + beyond * fabs(point->approach_rate);
+    point->load_error = r.error[1] + beyond * fabs(point->load_rate);
     point->best = r.point;
     point->finer = r.finer;
   }

@@ -4,10 +4,11 @@
 #include <string.h>
 
 #include "po_memory.h"
+#include "po_prediction.h"
 
 /* If the iteration is slow but its last change, relative to 1 + H, is below NEAR, the Jacobian is
  * factorised there, at most MOST_RENEWALS times. */
-enum { MOST_RENEWALS = 2 };
+enum { MOST_RENEWALS = 2, MOST_FACTORS = 2 };
 static const double NEAR = 0.1;
 
 po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive *adaptive) {
@@ -57,6 +58,17 @@ void po_corrector_guess(po_corrector *c, const po_solution *p) {
     c->guess[n - back] = p->state[p->n - back];
 }
 
+void po_corrector_guess_near(po_corrector *c, const po_solution *p, double distance) {
+  po_prediction prediction;
+  if (p->edges.count > 0 &&
+      po_prediction_make(c->e->scene, c->domain, p, NULL, distance, &prediction)) {
+    po_prediction_state(&prediction, c->e->surface, po_corrector_moving_nodes(c), c->guess);
+    return;
+  }
+  for (size_t j = 0; j <= p->n; ++j)
+    c->guess[j] = p->state[j] + distance * p->tangent[j];
+}
+
 typedef struct {
   const po_solution *from;
   double *coordinate; /* work */
@@ -75,7 +87,13 @@ static double functional_progress(const po_equilibrium *e, const double *state, 
 static po_status factorize_at(po_corrector *c, const po_solution *from, const double *state) {
   po_equilibrium_evaluate(c->e, state);
   po_arclength_border(from->arclength, c->e, state, from->rate, c->border);
-  const po_status status = po_equilibrium_factorize(c->e, state, c->border);
+  po_status status = po_equilibrium_factorize(c->e, state, c->border);
+  for (int k = 0; k < MOST_FACTORS && !status; ++k) {
+    po_equilibrium_measure_noise(c->e, state);
+    if (!po_equilibrium_is_coarse(c->e))
+      break;
+    status = po_equilibrium_factorize(c->e, state, c->border);
+  }
   if (status && status != PO_SINGULAR)
     c->trouble = status;
   return status;

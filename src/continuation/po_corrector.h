@@ -36,6 +36,11 @@ size_t po_corrector_moving_nodes(const po_corrector *c);
 /* Sets the guess to the state of a point, interpolated to the current mesh. */
 void po_corrector_guess(po_corrector *c, const po_solution *p);
 
+/* Sets the guess near a solution on the current mesh, at a distance along its arclength functional:
+ * by the tangent, in coordinates that move with the contact edges. Along a straight tangent the gap
+ * at a narrow edge would be wrong as soon as the edge moves by its own width. */
+void po_corrector_guess_near(po_corrector *c, const po_solution *p, double distance);
+
 /* Replaces the border of the present factors, if any, by that of another point. */
 void po_corrector_aim(po_corrector *c, const po_solution *from);
 

@@ -88,6 +88,10 @@ double po_refine_slope(const po_event *ev, double cosine) {
   return (rate[1] - rate[0]) / (2.0 * by) * cosine * cosine;
 }
 
+/* Error of the extremal value, relative to 1 + its modulus, at which the secant method may end
+ * because rounding prevents a shorter step. */
+static const double CLOSE = 1e-11;
+
 /* Moves a solution along its tangent, by a step of the arclength functional of `from`. */
 static void move(po_corrector *c, const po_solution *from, double step, po_solution *p) {
   const double by = step / po_solution_cosine(from, p);
@@ -99,6 +103,7 @@ static void move(po_corrector *c, const po_solution *from, double step, po_solut
 
 po_status po_refine_locate(po_corrector *c, const po_solution *from, po_event_kind of,
                            double *slope, po_solution *out, double value[2]) {
+  const double usual_precision = fmax(c->e->precision, CLOSE);
   double at = 0.0;
   po_sample last = {.at = NAN}, s;
   for (int k = 0; k < MOST_SOLVES; ++k) {
@@ -112,7 +117,9 @@ po_status po_refine_locate(po_corrector *c, const po_solution *from, po_event_ki
     const double step = isnan(*slope) ? TRIAL_STEP : -s.rate[of] / *slope;
     if (!isfinite(step))
       return PO_NOT_CONVERGED;
-    if (fabs(step) < fmax(k > 0 ? PO_LOCATED : AT_ROOT, SMALL_STEP * before)) {
+    const bool last_chance = k + 1 == MOST_SOLVES;
+    if (fabs(step) < fmax(k > 0 ? PO_LOCATED : AT_ROOT, SMALL_STEP * before) ||
+        (last_chance && po_special_point_is_close(&s, of, step, usual_precision))) {
       move(c, from, step, out);
       value[0] = out->state[out->n];
       value[1] = out->load;
@@ -120,8 +127,7 @@ po_status po_refine_locate(po_corrector *c, const po_solution *from, po_event_ki
     }
     at = s.at + step;
     last = s;
-    for (size_t j = 0; j <= out->n; ++j)
-      c->guess[j] = out->state[j] + step / po_solution_cosine(from, out) * out->tangent[j];
+    po_corrector_guess_near(c, out, step / po_solution_cosine(from, out));
   }
   return PO_NOT_CONVERGED;
 }
@@ -170,8 +176,9 @@ static po_status solve_finer(po_corrector *c, const po_resolution *resolution,
       status = c->trouble;
   }
   c->e->precision = precision;
+  const double reached = fmax(PO_FINEST_PRECISION, c->e->noise);
   for (int q = 0; q < 2 && !status; ++q) {
-    r->error[q] = po_refine_error(PO_FINEST_PRECISION, value[q] - r->value[q], r->value[q]);
+    r->error[q] = po_refine_error(reached, value[q] - r->value[q], r->value[q]);
     if (how->of == PO_OF_APPROACH)
       r->error[q] += OF_OTHER * fabs(value[1 - q] - r->value[1 - q]);
   }

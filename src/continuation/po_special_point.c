@@ -7,7 +7,7 @@
 #include "po_hermite.h"
 #include "po_root.h"
 
-enum { MOST_ROOT_STEPS = 40, HALVING = 4, MOST_SPLITS = 14 };
+enum { MOST_ROOT_STEPS = 40, LEAST_ROOT_STEPS = 5, HALVING = 4, MOST_SPLITS = 14 };
 
 const double PO_LOCATED = 1e-9;
 
@@ -129,8 +129,22 @@ static double root_on_cubic(const po_interval *interval, po_event_kind of, const
   return 0.5 * (low + high);
 }
 
+bool po_special_point_is_close(const po_sample *sample, po_event_kind of, double distance,
+                               double precision) {
+  return 0.5 * fabs(sample->rate[of] * distance) <= precision * (1.0 + fabs(sample->value[of]));
+}
+
+/* Whether the last sample of an event is as close to it as the precision of solutions allows. */
+static bool is_close(const po_interval *interval, const po_event *ev) {
+  const double value = fabs(ev->here.value[PO_OF_APPROACH]);
+  if (ev->of > PO_OF_LOAD)
+    return fabs(event_value(interval, ev->of, &ev->here)) <= interval->precision * (1.0 + value);
+  return po_special_point_is_close(&ev->here, ev->of, ev->left, interval->precision);
+}
+
 /* Locates an event: repeatedly solves for the equilibrium at the root of the cubic between the ends
- * of the bracket; every HALVING-th time at the middle of the bracket. */
+ * of the bracket; every HALVING-th time at the middle of the bracket. If rounding prevents a closer
+ * location, the precision of the solutions decides. */
 static po_status locate(const po_interval *interval, po_event *ev) {
   po_sample low = ev->low, high = ev->high, last = {.at = NAN};
   double f_last = NAN;
@@ -141,7 +155,7 @@ static po_status locate(const po_interval *interval, po_event *ev) {
     po_sample s;
     const po_status status = interval->solve(interval->data, at, &s);
     if (status)
-      return status;
+      return k > 0 && is_close(interval, ev) ? PO_OK : status;
     const double f = event_value(interval, ev->of, &s);
     const bool is_high = (f < 0.0) == (event_value(interval, ev->of, &high) < 0.0);
     ev->root = at;
@@ -153,7 +167,11 @@ static po_status locate(const po_interval *interval, po_event *ev) {
     double left = fabs(f * (at - other->at) / (f - f_other));
     if (k > 0)
       left = fmin(left, fabs(f * (at - last.at) / (f - f_last)));
+    const bool nearer = k < LEAST_ROOT_STEPS || left < 0.5 * ev->left;
+    ev->left = left;
     if (left < (ev->of <= PO_OF_LOAD ? PO_LOCATED : ARRIVED) || fabs(high.at - low.at) < PO_LOCATED)
+      return PO_OK;
+    if (!nearer && is_close(interval, ev))
       return PO_OK;
     *(is_high ? &high : &low) = s;
     last = s;

@@ -3,6 +3,7 @@
 #ifndef PO_SPECIAL_POINT_H
 #define PO_SPECIAL_POINT_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "po_branch_point.h"
@@ -28,11 +29,18 @@ typedef struct {
   po_sample low, high; /* bracket */
   double root;         /* the parameter at the event */
   po_sample here;      /* the sample at `root` */
+  double left;         /* estimated distance of `root` from the event */
   size_t place;        /* index under which its solution is kept */
 } po_event;
 
 /* Accuracy to which the parameter at a special point is found. */
 extern const double PO_LOCATED;
+
+/* Whether the quantity that is extremal at a special point has its value there to the precision of
+ * the solution. That is the best that can be had where rounding limits its rate. Given: the sample,
+ * and its estimated distance from the special point. */
+bool po_special_point_is_close(const po_sample *sample, po_event_kind of, double distance,
+                               double precision);
 
 /* Largest number of events of a step. A step with more is repeated with a smaller length. */
 enum { PO_MOST_EVENTS = 8 };
@@ -50,7 +58,8 @@ typedef struct {
   void (*keep)(void *data,
                size_t place); /* keeps the last solution under an index, replacing an earlier one */
   const double *station;      /* PO_STATIONS approaches, eps; NAN: none */
-  double end;                 /* approach at which the trace ends, eps; NAN: none */
+  double precision; /* error of approach and load of a solution, relative to 1 + their modulus */
+  double end;       /* approach at which the trace ends, eps; NAN: none */
 } po_interval;
 
 /* Finds the events between two samples and locates them. Status: PO_NOT_CONVERGED if the step is

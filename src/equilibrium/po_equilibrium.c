@@ -16,6 +16,11 @@ const double PO_FINEST_PRECISION = 2e-13;
 /* Sum of the measures of the nodes that are not factorised. It costs about one iteration and saves
  * most of the matrix. */
 static const double NEGLECT = 5e-3;
+/* Gain of rounding above which less is neglected, in inverse proportion, and above which the
+ * factors are in double precision. */
+static const double GAIN_OF_NEGLECT = 10.0, GAIN_OF_DOUBLE = 30.0;
+/* Factors are coarse if more was neglected than this multiple of what their gain allows. */
+static const double COARSE = 3.0;
 
 /* Pivot of a changed border below which the factors are discarded. The pivot is about the cosine
  * between the tangent at the factorisation and the present one. */
@@ -45,6 +50,7 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
   e->scene = scene;
   e->surface = surface;
   e->neglect = NEGLECT;
+  e->gain = 1.0;
   e->precision = PO_FINEST_PRECISION;
   e->together = surface->hierarchy ? PO_TABLE_ORDER : 1;
   double **const vectors[] = {&e->initial_gap, &e->traction, &e->slope,   &e->deflection,
@@ -296,6 +302,15 @@ static po_status factorize_panels(po_equilibrium *e) {
   return e->pivot != 0.0 ? PO_OK : PO_SINGULAR;
 }
 
+static double neglect_of(const po_equilibrium *e) {
+  return NEGLECT * fmin(1.0, GAIN_OF_NEGLECT / e->gain);
+}
+
+bool po_equilibrium_is_coarse(const po_equilibrium *e) {
+  return (!e->elimination && e->gain > GAIN_OF_DOUBLE && !e->factors.is_double) ||
+         e->neglect > COARSE * neglect_of(e);
+}
+
 po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const double *border) {
   po_equilibrium_evaluate(e, state);
   if (border != e->border)
@@ -303,6 +318,8 @@ po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const
   po_secant_clear(&e->secant, e->n + 1);
   for (size_t j = 0; j < e->n; ++j)
     e->secant.scale[j] = po_law_size(&e->scene->law, state[j]);
+  e->neglect = neglect_of(e);
+  e->factors.in_double = e->gain > GAIN_OF_DOUBLE;
   const po_status status = e->elimination ? factorize_panels(e) : factorize_dense(e);
   e->factorized = !status;
   const size_t order = e->active + 1;

@@ -70,7 +70,10 @@ typedef struct {
                          PO_FINEST_PRECISION unless the owner sets another */
   double last_change; /* largest change of a gap, relative to 1 + H, in the last iteration of a
                          correction */
-  po_secant secant;   /* Broyden's updates since the factorisation */
+  double noise; /* change of a gap, relative to 1 + H, by the rounding of Eq 15: of the state of the
+                   last factorisation, po_equilibrium_measure_noise */
+  double gain;  /* its ratio to that rounding, relative to 1 + H */
+  po_secant secant; /* Broyden's updates since the factorisation */
   bool factorized;
   int orientation; /* sign of the determinant of the factorised matrix */
   po_solve_work work;
@@ -132,6 +135,13 @@ double po_equilibrium_feedback(po_equilibrium *e);
  * direction of the trace. Given: state, and border, n + 1 each; the border is copied. Status:
  * PO_SINGULAR; PO_NO_MEMORY. */
 po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const double *border);
+
+/* Measures noise and gain by solving with the present factors for a residual that consists of
+ * rounding. Given: the state of the factorisation. */
+void po_equilibrium_measure_noise(po_equilibrium *e, const double *state);
+
+/* Whether the gain asks for factors that are more accurate than the present ones. */
+bool po_equilibrium_is_coarse(const po_equilibrium *e);
 
 /* Replaces the border of the present factors, by a rank-one correction of their last row (Sherman
  * and Morrison). Given: border, n + 1 (copied), at the state last evaluated. The factors are

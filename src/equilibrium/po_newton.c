@@ -12,6 +12,8 @@
  * that no longer decreases is accepted as converged, and Broyden's method makes no update from it.
  */
 static const double STAGNATED = 1e-10;
+/* The same relative to the measured noise, and the precision that an iteration can reach. */
+static const double STAGNATED_OF_NOISE = 30.0, PRECISION_OF_NOISE = 3.0;
 /* Largest decrease of a gap in one iteration, relative to 1 + H. */
 static const double GREATEST_CLOSING = 0.7;
 /* Changes of a gap, relative to 1 + H, at which an iteration is given up: larger than the error of
@@ -47,6 +49,36 @@ static void drop_rounding(const po_equilibrium *e, const double *state, double *
   }
 }
 
+static double stagnated(const po_equilibrium *e) {
+  return fmax(STAGNATED, STAGNATED_OF_NOISE * e->noise);
+}
+
+/* Rounding of the sum in Eq 15, relative to the result. */
+static const double SUM_ROUNDING = 16.0 * DBL_EPSILON;
+
+/* A sign for each node, without order. */
+static double sign_of(size_t j) {
+  return (j * 2654435761U >> 16 & 1) ? 1.0 : -1.0;
+}
+
+void po_equilibrium_measure_noise(po_equilibrium *e, const double *state) {
+  const size_t n = e->n;
+  const po_law *law = &e->scene->law;
+  double *rounding = e->deflection, *change = e->scratch, part = 0.0;
+  for (size_t j = 0; j < n; ++j) {
+    const double size = SUM_ROUNDING * (fabs(e->initial_gap[j]) + fabs(state[n]) + fabs(state[j]));
+    part = fmax(part, size / po_law_size(law, state[j]));
+    rounding[j] = size * sign_of(j);
+  }
+  rounding[n] = 0.0;
+  precondition(e, rounding, change);
+  double noise = 0.0;
+  for (size_t j = 0; j < n; ++j)
+    noise = fmax(noise, fabs(change[j]) / po_law_size(law, state[j]));
+  e->noise = noise;
+  e->gain = noise / part;
+}
+
 /* One quasi-Newton iteration for Eq 15 and the condition. Returned: the largest change of a gap
  * relative to 1 + H; NaN if it is not finite. */
 static double newton_step(po_equilibrium *e, double *state, const po_constraint *constraint) {
@@ -68,7 +100,7 @@ static double newton_step(po_equilibrium *e, double *state, const po_constraint 
   }
   if (!isfinite(largest))
     return NAN;
-  if (largest < STAGNATED)
+  if (largest < stagnated(e))
     po_secant_begin(&e->secant);
   double share = 1.0;
   if (closing > GREATEST_CLOSING) {
@@ -99,18 +131,18 @@ static void note_change(progress *p, double change) {
 }
 
 /* Whether the iteration diverges, or converges so slowly that it is given up. */
-static bool is_hopeless(const progress *p) {
+static bool is_hopeless(const progress *p, double stagnated) {
   return !(p->now < GREATEST_CHANGE) || (p->count > 1 && p->now > DIVERGED) ||
-         (p->count > PATIENCE && p->now > STAGNATED &&
+         (p->count > PATIENCE && p->now > stagnated &&
           p->now > p->first * pow(SLOWEST, p->count - 1));
 }
 
 /* Whether the iteration has converged: its change, or the change expected next, is below the
  * precision; or the change is small and no longer decreases because of rounding. */
-static bool is_converged(const progress *p, double precision) {
+static bool is_converged(const progress *p, double precision, double stagnated) {
   const double rate = fmax(p->now / p->before, p->before / p->earlier);
   return p->now < precision || (rate < SLOWEST && 2.0 * rate * p->now < precision) ||
-         (p->now < STAGNATED && p->now > SLOWEST * p->earlier);
+         (p->now < stagnated && p->now > SLOWEST * p->earlier);
 }
 
 po_status po_equilibrium_correct(po_equilibrium *e, double *state, const double *base,
@@ -127,18 +159,18 @@ po_status po_equilibrium_correct_to(po_equilibrium *e, double *state,
     note_change(&p, newton_step(e, state, constraint));
     e->last_change = p.now;
     ++e->work.newton_iterations;
-    if (is_converged(&p, e->precision)) {
+    if (is_converged(&p, fmax(e->precision, PRECISION_OF_NOISE * e->noise), stagnated(e))) {
       po_equilibrium_evaluate(e, state);
       ++e->work.points;
       return PO_OK;
     }
-    if (is_hopeless(&p))
+    if (is_hopeless(&p, stagnated(e)))
       return PO_NOT_CONVERGED;
   }
   return PO_NOT_CONVERGED;
 }
 
-po_status po_equilibrium_tangent(po_equilibrium *e, double precision, double *tangent) {
+static po_status find_tangent(po_equilibrium *e, double precision, double *tangent) {
   const size_t n = e->n;
   double *residual = e->deflection, *change = e->scratch;
   memset(tangent, 0, (n + 1) * sizeof *tangent);
@@ -161,10 +193,21 @@ po_status po_equilibrium_tangent(po_equilibrium *e, double precision, double *ta
     }
     ++e->work.tangent_iterations;
     note_change(&p, largest / size);
-    if (iteration > 0 && is_converged(&p, precision))
+    if (iteration > 0 &&
+        is_converged(&p, fmax(precision, PRECISION_OF_NOISE * e->noise), stagnated(e)))
       return PO_OK;
-    if (is_hopeless(&p))
+    if (is_hopeless(&p, stagnated(e)))
       return PO_NOT_CONVERGED;
   }
   return PO_NOT_CONVERGED;
+}
+
+/* Updates that were made of changes near rounding may prevent convergence: without them, the
+ * factors alone decide. */
+po_status po_equilibrium_tangent(po_equilibrium *e, double precision, double *tangent) {
+  const po_status status = find_tangent(e, precision, tangent);
+  if (!status || e->secant.count == 0)
+    return status;
+  e->secant.count = 0;
+  return find_tangent(e, precision, tangent);
 }

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "po_initial_gap.h"
 #include "po_law.h"
 
 enum { LAST_COEFFICIENTS = 3, MOST_DEPTH = 6 };
@@ -37,9 +38,26 @@ static void decay(const po_legendre *legendre, const double *value, double *last
   }
 }
 
+/* Error of the gap on a panel relative to the change of the approach with which a contact edge
+ * passes the panel. The error differs from panel to panel and with the place of the edge in the
+ * panel, so that larger errors fold the branch. */
+static const double RIPPLE = 1e-4;
+
+/* The change of the approach with which a contact edge passes from begin to end: by JKR theory the
+ * approach is the Abel transform of the profile, which rises about as the profile, less
+ * sqrt(2 pi coupling a), a the radius of the edge. Near the pull-off the terms nearly cancel; that
+ * is no reason to ask for more. */
+static double change_along(const po_resolution *r, double begin, double end) {
+  const po_scene *scene = r->e->scene;
+  const double rise = fabs(po_initial_gap(scene, end) - po_initial_gap(scene, begin));
+  return rise + (end - begin) * sqrt(M_PI * r->e->coupling / (begin + end));
+}
+
 /* The excess of a panel. A traction of high degree deflects the surface on the panel by its
  * amplitude times the length of the panel over the degree; this changes the solution as far as the
- * traction there depends on the gap. The load and the deflection elsewhere are integrals by Gauss's
+ * traction there depends on the gap. Where the surfaces are pressed together the gap is nearly
+ * fixed, and the traction takes up the deflection: the gap changes by the deflection over 1 +
+ * stiffness. The load and the deflection elsewhere are integrals by Gauss's
  * rule, which is exact to twice the degree; their error goes as the square of the decay of the
  * coefficients. */
 static double excess_of(const po_resolution *r, double begin, double end, const double *gap) {
@@ -53,8 +71,10 @@ static double excess_of(const po_resolution *r, double begin, double end, const 
   decay(r->legendre, traction, &last, &largest);
   const double length = end - begin, ring = 2.0 / r->e->radius * 0.5 * (begin + end) * length;
   const double felt = fmin(1.0, response * fmax(r->e->coupling * length, ring));
-  const double local = felt * r->e->coupling * length * last / PO_TABLE_ORDER;
-  return fmax(local / r->allowed.gap, ring * last * last / (largest + 1e-300) / r->allowed.load);
+  const double stiffness = response * r->e->coupling * length / PO_TABLE_ORDER;
+  const double local = felt * r->e->coupling * length * last / PO_TABLE_ORDER / (1.0 + stiffness);
+  const double allowed = fmin(r->allowed.gap, RIPPLE * change_along(r, begin, end));
+  return fmax(local / allowed, ring * last * last / (largest + 1e-300) / r->allowed.load);
 }
 
 void po_resolution_excesses(const po_resolution *r, const po_panels *panels, const double *gap,

@@ -1,8 +1,8 @@
-/* LU factors of a dense matrix in single precision, for the solution of linear systems inside an
- * iteration (of rings and triangles). Single precision takes half the time of double precision; the
- * iteration corrects the effect of its rounding. On smooth spheres up to mu = 50 and wavy spheres
- * up to mu = 10, at tolerances down to 1e-10, no more iterations were needed than with double
- * precision. */
+/* LU factors of a dense matrix in single or double precision, for the solution of linear systems
+ * inside an iteration (of rings and triangles). Single precision takes half the time of double
+ * precision; the iteration corrects the effect of its rounding. On smooth spheres up to mu = 50 and
+ * wavy spheres up to mu = 10, at tolerances down to 1e-10, no more iterations were needed than with
+ * double precision. */
 #ifndef PO_FACTORS_H
 #define PO_FACTORS_H
 
@@ -13,10 +13,14 @@
 
 typedef struct {
   size_t n;
-  size_t room;   /* allocated size of `matrix`, in elements */
-  float *matrix; /* n x n, column-major; the LU factors after po_factors_compute */
-  float *right;  /* n: the scaled right-hand side */
-  int *pivots;   /* n, row indices from 1 (LAPACK) */
+  size_t room;      /* allocated size of `matrix`, in elements */
+  float *matrix;    /* n x n, column-major; the LU factors after po_factors_compute */
+  float *right;     /* n: the scaled right-hand side */
+  bool in_double;   /* for the owner: the next matrix is in double precision */
+  bool is_double;   /* the present one is */
+  size_t wide_room; /* as room, of `wide` */
+  double *wide;     /* as matrix, in double precision */
+  int *pivots;      /* n, row indices from 1 (LAPACK) */
 } po_factors;
 
 /* Allocates factors of matrices up to order `capacity`. Returned: false if memory runs out. */

@@ -31,24 +31,44 @@ static int steps_for(double ratio) {
 /* Radii that are processed together, so that the compiler can vectorise the loops. */
 enum { BLOCK = 64 };
 
+/* The kernel from `count` sums a and differences b of the radii, which are overwritten. */
+static void kernel_block(size_t count, double *a, double *b, double *kernel) {
+  double least = 1.0;
+  for (size_t j = 0; j < count; ++j) {
+    const double ratio = b[j] / a[j];
+    least = ratio < least ? ratio : least;
+  }
+  for (int steps = steps_for(least); steps > 0; --steps)
+    for (size_t j = 0; j < count; ++j) {
+      const double mean = 0.5 * (a[j] + b[j]);
+      b[j] = sqrt(a[j] * b[j]);
+      a[j] = mean;
+    }
+  for (size_t j = 0; j < count; ++j)
+    kernel[j] = 4.0 / (a[j] + b[j]);
+}
+
 void po_kernel_row(double r, const double *s, size_t n, double *kernel) {
   for (size_t first = 0; first < n; first += BLOCK) {
     const size_t count = n - first < BLOCK ? n - first : BLOCK;
-    double a[BLOCK], b[BLOCK], least = 1.0;
+    double a[BLOCK], b[BLOCK];
     for (size_t j = 0; j < count; ++j) {
       a[j] = r + s[first + j];
       b[j] = fabs(r - s[first + j]);
-      const double ratio = b[j] / a[j];
-      least = ratio < least ? ratio : least;
     }
-    for (int steps = steps_for(least); steps > 0; --steps)
-      for (size_t j = 0; j < count; ++j) {
-        const double mean = 0.5 * (a[j] + b[j]);
-        b[j] = sqrt(a[j] * b[j]);
-        a[j] = mean;
-      }
-    for (size_t j = 0; j < count; ++j)
-      kernel[first + j] = 4.0 / (a[j] + b[j]);
+    kernel_block(count, a, b, kernel + first);
+  }
+}
+
+void po_kernel_row_apart(double r, const double *s, const double *apart, size_t n, double *kernel) {
+  for (size_t first = 0; first < n; first += BLOCK) {
+    const size_t count = n - first < BLOCK ? n - first : BLOCK;
+    double a[BLOCK], b[BLOCK];
+    for (size_t j = 0; j < count; ++j) {
+      a[j] = r + s[first + j];
+      b[j] = fabs(apart[first + j]);
+    }
+    kernel_block(count, a, b, kernel + first);
   }
 }
 

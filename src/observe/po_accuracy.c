@@ -7,16 +7,13 @@
  * square root, because the error of the load goes as the square of the last Legendre coefficients.
  * Chosen for the smooth sphere (tests/unit/test_panels.c). */
 static const double ERROR_OF_TOLERANCE = 0.3, ERROR_OF_WAVES = 1.0, COARSEST_ERROR = 3e-4;
-/* Above this Tabor parameter the greatest allowed error is inversely proportional to its square: on
- * coarser panels the steps at mu = 50 are three times shorter. */
-static const double STIFF_TABOR = 14.0;
-/* Below it wavy scenes have a larger allowed error, inversely proportional to the fourth power, up
- * to COARSEST_OF_WAVES. Their minima of the load are sharp; that of a smooth sphere is flat, so
- * that its approach would be less accurate. With 5e-3 at mu = 20 spurious folds appear. Below
- * LEAST_PLIANT_TABOR a larger error saves nothing; the value is not 1 because rounding would decide
- * for the many scenes of mu = 1. If a curve is wanted, a larger error costs twice as many steps,
- * since the cubics must follow the ripples of coarse panels. */
-static const double COARSEST_OF_WAVES = 1e-2, LEAST_PLIANT_TABOR = 1.05;
+/* Below STIFF_TABOR wavy scenes have a larger allowed error, inversely proportional to the fourth
+ * power of the Tabor parameter, up to COARSEST_OF_WAVES. Their minima of the load are sharp; that
+ * of a smooth sphere is flat, so that its approach would be less accurate. With 5e-3 at mu = 20
+ * spurious folds appear. Below LEAST_PLIANT_TABOR a larger error saves nothing; the value is not 1
+ * because rounding would decide for the many scenes of mu = 1. If a curve is wanted, a larger error
+ * costs twice as many steps, since the cubics must follow the ripples of coarse panels. */
+static const double COARSEST_OF_WAVES = 1e-2, LEAST_PLIANT_TABOR = 1.05, STIFF_TABOR = 14.0;
 /* Curvature of the crests, relative to that of the sphere, above which the larger error is allowed.
  * Of random scenes from mu = 4 to 10 at a tolerance of 1e-4 with a smaller curvature, one in eight
  * had spurious folds with the larger error; of the others one in thirty. */
@@ -46,9 +43,7 @@ static bool may_be_coarse(const po_request *request) {
 /* The greatest allowed error of the gap, at any tolerance. */
 static double coarsest_error(const po_request *request) {
   const double stiff = request->scene.tabor / STIFF_TABOR;
-  if (stiff > 1.0)
-    return COARSEST_ERROR / (stiff * stiff);
-  if (!may_be_coarse(request))
+  if (stiff > 1.0 || !may_be_coarse(request))
     return COARSEST_ERROR;
   return fmin(COARSEST_OF_WAVES, COARSEST_ERROR / pow(stiff, 4.0));
 }
