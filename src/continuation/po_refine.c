@@ -89,8 +89,8 @@ double po_refine_slope(const po_event *ev, double cosine) {
 }
 
 /* Error of the extremal value, relative to 1 + its modulus, at which the secant method may end
- * because rounding prevents a shorter step. */
-static const double CLOSE = 1e-11;
+ * because rounding prevents a shorter step; and the greatest step. */
+static const double CLOSE = 1e-11, FARTHEST = 1e-4;
 
 /* Moves a solution along its tangent, by a step of the arclength functional of `from`. */
 static void move(po_corrector *c, const po_solution *from, double step, po_solution *p) {
@@ -103,7 +103,7 @@ static void move(po_corrector *c, const po_solution *from, double step, po_solut
 
 po_status po_refine_locate(po_corrector *c, const po_solution *from, po_event_kind of,
                            double *slope, po_solution *out, double value[2]) {
-  const double usual_precision = fmax(c->e->precision, CLOSE);
+  const double close = fmax(c->e->precision, CLOSE), given = *slope;
   double at = 0.0;
   po_sample last = {.at = NAN}, s;
   for (int k = 0; k < MOST_SOLVES; ++k) {
@@ -117,9 +117,7 @@ po_status po_refine_locate(po_corrector *c, const po_solution *from, po_event_ki
     const double step = isnan(*slope) ? TRIAL_STEP : -s.rate[of] / *slope;
     if (!isfinite(step))
       return PO_NOT_CONVERGED;
-    const bool last_chance = k + 1 == MOST_SOLVES;
-    if (fabs(step) < fmax(k > 0 ? PO_LOCATED : AT_ROOT, SMALL_STEP * before) ||
-        (last_chance && po_special_point_is_close(&s, of, step, usual_precision))) {
+    if (fabs(step) < fmax(k > 0 ? PO_LOCATED : AT_ROOT, SMALL_STEP * before)) {
       move(c, from, step, out);
       value[0] = out->state[out->n];
       value[1] = out->load;
@@ -129,7 +127,12 @@ po_status po_refine_locate(po_corrector *c, const po_solution *from, po_event_ki
     last = s;
     po_corrector_guess_near(c, out, step / po_solution_cosine(from, out));
   }
-  return PO_NOT_CONVERGED;
+  const double left = -s.rate[of] / given;
+  if (!(fabs(left) < FARTHEST && po_special_point_is_close(&s, of, left, close)))
+    return PO_NOT_CONVERGED;
+  for (int q = 0; q < 2; ++q)
+    value[q] = s.value[q] + (q == (int)of ? 0.5 : 1.0) * s.rate[q] * left;
+  return PO_OK;
 }
 
 double po_refine_error(double precision, double change, double value) {

@@ -13,11 +13,11 @@ static double per_length(const po_equilibrium *e) {
  * surface by eps. If the contact edge is narrow, a functional in which an error of the approach
  * must be balanced by a motion of the edge makes errors of the gap at the edge large. At mu = 1000
  * it took six times as many factorisations. */
-static const double NARROW = 0.02;
+static const double NARROW_EDGE = 0.02;
 
 static double share(const po_equilibrium *e) {
   const double width = per_length(e) / e->coupling;
-  return width < NARROW ? width / NARROW : 1.0;
+  return width < NARROW_EDGE ? width / NARROW_EDGE : 1.0;
 }
 
 /* Weight of the approach in the global coordinates. Along a branch the approach varies by several
