@@ -103,10 +103,14 @@ static double size_of(const po_cell *cell) {
 
 enum kind { KERNEL, PRODUCT, TAIL, HALVES };
 
-static uint64_t key_of(enum kind kind, po_panel a, po_panel b) {
-  const uint64_t one = (uint64_t)a.level << PO_DEEPEST_LEVEL | a.index;
-  const uint64_t two = (uint64_t)b.level << PO_DEEPEST_LEVEL | b.index;
-  return 1 | (uint64_t)kind << 1 | one << 3 | two << (8 + PO_DEEPEST_LEVEL);
+/* The number of a panel among all, the coarsest first, from 1 to less than 2^(PO_DEEPEST_LEVEL +
+ * 1); 0 if there is none. */
+static uint64_t number_of(const po_panel *a) {
+  return a ? ((uint64_t)1 << a->level) + a->index : 0;
+}
+
+static uint64_t key_of(enum kind kind, const po_panel *a, const po_panel *b) {
+  return 1 | (uint64_t)kind << 1 | number_of(a) << 3 | number_of(b) << (4 + PO_DEEPEST_LEVEL);
 }
 
 static void place_nodes(const po_hierarchy *h, po_panel place, double *node) {
@@ -116,11 +120,16 @@ static void place_nodes(const po_hierarchy *h, po_panel place, double *node) {
 }
 
 static void fill_kernel(po_hierarchy *h, po_panel target, po_panel source, double *block) {
-  double r[N], s[N];
+  double r[N], s[N], apart[N];
   place_nodes(h, target, r);
   place_nodes(h, source, s);
-  for (size_t j = 0; j < N; ++j) /* symmetric: a row of the transpose is a column */
-    po_kernel_row(s[j], r, N, block + N * j);
+  const double between = po_panel_begin(source) - po_panel_begin(target); /* exact */
+  const double *x = h->table->rule.node;
+  for (size_t j = 0; j < N; ++j) { /* symmetric: a row of the transpose is a column */
+    for (size_t i = 0; i < N; ++i)
+      apart[i] = between + (po_panel_size(source) * x[j] - po_panel_size(target) * x[i]);
+    po_kernel_row_apart(s[j], r, apart, N, block + N * j);
+  }
   h->evaluations += PO_BLOCK_SIZE;
 }
 
@@ -165,11 +174,9 @@ static void fill_tail(po_hierarchy *h, const po_panel *a, const po_panel *b, dou
 /* Returned: the block of this kind from the store, computed if it is new; NULL, with `trouble`, if
  * memory runs out. Where a panel is not given, it is that to infinity. */
 static const double *stored(po_hierarchy *h, enum kind kind, const po_panel *a, const po_panel *b) {
-  static const po_panel NO_PANEL = {PO_DEEPEST_LEVEL + 1, 0};
   int is_new;
   const size_t size = kind == HALVES ? PO_SKELETON_SIZE : PO_BLOCK_SIZE;
-  double *block = po_block_store_find(&h->store, key_of(kind, a ? *a : NO_PANEL, b ? *b : NO_PANEL),
-                                      size, &is_new);
+  double *block = po_block_store_find(&h->store, key_of(kind, a, b), size, &is_new);
   if (!block)
     h->trouble = PO_NO_MEMORY;
   if (!block || !is_new)

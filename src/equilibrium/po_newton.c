@@ -71,7 +71,7 @@ void po_equilibrium_measure_noise(po_equilibrium *e, const double *state) {
     rounding[j] = size * sign_of(j);
   }
   rounding[n] = 0.0;
-  precondition(e, rounding, change);
+  po_equilibrium_precondition(e, rounding, change);
   double noise = 0.0;
   for (size_t j = 0; j < n; ++j)
     noise = fmax(noise, fabs(change[j]) / po_law_size(law, state[j]));
