@@ -1,0 +1,16 @@
+#!/bin/sh
+# The example solvers of reference/solvers conform, on coarse meshes; the deliberately wrong one does not, and its mistake
+# is named. The one in GNU Octave is tested where Octave is installed.
+# shellcheck disable=SC1091,SC2154
+. "$(dirname "$0")/lib.sh"
+export PULLOFF_DATA="$here/../.."
+solvers=$PULLOFF_DATA/reference/solvers
+for pair in newton:126 copson:1 relax:126; do
+  expect 0 '' conform "$solvers/${pair%:*}.yaml" --knob "${pair#*:}" --output out
+done
+if command -v octave-cli >/dev/null; then
+  expect 0 '' conform "$solvers/paper.yaml" --knob 126 --output out
+fi
+expect 1 '' conform "$solvers/wrong.yaml" --knob four_thirds --output out
+check 'the mistake is named' grep -q '^wrong *force at pull-off: the expected value times 4/3 in 4 scenes' stdout
+finish
