@@ -1,6 +1,7 @@
 """The notation of the report: numbers, symbols, names of quantities and verdicts."""
 
 import math
+import os
 import re
 
 from markupsafe import Markup
@@ -10,7 +11,9 @@ THIN = "\u202f"  # narrow no-break space
 
 # Scene keys -> symbols of the paper.
 SYMBOLS = {"tabor": "μ", "nodes": "N", "amplitude": "A†", "wavelength": "λ†", "radius": "R†",
-           "outer_radius": "r†max", "approach_start": "from Δ†", "approach_end": "to Δ†"}
+           "outer_radius": "r†max", "coupling": "w/(E*ε)", "approach_start": "from Δ†", "approach_end": "to Δ†"}
+
+SPELLED = ("law", "profile", "profile_file")  # keys whose value is a name with parameters
 
 QUANTITIES = {
     "pull_off_force": "Pull-off force |W̄|",
@@ -159,11 +162,25 @@ def sweep_label(point):
         return point["label"] or "single point"
     parts = []
     for key, value in sweep.items():
-        if isinstance(value, str):
+        if value is None or key == "tabor" and "coupling" in sweep or value == "table":
+            continue   # not used, or said by another key
+        if key in SPELLED:
+            parts.append(spelled(point, key))
+        elif isinstance(value, str):
             parts.append(value)
         else:
             parts.append(f"{symbol(key)} = {plain(value)}")
     return ", ".join(parts)
+
+
+def spelled(point, key):
+    """A law, a profile or its file with their parameters: "mie (4, 10)", "cone (0.3)", "cone.csv"."""
+    name, scene = value_of(point, key), point["input"]
+    if key == "profile_file":
+        return os.path.basename(name)
+    parameters = [plain(value) for parameter, value in scene.items()
+                  if parameter.startswith(f"{name}_") and value is not None and parameter != "table_scale"]
+    return f"{name} ({', '.join(parameters)})" if parameters else name
 
 
 def value_of(point, key):

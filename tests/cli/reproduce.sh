@@ -82,21 +82,21 @@ for option in --only --fresh --verbose --jobs --no-install; do
 done
 
 reproduce 0 --no-install
-asked 'run --suite paper,precision,extreme --output build/run'
+asked 'run --suite paper,precision,extreme,general --output build/run'
 asked 'faults --reuse --build build'
 asked 'claims --program build/src/cli/pulloff --run build/run'
 asked 'claims --program build/src/cli/pulloff --run build/run --brief'
 asked 'report --run build/run --output build/report'
-asked 'verify --suite paper,precision,extreme --output build/run'
+asked 'verify --suite paper,precision,extreme,general --output build/run'
 check 'steps are counted' grep -q -x '\[4/7\] Running the cases  *[0-9.]* s' "$work/stdout"
 check 'the last step is counted' grep -q -x '\[7/7\] Writing the report  *[0-9.]* s' "$work/stdout"
 reproduce 0 --no-install --verbose
-asked 'verify --suite paper,precision,extreme --output build/run --verbose'
+asked 'verify --suite paper,precision,extreme,general --output build/run --verbose'
 not_asked '^claims .*--brief'
 mkdir -p "$tree/build/claims/kept"
 reproduce 0 --no-install --fresh --jobs 3
 check '--fresh removes the kept results of the claims' test ! -e "$tree/build/claims"
-asked 'run --suite paper,precision,extreme --output build/run --jobs 3 --fresh'
+asked 'run --suite paper,precision,extreme,general --output build/run --jobs 3 --fresh'
 asked 'faults --build build --jobs 3'
 asked 'report --run build/run --output build/report --fresh'
 

@@ -388,6 +388,54 @@ def make_map_at_any_preload(run):
     save(run, dict(record("preload", "Pull-off against preload", None, steep, [], ["paper"]), figure_script="staircase"))
 
 
+MIE = {"law": "mie", "mie_m": 4.0, "mie_n": 10.0, "morse_a": None}
+CONE = {"profile": "cone", "cone_t": 0.3, "power_c": None, "waves": None}
+
+
+def of_law(place, tabor, found, **more):
+    """A scene of the Mie law, with two folds."""
+    made = point(place, {"law": "mie", "tabor": tabor}, found, **more)
+    made["input"].update(MIE)
+    made["folds"] = [{"approach": approach, "load": -0.5, "kind": kind, "contact_radius": 1.0, "unstable_modes": 1}
+                     for approach, kind in ((-1.62, "jump_in"), (-1.9, "jump_out"))]
+    return made
+
+
+def write_line(run, case, name, columns, rows):
+    write_reference(os.path.join(run, case), f"line-{name}.csv", {"what": name}, columns, rows)
+    return {"name": name, "theory": name, "table": f"line-{name}.csv"}
+
+
+def make_general(run):
+    """Four cases of the suite general: a law, its curve, a profile, and a staircase that was not traced to its end."""
+    def keep(name, points, checks, script, lines=(), curves=()):
+        made = dict(record(name, f"The case {name}", None, points, checks, ["general"]), figure_script=script)
+        os.makedirs(os.path.join(run, name), exist_ok=True)
+        save(run, dict(made, lines=[write_line(run, name, *line) for line in lines]), curves)
+
+    forces = [(tabor, 2 - tabor ** 1.5 if tabor < 1 else 1.5 + 0.2 / tabor ** 2) for tabor in (0.01, 0.1, 1.0, 10.0)]
+    points = [of_law(place, tabor, (force, -0.7)) for place, (tabor, force) in enumerate(forces)]
+    judged = check(points[1], "pull_off_force", forces[1][1], forces[1][1], 1e-8, "general_pull_off.csv", "it is made so")
+    keep("general_laws", points, [judged], "laws", lines=[("maugis", ["tabor", "pull_off_force"], [
+        (tabor, 2 - 2 * tabor ** 1.5) for tabor in (0.01, 0.1)])])
+    keep("general_curves", [of_law(0, 1.0, (1.7, -0.7), curve="curve-0.csv")], [], "law_curves",
+         lines=[("jkr", ["tabor", "contact_radius", "approach", "load"], [(1, 1, -0.5, -0.4), (1, 2, -0.7, -1.5)])],
+         curves=[("curve-0.csv", spring_branch(1, 0.1))])
+    coupled = [point(place, {"coupling": coupling}, (force, 1.0)) for place, (coupling, force) in enumerate(((0.1, 30.0), (1, 250.0)))]
+    for one in coupled:
+        one["input"].update(CONE)
+    keep("general_profiles", coupled, [], "profiles")
+    wavy = point(0, {"coupling": 0.5}, (1.4, 1.0))
+    wavy["input"].update(CONE, waves="1@12")
+    wavy["pull_off_any"] = {"force": 1.4, "complete": False}
+    wavy["staircase"] = {control: {"steps": [step(1.4, -1.0)]} for control in ("displacement_control", "load_control")}
+    wavy["staircase"]["jkr"] = None
+    keep("general_stairs", [wavy], [], "general_stairs")
+    write_reference(os.path.join(os.path.dirname(run), "reference"), "jkr_pull_off.csv", header("JKR pull-off"),
+                    ["profile", "waves", "coupling", "radius", "contact_radius", "approach", "force"],
+                    [("cone:0.3", "-", 0.1, "-", 6.37, 1.0, 20.0), ("cone:0.3", "-", 1, "-", 63.7, 10.0, 200.0)])
+
+
 def make_run(folder, **how):
     """All four cases; how: outside=True, failed=True."""
     make_fig03(folder)

@@ -95,6 +95,15 @@ class Words(unittest.TestCase):
         point = {"sweep": {"scheme": "ring", "nodes": 63, "tabor": 2.385}, "label": "-"}
         self.assertEqual(words.sweep_label(point), "ring, N = 63, μ = 2.385")
 
+    def test_laws_and_profiles_have_their_parameters(self):
+        point = {"sweep": {"law": "mie", "profile": "power", "waves": None, "tabor": 0.1, "coupling": 0.05}, "label": "-",
+                 "input": {"law": "mie", "mie_m": 4.0, "mie_n": 10.0, "morse_a": None, "profile": "power", "power_c": 0.05,
+                           "power_n": 1.5, "cone_t": None}}
+        self.assertEqual(words.sweep_label(point), "mie (4, 10), power (0.05, 1.5), w/(E*ε) = 0.05")
+        point = {"sweep": {"profile_file": "/a/b/tip.csv", "profile": "table"}, "label": "-",
+                 "input": {"profile": "table", "table_scale": 1.0}}
+        self.assertEqual(words.sweep_label(point), "tip.csv")
+
 
 class Tables(unittest.TestCase):
     def table(self, text):
@@ -173,11 +182,16 @@ class Preloads(unittest.TestCase):
         self.assertEqual(preload.words(None, None), "pressed to a load of 1 πwR")
 
     def test_a_staircase_as_a_line(self):
-        rows = staircase.stairs({"steps": self.STEPS}, "load", 8.0)
+        rows = staircase.stairs({"steps": self.STEPS}, "load", 8.0, True)
         # from contact, straight from where one step ends to where the next begins, and on to the end of the axis
         self.assertEqual(rows, [(0.0, 0.5), (1.0, 0.5), (3.0, 2.0), (4.0, 2.0), (4.0, 1.5), (8.0, 1.5)])
-        self.assertEqual(staircase.stairs({"steps": self.STEPS}, "load", 3.5)[-1], (3.5, 2.0))
-        self.assertEqual(staircase.stairs({"steps": []}, "load", 8.0), [])
+        self.assertEqual(staircase.stairs({"steps": self.STEPS}, "load", 3.5, True)[-1], (3.5, 2.0))
+        self.assertEqual(staircase.stairs({"steps": []}, "load", 8.0, True), [])
+        # beyond the last preload that was reached nothing is drawn, if a harder one may give more
+        self.assertEqual(staircase.stairs({"steps": self.STEPS}, "load", 8.0, False)[-1], (5.0, 1.5))
+
+    def test_tick_marks_are_at_round_distances(self):
+        self.assertEqual([staircase.tick_step(*ends) for ends in ((0, 4.9), (-1, 0.2), (0, 700))], [1.0, 0.5, 200.0])
 
     def test_the_next_jump_of_a_curve_that_is_loaded(self):
         approaches = [0.0, -1.0, 2.0, 4.3, 3.0, 4.1, 1.0, 7.5, 6.0]

@@ -18,7 +18,7 @@ sys.path.insert(0, REPORTS)
 import synthetic  # noqa: E402
 from pulloff_report import faults, page, plots, records, references  # noqa: E402
 
-PRINTED = ("Figures of the paper", "Claims of the paper", "Error against run time", "Stiff and extreme", "Planted faults",
+PRINTED = ("Figures of the paper", "Claims of the paper", "Other laws and profiles", "Error against run time", "Stiff and extreme", "Planted faults",
            "Checks by case", "Environment")
 SCREEN_ONLY = ("Every check", "Every case and how to repeat it", "Reference data")
 
@@ -115,7 +115,7 @@ class Whole(PageTest):
         drawn = {"fig03", "fig04"} | {name for name, module in plots.BY_SCRIPT.items()
                                       if getattr(module, "SCHEMATIC", False)}
         self.assertEqual(self.html.count('role="img"'), len(drawn) + 3)   # and two of the errors against time, one of limits
-        self.assertEqual(self.html.count('class="absent"'), len(plots.BY_SCRIPT) - len(drawn) + 2)
+        self.assertEqual(self.html.count('class="absent"'), len(plots.BY_SCRIPT) - len(drawn) + 3)
         self.has(self.text, "The claims of the paper were not judged", "Figure 7, rigid pull-off against α, is omitted")
 
     def test_every_check_has_its_row(self):
@@ -212,6 +212,20 @@ class Parts(PageTest):
                  "may give a larger force (3 scenes)", "Of 12 scenes with A/λ of 0.01 or more, 1 reach twice the force at some "
                  "preload and 8 at none. For the other 3 this is unknown: no preload up to 100 πwR",
                  "(1) 1.4 from Δ† = −1; 3.5 from Δ† = 6; no harder preload gives more.")
+
+    def test_other_laws_and_profiles_have_their_figures(self):
+        with made_up(synthetic.make_general) as folder:
+            html = page_of(folder)
+            text = plain(html)
+            self.has(text, "8 of 8 scenes were solved, and 1 of 1 check pass", "in (b), 1.50 (Mie (4, 10)), 1.50 (Maugis–Dugdale)",
+                     "it differs from the Lennard-Jones law most at μ = 0.1, by 0.032", "mie (4, 10), μ = 0.1",
+                     "At μ = 1, the surfaces jump into contact at Δ† = −1.62 to −1.62, and out of contact at −1.90 to −1.90.",
+                     "The quotients at the right ends are 1.2500 (cone).", "(1) cone (0.3), A†/λ† = 1/12, w/(E*ε) = 0.5: 1.4 from Δ† = −1.")
+            self.lacks(text, "no harder preload gives more")
+            for name in plots.OF_GENERAL:
+                self.assertEqual(html.count(f'id="figure-{name}"'), 1)
+            os.unlink(os.path.join(folder, "reference", "jkr_pull_off.csv"))
+            self.has(plain(page_of(folder)), "The JKR pull-offs (jkr_pull_off.csv) are not available")
 
     def test_missing_references_leave_sentences(self):
         with made_up(synthetic.make_fig03) as folder:
