@@ -54,7 +54,8 @@ def make(case, references):
         room = MARGIN * (max(edges) - min(edges) + 1)
         windows.append((min(edges) - 2 * room, max(edges) + room))
         said.append((tabor, jumps(there, "jump_in", 0), jumps(there, "jump_out", -1),
-                     [law_name(point) for point in there if not point["folds"]]))
+                     [law_name(point) for point in there if not point["folds"]],
+                     sorted(point["pull_off"]["force"] for point in there)))
     drawn = gnuplot.draw("law_curves", {
         "count": len(laws), "frames": len(tabors), "name": list(laws), "colour": list(COLOURS[:len(laws)]),
         "frame_text": [f"μ = {plain(tabor)}" for tabor in tabors], "x_low": [row[0] for row in windows],
@@ -67,11 +68,12 @@ def make(case, references):
 def caption(said):
     text = Markup("Load W̄ against {}Δ† for four laws. Dashed: Maugis–Dugdale theory with the greatest tension of the Lennard-Jones law; "
                   "dotted: JKR theory.").format(MINUS)
-    for tabor, into, out, without in said:
+    for tabor, into, out, without, forces in said:
         if into and out:
             text += Markup(" At μ = {}, the surfaces jump into contact at Δ† = {} to {}, and out of contact at {} to {}.").format(
                 plain(tabor), *(f"{value:.2f}".replace("-", MINUS) for value in into + out))
         if without:
             text += f" There are no folds with {listing(without)}."
-    return text + (" Far from contact the load is that of the far field of the law, so the jump into contact depends on the law. Along the "
-                   "stable branch in contact and at the jump out, the laws differ less the larger μ is.")
+        text += f" The pull-off forces are {forces[0]:.3f} to {forces[-1]:.3f}."
+    return text + (" Far from contact the load is that of the far field of the law, so the jump into contact depends on the law. On the "
+                   "stable branch in contact the load depends the less on the law the larger μ is.")
