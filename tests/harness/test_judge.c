@@ -12,7 +12,7 @@ static const struct {
     {PO_NO_RESULT, "no_result", false}, {PO_MISSING_REFERENCE, "missing_reference", false},
     {PO_IMPROVED, "improved", true},    {PO_REGRESSED, "regressed", false},
     {PO_MOVED, "moved", false},         {PO_WRONG_AND_FROZEN, "wrong_and_frozen", false},
-    {PO_SLACK, "slack", true},
+    {PO_SLACK, "slack", true},          {PO_NOT_REACHABLE, "not_reachable", true},
 };
 
 START_TEST(which_pass) {
