@@ -1,5 +1,6 @@
 #include "po_block_store.h"
 
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -8,11 +9,16 @@
 /* Values of one allocation, and places of the first table. */
 enum { CHUNK_VALUES = 1 << 14, FIRST_PLACES = 1024 };
 
+static bool is_key(const po_block_key *a, po_block_key b) {
+  return a->first == b.first && a->second == b.second;
+}
+
 /* Returned: the place of the key, or the empty place where it belongs. */
-static size_t place_of(const po_block_store *s, uint64_t key) {
+static size_t place_of(const po_block_store *s, po_block_key key) {
   static const uint64_t MIX = 0x9e3779b97f4a7c15U; /* 2^64 over the golden ratio (Knuth) */
-  size_t place = (size_t)((key * MIX) >> 20) & (s->room - 1);
-  while (s->key[place] != 0 && s->key[place] != key)
+  const uint64_t mixed = (key.first * MIX ^ key.second) * MIX;
+  size_t place = (size_t)(mixed >> 20) & (s->room - 1);
+  while (s->key[place].first != 0 && !is_key(&s->key[place], key))
     place = (place + 1) & (s->room - 1);
   return place;
 }
@@ -28,7 +34,7 @@ static int enlarge(po_block_store *s) {
     return 0;
   }
   for (size_t k = 0; k < s->room; ++k)
-    if (s->key[k] != 0) {
+    if (s->key[k].first != 0) {
       const size_t place = place_of(&larger, s->key[k]);
       larger.key[place] = s->key[k];
       larger.block[place] = s->block[k];
@@ -55,12 +61,12 @@ static double *new_block(po_block_store *s, size_t size) {
   return s->chunk[s->chunks - 1] + s->used - size;
 }
 
-double *po_block_store_find(po_block_store *s, uint64_t key, size_t size, int *is_new) {
+double *po_block_store_find(po_block_store *s, po_block_key key, size_t size, int *is_new) {
   *is_new = 0;
   if (2 * s->count >= s->room && !enlarge(s))
     return NULL;
   const size_t place = place_of(s, key);
-  if (s->key[place] == key)
+  if (is_key(&s->key[place], key))
     return s->block[place];
   double *block = new_block(s, size);
   if (!block)

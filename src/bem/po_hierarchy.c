@@ -109,8 +109,8 @@ static uint64_t number_of(const po_panel *a) {
   return a ? ((uint64_t)1 << a->level) + a->index : 0;
 }
 
-static uint64_t key_of(enum kind kind, const po_panel *a, const po_panel *b) {
-  return 1 | (uint64_t)kind << 1 | number_of(a) << 3 | number_of(b) << (4 + PO_DEEPEST_LEVEL);
+static po_block_key key_of(enum kind kind, const po_panel *a, const po_panel *b) {
+  return (po_block_key){1 | (uint64_t)kind << 1 | number_of(a) << 3, number_of(b)};
 }
 
 static void place_nodes(const po_hierarchy *h, po_panel place, double *node) {

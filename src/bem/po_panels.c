@@ -35,7 +35,7 @@ static uint32_t whole_begin(po_panel panel) {
 }
 
 size_t po_panels_find(const po_panels *panels, double x) {
-  const double unit = (double)(1 << PO_DEEPEST_LEVEL);
+  const double unit = (double)((uint64_t)1 << PO_DEEPEST_LEVEL);
   const uint32_t at = x > 0.0 ? (uint32_t)fmin(x * unit, unit - 1.0) : 0;
   size_t low = 0, high = panels->count;
   while (high - low > 1) {

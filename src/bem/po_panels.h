@@ -11,7 +11,7 @@
  * scenes of the cases need at most 51. */
 enum { PO_MOST_PANELS = 4096 };
 
-enum { PO_DEEPEST_LEVEL = 29, PO_MOST_LEVEL_STEP = 2 };
+enum { PO_DEEPEST_LEVEL = 32, PO_MOST_LEVEL_STEP = 2 };
 
 /* The interval (index, index + 1) * domain/2^level. */
 typedef struct {

@@ -38,10 +38,28 @@ double po_continuation_start(po_equilibrium *e) {
   return approach;
 }
 
+/* The weights of the arclength functional are changed if others by this factor would suit. */
+static const double OTHER_WEIGHTS = 2.0;
+
+/* Lets the arclength functional follow the outermost contact edge. */
+static void reweigh(po_continuation *t) {
+  po_equilibrium *e = t->c.e;
+  const size_t edges = t->current.edges.count;
+  const double share = edges > 0 ? po_arclength_share(e, t->current.edges.at[edges - 1]) : 1.0;
+  const double factor = share / e->share;
+  if (!po_continuation_moves(t) || (factor < OTHER_WEIGHTS && factor > 1.0 / OTHER_WEIGHTS))
+    return;
+  e->share = share;
+  e->factorized = false; /* their border has the weights before */
+  po_solution_reweigh(&t->current, factor);
+  po_solution_reweigh(&t->previous, factor);
+}
+
 static void shift(po_continuation *t) {
   po_solution_exchange(&t->previous, &t->current);
   po_solution_exchange(&t->current, &t->next);
   t->has_previous = true;
+  reweigh(t);
 }
 
 typedef struct {

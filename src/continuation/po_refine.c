@@ -88,9 +88,10 @@ double po_refine_slope(const po_event *ev, double cosine) {
   return (rate[1] - rate[0]) / (2.0 * by) * cosine * cosine;
 }
 
-/* Error of the extremal value, relative to 1 + its modulus, at which the secant method may end
- * because rounding prevents a shorter step; and the greatest step. */
-static const double CLOSE = 1e-11, FARTHEST = 1e-4;
+/* Where rounding and the ripple of the mesh disturb the rate, the root is extrapolated: if that
+ * changes the extremal value by less than CLOSE, relative to 1 + its modulus, from at most FARTHEST
+ * along the arclength functional. */
+static const double CLOSE = 1e-9, FARTHEST = 1e-3;
 
 /* Moves a solution along its tangent, by a step of the arclength functional of `from`. */
 static void move(po_corrector *c, const po_solution *from, double step, po_solution *p) {
@@ -101,16 +102,15 @@ static void move(po_corrector *c, const po_solution *from, double step, po_solut
   po_solution_finish(p, c->e, c->adaptive);
 }
 
-po_status po_refine_locate(po_corrector *c, const po_solution *from, po_event_kind of,
+static po_status find_root(po_corrector *c, const po_solution *from, po_event_kind of,
                            double *slope, po_solution *out, double value[2]) {
-  const double close = fmax(c->e->precision, CLOSE), given = *slope;
   double at = 0.0;
-  po_sample last = {.at = NAN}, s;
+  po_sample last = {.at = NAN};
   for (int k = 0; k < MOST_SOLVES; ++k) {
     const po_status status = po_corrector_solve(c, from, at, k > 0, c->e->precision, out);
     if (status)
       return status;
-    s = po_corrector_sample(from, out);
+    const po_sample s = po_corrector_sample(from, out);
     const double before = k > 0 ? fabs(s.at - last.at) : 0.0;
     if (before > PO_LOCATED) /* a shorter secant is inaccurate because of rounding */
       *slope = (s.rate[of] - last.rate[of]) / (s.at - last.at);
@@ -127,12 +127,33 @@ po_status po_refine_locate(po_corrector *c, const po_solution *from, po_event_ki
     last = s;
     po_corrector_guess_near(c, out, step / po_solution_cosine(from, out));
   }
-  const double left = -s.rate[of] / given;
-  if (!(fabs(left) < FARTHEST && po_special_point_is_close(&s, of, left, close)))
+  return PO_NOT_CONVERGED;
+}
+
+/* The values at the root from the solution at the place of `from`, with the given slope. */
+static po_status extrapolate(po_corrector *c, const po_solution *from, po_event_kind of,
+                             double slope, po_solution *out, double value[2]) {
+  po_corrector_guess(c, from);
+  const po_status status = po_corrector_solve(c, from, 0.0, false, c->e->precision, out);
+  if (status)
+    return status;
+  const po_sample s = po_corrector_sample(from, out);
+  const double left = -s.rate[of] / slope;
+  if (!(fabs(left) < FARTHEST && po_special_point_is_close(&s, of, left, CLOSE)))
     return PO_NOT_CONVERGED;
   for (int q = 0; q < 2; ++q)
     value[q] = s.value[q] + (q == (int)of ? 0.5 : 1.0) * s.rate[q] * left;
   return PO_OK;
+}
+
+po_status po_refine_locate(po_corrector *c, const po_solution *from, po_event_kind of,
+                           double *slope, po_solution *out, double value[2]) {
+  const double given = *slope;
+  const po_status status = find_root(c, from, of, slope, out, value);
+  if (status != PO_NOT_CONVERGED || isnan(given))
+    return status;
+  *slope = given;
+  return extrapolate(c, from, of, given, out, value);
 }
 
 double po_refine_error(double precision, double change, double value) {

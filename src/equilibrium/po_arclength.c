@@ -8,22 +8,19 @@ static double per_length(const po_equilibrium *e) {
   return 1.0 / sqrt(2.0 * e->radius);
 }
 
-/* Widths of a contact edge, relative to the unit of length, below which approach and load have less
- * weight than the amount of contact. A traction of w/eps on the width eps/coupling deflects the
- * surface by eps. If the contact edge is narrow, a functional in which an error of the approach
- * must be balanced by a motion of the edge makes errors of the gap at the edge large. At mu = 1000
- * it took six times as many factorisations. */
-static const double NARROW_EDGE = 0.02;
+/* Width of a contact edge, relative to its radius, below which approach and load have less weight
+ * than the amount of contact. Ten times more or less changes the work by some percent. */
+static const double NARROW_EDGE = 1e-3;
 
-static double share(const po_equilibrium *e) {
-  const double width = per_length(e) / e->coupling;
-  return width < NARROW_EDGE ? width / NARROW_EDGE : 1.0;
+double po_arclength_share(const po_equilibrium *e, double edge) {
+  const double width = 1.0 / e->coupling;
+  return fmin(1.0, width / (NARROW_EDGE * edge));
 }
 
 /* Weight of the approach in the global coordinates. Along a branch the approach varies by several
  * mu, the load by one or two. */
 static double approach_weight(const po_equilibrium *e) {
-  return share(e) / (2.0 + 2.0 * e->scene->tabor);
+  return e->share / (2.0 + 2.0 * e->scene->tabor);
 }
 
 /* Square of the weight of the approach in the nodal coordinates. */
@@ -43,7 +40,7 @@ static void global_coordinates(const po_equilibrium *e, const double *state, dou
     contact += e->surface->length[j] / (h * h);
   }
   coordinate[0] = approach_weight(e) * state[e->n];
-  coordinate[1] = share(e) * po_equilibrium_load(e);
+  coordinate[1] = e->share * po_equilibrium_load(e);
   coordinate[2] = per_length(e) * contact;
 }
 
@@ -55,7 +52,7 @@ static void global_rates(const po_equilibrium *e, const double *state, const dou
     contact -= 2.0 * h.rate * e->surface->length[j] / (h.size * h.size * h.size) * change[j];
   }
   rate[0] = approach_weight(e) * change[e->n];
-  rate[1] = share(e) * po_equilibrium_load_rate(e, change);
+  rate[1] = e->share * po_equilibrium_load_rate(e, change);
   rate[2] = per_length(e) * contact;
 }
 
@@ -63,7 +60,7 @@ static void global_border(const po_equilibrium *e, const double *state, const do
                           double *border) {
   const size_t core = po_equilibrium_core(e);
   for (size_t j = 0; j < e->n; ++j)
-    border[j] = share(e) * 2.0 / e->radius * direction[1] * e->surface->weight[j] * e->slope[j];
+    border[j] = e->share * 2.0 / e->radius * direction[1] * e->surface->weight[j] * e->slope[j];
   for (size_t j = 0; j < core; ++j) {
     const po_law_scale h = po_law_scale_at(&e->scene->law, state[j]);
     border[j] -= 2.0 * h.rate * per_length(e) * direction[2] * e->surface->length[j] /

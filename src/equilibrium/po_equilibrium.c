@@ -50,7 +50,7 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
   e->scene = scene;
   e->surface = surface;
   e->neglect = NEGLECT;
-  e->gain = 1.0;
+  e->gain = e->share = 1.0;
   e->precision = PO_FINEST_PRECISION;
   e->together = surface->hierarchy ? PO_TABLE_ORDER : 1;
   double **const vectors[] = {&e->initial_gap, &e->traction, &e->slope,   &e->deflection,

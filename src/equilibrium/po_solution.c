@@ -57,14 +57,27 @@ void po_solution_exchange(po_solution *a, po_solution *b) {
   po_panels_exchange(&a->wanted, &b->wanted);
 }
 
-void po_solution_turn(po_solution *p) {
+/* Changes the length of the tangent by a factor. */
+static void scale_tangent(po_solution *p, double factor) {
   for (size_t j = 0; j <= p->n; ++j)
-    p->tangent[j] = -p->tangent[j];
+    p->tangent[j] *= factor;
   for (size_t i = 0; i < p->coordinates; ++i)
-    p->rate[i] = -p->rate[i];
+    p->rate[i] *= factor;
   for (size_t k = 0; k < p->edges.count; ++k)
-    p->edges.rate[k] = -p->edges.rate[k];
-  p->load_rate = -p->load_rate;
+    p->edges.rate[k] *= factor;
+  p->load_rate *= factor;
+}
+
+void po_solution_turn(po_solution *p) {
+  scale_tangent(p, -1.0);
+}
+
+void po_solution_reweigh(po_solution *p, double factor) {
+  for (size_t i = 0; i < 2; ++i) {
+    p->coordinate[i] *= factor;
+    p->rate[i] *= factor;
+  }
+  scale_tangent(p, 1.0 / sqrt(po_solution_cosine(p, p)));
 }
 
 double po_solution_approach(const po_solution *p) {
@@ -186,11 +199,8 @@ void po_solution_finish(po_solution *p, const po_equilibrium *e, const po_adapti
   p->coordinates = po_arclength_size(p->arclength, p->n);
   po_arclength_coordinates(p->arclength, e, p->state, p->coordinate);
   po_arclength_rates(p->arclength, e, p->state, p->tangent, p->rate);
-  const double length = sqrt(po_solution_cosine(p, p));
-  for (size_t i = 0; i < p->coordinates; ++i)
-    p->rate[i] /= length;
-  for (size_t j = 0; j <= p->n; ++j)
-    p->tangent[j] /= length;
+  p->edges.count = 0;
+  scale_tangent(p, 1.0 / sqrt(po_solution_cosine(p, p)));
   p->load = po_equilibrium_load(e);
   p->load_rate = po_equilibrium_load_rate(e, p->tangent);
   p->energy = po_equilibrium_energy(e, p->state);

@@ -36,6 +36,9 @@ void po_solution_free(po_solution *p);
 void po_solution_copy(const po_solution *from, po_solution *to);
 void po_solution_exchange(po_solution *a, po_solution *b);
 
+/* Multiplies the weight of approach and load in the global coordinates by a factor. */
+void po_solution_reweigh(po_solution *solution, double factor);
+
 /* Reverses the direction of the branch: every derivative along the branch changes its sign. */
 void po_solution_turn(po_solution *p);
 
