@@ -65,7 +65,7 @@ for page in (root / "doc").glob("*.md"):
         is_path = re.fullmatch(r"(?:[\w.-]+/)+[\w.-]+\.(?:[chp]|py|sh|gp|md|toml|txt|build|csv)", word)
         is_file = re.fullmatch(r"(?:po|test)_\w+\.[ch]", word)
         if (is_name and not re.search(rf"\b{word}\b", source)
-                or is_path and "NAME" not in word and not any((root / folder / word).exists() for folder in (".", "src"))
+                or is_path and "NAME" not in word and not word.startswith(("build/", "my/")) and not any((root / folder / word).exists() for folder in (".", "src"))
                 or is_file and word not in files):
             wrong.append(f"{page.name}: {word}")
 rooms = {path.parent.name for path in (root / "src").glob("*/meson.build")}
