@@ -41,7 +41,7 @@ static void decay(const po_legendre *legendre, const double *value, double *last
 /* Error of the gap on a panel relative to the change of the approach with which a contact edge
  * passes the panel. The error differs from panel to panel and with the place of the edge in the
  * panel, so that larger errors fold the branch. */
-static const double RIPPLE = 1e-4;
+static const double RIPPLE = 5e-5;
 
 /* The change of the approach with which a contact edge passes from begin to end: by JKR theory the
  * approach is the Abel transform of the profile, which rises about as the profile, less
