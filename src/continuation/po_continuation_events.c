@@ -54,6 +54,7 @@ po_status po_continuation_find_events(po_continuation *t) {
 
 po_branch_point po_continuation_seen(const po_continuation *t, const po_solution *p,
                                      po_point_kind kind) {
+  const double length = po_solution_length(p);
   return (po_branch_point){.kind = kind,
                            .position = p->position,
                            .approach = po_solution_approach(p),
@@ -61,8 +62,8 @@ po_branch_point po_continuation_seen(const po_continuation *t, const po_solution
                            .energy = p->energy,
                            .approach_error = NAN,
                            .load_error = NAN,
-                           .approach_rate = p->tangent[p->n],
-                           .load_rate = p->load_rate,
+                           .approach_rate = p->tangent[p->n] / length,
+                           .load_rate = p->load_rate / length,
                            .unstable_modes = t->unstable_modes,
                            .n = p->core,
                            .node = p->node,
@@ -98,7 +99,8 @@ static void judge(po_continuation *t, const po_event *ev, po_branch_point *point
   if (!status) {
     point->approach_correction = r.value[0] - point->approach;
     point->load_correction = r.value[1] - point->load;
-    const double beyond = ev->left > PO_LOCATED ? ev->left : 0.0;
+    const double beyond =
+        ev->left > PO_LOCATED ? ev->left * po_solution_length(point->solution) : 0.0;
     point->approach_error = r.error[0] + beyond * fabs(point->approach_rate);
     point->load_error = r.error[1] + beyond * fabs(point->load_rate);
     point->best = r.point;

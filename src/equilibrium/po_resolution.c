@@ -71,7 +71,7 @@ static double excess_of(const po_resolution *r, double begin, double end, const 
   decay(r->legendre, traction, &last, &largest);
   const double length = end - begin, ring = 2.0 / r->e->radius * 0.5 * (begin + end) * length;
   const double felt = fmin(1.0, response * fmax(r->e->coupling * length, ring));
-  const double stiffness = response * r->e->coupling * length / PO_TABLE_ORDER;
+  const double stiffness = response * r->e->coupling * length / (PO_TABLE_ORDER * PO_TABLE_ORDER);
   const double local = felt * r->e->coupling * length * last / PO_TABLE_ORDER / (1.0 + stiffness);
   const double allowed = fmin(r->allowed.gap, RIPPLE * change_along(r, begin, end));
   return fmax(local / allowed, ring * last * last / (largest + 1e-300) / r->allowed.load);

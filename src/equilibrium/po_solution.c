@@ -73,6 +73,7 @@ void po_solution_turn(po_solution *p) {
 }
 
 void po_solution_reweigh(po_solution *p, double factor) {
+  p->share *= factor;
   for (size_t i = 0; i < 2; ++i) {
     p->coordinate[i] *= factor;
     p->rate[i] *= factor;
@@ -197,6 +198,7 @@ void po_solution_finish(po_solution *p, const po_equilibrium *e, const po_adapti
   p->core = po_equilibrium_core(e);
   p->arclength = adaptive ? PO_ARCLENGTH_GLOBAL : PO_ARCLENGTH_NODAL;
   p->coordinates = po_arclength_size(p->arclength, p->n);
+  p->share = e->share;
   po_arclength_coordinates(p->arclength, e, p->state, p->coordinate);
   po_arclength_rates(p->arclength, e, p->state, p->tangent, p->rate);
   p->edges.count = 0;
@@ -216,9 +218,30 @@ double po_solution_gap(void *data, double r) {
   return po_solution_value_at(f->p, f->scene, f->domain, r).gap;
 }
 
+/* The component of a vector of coordinates where approach and load have their whole weight. */
+static double unshared(const po_solution *p, size_t i, double component) {
+  return i < 2 && p->arclength == PO_ARCLENGTH_GLOBAL ? component / p->share : component;
+}
+
+double po_solution_length(const po_solution *p) {
+  double square = 0.0;
+  for (size_t i = 0; i < p->coordinates; ++i) {
+    const double rate = unshared(p, i, p->rate[i]);
+    square += rate * rate;
+  }
+  return sqrt(square);
+}
+
 double po_solution_way(const po_solution *from, const po_solution *to) {
-  const double progress = po_solution_progress(from, to);
-  const double cosine = fmax(0.0, po_solution_cosine(from, to));
+  double progress = 0.0, product = 0.0;
+  for (size_t i = 0; i < from->coordinates; ++i) {
+    const double rate = unshared(from, i, from->rate[i]);
+    progress += rate * unshared(from, i, to->coordinate[i] - from->coordinate[i]);
+    product += rate * unshared(to, i, to->rate[i]);
+  }
+  const double length = po_solution_length(from);
+  progress /= length;
+  const double cosine = fmax(0.0, product / (length * po_solution_length(to)));
   const double turn = cosine < 1.0 ? acos(cosine) : 0.0;
   return turn > 0.0 ? progress * turn / sin(turn) : progress;
 }

@@ -15,6 +15,7 @@ typedef struct po_solution {
   double *node;            /* n: radii, eps */
   po_arclength arclength;
   size_t coordinates; /* number of coordinates of the arclength */
+  double share;       /* po_equilibrium.share, with which the coordinates are */
   double *coordinate; /* its coordinates (po_arclength.h) */
   double *rate; /* their derivatives by the arclength: a unit vector, the direction of the branch */
   double load, load_rate, energy;
@@ -56,7 +57,11 @@ double po_solution_cosine(const po_solution *a, const po_solution *b);
  * the coordinates). */
 double po_solution_progress(const po_solution *from, const po_solution *to);
 
-/* The arclength between two points, as that of a circular arc with the directions at both. */
+/* The length of the tangent in the arclength with share 1, in which positions are. */
+double po_solution_length(const po_solution *solution);
+
+/* The arclength between two points, with share 1 and as that of a circular arc with the directions
+ * at both. The coordinates of both have the same share. */
 double po_solution_way(const po_solution *from, const po_solution *to);
 
 /* Values of a solution on panels at a radius inside the domain. Given: r and domain, eps. */
