@@ -3,8 +3,9 @@
 #include <math.h>
 
 /* Widths of vector registers for which a function is compiled; the one that fits the processor is
- * chosen when the program is loaded. */
-#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__)
+ * chosen when the program is loaded, which is before the thread sanitizer can be called. */
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&       \
+    !defined(__SANITIZE_THREAD__)
 #define FOR_ALL_WIDTHS __attribute__((target_clones("avx512f", "avx2", "default")))
 #else
 #define FOR_ALL_WIDTHS
