@@ -11,6 +11,7 @@
 #include "po_memory.h"
 #include "po_options.h"
 #include "po_print.h"
+#include "po_print_physical.h"
 #include "po_range.h"
 #include "po_scene_flags.h"
 #include "po_series.h"
@@ -33,7 +34,9 @@ static const char HELP[] =
     "  --key KEY               parameter that varies: tabor, amplitude, wavelength, radius,\n"
     "                          outer-radius, amplitude-ratio, coupling, or a parameter of the law\n"
     "                          or the profile: mie-m, mie-n, morse-a, power-c, power-n, cone-t,\n"
-    "                          punch-b, punch-r, truncated-b or truncated-r\n"
+    "                          punch-b, punch-r, truncated-b or truncated-r; in SI units\n"
+    "                          radius-m, amplitude-m, wavelength-m, outer-radius-m, modulus-pa,\n"
+    "                          work-j-per-m2 or distance-m\n"
     "  --from A                first value of the parameter\n"
     "  --to B                  last value of the parameter\n"
     "  --points N              number of scenes, 2 to 10000 (default 60)\n"
@@ -75,18 +78,33 @@ static const char MORE_HELP[] =
     "  --time-limit S          processor time after which each solve is stopped, in seconds\n"
     "                          (default: no limit)\n"
     "\n"
-    "  --curve FILE            write the pull-offs to FILE, as dimensionless CSV; - is standard\n"
-    "                          output, on which nothing else is then printed\n"
+    "  --curve FILE            write the pull-offs to FILE, as CSV, in SI units after\n"
+    "                          --from-physical; - is standard output, on which nothing else is\n"
+    "                          then printed\n"
     "  --json                  print one JSON document and nothing else\n"
     "  -h, --help              print this text\n"
-    "\n"
+    "\n" PO_SCENE_FLAGS_HELP "\n"
     "Example: pulloff follow --key tabor --from 0.1 --to 5 --points 60 --amplitude 1 \\\n"
-    "             --wavelength 20 --outer-radius 100\n";
+    "             --wavelength 20 --outer-radius 100\n"
+    "Example: pulloff follow --from-physical --key radius-m --from 1e-7 --to 1e-6 --points 10 \\\n"
+    "             --modulus-pa 2e9 --work-j-per-m2 0.05 --distance-m 3e-10\n";
 
-enum { VARIED = 1, FROM, TO, POINTS, SCALE, OF, CHECKPOINTS, CURVE, JSON, KEY = PO_OPTION_KEYS };
+enum {
+  VARIED = PO_FLAG_NEXT,
+  FROM,
+  TO,
+  POINTS,
+  SCALE,
+  OF,
+  CHECKPOINTS,
+  CURVE,
+  JSON,
+  KEY = PO_OPTION_KEYS,
+  OPTION_COUNT = KEY + PO_KEY_END
+};
 enum { DEFAULT_POINTS = 60 };
 
-/* The values of the options of the scene are KEY + po_key. */
+/* The values of the options that are keys are KEY + po_key. */
 static const struct option OPTIONS[] = {
     {"key", required_argument, NULL, VARIED},
     {"from", required_argument, NULL, FROM},
@@ -97,45 +115,29 @@ static const struct option OPTIONS[] = {
     {"checkpoint-every", required_argument, NULL, CHECKPOINTS},
     {"curve", required_argument, NULL, CURVE},
     {"json", no_argument, NULL, JSON},
-    {"tabor", required_argument, NULL, KEY + PO_KEY_TABOR},
-    {"amplitude", required_argument, NULL, KEY + PO_KEY_AMPLITUDE},
+    PO_SCENE_OPTIONS,
+    PO_LENGTH_OPTIONS("outer-radius", PO_LENGTH_OUTER_RADIUS),
+    PO_LENGTH_OPTIONS("preload", PO_LENGTH_PRELOAD),
     {"amplitude-ratio", required_argument, NULL, KEY + PO_KEY_AMPLITUDE_RATIO},
-    {"wavelength", required_argument, NULL, KEY + PO_KEY_WAVELENGTH},
-    {"radius", required_argument, NULL, KEY + PO_KEY_RADIUS},
-    {"outer-radius", required_argument, NULL, KEY + PO_KEY_OUTER_RADIUS},
     {"law", required_argument, NULL, KEY + PO_KEY_LAW},
     {"mie-m", required_argument, NULL, KEY + PO_KEY_MIE_M},
     {"mie-n", required_argument, NULL, KEY + PO_KEY_MIE_N},
     {"morse-a", required_argument, NULL, KEY + PO_KEY_MORSE_A},
-    {"coupling", required_argument, NULL, KEY + PO_KEY_COUPLING},
-    {"profile", required_argument, NULL, KEY + PO_KEY_PROFILE},
-    {"profile-file", required_argument, NULL, KEY + PO_KEY_PROFILE_FILE},
-    {"power-c", required_argument, NULL, KEY + PO_KEY_POWER_C},
-    {"power-n", required_argument, NULL, KEY + PO_KEY_POWER_N},
-    {"cone-t", required_argument, NULL, KEY + PO_KEY_CONE_T},
-    {"punch-b", required_argument, NULL, KEY + PO_KEY_PUNCH_B},
-    {"punch-r", required_argument, NULL, KEY + PO_KEY_PUNCH_R},
-    {"truncated-b", required_argument, NULL, KEY + PO_KEY_TRUNCATED_B},
-    {"truncated-r", required_argument, NULL, KEY + PO_KEY_TRUNCATED_R},
-    {"table-scale", required_argument, NULL, KEY + PO_KEY_TABLE_SCALE},
-    {"wave", required_argument, NULL, KEY + PO_KEY_WAVES},
     {"tolerance", required_argument, NULL, KEY + PO_KEY_TOLERANCE},
-    {"preload", required_argument, NULL, KEY + PO_KEY_PRELOAD},
     {"preload-load", required_argument, NULL, KEY + PO_KEY_PRELOAD_LOAD},
     {"time-limit", required_argument, NULL, KEY + PO_KEY_TIME_LIMIT},
     {"help", no_argument, NULL, PO_OPTION_HELP},
     {NULL, 0, NULL, 0}};
 
 typedef struct {
-  const char *given[PO_KEY_END]; /* the text of each option of the scene; NULL: not given */
-  po_wave wave[PO_MOST_WAVES];   /* of --wave, which may be repeated */
+  const char *given[OPTION_COUNT]; /* the text of each option of the scene; NULL: not given */
+  po_wave wave[PO_MOST_WAVES];     /* of --wave, which may be repeated */
   size_t waves;
-  const char *varied; /* the name of the option whose value varies */
-  po_key key;
+  const struct option *varied; /* the option whose value varies */
   po_range range;
   size_t checkpoints; /* 0: not given */
   const char *curve;  /* a file; NULL: none */
-  bool folds, json;
+  bool from_physical, folds, json;
 } follow_line;
 
 static const struct option *option_of(int value) {
@@ -145,22 +147,37 @@ static const struct option *option_of(int value) {
   return option;
 }
 
-/* Whether an option sets a parameter of the scene that may vary along a series. */
-static bool is_of_scene(const struct option *option) {
-  return option->val >= KEY && option->val < PO_OPTION_HELP &&
-         po_key_is_continuous(option->val - KEY);
+/* Whether an option sets a number of the scene that may vary along a series. */
+static bool is_of_scene(int option) {
+  switch (option) {
+  case PO_FLAG_TABOR:
+  case PO_FLAG_COUPLING:
+  case PO_FLAG_MODULUS:
+  case PO_FLAG_WORK:
+  case PO_FLAG_DISTANCE:
+    return true;
+  default:
+    if (option >= KEY)
+      return option < OPTION_COUNT && po_key_is_continuous(option - KEY);
+    if (option >= PO_FLAG_PARAMETER && option < PO_FLAG_LENGTH)
+      return option - PO_FLAG_PARAMETER != PO_TABLE_SCALE;
+    if (option >= PO_FLAG_METRES)
+      option -= PO_FLAG_METRES - PO_FLAG_LENGTH;
+    return option >= PO_FLAG_LENGTH && option <= PO_FLAG_LENGTH + PO_LENGTH_OUTER_RADIUS;
+  }
 }
 
 static po_status take_varied(follow_line *line) {
   for (const struct option *option = OPTIONS; option->name; ++option)
-    if (is_of_scene(option) && strcmp(option->name, optarg) == 0) {
-      line->key = (po_key)(option->val - KEY);
-      line->varied = option->name;
+    if (is_of_scene(option->val) && strcmp(option->name, optarg) == 0) {
+      line->varied = option;
       return PO_OK;
     }
   return po_options_refuse("key", optarg,
                            "tabor, coupling, amplitude, wavelength, radius, outer-radius, "
-                           "amplitude-ratio, or a parameter of the law or the profile");
+                           "amplitude-ratio, a parameter of the law or the profile, or in SI "
+                           "units radius-m, amplitude-m, wavelength-m, outer-radius-m, "
+                           "modulus-pa, work-j-per-m2 or distance-m");
 }
 
 static po_status take_count(const char *option, size_t least, size_t *count) {
@@ -175,8 +192,11 @@ static po_status take_count(const char *option, size_t least, size_t *count) {
 static po_status take_option(void *to, int option) {
   follow_line *line = to;
   switch (option) {
-  case KEY + PO_KEY_WAVES:
+  case PO_FLAG_WAVE:
     return po_scene_flags_take_wave(line->wave, &line->waves);
+  case PO_FLAG_FROM_PHYSICAL:
+    line->from_physical = true;
+    return PO_OK;
   case VARIED:
     return take_varied(line);
   case FROM:
@@ -203,14 +223,44 @@ static po_status take_option(void *to, int option) {
     line->json = true;
     return PO_OK;
   default:
-    line->given[option - KEY] = optarg;
+    line->given[option] = optarg;
     return PO_OK;
   }
 }
 
-/* Whether a key is given or varies. */
-static bool is_given(const follow_line *line, int key) {
-  return line->given[key] || (int)line->key == key;
+/* Whether an option is given or varies. */
+static bool is_given(const follow_line *line, int option) {
+  return line->given[option] || line->varied->val == option;
+}
+
+/* Whether a length is given or varies, in epsilon or in metres. */
+static bool has_length(const follow_line *line, po_length length) {
+  return is_given(line, PO_FLAG_LENGTH + (int)length) ||
+         is_given(line, PO_FLAG_METRES + (int)length);
+}
+
+static po_status check_waviness(const follow_line *line) {
+  const bool amplitude = has_length(line, PO_LENGTH_AMPLITUDE);
+  const bool ratio = is_given(line, KEY + PO_KEY_AMPLITUDE_RATIO);
+  const bool wavelength = has_length(line, PO_LENGTH_WAVELENGTH);
+  if (amplitude && ratio)
+    return po_fail(PO_BAD_INPUT,
+                   "both amplitude and amplitude-ratio are given: expected only one of the two");
+  if ((amplitude || ratio) && !wavelength)
+    return po_fail(PO_BAD_INPUT, "a waviness is given without --wavelength%s: expected both",
+                   line->from_physical ? "-m" : "");
+  if (amplitude || ratio || !wavelength)
+    return PO_OK;
+  const po_length length = PO_LENGTH_WAVELENGTH;
+  if (line->varied->val == PO_FLAG_LENGTH + (int)length ||
+      line->varied->val == PO_FLAG_METRES + (int)length)
+    return po_fail(PO_BAD_INPUT,
+                   "the wavelength varies, but the scenes have no amplitude: "
+                   "expected --amplitude%s or --amplitude-ratio",
+                   line->from_physical ? "-m" : "");
+  po_flag_use idle = {.given = true};
+  snprintf(idle.name, sizeof idle.name, "wavelength%s", line->from_physical ? "-m" : "");
+  return po_options_refuse_idle("scenes without amplitude", &idle, 1);
 }
 
 static po_status check_line(const follow_line *line) {
@@ -220,100 +270,136 @@ static po_status check_line(const follow_line *line) {
                    !line->varied        ? "key"
                    : isnan(range->from) ? "from"
                                         : "to");
-  if (line->given[line->key])
+  if (line->given[line->varied->val])
     return po_fail(PO_BAD_INPUT,
                    "--%s is given, but its value varies (--key): expected only one of the two",
-                   line->varied);
+                   line->varied->name);
   if (range->from == range->to || (range->log && !(range->from > 0.0 && range->to > 0.0)))
     return po_fail(PO_BAD_INPUT, "--from is %g and --to is %g: expected two different values%s",
                    range->from, range->to, range->log ? " > 0, or --scale linear" : "");
-  if ((line->given[PO_KEY_AMPLITUDE] || line->key == PO_KEY_AMPLITUDE) &&
-      (line->given[PO_KEY_AMPLITUDE_RATIO] || line->key == PO_KEY_AMPLITUDE_RATIO))
-    return po_fail(PO_BAD_INPUT,
-                   "both amplitude and amplitude-ratio are given: expected only one of the two");
-  if (is_given(line, PO_KEY_COUPLING) && is_given(line, PO_KEY_TABOR))
+  if (is_given(line, PO_FLAG_COUPLING) && is_given(line, PO_FLAG_TABOR))
     return po_fail(PO_BAD_INPUT, "both coupling and tabor are given: expected only one of the two");
-  if (line->given[PO_KEY_PROFILE] && line->given[PO_KEY_PROFILE_FILE])
-    return po_fail(PO_BAD_INPUT, "both --profile and --profile-file are given: expected only one");
-  const bool wavy = line->given[PO_KEY_AMPLITUDE] || line->key == PO_KEY_AMPLITUDE ||
-                    line->given[PO_KEY_AMPLITUDE_RATIO] || line->key == PO_KEY_AMPLITUDE_RATIO;
-  if (wavy && !line->given[PO_KEY_WAVELENGTH] && line->key != PO_KEY_WAVELENGTH)
-    return po_fail(PO_BAD_INPUT, "a waviness is given without --wavelength: expected both");
-  if (!wavy && line->key == PO_KEY_WAVELENGTH)
-    return po_fail(PO_BAD_INPUT,
-                   "the wavelength varies, but the scenes have no amplitude: expected "
-                   "--amplitude or --amplitude-ratio");
-  const po_flag_use wavelength = {"wavelength", line->given[PO_KEY_WAVELENGTH], wavy};
+  const po_status status = check_waviness(line);
+  if (status)
+    return status;
   const po_flag_use checkpoints = {"checkpoint-every", line->checkpoints > 0, !line->folds};
   if (line->curve && line->folds)
     return po_fail(PO_BAD_INPUT, "--curve has no effect on --of folds: expected it to be left out");
   if (line->curve && line->json && strcmp(line->curve, "-") == 0)
     return po_fail(PO_BAD_INPUT, "standard output is asked for twice: expected only one of --json "
                                  "and the file -");
-  const po_status status = po_options_refuse_idle("scenes without amplitude", &wavelength, 1);
-  return status ? status : po_options_refuse_idle("--of folds", &checkpoints, 1);
+  if (line->from_physical && line->given[KEY + PO_KEY_PRELOAD_LOAD])
+    return po_fail(PO_BAD_INPUT, "--preload-load is dimensionless: expected --preload-m with "
+                                 "--from-physical");
+  return po_options_refuse_idle("--of folds", &checkpoints, 1);
 }
 
 static po_status set_key(po_request *request, int key, const char *text) {
-  if (key == PO_KEY_PROFILE_FILE) {
-    const po_status status = po_profile_set_file(&request->scene.profile, text);
-    if (status)
-      return status;
-  }
   if (po_key_set(request, (po_key)key, text))
     return PO_OK;
   return po_options_refuse(option_of(KEY + key)->name, text, po_key_expected((po_key)key));
 }
 
-/* The request of one point of the series. Groups such as the amplitude ratio are set after the keys
- * on which they depend. */
-static po_status make_request(const follow_line *line, size_t point, po_request *request) {
+/* Sets the amplitude A = (A/lambda) lambda of flags whose lengths have been taken. */
+static po_status set_amplitude_ratio(const char *text, po_scene_flags *flags) {
+  po_request scratch = po_request_default();
+  double *const lengths = flags->from_physical ? flags->metres : flags->length;
+  scratch.scene.wavelength = lengths[PO_LENGTH_WAVELENGTH];
+  const po_status status = set_key(&scratch, PO_KEY_AMPLITUDE_RATIO, text);
+  lengths[PO_LENGTH_AMPLITUDE] = scratch.scene.amplitude;
+  return status;
+}
+
+/* One scene of the series. */
+typedef struct {
+  po_scene_flags flags;
+  double value; /* of the parameter that varies */
+} follow_scene;
+
+/* Makes the request of one scene, as if its options had been given to `pulloff solve`. */
+static po_status make_request(const follow_line *line, size_t point, po_request *request,
+                              follow_scene *scene) {
   char value[PO_NUMBER_LENGTH];
   po_range_print(&line->range, point, value);
+  *scene = (follow_scene){po_scene_flags_default(), strtod(value, NULL)};
+  po_scene_flags *flags = &scene->flags;
+  flags->from_physical = line->from_physical;
+  flags->warned = point > 0; /* one warning for the series */
+  memcpy(flags->wave, line->wave, sizeof flags->wave);
+  flags->waves = line->waves;
   *request = po_input_default();
   request->mesh.scheme = PO_PANEL;
   po_status status = PO_OK;
-  for (int key = 0; key < PO_KEY_END && !status; ++key) {
-    const char *text = key == (int)line->key ? value : line->given[key];
-    if (text)
-      status = set_key(request, key, text);
+  bool of_law[PO_LAW_PARAMETER_COUNT];
+  const char *ratio = NULL;
+  for (int option = 0; option < OPTION_COUNT && !status; ++option) {
+    const char *text = option == line->varied->val ? value : line->given[option];
+    if (text && option < KEY) {
+      optarg = (char *)text;
+      status = po_scene_flags_take(flags, option);
+    } else if (text && option == KEY + PO_KEY_AMPLITUDE_RATIO) {
+      ratio = text;
+    } else if (text) {
+      status = set_key(request, option - KEY, text);
+    }
   }
-  bool of_law[PO_LAW_PARAMETER_COUNT], of_profile[PO_PROFILE_PARAMETER_COUNT];
+  if (!status && ratio)
+    status = set_amplitude_ratio(ratio, flags);
+  if (!status)
+    status = po_scene_flags_end(flags, true, &request->scene);
   for (int k = 0; k < PO_LAW_PARAMETER_COUNT; ++k)
-    of_law[k] = is_given(line, PO_KEY_MIE_M + k);
-  for (int k = 0; k < PO_PROFILE_PARAMETER_COUNT; ++k)
-    of_profile[k] = is_given(line, PO_KEY_POWER_C + k);
+    of_law[k] = is_given(line, KEY + PO_KEY_MIE_M + k);
   if (!status)
     status = po_scene_flags_check_law(&request->scene.law, of_law);
-  if (!status)
-    status = po_scene_flags_check_profile(&request->scene.profile, of_profile);
-  if (!status)
-    status = po_scene_flags_add_waves(line->wave, line->waves, 1.0, &request->scene);
+  request->preload.approach = flags->length[PO_LENGTH_PRELOAD];
   request->stop = po_interrupt_listen();
   return status ? status : po_request_check(request);
 }
 
-static po_status print_json(const po_request *requests, const po_result *results, size_t count) {
+static po_status print_json(const po_request *requests, const follow_scene *scenes,
+                            const po_result *results, size_t count) {
   json_t *points = po_json_empty_array();
-  for (size_t k = 0; k < count; ++k)
-    po_json_append(&points, po_json_result(&requests[k], &results[k]));
+  for (size_t k = 0; k < count; ++k) {
+    json_t *point = po_json_result(&requests[k], &results[k]);
+    if (scenes[k].flags.from_physical)
+      po_json_set(&point, "physical",
+                  po_json_physical(&scenes[k].flags, &requests[k], &results[k]));
+    po_json_append(&points, point);
+  }
   return po_print_document(
       PO_JSON_OBJECT({"schema", po_json_text("pulloff-line/1")}, {"points", points}));
 }
 
+/* The factors from epsilon and the unit of the load to the units that are printed. */
+static po_units shown_units(const follow_scene *scene) {
+  return scene->flags.from_physical ? scene->flags.units : (po_units){.length = 1, .force = 1};
+}
+
+static void print_units(const po_request *request, const follow_scene *scene) {
+  if (scene->flags.from_physical)
+    printf("units    lengths in m, loads and forces in N\n");
+  else
+    printf("units    lengths in epsilon, loads and forces in %s\n", po_input_load_unit(request));
+}
+
 static void print_text(const follow_line *line, const po_request *requests,
-                       const po_result *results) {
-  printf("%15s %14s %8s %16s %8s %14s %-9s %14s\n", line->varied, "force", "error", "approach",
-         "error", "contact radius", "obtained", "factorisations");
+                       const follow_scene *scenes, const po_result *results) {
+  const char *number = line->from_physical ? "%14.8e %8.1e %16.8e %8.1e %14.6g "
+                                           : "%14.9f %8.1e %16.9f %8.1e %14.6g ";
+  print_units(requests, scenes);
+  printf("%15s %14s %8s %16s %8s %14s %-9s %14s\n", line->varied->name, "force", "error",
+         "approach", "error", "contact radius", "obtained", "factorisations");
   uint64_t all = 0;
   size_t followed = 0;
   for (size_t k = 0; k < line->range.count; ++k) {
     const po_result *o = &results[k];
+    const po_units unit = shown_units(&scenes[k]);
     const unsigned long long factorizations = o->work.factorizations;
-    printf("%15g ", po_key_number(&requests[k], line->key));
+    printf("%15g ", scenes[k].value);
     if (o->has_pull_off)
-      printf("%14.9f %8.1e %16.9f %8.1e %14.6g ", o->pull_off.force, o->pull_off.force_error,
-             o->pull_off.approach, o->pull_off.approach_error, o->pull_off.contact_radius);
+      printf(number, o->pull_off.force * unit.force, o->pull_off.force_error * unit.force,
+             o->pull_off.approach * unit.length, o->pull_off.approach_error * unit.length,
+             o->pull_off.contact_radius * unit.length);
     printf("%-9s %14llu\n",
            o->status     ? po_status_name(o->status)
            : o->followed ? "followed"
@@ -328,9 +414,12 @@ static void print_text(const follow_line *line, const po_request *requests,
 
 /* Prints a block of rows for each fold of the first scene. */
 static void print_folds(const follow_line *line, const po_request *requests,
-                        const po_result *results) {
-  printf("%-9s %15s %16s %8s %14s %8s %14s\n", "fold", line->varied, "approach", "error", "load",
-         "error", "contact radius");
+                        const follow_scene *scenes, const po_result *results) {
+  const char *number = line->from_physical ? "%16.9e %8.1e %14.8e %8.1e %14.6g\n"
+                                           : "%16.10f %8.1e %14.10f %8.1e %14.6g\n";
+  print_units(requests, scenes);
+  printf("%-9s %15s %16s %8s %14s %8s %14s\n", "fold", line->varied->name, "approach", "error",
+         "load", "error", "contact radius");
   uint64_t all = 0;
   for (size_t k = 0; k < line->range.count; ++k)
     all += results[k].work.factorizations;
@@ -338,18 +427,34 @@ static void print_folds(const follow_line *line, const po_request *requests,
     bool there = true;
     for (size_t k = 0; k < line->range.count && there; ++k) {
       const po_special_point *fold = &results[k].folds[j];
+      const po_units unit = shown_units(&scenes[k]);
       there = !isnan(fold->approach);
-      printf("%-9s %15g ", po_special_kind_name(fold->kind),
-             po_key_number(&requests[k], line->key));
+      printf("%-9s %15g ", po_special_kind_name(fold->kind), scenes[k].value);
       if (there)
-        printf("%16.10f %8.1e %14.10f %8.1e %14.6g\n", fold->approach, fold->approach_error,
-               fold->load, fold->load_error, fold->contact_radius);
+        printf(number, fold->approach * unit.length, fold->approach_error * unit.length,
+               fold->load * unit.force, fold->load_error * unit.force,
+               fold->contact_radius * unit.length);
       else
         printf("%16s\n", "ended");
     }
   }
   printf("work     %llu factorisations for %zu folds of %zu scenes\n", (unsigned long long)all,
          results[0].fold_count, line->range.count);
+}
+
+/* Writes the pull-offs to the file of --curve. */
+static po_status write_curve(const follow_line *line, const po_request *requests,
+                             const follow_scene *scenes, const po_result *results) {
+  const size_t count = line->range.count;
+  po_series_row *rows = po_allocate(count, sizeof *rows);
+  if (!rows)
+    return PO_NO_MEMORY;
+  for (size_t k = 0; k < count; ++k)
+    rows[k] = (po_series_row){scenes[k].value, shown_units(&scenes[k]), &results[k]};
+  const po_status status = po_tables_write_series(line->curve, line->varied->name,
+                                                  line->from_physical, &requests[0], rows, count);
+  free(rows);
+  return status;
 }
 
 /* The scenes of which a trace or a followed minimum has been seen. */
@@ -395,10 +500,11 @@ static po_status compute(const follow_line *line, po_request *requests, po_resul
   return status;
 }
 
-static po_status follow(const follow_line *line, po_request *requests, po_result *results) {
+static po_status follow(const follow_line *line, po_request *requests, follow_scene *scenes,
+                        po_result *results) {
   po_status status = PO_OK;
   for (size_t k = 0; k < line->range.count && !status; ++k)
-    status = make_request(line, k, &requests[k]);
+    status = make_request(line, k, &requests[k], &scenes[k]);
   if (status)
     return status;
   status = po_linear_reserve(1);
@@ -408,18 +514,18 @@ static po_status follow(const follow_line *line, po_request *requests, po_result
   if (status == PO_INTERRUPTED)
     return po_fail(status, "interrupted");
   if (!status && line->json)
-    status = print_json(requests, results, line->range.count);
+    status = print_json(requests, scenes, results, line->range.count);
   else if (!status && line->folds && !results[0].status)
-    print_folds(line, requests, results);
+    print_folds(line, requests, scenes, results);
   else if (!status && !line->folds && !(line->curve && strcmp(line->curve, "-") == 0))
-    print_text(line, requests, results);
+    print_text(line, requests, scenes, results);
   fflush(stdout);
   if (!status && line->curve)
-    status = po_tables_write_series(line->curve, line->key, requests, results, line->range.count);
+    status = write_curve(line, requests, scenes, results);
   for (size_t k = 0; k < line->range.count && !status; ++k)
     if (results[k].status)
-      status = po_fail(results[k].status, "the solve at %s %g failed: %s", line->varied,
-                       po_key_number(&requests[k], line->key), results[k].reason);
+      status = po_fail(results[k].status, "the solve at %s %g failed: %s", line->varied->name,
+                       scenes[k].value, results[k].reason);
   return status;
 }
 
@@ -436,9 +542,11 @@ int po_verb_follow(int argc, char **argv) {
     return po_options_end(status);
   po_request *requests = po_allocate(line.range.count, sizeof *requests);
   po_result *results = po_allocate(line.range.count, sizeof *results);
-  status = requests && results ? follow(&line, requests, results) : PO_NO_MEMORY;
+  follow_scene *scenes = po_allocate(line.range.count, sizeof *scenes);
+  status = requests && results && scenes ? follow(&line, requests, scenes, results) : PO_NO_MEMORY;
   for (size_t k = 0; results && k < line.range.count; ++k)
     po_result_clear(&results[k]);
+  free(scenes);
   free(requests);
   free(results);
   return po_options_end(status);

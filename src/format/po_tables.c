@@ -126,32 +126,37 @@ po_status po_tables_write_staircase(const char *path, const po_request *request,
       &rows, digest);
 }
 
-po_status po_tables_write_series(const char *path, po_key key, const po_request *requests,
-                                 const po_result *results, size_t count) {
+po_status po_tables_write_series(const char *path, const char *key, bool si,
+                                 const po_request *first, const po_series_row *row, size_t count) {
   po_text rows = {0};
-  po_text_add(&rows,
-              "%s,force,force_error,approach,approach_error,contact_radius,"
-              "contact_radius_error,followed\n",
-              po_key_name(key));
+  char units[120] = "SI units: lengths in m, force in N; errors are estimated bounds";
+  if (!si)
+    snprintf(units, sizeof units,
+             "approach and contact_radius in epsilon; force in %s; errors are estimated bounds",
+             po_input_load_unit(first));
+  for (const char *c = key; *c; ++c)
+    po_text_add(&rows, "%c", *c == '-' ? '_' : *c);
+  po_text_add(&rows, si ? ",force_n,force_error_n,approach_m,approach_error_m,contact_radius_m,"
+                          "contact_radius_error_m,followed\n"
+                        : ",force,force_error,approach,approach_error,contact_radius,"
+                          "contact_radius_error,followed\n");
   for (size_t k = 0; k < count; ++k) {
-    const po_result *o = &results[k];
-    const double none = (double)NAN;
-    const double row[] = {po_key_number(&requests[k], key),
-                          o->has_pull_off ? o->pull_off.force : none,
-                          o->has_pull_off ? o->pull_off.force_error : none,
-                          o->has_pull_off ? o->pull_off.approach : none,
-                          o->has_pull_off ? o->pull_off.approach_error : none,
-                          o->has_pull_off ? o->pull_off.contact_radius : none,
-                          o->has_pull_off ? o->pull_off.contact_radius_error : none,
-                          o->followed};
-    po_csv_add_row(&rows, row, sizeof row / sizeof *row);
+    const po_result *o = row[k].result;
+    const double force = o->has_pull_off ? row[k].unit.force : (double)NAN;
+    const double length = o->has_pull_off ? row[k].unit.length : (double)NAN;
+    const double values[] = {row[k].value,
+                             o->pull_off.force * force,
+                             o->pull_off.force_error * force,
+                             o->pull_off.approach * length,
+                             o->pull_off.approach_error * length,
+                             o->pull_off.contact_radius * length,
+                             o->pull_off.contact_radius_error * length,
+                             o->followed};
+    po_csv_add_row(&rows, values, sizeof values / sizeof *values);
   }
   return write_table(
-      path, &requests[0],
-      "pull-off of scenes in which one key varies; the command solves the first",
-      "approach and contact_radius in epsilon; force in pi w R; errors are estimated "
-      "bounds",
-      &rows, NULL);
+      path, first, "pull-off of scenes in which one parameter varies; the command solves the first",
+      units, &rows, NULL);
 }
 
 /* Reads a table with the columns `names`, in any order. Returned: *values, *rows x count, stored

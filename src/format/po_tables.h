@@ -3,6 +3,7 @@
 #define PO_TABLES_H
 
 #include "po_input.h"
+#include "po_physical.h"
 #include "po_request.h"
 #include "po_result.h"
 #include "po_status.h"
@@ -23,12 +24,20 @@ po_status po_tables_write_profile(const char *path, const po_request *request,
 po_status po_tables_write_staircase(const char *path, const po_request *request,
                                     const po_result *result, char *digest);
 
-/* Writes the pull-offs of a series of scenes in which a key varies, one scene in each row, with the
- * columns KEY, force, force_error, approach, approach_error, contact_radius, contact_radius_error
- * and followed (0: traced); nan where a scene has no pull-off. Otherwise as po_tables_write_curve.
- */
-po_status po_tables_write_series(const char *path, po_key key, const po_request *requests,
-                                 const po_result *results, size_t count);
+/* One scene of a series in which one parameter varies. */
+typedef struct {
+  double value;            /* of the parameter */
+  po_units unit;           /* by which lengths and forces of the result are multiplied */
+  const po_result *result; /* its pull-off is written */
+} po_series_row;
+
+/* Writes the pull-offs of a series, one scene in each row, with the columns KEY, force,
+ * force_error, approach, approach_error, contact_radius, contact_radius_error and followed (0:
+ * traced); nan where a scene has no pull-off. Given: the name of the parameter; si, whether the
+ * units are SI units, which the names of the columns then state (force_n, approach_m); the request
+ * of the first scene. Otherwise as po_tables_write_curve. */
+po_status po_tables_write_series(const char *path, const char *key, bool si,
+                                 const po_request *first, const po_series_row *row, size_t count);
 
 /* Read a table of po_tables_write_curve or po_tables_write_profile into result->curve or
  * result->profile. Status: PO_CANNOT_READ, also if the checksum of the table is not `digest`;

@@ -292,7 +292,7 @@ static void warn_of_metres(const po_scene_flags *flags) {
 }
 
 po_status po_scene_flags_end(po_scene_flags *flags, bool elastic, po_scene *scene) {
-  if (!flags->from_physical)
+  if (!flags->from_physical && !flags->warned)
     warn_of_metres(flags);
   return flags->from_physical ? end_physical(flags, elastic, scene)
                               : end_dimensionless(flags, scene);

@@ -97,6 +97,7 @@ enum {
 
 typedef struct {
   bool from_physical;
+  bool warned; /* whether _end need not warn of lengths that look like metres */
   double tabor, modulus, work, distance; /* NAN: not given; the same for the lengths */
   double length[PO_LENGTH_COUNT];        /* in epsilon; after _end, also those given in metres */
   double metres[PO_LENGTH_COUNT];

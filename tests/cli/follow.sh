@@ -185,4 +185,74 @@ expect 2 'pulloff: --curve has no effect on --of folds: *' follow --key tabor --
 expect 2 'pulloff: --key is time-limit: *' follow --key time-limit --from 1 --to 2
 expect 3 'pulloff: the solve at tabor * failed: after 1e-06 s of processor time *' \
   follow --key tabor --from 3 --to 4 --points 2 --amplitude 1 --wavelength 20 --time-limit 1e-6
+
+# SI units: the same numbers as solve, scene by scene.
+tip='--from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 --distance-m 3e-10'
+for series in 'radius-m --from 1e-7 --to 3e-7 --amplitude-m 1e-10 --wavelength-m 6e-9' \
+  'wavelength-m --from 4e-9 --to 6e-9 --amplitude-ratio 0.03 --radius-m 1e-7' \
+  'amplitude-m --from 1e-10 --to 2e-10 --wavelength-m 6e-9 --radius-m 1e-7' \
+  'power-c --from 4e6 --to 8e6 --profile power --power-n 2'; do
+  # shellcheck disable=SC2086
+  expect 0 '' follow --key $series --points 3 $tip --preload-m 2e-9 --tolerance 1e-5 --json
+  cp stdout si.json
+  check "three scenes of $series" test "$(field si.json 'len(d["points"])')" = 3
+  for k in 0 1 2; do
+    given=$(field si.json '" ".join("--%s %s" % (k.replace("_", "-"), v) for k, v in d["points"]['$k']["physical"]["input"].items()
+      if k not in ("approach_start_m", "profile_approach_m"))')
+    # shellcheck disable=SC2086
+    "$program" solve --from-physical $given --preload-m 2e-9 --tolerance 1e-5 --json >solve.json
+    check "scene $k of $series: force, approach and input in SI units" "$python" -c '
+import json, sys
+k = int(sys.argv[1])
+a, b = json.load(open("si.json"))["points"][k]["physical"], json.load(open("solve.json"))["physical"]
+assert a["input"] == b["input"] and a["units"] == b["units"], (a["input"], b["input"])
+for name, error in (("force_n", "error_estimate_n"), ("approach_m", "approach_error_estimate_m")):
+    x, y = a["pull_off"], b["pull_off"]
+    assert abs(x[name] - y[name]) <= x[error] + y[error] and 0 < x[error] < 1e-3 * abs(x[name]), (name, x, y)
+' $k
+  done
+done
+# The modulus, the work of adhesion and the distance vary with the same scene at one end.
+for key in modulus-pa:2e9 work-j-per-m2:0.05 distance-m:3e-10; do
+  name=${key%:*} value=${key#*:}
+  # shellcheck disable=SC2086
+  expect 0 '' follow --key "$name" --from "$value" --to "$(awk "BEGIN { print 1.1 * $value }")" --points 2 \
+    --radius-m 1e-7 $(echo "$tip" | sed "s/--$name [^ ]*//") --json
+  cp stdout si.json
+  # shellcheck disable=SC2086
+  expect 0 '' solve $tip --radius-m 1e-7 --json
+  cp stdout solve.json
+  check "the first scene of $name is the tip" test "$(field si.json 'd["points"][0]["pull_off"]["force"]')" = "$(field solve.json 'd["pull_off"]["force"]')"
+  check "the other scene of $name is not" test "$(field si.json 'd["points"][1]["physical"]["pull_off"]["force_n"]')" != "$(field solve.json 'd["physical"]["pull_off"]["force_n"]')"
+done
+# shellcheck disable=SC2086
+expect 0 '' follow --key radius-m --from 1e-7 --to 3e-7 --points 3 $tip --curve si.csv
+check 'the printed table says its units' grep -q '^units    lengths in m, loads and forces in N$' stdout
+check 'and the CSV table' grep -q '^# units: SI units: lengths in m, force in N' si.csv
+check 'its columns say units' grep -q '^radius_m,force_n,force_error_n,approach_m,approach_error_m,contact_radius_m,contact_radius_error_m,followed$' si.csv
+check 'table and print agree' "$python" -c '
+printed = [line.split() for line in open("stdout") if line[:1] == " "][1:]
+table = [line.split(",") for line in open("si.csv") if line[0] in "0123456789"]
+assert len(printed) == len(table) == 3
+for a, b in zip(printed, table):
+    assert a[0] == "%g" % float(b[0]) and a[1] == "%.8e" % float(b[1]) and a[3] == "%.8e" % float(b[3]), (a, b)'
+# shellcheck disable=SC2086
+expect 0 '' follow --of folds --key distance-m --from 3e-10 --to 4e-10 --points 2 --radius-m 1e-7 \
+  --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05
+check 'folds in SI units' grep -q '^jump_in  *3e-10  *-[0-9.]*e-10 .* -[0-9.]*e-09 ' stdout
+check 'and their units' grep -q '^units    lengths in m, loads and forces in N$' stdout
+expect 2 'pulloff: --radius-m is in SI units: expected --from-physical, too' follow --key radius-m --from 1e-7 --to 2e-7
+# shellcheck disable=SC2086
+expect 2 'pulloff: --radius is in units of epsilon: expected --radius-m with --from-physical' \
+  follow --key radius --from 1 --to 2 $tip
+# shellcheck disable=SC2086
+expect 2 'pulloff: --tabor is given with --from-physical: expected --modulus-pa, *' follow --key tabor --from 1 --to 2 $tip
+expect 2 'pulloff: --from-physical is given without --work-j-per-m2, --distance-m: expected these, too' \
+  follow --from-physical --key modulus-pa --from 1e9 --to 2e9 --radius-m 1e-7
+# shellcheck disable=SC2086
+expect 2 'pulloff: --preload-load is dimensionless: expected --preload-m with --from-physical' \
+  follow --key radius-m --from 1e-7 --to 2e-7 $tip --preload-load 2
+expect 2 'pulloff: --modulus-pa is -1: expected *' follow --from-physical --key radius-m --from 1e-7 --to 2e-7 --modulus-pa -1
+"$program" follow --key radius --from 1e-3 --to 5e-3 --points 3 >/dev/null 2>stderr
+check 'one warning for the series' test "$(grep -c 'warning: --radius is 0.001 epsilon, which looks like metres' stderr)" = 1
 finish

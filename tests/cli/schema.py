@@ -63,7 +63,9 @@ THEORIES = [
     f"maugis {SI} --contact-radius-m 6e-9", "rigid --law morse:2 --approach 0.1",
 ]
 FOLLOWS = ["--key tabor --from 1 --to 2 --points 4", "--key tabor --from 2 --to 0.5 --points 5 --of folds",
-           "--key tabor --from 0 --to 1 --points 2 --scale linear"]
+           "--key tabor --from 0 --to 1 --points 2 --scale linear",
+           "--from-physical --key radius-m --from 1e-8 --to 2e-8 --points 3 --modulus-pa 2e9 --work-j-per-m2 0.05 "
+           "--distance-m 3e-10"]
 CASES = {
     "mixed": ("""
 scene: {outer_radius: inf, scheme: triangle, nodes: 101, radius: 100}
