@@ -11,6 +11,7 @@
 #include "po_memory.h"
 #include "po_observe.h"
 #include "po_pins.h"
+#include "po_recover.h"
 
 po_status po_run_solver_begin(po_case_run *run) {
   const po_plan *plan = run->plan;
@@ -233,7 +234,7 @@ po_status po_run_solver_recover(po_case_run *run, const char *output) {
   char *folder = po_path_join(output, run->plan->kase->file->name);
   po_status status = folder ? collect(run, 0, 1, &s) : PO_NO_MEMORY;
   if (!status)
-    status = po_ask_recover(s.questions, s.count, folder, run->plan->solve_key, take, &s);
+    status = po_recover(s.questions, s.count, folder, run->plan->solve_key, take, &s);
   clear_share(&s);
   free(folder);
   return status;
@@ -334,11 +335,11 @@ static json_t *processes_json(const po_case_run *run) {
   for (size_t i = 0; i < run->process_count; ++i) {
     const po_ask_process *p = &run->processes[i];
     po_json_append(&array, PO_JSON_OBJECT({"asked", po_json_count(p->asked)},
-                                          {"answered", po_json_count(p->answered)},
+                                          {"answered", po_json_count(p->found.answered)},
                                           {"seconds", po_json_number(p->wall)},
                                           {"processor_seconds", po_json_number(p->processor)},
                                           {"first_answer", po_json_number(p->first)},
-                                          {"reported_seconds", po_json_number(p->reported)},
+                                          {"reported_seconds", po_json_number(p->found.reported)},
                                           {"left_behind", po_json_count(p->left)}));
   }
   return array;

@@ -5,22 +5,14 @@
 
 #include <signal.h>
 
-#include "po_answer.h"
-#include "po_process.h"
-
-/* Takes an answer. It is called for the answers of the solver in the order in which they come, and
- * for the questions that end without one (status PO_TIMED_OUT, PO_CRASHED, PO_NO_ANSWER, or
- * PO_INVALID); such a call replaces what was taken for the same question before. The answer may be
- * moved out of *answer. Given: `final`, whether it is the last one for the question. Status: any; a
- * status other than PO_OK ends po_ask. */
-typedef po_status po_answer_taker(void *context, size_t question, po_answer *answer, bool final);
+#include "po_taking.h"
 
 /* One process of the solver. */
 typedef struct {
-  size_t asked, answered; /* points */
+  size_t asked; /* points */
+  po_taking_count found;
   double wall, processor; /* seconds */
   double first;           /* seconds from its start to its first answer; NAN: none */
-  double reported;        /* sum of the times that its answers report */
   size_t left;            /* processes that it left behind */
 } po_ask_process;
 
@@ -32,7 +24,7 @@ typedef struct {
 } po_ask_log;
 
 /* Asks all questions. Given: `folder`, in which the solver gets folders of its own; `key`, a digest
- * that identifies the questions for po_ask_recover, or NULL; `stop`, ends the process when it
+ * that identifies the questions for po_recover, or NULL; `stop`, ends the process when it
  * becomes nonzero; may be NULL. Returned: log, to be cleared whatever the status. Status:
  * PO_INTERRUPTED, PO_CANNOT_WRITE, PO_CANNOT_READ (the program cannot be started), PO_NO_MEMORY,
  * that of `take`. */
@@ -40,11 +32,6 @@ po_status po_ask(const po_solver *solver, const po_question *questions, size_t c
                  const char *folder, const char *key, const volatile sig_atomic_t *stop,
                  po_answer_taker *take, void *context, po_ask_log *log);
 
-/* Takes the successful answers that processes wrote for the same key while this program was killed,
- * and removes their folders. A process that is still running, of another run in the same folder, is
- * left alone. Status: PO_NO_MEMORY, that of `take`. */
-po_status po_ask_recover(const po_question *questions, size_t count, const char *folder,
-                         const char *key, po_answer_taker *take, void *context);
 void po_ask_log_clear(po_ask_log *log);
 
 #endif

@@ -8,6 +8,7 @@
 
 #include "po_clock.h"
 #include "po_input.h"
+#include "po_process.h"
 #include "po_recognise.h"
 #include "po_reference.h"
 
@@ -262,7 +263,7 @@ static po_status test_scenes(conforming *c) {
   double reported = 0, wall = 0;
   size_t left = 0;
   for (size_t i = 0; i < log.count; ++i) {
-    reported += log.processes[i].reported;
+    reported += log.processes[i].found.reported;
     wall += log.processes[i].wall;
     left += log.processes[i].left;
   }

@@ -1,0 +1,102 @@
+#include "po_ask_folder.h"
+
+#include <fcntl.h>
+#include <ftw.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include "po_digest.h"
+#include "po_file.h"
+
+/* Files in the folder of a process. */
+static const char KEY_FILE[] = "key", RESPONSE_FILE[] = "response.jsonl";
+
+static int remove_entry(const char *path, const struct stat *found, int type, struct FTW *walk) {
+  (void)found;
+  (void)type;
+  (void)walk;
+  return remove(path);
+}
+
+void po_ask_folder_remove(const char *folder) {
+  nftw(folder, remove_entry, 16, FTW_DEPTH | FTW_PHYS | FTW_MOUNT);
+}
+
+/* Writes the key into the folder and locks the file. */
+static po_status lock_key(po_ask_folder *f, const char *key) {
+  char *path = po_path_join(f->path, KEY_FILE);
+  if (!path)
+    return PO_NO_MEMORY;
+  po_status status = po_file_write(path, key, strlen(key));
+  if (!status)
+    f->lock = open(path, O_RDONLY | O_CLOEXEC);
+  if (f->lock >= 0)
+    (void)flock(f->lock, LOCK_EX | LOCK_NB);
+  free(path);
+  return status;
+}
+
+po_status po_ask_folder_make(const char *parent, const char *key, po_ask_folder *f) {
+  *f = (po_ask_folder){.path = po_path_join(parent, "ask-XXXXXX"), .lock = -1};
+  po_status status = f->path ? po_folder_make(parent) : PO_NO_MEMORY;
+  if (!status && !mkdtemp(f->path))
+    status = po_fail(PO_CANNOT_WRITE, "a folder for the solver cannot be created in %s", parent);
+  char *real = status ? NULL : realpath(f->path, NULL);
+  if (!status && real) {
+    free(f->path);
+    f->path = real;
+    f->request = po_path_join(real, "request.json");
+    f->table = po_path_join(real, "request.csv");
+    f->response = po_path_join(real, RESPONSE_FILE);
+  }
+  if (!status && !(f->request && f->table && f->response))
+    status = PO_NO_MEMORY;
+  if (!status && key)
+    status = lock_key(f, key);
+  return status;
+}
+
+po_status po_ask_folder_write(const po_ask_folder *f, const po_solver *solver,
+                              const po_question *questions, const bool *open, size_t count) {
+  po_text request = {0}, table = {0};
+  po_status status = po_questions_json(solver, questions, open, count, &request);
+  if (!status)
+    status = po_questions_table(solver, questions, open, count, &table);
+  if (!status)
+    status = po_file_write(f->request, request.data, request.length);
+  if (!status)
+    status = po_file_write(f->table, table.data, table.length);
+  po_text_clear(&request);
+  po_text_clear(&table);
+  return status;
+}
+
+void po_ask_folder_clear(po_ask_folder *f) {
+  free(f->path);
+  free(f->request);
+  free(f->table);
+  free(f->response);
+  if (f->lock >= 0)
+    close(f->lock);
+  *f = (po_ask_folder){.lock = -1};
+}
+
+bool po_ask_folder_is_left(const char *folder, const char *key) {
+  char *path = po_path_join(folder, KEY_FILE), found[PO_DIGEST_LENGTH] = "";
+  const int file = path ? open(path, O_RDONLY | O_CLOEXEC) : -1;
+  free(path);
+  if (file < 0)
+    return false;
+  const bool same =
+      read(file, found, sizeof found - 1) == (ssize_t)strlen(key) && strcmp(found, key) == 0;
+  const bool left = same && flock(file, LOCK_EX | LOCK_NB) == 0;
+  close(file);
+  return left;
+}
+
+char *po_ask_folder_response(const char *folder) {
+  return po_path_join(folder, RESPONSE_FILE);
+}

@@ -1,0 +1,34 @@
+/* The folder in which one process of an external solver runs, with its request and response. */
+#ifndef PO_ASK_FOLDER_H
+#define PO_ASK_FOLDER_H
+
+#include "po_question.h"
+
+typedef struct {
+  char *path, *request, *table, *response; /* absolute paths */
+  int lock; /* the file of the key, locked while this program lives; -1: none */
+} po_ask_folder;
+
+/* Creates an empty folder. Given: `parent`, which is created if it does not exist; `key`, see
+ * po_ask, or NULL. Returned: to be cleared whatever the status. Status: PO_CANNOT_WRITE,
+ * PO_NO_MEMORY. */
+po_status po_ask_folder_make(const char *parent, const char *key, po_ask_folder *folder);
+
+/* Writes the request, and the same as a table. Given: `open`, one flag a question: it is asked.
+ * Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
+po_status po_ask_folder_write(const po_ask_folder *folder, const po_solver *solver,
+                              const po_question *questions, const bool *open, size_t count);
+
+/* Forgets the folder and unlocks it; it stays on the disk. */
+void po_ask_folder_clear(po_ask_folder *folder);
+
+/* Removes a folder and everything in it. */
+void po_ask_folder_remove(const char *path);
+
+/* Reports whether a folder was made with the same key by a run that does not live any more. */
+bool po_ask_folder_is_left(const char *path, const char *key);
+
+/* Returned: the path of the response in a folder, to be freed; NULL without memory. */
+char *po_ask_folder_response(const char *path);
+
+#endif

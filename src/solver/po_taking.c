@@ -1,0 +1,153 @@
+#include "po_taking.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_memory.h"
+#include "po_quote.h"
+
+size_t po_taking_first(const po_taking *t) {
+  size_t i = 0;
+  while (i < t->count && !t->open[i])
+    ++i;
+  return i;
+}
+
+po_status po_taking_give_up(po_taking *t, size_t question, po_status status, const char *reason) {
+  po_answer answer = {.result = po_result_none(), .repeat = 1, .setup = NAN, .solve = NAN};
+  answer.result.status = status;
+  answer.result.work.seconds = (double)NAN;
+  po_quote_text(reason, answer.result.reason, sizeof answer.result.reason);
+  t->open[question] = false;
+  t->spoiled[question] = t->unusual = true;
+  const po_status taken = t->take(t->context, question, &answer, true);
+  po_answer_clear(&answer);
+  return taken;
+}
+
+/* Returned: the question with an id that the present process was asked; `count`: none. */
+static size_t find_question(const po_taking *t, const char *id) {
+  size_t i = 0;
+  while (i < t->count && !(t->asked[i] && strcmp(t->questions[i].id, id) == 0))
+    ++i;
+  return i;
+}
+
+/* Takes an answer to a known question. */
+static po_status take_answer(po_taking *t, size_t q, po_answer *answer) {
+  const po_question *question = &t->questions[q];
+  const unsigned repeats = question->repeats;
+  char reason[80];
+  if (t->spoiled[q])
+    return PO_OK; /* its status is final */
+  if (answer->result.status == PO_INVALID)
+    return po_taking_give_up(t, q, PO_INVALID, answer->result.reason);
+  if (answer->repeat > repeats) {
+    snprintf(reason, sizeof reason, "repeat is %u: expected at most %u", answer->repeat, repeats);
+    return po_taking_give_up(t, q, PO_INVALID, reason);
+  }
+  if (t->seen[q * repeats + answer->repeat - 1]) {
+    snprintf(reason, sizeof reason, "two answers for repeat %u: expected one", answer->repeat);
+    return po_taking_give_up(t, q, PO_INVALID, reason);
+  }
+  t->seen[q * repeats + answer->repeat - 1] = true;
+  t->answers[q] += 1;
+  t->ever = true;
+  /* a failure needs no repetition */
+  const bool final = t->answers[q] == repeats || answer->result.status != PO_OK;
+  if (final)
+    t->open[q] = false;
+  return t->take(t->context, q, answer, final);
+}
+
+static double reported_by(const po_answer *answer) {
+  return (isfinite(answer->setup) ? answer->setup : 0) +
+         (isfinite(answer->solve) ? answer->solve : 0);
+}
+
+static po_status take_line(po_taking *t, const char *line, size_t length, po_taking_count *found) {
+  po_answer answer;
+  po_status status = po_answer_read(line, length, &answer);
+  const size_t q = status ? t->count : find_question(t, answer.id);
+  if (!status && q < t->count)
+    po_answer_check(&t->questions[q], &answer);
+  if (!status && q == t->count && !t->complaint[0]) {
+    if (answer.result.status == PO_INVALID)
+      snprintf(t->complaint, sizeof t->complaint, "%s", answer.result.reason);
+    else
+      snprintf(t->complaint, sizeof t->complaint, "an answer has the id %.30s, which was not asked",
+               answer.id);
+  }
+  if (!status && q == t->count)
+    t->unusual = true;
+  if (!status && q < t->count) {
+    found->answered += 1;
+    found->reported += reported_by(&answer);
+    status = take_answer(t, q, &answer);
+  }
+  po_answer_clear(&answer);
+  return status;
+}
+
+po_status po_taking_lines(po_taking *t, po_response *response, bool last, po_taking_count *found,
+                          bool *news) {
+  po_status status = PO_OK;
+  bool more = true;
+  *news = false;
+  while (!status && more) {
+    const size_t before = response->read;
+    if (!po_response_read(response))
+      return response->wrong[0] ? PO_OK : PO_NO_MEMORY;
+    more = response->read > before;
+    size_t length = 0;
+    const char *line = NULL;
+    while (!status && (line = po_response_line(response, last && !more, &length))) {
+      *news = true;
+      status = take_line(t, line, length, found);
+    }
+  }
+  return status;
+}
+
+void po_taking_begin(po_taking *t) {
+  t->complaint[0] = '\0';
+  t->unusual = false;
+  for (size_t q = 0; q < t->count; ++q) {
+    t->asked[q] = t->open[q];
+    if (t->open[q]) {
+      t->answers[q] = 0;
+      for (unsigned k = 0; k < t->questions[q].repeats; ++k)
+        t->seen[q * t->questions[q].repeats + k] = false;
+    }
+  }
+}
+
+po_status po_taking_make(const po_question *questions, size_t count, po_answer_taker *take,
+                         void *context, po_taking *t) {
+  const unsigned repeats = count ? questions[0].repeats : 1;
+  *t = (po_taking){.questions = questions,
+                   .count = count,
+                   .take = take,
+                   .context = context,
+                   .open = po_allocate(count, sizeof(bool)),
+                   .asked = po_allocate(count, sizeof(bool)),
+                   .answers = po_allocate(count, sizeof(unsigned)),
+                   .seen = po_allocate(count * repeats, sizeof(bool)),
+                   .spoiled = po_allocate(count, sizeof(bool))};
+  if (!(t->open && t->asked && t->answers && t->seen && t->spoiled))
+    return PO_NO_MEMORY;
+  for (size_t i = 0; i < count; ++i)
+    t->open[i] = true;
+  return PO_OK;
+}
+
+void po_taking_clear(po_taking *t) {
+  free(t->open);
+  free(t->asked);
+  free(t->answers);
+  free(t->seen);
+  free(t->spoiled);
+  *t = (po_taking){0};
+}
