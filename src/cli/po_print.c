@@ -151,14 +151,18 @@ static void print_staircase(const char *control, const po_staircase *s) {
   }
 }
 
-/* The staircases of the solve, and those of the JKR theory if the scene has one. */
-static void print_staircases(const po_result *o) {
+/* The staircases of the solve, and those of the JKR theory if the scene has one: Eq 5 for the
+ * scenes of the paper, the Abel transform of the profile for others. */
+static void print_staircases(const po_scene *scene, const po_result *o) {
+  static const char *const JKR[2][2] = {
+      {"JKR theory, displacement control", "JKR theory, load control"},
+      {"JKR theory (Eq 5), displacement control", "JKR theory (Eq 5), load control"}};
   print_staircase("displacement control", &o->staircase[0]);
   print_staircase("load control", &o->staircase[1]);
   if (!o->theory.has_staircases)
     return;
-  print_staircase("JKR theory (Eq 5), displacement control", &o->theory.staircase[0]);
-  print_staircase("JKR theory (Eq 5), load control", &o->theory.staircase[1]);
+  for (int control = 0; control < 2; ++control)
+    print_staircase(JKR[po_scene_is_of_paper(scene)][control], &o->theory.staircase[control]);
 }
 
 /* One cycle of loading and unloading: where loading was reversed, the measured pull-off, and every
@@ -289,7 +293,7 @@ void po_print_text(const po_request *request, const po_scene_flags *flags,
     print_loop("load control", &result->hysteresis.load);
   }
   if (result->has_staircases)
-    print_staircases(result);
+    print_staircases(&request->scene, result);
   print_wanted(request, result);
   print_diagnostics(result);
   if (flags->from_physical)

@@ -438,8 +438,9 @@ const char *po_input_load_unit(const po_request *request) {
 
 /* Returned: whether the command must state the default preload. */
 static bool adds_preload(const po_request *request) {
-  return request->scene.amplitude > 0 && !request->want && isnan(request->preload.approach) &&
-         isnan(request->preload.load) && isnan(request->approach_end);
+  return !po_scene_is_simple(&request->scene) && !request->want &&
+         isnan(request->preload.approach) && isnan(request->preload.load) &&
+         isnan(request->approach_end);
 }
 
 /* Adds an option for each wave. */

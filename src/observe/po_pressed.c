@@ -95,14 +95,17 @@ static double pull_off_position(const po_result *o) {
   return NAN;
 }
 
-/* The least load at a stable equilibrium of the branch, including equilibria to which only a harder
- * preload may lead. */
-static double deepest_stable(const po_path *path) {
-  double deepest = INFINITY;
+/* The load at the stable equilibrium of the branch with the greatest tension, including equilibria
+ * to which only a harder preload may lead. At a special point it is the stated load: that of the
+ * points of the branch has the error of the mesh of the trace, which may exceed the stated one. */
+static double deepest_stable(const po_path *path, const po_result *o) {
+  const po_path_point *deepest = NULL;
   for (size_t k = 0; k < path->count; ++k)
-    if (po_stable_is(path, PO_DISPLACEMENT_CONTROL, k))
-      deepest = fmin(deepest, path->point[k].load);
-  return deepest;
+    if (po_stable_is(path, PO_DISPLACEMENT_CONTROL, k) &&
+        (!deepest || path->point[k].load < deepest->load))
+      deepest = &path->point[k];
+  const po_special_point *mark = deepest ? mark_at(o, deepest->position) : NULL;
+  return mark ? mark->load : deepest ? deepest->load : INFINITY;
 }
 
 /* Whether no harder preload gives a greater pull-off force. The trace of a rigid wavy sphere is
@@ -111,7 +114,7 @@ static double deepest_stable(const po_path *path) {
 static bool is_complete(const po_request *request, const po_path *path, const po_stopping *stopping,
                         const po_result *o) {
   const double load = -o->pull_off_any.force;
-  if (deepest_stable(path) < load - o->pull_off_any.force_error)
+  if (deepest_stable(path, o) < load - o->pull_off_any.force_error)
     return false;
   if (o->rigid && !po_scene_is_simple(&request->scene))
     return o->ended.approach >= po_observe_rigid_end(&request->scene, 0.0);

@@ -10,8 +10,10 @@
 
 #include "po_case_read.h"
 #include "po_file.h"
+#include "po_input.h"
 #include "po_random.h"
 #include "po_range.h"
+#include "po_text.h"
 #include "run.h"
 
 /* The first outputs of splitmix64 seeded with 1234567, as published for other languages. */
@@ -96,6 +98,40 @@ START_TEST(label_and_command_are_exact) {
     free(command);
   }
   po_case_destroy(kase);
+}
+END_TEST
+
+/* A table of r^2/200 plus a wave of the given amplitude and length 20, read into a request. */
+static void set_table(po_request *request, double amplitude) {
+  char path[] = "/tmp/pulloff-test-XXXXXX";
+  const int file = mkstemp(path);
+  ck_assert_int_ge(file, 0);
+  close(file);
+  po_text rows = {0};
+  po_text_add(&rows, "r,gap\n");
+  for (int k = 0; k <= 200; ++k) {
+    const double r = 0.2 * k;
+    po_text_add(&rows, "%.17g,%.17g\n", r, r * r / 200 + amplitude * (1 - cos(M_PI * r / 10)));
+  }
+  ck_assert_int_eq(po_file_write(path, rows.data, rows.length), PO_OK);
+  po_text_clear(&rows);
+  ck_assert(po_key_set(request, PO_KEY_PROFILE_FILE, path));
+  unlink(path);
+}
+
+/* A single solve of a scene whose load may have several minima searches beyond the default preload.
+ * The command that repeats a point states that preload: for waves, and for a table that contains
+ * some. */
+START_TEST(the_command_states_the_preload_if_the_load_may_have_several_minima) {
+  static const char *const WAVES[] = {"-", "0.5@20", "-", "-"};
+  static const double IN_TABLE[] = {-1, -1, 0, 0.5}; /* negative: a sphere */
+  po_request request = po_input_default();
+  ck_assert(po_key_set(&request, PO_KEY_WAVES, WAVES[_i]));
+  if (IN_TABLE[_i] >= 0)
+    set_table(&request, IN_TABLE[_i]);
+  char *command = po_input_command(&request);
+  ck_assert_int_eq(strstr(command, " --preload-load 1") != NULL, _i % 2);
+  free(command);
 }
 END_TEST
 
@@ -185,6 +221,8 @@ static void add(TCase *tests) {
   tcase_add_test(tests, draws_are_uniform_and_unrelated);
   tcase_add_test(tests, random_case_draws_what_another_program_draws);
   tcase_add_test(tests, label_and_command_are_exact);
+  tcase_add_loop_test(tests, the_command_states_the_preload_if_the_load_may_have_several_minima, 0,
+                      4);
   tcase_add_loop_test(tests, a_scene_does_not_depend_on_the_others, 0, 3);
   tcase_add_test(tests, another_seed_draws_other_scenes);
   tcase_add_test(tests, sample_times_sweep);
