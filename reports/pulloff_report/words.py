@@ -175,7 +175,8 @@ def sweep_label(point):
 
 def spelled(point, key):
     """A law, a profile or its file with their parameters: "mie (4, 10)", "cone (0.3)", "cone.csv"."""
-    name, scene = value_of(point, key), point["input"]
+    scene = point["input"]
+    name = scene[key]
     if key == "profile_file":
         return os.path.basename(name)
     parameters = [plain(value) for parameter, value in scene.items()

@@ -2,9 +2,11 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "po_case_parse.h"
+#include "po_memory.h"
 #include "po_order.h"
 #include "po_schema.h"
 
@@ -14,10 +16,20 @@ static bool is_variable(const po_form *form, const char *key) {
   return form->along && strcmp(key, po_form_variable_name(form->variable)) == 0;
 }
 
-/* Reports whether a key of the scene can be an input of a closed form. */
-static bool is_of_forms(int key) {
+/* Reports whether a form depends on a key of the scene. Files of profiles are given in the scene.
+ */
+static bool is_of_form(const po_form *form, int key) {
+  if (key >= PO_KEY_LAW && key <= PO_KEY_MORSE_A)
+    return form->takes & PO_TAKES_LAW;
+  if ((key >= PO_KEY_PROFILE && key < PO_KEY_TABLE_SCALE) || key == PO_KEY_WAVES)
+    return form->takes & PO_TAKES_PROFILE;
   return (key >= PO_KEY_TABOR && key <= PO_KEY_RADIUS) || key == PO_KEY_ALPHA ||
-         key == PO_KEY_AMPLITUDE_RATIO;
+         key == PO_KEY_AMPLITUDE_RATIO || key == PO_KEY_COUPLING;
+}
+
+/* Reports whether the key gives a law, a profile or waves: then the forms of any profile apply. */
+static bool is_general(int key) {
+  return key >= PO_KEY_LAW && key <= PO_KEY_WAVES;
 }
 
 size_t po_case_line_rows(const po_case_line *line) {
@@ -27,34 +39,50 @@ size_t po_case_line_rows(const po_case_line *line) {
   return count;
 }
 
-static const char *value_of(const po_case_line *line, unsigned axis, size_t row) {
+/* The number of consecutive rows in which a key of the sweep keeps its value. */
+static size_t block_of(const po_case_line *line, unsigned axis) {
   size_t block = 1;
   for (unsigned i = axis + 1; i < line->sweep_count; ++i)
     block *= line->sweep[i].values_count;
-  return line->sweep[axis].values[row / block % line->sweep[axis].values_count];
+  return block;
 }
 
-po_form_input po_case_line_input(const po_case_file *file, const po_case_line *line, size_t row,
-                                 double swept[PO_LINE_MOST_AXES]) {
+const char *po_case_line_value(const po_case_line *line, unsigned axis, size_t row) {
+  return line->sweep[axis].values[row / block_of(line, axis) % line->sweep[axis].values_count];
+}
+
+/* The value of a key in one row: that of the sweep, otherwise that of the scene. A group of the
+ * scene does not apply if the key that it sets is swept. NULL: the default. */
+static const char *value_of(const po_case_file *file, const po_case_line *line, size_t row,
+                            int key) {
+  bool target = false;
+  for (unsigned i = 0; i < line->sweep_count; ++i) {
+    const int swept = po_key_of_name(line->sweep[i].key);
+    if (swept == key)
+      return po_case_line_value(line, i, row);
+    target = target || swept == (int)po_key_target((po_key)key);
+  }
+  return po_key_is_group(key) && target ? NULL : file->scene.values[key];
+}
+
+po_form_input po_case_line_input(const po_case_file *file, const po_case_line *line, size_t row) {
+  const unsigned takes = po_form_find(line->theory)->takes;
   po_request request = po_request_default();
   po_form_input input = {.alpha = (double)NAN, .at = (double)NAN};
-  for (int key = 0; key < PO_KEY_END; ++key)
-    if (file->scene.values[key])
-      po_key_set(&request, (po_key)key, file->scene.values[key]);
-  for (int groups = 0; groups < 2; ++groups)
-    for (unsigned i = 0; i < line->sweep_count; ++i) {
-      const int key = po_key_of_name(line->sweep[i].key);
-      const char *text = value_of(line, i, row);
-      double value = (double)NAN;
-      po_number_parse(text, &value);
-      swept[i] = value;
-      if (key < 0)
-        input.at = value;
-      else if (po_key_is_group(key) == (groups > 0))
-        po_key_set(&request, (po_key)key, text);
-      if (key == PO_KEY_ALPHA)
-        input.alpha = value;
+  for (int groups = 0; groups < 2; ++groups) /* groups depend on other keys */
+    for (int key = 0; key < PO_KEY_END; ++key) {
+      const char *text =
+          po_key_is_group(key) == (groups > 0) ? value_of(file, line, row, key) : NULL;
+      if (!text)
+        continue;
+      po_key_set(&request, (po_key)key, text);
+      input.general = input.general || (is_general(key) && takes & PO_TAKES_PROFILE);
     }
+  for (unsigned i = 0; i < line->sweep_count; ++i) {
+    const int key = po_key_of_name(line->sweep[i].key);
+    if (key < 0 || key == PO_KEY_ALPHA)
+      po_number_parse(po_case_line_value(line, i, row), key < 0 ? &input.at : &input.alpha);
+  }
   input.scene = request.scene;
   if (isnan(input.alpha) && po_scene_is_wavy(&input.scene))
     input.alpha = po_scene_alpha(&input.scene);
@@ -64,8 +92,13 @@ po_form_input po_case_line_input(const po_case_file *file, const po_case_line *l
 /* Returned: the input that the form needs and the scene does not give; NULL: none is missing. */
 static const char *missing_input(const po_form *form, const po_form_input *input) {
   const po_scene *scene = &input->scene;
+  const bool paper = po_scene_is_of_paper(scene);
+  if (!paper && !(form->takes & PO_TAKES_PROFILE))
+    return "one of rigid, jkr and maugis, as the scene is no sphere with one wave or none";
   if (form->needs & PO_NEEDS_ELASTIC && !(scene->tabor > 0))
     return "a tabor > 0";
+  if (!paper || input->general)
+    return NULL;
   if (form->needs & PO_NEEDS_AMPLITUDE && !(scene->amplitude > 0))
     return "an amplitude > 0";
   if (form->needs & PO_NEEDS_ALPHA && isnan(input->alpha))
@@ -78,10 +111,11 @@ static const char *missing_input(const po_form *form, const po_form_input *input
 static po_status parse_axis(po_axis *axis, const po_form *form, const char *where,
                             const po_yaml *yaml) {
   const int key = po_key_of_name(axis->key);
-  if (!is_variable(form, axis->key) && !is_of_forms(key))
+  if (!is_variable(form, axis->key) && !is_of_form(form, key))
     return po_schema_refuse(yaml,
-                            "tabor, amplitude, wavelength, radius, alpha, amplitude_ratio or "
-                            "the variable of the form",
+                            "tabor, coupling, amplitude, wavelength, radius, alpha, "
+                            "amplitude_ratio, the variable of the form, or a law, a profile or "
+                            "waves if the form takes them",
                             "%s.key", where);
   const po_status status = po_axis_fill(axis, where, yaml);
   if (status)
@@ -89,11 +123,61 @@ static po_status parse_axis(po_axis *axis, const po_form *form, const char *wher
   po_request scratch = po_request_default();
   for (unsigned i = 0; i < axis->values_count; ++i) {
     double value = 0;
-    if (!po_number_parse(axis->values[i], &value))
+    if ((key < 0 || po_key_is_number((po_key)key)) && !po_number_parse(axis->values[i], &value))
       return po_schema_refuse(yaml, "a finite number", "%s.values[%u]", where, i + 1);
     if (key >= 0 && !po_key_set(&scratch, (po_key)key, axis->values[i]))
       return po_schema_refuse(yaml, po_key_expected((po_key)key), "%s.values[%u]", where, i + 1);
   }
+  return PO_OK;
+}
+
+/* Refuses the sweep of a parameter that the law or the profile of a row does not have. */
+static po_status check_parameters(const po_case_file *file, const po_case_line *line,
+                                  unsigned index, const po_yaml *yaml) {
+  for (unsigned i = 0; i < line->sweep_count; ++i) {
+    const int key = po_key_of_name(line->sweep[i].key);
+    if (key <= PO_KEY_LAW || key >= PO_KEY_TABLE_SCALE || key == PO_KEY_PROFILE)
+      continue;
+    const int owner = key < PO_KEY_PROFILE ? PO_KEY_LAW : PO_KEY_PROFILE;
+    const po_axis *names = NULL;
+    for (unsigned k = 0; k < line->sweep_count; ++k)
+      if (po_key_of_name(line->sweep[k].key) == owner)
+        names = &line->sweep[k];
+    for (unsigned k = 0; k < (names ? names->values_count : 1); ++k) {
+      po_request request = po_request_default();
+      const char *name = names ? names->values[k] : file->scene.values[owner];
+      if (name)
+        po_key_set(&request, (po_key)owner, name);
+      if (isnan(po_key_number(&request, (po_key)key)))
+        return po_schema_refuse(yaml, "a parameter of the law or the profile of every row",
+                                "lines[%u].sweep[%u].key", index + 1, i + 1);
+    }
+  }
+  return PO_OK;
+}
+
+static po_status refuse_scene(unsigned index, const char *key, const char *value,
+                              const po_yaml *yaml) {
+  char *why = po_copy_text(po_message());
+  char where[PO_CASE_WHERE_LENGTH];
+  snprintf(where, sizeof where, "lines[%u].sweep", index + 1);
+  const po_status status =
+      po_fail(PO_BAD_INPUT, "%s:%zu: %s (%s=%s): %s", po_yaml_name(yaml), po_yaml_line(yaml, where),
+              where, key, value, why ? why : "refused");
+  free(why);
+  return status;
+}
+
+/* Checks the scene of the first row, and those that differ from it in one key: a scene depends on
+ * its keys separately, but for law and profile far out, which the forms check. */
+static po_status check_scenes(const po_case_file *file, const po_case_line *line, unsigned index,
+                              const po_yaml *yaml) {
+  for (unsigned i = 0; i < line->sweep_count; ++i)
+    for (unsigned k = 0; k < line->sweep[i].values_count; ++k) {
+      const po_form_input input = po_case_line_input(file, line, k * block_of(line, i));
+      if (input.general && po_scene_check(&input.scene) != PO_OK)
+        return refuse_scene(index, line->sweep[i].key, line->sweep[i].values[k], yaml);
+    }
   return PO_OK;
 }
 
@@ -105,7 +189,7 @@ static po_status parse_line(po_case_file *file, unsigned index, const po_yaml *y
   if (!form)
     return po_schema_refuse(yaml, PO_FORM_NAMES, "lines[%u].theory", index + 1);
   if (line->sweep_count > PO_LINE_MOST_AXES)
-    return po_schema_refuse(yaml, "a sweep of at most 5 keys", "lines[%u].sweep", index + 1);
+    return po_schema_refuse(yaml, "a sweep of at most 8 keys", "lines[%u].sweep", index + 1);
   for (unsigned i = 0; i < line->sweep_count; ++i) {
     char where[PO_CASE_WHERE_LENGTH];
     snprintf(where, sizeof where, "lines[%u].sweep[%u]", index + 1, i + 1);
@@ -118,8 +202,12 @@ static po_status parse_line(po_case_file *file, unsigned index, const po_yaml *y
   }
   if (po_case_line_rows(line) > MOST_ROWS)
     return po_schema_refuse(yaml, "fewer than 100000 combinations", "lines[%u].sweep", index + 1);
-  double swept[PO_LINE_MOST_AXES];
-  const po_form_input input = po_case_line_input(file, line, 0, swept);
+  po_status status = check_parameters(file, line, index, yaml);
+  if (!status)
+    status = check_scenes(file, line, index, yaml);
+  if (status)
+    return status;
+  const po_form_input input = po_case_line_input(file, line, 0);
   const char *missing = missing_input(form, &input);
   return missing ? po_schema_refuse(yaml, missing, "lines[%u].theory", index + 1) : PO_OK;
 }

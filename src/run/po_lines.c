@@ -8,8 +8,6 @@
 #include "po_csv.h"
 #include "po_file.h"
 
-enum { MOST_CELLS = PO_LINE_MOST_AXES + PO_FORM_MOST_VALUES };
-
 /* Reports whether a name is a key of the sweep. A value of the form with this name is the same
  * number and gets no second column. */
 static bool is_swept(const po_case_line *line, const char *name) {
@@ -28,16 +26,33 @@ static void add_names(po_text *rows, const po_case_line *line, const po_form_val
   po_text_add(rows, "\n");
 }
 
+/* The values of the keys of the sweep: numbers, and names as in tables, with semicolons instead of
+ * commas. */
+static void add_swept(po_text *rows, const po_case_line *line, size_t row) {
+  for (unsigned i = 0; i < line->sweep_count; ++i) {
+    const char *value = po_case_line_value(line, i, row);
+    char number[PO_NUMBER_LENGTH];
+    double x;
+    if (po_number_parse(value, &x)) {
+      po_number_print(x, number);
+      value = number;
+    }
+    po_text_add(rows, i ? "," : "");
+    for (; *value; ++value)
+      po_text_add(rows, "%c", *value == ',' ? ';' : *value);
+  }
+}
+
 static po_status add_rows(po_text *rows, const po_case_file *file, const po_case_line *line,
                           const volatile sig_atomic_t *stop) {
   const po_form *form = po_form_find(line->theory);
   for (size_t row = 0; row < po_case_line_rows(line); ++row) {
     if (stop && *stop)
       return PO_INTERRUPTED;
-    double cells[MOST_CELLS];
+    double cells[PO_FORM_MOST_VALUES];
     po_form_values values = {.count = 0};
-    const po_form_input input = po_case_line_input(file, line, row, cells);
-    size_t count = line->sweep_count;
+    const po_form_input input = po_case_line_input(file, line, row);
+    size_t count = 0;
     if (isnan(input.at))
       form->fixed(&input, &values);
     else
@@ -49,6 +64,9 @@ static po_status add_rows(po_text *rows, const po_case_file *file, const po_case
     for (size_t i = 0; i < values.count; ++i)
       if (!is_swept(line, values.items[i].name))
         cells[count++] = values.items[i].value;
+    add_swept(rows, line, row);
+    if (line->sweep_count && count)
+      po_text_add(rows, ",");
     po_csv_add_row(rows, cells, count);
   }
   return PO_OK;
@@ -61,8 +79,9 @@ static po_status write_line(const po_case *kase, const po_case_line *line, const
   po_text_add(&name, "line-%s.csv", line->name);
   po_text_add(&header,
               "# what: pulloff theory %s along a sweep\n"
-              "# units: lengths and approach in epsilon; forces and load in pi w R, load "
-              "compressive > 0; work in w; tension and traction in w/epsilon\n"
+              "# units: lengths and approach in epsilon; forces and load in pi w R, of a "
+              "profile without a radius in pi w epsilon, load compressive > 0; work in w; tension "
+              "and traction in w/epsilon\n"
               "# command: pulloff run %s\n",
               line->theory, po_case_word(kase));
   po_status status = add_rows(&rows, kase->file, line, stop);

@@ -21,25 +21,49 @@ static json_t *suites(const po_case *kase) {
   return array;
 }
 
+/* A law or a profile as cases write it, "mie:4,10": the name and the parameters. Given: the keys of
+ * the first and the last parameter of all laws or profiles. */
+static json_t *with_parameters(const po_request *request, po_key name, po_key first, po_key last) {
+  char value[PO_KEY_TEXT_LENGTH];
+  po_key_print(request, name, value);
+  po_text text = {0};
+  po_text_add(&text, "%s", value);
+  const char *before = ":";
+  for (int key = first; key <= (int)last; ++key)
+    if (!isnan(po_key_number(request, (po_key)key))) {
+      po_key_print(request, (po_key)key, value);
+      po_text_add(&text, "%s%s", before, value);
+      before = ",";
+    }
+  if (text.failed)
+    po_text_clear(&text);
+  return po_json_take_text(text.data);
+}
+
+static json_t *swept_value(const po_request *request, const json_t *input, po_key key) {
+  switch (key) {
+  case PO_KEY_LAW:
+    return with_parameters(request, key, PO_KEY_MIE_M, PO_KEY_MORSE_A);
+  case PO_KEY_PROFILE:
+    return with_parameters(request, key, PO_KEY_POWER_C, PO_KEY_TRUNCATED_R);
+  default:
+    return po_key_is_group(key) ? po_json_number(po_key_number(request, key))
+                                : json_incref(json_object_get(input, po_key_name(key)));
+  }
+}
+
 static json_t *sweep(const po_case *kase, size_t point) {
   json_t *object = po_json_empty_object();
-  json_t *input = po_json_input(&kase->points[point].request);
+  const po_request *request = &kase->points[point].request;
+  json_t *input = po_json_input(request);
   for (unsigned i = 0; i < kase->file->sweep_count; ++i)
-    for (int key = 0; key < PO_KEY_END; ++key) {
-      const char *name = po_key_name((po_key)key);
-      if (!po_sweep_names(&kase->file->sweep[i], (po_key)key))
-        continue;
-      if (po_key_is_group(key))
-        po_json_set(&object, name,
-                    po_json_number(po_key_number(&kase->points[point].request, (po_key)key)));
-      else
-        po_json_set(&object, name, json_incref(json_object_get(input, name)));
-    }
+    for (int key = 0; key < PO_KEY_END; ++key)
+      if (po_sweep_names(&kase->file->sweep[i], (po_key)key))
+        po_json_set(&object, po_key_name((po_key)key), swept_value(request, input, (po_key)key));
   json_decref(input);
   for (unsigned i = 0; kase->file->sample && i < kase->file->sample->keys_count; ++i) {
     const po_draw *draw = &kase->file->sample->keys[i];
-    po_json_set(&object, draw->key,
-                po_json_number(po_key_number(&kase->points[point].request, draw->drawn)));
+    po_json_set(&object, draw->key, po_json_number(po_key_number(request, draw->drawn)));
   }
   return object;
 }

@@ -92,4 +92,47 @@ bad 's/key: amplitude, values: .1\]/key: amplitude_ratio, values: [1]/' '*: swee
 bad 's/key: amplitude, values: .1\]/key: wavelength, values: [1]/' '*: sweep[[]2[]].key is wavelength: expected each key swept once'
 bad 's/as_if: .*/as_if: [{key: tabor, values: [0, 1]}]/' '*: checks[[]1[]].as_if[[]1[]].values is a list: expected one value'
 bad 's/as_if: .*/as_if: [{key: colour, values: [0]}]/' '*: checks[[]1[]].as_if[[]1[]].key is colour: expected a key of the scene: tabor, *'
+
+# Laws, profiles and couplings in the sweep of a line, and in the record of a swept case.
+cat >"$file" <<'CASE'
+name: good
+title: Lines of laws and profiles
+suites: [smoke]
+scene: {outer_radius: inf, scheme: panel, tolerance: 1e-4, coupling: 0.05, approach_end: 1}
+sweep:
+  - together: [{profile: "power:0.001,4", law: "mie:4,10"}]
+want: [pull_off]
+lines:
+  - name: profiles
+    theory: jkr
+    sweep:
+      - {key: profile, values: ["cone:0.3", "power:0.001,4", sphere]}
+      - {key: coupling, values: [0.05, 0.5]}
+  - name: laws
+    theory: maugis
+    sweep:
+      - {key: law, values: ["mie:4,10", "morse:1"]}
+      - {key: profile, values: ["cone:0.3"]}
+      - {key: cone_t, values: [0.2, 0.3]}
+checks:
+  - {quantity: solved_share, reference: every_scene, tolerance: 1e-9, kind: abs, because: the scene must be solved}
+CASE
+expect 0 '*good: 1 points, 1 checks: within' run --output out --fresh
+profiles=out/good/line-profiles.csv
+laws=out/good/line-laws.csv
+check 'a profile in a table' test "$(column "$profiles" profile 3)" = 'power:0.001;4'
+same 'JKR of a power law' "$(column "$profiles" pull_off_force 4)" \
+  "$(from_theory pull_off_force jkr --profile power:0.001,4 --coupling 0.5)" 1e-14
+same 'JKR of a sphere beside other profiles' "$(column "$profiles" pull_off_force 6)" 1.5 1e-12
+same 'Maugis-Dugdale of a law' "$(column "$laws" pull_off_force 3)" \
+  "$(from_theory pull_off_force maugis --law morse:1 --profile cone:0.2 --coupling 0.05)" 1e-14
+check 'the record has laws and profiles with their parameters' \
+  sh -c 'grep -q "\"law\": \"mie:4,10\"" "$1" && grep -q "\"profile\": \"power:0.001,4\"" "$1"' - "$record"
+cp "$file" kept.yaml
+bad 's/theory: jkr/theory: guduru/' '*: lines[[]1[]].sweep[[]1[]].key is profile: expected tabor, *'
+bad 's/"cone:0.3", "p/"cone:-1", "p/' '*: lines[[]1[]].sweep (profile=cone:-1): *'
+bad 's/key: cone_t/key: power_n/' '*: lines[[]2[]].sweep[[]3[]].key is power_n: expected a parameter of *'
+sed -e '/^  - name: laws/,/cone_t/d' -e 's/theory: jkr/theory: kesari-lew/' -e 's/key: profile, .*/key: amplitude, values: [1]}/' \
+  -e 's/^scene: {/&profile: "cone:0.3", /' -e 's/profile: "power[^}]*law/law/' kept.yaml >"$file"
+expect 2 'pulloff: cases/good.yaml:*: lines[[]1[]].theory is kesari-lew: expected one of rigid, jkr and maugis*' run --output none
 finish

@@ -96,12 +96,12 @@ class Words(unittest.TestCase):
         self.assertEqual(words.sweep_label(point), "ring, N = 63, μ = 2.385")
 
     def test_laws_and_profiles_have_their_parameters(self):
-        point = {"sweep": {"law": "mie", "profile": "power", "waves": None, "tabor": 0.1, "coupling": 0.05}, "label": "-",
+        point = {"sweep": {"law": "mie:4,10", "profile": "power:0.05,1.5", "waves": None, "tabor": 0.1, "coupling": 0.05}, "label": "-",
                  "input": {"law": "mie", "mie_m": 4.0, "mie_n": 10.0, "morse_a": None, "profile": "power", "power_c": 0.05,
                            "power_n": 1.5, "cone_t": None}}
         self.assertEqual(words.sweep_label(point), "mie (4, 10), power (0.05, 1.5), w/(E*ε) = 0.05")
         point = {"sweep": {"profile_file": "/a/b/tip.csv", "profile": "table"}, "label": "-",
-                 "input": {"profile": "table", "table_scale": 1.0}}
+                 "input": {"profile": "table", "profile_file": "/a/b/tip.csv", "table_scale": 1.0}}
         self.assertEqual(words.sweep_label(point), "tip.csv")
 
 
