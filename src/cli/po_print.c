@@ -74,6 +74,24 @@ static void print_pull_off(const po_result *o) {
            o->pull_off.approach_error, o->pull_off.contact_radius_error);
 }
 
+/* The derivatives of the pull-off force by the inputs, as changes in percent. A profile without a
+ * radius has the coupling C as input; with tabor = (C^2 R)^(1/3). */
+static void print_sensitivity(const po_request *request, const po_result *o) {
+  if (!o->has_pull_off || !o->pull_off.has_sensitivity)
+    return;
+  const po_sensitivity *s = &o->pull_off.sensitivity;
+  const bool sphere = po_profile_is_sphere(&request->scene.profile);
+  const bool one_wave = po_scene_waves(&request->scene) == 1;
+  printf("inputs   1 %% more %s changes the force by %.4g %%", sphere ? "tabor" : "coupling",
+         po_print_percent(sphere ? s->tabor : 2.0 / 3.0 * s->tabor));
+  if (one_wave)
+    printf(", amplitude %.4g %%, wavelength %.4g %%", po_print_percent(s->amplitude),
+           po_print_percent(s->wavelength));
+  if (sphere)
+    printf(", radius %.4g %%", po_print_percent(s->radius));
+  printf("\n");
+}
+
 /* Whether a preload is known whose pull-off force is greater than that of the declared preload, by
  * more than the errors of both. */
 static bool gives_more(const po_result *o) {
@@ -280,6 +298,7 @@ void po_print_text(const po_request *request, const po_scene_flags *flags,
          result->rigid ? ", solved as rigid" : "",
          result->has_pull_off ? "" : ", no pull-off found");
   print_pull_off(result);
+  print_sensitivity(request, result);
   print_preload(result);
   print_ended(result);
   if (result->fold_count + result->extremum_count) {
@@ -297,7 +316,7 @@ void po_print_text(const po_request *request, const po_scene_flags *flags,
   print_wanted(request, result);
   print_diagnostics(result);
   if (flags->from_physical)
-    po_print_physical(flags, result);
+    po_print_physical(flags, request, result);
   printf("work     %llu points, %llu Newton iterations, %llu factorisations of at most %llu "
          "nodes, %.3g s\n",
          (unsigned long long)result->work.points,

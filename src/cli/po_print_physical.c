@@ -141,7 +141,28 @@ static void print_special_points(const po_units *u, const po_special_point *list
            list[i].contact_radius * u->length);
 }
 
-void po_print_physical(const po_scene_flags *flags, const po_result *result) {
+double po_print_percent(double change) {
+  return round(change * 1e4) / 1e4 + 0.0; /* + 0.0: not -0 */
+}
+
+/* The derivatives of the pull-off force in N, pi w R f(tabor, ...), by the inputs in SI units, as
+ * changes in percent; tabor = (R w^2/(E*^2 eps^3))^(1/3). */
+static void print_sensitivity(const po_request *request, const po_result *o) {
+  const po_sensitivity *s = &o->pull_off.sensitivity;
+  if (!o->has_pull_off || !o->pull_off.has_sensitivity)
+    return;
+  printf("inputs   1 %% more modulus changes the force by %.4g %%, work %.4g %%",
+         po_print_percent(-2.0 / 3.0 * s->tabor), po_print_percent(1.0 + 2.0 / 3.0 * s->tabor));
+  if (po_scene_waves(&request->scene) == 1)
+    printf(", amplitude %.4g %%, wavelength %.4g %%", po_print_percent(s->amplitude),
+           po_print_percent(s->wavelength));
+  if (po_profile_is_sphere(&request->scene.profile))
+    printf(", radius %.4g %%", po_print_percent(1.0 + s->tabor / 3.0 + s->radius));
+  printf("\n");
+}
+
+void po_print_physical(const po_scene_flags *flags, const po_request *request,
+                       const po_result *result) {
   const po_units *u = &flags->units;
   po_print_physical_input(flags);
   if (result->has_pull_off)
@@ -152,6 +173,7 @@ void po_print_physical(const po_scene_flags *flags, const po_result *result) {
     printf("errors   force %.1e N, approach %.1e m, contact radius %.1e m\n",
            result->pull_off.force_error * u->force, result->pull_off.approach_error * u->length,
            result->pull_off.contact_radius_error * u->length);
+  print_sensitivity(request, result);
   if (result->fold_count + result->extremum_count) {
     printf("%-9s %16s %16s %16s\n", "point", "approach/m", "load/N", "contact radius/m");
     print_special_points(u, result->folds, result->fold_count);

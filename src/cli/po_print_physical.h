@@ -17,8 +17,13 @@ json_t *po_json_physical_input(const po_scene_flags *flags);
 json_t *po_json_physical(const po_scene_flags *flags, const po_request *request,
                          const po_result *result);
 
+/* A change in percent for the terminal: rounded to 1e-4, so that a derivative that vanishes is
+ * printed as 0. */
+double po_print_percent(double change);
+
 /* The same as text for the terminal. */
 void po_print_physical_input(const po_scene_flags *flags);
-void po_print_physical(const po_scene_flags *flags, const po_result *result);
+void po_print_physical(const po_scene_flags *flags, const po_request *request,
+                       const po_result *result);
 
 #endif

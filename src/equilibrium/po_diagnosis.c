@@ -194,18 +194,16 @@ po_status po_diagnosis_make(po_equilibrium *e, const double *state, po_diagnosis
   return status;
 }
 
-/* d(f + deflection)/d ln(parameter) at a node, with the tractions fixed. */
-static po_sensitivity sources_at(const po_equilibrium *e, size_t j, double deflection) {
-  const double r = e->surface->node[j];
+po_sensitivity po_sensitivity_sources(const po_scene *scene, double r, bool resolved,
+                                      double deflection) {
   po_sensitivity s = {.tabor = 1.5 * deflection, .radius = -0.5 * deflection};
-  if (po_profile_is_sphere(&e->scene->profile))
-    s.radius -= 0.5 * r * r / e->radius;
-  if (!po_scene_is_wavy(e->scene))
+  if (po_profile_is_sphere(&scene->profile))
+    s.radius -= 0.5 * r * r / scene->radius;
+  if (!po_scene_is_wavy(scene))
     return s;
-  const double x = 2.0 * M_PI * r / e->scene->wavelength, half = sin(0.5 * x);
-  const bool resolved = j < e->surface->resolved;
-  s.amplitude = e->scene->amplitude * (resolved ? 2.0 * half * half : 1.0);
-  s.wavelength = resolved ? -e->scene->amplitude * x * sin(x) : 0.0;
+  const double x = 2.0 * M_PI * r / scene->wavelength, half = sin(0.5 * x);
+  s.amplitude = scene->amplitude * (resolved ? 2.0 * half * half : 1.0);
+  s.wavelength = resolved ? -scene->amplitude * x * sin(x) : 0.0;
   return s;
 }
 
@@ -227,7 +225,8 @@ po_status po_sensitivity_make(po_equilibrium *e, const double *state, po_sensiti
   po_surface_apply(e->surface, e->traction, e->deflection);
   for (size_t j = 0; !status && j < n; ++j) {
     const double adjoint = r.x[j] / r.scale[j];
-    const po_sensitivity s = sources_at(e, j, e->coupling * e->deflection[j]);
+    const po_sensitivity s = po_sensitivity_sources(
+        e->scene, e->surface->node[j], j < e->surface->resolved, e->coupling * e->deflection[j]);
     made->tabor += adjoint * s.tabor;
     made->amplitude += adjoint * s.amplitude;
     made->wavelength += adjoint * s.wavelength;

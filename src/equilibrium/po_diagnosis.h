@@ -36,6 +36,12 @@ po_status po_diagnosis_complete(po_equilibrium *e, size_t core, double *state);
  * dgecon for the condition numbers. */
 po_status po_diagnosis_make(po_equilibrium *e, const double *state, po_diagnosis *made);
 
+/* The derivatives of f + deflection of Eq 15 at a node by the logarithms of the parameters, with
+ * the tractions fixed. Given: the radius of the node, eps; whether waves are resolved there; the
+ * deflection, eps. */
+po_sensitivity po_sensitivity_sources(const po_scene *scene, double r, bool resolved,
+                                      double deflection);
+
 /* Computes the sensitivities by the adjoint method: one transposed solve. Given: as for
  * po_diagnosis_make, but not at a fold. The derivative of the averaged waves beyond the core with
  * respect to the wavelength is neglected. Accuracy: agrees to 1e-5 with differences of complete

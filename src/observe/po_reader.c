@@ -6,6 +6,7 @@
 #include "po_contact.h"
 #include "po_contact_profile.h"
 #include "po_observe_parts.h"
+#include "po_pull_off_sensitivity.h"
 
 /* The radius of the domain of the panels, eps; without a surface there are none. */
 static double root_of(const po_reader *r) {
@@ -30,6 +31,9 @@ static void note_minimum(po_reader *r, const po_branch_point *p, const po_estima
   if (!po_stopping_note_minimum(&r->stopping, e->load))
     return;
   po_special_list_pull_off(e, r->result);
+  if (p->solution)
+    r->result->pull_off.has_sensitivity = po_pull_off_sensitivity(
+        &r->request->scene, r->surface, p->solution, &r->result->pull_off.sensitivity);
   if ((r->request->want & PO_WANT_PROFILE) && isnan(r->request->profile_approach))
     take_profile(r, p);
 }

@@ -110,7 +110,10 @@ typedef struct {
     double approach_error;  /* the same of approach */
     double contact_radius_error,
         contact_radius_other; /* see po_contact_edge; NAN: not estimated, none */
-    po_pressed pressed;       /* the least preload with this pull-off; NAN: none on the trace */
+    bool has_sensitivity;     /* whether `sensitivity` is set; on panels only */
+    po_sensitivity
+        sensitivity;    /* d ln(force) / d ln(parameter); its residual and rounding are NAN */
+    po_pressed pressed; /* the least preload with this pull-off; NAN: none on the trace */
     po_pressed
         until; /* the hardest preload with this pull-off; NAN: the trace ended before it changed */
   } pull_off;

@@ -116,4 +116,59 @@ expect 2 'pulloff: --modulus-pa is inf: expected a finite number > 0' theory jkr
 expect 2 'pulloff: --approach-m is 3e-10: expected less than --distance-m, 3e-10' theory bradley --from-physical \
   --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 1e-7 --approach-m 3e-10
 expect 2 'pulloff: theory guduru needs --amplitude-m and --wavelength-m' theory guduru $body
+
+# The line "inputs": what 1 % more of an input changes, against solves with a changed input.
+cat >inputs.py <<'INPUTS'
+import json, math, re, subprocess, sys
+
+program = sys.argv[1]
+
+
+def solve(options, *more):
+    words = [word for name, value in options.items() for word in (f"--{name}", repr(value) if isinstance(value, float) else value)]
+    return subprocess.run([program, "solve", *words, *more], capture_output=True, text=True, check=True).stdout
+
+
+def stated(options, *more):
+    """The changes in percent of each line `inputs`, by input."""
+    lines = [line for line in solve(options, *more).splitlines() if line.startswith("inputs   1 % more ")]
+    return [{name: float(value) for name, value in re.findall(r"([a-z]+) (?:changes the force by )?(-?[\d.e-]+) %", line[18:])}
+            for line in lines]
+
+
+def measured(options, name, force, *more):
+    """The change in percent, from 0.5 % less to 0.5 % more."""
+    ends = []
+    for factor in (math.exp(-0.005), math.exp(0.005)):
+        document = json.loads(solve({**options, name: options[name] * factor}, *more, "--json"))
+        ends.append(math.log(force(document)))
+    return 100 * (ends[1] - ends[0])
+
+
+def compare(options, line, names, force, *more):
+    changes = stated(options, *more)[line]
+    assert set(changes) == set(names), changes
+    for shown, name in names.items():
+        difference = measured(options, name, force, *more)
+        assert abs(changes[shown] - difference) < 2e-3, (shown, changes[shown], difference)
+
+
+def load(document):
+    return document["pull_off"]["force"]
+
+
+def newtons(document):
+    return document["physical"]["pull_off"]["force_n"]
+
+
+wavy = {"tabor": 1.7, "amplitude": 0.6, "wavelength": 13.0, "radius": 90.0}
+compare(wavy, 0, {name: name for name in wavy}, load)
+compare({"coupling": 0.05, "profile": "cone:0.3"}, 0, {"coupling": "coupling"}, load)
+tip = {"modulus-pa": 2e9, "work-j-per-m2": 0.05, "distance-m": 3e-10, "radius-m": 3e-8, "amplitude-m": 2e-10, "wavelength-m": 4e-9}
+names = {"modulus": "modulus-pa", "work": "work-j-per-m2", "amplitude": "amplitude-m", "wavelength": "wavelength-m", "radius": "radius-m"}
+compare(tip, 1, names, newtons, "--from-physical")
+assert stated({"tabor": 0.0}) == stated({"tabor": 1.0, "scheme": "ring"}) == []
+assert abs(stated({"tabor": 1.0})[0]["radius"]) < 1e-4, "of a smooth sphere the radius is only a unit"
+INPUTS
+check 'the changes that 1 % of each input makes' "$python" inputs.py "$program"
 finish

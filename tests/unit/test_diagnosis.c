@@ -56,6 +56,45 @@ START_TEST(sensitivities_agree_with_finite_differences) {
 }
 END_TEST
 
+/* The sensitivities of the default output, without an adjoint solve, and those of the diagnostics.
+ */
+static void compare_with_adjoint_solve(po_request request) {
+  po_result plain, diagnosed;
+  request.want = 0;
+  ck_assert_int_eq(po_observe(&request, &plain), PO_OK);
+  request.want = PO_WANT_DIAGNOSTICS;
+  ck_assert_int_eq(po_observe(&request, &diagnosed), PO_OK);
+  ck_assert(plain.pull_off.has_sensitivity && diagnosed.diagnostics.has_sensitivity);
+  const po_sensitivity *a = &plain.pull_off.sensitivity, *b = &diagnosed.diagnostics.force;
+  ck_assert_double_eq_tol(a->tabor, b->tabor, 1e-6);
+  ck_assert_double_eq_tol(a->amplitude, b->amplitude, 1e-6);
+  ck_assert_double_eq_tol(a->wavelength, b->wavelength, 1e-6);
+  ck_assert_double_eq_tol(a->radius, b->radius, 1e-6);
+  ck_assert_double_gt(fabs(a->tabor), 1e-3);
+  po_result_clear(&plain);
+  po_result_clear(&diagnosed);
+}
+
+START_TEST(the_tangent_gives_the_sensitivities_without_a_solve) {
+  static const struct {
+    double tabor, amplitude, wavelength, outer_radius;
+    const char *law;
+  } SCENES[] = {{0.2, 0.0, 0.0, INFINITY, "lennard-jones"},
+                {1.385, 0.37, 11.3, INFINITY, "lennard-jones"},
+                {2.3, 0.8, 14.0, 87.0, "lennard-jones"},
+                {4.7, 0.0, 0.0, 87.0, "morse:1.3"},
+                {3.1, 0.5, 17.0, INFINITY, "mie:4,10"}};
+  po_request request = awkward();
+  request.mesh.tolerance = 1e-6;
+  request.scene.tabor = SCENES[_i].tabor;
+  request.scene.amplitude = SCENES[_i].amplitude;
+  request.scene.wavelength = SCENES[_i].wavelength;
+  request.scene.outer_radius = SCENES[_i].outer_radius;
+  ck_assert(po_law_set(&request.scene.law, SCENES[_i].law));
+  compare_with_adjoint_solve(request);
+}
+END_TEST
+
 START_TEST(residuals_are_small_and_the_force_keeps_its_digits) {
   po_request request = awkward();
   request.mesh.tolerance = 1e-6;
@@ -193,6 +232,7 @@ END_TEST
 
 static void add(TCase *tests) {
   tcase_add_test(tests, sensitivities_agree_with_finite_differences);
+  tcase_add_loop_test(tests, the_tangent_gives_the_sensitivities_without_a_solve, 0, 5);
   tcase_add_test(tests, residuals_are_small_and_the_force_keeps_its_digits);
   tcase_add_test(tests, diagnostics_do_not_change_the_result);
   tcase_add_test(tests, residual_and_condition_of_a_stiff_sphere_are_exact);
