@@ -7,10 +7,15 @@
 
 #include "po_memory.h"
 
+/* Panels for which a surface has room: of any scene, and more for each wave on the domain. The
+ * finest meshes of (3, 1, 20) take four a wave. */
+static const double ROOM = 4096.0, ROOM_A_WAVE = 8.0;
+
 struct po_adaptive {
   const po_panel_table *table;
   double domain, decay; /* decay: of the traction beyond */
   bool unbounded, wavy;
+  size_t most; /* panels */
   po_panels panels;
   po_surface surface;
 };
@@ -20,8 +25,14 @@ static size_t nodes_of(const po_adaptive *a, const po_panels *panels) {
 }
 
 size_t po_adaptive_capacity(const po_adaptive *a) {
-  (void)a;
-  return (PO_MOST_PANELS + 1) * PO_TABLE_ORDER;
+  return (a->most + 1) * PO_TABLE_ORDER;
+}
+
+static size_t room_of(const po_scene *scene, double domain) {
+  double room = ROOM;
+  for (size_t k = 0; k < po_scene_waves(scene); ++k)
+    room += ROOM_A_WAVE * domain / po_scene_wave(scene, k).length;
+  return (size_t)fmin(room, PO_MOST_PANELS);
 }
 
 const po_surface *po_adaptive_surface(const po_adaptive *a) {
@@ -45,6 +56,7 @@ po_status po_adaptive_create(const po_scene *scene, double domain, uint32_t leve
   a->unbounded = isinf(scene->outer_radius);
   a->wavy = po_scene_is_wavy(scene);
   a->decay = po_panel_decay(scene);
+  a->most = room_of(scene, domain);
   const size_t most = po_adaptive_capacity(a);
   po_surface *s = &a->surface;
   s->core_radius = domain;
@@ -91,8 +103,7 @@ po_status po_adaptive_panels_of(const po_adaptive *a, size_t n, const double *no
                                 po_panels *panels) {
   const double *x = a->table->rule.node;
   panels->count = 0;
-  for (size_t j = 0; j + PO_TABLE_ORDER <= n && panels->count < PO_MOST_PANELS;
-       j += PO_TABLE_ORDER) {
+  for (size_t j = 0; j + PO_TABLE_ORDER <= n && panels->count < a->most; j += PO_TABLE_ORDER) {
     const double size = (node[j + PO_TABLE_ORDER - 1] - node[j]) / (x[PO_TABLE_ORDER - 1] - x[0]);
     const uint32_t level = (uint32_t)lround(log2(a->domain / size));
     const double begin = ldexp(node[j] / a->domain, (int)level) - x[0];
@@ -130,6 +141,9 @@ static void fill_reach(po_surface *s) {
 }
 
 po_status po_adaptive_mesh(po_adaptive *a, const po_panels *panels) {
+  if (panels->count > a->most)
+    return po_fail(PO_OUT_OF_NODES, "the traction needs %zu panels, more than %zu", panels->count,
+                   a->most);
   po_panels_copy(panels, &a->panels);
   place_nodes(a);
   const po_status status = po_hierarchy_mesh(a->surface.hierarchy, panels);

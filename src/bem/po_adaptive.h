@@ -33,7 +33,8 @@ size_t po_adaptive_capacity(const po_adaptive *adaptive);
 po_status po_adaptive_panels_of(const po_adaptive *adaptive, size_t n, const double *node,
                                 po_panels *panels);
 
-/* Remeshes the surface. Status: PO_NO_MEMORY; then the surface cannot be used. */
+/* Remeshes the surface. Status: PO_OUT_OF_NODES, and the surface is unchanged; PO_NO_MEMORY, and it
+ * cannot be used. */
 po_status po_adaptive_mesh(po_adaptive *adaptive, const po_panels *panels);
 
 /* Changes the radius of the domain, eps; the panels keep their places relative to it. */

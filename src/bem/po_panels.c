@@ -12,17 +12,6 @@ void po_panels_copy(const po_panels *from, po_panels *to) {
   memmove(to->panel, from->panel, from->count * sizeof *to->panel);
 }
 
-void po_panels_exchange(po_panels *a, po_panels *b) {
-  const size_t count = a->count;
-  for (size_t k = 0; k < a->count || k < b->count; ++k) {
-    const po_panel panel = a->panel[k];
-    a->panel[k] = b->panel[k];
-    b->panel[k] = panel;
-  }
-  a->count = b->count;
-  b->count = count;
-}
-
 void po_panels_uniform(po_panels *panels, uint32_t level) {
   panels->count = (size_t)1 << level;
   for (uint32_t i = 0; i < panels->count; ++i)

@@ -7,9 +7,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* The largest number of panels of a mesh: 49,152 nodes. Matrix and factors then take 200 MB. The
- * scenes of the cases need at most 51. */
-enum { PO_MOST_PANELS = 4096 };
+/* The largest number of panels of a mesh: matrix and factors then take 1.6 GB, and an equilibrium
+ * about a second. A surface has room for fewer if its scene has few waves (po_adaptive.c). */
+enum { PO_MOST_PANELS = 16384 };
 
 enum { PO_DEEPEST_LEVEL = 32, PO_MOST_LEVEL_STEP = 2 };
 
@@ -25,7 +25,6 @@ typedef struct {
 
 /* Copies a mesh; the places of panels that are not there are left out. */
 void po_panels_copy(const po_panels *from, po_panels *to);
-void po_panels_exchange(po_panels *a, po_panels *b);
 
 /* Fills the mesh with 2^level equal panels. */
 void po_panels_uniform(po_panels *panels, uint32_t level);

@@ -1,33 +1,109 @@
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "po_catalog.h"
 #include "po_environment.h"
+#include "po_memory.h"
 #include "po_options.h"
+#include "po_panel_table.h"
+#include "po_panels.h"
 #include "po_pins.h"
 #include "po_plan.h"
 #include "po_print.h"
+#include "po_size.h"
 #include "po_verbs.h"
 
 static const char HELP[] =
-    "Usage: pulloff plan CASE...\n"
-    "Prints what would be computed for a case, what would not, and why. Solves nothing. CASE is a\n"
-    "name (see pulloff list) or the path of a YAML file.\n"
+    "Usage: pulloff plan [--json] CASE...\n"
+    "Prints what would be computed for a case, what would not, and why, and the nodes and the "
+    "memory\n"
+    "that a solve needs at most. Solves nothing. CASE is a name (see pulloff list) or the path of "
+    "a\n"
+    "YAML file.\n"
     "\n"
+    "  --json       print one JSON document, with the nodes and the memory of every point, and\n"
+    "               nothing else\n"
     "  -h, --help   print this text\n"
     "\n"
     "Example: pulloff plan fig03\n";
 
-static const struct option OPTIONS[] = {{"help", no_argument, NULL, PO_OPTION_HELP},
+enum { JSON = 1 };
+
+static const struct option OPTIONS[] = {{"json", no_argument, NULL, JSON},
+                                        {"help", no_argument, NULL, PO_OPTION_HELP},
                                         {NULL, 0, NULL, 0}};
+
+/* The most that the points of a case need. */
+typedef struct {
+  po_size largest;
+  size_t point;    /* that needs it */
+  double together; /* bytes of as many solves at the same time as there are processors */
+} needs;
+
+static int descending(const void *left, const void *right) {
+  const double a = *(const double *)left, b = *(const double *)right;
+  return (a < b) - (a > b);
+}
+
+static po_status find_needs(const po_plan *plan, needs *found) {
+  const size_t count = plan->kase->point_count, cores = (size_t)po_environment_cores();
+  double *bytes = po_allocate(count, sizeof *bytes);
+  if (!bytes)
+    return PO_NO_MEMORY;
+  *found = (needs){0};
+  for (size_t i = 0; i < count; ++i) {
+    const po_request request = po_plan_request(plan, i);
+    const po_size size = po_request_size(&request);
+    bytes[i] = size.bytes;
+    if (size.bytes > found->largest.bytes) {
+      found->largest = size;
+      found->point = i;
+    }
+  }
+  qsort(bytes, count, sizeof *bytes, descending);
+  for (size_t i = 0; i < count && i < cores; ++i)
+    found->together += bytes[i];
+  free(bytes);
+  return PO_OK;
+}
+
+static double megabytes(double bytes) {
+  return ceil(bytes / 1e6);
+}
+
+/* Prints what the points need, and what to do if the machine has not that much. */
+static po_status print_needs(const po_plan *plan) {
+  const double memory = po_environment_memory();
+  needs n;
+  const po_status status = find_needs(plan, &n);
+  if (status)
+    return status;
+  printf("  need at most %zu nodes and %.0f MB of memory a solve: %s\n", n.largest.nodes,
+         megabytes(n.largest.bytes), plan->kase->points[n.point].label);
+  if (n.largest.nodes > PO_MOST_PANELS * PO_TABLE_ORDER)
+    printf("  but a mesh has at most %d nodes: cut the surface with outer_radius, or give a larger "
+           "tolerance, if the solve ends with out_of_nodes\n",
+           PO_MOST_PANELS * PO_TABLE_ORDER);
+  if (n.largest.bytes > memory)
+    printf("  but this machine has %.0f MB: cut the surface with outer_radius, give a larger "
+           "tolerance, or leave such points out\n",
+           megabytes(memory));
+  else if (n.together > memory)
+    printf("  but this machine has %.0f MB for %d solves at a time: pulloff run --jobs %.0f\n",
+           megabytes(memory), po_environment_cores(), floor(memory / n.largest.bytes));
+  return PO_OK;
+}
 
 static po_status print_plan(const po_case *kase) {
   po_plan *plan = NULL;
-  const po_status status = po_plan_create(kase, po_environment_data(), &plan);
+  po_status status = po_plan_create(kase, po_environment_data(), &plan);
   if (status)
     return status;
   printf("%s: %s\n", kase->file->name, kase->file->title);
   for (size_t i = 0; i < plan->line_count; ++i)
     printf("  %s\n", plan->lines[i]);
+  status = print_needs(plan);
   bool lacking = false;
   for (unsigned c = 0; c < kase->file->checks_count; ++c)
     lacking = lacking ||
@@ -35,6 +111,39 @@ static po_status print_plan(const po_case *kase) {
   if (lacking)
     po_print_bless(kase);
   po_plan_destroy(plan);
+  return status;
+}
+
+static json_t *point_json(const po_plan *plan, size_t i) {
+  const po_request request = po_plan_request(plan, i);
+  const po_size size = po_request_size(&request);
+  const po_point *point = &plan->kase->points[i];
+  return PO_JSON_OBJECT({"point", po_json_text(point->id)}, {"label", po_json_text(point->label)},
+                        {"nodes", po_json_count(size.nodes)},
+                        {"bytes", po_json_number(size.bytes)});
+}
+
+/* The plan of a case, added to an array. */
+static po_status append_plan(const po_case *kase, json_t **plans) {
+  po_plan *plan = NULL;
+  const po_status status = po_plan_create(kase, po_environment_data(), &plan);
+  if (status)
+    return status;
+  json_t *lines = po_json_empty_array(), *points = po_json_empty_array();
+  for (size_t i = 0; i < plan->line_count; ++i)
+    po_json_append(&lines, po_json_text(plan->lines[i]));
+  for (size_t i = 0; i < kase->point_count; ++i)
+    po_json_append(&points, point_json(plan, i));
+  po_json_append(plans, PO_JSON_OBJECT({"case", po_json_text(kase->file->name)},
+                                       {"title", po_json_text(kase->file->title)}, {"plan", lines},
+                                       {"points", points}));
+  po_plan_destroy(plan);
+  return PO_OK;
+}
+
+static po_status take_option(void *json, int option) {
+  (void)option;
+  *(bool *)json = true;
   return PO_OK;
 }
 
@@ -42,15 +151,25 @@ int po_verb_plan(int argc, char **argv) {
   const po_options options = {"plan", HELP, OPTIONS, argc, argv, NULL};
   po_catalog catalog = {0};
   po_status status = PO_OK;
-  if (!po_options_read(&options, NULL, NULL, &status))
+  bool json = false;
+  json_t *plans = NULL;
+  if (!po_options_read(&options, take_option, &json, &status))
     return po_options_end(status);
   if (optind == argc)
     status = po_fail(PO_BAD_INPUT, "plan needs the name of a case (see pulloff plan --help)");
   if (!status)
     status = po_catalog_open(po_environment_data(), argv + optind, (size_t)(argc - optind),
                              (po_suites){0}, &catalog);
+  if (json)
+    plans = po_json_empty_array();
   for (size_t i = 0; !status && i < catalog.count; ++i)
-    status = print_plan(catalog.cases[i]);
+    status = json ? append_plan(catalog.cases[i], &plans) : print_plan(catalog.cases[i]);
+  if (json && !status)
+    status = po_print_document(PO_JSON_OBJECT({"schema", po_json_text("pulloff-plan/1")},
+                                              {"memory", po_json_number(po_environment_memory())},
+                                              {"cases", plans}));
+  else
+    json_decref(plans);
   po_catalog_close(&catalog);
   return po_options_end(status);
 }

@@ -68,7 +68,7 @@ po_branch_point po_continuation_seen(const po_continuation *t, const po_solution
                            .n = p->core,
                            .node = p->node,
                            .gap = p->state,
-                           .solution = p->panels.count ? p : NULL};
+                           .solution = p->panels->count ? p : NULL};
 }
 
 void po_continuation_visit(po_continuation *t, const po_solution *p, po_point_kind kind) {

@@ -31,14 +31,14 @@ po_status po_continuation_want_mesh(po_continuation *t, po_solution *p) {
   if (!po_continuation_moves(t))
     return PO_OK;
   po_solution_field solved = {p, t->c.e->scene, t->c.domain};
-  po_panels_copy(&p->panels, &p->wanted);
-  return resolve(t, &(po_gap_field){po_solution_gap, &solved}, &p->wanted);
+  po_panels_copy(p->panels, p->wanted);
+  return resolve(t, &(po_gap_field){po_solution_gap, &solved}, p->wanted);
 }
 
 /* Makes the mesh that resolves the solution the current one, and the solution the guess on it. */
 static po_status guess_from_solved(po_continuation *t, const po_solution *out) {
   po_solution_copy(out, &t->spare);
-  const po_status status = po_corrector_mesh(&t->c, &t->spare.wanted);
+  const po_status status = po_corrector_mesh(&t->c, t->spare.wanted);
   if (!status)
     po_corrector_guess(&t->c, &t->spare);
   return status;
@@ -83,7 +83,7 @@ static po_status solve_resolved(po_continuation *t, double distance, bool keep_f
   for (int mesh = 0; mesh < PO_MOST_MESHES_A_POINT && !status; ++mesh) {
     status = po_corrector_solve(&t->c, &t->current, distance, keep_factors, precision, out);
     if (status || !po_continuation_moves(t) ||
-        po_resolution_excess(&t->resolution, &out->panels, out->state) <= 1.0)
+        po_resolution_excess(&t->resolution, out->panels, out->state) <= 1.0)
       return status;
     status = po_continuation_want_mesh(t, out);
     if (!status)

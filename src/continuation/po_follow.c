@@ -115,12 +115,12 @@ static po_status locate(po_follower *f, double *slope, double value[2], po_solut
   const po_solution *from = &f->seed;
   for (int mesh = 0; mesh < PO_MOST_MESHES_A_POINT; ++mesh) {
     po_status status = po_refine_locate(&f->c, from, f->of, slope, out, value);
-    if (status || po_resolution_excess(&f->resolution, &out->panels, out->state) <= 1.0)
+    if (status || po_resolution_excess(&f->resolution, out->panels, out->state) <= 1.0)
       return status;
     po_solution_copy(out, &f->spare);
     from = &f->spare;
     po_solution_field solved = {from, &f->scene, f->c.domain};
-    status = mesh_for(f, &from->panels, &(po_gap_field){po_solution_gap, &solved});
+    status = mesh_for(f, from->panels, &(po_gap_field){po_solution_gap, &solved});
     if (status)
       return status;
     po_corrector_guess(&f->c, from);
@@ -144,7 +144,7 @@ po_status po_follow_begin(po_follower *f, const po_solution *special, po_event_k
   f->slope = NAN;
   set_scene(f, at);
   po_solution_copy(special, &f->seed);
-  po_status status = po_corrector_mesh(&f->c, &f->seed.panels);
+  po_status status = po_corrector_mesh(&f->c, f->seed.panels);
   if (status)
     return status;
   po_corrector_guess(&f->c, &f->seed);
@@ -177,7 +177,7 @@ static po_status try_step(po_follower *f, double at, bool last, double *error) {
   }
   set_scene(f, at);
   po_status status =
-      mesh_for(f, &marks[0]->point.panels, &(po_gap_field){po_predictor_gap, &predictor});
+      mesh_for(f, marks[0]->point.panels, &(po_gap_field){po_predictor_gap, &predictor});
   if (status)
     return status;
   po_predictor_state(&predictor, f->e, po_corrector_moving_nodes(&f->c), f->c.guess);

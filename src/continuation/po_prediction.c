@@ -159,7 +159,7 @@ void po_prediction_state(po_prediction *p, const po_surface *surface, size_t mov
 /* Size of the panel of a->wanted at the origin of a radius, both relative to the domain. */
 static double wanted_size(const po_prediction *p, double x) {
   const double origin = po_edge_origin(&p->edges, p->shift, x * p->domain) / p->domain;
-  const po_panels *wanted = &p->a->wanted;
+  const po_panels *wanted = p->a->wanted;
   return po_panel_size(wanted->panel[po_panels_find(wanted, origin)]);
 }
 

@@ -63,14 +63,14 @@ static bool finer_panels(const po_resolution *r, const po_solution *p, double pa
                          po_panels *panels) {
   double excess[PO_MOST_PANELS], largest = 0.0;
   bool split[PO_MOST_PANELS];
-  po_resolution_excesses(r, &p->panels, p->state, excess);
-  for (size_t k = 0; k < p->panels.count; ++k)
+  po_resolution_excesses(r, p->panels, p->state, excess);
+  for (size_t k = 0; k < p->panels->count; ++k)
     largest = fmax(largest, excess[k]);
-  for (size_t k = 0; k < p->panels.count; ++k)
+  for (size_t k = 0; k < p->panels->count; ++k)
     split[k] = excess[k] > part * largest;
   if (isfinite(r->e->scene->outer_radius))
-    split[p->panels.count - 1] = true;
-  po_panels_copy(&p->panels, panels);
+    split[p->panels->count - 1] = true;
+  po_panels_copy(p->panels, panels);
   if (!po_panels_split(panels, split))
     return false;
   split_waves(r, panels);

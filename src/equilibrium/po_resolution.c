@@ -102,7 +102,8 @@ static double excess_of_panel(const po_resolution *r, const po_gap_field *field,
 
 /* Splits panels until none has an excess above 1. Returned: false if there are too many panels. */
 static bool split_all(const po_resolution *r, const po_gap_field *field, po_panels *panels) {
-  bool known[PO_MOST_PANELS] = {false}; /* the excess of panel k is known to be at most 1 */
+  bool known[PO_MOST_PANELS]; /* the excess of panel k is known to be at most 1 */
+  memset(known, 0, panels->count * sizeof *known);
   for (int pass = 0; pass < MOST_DEPTH; ++pass) {
     bool split[PO_MOST_PANELS], any = false;
     for (size_t k = 0; k < panels->count; ++k) {
@@ -115,7 +116,7 @@ static bool split_all(const po_resolution *r, const po_gap_field *field, po_pane
     po_panels_copy(panels, &before);
     if (!po_panels_split(panels, split))
       return false;
-    bool now_known[PO_MOST_PANELS] = {false};
+    bool now_known[PO_MOST_PANELS];
     size_t old = 0;
     for (size_t k = 0; k < panels->count;
          ++k) { /* panels that were not split need no second look */
@@ -123,13 +124,14 @@ static bool split_all(const po_resolution *r, const po_gap_field *field, po_pane
         ++old;
       now_known[k] = po_panel_equal(before.panel[old], panels->panel[k]);
     }
-    memcpy(known, now_known, sizeof known);
+    memcpy(known, now_known, panels->count * sizeof *known);
   }
   return true;
 }
 
 static void join_what_can_be(const po_resolution *r, const po_gap_field *field, po_panels *panels) {
-  bool join[PO_MOST_PANELS] = {false};
+  bool join[PO_MOST_PANELS];
+  memset(join, 0, panels->count * sizeof *join);
   for (size_t k = 0; k + 1 < panels->count; ++k) {
     const po_panel a = panels->panel[k], b = panels->panel[k + 1];
     if (a.level < 2 || a.level != b.level || a.index % 2 || b.index != a.index + 1)

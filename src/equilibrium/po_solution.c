@@ -1,7 +1,6 @@
 #include "po_solution.h"
 
 #include <math.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,6 +15,13 @@ po_status po_solution_allocate(po_solution *p, size_t capacity) {
   bool had = true;
   for (size_t k = 0; k < sizeof arrays / sizeof *arrays; ++k)
     had = (*arrays[k] = po_reserve(capacity + 1, sizeof(double))) && had;
+  po_panels **const meshes[] = {&p->panels, &p->wanted};
+  for (size_t k = 0; k < sizeof meshes / sizeof *meshes; ++k) {
+    *meshes[k] = po_reserve(1, sizeof **meshes[k]);
+    if (*meshes[k])
+      (*meshes[k])->count = 0;
+    had = *meshes[k] && had;
+  }
   return had ? PO_OK : PO_NO_MEMORY;
 }
 
@@ -27,15 +33,15 @@ void po_solution_free(po_solution *p) {
   free(p->node);
   free(p->coordinate);
   free(p->rate);
+  free(p->panels);
+  free(p->wanted);
 }
-
-/* Size of the members before the panels. */
-enum { SMALL_MEMBERS = offsetof(po_solution, panels) };
 
 void po_solution_copy(const po_solution *from, po_solution *to) {
   double *const own[] = {to->state, to->tangent,    to->deflection, to->slope,
                          to->node,  to->coordinate, to->rate};
-  memcpy(to, from, SMALL_MEMBERS);
+  po_panels *const panels = to->panels, *const wanted = to->wanted;
+  *to = *from;
   const size_t n = from->n, coordinates = from->coordinates;
   to->state = memcpy(own[0], from->state, (n + 1) * sizeof *to->state);
   to->tangent = memcpy(own[1], from->tangent, (n + 1) * sizeof *to->tangent);
@@ -44,17 +50,16 @@ void po_solution_copy(const po_solution *from, po_solution *to) {
   to->node = memcpy(own[4], from->node, n * sizeof *to->node);
   to->coordinate = memcpy(own[5], from->coordinate, coordinates * sizeof *to->coordinate);
   to->rate = memcpy(own[6], from->rate, coordinates * sizeof *to->rate);
-  po_panels_copy(&from->panels, &to->panels);
-  po_panels_copy(&from->wanted, &to->wanted);
+  to->panels = panels;
+  to->wanted = wanted;
+  po_panels_copy(from->panels, panels);
+  po_panels_copy(from->wanted, wanted);
 }
 
 void po_solution_exchange(po_solution *a, po_solution *b) {
-  char small[SMALL_MEMBERS];
-  memcpy(small, a, SMALL_MEMBERS);
-  memcpy(a, b, SMALL_MEMBERS);
-  memcpy(b, small, SMALL_MEMBERS);
-  po_panels_exchange(&a->panels, &b->panels);
-  po_panels_exchange(&a->wanted, &b->wanted);
+  const po_solution first = *a;
+  *a = *b;
+  *b = first;
 }
 
 /* Changes the length of the tangent by a factor. */
@@ -112,8 +117,9 @@ po_solution_value po_solution_value_at(const po_solution *p, const po_scene *sce
                                        double r) {
   const po_panel_rule *rule = &po_panel_table_get()->rule;
   const double x = r / domain;
-  const size_t k = po_panels_find(&p->panels, x);
-  const double begin = po_panel_begin(p->panels.panel[k]), size = po_panel_size(p->panels.panel[k]);
+  const size_t k = po_panels_find(p->panels, x);
+  const double begin = po_panel_begin(p->panels->panel[k]),
+               size = po_panel_size(p->panels->panel[k]);
   double weight[PO_TABLE_ORDER];
   po_lagrange(PO_TABLE_ORDER, rule->node, rule->barycentric, (x - begin) / size, weight);
   po_solution_value v = {po_initial_gap(scene, r), po_initial_gap_slope(scene, r), 0.0};
@@ -162,7 +168,7 @@ static void find_edges(po_solution *p, const po_scene *scene, const po_surface *
   po_moving_edges *edges = &p->edges;
   const double peak = po_law_peak_gap(&scene->law);
   edges->count = edges->all = 0;
-  for (size_t j = p->panels.count * PO_TABLE_ORDER; j-- > 1;) {
+  for (size_t j = p->panels->count * PO_TABLE_ORDER; j-- > 1;) {
     const double left = p->state[j - 1] - peak, right = p->state[j] - peak;
     if ((left < 0.0) == (right < 0.0))
       continue;
@@ -181,8 +187,8 @@ static void find_edges(po_solution *p, const po_scene *scene, const po_surface *
 }
 
 static void fill_slope(po_solution *p, double domain) {
-  for (size_t k = 0; k < p->panels.count; ++k) {
-    const double size = domain * po_panel_size(p->panels.panel[k]);
+  for (size_t k = 0; k < p->panels->count; ++k) {
+    const double size = domain * po_panel_size(p->panels->panel[k]);
     differentiate(&po_panel_table_get()->rule, p->deflection + k * PO_TABLE_ORDER,
                   p->slope + k * PO_TABLE_ORDER);
     for (size_t i = 0; i < PO_TABLE_ORDER; ++i)
@@ -191,9 +197,9 @@ static void fill_slope(po_solution *p, double domain) {
 }
 
 void po_solution_finish(po_solution *p, const po_equilibrium *e, const po_adaptive *adaptive) {
-  p->panels.count = 0;
+  p->panels->count = 0;
   if (adaptive)
-    po_panels_copy(po_adaptive_panels(adaptive), &p->panels);
+    po_panels_copy(po_adaptive_panels(adaptive), p->panels);
   p->n = e->n;
   p->core = po_equilibrium_core(e);
   p->arclength = adaptive ? PO_ARCLENGTH_GLOBAL : PO_ARCLENGTH_NODAL;

@@ -69,8 +69,7 @@ static double finite_or_none(double value) {
  * of SEARCHED_FORCE, pi w R, if that is at most LARGEST_CORE times the core without a search. */
 static const double SEARCHED_FORCE = 1.0, LARGEST_CORE = 1.6;
 
-/* The radius of the core, eps, of the first trace. */
-static double core_of(const po_request *request) {
+double po_observe_core(const po_request *request) {
   const po_scene *scene = &request->scene;
   const double deepest = fmax(fmax(request->approach_end, request->profile_approach),
                               finite_or_none(request->preload.approach));
@@ -101,7 +100,7 @@ static po_status attempt(const po_request *request, const po_keeper *keeper, dou
   if (status)
     return status;
   const bool rigid = po_rigid_suffices(&request->scene);
-  po_attempt a = {.core = core_of(request),
+  po_attempt a = {.core = po_observe_core(request),
                   .tolerance = request->mesh.tolerance,
                   .begin = farthest_of(request)};
   if (request->want & (PO_WANT_HYSTERESIS | PO_WANT_PRELOAD))

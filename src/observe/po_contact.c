@@ -122,7 +122,7 @@ static double slope_at(double r, const void *data) {
 static double inwards(const po_contact_gap *g, double r) {
   double step = INFINITY, begin = 0.0;
   if (g->solution) {
-    const po_panels *panels = &g->solution->panels;
+    const po_panels *panels = g->solution->panels;
     size_t k = po_panels_find(panels, r / g->end);
     if (k > 0 && g->end * po_panel_begin(panels->panel[k]) >= r)
       --k;
@@ -153,7 +153,7 @@ static double skip(const sought *s, double r) {
   const po_contact_gap *g = s->g;
   if (!g->solution)
     return g->n ? r : skip_rigid(s, r);
-  const po_panels *panels = &g->solution->panels;
+  const po_panels *panels = g->solution->panels;
   size_t k = po_panels_find(panels, r / g->end);
   const double begin = g->end * po_panel_begin(panels->panel[k]);
   double least = INFINITY, largest = -INFINITY;

@@ -30,6 +30,9 @@ double po_observe_precision(double tolerance);
 /* An approach, eps, from which on the load of rigid bodies exceeds `load`, pi w R. */
 double po_observe_rigid_end(const po_scene *scene, double load);
 
+/* The radius of the core, eps, of the first trace of a request. */
+double po_observe_core(const po_request *request);
+
 /* Radius of the domain of the panels, eps, for a core of the given radius. */
 double po_observe_domain(const po_scene *scene, double core);
 

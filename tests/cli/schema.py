@@ -228,6 +228,7 @@ def main():
         for flags in FOLLOWS:
             tests.valid("follow", tests.run(f"follow {flags} --json"), f"follow {flags}")
         tests.valid("list", tests.run("list --json"), "list")
+        tests.valid("plan", tests.run("plan --json smoke fig04"), "plan")
         tests.valid("references", tests.run("list --references --json"), "list --references")
         for name, (text, code) in CASES.items():
             path = pathlib.Path(folder, f"{name}.yaml")

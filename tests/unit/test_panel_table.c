@@ -55,7 +55,7 @@ END_TEST
 
 START_TEST(split_without_room_changes_nothing) {
   po_panels panels;
-  po_panels_uniform(&panels, 11);
+  po_panels_uniform(&panels, 13);
   bool split[PO_MOST_PANELS];
   for (size_t k = 0; k < panels.count; ++k)
     split[k] = k < PO_MOST_PANELS - panels.count;
@@ -125,11 +125,38 @@ START_TEST(panels_are_recognised_from_their_nodes) {
 }
 END_TEST
 
+/* A surface with many waves has room for more panels; a mesh for which there is none changes
+ * nothing. */
+START_TEST(mesh_without_room_changes_nothing) {
+  static const po_scene SMOOTH = {.tabor = 2.385, .radius = 93.0, .outer_radius = 71.0};
+  po_scene wavy = SMOOTH;
+  wavy.amplitude = 0.1;
+  wavy.wavelength = 71.0 / 1000.0;
+  po_panels small, large;
+  po_panels_uniform(&small, 2);
+  po_panels_uniform(&large, 13);
+  for (int k = 0; k < 2; ++k) {
+    po_adaptive *adaptive = NULL;
+    ck_assert_int_eq(po_adaptive_create(k ? &wavy : &SMOOTH, 71.0, 2, &adaptive), PO_OK);
+    ck_assert_int_eq(po_adaptive_mesh(adaptive, &small), PO_OK);
+    const bool has_room = po_adaptive_capacity(adaptive) >= PO_TABLE_ORDER * large.count;
+    ck_assert_int_eq(has_room, k == 1);
+    if (!has_room) {
+      ck_assert_int_eq(po_adaptive_mesh(adaptive, &large), PO_OUT_OF_NODES);
+      ck_assert(po_panels_equal(po_adaptive_panels(adaptive), &small));
+      ck_assert_uint_eq(po_adaptive_surface(adaptive)->n, PO_TABLE_ORDER * small.count);
+    }
+    po_adaptive_destroy(adaptive);
+  }
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_test(tests, tree_stays_graded);
   tcase_add_test(tests, split_without_room_changes_nothing);
   tcase_add_loop_test(tests, tabulated_blocks_agree_with_product_integration, 0, 4);
   tcase_add_test(tests, panels_are_recognised_from_their_nodes);
+  tcase_add_test(tests, mesh_without_room_changes_nothing);
 }
 
 int main(void) {
