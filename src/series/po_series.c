@@ -19,6 +19,7 @@ static const double SAME_LOAD = 10.0, AGREEING_APPROACH = 1e-2;
 typedef struct {
   const po_checkpoint_minimum *from, *arrived; /* in both traces; arrived NULL: not in the second */
   double load_at_end; /* its load where it ended between the checkpoints; NAN: it did not end */
+  double moved;       /* how far it moved up to there, see moved_to; INFINITY: it did not merge */
 } followed;
 
 /* The interval between two checkpoints. */
@@ -102,6 +103,16 @@ static const po_checkpoint_minimum *find_arrived(const interval *s, const po_che
   return best;
 }
 
+/* Returned: how far a minimum has moved from the checkpoint, in the approach or the load, whichever
+ * the preload has. */
+static double moved_to(const interval *s, const po_checkpoint_minimum *m,
+                       const po_branch_point *end) {
+  const po_preload preload = po_request_preload(&s->l->requests[s->from->index]);
+  const double approach = isnan(preload.approach) ? 0.0 : fabs(end->approach - m->approach);
+  const double load = isnan(preload.load) ? 0.0 : fabs(end->load - m->load);
+  return fmax(approach, load);
+}
+
 /* Follows a minimum of one checkpoint towards the other. Status: PO_NO_MEMORY, PO_INTERRUPTED; a
  * minimum that ends between the checkpoints is not a failure. */
 static po_status follow(interval *s, const po_checkpoint_minimum *m, bool forward) {
@@ -113,6 +124,7 @@ static po_status follow(interval *s, const po_checkpoint_minimum *m, bool forwar
   *load_of(s, row, from->index) = m->load;
   double begin = po_clock_wall();
   po_status status = po_follow_begin(s->follower, &m->point, PO_OF_LOAD, (double)from->index);
+  bool merged = false;
   for (size_t k = 1; k <= steps && !status; ++k) {
     const size_t index = forward ? from->index + k : from->index - k;
     const volatile sig_atomic_t *stop = s->l->requests[index].stop;
@@ -121,6 +133,7 @@ static po_status follow(interval *s, const po_checkpoint_minimum *m, bool forwar
     if (s->l->requests[index].watch)
       s->l->requests[index].watch(s->l->requests[index].watcher, (double)NAN, (double)NAN);
     status = po_follow_to(s->follower, (double)index, po_observe_deadline(&s->l->requests[index]));
+    merged = status == PO_NOT_FOUND;
     if (!status)
       *load_of(s, row, index) = record_minimum(s, index);
     const double now = po_clock_wall();
@@ -129,9 +142,11 @@ static po_status follow(interval *s, const po_checkpoint_minimum *m, bool forwar
     if (!status && isnan(*load_of(s, row, index)))
       status = PO_NOT_FOUND;
   }
-  if (status)
-    s->row[row].load_at_end = po_follow_point(s->follower, false).load;
-  else
+  if (status) {
+    const po_branch_point end = po_follow_point(s->follower, false);
+    s->row[row].load_at_end = end.load;
+    s->row[row].moved = merged ? moved_to(s, m, &end) : INFINITY;
+  } else
     s->row[row].arrived = find_arrived(s, forward ? s->to : s->from);
   po_message_clear();
   return status == PO_NO_MEMORY ? status : PO_OK;
@@ -160,8 +175,12 @@ static bool is_pull_off(const interval *s, size_t row) {
 /* Returned: whether the traces of the scenes between would reach a minimum, as those of both
  * checkpoints did. A trace ends where the sphere is pressed enough; if an earlier minimum becomes
  * deeper, or the load maximum before the minimum higher, the trace may end before it. The margins
- * of both traces must therefore exceed their difference. */
+ * of both traces must therefore exceed their difference. Of a minimum that merges with a maximum
+ * between the checkpoints there is one margin. It must exceed the movement of the minimum, because
+ * the load maximum and the folds before it move about as far. */
 static bool is_within(const followed *f) {
+  if (!isnan(f->load_at_end))
+    return f->from->margin > f->moved;
   return f->arrived &&
          fmin(f->from->margin, f->arrived->margin) > fabs(f->from->margin - f->arrived->margin);
 }

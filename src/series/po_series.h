@@ -9,9 +9,10 @@
  *   - no minimum arrives with a lower load than the traced pull-off;
  *   - no minimum ends between the checkpoints while it is the deepest;
  *   - every minimum that is the deepest at some scene was found by both traces, well before their
- *     ends. A trace ends where the sphere is pressed enough; a minimum beyond that end is not the
- *     pull-off, although it can be followed. Example: at mu = 3, lambda = 50, R = 200 (eps), the
- *     minimum of load -5.8 that is the pull-off at A = 5.6 lies beyond the end at A = 5.74.
+ *     ends, or by one of them, if it merges with a maximum before it reaches the other. A trace
+ *     ends where the sphere is pressed enough; a minimum beyond that end is not the pull-off,
+ *     although it can be followed. Example: at mu = 3, lambda = 50, R = 200 (eps), the minimum of
+ *     load -5.8 that is the pull-off at A = 5.6 lies beyond the end at A = 5.74.
  *
  * If they do not agree, the scene half way between is traced, and the method is applied to both
  * halves. So every pull-off is either traced, or lies between two traces that agree with the
