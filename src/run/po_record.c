@@ -68,12 +68,13 @@ static json_t *sweep(const po_case *kase, size_t point) {
   return object;
 }
 
-/* Returned: the times of a point in the order of the rounds. */
+/* Returned: the times of a point in the order of the rounds in which it was solved. */
 static json_t *times(const po_case_run *run, const double *seconds, size_t point) {
   const unsigned repeats = run->plan->kase->repeats;
   json_t *array = po_json_empty_array();
   for (unsigned i = 0; i < repeats; ++i)
-    po_json_append(&array, po_json_number(seconds[point * repeats + i]));
+    if (!isnan(run->seconds[point * repeats + i]))
+      po_json_append(&array, po_json_number(seconds[point * repeats + i]));
   return array;
 }
 

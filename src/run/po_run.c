@@ -1,5 +1,6 @@
 #include "po_run.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,6 +18,7 @@
 #include "po_record.h"
 #include "po_run_solver.h"
 #include "po_tasks.h"
+#include "po_times.h"
 
 /* The data that the threads of a run share. */
 typedef struct {
@@ -138,20 +140,8 @@ static po_status keep_point(const po_crew *crew, const po_case_run *run, size_t 
   return po_journal_add(run, point, crew->options->output);
 }
 
-static int ascending(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
-static double median(const double *values, unsigned count) {
-  double sorted[1000]; /* the greatest value of `repeats` */
-  memcpy(sorted, values, count * sizeof *sorted);
-  qsort(sorted, count, sizeof *sorted, ascending);
-  return count % 2 ? sorted[count / 2] : (sorted[count / 2 - 1] + sorted[count / 2]) / 2;
-}
-
 /* Solves a point. The first round gives the result, later rounds only the time. */
-static void solve_point(const po_crew *crew, po_case_run *run, const po_task *task) {
+static void solve_round(const po_crew *crew, po_case_run *run, const po_task *task) {
   const unsigned repeats = run->plan->kase->repeats;
   const size_t place = task->point * repeats + task->round;
   po_request request = po_plan_request(run->plan, task->point);
@@ -167,8 +157,18 @@ static void solve_point(const po_crew *crew, po_case_run *run, const po_task *ta
   if (status == PO_NO_MEMORY)
     first->status = status;
   po_result_clear(&again);
+}
+
+static void solve_point(const po_crew *crew, po_case_run *run, const po_task *task) {
+  const unsigned repeats = run->plan->kase->repeats;
+  double *seconds = run->seconds + task->point * repeats;
+  double *processor_seconds = run->processor_seconds + task->point * repeats;
+  if (po_times_are_enough(processor_seconds, task->round))
+    seconds[task->round] = processor_seconds[task->round] = (double)NAN;
+  else
+    solve_round(crew, run, task);
   if (task->round + 1 == repeats)
-    first->work.seconds = median(run->seconds + task->point * repeats, repeats);
+    run->results[task->point].work.seconds = po_times_median(seconds, repeats);
 }
 
 /* Counts and stores a point after its last round. */

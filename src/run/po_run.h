@@ -18,9 +18,9 @@ typedef struct {
 /* A case in a run. */
 typedef struct {
   po_plan *plan;
-  po_result *results;        /* one a point */
-  po_result *traces;         /* one a point; filled for points of a series that are also traced */
-  double *seconds;           /* wall time of each solve; `repeats` values a point */
+  po_result *results; /* one a point */
+  po_result *traces;  /* one a point; filled for points of a series that are also traced */
+  double *seconds;    /* wall time of each solve; `repeats` values a point, NAN: not solved */
   double *processor_seconds; /* processor time of each solve, in the same order */
   bool *asked;               /* one a point: the point is requested; initially all are */
   size_t asked_count;
@@ -55,9 +55,10 @@ typedef struct {
 /* Solves the requested points whose results are not known, makes the checks and writes the records.
  *
  * If a case repeats its solves, they are timed: one solve at a time, in rounds over all points, so
- * that a temporary load of the machine does not slow one point more than the others. Such a point
- * is stored after its last round. If only some points of a case are requested, the checks are made
- * on these and no record is written; the journal keeps the points for a later run (po_journal.h).
+ * that a temporary load of the machine does not slow one point more than the others. A point whose
+ * solves have taken a second of processor time together is not repeated again. Such a point is
+ * stored after the last round. If only some points of a case are requested, the checks are made on
+ * these and no record is written; the journal keeps the points for a later run (po_journal.h).
  *
  * Status: PO_INTERRUPTED (a case is not finished; its solved points are stored; if all cases are
  * finished, `stop` has no effect), PO_CANNOT_WRITE, PO_CANNOT_READ (a reference), PO_NO_MEMORY. A

@@ -12,6 +12,7 @@
 #include "po_observe.h"
 #include "po_pins.h"
 #include "po_recover.h"
+#include "po_times.h"
 
 po_status po_run_solver_begin(po_case_run *run) {
   const po_plan *plan = run->plan;
@@ -130,19 +131,10 @@ static po_status copy_result(const po_request *request, const po_result *from, p
   return status;
 }
 
-static int ascending(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
 /* Returned: the median of the times of the repeats. The first one, which may include compilation,
  * is left out if there are others. */
 static double median_of(const double *seconds, unsigned repeats) {
-  double sorted[1000]; /* the greatest value of `repeats` */
-  const unsigned from = repeats > 1 ? 1 : 0, count = repeats - from;
-  memcpy(sorted, seconds + from, count * sizeof *sorted);
-  qsort(sorted, count, sizeof *sorted, ascending);
-  return count % 2 ? sorted[count / 2] : (sorted[count / 2 - 1] + sorted[count / 2]) / 2;
+  return repeats > 1 ? po_times_median(seconds + 1, repeats - 1) : seconds[0];
 }
 
 /* Stores an answer for all points of its question. */

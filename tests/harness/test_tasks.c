@@ -1,9 +1,11 @@
 /* Tests of the order of the solves of a run: timed cases come last, one solve at a time, in rounds
- * over all points. */
+ * over all points, until the solves of a point took long enough. */
 #include <check.h>
+#include <math.h>
 #include <stdlib.h>
 
 #include "po_tasks.h"
+#include "po_times.h"
 #include "run.h"
 
 enum { RUNS = 4 };
@@ -60,7 +62,23 @@ START_TEST(timed_solves_go_round) {
 }
 END_TEST
 
+START_TEST(points_are_timed_until_enough) {
+  static const double SHORT[] = {0.3, 0.3, 0.3, 0.2}, LONG[] = {0.6, 0.5, NAN, NAN}, NONE[] = {NAN};
+  ck_assert(!po_times_are_enough(SHORT, 0));
+  ck_assert(!po_times_are_enough(SHORT, 3));
+  ck_assert(po_times_are_enough(SHORT, 4));
+  ck_assert(!po_times_are_enough(LONG, 1));
+  ck_assert(po_times_are_enough(LONG, 2));
+  ck_assert(po_times_are_enough(LONG, 3));
+  ck_assert_double_eq_tol(po_times_median(SHORT, 4), 0.3, 1e-15);
+  ck_assert_double_eq_tol(po_times_median(SHORT + 2, 2), 0.25, 1e-15);
+  ck_assert_double_eq_tol(po_times_median(LONG, 4), 0.55, 1e-15);
+  ck_assert(isnan(po_times_median(NONE, 1)));
+}
+END_TEST
+
 static void add(TCase *tests) {
+  tcase_add_test(tests, points_are_timed_until_enough);
   tcase_add_test(tests, timed_solves_go_round);
 }
 
