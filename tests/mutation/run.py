@@ -1,10 +1,11 @@
 #!/usr/bin/python3
-"""Plants every fault of faults.toml, one at a time, and runs the detectors of detectors.toml with it.
+"""Plants every fault of faults.toml, one at a time, and runs the detectors of detectors.toml with it until one catches it.
 
-Fails if no detector catches a fault, if a detector catches no fault, if a detector fails without a fault, or if a fault
+The detectors that first.toml names for a fault are all run with it, and first. Fails if no detector catches a fault, if a detector catches no fault, if a detector fails without a fault, or if a fault
 does not fit the source. Prints TAP and writes the matrix as JSON (README.md describes it)."""
 
 import argparse
+import collections
 import concurrent.futures
 import hashlib
 import json
@@ -15,6 +16,7 @@ import threading
 import time
 
 import detect
+import first
 import plant
 
 SCHEMA = "pulloff-faults/1"
@@ -28,8 +30,14 @@ def arguments(words):
     parser.add_argument("--fault", action="append", metavar="NAME", help="only this fault; writes no matrix")
     parser.add_argument("--reuse", action="store_true",
                         help="do nothing when the matrix is of this program, these faults and cases, and whole")
+    parser.add_argument("--all", action="store_true", help="run every detector with every fault that concerns it")
+    parser.add_argument("--write", action="store_true",
+                        help="with --all: write first.toml, the detectors that are run first with each fault")
     parser.add_argument("--fit", action="store_true", help="only whether every fault fits its source")
-    return parser.parse_args(words)
+    given = parser.parse_args(words)
+    if given.write and (not given.all or given.fault):
+        parser.error("--write needs --all, without --fault")
+    return given
 
 
 def key_of(build, detectors):
@@ -75,10 +83,12 @@ class Campaign:
         self.detectors = detect.read_detectors(os.path.join(plant.HERE, "detectors.toml"))
         self.faults = plant.read_faults(os.path.join(plant.HERE, "faults.toml"))
         self.key = key_of(self.build, self.detectors)
-        self.part = bool(wanted.fault)
+        self.part, self.every = bool(wanted.fault), wanted.all
+        self.first = first.read(os.path.join(plant.HERE, first.NAME))
         if self.part:
             self.choose(wanted.fault)
         self.baseline = {}
+        self.catches = collections.Counter()  # number of faults that each detector has caught
         self.total, self.done, self.begin = 0, 0, time.monotonic()
         self.telling = threading.Lock()
 
@@ -106,32 +116,61 @@ class Campaign:
             cells = pool.map(one, self.detectors)
         self.baseline = {detector["name"]: cell for detector, cell in zip(self.detectors, cells)}
 
+    def turns(self, fault):
+        """The detectors of a fault in the order in which they are run, each with whether it is run in any case: those
+        of first.toml, then the others, the cheapest first."""
+        named = self.first.get(fault["name"], [])
+        mine = [detector for detector in self.detectors if concerns(detector, fault)]
+        mine.sort(key=lambda detector: (detector["name"] not in named, self.baseline[detector["name"]]["seconds"]))
+        return [(detector, self.every or detector["name"] in named) for detector in mine]
+
+    def run_with(self, fault, turns, cells):
+        """Plants a fault and runs detectors with it until one catches it; adds their cells to `cells`. Detectors whose
+        program does not contain the file have no cell."""
+        place = self.place(fault["name"])
+        made, programs = self.build.object_of(fault, place), {}
+        for detector, always in turns:
+            if not always and any(cell["caught"] for cell in cells.values()):
+                break
+            name = detect.program_of(detector)
+            if name not in programs:
+                programs[name] = self.build.program(name, made, place)
+            if not programs[name]:
+                continue
+            cell = detect.run(detector, programs[name], place, detect.limit_of(self.baseline[detector["name"]]))
+            cell["caught"] = is_caught(fault, cell)
+            cells[detector["name"]] = cell
+            with self.telling:
+                self.catches[detector["name"]] += cell["caught"]
+        if any(cell["caught"] for cell in cells.values()):
+            shutil.rmtree(place)
+
     def run_fault(self, fault):
         """The row of a fault: its cells by detector. Detectors that are not run with the fault have no cell."""
         row = {key: fault[key] for key in ("name", "kind", "what", "file")}
         row.update(cells={}, caught=False, problem="")
-        place = self.place(fault["name"])
         try:
-            made = self.build.object_of(fault, place)
-            programs = {}
-            for detector in self.detectors:
-                if not concerns(detector, fault):
-                    continue
-                name = detect.program_of(detector)
-                if name not in programs:
-                    programs[name] = self.build.program(name, made, place)
-                if programs[name]:
-                    row["cells"][detector["name"]] = detect.run(
-                        detector, programs[name], place, detect.limit_of(self.baseline[detector["name"]]))
+            self.run_with(fault, self.turns(fault), row["cells"])
         except plant.Stale as error:
             row["problem"] = str(error)
-        for cell in row["cells"].values():
-            cell["caught"] = is_caught(fault, cell)
         row["caught"] = any(cell["caught"] for cell in row["cells"].values())
-        if row["caught"]:
-            shutil.rmtree(place)
         self.tell(f"{fault['name']}: {'caught' if row['caught'] else 'not caught'}")
         return row
+
+    def prove(self, detector, rows):
+        """Runs a detector that has caught no fault with further faults until it catches one."""
+        for fault, row in zip(self.faults, rows):
+            if self.catches[detector["name"]]:
+                return
+            if concerns(detector, fault) and detector["name"] not in row["cells"] and not row["problem"]:
+                self.run_with(fault, [(detector, True)], row["cells"])
+
+    def prove_idle(self, rows):
+        """Runs the detectors that have caught no fault with the faults with which they were not run."""
+        idle = [detector for detector in self.detectors if not self.catches[detector["name"]]]
+        for detector in [] if self.part or self.every else idle:
+            print(f"{detector['name']} has caught no fault yet: it is run with the others", file=sys.stderr, flush=True)
+            self.prove(detector, rows)
 
     def tell(self, what):
         """Prints the progress in the form of `pulloff run`."""
@@ -145,13 +184,15 @@ class Campaign:
     def run_faults(self, faults):
         self.total, self.begin = len(faults), time.monotonic()
         with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
-            return list(pool.map(self.run_fault, faults))
+            rows = list(pool.map(self.run_fault, faults))
+        self.prove_idle(rows)
+        return rows
 
     def matrix(self, rows, seconds):
         detectors = [{"name": detector["name"], "kind": detector["kind"], "title": detector["title"],
                       "seconds": self.baseline[detector["name"]]["seconds"],
                       "passes": not self.baseline[detector["name"]]["by"],
-                      "catches": sum(row["cells"].get(detector["name"], {}).get("caught", False) for row in rows)}
+                      "catches": self.catches[detector["name"]]}
                      for detector in self.detectors]
         return {"schema": SCHEMA, "key": self.key, "seconds": round(seconds, 1), "detectors": detectors, "faults": rows,
                 "passes": all(row["caught"] for row in rows) and
@@ -188,7 +229,7 @@ def table_of(matrix):
     names = [detector["name"] for detector in matrix["detectors"]]
     width = max(len(row["name"]) for row in matrix["faults"])
     signs = {"oracle": "O", "pin": "p", "no_result": "n", "test": "T", "refused": "R", "timeout": "t"}
-    lines = ["O oracle, T test, n no result, R refused, p pin, t out of time, . passed, blank: not set at it"]
+    lines = ["O oracle, T test, n no result, R refused, p pin, t out of time, . passed, blank: not run with it"]
     for place in range(max(map(len, names))):
         lines.append(" " * width + " " + " ".join(name[place:place + 1] or " " for name in names))
     for row in matrix["faults"]:
@@ -240,6 +281,8 @@ def main(words):
             json.dump(matrix, stream, indent=1)
             stream.write("\n")
         os.replace(path + ".new", path)
+    if wanted.write:
+        first.write(os.path.join(plant.HERE, first.NAME), matrix)
     print(tap_of(matrix, campaign.part))
     print(table_of(matrix))
     print(f"# {len(campaign.faults)} faults, {time.monotonic() - begin:.0f} s")
