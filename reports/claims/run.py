@@ -178,7 +178,10 @@ def main(words):
         given = sources.Sources(os.path.abspath(wanted.program), wanted.run, TREE, kept)
         unknown = set(wanted.claim or ()) - {claim["id"] for claim in claims}
         book.demand(not unknown, wanted.list, f"there is no claim {', '.join(sorted(unknown))}")
-        rows = [row_of(claim, given) for claim in claims if not wanted.claim or claim["id"] in wanted.claim]
+        chosen = [claim for claim in claims if not wanted.claim or claim["id"] in wanted.claim]
+        given.prepare([source for claim in chosen if "untestable" not in claim
+                       for choice in book.choices(claim) for source in choice["get"].values()])
+        rows = [row_of(claim, given) for claim in chosen]
         made = document(rows, digest)
         if not wanted.claim:
             given.forget_unused()

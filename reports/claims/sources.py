@@ -4,7 +4,9 @@ The output of a command is stored under a key of the program's bytes and the com
 one of them changes.
 """
 
+import concurrent.futures
 import csv
+import functools
 import hashlib
 import itertools
 import json
@@ -12,6 +14,7 @@ import math
 import os
 import shlex
 import subprocess
+import threading
 import time
 
 
@@ -24,6 +27,13 @@ def commands(source):
     keys = list(source.get("each", {}))
     combinations = itertools.product(*(source["each"][key] for key in keys))
     return [source["pulloff"].format(**dict(zip(keys, values))) for values in combinations]
+
+
+@functools.lru_cache(maxsize=None)
+def record_of(path):
+    """The record of a case."""
+    with open(path, encoding="utf-8") as stream:
+        return json.load(stream)
 
 
 def follow(document, path):
@@ -78,10 +88,23 @@ class Sources:
             return (found if "each" in source else found[0]), lines
         return self.of_table(source) if "table" in source else self.of_case(source)
 
+    def path_of(self, line):
+        """The file with the stored output of a command."""
+        key = hashlib.sha256(f"{self.digest}\n{line}".encode()).hexdigest()
+        return os.path.join(self.kept, key + ".json")
+
+    def prepare(self, wanted):
+        """Runs the commands of these sources whose output is not stored, one on each core. A failure is reported by
+        get, which runs the command again."""
+        lines = dict.fromkeys(line for source in wanted if "pulloff" in source for line in commands(source))
+        missing = [line for line in lines if not os.path.exists(self.path_of(line))]
+        with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
+            for made in [pool.submit(self.compute, line, self.path_of(line)) for line in missing]:
+                made.exception()
+
     def document(self, line):
         """The JSON document that a command prints."""
-        key = hashlib.sha256(f"{self.digest}\n{line}".encode()).hexdigest()
-        path = os.path.join(self.kept, key + ".json")
+        path = self.path_of(line)
         self.used.add(path)
         try:
             with open(path, encoding="utf-8") as stream:
@@ -96,7 +119,7 @@ class Sources:
         self.seconds += time.monotonic() - begin
         if done.returncode:
             raise SourceError(f"pulloff {line}: {done.stderr.strip() or f'exit code {done.returncode}'}")
-        beside = f"{path}.{os.getpid()}"
+        beside = f"{path}.{os.getpid()}.{threading.get_ident()}"
         with open(beside, "w", encoding="utf-8") as stream:
             stream.write(done.stdout)
         os.replace(beside, path)
@@ -122,8 +145,7 @@ class Sources:
     def of_case(self, source):
         path = os.path.join(self.run, source["case"], "record.json")
         try:
-            with open(path, encoding="utf-8") as stream:
-                record = json.load(stream)
+            record = record_of(path)
         except (OSError, json.JSONDecodeError) as error:
             raise SourceError(f"there is no record of case {source['case']}") from error
         points = [point for point in record["points"] if is_selected(
