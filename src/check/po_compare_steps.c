@@ -11,12 +11,15 @@ static const po_compare_column NUMBERS[] = {{"from_approach", "step_preload"},
 enum { NUMBER_COUNT = sizeof NUMBERS / sizeof *NUMBERS };
 
 /* Under load control the first step begins with separated bodies, at no finite approach, and the
- * energy lost is infinite. So the first and the last number are not compared. */
+ * energy lost is infinite. So the first and the last number are not compared. Neither is the energy
+ * lost, the last number, if the table does not have it. */
 static size_t first_compared(po_quantity quantity) {
   return quantity == PO_STEPS ? 0 : 1;
 }
-static size_t count_compared(po_quantity quantity) {
-  return NUMBER_COUNT - 2 * first_compared(quantity);
+static size_t count_compared(po_quantity quantity, const po_reference *reference) {
+  const bool energies =
+      po_csv_find_column(&reference->table, NUMBERS[NUMBER_COUNT - 1].column) >= 0;
+  return NUMBER_COUNT - (quantity == PO_STEPS ? !energies : 2);
 }
 
 /* Returned: the controlled quantity, approach or load; the column of its value at the begin of a
@@ -69,7 +72,7 @@ static po_status add_step(const po_compare_target *target, size_t row, const po_
   char subject[48];
   snprintf(subject, sizeof subject, "step-%zu", index + 1);
   return po_compare_row_add(target, row, subject, NUMBERS + first, obtained + first,
-                            count_compared(quantity), step->pull_off);
+                            count_compared(quantity, target->reference), step->pull_off);
 }
 
 po_status po_compare_steps(const po_case *kase, size_t point, const po_check *check,
@@ -108,5 +111,5 @@ po_status po_compare_steps(const po_case *kase, size_t point, const po_check *ch
 po_status po_compare_steps_uncertainty(po_quantity quantity, const po_reference *reference,
                                        const po_request *request, po_reference_number *most) {
   return po_compare_rows_uncertainty(reference, request, NUMBERS + first_compared(quantity),
-                                     count_compared(quantity), most);
+                                     count_compared(quantity, reference), most);
 }
