@@ -56,6 +56,14 @@ po_status po_spline_slopes(size_t count, const double *x, const double *y, doubl
 /* Largest slope of a monotone cubic, relative to the smaller of the chords beside. */
 static const double STEEPEST = 3.0;
 
+/* The slope at an end. Given: the chord there and that beside. */
+static double limit_end(double chord_there, double beside, double slope) {
+  if (!(chord_there * beside > 0.0))
+    return slope;
+  const double part = copysign(1.0, chord_there) * slope;
+  return copysign(fmin(fmax(part, 0.0), STEEPEST * fabs(chord_there)), chord_there);
+}
+
 void po_spline_limit(size_t count, const double *x, const double *y, double *slope) {
   for (size_t k = 1; k + 2 < count; ++k) {
     const double before = chord(x, y, k - 1), here = chord(x, y, k), after = chord(x, y, k + 1);
@@ -66,4 +74,7 @@ void po_spline_limit(size_t count, const double *x, const double *y, double *slo
     slope[k] = copysign(fmin(fmax(copysign(1.0, here) * slope[k], 0.0), left), here);
     slope[k + 1] = copysign(fmin(fmax(copysign(1.0, here) * slope[k + 1], 0.0), right), here);
   }
+  const size_t last = count - 1;
+  slope[0] = limit_end(chord(x, y, 0), chord(x, y, 1), slope[0]);
+  slope[last] = limit_end(chord(x, y, last - 1), chord(x, y, last - 2), slope[last]);
 }

@@ -13,9 +13,9 @@
 po_status po_spline_slopes(size_t count, const double *x, const double *y, double *slope);
 
 /* Limits the slopes so that the cubic of an interval rises or falls with its points where the
- * points rise or fall over three successive intervals. Source: J. M. Hyman, SIAM J. Sci. Stat.
- * Comput. 4 (1983) 645, with the limit of F. N. Fritsch and R. E. Carlson, SIAM J. Numer. Anal. 17
- * (1980) 238. */
+ * points rise or fall over three successive intervals; at the ends, over two. Source: J. M. Hyman,
+ * SIAM J. Sci. Stat. Comput. 4 (1983) 645, with the limit of F. N. Fritsch and R. E. Carlson, SIAM
+ * J. Numer. Anal. 17 (1980) 238. */
 void po_spline_limit(size_t count, const double *x, const double *y, double *slope);
 
 #endif

@@ -102,11 +102,31 @@ static po_status compare_coarse(const po_csv *csv, po_profile_table *t) {
   return status;
 }
 
+/* The slope at the end, with which the gap is continued. */
+static po_status check_end(const po_csv *csv, const po_profile_table *t) {
+  const size_t last = t->rows - 1;
+  if (t->slope[last] > 0.0)
+    return PO_OK;
+  return refuse(csv, last, "the slope of the spline at the last r", t->slope[last],
+                "more than 0, by rows nearer to each other at the end");
+}
+
 /* The least of the four Bezier points of a cubic, a lower bound of it. */
 static double least_between(const po_profile_table *t, size_t k) {
   const double third = (t->r[k + 1] - t->r[k]) / 3.0;
   return fmin(fmin(t->gap[k], t->gap[k + 1]),
               fmin(t->gap[k] + third * t->slope[k], t->gap[k + 1] - third * t->slope[k + 1]));
+}
+
+/* The least slope of a cubic, times a third of the length of its interval: how far it falls, at
+ * most twice. The slope is a parabola with the Bezier points s0, 3 chord - s0 - s1 and s1. */
+static double steepest_fall(const po_profile_table *t, size_t k) {
+  const double h = t->r[k + 1] - t->r[k], s0 = t->slope[k], s1 = t->slope[k + 1];
+  const double middle = 3.0 * (t->gap[k + 1] - t->gap[k]) / h - s0 - s1;
+  double least = fmin(s0, s1);
+  if (middle < least)
+    least = (s0 * s1 - middle * middle) / ((s0 - middle) + (s1 - middle));
+  return fmax(-least, 0.0) * h / 3.0;
 }
 
 static double second_derivative(const po_profile_table *t, size_t k, bool at_end) {
@@ -134,7 +154,7 @@ static void derive(po_profile_table *t) {
     const double least = least_between(t, k);
     t->beyond[k] = fmin(least, t->beyond[k + 1]);
     narrowest = fmin(narrowest, t->r[k + 1] - t->r[k]);
-    if (least < t->gap[k] - dip)
+    if (steepest_fall(t, k) > dip)
       t->detail = 0.0;
     if (second_derivative(t, k, false) < -rounding || second_derivative(t, k, true) < -rounding)
       t->is_convex = false;
@@ -164,6 +184,8 @@ static po_status make(const char *path, double scale, const po_csv *csv, po_prof
     status = slopes_of(t->rows, t->r, t->gap, t->slope);
   if (!status)
     status = compare_coarse(csv, t);
+  if (!status)
+    status = check_end(csv, t);
   if (!status) {
     derive(t);
     return PO_OK;
@@ -205,6 +227,16 @@ po_status po_profile_table_read(const char *path, double scale, const po_profile
   const po_status status = *table ? PO_OK : read_new(path, scale, table);
   pthread_mutex_unlock(&lock);
   return status;
+}
+
+void po_profile_table_clear(void) {
+  pthread_mutex_lock(&lock);
+  while (tables) {
+    po_profile_table *t = tables;
+    tables = t->next;
+    destroy(t);
+  }
+  pthread_mutex_unlock(&lock);
 }
 
 /* The interval of a radius, by bisection. */

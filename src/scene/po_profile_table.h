@@ -1,10 +1,10 @@
 /* A profile read from a table of radii and gaps.
  *
  * Between the rows the gap is a cubic spline with continuous second derivative (not-a-knot at both
- * ends). Where the rows rise or fall over three successive intervals, its slopes are limited by the
- * filter of Hyman (SIAM J. Sci. Stat. Comput. 4 (1983) 645), so that the spline rises or falls with
- * them. Beyond the last row the gap is continued by the power of the radius with the same value and
- * slope. */
+ * ends). Where the rows rise or fall over three successive intervals, at the ends over two, its
+ * slopes are limited by the filter of Hyman (SIAM J. Sci. Stat. Comput. 4 (1983) 645), so that the
+ * spline rises or falls with them. Beyond the last row the gap is continued by the power of the
+ * radius with the same value and slope. */
 #ifndef PO_PROFILE_TABLE_H
 #define PO_PROFILE_TABLE_H
 
@@ -34,7 +34,10 @@ typedef struct po_profile_table {
  * again. The table stays in memory until the program ends, so that scenes can be copied.
  * Thread-safe. Status: PO_CANNOT_READ, with file and line, if the file cannot be read, a number is
  * not finite, r does not start at 0 or does not rise, there are fewer than 8 rows, the rows are too
- * far from each other, or the gap does not rise at the end; PO_NO_MEMORY. */
+ * far from each other, or the gap or its spline does not rise at the end; PO_NO_MEMORY. */
 po_status po_profile_table_read(const char *path, double scale, const po_profile_table **table);
+
+/* Releases all tables that were read. No profile set from one may be used after it. */
+void po_profile_table_clear(void);
 
 #endif

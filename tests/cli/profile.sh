@@ -65,6 +65,8 @@ expect 4 'pulloff: offset.csv:2: the first r is 0.6*: expected 0' solve --profil
 expect 4 'pulloff: flat.csv:101: the last gap is 3: expected more than in the row before and on the axis' \
   solve --profile-file flat.csv
 expect 4 'pulloff: coarse.csv:*: without this row the gap changes; the change is *' solve --profile-file coarse.csv
+sed '/%%/,$d' "$here/../fuzz/corpus/profile/falls_at_the_end" >falls.csv
+expect 4 'pulloff: falls.csv:26: the slope of the spline at the last r is 0: expected more than 0*' solve --profile-file falls.csv
 expect 4 'pulloff: nan.csv:6: *nan*' solve --profile-file nan.csv
 expect 4 'pulloff: words.csv:6: *x*' solve --profile-file words.csv
 expect 2 'pulloff: both --profile and --profile-file are given: expected only one' solve --profile cone:1 \
