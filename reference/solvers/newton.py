@@ -129,13 +129,13 @@ class Sphere:
 
 def turning(points, which):
     """Where the approach (which = 1) or the load (2) turns along the branch, on the Hermite cubics between the points:
-    (is a maximum, approach, load, index)."""
+    (is a maximum, approach, load, index of the point before, the part of the way to the next one)."""
     found = []
     for i, (p, q) in enumerate(zip(points, points[1:])):
         if p[which + 2] * q[which + 2] < 0:
             curve = CubicHermiteSpline([p[0], q[0]], [p[1:3], q[1:3]], [p[3:5], q[3:5]])
             at = brentq(lambda s: curve(s, 1)[which - 1], p[0], q[0])
-            found.append((p[which + 2] > 0, *curve(at), i))
+            found.append((p[which + 2] > 0, *curve(at), i, (at - p[0]) / (q[0] - p[0])))
     return found
 
 
@@ -162,12 +162,13 @@ def solve(scene, point):
     minima = [e for e in extrema if not e[0]]
     if not minima:
         raise ArithmeticError("the load has no minimum up to the preload")
-    _, approach, load, index = min(minima, key=lambda e: e[2])
+    _, approach, load, index, part = min(minima, key=lambda e: e[2])
+    before, after = (contact_radius(sphere, points[i][5]) for i in (index, index + 1))
     return {
         "start": points[0][1], "end": points[-1][1],
-        "pull_off": {"force": -load, "approach": approach, "contact_radius": contact_radius(sphere, points[index][5])},
-        "folds": [{"kind": "jump_in" if top else "jump_out", "approach": d, "load": w} for top, d, w, _ in folds],
-        "extrema": [{"kind": "maximum" if top else "minimum", "approach": d, "load": w} for top, d, w, _ in extrema],
+        "pull_off": {"force": -load, "approach": approach, "contact_radius": before + part * (after - before)},
+        "folds": [{"kind": "jump_in" if top else "jump_out", "approach": d, "load": w} for top, d, w, *_ in folds],
+        "extrema": [{"kind": "maximum" if top else "minimum", "approach": d, "load": w} for top, d, w, *_ in extrema],
         "curve": {"approach": [p[1] for p in points], "load": [p[2] for p in points]},
     }
 

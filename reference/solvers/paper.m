@@ -8,7 +8,8 @@ end
 
 function M = influence (r)                       % int G(r_i, s) phi_j(s) s ds
   n = numel (r); h = r(2); M = zeros (n);
-  t = (0.5 + (0:39)) / 40; x = t.^2 .* (3 - 2 * t); w = 6 * t .* (1 - t) / 40;   % midpoint rule, dense at both ends
+  t = (0.5 + (0:39)) / 40; x = t.^3 .* (10 - 15 * t + 6 * t.^2);     % midpoint rule, dense at both ends
+  w = 30 * (t .* (1 - t)).^2 / 40;
   for k = 1:n-1
     s = r(k) + h * x;
     g = kernel (r, s) .* (s .* w * h);

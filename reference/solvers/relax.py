@@ -9,6 +9,7 @@ step of the approach.
 
 import numpy as np
 from scipy.linalg import lu_factor, lu_solve
+from scipy.optimize import minimize_scalar
 
 import ask
 import newton
@@ -78,14 +79,15 @@ def solve(scene, point):
     unloading, jumps_out = sweep(sphere, loading[-1][2], loading[-1][0],
                                  lambda d, w: d <= far or (d < -1 and w > -1e-2), -1)
     i = min(range(1, len(unloading) - 1), key=lambda k: unloading[k][1])
-    x, y = zip(*[state[:2] for state in unloading[i - 1:i + 2]])
-    fit = np.polynomial.Polynomial.fit(x, y, 2)
-    at = fit.deriv().roots()[0] if y[1] < min(y[0], y[2]) else x[1]
-    at = at if min(x) < at < max(x) and abs(fit(at) - y[1]) < 0.01 else x[1]
-    force = -fit(at) if at != x[1] else -y[1]
+    (begin, *_), (at, load, gap), (end, *_) = unloading[i - 1:i + 2]
+    if not any(end <= jump["approach"] <= begin for jump in jumps_out):
+        found = minimize_scalar(lambda d: sphere.load(rest(sphere, gap, d), d), bounds=(end, begin), method="bounded",
+                                options={"xatol": FINEST})
+        at, load = found.x, found.fun
+    gap = rest(sphere, gap, at)
     jumps = jumps_in + jumps_out
-    return {"pull_off": {"force": force, "approach": at, "contact_radius": newton.contact_radius(sphere, unloading[i][2])},
-            "hysteresis": {"force": force, "approach": at, "energy_lost": sum(j["energy_lost"] for j in jumps),
+    return {"pull_off": {"force": -load, "approach": at, "contact_radius": newton.contact_radius(sphere, gap)},
+            "hysteresis": {"force": -load, "approach": at, "energy_lost": sum(j["energy_lost"] for j in jumps),
                            "jumps": jumps}}
 
 

@@ -7,6 +7,7 @@
 
 #include "po_file.h"
 #include "po_input.h"
+#include "po_journal.h"
 #include "po_json.h"
 #include "po_memory.h"
 #include "po_observe.h"
@@ -213,16 +214,17 @@ po_status po_run_solver_ask(po_case_run *run, size_t share, const char *output,
   return status;
 }
 
-/* A point that was recovered is kept in memory; the journal gets it with the next one. */
+/* A point that was recovered is in the journal before the folder with its answer is removed: this
+ * run may be killed, too. */
 static po_status take_recovered(void *context, po_case_run *run, size_t point, bool again) {
-  (void)context;
+  const char *output = context;
   (void)again;
   run->done[point] = true;
-  return PO_OK;
+  return po_journal_add(run, point, output);
 }
 
 po_status po_run_solver_recover(po_case_run *run, const char *output) {
-  share_of_run s = {.taken = take_recovered};
+  share_of_run s = {.taken = take_recovered, .context = (void *)output};
   char *folder = po_path_join(output, run->plan->kase->file->name);
   po_status status = folder ? collect(run, 0, 1, &s) : PO_NO_MEMORY;
   if (!status)

@@ -107,8 +107,10 @@ static po_status listen(asking *a, po_process *process, po_response *response,
     if (status || *late || response->wrong[0])
       po_process_stop(process, GRACE);
   }
-  if (!process->running && !status)
-    status = po_taking_lines(t, response, true, &found->found, &news);
+  if (!process->running && (!status || status == PO_INTERRUPTED)) {
+    const po_status taken = po_taking_lines(t, response, !status, &found->found, &news);
+    status = status ? status : taken;
+  }
   if (news && !any)
     found->first = process->end.wall;
   return status;
@@ -171,7 +173,9 @@ static po_status run_process(asking *a, bool *fruitless, bool *late) {
   } else if (!status && (t->complaint[0] || end.left || end.code))
     t->unusual = true;
   po_response_close(&response);
-  keep_folder(a->log, &folder.path, t->unusual);
+  /* if an answer could not be stored, the next run takes it from the folder */
+  if (!status || status == PO_INTERRUPTED || !a->key)
+    keep_folder(a->log, &folder.path, t->unusual);
   po_ask_folder_clear(&folder);
   return status;
 }

@@ -102,7 +102,9 @@ po_status po_questions_table(const po_solver *solver, const po_question *questio
   for (size_t i = 0; i < count; ++i)
     for (int key = 0; open[i] && key < PO_KEY_COUNT; ++key)
       used[key] = used[key] || is_asked(&questions[i].request, key);
-  po_text_add(text, "id,limit_s,repeats,preload_approach,preload_load");
+  po_text_add(
+      text,
+      "id,limit_s,repeats,load_unit,preload_approach,preload_load,approach_start,approach_end");
   if (solver->knob)
     po_text_add(text, ",%s", solver->file->knob->name);
   for (int key = 0; key < PO_KEY_COUNT; ++key)
@@ -116,9 +118,11 @@ po_status po_questions_table(const po_solver *solver, const po_question *questio
     const po_preload preload = po_request_preload(&q->request);
     po_text_add(text, "%s", q->id);
     add_number(text, q->limit);
-    po_text_add(text, ",%u", q->repeats);
+    po_text_add(text, ",%u,%s", q->repeats, po_input_load_unit(&q->request));
     add_number(text, preload.approach);
     add_number(text, preload.load);
+    add_number(text, q->request.approach_start);
+    add_number(text, q->request.approach_end);
     if (solver->knob)
       po_text_add(text, ",%s", solver->knob);
     for (int key = 0; key < PO_KEY_COUNT; ++key) {

@@ -21,8 +21,9 @@ po_status po_questions_json(const po_solver *solver, const po_question *question
                             size_t count, po_text *text);
 
 /* Appends the same request as a CSV table, for languages without JSON: one row a question, with the
- * columns id, limit_s, repeats, preload_approach, preload_load, the knob, and each key of the scene
- * that one of the questions has ("-" for the others). Status: PO_NO_MEMORY. */
+ * columns id, limit_s, repeats, load_unit, preload_approach, preload_load, approach_start,
+ * approach_end, the knob, and each key of the scene that one of the questions has ("-" for the
+ * others). Status: PO_NO_MEMORY. */
 po_status po_questions_table(const po_solver *solver, const po_question *questions,
                              const bool *open, size_t count, po_text *text);
 

@@ -1,12 +1,19 @@
 #!/bin/sh
-# The example solvers of reference/solvers conform, on coarse meshes; the deliberately wrong one does not, and its mistake
-# is named. The one in GNU Octave is tested where Octave is installed.
+# The example solvers of reference/solvers conform, on coarse meshes, and solve two scenes of the case smoke within its
+# tolerances; the deliberately wrong one does not, and its mistake is named. The one in GNU Octave is tested where Octave is
+# installed.
 # shellcheck disable=SC1091,SC2154
 . "$(dirname "$0")/lib.sh"
 export PULLOFF_DATA="$here/../.."
 solvers=$PULLOFF_DATA/reference/solvers
-for pair in newton:126 copson:1 relax:126; do
+for pair in newton:126 copson:1 relax:126 triangles:126; do
   expect 0 '' conform "$solvers/${pair%:*}.yaml" --knob "${pair#*:}" --output out
+done
+for pair in newton:501 copson:1 relax:126 triangles:501; do
+  "$program" verify smoke --points 1-2 --solver "$solvers/${pair%:*}.yaml" --knob "${pair#*:}" --output out --jobs 1 \
+    >stdout 2>stderr
+  check "$pair solves smoke: $(cat stdout stderr)" test $? -eq 0
+  check "$pair: all checks are made: $(cat stdout)" grep -qE '^(4|10) checks pass( \([0-9]* slack\))?, 0 do not' stdout
 done
 if command -v octave-cli >/dev/null; then
   expect 0 '' conform "$solvers/paper.yaml" --knob 126 --output out
