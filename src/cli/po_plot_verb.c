@@ -13,6 +13,7 @@
 #include "po_memory.h"
 #include "po_options.h"
 #include "po_plot.h"
+#include "po_plot_case_map.h"
 #include "po_session.h"
 
 po_status po_plot_take_file(const char *text, const char **file) {
@@ -23,8 +24,7 @@ po_status po_plot_take_file(const char *text, const char **file) {
                                  "the name of a file that ends in .svg, .png or .pdf");
 }
 
-/* Draws with a script of the data folder. */
-static po_status draw(const po_text *script, const char *name, const char *file) {
+po_status po_plot_with(const po_text *script, const char *name, const char *file) {
   char *figures = po_path_join(po_environment_data(), "reports/figures");
   const po_status status = figures ? po_plot_draw(script, figures, name, file) : PO_NO_MEMORY;
   free(figures);
@@ -35,13 +35,12 @@ po_status po_plot_to_file(const po_request *request, const po_result *result, co
   po_text script = {0};
   po_status status = po_plot_solve(request, result, &script);
   if (!status)
-    status = draw(&script, "solve.gp", file);
+    status = po_plot_with(&script, "solve.gp", file);
   po_text_clear(&script);
   return status;
 }
 
-/* The size of a plot in characters: that of the terminal, within limits. */
-static void plot_size(size_t *columns, size_t *rows) {
+void po_plot_size(size_t *columns, size_t *rows) {
   enum { COLUMNS = 66, ROWS = 21, BESIDE = 14, BELOW = 5, LEAST = 20 };
   struct winsize window;
   *columns = COLUMNS;
@@ -56,7 +55,7 @@ static void plot_size(size_t *columns, size_t *rows) {
 po_status po_plot_to_terminal(const po_request *request, const po_result *result) {
   size_t columns, rows;
   po_text text = {0};
-  plot_size(&columns, &rows);
+  po_plot_size(&columns, &rows);
   const po_status status = po_plot_print(request, result, columns, rows, &text);
   if (!status)
     fputs(po_text_string(&text), stdout);
@@ -83,15 +82,19 @@ static size_t count_values(const po_case *kase, po_key key) {
   return count;
 }
 
+size_t po_plot_varied_values(const po_case *kase, int key) {
+  bool swept = false;
+  for (unsigned i = 0; i < kase->file->sweep_count; ++i)
+    swept = swept || po_sweep_names(&kase->file->sweep[i], (po_key)key);
+  return swept && po_key_is_continuous(key) ? count_values(kase, (po_key)key) : 0;
+}
+
 /* The continuous key of the sweep with the most values; -1 if none varies. */
 static int find_key(const po_case *kase) {
   int best = -1;
   size_t most = 1;
   for (int key = 0; key < PO_KEY_END; ++key) {
-    bool swept = false;
-    for (unsigned i = 0; i < kase->file->sweep_count; ++i)
-      swept = swept || po_sweep_names(&kase->file->sweep[i], (po_key)key);
-    const size_t count = swept && po_key_is_continuous(key) ? count_values(kase, (po_key)key) : 0;
+    const size_t count = po_plot_varied_values(kase, key);
     if (count > most) {
       most = count;
       best = key;
@@ -163,10 +166,10 @@ static po_status draw_run(const po_case *kase, po_key key, const run_point *poin
   }
   po_plot_assign(&script, "caption", kase->file->title);
   po_plot_assign(&script, "key_name", po_key_name(key));
-  po_plot_assign(&script, "load_unit", "πwR");
+  po_plot_assign_load_unit(&script, &kase->points[0].request);
   po_text_add(&script, "curve_count = %zu\nis_log = %d\n", curves, least > 0 && most > 20 * least);
   if (!status)
-    status = curve && !script.failed ? draw(&script, "run.gp", file) : PO_NO_MEMORY;
+    status = curve && !script.failed ? po_plot_with(&script, "run.gp", file) : PO_NO_MEMORY;
   free(curve);
   po_text_clear(&script);
   return status;
@@ -175,7 +178,7 @@ static po_status draw_run(const po_case *kase, po_key key, const run_point *poin
 static po_status print_run(const po_case *kase, po_key key, const run_point *points, size_t count) {
   size_t columns, rows, curves = 0;
   po_text text = {0};
-  plot_size(&columns, &rows);
+  po_plot_size(&columns, &rows);
   double *x = po_allocate(count, sizeof *x), *y = po_allocate(count, sizeof *y);
   po_plot_series *series = po_allocate(count, sizeof *series);
   const bool whole = x && y && series;
@@ -204,6 +207,9 @@ static po_status print_run(const po_case *kase, po_key key, const run_point *poi
 }
 
 static po_status plot_run(const po_case_run *run, const po_case *kase, const char *file) {
+  po_key keys[2];
+  if (po_plot_case_is_map(kase, keys))
+    return po_plot_case_map(run, kase, keys, file);
   const int key = find_key(kase);
   if (key < 0)
     return po_fail(PO_BAD_INPUT,

@@ -14,8 +14,9 @@ po_status po_plot_to_file(const po_request *request, const po_result *result, co
 /* Prints the plots of a solve as characters, as large as the terminal. */
 po_status po_plot_to_terminal(const po_request *request, const po_result *result);
 
-/* Plots the pull-off forces of a case against a key of its sweep. Given: `run`, folder of the
- * records; NULL: the default; `file`, NULL: as characters. Points without a result are solved. */
+/* Plots the pull-off forces of a case against a key of its sweep, or as a map if two keys vary.
+ * Given: `run`, folder of the records; NULL: the default; `file`, NULL: as characters. Points
+ * without a result are solved. */
 po_status po_plot_case(char *name, const char *run, const char *file);
 
 #endif

@@ -29,8 +29,29 @@ typedef struct {
 po_status po_plot_pull_offs(size_t number, const char *name, const po_plot_pull_off *point,
                             size_t count, po_text *script);
 
+/* A map: a value for each pair of an x and a y; both ascend. */
+typedef struct {
+  const double *x, *y;
+  size_t columns, rows; /* at least 2 each */
+  const double *value;  /* columns x rows, row by row; NAN: none */
+} po_plot_map;
+
+/* Returned: whether the values of an axis span so much that its scale is logarithmic. Given: at
+ * least one value, ascending. */
+bool po_plot_axis_is_log(const double *value, size_t count);
+
+/* Appends the data of a map to a script, for reports/figures/map.gp. Status: PO_NO_MEMORY. */
+po_status po_plot_map_data(const po_plot_map *map, po_text *script);
+
+/* Appends a map of characters, at most `columns` x `rows` of them. */
+void po_plot_map_print(const po_plot_map *map, const char *x_name, const char *y_name,
+                       size_t columns, size_t rows, po_text *text);
+
 /* Appends an assignment of a text to a variable of a script. */
 void po_plot_assign(po_text *script, const char *variable, const char *value);
+
+/* The same of the unit of the loads of a request, load_unit. */
+void po_plot_assign_load_unit(po_text *script, const po_request *request);
 
 /* Runs gnuplot with a script and then with the file `name` of the folder `figures`, and writes the
  * figure. Given: `file`, po_plot_is_figure; its ending selects the format. Status: PO_MISSING_TOOL

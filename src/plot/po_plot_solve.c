@@ -18,6 +18,11 @@ void po_plot_assign(po_text *script, const char *variable, const char *value) {
   po_text_add(script, "'\n");
 }
 
+void po_plot_assign_load_unit(po_text *script, const po_request *request) {
+  po_plot_assign(script, "load_unit",
+                 strcmp(po_input_load_unit(request), "pi w R") == 0 ? "πwR" : "πwε");
+}
+
 /* The points of the branch from `begin` to `end` - 1. */
 static void add_stretch(po_text *script, const po_curve_point *p, size_t begin, size_t end) {
   for (size_t i = begin; i + 1 < end; ++i) {
@@ -119,8 +124,7 @@ po_status po_plot_solve(const po_request *request, const po_result *o, po_text *
   po_text_add(script, "has_curve = %d\nhas_profile = %d\nhas_staircase = %d\n", curve, profile,
               staircase);
   po_plot_assign(script, "caption", command);
-  po_plot_assign(script, "load_unit",
-                 strcmp(po_input_load_unit(request), "pi w R") == 0 ? "πwR" : "πwε");
+  po_plot_assign_load_unit(script, request);
   free(command);
   add_curve(o, script);
   add_jumps(o, script);

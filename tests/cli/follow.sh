@@ -215,7 +215,7 @@ done
 # The modulus, the work of adhesion and the distance vary with the same scene at one end.
 for key in modulus-pa:2e9 work-j-per-m2:0.05 distance-m:3e-10; do
   name=${key%:*} value=${key#*:}
-  # shellcheck disable=SC2086
+  # shellcheck disable=SC2046,SC2086
   expect 0 '' follow --key "$name" --from "$value" --to "$(awk "BEGIN { print 1.1 * $value }")" --points 2 \
     --radius-m 1e-7 $(echo "$tip" | sed "s/--$name [^ ]*//") --json
   cp stdout si.json

@@ -56,6 +56,60 @@ expect 2 'pulloff: --json has no effect on plot: *' plot --json
 expect 2 'pulloff: options of a scene have no effect on a case: *' plot fig04 --tabor 2
 expect 2 'pulloff: unknown option --run of solve *' solve --run run
 . "$here/data.sh"
+# A map of two numbers; three of one number and eight of the other are curves.
+write_map() { # FROM TO COUNT of the radius
+  cat >"$PULLOFF_DATA/cases/good.yaml" <<CASE
+name: good
+title: A map
+suites: [smoke]
+scene: {scheme: panel, tolerance: 1e-2, wavelength: 20, radius: 100, outer_radius: inf}
+sweep:
+  - {key: amplitude_ratio, from: $1, to: $2, count: $3, scale: log}
+  - {key: tabor, from: 0.2, to: 0.9, count: 8, scale: linear}
+follow: tabor
+want: [pull_off]
+checks:
+  - {quantity: solved_share, reference: every_scene, tolerance: 0.5, kind: abs, because: all have}
+CASE
+}
+ln -s "$root/reports" "$PULLOFF_DATA/reports"
+write_map 0.001 0.03 8
+expect 0 '*' plot good --run map
+cp stdout map.text
+check 'the map says what it shows' grep -q '^A map: pull-off force in pi w R over tabor and amplitude_ratio$' map.text
+check 'and its shades' grep -q '^\.:-=+\*#%@ from [0-9.]* to [0-9.]*, in steps of [0-9.]*$' map.text
+cat >map.py <<'MAP'
+import json, math, re
+
+points = json.load(open("map/good/record.json"))["points"]
+rows = [re.sub(r"^.*\|", "", line).rstrip("\n") for line in open("map.text") if "|" in line]
+assert len(points) == 64 and len(rows) == 8 and len({len(row) for row in rows}) == 1
+ratios = sorted({p["input"]["amplitude_ratio"] if "amplitude_ratio" in p["input"] else p["input"]["amplitude"] for p in points})
+tabors = sorted({p["input"]["tabor"] for p in points})
+forces = [p["pull_off"]["force"] for p in points]
+low, high = min(forces), max(forces)
+for p in points:
+    row = rows[7 - ratios.index(p["input"].get("amplitude_ratio", p["input"]["amplitude"]))]
+    each = len(row) // 8
+    shades = set(row[each * tabors.index(p["input"]["tabor"]):][:each])
+    level = (p["pull_off"]["force"] - low) / (high - low) * 9
+    expected = {".:-=+*#%@"[min(8, max(0, math.floor(level + by)))] for by in (-1e-6, 1e-6)}
+    assert len(shades) == 1 and shades <= expected, (p["label"], shades, expected)
+assert len(set("".join(rows))) > 4
+MAP
+check 'every cell has the shade of its force' python3 map.py
+if command -v gnuplot >/dev/null; then
+  for file in map.svg map.png map.pdf; do
+    expect 0 '*' plot good --run map $file
+    check "$file" drawn $file
+  done
+  check 'a cell for each point' test "$(grep -c 'fill = .rgb(' map.svg)" -ge 64
+  check 'the axes' test "$(grep -c -e 'tabor' -e 'amplitude_ratio' -e 'pull-off force/πwR' map.svg)" -ge 3
+fi
+write_map 0.001 0.03 3
+expect 0 '*' plot good --run curves
+check 'few values of one number are curves' grep -q '^A map: pull-off force against tabor$' stdout
+write_case "$PULLOFF_DATA/cases/good.yaml"
 "$program" plot good --run own >out 2>err
 check 'a case without a sweep' test $? -eq 2
 check 'its message' grep -q 'pulloff: no number varies in the case good: expected' err

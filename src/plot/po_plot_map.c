@@ -1,0 +1,98 @@
+/* The map of a run in which two numbers vary. */
+#include <math.h>
+#include <stdio.h>
+
+#include "po_plot.h"
+
+/* The shades of a map of characters, from the smallest to the greatest value. */
+static const char SHADES[] = ".:-=+*#%@";
+enum { SHADE_COUNT = sizeof SHADES - 1 };
+
+bool po_plot_axis_is_log(const double *value, size_t count) {
+  const double most = 20.0; /* ratio of the ends of a linear axis */
+  return value[0] > 0.0 && value[count - 1] > most * value[0];
+}
+
+/* Part of a step by which a cell is larger on the right and above: a drawing program leaves a pale
+ * line between two cells that only touch. */
+static const double OVERLAP = 0.1;
+
+/* The border between two values of an axis, or beyond an end of it: half a step away. Given:
+ * `more`, steps farther. */
+static double border(const double *value, size_t count, size_t index, double more) {
+  const bool log_scale = po_plot_axis_is_log(value, count);
+  const size_t inner = index == 0 ? 1 : index == count ? count - 1 : index;
+  const double a = value[inner - 1], b = value[inner];
+  const double part = (index == 0 ? -0.5 : index == count ? 1.5 : 0.5) + more;
+  return log_scale ? a * pow(b / a, part) : a + part * (b - a);
+}
+
+static void find_range(const po_plot_map *map, double range[2]) {
+  range[0] = INFINITY;
+  range[1] = -INFINITY;
+  for (size_t k = 0; k < map->columns * map->rows; ++k)
+    if (isfinite(map->value[k])) {
+      range[0] = fmin(range[0], map->value[k]);
+      range[1] = fmax(range[1], map->value[k]);
+    }
+}
+
+po_status po_plot_map_data(const po_plot_map *map, po_text *script) {
+  po_text_add(script, "$map << EOD\n");
+  for (size_t j = 0; j < map->rows; ++j)
+    for (size_t i = 0; i < map->columns; ++i)
+      if (isfinite(map->value[j * map->columns + i]))
+        po_text_add(script, "%.9g %.9g %.9g %.9g %.9g %.9g %.9g\n", map->x[i], map->y[j],
+                    border(map->x, map->columns, i, 0.0),
+                    border(map->x, map->columns, i + 1, OVERLAP), border(map->y, map->rows, j, 0.0),
+                    border(map->y, map->rows, j + 1, OVERLAP), map->value[j * map->columns + i]);
+  po_text_add(script, "EOD\nx_is_log = %d\ny_is_log = %d\n",
+              po_plot_axis_is_log(map->x, map->columns), po_plot_axis_is_log(map->y, map->rows));
+  po_text_add(script, "x_low = %.9g\nx_high = %.9g\ny_low = %.9g\ny_high = %.9g\n",
+              border(map->x, map->columns, 0, 0.0), border(map->x, map->columns, map->columns, 0.0),
+              border(map->y, map->rows, 0, 0.0), border(map->y, map->rows, map->rows, 0.0));
+  return script->failed ? PO_NO_MEMORY : PO_OK;
+}
+
+static char shade_of(double value, const double range[2]) {
+  if (!isfinite(value))
+    return ' ';
+  const double part = range[1] > range[0] ? (value - range[0]) / (range[1] - range[0]) : 0.0;
+  return SHADES[(int)fmin(SHADE_COUNT - 1, floor(part * SHADE_COUNT))];
+}
+
+void po_plot_map_print(const po_plot_map *map, const char *x_name, const char *y_name,
+                       size_t columns, size_t rows, po_text *text) {
+  enum { LABEL = 10, ROWS_PER_LABEL = 5 };
+  double range[2];
+  find_range(map, range);
+  /* every value has the same number of characters; if there are too many values, some are left out
+   */
+  const size_t wide = map->columns < columns ? columns / map->columns : 1;
+  const size_t every = map->columns > columns ? (map->columns - 1) / columns + 1 : 1;
+  const size_t every_row = map->rows > rows ? (map->rows - 1) / rows + 1 : 1;
+  po_text_add(text, "%s from %.4g to %.4g, in steps of %.4g\n", SHADES, range[0], range[1],
+              (range[1] - range[0]) / SHADE_COUNT);
+  size_t shown = 0, width = 0;
+  for (size_t down = 0; down < map->rows; down += every_row, ++shown) {
+    const size_t j = map->rows - 1 - down;
+    char label[32] = "";
+    if (shown % ROWS_PER_LABEL == 0 || down + every_row >= map->rows)
+      snprintf(label, sizeof label, "%.4g", map->y[j]);
+    po_text_add(text, "%*s |", LABEL, label);
+    width = 0;
+    for (size_t i = 0; i < map->columns; i += every)
+      for (size_t k = 0; k < wide; ++k, ++width)
+        po_text_add(text, "%c", shade_of(map->value[j * map->columns + i], range));
+    po_text_add(text, "\n");
+  }
+  po_text_add(text, "%*s +", LABEL, "");
+  for (size_t k = 0; k < width; ++k)
+    po_text_add(text, "-");
+  char from[32], to[32];
+  snprintf(from, sizeof from, "%.4g", map->x[0]);
+  snprintf(to, sizeof to, "%.4g", map->x[map->columns - 1]);
+  po_text_add(text, "\n%*s  %-*s%s\n", LABEL, "", (int)width - (int)snprintf(NULL, 0, "%s", to),
+              from, to);
+  po_text_add(text, "%*s  %s, upwards %s\n", LABEL, "", x_name, y_name);
+}
