@@ -44,10 +44,10 @@ first_time() {
   'Installing packages') echo 90 ;;
   Configuring) echo 10 ;;
   Building) echo 60 ;;
-  'Running the cases') echo 700 ;;
-  'Planting faults') echo 300 ;;
-  'Judging the claims') echo 90 ;;
-  'Writing the report') echo 60 ;;
+  'Running the cases') echo 450 ;;
+  'Planting faults') echo 70 ;;
+  'Judging the claims') echo 45 ;;
+  'Writing the report') echo 30 ;;
   *) echo 0 ;;
   esac
 }
