@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "po_companion_jkr.h"
+#include "po_load_unit.h"
 #include "po_text.h"
 
 typedef enum {
@@ -479,8 +480,11 @@ static char *describe(const po_request *request, bool identity) {
     if (!po_key_is_idle(request, (po_key)key))
       add_option(&command, request, (po_key)key, identity);
   /* without the preload, a single solve would search beyond the default one */
-  if (adds_preload(request))
-    po_text_add(&command, " --preload-load %g", po_request_preload(request).load);
+  if (adds_preload(request)) {
+    char load[PO_NUMBER_LENGTH];
+    po_number_print(po_load_unit_preload(request).load, load);
+    po_text_add(&command, " --preload-load %s", load);
+  }
   const char *before = " --want ";
   for (int k = 0; k < PO_WANT_COUNT; ++k)
     if (request->want & (1u << k)) {

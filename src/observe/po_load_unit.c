@@ -21,6 +21,13 @@ po_request po_load_unit_request(const po_request *request) {
   return r;
 }
 
+po_preload po_load_unit_preload(const po_request *request) {
+  const po_request solved = po_load_unit_request(request);
+  po_preload preload = po_request_preload(&solved);
+  preload.load *= po_scene_load_unit(&solved.scene);
+  return preload;
+}
+
 static void convert_points(po_special_point *point, size_t count, double unit) {
   for (size_t k = 0; k < count; ++k) {
     point[k].load *= unit;

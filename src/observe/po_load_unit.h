@@ -15,6 +15,10 @@
 /* The request in the unit of its solve. Given: a request, which need not be valid. */
 po_request po_load_unit_request(const po_request *request);
 
+/* The preload of a request (po_request_preload), with its load in the unit of the scene that was
+ * asked for: the default preload is the load 1 in the unit of the solve. */
+po_preload po_load_unit_preload(const po_request *request);
+
 /* Converts a result of the solve to the unit of the scene that was asked for. Given: the scene of
  * the solve. */
 void po_load_unit_result(const po_scene *solved, po_result *result);

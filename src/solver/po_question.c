@@ -7,6 +7,7 @@
 
 #include "po_input.h"
 #include "po_json.h"
+#include "po_load_unit.h"
 
 /* A number of the protocol: "inf" stands for an infinite one, null for NaN. */
 static json_t *number_json(double value) {
@@ -65,7 +66,7 @@ static json_t *knob_json(const po_solver *solver) {
 }
 
 static json_t *question_json(const po_solver *solver, const po_question *q) {
-  const po_preload preload = po_request_preload(&q->request);
+  const po_preload preload = po_load_unit_preload(&q->request);
   return PO_JSON_OBJECT({"id", po_json_text(q->id)}, {"scene", scene_json(&q->request)},
                         {"load_unit", po_json_text(po_input_load_unit(&q->request))},
                         {"preload", PO_JSON_OBJECT({"approach", number_json(preload.approach)},
@@ -115,7 +116,7 @@ po_status po_questions_table(const po_solver *solver, const po_question *questio
     const po_question *q = &questions[i];
     if (!open[i])
       continue;
-    const po_preload preload = po_request_preload(&q->request);
+    const po_preload preload = po_load_unit_preload(&q->request);
     po_text_add(text, "%s", q->id);
     add_number(text, q->limit);
     po_text_add(text, ",%u,%s", q->repeats, po_input_load_unit(&q->request));
