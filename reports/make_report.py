@@ -30,13 +30,15 @@ def arguments(words):
                         help="matrix of planted faults (default: mutation/matrix.json beside the run)")
     parser.add_argument("--claims", metavar="FILE",
                         help="judged claims of the paper (default: claims/claims.json beside the run)")
+    parser.add_argument("--cost", metavar="FILE",
+                        help="measured cost of equilibria (default: cost/cost.json beside the run)")
     parser.add_argument("--fresh", action="store_true",
                         help="write the report again even if no input has changed")
     return parser.parse_args(words)
 
 
 def content_key(beside, *folders):
-    """sha256 of all inputs of a report: faults and claims, records, reference data, and the source of this program."""
+    """sha256 of all inputs of a report: faults, claims and cost, records, reference data, and the source of this program."""
     digest = hashlib.sha256((sys.version + json.dumps(beside)).encode())
     for folder in folders + (os.path.dirname(os.path.abspath(__file__)),):
         for place, inner, names in os.walk(folder):
@@ -88,7 +90,7 @@ def write_all(folder, files):
 
 def make(wanted):
     try:
-        from pulloff_report import claims, faults, gnuplot, page, records, references
+        from pulloff_report import claims, cost, faults, gnuplot, page, records, references
         import weasyprint  # noqa: F401
     except ImportError as error:
         raise ReportError(f"Python module {error.name} is missing: install numpy, scipy, "
@@ -97,11 +99,12 @@ def make(wanted):
     run = records.Run(wanted.run)
     matrix = faults.read(wanted.faults or faults.beside(wanted.run))
     judged = claims.read(wanted.claims or claims.beside(wanted.run))
-    key = content_key([matrix, judged], wanted.run, wanted.reference)
+    measured = cost.read(wanted.cost or cost.beside(wanted.run))
+    key = content_key([matrix, judged, measured], wanted.run, wanted.reference)
     if not wanted.fresh and is_current(wanted.output, key):
         print(f"kept: the report in {wanted.output} is up to date")
         return
-    content = page.contents(run, references.References(wanted.reference), matrix, judged)
+    content = page.contents(run, references.References(wanted.reference), matrix, judged, measured)
     write_all(wanted.output, {"report.html": page.screen(content).encode("utf-8"), "report.pdf": page.pdf(content),
                               KEY: key.encode("ascii")})
 

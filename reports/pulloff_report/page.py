@@ -37,9 +37,9 @@ def with_bars(text):
     return re.sub("(.)" + svg.MACRON, r'<span class="over">\1</span>', text)
 
 
-def contents(run, references, faults=None, claims=None):
+def contents(run, references, faults=None, claims=None, cost=None):
     """All that either form of the report shows."""
-    source = sections.Source(run, references, faults, claims)
+    source = sections.Source(run, references, faults, claims, cost)
     return {"title": TITLE, "found": findings.build(run, claims), "sections": sections.build_all(source)}
 
 

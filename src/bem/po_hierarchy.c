@@ -319,6 +319,11 @@ const po_cell *po_hierarchy_cells(const po_hierarchy *h, size_t *count) {
   return h->cell;
 }
 
+void po_hierarchy_pairs(const po_hierarchy *h, size_t *kernel, size_t *product) {
+  *kernel = h->kernel.count;
+  *product = h->product.count;
+}
+
 /* The field of the charges of all panels through the kernel. The charges of the panels are set; the
  * fields of the panels are returned. */
 static void apply_kernel(po_hierarchy *h) {

@@ -60,6 +60,10 @@ void po_hierarchy_apply_transposed(po_hierarchy *hierarchy, const double *x, dou
 const double *po_hierarchy_own_block(const po_hierarchy *hierarchy, size_t panel);
 const double *po_hierarchy_halves(const po_hierarchy *hierarchy, size_t cell);
 
+/* Returned: the numbers of pairs of cells that interact through the kernel, both ways at once, and
+ * of panels that interact one way through their influence block. */
+void po_hierarchy_pairs(const po_hierarchy *hierarchy, size_t *kernel, size_t *product);
+
 /* Returned: the number of nodes of the mesh. */
 size_t po_hierarchy_nodes(const po_hierarchy *hierarchy);
 

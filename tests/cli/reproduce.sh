@@ -5,7 +5,7 @@
 . "$(dirname "$0")/lib.sh"
 root=$here/../..
 tree=$work/tree
-mkdir -p "$tree/build/src/cli" "$tree/tests/mutation" "$tree/reports/figures" "$tree/reports/claims" "$tree/cases" "$work/bin"
+mkdir -p "$tree/build/src/cli" "$tree/build/tests/cost" "$tree/tests/mutation" "$tree/reports/figures" "$tree/reports/claims" "$tree/cases" "$work/bin"
 cp "$root/reproduce" "$tree"
 cp -r "$root/tools" "$tree"
 for figure in 03 05 06; do : >"$tree/reports/figures/fig$figure.gp"; done
@@ -25,7 +25,8 @@ echo '3/8 solves, 5 s elapsed, about 2 min 10 s remaining (fig03 tabor=1)' >&2
 sleep "$(cat slow 2>/dev/null || echo 0)"
 exit "$(cat code 2>/dev/null || echo 0)"
 PROGRAM
-chmod +x "$tree/build/src/cli/pulloff"
+printf '#!/bin/sh\necho "cost $*" >>asked\n' >"$tree/build/tests/cost/measure_cost"
+chmod +x "$tree/build/src/cli/pulloff" "$tree/build/tests/cost/measure_cost"
 printf '#!/bin/sh\n' >"$work/bin/meson"
 chmod +x "$work/bin/meson"
 PATH=$work/bin:$PATH
@@ -73,8 +74,8 @@ refused '--jobs is empty: expected a whole number' --jobs ''
 refused '--only needs the name of a part' --only
 refused '--only needs the name of a part' --only ''
 known='fig03, fig05, fig06, fig06_paper, paper, precision, smoke, timing'
-refused "--only is fig99: expected claims, faults or one of $known" --only fig99
-refused "--only is fig: expected claims, faults or one of $known" --only fig03,fig
+refused "--only is fig99: expected claims, faults, cost or one of $known" --only fig99
+refused "--only is fig: expected claims, faults, cost or one of $known" --only fig03,fig
 check 'a refused command writes no log' test ! -e "$tree/build/log"
 reproduce 0 --help
 for option in --only --fresh --verbose --jobs --no-install; do
@@ -129,6 +130,13 @@ reproduce 0 --no-install --only faults,claims
 asked 'run fig03 timing --output build/run'
 asked 'faults --reuse --build build'
 check 'all steps' grep -q '^\[7/7\] Writing the report ' "$work/stdout"
+
+# The cost is measured only if it is asked for.
+not_asked '^cost'
+reproduce 0 --no-install --only cost
+asked 'cost build/cost/cost.json'
+asked 'report .*'
+not_asked '^run'
 
 # Failures are reported, and the exit code states them.
 echo 3 >"$tree/code"

@@ -436,6 +436,30 @@ def make_general(run):
                     [("cone:0.3", "-", 0.1, "-", 6.37, 1.0, 20.0), ("cone:0.3", "-", 1, "-", 63.7, 10.0, 200.0)])
 
 
+def cost_document(compressed, dense, waves):
+    """A document whose times are powers of the nodes: of compressed and of dense equilibria; and of the waves: of solves."""
+    nodes = [250 * 2 ** k for k in range(6)]
+
+    def way(n, power):
+        part = {"seconds": 1e-9 * n ** power, "flops": 10.0 * n ** power, "bytes": 5.0 * n ** power}
+        return {"seconds": 1e-8 * n ** power, "newton_iterations": 4, "active": n, "product": part, "factors": part, "solve": part}
+
+    trace = {"seconds": 1.0, "points": 100, "newton_iterations": 400, "factorizations": 50, "nodes": 300, "factorized_nodes": 301}
+    return {"schema": "pulloff-cost/1", "scene": {"tabor": 3.0, "amplitude": 1.0, "wavelength": 20.0},
+            "machine": {"flops_double": 5e10, "flops_single": 1e11, "bytes": 1e10, "library": "made up", "kernels": "none"},
+            "meshes": [{"radius": float(n), "nodes": n, "hierarchical": way(n, compressed), "dense": way(n, dense) if n < 5000 else None,
+                        "trace": {**trace, "seconds": 1e-6 * n}} for n in nodes],
+            "waves": [{"radius": 100.0 * 4 ** k, "waves": 2.0 ** k, "trace": {**trace, "seconds": 0.1 * 2.0 ** (k * waves)}}
+                      for k in range(5)]}
+
+
+def make_cost(folder):
+    """The cost of equilibria beside a run."""
+    os.makedirs(os.path.join(folder, "cost"), exist_ok=True)
+    with open(os.path.join(folder, "cost", "cost.json"), "w", encoding="utf-8") as stream:
+        json.dump(cost_document(1.25, 2.75, 1.5), stream)
+
+
 def make_run(folder, **how):
     """All four cases; how: outside=True, failed=True."""
     make_fig03(folder)
@@ -454,3 +478,4 @@ if __name__ == "__main__":
     make_references(os.path.join(wanted.folder, "reference"))
     make_run(os.path.join(wanted.folder, "run"), outside=wanted.outside, failed=wanted.failed)
     make_faults(wanted.folder, missed=wanted.outside)
+    make_cost(wanted.folder)

@@ -18,8 +18,8 @@ sys.path.insert(0, REPORTS)
 import synthetic  # noqa: E402
 from pulloff_report import faults, page, plots, records, references  # noqa: E402
 
-PRINTED = ("Figures of the paper", "Claims of the paper", "Other laws and profiles", "Error against run time", "Stiff and extreme", "Planted faults",
-           "Checks by case", "Environment")
+PRINTED = ("Figures of the paper", "Claims of the paper", "Other laws and profiles", "Error against run time",
+           "Cost of an equilibrium", "Stiff and extreme", "Planted faults", "Checks by case", "Environment")
 SCREEN_ONLY = ("Every check", "Every case and how to repeat it", "Reference data")
 
 
@@ -70,6 +70,7 @@ class Whole(PageTest):
         synthetic.make_references(os.path.join(cls.folder, "reference"))
         synthetic.make_run(os.path.join(cls.folder, "run"))
         synthetic.make_faults(cls.folder)
+        synthetic.make_cost(cls.folder)
         cls.output = os.path.join(cls.folder, "deep", "report")
         cls.first = cls.make()
         with open(os.path.join(cls.output, "report.html"), encoding="utf-8") as stream:
@@ -114,7 +115,7 @@ class Whole(PageTest):
                  "pulloff solve --tabor 2.5", "intact")
         drawn = {"fig03", "fig04"} | {name for name, module in plots.BY_SCRIPT.items()
                                       if getattr(module, "SCHEMATIC", False)}
-        self.assertEqual(self.html.count('role="img"'), len(drawn) + 3)   # and two of the errors against time, one of limits
+        self.assertEqual(self.html.count('role="img"'), len(drawn) + 5)   # and two of the errors against time, two of costs, one of limits
         self.assertEqual(self.html.count('class="absent"'), len(plots.BY_SCRIPT) - len(drawn) + 3)
         self.has(self.text, "The claims of the paper were not judged", "Figure 7, rigid pull-off against α, is omitted")
 

@@ -17,6 +17,7 @@ class Source:
     references: References
     faults: dict | None = None  # the matrix of planted faults
     claims: dict | None = None  # the judged claims of the paper
+    cost: dict | None = None    # what equilibria cost
 
 
 @dataclasses.dataclass
@@ -33,6 +34,6 @@ class Section:
 
 def build_all(source):
     """Every section, in order: those of the PDF first, then the long lists that only the HTML page has."""
-    from . import cases, checks, claims, environment, extreme, figures, general, planted_faults, precision, provenance, verdicts
-    order = (figures, claims, general, precision, extreme, planted_faults, verdicts, environment, checks, cases, provenance)
+    from . import cases, checks, claims, cost, environment, extreme, figures, general, planted_faults, precision, provenance, verdicts
+    order = (figures, claims, general, precision, cost, extreme, planted_faults, verdicts, environment, checks, cases, provenance)
     return [module.build(source) for module in order]
