@@ -162,4 +162,8 @@ po_status po_case_set_own(po_case *kase);
 const char *po_case_argument(const po_case *kase);
 const char *po_case_word(const po_case *kase);
 
+/* Given: the path of the table of a profile, as it is in the request of a point. Returned: the name
+ * relative to the folder of the case file, a part of `path`; `path` if it is elsewhere. */
+const char *po_case_profile_shown(const po_case *kase, const char *path);
+
 #endif

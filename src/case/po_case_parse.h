@@ -83,9 +83,6 @@ po_status po_case_profile_path(const po_case *kase, char **word);
  * Returned: the status. */
 po_status po_case_refuse_for(const po_yaml *yaml, const char *where, po_status status);
 
-/* Returned: the name of a table relative to the case file, in a path of po_case_profile_resolve. */
-const char *po_case_profile_shown(const po_case *kase, const char *path);
-
 /* Refuses two keys that set the same, as tabor and coupling. Status: as above. */
 po_status po_case_profile_check(const po_case_file *file, const po_yaml *yaml);
 

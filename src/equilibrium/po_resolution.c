@@ -157,6 +157,6 @@ po_status po_resolution_panels(const po_resolution *r, const po_gap_field *field
                                po_panels *panels) {
   join_what_can_be(r, field, panels);
   if (!split_all(r, field, panels))
-    return po_fail(PO_OUT_OF_NODES, "the traction needs more than %d panels", PO_MOST_PANELS);
+    return po_fail(PO_OUT_OF_NODES, PO_TOO_MANY_PANELS, PO_MOST_PANELS);
   return PO_OK;
 }

@@ -46,6 +46,12 @@ po_resolution po_resolution_for_mesh(const po_resolution *r);
 /* Largest number of meshes tried for one point. Each resolves the solution on the mesh before. */
 enum { PO_MOST_MESHES_A_POINT = 4 };
 
+/* The message of PO_OUT_OF_NODES, with PO_MOST_PANELS. */
+#define PO_TOO_MANY_PANELS                                                                         \
+  "the traction needs more than %d panels: expected a larger tolerance, a smaller outer radius, "  \
+  "or "                                                                                            \
+  "longer waves"
+
 /* Adapts panels to a field. Panels with an excess above 1 are split, and two panels are joined if
  * the excess of their parent is below 0.1. Given and returned: panels. Status: PO_OUT_OF_NODES. */
 po_status po_resolution_panels(const po_resolution *r, const po_gap_field *field,

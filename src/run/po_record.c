@@ -114,6 +114,18 @@ po_status po_record_add_tables(const po_case_run *run, size_t index, const char 
   return status ? status : add_table(run, index, true, folder, entry);
 }
 
+/* Returned: the solve that repeats a point, to be freed. The table of its profile is relative to
+ * the folder of the case file. */
+static char *command_of_point(const po_case *kase, const po_request *request) {
+  char *command = po_input_command(request);
+  const char *path = po_profile_file(&request->scene.profile);
+  if (!command || !path)
+    return command;
+  char *shown = po_solver_replace(command, path, po_case_profile_shown(kase, path));
+  free(command);
+  return shown;
+}
+
 json_t *po_record_point(const po_case_run *run, size_t index) {
   const po_case *kase = run->plan->kase;
   const po_point *point = &kase->points[index];
@@ -124,7 +136,7 @@ json_t *po_record_point(const po_case_run *run, size_t index) {
   po_json_set(&object, "sweep", sweep(kase, index));
   po_json_set(&object, "seconds_all", times(run, run->seconds, index));
   po_json_set(&object, "processor_seconds_all", times(run, run->processor_seconds, index));
-  po_json_set(&object, "command", po_json_take_text(po_input_command(&point->request)));
+  po_json_set(&object, "command", po_json_take_text(command_of_point(kase, &point->request)));
   if (point->traced)
     po_json_set(&object, "traced", po_json_result(&point->request, &run->traces[index]));
   if (kase->is_physical)

@@ -229,4 +229,6 @@ expect 0 '*outside (kept)' run good --output run
 sed -i 's/^0.6060606060606061,.*/0.6060606060606061,0.0019/' "$PULLOFF_DATA/cases/tip.csv"
 expect 0 '*outside' run good --output run
 check 'the record describes the table' grep -q '"profile_table"' run/good/record.json
+check 'its commands name the table relative to the case file' \
+  grep -q '"command": "pulloff solve .*--profile-file tip.csv ' run/good/record.json
 finish
