@@ -4,9 +4,9 @@
     solved.py --count 1000 --seed 1           solve on all cores, and count how the solves ended
     solved.py --scenes 17,40-44               only these of the drawn scenes
 
-Prints the number of scenes for each status, the times of the solved ones, and each scene that was not solved with its
-command and reason. Solutions are kept, so that an interrupted campaign can be continued. Exit code: 0 every solve ended
-with a document, 1 one did not, 2 bad usage, 4 a file cannot be written, 130 interrupted."""
+Prints the number of scenes for each status, and each scene that was not solved with its command and reason. Solutions
+are kept, so that an interrupted campaign can be continued. Exit code: 0 every scene was solved, refused or ended with a
+status, 1 a solve crashed, 2 bad usage, 4 a file cannot be written, 130 interrupted."""
 
 import collections
 import sys
@@ -32,24 +32,23 @@ class Task:
         self.solution = journal.solution(self.scene, wanted.loose)
 
 
-def quantile(ordered, part):
-    return ordered[min(int(part * len(ordered)), len(ordered) - 1)]
+def status_of(task):
+    """The status of a solve. An input that is refused has a message and no document."""
+    solution = task.solution
+    refused = solution["status"] == "crashed" and solution["reason"].startswith("exit code 2: ")
+    return "refused" if refused else solution["status"]
 
 
 def report(tasks, wanted):
-    """Prints the counts, the times and the scenes that were not solved, and returns the exit code."""
-    count = collections.Counter(task.solution["status"] for task in tasks)
+    """Prints the counts and the scenes that were not solved, and returns the exit code."""
+    count = collections.Counter(status_of(task) for task in tasks)
     print(f"{len(tasks)} scenes by seed {wanted.seed}, tolerance {wanted.loose:g}, at most "
           f"{wanted.time_limit:g} s of processor time each")
     for status, number in count.most_common():
         print(f"{status:20s} {number}")
-    times = sorted(task.solution["seconds"] for task in tasks if task.solution["status"] == "ok")
-    if times:
-        print("seconds of the solved  " + "  ".join(f"{name} {quantile(times, part):.2f}" for name, part in
-              (("median", 0.5), ("90 %", 0.9), ("99 %", 0.99), ("greatest", 1.0))))
     for task in tasks:
         if task.solution["status"] != "ok":
-            print(f"scene {task.number}: {task.solution['status']}: {task.solution.get('reason', 'no reason')}\n"
+            print(f"scene {task.number}: {status_of(task)}: {task.solution.get('reason', 'no reason')}\n"
                   f"  {solve.command(task.scene, wanted.loose)}")
     return 1 if count["crashed"] else 0
 

@@ -16,6 +16,8 @@ import compare  # noqa: E402
 import draw  # noqa: E402
 import made_up  # noqa: E402
 import reference  # noqa: E402
+import solve  # noqa: E402
+import solved  # noqa: E402
 
 # A program whose true errors are FAULT times those that it states, and which fails at Tabor parameters above 9. It
 # records each call in the file CALLS.
@@ -214,6 +216,24 @@ class Campaigns(made_up.Case):
             with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit) as end:
                 campaign.main(words)
             self.assertEqual(end.exception.code, 2, words)
+
+
+class Solved(unittest.TestCase):
+    def test_statuses_are_counted(self):
+        refused = {"status": "crashed", "reason": "exit code 2: pulloff: the law falls too slowly"}
+        solutions = [{"status": "ok"}, {"status": "out_of_time", "reason": "after 20 s"}, refused]
+        tasks = [solved.Task(k, draw.general_scene(1, k)) for k in range(3)]
+        for task, solution in zip(tasks, solutions):
+            task.solution = solution
+        for crashed in (False, True):
+            if crashed:
+                tasks[0].solution = {"status": "crashed", "reason": "exit code -11: no message"}
+            with contextlib.redirect_stdout(io.StringIO()) as out:
+                self.assertEqual(solved.report(tasks, solved.arguments(["--seed", "1"])), int(crashed))
+            lines = out.getvalue().splitlines()
+            self.assertIn("refused              1", lines)
+            self.assertIn("scene 1: out_of_time: after 20 s", lines)
+            self.assertIn(f"  {solve.command(tasks[2].scene, 1e-6)}", lines)
 
 
 class References(unittest.TestCase):
