@@ -16,9 +16,17 @@ double po_estimate_miss(const po_request *request) {
   return fmax(drawn ? LEAST_MISS : LEAST_OF_STAIRCASE, MISS_OF_TOLERANCE * request->mesh.tolerance);
 }
 
-double po_estimate_energy_error(const po_request *request, double fold_error, double error_factor) {
-  return error_factor *
-         (po_estimate_miss(request) + fold_error + MISS_OF_TOLERANCE * request->mesh.tolerance);
+/* Factors of the stated error of an energy lost: of the change of an energy on a finer mesh, and of
+ * the difference of energies by interpolation where a jump ends. */
+static const double OF_CHANGE = 3.0, OF_INTERPOLATED = 3.0;
+
+double po_estimate_energy_lost_error(const po_request *request, const po_estimate *greatest,
+                                     po_control control, const po_cycle *cycle) {
+  const double place =
+      control == PO_LOAD_CONTROL ? greatest->traced_load_error : greatest->traced_approach_error;
+  const double precision = po_observe_precision(request->mesh.tolerance);
+  return cycle->moved * place + OF_INTERPOLATED * cycle->interpolated + precision * cycle->size +
+         2.0 * (double)cycle->jumps * greatest->energy_error;
 }
 
 static po_contact_edge edge_on_panels(const po_request *request, double domain,
@@ -41,17 +49,34 @@ static po_contact_edge edge_of(const po_request *request, double domain, const p
   return (po_contact_edge){po_contact_radius(&gap), NAN, NAN};
 }
 
+/* Error of the energy of a rigid scene, see po_rigid_energy. */
+static const double RIGID_ENERGY = 1e-10;
+
+/* The change of the energy at given approach from the solution of the trace to the finer mesh. */
+static double change_of_energy(const po_branch_point *p) {
+  const double moved = po_solution_approach(p->finer) - p->approach;
+  return fabs(p->finer->energy - p->energy - 0.5 * (p->finer->load + p->load) * moved);
+}
+
 po_estimate po_estimate_of(const po_request *request, double domain, const po_branch_point *p) {
   po_estimate e = {.approach = p->approach + p->approach_correction,
                    .load = p->load + p->load_correction,
                    .approach_error = p->approach_error,
                    .load_error = p->load_error,
                    .edge = edge_of(request, domain, p)};
+  e.traced_approach_error = e.approach_error + fabs(p->approach_correction);
+  e.traced_load_error = e.load_error + fabs(p->load_correction);
+  e.energy_error = p->gap ? NAN : RIGID_ENERGY * fmax(1.0, fabs(p->energy));
+  if (p->finer)
+    e.energy_error = OF_CHANGE * change_of_energy(p);
   if (p->best) {
     const po_far_field far = po_far_field_error(&request->scene, domain, p->best);
     e.approach_error += far.approach;
     e.load_error += far.load;
     e.far_load_error = far.load;
+    e.traced_approach_error += far.approach;
+    e.traced_load_error += far.load;
+    e.energy_error += far.load * (1.0 + fabs(p->approach));
   }
   return e;
 }

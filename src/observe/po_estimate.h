@@ -12,6 +12,9 @@ typedef struct {
   double approach, load;             /* eps; pi w R */
   double approach_error, load_error; /* bounds; NAN: not estimated */
   double far_load_error;             /* the part of load_error that no other mesh reduces */
+  /* Bounds for the solution of the trace, which is not corrected; NAN: not estimated. */
+  double traced_approach_error, traced_load_error;
+  double energy_error;  /* of the energy at given approach, pi w R eps */
   po_contact_edge edge; /* the outermost contact edge; its error is NAN if it was not estimated */
 } po_estimate;
 
@@ -23,10 +26,10 @@ po_estimate po_estimate_of(const po_request *request, double domain, const po_br
  * loading and unloading. */
 double po_estimate_miss(const po_request *request);
 
-/* A bound of the error of the energy lost in jumps. Given: bound of the errors of the folds in
- * approach; error_factor, the sum over the jumps of 1 plus the magnitudes of the loads before and
- * after the jump, which bounds the change of the energies with the place of the jump and of the
- * curve where it ends. */
-double po_estimate_energy_error(const po_request *request, double fold_error, double error_factor);
+/* A bound of the error of the energy lost in the jumps of a cycle. Given: the greatest errors of
+ * the special points of the trace, of which approach_error and load_error are those of the trace.
+ */
+double po_estimate_energy_lost_error(const po_request *request, const po_estimate *greatest,
+                                     po_control control, const po_cycle *cycle);
 
 #endif

@@ -45,8 +45,8 @@ static po_path_error state_error(const po_request *request, const po_result *o,
   return (po_path_error){e.approach + miss, e.load + miss};
 }
 
-static void state_errors(const po_request *request, const po_result *o, po_staircase *s) {
-  const double worst = greatest_error(o).approach;
+static void state_errors(const po_request *request, const po_result *o, const po_estimate *greatest,
+                         po_staircase *s) {
   for (size_t k = 0; k < s->count; ++k) {
     po_step *step = &s->step[k];
     step->preload_error = state_error(request, o, &step->preload);
@@ -54,9 +54,8 @@ static void state_errors(const po_request *request, const po_result *o, po_stair
     state_error(request, o, &step->until);
     for (size_t c = 0; c < step->cycle_count; ++c) {
       po_cycle *cycle = &step->cycle[c];
-      const double fold = state_error(request, o, &cycle->preload).approach;
-      cycle->energy_error =
-          po_estimate_energy_error(request, fmax(fold, worst), cycle->error_factor);
+      state_error(request, o, &cycle->preload);
+      cycle->energy_error = po_estimate_energy_lost_error(request, greatest, s->control, cycle);
     }
   }
 }
@@ -122,7 +121,7 @@ static bool is_complete(const po_request *request, const po_path *path, const po
 }
 
 po_status po_pressed_read(const po_request *request, const po_path *path,
-                          const po_stopping *stopping, po_result *o) {
+                          const po_estimate *greatest, const po_stopping *stopping, po_result *o) {
   po_staircase *s = &o->staircase[0];
   po_status status = po_staircase_read(path, PO_DISPLACEMENT_CONTROL, s);
   if (!status)
@@ -130,8 +129,8 @@ po_status po_pressed_read(const po_request *request, const po_path *path,
   if (status)
     return status;
   o->has_staircases = request->want & PO_WANT_PRELOAD;
-  state_errors(request, o, s);
-  state_errors(request, o, &o->staircase[1]);
+  state_errors(request, o, greatest, s);
+  state_errors(request, o, greatest, &o->staircase[1]);
   read_pull_off(s, pull_off_position(o), o);
   read_any(s, o);
   o->pull_off_any.complete = o->pull_off_any.is_known && is_complete(request, path, stopping, o);

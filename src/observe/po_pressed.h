@@ -3,16 +3,18 @@
 #ifndef PO_PRESSED_H
 #define PO_PRESSED_H
 
+#include "po_estimate.h"
 #include "po_path.h"
 #include "po_request.h"
 #include "po_result.h"
 #include "po_stopping.h"
 
-/* Given: the path of the branch; the state of the stopping rule at its end; a result with special
- * points, pull-off and the cause of the end of the trace. Returned: in the result, the preload of
- * the pull-off, the greatest pull-off of all preloads, and the staircases with their errors if they
- * are wanted. Status: PO_NO_MEMORY. */
+/* Given: the path of the branch; the greatest errors of its special points; the state of the
+ * stopping rule at its end; a result with special points, pull-off and the cause of the end of the
+ * trace. Returned: in the result, the preload of the pull-off, the greatest pull-off of all
+ * preloads, and the staircases with their errors if they are wanted. Status: PO_NO_MEMORY. */
 po_status po_pressed_read(const po_request *request, const po_path *path,
-                          const po_stopping *stopping, po_result *result);
+                          const po_estimate *greatest, const po_stopping *stopping,
+                          po_result *result);
 
 #endif

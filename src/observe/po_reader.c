@@ -47,6 +47,7 @@ po_reader po_reader_begin(const po_request *request, po_result *result, double d
   return (po_reader){.request = request,
                      .result = result,
                      .deadline = deadline,
+                     .special = po_special_list_begin(),
                      .stopping = po_stopping_begin(request)};
 }
 

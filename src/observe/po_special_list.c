@@ -17,6 +17,18 @@ static po_special_kind kind_of(po_point_kind kind) {
   }
 }
 
+po_special_list po_special_list_begin(void) {
+  return (po_special_list){
+      .greatest = {.traced_approach_error = NAN, .traced_load_error = NAN, .energy_error = NAN}};
+}
+
+/* fmax ignores NAN. */
+static void note_errors(po_estimate *greatest, const po_estimate *e) {
+  greatest->traced_approach_error = fmax(greatest->traced_approach_error, e->traced_approach_error);
+  greatest->traced_load_error = fmax(greatest->traced_load_error, e->traced_load_error);
+  greatest->energy_error = fmax(greatest->energy_error, e->energy_error);
+}
+
 po_status po_special_list_add(po_special_list *l, const po_branch_point *p, const po_estimate *e,
                               po_result *o) {
   const po_special_kind kind = kind_of(p->kind);
@@ -24,6 +36,7 @@ po_status po_special_list_add(po_special_list *l, const po_branch_point *p, cons
   po_special_point **list = fold ? &o->folds : &o->extrema;
   size_t *count = fold ? &o->fold_count : &o->extremum_count;
   l->unmet_folds += fold && p->unmet;
+  note_errors(&l->greatest, e);
   po_special_point *grown =
       po_grow(*list, *count, fold ? &l->fold_room : &l->extremum_room, sizeof *grown);
   if (!grown)

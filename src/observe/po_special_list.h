@@ -10,8 +10,12 @@
 /* Sizes of the lists of the result. */
 typedef struct {
   size_t fold_room, extremum_room;
-  size_t unmet_folds; /* number of folds that were not found on a finer mesh */
+  size_t unmet_folds;   /* number of folds that were not found on a finer mesh */
+  po_estimate greatest; /* the greatest errors of all special points; NAN: none was estimated */
 } po_special_list;
+
+/* An empty list. */
+po_special_list po_special_list_begin(void);
 
 /* Adds a special point to the folds or the extrema of the result. Status: PO_NO_MEMORY. */
 po_status po_special_list_add(po_special_list *list, const po_branch_point *point,

@@ -226,7 +226,7 @@ po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double 
     status = lacks_minimum(request, &reader);
   if (!status)
     status = po_pressed_read(request, &(po_path){reader.points.path, reader.points.path_count},
-                             &reader.stopping, result);
+                             &reader.special.greatest, &reader.stopping, result);
   if (!status && (request->want & PO_WANT_HYSTERESIS))
     status = read_hysteresis(&reader, a);
 done:

@@ -8,7 +8,7 @@
 
 /* Sums over several jumps. */
 typedef struct {
-  double energy_lost, error_factor; /* see po_cycle */
+  double energy_lost, moved, size, interpolated; /* see po_cycle */
   size_t count;
 } jumps;
 
@@ -59,11 +59,17 @@ static po_path_state deepest_from(const walk *w, const stretch *s, po_path_place
   return deepest;
 }
 
+/* Adds a jump. Given: the place on the curve where it ends; NULL: none. */
 static void add_jump(const walk *w, const po_path_state *before, const po_path_state *after,
-                     jumps *to) {
+                     const po_path_place *end, jumps *to) {
   to->energy_lost +=
       po_stable_potential(w->control, before) - po_stable_potential(w->control, after);
-  to->error_factor += 1.0 + fabs(before->load) + fabs(after->load);
+  const double moved = w->control == PO_LOAD_CONTROL ? before->approach - after->approach
+                                                     : before->load - after->load;
+  to->moved +=
+      isfinite(moved) ? fabs(moved) : 0.0; /* complete separation is at a load that is exact */
+  to->size += 1.0 + fabs(before->load) + fabs(after->load);
+  to->interpolated += end ? po_path_energy_difference(w->path, *end) : 0.0;
   ++to->count;
 }
 
@@ -77,7 +83,8 @@ static void unload(const walk *w, stretch *s) {
   const double value = po_stable_controlled(w->path, w->control, s->start);
   po_path_state after = po_stable_apart(value);
   po_path_place to;
-  if (po_stable_find(w->path, w->control, s->start, -1, value, &to)) {
+  const bool found = po_stable_find(w->path, w->control, s->start, -1, value, &to);
+  if (found) {
     const stretch *below = &w->all[w->stretch_of[to.index]];
     after = state(w, to);
     s->deepest = deepest_from(w, below, to);
@@ -85,7 +92,7 @@ static void unload(const walk *w, stretch *s) {
   } else if (w->control == PO_DISPLACEMENT_CONTROL) {
     after.energy = NAN; /* the jump ends farther out than the curve begins */
   }
-  add_jump(w, &before, &after, &s->unloading);
+  add_jump(w, &before, &after, found ? &to : NULL, &s->unloading);
 }
 
 static po_status find_stretches(walk *w) {
@@ -152,7 +159,9 @@ static po_status add_cycle(walk *w, const stretch *s, po_path_state preload) {
       (po_cycle){.preload = preload,
                  .energy_lost = w->loading.energy_lost + s->unloading.energy_lost,
                  .energy_error = NAN,
-                 .error_factor = w->loading.error_factor + s->unloading.error_factor,
+                 .moved = w->loading.moved + s->unloading.moved,
+                 .size = w->loading.size + s->unloading.size,
+                 .interpolated = w->loading.interpolated + s->unloading.interpolated,
                  .jumps = w->loading.count + s->unloading.count};
   return PO_OK;
 }
@@ -160,7 +169,7 @@ static po_status add_cycle(walk *w, const stretch *s, po_path_state preload) {
 /* Processes a jump of loading from `before` to a place on a stretch. */
 static po_status arrive(walk *w, const stretch *s, po_path_state before, po_path_place place) {
   const po_path_state after = state(w, place);
-  add_jump(w, &before, &after, &w->loading);
+  add_jump(w, &before, &after, &place, &w->loading);
   const double position = w->deepest.position;
   w->deepest = deepest_from(w, s, place);
   if (!w->decreasing && w->deepest.position == position)

@@ -22,8 +22,12 @@ typedef struct {
                           bodies separate under tension, or the curve does not begin far enough out */
   double energy_error; /* bound of the error of energy_lost; NAN: unknown */
   size_t jumps;        /* number of jumps of loading and unloading */
-  double error_factor; /* sum over the jumps of 1 + |load before| + |load after|, the factor from
-                          the error of an approach to that of energy_lost */
+  /* What determines energy_error: */
+  double moved; /* derivative of energy_lost by the controlled quantity at which jumps begin: sum
+                   over the jumps of |load before - load after|, at given load of |approach
+                   before - approach after| */
+  double size;  /* sum over the jumps of 1 + |load before| + |load after| */
+  double interpolated; /* sum over the jumps of po_path_energy_difference where they end */
 } po_cycle;
 
 /* A step: all preloads from `preload` to `until`, which have the same pull-off. */
