@@ -56,6 +56,18 @@ static double joined_for(const po_continuation *t) {
   return fmin(by_sagitta, pow(o->largest_miss / po_join_miss(&from, &to), 0.25));
 }
 
+/* Error of the tangent with which the next step, if as long, predicts the place of a contact edge:
+ * relative to the width of the edge, 1/coupling. */
+static const double EDGE_ERROR = 1e-3;
+
+/* The precision of the tangent at the end of a step. */
+static double tangent_precision(const po_continuation *t, double step) {
+  double way = 0.0; /* of the contact edges in the step, in their widths */
+  for (size_t k = 0; k < t->current.edges.count; ++k)
+    way = fmax(way, step * fabs(t->current.edges.rate[k]) * t->c.e->coupling);
+  return fmin(PO_STEP_TANGENT, EDGE_ERROR / way);
+}
+
 /* One attempt to step from t->current to t->next. Given: the length of the step. Status: PO_OK if
  * the step is accepted. */
 static po_status try_step(po_continuation *t, double step, attempt *a) {
@@ -70,7 +82,7 @@ static po_status try_step(po_continuation *t, double step, attempt *a) {
     return PO_NOT_CONVERGED;
   double error;
   po_status status = po_continuation_solve(t, &p, a->step, !po_continuation_moves(t),
-                                           PO_STEP_TANGENT, &t->next, &error);
+                                           tangent_precision(t, a->step), &t->next, &error);
   if (status)
     return status;
   a->met = true;

@@ -9,9 +9,9 @@ static double per_length(const po_equilibrium *e) {
 }
 
 /* Width of a contact edge, relative to its radius, below which approach and load have less weight
- * than the amount of contact. With three times the value the work is the
- * same; with a tenth, (20, 0.4, 10) takes 80 % more Newton iterations and two of ninety random wavy
- * scenes up to mu = 30 are lost. */
+ * than the amount of contact. With three times the value the work is the same; with a tenth,
+ * (20, 0.4, 10) takes 80 % more Newton iterations and two of ninety random wavy scenes up to mu =
+ * 30 are lost. */
 static const double NARROW_EDGE = 1e-2;
 
 double po_arclength_share(const po_equilibrium *e, double edge) {

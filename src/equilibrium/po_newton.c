@@ -13,7 +13,7 @@
  */
 static const double STAGNATED = 1e-10;
 /* The same relative to the measured noise, and the precision that an iteration can reach. */
-static const double STAGNATED_OF_NOISE = 30.0, PRECISION_OF_NOISE = 3.0;
+static const double STAGNATED_OF_NOISE = 5.0, PRECISION_OF_NOISE = 1.0;
 /* Largest decrease of a gap in one iteration, relative to 1 + H. */
 static const double GREATEST_CLOSING = 0.7;
 /* Changes of a gap, relative to 1 + H, at which an iteration is given up: larger than the error of
@@ -22,7 +22,12 @@ static const double GREATEST_CLOSING = 0.7;
 static const double GREATEST_CHANGE = 1e3, DIVERGED = 10.0;
 /* Mean contraction of an iteration above which a new factorisation is cheaper. */
 static const double SLOWEST = 0.45;
-enum { MOST_ITERATIONS = 20, PATIENCE = 3 };
+/* A contact edge is narrow if the arclength functional gives approach and load less than this
+ * weight (po_arclength_share). */
+static const double NARROW = 1e-3;
+/* Iterations before the contraction is judged; and for a narrow contact edge, where the compressed
+ * factors leave some directions to Broyden's updates, which need the time to find them. */
+enum { MOST_ITERATIONS = 20, PATIENCE = 3, PATIENCE_AT_NARROW = 8 };
 
 /* border . (state - base): the condition of po_equilibrium_correct. */
 static double distance_of(const po_equilibrium *e, const double *state, const void *data) {
@@ -131,9 +136,10 @@ static void note_change(progress *p, double change) {
 }
 
 /* Whether the iteration diverges, or converges so slowly that it is given up. */
-static bool is_hopeless(const progress *p, double stagnated) {
+static bool is_hopeless(const po_equilibrium *e, const progress *p, double stagnated) {
+  const int patience = e->share < NARROW ? PATIENCE_AT_NARROW : PATIENCE;
   return !(p->now < GREATEST_CHANGE) || (p->count > 1 && p->now > DIVERGED) ||
-         (p->count > PATIENCE && p->now > stagnated &&
+         (p->count > patience && p->now > stagnated &&
           p->now > p->first * pow(SLOWEST, p->count - 1));
 }
 
@@ -164,7 +170,7 @@ po_status po_equilibrium_correct_to(po_equilibrium *e, double *state,
       ++e->work.points;
       return PO_OK;
     }
-    if (is_hopeless(&p, stagnated(e)))
+    if (is_hopeless(e, &p, stagnated(e)))
       return PO_NOT_CONVERGED;
   }
   return PO_NOT_CONVERGED;
@@ -196,7 +202,7 @@ static po_status find_tangent(po_equilibrium *e, double precision, double *tange
     if (iteration > 0 &&
         is_converged(&p, fmax(precision, PRECISION_OF_NOISE * e->noise), stagnated(e)))
       return PO_OK;
-    if (is_hopeless(&p, stagnated(e)))
+    if (is_hopeless(e, &p, stagnated(e)))
       return PO_NOT_CONVERGED;
   }
   return PO_NOT_CONVERGED;
