@@ -18,8 +18,8 @@ CHECK = {"id": str, "quantity": str, "obtained": NUMBER, "expected": NUMBER, "er
          "because": str}
 LEFT_OUT = {"quantity": str, "reference": str, "stand_in": str}
 VERDICTS = ("within", "outside", "no_result", "missing_reference", "improved", "regressed", "moved",
-            "wrong_and_frozen", "slack")
-PASSING = ("within", "improved", "slack")
+            "wrong_and_frozen", "slack", "not_reachable")
+PASSING = ("within", "improved", "slack", "not_reachable")
 NO_VERDICT = ("no_result", "missing_reference")
 TYPE_NAMES = {str: "a string", bool: "true or false", int: "a whole number", list: "a list",
               dict: "an object", NUMBER: "a number or null"}

@@ -35,7 +35,8 @@ class Sample:
         self.nodes = None if scheme == "panel" else value_of(point, "nodes")
         self.tolerance = value_of(point, "tolerance") if scheme == "panel" else None
         self.work = point["work"]
-        self.times = point.get("processor_seconds_all") or point.get("seconds_all") or []
+        times = point.get("processor_seconds_all") or point.get("seconds_all") or []
+        self.times = [time for time in times if time is not None]
         self.clock = point["work"].get("seconds")
         self.failed = point["status"] != "ok"
         self.folds = len(point.get("folds") or [])

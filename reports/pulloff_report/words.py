@@ -48,10 +48,10 @@ QUANTITIES = {
 VERDICT_WORDS = {"within": "within", "outside": "outside", "no_result": "no result",
                  "missing_reference": "no reference", "improved": "improved",
                  "regressed": "regressed", "moved": "moved", "wrong_and_frozen": "wrong and frozen",
-                 "slack": "slack", "failed": "failed"}
+                 "slack": "slack", "not_reachable": "not reachable", "failed": "failed"}
 VERDICT_SIGNS = {"within": "✓", "outside": "✗", "no_result": "∅", "missing_reference": "?",
                  "improved": "✓", "regressed": "✗", "moved": "✗", "wrong_and_frozen": "✗",
-                 "slack": "✓", "failed": "∅"}
+                 "slack": "✓", "not_reachable": "–", "failed": "∅"}
 VERDICT_MEANINGS = {
     "improved": "the value moved from its pin towards every oracle, or the work decreased; the new value can be accepted",
     "regressed": "the value moved from its pin away from an oracle, or the work increased",

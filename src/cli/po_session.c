@@ -19,6 +19,9 @@ static const size_t MOST_JOBS = 4096;
 
 static const char OUTPUT[] = "build/run";
 
+/* The value of --knob that means each value of the manifest. */
+static const char ALL[] = "all";
+
 po_session po_session_default(void) {
   return (po_session){.time_limit = NAN, .last = SIZE_MAX, .options = {.output = OUTPUT}};
 }
@@ -69,10 +72,10 @@ po_status po_session_option(void *to, int option) {
   case PO_SESSION_SHARD:
     return take_shard(optarg, &session->shard);
   case PO_SESSION_SOLVER:
-    if (session->solver_count == PO_MOST_SOLVERS)
+    if (session->manifest_count == PO_MOST_MANIFESTS)
       return po_options_refuse("solver", optarg, "at most 16 solvers");
     return po_options_take_text("solver", "the path of a manifest, or pulloff",
-                                &session->manifests[session->solver_count++]);
+                                &session->manifests[session->manifest_count++]);
   case PO_SESSION_KNOB:
     return po_options_take_text("knob", "a value of the knob", &session->knob);
   case PO_SESSION_TIME_LIMIT:
@@ -85,22 +88,55 @@ po_status po_session_option(void *to, int option) {
   }
 }
 
-/* Reads the manifests. Two solvers must not write to the same folder. */
-static po_status read_solvers(po_session *session) {
-  po_status status = PO_OK;
-  if (session->knob && !session->solver_count)
-    return po_fail(PO_BAD_INPUT, "--knob is given without --solver: expected both");
-  for (size_t s = 0; !status && s < session->solver_count; ++s) {
-    const bool own = strcmp(session->manifests[s], "pulloff") == 0;
-    if (!own)
-      status = po_solver_read(session->manifests[s], session->knob, &session->solvers[s]);
-    for (size_t k = 0; !status && k < s; ++k) {
-      const po_solver *a = session->solvers[k], *b = session->solvers[s];
-      if ((!a && !b) || (a && b && strcmp(a->name, b->name) == 0))
-        status = po_fail(PO_BAD_INPUT, "--solver names %s twice: expected each solver once",
-                         b ? b->name : "pulloff");
+/* Adds a solver (NULL: this program). Two solvers must not write to the same folder. */
+static po_status add_solver(po_session *session, po_solver *solver) {
+  for (size_t k = 0; k < session->solver_count; ++k) {
+    const po_solver *other = session->solvers[k];
+    if ((!solver && !other) || (solver && other && strcmp(solver->name, other->name) == 0)) {
+      const po_status status =
+          po_fail(PO_BAD_INPUT, "--solver names %s twice: expected each solver once",
+                  solver ? solver->name : "pulloff");
+      po_solver_destroy(solver);
+      return status;
     }
   }
+  if (session->solver_count == PO_MOST_SOLVERS) {
+    po_solver_destroy(solver);
+    return po_fail(PO_BAD_INPUT, "there are more than %d solvers with all values of their knobs",
+                   PO_MOST_SOLVERS);
+  }
+  session->solvers[session->solver_count++] = solver;
+  return PO_OK;
+}
+
+/* Adds the solver of a manifest, with --knob all once for each value of its knob. */
+static po_status add_manifest(po_session *session, const char *path) {
+  const bool all = session->knob && strcmp(session->knob, ALL) == 0;
+  po_solver *solver = NULL;
+  po_status status = po_solver_read(path, all ? NULL : session->knob, &solver);
+  if (status)
+    return status;
+  const po_solver_knob *knob = solver->file->knob;
+  for (unsigned v = 0; !status && all && knob && v + 1 < knob->values_count; ++v) {
+    po_solver *coarser = NULL;
+    status = po_solver_read(path, knob->values[v], &coarser);
+    if (!status)
+      status = add_solver(session, coarser);
+  }
+  if (!status)
+    return add_solver(session, solver);
+  po_solver_destroy(solver);
+  return status;
+}
+
+static po_status read_solvers(po_session *session) {
+  po_status status = PO_OK;
+  if (session->knob && !session->manifest_count)
+    return po_fail(PO_BAD_INPUT, "--knob is given without --solver: expected both");
+  for (size_t m = 0; !status && m < session->manifest_count; ++m)
+    status = strcmp(session->manifests[m], "pulloff") == 0
+                 ? add_solver(session, NULL)
+                 : add_manifest(session, session->manifests[m]);
   for (size_t s = 0; !status && s < session->solver_count; ++s)
     if (session->solvers[s])
       po_print_solver(session->solvers[s], stderr);
@@ -179,22 +215,22 @@ po_status po_session_open(po_session *session, char *const *names, size_t count)
   return status;
 }
 
-/* Runs the cases for one solver. */
-static po_status solve_with(po_session *session, size_t s) {
+/* Finds the folder of the records of a solver, and writes the shard. */
+static po_status prepare_solver(po_session *session, size_t s) {
   const size_t count = session->catalog.count;
+  const po_run_options *options = &session->options;
   po_case_run *runs = session->runs + s * count;
-  po_run_options options = session->options;
-  char *folder = session->solvers[s] ? po_solver_folder(session->solvers[s], options.output)
-                                     : po_copy_text(options.output);
-  options.output = folder;
+  char *folder = session->solvers[s] ? po_solver_folder(session->solvers[s], options->output)
+                                     : po_copy_text(options->output);
+  session->folders[s] = folder;
   po_status status = folder ? PO_OK : PO_NO_MEMORY;
-  for (size_t i = 0; !status && i < count; ++i)
+  for (size_t i = 0; !status && i < count; ++i) {
+    runs[i].output = folder;
     status = po_record_check_owner(&runs[i], folder);
+  }
   if (!status && session->shard.count)
-    status = po_shard_write(runs, count, session->shard, session->time_limit, options.jobs, folder);
-  if (!status)
-    status = po_run(runs, count, &options);
-  free(folder);
+    status =
+        po_shard_write(runs, count, session->shard, session->time_limit, options->jobs, folder);
   return status;
 }
 
@@ -204,8 +240,8 @@ po_status po_session_solve(po_session *session) {
     session->options.jobs = po_environment_cores();
   po_status status = PO_OK;
   for (size_t s = 0; !status && s < session->solver_count; ++s)
-    status = solve_with(session, s);
-  return status;
+    status = prepare_solver(session, s);
+  return status ? status : po_run(session->runs, session->run_count, &session->options);
 }
 
 po_status po_session_run(po_session *session, char *const *names, size_t count) {
@@ -217,8 +253,11 @@ po_status po_session_open_one(po_session *session, const po_options *options) {
   if (options->argc - optind != 1)
     return po_fail(PO_BAD_INPUT, "%s needs the name of one case (see pulloff %s --help)",
                    options->verb, options->verb);
-  if (session->solver_count > 1)
+  if (session->manifest_count > 1)
     return po_fail(PO_BAD_INPUT, "%s takes one solver: expected --solver once", options->verb);
+  if (session->knob && strcmp(session->knob, ALL) == 0)
+    return po_fail(PO_BAD_INPUT, "%s takes one value of the knob: expected --knob VALUE",
+                   options->verb);
   return po_session_open(session, options->argv + optind, 1);
 }
 
@@ -267,8 +306,10 @@ void po_session_clear(po_session *session) {
     if (session->runs[i].plan)
       po_case_run_clear(&session->runs[i]);
   free(session->runs);
-  for (size_t s = 0; s < session->solver_count && s < PO_MOST_SOLVERS; ++s)
+  for (size_t s = 0; s < session->solver_count; ++s) {
     po_solver_destroy(session->solvers[s]);
+    free(session->folders[s]);
+  }
   po_catalog_close(&session->catalog);
   *session = (po_session){0};
 }

@@ -10,7 +10,7 @@
 #include "po_shard.h"
 #include "po_solver.h"
 
-enum { PO_MOST_SOLVERS = 16 };
+enum { PO_MOST_MANIFESTS = 16, PO_MOST_SOLVERS = 128 };
 
 typedef struct {
   const char *suites; /* their names, separated by commas; NULL: see po_catalog.h */
@@ -20,10 +20,12 @@ typedef struct {
   const po_arithmetic
       *arithmetic; /* of the processes that computed the points; NULL: of this one */
   po_run_options options;
-  const char *manifests[PO_MOST_SOLVERS]; /* of --solver, "pulloff" for this program */
-  const char *knob;                       /* of --knob; NULL: not given */
-  po_solver *solvers[PO_MOST_SOLVERS];    /* NULL: this program */
-  size_t solver_count;                    /* without --solver 1, this program */
+  const char *manifests[PO_MOST_MANIFESTS]; /* of --solver, "pulloff" for this program */
+  size_t manifest_count;
+  const char *knob;                    /* of --knob; NULL: not given */
+  po_solver *solvers[PO_MOST_SOLVERS]; /* NULL: this program */
+  char *folders[PO_MOST_SOLVERS];      /* of the records of each */
+  size_t solver_count;                 /* without --solver 1, this program */
   po_catalog catalog;
   po_case_run *runs; /* one a solver and case; those of a solver are neighbours */
   size_t run_count;
@@ -75,7 +77,7 @@ po_session po_session_default(void);
   "  --solver MANIFEST ask this external solver (doc/solvers.md) instead; may be given several\n"  \
   "                    times; pulloff is this program. Its records are in DIR/solvers/NAME\n"      \
   "  --knob VALUE      value of the knob of the external solver (default: the last one of its\n"   \
-  "                    manifest)\n"
+  "                    manifest); run and verify: all, each value as a solver\n"
 
 /* The folder of the records; NULL: it is the default. */
 const char *po_session_output(const po_session *session);

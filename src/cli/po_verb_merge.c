@@ -68,7 +68,7 @@ int po_verb_merge(int argc, char **argv) {
   po_status status = PO_OK;
   if (!po_options_read(&options, po_session_option, &session, &status))
     return po_options_end(status);
-  if (session.solver_count > 1)
+  if (session.manifest_count > 1)
     status = po_fail(PO_BAD_INPUT, "merge takes one solver: expected --solver once");
   if (!status && optind == argc)
     status =

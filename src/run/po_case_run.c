@@ -1,6 +1,7 @@
 #include <stdlib.h>
 
 #include "po_memory.h"
+#include "po_rounds.h"
 #include "po_run.h"
 #include "po_run_solver.h"
 
@@ -17,7 +18,10 @@ po_status po_case_run_create(po_plan *plan, po_case_run *run) {
       !run->asked)
     return PO_NO_MEMORY;
   po_case_run_ask(run, 0, points);
-  return plan->solver ? po_run_solver_begin(run) : PO_OK;
+  if (!plan->solver)
+    return PO_OK;
+  const po_status status = po_run_solver_begin(run);
+  return !status && plan->kase->repeats > 1 ? po_rounds_create(run) : status;
 }
 
 void po_case_run_clear(po_case_run *run) {
@@ -33,6 +37,9 @@ void po_case_run_clear(po_case_run *run) {
   free(run->asked);
   free(run->environment);
   free(run->beyond);
+  free(run->rounds);
+  free(run->starts);
+  free(run->interleaved);
   free(run->processes);
   free(run->kept_folder);
   po_check_results_clear(&run->check_results);

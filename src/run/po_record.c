@@ -11,6 +11,7 @@
 #include "po_json.h"
 #include "po_json_units.h"
 #include "po_lines.h"
+#include "po_rounds.h"
 #include "po_run_solver.h"
 #include "po_tables.h"
 
@@ -136,6 +137,8 @@ json_t *po_record_point(const po_case_run *run, size_t index) {
   po_json_set(&object, "sweep", sweep(kase, index));
   po_json_set(&object, "seconds_all", times(run, run->seconds, index));
   po_json_set(&object, "processor_seconds_all", times(run, run->processor_seconds, index));
+  if (run->rounds)
+    po_json_set(&object, "timing", po_rounds_json(run, index));
   po_json_set(&object, "command", po_json_take_text(command_of_point(kase, &point->request)));
   if (point->traced)
     po_json_set(&object, "traced", po_json_result(&point->request, &run->traces[index]));

@@ -6,6 +6,7 @@
 #include "po_file.h"
 #include "po_json.h"
 #include "po_record.h"
+#include "po_rounds.h"
 #include "po_tables.h"
 
 static const char *string_of(const json_t *object, const char *key) {
@@ -53,6 +54,8 @@ po_status po_record_read_point(po_case_run *run, size_t index, const json_t *poi
     run->seconds[place] = number_or_nan(json_array_get(seconds, i));
     run->processor_seconds[place] = number_or_nan(json_array_get(processor, i));
   }
+  if (!status)
+    status = po_rounds_read(run, index, json_object_get(point, "timing"));
   if (!status)
     status = read_table(point, false, run->plan->want & PO_WANT_CURVE, folder, result);
   if (!status)

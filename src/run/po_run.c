@@ -16,6 +16,7 @@
 #include "po_observe.h"
 #include "po_progress.h"
 #include "po_record.h"
+#include "po_rounds.h"
 #include "po_run_solver.h"
 #include "po_tasks.h"
 #include "po_times.h"
@@ -48,6 +49,11 @@ static void give_up(po_crew *crew, po_status status) {
   snprintf(crew->message, sizeof crew->message, "%s", po_message());
 #pragma omp atomic write
   crew->broken = true;
+}
+
+/* Returned: the folder of the records of a case. */
+static const char *folder_of(const po_crew *crew, const po_case_run *run) {
+  return run->output ? run->output : crew->options->output;
 }
 
 /* Reports whether the results of a point are compared: it is requested, and an external solver was
@@ -123,10 +129,10 @@ static po_status finish_case(po_crew *crew, po_case_run *run) {
   const po_run_options *options = crew->options;
   po_status status = compare_all(run, options->stop);
   if (!status && po_case_run_is_whole(run) && strcmp(run->old_key, run->plan->key) != 0)
-    status = po_record_write(run, options->output, crew->jobs, options->stop);
+    status = po_record_write(run, folder_of(crew, run), crew->jobs, options->stop);
   run->finished = status == PO_OK;
   if (!status && po_case_run_is_whole(run))
-    status = po_journal_remove(run, options->output);
+    status = po_journal_remove(run, folder_of(crew, run));
   if (!status && !(options->brief && crew->progress.live))
     report_finished(crew, run);
   return status;
@@ -137,7 +143,7 @@ static po_status finish_case(po_crew *crew, po_case_run *run) {
 static po_status keep_point(const po_crew *crew, const po_case_run *run, size_t point) {
   if (run->pending == 0 && po_case_run_is_whole(run))
     return PO_OK;
-  return po_journal_add(run, point, crew->options->output);
+  return po_journal_add(run, point, folder_of(crew, run));
 }
 
 /* Solves a point. The first round gives the result, later rounds only the time. */
@@ -179,7 +185,7 @@ static po_status end_point(po_crew *crew, po_case_run *run, size_t point) {
   if (status || run->pending)
     return status;
   const po_status finished = finish_case(crew, run);
-  return finished == PO_INTERRUPTED ? po_journal_add(run, point, crew->options->output) : finished;
+  return finished == PO_INTERRUPTED ? po_journal_add(run, point, folder_of(crew, run)) : finished;
 }
 
 /* Returned: the effort of a solve relative to a full trace, for the estimate of the remaining time.
@@ -228,7 +234,7 @@ static po_status take_solved(void *context, po_case_run *run, size_t point, bool
     run->pending -= 1;
     run->done[point] = true;
   }
-  return po_journal_add(run, point, crew->options->output);
+  return po_journal_add(run, point, folder_of(crew, run));
 }
 
 /* Asks an external solver for its share of the points. */
@@ -236,7 +242,7 @@ static void do_share(po_crew *crew, const po_task *task) {
   po_case_run *run = &crew->runs[task->run];
   const double begin = po_clock_wall();
   po_no_memory_forget();
-  po_status status = po_run_solver_ask(run, task->point, crew->options->output, crew->options->stop,
+  po_status status = po_run_solver_ask(run, task->point, folder_of(crew, run), crew->options->stop,
                                        take_solved, crew);
 #pragma omp critical(po_run_finish)
   {
@@ -250,8 +256,45 @@ static void do_share(po_crew *crew, const po_task *task) {
   }
 }
 
+/* Stores a point of an external solver after its last round, for all points with its question. */
+static po_status end_rounds(po_crew *crew, po_case_run *run, size_t point) {
+  po_status status = PO_OK;
+  po_rounds_end(run, point);
+  for (size_t i = point; !status && i < run->plan->kase->point_count; ++i) {
+    bool copied = false;
+    status = po_rounds_copy(run, point, i, &copied);
+    if (!status && copied && i != point)
+      status = take_solved(crew, run, i, false);
+  }
+  if (!status)
+    status = take_solved(crew, run, point, false);
+  return !status && run->pending == 0 ? finish_case(crew, run) : status;
+}
+
+/* Times one round of a question of an external solver. */
+static void do_round(po_crew *crew, const po_task *task) {
+  po_case_run *run = &crew->runs[task->run];
+  const double begin = po_clock_wall();
+  char *folder = po_path_join(folder_of(crew, run), run->plan->kase->file->name);
+  po_no_memory_forget();
+  po_status status = folder
+                         ? po_rounds_ask(run, task->point, task->round, folder, crew->options->stop)
+                         : PO_NO_MEMORY;
+  run->elapsed += po_clock_wall() - begin;
+  if (!status && task->round + 1 == run->plan->kase->repeats)
+    status = end_rounds(crew, run, task->point);
+  status = po_no_memory_or(status);
+  if (status && status != PO_INTERRUPTED)
+    give_up(crew, status);
+  free(folder);
+}
+
 static void do_task(po_crew *crew, const po_task *task) {
   po_case_run *run = &crew->runs[task->run];
+  if (run->rounds) {
+    do_round(crew, task);
+    return;
+  }
   if (run->plan->solver) {
     do_share(crew, task);
     return;
@@ -305,6 +348,21 @@ static void do_shared(po_crew *crew, const po_task *tasks, size_t count, int thr
       do_task(crew, &tasks[i]);
 }
 
+/* Marks the points of external solvers that are timed in the rounds in which this program solves
+ * the same case. */
+static void mark_interleaved(po_crew *crew, size_t count) {
+  for (size_t r = 0; r < count; ++r) {
+    const po_case_run *run = &crew->runs[r];
+    bool beside = false;
+    for (size_t k = 0; k < count && run->rounds; ++k)
+      beside = beside || (crew->runs[k].plan->kase == run->plan->kase &&
+                          !crew->runs[k].plan->solver && !crew->runs[k].finished);
+    for (size_t i = 0; run->rounds && i < run->plan->kase->point_count; ++i)
+      if (run->asked[i] && !run->done[i])
+        run->interleaved[i] = beside;
+  }
+}
+
 static po_status work_through(po_crew *crew, size_t count) {
   size_t shared = 0, total = 0;
   po_task *tasks = po_tasks_list(crew->runs, count, &shared, &total);
@@ -317,6 +375,7 @@ static po_status work_through(po_crew *crew, size_t count) {
     return status;
   }
   begin_progress(crew, count);
+  mark_interleaved(crew, count);
   do_shared(crew, tasks, shared, threads);
   for (size_t i = shared; i < total; ++i)
     if (!must_end(crew))
@@ -344,17 +403,17 @@ static po_status begin_case(po_crew *crew, po_case_run *run) {
   if (po_case_run_is_done(run) && run->asked_count)
     return finish_case(crew, run); /* merged from shards */
   if (options->fresh && po_case_run_is_whole(run)) {
-    const po_status status = po_journal_remove(run, options->output);
+    const po_status status = po_journal_remove(run, folder_of(crew, run));
     if (status)
       return status;
   } else if (!options->fresh) {
-    po_status status = po_record_read(run, options->output);
+    po_status status = po_record_read(run, folder_of(crew, run));
     if (!status)
       return finish_case(crew, run);
     if (status == PO_NOT_FOUND)
-      status = po_journal_read(run, options->output);
+      status = po_journal_read(run, folder_of(crew, run));
     if (!status && run->plan->solver)
-      status = po_run_solver_recover(run, options->output);
+      status = po_run_solver_recover(run, folder_of(crew, run));
     if (status)
       return status;
   }

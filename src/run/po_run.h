@@ -18,6 +18,7 @@ typedef struct {
 /* A case in a run. */
 typedef struct {
   po_plan *plan;
+  const char *output; /* the folder of its records; NULL: po_run_options.output */
   po_result *results; /* one a point */
   po_result *traces;  /* one a point; filled for points of a series that are also traced */
   double *seconds;    /* wall time of each solve; `repeats` values a point, NAN: not solved */
@@ -41,7 +42,11 @@ typedef struct {
   po_coverage coverage;
   po_ask_process *processes; /* those that were run */
   size_t process_count;
-  char *kept_folder; /* of a process that did not end as it should; NULL: none */
+  struct po_round
+      *rounds; /* times of the solves (po_rounds.h), `repeats` a point; NULL: not timed */
+  struct po_round *starts; /* one a round: the times of a process that is asked nothing */
+  bool *interleaved;       /* one a point: this program was timed in the same rounds */
+  char *kept_folder;       /* of a process that did not end as it should; NULL: none */
 } po_case_run;
 
 typedef struct {
@@ -54,11 +59,12 @@ typedef struct {
 
 /* Solves the requested points whose results are not known, makes the checks and writes the records.
  *
- * If a case repeats its solves, they are timed: one solve at a time, in rounds over all points, so
- * that a temporary load of the machine does not slow one point more than the others. A point whose
- * solves have taken a second of processor time together is not repeated again. Such a point is
- * stored after the last round. If only some points of a case are requested, the checks are made on
- * these and no record is written; the journal keeps the points for a later run (po_journal.h).
+ * If a case repeats its solves, they are timed: one solve at a time, in rounds over all points and
+ * all solvers, so that a temporary load of the machine does not slow one more than the others. A
+ * point whose solves have taken a second of processor time together is not repeated again. Such a
+ * point is stored after the last round. If only some points of a case are requested, the checks are
+ * made on these and no record is written; the journal keeps the points for a later run
+ * (po_journal.h).
  *
  * Status: PO_INTERRUPTED (a case is not finished; its solved points are stored; if all cases are
  * finished, `stop` has no effect), PO_CANNOT_WRITE, PO_CANNOT_READ (a reference), PO_NO_MEMORY. A

@@ -13,7 +13,7 @@
 #include "po_observe.h"
 #include "po_pins.h"
 #include "po_recover.h"
-#include "po_times.h"
+#include "po_rounds.h"
 
 po_status po_run_solver_begin(po_case_run *run) {
   const po_plan *plan = run->plan;
@@ -36,9 +36,9 @@ po_status po_run_solver_begin(po_case_run *run) {
   return PO_OK;
 }
 
-/* Reports whether an external solver is asked the same for two points: they differ only in the mesh
- * and the time limit of this program. */
-static bool same_question(const po_request *a, const po_request *b) {
+bool po_run_solver_same(const po_case_run *run, size_t point, size_t other) {
+  const po_request *a = &run->plan->kase->points[point].request;
+  const po_request *b = &run->plan->kase->points[other].request;
   for (int key = 0; key < PO_KEY_COUNT; ++key) {
     char x[PO_KEY_TEXT_LENGTH], y[PO_KEY_TEXT_LENGTH];
     if (key == PO_KEY_SCHEME || key == PO_KEY_GRADING || key == PO_KEY_NODES ||
@@ -62,12 +62,12 @@ typedef struct {
   void *context;
 } share_of_run;
 
-static po_question question_of(const po_case_run *run, size_t point) {
+po_question po_run_solver_question(const po_case_run *run, size_t point) {
   const po_plan *plan = run->plan;
   const po_request *request = &plan->kase->points[point].request;
   po_question q = {.request = *request,
                    .want = po_plan_asked(plan),
-                   .repeats = plan->kase->repeats,
+                   .repeats = run->rounds ? PO_ROUND_SOLVES : 1,
                    .limit =
                        isnan(request->time_limit) ? plan->solver->time_limit : request->time_limit};
   snprintf(q.id, sizeof q.id, "%s", plan->kase->points[point].id);
@@ -88,12 +88,11 @@ static po_status collect(po_case_run *run, size_t share, size_t shares, share_of
   s->leader = po_allocate(points, sizeof *s->leader);
   const bool made = first && number && s->questions && s->leader;
   for (size_t i = 0; made && i < points; ++i) {
-    const po_request *request = &plan->kase->points[i].request;
     s->leader[i] = SIZE_MAX;
     if (!run->asked[i] || run->beyond[i])
       continue;
     size_t k = 0;
-    while (k < distinct && !same_question(&plan->kase->points[first[k]].request, request))
+    while (k < distinct && !po_run_solver_same(run, first[k], i))
       ++k;
     if (k == distinct) {
       first[distinct] = i;
@@ -103,7 +102,7 @@ static po_status collect(po_case_run *run, size_t share, size_t shares, share_of
       continue;
     if (number[k] == SIZE_MAX) {
       number[k] = s->count;
-      s->questions[s->count++] = question_of(run, i);
+      s->questions[s->count++] = po_run_solver_question(run, i);
     }
     s->leader[i] = number[k];
   }
@@ -117,9 +116,9 @@ static void clear_share(share_of_run *s) {
   free(s->leader);
 }
 
-/* Copies a result. Status: PO_NO_MEMORY. */
-static po_status copy_result(const po_request *request, const po_result *from, po_result *to) {
-  json_t *document = po_json_result(request, from);
+po_status po_run_solver_copy(const po_case_run *run, size_t point, const po_result *from,
+                             po_result *to) {
+  json_t *document = po_json_result(&run->plan->kase->points[point].request, from);
   po_status status = document ? po_json_read_result(document, to) : PO_NO_MEMORY;
   json_decref(document);
   if (!status && from->curve_count) {
@@ -132,32 +131,20 @@ static po_status copy_result(const po_request *request, const po_result *from, p
   return status;
 }
 
-/* Returned: the median of the times of the repeats. The first one, which may include compilation,
- * is left out if there are others. */
-static double median_of(const double *seconds, unsigned repeats) {
-  return repeats > 1 ? po_times_median(seconds + 1, repeats - 1) : seconds[0];
-}
-
 /* Stores an answer for all points of its question. */
 static po_status store(share_of_run *s, size_t question, po_answer *answer, bool final) {
   po_case_run *run = s->run;
-  const unsigned repeats = run->plan->kase->repeats;
   po_status status = PO_OK;
   for (size_t i = 0; !status && i < run->plan->kase->point_count; ++i) {
     po_result *result = &run->results[i];
-    double *seconds = run->seconds + i * repeats;
     if (s->leader[i] != question)
       continue;
-    if (answer->repeat <= repeats) {
-      seconds[answer->repeat - 1] = answer->solve;
-      run->processor_seconds[i * repeats + answer->repeat - 1] = (double)NAN;
-    }
-    if (answer->repeat == 1 || answer->result.status) {
-      po_result_clear(result);
-      status = copy_result(&run->plan->kase->points[i].request, &answer->result, result);
-    }
+    run->seconds[i] = answer->solve;
+    run->processor_seconds[i] = (double)NAN;
+    po_result_clear(result);
+    status = po_run_solver_copy(run, i, &answer->result, result);
     if (!status && final) {
-      result->work.seconds = answer->result.status ? (double)NAN : median_of(seconds, repeats);
+      result->work.seconds = answer->result.status ? (double)NAN : answer->solve;
       const bool again = run->done[i];
       status = s->taken(s->context, run, i, again);
     }
@@ -172,8 +159,7 @@ static po_status take(void *context, size_t question, po_answer *answer, bool fi
   return status;
 }
 
-/* Adds what the processes of a share used. */
-static po_status keep_log(po_case_run *run, po_ask_log *log) {
+po_status po_run_solver_keep_log(po_case_run *run, po_ask_log *log) {
   po_status status = PO_OK;
 #pragma omp critical(po_run_finish)
   {
@@ -207,7 +193,7 @@ po_status po_run_solver_ask(po_case_run *run, size_t share, const char *output,
     status = po_ask(run->plan->solver, s.questions, s.count, folder, run->plan->solve_key, stop,
                     take, &s, &log);
   if (!status)
-    status = keep_log(run, &log);
+    status = po_run_solver_keep_log(run, &log);
   po_ask_log_clear(&log);
   clear_share(&s);
   free(folder);

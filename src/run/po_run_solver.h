@@ -12,6 +12,21 @@ po_status po_run_solver_begin(po_case_run *run);
  * removes what is left of them. Status: PO_NO_MEMORY, PO_CANNOT_WRITE. */
 po_status po_run_solver_recover(po_case_run *run, const char *output);
 
+/* Reports whether an external solver is asked the same for two points: they differ only in the mesh
+ * and the time limit of this program. */
+bool po_run_solver_same(const po_case_run *run, size_t point, size_t other);
+
+/* Returned: the question of a point. */
+po_question po_run_solver_question(const po_case_run *run, size_t point);
+
+/* Copies a result of a point. Status: PO_NO_MEMORY. */
+po_status po_run_solver_copy(const po_case_run *run, size_t point, const po_result *from,
+                             po_result *to);
+
+/* Adds what processes used. The folder that they left is moved out of *log. Status: PO_NO_MEMORY.
+ */
+po_status po_run_solver_keep_log(po_case_run *run, po_ask_log *log);
+
 /* Called, by one thread at a time, for each point whose result is known; `again` if another one was
  * known before. */
 typedef po_status po_run_solver_taker(void *context, po_case_run *run, size_t point, bool again);

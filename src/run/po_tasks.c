@@ -1,6 +1,7 @@
 #include "po_tasks.h"
 
 #include "po_memory.h"
+#include "po_rounds.h"
 
 /* Reports whether a point of the series that begins at `begin` (or this point alone) is requested
  * and not done. */
@@ -11,23 +12,43 @@ static bool is_wanted(const po_case_run *run, size_t begin) {
   return wanted;
 }
 
-/* Adds the solves of one round over the points of all cases that are timed, or of all others. */
-static void add_round(const po_case_run *runs, size_t count, bool timed, unsigned round,
-                      po_task *tasks, size_t *total) {
+/* Adds the solves of all cases that are not timed. */
+static void add_shared(const po_case_run *runs, size_t count, po_task *tasks, size_t *total) {
   for (size_t r = 0; r < count; ++r) {
     const po_case_run *run = &runs[r];
-    const unsigned repeats = run->plan->kase->repeats;
-    if (run->finished || (repeats > 1) != timed || round >= repeats)
+    if (run->finished || run->plan->kase->repeats > 1)
       continue;
     if (run->plan->solver) {
-      for (size_t share = 0; round == 0 && share < run->chunks; ++share)
+      for (size_t share = 0; share < run->chunks; ++share)
         tasks[(*total)++] = (po_task){r, share, 0};
       continue;
     }
     for (size_t p = 0; p < run->plan->kase->point_count; p += run->plan->kase->series_length)
       if (is_wanted(run, p))
-        tasks[(*total)++] = (po_task){r, p, round};
+        tasks[(*total)++] = (po_task){r, p, 0};
   }
+}
+
+/* Adds one round over the points of a timed case, which run `first` is the first to solve: each
+ * point for all solvers of the case. */
+static void add_round(const po_case_run *runs, size_t count, size_t first, unsigned round,
+                      po_task *tasks, size_t *total) {
+  const po_case *kase = runs[first].plan->kase;
+  for (size_t p = 0; p < kase->point_count; ++p)
+    for (size_t r = first; r < count; ++r) {
+      const po_case_run *run = &runs[r];
+      if (run->plan->kase == kase && !run->finished &&
+          (run->plan->solver ? po_rounds_leads(run, p) : is_wanted(run, p)))
+        tasks[(*total)++] = (po_task){r, p, round};
+    }
+}
+
+/* Reports whether no earlier run has the same case. */
+static bool is_first(const po_case_run *runs, size_t run) {
+  for (size_t r = 0; r < run; ++r)
+    if (runs[r].plan->kase == runs[run].plan->kase)
+      return false;
+  return true;
 }
 
 po_task *po_tasks_list(const po_case_run *runs, size_t count, size_t *shared, size_t *total) {
@@ -42,9 +63,12 @@ po_task *po_tasks_list(const po_case_run *runs, size_t count, size_t *shared, si
   *total = *shared = 0;
   if (!tasks)
     return NULL;
-  add_round(runs, count, false, 0, tasks, total);
+  add_shared(runs, count, tasks, total);
   *shared = *total;
   for (unsigned round = 0; round < rounds; ++round)
-    add_round(runs, count, true, round, tasks, total);
+    for (size_t r = 0; r < count; ++r)
+      if (runs[r].plan->kase->repeats > 1 && round < runs[r].plan->kase->repeats &&
+          is_first(runs, r))
+        add_round(runs, count, r, round, tasks, total);
   return tasks;
 }

@@ -110,6 +110,8 @@ def spoil(mode, stream, k, found):
         time.sleep(1000)
     if mode == "noise":
         print("converged in 7 iterations\n" * 1000)
+    if mode == "slow_clock":
+        time.sleep(1)
     if mode == "quick_clock" and "seconds" in found:
         found["seconds"]["solve"] = 100.0
     write(stream, found)

@@ -2,23 +2,7 @@
 # Cases that an external solver solves: verdicts, coverage, what is kept, shards, pins, explanations.
 # shellcheck disable=SC1091,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
-root=$here/../..
-export PULLOFF_DATA="$root"
-python=/usr/bin/python3
-
-manifest() { # MODE [MORE LINES]: the manifest MODE.yaml of a responder.
-  cat >"$1.yaml" <<END
-protocol: pulloff-ask/1
-solver: $1
-command: [$python, '$here/responder.py', $1, '$root/reference/feng_pull_off.csv', '{request}', '{response}']
-can:
-  scene: [{key: tabor, to: ${most:-5}}, {key: radius}, {key: outer_radius}]
-  quantities: [pull_off_force, pull_off_approach, contact_radius]
-  unstable: ${unstable:-true}
-time_limit: 2
-$2
-END
-}
+. "$here/manifest.sh"
 
 write_case() { # NAME TABORS
   cat >"$1.yaml" <<END

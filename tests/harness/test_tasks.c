@@ -35,6 +35,22 @@ static void make_run(size_t which, unsigned repeats, size_t points_done) {
   }
 }
 
+/* Lists the tasks of the first runs and compares them. */
+static void expect_tasks(size_t run_count, const po_task *expected, size_t count,
+                         size_t expected_shared) {
+  size_t shared = 0, total = 0;
+  po_task *tasks = po_tasks_list(runs, run_count, &shared, &total);
+  ck_assert_ptr_nonnull(tasks);
+  ck_assert_uint_eq(shared, expected_shared);
+  ck_assert_uint_eq(total, count);
+  for (size_t i = 0; i < count; ++i) {
+    ck_assert_uint_eq(tasks[i].run, expected[i].run);
+    ck_assert_uint_eq(tasks[i].point, expected[i].point);
+    ck_assert_uint_eq(tasks[i].round, expected[i].round);
+  }
+  free(tasks);
+}
+
 /* Two timed cases, with 3 and 2 rounds, one of them partly solved; one that is not timed; one that
  * is finished. */
 START_TEST(timed_solves_go_round) {
@@ -48,17 +64,28 @@ START_TEST(timed_solves_go_round) {
   make_run(1, 1, 0);
   make_run(2, 2, 1);
   make_run(3, 2, 3);
-  size_t shared = 0, total = 0;
-  po_task *tasks = po_tasks_list(runs, RUNS, &shared, &total);
-  ck_assert_ptr_nonnull(tasks);
-  ck_assert_uint_eq(shared, 3);
-  ck_assert_uint_eq(total, count);
-  for (size_t i = 0; i < count; ++i) {
-    ck_assert_uint_eq(tasks[i].run, EXPECTED[i].run);
-    ck_assert_uint_eq(tasks[i].point, EXPECTED[i].point);
-    ck_assert_uint_eq(tasks[i].round, EXPECTED[i].round);
-  }
-  free(tasks);
+  expect_tasks(RUNS, EXPECTED, count, 3);
+}
+END_TEST
+
+/* A case that this program and an external solver solve: in each round, each point by both of them.
+ * The first and the last point differ only in the mesh, and are one question. */
+START_TEST(solvers_alternate) {
+  static const po_task EXPECTED[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 2, 0},
+                                     {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}, {0, 2, 1}};
+  const size_t count = sizeof EXPECTED / sizeof *EXPECTED;
+  static po_point points[3];
+  static po_solver solver;
+  make_run(0, 2, 0);
+  make_run(1, 2, 0);
+  for (size_t i = 0; i < 3; ++i)
+    points[i].request = po_request_default();
+  points[1].request.scene.tabor = 2;
+  points[2].request.mesh.tolerance = 1e-3;
+  parts[0].kase.points = points;
+  parts[1].plan.kase = &parts[0].kase;
+  parts[1].plan.solver = &solver;
+  expect_tasks(2, EXPECTED, count, 0);
 }
 END_TEST
 
@@ -80,6 +107,7 @@ END_TEST
 static void add(TCase *tests) {
   tcase_add_test(tests, points_are_timed_until_enough);
   tcase_add_test(tests, timed_solves_go_round);
+  tcase_add_test(tests, solvers_alternate);
 }
 
 int main(void) {

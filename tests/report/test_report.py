@@ -19,7 +19,7 @@ import synthetic  # noqa: E402
 from pulloff_report import faults, page, plots, records, references  # noqa: E402
 
 PRINTED = ("Figures of the paper", "Claims of the paper", "Other laws and profiles", "Error against run time",
-           "Cost of an equilibrium", "Stiff and extreme", "Planted faults", "Checks by case", "Environment")
+           "External solvers", "Cost of an equilibrium", "Stiff and extreme", "Planted faults", "Checks by case", "Environment")
 SCREEN_ONLY = ("Every check", "Every case and how to repeat it", "Reference data")
 
 
@@ -116,7 +116,7 @@ class Whole(PageTest):
         drawn = {"fig03", "fig04"} | {name for name, module in plots.BY_SCRIPT.items()
                                       if getattr(module, "SCHEMATIC", False)}
         self.assertEqual(self.html.count('role="img"'), len(drawn) + 5)   # and two of the errors against time, two of costs, one of limits
-        self.assertEqual(self.html.count('class="absent"'), len(plots.BY_SCRIPT) - len(drawn) + 3)
+        self.assertEqual(self.html.count('class="absent"'), len(plots.BY_SCRIPT) - len(drawn) + 4)
         self.has(self.text, "The claims of the paper were not judged", "Figure 7, rigid pull-off against α, is omitted")
 
     def test_every_check_has_its_row(self):
@@ -227,6 +227,20 @@ class Parts(PageTest):
                 self.assertEqual(html.count(f'id="figure-{name}"'), 1)
             os.unlink(os.path.join(folder, "reference", "jkr_pull_off.csv"))
             self.has(plain(page_of(folder)), "The JKR pull-offs (jkr_pull_off.csv) are not available")
+
+    def test_external_solvers_are_beside_this_program(self):
+        with made_up(synthetic.make_fig04) as folder:
+            self.has(plain(page_of(folder)), "External solvers are omitted: this run has no record of one")
+        with made_up(synthetic.make_solvers) as folder:
+            html = page_of(folder)
+        text = plain(html)
+        self.assertEqual(html.count('id="figure-solvers"'), 1)
+        self.has(text, "second, nodes 126 ∅ failed3 of 6 pass, 3 failed; points 6/6, checks 6/6",
+                 "second, nodes 126 2.0 × 10−45 s × 100 1 × 10−5 ≥ × 71.4", "second, nodes 251 5.0 × 10−540 s × 800 1 × 10−5 ≥ × 571",
+                 "second, nodes 251 timed out– no result no result", "quick 1.0 × 10−91 ms not reached by pulloff × 0.0143 1 × 10−7",
+                 "quick on μ = 3, A† = 1, λ† = 20: no tolerance of this program reaches its error.", "at 1e-6 it is 70 times faster",
+                 "quick on μ = 3, A† = 1, λ† = 20 reports less", "2 of 12 solves gave no result")
+        self.lacks(text, "were timed in rounds without this program", "This program is faster on every scene")
 
     def test_missing_references_leave_sentences(self):
         with made_up(synthetic.make_fig03) as folder:

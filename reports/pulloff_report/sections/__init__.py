@@ -34,6 +34,6 @@ class Section:
 
 def build_all(source):
     """Every section, in order: those of the PDF first, then the long lists that only the HTML page has."""
-    from . import cases, checks, claims, cost, environment, extreme, figures, general, planted_faults, precision, provenance, verdicts
-    order = (figures, claims, general, precision, cost, extreme, planted_faults, verdicts, environment, checks, cases, provenance)
+    from . import cases, checks, claims, cost, environment, extreme, figures, general, planted_faults, precision, provenance, solvers, verdicts
+    order = (figures, claims, general, precision, solvers, cost, extreme, planted_faults, verdicts, environment, checks, cases, provenance)
     return [module.build(source) for module in order]

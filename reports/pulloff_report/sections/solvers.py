@@ -1,0 +1,96 @@
+"""External solvers: verdict and coverage of each case, error against run time, and how much faster this program is."""
+
+import statistics
+
+from . import Section
+from .. import samples, solvers
+from ..plots import solvers as figure
+
+ABSENT = ("External solvers are omitted: this run has no record of one (./reproduce --only solvers asks the example solvers; "
+          "pulloff run CASE --solver MANIFEST asks any).")
+GOALS = (("its error", None), ("1e-6", solvers.GOAL))
+
+
+def cell(solver, name):
+    """Verdict, score and coverage of a solver on a case; None if it was not asked."""
+    case = solver.cases.get(name)
+    if case is None:
+        return None
+    passing, made = solvers.score(case)
+    cover = solvers.coverage(case)
+    return {"verdict": case.verdict if cover["asked"] else None, "passing": passing, "made": made, "cover": cover,
+            "failed": len([point for point in case.failed_points()]), "reasons": reasons(case)}
+
+
+def reasons(case):
+    """The distinct reasons why points have no result."""
+    return list(dict.fromkeys(f"{point['status'].replace('_', ' ')}: {point['reason']}" for point in case.failed_points()
+                              if point.get("reason")))[:3]
+
+
+def comparison(item, ours, goal):
+    """How this program compares at an error: the quotient of times, our solve, or why there is none."""
+    if not item.usable:
+        return {"words": "no result"}
+    if goal is not None and item.error > goal:
+        best = solvers.quickest(ours, goal)
+        quotient = solvers.paired(item, best) if best else None
+        return {"least": quotient, "ours": best} if quotient else {"words": "not reached by pulloff"}
+    best = solvers.quickest(ours, item.error if goal is None else goal)
+    if best is None:
+        return {"words": "not reached by pulloff"}
+    return {"quotient": solvers.paired(item, best), "ours": best}
+
+
+def middle(values):
+    """The median of the times that are known; None if there are none."""
+    known = [value for value in values if value is not None]
+    return statistics.median(known) if known else None
+
+
+def speed_rows(rows):
+    found = []
+    for scene in samples.scenes(rows):
+        here = samples.of(rows, scene)
+        ours = [row for row in here if row.name == solvers.OURS]
+        for item in here:
+            if item.name != solvers.OURS and ours:
+                found.append({"scene": samples.scene_name(scene), "item": item,
+                              "cells": [comparison(item, ours, goal) for _, goal in GOALS]})
+    for before, row in zip([None] + found, found):
+        row["first"] = before is None or before["scene"] != row["scene"]
+    return found
+
+
+def slower(rows):
+    """Sentences on the scenes and solvers where this program is not faster."""
+    found = []
+    for row in rows:
+        at_error, at_goal = row["cells"]
+        name = f"{row['item'].label} on {row['scene']}"
+        if at_error.get("words") == "not reached by pulloff":
+            found.append(f"{name}: no tolerance of this program reaches its error.")
+        elif at_error.get("quotient") is not None and at_error["quotient"] < 1:
+            found.append(f"{name}: it is {1 / at_error['quotient']:.3g} times faster than this program.")
+        if at_goal.get("quotient") is not None and at_goal["quotient"] < 1:
+            found.append(f"{name}: at {GOALS[1][0]} it is {1 / at_goal['quotient']:.3g} times faster than this program.")
+    return found
+
+
+def build(source):
+    found = solvers.read(source.run)
+    data = {"absent": ABSENT, "figure": None}
+    if found:
+        names = list(dict.fromkeys(name for solver in found for name in solver.cases))
+        titles = {name: next(s.cases[name].title for s in found if name in s.cases) for name in names}
+        rows = solvers.timed(source.run, found)
+        speeds = speed_rows(rows)
+        ours = next((case for case in source.run.cases if case.name == solvers.TIMED), None)
+        data = {"absent": None, "middle": middle, "scene": samples.scene_name, "titles": titles,
+                "rows": [{"solver": solver, "cells": {name: cell(solver, name) for name in names}} for solver in found],
+                "figure": figure.make(rows, ours.record["command"]) if ours and rows else None,
+                "speeds": speeds, "slower": slower(speeds), "goals": [name for name, _ in GOALS],
+                "timed": [row for row in rows if row.timing],
+                "apart": [row for row in rows if row.timing and not row.timing["interleaved"]],
+                "clocks": [row for row in rows if row.clock in ("more", "less")]}
+    return Section("solvers", "External solvers", "solvers.html", data)

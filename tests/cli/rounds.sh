@@ -1,0 +1,59 @@
+#!/bin/sh
+# Timed solvers: rounds that alternate with this program, the times of each round, clocks that disagree, all values of a knob.
+# shellcheck disable=SC1091,SC2034,SC2154
+. "$(dirname "$0")/lib.sh"
+. "$here/manifest.sh"
+most=1 limit=60
+cat >timed.yaml <<END
+name: timed
+title: Smooth spheres
+suites: [own]
+scene: {radius: 100, outer_radius: inf, approach_end: -1}
+sweep:
+  - {key: tabor, values: [0.5, 1, 3]}
+  - together: [{scheme: triangle, nodes: 31}, {scheme: panel, tolerance: 1e-3}]
+repeats: 3
+want: [pull_off]
+measure:
+  - {quantity: pull_off_force, reference: reference/feng_pull_off.csv}
+END
+
+manifest good 'knob: {name: nodes, values: [10, 20]}'
+manifest quick_clock
+manifest slow_clock
+if ! "$program" run timed.yaml --solver pulloff --solver good.yaml --solver slow_clock.yaml --knob all --output run --jobs 2 >stdout 2>stderr; then cat stderr; fi
+cat >read.py <<'END'
+import json, statistics, sys
+ours, *others = [json.load(open(f"run/{name}timed/record.json")) for name in
+                 ("", "solvers/good@10/", "solvers/good/", "solvers/slow_clock/")]
+assert all("timing" not in point for point in ours["points"])
+for record in others:
+    assert [point["status"] for point in record["points"]] == 4 * ["ok"] + 2 * ["unsupported"], record["solver"]
+    assert len(record["measured"]) == 4
+    # two questions, because pairs of points differ only in the mesh of pulloff, and three rounds of each
+    assert [p["asked"] for p in record["solver"]["processes"]] == 6 * [1], record["solver"]["processes"]
+    for point in record["points"][:4]:
+        timing = point["timing"]
+        assert timing["interleaved"] is True
+        assert point["seconds_all"] == 3 * [1e-3] and timing["first_seconds"] == 3 * [1e-3], point
+        assert point["work"]["seconds"] == statistics.median(point["seconds_all"])
+        for key in ("process_seconds", "process_processor_seconds", "start_seconds", "start_processor_seconds"):
+            assert len(timing[key]) == 3 and min(timing[key]) > 0, (key, timing)
+        for cpu, whole, start in zip(point["processor_seconds_all"], timing["process_processor_seconds"],
+                                     timing["start_processor_seconds"]):
+            assert abs(cpu - max(whole - start, 0) / 2) < 1e-12, point
+        slow = record["solver"]["name"] == "slow_clock"
+        assert timing["clock"] == ("less" if slow else "agrees"), timing
+        assert not slow or min(timing["process_seconds"]) > 2, timing
+    assert record["points"][0]["timing"] == record["points"][1]["timing"]
+    assert record["points"][5]["timing"]["process_seconds"] == 3 * [None]
+END
+check 'the records have the times of the rounds' "$python" read.py
+if ! "$program" verify timed.yaml --solver slow_clock.yaml --output run >stdout 2>stderr; then cat stderr; fi
+check 'verify names a clock that disagrees' grep -q 'disagree with those of its processes at 4 points' stdout
+check 'the record was kept' grep -q kept stderr
+if ! "$program" verify timed.yaml --solver quick_clock.yaml --output run >stdout 2>stderr; then cat stderr; fi
+check 'a time that cannot be is named' grep -q 'disagree with those of its processes at 4 points' stdout
+check 'the rounds of a run without pulloff are not interleaved' grep -q '"interleaved": false' run/solvers/quick_clock/timed/record.json
+expect 2 'pulloff: explain takes one value of the knob: expected --knob VALUE' explain timed.yaml --solver good.yaml --knob all
+finish
