@@ -63,7 +63,7 @@ static po_status mesh_for(po_continuation *t, po_prediction *p, bool may_keep_me
   }
   po_panels panels;
   if (!po_panels_build(&panels, too_large, p))
-    return t->c.trouble = po_fail(PO_OUT_OF_NODES, PO_TOO_MANY_PANELS, PO_MOST_PANELS);
+    return t->c.trouble = po_resolution_fail(&panels);
   po_status status = PO_OK;
   if (!all_move(t, p))
     status = resolve(t, &(po_gap_field){po_prediction_gap, p}, &panels);

@@ -153,10 +153,21 @@ po_resolution po_resolution_for_mesh(const po_resolution *r) {
   return margin;
 }
 
+po_status po_resolution_fail(const po_panels *panels) {
+  for (size_t k = 0; k < panels->count; ++k)
+    if (panels->panel[k].level == PO_DEEPEST_LEVEL)
+      return po_fail(PO_OUT_OF_NODES,
+                     "the traction needs panels shorter than 2^-%d of the domain: expected a "
+                     "smaller coupling or Tabor parameter, or a larger tolerance",
+                     PO_DEEPEST_LEVEL);
+  return po_fail(PO_OUT_OF_NODES,
+                 "the traction needs more than %d panels: expected a larger tolerance, a smaller "
+                 "outer radius, or longer waves",
+                 PO_MOST_PANELS);
+}
+
 po_status po_resolution_panels(const po_resolution *r, const po_gap_field *field,
                                po_panels *panels) {
   join_what_can_be(r, field, panels);
-  if (!split_all(r, field, panels))
-    return po_fail(PO_OUT_OF_NODES, PO_TOO_MANY_PANELS, PO_MOST_PANELS);
-  return PO_OK;
+  return split_all(r, field, panels) ? PO_OK : po_resolution_fail(panels);
 }

@@ -46,11 +46,9 @@ po_resolution po_resolution_for_mesh(const po_resolution *r);
 /* Largest number of meshes tried for one point. Each resolves the solution on the mesh before. */
 enum { PO_MOST_MESHES_A_POINT = 4 };
 
-/* The message of PO_OUT_OF_NODES, with PO_MOST_PANELS. */
-#define PO_TOO_MANY_PANELS                                                                         \
-  "the traction needs more than %d panels: expected a larger tolerance, a smaller outer radius, "  \
-  "or "                                                                                            \
-  "longer waves"
+/* Fails with PO_OUT_OF_NODES. Given: panels that cannot be split as required, because of their
+ * number or because one of them is of the shortest. */
+po_status po_resolution_fail(const po_panels *panels);
 
 /* Adapts panels to a field. Panels with an excess above 1 are split, and two panels are joined if
  * the excess of their parent is below 0.1. Given and returned: panels. Status: PO_OUT_OF_NODES. */
