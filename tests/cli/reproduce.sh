@@ -74,8 +74,8 @@ refused '--jobs is empty: expected a whole number' --jobs ''
 refused '--only needs the name of a part' --only
 refused '--only needs the name of a part' --only ''
 known='fig03, fig05, fig06, fig06_paper, paper, precision, smoke, timing'
-refused "--only is fig99: expected claims, faults, cost or one of $known" --only fig99
-refused "--only is fig: expected claims, faults, cost or one of $known" --only fig03,fig
+refused "--only is fig99: expected claims, faults, cost, solvers or one of $known" --only fig99
+refused "--only is fig: expected claims, faults, cost, solvers or one of $known" --only fig03,fig
 check 'a refused command writes no log' test ! -e "$tree/build/log"
 reproduce 0 --help
 for option in --only --fresh --verbose --jobs --no-install; do
@@ -130,6 +130,19 @@ reproduce 0 --no-install --only faults,claims
 asked 'run fig03 timing --output build/run'
 asked 'faults --reuse --build build'
 check 'all steps' grep -q '^\[7/7\] Writing the report ' "$work/stdout"
+
+# The example solvers are asked only if it is asked for.
+not_asked solver
+mkdir -p "$tree/reference/solvers"
+: >"$tree/reference/solvers/a.yaml"
+: >"$tree/reference/solvers/b.yaml"
+reproduce 0 --no-install --only solvers --fresh
+asked 'run smoke fig03 fig04 --solver reference/solvers/a.yaml --solver reference/solvers/b.yaml --output build/run --fresh'
+asked 'run solver_times --solver pulloff --knob all --solver reference/solvers/a.yaml --solver reference/solvers/b.yaml --output build/run --fresh'
+asked 'report .*'
+not_asked faults
+not_asked claims
+check 'two steps of the solvers' grep -q '^\[6/6\] Writing the report ' "$work/stdout"
 
 # The cost is measured only if it is asked for.
 not_asked '^cost'
