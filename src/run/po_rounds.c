@@ -183,7 +183,8 @@ const char *po_rounds_clock(const po_case_run *run, size_t point) {
   const unsigned repeats = run->plan->kase->repeats;
   const po_round *rounds = rounds_of(run, point);
   unsigned known = 0, less = 0;
-  for (unsigned r = 0; r < repeats; ++r) {
+  /* the process of a failed solve may do more than it reports */
+  for (unsigned r = 0; !run->results[point].status && r < repeats; ++r) {
     const po_round *round = &rounds[r];
     const double taken = beyond_start(round->wall, round->start_wall);
     if (isnan(round->reported) || isnan(round->wall))

@@ -43,7 +43,7 @@ po_status po_rounds_copy(po_case_run *run, size_t point, size_t to, bool *copied
 
 /* What the times of a point say about the clock of the solver. "more": a process reported more time
  * than it took. "less": in every round it reported clearly less than it took beyond its start.
- * "none": it reports no times. Otherwise "agrees". */
+ * "none": it reports no times, or has no result. Otherwise "agrees". */
 const char *po_rounds_clock(const po_case_run *run, size_t point);
 
 /* Returned: the number of points at which the clock does not agree. */

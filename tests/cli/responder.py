@@ -110,8 +110,11 @@ def spoil(mode, stream, k, found):
         time.sleep(1000)
     if mode == "noise":
         print("converged in 7 iterations\n" * 1000)
-    if mode == "slow_clock":
+    if mode in ("slow_clock", "slow_failure"):
         time.sleep(1)
+    if mode == "slow_failure":
+        found = {"id": found["id"], "repeat": found["repeat"], "status": "failed", "reason": "made so",
+                 "seconds": {"solve": 1e-3}}
     if mode == "quick_clock" and "seconds" in found:
         found["seconds"]["solve"] = 100.0
     write(stream, found)

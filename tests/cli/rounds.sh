@@ -45,6 +45,7 @@ for record in others:
         slow = record["solver"]["name"] == "slow_clock"
         assert timing["clock"] == ("less" if slow else "agrees"), timing
         assert not slow or min(timing["process_seconds"]) > 2, timing
+    assert record["points"][5]["timing"]["clock"] == "none"
     assert record["points"][0]["timing"] == record["points"][1]["timing"]
     assert record["points"][5]["timing"]["process_seconds"] == 3 * [None]
 END
@@ -54,6 +55,11 @@ check 'verify names a clock that disagrees' grep -q 'disagree with those of its 
 check 'the record was kept' grep -q kept stderr
 if ! "$program" verify timed.yaml --solver quick_clock.yaml --output run >stdout 2>stderr; then cat stderr; fi
 check 'a time that cannot be is named' grep -q 'disagree with those of its processes at 4 points' stdout
+# After a failure the solver does not repeat the scene, and its clock is not judged.
+manifest slow_failure
+if ! "$program" run timed.yaml --solver slow_failure.yaml --output run >stdout 2>stderr; then :; fi
+check 'the clock of a failed solve is not judged' grep -q '"clock": "none"' run/solvers/slow_failure/timed/record.json
+check 'no other clock' test "$(grep -c '"clock": "less"' run/solvers/slow_failure/timed/record.json)" -eq 0
 check 'the rounds of a run without pulloff are not interleaved' grep -q '"interleaved": false' run/solvers/quick_clock/timed/record.json
 expect 2 'pulloff: explain takes one value of the knob: expected --knob VALUE' explain timed.yaml --solver good.yaml --knob all
 finish
