@@ -23,12 +23,12 @@ static pulloff_status set_all(pulloff_scene *scene, int count, char **arguments,
 static void print(const pulloff_result *result) {
   pulloff_pull_off p;
   if (pulloff_result_pull_off(result, &p))
-    printf("pull-off force %.9g (error %.1e) at approach %.9g (%.1e), contact radius %.7g\n",
+    printf("pull-off force %.10g (error %.1e) at approach %.10g (%.1e), contact radius %.8g\n",
            p.force, p.force_error, p.approach, p.approach_error, p.contact_radius);
   size_t count;
   const pulloff_special_point *folds = pulloff_result_folds(result, &count);
   for (size_t i = 0; i < count; ++i)
-    printf("%s at approach %.9g, load %.9g\n",
+    printf("%s at approach %.10g, load %.10g\n",
            folds[i].kind == PULLOFF_JUMP_IN ? "jump in " : "jump out", folds[i].approach,
            folds[i].load);
 }
