@@ -1,6 +1,7 @@
 #include "po_block.h"
 
 #include <math.h>
+#include <stdint.h>
 
 /* Widths of vector registers for which a function is compiled; the one that fits the processor is
  * chosen when the program is loaded, which is before the thread sanitizer can be called. */
@@ -16,6 +17,7 @@
 /* Values that are processed together, and the groups of them in a column. */
 enum { LANES = 4, MOST_GROUPS = 4 };
 typedef double lanes __attribute__((vector_size(LANES * sizeof(double)), aligned(8), may_alias));
+typedef int64_t mask __attribute__((vector_size(LANES * sizeof(int64_t))));
 
 /* y += factor * A x, with 4 * groups rows. */
 FOR_CONSTANT_ROWS void apply(size_t groups, size_t columns, double factor, const double *a,
@@ -31,18 +33,31 @@ FOR_CONSTANT_ROWS void apply(size_t groups, size_t columns, double factor, const
     to[p] = sum[p];
 }
 
-FOR_CONSTANT_ROWS double dot(size_t groups, const lanes *a, const lanes *x) {
-  lanes sum = a[0] * x[0];
-  for (size_t p = 1; p < groups; ++p)
-    sum += a[p] * x[p];
-  return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+/* Adds the sums (v_0 + v_1) + (v_2 + v_3) of four vectors to the lanes of another. */
+FOR_CONSTANT_ROWS void add_sums(const lanes *v, lanes *to) {
+  const lanes first = __builtin_shufflevector(v[0], v[1], 0, 4, 2, 6) +
+                      __builtin_shufflevector(v[0], v[1], 1, 5, 3, 7);
+  const lanes second = __builtin_shufflevector(v[2], v[3], 0, 4, 2, 6) +
+                       __builtin_shufflevector(v[2], v[3], 1, 5, 3, 7);
+  *to += __builtin_shufflevector(first, second, 0, 1, 4, 5) +
+         __builtin_shufflevector(first, second, 2, 3, 6, 7);
 }
 
 FOR_CONSTANT_ROWS void apply_transposed(size_t groups, size_t columns, const double *a,
                                         const double *x, double *y) {
   const lanes *from = (const lanes *)a;
-  for (size_t j = 0; j < columns; ++j, from += groups)
-    y[j] += dot(groups, from, (const lanes *)x);
+  lanes own[MOST_GROUPS];
+  for (size_t p = 0; p < groups; ++p)
+    own[p] = ((const lanes *)x)[p];
+  for (size_t j = 0; j < columns; j += LANES) {
+    lanes part[LANES];
+    for (size_t k = 0; k < LANES; ++k, from += groups) {
+      part[k] = from[0] * own[0];
+      for (size_t p = 1; p < groups; ++p)
+        part[k] += from[p] * own[p];
+    }
+    add_sums(part, (lanes *)(y + j));
+  }
 }
 
 FOR_ALL_WIDTHS void po_block_apply(size_t rows, size_t columns, const double *a, const double *x,
@@ -67,13 +82,16 @@ FOR_ALL_WIDTHS void po_block_apply_both(const double *block, const double *x, do
   lanes *to = (lanes *)y;
   lanes y0 = to[0], y1 = to[1], y2 = to[2];
   const lanes u0 = from[0], u1 = from[1], u2 = from[2];
-  for (int j = 0; j < PO_TABLE_ORDER; ++j, b += 3) {
-    const lanes b0 = b[0], b1 = b[1], b2 = b[2];
-    y0 += b0 * x[j];
-    y1 += b1 * x[j];
-    y2 += b2 * x[j];
-    const lanes sum = b0 * u0 + b1 * u1 + b2 * u2;
-    v[j] += (sum[0] + sum[1]) + (sum[2] + sum[3]);
+  for (size_t j = 0; j < PO_TABLE_ORDER; j += LANES) {
+    lanes part[LANES];
+    for (size_t k = 0; k < LANES; ++k, b += 3) {
+      const lanes b0 = b[0], b1 = b[1], b2 = b[2];
+      y0 += b0 * x[j + k];
+      y1 += b1 * x[j + k];
+      y2 += b2 * x[j + k];
+      part[k] = b0 * u0 + b1 * u1 + b2 * u2;
+    }
+    add_sums(part, (lanes *)(v + j));
   }
   to[0] = y0;
   to[1] = y1;
@@ -97,8 +115,16 @@ FOR_CONSTANT_ROWS void exchange(size_t groups, lanes *a, lanes *b) {
   }
 }
 
+/* a - factor * b, with a = 0 where the mask is 0. */
+FOR_CONSTANT_ROWS void subtract(size_t groups, const mask *keep, double factor, const lanes *b,
+                                lanes *a) {
+  for (size_t p = 0; p < groups; ++p)
+    a[p] = (lanes)((mask)a[p] & keep[p]) - factor * b[p];
+}
+
 /* Works on the columns as the rows of the transpose, whose inverse is the transpose of the inverse.
- */
+ * Column k of the rows is replaced by a mask: a store of one value, before its vector is read,
+ * makes the processor wait. */
 FOR_CONSTANT_ROWS int invert(size_t groups, double *a) {
   const size_t n = groups * LANES;
   size_t from[MOST_GROUPS * LANES];
@@ -119,18 +145,18 @@ FOR_CONSTANT_ROWS int invert(size_t groups, double *a) {
       return 0;
     if (pivot < 0.0)
       sign = -sign;
-    a[k + n * k] = 1.0;
-    for (size_t p = 0; p < groups; ++p)
-      row[p] *= 1.0 / pivot;
-    for (size_t i = 0; i < n; ++i) {
-      if (i == k)
-        continue;
-      lanes *other = (lanes *)(a + n * i);
-      const double factor = a[k + n * i];
-      a[k + n * i] = 0.0;
-      for (size_t p = 0; p < groups; ++p)
-        other[p] -= factor * row[p];
+    static const mask FIRST = {0, 1, 2, 3};
+    static const lanes ONE = {1.0, 1.0, 1.0, 1.0};
+    lanes own[MOST_GROUPS];
+    mask keep[MOST_GROUPS];
+    for (size_t p = 0; p < groups; ++p) {
+      keep[p] = FIRST != (int64_t)k - (int64_t)(p * LANES);
+      own[p] = (lanes)(((mask)row[p] & keep[p]) | ((mask)ONE & ~keep[p])) * (1.0 / pivot);
     }
+    for (size_t i = 0; i < n; ++i)
+      subtract(groups, keep, a[k + n * i], own, (lanes *)(a + n * i));
+    for (size_t p = 0; p < groups; ++p)
+      row[p] = own[p];
   }
   for (size_t k = n; k-- > 0;) /* the rows that were exchanged are columns of the inverse */
     if (from[k] != k)

@@ -19,8 +19,7 @@ enum { N = PO_TABLE_ORDER, K = PO_SKELETON_NODES };
  *   to_left = S Z_2,   to_right = S^T Z_1.
  */
 typedef struct {
-  bool is_quiet; /* Z = 0 */
-  double relation[K * K];
+  _Alignas(64) double relation[K * K]; /* in a vector register without crossing a cache line */
   union {
     struct {
       double inverse[N * N], along[N * K], moments[K * N];
@@ -32,6 +31,7 @@ typedef struct {
   double border[K];      /* sum of border x = sum + border . w */
   double field[K], z[K]; /* of a solution */
   double sum;            /* of a solution: the sum of border x at zero field */
+  bool is_quiet;         /* Z = 0 */
 } factors;
 
 struct po_elimination {
