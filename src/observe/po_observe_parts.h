@@ -24,7 +24,7 @@ po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po
 
 /* The allowed errors of the panels, and the precision of Newton's method, for a relative tolerance
  * of the pull-off force. */
-po_allowance po_observe_allowance(const po_request *request, double tolerance);
+po_allowance po_observe_allowance(double tolerance);
 double po_observe_precision(double tolerance);
 
 /* An approach, eps, from which on the load of rigid bodies exceeds `load`, pi w R. */

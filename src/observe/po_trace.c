@@ -85,8 +85,8 @@ static po_status trace_elastic(const po_request *request, const po_attempt *a, p
   if (!status && panels)
     e->precision = po_observe_precision(request->mesh.tolerance);
   if (!status)
-    status = po_continuation_create(e, panels, po_observe_allowance(request, a->tolerance),
-                                    &options, &continuation);
+    status = po_continuation_create(e, panels, po_observe_allowance(a->tolerance), &options,
+                                    &continuation);
   if (!status) {
     status = po_continuation_run(continuation);
     note_work(reader, e, panels);

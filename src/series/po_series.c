@@ -223,7 +223,7 @@ static po_status follow_between(interval *s, bool *settled) {
   s->row = po_allocate(most, sizeof *s->row);
   po_status status = s->load && s->row ? PO_OK : PO_NO_MEMORY;
   if (!status)
-    status = po_series_follower(s->l, s->from->index, s->to->index, tolerance, &s->follower);
+    status = po_series_follower(s->l, s->from->index, tolerance, &s->follower);
   for (size_t k = 0; k < s->from->candidates && !status; ++k)
     status = follow(s, &s->from->minima[k], true);
   for (size_t k = 0; k < s->to->candidates && !status; ++k)

@@ -125,7 +125,7 @@ static po_status follow_all(const po_series_scenes *l, const folds *f) {
   po_series_work before = {0};
   po_status status = allocate_folds(l);
   if (!status)
-    status = po_series_follower(l, 0, l->count - 1, f->tolerance, &follower);
+    status = po_series_follower(l, 0, f->tolerance, &follower);
   for (size_t j = 0; j < f->count && !status; ++j)
     status = follow(l, follower, &f->point[j], j, &before);
   po_follow_destroy(follower);

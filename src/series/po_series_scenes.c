@@ -82,14 +82,12 @@ bool po_series_alike(const po_request *a, const po_request *b) {
          isinf(a->scene.outer_radius) == isinf(b->scene.outer_radius);
 }
 
-po_status po_series_follower(const po_series_scenes *l, size_t first, size_t last, double tolerance,
+po_status po_series_follower(const po_series_scenes *l, size_t first, double tolerance,
                              po_follower **follower) {
-  const po_allowance one = po_observe_allowance(&l->requests[first], tolerance),
-                     other = po_observe_allowance(&l->requests[last], tolerance);
   const po_follow_options options = {scene_at,
                                      domain_of,
                                      (void *)l,
-                                     one.gap < other.gap ? one : other,
+                                     po_observe_allowance(tolerance),
                                      po_observe_precision(tolerance),
                                      tolerance};
   return po_follow_create(&options, (double)first, follower);

@@ -23,9 +23,9 @@ void po_series_finish(po_request *solved, size_t count, po_result *results);
  * differ, and only the pull-off is wanted. */
 bool po_series_alike(const po_request *a, const po_request *b);
 
-/* Creates a follower for the scenes from `first` to `last`, with a tolerance; the mesh meets the
- * stricter requirement of the two. It begins at the first. Status: PO_NO_MEMORY. */
-po_status po_series_follower(const po_series_scenes *l, size_t first, size_t last, double tolerance,
+/* Creates a follower for the scenes, with a tolerance. It begins at the scene `first`. Status:
+ * PO_NO_MEMORY. */
+po_status po_series_follower(const po_series_scenes *l, size_t first, double tolerance,
                              po_follower **follower);
 
 /* Returned: whether the contact of a followed special point reaches the end of the core of its

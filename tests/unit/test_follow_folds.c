@@ -56,13 +56,6 @@ static bool keep(const po_branch_point *p, void *data) {
   return f->count == f->most;
 }
 
-/* The allowed discretisation error of the panels in a scene. */
-static po_allowance allowance_of(const po_scene *scene) {
-  po_request request = po_request_default();
-  request.scene = *scene;
-  return po_observe_allowance(&request, TOLERANCE);
-}
-
 /* The folds of a trace, on its own panels. */
 static void trace(const series *l, folds *f) {
   po_scene scene;
@@ -79,7 +72,7 @@ static void trace(const series *l, folds *f) {
   po_continuation_options options = po_continuation_options_default();
   options.visit = keep;
   options.data = f;
-  const po_allowance allowed = allowance_of(&scene);
+  const po_allowance allowed = po_observe_allowance(TOLERANCE);
   ck_assert_int_eq(po_continuation_create(e, panels, allowed, &options, &continuation), PO_OK);
   ck_assert_int_eq(po_continuation_run(continuation), PO_OK);
   po_continuation_destroy(continuation);
@@ -90,11 +83,12 @@ static void trace(const series *l, folds *f) {
 
 /* Creates a follower at the beginning of the series. */
 static po_follower *follower_of(const series *l) {
-  po_scene scene;
-  scene_at((void *)l, l->from, &scene);
-  const po_follow_options options = {
-      scene_at, domain_of, (void *)l, allowance_of(&scene), po_observe_precision(TOLERANCE),
-      TOLERANCE};
+  const po_follow_options options = {scene_at,
+                                     domain_of,
+                                     (void *)l,
+                                     po_observe_allowance(TOLERANCE),
+                                     po_observe_precision(TOLERANCE),
+                                     TOLERANCE};
   po_follower *follower = NULL;
   ck_assert_int_eq(po_follow_create(&options, l->from, &follower), PO_OK);
   return follower;

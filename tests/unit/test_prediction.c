@@ -28,8 +28,6 @@ static bool keep(const po_branch_point *p, void *data) {
 }
 
 static double trace(steps *s) {
-  po_request request = po_request_default();
-  request.scene = SCENE;
   po_adaptive *panels = NULL;
   po_equilibrium *e = NULL;
   po_continuation *continuation = NULL;
@@ -42,9 +40,9 @@ static double trace(steps *s) {
   po_continuation_options options = po_continuation_options_default();
   options.visit = keep;
   options.data = s;
-  ck_assert_int_eq(po_continuation_create(e, panels, po_observe_allowance(&request, TOLERANCE),
-                                          &options, &continuation),
-                   PO_OK);
+  ck_assert_int_eq(
+      po_continuation_create(e, panels, po_observe_allowance(TOLERANCE), &options, &continuation),
+      PO_OK);
   ck_assert_int_eq(po_continuation_run(continuation), PO_OK);
   const double met = po_adaptive_domain(panels);
   po_continuation_destroy(continuation);
