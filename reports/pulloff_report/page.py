@@ -7,8 +7,9 @@ import re
 import jinja2
 from markupsafe import Markup
 
-from . import findings, fonts, sections, svg, words
+from . import beside, findings, fonts, sections, svg, words
 
+FACES = "/* typefaces */"  # the place of the typefaces in a page
 TITLE = "Pull-off of an adhesive sphere"
 TEMPLATES = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "templates")
 
@@ -45,10 +46,9 @@ def contents(run, references, faults=None, claims=None, cost=None):
 
 def filled(template, content, **more):
     """A template filled with the content, with its typefaces embedded."""
-    page = environment().get_template(template)
-    # The embedded fonts hold exactly the characters of the page, so the template is filled twice.
-    characters = page.render(font_faces="", **content, **more)
-    return with_bars(page.render(font_faces=Markup(fonts.font_faces(characters)), **content, **more))
+    page = with_bars(environment().get_template(template).render(font_faces=Markup(FACES), **content, **more))
+    # The embedded fonts hold exactly the characters of the page, so they are made last.
+    return page.replace(FACES, fonts.font_faces(page), 1)
 
 
 def screen(content):
@@ -70,6 +70,13 @@ def pdf(content):
     logging.getLogger("weasyprint").setLevel(logging.ERROR)
     import weasyprint
     return weasyprint.HTML(string=without_dead_links(paper(content))).write_pdf()
+
+
+def forms(content):
+    """Both forms of the report as bytes: HTML, PDF."""
+    html = beside.start(lambda: screen(content).encode("utf-8"))
+    printed = pdf(content)
+    return html.result(), printed
 
 
 def without_dead_links(text):

@@ -9,7 +9,7 @@ import copy
 import re
 import xml.etree.ElementTree as ElementTree
 
-from . import fonts
+from . import fonts, svg_compact
 
 SVG = "http://www.w3.org/2000/svg"
 XLINK = "http://www.w3.org/1999/xlink"
@@ -195,6 +195,7 @@ def embeddable(text, prefix, label):
     made = Flattener(root, prefix).copy(root)
     width, height = number(root.get("width")), number(root.get("height"))
     box = root.get("viewBox") or f"0 0 {width:g} {height:g}"
+    svg_compact.compact(made)
     made.attrib.clear()
     made.set("viewBox", box)
     made.set("role", "img")
