@@ -17,7 +17,8 @@ LIMITS = ((2.0, lambda tabor: tabor <= 1), (1.5, lambda tabor: tabor >= 1))  # r
 
 def law_name(point):
     """"Mie (4, 10)": the law of a point with its parameters."""
-    name, scene = value_of(point, "law"), point["input"]
+    scene = point["input"]  # the sweep spells the law with its parameters
+    name = scene["law"]
     parameters = [plain(value) for key, value in scene.items() if key.startswith(f"{name}_") and value is not None]
     return NAMES[name] + (f" ({', '.join(parameters)})" if parameters else "")
 
