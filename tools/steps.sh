@@ -152,7 +152,8 @@ try_step() {
   printf '== %s: %s\n' "$label" "$*" >>"$log"
   watch_step "$label" &
   watcher=$!
-  "$@" >>"$log" 2>&1 </dev/null
+  # In a subshell, so that a message of a trap is not redirected where the command is a function.
+  ("$@") >>"$log" 2>&1 </dev/null
   step_status=$?
   end_watch
   printf '%-40s%10s' "$(numbered "$label")" "$(seconds_since "$step_begin")"

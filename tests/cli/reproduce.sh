@@ -20,7 +20,8 @@ mv "$tree/cases/timing.yaml" "$tree/cases/precise.yaml"
 cat >"$tree/build/src/cli/pulloff" <<'PROGRAM'
 #!/bin/sh
 echo "$*" >>asked
-[ "$1" = run ] || exit 0
+case $1 in run | verify) ;; *) exit 0 ;; esac
+echo 'a verdict'
 echo '3/8 solves, 5 s elapsed, about 2 min 10 s remaining (fig03 tabor=1)' >&2
 sleep "$(cat slow 2>/dev/null || echo 0)"
 exit "$(cat code 2>/dev/null || echo 0)"
@@ -83,12 +84,12 @@ for option in --only --fresh --verbose --jobs --no-install; do
 done
 
 reproduce 0 --no-install
-asked 'run --suite paper,precision,extreme,general --output build/run'
+asked 'verify --suite paper,precision,extreme,general --output build/run'
 asked 'faults --reuse --build build'
-asked 'claims --program build/src/cli/pulloff --run build/run'
 asked 'claims --program build/src/cli/pulloff --run build/run --brief'
 asked 'report --run build/run --output build/report'
-asked 'verify --suite paper,precision,extreme,general --output build/run'
+check 'each program is asked once' test "$(wc -l <"$tree/asked")" -eq 4
+check 'the verdicts are printed after the steps' test "$(tail -n 3 "$work/stdout" | head -n 2 | tr '\n' ,)" = 'made-claim 1.57 reproduced,a verdict,'
 check 'steps are counted' grep -q -x '\[4/7\] Running the cases  *[0-9.]* s' "$work/stdout"
 check 'the last step is counted' grep -q -x '\[7/7\] Writing the report  *[0-9.]* s' "$work/stdout"
 reproduce 0 --no-install --verbose
@@ -97,37 +98,35 @@ not_asked '^claims .*--brief'
 mkdir -p "$tree/build/claims/kept"
 reproduce 0 --no-install --fresh --jobs 3
 check '--fresh removes the kept results of the claims' test ! -e "$tree/build/claims"
-asked 'run --suite paper,precision,extreme,general --output build/run --jobs 3 --fresh'
+asked 'verify --suite paper,precision,extreme,general --output build/run --jobs 3 --fresh'
 asked 'faults --build build --jobs 3'
 asked 'report --run build/run --output build/report --fresh'
 
 reproduce 0 --no-install --only fig06 --only timing
-asked 'run fig06 fig06_paper timing --output build/run'
 asked 'verify fig06 fig06_paper timing --output build/run'
 asked 'report .*'
 not_asked faults
 not_asked claims
 check 'only the selected steps are run' grep -q '^\[5/5\] Writing the report ' "$work/stdout"
 reproduce 0 --no-install --only fig3,smoke
-asked 'run fig03 fig03 --output build/run'
+asked 'verify fig03 fig03 --output build/run'
 reproduce 0 --no-install --only fig05
 asked 'report .*'
-not_asked '^run'
 not_asked '^verify'
 reproduce 0 --no-install --only faults
 asked 'faults --reuse --build build'
 asked 'report .*'
-not_asked '^run'
+not_asked '^verify'
 
 # --only claims runs the cases whose results the claims use.
 reproduce 0 --no-install --only claims
-asked 'run fig03 timing --output build/run'
-asked 'claims --program build/src/cli/pulloff --run build/run'
+asked 'verify fig03 timing --output build/run'
+asked 'claims --program build/src/cli/pulloff --run build/run --brief'
 asked 'report .*'
 not_asked faults
 check 'the verdicts on the paper are printed' grep -q -x 'made-claim 1.57 reproduced' "$work/stdout"
 reproduce 0 --no-install --only faults,claims
-asked 'run fig03 timing --output build/run'
+asked 'verify fig03 timing --output build/run'
 asked 'faults --reuse --build build'
 check 'all steps' grep -q '^\[7/7\] Writing the report ' "$work/stdout"
 
@@ -149,12 +148,15 @@ not_asked '^cost'
 reproduce 0 --no-install --only cost
 asked 'cost build/cost/cost.json'
 asked 'report .*'
-not_asked '^run'
+not_asked '^verify'
 
 # Failures are reported, and the exit code states them.
-echo 3 >"$tree/code"
-reproduce 0 --no-install --only fig03
-check 'the report is written although solves failed' grep -q 'Running the cases .*(status 3, see build/log/reproduce.log)' "$work/stdout"
+for code in 1 3; do
+  echo "$code" >"$tree/code"
+  reproduce "$code" --no-install --only fig03
+  check 'the report is written although a check or a solve failed' grep -q "Running the cases .*(status $code, see build/log/reproduce.log)" "$work/stdout"
+  asked 'report .*'
+done
 echo 130 >"$tree/code"
 reproduce 130 --no-install --only fig03
 check 'interrupted' grep -q 'interrupted; finished points are kept: run the command again to continue' "$work/stderr"
