@@ -56,6 +56,13 @@ def slope(gap):
     return 8 * (1 + gap)**-4 - 24 * (1 + gap)**-10
 
 
+def orientation(factors):
+    """The sign of the determinant. Along a branch it is constant; it changes if a step ends on another part of the branch,
+    from where the continuation would go back."""
+    upper, pivots = factors
+    return np.prod(np.sign(np.diag(upper))) * (-1)**np.count_nonzero(pivots != np.arange(len(pivots)))
+
+
 class Sphere:
     def __init__(self, scene, nodes):
         radius, outer = scene["radius"], scene["outer_radius"]
@@ -93,7 +100,7 @@ class Sphere:
             approach += change[n]
             if np.max(np.abs(change)) < 1e-9:
                 direction = lu_solve(factors, np.append(np.zeros(n), 1.0), check_finite=False)
-                return gap, approach, direction / np.sqrt(self.metric @ direction**2), iteration
+                return gap, approach, direction / np.sqrt(self.metric @ direction**2), iteration, orientation(factors)
             if not np.isfinite(approach):
                 break
         raise ArithmeticError("Newton's method did not converge")
@@ -103,7 +110,7 @@ class Sphere:
         arclength, and the gaps."""
         n = len(self.r)
         self.metric = np.append(np.full(n, 1 / n), 1.0)
-        gap, approach, tangent, _ = self.correct(self.shape - start, start, np.append(np.zeros(n), 1.0))
+        gap, approach, tangent, _, turn = self.correct(self.shape - start, start, np.append(np.zeros(n), 1.0))
         step, length, points = STEP, 0.0, []
         while True:
             load = self.load(gap, approach)
@@ -115,14 +122,14 @@ class Sphere:
             while True:
                 try:
                     new = self.correct(gap + step * tangent[:n], approach + step * tangent[n], tangent)
-                    if self.metric @ (new[2] * tangent) > STRAIGHT:
+                    if self.metric @ (new[2] * tangent) > STRAIGHT and new[4] == turn:
                         break
                 except ArithmeticError:
                     pass
                 step /= 2
                 if step < SHORTEST:
                     raise ArithmeticError(f"step below {SHORTEST} at approach {approach:.6g}")
-            gap, approach, tangent, iterations = new
+            gap, approach, tangent, iterations, _ = new
             length += step
             step = min(LONGEST * max(1.0, gap[0]), step * (1.5 if iterations < 4 else 1.0 if iterations < 6 else 0.6))
 

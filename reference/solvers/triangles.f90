@@ -68,11 +68,12 @@ contains
     matrix = tabor**1.5d0 / sqrt(radius) * matrix
   end subroutine
 
-  ! Newton's method on the hyperplane through x normal to the tangent. Returned: x, the new tangent, and the number of
-  ! iterations, 0 if they do not converge.
-  subroutine correct(x, tangent, iterations)
+  ! Newton's method on the hyperplane through x normal to the tangent. Returned: x, the new tangent, the sign of the
+  ! determinant, which changes if the step ends on another part of the branch, and the number of iterations, 0 if they do
+  ! not converge.
+  subroutine correct(x, tangent, side, iterations)
     real(dp), intent(inout) :: x(:), tangent(:)
-    integer, intent(out) :: iterations
+    integer, intent(out) :: side, iterations
     real(dp) :: jacobian(n + 1, n + 1), right(n + 1, 2), at(n + 1)
     integer :: j, info, pivots(n + 1)
     at = x
@@ -93,6 +94,8 @@ contains
       x(n + 1) = x(n + 1) + right(n + 1, 1)
       if (maxval(abs(right(:, 1))) < 1d-9) then
         tangent = right(:, 2) / sqrt(dot_product(metric, right(:, 2)**2))
+        side = count(pivots /= [(j, j = 1, n + 1)]) + count([(jacobian(j, j) < 0, j = 1, n + 1)])
+        side = merge(1, -1, mod(side, 2) == 0)
         return
       end if
     end do
@@ -118,8 +121,9 @@ contains
     type(state), intent(out) :: branch(most)
     integer, intent(out) :: count
     real(dp) :: x(n + 1), tangent(n + 1), new(n + 1), turned(n + 1), step, length
-    integer :: k, iterations
+    integer :: k, side, new_side, iterations
     count = 0
+    side = 0
     step = 0
     length = 0
     new = [shape - start, start]
@@ -127,8 +131,9 @@ contains
     do k = 1, most
       do
         turned = tangent
-        call correct(new, turned, iterations)
-        if (iterations > 0 .and. (k == 1 .or. dot_product(metric * turned, tangent) > 0.97d0)) exit
+        call correct(new, turned, new_side, iterations)
+        if (k == 1) side = new_side
+        if (iterations > 0 .and. new_side == side .and. (k == 1 .or. dot_product(metric * turned, tangent) > 0.97d0)) exit
         step = step / 2
         new = x + step * tangent
         if (step < 1d-7) return

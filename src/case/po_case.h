@@ -146,6 +146,10 @@ typedef struct {
   size_t point_count;
 } po_case;
 
+/* The folder beside those of the cases that contains the records of external solvers. No case has
+ * this name. */
+#define PO_CASE_FOLDER_OF_SOLVERS "solvers"
+
 /* Reports whether a text may be the name of a case, a suite, a script or a line: letters, digits, _
  * and -; not empty, and not beginning with -. */
 bool po_case_is_name(const char *text);

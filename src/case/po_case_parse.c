@@ -15,6 +15,9 @@ static po_status parse_names(po_case *kase, const po_yaml *yaml) {
   const po_case_file *file = kase->file;
   if (!po_case_is_name(file->name) || strlen(file->name) > 64)
     return po_schema_refuse(yaml, NULL, "name");
+  if (strcmp(file->name, PO_CASE_FOLDER_OF_SOLVERS) == 0)
+    return po_schema_refuse(yaml, "another name: records of external solvers are in this folder",
+                            "name");
   if (file->figure_script && !po_case_is_name(file->figure_script))
     return po_schema_refuse(yaml, NULL, "figure_script");
   for (unsigned i = 0; i < file->suite_names_count; ++i)

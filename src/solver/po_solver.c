@@ -336,7 +336,7 @@ void po_solver_destroy(po_solver *solver) {
 }
 
 char *po_solver_folder(const po_solver *solver, const char *output) {
-  char *solvers = po_path_join(output, "solvers");
+  char *solvers = po_path_join(output, PO_CASE_FOLDER_OF_SOLVERS);
   char *folder = solvers ? po_path_join(solvers, solver->name) : NULL;
   free(solvers);
   return folder;

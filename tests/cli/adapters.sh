@@ -15,8 +15,22 @@ for pair in newton:501 copson:1 relax:126 triangles:501; do
   check "$pair solves smoke: $(cat stdout stderr)" test $? -eq 0
   check "$pair: all checks are made: $(cat stdout)" grep -qE '^(4|10) checks pass( \([0-9]* slack\))?, 0 do not' stdout
 done
+# On a mesh that does not resolve the contact edge, the branch has dozens of spurious folds. A step that ends on another part
+# of it must not turn the continuation back.
+cat >coarse.yaml <<'END'
+name: coarse
+title: A wavy sphere on 125 elements
+suites: [own]
+scene: {tabor: 5, amplitude: 10, wavelength: 20, radius: 100, outer_radius: 100, scheme: panel, approach_start: -15, approach_end: 12}
+want: [pull_off]
+checks:
+  - {quantity: pull_off_force, reference: reference/wavy_pull_off.csv, tolerance: 0.31, kind: abs, because: the error of 125 elements is 0.2995}
+END
+for name in newton triangles; do
+  expect 0 '' verify coarse.yaml --solver "$solvers/$name.yaml" --knob 126 --output out
+done
 if command -v octave-cli >/dev/null; then
-  expect 0 '' conform "$solvers/paper.yaml" --knob 126 --output out
+  expect 0 '' conform "$solvers/paper.yaml" --knob 251 --output out
 fi
 expect 1 '' conform "$solvers/wrong.yaml" --knob four_thirds --output out
 check 'the mistake is named' grep -q '^wrong *force at pull-off: the expected value times 4/3 in 4 scenes' stdout

@@ -48,6 +48,7 @@ spoilt 's/^name: good/name: good\nname: bad/' \
   '2: name is given twice, first on line 1: expected it once'
 spoilt '/^name/d' '1: name is missing: expected letters, digits, _ and -'
 spoilt 's/^name: good/name: ..\/good/' '1: name is ../good: expected letters, digits, _ and -'
+spoilt 's/^name: good/name: solvers/' '1: name is solvers: expected another name: records of external solvers are in this folder'
 spoilt '/^want/d' '*: want is missing: expected a list of pull_off, folds, extrema, curve, profile, hysteresis, diagnostics, preload'
 spoilt 's/want: .*/want: pull_off/' '11: want is pull_off: expected a list of pull_off, *'
 spoilt 's/want: .*/want: [pudding]/' \
