@@ -17,6 +17,11 @@ void po_block_apply(size_t rows, size_t columns, const double *a, const double *
 void po_block_apply_transposed(size_t rows, size_t columns, const double *a, const double *x,
                                double *y);
 
+/* y += A x and y += A^T x in single precision, for a matrix of 16 rows. Given: columns, a multiple
+ * of 4. */
+void po_block_apply_single(size_t columns, const float *a, const float *x, float *y);
+void po_block_apply_single_transposed(size_t columns, const float *a, const float *x, float *y);
+
 /* y += B x and v += B^T u, for the influence block of two panels. */
 void po_block_apply_both(const double *block, const double *x, double *y, const double *u,
                          double *v);

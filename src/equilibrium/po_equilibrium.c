@@ -1,5 +1,6 @@
 #include "po_equilibrium.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -278,6 +279,10 @@ static po_status factorize_dense(po_equilibrium *e) {
   return status;
 }
 
+/* Rounding of factors on panels in single precision, relative to a solution, above which they are
+ * kept in double precision: a larger one costs iterations. */
+static const double ROUNDING_OF_SINGLE = 1e-3;
+
 /* Panels whose measures add up to `neglect` are left out of the factors. */
 static po_status factorize_panels(po_equilibrium *e) {
   const size_t panels = e->n / PO_TABLE_ORDER;
@@ -293,7 +298,9 @@ static po_status factorize_panels(po_equilibrium *e) {
   for (size_t k = 0; k < active; ++k)
     for (size_t j = e->index[k] * PO_TABLE_ORDER, i = 0; i < PO_TABLE_ORDER; ++i)
       e->scratch[j + i] = factor * e->slope[j + i];
-  const po_status status = po_elimination_factorize(e->elimination, e->scratch);
+  const double rounding = active > 0 ? FLT_EPSILON * e->measure[e->index[0]] : 0.0;
+  const po_status status = po_elimination_factorize(
+      e->elimination, e->scratch, e->gain > GAIN_OF_DOUBLE || !(rounding < ROUNDING_OF_SINGLE));
   if (status)
     return status;
   e->pivot = po_elimination_border(e->elimination, e->border);
@@ -307,8 +314,9 @@ static double neglect_of(const po_equilibrium *e) {
 }
 
 bool po_equilibrium_is_coarse(const po_equilibrium *e) {
-  return (!e->elimination && e->gain > GAIN_OF_DOUBLE && !e->factors.is_double) ||
-         e->neglect > COARSE * neglect_of(e);
+  const bool is_double =
+      e->elimination ? po_elimination_is_double(e->elimination) : e->factors.is_double;
+  return (e->gain > GAIN_OF_DOUBLE && !is_double) || e->neglect > COARSE * neglect_of(e);
 }
 
 po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const double *border) {
