@@ -24,10 +24,22 @@ def cell(detector, fault):
     return letter, "caught" if found["caught"] else "seen" if found["by"] else "missed"
 
 
+def cells(matrix, fault):
+    """(letter, class, columns) of the cells of a row; neighbouring empty cells are one, since most of the matrix is empty."""
+    made = []
+    for detector in matrix["detectors"]:
+        letter, kind = cell(detector, fault)
+        if made and not letter and not made[-1][0]:
+            made[-1] = ("", "", made[-1][2] + 1)
+        else:
+            made.append((letter, kind, 1))
+    return made
+
+
 def groups(matrix):
     made = []
     for kind, title in KINDS.items():
-        rows = [{"fault": fault, "cells": [cell(detector, fault) for detector in matrix["detectors"]]}
+        rows = [{"fault": fault, "cells": cells(matrix, fault)}
                 for fault in matrix["faults"] if fault["kind"] == kind]
         if rows:
             made.append({"title": title, "rows": rows})
@@ -51,7 +63,7 @@ def build(source):
     data = {"absent": ABSENT, "matrix": None}
     if matrix:
         rows = groups(matrix)
-        used = {letter for group in rows for row in group["rows"] for letter, _ in row["cells"]}
+        used = {letter for group in rows for row in group["rows"] for letter, _, _ in row["cells"]}
         data = {"absent": None, "matrix": matrix, "groups": rows, "verdict": verdict(matrix),
                 "legend": [(sign, text) for sign, text in MEANINGS.items() if sign in used]}
     return Section("planted-faults", "Planted faults", "planted_faults.html", data)
