@@ -5,18 +5,15 @@
 
 #include "po_input.h"
 #include "po_interrupt.h"
-#include "po_json.h"
 #include "po_linear.h"
 #include "po_live.h"
 #include "po_memory.h"
 #include "po_options.h"
-#include "po_print.h"
-#include "po_print_physical.h"
+#include "po_print_series.h"
 #include "po_range.h"
 #include "po_scene_flags.h"
 #include "po_series.h"
 #include "po_series_folds.h"
-#include "po_tables.h"
 #include "po_text.h"
 #include "po_verbs.h"
 
@@ -310,18 +307,12 @@ static po_status set_amplitude_ratio(const char *text, po_scene_flags *flags) {
   return status;
 }
 
-/* One scene of the series. */
-typedef struct {
-  po_scene_flags flags;
-  double value; /* of the parameter that varies */
-} follow_scene;
-
 /* Makes the request of one scene, as if its options had been given to `pulloff solve`. */
 static po_status make_request(const follow_line *line, size_t point, po_request *request,
-                              follow_scene *scene) {
+                              po_series_scene *scene) {
   char value[PO_NUMBER_LENGTH];
   po_range_print(&line->range, point, value);
-  *scene = (follow_scene){po_scene_flags_default(), strtod(value, NULL)};
+  *scene = (po_series_scene){po_scene_flags_default(), strtod(value, NULL)};
   po_scene_flags *flags = &scene->flags;
   flags->from_physical = line->from_physical;
   flags->warned = point > 0; /* one warning for the series */
@@ -354,107 +345,6 @@ static po_status make_request(const follow_line *line, size_t point, po_request 
   request->preload.approach = flags->length[PO_LENGTH_PRELOAD];
   request->stop = po_interrupt_listen();
   return status ? status : po_request_check(request);
-}
-
-static po_status print_json(const po_request *requests, const follow_scene *scenes,
-                            const po_result *results, size_t count) {
-  json_t *points = po_json_empty_array();
-  for (size_t k = 0; k < count; ++k) {
-    json_t *point = po_json_result(&requests[k], &results[k]);
-    if (scenes[k].flags.from_physical)
-      po_json_set(&point, "physical",
-                  po_json_physical(&scenes[k].flags, &requests[k], &results[k]));
-    po_json_append(&points, point);
-  }
-  return po_print_document(
-      PO_JSON_OBJECT({"schema", po_json_text("pulloff-line/1")}, {"points", points}));
-}
-
-/* The factors from epsilon and the unit of the load to the units that are printed. */
-static po_units shown_units(const follow_scene *scene) {
-  return scene->flags.from_physical ? scene->flags.units : (po_units){.length = 1, .force = 1};
-}
-
-static void print_units(const po_request *request, const follow_scene *scene) {
-  if (scene->flags.from_physical)
-    printf("units    lengths in m, loads and forces in N\n");
-  else
-    printf("units    lengths in epsilon, loads and forces in %s\n", po_input_load_unit(request));
-}
-
-static void print_text(const follow_line *line, const po_request *requests,
-                       const follow_scene *scenes, const po_result *results) {
-  const char *number = line->from_physical ? "%14.8e %8.1e %16.8e %8.1e %14.6g "
-                                           : "%14.9f %8.1e %16.9f %8.1e %14.6g ";
-  print_units(requests, scenes);
-  printf("%15s %14s %8s %16s %8s %14s %-9s %14s\n", line->varied->name, "force", "error",
-         "approach", "error", "contact radius", "obtained", "factorisations");
-  uint64_t all = 0;
-  size_t followed = 0;
-  for (size_t k = 0; k < line->range.count; ++k) {
-    const po_result *o = &results[k];
-    const po_units unit = shown_units(&scenes[k]);
-    const unsigned long long factorizations = o->work.factorizations;
-    printf("%15g ", scenes[k].value);
-    if (o->has_pull_off)
-      printf(number, o->pull_off.force * unit.force, o->pull_off.force_error * unit.force,
-             o->pull_off.approach * unit.length, o->pull_off.approach_error * unit.length,
-             o->pull_off.contact_radius * unit.length);
-    printf("%-9s %14llu\n",
-           o->status     ? po_status_name(o->status)
-           : o->followed ? "followed"
-                         : "traced",
-           factorizations);
-    all += factorizations;
-    followed += o->followed;
-  }
-  printf("work     %llu factorisations for %zu scenes, %zu of them followed\n",
-         (unsigned long long)all, line->range.count, followed);
-}
-
-/* Prints a block of rows for each fold of the first scene. */
-static void print_folds(const follow_line *line, const po_request *requests,
-                        const follow_scene *scenes, const po_result *results) {
-  const char *number = line->from_physical ? "%16.9e %8.1e %14.8e %8.1e %14.6g\n"
-                                           : "%16.10f %8.1e %14.10f %8.1e %14.6g\n";
-  print_units(requests, scenes);
-  printf("%-9s %15s %16s %8s %14s %8s %14s\n", "fold", line->varied->name, "approach", "error",
-         "load", "error", "contact radius");
-  uint64_t all = 0;
-  for (size_t k = 0; k < line->range.count; ++k)
-    all += results[k].work.factorizations;
-  for (size_t j = 0; j < results[0].fold_count; ++j) {
-    bool there = true;
-    for (size_t k = 0; k < line->range.count && there; ++k) {
-      const po_special_point *fold = &results[k].folds[j];
-      const po_units unit = shown_units(&scenes[k]);
-      there = !isnan(fold->approach);
-      printf("%-9s %15g ", po_special_kind_name(fold->kind), scenes[k].value);
-      if (there)
-        printf(number, fold->approach * unit.length, fold->approach_error * unit.length,
-               fold->load * unit.force, fold->load_error * unit.force,
-               fold->contact_radius * unit.length);
-      else
-        printf("%16s\n", "ended");
-    }
-  }
-  printf("work     %llu factorisations for %zu folds of %zu scenes\n", (unsigned long long)all,
-         results[0].fold_count, line->range.count);
-}
-
-/* Writes the pull-offs to the file of --curve. */
-static po_status write_curve(const follow_line *line, const po_request *requests,
-                             const follow_scene *scenes, const po_result *results) {
-  const size_t count = line->range.count;
-  po_series_row *rows = po_allocate(count, sizeof *rows);
-  if (!rows)
-    return PO_NO_MEMORY;
-  for (size_t k = 0; k < count; ++k)
-    rows[k] = (po_series_row){scenes[k].value, shown_units(&scenes[k]), &results[k]};
-  const po_status status = po_tables_write_series(line->curve, line->varied->name,
-                                                  line->from_physical, &requests[0], rows, count);
-  free(rows);
-  return status;
 }
 
 /* The scenes of which a trace or a followed minimum has been seen. */
@@ -500,7 +390,7 @@ static po_status compute(const follow_line *line, po_request *requests, po_resul
   return status;
 }
 
-static po_status follow(const follow_line *line, po_request *requests, follow_scene *scenes,
+static po_status follow(const follow_line *line, po_request *requests, po_series_scene *scenes,
                         po_result *results) {
   po_status status = PO_OK;
   for (size_t k = 0; k < line->range.count && !status; ++k)
@@ -513,15 +403,17 @@ static po_status follow(const follow_line *line, po_request *requests, follow_sc
   status = po_no_memory_or(status);
   if (status == PO_INTERRUPTED)
     return po_fail(status, "interrupted");
+  const po_printed_series series = {line->varied->name, line->range.count, requests, scenes,
+                                    results};
   if (!status && line->json)
-    status = print_json(requests, scenes, results, line->range.count);
+    status = po_print_series_json(&series);
   else if (!status && line->folds && !results[0].status)
-    print_folds(line, requests, scenes, results);
+    po_print_series_folds(&series);
   else if (!status && !line->folds && !(line->curve && strcmp(line->curve, "-") == 0))
-    print_text(line, requests, scenes, results);
+    po_print_series(&series);
   fflush(stdout);
   if (!status && line->curve)
-    status = write_curve(line, requests, scenes, results);
+    status = po_print_series_curve(&series, line->curve);
   for (size_t k = 0; k < line->range.count && !status; ++k)
     if (results[k].status)
       status = po_fail(results[k].status, "the solve at %s %g failed: %s", line->varied->name,
@@ -542,7 +434,7 @@ int po_verb_follow(int argc, char **argv) {
     return po_options_end(status);
   po_request *requests = po_allocate(line.range.count, sizeof *requests);
   po_result *results = po_allocate(line.range.count, sizeof *results);
-  follow_scene *scenes = po_allocate(line.range.count, sizeof *scenes);
+  po_series_scene *scenes = po_allocate(line.range.count, sizeof *scenes);
   status = requests && results && scenes ? follow(&line, requests, scenes, results) : PO_NO_MEMORY;
   for (size_t k = 0; results && k < line.range.count; ++k)
     po_result_clear(&results[k]);

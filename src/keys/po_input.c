@@ -1,13 +1,11 @@
 #include "po_input.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "po_companion_jkr.h"
-#include "po_load_unit.h"
 #include "po_text.h"
 
 typedef enum {
@@ -279,115 +277,6 @@ double po_key_number(const po_request *request, po_key key) {
   return key == PO_KEY_SCHEME ? (double)request->mesh.scheme : (double)request->mesh.grading;
 }
 
-static void print_waves(const po_scene *scene, char text[PO_KEY_TEXT_LENGTH]) {
-  size_t length = 0;
-  snprintf(text, PO_KEY_TEXT_LENGTH, "-");
-  for (size_t k = 0; k < po_scene_waves(scene); ++k) {
-    const po_wave wave = po_scene_wave(scene, k);
-    char amplitude[PO_NUMBER_LENGTH], wavelength[PO_NUMBER_LENGTH];
-    po_number_print(wave.amplitude, amplitude);
-    po_number_print(wave.length, wavelength);
-    length += (size_t)snprintf(text + length, PO_KEY_TEXT_LENGTH - length, "%s%s@%s", k ? ";" : "",
-                               amplitude, wavelength);
-  }
-}
-
-void po_key_print(const po_request *request, po_key key, char text[PO_KEY_TEXT_LENGTH]) {
-  const po_scene *scene = &request->scene;
-  const char *name = NULL;
-  if (key == PO_KEY_LAW)
-    name = po_law_name(&scene->law);
-  else if (key == PO_KEY_PROFILE)
-    name = po_profile_name(&scene->profile);
-  else if (key == PO_KEY_PROFILE_FILE)
-    name = po_profile_file(&scene->profile);
-  else if (key == PO_KEY_SCHEME)
-    name = po_scheme_name(request->mesh.scheme);
-  else if (key == PO_KEY_GRADING)
-    name = po_grading_name(request->mesh.grading);
-  if (name)
-    snprintf(text, PO_KEY_TEXT_LENGTH, "%s", name);
-  else if (key == PO_KEY_WAVES)
-    print_waves(scene, text);
-  else if (key == PO_KEY_NODES)
-    snprintf(text, PO_KEY_TEXT_LENGTH, "%zu", request->mesh.nodes);
-  else if (isnan(po_key_number(request, key)))
-    snprintf(text, PO_KEY_TEXT_LENGTH, key == PO_KEY_TIME_LIMIT ? "none" : "auto");
-  else
-    po_number_print(po_key_number(request, key), text);
-}
-
-static bool is_near(double a, double b, int ulps) {
-  return a == b || (isfinite(b) && fabs(a - b) <= ulps * DBL_EPSILON * fabs(b));
-}
-
-static bool is_close(double a, double b) {
-  return is_near(a, b, 4);
-}
-
-/* The coupling is computed from the Tabor parameter, and tables give it with 15 digits: half a unit
- * of the last is up to 23 ulp. */
-enum { ULPS_OF_COUPLING = 32 };
-
-static bool parameters_match(const po_request *a, const po_request *b, int first, int last) {
-  for (int key = first; key <= last; ++key) {
-    const double x = po_key_number(a, (po_key)key), y = po_key_number(b, (po_key)key);
-    if (!isnan(y) && !is_close(x, y))
-      return false;
-  }
-  return true;
-}
-
-static bool waves_match(const po_scene *a, const po_scene *b) {
-  bool match = po_scene_waves(a) == po_scene_waves(b);
-  for (size_t k = 0; match && k < po_scene_waves(a); ++k) {
-    const po_wave x = po_scene_wave(a, k), y = po_scene_wave(b, k);
-    match = is_close(x.amplitude, y.amplitude) && is_close(x.length, y.length);
-  }
-  return match;
-}
-
-/* The Lennard-Jones law of the paper is the Mie law (3, 9): one name for both. */
-static po_request with_one_name(po_request request) {
-  if (po_law_index(&request.scene.law) == 0)
-    po_law_set(&request.scene.law, "mie:3,9");
-  return request;
-}
-
-bool po_key_matches(const po_request *request, po_key key, const char *text) {
-  po_request wanted = *request;
-  const po_scene *scene = &request->scene;
-  if (key == PO_KEY_PROFILE_FILE && strcmp(text, po_profile_digest(&scene->profile)) == 0)
-    return true;
-  if (!po_key_set(&wanted, key, text))
-    return false;
-  switch (key) {
-  case PO_KEY_LAW: {
-    const po_request own = with_one_name(*request);
-    wanted = with_one_name(wanted);
-    return po_law_index(&wanted.scene.law) == po_law_index(&own.scene.law) &&
-           parameters_match(&own, &wanted, PO_KEY_MIE_M, PO_KEY_MORSE_A);
-  }
-  case PO_KEY_PROFILE:
-    return po_profile_index(&wanted.scene.profile) == po_profile_index(&scene->profile) &&
-           parameters_match(request, &wanted, PO_KEY_POWER_C, PO_KEY_TRUNCATED_R);
-  case PO_KEY_PROFILE_FILE:
-    return strcmp(po_profile_digest(&wanted.scene.profile), po_profile_digest(&scene->profile)) ==
-           0;
-  case PO_KEY_WAVES:
-    return waves_match(scene, &wanted.scene);
-  case PO_KEY_COUPLING:
-    return is_near(po_key_number(request, key), po_key_number(&wanted, key), ULPS_OF_COUPLING);
-  default:
-    return is_close(po_key_number(request, key), po_key_number(&wanted, key));
-  }
-}
-
-bool po_key_same(po_key key, const char *a, const char *b) {
-  po_request request = po_request_default();
-  return po_key_set(&request, key, a) && po_key_matches(&request, key, b);
-}
-
 bool po_key_is_of_other_scheme(const po_request *request, po_key key) {
   const bool panel = request->mesh.scheme == PO_PANEL;
   return panel ? key == PO_KEY_NODES || key == PO_KEY_GRADING : key == PO_KEY_TOLERANCE;
@@ -410,96 +299,7 @@ bool po_key_is_of_scene(po_key key) {
   }
 }
 
-bool po_key_is_idle(const po_request *request, po_key key) {
-  const po_scene *scene = &request->scene;
-  const bool sphere = po_profile_is_sphere(&scene->profile);
-  switch (key) {
-  case PO_KEY_AMPLITUDE:
-  case PO_KEY_WAVELENGTH:
-    return po_scene_waves(scene) != 1;
-  case PO_KEY_WAVES:
-    return po_scene_waves(scene) < 2;
-  case PO_KEY_LAW:
-    return po_law_index(&scene->law) == 0;
-  case PO_KEY_PROFILE:
-    return sphere || po_profile_is_table(&scene->profile);
-  case PO_KEY_PROFILE_FILE:
-    return !po_profile_is_table(&scene->profile);
-  case PO_KEY_TABLE_SCALE:
-    return !po_profile_is_table(&scene->profile) || po_key_number(request, key) == 1.0;
-  default:
-    return isnan(po_key_number(request, key)) || po_key_is_of_other_scheme(request, key);
-  }
-}
-
 const char *po_input_load_unit(const po_request *request) {
   const po_scene *scene = &request->scene;
   return po_profile_is_sphere(&scene->profile) || scene->radius != 1.0 ? "pi w R" : "pi w epsilon";
-}
-
-/* Returned: whether the command must state the default preload. */
-static bool adds_preload(const po_request *request) {
-  return !po_scene_is_simple(&request->scene) && !request->want &&
-         isnan(request->preload.approach) && isnan(request->preload.load) &&
-         isnan(request->approach_end);
-}
-
-/* Adds an option for each wave. */
-static void add_waves(po_text *command, const char *waves) {
-  for (const char *wave = waves; *wave;) {
-    const int amplitude = (int)strcspn(wave, "@");
-    const int length = (int)strcspn(wave + amplitude + 1, ";");
-    po_text_add(command, " --wave %.*s,%.*s", amplitude, wave, length, wave + amplitude + 1);
-    wave += amplitude + 1 + length;
-    wave += *wave == ';';
-  }
-}
-
-static void add_option(po_text *command, const po_request *request, po_key key, bool identity) {
-  char value[PO_KEY_TEXT_LENGTH], flag[PO_NUMBER_LENGTH];
-  po_key_print(request, key, value);
-  if (key == PO_KEY_WAVES) {
-    add_waves(command, value);
-    return;
-  }
-  snprintf(flag, sizeof flag, "%s", KEYS[key].name);
-  for (char *c = flag; *c; ++c)
-    if (*c == '_')
-      *c = '-';
-  po_text_add(command, " --%s ", flag);
-  if (key == PO_KEY_PROFILE_FILE)
-    po_text_add_word(command, identity ? po_profile_digest(&request->scene.profile) : value);
-  else
-    po_text_add(command, "%s", value);
-}
-
-static char *describe(const po_request *request, bool identity) {
-  po_text command = {0};
-  po_text_add(&command, "pulloff solve");
-  for (int key = 0; key < PO_KEY_COUNT; ++key)
-    if (!po_key_is_idle(request, (po_key)key))
-      add_option(&command, request, (po_key)key, identity);
-  /* without the preload, a single solve would search beyond the default one */
-  if (adds_preload(request)) {
-    char load[PO_NUMBER_LENGTH];
-    po_number_print(po_load_unit_preload(request).load, load);
-    po_text_add(&command, " --preload-load %s", load);
-  }
-  const char *before = " --want ";
-  for (int k = 0; k < PO_WANT_COUNT; ++k)
-    if (request->want & (1u << k)) {
-      po_text_add(&command, "%s%s", before, po_want_name(k));
-      before = ",";
-    }
-  if (command.failed)
-    po_text_clear(&command);
-  return command.data;
-}
-
-char *po_input_command(const po_request *request) {
-  return describe(request, false);
-}
-
-char *po_input_identity(const po_request *request) {
-  return describe(request, true);
 }

@@ -1,0 +1,123 @@
+#include "po_print_series.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "po_input.h"
+#include "po_json.h"
+#include "po_memory.h"
+#include "po_print.h"
+#include "po_print_physical.h"
+#include "po_tables.h"
+
+static bool is_physical(const po_printed_series *series) {
+  return series->scenes[0].flags.from_physical;
+}
+
+/* The factors from epsilon and the unit of the load to the units that are printed. */
+static po_units shown_units(const po_series_scene *scene) {
+  return scene->flags.from_physical ? scene->flags.units : (po_units){.length = 1, .force = 1};
+}
+
+static void print_units(const po_printed_series *series) {
+  if (is_physical(series))
+    printf("units    lengths in m, loads and forces in N\n");
+  else
+    printf("units    lengths in epsilon, loads and forces in %s\n",
+           po_input_load_unit(&series->requests[0]));
+}
+
+static void print_row(const po_printed_series *series, size_t k) {
+  const po_result *result = &series->results[k];
+  const po_units unit = shown_units(&series->scenes[k]);
+  const char *numbers = is_physical(series) ? "%14.8e %8.1e %16.8e %8.1e %14.6g "
+                                            : "%14.9f %8.1e %16.9f %8.1e %14.6g ";
+  printf("%15g ", series->scenes[k].value);
+  if (result->has_pull_off)
+    printf(numbers, result->pull_off.force * unit.force, result->pull_off.force_error * unit.force,
+           result->pull_off.approach * unit.length, result->pull_off.approach_error * unit.length,
+           result->pull_off.contact_radius * unit.length);
+  printf("%-9s %14llu\n",
+         result->status     ? po_status_name(result->status)
+         : result->followed ? "followed"
+                            : "traced",
+         (unsigned long long)result->work.factorizations);
+}
+
+static unsigned long long factorizations(const po_printed_series *series) {
+  unsigned long long all = 0;
+  for (size_t k = 0; k < series->count; ++k)
+    all += series->results[k].work.factorizations;
+  return all;
+}
+
+void po_print_series(const po_printed_series *series) {
+  print_units(series);
+  printf("%15s %14s %8s %16s %8s %14s %-9s %14s\n", series->name, "force", "error", "approach",
+         "error", "contact radius", "obtained", "factorisations");
+  size_t followed = 0;
+  for (size_t k = 0; k < series->count; ++k) {
+    print_row(series, k);
+    followed += series->results[k].followed;
+  }
+  printf("work     %llu factorisations for %zu scenes, %zu of them followed\n",
+         factorizations(series), series->count, followed);
+}
+
+/* Prints the rows of one fold, up to that in which it has ended. */
+static void print_fold(const po_printed_series *series, size_t index) {
+  const char *numbers = is_physical(series) ? "%16.9e %8.1e %14.8e %8.1e %14.6g\n"
+                                            : "%16.10f %8.1e %14.10f %8.1e %14.6g\n";
+  bool there = true;
+  for (size_t k = 0; k < series->count && there; ++k) {
+    const po_special_point *fold = &series->results[k].folds[index];
+    const po_units unit = shown_units(&series->scenes[k]);
+    there = !isnan(fold->approach);
+    printf("%-9s %15g ", po_special_kind_name(fold->kind), series->scenes[k].value);
+    if (there)
+      printf(numbers, fold->approach * unit.length, fold->approach_error * unit.length,
+             fold->load * unit.force, fold->load_error * unit.force,
+             fold->contact_radius * unit.length);
+    else
+      printf("%16s\n", "ended");
+  }
+}
+
+void po_print_series_folds(const po_printed_series *series) {
+  const size_t folds = series->results[0].fold_count;
+  print_units(series);
+  printf("%-9s %15s %16s %8s %14s %8s %14s\n", "fold", series->name, "approach", "error", "load",
+         "error", "contact radius");
+  for (size_t index = 0; index < folds; ++index)
+    print_fold(series, index);
+  printf("work     %llu factorisations for %zu folds of %zu scenes\n", factorizations(series),
+         folds, series->count);
+}
+
+po_status po_print_series_json(const po_printed_series *series) {
+  json_t *points = po_json_empty_array();
+  for (size_t k = 0; k < series->count; ++k) {
+    const po_request *request = &series->requests[k];
+    const po_result *result = &series->results[k];
+    json_t *point = po_json_result(request, result);
+    if (is_physical(series))
+      po_json_set(&point, "physical", po_json_physical(&series->scenes[k].flags, request, result));
+    po_json_append(&points, point);
+  }
+  return po_print_document(
+      PO_JSON_OBJECT({"schema", po_json_text("pulloff-line/1")}, {"points", points}));
+}
+
+po_status po_print_series_curve(const po_printed_series *series, const char *file) {
+  po_series_row *rows = po_allocate(series->count, sizeof *rows);
+  if (!rows)
+    return PO_NO_MEMORY;
+  for (size_t k = 0; k < series->count; ++k)
+    rows[k] = (po_series_row){series->scenes[k].value, shown_units(&series->scenes[k]),
+                              &series->results[k]};
+  const po_status status = po_tables_write_series(file, series->name, is_physical(series),
+                                                  &series->requests[0], rows, series->count);
+  free(rows);
+  return status;
+}

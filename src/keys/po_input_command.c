@@ -1,0 +1,135 @@
+/* The values of a request as text, and the command that repeats its solve. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "po_input.h"
+#include "po_load_unit.h"
+#include "po_text.h"
+
+static void print_waves(const po_scene *scene, char text[PO_KEY_TEXT_LENGTH]) {
+  size_t length = 0;
+  snprintf(text, PO_KEY_TEXT_LENGTH, "-");
+  for (size_t k = 0; k < po_scene_waves(scene); ++k) {
+    const po_wave wave = po_scene_wave(scene, k);
+    char amplitude[PO_NUMBER_LENGTH], wavelength[PO_NUMBER_LENGTH];
+    po_number_print(wave.amplitude, amplitude);
+    po_number_print(wave.length, wavelength);
+    length += (size_t)snprintf(text + length, PO_KEY_TEXT_LENGTH - length, "%s%s@%s", k ? ";" : "",
+                               amplitude, wavelength);
+  }
+}
+
+void po_key_print(const po_request *request, po_key key, char text[PO_KEY_TEXT_LENGTH]) {
+  const po_scene *scene = &request->scene;
+  const char *name = NULL;
+  if (key == PO_KEY_LAW)
+    name = po_law_name(&scene->law);
+  else if (key == PO_KEY_PROFILE)
+    name = po_profile_name(&scene->profile);
+  else if (key == PO_KEY_PROFILE_FILE)
+    name = po_profile_file(&scene->profile);
+  else if (key == PO_KEY_SCHEME)
+    name = po_scheme_name(request->mesh.scheme);
+  else if (key == PO_KEY_GRADING)
+    name = po_grading_name(request->mesh.grading);
+  if (name)
+    snprintf(text, PO_KEY_TEXT_LENGTH, "%s", name);
+  else if (key == PO_KEY_WAVES)
+    print_waves(scene, text);
+  else if (key == PO_KEY_NODES)
+    snprintf(text, PO_KEY_TEXT_LENGTH, "%zu", request->mesh.nodes);
+  else if (isnan(po_key_number(request, key)))
+    snprintf(text, PO_KEY_TEXT_LENGTH, key == PO_KEY_TIME_LIMIT ? "none" : "auto");
+  else
+    po_number_print(po_key_number(request, key), text);
+}
+
+bool po_key_is_idle(const po_request *request, po_key key) {
+  const po_scene *scene = &request->scene;
+  const bool sphere = po_profile_is_sphere(&scene->profile);
+  switch (key) {
+  case PO_KEY_AMPLITUDE:
+  case PO_KEY_WAVELENGTH:
+    return po_scene_waves(scene) != 1;
+  case PO_KEY_WAVES:
+    return po_scene_waves(scene) < 2;
+  case PO_KEY_LAW:
+    return po_law_index(&scene->law) == 0;
+  case PO_KEY_PROFILE:
+    return sphere || po_profile_is_table(&scene->profile);
+  case PO_KEY_PROFILE_FILE:
+    return !po_profile_is_table(&scene->profile);
+  case PO_KEY_TABLE_SCALE:
+    return !po_profile_is_table(&scene->profile) || po_key_number(request, key) == 1.0;
+  default:
+    return isnan(po_key_number(request, key)) || po_key_is_of_other_scheme(request, key);
+  }
+}
+
+/* Returned: whether the command must state the default preload. */
+static bool adds_preload(const po_request *request) {
+  return !po_scene_is_simple(&request->scene) && !request->want &&
+         isnan(request->preload.approach) && isnan(request->preload.load) &&
+         isnan(request->approach_end);
+}
+
+/* Adds an option for each wave. */
+static void add_waves(po_text *command, const char *waves) {
+  for (const char *wave = waves; *wave;) {
+    const int amplitude = (int)strcspn(wave, "@");
+    const int length = (int)strcspn(wave + amplitude + 1, ";");
+    po_text_add(command, " --wave %.*s,%.*s", amplitude, wave, length, wave + amplitude + 1);
+    wave += amplitude + 1 + length;
+    wave += *wave == ';';
+  }
+}
+
+static void add_option(po_text *command, const po_request *request, po_key key, bool identity) {
+  char value[PO_KEY_TEXT_LENGTH], flag[PO_NUMBER_LENGTH];
+  po_key_print(request, key, value);
+  if (key == PO_KEY_WAVES) {
+    add_waves(command, value);
+    return;
+  }
+  snprintf(flag, sizeof flag, "%s", po_key_name(key));
+  for (char *c = flag; *c; ++c)
+    if (*c == '_')
+      *c = '-';
+  po_text_add(command, " --%s ", flag);
+  if (key == PO_KEY_PROFILE_FILE)
+    po_text_add_word(command, identity ? po_profile_digest(&request->scene.profile) : value);
+  else
+    po_text_add(command, "%s", value);
+}
+
+static char *describe(const po_request *request, bool identity) {
+  po_text command = {0};
+  po_text_add(&command, "pulloff solve");
+  for (int key = 0; key < PO_KEY_COUNT; ++key)
+    if (!po_key_is_idle(request, (po_key)key))
+      add_option(&command, request, (po_key)key, identity);
+  /* without the preload, a single solve would search beyond the default one */
+  if (adds_preload(request)) {
+    char load[PO_NUMBER_LENGTH];
+    po_number_print(po_load_unit_preload(request).load, load);
+    po_text_add(&command, " --preload-load %s", load);
+  }
+  const char *before = " --want ";
+  for (int k = 0; k < PO_WANT_COUNT; ++k)
+    if (request->want & (1u << k)) {
+      po_text_add(&command, "%s%s", before, po_want_name(k));
+      before = ",";
+    }
+  if (command.failed)
+    po_text_clear(&command);
+  return command.data;
+}
+
+char *po_input_command(const po_request *request) {
+  return describe(request, false);
+}
+
+char *po_input_identity(const po_request *request) {
+  return describe(request, true);
+}
