@@ -113,21 +113,40 @@ static void differentiate(const po_panel_rule *rule, const double *value, double
   }
 }
 
+/* Interpolates deflection, slope of the deflection, and tangent from the nodes of a panel by the
+ * second barycentric formula (J.-P. Berrut, L.N. Trefethen, SIAM Rev. 46, 501 (2004)). Given: the
+ * first of the nodes; x, the place on the panel. */
+static po_solution_value interpolate(const po_solution *p, size_t first, double x) {
+  const po_panel_rule *rule = &po_panel_table_get()->rule;
+  const double *deflection = p->deflection + first, *slope = p->slope + first;
+  const double *tangent = p->tangent + first;
+  double weight[PO_TABLE_ORDER], sum = 0.0;
+  po_solution_value v = {0.0, 0.0, 0.0};
+  for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
+    weight[j] = rule->barycentric[j] / (x - rule->node[j]);
+  for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
+    sum += weight[j];
+    v.gap += weight[j] * deflection[j];
+    v.slope += weight[j] * slope[j];
+    v.tangent += weight[j] * tangent[j];
+  }
+  for (size_t j = 0; j < PO_TABLE_ORDER && !isfinite(sum); ++j)
+    if (x == rule->node[j])
+      return (po_solution_value){deflection[j], slope[j], tangent[j]};
+  return (po_solution_value){v.gap / sum, v.slope / sum, v.tangent / sum};
+}
+
 po_solution_value po_solution_value_at(const po_solution *p, const po_scene *scene, double domain,
                                        double r) {
-  const po_panel_rule *rule = &po_panel_table_get()->rule;
   const double x = r / domain;
   const size_t k = po_panels_find(p->panels, x);
   const double begin = po_panel_begin(p->panels->panel[k]),
                size = po_panel_size(p->panels->panel[k]);
-  double weight[PO_TABLE_ORDER];
-  po_lagrange(PO_TABLE_ORDER, rule->node, rule->barycentric, (x - begin) / size, weight);
-  po_solution_value v = {po_initial_gap(scene, r), po_initial_gap_slope(scene, r), 0.0};
-  for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
-    v.gap += weight[j] * p->deflection[k * PO_TABLE_ORDER + j];
-    v.slope += weight[j] * p->slope[k * PO_TABLE_ORDER + j];
-    v.tangent += weight[j] * p->tangent[k * PO_TABLE_ORDER + j];
-  }
+  const po_solution_value part = interpolate(p, k * PO_TABLE_ORDER, (x - begin) / size);
+  po_solution_value v = {0.0, 0.0, part.tangent};
+  po_initial_gap_and_slope(scene, r, &v.gap, &v.slope);
+  v.gap += part.gap;
+  v.slope += part.slope;
   return v;
 }
 

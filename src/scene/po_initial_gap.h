@@ -9,6 +9,7 @@
 /* f, and df/dr; for the paper's scenes df/dr > 0 everywhere when Eq 3 holds. Given: r in eps. */
 double po_initial_gap(const po_scene *scene, double r);
 double po_initial_gap_slope(const po_scene *scene, double r);
+void po_initial_gap_and_slope(const po_scene *scene, double r, double *gap, double *slope);
 
 /* f in long double. */
 long double po_initial_gap_exact(const po_scene *scene, long double r);
