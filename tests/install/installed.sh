@@ -34,10 +34,12 @@ if /usr/bin/python3 -c 'import numpy, scipy, matplotlib, jinja2, weasyprint' 2>/
     --program "$work/prefix/bin/pulloff" --claim eq4-compactness
 fi
 
-check 'the manual page' test -s "$work/prefix/share/man/man1/pulloff.1"
+check 'the manual pages' test "$(find "$work/prefix/share/man/man1" -name 'pulloff*.1' -size +0 | wc -l)" -eq 15
 if command -v man >/dev/null; then
-  check 'the manual page has no fault' sh -c 'LC_ALL=C.UTF-8 MANWIDTH=100 man --warnings -l "$0" 2>&1 >/dev/null | (! grep .)' \
-    "$work/prefix/share/man/man1/pulloff.1"
+  for page in "$work/prefix/share/man/man1"/*.1; do
+    check "no fault in $(basename "$page")" \
+      sh -c 'LC_ALL=C.UTF-8 MANWIDTH=100 man --warnings -l "$0" 2>&1 >/dev/null | (! grep .)' "$page"
+  done
 fi
 check 'links in the documents' /usr/bin/python3 "$here/links.py" "$work/prefix/share/doc/pulloff"
 finish

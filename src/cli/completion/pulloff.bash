@@ -18,8 +18,8 @@ _pulloff_values() {
   --scale) echo log linear ;;
   --of) echo pull-off folds ;;
   --want) echo curve profile hysteresis preload diagnostics ;;
-  --suite) echo smoke paper extreme precision random ;;
-  --key) echo tabor amplitude wavelength radius outer-radius amplitude-ratio coupling mie-m mie-n morse-a power-c power-n cone-t punch-b punch-r truncated-b truncated-r ;;
+  --suite) echo smoke paper extreme general precision random solvers ;;
+  --key) echo tabor amplitude wavelength radius outer-radius amplitude-ratio coupling mie-m mie-n morse-a power-c power-n cone-t punch-b punch-r truncated-b truncated-r radius-m amplitude-m wavelength-m outer-radius-m modulus-pa work-j-per-m2 distance-m ;;
   --preload | --outer-radius | --modulus-pa) echo inf ;;
   esac
 }
@@ -44,7 +44,7 @@ _pulloff() {
         [[ " ${COMP_WORDS[*]} " != *' --from-physical '* || $_pulloff_lengths != *" $option "* ]] || words="$words $option-m"
       done
       ;;
-    *:plan | *:run | *:verify | *:explain | *:bless)
+    *:plan | *:plot | *:run | *:verify | *:explain | *:bless)
       words=$("$program" list 2>/dev/null | awk 'NR > 1 { print $1 }')
       action=(-f -X '!*.yaml')
       ;;

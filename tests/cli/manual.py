@@ -1,0 +1,115 @@
+#!/usr/bin/python3
+"""The options of every verb: what it accepts, its help, its manual page and the completion scripts name the same ones.
+
+    manual.py PROGRAM ROOT FOLDER-OF-PAGES
+
+The options that are tried are all names in any help, and those of lengths with -m. An option is accepted if the program does not
+call it unknown. An unknown option follows twice, once as a value, so that nothing is ever computed.
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+
+NAME = re.compile(r"--[a-z][a-z0-9-]*[a-z0-9]")
+# In SI units, options for lengths end in -m. Help and pages say so in a sentence.
+METRES = "lengths are then given by options that end in -m"
+failed = []
+
+
+def tell(what, wrong):
+    print(f"{'ok' if not wrong else 'FAILED'}: {what}{': ' + str(wrong) if wrong else ''}")
+    if wrong:
+        failed.append(what)
+
+
+def output(*command):
+    done = subprocess.run(command, capture_output=True, text=True, check=False, stdin=subprocess.DEVNULL)
+    return done.stdout + done.stderr
+
+
+def is_accepted(program, verb, option):
+    return f"unknown option {option} " not in output(program, verb, option, "--frobnicate", "--frobnicate") + " "
+
+
+def entries(text):
+    """The options that begin an entry of a list in a help."""
+    made = set()
+    for line in text.splitlines():
+        if re.match(r"  -", line):
+            left = line if line.endswith(",") else re.split(r" {3,}|(?<=MANIFEST) ", line.strip())[0]
+            made |= set(NAME.findall(left))
+    return made
+
+
+def page_entries(text):
+    """The options that begin an entry of a page."""
+    plain = text.replace("\\-", "-")
+    return {option for line in re.findall(r"^\.TP\n(.*)$", plain, re.M) for option in NAME.findall(line)}
+
+
+def bash_options(root, program, verb):
+    script = f'source "{root}/src/cli/completion/pulloff.bash"; _pulloff_options "$1" "$2"'
+    return set(output("bash", "-c", script, "bash", program, verb).split())
+
+
+def bash_values(root, option):
+    script = f'source "{root}/src/cli/completion/pulloff.bash"; _pulloff_values "$1"'
+    return set(output("bash", "-c", script, "bash", option).split())
+
+
+def zsh_values(root, option):
+    text = (root / "src/cli/completion/_pulloff").read_text(encoding="utf-8")
+    found = re.search(rf"^ +{option}\) (?:compadd|_values -s , \w+) (.*?); ", text, re.M)
+    return set(found[1].split())
+
+
+def check_verb(program, root, pages, verb, helps):
+    mine = entries(helps[verb])
+    every = set().union(*(entries(text) for text in helps.values()))
+    lengths = {option + "-m" for option in every if not option.endswith("-m")}
+    accepted = {option for option in every | lengths if is_accepted(program, verb, option)}
+    documented = set(mine)
+    if METRES in " ".join(helps[verb].split()):
+        documented |= {option for option in accepted & lengths if option[:-2] in mine}
+    if verb == "plot":  # its help refers to that of solve
+        tell("plot refers to the options of solve", "those of pulloff solve" not in helps[verb])
+        documented |= accepted & (entries(helps["solve"]) | {option for option in lengths if option[:-2] in entries(helps["solve"])})
+    # getopt_long accepts the beginning of a name for the name.
+    documented |= {option for option in accepted if any(name.startswith(option) for name in documented)}
+    tell(f"{verb} accepts what its help names", sorted(mine - accepted))
+    tell(f"the help of {verb} names what it accepts", sorted(accepted - documented))
+    page = (pages / f"pulloff-{verb}.1").read_text(encoding="utf-8")
+    tell(f"the page of {verb} has the options of its help", sorted(mine ^ page_entries(page)))
+    tell(f"bash completes the options of {verb}", sorted(mine ^ bash_options(root, program, verb)))
+
+
+def check_values(program, root):
+    """The values that completion offers are those that the program names in a message or accepts."""
+    for option, verb, accepts in (("--scheme", "solve", ()), ("--grading", "solve", ()), ("--scale", "follow", ()), ("--of", "follow", ()),
+                                  ("--want", "solve", ()), ("--key", "follow", ()), ("--suite", "list", ("--suite",))):
+        message = output(program, verb, option, "sugar").split("expected", 1)[1]
+        named = set(re.findall(r"[a-z][a-z0-9-]+", message)) - {"any", "of", "or", "one", "parameter", "the", "law", "profile", "in",
+                                                               "units", "separated", "by", "commas", "between", "with"}
+        bash, zsh = bash_values(root, option), zsh_values(root, option)
+        tell(f"bash and zsh offer the same for {option}", sorted(bash ^ zsh))
+        tell(f"completion offers the values of {option}", sorted(named - bash))
+        extra = [value for value in bash - named if "expected" in output(program, verb, option, value, "--frobnicate")]
+        tell(f"completion offers only values of {option}", sorted(extra))
+
+
+def main(program, root, pages):
+    root, pages = pathlib.Path(root), pathlib.Path(pages)
+    verbs = re.findall(r"^  ([a-z]+)  ", output(program, "--help"), re.M)
+    helps = {verb: output(program, verb, "--help") for verb in verbs}
+    main_page = (root / "src/cli/pulloff.1").read_text(encoding="utf-8").replace("\\-", "-")
+    tell("the page of the program names every verb", sorted(set(re.findall(r"^\.BR pulloff-(\w+) \(1\)$", main_page, re.M)) ^ set(verbs)))
+    for verb in verbs:
+        check_verb(program, root, pages, verb, helps)
+    check_values(program, root)
+    sys.exit(bool(failed))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
