@@ -12,6 +12,12 @@ bottom(k) = 1 - head - real((k - 1) / columns + 1) * (1 - head) / rows + (rows =
 place = "panel = panel + 1; set lmargin at screen left(panel); set tmargin at screen top(panel); \
 set bmargin at screen bottom(panel); set rmargin at screen right(panel)"
 
+# A long command is continued on a second line, before an option.
+cut = 140
+if (strlen(caption) > cut) {
+  while (cut > 1 && caption[cut:cut + 2] ne ' --') { cut = cut - 1 }
+  caption = caption[1:cut - 1]."\n     ".caption[cut:*]
+}
 set multiplot
 set label 1 caption at screen 0.015, screen 1 - 0.45 * head left noenhanced font ',8' textcolor rgb grey
 if (has_curve) {
@@ -20,7 +26,7 @@ if (has_curve) {
   set ylabel '{/:Italic W}/'.load_unit offset 1,0
   set xrange [*:*]; set yrange [*:*]; set offsets graph 0.03, graph 0.03, graph 0.05, graph 0.05
   if (panel_count == 3) { set key at screen 0.6, screen 0.4 left top Left reverse } \
-  else { set key at graph 0.98, graph 0.03 right bottom Left reverse font ',9' spacing 1.1 }
+  else { set key at graph 0.02, graph 0.97 left top Left reverse font ',9' spacing 1.1 } # above the branch of bodies far apart
   do for [i = 1:jump_count] {
     x = real(word($jumps[i], 1)); from = real(word($jumps[i], 2)); to = real(word($jumps[i], 3))
     set arrow i from x, from to x, to filled size screen 0.012,20 front linewidth 1.1 dashtype 3 \
