@@ -46,8 +46,8 @@ first_time() {
   Building) echo 60 ;;
   'Running the cases') echo 450 ;;
   'Planting faults') echo 70 ;;
-  'Judging the claims') echo 45 ;;
-  'Writing the report') echo 30 ;;
+  'Judging the claims') echo 40 ;;
+  'Writing the report') echo 15 ;;
   *) echo 0 ;;
   esac
 }

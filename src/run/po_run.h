@@ -61,9 +61,9 @@ typedef struct {
  *
  * If a case repeats its solves, they are timed: one solve at a time, in rounds over all points and
  * all solvers, so that a temporary load of the machine does not slow one more than the others. A
- * point whose solves have taken a second of processor time together is not repeated again. Such a
- * point is stored after the last round. If only some points of a case are requested, the checks are
- * made on these and no record is written; the journal keeps the points for a later run
+ * point whose solves have taken half a second of processor time together is not repeated again.
+ * Such a point is stored after the last round. If only some points of a case are requested, the
+ * checks are made on these and no record is written; the journal keeps the points for a later run
  * (po_journal.h).
  *
  * Status: PO_INTERRUPTED (a case is not finished; its solved points are stored; if all cases are

@@ -187,8 +187,8 @@ reproduce 0 --no-install
 check 'remaining time: 130 s of this step, 38 s of the later steps' \
   grep -q -x '\[4/7\] Running the cases: 3/8 solves, [1-4] s since the start, about 2 min 48 s left' "$work/stderr"
 reproduce 0 --no-install --only fig03
-check 'remaining time of a part: 130 s of this step, 30 s of the report' \
-  grep -q -x '\[4/5\] Running the cases: 3/8 solves, [1-4] s since the start, about 2 min 40 s left' "$work/stderr"
+check 'remaining time of a part: 130 s of this step, 15 s of the report' \
+  grep -q -x '\[4/5\] Running the cases: 3/8 solves, [1-4] s since the start, about 2 min 25 s left' "$work/stderr"
 printf '#!/bin/sh\nsleep 2.5\n' >"$work/bin/meson"
 reproduce 0 --no-install --only fig03
 check 'no remaining time before the cases of a part report progress' \
