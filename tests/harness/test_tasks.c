@@ -90,7 +90,8 @@ START_TEST(solvers_alternate) {
 END_TEST
 
 START_TEST(points_are_timed_until_enough) {
-  static const double SHORT[] = {0.15, 0.15, 0.15, 0.1}, LONG[] = {0.3, 0.25, NAN, NAN}, NONE[] = {NAN};
+  static const double SHORT[] = {0.15, 0.15, 0.15, 0.1}, LONG[] = {0.3, 0.25, NAN, NAN},
+                      NONE[] = {NAN};
   ck_assert(!po_times_are_enough(SHORT, 0));
   ck_assert(!po_times_are_enough(SHORT, 3));
   ck_assert(po_times_are_enough(SHORT, 4));
