@@ -280,8 +280,19 @@ static po_status factorize_dense(po_equilibrium *e) {
 }
 
 /* Rounding of factors on panels in single precision, relative to a solution, above which they are
- * kept in double precision: a larger one costs iterations. */
-static const double ROUNDING_OF_SINGLE = 1e-3;
+ * kept in double precision: a larger one costs iterations. With 1e-3 the trace of (20, 3, 20,
+ * R = 1000) ended at its first crests, where the tractions of many stiff panels nearly cancel. */
+static const double ROUNDING_OF_SINGLE = 1e-4;
+/* Factorisations that are kept in double precision after the iteration was too slow with those in
+ * single precision. */
+enum { DOUBLE_AFTER_FAILURE = 32 };
+
+bool po_equilibrium_distrust_single(po_equilibrium *e) {
+  if (!e->elimination || po_elimination_is_double(e->elimination))
+    return false;
+  e->double_left = DOUBLE_AFTER_FAILURE;
+  return true;
+}
 
 /* Panels whose measures add up to `neglect` are left out of the factors. */
 static po_status factorize_panels(po_equilibrium *e) {
@@ -299,8 +310,11 @@ static po_status factorize_panels(po_equilibrium *e) {
     for (size_t j = e->index[k] * PO_TABLE_ORDER, i = 0; i < PO_TABLE_ORDER; ++i)
       e->scratch[j + i] = factor * e->slope[j + i];
   const double rounding = active > 0 ? FLT_EPSILON * e->measure[e->index[0]] : 0.0;
-  const po_status status = po_elimination_factorize(
-      e->elimination, e->scratch, e->gain > GAIN_OF_DOUBLE || !(rounding < ROUNDING_OF_SINGLE));
+  const bool in_double =
+      e->double_left > 0 || e->gain > GAIN_OF_DOUBLE || !(rounding < ROUNDING_OF_SINGLE);
+  if (e->double_left > 0)
+    --e->double_left;
+  const po_status status = po_elimination_factorize(e->elimination, e->scratch, in_double);
   if (status)
     return status;
   e->pivot = po_elimination_border(e->elimination, e->border);

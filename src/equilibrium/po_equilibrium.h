@@ -74,6 +74,7 @@ typedef struct {
   double noise; /* change of a gap, relative to 1 + H, by the rounding of Eq 15: of the state of the
                    last factorisation, po_equilibrium_measure_noise */
   double gain;  /* its ratio to that rounding, relative to 1 + H */
+  int double_left;  /* factorisations that are to be in double precision */
   po_secant secant; /* Broyden's updates since the factorisation */
   bool factorized;
   int orientation; /* sign of the determinant of the factorised matrix */
@@ -140,6 +141,10 @@ po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const
 /* Measures noise and gain by solving with the present factors for a residual that consists of
  * rounding. Given: the state of the factorisation. */
 void po_equilibrium_measure_noise(po_equilibrium *e, const double *state);
+
+/* Asks for the next factors on panels in double precision, after an iteration was too slow near a
+ * solution. Returned: whether the present ones are in single precision. */
+bool po_equilibrium_distrust_single(po_equilibrium *e);
 
 /* Whether the gain asks for factors that are more accurate than the present ones. */
 bool po_equilibrium_is_coarse(const po_equilibrium *e);
