@@ -15,7 +15,7 @@ import ask
 import newton
 
 STEP, FINEST = 0.1, 1e-3     # of the approach; FINEST is the approach_step of the manifest
-LONGEST = 20.0               # step of the relaxation in time
+FIRST, LONGEST = 2.0, 20.0   # step of the relaxation in time
 JUMP = 0.5                   # change of a gap (relative to 1 + H), in a step FINEST, that is a jump
 
 
@@ -25,11 +25,16 @@ def residual(sphere, gap, approach):
 
 def rest(sphere, gap, approach):
     """The state of rest that the surfaces reach from `gap` at an approach."""
-    time, gap = 0.2, gap.copy()
+    time, gap = FIRST, gap.copy()
     unit = np.eye(len(gap))
-    for _ in range(1500):
+    for _ in range(3000):
         jacobian = unit - sphere.matrix * newton.slope(gap)
-        change = -lu_solve(lu_factor(unit / time + jacobian), residual(sphere, gap, approach))
+        factors = lu_factor(unit / time + jacobian, check_finite=False)
+        # a step longer than the growth of an unstable mode leads to the unstable equilibrium and not away from it
+        if newton.orientation(factors) < 0:
+            time *= 0.5
+            continue
+        change = -lu_solve(factors, residual(sphere, gap, approach), check_finite=False)
         size = np.max(np.abs(change) / (1 + gap))
         if size > 0.2:
             time *= 0.15 / size

@@ -6,6 +6,7 @@ import math
 REPRODUCED, WITHIN_READING, DEPENDS, CONTRADICTED, NOT_TESTABLE, NO_RESULT, CHECKED, CHECK_FAILED = VERDICTS = (
     "reproduced", "within_reading", "depends", "contradicted", "not_testable", "no_result", "checked", "check_failed")
 HOLDS = (REPRODUCED, WITHIN_READING)
+PASSES = (*HOLDS, CHECKED)                         # of a claim or an implementation check
 
 # How the claimed number is known -> its accuracy.
 READINGS = {"printed": "a number printed in full: within half a unit of its last digit",

@@ -15,10 +15,11 @@ sys.path.insert(0, HERE)
 import book  # noqa: E402
 import formula  # noqa: E402
 import judge  # noqa: E402
+import others  # noqa: E402
 import sensitivity  # noqa: E402
 import sources  # noqa: E402
 
-SCHEMA = "pulloff-claims/2"
+SCHEMA = "pulloff-claims/3"
 TREE = os.path.dirname(os.path.dirname(HERE))
 WORDS = {"within_reading": "reproduced within reading accuracy", "not_testable": "not testable", "no_result": "no result",
          "depends": "depend on a choice", "checked": "implementation checks passed", "check_failed": "implementation checks failed"}
@@ -88,10 +89,21 @@ def faults_of(claim, row):
     return found
 
 
-def row_of(claim, given):
-    """One claim with its computed numbers and its verdict."""
+def by_others(claim, solvers):
+    """The verdicts of the external solvers that can judge a claim, each with its first computed number."""
+    choices, found = book.choices(claim), []
+    for solver in solvers:
+        if solver.can_judge(choices):
+            parts = [judged(choice, claim, solver) for choice in choices]
+            found.append({"name": solver.name, "verdict": judge.overall([part["verdict"] for part in parts], "kind" in claim),
+                          "computed": parts[0]["computed"]})
+    return found
+
+
+def row_of(claim, given, solvers):
+    """One claim with its computed numbers, its verdict, and those of the external solvers that can judge it."""
     row = {key: claim.get(key) for key in HEAD}
-    row |= {"quotes": book.quotes(claim), "implied": claim.get("implied", False), "choices": [], "faults": [],
+    row |= {"quotes": book.quotes(claim), "implied": claim.get("implied", False), "choices": [], "faults": [], "solvers": [],
             "reason": claim.get("untestable"), "verdict": judge.NOT_TESTABLE}
     if "untestable" in claim:
         return row
@@ -99,6 +111,7 @@ def row_of(claim, given):
     row["reason"] = next((part["reason"] for part in row["choices"] if part["reason"]), None)
     row["verdict"] = judge.overall([part["verdict"] for part in row["choices"]], "kind" in claim)
     row["faults"] = faults_of(claim, row)
+    row["solvers"] = by_others(claim, solvers)
     return row
 
 
@@ -117,6 +130,13 @@ def line_of(name, part, verdict):
     numbers = ["-" if part[key] is None else f"{part[key]:.9g}" for key in ("low", "high", "computed", "difference")]
     claimed = numbers[0] if numbers[0] == numbers[1] else f"{numbers[0]}..{numbers[1]}"
     return f"{name:<34} {claimed:>22} {numbers[2]:>16} {numbers[3]:>16}  {verdict}"
+
+
+def solvers_of(row):
+    """How many of the solvers that can judge a claim reproduce it."""
+    other = [entry["name"] for entry in row["solvers"] if entry["verdict"] not in judge.PASSES]
+    told = f"reproduced by {len(row['solvers']) - len(other)} of {len(row['solvers'])} external solvers"
+    return told + (f"; not by {', '.join(other)}" if other else "")
 
 
 def counts_of(made):
@@ -141,7 +161,7 @@ def text_of(made):
         if not single:
             lines += [line_of("  " + part["words"], part, part["verdict"]) for part in row["choices"]]
         problems = row["faults"] + ([row["reason"]] if row["verdict"] == judge.NO_RESULT else [])
-        for text in problems:
+        for text in problems + ([solvers_of(row)] if row["solvers"] else []):
             lines += textwrap.wrap(text, 110, initial_indent="    ", subsequent_indent="    ")
     lines.append(counts_of(made))
     return "\n".join(lines)
@@ -181,7 +201,8 @@ def main(words):
         chosen = [claim for claim in claims if not wanted.claim or claim["id"] in wanted.claim]
         given.prepare([source for claim in chosen if "untestable" not in claim
                        for choice in book.choices(claim) for source in choice["get"].values()])
-        rows = [row_of(claim, given) for claim in chosen]
+        solvers = others.read(given)
+        rows = [row_of(claim, given, solvers) for claim in chosen]
         made = document(rows, digest)
         if not wanted.claim:
             given.forget_unused()

@@ -142,8 +142,9 @@ class Sources:
             raise SourceError(f"{source['table']}: {error}") from error
         return self.one_or_all(found, source, [source["table"]])
 
-    def of_case(self, source):
-        path = os.path.join(self.run, source["case"], "record.json")
+    def of_case(self, source, run=None):
+        """The numbers of a case, from the records of this program or from those in another folder."""
+        path = os.path.join(run or self.run, source["case"], "record.json")
         try:
             record = record_of(path)
         except (OSError, json.JSONDecodeError) as error:

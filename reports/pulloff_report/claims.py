@@ -7,14 +7,15 @@ from .errors import ReportError
 from .records import NUMBER, demand, read_judgement
 from .words import CHECK_VERDICTS, CHOICE_WORDS, CLAIM_VERDICTS
 
-SCHEMA = "pulloff-claims/2"
+SCHEMA = "pulloff-claims/3"
 PLACE = os.path.join("claims", "claims.json")  # beside the run's folder
 
 TEXT = (str, type(None))
 BOOK = {"claims": list, "counts": dict, "readings": dict}
 CLAIM = {"id": str, "where": str, "quotes": list, "implied": bool, "tests": str, "verdict": str, "choices": list,
          "reading": TEXT, "accuracy_because": TEXT, "off_by_because": TEXT, "brief": TEXT, "note": TEXT, "survives": TEXT, "reason": TEXT,
-         "faults": list}
+         "faults": list, "solvers": list}
+SOLVER = {"name": str, "verdict": str, "computed": NUMBER}
 CHOICE = {"words": TEXT, "verdict": str, "low": NUMBER, "high": NUMBER, "computed": NUMBER, "difference": NUMBER,
           "accuracy": NUMBER, "off_by": NUMBER, "counted": bool, "claimed": TEXT, "commands": list}
 
@@ -38,6 +39,9 @@ def read(path):
     for place, claim in enumerate(judged["claims"]):
         demand(claim, CLAIM, path, f"claims[{place}]")
         demand_verdict(claim, {**CLAIM_VERDICTS, **CHECK_VERDICTS}, f"{path}: claims[{place}]")
+        for number, solver in enumerate(claim["solvers"]):
+            demand(solver, SOLVER, path, f"claims[{place}].solvers[{number}]")
+            demand_verdict(solver, {**CLAIM_VERDICTS, **CHECK_VERDICTS}, f"{path}: claims[{place}].solvers[{number}]")
         for number, choice in enumerate(claim["choices"]):
             demand(choice, CHOICE, path, f"claims[{place}].choices[{number}]")
             demand_verdict(choice, CHOICE_WORDS, f"{path}: claims[{place}].choices[{number}]")

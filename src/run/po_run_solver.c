@@ -333,11 +333,15 @@ json_t *po_run_solver_json(const po_case_run *run) {
   json_t *command = po_json_empty_array();
   for (unsigned i = 0; i < solver->file->command_count; ++i)
     po_json_append(&command, po_json_text(solver->file->command[i]));
+  json_t *quantities = po_json_empty_array();
+  for (unsigned i = 0; i < solver->file->can.quantities_count; ++i)
+    po_json_append(&quantities, po_json_text(solver->file->can.quantities[i]));
   return PO_JSON_OBJECT(
       {"name", po_json_text(solver->name)}, {"manifest", po_json_text(solver->path)},
       {"knob", po_json_text(solver->file->knob ? solver->file->knob->name : NULL)},
       {"knob_value", po_json_text(solver->knob)}, {"command", command},
-      {"unstable", po_json_flag(solver->unstable)}, {"sha256", po_json_text(solver->digest)},
+      {"quantities", quantities}, {"unstable", po_json_flag(solver->unstable)},
+      {"sha256", po_json_text(solver->digest)},
       {"coverage",
        PO_JSON_OBJECT({"points", po_json_count(c->points)}, {"asked", po_json_count(c->asked)},
                       {"checks", po_json_count(c->checks)}, {"made", po_json_count(c->made)},

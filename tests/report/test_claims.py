@@ -17,6 +17,7 @@ for folder in (HERE, os.path.join(TREE, "reports"), os.path.join(TREE, "reports"
 import book  # noqa: E402
 import formula  # noqa: E402
 import judge  # noqa: E402
+import others  # noqa: E402
 import run  # noqa: E402
 import sensitivity  # noqa: E402
 import sources  # noqa: E402
@@ -245,7 +246,8 @@ class Judged(unittest.TestCase):
             return len(stream.readlines())
 
     def row(self, **changes):
-        return run.row_of({**ENTRY, **changes}, self.given())
+        given = self.given()
+        return run.row_of({**ENTRY, **changes}, given, others.read(given))
 
     def computed(self, **changes):
         return self.row(**changes)["choices"][0]["computed"]
@@ -256,7 +258,7 @@ class Judged(unittest.TestCase):
         with open(self.program, "a", encoding="utf-8") as stream:
             stream.write("# another\n")
         given = self.given()
-        run.row_of(ENTRY, given)
+        run.row_of(ENTRY, given, [])
         self.assertEqual(self.asked(), 2)
         given.forget_unused()
         self.assertEqual(len(os.listdir(self.kept)), 1)
@@ -301,7 +303,35 @@ class Judged(unittest.TestCase):
             self.assertEqual(row["verdict"], "no_result")
             self.assertIn(message, row["reason"])
         bare = {"id": "bare", "where": "Fig. 1", "quote": "A sketch.", "tests": "a sketch", "untestable": "no number"}
-        self.assertEqual(run.row_of(bare, self.given())["verdict"], "not_testable")
+        self.assertEqual(run.row_of(bare, self.given(), [])["verdict"], "not_testable")
+
+    def answer(self, name, forces, quantities=("pull_off_force",)):
+        """The record of an external solver on the case `made`; a force None is a failure."""
+        place = os.path.join(self.folder, "run", "solvers", name, "made")
+        os.makedirs(place)
+        points = [{"input": {"radius": 100}, "sweep": {"tabor": tabor}, "status": "failed" if force is None else "ok",
+                   "command": "pulloff solve", "pull_off": {"force": force}} for tabor, force in zip((1, 2, 3), forces)]
+        with open(os.path.join(place, "record.json"), "w", encoding="utf-8") as stream:
+            json.dump({"command": "x", "points": points, "solver": {"quantities": quantities}}, stream)
+
+    def test_external_solvers_judge_what_they_were_asked_for(self):
+        self.answer("right", (1.671, 1.581, None))
+        self.answer("wrong", (-1.671, -1.581, None))
+        self.answer("few", (1.671, None, None))
+        self.answer("right@7", (9, 9, None))                        # a coarser value of its knob
+        self.answer("mute", (1.671, 1.581, None), ("folds",))       # does not compute the force
+        case = {"get": {"f": {"case": "made", "at": "pull_off.force", "all": True}}, "value": "min(f)", "claimed": "1.58"}
+        row = self.row(**case)
+        self.assertEqual([(entry["name"], entry["verdict"]) for entry in row["solvers"]],
+                         [("few", "no_result"), ("right", "reproduced"), ("wrong", "contradicted")])
+        self.assertEqual(run.solvers_of(row), "reproduced by 1 of 3 external solvers; not by few, wrong")
+        self.assertEqual(self.row()["solvers"], [])                 # its number is from a command of this program
+        from pulloff_report.sections import claims as section
+        self.assertEqual(section.by_solvers(row), "1 of 3 external solvers, not by few (no result), wrong (−1.671)")
+        made = run.document([row], "0")
+        self.assertIn("reproduced by 1 of 3", run.text_of(made))
+        run.write(os.path.join(self.folder, "claims.json"), made)
+        self.assertEqual(claims.read(os.path.join(self.folder, "claims.json"))["claims"][0]["solvers"][1]["computed"], 1.581)
 
     def test_the_report_shows_them(self):
         made = run.document([self.row(), self.row(id="other", claimed="1.60"),

@@ -16,6 +16,7 @@ WORDS = {**CLAIM_VERDICTS, **CHECK_VERDICTS, "depends": "depends on a choice"}
 # The words of the narrow columns of the paper edition.
 SHORT_WORDS = {"within_reading": "reproduced*", "checked": "check passed", "check_failed": "check failed"}
 SHORT_CHOICE_WORDS = {"within_reading": "holds*"}
+PASSES = ("reproduced", "within_reading", "checked")
 ORDER = ("contradicted", "check_failed", "depends", "within_reading", "reproduced", "checked", "not_testable", "no_result")
 NOTHING = dict.fromkeys(("words", "claimed", "low", "high", "computed", "difference", "accuracy", "off_by"))
 
@@ -76,13 +77,26 @@ def choice_row(choice, reading):
             "short": verdict(choice["verdict"], {**CHOICE_WORDS, **SHORT_CHOICE_WORDS})}
 
 
+def by_solvers(claim):
+    """"2 of 3 external solvers, not by wrong (-2)"; None if none can judge the claim."""
+    solvers = claim["solvers"]
+    if not solvers:
+        return None
+    other = [f"{entry['name']} ({words_of(entry)})" for entry in solvers if entry["verdict"] not in PASSES]
+    return (f"{len(solvers) - len(other)} of {len(solvers)} external solvers" + (", not by " + ", ".join(other) if other else ""))
+
+
+def words_of(entry):
+    return "no result" if entry["computed"] is None else f"{entry['computed']:.4g}".replace("-", MINUS)
+
+
 def row(claim):
     single = len(claim["choices"]) < 2
     first = claim["choices"][0] if claim["choices"] else NOTHING
     lines = list(dict.fromkeys(line for choice in claim["choices"] for line in choice["commands"]))
     return {"claim": claim, "rank": ORDER.index(claim["verdict"]), "verdict": verdict(claim["verdict"], WORDS),
             "short": verdict(claim["verdict"], {**WORDS, **SHORT_WORDS}),
-            "accuracy": first["accuracy"], "commands": lines, "lead": "Implied by" if claim["implied"] else None,
+            "accuracy": first["accuracy"], "commands": lines, "by_solvers": by_solvers(claim), "lead": "Implied by" if claim["implied"] else None,
             "off_by": amount(first) if single and first["off_by"] is not None and claim["verdict"] != "contradicted" else None,
             **numbers(first if single else NOTHING, claim["reading"] if single else None),
             "choices": [] if single else [choice_row(choice, claim["reading"]) for choice in claim["choices"]]}
@@ -98,6 +112,7 @@ def build(source):
                   "rows": [row(claim) for claim in judged["claims"] if claim["verdict"] in verdicts]}
                  for name, title, verdicts, is_open in GROUPS]
         data = {"absent": None, "groups": [group for group in found if group["rows"]],
-                "counts": [entry for entry in counts if entry[-1]], "readings": judged["readings"]}
+                "counts": [entry for entry in counts if entry[-1]], "readings": judged["readings"],
+                "by_solvers": sum(bool(claim["solvers"]) for claim in judged["claims"]), "number": len(judged["claims"])}
         entries = [(group["id"], f"{group['title']} ({len(group['rows'])})") for group in data["groups"]]
     return Section("claims", "Claims of the paper", "claims.html", data, entries)
