@@ -136,7 +136,8 @@ mkdir -p "$tree/reference/solvers"
 : >"$tree/reference/solvers/a.yaml"
 : >"$tree/reference/solvers/b.yaml"
 reproduce 0 --no-install --only solvers --fresh
-asked 'run smoke fig03 fig04 --solver reference/solvers/a.yaml --solver reference/solvers/b.yaml --output build/run --fresh'
+asked 'run smoke fig03_paper fig04_paper --solver reference/solvers/a.yaml --solver reference/solvers/b.yaml --output build/run --fresh'
+asked 'run solver_times --solver reference/solvers/wrong.yaml --output build/run --fresh'
 asked 'run solver_times --solver pulloff --knob all --solver reference/solvers/a.yaml --solver reference/solvers/b.yaml --output build/run --fresh'
 asked 'report .*'
 not_asked faults
