@@ -1,6 +1,5 @@
 #include "po_equilibrium.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -279,10 +278,6 @@ static po_status factorize_dense(po_equilibrium *e) {
   return status;
 }
 
-/* Rounding of factors on panels in single precision, relative to a solution, above which they are
- * kept in double precision: a larger one costs iterations. With 1e-3 the trace of (20, 3, 20,
- * R = 1000) ended at its first crests, where the tractions of many stiff panels nearly cancel. */
-static const double ROUNDING_OF_SINGLE = 1e-4;
 /* Factorisations that are kept in double precision after the iteration was too slow with those in
  * single precision. */
 enum { DOUBLE_AFTER_FAILURE = 32 };
@@ -309,9 +304,7 @@ static po_status factorize_panels(po_equilibrium *e) {
   for (size_t k = 0; k < active; ++k)
     for (size_t j = e->index[k] * PO_TABLE_ORDER, i = 0; i < PO_TABLE_ORDER; ++i)
       e->scratch[j + i] = factor * e->slope[j + i];
-  const double rounding = active > 0 ? FLT_EPSILON * e->measure[e->index[0]] : 0.0;
-  const bool in_double =
-      e->double_left > 0 || e->gain > GAIN_OF_DOUBLE || !(rounding < ROUNDING_OF_SINGLE);
+  const bool in_double = e->double_left > 0 || e->gain > GAIN_OF_DOUBLE;
   if (e->double_left > 0)
     --e->double_left;
   const po_status status = po_elimination_factorize(e->elimination, e->scratch, in_double);
