@@ -4,8 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <gsl/gsl_math.h>
-
 #include "po_element.h"
 #include "po_initial_gap.h"
 #include "po_linear.h"
@@ -28,25 +26,12 @@ static const double LONGEST_ELEMENT = 0.5;
 static const double GRADING = 3.0;
 
 /* Beyond the core the bodies must be well apart (an initial gap of at least po_law_reach) up to the
- * deepest approach. Pull-off happens at contact radii below the JKR contact radius at zero load,
- * 2.42 Gamma (W = 0 in Eq 7). That radius grows with the effective work of adhesion as w_eff^(1/3);
- * w_eff is bounded by Eq 24, and by 8, because internal cracks limit the enhancement (A/lambda ~
- * 0.1 and w_eff ~ 8 in Figure 11 of the paper). */
+ * deepest approach. Pull-off happens at contact radii below the JKR contact radius at zero load. */
 double po_surface_core(const po_scene *scene, double deepest) {
   if (isfinite(scene->outer_radius))
     return scene->outer_radius;
-  double enhancement = 1.0;
-  for (size_t k = 0; k < po_scene_waves(scene); ++k) {
-    const po_wave wave = po_scene_wave(scene, k);
-    const double ratio = wave.amplitude / wave.length;
-    const double johnson2 = 2.0 * sqrt(gsl_pow_3(scene->tabor) / scene->radius) /
-                            (M_PI * M_PI * ratio * ratio * wave.length);
-    const double enhanced = fmin(8.0, gsl_pow_2(1.0 + 1.0 / sqrt(M_PI * johnson2)));
-    enhancement = fmax(enhancement, enhanced);
-  }
-  const double contact_gap = po_scene_scales(scene).contact_gap * pow(enhancement, 2.0 / 3.0);
-  const double gap =
-      po_law_reach(&scene->law) + 2.0 * contact_gap + fmax(isnan(deepest) ? 0.0 : deepest, 0.0);
+  const double gap = po_law_reach(&scene->law) + 2.0 * po_scene_scales(scene).contact_gap +
+                     fmax(isnan(deepest) ? 0.0 : deepest, 0.0);
   return po_initial_gap_radius(scene, gap);
 }
 

@@ -27,8 +27,9 @@ static const double CORE_GROWTH = 1.5;
 enum { MOST_MESHES = 4 };
 
 static const double BEYOND = 1.0; /* eps */
-/* The approach at which a trace for hysteresis begins is -4 (1 + mu) eps or less. The smooth sphere
- * jumps out at -1.61 mu (JKR), wavy scenes at smaller approaches. */
+/* The approach at which a trace for hysteresis begins is -BEGIN times the sum of the length in
+ * which the law changes and the elastic elongation at pull-off, or less: for a smooth sphere -4 (1
+ * + mu) eps. By JKR theory the smooth sphere jumps out at -1.61 mu. */
 static const double BEGIN = 4.0;
 
 static void add_work(const po_work *more, po_work *work) {
@@ -88,10 +89,7 @@ static double farthest_of(const po_request *request) {
 }
 
 static double farthest_start(const po_scene *scene) {
-  double start = BEGIN * (1.0 + po_scene_scales(scene).stretch);
-  for (size_t k = 0; k < po_scene_waves(scene); ++k)
-    start += po_scene_wave(scene, k).amplitude;
-  return start;
+  return BEGIN * (po_law_size(&scene->law, 0.0) + po_scene_scales(scene).wavy_stretch);
 }
 
 static po_status attempt(const po_request *request, const po_keeper *keeper, double deadline,
