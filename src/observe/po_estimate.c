@@ -11,9 +11,15 @@
  * a third of the points. */
 static const double MISS_OF_TOLERANCE = 0.1, LEAST_MISS = 1e-8, LEAST_OF_STAIRCASE = 1e-5;
 
+/* The same of the tolerance for loops. With 0.1 the work of a closed loop, which adds the areas
+ * between the curve and its cubics, differs by up to 0.15 of the tolerance from the energy that its
+ * jumps lose (mu = 2.2 and 2.385, R = 83). */
+static const double MISS_OF_LOOPS = 0.06;
+
 double po_estimate_miss(const po_request *request) {
   const bool drawn = request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS);
-  return fmax(drawn ? LEAST_MISS : LEAST_OF_STAIRCASE, MISS_OF_TOLERANCE * request->mesh.tolerance);
+  const double part = request->want & PO_WANT_HYSTERESIS ? MISS_OF_LOOPS : MISS_OF_TOLERANCE;
+  return fmax(drawn ? LEAST_MISS : LEAST_OF_STAIRCASE, part * request->mesh.tolerance);
 }
 
 /* Factors of the stated error of an energy lost: of the change of an energy on a finer mesh, and of
