@@ -91,20 +91,6 @@ FOR_ALL_WIDTHS void po_block_apply_single(size_t columns, const float *a, const 
   *to = (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
-FOR_ALL_WIDTHS void po_block_multiply_single(size_t inner, size_t columns, float factor,
-                                             const float *a, const float *b, float *c) {
-  const wide *from = (const wide *)a;
-  wide *to = (wide *)c;
-  for (size_t k = 0; k < columns; k += 4, b += 4 * inner) { /* A is read once for four columns */
-    wide sum[4] = {to[k], to[k + 1], to[k + 2], to[k + 3]};
-    for (size_t j = 0; j < inner; ++j)
-      for (size_t p = 0; p < 4; ++p)
-        sum[p] += from[j] * (factor * b[p * inner + j]);
-    for (size_t p = 0; p < 4; ++p)
-      to[k + p] = sum[p];
-  }
-}
-
 FOR_ALL_WIDTHS void po_block_apply_single_transposed(size_t columns, const float *a, const float *x,
                                                      float *y) {
   const half *from = (const half *)a, *with = (const half *)x;
@@ -209,45 +195,4 @@ FOR_CONSTANT_ROWS int invert(size_t groups, double *a) {
 
 FOR_ALL_WIDTHS int po_block_invert(size_t n, double *a) {
   return n == 12 ? invert(3, a) : invert(4, a);
-}
-
-/* As invert. */
-FOR_ALL_WIDTHS int po_block_invert_single(float *a) {
-  typedef int32_t bits __attribute__((vector_size(sizeof(wide))));
-  static const bits FIRST = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-  wide *row = (wide *)a, one;
-  int from[WIDE], sign = 1;
-  for (int k = 0; k < WIDE; ++k)
-    one[k] = 1.0F;
-  for (int k = 0; k < WIDE; ++k) {
-    int best = k;
-    for (int i = k + 1; i < WIDE; ++i)
-      if (fabsf(a[k + WIDE * i]) > fabsf(a[k + WIDE * best]))
-        best = i;
-    from[k] = best;
-    if (best != k) {
-      const wide x = row[k];
-      row[k] = row[best];
-      row[best] = x;
-      sign = -sign;
-    }
-    const float pivot = a[k + WIDE * k];
-    if (!(fabsf(pivot) > 0.0F))
-      return 0;
-    if (pivot < 0.0F)
-      sign = -sign;
-    const bits keep = FIRST != k;
-    const wide own = (wide)(((bits)row[k] & keep) | ((bits)one & ~keep)) * (1.0F / pivot);
-    for (int i = 0; i < WIDE; ++i)
-      row[i] = (wide)((bits)row[i] & keep) - a[k + WIDE * i] * own;
-    row[k] = own;
-  }
-  for (int k = WIDE; k-- > 0;)
-    if (from[k] != k)
-      for (int i = 0; i < WIDE; ++i) {
-        const float x = a[k + WIDE * i];
-        a[k + WIDE * i] = a[from[k] + WIDE * i];
-        a[from[k] + WIDE * i] = x;
-      }
-  return sign;
 }

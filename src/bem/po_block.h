@@ -22,12 +22,6 @@ void po_block_apply_transposed(size_t rows, size_t columns, const double *a, con
 void po_block_apply_single(size_t columns, const float *a, const float *x, float *y);
 void po_block_apply_single_transposed(size_t columns, const float *a, const float *x, float *y);
 
-/* C += factor * A B in single precision. Given: A and C of 16 rows; the inner dimension; columns of
- * B and C, a multiple of 4. And as po_block_invert, for order 16. */
-void po_block_multiply_single(size_t inner, size_t columns, float factor, const float *a,
-                              const float *b, float *c);
-int po_block_invert_single(float *a);
-
 /* y += B x and v += B^T u, for the influence block of two panels. */
 void po_block_apply_both(const double *block, const double *x, double *y, const double *u,
                          double *v);
