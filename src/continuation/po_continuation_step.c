@@ -5,10 +5,12 @@
 
 /* Error of the prediction, relative to 1 + H, that a step aims at, and the greatest that is
  * accepted. With a limit of 0.14 a step passed over the two folds of mu = 4 that are within 1e-4 of
- * approach -4.0232; with 0.05 over two extrema of the load, 0.026 eps apart at mu = 1, A = 0.4,
- * lambda = 10, approach 26.6, where the contact edge passes a crest. With 0.05 smooth spheres take
- * 2 % fewer steps. */
-static const double AIMED_ERROR = 0.01, GREATEST_ERROR = 0.03;
+ * approach -4.0232. */
+static const double AIMED_ERROR = 0.01, GREATEST_ERROR = 0.05;
+/* The greatest error for wavy scenes. With 0.05 a step passed over two extrema of the load, 0.026
+ * eps apart at mu = 1, A = 0.4, lambda = 10, approach 26.6, where the contact edge passes a crest.
+ */
+static const double GREATEST_ERROR_OF_WAVES = 0.03;
 /* Greatest ratio of the lengths of successive steps. */
 static const double GREATEST_GROWTH = 2.0;
 /* Least cosine of the angle between the directions at both ends of a step. */
@@ -86,7 +88,9 @@ static po_status try_step(po_continuation *t, double step, attempt *a) {
     return status;
   a->met = true;
   t->next.position = t->current.position + po_solution_way(&t->current, &t->next);
-  if (error > GREATEST_ERROR || po_solution_cosine(&t->current, &t->next) < LEAST_COSINE) {
+  const bool wavy = !po_scene_is_simple(t->c.e->scene);
+  if (error > (wavy ? GREATEST_ERROR_OF_WAVES : GREATEST_ERROR) ||
+      po_solution_cosine(&t->current, &t->next) < LEAST_COSINE) {
     a->next = a->step * fmax(0.25, fmin(0.7, pow(AIMED_ERROR / error, 0.25)));
     return PO_NOT_CONVERGED;
   }
@@ -120,7 +124,8 @@ po_status po_continuation_advance(po_continuation *t) {
     if (t->c.trouble)
       return t->c.trouble;
     if (!status) {
-      if (missed) /* a length that failed here would probably fail in the next step, too */
+      /* waves are alike: a length that failed here would fail at the next wave, too */
+      if (missed && !po_scene_is_simple(t->c.e->scene))
         t->step = fmin(a.next, a.step);
       return PO_OK;
     }
