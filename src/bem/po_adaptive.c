@@ -107,7 +107,7 @@ po_status po_adaptive_panels_of(const po_adaptive *a, size_t n, const double *no
     const double size = (node[j + PO_TABLE_ORDER - 1] - node[j]) / (x[PO_TABLE_ORDER - 1] - x[0]);
     const uint32_t level = (uint32_t)lround(log2(a->domain / size));
     const double begin = ldexp(node[j] / a->domain, (int)level) - x[0];
-    const po_panel panel = {level, (uint32_t)lround(begin)};
+    const po_panel panel = {level, (uint64_t)llround(begin)};
     if (!has_nodes(a, panel, node + j))
       break;
     panels->panel[panels->count++] = panel;

@@ -19,13 +19,13 @@ void po_panels_uniform(po_panels *panels, uint32_t level) {
 }
 
 /* In units of the smallest panel all panels begin at integers. */
-static uint32_t whole_begin(po_panel panel) {
+static uint64_t whole_begin(po_panel panel) {
   return panel.index << (PO_DEEPEST_LEVEL - panel.level);
 }
 
 size_t po_panels_find(const po_panels *panels, double x) {
   const double unit = (double)((uint64_t)1 << PO_DEEPEST_LEVEL);
-  const uint32_t at = x > 0.0 ? (uint32_t)fmin(x * unit, unit - 1.0) : 0;
+  const uint64_t at = x > 0.0 ? (uint64_t)fmin(x * unit, unit - 1.0) : 0;
   size_t low = 0, high = panels->count;
   while (high - low > 1) {
     const size_t middle = (low + high) / 2;

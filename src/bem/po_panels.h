@@ -11,11 +11,14 @@
  * about a second. A surface has room for fewer if its scene has few waves (po_adaptive.c). */
 enum { PO_MOST_PANELS = 16384 };
 
-enum { PO_DEEPEST_LEVEL = 32, PO_MOST_LEVEL_STEP = 2 };
+/* At the deepest level the nodes of a panel at the end of the domain are still some ten roundings
+ * of the radius apart. */
+enum { PO_DEEPEST_LEVEL = 40, PO_MOST_LEVEL_STEP = 2 };
 
 /* The interval (index, index + 1) * domain/2^level. */
 typedef struct {
-  uint32_t level, index;
+  uint32_t level;
+  uint64_t index;
 } po_panel;
 
 typedef struct {

@@ -13,12 +13,24 @@ static void guess_on_tangent(po_continuation *t, double at) {
   po_corrector_guess_near(&t->c, &t->inner, step);
 }
 
+/* Whether the mesh of the last inner point resolves the solution at another place: if the contact
+ * edges are narrow, they may not move by more than their width. */
+static bool serves_inner_mesh(const po_continuation *t, double at) {
+  if (!po_equilibrium_is_narrow(t->c.e))
+    return true;
+  const double way = fabs(at - t->inner_at) * t->c.e->coupling;
+  for (size_t k = 0; k < t->inner.edges.count; ++k)
+    if (!(way * fabs(t->inner.edges.rate[k]) < 1.0))
+      return false;
+  return true;
+}
+
 /* Solves for a point between t->current and t->next. */
 static po_status solve_inner(void *data, double at, po_sample *sample) {
   po_continuation *t = data;
   const double whole = po_solution_progress(&t->current, &t->next);
   po_status status;
-  if (fabs(at - t->inner_at) < ON_TANGENT * whole) {
+  if (fabs(at - t->inner_at) < ON_TANGENT * whole && serves_inner_mesh(t, at)) {
     guess_on_tangent(t, at);
     status = po_continuation_solve_guessed(t, at, &t->inner);
   } else {

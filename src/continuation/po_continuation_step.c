@@ -61,8 +61,14 @@ static double joined_for(const po_continuation *t) {
  * the law (4, 10) at 3000 are refused; up to mu = 300 the work is the same. */
 static const double EDGE_ERROR = 1e-5;
 
+/* The precision of the tangent in coordinates that scale with the contact: the rate of the approach
+ * is then right to 1e-5 at a Tabor parameter of 10,000. */
+static const double SCALED_TANGENT = 1e-9;
+
 /* The precision of the tangent at the end of a step. */
 static double tangent_precision(const po_continuation *t, double step) {
+  if (po_equilibrium_is_narrow(t->c.e))
+    return SCALED_TANGENT;
   double way = 0.0; /* of the contact edges in the step, in their widths */
   for (size_t k = 0; k < t->current.edges.count; ++k)
     way = fmax(way, step * fabs(t->current.edges.rate[k]) * t->c.e->coupling);

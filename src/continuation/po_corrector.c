@@ -5,6 +5,7 @@
 
 #include "po_memory.h"
 #include "po_prediction.h"
+#include "po_scaled_tangent.h"
 
 /* If the iteration is slow but its last change, relative to 1 + H, is below NEAR, the Jacobian is
  * factorised there, at most MOST_RENEWALS times. */
@@ -127,6 +128,19 @@ static po_status correct(po_corrector *c, const po_solution *from, double distan
   return status;
 }
 
+/* Fills the solution from its state. */
+static po_status find_tangent(po_corrector *c, const po_solution *from, double precision,
+                              po_solution *out) {
+  po_equilibrium *e = c->e;
+  po_solution_take_state(out, e, c->adaptive);
+  if (c->adaptive && po_equilibrium_is_narrow(e) && out->edges.count > 0)
+    return po_scaled_tangent(e, from->rate, precision, out);
+  const po_status status = po_equilibrium_tangent(e, precision, out->tangent);
+  if (!status)
+    po_solution_take_tangent(out, e);
+  return status;
+}
+
 po_status po_corrector_solve(po_corrector *c, const po_solution *from, double distance,
                              bool keep_factors, double precision, po_solution *out) {
   po_status status = PO_NOT_CONVERGED;
@@ -137,13 +151,12 @@ po_status po_corrector_solve(po_corrector *c, const po_solution *from, double di
     status = correct(c, from, distance, fresh, out);
     if (status)
       continue;
-    status = po_equilibrium_tangent(c->e, precision, out->tangent);
+    status = find_tangent(c, from, precision, out);
     if (status && fresh && po_equilibrium_distrust_single(c->e))
       --fresh;
   }
   if (status)
     return status;
-  po_solution_finish(out, c->e, c->adaptive);
   return c->e->orientation * c->direction > 0 ? PO_OK : PO_NOT_CONVERGED;
 }
 

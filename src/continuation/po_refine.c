@@ -99,7 +99,10 @@ static void move(po_corrector *c, const po_solution *from, double step, po_solut
   for (size_t j = 0; j <= p->n; ++j)
     p->state[j] += by * p->tangent[j];
   po_equilibrium_evaluate(c->e, p->state);
-  po_solution_finish(p, c->e, c->adaptive);
+  if (po_equilibrium_is_narrow(c->e)) /* the rates hardly change, and would be less precise */
+    po_solution_take_state(p, c->e, c->adaptive);
+  else
+    po_solution_finish(p, c->e, c->adaptive);
 }
 
 static po_status find_root(po_corrector *c, const po_solution *from, po_event_kind of,

@@ -35,6 +35,10 @@ size_t po_arclength_size(po_arclength a, size_t n) {
   return a == PO_ARCLENGTH_GLOBAL ? PO_ARCLENGTH_GLOBAL_SIZE : n + 1;
 }
 
+double po_arclength_of_contact(const po_equilibrium *e, double amount) {
+  return per_length(e) * amount;
+}
+
 static void global_coordinates(const po_equilibrium *e, const double *state, double *coordinate) {
   double contact = 0.0;
   for (size_t j = po_equilibrium_core(e); j-- > 0;) {

@@ -55,7 +55,8 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
   e->together = surface->hierarchy ? PO_TABLE_ORDER : 1;
   double **const vectors[] = {&e->initial_gap, &e->traction, &e->slope,   &e->deflection,
                               &e->border,      &e->right,    &e->scratch, &e->measure,
-                              &e->column,      &e->row,      &e->change,  &e->response};
+                              &e->column,      &e->row,      &e->change,  &e->response,
+                              &e->source};
   bool had = true;
   for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
     had = (*vectors[k] = po_reserve(capacity + 1, sizeof(double))) && had;
@@ -77,9 +78,9 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
 void po_equilibrium_destroy(po_equilibrium *e) {
   if (!e)
     return;
-  double *const vectors[] = {e->initial_gap, e->traction, e->slope,   e->deflection,
-                             e->border,      e->right,    e->scratch, e->measure,
-                             e->column,      e->row,      e->change,  e->response};
+  double *const vectors[] = {e->initial_gap, e->traction, e->slope,   e->deflection, e->border,
+                             e->right,       e->scratch,  e->measure, e->column,     e->row,
+                             e->change,      e->response, e->source};
   for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
     free(vectors[k]);
   po_secant_free(&e->secant);

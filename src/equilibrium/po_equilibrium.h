@@ -50,6 +50,7 @@ typedef struct {
   double *slope;       /* n: dp/dH */
   double *deflection;  /* n + 1: work: a deflection, or the residual of an iteration */
   double *border;      /* n + 1: the current border */
+  double *source;      /* n + 1: right-hand side of po_equilibrium_solve */
   size_t active;       /* number of active nodes, which are factorised */
   size_t together;     /* nodes that are active together: those of a panel, or 1 */
   size_t
@@ -159,6 +160,10 @@ void po_equilibrium_change_border(po_equilibrium *e, const double *border);
  * Given: residual, n + 1. Returned: change, n + 1. */
 void po_equilibrium_precondition(po_equilibrium *e, const double *residual, double *change);
 
+/* Whether the contact edge is so narrow that the arclength functional is nearly the amount of
+ * contact (po_arclength_share). */
+bool po_equilibrium_is_narrow(const po_equilibrium *e);
+
 /* Solves Eq 15 with the condition border . (state - base) = distance by Newton's method with the
  * present factors. Every 1 + H stays positive. Given: state, n + 1, a prediction. Returned: state;
  * traction and slope are those of the state. Status: PO_NOT_CONVERGED if the iteration does not
@@ -177,6 +182,16 @@ typedef struct {
 /* The same for any condition. The current border must approximate the gradient of the condition. */
 po_status po_equilibrium_correct_to(po_equilibrium *e, double *state,
                                     const po_constraint *constraint);
+
+/* Solves the linearised Eq 15 at the state last evaluated for the right-hand side e->source,
+ *
+ *   x_i + x_n - coupling * sum_j G_ij dp/dH_j x_j = source_i,   border . x = source_n,
+ *
+ * by iteration with the present factors. Given: precision, relative to the largest component of x,
+ * where those of the gaps are measured in `unit`, n (NULL for 1). Returned: solution x, n + 1.
+ * Status: PO_NOT_CONVERGED if the factors are too old. */
+po_status po_equilibrium_solve(po_equilibrium *e, const double *unit, double precision,
+                               double *solution);
 
 /* The tangent of the branch at the state last evaluated, scaled so that border . tangent = 1, by
  * iteration with the present factors. Given: precision, relative to the largest component of the

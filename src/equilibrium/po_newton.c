@@ -29,6 +29,10 @@ static const double NARROW = 1e-3;
  * factors leave some directions to Broyden's updates, which need the time to find them. */
 enum { MOST_ITERATIONS = 20, PATIENCE = 3, PATIENCE_AT_NARROW = 8 };
 
+bool po_equilibrium_is_narrow(const po_equilibrium *e) {
+  return e->share < NARROW;
+}
+
 /* border . (state - base): the condition of po_equilibrium_correct. */
 static double distance_of(const po_equilibrium *e, const double *state, const void *data) {
   const double *base = data;
@@ -137,7 +141,7 @@ static void note_change(progress *p, double change) {
 
 /* Whether the iteration diverges, or converges so slowly that it is given up. */
 static bool is_hopeless(const po_equilibrium *e, const progress *p, double stagnated) {
-  const int patience = e->share < NARROW ? PATIENCE_AT_NARROW : PATIENCE;
+  const int patience = po_equilibrium_is_narrow(e) ? PATIENCE_AT_NARROW : PATIENCE;
   return !(p->now < GREATEST_CHANGE) || (p->count > 1 && p->now > DIVERGED) ||
          (p->count > patience && p->now > stagnated &&
           p->now > p->first * pow(SLOWEST, p->count - 1));
@@ -176,31 +180,34 @@ po_status po_equilibrium_correct_to(po_equilibrium *e, double *state,
   return PO_NOT_CONVERGED;
 }
 
-static po_status find_tangent(po_equilibrium *e, double precision, double *tangent) {
+/* Solves the bordered linearised Eq 15 for the right-hand side e->source. */
+static po_status solve_linear(po_equilibrium *e, const double *unit, double precision,
+                              double *solution) {
   const size_t n = e->n;
   double *residual = e->deflection, *change = e->scratch;
-  memset(tangent, 0, (n + 1) * sizeof *tangent);
+  memset(solution, 0, (n + 1) * sizeof *solution);
   po_secant_begin(&e->secant);
   progress p = progress_begin();
+  const double least = unit ? precision : fmax(precision, PRECISION_OF_NOISE * e->noise);
   for (int iteration = 0; iteration < MOST_ITERATIONS; ++iteration) {
-    residual[n] = 1.0 - e->border[n] * tangent[n] - po_linear_dot(n, e->border, tangent);
+    residual[n] = e->source[n] - e->border[n] * solution[n] - po_linear_dot(n, e->border, solution);
     for (size_t j = 0; j < n; ++j)
-      change[j] = e->slope[j] * tangent[j];
+      change[j] = e->slope[j] * solution[j];
     po_equilibrium_deflect(e, change, residual);
     for (size_t i = 0; i < n; ++i)
-      residual[i] -= tangent[n] + tangent[i];
+      residual[i] += e->source[i] - (solution[n] + solution[i]);
     po_equilibrium_precondition(e, residual, change);
     po_secant_step(&e->secant, change);
     double largest = 0.0, size = 0.0;
     for (size_t j = 0; j <= n; ++j) {
-      tangent[j] += change[j];
-      largest = fmax(largest, fabs(change[j]));
-      size = fmax(size, fabs(tangent[j]));
+      solution[j] += change[j];
+      const double one = unit && j < n ? unit[j] : 1.0;
+      largest = fmax(largest, fabs(change[j]) / one);
+      size = fmax(size, fabs(solution[j]) / one);
     }
     ++e->work.tangent_iterations;
     note_change(&p, largest / size);
-    if (iteration > 0 &&
-        is_converged(&p, fmax(precision, PRECISION_OF_NOISE * e->noise), stagnated(e)))
+    if (iteration > 0 && is_converged(&p, least, stagnated(e)))
       return PO_OK;
     if (is_hopeless(e, &p, stagnated(e)))
       return PO_NOT_CONVERGED;
@@ -210,10 +217,17 @@ static po_status find_tangent(po_equilibrium *e, double precision, double *tange
 
 /* Updates that were made of changes near rounding may prevent convergence: without them, the
  * factors alone decide. */
-po_status po_equilibrium_tangent(po_equilibrium *e, double precision, double *tangent) {
-  const po_status status = find_tangent(e, precision, tangent);
+po_status po_equilibrium_solve(po_equilibrium *e, const double *unit, double precision,
+                               double *solution) {
+  const po_status status = solve_linear(e, unit, precision, solution);
   if (!status || e->secant.count == 0)
     return status;
   e->secant.count = 0;
-  return find_tangent(e, precision, tangent);
+  return solve_linear(e, unit, precision, solution);
+}
+
+po_status po_equilibrium_tangent(po_equilibrium *e, double precision, double *tangent) {
+  memset(e->source, 0, e->n * sizeof *e->source);
+  e->source[e->n] = 1.0;
+  return po_equilibrium_solve(e, NULL, precision, tangent);
 }

@@ -176,10 +176,8 @@ static void add_edge(po_solution *p, const po_scene *scene, double domain, doubl
   edge_search s = {p, scene, domain, false};
   s.closer = is_closer(&s, low);
   po_bisect(is_inside_edge, &s, EDGE_FOUND, &low, &high);
-  const po_solution_value v = po_solution_value_at(p, scene, domain, low);
   p->edges.at[p->edges.count] = low;
-  p->edges.rate[p->edges.count] = -v.tangent / v.slope;
-  ++p->edges.count;
+  p->edges.rate[p->edges.count++] = 0.0;
 }
 
 /* Finds the contact edges, beginning with the outermost, since the outermost are kept. */
@@ -197,11 +195,9 @@ static void find_edges(po_solution *p, const po_scene *scene, const po_surface *
   }
   for (size_t k = 0; 2 * k + 1 < edges->count; ++k) { /* to ascending order */
     const size_t other = edges->count - 1 - k;
-    const double at = edges->at[k], rate = edges->rate[k];
+    const double at = edges->at[k];
     edges->at[k] = edges->at[other];
-    edges->rate[k] = edges->rate[other];
     edges->at[other] = at;
-    edges->rate[other] = rate;
   }
 }
 
@@ -213,9 +209,17 @@ static void fill_slope(po_solution *p, double domain) {
     for (size_t i = 0; i < PO_TABLE_ORDER; ++i)
       p->slope[k * PO_TABLE_ORDER + i] /= size;
   }
+  const size_t tail = p->panels->count * PO_TABLE_ORDER;
+  if (tail == 0 || p->n == tail) /* a fixed mesh, or a cut surface */
+    return;
+  differentiate(&po_panel_table_get()->rule, p->deflection + tail, p->slope + tail);
+  for (size_t j = tail; j < p->n; ++j) { /* by x = domain/r */
+    const double x = domain / p->node[j];
+    p->slope[j] *= -x * x / domain;
+  }
 }
 
-void po_solution_finish(po_solution *p, const po_equilibrium *e, const po_adaptive *adaptive) {
+void po_solution_take_state(po_solution *p, const po_equilibrium *e, const po_adaptive *adaptive) {
   p->panels->count = 0;
   if (adaptive)
     po_panels_copy(po_adaptive_panels(adaptive), p->panels);
@@ -225,17 +229,34 @@ void po_solution_finish(po_solution *p, const po_equilibrium *e, const po_adapti
   p->coordinates = po_arclength_size(p->arclength, p->n);
   p->share = e->share;
   po_arclength_coordinates(p->arclength, e, p->state, p->coordinate);
-  po_arclength_rates(p->arclength, e, p->state, p->tangent, p->rate);
-  p->edges.count = 0;
-  scale_tangent(p, 1.0 / sqrt(po_solution_cosine(p, p)));
   p->load = po_equilibrium_load(e);
-  p->load_rate = po_equilibrium_load_rate(e, p->tangent);
   p->energy = po_equilibrium_energy(e, p->state);
   memcpy(p->node, e->surface->node, p->n * sizeof *p->node);
   for (size_t j = 0; j < p->n; ++j)
     p->deflection[j] = p->state[j] - e->initial_gap[j];
   fill_slope(p, e->surface->core_radius);
   find_edges(p, e->scene, e->surface);
+}
+
+void po_solution_scale_tangent(po_solution *p) {
+  scale_tangent(p, 1.0 / sqrt(po_solution_cosine(p, p)));
+}
+
+void po_solution_take_tangent(po_solution *p, const po_equilibrium *e) {
+  po_arclength_rates(p->arclength, e, p->state, p->tangent, p->rate);
+  p->load_rate = 0.0; /* follows from the scaled tangent */
+  po_solution_scale_tangent(p);
+  p->load_rate = po_equilibrium_load_rate(e, p->tangent);
+  for (size_t k = 0; k < p->edges.count; ++k) {
+    const po_solution_value v =
+        po_solution_value_at(p, e->scene, e->surface->core_radius, p->edges.at[k]);
+    p->edges.rate[k] = -v.tangent / v.slope;
+  }
+}
+
+void po_solution_finish(po_solution *p, const po_equilibrium *e, const po_adaptive *adaptive) {
+  po_solution_take_state(p, e, adaptive);
+  po_solution_take_tangent(p, e);
 }
 
 double po_solution_gap(void *data, double r) {

@@ -43,9 +43,18 @@ void po_solution_reweigh(po_solution *solution, double factor);
 /* Reverses the direction of the branch: every derivative along the branch changes its sign. */
 void po_solution_turn(po_solution *p);
 
-/* Fills all other members from state and tangent on the current mesh, and scales the tangent to
- * unit arclength. Given: the state must be the one last evaluated; adaptive is NULL on a fixed
- * mesh. */
+/* Fills all members that do not depend on the tangent from the state on the current mesh. Given:
+ * the state must be the one last evaluated; adaptive is NULL on a fixed mesh. */
+void po_solution_take_state(po_solution *p, const po_equilibrium *e, const po_adaptive *adaptive);
+
+/* Fills the derivatives along the branch from the tangent, and scales them to unit arclength.
+ * Given: p has taken its state, the one last evaluated. */
+void po_solution_take_tangent(po_solution *p, const po_equilibrium *e);
+
+/* Scales all derivatives along the branch to unit arclength. Given: rate. */
+void po_solution_scale_tangent(po_solution *p);
+
+/* Both. */
 void po_solution_finish(po_solution *p, const po_equilibrium *e, const po_adaptive *adaptive);
 
 double po_solution_approach(const po_solution *p);
