@@ -28,7 +28,7 @@ void po_key_print(const po_request *request, po_key key, char text[PO_KEY_TEXT_L
   else if (key == PO_KEY_PROFILE)
     name = po_profile_name(&scene->profile);
   else if (key == PO_KEY_PROFILE_FILE)
-    name = po_profile_file(&scene->profile);
+    name = po_profile_shown(&scene->profile);
   else if (key == PO_KEY_SCHEME)
     name = po_scheme_name(request->mesh.scheme);
   else if (key == PO_KEY_GRADING)

@@ -79,6 +79,16 @@ static json_t *times(const po_case_run *run, const double *seconds, size_t point
   return array;
 }
 
+/* The request of a point for documents: the table of its profile is named relative to the folder of
+ * the case file, as the case names it. */
+static po_request shown_request(const po_case *kase, const po_point *point) {
+  po_request request = point->request;
+  po_profile *profile = &request.scene.profile;
+  if (po_profile_is_table(profile))
+    profile->shown = po_case_profile_shown(kase, po_profile_file(profile));
+  return request;
+}
+
 static void table_name(char name[64], const char *what, const po_point *point) {
   snprintf(name, 64, "%s-%s.csv", what, point->id);
 }
@@ -98,8 +108,9 @@ static po_status add_table(const po_case_run *run, size_t index, bool profile, c
   char *path = po_path_join(folder, name);
   if (!path)
     return PO_NO_MEMORY;
-  const po_status status = profile ? po_tables_write_profile(path, &point->request, result, digest)
-                                   : po_tables_write_curve(path, &point->request, result, digest);
+  const po_request shown = shown_request(run->plan->kase, point);
+  const po_status status = profile ? po_tables_write_profile(path, &shown, result, digest)
+                                   : po_tables_write_curve(path, &shown, result, digest);
   free(path);
   if (profile)
     po_json_set(entry, "contact", po_json_contact(result));
@@ -115,23 +126,12 @@ po_status po_record_add_tables(const po_case_run *run, size_t index, const char 
   return status ? status : add_table(run, index, true, folder, entry);
 }
 
-/* Returned: the solve that repeats a point, to be freed. The table of its profile is relative to
- * the folder of the case file. */
-static char *command_of_point(const po_case *kase, const po_request *request) {
-  char *command = po_input_command(request);
-  const char *path = po_profile_file(&request->scene.profile);
-  if (!command || !path)
-    return command;
-  char *shown = po_solver_replace(command, path, po_case_profile_shown(kase, path));
-  free(command);
-  return shown;
-}
-
 json_t *po_record_point(const po_case_run *run, size_t index) {
   const po_case *kase = run->plan->kase;
   const po_point *point = &kase->points[index];
   const po_result *result = &run->results[index];
-  json_t *object = po_json_result(&point->request, result);
+  const po_request shown = shown_request(kase, point);
+  json_t *object = po_json_result(&shown, result);
   po_json_set(&object, "id", po_json_text(point->id));
   po_json_set(&object, "label", po_json_text(point->label));
   po_json_set(&object, "sweep", sweep(kase, index));
@@ -139,9 +139,9 @@ json_t *po_record_point(const po_case_run *run, size_t index) {
   po_json_set(&object, "processor_seconds_all", times(run, run->processor_seconds, index));
   if (run->rounds)
     po_json_set(&object, "timing", po_rounds_json(run, index));
-  po_json_set(&object, "command", po_json_take_text(command_of_point(kase, &point->request)));
+  po_json_set(&object, "command", po_json_take_text(po_input_command(&shown)));
   if (point->traced)
-    po_json_set(&object, "traced", po_json_result(&point->request, &run->traces[index]));
+    po_json_set(&object, "traced", po_json_result(&shown, &run->traces[index]));
   if (kase->is_physical)
     po_json_set(&object, "physical",
                 PO_JSON_OBJECT({"units", po_json_units(&kase->units)},

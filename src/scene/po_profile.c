@@ -62,6 +62,7 @@ po_status po_profile_set_file(po_profile *profile, const char *path) {
     return status;
   profile->kind = &PO_TABLE;
   profile->table = table;
+  profile->shown = NULL;
   profile->parameter[PO_TABLE_SCALE] = scale;
   return PO_OK;
 }
@@ -88,6 +89,10 @@ const char *po_profile_parameter_name(po_profile_parameter parameter) {
 
 const char *po_profile_file(const po_profile *profile) {
   return profile->table ? profile->table->path : "-";
+}
+
+const char *po_profile_shown(const po_profile *profile) {
+  return profile->shown ? profile->shown : po_profile_file(profile);
 }
 
 const char *po_profile_digest(const po_profile *profile) {

@@ -231,4 +231,8 @@ expect 0 '*outside' run good --output run
 check 'the record describes the table' grep -q '"profile_table"' run/good/record.json
 check 'its commands name the table relative to the case file' \
   grep -q '"command": "pulloff solve .*--profile-file tip.csv ' run/good/record.json
+check 'so do its inputs' grep -q '"profile_file": "tip.csv"' run/good/record.json
+sed -i 's/^want: .*/want: [pull_off, curve]/' "$case"
+expect 0 '*' run "$PULLOFF_DATA/cases/good.yaml" --output elsewhere
+check 'so does a curve' grep -q -- '--profile-file tip.csv ' elsewhere/good/curve-*.csv
 finish
