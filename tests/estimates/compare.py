@@ -86,14 +86,22 @@ def unmet(pairs, side):
     return first
 
 
-def met_by_both(lists, ends):
-    """The lists of pairs without the special points at their ends that one trace met beyond the end of the other. The
-    approach increases at the end of a branch. So among the points that remain at the end of the lists, the first one
-    beyond the end of the other trace, and all later ones of any kind, are those that the other trace has not met."""
+def falls(document):
+    """Whether the approach falls at the end of a trace: a search by effort may end behind a maximum of the approach."""
+    last = max(document["folds"], key=lambda mark: mark["position"], default={"kind": None})
+    return (document.get("ended") or {}).get("why") == "searched" and last["kind"] == "jump_in"
+
+
+def met_by_both(lists, documents):
+    """The lists of pairs without the special points at their ends that one trace met beyond the end of the other. Among
+    the points that remain at the end of the lists, the first one beyond the end of the other trace, in the direction in
+    which its approach changes there, and all later ones of any kind, are those that the other trace has not met."""
     for side in (0, 1):
         rest = [(pairs, unmet(pairs, side)) for pairs in lists]
+        other = documents[1 - side]
+        ahead = -1.0 if falls(other) else 1.0
         beyond = min((pair[side]["position"] for pairs, first in rest for pair in pairs[first:]
-                      if pair[side]["approach"] > ends[1 - side]), default=math.inf)
+                      if ahead * pair[side]["approach"] > ahead * value(other, "end")), default=math.inf)
         lists = [pairs[:first] + [pair for pair in pairs[first:] if pair[side]["position"] < beyond]
                  for pairs, first in rest]
     return lists
@@ -104,7 +112,7 @@ def common(loose, tight):
     one."""
     lists = [align(after(loose, name, value(tight, "start")), after(tight, name, value(loose, "start")))
              for name in ("folds", "extrema")]
-    return met_by_both(lists, (value(loose, "end"), value(tight, "end")))
+    return met_by_both(lists, (loose, tight))
 
 
 def distance(one, other):

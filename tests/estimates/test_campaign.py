@@ -106,6 +106,16 @@ class Comparisons(unittest.TestCase):
         self.assertEqual(verdicts(found, "force"), ["held"])
         self.check(document(extrema=shorter, end=9.0), tight(extrema=longer, end=9.0), 2)   # minimum and force
 
+    def test_a_search_may_end_where_the_approach_falls(self):
+        shorter = [mark("jump_out", -2.0, -1.0, position=1.0), mark("jump_in", 4.0, -0.7, position=2.0)]
+        longer = shorter + [mark("jump_out", -2.5, -1.2, position=3.0)]
+        minima = [(-1.9, -1.5)]
+        loose, other = document(folds=longer, extrema=minima), tight(folds=shorter, extrema=minima, end=1.0)
+        other["ended"] = {"why": "searched"}
+        self.check(loose, other, 0)
+        other["ended"] = {"why": "preload"}
+        self.check(loose, other, 1)
+
     def test_a_branch_may_return_to_approaches_before_its_start(self):
         pair = [mark("jump_in", -1.0, -0.7, position=1.0), mark("jump_out", -2.4, -1.0, position=2.0)]
         loose, other = document(folds=pair, extrema=[(-2.2, -1.5)]), tight(folds=pair, extrema=[(-2.2, -1.5)])
