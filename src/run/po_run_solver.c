@@ -339,9 +339,8 @@ json_t *po_run_solver_json(const po_case_run *run) {
   return PO_JSON_OBJECT(
       {"name", po_json_text(solver->name)}, {"manifest", po_json_text(solver->path)},
       {"knob", po_json_text(solver->file->knob ? solver->file->knob->name : NULL)},
-      {"knob_value", po_json_text(solver->knob)}, {"command", command},
-      {"quantities", quantities}, {"unstable", po_json_flag(solver->unstable)},
-      {"sha256", po_json_text(solver->digest)},
+      {"knob_value", po_json_text(solver->knob)}, {"command", command}, {"quantities", quantities},
+      {"unstable", po_json_flag(solver->unstable)}, {"sha256", po_json_text(solver->digest)},
       {"coverage",
        PO_JSON_OBJECT({"points", po_json_count(c->points)}, {"asked", po_json_count(c->asked)},
                       {"checks", po_json_count(c->checks)}, {"made", po_json_count(c->made)},

@@ -164,8 +164,10 @@ static void check_balance(const po_loop *loop, double accuracy) {
 }
 
 /* The integral of the load over the closed loop equals the sum of the energies lost in the jumps,
- * which are computed from the gaps. The error of the integral is that of the cubic interpolation, a
- * tenth of the tolerance of 1e-6. The same holds for the loops of the theory on their points. */
+ * which are computed from the gaps. The error of the integral is that of the cubic interpolation: a
+ * curve that is off by at most 0.06 of the tolerance of 1e-6 everywhere encloses an area that is
+ * off by at most that times its length, of which the way in approach and back is the most. The same
+ * holds for the loops of the theory on their points. */
 START_TEST(loop_loses_what_its_jumps_do) {
   po_request request = po_request_default();
   request.scene = LOOPS[_i].scene;
@@ -175,7 +177,9 @@ START_TEST(loop_loses_what_its_jumps_do) {
   po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_uint_eq(o.hysteresis.displacement.jump_count, LOOPS[_i].jumps);
-  check_balance(&o.hysteresis.displacement, 1e-7);
+  const po_loop *loop = &o.hysteresis.displacement;
+  const double way = 2.0 * (loop->preload.approach - o.start);
+  check_balance(loop, 0.06 * 1e-6 * way / loop->energy_lost);
   po_hysteresis h;
   ck_assert_int_eq(po_jkr_hysteresis(&request.scene, po_request_preload(&request), &h), PO_OK);
   check_balance(&h.displacement, 1e-8);
