@@ -355,7 +355,7 @@ def make_faults(folder, missed=False):
               ("law-slope", "physics", "the law of interaction is too steep", "src/scene/po_law.c",
                {"smoke": fault_cell("no_result", "refused"), "tables_math": fault_cell()}),
               ("one-sided", "harness", "only what is too large is outside", "src/harness/po_result.c",
-               {"smoke": fault_cell(), "compare": fault_cell("test")})]
+               {"compare": fault_cell("test")})]
     if missed:
         faults.append(("jacobian", "physics", "the Jacobian is off", "src/equilibrium/po_equilibrium.c",
                        {"smoke": fault_cell("pin", caught=False), "tables_math": fault_cell()}))

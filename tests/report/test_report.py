@@ -48,6 +48,18 @@ def plain(html):
     return re.sub(r"\s+", " ", re.sub(r"<[^>]+>", "", html))
 
 
+def cells_of_faults(html):
+    """The letters of each fault in the matrix of planted faults, one a detector; "" for an empty cell, which may be several columns wide."""
+    table = re.search(r'<table class="faults">(.*?)</table>', html, re.S).group(1)
+    rows = []
+    for row in re.findall(r"<tr.*?</tr>", re.search(r"<tbody>.*</tbody>", table, re.S).group(0), re.S):
+        if 'class="group"' not in row:
+            cells = re.findall(r'<td([^>]*)>([^<]*)</td>', row)  # the cell with the name of the fault has marks inside
+            rows.append([letter for marks, letter in cells
+                         for _ in range(int((re.search(r'colspan="(\d+)"', marks) or [0, 1])[1]))])
+    return rows
+
+
 class PageTest(unittest.TestCase):
     """Looks for words in a page and, when they are not as wanted, names them and not the page."""
 
@@ -284,6 +296,9 @@ class Parts(PageTest):
             self.lacks(plain(html), "only a pin changed", "not detected")
             for letter, kind in (("O", "caught"), ("T", "caught"), ("N", "caught"), ("·", "missed")):
                 self.has(html, f'<td class="cell {kind}">{letter}</td>')
+            self.assertEqual(cells_of_faults(html), [["O", "T", ""], ["N", "·", ""], ["", "", "T"]])
+            self.has(html, '<td colspan="2"></td>')
+            self.has(plain(html), "blank: not run with this fault")
             synthetic.make_faults(folder, missed=True)
             html = page_of(folder)
             self.has(plain(html), "3 of 4 planted faults were detected; not detected: jacobian.", "only a pin changed",
