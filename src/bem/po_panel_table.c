@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <pthread.h>
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stdlib.h>
 
@@ -63,8 +64,16 @@ static void fill_logarithm(const po_panel_rule *rule, position s, po_panel_block
 }
 
 static po_panel_table table;
-static bool is_filled;
+static atomic_bool is_filled;
 static pthread_mutex_t table_lock = PTHREAD_MUTEX_INITIALIZER;
+
+static void fill_derivative(const po_panel_rule *rule, po_panel_block block) {
+  for (size_t i = 0; i < PO_TABLE_ORDER; ++i)
+    for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
+      block[i][j] =
+          i == j ? 0.0
+                 : rule->barycentric[j] / rule->barycentric[i] / (rule->node[i] - rule->node[j]);
+}
 
 /* A table that could not be filled for lack of memory is filled by a later call. */
 static void fill_table(void) {
@@ -76,10 +85,13 @@ static void fill_table(void) {
     for (size_t i = 0; i < PO_TABLE_ORDER; ++i)
       po_panel_influence(&table.rule, (po_panel_span){.begin = 0.0, .end = 1.0},
                          node_in_source(&table.rule, AXIS_POSITIONS[k], i), table.axis[k][i], 1);
+  fill_derivative(&table.rule, table.derivative);
   is_filled = true;
 }
 
 const po_panel_table *po_panel_table_get(void) {
+  if (is_filled)
+    return &table;
   pthread_mutex_lock(&table_lock);
   fill_table();
   const bool filled = is_filled;

@@ -23,9 +23,13 @@ static uint64_t whole_begin(po_panel panel) {
   return panel.index << (PO_DEEPEST_LEVEL - panel.level);
 }
 
-size_t po_panels_find(const po_panels *panels, double x) {
+/* The place of x in units of the shortest panels. */
+static uint64_t whole_place(double x) {
   const double unit = (double)((uint64_t)1 << PO_DEEPEST_LEVEL);
-  const uint64_t at = x > 0.0 ? (uint64_t)fmin(x * unit, unit - 1.0) : 0;
+  return x > 0.0 ? (uint64_t)(x < 1.0 ? x * unit : unit - 1.0) : 0;
+}
+
+static size_t find(const po_panels *panels, uint64_t at) {
   size_t low = 0, high = panels->count;
   while (high - low > 1) {
     const size_t middle = (low + high) / 2;
@@ -35,6 +39,18 @@ size_t po_panels_find(const po_panels *panels, double x) {
       high = middle;
   }
   return low;
+}
+
+size_t po_panels_find(const po_panels *panels, double x) {
+  return find(panels, whole_place(x));
+}
+
+size_t po_panels_find_near(const po_panels *panels, double x, size_t near) {
+  const uint64_t at = whole_place(x);
+  for (size_t k = near; k + 1 < panels->count && k < near + 2; ++k)
+    if (whole_begin(panels->panel[k]) <= at && at < whole_begin(panels->panel[k + 1]))
+      return k;
+  return find(panels, at);
 }
 
 /* Marks the panels that would be too coarse beside a neighbour that is to be split. Returned:

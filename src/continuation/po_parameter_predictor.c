@@ -65,11 +65,10 @@ static double gap_of(const po_predictor_point *m, double r) {
 double po_predictor_gap(void *predictor, double r) {
   const po_predictor *f = predictor;
   const po_moving_edges *edges = &f->edges;
-  const double origin = po_edge_origin(edges, f->shift, r);
+  const po_edge_place origin = po_edge_origin(edges, f->shift, r);
   double gap = 0.0;
   for (size_t i = 0; i < f->count; ++i)
-    gap +=
-        f->weight[i] * gap_of(f->mark[i], origin + po_edge_displacement(edges, f->back[i], origin));
+    gap += f->weight[i] * gap_of(f->mark[i], origin.r + po_edge_displacement(&origin, f->back[i]));
   return po_law_expected_gap(&f->mark[0]->scene.law, gap);
 }
 

@@ -121,16 +121,17 @@ double po_prediction_reach(const po_scene *scene, double domain, const po_soluti
 }
 
 double po_prediction_gap(void *prediction, double r) {
-  const po_prediction *p = prediction;
+  po_prediction *p = prediction;
   const po_moving_edges *edges = &p->edges;
-  const double origin = po_edge_origin(edges, p->shift, r);
-  const po_solution_value a = po_solution_value_at(p->a, p->scene, p->domain, origin);
-  const double velocity = po_edge_displacement(edges, edges->rate, origin);
+  const po_edge_place origin = po_edge_origin(edges, p->shift, r);
+  const po_solution_value a =
+      po_solution_value_near(p->a, p->scene, p->domain, origin.r, &p->panel_a);
+  const double velocity = po_edge_displacement(&origin, edges->rate);
   double gap = a.gap + p->w.d0 * (a.tangent + a.slope * velocity);
   if (p->cubic) {
-    const double at = origin + po_edge_displacement(edges, p->back, origin);
-    const po_solution_value b = po_solution_value_at(p->b, p->scene, p->domain, at);
-    const double velocity_b = po_edge_displacement(edges, p->rate_back, origin);
+    const double at = origin.r + po_edge_displacement(&origin, p->back);
+    const po_solution_value b = po_solution_value_near(p->b, p->scene, p->domain, at, &p->panel_b);
+    const double velocity_b = po_edge_displacement(&origin, p->rate_back);
     gap += p->w.f1 * (b.gap - a.gap) + p->w.d1 * (b.tangent + b.slope * velocity_b) / p->rate_b;
   }
   return po_law_expected_gap(&p->scene->law, gap);
@@ -157,13 +158,14 @@ void po_prediction_state(po_prediction *p, const po_surface *surface, size_t mov
 }
 
 /* Size of the panel of a->wanted at the origin of a radius, both relative to the domain. */
-static double wanted_size(const po_prediction *p, double x) {
-  const double origin = po_edge_origin(&p->edges, p->shift, x * p->domain) / p->domain;
+static double wanted_size(po_prediction *p, double x) {
+  const double origin = po_edge_origin(&p->edges, p->shift, x * p->domain).r / p->domain;
   const po_panels *wanted = p->a->wanted;
-  return po_panel_size(wanted->panel[po_panels_find(wanted, origin)]);
+  p->panel_wanted = po_panels_find_near(wanted, origin, p->panel_wanted);
+  return po_panel_size(wanted->panel[p->panel_wanted]);
 }
 
-bool po_prediction_too_large(const po_prediction *p, po_panel panel, double times) {
+bool po_prediction_too_large(po_prediction *p, po_panel panel, double times) {
   enum { SAMPLES = 5 };
   const double begin = po_panel_begin(panel), size = po_panel_size(panel);
   for (int k = 0; k < SAMPLES; ++k)

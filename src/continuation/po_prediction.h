@@ -21,6 +21,8 @@ typedef struct {
   double shift[PO_MOST_MOVING_EDGES];     /* from these to the predicted edges */
   double back[PO_MOST_MOVING_EDGES];      /* from these to the edges of b */
   double rate_back[PO_MOST_MOVING_EDGES]; /* rates of the edges of b */
+  /* panels of a, of b and of a->wanted where values were last needed */
+  size_t panel_a, panel_b, panel_wanted;
 } po_prediction;
 
 /* Predicts at a distance along the arclength functional of a. Given: b, another point ahead or
@@ -49,7 +51,7 @@ void po_prediction_state(po_prediction *p, const po_surface *surface, size_t mov
 
 /* Whether a panel is more than `times` as large as a panel of a->wanted at the radii that the
  * displacement moves into it. */
-bool po_prediction_too_large(const po_prediction *p, po_panel panel, double times);
+bool po_prediction_too_large(po_prediction *p, po_panel panel, double times);
 
 /* The largest error of the predicted gap in the core, relative to 1 + H. Given: the solution;
  * guess, the predicted state at the nodes of the solution, or NULL if the nodes have changed. */

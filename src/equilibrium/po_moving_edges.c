@@ -27,6 +27,10 @@ static double blend(double x) {
   return x * x * x * (10.0 + x * (6.0 * x - 15.0));
 }
 
+static double blend_slope(double x) {
+  return 30.0 * x * x * (1.0 - x) * (1.0 - x);
+}
+
 /* Returned: the index of the first contact edge at or beyond r. */
 static size_t next_edge(const po_moving_edges *f, double r) {
   size_t low = 0, high = f->count;
@@ -40,39 +44,63 @@ static size_t next_edge(const po_moving_edges *f, double r) {
   return low;
 }
 
-double po_edge_displacement(const po_moving_edges *f, const double *shift, double r) {
+po_edge_place po_edge_find(const po_moving_edges *f, double r) {
+  po_edge_place p = {.r = r, .outer = next_edge(f, r), .count = f->count};
   if (f->count == 0)
-    return 0.0;
-  const size_t k = next_edge(f, r);
-  double from = 0.0,
-         value = 0.0; /* end of the last constant interval, and the displacement there */
-  if (k > 0) {
-    from = f->at[k - 1] + PLATEAU * neighbour_distance(f, k - 1);
-    value = shift[k - 1];
-    if (r <= from)
-      return value;
-  }
-  const bool last = k == f->count;
+    return p;
+  const size_t k = p.outer;
+  const double from = k > 0 ? f->at[k - 1] + PLATEAU * neighbour_distance(f, k - 1) : 0.0;
+  if (k > 0 && r <= from)
+    return p;
   const double begin =
-      last ? OUTER_END * f->at[k - 1] : f->at[k] - PLATEAU * neighbour_distance(f, k);
-  const double next = last ? 0.0 : shift[k];
-  return r < begin ? value + (next - value) * blend((r - from) / (begin - from)) : next;
+      k == f->count ? OUTER_END * f->at[k - 1] : f->at[k] - PLATEAU * neighbour_distance(f, k);
+  if (r < begin) {
+    const double x = (r - from) / (begin - from);
+    p.weight = blend(x);
+    p.weight_slope = blend_slope(x) / (begin - from);
+  } else {
+    p.weight = 1.0;
+  }
+  return p;
 }
 
-double po_edge_origin(const po_moving_edges *f, const double *shift, double r) {
-  double origin = r;
-  for (int k = 0; k < ITERATIONS; ++k) { /* contracts: the displacement's slope is below a half */
-    const double next = r - po_edge_displacement(f, shift, origin);
-    const double change = fabs(next - origin);
-    origin = next;
-    if (change <= 1e-15 * r)
-      break;
+static double inner_shift(const po_edge_place *p, const double *shift) {
+  return p->outer > 0 ? shift[p->outer - 1] : 0.0;
+}
+
+static double outer_shift(const po_edge_place *p, const double *shift) {
+  return p->outer < p->count ? shift[p->outer] : 0.0;
+}
+
+double po_edge_displacement(const po_edge_place *p, const double *shift) {
+  const double outer = outer_shift(p, shift);
+  if (!(p->weight < 1.0))
+    return outer;
+  const double inner = inner_shift(p, shift);
+  return inner + p->weight * (outer - inner);
+}
+
+/* Newton's method; where the curvature of the displacement hinders it, the iteration that contracts
+ * because the slope of the displacement is below a half. */
+po_edge_place po_edge_origin(const po_moving_edges *f, const double *shift, double r) {
+  po_edge_place p = po_edge_find(f, r);
+  double missing = -po_edge_displacement(&p, shift);
+  for (int k = 0; k < ITERATIONS && fabs(missing) > 1e-15 * r; ++k) {
+    const double slope = p.weight_slope * (outer_shift(&p, shift) - inner_shift(&p, shift));
+    po_edge_place next = po_edge_find(f, p.r + missing / (1.0 + slope));
+    double left = r - (next.r + po_edge_displacement(&next, shift));
+    if (fabs(left) > 0.5 * fabs(missing)) {
+      next = po_edge_find(f, p.r + missing);
+      left = r - (next.r + po_edge_displacement(&next, shift));
+    }
+    p = next;
+    missing = left;
   }
-  return origin;
+  return p;
 }
 
 static double strain(const po_moving_edges *f, const double *shift, size_t *where) {
-  double from = 0.0, value = 0.0, worst = 0.0; /* as in po_edge_displacement */
+  double from = 0.0, value = 0.0, worst = 0.0; /* as in po_edge_find */
   *where = 0;
   for (size_t k = 0; k <= f->count && f->count > 0; ++k) {
     const bool last = k == f->count;

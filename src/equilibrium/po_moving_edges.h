@@ -18,14 +18,27 @@ typedef struct {
   double rate[PO_MOST_MOVING_EDGES];
 } po_moving_edges;
 
-/* The displacement, eps, at radius r. It equals the shift of a contact edge in an interval about
+/* A radius between the contact edges outer - 1 and outer, of which there are `count`; the
+ * displacement there is (1 - weight) of the shift of the former and weight of that of the latter.
+ * The axis and the radii beyond the outermost edge do not move. */
+typedef struct {
+  double r; /* eps */
+  size_t outer, count;
+  double weight;
+  double weight_slope; /* d(weight)/dr, 1/eps */
+} po_edge_place;
+
+/* The place of a radius between the contact edges. */
+po_edge_place po_edge_find(const po_moving_edges *edges, double r);
+
+/* The displacement, eps, at a place. It equals the shift of a contact edge in an interval about
  * that edge, is blended between two edges, and is zero at the axis and beyond the outermost edge.
  * It is twice continuously differentiable in r and linear in the shifts. Given: shift, one value an
  * edge, eps. */
-double po_edge_displacement(const po_moving_edges *edges, const double *shift, double r);
+double po_edge_displacement(const po_edge_place *place, const double *shift);
 
-/* The radius that the displacement moves to r. Given: shifts with a strain below about a half. */
-double po_edge_origin(const po_moving_edges *edges, const double *shift, double r);
+/* The place that the displacement moves to r. Given: shifts with a strain below about a half. */
+po_edge_place po_edge_origin(const po_moving_edges *edges, const double *shift, double r);
 
 /* The strain: the largest modulus of the slope of the displacement. Below 1 the displaced radii
  * keep their order. */

@@ -33,6 +33,11 @@ bool po_equilibrium_is_narrow(const po_equilibrium *e) {
   return e->share < NARROW;
 }
 
+/* As fmax if a is a number; a call of fmax costs ten times as much. */
+static inline double greater(double a, double b) {
+  return b > a ? b : a;
+}
+
 /* border . (state - base): the condition of po_equilibrium_correct. */
 static double distance_of(const po_equilibrium *e, const double *state, const void *data) {
   const double *base = data;
@@ -76,14 +81,14 @@ void po_equilibrium_measure_noise(po_equilibrium *e, const double *state) {
   double *rounding = e->deflection, *change = e->scratch, part = 0.0;
   for (size_t j = 0; j < n; ++j) {
     const double size = SUM_ROUNDING * (fabs(e->initial_gap[j]) + fabs(state[n]) + fabs(state[j]));
-    part = fmax(part, size / po_law_size(law, state[j]));
+    part = greater(part, size / po_law_size(law, state[j]));
     rounding[j] = size * sign_of(j);
   }
   rounding[n] = 0.0;
   po_equilibrium_precondition(e, rounding, change);
   double noise = 0.0;
   for (size_t j = 0; j < n; ++j)
-    noise = fmax(noise, fabs(change[j]) / po_law_size(law, state[j]));
+    noise = greater(noise, fabs(change[j]) / po_law_size(law, state[j]));
   e->noise = noise;
   e->gain = noise / part;
 }
@@ -202,8 +207,8 @@ static po_status solve_linear(po_equilibrium *e, const double *unit, double prec
     for (size_t j = 0; j <= n; ++j) {
       solution[j] += change[j];
       const double one = unit && j < n ? unit[j] : 1.0;
-      largest = fmax(largest, fabs(change[j]) / one);
-      size = fmax(size, fabs(solution[j]) / one);
+      largest = greater(largest, fabs(change[j]) / one);
+      size = greater(size, fabs(solution[j]) / one);
     }
     ++e->work.tangent_iterations;
     note_change(&p, largest / size);

@@ -102,15 +102,23 @@ double po_solution_cosine(const po_solution *a, const po_solution *b) {
 }
 
 /* The derivative of the polynomial through nodal values, at the nodes of the unit interval. */
-static void differentiate(const po_panel_rule *rule, const double *value, double *derivative) {
+static void differentiate(const double *value, double *derivative) {
+  const po_panel_table *table = po_panel_table_get();
   for (size_t i = 0; i < PO_TABLE_ORDER; ++i) {
     double sum = 0.0;
     for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
-      if (j != i)
-        sum += rule->barycentric[j] / rule->barycentric[i] * (value[j] - value[i]) /
-               (rule->node[i] - rule->node[j]);
+      sum += table->derivative[i][j] * (value[j] - value[i]);
     derivative[i] = sum;
   }
+}
+
+/* Values that are processed together; a panel has a whole number of them. */
+enum { LANES = 4 };
+typedef double lanes __attribute__((vector_size(LANES * sizeof(double)), aligned(8), may_alias));
+_Static_assert(PO_TABLE_ORDER % LANES == 0, "");
+
+static double sum_of(lanes v) {
+  return (v[0] + v[1]) + (v[2] + v[3]);
 }
 
 /* Interpolates deflection, slope of the deflection, and tangent from the nodes of a panel by the
@@ -120,34 +128,40 @@ static po_solution_value interpolate(const po_solution *p, size_t first, double 
   const po_panel_rule *rule = &po_panel_table_get()->rule;
   const double *deflection = p->deflection + first, *slope = p->slope + first;
   const double *tangent = p->tangent + first;
-  double weight[PO_TABLE_ORDER], sum = 0.0;
-  po_solution_value v = {0.0, 0.0, 0.0};
-  for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
-    weight[j] = rule->barycentric[j] / (x - rule->node[j]);
-  for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
-    sum += weight[j];
-    v.gap += weight[j] * deflection[j];
-    v.slope += weight[j] * slope[j];
-    v.tangent += weight[j] * tangent[j];
+  lanes all = {0.0}, of_gap = {0.0}, of_slope = {0.0}, of_tangent = {0.0};
+  for (size_t j = 0; j < PO_TABLE_ORDER; j += LANES) {
+    const lanes weight =
+        *(const lanes *)(rule->barycentric + j) / (x - *(const lanes *)(rule->node + j));
+    all += weight;
+    of_gap += weight * *(const lanes *)(deflection + j);
+    of_slope += weight * *(const lanes *)(slope + j);
+    of_tangent += weight * *(const lanes *)(tangent + j);
   }
+  const double sum = sum_of(all);
   for (size_t j = 0; j < PO_TABLE_ORDER && !isfinite(sum); ++j)
     if (x == rule->node[j])
       return (po_solution_value){deflection[j], slope[j], tangent[j]};
-  return (po_solution_value){v.gap / sum, v.slope / sum, v.tangent / sum};
+  return (po_solution_value){sum_of(of_gap) / sum, sum_of(of_slope) / sum,
+                             sum_of(of_tangent) / sum};
 }
 
-po_solution_value po_solution_value_at(const po_solution *p, const po_scene *scene, double domain,
-                                       double r) {
+po_solution_value po_solution_value_near(const po_solution *p, const po_scene *scene, double domain,
+                                         double r, size_t *panel) {
   const double x = r / domain;
-  const size_t k = po_panels_find(p->panels, x);
-  const double begin = po_panel_begin(p->panels->panel[k]),
-               size = po_panel_size(p->panels->panel[k]);
-  const po_solution_value part = interpolate(p, k * PO_TABLE_ORDER, (x - begin) / size);
+  const size_t k = *panel = po_panels_find_near(p->panels, x, *panel);
+  const po_solution_value part =
+      interpolate(p, k * PO_TABLE_ORDER, po_panel_place(p->panels->panel[k], x));
   po_solution_value v = {0.0, 0.0, part.tangent};
   po_initial_gap_and_slope(scene, r, &v.gap, &v.slope);
   v.gap += part.gap;
   v.slope += part.slope;
   return v;
+}
+
+po_solution_value po_solution_value_at(const po_solution *p, const po_scene *scene, double domain,
+                                       double r) {
+  size_t panel = po_panels_find(p->panels, r / domain);
+  return po_solution_value_near(p, scene, domain, r, &panel);
 }
 
 typedef struct {
@@ -204,15 +218,14 @@ static void find_edges(po_solution *p, const po_scene *scene, const po_surface *
 static void fill_slope(po_solution *p, double domain) {
   for (size_t k = 0; k < p->panels->count; ++k) {
     const double size = domain * po_panel_size(p->panels->panel[k]);
-    differentiate(&po_panel_table_get()->rule, p->deflection + k * PO_TABLE_ORDER,
-                  p->slope + k * PO_TABLE_ORDER);
+    differentiate(p->deflection + k * PO_TABLE_ORDER, p->slope + k * PO_TABLE_ORDER);
     for (size_t i = 0; i < PO_TABLE_ORDER; ++i)
       p->slope[k * PO_TABLE_ORDER + i] /= size;
   }
   const size_t tail = p->panels->count * PO_TABLE_ORDER;
   if (tail == 0 || p->n == tail) /* a fixed mesh, or a cut surface */
     return;
-  differentiate(&po_panel_table_get()->rule, p->deflection + tail, p->slope + tail);
+  differentiate(p->deflection + tail, p->slope + tail);
   for (size_t j = tail; j < p->n; ++j) { /* by x = domain/r */
     const double x = domain / p->node[j];
     p->slope[j] *= -x * x / domain;

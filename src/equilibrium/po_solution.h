@@ -77,6 +77,10 @@ double po_solution_way(const po_solution *from, const po_solution *to);
 po_solution_value po_solution_value_at(const po_solution *p, const po_scene *scene, double domain,
                                        double r);
 
+/* The same. Given and returned: the panel of the last radius, which is likely to be near. */
+po_solution_value po_solution_value_near(const po_solution *p, const po_scene *scene, double domain,
+                                         double r, size_t *panel);
+
 /* The gap of a solution as a function of the radius, for po_gap_field: `data` is a
  * po_solution_field. */
 typedef struct {
