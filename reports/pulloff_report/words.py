@@ -20,7 +20,7 @@ QUANTITIES = {
     "pull_off_approach": "Approach at pull-off Δ†",
     "contact_radius": "Contact radius at pull-off, in ε",
     "residual": "Residual of the discrete equations",
-    "moved_force": "Relative change of the pull-off force when inputs change by their last bit",
+    "moved_force": "Change of the pull-off force when inputs change by their last bit, relative to the error estimates",
     "energy_defect": "Energy gained minus work done, relative to the range of the energy",
     "reverse_trace": "Folds of the reverse trace, difference relative to the error estimates",
     "fold_count": "Number of folds",

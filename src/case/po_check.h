@@ -14,7 +14,7 @@ typedef enum {
   PO_PULL_OFF_APPROACH,
   PO_CONTACT_RADIUS,   /* at pull-off */
   PO_RESIDUAL,         /* of the discrete equations, see po_diagnostics.h */
-  PO_MOVED_FORCE,      /* change of the force when the last bits of the inputs change */
+  PO_MOVED_FORCE,      /* its change with the last bits of the inputs, relative to its errors */
   PO_ENERGY_DEFECT,    /* error of the energy balance dU = W dΔ along the branch */
   PO_REVERSE_TRACE,    /* differences between the folds of the trace and of the reverse trace, see
                           po_reverse_trace.h */

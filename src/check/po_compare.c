@@ -42,7 +42,7 @@ double po_compare_obtained(po_quantity quantity, const po_result *result) {
   if (quantity == PO_RESIDUAL)
     return result->diagnostics.residual;
   if (quantity == PO_MOVED_FORCE)
-    return result->diagnostics.moved.change;
+    return result->diagnostics.moved.excess;
   if (quantity == PO_ENERGY_DEFECT)
     return result->diagnostics.energy_defect;
   if (quantity == PO_REVERSE_TRACE)

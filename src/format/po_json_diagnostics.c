@@ -31,6 +31,7 @@ static json_t *sensitivity_json(const po_diagnostics *d) {
 static json_t *moved_json(const po_moved *m) {
   return PO_JSON_OBJECT({"solves", po_json_count(m->solves)}, {"failed", po_json_count(m->failed)},
                         {"force_change", po_json_number(m->change)},
+                        {"force_excess", po_json_number(m->excess)},
                         {"force_change_predicted", po_json_number(m->predicted)},
                         {"digits_kept", po_json_number(po_digits_left(m->change))},
                         {"digits_predicted", po_json_number(po_digits_left(m->predicted))},
@@ -131,6 +132,7 @@ po_status po_json_read_diagnostics(const json_t *object, po_result *result) {
   d->moved = (po_moved){.solves = (size_t)po_json_count_of(moved, "solves"),
                         .failed = (size_t)po_json_count_of(moved, "failed"),
                         .change = po_json_read_number(moved, "force_change"),
+                        .excess = po_json_read_number(moved, "force_excess"),
                         .predicted = po_json_read_number(moved, "force_change_predicted"),
                         .folds = po_json_read_number(moved, "fold_change")};
   read_reverse_trace(json_object_get(object, "reverse_trace"), &d->reverse_trace);

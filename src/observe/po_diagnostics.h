@@ -26,6 +26,8 @@ typedef struct {
   size_t solves;    /* number of solves; 0: none was made */
   size_t failed;    /* number of these that failed */
   double change;    /* largest relative change of the pull-off force; NAN: none */
+  double excess;    /* largest change of the pull-off force over the sum of the error estimates of
+                       both solves; NAN: none, or not estimated */
   double predicted; /* bound of the same from the sensitivities, the residual and rounding; NAN:
                        none */
   double

@@ -20,7 +20,10 @@ static po_status move(const po_request *request, const po_result *result, po_mov
     ++moved->failed;
   } else {
     const double change = fabs(again.pull_off.force / result->pull_off.force - 1.0);
+    const double excess = fabs(again.pull_off.force - result->pull_off.force) /
+                          (again.pull_off.force_error + result->pull_off.force_error);
     moved->change = fmax(moved->change, change); /* the first is NaN */
+    moved->excess = fmax(moved->excess, excess);
     const double folds = change_of_folds(result, &again);
     if (!(folds <= moved->folds)) /* NaN stays */
       moved->folds = isnan(moved->folds) ? moved->folds : folds;

@@ -26,7 +26,7 @@ po_result po_result_none(void) {
                                      .energy_defect = NAN,
                                      .energy_defect_at = NAN,
                                      .reverse_trace = {.excess = NAN},
-                                     .moved = {.change = NAN, .predicted = NAN}}};
+                                     .moved = {.change = NAN, .excess = NAN, .predicted = NAN}}};
 }
 
 static const char *const CAUSES[] = {

@@ -66,7 +66,7 @@ for s in d["states"]:
     assert (s["condition"] > 1e4 * s["bordered_condition"]) == (s["at"] == "fold")
 assert 0 < d["residual"] < 1e-9 and d["undiagnosed"] == 0 and 0 < d["energy_defect"] < 1e-3
 assert set(d["sensitivity"]) == {"tabor", "amplitude", "wavelength", "radius", "residual", "rounding"}
-assert set(d["moved"]) == {"solves", "failed", "force_change", "force_change_predicted", "digits_kept",
+assert set(d["moved"]) == {"solves", "failed", "force_change", "force_excess", "force_change_predicted", "digits_kept",
                            "digits_predicted", "fold_change"}
 if d["reverse_trace"]:
     w = d["reverse_trace"]

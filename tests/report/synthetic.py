@@ -378,7 +378,7 @@ def diagnostics(tabor):
             "reverse_trace": {"status": "ok", "reason": "", "points": 40, "folds": 2, "extrema": 1, "same": tabor < 40,
                          "fold_approach_change": 1e-9, "fold_load_change": 2e-9, "extremum_approach_change": 1e-7,
                          "extremum_load_change": 1e-11, "excess": 0.037},
-            "moved": {"solves": 4, "failed": 0, "force_change": 2e-14, "force_change_predicted": 3e-15,
+            "moved": {"solves": 4, "failed": 0, "force_change": 2e-14, "force_excess": 1e-3, "force_change_predicted": 3e-15,
                       "digits_kept": 13.7, "digits_predicted": 14.5, "fold_change": 1e-13}}
 
 
