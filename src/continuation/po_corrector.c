@@ -94,6 +94,8 @@ static po_status factorize_at(po_corrector *c, const po_solution *from, const do
   po_status status = po_equilibrium_factorize(c->e, state, c->border);
   for (int k = 0; k < MOST_FACTORS && !status; ++k) {
     po_equilibrium_measure_noise(c->e, state);
+    while (po_equilibrium_correct_weak(c->e))
+      po_equilibrium_measure_noise(c->e, state);
     if (!po_equilibrium_is_coarse(c->e))
       break;
     status = po_equilibrium_factorize(c->e, state, c->border);

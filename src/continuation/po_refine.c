@@ -4,6 +4,7 @@
 
 #include "po_hermite.h"
 #include "po_initial_gap.h"
+#include "po_profile.h"
 
 enum { MOST_SOLVES = 5 };
 
@@ -56,6 +57,25 @@ static void split_waves(const po_resolution *r, po_panels *panels) {
   }
 }
 
+/* Halvings of the panel with the kink of the profile. The error of that panel goes as the square of
+ * its length, not as a high power, so one halving leaves too much of it. */
+enum { KINK_HALVINGS = 4 };
+
+/* Splits the panel inside which the profile has its kink. */
+static void split_kink(const po_resolution *r, po_panels *panels) {
+  const po_profile *profile = &r->e->scene->profile;
+  const double at = po_profile_kink(profile) / r->domain;
+  for (int halving = 0; halving < KINK_HALVINGS && at > 0.0 && at < 1.0; ++halving) {
+    bool split[PO_MOST_PANELS] = {false};
+    const size_t k = po_panels_find(panels, at);
+    const po_panel panel = panels->panel[k];
+    split[k] = po_profile_has_kink_between(profile, r->domain * po_panel_begin(panel),
+                                           r->domain * po_panel_end(panel));
+    if (!split[k] || !po_panels_split(panels, split))
+      return;
+  }
+}
+
 /* The finer mesh: panels of p whose excess is above a part of the largest are halved, panels of
  * several waves are split. The last panel of a cut surface is always halved: the deflection has an
  * infinite slope at the end of the traction, which the excess does not show. */
@@ -74,6 +94,7 @@ static bool finer_panels(const po_resolution *r, const po_solution *p, double pa
   if (!po_panels_split(panels, split))
     return false;
   split_waves(r, panels);
+  split_kink(r, panels);
   return true;
 }
 

@@ -60,6 +60,9 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
   bool had = true;
   for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
     had = (*vectors[k] = po_reserve(capacity + 1, sizeof(double))) && had;
+  e->weak = po_reserve(PO_MOST_WEAK * (capacity + 1), sizeof *e->weak);
+  e->weak_functional = po_reserve(PO_MOST_WEAK * (capacity + 1), sizeof *e->weak_functional);
+  had = e->weak && e->weak_functional && had;
   e->index = po_reserve(capacity, sizeof *e->index);
   if (surface->hierarchy)
     had = !po_elimination_create(surface->hierarchy, &e->elimination) && had;
@@ -78,9 +81,10 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
 void po_equilibrium_destroy(po_equilibrium *e) {
   if (!e)
     return;
-  double *const vectors[] = {e->initial_gap, e->traction, e->slope,   e->deflection, e->border,
-                             e->right,       e->scratch,  e->measure, e->column,     e->row,
-                             e->change,      e->response, e->source};
+  double *const vectors[] = {e->initial_gap, e->traction, e->slope,          e->deflection,
+                             e->border,      e->right,    e->scratch,        e->measure,
+                             e->column,      e->row,      e->change,         e->response,
+                             e->source,      e->weak,     e->weak_functional};
   for (size_t k = 0; k < sizeof vectors / sizeof *vectors; ++k)
     free(vectors[k]);
   po_secant_free(&e->secant);
@@ -265,6 +269,7 @@ static double change_row(po_equilibrium *e) {
 
 void po_equilibrium_change_border(po_equilibrium *e, const double *border) {
   memcpy(e->border, border, (e->n + 1) * sizeof *border);
+  e->weak_count = 0;
   const double ratio =
       e->elimination ? po_elimination_border(e->elimination, border) / e->pivot : change_row(e);
   e->factorized = ratio > LEAST_PIVOT;
@@ -334,6 +339,7 @@ po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const
   po_secant_clear(&e->secant, e->n + 1);
   for (size_t j = 0; j < e->n; ++j)
     e->secant.scale[j] = po_law_size(&e->scene->law, state[j]);
+  e->weak_count = 0;
   e->neglect = neglect_of(e);
   e->factors.in_double = e->gain > GAIN_OF_DOUBLE;
   const po_status status = e->elimination ? factorize_panels(e) : factorize_dense(e);
@@ -351,6 +357,9 @@ void po_equilibrium_precondition(po_equilibrium *e, const double *residual, doub
   if (e->elimination) {
     memcpy(change, residual, (n + 1) * sizeof *change);
     po_elimination_solve(e->elimination, change);
+    for (size_t k = 0; k < e->weak_count * (n + 1); k += n + 1)
+      po_linear_add(n + 1, po_linear_dot(n + 1, e->weak_functional + k, change), e->weak + k,
+                    change);
     return;
   }
   for (size_t a = 0; a < m; ++a)

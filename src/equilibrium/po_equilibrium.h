@@ -39,6 +39,9 @@ typedef struct {
   uint64_t meshes;           /* changes of the mesh */
 } po_solve_work;
 
+/* The largest number of directions in which factors are corrected. */
+enum { PO_MOST_WEAK = 4 };
+
 typedef struct {
   const po_scene *scene;
   const po_surface *surface;
@@ -75,8 +78,11 @@ typedef struct {
   double noise; /* change of a gap, relative to 1 + H, by the rounding of Eq 15: of the state of the
                    last factorisation, po_equilibrium_measure_noise */
   double gain;  /* its ratio to that rounding, relative to 1 + H */
-  int double_left;  /* factorisations that are to be in double precision */
-  po_secant secant; /* Broyden's updates since the factorisation */
+  int double_left; /* factorisations that are to be in double precision */
+  double *weak,
+      *weak_functional; /* (n + 1) x PO_MOST_WEAK: u and v of po_equilibrium_correct_weak */
+  size_t weak_count;    /* corrections of the present factors by these */
+  po_secant secant;     /* Broyden's updates since the factorisation */
   bool factorized;
   int orientation; /* sign of the determinant of the factorised matrix */
   po_solve_work work;
@@ -146,6 +152,12 @@ void po_equilibrium_measure_noise(po_equilibrium *e, const double *state);
 /* Asks for the next factors on panels in double precision, after an iteration was too slow near a
  * solution. Returned: whether the present ones are in single precision. */
 bool po_equilibrium_distrust_single(po_equilibrium *e);
+
+/* Corrects the factors of panels in the direction in which they respond most, by the product of the
+ * Jacobian with it, if they are wrong there. Called after po_equilibrium_measure_noise, which finds
+ * the direction. Returned: whether they were corrected; noise and gain must then be measured
+ * again. */
+bool po_equilibrium_correct_weak(po_equilibrium *e);
 
 /* Whether the gain asks for factors that are more accurate than the present ones. */
 bool po_equilibrium_is_coarse(const po_equilibrium *e);

@@ -5,6 +5,7 @@
 
 #include "po_initial_gap.h"
 #include "po_law.h"
+#include "po_profile.h"
 
 enum { LAST_COEFFICIENTS = 3, MOST_DEPTH = 6 };
 
@@ -53,6 +54,10 @@ static double change_along(const po_resolution *r, double begin, double end) {
   return rise + (end - begin) * sqrt(M_PI * r->e->coupling / (begin + end));
 }
 
+/* Factor of the excess of a panel that has the kink of the profile inside. Its Legendre
+ * coefficients fall slowly, so that the last of them are a small part of its error. */
+static const double KINK_EXCESS = 30.0;
+
 /* The excess of a panel. A traction of high degree deflects the surface on the panel by its
  * amplitude times the length of the panel over the degree; this changes the solution as far as the
  * traction there depends on the gap. Where the surfaces are pressed together the gap is nearly
@@ -74,7 +79,10 @@ static double excess_of(const po_resolution *r, double begin, double end, const 
   const double stiffness = response * r->e->coupling * length / (PO_TABLE_ORDER * PO_TABLE_ORDER);
   const double local = felt * r->e->coupling * length * last / PO_TABLE_ORDER / (1.0 + stiffness);
   const double allowed = fmin(r->allowed.gap, RIPPLE * change_along(r, begin, end));
-  return fmax(local / allowed, ring * last * last / (largest + 1e-300) / r->allowed.load);
+  const double excess =
+      fmax(local / allowed, ring * last * last / (largest + 1e-300) / r->allowed.load);
+  return po_profile_has_kink_between(&r->e->scene->profile, begin, end) ? KINK_EXCESS * excess
+                                                                        : excess;
 }
 
 void po_resolution_excesses(const po_resolution *r, const po_panels *panels, const double *gap,

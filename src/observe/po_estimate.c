@@ -55,6 +55,17 @@ static po_contact_edge edge_of(const po_request *request, double domain, const p
   return (po_contact_edge){po_contact_radius(&gap), NAN, NAN};
 }
 
+/* The error of the contact radius by the error of the place on the branch. At an extremum of the
+ * load the approach, at a fold the load, has an error of the first order in that of the place. */
+static double edge_error_of_place(const po_branch_point *p) {
+  const po_solution *best = p->best;
+  const bool of_load = p->kind == PO_POINT_LOAD_MIN || p->kind == PO_POINT_LOAD_MAX;
+  const double rate = of_load ? best->tangent[best->n] : best->load_rate;
+  const double error = of_load ? p->approach_error : p->load_error;
+  const size_t edges = best->edges.count;
+  return edges > 0 && rate != 0.0 ? error * fabs(best->edges.rate[edges - 1] / rate) : 0.0;
+}
+
 /* Error of the energy of a rigid scene, see po_rigid_energy. */
 static const double RIGID_ENERGY = 1e-10;
 
@@ -77,6 +88,7 @@ po_estimate po_estimate_of(const po_request *request, double domain, const po_br
     e.energy_error = OF_CHANGE * change_of_energy(p);
   if (p->best) {
     const po_far_field far = po_far_field_error(&request->scene, domain, p->best);
+    e.edge.error = fmax(e.edge.error, edge_error_of_place(p));
     e.approach_error += far.approach;
     e.load_error += far.load;
     e.far_load_error = far.load;

@@ -51,9 +51,10 @@ double po_observe_domain(const po_scene *scene, double core) {
   if (isfinite(scene->outer_radius))
     return core;
   const double kink = po_profile_kink(&scene->profile);
-  if (!isnan(kink) && !po_scene_is_wavy(scene))
-    return with_kink(kink, core);
-  return po_averaging_radius(scene, po_averaging_phase(scene, core));
+  const double averaging = po_averaging_radius(scene, po_averaging_phase(scene, core));
+  /* the phase of the waves at the end of the domain matters unless nothing acts beyond */
+  const bool free = !po_scene_is_wavy(scene) || isinf(po_law_far_field(&scene->law).exponent);
+  return !isnan(kink) && free ? with_kink(kink, averaging) : averaging;
 }
 
 /* Greatest contact radius on an unbounded surface, relative to the radius of the domain: beyond,

@@ -165,6 +165,14 @@ double po_profile_kink(const po_profile *profile) {
   return kind_of(profile)->kink ? kind_of(profile)->kink(profile) : (double)NAN;
 }
 
+/* Part of an interval beside its ends within which a kink is at the end. */
+static const double AT_END = 1e-9;
+
+bool po_profile_has_kink_between(const po_profile *profile, double begin, double end) {
+  const double kink = po_profile_kink(profile), beside = AT_END * (end - begin);
+  return kink > begin + beside && kink < end - beside;
+}
+
 double po_profile_next_joint(const po_profile *profile, double r) {
   if (kind_of(profile)->next_joint)
     return kind_of(profile)->next_joint(profile, r);

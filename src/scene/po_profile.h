@@ -110,6 +110,8 @@ double po_profile_next_joint(const po_profile *profile, double r);
 
 /* The radius at which the slope or the curvature of f jumps; NAN if there is none. */
 double po_profile_kink(const po_profile *profile);
+/* Returned: whether the kink is between two radii, and at neither of them but for rounding. */
+bool po_profile_has_kink_between(const po_profile *profile, double begin, double end);
 
 /* N, with f ~ r^N far out. */
 double po_profile_growth(const po_profile *profile);
