@@ -1,5 +1,6 @@
 #include "po_equilibrium.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -295,6 +296,18 @@ bool po_equilibrium_distrust_single(po_equilibrium *e) {
   return true;
 }
 
+/* Whether factors on panels in single precision would not do. The sum of all measures is about
+ * twice the largest row sum of the interactions. In single precision they are rounded, which must
+ * be little beside the unit matrix: where the surfaces are pressed together on a wide area, the
+ * tractions that the solution needs nearly cancel, and the smallest singular values are of order
+ * one. */
+static bool needs_double(const po_equilibrium *e, size_t panels) {
+  double sum = 0.0;
+  for (size_t k = 0; k < panels; ++k)
+    sum += e->measure[k];
+  return e->double_left > 0 || e->gain > GAIN_OF_DOUBLE || FLT_EPSILON * sum > 1.0;
+}
+
 /* Panels whose measures add up to `neglect` are left out of the factors. */
 static po_status factorize_panels(po_equilibrium *e) {
   const size_t panels = e->n / PO_TABLE_ORDER;
@@ -310,7 +323,7 @@ static po_status factorize_panels(po_equilibrium *e) {
   for (size_t k = 0; k < active; ++k)
     for (size_t j = e->index[k] * PO_TABLE_ORDER, i = 0; i < PO_TABLE_ORDER; ++i)
       e->scratch[j + i] = factor * e->slope[j + i];
-  const bool in_double = e->double_left > 0 || e->gain > GAIN_OF_DOUBLE;
+  const bool in_double = needs_double(e, panels);
   if (e->double_left > 0)
     --e->double_left;
   const po_status status = po_elimination_factorize(e->elimination, e->scratch, in_double);

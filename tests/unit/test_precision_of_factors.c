@@ -1,5 +1,5 @@
 /* When the factors of panels are in double precision: where the growth of rounding, the gain of
- * rounding or a slow iteration asks for it, and not otherwise. */
+ * rounding, the size of the interactions or a slow iteration asks for it, and not otherwise. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,10 +23,10 @@ static const double APPROACH = -1.0;
 
 /* A sphere of small Tabor parameter, not yet in contact, on equal panels of a cut surface: there is
  * one equilibrium. */
-static void set_up(fixture *f) {
+static void set_up_scene(fixture *f, double tabor, double outer_radius) {
   memset(f, 0, sizeof *f);
-  f->scene = (po_scene){.tabor = 0.5, .radius = 100.0, .outer_radius = 40.0};
-  ck_assert_int_eq(po_adaptive_create(&f->scene, 40.0, LEVEL, &f->panels), PO_OK);
+  f->scene = (po_scene){.tabor = tabor, .radius = 100.0, .outer_radius = outer_radius};
+  ck_assert_int_eq(po_adaptive_create(&f->scene, outer_radius, LEVEL, &f->panels), PO_OK);
   const po_surface *s = po_adaptive_surface(f->panels);
   ck_assert_uint_eq(s->n, NODES);
   ck_assert_int_eq(po_equilibrium_create(&f->scene, s, NODES, &f->e), PO_OK);
@@ -34,6 +34,10 @@ static void set_up(fixture *f) {
     f->state[j] = po_initial_gap(&f->scene, s->node[j]) - APPROACH;
   f->state[NODES] = APPROACH;
   f->border[NODES] = 1.0;
+}
+
+static void set_up(fixture *f) {
+  set_up_scene(f, 0.5, 40.0);
 }
 
 static void tear_down(fixture *f) {
@@ -161,6 +165,37 @@ START_TEST(gain_of_rounding_asks_for_double) {
 }
 END_TEST
 
+/* The largest error of the factors in the contact, radius `contact`, for a change of 1 of all gaps
+ * at given approach: of precondition(J change). */
+static double error_of_smooth_change(fixture *f, double contact) {
+  po_equilibrium *e = f->e;
+  double product[NODES + 1], change[NODES + 1], worst = 0.0;
+  po_equilibrium_deflect(e, e->slope, product);
+  for (size_t j = 0; j < NODES; ++j)
+    product[j] = 1.0 - product[j];
+  product[NODES] = 0.0;
+  po_equilibrium_precondition(e, product, change);
+  for (size_t j = 0; e->surface->node[j] < contact; ++j)
+    worst = fmax(worst, fabs(change[j] - 1.0));
+  return worst;
+}
+
+/* Surfaces pressed together on a wide soft area: the interactions are 1e9 times the unit matrix,
+ * and tractions that nearly cancel give the change of the gap. In single precision the factors
+ * would miss it by a factor of 600. At mu = 1 single precision suffices. */
+START_TEST(large_interactions_ask_for_double) {
+  static const double CONTACT = 687.5, END = 1000.0, APART = 100.0, TABOR[] = {1.0, 1e4};
+  fixture f;
+  set_up_scene(&f, TABOR[_i], END);
+  for (size_t j = 0; j < NODES; ++j)
+    f.state[j] = f.e->surface->node[j] < CONTACT ? 0.0 : APART;
+  ck_assert_int_eq(po_equilibrium_factorize(f.e, f.state, f.border), PO_OK);
+  ck_assert(po_elimination_is_double(f.e->elimination) == (_i == 1));
+  ck_assert_double_lt(error_of_smooth_change(&f, CONTACT), 0.1);
+  tear_down(&f);
+}
+END_TEST
+
 /* After an iteration that was too slow, some factorisations are in double precision. */
 START_TEST(distrust_asks_for_double) {
   fixture f;
@@ -184,6 +219,7 @@ END_TEST
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, growth_of_rounding_asks_for_double, 0, 2);
   tcase_add_test(tests, gain_of_rounding_asks_for_double);
+  tcase_add_loop_test(tests, large_interactions_ask_for_double, 0, 2);
   tcase_add_test(tests, distrust_asks_for_double);
 }
 
