@@ -158,6 +158,7 @@ po_status po_continuation_reverse(po_continuation *t, po_branch_visit visit_back
   t->options.data = data;
   t->options.station[0] = t->options.station[1] = t->options.end = NAN;
   t->step = FIRST_STEP;
+  t->error_factor = NAN;
   t->has_previous = t->ended = false;
   t->back = true;
   t->points = 0;
@@ -184,6 +185,7 @@ po_status po_continuation_create(po_equilibrium *equilibrium, po_adaptive *adapt
     return PO_NO_MEMORY;
   t->options = *options;
   t->step = FIRST_STEP;
+  t->error_factor = NAN;
   po_solution *points[MOST_POINTS_KEPT];
   const size_t count = points_of(t, points);
   po_status status = po_corrector_allocate(&t->c, equilibrium, adaptive);

@@ -26,17 +26,20 @@ static bool serves_inner_mesh(const po_continuation *t, double at) {
 }
 
 /* Solves for a point between t->current and t->next. */
-static po_status solve_inner(void *data, double at, po_sample *sample) {
+static po_status solve_inner(void *data, double at, bool roughly, po_sample *sample) {
   po_continuation *t = data;
   const double whole = po_solution_progress(&t->current, &t->next);
+  const double precision = roughly && po_continuation_moves(t)
+                               ? po_continuation_tangent_precision(t, whole)
+                               : t->c.e->precision;
   po_status status;
   if (fabs(at - t->inner_at) < ON_TANGENT * whole && serves_inner_mesh(t, at)) {
     guess_on_tangent(t, at);
-    status = po_continuation_solve_guessed(t, at, &t->inner);
+    status = po_continuation_solve_guessed(t, at, precision, &t->inner);
   } else {
     po_prediction p;
     po_prediction_make(t->c.e->scene, t->c.domain, &t->current, &t->next, at, &p);
-    status = po_continuation_solve(t, &p, at, true, t->c.e->precision, &t->inner, NULL);
+    status = po_continuation_solve(t, &p, at, true, precision, &t->inner, NULL);
   }
   t->inner_at = status ? (double)NAN : at;
   if (status)

@@ -17,6 +17,7 @@ struct po_continuation {
   po_solution previous, current, next, inner, spare, at_event[PO_MOST_EVENTS];
   po_events events;
   double step;
+  double error_factor; /* of the last step: error over (step (step + previous step))^2; NAN: none */
   double inner_at; /* value of the arclength functional at `inner`, which is on the current mesh;
                       NAN: none */
   bool has_previous, ended;
@@ -48,7 +49,11 @@ po_status po_continuation_solve(po_continuation *t, po_prediction *p, double dis
                                 double precision, po_solution *out, double *error);
 
 /* The same from the guess of the corrector, with the present factors. */
-po_status po_continuation_solve_guessed(po_continuation *t, double distance, po_solution *out);
+po_status po_continuation_solve_guessed(po_continuation *t, double distance, double precision,
+                                        po_solution *out);
+
+/* Precision of the tangents in a step of this length. */
+double po_continuation_tangent_precision(const po_continuation *t, double step);
 
 /* One step, from t->current to t->next, with as many attempts as necessary, and its events. Status:
  * PO_STEP_TOO_SMALL; PO_OUT_OF_NODES. */

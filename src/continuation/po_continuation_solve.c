@@ -104,6 +104,7 @@ po_status po_continuation_solve(po_continuation *t, po_prediction *p, double dis
   return status;
 }
 
-po_status po_continuation_solve_guessed(po_continuation *t, double distance, po_solution *out) {
-  return solve_resolved(t, distance, true, t->c.e->precision, out);
+po_status po_continuation_solve_guessed(po_continuation *t, double distance, double precision,
+                                        po_solution *out) {
+  return solve_resolved(t, distance, true, precision, out);
 }

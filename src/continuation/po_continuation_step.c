@@ -11,6 +11,11 @@ static const double AIMED_ERROR = 0.01, GREATEST_ERROR = 0.05;
  * eps apart at mu = 1, A = 0.4, lambda = 10, approach 26.6, where the contact edge passes a crest.
  */
 static const double GREATEST_ERROR_OF_WAVES = 0.03;
+/* First change of Newton's method, relative to the greatest error, at which an attempt is given up.
+ */
+static const double FAR_GUESS = 1.25;
+/* Greatest growth of the factor of the error from one step to the next that is expected. */
+static const double GREATEST_INCREASE = 4.0;
 /* Greatest ratio of the lengths of successive steps. */
 static const double GREATEST_GROWTH = 2.0;
 /* Least cosine of the angle between the directions at both ends of a step. */
@@ -29,16 +34,24 @@ typedef struct {
   bool met;    /* an equilibrium was found */
 } attempt;
 
+static double greatest_error(const po_continuation *t) {
+  return po_scene_is_simple(t->c.e->scene) ? GREATEST_ERROR : GREATEST_ERROR_OF_WAVES;
+}
+
 /* The length of a step with the aimed error, from the error of the step just made. The error of the
  * tangent goes as the square of the length; that of the cubic as the square of the length times the
- * distance from the previous point. */
-static double next_step(const po_continuation *t, const po_prediction *p, double step,
-                        double error) {
-  const double ratio = sqrt(AIMED_ERROR / fmax(error, 1e-30));
+ * distance from the previous point, times a factor that changes along the branch: where it grows,
+ * it is expected to grow once more as it did in the last step. */
+static double next_step(po_continuation *t, const po_prediction *p, double step, double error) {
+  const double known = t->error_factor, ratio = sqrt(AIMED_ERROR / fmax(error, 1e-30));
+  t->error_factor = NAN;
   if (!p->cubic)
     return step * fmin(ratio, GREATEST_GROWTH);
   const double before = fabs(po_solution_progress(&t->current, &t->previous));
-  const double product = ratio * step * (step + before);
+  const double way = step * (step + before);
+  t->error_factor = po_continuation_moves(t) ? error / (way * way) : (double)NAN;
+  const double growth = isnan(known) ? 1.0 : t->error_factor / known;
+  const double product = ratio * way / sqrt(fmax(1.0, fmin(growth, GREATEST_INCREASE)));
   const double longer = 0.5 * (sqrt(step * step + 4.0 * product) - step);
   return fmin(longer, GREATEST_GROWTH * step);
 }
@@ -65,8 +78,7 @@ static const double EDGE_ERROR = 1e-5;
  * is then right to 1e-5 at a Tabor parameter of 10,000. */
 static const double SCALED_TANGENT = 1e-9;
 
-/* The precision of the tangent at the end of a step. */
-static double tangent_precision(const po_continuation *t, double step) {
+double po_continuation_tangent_precision(const po_continuation *t, double step) {
   if (po_equilibrium_is_narrow(t->c.e))
     return SCALED_TANGENT;
   double way = 0.0; /* of the contact edges in the step, in their widths */
@@ -88,15 +100,17 @@ static po_status try_step(po_continuation *t, double step, attempt *a) {
   if (!(a->step > 0.0))
     return PO_NOT_CONVERGED;
   double error;
-  po_status status = po_continuation_solve(t, &p, a->step, !po_continuation_moves(t),
-                                           tangent_precision(t, a->step), &t->next, &error);
+  if (po_continuation_moves(t)) /* the factors are new, so that the first change is the error */
+    t->c.farthest = FAR_GUESS * greatest_error(t);
+  po_status status =
+      po_continuation_solve(t, &p, a->step, !po_continuation_moves(t),
+                            po_continuation_tangent_precision(t, a->step), &t->next, &error);
+  t->c.farthest = INFINITY;
   if (status)
     return status;
   a->met = true;
   t->next.position = t->current.position + po_solution_way(&t->current, &t->next);
-  const bool wavy = !po_scene_is_simple(t->c.e->scene);
-  if (error > (wavy ? GREATEST_ERROR_OF_WAVES : GREATEST_ERROR) ||
-      po_solution_cosine(&t->current, &t->next) < LEAST_COSINE) {
+  if (error > greatest_error(t) || po_solution_cosine(&t->current, &t->next) < LEAST_COSINE) {
     a->next = a->step * fmax(0.25, fmin(0.7, pow(AIMED_ERROR / error, 0.25)));
     return PO_NOT_CONVERGED;
   }

@@ -1,5 +1,6 @@
 #include "po_corrector.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -20,7 +21,8 @@ po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive 
                       .adaptive = adaptive,
                       .domain = e->surface->core_radius,
                       .capacity = e->n,
-                      .direction = 1};
+                      .direction = 1,
+                      .farthest = INFINITY};
   if (adaptive) {
     c->domain = po_adaptive_domain(adaptive);
     c->capacity = po_adaptive_capacity(adaptive);
@@ -118,9 +120,10 @@ void po_corrector_aim(po_corrector *c, const po_solution *from) {
 static po_status correct(po_corrector *c, const po_solution *from, double distance, bool fresh,
                          po_solution *out) {
   const place along = {from, c->coordinate};
-  const po_constraint constraint = {functional_progress, &along, distance};
+  const po_constraint constraint = {functional_progress, &along, distance, c->farthest};
+  const double greatest = fmin(NEAR, c->farthest);
   po_status status = po_equilibrium_correct_to(c->e, out->state, &constraint);
-  for (int k = 0; status && k < MOST_RENEWALS && c->e->last_change < NEAR; ++k) {
+  for (int k = 0; status && k < MOST_RENEWALS && c->e->last_change < greatest; ++k) {
     if ((fresh || k > 0) && c->e->last_change < LINEAR)
       po_equilibrium_distrust_single(c->e);
     if (factorize_at(c, from, out->state))

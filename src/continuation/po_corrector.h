@@ -17,6 +17,8 @@ typedef struct {
   double *border, *guess; /* capacity + 1 */
   double *coordinate;     /* capacity + 1: work, coordinates of the arclength */
   int direction;          /* of the trace: 1 forward, -1 reverse */
+  double farthest;        /* error of a guess, relative to 1 + H, above which a solve is given up;
+                             INFINITY: only if it does not converge */
   po_status trouble; /* status of a failure that no shorter step avoids, as of a mesh with too many
                         panels */
 } po_corrector;

@@ -38,12 +38,13 @@ static void drop(po_prediction *p, size_t first, size_t end) {
 }
 
 /* Removes the two contact edges with the largest strain between them, or the innermost one if it
- * closes at the axis. Returned: false if only the outermost edge could be removed. */
+ * closes at the axis, or the last one, whose strain is the same on both sides. Returned: false if
+ * only the outermost of several edges could be removed. */
 static bool drop_tightest(po_prediction *p) {
   const size_t second = po_edge_tightest(&p->edges, p->shift);
-  if (p->edges.count <= 1 || second == p->edges.count)
+  if (p->edges.count > 1 && second == p->edges.count)
     return false;
-  drop(p, second > 0 ? second - 1 : 0, second + 1);
+  drop(p, second > 1 ? second - 1 : 0, p->edges.count == 1 ? 1 : second + 1);
   return true;
 }
 

@@ -78,6 +78,25 @@ static double longest_way(const po_sample *a, const po_sample *b, unsigned adjoi
   return adjoins == NEITHER ? INFINITY : BESIDE_BIRTH_WAY;
 }
 
+/* If a rate is below this part of those at the ends, its sign decides on which side of the sample a
+ * root is sought, and it is computed precisely. */
+static const double NEAR_ROOT = 0.01;
+
+static bool is_near_root(const po_sample *a, const po_sample *b, const po_sample *middle) {
+  for (po_event_kind q = PO_OF_APPROACH; q <= PO_OF_LOAD; ++q)
+    if (fabs(middle->rate[q]) < NEAR_ROOT * fmax(fabs(a->rate[q]), fabs(b->rate[q])))
+      return true;
+  return false;
+}
+
+static po_status solve_middle(const po_interval *interval, const po_sample *a, const po_sample *b,
+                              po_sample *middle) {
+  const double at = 0.5 * (a->at + b->at);
+  const po_status status = interval->solve(interval->data, at, true, middle);
+  return !status && is_near_root(a, b, middle) ? interval->solve(interval->data, at, false, middle)
+                                               : status;
+}
+
 /* Collects the events between two samples. Halves the interval while it is too long or extrema are
  * suspected in it. */
 static po_status collect(const po_interval *interval, const po_sample *a, const po_sample *b,
@@ -87,13 +106,13 @@ static po_status collect(const po_interval *interval, const po_sample *a, const 
   if (!split || splits == MOST_SPLITS)
     return collect_between(interval, a, b, found);
   po_sample middle;
-  po_status status = interval->solve(interval->data, 0.5 * (a->at + b->at), &middle);
+  const po_status status = solve_middle(interval, a, b, &middle);
   if (status)
     return status;
   const unsigned first = (adjoins & BEGINNING) | (changes_annuli(&middle, b) ? ENDING : NEITHER);
   const unsigned second = (adjoins & ENDING) | (changes_annuli(a, &middle) ? BEGINNING : NEITHER);
-  status = collect(interval, a, &middle, first, splits + 1, found);
-  return status ? status : collect(interval, &middle, b, second, splits + 1, found);
+  const po_status before = collect(interval, a, &middle, first, splits + 1, found);
+  return before ? before : collect(interval, &middle, b, second, splits + 1, found);
 }
 
 /* The function of the event, evaluated on the cubic between two samples. */
@@ -129,6 +148,21 @@ static double root_on_cubic(const po_interval *interval, po_event_kind of, const
   return 0.5 * (low + high);
 }
 
+/* If the rounding of values between two samples is above this part of their difference by the
+ * rates, the cubic tells less than the rates. */
+static const double ROUNDED = 1e-3;
+
+/* Where to solve next: at the root of the cubic between the ends of the bracket, or, if they are so
+ * close together that their values are rounded, at the root of the line through their rates. */
+static double next_place(const po_interval *interval, po_event_kind of, const po_sample *low,
+                         const po_sample *high) {
+  const double f_low = event_value(interval, of, low), f_high = event_value(interval, of, high);
+  const double length = high->at - low->at, by_rates = fmax(fabs(f_low), fabs(f_high)) * length;
+  if (of <= PO_OF_LOAD && interval->precision * (1.0 + fabs(low->value[of])) > ROUNDED * by_rates)
+    return low->at + length * f_low / (f_low - f_high);
+  return root_on_cubic(interval, of, low, high);
+}
+
 bool po_special_point_is_close(const po_sample *sample, po_event_kind of, double distance,
                                double precision) {
   return 0.5 * fabs(sample->rate[of] * distance) <= precision * (1.0 + fabs(sample->value[of]));
@@ -142,18 +176,18 @@ static bool is_close(const po_interval *interval, const po_event *ev) {
   return po_special_point_is_close(&ev->here, ev->of, ev->left, interval->precision);
 }
 
-/* Locates an event: repeatedly solves for the equilibrium at the root of the cubic between the ends
- * of the bracket; every HALVING-th time at the middle of the bracket. If rounding prevents a closer
- * location, the precision of the solutions decides. */
+/* Locates an event: repeatedly solves for the equilibrium where next_place expects it; every
+ * HALVING-th time, unless the distance has just fallen to a tenth, at the middle of the bracket. If
+ * rounding prevents a closer location, the precision of the solutions decides. */
 static po_status locate(const po_interval *interval, po_event *ev) {
   po_sample low = ev->low, high = ev->high, last = {.at = NAN};
   double f_last = NAN;
+  bool slow = true;
   for (int k = 0; k < MOST_ROOT_STEPS; ++k) {
-    const bool halve = k % HALVING == HALVING - 1;
-    const double at =
-        halve ? 0.5 * (low.at + high.at) : root_on_cubic(interval, ev->of, &low, &high);
+    const bool halve = slow && k % HALVING == HALVING - 1;
+    const double at = halve ? 0.5 * (low.at + high.at) : next_place(interval, ev->of, &low, &high);
     po_sample s;
-    const po_status status = interval->solve(interval->data, at, &s);
+    const po_status status = interval->solve(interval->data, at, false, &s);
     if (status)
       return k > 0 && is_close(interval, ev) ? PO_OK : status;
     const double f = event_value(interval, ev->of, &s);
@@ -168,6 +202,7 @@ static po_status locate(const po_interval *interval, po_event *ev) {
     if (k > 0)
       left = fmin(left, fabs(f * (at - last.at) / (f - f_last)));
     const bool nearer = k < LEAST_ROOT_STEPS || left < 0.5 * ev->left;
+    slow = k == 0 || !(left < 0.1 * ev->left);
     ev->left = left;
     if (left < (ev->of <= PO_OF_LOAD ? PO_LOCATED : ARRIVED) || fabs(high.at - low.at) < PO_LOCATED)
       return PO_OK;

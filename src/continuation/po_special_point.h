@@ -53,8 +53,9 @@ typedef struct {
 /* Access to the points between two points of a branch. */
 typedef struct {
   void *data;
-  po_status (*solve)(void *data, double at,
-                     po_sample *sample); /* solves for the equilibrium at a parameter */
+  /* solves for the equilibrium at a parameter; roughly: the tangent need not be more precise
+   * than at the ends of a step */
+  po_status (*solve)(void *data, double at, bool roughly, po_sample *sample);
   void (*keep)(void *data,
                size_t place); /* keeps the last solution under an index, replacing an earlier one */
   const double *station;      /* PO_STATIONS approaches, eps; NAN: none */

@@ -189,6 +189,8 @@ typedef struct {
   double (*value)(const po_equilibrium *e, const double *state, const void *data);
   const void *data;
   double target;
+  double farthest; /* change of a gap in one iteration, relative to 1 + H, above which the iteration
+                      is given up; INFINITY: only if it does not converge */
 } po_constraint;
 
 /* The same for any condition. The current border must approximate the gradient of the condition. */

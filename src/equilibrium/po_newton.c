@@ -164,7 +164,7 @@ static bool is_converged(const progress *p, double precision, double stagnated) 
 
 po_status po_equilibrium_correct(po_equilibrium *e, double *state, const double *base,
                                  double distance) {
-  const po_constraint constraint = {distance_of, base, distance};
+  const po_constraint constraint = {distance_of, base, distance, INFINITY};
   return po_equilibrium_correct_to(e, state, &constraint);
 }
 
@@ -181,7 +181,7 @@ po_status po_equilibrium_correct_to(po_equilibrium *e, double *state,
       ++e->work.points;
       return PO_OK;
     }
-    if (is_hopeless(e, &p, stagnated(e)))
+    if (is_hopeless(e, &p, stagnated(e)) || p.now > constraint->farthest)
       return PO_NOT_CONVERGED;
   }
   return PO_NOT_CONVERGED;

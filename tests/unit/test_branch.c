@@ -211,8 +211,9 @@ START_TEST(trace_ends_at_its_end_or_at_the_limit_of_points) {
 END_TEST
 
 /* A curve with one fold: the approach is a parabola of the parameter, the load the parameter. */
-static po_status solve_parabola(void *data, double at, po_sample *sample) {
+static po_status solve_parabola(void *data, double at, bool roughly, po_sample *sample) {
   (void)data;
+  (void)roughly;
   *sample = (po_sample){
       .at = at, .value = {0.3 - pow(at - 0.45, 2.0), at}, .rate = {-2.0 * (at - 0.45), 1.0}};
   return PO_OK;
@@ -232,8 +233,8 @@ START_TEST(an_approach_that_a_fold_hides_is_met_before_and_after_it) {
       .solve = solve_parabola, .keep = keep_nothing, .station = station, .end = 0.2996};
   po_sample from, to;
   po_events found;
-  solve_parabola(NULL, 0.0, &from);
-  solve_parabola(NULL, 1.0, &to);
+  solve_parabola(NULL, 0.0, false, &from);
+  solve_parabola(NULL, 1.0, false, &to);
   ck_assert_int_eq(po_events_find(&interval, &from, &to, &found), PO_OK);
   static const double EXPECTED[] = {0.35, 0.43, 0.45, 0.47, 0.55};
   static const po_event_kind KINDS[] = {PO_AT_STATION, PO_AT_END, PO_OF_APPROACH, PO_AT_END,
