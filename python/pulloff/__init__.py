@@ -216,9 +216,9 @@ class Result:
     pull_off: a PullOff, or None.
     folds, extrema: structured arrays of the special points in order along the branch, with the fields kind (jump_in,
         jump_out, minimum, maximum), approach, approach_error, contact_radius (epsilon), load, load_error (pi w R),
-        energy (pi w R epsilon), position (arclength), unstable_modes (after the point, at given approach).
+        energy, energy_error (pi w R epsilon), position (arclength), unstable_modes (after the point, at given approach).
     curve: structured array of the points of the branch, with the fields position, approach, load, energy,
-        contact_radius, approach_rate, load_rate (derivatives with respect to the position), unstable_modes (0: stable
+        energy_error (of the energy at this approach), contact_radius, approach_rate, load_rate (derivatives with respect to the position), unstable_modes (0: stable
         at given approach); empty unless wanted.
     profile: structured array with the fields radius (epsilon), gap (H = h/epsilon - 1), traction (P = p mu epsilon/w,
         > 0 compressive); empty unless wanted.

@@ -23,11 +23,11 @@ class UnitsOfScene(ctypes.Structure):
 class SpecialPoint(ctypes.Structure):
     _fields_ = [("kind", ctypes.c_int), ("unstable_modes", ctypes.c_int)] + [
         (name, ctypes.c_double) for name in ("approach", "approach_error", "load", "load_error", "contact_radius",
-                                             "energy", "position")]
+                                             "energy", "energy_error", "position")]
 
 
 class CurvePoint(ctypes.Structure):
-    _fields_ = [(name, ctypes.c_double) for name in ("position", "approach", "load", "energy", "contact_radius",
+    _fields_ = [(name, ctypes.c_double) for name in ("position", "approach", "load", "energy", "energy_error", "contact_radius",
                                                      "approach_rate", "load_rate")] + [("unstable_modes", ctypes.c_int)]
 
 

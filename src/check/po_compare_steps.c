@@ -68,7 +68,7 @@ static po_status add_step(const po_compare_target *target, size_t row, const po_
   const size_t first = first_compared(quantity);
   const double obtained[NUMBER_COUNT] = {step->preload.approach, step->preload.load,
                                          -step->pull_off.load, step->pull_off.approach,
-                                         step->cycle[0].energy_lost};
+                                         step->cycle[0].loss.energy};
   char subject[48];
   snprintf(subject, sizeof subject, "step-%zu", index + 1);
   return po_compare_row_add(target, row, subject, NUMBERS + first, obtained + first,

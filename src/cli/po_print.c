@@ -164,8 +164,8 @@ static void print_staircase(const char *control, const po_staircase *s) {
            step->jumped ? "jump" : "minimum",
            finite_or(step->open ? (double)NAN : end, "open", until), -step->pull_off.load,
            error_text(step->pull_off_error.load, error), step->pull_off.approach,
-           finite_or(cycle->energy_lost, "boundless", lost),
-           isfinite(cycle->energy_lost) ? error_text(cycle->energy_error, lost_error) : "");
+           finite_or(cycle->loss.energy, "boundless", lost),
+           error_text(cycle->energy_error, lost_error));
   }
 }
 
@@ -186,23 +186,29 @@ static void print_staircases(const po_scene *scene, const po_result *o) {
 /* One cycle of loading and unloading: where loading was reversed, the measured pull-off, and every
  * jump. */
 static void print_loop(const char *control, const po_loop *loop) {
+  char error[16];
   printf("%s: loading reversed at approach %.6g, load %.6g; measured pull-off force %.8g at "
          "approach %.8g",
          control, loop->preload.approach, loop->preload.load, fmax(0.0, -loop->pull_off.load),
          loop->pull_off.approach);
   if (isfinite(loop->energy_lost))
     printf("; energy lost %.6g", loop->energy_lost);
-  printf("\n%-5s%-10s %14s %14s %14s %14s %12s\n", "jump", "phase", "approach", "to", "load", "to",
-         "energy lost");
+  if (isfinite(loop->energy_lost_error))
+    printf(", error %s", error_text(loop->energy_lost_error, error));
+  printf("\n%-5s%-10s %14s %14s %14s %14s %12s %8s\n", "jump", "phase", "approach", "to", "load",
+         "to", "energy lost", "error");
   for (size_t k = 0; k < loop->jump_count; ++k) {
     const po_jump *jump = &loop->jumps[k];
     char label[PO_JUMP_LABEL_LENGTH];
     po_json_jump_label(jump->loading, k + 1 - (jump->loading ? 0 : loop->loading_jumps), label);
     char from[32], to[32], lost[32];
-    printf("%-5s%-10s %14s %14s %14.8g %14.8g %12s\n", label,
-           jump->loading ? "loading" : "unloading", finite_or(jump->before.approach, "apart", from),
+    printf("%-5s%-10s %14s %14s %14.8g %14.8g %12s", label, jump->loading ? "loading" : "unloading",
+           finite_or(jump->before.approach, "apart", from),
            finite_or(jump->after.approach, "apart", to), jump->before.load, jump->after.load,
            finite_or(jump->energy_lost, "boundless", lost));
+    if (isfinite(jump->energy_lost_error))
+      printf(" %8s", error_text(jump->energy_lost_error, error));
+    printf("\n");
   }
 }
 

@@ -99,14 +99,16 @@ json_t *po_json_curve(const po_result *result) {
   json_t *array = po_json_empty_array();
   for (size_t i = 0; i < result->curve_count; ++i) {
     const po_curve_point *p = &result->curve[i];
-    po_json_append(&array, PO_JSON_OBJECT({"position", po_json_number(p->position)},
-                                          {"approach", po_json_number(p->approach)},
-                                          {"load", po_json_number(p->load)},
-                                          {"energy", po_json_number(p->energy)},
-                                          {"contact_radius", po_json_number(p->contact_radius)},
-                                          {"approach_rate", po_json_number(p->approach_rate)},
-                                          {"load_rate", po_json_number(p->load_rate)},
-                                          {"unstable_modes", po_json_integer(p->unstable_modes)}));
+    po_json_append(&array,
+                   PO_JSON_OBJECT({"position", po_json_number(p->position)},
+                                  {"approach", po_json_number(p->approach)},
+                                  {"load", po_json_number(p->load)},
+                                  {"energy", po_json_number(p->energy)},
+                                  {"energy_error_estimate", po_json_number(p->energy_error)},
+                                  {"contact_radius", po_json_number(p->contact_radius)},
+                                  {"approach_rate", po_json_number(p->approach_rate)},
+                                  {"load_rate", po_json_number(p->load_rate)},
+                                  {"unstable_modes", po_json_integer(p->unstable_modes)}));
   }
   return array;
 }

@@ -17,6 +17,7 @@ static const field SPECIAL_POINT[] = {
     {"approach", offsetof(po_special_point, approach)},
     {"load", offsetof(po_special_point, load)},
     {"energy", offsetof(po_special_point, energy)},
+    {"energy_error_estimate", offsetof(po_special_point, energy_error)},
     {"error_estimate", offsetof(po_special_point, approach_error)},
     {"load_error_estimate", offsetof(po_special_point, load_error)},
     {"contact_radius", offsetof(po_special_point, contact_radius)},

@@ -43,7 +43,8 @@ static json_t *jump(const po_jump *j, size_t number) {
   return PO_JSON_OBJECT({"phase", po_json_text(j->loading ? "loading" : "unloading")},
                         {"label", po_json_text(label)}, {"ends", ends},
                         {"before", state(&j->before)}, {"after", state(&j->after)},
-                        {"energy_lost", po_json_number(j->energy_lost)});
+                        {"energy_lost", po_json_number(j->energy_lost)},
+                        {"energy_lost_error_estimate", po_json_number(j->energy_lost_error)});
 }
 
 static json_t *loop(const po_loop *l) {
@@ -53,9 +54,12 @@ static json_t *loop(const po_loop *l) {
                    jump(&l->jumps[k], k < l->loading_jumps ? k + 1 : k + 1 - l->loading_jumps));
   json_t *pull_off = state(&l->pull_off);
   po_json_set(&pull_off, "force", po_json_number(fmax(0.0, -l->pull_off.load)));
-  return PO_JSON_OBJECT({"preload", state(&l->preload)}, {"pull_off", pull_off},
-                        {"energy_lost", po_json_number(l->energy_lost)},
-                        {"work", po_json_number(l->work)}, {"jumps", jumps});
+  return PO_JSON_OBJECT(
+      {"preload", state(&l->preload)}, {"pull_off", pull_off},
+      {"energy_lost", po_json_number(l->energy_lost)},
+      {"energy_lost_error_estimate", po_json_number(l->energy_lost_error)},
+      {"work", po_json_number(l->work)}, {"work_error_estimate", po_json_number(l->work_error)},
+      {"energy_error_estimate", po_json_number(l->energy_error)}, {"jumps", jumps});
 }
 
 static json_t *both(const po_hysteresis *h) {
@@ -91,7 +95,10 @@ static po_status read_loop(const json_t *object, po_control control, po_loop *l)
                  .preload = read_state(json_object_get(object, "preload")),
                  .pull_off = read_state(json_object_get(object, "pull_off")),
                  .energy_lost = po_json_read_number(object, "energy_lost"),
+                 .energy_lost_error = po_json_read_number(object, "energy_lost_error_estimate"),
                  .work = po_json_read_number(object, "work"),
+                 .work_error = po_json_read_number(object, "work_error_estimate"),
+                 .energy_error = po_json_read_number(object, "energy_error_estimate"),
                  .jump_count = json_array_size(jumps)};
   l->jumps = po_allocate(l->jump_count, sizeof *l->jumps);
   if (!l->jumps)
@@ -100,9 +107,12 @@ static po_status read_loop(const json_t *object, po_control control, po_loop *l)
     const json_t *item = json_array_get(jumps, k);
     const char *phase = json_string_value(json_object_get(item, "phase"));
     const bool loading = phase && strcmp(phase, "loading") == 0;
-    l->jumps[k] = (po_jump){loading, read_state(json_object_get(item, "before")),
-                            read_state(json_object_get(item, "after")),
-                            po_json_read_number(item, "energy_lost")};
+    l->jumps[k] =
+        (po_jump){.loading = loading,
+                  .before = read_state(json_object_get(item, "before")),
+                  .after = read_state(json_object_get(item, "after")),
+                  .energy_lost = po_json_read_number(item, "energy_lost"),
+                  .energy_lost_error = po_json_read_number(item, "energy_lost_error_estimate")};
     l->loading_jumps += loading;
   }
   return PO_OK;

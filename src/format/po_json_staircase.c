@@ -24,10 +24,9 @@ static po_path_state read_state(const json_t *object) {
 
 static json_t *cycle(const po_cycle *c) {
   return PO_JSON_OBJECT({"preload", state(&c->preload)},
-                        {"energy_lost", po_json_number(c->energy_lost)},
-                        {"energy_lost_error_estimate",
-                         po_json_number(isnan(c->energy_lost) ? (double)NAN : c->energy_error)},
-                        {"jumps", po_json_count(c->jumps)});
+                        {"energy_lost", po_json_number(c->loss.energy)},
+                        {"energy_lost_error_estimate", po_json_number(c->energy_error)},
+                        {"jumps", po_json_count(c->loss.jumps)});
 }
 
 static json_t *step(const po_step *s) {
@@ -88,9 +87,9 @@ static po_status read_step(const json_t *item, po_step *s) {
   for (size_t k = 0; k < s->cycle_count; ++k) {
     const json_t *c = json_array_get(cycles, k);
     s->cycle[k] = (po_cycle){.preload = read_state(json_object_get(c, "preload")),
-                             .energy_lost = po_json_read_number(c, "energy_lost"),
-                             .energy_error = po_json_read_number(c, "energy_lost_error_estimate"),
-                             .jumps = (size_t)po_json_count_of(c, "jumps")};
+                             .loss = {.energy = po_json_read_number(c, "energy_lost"),
+                                      .jumps = (size_t)po_json_count_of(c, "jumps")},
+                             .energy_error = po_json_read_number(c, "energy_lost_error_estimate")};
   }
   return PO_OK;
 }

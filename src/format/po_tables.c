@@ -12,11 +12,11 @@
 #include "po_input.h"
 #include "po_memory.h"
 
-enum { CURVE_COLUMNS = 8 };
+enum { CURVE_COLUMNS = 9 };
 
 static const char *const CURVE_NAMES[CURVE_COLUMNS] = {
-    "position",       "approach",      "load",      "energy",
-    "contact_radius", "approach_rate", "load_rate", "unstable_modes"};
+    "position",      "approach",  "load",           "energy",      "contact_radius",
+    "approach_rate", "load_rate", "unstable_modes", "energy_error"};
 
 /* Writes to a file, or to standard output for "-". */
 static po_status write_text(const char *path, const po_text *text) {
@@ -58,12 +58,14 @@ po_status po_tables_write_curve(const char *path, const po_request *request,
     const po_curve_point *p = &result->curve[i];
     const double row[CURVE_COLUMNS] = {
         p->position,       p->approach,      p->load,      p->energy,
-        p->contact_radius, p->approach_rate, p->load_rate, (double)p->unstable_modes};
+        p->contact_radius, p->approach_rate, p->load_rate, (double)p->unstable_modes,
+        p->energy_error};
     po_csv_add_row(&rows, row, CURVE_COLUMNS);
   }
   return write_table(path, request, "load against approach along the branch",
                      "approach and contact_radius in epsilon; load in pi w R, compressive > 0; "
                      "energy in pi w R epsilon, its derivative by the approach is the load; "
+                     "energy_error: bound of its error at this approach, nan: not estimated; "
                      "position: arclength along the branch in the metric of the solver; "
                      "approach_rate and load_rate: derivatives by the position",
                      &rows, digest);
@@ -90,7 +92,7 @@ static void add_steps(po_text *rows, const char *control, const po_staircase *s)
   for (size_t k = 0; k < s->count; ++k) {
     const po_step *step = &s->step[k];
     const po_cycle *cycle = &step->cycle[0];
-    const bool lost = isfinite(cycle->energy_lost);
+    const bool lost = isfinite(cycle->loss.energy);
     /* if the step is open, `until` is the last state of loading on the curve; separated bodies have
      * the approach -inf */
     const double row[] = {step->preload.approach,
@@ -102,7 +104,7 @@ static void add_steps(po_text *rows, const char *control, const po_staircase *s)
                           step->pull_off_error.load,
                           step->pull_off.approach,
                           step->pull_off_error.approach,
-                          lost ? cycle->energy_lost : (double)NAN,
+                          lost ? cycle->loss.energy : (double)NAN,
                           lost ? cycle->energy_error : (double)NAN};
     po_text_add(rows, "%s,", control);
     po_csv_add_row(rows, row, sizeof row / sizeof *row);
@@ -165,8 +167,9 @@ po_status po_tables_write_series(const char *path, const char *key, bool si,
  * energies nor contact radii nor rates. */
 static bool is_unknown(const char *column, const char *cell) {
   return strcmp(cell, "nan") == 0 &&
-         (strcmp(column, "energy") == 0 || strcmp(column, "contact_radius") == 0 ||
-          strcmp(column, "approach_rate") == 0 || strcmp(column, "load_rate") == 0);
+         (strcmp(column, "energy") == 0 || strcmp(column, "energy_error") == 0 ||
+          strcmp(column, "contact_radius") == 0 || strcmp(column, "approach_rate") == 0 ||
+          strcmp(column, "load_rate") == 0);
 }
 
 static po_status read_numbers(const char *path, const char *digest, const char *const *names,
@@ -223,7 +226,8 @@ po_status po_tables_read_curve(const char *path, const char *digest, po_result *
                                         .contact_radius = v[4],
                                         .approach_rate = v[5],
                                         .load_rate = v[6],
-                                        .unstable_modes = (int)v[7]};
+                                        .unstable_modes = (int)v[7],
+                                        .energy_error = v[8]};
     result->curve_count = rows;
   }
   free(values);

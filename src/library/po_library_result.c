@@ -21,6 +21,7 @@ static void copy_special_points(const po_special_point *from, size_t count,
                                     .load_error = from[i].load_error,
                                     .contact_radius = from[i].contact_radius,
                                     .energy = from[i].energy,
+                                    .energy_error = from[i].energy_error,
                                     .position = from[i].position};
 }
 
@@ -30,6 +31,7 @@ static void copy_curve(const po_curve_point *from, size_t count, pulloff_curve_p
                                   .approach = from[i].approach,
                                   .load = from[i].load,
                                   .energy = from[i].energy,
+                                  .energy_error = from[i].energy_error,
                                   .contact_radius = from[i].contact_radius,
                                   .approach_rate = from[i].approach_rate,
                                   .load_rate = from[i].load_rate,

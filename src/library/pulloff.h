@@ -210,14 +210,15 @@ typedef struct {
   double approach, approach_error; /* epsilon */
   double load, load_error;         /* pi w R */
   double contact_radius;           /* epsilon */
-  double energy;                   /* pi w R epsilon */
+  double energy, energy_error;     /* pi w R epsilon; NAN: not estimated */
   double position;                 /* arclength along the branch */
 } pulloff_special_point;
 
 typedef struct {
   double position;                 /* arclength along the branch */
   double approach, load;           /* epsilon, pi w R */
-  double energy;                   /* pi w R epsilon; 0 infinitely far apart */
+  double energy, energy_error;     /* pi w R epsilon; 0 infinitely far apart; the error: at this
+                                      approach, NAN: not estimated */
   double contact_radius;           /* epsilon */
   double approach_rate, load_rate; /* derivatives with respect to the position */
   int unstable_modes;              /* 0: stable at given approach */

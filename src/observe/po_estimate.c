@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "po_energy_error.h"
 #include "po_far_field.h"
 #include "po_observe_parts.h"
 
@@ -26,13 +27,44 @@ double po_estimate_miss(const po_request *request) {
  * the difference of energies by interpolation where a jump ends. */
 static const double OF_CHANGE = 3.0, OF_INTERPOLATED = 3.0;
 
-double po_estimate_energy_lost_error(const po_request *request, const po_estimate *greatest,
-                                     po_control control, const po_cycle *cycle) {
+double po_estimate_loss_error(const po_request *request, const po_estimate *greatest,
+                              po_control control, const po_loss *loss) {
   const double place =
       control == PO_LOAD_CONTROL ? greatest->traced_load_error : greatest->traced_approach_error;
   const double precision = po_observe_precision(request->mesh.tolerance);
-  return cycle->moved * place + OF_INTERPOLATED * cycle->interpolated + precision * cycle->size +
-         2.0 * (double)cycle->jumps * greatest->energy_error;
+  if (isnan(loss->energy)) /* unbounded */
+    return NAN;
+  return loss->moved * place + OF_INTERPOLATED * loss->interpolated + precision * loss->size +
+         2.0 * (double)loss->jumps * greatest->traced_energy_error;
+}
+
+/* The greatest error of the energies of the points of the path beside a state. */
+static double energy_error_at(const po_path *path, const po_path_state *state) {
+  size_t k = 0;
+  if (!isfinite(state->position))
+    return 0.0; /* separated */
+  while (k + 2 < path->count && path->point[k + 1].position <= state->position)
+    ++k;
+  return fmax(path->point[k].energy_error, path->point[k + 1].energy_error);
+}
+
+/* The work of a closed loop is the energy that its jumps lose, computed by another way. */
+void po_estimate_loop(const po_request *request, const po_path *path, const po_estimate *greatest,
+                      po_loop *loop) {
+  po_loss all = {0};
+  double energy = energy_error_at(path, &loop->preload);
+  for (size_t k = 0; k < loop->jump_count; ++k) {
+    po_jump *jump = &loop->jumps[k];
+    const po_loss loss =
+        po_loss_of_jump(loop->control, &jump->before, &jump->after, jump->interpolated);
+    jump->energy_lost_error = po_estimate_loss_error(request, greatest, loop->control, &loss);
+    all = po_loss_sum(all, loss);
+    energy = fmax(energy, energy_error_at(path, &jump->before));
+    energy = fmax(energy, energy_error_at(path, &jump->after));
+  }
+  loop->energy_lost_error = po_estimate_loss_error(request, greatest, loop->control, &all);
+  loop->work_error = loop->energy_lost_error + fabs(loop->work - loop->energy_lost);
+  loop->energy_error = energy + OF_INTERPOLATED * loop->interpolated;
 }
 
 static po_contact_edge edge_on_panels(const po_request *request, double domain,
@@ -66,13 +98,30 @@ static double edge_error_of_place(const po_branch_point *p) {
   return edges > 0 && rate != 0.0 ? error * fabs(best->edges.rate[edges - 1] / rate) : 0.0;
 }
 
-/* Error of the energy of a rigid scene, see po_rigid_energy. */
-static const double RIGID_ENERGY = 1e-10;
+/* The change of the energy at given approach from a point to the solution on the finer mesh. */
+static double change_of_energy(double approach, double load, double energy,
+                               const po_solution *finer) {
+  const double moved = po_solution_approach(finer) - approach;
+  return fabs(finer->energy - energy - 0.5 * (finer->load + load) * moved);
+}
 
-/* The change of the energy at given approach from the solution of the trace to the finer mesh. */
-static double change_of_energy(const po_branch_point *p) {
-  const double moved = po_solution_approach(p->finer) - p->approach;
-  return fabs(p->finer->energy - p->energy - 0.5 * (p->finer->load + p->load) * moved);
+/* Energies and their errors. Given: e with the stated approach and load. The energy is that of the
+ * best solution, moved to the stated approach. */
+static void estimate_energy(const po_request *request, const po_branch_point *p, po_estimate *e) {
+  double from = p->approach, energy = p->energy, change = NAN;
+  e->traced_energy_error = NAN;
+  if (!p->gap)
+    e->traced_energy_error = change = po_energy_error(&request->scene, NAN, NAN, p);
+  if (p->finer && p->best) {
+    from = po_solution_approach(p->best);
+    energy = p->best->energy;
+    change = OF_CHANGE * change_of_energy(from, p->best->load, energy, p->finer);
+    e->traced_energy_error =
+        OF_CHANGE * change_of_energy(p->approach, p->load, p->energy, p->finer);
+  }
+  e->energy = energy + e->load * (e->approach - from);
+  e->energy_error = change + fabs(e->load) * e->approach_error +
+                    po_observe_precision(request->mesh.tolerance) * (1.0 + fabs(e->load));
 }
 
 po_estimate po_estimate_of(const po_request *request, double domain, const po_branch_point *p) {
@@ -83,18 +132,18 @@ po_estimate po_estimate_of(const po_request *request, double domain, const po_br
                    .edge = edge_of(request, domain, p)};
   e.traced_approach_error = e.approach_error + fabs(p->approach_correction);
   e.traced_load_error = e.load_error + fabs(p->load_correction);
-  e.energy_error = p->gap ? NAN : RIGID_ENERGY * fmax(1.0, fabs(p->energy));
-  if (p->finer)
-    e.energy_error = OF_CHANGE * change_of_energy(p);
+  estimate_energy(request, p, &e);
   if (p->best) {
     const po_far_field far = po_far_field_error(&request->scene, domain, p->best);
     e.edge.error = fmax(e.edge.error, edge_error_of_place(p));
+    const double far_energy = far.load * (1.0 + fabs(p->approach));
     e.approach_error += far.approach;
     e.load_error += far.load;
     e.far_load_error = far.load;
     e.traced_approach_error += far.approach;
     e.traced_load_error += far.load;
-    e.energy_error += far.load * (1.0 + fabs(p->approach));
+    e.energy_error += far_energy + fabs(e.load) * far.approach;
+    e.traced_energy_error += far_energy;
   }
   return e;
 }

@@ -14,7 +14,8 @@ typedef struct {
   double far_load_error;             /* the part of load_error that no other mesh reduces */
   /* Bounds for the solution of the trace, which is not corrected; NAN: not estimated. */
   double traced_approach_error, traced_load_error;
-  double energy_error;  /* of the energy at given approach, pi w R eps */
+  double energy, energy_error; /* pi w R eps; the error includes that of the approach */
+  double traced_energy_error;  /* of the energy of the trace at given approach */
   po_contact_edge edge; /* the outermost contact edge; its error is NAN if it was not estimated */
 } po_estimate;
 
@@ -26,10 +27,13 @@ po_estimate po_estimate_of(const po_request *request, double domain, const po_br
  * loading and unloading. */
 double po_estimate_miss(const po_request *request);
 
-/* A bound of the error of the energy lost in the jumps of a cycle. Given: the greatest errors of
- * the special points of the trace, of which approach_error and load_error are those of the trace.
- */
-double po_estimate_energy_lost_error(const po_request *request, const po_estimate *greatest,
-                                     po_control control, const po_cycle *cycle);
+/* Bounds of errors that follow from the greatest errors of the special points of the trace
+ * (`greatest`, the traced ones). The first: of the energy lost in jumps. */
+double po_estimate_loss_error(const po_request *request, const po_estimate *greatest,
+                              po_control control, const po_loss *loss);
+
+/* Sets the errors of a loop along a path. */
+void po_estimate_loop(const po_request *request, const po_path *path, const po_estimate *greatest,
+                      po_loop *loop);
 
 #endif

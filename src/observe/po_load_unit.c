@@ -33,6 +33,7 @@ static void convert_points(po_special_point *point, size_t count, double unit) {
     point[k].load *= unit;
     point[k].load_error *= unit;
     point[k].energy *= unit;
+    point[k].energy_error *= unit;
   }
 }
 
@@ -46,10 +47,14 @@ static void convert_loop(po_loop *loop, double unit) {
   convert_state(&loop->pull_off, unit);
   loop->energy_lost *= unit;
   loop->work *= unit;
+  loop->energy_lost_error *= unit;
+  loop->work_error *= unit;
+  loop->energy_error *= unit;
   for (size_t k = 0; k < loop->jump_count; ++k) {
     convert_state(&loop->jumps[k].before, unit);
     convert_state(&loop->jumps[k].after, unit);
     loop->jumps[k].energy_lost *= unit;
+    loop->jumps[k].energy_lost_error *= unit;
   }
 }
 
@@ -61,7 +66,7 @@ static void convert_step(po_step *step, double unit) {
   step->pull_off_error.load *= unit;
   for (size_t k = 0; k < step->cycle_count; ++k) {
     convert_state(&step->cycle[k].preload, unit);
-    step->cycle[k].energy_lost *= unit;
+    step->cycle[k].loss.energy *= unit;
     step->cycle[k].energy_error *= unit;
   }
 }
@@ -102,6 +107,7 @@ void po_load_unit_result(const po_scene *solved, po_result *o) {
     o->curve[k].load *= unit;
     o->curve[k].load_rate *= unit;
     o->curve[k].energy *= unit;
+    o->curve[k].energy_error *= unit;
   }
   for (size_t k = 0; k < o->profile_count; ++k) /* in w/(mu eps), mu^3 as R */
     o->profile[k].traction /= cbrt(unit);

@@ -55,7 +55,7 @@ static void state_errors(const po_request *request, const po_result *o, const po
     for (size_t c = 0; c < step->cycle_count; ++c) {
       po_cycle *cycle = &step->cycle[c];
       state_error(request, o, &cycle->preload);
-      cycle->energy_error = po_estimate_energy_lost_error(request, greatest, s->control, cycle);
+      cycle->energy_error = po_estimate_loss_error(request, greatest, s->control, &cycle->loss);
     }
   }
 }

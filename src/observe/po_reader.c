@@ -5,6 +5,7 @@
 #include "po_clock.h"
 #include "po_contact.h"
 #include "po_contact_profile.h"
+#include "po_energy_error.h"
 #include "po_observe_parts.h"
 #include "po_pull_off_sensitivity.h"
 
@@ -135,6 +136,14 @@ static bool ends_at(po_reader *r, const po_branch_point *p, double contact_radiu
   return r->status || r->result->ended.cause != PO_END_NONE;
 }
 
+/* The error of the energy of a point, if curves or loops with such errors are wanted. */
+static double energy_error_of(const po_reader *r, const po_branch_point *p) {
+  if (!(r->request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS)))
+    return NAN;
+  const double precision = po_observe_precision(r->request->mesh.tolerance);
+  return po_energy_error(&r->request->scene, root_of(r), precision, p);
+}
+
 bool po_reader_visit(const po_branch_point *p, void *data) {
   po_reader *r = data;
   po_result *o = r->result;
@@ -146,7 +155,8 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
   }
   const po_contact_gap gap = po_contact_gap_of(&r->request->scene, root_of(r), p);
   const double contact_radius = po_contact_radius(&gap);
-  keep_status(r, po_trace_points_add_to_path(&r->points, p, contact_radius));
+  const double energy_error = energy_error_of(r, p);
+  keep_status(r, po_trace_points_add_to_path(&r->points, p, contact_radius, energy_error));
   if (!r->begun && !(p->approach >= r->begin))
     return false;
   if (isnan(o->start))
@@ -157,7 +167,7 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
   if (r->surface && r->surface->n > r->most_nodes)
     r->most_nodes = r->surface->n;
   if (r->request->want & PO_WANT_CURVE)
-    keep_status(r, po_trace_points_add_to_curve(&r->points, p, contact_radius, o));
+    keep_status(r, po_trace_points_add_to_curve(&r->points, p, contact_radius, energy_error, o));
   if (p->kind == PO_POINT_STATION && !o->profile && (r->request->want & PO_WANT_PROFILE) &&
       po_path_is_at(p->approach, r->request->profile_approach))
     take_profile(r, p);

@@ -25,9 +25,10 @@ const char *po_special_kind_name(po_special_kind kind);
 
 typedef struct {
   po_special_kind kind;
-  double approach; /* Delta / eps */
-  double load;     /* W / (pi w R), signed, > 0 compressive */
-  double energy;   /* U / (pi w R eps), see po_curve_point */
+  double approach;             /* Delta / eps */
+  double load;                 /* W / (pi w R), signed, > 0 compressive */
+  double energy, energy_error; /* U / (pi w R eps), see po_curve_point; estimated bound of its
+                                  error, NAN: not estimated */
   double
       approach_error; /* estimated bounds of the errors of approach and load; NAN: not estimated */
   double load_error;
@@ -44,6 +45,7 @@ typedef struct {
   double load;           /* W / (pi w R), > 0 compressive */
   double energy;         /* U / (pi w R eps), elastic and of the interaction, 0 infinitely apart;
                             dU/d(approach) along the branch is the load */
+  double energy_error;   /* estimated bound of its error at this approach; NAN: not estimated */
   double contact_radius; /* in eps */
   double approach_rate, load_rate; /* derivatives by the position. approach_rate is 0 at a fold,
                                       load_rate at an extremum of the load */

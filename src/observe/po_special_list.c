@@ -18,15 +18,16 @@ static po_special_kind kind_of(po_point_kind kind) {
 }
 
 po_special_list po_special_list_begin(void) {
-  return (po_special_list){
-      .greatest = {.traced_approach_error = NAN, .traced_load_error = NAN, .energy_error = NAN}};
+  return (po_special_list){.greatest = {.traced_approach_error = NAN,
+                                        .traced_load_error = NAN,
+                                        .traced_energy_error = NAN}};
 }
 
 /* fmax ignores NAN. */
 static void note_errors(po_estimate *greatest, const po_estimate *e) {
   greatest->traced_approach_error = fmax(greatest->traced_approach_error, e->traced_approach_error);
   greatest->traced_load_error = fmax(greatest->traced_load_error, e->traced_load_error);
-  greatest->energy_error = fmax(greatest->energy_error, e->energy_error);
+  greatest->traced_energy_error = fmax(greatest->traced_energy_error, e->traced_energy_error);
 }
 
 po_status po_special_list_add(po_special_list *l, const po_branch_point *p, const po_estimate *e,
@@ -45,7 +46,8 @@ po_status po_special_list_add(po_special_list *l, const po_branch_point *p, cons
   grown[(*count)++] = (po_special_point){.kind = kind,
                                          .approach = e->approach,
                                          .load = e->load,
-                                         .energy = p->energy,
+                                         .energy = e->energy,
+                                         .energy_error = e->energy_error,
                                          .approach_error = e->approach_error,
                                          .load_error = e->load_error,
                                          .contact_radius = e->edge.radius,

@@ -160,6 +160,11 @@ static po_status read_hysteresis(const po_reader *reader, po_attempt *a) {
   const po_status status =
       po_hysteresis_follow(&path, po_request_preload(reader->request), &o->hysteresis);
   o->has_hysteresis = !status;
+  if (!status) {
+    const po_estimate *greatest = &reader->special.greatest;
+    po_estimate_loop(reader->request, &path, greatest, &o->hysteresis.displacement);
+    po_estimate_loop(reader->request, &path, greatest, &o->hysteresis.load);
+  }
   return status;
 }
 

@@ -10,7 +10,7 @@ void po_trace_points_free(po_trace_points *points) {
 }
 
 po_status po_trace_points_add_to_path(po_trace_points *points, const po_branch_point *p,
-                                      double contact_radius) {
+                                      double contact_radius, double energy_error) {
   po_path_point *path = po_grow(points->path, points->path_count, &points->path_room, sizeof *path);
   if (!path)
     return PO_NO_MEMORY;
@@ -18,6 +18,7 @@ po_status po_trace_points_add_to_path(po_trace_points *points, const po_branch_p
   path[points->path_count++] = (po_path_point){.approach = p->approach,
                                                .load = p->load,
                                                .energy = p->energy,
+                                               .energy_error = energy_error,
                                                .approach_rate = p->approach_rate,
                                                .load_rate = p->load_rate,
                                                .contact_radius = contact_radius,
@@ -28,7 +29,8 @@ po_status po_trace_points_add_to_path(po_trace_points *points, const po_branch_p
 }
 
 po_status po_trace_points_add_to_curve(po_trace_points *points, const po_branch_point *p,
-                                       double contact_radius, po_result *result) {
+                                       double contact_radius, double energy_error,
+                                       po_result *result) {
   po_curve_point *curve =
       po_grow(result->curve, result->curve_count, &points->curve_room, sizeof *curve);
   if (!curve)
@@ -38,6 +40,7 @@ po_status po_trace_points_add_to_curve(po_trace_points *points, const po_branch_
                                                   .approach = p->approach,
                                                   .load = p->load,
                                                   .energy = p->energy,
+                                                  .energy_error = energy_error,
                                                   .contact_radius = contact_radius,
                                                   .approach_rate = p->approach_rate,
                                                   .load_rate = p->load_rate,

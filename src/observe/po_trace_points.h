@@ -17,8 +17,9 @@ void po_trace_points_free(po_trace_points *points);
 /* Appends a point to the path, or to the curve of the result. Given: contact radius, eps. Status:
  * PO_NO_MEMORY. */
 po_status po_trace_points_add_to_path(po_trace_points *points, const po_branch_point *point,
-                                      double contact_radius);
+                                      double contact_radius, double energy_error);
 po_status po_trace_points_add_to_curve(po_trace_points *points, const po_branch_point *point,
-                                       double contact_radius, po_result *result);
+                                       double contact_radius, double energy_error,
+                                       po_result *result);
 
 #endif

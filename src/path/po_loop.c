@@ -17,15 +17,23 @@ static po_path_state state_of(const loop_state *f) {
   return po_path_at(f->path, f->at);
 }
 
+/* Returned: po_path_energy_difference at the present place. */
+static double interpolated(loop_state *f) {
+  const double difference = po_path_energy_difference(f->path, f->at);
+  f->loop->interpolated = fmax(f->loop->interpolated, difference);
+  return difference;
+}
+
+/* Adds a jump that ends at the present place, or, if the bodies separate, at none. */
 static po_status add_jump(loop_state *f, bool loading, po_path_state before, po_path_state after) {
   po_loop *loop = f->loop;
   po_jump *jumps = po_resize(loop->jumps, loop->jump_count + 1, sizeof *jumps);
   if (!jumps)
     return PO_NO_MEMORY;
   loop->jumps = jumps;
-  const double lost =
-      po_stable_potential(f->control, &before) - po_stable_potential(f->control, &after);
-  jumps[loop->jump_count++] = (po_jump){loading, before, after, lost};
+  const double error = isfinite(after.approach) ? interpolated(f) : 0.0;
+  const double lost = po_loss_of_jump(f->control, &before, &after, error).energy;
+  jumps[loop->jump_count++] = (po_jump){loading, before, after, lost, error, NAN};
   loop->loading_jumps += loading;
   loop->energy_lost += lost;
   return PO_OK;
@@ -91,6 +99,7 @@ static po_status load(loop_state *f) {
     if (meets_preload(f, &fraction)) {
       move(f, fraction);
       f->loop->preload = state_of(f);
+      interpolated(f);
       return PO_OK;
     }
     move(f, 1.0);
@@ -136,7 +145,8 @@ static po_status unload(loop_state *f) {
 
 po_status po_loop_follow(const po_path *path, po_control control, po_preload preload,
                          po_loop *loop) {
-  *loop = (po_loop){.control = control};
+  *loop = (po_loop){
+      .control = control, .energy_lost_error = NAN, .work_error = NAN, .energy_error = NAN};
   loop_state f = {.path = path, .control = control, .preload = preload, .loop = loop};
   po_status status =
       path->count < 2 ? po_fail(PO_NOT_FOUND, "the curve has fewer than two points") : PO_OK;

@@ -32,6 +32,8 @@ typedef struct {
   po_path_state before, after;
   double energy_lost; /* decrease of U at fixed approach, of U - W approach at fixed load, in pi w R
                          eps; NAN: unbounded, the bodies separate under tension */
+  double interpolated;      /* po_path_energy_difference where it ends */
+  double energy_lost_error; /* bound of the error of energy_lost; NAN: unknown */
 } po_jump;
 
 typedef struct {
@@ -43,6 +45,10 @@ typedef struct {
   double energy_lost; /* the sum over all jumps; NAN if one of them is */
   double work; /* integral of the load over the approach along the complete loop, by quadrature of
                   the loads; NAN unless the loop is closed */
+  double energy_lost_error, work_error; /* bounds of their errors; NAN: unknown */
+  double interpolated; /* greatest po_path_energy_difference of preload and ends of jumps */
+  double energy_error; /* bound of the errors of the energies of all states at their approaches;
+                          NAN: unknown */
 } po_loop;
 
 /* Follows a curve of equilibria from separation to the preload and back. Under load control loading

@@ -13,6 +13,7 @@
 typedef struct {
   double approach, load;           /* Delta/eps, W/(pi w R) */
   double energy;                   /* U/(pi w R eps); d energy = load d approach */
+  double energy_error;             /* estimated bound of its error at this approach; NAN: unknown */
   double contact_radius;           /* eps */
   double position;                 /* increases along the curve: arclength, or another parameter */
   double approach_rate, load_rate; /* derivatives by the position */

@@ -31,4 +31,22 @@ po_path_state po_stable_apart(double load);
  * where it decreases without bound. */
 double po_stable_potential(po_control control, const po_path_state *state);
 
+/* What jumps lose, and what determines the error of that: sums over the jumps. */
+typedef struct {
+  double energy;       /* decrease of the potential; NAN: unbounded */
+  double moved;        /* derivative of energy by the controlled quantity at which the jumps begin:
+                          |load before - load after|, at given load |approach before - approach after| */
+  double size;         /* 1 + |load before| + |load after| */
+  double interpolated; /* po_path_energy_difference where the jumps end */
+  size_t jumps;
+} po_loss;
+
+/* Returned: the loss in one jump. Given: its ends; interpolated, po_path_energy_difference where it
+ * ends. */
+po_loss po_loss_of_jump(po_control control, const po_path_state *before, const po_path_state *after,
+                        double interpolated);
+
+/* Returned: the loss in the jumps of both. */
+po_loss po_loss_sum(po_loss a, po_loss b);
+
 #endif

@@ -6,18 +6,12 @@
 
 #include "po_memory.h"
 
-/* Sums over several jumps. */
-typedef struct {
-  double energy_lost, moved, size, interpolated; /* see po_cycle */
-  size_t count;
-} jumps;
-
 /* A stable stretch of the curve, and the unloading path below its lower end. */
 typedef struct {
   size_t start, end;     /* indices of its first and last point */
   po_path_state deepest; /* the state of lowest load on the unloading path below it; load INFINITY:
                             there is none */
-  jumps unloading;       /* the jumps of unloading from its lower end on */
+  po_loss unloading;     /* the jumps of unloading from its lower end on */
 } stretch;
 
 typedef struct {
@@ -31,7 +25,7 @@ typedef struct {
   size_t step_room;
   bool decreasing;       /* no step is open: the load decreases towards a minimum */
   po_path_state deepest; /* the pull-off if loading were reversed here */
-  jumps loading;         /* the jumps of loading up to here */
+  po_loss loading;       /* the jumps of loading up to here */
 } walk;
 
 static const po_path_state NOTHING = {.load = (double)INFINITY, .position = (double)NAN};
@@ -61,16 +55,9 @@ static po_path_state deepest_from(const walk *w, const stretch *s, po_path_place
 
 /* Adds a jump. Given: the place on the curve where it ends; NULL: none. */
 static void add_jump(const walk *w, const po_path_state *before, const po_path_state *after,
-                     const po_path_place *end, jumps *to) {
-  to->energy_lost +=
-      po_stable_potential(w->control, before) - po_stable_potential(w->control, after);
-  const double moved = w->control == PO_LOAD_CONTROL ? before->approach - after->approach
-                                                     : before->load - after->load;
-  to->moved +=
-      isfinite(moved) ? fabs(moved) : 0.0; /* complete separation is at a load that is exact */
-  to->size += 1.0 + fabs(before->load) + fabs(after->load);
-  to->interpolated += end ? po_path_energy_difference(w->path, *end) : 0.0;
-  ++to->count;
+                     const po_path_place *end, po_loss *to) {
+  const double interpolated = end ? po_path_energy_difference(w->path, *end) : 0.0;
+  *to = po_loss_sum(*to, po_loss_of_jump(w->control, before, after, interpolated));
 }
 
 /* Determines the unloading path from the lower end of a stretch; those of all stretches below are
@@ -155,14 +142,7 @@ static po_status add_cycle(walk *w, const stretch *s, po_path_state preload) {
   if (!moved)
     return PO_NO_MEMORY;
   step->cycle = moved;
-  moved[step->cycle_count++] =
-      (po_cycle){.preload = preload,
-                 .energy_lost = w->loading.energy_lost + s->unloading.energy_lost,
-                 .energy_error = NAN,
-                 .moved = w->loading.moved + s->unloading.moved,
-                 .size = w->loading.size + s->unloading.size,
-                 .interpolated = w->loading.interpolated + s->unloading.interpolated,
-                 .jumps = w->loading.count + s->unloading.count};
+  moved[step->cycle_count++] = (po_cycle){preload, po_loss_sum(w->loading, s->unloading), NAN};
   return PO_OK;
 }
 

@@ -17,17 +17,9 @@
 /* All preloads from `preload` up to that of the next cycle: they have the same jumps. */
 typedef struct {
   po_path_state preload; /* the fold at which loading jumps, before the jump */
-  double
-      energy_lost;     /* sum over all jumps of loading and unloading; NAN: unbounded, because the
-                          bodies separate under tension, or the curve does not begin far enough out */
-  double energy_error; /* bound of the error of energy_lost; NAN: unknown */
-  size_t jumps;        /* number of jumps of loading and unloading */
-  /* What determines energy_error: */
-  double moved; /* derivative of energy_lost by the controlled quantity at which jumps begin: sum
-                   over the jumps of |load before - load after|, at given load of |approach
-                   before - approach after| */
-  double size;  /* sum over the jumps of 1 + |load before| + |load after| */
-  double interpolated; /* sum over the jumps of po_path_energy_difference where they end */
+  po_loss loss; /* in all jumps of loading and unloading; its energy is NAN: unbounded, because the
+                   bodies separate under tension, or the curve does not begin far enough out */
+  double energy_error; /* bound of the error of that energy; NAN: unknown */
 } po_cycle;
 
 /* A step: all preloads from `preload` to `until`, which have the same pull-off. */

@@ -114,7 +114,7 @@ static po_status allocate_folds(const po_series_scenes *l) {
                                        .contact_radius_error = NAN,
                                        .contact_radius_other = NAN};
       o->folds[j].approach = o->folds[j].load = o->folds[j].energy = o->folds[j].position = NAN;
-      o->folds[j].approach_error = o->folds[j].load_error = NAN;
+      o->folds[j].approach_error = o->folds[j].load_error = o->folds[j].energy_error = NAN;
     }
   }
   return PO_OK;

@@ -129,6 +129,7 @@ static po_status read_special_points(const json_t *root, bool folds, po_answer *
     char where[40];
     snprintf(where, sizeof where, "%s[%zu]", key, i + 1);
     list[i] = (po_special_point){.energy = NAN,
+                                 .energy_error = NAN,
                                  .approach_error = NAN,
                                  .load_error = NAN,
                                  .contact_radius = NAN,
@@ -203,13 +204,25 @@ static po_jump read_jump(const json_t *item, size_t number, po_answer *answer) {
   po_jump jump = {.loading = phase && strcmp(phase, "loading") == 0,
                   .before = UNKNOWN,
                   .after = UNKNOWN,
-                  .energy_lost = read_member(answer, where, item, "energy_lost")};
+                  .energy_lost = read_member(answer, where, item, "energy_lost"),
+                  .energy_lost_error = (double)NAN};
   jump.before.approach = jump.after.approach = read_member(answer, where, item, "approach");
   jump.before.load = read_member(answer, where, item, "load_before");
   jump.after.load = read_member(answer, where, item, "load_after");
   if (!isfinite(jump.before.approach))
     refuse(answer, "%s.approach: expected a finite number", where);
   return jump;
+}
+
+static po_loop unknown_loop(po_control control) {
+  return (po_loop){.control = control,
+                   .preload = UNKNOWN,
+                   .pull_off = UNKNOWN,
+                   .energy_lost = (double)NAN,
+                   .energy_lost_error = (double)NAN,
+                   .work = (double)NAN,
+                   .work_error = (double)NAN,
+                   .energy_error = (double)NAN};
 }
 
 static po_status read_hysteresis(const json_t *root, po_answer *answer) {
@@ -220,16 +233,9 @@ static po_status read_hysteresis(const json_t *root, po_answer *answer) {
   if (!part)
     return PO_OK;
   o->has_hysteresis = true;
-  *loop = (po_loop){.control = PO_DISPLACEMENT_CONTROL,
-                    .preload = UNKNOWN,
-                    .pull_off = UNKNOWN,
-                    .energy_lost = read_member(answer, "hysteresis", part, "energy_lost"),
-                    .work = (double)NAN};
-  o->hysteresis.load = (po_loop){.control = PO_LOAD_CONTROL,
-                                 .preload = UNKNOWN,
-                                 .pull_off = UNKNOWN,
-                                 .energy_lost = (double)NAN,
-                                 .work = (double)NAN};
+  *loop = unknown_loop(PO_DISPLACEMENT_CONTROL);
+  loop->energy_lost = read_member(answer, "hysteresis", part, "energy_lost");
+  o->hysteresis.load = unknown_loop(PO_LOAD_CONTROL);
   loop->pull_off.load = -read_member(answer, "hysteresis", part, "force");
   loop->pull_off.approach = read_member(answer, "hysteresis", part, "approach");
   if (!read_list(answer, part, "hysteresis", "jumps", &count))

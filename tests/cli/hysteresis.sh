@@ -14,7 +14,8 @@ h = d["hysteresis"]
 assert set(h) == {"displacement_control", "load_control", "jkr"}
 loops = [h["displacement_control"], h["load_control"], *h["jkr"].values()]
 for loop in loops:
-    assert set(loop) == {"preload", "pull_off", "energy_lost", "work", "jumps"}
+    assert set(loop) == {"preload", "pull_off", "energy_lost", "energy_lost_error_estimate", "work",
+                         "work_error_estimate", "energy_error_estimate", "jumps"}
     assert [j["label"] for j in loop["jumps"]] == ["1", "a"], loop["jumps"]
     assert [j["ends"] for j in loop["jumps"]] == [["1", "2"], ["a", "b"]]
     assert [j["phase"] for j in loop["jumps"]] == ["loading", "unloading"]
@@ -26,7 +27,12 @@ assert math.isclose(held["preload"]["approach"], 0.7)
 assert math.isclose(held["jumps"][0]["before"]["approach"], d["folds"][0]["approach"])
 assert math.isclose(held["jumps"][1]["before"]["load"], d["folds"][1]["load"])
 assert math.isclose(held["pull_off"]["force"], d["pull_off"]["force"])
-assert math.isclose(held["work"], held["energy_lost"], rel_tol=1e-5)
+assert abs(held["work"] - held["energy_lost"]) <= held["work_error_estimate"] < 1e-5
+assert 0 < held["energy_lost_error_estimate"] <= held["work_error_estimate"]
+assert loaded["energy_lost_error_estimate"] is None and 0 < loaded["energy_error_estimate"] < 1e-5
+assert 0 < held["energy_error_estimate"] < 1e-5
+assert all(0 < j["energy_lost_error_estimate"] < 1e-5 for j in held["jumps"])
+assert all(loop["energy_error_estimate"] is None for loop in h["jkr"].values())
 assert loaded["jumps"][0]["before"]["approach"] is None and loaded["energy_lost"] is None
 assert math.isclose(h["jkr"]["displacement_control"]["pull_off"]["force"], 1.5)
 LOOK

@@ -76,7 +76,8 @@ for rows, control in ((held, "displacement_control"), (loaded, "load_control")):
         check(row, ("approach", "apart" if ends[0] is None else ends[0], 7),
               ("to", "apart" if ends[1] is None else ends[1], 7),
               ("load", jump["before"]["load"], 7), ("to", jump["after"]["load"], 7),
-              ("energy lost", "boundless" if jump["energy_lost"] is None else jump["energy_lost"], 5))
+              ("energy lost", "boundless" if jump["energy_lost"] is None else jump["energy_lost"], 5),
+              ("error", jump["energy_lost_error_estimate"], 2))
     assert len(jumps) == 2
 p = d["pull_off"]
 line = next(line for line in open("solve.text") if line.startswith("pull-off force")).replace(",", "").split()
@@ -87,7 +88,8 @@ held = next(line for line in open("solve.text") if line.startswith("displacement
 h = d["hysteresis"]["displacement_control"]
 numbers = [float(word) for word in re.findall(r"-?\d[\d.e+-]*", held)]
 for number, value in zip(numbers, (h["preload"]["approach"], h["preload"]["load"], h["pull_off"]["force"],
-                                   h["pull_off"]["approach"], h["energy_lost"]), strict=True):
+                                   h["pull_off"]["approach"], h["energy_lost"],
+                                   float(f"{h['energy_lost_error_estimate']:.2g}")), strict=True):
     assert math.isclose(number, value, rel_tol=1e-5), (numbers, h)
 SOLVE
 check 'solve: special points and jumps' "$python" solve.py

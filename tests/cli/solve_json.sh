@@ -39,7 +39,7 @@ assert set(d["work"]) == {"points", "newton_iterations", "factorizations", "kern
                           "nodes", "factorized_nodes", "meshes", "seconds"}
 c = d["curve"]
 assert len(c) > 10 and set(c[0]) == {"position", "approach", "load", "energy",
-                                     "contact_radius", "approach_rate", "load_rate", "unstable_modes"}
+                                     "energy_error_estimate", "contact_radius", "approach_rate", "load_rate", "unstable_modes"}
 assert all(a["position"] <= b["position"] for a, b in zip(c, c[1:]))
 assert min(q["load"] for q in c) == -p["force"]
 assert len(d["profile"]) > 10 and set(d["profile"][0]) == {"radius", "gap", "traction"}
@@ -48,7 +48,7 @@ assert math.isclose(d["profile_approach"], p["approach"])
 LOOK
 check 'the document has the documented form' "$python" look.py <"$work/stdout"
 expect 0 '' solve --tabor 1 --scheme triangle --nodes 101 --json --curve curve.csv --profile profile.csv
-check 'the curve has its columns' grep -q '^position,approach,load,energy,contact_radius,approach_rate,load_rate,unstable_modes$' \
+check 'the curve has its columns' grep -q '^position,approach,load,energy,contact_radius,approach_rate,load_rate,unstable_modes,energy_error$' \
   curve.csv
 check 'the profile has its columns' grep -q '^radius,gap,traction$' profile.csv
 

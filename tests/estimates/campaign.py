@@ -105,7 +105,7 @@ def report(tasks, wanted):
     for task in crashed:
         worse = wanted.loose if task.loose["status"] == "crashed" else wanted.tight
         one = task.loose if worse == wanted.loose else task.tight
-        print(f"crashed: {task.name}: {one['reason']}\n  {solve.command(task.scene, worse)}")
+        solve.tell_crashed(task.name, one, solve.command(task.scene, worse))
     return solve.exit_code(len(violated), len(compared), crashed)
 
 

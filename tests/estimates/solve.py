@@ -123,6 +123,11 @@ def campaign(name, journal_name, tasks, wanted, report):
     return report(tasks, wanted)
 
 
+def tell_crashed(name, document, text):
+    """Prints a solve without a document, and its command."""
+    print(f"crashed: {name}: {document['reason']}\n  {text}")
+
+
 def exit_code(violated, compared, crashed):
     """Prints how many scenes have a violation, and returns the exit code of a campaign."""
     print(f"{violated} of {compared} scenes with a violation")

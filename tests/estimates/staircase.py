@@ -202,7 +202,7 @@ def report(tasks, wanted):
         tell(task, wanted)
     crashed = [(task, *one) for task in tasks for one in task.failed if one[2]["status"] == "crashed"]
     for task, scene, tolerance, document in crashed:
-        print(f"crashed: {task.name}: {document['reason']}\n  {solve.command(scene, tolerance or wanted.loose)}")
+        solve.tell_crashed(task.name, document, solve.command(scene, tolerance or wanted.loose))
     return solve.exit_code(len(violated), sum(task.is_compared for task in tasks), crashed)
 
 

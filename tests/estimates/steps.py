@@ -120,11 +120,6 @@ def loops(document, most):
     return chosen
 
 
-def energy_size(document):
-    """The largest energy on the branch. The energy lost in a jump is the difference of two energies on it."""
-    return max([1.0] + [abs(fold["energy"]) for fold in document["folds"] if fold["energy"] is not None])
-
-
 class Beside:
     """The findings from one loop."""
 
@@ -161,8 +156,8 @@ class Beside:
             if lost is not energy:
                 self.wrong.append(f"energy lost {lost}, in the loop {energy}{self.where}")
             return
-        own = self.tight * energy_size(self.solution) * max(1, cycle["jumps"])
-        self.add("energy lost", compare.value(cycle, "energy_lost_error_estimate"), abs(lost - energy), own)
+        self.add("energy lost", compare.value(cycle, "energy_lost_error_estimate"), abs(lost - energy),
+                 compare.value(loop, "energy_lost_error_estimate"))
 
     def is_reversal(self, loop):
         """Whether the greatest tension of a loop is that at its reversal."""

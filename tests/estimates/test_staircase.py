@@ -64,7 +64,7 @@ else:
                 "force": soft + fault["end"], "approach": preload, "position": 1.5}
         energy = None if component == "load" else 7 + fault.get("energy", 0) if jumped else 0
         return {"preload": {"approach": preload, "load": preload if component == "load" else fault.get("end", 0) - soft},
-                "pull_off": pull, "energy_lost": energy}
+                "pull_off": pull, "energy_lost": energy, "energy_lost_error_estimate": t}
     if float(flags.get("--preload", 9)) < fault.get("refused", -1):
         document.update(status="not_found", reason="expected a harder preload")
     document["hysteresis"] = {

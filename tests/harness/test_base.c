@@ -255,7 +255,7 @@ END_TEST
 
 #define COUNT(table) (int)(sizeof(table) / sizeof *(table))
 
-/* The last column of a curve is the number of unstable modes. Regression: 0.5 was read as 0, and a
+/* A column of a curve is the number of unstable modes. Regression: 0.5 was read as 0, and a
  * number beyond the range of int as an arbitrary one. */
 static const struct {
   const char *modes;
@@ -272,7 +272,7 @@ START_TEST(curve_table_has_whole_numbers_of_modes) {
   po_result result = {0};
   po_text_add(&text,
               "position,approach,load,energy,contact_radius,approach_rate,load_rate,"
-              "unstable_modes\n0,1,2.385,4,5,6,7,%s\n",
+              "unstable_modes,energy_error\n0,1,2.385,4,5,6,7,%s,1e-9\n",
               MODES[_i].modes);
   ck_assert_int_eq(po_file_write(path, text.data, text.length), PO_OK);
   ck_assert_int_eq(po_csv_read(path, path, &csv), PO_OK);

@@ -134,8 +134,9 @@ START_TEST(bradley_in_closed_form) {
   ck_assert_uint_eq(l->jump_count, 2);
   const double x = pow(4.0, -1.0 / 6.0);
   ck_assert_double_eq_tol(l->jumps[0].after.approach, 1.0 - x, 1e-5);
-  ck_assert_double_eq_tol(l->jumps[0].energy_lost, 8.0 / (3.0 * x) - 2.0 / (21.0 * pow(x, 7.0)),
-                          1e-5);
+  const double lost = 8.0 / (3.0 * x) - 2.0 / (21.0 * pow(x, 7.0));
+  ck_assert_double_eq_tol(l->jumps[0].energy_lost, lost, 1e-5);
+  ck_assert_double_le(fabs(l->jumps[0].energy_lost - lost), l->jumps[0].energy_lost_error);
   ck_assert_double_eq_tol(l->jumps[1].before.load, -2.0, 1e-9);
   po_result_clear(&o);
 }
@@ -191,6 +192,59 @@ START_TEST(loop_loses_what_its_jumps_do) {
 }
 END_TEST
 
+static void holds(double loose, double loose_error, double tight, double tight_error) {
+  ck_assert_double_gt(loose_error, 0.0);
+  ck_assert_double_le(fabs(loose - tight), loose_error + tight_error);
+  ck_assert_double_lt(loose_error, 2e-4); /* says something: energies are of order one */
+}
+
+static void loops_hold(const po_loop *loose, const po_loop *tight) {
+  ck_assert_uint_eq(loose->jump_count, tight->jump_count);
+  for (size_t k = 0; k < loose->jump_count; ++k)
+    if (isfinite(loose->jumps[k].energy_lost))
+      holds(loose->jumps[k].energy_lost, loose->jumps[k].energy_lost_error,
+            tight->jumps[k].energy_lost, tight->jumps[k].energy_lost_error);
+  if (!isfinite(loose->energy_lost))
+    return;
+  holds(loose->energy_lost, loose->energy_lost_error, tight->energy_lost, tight->energy_lost_error);
+  holds(loose->work, loose->work_error, tight->work, tight->work_error);
+}
+
+/* The errors of energies that a solve at 1e-4 states hold against one at 1e-8: of folds, of the
+ * last point of the curve, of the preload, and of what loops lose. */
+START_TEST(stated_errors_of_energies_hold) {
+  po_request request = po_request_default();
+  po_result o[2];
+  request.scene = LOOPS[_i].scene;
+  request.mesh.scheme = PO_PANEL;
+  request.preload = LOOPS[_i].preload;
+  request.approach_end = 9.0;
+  request.want = PO_WANT_HYSTERESIS | PO_WANT_CURVE;
+  for (int k = 0; k < 2; ++k) {
+    request.mesh.tolerance = k ? 1e-8 : 1e-4;
+    ck_assert_int_eq(po_observe(&request, &o[k]), PO_OK);
+  }
+  ck_assert_uint_eq(o[0].fold_count, o[1].fold_count);
+  for (size_t k = 0; k < o[0].fold_count; ++k)
+    holds(o[0].folds[k].energy, o[0].folds[k].energy_error, o[1].folds[k].energy,
+          o[1].folds[k].energy_error);
+  const po_curve_point *last[2];
+  for (int k = 0; k < 2; ++k)
+    last[k] = &o[k].curve[o[k].curve_count - 1];
+  ck_assert_double_eq_tol(last[0]->approach, last[1]->approach, 1e-9);
+  holds(last[0]->energy, last[0]->energy_error, last[1]->energy, last[1]->energy_error);
+  const po_loop *loop = &o[0].hysteresis.displacement;
+  ck_assert_double_gt(loop->energy_error, 0.0);
+  if (isfinite(request.preload.approach)) /* the same approach in both */
+    holds(loop->preload.energy, loop->energy_error, o[1].hysteresis.displacement.preload.energy,
+          o[1].hysteresis.displacement.energy_error);
+  loops_hold(loop, &o[1].hysteresis.displacement);
+  loops_hold(&o[0].hysteresis.load, &o[1].hysteresis.load);
+  po_result_clear(&o[0]);
+  po_result_clear(&o[1]);
+}
+END_TEST
+
 /* With a preload that reaches only the first crest, the pull-off force of a test is smaller than
  * with the default preload. The reported pull-off must be that of the test. */
 START_TEST(a_small_preload_measures_less) {
@@ -234,6 +288,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, truncated_sphere_parts_from_its_corner);
   tcase_add_loop_test(tests, staircases_of_two_waves, 0, 2);
   tcase_add_test(tests, bradley_in_closed_form);
+  tcase_add_loop_test(tests, stated_errors_of_energies_hold, 0, sizeof LOOPS / sizeof *LOOPS);
   tcase_add_loop_test(tests, loop_loses_what_its_jumps_do, 0, sizeof LOOPS / sizeof *LOOPS);
   tcase_add_test(tests, a_small_preload_measures_less);
   tcase_add_test(tests, a_preload_beyond_the_trace_is_refused);

@@ -54,8 +54,8 @@ START_TEST(minima_on_the_loading_path_are_steps) {
   ck_assert_double_eq(s.step[1].pull_off.load, -2.0);
   ck_assert_double_eq(s.reached.approach, 4.0);
   ck_assert_uint_eq(s.step[1].cycle_count, 1);
-  ck_assert_uint_eq(s.step[1].cycle[0].jumps, 0);
-  ck_assert_double_eq(s.step[1].cycle[0].energy_lost, 0.0);
+  ck_assert_uint_eq(s.step[1].cycle[0].loss.jumps, 0);
+  ck_assert_double_eq(s.step[1].cycle[0].loss.energy, 0.0);
   ck_assert_ptr_eq(po_staircase_greatest(&s), &s.step[1]);
   po_staircase_clear(&s);
 }
@@ -83,8 +83,8 @@ START_TEST(a_harder_preload_may_give_a_smaller_force) {
     const po_preload preload = {s.step[k].preload.approach + 1e-3, NAN};
     ck_assert_int_eq(po_loop_follow(&path, PO_DISPLACEMENT_CONTROL, preload, &loop), PO_OK);
     ck_assert_double_eq(loop.pull_off.load, s.step[k].pull_off.load);
-    ck_assert_uint_eq(loop.jump_count, s.step[k].cycle[0].jumps);
-    ck_assert_double_eq_tol(loop.energy_lost, s.step[k].cycle[0].energy_lost, 1e-12);
+    ck_assert_uint_eq(loop.jump_count, s.step[k].cycle[0].loss.jumps);
+    ck_assert_double_eq_tol(loop.energy_lost, s.step[k].cycle[0].loss.energy, 1e-12);
     po_loop_clear(&loop);
   }
   po_staircase_clear(&s);

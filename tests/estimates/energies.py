@@ -1,0 +1,190 @@
+#!/usr/bin/python3
+"""Tests the stated errors of energies: those of special points, of the points of a curve and of a loop, the energies lost
+in jumps, and the work. Random scenes are solved with a loose and a tight tolerance, and compared.
+
+    energies.py --count 60 --seed 1           solve and compare, on all cores
+    energies.py --general --count 60          scenes of any law, profile, waves and coupling
+
+Prints how often the stated errors hold and how much too large they are, and each violation with the commands that
+repeat it. Solutions are kept, so that an interrupted campaign can be continued. Exit code: 0 no violation, 1 a
+violation, 2 bad usage, 3 nothing could be compared, 4 a file cannot be written, 130 interrupted."""
+
+import math
+import sys
+
+import compare
+import draw
+import options
+import solve
+import steps
+import table
+
+ORDER = ("fold energy", "extremum energy", "curve energy", "loop energy", "lost in a jump", "lost in a loop", "work")
+STARTS = 8           # places of a segment where the nearest one is looked for
+CANDIDATES = 3       # points of a curve beside which it is looked for
+MISS = 1e-8          # least distance of a curve from its cubics that the program asks for
+GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
+
+
+def arguments(args):
+    parser = options.parser_of(__doc__, "energies.jsonl", 60, (1e-4, 1e-7))
+    parser.add_argument("--general", action="store_true", help="scenes of any law, profile, waves and coupling")
+    options.add_ranges(parser, {"tabor": (0.05, 5.0), "radius": (30.0, 200.0), "wavelength": (1.0, 6.0),
+                                "amplitude": (0.003, 0.5), "outer": (0.25, 1.0)},
+                       {"smooth": 0.1, "cut": 0.5, "at-radius": 0.5, "any-law": 0.4})
+    return parser.parse_args(args)
+
+
+class Segment:
+    """The cubics of approach and load between two points of a curve, and the energy by the integral of the load."""
+
+    def __init__(self, a, b):
+        length = b["position"] - a["position"]
+        self.energy = a["energy"]
+        self.cubics = [self.coefficients(a[name], length * a[rate], b[name], length * b[rate])
+                       for name, rate in (("approach", "approach_rate"), ("load", "load_rate"))]
+
+    @staticmethod
+    def coefficients(f0, d0, f1, d1):
+        return (f0, d0, 3.0 * (f1 - f0) - 2.0 * d0 - d1, 2.0 * (f0 - f1) + d0 + d1)
+
+    def at(self, t):
+        """(approach, load) at a fraction of the segment."""
+        return [sum(c * t**k for k, c in enumerate(cubic)) for cubic in self.cubics]
+
+    def energy_at(self, t):
+        approach, load = self.cubics
+        return self.energy + sum(c * k * d * t**(j + k) / (j + k) for j, c in enumerate(load)
+                                 for k, d in enumerate(approach) if k)
+
+    def nearest(self, point):
+        """The distance of a state in the plane of approach and load, and where on the segment."""
+        def distance(t):
+            approach, load = self.at(t)
+            return math.hypot(approach - point["approach"], load - point["load"])
+        best = min(range(STARTS + 1), key=lambda k: distance(k / STARTS))
+        low, high = max(best - 1, 0) / STARTS, min(best + 1, STARTS) / STARTS
+        while high - low > 1e-9:
+            first, second = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
+            if distance(first) < distance(second):
+                high = second
+            else:
+                low = first
+        return distance(low), low
+
+    @property
+    def length(self):
+        (begin, _), (end, _) = self.at(0.0), self.at(1.0)
+        return abs(end - begin)
+
+
+def gap(point, other):
+    return math.dist(*([one[name] for name in ("approach", "load", "energy", "contact_radius")] for one in (point, other)))
+
+
+def energy_off(point, curve):
+    """The difference of the energy of a state from that of a curve at the same approach, and the error of the latter by
+    interpolation. Near the nearest place of the curve the energy changes by load times approach."""
+    near = [i for i, other in enumerate(curve) if abs(other["position"] - point["position"]) < 0.5 + 0.02 * point["position"]]
+    beside = sorted(near, key=lambda i: gap(point, curve[i]))[:CANDIDATES]
+    segments = [Segment(curve[i], curve[i + 1]) for i in {k for j in beside for k in (j - 1, j)} if 0 <= i < len(curve) - 1]
+    found = []
+    for segment in segments:
+        distance, t = segment.nearest(point)
+        moved = point["approach"] - segment.at(t)[0]
+        found.append((distance, abs(point["energy"] - segment.energy_at(t) - point["load"] * moved),
+                      MISS * (1.0 + segment.length)))
+    return min(found)[1:]
+
+
+class Task:
+    """A scene, and the two solutions that are compared."""
+
+    def __init__(self, name, scene):
+        self.name, self.scene = name, dict(scene, want="hysteresis,curve")
+        self.solutions, self.findings = [], []
+
+    def solve(self, journal, wanted):
+        self.solutions = [journal.solution(self.scene, tolerance) for tolerance in (wanted.loose, wanted.tight)]
+        if all(one["status"] == "ok" and one.get("hysteresis") for one in self.solutions):
+            loose, tight = self.solutions
+            self.add_special_points(loose, tight)
+            self.add_curve(loose, tight)
+            for control in steps.CONTROLS:
+                self.add_loop(control.name, *(one["hysteresis"][control.name] for one in self.solutions))
+
+    def add(self, quantity, where, stated, difference, own):
+        if stated > 0.0:
+            self.findings.append(compare.Finding(quantity, where, stated, difference, own + compare.ROUNDING))
+
+    def add_special_points(self, loose, tight):
+        for name, pairs in zip(("fold", "extremum"), compare.common(loose, tight)):
+            for ours, theirs in pairs:
+                if ours and theirs:
+                    own = compare.value(theirs, "energy_error_estimate")
+                    self.add(f"{name} energy", f" ({compare.text_of(ours)})", compare.value(ours, "energy_error_estimate"),
+                             abs(ours["energy"] - theirs["energy"]), 0.0 if math.isnan(own) else own)
+
+    def add_curve(self, loose, tight):
+        """The points that both traces cover; the greatest difference counts."""
+        low, high = (max(one["curve"][0]["approach"] for one in (loose, tight)), min(one["end"] for one in (loose, tight)))
+        own = max(compare.value(point, "energy_error_estimate") for point in tight["curve"])
+        for point in loose["curve"]:
+            if low <= point["approach"] <= high:
+                off, miss = energy_off(point, tight["curve"])
+                self.add("curve energy", f" (at approach {point['approach']:.7g})",
+                         compare.value(point, "energy_error_estimate"), off, own + miss)
+
+    def add_loop(self, name, ours, theirs):
+        if len(ours["jumps"]) != len(theirs["jumps"]) or not ours["jumps"]:
+            return
+        pairs = [("lost in a loop", "energy_lost", ours, theirs), ("work", "work", ours, theirs)]
+        pairs += [("lost in a jump", "energy_lost", *jumps) for jumps in zip(ours["jumps"], theirs["jumps"])]
+        for quantity, key, one, other in pairs:
+            error = f"{key}_error_estimate"
+            if None not in (one[key], other[key]):
+                self.add(quantity, f" ({name})", compare.value(one, error), abs(one[key] - other[key]),
+                         compare.value(other, error))
+        states = [jump[end] for jump in ours["jumps"] for end in ("before", "after")] + [ours["preload"]]
+        off, miss = max(energy_off(state, self.solutions[1]["curve"]) for state in states if state["approach"] is not None)
+        self.add("loop energy", f" ({name})", compare.value(ours, "energy_error_estimate"), off,
+                 miss + compare.value(theirs, "energy_error_estimate"))
+
+    @property
+    def crashed(self):
+        return [one for one in self.solutions if one["status"] == "crashed"]
+
+    @property
+    def violations(self):
+        return [f"{f.quantity}: stated {f.stated:.3g}, off by {f.difference:.3g}{f.where}"
+                for f in self.findings if f.verdict == "violated"]
+
+
+def tasks_of(wanted):
+    def drawn(k):
+        return draw.general_scene(wanted.seed, k) if wanted.general else draw.scene(wanted.seed, k, vars(wanted))
+    return [Task(f"scene {k}", drawn(k))
+            for k in (wanted.scenes if wanted.scenes is not None else range(wanted.count))]
+
+
+def report(tasks, wanted):
+    """Prints the table and the violations, and returns the exit code."""
+    compared = [task for task in tasks if task.findings]
+    print(f"{len(tasks)} scenes by seed {wanted.seed}, {wanted.loose:g} against {wanted.tight:g}: {len(compared)} compared")
+    print("\n".join(table.grid([finding for task in tasks for finding in task.findings], ORDER)))
+    violated = [task for task in tasks if task.violations]
+    for task in violated:
+        print("\n  ".join([f"violated: {task.name}", *task.violations, solve.command(task.scene, wanted.loose)]))
+    crashed = [task for task in tasks if task.crashed]
+    for task in crashed:
+        solve.tell_crashed(task.name, task.crashed[0], solve.command(task.scene, wanted.loose))
+    return solve.exit_code(len(violated), len(compared), crashed)
+
+
+def main(args):
+    wanted = arguments(args)
+    return solve.campaign("energies.py", "energies.jsonl", tasks_of(wanted), wanted, report)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

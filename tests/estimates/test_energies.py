@@ -1,0 +1,58 @@
+"""Tests of the comparison of energies: a state on a known curve, and what it must find."""
+
+import math
+import os
+import sys
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, HERE)
+
+import energies  # noqa: E402
+
+
+def curve(count):
+    """Points of the branch approach = sin s, load = cos 2s, whose energy is the integral of load d(approach). It turns at
+    s = pi/2, so that approaches occur twice."""
+    points = []
+    for k in range(count):
+        s = 3.0 * k / (count - 1)
+        points.append({"position": s, "approach": math.sin(s), "load": math.cos(2 * s),
+                       "energy": math.sin(s) - 2.0 / 3.0 * math.sin(s)**3, "contact_radius": s,
+                       "approach_rate": math.cos(s), "load_rate": -2 * math.sin(2 * s)})
+    return points
+
+
+class Energies(unittest.TestCase):
+    def test_a_state_of_the_curve_is_not_off(self):
+        tight = curve(120)
+        for state in curve(37):
+            off, miss = energies.energy_off(state, tight)
+            self.assertLess(off, 2e-8, state)
+            self.assertGreaterEqual(miss, 1e-8)
+
+    def test_an_error_of_the_energy_is_found(self):
+        tight = curve(120)
+        for state in curve(37):
+            off, _ = energies.energy_off(dict(state, energy=state["energy"] + 1e-5), tight)
+            self.assertAlmostEqual(off, 1e-5, delta=1e-7)
+
+    def test_a_state_beside_the_curve_is_compared_at_its_approach(self):
+        """Moved along the curve of constant difference of U - W approach: dU = W d(approach)."""
+        tight = curve(120)
+        for state in curve(37):
+            moved = dict(state, approach=state["approach"] + 1e-5, energy=state["energy"] + 1e-5 * state["load"])
+            self.assertLess(energies.energy_off(moved, tight)[0], 3e-8)
+
+    def test_violations_are_those_beyond_both_errors(self):
+        task = energies.Task("made up", {})
+        task.add("curve energy", "", 1e-6, 1.5e-6, 1e-6)
+        self.assertEqual(task.violations, [])
+        task.add("curve energy", "", 1e-6, 2.5e-6, 1e-6)
+        self.assertEqual(len(task.violations), 1)
+        task.add("curve energy", "", math.nan, 1.0, 0.0)      # nothing is stated
+        self.assertEqual(len(task.violations), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
