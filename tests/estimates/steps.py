@@ -157,7 +157,7 @@ class Beside:
                 self.wrong.append(f"energy lost {lost}, in the loop {energy}{self.where}")
             return
         self.add("energy lost", compare.value(cycle, "energy_lost_error_estimate"), abs(lost - energy),
-                 compare.value(loop, "energy_lost_error_estimate"))
+                 compare.value(loop, "energy_lost_error_estimate") + compare.ROUNDING)
 
     def is_reversal(self, loop):
         """Whether the greatest tension of a loop is that at its reversal."""
