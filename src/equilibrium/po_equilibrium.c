@@ -335,6 +335,10 @@ static po_status factorize_panels(po_equilibrium *e) {
   return e->pivot != 0.0 ? PO_OK : PO_SINGULAR;
 }
 
+int po_equilibrium_orientation(const po_equilibrium *e) {
+  return e->orientation * e->secant.sign;
+}
+
 static double neglect_of(const po_equilibrium *e) {
   return NEGLECT * fmin(1.0, GAIN_OF_NEGLECT / e->gain);
 }

@@ -84,7 +84,7 @@ typedef struct {
   size_t weak_count;    /* corrections of the present factors by these */
   po_secant secant;     /* Broyden's updates since the factorisation */
   bool factorized;
-  int orientation; /* sign of the determinant of the factorised matrix */
+  int orientation; /* sign of the determinant of the factors, without Broyden's updates */
   po_solve_work work;
 } po_equilibrium;
 
@@ -152,6 +152,10 @@ void po_equilibrium_measure_noise(po_equilibrium *e, const double *state);
 /* Asks for the next factors on panels in double precision, after an iteration was too slow near a
  * solution. Returned: whether the present ones are in single precision. */
 bool po_equilibrium_distrust_single(po_equilibrium *e);
+
+/* Returned: the sign of the determinant of the bordered Jacobian at the factorised state, by the
+ * factors and the updates since. */
+int po_equilibrium_orientation(const po_equilibrium *e);
 
 /* Corrects the factors of panels in the direction in which they respond most, by the product of the
  * Jacobian with it, if they are wrong there. Called after po_equilibrium_measure_noise, which finds

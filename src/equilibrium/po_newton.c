@@ -22,6 +22,9 @@ static const double GREATEST_CLOSING = 0.7;
  * any prediction; and, after the first iteration, larger than any from which the iteration
  * converges. */
 static const double GREATEST_CHANGE = 1e3, DIVERGED = 10.0;
+/* Change of a gap, relative to 1 + H, below which the law is linear over a step a thousand times as
+ * long. */
+static const double LINEAR = 1e-4;
 /* Mean contraction of an iteration above which a new factorisation is cheaper. */
 static const double SLOWEST = 0.45;
 /* A contact edge is narrow if the arclength functional gives approach and load less than this
@@ -105,7 +108,7 @@ static double newton_step(po_equilibrium *e, double *state, const po_constraint 
   residual[n] = constraint->target - constraint->value(e, state, constraint->data);
   po_equilibrium_precondition(e, residual, change);
   drop_rounding(e, state, change);
-  po_secant_step(&e->secant, change);
+  po_secant_step(&e->secant, e->last_change < LINEAR, change);
   double largest = 0.0, closing = 0.0;
   for (size_t j = 0; j < n; ++j) {
     const double relative = change[j] / po_law_size(law, state[j]);
@@ -172,6 +175,7 @@ po_status po_equilibrium_correct_to(po_equilibrium *e, double *state,
                                     const po_constraint *constraint) {
   progress p = progress_begin();
   po_secant_begin(&e->secant);
+  e->last_change = INFINITY;
   for (int iteration = 0; iteration < MOST_ITERATIONS; ++iteration) {
     note_change(&p, newton_step(e, state, constraint));
     e->last_change = p.now;
@@ -204,7 +208,7 @@ static po_status solve_linear(po_equilibrium *e, const double *unit, double prec
     for (size_t i = 0; i < n; ++i)
       residual[i] += e->source[i] - (solution[n] + solution[i]);
     po_equilibrium_precondition(e, residual, change);
-    po_secant_step(&e->secant, change);
+    po_secant_step(&e->secant, true, change);
     double largest = 0.0, size = 0.0;
     for (size_t j = 0; j <= n; ++j) {
       solution[j] += change[j];
@@ -229,7 +233,7 @@ po_status po_equilibrium_solve(po_equilibrium *e, const double *unit, double pre
   const po_status status = solve_linear(e, unit, precision, solution);
   if (!status || e->secant.count == 0)
     return status;
-  e->secant.count = 0;
+  po_secant_drop(&e->secant);
   return solve_linear(e, unit, precision, solution);
 }
 

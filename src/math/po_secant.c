@@ -1,14 +1,16 @@
 #include "po_secant.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "po_linear.h"
 #include "po_memory.h"
 
-/* The denominator 1 - v.z is the inverse of the factor by which the correction lengthens the step;
- * a correction with a smaller denominator is left out. */
-static const double LEAST_DENOMINATOR = 0.2;
+/* The denominator 1 - v.z is the inverse of the factor by which the correction lengthens the step,
+ * and the determinant of the correction. A correction with a smaller denominator is left out; in
+ * linear equations, with one of smaller modulus. */
+static const double LEAST_DENOMINATOR = 0.2, LEAST_OF_LINEAR = 1e-3;
 
 bool po_secant_allocate(po_secant *s, size_t capacity) {
   *s = (po_secant){.capacity = capacity};
@@ -28,13 +30,18 @@ void po_secant_free(po_secant *s) {
 
 void po_secant_clear(po_secant *s, size_t n) {
   s->n = n;
-  s->count = 0;
-  s->has_step = false;
+  po_secant_drop(s);
   for (size_t j = 0; j < n; ++j)
     s->scale[j] = 1.0;
 }
 
 void po_secant_begin(po_secant *s) {
+  s->has_step = false;
+}
+
+void po_secant_drop(po_secant *s) {
+  s->count = 0;
+  s->sign = 1;
   s->has_step = false;
 }
 
@@ -54,18 +61,19 @@ static double last_step(const po_secant *s, const double *z, double *v) {
   return po_linear_dot(s->n, v, z);
 }
 
-void po_secant_step(po_secant *s, double *change) {
+void po_secant_step(po_secant *s, bool linear, double *change) {
   for (size_t k = 0; k < s->count; ++k)
     po_linear_add(s->n, po_linear_dot(s->n, s->v + k * s->capacity, change), s->u + k * s->capacity,
                   change);
   if (s->count == PO_SECANT_DEPTH) { /* the oldest correction is the least useful one, but the later
                                         ones depend on it: drop all */
-    s->count = 0;
-    s->has_step = false;
+    po_secant_drop(s);
   } else if (s->has_step) {
     double *u = s->u + s->count * s->capacity, *v = s->v + s->count * s->capacity;
     const double denominator = 1.0 - last_step(s, change, v);
-    if (denominator > LEAST_DENOMINATOR) {
+    if (denominator > LEAST_DENOMINATOR || (linear && fabs(denominator) > LEAST_OF_LINEAR)) {
+      if (denominator < 0.0)
+        s->sign = -s->sign;
       for (size_t j = 0; j < s->n; ++j)
         u[j] = change[j] /= denominator;
       ++s->count;

@@ -16,6 +16,7 @@ typedef struct {
   double *scale; /* n: components of a step are measured relative to these scales */
   double *step;  /* n: the last step */
   bool has_step; /* the next change is computed at the end of the last step */
+  int sign;      /* of the determinant of the product of all corrections */
 } po_secant;
 
 /* Allocates updates for vectors of length up to `capacity`. Returned: false if memory runs out. */
@@ -30,7 +31,12 @@ void po_secant_clear(po_secant *s, size_t n);
  * step was shortened. */
 void po_secant_begin(po_secant *s);
 
-/* Given: change = -M residual, n. Returned: in `change`, the corrected step, which is stored. */
-void po_secant_step(po_secant *s, double *change);
+/* Deletes all corrections. */
+void po_secant_drop(po_secant *s);
+
+/* Given: change = -M residual, n; linear, whether the residual is linear over a step a thousand
+ * times as long: then M may miss a small eigenvalue of the Jacobian, or have it with the wrong
+ * sign. Returned: in `change`, the corrected step, which is stored. */
+void po_secant_step(po_secant *s, bool linear, double *change);
 
 #endif
