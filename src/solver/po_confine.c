@@ -1,6 +1,8 @@
-/* Landlock: a process gives up the right to write outside one folder. */
+/* What a solver cannot do: write outside its folder (Landlock), and read the memory and the
+ * environment of this program. */
 #include <errno.h>
 #include <fcntl.h>
+#include <linux/capability.h>
 #include <linux/landlock.h>
 #include <stdint.h>
 #include <sys/prctl.h>
@@ -18,6 +20,25 @@ static const uint64_t CHANGE = LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_F
 
 /* Rights of later versions: to link or rename to another folder (2), to truncate (3). */
 static const uint64_t REFER = 1U << 13, TRUNCATE = 1U << 14;
+
+/* The capabilities that permit a process of root to read the memory of any process, Landlock and
+ * PR_SET_DUMPABLE notwithstanding: Linux 6.14 accepts CAP_PERFMON, and with it CAP_SYS_ADMIN, for
+ * the environment. */
+static const unsigned long SEEING[] = {CAP_SYS_PTRACE, CAP_SYS_ADMIN,
+#ifdef CAP_PERFMON
+                                       CAP_PERFMON
+#endif
+};
+
+void po_process_hide(void) {
+  (void)prctl(PR_SET_DUMPABLE, 0L, 0L, 0L, 0L);
+}
+
+void po_blind(void) {
+  for (size_t i = 0; i < sizeof SEEING / sizeof *SEEING; ++i)
+    (void)prctl(PR_CAPBSET_DROP, SEEING[i], 0L, 0L, 0L);
+  (void)prctl(PR_CAP_AMBIENT, PR_CAP_AMBIENT_CLEAR_ALL, 0L, 0L, 0L);
+}
 
 static long version(void) {
   return syscall(SYS_landlock_create_ruleset, NULL, 0L, LANDLOCK_CREATE_RULESET_VERSION);

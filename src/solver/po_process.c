@@ -36,6 +36,7 @@ po_status po_process_start(const po_process_request *request, po_process *proces
   if (access(request->command[0], X_OK) != 0)
     return po_fail(PO_CANNOT_READ, "%s cannot be executed: %s", request->command[0],
                    strerror(errno));
+  po_process_hide();
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, control) != 0 ||
       pipe2(report, O_CLOEXEC) != 0 || pipe2(output, O_CLOEXEC) != 0)
     process->supervisor = -1;

@@ -44,8 +44,10 @@ typedef struct {
 
 /* Starts a process. Standard input is empty; standard output and standard error are collected. The
  * program gets no other open file of this process. Where the kernel has Landlock (Linux 5.13), it
- * can write in its folder and in /dev only. Status: PO_CANNOT_READ (the program cannot be
- * executed), PO_CANNOT_WRITE (no process could be created). */
+ * can write in its folder and in /dev only. It cannot read the environment or the memory of this
+ * process and of the supervisor, see po_process_hide, which this function calls. Status:
+ * PO_CANNOT_READ (the program cannot be executed), PO_CANNOT_WRITE (no process could be created).
+ */
 po_status po_process_start(const po_process_request *request, po_process *process);
 
 /* Waits for the end of the process, at most some seconds. Returned: whether it has ended. */
@@ -54,6 +56,11 @@ bool po_process_wait(po_process *process, double seconds);
 /* Ends a process: sends TERM to its group and, if it has not ended after `grace` seconds, KILL to
  * it and all its descendants. Returns after its end. */
 void po_process_stop(po_process *process, double grace);
+
+/* Closes the files /proc/PID/environ and /proc/PID/mem of this process, and of the supervisors that
+ * are copied from it, to other processes of the user: their environment may contain secrets. Until
+ * its end this process writes no core file, and a debugger can be attached only by root. */
+void po_process_hide(void);
 
 /* Reports whether this kernel can confine the files that a process writes to a folder. */
 bool po_process_confines(void);

@@ -122,6 +122,7 @@ static int become(const po_process_request *request) {
     return errno;
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, request->most_bytes);
+  po_blind();
   const int confined = po_confine(request->folder);
   if (confined && confined != ENOSYS && confined != EOPNOTSUPP)
     return confined;

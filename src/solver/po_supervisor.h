@@ -25,4 +25,8 @@ _Noreturn void po_supervise(const po_process_request *request, int control, int 
  * an errno; ENOSYS or EOPNOTSUPP if the kernel cannot. */
 int po_confine(const char *folder);
 
+/* Gives up the capabilities by which a program of root, executed next, could read the memory and
+ * the environment of other processes. Without such capabilities this has no effect. */
+void po_blind(void);
+
 #endif

@@ -93,6 +93,9 @@ conform 1 environment 'wrong +JKR, .*: crashed: the solver ended with exit statu
 check 'no secret of the environment is passed on' sh -c "! grep -q 'hidden' '$work/stdout'"
 more=
 
+# Nor does it find them with the processes above it, the supervisor and the program itself.
+conform 1 neighbours 'wrong +JKR, .*: crashed: the solver ended with exit status 6: environ PermissionError mem PermissionError environ PermissionError mem PermissionError$'
+
 # It writes in its own folder alone, where the kernel can see to that.
 echo precious >"$work/precious"
 TARGET=$work/precious

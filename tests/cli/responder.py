@@ -50,6 +50,24 @@ def write(stream, found):
     stream.flush()
 
 
+def ancestors(count):
+    """The numbers of the processes above this one: the supervisor, and the program that started it."""
+    pid = os.getpid()
+    for _ in range(count):
+        with open(f"/proc/{pid}/stat", encoding="utf-8") as stream:
+            pid = int(stream.read().rsplit(")", 1)[1].split()[1])
+        yield pid
+
+
+def peek(pid, name):
+    """What a process finds in a file of another one: the number of bytes, or why it cannot be read."""
+    try:
+        with open(f"/proc/{pid}/{name}", "rb") as stream:
+            return "open" if name == "mem" else f"{len(stream.read())} bytes"
+    except OSError as why:
+        return type(why).__name__
+
+
 def spoil(mode, stream, k, found):
     """Answers point number k (from 0) of the request as the mode says."""
     if mode == "nothing" or (mode == "skip" and k == 1):
@@ -104,6 +122,9 @@ def spoil(mode, stream, k, found):
     if mode == "environment" and k == 1:
         print(" ".join(f"{key}={value}" for key, value in sorted(os.environ.items())))
         sys.exit(5)
+    if mode == "neighbours" and k == 1:
+        print(" ".join(f"{name} {peek(pid, name)}" for pid in ancestors(2) for name in ("environ", "mem")))
+        sys.exit(6)
     if mode == "shorter" and k == 1:
         time.sleep(0.2)
         stream.truncate(0)
