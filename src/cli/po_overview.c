@@ -48,14 +48,7 @@ static void add_command(const po_case_run *run, const po_point *point, const cha
   po_text_add(text, "    pulloff explain %s", po_case_word(run->plan->kase));
   if (point)
     po_text_add(text, " --point %s", point->id);
-  if (run->plan->solver) {
-    po_text_add(text, " --solver ");
-    po_text_add_word(text, run->plan->solver->path);
-  }
-  if (run->plan->solver && run->plan->solver->knob && strchr(run->plan->solver->name, '@')) {
-    po_text_add(text, " --knob ");
-    po_text_add_word(text, run->plan->solver->knob);
-  }
+  po_plan_add_solver(run->plan, text);
   if (output) {
     po_text_add(text, " --output ");
     po_text_add_word(text, output);

@@ -1,9 +1,13 @@
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
 
 #include "po_conform.h"
 #include "po_environment.h"
+#include "po_file.h"
 #include "po_interrupt.h"
+#include "po_memory.h"
 #include "po_options.h"
 #include "po_print_solver.h"
 #include "po_verbs.h"
@@ -41,6 +45,23 @@ static po_status take_option(void *to, int option) {
   return po_options_take_text("output", "the name of a folder", &line->output);
 }
 
+/* Returned: the length of the part of a path that exists. */
+static size_t existing_part(const char *path) {
+  char *part = po_copy_text(path), *slash = NULL;
+  while (part && !po_path_exists(part) && (slash = strrchr(part, '/')))
+    *slash = '\0';
+  const size_t length = !part ? strlen(path) : po_path_exists(part) ? strlen(part) : 0;
+  free(part);
+  return length;
+}
+
+/* Removes the empty folders at the end of a path, except its first `kept` characters. */
+static void remove_empty(char *path, size_t kept) {
+  char *slash = NULL;
+  while (strlen(path) > kept && rmdir(path) == 0 && (slash = strrchr(path, '/')))
+    *slash = '\0';
+}
+
 int po_verb_conform(int argc, char **argv) {
   const po_options options = {"conform", HELP, OPTIONS, argc, argv, NULL};
   conform_line line = {.output = "build/run"};
@@ -57,12 +78,14 @@ int po_verb_conform(int argc, char **argv) {
   if (!status && !folder)
     status = PO_NO_MEMORY;
   if (!status) {
+    const size_t existing = existing_part(folder);
     po_print_solver(solver, stdout);
     status = po_conform(solver, po_environment_data(), folder, po_interrupt_listen(), &report);
+    remove_empty(folder, existing);
   }
   const size_t wrong = report.wrong;
   if (!status && wrong)
-    printf("%zu of the findings are wrong\n", wrong);
+    printf("%zu %s wrong\n", wrong, wrong == 1 ? "finding is" : "findings are");
   const int code = status ? po_options_end(status) : wrong ? PO_EXIT_OUTSIDE : PO_EXIT_OK;
   po_text_clear(&report.lines);
   po_solver_destroy(solver);

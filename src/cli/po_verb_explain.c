@@ -120,7 +120,8 @@ int po_verb_explain(int argc, char **argv) {
     status = choose(session->catalog.cases[0], line.point, &points);
   if (!status)
     status = po_session_solve(session);
-  const po_explain_choice choice = {.all = line.all, .points = points};
+  const po_explain_choice choice = {
+      .all = line.all, .points = points, .output = po_session_output(session)};
   if (!status)
     status = print(&session->runs[0], &choice, line.json);
   int code = po_options_end(status);

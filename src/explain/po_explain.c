@@ -68,14 +68,56 @@ static char *command_of(const po_case_run *run, size_t point, bool curve) {
   return text.data;
 }
 
-/* Returned: the command that repeats a result. For a result of all points together it is that of
- * the first failed solve, or `verify` if none failed. */
-static char *command_of_item(const po_case_run *run, const po_check_result *item) {
+/* The commands of a result or of a failed solve. */
+typedef struct {
+  char *rerun;   /* repeats it; NULL: there is no memory */
+  char *compare; /* for an external solver, the solve of the point by this program; NULL: none */
+} commands;
+
+/* Returned: the command by which an external solver is asked for a point again. */
+static char *ask_again(const po_case_run *run, size_t point, const char *output) {
+  po_text text = {0};
+  po_plan_add_rerun(run->plan, point, &text);
+  if (output) {
+    po_text_add(&text, " --output ");
+    po_text_add_word(&text, output);
+  }
+  if (text.failed)
+    po_text_clear(&text);
+  return text.data;
+}
+
+static commands commands_of(const po_case_run *run, size_t point, bool curve, const char *output) {
+  char *own = command_of(run, point, curve);
+  return run->plan->solver ? (commands){ask_again(run, point, output), own} : (commands){own, NULL};
+}
+
+/* For a result of all points together they are those of the first failed solve, or `verify` if none
+ * failed. */
+static commands commands_of_item(const po_case_run *run, const po_check_result *item,
+                                 const char *output) {
   if (!item->whole || run->results[item->point].status != PO_OK)
-    return command_of(run, item->point, item->check->quantity == PO_CURVE);
+    return commands_of(run, item->point, item->check->quantity == PO_CURVE, output);
   po_text text = {0};
   po_text_add(&text, "pulloff verify %s", po_case_word(run->plan->kase));
-  return text.data;
+  po_plan_add_solver(run->plan, &text);
+  return (commands){text.data, NULL};
+}
+
+/* Adds the lines of the commands, and frees these. */
+static void add_commands(commands c, po_text *text) {
+  po_text_add(text, "  rerun      %s\n", c.rerun ? c.rerun : "");
+  if (c.compare)
+    po_text_add(text, "  compare    %s\n", c.compare);
+  po_text_add(text, "\n");
+  free(c.rerun);
+  free(c.compare);
+}
+
+/* Adds the commands to an object, and frees them. */
+static void set_commands(commands c, json_t **object) {
+  po_json_set(object, "command", po_json_take_text(c.rerun));
+  po_json_set(object, "compare", c.compare ? po_json_take_text(c.compare) : json_null());
 }
 
 static void explain_numbers(const po_case_run *run, const po_check_result *item, po_text *text) {
@@ -95,7 +137,8 @@ static void explain_numbers(const po_case_run *run, const po_check_result *item,
                 check->tolerance_text, check->kind_text);
 }
 
-static void explain_item(const po_case_run *run, const po_check_result *item, po_text *text) {
+static void explain_item(const po_case_run *run, const po_check_result *item, const char *output,
+                         po_text *text) {
   const po_case *kase = run->plan->kase;
   char place[PO_PLACE_LENGTH] = "";
   po_blame blame;
@@ -113,9 +156,7 @@ static void explain_item(const po_case_run *run, const po_check_result *item, po
   if (blame.why[0])
     po_text_add(text, "  fault      %s: %s\n", blame.side, blame.why);
   po_text_add(text, "  tolerance  because %s\n", item->check->because);
-  char *command = command_of_item(run, item);
-  po_text_add(text, "  rerun      %s\n\n", command ? command : "");
-  free(command);
+  add_commands(commands_of_item(run, item, output), text);
 }
 
 void po_explain_text(const po_case_run *run, const po_explain_choice *choice, po_text *text) {
@@ -126,22 +167,20 @@ void po_explain_text(const po_case_run *run, const po_explain_choice *choice, po
     considered += po_explain_concerns(run, choice, item);
     if (!is_explained(run, choice, item))
       continue;
-    explain_item(run, item, text);
+    explain_item(run, item, choice->output, text);
     explained += 1;
   }
   for (size_t i = 0; i < kase->point_count; ++i)
     if (is_chosen(choice, i) && po_case_run_failed(run, i)) {
-      char *command = command_of(run, i, false);
-      po_text_add(text, "%s solve %s: failed\n  reason     %s\n  rerun      %s\n\n",
-                  po_plan_name(run->plan), kase->points[i].label, run->results[i].reason,
-                  command ? command : "");
-      free(command);
+      po_text_add(text, "%s solve %s: failed\n  reason     %s\n", po_plan_name(run->plan),
+                  kase->points[i].label, run->results[i].reason);
+      add_commands(commands_of(run, i, false, choice->output), text);
     }
   po_text_add(text, "%s: %zu of %zu checks explained%s\n", po_plan_name(run->plan), explained,
               considered, explained < considered ? ", the others are within" : "");
 }
 
-static json_t *item_json(const po_case_run *run, const po_check_result *item) {
+static json_t *item_json(const po_case_run *run, const po_check_result *item, const char *output) {
   const po_case *kase = run->plan->kase;
   const po_point *point = &kase->points[item->point];
   const po_check *check = item->check;
@@ -155,7 +194,7 @@ static json_t *item_json(const po_case_run *run, const po_check_result *item) {
                            {"load", po_json_number(item->load)},
                            {"special_points", po_json_text(place)});
   }
-  return PO_JSON_OBJECT(
+  json_t *object = PO_JSON_OBJECT(
       {"id", po_json_text(item->id)}, {"point", po_json_text(item->whole ? NULL : point->id)},
       {"label", po_json_text(item->whole ? NULL : point->label)},
       {"quantity", po_json_text(item->quantity)},
@@ -168,8 +207,9 @@ static json_t *item_json(const po_case_run *run, const po_check_result *item) {
       {"reference_uncertainty", po_json_number(item->uncertainty)},
       {"reference", po_json_text(po_plan_reference_of(run->plan, check))}, {"where", where},
       {"fault", po_json_text(blame.side)}, {"why", po_json_text(blame.why)},
-      {"because", po_json_text(check->because)}, {"note", po_json_text(item->note)},
-      {"command", po_json_take_text(command_of_item(run, item))});
+      {"because", po_json_text(check->because)}, {"note", po_json_text(item->note)});
+  set_commands(commands_of_item(run, item, output), &object);
+  return object;
 }
 
 json_t *po_explain_json(const po_case_run *run, const po_explain_choice *choice) {
@@ -177,14 +217,15 @@ json_t *po_explain_json(const po_case_run *run, const po_explain_choice *choice)
   json_t *checks = po_json_empty_array(), *failed = po_json_empty_array();
   for (size_t i = 0; i < run->check_results.count; ++i)
     if (is_explained(run, choice, &run->check_results.items[i]))
-      po_json_append(&checks, item_json(run, &run->check_results.items[i]));
+      po_json_append(&checks, item_json(run, &run->check_results.items[i], choice->output));
   for (size_t i = 0; i < kase->point_count; ++i)
-    if (is_chosen(choice, i) && po_case_run_failed(run, i))
-      po_json_append(&failed,
-                     PO_JSON_OBJECT({"point", po_json_text(kase->points[i].id)},
-                                    {"label", po_json_text(kase->points[i].label)},
-                                    {"reason", po_json_text(run->results[i].reason)},
-                                    {"command", po_json_take_text(command_of(run, i, false))}));
+    if (is_chosen(choice, i) && po_case_run_failed(run, i)) {
+      json_t *object = PO_JSON_OBJECT({"point", po_json_text(kase->points[i].id)},
+                                      {"label", po_json_text(kase->points[i].label)},
+                                      {"reason", po_json_text(run->results[i].reason)});
+      set_commands(commands_of(run, i, false, choice->output), &object);
+      po_json_append(&failed, object);
+    }
   return PO_JSON_OBJECT(
       {"schema", po_json_text("pulloff-explain/1")}, {"case", po_json_text(kase->file->name)},
       {"verdict", po_json_text(po_case_run_verdict(run))}, {"checks", checks}, {"failed", failed});

@@ -10,6 +10,7 @@
 typedef struct {
   const bool *points; /* one a point: the point is selected; NULL: all are */
   bool all;           /* include checks whose verdict is within */
+  const char *output; /* the folder of the records; NULL: it is the default */
 } po_explain_choice;
 
 /* Reports whether a text selects a point: it is the number of the point, or consists of words of

@@ -35,6 +35,25 @@ const char *po_plan_name(const po_plan *plan) {
   return plan->name ? plan->name : plan->kase->file->name;
 }
 
+void po_plan_add_solver(const po_plan *plan, po_text *text) {
+  const po_solver *solver = plan->solver;
+  if (!solver)
+    return;
+  po_text_add(text, " --solver ");
+  po_text_add_word(text, solver->path);
+  if (solver->knob && strchr(solver->name, '@')) {
+    po_text_add(text, " --knob ");
+    po_text_add_word(text, solver->knob);
+  }
+}
+
+void po_plan_add_rerun(const po_plan *plan, size_t point, po_text *text) {
+  po_text_add(text, "pulloff verify %s --points %s", po_case_word(plan->kase),
+              plan->kase->points[point].id);
+  po_plan_add_solver(plan, text);
+  po_text_add(text, " --fresh --verbose");
+}
+
 bool po_plan_covers(const po_plan *plan, const po_check *check) {
   if (!plan->solver)
     return true;

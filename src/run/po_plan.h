@@ -7,6 +7,7 @@
 #include "po_environment.h"
 #include "po_reference.h"
 #include "po_solver.h"
+#include "po_text.h"
 
 typedef struct {
   const po_case *kase;
@@ -41,6 +42,13 @@ void po_plan_destroy(po_plan *plan);
 
 /* Returned: the name of the case in printed lines. */
 const char *po_plan_name(const po_plan *plan);
+
+/* Adds the options that name an external solver, " --solver MANIFEST --knob VALUE"; nothing for this
+ * program. The name of the solver says whether the knob has another value than the last. */
+void po_plan_add_solver(const po_plan *plan, po_text *text);
+
+/* Adds the command that asks an external solver for one point again and prints its verdicts. */
+void po_plan_add_rerun(const po_plan *plan, size_t point, po_text *text);
 
 /* Reports whether a check is made: an external solver computes its quantity, and has pins if it is
  * a check against pins. Every check is made on results of this program. */

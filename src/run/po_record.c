@@ -126,6 +126,14 @@ po_status po_record_add_tables(const po_case_run *run, size_t index, const char 
   return status ? status : add_table(run, index, true, folder, entry);
 }
 
+static json_t *rerun_json(const po_plan *plan, size_t point) {
+  po_text text = {0};
+  po_plan_add_rerun(plan, point, &text);
+  if (text.failed)
+    po_text_clear(&text);
+  return po_json_take_text(text.data);
+}
+
 json_t *po_record_point(const po_case_run *run, size_t index) {
   const po_case *kase = run->plan->kase;
   const po_point *point = &kase->points[index];
@@ -139,7 +147,9 @@ json_t *po_record_point(const po_case_run *run, size_t index) {
   po_json_set(&object, "processor_seconds_all", times(run, run->processor_seconds, index));
   if (run->rounds)
     po_json_set(&object, "timing", po_rounds_json(run, index));
-  po_json_set(&object, "command", po_json_take_text(po_input_command(&shown)));
+  po_json_set(&object, "command",
+              run->plan->solver ? rerun_json(run->plan, index)
+                                : po_json_take_text(po_input_command(&shown)));
   if (point->traced)
     po_json_set(&object, "traced", po_json_result(&shown, &run->traces[index]));
   if (kase->is_physical)
@@ -150,9 +160,10 @@ json_t *po_record_point(const po_case_run *run, size_t index) {
 }
 
 /* Returned: the command that applies a verb to a case, quoted for a shell. */
-static json_t *command_json(const char *verb, const po_case *kase) {
+static json_t *command_json(const char *verb, const po_plan *plan) {
   po_text text = {0};
-  po_text_add(&text, "pulloff %s %s", verb, po_case_word(kase));
+  po_text_add(&text, "pulloff %s %s", verb, po_case_word(plan->kase));
+  po_plan_add_solver(plan, &text);
   if (text.failed)
     po_text_clear(&text);
   return po_json_take_text(text.data);
@@ -174,7 +185,7 @@ static json_t *check_json(const po_case_run *run, const po_check_result *item) {
       {"passes", po_json_flag(po_verdict_passes(item->verdict))},
       {"note", po_json_text(item->note)},
       {"reference", po_json_text(po_plan_reference_of(run->plan, check))},
-      {"because", po_json_text(check->because)}, {"command", command_json("verify", kase)});
+      {"because", po_json_text(check->because)}, {"command", command_json("verify", run->plan)});
 }
 
 /* Returned: the result of a measurement. Its tolerance is infinite, so the verdict `outside` means
@@ -281,7 +292,8 @@ static json_t *record_json(const po_case_run *run, int jobs, json_t *points, jso
       {"equations", po_json_text(file->equations)}, {"suites", suites(kase)},
       {"file", po_json_text(kase->shown)}, {"key", po_json_text(run->plan->key)},
       {"solve_key", po_json_text(run->plan->solve_key)},
-      {"figure_script", po_json_text(file->figure_script)}, {"command", command_json("run", kase)},
+      {"figure_script", po_json_text(file->figure_script)},
+      {"command", command_json("run", run->plan)},
       {"versions", po_environment_versions(run->plan->arithmetic.openblas)},
       {"environment", environment(run, jobs)}, {"verdict", po_json_text(po_case_run_verdict(run))},
       {"seconds", po_json_number(run->elapsed)}, {"plan", plan_json(run->plan)}, {"points", points},

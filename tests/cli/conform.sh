@@ -37,7 +37,11 @@ conform() {
 conform 0 good 'ok +manifest: 3 quantities' 'ok +empty request: ended' 'ok +Bradley, tabor 0.01' 'ok +JKR, tabor 3' \
   'ok +between, tabor 0.8, radius 50' 'ok +force at pull-off: within' 'ok +approach at pull-off: within' \
   'ok +contact radius at pull-off: within' 'ok +repeats: 2 answers' 'ok +a scene outside .*unsupported'
-check 'no folder is left after a good solver' [ -z "$(ls out/solvers/good 2>/dev/null)" ]
+check 'no folder is left after a good solver' [ ! -e out ]
+mkdir out
+manifest good
+"$program" conform good.yaml --output out >/dev/null
+check 'a folder that was there before is left' [ -z "$(ls out)" ]
 conform 0 slow 'ok +stopped after [123] of 4 answers'
 conform 0 scalar 'ok +force at pull-off: within'
 conform 0 noise 'ok +force at pull-off: within'
@@ -53,6 +57,7 @@ conform 1 random 'wrong +force at pull-off: no common factor; worst for tabor 3'
 conform 1 approach_sign 'wrong +approach at pull-off: the expected value times -1 \(a wrong sign\)' 'ok +force at pull-off'
 conform 1 shifted 'wrong +approach at pull-off: the expected value -1 eps' 'ok +force at pull-off'
 check 'one line names the fault' [ "$(grep -c '^wrong' "$work/stdout")" -eq 1 ]
+check 'the last line counts it' grep -qx '1 finding is wrong' "$work/stdout"
 
 # Wrong answers: the point gets a status, the others are judged.
 conform 1 nothing 'wrong +Bradley, .*: no_answer: the solver ended without an answer' \

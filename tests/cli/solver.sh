@@ -81,6 +81,14 @@ go 1 verify judged.yaml --solver pi.yaml --output run
 printed '^    pulloff explain judged.yaml --point 0 --solver pi.yaml --output run'
 go 1 explain judged.yaml --solver pi.yaml --output run
 printed 'fault +solver: the results of pi are the expected values times pi at all 8 points'
+printed '^  rerun      pulloff verify judged.yaml --points 0 --solver pi.yaml --fresh --verbose --output run$'
+printed '^  compare    pulloff solve --tabor 0.5 --radius 100 '
+again=$(sed -n '0,/^  rerun/s/^  rerun      pulloff //p' "$work/stdout" | head -n 1)
+# shellcheck disable=SC2086 # the words of the command are meant
+go 1 $again
+printed 'pull_off_force .* outside'
+check 'the record names the solver in its commands' [ "$(value run/solvers/pi/judged/record.json \
+  "r['command'] == 'pulloff run judged.yaml --solver pi.yaml' and 'solver pi.yaml' in r['points'][0]['command']")" = True ]
 
 # Every kind of failure is a status of its point; the others are judged.
 # What ends the process does so again at the second point of the next one.
