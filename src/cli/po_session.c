@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "po_environment.h"
+#include "po_file.h"
 #include "po_interrupt.h"
 #include "po_memory.h"
 #include "po_number.h"
@@ -23,23 +24,41 @@ static const char OUTPUT[] = "build/run";
 static const char ALL[] = "all";
 
 po_session po_session_default(void) {
-  return (po_session){.time_limit = NAN, .last = SIZE_MAX, .options = {.output = OUTPUT}};
+  return (po_session){.time_limit = NAN, .options = {.output = OUTPUT}};
 }
 
 const char *po_session_output(const po_session *session) {
   return strcmp(session->options.output, OUTPUT) == 0 ? NULL : session->options.output;
 }
 
-/* "17" or "0-499". */
+/* Reads "17" or "0-499". Returned: false if it is neither. */
+static bool read_range(const char *text, size_t length, po_point_range *range) {
+  char first[64];
+  if (length >= sizeof first)
+    return false;
+  snprintf(first, sizeof first, "%.*s", (int)length, text);
+  char *dash = strchr(first, '-');
+  if (dash)
+    *dash = '\0';
+  return po_number_parse_count(first, &range->first) &&
+         po_number_parse_count(dash ? dash + 1 : first, &range->last) &&
+         range->last >= range->first;
+}
+
+/* "17", "0-499" or "0-3,17". */
 static po_status take_points(const char *text, po_session *session) {
-  char first[32];
-  const size_t length = strcspn(text, "-");
-  snprintf(first, sizeof first, "%.*s", (int)(length < 31 ? length : 31), text);
-  const char *last = text[length] ? text + length + 1 : first;
-  if (!po_number_parse_count(first, &session->first) ||
-      !po_number_parse_count(last, &session->last) || session->last < session->first)
-    return po_options_refuse("points", text, "A-B or one number, counted from 0");
-  return PO_OK;
+  size_t count = 0;
+  bool good = true, more = true;
+  for (const char *at = text; good && more; ++count) {
+    const size_t length = strcspn(at, ",");
+    good = count < PO_MOST_RANGES && read_range(at, length, &session->ranges[count]);
+    more = at[length] == ',';
+    at += length + 1;
+  }
+  session->range_count = count;
+  return good ? PO_OK
+              : po_options_refuse("points", text,
+                                  "A-B or one number, counted from 0, or several with commas");
 }
 
 /* "2/5". */
@@ -129,6 +148,21 @@ static po_status add_manifest(po_session *session, const char *path) {
   return status;
 }
 
+/* Adds the solver of "MANIFEST@VALUE", or of "MANIFEST" with --knob. */
+static po_status add_named(po_session *session, const char *text) {
+  const char *at = po_path_exists(text) ? NULL : strrchr(text, '@');
+  if (!at)
+    return add_manifest(session, text);
+  po_solver *solver = NULL;
+  char *path = po_copy_text(text);
+  if (!path)
+    return PO_NO_MEMORY;
+  path[at - text] = '\0';
+  const po_status status = po_solver_read(path, at + 1, &solver);
+  free(path);
+  return status ? status : add_solver(session, solver);
+}
+
 static po_status read_solvers(po_session *session) {
   po_status status = PO_OK;
   if (session->knob && !session->manifest_count)
@@ -136,7 +170,7 @@ static po_status read_solvers(po_session *session) {
   for (size_t m = 0; !status && m < session->manifest_count; ++m)
     status = strcmp(session->manifests[m], "pulloff") == 0
                  ? add_solver(session, NULL)
-                 : add_manifest(session, session->manifests[m]);
+                 : add_named(session, session->manifests[m]);
   for (size_t s = 0; !status && s < session->solver_count; ++s)
     if (session->solvers[s])
       po_print_solver(session->solvers[s], stderr);
@@ -177,10 +211,11 @@ static po_status plan_all(po_session *session) {
 static po_status check_points(const po_session *session) {
   for (size_t i = 0; i < session->catalog.count; ++i) {
     const po_case *kase = session->catalog.cases[i];
-    if (session->first >= kase->point_count)
-      return po_fail(PO_BAD_INPUT,
-                     "--points begins at %zu: expected less than %zu, the number of points of %s",
-                     session->first, kase->point_count, kase->file->name);
+    for (size_t k = 0; k < session->range_count; ++k)
+      if (session->ranges[k].first >= kase->point_count)
+        return po_fail(PO_BAD_INPUT,
+                       "--points begins at %zu: expected less than %zu, the number of points of %s",
+                       session->ranges[k].first, kase->point_count, kase->file->name);
   }
   return PO_OK;
 }
@@ -189,8 +224,8 @@ static po_status check_points(const po_session *session) {
 static po_status ask(po_session *session) {
   const size_t count = session->catalog.count;
   po_status status = PO_OK;
-  for (size_t r = 0; r < session->run_count; ++r)
-    po_case_run_ask(&session->runs[r], session->first, session->last);
+  for (size_t r = 0; session->range_count && r < session->run_count; ++r)
+    po_case_run_ask(&session->runs[r], session->ranges, session->range_count);
   for (size_t s = 0; !status && session->shard.count && s < session->solver_count; ++s)
     status = po_shard_deal(session->runs + s * count, count, session->shard);
   return status;
@@ -199,7 +234,7 @@ static po_status ask(po_session *session) {
 po_status po_session_open(po_session *session, char *const *names, size_t count) {
   if (count && session->suites)
     return po_fail(PO_BAD_INPUT, "cases and --suite are given: expected one of them");
-  if (session->shard.count && session->last < SIZE_MAX)
+  if (session->shard.count && session->range_count)
     return po_fail(PO_BAD_INPUT, "--points and --shard are given: expected one of them");
   const po_suites suites = {.names = session->suites, .only_named = true};
   po_status status =

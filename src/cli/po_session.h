@@ -10,17 +10,19 @@
 #include "po_shard.h"
 #include "po_solver.h"
 
-enum { PO_MOST_MANIFESTS = 16, PO_MOST_SOLVERS = 128 };
+enum { PO_MOST_MANIFESTS = 16, PO_MOST_SOLVERS = 128, PO_MOST_RANGES = 64 };
 
 typedef struct {
   const char *suites; /* their names, separated by commas; NULL: see po_catalog.h */
   double time_limit;  /* of each solve, in seconds; NAN: that of its case */
-  size_t first, last; /* the selected points of each case */
-  po_shard shard;     /* the shard to solve, if .count > 0 */
+  po_point_range ranges[PO_MOST_RANGES]; /* the selected points of each case */
+  size_t range_count;                    /* 0: all points */
+  po_shard shard;                        /* the shard to solve, if .count > 0 */
   const po_arithmetic
       *arithmetic; /* of the processes that computed the points; NULL: of this one */
   po_run_options options;
-  const char *manifests[PO_MOST_MANIFESTS]; /* of --solver, "pulloff" for this program */
+  const char *manifests[PO_MOST_MANIFESTS]; /* of --solver: "MANIFEST", "MANIFEST@VALUE", or
+                                               "pulloff" for this program */
   size_t manifest_count;
   const char *knob;                    /* of --knob; NULL: not given */
   po_solver *solvers[PO_MOST_SOLVERS]; /* NULL: this program */
@@ -75,7 +77,8 @@ po_session po_session_default(void);
 /* The lines of --solver and --knob in the help of a verb. */
 #define PO_SESSION_SOLVER_HELP                                                                     \
   "  --solver MANIFEST ask this external solver (doc/solvers.md) instead; may be given several\n"  \
-  "                    times; pulloff is this program. Its records are in DIR/solvers/NAME\n"      \
+  "                    times; pulloff is this program. Its records are in DIR/solvers/NAME.\n"     \
+  "                    MANIFEST@VALUE names a value of its knob\n"                                 \
   "  --knob VALUE      value of the knob of the external solver (default: the last one of its\n"   \
   "                    manifest); run and verify: all, each value as a solver\n"
 

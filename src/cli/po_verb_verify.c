@@ -22,8 +22,8 @@ static const char HELP[] =
     "  --output DIR      folder of the records (default build/run)\n"
     "  --jobs N          number of points solved in parallel; 0 means all cores (default 0); the\n"
     "                    results do not depend on it\n"
-    "  --points A[-B]    solve only points A to B of each case, counted from 0 (default: all); a\n"
-    "                    later run of all points reuses them\n"
+    "  --points A[-B][,C[-D]]...  solve only points A to B, C to D of each case, counted from 0\n"
+    "                    (default: all); a later run of all points reuses them\n"
     "  --time-limit S    limit of the processor time of each solve, in seconds (default: the\n"
     "                    limit in the case file, if any)\n" PO_SESSION_SOLVER_HELP
     "  --fresh           solve all points again, even those with a valid record\n"

@@ -17,7 +17,7 @@ po_status po_case_run_create(po_plan *plan, po_case_run *run) {
   if (!run->results || !run->traces || !run->seconds || !run->processor_seconds || !run->done ||
       !run->asked)
     return PO_NO_MEMORY;
-  po_case_run_ask(run, 0, points);
+  po_case_run_ask(run, &(po_point_range){0, points}, 1);
   if (!plan->solver)
     return PO_OK;
   const po_status status = po_run_solver_begin(run);
@@ -48,10 +48,12 @@ void po_case_run_clear(po_case_run *run) {
   *run = (po_case_run){0};
 }
 
-void po_case_run_ask(po_case_run *run, size_t first, size_t last) {
+void po_case_run_ask(po_case_run *run, const po_point_range *ranges, size_t count) {
   run->asked_count = 0;
   for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
-    run->asked[i] = i >= first && i <= last;
+    run->asked[i] = false;
+    for (size_t k = 0; k < count; ++k)
+      run->asked[i] = run->asked[i] || (i >= ranges[k].first && i <= ranges[k].last);
     run->asked_count += run->asked[i];
   }
 }

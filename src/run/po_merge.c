@@ -289,7 +289,7 @@ po_status po_merge_fill(const po_merge *merge, po_case_run *runs, size_t count) 
   }
   for (size_t r = 0; r < count; ++r) {
     const size_t points = runs[r].plan->kase->point_count;
-    po_case_run_ask(&runs[r], 0, points);
+    po_case_run_ask(&runs[r], &(po_point_range){0, points}, 1);
     runs[r].elapsed = 0;
     for (size_t i = 0; i < points; ++i)
       runs[r].elapsed += runs[r].results[i].work.seconds;

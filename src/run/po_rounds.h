@@ -2,21 +2,23 @@
  *
  * In each round every question is a process of its own, which solves it twice, between the solves
  * of the other solvers. So the time of a process is measured from outside for each point, and the
- * first solve, which may include compilation, is apart from the second one. Start and end of the
- * program are measured by a request without points, once a round. */
+ * first solve, which may include compilation, is apart from the second one. A process whose first
+ * solve takes long is ended after it. Start and end of the program are measured by a request
+ * without points, once a round. */
 #ifndef PO_ROUNDS_H
 #define PO_ROUNDS_H
 
 #include "po_json_value.h"
 #include "po_run.h"
 
-/* Number of solves in a process. */
+/* Number of solves in a process, unless the first one takes long. */
 enum { PO_ROUND_SOLVES = 2 };
 
 /* Seconds of one round of a point. NAN: unknown. */
 typedef struct po_round {
-  double first, later;                /* of the first and the second solve, as reported */
-  double reported;                    /* sum of all times that the process reports */
+  double first, later; /* of the first and the second solve, as reported; without a second one the
+                          same */
+  double reported;     /* sum of all times that the process reports */
   double wall, processor;             /* of the process */
   double start_wall, start_processor; /* of the process that was asked nothing */
 } po_round;

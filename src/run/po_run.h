@@ -76,8 +76,13 @@ po_status po_run(po_case_run *runs, size_t count, const po_run_options *options)
  * depends on its predecessors. Status: PO_NO_MEMORY, PO_INTERRUPTED. */
 po_status po_run_series(po_case_run *run, size_t first, const volatile sig_atomic_t *stop);
 
-/* Requests only the existing points with numbers from `first` to `last`. */
-void po_case_run_ask(po_case_run *run, size_t first, size_t last);
+/* A range of numbers of points. */
+typedef struct {
+  size_t first, last;
+} po_point_range;
+
+/* Requests only the existing points with numbers in these ranges. */
+void po_case_run_ask(po_case_run *run, const po_point_range *ranges, size_t count);
 
 /* Reports whether all points are requested; whether the results of all requested points are known.
  */

@@ -102,10 +102,11 @@ static po_status listen(asking *a, po_process *process, po_response *response,
     const size_t open = po_taking_first(t);
     const double limit = open < t->count ? t->questions[open].limit : GRACE;
     *late = po_clock_wall() - last > limit + (any ? 0 : a->solver->start_limit);
+    const double grace = status == PO_INTERRUPTED ? 0 : GRACE; /* the taker needs no more */
     if (a->stop && *a->stop)
       status = PO_INTERRUPTED;
     if (status || *late || response->wrong[0])
-      po_process_stop(process, GRACE);
+      po_process_stop(process, grace);
   }
   if (!process->running && (!status || status == PO_INTERRUPTED)) {
     const po_status taken = po_taking_lines(t, response, !status, &found->found, &news);
@@ -144,7 +145,8 @@ static po_status run_in(asking *a, const po_ask_folder *folder, po_response *res
   found->wall = end->wall;
   found->processor = end->processor;
   found->left = end->left;
-  return status ? status : add_process(a, found);
+  const po_status added = add_process(a, found);
+  return status ? status : added;
 }
 
 /* Runs one process for all open questions. Returned: in *fruitless, whether it gave no answer; in

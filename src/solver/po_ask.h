@@ -27,7 +27,8 @@ typedef struct {
  * that identifies the questions for po_recover, or NULL; `stop`, ends the process when it
  * becomes nonzero; may be NULL. Returned: log, to be cleared whatever the status. Status:
  * PO_INTERRUPTED, PO_CANNOT_WRITE, PO_CANNOT_READ (the program cannot be started), PO_NO_MEMORY,
- * that of `take`. */
+ * that of `take`. If `take` returns PO_INTERRUPTED, it needs no further answer: the process is
+ * killed at once, and is in the log. */
 po_status po_ask(const po_solver *solver, const po_question *questions, size_t count,
                  const char *folder, const char *key, const volatile sig_atomic_t *stop,
                  po_answer_taker *take, void *context, po_ask_log *log);

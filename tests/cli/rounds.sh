@@ -61,5 +61,26 @@ if ! "$program" run timed.yaml --solver slow_failure.yaml --output run >stdout 2
 check 'the clock of a failed solve is not judged' grep -q '"clock": "none"' run/solvers/slow_failure/timed/record.json
 check 'no other clock' test "$(grep -c '"clock": "less"' run/solvers/slow_failure/timed/record.json)" -eq 0
 check 'the rounds of a run without pulloff are not interleaved' grep -q '"interleaved": false' run/solvers/quick_clock/timed/record.json
+# A long first solve is not repeated: the process is ended, and the time is that of the one solve.
+manifest long
+if ! "$program" run timed.yaml --points 0-1 --solver long.yaml --output run >stdout 2>stderr; then cat stderr; fi
+cat >read.py <<'END'
+import json
+point = json.loads(open("run/solvers/long/timed/points.jsonl").readline())["point"]
+timing = point["timing"]
+assert point["status"] == "ok" and timing["first_seconds"] == point["seconds_all"] == 3 * [1e-3], point
+assert all(5.1 < seconds < 8 for seconds in timing["process_seconds"]), timing
+for cpu, whole, start in zip(point["processor_seconds_all"], timing["process_processor_seconds"], timing["start_processor_seconds"]):
+    assert abs(cpu - max(whole - start, 0)) < 1e-12, point
+END
+check 'a long solve is not repeated' "$python" read.py
+check 'nothing of it is left' [ -z "$(find run/solvers/long -name 'ask-*')" ]
+manifest part 'knob: {name: nodes, values: [10, 20]}'
+sed -i 's/, part,/, good,/' part.yaml
+if ! "$program" run timed.yaml --solver part.yaml@20 --solver part.yaml@10 --solver good.yaml@10 --output some >stdout 2>stderr; then cat stderr; fi
+check 'values of knobs by name' [ "$(cd some/solvers && echo *)" = 'good@10 part part@10' ]
+expect 2 'pulloff: --solver names part twice: expected each solver once' run timed.yaml --solver part.yaml@20 --solver part.yaml
+expect 2 'pulloff: --knob is 30: expected one of the values of the knob in the manifest' run timed.yaml --solver part.yaml@30
+expect 4 'pulloff: absent.yaml cannot be opened: *' run timed.yaml --solver absent.yaml@30
 expect 2 'pulloff: explain takes one value of the knob: expected --knob VALUE' explain timed.yaml --solver good.yaml --knob all
 finish

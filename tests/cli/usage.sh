@@ -56,9 +56,9 @@ expect 2 'pulloff: unexpected argument leftover of solve (see pulloff solve --he
 expect 2 'pulloff: plan needs the name of a case*' plan
 expect 2 'pulloff: --jobs is -1: expected a whole number, 0 for all cores' run --jobs -1
 expect 2 'pulloff: --jobs is many: expected a whole number, 0 for all cores' run --jobs many
-expect 2 'pulloff: --points is 5-3: expected A-B or one number, counted from 0' run --points 5-3
-expect 2 'pulloff: --points is 5-: expected A-B or one number, counted from 0' run --points 5-
-expect 2 'pulloff: --points is few: expected A-B or one number, counted from 0' run --points few
+expect 2 'pulloff: --points is 5-3: expected A-B or one number, counted from 0, or several with commas' run --points 5-3
+expect 2 'pulloff: --points is 5-: expected A-B or one number, counted from 0, or several with commas' run --points 5-
+expect 2 'pulloff: --points is few: expected A-B or one number, counted from 0, or several with commas' run --points few
 expect 2 'pulloff: --points begins at 6: expected less than 6, the number of points of smoke' \
   run smoke --points 6
 expect 2 'pulloff: --time-limit is 0: expected a finite number > 0' run --time-limit 0
