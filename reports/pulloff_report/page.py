@@ -41,7 +41,9 @@ def with_bars(text):
 def contents(run, references, faults=None, claims=None, cost=None):
     """All that either form of the report shows."""
     source = sections.Source(run, references, faults, claims, cost)
-    return {"title": TITLE, "found": findings.build(run, claims), "sections": sections.build_all(source)}
+    built = sections.build_all(source)
+    beside_ours = next(section.data for section in built if section.id == "solvers").get("front")
+    return {"title": TITLE, "found": dict(findings.build(run, claims), solvers=beside_ours), "sections": built}
 
 
 def filled(template, content, **more):

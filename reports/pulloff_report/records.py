@@ -52,12 +52,19 @@ def read_judgement(path, schema):
     return document
 
 
+def record_of(folder):
+    """The file with the record of a case: of all points, or of the points to which the run of an external solver was
+    limited; None if there is neither."""
+    paths = (os.path.join(folder, name) for name in ("record.json", "part.json"))
+    return next((path for path in paths if os.path.isfile(path)), None)
+
+
 class Case:
     """One case of a run: its record, and its curves and profiles, which are read on request."""
 
     def __init__(self, folder):
         self.folder = folder
-        self.path = os.path.join(folder, "record.json")
+        self.path = record_of(folder)
         try:
             record = json.loads(read_text(self.path))
         except json.JSONDecodeError as error:
@@ -141,7 +148,7 @@ class Run:
             raise ReportError(f"{folder}: {error.strerror}") from error
         folders = [os.path.join(folder, name) for name in names]
         self.cases = [Case(place) for place in folders
-                      if os.path.isfile(os.path.join(place, "record.json"))]
+                      if record_of(place)]
         if not self.cases:
             raise ReportError(f"{folder}: no record of any case (pulloff run --suite paper "
                               f"--output {folder} makes them)")

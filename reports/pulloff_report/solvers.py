@@ -4,7 +4,7 @@ import math
 import os
 
 from . import samples
-from .records import PASSING, Run
+from .records import PASSING, Run, record_of
 
 FOLDER = "solvers"
 TIMED = "solver_times"       # the case in which solvers are timed in turn with this program
@@ -44,7 +44,7 @@ def read(run):
     found = []
     for name in sorted(os.listdir(folder)):
         place = os.path.join(folder, name)
-        if any(os.path.isfile(os.path.join(place, inner, "record.json")) for inner in os.listdir(place)):
+        if os.path.isdir(place) and any(record_of(os.path.join(place, inner)) for inner in os.listdir(place)):
             found.append(Solver(name, place))
     return sorted(found, key=knob_order)
 

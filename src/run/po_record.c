@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "po_environment.h"
 #include "po_file.h"
@@ -14,6 +15,9 @@
 #include "po_rounds.h"
 #include "po_run_solver.h"
 #include "po_tables.h"
+
+/* The record of some points. */
+static const char PART[] = "part.json";
 
 static json_t *suites(const po_case *kase) {
   json_t *array = po_json_empty_array();
@@ -252,7 +256,7 @@ static po_status write_points(const po_case_run *run, const char *folder, json_t
   *points = po_json_empty_array();
   for (size_t i = 0; !status && i < run->plan->kase->point_count; ++i) {
     json_t *point = po_record_point(run, i);
-    po_json_set(&point, "failed", po_json_flag(po_case_run_failed(run, i)));
+    po_json_set(&point, "failed", po_json_flag(run->asked[i] && po_case_run_failed(run, i)));
     status = po_record_add_tables(run, i, folder, &point);
     po_json_append(points, point);
   }
@@ -303,10 +307,11 @@ static json_t *record_json(const po_case_run *run, int jobs, json_t *points, jso
       {"solver", po_run_solver_json(run)});
 }
 
-po_status po_record_write(const po_case_run *run, const char *output, int jobs,
-                          const volatile sig_atomic_t *stop) {
+/* Writes a record with this name. */
+static po_status write_record(const po_case_run *run, const char *name, const char *output,
+                              int jobs, const volatile sig_atomic_t *stop) {
   char *folder = po_path_join(output, run->plan->kase->file->name);
-  char *path = folder ? po_path_join(folder, "record.json") : NULL;
+  char *path = folder ? po_path_join(folder, name) : NULL;
   json_t *points = NULL, *lines = NULL;
   po_text text = {0};
   po_status status = path ? po_folder_make(folder) : PO_NO_MEMORY;
@@ -328,4 +333,32 @@ po_status po_record_write(const po_case_run *run, const char *output, int jobs,
   free(path);
   free(folder);
   return status;
+}
+
+po_status po_record_write(const po_case_run *run, const char *output, int jobs,
+                          const volatile sig_atomic_t *stop) {
+  const po_status status = write_record(run, "record.json", output, jobs, stop);
+  char *folder = status ? NULL : po_path_join(output, run->plan->kase->file->name);
+  char *part = folder ? po_path_join(folder, PART) : NULL;
+  if (part)
+    unlink(part);
+  free(part);
+  free(folder);
+  return status;
+}
+
+po_status po_record_write_part(po_case_run *run, const char *output, int jobs,
+                               const volatile sig_atomic_t *stop) {
+  for (size_t i = 0; i < run->plan->kase->point_count; ++i) {
+    po_result *result = &run->results[i];
+    if (run->asked[i])
+      continue;
+    po_result_clear(result);
+    *result = po_result_none();
+    result->status = PO_UNSUPPORTED;
+    result->work.seconds = (double)NAN;
+    snprintf(result->reason, sizeof result->reason,
+             "not asked: the run was limited to other points");
+  }
+  return write_record(run, PART, output, jobs, stop);
 }

@@ -12,6 +12,12 @@
 po_status po_record_write(const po_case_run *run, const char *output, int jobs,
                           const volatile sig_atomic_t *stop);
 
+/* Writes the record of a run of an external solver that is limited to some points, as part.json: the
+ * report reads it if there is no record of all points, but no later run does. The other points get
+ * the status PO_UNSUPPORTED. Status: as po_record_write. */
+po_status po_record_write_part(po_case_run *run, const char *output, int jobs,
+                               const volatile sig_atomic_t *stop);
+
 /* Reads the results of an earlier run. Status: PO_NOT_FOUND if there is no record, or if it is
  * damaged or belongs to other scenes or another program, so that the case must be solved again;
  * PO_NO_MEMORY. */

@@ -130,6 +130,8 @@ static po_status finish_case(po_crew *crew, po_case_run *run) {
   po_status status = compare_all(run, options->stop);
   if (!status && po_case_run_is_whole(run) && strcmp(run->old_key, run->plan->key) != 0)
     status = po_record_write(run, folder_of(crew, run), crew->jobs, options->stop);
+  else if (!status && !po_case_run_is_whole(run) && run->plan->solver && !run->kept)
+    status = po_record_write_part(run, folder_of(crew, run), crew->jobs, options->stop);
   run->finished = status == PO_OK;
   if (!status && po_case_run_is_whole(run))
     status = po_journal_remove(run, folder_of(crew, run));

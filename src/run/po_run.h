@@ -10,7 +10,7 @@
 
 /* How much of a case an external solver covers. */
 typedef struct {
-  size_t points, asked; /* requested points, and those within its manifest */
+  size_t points, asked; /* points of the case, and requested ones within its manifest */
   size_t checks, made;  /* pairs of a check and a point, and those that were compared */
   size_t not_reachable; /* of these, the ones whose expected value it cannot see */
 } po_coverage;
@@ -63,8 +63,9 @@ typedef struct {
  * all solvers, so that a temporary load of the machine does not slow one more than the others. A
  * point whose solves have taken half a second of processor time together is not repeated again.
  * Such a point is stored after the last round. If only some points of a case are requested, the
- * checks are made on these and no record is written; the journal keeps the points for a later run
- * (po_journal.h).
+ * checks are made on these, and the journal keeps the points for a later run (po_journal.h). A
+ * record is written only for an external solver, with another name, for the report
+ * (po_record_write_part).
  *
  * Status: PO_INTERRUPTED (a case is not finished; its solved points are stored; if all cases are
  * finished, `stop` has no effect), PO_CANNOT_WRITE, PO_CANNOT_READ (a reference), PO_NO_MEMORY. A

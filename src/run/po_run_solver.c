@@ -283,21 +283,20 @@ static po_status judge_reach(po_case_run *run, const volatile sig_atomic_t *stop
   return status;
 }
 
+/* Of all points of the case, also if the run is limited to some of them. */
 static void count_coverage(po_case_run *run) {
   const po_case *kase = run->plan->kase;
-  run->coverage = (po_coverage){0};
+  run->coverage = (po_coverage){.points = kase->point_count};
   for (size_t i = 0; i < kase->point_count; ++i) {
-    if (!run->asked[i])
-      continue;
-    run->coverage.points += 1;
-    run->coverage.asked += !run->beyond[i];
+    const bool judged = run->asked[i] && !run->beyond[i];
+    run->coverage.asked += judged;
     for (unsigned c = 0; c < kase->file->checks_count; ++c) {
       const po_check *check = &kase->file->checks[c];
       if (!po_check_concerns(check, &kase->points[i].request) ||
           run->plan->references[c].type == PO_REFERENCE_ABSENT)
         continue;
       run->coverage.checks += 1;
-      run->coverage.made += !run->beyond[i] && po_plan_covers(run->plan, check);
+      run->coverage.made += judged && po_plan_covers(run->plan, check);
     }
   }
 }

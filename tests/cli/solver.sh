@@ -66,7 +66,7 @@ check 'a point that is left out says why' [ "$(value run/solvers/part/judged/rec
 
 # Several solvers at once, one of them this program.
 go 1 verify judged.yaml --solver good.yaml --solver pulloff --output run --points 0-3
-printed '^good:judged .*coverage 4/4 points, 8/16 checks'
+printed '^good:judged .*coverage 4/8 points, 8/32 checks'
 printed '^judged .*missing_reference|^judged +12 +4'
 expect 2 'pulloff: --solver names good twice: expected each solver once' \
   verify judged.yaml --solver good.yaml --solver good.yaml

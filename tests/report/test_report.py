@@ -253,6 +253,24 @@ class Parts(PageTest):
                  "quick on μ = 3, A† = 1, λ† = 20: no tolerance of this program reaches its error.", "at 1e-6 it is 70 times faster",
                  "quick on μ = 3, A† = 1, λ† = 20 reports less", "2 of 12 solves gave no result")
         self.lacks(text, "were timed in rounds without this program", "This program is faster on every scene")
+        self.has(text, "pulloff ✓ within6 of 6 pass; points 6/6, checks 6/6",
+                 "quick and second, judged by the same cases. At the error of the other solver, in 2 comparisons, this program is "
+                 "100 to 800 times as fast; 2 errors it does not reach (external solvers)")
+
+    def test_the_record_of_some_points_is_shown_with_its_coverage(self):
+        with made_up(synthetic.make_solvers) as folder:
+            place = os.path.join(folder, "run", "solvers", "quick", "solver_times")
+            with open(os.path.join(place, "record.json"), encoding="utf-8") as stream:
+                record = json.load(stream)
+            record["solver"]["coverage"].update(asked=3, made=3)
+            for point in record["points"][3:]:
+                point.update(status="unsupported", reason="not asked: the run was limited to other points", pull_off=None)
+            record["checks"], record["measured"] = record["checks"][:3], record["measured"][:3]
+            with open(os.path.join(place, "part.json"), "w", encoding="utf-8") as stream:
+                json.dump(record, stream)
+            os.unlink(os.path.join(place, "record.json"))
+            text = plain(page_of(folder))
+        self.has(text, "quick ✓ within3 of 3 pass; points 3/6, checks 3/6")
 
     def test_missing_references_leave_sentences(self):
         with made_up(synthetic.make_fig03) as folder:

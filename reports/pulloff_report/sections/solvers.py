@@ -19,7 +19,25 @@ def cell(solver, name):
     passing, made = solvers.score(case)
     cover = solvers.coverage(case)
     return {"verdict": case.verdict if cover["asked"] else None, "passing": passing, "made": made, "cover": cover,
-            "failed": len([point for point in case.failed_points()]), "reasons": reasons(case)}
+            "failed": len(case.failed_points()), "reasons": reasons(case)}
+
+
+def own_cell(run, found, name):
+    """The same of this program, which covers every case; None if it was not run."""
+    case = next((case for case in run.cases if case.name == name), None)
+    if case is None:
+        return None
+    passing, made = solvers.score(case)
+    checks = next(solvers.coverage(solver.cases[name])["checks"] for solver in found if name in solver.cases)
+    return {"verdict": case.verdict, "passing": passing, "made": made, "failed": len(case.failed_points()), "reasons": [],
+            "cover": {"asked": len(case.points), "points": len(case.points), "made": checks, "checks": checks}}
+
+
+def table(run, found, names):
+    """A row a solver, this program first, with a cell a case."""
+    rows = [{"label": solvers.OURS, "cells": {name: own_cell(run, found, name) for name in names}}]
+    rows += [{"label": solver.label, "cells": {name: cell(solver, name) for name in names}} for solver in found]
+    return [row for row in rows if any(row["cells"].values())]
 
 
 def reasons(case):
@@ -77,6 +95,15 @@ def slower(rows):
     return found
 
 
+def front(found, speeds):
+    """What the first page says: the solvers, the smallest and greatest quotient at their error, and how many are below 1."""
+    quotients = [row["cells"][0]["quotient"] for row in speeds if row["cells"][0].get("quotient")]
+    return {"names": list(dict.fromkeys(solver.name.split("@")[0] for solver in found)), "compared": len(speeds),
+            "quotients": len(quotients), "least": min(quotients, default=None), "most": max(quotients, default=None),
+            "slower": sum(quotient < 1 for quotient in quotients),
+            "beyond": sum(row["cells"][0].get("words") == "not reached by pulloff" for row in speeds)}
+
+
 def build(source):
     found = solvers.read(source.run)
     data = {"absent": ABSENT, "figure": None}
@@ -87,7 +114,7 @@ def build(source):
         speeds = speed_rows(rows)
         ours = next((case for case in source.run.cases if case.name == solvers.TIMED), None)
         data = {"absent": None, "middle": middle, "scene": samples.scene_name, "titles": titles,
-                "rows": [{"solver": solver, "cells": {name: cell(solver, name) for name in names}} for solver in found],
+                "rows": table(source.run, found, names), "front": front(found, speeds),
                 "figure": figure.make(rows, ours.record["command"]) if ours and rows else None,
                 "speeds": speeds, "slower": slower(speeds), "goals": [name for name, _ in GOALS],
                 "timed": [row for row in rows if row.timing],
