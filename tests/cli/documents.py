@@ -10,12 +10,16 @@ A command with its output is a fenced block:
     the output
     ```
 
+A file that a page shows is written before the commands below it: ```python file=my/solver.py.
+
 `$ build/src/cli/pulloff` means the same, and a backslash at the end of a line continues the command. A line `...` stands
 for any number of lines of output. Output has to be the same word for word, except:
 
 - numbers may differ by 1e-6 (relative); numbers below 1e-5, such as errors, by a factor of 100; below 1e-12 they are
   taken for rounded zeros;
-- lines that begin with `work`, and the seconds of JSON documents, are not compared;
+- lines that begin with `work`, the seconds of JSON documents, numbers before ` s`, and those in a column `seconds` are not
+  compared;
+- the folder in which the commands run is shown as /home/me;
 - a command whose block shows no output is run only.
 
 Commands in the manual page are lines that begin with `pulloff solve`, `follow` or `theory`. With --write the blocks whose output differs are replaced by the current
@@ -31,7 +35,8 @@ import subprocess
 import sys
 import tempfile
 
-BLOCK = re.compile(r"^```console\n(.*?)^```$", re.M | re.S)
+BLOCK = re.compile(r"^```(console|\w+ file=(\S+))\n(.*?)^```$", re.M | re.S)
+SHOWN_FOLDER = "/home/me"
 COMMAND = re.compile(r"(?:build/src/cli/)?pulloff (.*)")
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?$")
 ZERO, SIZE_ONLY, SIZE_FACTOR, RELATIVE = 1e-12, 1e-5, 100, 1e-6
@@ -57,26 +62,33 @@ def is_time(line):
     return line.startswith("work") or re.match(r' *"seconds', line) is not None
 
 
-def alike_lines(shown, printed):
+def alike_lines(shown, printed, seconds=None):
+    """Whether two lines agree. Given: `seconds`, the place of the word that is a time."""
     if is_time(shown) and is_time(printed):
         return True
     a, b = shown.split(), printed.split()
-    return len(a) == len(b) and all(map(alike_words, a, b))
+    timed = {place for place, word in enumerate(a[1:]) if word.rstrip(",;") == "s"} | {seconds}
+    return len(a) == len(b) and all(
+        place in timed and number(word) is not None and number(other) is not None or alike_words(word, other)
+        for place, (word, other) in enumerate(zip(a, b)))
 
 
 def difference(shown, printed):
     """What is wrong with the shown lines; None if nothing is."""
     place = 0
     skip = False
+    seconds = None
     for line in shown:
+        if "seconds" in line.split():
+            seconds = line.split().index("seconds")
         if line.strip() == "...":
             skip = True
             continue
-        while skip and place < len(printed) and not alike_lines(line, printed[place]):
+        while skip and place < len(printed) and not alike_lines(line, printed[place], seconds):
             place += 1
         if place == len(printed):
             return f"not printed: {line}"
-        if not alike_lines(line, printed[place]):
+        if not alike_lines(line, printed[place], seconds):
             return f"shown:   {line}\n  printed: {printed[place]}"
         place += 1
         skip = False
@@ -122,7 +134,7 @@ class Tests:
         if ended.returncode:
             self.tell(command, f"exit status {ended.returncode}: {ended.stderr.strip()}")
             return None
-        return ended.stdout.splitlines()
+        return ended.stdout.replace(os.path.realpath(self.folder), SHOWN_FOLDER).splitlines()
 
     def block(self, name, text):
         """Tests a block and returns it with the current output."""
@@ -136,9 +148,18 @@ class Tests:
             today += [line, *(shown if keep else printed)]
         return "\n".join(today) + "\n"
 
+    def follow(self, name, kind, file, text):
+        """Does what a block says, and returns it with the current output."""
+        if kind == "console":
+            return self.block(name, text)
+        path = pathlib.Path(self.folder, file)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+        return text
+
     def page(self, path, name, write):
         text = path.read_text()
-        renewed = BLOCK.sub(lambda found: f"```console\n{self.block(name, found[1])}```", text)
+        renewed = BLOCK.sub(lambda found: f"```{found[1]}\n{self.follow(name, *found.groups())}```", text)
         if write and renewed != text:
             path.write_text(renewed)
             print(f"written: {name}")
