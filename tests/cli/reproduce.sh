@@ -132,13 +132,16 @@ check 'all steps' grep -q '^\[7/7\] Writing the report ' "$work/stdout"
 
 # The example solvers are asked only if it is asked for.
 not_asked solver
-mkdir -p "$tree/reference/solvers"
-: >"$tree/reference/solvers/a.yaml"
-: >"$tree/reference/solvers/b.yaml"
+mkdir -p "$tree/build/run/solvers/newton"
 reproduce 0 --no-install --only solvers --fresh
-asked 'run smoke fig03_paper fig04_paper --solver reference/solvers/a.yaml --solver reference/solvers/b.yaml --output build/run --fresh'
-asked 'run solver_times --solver reference/solvers/wrong.yaml --output build/run --fresh'
-asked 'run solver_times --solver pulloff --knob all --solver reference/solvers/a.yaml --solver reference/solvers/b.yaml --output build/run --fresh'
+check 'records of solvers are made again' [ ! -e "$tree/build/run/solvers" ]
+asked 'run smoke fig03_paper fig04_paper --fresh --output build/run'
+asked 'run smoke --solver reference/solvers/newton.yaml .*--solver reference/solvers/paper.yaml@251 .* --output build/run'
+asked 'run fig03_paper --points 0-3 --solver reference/solvers/newton.yaml .*--solver reference/solvers/wrong.yaml --output build/run'
+asked 'run fig04_paper --points 0,6,11,15,19,21 --solver reference/solvers/newton.yaml .* --output build/run'
+asked 'run solver_times --solver reference/solvers/wrong.yaml --output build/run'
+asked 'run solver_times --points 0-11 --solver pulloff .*--solver reference/solvers/paper.yaml@251 --solver reference/solvers/copson.yaml@1 --output build/run'
+asked 'run solver_times --solver pulloff .*--solver reference/solvers/paper.yaml@251 --output build/run'
 asked 'report .*'
 not_asked faults
 not_asked claims
