@@ -9,6 +9,7 @@ from .records import PASSING, Run, record_of
 FOLDER = "solvers"
 TIMED = "solver_times"       # the case in which solvers are timed in turn with this program
 OURS = "pulloff"
+WRONG = 0.5                  # a relative error of the pull-off force beyond which a result is wrong, not inaccurate
 GOAL = 1e-6                  # a relative error of the pull-off force that is compared beside that of each solver
 
 
@@ -67,15 +68,21 @@ class Timed:
         return self.timing.get("clock")
 
     @property
+    def wrong(self):
+        return self.error is not None and self.error > WRONG
+
+    @property
     def usable(self):
-        return not self.failed and self.error is not None and bool(self.seconds)
+        return not self.failed and not self.wrong and self.error is not None and bool(self.seconds)
 
 
 def relative(sample, point):
-    """The error of the pull-off force relative to the force; None without one."""
+    """The error of the pull-off force relative to the force, at least the uncertainty of the reference; None without one.
+
+    The solver that computed the reference would otherwise have no error at all."""
     error = sample.errors.get("force")
     force = (point.get("pull_off") or {}).get("force")
-    return error / abs(force) if error is not None and force else None
+    return max(error, sample.floors.get("force", 0)) / abs(force) if error is not None and force else None
 
 
 def timed_of(case, name, label, value):

@@ -17,6 +17,7 @@ SCRIPT = "solvers"
 TITLE = "Error against run time of all solvers"
 LOOKS = tuple(zip((VERMILLION, BLUE, ORANGE, PURPLE, SKY, BLACK), ("o", "^", "D", "v", "P", "h")))
 COLUMNS = 2
+LEGEND_COLUMNS = 5
 
 
 def styles(rows):
@@ -43,8 +44,9 @@ def draw_solver(axes, rows, style):
 def draw(rows):
     scenes = samples.scenes(rows)
     lines = -(-len(scenes) // COLUMNS)
-    height = 70 + 190 * lines
-    looks = styles(rows)
+    looks = styles([row for row in rows if not row.wrong])
+    top = 28 + 16 * -(-(len(looks) + 1) // LEGEND_COLUMNS)
+    height = 26 + top + 190 * lines
     picture, grid = pyplot.subplots(lines, COLUMNS, squeeze=False, sharex=True, sharey=True,
                                     figsize=(680 / 96, height / 96))
     cells = [axes for line in grid for axes in line]
@@ -68,8 +70,8 @@ def draw(rows):
         axes.set_xlabel("processor time of a solve, seconds")
     handles = [pyplot.Line2D([], [], label=name, **style) for name, style in looks.items()]
     handles.append(pyplot.Line2D([], [], ls="", marker="o", mfc="white", mec=GREY, ms=4.4, label="open, at the edge: no result"))
-    picture.legend(handles=handles, loc="upper center", ncol=min(len(handles), 6), bbox_to_anchor=(0.5, 1.0))
-    picture.subplots_adjust(left=0.085, right=0.985, top=1 - 44 / height, bottom=36 / height, wspace=0.06, hspace=0.2)
+    picture.legend(handles=handles, loc="upper center", ncol=min(len(handles), LEGEND_COLUMNS), bbox_to_anchor=(0.5, 1.0))
+    picture.subplots_adjust(left=0.085, right=0.985, top=1 - top / height, bottom=36 / height, wspace=0.06, hspace=0.2)
     return picture
 
 
@@ -78,7 +80,7 @@ def caption(rows):
     failed = sum(row.failed for row in rows)
     return Markup("{}").format(
         "Relative error of the pull-off force against processor time, the median of "
-        f"{count(rounds, 'round')}, or of fewer if they took more than a second, with a bar from the smallest to the largest. The lines join the values of the knob of each "
+        f"{count(rounds, 'round')}, or of fewer if they took more than half a second, with a bar from the smallest to the largest. The lines join the values of the knob of each "
         "solver, and the tolerances of this program. The processor time of an external solver is that of its process beyond "
         f"its start. {failed or 'None'} of {count(len(rows), 'solve')} gave no result.")
 

@@ -1,5 +1,6 @@
 """External solvers: verdict and coverage of each case, error against run time, and how much faster this program is."""
 
+import shlex
 import statistics
 
 from . import Section
@@ -49,7 +50,7 @@ def reasons(case):
 def comparison(item, ours, goal):
     """How this program compares at an error: the quotient of times, our solve, or why there is none."""
     if not item.usable:
-        return {"words": "no result"}
+        return {"words": "wrong" if item.wrong else "no result"}
     if goal is not None and item.error > goal:
         best = solvers.quickest(ours, goal)
         quotient = solvers.paired(item, best) if best else None
@@ -95,6 +96,13 @@ def slower(rows):
     return found
 
 
+def command(found):
+    """The command that times the solvers in turn with this program."""
+    named = [f"{solver.about['manifest']}@{solver.about['knob_value']}" if solver.about.get("knob") else solver.about["manifest"]
+             for solver in found if solvers.TIMED in solver.cases]
+    return f"pulloff run {solvers.TIMED} --solver pulloff " + " ".join(f"--solver {shlex.quote(name)}" for name in named)
+
+
 def front(found, speeds):
     """What the first page says: the solvers, the smallest and greatest quotient at their error, and how many are below 1."""
     quotients = [row["cells"][0]["quotient"] for row in speeds if row["cells"][0].get("quotient")]
@@ -115,9 +123,9 @@ def build(source):
         ours = next((case for case in source.run.cases if case.name == solvers.TIMED), None)
         data = {"absent": None, "middle": middle, "scene": samples.scene_name, "titles": titles,
                 "rows": table(source.run, found, names), "front": front(found, speeds),
-                "figure": figure.make(rows, ours.record["command"]) if ours and rows else None,
+                "figure": figure.make(rows, command(found)) if ours and rows else None,
                 "speeds": speeds, "slower": slower(speeds), "goals": [name for name, _ in GOALS],
                 "timed": [row for row in rows if row.timing],
-                "apart": [row for row in rows if row.timing and not row.timing["interleaved"]],
+                "apart": [row for row in rows if row.timing and row.usable and not row.timing["interleaved"]],
                 "clocks": [row for row in rows if row.clock in ("more", "less")]}
     return Section("solvers", "External solvers", "solvers.html", data)
