@@ -256,7 +256,7 @@ static po_status write_points(const po_case_run *run, const char *folder, json_t
   *points = po_json_empty_array();
   for (size_t i = 0; !status && i < run->plan->kase->point_count; ++i) {
     json_t *point = po_record_point(run, i);
-    po_json_set(&point, "failed", po_json_flag(run->asked[i] && po_case_run_failed(run, i)));
+    po_json_set(&point, "failed", po_json_flag(po_case_run_failed(run, i)));
     status = po_record_add_tables(run, i, folder, &point);
     po_json_append(points, point);
   }
@@ -353,6 +353,7 @@ po_status po_record_write_part(po_case_run *run, const char *output, int jobs,
     po_result *result = &run->results[i];
     if (run->asked[i])
       continue;
+    run->beyond[i] = true;
     po_result_clear(result);
     *result = po_result_none();
     result->status = PO_UNSUPPORTED;
