@@ -58,7 +58,7 @@ static po_status run_case_file(const char *value, size_t points, volatile sig_at
   ck_assert_int_eq(po_case_read(path, path, &kase), PO_OK);
   ck_assert_int_eq(po_plan_create(kase, SOURCE_ROOT, &plan), PO_OK);
   ck_assert_int_eq(po_case_run_create(plan, &run), PO_OK);
-  po_case_run_ask(&run, 0, points - 1);
+  po_case_run_ask(&run, &(po_point_range){0, points - 1}, 1);
   const po_run_options options = {.output = folder, .jobs = 1, .stop = &stop};
   const po_status status = po_run(&run, 1, &options);
   ck_assert_int_eq(run.finished, status == PO_OK);
