@@ -243,7 +243,7 @@ void fuzz_run_reset(po_case_run *run) {
   run->kept = run->finished = false;
   run->resumed = 0;
   run->old_key[0] = '\0';
-  po_case_run_ask(run, 0, count);
+  po_case_run_ask(run, &(po_point_range){0, count}, 1);
 }
 
 void fuzz_require_same_point(const po_case_run *a, const po_case_run *b, size_t point) {
