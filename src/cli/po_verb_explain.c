@@ -10,11 +10,12 @@
 
 static const char HELP[] =
     "Usage: pulloff explain [OPTION]... CASE\n"
-    "Solves the points of a case that have no valid record. Then prints, for each check whose\n"
-    "verdict is not within: the value obtained and the value expected, their difference relative\n"
-    "to the tolerance, the place on the curve, the side that is probably wrong and why, the\n"
-    "reason for the tolerance, and the command that repeats the solve. The exit codes are those\n"
-    "of pulloff verify, for the chosen points.\n"
+    "Solves the points of a case that have no valid record; with --point, an external solver is\n"
+    "asked for the chosen points only. Then prints, for each check whose verdict is not within:\n"
+    "the value obtained and the value expected, their difference relative to the tolerance, the\n"
+    "place on the curve, the side that is probably wrong and why, the reason for the tolerance,\n"
+    "and the command that repeats the solve. The exit codes are those of pulloff verify, for the\n"
+    "chosen points.\n"
     "\n"
     "  --point P         explain only this point; P is its number, counted from 0, or words of\n"
     "                    its label, such as \"tabor=1\" (default: all points)\n"
@@ -118,6 +119,8 @@ int po_verb_explain(int argc, char **argv) {
   status = po_session_open_one(session, &options);
   if (!status)
     status = choose(session->catalog.cases[0], line.point, &points);
+  if (!status && line.point && session->solvers[0]) /* an external solver may take long */
+    session->options.needed = points;
   if (!status)
     status = po_session_solve(session);
   const po_explain_choice choice = {

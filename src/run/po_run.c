@@ -400,8 +400,19 @@ static po_status work_through(po_crew *crew, size_t count) {
 }
 
 /* Reads the results of earlier runs of a case, unless all points are to be solved again. */
+/* Leaves out the points that are neither needed nor known. */
+static void leave_out(po_case_run *run, const bool *needed) {
+  for (size_t i = 0; needed && i < run->plan->kase->point_count; ++i)
+    if (run->asked[i] && !run->done[i] && !needed[i]) {
+      run->asked[i] = false;
+      run->asked_count -= 1;
+    }
+}
+
 static po_status begin_case(po_crew *crew, po_case_run *run) {
   const po_run_options *options = crew->options;
+  if (options->fresh)
+    leave_out(run, options->needed);
   if (po_case_run_is_done(run) && run->asked_count)
     return finish_case(crew, run); /* merged from shards */
   if (options->fresh && po_case_run_is_whole(run)) {
@@ -418,6 +429,7 @@ static po_status begin_case(po_crew *crew, po_case_run *run) {
       status = po_run_solver_recover(run, folder_of(crew, run));
     if (status)
       return status;
+    leave_out(run, options->needed);
   }
   run->chunks = run->plan->kase->repeats > 1 ? 1 : (size_t)crew->jobs;
   run->pending = 0;

@@ -53,6 +53,8 @@ typedef struct {
   const char *output; /* the output folder of the run */
   int jobs;           /* number of threads; 0: one for each core */
   bool fresh;         /* solve points again whose results are known */
+  const bool *needed; /* one a point of the only case: the others are used if their results are
+                         known, and not solved; NULL: all are needed */
   bool brief;         /* print no line for a finished case on a terminal; a summary follows */
   const volatile sig_atomic_t *stop; /* the run ends soon after this becomes nonzero */
 } po_run_options;

@@ -90,6 +90,21 @@ printed 'pull_off_force .* outside'
 check 'the record names the solver in its commands' [ "$(value run/solvers/pi/judged/record.json \
   "r['command'] == 'pulloff run judged.yaml --solver pi.yaml' and 'solver pi.yaml' in r['points'][0]['command']")" = True ]
 
+# explain asks only for the points that it explains, and uses those that are known.
+manifest pi
+go 1 verify judged.yaml --solver pi.yaml --output few --points 0-1
+go 1 explain judged.yaml --solver pi.yaml --output few --point 2
+printed 'pi:judged: 3 of 8 points, .*\(2 points kept\)'
+printed 'the results of pi are the expected values times pi at all 3 points'
+check 'the record of some points' \
+  [ "$(value few/solvers/pi/judged/part.json "r['solver']['coverage']['asked'], r['solver']['coverage']['points']")" = '3 8' ]
+check 'no record of all points' [ ! -e few/solvers/pi/judged/record.json ]
+check 'points that were not asked have not failed' \
+  [ "$(value few/solvers/pi/judged/part.json "[p['failed'] for p in r['points']] == 8 * [False], r['points'][5]['reason']")" = \
+  'True not asked: the run was limited to other points' ]
+go 0 run judged.yaml --solver pi.yaml --output few
+check 'the record of all points replaces it' [ ! -e few/solvers/pi/judged/part.json ]
+
 # Every kind of failure is a status of its point; the others are judged.
 # What ends the process does so again at the second point of the next one.
 for mode in crash:4 hang:4 nan:6 skip:6 twice:6 lacking:6 stranger:6 half_line:4; do
