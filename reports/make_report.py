@@ -91,7 +91,7 @@ def write_all(folder, files):
 
 def make(wanted):
     try:
-        from pulloff_report import claims, cost, faults, gnuplot, page, records, references
+        from pulloff_report import claims, cost, faults, gnuplot, kept, page, records, references
         import weasyprint  # noqa: F401
     except ImportError as error:
         raise ReportError(f"Python module {error.name} is missing: install numpy, scipy, "
@@ -105,9 +105,15 @@ def make(wanted):
     if not wanted.fresh and is_current(wanted.output, key):
         print(f"kept: the report in {wanted.output} is up to date")
         return
-    content = page.contents(run, references.References(wanted.reference), matrix, judged, measured)
-    html, pdf = page.forms(content)
-    write_all(wanted.output, {"report.html": html, "report.pdf": pdf, KEY: key.encode("ascii")})
+    made = False
+    kept.begin(wanted.output, wanted.fresh)
+    try:
+        content = page.contents(run, references.References(wanted.reference), matrix, judged, measured)
+        html, pdf = page.forms(content)
+        write_all(wanted.output, {"report.html": html, "report.pdf": pdf, KEY: key.encode("ascii")})
+        made = True
+    finally:
+        kept.end(made)
 
 
 def main(words):

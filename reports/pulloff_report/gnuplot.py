@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import tempfile
 
+from . import kept
 from .errors import ReportError
 
 FIGURES = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "figures")
@@ -36,20 +37,14 @@ def assignment(name, value):
     return f"{name} = {quoted(value)}"
 
 
-def write_blocks(path, blocks):
-    """Writes blocks of rows, separated by two blank lines; gnuplot's `index` counts them from 0."""
-    with open(path, "w", encoding="utf-8") as stream:
-        for block in blocks:
-            rows = 0
-            for row in block:
-                if any(isinstance(cell, float) and math.isinf(cell) for cell in row):
-                    continue
-                stream.write(" ".join("NaN" if cell != cell else f"{cell:.17g}" for cell in row))
-                stream.write("\n")
-                rows += 1
-            if not rows:
-                stream.write("NaN NaN NaN NaN\n")
-            stream.write("\n\n")
+def text_of(blocks):
+    """Blocks of rows, separated by two blank lines; gnuplot's `index` counts them from 0."""
+    lines = []
+    for block in blocks:
+        rows = [" ".join("NaN" if cell != cell else f"{cell:.17g}" for cell in row) for row in block
+                if not any(isinstance(cell, float) and math.isinf(cell) for cell in row)]
+        lines += (rows or ["NaN NaN NaN NaN"]) + ["", ""]
+    return "".join(line + "\n" for line in lines)
 
 
 def draw(script, parameters, data):
@@ -58,19 +53,26 @@ def draw(script, parameters, data):
     parameters: name -> number, string or list, set as gnuplot variables before the script runs;
     data: name -> list of blocks, written to <name>.dat beside it.
     """
+    files = {name + ".dat": text_of(blocks) for name, blocks in data.items()}
+    files["parameters.gp"] = "".join(assignment(name, value) + "\n" for name, value in parameters.items())
+    made_from = [part for item in files.items() for part in item]
+    made_from += kept.files(FIGURES, ["style.gp", script + ".gp"])
+    return kept.part(made_from, lambda: run(script, files).encode()).decode()
+
+
+def run(script, files):
+    """The SVG that gnuplot draws. Given: files, name -> text, which are beside the script."""
     with tempfile.TemporaryDirectory(prefix="pulloff-figure-") as place:
-        for name, blocks in data.items():
-            write_blocks(os.path.join(place, name + ".dat"), blocks)
-        with open(os.path.join(place, "parameters.gp"), "w", encoding="utf-8") as stream:
-            for name, value in parameters.items():
-                stream.write(assignment(name, value) + "\n")
-        files = ["parameters.gp", os.path.join(FIGURES, "style.gp"),
-                 os.path.join(FIGURES, script + ".gp")]
-        done = subprocess.run([require()] + files, cwd=place, capture_output=True, text=True,
+        for name, text in files.items():
+            with open(os.path.join(place, name), "w", encoding="utf-8") as stream:
+                stream.write(text)
+        scripts = ["parameters.gp", os.path.join(FIGURES, "style.gp"),
+                   os.path.join(FIGURES, script + ".gp")]
+        done = subprocess.run([require()] + scripts, cwd=place, capture_output=True, text=True,
                               env=dict(os.environ, LC_ALL="C.UTF-8"), check=False)
         output = os.path.join(place, "figure.svg")
         if done.returncode != 0 or not os.path.isfile(output):
             reason = [line for line in done.stderr.splitlines() if line.strip()]
-            raise ReportError(f"{files[-1]}: gnuplot failed: {reason[-1] if reason else 'no output'}")
+            raise ReportError(f"{scripts[-1]}: gnuplot failed: {reason[-1] if reason else 'no output'}")
         with open(output, encoding="utf-8") as stream:
             return stream.read()

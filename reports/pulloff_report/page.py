@@ -71,7 +71,25 @@ def pdf(content):
     # WeasyPrint warns about style rules that are for screens only.
     logging.getLogger("weasyprint").setLevel(logging.ERROR)
     import weasyprint
-    return weasyprint.HTML(string=without_dead_links(paper(content))).write_pdf()
+    page, pictures = with_pictures(without_dead_links(paper(content)))
+    def fetch(url, *more, **options):
+        if url in pictures:
+            return {"string": pictures[url], "mime_type": "image/svg+xml"}
+        return weasyprint.default_url_fetcher(url, *more, **options)
+    return weasyprint.HTML(string=page, url_fetcher=fetch).write_pdf()
+
+
+def with_pictures(text):
+    """The page with images in place of its drawings, and the drawings by the names of the images: WeasyPrint would read the
+    elements of a drawing in the page, and look up style rules for each."""
+    pictures = {}
+
+    def image(found):
+        name = f"picture:{len(pictures)}"
+        pictures[name] = found[0].encode()
+        label = re.search(r' aria-label="([^"]*)"', found[0])
+        return f'<img src="{name}" alt="{label[1] if label else ""}">'
+    return re.sub(r"<svg\b.*?</svg>", image, text, flags=re.DOTALL), pictures
 
 
 def forms(content):

@@ -16,7 +16,7 @@ for folder in ("reports", "tools"):
 
 import count_tests  # noqa: E402
 
-from pulloff_report import findings, fonts, geometry, gnuplot, page, samples, svg, svg_compact, words  # noqa: E402
+from pulloff_report import findings, fonts, geometry, gnuplot, kept, page, samples, svg, svg_compact, words  # noqa: E402
 from pulloff_report.errors import ReportError  # noqa: E402
 from pulloff_report.plots import doubling, laws, loading, preload, staircase  # noqa: E402
 from pulloff_report.plots.figure import Figure  # noqa: E402
@@ -312,6 +312,85 @@ class Gnuplot(unittest.TestCase):
         self.assertEqual(gnuplot.assignment("a", "it's"), "a = 'it''s'")
         self.assertEqual(gnuplot.assignment("b", [1.5, 2]), "array b[2] = [1.5, 2]")
         self.assertEqual(gnuplot.assignment("c", []), "array c[1]")
+
+
+class Kept(unittest.TestCase):
+    def setUp(self):
+        self.place = tempfile.TemporaryDirectory(prefix="pulloff-kept-")
+        self.addCleanup(self.place.cleanup)
+        self.addCleanup(kept.end, False)
+        self.folder = os.path.join(self.place.name, kept.NAME)
+        self.made = []
+
+    def part(self, *made_from):
+        def make():
+            self.made.append(made_from)
+            return b"a part"
+        self.assertEqual(kept.part(made_from, make), b"a part")
+
+    def test_a_part_is_made_once_and_again_if_anything_changes(self):
+        kept.begin(self.place.name)
+        for made_from in (("ab", "c"), ("ab", "c"), ("a", "bc"), ("ab", b"c"), ("ab", "d")):
+            self.part(*made_from)
+        self.assertEqual(self.made, [("ab", "c"), ("a", "bc"), ("ab", "d")])
+        kept.end()
+        kept.begin(self.place.name, fresh=True)
+        self.part("ab", "c")
+        self.assertEqual(len(self.made), 4)
+
+    def test_parts_that_a_report_does_not_have_go(self):
+        kept.begin(self.place.name)
+        self.part("one")
+        self.part("two")
+        kept.end()
+        for name in os.listdir(self.folder):
+            os.utime(os.path.join(self.folder, name), (1.0, 1.0))
+        kept.begin(self.place.name)
+        self.part("two")
+        kept.end()
+        self.assertEqual(len(os.listdir(self.folder)), 1)
+        self.assertEqual(self.made, [("one",), ("two",)])
+
+    def test_a_first_report_that_fails_leaves_nothing_a_later_one_leaves_its_parts(self):
+        for wanted in (False, True):
+            kept.begin(self.place.name)
+            self.part("one")
+            kept.end(wanted)
+            self.assertEqual(os.path.exists(self.folder), wanted)
+        kept.begin(self.place.name)
+        kept.end(False)
+        self.assertEqual(len(os.listdir(self.folder)), 1)
+
+    def test_without_a_folder_everything_is_made(self):
+        self.part("one")
+        self.part("one")
+        self.assertEqual(len(self.made), 2)
+        with open(self.folder, "w", encoding="ascii"):
+            kept.begin(self.place.name)                 # a file is where the folder should be
+        self.part("one")
+        self.assertEqual(len(self.made), 3)
+
+    def test_an_edited_script_is_drawn_again_others_are_not(self):
+        kept.begin(self.place.name)
+        drawn = []
+        run, folder = gnuplot.run, gnuplot.FIGURES
+        self.addCleanup(setattr, gnuplot, "run", run)
+        self.addCleanup(setattr, gnuplot, "FIGURES", folder)
+        gnuplot.run = lambda script, files: drawn.append((script, sorted(files))) or "<svg/>"
+        gnuplot.FIGURES = os.path.join(self.place.name, "figures")
+        os.mkdir(gnuplot.FIGURES)
+        for name in ("style", "one", "two"):
+            with open(os.path.join(gnuplot.FIGURES, name + ".gp"), "w", encoding="ascii") as stream:
+                stream.write(name)
+        for step in ("", "one", "data"):
+            if step == "one":
+                with open(os.path.join(gnuplot.FIGURES, "one.gp"), "a", encoding="ascii") as stream:
+                    stream.write(" edited")
+            for script in ("one", "two"):
+                rows = [[(1.0, 2.0 if step == "data" and script == "two" else 3.0)]]
+                self.assertEqual(gnuplot.draw(script, {"height": 1}, {"points": rows}), "<svg/>")
+        files = ["parameters.gp", "points.dat"]
+        self.assertEqual(drawn, [("one", files), ("two", files), ("one", files), ("two", files)])
 
 
 class Paper(unittest.TestCase):

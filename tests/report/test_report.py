@@ -100,7 +100,7 @@ class Whole(PageTest):
     def test_it_is_made_in_silence_and_nothing_else_is_left(self):
         self.assertEqual((self.first.returncode, self.first.stdout, self.first.stderr), (0, "", ""))
         self.assertEqual(sorted(os.listdir(self.output)),
-                         [".report-key", "report.html", "report.pdf"])
+                         [".report-kept", ".report-key", "report.html", "report.pdf"])
 
     def test_an_unchanged_run_is_not_drawn_again(self):
         before = os.stat(os.path.join(self.output, "report.pdf")).st_mtime_ns

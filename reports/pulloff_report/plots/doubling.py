@@ -4,13 +4,12 @@ import bisect
 import itertools
 import math
 
-import matplotlib
 import numpy
 from markupsafe import Markup
 
 from .. import gnuplot, svg
 from ..words import count, plain
-from .figure import Figure
+from .figure import Figure, cividis
 from .pull_off_map import place
 
 NUMBER = None
@@ -83,11 +82,11 @@ def make(case, references):
     for control, levels in LEVELS.items():
         data[control], frame = cells([point for point in waves if place(point)[1] >= LEAST_RATIO], control, smooth)
         classes[control] = names(levels, AXES[control])
-    shades = matplotlib.colormaps["cividis"](numpy.linspace(0.05, 1.0, len(LEVELS["load_control"]) + 1))
+    shades = cividis(0.05, len(LEVELS["load_control"]) + 1)
     drawn = gnuplot.draw("doubling", {
         "class_count": len(shades) + 2, "approach_text": classes["displacement_control"],
         "load_text": classes["load_control"],
-        "colours": [matplotlib.colors.to_hex(shade) for shade in shades] + ["#FFFFFF", "#C8C8C8"],
+        "colours": shades + ["#FFFFFF", "#C8C8C8"],
         "x_low": frame[0], "x_high": frame[1], "y_low": frame[2], "y_high": frame[3], "figure_height": 330}, data)
     label = "Preload that gives twice the pull-off force of the smooth sphere, over the Tabor parameter and A/λ"
     return Figure("doubling", NUMBER, TITLE, Markup(svg.embeddable(drawn, "doubling", label)),

@@ -4,14 +4,13 @@ import dataclasses
 import math
 
 import contourpy
-import matplotlib
 import numpy
 from markupsafe import Markup
 
 from .. import gnuplot, svg
 from ..words import count, plain, ratio, scientific, value_of
 from . import preload
-from .figure import Figure, failures
+from .figure import Figure, cividis, failures
 
 # Contour levels of the force, dense about 1.5 (JKR) and 2 (Bradley).
 LEVELS = (0.05, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0)
@@ -116,11 +115,10 @@ def drawn(case, name, title, force, unknown=()):
               if math.isclose(t, tabors[-1], rel_tol=1e-6) and f <= GREATEST]
     left, right = ([(force[t, r], height(r)) for r in ratios if (t, r) in force]
                    for t in (tabors[0], tabors[-1]))
-    shades = matplotlib.colormaps["cividis"](numpy.linspace(0.0, 1.0, len(LEVELS) + 1))
     parameters = {
         "title_text": title, "unknown_count": len(unknown), "figure_height": 400,
         "level_count": len(LEVELS), "levels": [f"{level:g}" for level in LEVELS],
-        "colours": [matplotlib.colors.to_hex(shade) for shade in shades],
+        "colours": cividis(0.0, len(LEVELS) + 1),
         "label_count": len(labels), "label_x": [float(row[0]) for row in labels],
         "label_y": [float(row[1]) for row in labels], "label_text": [f"{row[2]:g}" for row in labels],
         "x_low": tabors[0], "x_high": tabors[-1], "y_low": ratios[0], "y_high": ratios[-1],

@@ -5,11 +5,15 @@ import statistics
 
 from . import Section
 from .. import samples, solvers
-from ..plots import solvers as figure
 
 ABSENT = ("External solvers are omitted: this run has no record of one (./reproduce --only solvers asks the example solvers; "
           "pulloff run CASE --solver MANIFEST asks any).")
 GOALS = (("its error", None), ("1e-6", solvers.GOAL))
+
+
+def figure_of(rows, command):
+    from ..plots import solvers as figure   # loads matplotlib
+    return figure.make(rows, command)
 
 
 def cell(solver, name):
@@ -123,7 +127,7 @@ def build(source):
         ours = next((case for case in source.run.cases if case.name == solvers.TIMED), None)
         data = {"absent": None, "middle": middle, "scene": samples.scene_name, "titles": titles,
                 "rows": table(source.run, found, names), "front": front(found, speeds),
-                "figure": figure.make(rows, command(found)) if ours and rows else None,
+                "figure": figure_of(rows, command(found)) if ours and rows else None,
                 "speeds": speeds, "slower": slower(speeds), "goals": [name for name, _ in GOALS],
                 "timed": [row for row in rows if row.timing],
                 "apart": [row for row in rows if row.timing and row.usable and not row.timing["interleaved"]],
