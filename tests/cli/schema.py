@@ -241,6 +241,8 @@ def main():
         pathlib.Path(folder, "solver.yaml").write_text(SOLVER % root_words)
         tests.run("run mixed.yaml --solver solver.yaml --output run")
         tests.valid("record", pathlib.Path(folder, "run/solvers/good/mixed/record.json").read_text(), "record of a solver")
+        tests.run("run mixed.yaml --solver solver.yaml --output some --points 0")
+        tests.valid("record", pathlib.Path(folder, "some/solvers/good/mixed/part.json").read_text(), "record of one point")
     tests.tell("every property was seen", sorted(map(".".join, tests.unseen - NOT_HERE)))
     tests.documented(root / "doc/json.md")
     print(f"{tests.passed} passed, {tests.failed} failed")
