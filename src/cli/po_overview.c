@@ -108,6 +108,21 @@ static void add_failures(const po_case_run *run, const char *output, po_text *te
   add_command(run, &kase->points[first], output, text);
 }
 
+/* The points of an external solver that its manifest excludes: how many, the first, and why. */
+static void add_excluded(const po_case_run *run, po_text *text) {
+  const po_case *kase = run->plan->kase;
+  size_t count = 0, first = 0;
+  for (size_t i = kase->point_count; run->beyond && i-- > 0;)
+    if (run->asked[i] && run->beyond[i]) {
+      count += 1;
+      first = i;
+    }
+  if (count)
+    po_text_add(text, "%s: the manifest excludes %zu of %zu points; the first, %s, is %s\n",
+                po_plan_name(run->plan), count, run->asked_count, kase->points[first].label,
+                run->results[first].reason);
+}
+
 void po_overview_add(const po_case_run *runs, size_t count, const char *output, po_text *text) {
   po_text_add(text, "%-18s %7s %7s %8s %9s %10s  %s\n", "case", "pass", "fail", "unsolved",
               "seconds", "|err|/tol", "of the worst check");
@@ -118,6 +133,7 @@ void po_overview_add(const po_case_run *runs, size_t count, const char *output, 
     for (unsigned c = 0; c < file->checks_count; ++c)
       add_check(&runs[r], &file->checks[c], output, text);
     add_failures(&runs[r], output, text);
+    add_excluded(&runs[r], text);
   }
   po_verdicts_totals(runs, count, text);
 }

@@ -60,6 +60,7 @@ sed 's/^solver: part/solver: part/; s/, part,/, good,/' part.yaml >part.tmp && m
 most=
 go 0 verify judged.yaml --solver part.yaml --output run
 printed '^part:judged .*coverage 4/8 points, 8/32 checks'
+printed '^part:judged: the manifest excludes 4 of 8 points; the first, .*tabor=2, is not asked: tabor is 2: outside the values that the manifest declares$'
 check 'a point that is left out says why' [ "$(value run/solvers/part/judged/record.json \
   "r['points'][2]['status'], r['points'][2]['reason'], r['points'][2]['failed']")" = \
   'unsupported not asked: tabor is 2: outside the values that the manifest declares False' ]
