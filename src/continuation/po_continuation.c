@@ -82,11 +82,25 @@ static po_status mesh_undeformed(po_continuation *t, double approach) {
   return status ? status : po_corrector_mesh(&t->c, &panels);
 }
 
+/* The approach of the first equilibrium, on a mesh that resolves its undeformed gap. Only such a
+ * mesh shows the feedback of a law of short range at a sharp tip. */
+static po_status mesh_start(po_continuation *t, double *approach) {
+  *approach = fmin(po_continuation_start(t->c.e), t->options.begin); /* begin may be NaN */
+  while (po_continuation_moves(t)) {
+    const po_status status = mesh_undeformed(t, *approach);
+    const double seen = po_continuation_start(t->c.e);
+    if (status || !(seen < *approach))
+      return status;
+    *approach = seen;
+  }
+  return PO_OK;
+}
+
 /* The first equilibrium: Newton's method at given approach from the undeformed gap. */
 static po_status start(po_continuation *t) {
   po_equilibrium *e = t->c.e;
-  const double approach = fmin(po_continuation_start(e), t->options.begin); /* begin may be NaN */
-  po_status status = po_continuation_moves(t) ? mesh_undeformed(t, approach) : PO_OK;
+  double approach;
+  po_status status = mesh_start(t, &approach);
   if (status)
     return status;
   po_solution *p = &t->current;

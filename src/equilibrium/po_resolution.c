@@ -16,8 +16,11 @@ void po_legendre_fill(const po_panel_rule *rule, po_legendre *legendre) {
   for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
     const double x = 2.0 * rule->node[j] - 1.0;
     double before = 0.0, now = 1.0;
+    legendre->at_end[0][j] = legendre->at_end[1][j] = 0.0;
     for (int k = 0; k < PO_TABLE_ORDER; ++k) {
       legendre->coefficient[k][j] = (2 * k + 1) * rule->weight[j] * now;
+      legendre->at_end[0][j] += k % 2 ? -legendre->coefficient[k][j] : legendre->coefficient[k][j];
+      legendre->at_end[1][j] += legendre->coefficient[k][j];
       const double next = ((2 * k + 1) * x * now - k * before) / (k + 1);
       before = now;
       now = next;
@@ -37,6 +40,39 @@ static void decay(const po_legendre *legendre, const double *value, double *last
     if (k >= PO_TABLE_ORDER - LAST_COEFFICIENTS)
       *last = fmax(*last, fabs(sum));
   }
+}
+
+static double value_at_end(const po_legendre *legendre, int end, const double *value) {
+  double sum = 0.0;
+  for (int j = 0; j < PO_TABLE_ORDER; ++j)
+    sum += legendre->at_end[end][j] * value[j];
+  return sum;
+}
+
+/* The part of the error at the ends of a panel that is compared with the last coefficients. Where
+ * these decay, the error is a few times the last ones. */
+static const double SEEN_AT_END = 0.1;
+
+/* Between the end and the nearest node the gap changes by less than this part of the scale of the
+ * law if the panel is short enough for the coefficients to show the traction. */
+static const double SMALL_CHANGE = 0.05;
+
+/* The error of the polynomial through the nodal tractions at the ends of a panel, where the gap is
+ * known from its own polynomial. The coefficients do not show a traction between the end and the
+ * first node, as at the tip of a cone under a law of short range. */
+static double error_at_ends(const po_legendre *legendre, const po_law *law, const double *gap,
+                            const double *traction) {
+  double error = 0.0;
+  for (int end = 0; end < 2; ++end) {
+    const double nearest = gap[end ? PO_TABLE_ORDER - 1 : 0];
+    const double there = po_law_expected_gap(law, value_at_end(legendre, end, gap));
+    if (fabs(there - nearest) < SMALL_CHANGE * po_law_size(law, nearest))
+      continue;
+    const double missed =
+        fabs(po_law_at(law, there).traction - value_at_end(legendre, end, traction));
+    error = missed > error ? missed : error;
+  }
+  return error;
 }
 
 /* Error of the gap on a panel relative to the change of the approach with which a contact edge
@@ -74,6 +110,7 @@ static double excess_of(const po_resolution *r, double begin, double end, const 
     response = fmax(response, fabs(p.slope));
   }
   decay(r->legendre, traction, &last, &largest);
+  last = fmax(last, SEEN_AT_END * error_at_ends(r->legendre, law, gap, traction));
   const double length = end - begin, ring = 2.0 / r->e->radius * 0.5 * (begin + end) * length;
   const double felt = fmin(1.0, response * fmax(r->e->coupling * length, ring));
   const double stiffness = response * r->e->coupling * length / (PO_TABLE_ORDER * PO_TABLE_ORDER);

@@ -6,9 +6,11 @@
 #include "po_adaptive.h"
 #include "po_equilibrium.h"
 
-/* The matrix that computes Legendre coefficients from the nodal values of one panel. */
+/* The matrix that computes Legendre coefficients from the nodal values of one panel, and the
+ * weights of these in the values of their polynomial at its begin and its end. */
 typedef struct {
   double coefficient[PO_TABLE_ORDER][PO_TABLE_ORDER]; /* [degree][node] */
+  double at_end[2][PO_TABLE_ORDER];
 } po_legendre;
 
 void po_legendre_fill(const po_panel_rule *rule, po_legendre *legendre);

@@ -54,6 +54,23 @@ for flags in (["--outer-radius", "60"], [], ["--scheme", "triangle", "--nodes", 
 LOOK
 check 'limits of every law' "$python" limits.py "$program"
 
+# The tip of a cone under a law of short range lies between the axis and the first node of the mesh that a trace begins
+# with: the mesh must see it. Soft cones tend to JKR.
+cat >tips.py <<'LOOK'
+import json, subprocess, sys
+
+def solve(*flags):
+    return json.loads(subprocess.run([sys.argv[1], "solve", "--json", *flags], check=True, capture_output=True).stdout)
+
+for law, slope, coupling in (("morse:3.145", "0.2198", "13.13"), ("morse:3.939", "0.07987", "3.876")):
+    scene = ("--profile", "cone:" + slope, "--coupling", coupling)
+    jkr = subprocess.run([sys.argv[1], "theory", "jkr", *scene], check=True, capture_output=True, text=True).stdout
+    force = float(jkr.split()[1])
+    found = solve("--law", law, *scene)
+    assert found["status"] == "ok" and abs(found["pull_off"]["force"] / force - 1) < 1e-4, (law, found["pull_off"], force)
+LOOK
+check 'tips under laws of short range' "$python" tips.py "$program"
+
 # A parameter that is followed is what a trace of that scene finds.
 expect 0 '' follow --law mie:4,10 --key mie-n --from 7 --to 12 --points 6 --tabor 0.7 --tolerance 1e-5 --json
 cp "$work/stdout" line.json
