@@ -31,6 +31,14 @@ static const double APPROACH_WEIGHT = 0.05;
  * value. */
 static const double FAR_GAP = 10.0;
 
+static double load_weight(const po_equilibrium *e) {
+  return e->share * e->load_weight;
+}
+
+double po_arclength_of_load(const po_equilibrium *e, double load) {
+  return load_weight(e) * load;
+}
+
 size_t po_arclength_size(po_arclength a, size_t n) {
   return a == PO_ARCLENGTH_GLOBAL ? PO_ARCLENGTH_GLOBAL_SIZE : n + 1;
 }
@@ -46,7 +54,7 @@ static void global_coordinates(const po_equilibrium *e, const double *state, dou
     contact += e->surface->length[j] / (h * h);
   }
   coordinate[0] = approach_weight(e) * state[e->n];
-  coordinate[1] = e->share * po_equilibrium_load(e);
+  coordinate[1] = po_arclength_of_load(e, po_equilibrium_load(e));
   coordinate[2] = per_length(e) * contact;
 }
 
@@ -58,7 +66,7 @@ static void global_rates(const po_equilibrium *e, const double *state, const dou
     contact -= 2.0 * h.rate * e->surface->length[j] / (h.size * h.size * h.size) * change[j];
   }
   rate[0] = approach_weight(e) * change[e->n];
-  rate[1] = e->share * po_equilibrium_load_rate(e, change);
+  rate[1] = po_arclength_of_load(e, po_equilibrium_load_rate(e, change));
   rate[2] = per_length(e) * contact;
 }
 
@@ -66,7 +74,8 @@ static void global_border(const po_equilibrium *e, const double *state, const do
                           double *border) {
   const size_t core = po_equilibrium_core(e);
   for (size_t j = 0; j < e->n; ++j)
-    border[j] = e->share * 2.0 / e->radius * direction[1] * e->surface->weight[j] * e->slope[j];
+    border[j] =
+        load_weight(e) * 2.0 / e->radius * direction[1] * e->surface->weight[j] * e->slope[j];
   for (size_t j = 0; j < core; ++j) {
     const po_law_scale h = po_law_scale_at(&e->scene->law, state[j]);
     border[j] -= 2.0 * h.rate * per_length(e) * direction[2] * e->surface->length[j] /

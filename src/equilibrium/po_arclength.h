@@ -32,6 +32,9 @@ enum { PO_ARCLENGTH_GLOBAL_SIZE = 3 };
  * small, the amount of contact alone would not lead along the branch. */
 double po_arclength_share(const po_equilibrium *e, double edge);
 
+/* The second global coordinate of a load, pi w R. */
+double po_arclength_of_load(const po_equilibrium *e, double load);
+
 /* The third global coordinate of an amount of contact, eps. */
 double po_arclength_of_contact(const po_equilibrium *e, double amount);
 

@@ -10,6 +10,7 @@
 #include "po_law.h"
 #include "po_linear.h"
 #include "po_memory.h"
+#include "po_scales.h"
 
 /* The rounding error of the sums over the influence matrix is 1e-14; this is a margin of 20. */
 const double PO_FINEST_PRECISION = 2e-13;
@@ -52,6 +53,7 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
   e->surface = surface;
   e->neglect = NEGLECT;
   e->gain = e->share = 1.0;
+  e->load_weight = 1.0 / po_scene_scales(scene).load_factor;
   e->precision = PO_FINEST_PRECISION;
   e->together = surface->hierarchy ? PO_TABLE_ORDER : 1;
   double **const vectors[] = {&e->initial_gap, &e->traction, &e->slope,   &e->deflection,

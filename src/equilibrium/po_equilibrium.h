@@ -75,6 +75,7 @@ typedef struct {
   double last_change; /* largest change of a gap, relative to 1 + H, in the last iteration of a
                          correction */
   double share;       /* factor of approach and load in the global arclength coordinates */
+  double load_weight; /* factor of the load in them, beside share */
   double noise; /* change of a gap, relative to 1 + H, by the rounding of Eq 15: of the state of the
                    last factorisation, po_equilibrium_measure_noise */
   double gain;  /* its ratio to that rounding, relative to 1 + H */

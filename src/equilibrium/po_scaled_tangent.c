@@ -27,7 +27,7 @@ static scaling scaling_of(const po_equilibrium *e, const po_solution *p) {
   scaling s = {.load = 2.0 * p->load - 2.0 / e->radius * ring, .added = e->coupling * ring};
   double *rate = s.rate;
   rate[0] = 0.0;
-  rate[1] = e->share * s.load;
+  rate[1] = po_arclength_of_load(e, s.load);
   rate[2] = p->coordinate[2] - po_arclength_of_contact(e, contact);
   return s;
 }

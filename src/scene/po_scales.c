@@ -95,18 +95,23 @@ po_scales po_scene_scales(const po_scene *scene) {
   const bool sphere = po_profile_is_sphere(&scene->profile);
   const double rigid = sphere ? 1.0 : 0.5 * rigid_pull_off(scene);
   if (!(mu > 0.0))
-    return (po_scales){.load = rigid};
+    return (po_scales){.load = rigid, .load_factor = 1.0};
   const double adhesion = adhesion_of_waves(scene);
   if (sphere)
     return (po_scales){.load = 1.0,
+                       .load_factor = 1.0,
                        .stretch = mu,
                        .wavy_stretch = mu * pow(adhesion, 2.0 / 3.0),
                        .contact_gap = per_stretch * mu * pow(adhesion, 2.0 / 3.0)};
   const jkr smooth = jkr_of(scene, 1.0), wavy = adhesion > 1.0 ? jkr_of(scene, adhesion) : smooth;
   const double gap = po_profile_gap(&scene->profile, scene->radius, smooth.contact);
   const double wavy_gap = po_profile_gap(&scene->profile, scene->radius, wavy.contact);
-  return (po_scales){.load = fmin(rigid, smooth.pull_off / 1.5),
-                     .stretch = gap / per_stretch,
+  const double load = fmin(rigid, smooth.pull_off / 1.5), stretch = gap / per_stretch;
+  const double usual = stretch > 1.0 ? smooth.pull_off / 1.5 : rigid;
+  const double by_waves = fmax(adhesion, wavy.pull_off / smooth.pull_off);
+  return (po_scales){.load = load,
+                     .load_factor = load > 0.0 ? usual / load * by_waves : 1.0,
+                     .stretch = stretch,
                      .wavy_stretch = wavy_gap / per_stretch,
                      .contact_gap = wavy_gap};
 }

@@ -191,6 +191,8 @@ START_TEST(arclength_derivatives_agree_with_finite_differences) {
   ck_assert_uint_eq(size, _i ? NODES + 1 : PO_ARCLENGTH_GLOBAL_SIZE);
   fixture f;
   set_up(&f, 2.385, 0.613);
+  f.e->share = 0.7;
+  f.e->load_weight = 0.3;
   const double step = 1e-5;
   double change[NODES + 1], state[NODES + 1], rate[NODES + 1], direction[NODES + 1];
   double border[NODES + 1], at[2][NODES + 1];

@@ -8,6 +8,7 @@
 
 #include "po_initial_gap.h"
 #include "po_profile_table.h"
+#include "po_scales.h"
 #include "run.h"
 
 static const char *const PROFILES[] = {"sphere",         "power:0.05,1.5", "power:0.001;4",
@@ -184,6 +185,33 @@ START_TEST(joints_of_a_table_are_its_rows) {
 }
 END_TEST
 
+/* The usual load of a cone without units, for a coupling. */
+static double load_of_cone(double coupling, const char *waves) {
+  po_scene scene = po_scene_default();
+  scene.profile = profile_of("cone:0.05");
+  scene.outer_radius = INFINITY;
+  scene.radius = 1.0;
+  scene.tabor = po_scene_tabor_of_coupling(coupling, scene.radius);
+  ck_assert(po_scene_set_waves(&scene, waves));
+  const po_scales s = po_scene_scales(&scene);
+  return s.load * s.load_factor;
+}
+
+/* The pull-off force of JKR of a cone goes as w^2/E, that of rigid cones is fixed. A wave that
+ * multiplies the work of adhesion by four multiplies that of JKR by 16. */
+START_TEST(usual_load_is_that_of_the_limit_which_applies) {
+  ck_assert_double_eq_tol(load_of_cone(0.6, "-") / load_of_cone(0.3, "-"), 2.0, 0.1);
+  ck_assert_double_eq_tol(load_of_cone(2e-6, "-") / load_of_cone(1e-6, "-"), 1.0, 1e-12);
+  const double length = 0.5 * M_PI / 0.3; /* amplitude 1: 1 + 1 = sqrt(4) in Eq 24 */
+  char wave[64];
+  snprintf(wave, sizeof wave, "1@%.17g", length);
+  ck_assert_double_eq_tol(load_of_cone(0.3, wave) / load_of_cone(0.3, "-"), 16.0, 0.5);
+  po_scene sphere = po_scene_default();
+  ck_assert(po_scene_set_waves(&sphere, wave));
+  ck_assert_double_eq(po_scene_scales(&sphere).load_factor, 1.0);
+}
+END_TEST
+
 START_TEST(waves_add_to_the_profile) {
   po_scene scene = po_scene_default();
   scene.profile = profile_of("cone:0.3");
@@ -224,6 +252,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, table_of_a_parabola_is_the_parabola);
   tcase_add_loop_test(tests, uncertainty_of_a_table_bounds_its_error, 0, 2);
   tcase_add_test(tests, joints_of_a_table_are_its_rows);
+  tcase_add_test(tests, usual_load_is_that_of_the_limit_which_applies);
   tcase_add_test(tests, waves_add_to_the_profile);
 }
 
