@@ -142,9 +142,6 @@ po_status po_rounds_ask(po_case_run *run, size_t point, unsigned round, const ch
   const unsigned repeats = run->plan->kase->repeats;
   const size_t place = point * repeats + round;
   run->seconds[place] = run->processor_seconds[place] = NAN;
-  if (po_times_are_enough(run->processor_seconds + point * repeats, round) ||
-      (round && run->results[point].status))
-    return PO_OK;
   po_status status = measure_start(run, round, folder, stop);
   const po_question question = po_run_solver_question(run, point);
   listener l = {.run = run,
@@ -174,10 +171,18 @@ po_status po_rounds_ask(po_case_run *run, size_t point, unsigned round, const ch
   return status;
 }
 
-void po_rounds_end(po_case_run *run, size_t point) {
+bool po_rounds_are_enough(const po_case_run *run, size_t point, unsigned round) {
+  const unsigned repeats = run->plan->kase->repeats;
+  return round + 1 == repeats || run->results[point].status != PO_OK ||
+         po_times_are_enough(run->processor_seconds + point * repeats, round + 1);
+}
+
+void po_rounds_end(po_case_run *run, size_t point, unsigned round) {
   const unsigned repeats = run->plan->kase->repeats;
   po_result *result = &run->results[point];
   double *seconds = run->seconds + point * repeats;
+  for (unsigned r = round + 1; r < repeats; ++r)
+    seconds[r] = run->processor_seconds[point * repeats + r] = NAN;
   result->work.seconds = result->status ? (double)NAN : po_times_median(seconds, repeats);
   for (unsigned r = 0; result->status && r < repeats; ++r)
     seconds[r] = run->processor_seconds[point * repeats + r] = NAN;

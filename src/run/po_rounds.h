@@ -31,13 +31,16 @@ po_status po_rounds_create(po_case_run *run);
 bool po_rounds_leads(const po_case_run *run, size_t point);
 
 /* Asks the question of a point in a process of its own, and stores the times; the first round gives
- * the result. Nothing is asked if an earlier round failed, or
- * if the earlier rounds took long enough (po_times.h). Status: as po_ask. */
+ * the result. Status: as po_ask. */
 po_status po_rounds_ask(po_case_run *run, size_t point, unsigned round, const char *folder,
                         const volatile sig_atomic_t *stop);
 
-/* To be called after the last round of a point: computes the medians. */
-void po_rounds_end(po_case_run *run, size_t point);
+/* Reports whether a point needs no further round: `round` was the last one, it failed, or its
+ * solves took long enough (po_times.h). */
+bool po_rounds_are_enough(const po_case_run *run, size_t point, unsigned round);
+
+/* To be called after the last round of a point, which is number `round`: computes the medians. */
+void po_rounds_end(po_case_run *run, size_t point, unsigned round);
 
 /* Copies result and times of a point to another one with the same question, if it is requested and
  * open. Returned: in *copied, whether it is such a point. Status: PO_NO_MEMORY. */

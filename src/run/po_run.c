@@ -258,10 +258,11 @@ static void do_share(po_crew *crew, const po_task *task) {
   }
 }
 
-/* Stores a point of an external solver after its last round, for all points with its question. */
-static po_status end_rounds(po_crew *crew, po_case_run *run, size_t point) {
+/* Stores a point of an external solver after its last round, which is number `round`, for all
+ * points with its question. */
+static po_status end_rounds(po_crew *crew, po_case_run *run, size_t point, unsigned round) {
   po_status status = PO_OK;
-  po_rounds_end(run, point);
+  po_rounds_end(run, point, round);
   for (size_t i = point; !status && i < run->plan->kase->point_count; ++i) {
     bool copied = false;
     status = po_rounds_copy(run, point, i, &copied);
@@ -273,9 +274,12 @@ static po_status end_rounds(po_crew *crew, po_case_run *run, size_t point) {
   return !status && run->pending == 0 ? finish_case(crew, run) : status;
 }
 
-/* Times one round of a question of an external solver. */
+/* Times one round of a question of an external solver, unless an earlier one was the last. A point
+ * is stored at once after its last round, so that an interruption loses no long solve. */
 static void do_round(po_crew *crew, const po_task *task) {
   po_case_run *run = &crew->runs[task->run];
+  if (run->done[task->point])
+    return;
   const double begin = po_clock_wall();
   char *folder = po_path_join(folder_of(crew, run), run->plan->kase->file->name);
   po_no_memory_forget();
@@ -283,8 +287,8 @@ static void do_round(po_crew *crew, const po_task *task) {
                          ? po_rounds_ask(run, task->point, task->round, folder, crew->options->stop)
                          : PO_NO_MEMORY;
   run->elapsed += po_clock_wall() - begin;
-  if (!status && task->round + 1 == run->plan->kase->repeats)
-    status = end_rounds(crew, run, task->point);
+  if (!status && po_rounds_are_enough(run, task->point, task->round))
+    status = end_rounds(crew, run, task->point, task->round);
   status = po_no_memory_or(status);
   if (status && status != PO_INTERRUPTED)
     give_up(crew, status);

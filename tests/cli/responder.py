@@ -131,6 +131,10 @@ def spoil(mode, stream, k, found):
         time.sleep(1000)
     if mode == "noise":
         print("converged in 7 iterations\n" * 1000)
+    if mode == "busy":
+        begin = time.process_time()
+        while time.process_time() < begin + 0.6:
+            pass
     if mode == "long":  # a solve that is not repeated, and after which the process does not end by itself
         time.sleep(5.1 if found["repeat"] == 1 else 1000)
     if mode in ("slow_clock", "slow_failure"):

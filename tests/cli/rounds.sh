@@ -75,6 +75,18 @@ for cpu, whole, start in zip(point["processor_seconds_all"], timing["process_pro
 END
 check 'a long solve is not repeated' "$python" read.py
 check 'nothing of it is left' [ -z "$(find run/solvers/long -name 'ask-*')" ]
+# A point is stored after its last round, which for long solves is the first one, and not only at the end of all rounds.
+manifest busy
+"$program" run timed.yaml --points 0-3 --solver busy.yaml --output run 2>/dev/null &
+child=$!
+wait_for test -s run/solvers/busy/timed/points.jsonl
+kill -9 $child
+wait $child 2>/dev/null
+if ! "$program" run timed.yaml --points 0-3 --solver busy.yaml --output run >stdout 2>stderr; then cat stderr; fi
+check "an interrupted run keeps what took long: $(cat stderr)" grep -qE '^busy:timed: 4 of 6 points, .* \([24] points kept\)' stderr
+check 'one round of long solves' [ "$("$python" -c "
+import json
+print(sorted({len(point['seconds_all']) for point in json.load(open('run/solvers/busy/timed/part.json'))['points'][:4]}))")" = '[1]' ]
 manifest part 'knob: {name: nodes, values: [10, 20]}'
 sed -i 's/, part,/, good,/' part.yaml
 if ! "$program" run timed.yaml --solver part.yaml@20 --solver part.yaml@10 --solver good.yaml@10 --output some >stdout 2>stderr; then cat stderr; fi
