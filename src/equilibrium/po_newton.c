@@ -98,6 +98,14 @@ void po_equilibrium_measure_noise(po_equilibrium *e, const double *state) {
   e->gain = noise / part;
 }
 
+/* Multiple of the measured noise below which an update may be one of noise, and may not change the
+ * sign of the determinant. */
+static const double CLEAR_OF_NOISE = 1e4;
+
+static bool is_clear(const po_equilibrium *e, double change) {
+  return change > CLEAR_OF_NOISE * e->noise;
+}
+
 /* One quasi-Newton iteration for Eq 15 and the condition. Returned: the largest change of a gap
  * relative to 1 + H; NaN if it is not finite. */
 static double newton_step(po_equilibrium *e, double *state, const po_constraint *constraint) {
@@ -108,7 +116,7 @@ static double newton_step(po_equilibrium *e, double *state, const po_constraint 
   residual[n] = constraint->target - constraint->value(e, state, constraint->data);
   po_equilibrium_precondition(e, residual, change);
   drop_rounding(e, state, change);
-  po_secant_step(&e->secant, e->last_change < LINEAR, change);
+  po_secant_step(&e->secant, e->last_change < LINEAR && is_clear(e, e->last_change), change);
   double largest = 0.0, closing = 0.0;
   for (size_t j = 0; j < n; ++j) {
     const double relative = change[j] / po_law_size(law, state[j]);
@@ -165,6 +173,23 @@ static bool is_converged(const progress *p, double precision, double stagnated) 
          (p->now < stagnated && p->now > SLOWEST * p->earlier);
 }
 
+/* Changes below which an iteration that neither falls nor grows is one of rounding, relative to the
+ * measured noise, and at a narrow contact edge: the rounding of a state is not random, and may be
+ * amplified a hundredfold more than random signs. */
+static const double GREATEST_OF_NOISE = 100.0, GREATEST_AT_NARROW = 1e-7;
+
+/* Whether the last changes show the noise of an iteration, which then replaces the measured one. */
+static bool is_noise(po_equilibrium *e, const progress *p) {
+  const bool narrow = po_equilibrium_is_narrow(e);
+  const double greatest = fmax(p->now, fmax(p->before, p->earlier));
+  const double limit = narrow ? GREATEST_AT_NARROW : GREATEST_OF_NOISE * e->noise;
+  if (p->count <= (narrow ? PATIENCE_AT_NARROW : PATIENCE) || !(greatest < limit) ||
+      (p->now > p->before && p->before > p->earlier))
+    return false;
+  e->noise = fmax(e->noise, greatest);
+  return true;
+}
+
 po_status po_equilibrium_correct(po_equilibrium *e, double *state, const double *base,
                                  double distance) {
   const po_constraint constraint = {distance_of, base, distance, INFINITY};
@@ -180,7 +205,8 @@ po_status po_equilibrium_correct_to(po_equilibrium *e, double *state,
     note_change(&p, newton_step(e, state, constraint));
     e->last_change = p.now;
     ++e->work.newton_iterations;
-    if (is_converged(&p, fmax(e->precision, PRECISION_OF_NOISE * e->noise), stagnated(e))) {
+    if (is_converged(&p, fmax(e->precision, PRECISION_OF_NOISE * e->noise), stagnated(e)) ||
+        is_noise(e, &p)) {
       po_equilibrium_evaluate(e, state);
       ++e->work.points;
       return PO_OK;
@@ -208,7 +234,7 @@ static po_status solve_linear(po_equilibrium *e, const double *unit, double prec
     for (size_t i = 0; i < n; ++i)
       residual[i] += e->source[i] - (solution[n] + solution[i]);
     po_equilibrium_precondition(e, residual, change);
-    po_secant_step(&e->secant, true, change);
+    po_secant_step(&e->secant, is_clear(e, p.now), change);
     double largest = 0.0, size = 0.0;
     for (size_t j = 0; j <= n; ++j) {
       solution[j] += change[j];
