@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
+#include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "po_digest.h"
@@ -13,6 +15,10 @@
 
 /* Files in the folder of a process. */
 static const char KEY_FILE[] = "key", RESPONSE_FILE[] = "response.jsonl";
+
+/* Seconds after which a folder without a key belongs to no process that has just begun, or that is
+ * asked nothing to measure its start. */
+static const time_t DEBRIS_AGE = 600;
 
 static int remove_entry(const char *path, const struct stat *found, int type, struct FTW *walk) {
   (void)found;
@@ -95,6 +101,15 @@ bool po_ask_folder_is_left(const char *folder, const char *key) {
   const bool left = same && flock(file, LOCK_EX | LOCK_NB) == 0;
   close(file);
   return left;
+}
+
+bool po_ask_folder_is_debris(const char *folder) {
+  struct stat found;
+  char *path = po_path_join(folder, KEY_FILE);
+  const bool debris = path && !po_path_exists(path) && stat(folder, &found) == 0 &&
+                      time(NULL) - found.st_mtime > DEBRIS_AGE;
+  free(path);
+  return debris;
 }
 
 char *po_ask_folder_response(const char *folder) {

@@ -53,7 +53,7 @@ po_status po_recover(const po_question *questions, size_t count, const char *fol
     char *response = path && po_ask_folder_is_left(path, key) ? po_ask_folder_response(path) : NULL;
     if (response)
       status = take_left(questions, count, done, response, take, context);
-    if (response && !status)
+    if ((response && !status) || (path && !status && po_ask_folder_is_debris(path)))
       po_ask_folder_remove(path);
     free(response);
     free(path);

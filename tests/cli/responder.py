@@ -136,7 +136,7 @@ def spoil(mode, stream, k, found):
         while time.process_time() < begin + 0.6:
             pass
     if mode == "long":  # a solve that is not repeated, and after which the process does not end by itself
-        time.sleep(5.1 if found["repeat"] == 1 else 1000)
+        time.sleep(6.5 if found["repeat"] == 1 else 1000)
     if mode in ("slow_clock", "slow_failure"):
         time.sleep(1)
     if mode == "slow_failure":

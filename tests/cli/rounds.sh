@@ -69,7 +69,7 @@ import json
 point = json.loads(open("run/solvers/long/timed/points.jsonl").readline())["point"]
 timing = point["timing"]
 assert point["status"] == "ok" and timing["first_seconds"] == point["seconds_all"] == 3 * [1e-3], point
-assert all(5.1 < seconds < 8 for seconds in timing["process_seconds"]), timing
+assert all(6.5 < seconds < 30 for seconds in timing["process_seconds"]), timing
 for cpu, whole, start in zip(point["processor_seconds_all"], timing["process_processor_seconds"], timing["start_processor_seconds"]):
     assert abs(cpu - max(whole - start, 0)) < 1e-12, point
 END

@@ -151,7 +151,14 @@ check "answers were written before: $before" [ "$before" -ge 2 ]
 go 0 run long.yaml --solver slow.yaml --output kill --jobs 2
 asked=$(value kill/solvers/slow/long/record.json "sum(p['answered'] for p in r['solver']['processes'])")
 check "$before answers were written, $asked were asked again: expected 12 together" [ $((before + asked)) -eq 12 ]
-check 'nothing is left of the killed processes' [ -z "$(find kill -name 'ask-*')" ]
+# A folder without a key is that of a process which was killed before it had begun.
+check 'nothing is left of the killed processes' [ -z "$(find kill -path '*/ask-*/key')" ]
+find kill -name 'ask-*' -exec touch -d '1 hour ago' '{}' +
+mkdir kill/solvers/slow/long/ask-debris kill/solvers/slow/long/ask-young
+touch -d '1 hour ago' kill/solvers/slow/long/ask-debris
+rm kill/solvers/slow/long/record.json
+go 0 run long.yaml --solver slow.yaml --output kill --jobs 2 --points 0
+check 'old folders without a key are removed, others are not' [ "$(find kill -name 'ask-*')" = kill/solvers/slow/long/ask-young ]
 
 # An answer that only the response of a killed process has is taken from there.
 "$program" run long.yaml --solver slow.yaml --output lost --jobs 1 2>/dev/null &
