@@ -162,7 +162,9 @@ po_status po_corrector_solve(po_corrector *c, const po_solution *from, double di
   }
   if (status)
     return status;
-  return po_equilibrium_orientation(c->e) * c->direction > 0 ? PO_OK : PO_NOT_CONVERGED;
+  return c->direction == 0 || po_equilibrium_orientation(c->e) * c->direction > 0
+             ? PO_OK
+             : PO_NOT_CONVERGED;
 }
 
 po_sample po_corrector_sample(const po_solution *from, const po_solution *p) {

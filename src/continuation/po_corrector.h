@@ -16,7 +16,7 @@ typedef struct {
   size_t capacity;        /* largest number of nodes */
   double *border, *guess; /* capacity + 1 */
   double *coordinate;     /* capacity + 1: work, coordinates of the arclength */
-  int direction;          /* of the trace: 1 forward, -1 reverse */
+  int direction;          /* of the trace: 1 forward, -1 reverse; 0: any orientation is accepted */
   double farthest;        /* error of a guess, relative to 1 + H, above which a solve is given up;
                              INFINITY: only if it does not converge */
   po_status trouble; /* status of a failure that no shorter step avoids, as of a mesh with too many

@@ -250,12 +250,17 @@ static po_status estimate(po_corrector *c, const po_resolution *resolution,
   return PO_OK;
 }
 
+/* The orientation is not required: compressed factors of a stiff scene may have the wrong sign, and
+ * a solution on another strand of the branch would show as a large change. */
 po_status po_refine(po_corrector *c, const po_resolution *resolution, const po_refinement *how,
                     po_refined *r) {
   po_panels panels;
   po_panels_copy(po_adaptive_panels(c->adaptive), &panels);
+  const int direction = c->direction;
+  c->direction = 0;
   const po_status status = estimate(c, resolution, how, r);
   const po_status trouble = c->trouble;
+  c->direction = direction;
   po_corrector_mesh(c, &panels);
   c->trouble = trouble;
   return status;

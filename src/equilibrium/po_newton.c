@@ -31,8 +31,9 @@ static const double SLOWEST = 0.45;
  * weight (po_arclength_share). */
 static const double NARROW = 1e-3;
 /* Iterations before the contraction is judged; and for a narrow contact edge, where the compressed
- * factors leave some directions to Broyden's updates, which need the time to find them. */
-enum { MOST_ITERATIONS = 20, PATIENCE = 3, PATIENCE_AT_NARROW = 8 };
+ * factors leave some directions to Broyden's updates, which need the time to find them, in Newton's
+ * method and for the tangent. */
+enum { MOST_ITERATIONS = 20, PATIENCE = 3, PATIENCE_AT_NARROW = 8, PATIENCE_OF_TANGENT = 16 };
 
 bool po_equilibrium_is_narrow(const po_equilibrium *e) {
   return e->share < NARROW;
@@ -158,8 +159,9 @@ static void note_change(progress *p, double change) {
 }
 
 /* Whether the iteration diverges, or converges so slowly that it is given up. */
-static bool is_hopeless(const po_equilibrium *e, const progress *p, double stagnated) {
-  const int patience = po_equilibrium_is_narrow(e) ? PATIENCE_AT_NARROW : PATIENCE;
+static bool is_hopeless(const po_equilibrium *e, int at_narrow, const progress *p,
+                        double stagnated) {
+  const int patience = po_equilibrium_is_narrow(e) ? at_narrow : PATIENCE;
   return !(p->now < GREATEST_CHANGE) || (p->count > 1 && p->now > DIVERGED) ||
          (p->count > patience && p->now > stagnated &&
           p->now > p->first * pow(SLOWEST, p->count - 1));
@@ -211,7 +213,7 @@ po_status po_equilibrium_correct_to(po_equilibrium *e, double *state,
       ++e->work.points;
       return PO_OK;
     }
-    if (is_hopeless(e, &p, stagnated(e)) || p.now > constraint->farthest)
+    if (is_hopeless(e, PATIENCE_AT_NARROW, &p, stagnated(e)) || p.now > constraint->farthest)
       return PO_NOT_CONVERGED;
   }
   return PO_NOT_CONVERGED;
@@ -246,7 +248,7 @@ static po_status solve_linear(po_equilibrium *e, const double *unit, double prec
     note_change(&p, largest / size);
     if (iteration > 0 && is_converged(&p, least, stagnated(e)))
       return PO_OK;
-    if (is_hopeless(e, &p, stagnated(e)))
+    if (is_hopeless(e, PATIENCE_OF_TANGENT, &p, stagnated(e)))
       return PO_NOT_CONVERGED;
   }
   return PO_NOT_CONVERGED;
