@@ -54,6 +54,8 @@ static json_t *loop(const po_loop *l) {
                    jump(&l->jumps[k], k < l->loading_jumps ? k + 1 : k + 1 - l->loading_jumps));
   json_t *pull_off = state(&l->pull_off);
   po_json_set(&pull_off, "force", po_json_number(fmax(0.0, -l->pull_off.load)));
+  po_json_set(&pull_off, "error_estimate", po_json_number(l->pull_off_error.load));
+  po_json_set(&pull_off, "approach_error_estimate", po_json_number(l->pull_off_error.approach));
   return PO_JSON_OBJECT(
       {"preload", state(&l->preload)}, {"pull_off", pull_off},
       {"energy_lost", po_json_number(l->energy_lost)},
@@ -91,9 +93,12 @@ static po_path_state read_state(const json_t *object) {
 
 static po_status read_loop(const json_t *object, po_control control, po_loop *l) {
   const json_t *jumps = json_object_get(object, "jumps");
+  const json_t *pull_off = json_object_get(object, "pull_off");
   *l = (po_loop){.control = control,
                  .preload = read_state(json_object_get(object, "preload")),
-                 .pull_off = read_state(json_object_get(object, "pull_off")),
+                 .pull_off = read_state(pull_off),
+                 .pull_off_error = {po_json_read_number(pull_off, "approach_error_estimate"),
+                                    po_json_read_number(pull_off, "error_estimate")},
                  .energy_lost = po_json_read_number(object, "energy_lost"),
                  .energy_lost_error = po_json_read_number(object, "energy_lost_error_estimate"),
                  .work = po_json_read_number(object, "work"),

@@ -45,6 +45,7 @@ static void convert_state(po_path_state *state, double unit) {
 static void convert_loop(po_loop *loop, double unit) {
   convert_state(&loop->preload, unit);
   convert_state(&loop->pull_off, unit);
+  loop->pull_off_error.load *= unit;
   loop->energy_lost *= unit;
   loop->work *= unit;
   loop->energy_lost_error *= unit;

@@ -28,11 +28,8 @@ static po_path_error greatest_error(const po_result *o) {
   return e;
 }
 
-/* The stated values and errors of a special point. The error of any other state, and of a special
- * point without an error, is the greatest error of the special points plus the distance of the
- * curve from its interpolation. */
-static po_path_error state_error(const po_request *request, const po_result *o,
-                                 po_path_state *state) {
+po_path_error po_pressed_state(const po_request *request, const po_result *o,
+                               po_path_state *state) {
   const po_special_point *mark = mark_at(o, state->position);
   if (mark) {
     state->approach = mark->approach;
@@ -49,12 +46,12 @@ static void state_errors(const po_request *request, const po_result *o, const po
                          po_staircase *s) {
   for (size_t k = 0; k < s->count; ++k) {
     po_step *step = &s->step[k];
-    step->preload_error = state_error(request, o, &step->preload);
-    step->pull_off_error = state_error(request, o, &step->pull_off);
-    state_error(request, o, &step->until);
+    step->preload_error = po_pressed_state(request, o, &step->preload);
+    step->pull_off_error = po_pressed_state(request, o, &step->pull_off);
+    po_pressed_state(request, o, &step->until);
     for (size_t c = 0; c < step->cycle_count; ++c) {
       po_cycle *cycle = &step->cycle[c];
-      state_error(request, o, &cycle->preload);
+      po_pressed_state(request, o, &cycle->preload);
       cycle->energy_error = po_estimate_loss_error(request, greatest, s->control, &cycle->loss);
     }
   }

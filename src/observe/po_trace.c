@@ -145,6 +145,12 @@ static po_status make_surface(const po_request *request, bool rigid, double core
                             panels);
 }
 
+/* The errors of a loop, and its pull-off as it was located. */
+static void read_loop(const po_reader *reader, const po_path *path, po_loop *loop) {
+  po_estimate_loop(reader->request, path, &reader->special.greatest, loop);
+  loop->pull_off_error = po_pressed_state(reader->request, reader->result, &loop->pull_off);
+}
+
 /* Computes loading and unloading along the traced branch. If unloading leads to a smaller approach
  * than the trace began with, only a->begin is set, and the trace must be repeated. */
 static po_status read_hysteresis(const po_reader *reader, po_attempt *a) {
@@ -161,9 +167,8 @@ static po_status read_hysteresis(const po_reader *reader, po_attempt *a) {
       po_hysteresis_follow(&path, po_request_preload(reader->request), &o->hysteresis);
   o->has_hysteresis = !status;
   if (!status) {
-    const po_estimate *greatest = &reader->special.greatest;
-    po_estimate_loop(reader->request, &path, greatest, &o->hysteresis.displacement);
-    po_estimate_loop(reader->request, &path, greatest, &o->hysteresis.load);
+    read_loop(reader, &path, &o->hysteresis.displacement);
+    read_loop(reader, &path, &o->hysteresis.load);
   }
   return status;
 }

@@ -145,8 +145,11 @@ static po_status unload(loop_state *f) {
 
 po_status po_loop_follow(const po_path *path, po_control control, po_preload preload,
                          po_loop *loop) {
-  *loop = (po_loop){
-      .control = control, .energy_lost_error = NAN, .work_error = NAN, .energy_error = NAN};
+  *loop = (po_loop){.control = control,
+                    .pull_off_error = {NAN, NAN},
+                    .energy_lost_error = NAN,
+                    .work_error = NAN,
+                    .energy_error = NAN};
   loop_state f = {.path = path, .control = control, .preload = preload, .loop = loop};
   po_status status =
       path->count < 2 ? po_fail(PO_NOT_FOUND, "the curve has fewer than two points") : PO_OK;

@@ -38,9 +38,10 @@ typedef struct {
 
 typedef struct {
   po_control control;
-  po_path_state preload;  /* the state at which loading was reversed */
-  po_path_state pull_off; /* the state with the greatest tension in unloading */
-  po_jump *jumps;         /* the jumps of loading, then those of unloading */
+  po_path_state preload;        /* the state at which loading was reversed */
+  po_path_state pull_off;       /* the state with the greatest tension in unloading */
+  po_path_error pull_off_error; /* bounds of the errors of its approach and load; NAN: unknown */
+  po_jump *jumps;               /* the jumps of loading, then those of unloading */
   size_t jump_count, loading_jumps;
   double energy_lost; /* the sum over all jumps; NAN if one of them is */
   double work; /* integral of the load over the approach along the complete loop, by quadrature of

@@ -218,6 +218,7 @@ static po_loop unknown_loop(po_control control) {
   return (po_loop){.control = control,
                    .preload = UNKNOWN,
                    .pull_off = UNKNOWN,
+                   .pull_off_error = {NAN, NAN},
                    .energy_lost = (double)NAN,
                    .energy_lost_error = (double)NAN,
                    .work = (double)NAN,

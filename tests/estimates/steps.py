@@ -49,15 +49,6 @@ def error_at(document, position, component):
     return found[0] if found else math.nan
 
 
-def located(document, point):
-    """A point of a path with the approach and load of the special point at its position, whose errors are stated: the path
-    has the values of the last solution before it was located."""
-    found = [mark for mark in marks(document) if mark["position"] == point["position"]]
-    if not found:
-        return point
-    return dict(point, approach=found[0]["approach"])
-
-
 def margin(document, bound, component):
     """The distance between a bound of a step and the reversal of a loop."""
     value, error = bound[component], error_at(document, bound["position"], component)
@@ -143,7 +134,7 @@ class Beside:
         self.findings.append(compare.Finding(quantity, self.where, stated, difference, own))
 
     def add_step(self, step, cycle, loop):
-        measured = located(self.solution, loop["pull_off"])
+        measured = loop["pull_off"]
         self.add("force", compare.value(step, "error_estimate"), abs(step["force"] - measured["force"]),
                  self.own(loop, "load"))
         # Where the step ends, the tension at the reversal is equal within the errors, so either may be the greatest.
