@@ -87,15 +87,17 @@ static po_contact_edge edge_of(const po_request *request, double domain, const p
   return (po_contact_edge){po_contact_radius(&gap), NAN, NAN};
 }
 
-/* The error of the contact radius by the error of the place on the branch. At an extremum of the
- * load the approach, at a fold the load, has an error of the first order in that of the place. */
+/* The error of the contact radius of an extremum of the load by the error of its place on the
+ * branch, in which the error of its approach is of the first order. The place of a fold is certain:
+ * its approach turns quickly. */
 static double edge_error_of_place(const po_branch_point *p) {
   const po_solution *best = p->best;
   const bool of_load = p->kind == PO_POINT_LOAD_MIN || p->kind == PO_POINT_LOAD_MAX;
-  const double rate = of_load ? best->tangent[best->n] : best->load_rate;
-  const double error = of_load ? p->approach_error : p->load_error;
+  const double rate = best->tangent[best->n];
   const size_t edges = best->edges.count;
-  return edges > 0 && rate != 0.0 ? error * fabs(best->edges.rate[edges - 1] / rate) : 0.0;
+  return of_load && edges > 0 && rate != 0.0
+             ? p->approach_error * fabs(best->edges.rate[edges - 1] / rate)
+             : 0.0;
 }
 
 /* The change of the energy at given approach from a point to the solution on the finer mesh. */
