@@ -10,6 +10,7 @@ FOLDER = "solvers"
 TIMED = "solver_times"       # the case in which solvers are timed in turn with this program
 OURS = "pulloff"
 WRONG = 0.5                  # a relative error of the pull-off force beyond which a result is wrong, not inaccurate
+ROUNDING = 1e-6              # by which errors that are both the uncertainty of the reference may differ
 GOAL = 1e-6                  # a relative error of the pull-off force that is compared beside that of each solver
 
 
@@ -113,7 +114,7 @@ def timed(run, solvers):
 
 def quickest(ours, error):
     """The fastest solve of this program with an error at most this one, or None."""
-    able = [item for item in ours if item.usable and item.error <= error]
+    able = [item for item in ours if item.usable and item.error <= error * (1 + ROUNDING)]
     return min(able, key=lambda item: item.seconds, default=None)
 
 

@@ -354,18 +354,28 @@ static void do_shared(po_crew *crew, const po_task *tasks, size_t count, int thr
       do_task(crew, &tasks[i]);
 }
 
+/* Reports whether this program solves a point of a case in the rounds that follow. */
+static bool is_open_here(const po_crew *crew, size_t count, const po_case *kase, size_t point) {
+  for (size_t k = 0; k < count; ++k) {
+    const po_case_run *run = &crew->runs[k];
+    if (run->plan->kase == kase && !run->plan->solver && !run->finished && run->asked[point] &&
+        !run->done[point])
+      return true;
+  }
+  return false;
+}
+
 /* Marks the points of external solvers that are timed in the rounds in which this program solves
- * the same case. */
+ * them. A point that is known from an interrupted run, and that this program solves again, is not
+ * one of them. */
 static void mark_interleaved(po_crew *crew, size_t count) {
   for (size_t r = 0; r < count; ++r) {
     const po_case_run *run = &crew->runs[r];
-    bool beside = false;
-    for (size_t k = 0; k < count && run->rounds; ++k)
-      beside = beside || (crew->runs[k].plan->kase == run->plan->kase &&
-                          !crew->runs[k].plan->solver && !crew->runs[k].finished);
-    for (size_t i = 0; run->rounds && i < run->plan->kase->point_count; ++i)
-      if (run->asked[i] && !run->done[i])
-        run->interleaved[i] = beside;
+    for (size_t i = 0; run->rounds && i < run->plan->kase->point_count; ++i) {
+      const bool open = is_open_here(crew, count, run->plan->kase, i);
+      if (run->asked[i] && (open || !run->done[i]))
+        run->interleaved[i] = open && !run->done[i];
+    }
   }
 }
 

@@ -87,6 +87,21 @@ check "an interrupted run keeps what took long: $(cat stderr)" grep -qE '^busy:t
 check 'one round of long solves' [ "$("$python" -c "
 import json
 print(sorted({len(point['seconds_all']) for point in json.load(open('run/solvers/busy/timed/part.json'))['points'][:4]}))")" = '[1]' ]
+# Times that are kept were not taken in the rounds in which this program solves the points again.
+interleaved() { # VALUES: runs both, and tests what the record of the solver says of its four points.
+  if ! "$program" run timed.yaml --points 0-3 --solver pulloff --solver good.yaml@10 --output mixed >stdout 2>stderr; then cat stderr; fi
+  check "interleaved: $1" [ "$("$python" -c "
+import json
+points = json.load(open('mixed/solvers/good@10/timed/part.json'))['points'][:4]
+print(*[point['timing']['interleaved'] for point in points])")" = "$1" ]
+}
+interleaved 'True True True True'
+rm mixed/timed/points.jsonl
+"$python" -c "
+import json, pathlib
+journal = pathlib.Path('mixed/solvers/good@10/timed/points.jsonl')
+journal.write_text(''.join(line + '\n' for line in journal.read_text().splitlines() if json.loads(line)['point']['id'] in '01'))"
+interleaved 'False False True True'
 manifest part 'knob: {name: nodes, values: [10, 20]}'
 sed -i 's/, part,/, good,/' part.yaml
 if ! "$program" run timed.yaml --solver part.yaml@20 --solver part.yaml@10 --solver good.yaml@10 --output some >stdout 2>stderr; then cat stderr; fi
