@@ -15,11 +15,12 @@ typedef struct {
 } special_point_lists;
 
 /* Removes the special points before the start of the traced branch (NAN: the branch has no limited
- * start). Only the first ones of the list are removed: later on the branch the approach can again
- * be smaller than at the start. */
-static size_t drop_before_start(po_reference_point *points, size_t count, double start) {
+ * start), which are those that the traced branch lacks. Only the first ones of the list are
+ * removed: later on the branch the approach can again be smaller than at the start. */
+static size_t drop_before_start(po_reference_point *points, size_t count, size_t traced,
+                                double start) {
   size_t first = 0;
-  while (first < count && points[first].approach < start)
+  while (count - first > traced && points[first].approach < start)
     first += 1;
   memmove(points, points + first, (count - first) * sizeof *points);
   return count - first;
@@ -66,7 +67,7 @@ static po_status find_lists(const po_request *request, bool folds, const po_refe
   l->known = true;
   if (!l->solved)
     return PO_OK;
-  l->their_count = drop_before_start(l->theirs, l->their_count, result->start);
+  l->their_count = drop_before_start(l->theirs, l->their_count, l->count, result->start);
   const size_t ours = l->count, theirs = l->their_count;
   l->count = count_ours_up_to(l->ours, ours, theirs, complete_to);
   l->their_count = count_theirs_up_to(l->theirs, theirs, ours, result->ended.approach);
