@@ -52,6 +52,7 @@ static void set_scene(po_follower *f, double at) {
   f->options.scene_at(f->options.data, at, &f->scene);
   po_adaptive_resize(f->adaptive, f->options.domain_of(&f->scene));
   f->c.domain = f->resolution.domain = po_adaptive_domain(f->adaptive);
+  po_equilibrium_rescale(f->e);
   po_equilibrium_remesh(f->e);
 }
 

@@ -19,10 +19,8 @@ double po_arclength_share(const po_equilibrium *e, double edge) {
   return fmin(1.0, width / (NARROW_EDGE * edge));
 }
 
-/* Weight of the approach in the global coordinates. Along a branch the approach varies by several
- * mu, the load by one or two. */
 static double approach_weight(const po_equilibrium *e) {
-  return e->share / (2.0 + 2.0 * e->scene->tabor);
+  return e->share / e->approach_scale;
 }
 
 /* Square of the weight of the approach in the nodal coordinates. */

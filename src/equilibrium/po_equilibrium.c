@@ -28,6 +28,12 @@ static const double COARSE = 3.0;
  * between the tangent at the factorisation and the present one. */
 static const double LEAST_PIVOT = 0.5;
 
+void po_equilibrium_rescale(po_equilibrium *e) {
+  const po_scales scales = po_scene_scales(e->scene);
+  e->load_weight = 1.0 / scales.load_factor;
+  e->approach_scale = 2.0 + 2.0 * scales.stretch;
+}
+
 void po_equilibrium_remesh(po_equilibrium *e) {
   const po_surface *s = e->surface;
   e->radius = e->scene->radius;
@@ -53,7 +59,7 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
   e->surface = surface;
   e->neglect = NEGLECT;
   e->gain = e->share = 1.0;
-  e->load_weight = 1.0 / po_scene_scales(scene).load_factor;
+  po_equilibrium_rescale(e);
   e->precision = PO_FINEST_PRECISION;
   e->together = surface->hierarchy ? PO_TABLE_ORDER : 1;
   double **const vectors[] = {&e->initial_gap, &e->traction, &e->slope,   &e->deflection,

@@ -70,12 +70,14 @@ typedef struct {
   double *right, *scratch; /* n + 1 */
   double *measure;         /* n: coupling * |slope| * reach, by which active nodes are chosen */
   double neglect;          /* largest sum of the measures of the nodes that are not active */
-  double precision;   /* change of a gap, relative to 1 + H, at which an iteration has converged:
-                         PO_FINEST_PRECISION unless the owner sets another */
-  double last_change; /* largest change of a gap, relative to 1 + H, in the last iteration of a
-                         correction */
-  double share;       /* factor of approach and load in the global arclength coordinates */
-  double load_weight; /* factor of the load in them, beside share */
+  double precision;      /* change of a gap, relative to 1 + H, at which an iteration has converged:
+                            PO_FINEST_PRECISION unless the owner sets another */
+  double last_change;    /* largest change of a gap, relative to 1 + H, in the last iteration of a
+                            correction */
+  double share;          /* factor of approach and load in the global arclength coordinates */
+  double load_weight;    /* factor of the load in them, beside share */
+  double approach_scale; /* what the approach is divided by, beside share: along a branch it varies
+                            by a few eps and elongations at pull-off, the load by one or two */
   double noise; /* change of a gap, relative to 1 + H, by the rounding of Eq 15: of the state of the
                    last factorisation, po_equilibrium_measure_noise */
   double gain;  /* its ratio to that rounding, relative to 1 + H */
@@ -96,6 +98,10 @@ po_status po_equilibrium_create(const po_scene *scene, const po_surface *surface
 
 /* Must be called after the mesh of the surface or the scene changed. The factors are discarded. */
 void po_equilibrium_remesh(po_equilibrium *e);
+
+/* Must be called before that if the scene became another one, so that the arclength functional is
+ * that of a trace of this scene: the directions of its points belong to these weights. */
+void po_equilibrium_rescale(po_equilibrium *e);
 void po_equilibrium_destroy(po_equilibrium *equilibrium);
 
 /* Number of nodes of the core, the part of the surface that the elements or panels of the scheme

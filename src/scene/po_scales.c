@@ -99,7 +99,7 @@ po_scales po_scene_scales(const po_scene *scene) {
   const double adhesion = adhesion_of_waves(scene);
   if (sphere)
     return (po_scales){.load = 1.0,
-                       .load_factor = 1.0,
+                       .load_factor = adhesion,
                        .stretch = mu,
                        .wavy_stretch = mu * pow(adhesion, 2.0 / 3.0),
                        .contact_gap = per_stretch * mu * pow(adhesion, 2.0 / 3.0)};

@@ -6,13 +6,14 @@
 
 #include "po_scene.h"
 
-/* For a smooth sphere: load 1, load_factor 1, stretch mu, contact_gap 2.93 mu. */
+/* For a smooth sphere: load 1, load_factor 1, stretch mu, contact_gap 2.93 mu. With waves on it
+ * load_factor is that of Eq 24 alone, at any mu. */
 typedef struct {
   double load;         /* half the pull-off force of the rigid bodies or two thirds of that of JKR,
                           whichever is less, without waves; pi w R */
   double load_factor;  /* the greatest usual load over this one: of JKR where the elongation exceeds
                           eps, otherwise of the rigid bodies, times what the waves may make of it by
-                          Eq 24; of a sphere 1 */
+                          Eq 24 */
   double stretch;      /* the elastic elongation at pull-off without waves, as the Tabor parameter
                           of a sphere whose initial gap at the contact radius of JKR at zero load is
                           the same, eps */

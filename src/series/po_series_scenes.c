@@ -40,13 +40,6 @@ static void scene_at(void *data, double at, po_scene *scene) {
     if (po_law_has(&a->law, (po_law_parameter)p))
       po_law_set_parameter(&scene->law, (po_law_parameter)p,
                            between(a->law.parameter[p], b->law.parameter[p], part));
-  for (int p = 0; p < PO_PROFILE_PARAMETER_COUNT; ++p)
-    if (po_profile_has(&a->profile, (po_profile_parameter)p))
-      po_profile_set_parameter(&scene->profile, (po_profile_parameter)p,
-                               between(a->profile.parameter[p], b->profile.parameter[p], part));
-  for (size_t w = 0; w < a->more_waves; ++w)
-    scene->more[w] = (po_wave){between(a->more[w].amplitude, b->more[w].amplitude, part),
-                               between(a->more[w].length, b->more[w].length, part)};
 }
 
 po_request *po_series_requests(const po_request *requests, size_t count) {

@@ -207,8 +207,9 @@ START_TEST(usual_load_is_that_of_the_limit_which_applies) {
   snprintf(wave, sizeof wave, "1@%.17g", length);
   ck_assert_double_eq_tol(load_of_cone(0.3, wave) / load_of_cone(0.3, "-"), 16.0, 0.5);
   po_scene sphere = po_scene_default();
-  ck_assert(po_scene_set_waves(&sphere, wave));
   ck_assert_double_eq(po_scene_scales(&sphere).load_factor, 1.0);
+  ck_assert(po_scene_set_waves(&sphere, wave)); /* coupling 0.1: (1 + sqrt(3))^2 */
+  ck_assert_double_eq_tol(po_scene_scales(&sphere).load_factor, 4.0 + 2.0 * sqrt(3.0), 1e-12);
 }
 END_TEST
 
