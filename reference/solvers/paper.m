@@ -23,6 +23,11 @@ function [F, J] = equations (x, p)               % x: gaps, approach; the last r
   J = [eye(n) - p.M .* (8 * (1 + H).^-4 - 24 * (1 + H).^-10)', ones(n, 1); p.metric' .* p.tangent'];
 end
 
+function radius = contact_radius (r, H)          % the outermost one at which the traction is the greatest tension
+  i = find (H < 3^(1/6) - 1, 1, "last"); radius = 0;
+  if ! isempty (i), radius = r(i) + r(2) * (3^(1/6) - 1 - H(i)) / (H(min (i+1, end)) - H(i)); end
+end
+
 function answer = solve_point (point)
   s = point.scene; n = 501;
   if isfield (point.knob, "nodes"), n = point.knob.nodes; end
@@ -61,7 +66,7 @@ function answer = solve_point (point)
     if (! isempty (a) && ! ischar (a) && D(end) >= a) || (! isempty (b) && W(end) >= b), break, end
     step = min (max (step, 0.05) * 1.4, 0.15 * max (1, H(1)));
   end
-  [folds, extrema, best] = deal ({}, {}, [0 0 1]);
+  [folds, extrema, best] = deal ({}, {}, [0 0 1 0]);
   for i = 1:numel (D) - 1
     for which = 1:2
       if which == 1, f = dD; else f = dW; end
@@ -72,13 +77,12 @@ function answer = solve_point (point)
       names = {"jump_out", "jump_in"; "minimum", "maximum"};
       item = struct ("kind", names{which, 1 + (f(i) > 0)}, "approach", d, "load", w);
       if which == 1, folds{end+1} = item; else extrema{end+1} = item; end
-      if which == 2 && w < best(2), best = [d w i]; end
+      if which == 2 && w < best(2), best = [d w i t]; end
     end
   end
-  H = gaps{best(3)}; i = find (H < 3^(1/6) - 1, 1, "last"); radius = 0;
-  if ! isempty (i), radius = r(i) + h * (3^(1/6) - 1 - H(i)) / (H(min (i+1, n)) - H(i)); end
   answer = struct ("status", "ok", "start", D(1), "end", D(end));
-  answer.pull_off = struct ("force", -best(2), "approach", best(1), "contact_radius", radius);
+  answer.pull_off = struct ("force", -best(2), "approach", best(1), "contact_radius", ...
+    (1 - best(4)) * contact_radius (r, gaps{best(3)}) + best(4) * contact_radius (r, gaps{best(3) + 1}));
   answer.folds = folds; answer.extrema = extrema;
   answer.curve = struct ("approach", D, "load", W);
 end

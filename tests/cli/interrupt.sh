@@ -18,7 +18,10 @@ want: [pull_off, curve]
 CASE
 }
 
+hears() { [ $((0x$(sed -n 's/^SigCgt:[[:space:]]*//p' "/proc/$child/status") & 2)) -ne 0 ]; } # SIGINT is caught
+
 interrupt() { # SIGNAL
+  : >"$work/stderr" # that of the last run has the line for which this one waits
   "$program" run --output run --jobs 2 2>"$work/stderr" &
   child=$!
   wait_for grep -q "^good: " "$work/stderr" # it hears signals by then, also where it starts slowly
@@ -78,7 +81,8 @@ rm "$PULLOFF_DATA/cases/drawn.yaml"
 
 "$program" solve --tabor 3 --scheme triangle --nodes 1501 --json >out.json 2>"$work/stderr" &
 child=$!
-sleep 0.7
+wait_for hears
+sleep 0.2
 kill -INT $child
 wait $child
 check 'exit code 130 of an interrupted solve' test $? -eq 130
