@@ -244,19 +244,13 @@ static void print_diagnostics(const po_result *o) {
            d->reverse_trace.same ? "the same" : "different");
 }
 
-/* Whether the scene is stated by its coupling: without a radius there is no Tabor parameter. */
-static bool has_coupling(const po_request *request) {
-  const po_scene *scene = &request->scene;
-  return !po_profile_is_sphere(&scene->profile) && scene->radius == 1.0;
-}
-
 /* Whether the line of the scene has a key. The smooth sphere has an amplitude, 0, there. */
 static bool is_printed(const po_request *request, po_key key) {
   switch (key) {
   case PO_KEY_AMPLITUDE:
     return po_scene_waves(&request->scene) < 2;
   case PO_KEY_RADIUS: /* of reference, epsilon, of a profile that is not a sphere */
-    return !has_coupling(request);
+    return !po_input_has_coupling(request);
   case PO_KEY_WAVELENGTH:
   case PO_KEY_WAVES:
   case PO_KEY_PROFILE:
@@ -272,7 +266,7 @@ static void print_table(const po_profile *profile) {
   const po_profile_table *table = profile->table;
   printf(
       "table    %zu rows to radius %.6g, beyond which the gap is continued as r^%.4g; its spline "
-      "is uncertain by %.1e\n",
+      "is uncertain by %.1e epsilon\n",
       table->rows, po_profile_end(profile), po_profile_growth(profile), table->uncertainty);
 }
 
@@ -283,7 +277,7 @@ static void print_input(const po_request *request) {
     char text[PO_KEY_TEXT_LENGTH];
     if (!is_printed(request, (po_key)key))
       continue;
-    const bool coupling = key == PO_KEY_TABOR && has_coupling(request);
+    const bool coupling = key == PO_KEY_TABOR && po_input_has_coupling(request);
     const po_key shown = coupling ? PO_KEY_COUPLING : (po_key)key;
     if (coupling)
       snprintf(text, sizeof text, "%.15g", po_key_number(request, shown));

@@ -299,7 +299,11 @@ bool po_key_is_of_scene(po_key key) {
   }
 }
 
-const char *po_input_load_unit(const po_request *request) {
+bool po_input_has_coupling(const po_request *request) {
   const po_scene *scene = &request->scene;
-  return po_profile_is_sphere(&scene->profile) || scene->radius != 1.0 ? "pi w R" : "pi w epsilon";
+  return !po_profile_is_sphere(&scene->profile) && scene->radius == 1.0;
+}
+
+const char *po_input_load_unit(const po_request *request) {
+  return po_input_has_coupling(request) ? "pi w epsilon" : "pi w R";
 }

@@ -108,6 +108,10 @@ bool po_key_same(po_key key, const char *a, const char *b);
  * and triangles the nodes and the grading. */
 bool po_key_is_of_other_scheme(const po_request *request, po_key key);
 
+/* Returned: whether a scene is stated by its coupling: the profile is not a sphere, and its length
+ * of reference R is epsilon. */
+bool po_input_has_coupling(const po_request *request);
+
 /* Returned: the unit of loads, "pi w R", or "pi w epsilon" if the profile is not a sphere and its
  * length of reference R is epsilon. */
 const char *po_input_load_unit(const po_request *request);

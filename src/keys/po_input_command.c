@@ -5,6 +5,7 @@
 
 #include "po_input.h"
 #include "po_load_unit.h"
+#include "po_number.h"
 #include "po_text.h"
 
 static void print_waves(const po_scene *scene, char text[PO_KEY_TEXT_LENGTH]) {
@@ -85,9 +86,21 @@ static void add_waves(po_text *command, const char *waves) {
   }
 }
 
+/* Prints the coupling to the 15 digits with which it is given. Returned: whether the scene is
+ * stated by its coupling, and this text gives exactly its Tabor parameter. */
+static bool print_coupling(const po_request *request, char text[PO_KEY_TEXT_LENGTH]) {
+  double coupling = 0;
+  snprintf(text, PO_KEY_TEXT_LENGTH, "%.15g", po_key_number(request, PO_KEY_COUPLING));
+  return po_input_has_coupling(request) && po_number_parse(text, &coupling) &&
+         po_scene_tabor_of_coupling(coupling, request->scene.radius) == request->scene.tabor;
+}
+
 static void add_option(po_text *command, const po_request *request, po_key key, bool identity) {
   char value[PO_KEY_TEXT_LENGTH], flag[PO_NUMBER_LENGTH];
-  po_key_print(request, key, value);
+  if (key == PO_KEY_TABOR && !identity && print_coupling(request, value))
+    key = PO_KEY_COUPLING;
+  else
+    po_key_print(request, key, value);
   if (key == PO_KEY_WAVES) {
     add_waves(command, value);
     return;
@@ -107,7 +120,8 @@ static char *describe(const po_request *request, bool identity) {
   po_text command = {0};
   po_text_add(&command, "pulloff solve");
   for (int key = 0; key < PO_KEY_COUNT; ++key)
-    if (!po_key_is_idle(request, (po_key)key))
+    if (!po_key_is_idle(request, (po_key)key) &&
+        (identity || key != PO_KEY_RADIUS || !po_input_has_coupling(request)))
       add_option(&command, request, (po_key)key, identity);
   /* without the preload, a single solve would search beyond the default one */
   if (adds_preload(request)) {

@@ -32,6 +32,8 @@ if command -v gnuplot >/dev/null; then
     check 'nothing is printed' test ! -s stdout
   done
   check 'the caption is the command' grep -q 'pulloff solve --tabor 3 --amplitude 1 --wavelength 20' a.svg
+  expect 0 '' plot --profile cone:0.5 --coupling 0.07 cone.svg
+  check 'the caption states the coupling that was given' grep -q 'pulloff solve --coupling 0.07 --outer-radius inf --profile cone' cone.svg
   expect 0 '' solve --tabor 1 --want profile,hysteresis,preload --plot all.svg
   check 'the result is printed' grep -q '^pull-off force 1.67066' stdout
   check 'all panels' test "$(grep -c -e 'approach Δ†/ε' -e 'radius' -e 'preload, largest' all.svg)" -ge 3
