@@ -55,6 +55,12 @@ static po_status set_columns(po_csv *csv, char *line, size_t number) {
   for (size_t i = 0; i < csv->column_count; ++i) {
     if (csv->columns[i][0] == '\0')
       return po_fail(PO_CANNOT_READ, "%s:%zu: column %zu has no name", csv->path, number, i + 1);
+    double value = 0;
+    if (po_number_parse(csv->columns[i], &value))
+      return po_fail(PO_CANNOT_READ,
+                     "%s:%zu: the column %zu is named %s: expected a line with the names of the "
+                     "columns before the rows",
+                     csv->path, number, i + 1, csv->columns[i]);
     if (po_csv_find_column(csv, csv->columns[i]) != (int)i)
       return po_fail(PO_CANNOT_READ, "%s:%zu: the column %s is given twice", csv->path, number,
                      csv->columns[i]);

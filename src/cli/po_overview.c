@@ -78,7 +78,7 @@ static void add_check(const po_case_run *run, const po_check *check, const char 
     return;
   po_text_add(text, "%s %s, %s: %s", po_plan_name(run->plan), worst->subject, label_of(run, worst),
               po_verdict_name(worst->verdict));
-  if (isfinite(worst->ratio))
+  if (isfinite(worst->ratio) && !(worst->verdict == PO_OUTSIDE && worst->ratio <= 1))
     po_text_add(text, ", %.4g times the tolerance", worst->ratio);
   po_text_add(text, " (%s)%s%s", po_plan_reference_of(run->plan, check), worst->note[0] ? ": " : "",
               worst->note);

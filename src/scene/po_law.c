@@ -69,6 +69,13 @@ const char *po_law_parameter_name(po_law_parameter parameter) {
   return PARAMETERS[parameter];
 }
 
+po_status po_law_require(const po_law *law, po_law_parameter parameter) {
+  return isnan(law->parameter[parameter])
+             ? po_fail(PO_BAD_INPUT, "%s is not given: expected it with the law %s",
+                       PARAMETERS[parameter], po_law_name(law))
+             : PO_OK;
+}
+
 po_status po_law_check(const po_law *law) {
   return kind_of(law)->check ? kind_of(law)->check(law) : PO_OK;
 }

@@ -28,6 +28,9 @@ struct po_law_kind {
 
 extern const po_law_kind PO_LENNARD_JONES, PO_MIE, PO_MORSE;
 
+/* Status: PO_BAD_INPUT with a message if the parameter was not given. */
+po_status po_law_require(const po_law *law, po_law_parameter parameter);
+
 /* Scale, singularity and least gap of laws in powers of 1 + H. */
 po_law_scale po_law_scale_of_powers(const po_law *law, double gap);
 double po_law_closest_of_powers(const po_law *law);

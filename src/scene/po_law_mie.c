@@ -19,8 +19,12 @@ static double factor(const po_law *law) {
 
 static po_status check(const po_law *law) {
   const double m = small(law), n = large(law);
+  if (isnan(m))
+    return po_law_require(law, PO_MIE_M);
   if (!(isfinite(m) && m > 1.0))
     return po_fail(PO_BAD_INPUT, "mie_m is %g: expected a finite number > 1", m);
+  if (isnan(n))
+    return po_law_require(law, PO_MIE_N);
   if (!(isfinite(n) && n > m && n <= LARGEST_POWER))
     return po_fail(PO_BAD_INPUT, "mie_n is %g: expected a number > mie_m, %g, and at most %g", n, m,
                    LARGEST_POWER);

@@ -22,6 +22,8 @@ static double steepness(const po_law *law) {
 
 static po_status check(const po_law *law) {
   const double a = steepness(law);
+  if (isnan(a))
+    return po_law_require(law, PO_MORSE_A);
   if (!(a >= SOFTEST && a <= STEEPEST))
     return po_fail(PO_BAD_INPUT, "morse_a is %g: expected a number from %g to %g", a, SOFTEST,
                    STEEPEST);

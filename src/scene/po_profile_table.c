@@ -28,8 +28,8 @@ static po_status refuse(const po_csv *csv, size_t row, const char *what, double 
 static po_status read_rows(const po_csv *csv, po_profile_table *t) {
   const int r = po_csv_find_column(csv, "r"), gap = po_csv_find_column(csv, "gap");
   if (r < 0 || gap < 0)
-    return po_fail(PO_CANNOT_READ, "%s:%zu: expected the columns r and gap", csv->path,
-                   csv->column_line);
+    return po_fail(PO_CANNOT_READ, "%s:%zu: expected the columns r and gap, separated by a comma",
+                   csv->path, csv->column_line);
   if (csv->row_count < LEAST_ROWS)
     return po_fail(PO_CANNOT_READ, "%s: %zu rows are too few for a profile: expected at least %d",
                    csv->path, csv->row_count, LEAST_ROWS);
@@ -46,22 +46,23 @@ static po_status read_rows(const po_csv *csv, po_profile_table *t) {
       status = po_csv_number(csv, k, (size_t)gap, &t->gap[k]);
     if (status)
       return status;
+    const double given = t->r[k];
     t->r[k] *= t->scale;
     t->gap[k] *= t->scale;
     if (!isfinite(t->r[k]) || !isfinite(t->gap[k]))
       return refuse(csv, k, "the scale", t->scale, "one with which r and gap are finite");
     if (k == 0 && t->r[0] != 0.0)
-      return refuse(csv, k, "the first r", t->r[k], "0");
+      return refuse(csv, k, "the first r", given, "0");
     if (k > 0 && !(t->r[k] > t->r[k - 1]))
-      return refuse(csv, k, "r", t->r[k], "more than in the row before");
+      return refuse(csv, k, "r", given, "more than in the row before");
     if (k > 0)
       t->gap[k] -= t->gap[0];
   }
   t->gap[0] = 0.0;
   const size_t last = t->rows - 1;
   if (!(t->gap[last] > 0.0 && t->gap[last] > t->gap[last - 1]))
-    return refuse(csv, last, "the last gap", t->gap[last],
-                  "more than in the row before and on the axis");
+    return refuse(csv, last, "the last gap, less that on the axis,", t->gap[last] / t->scale,
+                  "more than in the row before, and more than 0");
   return PO_OK;
 }
 
@@ -95,8 +96,9 @@ static po_status compare_coarse(const po_csv *csv, po_profile_table *t) {
     const double difference = fabs(value_between(r, gap, slope, k, t->r[row]) - t->gap[row]);
     t->uncertainty = fmax(t->uncertainty, difference);
     if (difference > COARSEST * (1.0 + fabs(t->gap[row])))
-      status = refuse(csv, row, "without this row the gap changes; the change", difference,
-                      "rows so near each other that it is less than a tenth of 1 + gap");
+      status =
+          refuse(csv, row, "without this row the gap changes; the change, in epsilon,", difference,
+                 "less than a tenth of 1 + gap: rows nearer to each other, or less noise");
   }
   free(room);
   return status;

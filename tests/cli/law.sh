@@ -8,7 +8,9 @@ python=${PYTHON:-python3}
 
 expect 2 'pulloff: --law is mie:9: expected lennard-jones, mie:m,n or morse:a' solve --law mie:9
 expect 2 'pulloff: mie_n is 3: expected a number > mie_m, 9, and at most 60' solve --law mie:9,3
-expect 2 'pulloff: mie_m is nan: expected a finite number > 1' solve --law mie --mie-n 9
+expect 2 'pulloff: mie_m is not given: expected it with the law mie' solve --law mie --mie-n 9
+expect 2 'pulloff: mie_n is not given: expected it with the law mie' solve --law mie --mie-m 4
+expect 2 'pulloff: morse_a is not given: expected it with the law morse' solve --law morse
 expect 2 'pulloff: morse_a is 60: expected a number from 0.05 to 50' solve --law morse:60
 expect 2 'pulloff: mie_m is 1.5: *unbounded surface*expected more than 2, or an outer radius' solve --law mie:1.5,9
 expect 2 'pulloff: --morse-a has no effect on the law mie: expected --law morse' solve --law mie:4,10 --morse-a 3

@@ -47,6 +47,9 @@ write("doubled.csv", sphere, 0.5)
 write("short.csv", sphere[:7])
 write("unsorted.csv", sphere[:20] + [sphere[18]] + sphere[20:])
 write("offset.csv", sphere[1:])
+write("metres_offset.csv", sphere[1:], 3e-10)
+with open("nameless.csv", "w") as file:
+    file.write("".join(f"{k},{k * k}\n" for k in range(20)))
 write("flat.csv", [(r, min(f, 3.0)) for r, f in sphere])
 write("coarse.csv", [(10.0 * k, 5.0 * k * k * (k % 2)) for k in range(9)] + [(90.0, 900.0)])
 for name, bad in (("nan.csv", "nan"), ("words.csv", "x")):
@@ -61,10 +64,14 @@ TABLES
 expect 4 'pulloff: nowhere.csv*' solve --profile-file nowhere.csv
 expect 4 'pulloff: short.csv: 7 rows are too few for a profile: expected at least 8' solve --profile-file short.csv
 expect 4 'pulloff: unsorted.csv:22: r is 10.9*: expected more than in the row before' solve --profile-file unsorted.csv
+expect 4 'pulloff: metres_offset.csv:2: the first r is 1.8*e-10: expected 0' solve --from-physical --modulus-pa 2e9 \
+  --work-j-per-m2 0.05 --distance-m 3e-10 --profile-file metres_offset.csv
 expect 4 'pulloff: offset.csv:2: the first r is 0.6*: expected 0' solve --profile-file offset.csv
-expect 4 'pulloff: flat.csv:101: the last gap is 3: expected more than in the row before and on the axis' \
+expect 4 'pulloff: nameless.csv:1: the column 1 is named 0: expected a line with the names of the columns before the rows' \
+  solve --profile-file nameless.csv
+expect 4 'pulloff: flat.csv:101: the last gap, less that on the axis, is 3: expected more than in the row before, and more than 0' \
   solve --profile-file flat.csv
-expect 4 'pulloff: coarse.csv:*: without this row the gap changes; the change is *' solve --profile-file coarse.csv
+expect 4 'pulloff: coarse.csv:*: without this row the gap changes; the change, in epsilon, is *' solve --profile-file coarse.csv
 sed '/%%/,$d' "$here/../fuzz/corpus/profile/falls_at_the_end" >falls.csv
 expect 4 'pulloff: falls.csv:26: the slope of the spline at the last r is 0: expected more than 0*' solve --profile-file falls.csv
 expect 4 'pulloff: nan.csv:6: *nan*' solve --profile-file nan.csv
@@ -73,6 +80,17 @@ expect 2 'pulloff: both --profile and --profile-file are given: expected only on
   --profile-file sphere.csv
 expect 2 'pulloff: --profile-file is empty: expected the name of a file' solve --profile-file ''
 expect 4 'pulloff: nowhere.csv*' follow --key tabor --from 1 --to 2 --profile-file nowhere.csv
+
+# The command in a table states the coupling that was given, and repeats the solve.
+for given in '--coupling 0.07' '--coupling 0.0833333333333333' '--tabor 0.3'; do
+  # shellcheck disable=SC2086 # two words
+  expect 0 '' solve $given --profile cone:0.5 --want preload --staircase first.csv
+  # shellcheck disable=SC2046 # words
+  expect 0 '' $(sed -n 's/^# command: pulloff //p' first.csv) --staircase second.csv
+  check "the command of a scene with $given repeats it" cmp -s first.csv second.csv
+done
+expect 0 '' solve --coupling 0.07 --profile cone:0.5 --want preload --staircase first.csv
+check 'the command has the coupling' grep -q '^# command: pulloff solve --coupling 0.07 --outer-radius inf ' first.csv
 
 cat >equal.py <<'LOOK'
 import json, os, subprocess, sys
