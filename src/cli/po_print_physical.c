@@ -16,6 +16,7 @@ static const struct {
                {"outer_radius_m", PO_LENGTH_OUTER_RADIUS},
                {"approach_start_m", PO_LENGTH_APPROACH_START},
                {"approach_end_m", PO_LENGTH_APPROACH_END},
+               {"preload_m", PO_LENGTH_PRELOAD},
                {"profile_approach_m", PO_LENGTH_PROFILE_APPROACH},
                {"approach_m", PO_LENGTH_APPROACH},
                {"contact_radius_m", PO_LENGTH_CONTACT_RADIUS}};
@@ -126,9 +127,9 @@ void po_print_physical_input(const po_scene_flags *flags) {
              flags->metres[LENGTHS[i].length]);
     }
   if (flags->profile)
-    printf(" profile %s in m", flags->shown);
+    printf(" profile %s, lengths in m", flags->shown);
   if (flags->profile_file)
-    printf(" profile of %s in m", flags->profile_file);
+    printf(" profile of %s, lengths in m", flags->profile_file);
   for (size_t k = 0; k < flags->waves; ++k)
     printf(" wave %g,%g m", flags->wave[k].amplitude, flags->wave[k].length);
   printf("\n");
@@ -161,6 +162,20 @@ static void print_sensitivity(const po_request *request, const po_result *o) {
   printf("\n");
 }
 
+/* Which preloads give the pull-off, with the loads of a test at these approaches. */
+static void print_preload(const po_units *u, const po_result *o) {
+  const po_pressed *from = &o->pull_off.pressed, *until = &o->pull_off.until;
+  if (!o->has_pull_off || o->status || isnan(from->approach))
+    return;
+  printf("preload  loading to approach %.6g m, load %.6g N,", from->approach * u->length,
+         from->load * u->force);
+  if (isnan(until->approach))
+    printf(" or more gives this pull-off\n");
+  else
+    printf(" to approach %.4g m, load %.4g N, gives this pull-off\n", until->approach * u->length,
+           until->load * u->force);
+}
+
 void po_print_physical(const po_scene_flags *flags, const po_request *request,
                        const po_result *result) {
   const po_units *u = &flags->units;
@@ -174,6 +189,7 @@ void po_print_physical(const po_scene_flags *flags, const po_request *request,
            result->pull_off.force_error * u->force, result->pull_off.approach_error * u->length,
            result->pull_off.contact_radius_error * u->length);
   print_sensitivity(request, result);
+  print_preload(u, result);
   if (result->fold_count + result->extremum_count) {
     printf("%-9s %16s %16s %16s\n", "point", "approach/m", "load/N", "contact radius/m");
     print_special_points(u, result->folds, result->fold_count);

@@ -15,7 +15,7 @@ static const struct {
     {"solve", po_verb_solve, "solve one scene"},
     {"follow", po_verb_follow,
      "compute the pull-off of a series of scenes in which one parameter varies"},
-    {"theory", po_verb_theory, "evaluate a closed form of the paper"},
+    {"theory", po_verb_theory, "evaluate a closed form, of the paper or of any profile"},
     {"plot", po_verb_plot, "plot one scene or the pull-off forces of a case"},
     {"list", po_verb_list, "list the cases or the reference tables"},
     {"plan", po_verb_plan, "print what would be computed for a case, and why"},

@@ -66,6 +66,10 @@ check 'SI and dimensionless results agree' "$python" look.py "$program"
 expect 0 '' solve $body --scheme triangle --nodes 101
 check 'the printed result has newton' grep -q '^pull-off force [0-9.e-]* N at approach [0-9.e-]* m' "$work/stdout"
 check 'the printed result has the input' grep -q '^physical modulus 1.3385e+09 Pa work 0.0537 J/m^2 distance 3.1e-10 m radius 2.7e-08 m$' "$work/stdout"
+expect 0 '' solve $body --preload-m 4e-10 --scheme triangle --nodes 101
+check 'the preload is in the input' grep -q '^physical .* preload 4e-10 m$' "$work/stdout"
+check 'the preloads of the pull-off are in metre and newton' \
+  grep -qE '^preload  loading to approach [0-9.e-]+ m, load [0-9.e-]+ N, or more gives this pull-off$' "$work/stdout"
 expect 0 '' solve --from-physical --modulus-pa inf --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 1e-7 --json
 check 'the rigid sphere has the force of Bradley' "$python" -c '
 import json, math

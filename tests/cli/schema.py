@@ -47,7 +47,7 @@ SOLVES = [
     ("--tabor 1 --preload -5", 3),
     (f"{SI} --want curve,profile --profile-approach-m -3e-10", 0),
     (f"{WAVY_SI} {LENGTHS} --tolerance 1e-4", 0),
-    (f"{SI} --profile-file metres.csv --wave 1e-11,3e-9 --outer-radius-m 1e-8 --tolerance 1e-4", 0),
+    (f"{SI} --profile-file metres.csv --wave 1e-11,3e-9 --outer-radius-m 1e-8 --preload-m 1e-10 --tolerance 1e-4", 0),
     (f"{SI} --profile power:5e6,2 --tolerance 1e-4", 0),
 ]
 THEORIES = [
