@@ -112,6 +112,7 @@ def make(wanted):
         html, pdf = page.forms(content)
         write_all(wanted.output, {"report.html": html, "report.pdf": pdf, KEY: key.encode("ascii")})
         made = True
+        print(f"made: {os.path.join(wanted.output, 'report.html')} and report.pdf")
     finally:
         kept.end(made)
 

@@ -150,8 +150,8 @@ class Run:
         self.cases = [Case(place) for place in folders
                       if record_of(place)]
         if not self.cases:
-            raise ReportError(f"{folder}: no record of any case (pulloff run --suite paper "
-                              f"--output {folder} makes them)")
+            raise ReportError(f"{folder}: no complete record of this program of any case (pulloff run CASE --output "
+                              f"{folder} makes it; records of other solvers are shown beside it)")
         self.cases.sort(key=reading_order)
 
     def drawing(self, script):

@@ -328,8 +328,8 @@ int po_session_end(po_session *session, po_status status) {
   int code = po_options_end(status);
   if (failures) {
     char shown[PO_QUOTE_LENGTH];
-    fprintf(stderr, "pulloff: %zu solves failed; the records in %s state the reasons\n", failures,
-            po_quote(session->options.output, shown));
+    fprintf(stderr, "pulloff: %zu %s failed; the records in %s state the reasons\n", failures,
+            failures == 1 ? "solve" : "solves", po_quote(session->options.output, shown));
     code = PO_EXIT_SOLVE;
   }
   po_session_clear(session);

@@ -68,9 +68,9 @@ void po_verdicts_totals(const po_case_run *runs, size_t count, po_text *text) {
     passing += po_verdict_passes((po_verdict)v) ? of[v] : 0;
   for (int passes = 1; passes >= 0; --passes) {
     if (passes)
-      po_text_add(text, "%zu checks pass", passing);
+      po_text_add(text, "%zu %s", passing, passing == 1 ? "check passes" : "checks pass");
     else
-      po_text_add(text, ", %zu do not", total - passing);
+      po_text_add(text, ", %zu %s not", total - passing, total - passing == 1 ? "does" : "do");
     const char *before = " (";
     for (int v = PO_OUTSIDE; v < PO_VERDICT_COUNT; ++v)
       if (of[v] && po_verdict_passes((po_verdict)v) == passes) {
@@ -79,7 +79,7 @@ void po_verdicts_totals(const po_case_run *runs, size_t count, po_text *text) {
       }
     po_text_add(text, "%s", *before == ',' ? ")" : "");
   }
-  po_text_add(text, ", %zu solves failed\n", failures);
+  po_text_add(text, ", %zu %s failed\n", failures, failures == 1 ? "solve" : "solves");
 }
 
 void po_verdicts_table(const po_case_run *runs, size_t count, po_text *text) {

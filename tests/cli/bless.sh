@@ -60,7 +60,7 @@ check 'nothing was solved for these' test ! -e run
 
 # No pins exist yet: the verdict says so, and the command that writes them is printed.
 verified 1 'missing_reference: there is no file cases/pins/good.csv'
-says 'and counted' '^1 checks pass (1 slack), 7 do not (7 missing_reference), 0 solves failed$'
+says 'and counted' '^1 check passes (1 slack), 7 do not (7 missing_reference), 0 solves failed$'
 expect 0 '' plan good
 says 'in the plan, too' 'but there are no pins yet$'
 says 'with the command' '^to make the pins: pulloff bless good --reason TEXT$'

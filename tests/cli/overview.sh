@@ -12,14 +12,14 @@ lines() { check "$1 lines" test "$(wc -l <"$work/stdout")" -eq "$1"; }
 expect 0 'good: 1 points, 1 checks: within' verify
 lines 3
 check 'slack is shown' grep -qE '^good +1 +0 +0 +[0-9.]+ +0\.000  pull_off_force, scene; 1 improved or slack$' "$work/stdout"
-line 3 '1 checks pass (1 slack), 0 do not, 0 solves failed'
+line 3 '1 check passes (1 slack), 0 do not, 0 solves failed'
 
 write_table "$PULLOFF_DATA/reference/table.csv" tabor,force,approach 0,2.0000000005,0
 expect 0 'good: 1 points, 1 checks: within*' verify
 lines 3
 check 'the columns' grep -qE '^case +pass +fail +unsolved +seconds +\|err\|/tol +of the worst check$' "$work/stdout"
 check 'the case' grep -qE '^good +1 +0 +0 +[0-9.]+ +0\.500  pull_off_force, scene$' "$work/stdout"
-line 3 '1 checks pass, 0 do not, 0 solves failed'
+line 3 '1 check passes, 0 do not, 0 solves failed'
 expect 0 '*' verify --verbose
 check 'a line a check' grep -qE '^good +pull_off_force +scene .* within$' "$work/stdout"
 
@@ -30,7 +30,7 @@ lines 5
 check 'the case fails' grep -qE '^good +0 +1 +0 +[0-9.]+ +3\.000  pull_off_force, scene$' "$work/stdout"
 line 3 'good pull_off_force, scene: outside, 3 times the tolerance (reference/table.csv)'
 line 4 "    pulloff explain good --point 0 --output 'a folder'"
-line 5 '0 checks pass, 1 do not (1 outside), 0 solves failed'
+line 5 '0 checks pass, 1 does not (1 outside), 0 solves failed'
 eval "\"$program\" $(sed -n '4s/ *pulloff//p' "$work/stdout")" >explained 2>"$work/stderr"
 check 'the command explains it' grep -q -x 'good pull_off_force scene: outside' explained
 

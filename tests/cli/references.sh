@@ -59,5 +59,5 @@ checks:
   - {quantity: pull_off_force, reference: reference/feng_pull_off.csv, tolerance: 1e-6, kind: abs, because: the same law}
 CASE
 expect 0 'mie: *' verify mie.yaml --output out
-check 'the Mie law (3, 9) is compared with the tables of Lennard-Jones' grep -q '1 checks pass' stdout
+check 'the Mie law (3, 9) is compared with the tables of Lennard-Jones' grep -q '1 check passes' stdout
 finish

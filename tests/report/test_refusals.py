@@ -127,7 +127,7 @@ class Refusals(unittest.TestCase):
 
     def test_no_run(self):
         os.unlink(self.record)
-        self.refused("no record of any case")
+        self.refused("no complete record of this program of any case")
 
     def test_no_such_folder(self):
         self.refused("No such file or directory", words=[

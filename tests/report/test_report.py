@@ -97,8 +97,9 @@ class Whole(PageTest):
              "--reference", os.path.join(cls.folder, "reference"), *more],
             capture_output=True, text=True, check=False)
 
-    def test_it_is_made_in_silence_and_nothing_else_is_left(self):
-        self.assertEqual((self.first.returncode, self.first.stdout, self.first.stderr), (0, "", ""))
+    def test_one_line_names_the_pages_and_nothing_else_is_left(self):
+        self.assertEqual((self.first.returncode, self.first.stdout, self.first.stderr),
+                         (0, f"made: {os.path.join(self.output, 'report.html')} and report.pdf\n", ""))
         self.assertEqual(sorted(os.listdir(self.output)),
                          [".report-kept", ".report-key", "report.html", "report.pdf"])
 
