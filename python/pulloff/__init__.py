@@ -108,6 +108,9 @@ class Scene:
             C.pulloff_scene_destroy(self._handle)
             self._handle = None
 
+    def __repr__(self):
+        return "<pulloff.Scene " + " ".join(f"{key}={self[key]}" for key in ("tabor", "waves", "profile", "law")) + ">"
+
     def update(self, **values):
         """Sets several keys."""
         for key, value in values.items():

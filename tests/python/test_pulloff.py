@@ -95,6 +95,10 @@ class SameNumbers(unittest.TestCase):
 
 
 class Scenes(unittest.TestCase):
+    def test_shown(self):
+        self.assertEqual(repr(pulloff.Scene(tabor=3, amplitude=1, wavelength=20, profile="cone:0.3", law="mie:4,10")),
+                         "<pulloff.Scene tabor=3 waves=1@20 profile=cone law=mie>")
+
     def test_keys(self):
         self.assertEqual(set(pulloff.keys()) & {"tabor", "law", "amplitude_ratio", "want", "profile_approach"},
                          {"tabor", "law", "amplitude_ratio", "want", "profile_approach"})
