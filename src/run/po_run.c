@@ -365,18 +365,33 @@ static bool is_open_here(const po_crew *crew, size_t count, const po_case *kase,
   return false;
 }
 
+/* Writes the record of a finished case once more. */
+static po_status rewrite(po_crew *crew, po_case_run *run) {
+  const char *folder = folder_of(crew, run);
+  const volatile sig_atomic_t *stop = crew->options->stop;
+  return po_case_run_is_whole(run) ? po_record_write(run, folder, crew->jobs, stop)
+                                   : po_record_write_part(run, folder, crew->jobs, stop);
+}
+
 /* Marks the points of external solvers that are timed in the rounds in which this program solves
- * them. A point that is known from an interrupted run, and that this program solves again, is not
- * one of them. */
-static void mark_interleaved(po_crew *crew, size_t count) {
-  for (size_t r = 0; r < count; ++r) {
-    const po_case_run *run = &crew->runs[r];
+ * them. A point that is known from an earlier run, and that this program solves again, is not one
+ * of them: the record of a finished case is written again with that. */
+static po_status mark_interleaved(po_crew *crew, size_t count) {
+  po_status status = PO_OK;
+  for (size_t r = 0; r < count && !status; ++r) {
+    po_case_run *run = &crew->runs[r];
+    bool changed = false;
     for (size_t i = 0; run->rounds && i < run->plan->kase->point_count; ++i) {
       const bool open = is_open_here(crew, count, run->plan->kase, i);
+      const bool before = run->interleaved[i];
       if (run->asked[i] && (open || !run->done[i]))
         run->interleaved[i] = open && !run->done[i];
+      changed = changed || run->interleaved[i] != before;
     }
+    if (run->finished && changed)
+      status = rewrite(crew, run);
   }
+  return status;
 }
 
 static po_status work_through(po_crew *crew, size_t count) {
@@ -385,13 +400,14 @@ static po_status work_through(po_crew *crew, size_t count) {
   if (!tasks)
     return PO_NO_MEMORY;
   const int threads = shared < (size_t)crew->jobs ? (int)shared : crew->jobs;
-  const po_status status = total ? po_linear_reserve(threads > 1 ? threads : 1) : PO_OK;
+  po_status status = total ? po_linear_reserve(threads > 1 ? threads : 1) : PO_OK;
+  if (!status)
+    status = mark_interleaved(crew, count);
   if (status) {
     free(tasks);
     return status;
   }
   begin_progress(crew, count);
-  mark_interleaved(crew, count);
   do_shared(crew, tasks, shared, threads);
   for (size_t i = shared; i < total; ++i)
     if (!must_end(crew))

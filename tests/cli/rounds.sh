@@ -102,6 +102,25 @@ import json, pathlib
 journal = pathlib.Path('mixed/solvers/good@10/timed/points.jsonl')
 journal.write_text(''.join(line + '\n' for line in journal.read_text().splitlines() if json.loads(line)['point']['id'] in '01'))"
 interleaved 'False False True True'
+# Nor those of a whole record, which is written again with that.
+whole() { # WHAT VALUE: whether the record of the solver has a point that was timed in the rounds of this program
+  check "$1" [ "$("$python" -c "
+import json
+print(any(point['timing']['interleaved'] for point in json.load(open('whole/solvers/good@10/timed/record.json'))['points']))")" = "$2" ]
+}
+again='run timed.yaml --solver pulloff --solver good.yaml@10 --output whole'
+# shellcheck disable=SC2086 # words
+if ! "$program" $again >stdout 2>stderr; then cat stderr; fi
+whole 'a whole record in the rounds of this program' True
+cp whole/solvers/good@10/timed/record.json before.json
+# shellcheck disable=SC2086
+if ! "$program" $again >stdout 2>stderr; then cat stderr; fi
+check 'without new solves a record stays' cmp -s before.json whole/solvers/good@10/timed/record.json
+rm -r whole/timed
+# shellcheck disable=SC2086
+if ! "$program" $again >stdout 2>stderr; then cat stderr; fi
+check 'the solver keeps its record' grep -q '^good@10:timed: 6 points, .* (kept)$' stderr
+whole 'a whole record that is kept while this program solves the points again' False
 manifest part 'knob: {name: nodes, values: [10, 20]}'
 sed -i 's/, part,/, good,/' part.yaml
 if ! "$program" run timed.yaml --solver part.yaml@20 --solver part.yaml@10 --solver good.yaml@10 --output some >stdout 2>stderr; then cat stderr; fi
