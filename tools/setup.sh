@@ -64,7 +64,7 @@ forget_foreign_build() {
   fi
 }
 
-# configure_and_build DIR LABEL MESON-OPTION...
+# configure_and_build DIR LABEL MESON-OPTION...: builds $build_targets; if it is not set, everything.
 configure_and_build() {
   folder=$1
   suffix=$2
@@ -74,7 +74,9 @@ configure_and_build() {
     step "Configuring$suffix" meson setup "$folder" "$@"
     pwd -P >"$folder/source-tree"
   fi
-  step "Building$suffix" meson compile -C "$folder"
+  # The list is split into words on purpose.
+  # shellcheck disable=SC2086
+  step "Building$suffix" meson compile -C "$folder" ${build_targets:-}
 }
 
 # prepare: the set-up that ./reproduce and ./check have in common
