@@ -1,9 +1,13 @@
 #include "po_memory.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include "po_status.h"
 
@@ -79,4 +83,21 @@ void po_memory_watch(void) {
 
 bool po_memory_ran_out(void) {
   return errno == ENOMEM;
+}
+
+/* The limit that a control group sets to its processes (Linux), bytes; "max" or an absent file:
+ * none. */
+static const char GROUP_LIMIT[] = "/sys/fs/cgroup/memory.max";
+
+double po_memory_of_machine(void) {
+  double bytes = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE), group;
+  struct rlimit limit;
+  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+    bytes = fmin(bytes, (double)limit.rlim_cur);
+  FILE *file = fopen(GROUP_LIMIT, "r");
+  if (file && fscanf(file, "%lf", &group) == 1)
+    bytes = fmin(bytes, group);
+  if (file)
+    fclose(file);
+  return bytes;
 }

@@ -38,4 +38,7 @@ char *po_copy_text(const char *text);
 void po_memory_watch(void);
 bool po_memory_ran_out(void);
 
+/* Returned: the memory of the machine, or less if the process is limited to less, bytes. */
+double po_memory_of_machine(void);
+
 #endif

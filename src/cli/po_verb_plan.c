@@ -74,7 +74,7 @@ static double megabytes(double bytes) {
 
 /* Prints what the points need, and what to do if the machine has not that much. */
 static po_status print_needs(const po_plan *plan) {
-  const double memory = po_environment_memory();
+  const double memory = po_memory_of_machine();
   needs n;
   const po_status status = find_needs(plan, &n);
   if (status)
@@ -166,7 +166,7 @@ int po_verb_plan(int argc, char **argv) {
     status = json ? append_plan(catalog.cases[i], &plans) : print_plan(catalog.cases[i]);
   if (json && !status)
     status = po_print_document(PO_JSON_OBJECT({"schema", po_json_text("pulloff-plan/1")},
-                                              {"memory", po_json_number(po_environment_memory())},
+                                              {"memory", po_json_number(po_memory_of_machine())},
                                               {"cases", plans}));
   else
     json_decref(plans);

@@ -9,6 +9,7 @@
 #include "po_linear.h"
 #include "po_rigid.h"
 #include "po_scales.h"
+#include "po_size.h"
 #include "po_trace.h"
 
 /* If the estimated error of the pull-off force exceeds the tolerance, or a fold is not found on a
@@ -95,6 +96,8 @@ static double farthest_start(const po_scene *scene) {
 static po_status attempt(const po_request *request, const po_keeper *keeper, double deadline,
                          po_result *result) {
   po_status status = po_request_check(request);
+  if (!status)
+    status = po_request_size_check(request);
   if (status)
     return status;
   const bool rigid = po_rigid_suffices(&request->scene);

@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 #include <sys/utsname.h>
 #include <time.h>
 #include <unistd.h>
@@ -59,24 +58,6 @@ static void find_line(const char *path, const char *start, char *text, size_t si
 
 int po_environment_cores(void) {
   return omp_get_num_procs();
-}
-
-/* The limit that a control group sets to its processes (Linux), bytes; "max" or an absent file:
- * none.
- */
-static const char GROUP_LIMIT[] = "/sys/fs/cgroup/memory.max";
-
-double po_environment_memory(void) {
-  double bytes = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE), group;
-  struct rlimit limit;
-  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
-    bytes = fmin(bytes, (double)limit.rlim_cur);
-  FILE *file = fopen(GROUP_LIMIT, "r");
-  if (file && fscanf(file, "%lf", &group) == 1)
-    bytes = fmin(bytes, group);
-  if (file)
-    fclose(file);
-  return bytes;
 }
 
 json_t *po_environment_describe(int jobs) {

@@ -15,9 +15,6 @@ json_t *po_environment_describe(int jobs);
 /* Returned: the number of processors on which this process may run. */
 int po_environment_cores(void);
 
-/* Returned: the memory of the machine, or less if the process is limited to less, in bytes. */
-double po_environment_memory(void);
-
 /* The program and the linear algebra library. Two runs with equal arithmetic give equal results for
  * a scene, to the last bit. */
 typedef struct {

@@ -29,6 +29,8 @@ expect 2 'pulloff: --wave is given 8 times beside --amplitude: expected at most 
 expect 2 'pulloff: both --coupling and --tabor are given: expected only one' solve --coupling 1 --tabor 1
 expect 2 'pulloff: --coupling is -1: expected a finite number >= 0' solve --coupling -1
 expect 2 'pulloff: *profile*' theory guduru --profile cone:0.3 --amplitude 1 --wavelength 9
+# waves finer than the memory of any machine carries are refused at once
+expect 3 'pulloff: the solve failed: the finest mesh needs * nodes or more and * GB of memory, and there are * GB: expected longer waves, *' solve --wave 0.1,1e-7
 expect 2 'pulloff: both coupling and tabor are given: *' follow --key coupling --from 0.1 --to 1 --tabor 1
 expect 2 'pulloff: --cone-t has no effect on the profile power: *' follow --key cone-t --from 1 --to 2 --profile power:1,2
 expect 2 'pulloff: --key is profile: *' follow --key profile --from 1 --to 2
