@@ -1,9 +1,9 @@
 #include "po_memory.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <math.h>
 #include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
@@ -89,15 +89,24 @@ bool po_memory_ran_out(void) {
  * none. */
 static const char GROUP_LIMIT[] = "/sys/fs/cgroup/memory.max";
 
+/* Returned: that limit; INFINITY if there is none. Allocates nothing. */
+static double group_limit(void) {
+  char text[32];
+  const int file = open(GROUP_LIMIT, O_RDONLY | O_CLOEXEC);
+  if (file < 0)
+    return INFINITY;
+  const ssize_t length = read(file, text, sizeof text - 1);
+  close(file);
+  text[length > 0 ? length : 0] = '\0';
+  char *end;
+  const double bytes = strtod(text, &end);
+  return end == text ? INFINITY : bytes;
+}
+
 double po_memory_of_machine(void) {
-  double bytes = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE), group;
+  double bytes = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
   struct rlimit limit;
   if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
     bytes = fmin(bytes, (double)limit.rlim_cur);
-  FILE *file = fopen(GROUP_LIMIT, "r");
-  if (file && fscanf(file, "%lf", &group) == 1)
-    bytes = fmin(bytes, group);
-  if (file)
-    fclose(file);
-  return bytes;
+  return fmin(bytes, group_limit());
 }
