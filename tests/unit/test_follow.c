@@ -178,7 +178,9 @@ START_TEST(following_takes_few_factorizations) {
 END_TEST
 
 /* Scenes that cannot be followed are traced: rigid ones, a smooth one next to a wavy one, a bounded
- * surface next to an unbounded one. */
+ * surface next to an unbounded one. The trace of a series does not solve folds again on a finer
+ * mesh, so the iterations beside a minimum begin with other factors than those of a trace alone:
+ * the forces agree to the precision of Newton's method. */
 START_TEST(scenes_that_cannot_be_followed_are_traced) {
   static const po_scene SCENES[] = {
       {0.0, 0.9, 21.0, 100.0, 90.0}, {0.0, 0.8, 21.0, 100.0, 90.0},
@@ -199,7 +201,7 @@ START_TEST(scenes_that_cannot_be_followed_are_traced) {
     po_result alone;
     ck_assert_int_eq(po_observe(&request[k], &alone), PO_OK);
     ck_assert(!result[k].followed);
-    ck_assert_double_eq(result[k].pull_off.force, alone.pull_off.force);
+    ck_assert_double_eq_tol(result[k].pull_off.force, alone.pull_off.force, 1e-12);
     po_result_clear(&alone);
     po_result_clear(&result[k]);
   }
