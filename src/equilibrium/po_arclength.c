@@ -41,8 +41,25 @@ size_t po_arclength_size(po_arclength a, size_t n) {
   return a == PO_ARCLENGTH_GLOBAL ? PO_ARCLENGTH_GLOBAL_SIZE : n + 1;
 }
 
-double po_arclength_of_contact(const po_equilibrium *e, double amount) {
-  return per_length(e) * amount;
+/* Weight of the depth of the necks. */
+static const double NECK_WEIGHT = 0.05;
+
+/* The depth D of the necks is this times the integral of the closeness over r: half the coupling
+ * times the stiffness of the law at its equilibrium distance. */
+static double depth_per_closeness(const po_equilibrium *e) {
+  return 0.5 * e->coupling * fabs(po_law_at(&e->scene->law, 0.0).slope);
+}
+
+static double depth_of(const po_equilibrium *e, const double *state) {
+  double closeness = 0.0;
+  for (size_t j = po_equilibrium_core(e); j-- > 0;)
+    closeness += e->surface->length[j] * po_law_closeness_at(&e->scene->law, state[j]).value;
+  return depth_per_closeness(e) * closeness;
+}
+
+/* d(coordinate)/d(integral of the closeness) for the last of the global coordinates. */
+static double neck_weight(const po_equilibrium *e, double depth) {
+  return NECK_WEIGHT * depth_per_closeness(e) / (1.0 + depth);
 }
 
 static void global_coordinates(const po_equilibrium *e, const double *state, double *coordinate) {
@@ -54,30 +71,49 @@ static void global_coordinates(const po_equilibrium *e, const double *state, dou
   coordinate[0] = approach_weight(e) * state[e->n];
   coordinate[1] = po_arclength_of_load(e, po_equilibrium_load(e));
   coordinate[2] = per_length(e) * contact;
+  coordinate[3] = NECK_WEIGHT * log1p(depth_of(e, state));
 }
 
 static void global_rates(const po_equilibrium *e, const double *state, const double *change,
                          double *rate) {
-  double contact = 0.0;
+  const po_law *law = &e->scene->law;
+  double contact = 0.0, closeness = 0.0;
   for (size_t j = po_equilibrium_core(e); j-- > 0;) {
-    const po_law_scale h = po_law_scale_at(&e->scene->law, state[j]);
+    const po_law_scale h = po_law_scale_at(law, state[j]);
     contact -= 2.0 * h.rate * e->surface->length[j] / (h.size * h.size * h.size) * change[j];
+    closeness += e->surface->length[j] * po_law_closeness_at(law, state[j]).rate * change[j];
   }
   rate[0] = approach_weight(e) * change[e->n];
   rate[1] = po_arclength_of_load(e, po_equilibrium_load_rate(e, change));
   rate[2] = per_length(e) * contact;
+  rate[3] = neck_weight(e, depth_of(e, state)) * closeness;
+}
+
+void po_arclength_rates_of_scale(const po_equilibrium *e, const double *coordinate, double load,
+                                 double end, double gap, double *rate) {
+  const po_law *law = &e->scene->law;
+  const double h = po_law_size(law, gap);
+  const double depth = expm1(coordinate[3] / NECK_WEIGHT);
+  rate[0] = 0.0;
+  rate[1] = po_arclength_of_load(e, load);
+  rate[2] = coordinate[2] - per_length(e) * end / (h * h);
+  rate[3] = neck_weight(e, depth) *
+            (depth / depth_per_closeness(e) - end * po_law_closeness_at(law, gap).value);
 }
 
 static void global_border(const po_equilibrium *e, const double *state, const double *direction,
                           double *border) {
+  const po_law *law = &e->scene->law;
   const size_t core = po_equilibrium_core(e);
+  const double of_neck = neck_weight(e, depth_of(e, state)) * direction[3];
   for (size_t j = 0; j < e->n; ++j)
     border[j] =
         load_weight(e) * 2.0 / e->radius * direction[1] * e->surface->weight[j] * e->slope[j];
   for (size_t j = 0; j < core; ++j) {
-    const po_law_scale h = po_law_scale_at(&e->scene->law, state[j]);
+    const po_law_scale h = po_law_scale_at(law, state[j]);
     border[j] -= 2.0 * h.rate * per_length(e) * direction[2] * e->surface->length[j] /
                  (h.size * h.size * h.size);
+    border[j] += of_neck * e->surface->length[j] * po_law_closeness_at(law, state[j]).rate;
   }
   border[e->n] = approach_weight(e) * direction[0];
 }

@@ -8,12 +8,13 @@
  *
  * There are two sets of coordinates. The global coordinates do not depend on the mesh and are used
  * where the mesh changes along the branch. They are the approach, the load and the amount of
- * contact, the integral of (1 + H)^-2 dr; each is scaled to be of order one. The nodal coordinates
- * are used where the mesh is fixed. They are ln(1 + H) at each node, weighted with the length of
- * the node, and the approach. On a coarse mesh the direction of the branch turns each time the
- * contact edge passes a node, while the global coordinates hardly change. On 55 scenes of rings and
- * triangles with 3547 special points, with the same step control, traces passed over 134 of these
- * with the global coordinates and over 38 with the nodal ones. */
+ * contact, the integral of (1 + H)^-2 dr, each scaled to be of order one, and the logarithm of the
+ * depth of the necks (doc/method.md, "Depth of the necks"). The nodal coordinates are used where
+ * the mesh is fixed. They are ln(1 + H) at each node, weighted with the length of the node, and the
+ * approach. On a coarse mesh the direction of the branch turns each time the contact edge passes a
+ * node, while the global coordinates hardly change. On 55 scenes of rings and triangles with 3547
+ * special points, with the same step control, traces passed over 134 of these with the global
+ * coordinates and over 38 with the nodal ones. */
 #ifndef PO_ARCLENGTH_H
 #define PO_ARCLENGTH_H
 
@@ -21,7 +22,7 @@
 
 typedef enum { PO_ARCLENGTH_GLOBAL, PO_ARCLENGTH_NODAL } po_arclength;
 
-enum { PO_ARCLENGTH_GLOBAL_SIZE = 3 };
+enum { PO_ARCLENGTH_GLOBAL_SIZE = 4 };
 
 /* The factor of approach and load in the global coordinates, po_equilibrium.share, that suits a
  * contact edge of a radius, eps. An edge is as wide as a traction of w/eps deflects the surface by
@@ -35,9 +36,6 @@ double po_arclength_share(const po_equilibrium *e, double edge);
 /* The second global coordinate of a load, pi w R. */
 double po_arclength_of_load(const po_equilibrium *e, double load);
 
-/* The third global coordinate of an amount of contact, eps. */
-double po_arclength_of_contact(const po_equilibrium *e, double amount);
-
 /* The number of coordinates of a state with n nodes. */
 size_t po_arclength_size(po_arclength a, size_t n);
 
@@ -47,6 +45,12 @@ void po_arclength_coordinates(po_arclength a, const po_equilibrium *e, const dou
                               double *coordinate);
 void po_arclength_rates(po_arclength a, const po_equilibrium *e, const double *state,
                         const double *change, double *rate);
+
+/* The derivatives of the global coordinates by the logarithm of the scale of all radii of the core,
+ * at fixed gaps and approach. Given: coordinate, those of the state; load, that derivative of the
+ * load, pi w R; end, the radius of the core, eps, and the gap there. Returned: rate. */
+void po_arclength_rates_of_scale(const po_equilibrium *e, const double *coordinate, double load,
+                                 double end, double gap, double *rate);
 
 /* direction . change. Given: `size` values each. */
 double po_arclength_along(size_t size, const double *direction, const double *change);

@@ -126,7 +126,7 @@ static double factorize(room *r, size_t order, po_status *status) {
  * has no extremum at the special points. Where it has an extremum elsewhere, the tangent is still
  * right, because the solution of a nearly singular system has the direction of its null vector. */
 static po_status find_border(const po_equilibrium *e, const double *state, room *r) {
-  static const double first[PO_ARCLENGTH_GLOBAL_SIZE] = {0.0, 0.0, 1.0};
+  static const double first[PO_ARCLENGTH_GLOBAL_SIZE] = {[2] = 1.0};
   po_arclength_border(PO_ARCLENGTH_GLOBAL, e, state, first, r->border);
   fill_bordered(e, r);
   po_status status;

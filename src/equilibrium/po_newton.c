@@ -29,7 +29,7 @@ static const double LINEAR = 1e-4;
 static const double SLOWEST = 0.45;
 /* A contact edge is narrow if the arclength functional gives approach and load less than this
  * weight (po_arclength_share). */
-static const double NARROW = 1e-3;
+static const double NARROW = 0.1;
 /* Iterations before the contraction is judged; and for a narrow contact edge, where the compressed
  * factors leave some directions to Broyden's updates, which need the time to find them, in Newton's
  * method and for the tangent. */

@@ -23,12 +23,8 @@ static scaling scaling_of(const po_equilibrium *e, const po_solution *p) {
   const double gap = po_solution_value_at(p, e->scene, end, end).gap;
   const double ring =
       isfinite(e->scene->outer_radius) ? po_law_at(law, gap).traction * end * end : 0.0;
-  const double size = po_law_size(law, gap), contact = end / (size * size);
   scaling s = {.load = 2.0 * p->load - 2.0 / e->radius * ring, .added = e->coupling * ring};
-  double *rate = s.rate;
-  rate[0] = 0.0;
-  rate[1] = po_arclength_of_load(e, s.load);
-  rate[2] = p->coordinate[2] - po_arclength_of_contact(e, contact);
+  po_arclength_rates_of_scale(e, p->coordinate, s.load, end, gap, s.rate);
   return s;
 }
 

@@ -83,6 +83,14 @@ po_law_scale po_law_scale_at(const po_law *law, double gap);
 /* The same, its size alone. */
 double po_law_size(const po_law *law, double gap);
 
+/* How close the surfaces are: 1 up to the equilibrium distance, and |phi/w|^g beyond, with g for
+ * which it falls as the slope of the law does far out: (m + 1)/(m - 1) for a far field of exponent
+ * m, 1 for one that falls exponentially. Its rate is continuous. */
+typedef struct {
+  double value, rate; /* rate: d(value)/dH */
+} po_law_closeness;
+po_law_closeness po_law_closeness_at(const po_law *law, double gap);
+
 /* Gap of the greatest tension; for Lennard-Jones 3^(1/6) - 1 (after Eq 9). It defines the edge of a
  * contact. */
 double po_law_peak_gap(const po_law *law);

@@ -38,7 +38,8 @@ END_TEST
 
 /* p(0) = 0. The energy is -1, the work of adhesion, at H = 0, and 0 far away. The tension is
  * greatest at the peak. At large gaps the law tends to its far field. The scale is positive, and
- * its rate is its derivative. */
+ * its rate is its derivative; so is that of the closeness, which is 1 up to H = 0 and falls as the
+ * slope of the law far out. */
 START_TEST(law_is_normalised) {
   const po_law law = law_of(LAWS[_i]);
   ck_assert_double_eq_tol(po_law_at(&law, 0.0).traction, 0.0, 1e-15);
@@ -53,9 +54,21 @@ START_TEST(law_is_normalised) {
   const double expected =
       isinf(field.exponent) ? 0.0 : -field.factor * pow(1.0 + far, -field.exponent);
   ck_assert_double_eq_tol(po_law_at(&law, far).traction, expected, 1e-6 * fabs(expected) + 1e-30);
+  ck_assert_double_eq(po_law_closeness_at(&law, -0.01).value, 1.0);
+  ck_assert_double_eq_tol(po_law_closeness_at(&law, 1e-9).value, 1.0, 1e-12);
+  const double away = 12.0, farther = 15.0;
+  ck_assert_double_eq_tol(
+      po_law_closeness_at(&law, farther).value / po_law_closeness_at(&law, away).value,
+      po_law_at(&law, farther).slope / po_law_at(&law, away).slope,
+      2e-2 * po_law_at(&law, farther).slope / po_law_at(&law, away).slope);
   for (size_t k = 0; k < GAP_COUNT; ++k) {
     const po_law_scale scale = po_law_scale_at(&law, GAPS[k]);
     const double h = 1e-6;
+    ck_assert_double_eq_tol(po_law_closeness_at(&law, GAPS[k]).rate,
+                            (po_law_closeness_at(&law, GAPS[k] + h).value -
+                             po_law_closeness_at(&law, GAPS[k] - h).value) /
+                                (2.0 * h),
+                            1e-4); /* at H = 0 its second derivative jumps */
     ck_assert_double_gt(scale.size, 0.0);
     ck_assert_double_eq_tol(
         scale.rate, (po_law_size(&law, GAPS[k] + h) - po_law_size(&law, GAPS[k] - h)) / (2.0 * h),
