@@ -50,43 +50,40 @@ static double depth_per_closeness(const po_equilibrium *e) {
   return 0.5 * e->coupling * fabs(po_law_at(&e->scene->law, 0.0).slope);
 }
 
-static double depth_of(const po_equilibrium *e, const double *state) {
-  double closeness = 0.0;
-  for (size_t j = po_equilibrium_core(e); j-- > 0;)
-    closeness += e->surface->length[j] * po_law_closeness_at(&e->scene->law, state[j]).value;
-  return depth_per_closeness(e) * closeness;
-}
-
 /* d(coordinate)/d(integral of the closeness) for the last of the global coordinates. */
 static double neck_weight(const po_equilibrium *e, double depth) {
   return NECK_WEIGHT * depth_per_closeness(e) / (1.0 + depth);
 }
 
 static void global_coordinates(const po_equilibrium *e, const double *state, double *coordinate) {
-  double contact = 0.0;
+  const po_law *law = &e->scene->law;
+  double contact = 0.0, closeness = 0.0;
   for (size_t j = po_equilibrium_core(e); j-- > 0;) {
-    const double h = po_law_size(&e->scene->law, state[j]);
+    const double h = po_law_size(law, state[j]);
     contact += e->surface->length[j] / (h * h);
+    closeness += e->surface->length[j] * po_law_closeness_at(law, state[j]).value;
   }
   coordinate[0] = approach_weight(e) * state[e->n];
   coordinate[1] = po_arclength_of_load(e, po_equilibrium_load(e));
   coordinate[2] = per_length(e) * contact;
-  coordinate[3] = NECK_WEIGHT * log1p(depth_of(e, state));
+  coordinate[3] = NECK_WEIGHT * log1p(depth_per_closeness(e) * closeness);
 }
 
 static void global_rates(const po_equilibrium *e, const double *state, const double *change,
                          double *rate) {
   const po_law *law = &e->scene->law;
-  double contact = 0.0, closeness = 0.0;
+  double contact = 0.0, closeness = 0.0, closing = 0.0;
   for (size_t j = po_equilibrium_core(e); j-- > 0;) {
     const po_law_scale h = po_law_scale_at(law, state[j]);
+    const po_law_closeness c = po_law_closeness_at(law, state[j]);
     contact -= 2.0 * h.rate * e->surface->length[j] / (h.size * h.size * h.size) * change[j];
-    closeness += e->surface->length[j] * po_law_closeness_at(law, state[j]).rate * change[j];
+    closeness += e->surface->length[j] * c.value;
+    closing += e->surface->length[j] * c.rate * change[j];
   }
   rate[0] = approach_weight(e) * change[e->n];
   rate[1] = po_arclength_of_load(e, po_equilibrium_load_rate(e, change));
   rate[2] = per_length(e) * contact;
-  rate[3] = neck_weight(e, depth_of(e, state)) * closeness;
+  rate[3] = neck_weight(e, depth_per_closeness(e) * closeness) * closing;
 }
 
 void po_arclength_rates_of_scale(const po_equilibrium *e, const double *coordinate, double load,
@@ -104,16 +101,22 @@ void po_arclength_rates_of_scale(const po_equilibrium *e, const double *coordina
 static void global_border(const po_equilibrium *e, const double *state, const double *direction,
                           double *border) {
   const po_law *law = &e->scene->law;
-  const size_t core = po_equilibrium_core(e);
-  const double of_neck = neck_weight(e, depth_of(e, state)) * direction[3];
+  double closeness = 0.0;
   for (size_t j = 0; j < e->n; ++j)
-    border[j] =
-        load_weight(e) * 2.0 / e->radius * direction[1] * e->surface->weight[j] * e->slope[j];
-  for (size_t j = 0; j < core; ++j) {
+    border[j] = 0.0;
+  for (size_t j = po_equilibrium_core(e); j-- > 0;) {
+    const po_law_closeness c = po_law_closeness_at(law, state[j]);
+    closeness += e->surface->length[j] * c.value;
+    border[j] = e->surface->length[j] * c.rate;
+  }
+  const double of_load = load_weight(e) * 2.0 / e->radius * direction[1];
+  const double of_neck = neck_weight(e, depth_per_closeness(e) * closeness) * direction[3];
+  for (size_t j = 0; j < e->n; ++j)
+    border[j] = of_load * e->surface->weight[j] * e->slope[j] + of_neck * border[j];
+  for (size_t j = po_equilibrium_core(e); j-- > 0;) {
     const po_law_scale h = po_law_scale_at(law, state[j]);
     border[j] -= 2.0 * h.rate * per_length(e) * direction[2] * e->surface->length[j] /
                  (h.size * h.size * h.size);
-    border[j] += of_neck * e->surface->length[j] * po_law_closeness_at(law, state[j]).rate;
   }
   border[e->n] = approach_weight(e) * direction[0];
 }

@@ -109,12 +109,7 @@ double po_law_size(const po_law *law, double gap) {
 }
 
 po_law_closeness po_law_closeness_at(const po_law *law, double gap) {
-  if (!(gap > 0.0))
-    return (po_law_closeness){1.0, 0.0};
-  const double m = po_law_far_field(law).exponent, g = isfinite(m) ? (m + 1.0) / (m - 1.0) : 1.0;
-  const double energy = -po_law_energy(law, gap);
-  const double less = g == 2.0 ? energy : pow(energy, g - 1.0); /* |phi/w|^(g - 1) */
-  return (po_law_closeness){less * energy, g * less * po_law_at(law, gap).traction};
+  return gap > 0.0 ? kind_of(law)->closeness(law, gap) : (po_law_closeness){1.0, 0.0};
 }
 
 double po_law_peak_gap(const po_law *law) {

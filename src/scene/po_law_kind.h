@@ -18,6 +18,7 @@ struct po_law_kind {
   po_law_value (*averaged)(const po_law *law, double gap, double amplitude);
   double (*energy_averaged)(const po_law *law, double gap, double amplitude);
   po_law_scale (*scale)(const po_law *law, double gap);
+  po_law_closeness (*closeness)(const po_law *law, double gap); /* at gaps > 0 */
   double (*peak_gap)(const po_law *law);
   double (*closest)(const po_law *law);
   double (*least_gap)(const po_law *law);

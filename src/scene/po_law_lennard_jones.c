@@ -53,6 +53,14 @@ static double energy_averaged(const po_law *law, double gap, double amplitude) {
   return -4.0 / 3.0 * y2 * legendre[1] + y2 * y2 * y2 * y2 * legendre[7] / 3.0;
 }
 
+/* phi^2 */
+static po_law_closeness closeness(const po_law *law, double gap) {
+  (void)law;
+  const double x = 1.0 / (1.0 + gap), x2 = x * x, x6 = x2 * x2 * x2;
+  const double energy = x2 * (4.0 - x6) / 3.0, traction = -8.0 / 3.0 * x * x2 * (1.0 - x6);
+  return (po_law_closeness){energy * energy, 2.0 * energy * traction};
+}
+
 static double peak_gap(const po_law *law) {
   (void)law;
   return 0.20093695517600277; /* 3^(1/6) - 1 */
@@ -76,6 +84,7 @@ const po_law_kind PO_LENNARD_JONES = {.name = "lennard-jones",
                                       .averaged = averaged,
                                       .energy_averaged = energy_averaged,
                                       .scale = po_law_scale_of_powers,
+                                      .closeness = closeness,
                                       .peak_gap = peak_gap,
                                       .closest = po_law_closest_of_powers,
                                       .least_gap = po_law_least_gap_of_powers,

@@ -90,6 +90,14 @@ static double energy_averaged(const po_law *law, double gap, double amplitude) {
                          mean_of_power(a, amplitude, n - 1.0) / (n - 1.0));
 }
 
+static po_law_closeness closeness(const po_law *law, double gap) {
+  const double x = 1.0 / (1.0 + gap), m = small(law), n = large(law), g = (m + 1.0) / (m - 1.0);
+  const double xm = pow(x, m), xn = pow(x, n);
+  const double size = factor(law) * (xm / (m - 1.0) - xn / (n - 1.0)) / x; /* |phi| */
+  const double value = pow(size, g);
+  return (po_law_closeness){value, -g * value / size * factor(law) * (xm - xn)};
+}
+
 /* m x^m = n x^n */
 static double peak_gap(const po_law *law) {
   return pow(large(law) / small(law), 1.0 / (large(law) - small(law))) - 1.0;
@@ -117,6 +125,7 @@ const po_law_kind PO_MIE = {.name = "mie",
                             .averaged = averaged,
                             .energy_averaged = energy_averaged,
                             .scale = po_law_scale_of_powers,
+                            .closeness = closeness,
                             .peak_gap = peak_gap,
                             .closest = po_law_closest_of_powers,
                             .least_gap = po_law_least_gap_of_powers,

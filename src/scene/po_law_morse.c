@@ -78,6 +78,11 @@ static po_law_scale scale(const po_law *law, double gap) {
   return (po_law_scale){range * e, e};
 }
 
+static po_law_closeness closeness(const po_law *law, double gap) {
+  const double a = steepness(law), e = exp(-a * gap);
+  return (po_law_closeness){e * (2.0 - e), -2.0 * a * e * (1.0 - e)};
+}
+
 static double peak_gap(const po_law *law) {
   return M_LN2 / steepness(law);
 }
@@ -116,6 +121,7 @@ const po_law_kind PO_MORSE = {.name = "morse",
                               .averaged = averaged,
                               .energy_averaged = energy_averaged,
                               .scale = scale,
+                              .closeness = closeness,
                               .peak_gap = peak_gap,
                               .closest = closest,
                               .least_gap = least_gap,
