@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "po_law.h"
+#include "po_profile.h"
 #include "po_special_point.h"
 
 /* Distance along the arclength functional below which edges that are about to meet are left out of
@@ -37,29 +38,56 @@ static void drop(po_prediction *p, size_t first, size_t end) {
   edges->count -= end - first;
 }
 
-/* Removes the two contact edges with the largest strain between them, or the innermost one if it
+/* Removes the kink of the profile if it is at an end of the interval with the largest strain;
+ * otherwise the two contact edges with the largest strain between them, or the innermost one if it
  * closes at the axis, or the last one, whose strain is the same on both sides. Returned: false if
  * only the outermost of several edges could be removed. */
 static bool drop_tightest(po_prediction *p) {
   const size_t second = po_edge_tightest(&p->edges, p->shift);
+  for (size_t k = second > 0 ? second - 1 : 0; k <= second && k < p->edges.count; ++k)
+    if (p->edges.at[k] == p->kink) {
+      drop(p, k, k + 1);
+      return true;
+    }
   if (p->edges.count > 1 && second == p->edges.count)
     return false;
   drop(p, second > 1 ? second - 1 : 0, p->edges.count == 1 ? 1 : second + 1);
   return true;
 }
 
-/* Pairs the contact edges of a with those of b, if they are as many. */
-static void pair(po_prediction *p) {
-  const po_solution *a = p->a, *b = p->b;
-  p->edges = a->edges;
-  p->paired = b && b->edges.all == a->edges.all;
-  if (!p->paired)
+/* Adds the kink of the profile, which does not move, to the contact edges that do: the gap has
+ * features of the width of a contact edge there. */
+static void hold_kink(po_prediction *p) {
+  po_moving_edges *edges = &p->edges;
+  if (!isfinite(p->kink) || edges->count == 0 || edges->count == PO_MOST_MOVING_EDGES)
     return;
-  p->rate_b = po_solution_cosine(a, b);
-  for (size_t f = 0; f < a->edges.count; ++f) {
-    p->back[f] = b->edges.at[f] - a->edges.at[f];
-    p->rate_back[f] = b->edges.rate[f];
+  size_t k = edges->count++;
+  for (; k > 0 && edges->at[k - 1] > p->kink; --k) {
+    edges->at[k] = edges->at[k - 1];
+    edges->rate[k] = edges->rate[k - 1];
+    p->back[k] = p->back[k - 1];
+    p->rate_back[k] = p->rate_back[k - 1];
   }
+  edges->at[k] = p->kink;
+  edges->rate[k] = p->back[k] = p->rate_back[k] = 0.0;
+}
+
+/* Begins a prediction: pairs the contact edges of a with those of b, if they are as many. */
+static po_prediction begin(const po_scene *scene, double domain, const po_solution *a,
+                           const po_solution *b) {
+  po_prediction p = {.scene = scene, .domain = domain, .a = a, .b = b};
+  p.slope_jump = po_profile_slope_jump(&scene->profile, scene->radius);
+  p.kink = p.slope_jump != 0.0 ? po_profile_kink(&scene->profile) : INFINITY;
+  p.edges = a->edges;
+  p.paired = b && b->edges.all == a->edges.all;
+  if (p.paired)
+    p.rate_b = po_solution_cosine(a, b);
+  for (size_t f = 0; p.paired && f < a->edges.count; ++f) {
+    p.back[f] = b->edges.at[f] - a->edges.at[f];
+    p.rate_back[f] = b->edges.rate[f];
+  }
+  hold_kink(&p);
+  return p;
 }
 
 /* Predicts at a distance, with as many moving contact edges as possible. */
@@ -72,8 +100,7 @@ static bool predict(po_prediction *p, double distance) {
 
 bool po_prediction_make(const po_scene *scene, double domain, const po_solution *a,
                         const po_solution *b, double distance, po_prediction *p) {
-  *p = (po_prediction){.scene = scene, .domain = domain, .a = a, .b = b};
-  pair(p);
+  *p = begin(scene, domain, a, b);
   return predict(p, distance);
 }
 
@@ -98,8 +125,7 @@ static double error_power(const po_prediction *p, double distance) {
 
 double po_prediction_reach(const po_scene *scene, double domain, const po_solution *a,
                            const po_solution *b, double distance, double error, po_prediction *p) {
-  po_prediction moving = {.scene = scene, .domain = domain, .a = a, .b = b};
-  pair(&moving);
+  po_prediction moving = begin(scene, domain, a, b);
   double near = distance;
   for (; !move(&moving, near); near *= 0.5) {
     if (fabs(near) < MEETING_STEP && po_prediction_make(scene, domain, a, b, near, p))
@@ -121,17 +147,32 @@ double po_prediction_reach(const po_scene *scene, double domain, const po_soluti
   return near;
 }
 
+/* The part of the initial gap that has the kink of the profile. */
+static double kink_gap(const po_prediction *p, double r) {
+  return r > p->kink ? p->slope_jump * (r - p->kink) : 0.0;
+}
+
+/* A solution at a radius without that part. */
+static po_solution_value smooth_value(const po_prediction *p, const po_solution *of, double r,
+                                      size_t *panel) {
+  po_solution_value v = po_solution_value_near(of, p->scene, p->domain, r, panel);
+  if (r > p->kink) {
+    v.gap -= kink_gap(p, r);
+    v.slope -= p->slope_jump;
+  }
+  return v;
+}
+
 double po_prediction_gap(void *prediction, double r) {
   po_prediction *p = prediction;
   const po_moving_edges *edges = &p->edges;
   const po_edge_place origin = po_edge_origin(edges, p->shift, r);
-  const po_solution_value a =
-      po_solution_value_near(p->a, p->scene, p->domain, origin.r, &p->panel_a);
+  const po_solution_value a = smooth_value(p, p->a, origin.r, &p->panel_a);
   const double velocity = po_edge_displacement(&origin, edges->rate);
-  double gap = a.gap + p->w.d0 * (a.tangent + a.slope * velocity);
+  double gap = a.gap + kink_gap(p, r) + p->w.d0 * (a.tangent + a.slope * velocity);
   if (p->cubic) {
     const double at = origin.r + po_edge_displacement(&origin, p->back);
-    const po_solution_value b = po_solution_value_near(p->b, p->scene, p->domain, at, &p->panel_b);
+    const po_solution_value b = smooth_value(p, p->b, at, &p->panel_b);
     const double velocity_b = po_edge_displacement(&origin, p->rate_back);
     gap += p->w.f1 * (b.gap - a.gap) + p->w.d1 * (b.tangent + b.slope * velocity_b) / p->rate_b;
   }

@@ -13,9 +13,11 @@ typedef struct {
   const po_scene *scene;
   double domain; /* radius of the domain of the panels, eps */
   const po_solution *a, *b;
-  bool paired;   /* a and b have the same contact edges */
-  bool cubic;    /* otherwise the prediction is the tangent at a */
-  double rate_b; /* d(arclength functional of a)/ds at b */
+  bool paired;             /* a and b have the same contact edges */
+  bool cubic;              /* otherwise the prediction is the tangent at a */
+  double rate_b;           /* d(arclength functional of a)/ds at b */
+  double kink, slope_jump; /* where the slope of the profile jumps, eps; by how much. INFINITY and
+                              0: nowhere */
   po_hermite w;
   po_moving_edges edges;                  /* contact edges of a that move the coordinates */
   double shift[PO_MOST_MOVING_EDGES];     /* from these to the predicted edges */

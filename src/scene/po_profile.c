@@ -165,6 +165,19 @@ double po_profile_kink(const po_profile *profile) {
   return kind_of(profile)->kink ? kind_of(profile)->kink(profile) : (double)NAN;
 }
 
+/* Difference of two slopes, relative to one farther out, that is due to rounding. */
+static const double ROUNDING = 1e-9;
+
+double po_profile_slope_jump(const po_profile *profile, double radius) {
+  const double kink = po_profile_kink(profile);
+  if (isnan(kink))
+    return 0.0;
+  const double jump = po_profile_slope(profile, radius, nextafter(kink, INFINITY)) -
+                      po_profile_slope(profile, radius, nextafter(kink, 0.0));
+  const double beyond = po_profile_slope(profile, radius, 2.0 * kink);
+  return fabs(jump) > ROUNDING * fabs(beyond) ? jump : 0.0;
+}
+
 /* Part of an interval beside its ends within which a kink is at the end. */
 static const double AT_END = 1e-9;
 

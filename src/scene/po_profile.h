@@ -110,6 +110,8 @@ double po_profile_next_joint(const po_profile *profile, double r);
 
 /* The radius at which the slope or the curvature of f jumps; NAN if there is none. */
 double po_profile_kink(const po_profile *profile);
+/* The jump of the slope there; 0 if only the curvature jumps, or if there is no kink. */
+double po_profile_slope_jump(const po_profile *profile, double radius);
 /* Returned: whether the kink is between two radii, and at neither of them but for rounding. */
 bool po_profile_has_kink_between(const po_profile *profile, double begin, double end);
 

@@ -16,7 +16,8 @@ A file that a page shows is written before the commands below it: ```python file
 for any number of lines of output. Output has to be the same word for word, except:
 
 - numbers may differ by 1e-5 (relative), the stated error of the least accurate ones; numbers below 1e-5 and those that
-  are printed as errors are, `3.8e-04`, by a factor of 100; below 1e-12 they are taken for rounded zeros;
+  are printed as errors are, `3.8e-04`, by a factor of 10,000, because the error depends on the last mesh, which rounding decides; below 1e-12
+  they are taken for rounded zeros;
 - lines that begin with `work`, the seconds of JSON documents, numbers before ` s`, and those in a column `seconds` are not
   compared;
 - the numbers in lines that begin with `ended` are not compared: the trace ends at a step of the continuation, whose place
@@ -42,7 +43,7 @@ SHOWN_FOLDER = "/home/me"
 COMMAND = re.compile(r"(?:build/src/cli/)?pulloff (.*)")
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?$")
 ERROR = re.compile(r"\d\.\de-\d\d[,;]?$")
-ZERO, SIZE_ONLY, SIZE_FACTOR, RELATIVE = 1e-12, 1e-5, 100, 1e-5
+ZERO, SIZE_ONLY, SIZE_FACTOR, RELATIVE = 1e-12, 1e-5, 10_000, 1e-5
 
 
 def number(word):

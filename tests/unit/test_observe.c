@@ -240,6 +240,25 @@ START_TEST(a_profile_does_not_move_the_preload) {
 }
 END_TEST
 
+/* The corner of a truncated sphere does not move with the contact edge: 147 points; moved, it
+ * limits the steps, and the trace takes 551. The mesh ends a panel at the corner, but not on a cut
+ * surface. */
+START_TEST(corner_of_a_profile_does_not_limit_the_steps) {
+  po_request request = po_request_default();
+  request.scene.radius = 1.0;
+  request.scene.outer_radius = _i ? 30.0 : INFINITY;
+  request.scene.tabor = pow(0.7, 2.0 / 3.0); /* coupling 0.7 */
+  ck_assert(po_law_set(&request.scene.law, "morse:2.72"));
+  ck_assert(po_profile_set(&request.scene.profile, "truncated:9.453,12.97"));
+  po_result o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_uint_eq(o.fold_count, 4);
+  ck_assert_double_eq_tol(o.pull_off.force, 51.826329, 0.05);
+  ck_assert_uint_lt(o.work.points, 250);
+  po_result_clear(&o);
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, smooth_sphere_against_another_code, 0, 3);
   tcase_add_test(tests, curve_contains_its_special_points_in_order);
@@ -250,6 +269,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, small_tabor_goes_to_the_rigid_limit);
   tcase_add_test(tests, unbounded_and_bounded_surfaces_differ_by_the_tail);
   tcase_add_test(tests, a_profile_does_not_move_the_preload);
+  tcase_add_loop_test(tests, corner_of_a_profile_does_not_limit_the_steps, 0, 2);
   tcase_add_test(tests, cleared_result_is_empty);
   tcase_add_test(tests, bad_requests_are_refused);
 }

@@ -80,6 +80,16 @@ START_TEST(gap_grows_as_stated) {
 }
 END_TEST
 
+/* Only the truncated sphere has a corner, b/R; the curvature of the punch jumps. */
+START_TEST(jump_of_the_slope_is_that_of_the_corner) {
+  for (size_t k = 0; k < PROFILE_COUNT; ++k) {
+    const po_profile p = profile_of(PROFILES[k]);
+    const double jump = strncmp(PROFILES[k], "truncated", 9) ? 0.0 : 5.0 / 20.0;
+    ck_assert_double_eq_tol(po_profile_slope_jump(&p, R), jump, 1e-14);
+  }
+}
+END_TEST
+
 START_TEST(texts_set_what_they_name) {
   po_profile p = po_profile_sphere(), before = p;
   static const char *const BAD[] = {"",           "wedge",    "cone:",      "cone:0.3,2",
@@ -246,6 +256,7 @@ END_TEST
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, functions_agree_with_the_gap, 0, PROFILE_COUNT * RADIUS_COUNT);
   tcase_add_loop_test(tests, gap_grows_as_stated, 0, PROFILE_COUNT);
+  tcase_add_test(tests, jump_of_the_slope_is_that_of_the_corner);
   tcase_add_test(tests, texts_set_what_they_name);
   tcase_add_loop_test(tests, parameters_out_of_range_are_named, 0,
                       sizeof OUT_OF_RANGE / sizeof *OUT_OF_RANGE);
