@@ -16,8 +16,8 @@ A file that a page shows is written before the commands below it: ```python file
 for any number of lines of output. Output has to be the same word for word, except:
 
 - numbers may differ by 1e-5 (relative), the stated error of the least accurate ones; numbers below 1e-5 and those that
-  are printed as errors are, `3.8e-04`, by a factor of 10,000, because the error depends on the last mesh, which rounding decides; below 1e-12
-  they are taken for rounded zeros;
+  printed like errors, `3.8e-04`, by a factor of 10,000, because an error depends on the last mesh, which rounding
+  decides; numbers below 1e-12 are taken for rounded zeros;
 - lines that begin with `work`, the seconds of JSON documents, numbers before ` s`, and those in a column `seconds` are not
   compared;
 - the numbers in lines that begin with `ended` are not compared: the trace ends at a step of the continuation, whose place

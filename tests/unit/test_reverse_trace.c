@@ -30,8 +30,8 @@ START_TEST(reverse_trace_finds_the_same_folds) {
   request.scene = known->scene;
   request.preload.approach = known->preload;
   request.mesh.scheme = PO_PANEL;
-  request.mesh.tolerance =
-      1e-7; /* the error of a fold may exceed the tolerance, which is of the force */
+  /* a tenth of the default: the tolerance is on the force, and the error of a fold may exceed it */
+  request.mesh.tolerance = 1e-7;
   po_result plain, o;
   ck_assert_int_eq(po_observe(&request, &plain), PO_OK);
   request.want = PO_WANT_DIAGNOSTICS;
