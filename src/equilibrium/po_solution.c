@@ -168,29 +168,25 @@ typedef struct {
   const po_solution *p;
   const po_scene *scene;
   double domain;
-  bool closer; /* the gap at the inner radius is below that of the greatest tension */
+  size_t panel;
 } edge_search;
 
-static bool is_closer(const edge_search *s, double r) {
-  return po_solution_value_at(s->p, s->scene, s->domain, r).gap - po_law_peak_gap(&s->scene->law) <
-         0.0;
-}
-
-static bool is_inside_edge(double r, const void *data) {
+/* The gap less that of the greatest tension, at a radius on the panel. */
+static double beyond_peak(double r, const void *data) {
   const edge_search *s = data;
-  return is_closer(s, r) == s->closer;
+  size_t panel = s->panel;
+  return po_solution_value_near(s->p, s->scene, s->domain, r, &panel).gap -
+         po_law_peak_gap(&s->scene->law);
 }
 
-/* Relative error of the radius of a contact edge: a few roundings. */
-static const double EDGE_FOUND = 1e-14;
-
-/* Finds the contact edge between two radii on the polynomials of the panels. */
-static void add_edge(po_solution *p, const po_scene *scene, double domain, double low,
+/* Finds the contact edge between two nodes on the polynomials of the panels. */
+static void add_edge(po_solution *p, const po_scene *scene, double domain, size_t node, double low,
                      double high) {
-  edge_search s = {p, scene, domain, false};
-  s.closer = is_closer(&s, low);
-  po_bisect(is_inside_edge, &s, EDGE_FOUND, &low, &high);
-  p->edges.at[p->edges.count] = low;
+  const edge_search s = {p, scene, domain, node / PO_TABLE_ORDER};
+  double at = po_root(beyond_peak, &s, low, high);
+  if (isnan(at)) /* one of the nodes is at the edge, but for rounding */
+    at = fabs(beyond_peak(low, &s)) < fabs(beyond_peak(high, &s)) ? low : high;
+  p->edges.at[p->edges.count] = at;
   p->edges.rate[p->edges.count++] = 0.0;
 }
 
@@ -204,7 +200,7 @@ static void find_edges(po_solution *p, const po_scene *scene, const po_surface *
     if ((left < 0.0) == (right < 0.0))
       continue;
     if (edges->count < PO_MOST_MOVING_EDGES)
-      add_edge(p, scene, s->core_radius, s->node[j - 1], s->node[j]);
+      add_edge(p, scene, s->core_radius, j, s->node[j - 1], s->node[j]);
     ++edges->all;
   }
   for (size_t k = 0; 2 * k + 1 < edges->count; ++k) { /* to ascending order */

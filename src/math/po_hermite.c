@@ -45,13 +45,15 @@ double po_hermite_integral(const po_cubic_ends *f, const po_cubic_ends *g, doubl
   return half * sum;
 }
 
-double po_hermite_least_rate(double f0, double d0, double f1, double d1, double h) {
+double po_hermite_least_rate(double f0, double d0, double f1, double d1, double h, double beyond) {
   const derivative q = derivative_of(f0, d0, f1, d1, h);
   const double end = d1 * h, largest = fmax(fabs(q.c), fabs(end));
   if (q.c * end <= 0.0)
     return 0.0;
-  double least = fmin(fabs(q.c), fabs(end));
   const double vertex = -q.b / (3.0 * q.a);
+  if (!(vertex > -beyond && vertex < 1.0 + beyond))
+    return 1.0;
+  double least = fmin(fabs(q.c), fabs(end));
   if (vertex > 0.0 && vertex < 1.0) {
     const double there = q.c + q.b * vertex;
     least = there * end <= 0.0 ? 0.0 : fmin(least, fabs(there));

@@ -25,7 +25,7 @@ double po_hermite_integral(const po_cubic_ends *f, const po_cubic_ends *g, doubl
 
 /* Returned: the smallest modulus of the derivative of the cubic with these end values and
  * derivatives on [0, h], relative to the larger of the moduli at the ends; 0 if the derivative has
- * a zero there. */
-double po_hermite_least_rate(double f0, double d0, double f1, double d1, double h);
+ * a zero there; 1 if its only extremum is outside the interval by more than beyond * h. */
+double po_hermite_least_rate(double f0, double d0, double f1, double d1, double h, double beyond);
 
 #endif

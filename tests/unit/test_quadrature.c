@@ -80,9 +80,14 @@ START_TEST(hermite_is_exact_for_cubics) { /* f = x^3 - 2 x^2 + 0.3 x on (0, 1.7)
                           1e-14);
   /* its derivative 3 x^2 - 4 x + 0.3 vanishes inside; increased by 1.2 it is positive and least at
    * x = 2/3 */
-  ck_assert_double_eq(po_hermite_least_rate(0.0, 0.3, f1, d1, h), 0.0);
-  ck_assert_double_eq_tol(po_hermite_least_rate(0.0, 1.5, f1 + 1.2 * h, d1 + 1.2, h),
+  ck_assert_double_eq(po_hermite_least_rate(0.0, 0.3, f1, d1, h, 0.0), 0.0);
+  ck_assert_double_eq_tol(po_hermite_least_rate(0.0, 1.5, f1 + 1.2 * h, d1 + 1.2, h, 0.0),
                           (1.5 - 4.0 / 3.0) / (d1 + 1.2), 1e-14);
+  /* g = x^2 + x on (0, h) + constant: its derivative 2 x + 1 falls to 1 towards a zero at -1/2;
+   * that of x^3 + 0.3 x^2 + x has its vertex at x = -0.1 */
+  ck_assert_double_eq(po_hermite_least_rate(0.0, 1.0, 6.0, 5.0, 2.0, 10.0), 1.0);
+  ck_assert_double_eq(po_hermite_least_rate(0.0, 1.0, 2.3, 4.6, 1.0, 0.09), 1.0);
+  ck_assert_double_eq_tol(po_hermite_least_rate(0.0, 1.0, 2.3, 4.6, 1.0, 0.11), 1.0 / 4.6, 1e-14);
 }
 END_TEST
 
