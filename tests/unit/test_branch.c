@@ -139,8 +139,7 @@ static int unstable_modes_of(const po_equilibrium *e) {
   gsl_eigen_nonsymm_workspace *space = gsl_eigen_nonsymm_alloc(n);
   for (size_t i = 0; i < n; ++i)
     for (size_t j = 0; j < n; ++j)
-      gsl_matrix_set(m, i, j,
-                     (i == j) - e->coupling * influence[i + n * j] * e->slope[j]);
+      gsl_matrix_set(m, i, j, (i == j) - e->coupling * influence[i + n * j] * e->slope[j]);
   gsl_eigen_nonsymm(m, values, space);
   int below = 0;
   for (size_t i = 0; i < n; ++i)

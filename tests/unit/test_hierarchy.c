@@ -217,7 +217,8 @@ START_TEST(factors_solve_the_bordered_system) {
     const double logarithm = determinant(n + 1, m, &sign);
     ck_assert_int_eq(po_elimination_sign(e) * (pivot < 0.0 ? -1 : 1), sign);
     if (k)
-      ck_assert_double_eq_tol(fabs(pivot) / before, exp(logarithm - size), 2e-3 * fabs(pivot) / before);
+      ck_assert_double_eq_tol(fabs(pivot) / before, exp(logarithm - size),
+                              2e-3 * fabs(pivot) / before);
     before = fabs(pivot);
     size = logarithm;
     free(m);

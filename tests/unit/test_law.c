@@ -57,10 +57,10 @@ START_TEST(law_is_normalised) {
   ck_assert_double_eq(po_law_closeness_at(&law, -0.01).value, 1.0);
   ck_assert_double_eq_tol(po_law_closeness_at(&law, 1e-9).value, 1.0, 1e-12);
   const double away = 12.0, farther = 15.0;
-  ck_assert_double_eq_tol(
-      po_law_closeness_at(&law, farther).value / po_law_closeness_at(&law, away).value,
-      po_law_at(&law, farther).slope / po_law_at(&law, away).slope,
-      2e-2 * po_law_at(&law, farther).slope / po_law_at(&law, away).slope);
+  ck_assert_double_eq_tol(po_law_closeness_at(&law, farther).value /
+                              po_law_closeness_at(&law, away).value,
+                          po_law_at(&law, farther).slope / po_law_at(&law, away).slope,
+                          2e-2 * po_law_at(&law, farther).slope / po_law_at(&law, away).slope);
   for (size_t k = 0; k < GAP_COUNT; ++k) {
     const po_law_scale scale = po_law_scale_at(&law, GAPS[k]);
     const double h = 1e-6;
