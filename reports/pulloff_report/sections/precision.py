@@ -16,10 +16,9 @@ def order_rows(found):
     for scene in samples.scenes(found):
         for series in samples.SERIES[:-1]:
             meshes = samples.of(found, scene, series)
-            if meshes:
-                rows.append({"scene": samples.scene_name(scene), "series": series,
-                             "orders": {field: samples.order(meshes, field)
-                                        for field in samples.FIELDS}})
+            orders = {field: samples.order(meshes, field) for field in samples.FIELDS}
+            if any(orders.values()):
+                rows.append({"scene": samples.scene_name(scene), "series": series, "orders": orders})
     return with_first(rows)
 
 
