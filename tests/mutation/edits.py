@@ -193,7 +193,8 @@ class Tests:
         """Runs a test. Returns what caught the edit (`test`, `timeout` or None) and the processor time."""
         temporary = tempfile.mkdtemp(prefix="pulloff-edit-")  # not below the tree, which git reads
         environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", TMPDIR=temporary,
-                           UBSAN_OPTIONS="halt_on_error=1", **self.tests[name]["env"])
+                           UBSAN_OPTIONS="halt_on_error=1", ASAN_OPTIONS="intercept_tls_get_addr=0",
+                           **self.tests[name]["env"])
         environment["PULLOFF_DATA"] = self.build.source  # scripts set their own
         code, seconds, _ = detect.execute(self.command(name, programs, place),
                                           os.path.join(place, name.replace("/", "-") + ".log"), environment, place,
