@@ -19,16 +19,16 @@ enum { LANES = 4, MOST_GROUPS = 4 };
 typedef double lanes __attribute__((vector_size(LANES * sizeof(double)), aligned(8), may_alias));
 typedef int64_t mask __attribute__((vector_size(LANES * sizeof(int64_t))));
 
-/* y += factor * A x, with 4 * groups rows. */
-FOR_CONSTANT_ROWS void apply(size_t groups, size_t columns, double factor, const double *a,
-                             const double *x, double *y) {
+/* y = start + A x, with 4 * groups rows. */
+FOR_CONSTANT_ROWS void apply(size_t groups, size_t columns, const double *a, const double *x,
+                             const double *start, double *y) {
   const lanes *from = (const lanes *)a;
   lanes *to = (lanes *)y, sum[MOST_GROUPS];
   for (size_t p = 0; p < groups; ++p)
-    sum[p] = to[p];
+    sum[p] = ((const lanes *)start)[p];
   for (size_t j = 0; j < columns; ++j, from += groups)
     for (size_t p = 0; p < groups; ++p)
-      sum[p] += from[p] * (factor * x[j]);
+      sum[p] += from[p] * x[j];
   for (size_t p = 0; p < groups; ++p)
     to[p] = sum[p];
 }
@@ -63,9 +63,14 @@ FOR_CONSTANT_ROWS void apply_transposed(size_t groups, size_t columns, const dou
 FOR_ALL_WIDTHS void po_block_apply(size_t rows, size_t columns, const double *a, const double *x,
                                    double *y) {
   if (rows == 12)
-    apply(3, columns, 1.0, a, x, y);
+    apply(3, columns, a, x, y, y);
   else
-    apply(4, columns, 1.0, a, x, y);
+    apply(4, columns, a, x, y, y);
+}
+
+FOR_ALL_WIDTHS void po_block_apply_from(size_t columns, const double *a, const double *x,
+                                        const double *start, double *y) {
+  apply(4, columns, a, x, start, y);
 }
 
 FOR_ALL_WIDTHS void po_block_apply_transposed(size_t rows, size_t columns, const double *a,
@@ -76,22 +81,24 @@ FOR_ALL_WIDTHS void po_block_apply_transposed(size_t rows, size_t columns, const
     apply_transposed(4, columns, a, x, y);
 }
 
-/* In single precision: a column of 16 values, and its halves. */
-enum { WIDE = 16, HALF = WIDE / 2 };
-typedef float wide __attribute__((vector_size(WIDE * sizeof(float)), aligned(4), may_alias));
+/* In single precision: half a column of 16 values. */
+enum { HALF = 8 };
 typedef float half __attribute__((vector_size(HALF * sizeof(float)), aligned(4), may_alias));
 
-FOR_ALL_WIDTHS void po_block_apply_single(size_t columns, const float *a, const float *x,
-                                          float *y) {
-  const wide *from = (const wide *)a;
-  wide *to = (wide *)y, sum[4] = {*to};
+FOR_ALL_WIDTHS void po_block_apply_from_single(size_t columns, const float *a, const float *x,
+                                               const float *start, float *y) {
+  const half *from = (const half *)a, *of_start = (const half *)start;
+  half *to = (half *)y, low[4] = {of_start[0]}, high[4] = {of_start[1]};
   for (size_t j = 0; j < columns; j += 4) /* four sums, so that one need not wait for another */
-    for (size_t p = 0; p < 4; ++p)
-      sum[p] += from[j + p] * x[j + p];
-  *to = (sum[0] + sum[1]) + (sum[2] + sum[3]);
+    for (size_t p = 0; p < 4; ++p) {
+      low[p] += from[2 * (j + p)] * x[j + p];
+      high[p] += from[2 * (j + p) + 1] * x[j + p];
+    }
+  to[0] = (low[0] + low[1]) + (low[2] + low[3]);
+  to[1] = (high[0] + high[1]) + (high[2] + high[3]);
 }
 
-FOR_ALL_WIDTHS void po_block_apply_single_transposed(size_t columns, const float *a, const float *x,
+FOR_ALL_WIDTHS void po_block_apply_transposed_single(size_t columns, const float *a, const float *x,
                                                      float *y) {
   const half *from = (const half *)a, *with = (const half *)x;
   const half low = with[0], high = with[1];
@@ -123,13 +130,35 @@ FOR_ALL_WIDTHS void po_block_apply_both(const double *block, const double *x, do
   to[2] = y2;
 }
 
+/* Two columns of C += factor * A B, so that a value of A is read once for both. */
+FOR_CONSTANT_ROWS void apply_to_two(size_t groups, size_t inner, double factor, const double *a,
+                                    const double *b, double *c) {
+  const lanes *from = (const lanes *)a;
+  lanes *to = (lanes *)c, first[MOST_GROUPS], second[MOST_GROUPS];
+  for (size_t p = 0; p < groups; ++p) {
+    first[p] = to[p];
+    second[p] = to[groups + p];
+  }
+  for (size_t j = 0; j < inner; ++j, from += groups) {
+    const double x = factor * b[j], y = factor * b[inner + j];
+    for (size_t p = 0; p < groups; ++p) {
+      first[p] += from[p] * x;
+      second[p] += from[p] * y;
+    }
+  }
+  for (size_t p = 0; p < groups; ++p) {
+    to[p] = first[p];
+    to[groups + p] = second[p];
+  }
+}
+
 FOR_ALL_WIDTHS void po_block_multiply(size_t rows, size_t inner, size_t columns, double factor,
                                       const double *a, const double *b, double *c) {
-  for (size_t j = 0; j < columns; ++j)
+  for (size_t j = 0; j < columns; j += 2)
     if (rows == 12)
-      apply(3, inner, factor, a, b + inner * j, c + rows * j);
+      apply_to_two(3, inner, factor, a, b + inner * j, c + rows * j);
     else
-      apply(4, inner, factor, a, b + inner * j, c + rows * j);
+      apply_to_two(4, inner, factor, a, b + inner * j, c + rows * j);
 }
 
 FOR_CONSTANT_ROWS void exchange(size_t groups, lanes *a, lanes *b) {

@@ -17,16 +17,23 @@ void po_block_apply(size_t rows, size_t columns, const double *a, const double *
 void po_block_apply_transposed(size_t rows, size_t columns, const double *a, const double *x,
                                double *y);
 
-/* y += A x and y += A^T x in single precision, for a matrix of 16 rows. Given: columns, a multiple
- * of 4. */
-void po_block_apply_single(size_t columns, const float *a, const float *x, float *y);
-void po_block_apply_single_transposed(size_t columns, const float *a, const float *x, float *y);
+/* y = start + A x in either precision, for a matrix of 16 rows. Given: columns, a multiple of 4;
+ * start, which may be y. A start that has just been written in parts narrower than a register, as by
+ * memset, is slow to read. */
+void po_block_apply_from(size_t columns, const double *a, const double *x, const double *start,
+                         double *y);
+void po_block_apply_from_single(size_t columns, const float *a, const float *x, const float *start,
+                                float *y);
+
+/* y += A^T x in single precision, for a matrix of 16 rows. */
+void po_block_apply_transposed_single(size_t columns, const float *a, const float *x, float *y);
 
 /* y += B x and v += B^T u, for the influence block of two panels. */
 void po_block_apply_both(const double *block, const double *x, double *y, const double *u,
                          double *v);
 
-/* C += factor * A B. Given: rows of A and C, 12 or 16; the inner dimension; columns of B and C. */
+/* C += factor * A B. Given: rows of A and C, 12 or 16; the inner dimension; columns of B and C, an
+ * even number. */
 void po_block_multiply(size_t rows, size_t inner, size_t columns, double factor, const double *a,
                        const double *b, double *c);
 

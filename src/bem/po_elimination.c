@@ -39,8 +39,8 @@ static const double GROWTH_OF_DOUBLE = 250.0;
  * precision it takes half the time. */
 #define REAL float
 #define IN_REAL(name) name##_single
-#define APPLY po_block_apply_single
-#define APPLY_TRANSPOSED po_block_apply_single_transposed
+#define APPLY po_block_apply_from_single
+#define APPLY_TRANSPOSED po_block_apply_transposed_single
 #include "po_elimination_solution.h"
 #undef REAL
 #undef IN_REAL
@@ -48,7 +48,7 @@ static const double GROWTH_OF_DOUBLE = 250.0;
 #undef APPLY_TRANSPOSED
 #define REAL double
 #define IN_REAL(name) name##_double
-#define APPLY(columns, a, x, y) po_block_apply(K, columns, a, x, y)
+#define APPLY po_block_apply_from
 #define APPLY_TRANSPOSED(columns, a, x, y) po_block_apply_transposed(K, columns, a, x, y)
 #include "po_elimination_solution.h"
 

@@ -1,6 +1,9 @@
 /* Solution with the factors of po_elimination.c, which includes this file once for each precision.
- * Given as macros: REAL, the type of the factors; IN_REAL(name), the name in this precision;
- * APPLY and APPLY_TRANSPOSED (columns, a, x, y): y += A x and y += A^T x, for 16 rows. */
+ * Given as macros: REAL, the type of the factors; IN_REAL(name), the name in this precision; for
+ * matrices of 16 rows, APPLY(columns, a, x, start, y): y = start + A x, and
+ * APPLY_TRANSPOSED(columns, a, x, y): y += A^T x. */
+
+static const REAL IN_REAL(zero)[K];
 
 typedef struct {
   REAL border[K];      /* sum of border x = sum + border . w */
@@ -52,9 +55,10 @@ static po_status IN_REAL(reserve)(size_t cells, IN_REAL(factors) * f) {
   return PO_NO_MEMORY;
 }
 
-static void IN_REAL(add)(const IN_REAL(factors) * f, size_t cell, enum part part, const REAL *x,
-                         REAL *y) {
-  APPLY(K, f->matrix + cell * CELL_SIZE + part, x, y);
+/* y = start + A x with a matrix of a cell. */
+static void IN_REAL(apply)(const IN_REAL(factors) * f, size_t cell, enum part part, const REAL *x,
+                           const REAL *start, REAL *y) {
+  APPLY(K, f->matrix + cell * CELL_SIZE + part, x, start, y);
 }
 
 static double IN_REAL(dot)(const REAL *x, const REAL *y) {
@@ -95,8 +99,7 @@ static void IN_REAL(begin_panel)(IN_REAL(factors) * f, size_t c, bool is_quiet, 
   if (is_quiet)
     return;
   IN_REAL(copy)(N, 1, x, right);
-  memset(f->cell[c].z, 0, sizeof f->cell[c].z);
-  APPLY(N, f->matrix + c * CELL_SIZE + MOMENTS, right, f->cell[c].z);
+  APPLY(N, f->matrix + c * CELL_SIZE + MOMENTS, right, IN_REAL(zero), f->cell[c].z);
 }
 
 /* From the halves of a cell: its moments, the sum of its border, and the fields on its halves, at
@@ -107,27 +110,28 @@ static void IN_REAL(join)(IN_REAL(factors) * f, size_t c, size_t right_half, boo
   own->sum = left->sum + right->sum;
   if (!has_left && !has_right)
     return;
-  memset(left->field, 0, sizeof left->field);
-  memset(right->field, 0, sizeof right->field);
-  memset(own->z, 0, sizeof own->z);
-  if (has_right) {
+  const REAL *zero = IN_REAL(zero), *moments = zero;
+  if (has_left && has_right) {
     REAL with[K]; /* z_2 + Z_2 S^T z_1 */
-    memcpy(with, right->z, sizeof with);
-    if (has_left) {
-      IN_REAL(add)(f, c, BACK, left->z, right->field);
-      IN_REAL(add)(f, right_half, RELATION, right->field, with);
-    }
-    IN_REAL(add)(f, c, ACROSS, with, left->field);
+    IN_REAL(apply)(f, c, BACK, left->z, zero, right->field);
+    IN_REAL(apply)(f, right_half, RELATION, right->field, right->z, with);
+    IN_REAL(apply)(f, c, ACROSS, with, zero, left->field);
+  } else if (has_right) {
+    IN_REAL(apply)(f, c, ACROSS, right->z, zero, left->field);
+  } else {
+    memset(left->field, 0, sizeof left->field);
   }
   if (has_left) {
-    IN_REAL(add)(f, c + 1, RELATION, left->field, left->z);
+    IN_REAL(apply)(f, c + 1, RELATION, left->field, left->z, left->z);
+    IN_REAL(apply)(f, c, BACK, left->z, zero, right->field);
+    APPLY(K, f->to_parent[0], left->z, zero, own->z);
+    moments = own->z;
+  } else {
     memset(right->field, 0, sizeof right->field);
-    IN_REAL(add)(f, c, BACK, left->z, right->field);
-    APPLY(K, f->to_parent[0], left->z, own->z);
   }
   if (has_right) {
-    IN_REAL(add)(f, right_half, RELATION, right->field, right->z);
-    APPLY(K, f->to_parent[1], right->z, own->z);
+    IN_REAL(apply)(f, right_half, RELATION, right->field, right->z, right->z);
+    APPLY(K, f->to_parent[1], right->z, moments, own->z);
   }
   own->sum += IN_REAL(dot)(left->border, left->field) + IN_REAL(dot)(right->border, right->field);
 }
@@ -137,25 +141,25 @@ static void IN_REAL(split)(IN_REAL(factors) * f, size_t c, size_t right_half, bo
   const REAL *field = f->cell[c].field;
   IN_REAL(state) *left = f->cell + c + 1, *right = f->cell + right_half;
   if (!is_quiet) {
-    IN_REAL(add)(f, c, ALONG, field, left->field);
-    IN_REAL(add)(f, c, ALONG_RIGHT, field, right->field);
+    IN_REAL(apply)(f, c, ALONG, field, left->field, left->field);
+    IN_REAL(apply)(f, c, ALONG_RIGHT, field, right->field, right->field);
     return;
   }
-  memset(left->field, 0, sizeof left->field);
-  memset(right->field, 0, sizeof right->field);
-  APPLY(K, f->from_parent[0], field, left->field);
-  APPLY(K, f->from_parent[1], field, right->field);
+  APPLY(K, f->from_parent[0], field, IN_REAL(zero), left->field);
+  APPLY(K, f->from_parent[1], field, IN_REAL(zero), right->field);
 }
 
 /* From the field on a panel and its right-hand side in x: its unknowns. */
 static void IN_REAL(finish_panel)(const IN_REAL(factors) * f, size_t c, bool is_quiet, double *x) {
   const REAL *matrix = f->matrix + c * CELL_SIZE;
-  REAL right[K], change[K] = {(REAL)0};
+  REAL right[K], change[K];
+  const REAL *start = IN_REAL(zero);
   if (!is_quiet) {
     IN_REAL(copy)(N, 1, x, right);
-    APPLY(N, matrix + CHANGE, right, change);
+    APPLY(N, matrix + CHANGE, right, start, change);
+    start = change;
   }
-  APPLY(K, is_quiet ? f->value : matrix + ALONG, f->cell[c].field, change);
+  APPLY(K, is_quiet ? f->value : matrix + ALONG, f->cell[c].field, start, change);
   for (int j = 0; j < N; ++j)
     x[j] += (double)change[j];
 }

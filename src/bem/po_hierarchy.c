@@ -171,11 +171,25 @@ static void fill_tail(po_hierarchy *h, const po_panel *a, const po_panel *b, dou
     h->evaluations += po_panel_influence(&h->table->rule, tail, r[i], block + i, N);
 }
 
+/* The largest coefficients of the columns of a block; see po_hierarchy_reach. */
+static void find_reach(const double *block, double *reach) {
+  for (size_t j = 0; j < N; ++j) {
+    reach[j] = 0.0;
+    for (size_t i = 0; i < N; ++i) {
+      const double size = fabs(block[i + N * j]);
+      reach[j] = size > reach[j] ? size : reach[j];
+    }
+  }
+}
+
 /* Returned: the block of this kind from the store, computed if it is new; NULL, with `trouble`, if
- * memory runs out. Where a panel is not given, it is that to infinity. */
+ * memory runs out. Where a panel is not given, it is that to infinity. Blocks to be multiplied by the
+ * traction are followed by the reach of their columns. */
 static const double *stored(po_hierarchy *h, enum kind kind, const po_panel *a, const po_panel *b) {
   int is_new;
-  const size_t size = kind == HALVES ? PO_SKELETON_SIZE : PO_BLOCK_SIZE;
+  const bool with_reach = kind == PRODUCT || kind == TAIL;
+  const size_t values = kind == HALVES ? PO_SKELETON_SIZE : PO_BLOCK_SIZE;
+  const size_t size = values + (with_reach ? N : 0);
   double *block = po_block_store_find(&h->store, key_of(kind, a, b), size, &is_new);
   if (!block)
     h->trouble = PO_NO_MEMORY;
@@ -189,6 +203,8 @@ static const double *stored(po_hierarchy *h, enum kind kind, const po_panel *a, 
     fill_halves(h, *a, block);
   else
     fill_tail(h, a, b, block);
+  if (with_reach)
+    find_reach(block, block + PO_BLOCK_SIZE);
   return block;
 }
 
@@ -426,10 +442,10 @@ void po_hierarchy_reach(const po_hierarchy *h, double *reach) {
   memset(reach, 0, (h->panels.count + (h->unbounded ? 1 : 0)) * N * sizeof *reach);
   for (size_t k = 0; k < h->product.count; ++k) {
     const interaction *pair = h->product.pair + k;
+    const double *of_block = pair->block + PO_BLOCK_SIZE;
     double *of_source = reach + (size_t)pair->source * N;
     for (size_t j = 0; j < N; ++j)
-      for (size_t i = 0; i < N; ++i)
-        of_source[j] = fmax(of_source[j], fabs(pair->block[i + N * j]));
+      of_source[j] = of_block[j] > of_source[j] ? of_block[j] : of_source[j];
   }
 }
 
