@@ -18,8 +18,8 @@ void po_block_apply_transposed(size_t rows, size_t columns, const double *a, con
                                double *y);
 
 /* y = start + A x in either precision, for a matrix of 16 rows. Given: columns, a multiple of 4;
- * start, which may be y. A start that has just been written in parts narrower than a register, as by
- * memset, is slow to read. */
+ * start, which may be y. A start that has just been written in parts narrower than a register, as
+ * by memset, is slow to read. */
 void po_block_apply_from(size_t columns, const double *a, const double *x, const double *start,
                          double *y);
 void po_block_apply_from_single(size_t columns, const float *a, const float *x, const float *start,

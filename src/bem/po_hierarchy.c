@@ -183,8 +183,8 @@ static void find_reach(const double *block, double *reach) {
 }
 
 /* Returned: the block of this kind from the store, computed if it is new; NULL, with `trouble`, if
- * memory runs out. Where a panel is not given, it is that to infinity. Blocks to be multiplied by the
- * traction are followed by the reach of their columns. */
+ * memory runs out. Where a panel is not given, it is that to infinity. Blocks to be multiplied by
+ * the traction are followed by the reach of their columns. */
 static const double *stored(po_hierarchy *h, enum kind kind, const po_panel *a, const po_panel *b) {
   int is_new;
   const bool with_reach = kind == PRODUCT || kind == TAIL;

@@ -30,7 +30,7 @@ static po_status resolve(po_continuation *t, const po_gap_field *field, po_panel
 po_status po_continuation_want_mesh(po_continuation *t, po_solution *p) {
   if (!po_continuation_moves(t))
     return PO_OK;
-  po_solution_field solved = {p, t->c.e->scene, t->c.domain};
+  po_solution_field solved = {p, t->c.e->scene, t->c.domain, 0};
   po_panels_copy(p->panels, p->wanted);
   return resolve(t, &(po_gap_field){po_solution_gap, &solved}, p->wanted);
 }

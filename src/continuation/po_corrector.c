@@ -55,10 +55,10 @@ size_t po_corrector_moving_nodes(const po_corrector *c) {
 }
 
 void po_corrector_guess(po_corrector *c, const po_solution *p) {
-  const po_solution_field field = {p, c->e->scene, c->domain};
+  po_solution_field field = {p, c->e->scene, c->domain, 0};
   const size_t core = po_corrector_moving_nodes(c), n = c->e->n;
   for (size_t j = 0; j < core; ++j)
-    c->guess[j] = po_solution_gap((void *)&field, c->e->surface->node[j]);
+    c->guess[j] = po_solution_gap(&field, c->e->surface->node[j]);
   for (size_t back = 0; back <= n - core;
        ++back) /* nodes of the panel to infinity, and the approach, are copied */
     c->guess[n - back] = p->state[p->n - back];

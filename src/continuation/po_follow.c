@@ -120,7 +120,7 @@ static po_status locate(po_follower *f, double *slope, double value[2], po_solut
       return status;
     po_solution_copy(out, &f->spare);
     from = &f->spare;
-    po_solution_field solved = {from, &f->scene, f->c.domain};
+    po_solution_field solved = {from, &f->scene, f->c.domain, 0};
     status = mesh_for(f, from->panels, &(po_gap_field){po_solution_gap, &solved});
     if (status)
       return status;

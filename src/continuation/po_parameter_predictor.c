@@ -56,19 +56,20 @@ void po_predictor_still(const po_predictor_point *const *mark, size_t count, dou
 }
 
 /* The gap of a mark; outside its domain the undeformed gap. */
-static double gap_of(const po_predictor_point *m, double r) {
+static double gap_of(const po_predictor_point *m, double r, size_t *panel) {
   if (r < m->domain)
-    return po_solution_value_at(&m->point, &m->scene, m->domain, r).gap;
+    return po_solution_gap_near(&m->point, &m->scene, m->domain, r, panel);
   return po_initial_gap(&m->scene, r) - m->point.state[m->point.n];
 }
 
 double po_predictor_gap(void *predictor, double r) {
-  const po_predictor *f = predictor;
-  const po_moving_edges *edges = &f->edges;
-  const po_edge_place origin = po_edge_origin(edges, f->shift, r);
+  po_predictor *f = predictor;
+  const po_edge_place origin = po_edge_origin(&f->edges, f->shift, r, f->edge);
+  f->edge = origin.outer;
   double gap = 0.0;
   for (size_t i = 0; i < f->count; ++i)
-    gap += f->weight[i] * gap_of(f->mark[i], origin.r + po_edge_displacement(&origin, f->back[i]));
+    gap += f->weight[i] *
+           gap_of(f->mark[i], origin.r + po_edge_displacement(&origin, f->back[i]), &f->panel[i]);
   return po_law_expected_gap(&f->mark[0]->scene.law, gap);
 }
 

@@ -25,6 +25,8 @@ typedef struct {
   po_moving_edges edges; /* contact edges of the latest mark that move the coordinates */
   double shift[PO_MOST_MOVING_EDGES];                    /* from these to the predicted edges */
   double back[PO_PREDICTOR_MARKS][PO_MOST_MOVING_EDGES]; /* from these to the edges of each mark */
+  /* where values were last needed: the contact edge beyond, and panels of the marks */
+  size_t edge, panel[PO_PREDICTOR_MARKS];
 } po_predictor;
 
 /* Predicts at the parameter `at`. Given: marks, the latest first. If the number of contact edges

@@ -166,10 +166,17 @@ static po_solution_value smooth_value(const po_prediction *p, const po_solution 
   return v;
 }
 
+/* The place that moves to a radius. */
+static po_edge_place origin_of(po_prediction *p, double r) {
+  const po_edge_place origin = po_edge_origin(&p->edges, p->shift, r, p->edge);
+  p->edge = origin.outer;
+  return origin;
+}
+
 double po_prediction_gap(void *prediction, double r) {
   po_prediction *p = prediction;
   const po_moving_edges *edges = &p->edges;
-  const po_edge_place origin = po_edge_origin(edges, p->shift, r);
+  const po_edge_place origin = origin_of(p, r);
   const po_solution_value a = smooth_value(p, p->a, origin.r, &p->panel_a);
   const double velocity = po_edge_displacement(&origin, edges->rate);
   double gap = a.gap + kink_gap(p, r) + p->w.d0 * (a.tangent + a.slope * velocity);
@@ -204,7 +211,7 @@ void po_prediction_state(po_prediction *p, const po_surface *surface, size_t mov
 
 /* Size of the panel of a->wanted at the origin of a radius, both relative to the domain. */
 static double wanted_size(po_prediction *p, double x) {
-  const double origin = po_edge_origin(&p->edges, p->shift, x * p->domain).r / p->domain;
+  const double origin = origin_of(p, x * p->domain).r / p->domain;
   const po_panels *wanted = p->a->wanted;
   p->panel_wanted = po_panels_find_near(wanted, origin, p->panel_wanted);
   return po_panel_size(wanted->panel[p->panel_wanted]);

@@ -23,8 +23,8 @@ typedef struct {
   double shift[PO_MOST_MOVING_EDGES];     /* from these to the predicted edges */
   double back[PO_MOST_MOVING_EDGES];      /* from these to the edges of b */
   double rate_back[PO_MOST_MOVING_EDGES]; /* rates of the edges of b */
-  /* panels of a, of b and of a->wanted where values were last needed */
-  size_t panel_a, panel_b, panel_wanted;
+  /* where values were last needed: the contact edge beyond, and panels of a, of b, of a->wanted */
+  size_t edge, panel_a, panel_b, panel_wanted;
 } po_prediction;
 
 /* Predicts at a distance along the arclength functional of a. Given: b, another point ahead or

@@ -28,17 +28,16 @@ typedef struct {
   double weight_slope; /* d(weight)/dr, 1/eps */
 } po_edge_place;
 
-/* The place of a radius between the contact edges. */
-po_edge_place po_edge_find(const po_moving_edges *edges, double r);
-
 /* The displacement, eps, at a place. It equals the shift of a contact edge in an interval about
  * that edge, is blended between two edges, and is zero at the axis and beyond the outermost edge.
  * It is twice continuously differentiable in r and linear in the shifts. Given: shift, one value an
  * edge, eps. */
 double po_edge_displacement(const po_edge_place *place, const double *shift);
 
-/* The place that the displacement moves to r. Given: shifts with a strain below about a half. */
-po_edge_place po_edge_origin(const po_moving_edges *edges, const double *shift, double r);
+/* The place that the displacement moves to r. Given: shifts with a strain below about a half; near,
+ * the `outer` of a place near it, or any other number. */
+po_edge_place po_edge_origin(const po_moving_edges *edges, const double *shift, double r,
+                             size_t near);
 
 /* The strain: the largest modulus of the slope of the displacement. Below 1 the displaced radii
  * keep their order. */

@@ -121,41 +121,65 @@ static double sum_of(lanes v) {
   return (v[0] + v[1]) + (v[2] + v[3]);
 }
 
-/* Interpolates deflection, slope of the deflection, and tangent from the nodes of a panel by the
- * second barycentric formula (J.-P. Berrut, L.N. Trefethen, SIAM Rev. 46, 501 (2004)). Given: the
- * first of the nodes; x, the place on the panel. */
-static po_solution_value interpolate(const po_solution *p, size_t first, double x) {
+/* The terms of the second barycentric formula (J.-P. Berrut, L.N. Trefethen, SIAM Rev. 46, 501
+ * (2004)) at a place on a panel: the weights of its nodes, and their sum. */
+enum { GROUPS = PO_TABLE_ORDER / LANES };
+typedef struct {
+  lanes weight[GROUPS];
+  double sum;
+} barycentric;
+
+static inline barycentric barycentric_at(double x) {
   const po_panel_rule *rule = &po_panel_table_get()->rule;
-  const double *deflection = p->deflection + first, *slope = p->slope + first;
-  const double *tangent = p->tangent + first;
-  lanes all = {0.0}, of_gap = {0.0}, of_slope = {0.0}, of_tangent = {0.0};
-  for (size_t j = 0; j < PO_TABLE_ORDER; j += LANES) {
-    const lanes weight =
-        *(const lanes *)(rule->barycentric + j) / (x - *(const lanes *)(rule->node + j));
-    all += weight;
-    of_gap += weight * *(const lanes *)(deflection + j);
-    of_slope += weight * *(const lanes *)(slope + j);
-    of_tangent += weight * *(const lanes *)(tangent + j);
+  barycentric at;
+  lanes all = {0.0};
+  for (size_t j = 0; j < GROUPS; ++j) {
+    at.weight[j] = ((const lanes *)rule->barycentric)[j] / (x - ((const lanes *)rule->node)[j]);
+    all += at.weight[j];
   }
-  const double sum = sum_of(all);
-  for (size_t j = 0; j < PO_TABLE_ORDER && !isfinite(sum); ++j)
-    if (x == rule->node[j])
-      return (po_solution_value){deflection[j], slope[j], tangent[j]};
-  return (po_solution_value){sum_of(of_gap) / sum, sum_of(of_slope) / sum,
-                             sum_of(of_tangent) / sum};
+  at.sum = sum_of(all);
+  if (isfinite(at.sum))
+    return at;
+  at.sum = 1.0; /* at a node */
+  for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
+    at.weight[j / LANES][j % LANES] = x == rule->node[j] ? 1.0 : 0.0;
+  return at;
+}
+
+/* Interpolates from the values at the nodes of a panel. */
+static double interpolate(const barycentric *at, const double *value) {
+  lanes sum = {0.0};
+  for (size_t j = 0; j < GROUPS; ++j)
+    sum += at->weight[j] * ((const lanes *)value)[j];
+  return sum_of(sum) / at->sum;
+}
+
+/* Finds the panel of a radius. Given and returned: panel, one to begin with. Returned: *first, the
+ * first node of the panel. */
+static barycentric find_place(const po_solution *p, double domain, double r, size_t *panel,
+                              size_t *first) {
+  const double x = r / domain;
+  *panel = po_panels_find_near(p->panels, x, *panel);
+  *first = *panel * PO_TABLE_ORDER;
+  return barycentric_at(po_panel_place(p->panels->panel[*panel], x));
 }
 
 po_solution_value po_solution_value_near(const po_solution *p, const po_scene *scene, double domain,
                                          double r, size_t *panel) {
-  const double x = r / domain;
-  const size_t k = *panel = po_panels_find_near(p->panels, x, *panel);
-  const po_solution_value part =
-      interpolate(p, k * PO_TABLE_ORDER, po_panel_place(p->panels->panel[k], x));
-  po_solution_value v = {0.0, 0.0, part.tangent};
+  size_t first;
+  const barycentric at = find_place(p, domain, r, panel, &first);
+  po_solution_value v = {0.0, 0.0, interpolate(&at, p->tangent + first)};
   po_initial_gap_and_slope(scene, r, &v.gap, &v.slope);
-  v.gap += part.gap;
-  v.slope += part.slope;
+  v.gap += interpolate(&at, p->deflection + first);
+  v.slope += interpolate(&at, p->slope + first);
   return v;
+}
+
+double po_solution_gap_near(const po_solution *p, const po_scene *scene, double domain, double r,
+                            size_t *panel) {
+  size_t first;
+  const barycentric at = find_place(p, domain, r, panel, &first);
+  return po_initial_gap(scene, r) + interpolate(&at, p->deflection + first);
 }
 
 po_solution_value po_solution_value_at(const po_solution *p, const po_scene *scene, double domain,
@@ -175,7 +199,7 @@ typedef struct {
 static double beyond_peak(double r, const void *data) {
   const edge_search *s = data;
   size_t panel = s->panel;
-  return po_solution_value_near(s->p, s->scene, s->domain, r, &panel).gap -
+  return po_solution_gap_near(s->p, s->scene, s->domain, r, &panel) -
          po_law_peak_gap(&s->scene->law);
 }
 
@@ -269,8 +293,8 @@ void po_solution_finish(po_solution *p, const po_equilibrium *e, const po_adapti
 }
 
 double po_solution_gap(void *data, double r) {
-  const po_solution_field *f = data;
-  return po_solution_value_at(f->p, f->scene, f->domain, r).gap;
+  po_solution_field *f = data;
+  return po_solution_gap_near(f->p, f->scene, f->domain, r, &f->panel);
 }
 
 /* The component of a vector of coordinates where approach and load have their whole weight. */

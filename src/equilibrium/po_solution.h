@@ -81,12 +81,17 @@ po_solution_value po_solution_value_at(const po_solution *p, const po_scene *sce
 po_solution_value po_solution_value_near(const po_solution *p, const po_scene *scene, double domain,
                                          double r, size_t *panel);
 
+/* The gap alone. */
+double po_solution_gap_near(const po_solution *p, const po_scene *scene, double domain, double r,
+                            size_t *panel);
+
 /* The gap of a solution as a function of the radius, for po_gap_field: `data` is a
  * po_solution_field. */
 typedef struct {
   const po_solution *p;
   const po_scene *scene;
   double domain;
+  size_t panel; /* of the last radius */
 } po_solution_field;
 
 double po_solution_gap(void *data, double r);
