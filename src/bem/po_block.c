@@ -81,8 +81,8 @@ FOR_ALL_WIDTHS void po_block_apply_transposed(size_t rows, size_t columns, const
     apply_transposed(4, columns, a, x, y);
 }
 
-/* In single precision: half a column of 16 values. */
-enum { HALF = 8 };
+/* Rows of the larger matrices; in single precision half a column of them is processed together. */
+enum { ROWS = 16, HALF = ROWS / 2 };
 typedef float half __attribute__((vector_size(HALF * sizeof(float)), aligned(4), may_alias));
 
 FOR_ALL_WIDTHS void po_block_apply_from_single(size_t columns, const float *a, const float *x,
@@ -130,35 +130,44 @@ FOR_ALL_WIDTHS void po_block_apply_both(const double *block, const double *x, do
   to[2] = y2;
 }
 
-/* Two columns of C += factor * A B, so that a value of A is read once for both. */
-FOR_CONSTANT_ROWS void apply_to_two(size_t groups, size_t inner, double factor, const double *a,
-                                    const double *b, double *c) {
-  const lanes *from = (const lanes *)a;
-  lanes *to = (lanes *)c, first[MOST_GROUPS], second[MOST_GROUPS];
-  for (size_t p = 0; p < groups; ++p) {
-    first[p] = to[p];
-    second[p] = to[groups + p];
-  }
-  for (size_t j = 0; j < inner; ++j, from += groups) {
-    const double x = factor * b[j], y = factor * b[inner + j];
-    for (size_t p = 0; p < groups; ++p) {
-      first[p] += from[p] * x;
-      second[p] += from[p] * y;
-    }
-  }
-  for (size_t p = 0; p < groups; ++p) {
-    to[p] = first[p];
-    to[groups + p] = second[p];
+/* Of a product, columns that are made together, so that a value of A is read once for all of them.
+ */
+enum { PAIR = 2, QUARTET = 4 };
+
+FOR_ALL_WIDTHS void po_block_multiply(size_t inner, size_t columns, const double *a,
+                                      const double *b, const double *start, double *c) {
+  for (size_t j = 0; j < columns;
+       j += PAIR, b += PAIR * ROWS, start += PAIR * ROWS, c += PAIR * ROWS) {
+    const lanes *from = (const lanes *)a;
+    lanes sum[PAIR * MOST_GROUPS];
+    for (size_t p = 0; p < PAIR * MOST_GROUPS; ++p)
+      sum[p] = ((const lanes *)start)[p];
+    for (size_t k = 0; k < inner; ++k, from += MOST_GROUPS)
+      for (size_t p = 0; p < MOST_GROUPS; ++p) {
+        sum[p] += from[p] * b[k];
+        sum[MOST_GROUPS + p] += from[p] * b[k + ROWS];
+      }
+    for (size_t p = 0; p < PAIR * MOST_GROUPS; ++p)
+      ((lanes *)c)[p] = sum[p];
   }
 }
 
-FOR_ALL_WIDTHS void po_block_multiply(size_t rows, size_t inner, size_t columns, double factor,
-                                      const double *a, const double *b, double *c) {
-  for (size_t j = 0; j < columns; j += 2)
-    if (rows == 12)
-      apply_to_two(3, inner, factor, a, b + inner * j, c + rows * j);
-    else
-      apply_to_two(4, inner, factor, a, b + inner * j, c + rows * j);
+FOR_ALL_WIDTHS void po_block_multiply_single(size_t inner, size_t columns, const float *a,
+                                             const float *b, const float *start, float *c) {
+  for (size_t j = 0; j < columns;
+       j += QUARTET, b += QUARTET * ROWS, start += QUARTET * ROWS, c += QUARTET * ROWS) {
+    const half *from = (const half *)a;
+    half sum[2 * QUARTET];
+    for (size_t p = 0; p < 2 * QUARTET; ++p)
+      sum[p] = ((const half *)start)[p];
+    for (size_t k = 0; k < inner; ++k, from += 2)
+      for (size_t p = 0; p < QUARTET; ++p) {
+        sum[2 * p] += from[0] * b[k + ROWS * p];
+        sum[2 * p + 1] += from[1] * b[k + ROWS * p];
+      }
+    for (size_t p = 0; p < 2 * QUARTET; ++p)
+      ((half *)c)[p] = sum[p];
+  }
 }
 
 FOR_CONSTANT_ROWS void exchange(size_t groups, lanes *a, lanes *b) {

@@ -32,10 +32,12 @@ void po_block_apply_transposed_single(size_t columns, const float *a, const floa
 void po_block_apply_both(const double *block, const double *x, double *y, const double *u,
                          double *v);
 
-/* C += factor * A B. Given: rows of A and C, 12 or 16; the inner dimension; columns of B and C, an
- * even number. */
-void po_block_multiply(size_t rows, size_t inner, size_t columns, double factor, const double *a,
-                       const double *b, double *c);
+/* C = start + A B in either precision, for matrices of 16 rows. Given: inner, the columns of A, and
+ * the rows of B that are read; columns of B and C, a multiple of 4; start, which may be C. */
+void po_block_multiply(size_t inner, size_t columns, const double *a, const double *b,
+                       const double *start, double *c);
+void po_block_multiply_single(size_t inner, size_t columns, const float *a, const float *b,
+                              const float *start, float *c);
 
 /* Replaces a square matrix of order 12 or 16 by its inverse (Gauss and Jordan, with partial
  * pivoting). Returned: the sign of its determinant; 0 if it is singular, and then the matrix is

@@ -35,21 +35,42 @@ enum part {
  * they would be off by 3e-5, the error of the skeletons being 1e-5, and cost iterations. */
 static const double GROWTH_OF_DOUBLE = 250.0;
 
+static double largest(size_t n, const double *a) {
+  double largest = 0.0;
+  for (size_t k = 0; k < n * n; ++k)
+    largest = fabs(a[k]) > largest ? fabs(a[k]) : largest; /* fmax costs ten times as much */
+  return largest;
+}
+
+/* Replaces a matrix of order 12 or 16 by its inverse, as po_block_invert. Given and returned:
+ * growth, the greatest of all inverses so far. */
+static int invert(size_t n, double *a, double *growth) {
+  const double before = largest(n, a);
+  const int sign = po_block_invert(n, a);
+  *growth = fmax(*growth, before * largest(n, a));
+  return sign;
+}
+
 /* Factors in single and in double precision. A solution reads every matrix once, so that in single
  * precision it takes half the time. */
 #define REAL float
 #define IN_REAL(name) name##_single
 #define APPLY po_block_apply_from_single
 #define APPLY_TRANSPOSED po_block_apply_transposed_single
+#define MULTIPLY po_block_multiply_single
+#include "po_elimination_factors.h"
 #include "po_elimination_solution.h"
 #undef REAL
 #undef IN_REAL
 #undef APPLY
 #undef APPLY_TRANSPOSED
+#undef MULTIPLY
 #define REAL double
 #define IN_REAL(name) name##_double
 #define APPLY po_block_apply_from
 #define APPLY_TRANSPOSED(columns, a, x, y) po_block_apply_transposed(K, columns, a, x, y)
+#define MULTIPLY po_block_multiply
+#include "po_elimination_factors.h"
 #include "po_elimination_solution.h"
 
 struct po_elimination {
@@ -61,10 +82,9 @@ struct po_elimination {
   factors_single single;
   factors_double full;
   size_t room;
-  bool *is_quiet;   /* of each cell: Z = 0 */
-  double *relation; /* 256 a cell: Z */
-  double *border;   /* 12 a panel: the transpose of I + CHANGE times the border */
-  double *factor;   /* 12 a panel: the factors of the matrix */
+  bool *is_quiet; /* of each cell: Z = 0 */
+  double *border; /* 12 a panel: the transpose of I + CHANGE times the border */
+  double *factor; /* 12 a panel: the factors of the matrix */
   int sign;
   double tail_border[N]; /* border of the panel to infinity */
   double pivot;
@@ -85,7 +105,6 @@ po_status po_elimination_create(const po_hierarchy *hierarchy, po_elimination **
 
 static void free_cells(po_elimination *e) {
   free(e->is_quiet);
-  free(e->relation);
   free(e->border);
   free(e->factor);
 }
@@ -103,133 +122,32 @@ static bool is_panel(const po_cell *cell) {
   return cell->end - cell->panel == 1;
 }
 
-/* Keeps a matrix of a cell in the precision of the factors. */
-static void keep(po_elimination *e, size_t cell, enum part part, size_t rows, size_t columns,
-                 const double *a) {
-  const size_t at = cell * CELL_SIZE + part;
-  if (e->in_double)
-    copy_double(rows, columns, a, e->full.matrix + at);
-  else
-    copy_single(rows, columns, a, e->single.matrix + at);
-}
-
-/* C = A B. */
-static void set_product(size_t rows, size_t inner, size_t columns, const double *a, const double *b,
-                        double *c) {
-  memset(c, 0, rows * columns * sizeof *c);
-  po_block_multiply(rows, inner, columns, 1.0, a, b, c);
-}
-
-static void set_unit(size_t n, double *a) {
-  memset(a, 0, n * n * sizeof *a);
-  for (size_t k = 0; k < n; ++k)
-    a[k + n * k] = 1.0;
-}
-
-static double largest(size_t n, const double *a) {
-  double largest = 0.0;
-  for (size_t k = 0; k < n * n; ++k)
-    largest = fabs(a[k]) > largest ? fabs(a[k]) : largest; /* fmax costs ten times as much */
-  return largest;
-}
-
-/* Replaces a matrix of order 12 or 16 by its inverse, as po_block_invert, and notes the growth. */
-static int invert(po_elimination *e, size_t n, double *a) {
-  const double before = largest(n, a);
-  const int sign = po_block_invert(n, a);
-  e->growth = fmax(e->growth, before * largest(n, a));
-  return sign;
-}
-
 /* Returned: the sign of the determinant; 0 for a singular matrix. */
 static int factorize_panel(po_elimination *e, size_t c, size_t panel) {
   const double *own = po_hierarchy_own_block(e->hierarchy, panel);
   const double *weight = po_hierarchy_weight(e->hierarchy) + panel * N;
   const double *rule = po_panel_table_get()->rule.weight, *factor = e->factor + panel * N;
-  double moment[K * N], inverse[N * N], along[N * K], moments[K * N];
-  double *relation = e->relation + c * PO_SKELETON_SIZE;
-  bool is_quiet = true;
+  e->is_quiet[c] = true;
   for (int j = 0; j < N; ++j)
-    is_quiet = is_quiet && factor[j] == 0.0;
-  e->is_quiet[c] = is_quiet;
-  if (is_quiet)
+    e->is_quiet[c] = e->is_quiet[c] && factor[j] == 0.0;
+  if (e->is_quiet[c])
     return 1;
-  set_unit(N, inverse);
-  for (int j = 0; j < N; ++j) {
-    const double charge = weight[j] / rule[j] * factor[j];
-    for (int i = 0; i < N; ++i)
-      inverse[i + N * j] -= own[i + N * j] * factor[j];
-    for (int i = 0; i < K; ++i)
-      moment[i + K * j] = charge * e->skeleton->moment[i + K * j];
-  }
-  const int sign = invert(e, N, inverse);
-  set_product(N, N, K, inverse, e->skeleton->value, along);
-  set_product(K, N, N, moment, inverse, moments);
-  set_product(K, N, K, moments, e->skeleton->value, relation);
-  for (int j = 0; j < N; ++j)
-    inverse[j + N * j] -= 1.0;
-  keep(e, c, CHANGE, N, N, inverse);
-  keep(e, c, ALONG, N, K, along);
-  keep(e, c, MOMENTS, K, N, moments);
-  keep(e, c, RELATION, K, K, relation);
-  return sign;
-}
-
-static void transpose(const double *a, double *b) {
-  for (int j = 0; j < K; ++j)
-    for (int i = 0; i < K; ++i)
-      b[j + K * i] = a[i + K * j];
+  return e->in_double
+             ? factorize_panel_double(&e->full, c, own, weight, rule, factor, &e->growth)
+             : factorize_panel_single(&e->single, c, own, weight, rule, factor, &e->growth);
 }
 
 /* As above, for a cell whose halves are factorised. */
 static int factorize_halves(po_elimination *e, size_t c, size_t right) {
   const bool has_left = !e->is_quiet[c + 1], has_right = !e->is_quiet[right];
   const double *across = po_hierarchy_halves(e->hierarchy, c);
-  const double *z_1 = e->relation + (c + 1) * PO_SKELETON_SIZE;
-  const double *z_2 = e->relation + right * PO_SKELETON_SIZE;
-  const po_skeleton *s = e->skeleton;
-  double along[K * K], along_right[K * K], back[K * K];
-  double to_left[K * K], to_right[K * K], inverse[K * K], work[K * K];
-  double *relation = e->relation + c * PO_SKELETON_SIZE;
-  int sign = 1;
   e->is_quiet[c] = !has_left && !has_right;
   if (e->is_quiet[c])
     return 1;
-  transpose(across, back);
-  keep(e, c, BACK, K, K, back);
-  memcpy(along, s->from_parent[0], sizeof along);
-  memcpy(along_right, s->from_parent[1], sizeof along_right);
-  if (has_right) {
-    set_product(K, K, K, across, z_2, to_left);
-    po_block_multiply(K, K, K, 1.0, to_left, s->from_parent[1], along);
-  }
-  if (has_left)
-    set_product(K, K, K, back, z_1, to_right);
-  if (has_left && has_right) {
-    set_unit(K, inverse);
-    po_block_multiply(K, K, K, -1.0, to_left, to_right, inverse);
-    sign = invert(e, K, inverse);
-    memcpy(work, along, sizeof work);
-    set_product(K, K, K, inverse, work, along);
-    set_product(K, K, K, inverse, across, work);
-    keep(e, c, ACROSS, K, K, work);
-  } else {
-    keep(e, c, ACROSS, K, K, across);
-  }
-  memset(relation, 0, PO_SKELETON_SIZE * sizeof *relation);
-  if (has_left) {
-    po_block_multiply(K, K, K, 1.0, to_right, along, along_right);
-    set_product(K, K, K, z_1, along, work);
-    po_block_multiply(K, K, K, 1.0, s->to_parent[0], work, relation);
-  }
-  if (has_right) {
-    set_product(K, K, K, z_2, along_right, work);
-    po_block_multiply(K, K, K, 1.0, s->to_parent[1], work, relation);
-  }
-  keep(e, c, ALONG, K, K, along);
-  keep(e, c, ALONG_RIGHT, K, K, along_right);
-  keep(e, c, RELATION, K, K, relation);
-  return sign;
+  return e->in_double
+             ? factorize_halves_double(&e->full, c, right, across, has_left, has_right, &e->growth)
+             : factorize_halves_single(&e->single, c, right, across, has_left, has_right,
+                                       &e->growth);
 }
 
 static po_status reserve(po_elimination *e, size_t cells) {
@@ -238,10 +156,9 @@ static po_status reserve(po_elimination *e, size_t cells) {
   free_cells(e);
   e->room = cells + cells / 2;
   e->is_quiet = po_reserve(e->room, sizeof *e->is_quiet);
-  e->relation = po_reserve(e->room * PO_SKELETON_SIZE, sizeof *e->relation);
   e->border = po_allocate(e->room * N, sizeof *e->border);
   e->factor = po_allocate(e->room * N, sizeof *e->factor);
-  if (e->is_quiet && e->relation && e->border && e->factor)
+  if (e->is_quiet && e->border && e->factor)
     return PO_OK;
   e->room = 0;
   return PO_NO_MEMORY;

@@ -1,59 +1,7 @@
 /* Solution with the factors of po_elimination.c, which includes this file once for each precision.
- * Given as macros: REAL, the type of the factors; IN_REAL(name), the name in this precision; for
- * matrices of 16 rows, APPLY(columns, a, x, start, y): y = start + A x, and
+ * Given as macros, beside those of po_elimination_factors.h: for matrices of 16 rows,
+ * APPLY(columns, a, x, start, y): y = start + A x, and
  * APPLY_TRANSPOSED(columns, a, x, y): y += A^T x. */
-
-static const REAL IN_REAL(zero)[K];
-
-typedef struct {
-  REAL border[K];      /* sum of border x = sum + border . w */
-  REAL field[K], z[K]; /* of a solution */
-  double sum;          /* of a solution: the sum of border x at zero field */
-} IN_REAL(state);
-
-/* The matrices of all cells, and parts of the skeleton. */
-typedef struct {
-  size_t room; /* cells for which there is memory */
-  REAL *matrix;
-  IN_REAL(state) * cell;
-  REAL value[K * K], from_parent[2][K * K], to_parent[2][K * K];
-} IN_REAL(factors);
-
-/* Copies a matrix of 12 or 16 rows to one of 16. */
-static void IN_REAL(copy)(size_t rows, size_t columns, const double *from, REAL *to) {
-  for (size_t j = 0; j < columns; ++j) {
-    for (size_t i = 0; i < rows; ++i)
-      to[i + K * j] = (REAL)from[i + rows * j];
-    for (size_t i = rows; i < K; ++i)
-      to[i + K * j] = (REAL)0;
-  }
-}
-
-static void IN_REAL(set_skeleton)(const po_skeleton *s, IN_REAL(factors) * f) {
-  IN_REAL(copy)(N, K, s->value, f->value);
-  for (int half = 0; half < 2; ++half) {
-    IN_REAL(copy)(K, K, s->from_parent[half], f->from_parent[half]);
-    IN_REAL(copy)(K, K, s->to_parent[half], f->to_parent[half]);
-  }
-}
-
-static void IN_REAL(free)(IN_REAL(factors) * f) {
-  free(f->matrix);
-  free(f->cell);
-}
-
-static po_status IN_REAL(reserve)(size_t cells, IN_REAL(factors) * f) {
-  if (cells <= f->room)
-    return PO_OK;
-  IN_REAL(free)(f);
-  f->room = cells + cells / 2;
-  f->matrix = po_reserve(f->room * CELL_SIZE, sizeof *f->matrix);
-  f->cell = po_reserve(f->room, sizeof *f->cell);
-  if (f->matrix && f->cell)
-    return PO_OK;
-  f->room = 0;
-  return PO_NO_MEMORY;
-}
 
 /* y = start + A x with a matrix of a cell. */
 static void IN_REAL(apply)(const IN_REAL(factors) * f, size_t cell, enum part part, const REAL *x,
