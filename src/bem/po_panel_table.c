@@ -108,16 +108,26 @@ static void near_block(const po_panel_table *t, po_panel target, po_panel source
   for (size_t i = 0; i < PO_TABLE_ORDER; ++i) {
     const double r = from + reach * t->rule.node[i];
     const double x0 = node_in_source(&t->rule, position_of(target, source), i);
+    double s[PO_TABLE_ORDER], sum[PO_TABLE_ORDER], geometric[PO_TABLE_ORDER];
+    double distance[PO_TABLE_ORDER], apart[PO_TABLE_ORDER];
+    double smooth[PO_TABLE_ORDER], whole[PO_TABLE_ORDER];
     for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
-      const double x = t->rule.node[j], s = begin + size * x, distance = size * fabs(x0 - x);
-      const double geometric = 2.0 * sqrt(r * s);
-      const double sum = r + s;
+      const double x = t->rule.node[j];
+      s[j] = begin + size * x;
+      sum[j] = r + s[j];
+      geometric[j] = 2.0 * sqrt(r * s[j]);
+      distance[j] = size * fabs(x0 - x);
+      apart[j] = distance[j] > 0.0 ? distance[j] : sum[j]; /* at the node itself: not used */
+    }
+    po_kernels(PO_TABLE_ORDER, sum, geometric, smooth);
+    po_kernels(PO_TABLE_ORDER, sum, apart, whole);
+    for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
       /* 1/agm(sum, geometric) = po_kernel/2, with `geometric` in place of the difference */
-      const double a = -2.0 / M_PI * po_kernel(sum, geometric);
-      const double b = distance > 0.0 ? po_kernel(sum, distance) - a * log(distance)
-                                      : 2.0 * log(8.0 * r) / (M_PI * r);
+      const double a = -2.0 / M_PI * smooth[j];
+      const double b =
+          distance[j] > 0.0 ? whole[j] - a * log(distance[j]) : 2.0 * log(8.0 * r) / (M_PI * r);
       const double log_weight = t->logarithm[k][i][j] + log_size * t->rule.weight[j];
-      block[i][j] = s * size * (a * log_weight + b * t->rule.weight[j]);
+      block[i][j] = s[j] * size * (a * log_weight + b * t->rule.weight[j]);
     }
   }
 }

@@ -16,22 +16,33 @@ double po_kernel(double sum, double difference) {
   return 4.0 / (a + b);
 }
 
-/* Returned: the number of steps of the arithmetic-geometric mean after which (a + b)/2 is exact to
- * rounding if b/a >= ratio at the start. */
+/* Ratios b/a from which on 0, 1, 2... steps of the arithmetic-geometric mean are enough for (a +
+ * b)/2 to be exact to rounding: 1 - 1.5e-8, and what a step raises to the ratio before. */
+static const double ENOUGH[] = {0.999999985,
+                                0.99965364982939431,
+                                0.94871579836330886,
+                                0.51960643900830777,
+                                0.078512630480415333,
+                                0.001545826385841385,
+                                5.9739551755302881e-7,
+                                8.9220351098128708e-14,
+                                1.9900677625183392e-27,
+                                9.9009242485368718e-55,
+                                2.4507075243816355e-109,
+                                1.5014918425151911e-218};
+
+/* Returned: the number of steps that are enough for ratios from `ratio` on. */
 static int steps_for(double ratio) {
   int steps = 0;
-  for (double a = 1.0, b = ratio; a - b > 1.5e-8 * a; ++steps) {
-    const double mean = 0.5 * (a + b);
-    b = sqrt(a * b);
-    a = mean;
-  }
+  while (steps < (int)(sizeof ENOUGH / sizeof *ENOUGH) && ratio < ENOUGH[steps])
+    ++steps;
   return steps;
 }
 
-/* Radii that are processed together, so that the compiler can vectorise the loops. */
+/* Kernels that are computed together, so that the compiler can vectorise the loops. */
 enum { BLOCK = 64 };
 
-/* The kernel from `count` sums a and differences b of the radii, which are overwritten. */
+/* The kernel from `count` sums a and moduli b of the differences, which are overwritten. */
 static void kernel_block(size_t count, double *a, double *b, double *kernel) {
   double least = 1.0;
   for (size_t j = 0; j < count; ++j) {
@@ -46,6 +57,18 @@ static void kernel_block(size_t count, double *a, double *b, double *kernel) {
     }
   for (size_t j = 0; j < count; ++j)
     kernel[j] = 4.0 / (a[j] + b[j]);
+}
+
+void po_kernels(size_t n, const double *sum, const double *difference, double *kernel) {
+  for (size_t first = 0; first < n; first += BLOCK) {
+    const size_t count = n - first < BLOCK ? n - first : BLOCK;
+    double a[BLOCK], b[BLOCK];
+    for (size_t j = 0; j < count; ++j) {
+      a[j] = sum[first + j];
+      b[j] = fabs(difference[first + j]);
+    }
+    kernel_block(count, a, b, kernel + first);
+  }
 }
 
 void po_kernel_row(double r, const double *s, size_t n, double *kernel) {

@@ -14,6 +14,9 @@
  * (tests/theory/test_tables_math.c). */
 double po_kernel(double sum, double difference);
 
+/* The same for n sums and differences, none of which is 0. */
+void po_kernels(size_t n, const double *sum, const double *difference, double *kernel);
+
 /* Eq 12 for one r and n radii s, none of which equals r: kernel[j] = G(r, s[j]). */
 void po_kernel_row(double r, const double *s, size_t n, double *kernel);
 

@@ -58,9 +58,27 @@ START_TEST(disc_at_its_edge_and_centre) {
 }
 END_TEST
 
+START_TEST(
+    kernels_are_those_of_one) { /* from nearly equal sums and differences to the smallest ratios */
+  enum { COUNT = 70 };
+  double sum[COUNT], difference[COUNT], kernel[COUNT];
+  for (int last = 0; last < COUNT; ++last) { /* the last one needs the most steps */
+    for (int j = 0; j <= last; ++j) {
+      sum[j] = 1.3 + j;
+      difference[j] = (j % 2 ? -1.0 : 1.0) * sum[j] *
+                      (j < 10 ? 1.0 - 1e-9 * pow(8.0, j) : pow(10.0, -4.7 * (j - 9)));
+    }
+    po_kernels((size_t)last + 1, sum, difference, kernel);
+    for (int j = 0; j <= last; ++j)
+      ck_assert_double_eq_tol(kernel[j] / po_kernel(sum[j], difference[j]), 1.0, 1e-15);
+  }
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, kernel_is_eq_12, 0, RADIUS_COUNT);
   tcase_add_test(tests, kernel_is_infinite_on_the_circle);
+  tcase_add_test(tests, kernels_are_those_of_one);
   tcase_add_loop_test(tests, disc_is_eq_a2, 0, RADIUS_COUNT);
   tcase_add_test(tests, disc_at_its_edge_and_centre);
 }
