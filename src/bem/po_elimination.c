@@ -32,8 +32,10 @@ enum part {
 };
 
 /* Growth of rounding errors above which the factors are in double precision: in single precision
- * they would be off by 1e-4, the error of the skeletons being 1e-5, and cost iterations. */
-static const double GROWTH_OF_DOUBLE = 1000.0;
+ * they would be off by 3e-5, the error of the skeletons being 1e-5, and cost iterations. With 1000
+ * some scenes take 5 % less time, but the approach of the pull-off under the Morse law with a = 3
+ * at mu = 10,000 is off by 2e-3. */
+static const double GROWTH_OF_DOUBLE = 250.0;
 
 static double largest(size_t n, const double *a) {
   double largest = 0.0;
