@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "po_elementary.h"
 #include "po_memory.h"
 
 /* Panels for which a surface has room: of any scene, and more for each wave on the domain. The
@@ -105,7 +106,7 @@ po_status po_adaptive_panels_of(const po_adaptive *a, size_t n, const double *no
   panels->count = 0;
   for (size_t j = 0; j + PO_TABLE_ORDER <= n && panels->count < a->most; j += PO_TABLE_ORDER) {
     const double size = (node[j + PO_TABLE_ORDER - 1] - node[j]) / (x[PO_TABLE_ORDER - 1] - x[0]);
-    const uint32_t level = (uint32_t)lround(log2(a->domain / size));
+    const uint32_t level = (uint32_t)lround(po_log(a->domain / size) / M_LN2);
     const double begin = ldexp(node[j] / a->domain, (int)level) - x[0];
     const po_panel panel = {level, (uint64_t)llround(begin)};
     if (!has_nodes(a, panel, node + j))

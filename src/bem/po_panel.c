@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "po_elementary.h"
 #include "po_kernel.h"
 
 po_status po_panel_rule_fill(size_t order, po_panel_rule *rule) {
@@ -28,10 +29,10 @@ double po_panel_decay(const po_scene *scene) {
 
 /* x^(decay - 3), and x^decay */
 static double reduced_power(double decay, double x) {
-  return decay == USUAL_DECAY ? cube(x) : pow(x, decay - 3.0);
+  return decay == USUAL_DECAY ? cube(x) : po_pow(x, decay - 3.0);
 }
 static double power(double decay, double x) {
-  return decay == USUAL_DECAY ? cube(x * x) : pow(x, decay);
+  return decay == USUAL_DECAY ? cube(x * x) : po_pow(x, decay);
 }
 
 /* The integral of x^exponent times the polynomial of degree order - 1 that is 1 at the node x of a
@@ -63,7 +64,7 @@ void po_panel_nodes(const po_panel_rule *rule, po_panel_span panel, double *node
       weight[j] = w * begin * begin / cube(x); /* Gauss is exact: degree order - 1 + 3 */
       if (panel.decay != round(panel.decay))
         weight[j] = w * begin * begin * product_of_power(rule->order, panel.decay - 3.0, x) /
-                    pow(x, panel.decay);
+                    po_pow(x, panel.decay);
     } else {
       node[j] = begin + span * x;
       length[j] = w * span;

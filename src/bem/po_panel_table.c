@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
+#include "po_elementary.h"
 #include "po_kernel.h"
 
 /* An offset of panels that are not near. */
@@ -55,7 +56,7 @@ static void fill_logarithm(const po_panel_rule *rule, position s, po_panel_block
     for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
       block[i][j] = 0.0;
     for (size_t q = 0; q < count; ++q) {
-      const double factor = point[q].weight * log(fabs(point[q].offset));
+      const double factor = point[q].weight * po_log(fabs(point[q].offset));
       po_lagrange(PO_TABLE_ORDER, rule->node, rule->barycentric, point[q].x, value);
       for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
         block[i][j] += factor * value[j];
@@ -104,7 +105,8 @@ const po_panel_table *po_panel_table_get(void) {
 static void near_block(const po_panel_table *t, po_panel target, po_panel source, int k,
                        po_panel_block block) {
   const double begin = po_panel_begin(source), size = po_panel_size(source);
-  const double from = po_panel_begin(target), reach = po_panel_size(target), log_size = log(size);
+  const double from = po_panel_begin(target), reach = po_panel_size(target),
+               log_size = po_log(size);
   for (size_t i = 0; i < PO_TABLE_ORDER; ++i) {
     const double r = from + reach * t->rule.node[i];
     const double x0 = node_in_source(&t->rule, position_of(target, source), i);
@@ -124,8 +126,8 @@ static void near_block(const po_panel_table *t, po_panel target, po_panel source
     for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
       /* 1/agm(sum, geometric) = po_kernel/2, with `geometric` in place of the difference */
       const double a = -2.0 / M_PI * smooth[j];
-      const double b =
-          distance[j] > 0.0 ? whole[j] - a * log(distance[j]) : 2.0 * log(8.0 * r) / (M_PI * r);
+      const double b = distance[j] > 0.0 ? whole[j] - a * po_log(distance[j])
+                                         : 2.0 * po_log(8.0 * r) / (M_PI * r);
       const double log_weight = t->logarithm[k][i][j] + log_size * t->rule.weight[j];
       block[i][j] = s[j] * size * (a * log_weight + b * t->rule.weight[j]);
     }

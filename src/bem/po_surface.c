@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "po_element.h"
+#include "po_elementary.h"
 #include "po_initial_gap.h"
 #include "po_linear.h"
 #include "po_memory.h"
@@ -98,7 +99,7 @@ static po_status make_plan(const po_scene *scene, const po_mesh *mesh, double co
   for (size_t j = 0; j <= elements; ++j) {
     const double x = (double)j / (double)elements;
     p->edge[j] =
-        p->core_radius * (mesh->grading == PO_GRADED ? sinh(GRADING * x) / sinh(GRADING) : x);
+        p->core_radius * (mesh->grading == PO_GRADED ? po_sinh(GRADING * x) / po_sinh(GRADING) : x);
   }
   return PO_OK;
 }

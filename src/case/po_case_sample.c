@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "po_case_parse.h"
+#include "po_elementary.h"
 #include "po_random.h"
 #include "po_range.h"
 #include "po_schema.h"
@@ -124,7 +125,7 @@ bool po_case_sample_draw(const po_case_file *file, size_t index, po_request *req
   for (unsigned i = 0; file->sample && i < file->sample->keys_count; ++i) {
     const po_draw *draw = &file->sample->keys[i];
     const double part = po_random_uniform(file->sample->seed, index, draw->key);
-    const double value = draw->log ? draw->from * exp(part * log(draw->to / draw->from))
+    const double value = draw->log ? draw->from * po_exp(part * po_log(draw->to / draw->from))
                                    : draw->from + part * (draw->to - draw->from);
     char text[PO_NUMBER_LENGTH];
     po_range_round(value * unit_of(draw, request), text);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "po_compare_parts.h"
+#include "po_elementary.h"
 
 /* The folds or the extrema of a result and of the reference, over the common range. */
 typedef struct {
@@ -98,7 +99,7 @@ static void describe_difference(const po_special_point *ours, size_t count,
       const po_special_point *a = &ours[missing ? j : i];
       const po_reference_point *b = &theirs[missing ? i : j];
       if (a->kind == b->kind)
-        nearest = fmin(nearest, hypot(a->approach - b->approach, a->load - b->load));
+        nearest = fmin(nearest, po_hypot(a->approach - b->approach, a->load - b->load));
     }
     if (nearest > furthest) {
       furthest = nearest;

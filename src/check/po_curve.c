@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "po_elementary.h"
 #include "po_memory.h"
 #include "po_plane.h"
 
@@ -65,7 +66,7 @@ static po_status track_find_folds(po_track *track) {
 
 static double chord(const po_track *track, size_t i) {
   const po_plane_point p = track->curve.points[i], q = track->curve.points[i + 1];
-  return hypot(q.approach - p.approach, q.load - p.load);
+  return po_hypot(q.approach - p.approach, q.load - p.load);
 }
 
 /* Returned: the larger distance of the point of fold k from its neighbours. The true fold may lie
@@ -138,7 +139,7 @@ static void measure(const po_track *a, const po_track *b, double tolerance,
 
 static double fold_distance(const po_track *a, size_t i, const po_track *b, size_t j) {
   const po_plane_point p = a->curve.points[a->folds[i]], q = b->curve.points[b->folds[j]];
-  return hypot(p.approach - q.approach, p.load - q.load);
+  return po_hypot(p.approach - q.approach, p.load - q.load);
 }
 
 /* If the numbers of folds differ: names the fold of the longer list that is furthest from all folds

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "po_elementary.h"
+
 static po_plane_point minus(po_plane_point a, po_plane_point b) {
   return (po_plane_point){a.approach - b.approach, a.load - b.load};
 }
@@ -11,7 +13,7 @@ static double dot(po_plane_point a, po_plane_point b) {
 }
 
 static double length(po_plane_point a) {
-  return hypot(a.approach, a.load);
+  return po_hypot(a.approach, a.load);
 }
 
 static po_plane_point times(double factor, po_plane_point a) {

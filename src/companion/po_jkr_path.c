@@ -4,6 +4,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "po_elementary.h"
 #include "po_guduru.h"
 #include "po_initial_gap.h"
 #include "po_jkr_profile.h"
@@ -105,7 +106,7 @@ static double position_of(const jkr_curve *c, double a) {
 }
 
 static double radius_at(const jkr_curve *c, double position) {
-  return position > c->kink ? hypot(position - c->kink, c->kink) : position;
+  return position > c->kink ? po_hypot(position - c->kink, c->kink) : position;
 }
 
 /* da/dposition */

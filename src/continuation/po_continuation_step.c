@@ -1,6 +1,7 @@
 #include <math.h>
 
 #include "po_continuation_parts.h"
+#include "po_elementary.h"
 #include "po_hermite.h"
 #include "po_join.h"
 
@@ -70,7 +71,8 @@ static double foretold_miss(const po_continuation *t) {
   for (int q = 0; q < 2; ++q)
     off[q] = to.value[q] - po_hermite_value(from.value[q], from.rate[q], back.value[q],
                                             back.rate[q], to.at, back.at);
-  const double across = (off[0] * to.rate[1] - off[1] * to.rate[0]) / hypot(to.rate[0], to.rate[1]);
+  const double across =
+      (off[0] * to.rate[1] - off[1] * to.rate[0]) / po_hypot(to.rate[0], to.rate[1]);
   const double of_step = 0.25 * to.at / (to.at - back.at);
   return fabs(across) * of_step * of_step;
 }
@@ -86,7 +88,7 @@ static double joined_for(const po_continuation *t) {
   if (!(sagitta > STRAIGHT * o->largest_miss))
     return by_sagitta;
   const double miss = fmax(po_join_miss(&from, &to), foretold_miss(t));
-  return fmin(by_sagitta, pow(o->largest_miss / miss, 0.25));
+  return fmin(by_sagitta, sqrt(sqrt(o->largest_miss / miss)));
 }
 
 /* Error of the tangent with which the next step, if as long, predicts the place of a contact edge:
@@ -131,7 +133,7 @@ static po_status try_step(po_continuation *t, double step, attempt *a) {
   a->met = true;
   t->next.position = t->current.position + po_solution_way(&t->current, &t->next);
   if (error > greatest_error(t) || po_solution_cosine(&t->current, &t->next) < LEAST_COSINE) {
-    a->next = a->step * fmax(0.25, fmin(0.7, pow(AIMED_ERROR / error, 0.25)));
+    a->next = a->step * fmax(0.25, fmin(0.7, sqrt(sqrt(AIMED_ERROR / error))));
     return PO_NOT_CONVERGED;
   }
   const double joined = JOIN_MARGIN * joined_for(t);

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "po_elementary.h"
 #include "po_hermite.h"
 
 /* The error of the cubic is proportional to t^2 (1 - t)^2: ratio of the largest to the mean value.
@@ -9,13 +10,13 @@
 static const double LARGEST_OF_MEAN = 30.0 / 16.0;
 
 static double chord(const po_branch_point *from, const po_branch_point *to) {
-  return hypot(to->approach - from->approach, to->load - from->load);
+  return po_hypot(to->approach - from->approach, to->load - from->load);
 }
 
 double po_join_sagitta(const po_branch_point *from, const po_branch_point *to) {
   const double cross = from->approach_rate * to->load_rate - from->load_rate * to->approach_rate;
   const double dot = from->approach_rate * to->approach_rate + from->load_rate * to->load_rate;
-  return 0.125 * fabs(atan2(cross, dot)) * chord(from, to);
+  return 0.125 * fabs(po_atan2(cross, dot)) * chord(from, to);
 }
 
 double po_join_miss(const po_branch_point *from, const po_branch_point *to) {

@@ -1,13 +1,12 @@
 #include "po_rigid_trace.h"
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_roots.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "po_join.h"
 #include "po_law.h"
 #include "po_rigid.h"
+#include "po_root.h"
 
 /* Error of the load relative to 1 + |load|, from the accuracy of the quadrature; and error of the
  * approach at which the rate of the load vanishes. The rate is as accurate as the load, and its
@@ -25,8 +24,14 @@ typedef struct {
   bool ended;
 } rigid_tracer;
 
-static double rate_at(double approach, void *data) {
-  rigid_tracer *t = data;
+/* What po_root passes on is constant; the status is not. */
+typedef struct {
+  rigid_tracer *tracer;
+} rate_query;
+
+static double rate_at(double approach, const void *data) {
+  const rate_query *q = data;
+  rigid_tracer *t = q->tracer;
   double load = 0.0, rate = 0.0;
   const po_status status = po_rigid_load(t->scene, approach, &load, &rate);
   t->status = t->status ? t->status : status;
@@ -54,22 +59,8 @@ static void visit(rigid_tracer *t, const po_branch_point *point) {
 
 /* The approach between two at which the rate of the load vanishes. */
 static double extremum(rigid_tracer *t, double low, double high) {
-  gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
-  if (!solver) {
-    t->status = po_fail(PO_NO_MEMORY, "no memory for a root");
-    return low;
-  }
-  gsl_function f = {rate_at, t};
-  gsl_root_fsolver_set(solver, &f, low, high);
-  double root = low;
-  do { /* terminates: Brent's method always reduces the bracket */
-    gsl_root_fsolver_iterate(solver);
-    root = gsl_root_fsolver_root(solver);
-    low = gsl_root_fsolver_x_lower(solver);
-    high = gsl_root_fsolver_x_upper(solver);
-  } while (!t->status && gsl_root_test_interval(low, high, 1e-13, 1e-14) == GSL_CONTINUE);
-  gsl_root_fsolver_free(solver);
-  return root;
+  const rate_query q = {t};
+  return po_root(rate_at, &q, low, high);
 }
 
 /* A station, or the end of the trace, between two points. */

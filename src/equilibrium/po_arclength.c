@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "po_elementary.h"
+
 /* The inverse of the unit of length of the coordinates: the radius at which the initial gap is eps.
  */
 static double per_length(const po_equilibrium *e) {
@@ -66,7 +68,7 @@ static void global_coordinates(const po_equilibrium *e, const double *state, dou
   coordinate[0] = approach_weight(e) * state[e->n];
   coordinate[1] = po_arclength_of_load(e, po_equilibrium_load(e));
   coordinate[2] = per_length(e) * contact;
-  coordinate[3] = NECK_WEIGHT * log1p(depth_per_closeness(e) * closeness);
+  coordinate[3] = NECK_WEIGHT * po_log1p(depth_per_closeness(e) * closeness);
 }
 
 static void global_rates(const po_equilibrium *e, const double *state, const double *change,
@@ -90,7 +92,7 @@ void po_arclength_rates_of_scale(const po_equilibrium *e, const double *coordina
                                  double end, double gap, double *rate) {
   const po_law *law = &e->scene->law;
   const double h = po_law_size(law, gap);
-  const double depth = expm1(coordinate[3] / NECK_WEIGHT);
+  const double depth = po_expm1(coordinate[3] / NECK_WEIGHT);
   rate[0] = 0.0;
   rate[1] = po_arclength_of_load(e, load);
   rate[2] = coordinate[2] - per_length(e) * end / (h * h);
@@ -133,7 +135,8 @@ static double nodal_slope(const po_equilibrium *e, const double *state, size_t j
 
 static void nodal_coordinates(const po_equilibrium *e, const double *state, double *coordinate) {
   for (size_t j = 0; j < e->n; ++j)
-    coordinate[j] = nodal_weight(e, j) * log(fmin(po_law_size(&e->scene->law, state[j]), FAR_GAP));
+    coordinate[j] =
+        nodal_weight(e, j) * po_log(fmin(po_law_size(&e->scene->law, state[j]), FAR_GAP));
   coordinate[e->n] = sqrt(APPROACH_WEIGHT) * state[e->n];
 }
 

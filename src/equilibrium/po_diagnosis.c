@@ -6,10 +6,12 @@
 #include <string.h>
 
 #include "po_arclength.h"
+#include "po_elementary.h"
 #include "po_initial_gap.h"
 #include "po_law.h"
 #include "po_linear.h"
 #include "po_memory.h"
+#include "po_two.h"
 
 /* Change, relative to 1 + H, at which the far part of a state has converged. The iteration
  * contracts by 1e-3 or faster, so that a few rounds suffice. */
@@ -21,8 +23,8 @@ typedef struct {
   double *influence;                   /* n square */
   double *matrix, *border, *x, *scale; /* (n + 1) square; n + 1 each */
   int *pivots;
-  long double *traction, *residual; /* n */
-  double *size;                     /* n: sum of the moduli of the terms of an equation */
+  po_two *traction, *residual; /* n, in twice the precision */
+  double *size;                /* n: sum of the moduli of the terms of an equation */
 } room;
 
 static void room_free(room *r) {
@@ -57,37 +59,37 @@ static po_status room_allocate(room *r, const po_equilibrium *e) {
   return had ? PO_OK : PO_NO_MEMORY;
 }
 
-/* p, Eq 16 without its factor mu, in long double. Where waves are averaged, the traction of the
- * solver. */
-static long double traction_at(const po_equilibrium *e, size_t j, double gap) {
+/* p, Eq 16 without its factor mu. Where waves are averaged, the traction of the solver. */
+static po_two traction_at(const po_equilibrium *e, size_t j, double gap) {
   if (j >= e->surface->resolved)
-    return po_law_averaged(&e->scene->law, gap, e->amplitude).traction;
+    return po_two_of(po_law_averaged(&e->scene->law, gap, e->amplitude).traction);
   return po_law_traction(&e->scene->law, gap);
 }
 
-/* The initial gap f, Eq 2, in long double. */
-static long double initial_gap_at(const po_equilibrium *e, size_t j) {
+/* The initial gap f, Eq 2. */
+static po_two initial_gap_at(const po_equilibrium *e, size_t j) {
   return j < e->surface->resolved ? po_initial_gap_exact(e->scene, e->surface->node[j])
-                                  : (long double)e->initial_gap[j];
+                                  : po_two_of(e->initial_gap[j]);
 }
 
-/* The residual of Eq 15 (see po_equilibrium_residual) in long double, and for each equation the sum
- * of the moduli of its terms. */
+/* The residual of Eq 15 (see po_equilibrium_residual) in twice the precision, and for each equation
+ * the sum of the moduli of its terms. */
 static void fill_residual(const po_equilibrium *e, const double *state, room *r) {
   const size_t n = e->n;
-  const long double tabor = e->scene->tabor;
-  const long double coupling = tabor * sqrtl(tabor / (long double)e->radius);
+  const po_two tabor = po_two_of(e->scene->tabor);
+  const po_two coupling =
+      po_two_multiply(tabor, po_two_sqrt(po_two_divide(tabor, po_two_of(e->radius))));
   for (size_t j = 0; j < n; ++j) {
-    r->traction[j] = coupling * traction_at(e, j, state[j]);
-    const long double initial_gap = initial_gap_at(e, j);
-    r->residual[j] = initial_gap - state[n] - state[j];
-    r->size[j] = (double)fabsl(initial_gap) + fabs(state[n]) + fabs(state[j]);
+    r->traction[j] = po_two_multiply(coupling, traction_at(e, j, state[j]));
+    const po_two initial_gap = initial_gap_at(e, j);
+    r->residual[j] = po_two_subtract(initial_gap, po_two_sum(state[n], state[j]));
+    r->size[j] = fabs(initial_gap.high) + fabs(state[n]) + fabs(state[j]);
   }
   for (size_t j = 0; j < n; ++j)
     for (size_t i = 0; i < n; ++i) {
-      const long double term = r->influence[i + n * j] * r->traction[j];
-      r->residual[i] += term;
-      r->size[i] += (double)fabsl(term);
+      const po_two term = po_two_times(r->traction[j], r->influence[i + n * j]);
+      r->residual[i] = po_two_add(r->residual[i], term);
+      r->size[i] += fabs(term.high);
     }
 }
 
@@ -180,7 +182,7 @@ po_status po_diagnosis_make(po_equilibrium *e, const double *state, po_diagnosis
   begin(e, state, &r);
   fill_residual(e, state, &r);
   for (size_t i = 0; i < e->n; ++i) {
-    made->residual = fmax(made->residual, (double)fabsl(r.residual[i]) / r.scale[i]);
+    made->residual = fmax(made->residual, fabs(r.residual[i].high) / r.scale[i]);
     made->rounding = fmax(made->rounding, 0.5 * DBL_EPSILON * r.size[i] / r.scale[i]);
   }
   fill_jacobian(e, &r, e->n, r.matrix);
@@ -201,9 +203,9 @@ po_sensitivity po_sensitivity_sources(const po_scene *scene, double r, bool reso
     s.radius -= 0.5 * r * r / scene->radius;
   if (!po_scene_is_wavy(scene))
     return s;
-  const double x = 2.0 * M_PI * r / scene->wavelength, half = sin(0.5 * x);
+  const double waves = r / scene->wavelength, half = po_sinpi(waves);
   s.amplitude = scene->amplitude * (resolved ? 2.0 * half * half : 1.0);
-  s.wavelength = resolved ? -scene->amplitude * x * sin(x) : 0.0;
+  s.wavelength = resolved ? -2.0 * M_PI * waves * scene->amplitude * po_sinpi(2.0 * waves) : 0.0;
   return s;
 }
 
@@ -231,7 +233,7 @@ po_status po_sensitivity_make(po_equilibrium *e, const double *state, po_sensiti
     made->amplitude += adjoint * s.amplitude;
     made->wavelength += adjoint * s.wavelength;
     made->radius += adjoint * s.radius;
-    made->residual += adjoint * (double)r.residual[j];
+    made->residual += adjoint * r.residual[j].high;
     made->rounding += fabs(adjoint) * 0.5 * DBL_EPSILON * r.size[j];
   }
   made->radius -= po_equilibrium_load(e); /* the 1/R of Eq 17 */

@@ -31,7 +31,7 @@ typedef struct {
 po_status po_diagnosis_complete(po_equilibrium *e, size_t core, double *state);
 
 /* Diagnoses an equilibrium. Given: a state, n + 1, near an equilibrium, which may be a fold. The
- * residual, the law and the initial gap are evaluated in long double (64 bits of mantissa); the
+ * residual, the law and the initial gap are evaluated in twice the precision (po_two.h); the
  * influence matrix is the one of the solver. Status: PO_NO_MEMORY; PO_SINGULAR. Source: LAPACK
  * dgecon for the condition numbers. */
 po_status po_diagnosis_make(po_equilibrium *e, const double *state, po_diagnosis *made);

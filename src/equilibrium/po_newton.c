@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "po_elementary.h"
 #include "po_equilibrium.h"
 #include "po_linear.h"
 
@@ -164,7 +165,7 @@ static bool is_hopeless(const po_equilibrium *e, int at_narrow, const progress *
   const int patience = po_equilibrium_is_narrow(e) ? at_narrow : PATIENCE;
   return !(p->now < GREATEST_CHANGE) || (p->count > 1 && p->now > DIVERGED) ||
          (p->count > patience && p->now > stagnated &&
-          p->now > p->first * pow(SLOWEST, p->count - 1));
+          p->now > p->first * po_pow(SLOWEST, p->count - 1));
 }
 
 /* Whether the iteration has converged: its change, or the change expected next, is below the

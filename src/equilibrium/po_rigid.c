@@ -1,12 +1,11 @@
 #include "po_rigid.h"
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_integration.h>
 #include <math.h>
 
+#include "po_elementary.h"
 #include "po_initial_gap.h"
+#include "po_integral.h"
 #include "po_law.h"
-#include "po_quadrature.h"
 
 /* The deflection, in eps, is at most 2 coupling integral |p| dr, about 3 mu^(3/2), and the load
  * changes by at most 2 per eps. */
@@ -14,11 +13,10 @@ static const double ELASTIC_EFFECT = 6.0, NEGLIGIBLE_LOAD = 1e-8;
 
 /* Relative and absolute accuracy of each piece of the quadrature. */
 static const double PIECE_ACCURACY = 1e-12, SMALL = 1e-14;
-enum { INTERVALS = 200 };
 
 double po_rigid_elastic_effect(const po_scene *scene) {
   const double reach = po_initial_gap_radius(scene, 0.5); /* sqrt(R) for a sphere */
-  return ELASTIC_EFFECT * pow(scene->tabor, 1.5) * (reach / sqrt(scene->radius));
+  return ELASTIC_EFFECT * scene->tabor * sqrt(scene->tabor) * (reach / sqrt(scene->radius));
 }
 
 bool po_rigid_suffices(const po_scene *scene) {
@@ -98,7 +96,7 @@ static const double SHORT_WAVES = 1e-7;
 static const double MOST_PIECES = 5e4;
 
 static bool has_short_waves(const integral *q) {
-  const double c = pow(q->scene->wavelength / M_PI, 2.0) / (8.0 * q->scene->radius);
+  const double length = q->scene->wavelength / M_PI, c = length * length / (8.0 * q->scene->radius);
   return po_scene_is_wavy(q->scene) && po_scene_is_of_paper(q->scene) &&
          c < SHORT_WAVES * distance_at(q);
 }
@@ -112,30 +110,27 @@ static double averaged_at(double r, void *data) {
  * axis, times sum_j cos(j phi)/j^2. */
 static double at_axis(double phi, void *data) {
   const integral *q = data;
-  const double half = sin(0.5 * phi);
+  const double half = po_sin(0.5 * phi);
   const double gap = 2.0 * q->scene->amplitude * half * half - q->approach;
   const double sum = M_PI * M_PI / 6.0 - 0.5 * phi * (M_PI - 0.5 * phi);
   return law_at(q, gap) * sum;
 }
 
-/* Adds the integral of a function between two values of its variable to *sum. Returned: an error
- * code of GSL; 0 for success. */
-static int add_piece(double (*function)(double, void *), integral *q, double from, double to,
-                     gsl_integration_workspace *space, double *sum) {
-  gsl_function f = {function, q};
-  double part, error;
-  const int failed = gsl_integration_qag(&f, from, to, SMALL, PIECE_ACCURACY, INTERVALS,
-                                         GSL_INTEG_GAUSS21, space, &part, &error);
+/* Adds the integral of a function between two values of its variable to *sum. */
+static po_status add_piece(po_integrand function, integral *q, double from, double to,
+                           double *sum) {
+  double part;
+  const po_status status = po_integrate(function, q, from, to, SMALL, PIECE_ACCURACY, &part);
   *sum += part;
-  return failed == GSL_EROUND ? 0 : failed; /* the accuracy is limited by rounding */
+  return status;
 }
 
 /* Adds the integral from the axis to `end`, wave by wave. */
-static int add_resolved(integral *q, double end, gsl_integration_workspace *space, double *sum) {
-  int failed = 0;
+static po_status add_resolved(integral *q, double end, double *sum) {
+  po_status failed = PO_OK;
   for (double r = 0.0; r < end && !failed;) {
     const double to = fmin(next_edge(q, r), end);
-    failed = add_piece(resolved, q, r, to, space, sum);
+    failed = add_piece(resolved, q, r, to, sum);
     r = to;
   }
   return failed;
@@ -143,14 +138,15 @@ static int add_resolved(integral *q, double end, gsl_integration_workspace *spac
 
 /* Adds the integral of the averaged law from the axis to `end`, and the correction for short waves.
  */
-static int add_short_waves(integral *q, double end, gsl_integration_workspace *space, double *sum) {
+static po_status add_short_waves(integral *q, double end, double *sum) {
   double at_the_axis = 0.0;
-  int failed = add_piece(at_axis, q, 0.0, M_PI, space, &at_the_axis);
-  *sum -= pow(q->scene->wavelength / M_PI, 2.0) / (2.0 * M_PI) * at_the_axis;
+  po_status failed = add_piece(at_axis, q, 0.0, M_PI, &at_the_axis);
+  const double length = q->scene->wavelength / M_PI;
+  *sum -= length * length / (2.0 * M_PI) * at_the_axis;
   const double first = first_edge(q);
   for (double r = 0.0; r < end && !failed;) {
     const double to = fmin(fmax(2.0 * r, first), end);
-    failed = add_piece(averaged_at, q, r, to, space, sum);
+    failed = add_piece(averaged_at, q, r, to, sum);
     r = to;
   }
   return failed;
@@ -160,7 +156,7 @@ static int add_short_waves(integral *q, double end, gsl_integration_workspace *s
  * approach. */
 static const double NEAR_GAP = 4.0;
 
-static po_status integrate(integral *q, gsl_integration_workspace *space, double *sum) {
+static po_status integrate(integral *q, double *sum) {
   const po_scene *scene = q->scene;
   const bool bounded = isfinite(scene->outer_radius), mean = !bounded && has_short_waves(q);
   const double reach =
@@ -176,24 +172,19 @@ static po_status integrate(integral *q, gsl_integration_workspace *space, double
                    "%g; expected a longer wavelength or a smaller outer radius%s",
                    pieces, end, MOST_PIECES, bounded ? ", or none" : "");
   *sum = 0.0;
-  int failed = mean ? add_short_waves(q, end, space, sum) : add_resolved(q, end, space, sum);
+  po_status failed = mean ? add_short_waves(q, end, sum) : add_resolved(q, end, sum);
   if (!bounded && !failed) {
     q->begin = end;
-    failed = add_piece(averaged, q, 0.0, 1.0, space, sum);
+    failed = add_piece(averaged, q, 0.0, 1.0, sum);
   }
-  return failed ? po_fail(PO_NOT_CONVERGED,
-                          "the quadrature of the rigid load failed at approach %g: %s", q->approach,
-                          gsl_strerror(failed))
+  return failed ? po_fail(failed, "the quadrature of the rigid load failed at approach %g",
+                          q->approach)
                 : PO_OK;
 }
 
 /* (2/R) times the integral of each integrand over r dr. */
 static po_status integrate_each(const po_scene *scene, double approach, const int *of, int count,
                                 double *value) {
-  po_gsl_return_errors(); /* a quadrature limited by rounding is not an error */
-  gsl_integration_workspace *space = gsl_integration_workspace_alloc(INTERVALS);
-  if (!space)
-    return po_fail(PO_NO_MEMORY, "no memory for a quadrature");
   po_status status = PO_OK;
   for (int k = 0; k < count; ++k) {
     integral q = {.scene = scene,
@@ -202,10 +193,9 @@ static po_status integrate_each(const po_scene *scene, double approach, const in
                   .from_zero = of[k] == ENERGY && po_scene_has_infinite_energy(scene)};
     double sum = 0.0;
     if (!status)
-      status = integrate(&q, space, &sum);
+      status = integrate(&q, &sum);
     value[k] = 2.0 / scene->radius * sum;
   }
-  gsl_integration_workspace_free(space);
   return status;
 }
 

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "po_elementary.h"
 #include "po_initial_gap.h"
 #include "po_law.h"
 #include "po_memory.h"
@@ -321,6 +322,6 @@ double po_solution_way(const po_solution *from, const po_solution *to) {
   const double length = po_solution_length(from);
   progress /= length;
   const double cosine = fmax(0.0, product / (length * po_solution_length(to)));
-  const double turn = cosine < 1.0 ? acos(cosine) : 0.0;
-  return turn > 0.0 ? progress * turn / sin(turn) : progress;
+  const double sine = cosine < 1.0 ? sqrt((1.0 - cosine) * (1.0 + cosine)) : 0.0;
+  return sine > 0.0 ? progress * po_atan2(sine, cosine) / sine : progress;
 }

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "po_elementary.h"
+
 /* Returned: special point number `index` in the list of all folds followed by all extrema. */
 static const po_special_point *special(const po_result *result, size_t index) {
   return index < result->fold_count ? &result->folds[index]
@@ -20,7 +22,7 @@ static double position_of(const po_result *result, double approach, double load)
   double nearest = (double)INFINITY, position = (double)NAN;
   for (size_t i = 0; i < result->curve_count; ++i) {
     const po_curve_point *p = &result->curve[i];
-    const double distance = hypot(p->approach - approach, p->load - load);
+    const double distance = po_hypot(p->approach - approach, p->load - load);
     if (distance < nearest) {
       nearest = distance;
       position = p->position;

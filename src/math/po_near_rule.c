@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "po_elementary.h"
+
 po_status po_near_tables_fill(po_near_tables *tables) {
   po_log_rule(tables->log_node, tables->log_weight);
   return po_gauss_rule(PO_NEAR_GAUSS_POINTS, tables->gauss_node, tables->gauss_weight);
@@ -55,7 +57,7 @@ int po_near_is_far(double x0, size_t n) {
    * the Bernstein ellipse through the singularity. Requiring rho^n = 10^10.5, i.e. an error of
    * 1e-21 for the kernel alone, leaves half of the digits for the polynomial that multiplies the
    * kernel. */
-  const double rho = pow(10.0, 10.5 / (double)n);
+  const double rho = po_pow(10.0, 10.5 / (double)n);
   const double reach = 0.25 * (rho + 1.0 / rho) - 0.5; /* distance beyond the ends of (0, 1) */
   return x0 <= -reach || x0 >= 1.0 + reach;
 }

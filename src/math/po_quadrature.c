@@ -5,6 +5,8 @@
 #include <math.h>
 #include <threads.h>
 
+#include "po_elementary.h"
+
 static void turn_off(void) {
   gsl_set_error_handler_off();
 }
@@ -31,9 +33,9 @@ void po_log_rule(double node[PO_LOG_RULE_POINTS], double weight[PO_LOG_RULE_POIN
   const double step = (right - left) / (PO_LOG_RULE_POINTS - 1);
   for (size_t i = 0; i < PO_LOG_RULE_POINTS; ++i) {
     const double t = left + step * (double)i;
-    const double e = exp(-M_PI * sinh(t));
+    const double e = po_exp(-M_PI * po_sinh(t));
     node[i] = 1.0 / (1.0 + e);
-    weight[i] = step * M_PI * cosh(t) * node[i] * (e / (1.0 + e));
+    weight[i] = step * M_PI * po_cosh(t) * node[i] * (e / (1.0 + e));
   }
 }
 

@@ -1,14 +1,14 @@
 #include "po_struve.h"
 
 #include <float.h>
-#include <gsl/gsl_sf_bessel.h>
 #include <math.h>
 
-_Static_assert(LDBL_MANT_DIG >= 64, "the power series needs a long double of at least 64 bits");
+#include "po_elementary.h"
+#include "po_special.h"
 
-/* Above this x the integral is used instead of the power series. The largest terms of the series
- * are 1e3 here, which costs 3 of the 19 digits of a long double; the Gauss-Laguerre rule is exact
- * to rounding from here on. */
+/* Above this x the integral is used instead of the power series, which is summed in twice the
+ * precision, because its largest terms are 1e3 here; the Gauss-Laguerre rule is exact to rounding
+ * from here on. */
 static const double SERIES_END = 9.0;
 
 /* The Gauss-Laguerre rule of 24 points, computed with mpmath to 50 digits, without the 5 points
@@ -40,17 +40,19 @@ enum { LAGUERRE_COUNT = sizeof LAGUERRE / sizeof *LAGUERRE };
 /* The power series (Abramowitz and Stegun 12.1.3): (x/2)^(n+1) times the sum over k of (-1)^k
  * (x/2)^2k / (Gamma(k + 3/2) Gamma(k + n + 3/2)). */
 static double series(int n, double x) {
-  const long double half = 0.5L * (long double)x, square = half * half;
-  const long double pi = 3.14159265358979323846264338327950288L;
-  long double term = 4.0L / pi * half; /* the first term for n = 0 */
+  static const po_two FOUR_PER_PI = {1.2732395447351628, -7.871470670072994e-17};
+  static const double ROUNDING = 1e-20;
+  const po_two half = po_two_of(0.5 * x),
+               square = po_two_negative(po_two_product(0.5 * x, 0.5 * x));
+  po_two term = po_two_multiply(FOUR_PER_PI, half); /* the first term for n = 0 */
   for (int j = 1; j <= n; ++j)
-    term *= half / ((long double)j + 0.5L);
-  long double sum = 0.0L;
-  for (int k = 1; fabsl(term) > LDBL_EPSILON * fabsl(sum) || (long double)(k * k) < square; ++k) {
-    sum += term;
-    term *= -square / (((long double)k + 0.5L) * ((long double)(k + n) + 0.5L));
+    term = po_two_divide(po_two_multiply(term, half), po_two_of(j + 0.5));
+  po_two sum = {0.0, 0.0};
+  for (int k = 1; fabs(term.high) > ROUNDING * fabs(sum.high) || k * k < -square.high; ++k) {
+    sum = po_two_add(sum, term);
+    term = po_two_divide(po_two_multiply(term, square), po_two_of((k + 0.5) * (k + n + 0.5)));
   }
-  return (double)sum;
+  return po_two_value(sum);
 }
 
 /* The integral of exp(-s) (1 + s^2/x^2)^(n - 1/2) over s > 0 (Abramowitz and Stegun 12.1.8), n = 0
@@ -81,35 +83,32 @@ static double integral_difference(int n, double x) {
 /* Hankel's expansion is exact to rounding from this x on: its smallest term is exp(-2x). */
 static const double HANKEL_BEGIN = 25.0;
 
-/* Y_n(x) for n = 0 or 1 at large x by Hankel's expansion (Abramowitz and Stegun 9.2.6). Given:
- * phase, x minus a multiple of 2 pi. */
-static double hankel(int n, double x, double phase) {
+/* The sine and cosine of x, of which the caller may know the multiple of 2 pi. */
+typedef struct {
+  double sine, cosine;
+} phase;
+
+/* Y_n(x) for n = 0 or 1 at large x by Hankel's expansion (Abramowitz and Stegun 9.2.6). */
+static double hankel(int n, double x, phase of_x) {
   double even = 0.0, odd = 0.0, term = 1.0; /* `term` is the modulus of the term of order k */
   const double order = 4.0 * n * n;
   for (int k = 0; fabs(term) > 0.25 * DBL_EPSILON; ++k) {
     *(k % 2 ? &odd : &even) += k % 4 < 2 ? term : -term;
     term *= (order - (2.0 * k + 1.0) * (2.0 * k + 1.0)) / (8.0 * (k + 1.0) * x);
   }
-  const double s = sin(phase), c = cos(phase); /* sqrt(2) times the sine and cosine of x - pi/4 (n =
-                                                  0) or x - 3 pi/4 (n = 1) */
-  const double sine = n == 0 ? s - c : -s - c, cosine = n == 0 ? s + c : s - c;
+  /* sqrt(2) times the sine and cosine of x - pi/4 (n = 0) or x - 3 pi/4 (n = 1) */
+  const double s = of_x.sine, c = of_x.cosine, sine = n == 0 ? s - c : -s - c,
+               cosine = n == 0 ? s + c : s - c;
   return (even * sine + odd * cosine) / sqrt(M_PI * x);
 }
 
-/* Y_n(x). GSL reports an error for arguments close to 0 and beyond 4e15, so those are computed
- * here. */
-static double bessel(int n, double x, double phase) {
-  if (x >= HANKEL_BEGIN && n < 2)
-    return hankel(n, x, phase);
+static double bessel(int n, double x, phase of_x) {
   if (n == 2)
-    return 2.0 * bessel(1, x, phase) / x - bessel(0, x, phase);
-  if (n == 1 && x < DBL_MIN / DBL_EPSILON)
-    return -2.0 / (M_PI * x); /* the first term of the series; the others are below its rounding */
-  gsl_sf_result y;
-  return (n == 0 ? gsl_sf_bessel_Y0_e(x, &y) : gsl_sf_bessel_Y1_e(x, &y)) ? NAN : y.val;
+    return 2.0 * bessel(1, x, of_x) / x - bessel(0, x, of_x);
+  return x >= HANKEL_BEGIN ? hankel(n, x, of_x) : po_bessel_y(n, x);
 }
 
-static double struve(int n, double x, double phase) {
+static double struve(int n, double x, phase of_x) {
   if (!(x >= 0.0 && n >= 0 && n <= 2))
     return NAN;
   if (x <= SERIES_END)
@@ -117,18 +116,20 @@ static double struve(int n, double x, double phase) {
   if (isinf(x))
     return n == 0 ? 0.0 : n == 1 ? 2.0 / M_PI : INFINITY;
   if (n == 2)
-    return second_order(struve(0, x, phase), struve(1, x, phase), x);
-  return integral_difference(n, x) + bessel(n, x, phase);
+    return second_order(struve(0, x, of_x), struve(1, x, of_x), x);
+  return integral_difference(n, x) + bessel(n, x, of_x);
 }
 
 double po_struve(int n, double x) {
-  return struve(n, x, x);
+  return struve(n, x, x >= HANKEL_BEGIN ? (phase){po_sin(x), po_cos(x)} : (phase){0});
 }
 
 double po_struve_wave(int n, double distance, double wavelength) {
-  const double x = 2.0 * M_PI * (distance / wavelength);
-  return struve(n, x,
-                x < HANKEL_BEGIN ? x : 2.0 * M_PI * (remainder(distance, wavelength) / wavelength));
+  const double turns = distance / wavelength, x = 2.0 * M_PI * turns;
+  if (!(x >= HANKEL_BEGIN))
+    return struve(n, x, (phase){0});
+  const double half_turns = 2.0 * (remainder(distance, wavelength) / wavelength);
+  return struve(n, x, (phase){po_sinpi(half_turns), po_cospi(half_turns)});
 }
 
 double po_struve_minus_bessel(int n, double x) {
@@ -137,6 +138,6 @@ double po_struve_minus_bessel(int n, double x) {
   if (x == 0.0)
     return INFINITY;
   if (x <= SERIES_END)
-    return series(n, x) - bessel(n, x, x);
+    return series(n, x) - bessel(n, x, (phase){0});
   return integral_difference(n, x);
 }

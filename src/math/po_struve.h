@@ -1,10 +1,10 @@
-/* Struve functions of orders 0, 1 and 2, which GSL does not provide. Eq 5 contains them. */
+/* Struve functions of orders 0, 1 and 2, which contains. */
 #ifndef PO_STRUVE_H
 #define PO_STRUVE_H
 
 /* The Struve function H_n(x). Given: n = 0, 1 or 2; x >= 0. Returned: NaN outside the domain (and
- * for NaN). Source: up to x = 9 the power series, Abramowitz and Stegun 12.1.3, summed with a
- * mantissa of 64 bits; beyond x = 9, Y_n (from GSL; beyond x = 25 by Hankel's expansion, 9.2.6)
+ * for NaN). Source: up to x = 9 the power series, Abramowitz and Stegun 12.1.3, summed in
+ * twice the precision; beyond x = 9, Y_n (po_special.h; beyond x = 25 by Hankel's expansion, 9.2.6)
  * plus po_struve_minus_bessel. Accuracy: 1e-14 of max(1, |H|) for all finite x, measured 2.3e-16 on
  * every row of reference/struve.csv (tests/theory/test_tables_math.c). */
 double po_struve(int n, double x);

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "po_elementary.h"
 #include "po_far_field.h"
 #include "po_initial_gap.h"
 #include "po_law.h"
@@ -87,7 +88,7 @@ static double error_of_rule(void) {
   const po_panel_rule *rule = &po_panel_table_get()->rule;
   double sum = 0.25;
   for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
-    sum += rule->weight[j] * rule->node[j] * log(rule->node[j]);
+    sum += rule->weight[j] * rule->node[j] * po_log(rule->node[j]);
   return fabs(sum);
 }
 

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "po_elementary.h"
 #include "po_initial_gap.h"
 #include "po_law.h"
 #include "po_resolution.h"
@@ -32,10 +33,12 @@ static double error_of_average(const po_scene *scene, double domain, const po_so
     const po_wave wave = po_scene_wave(scene, k);
     const double here = oscillation(scene, wave, near, p->state[p->n - 1]);
     const double there = oscillation(scene, wave, far, p->state[p->n - 2]);
-    const double decay = log(here / there) / log(far / near), per_2pi = wave.length / (2.0 * M_PI);
-    const double begin = here * pow(near / domain, decay);
+    const double decay = po_log(here / there) / po_log(far / near),
+                 per_2pi = wave.length / (2.0 * M_PI);
+    const double begin = here * po_pow(near / domain, decay);
     if (here > 0.0 && there > 0.0)
-      error += begin * per_2pi * (fabs(sin(domain / per_2pi)) + per_2pi * decay / domain);
+      error += begin * per_2pi *
+               (fabs(po_sinpi(2.0 * (domain / wave.length))) + per_2pi * decay / domain);
   }
   return LEADING * 2.0 / scene->radius * error;
 }
@@ -53,7 +56,7 @@ static double error_of_polynomial(const po_scene *scene, double domain, const po
       const double gap = p->state[p->n - PO_TABLE_ORDER + j];
       const double traction =
           po_law_averaged(&scene->law, gap, po_initial_gap_amplitude(scene)).traction;
-      sum += legendre.coefficient[k][j] * traction / pow(rule->node[j], decay);
+      sum += legendre.coefficient[k][j] * traction / po_pow(rule->node[j], decay);
     }
     last = fmax(last, fabs(sum));
   }

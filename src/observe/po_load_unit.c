@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "po_elementary.h"
 #include "po_scales.h"
 
 po_request po_load_unit_request(const po_request *request) {
@@ -16,7 +17,7 @@ po_request po_load_unit_request(const po_request *request) {
     r.scene.profile = po_profile_sphere();
   r.scene.load_unit = unit;
   r.scene.radius *= unit;
-  r.scene.tabor *= cbrt(unit);
+  r.scene.tabor *= po_cbrt(unit);
   r.preload.load /= unit;
   return r;
 }
@@ -111,7 +112,7 @@ void po_load_unit_result(const po_scene *solved, po_result *o) {
     o->curve[k].energy_error *= unit;
   }
   for (size_t k = 0; k < o->profile_count; ++k) /* in w/(mu eps), mu^3 as R */
-    o->profile[k].traction /= cbrt(unit);
+    o->profile[k].traction /= po_cbrt(unit);
   convert_loop(&o->hysteresis.displacement, unit);
   convert_loop(&o->hysteresis.load, unit);
   convert_loop(&o->theory.hysteresis.displacement, unit);

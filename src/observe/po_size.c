@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "po_elementary.h"
 #include "po_initial_gap.h"
 #include "po_memory.h"
 #include "po_observe_parts.h"
@@ -39,13 +40,14 @@ static double contact_part(const po_request *request) {
 static double panels_of(const po_request *request) {
   const po_scene *scene = &request->scene;
   const double core = contact_part(request);
-  double panels = PANELS + PANELS_A_HALVING * log2(1.0 + core * po_scene_coupling(scene));
+  double panels = PANELS + PANELS_A_HALVING * po_log1p(core * po_scene_coupling(scene)) / M_LN2;
   for (size_t k = 0; k < po_scene_waves(scene); ++k) {
     const po_wave wave = po_scene_wave(scene, k);
     panels += core / wave.length *
-              (PANELS_A_WAVE + PANELS_A_HALVING_OF_WAVE * log2(1.0 + wave.amplitude));
+              (PANELS_A_WAVE + PANELS_A_HALVING_OF_WAVE * po_log1p(wave.amplitude) / M_LN2);
   }
-  return PANELS_MARGIN * panels * pow(USUAL_TOLERANCE / request->mesh.tolerance, TOLERANCE_POWER);
+  return PANELS_MARGIN * panels *
+         po_pow(USUAL_TOLERANCE / request->mesh.tolerance, TOLERANCE_POWER);
 }
 
 /* Rings and triangles, whose matrices are dense. */

@@ -141,8 +141,10 @@ static po_status make_surface(const po_request *request, bool rigid, double core
   }
   const double domain = po_observe_domain(scene, core);
   const double waves = domain / po_initial_gap_detail(scene);
-  return po_adaptive_create(scene, domain, (uint32_t)ceil(log2(fmin(fmax(waves, 4.0), 64.0))),
-                            panels);
+  uint32_t level = 2; /* 2^level panels have at most the length of a wave, if 64 are enough */
+  while (level < 6 && (double)(1 << level) < waves)
+    ++level;
+  return po_adaptive_create(scene, domain, level, panels);
 }
 
 /* The errors of a loop, and its pull-off as it was located. */

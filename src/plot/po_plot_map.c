@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "po_elementary.h"
 #include "po_plot.h"
 
 /* The shades of a map of characters, from the smallest to the greatest value. */
@@ -24,7 +25,7 @@ static double border(const double *value, size_t count, size_t index, double mor
   const size_t inner = index == 0 ? 1 : index == count ? count - 1 : index;
   const double a = value[inner - 1], b = value[inner];
   const double part = (index == 0 ? -0.5 : index == count ? 1.5 : 0.5) + more;
-  return log_scale ? a * pow(b / a, part) : a + part * (b - a);
+  return log_scale ? a * po_pow(b / a, part) : a + part * (b - a);
 }
 
 static void find_range(const po_plot_map *map, double range[2]) {

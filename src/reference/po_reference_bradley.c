@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "po_bradley.h"
+#include "po_elementary.h"
 #include "po_law.h"
 #include "po_memory.h"
 
@@ -38,8 +39,8 @@ po_status po_bradley_find(po_quantity quantity, const po_request *request,
 }
 
 static po_reference_point point_at(double approach) {
-  const double x = 1 - approach;
-  const double larger_term = fmax(8 / (3 * x * x), 2 / (3 * pow(x, 8)));
+  const double x = 1 - approach, x4 = x * x * (x * x);
+  const double larger_term = fmax(8 / (3 * x * x), 2 / (3 * x4 * x4));
   return (po_reference_point){.approach = approach,
                               .load = po_bradley_load(approach),
                               .load_uncertainty = 4 * DBL_EPSILON * larger_term};

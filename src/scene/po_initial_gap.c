@@ -3,6 +3,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "po_elementary.h"
 #include "po_scales.h"
 
 /* The allowed error of the load, in pi w R, where the waves are replaced by their mean: a
@@ -10,12 +11,12 @@
 static const double AVERAGING_LOSS = 1e-9;
 
 static double wave_gap(po_wave wave, double r) {
-  const double half = sin(M_PI * r / wave.length); /* 1 - cos(2x) = 2 sin^2 x does not cancel */
+  const double half = po_sinpi(r / wave.length); /* 1 - cos(2x) = 2 sin^2 x does not cancel */
   return 2.0 * wave.amplitude * half * half;
 }
 
 static double wave_slope(po_wave wave, double r) {
-  return 2.0 * M_PI * wave.amplitude / wave.length * sin(2.0 * M_PI * r / wave.length);
+  return 2.0 * M_PI * wave.amplitude / wave.length * po_sinpi(2.0 * (r / wave.length));
 }
 
 double po_initial_gap(const po_scene *scene, double r) {
@@ -37,19 +38,18 @@ void po_initial_gap_and_slope(const po_scene *scene, double r, double *gap, doub
   *slope = po_profile_slope(&scene->profile, scene->radius, r);
   for (size_t k = 0; k < po_scene_waves(scene); ++k) {
     const po_wave wave = po_scene_wave(scene, k);
-    const double half = M_PI * r / wave.length, s = sin(half), c = cos(half); /* sin 2x = 2 s c */
+    const double x = r / wave.length, s = po_sinpi(x), c = po_cospi(x); /* sin 2x = 2 s c */
     *gap += 2.0 * wave.amplitude * s * s;
     *slope += 4.0 * M_PI * wave.amplitude / wave.length * s * c;
   }
 }
 
-long double po_initial_gap_exact(const po_scene *scene, long double r) {
-  static const long double PI = 3.141592653589793238462643383279502884L;
-  long double gap = po_profile_gap_exact(&scene->profile, scene->radius, r);
+po_two po_initial_gap_exact(const po_scene *scene, double r) {
+  po_two gap = po_profile_gap_exact(&scene->profile, scene->radius, r);
   for (size_t k = 0; k < po_scene_waves(scene); ++k) {
     const po_wave wave = po_scene_wave(scene, k);
-    const long double half = sinl(PI * r / wave.length);
-    gap += 2.0L * wave.amplitude * half * half;
+    const po_two half = po_two_sinpi(po_two_divide(po_two_of(r), po_two_of(wave.length)));
+    gap = po_two_add(gap, po_two_times(po_two_multiply(half, half), 2.0 * wave.amplitude));
   }
   return gap;
 }
@@ -115,14 +115,14 @@ static double averaging_gap(const po_scene *scene) {
   const double scale = (2.0 * m + 1.0) * 2.0 * far.factor / scene->radius * per_2pi * per_2pi;
   /* From where on scale min(1, m A/g) < loss g^m. */
   const double power = scale / AVERAGING_LOSS;
-  return fmin(pow(power, 1.0 / m), pow(m * scene->amplitude * power, 1.0 / (m + 1.0)));
+  return fmin(po_pow(power, 1.0 / m), po_pow(m * scene->amplitude * power, 1.0 / (m + 1.0)));
 }
 
 /* Bound of the error of the load if all waves are averaged beyond r. */
 static double averaging_error(const po_scene *scene, double r) {
   const po_law_far far = po_law_far_field(&scene->law);
   const double gap = po_initial_gap_beyond(scene, r), m = far.exponent;
-  const double integrand = 2.0 / scene->radius * far.factor * pow(gap, -m) * r;
+  const double integrand = 2.0 / scene->radius * far.factor * po_pow(gap, -m) * r;
   const double slope = integrand * (m * po_profile_growth(&scene->profile) + 1.0) / r;
   const po_wave main = main_wave(scene);
   double error = 0.0;

@@ -11,8 +11,8 @@ double po_initial_gap(const po_scene *scene, double r);
 double po_initial_gap_slope(const po_scene *scene, double r);
 void po_initial_gap_and_slope(const po_scene *scene, double r, double *gap, double *slope);
 
-/* f in long double. */
-long double po_initial_gap_exact(const po_scene *scene, long double r);
+/* f in twice the precision. */
+po_two po_initial_gap_exact(const po_scene *scene, double r);
 
 /* The initial gap with each wave replaced by its mean: that of the profile, plus the sum of the
  * amplitudes. */

@@ -84,7 +84,7 @@ po_law_value po_law_at(const po_law *law, double gap) {
   return kind_of(law)->at(law, gap);
 }
 
-long double po_law_traction(const po_law *law, long double gap) {
+po_two po_law_traction(const po_law *law, double gap) {
   return kind_of(law)->traction(law, gap);
 }
 

@@ -12,6 +12,7 @@
 #include <stddef.h>
 
 #include "po_status.h"
+#include "po_two.h"
 
 /* Parameters of all laws; each law has some of them. */
 typedef enum { PO_MIE_M, PO_MIE_N, PO_MORSE_A, PO_LAW_PARAMETER_COUNT } po_law_parameter;
@@ -62,8 +63,8 @@ po_status po_law_check(const po_law *law);
 /* Traction and slope at gap H, above po_law_closest. */
 po_law_value po_law_at(const po_law *law, double gap);
 
-/* The traction in long double. */
-long double po_law_traction(const po_law *law, long double gap);
+/* The traction in twice the precision. */
+po_two po_law_traction(const po_law *law, double gap);
 
 /* The law averaged over one period of a waviness about the mean gap: the mean over phi of the law
  * at H - A cos(phi), for A < H - po_law_closest. Accuracy: 1e-13 relative

@@ -13,7 +13,7 @@ struct po_law_kind {
   po_status (*check)(const po_law *law);
   void (*derive)(po_law *law); /* sets the constants; NULL: there are none */
   po_law_value (*at)(const po_law *law, double gap);
-  long double (*traction)(const po_law *law, long double gap);
+  po_two (*traction)(const po_law *law, double gap);
   double (*energy)(const po_law *law, double gap);
   po_law_value (*averaged)(const po_law *law, double gap, double amplitude);
   double (*energy_averaged)(const po_law *law, double gap, double amplitude);

@@ -1,6 +1,7 @@
 /* Lennard-Jones between half-spaces, Eq 9, in the variables of Eqs 14 and 16. */
 #include <math.h>
 
+#include "po_elementary.h"
 #include "po_law_kind.h"
 
 /* p = -(8/3) [x^3 - x^9], x = 1/(1 + H): Eq 16; dp/dH = 8 [x^4 - 3 x^10] */
@@ -10,10 +11,12 @@ static po_law_value at(const po_law *law, double gap) {
   return (po_law_value){.traction = -8.0 / 3.0 * (x3 - x9), .slope = 8.0 * x * (x3 - 3.0 * x9)};
 }
 
-static long double traction(const po_law *law, long double gap) {
+static po_two traction(const po_law *law, double gap) {
   (void)law;
-  const long double x = 1.0L / (1.0L + gap), x3 = x * x * x;
-  return -8.0L / 3.0L * (x3 - x3 * x3 * x3);
+  const po_two x = po_two_divide(po_two_of(1.0), po_two_sum(1.0, gap)),
+               x3 = po_two_multiply(x, po_two_multiply(x, x)),
+               x9 = po_two_multiply(x3, po_two_multiply(x3, x3));
+  return po_two_divide(po_two_times(po_two_subtract(x9, x3), 8.0), po_two_of(3.0));
 }
 
 /* phi / w = -(4/3) x^2 + (1/3) x^8 with phi' = -sigma (Eq 9). */
@@ -74,7 +77,7 @@ static po_law_far far_field(const po_law *law) {
 /* The repulsive term of Eq 23, 2/(3 x^8). */
 static double approach_of_push(const po_law *law, double share, double load) {
   (void)law;
-  return po_law_approach_of_distance(pow(2.0 * share / (3.0 * load), 0.125));
+  return po_law_approach_of_distance(sqrt(sqrt(sqrt(2.0 * share / (3.0 * load)))));
 }
 
 const po_law_kind PO_LENNARD_JONES = {.name = "lennard-jones",

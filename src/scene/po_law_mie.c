@@ -2,6 +2,7 @@
  * which makes the work of adhesion 1. Its powers need not be whole numbers. */
 #include <math.h>
 
+#include "po_elementary.h"
 #include "po_law_kind.h"
 
 /* Powers beyond are refused: x^n of the closest gaps would overflow. */
@@ -38,69 +39,90 @@ static void derive(po_law *law) {
 
 static po_law_value at(const po_law *law, double gap) {
   const double x = 1.0 / (1.0 + gap), m = small(law), n = large(law);
-  const double xm = pow(x, m), xn = pow(x, n);
+  const po_base base = po_base_of(x);
+  const double xm = po_power(base, m), xn = po_power(base, n);
   return (po_law_value){.traction = -factor(law) * (xm - xn),
                         .slope = factor(law) * x * (m * xm - n * xn)};
 }
 
-static long double traction(const po_law *law, long double gap) {
-  const long double x = 1.0L / (1.0L + gap), m = small(law), n = large(law);
-  const long double k = (m - 1.0L) * (n - 1.0L) / (n - m);
-  return -k * (powl(x, m) - powl(x, n));
+static po_two traction(const po_law *law, double gap) {
+  const double m = small(law), n = large(law);
+  const po_two log_x = po_two_negative(po_two_log(po_two_sum(1.0, gap)));
+  const po_two k =
+      po_two_divide(po_two_multiply(po_two_sum(m, -1.0), po_two_sum(n, -1.0)), po_two_sum(n, -m));
+  return po_two_multiply(
+      k, po_two_subtract(po_two_exp(po_two_times(log_x, n)), po_two_exp(po_two_times(log_x, m))));
 }
 
 static double energy(const po_law *law, double gap) {
   const double x = 1.0 / (1.0 + gap), m = small(law), n = large(law);
-  return -factor(law) * (pow(x, m - 1.0) / (m - 1.0) - pow(x, n - 1.0) / (n - 1.0));
+  const po_base base = po_base_of(x);
+  return -factor(law) * (po_power(base, m - 1.0) / (m - 1.0) - po_power(base, n - 1.0) / (n - 1.0));
 }
 
-/* The mean over phi of (a - A cos phi)^-power by the trapezoidal rule, which converges
- * geometrically for a periodic function: points are doubled until nothing changes. */
+/* The means over phi of x^p, x^q, x^(p+1) and x^(q+1), x = 1/(a - A cos phi), by the trapezoidal
+ * rule, which converges geometrically for a periodic function: points are doubled until nothing
+ * changes. */
 enum { FIRST_POINTS = 16, MOST_POINTS = 1 << 14 };
 static const double SETTLED = 1e-14;
+typedef struct {
+  double p, q, p1, q1;
+} means;
 
-static double mean_of_power(double a, double amplitude, double power) {
-  double sum = 0.0, before = NAN;
+static void add_powers(double a, double weight, double p, double q, means *sum) {
+  const double x = 1.0 / a;
+  const po_base base = po_base_of(x);
+  const double xp = weight * po_power(base, p), xq = weight * po_power(base, q);
+  *sum = (means){sum->p + xp, sum->q + xq, sum->p1 + x * xp, sum->q1 + x * xq};
+}
+
+static bool is_settled(double mean, double before) {
+  return fabs(mean - before) <= SETTLED * mean;
+}
+
+static means mean_of_powers(double a, double amplitude, double p, double q) {
+  means sum = {0}, before = {NAN, NAN, NAN, NAN};
   for (int points = FIRST_POINTS, step = 1; points <= MOST_POINTS; points *= 2, step = 2) {
     /* half a period holds all values; the first pass takes every point, later ones those between */
     const int half = points / 2;
-    for (int k = step == 1 ? 0 : 1; k <= half; k += step) {
-      const double weight = k == 0 || k == half ? 1.0 : 2.0;
-      sum += weight * pow(a - amplitude * cos(M_PI * k / half), -power);
-    }
-    const double mean = sum / points;
-    if (fabs(mean - before) <= SETTLED * mean)
-      return mean;
+    for (int k = step == 1 ? 0 : 1; k <= half; k += step)
+      add_powers(a - amplitude * po_cospi((double)k / half), k == 0 || k == half ? 1.0 : 2.0, p, q,
+                 &sum);
+    const means mean = {sum.p / points, sum.q / points, sum.p1 / points, sum.q1 / points};
+    const bool settled = is_settled(mean.p, before.p) && is_settled(mean.q, before.q) &&
+                         is_settled(mean.p1, before.p1) && is_settled(mean.q1, before.q1);
     before = mean;
+    if (settled)
+      break;
   }
   return before;
 }
 
 static po_law_value averaged(const po_law *law, double gap, double amplitude) {
-  const double a = 1.0 + gap, m = small(law), n = large(law);
-  return (po_law_value){
-      .traction = -factor(law) * (mean_of_power(a, amplitude, m) - mean_of_power(a, amplitude, n)),
-      .slope = factor(law) * (m * mean_of_power(a, amplitude, m + 1.0) -
-                              n * mean_of_power(a, amplitude, n + 1.0))};
+  const double m = small(law), n = large(law);
+  const means of = mean_of_powers(1.0 + gap, amplitude, m, n);
+  return (po_law_value){.traction = -factor(law) * (of.p - of.q),
+                        .slope = factor(law) * (m * of.p1 - n * of.q1)};
 }
 
 static double energy_averaged(const po_law *law, double gap, double amplitude) {
-  const double a = 1.0 + gap, m = small(law), n = large(law);
-  return -factor(law) * (mean_of_power(a, amplitude, m - 1.0) / (m - 1.0) -
-                         mean_of_power(a, amplitude, n - 1.0) / (n - 1.0));
+  const double m = small(law), n = large(law);
+  const means of = mean_of_powers(1.0 + gap, amplitude, m - 1.0, n - 1.0);
+  return -factor(law) * (of.p / (m - 1.0) - of.q / (n - 1.0));
 }
 
 static po_law_closeness closeness(const po_law *law, double gap) {
   const double x = 1.0 / (1.0 + gap), m = small(law), n = large(law), g = (m + 1.0) / (m - 1.0);
-  const double xm = pow(x, m), xn = pow(x, n);
+  const po_base base = po_base_of(x);
+  const double xm = po_power(base, m), xn = po_power(base, n);
   const double size = factor(law) * (xm / (m - 1.0) - xn / (n - 1.0)) / x; /* |phi| */
-  const double value = pow(size, g);
+  const double value = po_pow(size, g);
   return (po_law_closeness){value, -g * value / size * factor(law) * (xm - xn)};
 }
 
 /* m x^m = n x^n */
 static double peak_gap(const po_law *law) {
-  return pow(large(law) / small(law), 1.0 / (large(law) - small(law))) - 1.0;
+  return po_pow(large(law) / small(law), 1.0 / (large(law) - small(law))) - 1.0;
 }
 
 static po_law_far far_field(const po_law *law) {
@@ -111,7 +133,7 @@ static po_law_far far_field(const po_law *law) {
 static double approach_of_push(const po_law *law, double share, double load) {
   const double n = large(law);
   return po_law_approach_of_distance(
-      pow(2.0 * factor(law) * share / ((n - 1.0) * load), 1.0 / (n - 1.0)));
+      po_pow(2.0 * factor(law) * share / ((n - 1.0) * load), 1.0 / (n - 1.0)));
 }
 
 const po_law_kind PO_MIE = {.name = "mie",

@@ -1,9 +1,10 @@
 /* The Morse law of steepness a: p = -2a (e^{-aH} - e^{-2aH}). It has no singularity, and its far
  * field falls exponentially. */
-#include <gsl/gsl_sf_bessel.h>
 #include <math.h>
 
+#include "po_elementary.h"
 #include "po_law_kind.h"
+#include "po_special.h"
 
 /* The range of the law of the paper is 1: that of a Morse law with the same stiffness at the
  * equilibrium distance, 2 a^2 = 16, is taken to be 1, too. */
@@ -35,25 +36,26 @@ static void derive(po_law *law) {
 }
 
 static po_law_value at(const po_law *law, double gap) {
-  const double a = steepness(law), e = exp(-a * gap);
+  const double a = steepness(law), e = po_exp(-a * gap);
   return (po_law_value){.traction = -2.0 * a * (e - e * e),
                         .slope = 2.0 * a * a * (e - 2.0 * e * e)};
 }
 
-static long double traction(const po_law *law, long double gap) {
-  const long double a = steepness(law), e = expl(-a * gap);
-  return -2.0L * a * (e - e * e);
+static po_two traction(const po_law *law, double gap) {
+  const double a = steepness(law);
+  const po_two e = po_two_exp(po_two_product(-a, gap));
+  return po_two_times(po_two_subtract(po_two_multiply(e, e), e), 2.0 * a);
 }
 
 static double energy(const po_law *law, double gap) {
-  const double e = exp(-steepness(law) * gap);
+  const double e = po_exp(-steepness(law) * gap);
   return e * e - 2.0 * e;
 }
 
 /* The mean over phi of exp(b A cos phi) is the modified Bessel function I0(b A). */
 static double mean_of_exponential(double power, double gap, double amplitude) {
   const double z = power * amplitude;
-  return exp(z - power * gap) * gsl_sf_bessel_I0_scaled(z);
+  return po_exp(z - power * gap) * po_bessel_i0_scaled(z);
 }
 
 static po_law_value averaged(const po_law *law, double gap, double amplitude) {
@@ -74,12 +76,12 @@ static po_law_scale scale(const po_law *law, double gap) {
   const double range = law->constant[0];
   if (gap >= 0.0)
     return (po_law_scale){range + gap, 1.0};
-  const double e = exp(gap / range);
+  const double e = po_exp(gap / range);
   return (po_law_scale){range * e, e};
 }
 
 static po_law_closeness closeness(const po_law *law, double gap) {
-  const double a = steepness(law), e = exp(-a * gap);
+  const double a = steepness(law), e = po_exp(-a * gap);
   return (po_law_closeness){e * (2.0 - e), -2.0 * a * e * (1.0 - e)};
 }
 
@@ -107,7 +109,7 @@ static po_law_far far_field(const po_law *law) {
 
 /* The repulsive part of the load of a rigid paraboloid is 2 e^{-2aH}. */
 static double approach_of_push(const po_law *law, double share, double load) {
-  return fmin(log(0.5 * load / share) / 2.0, TRACED_PART * DEEPEST) / steepness(law);
+  return fmin(po_log(0.5 * load / share) / 2.0, TRACED_PART * DEEPEST) / steepness(law);
 }
 
 const po_law_kind PO_MORSE = {.name = "morse",

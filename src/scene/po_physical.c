@@ -3,6 +3,8 @@
 #include <float.h>
 #include <math.h>
 
+#include "po_elementary.h"
+
 static po_status require(bool holds, const char *what, double value, const char *expected) {
   return holds ? PO_OK : po_fail(PO_BAD_INPUT, "%s is %g: expected %s", what, value, expected);
 }
@@ -44,8 +46,9 @@ po_status po_physical_scene(const po_physical *physical, po_scene *scene) {
   if (status)
     return status;
   const bool rigid = isinf(p->modulus), wavy = p->amplitude > 0.0;
-  const double length = cbrt(p->distance), root = cbrt(p->work) / length / cbrt(p->modulus);
-  const po_scene s = {.tabor = rigid ? 0.0 : cbrt(p->radius) / length * root * root,
+  const double length = po_cbrt(p->distance),
+               root = po_cbrt(p->work) / length / po_cbrt(p->modulus);
+  const po_scene s = {.tabor = rigid ? 0.0 : po_cbrt(p->radius) / length * root * root,
                       .amplitude = p->amplitude / p->distance,
                       .wavelength = wavy ? p->wavelength / p->distance : 0.0,
                       .radius = p->radius / p->distance,

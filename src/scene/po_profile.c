@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "po_elementary.h"
 #include "po_parameters.h"
 #include "po_profile_kind.h"
 #include "po_profile_table.h"
@@ -126,7 +127,7 @@ double po_profile_default_radius(const po_profile *profile) {
 
 void po_profile_rescale(po_profile *profile, double epsilon) {
   double *p = profile->parameter;
-  p[PO_POWER_C] *= pow(epsilon, p[PO_POWER_N] - 1.0);
+  p[PO_POWER_C] *= po_pow(epsilon, p[PO_POWER_N] - 1.0);
   p[PO_PUNCH_B] /= epsilon;
   p[PO_PUNCH_R] /= epsilon;
   p[PO_TRUNCATED_B] /= epsilon;
@@ -148,7 +149,7 @@ double po_profile_slope(const po_profile *profile, double radius, double r) {
   return kind_of(profile)->slope(profile, radius, r);
 }
 
-long double po_profile_gap_exact(const po_profile *profile, double radius, long double r) {
+po_two po_profile_gap_exact(const po_profile *profile, double radius, double r) {
   return kind_of(profile)->gap_exact(profile, radius, r);
 }
 

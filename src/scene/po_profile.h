@@ -11,6 +11,7 @@
 #include <stddef.h>
 
 #include "po_status.h"
+#include "po_two.h"
 
 /* Parameters of all profiles; each profile has some of them. The radius R of the sphere is one of
  * the scene (po_scene.h), which measures loads by it. */
@@ -92,11 +93,11 @@ double po_profile_default_radius(const po_profile *profile);
  * that unit. A table must be set after it. */
 void po_profile_rescale(po_profile *profile, double epsilon);
 
-/* f, df/dr, and f in long double, at a radius r >= 0. Given: `radius`, R of the sphere; other
- * profiles do not look at it. */
+/* f, df/dr, and f in twice the precision, at a radius r >= 0. Given: `radius`, R of the sphere;
+ * other profiles do not look at it. */
 double po_profile_gap(const po_profile *profile, double radius, double r);
 double po_profile_slope(const po_profile *profile, double radius, double r);
-long double po_profile_gap_exact(const po_profile *profile, double radius, long double r);
+po_two po_profile_gap_exact(const po_profile *profile, double radius, double r);
 
 /* The least gap at r and beyond; f(r) of a profile that rises everywhere. */
 double po_profile_gap_beyond(const po_profile *profile, double radius, double r);

@@ -27,10 +27,12 @@ static double punch_slope(const po_profile *profile, double radius, double r) {
   return fmax(r - punch_flat(profile), 0.0) / punch_edge(profile);
 }
 
-static long double punch_exact(const po_profile *profile, double radius, long double r) {
+static po_two punch_exact(const po_profile *profile, double radius, double r) {
   (void)radius;
-  const long double beyond = r - punch_flat(profile);
-  return beyond > 0.0L ? 0.5L * beyond * beyond / punch_edge(profile) : 0.0L;
+  const po_two beyond = po_two_sum(r, -punch_flat(profile));
+  return beyond.high > 0.0 ? po_two_divide(po_two_times(po_two_multiply(beyond, beyond), 0.5),
+                                           po_two_of(punch_edge(profile)))
+                           : po_two_of(0.0);
 }
 
 static double punch_radius_of_gap(const po_profile *profile, double radius, double gap) {
@@ -77,10 +79,12 @@ static double cut_slope(const po_profile *profile, double radius, double r) {
   return r > cut_flat(profile) ? r / cut_radius(profile) : 0.0;
 }
 
-static long double cut_exact(const po_profile *profile, double radius, long double r) {
+static po_two cut_exact(const po_profile *profile, double radius, double r) {
   (void)radius;
-  const long double b = cut_flat(profile);
-  return r > b ? 0.5L * (r - b) * (r + b) / cut_radius(profile) : 0.0L;
+  const double b = cut_flat(profile);
+  const po_two product = po_two_multiply(po_two_sum(r, -b), po_two_sum(r, b));
+  return r > b ? po_two_divide(po_two_times(product, 0.5), po_two_of(cut_radius(profile)))
+               : po_two_of(0.0);
 }
 
 static double cut_radius_of_gap(const po_profile *profile, double radius, double gap) {

@@ -14,7 +14,7 @@ struct po_profile_kind {
   po_status (*check)(const po_profile *profile);
   double (*gap)(const po_profile *profile, double radius, double r);
   double (*slope)(const po_profile *profile, double radius, double r);
-  long double (*gap_exact)(const po_profile *profile, double radius, long double r);
+  po_two (*gap_exact)(const po_profile *profile, double radius, double r);
   double (*gap_beyond)(const po_profile *profile, double radius, double r); /* NULL: f rises */
   double (*radius_of_gap)(const po_profile *profile, double radius, double gap);
   double (*kink)(const po_profile *profile);                 /* NULL: there is none */

@@ -1,6 +1,7 @@
 /* Profiles that are one power of the radius: the sphere r^2/(2R), C r^n, and the cone t r. */
 #include <math.h>
 
+#include "po_elementary.h"
 #include "po_profile_kind.h"
 
 static double sphere_gap(const po_profile *profile, double radius, double r) {
@@ -13,9 +14,9 @@ static double sphere_slope(const po_profile *profile, double radius, double r) {
   return r / radius;
 }
 
-static long double sphere_exact(const po_profile *profile, double radius, long double r) {
+static po_two sphere_exact(const po_profile *profile, double radius, double r) {
   (void)profile;
-  return 0.5L * r * r / radius;
+  return po_two_divide(po_two_product(0.5 * r, r), po_two_of(radius));
 }
 
 static double sphere_radius_of_gap(const po_profile *profile, double radius, double gap) {
@@ -61,22 +62,24 @@ static po_status power_check(const po_profile *profile) {
 
 static double power_gap(const po_profile *profile, double radius, double r) {
   (void)radius;
-  return factor(profile) * pow(r, exponent(profile));
+  return factor(profile) * po_pow(r, exponent(profile));
 }
 
 static double power_slope(const po_profile *profile, double radius, double r) {
   (void)radius;
-  return factor(profile) * exponent(profile) * pow(r, exponent(profile) - 1.0);
+  return factor(profile) * exponent(profile) * po_pow(r, exponent(profile) - 1.0);
 }
 
-static long double power_exact(const po_profile *profile, double radius, long double r) {
+static po_two power_exact(const po_profile *profile, double radius, double r) {
   (void)radius;
-  return (long double)factor(profile) * powl(r, exponent(profile));
+  if (r == 0.0)
+    return po_two_of(0.0);
+  return po_two_times(po_two_pow(po_two_of(r), po_two_of(exponent(profile))), factor(profile));
 }
 
 static double power_radius_of_gap(const po_profile *profile, double radius, double gap) {
   (void)radius;
-  return pow(gap / factor(profile), 1.0 / exponent(profile));
+  return po_pow(gap / factor(profile), 1.0 / exponent(profile));
 }
 
 const po_profile_kind PO_POWER = {.name = "power",
@@ -108,9 +111,9 @@ static double cone_slope(const po_profile *profile, double radius, double r) {
   return tangent(profile);
 }
 
-static long double cone_exact(const po_profile *profile, double radius, long double r) {
+static po_two cone_exact(const po_profile *profile, double radius, double r) {
   (void)radius;
-  return tangent(profile) * r;
+  return po_two_product(tangent(profile), r);
 }
 
 static double cone_radius_of_gap(const po_profile *profile, double radius, double gap) {

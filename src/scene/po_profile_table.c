@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "po_csv.h"
+#include "po_elementary.h"
 #include "po_hermite.h"
 #include "po_memory.h"
 #include "po_profile_kind.h"
@@ -263,7 +264,7 @@ static double gap(const po_profile *profile, double radius, double r) {
   const po_profile_table *t = profile->table;
   const size_t last = t->rows - 1;
   if (r > t->r[last])
-    return t->gap[last] * pow(r / t->r[last], t->growth);
+    return t->gap[last] * po_pow(r / t->r[last], t->growth);
   return value_between(t->r, t->gap, t->slope, interval_of(t, r), r);
 }
 
@@ -276,17 +277,29 @@ static double slope(const po_profile *profile, double radius, double r) {
                          t->r[k + 1] - t->r[k]);
 }
 
-/* The rows are doubles; their spline is evaluated in long double. */
-static long double gap_exact(const po_profile *profile, double radius, long double r) {
+/* y^2 (gap + x (2 gap + rise)) */
+static po_two part_of(double gap, po_two rise, po_two x, po_two y) {
+  const po_two sum = po_two_multiply(x, po_two_add(po_two_of(2.0 * gap), rise));
+  return po_two_multiply(po_two_multiply(y, y), po_two_add(po_two_of(gap), sum));
+}
+
+/* The rows are doubles; their spline is evaluated in twice the precision: y^2 (g0 + x (2 g0 + h
+ * s0))
+ * + x^2 (g1 + y (2 g1 - h s1)), x + y = 1. */
+static po_two gap_exact(const po_profile *profile, double radius, double r) {
   (void)radius;
   const po_profile_table *t = profile->table;
   const size_t last = t->rows - 1;
   if (r > t->r[last])
-    return t->gap[last] * powl(r / t->r[last], t->growth);
-  const size_t k = interval_of(t, (double)r);
-  const long double h = (long double)t->r[k + 1] - t->r[k], x = (r - t->r[k]) / h, y = 1.0L - x;
-  return y * y * ((1.0L + 2.0L * x) * t->gap[k] + x * h * t->slope[k]) +
-         x * x * ((1.0L + 2.0L * y) * t->gap[k + 1] - y * h * t->slope[k + 1]);
+    return po_two_times(
+        po_two_pow(po_two_divide(po_two_of(r), po_two_of(t->r[last])), po_two_of(t->growth)),
+        t->gap[last]);
+  const size_t k = interval_of(t, r);
+  const po_two h = po_two_sum(t->r[k + 1], -t->r[k]), x = po_two_divide(po_two_sum(r, -t->r[k]), h),
+               y = po_two_subtract(po_two_of(1.0), x);
+  const po_two left = part_of(t->gap[k], po_two_times(h, t->slope[k]), x, y),
+               right = part_of(t->gap[k + 1], po_two_times(h, -t->slope[k + 1]), y, x);
+  return po_two_add(left, right);
 }
 
 static double gap_beyond(const po_profile *profile, double radius, double r) {
@@ -314,7 +327,7 @@ static double radius_of_gap(const po_profile *profile, double radius, double sou
   const po_profile_table *t = profile->table;
   size_t k = t->rows - 1;
   if (t->gap[k] <= sought)
-    return t->r[k] * pow(sought / t->gap[k], 1.0 / t->growth);
+    return t->r[k] * po_pow(sought / t->gap[k], 1.0 / t->growth);
   while (k > 0 && t->gap[k - 1] > sought)
     --k;
   if (k == 0)

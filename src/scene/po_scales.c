@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "po_elementary.h"
 #include "po_initial_gap.h"
 
 /* W = 0 in Eq 7 at a contact radius of 2.42 Gamma. */
@@ -14,7 +15,7 @@ double po_scales_abel(const po_scene *scene, double a) {
   double sum = 0.0;
   for (int k = 0; k < ABEL_POINTS; ++k) {
     const double t = (k + 0.5) / ABEL_POINTS * M_PI_2;
-    sum += po_profile_slope(&scene->profile, scene->radius, a * sin(t));
+    sum += po_profile_slope(&scene->profile, scene->radius, a * po_sin(t));
   }
   return a * M_PI_2 / ABEL_POINTS * sum;
 }
@@ -96,13 +97,13 @@ po_scales po_scene_scales(const po_scene *scene) {
   const double rigid = sphere ? 1.0 : 0.5 * rigid_pull_off(scene);
   if (!(mu > 0.0))
     return (po_scales){.load = rigid, .load_factor = 1.0};
-  const double adhesion = adhesion_of_waves(scene);
+  const double adhesion = adhesion_of_waves(scene), root = po_cbrt(adhesion);
   if (sphere)
     return (po_scales){.load = 1.0,
                        .load_factor = adhesion,
                        .stretch = mu,
-                       .wavy_stretch = mu * pow(adhesion, 2.0 / 3.0),
-                       .contact_gap = per_stretch * mu * pow(adhesion, 2.0 / 3.0)};
+                       .wavy_stretch = mu * root * root,
+                       .contact_gap = per_stretch * mu * root * root};
   const jkr smooth = jkr_of(scene, 1.0), wavy = adhesion > 1.0 ? jkr_of(scene, adhesion) : smooth;
   const double gap = po_profile_gap(&scene->profile, scene->radius, smooth.contact);
   const double wavy_gap = po_profile_gap(&scene->profile, scene->radius, wavy.contact);

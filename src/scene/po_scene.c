@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "po_elementary.h"
 #include "po_number.h"
 
 po_scene po_scene_default(void) {
@@ -163,7 +164,7 @@ double po_scene_coupling(const po_scene *scene) {
 }
 
 double po_scene_tabor_of_coupling(double coupling, double radius) {
-  return cbrt(coupling) * cbrt(coupling) * cbrt(radius);
+  return po_cbrt(coupling) * po_cbrt(coupling) * po_cbrt(radius);
 }
 
 double po_scene_gamma(const po_scene *scene) {

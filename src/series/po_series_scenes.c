@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "po_clock.h"
+#include "po_elementary.h"
 #include "po_load_unit.h"
 #include "po_memory.h"
 #include "po_observe_parts.h"
@@ -12,7 +13,7 @@
 static double between(double a, double b, double part) {
   if (a == b || isinf(a))
     return a;
-  return a > 0.0 && b > 0.0 ? a * pow(b / a, part) : a + part * (b - a);
+  return a > 0.0 && b > 0.0 ? a * po_pow(b / a, part) : a + part * (b - a);
 }
 
 static void scene_at(void *data, double at, po_scene *scene) {

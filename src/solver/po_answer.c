@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "po_elementary.h"
 #include "po_json.h"
 #include "po_memory.h"
 #include "po_quote.h"
@@ -186,8 +187,8 @@ static po_status read_curve(const json_t *root, po_answer *answer) {
       refuse(answer, "point %zu of curve: expected finite numbers", i + 1);
     if (i > 0)
       points[i].position =
-          points[i - 1].position +
-          hypot(points[i].approach - points[i - 1].approach, points[i].load - points[i - 1].load);
+          points[i - 1].position + po_hypot(points[i].approach - points[i - 1].approach,
+                                            points[i].load - points[i - 1].load);
   }
   return PO_OK;
 }

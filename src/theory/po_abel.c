@@ -1,12 +1,13 @@
 #include "po_abel.h"
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_integration.h>
 #include <math.h>
 
 #include "po_abel_parts.h"
+#include "po_elementary.h"
 #include "po_initial_gap.h"
+#include "po_integral.h"
 #include "po_profile_kind.h"
+#include "po_special.h"
 #include "po_struve.h"
 
 static const po_abel ZERO = {0.0, 0.0, 0.0};
@@ -17,15 +18,12 @@ static const po_profile_table *table_of(const po_scene *scene) {
 }
 
 double po_abel_wallis(double n) {
-  static const double LARGEST_OF_TGAMMA = 300.0;
-  const double ratio = n < LARGEST_OF_TGAMMA ? tgamma(0.5 * n) / tgamma(0.5 * n + 0.5)
-                                             : exp(lgamma(0.5 * n) - lgamma(0.5 * n + 0.5));
-  return 0.5 * sqrt(M_PI) * ratio;
+  return 0.5 * po_beta(0.5 * n, 0.5);
 }
 
 /* C r^n: g = kappa C x^n, kappa = n times po_abel_wallis(n). */
 static po_abel of_power(double factor, double n, double x) {
-  const double slope = n * po_abel_wallis(n) * factor * pow(x, n - 1.0);
+  const double slope = n * po_abel_wallis(n) * factor * po_pow(x, n - 1.0);
   return (po_abel){slope * x, n * slope, n / (n + 1.0) * slope * x * x};
 }
 
@@ -47,7 +45,7 @@ static po_abel cone(const po_scene *scene, double x) {
 static double less_arctangent(double t) {
   static const double SERIES = 0.5, ROUNDING = 1e-17;
   if (t > SERIES)
-    return t - atan(t);
+    return t - po_atan2(t, 1.0);
   double sum = 0.0, power_of_t = t * t * t, term = power_of_t / 3.0;
   for (int k = 3; fabs(term) > ROUNDING * sum; k += 2) {
     sum += term;
@@ -202,13 +200,12 @@ typedef struct {
 
 static double of_slope(double t, void *data) {
   const slope_integral *q = data;
-  const double part = sin(t), r = q->x * part;
+  const double part = po_sin(t), r = q->x * part;
   return po_initial_gap_slope(q->scene, r) * (q->press ? part * part : 1.0);
 }
 
-/* Accuracy of each piece, relative, and intervals of its bisection. */
+/* Accuracy of each piece, relative. */
 static const double PIECE_ACCURACY = 1e-13;
-enum { INTERVALS = 200 };
 
 /* The end of the piece of the quadrature that begins at r: a joint of the profile, half a wave.
  */
@@ -219,18 +216,20 @@ static double piece_end(const po_scene *scene, double r, double x) {
   return end;
 }
 
-static po_status integrate(slope_integral *q, gsl_integration_workspace *space, double *sum) {
-  gsl_function f = {of_slope, q};
+/* The angle whose sine is r/x */
+static double angle_of(double r, double x) {
+  return po_atan2(r, sqrt((x - r) * (x + r)));
+}
+
+static po_status integrate(slope_integral *q, double *sum) {
   *sum = 0.0;
   for (double r = 0.0; r < q->x;) {
     const double to = piece_end(q->scene, r, q->x);
-    double part, error;
-    const int failed = gsl_integration_qag(&f, asin(r / q->x), asin(to / q->x), 0.0, PIECE_ACCURACY,
-                                           INTERVALS, GSL_INTEG_GAUSS21, space, &part, &error);
-    if (failed && failed != GSL_EROUND)
-      return po_fail(PO_NOT_CONVERGED,
-                     "the quadrature of the slope of the gap failed at radius %g: %s", q->x,
-                     gsl_strerror(failed));
+    double part;
+    if (po_integrate(of_slope, q, angle_of(r, q->x), angle_of(to, q->x), 0.0, PIECE_ACCURACY,
+                     &part))
+      return po_fail(PO_NOT_CONVERGED, "the quadrature of the slope of the gap failed at radius %g",
+                     q->x);
     *sum += part;
     r = to;
   }
@@ -238,16 +237,12 @@ static po_status integrate(slope_integral *q, gsl_integration_workspace *space, 
 }
 
 po_status po_abel_by_quadrature(const po_scene *scene, double x, po_abel *abel) {
-  gsl_integration_workspace *space = gsl_integration_workspace_alloc(INTERVALS);
-  if (!space)
-    return po_fail(PO_NO_MEMORY, "no memory for a quadrature");
   slope_integral q = {scene, x, false};
   double g = 0.0, press = 0.0;
-  po_status status = integrate(&q, space, &g);
+  po_status status = integrate(&q, &g);
   q.press = true;
   if (!status)
-    status = integrate(&q, space, &press);
-  gsl_integration_workspace_free(space);
+    status = integrate(&q, &press);
   *abel = (po_abel){x * g, NAN, x * x * press};
   return status;
 }

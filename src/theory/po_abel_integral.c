@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "po_elementary.h"
 #include "po_quadrature.h"
 
 /* Points of the rule in a piece. */
@@ -31,7 +32,7 @@ static double piece_end(const integral *q, double x) {
 
 /* arccos(x/to) */
 static double angle_of(const integral *q, double x) {
-  return atan2(sqrt((q->to - x) * (q->to + x)), x);
+  return po_atan2(sqrt((q->to - x) * (q->to + x)), x);
 }
 
 /* Beyond a kink or a row g is smooth in the square root of the distance from it, in which the rule
@@ -42,7 +43,7 @@ static double piece(const integral *q, double from, double to) {
   double sum = 0.0;
   for (int i = 0; i < POINTS; ++i) {
     const double v = q->node[i], place = first + whole * v * v;
-    const double x = fmin(fmax(q->to_edge ? q->to * cos(place) : place, from), to);
+    const double x = fmin(fmax(q->to_edge ? q->to * po_cos(place) : place, from), to);
     sum += q->weight[i] * 2.0 * v * fabs(whole) * q->f(x, po_abel_at(q->scene, x), q->data);
   }
   return sum;

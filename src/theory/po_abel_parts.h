@@ -5,7 +5,7 @@
 #include "po_abel.h"
 #include "po_profile_table.h"
 
-/* The integral of sin^(n - 1) from 0 to pi/2, n > 0: (sqrt(pi)/2) Gamma(n/2)/Gamma((n + 1)/2). */
+/* The integral of sin^(n - 1) from 0 to pi/2, n > 0: B(n/2, 1/2)/2. */
 double po_abel_wallis(double n);
 
 /* The transform of a table, and the extrema over all radii up to x of (pi/2) (r f')', which bound

@@ -1,11 +1,12 @@
 /* The Abel transform of a table: piecewise over the cubics of its spline. With r = x cos(theta) the
  * integrands f', (r f')' and r^2 f' are trigonometric polynomials in each piece, which a Gauss rule
  * integrates to rounding. */
-#include <gsl/gsl_sf_gamma.h>
 #include <math.h>
 
 #include "po_abel_parts.h"
+#include "po_elementary.h"
 #include "po_quadrature.h"
+#include "po_special.h"
 
 /* Points of the Gauss rules and the greatest angles of a piece: the remainders for the third
  * harmonic are 7e-16 of 1 rad with 8 points and 2e-16 of 0.05 rad with 4. */
@@ -40,7 +41,7 @@ static void add_piece(const po_profile_table *t, const rules *rule, double x, si
                *weight = few ? rule->few_weight : rule->weight;
   const double angle = whole / pieces;
   for (int i = 0; i < pieces * count; ++i) {
-    const double theta = inner + angle * (i / count + node[i % count]), half = sin(0.5 * theta);
+    const double theta = inner + angle * (i / count + node[i % count]), half = po_sin(0.5 * theta);
     const double cosine = 1.0 - 2.0 * half * half;
     const derivatives f = derivatives_at(t, k, (x - t->r[k]) - 2.0 * x * half * half);
     const double part = angle * weight[i % count];
@@ -52,14 +53,12 @@ static void add_piece(const po_profile_table *t, const rules *rule, double x, si
 
 /* acos(r/x) */
 static double angle_of(double r, double x) {
-  return atan2(sqrt((x - r) * (x + r)), r);
+  return po_atan2(sqrt((x - r) * (x + r)), r);
 }
 
 /* The incomplete integral of sin^(n - 1) over the angles from the last row outwards. */
 static double part_beyond(double n, double end, double x) {
-  gsl_sf_result part;
-  const double outside = (x - end) / x * ((x + end) / x);
-  return gsl_sf_beta_inc_e(0.5, 0.5 * n, outside, &part) ? NAN : po_abel_wallis(n) * part.val;
+  return 0.5 * po_beta_incomplete(0.5, 0.5 * n, (x - end) / x * ((x + end) / x));
 }
 
 po_abel po_abel_of_table(const po_profile_table *t, double x) {
@@ -79,7 +78,7 @@ po_abel po_abel_of_table(const po_profile_table *t, double x) {
   }
   const double end = t->r[last], n = t->growth;
   if (x > end) {
-    const double slope = n * t->gap[last] / x * pow(x / end, n), part = part_beyond(n, end, x);
+    const double slope = n * t->gap[last] / x * po_pow(x / end, n), part = part_beyond(n, end, x);
     sum.g += slope * part;
     sum.rate += n * slope * part;
     sum.press += slope * part_beyond(n + 2.0, end, x);
@@ -119,7 +118,8 @@ double po_abel_table_greatest_rate(const po_profile_table *t, double x) {
   for (size_t k = 0; k < last && t->r[k] < x; ++k)
     widen(t, k, &least, &most);
   if (x > t->r[last]) /* (r f')' = n f' beyond the end */
-    most = fmax(most, t->growth * t->slope[last] * fmax(1.0, pow(x / t->r[last], t->growth - 1.0)));
+    most =
+        fmax(most, t->growth * t->slope[last] * fmax(1.0, po_pow(x / t->r[last], t->growth - 1.0)));
   return M_PI_2 * most;
 }
 

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "po_elementary.h"
 #include "po_root.h"
 
 /* Returned: whether radius, amplitude and wavelength are valid; a smooth sphere needs no
@@ -78,13 +79,13 @@ double po_rumpf_rabinowicz_force(double alpha, double radius) {
 /* The zeros of this function are the extrema of sin(x)/x: x^2 times its derivative, negated. */
 static double sinc_slope(double x, const void *unused) {
   (void)unused;
-  return sin(x) - x * cos(x);
+  return po_sin(x) - x * po_cos(x);
 }
 
 double po_compactness_bound(void) {
   /* the first minimum of sin(x)/x, where tan x = x */
   const double x = po_root(sinc_slope, NULL, M_PI, 2.0 * M_PI);
-  return -4.0 * M_PI * M_PI * sin(x) / x;
+  return -4.0 * M_PI * M_PI * po_sin(x) / x;
 }
 
 double po_compactness_radius(const po_scene *scene) {
@@ -110,7 +111,8 @@ double po_lennard_jones_traction(double gap) {
   if (!(gap > -1.0))
     return NAN;
   const double x = 1.0 / (1.0 + gap);
-  return 8.0 / 3.0 * x * x * x * expm1(-6.0 * log1p(gap)); /* x^9 - x^3 without cancellation */
+  return 8.0 / 3.0 * x * x * x *
+         po_expm1(-6.0 * po_log1p(gap)); /* x^9 - x^3 without cancellation */
 }
 
 double po_lennard_jones_peak_tension(void) {
@@ -118,5 +120,5 @@ double po_lennard_jones_peak_tension(void) {
 }
 
 double po_lennard_jones_peak_distance(void) {
-  return sqrt(cbrt(3.0));
+  return sqrt(po_cbrt(3.0));
 }

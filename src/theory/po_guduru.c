@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "po_elementary.h"
 #include "po_root.h"
 #include "po_struve.h"
 
@@ -108,7 +109,7 @@ static void scan(const po_scene *scene, const coefficients *t, double from, doub
   double left = from;
   for (int i = 1; i <= count; ++i) {
     const double part = (double)i / count;
-    const double right = geometric ? from * pow(to / from, part) : from + (to - from) * part;
+    const double right = geometric ? from * po_pow(to / from, part) : from + (to - from) * part;
     if (rate(left, t) < 0.0 && rate(right, t) >= 0.0) {
       const po_contact found = po_guduru_at(scene, po_root(rate, t, left, right));
       if (found.load < best->load)
@@ -151,7 +152,7 @@ static po_contact envelope_pull_off(const po_scene *scene, const coefficients *t
  * Eq 19. */
 static double crest_contact(const po_scene *scene) {
   const double curvature_ratio = 1.0 + 4.0 * M_PI * M_PI * po_scene_alpha(scene);
-  return po_jkr_pull_off(scene).contact_radius / cbrt(curvature_ratio * curvature_ratio);
+  return po_jkr_pull_off(scene).contact_radius / po_cbrt(curvature_ratio * curvature_ratio);
 }
 
 /* Scans wavelengths from number n outwards (step 1) or inwards (step -1), as long as they may
@@ -178,12 +179,12 @@ po_contact po_guduru_pull_off(const po_scene *scene) {
   const coefficients t = coefficients_of(scene);
   /* the minimum of the lower bound without the term WAVE_BOUND */
   const double depth = t.adhesion + t.wave * sqrt(2.0 * t.k / M_PI);
-  const double lowest = cbrt(pow(0.5 * depth / t.hertz, 2.0)), wave = t.length;
+  const double root = po_cbrt(0.5 * depth / t.hertz), lowest = root * root, wave = t.length;
   if (!(isfinite(lowest / wave) && isfinite(t.hertz * lowest * lowest * lowest)))
     return none;
   po_contact best = {INFINITY, NAN, NAN};
   const double from = fmin(PO_GUDURU_FIRST * wave, 0.01 * crest_contact(scene));
-  const double points = ceil(POINTS_OF_FIRST * log10(wave / from) / -log10(PO_GUDURU_FIRST));
+  const double points = ceil(POINTS_OF_FIRST * po_log10(wave / from) / -po_log10(PO_GUDURU_FIRST));
   if (!(from > DBL_MIN && points < MOST_POINTS))
     return none;
   scan(scene, &t, from, wave, (int)points, true, &best);
@@ -223,7 +224,8 @@ static double minimum_within(const load_difference *f, double left, double right
  * `load`. */
 static double radius_beyond(const coefficients *t, double load) {
   const double depth = t->adhesion + t->wave * sqrt(2.0 * t->k / M_PI);
-  double a = fmax(cbrt(pow(0.5 * depth / t->hertz, 2.0)), t->k > 0.0 ? t->length : 0.0);
+  const double root = po_cbrt(0.5 * depth / t->hertz);
+  double a = fmax(root * root, t->k > 0.0 ? t->length : 0.0);
   while (lower_bound(t, a) <= load)
     a *= GROWTH;
   return a;

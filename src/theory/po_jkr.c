@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "po_elementary.h"
+
 po_contact po_jkr_at(const po_scene *scene, double contact_radius) {
   if (!(scene->tabor > 0.0 && scene->radius > 0.0 && contact_radius >= 0.0))
     return (po_contact){NAN, NAN, NAN};
@@ -14,9 +16,9 @@ po_contact po_jkr_at(const po_scene *scene, double contact_radius) {
 
 /* dW/da = 0 at (a/Gamma)^3 = 9 pi/8; dDelta/da = 0 at (a/Gamma)^3 = pi/8. */
 po_contact po_jkr_pull_off(const po_scene *scene) {
-  return po_jkr_at(scene, cbrt(9.0 * M_PI / 8.0) * po_scene_gamma(scene));
+  return po_jkr_at(scene, po_cbrt(9.0 * M_PI / 8.0) * po_scene_gamma(scene));
 }
 
 po_contact po_jkr_last(const po_scene *scene) {
-  return po_jkr_at(scene, cbrt(M_PI / 8.0) * po_scene_gamma(scene));
+  return po_jkr_at(scene, po_cbrt(M_PI / 8.0) * po_scene_gamma(scene));
 }

@@ -4,6 +4,7 @@
 
 #include "po_abel.h"
 #include "po_abel_integral.h"
+#include "po_elementary.h"
 #include "po_initial_gap.h"
 #include "po_root.h"
 
@@ -21,7 +22,7 @@ typedef struct {
 
 static lengths lengths_of(const ring *m, double width) {
   const double s = sqrt(width * (2.0 * m->a + width));
-  return (lengths){m->a + width, s, atan2(s, m->a)};
+  return (lengths){m->a + width, s, po_atan2(s, m->a)};
 }
 
 static double less(double x, po_abel t, const void *data) {
@@ -264,7 +265,7 @@ static double from_tension(double x, po_abel t, const void *data) {
 static double gap_at(const ring *m, const lengths *l, double r) {
   const two_radii at = {r, l->c};
   const double profile = po_abel_integral_to_edge(m->scene, m->a, r, less, &m->at.g);
-  const double angle = atan2(sqrt((r - m->a) * (r + m->a)), m->a);
+  const double angle = po_atan2(sqrt((r - m->a) * (r + m->a)), m->a);
   const double part = po_abel_integral_to_edge(m->scene, m->a, fmin(r, l->c), from_tension, &at);
   return M_2_PI * (profile + 2.0 * m->tension * m->coupling * (l->s * angle - part));
 }
@@ -277,7 +278,7 @@ static double from_rate(double x, po_abel t, const void *data) {
 /* The pressure at r inside the contact, w/eps. */
 static double pressure_at(const ring *m, const lengths *l, double r) {
   const double profile = po_abel_integral(m->scene, r, m->a, from_rate, &r);
-  const double angle = atan2(l->s, sqrt((m->a - r) * (m->a + r)));
+  const double angle = po_atan2(l->s, sqrt((m->a - r) * (m->a + r)));
   return profile / (M_PI * m->coupling) - M_2_PI * m->tension * angle;
 }
 

@@ -1,13 +1,14 @@
 #include "po_rigid_profile.h"
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_integration.h>
 #include <math.h>
 
+#include "po_elementary.h"
 #include "po_initial_gap.h"
+#include "po_integral.h"
 #include "po_law_kind.h"
 #include "po_profile_kind.h"
 #include "po_root.h"
+#include "po_special.h"
 
 /* p is a sum of two terms, factor (1 + H)^-exponent or factor exp(-exponent H). */
 typedef struct {
@@ -46,7 +47,7 @@ static bool areas_of(const po_scene *scene, area_terms *t) {
     t->factor[0] = scene->radius;
   } else if (kind == &PO_POWER) {
     t->q[0] = 2.0 / of[PO_POWER_N];
-    t->factor[0] = pow(of[PO_POWER_C], -t->q[0]) / of[PO_POWER_N];
+    t->factor[0] = po_pow(of[PO_POWER_C], -t->q[0]) / of[PO_POWER_N];
   } else if (kind == &PO_CONE) {
     t->q[0] = 2.0;
     t->factor[0] = 1.0 / (of[PO_CONE_T] * of[PO_CONE_T]);
@@ -68,13 +69,13 @@ static bool areas_of(const po_scene *scene, area_terms *t) {
 static void add_moment(const law_terms *law, double approach, double q, double factor, double *load,
                        double *rate) {
   for (int i = 0; i < 2; ++i) {
-    const double e = law->exponent[i], k = factor * law->factor[i] * tgamma(q), x = 1.0 - approach;
+    const double e = law->exponent[i], k = factor * law->factor[i], x = 1.0 - approach;
     if (law->is_exponential) {
-      const double part = k * exp(e * approach) * pow(e, -q);
+      const double part = k * po_gamma(q) * po_exp(e * approach) * po_pow(e, -q);
       *load += part;
       *rate += e * part;
     } else {
-      const double part = k * tgamma(e - q) / tgamma(e) * pow(x, q - e);
+      const double part = k * po_beta(q, e - q) * po_pow(x, q - e);
       *load += part;
       *rate += (e - q) / x * part;
     }
@@ -116,27 +117,21 @@ static double far_out(double t, void *data) {
   return (q->slope ? -p.slope : p.traction) * r * r / t;
 }
 
-/* Relative accuracy of a piece; absolute, relative to the area; intervals of its bisection; pieces.
- */
+/* Relative accuracy of a piece; absolute, relative to the area; pieces. */
 static const double PIECE_ACCURACY = 1e-12, SMALL = 1e-15;
-enum { INTERVALS = 200, MOST_PIECES = 50000 };
+enum { MOST_PIECES = 50000 };
 /* The pieces end beyond this gap, or beyond the reach of a law without far field. */
 static const double FARTHEST_GAP = 10.0;
 
-static po_status add(double (*f)(double, void *), integrand *q, double from, double to, double area,
-                     gsl_integration_workspace *space, double *sum) {
-  gsl_function function = {f, q};
-  double part, error;
-  const int failed = gsl_integration_qag(&function, from, to, SMALL * area, PIECE_ACCURACY,
-                                         INTERVALS, GSL_INTEG_GAUSS21, space, &part, &error);
+static po_status add(po_integrand f, integrand *q, double from, double to, double area,
+                     double *sum) {
+  double part;
+  const po_status status = po_integrate(f, q, from, to, SMALL * area, PIECE_ACCURACY, &part);
   *sum += part;
-  return failed && failed != GSL_EROUND
-             ? po_fail(PO_NOT_CONVERGED, "the rigid load failed at approach %g: %s", q->approach,
-                       gsl_strerror(failed))
-             : PO_OK;
+  return status ? po_fail(status, "the rigid load failed at approach %g", q->approach) : PO_OK;
 }
 
-static po_status integrate(integrand *q, gsl_integration_workspace *space, double *sum) {
+static po_status integrate(integrand *q, double *sum) {
   const po_scene *scene = q->scene;
   const po_law *law = &scene->law;
   const double first = po_initial_gap_radius(scene, po_law_size(law, -q->approach));
@@ -155,25 +150,21 @@ static po_status integrate(integrand *q, gsl_integration_workspace *space, doubl
     if (k == MOST_PIECES)
       return po_fail(PO_TOO_MANY_POINTS,
                      "the rigid load has more than %d pieces: expected fewer waves", MOST_PIECES);
-    status = add(near_axis, q, r, to, first * first, space, sum);
+    status = add(near_axis, q, r, to, first * first, sum);
     r = to;
   }
   return !status && has_far_field && isinf(scene->outer_radius)
-             ? add(far_out, q, 0.0, 1.0, first * first, space, sum)
+             ? add(far_out, q, 0.0, 1.0, first * first, sum)
              : status;
 }
 
 po_status po_rigid_profile_quadrature(const po_scene *scene, double approach, double *load,
                                       double *rate) {
-  gsl_integration_workspace *space = gsl_integration_workspace_alloc(INTERVALS);
-  if (!space)
-    return po_fail(PO_NO_MEMORY, "no memory for a quadrature");
   integrand q = {.scene = scene, .approach = approach};
-  po_status status = integrate(&q, space, load);
+  po_status status = integrate(&q, load);
   q.slope = true;
   if (!status)
-    status = integrate(&q, space, rate);
-  gsl_integration_workspace_free(space);
+    status = integrate(&q, rate);
   *load *= 2.0 / scene->radius;
   *rate *= 2.0 / scene->radius;
   return status;
@@ -205,7 +196,7 @@ po_status po_rigid_profile_pull_off(const po_scene *scene, po_rigid_pull_off *pu
   const double closest = -po_law_closest(&scene->law),
                begin = closest + FARTHER * po_law_peak_gap(&scene->law);
   /* the distance from the closest approach, which falls by one factor */
-  const double factor = pow(NEAREST * closest / begin, 1.0 / SCAN_POINTS);
+  const double factor = po_pow(NEAREST * closest / begin, 1.0 / SCAN_POINTS);
   *pull_off = (po_rigid_pull_off){NAN, NAN};
   double x = begin, left = 0.0, left_rate = NAN;
   for (int k = 0; k <= SCAN_POINTS; ++k, x *= factor) {

@@ -4,6 +4,7 @@
 #include <stdbool.h>
 
 #include "po_bradley.h"
+#include "po_elementary.h"
 #include "po_quadrature.h"
 #include "po_root.h"
 
@@ -31,7 +32,7 @@ typedef struct {
 } wave_sums;
 
 static void add_point(const wave_field *f, double nu, double phi, double weight, wave_sums *sums) {
-  const double half = sin(0.5 * phi), s = 2.0 * M_PI * nu + phi;
+  const double half = po_sin(0.5 * phi), s = 2.0 * M_PI * nu + phi;
   const double y = f->x + f->c * s * s + 2.0 * f->amplitude * half * half;
   const double v = 1.0 / y, v2 = v * v, v3 = v2 * v, v6 = v3 * v3;
   const double law = v3 * (1.0 - v6), first = -3.0 * v2 * v2 * (1.0 - 3.0 * v6);
@@ -53,25 +54,29 @@ static const double FARTHEST = 16.0;
 /* Adds the integrals from `crest` to `end`, with the substitution phi = crest + width sinh(t). */
 static void add_side(const wave_field *f, double nu, double crest, double end, double width,
                      wave_sums *sums) {
-  const double whole = asinh((end - crest) / width);
+  const double whole = po_asinh((end - crest) / width);
   const double span = copysign(fmin(fabs(whole), FARTHEST), whole);
   const int panels = (int)ceil(fabs(span));
   for (int p = 0; p < panels; ++p)
     for (int i = 0; i < POINTS; ++i) {
       const double t = span * (p + f->node[i]) / panels;
-      add_point(f, nu, crest + width * sinh(t),
-                f->weight[i] * fabs(span) / panels * width * cosh(t), sums);
+      add_point(f, nu, crest + width * po_sinh(t),
+                f->weight[i] * fabs(span) / panels * width * po_cosh(t), sums);
     }
+}
+
+static double angle_of_sine(double sine) {
+  return po_atan2(sine, sqrt((1.0 - sine) * (1.0 + sine)));
 }
 
 /* The integrals over the wavelength centred at s = 2 pi nu; for nu = 0 over its outer half. */
 static wave_sums wave(const wave_field *f, double nu) {
   wave_sums sums = {0};
   const double slope = 4.0 * M_PI * f->c * nu;
-  const double crest = slope < f->amplitude ? -asin(slope / f->amplitude) : -M_PI_2;
-  const double half = sin(0.5 * crest), s = 2.0 * M_PI * nu + crest;
+  const double crest = slope < f->amplitude ? -angle_of_sine(slope / f->amplitude) : -M_PI_2;
+  const double half = po_sin(0.5 * crest), s = 2.0 * M_PI * nu + crest;
   const double y = f->x + f->c * s * s + 2.0 * f->amplitude * half * half;
-  const double curvature = f->amplitude * cos(crest) + 2.0 * f->c;
+  const double curvature = f->amplitude * po_cos(crest) + 2.0 * f->c;
   const double width = fmin(1.0, sqrt(2.0 * y / curvature));
   add_side(f, nu, crest, M_PI, width, &sums);
   if (nu > 0.0)
@@ -138,8 +143,8 @@ po_rigid_pull_off po_wavy_rigid_pull_off(double amplitude, double alpha) {
   /* The minimum lies between these values of x = 1 - approach: below `least` the repulsion of the
    * first crest alone exceeds all attraction; above 3^(1/6) (text after Eq 9) the tension decreases
    * with the gap everywhere. */
-  const double least = pow(4.0 * (1.0 + 4.0 * M_PI * M_PI * alpha), -1.0 / 6.0);
-  const double most = 1.01 * sqrt(cbrt(3.0)), ratio = pow(most / least, 1.0 / SCAN_POINTS);
+  const double least = po_pow(4.0 * (1.0 + 4.0 * M_PI * M_PI * alpha), -1.0 / 6.0);
+  const double most = 1.01 * sqrt(po_cbrt(3.0)), ratio = po_pow(most / least, 1.0 / SCAN_POINTS);
   const scene_numbers data = {amplitude, alpha};
   double x = most, right = 1.0 - x, right_rate = rate_at(right, &data);
   for (int i = 0; i < SCAN_POINTS; ++i) {
