@@ -1,4 +1,4 @@
-/* Struve functions of orders 0, 1 and 2, which contains. */
+/* Struve functions of orders 0, 1 and 2, which Eq 5 contains. */
 #ifndef PO_STRUVE_H
 #define PO_STRUVE_H
 
