@@ -169,9 +169,18 @@ void po_linear_apply_transposed(size_t rows, size_t columns, const double *a, si
 }
 
 double po_linear_dot(size_t n, const double *x, const double *y) {
-  return cblas_ddot((int)n, x, 1, y, 1);
+  enum { LANES = 8 };
+  double sum[LANES] = {0.0};
+  size_t i = 0;
+  for (; i + LANES <= n; i += LANES)
+    for (size_t k = 0; k < LANES; ++k)
+      sum[k] += x[i + k] * y[i + k];
+  for (size_t k = 0; i < n; ++i, ++k)
+    sum[k] += x[i] * y[i];
+  return ((sum[0] + sum[4]) + (sum[2] + sum[6])) + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
 }
 
 void po_linear_add(size_t n, double factor, const double *x, double *y) {
-  cblas_daxpy((int)n, factor, x, 1, y, 1);
+  for (size_t i = 0; i < n; ++i)
+    y[i] += factor * x[i];
 }

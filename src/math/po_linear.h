@@ -1,5 +1,6 @@
 /* Dense linear algebra. Only po_linear.c calls LAPACKE and CBLAS. Matrices are flat and
- * column-major. */
+ * column-major. The order of the operations of po_linear_dot and po_linear_add is fixed; results of
+ * the other functions depend on the kernels of OpenBLAS in their last bits. */
 #ifndef PO_LINEAR_H
 #define PO_LINEAR_H
 
@@ -26,7 +27,7 @@ po_status po_linear_reserve(int threads);
 
 /* The version of the loaded library, e.g. "OpenBLAS 0.3.21 ...", and the CPU kernels it uses, e.g.
  * "Haswell", which it selects by the processor or by OPENBLAS_CORETYPE. Both determine the last
- * bits of results. */
+ * bits of results of the dense schemes. */
 const char *po_linear_library(void);
 const char *po_linear_kernels(void);
 
