@@ -346,7 +346,7 @@ class Campaign:
         if kept.get("digest") == self.digest and not self.wanted.fresh:
             row.update(passed=kept["passed"], seconds=kept["seconds"])
         place, begin = self.place(edit.name), time.monotonic()
-        made = self.tested.compile_text(edit.file, edit.applied(self.source_of(edit)), place, ["-w"])
+        made = [self.tested.compile_text(edit.file, edit.applied(self.source_of(edit)), place, ["-w"])]
         programs = {}
         for name in self.order(edit, kept.get("caught_by")):
             altered = name not in row["passed"] and self.altered(name, programs, made, place)

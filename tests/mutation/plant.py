@@ -1,8 +1,10 @@
-"""Plants one fault in the program: an edited copy of one source file is compiled as the build does and linked before
-the libraries, so that it replaces their object of that file. The source tree remains unchanged."""
+"""Plants one fault in the program: an edited copy of one source file, or of every source that includes an edited header,
+is compiled as the build does and linked before the libraries, so that it replaces their objects. The source tree remains
+unchanged."""
 
 import json
 import os
+import re
 import shlex
 import subprocess
 import tomllib
@@ -77,12 +79,48 @@ class Build:
         own = os.path.basename(os.path.dirname(program))
         return own if program.startswith("src/") or not libraries else os.path.basename(os.path.dirname(libraries[0]))
 
-    def object_of(self, fault, place):
-        """Compiles the edited source into `place`. Returns the new object and the object that it replaces."""
-        return self.compile_text(fault["file"], altered(fault), place, ["-w"])
+    def objects_of(self, fault, place):
+        """Compiles the edited source, or all that include the edited header, into `place`. Returns pairs of a new object
+        and the object that it replaces."""
+        if not fault["file"].endswith(".h"):
+            return [self.compile_text(fault["file"], altered(fault), place, ["-w"])]
+        headers, files = self.included_in(fault["file"])
+        for header in headers:  # an include in quotes looks in the folder of the includer first
+            text = altered(fault) if header == fault["file"] else self.text_of(header)
+            with open(os.path.join(place, os.path.basename(header)), "w", encoding="utf-8") as stream:
+                stream.write(text)
+        return [self.compile_text(file, self.text_of(file), place, ["-w"]) for file in files]
+
+    def text_of(self, file):
+        with open(os.path.join(self.source, file), encoding="utf-8") as stream:
+            return stream.read()
+
+    def included_in(self, header):
+        """The header and those that include it, and the compiled sources below src that include one of these."""
+        names = [os.path.relpath(os.path.join(place, name), self.source) for place, _, inside in
+                 os.walk(os.path.join(self.source, "src")) for name in inside if name.endswith((".c", ".h"))]
+        includes = {name: set(re.findall(r'^ *# *include "([^"]+)"', self.text_of(name), re.MULTILINE)) for name in names}
+        headers, more = [], [header]
+        while more:
+            headers += more
+            wanted = {os.path.basename(name) for name in headers}
+            more = [name for name in names if name.endswith(".h") and name not in headers and includes[name] & wanted]
+        files = sorted(name for name in names if os.path.join(self.source, name) in self.compile and includes[name] & wanted)
+        if not files:
+            raise Stale(f"{header} is included in no file that is compiled in {self.folder}")
+        return headers, files
+
+    def check_fit(self, fault):
+        """Raises Stale if the fault cannot be planted."""
+        altered(fault)
+        if fault["file"].endswith(".h"):
+            self.included_in(fault["file"])
+        elif os.path.join(self.source, fault["file"]) not in self.compile:
+            raise Stale(f"{fault['file']} is not compiled in {self.folder}")
 
     def compile_text(self, file, text, place, options):
-        """Compiles a text instead of a source, with additional options, into `place`. Returns the same as object_of."""
+        """Compiles a text instead of a source, with additional options, into `place`. Returns the new object and the
+        object that it replaces."""
         entry = self.compile.get(os.path.join(self.source, file))
         if entry is None:
             raise Stale(f"{file} is not compiled in {self.folder}")
@@ -99,18 +137,20 @@ class Build:
             raise Stale(f"{file} with the fault does not compile:\n{said.stderr}")
         return made, entry["output"]
 
-    def program(self, program, fault_object, place):
-        """Links a program with the edited object; None if the program does not contain that file."""
-        made, original = fault_object
+    def program(self, program, objects, place):
+        """Links a program with the edited objects, as objects_of returns them; None if it contains none of them."""
         words = list(self.link_command(program))
-        room = os.path.join(os.path.dirname(os.path.dirname(original)), os.path.basename(os.path.dirname(original)))
-        library = room.removesuffix(".p")
-        if original in words:  # an object of the program, not of a library
-            words[words.index(original)] = made
-        elif library in words:
-            first = next(place for place, word in enumerate(words) if word.endswith(".o"))
-            words.insert(first, made)
-        else:
+        contains = False
+        for made, original in objects:
+            room = os.path.join(os.path.dirname(os.path.dirname(original)), os.path.basename(os.path.dirname(original)))
+            if original in words:  # an object of the program, not of a library
+                words[words.index(original)] = made
+            elif room.removesuffix(".p") in words:
+                words.insert(next(place for place, word in enumerate(words) if word.endswith(".o")), made)
+            else:
+                continue
+            contains = True
+        if not contains:
             return None
         path = os.path.join(place, os.path.basename(program))
         words[words.index("-o") + 1] = path

@@ -33,7 +33,7 @@ def arguments(words):
     parser.add_argument("--all", action="store_true", help="run every detector with every fault that concerns it")
     parser.add_argument("--write", action="store_true",
                         help="with --all: write first.toml, the detectors that are run first with each fault")
-    parser.add_argument("--fit", action="store_true", help="only whether every fault fits its source")
+    parser.add_argument("--fit", action="store_true", help="only whether every fault can be planted")
     given = parser.parse_args(words)
     if given.write and (not given.all or given.fault):
         parser.error("--write needs --all, without --fault")
@@ -128,7 +128,7 @@ class Campaign:
         """Plants a fault and runs detectors with it until one catches it; adds their cells to `cells`. Detectors whose
         program does not contain the file have no cell."""
         place = self.place(fault["name"])
-        made, programs = self.build.object_of(fault, place), {}
+        made, programs = self.build.objects_of(fault, place), {}
         for detector, always in turns:
             if not always and any(cell["caught"] for cell in cells.values()):
                 break
@@ -138,7 +138,7 @@ class Campaign:
             if not programs[name]:
                 continue
             cell = detect.run(detector, programs[name], place, detect.limit_of(self.baseline[detector["name"]]))
-            cell["caught"] = is_caught(fault, cell)
+            cell["caught"] = is_caught(fault, cell) and not self.baseline[detector["name"]]["by"]
             cells[detector["name"]] = cell
             with self.telling:
                 self.catches[detector["name"]] += cell["caught"]
@@ -248,12 +248,12 @@ def is_kept(path, key):
     return kept.get("schema") == SCHEMA and kept.get("key") == key and kept.get("passes")
 
 
-def print_fit():
-    """Prints the faults that do not fit their sources. Returns whether all fit."""
-    stale = 0
+def print_fit(folder):
+    """Prints the faults that cannot be planted in a build. Returns whether there are any."""
+    build, stale = plant.Build(folder), 0
     for fault in plant.read_faults(os.path.join(plant.HERE, "faults.toml")):
         try:
-            plant.altered(fault)
+            build.check_fit(fault)
         except (plant.Stale, OSError) as error:
             print(f"{fault['name']}: {error}")
             stale += 1
@@ -264,7 +264,7 @@ def main(words):
     wanted = arguments(words)
     begin = time.monotonic()
     if wanted.fit:
-        return print_fit()
+        return print_fit(wanted.build)
     try:
         campaign = Campaign(wanted)
     except (plant.Stale, OSError) as error:
