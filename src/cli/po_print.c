@@ -22,6 +22,14 @@ po_status po_print_document(json_t *document) {
   return status;
 }
 
+po_status po_print_digest(json_t *document) {
+  if (!document)
+    return PO_NO_MEMORY;
+  printf("digest   %s\n", json_string_value(json_object_get(document, "digest")));
+  json_decref(document);
+  return PO_OK;
+}
+
 po_status po_print_json(const po_request *request, const po_scene_flags *flags,
                         const po_result *result) {
   json_t *document = po_json_document(request, result);
@@ -291,8 +299,8 @@ static void print_input(const po_request *request) {
     print_table(&request->scene.profile);
 }
 
-void po_print_text(const po_request *request, const po_scene_flags *flags,
-                   const po_result *result) {
+po_status po_print_text(const po_request *request, const po_scene_flags *flags,
+                        const po_result *result) {
   print_input(request);
   printf("status   %s%s%s\n", po_status_name(result->status),
          result->rigid ? ", solved as rigid" : "",
@@ -323,4 +331,5 @@ void po_print_text(const po_request *request, const po_scene_flags *flags,
          (unsigned long long)result->work.newton_iterations,
          (unsigned long long)result->work.factorizations,
          (unsigned long long)result->work.factorized_nodes, result->work.seconds);
+  return po_print_digest(po_json_document(request, result));
 }

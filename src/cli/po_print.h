@@ -12,6 +12,10 @@
  * status is then PO_NO_MEMORY. */
 po_status po_print_document(json_t *document);
 
+/* Prints the line with the digest of a document, as po_print_document prints it, and releases the
+ * document. Status: PO_NO_MEMORY. */
+po_status po_print_digest(json_t *document);
+
 /* Prints the document of schema "pulloff/1". It has the block `physical` if the scene was given in
  * SI units. */
 po_status po_print_json(const po_request *request, const po_scene_flags *flags,
@@ -21,6 +25,7 @@ po_status po_print_json(const po_request *request, const po_scene_flags *flags,
 void po_print_bless(const po_case *kase);
 
 /* Prints the result as text for the terminal. */
-void po_print_text(const po_request *request, const po_scene_flags *flags, const po_result *result);
+po_status po_print_text(const po_request *request, const po_scene_flags *flags,
+                        const po_result *result);
 
 #endif

@@ -6,6 +6,7 @@
 
 #include "po_input.h"
 #include "po_json.h"
+#include "po_json_digest.h"
 #include "po_memory.h"
 #include "po_print.h"
 #include "po_print_physical.h"
@@ -52,7 +53,23 @@ static unsigned long long factorizations(const po_printed_series *series) {
   return all;
 }
 
-void po_print_series(const po_printed_series *series) {
+/* The document of schema "pulloff-line/1". Returned: NULL if memory runs out. */
+static json_t *document_of(const po_printed_series *series) {
+  json_t *points = po_json_empty_array();
+  for (size_t k = 0; k < series->count; ++k) {
+    const po_request *request = &series->requests[k];
+    const po_result *result = &series->results[k];
+    json_t *point = po_json_result(request, result);
+    if (is_physical(series))
+      po_json_set(&point, "physical", po_json_physical(&series->scenes[k].flags, request, result));
+    po_json_append(&points, point);
+  }
+  json_t *document = PO_JSON_OBJECT({"schema", po_json_text("pulloff-line/1")}, {"points", points});
+  po_json_seal(&document);
+  return document;
+}
+
+po_status po_print_series(const po_printed_series *series) {
   print_units(series);
   printf("%15s %14s %8s %16s %8s %14s %-9s %14s\n", series->name, "force", "error", "approach",
          "error", "contact radius", "obtained", "factorisations");
@@ -63,6 +80,7 @@ void po_print_series(const po_printed_series *series) {
   }
   printf("work     %llu factorisations for %zu scenes, %zu of them followed\n",
          factorizations(series), series->count, followed);
+  return po_print_digest(document_of(series));
 }
 
 /* Prints the rows of one fold, up to that in which it has ended. */
@@ -84,7 +102,7 @@ static void print_fold(const po_printed_series *series, size_t index) {
   }
 }
 
-void po_print_series_folds(const po_printed_series *series) {
+po_status po_print_series_folds(const po_printed_series *series) {
   const size_t folds = series->results[0].fold_count;
   print_units(series);
   printf("%-9s %15s %16s %8s %14s %8s %14s\n", "fold", series->name, "approach", "error", "load",
@@ -93,20 +111,11 @@ void po_print_series_folds(const po_printed_series *series) {
     print_fold(series, index);
   printf("work     %llu factorisations for %zu folds of %zu scenes\n", factorizations(series),
          folds, series->count);
+  return po_print_digest(document_of(series));
 }
 
 po_status po_print_series_json(const po_printed_series *series) {
-  json_t *points = po_json_empty_array();
-  for (size_t k = 0; k < series->count; ++k) {
-    const po_request *request = &series->requests[k];
-    const po_result *result = &series->results[k];
-    json_t *point = po_json_result(request, result);
-    if (is_physical(series))
-      po_json_set(&point, "physical", po_json_physical(&series->scenes[k].flags, request, result));
-    po_json_append(&points, point);
-  }
-  return po_print_document(
-      PO_JSON_OBJECT({"schema", po_json_text("pulloff-line/1")}, {"points", points}));
+  return po_print_document(document_of(series));
 }
 
 po_status po_print_series_curve(const po_printed_series *series, const char *file) {

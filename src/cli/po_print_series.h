@@ -23,10 +23,10 @@ typedef struct {
 } po_printed_series;
 
 /* Prints a row for each pull-off, in the units in which the scenes are given. */
-void po_print_series(const po_printed_series *series);
+po_status po_print_series(const po_printed_series *series);
 
 /* Prints a block of rows for each fold of the first scene. */
-void po_print_series_folds(const po_printed_series *series);
+po_status po_print_series_folds(const po_printed_series *series);
 
 /* Prints the document pulloff-line/1. */
 po_status po_print_series_json(const po_printed_series *series);

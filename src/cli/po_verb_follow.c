@@ -408,9 +408,9 @@ static po_status follow(const follow_line *line, po_request *requests, po_series
   if (!status && line->json)
     status = po_print_series_json(&series);
   else if (!status && line->folds && !results[0].status)
-    po_print_series_folds(&series);
+    status = po_print_series_folds(&series);
   else if (!status && !line->folds && !(line->curve && strcmp(line->curve, "-") == 0))
-    po_print_series(&series);
+    status = po_print_series(&series);
   fflush(stdout);
   if (!status && line->curve)
     status = po_print_series_curve(&series, line->curve);

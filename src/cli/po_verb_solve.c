@@ -274,13 +274,13 @@ static po_status print_result(const solve_line *line, const po_result *result) {
   const int output = tables_on_output(line) ? dup(STDOUT_FILENO) : -1;
   if (output >= 0)
     dup2(STDERR_FILENO, STDOUT_FILENO);
-  po_print_text(&line->request, &line->flags, result);
+  const po_status status = po_print_text(&line->request, &line->flags, result);
   fflush(stdout);
   if (output >= 0) {
     dup2(output, STDOUT_FILENO);
     close(output);
   }
-  return PO_OK;
+  return status;
 }
 
 /* Writes all files, even if one of them cannot be written. */

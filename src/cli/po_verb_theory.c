@@ -4,6 +4,7 @@
 
 #include "po_forms.h"
 #include "po_json.h"
+#include "po_json_digest.h"
 #include "po_print.h"
 #include "po_print_physical.h"
 #include "po_quote.h"
@@ -238,27 +239,34 @@ static void print_number(const char *key, const json_t *value, const char *unit)
     printf("%-34s %.12g%s%s\n", key, json_number_value(value), *unit ? " " : "", unit);
 }
 
-static void print_text(const po_theory_line *l, const json_t *out, json_t *si) {
+/* The document of the results, without those in SI units. Returned: NULL if memory runs out. */
+static json_t *document_of(const char *name, json_t *out) {
+  json_t *document =
+      PO_JSON_OBJECT({"schema", po_json_text("pulloff/1")}, {"theory", po_json_text(name)});
+  po_json_set_all(&document, json_incref(out));
+  po_json_seal(&document);
+  return document;
+}
+
+static po_status print_text(const po_theory_line *l, const char *name, json_t *out, json_t *si) {
   const char *key;
   json_t *value;
   if (si)
     po_print_physical_input(&l->flags);
-  json_object_foreach((json_t *)out, key, value) {
+  json_object_foreach(out, key, value) {
     print_number(key, value, "");
   }
   json_object_foreach(si, key, value) {
     print_number(key, value, unit_of(key));
   }
+  return po_print_digest(document_of(name, out));
 }
 
-/* Releases `out` and `si`. */
 static po_status print_json(const po_theory_line *l, const char *name, json_t *out, json_t *si) {
-  json_t *document =
-      PO_JSON_OBJECT({"schema", po_json_text("pulloff/1")}, {"theory", po_json_text(name)});
-  po_json_set_all(&document, out);
+  json_t *document = document_of(name, out);
   if (l->flags.from_physical) {
     json_t *physical = po_json_physical_input(&l->flags);
-    po_json_set_all(&physical, si);
+    po_json_set_all(&physical, json_incref(si));
     po_json_set(&document, "physical", physical);
   }
   return po_print_document(document);
@@ -292,14 +300,12 @@ static po_status print(const po_theory_line *l, const po_form *form) {
   json_t *out = po_json_empty_object();
   json_t *si = l->flags.from_physical ? po_json_empty_object() : NULL;
   fill(l, &values, &out, &si);
-  if (l->json)
-    return print_json(l, form->name, out, si);
-  const bool whole = out && (si || !l->flags.from_physical);
-  if (whole)
-    print_text(l, out, si);
+  po_status printed = PO_NO_MEMORY;
+  if (out && (si || !l->flags.from_physical))
+    printed = l->json ? print_json(l, form->name, out, si) : print_text(l, form->name, out, si);
   json_decref(out);
   json_decref(si);
-  return whole ? PO_OK : PO_NO_MEMORY;
+  return printed;
 }
 
 int po_verb_theory(int argc, char **argv) {

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "po_input.h"
+#include "po_json_digest.h"
 #include "po_json_parts.h"
 #include "po_profile_table.h"
 
@@ -92,6 +93,7 @@ json_t *po_json_document(const po_request *request, const po_result *result) {
     po_json_set(&document, "profile", po_json_profile(result));
     po_json_set(&document, "contact", po_json_contact(result));
   }
+  po_json_seal(&document);
   return document;
 }
 

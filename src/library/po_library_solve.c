@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "po_forms.h"
+#include "po_json_digest.h"
 #include "po_library.h"
 #include "po_memory.h"
 #include "po_observe.h"
@@ -169,6 +170,7 @@ static po_status evaluate(const char *name, const pulloff_scene *scene, double a
       PO_JSON_OBJECT({"schema", po_json_text("pulloff/1")}, {"theory", po_json_text(form->name)});
   for (size_t i = 0; i < values.count; ++i)
     po_json_set(&(*result)->document, values.items[i].name, po_json_number(values.items[i].value));
+  po_json_seal(&(*result)->document);
   if ((*result)->document)
     return PO_OK;
   pulloff_result_destroy(*result);

@@ -270,11 +270,13 @@ static po_status read_points(const po_merge_part *part, po_case_run *run) {
   for (size_t i = 0; i < run->plan->kase->point_count; ++i)
     lacking += run->asked[i] && !run->done[i];
   if (lacking && (status = read_record(run, part->folder)) == PO_NOT_FOUND)
-    return po_fail(PO_CANNOT_READ,
-                   "%s lacks %zu of %zu points of %s: expected the complete shard %zu/%zu; run it "
-                   "again",
-                   part->folder, lacking, run->asked_count, run->plan->kase->file->name,
-                   part->shard.number, part->shard.count);
+    return po_fail(
+        PO_CANNOT_READ,
+        "%s lacks %zu of %zu points of %s%s: expected the complete shard %zu/%zu; run it "
+        "again",
+        part->folder, lacking, run->asked_count, run->plan->kase->file->name,
+        run->altered ? ", whose results do not have their digests" : "", part->shard.number,
+        part->shard.count);
   return status || !run->asked[0] ? status : take_environment(part, run);
 }
 

@@ -10,6 +10,7 @@
 #include "po_file.h"
 #include "po_input.h"
 #include "po_json.h"
+#include "po_json_digest.h"
 #include "po_json_units.h"
 #include "po_lines.h"
 #include "po_rounds.h"
@@ -138,12 +139,18 @@ static json_t *rerun_json(const po_plan *plan, size_t point) {
   return po_json_take_text(text.data);
 }
 
+static json_t *sealed_result(const po_request *request, const po_result *result) {
+  json_t *object = po_json_result(request, result);
+  po_json_seal(&object);
+  return object;
+}
+
 json_t *po_record_point(const po_case_run *run, size_t index) {
   const po_case *kase = run->plan->kase;
   const po_point *point = &kase->points[index];
   const po_result *result = &run->results[index];
   const po_request shown = shown_request(kase, point);
-  json_t *object = po_json_result(&shown, result);
+  json_t *object = sealed_result(&shown, result);
   po_json_set(&object, "id", po_json_text(point->id));
   po_json_set(&object, "label", po_json_text(point->label));
   po_json_set(&object, "sweep", sweep(kase, index));
@@ -155,7 +162,7 @@ json_t *po_record_point(const po_case_run *run, size_t index) {
               run->plan->solver ? rerun_json(run->plan, index)
                                 : po_json_take_text(po_input_command(&shown)));
   if (point->traced)
-    po_json_set(&object, "traced", po_json_result(&shown, &run->traces[index]));
+    po_json_set(&object, "traced", sealed_result(&shown, &run->traces[index]));
   if (kase->is_physical)
     po_json_set(&object, "physical",
                 PO_JSON_OBJECT({"units", po_json_units(&kase->units)},
@@ -286,10 +293,22 @@ static json_t *environment(const po_case_run *run, int jobs) {
   return po_json_parse(run->environment, strlen(run->environment), &found) ? NULL : found;
 }
 
+/* The digests of the points, whose digest is that of the case. */
+static json_t *digests(const json_t *points) {
+  json_t *all = po_json_empty_array();
+  for (size_t i = 0; i < json_array_size(points); ++i)
+    po_json_append(&all, json_incref(json_object_get(json_array_get(points, i), "digest")));
+  return all;
+}
+
 /* Takes ownership of `points` and `lines`. */
 static json_t *record_json(const po_case_run *run, int jobs, json_t *points, json_t *lines) {
   const po_case *kase = run->plan->kase;
   const po_case_file *file = kase->file;
+  char digest[PO_RESULT_DIGEST_LENGTH];
+  json_t *all = digests(points);
+  const po_status status = po_json_digest(all, digest);
+  json_decref(all);
   return PO_JSON_OBJECT(
       {"schema", po_json_text("pulloff-record/1")}, {"case", po_json_text(file->name)},
       {"title", po_json_text(file->title)}, {"figure", po_json_text(file->figure)},
@@ -301,6 +320,7 @@ static json_t *record_json(const po_case_run *run, int jobs, json_t *points, jso
       {"versions", po_environment_versions(run->plan->arithmetic.openblas)},
       {"environment", environment(run, jobs)}, {"verdict", po_json_text(po_case_run_verdict(run))},
       {"seconds", po_json_number(run->elapsed)}, {"plan", plan_json(run->plan)}, {"points", points},
+      {"digest", status ? NULL : po_json_text(digest)},
       {"checks", results_json(run, &run->check_results, check_json)},
       {"measured", results_json(run, &run->measured, measure_json)},
       {"left_out", left_out(run->plan)}, {"not_solved", not_solved(kase)}, {"lines", lines},

@@ -5,6 +5,7 @@
 
 #include "po_file.h"
 #include "po_json.h"
+#include "po_json_digest.h"
 #include "po_record.h"
 #include "po_rounds.h"
 #include "po_tables.h"
@@ -33,6 +34,20 @@ static po_status read_table(const json_t *point, bool profile, bool needed, cons
   return status;
 }
 
+/* Whether the result that was read has the digest of its entry: PO_NOT_FOUND if it was altered. */
+static po_status check_digest(po_case_run *run, size_t index, const json_t *entry,
+                              const po_result *result) {
+  char digest[PO_RESULT_DIGEST_LENGTH];
+  json_t *object = po_json_result(&run->plan->kase->points[index].request, result);
+  po_status status = po_json_digest(object, digest);
+  json_decref(object);
+  if (!status && strcmp(digest, string_of(entry, "digest")) != 0) {
+    run->altered += 1;
+    status = PO_NOT_FOUND;
+  }
+  return status;
+}
+
 po_status po_record_read_point(po_case_run *run, size_t index, const json_t *point,
                                const char *folder) {
   const unsigned repeats = run->plan->kase->repeats;
@@ -45,9 +60,13 @@ po_status po_record_read_point(po_case_run *run, size_t index, const json_t *poi
   po_status status = po_json_read_result(point, result);
   if (!status && result->status == PO_NO_MEMORY)
     status = PO_NOT_FOUND; /* lack of memory is no result: the point is solved again */
+  if (!status)
+    status = check_digest(run, index, point, result);
   if (!status && run->plan->kase->points[index].traced) {
     po_result_clear(&run->traces[index]);
     status = po_json_read_result(json_object_get(point, "traced"), &run->traces[index]);
+    if (!status)
+      status = check_digest(run, index, json_object_get(point, "traced"), &run->traces[index]);
   }
   for (unsigned i = 0; i < repeats; ++i) {
     const size_t place = index * repeats + i;

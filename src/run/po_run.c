@@ -459,6 +459,10 @@ static po_status begin_case(po_crew *crew, po_case_run *run) {
       status = po_run_solver_recover(run, folder_of(crew, run));
     if (status)
       return status;
+    if (run->altered)
+      po_progress_say(&crew->progress,
+                      "%s: stored results do not have their digest and are solved again",
+                      run->plan->kase->file->name);
     leave_out(run, options->needed);
   }
   run->chunks = run->plan->kase->repeats > 1 ? 1 : (size_t)crew->jobs;

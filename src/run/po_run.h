@@ -25,11 +25,12 @@ typedef struct {
   double *processor_seconds; /* processor time of each solve, in the same order */
   bool *asked;               /* one a point: the point is requested; initially all are */
   size_t asked_count;
-  bool *done;                     /* one a point: its result is known */
-  size_t pending;                 /* number of requested points that are not solved yet */
-  size_t resumed;                 /* number of points that were read from the journal */
-  bool kept;                      /* the results were read from an earlier record */
-  bool finished;                  /* the checks were made, and the record, if any, is written */
+  bool *done;     /* one a point: its result is known */
+  size_t pending; /* number of requested points that are not solved yet */
+  size_t resumed; /* number of points that were read from the journal */
+  size_t altered; /* number of stored points without their digest, to be solved again */
+  bool kept;      /* the results were read from an earlier record */
+  bool finished;  /* the checks were made, and the record, if any, is written */
   char old_key[PO_DIGEST_LENGTH]; /* po_plan.key of that record */
   po_check_results check_results;
   po_check_results measured; /* the measurements: errors without a verdict */

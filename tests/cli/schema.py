@@ -7,6 +7,7 @@ Usage: schema.py PROGRAM SOURCE_TREE
   one of them, so that no property of an earlier version is left.
 - The schema must reject an added key, a missing key and a value of a wrong type: each document is changed in these
   three ways.
+- The Python function of doc/json.md must give the digests of the documents.
 - doc/json.md must have a row for every key of every definition, and no others.
 
 Exit status: 0 all hold, 1 otherwise, 77 python3-jsonschema is not installed.
@@ -20,6 +21,8 @@ import re
 import subprocess
 import sys
 import tempfile
+
+import digest
 
 try:
     import jsonschema
@@ -153,10 +156,22 @@ class Tests:
         document = json.loads(text)
         self.tell(f"{what}: valid", "; ".join(self.errors(definition, document)[:3]))
         self.note(definition, document)
+        self.sealed(document, what)
         for spoil in (add_key, drop_key, retype):
             spoilt = copy.deepcopy(document)
             spoil(spoilt)
             self.tell(f"{what}: {spoil.__name__} is found", not self.errors(definition, spoilt) and "valid")
+
+    def sealed(self, document, what):
+        """The digest of a document, and those of the points of a record, by the function of doc/json.md."""
+        of = digest.function()
+        if document["schema"] == "pulloff-record/1":
+            self.tell(f"{what}: digest", document["digest"] != of([point["digest"] for point in document["points"]]))
+            keys = self.definitions["result"]["properties"]
+            for point in document["points"]:
+                self.tell(f"{what}: digest of point {point['id']}", point["digest"] != digest.of_result(point, keys))
+        elif "digest" in document:
+            self.tell(f"{what}: digest", document["digest"] != of(document) and of(document))
 
     def note(self, definition, value):
         """Removes the properties of a value from those that have not occurred yet."""

@@ -1,0 +1,20 @@
+/* The digest of results: a few hexadecimal digits that two people can compare (doc/json.md#digest).
+ */
+#ifndef PO_JSON_DIGEST_H
+#define PO_JSON_DIGEST_H
+
+#include "po_json_value.h"
+
+enum { PO_RESULT_DIGEST_LENGTH = 17 }; /* 16 hexadecimal digits and the NUL */
+
+/* The digest of a document, or of a part of one: the first 16 digits of the SHA-256 of the lines
+ * `PATH=VALUE` of all its results, in the order of the sorted keys. Numbers are written as the bits
+ * of a double. What does not belong to the results has no line: what was asked, counters of work,
+ * times, messages, values in SI units, and condition numbers, which depend on the library for
+ * linear algebra. Status: PO_NO_MEMORY, also for a document that is NULL. */
+po_status po_json_digest(const json_t *document, char digest[PO_RESULT_DIGEST_LENGTH]);
+
+/* Adds the member "digest". If memory runs out, the document is released and *document is NULL. */
+void po_json_seal(json_t **document);
+
+#endif
