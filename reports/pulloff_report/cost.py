@@ -9,7 +9,7 @@ PLACE = os.path.join("cost", "cost.json")  # beside the run's folder
 
 NUMBER = (int, float)
 DOCUMENT = {"scene": dict, "machine": dict, "meshes": list, "waves": list}
-MACHINE = {"flops_double": NUMBER, "flops_single": NUMBER, "bytes": NUMBER, "library": str, "kernels": str}
+MACHINE = {"flops_double": NUMBER, "flops_single": NUMBER, "bytes": NUMBER, "library": str}
 SCENE = {"tabor": NUMBER, "amplitude": NUMBER, "wavelength": NUMBER}
 TRACE = {"seconds": NUMBER, "points": int, "newton_iterations": int, "factorizations": int, "nodes": int,
          "factorized_nodes": int}

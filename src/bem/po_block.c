@@ -3,16 +3,7 @@
 #include <math.h>
 #include <stdint.h>
 
-/* Widths of vector registers for which a function is compiled; the one that fits the processor is
- * chosen when the program is loaded, which is before the thread sanitizer can be called. */
-#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&       \
-    !defined(__SANITIZE_THREAD__)
-#define FOR_ALL_WIDTHS __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define FOR_ALL_WIDTHS
-#endif
-/* Functions that are compiled for a constant number of rows. */
-#define FOR_CONSTANT_ROWS static inline __attribute__((always_inline))
+#include "po_widths.h"
 
 /* Values that are processed together, and the groups of them in a column. */
 enum { LANES = 4, MOST_GROUPS = 4 };
@@ -20,8 +11,8 @@ typedef double lanes __attribute__((vector_size(LANES * sizeof(double)), aligned
 typedef int64_t mask __attribute__((vector_size(LANES * sizeof(int64_t))));
 
 /* y = start + A x, with 4 * groups rows. */
-FOR_CONSTANT_ROWS void apply(size_t groups, size_t columns, const double *a, const double *x,
-                             const double *start, double *y) {
+PO_INLINE void apply(size_t groups, size_t columns, const double *a, const double *x,
+                     const double *start, double *y) {
   const lanes *from = (const lanes *)a;
   lanes *to = (lanes *)y, sum[MOST_GROUPS];
   for (size_t p = 0; p < groups; ++p)
@@ -34,7 +25,7 @@ FOR_CONSTANT_ROWS void apply(size_t groups, size_t columns, const double *a, con
 }
 
 /* Adds the sums (v_0 + v_1) + (v_2 + v_3) of four vectors to the lanes of another. */
-FOR_CONSTANT_ROWS void add_sums(const lanes *v, lanes *to) {
+PO_INLINE void add_sums(const lanes *v, lanes *to) {
   const lanes first = __builtin_shufflevector(v[0], v[1], 0, 4, 2, 6) +
                       __builtin_shufflevector(v[0], v[1], 1, 5, 3, 7);
   const lanes second = __builtin_shufflevector(v[2], v[3], 0, 4, 2, 6) +
@@ -43,8 +34,8 @@ FOR_CONSTANT_ROWS void add_sums(const lanes *v, lanes *to) {
          __builtin_shufflevector(first, second, 2, 3, 6, 7);
 }
 
-FOR_CONSTANT_ROWS void apply_transposed(size_t groups, size_t columns, const double *a,
-                                        const double *x, double *y) {
+PO_INLINE void apply_transposed(size_t groups, size_t columns, const double *a, const double *x,
+                                double *y) {
   const lanes *from = (const lanes *)a;
   lanes own[MOST_GROUPS];
   for (size_t p = 0; p < groups; ++p)
@@ -60,21 +51,21 @@ FOR_CONSTANT_ROWS void apply_transposed(size_t groups, size_t columns, const dou
   }
 }
 
-FOR_ALL_WIDTHS void po_block_apply(size_t rows, size_t columns, const double *a, const double *x,
-                                   double *y) {
+PO_FOR_ALL_WIDTHS void po_block_apply(size_t rows, size_t columns, const double *a, const double *x,
+                                      double *y) {
   if (rows == 12)
     apply(3, columns, a, x, y, y);
   else
     apply(4, columns, a, x, y, y);
 }
 
-FOR_ALL_WIDTHS void po_block_apply_from(size_t columns, const double *a, const double *x,
-                                        const double *start, double *y) {
+PO_FOR_ALL_WIDTHS void po_block_apply_from(size_t columns, const double *a, const double *x,
+                                           const double *start, double *y) {
   apply(4, columns, a, x, start, y);
 }
 
-FOR_ALL_WIDTHS void po_block_apply_transposed(size_t rows, size_t columns, const double *a,
-                                              const double *x, double *y) {
+PO_FOR_ALL_WIDTHS void po_block_apply_transposed(size_t rows, size_t columns, const double *a,
+                                                 const double *x, double *y) {
   if (rows == 12)
     apply_transposed(3, columns, a, x, y);
   else
@@ -85,8 +76,8 @@ FOR_ALL_WIDTHS void po_block_apply_transposed(size_t rows, size_t columns, const
 enum { ROWS = 16, HALF = ROWS / 2 };
 typedef float half __attribute__((vector_size(HALF * sizeof(float)), aligned(4), may_alias));
 
-FOR_ALL_WIDTHS void po_block_apply_from_single(size_t columns, const float *a, const float *x,
-                                               const float *start, float *y) {
+PO_FOR_ALL_WIDTHS void po_block_apply_from_single(size_t columns, const float *a, const float *x,
+                                                  const float *start, float *y) {
   const half *from = (const half *)a, *of_start = (const half *)start;
   half *to = (half *)y, low[4] = {of_start[0]}, high[4] = {of_start[1]};
   for (size_t j = 0; j < columns; j += 4) /* four sums, so that one need not wait for another */
@@ -98,8 +89,8 @@ FOR_ALL_WIDTHS void po_block_apply_from_single(size_t columns, const float *a, c
   to[1] = (high[0] + high[1]) + (high[2] + high[3]);
 }
 
-FOR_ALL_WIDTHS void po_block_apply_transposed_single(size_t columns, const float *a, const float *x,
-                                                     float *y) {
+PO_FOR_ALL_WIDTHS void po_block_apply_transposed_single(size_t columns, const float *a,
+                                                        const float *x, float *y) {
   const half *from = (const half *)a, *with = (const half *)x;
   const half low = with[0], high = with[1];
   for (size_t j = 0; j < columns; ++j) {
@@ -108,8 +99,8 @@ FOR_ALL_WIDTHS void po_block_apply_transposed_single(size_t columns, const float
   }
 }
 
-FOR_ALL_WIDTHS void po_block_apply_both(const double *block, const double *x, double *y,
-                                        const double *u, double *v) {
+PO_FOR_ALL_WIDTHS void po_block_apply_both(const double *block, const double *x, double *y,
+                                           const double *u, double *v) {
   const lanes *b = (const lanes *)block, *from = (const lanes *)u;
   lanes *to = (lanes *)y;
   lanes y0 = to[0], y1 = to[1], y2 = to[2];
@@ -134,8 +125,8 @@ FOR_ALL_WIDTHS void po_block_apply_both(const double *block, const double *x, do
  */
 enum { PAIR = 2, QUARTET = 4 };
 
-FOR_ALL_WIDTHS void po_block_multiply(size_t inner, size_t columns, const double *a,
-                                      const double *b, const double *start, double *c) {
+PO_FOR_ALL_WIDTHS void po_block_multiply(size_t inner, size_t columns, const double *a,
+                                         const double *b, const double *start, double *c) {
   for (size_t j = 0; j < columns;
        j += PAIR, b += PAIR * ROWS, start += PAIR * ROWS, c += PAIR * ROWS) {
     const lanes *from = (const lanes *)a;
@@ -152,8 +143,8 @@ FOR_ALL_WIDTHS void po_block_multiply(size_t inner, size_t columns, const double
   }
 }
 
-FOR_ALL_WIDTHS void po_block_multiply_single(size_t inner, size_t columns, const float *a,
-                                             const float *b, const float *start, float *c) {
+PO_FOR_ALL_WIDTHS void po_block_multiply_single(size_t inner, size_t columns, const float *a,
+                                                const float *b, const float *start, float *c) {
   for (size_t j = 0; j < columns;
        j += QUARTET, b += QUARTET * ROWS, start += QUARTET * ROWS, c += QUARTET * ROWS) {
     const half *from = (const half *)a;
@@ -170,7 +161,7 @@ FOR_ALL_WIDTHS void po_block_multiply_single(size_t inner, size_t columns, const
   }
 }
 
-FOR_CONSTANT_ROWS void exchange(size_t groups, lanes *a, lanes *b) {
+PO_INLINE void exchange(size_t groups, lanes *a, lanes *b) {
   for (size_t p = 0; p < groups; ++p) {
     const lanes x = a[p];
     a[p] = b[p];
@@ -179,8 +170,7 @@ FOR_CONSTANT_ROWS void exchange(size_t groups, lanes *a, lanes *b) {
 }
 
 /* a - factor * b, with a = 0 where the mask is 0. */
-FOR_CONSTANT_ROWS void subtract(size_t groups, const mask *keep, double factor, const lanes *b,
-                                lanes *a) {
+PO_INLINE void subtract(size_t groups, const mask *keep, double factor, const lanes *b, lanes *a) {
   for (size_t p = 0; p < groups; ++p)
     a[p] = (lanes)((mask)a[p] & keep[p]) - factor * b[p];
 }
@@ -188,7 +178,7 @@ FOR_CONSTANT_ROWS void subtract(size_t groups, const mask *keep, double factor, 
 /* Works on the columns as the rows of the transpose, whose inverse is the transpose of the inverse.
  * Column k of the rows is replaced by a mask: a store of one value, before its vector is read,
  * makes the processor wait. */
-FOR_CONSTANT_ROWS int invert(size_t groups, double *a) {
+PO_INLINE int invert(size_t groups, double *a) {
   const size_t n = groups * LANES;
   size_t from[MOST_GROUPS * LANES];
   int sign = 1;
@@ -231,6 +221,6 @@ FOR_CONSTANT_ROWS int invert(size_t groups, double *a) {
   return sign;
 }
 
-FOR_ALL_WIDTHS int po_block_invert(size_t n, double *a) {
+PO_FOR_ALL_WIDTHS int po_block_invert(size_t n, double *a) {
   return n == 12 ? invert(3, a) : invert(4, a);
 }

@@ -179,14 +179,11 @@ static po_status read_solvers(po_session *session) {
   return status;
 }
 
-static po_status plan_one(const po_session *session, po_case *kase, const po_solver *solver,
-                          po_case_run *run) {
+static po_status plan_one(po_case *kase, const po_solver *solver, po_case_run *run) {
   po_plan *plan = NULL;
   const char *data = po_environment_data();
-  const po_status status = solver ? po_plan_create_solver(kase, data, solver, &plan)
-                           : session->arithmetic
-                               ? po_plan_create_for(kase, data, session->arithmetic, &plan)
-                               : po_plan_create(kase, data, &plan);
+  const po_status status =
+      solver ? po_plan_create_solver(kase, data, solver, &plan) : po_plan_create(kase, data, &plan);
   return status ? status : po_case_run_create(plan, run);
 }
 
@@ -203,8 +200,8 @@ static po_status plan_all(po_session *session) {
       kase->points[k].request.time_limit = session->time_limit;
   }
   for (size_t r = 0; !status && r < session->run_count; ++r)
-    status = plan_one(session, session->catalog.cases[r % count], session->solvers[r / count],
-                      &session->runs[r]);
+    status =
+        plan_one(session->catalog.cases[r % count], session->solvers[r / count], &session->runs[r]);
   return status;
 }
 

@@ -1,7 +1,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "po_environment.h"
 #include "po_file.h"
 #include "po_merge.h"
 #include "po_session.h"
@@ -12,8 +11,7 @@ static const char HELP[] =
     "Combines the shards of a run and compares the results with the references. The records are\n"
     "those that one run of all points would write, except for the times. Each DIR is a folder\n"
     "that pulloff run --shard K/N has written; the order is arbitrary. All N shards must be\n"
-    "present, finished, and computed by this program for these cases with the same OpenBLAS\n"
-    "kernels. The kernels of the machine that merges do not matter.\n"
+    "present, finished, and computed by this program for these cases, on whatever machines.\n"
     "\n"
     "  --output DIR    folder to which the records are written (default build/run)\n"
     "  --solver M      the shards are those of the external solver with the manifest M; each DIR\n"
@@ -28,23 +26,10 @@ static const struct option OPTIONS[] = {PO_SESSION_SOLVER_OPTIONS,
                                         {"help", no_argument, NULL, PO_OPTION_HELP},
                                         {NULL, 0, NULL, 0}};
 
-/* A run reuses records only with the OpenBLAS kernels that computed them. */
-static void tell_kernels(const po_arithmetic *arithmetic) {
-  po_arithmetic own;
-  if (!po_environment_arithmetic(&own) && strcmp(arithmetic->kernels, own.kernels) != 0)
-    fprintf(
-        stderr,
-        "pulloff: the shards were solved with the OpenBLAS kernels %s, but this machine uses %s: "
-        "set OPENBLAS_CORETYPE=%s for a later run, or it solves all points again\n",
-        arithmetic->kernels, own.kernels, arithmetic->kernels);
-}
-
 static po_status put_together(po_session *session, const po_merge *merge) {
   char **names = NULL;
   size_t count = 0;
-  const po_arithmetic arithmetic = po_merge_arithmetic(merge);
   session->time_limit = po_merge_time_limit(merge);
-  session->arithmetic = &arithmetic;
   po_status status = po_merge_cases(merge, &names, &count);
   if (!status)
     status = po_session_open(session, names, count);
@@ -54,9 +39,6 @@ static po_status put_together(po_session *session, const po_merge *merge) {
     status = po_session_solve(session); /* nothing is left to solve */
   if (status == PO_INTERRUPTED)
     po_fail(status, "interrupted; the shards are unchanged: run pulloff merge again");
-  session->arithmetic = NULL;
-  if (!status && !session->solvers[0])
-    tell_kernels(&arithmetic);
   po_names_free(names, count);
   return status;
 }

@@ -1,6 +1,6 @@
-/* Dense linear algebra. Only po_linear.c calls LAPACKE and CBLAS. Matrices are flat and
- * column-major. The order of the operations of po_linear_dot and po_linear_add is fixed; results of
- * the other functions depend on the kernels of OpenBLAS in their last bits. */
+/* Dense linear algebra. Matrices are flat and column-major. The order of all operations is fixed,
+ * so that the results are the same on every processor (po_dense.c). Only the condition number is
+ * LAPACK's (po_linear.c). */
 #ifndef PO_LINEAR_H
 #define PO_LINEAR_H
 
@@ -25,15 +25,13 @@ void po_linear_return_threads(int threads);
  * Status: PO_NO_MEMORY if the address space is too small. */
 po_status po_linear_reserve(int threads);
 
-/* The version of the loaded library, e.g. "OpenBLAS 0.3.21 ...", and the CPU kernels it uses, e.g.
- * "Haswell", which it selects by the processor or by OPENBLAS_CORETYPE. Both determine the last
- * bits of results of the dense schemes. */
+/* The version of the loaded library, e.g. "OpenBLAS 0.3.21 ...". */
 const char *po_linear_library(void);
-const char *po_linear_kernels(void);
 
 /* LU factorisation in place with partial pivoting, in double or single precision (see
  * po_factors.h). Given: a, n x n with leading dimension `stride`. Returned: the factors in a;
- * pivots, n. Status: PO_SINGULAR if a pivot is exactly zero. */
+ * pivots, n, from 1 as LAPACK's. Of equal moduli the first is the pivot. Error: as dgetrf, whose
+ * factors differ by rounding. Status: PO_SINGULAR if a pivot is exactly zero. */
 po_status po_linear_factorize(size_t n, double *a, size_t stride, int *pivots);
 po_status po_linear_factorize_single(size_t n, float *a, size_t stride, int *pivots);
 
@@ -50,8 +48,9 @@ void po_linear_solve_transposed(size_t n, const double *a, size_t stride, const 
 double po_linear_norm(size_t n, const double *a, size_t stride);
 
 /* An estimate of the condition number in the 1-norm; it is a lower bound, mostly within a factor of
- * 3 (Higham, Accuracy and Stability, Ch. 15). Given: the LU factors; norm, the 1-norm of the matrix
- * before the factorisation. Returned: INFINITY for a singular matrix; NaN if memory runs out. */
+ * 3 (Higham, Accuracy and Stability, Ch. 15), and rounded to four digits: the last ones depend on
+ * the processor. Given: the LU factors; norm, the 1-norm of the matrix before the factorisation.
+ * Returned: INFINITY for a singular matrix; NaN if memory runs out. */
 double po_linear_condition(size_t n, const double *a, size_t stride, double norm);
 
 /* y = A x. Given: a, rows x columns with leading dimension `stride`; x, columns. Returned: y,

@@ -24,10 +24,10 @@
 #define COMPILER "gcc " __VERSION__
 #endif
 
-json_t *po_environment_versions(const char *openblas) {
+json_t *po_environment_versions(void) {
   return PO_JSON_OBJECT({"pulloff", po_json_text(PULLOFF_VERSION)},
                         {"compiler", po_json_text(COMPILER)}, {"gsl", po_json_text(gsl_version)},
-                        {"openblas", po_json_text(openblas)},
+                        {"openblas", po_json_text(po_linear_library())},
                         {"lapacke", po_json_text(PULLOFF_LAPACKE_VERSION)},
                         {"jansson", po_json_text(jansson_version_str())},
                         {"libyaml", po_json_text(yaml_get_version_string())});
@@ -77,32 +77,22 @@ json_t *po_environment_describe(int jobs) {
                         {"jobs", po_json_integer(jobs)}, {"date", po_json_text(date)});
 }
 
-po_status po_environment_arithmetic(po_arithmetic *own) {
+po_status po_environment_program(char digest[PO_DIGEST_LENGTH]) {
   char *program = NULL;
   size_t size = 0;
   po_text text = {0};
   po_status status = po_path_exists(EXECUTABLE) ? po_file_read(EXECUTABLE, &program, &size) : PO_OK;
   po_text_add(&text, "%s|%s|", PULLOFF_VERSION, COMPILER);
   if (program) {
-    char digest[PO_DIGEST_LENGTH];
     po_digest_bytes(program, size, digest);
     po_text_add(&text, "%s", digest);
   }
   free(program);
   if (!status && text.failed)
     status = PO_NO_MEMORY;
-  po_digest_bytes(po_text_string(&text), text.length, own->program);
+  po_digest_bytes(po_text_string(&text), text.length, digest);
   po_text_clear(&text);
-  snprintf(own->openblas, sizeof own->openblas, "%s", po_linear_library());
-  snprintf(own->kernels, sizeof own->kernels, "%s", po_linear_kernels());
   return status;
-}
-
-void po_arithmetic_digest(const po_arithmetic *arithmetic, char digest[PO_DIGEST_LENGTH]) {
-  char text[sizeof *arithmetic + 2];
-  const int length = snprintf(text, sizeof text, "%s|%s|%s", arithmetic->program,
-                              arithmetic->openblas, arithmetic->kernels);
-  po_digest_bytes(text, (size_t)length, digest);
 }
 
 /* Finds a folder whose path is relative to that of the executable. Returned: its path without

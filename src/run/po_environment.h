@@ -5,9 +5,8 @@
 #include "po_digest.h"
 #include "po_json_value.h"
 
-/* Returned: {"pulloff", "compiler", "gsl", "openblas", "lapacke", "jansson", "libyaml"}.
- * Given: `openblas`, the library with which the results were computed. */
-json_t *po_environment_versions(const char *openblas);
+/* Returned: {"pulloff", "compiler", "gsl", "openblas", "lapacke", "jansson", "libyaml"}. */
+json_t *po_environment_versions(void);
 
 /* Returned: {"system", "machine", "processor", "cores", "jobs", "date"}. */
 json_t *po_environment_describe(int jobs);
@@ -15,21 +14,11 @@ json_t *po_environment_describe(int jobs);
 /* Returned: the number of processors on which this process may run. */
 int po_environment_cores(void);
 
-/* The program and the linear algebra library. Two runs with equal arithmetic give equal results for
- * a scene, to the last bit. */
-typedef struct {
-  char program[PO_DIGEST_LENGTH]; /* digest of version, compiler and executable */
-  char openblas[256];             /* the library with its kernels, as po_linear_library */
-  char kernels[32];               /* the kernels alone, as po_linear_kernels */
-} po_arithmetic;
-
-/* Returned: in *own, the arithmetic of this process. If the system has no /proc/self/exe, `program`
- * does not depend on the executable. Status: PO_CANNOT_READ (the executable cannot be read, so that
- * results could be mistaken for those of another program), PO_NO_MEMORY. */
-po_status po_environment_arithmetic(po_arithmetic *own);
-
-/* Returned: in `digest`, a digest of an arithmetic. */
-void po_arithmetic_digest(const po_arithmetic *arithmetic, char digest[PO_DIGEST_LENGTH]);
+/* Returned: in `digest`, that of version, compiler and executable. Two runs of the same program
+ * give equal results for a scene, to the last bit, whatever the machine. If the system has no
+ * /proc/self/exe, it does not depend on the executable. Status: PO_CANNOT_READ (the executable
+ * cannot be read, so that results could be mistaken for those of another program), PO_NO_MEMORY. */
+po_status po_environment_program(char digest[PO_DIGEST_LENGTH]);
 
 /* Returned: the folder that contains cases/, reference/ and reports/. It is, in this order: that of
  * the environment variable PULLOFF_DATA; the link `pulloff-data` beside the program, which only a

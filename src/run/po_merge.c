@@ -87,34 +87,15 @@ static const char *other_case(const po_merge_part *a, const po_merge_part *b) {
   return NULL;
 }
 
-/* Returned: the arithmetic with which a shard was computed. */
-static po_arithmetic arithmetic_of(const po_merge_part *part) {
-  po_arithmetic found;
-  snprintf(found.program, sizeof found.program, "%s", string_of(part->root, "program"));
-  snprintf(found.openblas, sizeof found.openblas, "%s", string_of(part->root, "openblas"));
-  snprintf(found.kernels, sizeof found.kernels, "%s", string_of(part->root, "kernels"));
-  return found;
-}
-
-/* Compares a shard with the first one: their arithmetic, cases and scenes must agree. */
+/* Compares a shard with the first one: program, cases and scenes must agree. */
 static po_status check_part(const po_merge_part *first, const po_merge_part *part) {
   if (part->shard.count != first->shard.count)
     return po_fail(PO_BAD_INPUT, "%s is one of %zu shards: expected one of %zu, as %s is",
                    part->path, part->shard.count, first->shard.count, first->path);
-  const po_arithmetic a = arithmetic_of(first), b = arithmetic_of(part);
-  if (strcmp(a.program, b.program) != 0)
+  if (strcmp(string_of(first->root, "program"), string_of(part->root, "program")) != 0)
     return po_fail(PO_BAD_INPUT,
                    "%s was computed by another program than %s: expected the same program",
                    part->path, first->path);
-  if (strcmp(a.kernels, b.kernels) != 0)
-    return po_fail(
-        PO_BAD_INPUT,
-        "%s was computed with the OpenBLAS kernels %s, %s with %s: expected the same "
-        "kernels for all shards; the environment variable OPENBLAS_CORETYPE selects them",
-        part->path, b.kernels, first->path, a.kernels);
-  if (strcmp(a.openblas, b.openblas) != 0)
-    return po_fail(PO_BAD_INPUT, "%s was computed with %s, %s with %s: expected the same library",
-                   part->path, b.openblas, first->path, a.openblas);
   const char *other = other_case(first, part);
   if (other)
     return po_fail(PO_BAD_INPUT,
@@ -213,19 +194,9 @@ double po_merge_time_limit(const po_merge *merge) {
   return po_json_read_number(merge->parts[0].root, "time_limit");
 }
 
-po_arithmetic po_merge_arithmetic(const po_merge *merge) {
-  return arithmetic_of(&merge->parts[0]);
-}
-
-/* Checks that the shards were computed by this program, for the scenes of these cases. The OpenBLAS
- * kernels of this process do not matter, because merging solves nothing. */
+/* Checks that the shards were computed by this program, for the scenes of these cases. */
 static po_status check_runs(const po_merge_part *first, const po_case_run *runs, size_t count) {
-  po_arithmetic own;
-  const po_status status = po_environment_arithmetic(&own);
-  if (status)
-    return status;
-  const po_solver *solver = runs[0].plan->solver;
-  if (strcmp(string_of(first->root, "program"), solver ? solver->digest : own.program) != 0)
+  if (strcmp(string_of(first->root, "program"), runs[0].plan->program) != 0)
     return po_fail(
         PO_BAD_INPUT,
         "%s was computed by another program: expected the program that merges the shards",

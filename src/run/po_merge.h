@@ -21,8 +21,7 @@ typedef struct {
 /* Finds the shards in some folders, in any order. A folder may contain several shards.
  * Status: PO_CANNOT_READ if a folder contains no shard or a shard is damaged; PO_BAD_INPUT if a
  * shard occurs twice or is missing, or if it differs from the first in the number of shards, the
- * program, the OpenBLAS library and its kernels, the cases or their scenes. The message names the
- * shard. */
+ * program, the cases or their scenes. The message names the shard. */
 po_status po_merge_open(char *const *folders, size_t count, po_merge *merge);
 void po_merge_close(po_merge *merge);
 
@@ -34,12 +33,8 @@ po_status po_merge_cases(const po_merge *merge, char ***names, size_t *count);
  * time limits of the cases were used. */
 double po_merge_time_limit(const po_merge *merge);
 
-/* Returned: the arithmetic of the shards, with which the plans are to be created. */
-po_arithmetic po_merge_arithmetic(const po_merge *merge);
-
 /* Reads all points of the shards into the runs of the cases; po_run then compares them and writes
  * the records. A record has the environment of the shard that solved the first point of its case.
- * The OpenBLAS kernels of this process may differ from those of the shards.
  * Status: PO_BAD_INPUT if the shards were computed by another program, or a case has other scenes;
  * PO_CANNOT_READ if a shard is incomplete, e.g. because it was interrupted. The message names the
  * shard. */

@@ -174,7 +174,6 @@ static po_status open_references(po_plan *plan, const char *data_folder) {
 static po_status make_keys(po_plan *plan) {
   const po_case *kase = plan->kase;
   po_text text = {0};
-  po_arithmetic_digest(&plan->arithmetic, plan->program);
   po_text_add(&text, "%s|%u|%u|", plan->program, plan->want, kase->repeats);
   if (kase->series_length > 1)
     po_text_add(&text, "%s|%zu|%zu|", kase->file->follow, kase->series_length, kase->checkpoints);
@@ -198,13 +197,6 @@ static po_status make_keys(po_plan *plan) {
   return status;
 }
 
-po_status po_plan_create(const po_case *kase, const char *data_folder, po_plan **result) {
-  po_arithmetic own;
-  const po_status status = po_environment_arithmetic(&own);
-  *result = NULL;
-  return status ? status : po_plan_create_for(kase, data_folder, &own, result);
-}
-
 /* Composes the name of the plan of an external solver. */
 static po_status name_plan(po_plan *plan) {
   po_text name = {0};
@@ -215,16 +207,15 @@ static po_status name_plan(po_plan *plan) {
   return name.failed ? PO_NO_MEMORY : PO_OK;
 }
 
-static po_status create(const po_case *kase, const char *data_folder,
-                        const po_arithmetic *arithmetic, const po_solver *solver,
-                        po_plan **result) {
+static po_status create(const po_case *kase, const char *data_folder, const char *program,
+                        const po_solver *solver, po_plan **result) {
   *result = NULL;
   po_plan *plan = po_allocate(1, sizeof *plan);
   if (!plan)
     return PO_NO_MEMORY;
   plan->kase = kase;
   plan->solver = solver;
-  plan->arithmetic = *arithmetic;
+  snprintf(plan->program, sizeof plan->program, "%s", program);
   po_status status = name_plan(plan);
   if (!status)
     status = open_references(plan, data_folder);
@@ -241,16 +232,16 @@ static po_status create(const po_case *kase, const char *data_folder,
   return status;
 }
 
-po_status po_plan_create_for(const po_case *kase, const char *data_folder,
-                             const po_arithmetic *arithmetic, po_plan **result) {
-  return create(kase, data_folder, arithmetic, NULL, result);
+po_status po_plan_create(const po_case *kase, const char *data_folder, po_plan **result) {
+  char program[PO_DIGEST_LENGTH];
+  const po_status status = po_environment_program(program);
+  *result = NULL;
+  return status ? status : create(kase, data_folder, program, NULL, result);
 }
 
 po_status po_plan_create_solver(const po_case *kase, const char *data_folder,
                                 const po_solver *solver, po_plan **result) {
-  po_arithmetic arithmetic = {.openblas = "", .kernels = ""};
-  snprintf(arithmetic.program, sizeof arithmetic.program, "%s", solver->digest);
-  return create(kase, data_folder, &arithmetic, solver, result);
+  return create(kase, data_folder, solver->digest, solver, result);
 }
 
 void po_plan_destroy(po_plan *plan) {

@@ -4,7 +4,6 @@
 
 #include "po_case.h"
 #include "po_digest.h"
-#include "po_environment.h"
 #include "po_reference.h"
 #include "po_solver.h"
 #include "po_text.h"
@@ -18,8 +17,7 @@ typedef struct {
   unsigned want;            /* bit set of PO_WANT_..., for every point */
   char **lines;             /* the description of the plan, for the user */
   size_t line_count;
-  po_arithmetic arithmetic;         /* of the process that computes, or computed, the results */
-  char program[PO_DIGEST_LENGTH];   /* digest of the arithmetic */
+  char program[PO_DIGEST_LENGTH];   /* digest of the program or the solver */
   char solve_key[PO_DIGEST_LENGTH]; /* digest of all that determines the results: scenes, program */
   char key[PO_DIGEST_LENGTH];       /* digest of that, the text of the case and the references */
 } po_plan;
@@ -28,11 +26,6 @@ typedef struct {
  * decides what is computed.
  * Status: PO_CANNOT_READ (a reference), PO_BAD_INPUT (a tolerance), PO_NO_MEMORY. */
 po_status po_plan_create(const po_case *kase, const char *data_folder, po_plan **result);
-
-/* Creates a plan like po_plan_create, for results of an arithmetic other than that of this process.
- */
-po_status po_plan_create_for(const po_case *kase, const char *data_folder,
-                             const po_arithmetic *arithmetic, po_plan **result);
 
 /* Creates the plan of a case for an external solver, which must outlive the plan. Only what the
  * solver computes is wanted. */
@@ -43,8 +36,8 @@ void po_plan_destroy(po_plan *plan);
 /* Returned: the name of the case in printed lines. */
 const char *po_plan_name(const po_plan *plan);
 
-/* Adds the options that name an external solver, " --solver MANIFEST --knob VALUE"; nothing for this
- * program. The name of the solver says whether the knob has another value than the last. */
+/* Adds the options that name an external solver, " --solver MANIFEST --knob VALUE"; nothing for
+ * this program. The name of the solver says whether the knob has another value than the last. */
 void po_plan_add_solver(const po_plan *plan, po_text *text);
 
 /* Adds the command that asks an external solver for one point again and prints its verdicts. */

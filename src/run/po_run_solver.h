@@ -2,6 +2,7 @@
 #ifndef PO_RUN_SOLVER_H
 #define PO_RUN_SOLVER_H
 
+#include "po_json_value.h"
 #include "po_run.h"
 
 /* Prepares the run of an external solver: points that its manifest excludes are marked as beyond

@@ -69,22 +69,15 @@ static json_t *cases_json(const po_case_run *runs, size_t count) {
 po_status po_shard_write(const po_case_run *runs, size_t count, po_shard shard, double time_limit,
                          int jobs, const char *output) {
   char name[64];
-  po_arithmetic own;
   po_text text = {0};
   snprintf(name, sizeof name, "shard-%zu-of-%zu.json", shard.number, shard.count);
-  po_status status = po_environment_arithmetic(&own);
-  if (status)
-    return status;
-  if (runs[0].plan->solver)
-    own = runs[0].plan->arithmetic;
   json_t *document = PO_JSON_OBJECT(
       {"schema", po_json_text(PO_SHARD_SCHEMA)}, {"shard", po_json_count(shard.number)},
-      {"of", po_json_count(shard.count)}, {"program", po_json_text(own.program)},
-      {"openblas", po_json_text(own.openblas)}, {"kernels", po_json_text(own.kernels)},
+      {"of", po_json_count(shard.count)}, {"program", po_json_text(runs[0].plan->program)},
       {"time_limit", po_json_number(time_limit)}, {"environment", po_environment_describe(jobs)},
       {"cases", cases_json(runs, count)});
   char *path = po_path_join(output, name);
-  status = path ? po_folder_make(output) : PO_NO_MEMORY;
+  po_status status = path ? po_folder_make(output) : PO_NO_MEMORY;
   if (!status)
     status = po_json_print(document, &text);
   if (!status)

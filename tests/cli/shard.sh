@@ -55,7 +55,7 @@ checkpoint_every: 3
 want: [pull_off]
 CASE
 }
-strip() { grep -v -E '"(seconds|date|jobs)"|^ *[0-9.]+(e-[0-9]+)?,?$' "$1"; }
+strip() { grep -v -E '"(seconds|date|jobs|openblas)"|^ *[0-9.]+(e-[0-9]+)?,?$' "$1"; }
 
 # ends CODE ARGUMENT...: tests that the program ends with the exit code CODE; its output is not tested.
 ends() {
@@ -78,9 +78,10 @@ expect 4 'pulloff: the folder absent cannot be read: *' merge absent
 
 write_cases 81
 ends 0 run --output whole
-for k in 1 2 3; do
-  ends 0 run --output part-$k --shard $k/3 --jobs $k
-done
+# The shards are of three processors, as far as OpenBLAS can tell.
+OPENBLAS_CORETYPE=Prescott ends 0 run --output part-1 --shard 1/3 --jobs 1
+OPENBLAS_CORETYPE=Nehalem ends 0 run --output part-2 --shard 2/3 --jobs 2
+ends 0 run --output part-3 --shard 3/3 --jobs 3
 check 'no shard has a record of a case that is divided' test ! -e part-1/drawn/record.json -a ! -e part-2/drawn/record.json
 cat >dealt.py <<'DEALT'
 import json
@@ -173,36 +174,6 @@ expect 2 'pulloff: part-1/shard-1-of-3.json was computed by another program: exp
 program=$program_here
 expect 2 'pulloff: other/shard-2-of-3.json was computed by another program than part-1/*' \
   merge part-1 other part-3
-
-# The OpenBLAS kernels for different processors differ in the last bits, so all shards must use the same kernels. The
-# kernels of the process that merges do not matter.
-OPENBLAS_CORETYPE=Prescott ends 0 run rigid --output probe --shard 1/1
-if grep -q '"kernels": "Prescott"' probe/shard-1-of-1.json; then # otherwise OpenBLAS has only one set of kernels
-  for k in 1 2 3; do
-    OPENBLAS_CORETYPE=Prescott ends 0 run --output old-$k --shard $k/3
-  done
-  OPENBLAS_CORETYPE=Prescott ends 0 run --output old-whole
-  ends 0 merge --output old-merged old-1 old-2 old-3
-  cp "$work/stderr" said
-  OPENBLAS_CORETYPE=Prescott ends 0 merge --output old-alike old-3 old-2 old-1
-  check 'other kernels are reported' grep -q 'set OPENBLAS_CORETYPE=Prescott for a later run' said
-  check 'the same kernels are not reported' test "$(grep -c OPENBLAS_CORETYPE "$work/stderr")" -eq 0
-  for name in drawn rigid timed followed; do
-    strip old-whole/$name/record.json >at-once
-    for folder in old-merged old-alike; do
-      strip $folder/$name/record.json >joined
-      check "the record of $name in $folder is that of the whole run with these kernels" cmp joined at-once
-    done
-  done
-  check 'the record has the name of the kernels' grep -q '"openblas": ".*Prescott' old-merged/drawn/record.json
-  check 'the record has the numbers of these kernels' test "$(cmp old-merged/drawn/curve-0.csv whole/drawn/curve-0.csv)"
-  OPENBLAS_CORETYPE=Prescott expect 0 'drawn: 7 points, 1 checks: within (kept)' run drawn --output old-merged
-  expect 2 'pulloff: old-2/shard-2-of-3.json was computed with the OpenBLAS kernels Prescott, part-1/shard-1-of-3.json with *: expected the same *' \
-    merge part-1 old-2 part-3
-fi
-sed 's/"openblas": "OpenBLAS [^ ]*/"openblas": "OpenBLAS 0.0.0/' part-2/shard-2-of-3.json >lies/shard-2-of-3.json
-expect 2 'pulloff: lies/shard-2-of-3.json was computed with OpenBLAS 0.0.0 *, part-1/shard-1-of-3.json with *: expected the same library' \
-  merge part-1 lies part-3
 
 ends 0 run drawn rigid --output less --shard 2/3
 expect 2 'pulloff: less/* has other cases than part-1/shard-1-of-3.json: expected the same, but only one has *' \

@@ -126,9 +126,9 @@ static po_status measure_all(size_t meshes, size_t waves, json_t *document) {
   json_object_set_new(document, "waves", wave_list);
   if (!status)
     json_object_set_new(document, "machine",
-                        json_pack("{s:f, s:f, s:f, s:s, s:s}", "flops_double", rates.in_double,
+                        json_pack("{s:f, s:f, s:f, s:s}", "flops_double", rates.in_double,
                                   "flops_single", rates.in_single, "bytes", rates.memory, "library",
-                                  po_linear_library(), "kernels", po_linear_kernels()));
+                                  po_linear_library()));
   return status;
 }
 

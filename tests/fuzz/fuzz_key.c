@@ -44,7 +44,8 @@ static void set(po_request *request, const char *name, const char *text) {
   /* A parameter of another profile or law is kept for later, and has no number until then. */
   const bool kept = isnan(po_key_number(request, (po_key)key));
   fuzz_require(po_key_is_group(key) || po_key_matches(request, (po_key)key, text) == !kept,
-               "%s is set to %s and %s it", name, text, kept ? "already matches" : "does not match");
+               "%s is set to %s and %s it", name, text,
+               kept ? "already matches" : "does not match");
   po_key_print(request, (po_key)key, printed);
   fuzz_require_words("a value", printed, false);
 }

@@ -1,7 +1,6 @@
 /* The shards of a run, as merge reads them. Each part of the input is the file of one shard.
  * Tokens:
- * @PROGRAM@, @OPENBLAS@ and @KERNELS@ for the program, OpenBLAS and its CPU kernels, @PLAIN@ and
- * @FOLLOWED@ for the keys of the two cases. */
+ * @PROGRAM@ for the program, @PLAIN@ and @FOLLOWED@ for the keys of the two cases. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -55,16 +54,12 @@ static void fill(const po_merge *merge, char *const *names, size_t count) {
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   fuzz_part parts[MOST_SHARDS];
-  po_arithmetic own;
   const size_t count = fuzz_split(data, size, parts, MOST_SHARDS);
   if (!runs[0]) {
     runs[0] = fuzz_run("plain");
     runs[1] = fuzz_run("followed");
   }
-  po_environment_arithmetic(&own);
-  const fuzz_token tokens[] = {{"@PROGRAM@", own.program},
-                               {"@OPENBLAS@", own.openblas},
-                               {"@KERNELS@", own.kernels},
+  const fuzz_token tokens[] = {{"@PROGRAM@", runs[0]->plan->program},
                                {"@PLAIN@", runs[0]->plan->solve_key},
                                {"@FOLLOWED@", runs[1]->plan->solve_key}};
   char *folder = (char *)fuzz_path("shards");

@@ -497,7 +497,7 @@ def cost_document(compressed, dense, waves):
 
     trace = {"seconds": 1.0, "points": 100, "newton_iterations": 400, "factorizations": 50, "nodes": 300, "factorized_nodes": 301}
     return {"schema": "pulloff-cost/1", "scene": {"tabor": 3.0, "amplitude": 1.0, "wavelength": 20.0},
-            "machine": {"flops_double": 5e10, "flops_single": 1e11, "bytes": 1e10, "library": "made up", "kernels": "none"},
+            "machine": {"flops_double": 5e10, "flops_single": 1e11, "bytes": 1e10, "library": "made up"},
             "meshes": [{"radius": float(n), "nodes": n, "hierarchical": way(n, compressed), "dense": way(n, dense) if n < 5000 else None,
                         "trace": {**trace, "seconds": 1e-6 * n}} for n in nodes],
             "waves": [{"radius": 100.0 * 4 ** k, "waves": 2.0 ** k, "trace": {**trace, "seconds": 0.1 * 2.0 ** (k * waves)}}
