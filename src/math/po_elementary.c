@@ -247,7 +247,7 @@ double po_asinh(double x) {
   static const double SMALL_ONE = 1e-5, LARGE_ONE = 1e9;
   const double a = fabs(x);
   if (!(a >= SMALL_ONE && a < INFINITY))
-    return x - x * x * x / 6.0;
+    return isinf(x) ? x : x - x * x * x / 6.0;
   if (a > LARGE_ONE)
     return copysign(po_log(a) + (LN_2_HIGH + LN_2_LOW), x);
   const po_two root = po_two_sqrt(po_two_add(po_two_product(a, a), po_two_of(1.0)));

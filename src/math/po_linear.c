@@ -115,6 +115,6 @@ double po_linear_condition(size_t n, const double *a, size_t stride, double norm
     po_fail(PO_NO_MEMORY,
             "out of memory while the condition number of a matrix of order %zu was computed", n);
   char rounded[24];
-  snprintf(rounded, sizeof rounded, "%.3e", 1.0 / reciprocal);
+  snprintf(rounded, sizeof rounded, "%.6e", 1.0 / reciprocal);
   return info ? (double)NAN : strtod(rounded, NULL);
 }

@@ -48,7 +48,7 @@ void po_linear_solve_transposed(size_t n, const double *a, size_t stride, const 
 double po_linear_norm(size_t n, const double *a, size_t stride);
 
 /* An estimate of the condition number in the 1-norm; it is a lower bound, mostly within a factor of
- * 3 (Higham, Accuracy and Stability, Ch. 15), and rounded to four digits: the last ones depend on
+ * 3 (Higham, Accuracy and Stability, Ch. 15), and rounded to seven digits: the last ones depend on
  * the processor. Given: the LU factors; norm, the 1-norm of the matrix before the factorisation.
  * Returned: INFINITY for a singular matrix; NaN if memory runs out. */
 double po_linear_condition(size_t n, const double *a, size_t stride, double norm);

@@ -4,7 +4,7 @@
 
 /* Gamma(x), and the Beta function B(a, b) = Gamma(a) Gamma(b)/Gamma(a + b). Given: x, a, b > 0; NaN
  * otherwise. Source: Stirling's series in twice the precision (Abramowitz and Stegun 6.1.41).
- * Accuracy: 2e-16 relative (tests/unit/test_special.c). */
+ * Accuracy: 2e-16 relative (reference/elementary.csv). */
 double po_gamma(double x);
 double po_beta(double a, double b);
 
@@ -14,7 +14,7 @@ double po_beta(double a, double b);
 double po_beta_incomplete(double a, double b, double x);
 
 /* exp(-|x|) I_0(x), the scaled modified Bessel function. Source: power series (Abramowitz and
- * Stegun 9.6.10), whose terms are positive, and Hankel's expansion (9.7.1). Accuracy: 1e-15
+ * Stegun 9.6.10), whose terms are positive, and Hankel's expansion (9.7.1). Accuracy: 2e-15
  * relative. */
 double po_bessel_i0_scaled(double x);
 

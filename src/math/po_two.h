@@ -32,7 +32,7 @@ static inline po_two po_two_product(double a, double b) {
 }
 
 /* The arithmetic of two such numbers. Accuracy: 2^-102 of the result; of the sum, if the operands
- * have the same sign or a difference does not cancel (tests/unit/test_two.c). */
+ * have the same sign or a difference does not cancel (tests/theory/test_tables_math.c). */
 static inline po_two po_two_of(double x) {
   return (po_two){x, 0.0};
 }
@@ -82,10 +82,10 @@ static inline double po_two_value(po_two x) {
 }
 
 /* Elementary functions, for what is computed seldom or needs more digits than a double has.
- * po_two_sinpi and po_two_cospi: of pi x. Given: |exponent| <= 700; x > 0 for the logarithm and the
- * power. Accuracy: 1e-29 of the result, of the power and the exponential times 1 + |logarithm of
- * the result|, of the logarithm and the sine in the vicinity of a zero absolutely
- * (tests/unit/test_two.c). */
+ * po_two_sinpi and po_two_cospi: of pi x. Given: |exponent| <= 700 of the exponential; x > 0 for the
+ * logarithm and the power. Accuracy: 1e-29 of the result; of the exponential times 1 + |exponent|;
+ * of the power times 1 + |exponent| + |logarithm of the result|; of the logarithm and the sine in
+ * the vicinity of a zero absolutely (tests/theory/test_tables_math.c). */
 po_two po_two_exp(po_two exponent);
 po_two po_two_log(po_two x);
 po_two po_two_pow(po_two x, po_two exponent);

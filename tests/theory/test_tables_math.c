@@ -1,11 +1,14 @@
-/* Struve functions and the kernel against every row of their reference tables. */
+/* Elementary, special and Struve functions and the kernel against every row of their reference
+ * tables. */
 #include <float.h>
 #include <gsl/gsl_errno.h>
 #include <stdbool.h>
 #include <stdlib.h>
 
 #include "../unit/run.h"
+#include "po_elementary.h"
 #include "po_kernel.h"
+#include "po_special.h"
 #include "po_struve.h"
 #include "table.h"
 
@@ -107,7 +110,156 @@ START_TEST(kernel_row_agrees_with_the_table) {
 }
 END_TEST
 
+static double bessel_y(double order, double x) {
+  return po_bessel_y((int)order, x);
+}
+
+static double beta_incomplete(double a, double b, double x) {
+  return po_beta_incomplete(a, b, x);
+}
+
+/* A function and its accuracy: in units in the last place (at most 0.95), or relative, near zeros
+ * absolute below `floor`. */
+static const struct {
+  const char *name;
+  double (*one)(double), (*pair)(double, double), (*triple)(double, double, double);
+  double ulp, relative, floor;
+} FUNCTIONS[] = {
+    {"exp", po_exp, .ulp = 0.95},
+    {"expm1", po_expm1, .ulp = 0.95},
+    {"log", po_log, .ulp = 0.95},
+    {"log1p", po_log1p, .ulp = 0.95},
+    {"log10", po_log10, .ulp = 0.95},
+    {"pow", .pair = po_pow, .ulp = 0.95},
+    {"sin", po_sin, .ulp = 0.95},
+    {"cos", po_cos, .ulp = 0.95},
+    {"sinpi", po_sinpi, .ulp = 0.95},
+    {"cospi", po_cospi, .ulp = 0.95},
+    {"atan2", .pair = po_atan2, .ulp = 0.95},
+    {"sinh", po_sinh, .ulp = 0.95},
+    {"cosh", po_cosh, .ulp = 0.95},
+    {"asinh", po_asinh, .ulp = 0.95},
+    {"cbrt", po_cbrt, .ulp = 0.95},
+    {"hypot", .pair = po_hypot, .ulp = 0.95},
+    {"gamma", po_gamma, .relative = 2e-16},
+    {"beta", .pair = po_beta, .relative = 2e-16},
+    {"beta_incomplete", .triple = beta_incomplete, .relative = 1e-14},
+    {"bessel_i0_scaled", po_bessel_i0_scaled, .relative = 2e-15},
+    {"bessel_y", .pair = bessel_y, .relative = 2e-16, .floor = 1e-17},
+};
+
+/* The same in twice the precision, to 1e-29 of the scale that po_two.h states. */
+static po_two two_of(const char *name, double a, double b, double *scale) {
+  const po_two x = po_two_of(a);
+  po_two value = po_two_of((double)NAN);
+  *scale = 1.0;
+  if (strcmp(name, "exp") == 0)
+    value = po_two_exp(x);
+  else if (strcmp(name, "log") == 0)
+    value = po_two_log(x);
+  else if (strcmp(name, "pow") == 0)
+    value = po_two_pow(x, po_two_of(b));
+  else if (strcmp(name, "sinpi") == 0)
+    value = po_two_sinpi(x);
+  else if (strcmp(name, "cospi") == 0)
+    value = po_two_cospi(x);
+  if (name[0] == 'e' || name[0] == 'p')
+    *scale = fabs(value.high) * (1.0 + fabs(b) + fabs(po_log(value.high)));
+  if (name[0] == 'l')
+    *scale = fmax(1.0, fabs(value.high));
+  return value;
+}
+
+START_TEST(functions_of_twice_the_precision_agree_with_the_table) {
+  table t = table_open("elementary.csv");
+  for (size_t row = 0; row < t.csv.row_count; ++row) {
+    double scale;
+    const char *name = table_word(&t, row, "function");
+    const po_two got = two_of(name, table_number(&t, row, "a"), table_number(&t, row, "b"), &scale);
+    if (isnan(got.high))
+      continue;
+    const double value = table_number(&t, row, "value"), rest = table_number(&t, row, "rest");
+    table_judge(&t, row, name, fabs((got.high - value) + (got.low - rest)), 1e-29 * scale);
+  }
+  ck_assert_uint_gt(t.compared, 130);
+  t.csv.row_count = t.compared;
+  table_close(&t, "functions in twice the precision", t.compared, 1);
+}
+END_TEST
+
+/* Products, quotients, sums and roots of numbers with both parts, beside the exact relation. */
+START_TEST(arithmetic_in_twice_the_precision) {
+  const double unit = 0x1p-102;
+  for (int k = 1; k <= 1000; ++k) {
+    const po_two a = po_two_log(po_two_of(1.0 + 0.37 * k)), b = po_two_exp(po_two_of(-0.013 * k));
+    const po_two quotient = po_two_divide(a, b), root = po_two_sqrt(a);
+    const po_two back = po_two_subtract(po_two_multiply(quotient, b), a);
+    const po_two square = po_two_subtract(po_two_multiply(root, root), a);
+    const po_two sum = po_two_subtract(po_two_subtract(po_two_add(a, b), a), b);
+    ck_assert_double_le(fabs(back.high), 4 * unit * a.high);
+    ck_assert_double_le(fabs(square.high), 4 * unit * a.high);
+    ck_assert_double_le(fabs(sum.high), 4 * unit * (a.high + b.high));
+    ck_assert_double_le(fabs(quotient.low), 0x1p-53 * quotient.high);
+  }
+}
+END_TEST
+
+/* What is outside the domain, at its ends, infinite or NaN; and the sign of zero. */
+START_TEST(ends_of_the_domains) {
+  const double inf = (double)INFINITY;
+  ck_assert(isnan(po_log(-1)) && isnan(po_log1p(-2)) && isnan(po_pow(-1, 0.5)));
+  ck_assert(isnan(po_sin(inf)) && isnan(po_cos(inf)) && isnan(po_sinpi(inf)));
+  ck_assert(isnan(po_gamma(0)) && isnan(po_gamma(-1.5)) && isnan(po_beta(0, 1)));
+  double (*const all[])(double) = {po_exp,   po_expm1, po_log,  po_log1p, po_log10, po_sin, po_cos,
+                                   po_sinpi, po_cospi, po_sinh, po_cosh,  po_asinh, po_cbrt};
+  for (size_t k = 0; k < sizeof all / sizeof *all; ++k)
+    ck_assert(isnan(all[k]((double)NAN)));
+  ck_assert(po_log(0) == -inf && po_log(inf) == inf && po_log(1) == 0 && po_log1p(-1) == -inf);
+  ck_assert(po_exp(-inf) == 0 && po_exp(inf) == inf && po_exp(800) == inf && po_exp(-800) == 0);
+  ck_assert(po_exp(0) == 1 && po_expm1(-inf) == -1 && po_expm1(inf) == inf);
+  ck_assert(po_pow(0, 2) == 0 && po_pow(0, -1) == inf && po_pow(2, 0) == 1 && po_pow(4, 0.5) == 2);
+  ck_assert(po_pow(inf, 1) == inf && po_pow(inf, -1) == 0 && po_pow(2, 2000) == inf);
+  ck_assert(po_sinpi(1) == 0 && po_cospi(0.5) == 0 && po_cospi(1) == -1 && po_sinpi(0.5) == 1);
+  ck_assert(po_sinh(inf) == inf && po_sinh(-inf) == -inf && po_cosh(-inf) == inf);
+  ck_assert(po_cbrt(-8) == -2 && po_hypot(inf, 1) == inf && po_asinh(-inf) == -inf);
+  ck_assert(signbit(po_sin(-0.0)) && signbit(po_expm1(-0.0)) && signbit(po_sinh(-0.0)));
+  ck_assert(po_atan2(0, -1) == M_PI && po_atan2(0, 1) == 0 && po_atan2(1, 0) == M_PI_2);
+  ck_assert(po_beta_incomplete(2, 3, 0) == 0);
+  ck_assert_double_eq_tol(po_beta_incomplete(2, 3, 1), po_beta(2, 3), 1e-15);
+}
+END_TEST
+
+/* The value of a row is the sum of two doubles. */
+START_TEST(functions_agree_with_the_table) {
+  table t = table_open("elementary.csv");
+  size_t known = 0;
+  for (size_t row = 0; row < t.csv.row_count; ++row)
+    for (size_t f = 0; f < sizeof FUNCTIONS / sizeof *FUNCTIONS; ++f) {
+      if (strcmp(table_word(&t, row, "function"), FUNCTIONS[f].name) != 0)
+        continue;
+      const double a = table_number(&t, row, "a"), b = table_number(&t, row, "b");
+      const double got = FUNCTIONS[f].one ? FUNCTIONS[f].one(a)
+                         : FUNCTIONS[f].pair
+                             ? FUNCTIONS[f].pair(a, b)
+                             : FUNCTIONS[f].triple(a, b, table_number(&t, row, "c"));
+      const double value = table_number(&t, row, "value"), rest = table_number(&t, row, "rest");
+      const double unit = nextafter(fabs(value), INFINITY) - fabs(value);
+      const double allowed = FUNCTIONS[f].ulp > 0
+                                 ? FUNCTIONS[f].ulp * unit
+                                 : fmax(FUNCTIONS[f].relative * fabs(value), FUNCTIONS[f].floor);
+      table_judge(&t, row, FUNCTIONS[f].name, fabs((got - value) - rest), allowed);
+      known += 1;
+    }
+  ck_assert_uint_eq(known, t.csv.row_count);
+  table_close(&t, "elementary and special functions", 473, 1);
+}
+END_TEST
+
 static void add(TCase *tests) {
+  tcase_add_test(tests, functions_agree_with_the_table);
+  tcase_add_test(tests, functions_of_twice_the_precision_agree_with_the_table);
+  tcase_add_test(tests, arithmetic_in_twice_the_precision);
+  tcase_add_test(tests, ends_of_the_domains);
   gsl_set_error_handler_off();
   tcase_add_test(tests, struve_agrees_with_the_table);
   tcase_add_test(tests, difference_agrees_with_the_table);

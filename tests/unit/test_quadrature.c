@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "po_hermite.h"
+#include "po_integral.h"
 #include "po_near_rule.h"
 #include "run.h"
 
@@ -91,12 +92,68 @@ START_TEST(hermite_is_exact_for_cubics) { /* f = x^3 - 2 x^2 + 0.3 x on (0, 1.7)
 }
 END_TEST
 
+static double integrand(double x, void *data) {
+  switch (*(const int *)data) {
+  case 0:
+    return exp(x);
+  case 1:
+    return 1.0 / sqrt(x);
+  case 2:
+    return fabs(x - 0.3);
+  case 3:
+    return cos(100.0 * x);
+  case 4:
+    return log(x);
+  case 5:
+    return 1e-4 / (x * x + 1e-8);
+  case 6:
+    return 0.0;
+  default:
+    return cos(1e6 * x);
+  }
+}
+
+static const struct {
+  double from, to, tolerance, value;
+} INTEGRALS[] = {
+    {0, 1, 1e-14, 1.718281828459045235},
+    {0, 1, 1e-9, 2.0},
+    {0, 1, 1e-12, 0.29},
+    {0, 1, 1e-12, -0.00506365641109758793},
+    {0, 1, 1e-10, -1.0},
+    {-1, 1, 1e-12, 3.141392653591793238},
+    {2, 2.5, 1e-12, 0.0},
+};
+enum { INTEGRAL_COUNT = sizeof INTEGRALS / sizeof *INTEGRALS };
+
+START_TEST(adaptive_quadrature_meets_its_tolerance) {
+  double found = (double)NAN, reverse = (double)NAN;
+  const double from = INTEGRALS[_i].from, to = INTEGRALS[_i].to;
+  const double tolerance = INTEGRALS[_i].tolerance, value = INTEGRALS[_i].value;
+  ck_assert_int_eq(po_integrate(integrand, &_i, from, to, 0.0, tolerance, &found), PO_OK);
+  ck_assert_double_le(fabs(found - value), tolerance * fabs(value) + 2e-16);
+  ck_assert_int_eq(po_integrate(integrand, &_i, to, from, 1e-3, 0.0, &reverse), PO_OK);
+  ck_assert_double_le(fabs(reverse + value), 1e-3);
+}
+END_TEST
+
+/* On more waves than 200 intervals can resolve, and on a function that is not finite. */
+START_TEST(adaptive_quadrature_gives_up) {
+  double found;
+  int waves = 7, root = 1;
+  ck_assert_int_eq(po_integrate(integrand, &waves, 0, 1, 0.0, 1e-12, &found), PO_NOT_CONVERGED);
+  ck_assert_int_eq(po_integrate(integrand, &root, -1, 1, 0.0, 1e-6, &found), PO_NOT_CONVERGED);
+}
+END_TEST
+
 static void add(TCase *tests) {
   tcase_add_test(tests, gauss_rule_is_exact_for_polynomials);
   tcase_add_loop_test(tests, log_rule_integrates_powers_times_log, 0, 20);
   tcase_add_loop_test(tests, near_rule_integrates_the_logarithm_at_any_place, 0, PLACE_COUNT);
   tcase_add_test(tests, lagrange_reproduces_a_polynomial);
   tcase_add_test(tests, hermite_is_exact_for_cubics);
+  tcase_add_loop_test(tests, adaptive_quadrature_meets_its_tolerance, 0, INTEGRAL_COUNT);
+  tcase_add_test(tests, adaptive_quadrature_gives_up);
 }
 
 int main(void) {
