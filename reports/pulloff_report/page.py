@@ -7,7 +7,8 @@ import re
 import jinja2
 from markupsafe import Markup
 
-from . import beside, findings, fonts, sections, svg, words
+from . import beside, findings, fonts, identity, sections, svg, words
+from .sections import planted_faults
 
 FACES = "/* typefaces */"  # the place of the typefaces in a page
 TITLE = "Pull-off of an adhesive sphere"
@@ -43,7 +44,8 @@ def contents(run, references, faults=None, claims=None, cost=None):
     source = sections.Source(run, references, faults, claims, cost)
     built = sections.build_all(source)
     beside_ours = next(section.data for section in built if section.id == "solvers").get("front")
-    return {"title": TITLE, "found": dict(findings.build(run, claims), solvers=beside_ours), "sections": built}
+    return {"title": TITLE, "found": dict(findings.build(run, claims), solvers=beside_ours,
+                                         identity=identity.compare(run, references), planted=faults and planted_faults.verdict(faults)), "sections": built}
 
 
 def filled(template, content, **more):

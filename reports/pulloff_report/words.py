@@ -45,14 +45,15 @@ QUANTITIES = {
     "work_nodes": "Work: nodes",
 }
 
-VERDICT_WORDS = {"within": "within", "outside": "outside", "no_result": "no result",
+VERDICT_WORDS = {"identical": "identical", "within": "within", "outside": "outside", "no_result": "no result",
                  "missing_reference": "no reference", "improved": "improved",
                  "regressed": "regressed", "moved": "moved", "wrong_and_frozen": "wrong and frozen",
                  "slack": "slack", "not_reachable": "not reachable", "failed": "failed"}
-VERDICT_SIGNS = {"within": "✓", "outside": "✗", "no_result": "∅", "missing_reference": "?",
+VERDICT_SIGNS = {"identical": "✓", "within": "✓", "outside": "✗", "no_result": "∅", "missing_reference": "?",
                  "improved": "✓", "regressed": "✗", "moved": "✗", "wrong_and_frozen": "✗",
                  "slack": "✓", "not_reachable": "–", "failed": "∅"}
 VERDICT_MEANINGS = {
+    "identical": "the value is its pin, to the last bit",
     "improved": "the value moved from its pin towards every oracle, or the work decreased; the new value can be accepted",
     "regressed": "the value moved from its pin away from an oracle, or the work increased",
     "moved": "the value moved from its pin, and there is no oracle to judge the change",

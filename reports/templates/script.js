@@ -51,7 +51,7 @@ function applyFilter(name) {
       let shown = 0;
       for (const row of [...body.rows].slice(1)) {
         const text = head + " " + row.textContent.toLowerCase() + " " + row.title.toLowerCase();
-        row.hidden = (only && row.dataset.verdict === "within") || !words.every((word) => text.includes(word));
+        row.hidden = (only && ["identical", "within"].includes(row.dataset.verdict)) || !words.every((word) => text.includes(word));
         shown += row.hidden ? 0 : 1;
       }
       body.hidden = shown === 0;

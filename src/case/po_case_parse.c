@@ -75,6 +75,26 @@ static po_status check_when(po_axis *when, unsigned count, const char *list, uns
   return status;
 }
 
+/* What another machine may change by rounding, if the bits of this program are not the same there:
+ * of a result, and of a counter of work. */
+static const char ROUNDING[] = "1e-9", ROUNDING_OF_WORK[] = "0.1";
+
+/* A check against pins needs no tolerance, since the values are the same to the last bit. */
+static po_status complete_check(po_check *check, unsigned number, const po_yaml *yaml) {
+  if (po_check_is_pin(check) && !check->tolerance_text && !check->kind_text && !check->because) {
+    check->tolerance_text =
+        po_copy_text(strcmp(check->quantity_text, "work") == 0 ? ROUNDING_OF_WORK : ROUNDING);
+    check->kind_text = po_copy_text("rel");
+    check->because = po_copy_text("rounding may differ on a machine that nobody has tried");
+    return check->tolerance_text && check->kind_text && check->because ? PO_OK : PO_NO_MEMORY;
+  }
+  const char *missing = !check->tolerance_text ? "tolerance"
+                        : !check->kind_text    ? "kind"
+                        : !check->because      ? "because"
+                                               : NULL;
+  return missing ? po_schema_refuse(yaml, NULL, "checks[%u].%s", number, missing) : PO_OK;
+}
+
 static po_status parse_check(const po_case_file *file, po_check *check, unsigned number,
                              const po_yaml *yaml) {
   const int quantity = po_quantity_of_name(check->quantity_text);
@@ -82,6 +102,9 @@ static po_status parse_check(const po_case_file *file, po_check *check, unsigned
   if (quantity == PO_QUANTITY_COUNT)
     return po_schema_refuse(yaml, NULL, "checks[%u].quantity", number);
   check->quantity = (po_quantity)quantity;
+  const po_status complete = complete_check(check, number, yaml);
+  if (complete)
+    return complete;
   if (!po_number_parse(check->tolerance_text, &check->tolerance) || check->tolerance <= 0)
     return po_schema_refuse(yaml, NULL, "checks[%u].tolerance", number);
   char path[PO_CASE_WHERE_LENGTH];

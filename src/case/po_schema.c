@@ -71,9 +71,9 @@ static const po_field CHECK[] = {
          "solved_share"),
     TEXT("reference", po_check, reference,
          "bradley, pin, every_scene, zero, traced or the path of a CSV file"),
-    TEXT("tolerance", po_check, tolerance_text, "a finite number > 0"),
-    TEXT("kind", po_check, kind_text, "abs, rel or ulp"),
-    TEXT("because", po_check, because, "the reason for the tolerance"),
+    OPTIONAL_TEXT("tolerance", po_check, tolerance_text, "a finite number > 0"),
+    OPTIONAL_TEXT("kind", po_check, kind_text, "abs, rel or ulp"),
+    OPTIONAL_TEXT("because", po_check, because, "the reason for the tolerance"),
     OPTIONAL_TEXT(
         "stand_in", po_check, stand_in,
         "the reference of another check, used while the table of this check does not exist"),

@@ -10,18 +10,28 @@
 
 const char *po_verdict_name(po_verdict verdict) {
   static const char *const NAMES[PO_VERDICT_COUNT] = {
-      [PO_WITHIN] = "within",       [PO_OUTSIDE] = "outside",
-      [PO_NO_RESULT] = "no_result", [PO_MISSING_REFERENCE] = "missing_reference",
-      [PO_IMPROVED] = "improved",   [PO_REGRESSED] = "regressed",
-      [PO_MOVED] = "moved",         [PO_WRONG_AND_FROZEN] = "wrong_and_frozen",
-      [PO_SLACK] = "slack",         [PO_NOT_REACHABLE] = "not_reachable",
+      [PO_IDENTICAL] = "identical",
+      [PO_WITHIN] = "within",
+      [PO_OUTSIDE] = "outside",
+      [PO_NO_RESULT] = "no_result",
+      [PO_MISSING_REFERENCE] = "missing_reference",
+      [PO_IMPROVED] = "improved",
+      [PO_REGRESSED] = "regressed",
+      [PO_MOVED] = "moved",
+      [PO_WRONG_AND_FROZEN] = "wrong_and_frozen",
+      [PO_SLACK] = "slack",
+      [PO_NOT_REACHABLE] = "not_reachable",
   };
   return NAMES[verdict];
 }
 
 bool po_verdict_passes(po_verdict verdict) {
-  return verdict == PO_WITHIN || verdict == PO_IMPROVED || verdict == PO_SLACK ||
+  return po_verdict_is_plain(verdict) || verdict == PO_IMPROVED || verdict == PO_SLACK ||
          verdict == PO_NOT_REACHABLE;
+}
+
+bool po_verdict_is_plain(po_verdict verdict) {
+  return verdict == PO_IDENTICAL || verdict == PO_WITHIN;
 }
 
 void po_check_result_reference(const po_check *check, char name[64]) {
@@ -56,6 +66,8 @@ static po_verdict judge(const po_check_result *check_result) {
     return PO_MISSING_REFERENCE;
   if (isnan(check_result->obtained))
     return PO_NO_RESULT;
+  if (po_check_is_pin(check_result->check) && check_result->error == 0)
+    return PO_IDENTICAL;
   return fabs(check_result->error) <= check_result->allowance ? PO_WITHIN : PO_OUTSIDE;
 }
 

@@ -8,6 +8,7 @@
 #include "po_reference.h"
 
 typedef enum {
+  PO_IDENTICAL, /* with its pin, to the last bit */
   PO_WITHIN,
   PO_OUTSIDE,
   PO_NO_RESULT,         /* the solve did not deliver the quantity */
@@ -50,13 +51,16 @@ typedef struct {
   size_t count;
 } po_check_results;
 
-/* Returned: "within", "outside", "no_result", "missing_reference", "improved", "regressed",
- * "moved", "wrong_and_frozen", "slack" or "not_reachable". */
+/* Returned: "identical", "within", "outside", "no_result", "missing_reference", "improved",
+ * "regressed", "moved", "wrong_and_frozen", "slack" or "not_reachable". */
 const char *po_verdict_name(po_verdict verdict);
 
-/* Reports whether a check with this verdict passes: within, improved, slack or not_reachable. All
- * but the first are reported to the user nevertheless. */
+/* Reports whether a check with this verdict passes: identical, within, improved, slack or
+ * not_reachable. */
 bool po_verdict_passes(po_verdict verdict);
+
+/* Reports whether a verdict is identical or within; the user is told of all others. */
+bool po_verdict_is_plain(po_verdict verdict);
 
 /* Returned: in `name`, the short name of the reference of a check: "feng_pull_off" for
  * "reference/feng_pull_off.csv". */

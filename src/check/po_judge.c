@@ -105,7 +105,8 @@ static void judge_oracles(po_check_results *check_results) {
       continue;
     for (size_t k = 0; k < check_results->count; ++k) {
       const po_check_result *pin = &check_results->items[k];
-      if (pin->ledger == PO_LEDGER_PIN && pin->verdict == PO_WITHIN && is_same_number(pin, oracle))
+      if (pin->ledger == PO_LEDGER_PIN && po_verdict_is_plain(pin->verdict) &&
+          is_same_number(pin, oracle))
         oracle->verdict = PO_WRONG_AND_FROZEN;
     }
   }

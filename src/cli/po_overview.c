@@ -13,10 +13,10 @@ static const char *label_of(const po_case_run *run, const po_check_result *item)
 
 static void add_case(const po_case_run *run, po_text *text) {
   const po_check_result *worst = NULL;
-  size_t remarkable = 0; /* pass, and are not simply within */
+  size_t remarkable = 0; /* pass, and are neither identical nor within */
   for (size_t i = 0; i < run->check_results.count; ++i) {
     const po_check_result *item = &run->check_results.items[i];
-    remarkable += item->verdict != PO_WITHIN && po_verdict_passes(item->verdict);
+    remarkable += !po_verdict_is_plain(item->verdict) && po_verdict_passes(item->verdict);
     if (isfinite(item->ratio) && (!worst || item->ratio > worst->ratio))
       worst = item;
   }

@@ -8,14 +8,15 @@
 #include "po_verbs.h"
 
 static const char HELP[] =
-    "Usage: pulloff bless [OPTION]... CASE --reason TEXT\n"
-    "Accepts the present values of a case as its pins, the expected values of its checks against\n"
-    "the reference pin. First solves the points that have no valid record. The pins are written\n"
-    "to pins/CASE.csv in the folder of the case file, with the date, the author, the version of\n"
-    "the program and the reason. Prints by how much each pin moved. Refuses if no reason is\n"
-    "given, if a solve failed (exit code 3), or if a check against an oracle does not pass (exit\n"
-    "code 1).\n"
+    "Usage: pulloff bless [OPTION]... CASE... --reason TEXT\n"
+    "Accepts the present results of cases: their digests, with which verify compares to the last\n"
+    "bit, and the expected values of checks against the reference pin. First solves the points\n"
+    "that have no valid record. Digests are written to pins/CASE.digests.csv and pins to\n"
+    "pins/CASE.csv in the folder of the case file, with the date, the author, the version of the\n"
+    "program and the reason. Prints by how much each pin moved. Refuses if no reason is given, if\n"
+    "a solve failed (exit code 3), or if a check against an oracle does not pass (exit code 1).\n"
     "\n"
+    "  --suite S[,S]     take the cases of these suites instead (see pulloff list)\n"
     "  --reason TEXT     why the values are accepted, in one line (required)\n"
     "  --output DIR      folder of the records (default build/run)\n"
     "  --jobs N          number of points solved in parallel; 0 means all cores (default 0); the\n"
@@ -29,8 +30,10 @@ static const char HELP[] =
 
 enum { REASON = PO_SESSION_NEXT };
 
-static const struct option OPTIONS[] = {
-    PO_SESSION_CASE_OPTIONS, {"reason", required_argument, NULL, REASON}, {NULL, 0, NULL, 0}};
+static const struct option OPTIONS[] = {PO_SESSION_CASE_OPTIONS,
+                                        {"suite", required_argument, NULL, PO_SESSION_SUITE},
+                                        {"reason", required_argument, NULL, REASON},
+                                        {NULL, 0, NULL, 0}};
 
 /* The author of the pins: user.name of git, or else the name of the account. */
 static po_status find_who(char who[128]) {
@@ -55,8 +58,10 @@ static po_status bless(const po_session *session, const char *reason) {
   char who[128];
   po_text report = {0};
   po_status status = find_who(who);
-  if (!status)
-    status = po_bless(&session->runs[0], who, reason, &report);
+  for (size_t r = 0; !status && r < session->run_count; ++r)
+    status = po_bless_check(&session->runs[r], reason);
+  for (size_t r = 0; !status && r < session->run_count; ++r)
+    status = po_bless(&session->runs[r], who, reason, &report);
   if (!status)
     fputs(po_text_string(&report), stdout);
   po_text_clear(&report);
@@ -76,6 +81,12 @@ static po_status take_option(void *to, int option) {
   return PO_OK;
 }
 
+static po_status open_several(po_session *session, const po_options *options) {
+  if (optind == options->argc && !session->suites)
+    return po_fail(PO_BAD_INPUT, "bless needs the name of a case (see pulloff bless --help)");
+  return po_session_open(session, options->argv + optind, (size_t)(options->argc - optind));
+}
+
 int po_verb_bless(int argc, char **argv) {
   const po_options options = {"bless", HELP, OPTIONS, argc, argv, NULL};
   bless_line line = {.session = po_session_default()};
@@ -85,20 +96,16 @@ int po_verb_bless(int argc, char **argv) {
     return po_options_end(status);
   if (!line.reason)
     status = po_fail(PO_BAD_INPUT, "bless needs --reason TEXT (see pulloff bless --help)");
-  if (!status)
+  if (!status && session->manifest_count)
     status = po_session_open_one(session, &options);
-  if (!status)
-    status = po_bless_check_request(session->runs[0].plan, line.reason);
+  else if (!status)
+    status = open_several(session, &options);
+  for (size_t r = 0; !status && r < session->run_count; ++r)
+    status = po_bless_check_request(session->runs[r].plan, line.reason);
   if (!status)
     status = po_session_solve(session);
   if (!status)
     status = bless(session, line.reason);
-  if (status == PO_CHECK_FAILED) {
-    char *why = po_copy_text(po_message());
-    po_fail(status, "%s (see pulloff explain %s)", why ? why : "a check does not pass",
-            po_case_word(session->catalog.cases[0]));
-    free(why);
-  }
   const int code = po_options_end(status);
   po_session_clear(session);
   return code;

@@ -39,7 +39,7 @@ static other_results collect(const po_check_results *check_results, const po_che
       continue;
     const bool same = strcmp(other->subject, item->subject) == 0;
     if (other->ledger == PO_LEDGER_PIN) {
-      others.pins_held += other->verdict == PO_WITHIN;
+      others.pins_held += po_verdict_is_plain(other->verdict);
       others.pins_moved += is_verdict_of_pin_moved(other->verdict);
       if (same)
         others.pin = other;
@@ -173,6 +173,7 @@ static bool blame_alone(const po_check_result *item, po_blame *blame) {
     return true;
   }
   switch (item->verdict) {
+  case PO_IDENTICAL:
   case PO_WITHIN:
     say(blame, "none", "%s", "");
     return true;

@@ -8,8 +8,10 @@
 #include <time.h>
 
 #include "po_bless_list.h"
+#include "po_digests.h"
 #include "po_file.h"
 #include "po_memory.h"
+#include "po_record.h"
 
 /* Largest length of a reason, which is a header of one line. */
 enum { LONGEST_REASON = 500 };
@@ -50,14 +52,14 @@ static po_status check_results(const po_case_run *run) {
     const po_check_result *item = &run->check_results.items[i];
     const bool bad_oracle = item->ledger == PO_LEDGER_ORACLE && !po_verdict_passes(item->verdict);
     if (bad_oracle || item->verdict == PO_NO_RESULT)
-      return po_fail(PO_CHECK_FAILED, "%s is not blessed: %s is %s", name, item->id,
-                     po_verdict_name(item->verdict));
+      return po_fail(PO_CHECK_FAILED, "%s is not blessed: %s is %s (see pulloff explain %s)", name,
+                     item->id, po_verdict_name(item->verdict), po_case_word(kase));
   }
   return PO_OK;
 }
 
 po_status po_bless_check_request(const po_plan *plan, const char *reason) {
-  if (!old_pins(plan))
+  if (plan->solver && !old_pins(plan))
     return po_fail(PO_BAD_INPUT, "%s pins nothing: expected a check whose reference is pin",
                    plan->kase->file->name);
   return check_reason(reason);
@@ -82,8 +84,9 @@ static po_status report_changes(const po_case_run *run, const po_reference *old,
     const po_point *point = &kase->points[pin->point];
     double before = 0;
     if (!isfinite(pin->value))
-      return po_fail(PO_CHECK_FAILED, "%s is not blessed: there is no %s of %s", kase->file->name,
-                     pin->name, point->label);
+      return po_fail(PO_CHECK_FAILED,
+                     "%s is not blessed: there is no %s of %s (see pulloff explain %s)",
+                     kase->file->name, pin->name, point->label, po_case_word(kase));
     const po_status status = po_pins_value(old, pin->name, &point->request, &before);
     if (status && status != PO_NOT_FOUND)
       return status;
@@ -128,8 +131,9 @@ static size_t copy_headers(const po_csv *old, const char *start, po_text *text) 
   return count;
 }
 
-static void add_headers(const po_case_run *run, const po_reference *old, const char *who,
-                        const char *reason, po_text *text) {
+/* Given: `what` is in the table. */
+static void add_headers(const po_case_run *run, const po_reference *old, const char *what,
+                        const char *who, const char *reason, po_text *text) {
   const po_case *kase = run->plan->kase;
   char date[32];
   const time_t now = time(NULL);
@@ -137,7 +141,7 @@ static void add_headers(const po_case_run *run, const po_reference *old, const c
   gmtime_r(&now, &utc);
   strftime(date, sizeof date, "%Y-%m-%d", &utc);
   po_text_add(text,
-              "# what: blessed values of the case %s, to notice change\n"
+              "# what: %s of the case %s, to notice change\n"
               "# source: this program; accepted, which is no evidence of being right\n"
               "# kind: pin\n"
               "# method: that of the scheme of each scene\n"
@@ -146,7 +150,7 @@ static void add_headers(const po_case_run *run, const po_reference *old, const c
               "# generator: pulloff bless\n"
               "# command: pulloff bless %s --reason TEXT\n"
               "# date: %s\n",
-              kase->file->name, po_case_word(kase), date);
+              what, kase->file->name, po_case_word(kase), date);
   const size_t before = copy_headers(&old->table, "blessing ", text);
   po_text_add(text, "# blessing %zu: %s, ", before + 1, date);
   for (const char *c = who; *c; ++c) {
@@ -156,18 +160,13 @@ static void add_headers(const po_case_run *run, const po_reference *old, const c
   po_text_add(text, ", pulloff " PULLOFF_VERSION ": %s\n", reason);
 }
 
-static po_status write_pins(const po_case_run *run, const po_reference *old,
-                            const po_pin_list *list, const char *who, const char *reason) {
-  const po_case *kase = run->plan->kase;
-  po_text header = {0}, rows = {0}, text = {0};
+/* Writes a table into the folder of its path, which is made if need be, and clears its texts. */
+static po_status write_table(const char *path, po_text *header, po_text *rows) {
+  po_text text = {0};
   char digest[PO_DIGEST_LENGTH];
-  add_headers(run, old, who, reason, &header);
-  add_oracles(run->plan, &header);
-  po_pin_list_headers(kase, list, &header);
-  po_pin_list_rows(kase, list, &rows);
-  po_csv_seal(&header, &rows, &text, digest);
+  po_csv_seal(header, rows, &text, digest);
   po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
-  char *folder = status ? NULL : po_copy_text(old->path);
+  char *folder = status ? NULL : po_copy_text(path);
   if (!status && !folder)
     status = PO_NO_MEMORY;
   if (folder)
@@ -175,12 +174,22 @@ static po_status write_pins(const po_case_run *run, const po_reference *old,
   if (!status)
     status = po_folder_make(folder);
   if (!status)
-    status = po_file_write(old->path, text.data, text.length);
+    status = po_file_write(path, text.data, text.length);
   free(folder);
-  po_text_clear(&header);
-  po_text_clear(&rows);
+  po_text_clear(header);
+  po_text_clear(rows);
   po_text_clear(&text);
   return status;
+}
+
+static po_status write_pins(const po_case_run *run, const po_reference *old,
+                            const po_pin_list *list, const char *who, const char *reason) {
+  po_text header = {0}, rows = {0};
+  add_headers(run, old, "blessed values", who, reason, &header);
+  add_oracles(run->plan, &header);
+  po_pin_list_headers(run->plan->kase, list, &header);
+  po_pin_list_rows(run->plan->kase, list, &rows);
+  return write_table(old->path, &header, &rows);
 }
 
 static bool same_oracles(const po_plan *plan, const po_reference *old) {
@@ -193,14 +202,12 @@ static bool same_oracles(const po_plan *plan, const po_reference *old) {
   return same;
 }
 
-po_status po_bless(const po_case_run *run, const char *who, const char *reason, po_text *report) {
-  po_status status = po_bless_check(run, reason);
-  if (status)
-    return status;
+static po_status bless_pins(const po_case_run *run, const char *who, const char *reason,
+                            po_text *report) {
   const po_reference *old = old_pins(run->plan);
   po_pin_list list = {0};
   changes found = {0};
-  status = po_pin_list_make(run, &list);
+  po_status status = po_pin_list_make(run, &list);
   if (!status)
     status = report_changes(run, old, &list, &found, report);
   const bool changed = found.new + found.moved + found.dropped > 0 || !same_oracles(run->plan, old);
@@ -213,5 +220,55 @@ po_status po_bless(const po_case_run *run, const char *who, const char *reason, 
     po_text_add(report, "%s: %zu pins, all as they were; nothing is written\n", old->shown,
                 list.count);
   po_pin_list_clear(&list);
+  return status;
+}
+
+/* Adds the row of a point to a table of digests. Returned: whether it is not in the old table. */
+static po_status add_digest(const po_case_run *run, size_t i, const po_reference *old,
+                            po_text *rows, bool *is_new) {
+  const po_result *result = &run->results[i];
+  const char *id = run->plan->kase->points[i].id, *before = "";
+  char digest[PO_RESULT_DIGEST_LENGTH], force[PO_NUMBER_LENGTH] = "-";
+  double unused;
+  po_status status = po_record_digest(run, i, digest);
+  if (!status && (status = po_digests_find(old, i, id, &before, &unused)) == PO_NOT_FOUND)
+    status = PO_OK;
+  if (result->has_pull_off)
+    po_number_print(result->pull_off.force, force);
+  po_text_add(rows, "%s,%s,%s\n", id, digest, force);
+  *is_new = !status && strcmp(digest, before) != 0;
+  return status;
+}
+
+static po_status bless_digests(const po_case_run *run, const char *who, const char *reason,
+                               po_text *report) {
+  const size_t count = run->plan->kase->point_count;
+  po_reference old;
+  po_text header = {0}, rows = {0};
+  size_t changed = 0;
+  po_status status = po_digests_open(run->plan->kase, &old);
+  po_text_add(&rows, "point,digest,pull_off_force\n");
+  for (size_t i = 0; !status && i < count; ++i) {
+    bool is_new = false;
+    status = add_digest(run, i, &old, &rows, &is_new);
+    changed += is_new;
+  }
+  if (!status && (changed || old.table.row_count != count)) {
+    add_headers(run, &old, "digests of the results", who, reason, &header);
+    status = write_table(old.path, &header, &rows);
+  }
+  if (!status)
+    po_text_add(report, "%s: %zu digests, %zu new\n", old.shown, count, changed);
+  po_text_clear(&rows);
+  po_reference_close(&old);
+  return status;
+}
+
+po_status po_bless(const po_case_run *run, const char *who, const char *reason, po_text *report) {
+  po_status status = po_bless_check(run, reason);
+  if (!status && old_pins(run->plan))
+    status = bless_pins(run, who, reason, report);
+  if (!status && !run->plan->solver)
+    status = bless_digests(run, who, reason, report);
   return status ? status : report->failed ? PO_NO_MEMORY : PO_OK;
 }

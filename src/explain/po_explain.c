@@ -51,7 +51,8 @@ bool po_explain_concerns(const po_case_run *run, const po_explain_choice *choice
 
 static bool is_explained(const po_case_run *run, const po_explain_choice *choice,
                          const po_check_result *item) {
-  return po_explain_concerns(run, choice, item) && (choice->all || item->verdict != PO_WITHIN);
+  return po_explain_concerns(run, choice, item) &&
+         (choice->all || !po_verdict_is_plain(item->verdict));
 }
 
 /* Returned: the command that repeats the solve of a point, with its time limit; for a curve, with

@@ -26,15 +26,14 @@ static void ratio_or_dash(double value, char text[24]) {
 static void table_line(const po_case_run *run, const po_check_result *item, po_text *text) {
   char obtained[32], expected[32], ratio[24];
   const bool curve = item->check->quantity == PO_CURVE;
+  const bool is_told = !po_verdict_is_plain(item->verdict) && item->note[0];
   number_or_dash(curve ? item->error : item->obtained, 9, obtained);
   number_or_dash(curve && isfinite(item->error) ? 0 : item->expected, 9, expected);
   ratio_or_dash(item->ratio, ratio);
   po_text_add(text, "%-12s %-23s %-24s %14s %14s %9s  %-9s %s%s%s\n", po_plan_name(run->plan),
               item->quantity, item->whole ? "-" : run->plan->kase->points[item->point].label,
               obtained, expected, ratio, po_ledger_name(item->ledger),
-              po_verdict_name(item->verdict),
-              item->verdict != PO_WITHIN && item->note[0] ? ": " : "",
-              item->verdict != PO_WITHIN ? item->note : "");
+              po_verdict_name(item->verdict), is_told ? ": " : "", is_told ? item->note : "");
 }
 
 /* Adds the pull-off of each point in newton and metre, if the scene is given in SI units. */
@@ -113,7 +112,7 @@ static void tap_check(const po_case_run *run, const po_check_result *item, size_
                       po_text *text) {
   po_text_add(text, "%s %zu - %s %s\n", po_verdict_passes(item->verdict) ? "ok" : "not ok", number,
               po_plan_name(run->plan), item->id);
-  if (item->verdict == PO_WITHIN)
+  if (po_verdict_is_plain(item->verdict))
     return;
   char why[400];
   describe(item, why);
@@ -180,8 +179,8 @@ static void junit_suite(const po_case_run *run, po_text *text) {
     char words[400];
     describe(item, words);
     junit_test(po_plan_name(run->plan), item->id, po_verdict_passes(item->verdict),
-               item->verdict == PO_WITHIN ? NULL : words, run->results[item->point].work.seconds,
-               text);
+               po_verdict_is_plain(item->verdict) ? NULL : words,
+               run->results[item->point].work.seconds, text);
   }
   for (size_t i = 0; i < kase->point_count; ++i)
     if (po_case_run_failed(run, i)) {

@@ -37,14 +37,13 @@ void po_pins_name_special_point(po_quantity quantity, po_special_kind kind, size
            po_special_kind_name(kind), index + 1, load ? "load" : "approach");
 }
 
-/* Returned: FOLDER/pins/NAME.csv, or FOLDER/pins/SOLVER/NAME.csv, for a case file in FOLDER; NULL
- * without memory. */
-static char *pins_path(const char *case_path, const char *case_name, const char *solver) {
+char *po_pins_path(const char *case_path, const char *case_name, const char *solver,
+                   const char *ending) {
   po_text text = {0};
   const char *slash = strrchr(case_path, '/');
   const int length = slash ? (int)(slash - case_path + 1) : 0;
-  po_text_add(&text, "%.*spins/%s%s%s.csv", length, case_path, solver ? solver : "",
-              solver ? "/" : "", case_name);
+  po_text_add(&text, "%.*spins/%s%s%s%s", length, case_path, solver ? solver : "",
+              solver ? "/" : "", case_name, ending);
   if (text.failed)
     po_text_clear(&text);
   return text.data;
@@ -82,8 +81,8 @@ static po_status read_table(po_reference *reference) {
 po_status po_pins_open(const po_case *kase, const char *name, const char *solver,
                        po_reference *reference) {
   *reference = (po_reference){.name = name, .ledger = PO_LEDGER_PIN, .type = PO_REFERENCE_PINS};
-  reference->path = pins_path(kase->path, kase->file->name, solver);
-  reference->shown = pins_path(kase->shown, kase->file->name, solver);
+  reference->path = po_pins_path(kase->path, kase->file->name, solver, ".csv");
+  reference->shown = po_pins_path(kase->shown, kase->file->name, solver, ".csv");
   po_status status = reference->path && reference->shown ? PO_OK : PO_NO_MEMORY;
   if (!status && !po_path_exists(reference->path))
     po_digest_bytes("", 0, reference->digest);

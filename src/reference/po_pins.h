@@ -1,5 +1,5 @@
-/* Pins: the values of this program that were last blessed. A check against pins with a tight
- * tolerance detects every change of a value; it is no evidence that the value is correct.
+/* Pins: the values of this program that were last blessed. A check against pins detects every
+ * change of a value; it is no evidence that the value is correct.
  *
  * The pins of a case are the table pins/NAME.csv in the folder of the case file. The table has the
  * headers of a reference, a header `blessing N` for each time the pins were set (date, user,
@@ -14,6 +14,11 @@
 #include "po_reference_table.h"
 
 enum { PO_PIN_NAME_LENGTH = 64, PO_WORK_COUNTERS = 5 };
+
+/* Returned: FOLDER/pins/NAME + `ending`, or FOLDER/pins/SOLVER/NAME + `ending`, for a case file in
+ * FOLDER; the caller frees it; NULL without memory. */
+char *po_pins_path(const char *case_path, const char *case_name, const char *solver,
+                   const char *ending);
 
 /* Opens the pins of a case as a reference. Given: `solver`, the name of the external solver whose
  * pins they are, pins/SOLVER/NAME.csv; NULL: those of this program. If the file does not exist,

@@ -10,7 +10,6 @@
 #include "po_file.h"
 #include "po_input.h"
 #include "po_json.h"
-#include "po_json_digest.h"
 #include "po_json_units.h"
 #include "po_lines.h"
 #include "po_rounds.h"
@@ -143,6 +142,15 @@ static json_t *sealed_result(const po_request *request, const po_result *result)
   json_t *object = po_json_result(request, result);
   po_json_seal(&object);
   return object;
+}
+
+po_status po_record_digest(const po_case_run *run, size_t index,
+                           char digest[PO_RESULT_DIGEST_LENGTH]) {
+  const po_request shown = shown_request(run->plan->kase, &run->plan->kase->points[index]);
+  json_t *object = po_json_result(&shown, &run->results[index]);
+  const po_status status = po_json_digest(object, digest);
+  json_decref(object);
+  return status;
 }
 
 json_t *po_record_point(const po_case_run *run, size_t index) {

@@ -3,7 +3,7 @@
 #ifndef PO_RECORD_H
 #define PO_RECORD_H
 
-#include "po_json_value.h"
+#include "po_json_digest.h"
 #include "po_run.h"
 
 /* Writes the tables, then the record.
@@ -12,9 +12,9 @@
 po_status po_record_write(const po_case_run *run, const char *output, int jobs,
                           const volatile sig_atomic_t *stop);
 
-/* Writes the record of a run of an external solver that is limited to some points, as part.json: the
- * report reads it if there is no record of all points, but no later run does. The other points get
- * the status PO_UNSUPPORTED. Status: as po_record_write. */
+/* Writes the record of a run of an external solver that is limited to some points, as part.json:
+ * the report reads it if there is no record of all points, but no later run does. The other points
+ * get the status PO_UNSUPPORTED. Status: as po_record_write. */
 po_status po_record_write_part(po_case_run *run, const char *output, int jobs,
                                const volatile sig_atomic_t *stop);
 
@@ -29,6 +29,10 @@ po_status po_record_check_owner(const po_case_run *run, const char *output);
 
 /* Returned: the entry of a point in the record; NULL without memory. */
 json_t *po_record_point(const po_case_run *run, size_t index);
+
+/* Computes the digest of the result of a point, as in its entry. Status: PO_NO_MEMORY. */
+po_status po_record_digest(const po_case_run *run, size_t index,
+                           char digest[PO_RESULT_DIGEST_LENGTH]);
 
 /* Writes the curve and the profile of a point, if it has them, and adds their names to its entry.
  * Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */

@@ -8,11 +8,17 @@ static const struct {
   const char *name;
   bool passes;
 } VERDICTS[] = {
-    {PO_WITHIN, "within", true},        {PO_OUTSIDE, "outside", false},
-    {PO_NO_RESULT, "no_result", false}, {PO_MISSING_REFERENCE, "missing_reference", false},
-    {PO_IMPROVED, "improved", true},    {PO_REGRESSED, "regressed", false},
-    {PO_MOVED, "moved", false},         {PO_WRONG_AND_FROZEN, "wrong_and_frozen", false},
-    {PO_SLACK, "slack", true},          {PO_NOT_REACHABLE, "not_reachable", true},
+    {PO_IDENTICAL, "identical", true},
+    {PO_WITHIN, "within", true},
+    {PO_OUTSIDE, "outside", false},
+    {PO_NO_RESULT, "no_result", false},
+    {PO_MISSING_REFERENCE, "missing_reference", false},
+    {PO_IMPROVED, "improved", true},
+    {PO_REGRESSED, "regressed", false},
+    {PO_MOVED, "moved", false},
+    {PO_WRONG_AND_FROZEN, "wrong_and_frozen", false},
+    {PO_SLACK, "slack", true},
+    {PO_NOT_REACHABLE, "not_reachable", true},
 };
 
 START_TEST(which_pass) {
@@ -27,9 +33,9 @@ static const struct {
   double pinned, obtained, uncertainty;
   po_verdict pin, oracle;
 } TOGETHER[] = {
-    {1.5002, 1.5002, 1e-10, PO_WITHIN, PO_WITHIN},
+    {1.5002, 1.5002, 1e-10, PO_IDENTICAL, PO_WITHIN},
     {1.5002, 1.5002 + 9e-10, 1e-10, PO_WITHIN, PO_WITHIN},
-    {1.502, 1.502, 1e-10, PO_WITHIN, PO_WRONG_AND_FROZEN},
+    {1.502, 1.502, 1e-10, PO_IDENTICAL, PO_WRONG_AND_FROZEN},
     {1.5002, 1.5001, 1e-10, PO_IMPROVED, PO_WITHIN},
     {1.5002, 1.4999, 1e-10, PO_IMPROVED, PO_WITHIN},
     {1.502, 1.5001, 1e-10, PO_IMPROVED, PO_WITHIN},
@@ -106,8 +112,8 @@ static const struct {
   double pinned, done;
   po_verdict verdict;
 } COUNTS[] = {
-    {1000, 1000, PO_WITHIN},    {1000, 1030, PO_WITHIN},  {1000, 970, PO_WITHIN},
-    {1000, 1031, PO_REGRESSED}, {1000, 969, PO_IMPROVED}, {0, 0, PO_WITHIN},
+    {1000, 1000, PO_IDENTICAL}, {1000, 1030, PO_WITHIN},  {1000, 970, PO_WITHIN},
+    {1000, 1031, PO_REGRESSED}, {1000, 969, PO_IMPROVED}, {0, 0, PO_IDENTICAL},
     {0, 1, PO_REGRESSED},       {1000, 0, PO_IMPROVED},
 };
 

@@ -5,6 +5,7 @@ import os
 import re
 import sys
 import tempfile
+import types
 import unittest
 import xml.etree.ElementTree as ElementTree
 
@@ -16,7 +17,7 @@ for folder in ("reports", "tools"):
 
 import count_tests  # noqa: E402
 
-from pulloff_report import findings, fonts, geometry, gnuplot, kept, page, samples, svg, svg_compact, words  # noqa: E402
+from pulloff_report import findings, fonts, geometry, gnuplot, identity, kept, page, samples, svg, svg_compact, words  # noqa: E402
 from pulloff_report.errors import ReportError  # noqa: E402
 from pulloff_report.plots import doubling, laws, loading, preload, staircase  # noqa: E402
 from pulloff_report.plots.figure import Figure  # noqa: E402
@@ -410,6 +411,36 @@ class Paper(unittest.TestCase):
     def test_a_version_without_its_build_options(self):
         self.assertEqual([findings.short_version("GSL", text) for text in ("gcc 12.2.0", "2.7.1", "OpenBLAS 0.3.21 NO_LAPACKE", "git")],
                          ["gcc 12.2.0", "GSL 2.7.1", "OpenBLAS 0.3.21", "git"])
+
+
+class Identity(unittest.TestCase):
+    """Stored digests of two points; what the record of the run has for them."""
+
+    def found(self, points, stored):
+        table = types.SimpleNamespace(columns=dict(zip(("point", "digest", "pull_off_force"), zip(*stored)))) if stored else None
+        case = types.SimpleNamespace(name="made", points=[
+            {"id": name, "label": name, "sweep": {"tabor": int(name)}, "digest": digest,
+             "pull_off": None if force is None else {"force": force}} for name, digest, force in points])
+        return identity.compare(types.SimpleNamespace(cases=[case]),
+                                types.SimpleNamespace(table=lambda name: table if name == "pins/made.digests.csv" else None))
+
+    def test_all_are_identical(self):
+        found = self.found([("0", "a", 1.5), ("1", "b", None)], [("0", "a", "1.5"), ("1", "b", "-")])
+        self.assertEqual((found["compared"], found["identical"], found["largest"]), (2, 2, None))
+
+    def test_the_largest_difference_is_named(self):
+        found = self.found([("0", "a", 1.5), ("1", "x", 2.0), ("2", "y", 2.0)],
+                           [("0", "a", "1.5"), ("1", "b", "2.0000001"), ("2", "c", "2")])
+        self.assertEqual((found["compared"], found["identical"], found["different"]), (3, 1, 2))
+        self.assertAlmostEqual(found["largest"][0], 5e-8)
+        self.assertEqual(found["largest"][1], "made")
+
+    def test_a_force_that_is_lost_differs_beyond_measure(self):
+        found = self.found([("0", "x", None)], [("0", "a", "1.5")])
+        self.assertEqual(found["largest"][0], math.inf)
+
+    def test_without_stored_digests_nothing_is_said(self):
+        self.assertIsNone(self.found([("0", "a", 1.5)], []))
 
 
 class Counting(unittest.TestCase):

@@ -90,7 +90,7 @@ class Refusals(unittest.TestCase):
 
     def test_unknown_verdict(self):
         self.change(lambda record: record["checks"][0].update(verdict="perhaps"))
-        self.refused('checks[0].verdict is "perhaps", expected one of within, outside')
+        self.refused('checks[0].verdict is "perhaps", expected one of identical, within, outside')
 
     def test_missing_curve(self):
         os.unlink(os.path.join(self.run_folder, "fig03", "curve-1.csv"))
