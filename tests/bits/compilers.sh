@@ -1,0 +1,19 @@
+#!/bin/sh
+# Builds the program with GCC and Clang at several levels of optimisation, and compares the digests. The folder with the
+# builds is kept. Called by .ci/run, which has installed both compilers.
+set -u
+cd "$(dirname "$0")/../.." || exit 4
+folder=build-compilers
+variants=
+for variant in gcc-0 gcc-1 gcc-3 clang-0 clang-3; do
+  at=$folder/$variant
+  if [ ! -f "$at/build.ninja" ]; then
+    CC=${variant%-*} meson setup "$at" -Dtests=false -Dbuildtype=plain -Doptimization="${variant#*-}" >"$folder-$variant.log" 2>&1 ||
+      { cat "$folder-$variant.log"; exit 4; }
+    rm "$folder-$variant.log"
+  fi
+  meson compile -C "$at" src/cli/pulloff:executable >"$at/log" 2>&1 || { cat "$at/log"; exit 4; }
+  variants="$variants $variant=$at/src/cli/pulloff"
+done
+# shellcheck disable=SC2086 # a list
+exec python3 tests/bits/bits.py $variants
