@@ -60,8 +60,9 @@ static void add_side(const wave_field *f, double nu, double crest, double end, d
   for (int p = 0; p < panels; ++p)
     for (int i = 0; i < POINTS; ++i) {
       const double t = span * (p + f->node[i]) / panels;
-      add_point(f, nu, crest + width * po_sinh(t),
-                f->weight[i] * fabs(span) / panels * width * po_cosh(t), sums);
+      const double grown = 0.5 * width * po_exp(t), shrunk = 0.25 * width * width / grown;
+      add_point(f, nu, crest + (grown - shrunk),
+                f->weight[i] * fabs(span) / panels * (grown + shrunk), sums);
     }
 }
 
