@@ -101,15 +101,6 @@ def bessel_i(x):
     return integral(lambda t: mpmath.exp(x * (mpmath.cos(t) - 1)), mpmath.linspace(0, mpmath.pi, 9)) / mpmath.pi
 
 
-def bessel_y(n, x):
-    n = int(n)
-    first = integral(lambda t: mpmath.sin(x * mpmath.sin(t) - n * t), mpmath.linspace(0, mpmath.pi, 9))
-    last = mpmath.asinh(200 / x)
-    second = integral(lambda t: (mpmath.exp(n * t) + (-1) ** n * mpmath.exp(-n * t)) * mpmath.exp(-x * mpmath.sinh(t)),
-                      mpmath.linspace(0, last, 3 + int(last)))
-    return (first - second) / mpmath.pi
-
-
 def both(of_mpmath, of_decimal):
     """The two routes of an elementary function."""
     return (of_mpmath, lambda *x: mpf(str(of_decimal(*(Decimal(float(a)) for a in x)))))
@@ -136,9 +127,8 @@ ROUTES = {
     "beta": (mpmath.beta, beta_integral),
     "beta_incomplete": (lambda a, b, x: mpmath.betainc(a, b, 0, x), beta_integral),
     "bessel_i0_scaled": (lambda x: mpmath.besseli(0, x) * mpmath.exp(-x), bessel_i),
-    "bessel_y": (mpmath.bessely, bessel_y),
 }
-SMOOTH = {"gamma", "beta", "beta_incomplete", "bessel_i0_scaled", "bessel_y"}  # compared with quadrature
+SMOOTH = {"gamma", "beta", "beta_incomplete", "bessel_i0_scaled"}  # compared with quadrature
 
 
 def points():
@@ -181,8 +171,6 @@ def points():
         made += [("beta", a, b), ("beta_incomplete", a, b, draw.uniform(0.02, 0.98))]
     for x in [1e-6, 0.5, 1.0, 10.0, 29.0, 31.0, 700.0] + sizes(-1, 3, 10):
         made.append(("bessel_i0_scaled", x))
-    for x in [1e-4, 0.8935769662791675, 2.197141326031017, 1.0, 10.0, 24.5] + sizes(-2, 1.39, 12):
-        made += [("bessel_y", 0.0, x), ("bessel_y", 1.0, x)]
     return made
 
 
@@ -206,9 +194,9 @@ TABLE = Table(
     row=row,
     header={
         "what": "elementary and special functions of the doubles a, b, c: pow(a, b), atan2(a, b), hypot(a, b), beta(a, b), "
-                "beta_incomplete(a, b; c), bessel_y(order a; b), the others of a",
+                "beta_incomplete(a, b; c), the others of a",
         "source": "mpmath; Python's decimal module; integral representations of the NIST Digital Library of Mathematical "
-                  "Functions (5.2.1, 5.12.1, 8.17.1, 10.32.1, 10.9.7)",
+                  "Functions (5.2.1, 5.12.1, 8.17.1, 10.32.1)",
         "kind": "oracle",
         "method": "mpmath at 100 digits against exponential and logarithm of libmpdec and Taylor's series at 800 digits; for "
                   "gamma, beta and Bessel functions at 40 digits against quadrature, to 1e-24",

@@ -96,32 +96,3 @@ double po_bessel_i0_scaled(double x) {
   }
   return po_exp(-x) * sum;
 }
-
-/* pi/2 Y_n = (log(x/2) + gamma) J_n less, for n = 1, 1/x; and less the sum over k >= 0 of the terms
- * t_k of J_n times (H_k + H_{k+n})/2, H_k = 1 + 1/2 + ... + 1/k. The largest terms are 1e10. */
-static const po_two EULER = {0.5772156649015329, -4.942915152430645e-18};
-
-double po_bessel_y(int n, double x) {
-  static const double FIRST_TERM = 1e-20; /* below, the other terms are below rounding */
-  if (x < FIRST_TERM)
-    return M_2_PI * (n == 0 ? po_log(x) + (EULER.high - M_LN2) : -1.0 / x);
-  static const po_two PER_HALF_PI = {0.6366197723675814, -3.935735335036497e-17};
-  static const double ROUNDING = 1e-24;
-  const po_two half = po_two_of(0.5 * x), square = po_two_negative(po_two_multiply(half, half));
-  po_two term = n == 0 ? po_two_of(1.0) : half;
-  po_two harmonic = po_two_of(n == 0 ? 0.0 : 0.5), bessel = {0.0, 0.0}, sum = {0.0, 0.0};
-  for (int k = 1; fabs(term.high) * (1.0 + fabs(harmonic.high)) > ROUNDING * fabs(half.high) ||
-                  k < half.high + 2.0;
-       ++k) {
-    bessel = po_two_add(bessel, term);
-    sum = po_two_add(sum, po_two_multiply(term, harmonic));
-    term = po_two_divide(po_two_multiply(term, square), po_two_of((double)k * (k + n)));
-    harmonic = po_two_add(
-        harmonic, po_two_divide(po_two_of(0.5 * (2 * k + n)), po_two_of((double)k * (k + n))));
-  }
-  const po_two logarithm = po_two_add(po_two_log(half), EULER);
-  po_two value = po_two_subtract(po_two_multiply(logarithm, bessel), sum);
-  if (n == 1)
-    value = po_two_subtract(value, po_two_divide(po_two_of(1.0), po_two_of(x)));
-  return po_two_value(po_two_multiply(value, PER_HALF_PI));
-}

@@ -18,9 +18,4 @@ double po_beta_incomplete(double a, double b, double x);
  * relative. */
 double po_bessel_i0_scaled(double x);
 
-/* Y_n(x), n = 0 or 1, the Bessel function of the second kind. Given: 0 < x <= 25. Source: power
- * series in twice the precision (Abramowitz and Stegun 9.1.11). Accuracy: 2e-16 relative, close to
- * a zero 1e-17 absolute. */
-double po_bessel_y(int n, double x);
-
 #endif

@@ -35,9 +35,10 @@ START_TEST(guduru_is_eq_5) {
   const double alpha = po_scene_alpha(s);
   const double beta = pow(s->wavelength, 3.0) / (2.0 * M_PI * pow(s->radius * s->tabor, 1.5));
   for (double a = 0.013; a < 9.0; a *= 1.7) {
-    const double x = 2.0 * M_PI * a, waves = 4.0 * M_PI * M_PI * a * a * a / 3.0 +
-                                             M_PI_2 * a * po_struve(1, x) -
-                                             M_PI * M_PI * a * a * po_struve(2, x);
+    const double x = 2.0 * M_PI * a, h1 = po_struve(1, x);
+    const double h2 = 2.0 * h1 / x + 2.0 / (3.0 * M_PI) * x - po_struve(0, x);
+    const double waves =
+        4.0 * M_PI * M_PI * a * a * a / 3.0 + M_PI_2 * a * h1 - M_PI * M_PI * a * a * h2;
     const double hertz = 2.0 * a * a * a / 3.0, stick = 4.0 * sqrt(beta * a * a * a);
     const double load = 4.0 * beta * (hertz + alpha * waves) - stick;
     const double approach = (a * a + alpha * M_PI * M_PI * a * po_struve(0, x) - sqrt(a / beta)) *
