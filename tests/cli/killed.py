@@ -74,12 +74,12 @@ def written(folder):
 
 
 def living(folder):
-    """Whether a solver of this test is still running."""
-    for path in glob.glob("/proc/[0-9]*/cmdline"):
+    """Whether a process works in the folder of this test or below it: a solver, or a child of the program that was killed
+    before it became one, which still holds the lock of its folder."""
+    for path in glob.glob("/proc/[0-9]*/cwd"):
         try:
-            with open(path, "rb") as stream:
-                if os.fsencode(folder) in (words := stream.read()) and b"--answer" in words:
-                    return True
+            if path != f"/proc/{os.getpid()}/cwd" and (os.readlink(path) + "/").startswith(folder + "/"):
+                return True
         except OSError:
             pass
     return False
