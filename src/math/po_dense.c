@@ -58,21 +58,11 @@ po_status po_linear_factorize_single(size_t n, float *a, size_t stride, int *piv
 }
 
 void po_linear_solve(size_t n, const double *a, size_t stride, const int *pivots, double *x) {
-  for (size_t k = 0; k < n; ++k) {
-    const double above = x[k];
-    x[k] = x[pivots[k] - 1];
-    x[pivots[k] - 1] = above;
-  }
-  po_dense_substitute_double(n, a, stride, x);
+  po_dense_substitute_double(n, a, stride, pivots, x);
 }
 
 void po_linear_solve_single(size_t n, const float *a, size_t stride, const int *pivots, float *x) {
-  for (size_t k = 0; k < n; ++k) {
-    const float above = x[k];
-    x[k] = x[pivots[k] - 1];
-    x[pivots[k] - 1] = above;
-  }
-  po_dense_substitute_single(n, a, stride, x);
+  po_dense_substitute_single(n, a, stride, pivots, x);
 }
 
 void po_linear_solve_transposed(size_t n, const double *a, size_t stride, const int *pivots,

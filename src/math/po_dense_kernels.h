@@ -110,8 +110,14 @@ static bool NAME(factorize)(size_t rows, size_t columns, REAL *a, size_t stride,
   return is_singular;
 }
 
-/* x = U^-1 L^-1 P x by columns */
-PO_FOR_ALL_WIDTHS void NAME(po_dense_substitute)(size_t n, const REAL *a, size_t stride, REAL *x) {
+/* x = U^-1 L^-1 P x by columns. Given: the pivots, from 1. */
+PO_FOR_ALL_WIDTHS void NAME(po_dense_substitute)(size_t n, const REAL *a, size_t stride,
+                                                 const int *pivots, REAL *x) {
+  for (size_t k = 0; k < n; ++k) {
+    const REAL above = x[k];
+    x[k] = x[pivots[k] - 1];
+    x[pivots[k] - 1] = above;
+  }
   for (size_t k = 0; k < n; ++k) {
     const REAL *column = a + k * stride, factor = x[k];
     for (size_t i = k + 1; i < n; ++i)

@@ -5,7 +5,7 @@ set -u
 cd "$(dirname "$0")/../.." || exit 4
 folder=build-compilers
 variants=
-for variant in gcc-0 gcc-1 gcc-3 clang-0 clang-3; do
+for variant in gcc-0 gcc-1 gcc-3 clang-0 clang-1 clang-3; do
   at=$folder/$variant
   if [ ! -f "$at/build.ninja" ]; then
     CC=${variant%-*} meson setup "$at" -Dtests=false -Dbuildtype=plain -Doptimization="${variant#*-}" >"$folder-$variant.log" 2>&1 ||

@@ -97,10 +97,6 @@ START_TEST(kernel_row_agrees_with_the_table) {
 }
 END_TEST
 
-static double beta_incomplete(double a, double b, double x) {
-  return po_beta_incomplete(a, b, x);
-}
-
 /* A function and its accuracy: in units in the last place (at most 0.95), or relative. */
 static const struct {
   const char *name;
@@ -125,7 +121,7 @@ static const struct {
     {"hypot", .pair = po_hypot, .ulp = 0.95},
     {"gamma", po_gamma, .relative = 2e-16},
     {"beta", .pair = po_beta, .relative = 2e-16},
-    {"beta_incomplete", .triple = beta_incomplete, .relative = 1e-14},
+    {"beta_incomplete", .triple = po_beta_incomplete, .relative = 1e-14},
     {"bessel_i0_scaled", po_bessel_i0_scaled, .relative = 2e-15},
 };
 
@@ -162,7 +158,7 @@ START_TEST(functions_of_twice_the_precision_agree_with_the_table) {
     const double value = table_number(&t, row, "value"), rest = table_number(&t, row, "rest");
     table_judge(&t, row, name, fabs((got.high - value) + (got.low - rest)), 1e-29 * scale);
   }
-  ck_assert_uint_gt(t.compared, 130);
+  ck_assert_uint_eq(t.compared, 135); /* none is NaN */
   t.csv.row_count = t.compared;
   table_close(&t, "functions in twice the precision", t.compared, 1);
 }
