@@ -49,9 +49,8 @@ static po_two sine(po_two t) {
   return sum;
 }
 
-/* sin(pi (x + quarters/2)) */
-static po_two circular(po_two x, double quarters) {
-  const double whole = rint(2.0 * x.high), turn = quarters + fmod(whole, 4.0);
+po_two po_two_sinpi(po_two x) {
+  const double whole = rint(2.0 * x.high), turn = fmod(whole, 4.0);
   const po_two t = po_two_multiply(
       PI, po_two_add(po_two_of(x.high - 0.5 * whole), po_two_of(x.low))); /* exact difference */
   const int quadrant = (int)(turn - 4.0 * floor(0.25 * turn));
@@ -61,12 +60,4 @@ static po_two circular(po_two x, double quarters) {
     value = po_two_subtract(po_two_of(1.0), po_two_times(po_two_multiply(half, half), 2.0));
   }
   return quadrant < 2 ? value : po_two_negative(value);
-}
-
-po_two po_two_sinpi(po_two x) {
-  return circular(x, 0.0);
-}
-
-po_two po_two_cospi(po_two x) {
-  return circular(x, 1.0);
 }
