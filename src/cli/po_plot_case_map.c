@@ -6,9 +6,30 @@
 
 #include "po_memory.h"
 #include "po_plot.h"
+#include "po_plot_verb.h"
 
 /* The least number of values of both keys; a case with fewer values of one is a set of curves. */
 enum { LEAST_VALUES = 8 };
+
+/* The number of different values of a key in a case. */
+static size_t count_values(const po_case *kase, po_key key) {
+  size_t count = 0;
+  for (size_t i = 0; i < kase->point_count; ++i) {
+    const double value = po_key_number(&kase->points[i].request, key);
+    bool is_new = isfinite(value);
+    for (size_t k = 0; k < i && is_new; ++k)
+      is_new = po_key_number(&kase->points[k].request, key) != value;
+    count += is_new;
+  }
+  return count;
+}
+
+size_t po_plot_varied_values(const po_case *kase, int key) {
+  bool swept = false;
+  for (unsigned i = 0; i < kase->file->sweep_count; ++i)
+    swept = swept || po_sweep_names(&kase->file->sweep[i], (po_key)key);
+  return swept && po_key_is_continuous(key) ? count_values(kase, (po_key)key) : 0;
+}
 
 bool po_plot_case_is_map(const po_case *kase, po_key keys[2]) {
   size_t count = 0;

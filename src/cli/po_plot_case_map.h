@@ -4,13 +4,6 @@
 
 #include "po_case.h"
 #include "po_run.h"
-#include "po_text.h"
-
-/* Draws with a script of the data folder. Status: as po_plot_draw. */
-po_status po_plot_with(const po_text *script, const char *name, const char *file);
-
-/* The size of a plot in characters: that of the terminal, within limits. */
-void po_plot_size(size_t *columns, size_t *rows);
 
 /* Returned: the number of values of a continuous key in the sweep of a case; 0 for others. */
 size_t po_plot_varied_values(const po_case *kase, int key);

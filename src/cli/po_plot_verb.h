@@ -4,6 +4,7 @@
 
 #include "po_request.h"
 #include "po_result.h"
+#include "po_text.h"
 
 /* Takes the name of a figure. Status: PO_BAD_INPUT unless it ends in .svg, .png or .pdf. */
 po_status po_plot_take_file(const char *text, const char **file);
@@ -14,9 +15,10 @@ po_status po_plot_to_file(const po_request *request, const po_result *result, co
 /* Prints the plots of a solve as characters, as large as the terminal. */
 po_status po_plot_to_terminal(const po_request *request, const po_result *result);
 
-/* Plots the pull-off forces of a case against a key of its sweep, or as a map if two keys vary.
- * Given: `run`, folder of the records; NULL: the default; `file`, NULL: as characters. Points
- * without a result are solved. */
-po_status po_plot_case(char *name, const char *run, const char *file);
+/* Draws with a script of the data folder. Status: as po_plot_draw. */
+po_status po_plot_with(const po_text *script, const char *name, const char *file);
+
+/* The size of a plot in characters: that of the terminal, within limits. */
+void po_plot_size(size_t *columns, size_t *rows);
 
 #endif

@@ -9,7 +9,7 @@
 #include "po_panel_table.h"
 #include "po_panels.h"
 #include "po_pins.h"
-#include "po_plan.h"
+#include "po_plan_words.h"
 #include "po_print.h"
 #include "po_size.h"
 #include "po_verbs.h"
@@ -95,9 +95,18 @@ static po_status print_needs(const po_plan *plan) {
   return PO_OK;
 }
 
+static po_status describe(const po_case *kase, po_plan **plan) {
+  po_status status = po_plan_create(kase, po_environment_data(), plan);
+  if (!status)
+    status = po_plan_describe(*plan);
+  if (status)
+    po_plan_destroy(*plan);
+  return status;
+}
+
 static po_status print_plan(const po_case *kase) {
   po_plan *plan = NULL;
-  po_status status = po_plan_create(kase, po_environment_data(), &plan);
+  po_status status = describe(kase, &plan);
   if (status)
     return status;
   printf("%s: %s\n", kase->file->name, kase->file->title);
@@ -126,7 +135,7 @@ static json_t *point_json(const po_plan *plan, size_t i) {
 /* The plan of a case, added to an array. */
 static po_status append_plan(const po_case *kase, json_t **plans) {
   po_plan *plan = NULL;
-  const po_status status = po_plan_create(kase, po_environment_data(), &plan);
+  const po_status status = describe(kase, &plan);
   if (status)
     return status;
   json_t *lines = po_json_empty_array(), *points = po_json_empty_array();

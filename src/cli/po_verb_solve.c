@@ -11,6 +11,7 @@
 #include "po_observe.h"
 #include "po_options.h"
 #include "po_plot.h"
+#include "po_plot_case.h"
 #include "po_plot_verb.h"
 #include "po_print.h"
 #include "po_scene_flags.h"

@@ -91,24 +91,6 @@ static double joined_for(const po_continuation *t) {
   return fmin(by_sagitta, sqrt(sqrt(o->largest_miss / miss)));
 }
 
-/* Error of the tangent with which the next step, if as long, predicts the place of a contact edge:
- * relative to the width of the edge, 1/coupling. With 1e-3 the smooth spheres of mu = 4000 and of
- * the law (4, 10) at 3000 are refused; up to mu = 300 the work is the same. */
-static const double EDGE_ERROR = 1e-5;
-
-/* The precision of the tangent in coordinates that scale with the contact: the rate of the approach
- * is then right to 1e-5 at a Tabor parameter of 10,000. */
-static const double SCALED_TANGENT = 1e-9;
-
-double po_continuation_tangent_precision(const po_continuation *t, double step) {
-  if (po_equilibrium_is_narrow(t->c.e))
-    return SCALED_TANGENT;
-  double way = 0.0; /* of the contact edges in the step, in their widths */
-  for (size_t k = 0; k < t->current.edges.count; ++k)
-    way = fmax(way, step * fabs(t->current.edges.rate[k]) * t->c.e->coupling);
-  return fmin(PO_STEP_TANGENT, EDGE_ERROR / way);
-}
-
 /* One attempt to step from t->current to t->next. Given: the length of the step. Status: PO_OK if
  * the step is accepted. */
 static po_status try_step(po_continuation *t, double step, attempt *a) {

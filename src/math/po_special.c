@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "po_elementary.h"
+#include "po_two_functions.h"
 
 /* B_2k/(2k (2k - 1)) of Stirling's series, k = 1, 2, ... From x = 30 on, the first term that is
  * left out is below 1e-24. */

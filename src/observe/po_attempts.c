@@ -63,30 +63,12 @@ static double excess_error(const po_request *request, const po_result *result) {
   return excess > 1.0 ? excess : 0.0;
 }
 
-static double finite_or_none(double value) {
-  return isfinite(value) ? value : (double)NAN;
-}
-
-/* The core for a search reaches to the contact at which the search is complete for a pull-off force
- * of SEARCHED_FORCE, pi w R, if that is at most LARGEST_CORE times the core without a search. */
-static const double SEARCHED_FORCE = 1.0, LARGEST_CORE = 1.6;
-
-double po_observe_core(const po_request *request) {
-  const po_scene *scene = &request->scene;
-  const double deepest = fmax(fmax(request->approach_end, request->profile_approach),
-                              finite_or_none(request->preload.approach));
-  const double core = po_surface_core(scene, deepest);
-  if (po_request_search(request) == PO_SEARCH_NONE || !request->companion ||
-      po_scene_is_simple(scene) || isfinite(scene->outer_radius))
-    return core;
-  const double enough = po_observe_core_of_contact(po_request_bound(request, -SEARCHED_FORCE));
-  return enough < LARGEST_CORE * core ? fmax(core, enough) : core;
-}
-
 /* If approach_end or the preload is below the approach at which the trace would begin, the trace
  * begins at a smaller approach. */
 static double farthest_of(const po_request *request) {
-  return fmin(request->approach_end, finite_or_none(request->preload.approach)) - BEYOND;
+  const double preload = request->preload.approach;
+  return (isfinite(preload) ? fmin(request->approach_end, preload) : request->approach_end) -
+         BEYOND;
 }
 
 static double farthest_start(const po_scene *scene) {

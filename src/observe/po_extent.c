@@ -1,4 +1,5 @@
-/* The end of a rigid trace, and the size of the domain of the panels. */
+/* The end of a rigid trace, the part of the surface that may come into contact (the core), and the
+ * size of the domain of the panels. */
 #include <math.h>
 
 #include "po_initial_gap.h"
@@ -67,4 +68,24 @@ double po_observe_core_of_contact(double contact_radius) {
 
 bool po_observe_is_cut_off(const po_scene *scene, double contact_radius, double core) {
   return isinf(scene->outer_radius) && contact_radius > GREATEST_CONTACT * core;
+}
+
+static double finite_or_none(double value) {
+  return isfinite(value) ? value : (double)NAN;
+}
+
+/* The core for a search reaches to the contact at which the search is complete for a pull-off force
+ * of SEARCHED_FORCE, pi w R, if that is at most LARGEST_CORE times the core without a search. */
+static const double SEARCHED_FORCE = 1.0, LARGEST_CORE = 1.6;
+
+double po_observe_core(const po_request *request) {
+  const po_scene *scene = &request->scene;
+  const double deepest = fmax(fmax(request->approach_end, request->profile_approach),
+                              finite_or_none(request->preload.approach));
+  const double core = po_surface_core(scene, deepest);
+  if (po_request_search(request) == PO_SEARCH_NONE || !request->companion ||
+      po_scene_is_simple(scene) || isfinite(scene->outer_radius))
+    return core;
+  const double enough = po_observe_core_of_contact(po_request_bound(request, -SEARCHED_FORCE));
+  return enough < LARGEST_CORE * core ? fmax(core, enough) : core;
 }

@@ -10,7 +10,6 @@
 #include "po_file.h"
 #include "po_memory.h"
 #include "po_pins.h"
-#include "po_plan_words.h"
 #include "po_text.h"
 
 po_request po_plan_request(const po_plan *plan, size_t point) {
@@ -223,8 +222,6 @@ static po_status create(const po_case *kase, const char *data_folder, const char
     decide(plan);
     status = make_keys(plan);
   }
-  if (!status)
-    status = po_plan_describe(plan);
   if (status)
     po_plan_destroy(plan);
   else

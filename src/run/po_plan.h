@@ -15,7 +15,7 @@ typedef struct {
   po_reference *references; /* one a check, open */
   po_reference *measures;   /* one a measurement, open */
   unsigned want;            /* bit set of PO_WANT_..., for every point */
-  char **lines;             /* the description of the plan, for the user */
+  char **lines;             /* what po_plan_describe says of it; none before */
   size_t line_count;
   char program[PO_DIGEST_LENGTH];   /* digest of the program or the solver */
   char solve_key[PO_DIGEST_LENGTH]; /* digest of all that determines the results: scenes, program */

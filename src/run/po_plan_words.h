@@ -4,7 +4,7 @@
 
 #include "po_plan.h"
 
-/* Fills plan->lines. Given: a plan whose other members are complete. Status: PO_NO_MEMORY. */
+/* Fills plan->lines. To be called once. Status: PO_NO_MEMORY. */
 po_status po_plan_describe(po_plan *plan);
 
 #endif

@@ -5,6 +5,7 @@
 
 #include "po_elementary.h"
 #include "po_scales.h"
+#include "po_two_functions.h"
 
 /* The allowed error of the load, in pi w R, where the waves are replaced by their mean: a
  * thousandth of the default tolerance. */

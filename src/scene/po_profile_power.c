@@ -3,6 +3,7 @@
 
 #include "po_elementary.h"
 #include "po_profile_kind.h"
+#include "po_two_functions.h"
 
 static double sphere_gap(const po_profile *profile, double radius, double r) {
   (void)profile;

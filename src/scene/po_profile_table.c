@@ -12,6 +12,7 @@
 #include "po_profile_kind.h"
 #include "po_root.h"
 #include "po_spline.h"
+#include "po_two_functions.h"
 
 /* A spline of every other row needs four rows. */
 enum { LEAST_ROWS = 8 };

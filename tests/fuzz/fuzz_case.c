@@ -4,6 +4,7 @@
 
 #include "fuzz.h"
 #include "po_case_read.h"
+#include "po_plan_words.h"
 
 /* A plan looks up every reference for every point. More points take more time and test nothing new.
  */
@@ -28,7 +29,9 @@ static void require_points(const po_case *kase) {
 
 static po_status plan(const po_case *kase, char key[PO_DIGEST_LENGTH]) {
   po_plan *made = NULL;
-  const po_status status = po_plan_create(kase, FUZZ_DATA, &made);
+  po_status status = po_plan_create(kase, FUZZ_DATA, &made);
+  if (!status)
+    status = po_plan_describe(made);
   fuzz_require_message(status);
   for (size_t i = 0; made && i < made->line_count; ++i)
     fuzz_require_words("the plan", made->lines[i], false);

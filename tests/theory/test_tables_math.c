@@ -10,6 +10,7 @@
 #include "po_kernel.h"
 #include "po_special.h"
 #include "po_struve.h"
+#include "po_two_functions.h"
 #include "table.h"
 
 /* The tolerances stated in po_struve.h and po_kernel.h; 4 ulp. */

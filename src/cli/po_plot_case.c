@@ -1,0 +1,169 @@
+#include "po_plot_case.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_input.h"
+#include "po_memory.h"
+#include "po_plot.h"
+#include "po_plot_case_map.h"
+#include "po_plot_verb.h"
+#include "po_session.h"
+
+/* One point of a run: the value of the key on the x axis, and the values of the other keys. */
+typedef struct {
+  po_plot_pull_off at;
+  char others[160];
+} run_point;
+
+/* The continuous key of the sweep with the most values; -1 if none varies. */
+static int find_key(const po_case *kase) {
+  int best = -1;
+  size_t most = 1;
+  for (int key = 0; key < PO_KEY_END; ++key) {
+    const size_t count = po_plot_varied_values(kase, key);
+    if (count > most) {
+      most = count;
+      best = key;
+    }
+  }
+  return best;
+}
+
+/* The words of a label that are not about the key on the x axis. */
+static void other_words(const char *label, po_key key, char others[160]) {
+  const char *name = po_key_name(key);
+  const size_t length = strlen(name);
+  others[0] = '\0';
+  while (*label) {
+    const size_t word = strcspn(label, " ");
+    const bool is_key = strncmp(label, name, length) == 0 && label[length] == '=';
+    const size_t used = strlen(others);
+    if (!is_key)
+      snprintf(others + used, 160 - used, "%s%.*s", used ? " " : "", (int)word, label);
+    label += word + strspn(label + word, " ");
+  }
+}
+
+static int by_curve(const void *a, const void *b) {
+  const run_point *p = a, *q = b;
+  const int order = strcmp(p->others, q->others);
+  return order ? order : (p->at.x > q->at.x) - (p->at.x < q->at.x);
+}
+
+/* The points of a case that have a pull-off, sorted by curve and value. Returned: their number. */
+static size_t collect(const po_case_run *run, const po_case *kase, po_key key, run_point *points) {
+  size_t count = 0;
+  for (size_t i = 0; i < kase->point_count; ++i) {
+    const po_result *o = &run->results[i];
+    const double x = po_key_number(&kase->points[i].request, key);
+    if (!o->has_pull_off || !isfinite(x))
+      continue;
+    points[count].at = (po_plot_pull_off){
+        x, o->pull_off.force, isfinite(o->pull_off.force_error) ? o->pull_off.force_error : 0};
+    other_words(kase->points[i].label, key, points[count++].others);
+  }
+  qsort(points, count, sizeof *points, by_curve);
+  return count;
+}
+
+static size_t end_of_curve(const run_point *points, size_t count, size_t begin) {
+  size_t end = begin + 1;
+  while (end < count && strcmp(points[end].others, points[begin].others) == 0)
+    ++end;
+  return end;
+}
+
+static po_status draw_run(const po_case *kase, po_key key, const run_point *points, size_t count,
+                          const char *file) {
+  po_text script = {0};
+  size_t curves = 0;
+  po_status status = PO_OK;
+  po_plot_pull_off *curve = po_allocate(count, sizeof *curve);
+  for (size_t begin = 0, end; begin < count && curve; begin = end) {
+    end = end_of_curve(points, count, begin);
+    for (size_t i = begin; i < end; ++i)
+      curve[i - begin] = points[i].at;
+    status = po_plot_pull_offs(++curves, points[begin].others, curve, end - begin, &script);
+  }
+  double least = INFINITY, most = 0;
+  for (size_t i = 0; i < count; ++i) {
+    least = fmin(least, points[i].at.x);
+    most = fmax(most, points[i].at.x);
+  }
+  po_plot_assign(&script, "caption", kase->file->title);
+  po_plot_assign(&script, "key_name", po_key_name(key));
+  po_plot_assign_load_unit(&script, &kase->points[0].request);
+  po_text_add(&script, "curve_count = %zu\nis_log = %d\n", curves, least > 0 && most > 20 * least);
+  if (!status)
+    status = curve && !script.failed ? po_plot_with(&script, "run.gp", file) : PO_NO_MEMORY;
+  free(curve);
+  po_text_clear(&script);
+  return status;
+}
+
+static po_status print_run(const po_case *kase, po_key key, const run_point *points, size_t count) {
+  size_t columns, rows, curves = 0;
+  po_text text = {0};
+  po_plot_size(&columns, &rows);
+  double *x = po_allocate(count, sizeof *x), *y = po_allocate(count, sizeof *y);
+  po_plot_series *series = po_allocate(count, sizeof *series);
+  const bool whole = x && y && series;
+  for (size_t begin = 0, end; begin < count && whole; begin = end) {
+    end = end_of_curve(points, count, begin);
+    for (size_t i = begin; i < end; ++i) {
+      x[i] = points[i].at.x;
+      y[i] = points[i].at.force;
+    }
+    series[curves] =
+        (po_plot_series){x + begin, y + begin, end - begin, "*o+x#@%&"[curves % 8], true};
+    po_text_add(&text, "%c %s\n", series[curves].mark, points[begin].others);
+    ++curves;
+  }
+  if (whole)
+    po_plot_characters(series, curves, po_key_name(key), "force", columns, rows, &text);
+  const po_status status = whole && !text.failed ? PO_OK : PO_NO_MEMORY;
+  if (!status)
+    printf("%s: pull-off force against %s\n%s", kase->file->title, po_key_name(key),
+           po_text_string(&text));
+  po_text_clear(&text);
+  free(x);
+  free(y);
+  free(series);
+  return status;
+}
+
+static po_status plot_run(const po_case_run *run, const po_case *kase, const char *file) {
+  po_key keys[2];
+  if (po_plot_case_is_map(kase, keys))
+    return po_plot_case_map(run, kase, keys, file);
+  const int key = find_key(kase);
+  if (key < 0)
+    return po_fail(PO_BAD_INPUT,
+                   "no number varies in the case %s: expected a case with a sweep of one",
+                   kase->file->name);
+  run_point *points = po_allocate(kase->point_count, sizeof *points);
+  if (!points)
+    return PO_NO_MEMORY;
+  const size_t count = collect(run, kase, (po_key)key, points);
+  const po_status status =
+      !count ? po_fail(PO_BAD_INPUT, "no point of the case %s has a pull-off", kase->file->name)
+      : file ? draw_run(kase, (po_key)key, points, count, file)
+             : print_run(kase, (po_key)key, points, count);
+  free(points);
+  return status;
+}
+
+po_status po_plot_case(char *name, const char *run, const char *file) {
+  po_session session = po_session_default();
+  if (run)
+    session.options.output = run;
+  session.options.brief = true;
+  po_status status = po_session_run(&session, &name, 1);
+  if (!status)
+    status = plot_run(&session.runs[0], session.catalog.cases[0], file);
+  po_session_clear(&session);
+  return status;
+}
