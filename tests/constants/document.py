@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Writes the table of constants into doc/method.md, from constants.toml, the source and doc/constants.csv.
+"""Writes doc/constants.md from constants.toml, the source and doc/constants.csv.
 
     document.py            writes it
-    document.py --check    exit code 1 if the document has another one"""
+    document.py --check    exit code 1 if the document differs"""
 
 import csv
 import os
@@ -11,10 +11,32 @@ import sys
 import measure
 import scan
 
-DOCUMENT = os.path.join(measure.ROOT, "doc", "method.md")
-BEGIN, END = "<!-- constants: written by tests/constants/document.py -->\n", "<!-- end of the constants -->\n"
-SEEN = 0.02             # relative change of the work that is told
-LARGER = 1.2            # ratio of an error that is told
+DOCUMENT = os.path.join(measure.ROOT, "doc", "constants.md")
+SEEN = 0.02             # relative change of the work that is stated
+LARGER = 1.2            # ratio of an error that is stated
+HEAD = """# The constants
+
+This page lists every named constant of the rooms that compute. `tests/constants/document.py` writes it; a test compares it with the source and with the measurements in `constants.csv`. [The method](method.md) explains what the constants are for.
+
+`tests/constants/measure.py` halves and doubles each value in a copy of the source, builds the copy, and runs a fixed set of commands: 100 random scenes on panels, stiff scenes, other preloads, rings and triangles, rigid scenes, series of scenes and closed forms ([the set and the measure](../tests/constants/README.md)). Errors are differences from solutions at a tolerance of 1e-8.
+
+Kinds: *tuned*: chosen by measurement, or freely within a range; *limit*: a bound of a loop or of memory, or a guard; *derived*: follows from mathematics, rounding or another number; *stated*: what the program declares to its user. Derived and stated constants are not measured.
+
+The last two columns say what half and twice the value do:
+
+| entry | meaning |
+|---|---|
+| – | no digit of any result and no counter changes |
+| work | counted floating-point operations of the whole set; left out if the change is below 2 % |
+| lost, spurious | special points that are missing, or too many, compared with the unchanged source |
+| violated, held | change of the number of stated errors that are violated, or shown to hold |
+| median error, worst error | errors of the pull-off forces, as a ratio to those of the unchanged source |
+| energy | largest error of an energy lost, as such a ratio |
+| others move | largest relative change of results that have no tolerance: rings, triangles, rigid scenes, closed forms, diagnostics |
+| less than 2 % | something changes, but none of the above |
+| a value in parentheses | was tried in place of half or twice the value |
+
+"""
 
 
 def rows():
@@ -70,19 +92,20 @@ def summary(results, base):
         elif all(is_small(row, base) for row in pair):
             small += 1
     return (f"Of {count} tuned constants {idle} change nothing on this set, neither at half nor at twice the value: they "
-            f"belong to what is rare, such as a trace that is repeated on a larger domain or a search that ends by its "
+            f"concern rare scenes, such as a trace that is repeated on a larger domain or a search that ends by its "
             f"effort. {small} others change the work by less than 2 %, lose no special point and violate no stated "
             f"error.\n")
 
 
 def lines():
-    """The table, and the line of the unchanged source."""
+    """The page."""
     places, results = scan.constants(measure.ROOT), rows()
     base = results[measure.UNCHANGED]
+    yield HEAD
     yield (f"The unchanged source, on {base['scenes']} commands: median error of the pull-off force "
            f"{base['median_error']} tolerances, worst {base['worst_error']}; of {base['stated']} stated errors "
            f"{base['held']} hold and {base['violated']} are violated (the others cannot be decided by the tight "
-           f"solution); {base['lost']} special points are lost and {base['extra']} spurious; largest error of an "
+           f"solution); special points lost: {base['lost']}, spurious: {base['extra']}; largest error of an "
            f"energy lost {base['worst_energy']} tolerances.\n")
     yield "\n" + summary(results, base)
     room = None
@@ -92,23 +115,23 @@ def lines():
         if entry["file"] != room:
             room = entry["file"]
             yield f"\n`{here}`\n\n| constant | value | kind | what it is | half | twice |\n|---|---|---|---|---|---|\n"
-        sides = ["", ""]
+        sides = ["not measured: " + entry["unmeasured"] if "unmeasured" in entry else "", ""]
         if measure.is_measured(entry):
             sides = [effect(results.get((entry["file"], entry["name"], value, side)), base)
                      + (f" ({entry[side]})" if side in entry else "") for side in ("half", "twice")]
         yield f"| `{entry['name']}` | {value} | {entry['kind']} | {entry['does']} | {sides[0]} | {sides[1]} |\n"
 
 
-def written():
-    """The document with the table in place."""
+def current():
+    """The document as it is; empty if there is none."""
+    if not os.path.exists(DOCUMENT):
+        return ""
     with open(DOCUMENT, encoding="utf-8") as stream:
-        text = stream.read()
-    begin, end = text.index(BEGIN) + len(BEGIN), text.index(END)
-    return text, text[:begin] + "\n" + "".join(lines()) + "\n" + text[end:]
+        return stream.read()
 
 
 def main(args):
-    text, new = written()
+    text, new = current(), "".join(lines())
     if args == ["--check"]:
         return int(text != new)
     if text != new:

@@ -8,7 +8,7 @@
 For each constant of constants.toml with a measurement, a copy of the source has that one value changed, is built, and
 runs the commands of scenes.txt. The results are compared with solutions at a tolerance of 1e-8 and with those of the
 unchanged source. A row is written to doc/constants.csv as soon as it is known, so that an interrupted run goes on.
-Then `document.py` puts the table into doc/method.md.
+Then `document.py` writes doc/constants.md.
 
 Exit code: 0 all is measured, 1 the unchanged source does not build or solve, 130 interrupted."""
 
