@@ -256,7 +256,7 @@ double po_elimination_border(po_elimination *e, const double *border) {
   return e->pivot;
 }
 
-/* Adds what the unknowns of a panel do to those of the panel to infinity. */
+/* Adds the deflection of the panel to infinity by the tractions of a panel. */
 static void add_to_tail(const po_elimination *e, size_t panel, const double *x, double *tail) {
   double product[N];
   for (size_t j = 0; j < N; ++j)

@@ -5,9 +5,9 @@
 static const REAL IN_REAL(zero)[K * K];
 
 typedef struct {
-  REAL border[K];      /* sum of border x = sum + border . w */
+  REAL border[K];      /* border . x of the cell = sum + border . w, w its field */
   REAL field[K], z[K]; /* of a solution */
-  double sum;          /* of a solution: the sum of border x at zero field */
+  double sum;          /* of a solution: border . x of the cell at zero field w */
 } IN_REAL(state);
 
 /* The matrices of all cells, and parts of the skeleton. */

@@ -66,8 +66,8 @@ static po_status refuse_both(const po_case_file *file, const po_yaml *yaml) {
   return PO_OK;
 }
 
-/* Whether a key has no value in a scene that was given in SI units: those of the profile and the
- * waves that it does not have. */
+/* Whether a key has no value in a scene that was given in SI units: a group, a parameter of another
+ * profile, waves that the scene does not have. */
 static bool is_absent(const po_request *request, po_key key) {
   return po_key_is_group(key) || (po_key_is_idle(request, key) &&
                                   (key != PO_KEY_AMPLITUDE || po_scene_waves(&request->scene) > 1));

@@ -42,8 +42,8 @@ po_status po_continuation_want_mesh(po_continuation *t, po_solution *p);
 
 /* Solves for the equilibrium at a distance along the arclength functional from the current point,
  * on a mesh that resolves it. Given: the prediction; `keep`, whether the current mesh and factors
- * may be used; precision of the tangent. Returned: out; error, that of the prediction relative to 1
- * + H, unless NULL. Status: PO_NOT_CONVERGED, also if no mesh resolves the solution;
+ * may be used; precision of the tangent. Returned: out; error, that of the prediction, relative
+ * to 1 + H, unless NULL. Status: PO_NOT_CONVERGED, also if no mesh resolves the solution;
  * PO_OUT_OF_NODES. */
 po_status po_continuation_solve(po_continuation *t, po_prediction *p, double distance, bool keep,
                                 double precision, po_solution *out, double *error);

@@ -6,16 +6,18 @@
 #include "po_initial_gap.h"
 #include "po_profile.h"
 
+/* Secant steps for a special point on the finer mesh. */
 enum { MOST_SOLVES = 5 };
 
-/* Panels with an excess below this part of the largest are not halved. With 1e-3, the change of one
- * fold in 200 was a quarter of its error, since the excess of a panel may be small by chance. If
- * the mesh takes too many panels or nodes, the part is COARSER times as large, up to
- * MOST_CONTRIBUTES. */
+/* On the finer mesh a panel is halved if its estimated error (po_resolution_excesses) is at least
+ * this part of the largest of all panels. With 1e-3, the change of the value of one fold in 200 was
+ * a quarter of its error, since the estimate of a panel may be small by chance. If that mesh takes
+ * too many panels or nodes, the part is multiplied by COARSER until it exceeds MOST_CONTRIBUTES. */
 static const double CONTRIBUTES = 1e-4, COARSER = 10.0, MOST_CONTRIBUTES = 0.1;
 
-/* Greatest number of wavelengths on a panel. The Legendre coefficients of a longer panel do not
- * show its error; nor, with 2.5 waves, does the panel cut in half. */
+/* Greatest length of a panel of the finer mesh, in wavelengths. The Legendre coefficients of a
+ * longer panel do not show its error; with 2.5 wavelengths on a panel, halving it does not either.
+ */
 static const double TELLING_WAVES = 1.0;
 
 /* The secant method ends when its next step is shorter than PO_LOCATED, or than this part of its
@@ -205,8 +207,8 @@ static po_status solve_on(po_corrector *c, const po_panels *panels, const po_ref
   return po_refine_locate(c, point, how->of, &slope, finer, value);
 }
 
-/* The same on the finest mesh that is possible, to the precision of rounding. Returned: also the
- * errors, in r. */
+/* Solves for the special point on the finer mesh for the estimate, to the precision of rounding. If
+ * that mesh takes too many panels, fewer of them are halved. Returned: also the errors, in r. */
 static po_status solve_finer(po_corrector *c, const po_resolution *resolution,
                              const po_refinement *how, po_refined *r, po_solution *finer,
                              double value[2]) {

@@ -20,7 +20,7 @@ static const double SUSPECT = 0.4;
 /* But not if the rate of the cubic, a parabola, has its vertex farther outside the interval than
  * this, relative to the length of the interval: the rate then falls towards a special point of the
  * next interval. Without this exception intervals are halved down to the distance of that point. */
-static const double BEYOND = 0.5;
+static const double VERTEX_OUTSIDE = 0.5;
 
 /* Length, along the arclength functional, to which an interval is halved if the number of contact
  * edges changes in it: special points may be close together there. Without this rule a trace passed
@@ -46,7 +46,7 @@ static double event_value(const po_interval *interval, po_event_kind of, const p
 static bool is_suspect(const po_sample *a, const po_sample *b, po_event_kind q) {
   return a->rate[q] * b->rate[q] > 0.0 &&
          po_hermite_least_rate(a->value[q], a->rate[q], b->value[q], b->rate[q], b->at - a->at,
-                               BEYOND) < SUSPECT;
+                               VERTEX_OUTSIDE) < SUSPECT;
 }
 
 static po_status collect_between(const po_interval *interval, const po_sample *a,

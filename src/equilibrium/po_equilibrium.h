@@ -4,9 +4,9 @@
  * Lengths are in eps, p = P/mu is the traction of Eq 16 without its factor mu, f the initial gap of
  * Eq 2, and G the influence matrix of the surface:
  *
- *   H_i - f_i + approach - coupling * sum_j G_ij p(H_j) = 0      Eq 15 at node i
- *   coupling = mu^(3/2) / sqrt(R)                                mu/Gamma of Eq 15 times mu of Eq
- * 16 W/(pi w R) = (2/R) sum_j weight_j p(H_j)                     Eq 17
+ *   H_i - f_i + approach - coupling * sum_j G_ij p(H_j) = 0     Eq 15 at node i
+ *   coupling = mu^(3/2) / sqrt(R)                               mu/Gamma (Eq 15) times mu (Eq 16)
+ *   W/(pi w R) = (2/R) sum_j weight_j p(H_j)                    Eq 17
  *
  * po_equilibrium_residual evaluates Eq 15, po_equilibrium_load Eq 17. See doc/method.md, "One
  * equilibrium".

@@ -7,8 +7,9 @@
 #include "po_integral.h"
 #include "po_law.h"
 
-/* The deflection, in eps, is at most 2 coupling integral |p| dr, about 3 mu^(3/2), and the load
- * changes by at most 2 per eps. */
+/* Bound of the change of the load by elasticity, over mu^(3/2): the deflection is at most 2
+ * coupling integral |p| dr, about 3 mu^(3/2) eps, and the load changes by at most 2 for each eps of
+ * it. A scene with less than NEGLIGIBLE_LOAD is solved as rigid. */
 static const double ELASTIC_EFFECT = 6.0, NEGLIGIBLE_LOAD = 1e-8;
 
 /* Relative and absolute accuracy of each piece of the quadrature. */

@@ -51,10 +51,10 @@ void po_solution_take_state(po_solution *p, const po_equilibrium *e, const po_ad
  * Given: p has taken its state, the one last evaluated. */
 void po_solution_take_tangent(po_solution *p, const po_equilibrium *e);
 
-/* Scales all derivatives along the branch to unit arclength. Given: rate. */
+/* Scales all derivatives along the branch to unit arclength. Given: `rate` is filled. */
 void po_solution_scale_tangent(po_solution *p);
 
-/* Both. */
+/* po_solution_take_state, then po_solution_take_tangent. */
 void po_solution_finish(po_solution *p, const po_equilibrium *e, const po_adaptive *adaptive);
 
 double po_solution_approach(const po_solution *p);
@@ -66,7 +66,7 @@ double po_solution_cosine(const po_solution *a, const po_solution *b);
  * the coordinates). */
 double po_solution_progress(const po_solution *from, const po_solution *to);
 
-/* The length of the tangent in the arclength with share 1, in which positions are. */
+/* The length of the tangent in the arclength with share 1, the unit of po_branch_point.position. */
 double po_solution_length(const po_solution *solution);
 
 /* The arclength between two points, with share 1 and as that of a circular arc with the directions

@@ -27,10 +27,11 @@ enum { MOST_TRACES = 3 };
 static const double CORE_GROWTH = 1.5;
 enum { MOST_MESHES = 4 };
 
-static const double BEYOND = 1.0; /* eps */
-/* The approach at which a trace for hysteresis begins is -BEGIN times the sum of the length in
- * which the law changes and the elastic elongation at pull-off, or less: for a smooth sphere -4 (1
- * + mu) eps. By JKR theory the smooth sphere jumps out at -1.61 mu. */
+/* A trace begins at least this far below approach_end and the approach of the preload, eps. */
+static const double START_MARGIN = 1.0;
+/* A trace for hysteresis begins at most at -BEGIN times the sum of the length in which the law
+ * changes and the elastic elongation at pull-off. For a smooth sphere this is -4 (1 + mu) eps; by
+ * JKR theory it jumps out at -1.61 mu. */
 static const double BEGIN = 4.0;
 
 static void add_work(const po_work *more, po_work *work) {
@@ -68,7 +69,7 @@ static double excess_error(const po_request *request, const po_result *result) {
 static double farthest_of(const po_request *request) {
   const double preload = request->preload.approach;
   return (isfinite(preload) ? fmin(request->approach_end, preload) : request->approach_end) -
-         BEYOND;
+         START_MARGIN;
 }
 
 static double farthest_start(const po_scene *scene) {

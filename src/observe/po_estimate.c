@@ -6,14 +6,14 @@
 #include "po_far_field.h"
 #include "po_observe_parts.h"
 
-/* Greatest allowed distance of the curve from the cubics between its points, relative to the
- * tolerance of panels, and its least values. The cost is inversely proportional to its fourth root.
- * Staircases need the curve between special points for the energies lost only; with 1e-5 they take
- * a third of the points. */
+/* Allowed distance between the branch and the cubics through its points: MISS_OF_TOLERANCE times
+ * the tolerance of panels, but at least LEAST_MISS, or LEAST_OF_STAIRCASE if no curve is drawn. The
+ * number of points goes as the distance to the power -1/4. Staircases use the cubics only for the
+ * energies lost; with 1e-5 in place of 1e-8 they take a third of the points. */
 static const double MISS_OF_TOLERANCE = 0.1, LEAST_MISS = 1e-8, LEAST_OF_STAIRCASE = 1e-5;
 
-/* The same of the tolerance for loops. With 0.1 the work of a closed loop, which adds the areas
- * between the curve and its cubics, differs by up to 0.15 of the tolerance from the energy that its
+/* MISS_OF_TOLERANCE for loops. With 0.1 the work of a closed loop, in which the areas between the
+ * branch and the cubics add up, differs by up to 0.15 of the tolerance from the energy that its
  * jumps lose (mu = 2.2 and 2.385, R = 83). */
 static const double MISS_OF_LOOPS = 0.06;
 

@@ -35,8 +35,8 @@ double po_observe_rigid_end(const po_scene *scene, double load) {
                                                : end_of_load(scene, push);
 }
 
-/* Panels end at the kink of a profile if it is at this fraction, with the denominator a power of 2,
- * of the domain. */
+/* A panel ends at the kink of a profile if the kink is at k/2^l of the domain: panels are made by
+ * halving it. Up to this denominator such a domain is looked for. */
 enum { KINK_PARTS = 64 };
 
 /* The smallest domain of at least `least` in which the kink is at the end of a panel. */

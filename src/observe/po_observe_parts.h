@@ -18,8 +18,8 @@ po_status po_observe_attempts(const po_request *request, const po_keeper *keeper
 /* Writes the status of a solve and the reason into its result. Returned: the status. */
 po_status po_observe_finish(po_status status, po_result *result);
 
-/* Both of these in turn: po_observe without the theory and without the solves with changed
- * parameters. */
+/* Calls po_observe_attempts and po_observe_finish: po_observe without the companion theory and
+ * without the solves with changed inputs (po_diagnose_moved). */
 po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po_result *result);
 
 /* The allowed errors of the panels, and the precision of Newton's method, for a relative tolerance

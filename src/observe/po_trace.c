@@ -22,7 +22,7 @@ static const double RIGID_START = 10.0, RIGID_START_GROWTH = 1.5, RIGID_START_LO
 
 /* If unloading leads to a smaller approach than that at which the trace began, the trace is
  * repeated from this multiple of it. */
-static const double FARTHER = 1.5;
+static const double START_GROWTH = 1.5;
 
 static po_continuation_options options_of(const po_request *request, double begin,
                                           po_reader *reader) {
@@ -162,7 +162,7 @@ static po_status read_hysteresis(const po_reader *reader, po_attempt *a) {
   for (size_t k = 0; k < path.count; ++k)
     least = fmin(least, path.point[k].approach);
   if (path.count > 0 && least < path.point[0].approach) {
-    a->begin = FARTHER * least;
+    a->begin = START_GROWTH * least;
     return PO_OK;
   }
   const po_status status =

@@ -105,10 +105,9 @@ po_status po_scene_flags_take(po_scene_flags *flags, int option) {
     return PO_OK;
   case PO_FLAG_TABOR:
     return take_key(PO_KEY_TABOR, "tabor", &flags->tabor);
-  case PO_FLAG_MODULUS: /* its domain is that of an outer radius; that of work and distance, of a
-                           radius */
+  case PO_FLAG_MODULUS: /* like an outer radius: a finite number > 0, or inf */
     return take_key(PO_KEY_OUTER_RADIUS, "modulus-pa", &flags->modulus);
-  case PO_FLAG_WORK:
+  case PO_FLAG_WORK: /* like a radius: a finite number > 0 */
     return take_key(PO_KEY_RADIUS, "work-j-per-m2", &flags->work);
   case PO_FLAG_DISTANCE:
     return take_key(PO_KEY_RADIUS, "distance-m", &flags->distance);

@@ -429,7 +429,6 @@ static po_status work_through(po_crew *crew, size_t count) {
   return PO_OK;
 }
 
-/* Reads the results of earlier runs of a case, unless all points are to be solved again. */
 /* Leaves out the points that are neither needed nor known. */
 static void leave_out(po_case_run *run, const bool *needed) {
   for (size_t i = 0; needed && i < run->plan->kase->point_count; ++i)
@@ -439,6 +438,8 @@ static void leave_out(po_case_run *run, const bool *needed) {
     }
 }
 
+/* Reads the results of earlier runs of a case, unless all points are to be solved again, and counts
+ * the points that are left to solve. A case without such points is finished. */
 static po_status begin_case(po_crew *crew, po_case_run *run) {
   const po_run_options *options = crew->options;
   if (options->fresh)

@@ -84,9 +84,11 @@ po_law_scale po_law_scale_at(const po_law *law, double gap);
 /* The same, its size alone. */
 double po_law_size(const po_law *law, double gap);
 
-/* How close the surfaces are: 1 up to the equilibrium distance, and |phi/w|^g beyond, with g for
- * which it falls as the slope of the law does far out: (m + 1)/(m - 1) for a far field of exponent
- * m, 1 for one that falls exponentially. Its rate is continuous. */
+/* How close the surfaces are, from 1 in contact to 0 far apart: 1 up to the equilibrium distance,
+ * |phi/w|^g beyond, phi the energy. The exponent g makes it fall as the slope of the law does at
+ * large gaps: g = (m + 1)/(m - 1) if the traction falls as (1 + H)^-m, g = 1 if it falls
+ * exponentially. Value and rate are continuous at the equilibrium distance, where phi' = 0. Used by
+ * the depth of the necks (po_arclength.h). */
 typedef struct {
   double value, rate; /* rate: d(value)/dH */
 } po_law_closeness;

@@ -12,8 +12,8 @@
 static const double STEEPNESS_OF_RANGE_1 = 2.8284271247461903; /* sqrt(8) */
 /* Softer laws reach farther than surfaces are meshed; e^{2aH} of steeper ones overflows. */
 static const double SOFTEST = 0.05, STEEPEST = 50.0;
-/* The gaps over the steepness between which a state of contact lies: e^{-36} is rounding; no
- * pressure of a contact is e^{12}. */
+/* The gaps of a contact are between -DEEPEST/a and FARTHEST/a: beyond, the traction e^{-36} is
+ * rounding, and no pressure of a contact is as high as e^{12}. */
 static const double FARTHEST = 36.0, DEEPEST = 6.0;
 /* The longest rigid trace ends at this part of the greatest overlap. */
 static const double TRACED_PART = 0.999;

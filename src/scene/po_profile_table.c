@@ -284,9 +284,9 @@ static po_two part_of(double gap, po_two rise, po_two x, po_two y) {
   return po_two_multiply(po_two_multiply(y, y), po_two_add(po_two_of(gap), sum));
 }
 
-/* The rows are doubles; their spline is evaluated in twice the precision: y^2 (g0 + x (2 g0 + h
- * s0))
- * + x^2 (g1 + y (2 g1 - h s1)), x + y = 1. */
+/* The rows are doubles; their spline is evaluated in twice the precision. With x + y = 1
+ *
+ *   gap = y^2 (g0 + x (2 g0 + h s0)) + x^2 (g1 + y (2 g1 - h s1)) */
 static po_two gap_exact(const po_profile *profile, double radius, double r) {
   (void)radius;
   const po_profile_table *t = profile->table;

@@ -46,7 +46,8 @@ static double *load_of(const interval *s, size_t row, size_t index) {
   return &s->load[row * (s->inside + 2) + index - s->from->index];
 }
 
-/* Returned: the lowest load of all minima followed to, or traced at, a scene. */
+/* Returned: the lowest load of all minima of a scene, whether they were followed to it or traced.
+ */
 static double deepest_at(const interval *s, size_t index) {
   double deepest = INFINITY;
   for (size_t row = 0; row < s->rows; ++row)

@@ -353,7 +353,8 @@ static po_status take_and_stop(void *context, size_t question, po_answer *answer
   return PO_OK;
 }
 
-/* Ends a process while it works: the answers that it has given must have arrived, one by one. */
+/* Asks all questions and ends the process after the first answer. If the solver writes each answer
+ * at once, fewer answers than questions have arrived then. */
 static po_status test_stop(conforming *c) {
   po_ask_log log;
   c->enough = 0;
@@ -363,7 +364,7 @@ static po_status test_stop(conforming *c) {
   if (status == PO_INTERRUPTED && !(c->stop && *c->stop))
     status = PO_OK;
   if (status || !c->taken)
-    ; /* the answers themselves are wrong, which another finding says */
+    ; /* other tests report a solver that gives no answer */
   else if (c->taken >= c->count)
     tell(c, "note",
          "all answers arrived together: either the scenes take no time, or the lines are "

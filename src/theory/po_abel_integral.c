@@ -8,8 +8,9 @@
 /* Points of the rule in a piece. */
 enum { POINTS = 16 };
 static const double MOST_PIECES = 1e6;
-/* Near the axis g is a power of x: pieces grow by this factor, the first is this part of the whole.
- */
+/* Near the axis g is a power of x, so that pieces grow from the axis: the first is the part FIRST
+ * of the whole, each further one ends at GROWTH times its beginning, or after PART_OF_WAVE of a
+ * wave. */
 static const double GROWTH = 4.0, FIRST = 1e-5, PART_OF_WAVE = 0.5;
 
 typedef struct {

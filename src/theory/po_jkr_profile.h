@@ -50,10 +50,11 @@ double po_jkr_profile_first(const po_scene *scene);
 
 /* Whether the contact is a full disc as the theory assumes: nowhere outside it do the surfaces
  * overlap. Returned: *gap, the lowest value found of gap(r) outside, and *radius where, if it is
- * negative; otherwise 0 and the contact radius. The gap is (2/pi) times the integral of
- * G(x)/sqrt(r^2
- * - x^2) over x from a to r, G(x) = g(x) - D, which is positive where G is. Status: PO_NO_MEMORY,
- * PO_BAD_INPUT, PO_TOO_MANY_POINTS. */
+ * negative; otherwise 0 and the contact radius. With the approach D
+ *
+ *   gap(r) = (2/pi) integral of (g(x) - D)/sqrt(r^2 - x^2) over x from a to r,
+ *
+ * which is positive if g > D up to r. Status: PO_NO_MEMORY, PO_BAD_INPUT, PO_TOO_MANY_POINTS. */
 po_status po_jkr_profile_check(const po_scene *scene, double contact_radius, double *gap,
                                double *radius);
 

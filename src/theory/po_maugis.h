@@ -1,14 +1,16 @@
 /* The Maugis-Dugdale theory of any profile with waves: contact on the full disc r < a, a constant
  * tension on a < r < c, and the gap 1/tension at c (Maugis 1992 for the sphere).
  *
- * Lengths in eps, tractions in w/eps, coupling k = w/(E* eps), Abel transform g (po_abel.h), s^2 =
- * c^2
- * - a^2. The tension q has the transform 2 q k sqrt(c^2 - x^2) on a < x < c, so that
+ * Lengths in eps, tractions in w/eps, loads in w eps; coupling k = w/(E* eps); g is the Abel
+ * transform of the initial gap (po_abel.h). The tension q has the transform 2 q k sqrt(c^2 - x^2)
+ * on a < x < c. With s = sqrt(c^2 - a^2)
+ *
  *   approach = g(a) - 2 q k s
- *   load     = (2/k) [a g(a) - integral of g] - 2 q [a s + c^2 arccos(a/c)]   in w eps
- *   gap(c)   = (2/pi) {integral of (g - approach)/sqrt(c^2 - x^2) from a to c - 2 q k (c - a)} =
- * 1/q. It tends to JKR as q^-2, and to the rigid bodies for k = 0. It is no oracle for another law
- * between these limits. */
+ *   load     = (2/k) [a g(a) - integral of g] - 2 q [a s + c^2 arccos(a/c)]
+ *   gap(c)   = (2/pi) {integral of (g - approach)/sqrt(c^2 - x^2) from a to c - 2 q k (c - a)}
+ *
+ * and gap(c) = 1/q. The theory tends to JKR as q^-2, and to the rigid bodies for k = 0. Between
+ * these limits it is no reference for another law. */
 #ifndef PO_MAUGIS_H
 #define PO_MAUGIS_H
 

@@ -117,7 +117,7 @@ static double far_out(double t, void *data) {
   return (q->slope ? -p.slope : p.traction) * r * r / t;
 }
 
-/* Relative accuracy of a piece; absolute, relative to the area; pieces. */
+/* The quadrature of a piece is accurate to PIECE_ACCURACY, relative, or to SMALL times the area. */
 static const double PIECE_ACCURACY = 1e-12, SMALL = 1e-15;
 enum { MOST_PIECES = 50000 };
 /* The pieces end beyond this gap, or beyond the reach of a law without far field. */
@@ -186,15 +186,15 @@ static double rate_at(double approach, const void *data) {
   return po_rigid_profile_load(data, approach, &load, &rate) ? NAN : rate;
 }
 
-/* Approaches of the scan; the part of the range to the singularity of the law at which it ends,
- * where even sharp crests repel; the part by which it begins farther out than the greatest tension.
- */
+/* The minimum of the load is looked for at SCAN_POINTS approaches. The gap on the axis goes from
+ * SCAN_BEGIN times that of the greatest tension down to the singularity of the law, where even
+ * sharp crests repel; of the distance 1 + H from it the part NEAREST is left. */
 enum { SCAN_POINTS = 200 };
-static const double NEAREST = 1e-3, FARTHER = 1.01;
+static const double NEAREST = 1e-3, SCAN_BEGIN = 1.01;
 
 po_status po_rigid_profile_pull_off(const po_scene *scene, po_rigid_pull_off *pull_off) {
   const double closest = -po_law_closest(&scene->law),
-               begin = closest + FARTHER * po_law_peak_gap(&scene->law);
+               begin = closest + SCAN_BEGIN * po_law_peak_gap(&scene->law);
   /* the distance from the closest approach, which falls by one factor */
   const double factor = po_pow(NEAREST * closest / begin, 1.0 / SCAN_POINTS);
   *pull_off = (po_rigid_pull_off){NAN, NAN};
