@@ -31,7 +31,6 @@ sys.path.insert(0, str(ROOT / "tests" / "cli"))
 import documents  # noqa: E402
 
 BLOCK = re.compile(r"^```(\w+)((?: \w+=\S+)*)\n(.*?)^```$", re.M | re.S)
-LEFT_OUT = ("build*", ".*", "__pycache__", "debian", "mutation", "fuzz")
 
 
 class Wrong(Exception):
@@ -77,6 +76,12 @@ def carried_out(blocks, files):
     return files
 
 
+def left_out(folder, names):
+    """What the copy does not need: build folders, hidden files and caches."""
+    return [name for name in names if name.startswith(".") or name == "__pycache__"
+            or os.path.exists(os.path.join(folder, name, "meson-private"))]
+
+
 class Copy:
     """A copy of the tree, built."""
 
@@ -84,14 +89,11 @@ class Copy:
         self.tree, self.build = folder / "tree", folder / "tree" / "build"
 
     def make(self, files):
-        shutil.copytree(ROOT, self.tree, ignore=shutil.ignore_patterns(*LEFT_OUT), dirs_exist_ok=True)
-        for folder in ("mutation", "fuzz"):  # for meson
-            shutil.copytree(ROOT / "tests" / folder, self.tree / "tests" / folder, dirs_exist_ok=True)
+        shutil.copytree(ROOT, self.tree, ignore=left_out)
         for path, text in files.items():
             (self.tree / path).parent.mkdir(parents=True, exist_ok=True)
             (self.tree / path).write_text(text, encoding="utf-8")
-        if not (self.build / "build.ninja").exists():
-            self.run(["meson", "setup", "build"])
+        self.run(["meson", "setup", "build"])
         self.ninja("src/cli/pulloff")
 
     def run(self, words):
