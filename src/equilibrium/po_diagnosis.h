@@ -3,27 +3,8 @@
 #ifndef PO_DIAGNOSIS_H
 #define PO_DIAGNOSIS_H
 
+#include "po_diagnostics.h"
 #include "po_equilibrium.h"
-
-/* Condition numbers are in the 1-norm. The Jacobian is scaled: equations and unknowns are relative
- * to 1 + H. */
-typedef struct {
-  double residual;           /* largest residual of Eq 15 at a node, relative to 1 + H */
-  double rounding;           /* bound of the same if each term of the equation is rounded once */
-  double condition;          /* at given approach: infinite at a fold */
-  double bordered_condition; /* with the border of the arclength functional along the branch: finite
-                                at a fold */
-} po_diagnosis;
-
-/* Derivatives of the load of an equilibrium at given approach. At pull-off the load is stationary
- * along the branch, so that they are also the derivatives of the load at pull-off. Loads are in pi
- * w R. */
-typedef struct {
-  double tabor, amplitude, wavelength,
-      radius;      /* d load / d ln(parameter); 0 for parameters that the scene does not have */
-  double residual; /* first-order change of the load when the residual is removed */
-  double rounding; /* bound of the change of the load when each term of Eq 15 is rounded once */
-} po_sensitivity;
 
 /* Fills the gaps of a state beyond its first `core` nodes by fixed-point iteration of Eq 15, which
  * contracts because tractions far out hardly deflect the surface. Given: state, n + 1, with the

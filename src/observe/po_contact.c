@@ -354,9 +354,3 @@ po_status po_contact_annuli_fill(const po_contact_gap *gap, po_contact_annuli *a
   const po_status status = fill(gap, 0.0, &a->compressed, &a->compressed_count);
   return status ? status : fill(gap, po_law_peak_gap(&gap->scene->law), &a->held, &a->held_count);
 }
-
-void po_contact_annuli_clear(po_contact_annuli *a) {
-  free(a->compressed);
-  free(a->held);
-  *a = (po_contact_annuli){NULL, NULL, 0, 0};
-}

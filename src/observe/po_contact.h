@@ -11,6 +11,7 @@
 #include <stddef.h>
 
 #include "po_branch_point.h"
+#include "po_result.h"
 #include "po_scene.h"
 #include "po_status.h"
 
@@ -59,22 +60,7 @@ typedef struct {
 
 po_contact_edge po_contact_estimate(const po_contact_gap *gap, const po_contact_doubt *doubt);
 
-/* An annulus in which the gap is below a level. The first one may begin on the axis, at 0. */
-typedef struct {
-  double inner, outer; /* eps */
-} po_contact_annulus;
-
-/* The contact annuli of one equilibrium. Compressed: the traction is compressive (H < 0). Held: the
- * gap is below that of the greatest tension. The annulus between two held annuli is a groove, an
- * internal crack. */
-typedef struct {
-  po_contact_annulus *compressed, *held; /* from the axis outwards; owned */
-  size_t compressed_count, held_count;
-} po_contact_annuli;
-
 /* Fills the list of annuli. Given: annuli, zeroed or filled before. Status: PO_NO_MEMORY;
  * PO_OUT_OF_NODES if there are too many annuli. */
 po_status po_contact_annuli_fill(const po_contact_gap *gap, po_contact_annuli *annuli);
-void po_contact_annuli_clear(po_contact_annuli *annuli);
-
 #endif

@@ -6,12 +6,9 @@
 #include <string.h>
 
 #include "po_clock.h"
+#include "po_diagnosis.h"
 #include "po_elementary.h"
 #include "po_memory.h"
-
-double po_digits_left(double change) {
-  return isnan(change) ? change : -po_log10(fmax(fabs(change), 0.5 * DBL_EPSILON));
-}
 
 /* The complete state of a kept one, on its own mesh. Returned: state, with memory for capacity + 1
  * values. */

@@ -3,6 +3,8 @@
 #define PO_DIAGNOSE_H
 
 #include "po_adaptive.h"
+#include "po_equilibrium.h"
+#include "po_kept.h"
 #include "po_request.h"
 #include "po_result.h"
 

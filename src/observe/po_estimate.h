@@ -7,6 +7,7 @@
 #include "po_contact.h"
 #include "po_request.h"
 #include "po_result.h"
+#include "po_stable.h"
 
 typedef struct {
   double approach, load;             /* eps; pi w R */

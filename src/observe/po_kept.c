@@ -7,14 +7,6 @@
 
 enum { START, PULL_OFF, END, FIRST_FOLD };
 
-const char *po_kept_name(po_kept_kind kind) {
-  static const char *const NAMES[] = {[PO_KEPT_START] = "start",
-                                      [PO_KEPT_FOLD] = "fold",
-                                      [PO_KEPT_PULL_OFF] = "pull_off",
-                                      [PO_KEPT_END] = "end"};
-  return NAMES[kind];
-}
-
 static po_status keep(po_kept_state *state, po_kept_kind kind, const po_branch_point *p) {
   double *node = po_resize(state->node, p->n, sizeof *node);
   if (node)

@@ -4,11 +4,7 @@
 #define PO_KEPT_H
 
 #include "po_branch_point.h"
-
-typedef enum { PO_KEPT_START, PO_KEPT_FOLD, PO_KEPT_PULL_OFF, PO_KEPT_END } po_kept_kind;
-
-/* "start", "fold", "pull_off", "end". */
-const char *po_kept_name(po_kept_kind kind);
+#include "po_diagnostics.h"
 
 typedef struct {
   po_kept_kind kind;

@@ -4,6 +4,7 @@
 
 #include "po_estimate.h"
 #include "po_observe_parts.h"
+#include "po_staircase.h"
 
 /* The special point at a position on the branch; NULL if there is none. */
 static const po_special_point *mark_at(const po_result *o, double position) {

@@ -12,6 +12,7 @@
 #include "po_kept.h"
 #include "po_request.h"
 #include "po_result.h"
+#include "po_reverse_trace.h"
 #include "po_special_list.h"
 #include "po_stopping.h"
 #include "po_trace_points.h"

@@ -5,9 +5,8 @@
 #include <signal.h>
 #include <stdbool.h>
 
-#include "po_hysteresis.h"
+#include "po_loops.h"
 #include "po_scene.h"
-#include "po_staircase.h"
 #include "po_status.h"
 #include "po_surface.h"
 

@@ -8,22 +8,7 @@
 #include <stddef.h>
 
 #include "po_branch_point.h"
-
-/* The result of the reverse trace. */
-typedef struct {
-  bool made;             /* whether it was made: on panels only */
-  po_status status;      /* of the reverse trace */
-  char reason[256];      /* why the status is not PO_OK */
-  size_t points;         /* steps and special points visited */
-  size_t folds, extrema; /* numbers found */
-  bool same; /* whether the special points of both traces agree in kind and number of unstable modes
-              */
-  /* largest differences between the two traces, eps and pi w R; 0 without special points, NAN if
-   * `same` is false */
-  double fold_approach, fold_load, extremum_approach, extremum_load;
-  double excess; /* largest difference of a fold relative to the sum of both error estimates; 0 and
-                    NAN as above */
-} po_reverse_trace;
+#include "po_diagnostics.h"
 
 typedef struct {
   po_point_kind kind;

@@ -18,6 +18,7 @@
 
 #include "po_branch_point.h"
 #include "po_contact.h"
+#include "po_path.h"
 #include "po_request.h"
 #include "po_result.h"
 

@@ -6,6 +6,7 @@
 #include "po_clock.h"
 #include "po_continuation.h"
 #include "po_diagnose.h"
+#include "po_hysteresis.h"
 #include "po_initial_gap.h"
 #include "po_pressed.h"
 #include "po_reader.h"

@@ -14,8 +14,3 @@ po_status po_hysteresis_follow(const po_path *path, po_preload preload, po_hyste
     po_hysteresis_clear(hysteresis);
   return status;
 }
-
-void po_hysteresis_clear(po_hysteresis *hysteresis) {
-  po_loop_clear(&hysteresis->displacement);
-  po_loop_clear(&hysteresis->load);
-}

@@ -5,15 +5,9 @@
 
 #include "po_loop.h"
 
-typedef struct {
-  po_loop displacement, load;
-} po_hysteresis;
-
 /* Computes both loops along a curve of equilibria. The load-controlled loop is reversed at the load
  * of the displacement-controlled preload, or at load 0 if that load is tensile. Given: a preload
  * with an approach or a load >= 0. Returned: hysteresis, to be cleared with po_hysteresis_clear.
  * Status: as po_loop_follow. */
 po_status po_hysteresis_follow(const po_path *path, po_preload preload, po_hysteresis *hysteresis);
-void po_hysteresis_clear(po_hysteresis *hysteresis);
-
 #endif

@@ -163,8 +163,3 @@ po_status po_loop_follow(const po_path *path, po_control control, po_preload pre
     loop->work = NAN;
   return status;
 }
-
-void po_loop_clear(po_loop *loop) {
-  free(loop->jumps);
-  *loop = (po_loop){.control = loop->control};
-}

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "po_loops.h"
 #include "po_status.h"
 
 /* A point of the curve. The folds and the extrema of the load must be points, so that approach and
@@ -32,16 +33,6 @@ typedef struct {
   size_t index;
   double fraction;
 } po_path_place;
-
-/* An equilibrium at any place on the curve; units as in po_path_point. */
-typedef struct {
-  double approach, load, energy, contact_radius, position;
-} po_path_state;
-
-/* Error bounds of a state. */
-typedef struct {
-  double approach, load;
-} po_path_error;
 
 /* Returned: whether an approach is the requested one, or at least the requested one, up to 1e-9
  * eps. A trace meets a requested approach to 1e-12 eps. */

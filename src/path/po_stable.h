@@ -7,8 +7,6 @@
 
 #include "po_path.h"
 
-typedef enum { PO_DISPLACEMENT_CONTROL, PO_LOAD_CONTROL } po_control;
-
 /* The controlled quantity at a point of the curve: its approach (eps) or its load (pi w R). */
 double po_stable_controlled(const po_path *path, po_control control, size_t point);
 po_path_axis po_stable_axis(po_control control);
@@ -30,16 +28,6 @@ po_path_state po_stable_apart(double load);
  * approach under load control. After complete separation it is 0 at load 0, and NAN under tension,
  * where it decreases without bound. */
 double po_stable_potential(po_control control, const po_path_state *state);
-
-/* What jumps lose, and what determines the error of that: sums over the jumps. */
-typedef struct {
-  double energy;       /* decrease of the potential; NAN: unbounded */
-  double moved;        /* derivative of energy by the controlled quantity at which the jumps begin:
-                          |load before - load after|, at given load |approach before - approach after| */
-  double size;         /* 1 + |load before| + |load after| */
-  double interpolated; /* po_path_energy_difference where the jumps end */
-  size_t jumps;
-} po_loss;
 
 /* Returned: the loss in one jump. Given: its ends; interpolated, po_path_energy_difference where it
  * ends. */

@@ -238,13 +238,6 @@ po_status po_staircase_read(const po_path *path, po_control control, po_staircas
   return status;
 }
 
-void po_staircase_clear(po_staircase *staircase) {
-  for (size_t k = 0; k < staircase->count; ++k)
-    free(staircase->step[k].cycle);
-  free(staircase->step);
-  *staircase = (po_staircase){.control = staircase->control};
-}
-
 const po_step *po_staircase_greatest(const po_staircase *staircase) {
   const po_step *greatest = NULL;
   for (size_t k = 0; k < staircase->count; ++k)

@@ -6,6 +6,7 @@
 #include "po_initial_gap.h"
 #include "po_law.h"
 #include "po_observe.h"
+#include "po_path.h"
 #include "request.h"
 #include "run.h"
 

@@ -2,7 +2,9 @@
  * comparison of the two reports it if not. */
 #include <math.h>
 
+#include "po_branch_point.h"
 #include "po_observe.h"
+#include "po_reverse_trace.h"
 #include "run.h"
 
 typedef struct {

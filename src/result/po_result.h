@@ -6,10 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "po_contact.h"
 #include "po_diagnostics.h"
-#include "po_hysteresis.h"
-#include "po_staircase.h"
+#include "po_loops.h"
 #include "po_status.h"
 
 /* Kinds of special point: the folds in approach and the extrema of the load along the branch. */
@@ -57,6 +55,21 @@ typedef struct {
   double gap;      /* H = h / eps - 1 */
   double traction; /* P = p mu eps / w, > 0 compressive */
 } po_profile_point;
+
+/* An annulus in which the gap is below a level. The first one may begin on the axis, at 0. */
+typedef struct {
+  double inner, outer; /* eps */
+} po_contact_annulus;
+
+/* The contact annuli of one equilibrium. Compressed: the traction is compressive (H < 0). Held: the
+ * gap is below that of the greatest tension. The annulus between two held annuli is a groove, an
+ * internal crack. */
+typedef struct {
+  po_contact_annulus *compressed, *held; /* from the axis outwards; owned */
+  size_t compressed_count, held_count;
+} po_contact_annuli;
+
+void po_contact_annuli_clear(po_contact_annuli *annuli);
 
 /* Deterministic counters of work, and the time. */
 typedef struct {

@@ -6,10 +6,48 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "po_balance.h"
-#include "po_diagnosis.h"
-#include "po_kept.h"
-#include "po_reverse_trace.h"
+#include "po_status.h"
+
+typedef enum { PO_KEPT_START, PO_KEPT_FOLD, PO_KEPT_PULL_OFF, PO_KEPT_END } po_kept_kind;
+
+/* "start", "fold", "pull_off", "end". */
+const char *po_kept_name(po_kept_kind kind);
+
+/* Condition numbers are in the 1-norm. The Jacobian is scaled: equations and unknowns are relative
+ * to 1 + H. */
+typedef struct {
+  double residual;           /* largest residual of Eq 15 at a node, relative to 1 + H */
+  double rounding;           /* bound of the same if each term of the equation is rounded once */
+  double condition;          /* at given approach: infinite at a fold */
+  double bordered_condition; /* with the border of the arclength functional along the branch: finite
+                                at a fold */
+} po_diagnosis;
+
+/* Derivatives of the load of an equilibrium at given approach. At pull-off the load is stationary
+ * along the branch, so that they are also the derivatives of the load at pull-off. Loads are in pi
+ * w R. */
+typedef struct {
+  double tabor, amplitude, wavelength,
+      radius;      /* d load / d ln(parameter); 0 for parameters that the scene does not have */
+  double residual; /* first-order change of the load when the residual is removed */
+  double rounding; /* bound of the change of the load when each term of Eq 15 is rounded once */
+} po_sensitivity;
+
+/* The result of the reverse trace. */
+typedef struct {
+  bool made;             /* whether it was made: on panels only */
+  po_status status;      /* of the reverse trace */
+  char reason[256];      /* why the status is not PO_OK */
+  size_t points;         /* steps and special points visited */
+  size_t folds, extrema; /* numbers found */
+  bool same; /* whether the special points of both traces agree in kind and number of unstable modes
+              */
+  /* largest differences between the two traces, eps and pi w R; 0 without special points, NAN if
+   * `same` is false */
+  double fold_approach, fold_load, extremum_approach, extremum_load;
+  double excess; /* largest difference of a fold relative to the sum of both error estimates; 0 and
+                    NAN as above */
+} po_reverse_trace;
 
 /* The diagnosis of one state of the branch. */
 typedef struct {

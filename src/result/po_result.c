@@ -47,6 +47,12 @@ bool po_end_cause_find(const char *name, po_end_cause *cause) {
   return false;
 }
 
+void po_contact_annuli_clear(po_contact_annuli *a) {
+  free(a->compressed);
+  free(a->held);
+  *a = (po_contact_annuli){NULL, NULL, 0, 0};
+}
+
 void po_result_clear(po_result *result) {
   free(result->folds);
   free(result->extrema);

@@ -1,0 +1,20 @@
+#include "po_loops.h"
+
+#include <stdlib.h>
+
+void po_loop_clear(po_loop *loop) {
+  free(loop->jumps);
+  *loop = (po_loop){.control = loop->control};
+}
+
+void po_hysteresis_clear(po_hysteresis *hysteresis) {
+  po_loop_clear(&hysteresis->displacement);
+  po_loop_clear(&hysteresis->load);
+}
+
+void po_staircase_clear(po_staircase *staircase) {
+  for (size_t k = 0; k < staircase->count; ++k)
+    free(staircase->step[k].cycle);
+  free(staircase->step);
+  *staircase = (po_staircase){.control = staircase->control};
+}

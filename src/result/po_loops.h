@@ -1,0 +1,104 @@
+/* Loops of loading and unloading along a curve of equilibria, and the staircases of all preloads:
+ * what a test does. po_loop.h and po_staircase.h compute them. */
+#ifndef PO_LOOPS_H
+#define PO_LOOPS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* An equilibrium at any place on the curve; approach and contact radius in eps, load in pi w R,
+ * energy in pi w R eps (see po_curve_point), position as arclength or another parameter of the
+ * curve. */
+typedef struct {
+  double approach, load, energy, contact_radius, position;
+} po_path_state;
+
+/* Error bounds of a state. */
+typedef struct {
+  double approach, load;
+} po_path_error;
+
+typedef enum { PO_DISPLACEMENT_CONTROL, PO_LOAD_CONTROL } po_control;
+
+/* The preload: loading is reversed when the approach (eps) or the load (pi w R) reaches this value;
+ * NAN: no limit. Under load control only the load counts. */
+typedef struct {
+  double approach, load;
+} po_preload;
+
+/* A jump between two equilibria at fixed approach or at fixed load. After complete separation the
+ * approach is -INFINITY and the position NAN. */
+typedef struct {
+  bool loading;
+  po_path_state before, after;
+  double energy_lost; /* decrease of U at fixed approach, of U - W approach at fixed load, in pi w R
+                         eps; NAN: unbounded, the bodies separate under tension */
+  double interpolated;      /* po_path_energy_difference where it ends */
+  double energy_lost_error; /* bound of the error of energy_lost; NAN: unknown */
+} po_jump;
+
+typedef struct {
+  po_control control;
+  po_path_state preload;        /* the state at which loading was reversed */
+  po_path_state pull_off;       /* the state with the greatest tension in unloading */
+  po_path_error pull_off_error; /* bounds of the errors of its approach and load; NAN: unknown */
+  po_jump *jumps;               /* the jumps of loading, then those of unloading */
+  size_t jump_count, loading_jumps;
+  double energy_lost; /* the sum over all jumps; NAN if one of them is */
+  double work; /* integral of the load over the approach along the complete loop, by quadrature of
+                  the loads; NAN unless the loop is closed */
+  double energy_lost_error, work_error; /* bounds of their errors; NAN: unknown */
+  double interpolated; /* greatest po_path_energy_difference of preload and ends of jumps */
+  double energy_error; /* bound of the errors of the energies of all states at their approaches;
+                          NAN: unknown */
+} po_loop;
+
+/* The loops in displacement control and in load control. */
+typedef struct {
+  po_loop displacement, load;
+} po_hysteresis;
+
+/* What jumps lose, and what determines the error of that: sums over the jumps. */
+typedef struct {
+  double energy;       /* decrease of the potential; NAN: unbounded */
+  double moved;        /* derivative of energy by the controlled quantity at which the jumps begin:
+                          |load before - load after|, at given load |approach before - approach after| */
+  double size;         /* 1 + |load before| + |load after| */
+  double interpolated; /* po_path_energy_difference where the jumps end */
+  size_t jumps;
+} po_loss;
+
+/* All preloads from `preload` up to that of the next cycle: they have the same jumps. */
+typedef struct {
+  po_path_state preload; /* the fold at which loading jumps, before the jump */
+  po_loss loss; /* in all jumps of loading and unloading; its energy is NAN: unbounded, because the
+                   bodies separate under tension, or the curve does not begin far enough out */
+  double energy_error; /* bound of the error of that energy; NAN: unknown */
+} po_cycle;
+
+/* A step: all preloads from `preload` to `until`, which have the same pull-off. */
+typedef struct {
+  po_path_state preload; /* the state at which the step begins: a special point of the curve */
+  po_path_state until;   /* the state at which it ends, or the last state of loading on the curve */
+  bool jumped; /* whether it begins at a jump of loading; otherwise it begins at a minimum of the
+                  load */
+  bool open;   /* whether the curve ends before the step does */
+  po_path_state pull_off; /* the state with the greatest tension in unloading */
+  po_path_error preload_error, pull_off_error; /* NAN: unknown */
+  po_cycle *cycle;                             /* in the order of their preloads */
+  size_t cycle_count;
+} po_step;
+
+typedef struct {
+  po_control control;
+  po_step *step; /* in the order of their preloads */
+  size_t count;
+  po_path_state reached; /* the last state of loading on the curve */
+} po_staircase;
+
+/* Free the lists; the control stays. */
+void po_loop_clear(po_loop *loop);
+void po_hysteresis_clear(po_hysteresis *hysteresis);
+void po_staircase_clear(po_staircase *staircase);
+
+#endif
