@@ -7,6 +7,7 @@
 #include "po_json.h"
 #include "po_print_physical.h"
 #include "po_profile_table.h"
+#include "po_result_rows.h"
 
 void po_print_bless(const po_case *kase) {
   printf("to make the pins: pulloff bless %s --reason TEXT\n", po_case_word(kase));
@@ -207,8 +208,8 @@ static void print_loop(const char *control, const po_loop *loop) {
          "to", "energy lost", "error");
   for (size_t k = 0; k < loop->jump_count; ++k) {
     const po_jump *jump = &loop->jumps[k];
-    char label[PO_JUMP_LABEL_LENGTH];
-    po_json_jump_label(jump->loading, k + 1 - (jump->loading ? 0 : loop->loading_jumps), label);
+    po_label label;
+    po_jump_label(jump->loading, k + 1 - (jump->loading ? 0 : loop->loading_jumps), label);
     char from[32], to[32], lost[32];
     printf("%-5s%-10s %14s %14s %14.8g %14.8g %12s", label, jump->loading ? "loading" : "unloading",
            finite_or(jump->before.approach, "apart", from),

@@ -4,7 +4,9 @@
 #include <stdio.h>
 
 #include "po_json.h"
+#include "po_json_rows.h"
 #include "po_json_units.h"
+#include "po_result_rows.h"
 
 /* The lengths that can be given in metres, by their JSON keys. */
 static const struct {
@@ -58,58 +60,30 @@ json_t *po_json_physical_input(const po_scene_flags *flags) {
   return PO_JSON_OBJECT({"input", input}, {"units", po_json_units(&flags->units)});
 }
 
-static json_t *point(const po_units *u, double approach, double load, double contact_radius) {
-  return PO_JSON_OBJECT({"approach_m", po_json_number(approach * u->length)},
-                        {"load_n", po_json_number(load * u->force)},
-                        {"contact_radius_m", po_json_number(contact_radius * u->length)});
-}
-
-static json_t *special_points(const po_units *u, const po_special_point *list, size_t count) {
-  json_t *array = po_json_empty_array();
-  for (size_t i = 0; i < count; ++i) {
-    json_t *item = point(u, list[i].approach, list[i].load, list[i].contact_radius);
-    po_json_set(&item, "kind", po_json_text(po_special_kind_name(list[i].kind)));
-    po_json_set(&item, "error_estimate_m", po_json_number(list[i].approach_error * u->length));
-    po_json_set(&item, "load_error_estimate_n", po_json_number(list[i].load_error * u->force));
-    po_json_append(&array, item);
-  }
-  return array;
-}
-
-static json_t *curve(const po_units *u, const po_result *result) {
-  json_t *array = po_json_empty_array();
-  for (size_t i = 0; i < result->curve_count; ++i)
-    po_json_append(&array, point(u, result->curve[i].approach, result->curve[i].load,
-                                 result->curve[i].contact_radius));
-  return array;
-}
-
-/* With the dimensional gap h = epsilon (1 + H). */
-static json_t *profile(const po_units *u, const po_result *result) {
-  json_t *array = po_json_empty_array();
-  for (size_t i = 0; i < result->profile_count; ++i) {
-    const po_profile_point *p = &result->profile[i];
-    po_json_append(&array,
-                   PO_JSON_OBJECT({"radius_m", po_json_number(p->radius * u->length)},
-                                  {"gap_m", po_json_number((1 + p->gap) * u->length)},
-                                  {"traction_pa", po_json_number(p->traction * u->traction)}));
-  }
-  return array;
-}
+/* The members in SI units. */
+static const char *const SPECIAL[] = {"approach",       "load",
+                                      "contact_radius", "kind",
+                                      "error_estimate", "load_error_estimate",
+                                      NULL};
+static const char *const CURVE[] = {"approach", "load", "contact_radius", NULL};
+static const char *const PROFILE[] = {"radius", "gap", "traction", NULL};
 
 json_t *po_json_physical(const po_scene_flags *flags, const po_request *request,
-                         const po_result *result) {
+                         const po_result *o) {
   const po_units *u = &flags->units;
   json_t *object = po_json_physical_input(flags);
-  po_json_set(&object, "pull_off", po_json_units_pull_off(u, result));
-  po_json_set(&object, "folds", special_points(u, result->folds, result->fold_count));
-  po_json_set(&object, "extrema", special_points(u, result->extrema, result->extremum_count));
+  po_json_set(&object, "pull_off", po_json_units_pull_off(u, o));
+  po_json_set(&object, "folds",
+              po_json_si_list(&PO_SPECIAL_POINT_ROWS, o->folds, o->fold_count, u, SPECIAL));
+  po_json_set(&object, "extrema",
+              po_json_si_list(&PO_SPECIAL_POINT_ROWS, o->extrema, o->extremum_count, u, SPECIAL));
   if (request->want & PO_WANT_CURVE)
-    po_json_set(&object, "curve", curve(u, result));
+    po_json_set(&object, "curve",
+                po_json_si_list(&PO_CURVE_ROWS, o->curve, o->curve_count, u, CURVE));
   if (request->want & PO_WANT_PROFILE) {
-    po_json_set(&object, "profile_approach_m",
-                po_json_number(result->profile_approach * u->length));
-    po_json_set(&object, "profile", profile(u, result));
+    po_json_set(&object, "profile_approach_m", po_json_number(o->profile_approach * u->length));
+    po_json_set(&object, "profile",
+                po_json_si_list(&PO_PROFILE_ROWS, o->profile, o->profile_count, u, PROFILE));
   }
   return object;
 }

@@ -10,8 +10,10 @@
 #include "po_file.h"
 #include "po_input.h"
 #include "po_json.h"
+#include "po_json_rows.h"
 #include "po_json_units.h"
 #include "po_lines.h"
+#include "po_result_rows.h"
 #include "po_rounds.h"
 #include "po_run_solver.h"
 #include "po_tables.h"
@@ -117,7 +119,7 @@ static po_status add_table(const po_case_run *run, size_t index, bool profile, c
                                    : po_tables_write_curve(path, &shown, result, digest);
   free(path);
   if (profile)
-    po_json_set(entry, "contact", po_json_contact(result));
+    po_json_set(entry, "contact", po_json_of(&PO_CONTACT_ROWS, result));
   snprintf(digest_key, sizeof digest_key, "%s_sha256", what);
   po_json_set(entry, what, po_json_text(name));
   po_json_set(entry, digest_key, po_json_text(digest));

@@ -1,0 +1,275 @@
+#include "po_result_rows.h"
+
+#include <string.h>
+
+#include "po_result.h"
+#include "po_row_cells.h"
+
+// clang-format off
+#define NO_BOUND "for rings and triangles (unless rigid), and if there was no room for a finer mesh"
+#define OTHER_RADIUS                                                                               \
+  "the second possible contact radius if the error does not decide whether a crest is in contact"
+#define FOLDED "with `--of folds`, from the scene at which the fold ended"
+
+/* -- Special points -- */
+static const char *const KINDS[] = {[PO_JUMP_IN] = "jump_in", [PO_JUMP_OUT] = "jump_out",
+                                    [PO_MINIMUM] = "minimum", [PO_MAXIMUM] = "maximum", NULL};
+
+const char *po_special_kind_name(po_special_kind kind) {
+  return KINDS[kind];
+}
+
+#define S po_special_point
+static const po_row SPECIAL_POINT[] = {
+  WORD("kind", kind, KINDS,
+       "`jump_in` or `jump_out` (a fold), `minimum` or `maximum` (of the load)"),
+  NUMBER("approach", approach, LENGTH, "error_estimate", FOLDED, "approach"),
+  NUMBER("load", load, LOAD, "load_error_estimate", FOLDED, "load"),
+  NUMBER("energy", energy, ENERGY, "energy_error_estimate", "if followed",
+         "potential energy, as in `curve_point`"),
+  NUMBER("energy_error_estimate", energy_error, ENERGY, "", "as `error_estimate`",
+         "bound of the error of `energy`, with that of the approach"),
+  NUMBER("error_estimate", approach_error, LENGTH, "",
+         "for extrema that cannot be the pull-off, for rings and triangles, and if there was no room for a finer mesh",
+         "bound of the error of `approach`"),
+  NUMBER("load_error_estimate", load_error, LOAD, "", "as `error_estimate`",
+         "bound of the error of `load`"),
+  NUMBER("contact_radius", contact_radius, LENGTH, "contact_radius_error_estimate", FOLDED,
+         "contact radius"),
+  NUMBER("contact_radius_error_estimate", contact_radius_error, LENGTH, "", "as in `pull_off`",
+         "bound of the error of `contact_radius`"),
+  NUMBER("contact_radius_other", contact_radius_other, LENGTH, "", "otherwise", OTHER_RADIUS),
+  NUMBER("position", position, NONE, "", "if followed",
+         "arclength along the branch, in a measure of the solver; it orders special points among the points of the curve"),
+  INTEGER("unstable_modes", unstable_modes,
+          "number of unstable modes, at given approach, of the equilibria just after this point"),
+};
+const po_block PO_SPECIAL_POINT_ROWS = BLOCK("special_point", SPECIAL_POINT, NULL);
+#undef S
+
+/* -- Curve, profile and contact -- */
+#define S po_curve_point
+static const po_row CURVE[] = {
+  NUMBER("position", position, NONE, "", "",
+         "arclength along the branch, in a measure of the solver"),
+  NUMBER("approach", approach, LENGTH, "", "", "approach"),
+  NUMBER("load", load, LOAD, "", "", "load"),
+  NUMBER("energy", energy, ENERGY, "energy_error_estimate", "if not known",
+         "potential energy, elastic and of the interaction; 0 when the bodies are infinitely far apart. Its derivative by the approach along the branch is the load"),
+  NUMBER("energy_error_estimate", energy_error, ENERGY, "", "for rings and triangles",
+         "bound of the error of `energy` at this approach. The tolerance is on the pull-off force: energies may be off by ten times as much and more, because their errors are mostly those of the attraction far out, which has little effect on the force"),
+  NUMBER("contact_radius", contact_radius, LENGTH, "", "", "contact radius"),
+  NUMBER("approach_rate", approach_rate, NONE, "", "if not known",
+         "derivative of the approach by `position`; 0 at a fold"),
+  NUMBER("load_rate", load_rate, LOAD, "", "if not known",
+         "derivative of the load by `position`; 0 at an extremum of the load"),
+  INTEGER("unstable_modes", unstable_modes,
+          "number of unstable modes at given approach; 0: stable"),
+};
+const po_block PO_CURVE_ROWS = BLOCK("curve_point", CURVE, NULL);
+#undef S
+
+#define S po_profile_point
+static const po_row PROFILE[] = {
+  NUMBER("radius", radius, LENGTH, "", "", "radius r"),
+  NUMBER("gap", gap, GAP, "", "", "H = h/ε − 1"),
+  NUMBER("traction", traction, TRACTION, "", "",
+         "traction p, positive when compressive; 0 for rigid scenes, where the unit vanishes"),
+};
+const po_block PO_PROFILE_ROWS = BLOCK("profile_point", PROFILE, NULL);
+#undef S
+
+#define S po_contact_annulus
+static const po_row ANNULUS[] = {
+  NUMBER("inner", inner, LENGTH, "", "", "inner radius"),
+  NUMBER("outer", outer, LENGTH, "", "", "outer radius"),
+};
+static const po_block ANNULUS_ROWS = BLOCK("annulus", ANNULUS, NULL);
+#undef S
+
+#define S po_result
+static double grooves_of(const void *of) {
+  const size_t held = ((const S *)of)->annuli.held_count;
+  return held > 0 ? (double)(held - 1) : 0.0;
+}
+
+static const po_row CONTACT[] = {
+  NUMBER("approach", profile_approach, LENGTH, "", "if the branch does not reach it",
+         "as `profile_approach`"),
+  LIST("compressed", annuli.compressed, annuli.compressed_count, ANNULUS_ROWS, NULL, "",
+       "annuli in which the traction is compressive, H < 0"),
+  LIST("held", annuli.held, annuli.held_count, ANNULUS_ROWS, NULL, "",
+       "annuli in contact: closer than at the greatest tension, H < 3^(1/6) − 1"),
+  DERIVED_COUNT("grooves", grooves_of, "number of grooves between the annuli of `held`"),
+};
+const po_block PO_CONTACT_ROWS = BLOCK("contact", CONTACT, NULL);
+#undef S
+
+/* -- The result -- */
+#define S po_pressed
+static const po_row PRESSED[] = {
+  NUMBER("approach", approach, LENGTH, "", "if there is none", "approach of the state of loading"),
+  NUMBER("load", load, LOAD, "", "if there is none", "load of the state of loading"),
+};
+static const po_block PRESSED_ROWS = BLOCK("preload_state", PRESSED, NULL);
+#undef S
+
+#define S po_work
+static const po_row WORK[] = {
+  COUNT("points", points, "converged equilibria"),
+  COUNT("newton_iterations", newton_iterations, "iterations of the corrector"),
+  COUNT("factorizations", factorizations, "factorisations of the Jacobian"),
+  COUNT("kernel_evaluations", kernel_evaluations,
+        "evaluations of the kernel G(r, s) of Eq 12, for rings of F of Eq A2"),
+  COUNT("nodes", nodes, "unknowns of the surface; the largest number if the mesh changes"),
+  COUNT("factorized_nodes", factorized_nodes, "largest order of a factorised Jacobian"),
+  COUNT("meshes", meshes, "number of changes of the mesh"),
+  NUMBER("seconds", seconds, TIME, "", "if not known", "elapsed time"),
+};
+static const po_block WORK_ROWS = BLOCK("work", WORK, NULL);
+#undef S
+
+#define S po_result
+static const po_row PULL_OFF[] = {
+  NUMBER("force", pull_off.force, LOAD, "error_estimate", "", "pull-off force, positive"),
+  NUMBER("approach", pull_off.approach, LENGTH, "approach_error_estimate", "",
+         "approach at pull-off"),
+  NUMBER("contact_radius", pull_off.contact_radius, LENGTH, "contact_radius_error_estimate", "",
+         "contact radius at pull-off"),
+  NUMBER("error_estimate", pull_off.force_error, LOAD, "", NO_BOUND,
+         "bound of the error of `force`"),
+  NUMBER("approach_error_estimate", pull_off.approach_error, LENGTH, "", "as `error_estimate`",
+         "bound of the error of `approach`"),
+  NUMBER("contact_radius_error_estimate", pull_off.contact_radius_error, LENGTH, "",
+         "as `error_estimate`", "bound of the error of `contact_radius`"),
+  NUMBER("contact_radius_other", pull_off.contact_radius_other, LENGTH, "", "otherwise",
+         OTHER_RADIUS),
+  PART("preload", pull_off.pressed, PRESSED_ROWS,
+       "the least preload that gives this pull-off; its members are null if no test at given approach measures it"),
+  PART("until", pull_off.until, PRESSED_ROWS,
+       "the hardest preload that gives it before a change; its members are null if no change was traced"),
+};
+const po_block PO_PULL_OFF_ROWS = BLOCK("pull_off", PULL_OFF, NULL);
+
+static const po_row ANY[] = {
+  NUMBER("force", pull_off_any.force, LOAD, "error_estimate", "", "pull-off force, positive"),
+  NUMBER("error_estimate", pull_off_any.force_error, LOAD, "", "as in `pull_off`",
+         "bound of the error of `force`"),
+  NUMBER("approach", pull_off_any.approach, LENGTH, "approach_error_estimate", "",
+         "approach at pull-off"),
+  NUMBER("approach_error_estimate", pull_off_any.approach_error, LENGTH, "", "as in `pull_off`",
+         "bound of the error of `approach`"),
+  PART("preload", pull_off_any.pressed, PRESSED_ROWS, "the least preload that gives it"),
+  FLAG("complete", pull_off_any.complete,
+       "whether it is known that no harder preload gives more ([guide](guide.md#preload))"),
+  PART("searched", pull_off_any.searched, PRESSED_ROWS, "the hardest preload that was examined"),
+};
+static const po_block ANY_ROWS = BLOCK("pull_off_any", ANY, NULL);
+
+static const char *const CAUSES[] = {
+  [PO_END_NONE] = "none", [PO_END_COMPRESSED] = "compressed", [PO_END_PRELOAD] = "preload",
+  [PO_END_COMPLETE] = "complete", [PO_END_SEARCHED] = "searched", [PO_END_ASKED] = "approach_end",
+  NULL};
+
+const char *po_end_cause_name(po_end_cause cause) {
+  return CAUSES[cause];
+}
+
+bool po_end_cause_find(const char *name, po_end_cause *cause) {
+  for (int k = 0; name && CAUSES[k]; ++k)
+    if (strcmp(name, CAUSES[k]) == 0) {
+      *cause = (po_end_cause)k;
+      return true;
+    }
+  return false;
+}
+
+static const char *why_of(const void *of) {
+  const S *o = of;
+  return o->ended.cause == PO_END_NONE ? po_status_name(o->status) : CAUSES[o->ended.cause];
+}
+
+static void take_why(void *of, const char *word) {
+  if (!po_end_cause_find(word, &((S *)of)->ended.cause)) /* the status states the reason */
+    ((S *)of)->ended.cause = PO_END_NONE;
+}
+
+static const po_row ENDED[] = {
+  {.key = "why", .type = PO_ROW_WORD, .names = CAUSES + 1, .word = why_of, .take = take_why,
+   TEXTS("", "", "`compressed`, `preload`, `complete`, `searched`, `approach_end`, or the status of a trace that failed ([guide](guide.md#why-a-trace-ended))")},
+  NUMBER("approach", ended.approach, LENGTH, "", "if nothing was traced",
+         "approach of the last point of the trace"),
+  NUMBER("load", ended.load, LOAD, "", "if nothing was traced", "load of the last point"),
+};
+static const po_block ENDED_ROWS = BLOCK("ended", ENDED, NULL);
+
+static double end_of(const void *of) {
+  return ((const S *)of)->ended.approach;
+}
+
+static bool is_followed(const void *of) {
+  return ((const S *)of)->followed;
+}
+
+/* For a followed pull-off the special points are unknown, which differs from an empty list.
+ * Followed folds are listed. */
+static bool lacks_folds(const void *of) {
+  return ((const S *)of)->followed && !((const S *)of)->fold_count;
+}
+
+static bool lacks_extrema(const void *of) {
+  return ((const S *)of)->followed && !((const S *)of)->extremum_count;
+}
+
+static bool lacks_diagnostics(const void *of) {
+  return !((const S *)of)->diagnostics.states && !((const S *)of)->diagnostics.moved.solves;
+}
+
+#define UNWANTED "absent unless wanted, or if the solve failed"
+static const po_row RESULT[] = {
+  STATUS("status", status,
+         "`ok`, or why the solve failed ([guide](guide.md#why-a-trace-ended)); then the other keys contain what was found until then"),
+  TEXT("reason", reason, "the message of a failure; empty for `ok`"),
+  FLAG("rigid", rigid, "whether the surfaces are rigid (`tabor` 0), so that nothing was solved"),
+  FLAG("followed", followed,
+       "whether the pull-off was obtained by parameter continuation from other scenes ([follow](cases.md#follow))"),
+  NUMBER("start", start, LENGTH, "", "if nothing was traced", "approach at which the trace began"),
+  DERIVED("end", LENGTH, end_of, "", "if nothing was traced",
+          "approach at which the trace ended; the same as `ended.approach`"),
+  {.key = "ended", .type = PO_ROW_PART, .block = &ENDED_ROWS, .absent = is_followed,
+   TEXTS("", "if followed", "where and why the trace ended")},
+  OPTIONAL_GROUP("pull_off", has_pull_off, PO_PULL_OFF_ROWS, "if none was found",
+                 "the pull-off that belongs to the preload"),
+  OPTIONAL_GROUP("pull_off_any", pull_off_any.is_known, ANY_ROWS,
+                 "if no test at given approach measures a pull-off on this branch, or if followed",
+                 "the greatest pull-off that any preload gives"),
+  LIST("folds", folds, fold_count, PO_SPECIAL_POINT_ROWS, lacks_folds,
+       "if followed, except by `follow --of folds`",
+       "folds in approach, in order along the branch"),
+  LIST("extrema", extrema, extremum_count, PO_SPECIAL_POINT_ROWS, lacks_extrema, "if followed",
+       "extrema of the load, in order along the branch"),
+  PART("work", work, WORK_ROWS, "counters of work, and the time"),
+};
+
+static const po_row WANTED[] = {
+  {.key = "hysteresis", .type = PO_ROW_PART, .block = &PO_HYSTERESIS_ROWS, .omitted = true,
+   .present = AT(bool, has_hysteresis), TEXTS("", UNWANTED, "loading and unloading")},
+  {.key = "staircase", .type = PO_ROW_PART, .block = &PO_STAIRCASE_ROWS, .omitted = true,
+   .present = AT(bool, has_staircases), TEXTS("", UNWANTED, "the pull-off for every preload")},
+  {.key = "diagnostics", .type = PO_ROW_PART, .block = &PO_DIAGNOSTICS_ROWS, .omitted = true,
+   .offset = offsetof(S, diagnostics), .absent = lacks_diagnostics,
+   TEXTS("", "absent unless wanted", "how far the numbers can be relied on")},
+};
+const po_block PO_RESULT_ROWS = BLOCK("result", RESULT, NULL);
+const po_block PO_WANTED_ROWS = BLOCK("result", WANTED, NULL);
+
+static const po_row ALL[] = {
+  {.key = "", .type = PO_ROW_INLINE, .block = &PO_RESULT_ROWS, TEXTS("", "", "")},
+  {.key = "", .type = PO_ROW_INLINE, .block = &PO_WANTED_ROWS, TEXTS("", "", "")},
+  GROUP("contact", PO_CONTACT_ROWS, "the regions in contact at the approach of the profile"),
+  LIST("curve", curve, curve_count, PO_CURVE_ROWS, NULL, "", "points of the branch, in order"),
+  LIST("profile", profile, profile_count, PO_PROFILE_ROWS, NULL, "",
+       "gap and traction over the radius"),
+};
+const po_block PO_ALL_ROWS = BLOCK("solve", ALL, NULL);
+#undef S
