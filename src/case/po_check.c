@@ -5,59 +5,63 @@
 
 #include "po_input.h"
 
-static const char *const QUANTITIES[PO_QUANTITY_COUNT] = {
-    [PO_PULL_OFF_FORCE] = "pull_off_force",
-    [PO_PULL_OFF_APPROACH] = "pull_off_approach",
-    [PO_CONTACT_RADIUS] = "contact_radius",
-    [PO_HYSTERESIS_FORCE] = "hysteresis_force",
-    [PO_HYSTERESIS_APPROACH] = "hysteresis_approach",
-    [PO_HYSTERESIS_LOSS] = "hysteresis_loss",
-    [PO_JUMPS] = "jumps",
-    [PO_PULL_OFF_ANY] = "pull_off_any",
-    [PO_STEPS] = "steps",
-    [PO_LOAD_STEPS] = "load_steps",
-    [PO_FOLD_COUNT] = "fold_count",
-    [PO_FOLDS] = "folds",
-    [PO_EXTREMA] = "extrema",
-    [PO_CURVE] = "curve",
-    [PO_RESIDUAL] = "residual",
-    [PO_MOVED_FORCE] = "moved_force",
-    [PO_ENERGY_DEFECT] = "energy_defect",
-    [PO_REVERSE_TRACE] = "reverse_trace",
-    [PO_WORK] = "work",
-    [PO_SOLVED_SHARE] = "solved_share",
+// clang-format off
+#define LOOP "hysteresis.displacement_control."
+static const po_quantity_row QUANTITIES[PO_QUANTITY_COUNT] = {
+  [PO_PULL_OFF_FORCE] = {"pull_off_force", "pull_off.force", "force", PO_OF_PULL_OFF},
+  [PO_PULL_OFF_APPROACH] = {"pull_off_approach", "pull_off.approach", "approach", PO_OF_PULL_OFF},
+  [PO_CONTACT_RADIUS] = {"contact_radius", "pull_off.contact_radius", "contact_radius", PO_OF_PULL_OFF},
+  [PO_HYSTERESIS_FORCE] = {"hysteresis_force", LOOP "pull_off.force", "force", PO_OF_LOOP},
+  [PO_HYSTERESIS_APPROACH] = {"hysteresis_approach", LOOP "pull_off.approach", "approach", PO_OF_LOOP},
+  [PO_HYSTERESIS_LOSS] = {"hysteresis_loss", LOOP "energy_lost", "energy_lost", PO_OF_LOOP},
+  [PO_JUMPS] = {"jumps", "", "approach", PO_OF_LOOP},
+  [PO_PULL_OFF_ANY] = {"pull_off_any", "pull_off_any.force", "force", PO_OF_STAIRCASE},
+  [PO_STEPS] = {"steps", "", "approach", PO_OF_STAIRCASE},
+  [PO_LOAD_STEPS] = {"load_steps", "", "approach", PO_OF_STAIRCASE},
+  [PO_FOLD_COUNT] = {"fold_count", "folds", "approach", PO_OF_BRANCH},
+  [PO_FOLDS] = {"folds", "", "approach", PO_OF_BRANCH},
+  [PO_EXTREMA] = {"extrema", "", "approach", PO_OF_BRANCH},
+  [PO_CURVE] = {"curve", "", "approach", PO_OF_BRANCH},
+  [PO_RESIDUAL] = {"residual", "diagnostics.residual", "approach", PO_OF_DIAGNOSTICS},
+  [PO_MOVED_FORCE] = {"moved_force", "diagnostics.moved.force_excess", "approach", PO_OF_DIAGNOSTICS},
+  [PO_ENERGY_DEFECT] = {"energy_defect", "diagnostics.energy_defect", "approach", PO_OF_DIAGNOSTICS},
+  [PO_REVERSE_TRACE] = {"reverse_trace", "diagnostics.reverse_trace.excess", "approach", PO_OF_DIAGNOSTICS},
+  [PO_WORK] = {"work", "", "approach", PO_OF_SOLVE},
+  [PO_SOLVED_SHARE] = {"solved_share", "", "approach", PO_OF_SOLVE},
 };
+// clang-format on
 
 static const char *const KINDS[] = {"abs", "rel", "ulp"};
 
+const po_quantity_row *po_quantity_of(po_quantity quantity) {
+  return &QUANTITIES[quantity];
+}
+
 const char *po_quantity_name(po_quantity quantity) {
-  return QUANTITIES[quantity];
+  return QUANTITIES[quantity].name;
 }
 
 int po_quantity_of_name(const char *name) {
   int quantity = 0;
-  while (quantity < PO_QUANTITY_COUNT && strcmp(name, QUANTITIES[quantity]) != 0)
+  while (quantity < PO_QUANTITY_COUNT && strcmp(name, QUANTITIES[quantity].name) != 0)
     ++quantity;
   return quantity;
 }
 
 bool po_quantity_is_pull_off(po_quantity quantity) {
-  return quantity == PO_PULL_OFF_FORCE || quantity == PO_PULL_OFF_APPROACH ||
-         quantity == PO_CONTACT_RADIUS;
+  return QUANTITIES[quantity].family == PO_OF_PULL_OFF;
 }
 
 bool po_quantity_is_diagnostic(po_quantity quantity) {
-  return quantity == PO_RESIDUAL || quantity == PO_MOVED_FORCE || quantity == PO_ENERGY_DEFECT ||
-         quantity == PO_REVERSE_TRACE;
+  return QUANTITIES[quantity].family == PO_OF_DIAGNOSTICS;
 }
 
 bool po_quantity_is_hysteresis(po_quantity quantity) {
-  return quantity == PO_HYSTERESIS_FORCE || quantity == PO_HYSTERESIS_APPROACH ||
-         quantity == PO_HYSTERESIS_LOSS || quantity == PO_JUMPS;
+  return QUANTITIES[quantity].family == PO_OF_LOOP;
 }
 
 bool po_quantity_is_preload(po_quantity quantity) {
-  return quantity == PO_PULL_OFF_ANY || po_quantity_is_steps(quantity);
+  return QUANTITIES[quantity].family == PO_OF_STAIRCASE;
 }
 
 bool po_quantity_is_steps(po_quantity quantity) {

@@ -81,17 +81,30 @@ po_reference_type po_reference_type_of(const char *reference);
 bool po_check_is_pin(const po_check *check);
 bool po_check_is_traced(const po_check *check);
 
-/* Reports whether a quantity describes the pull-off. Parameter continuation delivers only these. */
+/* What a quantity is of. Parameter continuation delivers only those of the pull-off; the only
+ * reference of a diagnostic is zero. */
+typedef enum {
+  PO_OF_PULL_OFF,
+  PO_OF_LOOP,      /* loading and unloading at given approach */
+  PO_OF_STAIRCASE, /* all preloads */
+  PO_OF_DIAGNOSTICS,
+  PO_OF_BRANCH, /* unstable equilibria included */
+  PO_OF_SOLVE
+} po_quantity_family;
+
+/* A quantity: its name in case files, the path of its number in a result (po_result_rows.h; "": it
+ * is not a single number), and the column of reference tables that a scene must have for it. */
+typedef struct {
+  const char *name, *path, *column;
+  po_quantity_family family;
+} po_quantity_row;
+const po_quantity_row *po_quantity_of(po_quantity quantity);
+
 bool po_quantity_is_pull_off(po_quantity quantity);
-
-/* Reports whether a quantity is a diagnostic, whose only reference is zero. */
 bool po_quantity_is_diagnostic(po_quantity quantity);
-
-/* Reports whether a quantity is a result of the simulated loading and unloading. */
 bool po_quantity_is_hysteresis(po_quantity quantity);
-
-/* Reports whether a quantity is a result of the staircases; whether it is a list of steps. */
 bool po_quantity_is_preload(po_quantity quantity);
+/* Reports whether a quantity is a list of steps. */
 bool po_quantity_is_steps(po_quantity quantity);
 
 /* Returned: the quantity with a name; PO_QUANTITY_COUNT if there is none. */

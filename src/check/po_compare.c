@@ -9,47 +9,21 @@
 #include "po_curve.h"
 #include "po_memory.h"
 #include "po_pins.h"
+#include "po_result_rows.h"
 
 static const po_reference_number UNKNOWN = {(double)NAN, (double)NAN};
 
 /* Reports whether a quantity is a single number in the reference. Pins contain the number of folds;
  * for other references it is the number of listed folds over the common range. */
 static bool is_single(po_quantity quantity, const po_reference *reference) {
-  return po_quantity_is_pull_off(quantity) || po_quantity_is_diagnostic(quantity) ||
-         (po_quantity_is_hysteresis(quantity) && quantity != PO_JUMPS) ||
-         quantity == PO_PULL_OFF_ANY ||
-         (quantity == PO_FOLD_COUNT && reference->type == PO_REFERENCE_PINS);
-}
-
-static double obtained_of_loop(po_quantity quantity, const po_result *result) {
-  const po_loop *loop = &result->hysteresis.displacement;
-  if (!result->has_hysteresis)
-    return (double)NAN;
-  if (quantity == PO_HYSTERESIS_LOSS)
-    return loop->energy_lost;
-  return quantity == PO_HYSTERESIS_FORCE ? -loop->pull_off.load : loop->pull_off.approach;
+  return *po_quantity_of(quantity)->path &&
+         (quantity != PO_FOLD_COUNT || reference->type == PO_REFERENCE_PINS);
 }
 
 double po_compare_obtained(po_quantity quantity, const po_result *result) {
-  if (quantity == PO_FOLD_COUNT)
-    return result->status == PO_OK ? (double)result->fold_count : (double)NAN;
-  if (!result->has_pull_off || result->status != PO_OK)
+  if (result->status != PO_OK || (quantity != PO_FOLD_COUNT && !result->has_pull_off))
     return (double)NAN;
-  if (quantity == PO_PULL_OFF_ANY)
-    return result->pull_off_any.is_known ? result->pull_off_any.force : (double)NAN;
-  if (po_quantity_is_hysteresis(quantity))
-    return obtained_of_loop(quantity, result);
-  if (quantity == PO_RESIDUAL)
-    return result->diagnostics.residual;
-  if (quantity == PO_MOVED_FORCE)
-    return result->diagnostics.moved.excess;
-  if (quantity == PO_ENERGY_DEFECT)
-    return result->diagnostics.energy_defect;
-  if (quantity == PO_REVERSE_TRACE)
-    return result->diagnostics.reverse_trace.excess;
-  if (quantity == PO_CONTACT_RADIUS)
-    return result->pull_off.contact_radius;
-  return quantity == PO_PULL_OFF_FORCE ? result->pull_off.force : result->pull_off.approach;
+  return po_block_number(&PO_ALL_ROWS, result, po_quantity_of(quantity)->path);
 }
 
 static po_status compare_single(const po_case *kase, size_t point, const po_check *check,

@@ -1,16 +1,17 @@
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "po_compare_parts.h"
+#include "po_result_rows.h"
 
-/* Returned: the value of a quantity in the trace, with its estimated error as the uncertainty. */
+/* Returned: the value of a quantity of the pull-off in the trace, with its estimated error as the
+ * uncertainty. */
 static po_reference_number number_of(const po_check *check, const po_result *trace) {
-  double error = trace->pull_off.approach_error;
-  if (check->quantity == PO_PULL_OFF_FORCE)
-    error = trace->pull_off.force_error;
-  else if (check->quantity == PO_CONTACT_RADIUS)
-    error = trace->pull_off.contact_radius_error;
-  return (po_reference_number){po_compare_obtained(check->quantity, trace), error};
+  const char *path = strchr(po_quantity_of(check->quantity)->path, '.') + 1;
+  const po_row *row = po_block_find(&PO_PULL_OFF_ROWS, NULL, path).row;
+  return (po_reference_number){po_compare_obtained(check->quantity, trace),
+                               po_block_number(&PO_PULL_OFF_ROWS, trace, row->error)};
 }
 
 po_status po_compare_traced(const po_case *kase, const bool *asked, const po_check *check,

@@ -61,10 +61,8 @@ json_t *po_json_physical_input(const po_scene_flags *flags) {
 }
 
 /* The members in SI units. */
-static const char *const SPECIAL[] = {"approach",       "load",
-                                      "contact_radius", "kind",
-                                      "error_estimate", "load_error_estimate",
-                                      NULL};
+static const char *const SPECIAL[] = {
+    "approach", "load", "contact_radius", "kind", "error_estimate", "load_error_estimate", NULL};
 static const char *const CURVE[] = {"approach", "load", "contact_radius", NULL};
 static const char *const PROFILE[] = {"radius", "gap", "traction", NULL};
 

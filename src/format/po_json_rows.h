@@ -12,8 +12,8 @@
 json_t *po_json_of(const po_block *block, const void *owner);
 json_t *po_json_list_of(const po_block *block, const void *list, size_t count);
 
-/* Fills a structure, which must be empty, from an object; NULL is an absent object. A number that is
- * absent or null is NAN. Status: PO_BAD_INPUT, PO_NO_MEMORY; what was read before is in the
+/* Fills a structure, which must be empty, from an object; NULL is an absent object. A number that
+ * is absent or null is NAN. Status: PO_BAD_INPUT, PO_NO_MEMORY; what was read before is in the
  * structure. */
 po_status po_json_into(const json_t *object, const po_block *block, void *owner);
 

@@ -11,12 +11,61 @@
 #include "po_file.h"
 #include "po_input.h"
 #include "po_memory.h"
+#include "po_result_rows.h"
 
-enum { CURVE_COLUMNS = 9 };
+/* A column of a table, and the path of its number in the items of a list. */
+typedef struct {
+  const char *name, *path;
+  bool optional; /* the curve of an external solver does not have it: nan */
+} column;
+#define LENGTH(list) (sizeof(list) / sizeof *(list))
 
-static const char *const CURVE_NAMES[CURVE_COLUMNS] = {
-    "position",      "approach",  "load",           "energy",      "contact_radius",
-    "approach_rate", "load_rate", "unstable_modes", "energy_error"};
+static const column CURVE[] = {{"position", "position", false},
+                               {"approach", "approach", false},
+                               {"load", "load", false},
+                               {"energy", "energy", true},
+                               {"contact_radius", "contact_radius", true},
+                               {"approach_rate", "approach_rate", true},
+                               {"load_rate", "load_rate", true},
+                               {"unstable_modes", "unstable_modes", false},
+                               {"energy_error", "energy_error_estimate", true}};
+
+static const column PROFILE[] = {
+    {"radius", "radius", false}, {"gap", "gap", false}, {"traction", "traction", false}};
+
+/* If the step is open, `until` is the last state of loading on the curve; separated bodies have the
+ * approach -inf. */
+static const column STEP[] = {{"from_approach", "preload.approach", false},
+                              {"from_load", "preload.load", false},
+                              {"until_approach", "until.approach", false},
+                              {"until_load", "until.load", false},
+                              {"open", "open", false},
+                              {"force", "force", false},
+                              {"force_error", "error_estimate", false},
+                              {"approach", "approach", false},
+                              {"approach_error", "approach_error_estimate", false},
+                              {"energy_lost", "cycles.0.energy_lost", false},
+                              {"energy_lost_error", "cycles.0.energy_lost_error_estimate", false}};
+
+enum { MOST_COLUMNS = LENGTH(STEP) };
+
+static void add_names(po_text *rows, const char *before, const column *columns, size_t count) {
+  for (size_t c = 0; c < count; ++c)
+    po_text_add(rows, "%s%s", c ? "," : before, columns[c].name);
+  po_text_add(rows, "\n");
+}
+
+/* Adds a row for each item of a list, which begins with a text. */
+static void add_items(po_text *rows, const char *before, const column *columns, size_t count,
+                      const po_block *block, const void *list, size_t items) {
+  double row[MOST_COLUMNS];
+  for (size_t i = 0; i < items; ++i) {
+    for (size_t c = 0; c < count; ++c)
+      row[c] = po_block_number(block, (const char *)list + i * block->size, columns[c].path);
+    po_text_add(rows, "%s", before);
+    po_csv_add_row(rows, row, count);
+  }
+}
 
 /* Writes to a file, or to standard output for "-". */
 static po_status write_text(const char *path, const po_text *text) {
@@ -51,17 +100,8 @@ static po_status write_table(const char *path, const po_request *request, const 
 po_status po_tables_write_curve(const char *path, const po_request *request,
                                 const po_result *result, char *digest) {
   po_text rows = {0};
-  for (size_t c = 0; c < CURVE_COLUMNS; ++c)
-    po_text_add(&rows, "%s%s", c ? "," : "", CURVE_NAMES[c]);
-  po_text_add(&rows, "\n");
-  for (size_t i = 0; i < result->curve_count; ++i) {
-    const po_curve_point *p = &result->curve[i];
-    const double row[CURVE_COLUMNS] = {
-        p->position,       p->approach,      p->load,      p->energy,
-        p->contact_radius, p->approach_rate, p->load_rate, (double)p->unstable_modes,
-        p->energy_error};
-    po_csv_add_row(&rows, row, CURVE_COLUMNS);
-  }
+  add_names(&rows, "", CURVE, LENGTH(CURVE));
+  add_items(&rows, "", CURVE, LENGTH(CURVE), &PO_CURVE_ROWS, result->curve, result->curve_count);
   return write_table(path, request, "load against approach along the branch",
                      "approach and contact_radius in epsilon; load in pi w R, compressive > 0; "
                      "energy in pi w R epsilon, its derivative by the approach is the load; "
@@ -77,47 +117,23 @@ po_status po_tables_write_profile(const char *path, const po_request *request,
   char approach[PO_NUMBER_LENGTH], what[100];
   po_number_print(result->profile_approach, approach);
   snprintf(what, sizeof what, "gap and traction over the radius at approach %s", approach);
-  po_text_add(&rows, "radius,gap,traction\n");
-  for (size_t i = 0; i < result->profile_count; ++i) {
-    const po_profile_point *p = &result->profile[i];
-    po_csv_add_row(&rows, (const double[]){p->radius, p->gap, p->traction}, 3);
-  }
+  add_names(&rows, "", PROFILE, LENGTH(PROFILE));
+  add_items(&rows, "", PROFILE, LENGTH(PROFILE), &PO_PROFILE_ROWS, result->profile,
+            result->profile_count);
   return write_table(path, request, what,
                      "radius and approach in epsilon; gap H = h/epsilon - 1; traction P = p mu "
                      "epsilon/w, compressive > 0",
                      &rows, digest);
 }
 
-static void add_steps(po_text *rows, const char *control, const po_staircase *s) {
-  for (size_t k = 0; k < s->count; ++k) {
-    const po_step *step = &s->step[k];
-    const po_cycle *cycle = &step->cycle[0];
-    const bool lost = isfinite(cycle->loss.energy);
-    /* if the step is open, `until` is the last state of loading on the curve; separated bodies have
-     * the approach -inf */
-    const double row[] = {step->preload.approach,
-                          step->preload.load,
-                          step->until.approach,
-                          step->until.load,
-                          (double)step->open,
-                          -step->pull_off.load,
-                          step->pull_off_error.load,
-                          step->pull_off.approach,
-                          step->pull_off_error.approach,
-                          lost ? cycle->loss.energy : (double)NAN,
-                          lost ? cycle->energy_error : (double)NAN};
-    po_text_add(rows, "%s,", control);
-    po_csv_add_row(rows, row, sizeof row / sizeof *row);
-  }
-}
-
 po_status po_tables_write_staircase(const char *path, const po_request *request,
                                     const po_result *result, char *digest) {
   po_text rows = {0};
-  po_text_add(&rows, "control,from_approach,from_load,until_approach,until_load,open,force,"
-                     "force_error,approach,approach_error,energy_lost,energy_lost_error\n");
-  add_steps(&rows, "displacement", &result->staircase[0]);
-  add_steps(&rows, "load", &result->staircase[1]);
+  const po_staircase *s = result->staircase;
+  po_text_add(&rows, "control");
+  add_names(&rows, ",", STEP, LENGTH(STEP));
+  add_items(&rows, "displacement,", STEP, LENGTH(STEP), &PO_STEP_ROWS, s[0].step, s[0].count);
+  add_items(&rows, "load,", STEP, LENGTH(STEP), &PO_STEP_ROWS, s[1].step, s[1].count);
   return write_table(
       path, request,
       "pull-off force and dissipated energy as functions of the preload: each row is "
@@ -161,90 +177,62 @@ po_status po_tables_write_series(const char *path, const char *key, bool si,
       units, &rows, NULL);
 }
 
-/* Reads a table with the columns `names`, in any order. Returned: *values, *rows x count, stored
- * row by row in the order of `names`, to be freed. */
-/* Reports whether a cell says that a number is unknown: the curve of an external solver has neither
- * energies nor contact radii nor rates. */
-static bool is_unknown(const char *column, const char *cell) {
-  return strcmp(cell, "nan") == 0 &&
-         (strcmp(column, "energy") == 0 || strcmp(column, "energy_error") == 0 ||
-          strcmp(column, "contact_radius") == 0 || strcmp(column, "approach_rate") == 0 ||
-          strcmp(column, "load_rate") == 0);
+static po_status read_cell(const po_csv *csv, size_t r, size_t at, const column *c,
+                           const po_row *row, char *item) {
+  double value = (double)NAN;
+  po_status status = PO_OK;
+  if (!c->optional || strcmp(po_csv_cell(csv, r, at), "nan") != 0)
+    status = po_csv_number(csv, r, at, &value);
+  if (status)
+    return status;
+  if (row->type != PO_ROW_INTEGER)
+    po_row_put(row, item, value);
+  else if (value >= 0 && value <= INT_MAX && value == floor(value))
+    *(int *)(void *)(item + row->offset) = (int)value;
+  else
+    return po_fail(PO_CANNOT_READ, "%s: %s is %g: expected a whole number", csv->path, c->name,
+                   value);
+  return PO_OK;
 }
 
-static po_status read_numbers(const char *path, const char *digest, const char *const *names,
-                              size_t count, double **values, size_t *rows) {
+/* Reads a table with some columns, in any order. Returned: items, to be freed; NULL if it fails. */
+static po_status read_list(const char *path, const char *digest, const column *columns,
+                           size_t column_count, const po_block *block, void *items, size_t *count) {
   po_csv csv;
   po_status status = po_csv_read(path, path, &csv);
   if (status)
     return status;
-  *rows = csv.row_count;
-  *values = po_allocate(csv.row_count * count, sizeof **values);
-  if (!*values)
+  char *list = po_allocate(csv.row_count, block->size);
+  if (!list)
     status = PO_NO_MEMORY;
   else if (strcmp(digest, csv.digest) != 0)
     status =
         po_fail(PO_CANNOT_READ, "%s is not the table of this record: its checksum differs", path);
-  for (size_t c = 0; !status && c < count; ++c) {
-    const int column = po_csv_find_column(&csv, names[c]);
-    if (column < 0)
+  for (size_t c = 0; !status && c < column_count; ++c) {
+    const int found = po_csv_find_column(&csv, columns[c].name);
+    const po_row *row = po_block_find(block, NULL, columns[c].path).row;
+    if (found < 0)
       status = po_fail(PO_CANNOT_READ, "%s:%zu: the column %s is missing", path, csv.column_line,
-                       names[c]);
-    for (size_t r = 0; !status && r < csv.row_count; ++r) {
-      double *value = &(*values)[r * count + c];
-      if (is_unknown(names[c], po_csv_cell(&csv, r, (size_t)column)))
-        *value = (double)NAN;
-      else
-        status = po_csv_number(&csv, r, (size_t)column, value);
-    }
+                       columns[c].name);
+    for (size_t r = 0; !status && r < csv.row_count; ++r)
+      status = read_cell(&csv, r, (size_t)found, &columns[c], row, list + r * block->size);
   }
+  *count = status ? 0 : csv.row_count;
   po_csv_clear(&csv);
   if (status) {
-    free(*values);
-    *values = NULL;
+    free(list);
+    list = NULL;
   }
+  memcpy(items, &list, sizeof list);
   return status;
 }
 
 po_status po_tables_read_curve(const char *path, const char *digest, po_result *result) {
-  double *values = NULL;
-  size_t rows = 0;
-  po_status status = read_numbers(path, digest, CURVE_NAMES, CURVE_COLUMNS, &values, &rows);
-  if (!status && !(result->curve = po_allocate(rows, sizeof *result->curve)))
-    status = PO_NO_MEMORY;
-  for (size_t i = 0; !status && i < rows; ++i) {
-    const double *v = values + CURVE_COLUMNS * i;
-    if (!(v[7] >= 0 && v[7] <= INT_MAX && v[7] == floor(v[7]))) {
-      status =
-          po_fail(PO_CANNOT_READ, "%s: unstable_modes is %g: expected a whole number", path, v[7]);
-      break;
-    }
-    result->curve[i] = (po_curve_point){.position = v[0],
-                                        .approach = v[1],
-                                        .load = v[2],
-                                        .energy = v[3],
-                                        .contact_radius = v[4],
-                                        .approach_rate = v[5],
-                                        .load_rate = v[6],
-                                        .unstable_modes = (int)v[7],
-                                        .energy_error = v[8]};
-    result->curve_count = rows;
-  }
-  free(values);
-  return status;
+  return read_list(path, digest, CURVE, LENGTH(CURVE), &PO_CURVE_ROWS, &result->curve,
+                   &result->curve_count);
 }
 
 po_status po_tables_read_profile(const char *path, const char *digest, po_result *result) {
-  static const char *const NAMES[] = {"radius", "gap", "traction"};
-  double *values = NULL;
-  size_t rows = 0;
-  po_status status = read_numbers(path, digest, NAMES, 3, &values, &rows);
-  if (!status && !(result->profile = po_allocate(rows, sizeof *result->profile)))
-    status = PO_NO_MEMORY;
-  for (size_t i = 0; !status && i < rows; ++i) {
-    result->profile[i] = (po_profile_point){values[3 * i], values[3 * i + 1], values[3 * i + 2]};
-    result->profile_count = rows;
-  }
-  free(values);
-  return status;
+  return read_list(path, digest, PROFILE, LENGTH(PROFILE), &PO_PROFILE_ROWS, &result->profile,
+                   &result->profile_count);
 }

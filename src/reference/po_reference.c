@@ -77,15 +77,6 @@ po_status po_reference_open_check(const char *data_folder, const po_check *check
   return refused;
 }
 
-/* Returned: the column of a quantity that is a single number. */
-static const char *column_of(po_quantity quantity) {
-  if (quantity == PO_HYSTERESIS_LOSS)
-    return "energy_lost";
-  if (quantity == PO_PULL_OFF_ANY)
-    return "force";
-  return quantity == PO_PULL_OFF_FORCE || quantity == PO_HYSTERESIS_FORCE ? "force" : "approach";
-}
-
 /* A table without a column contact_radius may have this column instead. The contact radius of a
  * smooth sphere on the unbounded half-space is proportional to the square root of the radius of the
  * sphere. */
@@ -122,7 +113,7 @@ static po_status find_single(const po_reference *reference, po_quantity quantity
     return PO_NOT_FOUND;
   return quantity == PO_CONTACT_RADIUS
              ? contact_radius_of(reference, at, request, number)
-             : po_reference_cell(reference, at, column_of(quantity), number);
+             : po_reference_cell(reference, at, po_quantity_of(quantity)->column, number);
 }
 
 po_status po_reference_find(const po_reference *reference, po_quantity quantity,

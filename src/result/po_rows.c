@@ -86,10 +86,9 @@ static po_field below(const po_row *row, const void *owner, const char *rest) {
   const size_t index = strtoul(rest, &end, 10);
   if (end == rest || *end != '.')
     return (po_field){NULL, NULL};
-  return po_block_find(row->block,
-                       there && index < po_row_items(row, owner) ? po_row_item(row, owner, index)
-                                                                 : NULL,
-                       end + 1);
+  return po_block_find(
+      row->block, there && index < po_row_items(row, owner) ? po_row_item(row, owner, index) : NULL,
+      end + 1);
 }
 
 po_field po_block_find(const po_block *block, const void *owner, const char *path) {

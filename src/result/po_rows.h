@@ -53,10 +53,10 @@ typedef struct {
   bool hidden;              /* not in documents; its unit is converted */
   bool alias;               /* another row has the same member and converts its unit */
   bool omitted;             /* a document has no member for an absent part; otherwise it has null */
-  bool (*absent)(const void *owner);        /* further reason why a part is absent */
-  double (*get)(const void *owner);         /* a number that is derived from members */
-  void (*set)(void *owner, double value);   /* its inverse; NULL: it is not read */
-  const char *(*word)(const void *owner);   /* a word that is derived */
+  bool (*absent)(const void *owner);           /* further reason why a part is absent */
+  double (*get)(const void *owner);            /* a number that is derived from members */
+  void (*set)(void *owner, double value);      /* its inverse; NULL: it is not read */
+  const char *(*word)(const void *owner);      /* a word that is derived */
   void (*take)(void *owner, const char *word); /* its inverse */
   void (*label)(const void *list_owner, size_t index, po_label label[2]);
   const char *error; /* path of the error bound, from the same block */
@@ -77,8 +77,8 @@ typedef struct {
   const void *owner; /* NULL: it is in a part that is absent, or in an item that is not there */
 } po_field;
 
-/* Finds the row at a path such as "pull_off.force" or "cycles.0.energy_lost". Given: a structure, or
- * NULL to find the row only. */
+/* Finds the row at a path such as "pull_off.force" or "cycles.0.energy_lost". Given: a structure,
+ * or NULL to find the row only. */
 po_field po_block_find(const po_block *block, const void *owner, const char *path);
 
 /* Returned: the number at a path, of a list the number of its items; NAN: there is none. */

@@ -82,6 +82,12 @@ unsigned po_plan_asked(const po_plan *plan) {
   return asked & plan->solver->quantities;
 }
 
+/* What the quantities of a family need. */
+static const unsigned WANTS[] = {[PO_OF_LOOP] = PO_WANT_HYSTERESIS,
+                                 [PO_OF_STAIRCASE] = PO_WANT_PRELOAD,
+                                 [PO_OF_DIAGNOSTICS] = PO_WANT_DIAGNOSTICS,
+                                 [PO_OF_SOLVE] = 0};
+
 /* Determines which results the case and its checks need. */
 static void decide(po_plan *plan) {
   const po_case *kase = plan->kase;
@@ -100,12 +106,7 @@ static void decide(po_plan *plan) {
     const po_quantity quantity = kase->file->checks[i].quantity;
     if (quantity == PO_CURVE && plan->references[i].type != PO_REFERENCE_ABSENT)
       plan->want |= PO_WANT_CURVE;
-    if (po_quantity_is_diagnostic(quantity))
-      plan->want |= PO_WANT_DIAGNOSTICS;
-    if (po_quantity_is_hysteresis(quantity))
-      plan->want |= PO_WANT_HYSTERESIS;
-    if (po_quantity_is_preload(quantity))
-      plan->want |= PO_WANT_PRELOAD;
+    plan->want |= WANTS[po_quantity_of(quantity)->family];
   }
   for (unsigned i = 0; i < kase->file->measure_count; ++i)
     if (kase->file->measure[i].quantity == PO_CURVE)
