@@ -33,7 +33,7 @@ static void settle_state(void *of) {
 
 static const po_row STATE[] = {
   NUMBER("approach", approach, LENGTH, "", "if the bodies are infinitely far apart", "approach"),
-  NUMBER("load", load, LOAD, "", "if not known", "load"),
+  NUMBER("load", load, LOAD, "", "", "load"),
   FORM("energy", energy, ENERGY, energy_of_state, set_energy, "",
        "if the bodies are infinitely far apart", "potential energy, as in `curve_point`"),
   NUMBER("contact_radius", contact_radius, LENGTH, "", "if not known",
@@ -46,7 +46,7 @@ static const po_block STATE_ROWS = BLOCK("path_state", STATE, settle_state);
 static const po_row PLACE[] = {
   NUMBER("approach", approach, LENGTH, "",
          "in load control: contact from infinitely far away, or none", "approach"),
-  NUMBER("load", load, LOAD, "", "if not known", "load"),
+  NUMBER("load", load, LOAD, "", "", "load"),
   NUMBER("position", position, NONE, "", "if the state is not on the branch",
          "arclength along the branch"),
   HIDDEN("energy", energy, ENERGY, "potential energy"),
@@ -119,7 +119,7 @@ static void settle_loop(void *of) {
 
 static const po_row LOOP_PULL_OFF[] = {
   INLINE(pull_off, STATE_ROWS),
-  DERIVED("force", LOAD, force_of_loop, "error_estimate", "if not known",
+  DERIVED("force", LOAD, force_of_loop, "error_estimate", "",
           "magnitude of the load, 0 if there is no tension; at a special point approach and load are those of `extrema` or `folds`"),
   NUMBER("error_estimate", pull_off_error.load, LOAD, "", NO_BOUND, "bound of the error of `force`"),
   NUMBER("approach_error_estimate", pull_off_error.approach, LENGTH, "", NO_BOUND,
@@ -200,11 +200,11 @@ static const po_row STEP[] = {
        "`jump`: loading jumps there; `minimum`: loading passes a minimum of the load"),
   PART("until", until, PLACE_ROWS, "the hardest preload for which the step holds"),
   FLAG("open", open, "whether the trace ends before the step does"),
-  FORM("force", pull_off.load, LOAD, force_of_step, set_force_of_step, "error_estimate",
-       "if not known", "pull-off force after such a preload"),
+  FORM("force", pull_off.load, LOAD, force_of_step, set_force_of_step, "error_estimate", "",
+       "pull-off force after such a preload"),
   NUMBER("error_estimate", pull_off_error.load, LOAD, "", "if there is no estimate",
          "bound of the error of `force`"),
-  NUMBER("approach", pull_off.approach, LENGTH, "approach_error_estimate", "if not known",
+  NUMBER("approach", pull_off.approach, LENGTH, "approach_error_estimate", "",
          "approach at pull-off"),
   NUMBER("approach_error_estimate", pull_off_error.approach, LENGTH, "", "if there is no estimate",
          "bound of the error of `approach`"),

@@ -1,0 +1,121 @@
+#!/usr/bin/python3
+"""Compares doc/json.md and doc/pulloff-1.schema.json with the rows of a result (src/result), from which they are made.
+
+Usage: rows.py PRINT_ROWS SOURCE_TREE [--write]
+
+With --write, the tables and definitions in the two files are replaced. Exit status: 0 they agree, 1 otherwise.
+"""
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+COLUMNS = ("key", "type", "unit", "error", "null", "omitted", "of", "says")
+NULL = {"type": "null"}
+# The keys of a result that do not come from its rows: the request, and the table of its profile.
+BEFORE = {"result": {"key": "input", "says": "the request, defaults included", "of": "input"}}
+AFTER = {"work": {"key": "profile_table", "says": "the table of the profile", "null": "absent for other profiles",
+                  "omitted": "1", "of": "profile_table"}}
+NAMELESS = dict.fromkeys(COLUMNS, "") | {"type": "part", "omitted": "0"}
+
+
+def blocks(program):
+    """The rows of each definition, in order. A row that follows from several blocks counts once."""
+    found = {}
+    for line in subprocess.run([program], capture_output=True, text=True, check=True).stdout.splitlines():
+        name, *cells = line.split("\t")
+        rows = found.setdefault(name, [])
+        row = dict(zip(COLUMNS, cells, strict=True))
+        if name in BEFORE and not rows:
+            rows.append(NAMELESS | BEFORE[name])
+        rows.append(row)
+        if name == "result" and row["key"] in AFTER:
+            rows.append(NAMELESS | AFTER[row["key"]])
+    return found
+
+
+def value_of(row):
+    """The JSON Schema of the value of a row."""
+    kind, of = row["type"], row["of"]
+    if kind == "number":
+        return {"type": ["number", "null"] if row["null"] else "number"}
+    if kind == "count":
+        return {"type": "integer", "minimum": 0}
+    if kind == "word" and of.endswith(" status"):
+        return {"oneOf": [{"enum": of.split()[:-1]}, {"$ref": "#/$defs/status"}]}
+    if kind == "word":
+        return {"enum": of.split()}
+    if kind in ("part", "list", "status"):
+        value = {"$ref": f"#/$defs/{of or kind}"}
+        value = {"type": "array", "items": value} if kind == "list" else value
+        return {"oneOf": [value, NULL]} if row["null"] and row["omitted"] == "0" else value
+    return {"integer": {"type": "integer"}, "flag": {"type": "boolean"}, "text": {"type": "string"},
+            "label": {"type": "string"},
+            "labels": {"type": "array", "items": {"type": "string"}, "minItems": 2, "maxItems": 2}}[kind]
+
+
+def wrapped(words, width=108):
+    """A JSON array of texts, in one line if there is room."""
+    whole = json.dumps(words)
+    if len(whole) + 18 <= width:
+        return whole
+    lines = [""]
+    for word in map(json.dumps, words):
+        if len(lines[-1]) + len(word) + 10 > width:
+            lines.append("")
+        lines[-1] += (" " if lines[-1] else "") + word + ","
+    return "[\n        " + "\n        ".join(lines).rstrip(",") + "\n      ]"
+
+
+def definition(name, rows):
+    """The text of a definition of the schema. A document may have more keys than a result."""
+    keys = ",\n        ".join(f'"{row["key"]}": {json.dumps(value_of(row))}' for row in rows)
+    required = wrapped([row["key"] for row in rows if row["omitted"] == "0"])
+    closed = "" if name == "result" else ',\n      "additionalProperties": false'
+    return (f'    "{name}": {{\n      "type": "object",\n      "properties": {{\n        {keys}\n      }},\n'
+            f'      "required": {required}{closed}\n    }}')
+
+
+def table(name, rows):
+    """The lines of a table of the page. Columns without an entry are left out."""
+    columns = {"unit": "unit", "error": "error", "null": "null or absent" if name == "result" else "null"}
+    columns = {key: title for key, title in columns.items() if any(row[key] for row in rows)}
+    lines = [f"| `{name}` | meaning | " + "".join(f"{title} | " for title in columns.values()),
+             "|---" * (2 + len(columns)) + "|"]
+    for row in rows:
+        part = f" (`{row['of']}`)" if row["type"] in ("part", "list") and row["of"] != row["key"] else ""
+        words = ": " + ", ".join(f"`{word}`" for word in row["of"].split()) if row["type"] == "word" else ""
+        words = words if "`" not in row["says"] else ""
+        cells = [f"`{row['error']}`" if key == "error" and row[key] else row[key] for key in columns]
+        lines.append(f"| `{row['key']}` | {row['says']}{part}{words} | " + "".join(f"{cell} | " for cell in cells))
+    return "\n".join(line.rstrip() for line in lines)
+
+
+def replaced(text, pattern, new, what):
+    """The text with the one place that fits a pattern replaced."""
+    places = re.findall(pattern, text, re.M)
+    if len(places) != 1:
+        sys.exit(f"{what}: {len(places)} places: expected 1")
+    return re.sub(pattern, lambda _: new, text, flags=re.M)
+
+
+def main():
+    program, root, *more = sys.argv[1:]
+    page, schema = pathlib.Path(root, "doc/json.md"), pathlib.Path(root, "doc/pulloff-1.schema.json")
+    texts = {page: page.read_text(), schema: schema.read_text()}
+    for name, rows in blocks(program).items():
+        texts[page] = replaced(texts[page], rf"^\| `{name}` \| meaning .*(?:\n\|.*)*", table(name, rows), name)
+        texts[schema] = replaced(texts[schema], rf'^    "{name}": {{\n(?:     .*\n)*    }}', definition(name, rows), name)
+    wrong = [path for path, text in texts.items() if text != path.read_text()]
+    for path in wrong:
+        if more == ["--write"]:
+            path.write_text(texts[path])
+        else:
+            print(f"{path.name} does not agree with the rows of a result: run tests/cli/rows.py with --write")
+    return 1 if wrong and not more else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
