@@ -31,9 +31,13 @@ def commands(source):
 
 @functools.lru_cache(maxsize=None)
 def record_of(path):
-    """The record of a case."""
+    """The record of a case, which has its checksum (doc/json.md#checksums)."""
     with open(path, encoding="utf-8") as stream:
-        return json.load(stream)
+        first, second, rest = (stream.read().split("\n", 2) + ["", ""])[:3]
+    digest = hashlib.sha256(f"{first}\n{rest}".encode()).hexdigest()
+    if second != f'  "checksum": "{digest}",':
+        raise SourceError(f"{path} was altered: it does not have its checksum")
+    return json.loads(f"{first}\n{rest}")
 
 
 def follow(document, path):

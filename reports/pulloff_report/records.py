@@ -1,5 +1,6 @@
 """Reads the records of a run. A record that cannot be read raises a ReportError of one line."""
 
+import hashlib
 import json
 import os
 
@@ -52,6 +53,13 @@ def read_judgement(path, schema):
     return document
 
 
+def has_checksum(text):
+    """Whether the text of a record has its checksum, that of all lines but its own (doc/json.md#checksums)."""
+    first, second, rest = (text.split("\n", 2) + ["", ""])[:3]
+    digest = hashlib.sha256((first + "\n" + rest).encode()).hexdigest()
+    return second == f'  "checksum": "{digest}",'
+
+
 def record_of(folder):
     """The file with the record of a case: of all points, or of the points to which the run of an external solver was
     limited; None if there is neither."""
@@ -65,12 +73,15 @@ class Case:
     def __init__(self, folder):
         self.folder = folder
         self.path = record_of(folder)
+        text = read_text(self.path)
         try:
-            record = json.loads(read_text(self.path))
+            record = json.loads(text)
         except json.JSONDecodeError as error:
             raise ReportError(f"{self.path}:{error.lineno}: not JSON: {error.msg} "
                               f"(column {error.colno})") from error
         self._check(record)
+        if not has_checksum(text):
+            raise ReportError(f"{self.path} was altered: it does not have its checksum ({record['command']} writes it again)")
         self.record = record
         self.name = record["case"]
         self.title = record["title"]
@@ -82,7 +93,7 @@ class Case:
         self.verdict = record["verdict"]
         self.companion = None    # the same figure computed with the paper's discretisation, see Run.drawing
         self.any_preload = None  # the same figure at any preload, see Run.drawing
-        self._lines = {line["name"]: line["table"] for line in record.get("lines", [])}
+        self._lines = {line["name"]: line for line in record.get("lines", [])}
         self._points = {point["id"]: point for point in self.points}
 
     def _check(self, record):
@@ -108,18 +119,24 @@ class Case:
 
     def curve(self, point):
         """The branch of a point as a Table, or None when none was asked for."""
-        return self._table(point.get("curve"))
+        return self._table(point, "curve")
 
     def profile(self, point):
         """The profile of a point as a Table, or None when none was asked for."""
-        return self._table(point.get("profile"))
+        return self._table(point, "profile")
 
     def line(self, name):
         """A closed-form solution along a sweep as a Table, or None when the case has no such line."""
-        return self._table(self._lines.get(name))
+        return self._table(self._lines.get(name, {}), "table")
 
-    def _table(self, name):
-        return Table(os.path.join(self.folder, name)) if name else None
+    def _table(self, entry, key):
+        if not entry.get(key):
+            return None
+        table = Table(os.path.join(self.folder, entry[key]))
+        if table.digest() != entry.get(key + "_sha256"):
+            raise ReportError(f"{table.path} was altered: it does not have the checksum that its record states "
+                              f"({self.record['command']} writes it again)")
+        return table
 
     def count(self, *verdicts):
         return sum(check["verdict"] in verdicts for check in self.checks)

@@ -2,6 +2,7 @@
 
 #include <stdint.h>
 #include <stdio.h>
+#include <string.h>
 
 #include <nettle/sha2.h>
 
@@ -19,4 +20,8 @@ void po_digest_two(const void *first, size_t first_size, const void *second, siz
 
 void po_digest_bytes(const void *bytes, size_t size, char digest[PO_DIGEST_LENGTH]) {
   po_digest_two(bytes, size, "", 0, digest);
+}
+
+bool po_digest_agrees(const char *stated, const char *computed) {
+  return strcmp(stated, computed) == 0;
 }

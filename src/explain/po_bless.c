@@ -44,6 +44,12 @@ static po_status check_reason(const char *reason) {
 static po_status check_results(const po_case_run *run) {
   const po_case *kase = run->plan->kase;
   const char *name = kase->file->name;
+  if (run->altered)
+    return po_fail(
+        PO_CHECK_FAILED,
+        "%s is not blessed: %zu stored %s altered or damaged; solved again now, the case "
+        "can be blessed when it was looked at",
+        name, run->altered, run->altered == 1 ? "result was" : "results were");
   for (size_t i = 0; i < kase->point_count; ++i)
     if (po_case_run_failed(run, i))
       return po_fail(PO_NOT_CONVERGED, "%s is not blessed: the solve of %s failed: %s", name,

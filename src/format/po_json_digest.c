@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_digest.h"
 #include "po_memory.h"
 
 /* Members without a line: those with one of these names, and objects with one of the others. (A
@@ -113,4 +112,34 @@ void po_json_seal(json_t **document) {
   char digest[PO_RESULT_DIGEST_LENGTH];
   json_t *value = po_json_digest(*document, digest) ? NULL : po_json_text(digest);
   po_json_set(document, "digest", value);
+}
+
+/* The beginning of a document with a checksum, which follows; then the end of its line. */
+static const char BEGIN[] = "{\n  \"checksum\": \"", END[] = "\",\n";
+enum { BRACE = 2, LINE_END = sizeof BEGIN - 1 + PO_DIGEST_LENGTH - 1 + sizeof END - 1 };
+
+po_status po_json_print_checked(const json_t *document, po_text *text) {
+  char digest[PO_DIGEST_LENGTH];
+  po_text plain = {0};
+  po_status status = po_json_print(document, &plain);
+  if (!status) {
+    po_digest_bytes(plain.data, plain.length, digest);
+    po_text_add(text, "%s%s%s", BEGIN, digest, END);
+    po_text_add_bytes(text, plain.data + BRACE, plain.length - BRACE);
+    if (text->failed)
+      status = po_fail(PO_NO_MEMORY, "out of memory while a JSON document was written");
+  }
+  po_text_clear(&plain);
+  return status;
+}
+
+po_status po_json_parse_checked(const char *bytes, size_t size, json_t **document, bool *intact) {
+  char stated[PO_DIGEST_LENGTH] = "", computed[PO_DIGEST_LENGTH];
+  const bool has = size > LINE_END && memcmp(bytes, BEGIN, sizeof BEGIN - 1) == 0;
+  if (has)
+    memcpy(stated, bytes + sizeof BEGIN - 1, PO_DIGEST_LENGTH - 1);
+  const size_t rest = has ? LINE_END : 0;
+  po_digest_two(BEGIN, has ? BRACE : 0, bytes + rest, size - rest, computed);
+  *intact = po_digest_agrees(stated, computed);
+  return po_json_parse(bytes, size, document);
 }

@@ -1,8 +1,9 @@
-/* The digest of results: a few hexadecimal digits that two people can compare (doc/json.md#digest).
- */
+/* The digest of results, a few hexadecimal digits that two people can compare (doc/json.md#digest),
+ * and the checksum of a document, by which an altered file is noticed (doc/json.md#checksums). */
 #ifndef PO_JSON_DIGEST_H
 #define PO_JSON_DIGEST_H
 
+#include "po_digest.h"
 #include "po_json_value.h"
 
 enum { PO_RESULT_DIGEST_LENGTH = 17 }; /* 16 hexadecimal digits and the NUL */
@@ -16,5 +17,12 @@ po_status po_json_digest(const json_t *document, char digest[PO_RESULT_DIGEST_LE
 
 /* Adds the member "digest". If memory runs out, the document is released and *document is NULL. */
 void po_json_seal(json_t **document);
+
+/* As po_json_print, for an object with members, with "checksum" as the first member: the SHA-256 of
+ * all lines but its own. Status: PO_NO_MEMORY, also for a document that is NULL. */
+po_status po_json_print_checked(const json_t *document, po_text *text);
+
+/* As po_json_parse. Returned: *intact, whether the document has its checksum. */
+po_status po_json_parse_checked(const char *bytes, size_t size, json_t **document, bool *intact);
 
 #endif

@@ -62,11 +62,15 @@ bool po_case_run_is_whole(const po_case_run *run) {
   return run->asked_count == run->plan->kase->point_count;
 }
 
-bool po_case_run_is_done(const po_case_run *run) {
+size_t po_case_run_lacking(const po_case_run *run) {
+  size_t count = 0;
   for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-    if (run->asked[i] && !run->done[i])
-      return false;
-  return true;
+    count += run->asked[i] && !run->done[i];
+  return count;
+}
+
+bool po_case_run_is_done(const po_case_run *run) {
+  return po_case_run_lacking(run) == 0;
 }
 
 bool po_case_run_failed(const po_case_run *run, size_t point) {

@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include "po_file.h"
-#include "po_input.h"
 #include "po_json.h"
 #include "po_record.h"
 
@@ -19,26 +18,10 @@ static bool find_journal(const po_case_run *run, const char *output, char **fold
   return *path != NULL;
 }
 
-/* Returned: a digest of all that determines the results of a point. It does not depend on the other
- * points of the case, except in a series, where each result depends on its predecessors. */
-static po_status make_key(const po_case_run *run, size_t point, char key[PO_DIGEST_LENGTH]) {
-  const po_plan *plan = run->plan;
-  po_text text = {0};
-  char *command = po_input_identity(&plan->kase->points[point].request);
-  po_text_add(&text, "%s|%u|%u|%s", plan->program, plan->want, plan->kase->repeats,
-              command ? command : "");
-  if (plan->kase->series_length > 1)
-    po_text_add(&text, "|%s", plan->solve_key);
-  const bool made = command && !text.failed;
-  po_digest_bytes(po_text_string(&text), text.length, key);
-  free(command);
-  po_text_clear(&text);
-  return made ? PO_OK : PO_NO_MEMORY;
-}
-
-/* Reads a point if it is requested and its key agrees. */
-static po_status read_entry(po_case_run *run, const json_t *entry, const char *folder) {
-  const json_t *point = json_object_get(entry, "point");
+/* Reads a point if it is requested and its key agrees. A result that is known already remains if
+ * the entry does not have its checksum. */
+static po_status read_entry(po_case_run *run, json_t *entry, const char *folder) {
+  json_t *point = json_object_get(entry, "point");
   const char *key = json_string_value(json_object_get(entry, "key"));
   const char *id = json_string_value(json_object_get(point, "id"));
   size_t index = 0;
@@ -46,23 +29,22 @@ static po_status read_entry(po_case_run *run, const json_t *entry, const char *f
   if (!key || !id || !po_number_parse_count(id, &index) || index >= run->plan->kase->point_count ||
       !run->asked[index])
     return PO_OK;
-  po_status status = make_key(run, index, expected);
-  if (status || strcmp(key, expected) != 0)
-    return status;
-  po_result_clear(&run->results[index]);
-  status = po_record_read_point(run, index, point, folder);
-  run->done[index] = status == PO_OK;
-  if (status)
-    po_result_clear(&run->results[index]);
+  po_status status = po_record_key(run, index, expected);
+  if (!status && strcmp(key, expected) == 0)
+    status = po_record_read_point(run, index, point, folder, false);
   return status == PO_NO_MEMORY ? status : PO_OK;
 }
 
-/* A line that is not JSON is incomplete or damaged; it is ignored and its point is solved again. */
-static po_status read_line(po_case_run *run, const char *line, size_t length, const char *folder) {
+/* A line that is not JSON is damaged; it is ignored and its point is solved again. So is an
+ * incomplete last line, which a killed run leaves behind. */
+static po_status read_line(po_case_run *run, const char *line, size_t length, bool is_complete,
+                           const char *folder) {
   json_t *entry = NULL;
   po_status status = po_json_parse(line, length, &entry);
   if (!status)
     status = read_entry(run, entry, folder);
+  else if (is_complete)
+    run->altered += 1;
   json_decref(entry);
   return status == PO_NO_MEMORY ? status : PO_OK;
 }
@@ -76,7 +58,7 @@ po_status po_journal_read(po_case_run *run, const char *output) {
   for (size_t begin = 0; !status && begin < size;) {
     const char *end = memchr(bytes + begin, '\n', size - begin);
     const size_t length = end ? (size_t)(end - bytes) - begin : size - begin;
-    status = read_line(run, bytes + begin, length, folder);
+    status = read_line(run, bytes + begin, length, end != NULL, folder);
     begin += length + 1;
   }
   free(bytes);
@@ -98,12 +80,14 @@ po_status po_journal_add(const po_case_run *run, size_t point, const char *outpu
   char *folder = NULL, *path = NULL, key[PO_DIGEST_LENGTH];
   po_status status = find_journal(run, output, &folder, &path) ? PO_OK : PO_NO_MEMORY;
   if (!status)
-    status = make_key(run, point, key);
+    status = po_record_key(run, point, key);
   if (!status)
     status = po_folder_make(folder);
   json_t *object = status ? NULL : po_record_point(run, point);
   if (!status)
     status = po_record_add_tables(run, point, folder, &object);
+  if (!status)
+    status = po_record_add_checksum(run, point, &object);
   if (!status) {
     json_t *entry = PO_JSON_OBJECT({"key", po_json_text(key)}, {"point", object});
     status = append(path, entry);

@@ -9,6 +9,7 @@
 #include "po_file.h"
 #include "po_journal.h"
 #include "po_json.h"
+#include "po_json_digest.h"
 #include "po_memory.h"
 #include "po_order.h"
 #include "po_record.h"
@@ -35,7 +36,9 @@ static po_status read_part(po_merge *merge, const char *folder, char *path) {
   char *bytes = NULL;
   size_t size = 0;
   po_status status = po_file_read(path, &bytes, &size);
-  if (!status && (status = po_json_parse(bytes, size, &part->root)) == PO_CANNOT_READ)
+  bool intact = false;
+  if (!status &&
+      (status = po_json_parse_checked(bytes, size, &part->root, &intact)) == PO_CANNOT_READ)
     status = PO_OK; /* reported below, like a file that does not describe a shard */
   free(bytes);
   if (status)
@@ -45,6 +48,8 @@ static po_status read_part(po_merge *merge, const char *folder, char *path) {
   if (strcmp(string_of(part->root, "schema"), PO_SHARD_SCHEMA) != 0 || number < 1 || number > of ||
       json_array_size(cases_of(part)) == 0)
     return po_fail(PO_CANNOT_READ, "%s is damaged: expected the description of a shard", path);
+  if (!intact)
+    return po_fail(PO_CANNOT_READ, "%s was altered: it does not have its checksum", path);
   if (of > PO_MOST_SHARDS)
     return po_fail(PO_CANNOT_READ, "%s is damaged: it is one of %lld shards, expected at most %d",
                    path, (long long)of, PO_MOST_SHARDS);
@@ -211,17 +216,15 @@ static po_status check_runs(const po_merge_part *first, const po_case_run *runs,
   return PO_OK;
 }
 
-/* Reads the points from a record. A shard that solved all points of a case has a record in place of
- * a journal. */
-static po_status read_record(po_case_run *run, const char *folder) {
-  for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-    po_result_clear(&run->results[i]);
-  const po_status status = po_record_read(run, folder);
-  for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-    run->done[i] = status == PO_OK;
+/* Reads the points from the journal, and those that it lacks from a record: a shard that solved all
+ * points of a case has a record in place of a journal. */
+static po_status read_results(po_case_run *run, const char *folder) {
+  po_status status = po_journal_read(run, folder);
+  if (!status && !po_case_run_is_done(run))
+    status = po_record_read(run, folder);
   run->kept = run->finished = false;
   run->old_key[0] = '\0';
-  return status;
+  return status == PO_NOT_FOUND ? PO_OK : status;
 }
 
 static po_status take_environment(const po_merge_part *part, po_case_run *run) {
@@ -234,20 +237,19 @@ static po_status take_environment(const po_merge_part *part, po_case_run *run) {
 
 /* Reads the points that belong to a shard. Other points in its folder are ignored. */
 static po_status read_points(const po_merge_part *part, po_case_run *run) {
-  po_status status = po_journal_read(run, part->folder);
-  if (status)
-    return status;
-  size_t lacking = 0;
-  for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-    lacking += run->asked[i] && !run->done[i];
-  if (lacking && (status = read_record(run, part->folder)) == PO_NOT_FOUND)
+  const po_status status = read_results(run, part->folder);
+  const size_t lacking = po_case_run_lacking(run);
+  if (!status && lacking)
     return po_fail(
         PO_CANNOT_READ,
         "%s lacks %zu of %zu points of %s%s: expected the complete shard %zu/%zu; run it "
         "again",
         part->folder, lacking, run->asked_count, run->plan->kase->file->name,
-        run->altered ? ", whose results do not have their digests" : "", part->shard.number,
+        run->altered ? ", whose stored results were altered" : "", part->shard.number,
         part->shard.count);
+  if (!status && run->damaged)
+    return po_fail(PO_CANNOT_READ, "%s: the record of %s was altered: run the shard again",
+                   part->folder, run->plan->kase->file->name);
   return status || !run->asked[0] ? status : take_environment(part, run);
 }
 

@@ -275,6 +275,8 @@ static po_status write_points(const po_case_run *run, const char *folder, json_t
     json_t *point = po_record_point(run, i);
     po_json_set(&point, "failed", po_json_flag(po_case_run_failed(run, i)));
     status = po_record_add_tables(run, i, folder, &point);
+    if (!status)
+      status = po_record_add_checksum(run, i, &point);
     po_json_append(points, point);
   }
   return status;
@@ -350,7 +352,7 @@ static po_status write_record(const po_case_run *run, const char *name, const ch
     status = po_lines_write(run->plan->kase, folder, stop, &lines);
   if (!status) {
     json_t *record = record_json(run, jobs, points, lines);
-    status = po_json_print(record, &text);
+    status = po_json_print_checked(record, &text);
     json_decref(record);
   } else {
     json_decref(points);

@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "po_csv.h"
 #include "po_file.h"
 #include "po_json.h"
-#include "po_json_digest.h"
 #include "po_record.h"
 #include "po_rounds.h"
 #include "po_tables.h"
@@ -34,88 +34,104 @@ static po_status read_table(const json_t *point, bool profile, bool needed, cons
   return status;
 }
 
-/* Whether the result that was read has the digest of its entry: PO_NOT_FOUND if it was altered. */
-static po_status check_digest(po_case_run *run, size_t index, const json_t *entry,
-                              const po_result *result) {
-  char digest[PO_RESULT_DIGEST_LENGTH];
-  json_t *object = po_json_result(&run->plan->kase->points[index].request, result);
-  po_status status = po_json_digest(object, digest);
-  json_decref(object);
-  if (!status && strcmp(digest, string_of(entry, "digest")) != 0) {
-    run->altered += 1;
-    status = PO_NOT_FOUND;
-  }
-  return status;
+/* A damaged record counts as absent. Without memory it is not known whether it is damaged. */
+static po_status found_or_not(po_status status) {
+  return status == PO_OK || status == PO_NO_MEMORY ? status : PO_NOT_FOUND;
 }
 
-po_status po_record_read_point(po_case_run *run, size_t index, const json_t *point,
-                               const char *folder) {
+/* Reads the numbers of an entry that has its checksum. */
+static po_status read_numbers(po_case_run *run, size_t index, const json_t *entry) {
   const unsigned repeats = run->plan->kase->repeats;
-  po_result *result = &run->results[index];
-  const json_t *seconds = json_object_get(point, "seconds_all");
-  const json_t *processor = json_object_get(point, "processor_seconds_all");
-  if (strcmp(string_of(point, "id"), run->plan->kase->points[index].id) != 0 ||
+  const json_t *seconds = json_object_get(entry, "seconds_all");
+  const json_t *processor = json_object_get(entry, "processor_seconds_all");
+  if (strcmp(string_of(entry, "id"), run->plan->kase->points[index].id) != 0 ||
       json_array_size(seconds) > repeats || json_array_size(processor) != json_array_size(seconds))
     return PO_NOT_FOUND;
-  po_status status = po_json_read_result(point, result);
-  if (!status && result->status == PO_NO_MEMORY)
+  po_status status = po_json_read_result(entry, &run->results[index]);
+  if (!status && run->results[index].status == PO_NO_MEMORY)
     status = PO_NOT_FOUND; /* lack of memory is no result: the point is solved again */
-  if (!status)
-    status = check_digest(run, index, point, result);
   if (!status && run->plan->kase->points[index].traced) {
     po_result_clear(&run->traces[index]);
-    status = po_json_read_result(json_object_get(point, "traced"), &run->traces[index]);
-    if (!status)
-      status = check_digest(run, index, json_object_get(point, "traced"), &run->traces[index]);
+    status = po_json_read_result(json_object_get(entry, "traced"), &run->traces[index]);
   }
   for (unsigned i = 0; i < repeats; ++i) {
     const size_t place = index * repeats + i;
     run->seconds[place] = number_or_nan(json_array_get(seconds, i));
     run->processor_seconds[place] = number_or_nan(json_array_get(processor, i));
   }
-  if (!status)
-    status = po_rounds_read(run, index, json_object_get(point, "timing"));
-  if (!status)
-    status = read_table(point, false, run->plan->want & PO_WANT_CURVE, folder, result);
-  if (!status)
-    status = read_table(point, true, run->plan->want & PO_WANT_PROFILE, folder, result);
-  return status;
+  return status ? status : po_rounds_read(run, index, json_object_get(entry, "timing"));
 }
 
-static po_status read_record(po_case_run *run, const json_t *record, const char *folder) {
-  const json_t *points = json_object_get(record, "points");
-  if (strcmp(string_of(record, "solve_key"), run->plan->solve_key) != 0 ||
-      json_array_size(points) != run->plan->kase->point_count)
-    return PO_NOT_FOUND;
-  po_status status = PO_OK;
-  for (size_t i = 0; !status && i < run->plan->kase->point_count; ++i)
-    status = po_record_read_point(run, i, json_array_get(points, i), folder);
+po_status po_record_read_point(po_case_run *run, size_t index, json_t *entry, const char *folder,
+                               bool intact) {
+  po_result *result = &run->results[index];
+  po_status status = intact ? PO_OK : po_record_check(run, index, entry);
   if (!status) {
-    snprintf(run->old_key, sizeof run->old_key, "%s", string_of(record, "key"));
-    run->elapsed = json_number_value(json_object_get(record, "seconds"));
-    run->kept = run->finished = true;
-    run->pending = 0;
-    for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-      run->done[i] = true;
-  } else
-    for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-      po_result_clear(&run->results[i]);
-  return status;
+    po_result_clear(result);
+    status = read_numbers(run, index, entry);
+    if (!status)
+      status = read_table(entry, false, run->plan->want & PO_WANT_CURVE, folder, result);
+    if (!status)
+      status = read_table(entry, true, run->plan->want & PO_WANT_PROFILE, folder, result);
+    run->done[index] = status == PO_OK;
+    if (status)
+      po_result_clear(result);
+  }
+  run->altered += status && status != PO_NO_MEMORY;
+  return found_or_not(status);
 }
 
-/* A damaged record counts as absent. Without memory it is not known whether it is damaged. */
-static po_status found_or_not(po_status status) {
-  return status == PO_OK || status == PO_NO_MEMORY ? status : PO_NOT_FOUND;
+/* Whether the tables of the closed forms have the checksums of the record. */
+static po_status check_lines(const json_t *lines, const char *folder) {
+  po_status status = PO_OK;
+  for (size_t i = 0; !status && i < json_array_size(lines); ++i) {
+    const json_t *line = json_array_get(lines, i);
+    char *path = po_path_join(folder, string_of(line, "table"));
+    po_csv csv = {0};
+    status = path ? po_csv_read(path, path, &csv) : PO_NO_MEMORY;
+    if (!status && strcmp(csv.digest, string_of(line, "table_sha256")) != 0)
+      status = PO_NOT_FOUND;
+    po_csv_clear(&csv);
+    free(path);
+  }
+  return found_or_not(status);
 }
 
-/* Reads the record in the folder of a case. */
-static po_status load(const char *folder, json_t **record) {
+/* Reads the points that are requested and not known. A record without its checksum was altered:
+ * the points that have theirs are used, and the record is written again. */
+static po_status read_record(po_case_run *run, const json_t *record, bool intact,
+                             const char *folder) {
+  const json_t *points = json_object_get(record, "points");
+  if (strcmp(string_of(record, "solve_key"), run->plan->solve_key) != 0 &&
+      (intact || !json_object_get(record, "checksum")))
+    return PO_NOT_FOUND; /* of other scenes or of another program */
+  for (size_t i = 0; i < run->plan->kase->point_count; ++i)
+    if (run->asked[i] && !run->done[i] &&
+        po_record_read_point(run, i, json_array_get(points, i), folder, intact) == PO_NO_MEMORY)
+      return PO_NO_MEMORY;
+  if (!po_case_run_is_done(run))
+    return PO_NOT_FOUND;
+  const po_status lines = check_lines(json_object_get(record, "lines"), folder);
+  if (lines == PO_NO_MEMORY)
+    return lines;
+  run->damaged = !intact || lines;
+  snprintf(run->old_key, sizeof run->old_key, "%s", run->damaged ? "" : string_of(record, "key"));
+  run->elapsed = json_number_value(json_object_get(record, "seconds"));
+  run->kept = run->finished = true;
+  run->pending = 0;
+  return PO_OK;
+}
+
+/* Reads the record in the folder of a case. Returned: *intact, whether it has its checksum;
+ * *exists, whether there is a file, which may be no JSON. */
+static po_status load(const char *folder, json_t **record, bool *intact, bool *exists) {
   char *path = po_path_join(folder, "record.json");
   char *bytes = NULL;
   size_t size = 0;
   po_status status = path ? po_file_read(path, &bytes, &size) : PO_NO_MEMORY;
+  *exists = status == PO_OK;
   if (!status)
-    status = po_json_parse(bytes, size, record);
+    status = po_json_parse_checked(bytes, size, record, intact);
   free(bytes);
   free(path);
   return found_or_not(status);
@@ -124,9 +140,12 @@ static po_status load(const char *folder, json_t **record) {
 po_status po_record_read(po_case_run *run, const char *output) {
   char *folder = po_path_join(output, run->plan->kase->file->name);
   json_t *record = NULL;
-  po_status status = folder ? load(folder, &record) : PO_NO_MEMORY;
+  bool intact = false, exists = false;
+  po_status status = folder ? load(folder, &record, &intact, &exists) : PO_NO_MEMORY;
+  if (status == PO_NOT_FOUND && exists)
+    run->altered += run->asked_count;
   if (!status)
-    status = read_record(run, record, folder);
+    status = read_record(run, record, intact, folder);
   json_decref(record);
   free(folder);
   return found_or_not(status);
@@ -135,10 +154,11 @@ po_status po_record_read(po_case_run *run, const char *output) {
 po_status po_record_check_owner(const po_case_run *run, const char *output) {
   const po_case *kase = run->plan->kase;
   json_t *record = NULL;
+  bool intact, exists;
   if (!kase->is_own)
     return PO_OK;
   char *folder = po_path_join(output, kase->file->name);
-  po_status status = folder ? load(folder, &record) : PO_NO_MEMORY;
+  po_status status = folder ? load(folder, &record, &intact, &exists) : PO_NO_MEMORY;
   const char *owner = string_of(record, "file");
   if (!status && po_path_exists(owner) && !po_path_is_same(owner, kase->path))
     status = po_fail(

@@ -438,6 +438,23 @@ static void leave_out(po_case_run *run, const bool *needed) {
     }
 }
 
+/* Reports stored results that were altered. One that was read from another line of the journal is
+ * none of them. */
+static void report_altered(po_crew *crew, po_case_run *run) {
+  const char *name = run->plan->kase->file->name;
+  const size_t lacking = po_case_run_lacking(run);
+  if (run->altered > lacking)
+    run->altered = lacking;
+  if (run->altered)
+    po_progress_say(&crew->progress, "%s: %zu stored %s altered or damaged and %s solved again",
+                    name, run->altered, run->altered == 1 ? "result was" : "results were",
+                    run->altered == 1 ? "is" : "are");
+  else if (run->damaged)
+    po_progress_say(&crew->progress,
+                    "%s: the record was altered; its results have their checksums and are kept",
+                    name);
+}
+
 /* Reads the results of earlier runs of a case, unless all points are to be solved again, and counts
  * the points that are left to solve. A case without such points is finished. */
 static po_status begin_case(po_crew *crew, po_case_run *run) {
@@ -452,18 +469,17 @@ static po_status begin_case(po_crew *crew, po_case_run *run) {
       return status;
   } else if (!options->fresh) {
     po_status status = po_record_read(run, folder_of(crew, run));
-    if (!status)
+    if (!status) {
+      report_altered(crew, run);
       return finish_case(crew, run);
+    }
     if (status == PO_NOT_FOUND)
       status = po_journal_read(run, folder_of(crew, run));
     if (!status && run->plan->solver)
       status = po_run_solver_recover(run, folder_of(crew, run));
     if (status)
       return status;
-    if (run->altered)
-      po_progress_say(&crew->progress,
-                      "%s: stored results do not have their digest and are solved again",
-                      run->plan->kase->file->name);
+    report_altered(crew, run);
     leave_out(run, options->needed);
   }
   run->chunks = run->plan->kase->repeats > 1 ? 1 : (size_t)crew->jobs;

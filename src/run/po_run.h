@@ -28,7 +28,8 @@ typedef struct {
   bool *done;     /* one a point: its result is known */
   size_t pending; /* number of requested points that are not solved yet */
   size_t resumed; /* number of points that were read from the journal */
-  size_t altered; /* number of stored points without their digest, to be solved again */
+  size_t altered; /* number of stored results that were altered and are solved again */
+  bool damaged;   /* something else in the record was altered; it is written again */
   bool kept;      /* the results were read from an earlier record */
   bool finished;  /* the checks were made, and the record, if any, is written */
   char old_key[PO_DIGEST_LENGTH]; /* po_plan.key of that record */
@@ -92,6 +93,9 @@ void po_case_run_ask(po_case_run *run, const po_point_range *ranges, size_t coun
  */
 bool po_case_run_is_whole(const po_case_run *run);
 bool po_case_run_is_done(const po_case_run *run);
+
+/* Returned: the number of requested points whose results are not known. */
+size_t po_case_run_lacking(const po_case_run *run);
 
 /* Reports whether the solve of a point failed, and no check on solved_share permits the failure. */
 bool po_case_run_failed(const po_case_run *run, size_t point);

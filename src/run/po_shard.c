@@ -7,6 +7,7 @@
 #include "po_environment.h"
 #include "po_file.h"
 #include "po_json.h"
+#include "po_json_digest.h"
 #include "po_memory.h"
 #include "po_random.h"
 
@@ -79,7 +80,7 @@ po_status po_shard_write(const po_case_run *runs, size_t count, po_shard shard, 
   char *path = po_path_join(output, name);
   po_status status = path ? po_folder_make(output) : PO_NO_MEMORY;
   if (!status)
-    status = po_json_print(document, &text);
+    status = po_json_print_checked(document, &text);
   if (!status)
     status = po_file_write(path, text.data, text.length);
   free(path);

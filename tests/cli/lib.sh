@@ -8,6 +8,7 @@ trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 99
 passed=0
 failed=0
+first=
 
 tell() { # ok|not-ok, what was tried, what went wrong
   if [ "$1" = ok ]; then
@@ -29,6 +30,10 @@ expect() {
   PATH=${program_path:-$PATH} "$program" "$@" >"$work/stdout" 2>"$work/stderr"
   got=$?
   sed -i '/^[0-9]*\/[0-9]* [a-z]*, .* elapsed/d' "$work/stderr"
+  if [ -n "$first" ]; then
+    check "the first line is: $first" test "$(head -n 1 "$work/stderr")" = "$first"
+    sed -i 1d "$work/stderr"
+  fi
   line=$(cat "$work/stderr")
   lines=$(wc -l <"$work/stderr")
   if [ "$got" -ne "$code" ]; then
@@ -42,6 +47,16 @@ expect() {
     *) tell not-ok "pulloff $*" "expected: $message" ;;
     esac
   fi
+}
+
+# mends CASE NUMBER CODE MESSAGE ARGUMENT...: as expect; a line before MESSAGE says that so many results of the case were
+# altered.
+mends() {
+  [ "$2" = 1 ] && were='was altered or damaged and is' || were='were altered or damaged and are'
+  first="$1: $2 stored result$([ "$2" = 1 ] || echo s) $were solved again"
+  shift 2
+  expect "$@"
+  first=
 }
 
 # check WHAT COMMAND...: tests that the command succeeds.

@@ -55,7 +55,7 @@ checkpoint_every: 3
 want: [pull_off]
 CASE
 }
-strip() { grep -v -E '"(seconds|date|jobs|openblas)"|^ *[0-9.]+(e-[0-9]+)?,?$' "$1"; }
+strip() { grep -v -E '"(seconds|date|jobs|checksum|openblas)"|^ *[0-9.]+(e-[0-9]+)?,?$' "$1"; }
 
 # ends CODE ARGUMENT...: tests that the program ends with the exit code CODE; its output is not tested.
 ends() {
@@ -150,6 +150,7 @@ check 'an interrupted shard continues' cmp joined at-once
 mkdir lies
 lie() { # NUMBER OF
   sed "s/\"shard\": 2/\"shard\": $1/; s/\"of\": 3/\"of\": $2/" part-2/shard-2-of-3.json >lies/shard-2-of-3.json
+  "$python" "$here/../checksum.py" lies/shard-2-of-3.json
 }
 lie 2 9000000000000000000
 expect 4 'pulloff: lies/shard-2-of-3.json is damaged: it is one of 9000000000000000000 shards, expected at most 1000000' \
@@ -161,6 +162,8 @@ expect 2 'pulloff: shards are missing: 1/1000000, 3/1000000, 4/1000000, *, 11/10
   merge lies
 lie 0 3
 expect 4 'pulloff: lies/shard-2-of-3.json is damaged: *' merge lies
+sed 's/"time_limit": null/"time_limit": 1/' part-2/shard-2-of-3.json >lies/shard-2-of-3.json
+expect 4 'pulloff: lies/shard-2-of-3.json was altered: it does not have its checksum' merge lies
 echo '{}' >torn/shard-2-of-3.json
 expect 4 'pulloff: torn/shard-2-of-3.json is damaged: *' merge part-1 torn part-3
 

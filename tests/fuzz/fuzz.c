@@ -29,6 +29,14 @@ po_status __wrap_po_environment_program(char digest[PO_DIGEST_LENGTH]) {
   return PO_OK;
 }
 
+/* Linked instead of the comparison of checksums: no fuzzer guesses one. */
+bool __wrap_po_digest_agrees(const char *stated, const char *computed);
+bool __wrap_po_digest_agrees(const char *stated, const char *computed) {
+  (void)stated;
+  (void)computed;
+  return true;
+}
+
 void fuzz_require(bool holds, const char *format, ...) {
   if (holds)
     return;
@@ -241,7 +249,8 @@ void fuzz_run_reset(po_case_run *run) {
   free(run->environment);
   run->environment = NULL;
   run->kept = run->finished = false;
-  run->resumed = 0;
+  run->damaged = false;
+  run->resumed = run->altered = 0;
   run->old_key[0] = '\0';
   po_case_run_ask(run, &(po_point_range){0, count}, 1);
 }

@@ -8,6 +8,11 @@ import csv
 import hashlib
 import json
 import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+
+import checksum  # noqa: E402
 
 TABORS = (0.01, 0.015, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 1,
           1.25, 1.5, 1.75, 2, 2.5, 3, 3.5, 4, 5)
@@ -131,8 +136,33 @@ def save(run, made, curves=()):
             writer.writerow(["position", "approach", "load", "energy", "contact_radius",
                              "approach_rate", "load_rate", "unstable_modes"])
             writer.writerows((0.02 * place, *row, 0, 0, 0, 0, 0) for place, row in enumerate(rows))
-    with open(os.path.join(folder, "record.json"), "w", encoding="utf-8") as stream:
-        json.dump(made, stream, indent=1)
+    state_tables(folder, made)
+    checksum.write(os.path.join(folder, "record.json"), made)
+
+
+def state_tables(folder, made):
+    """Writes the checksums of all tables into a record."""
+    for entry in made["points"] + made.get("lines", []):
+        for key in ("curve", "profile", "table"):
+            path = os.path.join(folder, entry.get(key) or "")
+            if os.path.isfile(path):
+                with open(path, "rb") as stream:
+                    lines = [line for line in stream if not line.startswith(b"# sha256:")]
+                entry[key + "_sha256"] = hashlib.sha256(b"".join(lines)).hexdigest()
+
+
+def change(path, edit):
+    """Edits a record, or a table beside it, and writes the checksums anew."""
+    folder = os.path.dirname(path)
+    record_path = os.path.join(folder, "record.json")
+    with open(record_path, encoding="utf-8") as stream:
+        made = json.load(stream)
+    if path == record_path:
+        edit(made)
+    else:
+        edit(path)
+    state_tables(folder, made)
+    checksum.write(record_path, made)
 
 
 PUBLISHED = "published/feng_fig3.csv"

@@ -11,10 +11,11 @@ import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 TREE = os.path.join(HERE, "..", "..")
-for folder in (HERE, os.path.join(TREE, "reports"), os.path.join(TREE, "reports", "claims")):
+for folder in (HERE, os.path.dirname(HERE), os.path.join(TREE, "reports"), os.path.join(TREE, "reports", "claims")):
     sys.path.insert(0, folder)
 
 import book  # noqa: E402
+import checksum  # noqa: E402
 import formula  # noqa: E402
 import judge  # noqa: E402
 import others  # noqa: E402
@@ -233,8 +234,7 @@ class Judged(unittest.TestCase):
         os.makedirs(place)
         points = [{"input": {"radius": 100}, "sweep": {"tabor": tabor}, "status": status, "command": "pulloff solve",
                    "pull_off": {"force": force}} for tabor, status, force in ((1, "ok", 1.67), (2, "ok", 1.58), (3, "failed", None))]
-        with open(os.path.join(place, "record.json"), "w", encoding="utf-8") as stream:
-            json.dump({"command": "pulloff run made", "points": points}, stream)
+        checksum.write(os.path.join(place, "record.json"), {"command": "pulloff run made", "points": points})
         self.kept = os.path.join(self.folder, "kept")
         os.makedirs(self.kept)
 
@@ -311,8 +311,17 @@ class Judged(unittest.TestCase):
         os.makedirs(place)
         points = [{"input": {"radius": 100}, "sweep": {"tabor": tabor}, "status": "failed" if force is None else "ok",
                    "command": "pulloff solve", "pull_off": {"force": force}} for tabor, force in zip((1, 2, 3), forces)]
-        with open(os.path.join(place, "record.json"), "w", encoding="utf-8") as stream:
-            json.dump({"command": "x", "points": points, "solver": {"quantities": quantities}}, stream)
+        checksum.write(os.path.join(place, "record.json"), {"command": "x", "points": points, "solver": {"quantities": quantities}})
+
+    def test_an_altered_record_has_no_number(self):
+        path = os.path.join(self.folder, "run", "made", "record.json")
+        with open(path, encoding="utf-8") as stream:
+            text = stream.read()
+        with open(path, "w", encoding="utf-8") as stream:
+            stream.write(text.replace("1.67", "1.76"))
+        row = self.row(get={"f": {"case": "made", "at": "pull_off.force", "when": {"tabor": 1}}})
+        self.assertEqual(row["verdict"], "no_result")
+        self.assertIn("record.json was altered: it does not have its checksum", row["reason"])
 
     def test_external_solvers_judge_what_they_were_asked_for(self):
         self.answer("right", (1.671, 1.581, None))

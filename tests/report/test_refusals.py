@@ -47,11 +47,7 @@ class Refusals(unittest.TestCase):
 
     def change(self, edit):
         """The record with one edit."""
-        with open(self.record, encoding="utf-8") as stream:
-            record = json.load(stream)
-        edit(record)
-        with open(self.record, "w", encoding="utf-8") as stream:
-            json.dump(record, stream)
+        synthetic.change(self.record, edit)
 
     def write(self, data):
         with open(self.record, "wb") as stream:
@@ -106,12 +102,27 @@ class Refusals(unittest.TestCase):
         self.refused("fig03/curve-1.csv:", "expected 8")
 
     def test_curve_without_its_column(self):
-        path = os.path.join(self.run_folder, "fig03", "curve-0.csv")
-        with open(path, encoding="utf-8") as stream:
-            text = stream.read()
-        with open(path, "w", encoding="utf-8") as stream:
-            stream.write(text.replace("approach", "distance", 1))
+        def rename(path):
+            with open(path, encoding="utf-8") as stream:
+                text = stream.read()
+            with open(path, "w", encoding="utf-8") as stream:
+                stream.write(text.replace("approach", "distance", 1))
+
+        synthetic.change(os.path.join(self.run_folder, "fig03", "curve-0.csv"), rename)
         self.refused("fig03/curve-0.csv: no column named approach")
+
+    def test_an_altered_record_or_table_is_refused(self):
+        for name, said in (("record.json", "it does not have its checksum (pulloff run fig03 writes it again)"),
+                           ("curve-1.csv", "it does not have the checksum that its record states")):
+            path = os.path.join(self.run_folder, "fig03", name)
+            with open(path, encoding="utf-8", newline="") as stream:
+                text = stream.read()
+            place = max(text.rfind(digit) for digit in "123456789")
+            with open(path, "w", encoding="utf-8", newline="") as stream:
+                stream.write(text[:place] + str(int(text[place]) % 9 + 1) + text[place + 1:])
+            self.refused(f"fig03/{name} was altered: {said}")
+            with open(path, "w", encoding="utf-8", newline="") as stream:
+                stream.write(text)
 
     def test_a_matrix_of_faults_that_is_none(self):
         synthetic.make_faults(self.folder)

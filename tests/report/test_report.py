@@ -267,8 +267,7 @@ class Parts(PageTest):
             for point in record["points"][3:]:
                 point.update(status="unsupported", reason="not asked: the run was limited to other points", pull_off=None)
             record["checks"], record["measured"] = record["checks"][:3], record["measured"][:3]
-            with open(os.path.join(place, "part.json"), "w", encoding="utf-8") as stream:
-                json.dump(record, stream)
+            synthetic.checksum.write(os.path.join(place, "part.json"), record)
             os.unlink(os.path.join(place, "record.json"))
             text = plain(page_of(folder))
         self.has(text, "quick ✓ within3 of 3 pass; points 3/6, checks 3/6")
@@ -352,8 +351,7 @@ class Parts(PageTest):
                 record = json.load(stream)
             for check, word in zip(record["checks"], words):
                 check.update(verdict=word, ledger="pin", reference="cases/pins/fig04.csv")
-            with open(path, "w", encoding="utf-8") as stream:
-                json.dump(record, stream)
+            synthetic.checksum.write(path, record)
 
         with made_up(lambda run: maker(run, ("improved", "slack", "slack"))) as folder:
             html = page_of(folder)
@@ -381,8 +379,7 @@ class Parts(PageTest):
             with open(path, encoding="utf-8") as stream:
                 record = json.load(stream)
             record["checks"][0].update(ledger="pin", reference="cases/pins/fig04.csv")
-            with open(path, "w", encoding="utf-8") as stream:
-                json.dump(record, stream)
+            synthetic.checksum.write(path, record)
             text = plain(page_of(folder))
         self.has(text, "tester, pulloff 0.1.0: the first", "blessed values of fig04")
 
@@ -404,8 +401,7 @@ class Parts(PageTest):
                     record = json.load(stream)
                 for point in record["points"]:
                     point["failed"] = False
-                with open(path, "w", encoding="utf-8") as stream:
-                    json.dump(record, stream)
+                synthetic.checksum.write(path, record)
         with made_up(allowed) as folder:
             text = plain(page_of(folder))
         self.has(text, "2 checks without a result", "tabor=2.5: the solve ended with step too small")

@@ -9,7 +9,7 @@ import subprocess
 
 # Values that always differ between runs: times, and the machine. Also the keys of stored results: they depend on a
 # checksum of the program, so they change if the program cannot read its own file, and points are solved again.
-TIMES = {"seconds", "seconds_all", "processor_seconds_all", "date", "jobs", "key", "solve_key", "system", "processor"}
+TIMES = {"seconds", "seconds_all", "processor_seconds_all", "date", "jobs", "checksum", "key", "solve_key", "system", "processor"}
 PROGRESS = re.compile(r"^(\d+/\d+ .* elapsed.*|\S+: \d+.* points, \d+ checks: .*)$")
 
 
