@@ -95,8 +95,8 @@ po_status po_environment_program(char digest[PO_DIGEST_LENGTH]) {
   return status;
 }
 
-/* Finds a folder whose path is relative to that of the executable. Returned: its path without
- * symbolic links; false if there is no such folder. */
+/* Finds a file or folder whose path is relative to that of the executable. Returned: its path
+ * without symbolic links; false if there is none. */
 static bool find_beside_program(const char *relative, char folder[PATH_MAX]) {
   char path[2 * PATH_MAX];
   const ssize_t length = readlink(EXECUTABLE, path, PATH_MAX - 1);
@@ -108,12 +108,24 @@ static bool find_beside_program(const char *relative, char folder[PATH_MAX]) {
   return realpath(path, folder) != NULL;
 }
 
+/* Finds the folder that a file beside the executable names, by a path relative to its own. */
+static bool find_named_beside_program(const char *name, char folder[PATH_MAX]) {
+  char path[PATH_MAX], *line = NULL;
+  size_t size = 0;
+  if (!find_beside_program(name, path) || po_file_read(path, &line, &size))
+    return false;
+  line[strcspn(line, "\n")] = '\0';
+  const bool found = find_beside_program(line, folder);
+  free(line);
+  return found;
+}
+
 const char *po_environment_data(void) {
   static char found[PATH_MAX];
   const char *chosen = getenv("PULLOFF_DATA");
   if (chosen && *chosen)
     return chosen;
-  if (!*found && !find_beside_program("pulloff-data", found) &&
+  if (!*found && !find_named_beside_program("data-folder.txt", found) &&
       !find_beside_program(PULLOFF_DATA_FROM_PROGRAM, found))
     snprintf(found, sizeof found, "%s", PULLOFF_DATA_INSTALLED);
   return found;

@@ -21,10 +21,10 @@ int po_environment_cores(void);
 po_status po_environment_program(char digest[PO_DIGEST_LENGTH]);
 
 /* Returned: the folder that contains cases/, reference/ and reports/. It is, in this order: that of
- * the environment variable PULLOFF_DATA; the link `pulloff-data` beside the program, which only a
- * build folder has and which leads to the source tree; the data folder of the installation, first
- * by its path relative to the program, so that an installed tree can be moved, then by the prefix.
- * The pointer stays valid. Not for several threads at once. */
+ * the environment variable PULLOFF_DATA; the source tree, which the file `data-folder.txt` beside
+ * the program names in a build folder; the data folder of the installation, first by its path
+ * relative to the program, so that an installed tree can be moved, then by the prefix. The pointer
+ * stays valid. Not for several threads at once. */
 const char *po_environment_data(void);
 
 #endif

@@ -46,4 +46,14 @@ done
 try_folder "$(printf 'lat\344in')" 'a folder of Latin-1'
 try_folder "$(printf 'lone\355\240\200')" 'a folder with half a surrogate'
 
+
+# The program of a build folder finds the data of the source tree by a file beside it. It was a link, by which find -L,
+# grep -R and backups of the source tree did not end.
+check 'no link is beside the program' test -z "$(find "$(dirname "$program")" -type l)"
+mkdir -p moved/bin
+cp "$program" moved/bin/pulloff
+cp -r "$PULLOFF_DATA" moved/source
+echo ../source >moved/bin/data-folder.txt
+check 'the data are found beside the program' \
+  test "$(env -u PULLOFF_DATA moved/bin/pulloff list | tail -n +2 | cut -d ' ' -f 1)" = good
 finish
