@@ -319,7 +319,7 @@ static json_t *processes_json(const po_case_run *run) {
                                           {"processor_seconds", po_json_number(p->processor)},
                                           {"first_answer", po_json_number(p->first)},
                                           {"reported_seconds", po_json_number(p->found.reported)},
-                                          {"left_behind", po_json_count(p->left)}));
+                                          {"left_behind", po_json_integer(p->left)}));
   }
   return array;
 }

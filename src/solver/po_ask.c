@@ -7,8 +7,8 @@
 
 #include "po_ask_folder.h"
 #include "po_clock.h"
-#include "po_launch.h"
 #include "po_memory.h"
+#include "po_process.h"
 #include "po_quote.h"
 #include "po_taking.h"
 
@@ -135,7 +135,7 @@ static void keep_folder(po_ask_log *log, char **folder, bool unusual) {
 static po_status run_in(asking *a, const po_ask_folder *folder, po_response *response,
                         po_ask_process *found, po_process_end *end, bool *late) {
   po_process process;
-  po_status status = po_launch(a->solver, folder, &process);
+  po_status status = po_process_start(a->solver, folder, &process);
   if (status)
     return status;
   status = listen(a, &process, response, found, late);

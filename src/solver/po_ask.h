@@ -13,7 +13,7 @@ typedef struct {
   po_taking_count found;
   double wall, processor; /* seconds */
   double first;           /* seconds from its start to its first answer; NAN: none */
-  size_t left;            /* processes that it left behind */
+  bool left;              /* it left processes of its group behind, which were killed */
 } po_ask_process;
 
 typedef struct {

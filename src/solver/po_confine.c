@@ -1,5 +1,5 @@
-/* What a solver cannot do: write outside its folder (Landlock), and read the memory and the
- * environment of this program. */
+#include "po_confine.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/capability.h>
@@ -8,8 +8,6 @@
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <unistd.h>
-
-#include "po_supervisor.h"
 
 /* The rights to change files that the first version of Landlock knows. */
 static const uint64_t CHANGE = LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_REMOVE_DIR |
@@ -30,7 +28,7 @@ static const unsigned long SEEING[] = {CAP_SYS_PTRACE, CAP_SYS_ADMIN,
 #endif
 };
 
-void po_process_hide(void) {
+void po_hide(void) {
   (void)prctl(PR_SET_DUMPABLE, 0L, 0L, 0L, 0L);
 }
 
@@ -44,7 +42,7 @@ static long version(void) {
   return syscall(SYS_landlock_create_ruleset, NULL, 0L, LANDLOCK_CREATE_RULESET_VERSION);
 }
 
-bool po_process_confines(void) {
+bool po_can_confine(void) {
   return version() >= 1;
 }
 

@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "po_clock.h"
+#include "po_confine.h"
 #include "po_input.h"
-#include "po_process.h"
 #include "po_recognise.h"
 #include "po_reference.h"
 
@@ -261,11 +261,11 @@ static po_status test_scenes(conforming *c) {
   po_ask_log log;
   const po_status status = ask(c, c->count, 1, c->stop, take, &log);
   double reported = 0, wall = 0;
-  size_t left = 0;
+  bool left = false;
   for (size_t i = 0; i < log.count; ++i) {
     reported += log.processes[i].found.reported;
     wall += log.processes[i].wall;
-    left += log.processes[i].left;
+    left = left || log.processes[i].left;
   }
   for (size_t i = 0; !status && i < c->count; ++i) {
     const conform_scene *s = &c->scenes[i];
@@ -286,7 +286,7 @@ static po_status test_scenes(conforming *c) {
   if (!status && reported > 1.05 * wall + 0.05)
     tell(c, "wrong", "seconds: %.3g s are reported, but the process took %.3g s", reported, wall);
   if (!status && left)
-    tell(c, "note", "%zu processes that the solver left behind were killed", left);
+    tell(c, "note", "processes that the solver left behind were killed");
   if (!status && log.folder)
     tell(c, "note", "request and response are in %s", log.folder);
   po_ask_log_clear(&log);
@@ -388,7 +388,7 @@ po_status po_conform(const po_solver *solver, const char *data_folder, const cha
   forget_answers(&c);
   tell(&c, "ok", "manifest: %u quantities, %s", solver->file->can.quantities_count,
        solver->unstable ? "finds unstable equilibria" : "follows stable equilibria");
-  if (!po_process_confines())
+  if (!po_can_confine())
     tell(&c, "note", "this kernel cannot confine the files that the solver writes");
   status = test_empty(&c);
   if (!status && c.count == 0)

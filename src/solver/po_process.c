@@ -4,64 +4,221 @@
 #include <fcntl.h>
 #include <math.h>
 #include <poll.h>
+#include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
-#include <sys/socket.h>
+#include <sys/pidfd.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "po_clock.h"
-#include "po_supervisor.h"
+#include "po_confine.h"
+#include "po_memory.h"
+#include "po_text.h"
 
-/* Sends a message to the supervisor. It may have ended: then there is nothing to do. */
-static void order(const po_process *process, char what) {
-  (void)!send(process->control, &what, 1, MSG_NOSIGNAL);
+/* The greatest size of a file that a solver writes, and of its standard output. */
+static const rlim_t MOST_BYTES = (rlim_t)256 << 20;
+
+/* The environment of a solver: what a program needs to run, one thread, and the variables that the
+ * manifest names. Returned: strings of which each and the list are to be freed; NULL without
+ * memory. */
+static char **make_environment(const po_solver *solver, const char *folder) {
+  static const char *const ONE[] = {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS",
+                                    "JULIA_NUM_THREADS", "NUMEXPR_NUM_THREADS"};
+  enum { FIXED = 4, ONES = sizeof ONE / sizeof *ONE };
+  const unsigned named = solver->file->environment_count;
+  char **list = po_allocate(FIXED + ONES + named + 1, sizeof *list);
+  size_t count = 0;
+  bool failed = !list;
+  const char *path = getenv("PATH");
+  const char *const fixed[FIXED][2] = {{"PATH", path ? path : "/usr/bin:/bin"},
+                                       {"HOME", folder},
+                                       {"TMPDIR", folder},
+                                       {"LANG", "C.UTF-8"}};
+  for (size_t i = 0; !failed && i < FIXED + ONES + named; ++i) {
+    po_text text = {0};
+    const char *name = i < FIXED          ? fixed[i][0]
+                       : i < FIXED + ONES ? ONE[i - FIXED]
+                                          : solver->file->environment[i - FIXED - ONES];
+    const char *value = i < FIXED ? fixed[i][1] : i < FIXED + ONES ? "1" : getenv(name);
+    if (!value)
+      continue;
+    po_text_add(&text, "%s=%s", name, value);
+    failed = text.failed;
+    list[count++] = text.data;
+  }
+  if (!failed)
+    return list;
+  for (size_t i = 0; i < count; ++i)
+    free(list[i]);
+  free(list);
+  return NULL;
 }
 
-static void close_pipe(int *end) {
+static void free_words(char **words) {
+  for (size_t i = 0; words && words[i]; ++i)
+    free(words[i]);
+  free(words);
+}
+
+/* Returned: the command with the names of the files, to be freed; NULL without memory. */
+static char **make_command(const po_solver *solver, const po_ask_folder *folder) {
+  const unsigned count = solver->file->command_count;
+  char **words = po_allocate(count + 1, sizeof *words);
+  for (unsigned i = 0; words && i < count; ++i) {
+    char *with_request = po_solver_replace(solver->command[i], "{request}", folder->request);
+    char *with_table =
+        with_request ? po_solver_replace(with_request, "{table}", folder->table) : NULL;
+    words[i] = with_table ? po_solver_replace(with_table, "{response}", folder->response) : NULL;
+    free(with_request);
+    free(with_table);
+    if (!words[i]) {
+      free_words(words);
+      return NULL;
+    }
+  }
+  return words;
+}
+
+static void limit(int what, rlim_t value) {
+  struct rlimit r;
+  if (getrlimit(what, &r) == 0 && (r.rlim_cur == RLIM_INFINITY || r.rlim_cur > value)) {
+    r.rlim_cur = value;
+    setrlimit(what, &r);
+  }
+}
+
+/* Gives this process its standard streams, and closes all other files but `kept`. Among them are
+ * the locks of the folders of other threads: they must not outlive the program. */
+static bool set_files(int output, unsigned kept) {
+  const unsigned first = STDERR_FILENO + 1;
+  const int empty = open("/dev/null", O_RDONLY);
+  return empty >= 0 && dup2(empty, STDIN_FILENO) >= 0 && dup2(output, STDOUT_FILENO) >= 0 &&
+         dup2(output, STDERR_FILENO) >= 0 &&
+         (kept == first || syscall(SYS_close_range, first, kept - 1, 0U) == 0) &&
+         syscall(SYS_close_range, kept + 1, ~0U, 0U) == 0;
+}
+
+/* Becomes the program; to be called in a new process. Calls only functions that are safe after a
+ * fork of a program with threads. Returned: the errno of the step that failed. */
+static int become(char *const *command, char *const *environment, const char *folder,
+                  pid_t parent) {
+  static const int RESET[] = {SIGINT, SIGTERM, SIGPIPE, SIGHUP, SIGQUIT, SIGCHLD};
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, NULL);
+  for (size_t i = 0; i < sizeof RESET / sizeof *RESET; ++i)
+    signal(RESET[i], SIG_DFL);
+  /* an interrupt at the terminal is for the main program alone */
+  if (setpgid(0, 0) != 0 || prctl(PR_SET_PDEATHSIG, (long)SIGKILL) != 0 || chdir(folder) != 0)
+    return errno;
+  if (getppid() != parent) /* it ended before the call */
+    return ECHILD;
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_FSIZE, MOST_BYTES);
+  po_blind();
+  const int confined = po_confine(folder);
+  if (confined && confined != ENOSYS && confined != EOPNOTSUPP)
+    return confined;
+  execve(command[0], command, environment);
+  return errno;
+}
+
+static void close_end(int *end) {
   if (*end >= 0)
     close(*end);
   *end = -1;
 }
 
-static void close_all(po_process *process) {
-  close_pipe(&process->control);
-  close_pipe(&process->report);
-  close_pipe(&process->output);
+/* Makes a pipe whose ends are none of the standard streams, which may be closed. Returned: 0, or an
+ * errno. */
+static int make_pipe(int ends[2]) {
+  if (pipe2(ends, O_CLOEXEC) != 0)
+    return errno;
+  for (int i = 0; i < 2; ++i) {
+    const int low = ends[i];
+    ends[i] = fcntl(low, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+    close(low);
+  }
+  return 0;
 }
 
-po_status po_process_start(const po_process_request *request, po_process *process) {
-  int control[2] = {-1, -1}, report[2] = {-1, -1}, output[2] = {-1, -1};
-  *process = (po_process){.control = -1, .report = -1, .output = -1};
-  if (access(request->command[0], X_OK) != 0)
-    return po_fail(PO_CANNOT_READ, "%s cannot be executed: %s", request->command[0],
-                   strerror(errno));
-  po_process_hide();
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, control) != 0 ||
-      pipe2(report, O_CLOEXEC) != 0 || pipe2(output, O_CLOEXEC) != 0)
-    process->supervisor = -1;
-  else {
-    process->begin = po_clock_wall();
-    /* not fork: its handlers would stop the threads of the linear algebra library */
-    process->supervisor = _Fork();
+/* Waits until the program runs. Returned: 0, or the errno of the step that failed; then the process
+ * is gone. */
+static int await_start(int started, po_process *process) {
+  int error = 0;
+  /* a successful execve closes the pipe without a message */
+  while (read(started, &error, sizeof error) < 0 && errno == EINTR)
+    continue;
+  if (!error && (process->handle = pidfd_open(process->pid, 0)) < 0)
+    error = errno;
+  if (!error)
+    return 0;
+  kill(-process->pid, SIGKILL);
+  while (waitpid(process->pid, NULL, 0) < 0 && errno == EINTR)
+    continue;
+  return error;
+}
+
+/* Starts the program. If the new process cannot become the program, this is how it ended. */
+static po_status start(char *const *command, char *const *environment, const char *folder,
+                       po_process *process) {
+  int started[2] = {-1, -1}, output[2] = {-1, -1}, error = make_pipe(started);
+  const pid_t parent = getpid();
+  if (!error)
+    error = make_pipe(output);
+  process->begin = po_clock_wall();
+  /* not fork: its handlers would stop the threads of the linear algebra library */
+  process->pid = error ? -1 : _Fork();
+  if (process->pid == 0) {
+    error = set_files(output[1], (unsigned)started[1])
+                ? become(command, environment, folder, parent)
+                : errno;
+    (void)!write(started[1], &error, sizeof error);
+    _exit(127);
   }
-  if (process->supervisor == 0)
-    po_supervise(request, control[0], report[1], output[1]);
-  const int error = errno;
-  close_pipe(&control[0]);
-  close_pipe(&report[1]);
-  close_pipe(&output[1]);
-  process->control = control[1];
-  process->report = report[0];
+  if (!error && process->pid < 0)
+    error = errno;
+  close_end(&started[1]);
+  close_end(&output[1]);
   process->output = output[0];
-  process->most_bytes = request->most_bytes;
-  process->running = process->supervisor > 0;
-  if (process->running) {
+  const bool forked = process->pid > 0;
+  if (forked)
+    error = await_start(started[0], process);
+  close_end(&started[0]);
+  process->running = !error;
+  if (!error) {
     fcntl(process->output, F_SETFL, O_NONBLOCK);
     return PO_OK;
   }
-  close_all(process);
-  return po_fail(PO_CANNOT_WRITE, "no process can be created: %s", strerror(error));
+  close_end(&process->output);
+  if (!forked)
+    return po_fail(PO_CANNOT_WRITE, "no process can be created: %s", strerror(error));
+  process->end.code = 127;
+  snprintf(process->end.output, sizeof process->end.output, "it cannot be started: %s",
+           strerror(error));
+  return PO_OK;
+}
+
+po_status po_process_start(const po_solver *solver, const po_ask_folder *folder,
+                           po_process *process) {
+  char **command = make_command(solver, folder);
+  char **environment = make_environment(solver, folder->path);
+  po_status status = command && environment ? PO_OK : PO_NO_MEMORY;
+  *process = (po_process){.handle = -1, .output = -1};
+  if (!status && access(command[0], X_OK) != 0)
+    status = po_fail(PO_CANNOT_READ, "%s cannot be executed: %s", command[0], strerror(errno));
+  if (!status) {
+    po_hide();
+    status = start(command, environment, folder->path, process);
+  }
+  free_words(command);
+  free_words(environment);
+  return status;
 }
 
 /* Appends to the end of the output, and forgets what is older. */
@@ -86,54 +243,53 @@ static void read_output(po_process *process) {
   for (;;) {
     const ssize_t got = read(process->output, bytes, sizeof bytes);
     if (got == 0)
-      close_pipe(&process->output);
+      close_end(&process->output);
     if (got <= 0)
       return;
     process->written += (size_t)got;
     keep_output(&process->end, bytes, (size_t)got);
-    if (process->written > process->most_bytes && !process->end.flooded) {
+    if (process->written > MOST_BYTES && !process->end.flooded) {
       process->end.flooded = process->end.stopped = true;
-      order(process, PO_SUPERVISOR_KILL);
+      kill(-process->pid, SIGKILL);
     }
   }
 }
 
-/* Reads the report of the supervisor, whose pipe closes when nothing of the process is left. */
-static void read_report(po_process *process) {
-  po_supervisor_report found = {.start_error = ECHILD};
-  ssize_t got = 0;
-  while ((got = read(process->report, &found, sizeof found)) < 0 && errno == EINTR)
-    continue;
+static double seconds_of(struct timeval t) {
+  return (double)t.tv_sec + 1e-6 * (double)t.tv_usec;
+}
+
+/* The process has ended. While it has not been waited for, no other group can have its number. */
+static void take_end(po_process *process) {
   po_process_end *end = &process->end;
+  int status = 0;
+  struct rusage used = {0};
   end->wall = po_clock_wall() - process->begin;
-  end->processor = got == (ssize_t)sizeof found ? found.processor : (double)NAN;
-  end->left = found.left;
-  end->code = WIFEXITED(found.status) ? WEXITSTATUS(found.status) : -1;
-  end->signal = WIFSIGNALED(found.status) ? WTERMSIG(found.status) : 0;
+  kill(-process->pid, SIGKILL);
+  while (wait4(process->pid, &status, 0, &used) < 0 && errno == EINTR)
+    continue;
+  end->left = kill(-process->pid, 0) == 0;
+  end->processor = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
+  end->code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  end->signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (process->output >= 0)
     read_output(process);
-  if (found.start_error) {
-    end->code = 127;
-    snprintf(end->output, sizeof end->output, "it cannot be started: %s",
-             strerror(found.start_error));
-  }
-  while (waitpid(process->supervisor, NULL, 0) < 0 && errno == EINTR)
-    continue;
   process->running = false;
-  close_all(process);
+  close_end(&process->handle);
+  close_end(&process->output);
 }
 
 bool po_process_wait(po_process *process, double seconds) {
   const double until = po_clock_wall() + seconds;
   while (process->running) {
-    struct pollfd watched[2] = {{.fd = process->report, .events = POLLIN},
+    struct pollfd watched[2] = {{.fd = process->handle, .events = POLLIN},
                                 {.fd = process->output, .events = POLLIN}};
     const double left = until - po_clock_wall();
     const int ready = poll(watched, 2, left > 0 ? (int)ceil(1e3 * left) : 0);
     if (ready > 0 && watched[1].revents)
       read_output(process);
     if (ready > 0 && watched[0].revents)
-      read_report(process);
+      take_end(process);
     else if (left <= 0 || (ready < 0 && errno == EINTR))
       break;
   }
@@ -144,12 +300,12 @@ void po_process_stop(po_process *process, double grace) {
   if (!process->running)
     return;
   process->end.stopped = true;
-  order(process, PO_SUPERVISOR_TERM);
+  kill(-process->pid, SIGTERM);
   const double until = po_clock_wall() + grace;
   while (!po_process_wait(process, 0.05) && po_clock_wall() < until)
     continue;
   if (process->running)
-    order(process, PO_SUPERVISOR_KILL);
+    kill(-process->pid, SIGKILL);
   while (!po_process_wait(process, 1))
     continue;
 }

@@ -50,15 +50,6 @@ def write(stream, found):
     stream.flush()
 
 
-def ancestors(count):
-    """The numbers of the processes above this one: the supervisor, and the program that started it."""
-    pid = os.getpid()
-    for _ in range(count):
-        with open(f"/proc/{pid}/stat", encoding="utf-8") as stream:
-            pid = int(stream.read().rsplit(")", 1)[1].split()[1])
-        yield pid
-
-
 def peek(pid, name):
     """What a process finds in a file of another one: the number of bytes, or why it cannot be read."""
     try:
@@ -103,10 +94,10 @@ def spoil(mode, stream, k, found):
         signal.signal(signal.SIGTERM, signal.SIG_IGN)
         time.sleep(1000)
     if mode == "spawn" and k == 1:
-        # children that live on, one of them in a session of its own
-        subprocess.Popen(["sleep", "4711"])
-        subprocess.Popen(["sleep", "4712"], start_new_session=True, stdout=subprocess.DEVNULL)
+        subprocess.Popen(["sleep", "4711"])  # a child that would live on
         time.sleep(1000)
+    if mode == "leave" and k == 1:
+        subprocess.Popen(["sleep", "4712"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     if mode == "flood" and k == 1:
         try:
             while True:
@@ -123,7 +114,7 @@ def spoil(mode, stream, k, found):
         print(" ".join(f"{key}={value}" for key, value in sorted(os.environ.items())))
         sys.exit(5)
     if mode == "neighbours" and k == 1:
-        print(" ".join(f"{name} {peek(pid, name)}" for pid in ancestors(2) for name in ("environ", "mem")))
+        print(" ".join(f"{name} {peek(os.getppid(), name)}" for name in ("environ", "mem")))
         sys.exit(6)
     if mode == "shorter" and k == 1:
         time.sleep(0.2)
