@@ -91,7 +91,7 @@ def write_all(folder, files):
 
 def make(wanted):
     try:
-        from pulloff_report import claims, cost, faults, gnuplot, kept, page, records, references
+        from pulloff_report import claims, cost, faults, gnuplot, page, records, references
         import weasyprint  # noqa: F401
     except ImportError as error:
         raise ReportError(f"Python module {error.name} is missing: install numpy, scipy, "
@@ -105,16 +105,10 @@ def make(wanted):
     if not wanted.fresh and is_current(wanted.output, key):
         print(f"kept: the report in {wanted.output} is up to date")
         return
-    made = False
-    kept.begin(wanted.output, wanted.fresh)
-    try:
-        content = page.contents(run, references.References(wanted.reference), matrix, judged, measured)
-        html, pdf = page.forms(content)
-        write_all(wanted.output, {"report.html": html, "report.pdf": pdf, KEY: key.encode("ascii")})
-        made = True
-        print(f"made: {os.path.join(wanted.output, 'report.html')} and report.pdf")
-    finally:
-        kept.end(made)
+    content = page.contents(run, references.References(wanted.reference), matrix, judged, measured)
+    html, pdf = page.forms(content)
+    write_all(wanted.output, {"report.html": html, "report.pdf": pdf, KEY: key.encode("ascii")})
+    print(f"made: {os.path.join(wanted.output, 'report.html')} and report.pdf")
 
 
 def main(words):

@@ -9,11 +9,9 @@ import functools
 import io
 import os
 
-import fontTools
 from fontTools import subset
 from fontTools.ttLib import TTFont
 
-from . import kept
 from .errors import ReportError
 
 FOLDERS = ("/usr/share/fonts", "/usr/local/share/fonts")
@@ -82,11 +80,6 @@ def face(family="Inter", style="normal", weight=400):
 
 def subset_bytes(path, text):
     """The font at path, reduced to the characters of text, as a WOFF file."""
-    made_from = ["".join(sorted(set(text))), fontTools.version] + kept.files(os.path.dirname(path), [os.path.basename(path)])
-    return kept.part(made_from, lambda: reduced(path, text))
-
-
-def reduced(path, text):
     options = subset.Options(flavor="woff", layout_features=["kern", "mark", "mkmk", "tnum", "lnum",
                                                              "liga", "ccmp", "locl"],
                              notdef_outline=True, desubroutinize=True, hinting=False)

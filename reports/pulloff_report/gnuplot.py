@@ -6,7 +6,6 @@ import shutil
 import subprocess
 import tempfile
 
-from . import kept
 from .errors import ReportError
 
 FIGURES = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "figures")
@@ -55,13 +54,6 @@ def draw(script, parameters, data):
     """
     files = {name + ".dat": text_of(blocks) for name, blocks in data.items()}
     files["parameters.gp"] = "".join(assignment(name, value) + "\n" for name, value in parameters.items())
-    made_from = [part for item in files.items() for part in item]
-    made_from += kept.files(FIGURES, ["style.gp", script + ".gp"])
-    return kept.part(made_from, lambda: run(script, files).encode()).decode()
-
-
-def run(script, files):
-    """The SVG that gnuplot draws. Given: files, name -> text, which are beside the script."""
     with tempfile.TemporaryDirectory(prefix="pulloff-figure-") as place:
         for name, text in files.items():
             with open(os.path.join(place, name), "w", encoding="utf-8") as stream:

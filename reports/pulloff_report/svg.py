@@ -9,14 +9,16 @@ import copy
 import re
 import xml.etree.ElementTree as ElementTree
 
-from . import fonts, svg_compact
+from . import fonts
 
 SVG = "http://www.w3.org/2000/svg"
 XLINK = "http://www.w3.org/1999/xlink"
 MACRON = "\u0304"  # combining macron, as in W̄; drawn as a line, because few fonts place it correctly
 
-# Attributes that are not needed after references, colours and text are resolved.
-DROPPED = ("href", "color", "space", "text-anchor", "font-family", "font-size")
+# Attributes that are not needed after references, colours and text are resolved, and values that say nothing.
+DROPPED = ("href", "color", "space", "text-anchor", "font-family", "font-size", "class")
+DEFAULTS = {("stroke-linecap", "butt"), ("stroke-linejoin", "miter")}
+FAMILY = "Inter, 'DejaVu Sans', sans-serif"
 
 ElementTree.register_namespace("", SVG)
 
@@ -117,9 +119,7 @@ def set_text(element, inherited):
             face = face_of(run_look)
             place = x + face.width(plain[:indent], size)
             node = ElementTree.SubElement(group, f"{{{SVG}}}text", {
-                "x": f"{place:.2f}", "y": f"{y + rise:.2f}", "font-size": f"{size:g}",
-                "font-family": "Inter, 'DejaVu Sans', sans-serif",
-                "fill": run_look.get("fill", "black")})
+                "x": f"{place:.2f}", "y": f"{y + rise:.2f}", "font-size": f"{size:g}", "fill": run_look.get("fill", "black")})
             for name in ("font-style", "font-weight"):
                 if run_look.get(name, "normal") not in ("normal", "400"):
                     node.set(name, run_look[name])
@@ -128,7 +128,7 @@ def set_text(element, inherited):
                 before = text[:match.start()].replace(MACRON, "")
                 group.append(bar_over(face, before, match.group(1), size, run_look, x, y + rise))
         x += width
-    return group
+    return group if len(group) else None
 
 
 class Flattener:
@@ -144,9 +144,9 @@ class Flattener:
         kept = {}
         for name, value in element.attrib.items():
             plain = local(name)
-            if plain in DROPPED or (plain == "id" and value not in self.needed):
+            if plain in DROPPED or (plain, value) in DEFAULTS or (plain == "id" and value not in self.needed):
                 continue
-            value = value.replace("currentColor", colour)
+            value = " ".join(value.replace("currentColor", colour).split())
             value = re.sub(r"url\(#([^)]+)\)", rf"url(#{self.prefix}-\1)", value)
             kept[plain] = f"{self.prefix}-{value}" if plain == "id" else value
         return kept
@@ -166,7 +166,9 @@ class Flattener:
             if kind == "defs" and local(child.tag) != "clipPath":
                 continue
             made = self.copy(child, colour, look)
-            if made is not None:
+            if made is not None and local(made.tag) == "g" and not made.attrib:
+                node.extend(made)
+            elif made is not None:
                 node.append(made)
         if kind in ("g", "defs") and len(node) == 0:
             return None
@@ -195,9 +197,9 @@ def embeddable(text, prefix, label):
     made = Flattener(root, prefix).copy(root)
     width, height = number(root.get("width")), number(root.get("height"))
     box = root.get("viewBox") or f"0 0 {width:g} {height:g}"
-    svg_compact.compact(made)
     made.attrib.clear()
     made.set("viewBox", box)
     made.set("role", "img")
     made.set("aria-label", label)
+    made.set("font-family", FAMILY)
     return ElementTree.tostring(made, encoding="unicode")

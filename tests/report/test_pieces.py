@@ -7,7 +7,6 @@ import sys
 import tempfile
 import types
 import unittest
-import xml.etree.ElementTree as ElementTree
 
 import numpy
 
@@ -17,7 +16,7 @@ for folder in ("reports", "tools"):
 
 import count_tests  # noqa: E402
 
-from pulloff_report import findings, fonts, geometry, gnuplot, identity, kept, page, samples, svg, svg_compact, words  # noqa: E402
+from pulloff_report import findings, fonts, geometry, gnuplot, identity, page, samples, svg, words  # noqa: E402
 from pulloff_report.errors import ReportError  # noqa: E402
 from pulloff_report.plots import doubling, laws, loading, preload, staircase  # noqa: E402
 from pulloff_report.plots.figure import Figure  # noqa: E402
@@ -250,58 +249,6 @@ class Svg(unittest.TestCase):
         self.assertEqual(self.text.count("<path"), 1)
 
 
-def compacted(inner):
-    """What is left of the content of a drawing."""
-    root = ElementTree.fromstring(f"<svg>{inner}</svg>")
-    svg_compact.compact(root)
-    return "".join(ElementTree.tostring(child, encoding="unicode") for child in root)
-
-
-def ring(x, y, attributes='stroke="red" stroke-width="0.5"'):
-    """A marker as gnuplot draws it."""
-    return f'<g><g transform="translate({x},{y}) scale(2)"><circle fill="none" {attributes} cx="0" cy="0" r="1" /></g></g>'
-
-
-class Compact(unittest.TestCase):
-    def test_markers_of_one_look_are_one_path_at_their_places(self):
-        made = compacted(ring(5, 6) + ring(15, 7))
-        self.assertEqual(made.count("<"), 1)
-        self.assertIn('stroke="red"', made)
-        self.assertIn('stroke-width="1"', made)  # twice 0.5
-        # each begins at its leftmost point
-        self.assertEqual(re.findall(r"M([^c]*)c", made), ["3,6", "13,7"])
-
-    def test_shapes_of_straight_lines(self):
-        for shape in ('<rect x="-1" y="-1" width="2" height="2" %s />', '<path d="M-1,-1 h2 v2 H-1 Z" %s />',
-                      '<polygon points="-1,-1 1,-1 1,1 -1,1" %s />', '<path d="m-1 -1l2 0L1 1l-2,0z" %s />'):
-            marker = '<g transform="translate(%d,0) scale(3)">' + shape % 'fill="red"' + "</g>"
-            corners = re.findall(r"-?\d+,-?\d+", compacted(marker % 10 + marker % 20))
-            self.assertEqual(corners[:4], ["7,-3", "13,-3", "13,3", "7,3"])
-            self.assertEqual(corners[4], "17,-3")
-
-    def test_a_turned_marker(self):
-        marker = '<g transform="translate(%d,0)"><g transform="rotate(90)"><path fill="red" d="M0,0 L4,0 Z" /></g></g>'
-        self.assertIn('d="M10,0L10,4ZM20,0L20,4Z"', compacted(marker % 10 + marker % 20))
-
-    def test_markers_of_different_looks_or_that_may_cover_each_other_stay(self):
-        other = 'stroke="red" stroke-width="0.6"'
-        self.assertEqual(compacted(ring(5, 6) + ring(6, 6, other)).count("<circle"), 2)
-        covering = ring(5, 6).replace('fill="none"', 'fill="white"')
-        self.assertEqual(compacted(covering + covering).count("<circle"), 2)
-        self.assertEqual(compacted(ring(5, 6, 'opacity="0.5"') * 2).count("<circle"), 2)
-        # a path that is not understood is drawn as it is
-        curve = '<path transform="translate(1,2)" fill="red" d="M0 0 A1 1 0 0 1 2 0" />'
-        self.assertEqual(compacted(curve * 2).count("A1 1 0 0 1 2 0"), 2)
-
-    def test_groups_that_say_nothing_are_gone_and_others_are_kept(self):
-        self.assertEqual(compacted('<g><g fill="red"><g class="c"><path style="fill: blue; stroke:red" d="M0,0" /></g></g></g>'),
-                         '<path d="M0,0" fill="blue" stroke="red" />')
-        clipped = '<g clip-path="url(#a)"><path transform="translate(1,2)" d="M0,0" /></g>'
-        self.assertEqual(compacted(clipped), clipped)  # the clipping is not moved
-        two = '<g fill="red"><path d="M0,0" /><path d="M1,0" /></g>'
-        self.assertEqual(compacted(two), two)
-
-
 class Laws(unittest.TestCase):
     def test_the_name_of_a_law_that_is_spelled_with_its_parameters(self):
         point = {"sweep": {"law": "mie:4,10", "tabor": 1.0}, "input": {"law": "mie", "mie_m": 4.0, "mie_n": 10.0, "morse_a": None}}
@@ -313,85 +260,6 @@ class Gnuplot(unittest.TestCase):
         self.assertEqual(gnuplot.assignment("a", "it's"), "a = 'it''s'")
         self.assertEqual(gnuplot.assignment("b", [1.5, 2]), "array b[2] = [1.5, 2]")
         self.assertEqual(gnuplot.assignment("c", []), "array c[1]")
-
-
-class Kept(unittest.TestCase):
-    def setUp(self):
-        self.place = tempfile.TemporaryDirectory(prefix="pulloff-kept-")
-        self.addCleanup(self.place.cleanup)
-        self.addCleanup(kept.end, False)
-        self.folder = os.path.join(self.place.name, kept.NAME)
-        self.made = []
-
-    def part(self, *made_from):
-        def make():
-            self.made.append(made_from)
-            return b"a part"
-        self.assertEqual(kept.part(made_from, make), b"a part")
-
-    def test_a_part_is_made_once_and_again_if_anything_changes(self):
-        kept.begin(self.place.name)
-        for made_from in (("ab", "c"), ("ab", "c"), ("a", "bc"), ("ab", b"c"), ("ab", "d")):
-            self.part(*made_from)
-        self.assertEqual(self.made, [("ab", "c"), ("a", "bc"), ("ab", "d")])
-        kept.end()
-        kept.begin(self.place.name, fresh=True)
-        self.part("ab", "c")
-        self.assertEqual(len(self.made), 4)
-
-    def test_parts_that_a_report_does_not_have_go(self):
-        kept.begin(self.place.name)
-        self.part("one")
-        self.part("two")
-        kept.end()
-        for name in os.listdir(self.folder):
-            os.utime(os.path.join(self.folder, name), (1.0, 1.0))
-        kept.begin(self.place.name)
-        self.part("two")
-        kept.end()
-        self.assertEqual(len(os.listdir(self.folder)), 1)
-        self.assertEqual(self.made, [("one",), ("two",)])
-
-    def test_a_first_report_that_fails_leaves_nothing_a_later_one_leaves_its_parts(self):
-        for wanted in (False, True):
-            kept.begin(self.place.name)
-            self.part("one")
-            kept.end(wanted)
-            self.assertEqual(os.path.exists(self.folder), wanted)
-        kept.begin(self.place.name)
-        kept.end(False)
-        self.assertEqual(len(os.listdir(self.folder)), 1)
-
-    def test_without_a_folder_everything_is_made(self):
-        self.part("one")
-        self.part("one")
-        self.assertEqual(len(self.made), 2)
-        with open(self.folder, "w", encoding="ascii"):
-            kept.begin(self.place.name)                 # a file is where the folder should be
-        self.part("one")
-        self.assertEqual(len(self.made), 3)
-
-    def test_an_edited_script_is_drawn_again_others_are_not(self):
-        kept.begin(self.place.name)
-        drawn = []
-        run, folder = gnuplot.run, gnuplot.FIGURES
-        self.addCleanup(setattr, gnuplot, "run", run)
-        self.addCleanup(setattr, gnuplot, "FIGURES", folder)
-        gnuplot.run = lambda script, files: drawn.append((script, sorted(files))) or "<svg/>"
-        gnuplot.FIGURES = os.path.join(self.place.name, "figures")
-        os.mkdir(gnuplot.FIGURES)
-        for name in ("style", "one", "two"):
-            with open(os.path.join(gnuplot.FIGURES, name + ".gp"), "w", encoding="ascii") as stream:
-                stream.write(name)
-        for step in ("", "one", "data"):
-            if step == "one":
-                with open(os.path.join(gnuplot.FIGURES, "one.gp"), "a", encoding="ascii") as stream:
-                    stream.write(" edited")
-            for script in ("one", "two"):
-                rows = [[(1.0, 2.0 if step == "data" and script == "two" else 3.0)]]
-                self.assertEqual(gnuplot.draw(script, {"height": 1}, {"points": rows}), "<svg/>")
-        files = ["parameters.gp", "points.dat"]
-        self.assertEqual(drawn, [("one", files), ("two", files), ("one", files), ("two", files)])
 
 
 class Paper(unittest.TestCase):

@@ -101,7 +101,7 @@ class Whole(PageTest):
         self.assertEqual((self.first.returncode, self.first.stdout, self.first.stderr),
                          (0, f"made: {os.path.join(self.output, 'report.html')} and report.pdf\n", ""))
         self.assertEqual(sorted(os.listdir(self.output)),
-                         [".report-kept", ".report-key", "report.html", "report.pdf"])
+                         [".report-key", "report.html", "report.pdf"])
 
     def test_an_unchanged_run_is_not_drawn_again(self):
         before = os.stat(os.path.join(self.output, "report.pdf")).st_mtime_ns

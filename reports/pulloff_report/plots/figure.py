@@ -1,13 +1,10 @@
 """The result of a figure module, and functions that several modules use."""
 
 import dataclasses
-import json
 import math
 import re
 
 from markupsafe import Markup
-
-from .. import kept
 
 # The palette of Okabe and Ito, which colour-blind readers can distinguish.
 BLUE, GREEN, VERMILLION, ORANGE = "#0072B2", "#009E73", "#D55E00", "#E69F00"
@@ -35,23 +32,11 @@ class Figure:
         return sum(height / width for width, height in boxes) > TALL
 
 
-def kept_figures(made_from, make):
-    """The figures that make() returns, and what it returns beside them: (list of figures, data of JSON)."""
-    def text():
-        figures, more = make()
-        return json.dumps([[dataclasses.asdict(figure) for figure in figures], more]).encode()
-    figures, more = json.loads(kept.part(made_from, text))
-    return [Figure(**dict(figure, svg=Markup(figure["svg"]), caption=Markup(figure["caption"]))) for figure in figures], more
-
-
 def cividis(low, count):
     """Colours of the palette cividis, from a place of it to its end."""
-    def text():
-        import matplotlib
-        import numpy
-        return " ".join(matplotlib.colors.to_hex(shade)
-                        for shade in matplotlib.colormaps["cividis"](numpy.linspace(low, 1.0, count))).encode()
-    return kept.part(["cividis", f"{low} {count}"], text).decode().split()
+    import matplotlib
+    import numpy
+    return [matplotlib.colors.to_hex(shade) for shade in matplotlib.colormaps["cividis"](numpy.linspace(low, 1.0, count))]
 
 
 def checks_of(case, point, quantity):

@@ -37,7 +37,7 @@ def build_all(source):
     """Every section, in order: those of the PDF first, then the long lists that only the HTML page has."""
     from . import cases, checks, claims, cost, environment, extreme, figures, general, planted_faults, precision, provenance, solvers, verdicts
     order = (figures, claims, general, precision, solvers, cost, extreme, planted_faults, verdicts, environment, checks, cases, provenance)
-    # Its figures, if they are not kept, need as long as all the rest.
+    # Its figures need as long as all the rest.
     drawn = beside.start(lambda: precision.build(source))
     built = {module: module.build(source) for module in order if module is not precision}
     built[precision] = drawn.result()

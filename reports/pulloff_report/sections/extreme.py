@@ -1,8 +1,7 @@
 """Stiff and extreme scenes: the result, the work and the diagnostics of each."""
 
 from . import Section
-from .. import kept
-from ..plots.figure import kept_figures
+from ..plots import extreme
 from ..records import PASSING
 from ..words import sweep_label
 
@@ -37,17 +36,6 @@ def row_of(case, point):
             "failing": [check for check in judged if check["verdict"] not in PASSING]}
 
 
-def limits(cases):
-    """The figure of the limits, or None, and its table of rates."""
-    def make():
-        from ..plots import extreme
-        figure, rates = extreme.make(cases)
-        return [figure] if figure else [], rates
-    records = [one for case in cases for one in kept.files(case.folder, ["record.json"])]
-    figures, rates = kept_figures(kept.programs("extreme", "precision") + records, make)
-    return (figures or [None])[0], rates
-
-
 def build(source):
     cases = [case for case in source.run.cases if SUITE in case.record["suites"]]
     tables = [{"case": case, "rows": [row_of(case, point) for point in case.points]} for case in cases]
@@ -55,5 +43,5 @@ def build(source):
     data = {"tables": tables, "absent": None if cases else ABSENT, "scenes": len(rows),
             "solved": sum(not row["failed"] for row in rows), "figure": None, "rates": []}
     if cases:
-        data["figure"], data["rates"] = limits(cases)
+        data["figure"], data["rates"] = extreme.make(cases)
     return Section("extreme", "Stiff and extreme", "extreme.html", data)

@@ -1,8 +1,9 @@
 """Error against run time, observed orders of convergence, and the speed of panels relative to the other schemes."""
 
 from . import Section
-from .. import kept, samples
-from ..plots.figure import failures, kept_figures
+from .. import samples
+from ..plots import precision
+from ..plots.figure import failures
 
 SCRIPT = "precision"
 ABSENT = ("Error against run time is omitted: this run has no record of the case precision "
@@ -74,20 +75,12 @@ def with_first(rows):
     return rows
 
 
-def figures_of(case):
-    """The figures. matplotlib, which draws them, takes longer to load than most of the report; figures that are kept need none."""
-    def make():
-        from ..plots import precision
-        return precision.make(case), None
-    return kept_figures(kept.programs("precision") + kept.files(case.folder), make)[0]
-
-
 def build(source):
     data = {"figures": [], "absent": ABSENT}
     cases = [case for case in source.run.cases if case.name == SCRIPT]
     if cases:
         found = [sample for sample in samples.read(cases[0]) if sample.times]
-        data = {"figures": figures_of(cases[0]), "absent": None, "fields": samples.FIELDS,
+        data = {"figures": precision.make(cases[0]), "absent": None, "fields": samples.FIELDS,
                 "names": samples.FIELD_NAMES, "orders": order_rows(found),
                 "crossings": crossing_rows(found), "speeds": speed_rows(found),
                 "works": work_rows(found), "everything": every_row(found),
