@@ -17,7 +17,7 @@ struct po_adaptive {
   double domain, decay; /* decay: of the traction beyond */
   bool unbounded, wavy;
   size_t most; /* panels */
-  po_panels panels;
+  po_panels panels, draft;
   po_surface surface;
 };
 
@@ -42,6 +42,9 @@ const po_surface *po_adaptive_surface(const po_adaptive *a) {
 const po_panels *po_adaptive_panels(const po_adaptive *a) {
   return &a->panels;
 }
+po_panels *po_adaptive_draft(po_adaptive *a) {
+  return &a->draft;
+}
 double po_adaptive_domain(const po_adaptive *a) {
   return a->domain;
 }
@@ -65,13 +68,12 @@ po_status po_adaptive_create(const po_scene *scene, double domain, uint32_t leve
   s->weight = po_reserve(most, sizeof *s->weight);
   s->length = po_reserve(most, sizeof *s->length);
   s->reach = po_reserve(most, sizeof *s->reach);
-  po_panels panels;
-  po_panels_uniform(&panels, level);
+  po_panels_uniform(&a->draft, level);
   po_status status = PO_NO_MEMORY;
   if (a->table && s->node && s->weight && s->length && s->reach)
     status = po_hierarchy_create(a->table, a->unbounded, a->decay, &s->hierarchy);
   if (!status)
-    status = po_adaptive_mesh(a, &panels);
+    status = po_adaptive_mesh(a, &a->draft);
   if (status) {
     po_adaptive_destroy(a);
     *adaptive = NULL;

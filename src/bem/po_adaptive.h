@@ -24,6 +24,9 @@ const po_surface *po_adaptive_surface(const po_adaptive *adaptive);
 const po_panels *po_adaptive_panels(const po_adaptive *adaptive);
 double po_adaptive_domain(const po_adaptive *adaptive);
 
+/* Returned: a mesh for the caller to make and to give to po_adaptive_mesh. */
+po_panels *po_adaptive_draft(po_adaptive *adaptive);
+
 /* Returned: the largest number of nodes that the surface can have, for the allocation of arrays
  * over the nodes. */
 size_t po_adaptive_capacity(const po_adaptive *adaptive);

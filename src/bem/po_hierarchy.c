@@ -119,7 +119,7 @@ static void place_nodes(const po_hierarchy *h, po_panel place, double *node) {
     node[j] = begin + size * h->table->rule.node[j];
 }
 
-static void fill_kernel(po_hierarchy *h, po_panel target, po_panel source, double *block) {
+static void fill_kernel(const po_hierarchy *h, po_panel target, po_panel source, double *block) {
   double r[N], s[N], apart[N];
   place_nodes(h, target, r);
   place_nodes(h, source, s);
@@ -130,20 +130,18 @@ static void fill_kernel(po_hierarchy *h, po_panel target, po_panel source, doubl
       apart[i] = between + (po_panel_size(source) * x[j] - po_panel_size(target) * x[i]);
     po_kernel_row_apart(s[j], r, apart, N, block + N * j);
   }
-  h->evaluations += PO_BLOCK_SIZE;
 }
 
-static void fill_product(po_hierarchy *h, po_panel target, po_panel source, double *block) {
+static void fill_product(const po_hierarchy *h, po_panel target, po_panel source, double *block) {
   po_panel_block rows;
   po_panel_table_block(h->table, target, source, rows);
   for (size_t j = 0; j < N; ++j)
     for (size_t i = 0; i < N; ++i)
       block[i + N * j] = rows[i][j];
-  h->evaluations += PO_BLOCK_SIZE;
 }
 
 /* The kernel between the skeleton nodes of the halves of a cell. */
-static void fill_halves(po_hierarchy *h, po_panel cell, double *block) {
+static void fill_halves(po_panel cell, double *block) {
   const double *x = po_skeleton_get()->node;
   const double begin = po_panel_begin(cell), half = 0.5 * po_panel_size(cell);
   double left[PO_SKELETON_NODES], right[PO_SKELETON_NODES];
@@ -153,12 +151,12 @@ static void fill_halves(po_hierarchy *h, po_panel cell, double *block) {
   }
   for (size_t j = 0; j < PO_SKELETON_NODES; ++j)
     po_kernel_row(right[j], left, PO_SKELETON_NODES, block + PO_SKELETON_NODES * j);
-  h->evaluations += PO_SKELETON_SIZE;
 }
 
 /* The block that maps the panel to infinity to the panel a, or b to it, or, without either, to
- * itself. */
-static void fill_tail(po_hierarchy *h, const po_panel *a, const po_panel *b, double *block) {
+ * itself. Returned: the number of kernel evaluations. */
+static uint64_t fill_tail(const po_hierarchy *h, const po_panel *a, const po_panel *b,
+                          double *block) {
   po_panel_span tail = {.begin = 1.0, .end = INFINITY, .decay = h->decay};
   double r[N];
   if (a)
@@ -167,8 +165,10 @@ static void fill_tail(po_hierarchy *h, const po_panel *a, const po_panel *b, dou
     r[i] = 1.0 / h->table->rule.node[i];
   if (b)
     tail = (po_panel_span){.begin = po_panel_begin(*b), .end = po_panel_end(*b)};
+  uint64_t evaluations = 0;
   for (size_t i = 0; i < N; ++i)
-    h->evaluations += po_panel_influence(&h->table->rule, tail, r[i], block + i, N);
+    evaluations += po_panel_influence(&h->table->rule, tail, r[i], block + i, N);
+  return evaluations;
 }
 
 /* The largest coefficients of the columns of a block; see po_hierarchy_reach. */
@@ -200,9 +200,8 @@ static const double *stored(po_hierarchy *h, enum kind kind, const po_panel *a, 
   else if (kind == PRODUCT)
     fill_product(h, *a, *b, block);
   else if (kind == HALVES)
-    fill_halves(h, *a, block);
-  else
-    fill_tail(h, a, b, block);
+    fill_halves(*a, block);
+  h->evaluations += kind == TAIL ? fill_tail(h, a, b, block) : values;
   if (with_reach)
     find_reach(block, block + PO_BLOCK_SIZE);
   return block;
@@ -402,7 +401,6 @@ void po_hierarchy_apply_transposed(po_hierarchy *h, const double *x, double *y) 
 }
 
 void po_hierarchy_fill_matrix(const po_hierarchy *h, double radius, double *matrix) {
-  po_hierarchy work = {.table = h->table, .decay = h->decay};
   const size_t n = po_hierarchy_nodes(h);
   for (size_t target = 0; target < n / N; ++target)
     for (size_t source = 0; source < n / N; ++source) {
@@ -410,9 +408,9 @@ void po_hierarchy_fill_matrix(const po_hierarchy *h, double radius, double *matr
       const po_panel *b = source < h->panels.count ? h->panels.panel + source : NULL;
       double block[PO_BLOCK_SIZE];
       if (a && b)
-        fill_product(&work, *a, *b, block);
+        fill_product(h, *a, *b, block);
       else
-        fill_tail(&work, a, b, block);
+        fill_tail(h, a, b, block);
       for (size_t j = 0; j < N; ++j)
         for (size_t i = 0; i < N; ++i)
           matrix[target * N + i + n * (source * N + j)] = radius * block[i + N * j];

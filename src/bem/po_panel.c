@@ -108,16 +108,18 @@ uint64_t po_panel_influence(const po_panel_rule *rule, po_panel_span panel, doub
   /* The other singularity of the kernel is at s = -r: in x it is twice as far from x0 as the axis
    * is. */
   const double mirror = isinf(panel.end) ? 2.0 * x0 : 2.0 * r / (panel.end - panel.begin);
-  po_near_point point[PO_NEAR_MAX_POINTS];
-  const size_t count = po_near_rule(&rule->near, x0, mirror, point);
+  po_near_rule near = po_near_rule_begin(&rule->near, x0, mirror);
+  po_near_point point[PO_NEAR_PIECE_POINTS];
   double sum[PO_PANEL_MAX_ORDER] = {0.0};
-  for (size_t q = 0; q < count; ++q) {
-    const double factor = point[q].weight * integrand(panel, r, &point[q]);
-    po_lagrange(order, rule->node, rule->barycentric, point[q].x, value);
-    for (size_t j = 0; j < order; ++j)
-      sum[j] += factor * value[j];
-  }
+  uint64_t evaluations = 0;
+  for (size_t count; (count = po_near_rule_next(&near, point)) > 0; evaluations += count)
+    for (size_t q = 0; q < count; ++q) {
+      const double factor = point[q].weight * integrand(panel, r, &point[q]);
+      po_lagrange(order, rule->node, rule->barycentric, point[q].x, value);
+      for (size_t j = 0; j < order; ++j)
+        sum[j] += factor * value[j];
+    }
   for (size_t j = 0; j < order; ++j)
     row[j * stride] = isinf(panel.end) ? sum[j] / power(panel.decay, rule->node[j]) : sum[j];
-  return count;
+  return evaluations;
 }

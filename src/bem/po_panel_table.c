@@ -50,17 +50,18 @@ static double node_in_source(const po_panel_rule *rule, position s, size_t i) {
 static void fill_logarithm(const po_panel_rule *rule, position s, po_panel_block block) {
   static const double NO_MIRROR = 1e300;
   for (size_t i = 0; i < PO_TABLE_ORDER; ++i) {
-    po_near_point point[PO_NEAR_MAX_POINTS];
+    po_near_rule near = po_near_rule_begin(&rule->near, node_in_source(rule, s, i), NO_MIRROR);
+    po_near_point point[PO_NEAR_PIECE_POINTS];
     double value[PO_TABLE_ORDER];
-    const size_t count = po_near_rule(&rule->near, node_in_source(rule, s, i), NO_MIRROR, point);
     for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
       block[i][j] = 0.0;
-    for (size_t q = 0; q < count; ++q) {
-      const double factor = point[q].weight * po_log(fabs(point[q].offset));
-      po_lagrange(PO_TABLE_ORDER, rule->node, rule->barycentric, point[q].x, value);
-      for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
-        block[i][j] += factor * value[j];
-    }
+    for (size_t count; (count = po_near_rule_next(&near, point)) > 0;)
+      for (size_t q = 0; q < count; ++q) {
+        const double factor = point[q].weight * po_log(fabs(point[q].offset));
+        po_lagrange(PO_TABLE_ORDER, rule->node, rule->barycentric, point[q].x, value);
+        for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
+          block[i][j] += factor * value[j];
+      }
   }
 }
 

@@ -55,8 +55,8 @@ size_t po_panels_find_near(const po_panels *panels, double x, size_t near) {
 
 /* Marks the panels that would be too coarse beside a neighbour that is to be split. Returned:
  * whether a panel was marked. */
-static bool mark_neighbours(const po_panels *panels, bool *split) {
-  bool marked = false;
+static bool mark_neighbours(po_panels *panels) {
+  bool *const split = panels->marked, marked = false;
   for (size_t k = 0; k + 1 < panels->count; ++k) {
     const uint32_t left = panels->panel[k].level + split[k];
     const uint32_t right = panels->panel[k + 1].level + split[k + 1];
@@ -68,26 +68,46 @@ static bool mark_neighbours(const po_panels *panels, bool *split) {
   return marked;
 }
 
-bool po_panels_split(po_panels *panels, const bool *split) {
-  bool all[PO_MOST_PANELS];
-  memcpy(all, split, panels->count * sizeof *all);
-  while (mark_neighbours(panels, all))
+bool po_panels_split(po_panels *panels) {
+  while (mark_neighbours(panels))
     ;
-  po_panels result;
-  result.count = 0;
+  size_t to = panels->count;
   for (size_t k = 0; k < panels->count; ++k) {
-    const po_panel panel = panels->panel[k];
-    if (result.count + (all[k] ? 2 : 1) > PO_MOST_PANELS ||
-        (all[k] && panel.level >= PO_DEEPEST_LEVEL))
+    to += panels->marked[k];
+    if (panels->marked[k] && panels->panel[k].level >= PO_DEEPEST_LEVEL)
       return false;
-    if (all[k]) {
-      result.panel[result.count++] = (po_panel){panel.level + 1, 2 * panel.index};
-      result.panel[result.count++] = (po_panel){panel.level + 1, 2 * panel.index + 1};
-    } else {
-      result.panel[result.count++] = panel;
-    }
   }
-  po_panels_copy(&result, panels);
+  if (to > PO_MOST_PANELS)
+    return false;
+  const size_t count = to;
+  for (size_t k = panels->count; k-- > 0;) { /* from the last on: no panel moves inwards */
+    const po_panel panel = panels->panel[k];
+    const bool halved = panels->marked[k];
+    panels->panel[--to] = panel;
+    panels->is_new[to] = halved;
+    if (!halved)
+      continue;
+    panels->panel[to] = (po_panel){panel.level + 1, 2 * panel.index + 1};
+    panels->panel[--to] = (po_panel){panel.level + 1, 2 * panel.index};
+    panels->is_new[to] = true;
+  }
+  panels->count = count;
+  return true;
+}
+
+bool po_panels_refine(po_panels *panels, int most, bool (*too_large)(void *data, po_panel panel),
+                      void *data) {
+  for (int pass = 0; pass < most; ++pass) {
+    bool any = false;
+    for (size_t k = 0; k < panels->count; ++k) {
+      panels->marked[k] = (pass == 0 || panels->is_new[k]) && too_large(data, panels->panel[k]);
+      any = any || panels->marked[k];
+    }
+    if (!any)
+      return true;
+    if (!po_panels_split(panels))
+      return false;
+  }
   return true;
 }
 
@@ -98,21 +118,6 @@ bool po_panels_equal(const po_panels *a, const po_panels *b) {
     if (!po_panel_equal(a->panel[k], b->panel[k]))
       return false;
   return true;
-}
-
-bool po_panels_build(po_panels *panels, bool (*too_large)(void *data, po_panel panel), void *data) {
-  po_panels_uniform(panels, 1);
-  for (;;) {
-    bool split[PO_MOST_PANELS], any = false;
-    for (size_t k = 0; k < panels->count; ++k) {
-      split[k] = too_large(data, panels->panel[k]);
-      any = any || split[k];
-    }
-    if (!any)
-      return true;
-    if (!po_panels_split(panels, split))
-      return false;
-  }
 }
 
 /* Returned: whether panels k and k + 1 are siblings whose parent would not be too coarse for its
@@ -127,21 +132,20 @@ static bool can_join(const po_panels *panels, size_t k) {
   return left && right;
 }
 
-size_t po_panels_join(po_panels *panels, const bool *join) {
-  size_t joined = 0, to = 0;
-  po_panels result;
-  for (size_t k = 0; k < panels->count; ++k) {
-    /* the left neighbour may have been joined in this loop: it is then coarser, which is allowed */
-    if (k + 1 < panels->count && join[k] && join[k + 1] && can_join(panels, k)) {
-      const po_panel a = panels->panel[k];
-      result.panel[to++] = (po_panel){a.level - 1, a.index / 2};
-      ++joined;
+size_t po_panels_join(po_panels *panels) {
+  const bool *const join = panels->marked;
+  size_t to = 0;
+  const size_t count = panels->count;
+  for (size_t k = 0; k < count; ++k) {
+    /* The left neighbour may have been joined in this loop: it is then coarser, which is allowed.
+     * Its own place is not written before it is read. */
+    po_panel panel = panels->panel[k];
+    if (k + 1 < count && join[k] && join[k + 1] && can_join(panels, k)) {
+      panel = (po_panel){panel.level - 1, panel.index / 2};
       ++k;
-    } else {
-      result.panel[to++] = panels->panel[k];
     }
+    panels->panel[to++] = panel;
   }
-  result.count = to;
-  po_panels_copy(&result, panels);
-  return joined;
+  panels->count = to;
+  return count - to;
 }

@@ -21,26 +21,35 @@ typedef struct {
   uint64_t index;
 } po_panel;
 
+/* A mesh: too large for a stack. Only the places of panels that are there are ever written, so that
+ * the others take no memory. */
 typedef struct {
   size_t count;
   po_panel panel[PO_MOST_PANELS]; /* ascending */
+  bool marked[PO_MOST_PANELS];    /* to be split or joined: written before each call that does so */
+  bool is_new[PO_MOST_PANELS];    /* made by the last split */
 } po_panels;
 
-/* Copies a mesh; the places of panels that are not there are left out. */
+/* Copies the panels of a mesh. */
 void po_panels_copy(const po_panels *from, po_panels *to);
 
 /* Fills the mesh with 2^level equal panels. */
 void po_panels_uniform(po_panels *panels, uint32_t level);
 
 /* Splits the marked panels, and further panels so that neighbours differ by at most
- * PO_MOST_LEVEL_STEP levels. Given: split, one flag for each panel. Returned: false if there are
- * too many panels or one is at the deepest level; then the mesh is unchanged. */
-bool po_panels_split(po_panels *panels, const bool *split);
+ * PO_MOST_LEVEL_STEP levels. Returned: false if there are too many panels or one is at the deepest
+ * level; then the panels are unchanged. */
+bool po_panels_split(po_panels *panels);
+
+/* Splits panels until `too_large` is false for every panel, in at most `most` passes over the new
+ * panels. Given: data, passed to too_large. Returned: false if there are too many panels; those
+ * before the last pass stay. */
+bool po_panels_refine(po_panels *panels, int most, bool (*too_large)(void *data, po_panel panel),
+                      void *data);
 
 /* Joins pairs of marked sibling panels, except where neighbours would then differ by more than
- * PO_MOST_LEVEL_STEP levels. Given: join, one flag for each panel. Returned: the number of pairs
- * joined. */
-size_t po_panels_join(po_panels *panels, const bool *join);
+ * PO_MOST_LEVEL_STEP levels. Returned: the number of pairs joined. */
+size_t po_panels_join(po_panels *panels);
 
 /* The length and the ends of a panel relative to the domain: [begin, end). */
 static inline double po_panel_size(po_panel panel) {
@@ -66,9 +75,5 @@ size_t po_panels_find_near(const po_panels *panels, double x, size_t near);
 
 bool po_panel_equal(po_panel a, po_panel b);
 bool po_panels_equal(const po_panels *a, const po_panels *b);
-
-/* Builds the coarsest mesh in which `too_large` is false for every panel. Given: data, passed to
- * too_large. Returned: false if there are too many panels. */
-bool po_panels_build(po_panels *panels, bool (*too_large)(void *data, po_panel panel), void *data);
 
 #endif

@@ -104,17 +104,20 @@ static uint64_t add_middle(const po_triangle *t, double r, size_t e, double *row
 static uint64_t add_near(const po_triangle *t, double r, size_t e, double *row, size_t stride) {
   const double begin = t->node[e], length = t->node[e + 1] - begin;
   const double x0 = r == t->node[e + 1] ? 1.0 : (r - begin) / length; /* exact at both ends */
-  po_near_point point[PO_NEAR_MAX_POINTS];
-  const size_t count = po_near_rule(&t->near, x0, 2.0 * r / length, point);
+  po_near_rule near = po_near_rule_begin(&t->near, x0, 2.0 * r / length);
+  po_near_point point[PO_NEAR_PIECE_POINTS];
   double rising = 0.0, falling = 0.0;
-  for (size_t q = 0; q < count; ++q) {
-    const double s = begin + length * point[q].x;
-    const double share = length * point[q].weight * po_kernel(r + s, length * point[q].offset) * s;
-    rising += share * point[q].x;
-    falling += share * (1.0 - point[q].x);
-  }
+  uint64_t evaluations = 0;
+  for (size_t count; (count = po_near_rule_next(&near, point)) > 0; evaluations += count)
+    for (size_t q = 0; q < count; ++q) {
+      const double s = begin + length * point[q].x;
+      const double share =
+          length * point[q].weight * po_kernel(r + s, length * point[q].offset) * s;
+      rising += share * point[q].x;
+      falling += share * (1.0 - point[q].x);
+    }
   add_element(falling, rising, row, stride, e);
-  return count;
+  return evaluations;
 }
 
 uint64_t po_triangle_influence(const po_triangle *triangle, double r, double *row, size_t stride) {

@@ -1,3 +1,5 @@
+#include <limits.h>
+
 #include "po_continuation_parts.h"
 
 bool po_continuation_moves(const po_continuation *t) {
@@ -61,14 +63,15 @@ static po_status mesh_for(po_continuation *t, po_prediction *p, bool may_keep_me
     guess(t, p);
     return PO_OK;
   }
-  po_panels panels;
-  if (!po_panels_build(&panels, too_large, p))
-    return t->c.trouble = po_resolution_fail(&panels);
+  po_panels *const panels = po_adaptive_draft(t->c.adaptive);
+  po_panels_uniform(panels, 1);
+  if (!po_panels_refine(panels, INT_MAX, too_large, p))
+    return t->c.trouble = po_resolution_fail(panels);
   po_status status = PO_OK;
   if (!all_move(t, p))
-    status = resolve(t, &(po_gap_field){po_prediction_gap, p}, &panels);
+    status = resolve(t, &(po_gap_field){po_prediction_gap, p}, panels);
   if (!status)
-    status = po_corrector_mesh(&t->c, &panels);
+    status = po_corrector_mesh(&t->c, panels);
   if (!status)
     guess(t, p);
   return status;

@@ -104,10 +104,10 @@ void po_follow_destroy(po_follower *f) {
 /* Makes panels that resolve a field the current mesh, adapted from other panels. */
 static po_status mesh_for(po_follower *f, const po_panels *from, const po_gap_field *field) {
   const po_resolution margin = po_resolution_for_mesh(&f->resolution);
-  po_panels panels;
-  po_panels_copy(from, &panels);
-  const po_status status = po_resolution_panels(&margin, field, &panels);
-  return status ? status : po_corrector_mesh(&f->c, &panels);
+  po_panels *const panels = po_adaptive_draft(f->adaptive);
+  po_panels_copy(from, panels);
+  const po_status status = po_resolution_panels(&margin, field, panels);
+  return status ? status : po_corrector_mesh(&f->c, panels);
 }
 
 /* The special point near the guess, on a mesh that resolves it. Given: seed, whose arclength

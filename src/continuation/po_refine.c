@@ -1,5 +1,6 @@
 #include "po_refine.h"
 
+#include <limits.h>
 #include <math.h>
 
 #include "po_hermite.h"
@@ -36,67 +37,46 @@ static const double SAFETY = 3.0, FLOOR = 10.0;
  * 742; the changes of approach and load are usually equal within a factor 50. */
 static const double OF_OTHER = 0.02;
 
-/* Splits panels until none spans more than TELLING_WAVES wavelengths. If that takes too many
- * panels, none is split. */
-static void split_waves(const po_resolution *r, po_panels *panels) {
-  const po_scene *scene = r->e->scene;
-  po_panels before;
-  po_panels_copy(panels, &before);
-  const double longest = TELLING_WAVES * po_initial_gap_detail(scene);
-  bool any = isfinite(longest);
-  while (any) {
-    bool split[PO_MOST_PANELS];
-    any = false;
-    for (size_t k = 0; k < panels->count; ++k) {
-      const double length = r->domain * po_panel_size(panels->panel[k]);
-      split[k] = length > longest;
-      any = any || split[k];
-    }
-    if (any && !po_panels_split(panels, split)) {
-      po_panels_copy(&before, panels);
-      return;
-    }
-  }
+/* A panel that spans more than TELLING_WAVES wavelengths. */
+static bool spans_waves(void *resolution, po_panel panel) {
+  const po_resolution *r = resolution;
+  return r->domain * po_panel_size(panel) > TELLING_WAVES * po_initial_gap_detail(r->e->scene);
 }
 
 /* Halvings of the panel with the kink of the profile. The error of that panel goes as the square of
  * its length, not as a high power, so one halving leaves too much of it. */
 enum { KINK_HALVINGS = 4 };
 
-/* Splits the panel inside which the profile has its kink. */
-static void split_kink(const po_resolution *r, po_panels *panels) {
-  const po_profile *profile = &r->e->scene->profile;
-  const double at = po_profile_kink(profile) / r->domain;
-  for (int halving = 0; halving < KINK_HALVINGS && at > 0.0 && at < 1.0; ++halving) {
-    bool split[PO_MOST_PANELS] = {false};
-    const size_t k = po_panels_find(panels, at);
-    const po_panel panel = panels->panel[k];
-    split[k] = po_profile_has_kink_between(profile, r->domain * po_panel_begin(panel),
-                                           r->domain * po_panel_end(panel));
-    if (!split[k] || !po_panels_split(panels, split))
-      return;
-  }
+static bool has_kink(void *resolution, po_panel panel) {
+  const po_resolution *r = resolution;
+  return po_profile_has_kink_between(&r->e->scene->profile, r->domain * po_panel_begin(panel),
+                                     r->domain * po_panel_end(panel));
 }
 
-/* The finer mesh: panels of p whose excess is above a part of the largest are halved, panels of
- * several waves are split. The last panel of a cut surface is always halved: the deflection has an
- * infinite slope at the end of the traction, which the excess does not show. */
+/* The panels of p, with those halved whose excess is above a part of the largest. The last panel of
+ * a cut surface is always halved: the deflection has an infinite slope at the end of the traction,
+ * which the excess does not show. */
+static bool halve_excess(const po_resolution *r, const po_solution *p, double part,
+                         po_panels *panels) {
+  const double least = part * po_resolution_excess(r, p->panels, p->state);
+  po_panels_copy(p->panels, panels);
+  for (size_t k = 0; k < panels->count; ++k)
+    panels->marked[k] = po_resolution_excess_of(r, panels, p->state, k) > least;
+  if (isfinite(r->e->scene->outer_radius))
+    panels->marked[panels->count - 1] = true;
+  return po_panels_split(panels);
+}
+
+/* The finer mesh: panels that contribute to the error are halved, and panels of several waves are
+ * split, unless that takes too many panels. */
 static bool finer_panels(const po_resolution *r, const po_solution *p, double part,
                          po_panels *panels) {
-  double excess[PO_MOST_PANELS], largest = 0.0;
-  bool split[PO_MOST_PANELS];
-  po_resolution_excesses(r, p->panels, p->state, excess);
-  for (size_t k = 0; k < p->panels->count; ++k)
-    largest = fmax(largest, excess[k]);
-  for (size_t k = 0; k < p->panels->count; ++k)
-    split[k] = excess[k] > part * largest;
-  if (isfinite(r->e->scene->outer_radius))
-    split[p->panels->count - 1] = true;
-  po_panels_copy(p->panels, panels);
-  if (!po_panels_split(panels, split))
+  po_resolution all = *r;
+  if (!halve_excess(r, p, part, panels))
     return false;
-  split_waves(r, panels);
-  split_kink(r, panels);
+  if (!po_panels_refine(panels, INT_MAX, spans_waves, &all))
+    halve_excess(r, p, part, panels);
+  po_panels_refine(panels, KINK_HALVINGS, has_kink, &all);
   return true;
 }
 
@@ -217,10 +197,10 @@ static po_status solve_finer(po_corrector *c, const po_resolution *resolution,
   c->e->precision = PO_FINEST_PRECISION;
   for (double part = CONTRIBUTES; status == PO_OUT_OF_NODES && part <= MOST_CONTRIBUTES;
        part *= COARSER) {
-    po_panels panels;
+    po_panels *const panels = po_adaptive_draft(c->adaptive);
     c->trouble = PO_OK;
-    status = finer_panels(resolution, r->point, part, &panels)
-                 ? solve_on(c, &panels, how, r->point, finer, value)
+    status = finer_panels(resolution, r->point, part, panels)
+                 ? solve_on(c, panels, how, r->point, finer, value)
                  : po_fail(PO_OUT_OF_NODES, "a finer mesh needs more panels than are possible");
     if (c->trouble)
       status = c->trouble;
@@ -256,14 +236,14 @@ static po_status estimate(po_corrector *c, const po_resolution *resolution,
  * a solution on another strand of the branch would show as a large change. */
 po_status po_refine(po_corrector *c, const po_resolution *resolution, const po_refinement *how,
                     po_refined *r) {
-  po_panels panels;
-  po_panels_copy(po_adaptive_panels(c->adaptive), &panels);
+  po_panels *const before = how->spare[0]->wanted;
+  po_panels_copy(po_adaptive_panels(c->adaptive), before);
   const int direction = c->direction;
   c->direction = 0;
   const po_status status = estimate(c, resolution, how, r);
   const po_status trouble = c->trouble;
   c->direction = direction;
-  po_corrector_mesh(c, &panels);
+  po_corrector_mesh(c, before);
   c->trouble = trouble;
   return status;
 }

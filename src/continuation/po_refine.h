@@ -25,7 +25,7 @@ typedef struct {
   double slope;  /* derivative of the rate that vanishes at the special point, with respect to the
                     arclength functional of that point */
   double enough; /* error of the load that is accepted; INFINITY: any */
-  po_solution *spare[2];
+  po_solution *spare[2]; /* the current mesh is kept in the first, as `wanted` */
 } po_refinement;
 
 /* Estimates the error of a fold or an extremum of the load. The special point is solved again on a

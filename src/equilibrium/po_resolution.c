@@ -124,69 +124,48 @@ static double excess_of(const po_resolution *r, double begin, double end, const 
                                                                         : excess;
 }
 
-void po_resolution_excesses(const po_resolution *r, const po_panels *panels, const double *gap,
-                            double *excess) {
-  for (size_t k = 0; k < panels->count; ++k)
-    excess[k] = excess_of(r, r->domain * po_panel_begin(panels->panel[k]),
-                          r->domain * po_panel_end(panels->panel[k]), gap + k * PO_TABLE_ORDER);
+double po_resolution_excess_of(const po_resolution *r, const po_panels *panels, const double *gap,
+                               size_t panel) {
+  return excess_of(r, r->domain * po_panel_begin(panels->panel[panel]),
+                   r->domain * po_panel_end(panels->panel[panel]), gap + panel * PO_TABLE_ORDER);
 }
 
 double po_resolution_excess(const po_resolution *r, const po_panels *panels, const double *gap) {
-  double excess[PO_MOST_PANELS], worst = 0.0;
-  po_resolution_excesses(r, panels, gap, excess);
+  double worst = 0.0;
   for (size_t k = 0; k < panels->count; ++k)
-    worst = fmax(worst, excess[k]);
+    worst = fmax(worst, po_resolution_excess_of(r, panels, gap, k));
   return worst;
 }
 
-static double excess_of_panel(const po_resolution *r, const po_gap_field *field, po_panel panel) {
+typedef struct {
+  const po_resolution *r;
+  const po_gap_field *field;
+} resolved_field;
+
+static double excess_of_panel(const resolved_field *f, po_panel panel) {
+  const po_resolution *r = f->r;
   const double begin = r->domain * po_panel_begin(panel), end = r->domain * po_panel_end(panel);
   double gap[PO_TABLE_ORDER];
   for (size_t i = 0; i < PO_TABLE_ORDER; ++i)
-    gap[i] = field->gap_at(field->data, begin + (end - begin) * r->rule->node[i]);
+    gap[i] = f->field->gap_at(f->field->data, begin + (end - begin) * r->rule->node[i]);
   return excess_of(r, begin, end, gap);
 }
 
-/* Splits panels until none has an excess above 1. Returned: false if there are too many panels. */
-static bool split_all(const po_resolution *r, const po_gap_field *field, po_panels *panels) {
-  bool known[PO_MOST_PANELS]; /* the excess of panel k is known to be at most 1 */
-  memset(known, 0, panels->count * sizeof *known);
-  for (int pass = 0; pass < MOST_DEPTH; ++pass) {
-    bool split[PO_MOST_PANELS], any = false;
-    for (size_t k = 0; k < panels->count; ++k) {
-      split[k] = !known[k] && excess_of_panel(r, field, panels->panel[k]) > 1.0;
-      any = any || split[k];
-    }
-    if (!any)
-      return true;
-    po_panels before;
-    po_panels_copy(panels, &before);
-    if (!po_panels_split(panels, split))
-      return false;
-    bool now_known[PO_MOST_PANELS];
-    size_t old = 0;
-    for (size_t k = 0; k < panels->count;
-         ++k) { /* panels that were not split need no second look */
-      while (po_panel_end(before.panel[old]) <= po_panel_begin(panels->panel[k]))
-        ++old;
-      now_known[k] = po_panel_equal(before.panel[old], panels->panel[k]);
-    }
-    memcpy(known, now_known, panels->count * sizeof *known);
-  }
-  return true;
+static bool is_too_coarse(void *data, po_panel panel) {
+  return excess_of_panel(data, panel) > 1.0;
 }
 
-static void join_what_can_be(const po_resolution *r, const po_gap_field *field, po_panels *panels) {
-  bool join[PO_MOST_PANELS];
+static void join_what_can_be(const resolved_field *f, po_panels *panels) {
+  bool *const join = panels->marked;
   memset(join, 0, panels->count * sizeof *join);
   for (size_t k = 0; k + 1 < panels->count; ++k) {
     const po_panel a = panels->panel[k], b = panels->panel[k + 1];
     if (a.level < 2 || a.level != b.level || a.index % 2 || b.index != a.index + 1)
       continue;
     const po_panel parent = {a.level - 1, a.index / 2};
-    join[k] = join[k + 1] = excess_of_panel(r, field, parent) < PARENT_MARGIN;
+    join[k] = join[k + 1] = excess_of_panel(f, parent) < PARENT_MARGIN;
   }
-  po_panels_join(panels, join);
+  po_panels_join(panels);
 }
 
 /* A mesh is made for this part of the allowed errors and kept until the allowed errors are
@@ -215,6 +194,8 @@ po_status po_resolution_fail(const po_panels *panels) {
 
 po_status po_resolution_panels(const po_resolution *r, const po_gap_field *field,
                                po_panels *panels) {
-  join_what_can_be(r, field, panels);
-  return split_all(r, field, panels) ? PO_OK : po_resolution_fail(panels);
+  resolved_field f = {r, field};
+  join_what_can_be(&f, panels);
+  return po_panels_refine(panels, MOST_DEPTH, is_too_coarse, &f) ? PO_OK
+                                                                 : po_resolution_fail(panels);
 }

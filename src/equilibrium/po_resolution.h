@@ -35,11 +35,12 @@ typedef struct {
   po_allowance allowed;
 } po_resolution;
 
-/* The excess of each panel: its estimated error relative to the allowed one; and the largest excess
- * of all panels. Given: gap, H at the nodes of the panels. Returned: excess, one value a panel;
- * above 1 the panel is too coarse. */
-void po_resolution_excesses(const po_resolution *r, const po_panels *panels, const double *gap,
-                            double *excess);
+/* The excess of a panel: its estimated error relative to the allowed one; above 1 the panel is too
+ * coarse. Given: gap, H at the nodes of all panels. */
+double po_resolution_excess_of(const po_resolution *r, const po_panels *panels, const double *gap,
+                               size_t panel);
+
+/* The largest excess of all panels. */
 double po_resolution_excess(const po_resolution *r, const po_panels *panels, const double *gap);
 
 /* The same with smaller allowed errors, as used to make a mesh. */

@@ -21,8 +21,7 @@ typedef struct po_solution {
   double load, load_rate, energy;
   double position;
   po_moving_edges edges; /* contact edges, on panels only */
-  /* the mesh of this solution, and the coarsest that resolves it; empty on a fixed mesh. Only the
-   * places of panels that are there are ever written, so that the others take no memory. */
+  /* the mesh of this solution, and the coarsest that resolves it; empty on a fixed mesh */
   po_panels *panels, *wanted;
 } po_solution;
 

@@ -13,43 +13,45 @@ po_status po_near_tables_fill(po_near_tables *tables) {
  * result. */
 static const double LEAST_PIECE = 1e-20;
 
-/* Adds the points on one side of x0. Given: sign, the direction; from and to, the range of
- * distances from x0 (0 <= from < to). Returned: the number of points. */
-static size_t add_side(const po_near_tables *tables, double x0, double sign, double from, double to,
-                       double mirror, po_near_point *point) {
-  size_t count = 0;
-  double near = from;
-  if (near == 0.0) {
-    near = mirror < to ? mirror : to;
-    for (size_t q = 0; q < PO_LOG_RULE_POINTS; ++q) {
-      const double offset = sign * near * tables->log_node[q];
-      point[count++] = (po_near_point){
-          .x = x0 + offset, .offset = offset, .weight = near * tables->log_weight[q]};
-    }
+/* The points of a piece on one side of x0, with the nodes and weights of a rule over (0, 1). */
+static void fill_piece(const po_near_rule *r, double length, size_t count, const double *node,
+                       const double *weight, po_near_point *point) {
+  for (size_t q = 0; q < count; ++q) {
+    const double offset = r->sign * (r->near + length * node[q]);
+    point[q] = (po_near_point){.x = r->x0 + offset, .offset = offset, .weight = length * weight[q]};
   }
-  while (near < to) { /* the length of each piece equals its distance from the singularity */
-    double length = near;
-    if (near + 1.5 * length > to)
-      length = to - near;
-    for (size_t q = 0; q < PO_NEAR_GAUSS_POINTS; ++q) {
-      const double offset = sign * (near + length * tables->gauss_node[q]);
-      point[count++] = (po_near_point){
-          .x = x0 + offset, .offset = offset, .weight = length * tables->gauss_weight[q]};
-    }
-    near = length == to - near ? to : near + length;
-  }
-  return count;
 }
 
-size_t po_near_rule(const po_near_tables *tables, double x0, double mirror,
-                    po_near_point point[PO_NEAR_MAX_POINTS]) {
-  size_t count = 0;
-  mirror = fmax(mirror, LEAST_PIECE);
-  if (x0 > 0.0)
-    count += add_side(tables, x0, -1.0, x0 > 1.0 ? x0 - 1.0 : 0.0, x0, mirror, point);
-  if (x0 < 1.0)
-    count += add_side(tables, x0, 1.0, x0 < 0.0 ? -x0 : 0.0, 1.0 - x0, mirror, point + count);
-  return count;
+po_near_rule po_near_rule_begin(const po_near_tables *tables, double x0, double mirror) {
+  return (po_near_rule){.tables = tables,
+                        .x0 = x0,
+                        .mirror = fmax(mirror, LEAST_PIECE),
+                        .sign = -1.0,
+                        .near = x0 > 1.0 ? x0 - 1.0 : 0.0,
+                        .to = x0};
+}
+
+size_t po_near_rule_next(po_near_rule *r, po_near_point point[PO_NEAR_PIECE_POINTS]) {
+  const po_near_tables *t = r->tables;
+  if (!(r->near < r->to) && r->sign < 0.0) {
+    r->sign = 1.0;
+    r->near = r->x0 < 0.0 ? -r->x0 : 0.0;
+    r->to = 1.0 - r->x0;
+  }
+  if (!(r->near < r->to))
+    return 0;
+  if (r->near == 0.0) {
+    const double length = r->mirror < r->to ? r->mirror : r->to;
+    fill_piece(r, length, PO_LOG_RULE_POINTS, t->log_node, t->log_weight, point);
+    r->near = length;
+    return PO_LOG_RULE_POINTS;
+  }
+  double length = r->near; /* the length of each piece equals its distance from the singularity */
+  if (r->near + 1.5 * length > r->to)
+    length = r->to - r->near;
+  fill_piece(r, length, PO_NEAR_GAUSS_POINTS, t->gauss_node, t->gauss_weight, point);
+  r->near = length == r->to - r->near ? r->to : r->near + length;
+  return PO_NEAR_GAUSS_POINTS;
 }
 
 int po_near_is_far(double x0, size_t n) {

@@ -7,11 +7,9 @@
 
 #include "po_quadrature.h"
 
-/* The largest number of points is that of 120 Gauss pieces: pieces double in length away from the
- * singularity, from the rounding unit to 1, which takes at most 53 on each side. */
-enum { PO_NEAR_GAUSS_POINTS = 16, PO_NEAR_MAX_POINTS = 2 * PO_LOG_RULE_POINTS + 16 * 120 };
+enum { PO_NEAR_GAUSS_POINTS = 16, PO_NEAR_PIECE_POINTS = PO_LOG_RULE_POINTS };
 
-/* The rules from which po_near_rule builds its rules; filled once by po_near_tables_fill. */
+/* The rules of the pieces of a po_near_rule; filled once by po_near_tables_fill. */
 typedef struct {
   double gauss_node[PO_NEAR_GAUSS_POINTS], gauss_weight[PO_NEAR_GAUSS_POINTS];
   double log_node[PO_LOG_RULE_POINTS], log_weight[PO_LOG_RULE_POINTS];
@@ -30,11 +28,20 @@ typedef struct {
 /* A quadrature rule over x in (0, 1) for integrands that are a polynomial of degree up to 20 times
  * a function with a logarithmic singularity at x0, inside the interval, at an end or outside. The
  * rule is composed of pieces whose length grows geometrically away from x0; the piece at x0 uses
- * the rule for logarithms, the others a Gauss rule. Given: x0; mirror > 0, a lower bound of the
- * distance from x0 to the other singularity of the kernel (at s = -r). Returned: the number of
- * points, at most PO_NEAR_MAX_POINTS. Accuracy: 1e-14 relative (tests/unit/test_quadrature.c). */
-size_t po_near_rule(const po_near_tables *tables, double x0, double mirror,
-                    po_near_point point[PO_NEAR_MAX_POINTS]);
+ * the rule for logarithms, the others a Gauss rule. Pieces double in length from the rounding unit
+ * to 1, so that there are at most 110. */
+typedef struct {
+  const po_near_tables *tables;
+  double x0, mirror;
+  double sign, near, to; /* the side of x0, and the distances from x0 that are left on it */
+} po_near_rule;
+
+/* Given: x0; mirror > 0, a lower bound of the distance from x0 to the other singularity of the
+ * kernel (at s = -r). Accuracy: 1e-14 relative (tests/unit/test_quadrature.c). */
+po_near_rule po_near_rule_begin(const po_near_tables *tables, double x0, double mirror);
+
+/* Fills the points of the next piece. Returned: their number; 0 if there is none. */
+size_t po_near_rule_next(po_near_rule *rule, po_near_point point[PO_NEAR_PIECE_POINTS]);
 
 /* Returned: whether a Gauss rule of n points over (0, 1) is exact to rounding if the singularity is
  * at x0. */

@@ -14,12 +14,12 @@
  * values. */
 static po_status restore(const po_kept_state *kept, po_equilibrium *e, po_adaptive *adaptive,
                          double *state) {
-  po_panels panels;
   po_status status = PO_OK;
   if (adaptive) {
-    status = po_adaptive_panels_of(adaptive, kept->n, kept->node, &panels);
+    po_panels *const panels = po_adaptive_draft(adaptive);
+    status = po_adaptive_panels_of(adaptive, kept->n, kept->node, panels);
     if (!status)
-      status = po_adaptive_mesh(adaptive, &panels);
+      status = po_adaptive_mesh(adaptive, panels);
     if (!status)
       po_equilibrium_remesh(e);
   }

@@ -239,7 +239,7 @@ static void keep_output(po_process_end *end, const char *bytes, size_t size) {
 
 /* Reads what the process has printed. */
 static void read_output(po_process *process) {
-  char bytes[65536];
+  char bytes[1 << 14];
   for (;;) {
     const ssize_t got = read(process->output, bytes, sizeof bytes);
     if (got == 0)

@@ -40,7 +40,7 @@ static void drop_taken(po_response *response) {
 }
 
 bool po_response_read(po_response *response) {
-  char bytes[65536];
+  char bytes[1 << 14];
   struct stat found;
   if (response->wrong[0] || (response->file < 0 && !open_file(response)))
     return false;

@@ -50,6 +50,14 @@ check 'the record is that of an undisturbed run' cmp mended at-once
 check 'exit code 4 if a curve cannot be written' test "$(cat code)" -eq 4
 check 'no part of the curve is left' test -z "$(find . -name 'curve.csv*')"
 
+# A small stack suffices: a solve took 1.2 MB.
+(
+  ulimit -s 128
+  "$program" solve --tabor 1 --want hysteresis,preload,diagnostics,curve,profile >/dev/null 2>stderr
+  echo $? >code
+)
+check 'a stack of 128 kB suffices' test "$(cat code)" -eq 0
+
 # After an incomplete line, which a killed process may leave, the next point begins a new line.
 expect 0 'parts: 2 of 6 points, 0 checks: within' run --jobs 1 --output torn --points 0-1
 truncate -s -40 torn/$journal

@@ -93,7 +93,6 @@ po_status equilibrium_measure(const po_scene *scene, const po_result *solved, si
                 .state = po_allocate(n + 1, sizeof *m.state),
                 .border = po_allocate(n + 1, sizeof *m.border),
                 .x = po_allocate(n + 1, sizeof *m.x)};
-  po_panels panels;
   po_status status = PO_NO_MEMORY;
   if (node && solution && m.state && m.border && m.x)
     status = po_adaptive_create(scene, scene->outer_radius, 1, &adaptive);
@@ -104,10 +103,10 @@ po_status equilibrium_measure(const po_scene *scene, const po_result *solved, si
     }
     solution[n] = solved->profile_approach;
     m.border[n] = 1.0;
-    status = po_adaptive_panels_of(adaptive, n, node, &panels);
+    status = po_adaptive_panels_of(adaptive, n, node, po_adaptive_draft(adaptive));
   }
   if (!status)
-    status = po_adaptive_mesh(adaptive, &panels);
+    status = po_adaptive_mesh(adaptive, po_adaptive_draft(adaptive));
   if (!status)
     status = measure_both(scene, po_adaptive_surface(adaptive), most_dense, &m, cost);
   po_adaptive_destroy(adaptive);

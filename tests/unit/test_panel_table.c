@@ -9,17 +9,16 @@
 #include "po_panels.h"
 #include "run.h"
 
-/* A tree refined towards x, to the given level. */
-static po_panels refined_towards(double x, uint32_t level) {
-  po_panels panels;
-  po_panels_uniform(&panels, 1);
+/* Refines a tree towards x, to the given level. */
+static void refine_towards(po_panels *panels, double x, uint32_t level) {
+  po_panels_uniform(panels, 1);
   for (;;) {
-    const size_t at = po_panels_find(&panels, x);
-    if (panels.panel[at].level >= level)
-      return panels;
-    bool split[PO_MOST_PANELS] = {false};
-    split[at] = true;
-    ck_assert(po_panels_split(&panels, split));
+    const size_t at = po_panels_find(panels, x);
+    if (panels->panel[at].level >= level)
+      return;
+    for (size_t k = 0; k < panels->count; ++k)
+      panels->marked[k] = k == at;
+    ck_assert(po_panels_split(panels));
   }
 }
 
@@ -38,15 +37,15 @@ static void check_tree(const po_panels *panels) {
 }
 
 START_TEST(tree_stays_graded) {
-  po_panels panels = refined_towards(0.2385, 9);
+  static po_panels panels;
+  refine_towards(&panels, 0.2385, 9);
   check_tree(&panels);
-  bool join[PO_MOST_PANELS];
   size_t before = panels.count;
   do {
     for (size_t k = 0; k < panels.count; ++k)
-      join[k] = true;
+      panels.marked[k] = true;
     before = panels.count;
-    po_panels_join(&panels, join);
+    po_panels_join(&panels);
     check_tree(&panels);
   } while (panels.count < before);
   ck_assert_uint_eq(panels.count, 1);
@@ -54,15 +53,14 @@ START_TEST(tree_stays_graded) {
 END_TEST
 
 START_TEST(split_without_room_changes_nothing) {
-  po_panels panels;
+  static po_panels panels;
   po_panels_uniform(&panels, 13);
-  bool split[PO_MOST_PANELS];
   for (size_t k = 0; k < panels.count; ++k)
-    split[k] = k < PO_MOST_PANELS - panels.count;
-  ck_assert(po_panels_split(&panels, split)); /* full */
+    panels.marked[k] = k < PO_MOST_PANELS - panels.count;
+  ck_assert(po_panels_split(&panels)); /* full */
   for (size_t k = 0; k < panels.count; ++k)
-    split[k] = k == 3;
-  ck_assert(!po_panels_split(&panels, split));
+    panels.marked[k] = k == 3;
+  ck_assert(!po_panels_split(&panels));
   ck_assert_uint_eq(panels.count, PO_MOST_PANELS);
 }
 END_TEST
@@ -72,7 +70,8 @@ static const double FOCI[] = {0.0, 0.2385, 0.5, 0.9999};
 START_TEST(tabulated_blocks_agree_with_product_integration) {
   const po_panel_table *table = po_panel_table_get();
   ck_assert_ptr_nonnull(table);
-  const po_panels panels = refined_towards(FOCI[_i], 8);
+  static po_panels panels;
+  refine_towards(&panels, FOCI[_i], 8);
   double worst = 0.0;
   for (size_t a = 0; a < panels.count; ++a)
     for (size_t b = 0; b < panels.count; ++b) {
@@ -104,13 +103,13 @@ START_TEST(panels_are_recognised_from_their_nodes) {
   static const po_scene SCENE = {.tabor = 2.385, .radius = 93.0, .outer_radius = 71.0};
   po_adaptive *adaptive = NULL;
   ck_assert_int_eq(po_adaptive_create(&SCENE, 71.0, 2, &adaptive), PO_OK);
-  const po_panels mesh = refined_towards(0.2385, 7);
+  static po_panels mesh, panels;
+  refine_towards(&mesh, 0.2385, 7);
   ck_assert_int_eq(po_adaptive_mesh(adaptive, &mesh), PO_OK);
   const po_surface *surface = po_adaptive_surface(adaptive);
   ck_assert_uint_eq(surface->n, PO_TABLE_ORDER * mesh.count);
   double *node = malloc(surface->n * sizeof *node);
   memcpy(node, surface->node, surface->n * sizeof *node);
-  po_panels panels;
   for (size_t count = 0; count <= mesh.count; ++count) {
     ck_assert_int_eq(po_adaptive_panels_of(adaptive, PO_TABLE_ORDER * count, node, &panels), PO_OK);
     ck_assert_uint_eq(panels.count, count);
@@ -132,7 +131,7 @@ START_TEST(mesh_without_room_changes_nothing) {
   po_scene wavy = SMOOTH;
   wavy.amplitude = 0.1;
   wavy.wavelength = 71.0 / 1000.0;
-  po_panels small, large;
+  static po_panels small, large;
   po_panels_uniform(&small, 2);
   po_panels_uniform(&large, 13);
   for (int k = 0; k < 2; ++k) {
