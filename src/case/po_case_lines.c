@@ -19,17 +19,24 @@ static bool is_variable(const po_form *form, const char *key) {
 /* Reports whether a form depends on a key of the scene. Files of profiles are given in the scene.
  */
 static bool is_of_form(const po_form *form, int key) {
-  if (key >= PO_KEY_LAW && key <= PO_KEY_MORSE_A)
+  if (key < 0)
+    return false;
+  switch (po_key_row_of(key)->owner) {
+  case PO_OWNER_LAW:
     return form->takes & PO_TAKES_LAW;
-  if ((key >= PO_KEY_PROFILE && key < PO_KEY_TABLE_SCALE) || key == PO_KEY_WAVES)
-    return form->takes & PO_TAKES_PROFILE;
-  return (key >= PO_KEY_TABOR && key <= PO_KEY_RADIUS) || key == PO_KEY_ALPHA ||
-         key == PO_KEY_AMPLITUDE_RATIO || key == PO_KEY_COUPLING;
+  case PO_OWNER_PROFILE:
+    return form->takes & PO_TAKES_PROFILE && key != PO_KEY_TABLE_SCALE &&
+           key != PO_KEY_PROFILE_FILE;
+  default: /* the closed forms are for the unbounded half-space */
+    return po_key_row_of(key)->owner == PO_OWNER_SCENE &&
+           po_key_target((po_key)key) != PO_KEY_OUTER_RADIUS;
+  }
 }
 
 /* Reports whether the key gives a law, a profile or waves: then the forms of any profile apply. */
 static bool is_general(int key) {
-  return key >= PO_KEY_LAW && key <= PO_KEY_WAVES;
+  const po_key_owner owner = po_key_row_of(key)->owner;
+  return owner == PO_OWNER_LAW || owner == PO_OWNER_PROFILE;
 }
 
 size_t po_case_line_rows(const po_case_line *line) {
@@ -136,9 +143,10 @@ static po_status check_parameters(const po_case_file *file, const po_case_line *
                                   unsigned index, const po_yaml *yaml) {
   for (unsigned i = 0; i < line->sweep_count; ++i) {
     const int key = po_key_of_name(line->sweep[i].key);
-    if (key <= PO_KEY_LAW || key >= PO_KEY_TABLE_SCALE || key == PO_KEY_PROFILE)
+    const bool of_law = po_key_is_parameter(key, PO_OWNER_LAW);
+    const int owner = of_law ? PO_KEY_LAW : PO_KEY_PROFILE;
+    if (!of_law && !po_key_is_parameter(key, PO_OWNER_PROFILE))
       continue;
-    const int owner = key < PO_KEY_PROFILE ? PO_KEY_LAW : PO_KEY_PROFILE;
     const po_axis *names = NULL;
     for (unsigned k = 0; k < line->sweep_count; ++k)
       if (po_key_of_name(line->sweep[k].key) == owner)

@@ -7,13 +7,12 @@
 #include "po_memory.h"
 #include "po_schema.h"
 
-/* The keys that follow from the block, and therefore may not be given beside it. */
-static const po_key DERIVED[] = {
-    PO_KEY_TABOR,   PO_KEY_AMPLITUDE,   PO_KEY_WAVELENGTH,  PO_KEY_RADIUS,      PO_KEY_OUTER_RADIUS,
-    PO_KEY_PROFILE, PO_KEY_POWER_C,     PO_KEY_POWER_N,     PO_KEY_CONE_T,      PO_KEY_PUNCH_B,
-    PO_KEY_PUNCH_R, PO_KEY_TRUNCATED_B, PO_KEY_TRUNCATED_R, PO_KEY_TABLE_SCALE, PO_KEY_PROFILE_FILE,
-    PO_KEY_WAVES,   PO_KEY_COUPLING};
-enum { DERIVED_COUNT = sizeof DERIVED / sizeof *DERIVED };
+/* Whether a key follows from the block, and therefore may not be given beside it. */
+static bool is_derived(int key) {
+  const po_key_owner owner = po_key_row_of(key)->owner;
+  return (owner == PO_OWNER_SCENE || owner == PO_OWNER_PROFILE) &&
+         (!po_key_is_group(key) || key == PO_KEY_COUPLING);
+}
 
 /* Parses a number of the block. */
 static po_status parse(const char *text, bool may_be_inf, const char *name, double *value,
@@ -51,17 +50,17 @@ static po_status read_words(const po_physical_words *words, po_physical *p, cons
 static po_status refuse_both(const po_case_file *file, const po_yaml *yaml) {
   static const char NOT_BOTH[] = "none of tabor, amplitude, wavelength, radius, outer_radius, the "
                                  "profile and waves, or a group of them, beside scene.physical";
-  for (int i = 0; i < DERIVED_COUNT; ++i)
-    if (file->scene.values[DERIVED[i]])
-      return po_schema_refuse(yaml, NOT_BOTH, "scene.%s", po_key_name(DERIVED[i]));
+  for (int key = 0; key < PO_KEY_END; ++key)
+    if (is_derived(key) && file->scene.values[key])
+      return po_schema_refuse(yaml, NOT_BOTH, "scene.%s", po_key_name((po_key)key));
   for (unsigned k = 0; k < file->sweep_count; ++k) {
     const char *what = file->sweep[k].together ? "together" : "key";
-    for (int i = 0; i < DERIVED_COUNT; ++i)
-      if (po_sweep_varies(&file->sweep[k], DERIVED[i]))
+    for (int key = 0; key < PO_KEY_END; ++key)
+      if (is_derived(key) && po_sweep_varies(&file->sweep[k], (po_key)key))
         return po_schema_refuse(yaml, NOT_BOTH, "sweep[%u].%s", k + 1, what);
   }
-  for (int i = 0; i < DERIVED_COUNT; ++i)
-    if (po_case_draws(file, DERIVED[i]))
+  for (int key = 0; key < PO_KEY_END; ++key)
+    if (is_derived(key) && po_case_draws(file, (po_key)key))
       return po_schema_refuse(yaml, NOT_BOTH, "scene.physical");
   return PO_OK;
 }
@@ -69,8 +68,8 @@ static po_status refuse_both(const po_case_file *file, const po_yaml *yaml) {
 /* Whether a key has no value in a scene that was given in SI units: a group, a parameter of another
  * profile, waves that the scene does not have. */
 static bool is_absent(const po_request *request, po_key key) {
-  return po_key_is_group(key) || (po_key_is_idle(request, key) &&
-                                  (key != PO_KEY_AMPLITUDE || po_scene_waves(&request->scene) > 1));
+  return po_key_is_idle(request, key) &&
+         (key != PO_KEY_AMPLITUDE || po_scene_waves(&request->scene) > 1);
 }
 
 /* Sets the profile of the block. */
@@ -139,13 +138,13 @@ po_status po_case_physical_parse(po_case *kase, const po_yaml *yaml) {
     return status;
   kase->is_physical = true;
   kase->units = po_physical_units(&physical, &request.scene);
-  for (int i = 0; i < DERIVED_COUNT; ++i) {
+  for (int key = 0; key < PO_KEY_COUNT; ++key) {
     char text[PO_KEY_TEXT_LENGTH];
-    if (is_absent(&request, DERIVED[i]))
+    if (!is_derived(key) || is_absent(&request, (po_key)key))
       continue;
-    po_key_print(&request, DERIVED[i], text);
-    words->values[DERIVED[i]] = po_copy_text(text);
-    if (!words->values[DERIVED[i]])
+    po_key_print(&request, (po_key)key, text);
+    words->values[key] = po_copy_text(text);
+    if (!words->values[key])
       return PO_NO_MEMORY;
   }
   return PO_OK;

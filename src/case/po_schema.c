@@ -98,33 +98,17 @@ static const po_field PHYSICAL[] = {
     {0},
 };
 
-#define SCENE_KEY(name, key) OPTIONAL_TEXT(name, po_scene_words, values[key], NULL)
-#define SCENE_KEYS                                                                                 \
-  SCENE_KEY("tabor", PO_KEY_TABOR), SCENE_KEY("amplitude", PO_KEY_AMPLITUDE),                      \
-      SCENE_KEY("wavelength", PO_KEY_WAVELENGTH), SCENE_KEY("radius", PO_KEY_RADIUS),              \
-      SCENE_KEY("outer_radius", PO_KEY_OUTER_RADIUS), SCENE_KEY("law", PO_KEY_LAW),                \
-      SCENE_KEY("mie_m", PO_KEY_MIE_M), SCENE_KEY("mie_n", PO_KEY_MIE_N),                          \
-      SCENE_KEY("morse_a", PO_KEY_MORSE_A), SCENE_KEY("profile", PO_KEY_PROFILE),                  \
-      SCENE_KEY("power_c", PO_KEY_POWER_C), SCENE_KEY("power_n", PO_KEY_POWER_N),                  \
-      SCENE_KEY("cone_t", PO_KEY_CONE_T), SCENE_KEY("punch_b", PO_KEY_PUNCH_B),                    \
-      SCENE_KEY("punch_r", PO_KEY_PUNCH_R), SCENE_KEY("truncated_b", PO_KEY_TRUNCATED_B),          \
-      SCENE_KEY("truncated_r", PO_KEY_TRUNCATED_R), SCENE_KEY("table_scale", PO_KEY_TABLE_SCALE),  \
-      SCENE_KEY("profile_file", PO_KEY_PROFILE_FILE), SCENE_KEY("waves", PO_KEY_WAVES),            \
-      SCENE_KEY("coupling", PO_KEY_COUPLING), SCENE_KEY("scheme", PO_KEY_SCHEME),                  \
-      SCENE_KEY("grading", PO_KEY_GRADING), SCENE_KEY("nodes", PO_KEY_NODES),                      \
-      SCENE_KEY("tolerance", PO_KEY_TOLERANCE),                                                    \
-      SCENE_KEY("approach_start", PO_KEY_APPROACH_START),                                          \
-      SCENE_KEY("approach_end", PO_KEY_APPROACH_END), SCENE_KEY("preload", PO_KEY_PRELOAD),        \
-      SCENE_KEY("preload_load", PO_KEY_PRELOAD_LOAD), SCENE_KEY("time_limit", PO_KEY_TIME_LIMIT)
+#define SCENE_KEY(key, name, ...) OPTIONAL_TEXT(name, po_scene_words, values[PO_KEY_##key], NULL),
+#define SCENE_KEYS PO_KEY_ROWS(SCENE_KEY) SCENE_KEY(COUPLING, "coupling", )
 static const po_field SCENE[] = {
-    SCENE_KEYS,
+    SCENE_KEYS
     OPTIONAL_PART("physical", po_scene_words, physical, PHYSICAL,
                   "a mapping of modulus_pa, work_j_per_m2, distance_m, radius_m and more"),
     {0},
 };
 
 static const po_field SETTINGS[] = {
-    SCENE_KEYS,
+    SCENE_KEYS
     {0},
 };
 

@@ -18,46 +18,22 @@ typedef enum {
   NAME
 } value_type;
 
-static const struct {
-  const char *name;
-  value_type type;
-  const char *expected;
-} KEYS[PO_KEY_END] = {
-    [PO_KEY_TABOR] = {"tabor", NOT_NEGATIVE, "a finite number >= 0"},
-    [PO_KEY_AMPLITUDE] = {"amplitude", NOT_NEGATIVE, "a finite number >= 0"},
-    [PO_KEY_WAVELENGTH] = {"wavelength", POSITIVE, "a finite number > 0"},
-    [PO_KEY_RADIUS] = {"radius", POSITIVE, "a finite number > 0"},
-    [PO_KEY_OUTER_RADIUS] = {"outer_radius", POSITIVE_OR_INFINITE, "a finite number > 0, or inf"},
-    [PO_KEY_LAW] = {"law", NAME, PO_LAW_EXPECTED},
-    [PO_KEY_MIE_M] = {"mie_m", POSITIVE, "a finite number > 1"},
-    [PO_KEY_MIE_N] = {"mie_n", POSITIVE, "a finite number > mie_m"},
-    [PO_KEY_MORSE_A] = {"morse_a", POSITIVE, "a finite number > 0"},
-    [PO_KEY_PROFILE] = {"profile", NAME, PO_PROFILE_EXPECTED},
-    [PO_KEY_POWER_C] = {"power_c", POSITIVE, "a finite number > 0"},
-    [PO_KEY_POWER_N] = {"power_n", POSITIVE, "a number from 1 to 40"},
-    [PO_KEY_CONE_T] = {"cone_t", POSITIVE, "a finite number > 0"},
-    [PO_KEY_PUNCH_B] = {"punch_b", POSITIVE, "a finite number > 0"},
-    [PO_KEY_PUNCH_R] = {"punch_r", POSITIVE, "a finite number > 0"},
-    [PO_KEY_TRUNCATED_B] = {"truncated_b", POSITIVE, "a finite number > 0"},
-    [PO_KEY_TRUNCATED_R] = {"truncated_r", POSITIVE, "a finite number > 0"},
-    [PO_KEY_TABLE_SCALE] = {"table_scale", POSITIVE, "a finite number > 0"},
-    [PO_KEY_PROFILE_FILE] = {"profile_file", NAME, "a CSV file with the columns r and gap"},
-    [PO_KEY_WAVES] = {"waves", NAME,
-                      "A@L;A@L;..., amplitude and wavelength of at most 8 waves, all > 0, or -"},
-    [PO_KEY_SCHEME] = {"scheme", NAME, "ring, triangle or panel"},
-    [PO_KEY_GRADING] = {"grading", NAME, "uniform or graded"},
-    [PO_KEY_NODES] = {"nodes", COUNT, "a whole number > 0"},
-    [PO_KEY_TOLERANCE] = {"tolerance", POSITIVE, "a finite number > 0"},
-    [PO_KEY_APPROACH_START] = {"approach_start", ANY_NUMBER, "a finite number"},
-    [PO_KEY_APPROACH_END] = {"approach_end", ANY_NUMBER, "a finite number"},
-    [PO_KEY_PRELOAD] = {"preload", FINITE_OR_INFINITE, "a finite number, or inf"},
-    [PO_KEY_PRELOAD_LOAD] = {"preload_load", NOT_NEGATIVE, "a finite number >= 0"},
-    [PO_KEY_TIME_LIMIT] = {"time_limit", POSITIVE, "a finite number > 0"},
-    [PO_KEY_ALPHA] = {"alpha", POSITIVE, "a finite number > 0"},
-    [PO_KEY_AMPLITUDE_RATIO] = {"amplitude_ratio", NOT_NEGATIVE, "a finite number >= 0"},
-    [PO_KEY_OUTER_RATIO] = {"outer_ratio", POSITIVE, "a finite number > 0"},
-    [PO_KEY_COUPLING] = {"coupling", NOT_NEGATIVE, "a finite number >= 0"},
-};
+#define EVERY (PO_FOR_SOLVE | PO_FOR_FOLLOW | PO_FOR_THEORY)
+#define SOLVE PO_FOR_SOLVE
+#define FOLLOW PO_FOR_FOLLOW
+#define PLACE(member) offsetof(po_request, member)
+#define NO_PLACE PO_NO_PLACE
+enum { NUMBER = false, LENGTH = true, CONSTANT = false, VARIES = true };
+
+#define ROW(key, name, domain, expected, length, owner, place, varies, verbs, value, help, series, \
+            form)                                                                                  \
+  [PO_KEY_##key] = {name,  expected, domain, length, varies, PO_OWNER_##owner,                     \
+                    place, verbs,    value,  help,   series, form},
+static const po_key_row KEYS[PO_KEY_END] = {PO_KEY_ROWS(ROW) PO_GROUP_ROWS(ROW)};
+
+const po_key_row *po_key_row_of(int key) {
+  return &KEYS[key];
+}
 
 po_request po_input_default(void) {
   po_request request = po_request_default();
@@ -81,24 +57,19 @@ const char *po_key_expected(po_key key) {
 }
 
 bool po_key_is_number(po_key key) {
-  return KEYS[key].type != NAME;
+  return KEYS[key].domain != NAME;
 }
 
 bool po_key_is_group(int key) {
   return key >= PO_KEY_COUNT;
 }
 
-static bool is_of_law(int key) {
-  return key >= PO_KEY_MIE_M && key <= PO_KEY_MORSE_A;
-}
-
-static bool is_of_profile(int key) {
-  return key >= PO_KEY_POWER_C && key <= PO_KEY_TABLE_SCALE;
+bool po_key_is_parameter(int key, po_key_owner owner) {
+  return key >= 0 && KEYS[key].owner == owner && KEYS[key].domain != NAME;
 }
 
 bool po_key_is_continuous(int key) {
-  return (key >= PO_KEY_TABOR && key <= PO_KEY_OUTER_RADIUS) || is_of_law(key) ||
-         (is_of_profile(key) && key != PO_KEY_TABLE_SCALE) || po_key_is_group(key);
+  return key >= 0 && KEYS[key].varies;
 }
 
 po_key po_key_target(po_key key) {
@@ -119,47 +90,25 @@ po_key po_key_target(po_key key) {
   }
 }
 
-/* Returned: the place of the value of a key in a request; NULL for names and counts. */
+/* Returned: the place of the value of a key in a request; NULL for names, counts and groups. */
 static double *key_place(po_request *request, po_key key) {
-  switch (key) {
-  case PO_KEY_TABOR:
-    return &request->scene.tabor;
-  case PO_KEY_AMPLITUDE:
-    return &request->scene.amplitude;
-  case PO_KEY_WAVELENGTH:
-    return &request->scene.wavelength;
-  case PO_KEY_RADIUS:
-    return &request->scene.radius;
-  case PO_KEY_OUTER_RADIUS:
-    return &request->scene.outer_radius;
-  case PO_KEY_MIE_M:
-  case PO_KEY_MIE_N:
-  case PO_KEY_MORSE_A:
-    return &request->scene.law.parameter[key - PO_KEY_MIE_M];
-  case PO_KEY_POWER_C:
-  case PO_KEY_POWER_N:
-  case PO_KEY_CONE_T:
-  case PO_KEY_PUNCH_B:
-  case PO_KEY_PUNCH_R:
-  case PO_KEY_TRUNCATED_B:
-  case PO_KEY_TRUNCATED_R:
-  case PO_KEY_TABLE_SCALE:
-    return &request->scene.profile.parameter[key - PO_KEY_POWER_C];
-  case PO_KEY_TOLERANCE:
-    return &request->mesh.tolerance;
-  case PO_KEY_APPROACH_START:
-    return &request->approach_start;
-  case PO_KEY_APPROACH_END:
-    return &request->approach_end;
-  case PO_KEY_PRELOAD:
-    return &request->preload.approach;
-  case PO_KEY_PRELOAD_LOAD:
-    return &request->preload.load;
-  case PO_KEY_TIME_LIMIT:
-    return &request->time_limit;
-  default:
-    return NULL;
-  }
+  const size_t place = KEYS[key].place;
+  return place == NO_PLACE ? NULL : (double *)(void *)((char *)request + place);
+}
+
+/* The number of a parameter among those of all laws, or of all profiles. */
+static int parameter_of(po_key key) {
+  const size_t first =
+      KEYS[key].owner == PO_OWNER_LAW ? PLACE(scene.law.parameter) : PLACE(scene.profile.parameter);
+  return (int)((KEYS[key].place - first) / sizeof(double));
+}
+
+/* Whether the law or the profile of a request has the parameter that a key is. */
+static bool has_parameter(const po_request *request, po_key key) {
+  if (po_key_is_parameter(key, PO_OWNER_LAW))
+    return po_law_has(&request->scene.law, (po_law_parameter)parameter_of(key));
+  return !po_key_is_parameter(key, PO_OWNER_PROFILE) ||
+         po_profile_has(&request->scene.profile, (po_profile_parameter)parameter_of(key));
 }
 
 /* The radius of a profile for which none was given. */
@@ -217,9 +166,9 @@ static bool parse_value(value_type type, const char *text, double *value) {
 }
 
 bool po_key_set(po_request *request, po_key key, const char *text) {
-  if (KEYS[key].type == NAME)
+  if (KEYS[key].domain == NAME)
     return set_name(request, key, text);
-  if (KEYS[key].type == COUNT) {
+  if (KEYS[key].domain == COUNT) {
     size_t count = 0;
     if (!po_number_parse_count(text, &count) || count == 0)
       return false;
@@ -227,7 +176,7 @@ bool po_key_set(po_request *request, po_key key, const char *text) {
     return true;
   }
   double value = 0;
-  if (!parse_value(KEYS[key].type, text, &value))
+  if (!parse_value((value_type)KEYS[key].domain, text, &value))
     return false;
   if (key == PO_KEY_ALPHA)
     value = sqrt(request->scene.amplitude * request->scene.radius / value);
@@ -241,18 +190,15 @@ bool po_key_set(po_request *request, po_key key, const char *text) {
     request->radius_given = true;
   if (key == PO_KEY_TABLE_SCALE)
     return set_scale(request, value);
-  if (is_of_law(key))
-    po_law_set_parameter(&request->scene.law, (po_law_parameter)(key - PO_KEY_MIE_M), value);
+  if (po_key_is_parameter(key, PO_OWNER_LAW))
+    po_law_set_parameter(&request->scene.law, (po_law_parameter)parameter_of(key), value);
   else
     *key_place(request, po_key_target(key)) = value;
   return true;
 }
 
 double po_key_number(const po_request *request, po_key key) {
-  if (is_of_law(key) && !po_law_has(&request->scene.law, (po_law_parameter)(key - PO_KEY_MIE_M)))
-    return (double)NAN;
-  if (is_of_profile(key) &&
-      !po_profile_has(&request->scene.profile, (po_profile_parameter)(key - PO_KEY_POWER_C)))
+  if (!has_parameter(request, key))
     return (double)NAN;
   if (key == PO_KEY_COUPLING)
     return po_scene_coupling(&request->scene);
@@ -283,20 +229,7 @@ bool po_key_is_of_other_scheme(const po_request *request, po_key key) {
 }
 
 bool po_key_is_of_scene(po_key key) {
-  switch (key) {
-  case PO_KEY_SCHEME:
-  case PO_KEY_GRADING:
-  case PO_KEY_NODES:
-  case PO_KEY_TOLERANCE:
-  case PO_KEY_APPROACH_START:
-  case PO_KEY_APPROACH_END:
-  case PO_KEY_PRELOAD:
-  case PO_KEY_PRELOAD_LOAD:
-  case PO_KEY_TIME_LIMIT:
-    return false;
-  default:
-    return !po_key_is_group((int)key);
-  }
+  return KEYS[key].owner < PO_OWNER_MESH && !po_key_is_group((int)key);
 }
 
 bool po_input_has_coupling(const po_request *request) {

@@ -8,48 +8,41 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "po_key_rows.h"
 #include "po_number.h"
 #include "po_request.h"
 
+#define PO_KEY_ENUMERATOR(key, ...) PO_KEY_##key,
 typedef enum {
-  PO_KEY_TABOR,
-  PO_KEY_AMPLITUDE,
-  PO_KEY_WAVELENGTH,
-  PO_KEY_RADIUS,
-  PO_KEY_OUTER_RADIUS,
-  PO_KEY_LAW,
-  PO_KEY_MIE_M, /* parameters of laws, in the order of po_law_parameter */
-  PO_KEY_MIE_N,
-  PO_KEY_MORSE_A,
-  PO_KEY_PROFILE,
-  PO_KEY_POWER_C, /* parameters of profiles, in the order of po_profile_parameter */
-  PO_KEY_POWER_N,
-  PO_KEY_CONE_T,
-  PO_KEY_PUNCH_B,
-  PO_KEY_PUNCH_R,
-  PO_KEY_TRUNCATED_B,
-  PO_KEY_TRUNCATED_R,
-  PO_KEY_TABLE_SCALE,
-  PO_KEY_PROFILE_FILE, /* sets the profile */
-  PO_KEY_WAVES,        /* all waves; amplitude and wavelength are the first of them */
-  PO_KEY_SCHEME,
-  PO_KEY_GRADING,
-  PO_KEY_NODES,
-  PO_KEY_TOLERANCE,
-  PO_KEY_APPROACH_START,
-  PO_KEY_APPROACH_END,
-  PO_KEY_PRELOAD,
-  PO_KEY_PRELOAD_LOAD,
-  PO_KEY_TIME_LIMIT,
-  PO_KEY_COUNT,
-  /* Dimensionless groups of these keys, for sweeps, conditions and reference tables. Each sets one
-   * key. */
-  PO_KEY_ALPHA = PO_KEY_COUNT, /* A R/lambda^2, Eq 6: sets the wavelength */
-  PO_KEY_AMPLITUDE_RATIO,      /* A/lambda: sets the amplitude */
-  PO_KEY_OUTER_RATIO,          /* r_max/R: sets the outer radius */
-  PO_KEY_COUPLING,             /* w/(E* epsilon): sets tabor */
-  PO_KEY_END
+  PO_KEY_ROWS(PO_KEY_ENUMERATOR) PO_KEY_COUNT,
+  PO_KEY_BEFORE_GROUPS = PO_KEY_COUNT - 1,
+  PO_GROUP_ROWS(PO_KEY_ENUMERATOR) PO_KEY_END
 } po_key;
+
+/* What a key belongs to. A law or a profile may have a parameter or not. */
+typedef enum {
+  PO_OWNER_SCENE,
+  PO_OWNER_LAW,
+  PO_OWNER_PROFILE,
+  PO_OWNER_MESH,
+  PO_OWNER_TRACE
+} po_key_owner;
+
+/* The verbs that have an option for a key; plot has those of solve. */
+enum { PO_FOR_SOLVE = 1, PO_FOR_FOLLOW = 2, PO_FOR_THEORY = 4 };
+
+/* A row of po_key_rows.h. */
+typedef struct {
+  const char *name, *expected;
+  int domain; /* private to po_input.c */
+  bool is_length, varies;
+  po_key_owner owner;
+  size_t place; /* offset of its number in a po_request; PO_NO_PLACE: it is kept otherwise */
+  unsigned verbs;
+  const char *value, *help, *help_of_series, *help_of_form;
+} po_key_row;
+#define PO_NO_PLACE ((size_t)-1)
+const po_key_row *po_key_row_of(int key);
 
 /* The longest text of a value, and its NUL: a path or all waves. */
 enum { PO_KEY_TEXT_LENGTH = 1024 };
@@ -72,6 +65,9 @@ bool po_key_is_number(po_key key);
 
 /* Returned: whether the value is a number that can vary continuously along a series of scenes. */
 bool po_key_is_continuous(int key);
+
+/* Returned: whether a key is a parameter of the laws, or of the profiles. */
+bool po_key_is_parameter(int key, po_key_owner owner);
 
 /* Returned: whether a key is a group; and the key that a group, `profile_file` or `waves` sets
  * (otherwise the key itself). A group must be set after all other keys. */

@@ -17,8 +17,11 @@ static bool is_close(double a, double b) {
  * of the last is up to 23 ulp. */
 enum { ULPS_OF_COUPLING = 32 };
 
-static bool parameters_match(const po_request *a, const po_request *b, int first, int last) {
-  for (int key = first; key <= last; ++key) {
+/* The scale of a table is not compared: the content of the table is. */
+static bool parameters_match(const po_request *a, const po_request *b, po_key_owner owner) {
+  for (int key = 0; key < PO_KEY_COUNT; ++key) {
+    if (!po_key_is_parameter(key, owner) || !po_key_is_continuous(key))
+      continue;
     const double x = po_key_number(a, (po_key)key), y = po_key_number(b, (po_key)key);
     if (!isnan(y) && !is_close(x, y))
       return false;
@@ -54,11 +57,11 @@ bool po_key_matches(const po_request *request, po_key key, const char *text) {
     const po_request own = with_one_name(*request);
     wanted = with_one_name(wanted);
     return po_law_index(&wanted.scene.law) == po_law_index(&own.scene.law) &&
-           parameters_match(&own, &wanted, PO_KEY_MIE_M, PO_KEY_MORSE_A);
+           parameters_match(&own, &wanted, PO_OWNER_LAW);
   }
   case PO_KEY_PROFILE:
     return po_profile_index(&wanted.scene.profile) == po_profile_index(&scene->profile) &&
-           parameters_match(request, &wanted, PO_KEY_POWER_C, PO_KEY_TRUNCATED_R);
+           parameters_match(request, &wanted, PO_OWNER_PROFILE);
   case PO_KEY_PROFILE_FILE:
     return strcmp(po_profile_digest(&wanted.scene.profile), po_profile_digest(&scene->profile)) ==
            0;

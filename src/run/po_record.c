@@ -28,16 +28,16 @@ static json_t *suites(const po_case *kase) {
   return array;
 }
 
-/* A law or a profile as cases write it, "mie:4,10": the name and the parameters. Given: the keys of
- * the first and the last parameter of all laws or profiles. */
-static json_t *with_parameters(const po_request *request, po_key name, po_key first, po_key last) {
+/* A law or a profile as cases write it, "mie:4,10": the name and the parameters. */
+static json_t *with_parameters(const po_request *request, po_key name) {
   char value[PO_KEY_TEXT_LENGTH];
   po_key_print(request, name, value);
   po_text text = {0};
   po_text_add(&text, "%s", value);
   const char *before = ":";
-  for (int key = first; key <= (int)last; ++key)
-    if (!isnan(po_key_number(request, (po_key)key))) {
+  for (int key = 0; key < PO_KEY_COUNT; ++key)
+    if (po_key_is_parameter(key, po_key_row_of((int)name)->owner) && po_key_is_continuous(key) &&
+        !isnan(po_key_number(request, (po_key)key))) {
       po_key_print(request, (po_key)key, value);
       po_text_add(&text, "%s%s", before, value);
       before = ",";
@@ -48,15 +48,10 @@ static json_t *with_parameters(const po_request *request, po_key name, po_key fi
 }
 
 static json_t *swept_value(const po_request *request, const json_t *input, po_key key) {
-  switch (key) {
-  case PO_KEY_LAW:
-    return with_parameters(request, key, PO_KEY_MIE_M, PO_KEY_MORSE_A);
-  case PO_KEY_PROFILE:
-    return with_parameters(request, key, PO_KEY_POWER_C, PO_KEY_TRUNCATED_R);
-  default:
-    return po_key_is_group(key) ? po_json_number(po_key_number(request, key))
-                                : json_incref(json_object_get(input, po_key_name(key)));
-  }
+  if (key == PO_KEY_LAW || key == PO_KEY_PROFILE)
+    return with_parameters(request, key);
+  return po_key_is_group(key) ? po_json_number(po_key_number(request, key))
+                              : json_incref(json_object_get(input, po_key_name(key)));
 }
 
 static json_t *sweep(const po_case *kase, size_t point) {
