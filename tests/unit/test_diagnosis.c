@@ -2,6 +2,7 @@
  * numbers in cases where they are known. Diagnostics do not change the results. */
 #include <math.h>
 
+#include "po_diagnosis.h"
 #include "po_equilibrium.h"
 #include "po_law.h"
 #include "po_observe.h"

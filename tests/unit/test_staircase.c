@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "po_loop.h"
 #include "po_observe.h"
 #include "po_staircase.h"
 #include "request.h"
