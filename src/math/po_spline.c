@@ -36,8 +36,8 @@ po_status po_spline_slopes(size_t count, const double *x, const double *y, doubl
     above[k] = left;
     slope[k] = 3.0 * (right * chord(x, y, k - 1) + left * chord(x, y, k));
   }
-  /* continuous third derivative at the second point, and at the last but one; the row beside has
-   * been subtracted to keep the system tridiagonal */
+  /* "not a knot": the third derivative is continuous at the second point, and at the last but one.
+   * The neighbouring row is subtracted, so that the system stays tridiagonal. */
   const double h0 = x[1] - x[0], h1 = x[2] - x[1];
   diagonal[0] = h1;
   above[0] = h0 + h1;
