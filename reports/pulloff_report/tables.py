@@ -28,11 +28,12 @@ class Table:
         self.header = {}
         self.columns = {}
         lines = read_text(path).splitlines(keepends=True)
+        self._sealed = "".join(line for line in lines if not line.startswith("# sha256:"))
+        lines[:1] = [line.removeprefix("\ufeff") for line in lines[:1]]    # a byte order mark
         start = 0
         while start < len(lines) and lines[start].startswith("#"):
             self._read_header(lines[start])
             start += 1
-        self._sealed = "".join(line for line in lines if not line.startswith("# sha256:"))
         self._read_rows(lines[start:], start + 1)
 
     def _read_header(self, line):
@@ -41,15 +42,15 @@ class Table:
             self.header.setdefault(key.strip(), value.strip())
 
     def _read_rows(self, lines, first):
-        rows = list(csv.reader(line for line in lines))
+        rows = [[cell.strip() for cell in row] for row in csv.reader(lines, skipinitialspace=True)]
         if not rows or not rows[0]:
             raise ReportError(f"{self.path}:{first}: no row of column names")
-        names = [name.strip() for name in rows[0]]
+        names = rows[0]
         for offset, row in enumerate(rows[1:], start=1):
-            if row and len(row) != len(names):
+            if any(row) and len(row) != len(names):
                 raise ReportError(f"{self.path}:{first + offset}: {len(row)} cells, "
                                   f"expected {len(names)}")
-        cells = [row for row in rows[1:] if row]
+        cells = [row for row in rows[1:] if any(row)]
         self.rows = len(cells)
         self.columns = {name: [row[place] for row in cells] for place, name in enumerate(names)}
 

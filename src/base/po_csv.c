@@ -8,6 +8,20 @@
 #include "po_number.h"
 #include "po_quote.h"
 
+static const char BLANKS[] = " \t";
+
+static bool is_blank(const char *line) {
+  return line[strspn(line, BLANKS)] == '\0';
+}
+
+/* Cuts the blanks at the end off a text. */
+static void trim(char *text) {
+  size_t length = strlen(text);
+  while (length > 0 && strchr(BLANKS, text[length - 1]))
+    --length;
+  text[length] = '\0';
+}
+
 static po_status add_header(po_csv *csv, char *line, size_t number) {
   char *key = line + 1 + strspn(line + 1, " \t");
   char *colon = strchr(key, ':'), shown[PO_QUOTE_LENGTH];
@@ -15,6 +29,7 @@ static po_status add_header(po_csv *csv, char *line, size_t number) {
     return po_fail(PO_CANNOT_READ, "%s:%zu: '%s' is not a header: expected '# key: value'",
                    csv->path, number, po_quote(line, shown));
   *colon = '\0';
+  trim(colon + 1);
   if (po_csv_find_header(csv, key))
     return po_fail(PO_CANNOT_READ, "%s:%zu: the header %s is given twice", csv->path, number, key);
   po_csv_header *headers = po_resize(csv->headers, csv->header_count + 1, sizeof *headers);
@@ -26,32 +41,63 @@ static po_status add_header(po_csv *csv, char *line, size_t number) {
   return PO_OK;
 }
 
-static size_t count_cells(const char *line) {
-  size_t count = 1;
-  for (; *line; ++line)
-    count += *line == ',';
+/* Cuts the first cell off a line: without the blanks around it, and without the quotes of a quoted
+ * cell, in which a comma is text and two quotes are one. Returned: the cell, NULL if a quote is not
+ * closed or text follows it; *rest, what follows the comma, NULL after the last cell. */
+static char *cut_cell(char **rest) {
+  char *from = *rest + strspn(*rest, BLANKS), *cell = from, *to = from;
+  const bool quoted = *from == '"';
+  if (quoted) {
+    for (++from; *from && (*from != '"' || from[1] == '"'); ++from) {
+      from += *from == '"';
+      *to++ = *from;
+    }
+    if (*from++ != '"')
+      return NULL;
+  }
+  char *comma = strchr(from, ',');
+  *rest = comma ? comma + 1 : NULL;
+  if (comma)
+    *comma = '\0';
+  trim(from);
+  if (quoted && *from)
+    return NULL;
+  if (quoted)
+    *to = '\0';
+  return cell;
+}
+
+/* Splits a line into cells, of which it stores at most `most`. Returned: their number, 0 if a cell
+ * is malformed. */
+static size_t split(char *line, char **cells, size_t most) {
+  size_t count = 0;
+  for (char *rest = line; rest; ++count) {
+    char *cell = cut_cell(&rest);
+    if (!cell)
+      return 0;
+    if (count < most)
+      cells[count] = cell;
+  }
   return count;
 }
 
-/* Splits a line at its commas into `cells`. */
-static void split(char *line, char **cells) {
-  for (size_t i = 0;; ++i) {
-    cells[i] = line;
-    char *comma = strchr(line, ',');
-    if (!comma)
-      return;
-    *comma = '\0';
-    line = comma + 1;
-  }
+static po_status refuse_quote(const po_csv *csv, size_t number) {
+  return po_fail(PO_CANNOT_READ,
+                 "%s:%zu: a quoted cell does not end with its quote: expected \"...\" on one line",
+                 csv->path, number);
 }
 
 static po_status set_columns(po_csv *csv, char *line, size_t number) {
-  csv->column_count = count_cells(line);
+  size_t most = 1;
+  for (const char *c = line; *c; ++c)
+    most += *c == ',';
   csv->column_line = number;
-  csv->columns = po_allocate(csv->column_count, sizeof *csv->columns);
+  csv->columns = po_allocate(most, sizeof *csv->columns);
   if (!csv->columns)
     return PO_NO_MEMORY;
-  split(line, csv->columns);
+  csv->column_count = split(line, csv->columns, most);
+  if (csv->column_count == 0)
+    return refuse_quote(csv, number);
   for (size_t i = 0; i < csv->column_count; ++i) {
     if (csv->columns[i][0] == '\0')
       return po_fail(PO_CANNOT_READ, "%s:%zu: column %zu has no name", csv->path, number, i + 1);
@@ -68,11 +114,13 @@ static po_status set_columns(po_csv *csv, char *line, size_t number) {
   return PO_OK;
 }
 
+static po_status refuse_count(const po_csv *csv, size_t number, size_t count) {
+  return po_fail(PO_CANNOT_READ, "%s:%zu: the row has %zu %s: expected %zu", csv->path, number,
+                 count, count == 1 ? "cell" : "cells", csv->column_count);
+}
+
 static po_status add_row(po_csv *csv, char *line, size_t number) {
-  const size_t count = count_cells(line), n = csv->column_count;
-  if (count != n)
-    return po_fail(PO_CANNOT_READ, "%s:%zu: the row has %zu %s: expected %zu", csv->path, number,
-                   line[0] ? count : 0, count == 1 && line[0] ? "cell" : "cells", n);
+  const size_t n = csv->column_count;
   /* if the row count is 0 or a power of 2, double the memory */
   if ((csv->row_count & (csv->row_count - 1)) == 0) {
     const size_t rows = csv->row_count ? 2 * csv->row_count : 1;
@@ -86,7 +134,11 @@ static po_status add_row(po_csv *csv, char *line, size_t number) {
     csv->lines = lines;
   }
   char **cells = csv->cells + csv->row_count * n;
-  split(line, cells);
+  const size_t count = split(line, cells, n);
+  if (count == 0)
+    return refuse_quote(csv, number);
+  if (count != n)
+    return refuse_count(csv, number, count);
   for (size_t i = 0; i < n; ++i)
     if (cells[i][0] == '\0')
       return po_fail(PO_CANNOT_READ, "%s:%zu: the cell of column %s is empty", csv->path, number,
@@ -108,6 +160,9 @@ static void compute_digest(po_csv *csv, size_t size) {
   po_digest_two(csv->text, (size_t)(line - csv->text), rest, (size_t)(end - rest), csv->digest);
 }
 
+/* Some programs begin UTF-8 with it. */
+static const char BYTE_ORDER_MARK[] = "\xEF\xBB\xBF";
+
 static po_status parse(po_csv *csv, size_t size) {
   if (size == 0)
     return po_fail(PO_CANNOT_READ, "%s is empty: expected a table", csv->path);
@@ -115,8 +170,11 @@ static po_status parse(po_csv *csv, size_t size) {
     return po_fail(PO_CANNOT_READ, "%s is not a text file: it contains a NUL byte", csv->path);
   compute_digest(csv, size);
   po_status status = PO_OK;
-  size_t number = 1;
-  for (char *line = csv->text, *end = csv->text + size; !status && line < end; ++number) {
+  size_t number = 1, blank = 0;
+  const size_t mark = strncmp(csv->text, BYTE_ORDER_MARK, strlen(BYTE_ORDER_MARK)) == 0
+                          ? strlen(BYTE_ORDER_MARK)
+                          : 0;
+  for (char *line = csv->text + mark, *end = csv->text + size; !status && line < end; ++number) {
     char *stop = strchr(line, '\n');
     if (!stop)
       return po_fail(PO_CANNOT_READ, "%s:%zu: the last line has no newline: the file is truncated",
@@ -130,10 +188,14 @@ static po_status parse(po_csv *csv, size_t size) {
     *stop = '\0';
     if (stop > line && stop[-1] == '\r')
       stop[-1] = '\0';
-    if (!csv->columns && is_header)
+    if (is_blank(line))
+      blank = blank || !csv->columns ? blank : number;
+    else if (!csv->columns && is_header)
       status = add_header(csv, line, number);
     else if (!csv->columns)
       status = set_columns(csv, line, number);
+    else if (blank) /* not after the rows */
+      status = refuse_count(csv, blank, 0);
     else
       status = add_row(csv, line, number);
     line = stop + 1;

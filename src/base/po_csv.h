@@ -1,7 +1,7 @@
 /* Tables in CSV format: header lines `# key: value`, one line of column names, then rows with one
- * cell for each column.
- *
- * Quoting is not supported, because no cell in this project contains a comma. */
+ * cell for each column. As spreadsheets write them, a table may begin with a byte order mark, its
+ * cells may be quoted, with blanks around them, and its lines may end in CR LF; blank lines may
+ * follow the rows. */
 #ifndef PO_CSV_H
 #define PO_CSV_H
 

@@ -78,6 +78,17 @@ sed '/%%/,$d' "$here/../fuzz/corpus/profile/falls_at_the_end" >falls.csv
 expect 4 'pulloff: falls.csv:26: the slope of the spline at the last r is 0: expected more than 0*' solve --profile-file falls.csv
 expect 4 'pulloff: nan.csv:6: *nan*' solve --profile-file nan.csv
 expect 4 'pulloff: words.csv:6: *x*' solve --profile-file words.csv
+# What spreadsheets write is the same table: a byte order mark, quotes, blanks, CR LF, blank lines at the end.
+mark=$(printf '\357\273\277')
+sed "1s/^/$mark/" sphere.csv >mark.csv
+sed '1s/.*/"r", "gap"/; 7s/\(.*\),\(.*\)/"\1","\2"/' sphere.csv >quotes.csv
+sed 's/,/ ,  /; s/^/ /; s/$/\t/' sphere.csv >blanks.csv
+sed "1s/^/$mark/; s/\$/\r/; \$s/\$/\n\r\n  \r/" sphere.csv >ends.csv
+numbers_of() { "$program" solve --tabor 0 --profile-file "$1" 2>&1 | grep -E '^(pull-off|jump_|minimum)'; }
+for file in mark quotes blanks ends; do
+  check "$file.csv is the table sphere.csv" test "$(numbers_of $file.csv)" = "$(numbers_of sphere.csv)"
+done
+check 'it has a result' test -n "$(numbers_of sphere.csv)"
 expect 2 'pulloff: both --profile and --profile-file are given: expected only one' solve --profile cone:1 \
   --profile-file sphere.csv
 expect 2 'pulloff: --profile-file is empty: expected the name of a file' solve --profile-file ''

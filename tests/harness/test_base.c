@@ -208,6 +208,39 @@ START_TEST(csv_is_sealed) {
 }
 END_TEST
 
+/* Tables as spreadsheets write them: a byte order mark, quotes, blanks, CR LF, blank lines. Such
+ * tables used to be refused by messages that asked for the columns that are there. */
+static const char *const SPREADSHEET[] = {
+    "\xEF\xBB\xBF# x: 1\nr,gap\n2.385,-1\n",
+    "# x: 1\n\"r\",\"gap\"\n\"2.385\",\"-1\"\n",
+    "# x: 1  \nr , gap\n 2.385 ,\t-1\t\n",
+    "\xEF\xBB\xBF# x: 1\r\n \"r\" , \"gap\" \r\n2.385,-1\r\n",
+    "# x: 1\n\nr,gap\n2.385,-1\n\n  \n\n",
+};
+
+START_TEST(csv_reads_what_spreadsheets_write) {
+  po_csv csv;
+  ck_assert_int_eq(read_text(SPREADSHEET[_i], &csv), PO_OK);
+  ck_assert_int_eq(po_csv_find_column(&csv, "r"), 0);
+  ck_assert_int_eq(po_csv_find_column(&csv, "gap"), 1);
+  ck_assert_uint_eq(csv.row_count, 1);
+  ck_assert_str_eq(po_csv_find_header(&csv, "x")->value, "1");
+  double value = 0;
+  ck_assert(po_csv_number(&csv, 0, 0, &value) == PO_OK && value == 2.385);
+  ck_assert(po_csv_number(&csv, 0, 1, &value) == PO_OK && value == -1);
+  po_csv_clear(&csv);
+}
+END_TEST
+
+START_TEST(csv_quoted_cells_contain_commas_and_quotes) {
+  po_csv csv;
+  ck_assert_int_eq(read_text("name,\"a, b\"\n\"say \"\"so\"\", twice\",1\n", &csv), PO_OK);
+  ck_assert_str_eq(csv.columns[1], "a, b");
+  ck_assert_str_eq(po_csv_cell(&csv, 0, 0), "say \"so\", twice");
+  po_csv_clear(&csv);
+}
+END_TEST
+
 static const struct {
   const char *text;
   const char *message;
@@ -216,10 +249,15 @@ static const struct {
     {"# what: x\n", "t.csv:2: there is no line of column names"},
     {"a,b\n1\n", "t.csv:2: the row has 1 cell: expected 2"},
     {"a,b\n1,2,3\n", "t.csv:2: the row has 3 cells: expected 2"},
-    {"a,b\n1,2\n\n", "t.csv:3: the row has 0 cells: expected 2"},
+    {"a,b\n1,2\n\n3,4\n", "t.csv:3: the row has 0 cells: expected 2"},
+    {"a,b\n1,\"2\n", "t.csv:2: a quoted cell does not end with its quote: expected \"...\" on one "
+                     "line"},
+    {"\"a\"b,c\n1,2\n",
+     "t.csv:1: a quoted cell does not end with its quote: expected \"...\" on one "
+     "line"},
     {"a,b\n1,\n", "t.csv:2: the cell of column b is empty"},
     {"a,b\n,1\n", "t.csv:2: the cell of column a is empty"},
-    {"a,b\n1,2\n\n", "t.csv:3: the row has 0 cells: expected 2"},
+    {"\xEF\xBB\xBF", "t.csv:1: there is no line of column names"},
     {"a,a\n1,2\n", "t.csv:1: the column a is given twice"},
     {"a,\n1,2\n", "t.csv:1: column 2 has no name"},
     {"a,b\n1,2", "t.csv:2: the last line has no newline: the file is truncated"},
@@ -299,6 +337,8 @@ static void add(TCase *tests) {
   tcase_add_test(tests, file_is_written_whole_or_not_at_all);
   tcase_add_test(tests, csv_reads_headers_columns_rows);
   tcase_add_test(tests, csv_is_sealed);
+  tcase_add_loop_test(tests, csv_reads_what_spreadsheets_write, 0, COUNT(SPREADSHEET));
+  tcase_add_test(tests, csv_quoted_cells_contain_commas_and_quotes);
   tcase_add_loop_test(tests, csv_refuses_damage, 0, COUNT(DAMAGED));
   tcase_add_test(tests, csv_rows_read_back_exactly);
   tcase_add_loop_test(tests, curve_table_has_whole_numbers_of_modes, 0,

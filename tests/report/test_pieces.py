@@ -119,6 +119,11 @@ class Tables(unittest.TestCase):
         self.assertEqual(table.numbers("y")[0], 2.385)
         self.assertTrue(math.isnan(table.numbers("y")[1]))
 
+    def test_what_spreadsheets_write_is_read(self):
+        table = self.table('\ufeff# what: one\n"x", "a, b" \n "1" , 2.385\n  \n\n')
+        self.assertEqual((table.header, list(table.columns)), ({"what": "one"}, ["x", "a, b"]))
+        self.assertEqual((table.rows, table.numbers("x")[0], table.numbers("a, b")[0]), (1, 1, 2.385))
+
     def test_digest_is_of_all_but_its_own_line(self):
         seal = "# sha256: " + self.table("# what: one\nx\n1\n").digest() + "\n"
         for text, state in (("# what: one\n" + seal + "x\n1\n", "verified"),
