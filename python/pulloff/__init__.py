@@ -288,7 +288,8 @@ def follow(key, values, scene=None, **others):
 def theory(form, *, at=math.nan, alpha=math.nan, scene=None, **values):
     """Evaluates a closed form (bradley, jkr, guduru, kesari-lew, ...; `pulloff theory --help` lists them) for the scene
     with these keys. at: the approach, contact radius (epsilon) or gap at which a form that is a curve is evaluated.
-    alpha: A R/lambda^2 in place of the wavelength. Returns {name: number}, in the units of a scene; None is infinite.
+    alpha: A R/lambda^2 in place of the wavelength. A key on which the form does not depend is refused. Returns
+    {name: number}, in the units of a scene; None is infinite.
     """
     scene = scene.copy() if scene else Scene()
     scene.update(**values)

@@ -15,6 +15,7 @@
 #include "po_series.h"
 #include "po_series_folds.h"
 #include "po_text.h"
+#include "po_use.h"
 #include "po_verbs.h"
 
 static const char HELP[] =
@@ -255,9 +256,9 @@ static po_status check_waviness(const follow_line *line) {
                    "the wavelength varies, but the scenes have no amplitude: "
                    "expected --amplitude%s or --amplitude-ratio",
                    line->from_physical ? "-m" : "");
-  po_flag_use idle = {.given = true};
+  po_use idle = {.given = true};
   snprintf(idle.name, sizeof idle.name, "wavelength%s", line->from_physical ? "-m" : "");
-  return po_options_refuse_idle("scenes without amplitude", &idle, 1);
+  return po_use_check("--", "scenes without amplitude", &idle, 1);
 }
 
 static po_status check_line(const follow_line *line) {
@@ -279,7 +280,7 @@ static po_status check_line(const follow_line *line) {
   const po_status status = check_waviness(line);
   if (status)
     return status;
-  const po_flag_use checkpoints = {"checkpoint-every", line->checkpoints > 0, !line->folds};
+  const po_use checkpoints = {"checkpoint-every", line->checkpoints > 0, !line->folds};
   if (line->curve && line->folds)
     return po_fail(PO_BAD_INPUT, "--curve has no effect on --of folds: expected it to be left out");
   if (line->curve && line->json && strcmp(line->curve, "-") == 0)
@@ -288,7 +289,7 @@ static po_status check_line(const follow_line *line) {
   if (line->from_physical && line->given[KEY + PO_KEY_PRELOAD_LOAD])
     return po_fail(PO_BAD_INPUT, "--preload-load is dimensionless: expected --preload-m with "
                                  "--from-physical");
-  return po_options_refuse_idle("--of folds", &checkpoints, 1);
+  return po_use_check("--", "--of folds", &checkpoints, 1);
 }
 
 static po_status set_key(po_request *request, int key, const char *text) {

@@ -16,6 +16,7 @@
 #include "po_print.h"
 #include "po_scene_flags.h"
 #include "po_tables.h"
+#include "po_use.h"
 #include "po_verbs.h"
 
 static const char HELP[] =
@@ -216,10 +217,10 @@ static po_status refuse_keys_of_other_scheme(const solve_line *line) {
  * accepted: it is the smooth end of a sweep. */
 static po_status refuse_idle(const solve_line *line) {
   const double *length = line->flags.length;
-  po_flag_use flags[] = {{.given = !isnan(length[PO_LENGTH_WAVELENGTH]),
-                          .taken = !isnan(length[PO_LENGTH_AMPLITUDE])}};
+  po_use flags[] = {{.given = !isnan(length[PO_LENGTH_WAVELENGTH]),
+                     .taken = !isnan(length[PO_LENGTH_AMPLITUDE])}};
   po_scene_flags_name(&line->flags, PO_LENGTH_WAVELENGTH, flags[0].name);
-  return po_options_refuse_idle("a scene without amplitude", flags, 1);
+  return po_use_check("--", "a scene without amplitude", flags, 1);
 }
 
 static bool is_output(const char *file) {

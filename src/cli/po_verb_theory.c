@@ -9,6 +9,7 @@
 #include "po_print_physical.h"
 #include "po_quote.h"
 #include "po_scene_flags.h"
+#include "po_use.h"
 #include "po_verbs.h"
 
 static const char HELP[] =
@@ -113,30 +114,19 @@ static po_status take_option(void *to, int option) {
   return PO_OK;
 }
 
-/* The options that have an effect. If alpha is given, a form does not depend on the wavelength, nor
- * on the other parameters that alpha replaces. */
-static unsigned taken_by(const po_theory_line *l, const po_form *form) {
-  const unsigned in_place = form->needs & PO_NEEDS_AMPLITUDE
-                                ? PO_TAKES_WAVELENGTH | PO_TAKES_RADIUS
-                                : PO_TAKES_WAVELENGTH | PO_TAKES_AMPLITUDE;
-  const bool alpha = !isnan(l->alpha) && form->takes & PO_TAKES_ALPHA;
-  const unsigned replaced = in_place | PO_TAKES_PROFILE | PO_TAKES_LAW;
-  return alpha ? form->takes & ~replaced : form->takes;
-}
-
-static po_flag_use use_of(const po_theory_line *l, po_length length, bool taken) {
-  po_flag_use use = {.given = !isnan(l->flags.length[length]), .taken = taken};
+static po_use use_of(const po_theory_line *l, po_length length, bool taken) {
+  po_use use = {.given = !isnan(l->flags.length[length]), .taken = taken};
   po_scene_flags_name(&l->flags, length, use.name);
   return use;
 }
 
 /* Refuses options that have no effect on the form. */
 static po_status check_use(const po_theory_line *l, const po_form *form) {
-  const unsigned takes = taken_by(l, form);
+  const unsigned takes = po_form_takes(form, !isnan(l->alpha));
   char what[80];
   snprintf(what, sizeof what, "theory %s%s", form->name,
            takes != form->takes ? " with --alpha" : "");
-  const po_flag_use flags[] = {
+  const po_use flags[] = {
       {"tabor", !isnan(l->flags.tabor), takes & PO_TAKES_TABOR && !l->flags.from_physical},
       {"coupling", !isnan(l->flags.coupling), takes & PO_TAKES_TABOR && !l->flags.from_physical},
       use_of(l, PO_LENGTH_AMPLITUDE, takes & PO_TAKES_AMPLITUDE),
@@ -152,7 +142,7 @@ static po_status check_use(const po_theory_line *l, const po_form *form) {
       {"profile", l->flags.profile != NULL, takes & PO_TAKES_PROFILE},
       {"profile-file", l->flags.profile_file != NULL, takes & PO_TAKES_PROFILE},
       {"wave", l->flags.waves > 0, takes & PO_TAKES_PROFILE}};
-  return po_options_refuse_idle(what, flags, sizeof flags / sizeof *flags);
+  return po_use_check("--", what, flags, sizeof flags / sizeof *flags);
 }
 
 /* Whether profile, waves or law are given: the forms of any profile apply. */

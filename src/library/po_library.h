@@ -13,6 +13,7 @@ struct pulloff_scene {
   char *text[PO_KEY_END]; /* the value of each key; NULL: not set */
   double profile_approach;
   unsigned want;
+  bool is_physical; /* keys were set from SI units */
   const volatile sig_atomic_t *stop;
 };
 

@@ -268,6 +268,7 @@ static po_status set_physical(pulloff_scene *scene, const pulloff_physical *give
     pulloff_scene_destroy(changed);
     return status;
   }
+  changed->is_physical = true;
   const pulloff_scene before = *scene;
   *scene = *changed;
   *changed = before;

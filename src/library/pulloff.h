@@ -172,6 +172,7 @@ pulloff_status pulloff_follow(const pulloff_scene *scene, const char *key, const
 /* Evaluates a closed form: bradley, rigid, jkr, guduru, kesari-lew and the others that `pulloff
  * theory --help` lists. Given: `alpha`, A R/lambda^2 in place of the wavelength; NAN: that of the
  * scene; `at`, the value of the variable of the form (approach, contact radius or gap); NAN: none.
+ * A key that is set, and on which the form does not depend, is refused.
  * Returned: *result, with the numbers that `pulloff theory --json` prints, such as pull_off_force.
  * Status: PULLOFF_BAD_INPUT, PULLOFF_NO_MEMORY. */
 pulloff_status pulloff_theory(const char *form, const pulloff_scene *scene, double alpha, double at,

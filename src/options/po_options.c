@@ -57,27 +57,6 @@ po_status po_options_take_text(const char *option, const char *expected, const c
   return *optarg ? PO_OK : po_options_refuse(option, optarg, expected);
 }
 
-po_status po_options_refuse_idle(const char *what, const po_flag_use *flags, size_t count) {
-  const po_flag_use *idle = NULL;
-  size_t taken = 0, named = 0;
-  for (size_t i = 0; i < count; ++i) {
-    if (flags[i].given && !flags[i].taken && !idle)
-      idle = &flags[i];
-    taken += flags[i].taken;
-  }
-  char names[400] = "";
-  for (size_t i = 0; idle && i < count; ++i)
-    if (flags[i].taken) {
-      const char *before = named == 0 ? "only " : named + 1 < taken ? ", " : " or ";
-      snprintf(names + strlen(names), sizeof names - strlen(names), "%s--%s", before,
-               flags[i].name);
-      ++named;
-    }
-  return idle ? po_fail(PO_BAD_INPUT, "--%s has no effect on %s: expected %s", idle->name, what,
-                        *names ? names : "it to be left out")
-              : PO_OK;
-}
-
 po_status po_options_no_operands(const po_options *options) {
   if (optind >= options->argc)
     return PO_OK;

@@ -51,17 +51,6 @@ po_status po_options_refuse(const char *option, const char *value, const char *e
 /* Takes a path or names from optarg; refuses an empty text. */
 po_status po_options_take_text(const char *option, const char *expected, const char **text);
 
-/* An option, whether it was given, and whether it has an effect in the present use. */
-typedef struct {
-  char name[32]; /* without dashes */
-  bool given, taken;
-} po_flag_use;
-
-/* Refuses the first option that was given although it has no effect on `what`, and names the
- * options that have an effect. If the option were ignored silently, the user would misread the
- * result. Status: PO_BAD_INPUT, PO_OK. */
-po_status po_options_refuse_idle(const char *what, const po_flag_use *flags, size_t count);
-
 /* Refuses operands, for verbs that take none. */
 po_status po_options_no_operands(const po_options *options);
 

@@ -179,6 +179,14 @@ const po_form *po_form_find(const char *name) {
   return NULL;
 }
 
+unsigned po_form_takes(const po_form *form, bool alpha_is_given) {
+  const unsigned in_place = form->needs & PO_NEEDS_AMPLITUDE
+                                ? PO_TAKES_WAVELENGTH | PO_TAKES_RADIUS
+                                : PO_TAKES_WAVELENGTH | PO_TAKES_AMPLITUDE;
+  const unsigned replaced = in_place | PO_TAKES_PROFILE | PO_TAKES_LAW;
+  return alpha_is_given && form->takes & PO_TAKES_ALPHA ? form->takes & ~replaced : form->takes;
+}
+
 po_status po_form_evaluate(const po_form *form, const po_form_input *input,
                            po_form_values *values) {
   values->count = 0;

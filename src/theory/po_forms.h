@@ -58,8 +58,8 @@ enum {
   PO_NEEDS_ELASTIC = 8 /* a Tabor parameter above 0 */
 };
 
-/* The keys of the scene on which a form depends, besides its variable. The command line refuses
- * other keys. */
+/* The keys of the scene on which a form depends, besides its variable. Command line and library
+ * refuse other keys. */
 enum {
   PO_TAKES_TABOR = 1,
   PO_TAKES_AMPLITUDE = 2,
@@ -84,6 +84,10 @@ typedef struct {
 
 /* Returned: the form with this name, or NULL. */
 const po_form *po_form_find(const char *name);
+
+/* Returned: the keys on which a form depends. With alpha it does not depend on the wavelength, nor
+ * on the other keys that alpha replaces. */
+unsigned po_form_takes(const po_form *form, bool alpha_is_given);
 
 /* Evaluates a form, at input->at if it is not NAN. Given: an input in the domain of the form.
  * Status: PO_BAD_INPUT, naming the number that is NaN or infinite because an intermediate value

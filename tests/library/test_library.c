@@ -267,10 +267,28 @@ START_TEST(closed_forms_are_evaluated) {
       {"bradley", "", none, 1, "approach of theory bradley is 1: expected a finite number < 1"},
       {"crest", "amplitude 0", none, 3, "the variable of theory crest is 3: expected none"},
       {"guduru", "amplitude 0 tabor 0", none, none, "tabor is 0: expected a finite number > 0"},
-      {"rigid", "amplitude 0 tabor 0", -2, none, "alpha is -2: expected a finite number > 0"},
+      {"rigid", "amplitude 0", -2, none, "alpha is -2: expected a finite number > 0"},
+      /* a key without effect used to be ignored, where the command line refuses the option */
+      {"bradley", "tabor 1", none, none,
+       "tabor has no effect on theory bradley: expected it to be left out"},
+      {"jkr", "amplitude 1 wavelength 20", none, none,
+       "amplitude has no effect on theory jkr: expected only tabor, coupling, radius, profile, "
+       "profile_file or waves"},
+      {"rigid", "amplitude 1 wavelength 20", 0.3, none,
+       "wavelength has no effect on theory rigid with alpha: expected only amplitude or alpha"},
+      {"guduru", "amplitude 1 wavelength 20 profile cone:0.3", none, none,
+       "profile has no effect on theory guduru: expected only tabor, coupling, amplitude, "
+       "wavelength or radius"},
+      {"guduru", "amplitude 1 wavelength 20 scheme panel", none, none,
+       "scheme has no effect on theory guduru: expected only "},
+      {"guduru", "amplitude 1 wavelength 20", 0.3, none,
+       "alpha has no effect on theory guduru: expected only "},
+      {"jkr", "outer_radius 30", none, none, "outer_radius has no effect on theory jkr: "},
   };
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
     pulloff_result *other;
+    for (size_t k = 0; k < pulloff_key_count(); ++k)
+      ck_assert_int_eq(pulloff_scene_set(scene, pulloff_key_name(k), NULL, NULL), PULLOFF_OK);
     ck_assert_int_eq(set_words(scene, wrong[i].words, &message), PULLOFF_OK);
     ck_assert_int_eq(
         pulloff_theory(wrong[i].form, scene, wrong[i].alpha, wrong[i].at, &other, &message),
@@ -279,11 +297,17 @@ START_TEST(closed_forms_are_evaluated) {
     ck_assert_msg(strncmp(message.text, wrong[i].message, strlen(wrong[i].message)) == 0, "%s",
                   message.text);
   }
-  pulloff_scene_set(scene, "amplitude", NULL, NULL);
+  pulloff_scene_set(scene, "outer_radius", NULL, NULL);
   pulloff_result *other;
   ck_assert_int_eq(pulloff_theory("guduru", scene, none, none, &other, &message),
                    PULLOFF_BAD_INPUT);
   ck_assert_str_eq(message.text, "theory guduru needs the key amplitude");
+  /* keys that SI units set are no such keys */
+  const pulloff_physical tip = {
+      .modulus = 2e9, .work = 0.05, .distance = 3e-10, .radius = 1e-7, .outer_radius = INFINITY};
+  ck_assert_int_eq(pulloff_scene_set_physical(scene, &tip, NULL, &message), PULLOFF_OK);
+  ck_assert_int_eq(pulloff_theory("bradley", scene, none, none, &other, &message), PULLOFF_OK);
+  pulloff_result_destroy(other);
 }
 END_TEST
 
