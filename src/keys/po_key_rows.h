@@ -2,8 +2,8 @@
  *
  * Each list calls X for its rows, with the cells: enumerator, name, domain, expected values,
  * dimension, owner, place in a po_request, whether a series may vary it, the verbs that have an
- * option for it, the name of its value, and help: of the verb solve, of follow (series) and of theory,
- * where "" means that of solve. A row without help has the help of the next row.
+ * option for it, the name of its value, and help: of the verb solve, of follow (series) and of
+ * theory, where "" means that of solve. A row without help has the help of the next row.
  *
  * A new parameter of a law is one row after those of the other laws (doc/extending.md). */
 #ifndef PO_KEY_ROWS_H
@@ -36,10 +36,10 @@
     "lennard-jones)")                                                                              \
   X(MIE_M, "mie_m", POSITIVE, "a finite number > 1", NUMBER, LAW,                                  \
     PLACE(scene.law.parameter[PO_MIE_M]), VARIES, SOLVE | FOLLOW, "M", "", "", "")                 \
-  X(MIE_N, "mie_n", POSITIVE, "a finite number > mie_m", NUMBER, LAW,                              \
+  X(MIE_N, "mie_n", POSITIVE, "a number > mie_m, at most 60", NUMBER, LAW,                              \
     PLACE(scene.law.parameter[PO_MIE_N]), VARIES, SOLVE | FOLLOW, "N",                             \
     "exponents M and N, for --law mie without exponents", "", "")                                  \
-  X(MORSE_A, "morse_a", POSITIVE, "a finite number > 0", NUMBER, LAW,                              \
+  X(MORSE_A, "morse_a", POSITIVE, "a number from 0.05 to 50", NUMBER, LAW,                              \
     PLACE(scene.law.parameter[PO_MORSE_A]), VARIES, SOLVE | FOLLOW, "A",                           \
     "parameter A, for --law morse without parameter", "", "")                                      \
   X(PROFILE, "profile", NAME, PO_PROFILE_EXPECTED, NUMBER, PROFILE, NO_PLACE, CONSTANT, EVERY,     \
@@ -80,7 +80,7 @@
     "spacing of the nodes, uniform or graded; ring and triangle only (default uniform)", "", "")   \
   X(NODES, "nodes", COUNT, "a whole number > 0", NUMBER, MESH, NO_PLACE, CONSTANT, SOLVE, "N",     \
     "number of nodes, 8 to 2500; ring and triangle only (default 501)", "", "")                    \
-  X(TOLERANCE, "tolerance", POSITIVE, "a finite number > 0", NUMBER, MESH, PLACE(mesh.tolerance),  \
+  X(TOLERANCE, "tolerance", POSITIVE, "a number from 1e-10 to 1e-2", NUMBER, MESH, PLACE(mesh.tolerance),  \
     CONSTANT, SOLVE | FOLLOW, "T",                                                                 \
     "relative tolerance on the pull-off force, 1e-10 to 0.01; panel only (default 1e-6)",          \
     "relative tolerance on the pull-off force, 1e-10 to 0.01 (default 1e-6)", "")                  \
