@@ -29,12 +29,8 @@ static const char HELP[] =
     "pressed together, the load when it is compressive.\n"
     "\n"
     "Series:\n"
-    "  --key KEY               parameter that varies: tabor, amplitude, wavelength, radius,\n"
-    "                          outer-radius, amplitude-ratio, coupling, or a parameter of the law\n"
-    "                          or the profile: mie-m, mie-n, morse-a, power-c, power-n, cone-t,\n"
-    "                          punch-b, punch-r, truncated-b or truncated-r; in SI units\n"
-    "                          radius-m, amplitude-m, wavelength-m, outer-radius-m, modulus-pa,\n"
-    "                          work-j-per-m2 or distance-m\n"
+    "  --key KEY               parameter that varies:\n"
+    "@varying\n"
     "  --from A                first value of the parameter\n"
     "  --to B                  last value of the parameter\n"
     "  --points N              number of scenes, 2 to 10000 (default 60)\n"
@@ -48,34 +44,15 @@ static const char HELP[] =
 
 static const char MORE_HELP[] =
     "Scene:\n"
-    "  --tabor MU              Tabor parameter, >= 0 (default 1)\n"
-    "  --amplitude A           amplitude of the waviness, in epsilon; 0 is a smooth sphere\n"
-    "                          (default 0)\n"
-    "  --amplitude-ratio Q     amplitude divided by wavelength, instead of --amplitude; constant\n"
-    "                          if the wavelength varies\n"
-    "  --wavelength L          wavelength of the waviness, in epsilon\n"
-    "  --radius R              radius of the sphere, in epsilon (default 100); for another "
-    "profile\n"
-    "                          the length R in the unit of the load, pi w R (default 1)\n"
-    "  --outer-radius R        radius at which the elastic surface is cut, in epsilon; inf is the\n"
-    "                          unbounded half-space (default inf)\n"
-    "  --law LAW               traction-separation law: lennard-jones (Eq 9), mie:M,N with\n"
-    "                          N > M > 1, or morse:A (default lennard-jones)\n"
-    "  --mie-m M, --mie-n N    exponents M and N, for --law mie without exponents\n"
-    "  --morse-a A             parameter A, for --law morse without parameter\n"
-    "  --coupling C            w/(E* epsilon), >= 0, instead of --tabor\n" PO_PROFILE_HELP
-    "  --preload D             approach up to which each sphere is loaded before it is pulled\n"
-    "                          off, in epsilon; inf searches all preloads for the greatest\n"
-    "                          pull-off force\n"
-    "  --preload-load W        load up to which each sphere is loaded, in pi w R; with --preload,\n"
-    "                          loading ends at whichever is reached first (default 1, unless\n"
-    "                          --preload is given)\n"
-    "  --tolerance T           relative tolerance on the pull-off force, 1e-10 to 0.01 (default\n"
-    "                          1e-6)\n"
+    "@scene\n"
     "\n"
-    "  --time-limit S          processor time after which each solve is stopped, in seconds\n"
-    "                          (default: no limit)\n"
+    "Preload and time:\n"
+    "@trace\n"
     "\n"
+    "Discretisation:\n"
+    "@mesh\n"
+    "\n"
+    "Results:\n"
     "  --curve FILE            write the pull-offs to FILE, as CSV, in SI units after\n"
     "                          --from-physical; - is standard output, on which nothing else is\n"
     "                          then printed\n"
@@ -102,48 +79,30 @@ enum {
 };
 enum { DEFAULT_POINTS = 60 };
 
-/* The values of the options that are keys are KEY + po_key. */
-static const struct option OPTIONS[] = {
-    {"key", required_argument, NULL, VARIED},
-    {"from", required_argument, NULL, FROM},
-    {"to", required_argument, NULL, TO},
-    {"points", required_argument, NULL, POINTS},
-    {"scale", required_argument, NULL, SCALE},
-    {"of", required_argument, NULL, OF},
-    {"checkpoint-every", required_argument, NULL, CHECKPOINTS},
-    {"curve", required_argument, NULL, CURVE},
-    {"json", no_argument, NULL, JSON},
-    PO_SCENE_OPTIONS,
-    PO_LENGTH_OPTIONS("outer-radius", PO_LENGTH_OUTER_RADIUS),
-    PO_LENGTH_OPTIONS("preload", PO_LENGTH_PRELOAD),
-    {"amplitude-ratio", required_argument, NULL, KEY + PO_KEY_AMPLITUDE_RATIO},
-    {"law", required_argument, NULL, KEY + PO_KEY_LAW},
-    {"mie-m", required_argument, NULL, KEY + PO_KEY_MIE_M},
-    {"mie-n", required_argument, NULL, KEY + PO_KEY_MIE_N},
-    {"morse-a", required_argument, NULL, KEY + PO_KEY_MORSE_A},
-    {"tolerance", required_argument, NULL, KEY + PO_KEY_TOLERANCE},
-    {"preload-load", required_argument, NULL, KEY + PO_KEY_PRELOAD_LOAD},
-    {"time-limit", required_argument, NULL, KEY + PO_KEY_TIME_LIMIT},
-    {"help", no_argument, NULL, PO_OPTION_HELP},
-    {NULL, 0, NULL, 0}};
+/* Beside the options of keys, whose values are KEY + po_key or those of po_scene_flags.h. */
+static const struct option OPTIONS[] = {{"key", required_argument, NULL, VARIED},
+                                        {"from", required_argument, NULL, FROM},
+                                        {"to", required_argument, NULL, TO},
+                                        {"points", required_argument, NULL, POINTS},
+                                        {"scale", required_argument, NULL, SCALE},
+                                        {"of", required_argument, NULL, OF},
+                                        {"checkpoint-every", required_argument, NULL, CHECKPOINTS},
+                                        {"curve", required_argument, NULL, CURVE},
+                                        {"json", no_argument, NULL, JSON},
+                                        {"help", no_argument, NULL, PO_OPTION_HELP},
+                                        {NULL, 0, NULL, 0}};
 
 typedef struct {
   const char *given[OPTION_COUNT]; /* the text of each option of the scene; NULL: not given */
   po_wave wave[PO_MOST_WAVES];     /* of --wave, which may be repeated */
   size_t waves;
-  const struct option *varied; /* the option whose value varies */
+  struct option table[PO_MOST_OPTIONS]; /* all options */
+  const struct option *varied;          /* the option whose value varies */
   po_range range;
   size_t checkpoints; /* 0: not given */
   const char *curve;  /* a file; NULL: none */
   bool from_physical, folds, json;
 } follow_line;
-
-static const struct option *option_of(int value) {
-  const struct option *option = OPTIONS;
-  while (option->name && option->val != value)
-    ++option;
-  return option;
-}
 
 /* Whether an option sets a number of the scene that may vary along a series. */
 static bool is_of_scene(int option) {
@@ -166,7 +125,7 @@ static bool is_of_scene(int option) {
 }
 
 static po_status take_varied(follow_line *line) {
-  for (const struct option *option = OPTIONS; option->name; ++option)
+  for (const struct option *option = line->table; option->name; ++option)
     if (is_of_scene(option->val) && strcmp(option->name, optarg) == 0) {
       line->varied = option;
       return PO_OK;
@@ -295,7 +254,9 @@ static po_status check_line(const follow_line *line) {
 static po_status set_key(po_request *request, int key, const char *text) {
   if (po_key_set(request, (po_key)key, text))
     return PO_OK;
-  return po_options_refuse(option_of(KEY + key)->name, text, po_key_expected((po_key)key));
+  char flag[PO_FLAG_LENGTH_OF_NAME];
+  po_key_flag(key, flag);
+  return po_options_refuse(flag, text, po_key_expected((po_key)key));
 }
 
 /* Sets the amplitude A = (A/lambda) lambda of flags whose lengths have been taken. */
@@ -322,7 +283,7 @@ static po_status make_request(const follow_line *line, size_t point, po_request 
   *request = po_input_default();
   request->mesh.scheme = PO_PANEL;
   po_status status = PO_OK;
-  bool of_law[PO_LAW_PARAMETER_COUNT];
+  bool of_law[PO_KEY_END] = {false};
   const char *ratio = NULL;
   for (int option = 0; option < OPTION_COUNT && !status; ++option) {
     const char *text = option == line->varied->val ? value : line->given[option];
@@ -339,8 +300,8 @@ static po_status make_request(const follow_line *line, size_t point, po_request 
     status = set_amplitude_ratio(ratio, flags);
   if (!status)
     status = po_scene_flags_end(flags, true, &request->scene);
-  for (int k = 0; k < PO_LAW_PARAMETER_COUNT; ++k)
-    of_law[k] = is_given(line, KEY + PO_KEY_MIE_M + k);
+  for (int key = 0; key < PO_KEY_END; ++key)
+    of_law[key] = is_given(line, KEY + key);
   if (!status)
     status = po_scene_flags_check_law(&request->scene.law, of_law);
   request->preload.approach = flags->length[PO_LENGTH_PRELOAD];
@@ -423,9 +384,10 @@ static po_status follow(const follow_line *line, po_request *requests, po_series
 }
 
 int po_verb_follow(int argc, char **argv) {
-  const po_options options = {"follow", HELP, OPTIONS, argc, argv, MORE_HELP};
+  const po_options options = {"follow", HELP, OPTIONS, argc, argv, MORE_HELP, PO_FOR_FOLLOW};
   follow_line line = {.range = {NAN, NAN, DEFAULT_POINTS, true}};
   po_status status = PO_OK;
+  po_options_table(&options, line.table);
   if (!po_options_read(&options, take_option, &line, &status))
     return po_options_end(status);
   status = po_options_no_operands(&options);

@@ -28,48 +28,17 @@ static const char HELP[] =
     "approach is positive when the bodies are pressed together, the load when it is compressive.\n"
     "\n"
     "Scene:\n"
-    "  --tabor MU              Tabor parameter, >= 0; 0 is a rigid sphere (default 1)\n"
-    "  --amplitude A           amplitude of the waviness, in epsilon; 0 is a smooth sphere\n"
-    "                          (default 0)\n"
-    "  --wavelength L          wavelength of the waviness, in epsilon; needed if the amplitude is\n"
-    "                          > 0\n"
-    "  --radius R              radius of the sphere, in epsilon (default 100); for another "
-    "profile\n"
-    "                          the length R in the unit of the load, pi w R (default 1)\n"
-    "  --outer-radius R        radius at which the elastic surface is cut, in epsilon; inf is the\n"
-    "                          unbounded half-space (default inf)\n"
-    "  --law LAW               traction-separation law: lennard-jones (Eq 9), mie:M,N with\n"
-    "                          N > M > 1, or morse:A (default lennard-jones)\n"
-    "  --mie-m M, --mie-n N    exponents M and N, for --law mie without exponents\n"
-    "  --morse-a A             parameter A, for --law morse without parameter\n"
-    "  --coupling C            w/(E* epsilon), >= 0, instead of --tabor\n" PO_PROFILE_HELP "\n"
+    "@scene\n"
+    "\n"
     "Preload and range of the trace:\n"
-    "  --preload D             approach up to which the sphere is loaded before it is pulled off,\n"
-    "                          in epsilon; inf searches all preloads for the greatest pull-off\n"
-    "                          force\n"
-    "  --preload-load W        load up to which the sphere is loaded, in pi w R; with --preload,\n"
-    "                          loading ends at whichever is reached first (default 1, unless\n"
-    "                          --preload or --approach-end is given)\n"
-    "  --approach-start D      approach at which the trace begins, in epsilon (default: chosen by\n"
-    "                          the solver, with the bodies far apart)\n"
-    "  --approach-end D        approach at which the trace ends, in epsilon; also the preload if\n"
-    "                          no preload is given (default: the trace ends once the preload is\n"
-    "                          reached)\n"
-    "  --time-limit S          processor time after which the solve is stopped, in seconds\n"
-    "                          (default: no limit)\n"
+    "@trace\n"
     "Without --preload, --preload-load, --approach-end and --want, the trace continues beyond the\n"
     "preload to find out whether a harder preload gives a greater pull-off force. It stops when\n"
     "this is certain, or after as much work as it took to reach the preload and some tenths of a\n"
     "second more. Work is counted, so that the result does not depend on the machine.\n"
     "\n"
     "Discretisation:\n"
-    "  --scheme NAME           elements that discretise the surface: ring, triangle or panel\n"
-    "                          (default panel)\n"
-    "  --tolerance T           relative tolerance on the pull-off force, 1e-10 to 0.01; panel\n"
-    "                          only (default 1e-6)\n"
-    "  --nodes N               number of nodes, 8 to 2500; ring and triangle only (default 501)\n"
-    "  --grading NAME          spacing of the nodes, uniform or graded; ring and triangle only\n"
-    "                          (default uniform)\n";
+    "@mesh\n";
 
 static const char MORE_HELP[] =
     "\n"
@@ -102,35 +71,11 @@ static const char MORE_HELP[] =
     "Example: pulloff solve --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 \\\n"
     "             --distance-m 3e-10 --radius-m 1e-7\n";
 
-enum {
-  WANT = PO_FLAG_NEXT,
-  CURVE_FILE,
-  PROFILE_FILE,
-  STAIRCASE_FILE,
-  PLOT_FILE,
-  RUN,
-  JSON,
-  KEY = PO_OPTION_KEYS
-};
+enum { WANT = PO_FLAG_NEXT, CURVE_FILE, PROFILE_FILE, STAIRCASE_FILE, PLOT_FILE, RUN, JSON };
 
-/* The values of the options of the mesh are KEY + po_key. */
+/* Beside the options of keys. */
 static const struct option OPTIONS[] = {
     {"run", required_argument, NULL, RUN}, /* only for the verb plot */
-    PO_SCENE_OPTIONS,
-    PO_LENGTH_OPTIONS("outer-radius", PO_LENGTH_OUTER_RADIUS),
-    {"law", required_argument, NULL, KEY + PO_KEY_LAW},
-    {"mie-m", required_argument, NULL, KEY + PO_KEY_MIE_M},
-    {"mie-n", required_argument, NULL, KEY + PO_KEY_MIE_N},
-    {"morse-a", required_argument, NULL, KEY + PO_KEY_MORSE_A},
-    {"scheme", required_argument, NULL, KEY + PO_KEY_SCHEME},
-    {"grading", required_argument, NULL, KEY + PO_KEY_GRADING},
-    {"nodes", required_argument, NULL, KEY + PO_KEY_NODES},
-    {"tolerance", required_argument, NULL, KEY + PO_KEY_TOLERANCE},
-    PO_LENGTH_OPTIONS("approach-start", PO_LENGTH_APPROACH_START),
-    PO_LENGTH_OPTIONS("approach-end", PO_LENGTH_APPROACH_END),
-    {"time-limit", required_argument, NULL, KEY + PO_KEY_TIME_LIMIT},
-    PO_LENGTH_OPTIONS("preload", PO_LENGTH_PRELOAD),
-    {"preload-load", required_argument, NULL, KEY + PO_KEY_PRELOAD_LOAD},
     {"want", required_argument, NULL, WANT},
     PO_LENGTH_OPTIONS("profile-approach", PO_LENGTH_PROFILE_APPROACH),
     {"curve", required_argument, NULL, CURVE_FILE},
@@ -144,21 +89,20 @@ static const struct option OPTIONS[] = {
 typedef struct {
   po_request request;
   po_scene_flags flags;
-  bool given[PO_KEY_COUNT];                /* which keys of the mesh and of the solve were given */
+  bool given[PO_KEY_END];                  /* which keys beside those of `flags` were given */
   const char *curve, *profile, *staircase; /* files; NULL: none */
   const char *plot, *run;                  /* figure, and folder of records; NULL: none */
   bool json;
 } solve_line;
 
-/* Sets a key of the mesh or of the solve. `option` is its value in OPTIONS. */
-static po_status take_key(solve_line *line, po_key key, int option) {
+/* Sets a key that is not one of po_scene_flags.h. */
+static po_status take_key(solve_line *line, po_key key) {
   line->given[key] = true;
   if (po_key_set(&line->request, key, optarg))
     return PO_OK;
-  const struct option *given = OPTIONS;
-  while (given->val != option)
-    ++given;
-  return po_options_refuse(given->name, optarg, po_key_expected(key));
+  char flag[PO_FLAG_LENGTH_OF_NAME];
+  po_key_flag((int)key, flag);
+  return po_options_refuse(flag, optarg, po_key_expected(key));
 }
 
 /* --profile gives the profile of the scene; as in earlier versions, it also gives the file for gap
@@ -198,7 +142,7 @@ static po_status take_option(void *to, int option) {
     line->json = true;
     return PO_OK;
   default:
-    return take_key(line, (po_key)(option - KEY), option);
+    return take_key(line, (po_key)(option - PO_OPTION_KEYS));
   }
 }
 
@@ -242,7 +186,7 @@ static po_status end_line(solve_line *line) {
   if (!status)
     status = refuse_idle(line);
   if (!status)
-    status = po_scene_flags_check_law(&request->scene.law, line->given + PO_KEY_MIE_M);
+    status = po_scene_flags_check_law(&request->scene.law, line->given);
   if (status)
     return status;
   if (length[PO_LENGTH_AMPLITUDE] > 0 && isnan(length[PO_LENGTH_WAVELENGTH])) {
@@ -393,7 +337,7 @@ static po_status plot(solve_line *line) {
 }
 
 int po_verb_plot(int argc, char **argv) {
-  const po_options options = {"plot", PLOT_HELP, OPTIONS, argc, argv, NULL};
+  const po_options options = {"plot", PLOT_HELP, OPTIONS, argc, argv, NULL, PO_FOR_SOLVE};
   solve_line line = {.request = po_input_default(), .flags = po_scene_flags_default()};
   char *name = NULL;
   po_status status = PO_OK;
@@ -419,7 +363,7 @@ int po_verb_plot(int argc, char **argv) {
 }
 
 int po_verb_solve(int argc, char **argv) {
-  const po_options options = {"solve", HELP, OPTIONS + 1, argc, argv, MORE_HELP};
+  const po_options options = {"solve", HELP, OPTIONS + 1, argc, argv, MORE_HELP, PO_FOR_SOLVE};
   solve_line line = {.request = po_input_default(), .flags = po_scene_flags_default()};
   po_status status = PO_OK;
   if (!po_options_read(&options, take_option, &line, &status))

@@ -33,16 +33,7 @@ static const char HELP[] =
     "together, the load when it is compressive.\n"
     "\n"
     "Scene:\n"
-    "  --tabor MU              Tabor parameter, > 0 for the elastic forms (default 1)\n"
-    "  --coupling C            w/(E* epsilon), >= 0, instead of --tabor\n"
-    "  --amplitude A           amplitude of the waviness, in epsilon; 0 is a smooth sphere\n"
-    "  --wavelength L          wavelength of the waviness, in epsilon\n"
-    "  --radius R              radius of the sphere, in epsilon (default 100); for another "
-    "profile\n"
-    "                          the length R in the unit of the load, pi w R (default "
-    "1)\n" PO_PROFILE_HELP "                          (profile and waves: rigid, jkr, maugis)\n"
-    "  --law LAW               traction-separation law: lennard-jones, mie:M,N or morse:A\n"
-    "                          (rigid, maugis; default lennard-jones)\n"
+    "@scene\n"
     "  --tension Q             tension of Maugis-Dugdale, in w/epsilon (maugis; default: the\n"
     "                          greatest tension of the law)\n"
     "  --alpha ALPHA           A R/L^2, instead of the wavelength (rigid) or of amplitude,\n"
@@ -63,7 +54,7 @@ static const char MORE_HELP[] = PO_SCENE_FLAGS_HELP
     "Example: pulloff theory jkr --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 \\\n"
     "             --distance-m 3e-10 --radius-m 1e-7\n";
 
-enum { ALPHA = PO_FLAG_NEXT, GAP, LAW, TENSION, JSON };
+enum { ALPHA = PO_FLAG_NEXT, GAP, TENSION, JSON, LAW = PO_OPTION_KEYS + PO_KEY_LAW };
 
 /* The options of one command line. */
 typedef struct {
@@ -77,13 +68,12 @@ typedef struct {
   bool json;
 } po_theory_line;
 
+/* Beside the options of keys. */
 static const struct option OPTIONS[] = {
-    PO_SCENE_OPTIONS,
     {"alpha", required_argument, NULL, ALPHA},
     PO_LENGTH_OPTIONS("approach", PO_LENGTH_APPROACH),
     PO_LENGTH_OPTIONS("contact-radius", PO_LENGTH_CONTACT_RADIUS),
     {"gap", required_argument, NULL, GAP},
-    {"law", required_argument, NULL, LAW},
     {"tension", required_argument, NULL, TENSION},
     {"json", no_argument, NULL, JSON},
     {"help", no_argument, NULL, PO_OPTION_HELP},
@@ -299,7 +289,7 @@ static po_status print(const po_theory_line *l, const po_form *form) {
 }
 
 int po_verb_theory(int argc, char **argv) {
-  const po_options options = {"theory", HELP, OPTIONS, argc, argv, MORE_HELP};
+  const po_options options = {"theory", HELP, OPTIONS, argc, argv, MORE_HELP, PO_FOR_THEORY};
   po_theory_line line = {.flags = po_scene_flags_default(),
                          .alpha = NAN,
                          .gap = NAN,

@@ -96,8 +96,7 @@ static double *key_place(po_request *request, po_key key) {
   return place == NO_PLACE ? NULL : (double *)(void *)((char *)request + place);
 }
 
-/* The number of a parameter among those of all laws, or of all profiles. */
-static int parameter_of(po_key key) {
+int po_key_parameter(int key) {
   const size_t first =
       KEYS[key].owner == PO_OWNER_LAW ? PLACE(scene.law.parameter) : PLACE(scene.profile.parameter);
   return (int)((KEYS[key].place - first) / sizeof(double));
@@ -106,9 +105,9 @@ static int parameter_of(po_key key) {
 /* Whether the law or the profile of a request has the parameter that a key is. */
 static bool has_parameter(const po_request *request, po_key key) {
   if (po_key_is_parameter(key, PO_OWNER_LAW))
-    return po_law_has(&request->scene.law, (po_law_parameter)parameter_of(key));
+    return po_law_has(&request->scene.law, (po_law_parameter)po_key_parameter((int)key));
   return !po_key_is_parameter(key, PO_OWNER_PROFILE) ||
-         po_profile_has(&request->scene.profile, (po_profile_parameter)parameter_of(key));
+         po_profile_has(&request->scene.profile, (po_profile_parameter)po_key_parameter((int)key));
 }
 
 /* The radius of a profile for which none was given. */
@@ -191,7 +190,7 @@ bool po_key_set(po_request *request, po_key key, const char *text) {
   if (key == PO_KEY_TABLE_SCALE)
     return set_scale(request, value);
   if (po_key_is_parameter(key, PO_OWNER_LAW))
-    po_law_set_parameter(&request->scene.law, (po_law_parameter)parameter_of(key), value);
+    po_law_set_parameter(&request->scene.law, (po_law_parameter)po_key_parameter((int)key), value);
   else
     *key_place(request, po_key_target(key)) = value;
   return true;

@@ -30,7 +30,7 @@
     "radius at which the elastic surface is cut, in epsilon; inf is the unbounded half-space "     \
     "(default inf)", "", "")                                                                       \
   X(LAW, "law", NAME, PO_LAW_EXPECTED, NUMBER, LAW, NO_PLACE, CONSTANT, EVERY, "LAW",              \
-    "traction-separation law: lennard-jones (Eq 9), mie:M,N with N > M > 1, or morse:A (default "  \
+    "traction-separation law: lennard-jones (Eq 9), mie:M,N with 1<M<N, or morse:A (default "      \
     "lennard-jones)", "",                                                                          \
     "traction-separation law: lennard-jones, mie:M,N or morse:A (rigid, maugis; default "          \
     "lennard-jones)")                                                                              \

@@ -4,16 +4,18 @@
 #include <string.h>
 
 #include "po_quote.h"
+#include "po_scene_flags.h"
+#include "po_text.h"
 
 enum { DONE = -1, BAD = -2 };
 
 /* The `val` of the next option; DONE if only operands are left; BAD, with the message of po_fail,
  * if the option is unknown or lacks its value. */
-static int next(const po_options *options) {
+static int next(const po_options *options, const struct option *table) {
   opterr = 0;
   int index = 0;
   const int at = optind ? optind : 1;
-  const int found = getopt_long(options->argc, options->argv, ":h", options->options, &index);
+  const int found = getopt_long(options->argc, options->argv, ":h", table, &index);
   const char *given = at < options->argc ? options->argv[optind > 1 ? optind - 1 : at] : "";
   switch (found) {
   case ':':
@@ -31,15 +33,37 @@ static int next(const po_options *options) {
   }
 }
 
+void po_options_table(const po_options *options, struct option table[PO_MOST_OPTIONS]) {
+  static const struct option PHYSICAL[] = {PO_PHYSICAL_OPTIONS};
+  size_t count = 0;
+  for (const struct option *own = options->options; own->name; ++own)
+    table[count++] = *own;
+  for (size_t i = 0; options->keys && i < sizeof PHYSICAL / sizeof *PHYSICAL; ++i)
+    table[count++] = PHYSICAL[i];
+  count = po_key_options(options->keys, table, count);
+  table[count] = (struct option){0};
+}
+
+/* Prints the help of a verb. Status: PO_NO_MEMORY. */
+static po_status print_help(const po_options *options) {
+  po_text help = {0};
+  po_key_help(options->keys, options->help, &help);
+  po_key_help(options->keys, options->more_help ? options->more_help : "", &help);
+  fputs(po_text_string(&help), stdout);
+  const po_status status = help.failed ? PO_NO_MEMORY : PO_OK;
+  po_text_clear(&help);
+  return status;
+}
+
 bool po_options_read(const po_options *options, po_option_taker *take, void *line,
                      po_status *status) {
+  struct option table[PO_MOST_OPTIONS];
   int option = 0;
+  po_options_table(options, table);
   *status = PO_OK;
-  while (!*status && (option = next(options)) != DONE) {
+  while (!*status && (option = next(options, table)) != DONE) {
     if (option == PO_OPTION_HELP) {
-      fputs(options->help, stdout);
-      if (options->more_help)
-        fputs(options->more_help, stdout);
+      *status = print_help(options);
       return false;
     }
     *status = option == BAD ? PO_BAD_INPUT : take(line, option);

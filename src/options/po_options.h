@@ -7,6 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "po_key_options.h"
 #include "po_status.h"
 
 /* Exit codes of the program. */
@@ -32,7 +33,12 @@ typedef struct {
   int argc;
   char **argv;
   const char *more_help; /* printed after `help`; NULL: none */
+  unsigned keys; /* PO_FOR_...: the options of the keys of this verb are added, and its helps have
+                    the lines of po_key_options.h; 0: none */
 } po_options;
+
+/* Fills the table of all options of a verb, whose last row is zero. */
+void po_options_table(const po_options *options, struct option table[PO_MOST_OPTIONS]);
 
 /* Stores one option, whose value is in optarg, in the struct `line` of the verb. Status:
  * PO_BAD_INPUT. */

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "po_key_options.h"
 #include "po_parameters.h"
 
 static const struct {
@@ -21,6 +22,13 @@ static const struct {
     [PO_LENGTH_APPROACH] = {"approach", -1},
     [PO_LENGTH_CONTACT_RADIUS] = {"contact-radius", -1},
 };
+
+int po_length_of_key(int key) {
+  int length = 0;
+  while (length < PO_LENGTH_COUNT && LENGTHS[length].key != key)
+    ++length;
+  return length < PO_LENGTH_COUNT ? length : -1;
+}
 
 po_scene_flags po_scene_flags_default(void) {
   po_scene_flags flags = {
@@ -81,21 +89,13 @@ static po_status take_profile(po_scene_flags *flags) {
              : po_options_refuse("profile", optarg, PO_PROFILE_EXPECTED);
 }
 
-/* The option of a key: its name with dashes. */
-static void flag_of(const char *key, char flag[32]) {
-  snprintf(flag, 32, "%s", key);
-  for (char *c = flag; *c; ++c)
-    if (*c == '_')
-      *c = '-';
-}
-
 static po_status take_parameter(po_profile_parameter parameter, double *value) {
-  char name[32];
-  const po_key key = (po_key)(PO_KEY_POWER_C + (int)parameter);
-  flag_of(po_key_name(key), name);
+  char name[PO_FLAG_LENGTH_OF_NAME];
+  const int key = po_key_of_name(po_profile_parameter_name(parameter));
+  po_key_flag(key, name);
   return po_number_parse(optarg, value) && *value > 0.0
              ? PO_OK
-             : po_options_refuse(name, optarg, po_key_expected(key));
+             : po_options_refuse(name, optarg, po_key_expected((po_key)key));
 }
 
 po_status po_scene_flags_take(po_scene_flags *flags, int option) {
@@ -154,6 +154,36 @@ static void show_profile(const po_profile *profile, char *shown, size_t size) {
     }
 }
 
+/* Refuses a parameter of another law or profile: "mie_m" belongs to `mie`. */
+static po_status refuse_parameter(const char *what, const char *name, int key) {
+  char flag[PO_FLAG_LENGTH_OF_NAME];
+  po_key_flag(key, flag);
+  const int length = (int)strcspn(flag, "-");
+  if (strncmp(flag, "table", (size_t)length) == 0)
+    return po_fail(PO_BAD_INPUT, "--%s has no effect on the %s %s: expected --profile-file", flag,
+                   what, name);
+  return po_fail(PO_BAD_INPUT, "--%s has no effect on the %s %s: expected --%s %.*s", flag, what,
+                 name, what, length, flag);
+}
+
+po_status po_scene_flags_check_law(const po_law *law, const bool given[PO_KEY_END]) {
+  for (int key = 0; key < PO_KEY_COUNT; ++key)
+    if (given[key] && po_key_is_parameter(key, PO_OWNER_LAW) &&
+        !po_law_has(law, (po_law_parameter)po_key_parameter(key)))
+      return refuse_parameter("law", po_law_name(law), key);
+  return PO_OK;
+}
+
+/* Refuses a parameter that the profile of the scene does not have. */
+static po_status check_profile(const po_profile *profile,
+                               const bool given[PO_PROFILE_PARAMETER_COUNT]) {
+  for (int k = 0; k < PO_PROFILE_PARAMETER_COUNT; ++k)
+    if (given[k] && !po_profile_has(profile, (po_profile_parameter)k))
+      return refuse_parameter("profile", po_profile_name(profile),
+                              po_key_of_name(po_profile_parameter_name((po_profile_parameter)k)));
+  return PO_OK;
+}
+
 /* Sets the profile and its default radius. Given: epsilon in the unit of the parameters. */
 static po_status set_profile(po_scene_flags *flags, double epsilon, po_scene *scene) {
   bool given[PO_PROFILE_PARAMETER_COUNT];
@@ -176,7 +206,7 @@ static po_status set_profile(po_scene_flags *flags, double epsilon, po_scene *sc
   if (flags->profile_file)
     status = po_profile_set_file(&scene->profile, flags->profile_file);
   if (!status)
-    status = po_scene_flags_check_profile(&scene->profile, given);
+    status = check_profile(&scene->profile, given);
   if (flags->profile || flags->profile_file)
     scene->radius = po_profile_default_radius(&scene->profile);
   return status;
@@ -295,32 +325,4 @@ po_status po_scene_flags_end(po_scene_flags *flags, bool elastic, po_scene *scen
     warn_of_metres(flags);
   return flags->from_physical ? end_physical(flags, elastic, scene)
                               : end_dimensionless(flags, scene);
-}
-
-/* Refuses a parameter of another law or profile: `key` is "mie_m", and belongs to `mie`. */
-static po_status refuse_parameter(const char *what, const char *name, const char *key) {
-  char flag[32];
-  flag_of(key, flag);
-  const int length = (int)strcspn(flag, "-");
-  if (strncmp(flag, "table", (size_t)length) == 0)
-    return po_fail(PO_BAD_INPUT, "--%s has no effect on the %s %s: expected --profile-file", flag,
-                   what, name);
-  return po_fail(PO_BAD_INPUT, "--%s has no effect on the %s %s: expected --%s %.*s", flag, what,
-                 name, what, length, flag);
-}
-
-po_status po_scene_flags_check_law(const po_law *law, const bool given[PO_LAW_PARAMETER_COUNT]) {
-  for (int k = 0; k < PO_LAW_PARAMETER_COUNT; ++k)
-    if (given[k] && !po_law_has(law, (po_law_parameter)k))
-      return refuse_parameter("law", po_law_name(law), po_law_parameter_name((po_law_parameter)k));
-  return PO_OK;
-}
-
-po_status po_scene_flags_check_profile(const po_profile *profile,
-                                       const bool given[PO_PROFILE_PARAMETER_COUNT]) {
-  for (int k = 0; k < PO_PROFILE_PARAMETER_COUNT; ++k)
-    if (given[k] && !po_profile_has(profile, (po_profile_parameter)k))
-      return refuse_parameter("profile", po_profile_name(profile),
-                              po_profile_parameter_name((po_profile_parameter)k));
-  return PO_OK;
 }

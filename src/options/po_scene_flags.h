@@ -46,41 +46,13 @@ enum {
   {name, required_argument, NULL, PO_FLAG_LENGTH + (length)},                                      \
   {name "-m", required_argument, NULL, PO_FLAG_METRES + (length)}
 
-/* For the option table of a verb. */
-#define PO_SCENE_OPTIONS                                                                           \
-  {"tabor", required_argument, NULL, PO_FLAG_TABOR},                                               \
+/* The options that only --from-physical takes. */
+#define PO_PHYSICAL_OPTIONS                                                                        \
   {"from-physical", no_argument, NULL, PO_FLAG_FROM_PHYSICAL},                                     \
   {"modulus-pa", required_argument, NULL, PO_FLAG_MODULUS},                                        \
   {"work-j-per-m2", required_argument, NULL, PO_FLAG_WORK},                                        \
-  {"distance-m", required_argument, NULL, PO_FLAG_DISTANCE},                                       \
-  {"coupling", required_argument, NULL, PO_FLAG_COUPLING},                                         \
-  {"profile", required_argument, NULL, PO_FLAG_PROFILE},                                           \
-  {"profile-file", required_argument, NULL, PO_FLAG_PROFILE_FILE},                                 \
-  {"power-c", required_argument, NULL, PO_FLAG_PARAMETER + PO_POWER_C},                            \
-  {"power-n", required_argument, NULL, PO_FLAG_PARAMETER + PO_POWER_N},                            \
-  {"cone-t", required_argument, NULL, PO_FLAG_PARAMETER + PO_CONE_T},                              \
-  {"punch-b", required_argument, NULL, PO_FLAG_PARAMETER + PO_PUNCH_B},                            \
-  {"punch-r", required_argument, NULL, PO_FLAG_PARAMETER + PO_PUNCH_R},                            \
-  {"truncated-b", required_argument, NULL, PO_FLAG_PARAMETER + PO_TRUNCATED_B},                    \
-  {"truncated-r", required_argument, NULL, PO_FLAG_PARAMETER + PO_TRUNCATED_R},                    \
-  {"table-scale", required_argument, NULL, PO_FLAG_PARAMETER + PO_TABLE_SCALE},                    \
-  {"wave", required_argument, NULL, PO_FLAG_WAVE},                                                 \
-  PO_LENGTH_OPTIONS("radius", PO_LENGTH_RADIUS),                                                   \
-  PO_LENGTH_OPTIONS("amplitude", PO_LENGTH_AMPLITUDE),                                             \
-  PO_LENGTH_OPTIONS("wavelength", PO_LENGTH_WAVELENGTH)
+  {"distance-m", required_argument, NULL, PO_FLAG_DISTANCE}
 // clang-format on
-
-/* The options of the profile in the help of a verb. */
-#define PO_PROFILE_HELP                                                                            \
-  "  --profile PROFILE       initial gap without waves: sphere, power:C,N (C r^N), cone:T (T "     \
-  "r),\n"                                                                                          \
-  "                          punch:B,R (0 up to B, (r-B)^2/2R beyond) or truncated:B,R (0 up to\n" \
-  "                          B, (r^2-B^2)/2R beyond); lengths in epsilon (default sphere)\n"       \
-  "  --profile-file FILE     profile from a CSV file with the columns r and gap, in epsilon\n"     \
-  "  --table-scale S         unit of the numbers of that file, in epsilon (default 1)\n"           \
-  "  --power-c C, --power-n N, --cone-t T, --punch-b B, --punch-r R, --truncated-b B,\n"           \
-  "  --truncated-r R         parameters, for --profile with the name alone\n"                      \
-  "  --wave A,L              add a wave of amplitude A and wavelength L, in epsilon; up to 8\n"
 
 /* The SI options in the help of a verb. The verb documents its other lengths itself. */
 #define PO_SCENE_FLAGS_HELP                                                                        \
@@ -121,13 +93,9 @@ po_status po_scene_flags_take(po_scene_flags *flags, int option);
  * false. Status: PO_BAD_INPUT. */
 po_status po_scene_flags_end(po_scene_flags *flags, bool elastic, po_scene *scene);
 
-/* Refuses a parameter that the law of the scene does not have. `given`: whether each parameter was
- * given. Status: PO_BAD_INPUT. */
-po_status po_scene_flags_check_law(const po_law *law, const bool given[PO_LAW_PARAMETER_COUNT]);
-
-/* The same for the profile. */
-po_status po_scene_flags_check_profile(const po_profile *profile,
-                                       const bool given[PO_PROFILE_PARAMETER_COUNT]);
+/* Refuses a parameter that the law of the scene does not have. `given`: whether each key was given.
+ * Status: PO_BAD_INPUT. */
+po_status po_scene_flags_check_law(const po_law *law, const bool given[PO_KEY_END]);
 
 /* Stores one more wave, which optarg gives as "A,L". Status: PO_BAD_INPUT. */
 po_status po_scene_flags_take_wave(po_wave wave[PO_MOST_WAVES], size_t *count);
@@ -135,6 +103,9 @@ po_status po_scene_flags_take_wave(po_wave wave[PO_MOST_WAVES], size_t *count);
 /* Adds waves to those of a scene. Given: the unit of their lengths, in epsilon. Status:
  * PO_BAD_INPUT. */
 po_status po_scene_flags_add_waves(const po_wave *wave, size_t count, double unit, po_scene *scene);
+
+/* The length that is a key; -1: none. */
+int po_length_of_key(int key);
 
 /* The name of the option for a length: "radius", or "radius-m" if the scene is in SI units. */
 void po_scene_flags_name(const po_scene_flags *flags, po_length length, char name[32]);
