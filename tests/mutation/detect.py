@@ -51,7 +51,10 @@ def command(detector, program, place):
         return [program, "verify", *detector["verify"], "--tap", "--fresh", "--jobs", "1",
                 "--output", os.path.join(place, "run")]
     if "script" in detector:
-        return ["sh", os.path.join(SOURCE, "tests", detector["script"]), program]
+        script = os.path.join(SOURCE, "tests", detector["script"])
+        if script.endswith(".py"):
+            return ["/usr/bin/python3", "-m", "pytest", "-q", "-p", "no:cacheprovider", script, "--program", program]
+        return ["sh", script, program]
     return [program]
 
 

@@ -1,0 +1,154 @@
+"""Functions for the tests of the command line in Python, which run in a folder of their own:
+pytest FILE --program PROGRAM"""
+
+import dataclasses
+import fnmatch
+import hashlib
+import json
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+
+import pytest
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+PROGRAM = None  # its path, see pytest_configure
+PROGRESS = re.compile(r"^\d+/\d+ [a-z]*, .* elapsed.*\n", re.MULTILINE)  # a slow machine prints such lines
+
+
+def pytest_addoption(parser):
+    parser.addoption("--program", required=True, help="the program pulloff")
+
+
+def pytest_configure(config):
+    global PROGRAM
+    PROGRAM = os.path.abspath(config.getoption("--program"))
+
+
+@dataclasses.dataclass
+class Ended:
+    """What the program left: exit code, standard output, and standard error without lines of progress."""
+    code: int
+    out: str
+    err: str
+
+    @property
+    def json(self):
+        return json.loads(self.out)
+
+    def count(self, pattern):
+        """The number of lines of the output in which the pattern is."""
+        return sum(bool(re.search(pattern, line)) for line in self.out.splitlines())
+
+
+def run(words, *more):
+    """Runs the program with the words of a command line, and more of them as they are."""
+    done = subprocess.run([PROGRAM, *shlex.split(words), *map(str, more)], capture_output=True, text=True)
+    return Ended(done.returncode, done.stdout, PROGRESS.sub("", done.stderr))
+
+
+def expect(code, message, words, *more):
+    """The same; the exit code must be this one, and standard error one line (a shell pattern; "": nothing)."""
+    ended = run(words, *more)
+    assert ended.code == code, f"pulloff {words}: exit code {ended.code}, expected {code}: {ended.err}"
+    assert not message or ended.err.count("\n") == 1, f"pulloff {words}: expected one line: {ended.err}"
+    assert fnmatch.fnmatchcase(ended.err.rstrip("\n"), message), f"pulloff {words}: {ended.err}expected: {message}"
+    return ended
+
+
+def document(words, *more):
+    """The JSON document of a command that must succeed without a message."""
+    return expect(0, "", words, *more, "--json").json
+
+
+def load(path):
+    return json.loads(pathlib.Path(path).read_text())
+
+
+def agree(a, b, value, error="error_estimate", times=1.0):
+    """Two results differ by at most so many times the sum of their stated errors."""
+    assert abs(a[value] - b[value]) <= times * (a[error] + b[error]), (value, a, b)
+
+
+def seal(path):
+    """Writes the checksum of a table above the line of its column names."""
+    lines = [line for line in path.read_text().splitlines(True) if not line.startswith("# sha256:")]
+    digest = hashlib.sha256("".join(lines).encode()).hexdigest()
+    place = next(k for k, line in enumerate(lines) if not line.startswith("#"))
+    path.write_text("".join(lines[:place] + [f"# sha256: {digest}\n"] + lines[place:]))
+
+
+HEADER = """# what: made for a test
+# source: by hand
+# kind: oracle
+# method: closed form
+# units: those of the harness
+# uncertainty: 0
+# generator: none
+# command: none
+# date: 2026-11-21
+"""
+
+
+class Data:
+    """A data folder: cases and reference tables, at first a table of the rigid sphere."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        for name in ("cases", "reference"):
+            (folder / name).mkdir(parents=True)
+        self.table("reference/table.csv", "tabor,force,approach", "0,2,0")
+        (folder / "reference/index.txt").write_text("table.csv\n")
+
+    def case(self, name, text):
+        path = self.folder / "cases" / f"{name}.yaml"
+        path.write_text(text.lstrip("\n"))
+        return path
+
+    def table(self, name, *rows):
+        """A table with a correct header. rows: that of the column names, and the others."""
+        path = self.folder / name
+        path.write_text(HEADER + "".join(row + "\n" for row in rows))
+        seal(path)
+        return path
+
+
+@pytest.fixture(autouse=True)
+def _in_its_folder(tmp_path, monkeypatch):
+    (tmp_path / "work").mkdir()
+    monkeypatch.chdir(tmp_path / "work")
+
+
+@pytest.fixture
+def data(tmp_path, monkeypatch):
+    made = Data(tmp_path / "data")
+    monkeypatch.setenv("PULLOFF_DATA", str(made.folder))
+    return made
+
+
+@pytest.fixture
+def good(data):
+    """A data folder with one correct case, which is solved quickly, to be damaged."""
+    data.case("good", """
+name: good
+title: A rigid sphere
+suites: [smoke]
+scene:
+  tabor: 0
+  amplitude: 0
+  radius: 100
+  outer_radius: inf
+  scheme: triangle
+  nodes: 101
+want: [pull_off]
+checks:
+  - quantity: pull_off_force
+    reference: reference/table.csv
+    tolerance: 1e-9
+    kind: abs
+    because: it has a closed form
+""")
+    return data

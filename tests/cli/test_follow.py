@@ -1,0 +1,242 @@
+"""The pull-off of a series of scenes: the verb follow, and cases with the key `follow`."""
+
+import pathlib
+import re
+import sys
+
+import digest
+import pytest
+from conftest import ROOT, agree, document, expect, load, run
+
+sys.path.insert(0, str(ROOT / "tests"))
+import checksum  # noqa: E402
+
+WAVELENGTH = "follow --key wavelength --from 17.3 --to 24.1 --points 7 --amplitude-ratio 0.0385 --tabor 0.71 --tolerance 1e-5"
+TIP = {"modulus-pa": "2e9", "work-j-per-m2": "0.05", "distance-m": "3e-10"}
+
+
+def tip(*without):
+    return " --from-physical " + " ".join(f"--{key} {value}" for key, value in TIP.items() if key not in without)
+
+
+@pytest.mark.parametrize("message, words", [
+    ("--key is not given: expected --key, --from and --to", "--from 1 --to 2"),
+    ("--from is not given: expected --key, --from and --to", "--key tabor --to 2"),
+    ("--to is not given: expected --key, --from and --to", "--key tabor --from 2 --scale linear"),
+    ("--from is 2 and --to is 2: expected two different values > 0, or --scale linear", "--key tabor --from 2 --to 2"),
+    ("--key is scheme: expected *", "--key scheme --from 1 --to 2"),
+    ("--tabor is given, but its value varies (--key): *", "--key tabor --from 1 --to 2 --tabor 1"),
+    ("--from is 0 and --to is 2: expected two different values > 0, or --scale linear", "--key tabor --from 0 --to 2"),
+    ("a waviness is given without --wavelength*", "--key tabor --from 1 --to 2 --amplitude 1"),
+    ("both amplitude and amplitude-ratio are given*", "--key amplitude --from 1 --to 2 --amplitude-ratio 0.1 --wavelength 20"),
+    ("--radius is -3: *", "--key tabor --from 1 --to 2 --radius -3"),
+    ("--points is 1: *", "--key tabor --from 1 --to 2 --points 1"),
+    ("--of is fold: expected pull-off or folds", "--key tabor --from 1 --to 2 --of fold"),
+    ("folds are not followed from scene 1 to the next: *",
+     "--key amplitude --from 0 --to 1 --scale linear --points 3 --wavelength 20 --of folds"),
+    ("standard output is asked for twice: *", "--key tabor --from 1 --to 2 --curve - --json"),
+    ("--curve has no effect on --of folds: *", "--key tabor --from 1 --to 2 --of folds --curve a.csv"),
+    ("--key is time-limit: *", "--key time-limit --from 1 --to 2"),
+    ("--radius-m is in SI units: expected --from-physical, too", "--key radius-m --from 1e-7 --to 2e-7"),
+    ("--radius is in units of epsilon: expected --radius-m with --from-physical", "--key radius --from 1 --to 2" + tip()),
+    ("--tabor is given with --from-physical: expected --modulus-pa, *", "--key tabor --from 1 --to 2" + tip()),
+    ("--from-physical is given without --work-j-per-m2, --distance-m: expected these, too",
+     "--from-physical --key modulus-pa --from 1e9 --to 2e9 --radius-m 1e-7"),
+    ("--preload-load is dimensionless: expected --preload-m with --from-physical",
+     "--key radius-m --from 1e-7 --to 2e-7 --preload-load 2" + tip()),
+    ("--modulus-pa is -1: expected *", "--from-physical --key radius-m --from 1e-7 --to 2e-7 --modulus-pa -1")])
+def test_wrong_command_lines(message, words):
+    expect(2, "pulloff: " + message, "follow " + words)
+
+
+def test_a_followed_value_equals_that_of_a_trace():
+    """Amplitude and wavelength are in proportion."""
+    points = document(WAVELENGTH)["points"]
+    assert [p["followed"] for p in points] == [False] + 5 * [True] + [False], "the ends are traced"
+    assert points[3]["folds"] is None
+    for k in 2, 5:
+        given = points[k]["input"]
+        traced = document("solve --tolerance 1e-5 --tabor 0.71 --wavelength", given["wavelength"], "--amplitude", given["amplitude"])
+        agree(points[k]["pull_off"], traced["pull_off"], "force")
+        agree(points[k]["pull_off"], traced["pull_off"], "approach", "approach_error_estimate")
+
+
+def test_followed_folds_equal_those_of_traces_and_end_where_two_merge():  # mu = 0.697
+    points = document("follow --of folds --key tabor --from 1.35 --to 0.61 --points 6 --scale linear --radius 87")["points"]
+    assert [p["followed"] for p in points] == [False] + 5 * [True]
+    assert [[f["kind"] for f in p["folds"] if f["approach"]] for p in points] == 5 * [["jump_in", "jump_out"]] + [[]]
+    traced = document("solve --radius 87 --tabor", points[3]["input"]["tabor"])["folds"]
+    for j in 0, 1:
+        agree(points[3]["folds"][j], traced[j], "approach")
+        agree(points[3]["folds"][j], traced[j], "load", "load_error_estimate")
+
+
+CASE = """
+name: good
+title: Lines that are followed
+suites: [smoke]
+scene: {{radius: 93, outer_radius: 80, scheme: panel, tolerance: 1e-4, wavelength: 21}}
+sweep:
+  - {{key: amplitude_ratio, values: [0.01, 0.02]}}
+  - {{key: tabor, from: 0.5, to: 0.9, count: 6, scale: log}}
+{}
+want: [{}]
+checks:
+  - {{quantity: solved_share, reference: every_scene, tolerance: 0.01, kind: abs, because: all have}}
+"""
+AGAINST = "  - {{quantity: {}, reference: traced, tolerance: 1e-5, kind: rel, because: each is solved for 1e-4}}\n"
+
+
+def write(data, more, want="pull_off", against=None):
+    data.case("good", CASE.format(more, want) + (AGAINST.format(against) if against else ""))
+
+
+EVERY_4 = "follow: tabor\ncheckpoint_every: 4"
+
+
+@pytest.mark.parametrize("message, more, want, against", [
+    ("*follow is amplitude_ratio: expected the last key of the sweep*", "follow: amplitude_ratio", "pull_off", None),
+    ("*want?1? is folds: expected pull_off alone*", "follow: tabor", "folds", None),
+    ("*checkpoint_every is 3: expected*beside follow", "checkpoint_every: 3", "pull_off", None),
+    ("*repeats is 2: expected 1*", "follow: tabor\nrepeats: 2", "pull_off", None),
+    ("*traced is*: expected a check against traced", "follow: tabor\ntraced: {seed: 7, count: 3}", "pull_off", None),
+    ("*checks?2?.reference is traced: expected traced only for a pull-off, in a case with*", EVERY_4, "pull_off", "pull_off_force"),
+    ("*checks?2?.reference is traced: expected every_scene*", EVERY_4 + "\ntraced: {seed: 7, count: 3}", "pull_off", "solved_share"),
+    ("*traced.count is 7: expected a whole number from 1 to the number of scenes between checkpoints",
+     EVERY_4 + "\ntraced: {seed: 7, count: 7}", "pull_off", "pull_off_force"),
+    ("*traced.seed is -1: expected a whole number*", EVERY_4 + "\ntraced: {seed: -1, count: 3}", "pull_off", "pull_off_force")])
+def test_wrong_cases(data, message, more, want, against):
+    write(data, more, want, against)
+    expect(2, message, "plan good")
+
+
+def numbers(record):
+    return [(p["id"], p["pull_off"], p["followed"], p["work"]["newton_iterations"]) for p in load(record)["points"]]
+
+
+def traced_points(record):
+    return [p for p in load(record)["points"] if "traced" in p]
+
+
+def traces(record):
+    return [(p["id"], p["traced"]["pull_off"]) for p in traced_points(record)]
+
+
+def alter(record, drawn, change):
+    """Changes a point of a record, and gives its trace the digest of its new results."""
+    document = load(record)
+    point = next(p for p in document["points"] if p["id"] == drawn)
+    change(point)
+    point["traced"]["digest"] = digest.function()(point["traced"])
+    document["key"] = ""
+    checksum.write(record, document)
+
+
+def test_a_case_with_two_series(data):
+    write(data, EVERY_4)
+    planned = expect(0, "", "plan good")
+    assert "in tabor along 2 series of 6 scenes; every 4 scenes one is traced" in planned.out
+    expect(0, "good: 12 points, 1 checks: within", "run good --output whole --jobs 2")
+    whole, record = "whole/good/record.json", "traced/good/record.json"
+    assert sum(p["followed"] for p in load(whole)["points"]) >= 6
+
+    # A series is solved as a whole, whichever of its points are kept or selected.
+    expect(0, "good: 3 of 12 points, 1 checks: within", "run good --output parts --points 7-9")
+    expect(0, "good: 12 points, 1 checks: within (3 points kept)", "run good --output parts --jobs 1")
+    assert numbers("parts/good/record.json") == numbers(whole)
+    expect(0, "good: 12 points, 1 checks: within (kept)", "run good --output parts")
+
+    # Some scenes are also traced; both values must agree.
+    write(data, EVERY_4 + "\ntraced: {seed: 7, count: 3}", against="pull_off_force")
+    planned = expect(0, "", "plan good")
+    assert "compare pull_off_force with traced at 3 of 12 points, tolerance" in planned.out
+    assert "has no value" not in planned.out
+    assert "trace 3 scenes between checkpoints in addition, drawn with seed 7" in planned.out
+    expect(0, "good: 12 points, 4 checks: within", "run good --output traced --jobs 2")
+    assert [p["followed"] for p in traced_points(record)] == 3 * [True]
+    assert [p["traced"]["folds"] is None for p in traced_points(record)] == 3 * [False], "the trace is a full trace"
+    assert numbers(record) == numbers(whole), "the traces do not change the followed values"
+    drawn = traced_points(record)[1]["id"]
+    expect(0, "good: 1 of 12 points, 2 checks: within", "run good --output one --points", drawn)
+    expect(0, "good: 12 points, 4 checks: within (1 points kept)", "run good --output one --jobs 1")
+    assert traces("one/good/record.json") == traces(record)
+
+    # A difference between a followed and a traced value is an error. A missing trace is no agreement.
+    alter(record, drawn, lambda p: p["traced"]["pull_off"].update(force=p["traced"]["pull_off"]["force"] * (1 + 2e-5)))
+    assert expect(1, "*", "verify --verbose good --output traced").count(r"^good +pull_off_force .* oracle +outside")
+    assert "the trace of the same scene finds another pull-off" in expect(1, "*", "explain good --output traced").out
+    alter(record, drawn, lambda p: p["traced"].update(status="not_converged", reason="it is made so", pull_off=None))
+    assert "missing_reference: the trace failed: it is made so" in expect(1, "*", "verify --verbose good --output traced").out
+
+    # Stored results that were altered do not have their checksum: they are no results.
+    text = pathlib.Path(record).read_text()
+    pathlib.Path(record).write_text(text.replace('"force": 1', '"force": 2'))
+    again = run("verify good --output traced")
+    assert re.search("^good: [0-9]+ stored results were altered or damaged and are solved again$", again.err, re.MULTILINE)
+    assert '"force": 1' in pathlib.Path(record).read_text(), "the results are those of before"
+
+
+def test_the_table_of_pull_offs():
+    words = "follow --key tabor --from 1 --to 2 --points 4 --curve "
+    printed = run(words + "-")
+    rows = printed.out.splitlines()
+    assert printed.code == 0
+    assert "tabor,force,force_error,approach,approach_error,contact_radius,contact_radius_error,followed" in rows
+    assert printed.count(r"^[0-9]") == 4
+    assert expect(0, "", words + "file.csv").count("^work ")
+    assert pathlib.Path("file.csv").read_text() == printed.out
+    failed = expect(4, "pulloff: nowhere/a.csv cannot be written: *",
+                    "follow --key tabor --from 1 --to 2 --points 2 --curve nowhere/a.csv")
+    assert failed.count("^work "), "the result is printed although the file is not written"
+    expect(3, "pulloff: the solve at tabor * failed: after 1e-06 s of processor time *",
+           "follow --key tabor --from 3 --to 4 --points 2 --amplitude 1 --wavelength 20 --time-limit 1e-6")
+
+
+@pytest.mark.parametrize("series", [
+    "radius-m --from 1e-7 --to 3e-7 --amplitude-m 1e-10 --wavelength-m 6e-9",
+    "wavelength-m --from 4e-9 --to 6e-9 --amplitude-ratio 0.03 --radius-m 1e-7",
+    "amplitude-m --from 1e-10 --to 2e-10 --wavelength-m 6e-9 --radius-m 1e-7",
+    "power-c --from 4e6 --to 8e6 --profile power --power-n 2"])
+def test_si_units_scene_by_scene(series):
+    more = " --preload-m 2e-9 --tolerance 1e-5"
+    points = document(f"follow --key {series} --points 3" + tip() + more)["points"]
+    assert len(points) == 3
+    for point in points:
+        a = point["physical"]
+        given = [word for key, value in a["input"].items() if key not in ("approach_start_m", "profile_approach_m")
+                 for word in ("--" + key.replace("_", "-"), value)]
+        b = document("solve --from-physical" + more, *given)["physical"]
+        assert a["input"] == b["input"] and a["units"] == b["units"]
+        for name, error in (("force_n", "error_estimate_n"), ("approach_m", "approach_error_estimate_m")):
+            agree(a["pull_off"], b["pull_off"], name, error)
+            assert 0 < a["pull_off"][error] < 1e-3 * abs(a["pull_off"][name])
+
+
+@pytest.mark.parametrize("key", TIP)
+def test_modulus_work_and_distance_vary_with_the_tip_at_one_end(key):
+    value = TIP[key]
+    points = document(f"follow --key {key} --from {value} --to {1.1 * float(value)!r} --points 2 --radius-m 1e-7" + tip(key))["points"]
+    solved = document("solve --radius-m 1e-7" + tip())
+    assert points[0]["pull_off"]["force"] == solved["pull_off"]["force"]
+    assert points[1]["physical"]["pull_off"]["force_n"] != solved["physical"]["pull_off"]["force_n"]
+
+
+def test_printed_si_units():
+    ended = expect(0, "", "follow --key radius-m --from 1e-7 --to 3e-7 --points 3 --curve si.csv" + tip())
+    table = pathlib.Path("si.csv").read_text().splitlines()
+    assert "units    lengths in m, loads and forces in N" in ended.out.splitlines()
+    assert any(line.startswith("# units: SI units: lengths in m, force in N") for line in table)
+    assert "radius_m,force_n,force_error_n,approach_m,approach_error_m,contact_radius_m,contact_radius_error_m,followed" in table
+    printed = [line.split() for line in ended.out.splitlines() if line[:1] == " "][1:]
+    rows = [line.split(",") for line in table if line[0].isdigit()]
+    assert len(printed) == len(rows) == 3
+    for a, b in zip(printed, rows):
+        assert a[0] == "%g" % float(b[0]) and a[1] == "%.8e" % float(b[1]) and a[3] == "%.8e" % float(b[3])
+    ended = expect(0, "", "follow --of folds --key distance-m --from 3e-10 --to 4e-10 --points 2 --radius-m 1e-7" + tip("distance-m"))
+    assert ended.count(r"^jump_in +3e-10 +-[0-9.]*e-10 .* -[0-9.]*e-09 ")
+    assert "units    lengths in m, loads and forces in N" in ended.out.splitlines()
+
+
+def test_one_warning_for_a_series_that_looks_like_metres():
+    ended = run("follow --key radius --from 1e-3 --to 5e-3 --points 3")
+    assert ended.err.count("warning: --radius is 0.001 epsilon, which looks like metres") == 1

@@ -1,0 +1,73 @@
+"""Loading and unloading: the output of solve, and the record."""
+
+import math
+import pathlib
+
+import pytest
+from conftest import document, expect, load
+
+LOOP = {"preload", "pull_off", "energy_lost", "energy_lost_error_estimate", "work", "work_error_estimate", "energy_error_estimate",
+        "jumps"}
+CASE = """
+name: loop
+title: {}
+suites: [smoke]
+scene: {{tabor: 2.385, radius: 100, outer_radius: inf, scheme: panel, preload: 0.7}}
+want: [hysteresis]
+"""
+
+
+def look(d):
+    """The block of a result has the documented form, and agrees with the rest of it."""
+    h = d["hysteresis"]
+    assert set(h) == {"displacement_control", "load_control", "jkr"}
+    for loop in (h["displacement_control"], h["load_control"], *h["jkr"].values()):
+        assert set(loop) == LOOP
+        assert [(j["label"], j["ends"], j["phase"]) for j in loop["jumps"]] == [
+            ("1", ["1", "2"], "loading"), ("a", ["a", "b"], "unloading")]
+        for j in loop["jumps"]:
+            assert set(j["before"]) == set(j["after"]) == {"approach", "load", "energy", "contact_radius", "position"}
+    held, loaded = h["displacement_control"], h["load_control"]
+    assert math.isclose(held["preload"]["approach"], 0.7)
+    assert math.isclose(held["jumps"][0]["before"]["approach"], d["folds"][0]["approach"])
+    assert math.isclose(held["jumps"][1]["before"]["load"], d["folds"][1]["load"])
+    assert math.isclose(held["pull_off"]["force"], d["pull_off"]["force"])
+    assert abs(held["work"] - held["energy_lost"]) <= held["work_error_estimate"] < 1e-5
+    assert 0 < held["energy_lost_error_estimate"] <= held["work_error_estimate"]
+    assert loaded["energy_lost_error_estimate"] is None and 0 < loaded["energy_error_estimate"] < 1e-5
+    assert 0 < held["energy_error_estimate"] < 1e-5
+    assert all(0 < j["energy_lost_error_estimate"] < 1e-5 for j in held["jumps"])
+    assert all(loop["energy_error_estimate"] is None for loop in h["jkr"].values())
+    assert loaded["jumps"][0]["before"]["approach"] is None and loaded["energy_lost"] is None
+    assert math.isclose(h["jkr"]["displacement_control"]["pull_off"]["force"], 1.5)
+
+
+def test_solve():
+    words = "solve --tabor 2.385 --preload 0.7 --want hysteresis"
+    look(document(words))
+    printed = expect(0, "", words)
+    assert printed.count("^displacement control: loading reversed at approach 0.7, ") and printed.count("^a    unloading ")
+
+
+def test_the_record_and_one_that_is_made_from_it():
+    path = pathlib.Path("loop.yaml")
+    records = []
+    for title in "A loop", "The loop":
+        path.write_text(CASE.format(title))
+        expect(0, "loop: 1 points, 0 checks: *", "run loop.yaml --output run")
+        records.append(load("run/loop/record.json")["points"][0])
+        look(records[-1])
+    first, kept = records
+    assert first["hysteresis"] == kept["hysteresis"] and first["seconds_all"] == kept["seconds_all"]
+    assert expect(0, "", "plan loop.yaml").count("simulate loading and unloading")
+
+
+@pytest.mark.parametrize("code, message, words", [
+    (2, "--preload-load is -1: expected a finite number >= 0", "--preload-load -1"),
+    (2, "--preload-load is dimensionless: *",
+     "--from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 1e-7 --preload-load 1"),
+    (2, "approach_end is 0.5: expected at least the preload, 0.7", "--approach-end 0.5 --preload 0.7"),
+    (3, "the solve failed: the trace ended at approach 0.5, load *, before the load 7 was reached",
+     "--tabor 2.385 --approach-end 0.5 --preload-load 7")])
+def test_wrong_preloads(code, message, words):
+    expect(code, "pulloff: " + message, "solve " + words)

@@ -1,0 +1,167 @@
+"""--from-physical: a scene in SI units is converted to a dimensionless scene and solved, and its results are printed in newton
+and metre, too. Both kinds of options cannot be mixed, and missing options are named."""
+
+import math
+import re
+
+import pytest
+from conftest import document, expect
+
+E, W, EPS, R = 1.3385e9, 0.0537, 3.1e-10, 2.7e-8
+BODY = f" --from-physical --modulus-pa {E:g} --work-j-per-m2 {W} --distance-m {EPS} --radius-m {R}"
+TIP = "--from-physical --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 1e-7"
+
+
+def near(a, b, tolerance=4e-15):
+    return (a == b == 0) or abs(a / b - 1) < tolerance
+
+
+def test_si_and_dimensionless_results_agree():
+    d = document("solve --amplitude-m 1.3e-10 --wavelength-m 6.3e-9 --outer-radius-m 3.3e-8 --scheme triangle --nodes 201 "
+                 "--approach-start-m -1.7e-9 --approach-end-m 1.1e-10 --profile-approach-m -2.3e-10 --want curve,profile" + BODY)
+    i, p = d["input"], d["physical"]
+    assert near(i["tabor"], (R * W**2 / (E**2 * EPS**3)) ** (1 / 3))
+    for key, metres in (("radius", R), ("amplitude", 1.3e-10), ("wavelength", 6.3e-9), ("outer_radius", 3.3e-8),
+                        ("approach_start", -1.7e-9), ("approach_end", 1.1e-10)):
+        assert near(i[key], metres / EPS), key
+        assert p["input"][key + "_m"] == metres, key
+    assert (p["input"]["modulus_pa"], p["input"]["work_j_per_m2"], p["input"]["distance_m"]) == (E, W, EPS)
+    force, traction = math.pi * W * R, W / (i["tabor"] * EPS)
+    assert near(p["units"]["force_n"], force) and p["units"]["length_m"] == EPS
+    assert near(p["units"]["traction_pa"], traction)
+    assert near(p["pull_off"]["force_n"], d["pull_off"]["force"] * force)
+    assert near(p["pull_off"]["approach_m"], d["pull_off"]["approach"] * EPS)
+    assert near(p["pull_off"]["contact_radius_m"], d["pull_off"]["contact_radius"] * EPS)
+    for key in "folds", "extrema", "curve":
+        assert len(p[key]) == len(d[key]) > 0, key
+        for a, b in zip(p[key], d[key]):
+            assert near(a["load_n"], b["load"] * force) and near(a["approach_m"], b["approach"] * EPS)
+            assert a.get("error_estimate_m") == b.get("error_estimate") == None  # noqa: E711
+            assert near(a["contact_radius_m"], b["contact_radius"] * EPS) and a.get("kind") == b.get("kind")
+    assert len(p["profile"]) == len(d["profile"]) > 100
+    for a, b in zip(p["profile"], d["profile"]):
+        assert near(a["gap_m"], (1 + b["gap"]) * EPS) and near(a["traction_pa"], b["traction"] * traction)
+        assert near(a["radius_m"], b["radius"] * EPS)
+    assert abs(p["profile_approach_m"] + 2.3e-10) < 1e-19
+
+    # the same dimensionless scene, equal to the last bit
+    flags = [word for key in ("tabor", "amplitude", "wavelength", "radius", "outer_radius", "scheme", "nodes", "approach_start",
+                              "approach_end") for word in ("--" + key.replace("_", "-"), i[key])]
+    same = document("solve --want curve,profile --profile-approach", repr(-2.3e-10 / EPS), *flags)
+    assert "physical" not in same
+    for key in set(same) - {"work"}:
+        assert same[key] == d[key], key
+
+
+def test_errors_of_panels_in_si_units():
+    found = document("solve --scheme panel" + BODY)
+    a, b, force = found["physical"]["pull_off"], found["pull_off"], math.pi * W * R
+    assert near(a["error_estimate_n"], b["error_estimate"] * force)
+    assert near(a["approach_error_estimate_m"], b["approach_error_estimate"] * EPS)
+    for a, b in zip(found["physical"]["folds"], found["folds"]):
+        assert near(a["error_estimate_m"], b["error_estimate"] * EPS)
+        assert near(a["load_error_estimate_n"], b["load_error_estimate"] * force)
+
+
+def test_the_printed_result():
+    printed = expect(0, "", "solve --scheme triangle --nodes 101" + BODY)
+    assert printed.count("^pull-off force [0-9.e-]* N at approach [0-9.e-]* m")
+    assert "physical modulus 1.3385e+09 Pa work 0.0537 J/m^2 distance 3.1e-10 m radius 2.7e-08 m" in printed.out.splitlines()
+    printed = expect(0, "", "solve --preload-m 4e-10 --scheme triangle --nodes 101" + BODY)
+    assert printed.count("^physical .* preload 4e-10 m$")
+    assert printed.count("^preload  loading to approach [0-9.e-]+ m, load [0-9.e-]+ N, or more gives this pull-off$")
+
+
+def test_the_rigid_sphere_has_the_force_of_bradley():
+    d = document("solve --modulus-pa inf " + TIP)
+    assert d["rigid"] and abs(d["physical"]["pull_off"]["force_n"] / (2 * math.pi * 0.05e-7) - 1) < 1e-9
+    assert d["physical"]["input"]["modulus_pa"] == "inf" and d["physical"]["units"]["traction_pa"] is None
+
+
+@pytest.mark.parametrize("key, value, words", [  # by hand: 3/2 pi w R; a^3 = 9 pi w R^2/(8 E*)
+    ("pull_off_force_n", 6.832492782659762e-09, "jkr" + BODY),
+    ("pull_off_contact_radius_m", 4.693123085913775e-09, "jkr" + BODY),
+    ("load_n", -3.1415926535897932e-08, "bradley --approach-m 0 " + TIP),
+    ("effective_work_j_per_m2", 0.0537, "kesari-lew --amplitude-m 0" + BODY),
+    ("peak_tension_pa", 171066746.4265558, "lennard-jones " + TIP),
+    ("pull_off_force_n", 1.1640478568314679e-08, "rigid --alpha 0.25 --amplitude-m 3e-10 " + TIP)])
+def test_closed_forms(key, value, words):
+    assert near(document("theory " + words)["physical"][key], value, 1e-12)
+
+
+def test_the_printed_closed_form_has_units():
+    assert expect(0, "", "theory guduru --amplitude-m 1e-10 --wavelength-m 5e-9" + BODY).count(r"^pull_off_force_n +[0-9.e-]* N$")
+
+
+@pytest.mark.parametrize("verb", ["solve", "theory jkr"])
+@pytest.mark.parametrize("message, words", [
+    ("--tabor is given with --from-physical: *", "--tabor 1" + BODY),
+    ("--radius is in units of epsilon: expected --radius-m with --from-physical", "--radius 3" + BODY),
+    ("--radius-m is in SI units: expected --from-physical, too", "--radius-m 3"),
+    ("--modulus-pa is in SI units: *", "--modulus-pa 3"),
+    ("--from-physical is given without --modulus-pa, --work-j-per-m2, --distance-m, --radius-m: *", "--from-physical"),
+    ("--from-physical is given without --work-j-per-m2, --radius-m: *", "--from-physical --modulus-pa 1e9 --distance-m 1e-9"),
+    ("--distance-m is 0: expected a finite number > 0", "--distance-m 0"),
+    ("--modulus-pa is -1: expected a finite number > 0, or inf", "--modulus-pa -1"),
+    ("the Tabor parameter is inf: expected a number within the range of doubles; *",
+     "--from-physical --modulus-pa 1e-300 --work-j-per-m2 1e300 --distance-m 1e-300 --radius-m 1e300")])
+def test_mixed_and_incomplete_options(verb, message, words):
+    expect(2, "pulloff: " + message, f"{verb} {words}")
+
+
+@pytest.mark.parametrize("message, words", [
+    ("--amplitude-m is given without --wavelength-m: expected both", "solve --amplitude-m 1e-9" + BODY),
+    ("--approach-end is in units of epsilon: *", "solve --approach-end 0" + BODY),
+    ("--profile-approach is in units of epsilon: *", "solve --profile-approach 0" + BODY),
+    ("--modulus-pa is inf: expected a finite number > 0", "theory jkr --modulus-pa inf " + TIP),
+    ("--approach-m is 3e-10: expected less than --distance-m, 3e-10", "theory bradley --approach-m 3e-10 " + TIP),
+    ("theory guduru needs --amplitude-m and --wavelength-m", "theory guduru" + BODY)])
+def test_options_of_one_verb(message, words):
+    expect(2, "pulloff: " + message, words)
+
+
+# The line "inputs": what 1 % more of an input changes, against solves with a changed input.
+
+def with_options(options, more):
+    return "solve " + " ".join(f"--{name} {value!r}".replace("'", "") for name, value in options.items()) + " " + more
+
+
+def stated(options, more=""):
+    """The changes in percent of each line `inputs`, by input."""
+    lines = [line for line in expect(0, "", with_options(options, more)).out.splitlines() if line.startswith("inputs   1 % more ")]
+    return [{name: float(value) for name, value in re.findall(r"([a-z]+) (?:changes the force by )?(-?[\d.e-]+) %", line[18:])}
+            for line in lines]
+
+
+def measured(options, name, force, more):
+    """The change in percent, from 0.5 % less to 0.5 % more."""
+    less, greater = (math.log(force(document(with_options({**options, name: options[name] * math.exp(step)}, more))))
+                     for step in (-0.005, 0.005))
+    return 100 * (greater - less)
+
+
+def load(d):
+    return d["pull_off"]["force"]
+
+
+def newtons(d):
+    return d["physical"]["pull_off"]["force_n"]
+
+
+@pytest.mark.parametrize("options, line, names, force, more", [
+    ({"tabor": 1.7, "amplitude": 0.6, "wavelength": 13.0, "radius": 90.0}, 0, {}, load, ""),
+    ({"coupling": 0.05, "profile": "cone:0.3"}, 0, {"coupling": "coupling"}, load, ""),
+    ({"modulus-pa": 2e9, "work-j-per-m2": 0.05, "distance-m": 3e-10, "radius-m": 3e-8, "amplitude-m": 2e-10, "wavelength-m": 4e-9}, 1,
+     {"modulus": "modulus-pa", "work": "work-j-per-m2", "amplitude": "amplitude-m", "wavelength": "wavelength-m", "radius": "radius-m"},
+     newtons, "--from-physical")])
+def test_the_changes_that_1_percent_of_each_input_makes(options, line, names, force, more):
+    names = names or {name: name for name in options}
+    changes = stated(options, more)[line]
+    assert set(changes) == set(names)
+    for shown, name in names.items():
+        assert abs(changes[shown] - measured(options, name, force, more)) < 2e-3, shown
+
+
+def test_scenes_without_such_changes():
+    assert stated({"tabor": 0.0}) == stated({"tabor": 1.0, "scheme": "ring"}) == []
+    assert abs(stated({"tabor": 1.0})[0]["radius"]) < 1e-4, "of a smooth sphere the radius is only a unit"

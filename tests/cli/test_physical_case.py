@@ -1,0 +1,98 @@
+"""A case whose scene is in SI units is solved as a dimensionless scene; its results are also in newton and metre."""
+
+import math
+
+import pytest
+from conftest import expect, load
+
+CASE = """
+name: si
+title: A sphere in metres
+suites: [smoke]
+scene:
+  physical: {{{}}}
+  scheme: panel
+  tolerance: 1e-7
+{}
+{}
+want: [pull_off]
+checks:
+  - {{quantity: pull_off_force, reference: {}, tolerance: {}, kind: abs, because: it is so good}}
+"""
+BODY = "work_j_per_m2: 0.05, distance_m: 3e-10, radius_m: 3e-8"
+TIP = "modulus_pa: 1666666666.6666667, work_j_per_m2: 0.05, distance_m: 3e-10"
+
+
+def write(data, physical, scene="", sweep="", reference="bradley", tolerance="1"):
+    data.case("si", CASE.format(physical, scene, sweep, reference, tolerance))
+
+
+def point():
+    return load("run/si/record.json")["points"][0]
+
+
+def test_a_sphere(data):
+    """mu = (R w^2/(E*^2 eps^3))^(1/3) is 1 for E* = w (R/eps^3)^(1/2) = 0.05 (1e21/0.9)^(1/2) = (5/3) 1e9, and R is 100 eps;
+    pi w R = 4.71238898038469e-9 N."""
+    data.table("reference/table.csv", "tabor,radius,force,approach", "1,100,1.67066478,-0.8734")
+    write(data, TIP + ", radius_m: 3e-8", reference="reference/table.csv", tolerance="1e-7")
+    verified = expect(0, "*", "verify --verbose si --output run")
+    assert verified.count("^si +pull_off_force .*oracle *within")
+    assert verified.count(r"^si +pull_off +scene +7.872822[23][0-9]*e-09 N at approach -2.6201.*e-10 m$")
+    p = point()
+    assert abs(p["input"]["tabor"] - 1) < 1e-15 and abs(p["input"]["radius"] / 100 - 1) < 1e-15
+    assert p["input"]["outer_radius"] == "inf" and "--tabor" in p["command"]
+    units, found = p["physical"]["units"], p["physical"]["pull_off"]
+    assert abs(units["force_n"] / 4.71238898038469e-9 - 1) < 1e-14 and units["length_m"] == 3e-10
+    assert abs(found["force_n"] / 7.8728223e-9 - 1) < 1e-7
+    assert abs(found["approach_m"] / (p["pull_off"]["approach"] * 3e-10) - 1) < 1e-14
+    expect(0, "si: 1 points, 1 checks: within (kept)", "run --output run")
+
+
+def test_bradley(data):  # 2 pi w R
+    write(data, "modulus_pa: inf, " + BODY, tolerance="1e-12")
+    assert expect(0, "*", "verify --verbose si --output run").count(" 9.424777961e-09 N at approach ")
+
+
+def test_a_wavy_sphere_on_a_cut_surface(data):
+    write(data, TIP + ", radius_m: 3e-8, amplitude_m: 3e-11, wavelength_m: 3e-9, outer_radius_m: 3e-8")
+    expect(1, "*", "verify --verbose si --output run")
+    for key, value in (("amplitude", 0.1), ("wavelength", 10), ("outer_radius", 100)):
+        assert abs(point()["input"][key] / value - 1) < 4e-15, key
+
+
+def test_profile_and_waves_in_metres(data):
+    """Without a radius, loads are in pi w epsilon."""
+    write(data, TIP + ', profile: "punch:1.5e-9,6e-9", waves: "3e-11@3e-9;1.5e-11@6e-10"')
+    expect(1, "*", "verify --verbose si --output run")
+    p = point()
+    i = p["input"]
+    assert i["profile"] == "punch" and i["load_unit"] == "pi w epsilon" and i["radius"] == 1
+    assert abs(i["punch_b"] / 5 - 1) < 4e-15 and abs(i["punch_r"] / 20 - 1) < 4e-15
+    waves = [[float(x) for x in wave.split("@")] for wave in i["waves"].split(";")]
+    assert all(abs(a / b - 1) < 4e-15 for w, v in zip(waves, ((0.1, 10), (0.05, 2))) for a, b in zip(w, v)), waves
+    assert abs(i["tabor"] ** 1.5 / 0.1 - 1) < 1e-14
+    assert abs(p["physical"]["units"]["force_n"] / (math.pi * 0.05 * 3e-10) - 1) < 1e-14
+
+
+# A length that is given in metres cannot also be given in epsilon.
+BOTH = ("expected none of tabor, amplitude, wavelength, radius, outer_radius, the profile and waves, or a group of them, beside "
+        "scene.physical")
+
+
+@pytest.mark.parametrize("code, message, physical, more", [
+    (2, "5: scene.physical.profile is power:1e9: expected sphere, *", TIP + ', profile: "power:1e9"', {}),
+    (4, "5: scene.physical.profile_file: */cases/none.csv cannot be opened: *", TIP + ", radius_m: 3e-8, profile_file: none.csv", {}),
+    (2, "5: scene.physical.waves is *: expected only waves, or amplitude_m and wavelength_m",
+     TIP + ', profile: "cone:0.3", amplitude_m: 1e-9, wavelength_m: 1e-8, waves: "1e-9@1e-8"', {}),
+    (2, "8: scene.tabor is 1: " + BOTH, "modulus_pa: 1e9, " + BODY, {"scene": "  tabor: 1"}),
+    (2, "9: sweep[[]1].key is radius: " + BOTH, "modulus_pa: 1e9, " + BODY, {"sweep": "sweep: [{key: radius, values: [50, 100]}]"}),
+    (2, "9: sweep[[]1].key is alpha: " + BOTH, "modulus_pa: 1e9, " + BODY, {"sweep": "sweep: [{key: alpha, values: [1]}]"}),
+    (2, "5: scene.physical: the modulus is -1: expected a number > 0, or inf", "modulus_pa: -1, " + BODY, {}),
+    (2, "5: scene.physical.modulus_pa is 1 GPa: expected a finite number, or inf", "modulus_pa: 1 GPa, " + BODY, {}),
+    (2, "5: scene.physical.radius_m is missing: expected a finite number > 0 in m",
+     "modulus_pa: 1e9, work_j_per_m2: 0.05, distance_m: 3e-10", {}),
+    (2, "5: scene.physical.radius is unknown: expected one of modulus_pa, work_j_per_m2, *", f"modulus_pa: 1e9, {BODY}, radius: 3", {})])
+def test_wrong_scenes(data, code, message, physical, more):
+    write(data, physical, **more)
+    expect(code, "pulloff: cases/si.yaml:" + message, "plan si")

@@ -1,0 +1,277 @@
+"""Profiles, waves and coupling from the command line and in cases: equal scenes that are written in different ways, input that is
+refused, tables, SI units, and references that are of one profile only."""
+
+import math
+import pathlib
+import re
+
+import pytest
+from conftest import ROOT, agree, document, expect, run
+
+ANY = "sphere, power:C,n, cone:t, punch:b,R or truncated:b,R; a table of radii and gaps by profile_file"
+WAVE = "expected A,L: amplitude and wavelength, two numbers > 0"
+SI = " --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 --distance-m 3e-10"
+
+
+def waves(first, last):
+    return "".join(f" --wave 1,{length}" for length in range(first, last + 1))
+
+
+@pytest.mark.parametrize("code, message, words", [
+    (2, "--profile is wedge: expected " + ANY, "solve --profile wedge"),
+    (2, "--profile is power:0.05: expected " + ANY, "solve --profile power:0.05"),
+    (2, "--profile is cone:0.3,2: expected " + ANY, "solve --profile cone:0.3,2"),
+    (2, "--profile is sphere:3: expected " + ANY, "solve --profile sphere:3"),
+    (2, "power_n is not given: the profile power needs it", "solve --profile power --power-c 0.05"),
+    (2, "power_n is 0.5: expected a number from 1 to 40", "solve --profile power:1,0.5"),
+    (2, "punch_b is -1: expected a finite number > 0", "solve --profile punch:-1,3"),
+    (2, "--cone-t is 0: expected a finite number > 0", "solve --profile cone --cone-t 0"),
+    (2, "--power-c has no effect on the profile cone: expected --profile power", "solve --profile cone:1 --power-c 3"),
+    (2, "--punch-b has no effect on the profile sphere: expected --profile punch", "solve --punch-b 3"),
+    (2, "--table-scale has no effect on the profile sphere: expected --profile-file", "solve --table-scale 2"),
+    (2, "--wave is 1: " + WAVE, "solve --wave 1"),
+    (2, "--wave is -1,20: " + WAVE, "solve --wave -1,20"),
+    (2, "--wave is 1,0: " + WAVE, "solve --wave 1,0"),
+    (2, "--wave is given more than 8 times: expected at most 8 waves", "solve" + waves(2, 10)),
+    (2, "--wave is given 8 times beside --amplitude: expected at most 8 waves", "solve --amplitude 1 --wavelength 9" + waves(3, 10)),
+    (2, "both --coupling and --tabor are given: expected only one", "solve --coupling 1 --tabor 1"),
+    (2, "--coupling is -1: expected a finite number >= 0", "solve --coupling -1"),
+    (2, "*profile*", "theory guduru --profile cone:0.3 --amplitude 1 --wavelength 9"),
+    # waves finer than the memory of any machine carries are refused at once
+    (3, "the solve failed: the finest mesh needs * nodes or more and * GB of memory, and there are * GB: expected longer waves, *",
+     "solve --wave 0.1,1e-7"),
+    (2, "both coupling and tabor are given: *", "follow --key coupling --from 0.1 --to 1 --tabor 1"),
+    (2, "--cone-t has no effect on the profile power: *", "follow --key cone-t --from 1 --to 2 --profile power:1,2"),
+    (2, "--key is profile: *", "follow --key profile --from 1 --to 2"),
+    (2, "--profile-file is empty: expected the name of a file", "solve --profile-file ''"),
+    (2, "*--from-physical is given without --radius-m*", "solve --from-physical --modulus-pa 1e9 --work-j-per-m2 0.05 --distance-m 3e-10"),
+    (2, "*--coupling is given with --from-physical*", "solve --from-physical --coupling 1"),
+    (4, "nowhere.csv*", "solve --profile-file nowhere.csv"),
+    (4, "nowhere.csv*", "follow --key tabor --from 1 --to 2 --profile-file nowhere.csv")])
+def test_wrong_command_lines(code, message, words):
+    expect(code, "pulloff: " + message, words)
+
+
+SPHERE = [(r, r * r / 200) for r in (60 * k / 99 for k in range(100))]
+
+
+def table(name, rows, unit=1.0):
+    pathlib.Path(name).write_text("r,gap\n" + "".join(f"{r * unit!r},{f * unit!r}\n" for r, f in rows))
+
+
+def spoilt(row):
+    """The first lines of the sphere, with this one in place of the fifth row."""
+    table("wrong.csv", SPHERE[:20])
+    lines = pathlib.Path("wrong.csv").read_text().splitlines(True)
+    pathlib.Path("wrong.csv").write_text("".join(lines[:5] + [row + "\n"] + lines[6:]))
+
+
+@pytest.mark.parametrize("rows, unit, message, more", [
+    (SPHERE[:7], 1, " 7 rows are too few for a profile: expected at least 8", ""),
+    (SPHERE[:20] + [SPHERE[18]] + SPHERE[20:], 1, "22: r is 10.9*: expected more than in the row before", ""),
+    (SPHERE[1:], 3e-10, "2: the first r is 1.8*e-10: expected 0", SI),
+    (SPHERE[1:], 1, "2: the first r is 0.6*: expected 0", ""),
+    ([(r, min(f, 3.0)) for r, f in SPHERE], 1,
+     "101: the last gap, less that on the axis, is 3: expected more than in the row before, and more than 0", ""),
+    ([(10.0 * k, 5.0 * k * k * (k % 2)) for k in range(9)] + [(90.0, 900.0)], 1,
+     "*: without this row the gap changes; the change, in epsilon, is *", "")])
+def test_wrong_tables(rows, unit, message, more):
+    table("wrong.csv", rows, unit)
+    expect(4, "pulloff: wrong.csv:" + message, "solve --profile-file wrong.csv" + more)
+
+
+def test_tables_that_are_not_numbers():
+    wrong = pathlib.Path("wrong.csv")
+    wrong.write_text("".join(f"{k},{k * k}\n" for k in range(20)))
+    expect(4, "pulloff: wrong.csv:1: the column 1 is named 0: expected a line with the names of the columns before the rows",
+           "solve --profile-file wrong.csv")
+    wrong.write_text((ROOT / "tests/fuzz/corpus/profile/falls_at_the_end").read_text().split("%%")[0])
+    expect(4, "pulloff: wrong.csv:26: the slope of the spline at the last r is 0: expected more than 0*", "solve --profile-file wrong.csv")
+    for bad in "nan", "x":
+        spoilt("1.0," + bad)
+        expect(4, f"pulloff: wrong.csv:6: *{bad}*", "solve --profile-file wrong.csv")
+    table("sphere.csv", SPHERE)
+    expect(2, "pulloff: both --profile and --profile-file are given: expected only one",
+           "solve --profile cone:1 --profile-file sphere.csv")
+
+
+def test_tables_as_spreadsheets_write_them():
+    """A byte order mark, quotes, blanks, CR LF and blank lines at the end leave a table the same."""
+    table("sphere.csv", SPHERE)
+    lines = pathlib.Path("sphere.csv").read_text().splitlines()
+    quoted = ['"r", "gap"'] + ['"' + line.replace(",", '","') + '"' if k == 5 else line for k, line in enumerate(lines[1:])]
+    same = {"mark": "\ufeff" + "\n".join(lines), "quotes": "\n".join(quoted) + "\n",
+            "blanks": "".join(" " + line.replace(",", " ,  ") + "\t\n" for line in lines),
+            "ends": "\ufeff" + "".join(line + "\r\n" for line in lines) + "\r\n  \r\n"}
+
+    def numbers_of(name):
+        return [line for line in run(f"solve --tabor 0 --profile-file {name}.csv").out.splitlines()
+                if re.match("pull-off|jump_|minimum", line)]
+    expected = numbers_of("sphere")
+    assert expected
+    for name, text in same.items():
+        pathlib.Path(name + ".csv").write_bytes(text.encode())
+        assert numbers_of(name) == expected, name
+
+
+@pytest.mark.parametrize("given", ["--coupling 0.07", "--coupling 0.0833333333333333", "--tabor 0.3"])
+def test_the_command_in_a_table_repeats_the_solve(given):
+    expect(0, "", f"solve {given} --profile cone:0.5 --want preload --staircase first.csv")
+    first = pathlib.Path("first.csv").read_text()
+    command = re.search(r"^# command: pulloff (.*)$", first, re.M)[1]
+    expect(0, "", command, "--staircase", "second.csv")
+    assert pathlib.Path("second.csv").read_text() == first
+    if given == "--coupling 0.07":
+        assert command.startswith("solve --coupling 0.07 --outer-radius inf ")
+
+
+CUT = "solve --tabor 1.385 --radius 100 --outer-radius 50 "
+
+
+def near(a, b, times=1):
+    """Whether two pull-offs differ by at most so many times the sum of their stated errors."""
+    agree(a["pull_off"], b["pull_off"], "force", times=times)
+    agree(a["pull_off"], b["pull_off"], "approach", "approach_error_estimate", times)
+
+
+@pytest.fixture(scope="module")
+def sphere():
+    return document(CUT)
+
+
+def test_a_sphere_written_in_other_ways(sphere):
+    near(document(CUT + "--profile sphere"), sphere, 0)
+    for words in ("--profile power:0.005,2", "--profile 'power:0.005;2'", "--power-n 2 --power-c 0.005 --profile power"):
+        near(document(CUT + words), sphere)
+    assert sphere["input"]["profile"] == "sphere" and sphere["input"]["waves"] is None
+
+
+def test_a_sphere_as_a_table(sphere):
+    table("sphere.csv", SPHERE)
+    table("doubled.csv", SPHERE, 0.5)
+    found = document(CUT + "--profile-file sphere.csv")
+    near(found, sphere)
+    near(document(CUT + "--table-scale 2 --profile-file doubled.csv"), found)
+    t = found["profile_table"]
+    assert t["rows"] == 100 and abs(t["end_radius"] - 60) < 1e-12 and abs(t["exponent"] - 2) < 1e-9
+    assert t["uncertainty"] < 1e-12 and len(t["sha256"]) == 64 and "profile_table" not in sphere
+    assert found["input"]["profile"] == "table" and found["input"]["profile_file"] == "sphere.csv"
+    assert found["input"]["table_scale"] == 1 and sphere["input"]["table_scale"] is None
+    printed = expect(0, "", CUT + "--profile-file sphere.csv").out
+    assert "100 rows to radius 60, beyond which the gap is continued as r^2" in printed
+
+
+def test_waves():
+    """One wave is amplitude and wavelength, in the last bit; two waves of equal length add their amplitudes."""
+    wavy = document(CUT + "--amplitude 0.3 --wavelength 11")
+    near(document(CUT + "--wave 0.3,11"), wavy, 0)
+    assert wavy["input"]["waves"] == "0.3@11"
+    near(document(CUT + "--wave 0.1,11 --wave 0.2,11"), wavy)
+
+
+def test_coupling_and_radius(sphere):
+    """The coupling is the Tabor parameter of the radius, whatever the order; the radius of another profile is 1."""
+    near(document("solve --outer-radius 50 --coupling", repr((1.385 ** 3 / 100) ** 0.5)), sphere)
+    cone = document("solve --coupling 0.05 --profile cone:0.3")
+    assert cone["input"]["radius"] == 1 and cone["input"]["load_unit"] == "pi w epsilon"
+    assert abs(cone["input"]["tabor"] ** 1.5 - 0.05) < 1e-15
+    ten = [document("solve " + words) for words in ("--radius 10 --coupling 0.05 --profile cone:0.3",
+                                                    "--profile cone --cone-t 0.3 --coupling 0.05 --radius 10")]
+    assert all(d["input"]["load_unit"] == "pi w R" and d["input"]["radius"] == 10 for d in ten)
+    assert abs(10 * ten[0]["pull_off"]["force"] / cone["pull_off"]["force"] - 1) < 1e-5
+    assert sphere["input"]["load_unit"] == "pi w R"
+    assert "in pi w epsilon;" in expect(0, "", "solve --profile cone:0.3").out
+
+
+def test_si_units():
+    """Lengths are in metres, C in m^(1-n)."""
+    table("metres.csv", SPHERE, 3e-10)
+    words = "solve --radius-m 3e-8 --outer-radius-m 1.5e-8" + SI
+    ball = document(words)
+    for more in (" --profile power:1.6666666666666666e7,2", " --profile-file metres.csv",
+                 " --profile power --power-n 2 --power-c 1.6666666666666666e7"):
+        other = document(words + more)
+        near(other, ball)
+        assert abs(other["physical"]["pull_off"]["force_n"] / ball["physical"]["pull_off"]["force_n"] - 1) < 1e-8
+    punch = document("solve --profile punch:1.5e-9,6e-9 --wave 3e-11,3e-9" + SI)
+    i = punch["input"]
+    assert abs(i["punch_b"] - 5) < 1e-12 and abs(i["punch_r"] - 20) < 1e-12 and i["radius"] == 1
+    assert abs(i["amplitude"] - 0.1) < 1e-12 and abs(i["wavelength"] - 10) < 1e-12
+    assert punch["physical"]["input"]["profile"] == "punch:1.5e-09,6e-09"
+    assert abs(punch["physical"]["units"]["force_n"] - math.pi * 0.05 * 3e-10) < 1e-25
+
+
+def test_profile_still_names_the_file_of_gap_and_traction_if_it_is_a_path():
+    expect(0, "", CUT + "--profile gap.csv --profile power:0.005,2")
+    expect(0, "", CUT + "--profile-csv again")
+    assert pathlib.Path("gap.csv").read_text().count("\n") > 20 and pathlib.Path("again").exists()
+
+
+@pytest.mark.parametrize("flag, given", [("truncated-b", "--profile truncated --truncated-r 20 --coupling 0.02"),
+                                         ("power-n", "--profile power --power-c 0.005 --coupling 0.05")])
+def test_a_parameter_that_is_followed_is_what_a_trace_of_that_scene_finds(flag, given):
+    points = document(f"follow --key {flag} --from 2 --to 2.3 --points 4 --tolerance 1e-4 " + given)["points"]
+    assert any(p["followed"] for p in points)
+    solved = document(f"solve --tolerance 1e-4 {given} --{flag}", repr(points[1]["input"][flag.replace("-", "_")]))
+    agree(points[1]["pull_off"], solved["pull_off"], "force", times=2)
+
+
+# Cases: the keys, paths relative to the case file, and the content of a table as part of what was solved.
+
+def with_scene(good, *lines, radius=True):
+    """The case with these lines in its scene, and the table tip.csv beside it."""
+    table(good.folder / "cases/tip.csv", SPHERE)
+    path = good.folder / "cases/good.yaml"
+    text = path.read_text().replace("  amplitude: 0\n", "").replace("  tabor: 0\n", "  tabor: 0\n" + "".join(
+        f"  {line}\n" for line in reversed(lines)))
+    path.write_text(text if radius else text.replace("  radius: 100\n", ""))
+    return path
+
+
+@pytest.mark.parametrize("code, message, lines", [
+    (2, "profile is wedge: expected " + ANY, ["profile: wedge"]),
+    (2, "waves is 1@: expected A@L*", ["waves: 1@"]),
+    (2, "coupling is 1: expected only one of tabor and coupling", ["coupling: 1"]),
+    (2, "waves is 1@20: expected only waves, or amplitude and wavelength", ["waves: 1@20", "amplitude: 2", "wavelength: 3"]),
+    (4, "profile_file: */cases/nowhere.csv*", ["profile_file: nowhere.csv"]),
+    (2, "profile_file is tip.csv: expected only one of profile and profile_file", ["profile: cone:1", "profile_file: tip.csv"])])
+def test_wrong_cases(good, code, message, lines):
+    with_scene(good, *lines)
+    expect(code, "pulloff: cases/good.yaml:*: scene." + message, "plan good")
+
+
+def test_another_profile_has_no_reference(good):
+    with_scene(good, "profile: cone:0.3")
+    assert expect(1, "*outside*", "verify good --output run --verbose").count("missing_reference")
+
+
+@pytest.mark.parametrize("verdict, lines", [
+    ("within", ["profile: sphere", "radius: 1e2"]),
+    ("within", ["profile: power:0.005,2"]),
+    ("missing_reference", ["profile: power:0.005,2.5"]),
+    ("missing_reference", ["profile: power:0.005,2", "radius: 10"]),
+    ("missing_reference", ["profile: power:0.005,2", "waves: 0.1@8"]),
+    ("outside", ["profile: power:0.005,2", "waves: 0.1@9"])])
+def test_the_rigid_pull_off_against_a_table_of_all_profiles(good, verdict, lines):
+    """Loads of other profiles are in pi w epsilon."""
+    with_scene(good, *lines, radius=False)
+    good.table("reference/table.csv", "tabor,profile,waves,radius,force,approach", "0,cone:0.3,-,-,7,0", "0,power:0.005;2,-,-,200,0",
+               "0,power:0.005;2,0.1@9,-,8,0", "0,sphere,-,100,2,0")
+    ended = run("verify good --output run --verbose")
+    assert verdict in ended.out + ended.err
+
+
+def test_the_content_of_a_table_is_part_of_what_was_solved_and_its_path_is_not(good):
+    case = with_scene(good, "profile_file: tip.csv")
+    expect(0, "*outside", "run good --output run")
+    expect(0, "*outside (kept)", "run good --output run")
+    tip = good.folder / "cases/tip.csv"
+    tip.write_text(re.sub(r"(?m)^0.6060606060606061,.*", "0.6060606060606061,0.0019", tip.read_text()))
+    expect(0, "*outside", "run good --output run")
+    record = pathlib.Path("run/good/record.json").read_text()
+    assert '"profile_table"' in record
+    assert re.search('"command": "pulloff solve .*--profile-file tip.csv ', record), "the table relative to the case file"
+    assert '"profile_file": "tip.csv"' in record
+    case.write_text(re.sub(r"(?m)^want: .*", "want: [pull_off, curve]", case.read_text()))
+    expect(0, "*", f"run {case} --output elsewhere")
+    assert any("--profile-file tip.csv " in path.read_text() for path in pathlib.Path("elsewhere/good").glob("curve-*.csv"))
