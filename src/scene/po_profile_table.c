@@ -1,5 +1,6 @@
 #include "po_profile_table.h"
 
+#include <float.h>
 #include <math.h>
 #include <pthread.h>
 #include <stdlib.h>
@@ -17,14 +18,35 @@
 /* A spline of every other row needs four rows. */
 enum { LEAST_ROWS = 8 };
 
-/* If the spline of every other row differs by more than this part of the distance between the
- * bodies, 1 + gap, the rows are too far apart. */
+/* If the spline without some of the rows differs by more than this part of the distance between the
+ * bodies, 1 + gap, the rows are too far apart, or too near to each other for their noise. */
 static const double COARSEST = 0.1;
 
 static po_status refuse(const po_csv *csv, size_t row, const char *what, double value,
                         const char *expected) {
   return po_fail(PO_CANNOT_READ, "%s:%zu: %s is %g: expected %s", csv->path, csv->lines[row], what,
                  value, expected);
+}
+
+/* Change of the gap, relative to 1 + gap, by rounding of a row that is too large. */
+static const double GREATEST_ROUNDING = 1e-9;
+
+/* Two rows that are so near to each other that the rounding of their gaps decides the slope between
+ * them are refused: by that slope the gap changes in the intervals beside. Given: the gap on the
+ * axis, from which the others were subtracted. */
+static po_status check_distances(const po_csv *csv, const po_profile_table *t, double axis) {
+  const size_t last = t->rows - 1;
+  for (size_t k = 1; k <= last; ++k) {
+    const double here = t->r[k] - t->r[k - 1];
+    const double before = k > 1 ? t->r[k - 1] - t->r[k - 2] : 0.0;
+    const double after = k < last ? t->r[k + 1] - t->r[k] : 0.0;
+    const double rounding = DBL_EPSILON * (fabs(t->gap[k]) + fabs(axis));
+    if (rounding * fmax(before, after) > GREATEST_ROUNDING * (1.0 + fabs(t->gap[k])) * here)
+      return refuse(csv, k, "the distance of r from that of the row before", here / t->scale,
+                    "a distance at which rounding does not decide the slope: one row in place of "
+                    "both");
+  }
+  return PO_OK;
 }
 
 static po_status read_rows(const po_csv *csv, po_profile_table *t) {
@@ -60,12 +82,13 @@ static po_status read_rows(const po_csv *csv, po_profile_table *t) {
     if (k > 0)
       t->gap[k] -= t->gap[0];
   }
+  const double axis = t->gap[0];
   t->gap[0] = 0.0;
   const size_t last = t->rows - 1;
   if (!(t->gap[last] > 0.0 && t->gap[last] > t->gap[last - 1]))
     return refuse(csv, last, "the last gap, less that on the axis,", t->gap[last] / t->scale,
                   "more than in the row before, and more than 0");
-  return PO_OK;
+  return check_distances(csv, t, axis);
 }
 
 /* The slopes of the spline, limited. */
@@ -81,26 +104,44 @@ static double value_between(const double *r, const double *gap, const double *sl
   return po_hermite_value(gap[k], slope[k], gap[k + 1], slope[k + 1], at - r[k], r[k + 1] - r[k]);
 }
 
-/* Compares the spline with that of every other row at the rows left out. */
-static po_status compare_coarse(const po_csv *csv, po_profile_table *t) {
-  const size_t half = (t->rows + 1) / 2;
-  double *room = po_allocate(3 * half, sizeof *room);
+/* A row is left out by a comparison if its number is odd, or even; the first and the last stay. */
+static bool is_left_out(const po_profile_table *t, size_t row, size_t odd) {
+  return row > 0 && row + 1 < t->rows && row % 2 == odd;
+}
+
+/* Compares the spline with that without the rows that are left out, at these rows and at the thirds
+ * of the intervals, where a wrong slope at their ends matters most: two rows that are near to each
+ * other decide it. */
+static po_status compare_without(const po_csv *csv, po_profile_table *t, size_t odd) {
+  double *room = po_allocate(3 * t->rows, sizeof *room);
   if (!room)
     return PO_NO_MEMORY;
-  double *const r = room, *const gap = room + half, *const slope = room + 2 * half;
-  for (size_t k = 0; k < half; ++k) {
-    r[k] = t->r[2 * k];
-    gap[k] = t->gap[2 * k];
-  }
-  po_status status = slopes_of(half, r, gap, slope);
-  for (size_t k = 0; k + 1 < half && !status; ++k) {
-    const size_t row = 2 * k + 1;
-    const double difference = fabs(value_between(r, gap, slope, k, t->r[row]) - t->gap[row]);
+  double *const r = room, *const gap = room + t->rows, *const slope = room + 2 * t->rows;
+  size_t kept = 0;
+  for (size_t k = 0; k < t->rows; ++k)
+    if (!is_left_out(t, k, odd)) {
+      r[kept] = t->r[k];
+      gap[kept++] = t->gap[k];
+    }
+  po_status status = slopes_of(kept, r, gap, slope);
+  size_t c = 0;
+  for (size_t k = 0; k + 1 < t->rows && !status; ++k) {
+    double difference = 0.0;
+    for (int third = 1; third < 3; ++third) {
+      const double at = t->r[k] + third * (t->r[k + 1] - t->r[k]) / 3.0;
+      difference = fmax(difference, fabs(value_between(r, gap, slope, c, at) -
+                                         value_between(t->r, t->gap, t->slope, k, at)));
+    }
+    if (is_left_out(t, k + 1, odd))
+      difference =
+          fmax(difference, fabs(value_between(r, gap, slope, c, t->r[k + 1]) - t->gap[k + 1]));
+    else
+      ++c;
     t->uncertainty = fmax(t->uncertainty, difference);
-    if (difference > COARSEST * (1.0 + fabs(t->gap[row])))
-      status =
-          refuse(csv, row, "without this row the gap changes; the change, in epsilon,", difference,
-                 "less than a tenth of 1 + gap: rows nearer to each other, or less noise");
+    if (difference > COARSEST * (1.0 + fabs(t->gap[k + 1])))
+      status = refuse(csv, is_left_out(t, k, odd) ? k : k + 1,
+                      "without this row the gap changes; the change, in epsilon,", difference,
+                      "less than a tenth of 1 + gap: rows at more equal distances, or less noise");
   }
   free(room);
   return status;
@@ -187,7 +228,9 @@ static po_status make(const char *path, double scale, const po_csv *csv, po_prof
   if (!status)
     status = slopes_of(t->rows, t->r, t->gap, t->slope);
   if (!status)
-    status = compare_coarse(csv, t);
+    status = compare_without(csv, t, 1);
+  if (!status)
+    status = compare_without(csv, t, 0);
   if (!status)
     status = check_end(csv, t);
   if (!status) {

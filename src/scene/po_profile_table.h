@@ -25,7 +25,8 @@ typedef struct po_profile_table {
   double growth;   /* the power of the continuation */
   double detail;   /* the smallest interval; INFINITY if the spline rises everywhere */
   bool is_convex;
-  double uncertainty; /* greatest difference between this spline and that of every other row, eps */
+  double uncertainty; /* greatest difference between this spline and those without the rows of odd
+                         and of even number, eps */
   struct po_profile_table *next;
 } po_profile_table;
 
@@ -34,7 +35,8 @@ typedef struct po_profile_table {
  * again. The table stays in memory until the program ends, so that scenes can be copied.
  * Thread-safe. Status: PO_CANNOT_READ, with file and line, if the file cannot be read, a number is
  * not finite, r does not start at 0 or does not rise, there are fewer than 8 rows, the rows are too
- * far from each other, or the gap or its spline does not rise at the end; PO_NO_MEMORY. */
+ * far from each other or too near, or the gap or its spline does not rise at the end; PO_NO_MEMORY.
+ */
 po_status po_profile_table_read(const char *path, double scale, const po_profile_table **table);
 
 /* Releases all tables that were read. No profile set from one may be used after it. */

@@ -25,14 +25,20 @@ static double bumps(double r) {
   return r * r / 140.0 + 0.4 * (1.0 - cos(0.7 * r));
 }
 
-/* A table of a gap that falls in places. */
-static po_profile table_of(double (*gap)(double r), int rows, double end, double scale) {
-  char path[] = "/tmp/po_profile_XXXXXX";
+/* Creates a file of a table. Given: a template of its path. */
+static FILE *new_table(char *path) {
   const int file = mkstemp(path);
   ck_assert_int_ge(file, 0);
   FILE *f = fdopen(file, "w");
   ck_assert_ptr_nonnull(f);
   fprintf(f, "r,gap\n");
+  return f;
+}
+
+/* A table of a gap that falls in places. */
+static po_profile table_of(double (*gap)(double r), int rows, double end, double scale) {
+  char path[] = "/tmp/po_profile_XXXXXX";
+  FILE *f = new_table(path);
   for (int k = 0; k < rows; ++k)
     fprintf(f, "%.17g,%.17g\n", end * k / (rows - 1) / scale, gap(end * k / (rows - 1)) / scale);
   ck_assert_int_eq(fclose(f), 0);
@@ -185,6 +191,41 @@ START_TEST(uncertainty_of_a_table_bounds_its_error) {
 }
 END_TEST
 
+/* Reads 21 rows of a parabola and one more, at a small relative distance from the seventh and with
+ * its gap. Returned: the greatest error of the table. */
+static po_status read_near_rows(double distance, po_profile *profile, double *error) {
+  char path[] = "/tmp/po_profile_XXXXXX";
+  FILE *f = new_table(path);
+  for (int k = 0; k < 21; ++k) {
+    fprintf(f, "%.17g,%.17g\n", 2.0 * k, parabola(2.0 * k));
+    if (k == 6)
+      fprintf(f, "%.17g,%.17g\n", 12.0 * (1.0 + distance), parabola(12.0));
+  }
+  ck_assert_int_eq(fclose(f), 0);
+  *profile = po_profile_sphere();
+  po_profile_set_parameter(profile, PO_TABLE_SCALE, 1.0);
+  const po_status status = po_profile_set_file(profile, path);
+  ck_assert_int_eq(unlink(path), 0);
+  *error = 0.0;
+  for (double r = 0.0; r <= 40.0 && !status; r += 0.0137)
+    *error = fmax(*error, fabs(po_profile_gap(profile, NAN, r) - parabola(r)));
+  return status;
+}
+
+/* Two rows at nearly the same radius with the same gap make the slope there 0. At a distance of
+ * 1e-15 that is refused. Of rows that were rounded to six digits it is in the stated uncertainty,
+ * which was 1e-15: only rows left out were compared, and these two differ by nothing. */
+START_TEST(rows_that_are_too_near_are_noticed) {
+  po_profile profile;
+  double error;
+  ck_assert_int_eq(read_near_rows(1e-15, &profile, &error), PO_CANNOT_READ);
+  ck_assert_ptr_nonnull(strstr(po_message(), ":9: the distance of r from that of the row before"));
+  ck_assert_int_eq(read_near_rows(1e-6, &profile, &error), PO_OK);
+  ck_assert_double_gt(error, 0.01);
+  ck_assert_double_le(error, 1.02 * profile.table->uncertainty);
+}
+END_TEST
+
 START_TEST(joints_of_a_table_are_its_rows) {
   const po_profile p = table_of(parabola, 23, 40.0, 0.3);
   double r = 0.0;
@@ -263,6 +304,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, other_units_of_length);
   tcase_add_test(tests, table_of_a_parabola_is_the_parabola);
   tcase_add_loop_test(tests, uncertainty_of_a_table_bounds_its_error, 0, 2);
+  tcase_add_test(tests, rows_that_are_too_near_are_noticed);
   tcase_add_test(tests, joints_of_a_table_are_its_rows);
   tcase_add_test(tests, usual_load_is_that_of_the_limit_which_applies);
   tcase_add_test(tests, waves_add_to_the_profile);
