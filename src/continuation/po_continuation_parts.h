@@ -52,6 +52,11 @@ po_status po_continuation_solve(po_continuation *t, po_prediction *p, double dis
 po_status po_continuation_solve_guessed(po_continuation *t, double distance, double precision,
                                         po_solution *out);
 
+/* Solves the current point again on the present mesh, if its arclength functional differs there from
+ * that on its own mesh by more than a step: no shorter step would converge then. The next step is
+ * predicted from this solution alone. Returned: whether that was done. */
+bool po_continuation_settle(po_continuation *t, double step);
+
 /* Precision of the tangents in a step of this length. */
 double po_continuation_tangent_precision(const po_continuation *t, double step);
 

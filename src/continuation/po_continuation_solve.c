@@ -1,4 +1,5 @@
 #include <limits.h>
+#include <math.h>
 
 #include "po_continuation_parts.h"
 
@@ -128,4 +129,22 @@ double po_continuation_tangent_precision(const po_continuation *t, double step) 
   for (size_t k = 0; k < t->current.edges.count; ++k)
     way = fmax(way, step * fabs(t->current.edges.rate[k]) * t->c.e->coupling);
   return fmin(PO_STEP_TANGENT, EDGE_ERROR / way);
+}
+
+bool po_continuation_settle(po_continuation *t, double step) {
+  if (!po_continuation_moves(t) || !(step > 0.0))
+    return false;
+  po_corrector_guess(&t->c, &t->current);
+  const double place = po_corrector_place_of_guess(&t->c, &t->current);
+  if (!(fabs(place) > step) ||
+      po_corrector_solve(&t->c, &t->current, place, false,
+                         po_continuation_tangent_precision(t, step), &t->next))
+    return false;
+  t->next.position = t->current.position;
+  if (po_continuation_want_mesh(t, &t->next))
+    return false;
+  po_solution_exchange(&t->current, &t->next);
+  t->has_previous = false;
+  t->error_factor = NAN;
+  return true;
 }

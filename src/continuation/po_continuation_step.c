@@ -132,7 +132,7 @@ static po_status try_step(po_continuation *t, double step, attempt *a) {
 }
 
 po_status po_continuation_advance(po_continuation *t) {
-  bool missed = false;
+  bool missed = false, settled = false;
   for (;;) {
     if (t->step < PO_LOCATED)
       return po_fail(PO_STEP_TOO_SMALL,
@@ -147,6 +147,8 @@ po_status po_continuation_advance(po_continuation *t) {
       t->c.e->factorized = false; /* they are of a state too far from the branch */
     if (t->c.trouble)
       return t->c.trouble;
+    if (!a.met && !settled)
+      settled = po_continuation_settle(t, a.step);
     if (!status) {
       /* waves are alike: a length that failed here would fail at the next wave, too */
       if (missed && !po_scene_is_simple(t->c.e->scene))

@@ -90,6 +90,11 @@ static double functional_progress(const po_equilibrium *e, const double *state, 
   return po_arclength_along(from->coordinates, from->rate, p->coordinate);
 }
 
+double po_corrector_place_of_guess(po_corrector *c, const po_solution *from) {
+  po_equilibrium_evaluate(c->e, c->guess);
+  return functional_progress(c->e, c->guess, &(place){from, c->coordinate});
+}
+
 static po_status factorize_at(po_corrector *c, const po_solution *from, const double *state) {
   po_equilibrium_evaluate(c->e, state);
   po_arclength_border(from->arclength, c->e, state, from->rate, c->border);

@@ -53,6 +53,10 @@ void po_corrector_aim(po_corrector *c, const po_solution *from);
 po_status po_corrector_solve(po_corrector *c, const po_solution *from, double distance,
                              bool keep_factors, double precision, po_solution *out);
 
+/* Returned: the arclength functional of a point at the guess. At the interpolated state of the
+ * point it is not 0 if the mesh is another: the coordinates are integrals over the nodes. */
+double po_corrector_place_of_guess(po_corrector *c, const po_solution *from);
+
 /* Approach and load at the point p, with their rates with respect to the arclength functional of
  * `from`. */
 po_sample po_corrector_sample(const po_solution *from, const po_solution *p);

@@ -108,9 +108,9 @@ static void move(po_corrector *c, const po_solution *from, double step, po_solut
     po_solution_finish(p, c->e, c->adaptive);
 }
 
-static po_status find_root(po_corrector *c, const po_solution *from, po_event_kind of,
+/* Given: the value of the arclength functional of `from` at which the search begins. */
+static po_status find_root(po_corrector *c, const po_solution *from, double at, po_event_kind of,
                            double *slope, po_solution *out, double value[2]) {
-  double at = 0.0;
   po_sample last = {.at = NAN};
   for (int k = 0; k < MOST_SOLVES; ++k) {
     const po_status status = po_corrector_solve(c, from, at, k > 0, c->e->precision, out);
@@ -136,11 +136,11 @@ static po_status find_root(po_corrector *c, const po_solution *from, po_event_ki
   return PO_NOT_CONVERGED;
 }
 
-/* The values at the root from the solution at the place of `from`, with the given slope. */
-static po_status extrapolate(po_corrector *c, const po_solution *from, po_event_kind of,
+/* The values at the root from the solution at that place, with the given slope. */
+static po_status extrapolate(po_corrector *c, const po_solution *from, double at, po_event_kind of,
                              double slope, po_solution *out, double value[2]) {
   po_corrector_guess(c, from);
-  const po_status status = po_corrector_solve(c, from, 0.0, false, c->e->precision, out);
+  const po_status status = po_corrector_solve(c, from, at, false, c->e->precision, out);
   if (status)
     return status;
   const po_sample s = po_corrector_sample(from, out);
@@ -152,14 +152,28 @@ static po_status extrapolate(po_corrector *c, const po_solution *from, po_event_
   return PO_OK;
 }
 
-po_status po_refine_locate(po_corrector *c, const po_solution *from, po_event_kind of,
-                           double *slope, po_solution *out, double value[2]) {
+static po_status locate_from(po_corrector *c, const po_solution *from, double at, po_event_kind of,
+                             double *slope, po_solution *out, double value[2]) {
   const double given = *slope;
-  const po_status status = find_root(c, from, of, slope, out, value);
+  const po_status status = find_root(c, from, at, of, slope, out, value);
   if (status != PO_NOT_CONVERGED || isnan(given))
     return status;
   *slope = given;
-  return extrapolate(c, from, of, given, out, value);
+  return extrapolate(c, from, at, of, given, out, value);
+}
+
+/* The second search begins where the functional is for the interpolated state of `from`. At a fold
+ * beside a groove of a wavy cone that was 1e-3 off, which moved the contact edge by so many of its
+ * widths that Newton's method failed. */
+po_status po_refine_locate(po_corrector *c, const po_solution *from, po_event_kind of,
+                           double *slope, po_solution *out, double value[2]) {
+  const double given = *slope;
+  const po_status status = locate_from(c, from, 0.0, of, slope, out, value);
+  if (status != PO_NOT_CONVERGED || isnan(given))
+    return status;
+  *slope = given;
+  po_corrector_guess(c, from);
+  return locate_from(c, from, po_corrector_place_of_guess(c, from), of, slope, out, value);
 }
 
 double po_refine_error(double precision, double change, double value) {
