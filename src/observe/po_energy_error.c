@@ -7,6 +7,7 @@
 #include "po_initial_gap.h"
 #include "po_law.h"
 #include "po_linear.h"
+#include "po_profile.h"
 #include "po_quadrature.h"
 #include "po_solution.h"
 
@@ -15,6 +16,9 @@ static const double OF_CHANGE = 3.0;
 
 /* Error of the energy of a rigid scene, see po_rigid_energy. */
 static const double RIGID = 1e-10;
+
+/* Distance of a kink from the end of a panel, relative to its length, within which it is there. */
+static const double AT_END = 1e-9;
 
 /* A panel of a solution: its radii, eps, and the values at its nodes. */
 typedef struct {
@@ -39,25 +43,28 @@ typedef struct {
   double squares; /* of the square of the traction's difference from its polynomial */
 } integrals;
 
-/* The nodes of both halves of a panel on (0, 1), and the weights with which the values at the nodes
+/* The nodes of two parts of a panel on (0, 1), and the weights with which the values at the nodes
  * of the panel are interpolated to each. */
 typedef struct {
   double place[2 * PO_TABLE_ORDER], weight[2 * PO_TABLE_ORDER],
       lagrange[2 * PO_TABLE_ORDER][PO_TABLE_ORDER];
-} halves;
+} parts;
 
-static void fill_halves(halves *h) {
+/* Given: where the parts meet. */
+static void fill_parts(double middle, parts *h) {
   const po_panel_rule *rule = &po_panel_table_get()->rule;
   for (size_t i = 0; i < 2 * PO_TABLE_ORDER; ++i) {
     const size_t j = i % PO_TABLE_ORDER;
-    h->place[i] = 0.5 * (rule->node[j] + (i < PO_TABLE_ORDER ? 0.0 : 1.0));
-    h->weight[i] = 0.5 * rule->weight[j];
+    const double begin = i < PO_TABLE_ORDER ? 0.0 : middle;
+    const double length = i < PO_TABLE_ORDER ? middle : 1.0 - middle;
+    h->place[i] = begin + length * rule->node[j];
+    h->weight[i] = length * rule->weight[j];
     po_lagrange(PO_TABLE_ORDER, rule->node, rule->barycentric, h->place[i], h->lagrange[i]);
   }
 }
 
-/* The integrals over a panel by Gauss's rule on its halves. */
-static integrals by_halves(const po_scene *scene, const panel *p, const halves *h) {
+/* The integrals over a panel by Gauss's rule on its parts. */
+static integrals by_parts(const po_scene *scene, const panel *p, const parts *h) {
   integrals sum = {0};
   for (size_t i = 0; i < 2 * PO_TABLE_ORDER; ++i) {
     const double r = p->begin + p->size * h->place[i], weight = p->size * h->weight[i] * r;
@@ -83,12 +90,16 @@ static double energy_by_nodes(const po_scene *scene, const panel *p) {
   return p->size * sum;
 }
 
-/* The error of Gauss's rule for x ln x on (0, 1). */
-static double error_of_rule(void) {
+/* The error of Gauss's rule for x^power ln x on (0, 1). */
+static double error_of_rule(int power) {
   const po_panel_rule *rule = &po_panel_table_get()->rule;
-  double sum = 0.25;
-  for (size_t j = 0; j < PO_TABLE_ORDER; ++j)
-    sum += rule->weight[j] * rule->node[j] * po_log(rule->node[j]);
+  double sum = 1.0 / ((power + 1) * (power + 1));
+  for (size_t j = 0; j < PO_TABLE_ORDER; ++j) {
+    double term = rule->weight[j] * po_log(rule->node[j]);
+    for (int k = 0; k < power; ++k)
+      term *= rule->node[j];
+    sum += term;
+  }
   return fabs(sum);
 }
 
@@ -97,7 +108,46 @@ static double error_of_rule(void) {
  * it. Given: the last panel. */
 static double of_end(const po_scene *scene, const panel *last) {
   const double p = last->traction[PO_TABLE_ORDER - 1], end = last->begin + last->size;
-  return po_scene_coupling(scene) / M_PI * p * p * last->size * last->size * end * error_of_rule();
+  return po_scene_coupling(scene) / M_PI * p * p * last->size * last->size * end * error_of_rule(1);
+}
+
+/* The integrals over a panel by Gauss's rule on its halves, or on both sides of a kink of the
+ * profile: half a panel that has the kink inside would have as large an error as the whole, and
+ * their difference may vanish by chance. */
+static integrals finer_integrals(const po_scene *scene, const panel *p, const parts *halves) {
+  const po_profile *profile = &scene->profile;
+  if (!po_profile_has_kink_between(profile, p->begin, p->begin + p->size))
+    return by_parts(scene, p, halves);
+  parts sides;
+  fill_parts((po_profile_kink(profile) - p->begin) / p->size, &sides);
+  return by_parts(scene, p, &sides);
+}
+
+/* Where the slope of the profile jumps, that of the traction jumps by the response dp/dH times as
+ * much, s. So the deflection has a part -(1/pi) coupling s x^2 ln |x| at the distance x from a
+ * kink, and -(1/2) coupling s r^2 ln r at a tip. The integrand of the energy has p/2 of it. Given:
+ * a panel, and whether it has the kink at its beginning or at its end. */
+static double of_corner(const po_scene *scene, const panel *p, bool at_end, double jump) {
+  const size_t nearest = at_end ? PO_TABLE_ORDER - 1 : 0;
+  const double at = at_end ? p->begin + p->size : p->begin;
+  const double gap = po_initial_gap(scene, at) + p->deflection[nearest];
+  const double s = po_law_at(&scene->law, gap).slope * jump;
+  const double part =
+      0.5 * fabs(p->traction[nearest] * s) * po_scene_coupling(scene) * p->size * p->size * p->size;
+  return at > 0.0 ? part / M_PI * at * error_of_rule(2) : part / 2.0 * p->size * error_of_rule(3);
+}
+
+/* That of both ends of a panel. */
+static double of_corners(const po_scene *scene, const panel *p) {
+  const po_profile *profile = &scene->profile;
+  const double kink = po_profile_kink(profile), end = p->begin + p->size;
+  double sum = 0.0;
+  if (p->begin == 0.0)
+    sum += of_corner(scene, p, false, po_initial_gap_slope(scene, 0.0));
+  for (int at_end = 0; at_end < 2; ++at_end)
+    if (fabs(kink - (at_end ? end : p->begin)) < AT_END * p->size)
+      sum += of_corner(scene, p, at_end, po_profile_slope_jump(profile, scene->radius));
+  return sum;
 }
 
 /* U is stationary for the solution, so that the energy of the interpolated solution, integrated on
@@ -110,13 +160,14 @@ static double of_end(const po_scene *scene, const panel *last) {
 static double of_panels(const po_scene *scene, double domain, const po_solution *p) {
   const double coupling = po_scene_coupling(scene);
   double change = 0.0, lacking = 0.0;
-  halves h;
-  fill_halves(&h);
+  parts halves;
+  fill_parts(0.5, &halves);
   for (size_t k = 0; k < p->panels->count; ++k) {
     const panel here = panel_of(scene, domain, p, k);
-    const integrals finer = by_halves(scene, &here, &h);
+    const integrals finer = finer_integrals(scene, &here, &halves);
     change += fabs(finer.energy - energy_by_nodes(scene, &here));
     lacking += coupling * here.size / PO_TABLE_ORDER * finer.squares;
+    lacking += of_corners(scene, &here);
     if (k + 1 == p->panels->count && isfinite(scene->outer_radius))
       lacking += of_end(scene, &here);
   }

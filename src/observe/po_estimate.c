@@ -34,8 +34,8 @@ double po_estimate_loss_error(const po_request *request, const po_estimate *grea
   const double precision = po_observe_precision(request->mesh.tolerance);
   if (isnan(loss->energy)) /* unbounded */
     return NAN;
-  return loss->moved * place + OF_INTERPOLATED * loss->interpolated + precision * loss->size +
-         2.0 * (double)loss->jumps * greatest->traced_energy_error;
+  return loss->moved * place + OF_INTERPOLATED * loss->doubt.interpolated + loss->doubt.of_points +
+         precision * loss->size + (double)loss->jumps * greatest->traced_energy_error;
 }
 
 /* The greatest error of the energies of the points of the path beside a state. */
@@ -55,8 +55,7 @@ void po_estimate_loop(const po_request *request, const po_path *path, const po_e
   double energy = energy_error_at(path, &loop->preload);
   for (size_t k = 0; k < loop->jump_count; ++k) {
     po_jump *jump = &loop->jumps[k];
-    const po_loss loss =
-        po_loss_of_jump(loop->control, &jump->before, &jump->after, jump->interpolated);
+    const po_loss loss = po_loss_of_jump(loop->control, &jump->before, &jump->after, jump->doubt);
     jump->energy_lost_error = po_estimate_loss_error(request, greatest, loop->control, &loss);
     all = po_loss_sum(all, loss);
     energy = fmax(energy, energy_error_at(path, &jump->before));

@@ -136,9 +136,9 @@ static bool ends_at(po_reader *r, const po_branch_point *p, double contact_radiu
   return r->status || r->result->ended.cause != PO_END_NONE;
 }
 
-/* The error of the energy of a point, if curves or loops with such errors are wanted. */
+/* The error of the energy of a point, if something with such errors is wanted. */
 static double energy_error_of(const po_reader *r, const po_branch_point *p) {
-  if (!(r->request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS)))
+  if (!(r->request->want & (PO_WANT_CURVE | PO_WANT_HYSTERESIS | PO_WANT_PRELOAD)))
     return NAN;
   const double precision = po_observe_precision(r->request->mesh.tolerance);
   return po_energy_error(&r->request->scene, root_of(r), precision, p);

@@ -17,11 +17,11 @@ static po_path_state state_of(const loop_state *f) {
   return po_path_at(f->path, f->at);
 }
 
-/* Returned: po_path_energy_difference at the present place. */
-static double interpolated(loop_state *f) {
-  const double difference = po_path_energy_difference(f->path, f->at);
-  f->loop->interpolated = fmax(f->loop->interpolated, difference);
-  return difference;
+/* The doubt at the present place. */
+static po_path_doubt doubt(loop_state *f) {
+  const po_path_doubt here = po_path_doubt_at(f->path, f->at);
+  f->loop->interpolated = fmax(f->loop->interpolated, here.interpolated);
+  return here;
 }
 
 /* Adds a jump that ends at the present place, or, if the bodies separate, at none. */
@@ -31,7 +31,7 @@ static po_status add_jump(loop_state *f, bool loading, po_path_state before, po_
   if (!jumps)
     return PO_NO_MEMORY;
   loop->jumps = jumps;
-  const double error = isfinite(after.approach) ? interpolated(f) : 0.0;
+  const po_path_doubt error = isfinite(after.approach) ? doubt(f) : (po_path_doubt){0.0, 0.0};
   const double lost = po_loss_of_jump(f->control, &before, &after, error).energy;
   jumps[loop->jump_count++] = (po_jump){loading, before, after, lost, error, NAN};
   loop->loading_jumps += loading;
@@ -99,7 +99,7 @@ static po_status load(loop_state *f) {
     if (meets_preload(f, &fraction)) {
       move(f, fraction);
       f->loop->preload = state_of(f);
-      interpolated(f);
+      doubt(f);
       return PO_OK;
     }
     move(f, 1.0);

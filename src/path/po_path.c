@@ -47,14 +47,15 @@ po_path_state po_path_at(const po_path *path, po_path_place place) {
                          .position = a->position + t * (b->position - a->position)};
 }
 
-double po_path_energy_difference(const po_path *path, po_path_place place) {
-  if (place.fraction == 0.0)
-    return 0.0;
+po_path_doubt po_path_doubt_at(const po_path *path, po_path_place place) {
   const po_path_point *a = &path->point[place.index], *b = a + 1;
+  if (place.fraction == 0.0)
+    return (po_path_doubt){0.0, a->energy_error};
   const double energy = po_path_at(path, place).energy;
   const double before = a->energy + po_path_work(path, place.index, 0.0, place.fraction);
   const double after = b->energy - po_path_work(path, place.index, place.fraction, 1.0);
-  return fmax(fabs(energy - before), fabs(energy - after));
+  return (po_path_doubt){fmax(fabs(energy - before), fabs(energy - after)),
+                         fmax(a->energy_error, b->energy_error)};
 }
 
 typedef struct {

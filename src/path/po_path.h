@@ -44,11 +44,8 @@ bool po_path_reaches(double approach, double asked);
  * The interpolation error is of the fourth order in the length of the segment. */
 po_path_state po_path_at(const po_path *path, po_path_place place);
 
-/* Returned: the greatest difference between the interpolated energy at a place and the energies of
- * both points plus the integrals of the load from there, which are exact for the cubics. To the
- * fourth order it is the error of the potential at the place: of the energy at given approach, and
- * of energy - load approach at given load. */
-double po_path_energy_difference(const po_path *path, po_path_place place);
+/* Returned: the doubt at a place. */
+po_path_doubt po_path_doubt_at(const po_path *path, po_path_place place);
 
 /* Finds the place on the segment from point `index` at which the approach or the load has a value
  * between those of the two points. */

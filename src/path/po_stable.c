@@ -46,18 +46,22 @@ double po_stable_potential(po_control control, const po_path_state *s) {
 }
 
 po_loss po_loss_of_jump(po_control control, const po_path_state *before, const po_path_state *after,
-                        double interpolated) {
+                        po_path_doubt doubt) {
   const double moved =
       control == PO_LOAD_CONTROL ? before->approach - after->approach : before->load - after->load;
   return (po_loss){
       .energy = po_stable_potential(control, before) - po_stable_potential(control, after),
       .moved = isfinite(moved) ? fabs(moved) : 0.0, /* separation is at a load that is exact */
       .size = 1.0 + fabs(before->load) + fabs(after->load),
-      .interpolated = interpolated,
+      .doubt = doubt,
       .jumps = 1};
 }
 
 po_loss po_loss_sum(po_loss a, po_loss b) {
-  return (po_loss){a.energy + b.energy, a.moved + b.moved, a.size + b.size,
-                   a.interpolated + b.interpolated, a.jumps + b.jumps};
+  return (po_loss){
+      a.energy + b.energy,
+      a.moved + b.moved,
+      a.size + b.size,
+      {a.doubt.interpolated + b.doubt.interpolated, a.doubt.of_points + b.doubt.of_points},
+      a.jumps + b.jumps};
 }

@@ -29,10 +29,9 @@ po_path_state po_stable_apart(double load);
  * where it decreases without bound. */
 double po_stable_potential(po_control control, const po_path_state *state);
 
-/* Returned: the loss in one jump. Given: its ends; interpolated, po_path_energy_difference where it
- * ends. */
+/* Returned: the loss in one jump. Given: its ends, and the doubt where it ends. */
 po_loss po_loss_of_jump(po_control control, const po_path_state *before, const po_path_state *after,
-                        double interpolated);
+                        po_path_doubt doubt);
 
 /* Returned: the loss in the jumps of both. */
 po_loss po_loss_sum(po_loss a, po_loss b);

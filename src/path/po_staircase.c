@@ -56,8 +56,8 @@ static po_path_state deepest_from(const walk *w, const stretch *s, po_path_place
 /* Adds a jump. Given: the place on the curve where it ends; NULL: none. */
 static void add_jump(const walk *w, const po_path_state *before, const po_path_state *after,
                      const po_path_place *end, po_loss *to) {
-  const double interpolated = end ? po_path_energy_difference(w->path, *end) : 0.0;
-  *to = po_loss_sum(*to, po_loss_of_jump(w->control, before, after, interpolated));
+  const po_path_doubt doubt = end ? po_path_doubt_at(w->path, *end) : (po_path_doubt){0.0, 0.0};
+  *to = po_loss_sum(*to, po_loss_of_jump(w->control, before, after, doubt));
 }
 
 /* Determines the unloading path from the lower end of a stretch; those of all stretches below are

@@ -18,6 +18,16 @@ typedef struct {
   double approach, load;
 } po_path_error;
 
+/* The error of the potential at a place: of the energy at given approach, and of energy - load
+ * approach at given load. */
+typedef struct {
+  /* The greatest difference between the interpolated energy and the energies of both points plus
+   * the integrals of the load from there, which are exact for the cubics. To the fourth order it is
+   * the error by interpolation. */
+  double interpolated;
+  double of_points; /* the greater error of the energies of both points; NAN: unknown */
+} po_path_doubt;
+
 typedef enum { PO_DISPLACEMENT_CONTROL, PO_LOAD_CONTROL } po_control;
 
 /* The preload: loading is reversed when the approach (eps) or the load (pi w R) reaches this value;
@@ -33,7 +43,7 @@ typedef struct {
   po_path_state before, after;
   double energy_lost; /* decrease of U at fixed approach, of U - W approach at fixed load, in pi w R
                          eps; NAN: unbounded, the bodies separate under tension */
-  double interpolated;      /* po_path_energy_difference where it ends */
+  po_path_doubt doubt;      /* where it ends */
   double energy_lost_error; /* bound of the error of energy_lost; NAN: unknown */
 } po_jump;
 
@@ -48,7 +58,7 @@ typedef struct {
   double work; /* integral of the load over the approach along the complete loop, by quadrature of
                   the loads; NAN unless the loop is closed */
   double energy_lost_error, work_error; /* bounds of their errors; NAN: unknown */
-  double interpolated; /* greatest po_path_energy_difference of preload and ends of jumps */
+  double interpolated; /* greatest error by interpolation of preload and ends of jumps */
   double energy_error; /* bound of the errors of the energies of all states at their approaches;
                           NAN: unknown */
 } po_loop;
@@ -64,7 +74,7 @@ typedef struct {
   double moved;        /* derivative of energy by the controlled quantity at which the jumps begin:
                           |load before - load after|, at given load |approach before - approach after| */
   double size;         /* 1 + |load before| + |load after| */
-  double interpolated; /* po_path_energy_difference where the jumps end */
+  po_path_doubt doubt; /* where the jumps end */
   size_t jumps;
 } po_loss;
 
