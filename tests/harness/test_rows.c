@@ -108,7 +108,7 @@ static void same_loop(const po_loop *a, const po_loop *b) {
   for (size_t k = 0; k < a->jump_count; ++k) {
     ck_assert(a->jumps[k].loading == b->jumps[k].loading);
     SAME(po_jump, &a->jumps[k], &b->jumps[k], WITHOUT(po_jump, loading),
-         WITHOUT(po_jump, interpolated));
+         WITHOUT(po_jump, doubt));
   }
 }
 
@@ -129,7 +129,7 @@ static void same_stairs(const po_staircase *a, const po_staircase *b) {
       const po_cycle *c = &s->cycle[j], *d = &t->cycle[j];
       same_place(&c->preload, &d->preload);
       SAME(po_cycle, c, d, WITHOUT(po_cycle, preload), WITHOUT(po_cycle, loss.moved),
-           WITHOUT(po_cycle, loss.size), WITHOUT(po_cycle, loss.interpolated));
+           WITHOUT(po_cycle, loss.size), WITHOUT(po_cycle, loss.doubt));
     }
   }
 }

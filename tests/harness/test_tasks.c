@@ -90,7 +90,7 @@ START_TEST(solvers_alternate) {
 END_TEST
 
 START_TEST(points_are_timed_until_enough) {
-  static const double SHORT[] = {0.15, 0.15, 0.15, 0.1}, LONG[] = {0.3, 0.25, NAN, NAN},
+  static const double SHORT[] = {0.075, 0.075, 0.075, 0.05}, LONG[] = {0.15, 0.125, NAN, NAN},
                       NONE[] = {NAN};
   ck_assert(!po_times_are_enough(SHORT, 0));
   ck_assert(!po_times_are_enough(SHORT, 3));
@@ -98,9 +98,9 @@ START_TEST(points_are_timed_until_enough) {
   ck_assert(!po_times_are_enough(LONG, 1));
   ck_assert(po_times_are_enough(LONG, 2));
   ck_assert(po_times_are_enough(LONG, 3));
-  ck_assert_double_eq_tol(po_times_median(SHORT, 4), 0.15, 1e-15);
-  ck_assert_double_eq_tol(po_times_median(SHORT + 2, 2), 0.125, 1e-15);
-  ck_assert_double_eq_tol(po_times_median(LONG, 4), 0.275, 1e-15);
+  ck_assert_double_eq_tol(po_times_median(SHORT, 4), 0.075, 1e-15);
+  ck_assert_double_eq_tol(po_times_median(SHORT + 2, 2), 0.0625, 1e-15);
+  ck_assert_double_eq_tol(po_times_median(LONG, 4), 0.1375, 1e-15);
   ck_assert(isnan(po_times_median(NONE, 1)));
 }
 END_TEST
