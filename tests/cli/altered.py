@@ -269,27 +269,16 @@ def swap_values(rng, text):
     return text[:one[0]] + text[two[0]:two[1]] + text[one[1]:two[0]] + text[one[0]:one[1]] + text[two[1]:]
 
 
-def drop_line(rng, text):
-    lines = text.splitlines(keepends=True)
-    del lines[rng.randrange(len(lines))]
-    return "".join(lines)
+def of_lines(edit):
+    def apply(rng, text):
+        lines = text.splitlines(keepends=True)
+        edit(lines, *(rng.sample(range(len(lines)), 2)))
+        return "".join(lines)
+    return apply
 
 
-def double_line(rng, text):
-    lines = text.splitlines(keepends=True)
-    place = rng.randrange(len(lines))
-    return "".join(lines[:place] + [lines[place]] + lines[place:])
-
-
-def swap_lines(rng, text):
-    lines = text.splitlines(keepends=True)
-    one, two = rng.sample(range(len(lines)), 2)
+def swap_lines(lines, one, two):
     lines[one], lines[two] = lines[two], lines[one]
-    return "".join(lines)
-
-
-def truncate(rng, text):
-    return text[:rng.randrange(len(text))]
 
 
 def change_text(rng, text):
@@ -332,23 +321,16 @@ def walk(value):
         yield from walk(inner)
 
 
-def drop_key(rng, document):
-    holder = rng.choice([one for one in walk(document) if isinstance(one, dict) and one])
-    del holder[rng.choice(sorted(holder))]
-
-
-def drop_item(rng, document):
-    holder = rng.choice([one for one in walk(document) if isinstance(one, list) and one])
-    del holder[rng.randrange(len(holder))]
-
-
-def number_of(rng, document):
-    return rng.choice([(one, key) for one in walk(document) if isinstance(one, dict)
-                       for key, value in sorted(one.items()) if isinstance(value, float) and value])
+def drop(kind):
+    def apply(rng, document):
+        holder = rng.choice([one for one in walk(document) if isinstance(one, kind) and one])
+        del holder[rng.choice(sorted(holder) if kind is dict else range(len(holder)))]
+    return apply
 
 
 def factor(rng, document):
-    holder, key = number_of(rng, document)
+    holder, key = rng.choice([(one, key) for one in walk(document) if isinstance(one, dict)
+                              for key, value in sorted(one.items()) if isinstance(value, float) and value])
     holder[key] *= 1 + rng.choice([-1, 1]) * 10 ** rng.uniform(-15, -1)
 
 
@@ -380,9 +362,11 @@ def exchange_files(rng, path):
     return "exchanged file"
 
 
-TEXTS = {"digit": digit, "sign": sign, "swapped values": swap_values, "dropped line": drop_line, "doubled line": double_line,
-         "swapped lines": swap_lines, "truncated": truncate, "text": change_text, "status, kind": change_status}
-DOCUMENTS = {"dropped key": of_json(drop_key), "dropped item": of_json(drop_item), "factor near 1": of_json(factor),
+TEXTS = {"digit": digit, "sign": sign, "swapped values": swap_values, "text": change_text, "status, kind": change_status,
+         "truncated": lambda rng, text: text[:rng.randrange(len(text))], "swapped lines": of_lines(swap_lines),
+         "dropped line": of_lines(lambda lines, one, two: lines.pop(one)),
+         "doubled line": of_lines(lambda lines, one, two: lines.insert(one, lines[one]))}
+DOCUMENTS = {"dropped key": of_json(drop(dict)), "dropped item": of_json(drop(list)), "factor near 1": of_json(factor),
              "digest": of_json(digest), "exchanged points": of_json(exchange_points)}
 
 
