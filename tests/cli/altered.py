@@ -116,9 +116,9 @@ class Trials:
             place = path.relative_to(base)
             if path.is_file():
                 kind = {"record.json": "record", "part.json": "part", "points.jsonl": "journal"}.get(path.name)
-                kind = kind or ("shard" if path.name.startswith("shard-") else "table")
-                if place.parts[0] in ("pins", "reference"):
-                    kind = "pins" if path.suffix == ".csv" else None
+                kind = kind or ("shard" if path.name.startswith("shard-") else "table" if path.suffix == ".csv" else None)
+                if kind and place.parts[0] in ("pins", "reference"):
+                    kind = "pins"
                 if kind:
                     found[f"{kind} of a {'solver' if place.parts[0] in ('solver', 'part') else 'shard'}"
                           if place.parts[0] in ("solver", "part", "shards") and kind not in ("shard", "part") else kind].append(place)
