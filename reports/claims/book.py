@@ -1,7 +1,9 @@
 """Reads the list of claims, claims.toml, strictly: an invalid entry is an error."""
 
 import decimal
+import itertools
 import math
+import re
 import string
 import tomllib
 
@@ -12,10 +14,12 @@ CHECK = "implementation check"
 REQUIRED = {"id": str, "where": str, "tests": str}
 OPTIONAL = {"quote": (str, list), "implied": bool, "kind": str, "claimed": (str, int, float, list), "reading": str,
             "accuracy": (int, float), "accuracy_because": str, "value": str, "get": dict, "choice": list,
-            "off_by": (int, float), "off_by_because": str, "brief": str, "note": str, "survives": str, "untestable": str}
+            "range": list, "preload": str, "change": dict, "brief": str, "note": str, "survives": str, "untestable": str}
 CHOICE = {"words": str, "set": dict, "get": dict, "value": str, "claimed": (str, int, float, list)}
-SOURCES = {"pulloff": {"pulloff": str, "at": str, "each": dict, "count": bool},
-           "case": {"case": str, "when": dict, "at": str, "all": bool, "count": bool},
+CHANGE = {"words": str, "swap": list, "get": dict, "value": str, "claimed": (str, int, float, list)}
+PRELOAD = {"figures": str, "because": str, "choice": list}
+SOURCES = {"pulloff": {"pulloff": str, "at": str, "each": dict},
+           "case": {"case": str, "when": dict, "at": str, "all": bool},
            "table": {"table": str, "when": dict, "column": str, "all": bool}}
 VERBS = ("theory", "solve")
 
@@ -44,7 +48,9 @@ def check_source(source, where):
 
 
 def limits(claimed, where):
-    """The claimed interval (low, high), or None for a formula."""
+    """The claimed interval (low, high), or None for a formula. A ratio that is only said to be large has no number."""
+    if claimed is None:
+        return 1.0, math.inf
     try:
         if isinstance(claimed, list):
             demand(len(claimed) == 2, where, "claimed: expected a low and a high end")
@@ -74,29 +80,74 @@ def filled(part, given):
     return part
 
 
+def is_of_figure(claim):
+    """Whether a statement is about a figure of the paper."""
+    return "kind" not in claim and bool(re.search(r"\bFigs?\.? ?\d", claim["where"]))
+
+
+def chosen(claim, *parts):
+    """The claim with the sources, the value and the claimed number that some of its parts replace."""
+    given = {key: value for part in parts for key, value in part.get("set", {}).items()}
+    get = dict(claim.get("get", {}))
+    made = {"words": None, "claimed": claim.get("claimed"), "value": claim.get("value")}
+    for part in parts:
+        get |= part.get("get", {})
+        made |= {key: part[key] for key in made if key in part}
+    get = {name: filled(source, given) for name, source in get.items()}
+    return made | {"get": get, "value": made["value"] or next(iter(get), None)}
+
+
 def choices(claim):
     """The claim for each choice that the paper leaves open, or for itself, with everything that is needed to judge it."""
-    made = []
-    for choice in claim.get("choice", [{}]):
-        get = {name: filled(source, choice.get("set", {}))
-               for name, source in {**claim.get("get", {}), **choice.get("get", {})}.items()}
-        value = choice.get("value", claim.get("value", next(iter(get), None)))
-        made.append({"words": choice.get("words"), "claimed": choice.get("claimed", claim.get("claimed")), "get": get,
-                     "value": value})
+    return [chosen(claim, choice) for choice in claim.get("choice", [{}])]
+
+
+def changed(claim):
+    """The first choice of a claim, with the physics changed."""
+    change = claim["change"]
+    made = chosen(claim, claim.get("choice", [{}])[0], change)
+    if "swap" in change:
+        made["get"] = {name: {**source, "pulloff": source["pulloff"].replace(*change["swap"])} if "pulloff" in source else source
+                       for name, source in made["get"].items()}
     return made
 
 
-def check_choices(claim, where):
-    demand(len(claim["choice"]) > 1, where, "choice: expected two or more")
-    for place, choice in enumerate(claim["choice"]):
-        for key, value in choice.items():
-            demand(isinstance(value, CHOICE.get(key, ())), where, f"choice[{place}]: {key} is unknown, or of the wrong type")
+def with_preloads(claim, preloads):
+    """The claim with one choice for each of its own choices and each preload of its figure."""
+    if "preload" not in claim:
+        return claim
+    own = claim.get("choice", [{}])
+    return {**claim, "choice": [{**mine, "words": ", ".join(part["words"] for part in (mine, preload) if part),
+                                 "set": {**mine.get("set", {}), **preload["set"]}}
+                                for mine, preload in itertools.product(own, preloads[claim["preload"]]["choice"])]}
+
+
+def check_part(part, known, where):
+    """Checks a choice, a change or the preloads of a figure for unknown keys."""
+    for key, value in part.items():
+        demand(isinstance(value, known.get(key, ())), where, f"{key} is unknown, or of the wrong type")
+
+
+def check_choices(part, where):
+    demand(len(part["choice"]) > 1, where, "choice: expected two or more")
+    for place, choice in enumerate(part["choice"]):
+        check_part(choice, CHOICE, f"{where}: choice[{place}]")
         demand(choice.get("words"), where, f"choice[{place}]: words are missing: what is chosen?")
+
+
+def check_change(claim, where):
+    change = claim["change"]
+    check_part(change, CHANGE, f"{where}: change")
+    demand(change.get("words"), where, "change: words are missing: what is changed?")
+    made = changed(claim)
+    demand(made != {**choices(claim)[0], "words": change["words"]}, where, "change: it changes nothing")
+    check_numbers(made, claim, f"{where}: change")
 
 
 def check_numbers(choice, claim, where):
     """Checks one choice of a claim: the claimed number, the sources, and the formula."""
-    demand(choice["claimed"] is not None, where, "claimed is missing")
+    demand((choice["claimed"] is None) == (claim["reading"] == "large"), where,
+           "claimed is missing, or stated for a ratio whose bound is a convention")
     got = choice["get"]
     for name, source in got.items():
         check_source(source, f"{where}.get.{name}")
@@ -121,13 +172,14 @@ def check_testable(claim, where):
         check_choices(claim, where)
     for choice in choices(claim):
         check_numbers(choice, claim, where)
-    if claim["reading"] == "printed":
-        demand("accuracy" not in claim, where, "accuracy: the printed digits say it")
-    else:
-        demand(claim.get("accuracy", -1) >= 0, where, "accuracy is missing, or negative")
-        demand("accuracy_because" in claim, where, "accuracy_because is missing")
-    if "off_by" in claim:
-        demand(claim["off_by"] > 0 and "off_by_because" in claim, where, "off_by: expected a positive number, and off_by_because")
+    stated = claim["reading"] == "equation"
+    demand(("accuracy" in claim, "accuracy_because" in claim) == (stated, stated), where,
+           "accuracy and accuracy_because: expected for an equation; for other readings the convention says it")
+    demand(claim.get("accuracy", 0) >= 0, where, "accuracy is negative")
+    demand(("range" in claim) == (claim["reading"] == "axis"), where, "range: expected for an axis, and only there")
+    demand("change" in claim or "kind" in claim, where, "change is missing: which change of the physics changes the verdict?")
+    if "change" in claim:
+        check_change(claim, where)
 
 
 def check_claim(claim, where):
@@ -150,15 +202,23 @@ def check_claim(claim, where):
 
 
 def read(path):
-    """All claims of a file, checked. Raises a BookError with the position of an error."""
+    """(all claims of a file, preloads by figure), checked. Raises a BookError with the position of an error."""
     with open(path, "rb") as stream:
         try:
             book = tomllib.load(stream)
         except tomllib.TOMLDecodeError as error:
             raise BookError(f"{path}: {error}") from error
-    demand(set(book) == {"claim"}, path, "expected claims, and nothing else")
+    demand(set(book) == {"claim", "preload"}, path, "expected claims and preloads, and nothing else")
+    preloads, claims = book["preload"], []
+    for name, part in preloads.items():
+        check_part(part, PRELOAD, f"{path}: preload {name}")
+        demand(set(part) == set(PRELOAD), f"{path}: preload {name}", f"expected {', '.join(PRELOAD)}")
+        check_choices(part, f"{path}: preload {name}")
     names = [claim.get("id") for claim in book["claim"]]
     for place, claim in enumerate(book["claim"]):
-        check_claim(claim, f"{path}: claim {claim.get('id', place + 1)}")
+        where = f"{path}: claim {claim.get('id', place + 1)}"
+        demand(claim.get("preload", next(iter(preloads))) in preloads, where, "preload: no such figure")
+        claims.append(with_preloads(claim, preloads))
+        check_claim(claims[-1], where)
         demand(names.count(claim["id"]) == 1, path, f"claim {claim['id']} is there twice")
-    return book["claim"]
+    return claims, preloads

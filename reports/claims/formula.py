@@ -15,11 +15,6 @@ def pick(values, where, low, high):
     return [value for value, place in zip(values, where, strict=True) if low <= place <= high]
 
 
-def slope(x, y):
-    """Exponent of the power law through the first and the last point."""
-    return math.log(y[-1] / y[0]) / math.log(x[-1] / x[0])
-
-
 def where(extreme, values, places):
     """The place of the largest (max) or smallest (min) of the values."""
     return extreme(zip(values, places, strict=True))[1]
@@ -43,6 +38,23 @@ def greatest_at(values, places):
     return [found[place] for place in sorted(found)]
 
 
+def worst(values, expected):
+    """The value that is farthest from the expected one."""
+    return max(values, key=lambda value: abs(value - expected))
+
+
+def farthest(x, y, line_x, line_y, width, height):
+    """The largest distance of a point (x, y) from a polyline, in a figure of this width and height."""
+    def apart(here, begin, end):
+        step = [b - a for a, b in zip(begin, end)]
+        length = sum(part * part for part in step)
+        way = sum((a - b) * part for a, b, part in zip(here, begin, step)) / length if length else 0
+        return math.hypot(*(a - b - min(max(way, 0), 1) * part for a, b, part in zip(here, begin, step)))
+
+    points, line = ([(a / width, b / height) for a, b in zip(*pair, strict=True)] for pair in ((x, y), (line_x, line_y)))
+    return max(min(apart(point, *ends) for ends in zip(line, line[1:])) for point in points)
+
+
 def crossing(x, y, level):
     """The first x at which y rises to the level, by linear interpolation."""
     for before, after in zip(range(len(x) - 1), range(1, len(x))):
@@ -52,14 +64,15 @@ def crossing(x, y, level):
 
 
 # The elliptic integrals have the modulus as argument, as in the paper; H is the Struve function.
-FUNCTIONS = {"sqrt": math.sqrt, "exp": math.exp, "cos": math.cos, "sin": math.sin, "log10": math.log10,
-             "abs": abs, "max": max, "min": min,
-             "count": len, "pick": pick, "slope": slope, "ratios": ratios,
+FUNCTIONS = {"sqrt": math.sqrt, "cos": math.cos, "sin": math.sin, "log10": math.log10,
+             "max": max, "min": min,
+             "worst": worst, "farthest": farthest, "pick": pick, "ratios": ratios,
              "differences": differences, "scaled": lambda values, factor: [value * factor for value in values],
              "greatest_at": greatest_at, "distinct": lambda values: sorted(set(values)), "crossing": crossing,
              "where_greatest": lambda values, places: where(max, values, places),
              "where_least": lambda values, places: where(min, values, places),
-             "last": lambda values: values[-1], "first": lambda values: values[0],
+             "last": lambda values, *number: values[-number[0]:] if number else values[-1], "first": lambda values: values[0],
+             "joined": lambda begin, values: [begin, *values], "total": math.fsum,
              "K": lambda k: float(scipy.special.ellipk(k * k)), "E": lambda k: float(scipy.special.ellipe(k * k)),
              "sum": None, "least": None,  # sum(j, first, last, term of j): see evaluate
              "H": lambda order, x: float(scipy.special.struve(order, x))}

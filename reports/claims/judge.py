@@ -8,12 +8,17 @@ REPRODUCED, WITHIN_READING, DEPENDS, CONTRADICTED, NOT_TESTABLE, NO_RESULT, CHEC
 HOLDS = (REPRODUCED, WITHIN_READING)
 PASSES = (*HOLDS, CHECKED)                         # of a claim or an implementation check
 
-# How the claimed number is known -> its accuracy.
-READINGS = {"printed": "a number printed in full: within half a unit of its last digit",
-            "equation": "an equation, evaluated as printed",
-            "about": "a number or a bound given by words such as about",
-            "figure": "read off a figure"}
-EXACT = ("printed", "equation")
+# How the claimed number is known -> the convention by which it is read.
+READINGS = {"printed": "a number printed in full: half a unit of its last digit",
+            "equation": "an equation, evaluated as printed: the stated numerical error",
+            "bound": "an order of two numbers, a sign or a count: exact",
+            "axis": "a number on a linear axis of a figure: 2 % of the range of its values, by the text or as computed",
+            "logarithmic": "a number on a logarithmic axis of a figure: 0.05 decades, 11 %",
+            "about": "about, ≈, ≃, close, slightly, well: 10 %",
+            "order": "a power of ten after ≈ or ≃ (≃ 10⁻¹, ≈ 1 on an axis of decades): a factor of 3 in both directions",
+            "large": "large, small, much, very, greatly, strongly, markedly, suddenly: a ratio of at least 2"}
+EXACT = ("printed", "equation", "bound")
+AXIS, DECADES, ABOUT, ORDER, LARGE = 0.02, 0.05, 0.1, 3.0, 2.0
 
 
 def half_unit(text):
@@ -22,30 +27,34 @@ def half_unit(text):
     return 0.5 * 10.0 ** exponent
 
 
+def reach(claim, claimed, low, high, scale=1.0):
+    """(low, high, accuracy): the claimed interval and the accuracy by the convention of the entry, times a scale; a
+    factor is raised to the power of the scale."""
+    reading = claim["reading"]
+    if reading == "large":
+        return LARGE ** scale, math.inf, 0.0
+    if reading == "order":
+        return low / ORDER ** scale, high * ORDER ** scale, 0.0
+    nearest = min((abs(end) for end in (low, high) if math.isfinite(end)), default=0.0)
+    return low, high, {"printed": lambda: half_unit(claimed), "equation": lambda: claim["accuracy"], "bound": lambda: 0.0,
+                       "axis": lambda: scale * AXIS * (claim["range"][1] - claim["range"][0]),
+                       "logarithmic": lambda: (1 - 10 ** (-scale * DECADES)) * nearest,
+                       "about": lambda: scale * ABOUT * nearest}[reading]()
+
+
 def difference(computed, low, high):
     """The signed distance of the computed number from the claimed interval; 0 within it."""
     return computed - low if computed < low else computed - high if computed > high else 0.0
 
 
-def side(computed, low, high, accuracy):
-    """0 if the difference does not exceed the accuracy; otherwise -1 below and 1 above the claimed interval."""
-    off = difference(computed, low, high)
-    return 0 if abs(off) <= accuracy else math.copysign(1, off)
-
-
 def verdict(computed, low, high, accuracy, reading):
-    """contradicted if the difference exceeds the accuracy, otherwise reproduced or within_reading.
-
-    A number printed in full, an equation, a count, and an interval that contains the computed number are reproduced;
-    an approximate number or one read off a figure is reproduced within reading accuracy.
-    """
+    """contradicted if the difference exceeds the accuracy, otherwise reproduced or, if the number is read by a
+    convention, within_reading."""
     if computed is None or not math.isfinite(computed):
         return NO_RESULT
-    if side(computed, low, high, accuracy):
+    if abs(difference(computed, low, high)) > accuracy:
         return CONTRADICTED
-    if reading in EXACT or accuracy == 0 or low < high and low <= computed <= high:
-        return REPRODUCED
-    return WITHIN_READING
+    return REPRODUCED if reading in EXACT else WITHIN_READING
 
 
 def overall(verdicts, is_check=False):

@@ -4,7 +4,6 @@
 import argparse
 import hashlib
 import json
-import math
 import os
 import sys
 import textwrap
@@ -16,14 +15,13 @@ import book  # noqa: E402
 import formula  # noqa: E402
 import judge  # noqa: E402
 import others  # noqa: E402
-import sensitivity  # noqa: E402
 import sources  # noqa: E402
 
-SCHEMA = "pulloff-claims/3"
+SCHEMA = "pulloff-claims/4"
 TREE = os.path.dirname(os.path.dirname(HERE))
 WORDS = {"within_reading": "reproduced within reading accuracy", "not_testable": "not testable", "no_result": "no result",
          "depends": "depend on a choice", "checked": "implementation checks passed", "check_failed": "implementation checks failed"}
-HEAD = ("id", "where", "tests", "kind", "reading", "brief", "note", "survives", "accuracy_because", "off_by_because")
+HEAD = ("id", "where", "tests", "kind", "reading", "brief", "note", "survives")
 
 
 def arguments(words):
@@ -33,8 +31,8 @@ def arguments(words):
     parser.add_argument("--output", metavar="DIR", help="folder for claims.json (default: claims beside the run)")
     parser.add_argument("--list", default=os.path.join(HERE, "claims.toml"), metavar="FILE", help="list of claims (default: claims.toml beside this program)")
     parser.add_argument("--claim", action="append", metavar="ID", help="judge only this claim, and write nothing")
-    parser.add_argument("--sensitivity", action="store_true",
-                        help="print for each claim the relative change of a number that changes the verdict")
+    parser.add_argument("--changes", action="store_true",
+                        help="print for each claim the number with changed physics, and whether the verdict changes")
     parser.add_argument("--brief", action="store_true", help="print only the counts, and the entries with a fault or without a number")
     parser.add_argument("--json", action="store_true", help="print one JSON document and nothing else")
     return parser.parse_args(words)
@@ -50,40 +48,43 @@ def collect(choice, given):
 
 
 def judged(choice, claim, given):
-    """One choice of a claim with the computed number, the verdict, and the sources that cannot change the verdict."""
+    """One choice of a claim with the computed number and the verdict. `decided`: half or twice the accuracy of the
+    convention would change the verdict."""
     part = {"words": choice["words"], "claimed": choice["claimed"] if isinstance(choice["claimed"], str) else None,
-            "low": None, "high": None, "computed": None, "difference": None, "accuracy": None, "off_by": None,
-            "counted": all(map(sensitivity.is_count, choice["get"].values())), "unmoved": [], "commands": [], "reason": None}
-    bounds = book.limits(choice["claimed"], claim["id"])
-
-    def limits(values):
-        return bounds or (formula.evaluate(choice["claimed"], values),) * 2
-
+            "low": None, "high": None, "computed": None, "difference": None, "accuracy": None, "decided": False,
+            "commands": [], "reason": None}
     try:
         values, part["commands"] = collect(choice, given)
         part["computed"] = formula.evaluate(choice["value"], values)
-        part["low"], part["high"] = limits(values)
+        ends = book.limits(choice["claimed"], claim["id"]) or (formula.evaluate(choice["claimed"], values),) * 2
     except (formula.FormulaError, sources.SourceError) as error:
         return part | {"reason": str(error), "verdict": judge.NO_RESULT}
-    part["accuracy"] = judge.half_unit(choice["claimed"]) if claim["reading"] == "printed" else claim["accuracy"]
+
+    def verdict_of(scale):
+        low, high, accuracy = judge.reach(claim, choice["claimed"], *ends, scale)
+        return low, high, accuracy, judge.verdict(part["computed"], low, high, accuracy, claim["reading"])
+
+    part["low"], part["high"], part["accuracy"], part["verdict"] = verdict_of(1.0)
     part["difference"] = judge.difference(part["computed"], part["low"], part["high"])
-    part["verdict"] = judge.verdict(part["computed"], part["low"], part["high"], part["accuracy"], claim["reading"])
-    stated = claim.get("off_by") if part["verdict"] in judge.HOLDS else None
-    part["off_by"] = stated or sensitivity.derived(part)
-    part["unmoved"] = sensitivity.unmoved(choice, values, part["off_by"], limits, part["accuracy"])
+    part["decided"] = any(verdict_of(scale)[-1] != part["verdict"] for scale in (0.5, 2.0))
     return part
+
+
+def change_of(claim, row, given):
+    """The first choice of a claim with changed physics, and whether its verdict moved; None for a check without a change."""
+    if "change" not in claim:
+        return None
+    part = judged(book.changed(claim), claim, given)
+    verdicts = {row["choices"][0]["verdict"], part["verdict"]}
+    moved = judge.NO_RESULT not in verdicts and len({verdict in judge.HOLDS for verdict in verdicts}) == 2
+    return {**{key: part[key] for key in ("words", "computed", "verdict", "reason", "commands")}, "moved": moved}
 
 
 def faults_of(claim, row):
     """The faults of a judged entry: it cannot fail, or it lacks texts that a contradiction requires."""
-    found = []
-    for part in row["choices"]:
-        name = f"choice {part['words']!r}: " if part["words"] else ""
-        if part["unmoved"] and part["off_by"] < math.inf:
-            found.append(f"{name}the verdict does not change if {', '.join(part['unmoved'])} changes by {part['off_by']:.3g} (relative)")
-        if ("off_by" not in claim and not part["counted"] and part["verdict"] in judge.HOLDS
-                and part["off_by"] > sensitivity.LARGEST_DERIVED):
-            found.append(f"{name}only a relative change by {part['off_by']:.3g} changes the verdict: state off_by and off_by_because")
+    found, change = [], row["change"]
+    if change and not change["moved"] and row["verdict"] != judge.NO_RESULT:
+        found.append(f"the verdict does not change with {change['words']}" + (f": {change['reason']}" if change["reason"] else ""))
     if row["verdict"] == judge.CONTRADICTED and not {"brief", "note", "survives"} <= set(claim):
         found.append("contradicted: expected brief, note and survives")
     return found
@@ -100,16 +101,26 @@ def by_others(claim, solvers):
     return found
 
 
+def why(claim):
+    """The reason for the accuracy of an entry: its own, or the convention of its reading."""
+    if claim.get("reading") == "axis":
+        return f"2 % of the range from {claim['range'][0]} to {claim['range'][1]}".replace("-", "−")
+    return claim.get("accuracy_because") or judge.READINGS.get(claim.get("reading"))
+
+
 def row_of(claim, given, solvers):
     """One claim with its computed numbers, its verdict, and those of the external solvers that can judge it."""
     row = {key: claim.get(key) for key in HEAD}
-    row |= {"quotes": book.quotes(claim), "implied": claim.get("implied", False), "choices": [], "faults": [], "solvers": [],
+    row |= {"accuracy_because": why(claim), "quotes": book.quotes(claim), "implied": claim.get("implied", False),
+            "figure": book.is_of_figure(claim), "choices": [], "change": None, "decided": False, "faults": [], "solvers": [],
             "reason": claim.get("untestable"), "verdict": judge.NOT_TESTABLE}
     if "untestable" in claim:
         return row
     row["choices"] = [judged(choice, claim, given) for choice in book.choices(claim)]
     row["reason"] = next((part["reason"] for part in row["choices"] if part["reason"]), None)
     row["verdict"] = judge.overall([part["verdict"] for part in row["choices"]], "kind" in claim)
+    row["decided"] = any(part["decided"] for part in row["choices"])
+    row["change"] = change_of(claim, row, given)
     row["faults"] = faults_of(claim, row)
     row["solvers"] = by_others(claim, solvers)
     return row
@@ -120,10 +131,12 @@ def finite(value):
     return None if value in (float("inf"), float("-inf")) else value
 
 
-def document(rows, digest):
+def document(rows, digest, preloads):
     rows = [{**row, "choices": [{key: finite(value) for key, value in part.items()} for part in row["choices"]]} for row in rows]
     counts = {name: sum(row["verdict"] == name for row in rows) for name in judge.VERDICTS}
-    return {"schema": SCHEMA, "list_sha256": digest, "readings": judge.READINGS, "counts": counts, "claims": rows}
+    return {"schema": SCHEMA, "list_sha256": digest, "readings": judge.READINGS, "counts": counts, "claims": rows,
+            "preloads": [{"figures": part["figures"], "because": part["because"], "words": [choice["words"] for choice in part["choice"]]}
+                         for part in preloads.values()]}
 
 
 def line_of(name, part, verdict):
@@ -167,15 +180,12 @@ def text_of(made):
     return "\n".join(lines)
 
 
-def sensitivity_of(made):
-    """The relative change that changes the verdict: one line for each claim and each choice."""
-    lines = []
-    for row in made["claims"]:
-        for part in row["choices"]:
-            amount = "-" if part["off_by"] is None else f"{part['off_by']:.3g}"
-            fails = "cannot fail: " + ", ".join(part["unmoved"]) if part["unmoved"] else "changes"
-            lines.append(f"{row['id']:<34} {amount:>10}  {fails}" + (f"  ({part['words']})" if part["words"] else ""))
-    return "\n".join(lines)
+def changes_of(made):
+    """The number with changed physics: one line for each claim, then the claims whose verdict a convention decides."""
+    lines = [line_of(row["id"], {**row["choices"][0], "computed": row["change"]["computed"], "difference": None},
+                     f"{'changes' if row['change']['moved'] else 'STAYS'}: {row['change']['words']}")
+             for row in made["claims"] if row["change"]]
+    return "\n".join([*lines, "decided by the convention: " + ", ".join(row["id"] for row in made["claims"] if row["decided"])])
 
 
 def write(path, made):
@@ -191,7 +201,7 @@ def main(words):
     output = wanted.output or os.path.join(os.path.dirname(os.path.abspath(wanted.run)), "claims")
     kept = os.path.join(output, "kept")
     try:
-        claims = book.read(wanted.list)
+        claims, preloads = book.read(wanted.list)
         with open(wanted.list, "rb") as stream:
             digest = hashlib.sha256(stream.read()).hexdigest()
         os.makedirs(kept, exist_ok=True)
@@ -200,10 +210,11 @@ def main(words):
         book.demand(not unknown, wanted.list, f"there is no claim {', '.join(sorted(unknown))}")
         chosen = [claim for claim in claims if not wanted.claim or claim["id"] in wanted.claim]
         given.prepare([source for claim in chosen if "untestable" not in claim
-                       for choice in book.choices(claim) for source in choice["get"].values()])
+                       for choice in book.choices(claim) + ([book.changed(claim)] if "change" in claim else [])
+                       for source in choice["get"].values()])
         solvers = others.read(given)
         rows = [row_of(claim, given, solvers) for claim in chosen]
-        made = document(rows, digest)
+        made = document(rows, digest, preloads)
         if not wanted.claim:
             given.forget_unused()
             write(os.path.join(output, "claims.json"), made)
@@ -213,7 +224,7 @@ def main(words):
     except OSError as error:
         print(f"claims: {error.filename}: {error.strerror}", file=sys.stderr)
         return 4
-    show = sensitivity_of if wanted.sensitivity else brief_of if wanted.brief else text_of
+    show = changes_of if wanted.changes else brief_of if wanted.brief else text_of
     print(json.dumps(made, indent=1, ensure_ascii=False) if wanted.json else show(made))
     print(f"{given.seconds:.1f} s in commands that were not kept", file=sys.stderr)
     if made["counts"][judge.NO_RESULT]:

@@ -74,6 +74,24 @@ def is_selected(when, value_of):
     return True
 
 
+def rows_of(path):
+    """The rows of a table, each a dictionary of its cells by column."""
+    with open(path, encoding="utf-8") as stream:
+        return list(csv.DictReader(line for line in stream if not line.startswith("#")))
+
+
+def value_at(point, path, folder):
+    """The value at a path of a point, or a column of its curve (`curve.load`) or of a line of its case (`line-guduru.load`)."""
+    name, _, column = path.partition(".")
+    if name != "curve" and not name.startswith("line-"):
+        return follow(point, path)
+    table = (point.get("curve") or "no curve") if name == "curve" else name + ".csv"
+    try:
+        return [float(row[column]) for row in rows_of(os.path.join(folder, table))]
+    except (OSError, KeyError) as error:
+        raise SourceError(f"{table}: {error}") from error
+
+
 class Sources:
     """The data that claims are judged by: the program, the records of a run, and the reference data."""
 
@@ -137,10 +155,8 @@ class Sources:
                 os.unlink(path)
 
     def of_table(self, source):
-        path = os.path.join(self.tree, source["table"])
         try:
-            with open(path, encoding="utf-8") as stream:
-                rows = list(csv.DictReader(line for line in stream if not line.startswith("#")))
+            rows = rows_of(os.path.join(self.tree, source["table"]))
             found = [number(row[source["column"]]) for row in rows if is_selected(source.get("when", {}), row.__getitem__)]
         except (OSError, KeyError) as error:
             raise SourceError(f"{source['table']}: {error}") from error
@@ -148,15 +164,15 @@ class Sources:
 
     def of_case(self, source, run=None):
         """The numbers of a case, from the records of this program or from those in another folder."""
-        path = os.path.join(run or self.run, source["case"], "record.json")
+        folder = os.path.join(run or self.run, source["case"])
         try:
-            record = record_of(path)
+            record = record_of(os.path.join(folder, "record.json"))
         except (OSError, json.JSONDecodeError) as error:
             raise SourceError(f"there is no record of case {source['case']}") from error
         points = [point for point in record["points"] if is_selected(
             source.get("when", {}), lambda key, p=point: p["sweep"].get(key, p["input"].get(key)))]
         solved = [point for point in points if point["status"] == "ok"]
-        return self.one_or_all([follow(point, source["at"]) for point in solved], source,
+        return self.one_or_all([value_at(point, source["at"], folder) for point in solved], source,
                                [point["command"] for point in solved[:1]] if len(points) == 1 else [record["command"]])
 
     @staticmethod

@@ -7,17 +7,20 @@ from .errors import ReportError
 from .records import NUMBER, demand, read_judgement
 from .words import CHECK_VERDICTS, CHOICE_WORDS, CLAIM_VERDICTS
 
-SCHEMA = "pulloff-claims/3"
+SCHEMA = "pulloff-claims/4"
 PLACE = os.path.join("claims", "claims.json")  # beside the run's folder
 
 TEXT = (str, type(None))
-BOOK = {"claims": list, "counts": dict, "readings": dict}
+BOOK = {"claims": list, "counts": dict, "readings": dict, "preloads": list}
 CLAIM = {"id": str, "where": str, "quotes": list, "implied": bool, "tests": str, "verdict": str, "choices": list,
-         "reading": TEXT, "accuracy_because": TEXT, "off_by_because": TEXT, "brief": TEXT, "note": TEXT, "survives": TEXT, "reason": TEXT,
+         "reading": TEXT, "accuracy_because": TEXT, "brief": TEXT, "note": TEXT, "survives": TEXT, "reason": TEXT,
+         "figure": bool, "decided": bool, "change": (dict, type(None)),
          "faults": list, "solvers": list}
 SOLVER = {"name": str, "verdict": str, "computed": NUMBER}
 CHOICE = {"words": TEXT, "verdict": str, "low": NUMBER, "high": NUMBER, "computed": NUMBER, "difference": NUMBER,
-          "accuracy": NUMBER, "off_by": NUMBER, "counted": bool, "claimed": TEXT, "commands": list}
+          "accuracy": NUMBER, "decided": bool, "claimed": TEXT, "commands": list}
+CHANGE = {"words": str, "computed": NUMBER, "verdict": str, "moved": bool}
+PRELOAD = {"figures": str, "because": str, "words": list}
 
 
 def beside(run):
@@ -36,12 +39,17 @@ def read(path):
     if judged is None:
         return None
     demand(judged, BOOK, path, "")
+    for place, preload in enumerate(judged["preloads"]):
+        demand(preload, PRELOAD, path, f"preloads[{place}]")
     for place, claim in enumerate(judged["claims"]):
         demand(claim, CLAIM, path, f"claims[{place}]")
         demand_verdict(claim, {**CLAIM_VERDICTS, **CHECK_VERDICTS}, f"{path}: claims[{place}]")
         for number, solver in enumerate(claim["solvers"]):
             demand(solver, SOLVER, path, f"claims[{place}].solvers[{number}]")
             demand_verdict(solver, {**CLAIM_VERDICTS, **CHECK_VERDICTS}, f"{path}: claims[{place}].solvers[{number}]")
+        if claim["change"]:
+            demand(claim["change"], CHANGE, path, f"claims[{place}].change")
+            demand_verdict(claim["change"], CHOICE_WORDS, f"{path}: claims[{place}].change")
         for number, choice in enumerate(claim["choices"]):
             demand(choice, CHOICE, path, f"claims[{place}].choices[{number}]")
             demand_verdict(choice, CHOICE_WORDS, f"{path}: claims[{place}].choices[{number}]")

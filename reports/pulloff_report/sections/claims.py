@@ -18,7 +18,7 @@ SHORT_WORDS = {"within_reading": "reproduced*", "checked": "check passed", "chec
 SHORT_CHOICE_WORDS = {"within_reading": "holds*"}
 PASSES = ("reproduced", "within_reading", "checked")
 ORDER = ("contradicted", "check_failed", "depends", "within_reading", "reproduced", "checked", "not_testable", "no_result")
-NOTHING = dict.fromkeys(("words", "claimed", "low", "high", "computed", "difference", "accuracy", "off_by"))
+NOTHING = dict.fromkeys(("words", "claimed", "low", "high", "computed", "difference", "accuracy"))
 
 
 def decimals_of(choice):
@@ -42,7 +42,8 @@ def claimed(choice, reading):
         return "–" if low is None else fixed(low, decimals_of(choice)) if low != round(low) else plain(low)
     if high is None:
         return f"≥ {low:.6g}"
-    return f"{low:.6g} to {high:.6g}".replace("-", MINUS)
+    digits = 2 if reading == "order" else 6
+    return f"{low:.{digits}g} to {high:.{digits}g}".replace("-", MINUS)
 
 
 def sort_key(choice, name):
@@ -50,14 +51,10 @@ def sort_key(choice, name):
     return value if value is not None and math.isfinite(value) else ""
 
 
-def amount(choice):
-    """The change of a number that changes the verdict: in percent, as a factor above 100 %, or as a whole number for counts."""
-    value = choice["off_by"]
-    if choice["counted"]:
-        return str(max(1, math.floor(value)))
-    if value >= 1:
-        return f"a factor of {1 + value:.2g}"
-    return f"{100 * value:.2g} %" if value >= 1e-4 else scientific(value) + " relative"
+def change_of(claim):
+    """"100 elements: 1.484, does not hold"; None for a claim without a change of the physics."""
+    change = claim["change"]
+    return change and f"{change['words']}: {words_of(change)}, {CHOICE_WORDS[change['verdict']]}"
 
 
 def numbers(choice, reading):
@@ -97,7 +94,7 @@ def row(claim):
     return {"claim": claim, "rank": ORDER.index(claim["verdict"]), "verdict": verdict(claim["verdict"], WORDS),
             "short": verdict(claim["verdict"], {**WORDS, **SHORT_WORDS}),
             "accuracy": first["accuracy"], "commands": lines, "by_solvers": by_solvers(claim), "lead": "Implied by" if claim["implied"] else None,
-            "off_by": amount(first) if single and first["off_by"] is not None and claim["verdict"] != "contradicted" else None,
+            "change": change_of(claim),
             **numbers(first if single else NOTHING, claim["reading"] if single else None),
             "choices": [] if single else [choice_row(choice, claim["reading"]) for choice in claim["choices"]]}
 
@@ -112,7 +109,9 @@ def build(source):
                   "rows": [row(claim) for claim in judged["claims"] if claim["verdict"] in verdicts]}
                  for name, title, verdicts, is_open in GROUPS]
         data = {"absent": None, "groups": [group for group in found if group["rows"]],
-                "counts": [entry for entry in counts if entry[-1]], "readings": judged["readings"],
+                "counts": [entry for entry in counts if entry[-1]], "readings": judged["readings"], "preloads": judged["preloads"],
+                "figures": sum(claim["figure"] for claim in judged["claims"]),
+                "decided": [claim for claim in judged["claims"] if claim["decided"]],
                 "by_solvers": sum(bool(claim["solvers"]) for claim in judged["claims"]), "number": len(judged["claims"])}
         entries = [(group["id"], f"{group['title']} ({len(group['rows'])})") for group in data["groups"]]
     return Section("claims", "Claims of the paper", "claims.html", data, entries)
