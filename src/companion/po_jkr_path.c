@@ -11,6 +11,7 @@
 #include "po_memory.h"
 #include "po_quadrature.h"
 #include "po_root.h"
+#include "po_watch.h"
 
 /* PATH_POINTS_PER_WAVE: points of the curve in a wavelength. RULE: points of the Gauss rule for the
  * energy between two of them. MOST_LENGTHS: extensions of the curve, at most. */
@@ -210,6 +211,8 @@ static po_status build(builder *b, double end) {
                               po_profile_next_joint(&c->scene->profile, left));
     status = append_up_to(b, left, right);
     left = right;
+    if (!status)
+      status = po_watch_look();
   }
   double least = 0.0;
   for (size_t k = 0; k < b->count; ++k)

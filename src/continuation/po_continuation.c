@@ -114,6 +114,8 @@ static po_status start(po_continuation *t) {
     status = po_equilibrium_correct(e, p->state, t->c.guess, 0.0);
   if (!status)
     status = po_equilibrium_tangent(e, PO_STEP_TANGENT, p->tangent);
+  if (status == PO_INTERRUPTED || status == PO_OUT_OF_TIME)
+    return status;
   if (status)
     return po_fail(status, "no equilibrium was found at the start of the trace, approach %g",
                    approach);

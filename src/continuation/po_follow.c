@@ -4,11 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_clock.h"
 #include "po_corrector.h"
 #include "po_memory.h"
 #include "po_parameter_predictor.h"
 #include "po_refine.h"
+#include "po_watch.h"
 
 enum { ROOT_LEVEL = 3 };
 
@@ -196,16 +196,19 @@ static po_status try_step(po_follower *f, double at, bool last, double *error) {
   return PO_OK;
 }
 
-po_status po_follow_to(po_follower *f, double at, double deadline) {
+static po_status follow_to(po_follower *f, double at) {
   const double whole = at - mark_of(f, 0)->at;
   double left = whole;
   while (left != 0.0) {
-    if (po_clock_thread() > deadline)
+    const po_status stopped = po_watch_look();
+    if (stopped == PO_OUT_OF_TIME)
       return po_fail(
           PO_OUT_OF_TIME,
           "the time limit was reached before the special point was followed to the scene; it is at "
           "approach %.6g, load %.6g",
           f->value[0], f->value[1] * po_scene_load_unit(&f->scene));
+    if (stopped)
+      return stopped;
     const double most = f->count == 1 ? fmin(f->step, FIRST_PART * fabs(whole)) : f->step;
     const bool last = fabs(left) <= most;
     const double step = last ? left : copysign(most, left);
@@ -216,7 +219,7 @@ po_status po_follow_to(po_follower *f, double at, double deadline) {
     if (try_step(f, to, shortest, &error)) {
       po_message_clear();
       f->c.trouble = PO_OK;
-      if (shortest)
+      if (shortest && !po_watch_look())
         return po_fail(
             PO_NOT_FOUND,
             "the special point at approach %.6g, load %.6g ends before the scene is reached",
@@ -230,6 +233,13 @@ po_status po_follow_to(po_follower *f, double at, double deadline) {
     left = last ? 0.0 : at - to;
   }
   return PO_OK;
+}
+
+po_status po_follow_to(po_follower *f, double at, double deadline) {
+  const po_watch before = po_watch_begin(NULL, deadline);
+  const po_status status = follow_to(f, at);
+  po_watch_end(before);
+  return status;
 }
 
 po_branch_point po_follow_point(po_follower *f, bool judged) {

@@ -11,6 +11,7 @@
 #include "po_linear.h"
 #include "po_memory.h"
 #include "po_scales.h"
+#include "po_watch.h"
 
 /* The rounding error of the sums over the influence matrix is 1e-14; this is a margin of 20. */
 const double PO_FINEST_PRECISION = 2e-13;
@@ -358,6 +359,9 @@ bool po_equilibrium_is_coarse(const po_equilibrium *e) {
 }
 
 po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const double *border) {
+  const po_status stopped = po_watch_look();
+  if (stopped)
+    return stopped;
   po_equilibrium_evaluate(e, state);
   if (border != e->border)
     memcpy(e->border, border, (e->n + 1) * sizeof *border);

@@ -8,6 +8,7 @@
 #include "po_elementary.h"
 #include "po_equilibrium.h"
 #include "po_linear.h"
+#include "po_watch.h"
 
 /* A change, relative to 1 + H, that may be due to rounding, with a wide margin. A smaller change
  * that no longer decreases is accepted as converged, and Broyden's method makes no update from it.
@@ -205,6 +206,9 @@ po_status po_equilibrium_correct_to(po_equilibrium *e, double *state,
   po_secant_begin(&e->secant);
   e->last_change = INFINITY;
   for (int iteration = 0; iteration < MOST_ITERATIONS; ++iteration) {
+    const po_status stopped = po_watch_look();
+    if (stopped)
+      return stopped;
     note_change(&p, newton_step(e, state, constraint));
     e->last_change = p.now;
     ++e->work.newton_iterations;
@@ -230,6 +234,9 @@ static po_status solve_linear(po_equilibrium *e, const double *unit, double prec
   progress p = progress_begin();
   const double least = unit ? precision : fmax(precision, PRECISION_OF_NOISE * e->noise);
   for (int iteration = 0; iteration < MOST_ITERATIONS; ++iteration) {
+    const po_status stopped = po_watch_look();
+    if (stopped)
+      return stopped;
     residual[n] = e->source[n] - e->border[n] * solution[n] - po_linear_dot(n, e->border, solution);
     for (size_t j = 0; j < n; ++j)
       change[j] = e->slope[j] * solution[j];

@@ -6,6 +6,7 @@
 #include "po_initial_gap.h"
 #include "po_integral.h"
 #include "po_law.h"
+#include "po_watch.h"
 
 /* Bound of the change of the load by elasticity, over mu^(3/2): the deflection is at most 2
  * coupling integral |p| dr, about 3 mu^(3/2) eps, and the load changes by at most 2 for each eps of
@@ -159,6 +160,9 @@ static const double NEAR_GAP = 4.0;
 
 static po_status integrate(integral *q, double *sum) {
   const po_scene *scene = q->scene;
+  po_status failed = po_watch_look();
+  if (failed)
+    return failed;
   const bool bounded = isfinite(scene->outer_radius), mean = !bounded && has_short_waves(q);
   const double reach =
       po_initial_gap_radius(scene, NEAR_GAP + (q->from_zero ? 1.0 : fmax(0.0, q->approach)));
@@ -173,7 +177,7 @@ static po_status integrate(integral *q, double *sum) {
                    "%g; expected a longer wavelength or a smaller outer radius%s",
                    pieces, end, MOST_PIECES, bounded ? ", or none" : "");
   *sum = 0.0;
-  po_status failed = mean ? add_short_waves(q, end, sum) : add_resolved(q, end, sum);
+  failed = mean ? add_short_waves(q, end, sum) : add_resolved(q, end, sum);
   if (!bounded && !failed) {
     q->begin = end;
     failed = add_piece(averaged, q, 0.0, 1.0, sum);

@@ -11,6 +11,7 @@
 #include "po_scales.h"
 #include "po_size.h"
 #include "po_trace.h"
+#include "po_watch.h"
 
 /* If the estimated error of the pull-off force exceeds the tolerance, or a fold is not found on a
  * finer mesh and is therefore probably spurious, the trace is repeated with this part of the
@@ -149,6 +150,9 @@ po_status po_observe_finish(po_status status, po_result *result) {
 }
 
 po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po_result *result) {
-  return po_observe_finish(
-      po_observe_attempts(request, keeper, po_observe_deadline(request), result), result);
+  const double deadline = po_observe_deadline(request);
+  const po_watch before = po_watch_begin(request->stop, deadline);
+  const po_status status = po_observe_attempts(request, keeper, deadline, result);
+  po_watch_end(before);
+  return po_observe_finish(status, result);
 }

@@ -2,12 +2,12 @@
 
 #include <math.h>
 
-#include "po_clock.h"
 #include "po_contact.h"
 #include "po_contact_profile.h"
 #include "po_energy_error.h"
 #include "po_observe_parts.h"
 #include "po_pull_off_sensitivity.h"
+#include "po_watch.h"
 
 /* The radius of the domain of the panels, eps; without a surface there are none. */
 static double root_of(const po_reader *r) {
@@ -62,19 +62,28 @@ static bool only_searches(const po_reader *r) {
   return r->stopping.met && po_request_search(r->request) == PO_SEARCH_SOME;
 }
 
+po_status po_reader_stop(po_reader *r, po_status why, double approach, double load) {
+  if (why == PO_INTERRUPTED)
+    return po_fail(why, "interrupted at approach %.6g", approach);
+  if (only_searches(r)) {
+    r->result->ended.cause = PO_END_SEARCHED;
+    return PO_OK;
+  }
+  if (isnan(approach))
+    return po_fail(why, "after %g s of processor time the trace has no point yet",
+                   r->request->time_limit);
+  return po_fail(why, "after %g s of processor time the trace is at approach %.6g, load %.6g",
+                 r->request->time_limit, approach, load * po_scene_load_unit(&r->request->scene));
+}
+
 /* Whether the trace continues: it is not interrupted, and the time limit is not reached. */
 static bool may_go_on(po_reader *r, const po_branch_point *p) {
   if (r->request->watch)
     r->request->watch(r->request->watcher, p->approach,
                       p->load * po_scene_load_unit(&r->request->scene));
-  if (r->request->stop && *r->request->stop)
-    r->status = po_fail(PO_INTERRUPTED, "interrupted at approach %.6g", p->approach);
-  else if (po_clock_thread() > r->deadline && only_searches(r))
-    r->result->ended.cause = PO_END_SEARCHED;
-  else if (po_clock_thread() > r->deadline)
-    r->status = po_fail(
-        PO_OUT_OF_TIME, "after %g s of processor time the trace is at approach %.6g, load %.6g",
-        r->request->time_limit, p->approach, p->load * po_scene_load_unit(&r->request->scene));
+  const po_status stopped = po_watch_look();
+  if (stopped)
+    r->status = po_reader_stop(r, stopped, p->approach, p->load);
   return !r->status;
 }
 

@@ -51,6 +51,10 @@ typedef struct {
 po_reader po_reader_begin(const po_request *request, po_result *result, double deadline);
 void po_reader_end(po_reader *reader);
 
+/* What a stop means for the trace: the end of a search of limited effort, otherwise a failure.
+ * Given: why, PO_INTERRUPTED or PO_OUT_OF_TIME; the last point, NAN if there is none. */
+po_status po_reader_stop(po_reader *reader, po_status why, double approach, double load);
+
 /* A po_branch_visit; `data` is the reader. Ends the trace on interruption, at the deadline, on a
  * failure of a part, or where the stopping rule ends it. */
 bool po_reader_visit(const po_branch_point *point, void *data);

@@ -55,7 +55,7 @@ typedef struct {
   const po_companion *companion; /* NULL: none; a search is then never known to be complete */
   double time_limit;             /* seconds of processor time of the solving thread; NAN: none */
   const volatile sig_atomic_t
-      *stop; /* nonzero interrupts the solve; checked at every point; may be NULL */
+      *stop; /* nonzero interrupts the solve; see po_watch.h; may be NULL */
   /* Told of every point of a trace: approach, eps, and load, pi w R; of a scene of a series that is
    * followed: NAN. NULL: nobody. */
   void (*watch)(void *watcher, double approach, double load);

@@ -74,6 +74,14 @@ static po_status trace_back(po_continuation *continuation, po_reader *reader) {
   return PO_OK;
 }
 
+/* The status of a trace that may have been stopped between two points. */
+static po_status unless_stopped(po_reader *reader, po_status status) {
+  const po_result *o = reader->result;
+  return status == PO_INTERRUPTED || status == PO_OUT_OF_TIME
+             ? po_reader_stop(reader, status, o->ended.approach, o->ended.load)
+             : status;
+}
+
 static po_status trace_elastic(const po_request *request, const po_attempt *a, po_reader *reader,
                                po_adaptive *panels) {
   const size_t capacity = panels ? po_adaptive_capacity(panels) : reader->surface->n;
@@ -89,7 +97,7 @@ static po_status trace_elastic(const po_request *request, const po_attempt *a, p
     status = po_continuation_create(e, panels, po_observe_allowance(a->tolerance), &options,
                                     &continuation);
   if (!status) {
-    status = po_continuation_run(continuation);
+    status = unless_stopped(reader, po_continuation_run(continuation));
     note_work(reader, e, panels);
   }
   if (!status && !reader->status && reader->back && panels)
@@ -126,7 +134,7 @@ static po_status trace_rigid(const po_request *request, po_reader *reader) {
   double begin = request->approach_start;
   if (isnan(begin))
     begin = fmin(0.0, options.end) - rigid_start(&request->scene.law);
-  return po_rigid_trace(&request->scene, begin, &options);
+  return unless_stopped(reader, po_rigid_trace(&request->scene, begin, &options));
 }
 
 /* Creates the surface of a request: a fixed mesh or panels; for a rigid scene only the nodes, which

@@ -170,6 +170,13 @@ static void scan_waves(const po_scene *scene, const coefficients *t, double lowe
   }
 }
 
+/* Returned: the contact radius at which the lower bound without the term WAVE_BOUND is lowest. */
+static double lowest_of(const coefficients *t) {
+  const double depth = t->adhesion + t->wave * sqrt(2.0 * t->k / M_PI);
+  const double root = po_cbrt(0.5 * depth / t->hertz);
+  return root * root;
+}
+
 po_contact po_guduru_pull_off(const po_scene *scene) {
   const po_contact none = {NAN, NAN, NAN};
   if (!is_inside(scene, 0.0))
@@ -177,9 +184,8 @@ po_contact po_guduru_pull_off(const po_scene *scene) {
   if (!po_scene_is_wavy(scene))
     return po_jkr_pull_off(scene);
   const coefficients t = coefficients_of(scene);
-  /* the minimum of the lower bound without the term WAVE_BOUND */
   const double depth = t.adhesion + t.wave * sqrt(2.0 * t.k / M_PI);
-  const double root = po_cbrt(0.5 * depth / t.hertz), lowest = root * root, wave = t.length;
+  const double lowest = lowest_of(&t), wave = t.length;
   if (!(isfinite(lowest / wave) && isfinite(t.hertz * lowest * lowest * lowest)))
     return none;
   po_contact best = {INFINITY, NAN, NAN};
@@ -223,12 +229,37 @@ static double minimum_within(const load_difference *f, double left, double right
 /* Returned: a contact radius beyond which the lower bound, and therefore the load, is above
  * `load`. */
 static double radius_beyond(const coefficients *t, double load) {
-  const double depth = t->adhesion + t->wave * sqrt(2.0 * t->k / M_PI);
-  const double root = po_cbrt(0.5 * depth / t->hertz);
-  double a = fmax(root * root, t->k > 0.0 ? t->length : 0.0);
+  double a = fmax(lowest_of(t), t->k > 0.0 ? t->length : 0.0);
   while (lower_bound(t, a) <= load)
     a *= GROWTH;
   return a;
+}
+
+/* The largest contact radius between two at which the lower bound is not above `load`, to
+ * rounding. Given: the bound is above the load at `high` and not at `low`, and increases. */
+static double radius_of_bound(const coefficients *t, double load, double low, double high) {
+  for (double middle = 0.5 * (low + high); middle > low && middle < high;
+       middle = 0.5 * (low + high))
+    *(lower_bound(t, middle) > load ? &high : &low) = middle;
+  return high;
+}
+
+/* The radius from which the search for the last minimum of a wavy sphere goes on inwards, beyond
+ * the steps in which the bound excludes a minimum. These are made one by one, for the sake of the
+ * same brackets and therefore the same bits, unless they are many: from MANY_WAVES on. */
+static const double MANY_WAVES = 1e4;
+
+static double skip_excluded(const load_difference *f, double lowest, double step, double right) {
+  const coefficients *t = &f->t;
+  const double wave = t->length;
+  const bool many = right > MANY_WAVES * wave;
+  if (many && right > lowest)
+    right = lower_bound(t, lowest) > f->load ? wave : radius_of_bound(t, f->load, lowest, right);
+  /* below `lowest` the bound grows inwards, up to the first wave */
+  while (right > wave && right < MOST_WAVES * wave &&
+         lower_bound(t, fmin(fmax(right - step, lowest), right)) > f->load)
+    right = many && right <= lowest ? wave : right - step;
+  return right;
 }
 
 double po_guduru_last_minimum(const po_scene *scene, double load, double excess) {
@@ -239,8 +270,14 @@ double po_guduru_last_minimum(const po_scene *scene, double load, double excess)
   double right = radius_beyond(&f.t, load);
   if (!isfinite(right))
     return NAN;
-  const double step = po_scene_is_wavy(scene) ? f.t.length / POINTS_PER_WAVE : FINEST * right;
+  const bool wavy = po_scene_is_wavy(scene);
+  const double step = wavy ? f.t.length / POINTS_PER_WAVE : FINEST * right;
+  const double lowest = lowest_of(&f.t);
   while (right > FINEST * step) {
+    if (wavy)
+      right = skip_excluded(&f, lowest, step, right);
+    if (wavy && right > MOST_WAVES * f.t.length)
+      return right;
     const double left = fmax(right - step, 0.5 * right);
     const double last = minimum_within(&f, left, right);
     if (last > 0.0)

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "po_watch.h"
+
 /* The most intervals that are searched. Of 2,000 random spheres with one wave, and up to 1.4e6
  * waves in the contact, none needs so many; of 200 random scenes with three waves 9 do, after 0.4
  * s, with couplings above 10. */
@@ -20,10 +22,12 @@ typedef struct {
   double value; /* of the lowest found, if it is sought */
   size_t room, count;
   size_t intervals;
+  po_status stopped;
 } search;
 
 static bool is_done(const search *s) {
-  return s->intervals >= MOST_INTERVALS || (s->order != LOWEST_FIRST && s->count == s->room);
+  return s->stopped || s->intervals >= MOST_INTERVALS ||
+         (s->order != LOWEST_FIRST && s->count == s->room);
 }
 
 static void take(search *s, double x) {
@@ -55,6 +59,7 @@ static void search_in(search *s, double low, double high) {
   if (is_done(s) || !may_have(s, low, high))
     return;
   s->intervals += 1;
+  s->stopped = po_watch_look();
   const po_minima_function *f = s->f;
   if (high - low <= f->detail(low, f->data)) {
     search_leaf(s, low, high);
@@ -87,6 +92,8 @@ static po_status run(search *s) {
     search_in(s, s->f->edge[k], s->f->edge[k + 1]);
     search_corner(s, s->order == DESCENDING ? k : k + 1);
   }
+  if (s->stopped)
+    return s->stopped;
   if (s->intervals >= MOST_INTERVALS)
     return po_fail(
         PO_TOO_MANY_POINTS,

@@ -18,8 +18,6 @@ want: [pull_off, curve]
 CASE
 }
 
-hears() { [ $((0x$(sed -n 's/^SigCgt:[[:space:]]*//p' "/proc/$child/status") & 2)) -ne 0 ]; } # SIGINT is caught
-
 interrupt() { # SIGNAL
   : >"$work/stderr" # that of the last run has the line for which this one waits
   "$program" run --output run --jobs 2 2>"$work/stderr" &

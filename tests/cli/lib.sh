@@ -69,6 +69,9 @@ check() {
 # fails COMMAND...: succeeds if the command fails.
 fails() { ! "$@"; }
 
+# hears: succeeds if the program $child catches SIGINT.
+hears() { [ $((0x$(sed -n 's/^SigCgt:[[:space:]]*//p' "/proc/$child/status") & 2)) -ne 0 ]; }
+
 # wait_for COMMAND...: repeats the command until it succeeds, for at most about 20 s.
 wait_for() {
   tries=0

@@ -221,6 +221,36 @@ START_TEST(outside_the_domain_the_result_is_nan) {
 }
 END_TEST
 
+/* Spheres with few waves in the contact, with 2e4 and with 5e9; the search looked at every one. */
+static const po_scene OF_MANY_WAVES[] = {{2.385, 0.7, 13.1, 77.0, INFINITY},
+                                         {3.0, 1e-3, 2e-3, 100.0, INFINITY},
+                                         {1e-6, 1e5, 0.01, 1e5, INFINITY}};
+enum { MANY_COUNT = sizeof OF_MANY_WAVES / sizeof *OF_MANY_WAVES };
+
+START_TEST(no_minimum_is_beyond_the_last) {
+  const po_scene *s = &OF_MANY_WAVES[_i];
+  const double wave = s->wavelength, load = 0.9 * po_guduru_pull_off(s).load;
+  const double last = po_guduru_last_minimum(s, load, 0.0);
+  ck_assert_double_gt(last, 0.0);
+  if (last > 1e8 * wave) { /* only the envelope is resolved */
+    double inside = 0.0, outside = 0.0;
+    for (int k = 1; k < 1000; ++k) {
+      inside = fmin(inside, po_guduru_at(s, last * (1.0 - 1.37e-7 * k)).load);
+      outside = fmin(outside, po_guduru_at(s, last * (1.0 + 1.37e-7 * k)).load);
+    }
+    ck_assert_double_ge(outside, load * (1.0 + 1e-9));
+    ck_assert_double_le(inside, load * (1.0 - 1e-3));
+    return;
+  }
+  ck_assert_double_le(po_guduru_at(s, last).load, load);
+  ck_assert_double_lt(po_guduru_load_rate(s, last - 1e-4 * wave), 0.0);
+  ck_assert_double_gt(po_guduru_load_rate(s, last + 1e-4 * wave), 0.0);
+  for (double a = last + 0.5 * wave; a < last + 40.0 * wave; a += wave / 64.0)
+    ck_assert(po_guduru_load_rate(s, a) > 0.0 || po_guduru_load_rate(s, a + wave / 64.0) < 0.0 ||
+              po_guduru_at(s, a + wave / 128.0).load > load);
+}
+END_TEST
+
 static void add(TCase *tests) {
   gsl_set_error_handler_off();
   tcase_add_loop_test(tests, jkr_agrees_with_known_values, 0, SCENE_COUNT);
@@ -231,6 +261,7 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, pull_off_is_the_global_minimum, 0, SCENE_COUNT);
   tcase_add_test(tests, guduru_pull_off_at_a_known_scene);
   tcase_add_test(tests, envelope_encloses_eq_5);
+  tcase_add_loop_test(tests, no_minimum_is_beyond_the_last, 0, MANY_COUNT);
   tcase_add_loop_test(tests, rigid_wavy_sphere_is_eq_22, 0, RIGID_COUNT);
   tcase_add_test(tests, rigid_wavy_sphere_tends_to_bradley);
   tcase_add_test(tests, rigid_pull_off_is_within_its_limits);

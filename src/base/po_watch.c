@@ -1,0 +1,28 @@
+#include "po_watch.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#include "po_clock.h"
+
+static _Thread_local po_watch present = {NULL, INFINITY};
+
+po_watch po_watch_begin(const volatile sig_atomic_t *stop, double deadline) {
+  const po_watch before = present;
+  if (stop)
+    present.stop = stop;
+  present.deadline = fmin(before.deadline, deadline);
+  return before;
+}
+
+void po_watch_end(po_watch before) {
+  present = before;
+}
+
+po_status po_watch_look(void) {
+  if (present.stop && *present.stop)
+    return po_fail(PO_INTERRUPTED, "interrupted");
+  if (isfinite(present.deadline) && po_clock_thread() > present.deadline)
+    return po_fail(PO_OUT_OF_TIME, "the time limit is reached");
+  return PO_OK;
+}

@@ -1,0 +1,25 @@
+/* What ends a computation before its end: a flag that a signal sets, and a limit of the processor
+ * time of its thread. Whoever begins a solve begins a watch; whatever may take long below it, a
+ * factorisation as well as a closed form, looks. */
+#ifndef PO_WATCH_H
+#define PO_WATCH_H
+
+#include <signal.h>
+
+#include "po_status.h"
+
+typedef struct {
+  const volatile sig_atomic_t *stop; /* nonzero: interrupted; NULL: none */
+  double deadline;                   /* processor time (po_clock_thread); INFINITY: none */
+} po_watch;
+
+/* Begins a watch of this thread within the present one: what is not given, or ends later, is that
+ * of the present one. Returned: the present one, for po_watch_end. */
+po_watch po_watch_begin(const volatile sig_atomic_t *stop, double deadline);
+void po_watch_end(po_watch before);
+
+/* Status: PO_INTERRUPTED, PO_OUT_OF_TIME, with a message. Takes less than a microsecond; a solve
+ * ends about as late as the longest time between two looks. */
+po_status po_watch_look(void);
+
+#endif
