@@ -63,6 +63,8 @@ static bool only_searches(const po_reader *r) {
 }
 
 po_status po_reader_stop(po_reader *r, po_status why, double approach, double load) {
+  if (why == PO_INTERRUPTED && isnan(approach))
+    return po_fail(why, "interrupted before the first point");
   if (why == PO_INTERRUPTED)
     return po_fail(why, "interrupted at approach %.6g", approach);
   if (only_searches(r)) {
