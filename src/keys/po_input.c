@@ -9,26 +9,40 @@
 #include "po_text.h"
 
 typedef enum {
-  ANY_NUMBER,
-  NOT_NEGATIVE,
-  POSITIVE,
-  POSITIVE_OR_INFINITE,
-  FINITE_OR_INFINITE,
-  COUNT,
-  NAME
+  ANY_NUMBER_DOMAIN,
+  NOT_NEGATIVE_DOMAIN,
+  POSITIVE_DOMAIN,
+  POSITIVE_OR_INFINITE_DOMAIN,
+  FINITE_OR_INFINITE_DOMAIN,
+  COUNT_DOMAIN,
+  NAME_DOMAIN
 } value_type;
 
-#define EVERY (PO_FOR_SOLVE | PO_FOR_FOLLOW | PO_FOR_THEORY)
+/* The words of the cells. */
+#define OTHER(domain, expected) domain##_DOMAIN, expected
+#define WORDS(expected) NAME_DOMAIN, expected
+#define NOT_NEGATIVE OTHER(NOT_NEGATIVE, "a finite number >= 0")
+#define POSITIVE OTHER(POSITIVE, "a finite number > 0")
+#define POSITIVE_OR_INFINITE OTHER(POSITIVE_OR_INFINITE, "a finite number > 0, or inf")
+#define ANY_NUMBER OTHER(ANY_NUMBER, "a finite number")
+#define FINITE_OR_INFINITE OTHER(FINITE_OR_INFINITE, "a finite number, or inf")
+#define COUNT OTHER(COUNT, "a whole number > 0")
+enum { NUMBER = false, LENGTH = true, CONSTANT = false, VARIES = true };
+#define PLACE(member) offsetof(po_request, member)
+#define OF_LAW(number) PLACE(scene.law.parameter[number])
+#define OF_PROFILE(number) PLACE(scene.profile.parameter[number])
+#define NO_PLACE PO_NO_PLACE
+#define NO_VERB 0
 #define SOLVE PO_FOR_SOLVE
 #define FOLLOW PO_FOR_FOLLOW
-#define PLACE(member) offsetof(po_request, member)
-#define NO_PLACE PO_NO_PLACE
-enum { NUMBER = false, LENGTH = true, CONSTANT = false, VARIES = true };
+#define SERIES (SOLVE | FOLLOW)
+#define EVERY (SERIES | PO_FOR_THEORY)
+#define HELP(text) text, ""
+#define HELPS(text, theory) text, theory
+#define NO_HELP HELP("")
 
-#define ROW(key, name, domain, expected, length, owner, place, varies, verbs, value, help, series, \
-            form)                                                                                  \
-  [PO_KEY_##key] = {name,  expected, domain, length, varies, PO_OWNER_##owner,                     \
-                    place, verbs,    value,  help,   series, form},
+#define ROW(key, name, domain, length, owner, place, varies, verbs, value, help)                   \
+  [PO_KEY_##key] = {name, domain, length, varies, PO_OWNER_##owner, place, verbs, value, help},
 static const po_key_row KEYS[PO_KEY_END] = {PO_KEY_ROWS(ROW) PO_GROUP_ROWS(ROW)};
 
 const po_key_row *po_key_row_of(int key) {
@@ -57,7 +71,7 @@ const char *po_key_expected(po_key key) {
 }
 
 bool po_key_is_number(po_key key) {
-  return KEYS[key].domain != NAME;
+  return KEYS[key].domain != NAME_DOMAIN;
 }
 
 bool po_key_is_group(int key) {
@@ -65,7 +79,7 @@ bool po_key_is_group(int key) {
 }
 
 bool po_key_is_parameter(int key, po_key_owner owner) {
-  return key >= 0 && KEYS[key].owner == owner && KEYS[key].domain != NAME;
+  return key >= 0 && KEYS[key].owner == owner && KEYS[key].domain != NAME_DOMAIN;
 }
 
 bool po_key_is_continuous(int key) {
@@ -149,15 +163,15 @@ static bool set_scale(po_request *request, double scale) {
 
 static bool parse_value(value_type type, const char *text, double *value) {
   switch (type) {
-  case ANY_NUMBER:
+  case ANY_NUMBER_DOMAIN:
     return po_number_parse(text, value);
-  case NOT_NEGATIVE:
+  case NOT_NEGATIVE_DOMAIN:
     return po_number_parse(text, value) && *value >= 0;
-  case POSITIVE:
+  case POSITIVE_DOMAIN:
     return po_number_parse(text, value) && *value > 0;
-  case POSITIVE_OR_INFINITE:
+  case POSITIVE_OR_INFINITE_DOMAIN:
     return po_number_parse_or_infinity(text, value) && *value > 0;
-  case FINITE_OR_INFINITE:
+  case FINITE_OR_INFINITE_DOMAIN:
     return po_number_parse_or_infinity(text, value) && *value > -INFINITY;
   default:
     return false;
@@ -165,9 +179,9 @@ static bool parse_value(value_type type, const char *text, double *value) {
 }
 
 bool po_key_set(po_request *request, po_key key, const char *text) {
-  if (KEYS[key].domain == NAME)
+  if (KEYS[key].domain == NAME_DOMAIN)
     return set_name(request, key, text);
-  if (KEYS[key].domain == COUNT) {
+  if (KEYS[key].domain == COUNT_DOMAIN) {
     size_t count = 0;
     if (!po_number_parse_count(text, &count) || count == 0)
       return false;

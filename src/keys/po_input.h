@@ -33,13 +33,14 @@ enum { PO_FOR_SOLVE = 1, PO_FOR_FOLLOW = 2, PO_FOR_THEORY = 4 };
 
 /* A row of po_key_rows.h. */
 typedef struct {
-  const char *name, *expected;
+  const char *name;
   int domain; /* private to po_input.c */
+  const char *expected;
   bool is_length, varies;
   po_key_owner owner;
   size_t place; /* offset of its number in a po_request; PO_NO_PLACE: it is kept otherwise */
   unsigned verbs;
-  const char *value, *help, *help_of_series, *help_of_form;
+  const char *value, *help, *help_of_form; /* the latter of theory; "": the same */
 } po_key_row;
 #define PO_NO_PLACE ((size_t)-1)
 const po_key_row *po_key_row_of(int key);

@@ -73,10 +73,7 @@ static void add_words(po_text *help, const char *text, size_t used) {
 }
 
 static const char *help_of(const po_key_row *row, unsigned verb) {
-  const char *own = verb == PO_FOR_FOLLOW   ? row->help_of_series
-                    : verb == PO_FOR_THEORY ? row->help_of_form
-                                            : row->help;
-  return *own ? own : row->help;
+  return verb == PO_FOR_THEORY && *row->help_of_form ? row->help_of_form : row->help;
 }
 
 /* Appends the options of the keys of some owners. Those without help come before the next one. */

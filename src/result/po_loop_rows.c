@@ -36,19 +36,15 @@ static const po_row STATE[] = {
   NUMBER("load", load, LOAD, "", "", "load"),
   FORM("energy", energy, ENERGY, energy_of_state, set_energy, "",
        "if the bodies are infinitely far apart", "potential energy, as in `curve_point`"),
-  NUMBER("contact_radius", contact_radius, LENGTH, "", "if not known",
-         "contact radius; 0 if the bodies are infinitely far apart"),
-  NUMBER("position", position, NONE, "", "if the state is not on the branch",
-         "arclength along the curve"),
+  NUMBER("contact_radius", contact_radius, LENGTH, "", "if not known", "contact radius; 0 if the bodies are infinitely far apart"),
+  NUMBER("position", position, NONE, "", "if the state is not on the branch", "arclength along the curve"),
 };
 static const po_block STATE_ROWS = BLOCK("path_state", STATE, settle_state);
 
 static const po_row PLACE[] = {
-  NUMBER("approach", approach, LENGTH, "",
-         "in load control: contact from infinitely far away, or none", "approach"),
+  NUMBER("approach", approach, LENGTH, "", "in load control: contact from infinitely far away, or none", "approach"),
   NUMBER("load", load, LOAD, "", "", "load"),
-  NUMBER("position", position, NONE, "", "if the state is not on the branch",
-         "arclength along the branch"),
+  NUMBER("position", position, NONE, "", "if the state is not on the branch", "arclength along the branch"),
   HIDDEN("energy", energy, ENERGY, "potential energy"),
 };
 static const po_block PLACE_ROWS = BLOCK("branch_state", PLACE, settle_state);
@@ -122,23 +118,20 @@ static const po_row LOOP_PULL_OFF[] = {
   DERIVED("force", LOAD, force_of_loop, "error_estimate", "",
           "magnitude of the load, 0 if there is no tension; at a special point approach and load are those of `extrema` or `folds`"),
   NUMBER("error_estimate", pull_off_error.load, LOAD, "", NO_BOUND, "bound of the error of `force`"),
-  NUMBER("approach_error_estimate", pull_off_error.approach, LENGTH, "", NO_BOUND,
-         "bound of the error of `approach`"),
+  NUMBER("approach_error_estimate", pull_off_error.approach, LENGTH, "", NO_BOUND, "bound of the error of `approach`"),
 };
 static const po_block LOOP_PULL_OFF_ROWS = BLOCK("loop_pull_off", LOOP_PULL_OFF, NULL);
 
 static const po_row LOOP[] = {
   PART("preload", preload, STATE_ROWS, "the state at which loading is reversed"),
   GROUP("pull_off", LOOP_PULL_OFF_ROWS, "the state of greatest tension in unloading"),
-  NUMBER("energy_lost", energy_lost, ENERGY, "energy_lost_error_estimate",
-         "if a jump loses without bound", "sum over the jumps"),
+  NUMBER("energy_lost", energy_lost, ENERGY, "energy_lost_error_estimate", "if a jump loses without bound", "sum over the jumps"),
   NUMBER("energy_lost_error_estimate", energy_lost_error, ENERGY, "",
          "as `energy_lost`; " NO_BOUND, "bound of the error of `energy_lost`"),
   NUMBER("work", work, ENERGY, "work_error_estimate",
          "if a jump loses without bound, and in load control",
          "∮ load d(approach) over the closed path; on panels equal to `energy_lost` to about a tenth of the tolerance"),
-  NUMBER("work_error_estimate", work_error, ENERGY, "", "as `work`; " NO_BOUND,
-         "bound of the error of `work`"),
+  NUMBER("work_error_estimate", work_error, ENERGY, "", "as `work`; " NO_BOUND, "bound of the error of `work`"),
   NUMBER("energy_error_estimate", energy_error, ENERGY, "", NO_BOUND,
          "bound of the errors of the energies of `preload` and of the ends of all jumps, at their approaches"),
   LIST("jumps", jumps, jump_count, JUMP_ROWS, NULL, "", "the jumps, first those of loading"),
@@ -184,34 +177,25 @@ static void set_force_of_step(void *of, double force) {
 
 static const po_row STEP_PRELOAD[] = {
   INLINE(preload, PLACE_ROWS),
-  NUMBER("error_estimate", preload_error.approach, LENGTH, "", "if there is no estimate",
-         "bound of the error of `approach`"),
-  NUMBER("load_error_estimate", preload_error.load, LOAD, "", "if there is no estimate",
-         "bound of the error of `load`"),
+  NUMBER("error_estimate", preload_error.approach, LENGTH, "", "if there is no estimate", "bound of the error of `approach`"),
+  NUMBER("load_error_estimate", preload_error.load, LOAD, "", "if there is no estimate", "bound of the error of `load`"),
 };
 static const po_block STEP_PRELOAD_ROWS = BLOCK("step_preload", STEP_PRELOAD, NULL);
 
 static const char *const DECISIONS[] = {"minimum", "jump", NULL};
 
 static const po_row STEP[] = {
-  GROUP("preload", STEP_PRELOAD_ROWS,
-        "the preload from which the step holds: the special point at which loading changes"),
-  WORD("decided_by", jumped, DECISIONS,
-       "`jump`: loading jumps there; `minimum`: loading passes a minimum of the load"),
+  GROUP("preload", STEP_PRELOAD_ROWS, "the preload from which the step holds: the special point at which loading changes"),
+  WORD("decided_by", jumped, DECISIONS, "`jump`: loading jumps there; `minimum`: loading passes a minimum of the load"),
   PART("until", until, PLACE_ROWS, "the hardest preload for which the step holds"),
   FLAG("open", open, "whether the trace ends before the step does"),
-  FORM("force", pull_off.load, LOAD, force_of_step, set_force_of_step, "error_estimate", "",
-       "pull-off force after such a preload"),
-  NUMBER("error_estimate", pull_off_error.load, LOAD, "", "if there is no estimate",
-         "bound of the error of `force`"),
-  NUMBER("approach", pull_off.approach, LENGTH, "approach_error_estimate", "",
-         "approach at pull-off"),
+  FORM("force", pull_off.load, LOAD, force_of_step, set_force_of_step, "error_estimate", "", "pull-off force after such a preload"),
+  NUMBER("error_estimate", pull_off_error.load, LOAD, "", "if there is no estimate", "bound of the error of `force`"),
+  NUMBER("approach", pull_off.approach, LENGTH, "approach_error_estimate", "", "approach at pull-off"),
   NUMBER("approach_error_estimate", pull_off_error.approach, LENGTH, "", "if there is no estimate",
          "bound of the error of `approach`"),
-  NUMBER("position", pull_off.position, NONE, "", "if not on the branch",
-         "arclength of the pull-off along the branch"),
-  LIST("cycles", cycle, cycle_count, CYCLE_ROWS, NULL, "",
-       "the preloads of the step at which the jumps of a test change"),
+  NUMBER("position", pull_off.position, NONE, "", "if not on the branch", "arclength of the pull-off along the branch"),
+  LIST("cycles", cycle, cycle_count, CYCLE_ROWS, NULL, "", "the preloads of the step at which the jumps of a test change"),
   HIDDEN("energy", pull_off.energy, ENERGY, "potential energy at pull-off"),
 };
 const po_block PO_STEP_ROWS = BLOCK("step", STEP, NULL);

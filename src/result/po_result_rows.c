@@ -21,28 +21,23 @@ const char *po_special_kind_name(po_special_kind kind) {
 
 #define S po_special_point
 static const po_row SPECIAL_POINT[] = {
-  WORD("kind", kind, KINDS,
-       "`jump_in` or `jump_out` (a fold), `minimum` or `maximum` (of the load)"),
+  WORD("kind", kind, KINDS, "`jump_in` or `jump_out` (a fold), `minimum` or `maximum` (of the load)"),
   NUMBER("approach", approach, LENGTH, "error_estimate", FOLDED, "approach"),
   NUMBER("load", load, LOAD, "load_error_estimate", FOLDED, "load"),
-  NUMBER("energy", energy, ENERGY, "energy_error_estimate", "if followed",
-         "potential energy, as in `curve_point`"),
+  NUMBER("energy", energy, ENERGY, "energy_error_estimate", "if followed", "potential energy, as in `curve_point`"),
   NUMBER("energy_error_estimate", energy_error, ENERGY, "", "as `error_estimate`",
          "bound of the error of `energy`, with that of the approach"),
   NUMBER("error_estimate", approach_error, LENGTH, "",
          "for extrema that cannot be the pull-off, for rings and triangles, and if there was no room for a finer mesh",
          "bound of the error of `approach`"),
-  NUMBER("load_error_estimate", load_error, LOAD, "", "as `error_estimate`",
-         "bound of the error of `load`"),
-  NUMBER("contact_radius", contact_radius, LENGTH, "contact_radius_error_estimate", FOLDED,
-         "contact radius"),
+  NUMBER("load_error_estimate", load_error, LOAD, "", "as `error_estimate`", "bound of the error of `load`"),
+  NUMBER("contact_radius", contact_radius, LENGTH, "contact_radius_error_estimate", FOLDED, "contact radius"),
   NUMBER("contact_radius_error_estimate", contact_radius_error, LENGTH, "", "as in `pull_off`",
          "bound of the error of `contact_radius`"),
   NUMBER("contact_radius_other", contact_radius_other, LENGTH, "", "otherwise", OTHER_RADIUS),
   NUMBER("position", position, NONE, "", "if followed",
          "arclength along the branch, in a measure of the solver; it orders special points among the points of the curve"),
-  INTEGER("unstable_modes", unstable_modes,
-          "number of unstable modes, at given approach, of the equilibria just after this point"),
+  INTEGER("unstable_modes", unstable_modes, "number of unstable modes, at given approach, of the equilibria just after this point"),
 };
 const po_block PO_SPECIAL_POINT_ROWS = BLOCK("special_point", SPECIAL_POINT, NULL);
 #undef S
@@ -50,8 +45,7 @@ const po_block PO_SPECIAL_POINT_ROWS = BLOCK("special_point", SPECIAL_POINT, NUL
 /* -- Curve, profile and contact -- */
 #define S po_curve_point
 static const po_row CURVE[] = {
-  NUMBER("position", position, NONE, "", "",
-         "arclength along the branch, in a measure of the solver"),
+  NUMBER("position", position, NONE, "", "", "arclength along the branch, in a measure of the solver"),
   NUMBER("approach", approach, LENGTH, "", "", "approach"),
   NUMBER("load", load, LOAD, "", "", "load"),
   NUMBER("energy", energy, ENERGY, "energy_error_estimate", "if not known",
@@ -59,12 +53,9 @@ static const po_row CURVE[] = {
   NUMBER("energy_error_estimate", energy_error, ENERGY, "", "for rings and triangles",
          "bound of the error of `energy` at this approach. The tolerance is on the pull-off force: energies may be off by ten times as much and more, because their errors are mostly those of the attraction far out, which has little effect on the force"),
   NUMBER("contact_radius", contact_radius, LENGTH, "", "", "contact radius"),
-  NUMBER("approach_rate", approach_rate, NONE, "", "if not known",
-         "derivative of the approach by `position`; 0 at a fold"),
-  NUMBER("load_rate", load_rate, LOAD, "", "if not known",
-         "derivative of the load by `position`; 0 at an extremum of the load"),
-  INTEGER("unstable_modes", unstable_modes,
-          "number of unstable modes at given approach; 0: stable"),
+  NUMBER("approach_rate", approach_rate, NONE, "", "if not known", "derivative of the approach by `position`; 0 at a fold"),
+  NUMBER("load_rate", load_rate, LOAD, "", "if not known", "derivative of the load by `position`; 0 at an extremum of the load"),
+  INTEGER("unstable_modes", unstable_modes, "number of unstable modes at given approach; 0: stable"),
 };
 const po_block PO_CURVE_ROWS = BLOCK("curve_point", CURVE, NULL);
 #undef S
@@ -94,8 +85,7 @@ static double grooves_of(const void *of) {
 }
 
 static const po_row CONTACT[] = {
-  NUMBER("approach", profile_approach, LENGTH, "", "if the branch does not reach it",
-         "as `profile_approach`"),
+  NUMBER("approach", profile_approach, LENGTH, "", "if the branch does not reach it", "as `profile_approach`"),
   LIST("compressed", annuli.compressed, annuli.compressed_count, ANNULUS_ROWS, NULL, "",
        "annuli in which the traction is compressive, H < 0"),
   LIST("held", annuli.held, annuli.held_count, ANNULUS_ROWS, NULL, "",
@@ -119,8 +109,7 @@ static const po_row WORK[] = {
   COUNT("points", points, "converged equilibria"),
   COUNT("newton_iterations", newton_iterations, "iterations of the corrector"),
   COUNT("factorizations", factorizations, "factorisations of the Jacobian"),
-  COUNT("kernel_evaluations", kernel_evaluations,
-        "evaluations of the kernel G(r, s) of Eq 12, for rings of F of Eq A2"),
+  COUNT("kernel_evaluations", kernel_evaluations, "evaluations of the kernel G(r, s) of Eq 12, for rings of F of Eq A2"),
   COUNT("nodes", nodes, "unknowns of the surface; the largest number if the mesh changes"),
   COUNT("factorized_nodes", factorized_nodes, "largest order of a factorised Jacobian"),
   COUNT("meshes", meshes, "number of changes of the mesh"),
@@ -132,18 +121,13 @@ static const po_block WORK_ROWS = BLOCK("work", WORK, NULL);
 #define S po_result
 static const po_row PULL_OFF[] = {
   NUMBER("force", pull_off.force, LOAD, "error_estimate", "", "pull-off force, positive"),
-  NUMBER("approach", pull_off.approach, LENGTH, "approach_error_estimate", "",
-         "approach at pull-off"),
-  NUMBER("contact_radius", pull_off.contact_radius, LENGTH, "contact_radius_error_estimate", "",
-         "contact radius at pull-off"),
-  NUMBER("error_estimate", pull_off.force_error, LOAD, "", NO_BOUND,
-         "bound of the error of `force`"),
-  NUMBER("approach_error_estimate", pull_off.approach_error, LENGTH, "", "as `error_estimate`",
-         "bound of the error of `approach`"),
+  NUMBER("approach", pull_off.approach, LENGTH, "approach_error_estimate", "", "approach at pull-off"),
+  NUMBER("contact_radius", pull_off.contact_radius, LENGTH, "contact_radius_error_estimate", "", "contact radius at pull-off"),
+  NUMBER("error_estimate", pull_off.force_error, LOAD, "", NO_BOUND, "bound of the error of `force`"),
+  NUMBER("approach_error_estimate", pull_off.approach_error, LENGTH, "", "as `error_estimate`", "bound of the error of `approach`"),
   NUMBER("contact_radius_error_estimate", pull_off.contact_radius_error, LENGTH, "",
          "as `error_estimate`", "bound of the error of `contact_radius`"),
-  NUMBER("contact_radius_other", pull_off.contact_radius_other, LENGTH, "", "otherwise",
-         OTHER_RADIUS),
+  NUMBER("contact_radius_other", pull_off.contact_radius_other, LENGTH, "", "otherwise", OTHER_RADIUS),
   PART("preload", pull_off.pressed, PRESSED_ROWS,
        "the least preload that gives this pull-off; its members are null if no test at given approach measures it"),
   PART("until", pull_off.until, PRESSED_ROWS,
@@ -153,15 +137,12 @@ const po_block PO_PULL_OFF_ROWS = BLOCK("pull_off", PULL_OFF, NULL);
 
 static const po_row ANY[] = {
   NUMBER("force", pull_off_any.force, LOAD, "error_estimate", "", "pull-off force, positive"),
-  NUMBER("error_estimate", pull_off_any.force_error, LOAD, "", "as in `pull_off`",
-         "bound of the error of `force`"),
-  NUMBER("approach", pull_off_any.approach, LENGTH, "approach_error_estimate", "",
-         "approach at pull-off"),
+  NUMBER("error_estimate", pull_off_any.force_error, LOAD, "", "as in `pull_off`", "bound of the error of `force`"),
+  NUMBER("approach", pull_off_any.approach, LENGTH, "approach_error_estimate", "", "approach at pull-off"),
   NUMBER("approach_error_estimate", pull_off_any.approach_error, LENGTH, "", "as in `pull_off`",
          "bound of the error of `approach`"),
   PART("preload", pull_off_any.pressed, PRESSED_ROWS, "the least preload that gives it"),
-  FLAG("complete", pull_off_any.complete,
-       "whether it is known that no harder preload gives more ([guide](guide.md#preload))"),
+  FLAG("complete", pull_off_any.complete, "whether it is known that no harder preload gives more ([guide](guide.md#preload))"),
   PART("searched", pull_off_any.searched, PRESSED_ROWS, "the hardest preload that was examined"),
 };
 static const po_block ANY_ROWS = BLOCK("pull_off_any", ANY, NULL);
@@ -197,8 +178,7 @@ static void take_why(void *of, const char *word) {
 static const po_row ENDED[] = {
   {.key = "why", .type = PO_ROW_WORD, .names = CAUSES + 1, .word = why_of, .take = take_why,
    TEXTS("", "", "`compressed`, `preload`, `complete`, `searched`, `approach_end`, or the status of a trace that failed ([guide](guide.md#why-a-trace-ended))")},
-  NUMBER("approach", ended.approach, LENGTH, "", "if nothing was traced",
-         "approach of the last point of the trace"),
+  NUMBER("approach", ended.approach, LENGTH, "", "if nothing was traced", "approach of the last point of the trace"),
   NUMBER("load", ended.load, LOAD, "", "if nothing was traced", "load of the last point"),
 };
 static const po_block ENDED_ROWS = BLOCK("ended", ENDED, NULL);
@@ -234,12 +214,10 @@ static const po_row RESULT[] = {
   FLAG("followed", followed,
        "whether the pull-off was obtained by parameter continuation from other scenes ([follow](cases.md#follow))"),
   NUMBER("start", start, LENGTH, "", "if nothing was traced", "approach at which the trace began"),
-  DERIVED("end", LENGTH, end_of, "", "if nothing was traced",
-          "approach at which the trace ended; the same as `ended.approach`"),
+  DERIVED("end", LENGTH, end_of, "", "if nothing was traced", "approach at which the trace ended; the same as `ended.approach`"),
   {.key = "ended", .type = PO_ROW_PART, .block = &ENDED_ROWS, .absent = is_followed,
    TEXTS("", "if followed", "where and why the trace ended")},
-  OPTIONAL_GROUP("pull_off", has_pull_off, PO_PULL_OFF_ROWS, "if none was found",
-                 "the pull-off that belongs to the preload"),
+  OPTIONAL_GROUP("pull_off", has_pull_off, PO_PULL_OFF_ROWS, "if none was found", "the pull-off that belongs to the preload"),
   OPTIONAL_GROUP("pull_off_any", pull_off_any.is_known, ANY_ROWS,
                  "if no test at given approach measures a pull-off on this branch, or if followed",
                  "the greatest pull-off that any preload gives"),
@@ -268,8 +246,7 @@ static const po_row ALL[] = {
   {.key = "", .type = PO_ROW_INLINE, .block = &PO_WANTED_ROWS, TEXTS("", "", "")},
   GROUP("contact", PO_CONTACT_ROWS, "the regions in contact at the approach of the profile"),
   LIST("curve", curve, curve_count, PO_CURVE_ROWS, NULL, "", "points of the branch, in order"),
-  LIST("profile", profile, profile_count, PO_PROFILE_ROWS, NULL, "",
-       "gap and traction over the radius"),
+  LIST("profile", profile, profile_count, PO_PROFILE_ROWS, NULL, "", "gap and traction over the radius"),
 };
 const po_block PO_ALL_ROWS = BLOCK("solve", ALL, NULL);
 #undef S

@@ -54,13 +54,16 @@ def bash_options(root, program, verb):
     return set(output("bash", "-c", script, "bash", program, verb).split())
 
 
-def bash_values(root, option):
-    script = f'source "{root}/src/cli/completion/pulloff.bash"; _pulloff_values "$1"'
-    return set(output("bash", "-c", script, "bash", option).split())
+def bash_values(root, program, option):
+    script = f'source "{root}/src/cli/completion/pulloff.bash"; _pulloff_values "$1" "$2"'
+    return set(output("bash", "-c", script, "bash", option, program).split())
 
 
-def zsh_values(root, option):
+def zsh_values(root, program, option):
     text = (root / "src/cli/completion/_pulloff").read_text(encoding="utf-8")
+    command = re.search(rf"^ +{option}\) compadd .*\$\(\$words\[1\] (.*)\)\"\}}; return", text, re.M)
+    if command:
+        return set(output("bash", "-c", f'"$1" {command[1]}', "bash", program).split())
     found = re.search(rf"^ +{option}\) (?:compadd|_values -s , \w+) (.*?); ", text, re.M)
     return set(found[1].split())
 
@@ -92,7 +95,7 @@ def check_values(program, root):
         message = output(program, verb, option, "sugar").split("expected", 1)[1]
         named = set(re.findall(r"[a-z][a-z0-9-]+", message)) - {"any", "of", "or", "one", "parameter", "the", "law", "profile", "in",
                                                                "units", "separated", "by", "commas", "between", "with"}
-        bash, zsh = bash_values(root, option), zsh_values(root, option)
+        bash, zsh = bash_values(root, program, option), zsh_values(root, program, option)
         tell(f"bash and zsh offer the same for {option}", sorted(bash ^ zsh))
         tell(f"completion offers the values of {option}", sorted(named - bash))
         extra = [value for value in bash - named if "expected" in output(program, verb, option, value, "--frobnicate")]

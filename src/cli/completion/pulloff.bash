@@ -8,7 +8,7 @@ _pulloff_names() { "$1" ${2:+"$2"} --help 2>/dev/null | sed -n 's/^  \([a-z][a-z
 # _pulloff_options PROGRAM VERB: prints the options that the help lists on lines "  --NAME VALUE   text".
 _pulloff_options() { "$1" "$2" --help 2>/dev/null | sed -n '/^  -/{s/^  //; s/   *.*//; p;}' | grep -o -e '--[a-z][a-z0-9-]*'; }
 
-# _pulloff_values OPTION: prints the values of an option that are names.
+# _pulloff_values OPTION PROGRAM: prints the values of an option that are names.
 _pulloff_values() {
   case $1 in
   --scheme) echo ring triangle panel ;;
@@ -19,7 +19,7 @@ _pulloff_values() {
   --of) echo pull-off folds ;;
   --want) echo curve profile hysteresis preload diagnostics ;;
   --suite) echo smoke paper extreme general precision random solvers ;;
-  --key) echo tabor amplitude wavelength radius outer-radius amplitude-ratio coupling mie-m mie-n morse-a power-c power-n cone-t punch-b punch-r truncated-b truncated-r radius-m amplitude-m wavelength-m outer-radius-m modulus-pa work-j-per-m2 distance-m ;;
+  --key) "$2" follow --help 2>/dev/null | sed -n '/^  --key /,/^  --from /{/--/d; p;}' | grep -o '[a-z][a-z0-9-]*' | grep -vx -e or -e in -e units ;;
   --preload | --outer-radius | --modulus-pa) echo inf ;;
   esac
 }
@@ -34,7 +34,7 @@ _pulloff() {
   1:*) words="$(_pulloff_names "$program") --help --version" ;;
   *:--output | *:--run) action=(-d) ;;
   *:--curve | *:--profile-csv | *:--profile-file | *:--staircase | *:--plot | *:--junit) action=(-f) ;;
-  *:--*) words=$(_pulloff_values "$before") ;;
+  *:--*) words=$(_pulloff_values "$before" "$program") ;;
   esac
   if [ -z "$words" ] && [ ${#action[@]} -eq 0 ]; then
     case $word:$verb in
