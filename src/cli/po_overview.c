@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "po_rounds.h"
+#include "po_record_solver.h"
 #include "po_verdicts.h"
 
 static const char *label_of(const po_case_run *run, const po_check_result *item) {
@@ -34,7 +34,7 @@ static void add_case(const po_case_run *run, po_text *text) {
   if (run->plan->solver)
     po_text_add(text, "; coverage %zu/%zu points, %zu/%zu checks", run->coverage.asked,
                 run->coverage.points, run->coverage.made, run->coverage.checks);
-  const size_t clocks = po_rounds_disagreements(run);
+  const size_t clocks = po_record_solver_disagreements(run);
   if (clocks)
     po_text_add(text,
                 "; the times that it reports disagree with those of its processes at %zu points",

@@ -11,7 +11,7 @@
 #include "po_digests.h"
 #include "po_file.h"
 #include "po_memory.h"
-#include "po_record.h"
+#include "po_record_point.h"
 
 /* Largest length of a reason, which is a header of one line. */
 enum { LONGEST_REASON = 500 };

@@ -1,9 +1,48 @@
+#include "po_case_run.h"
+
+#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "po_memory.h"
-#include "po_rounds.h"
-#include "po_run.h"
-#include "po_run_solver.h"
+
+/* Marks the points that the manifest of an external solver excludes. */
+static po_status exclude(po_case_run *run) {
+  const po_plan *plan = run->plan;
+  const bool nothing = po_plan_asked(plan) == 0;
+  run->chunks = 1;
+  run->beyond = po_allocate(plan->kase->point_count, sizeof *run->beyond);
+  if (!run->beyond)
+    return PO_NO_MEMORY;
+  for (size_t i = 0; i < plan->kase->point_count; ++i) {
+    po_result *result = &run->results[i];
+    char why[PO_SOLVER_WHY] = "the case wants no quantity that the solver computes";
+    *result = po_result_none();
+    if (!nothing && po_solver_accepts(plan->solver, &plan->kase->points[i].request, why))
+      continue;
+    run->beyond[i] = run->done[i] = true;
+    result->status = PO_UNSUPPORTED;
+    result->work.seconds = (double)NAN;
+    snprintf(result->reason, sizeof result->reason, "not asked: %s", why);
+  }
+  return PO_OK;
+}
+
+static po_status create_rounds(po_case_run *run) {
+  const unsigned repeats = run->plan->kase->repeats;
+  const size_t points = run->plan->kase->point_count;
+  static const po_round UNKNOWN = {NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+  run->rounds = po_allocate(points * repeats, sizeof *run->rounds);
+  run->starts = po_allocate(repeats, sizeof *run->starts);
+  run->interleaved = po_allocate(points, sizeof *run->interleaved);
+  if (!run->rounds || !run->starts || !run->interleaved)
+    return PO_NO_MEMORY;
+  for (size_t i = 0; i < points * repeats; ++i)
+    run->rounds[i] = UNKNOWN;
+  for (unsigned r = 0; r < repeats; ++r)
+    run->starts[r] = UNKNOWN;
+  return PO_OK;
+}
 
 po_status po_case_run_create(po_plan *plan, po_case_run *run) {
   const size_t points = plan->kase->point_count;
@@ -20,8 +59,8 @@ po_status po_case_run_create(po_plan *plan, po_case_run *run) {
   po_case_run_ask(run, &(po_point_range){0, points}, 1);
   if (!plan->solver)
     return PO_OK;
-  const po_status status = po_run_solver_begin(run);
-  return !status && plan->kase->repeats > 1 ? po_rounds_create(run) : status;
+  const po_status status = exclude(run);
+  return !status && plan->kase->repeats > 1 ? create_rounds(run) : status;
 }
 
 void po_case_run_clear(po_case_run *run) {

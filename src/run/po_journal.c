@@ -8,7 +8,7 @@
 
 #include "po_file.h"
 #include "po_json.h"
-#include "po_record.h"
+#include "po_record_point.h"
 
 /* Returned: the folder of the case and the path of the journal, which the caller frees; false
  * without memory. */
@@ -83,11 +83,9 @@ po_status po_journal_add(const po_case_run *run, size_t point, const char *outpu
     status = po_record_key(run, point, key);
   if (!status)
     status = po_folder_make(folder);
-  json_t *object = status ? NULL : po_record_point(run, point);
+  json_t *object = NULL;
   if (!status)
-    status = po_record_add_tables(run, point, folder, &object);
-  if (!status)
-    status = po_record_add_checksum(run, point, &object);
+    status = po_record_entry(run, point, folder, false, &object);
   if (!status) {
     json_t *entry = PO_JSON_OBJECT({"key", po_json_text(key)}, {"point", object});
     status = append(path, entry);

@@ -1,11 +1,12 @@
 /* The journal of a case: the solved points of a run that is not finished, in
- * <output>/<case>/points.jsonl. Each solved point is appended as one line with a JSON document. An
+ * <output>/<case>/points.jsonl. Each solved point is appended as one line: its entry in the record
+ * (po_record_point.h) and its key. An
  * interrupted run is resumed from the journal. Journals of runs of different points, on one machine
  * or on several, can be concatenated. The journal is deleted when the record is written. */
 #ifndef PO_JOURNAL_H
 #define PO_JOURNAL_H
 
-#include "po_run.h"
+#include "po_case_run.h"
 
 /* Reads the requested points from the journal and marks them as done. Lines of other scenes or of
  * another program, and damaged lines, are ignored. If a point occurs twice, the later line is used.

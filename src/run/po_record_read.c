@@ -1,4 +1,3 @@
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,78 +6,16 @@
 #include "po_file.h"
 #include "po_json.h"
 #include "po_record.h"
-#include "po_rounds.h"
-#include "po_tables.h"
+#include "po_record_point.h"
 
 static const char *string_of(const json_t *object, const char *key) {
   const char *text = json_string_value(json_object_get(object, key));
   return text ? text : "";
 }
 
-static double number_or_nan(const json_t *value) {
-  return json_is_number(value) ? json_number_value(value) : (double)NAN;
-}
-
-static po_status read_table(const json_t *point, bool profile, bool needed, const char *folder,
-                            po_result *result) {
-  const char *name = string_of(point, profile ? "profile" : "curve");
-  const char *digest = string_of(point, profile ? "profile_sha256" : "curve_sha256");
-  if (!*name)
-    return needed && result->status == PO_OK ? PO_NOT_FOUND : PO_OK;
-  char *path = po_path_join(folder, name);
-  if (!path)
-    return PO_NO_MEMORY;
-  const po_status status = profile ? po_tables_read_profile(path, digest, result)
-                                   : po_tables_read_curve(path, digest, result);
-  free(path);
-  return status;
-}
-
 /* A damaged record counts as absent. Without memory it is not known whether it is damaged. */
 static po_status found_or_not(po_status status) {
   return status == PO_OK || status == PO_NO_MEMORY ? status : PO_NOT_FOUND;
-}
-
-/* Reads the numbers of an entry that has its checksum. */
-static po_status read_numbers(po_case_run *run, size_t index, const json_t *entry) {
-  const unsigned repeats = run->plan->kase->repeats;
-  const json_t *seconds = json_object_get(entry, "seconds_all");
-  const json_t *processor = json_object_get(entry, "processor_seconds_all");
-  if (strcmp(string_of(entry, "id"), run->plan->kase->points[index].id) != 0 ||
-      json_array_size(seconds) > repeats || json_array_size(processor) != json_array_size(seconds))
-    return PO_NOT_FOUND;
-  po_status status = po_json_read_result(entry, &run->results[index]);
-  if (!status && run->results[index].status == PO_NO_MEMORY)
-    status = PO_NOT_FOUND; /* lack of memory is no result: the point is solved again */
-  if (!status && run->plan->kase->points[index].traced) {
-    po_result_clear(&run->traces[index]);
-    status = po_json_read_result(json_object_get(entry, "traced"), &run->traces[index]);
-  }
-  for (unsigned i = 0; i < repeats; ++i) {
-    const size_t place = index * repeats + i;
-    run->seconds[place] = number_or_nan(json_array_get(seconds, i));
-    run->processor_seconds[place] = number_or_nan(json_array_get(processor, i));
-  }
-  return status ? status : po_rounds_read(run, index, json_object_get(entry, "timing"));
-}
-
-po_status po_record_read_point(po_case_run *run, size_t index, json_t *entry, const char *folder,
-                               bool intact) {
-  po_result *result = &run->results[index];
-  po_status status = intact ? PO_OK : po_record_check(run, index, entry);
-  if (!status) {
-    po_result_clear(result);
-    status = read_numbers(run, index, entry);
-    if (!status)
-      status = read_table(entry, false, run->plan->want & PO_WANT_CURVE, folder, result);
-    if (!status)
-      status = read_table(entry, true, run->plan->want & PO_WANT_PROFILE, folder, result);
-    run->done[index] = status == PO_OK;
-    if (status)
-      po_result_clear(result);
-  }
-  run->altered += status && status != PO_NO_MEMORY;
-  return found_or_not(status);
 }
 
 /* Whether the tables of the closed forms have the checksums of the record. */

@@ -2,7 +2,7 @@
 #ifndef PO_SHARD_H
 #define PO_SHARD_H
 
-#include "po_run.h"
+#include "po_case_run.h"
 
 typedef struct {
   size_t number, count; /* shard `number`, from 1, of `count`; count 0: the whole run */

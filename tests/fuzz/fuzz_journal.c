@@ -8,7 +8,7 @@
 #include "po_file.h"
 #include "po_journal.h"
 #include "po_json_value.h"
-#include "po_record.h"
+#include "po_record_point.h"
 
 enum { POINTS = 2 };
 

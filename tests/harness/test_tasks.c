@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "po_tasks.h"
+#include "po_jobs.h"
 #include "po_times.h"
 #include "run.h"
 
@@ -35,26 +35,27 @@ static void make_run(size_t which, unsigned repeats, size_t points_done) {
   }
 }
 
-/* Lists the tasks of the first runs and compares them. */
-static void expect_tasks(size_t run_count, const po_task *expected, size_t count,
-                         size_t expected_shared) {
+/* Lists the jobs of the first runs and compares them. */
+static void expect_jobs(size_t run_count, const po_job *expected, size_t count,
+                        size_t expected_shared) {
   size_t shared = 0, total = 0;
-  po_task *tasks = po_tasks_list(runs, run_count, &shared, &total);
-  ck_assert_ptr_nonnull(tasks);
+  po_job *jobs = po_jobs_list(runs, run_count, &shared, &total);
+  ck_assert_ptr_nonnull(jobs);
   ck_assert_uint_eq(shared, expected_shared);
   ck_assert_uint_eq(total, count);
   for (size_t i = 0; i < count; ++i) {
-    ck_assert_uint_eq(tasks[i].run, expected[i].run);
-    ck_assert_uint_eq(tasks[i].point, expected[i].point);
-    ck_assert_uint_eq(tasks[i].round, expected[i].round);
+    ck_assert_uint_eq(jobs[i].run, expected[i].run);
+    ck_assert_uint_eq(jobs[i].point, expected[i].point);
+    ck_assert_uint_eq(jobs[i].round, expected[i].round);
+    ck_assert(jobs[i].work == (runs[jobs[i].run].plan->solver ? po_job_round : po_job_solve));
   }
-  free(tasks);
+  free(jobs);
 }
 
 /* Two timed cases, with 3 and 2 rounds, one of them partly solved; one that is not timed; one that
  * is finished. */
 START_TEST(timed_solves_go_round) {
-  static const po_task EXPECTED[] = {
+  static const po_job EXPECTED[] = {
       {1, 0, 0}, {1, 1, 0}, {1, 2, 0},                       /* in parallel */
       {0, 0, 0}, {0, 1, 0}, {0, 2, 0}, {2, 1, 0}, {2, 2, 0}, /* the first round */
       {0, 0, 1}, {0, 1, 1}, {0, 2, 1}, {2, 1, 1}, {2, 2, 1}, /* the second */
@@ -64,15 +65,15 @@ START_TEST(timed_solves_go_round) {
   make_run(1, 1, 0);
   make_run(2, 2, 1);
   make_run(3, 2, 3);
-  expect_tasks(RUNS, EXPECTED, count, 3);
+  expect_jobs(RUNS, EXPECTED, count, 3);
 }
 END_TEST
 
 /* A case that this program and an external solver solve: in each round, each point by both of them.
  * The first and the last point differ only in the mesh, and are one question. */
 START_TEST(solvers_alternate) {
-  static const po_task EXPECTED[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 2, 0},
-                                     {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}, {0, 2, 1}};
+  static const po_job EXPECTED[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 2, 0},
+                                    {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}, {0, 2, 1}};
   const size_t count = sizeof EXPECTED / sizeof *EXPECTED;
   static po_point points[3];
   static po_solver solver;
@@ -85,12 +86,12 @@ START_TEST(solvers_alternate) {
   parts[0].kase.points = points;
   parts[1].plan.kase = &parts[0].kase;
   parts[1].plan.solver = &solver;
-  expect_tasks(2, EXPECTED, count, 0);
+  expect_jobs(2, EXPECTED, count, 0);
 }
 END_TEST
 
 START_TEST(points_are_timed_until_enough) {
-  static const double SHORT[] = {0.075, 0.075, 0.075, 0.05}, LONG[] = {0.15, 0.125, NAN, NAN},
+  static const double SHORT[] = {0.08, 0.08, 0.08, 0.05}, LONG[] = {0.2, 0.15, NAN, NAN},
                       NONE[] = {NAN};
   ck_assert(!po_times_are_enough(SHORT, 0));
   ck_assert(!po_times_are_enough(SHORT, 3));
@@ -98,9 +99,9 @@ START_TEST(points_are_timed_until_enough) {
   ck_assert(!po_times_are_enough(LONG, 1));
   ck_assert(po_times_are_enough(LONG, 2));
   ck_assert(po_times_are_enough(LONG, 3));
-  ck_assert_double_eq_tol(po_times_median(SHORT, 4), 0.075, 1e-15);
-  ck_assert_double_eq_tol(po_times_median(SHORT + 2, 2), 0.0625, 1e-15);
-  ck_assert_double_eq_tol(po_times_median(LONG, 4), 0.1375, 1e-15);
+  ck_assert_double_eq_tol(po_times_median(SHORT, 4), 0.08, 1e-15);
+  ck_assert_double_eq_tol(po_times_median(SHORT + 2, 2), 0.065, 1e-15);
+  ck_assert_double_eq_tol(po_times_median(LONG, 4), 0.175, 1e-15);
   ck_assert(isnan(po_times_median(NONE, 1)));
 }
 END_TEST

@@ -1,4 +1,4 @@
-#include "po_tasks.h"
+#include "po_jobs.h"
 
 #include "po_memory.h"
 #include "po_rounds.h"
@@ -13,33 +13,34 @@ static bool is_wanted(const po_case_run *run, size_t begin) {
 }
 
 /* Adds the solves of all cases that are not timed. */
-static void add_shared(const po_case_run *runs, size_t count, po_task *tasks, size_t *total) {
+static void add_shared(const po_case_run *runs, size_t count, po_job *jobs, size_t *total) {
   for (size_t r = 0; r < count; ++r) {
     const po_case_run *run = &runs[r];
     if (run->finished || run->plan->kase->repeats > 1)
       continue;
     if (run->plan->solver) {
       for (size_t share = 0; share < run->chunks; ++share)
-        tasks[(*total)++] = (po_task){r, share, 0};
+        jobs[(*total)++] = (po_job){r, share, 0, po_job_share};
       continue;
     }
     for (size_t p = 0; p < run->plan->kase->point_count; p += run->plan->kase->series_length)
       if (is_wanted(run, p))
-        tasks[(*total)++] = (po_task){r, p, 0};
+        jobs[(*total)++] =
+            (po_job){r, p, 0, run->plan->kase->series_length > 1 ? po_job_series : po_job_solve};
   }
 }
 
 /* Adds one round over the points of a timed case, which run `first` is the first to solve: each
  * point for all solvers of the case. */
 static void add_round(const po_case_run *runs, size_t count, size_t first, unsigned round,
-                      po_task *tasks, size_t *total) {
+                      po_job *jobs, size_t *total) {
   const po_case *kase = runs[first].plan->kase;
   for (size_t p = 0; p < kase->point_count; ++p)
     for (size_t r = first; r < count; ++r) {
       const po_case_run *run = &runs[r];
       if (run->plan->kase == kase && !run->finished &&
           (run->plan->solver ? po_rounds_leads(run, p) : is_wanted(run, p)))
-        tasks[(*total)++] = (po_task){r, p, round};
+        jobs[(*total)++] = (po_job){r, p, round, run->plan->solver ? po_job_round : po_job_solve};
     }
 }
 
@@ -51,7 +52,7 @@ static bool is_first(const po_case_run *runs, size_t run) {
   return true;
 }
 
-po_task *po_tasks_list(const po_case_run *runs, size_t count, size_t *shared, size_t *total) {
+po_job *po_jobs_list(const po_case_run *runs, size_t count, size_t *shared, size_t *total) {
   size_t solves = 0;
   unsigned rounds = 1;
   for (size_t r = 0; r < count; ++r) {
@@ -59,16 +60,16 @@ po_task *po_tasks_list(const po_case_run *runs, size_t count, size_t *shared, si
     solves += runs[r].pending * repeats;
     rounds = repeats > rounds ? repeats : rounds;
   }
-  po_task *tasks = po_allocate(solves, sizeof *tasks);
+  po_job *jobs = po_allocate(solves, sizeof *jobs);
   *total = *shared = 0;
-  if (!tasks)
+  if (!jobs)
     return NULL;
-  add_shared(runs, count, tasks, total);
+  add_shared(runs, count, jobs, total);
   *shared = *total;
   for (unsigned round = 0; round < rounds; ++round)
     for (size_t r = 0; r < count; ++r)
       if (runs[r].plan->kase->repeats > 1 && round < runs[r].plan->kase->repeats &&
           is_first(runs, r))
-        add_round(runs, count, r, round, tasks, total);
-  return tasks;
+        add_round(runs, count, r, round, jobs, total);
+  return jobs;
 }

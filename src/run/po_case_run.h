@@ -1,0 +1,95 @@
+/* A case in a run: what is asked, and the results so far. */
+#ifndef PO_CASE_RUN_H
+#define PO_CASE_RUN_H
+
+#include "po_ask.h"
+#include "po_check_result.h"
+#include "po_plan.h"
+
+/* How much of a case an external solver covers. */
+typedef struct {
+  size_t points, asked; /* points of the case, and requested ones within its manifest */
+  size_t checks, made;  /* pairs of a check and a point, and those that were compared */
+  size_t not_reachable; /* of these, the ones whose expected value it cannot see */
+} po_coverage;
+
+/* Number of solves in a process of a timed round, unless the first one takes long. */
+enum { PO_ROUND_SOLVES = 2 };
+
+/* Seconds of one timed round of a point (po_rounds.h). NAN: unknown. */
+typedef struct {
+  double first, later; /* of the first and the second solve, as reported; without a second one the
+                          same */
+  double reported;     /* sum of all times that the process reports */
+  double wall, processor;             /* of the process */
+  double start_wall, start_processor; /* of the process that was asked nothing */
+} po_round;
+
+typedef struct {
+  po_plan *plan;
+  const char *output; /* the folder of its records; NULL: po_run_options.output */
+  po_result *results; /* one a point */
+  po_result *traces;  /* one a point; filled for points of a series that are also traced */
+  double *seconds;    /* wall time of each solve; `repeats` values a point, NAN: not solved */
+  double *processor_seconds; /* processor time of each solve, in the same order */
+  bool *asked;               /* one a point: the point is requested; initially all are */
+  size_t asked_count;
+  bool *done;     /* one a point: its result is known */
+  size_t pending; /* number of requested points that are not solved yet */
+  size_t at_work; /* number of jobs that threads do at present (po_job.h) */
+  size_t resumed; /* number of points that were read from the journal */
+  size_t altered; /* number of stored results that were altered and are solved again */
+  bool damaged;   /* something else in the record was altered; it is written again */
+  bool kept;      /* the results were read from an earlier record */
+  bool finished;  /* the checks were made, and the record, if any, is written */
+  char old_key[PO_DIGEST_LENGTH]; /* po_plan.key of that record */
+  po_check_results check_results;
+  po_check_results measured; /* the measurements: errors without a verdict */
+  double elapsed;            /* seconds that the solves took */
+  char *environment;         /* of the solves, as JSON; NULL: that of this process */
+  /* Of an external solver. */
+  bool *beyond;  /* one a point: its manifest excludes the point; NULL: none */
+  size_t chunks; /* number of shares into which the points are divided */
+  po_coverage coverage;
+  po_ask_process *processes; /* those that were run */
+  size_t process_count;
+  po_round *rounds;  /* times of the solves, `repeats` a point; NULL: not timed */
+  po_round *starts;  /* one a round: the times of a process that is asked nothing */
+  bool *interleaved; /* one a point: this program was timed in the same rounds */
+  char *kept_folder; /* of a process that did not end as it should; NULL: none */
+} po_case_run;
+
+/* A range of numbers of points. */
+typedef struct {
+  size_t first, last;
+} po_point_range;
+
+/* Allocates the run of a case and takes ownership of the plan. Points that the manifest of an
+ * external solver excludes are marked as beyond it, and done. Status: PO_NO_MEMORY. */
+po_status po_case_run_create(po_plan *plan, po_case_run *run);
+void po_case_run_clear(po_case_run *run);
+
+/* Requests only the existing points with numbers in these ranges. */
+void po_case_run_ask(po_case_run *run, const po_point_range *ranges, size_t count);
+
+/* Reports whether all points are requested; whether the results of all requested points are known.
+ */
+bool po_case_run_is_whole(const po_case_run *run);
+bool po_case_run_is_done(const po_case_run *run);
+
+/* Returned: the number of requested points whose results are not known. */
+size_t po_case_run_lacking(const po_case_run *run);
+
+/* Reports whether the solve of a point failed, and no check on solved_share permits the failure. */
+bool po_case_run_failed(const po_case_run *run, size_t point);
+
+/* Returned: for the requested points, "failed" if a solve failed, else "outside" if a check does
+ * not pass, else "within". */
+const char *po_case_run_verdict(const po_case_run *run);
+
+/* Returned: the number of failed solves, as po_case_run_failed; the number of checks that do not
+ * pass. */
+size_t po_case_run_failures(const po_case_run *run);
+size_t po_case_run_outside(const po_case_run *run);
+
+#endif

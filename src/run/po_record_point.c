@@ -1,0 +1,284 @@
+#include "po_record_point.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_file.h"
+#include "po_input.h"
+#include "po_json.h"
+#include "po_json_rows.h"
+#include "po_json_units.h"
+#include "po_record_solver.h"
+#include "po_result_rows.h"
+#include "po_tables.h"
+
+/* A law or a profile as cases write it, "mie:4,10": the name and the parameters. */
+static json_t *with_parameters(const po_request *request, po_key name) {
+  char value[PO_KEY_TEXT_LENGTH];
+  po_key_print(request, name, value);
+  po_text text = {0};
+  po_text_add(&text, "%s", value);
+  const char *before = ":";
+  for (int key = 0; key < PO_KEY_COUNT; ++key)
+    if (po_key_is_parameter(key, po_key_row_of((int)name)->owner) && po_key_is_continuous(key) &&
+        !isnan(po_key_number(request, (po_key)key))) {
+      po_key_print(request, (po_key)key, value);
+      po_text_add(&text, "%s%s", before, value);
+      before = ",";
+    }
+  if (text.failed)
+    po_text_clear(&text);
+  return po_json_take_text(text.data);
+}
+
+static json_t *swept_value(const po_request *request, const json_t *input, po_key key) {
+  if (key == PO_KEY_LAW || key == PO_KEY_PROFILE)
+    return with_parameters(request, key);
+  return po_key_is_group(key) ? po_json_number(po_key_number(request, key))
+                              : json_incref(json_object_get(input, po_key_name(key)));
+}
+
+static json_t *sweep(const po_case *kase, size_t point) {
+  json_t *object = po_json_empty_object();
+  const po_request *request = &kase->points[point].request;
+  json_t *input = po_json_input(request);
+  for (unsigned i = 0; i < kase->file->sweep_count; ++i)
+    for (int key = 0; key < PO_KEY_END; ++key)
+      if (po_sweep_names(&kase->file->sweep[i], (po_key)key))
+        po_json_set(&object, po_key_name((po_key)key), swept_value(request, input, (po_key)key));
+  json_decref(input);
+  for (unsigned i = 0; kase->file->sample && i < kase->file->sample->keys_count; ++i) {
+    const po_draw *draw = &kase->file->sample->keys[i];
+    po_json_set(&object, draw->key, po_json_number(po_key_number(request, draw->drawn)));
+  }
+  return object;
+}
+
+/* Returned: the times of a point in the order of the rounds in which it was solved. */
+static json_t *times(const po_case_run *run, const double *seconds, size_t point) {
+  const unsigned repeats = run->plan->kase->repeats;
+  json_t *array = po_json_empty_array();
+  for (unsigned i = 0; i < repeats; ++i)
+    if (!isnan(run->seconds[point * repeats + i]))
+      po_json_append(&array, po_json_number(seconds[point * repeats + i]));
+  return array;
+}
+
+/* The request of a point for documents: the table of its profile is named relative to the folder of
+ * the case file, as the case names it. */
+static po_request shown_request(const po_case *kase, const po_point *point) {
+  po_request request = point->request;
+  po_profile *profile = &request.scene.profile;
+  if (po_profile_is_table(profile))
+    profile->shown = po_case_profile_shown(kase, po_profile_file(profile));
+  return request;
+}
+
+static void table_name(char name[64], const char *what, const po_point *point) {
+  snprintf(name, 64, "%s-%s.csv", what, point->id);
+}
+
+/* Writes the curve or the profile of a point, if it has one, and adds the name of the file and its
+ * checksum to the entry. The checksum detects a table of another record. */
+static po_status add_table(const po_case_run *run, size_t index, bool profile, const char *folder,
+                           json_t **entry) {
+  const po_point *point = &run->plan->kase->points[index];
+  const po_result *result = &run->results[index];
+  const char *what = profile ? "profile" : "curve";
+  char name[64], digest_key[32], digest[PO_DIGEST_LENGTH];
+  table_name(name, what, point);
+  po_json_set(entry, what, json_null());
+  if ((profile ? result->profile_count : result->curve_count) == 0)
+    return PO_OK;
+  char *path = po_path_join(folder, name);
+  if (!path)
+    return PO_NO_MEMORY;
+  const po_request shown = shown_request(run->plan->kase, point);
+  const po_status status = profile ? po_tables_write_profile(path, &shown, result, digest)
+                                   : po_tables_write_curve(path, &shown, result, digest);
+  free(path);
+  if (profile)
+    po_json_set(entry, "contact", po_json_of(&PO_CONTACT_ROWS, result));
+  snprintf(digest_key, sizeof digest_key, "%s_sha256", what);
+  po_json_set(entry, what, po_json_text(name));
+  po_json_set(entry, digest_key, po_json_text(digest));
+  return status ? status : *entry ? PO_OK : PO_NO_MEMORY;
+}
+
+static json_t *rerun_json(const po_plan *plan, size_t point) {
+  po_text text = {0};
+  po_plan_add_rerun(plan, point, &text);
+  if (text.failed)
+    po_text_clear(&text);
+  return po_json_take_text(text.data);
+}
+
+static json_t *sealed_result(const po_request *request, const po_result *result) {
+  json_t *object = po_json_result(request, result);
+  po_json_seal(&object);
+  return object;
+}
+
+po_status po_record_digest(const po_case_run *run, size_t index,
+                           char digest[PO_RESULT_DIGEST_LENGTH]) {
+  const po_request shown = shown_request(run->plan->kase, &run->plan->kase->points[index]);
+  json_t *object = po_json_result(&shown, &run->results[index]);
+  const po_status status = po_json_digest(object, digest);
+  json_decref(object);
+  return status;
+}
+
+json_t *po_record_point(const po_case_run *run, size_t index) {
+  const po_case *kase = run->plan->kase;
+  const po_point *point = &kase->points[index];
+  const po_result *result = &run->results[index];
+  const po_request shown = shown_request(kase, point);
+  json_t *object = sealed_result(&shown, result);
+  po_json_set(&object, "id", po_json_text(point->id));
+  po_json_set(&object, "label", po_json_text(point->label));
+  po_json_set(&object, "sweep", sweep(kase, index));
+  po_json_set(&object, "seconds_all", times(run, run->seconds, index));
+  po_json_set(&object, "processor_seconds_all", times(run, run->processor_seconds, index));
+  if (run->rounds)
+    po_json_set(&object, "timing", po_record_solver_timing(run, index));
+  po_json_set(&object, "command",
+              run->plan->solver ? rerun_json(run->plan, index)
+                                : po_json_take_text(po_input_command(&shown)));
+  if (point->traced)
+    po_json_set(&object, "traced", sealed_result(&shown, &run->traces[index]));
+  if (kase->is_physical)
+    po_json_set(&object, "physical",
+                PO_JSON_OBJECT({"units", po_json_units(&kase->units)},
+                               {"pull_off", po_json_units_pull_off(&kase->units, result)}));
+  return object;
+}
+
+po_status po_record_key(const po_case_run *run, size_t point, char key[PO_DIGEST_LENGTH]) {
+  const po_plan *plan = run->plan;
+  po_text text = {0};
+  char *command = po_input_identity(&plan->kase->points[point].request);
+  po_text_add(&text, "%s|%u|%u|%s", plan->program, plan->want, plan->kase->repeats,
+              command ? command : "");
+  if (plan->kase->series_length > 1)
+    po_text_add(&text, "|%s", plan->solve_key);
+  const bool made = command && !text.failed;
+  po_digest_bytes(po_text_string(&text), text.length, key);
+  free(command);
+  po_text_clear(&text);
+  return made ? PO_OK : PO_NO_MEMORY;
+}
+
+/* The checksum of an entry that has none yet: of the key of its point and of all its members. */
+static po_status checksum(const po_case_run *run, size_t point, const json_t *entry,
+                          char digest[PO_DIGEST_LENGTH]) {
+  char key[PO_DIGEST_LENGTH];
+  po_text text = {0};
+  po_status status = po_record_key(run, point, key);
+  po_text_add(&text, "%s ", status ? "" : key);
+  if (!status)
+    status = po_json_print_line(entry, &text);
+  po_digest_bytes(po_text_string(&text), text.length, digest);
+  po_text_clear(&text);
+  return status;
+}
+
+po_status po_record_entry(const po_case_run *run, size_t index, const char *folder, bool judged,
+                          json_t **entry) {
+  char digest[PO_DIGEST_LENGTH];
+  *entry = po_record_point(run, index);
+  if (judged)
+    po_json_set(entry, "failed", po_json_flag(po_case_run_failed(run, index)));
+  po_status status = add_table(run, index, false, folder, entry);
+  if (!status)
+    status = add_table(run, index, true, folder, entry);
+  if (!status)
+    status = checksum(run, index, *entry, digest);
+  if (!status)
+    po_json_set(entry, "checksum", po_json_text(digest));
+  return status ? status : *entry ? PO_OK : PO_NO_MEMORY;
+}
+
+/* Checks that an entry is as it was written, for this point, and removes its checksum. Status:
+ * PO_NOT_FOUND if it is not; PO_NO_MEMORY. */
+static po_status check(const po_case_run *run, size_t point, json_t *entry) {
+  char digest[PO_DIGEST_LENGTH];
+  if (!json_is_object(entry))
+    return PO_NOT_FOUND;
+  json_t *stated = json_incref(json_object_get(entry, "checksum"));
+  json_object_del(entry, "checksum");
+  const char *text = json_string_value(stated);
+  po_status status = checksum(run, point, entry, digest);
+  if (!status && !po_digest_agrees(text ? text : "", digest))
+    status = PO_NOT_FOUND;
+  json_decref(stated);
+  return status;
+}
+
+static const char *string_of(const json_t *object, const char *key) {
+  const char *text = json_string_value(json_object_get(object, key));
+  return text ? text : "";
+}
+
+static double number_or_nan(const json_t *value) {
+  return json_is_number(value) ? json_number_value(value) : (double)NAN;
+}
+
+static po_status read_table(const json_t *point, bool profile, bool needed, const char *folder,
+                            po_result *result) {
+  const char *name = string_of(point, profile ? "profile" : "curve");
+  const char *digest = string_of(point, profile ? "profile_sha256" : "curve_sha256");
+  if (!*name)
+    return needed && result->status == PO_OK ? PO_NOT_FOUND : PO_OK;
+  char *path = po_path_join(folder, name);
+  if (!path)
+    return PO_NO_MEMORY;
+  const po_status status = profile ? po_tables_read_profile(path, digest, result)
+                                   : po_tables_read_curve(path, digest, result);
+  free(path);
+  return status;
+}
+
+/* Reads the numbers of an entry that has its checksum. */
+static po_status read_numbers(po_case_run *run, size_t index, const json_t *entry) {
+  const unsigned repeats = run->plan->kase->repeats;
+  const json_t *seconds = json_object_get(entry, "seconds_all");
+  const json_t *processor = json_object_get(entry, "processor_seconds_all");
+  if (strcmp(string_of(entry, "id"), run->plan->kase->points[index].id) != 0 ||
+      json_array_size(seconds) > repeats || json_array_size(processor) != json_array_size(seconds))
+    return PO_NOT_FOUND;
+  po_status status = po_json_read_result(entry, &run->results[index]);
+  if (!status && run->results[index].status == PO_NO_MEMORY)
+    status = PO_NOT_FOUND; /* lack of memory is no result: the point is solved again */
+  if (!status && run->plan->kase->points[index].traced) {
+    po_result_clear(&run->traces[index]);
+    status = po_json_read_result(json_object_get(entry, "traced"), &run->traces[index]);
+  }
+  for (unsigned i = 0; i < repeats; ++i) {
+    const size_t place = index * repeats + i;
+    run->seconds[place] = number_or_nan(json_array_get(seconds, i));
+    run->processor_seconds[place] = number_or_nan(json_array_get(processor, i));
+  }
+  return status ? status
+                : po_record_solver_read_timing(run, index, json_object_get(entry, "timing"));
+}
+
+po_status po_record_read_point(po_case_run *run, size_t index, json_t *entry, const char *folder,
+                               bool intact) {
+  po_result *result = &run->results[index];
+  po_status status = intact ? PO_OK : check(run, index, entry);
+  if (!status) {
+    po_result_clear(result);
+    status = read_numbers(run, index, entry);
+    if (!status)
+      status = read_table(entry, false, run->plan->want & PO_WANT_CURVE, folder, result);
+    if (!status)
+      status = read_table(entry, true, run->plan->want & PO_WANT_PROFILE, folder, result);
+    run->done[index] = status == PO_OK;
+    if (status)
+      po_result_clear(result);
+  }
+  run->altered += status && status != PO_NO_MEMORY;
+  return status && status != PO_NO_MEMORY ? PO_NOT_FOUND : status;
+}

@@ -1,0 +1,155 @@
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_compare.h"
+#include "po_judge.h"
+#include "po_memory.h"
+#include "po_observe.h"
+#include "po_run.h"
+
+/* Reports whether the results of a point are compared: it is requested, and an external solver was
+ * asked for it. */
+static bool is_judged(const po_case_run *run, size_t point) {
+  return run->asked[point] && !(run->beyond && run->beyond[point]);
+}
+
+/* Reports whether the approach of a result is one at which a jump, or the greatest tension of a
+ * path with jumps, was located. */
+static bool is_located(const po_check_result *item) {
+  return strcmp(item->quantity, "jump_approach") == 0 ||
+         strcmp(item->quantity, "hysteresis_approach") == 0 ||
+         strcmp(item->quantity, "pull_off_approach") == 0;
+}
+
+static void allow_step(po_check_result *item, double step) {
+  if (step <= 0 || !is_located(item) || isnan(item->error))
+    return;
+  item->allowance += step;
+  item->ratio = fabs(item->error) / item->allowance;
+  if (item->verdict == PO_OUTSIDE && fabs(item->error) <= item->allowance) {
+    item->verdict = PO_WITHIN;
+    snprintf(item->note, sizeof item->note, "within the approach step of the solver, %g", step);
+  }
+}
+
+/* Finds out whether the stable path of a scene reaches its pull-off. */
+static po_status reach(const po_case_run *run, size_t point, const volatile sig_atomic_t *stop,
+                       bool *reached) {
+  po_request request = run->plan->kase->points[point].request;
+  po_result result;
+  request.mesh = po_mesh_default();
+  request.want = PO_WANT_HYSTERESIS;
+  request.time_limit = (double)NAN;
+  request.stop = stop;
+  const po_status status = po_observe(&request, &result);
+  const double path = result.has_hysteresis ? -result.hysteresis.displacement.pull_off.load : NAN;
+  *reached = status || !result.has_pull_off || isnan(path) ||
+             path > result.pull_off.force - 1e-4 * fabs(result.pull_off.force);
+  po_result_clear(&result);
+  return status == PO_NO_MEMORY || status == PO_INTERRUPTED ? status : PO_OK;
+}
+
+static po_status judge_reach(po_case_run *run, const volatile sig_atomic_t *stop) {
+  enum { UNKNOWN, REACHED, NOT_REACHED };
+  const po_case *kase = run->plan->kase;
+  unsigned char *known = po_allocate(kase->point_count, 1);
+  po_status status = known ? PO_OK : PO_NO_MEMORY;
+  for (size_t i = 0; !status && i < run->check_results.count; ++i) {
+    po_check_result *item = &run->check_results.items[i];
+    if (item->whole || po_verdict_passes(item->verdict) || item->verdict == PO_NO_RESULT ||
+        item->verdict == PO_MISSING_REFERENCE || item->ledger == PO_LEDGER_PIN ||
+        !po_quantity_is_pull_off(item->check->quantity))
+      continue;
+    bool reached = true;
+    if (known[item->point] == UNKNOWN) {
+      status = reach(run, item->point, stop, &reached);
+      known[item->point] = reached ? REACHED : NOT_REACHED;
+    }
+    if (known[item->point] != NOT_REACHED)
+      continue;
+    item->verdict = PO_NOT_REACHABLE;
+    run->coverage.not_reachable += 1;
+    snprintf(item->note, sizeof item->note,
+             "the pull-off of the branch lies on equilibria that no test at given approach passes");
+  }
+  free(known);
+  return status;
+}
+
+/* Of all points of the case, also if the run is limited to some of them. */
+static void count_coverage(po_case_run *run) {
+  const po_case *kase = run->plan->kase;
+  run->coverage = (po_coverage){.points = kase->point_count};
+  for (size_t i = 0; i < kase->point_count; ++i) {
+    const bool judged = is_judged(run, i);
+    run->coverage.asked += judged;
+    for (unsigned c = 0; c < kase->file->checks_count; ++c) {
+      const po_check *check = &kase->file->checks[c];
+      if (!po_check_concerns(check, &kase->points[i].request) ||
+          run->plan->references[c].type == PO_REFERENCE_ABSENT)
+        continue;
+      run->coverage.checks += 1;
+      run->coverage.made += judged && po_plan_covers(run->plan, check);
+    }
+  }
+}
+
+static po_status judge_solver(po_case_run *run, const volatile sig_atomic_t *stop) {
+  const po_solver *solver = run->plan->solver;
+  count_coverage(run);
+  for (size_t i = 0; i < run->check_results.count; ++i)
+    allow_step(&run->check_results.items[i], solver->approach_step);
+  return solver->unstable ? PO_OK : judge_reach(run, stop);
+}
+
+static bool is_measured(const po_case_run *run, const po_check *measure) {
+  return !run->plan->solver || po_solver_computes(run->plan->solver, measure->quantity);
+}
+
+/* The share of solved points among those that an external solver was asked for. */
+static po_status compare_share(po_case_run *run, const po_check *check,
+                               const po_reference *reference) {
+  const po_case *kase = run->plan->kase;
+  bool *judged = po_allocate(kase->point_count, sizeof *judged);
+  if (!judged)
+    return PO_NO_MEMORY;
+  for (size_t i = 0; i < kase->point_count; ++i)
+    judged[i] = is_judged(run, i);
+  const po_status status =
+      po_compare_share(kase, judged, check, reference, run->results, &run->check_results);
+  free(judged);
+  return status;
+}
+
+po_status po_run_check(po_case_run *run, const volatile sig_atomic_t *stop) {
+  const po_case *kase = run->plan->kase;
+  po_status status = PO_OK;
+  for (unsigned c = 0; !status && c < kase->file->checks_count; ++c) {
+    const po_check *check = &kase->file->checks[c];
+    if (!po_plan_covers(run->plan, check))
+      continue;
+    if (check->quantity == PO_SOLVED_SHARE) {
+      status = compare_share(run, check, &run->plan->references[c]);
+      continue;
+    }
+    if (po_check_is_traced(check)) {
+      status = po_compare_traced(kase, run->asked, check, &run->plan->references[c], run->results,
+                                 run->traces, &run->check_results);
+      continue;
+    }
+    for (size_t i = 0; !status && i < kase->point_count; ++i)
+      if (is_judged(run, i))
+        status = po_compare(kase, i, check, &run->plan->references[c], &run->results[i],
+                            &run->check_results);
+  }
+  for (unsigned m = 0; !status && m < kase->file->measure_count; ++m)
+    for (size_t i = 0; !status && i < kase->point_count; ++i)
+      if (is_judged(run, i) && is_measured(run, &kase->file->measure[m]))
+        status = po_compare(kase, i, &kase->file->measure[m], &run->plan->measures[m],
+                            &run->results[i], &run->measured);
+  if (!status)
+    po_judge(&run->check_results);
+  return !status && run->plan->solver ? judge_solver(run, stop) : status;
+}
