@@ -66,11 +66,10 @@ static po_status print(const po_case_run *run, const po_explain_choice *choice, 
   if (!status)
     fputs(po_text_string(&text), stdout);
   bool lacking = false;
-  for (size_t i = 0; i < run->check_results.count; ++i) {
-    const po_check_result *item = &run->check_results.items[i];
-    lacking = lacking || (po_check_is_pin(item->check) && item->verdict == PO_MISSING_REFERENCE &&
-                          po_explain_concerns(run, choice, item));
-  }
+  for (po_finding f = {0}; po_finding_next(run, &f);)
+    lacking = lacking ||
+              (f.item && po_check_is_pin(f.item->check) &&
+               f.item->verdict == PO_MISSING_REFERENCE && po_explain_concerns(run, choice, &f));
   if (!status && lacking)
     po_print_bless(run->plan->kase);
   po_text_clear(&text);
@@ -79,13 +78,9 @@ static po_status print(const po_case_run *run, const po_explain_choice *choice, 
 
 static int code_of(const po_case_run *run, const po_explain_choice *choice) {
   int code = PO_EXIT_OK;
-  for (size_t i = 0; i < run->check_results.count; ++i)
-    if (po_explain_concerns(run, choice, &run->check_results.items[i]) &&
-        !po_verdict_passes(run->check_results.items[i].verdict))
-      code = PO_EXIT_OUTSIDE;
-  for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-    if (choice->points[i] && po_case_run_failed(run, i))
-      code = PO_EXIT_SOLVE;
+  for (po_finding f = {0}; po_finding_next(run, &f);)
+    if (!f.passes && po_explain_concerns(run, choice, &f))
+      code = f.item ? PO_EXIT_OUTSIDE : PO_EXIT_SOLVE; /* failed solves are the last ones */
   return code;
 }
 

@@ -40,9 +40,9 @@ static bool is_chosen(const po_explain_choice *choice, size_t point) {
 }
 
 bool po_explain_concerns(const po_case_run *run, const po_explain_choice *choice,
-                         const po_check_result *item) {
-  if (!item->whole)
-    return is_chosen(choice, item->point);
+                         const po_finding *finding) {
+  if (finding->label)
+    return is_chosen(choice, finding->point);
   for (size_t i = 0; i < run->plan->kase->point_count; ++i)
     if (!is_chosen(choice, i))
       return false;
@@ -50,9 +50,8 @@ bool po_explain_concerns(const po_case_run *run, const po_explain_choice *choice
 }
 
 static bool is_explained(const po_case_run *run, const po_explain_choice *choice,
-                         const po_check_result *item) {
-  return po_explain_concerns(run, choice, item) &&
-         (choice->all || !po_verdict_is_plain(item->verdict));
+                         const po_finding *finding) {
+  return po_explain_concerns(run, choice, finding) && (choice->all || !finding->plain);
 }
 
 /* Returned: the command that repeats the solve of a point, with its time limit; for a curve, with
@@ -161,22 +160,20 @@ static void explain_item(const po_case_run *run, const po_check_result *item, co
 }
 
 void po_explain_text(const po_case_run *run, const po_explain_choice *choice, po_text *text) {
-  const po_case *kase = run->plan->kase;
   size_t explained = 0, considered = 0;
-  for (size_t i = 0; i < run->check_results.count; ++i) {
-    const po_check_result *item = &run->check_results.items[i];
-    considered += po_explain_concerns(run, choice, item);
-    if (!is_explained(run, choice, item))
+  for (po_finding f = {0}; po_finding_next(run, &f);) {
+    considered += f.item && po_explain_concerns(run, choice, &f);
+    if (!is_explained(run, choice, &f))
       continue;
-    explain_item(run, item, choice->output, text);
-    explained += 1;
-  }
-  for (size_t i = 0; i < kase->point_count; ++i)
-    if (is_chosen(choice, i) && po_case_run_failed(run, i)) {
-      po_text_add(text, "%s solve %s: failed\n  reason     %s\n", po_plan_name(run->plan),
-                  kase->points[i].label, run->results[i].reason);
-      add_commands(commands_of(run, i, false, choice->output), text);
+    explained += f.item != NULL;
+    if (f.item)
+      explain_item(run, f.item, choice->output, text);
+    else {
+      po_text_add(text, "%s solve %s: failed\n  reason     %s\n", po_plan_name(run->plan), f.label,
+                  run->results[f.point].reason);
+      add_commands(commands_of(run, f.point, false, choice->output), text);
     }
+  }
   po_text_add(text, "%s: %zu of %zu checks explained%s\n", po_plan_name(run->plan), explained,
               considered, explained < considered ? ", the others are within" : "");
 }
@@ -213,21 +210,23 @@ static json_t *item_json(const po_case_run *run, const po_check_result *item, co
   return object;
 }
 
+static json_t *failure_json(const po_case_run *run, size_t point, const char *output) {
+  json_t *object = PO_JSON_OBJECT({"point", po_json_text(run->plan->kase->points[point].id)},
+                                  {"label", po_json_text(run->plan->kase->points[point].label)},
+                                  {"reason", po_json_text(run->results[point].reason)});
+  set_commands(commands_of(run, point, false, output), &object);
+  return object;
+}
+
 json_t *po_explain_json(const po_case_run *run, const po_explain_choice *choice) {
-  const po_case *kase = run->plan->kase;
   json_t *checks = po_json_empty_array(), *failed = po_json_empty_array();
-  for (size_t i = 0; i < run->check_results.count; ++i)
-    if (is_explained(run, choice, &run->check_results.items[i]))
-      po_json_append(&checks, item_json(run, &run->check_results.items[i], choice->output));
-  for (size_t i = 0; i < kase->point_count; ++i)
-    if (is_chosen(choice, i) && po_case_run_failed(run, i)) {
-      json_t *object = PO_JSON_OBJECT({"point", po_json_text(kase->points[i].id)},
-                                      {"label", po_json_text(kase->points[i].label)},
-                                      {"reason", po_json_text(run->results[i].reason)});
-      set_commands(commands_of(run, i, false, choice->output), &object);
-      po_json_append(&failed, object);
-    }
-  return PO_JSON_OBJECT(
-      {"schema", po_json_text("pulloff-explain/1")}, {"case", po_json_text(kase->file->name)},
-      {"verdict", po_json_text(po_case_run_verdict(run))}, {"checks", checks}, {"failed", failed});
+  for (po_finding f = {0}; po_finding_next(run, &f);)
+    if (is_explained(run, choice, &f))
+      po_json_append(f.item ? &checks : &failed, f.item
+                                                     ? item_json(run, f.item, choice->output)
+                                                     : failure_json(run, f.point, choice->output));
+  return PO_JSON_OBJECT({"schema", po_json_text("pulloff-explain/1")},
+                        {"case", po_json_text(run->plan->kase->file->name)},
+                        {"verdict", po_json_text(po_case_run_verdict(run))}, {"checks", checks},
+                        {"failed", failed});
 }

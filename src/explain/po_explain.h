@@ -17,10 +17,10 @@ typedef struct {
  * its label. */
 bool po_explain_means(const po_point *point, const char *text);
 
-/* Reports whether a result belongs to the selected points. A result of all points together does if
+/* Reports whether a finding belongs to the selected points. A result of all points together does if
  * all points are selected. */
 bool po_explain_concerns(const po_case_run *run, const po_explain_choice *choice,
-                         const po_check_result *item);
+                         const po_finding *finding);
 
 /* Adds a paragraph for each check, and one for each failed solve (see po_case_run_failed). */
 void po_explain_text(const po_case_run *run, const po_explain_choice *choice, po_text *text);

@@ -23,17 +23,18 @@ static void ratio_or_dash(double value, char text[24]) {
 
 /* Adds the line of a check. A curve is not a single number; its line shows the largest distance
  * from the reference. */
-static void table_line(const po_case_run *run, const po_check_result *item, po_text *text) {
+static void table_line(const po_case_run *run, const po_finding *finding, po_text *text) {
+  const po_check_result *item = finding->item;
   char obtained[32], expected[32], ratio[24];
   const bool curve = item->check->quantity == PO_CURVE;
-  const bool is_told = !po_verdict_is_plain(item->verdict) && item->note[0];
+  const bool is_told = !finding->plain && item->note[0];
   number_or_dash(curve ? item->error : item->obtained, 9, obtained);
   number_or_dash(curve && isfinite(item->error) ? 0 : item->expected, 9, expected);
   ratio_or_dash(item->ratio, ratio);
   po_text_add(text, "%-12s %-23s %-24s %14s %14s %9s  %-9s %s%s%s\n", po_plan_name(run->plan),
-              item->quantity, item->whole ? "-" : run->plan->kase->points[item->point].label,
-              obtained, expected, ratio, po_ledger_name(item->ledger),
-              po_verdict_name(item->verdict), is_told ? ": " : "", is_told ? item->note : "");
+              item->quantity, finding->label ? finding->label : "-", obtained, expected, ratio,
+              po_ledger_name(item->ledger), po_verdict_name(item->verdict), is_told ? ": " : "",
+              is_told ? item->note : "");
 }
 
 /* Adds the pull-off of each point in newton and metre, if the scene is given in SI units. */
@@ -47,24 +48,15 @@ static void physical_lines(const po_case_run *run, po_text *text) {
                   run->results[i].pull_off.approach * kase->units.length);
 }
 
-/* Counts the checks of all cases by verdict. Returned: the number of all checks. */
-static size_t count_verdicts(const po_case_run *runs, size_t count, size_t of[PO_VERDICT_COUNT]) {
-  size_t total = 0;
-  for (size_t r = 0; r < count; ++r)
-    for (size_t i = 0; i < runs[r].check_results.count; ++i) {
-      of[runs[r].check_results.items[i].verdict] += 1;
-      total += 1;
-    }
-  return total;
-}
-
 void po_verdicts_totals(const po_case_run *runs, size_t count, po_text *text) {
-  size_t of[PO_VERDICT_COUNT] = {0}, failures = 0, passing = 0;
-  const size_t total = count_verdicts(runs, count, of);
+  size_t of[PO_VERDICT_COUNT] = {0}, total = 0, failures = 0, passing = 0;
   for (size_t r = 0; r < count; ++r)
-    failures += po_case_run_failures(&runs[r]);
-  for (int v = 0; v < PO_VERDICT_COUNT; ++v)
-    passing += po_verdict_passes((po_verdict)v) ? of[v] : 0;
+    for (po_finding f = {0}; po_finding_next(&runs[r], &f); passing += f.passes)
+      if (f.item) {
+        of[f.item->verdict] += 1;
+        total += 1;
+      } else
+        failures += 1;
   for (int passes = 1; passes >= 0; --passes) {
     if (passes)
       po_text_add(text, "%zu %s", passing, passing == 1 ? "check passes" : "checks pass");
@@ -86,53 +78,57 @@ void po_verdicts_table(const po_case_run *runs, size_t count, po_text *text) {
               "obtained", "expected", "|err|/tol", "ledger", "verdict");
   for (size_t r = 0; r < count; ++r) {
     const po_case_run *run = &runs[r];
-    for (size_t i = 0; i < run->check_results.count; ++i)
-      table_line(run, &run->check_results.items[i], text);
+    for (po_finding f = {0}; po_finding_next(run, &f);)
+      if (f.item)
+        table_line(run, &f, text);
     physical_lines(run, text);
-    for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-      if (po_case_run_failed(run, i))
+    for (po_finding f = {0}; po_finding_next(run, &f);)
+      if (!f.item)
         po_text_add(text, "%-12s %-23s %-24s failed: %s\n", po_plan_name(run->plan), "solve",
-                    run->plan->kase->points[i].label, run->results[i].reason);
+                    f.label, run->results[f.point].reason);
   }
   po_verdicts_totals(runs, count, text);
 }
 
-/* Composes the diagnostic text of a check whose verdict is not within. */
-static void describe(const po_check_result *item, char text[400]) {
+/* A finding as a test for other programs. */
+typedef struct {
+  const char *what, *id; /* together its name */
+  char words[400];       /* what is to be said of it, unless it is plain */
+} named;
+
+static void name_finding(const po_case_run *run, const po_finding *finding, named *test) {
+  const po_check_result *item = finding->item;
   char obtained[32], expected[32], error[32];
+  test->what = item ? "" : "solve/";
+  test->id = item ? item->id : finding->label;
+  if (!item) {
+    snprintf(test->words, sizeof test->words, "%s", run->results[finding->point].reason);
+    return;
+  }
   number_or_dash(item->obtained, 17, obtained);
   number_or_dash(item->expected, 17, expected);
   number_or_dash(item->error, 6, error);
-  snprintf(text, 400, "%s: obtained %s, expected %s, error %s, tolerance %s %s%s%s",
+  snprintf(test->words, sizeof test->words,
+           "%s: obtained %s, expected %s, error %s, tolerance %s %s%s%s",
            po_verdict_name(item->verdict), obtained, expected, error, item->check->tolerance_text,
            item->check->kind_text, item->note[0] ? "; " : "", item->note);
-}
-
-static void tap_check(const po_case_run *run, const po_check_result *item, size_t number,
-                      po_text *text) {
-  po_text_add(text, "%s %zu - %s %s\n", po_verdict_passes(item->verdict) ? "ok" : "not ok", number,
-              po_plan_name(run->plan), item->id);
-  if (po_verdict_is_plain(item->verdict))
-    return;
-  char why[400];
-  describe(item, why);
-  po_text_add(text, "# %s\n", why);
 }
 
 void po_verdicts_tap(const po_case_run *runs, size_t count, po_text *text) {
   size_t total = 0, number = 0;
   for (size_t r = 0; r < count; ++r)
-    total += runs[r].check_results.count + po_case_run_failures(&runs[r]);
+    for (po_finding f = {0}; po_finding_next(&runs[r], &f);)
+      total += 1;
   po_text_add(text, "TAP version 13\n1..%zu\n", total);
-  for (size_t r = 0; r < count; ++r) {
-    const po_case_run *run = &runs[r];
-    for (size_t i = 0; i < run->check_results.count; ++i)
-      tap_check(run, &run->check_results.items[i], ++number, text);
-    for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-      if (po_case_run_failed(run, i))
-        po_text_add(text, "not ok %zu - %s solve/%s\n# %s\n", ++number, po_plan_name(run->plan),
-                    run->plan->kase->points[i].label, run->results[i].reason);
-  }
+  for (size_t r = 0; r < count; ++r)
+    for (po_finding f = {0}; po_finding_next(&runs[r], &f);) {
+      named test;
+      name_finding(&runs[r], &f, &test);
+      po_text_add(text, "%s %zu - %s %s%s\n", f.passes ? "ok" : "not ok", ++number,
+                  po_plan_name(runs[r].plan), test.what, test.id);
+      if (!f.plain)
+        po_text_add(text, "# %s\n", test.words);
+    }
 }
 
 /* Adds a string to XML, which must be UTF-8. */
@@ -153,42 +149,28 @@ static void add_escaped(po_text *text, const char *string) {
   free(valid);
 }
 
-/* Adds one test: failed, passed with the text `words`, or passed (`words` is NULL). */
-static void junit_test(const char *kase, const char *id, bool passes, const char *words,
-                       double seconds, po_text *text) {
-  po_text_add(text, "    <testcase classname=\"%s\" name=\"", kase);
-  add_escaped(text, id);
-  po_text_add(text, "\" time=\"%.3f\"", seconds);
-  if (!words) {
+static void junit_test(const po_case_run *run, const po_finding *finding, po_text *text) {
+  named test;
+  name_finding(run, finding, &test);
+  po_text_add(text, "    <testcase classname=\"%s\" name=\"%s", po_plan_name(run->plan), test.what);
+  add_escaped(text, test.id);
+  po_text_add(text, "\" time=\"%.3f\"", run->results[finding->point].work.seconds);
+  if (finding->plain) {
     po_text_add(text, "/>\n");
     return;
   }
-  po_text_add(text, passes ? "><system-out>" : "><failure message=\"");
-  add_escaped(text, words);
-  po_text_add(text, passes ? "</system-out></testcase>\n" : "\"/></testcase>\n");
+  po_text_add(text, finding->passes ? "><system-out>" : "><failure message=\"");
+  add_escaped(text, test.words);
+  po_text_add(text, finding->passes ? "</system-out></testcase>\n" : "\"/></testcase>\n");
 }
 
 static void junit_suite(const po_case_run *run, po_text *text) {
-  const po_case *kase = run->plan->kase;
   const size_t failures = po_case_run_failures(run);
   po_text_add(text, "  <testsuite name=\"%s\" tests=\"%zu\" failures=\"%zu\" time=\"%.3f\">\n",
               po_plan_name(run->plan), run->check_results.count + failures,
               po_case_run_outside(run) + failures, run->elapsed);
-  for (size_t i = 0; i < run->check_results.count; ++i) {
-    const po_check_result *item = &run->check_results.items[i];
-    char words[400];
-    describe(item, words);
-    junit_test(po_plan_name(run->plan), item->id, po_verdict_passes(item->verdict),
-               po_verdict_is_plain(item->verdict) ? NULL : words,
-               run->results[item->point].work.seconds, text);
-  }
-  for (size_t i = 0; i < kase->point_count; ++i)
-    if (po_case_run_failed(run, i)) {
-      char id[300];
-      snprintf(id, sizeof id, "solve/%s", kase->points[i].label);
-      junit_test(po_plan_name(run->plan), id, false, run->results[i].reason,
-                 run->results[i].work.seconds, text);
-    }
+  for (po_finding f = {0}; po_finding_next(run, &f);)
+    junit_test(run, &f, text);
   po_text_add(text, "  </testsuite>\n");
 }
 

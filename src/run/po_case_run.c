@@ -124,17 +124,37 @@ bool po_case_run_failed(const po_case_run *run, size_t point) {
   return true;
 }
 
+bool po_finding_next(const po_case_run *run, po_finding *finding) {
+  const po_case *kase = run->plan->kase;
+  const size_t checks = run->check_results.count, end = checks + kase->point_count;
+  size_t next = finding->next;
+  while (next >= checks && next < end &&
+         !(run->asked[next - checks] && po_case_run_failed(run, next - checks)))
+    ++next;
+  if (next == end)
+    return false;
+  const po_check_result *item = next < checks ? &run->check_results.items[next] : NULL;
+  const size_t point = item ? item->point : next - checks;
+  *finding = (po_finding){.item = item,
+                          .point = point,
+                          .label = item && item->whole ? NULL : kase->points[point].label,
+                          .passes = item && po_verdict_passes(item->verdict),
+                          .plain = item && po_verdict_is_plain(item->verdict),
+                          .next = next + 1};
+  return true;
+}
+
 size_t po_case_run_failures(const po_case_run *run) {
   size_t count = 0;
-  for (size_t i = 0; i < run->plan->kase->point_count; ++i)
-    count += run->asked[i] && po_case_run_failed(run, i);
+  for (po_finding f = {0}; po_finding_next(run, &f);)
+    count += !f.item;
   return count;
 }
 
 size_t po_case_run_outside(const po_case_run *run) {
   size_t count = 0;
-  for (size_t i = 0; i < run->check_results.count; ++i)
-    count += !po_verdict_passes(run->check_results.items[i].verdict);
+  for (po_finding f = {0}; po_finding_next(run, &f);)
+    count += f.item && !f.passes;
   return count;
 }
 

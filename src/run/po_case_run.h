@@ -83,6 +83,20 @@ size_t po_case_run_lacking(const po_case_run *run);
 /* Reports whether the solve of a point failed, and no check on solved_share permits the failure. */
 bool po_case_run_failed(const po_case_run *run, size_t point);
 
+/* A finding of a run: the result of a check, or a solve that failed. */
+typedef struct {
+  const po_check_result *item; /* NULL: a failed solve */
+  size_t point;                /* of the result or the solve; an example if item->whole */
+  const char *label;           /* of the point; NULL: the result belongs to all points together */
+  bool passes, plain;          /* see po_check_result.h; a failed solve does neither */
+  size_t next;
+} po_finding;
+
+/* Finds the next finding, first the results of the checks, then the failed solves of requested
+ * points (po_case_run_failed). Given: *finding is {0} before the first one, else the previous one.
+ * Returned: whether there is one. */
+bool po_finding_next(const po_case_run *run, po_finding *finding);
+
 /* Returned: for the requested points, "failed" if a solve failed, else "outside" if a check does
  * not pass, else "within". */
 const char *po_case_run_verdict(const po_case_run *run);
