@@ -18,8 +18,11 @@ static int by_item(const void *a, const void *b, void *data) {
   return order ? order : (i > k) - (i < k);
 }
 
-size_t *po_order_make(const void *items, size_t count, size_t size, po_comparison *compare,
-                      void *context) {
+/* Sorts the indices of `count` items of `size` bytes in ascending order of the items. Equal items
+ * keep the order of the array. Returned: `count` indices, to be freed; NULL if memory runs out.
+ * Work: O(count log count) comparisons. */
+static size_t *make_order(const void *items, size_t count, size_t size, po_comparison *compare,
+                          void *context) {
   sort_input t = {items, size, compare, context};
   size_t *order = po_reserve(count, sizeof *order);
   for (size_t i = 0; order && i < count; ++i)
@@ -32,7 +35,7 @@ size_t *po_order_make(const void *items, size_t count, size_t size, po_compariso
 po_status po_order_find_repeat(const void *items, size_t count, size_t size, po_comparison *compare,
                                void *context, po_repeat *repeat) {
   const char *bytes = items;
-  size_t *order = po_order_make(items, count, size, compare, context);
+  size_t *order = make_order(items, count, size, compare, context);
   *repeat = (po_repeat){.again = count};
   if (!order)
     return PO_NO_MEMORY;

@@ -11,12 +11,6 @@
  * `a` comes before, equals or comes after `b`. */
 typedef int po_comparison(const void *a, const void *b, void *context);
 
-/* Sorts the indices of `count` items of `size` bytes in ascending order of the items. Equal items
- * keep the order of the array. Returned: `count` indices, to be freed; NULL if memory runs out.
- * Work: O(count log count) comparisons. */
-size_t *po_order_make(const void *items, size_t count, size_t size, po_comparison *compare,
-                      void *context);
-
 /* A pair of equal items in an array. */
 typedef struct {
   bool found;

@@ -170,4 +170,10 @@ const char *po_case_word(const po_case *kase);
  * relative to the folder of the case file, a part of `path`; `path` if it is elsewhere. */
 const char *po_case_profile_shown(const po_case *kase, const char *path);
 
+/* Reads and checks one case file.
+ * Given: `shown`, the name of the file in messages.
+ * Status: PO_BAD_INPUT with one line `file:line: path is VALUE: expected ...`; PO_CANNOT_READ. */
+po_status po_case_read(const char *path, const char *shown, po_case **result);
+void po_case_destroy(po_case *kase);
+
 #endif

@@ -1,7 +1,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "po_case_parse.h"
+#include "po_case_parts.h"
 #include "po_memory.h"
 #include "po_schema.h"
 #include "po_text.h"

@@ -2,7 +2,7 @@
  */
 #include <string.h>
 
-#include "po_case_parse.h"
+#include "po_case_parts.h"
 #include "po_schema.h"
 #include "po_series.h"
 

@@ -1,4 +1,4 @@
-#include "po_case_parse.h"
+#include "po_case_parts.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "po_case_lines.h"
+#include "po_file.h"
 #include "po_memory.h"
 #include "po_schema.h"
 
@@ -264,7 +265,9 @@ static po_status check_pinned(const po_case *kase, const po_yaml *yaml) {
   return status;
 }
 
-po_status po_case_parse(po_case *kase, const po_yaml *yaml) {
+/* Checks every value of kase->file and fills want, repeats, checks and points. Status:
+ * PO_BAD_INPUT; the message states file, line, path, value and what was expected. */
+static po_status parse(po_case *kase, const po_yaml *yaml) {
   po_status status = parse_names(kase, yaml);
   if (!status)
     status = parse_repeats(kase, yaml);
@@ -302,4 +305,42 @@ po_status po_case_parse(po_case *kase, const po_yaml *yaml) {
   if (!status)
     status = check_concerned(kase, yaml);
   return status ? status : check_pinned(kase, yaml);
+}
+
+po_status po_case_read(const char *path, const char *shown, po_case **result) {
+  *result = NULL;
+  po_yaml *yaml = NULL;
+  po_case *kase = po_allocate(1, sizeof *kase);
+  po_status status = kase ? PO_OK : PO_NO_MEMORY;
+  if (!status && (!(kase->path = po_copy_text(path)) || !(kase->shown = po_copy_text(shown))))
+    status = PO_NO_MEMORY;
+  if (!status)
+    status = po_file_read(path, &kase->source, &kase->source_size);
+  if (!status)
+    status = po_yaml_create(shown, kase->source, kase->source_size, &yaml);
+  if (!status)
+    status = po_schema_load(yaml, &kase->file);
+  if (!status)
+    status = parse(kase, yaml);
+  po_yaml_destroy(yaml);
+  if (status)
+    po_case_destroy(kase);
+  else
+    *result = kase;
+  return status;
+}
+
+void po_case_destroy(po_case *kase) {
+  if (!kase)
+    return;
+  for (size_t i = 0; kase->points && i < kase->point_count; ++i)
+    free(kase->points[i].label);
+  free(kase->points);
+  po_case_axes_clear(kase->file);
+  po_schema_free(kase->file);
+  free(kase->source);
+  free(kase->word);
+  free(kase->shown);
+  free(kase->path);
+  free(kase);
 }

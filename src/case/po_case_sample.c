@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_case_parse.h"
+#include "po_case_parts.h"
 #include "po_elementary.h"
 #include "po_random.h"
 #include "po_range.h"

@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "po_case_parse.h"
+#include "po_case_parts.h"
 #include "po_schema.h"
 
 bool po_case_varies(const po_case_file *file, po_key key) {

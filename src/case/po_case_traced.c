@@ -1,7 +1,7 @@
 /* The key `traced` of a case: scenes of a series that are traced in addition, for comparison. */
 #include <math.h>
 
-#include "po_case_parse.h"
+#include "po_case_parts.h"
 #include "po_random.h"
 #include "po_schema.h"
 

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_case_read.h"
 #include "po_file.h"
 #include "po_memory.h"
 #include "po_quote.h"

@@ -166,6 +166,28 @@ static void explain_no_comparison(po_check_result *item, const po_reference *ref
     snprintf(item->note, size, "the reference does not contain this scene");
 }
 
+/* Compares each counter of work with its pin. */
+static po_status compare_work(const po_case *kase, size_t point, const po_check *check,
+                              const po_reference *reference, const po_result *result,
+                              po_check_results *check_results) {
+  for (int counter = 0; counter < PO_WORK_COUNTERS; ++counter) {
+    char pin[PO_PIN_NAME_LENGTH], name[PO_PIN_NAME_LENGTH];
+    po_reference_number expected = {(double)NAN, 0};
+    snprintf(pin, sizeof pin, "work/%s", po_work_name(counter));
+    snprintf(name, sizeof name, "work_%s", po_work_name(counter));
+    const po_status status =
+        po_pins_value(reference, pin, &kase->points[point].request, &expected.value);
+    if (status && status != PO_NOT_FOUND)
+      return status;
+    const double done =
+        result->status == PO_OK ? po_work_count(&result->work, counter) : (double)NAN;
+    if (!po_check_results_add(check_results, kase, point, check, name, po_work_name(counter), done,
+                              expected))
+      return PO_NO_MEMORY;
+  }
+  return PO_OK;
+}
+
 po_status po_compare(const po_case *kase, size_t point, const po_check *check,
                      const po_reference *reference, const po_result *result,
                      po_check_results *check_results) {
@@ -183,7 +205,7 @@ po_status po_compare(const po_case *kase, size_t point, const po_check *check,
   else if (po_quantity_is_steps(check->quantity))
     status = po_compare_steps(kase, point, check, reference, result, check_results);
   else if (check->quantity == PO_WORK)
-    status = po_compare_work(kase, point, check, reference, result, check_results);
+    status = compare_work(kase, point, check, reference, result, check_results);
   else
     status = po_compare_special_points(kase, point, check, reference, result, check_results);
   for (size_t i = before; i < check_results->count; ++i) {

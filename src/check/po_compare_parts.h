@@ -2,7 +2,7 @@
 #ifndef PO_COMPARE_PARTS_H
 #define PO_COMPARE_PARTS_H
 
-#include "po_compare.h"
+#include "po_check_result.h"
 
 /* Returned: the value of a quantity that is a single number; NAN if the solve did not deliver it.
  */
@@ -68,10 +68,5 @@ po_status po_compare_steps(const po_case *kase, size_t point, const po_check *ch
 /* Returned: in *most, the number with the largest uncertainty among the steps of a scene. */
 po_status po_compare_steps_uncertainty(po_quantity quantity, const po_reference *reference,
                                        const po_request *request, po_reference_number *most);
-
-/* Compares each counter of work with its pin. Status: as po_compare. */
-po_status po_compare_work(const po_case *kase, size_t point, const po_check *check,
-                          const po_reference *reference, const po_result *result,
-                          po_check_results *check_results);
 
 #endif

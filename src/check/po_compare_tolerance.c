@@ -1,6 +1,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "po_compare.h"
 #include "po_compare_parts.h"
 
 static po_status refuse(const po_case *kase, const po_check *check, unsigned number,

@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "po_compare.h"
 #include "po_compare_parts.h"
 #include "po_result_rows.h"
 

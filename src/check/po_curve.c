@@ -6,7 +6,6 @@
 
 #include "po_elementary.h"
 #include "po_memory.h"
-#include "po_plane.h"
 
 /* A curve, the part of it that is compared, and the folds in that part. */
 typedef struct {

@@ -4,23 +4,8 @@
 #ifndef PO_CURVE_H
 #define PO_CURVE_H
 
-#include <stdbool.h>
-#include <stddef.h>
-
+#include "po_plane.h"
 #include "po_status.h"
-
-typedef struct {
-  double approach;
-  double load;
-} po_plane_point;
-
-/* A curve, given by points along it from large separation to contact. */
-typedef struct {
-  const po_plane_point *points;
-  const po_plane_point *rates; /* derivatives of the points by the position; NULL: not known */
-  const double *positions;     /* arclength of the points, ascending; NULL: without rates */
-  size_t count;
-} po_plane_curve;
 
 typedef struct {
   size_t compared;      /* compared points of the reference; 0: the curves have no common range */

@@ -3,8 +3,20 @@
 #define PO_PLANE_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
-#include "po_curve.h"
+typedef struct {
+  double approach;
+  double load;
+} po_plane_point;
+
+/* A curve, given by points along it from large separation to contact. */
+typedef struct {
+  const po_plane_point *points;
+  const po_plane_point *rates; /* derivatives of the points by the position; NULL: not known */
+  const double *positions;     /* arclength of the points, ascending; NULL: without rates */
+  size_t count;
+} po_plane_curve;
 
 /* A stretch: the part of a curve from point `from` to point `to`. Its interpolation uses the points
  * of the curve outside the stretch as well. */

@@ -2,11 +2,14 @@
 #ifndef PO_PRINT_H
 #define PO_PRINT_H
 
+#include <stdio.h>
+
 #include "po_case.h"
 #include "po_json_value.h"
 #include "po_request.h"
 #include "po_result.h"
 #include "po_scene_flags.h"
+#include "po_solver.h"
 
 /* Prints a document and releases it. A document is NULL if memory ran out while it was built; the
  * status is then PO_NO_MEMORY. */
@@ -23,6 +26,9 @@ po_status po_print_json(const po_request *request, const po_scene_flags *flags,
 
 /* Prints the command that writes the pins of a case. */
 void po_print_bless(const po_case *kase);
+
+/* Prints the name of an external solver, its manifest, the value of its knob, and its command. */
+void po_print_solver(const po_solver *solver, FILE *stream);
 
 /* Prints the result as text for the terminal. */
 po_status po_print_text(const po_request *request, const po_scene_flags *flags,

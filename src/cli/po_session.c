@@ -11,7 +11,7 @@
 #include "po_interrupt.h"
 #include "po_memory.h"
 #include "po_number.h"
-#include "po_print_solver.h"
+#include "po_print.h"
 #include "po_quote.h"
 #include "po_record.h"
 #include "po_summary.h"

@@ -9,7 +9,7 @@
 #include "po_interrupt.h"
 #include "po_memory.h"
 #include "po_options.h"
-#include "po_print_solver.h"
+#include "po_print.h"
 #include "po_verbs.h"
 
 static const char HELP[] =

@@ -9,7 +9,7 @@
 #include "po_panel_table.h"
 #include "po_panels.h"
 #include "po_pins.h"
-#include "po_plan_words.h"
+#include "po_plan.h"
 #include "po_print.h"
 #include "po_size.h"
 #include "po_verbs.h"

@@ -7,14 +7,132 @@
 #include <string.h>
 #include <time.h>
 
-#include "po_bless_list.h"
-#include "po_digests.h"
+#include "po_compare_parts.h"
 #include "po_file.h"
 #include "po_memory.h"
+#include "po_pins.h"
 #include "po_record_point.h"
 
-/* Largest length of a reason, which is a header of one line. */
-enum { LONGEST_REASON = 500 };
+typedef struct {
+  size_t point;
+  char name[PO_PIN_NAME_LENGTH];
+  double value; /* NAN: the solve did not deliver it */
+} pinned;
+
+typedef struct {
+  pinned *items;
+  size_t count;
+} pin_list;
+
+/* Adds a value, unless another check has added it already. */
+static po_status add(pin_list *list, size_t point, const char *name, double value) {
+  for (size_t i = 0; i < list->count; ++i)
+    if (list->items[i].point == point && strcmp(list->items[i].name, name) == 0)
+      return PO_OK;
+  pinned *items = po_resize(list->items, list->count + 1, sizeof *items);
+  if (!items)
+    return PO_NO_MEMORY;
+  list->items = items;
+  pinned *pin = &items[list->count++];
+  *pin = (pinned){.point = point, .value = value};
+  snprintf(pin->name, sizeof pin->name, "%s", name);
+  return PO_OK;
+}
+
+static po_status add_special_points(pin_list *list, size_t point, po_quantity quantity,
+                                    const po_result *result) {
+  const bool folds = quantity == PO_FOLDS, solved = result->status == PO_OK;
+  const po_special_point *marks = folds ? result->folds : result->extrema;
+  const size_t count = folds ? result->fold_count : result->extremum_count;
+  char name[PO_PIN_NAME_LENGTH];
+  snprintf(name, sizeof name, "%s/count", po_quantity_name(quantity));
+  po_status status = add(list, point, name, solved ? (double)count : (double)NAN);
+  for (size_t i = 0; !status && solved && i < count; ++i)
+    for (int load = 0; !status && load < 2; ++load) {
+      po_pins_name_special_point(quantity, marks[i].kind, i, load, name);
+      status = add(list, point, name, load ? marks[i].load : marks[i].approach);
+    }
+  return status;
+}
+
+static po_status add_work(pin_list *list, size_t point, const po_result *result) {
+  po_status status = PO_OK;
+  for (int counter = 0; !status && counter < PO_WORK_COUNTERS; ++counter) {
+    char name[PO_PIN_NAME_LENGTH];
+    snprintf(name, sizeof name, "work/%s", po_work_name(counter));
+    status = add(list, point, name,
+                 result->status == PO_OK ? po_work_count(&result->work, counter) : (double)NAN);
+  }
+  return status;
+}
+
+static po_status add_check(const po_case_run *run, const po_check *check, size_t point,
+                           pin_list *list) {
+  const po_result *result = &run->results[point];
+  if (!po_check_is_pin(check) || !po_check_concerns(check, &run->plan->kase->points[point].request))
+    return PO_OK;
+  if (check->quantity == PO_WORK)
+    return add_work(list, point, result);
+  if (check->quantity == PO_FOLDS || check->quantity == PO_EXTREMA)
+    return add_special_points(list, point, check->quantity, result);
+  return add(list, point, po_quantity_name(check->quantity),
+             po_compare_obtained(check->quantity, result));
+}
+
+/* Lists all values that the checks of the case pin, each once. Status: PO_NO_MEMORY. */
+static po_status list_pins(const po_case_run *run, pin_list *list) {
+  const po_case *kase = run->plan->kase;
+  po_status status = PO_OK;
+  *list = (pin_list){0};
+  for (size_t point = 0; !status && point < kase->point_count; ++point)
+    for (unsigned c = 0; !status && c < kase->file->checks_count; ++c)
+      status = add_check(run, &kase->file->checks[c], point, list);
+  return status;
+}
+
+/* Reports whether a key has the same value for all scenes of the list. Returned: in `text`, this
+ * value. */
+static bool is_shared(const po_case *kase, const pin_list *list, po_key key,
+                      char text[PO_KEY_TEXT_LENGTH]) {
+  strcpy(text, "-");
+  for (size_t i = 0; i < list->count; ++i) {
+    char other[PO_KEY_TEXT_LENGTH];
+    po_pins_key_text(&kase->points[list->items[i].point].request, key, i ? other : text);
+    if (i && strcmp(other, text) != 0)
+      return false;
+  }
+  return true;
+}
+
+/* Adds, as headers, the keys that have the same value for all scenes of the list. */
+static void add_shared_keys(const po_case *kase, const pin_list *list, po_text *text) {
+  char value[PO_KEY_TEXT_LENGTH];
+  for (int key = 0; key < PO_KEY_COUNT; ++key)
+    if (is_shared(kase, list, (po_key)key, value) && strcmp(value, "-") != 0)
+      po_text_add(text, "# %s: %s\n", po_key_name((po_key)key), value);
+}
+
+/* Adds the line of column names and the rows of the table. */
+static void add_rows(const po_case *kase, const pin_list *list, po_text *rows) {
+  bool column[PO_KEY_COUNT];
+  char value[PO_KEY_TEXT_LENGTH];
+  for (int key = 0; key < PO_KEY_COUNT; ++key) {
+    column[key] = !is_shared(kase, list, (po_key)key, value);
+    if (column[key])
+      po_text_add(rows, "%s,", po_key_name((po_key)key));
+  }
+  po_text_add(rows, "quantity,value\n");
+  for (size_t i = 0; i < list->count; ++i) {
+    const pinned *pin = &list->items[i];
+    for (int key = 0; key < PO_KEY_COUNT; ++key)
+      if (column[key]) {
+        po_pins_key_text(&kase->points[pin->point].request, (po_key)key, value);
+        po_text_add(rows, "%s,", value);
+      }
+    po_number_print(pin->value, value);
+    po_text_add(rows, "%s,%s\n", pin->name, value);
+  }
+}
 
 /* Returned: the present pins of the case; NULL if no check is against pins. */
 static const po_reference *old_pins(const po_plan *plan) {
@@ -24,6 +142,9 @@ static const po_reference *old_pins(const po_plan *plan) {
       return &plan->references[c];
   return NULL;
 }
+
+/* Largest length of a reason, which is a header of one line. */
+enum { LONGEST_REASON = 500 };
 
 static po_status check_reason(const char *reason) {
   bool blank = true, plain = true;
@@ -82,11 +203,11 @@ typedef struct {
 } changes;
 
 static po_status report_changes(const po_case_run *run, const po_reference *old,
-                                const po_pin_list *list, changes *found, po_text *report) {
+                                const pin_list *list, changes *found, po_text *report) {
   const po_case *kase = run->plan->kase;
   size_t known = 0;
   for (size_t i = 0; i < list->count; ++i) {
-    const po_pin *pin = &list->items[i];
+    const pinned *pin = &list->items[i];
     const po_point *point = &kase->points[pin->point];
     double before = 0;
     if (!isfinite(pin->value))
@@ -171,10 +292,8 @@ static po_status write_table(const char *path, po_text *header, po_text *rows) {
   po_text text = {0};
   char digest[PO_DIGEST_LENGTH];
   po_csv_seal(header, rows, &text, digest);
-  po_status status = text.failed ? PO_NO_MEMORY : PO_OK;
-  char *folder = status ? NULL : po_copy_text(path);
-  if (!status && !folder)
-    status = PO_NO_MEMORY;
+  char *folder = text.failed ? NULL : po_copy_text(path);
+  po_status status = folder ? PO_OK : PO_NO_MEMORY;
   if (folder)
     *strrchr(folder, '/') = '\0';
   if (!status)
@@ -188,13 +307,13 @@ static po_status write_table(const char *path, po_text *header, po_text *rows) {
   return status;
 }
 
-static po_status write_pins(const po_case_run *run, const po_reference *old,
-                            const po_pin_list *list, const char *who, const char *reason) {
+static po_status write_pins(const po_case_run *run, const po_reference *old, const pin_list *list,
+                            const char *who, const char *reason) {
   po_text header = {0}, rows = {0};
   add_headers(run, old, "blessed values", who, reason, &header);
   add_oracles(run->plan, &header);
-  po_pin_list_headers(run->plan->kase, list, &header);
-  po_pin_list_rows(run->plan->kase, list, &rows);
+  add_shared_keys(run->plan->kase, list, &header);
+  add_rows(run->plan->kase, list, &rows);
   return write_table(old->path, &header, &rows);
 }
 
@@ -211,9 +330,9 @@ static bool same_oracles(const po_plan *plan, const po_reference *old) {
 static po_status bless_pins(const po_case_run *run, const char *who, const char *reason,
                             po_text *report) {
   const po_reference *old = old_pins(run->plan);
-  po_pin_list list = {0};
+  pin_list list = {0};
   changes found = {0};
-  po_status status = po_pin_list_make(run, &list);
+  po_status status = list_pins(run, &list);
   if (!status)
     status = report_changes(run, old, &list, &found, report);
   const bool changed = found.new + found.moved + found.dropped > 0 || !same_oracles(run->plan, old);
@@ -225,7 +344,7 @@ static po_status bless_pins(const po_case_run *run, const char *who, const char 
   else if (!status)
     po_text_add(report, "%s: %zu pins, all as they were; nothing is written\n", old->shown,
                 list.count);
-  po_pin_list_clear(&list);
+  free(list.items);
   return status;
 }
 

@@ -22,6 +22,15 @@ bool po_explain_means(const po_point *point, const char *text);
 bool po_explain_concerns(const po_case_run *run, const po_explain_choice *choice,
                          const po_finding *finding);
 
+enum { PO_PLACE_LENGTH = 160 };
+
+/* Returned: in `words`, the place relative to the special points, which have the names that the ids
+ * of checks contain: "at jump_in-1", "between jump_out-2 and minimum-1", "before jump_in-1", "after
+ * minimum-1". "" if the branch has no special point, or if the place depends on the points of the
+ * curve and the result has none. */
+void po_place_describe(const po_result *result, double approach, double load,
+                       char words[PO_PLACE_LENGTH]);
+
 /* Adds a paragraph for each check, and one for each failed solve (see po_case_run_failed). */
 void po_explain_text(const po_case_run *run, const po_explain_choice *choice, po_text *text);
 

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "po_digests.h"
+#include "po_pins.h"
 #include "po_record_point.h"
 
 /* Relative difference of a pull-off force up to which it may be due to rounding. */

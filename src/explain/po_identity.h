@@ -1,4 +1,4 @@
-/* The comparison of results with the stored digests of their cases (po_digests.h), and of pins, to
+/* The comparison of results with the stored digests of their cases (po_pins.h), and of pins, to
  * the last bit. A result is a point of a case; one without a stored digest is not compared, nor is
  * one of an external solver. */
 #ifndef PO_IDENTITY_H

@@ -36,10 +36,6 @@ typedef struct {
   const double *value;  /* columns x rows, row by row; NAN: none */
 } po_plot_map;
 
-/* Returned: whether the values of an axis span so much that its scale is logarithmic. Given: at
- * least one value, ascending. */
-bool po_plot_axis_is_log(const double *value, size_t count);
-
 /* Appends the data of a map to a script, for reports/figures/map.gp. Status: PO_NO_MEMORY. */
 po_status po_plot_map_data(const po_plot_map *map, po_text *script);
 

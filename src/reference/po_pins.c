@@ -1,5 +1,6 @@
 #include "po_pins.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,8 +38,10 @@ void po_pins_name_special_point(po_quantity quantity, po_special_kind kind, size
            po_special_kind_name(kind), index + 1, load ? "load" : "approach");
 }
 
-char *po_pins_path(const char *case_path, const char *case_name, const char *solver,
-                   const char *ending) {
+/* Returned: FOLDER/pins/NAME + `ending`, or FOLDER/pins/SOLVER/NAME + `ending`, for a case file in
+ * FOLDER; the caller frees it; NULL without memory. */
+static char *path_of(const char *case_path, const char *case_name, const char *solver,
+                     const char *ending) {
   po_text text = {0};
   const char *slash = strrchr(case_path, '/');
   const int length = slash ? (int)(slash - case_path + 1) : 0;
@@ -81,8 +84,8 @@ static po_status read_table(po_reference *reference) {
 po_status po_pins_open(const po_case *kase, const char *name, const char *solver,
                        po_reference *reference) {
   *reference = (po_reference){.name = name, .ledger = PO_LEDGER_PIN, .type = PO_REFERENCE_PINS};
-  reference->path = po_pins_path(kase->path, kase->file->name, solver, ".csv");
-  reference->shown = po_pins_path(kase->shown, kase->file->name, solver, ".csv");
+  reference->path = path_of(kase->path, kase->file->name, solver, ".csv");
+  reference->shown = path_of(kase->shown, kase->file->name, solver, ".csv");
   po_status status = reference->path && reference->shown ? PO_OK : PO_NO_MEMORY;
   if (!status && !po_path_exists(reference->path))
     po_digest_bytes("", 0, reference->digest);
@@ -193,4 +196,45 @@ po_status po_pins_points(const po_reference *pins, po_quantity quantity, const p
   *points = list;
   *count = (size_t)number;
   return PO_OK;
+}
+
+enum { POINT, DIGEST, FORCE, COLUMNS };
+
+static po_status check_digest_columns(const po_csv *table) {
+  static const char *const NAMES[COLUMNS] = {"point", "digest", "pull_off_force"};
+  for (size_t c = 0; c < COLUMNS; ++c)
+    if (table->column_count != COLUMNS || strcmp(table->columns[c], NAMES[c]) != 0)
+      return po_fail(PO_CANNOT_READ, "%s:%zu: expected the columns point, digest, pull_off_force",
+                     table->path, table->column_line);
+  return PO_OK;
+}
+
+po_status po_digests_open(const po_case *kase, po_reference *digests) {
+  *digests = (po_reference){.name = "digests", .type = PO_REFERENCE_PINS};
+  digests->path = path_of(kase->path, kase->file->name, NULL, ".digests.csv");
+  digests->shown = path_of(kase->shown, kase->file->name, NULL, ".digests.csv");
+  po_status status = digests->path && digests->shown ? PO_OK : PO_NO_MEMORY;
+  if (!status && po_path_exists(digests->path)) {
+    status = po_reference_read(digests->path, digests->shown, digests);
+    if (!status)
+      status = check_digest_columns(&digests->table);
+  }
+  if (status)
+    po_reference_close(digests);
+  return status;
+}
+
+po_status po_digests_find(const po_reference *digests, size_t point, const char *id,
+                          const char **digest, double *force) {
+  const po_csv *table = &digests->table;
+  size_t row = point; /* where it is unless the case has been changed */
+  if (row >= table->row_count || strcmp(po_csv_cell(table, row, POINT), id) != 0)
+    for (row = 0; row < table->row_count && strcmp(po_csv_cell(table, row, POINT), id) != 0;)
+      ++row;
+  if (row >= table->row_count)
+    return PO_NOT_FOUND;
+  *digest = po_csv_cell(table, row, DIGEST);
+  *force = (double)NAN;
+  return strcmp(po_csv_cell(table, row, FORCE), "-") == 0 ? PO_OK
+                                                          : po_csv_number(table, row, FORCE, force);
 }

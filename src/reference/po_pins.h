@@ -15,11 +15,6 @@
 
 enum { PO_PIN_NAME_LENGTH = 64, PO_WORK_COUNTERS = 5 };
 
-/* Returned: FOLDER/pins/NAME + `ending`, or FOLDER/pins/SOLVER/NAME + `ending`, for a case file in
- * FOLDER; the caller frees it; NULL without memory. */
-char *po_pins_path(const char *case_path, const char *case_name, const char *solver,
-                   const char *ending);
-
 /* Opens the pins of a case as a reference. Given: `solver`, the name of the external solver whose
  * pins they are, pins/SOLVER/NAME.csv; NULL: those of this program. If the file does not exist,
  * nothing is pinned yet, and the status is PO_OK. Status: PO_CANNOT_READ with file and line
@@ -54,5 +49,18 @@ double po_work_count(const po_work *work, int counter);
 
 /* Returned: in `text`, the value of a key as written in a table of pins, or "-". */
 void po_pins_key_text(const po_request *request, po_key key, char text[PO_KEY_TEXT_LENGTH]);
+
+/* The stored digests of the results of a case: the table pins/NAME.digests.csv in the folder of the
+ * case file, with the columns point, digest and pull_off_force ("-": none), a row each point. The
+ * force says by how much a result with another digest differs.
+ *
+ * Opens the table; if there is none, the status is PO_OK, and it has no rows. The caller closes it
+ * with po_reference_close. Status: PO_CANNOT_READ with file and line, PO_NO_MEMORY. */
+po_status po_digests_open(const po_case *kase, po_reference *digests);
+
+/* Looks up a point. Returned: in *digest, its digest, which belongs to the table; in *force, its
+ * pull-off force in pi w R, NAN: none. Status: PO_NOT_FOUND, PO_CANNOT_READ. */
+po_status po_digests_find(const po_reference *digests, size_t point, const char *id,
+                          const char **digest, double *force);
 
 #endif

@@ -16,7 +16,7 @@ typedef struct {
 /* Number of solves in a process of a timed round, unless the first one takes long. */
 enum { PO_ROUND_SOLVES = 2 };
 
-/* Seconds of one timed round of a point (po_rounds.h). NAN: unknown. */
+/* Seconds of one timed round of a point (po_job.h). NAN: unknown. */
 typedef struct {
   double first, later; /* of the first and the second solve, as reported; without a second one the
                           same */

@@ -44,8 +44,18 @@ po_job_work po_job_series;
  * read. */
 po_job_work po_job_share;
 
-/* Asks the question of a point in a process of its own (po_rounds.h), unless an earlier round was
- * the last. All points with this question are handed over after the last round. */
+/* Does one timed round of the question of a point, unless an earlier round was the last. All points
+ * with this question are handed over after the last round.
+ *
+ * In each round every question is a process of its own, which solves it twice, between the solves
+ * of the other solvers. So the time of a process is measured from outside for each point, and the
+ * first solve, which may include compilation, is apart from the second one. A process whose first
+ * solve takes long is ended after it. Start and end of the program are measured by a request
+ * without points, once a round. */
 po_job_work po_job_round;
+
+/* Reports whether a point is the first of the requested open points with its question, for which
+ * the question is asked. */
+bool po_rounds_leads(const po_case_run *run, size_t point);
 
 #endif

@@ -1,8 +1,6 @@
 #include "po_jobs.h"
 
 #include "po_memory.h"
-#include "po_rounds.h"
-
 /* Reports whether a point of the series that begins at `begin` (or this point alone) is requested
  * and not done. */
 static bool is_wanted(const po_case_run *run, size_t begin) {

@@ -57,4 +57,7 @@ const char *po_plan_reference_of(const po_plan *plan, const po_check *check);
 /* Returned: the request of a point, with the results that the plan needs. */
 po_request po_plan_request(const po_plan *plan, size_t point);
 
+/* Fills plan->lines. To be called once. Status: PO_NO_MEMORY. */
+po_status po_plan_describe(po_plan *plan);
+
 #endif

@@ -1,4 +1,4 @@
-#include "po_plan_words.h"
+#include "po_plan.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
 /* What a record says about an external solver: its processes, what it covers, and the times of its
- * rounds (po_rounds.h). */
+ * rounds (po_job.h). */
 #ifndef PO_RECORD_SOLVER_H
 #define PO_RECORD_SOLVER_H
 

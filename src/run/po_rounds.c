@@ -1,4 +1,4 @@
-#include "po_rounds.h"
+#include "po_job.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -6,7 +6,6 @@
 
 #include "po_clock.h"
 #include "po_file.h"
-#include "po_job.h"
 #include "po_memory.h"
 #include "po_run_solver.h"
 #include "po_times.h"

@@ -13,7 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "po_case_read.h"
+#include "po_case.h"
 #include "po_csv.h"
 #include "po_environment.h"
 #include "po_file.h"

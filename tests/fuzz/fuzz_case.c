@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "fuzz.h"
-#include "po_case_read.h"
-#include "po_plan_words.h"
+#include "po_case.h"
+#include "po_plan.h"
 
 /* A plan looks up every reference for every point. More points take more time and test nothing new.
  */

@@ -8,7 +8,6 @@
 #include "po_csv.h"
 #include "po_curve.h"
 #include "po_memory.h"
-#include "po_plane.h"
 #include "po_tables.h"
 
 /* The time of a comparison is proportional to the product of the numbers of points. */

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "po_case_read.h"
+#include "po_case.h"
 #include "po_compare.h"
 #include "po_csv.h"
 #include "po_file.h"

@@ -3,7 +3,6 @@
 
 #include "po_blame.h"
 #include "po_explain.h"
-#include "po_place.h"
 #include "run.h"
 
 static const double NONE = (double)NAN;

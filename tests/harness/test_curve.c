@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "po_curve.h"
-#include "po_plane.h"
 #include "run.h"
 
 enum { MOST = 1000 };

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "po_case_read.h"
+#include "po_case.h"
 #include "po_file.h"
 #include "po_record_point.h"
 #include "po_run.h"

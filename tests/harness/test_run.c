@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_case_read.h"
+#include "po_case.h"
 #include "po_file.h"
 #include "po_run.h"
 #include "run.h"

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "po_case_read.h"
+#include "po_case.h"
 #include "po_file.h"
 #include "po_input.h"
 #include "po_random.h"

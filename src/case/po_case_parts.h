@@ -1,16 +1,13 @@
-/* Checks the content of a case file and computes the points of the case from it. */
-#ifndef PO_CASE_PARSE_H
-#define PO_CASE_PARSE_H
+/* The parts of reading a case file: its content is checked, and the points are computed from it. */
+#ifndef PO_CASE_PARTS_H
+#define PO_CASE_PARTS_H
 
 #include "po_case.h"
 #include "po_text.h"
 #include "po_yaml.h"
 
-/* Checks every value of kase->file and fills want, repeats, checks and points. Status:
- * PO_BAD_INPUT; the message states file, line, path, value and what was expected. */
-po_status po_case_parse(po_case *kase, const po_yaml *yaml);
-
-/* Checks and parses the section `sample`, if there is one. Status: as above. */
+/* Checks and parses the section `sample`, if there is one. Status: PO_BAD_INPUT; the message states
+ * file, line, path, value and what was expected. */
 po_status po_case_sample_parse(po_case *kase, const po_yaml *yaml);
 
 /* Reports whether the section `sample` draws a key. */
