@@ -100,7 +100,7 @@ def test_tables_as_spreadsheets_write_them():
     table("sphere.csv", SPHERE)
     lines = pathlib.Path("sphere.csv").read_text().splitlines()
     quoted = ['"r", "gap"'] + ['"' + line.replace(",", '","') + '"' if k == 5 else line for k, line in enumerate(lines[1:])]
-    same = {"mark": "\ufeff" + "\n".join(lines), "quotes": "\n".join(quoted) + "\n",
+    same = {"mark": "\ufeff" + "\n".join(lines) + "\n", "quotes": "\n".join(quoted) + "\n",
             "blanks": "".join(" " + line.replace(",", " ,  ") + "\t\n" for line in lines),
             "ends": "\ufeff" + "".join(line + "\r\n" for line in lines) + "\r\n  \r\n"}
 

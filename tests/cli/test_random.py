@@ -40,7 +40,7 @@ def test_random_scenes(data):
     for line in ("^scenes: 6 of 6 points$", "^ok +3$", "^out_of_time +3$",
                  *(f"^{what} +[0-9.e-]+ +[0-9.e+-]+ +[0-9.e+-]+$" for what in ("seconds", "points", "nodes"))):
         assert summary.count(line), line
-    assert summary.count("^point [135], out_of_time: after 1e-09 s of processor time the trace is at") == 3
+    assert summary.count("^point [135], out_of_time: after 1e-09 s of processor time the trace has no point yet") == 3
     planned = expect(0, "", "plan scenes").out.splitlines()
     assert "  compare solved_share with every_scene at 6 of 6 points, tolerance 0.6 abs" in planned
     assert '"point": null' in pathlib.Path(RECORD).read_text(), "the check belongs to no single point"
