@@ -30,8 +30,18 @@ static void check_row(const po_block *block, const po_row *row) {
     check_block(row->block);
 }
 
+/* Whether a row has a member of its own, rather than parts or a derived value. */
+static bool has_member(const po_row *row) {
+  return row->type == PO_ROW_NUMBER ? !row->alias : row->size && !row->get;
+}
+
 static void check_block(const po_block *block) {
   ck_assert(*block->name && block->size);
+  for (size_t i = 0; i < block->count; ++i)
+    for (size_t k = 0; has_member(&block->row[i]) && k < i; ++k)
+      ck_assert_msg(!has_member(&block->row[k]) || block->row[k].offset != block->row[i].offset,
+                    "%s: %s and %s are one member", block->name, block->row[k].key,
+                    block->row[i].key);
   for (size_t i = 0; i < block->count; ++i)
     if (block->row[i].type == PO_ROW_INLINE)
       check_block(block->row[i].block);
@@ -107,8 +117,7 @@ static void same_loop(const po_loop *a, const po_loop *b) {
   same_state(&a->pull_off, &b->pull_off);
   for (size_t k = 0; k < a->jump_count; ++k) {
     ck_assert(a->jumps[k].loading == b->jumps[k].loading);
-    SAME(po_jump, &a->jumps[k], &b->jumps[k], WITHOUT(po_jump, loading),
-         WITHOUT(po_jump, doubt));
+    SAME(po_jump, &a->jumps[k], &b->jumps[k], WITHOUT(po_jump, loading), WITHOUT(po_jump, doubt));
   }
 }
 
