@@ -14,7 +14,7 @@
 #include "po_print.h"
 #include "po_quote.h"
 #include "po_record.h"
-#include "po_summary.h"
+#include "po_verdicts.h"
 
 static const size_t MOST_JOBS = 4096;
 

@@ -6,7 +6,7 @@
 #include "po_file.h"
 #include "po_identity.h"
 #include "po_list_references.h"
-#include "po_record_solver.h"
+#include "po_record_point.h"
 #include "po_session.h"
 #include "po_text.h"
 #include "po_verbs.h"
@@ -94,7 +94,7 @@ static void add_case(const po_case_run *run, po_text *text) {
   if (run->plan->solver)
     po_text_add(text, "; coverage %zu/%zu points, %zu/%zu checks", run->coverage.asked,
                 run->coverage.points, run->coverage.made, run->coverage.checks);
-  const size_t clocks = po_record_solver_disagreements(run);
+  const size_t clocks = po_record_disagreements(run);
   if (clocks)
     po_text_add(text,
                 "; the times that it reports disagree with those of its processes at %zu points",

@@ -1,4 +1,4 @@
-#include "po_summary.h"
+#include "po_verdicts.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -20,4 +20,9 @@ void po_verdicts_tap(const po_case_run *runs, size_t count, po_text *text);
 /* Adds JUnit XML: a suite for each case, a test for each check and for each failed solve. */
 void po_verdicts_junit(const po_case_run *runs, size_t count, po_text *text);
 
+/* Adds the summary of the requested points of a finished run, for a case with many scenes: the
+ * number of solves with each status, their cost, and for each failure its reason and the command
+ * that repeats it. */
+void po_summary_add(const po_case_run *run, po_text *text);
+
 #endif

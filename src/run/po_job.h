@@ -56,6 +56,10 @@ po_job_work po_job_round;
 
 /* Reports whether a point is the first of the requested open points with its question, for which
  * the question is asked. */
-bool po_rounds_leads(const po_case_run *run, size_t point);
+bool po_run_solver_leads(const po_case_run *run, size_t point);
+
+/* Takes the answers that processes of an interrupted run wrote and that are not in the journal, and
+ * removes what is left of them. Status: PO_NO_MEMORY, PO_CANNOT_WRITE. */
+po_status po_run_solver_recover(po_case_run *run);
 
 #endif

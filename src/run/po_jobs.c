@@ -37,7 +37,7 @@ static void add_round(const po_case_run *runs, size_t count, size_t first, unsig
     for (size_t r = first; r < count; ++r) {
       const po_case_run *run = &runs[r];
       if (run->plan->kase == kase && !run->finished &&
-          (run->plan->solver ? po_rounds_leads(run, p) : is_wanted(run, p)))
+          (run->plan->solver ? po_run_solver_leads(run, p) : is_wanted(run, p)))
         jobs[(*total)++] = (po_job){r, p, round, run->plan->solver ? po_job_round : po_job_solve};
     }
 }

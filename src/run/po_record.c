@@ -13,7 +13,6 @@
 #include "po_json.h"
 #include "po_json_digest.h"
 #include "po_record_point.h"
-#include "po_record_solver.h"
 
 static json_t *suites(const po_case *kase) {
   json_t *array = po_json_empty_array();
@@ -258,6 +257,45 @@ static json_t *environment(const po_case_run *run, int jobs) {
   return po_json_parse(run->environment, strlen(run->environment), &found) ? NULL : found;
 }
 
+static json_t *processes_json(const po_case_run *run) {
+  json_t *array = po_json_empty_array();
+  for (size_t i = 0; i < run->process_count; ++i) {
+    const po_ask_process *p = &run->processes[i];
+    po_json_append(&array, PO_JSON_OBJECT({"asked", po_json_count(p->asked)},
+                                          {"answered", po_json_count(p->found.answered)},
+                                          {"seconds", po_json_number(p->wall)},
+                                          {"processor_seconds", po_json_number(p->processor)},
+                                          {"first_answer", po_json_number(p->first)},
+                                          {"reported_seconds", po_json_number(p->found.reported)},
+                                          {"left_behind", po_json_integer(p->left)}));
+  }
+  return array;
+}
+
+/* Returned: what the record says about an external solver; null for a run of this program. */
+static json_t *solver_json(const po_case_run *run) {
+  const po_solver *solver = run->plan->solver;
+  const po_coverage *c = &run->coverage;
+  if (!solver)
+    return json_null();
+  json_t *command = po_json_empty_array();
+  for (unsigned i = 0; i < solver->file->command_count; ++i)
+    po_json_append(&command, po_json_text(solver->file->command[i]));
+  json_t *quantities = po_json_empty_array();
+  for (unsigned i = 0; i < solver->file->can.quantities_count; ++i)
+    po_json_append(&quantities, po_json_text(solver->file->can.quantities[i]));
+  return PO_JSON_OBJECT(
+      {"name", po_json_text(solver->name)}, {"manifest", po_json_text(solver->path)},
+      {"knob", po_json_text(solver->file->knob ? solver->file->knob->name : NULL)},
+      {"knob_value", po_json_text(solver->knob)}, {"command", command}, {"quantities", quantities},
+      {"unstable", po_json_flag(solver->unstable)}, {"sha256", po_json_text(solver->digest)},
+      {"coverage",
+       PO_JSON_OBJECT({"points", po_json_count(c->points)}, {"asked", po_json_count(c->asked)},
+                      {"checks", po_json_count(c->checks)}, {"made", po_json_count(c->made)},
+                      {"not_reachable", po_json_count(c->not_reachable)})},
+      {"processes", processes_json(run)});
+}
+
 /* The digests of the points, whose digest is that of the case. */
 static json_t *digests(const json_t *points) {
   json_t *all = po_json_empty_array();
@@ -288,7 +326,7 @@ static json_t *record_json(const po_case_run *run, int jobs, json_t *points, jso
       {"checks", results_json(run, &run->check_results, check_json)},
       {"measured", results_json(run, &run->measured, measure_json)},
       {"left_out", left_out(run->plan)}, {"not_solved", not_solved(kase)}, {"lines", lines},
-      {"solver", po_record_solver(run)});
+      {"solver", solver_json(run)});
 }
 
 /* Marks the points that are not requested as beyond an external solver. */

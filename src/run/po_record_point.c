@@ -1,6 +1,7 @@
 #include "po_record_point.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,9 +11,101 @@
 #include "po_json.h"
 #include "po_json_rows.h"
 #include "po_json_units.h"
-#include "po_record_solver.h"
 #include "po_result_rows.h"
 #include "po_tables.h"
+
+/* A clock agrees if the time that it misses is less than this share of the measured time, plus this
+ * share of the start-up time, whose variation under load is not known. */
+static const double MISSED_SHARE = 0.25, START_SHARE = 0.5;
+
+/* The time that a solver may report beyond that of its process: a share, and seconds. The process
+ * is measured from before its start until after its end. */
+static const double EXCESS_SHARE = 0.01, EXCESS_SECONDS = 0.02;
+
+/* Names of the arrays in the record, and the members that they contain. */
+static const struct {
+  const char *name;
+  size_t place;
+} COLUMNS[] = {{"first_seconds", offsetof(po_round, first)},
+               {"reported_seconds", offsetof(po_round, reported)},
+               {"process_seconds", offsetof(po_round, wall)},
+               {"process_processor_seconds", offsetof(po_round, processor)},
+               {"start_seconds", offsetof(po_round, start_wall)},
+               {"start_processor_seconds", offsetof(po_round, start_processor)}};
+enum { COLUMN_COUNT = sizeof COLUMNS / sizeof *COLUMNS };
+
+static double *cell(po_round *round, size_t column) {
+  return (double *)(void *)((char *)round + COLUMNS[column].place);
+}
+
+static po_round *rounds_of(const po_case_run *run, size_t point) {
+  return run->rounds + point * run->plan->kase->repeats;
+}
+
+/* What the times of a point say about the clock of the solver. "more": a process reported more time
+ * than it took. "less": in every round it reported clearly less than it took beyond its start.
+ * "none": it reports no times, or has no result. Otherwise "agrees". */
+static const char *clock_of(const po_case_run *run, size_t point) {
+  const unsigned repeats = run->plan->kase->repeats;
+  const po_round *rounds = rounds_of(run, point);
+  unsigned known = 0, less = 0;
+  /* the process of a failed solve may do more than it reports */
+  for (unsigned r = 0; !run->results[point].status && r < repeats; ++r) {
+    const po_round *round = &rounds[r];
+    const double taken = fmax(round->wall - round->start_wall, 0);
+    if (isnan(round->reported) || isnan(round->wall))
+      continue;
+    known += 1;
+    if (round->reported > (1 + EXCESS_SHARE) * round->wall + EXCESS_SECONDS)
+      return "more";
+    less += taken - round->reported > MISSED_SHARE * taken + START_SHARE * round->start_wall;
+  }
+  return !known ? "none" : less == known ? "less" : "agrees";
+}
+
+size_t po_record_disagreements(const po_case_run *run) {
+  size_t count = 0;
+  for (size_t i = 0; run->rounds && i < run->plan->kase->point_count; ++i) {
+    const char *clock = clock_of(run, i);
+    count += run->asked[i] && (strcmp(clock, "more") == 0 || strcmp(clock, "less") == 0);
+  }
+  return count;
+}
+
+/* Returned: the member `timing` of a point; null unless an external solver was timed. */
+static json_t *timing_json(const po_case_run *run, size_t point) {
+  if (!run->rounds)
+    return json_null();
+  json_t *object = po_json_empty_object();
+  for (size_t c = 0; c < COLUMN_COUNT; ++c) {
+    json_t *array = po_json_empty_array();
+    for (unsigned r = 0; r < run->plan->kase->repeats; ++r)
+      po_json_append(&array, po_json_number(*cell(&rounds_of(run, point)[r], c)));
+    po_json_set(&object, COLUMNS[c].name, array);
+  }
+  po_json_set(&object, "clock", po_json_text(clock_of(run, point)));
+  po_json_set(&object, "interleaved", po_json_flag(run->interleaved[point]));
+  return object;
+}
+
+/* Reads that member. Status: PO_NOT_FOUND if it is missing or incomplete. */
+static po_status read_timing(po_case_run *run, size_t point, const json_t *timing) {
+  const unsigned repeats = run->plan->kase->repeats;
+  if (!run->rounds)
+    return PO_OK;
+  for (size_t c = 0; c < COLUMN_COUNT; ++c) {
+    const json_t *array = json_object_get(timing, COLUMNS[c].name);
+    if (json_array_size(array) != repeats)
+      return PO_NOT_FOUND;
+    for (unsigned r = 0; r < repeats; ++r) {
+      const json_t *value = json_array_get(array, r);
+      *cell(&rounds_of(run, point)[r], c) =
+          json_is_number(value) ? json_number_value(value) : (double)NAN;
+    }
+  }
+  run->interleaved[point] = json_is_true(json_object_get(timing, "interleaved"));
+  return PO_OK;
+}
 
 /* A law or a profile as cases write it, "mie:4,10": the name and the parameters. */
 static json_t *with_parameters(const po_request *request, po_key name) {
@@ -142,7 +235,7 @@ json_t *po_record_point(const po_case_run *run, size_t index) {
   po_json_set(&object, "seconds_all", times(run, run->seconds, index));
   po_json_set(&object, "processor_seconds_all", times(run, run->processor_seconds, index));
   if (run->rounds)
-    po_json_set(&object, "timing", po_record_solver_timing(run, index));
+    po_json_set(&object, "timing", timing_json(run, index));
   po_json_set(&object, "command",
               run->plan->solver ? rerun_json(run->plan, index)
                                 : po_json_take_text(po_input_command(&shown)));
@@ -260,8 +353,7 @@ static po_status read_numbers(po_case_run *run, size_t index, const json_t *entr
     run->seconds[place] = number_or_nan(json_array_get(seconds, i));
     run->processor_seconds[place] = number_or_nan(json_array_get(processor, i));
   }
-  return status ? status
-                : po_record_solver_read_timing(run, index, json_object_get(entry, "timing"));
+  return status ? status : read_timing(run, index, json_object_get(entry, "timing"));
 }
 
 po_status po_record_read_point(po_case_run *run, size_t index, json_t *entry, const char *folder,

@@ -13,6 +13,10 @@ json_t *po_record_point(const po_case_run *run, size_t index);
 po_status po_record_digest(const po_case_run *run, size_t index,
                            char digest[PO_RESULT_DIGEST_LENGTH]);
 
+/* Returned: the number of points at which the clock of an external solver disagrees with the times
+ * of its processes. */
+size_t po_record_disagreements(const po_case_run *run);
+
 /* Returned: a digest of all that determines the results of a point. It does not depend on the other
  * points of the case, except in a series, where each result depends on its predecessors. Status:
  * PO_NO_MEMORY. */

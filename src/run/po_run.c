@@ -13,7 +13,6 @@
 #include "po_memory.h"
 #include "po_progress.h"
 #include "po_record.h"
-#include "po_run_solver.h"
 
 /* The data that the threads of a run share. */
 typedef struct {

@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "made_results.h"
-#include "po_summary.h"
+#include "po_verdicts.h"
 #include "run.h"
 
 /* Seven points, and after them an element that belongs to no point: code that reads it counts it as
@@ -140,7 +140,23 @@ START_TEST(slowest_of_equals) {
 }
 END_TEST
 
+/* A series solves all its points. One that was not requested, and failed, had a line in the TAP
+ * that its plan did not count. */
+START_TEST(only_requested_solves_fail) {
+  po_text text = {0};
+  make_seven();
+  asked[5] = false;
+  made_run.asked_count = COUNT - 1;
+  ck_assert_uint_eq(po_case_run_failures(&made_run), 1);
+  po_verdicts_tap(&made_run, 1, &text);
+  ck_assert_str_eq(po_text_string(&text),
+                   "TAP version 13\n1..1\nnot ok 1 - made solve/made\n# time is up\n");
+  po_text_clear(&text);
+}
+END_TEST
+
 static void add(TCase *tests) {
+  tcase_add_test(tests, only_requested_solves_fail);
   tcase_add_test(tests, a_whole_run);
   tcase_add_test(tests, a_part_of_a_run);
   tcase_add_test(tests, nothing_was_asked_for);
