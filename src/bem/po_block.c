@@ -72,33 +72,6 @@ PO_FOR_ALL_WIDTHS void po_block_apply_transposed(size_t rows, size_t columns, co
     apply_transposed(4, columns, a, x, y);
 }
 
-/* Rows of the larger matrices; in single precision half a column of them is processed together. */
-enum { ROWS = 16, HALF = ROWS / 2 };
-typedef float half __attribute__((vector_size(HALF * sizeof(float)), aligned(4), may_alias));
-
-PO_FOR_ALL_WIDTHS void po_block_apply_from_single(size_t columns, const float *a, const float *x,
-                                                  const float *start, float *y) {
-  const half *from = (const half *)a, *of_start = (const half *)start;
-  half *to = (half *)y, low[4] = {of_start[0]}, high[4] = {of_start[1]};
-  for (size_t j = 0; j < columns; j += 4) /* four sums, so that one need not wait for another */
-    for (size_t p = 0; p < 4; ++p) {
-      low[p] += from[2 * (j + p)] * x[j + p];
-      high[p] += from[2 * (j + p) + 1] * x[j + p];
-    }
-  to[0] = (low[0] + low[1]) + (low[2] + low[3]);
-  to[1] = (high[0] + high[1]) + (high[2] + high[3]);
-}
-
-PO_FOR_ALL_WIDTHS void po_block_apply_transposed_single(size_t columns, const float *a,
-                                                        const float *x, float *y) {
-  const half *from = (const half *)a, *with = (const half *)x;
-  const half low = with[0], high = with[1];
-  for (size_t j = 0; j < columns; ++j) {
-    const half s = from[2 * j] * low + from[2 * j + 1] * high;
-    y[j] += ((s[0] + s[4]) + (s[1] + s[5])) + ((s[2] + s[6]) + (s[3] + s[7]));
-  }
-}
-
 PO_FOR_ALL_WIDTHS void po_block_apply_both(const double *block, const double *x, double *y,
                                            const double *u, double *v) {
   const lanes *b = (const lanes *)block, *from = (const lanes *)u;
@@ -121,9 +94,9 @@ PO_FOR_ALL_WIDTHS void po_block_apply_both(const double *block, const double *x,
   to[2] = y2;
 }
 
-/* Of a product, columns that are made together, so that a value of A is read once for all of them.
- */
-enum { PAIR = 2, QUARTET = 4 };
+/* Rows of the larger matrices; columns of a product that are made together, so that a value of A is
+ * read once for both. */
+enum { ROWS = 16, PAIR = 2 };
 
 PO_FOR_ALL_WIDTHS void po_block_multiply(size_t inner, size_t columns, const double *a,
                                          const double *b, const double *start, double *c) {
@@ -140,24 +113,6 @@ PO_FOR_ALL_WIDTHS void po_block_multiply(size_t inner, size_t columns, const dou
       }
     for (size_t p = 0; p < PAIR * MOST_GROUPS; ++p)
       ((lanes *)c)[p] = sum[p];
-  }
-}
-
-PO_FOR_ALL_WIDTHS void po_block_multiply_single(size_t inner, size_t columns, const float *a,
-                                                const float *b, const float *start, float *c) {
-  for (size_t j = 0; j < columns;
-       j += QUARTET, b += QUARTET * ROWS, start += QUARTET * ROWS, c += QUARTET * ROWS) {
-    const half *from = (const half *)a;
-    half sum[2 * QUARTET];
-    for (size_t p = 0; p < 2 * QUARTET; ++p)
-      sum[p] = ((const half *)start)[p];
-    for (size_t k = 0; k < inner; ++k, from += 2)
-      for (size_t p = 0; p < QUARTET; ++p) {
-        sum[2 * p] += from[0] * b[k + ROWS * p];
-        sum[2 * p + 1] += from[1] * b[k + ROWS * p];
-      }
-    for (size_t p = 0; p < 2 * QUARTET; ++p)
-      ((half *)c)[p] = sum[p];
   }
 }
 

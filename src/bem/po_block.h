@@ -17,27 +17,19 @@ void po_block_apply(size_t rows, size_t columns, const double *a, const double *
 void po_block_apply_transposed(size_t rows, size_t columns, const double *a, const double *x,
                                double *y);
 
-/* y = start + A x in either precision, for a matrix of 16 rows. Given: columns, a multiple of 4;
- * start, which may be y. A start that has just been written in parts narrower than a register, as
- * by memset, is slow to read. */
+/* y = start + A x, for a matrix of 16 rows. Given: start, which may be y. A start that has just
+ * been written in parts narrower than a register, as by memset, is slow to read. */
 void po_block_apply_from(size_t columns, const double *a, const double *x, const double *start,
                          double *y);
-void po_block_apply_from_single(size_t columns, const float *a, const float *x, const float *start,
-                                float *y);
-
-/* y += A^T x in single precision, for a matrix of 16 rows. */
-void po_block_apply_transposed_single(size_t columns, const float *a, const float *x, float *y);
 
 /* y += B x and v += B^T u, for the influence block of two panels. */
 void po_block_apply_both(const double *block, const double *x, double *y, const double *u,
                          double *v);
 
-/* C = start + A B in either precision, for matrices of 16 rows. Given: inner, the columns of A, and
- * the rows of B that are read; columns of B and C, a multiple of 4; start, which may be C. */
+/* C = start + A B, for matrices of 16 rows. Given: inner, the columns of A, and
+ * the rows of B that are read; columns of B and C, a multiple of 2; start, which may be C. */
 void po_block_multiply(size_t inner, size_t columns, const double *a, const double *b,
                        const double *start, double *c);
-void po_block_multiply_single(size_t inner, size_t columns, const float *a, const float *b,
-                              const float *start, float *c);
 
 /* Replaces a square matrix of order 12 or 16 by its inverse (Gauss and Jordan, with partial
  * pivoting). Returned: the sign of its determinant; 0 if it is singular, and then the matrix is

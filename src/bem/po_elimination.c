@@ -1,6 +1,5 @@
 #include "po_elimination.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -31,66 +30,36 @@ enum part {
   CELL_SIZE = 5 * K * K
 };
 
-/* Growth of rounding errors above which the factors are in double precision: in single precision
- * they would be off by 3e-5, the error of the skeletons being 1e-5, and cost iterations. With 1000
- * some scenes take 5 % less time, but the approach of the pull-off under the Morse law with a = 3
- * at mu = 10,000 is off by 2e-3. */
-static const double GROWTH_OF_DOUBLE = 250.0;
+static const double ZERO[K * K];
 
-static double largest(size_t n, const double *a) {
-  double largest = 0.0;
-  for (size_t k = 0; k < n * n; ++k)
-    largest = fabs(a[k]) > largest ? fabs(a[k]) : largest; /* fmax costs ten times as much */
-  return largest;
-}
-
-/* Replaces a matrix of order 12 or 16 by its inverse, as po_block_invert. Given and returned:
- * growth, the greatest of all inverses so far. */
-static int invert(size_t n, double *a, double *growth) {
-  const double before = largest(n, a);
-  const int sign = po_block_invert(n, a);
-  *growth = fmax(*growth, before * largest(n, a));
-  return sign;
-}
-
-/* Factors in single and in double precision. A solution reads every matrix once, so that in single
- * precision it takes half the time. */
-#define REAL float
-#define IN_REAL(name) name##_single
-#define APPLY po_block_apply_from_single
-#define APPLY_TRANSPOSED po_block_apply_transposed_single
-#define MULTIPLY po_block_multiply_single
-#include "po_elimination_factors.h"
-#include "po_elimination_solution.h"
-#undef REAL
-#undef IN_REAL
-#undef APPLY
-#undef APPLY_TRANSPOSED
-#undef MULTIPLY
-#define REAL double
-#define IN_REAL(name) name##_double
-#define APPLY po_block_apply_from
-#define APPLY_TRANSPOSED(columns, a, x, y) po_block_apply_transposed(K, columns, a, x, y)
-#define MULTIPLY po_block_multiply
-#include "po_elimination_factors.h"
-#include "po_elimination_solution.h"
+typedef struct {
+  double border[K];      /* border . x of the cell = sum + border . w, w its field */
+  double field[K], z[K]; /* of a solution */
+  double sum;            /* of a solution: border . x of the cell at zero field w */
+  bool is_quiet;         /* Z = 0 */
+} cell_state;
 
 struct po_elimination {
   const po_hierarchy *hierarchy;
   const po_skeleton *skeleton;
-  bool in_double;
-  double growth; /* of rounding errors in the last factorisation, by the inverses: the product of
-                    the largest elements of a matrix and of its inverse */
-  factors_single single;
-  factors_double full;
-  size_t room;
-  bool *is_quiet; /* of each cell: Z = 0 */
+  double value[K * K]; /* that of the skeleton, with rows of zeros */
+  size_t room;         /* cells for which there is memory */
+  double *matrix;      /* of all cells */
+  cell_state *state;
   double *border; /* 12 a panel: the transpose of I + CHANGE times the border */
   double *factor; /* 12 a panel: the factors of the matrix */
   int sign;
   double tail_border[N]; /* border of the panel to infinity */
   double pivot;
 };
+
+/* Copies a matrix of 12 rows to one of 16. */
+static void widen(size_t columns, const double *from, double *to) {
+  for (size_t j = 0; j < columns; ++j) {
+    memcpy(to + K * j, from + N * j, N * sizeof *to);
+    memset(to + K * j + N, 0, (K - N) * sizeof *to);
+  }
+}
 
 po_status po_elimination_create(const po_hierarchy *hierarchy, po_elimination **elimination) {
   po_elimination *e = *elimination = po_allocate(1, sizeof *e);
@@ -100,13 +69,13 @@ po_status po_elimination_create(const po_hierarchy *hierarchy, po_elimination **
   e->skeleton = po_skeleton_get();
   if (!e->skeleton)
     return PO_NO_MEMORY;
-  set_skeleton_single(e->skeleton, &e->single);
-  set_skeleton_double(e->skeleton, &e->full);
+  widen(K, e->skeleton->value, e->value);
   return PO_OK;
 }
 
 static void free_cells(po_elimination *e) {
-  free(e->is_quiet);
+  free(e->matrix);
+  free(e->state);
   free(e->border);
   free(e->factor);
 }
@@ -114,42 +83,8 @@ static void free_cells(po_elimination *e) {
 void po_elimination_destroy(po_elimination *e) {
   if (!e)
     return;
-  free_single(&e->single);
-  free_double(&e->full);
   free_cells(e);
   free(e);
-}
-
-static bool is_panel(const po_cell *cell) {
-  return cell->end - cell->panel == 1;
-}
-
-/* Returned: the sign of the determinant; 0 for a singular matrix. */
-static int factorize_panel(po_elimination *e, size_t c, size_t panel) {
-  const double *own = po_hierarchy_own_block(e->hierarchy, panel);
-  const double *weight = po_hierarchy_weight(e->hierarchy) + panel * N;
-  const double *rule = po_panel_table_get()->rule.weight, *factor = e->factor + panel * N;
-  e->is_quiet[c] = true;
-  for (int j = 0; j < N; ++j)
-    e->is_quiet[c] = e->is_quiet[c] && factor[j] == 0.0;
-  if (e->is_quiet[c])
-    return 1;
-  return e->in_double
-             ? factorize_panel_double(&e->full, c, own, weight, rule, factor, &e->growth)
-             : factorize_panel_single(&e->single, c, own, weight, rule, factor, &e->growth);
-}
-
-/* As above, for a cell whose halves are factorised. */
-static int factorize_halves(po_elimination *e, size_t c, size_t right) {
-  const bool has_left = !e->is_quiet[c + 1], has_right = !e->is_quiet[right];
-  const double *across = po_hierarchy_halves(e->hierarchy, c);
-  e->is_quiet[c] = !has_left && !has_right;
-  if (e->is_quiet[c])
-    return 1;
-  return e->in_double
-             ? factorize_halves_double(&e->full, c, right, across, has_left, has_right, &e->growth)
-             : factorize_halves_single(&e->single, c, right, across, has_left, has_right,
-                                       &e->growth);
 }
 
 static po_status reserve(po_elimination *e, size_t cells) {
@@ -157,54 +92,126 @@ static po_status reserve(po_elimination *e, size_t cells) {
     return PO_OK;
   free_cells(e);
   e->room = cells + cells / 2;
-  e->is_quiet = po_reserve(e->room, sizeof *e->is_quiet);
+  e->matrix = po_reserve(e->room * CELL_SIZE, sizeof *e->matrix);
+  e->state = po_reserve(e->room, sizeof *e->state);
   e->border = po_allocate(e->room * N, sizeof *e->border);
   e->factor = po_allocate(e->room * N, sizeof *e->factor);
-  if (e->is_quiet && e->border && e->factor)
+  if (e->matrix && e->state && e->border && e->factor)
     return PO_OK;
   e->room = 0;
   return PO_NO_MEMORY;
 }
 
-/* Factorises in one of the precisions; in single precision only as long as rounding allows. */
-static po_status factorize(po_elimination *e, bool in_double) {
-  size_t count;
-  const po_cell *cell = po_hierarchy_cells(e->hierarchy, &count);
-  const po_status status =
-      in_double ? reserve_double(count, &e->full) : reserve_single(count, &e->single);
-  if (status)
-    return status;
-  e->in_double = in_double;
-  e->sign = 1;
-  e->growth = 0.0;
-  for (size_t c = count; c-- > 0 && (in_double || e->growth < GROWTH_OF_DOUBLE);)
-    e->sign *= is_panel(cell + c) ? factorize_panel(e, c, cell[c].panel)
-                                  : factorize_halves(e, c, cell[c].right);
-  return PO_OK;
+static bool is_panel(const po_cell *cell) {
+  return cell->end - cell->panel == 1;
 }
 
-po_status po_elimination_factorize(po_elimination *e, const double *factor, bool in_double) {
-  const bool was_large = !(e->growth < GROWTH_OF_DOUBLE);
+static double *at(const po_elimination *e, size_t cell, enum part part) {
+  return e->matrix + cell * CELL_SIZE + part;
+}
+
+/* The relation of a panel, and its parts of a solution. Returned: the sign of the determinant of
+ * its own equations; 0 if they are singular. */
+static int factorize_panel(po_elimination *e, size_t c, size_t panel) {
+  const double *own = po_hierarchy_own_block(e->hierarchy, panel);
+  const double *weight = po_hierarchy_weight(e->hierarchy) + panel * N;
+  const double *rule = po_panel_table_get()->rule.weight, *factor = e->factor + panel * N;
+  double inverse[N * N], change[K * N], moment[K * N];
+  e->state[c].is_quiet = true;
+  for (int j = 0; j < N; ++j)
+    e->state[c].is_quiet = e->state[c].is_quiet && factor[j] == 0.0;
+  if (e->state[c].is_quiet)
+    return 1;
+  for (int j = 0; j < N; ++j) {
+    const double charge = weight[j] / rule[j] * factor[j];
+    for (int i = 0; i < N; ++i)
+      inverse[i + N * j] = (i == j ? 1.0 : 0.0) - own[i + N * j] * factor[j];
+    for (int i = 0; i < K; ++i)
+      moment[i + K * j] = charge * e->skeleton->moment[i + K * j];
+  }
+  const int sign = po_block_invert(N, inverse);
+  widen(N, inverse, change);
+  po_block_multiply(N, K, change, e->value, ZERO, at(e, c, ALONG));
+  po_block_multiply(N, N, moment, change, ZERO, at(e, c, MOMENTS));
+  po_block_multiply(N, K, at(e, c, MOMENTS), e->value, ZERO, at(e, c, RELATION));
+  for (int j = 0; j < N; ++j)
+    inverse[j + N * j] -= 1.0;
+  widen(N, inverse, at(e, c, CHANGE));
+  return sign;
+}
+
+/* The inverse of I - A B. Returned: the sign of its determinant. */
+static int invert_less(const double *a, const double *b, double *result) {
+  po_block_multiply(K, K, a, b, ZERO, result);
+  for (int k = 0; k < K * K; ++k)
+    result[k] = (k % (K + 1) == 0 ? 1.0 : 0.0) - result[k];
+  return po_block_invert(K, result);
+}
+
+/* As above, for a cell whose halves are factorised. */
+static int factorize_halves(po_elimination *e, size_t c, size_t right) {
+  const bool has_left = !e->state[c + 1].is_quiet, has_right = !e->state[right].is_quiet;
+  const double *forth = po_hierarchy_halves(e->hierarchy, c);
+  const po_skeleton *s = e->skeleton;
+  const double *z_1 = at(e, c + 1, RELATION), *z_2 = at(e, right, RELATION);
+  const double *start = s->from_parent[0];
+  double *along = at(e, c, ALONG), *along_right = at(e, c, ALONG_RIGHT), *back = at(e, c, BACK);
+  double *relation = at(e, c, RELATION);
+  double to_left[K * K], to_right[K * K], inverse[K * K], work[K * K];
+  int sign = 1;
+  e->state[c].is_quiet = !has_left && !has_right;
+  if (e->state[c].is_quiet)
+    return 1;
+  for (int j = 0; j < K; ++j)
+    for (int i = 0; i < K; ++i)
+      back[j + K * i] = forth[i + K * j];
+  if (has_right) {
+    po_block_multiply(K, K, forth, z_2, ZERO, to_left);
+    po_block_multiply(K, K, to_left, s->from_parent[1], start, work);
+    start = work;
+  }
+  if (has_left)
+    po_block_multiply(K, K, back, z_1, ZERO, to_right);
+  if (has_left && has_right) {
+    sign = invert_less(to_left, to_right, inverse);
+    po_block_multiply(K, K, inverse, start, ZERO, along);
+    po_block_multiply(K, K, inverse, forth, ZERO, at(e, c, ACROSS));
+  } else {
+    memcpy(along, start, K * K * sizeof *along);
+    memcpy(at(e, c, ACROSS), forth, K * K * sizeof *forth);
+  }
+  start = ZERO;
+  if (has_left) {
+    po_block_multiply(K, K, to_right, along, s->from_parent[1], along_right);
+    po_block_multiply(K, K, z_1, along, ZERO, work);
+    po_block_multiply(K, K, s->to_parent[0], work, ZERO, relation);
+    start = relation;
+  } else {
+    memcpy(along_right, s->from_parent[1], K * K * sizeof *along_right);
+  }
+  if (has_right) {
+    po_block_multiply(K, K, z_2, along_right, ZERO, work);
+    po_block_multiply(K, K, s->to_parent[1], work, start, relation);
+  }
+  return sign;
+}
+
+po_status po_elimination_factorize(po_elimination *e, const double *factor) {
   size_t count;
   const po_cell *cell = po_hierarchy_cells(e->hierarchy, &count);
-  po_status status = reserve(e, count);
+  const po_status status = reserve(e, count);
   if (status)
     return status;
   memcpy(e->factor, factor, (size_t)cell[0].end * N * sizeof *factor);
-  status = factorize(e, in_double || was_large);
-  if (!status && !e->in_double && !(e->growth < GROWTH_OF_DOUBLE))
-    status = factorize(e, true);
-  if (status)
-    return status;
+  e->sign = 1;
+  for (size_t c = count; c-- > 0;)
+    e->sign *= is_panel(cell + c) ? factorize_panel(e, c, cell[c].panel)
+                                  : factorize_halves(e, c, cell[c].right);
   return e->sign == 0 ? PO_SINGULAR : PO_OK;
 }
 
 int po_elimination_sign(const po_elimination *e) {
   return e->sign;
-}
-
-bool po_elimination_is_double(const po_elimination *e) {
-  return e->in_double;
 }
 
 /* Adds to the border of a panel that of the panel to infinity, whose unknowns follow from those of
@@ -219,21 +226,27 @@ static void add_tail_border(const po_elimination *e, size_t panel, double *borde
     border[j] += e->factor[panel * N + j] * from_tail[j];
 }
 
+/* The border of a panel as a function of the field on it, and of its right-hand side. */
 static void set_panel_border(po_elimination *e, size_t c, size_t panel) {
-  double *border = e->border + panel * N;
-  if (!e->is_quiet[c])
-    add_tail_border(e, panel, border);
-  if (e->in_double)
-    set_panel_border_double(&e->full, c, e->is_quiet[c], border);
-  else
-    set_panel_border_single(&e->single, c, e->is_quiet[c], border);
+  const bool is_quiet = e->state[c].is_quiet;
+  double *to = e->border + panel * N, border[K], *of_field = e->state[c].border;
+  if (!is_quiet)
+    add_tail_border(e, panel, to);
+  widen(1, to, border);
+  memset(of_field, 0, K * sizeof *of_field);
+  po_block_apply_transposed(K, K, is_quiet ? e->value : at(e, c, ALONG), border, of_field);
+  if (!is_quiet)
+    po_block_apply_transposed(K, N, at(e, c, CHANGE), border, to);
 }
 
 static void set_border(po_elimination *e, size_t c, size_t right) {
-  if (e->in_double)
-    set_border_double(&e->full, c, right, e->is_quiet[c]);
-  else
-    set_border_single(&e->single, c, right, e->is_quiet[c]);
+  const bool is_quiet = e->state[c].is_quiet;
+  const double *left = is_quiet ? e->skeleton->from_parent[0] : at(e, c, ALONG);
+  double *border = e->state[c].border;
+  memset(border, 0, K * sizeof *border);
+  po_block_apply_transposed(K, K, left, e->state[c + 1].border, border);
+  po_block_apply_transposed(K, K, is_quiet ? e->skeleton->from_parent[1] : at(e, c, ALONG_RIGHT),
+                            e->state[right].border, border);
 }
 
 double po_elimination_border(po_elimination *e, const double *border) {
@@ -252,8 +265,94 @@ double po_elimination_border(po_elimination *e, const double *border) {
     else
       set_border(e, c, cell[c].right);
   for (int k = 0; k < K; ++k)
-    e->pivot -= e->in_double ? e->full.cell[0].border[k] : (double)e->single.cell[0].border[k];
+    e->pivot -= e->state[0].border[k];
   return e->pivot;
+}
+
+/* y = start + A x with a matrix of a cell. */
+static void apply(const po_elimination *e, size_t cell, enum part part, const double *x,
+                  const double *start, double *y) {
+  po_block_apply_from(K, at(e, cell, part), x, start, y);
+}
+
+/* The moments of a panel, and the sum of its border, at zero field. Given: x, its right-hand side.
+ */
+static void begin_panel(po_elimination *e, size_t c, size_t panel, const double *x) {
+  double right[K];
+  e->state[c].sum = po_linear_dot(N, e->border + panel * N, x);
+  if (e->state[c].is_quiet)
+    return;
+  widen(1, x, right);
+  po_block_apply_from(N, at(e, c, MOMENTS), right, ZERO, e->state[c].z);
+}
+
+static double dot(const double *x, const double *y) {
+  double sum = 0.0;
+  for (int k = 0; k < K; ++k)
+    sum += x[k] * y[k];
+  return sum;
+}
+
+/* From the halves of a cell: its moments, the sum of its border, and the fields on its halves, at
+ * zero field on the cell. */
+static void join(po_elimination *e, size_t c, size_t right_half) {
+  cell_state *own = e->state + c, *left = own + 1, *right = e->state + right_half;
+  const bool has_left = !left->is_quiet, has_right = !right->is_quiet;
+  const double *moments = ZERO;
+  own->sum = left->sum + right->sum;
+  if (own->is_quiet)
+    return;
+  if (has_left && has_right) {
+    double with[K]; /* z_2 + Z_2 S^T z_1 */
+    apply(e, c, BACK, left->z, ZERO, right->field);
+    apply(e, right_half, RELATION, right->field, right->z, with);
+    apply(e, c, ACROSS, with, ZERO, left->field);
+  } else if (has_right) {
+    apply(e, c, ACROSS, right->z, ZERO, left->field);
+  } else {
+    memset(left->field, 0, sizeof left->field);
+  }
+  if (has_left) {
+    apply(e, c + 1, RELATION, left->field, left->z, left->z);
+    apply(e, c, BACK, left->z, ZERO, right->field);
+    po_block_apply_from(K, e->skeleton->to_parent[0], left->z, ZERO, own->z);
+    moments = own->z;
+  } else {
+    memset(right->field, 0, sizeof right->field);
+  }
+  if (has_right) {
+    apply(e, right_half, RELATION, right->field, right->z, right->z);
+    po_block_apply_from(K, e->skeleton->to_parent[1], right->z, moments, own->z);
+  }
+  own->sum += dot(left->border, left->field) + dot(right->border, right->field);
+}
+
+/* Adds the field of a cell to those of its halves, or carries it to them if the cell is quiet. */
+static void split(po_elimination *e, size_t c, size_t right_half) {
+  const double *field = e->state[c].field;
+  cell_state *left = e->state + c + 1, *right = e->state + right_half;
+  if (!e->state[c].is_quiet) {
+    apply(e, c, ALONG, field, left->field, left->field);
+    apply(e, c, ALONG_RIGHT, field, right->field, right->field);
+    return;
+  }
+  po_block_apply_from(K, e->skeleton->from_parent[0], field, ZERO, left->field);
+  po_block_apply_from(K, e->skeleton->from_parent[1], field, ZERO, right->field);
+}
+
+/* From the field on a panel and its right-hand side in x: its unknowns. */
+static void finish_panel(const po_elimination *e, size_t c, double *x) {
+  const bool is_quiet = e->state[c].is_quiet;
+  double right[K], change[K];
+  const double *start = ZERO;
+  if (!is_quiet) {
+    widen(1, x, right);
+    po_block_apply_from(N, at(e, c, CHANGE), right, start, change);
+    start = change;
+  }
+  po_block_apply_from(K, is_quiet ? e->value : at(e, c, ALONG), e->state[c].field, start, change);
+  for (int j = 0; j < N; ++j)
+    x[j] += change[j];
 }
 
 /* Adds the deflection of the panel to infinity by the tractions of a panel. */
@@ -264,61 +363,30 @@ static void add_to_tail(const po_elimination *e, size_t panel, const double *x, 
   po_block_apply(N, N, po_hierarchy_to_tail(e->hierarchy, panel), product, tail);
 }
 
-/* The cells from the panels up: moments, sums of the border and fields at zero field on the domain.
- * Returned: the sum of the border. */
-static double go_up(po_elimination *e, const po_cell *cell, size_t count, const double *x) {
-  for (size_t c = count; c-- > 0;) {
-    const size_t first = (size_t)cell[c].panel * N, right = cell[c].right;
-    if (is_panel(cell + c)) {
-      const double sum = po_linear_dot(N, e->border + first, x + first);
-      if (e->in_double)
-        begin_panel_double(&e->full, c, e->is_quiet[c], x + first);
-      else
-        begin_panel_single(&e->single, c, e->is_quiet[c], x + first);
-      *(e->in_double ? &e->full.cell[c].sum : &e->single.cell[c].sum) = sum;
-    } else if (e->in_double) {
-      join_double(&e->full, c, right, !e->is_quiet[c + 1], !e->is_quiet[right]);
-    } else {
-      join_single(&e->single, c, right, !e->is_quiet[c + 1], !e->is_quiet[right]);
-    }
-  }
-  return e->in_double ? e->full.cell[0].sum : e->single.cell[0].sum;
-}
-
-/* The cells from the domain down: fields, and the unknowns of the panels. */
-static void go_down(po_elimination *e, const po_cell *cell, size_t count, double field, double *x,
-                    double *tail) {
-  for (int k = 0; k < K; ++k)
-    if (e->in_double)
-      e->full.cell[0].field[k] = field;
-    else
-      e->single.cell[0].field[k] = (float)field;
-  for (size_t c = 0; c < count; ++c) {
-    double *at = x + (size_t)cell[c].panel * N;
-    if (!is_panel(cell + c)) {
-      if (e->in_double)
-        split_double(&e->full, c, cell[c].right, e->is_quiet[c]);
-      else
-        split_single(&e->single, c, cell[c].right, e->is_quiet[c]);
-      continue;
-    }
-    if (e->in_double)
-      finish_panel_double(&e->full, c, e->is_quiet[c], at);
-    else
-      finish_panel_single(&e->single, c, e->is_quiet[c], at);
-    if (tail && !e->is_quiet[c])
-      add_to_tail(e, cell[c].panel, at, tail);
-  }
-}
-
 void po_elimination_solve(po_elimination *e, double *x) {
   size_t count;
   const po_cell *cell = po_hierarchy_cells(e->hierarchy, &count);
   const size_t core = (size_t)cell[0].end * N, n = po_hierarchy_nodes(e->hierarchy);
-  const double sum = go_up(e, cell, count, x);
+  for (size_t c = count; c-- > 0;) /* from the panels up */
+    if (is_panel(cell + c))
+      begin_panel(e, c, cell[c].panel, x + (size_t)cell[c].panel * N);
+    else
+      join(e, c, cell[c].right);
+  const double sum = e->state[0].sum;
   const double last = (x[n] - sum - po_linear_dot(n - core, e->tail_border, x + core)) / e->pivot;
   x[n] = last;
   for (size_t j = core; j < n; ++j)
     x[j] -= last;
-  go_down(e, cell, count, -last, x, core < n ? x + core : NULL);
+  for (int k = 0; k < K; ++k)
+    e->state[0].field[k] = -last;
+  for (size_t c = 0; c < count; ++c) { /* from the domain down */
+    double *panel = x + (size_t)cell[c].panel * N;
+    if (!is_panel(cell + c)) {
+      split(e, c, cell[c].right);
+      continue;
+    }
+    finish_panel(e, c, panel);
+    if (core < n && !e->state[c].is_quiet)
+      add_to_tail(e, cell[c].panel, panel, x + core);
+  }
 }

@@ -30,13 +30,8 @@ po_status po_elimination_create(const po_hierarchy *hierarchy, po_elimination **
 void po_elimination_destroy(po_elimination *elimination);
 
 /* Factorises on the present mesh. Given: factor, one value a node of a panel, for a domain of
- * radius 1; a panel whose factors are all zero costs nothing; in_double, whether the factors must
- * be kept in double precision. Otherwise they are in single precision unless rounding errors would
- * grow too much. Status: PO_SINGULAR; PO_NO_MEMORY. */
-po_status po_elimination_factorize(po_elimination *elimination, const double *factor,
-                                   bool in_double);
-/* Returned: whether the present factors are in double precision. */
-bool po_elimination_is_double(const po_elimination *elimination);
+ * radius 1; a panel whose factors are all zero costs nothing. Status: PO_SINGULAR; PO_NO_MEMORY. */
+po_status po_elimination_factorize(po_elimination *elimination, const double *factor);
 
 /* Sets the border. Given: border, the number of nodes + 1 values. Returned: the determinant of the
  * bordered matrix over that of the matrix without it. */

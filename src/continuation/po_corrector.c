@@ -12,9 +12,6 @@
  * factorised there, at most MOST_RENEWALS times. */
 enum { MOST_RENEWALS = 2, MOST_FACTORS = 2 };
 static const double NEAR = 0.1;
-/* The same below which the law is linear enough: if the factors are of this state, their rounding
- * makes the iteration slow. */
-static const double LINEAR = 1e-3;
 
 po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive *adaptive) {
   *c = (po_corrector){.e = e,
@@ -122,15 +119,13 @@ void po_corrector_aim(po_corrector *c, const po_solution *from) {
 
 /* Newton's method from the state in `out`. If it contracts too slowly near a solution, the Jacobian
  * is factorised there, which costs less than a shorter step. */
-static po_status correct(po_corrector *c, const po_solution *from, double distance, bool fresh,
+static po_status correct(po_corrector *c, const po_solution *from, double distance,
                          po_solution *out) {
   const place along = {from, c->coordinate};
   const po_constraint constraint = {functional_progress, &along, distance, c->farthest};
   const double greatest = fmin(NEAR, c->farthest);
   po_status status = po_equilibrium_correct_to(c->e, out->state, &constraint);
   for (int k = 0; status && k < MOST_RENEWALS && c->e->last_change < greatest; ++k) {
-    if ((fresh || k > 0) && c->e->last_change < LINEAR)
-      po_equilibrium_distrust_single(c->e);
     if (factorize_at(c, from, out->state))
       return PO_NOT_CONVERGED;
     status = po_equilibrium_correct_to(c->e, out->state, &constraint);
@@ -158,12 +153,9 @@ po_status po_corrector_solve(po_corrector *c, const po_solution *from, double di
     memcpy(out->state, c->guess, (c->e->n + 1) * sizeof *out->state);
     if (fresh && factorize_at(c, from, c->guess))
       return PO_NOT_CONVERGED;
-    status = correct(c, from, distance, fresh, out);
-    if (status)
-      continue;
-    status = find_tangent(c, from, precision, out);
-    if (status && fresh && po_equilibrium_distrust_single(c->e))
-      --fresh;
+    status = correct(c, from, distance, out);
+    if (!status)
+      status = find_tangent(c, from, precision, out);
   }
   if (status)
     return status;

@@ -1,6 +1,5 @@
 #include "po_equilibrium.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,7 +19,7 @@ const double PO_FINEST_PRECISION = 2e-13;
  * most of the matrix. */
 static const double NEGLECT = 5e-3;
 /* Gain of rounding above which less is neglected, in inverse proportion, and above which the
- * factors are in double precision. */
+ * factors of rings and triangles are in double precision. */
 static const double GAIN_OF_NEGLECT = 10.0, GAIN_OF_DOUBLE = 30.0;
 /* Factors are coarse if more was neglected than this multiple of what their gain allows. */
 static const double COARSE = 3.0;
@@ -294,29 +293,6 @@ static po_status factorize_dense(po_equilibrium *e) {
   return status;
 }
 
-/* Factorisations that are kept in double precision after the iteration was too slow with those in
- * single precision. */
-enum { DOUBLE_AFTER_FAILURE = 32 };
-
-bool po_equilibrium_distrust_single(po_equilibrium *e) {
-  if (!e->elimination || po_elimination_is_double(e->elimination))
-    return false;
-  e->double_left = DOUBLE_AFTER_FAILURE;
-  return true;
-}
-
-/* Whether factors on panels in single precision would not do. The sum of all measures is about
- * twice the largest row sum of the interactions. In single precision they are rounded, which must
- * be little beside the unit matrix: where the surfaces are pressed together on a wide area, the
- * tractions that the solution needs nearly cancel, and the smallest singular values are of order
- * one. */
-static bool needs_double(const po_equilibrium *e, size_t panels) {
-  double sum = 0.0;
-  for (size_t k = 0; k < panels; ++k)
-    sum += e->measure[k];
-  return e->double_left > 0 || e->gain > GAIN_OF_DOUBLE || FLT_EPSILON * sum > 1.0;
-}
-
 /* Panels whose measures add up to `neglect` are left out of the factors. */
 static po_status factorize_panels(po_equilibrium *e) {
   const size_t panels = e->n / PO_TABLE_ORDER;
@@ -332,10 +308,7 @@ static po_status factorize_panels(po_equilibrium *e) {
   for (size_t k = 0; k < active; ++k)
     for (size_t j = e->index[k] * PO_TABLE_ORDER, i = 0; i < PO_TABLE_ORDER; ++i)
       e->scratch[j + i] = factor * e->slope[j + i];
-  const bool in_double = needs_double(e, panels);
-  if (e->double_left > 0)
-    --e->double_left;
-  const po_status status = po_elimination_factorize(e->elimination, e->scratch, in_double);
+  const po_status status = po_elimination_factorize(e->elimination, e->scratch);
   if (status)
     return status;
   e->pivot = po_elimination_border(e->elimination, e->border);
@@ -353,8 +326,7 @@ static double neglect_of(const po_equilibrium *e) {
 }
 
 bool po_equilibrium_is_coarse(const po_equilibrium *e) {
-  const bool is_double =
-      e->elimination ? po_elimination_is_double(e->elimination) : e->factors.is_double;
+  const bool is_double = e->elimination || e->factors.is_double;
   return (e->gain > GAIN_OF_DOUBLE && !is_double) || e->neglect > COARSE * neglect_of(e);
 }
 

@@ -81,7 +81,6 @@ typedef struct {
   double noise; /* change of a gap, relative to 1 + H, by the rounding of Eq 15: of the state of the
                    last factorisation, po_equilibrium_measure_noise */
   double gain;  /* its ratio to that rounding, relative to 1 + H */
-  int double_left; /* factorisations that are to be in double precision */
   double *weak,
       *weak_functional; /* (n + 1) x PO_MOST_WEAK: u and v of po_equilibrium_correct_weak */
   size_t weak_count;    /* corrections of the present factors by these */
@@ -155,10 +154,6 @@ po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const
 /* Measures noise and gain by solving with the present factors for a residual that consists of
  * rounding. Given: the state of the factorisation. */
 void po_equilibrium_measure_noise(po_equilibrium *e, const double *state);
-
-/* Asks for the next factors on panels in double precision, after an iteration was too slow near a
- * solution. Returned: whether the present ones are in single precision. */
-bool po_equilibrium_distrust_single(po_equilibrium *e);
 
 /* Returned: the sign of the determinant of the bordered Jacobian at the factorised state, by the
  * factors and the updates since. */
