@@ -3,8 +3,9 @@
 
 #include "po_environment.h"
 #include "po_json.h"
-#include "po_list_references.h"
 #include "po_print.h"
+#include "po_quote.h"
+#include "po_reference_list.h"
 #include "po_session.h"
 #include "po_verbs.h"
 
@@ -27,6 +28,83 @@ static const struct option OPTIONS[] = {{"suite", required_argument, NULL, SUITE
                                         {"json", no_argument, NULL, JSON},
                                         {"help", no_argument, NULL, PO_OPTION_HELP},
                                         {NULL, 0, NULL, 0}};
+
+/* Whether a check of the case has the table as its reference. */
+static bool uses(const po_case *kase, const char *name) {
+  for (unsigned i = 0; i < kase->file->checks_count; ++i)
+    if (strcmp(kase->file->checks[i].reference, name) == 0)
+      return true;
+  return false;
+}
+
+static json_t *users(const po_catalog *catalog, const char *name) {
+  json_t *array = po_json_empty_array();
+  for (size_t i = 0; i < catalog->count; ++i)
+    if (uses(catalog->cases[i], name))
+      po_json_append(&array, po_json_text(catalog->cases[i]->file->name));
+  return array;
+}
+
+static const char *state_of(const po_reference_entry *entry) {
+  return !entry->intact ? "damaged" : entry->listed ? "intact" : "intact, not in the index";
+}
+
+static void print_entry(const po_reference_entry *entry, const po_catalog *catalog) {
+  char cases[200] = "", name[256];
+  po_quote_text(entry->name, name, sizeof name);
+  for (size_t i = 0; i < catalog->count; ++i)
+    if (uses(catalog->cases[i], entry->name) && strlen(cases) < 130)
+      snprintf(cases + strlen(cases), sizeof cases - strlen(cases), "%s%s", *cases ? "," : "",
+               catalog->cases[i]->file->name);
+  if (entry->intact)
+    printf("%-34s %-10s %5zu  %-22s %s\n", name, po_ledger_name(entry->ledger), entry->rows,
+           *cases ? cases : "-", state_of(entry));
+  else
+    printf("%-34s %-10s %5s  %-22s damaged: %s\n", name, "-", "-", *cases ? cases : "-",
+           entry->message);
+}
+
+static json_t *entry_json(const po_reference_entry *entry, const po_catalog *catalog) {
+  json_t *object = PO_JSON_OBJECT(
+      {"table", po_json_text(entry->name)}, {"intact", po_json_flag(entry->intact)},
+      {"in_index", po_json_flag(entry->listed)}, {"cases", users(catalog, entry->name)});
+  if (entry->intact) {
+    po_json_set(&object, "kind", po_json_text(po_ledger_name(entry->ledger)));
+    po_json_set(&object, "rows", po_json_count(entry->rows));
+    po_json_set(&object, "uncertainty", po_json_text(entry->uncertainty));
+  } else {
+    po_json_set(&object, "reason", po_json_text(entry->message));
+  }
+  return object;
+}
+
+static po_status print_references_json(const po_reference_list *list, const po_catalog *catalog) {
+  json_t *tables = po_json_empty_array();
+  for (size_t i = 0; i < list->count; ++i)
+    po_json_append(&tables, entry_json(&list->entries[i], catalog));
+  return po_print_document(
+      PO_JSON_OBJECT({"schema", po_json_text("pulloff-references/1")}, {"references", tables}));
+}
+
+/* Prints every reference table, whether it is intact, and which cases use it. Status: after all
+ * tables have been printed, PO_CANNOT_READ if one is not intact. */
+static po_status print_references(const po_catalog *catalog, bool json) {
+  po_reference_list list;
+  po_status status = po_reference_list_open(po_environment_data(), &list);
+  if (status)
+    return status;
+  if (json) {
+    status = print_references_json(&list, catalog);
+  } else {
+    printf("%-34s %-10s %5s  %-22s %s\n", "table", "kind", "rows", "cases", "state");
+    for (size_t i = 0; i < list.count; ++i)
+      print_entry(&list.entries[i], catalog);
+  }
+  if (!status)
+    status = po_reference_list_check(&list);
+  po_reference_list_close(&list);
+  return status;
+}
 
 static void print_table(const po_catalog *catalog) {
   printf("%-20s %-7s %6s %6s  %-20s %s\n", "case", "figure", "points", "checks", "suites", "title");
@@ -90,7 +168,7 @@ int po_verb_list(int argc, char **argv) {
     status = po_catalog_open(po_environment_data(), NULL, 0, (po_suites){.names = line.suites},
                              &catalog);
   if (!status && line.references)
-    status = po_list_references(&catalog, line.json);
+    status = print_references(&catalog, line.json);
   else if (!status && line.json)
     status = print_json(&catalog);
   else if (!status)

@@ -5,8 +5,8 @@
 #include "po_environment.h"
 #include "po_file.h"
 #include "po_identity.h"
-#include "po_list_references.h"
 #include "po_record_point.h"
+#include "po_reference_list.h"
 #include "po_session.h"
 #include "po_text.h"
 #include "po_verbs.h"
@@ -57,7 +57,7 @@ static po_status check_references(void) {
   po_reference_list list;
   po_status status = po_reference_list_open(po_environment_data(), &list);
   if (!status)
-    status = po_list_references_check(&list);
+    status = po_reference_list_check(&list);
   po_reference_list_close(&list);
   return status;
 }

@@ -107,6 +107,22 @@ po_status po_reference_list_open(const char *data_folder, po_reference_list *lis
   return status;
 }
 
+po_status po_reference_list_check(const po_reference_list *list) {
+  const po_reference_entry *first = NULL;
+  size_t damaged = 0;
+  for (size_t i = 0; i < list->count; ++i)
+    if (!list->entries[i].intact) {
+      first = first ? first : &list->entries[i];
+      damaged += 1;
+    }
+  if (!first)
+    return PO_OK;
+  char more[64] = "";
+  if (damaged > 1)
+    snprintf(more, sizeof more, " (and %zu more: pulloff list --references)", damaged - 1);
+  return po_fail(PO_CANNOT_READ, "%s%s", first->message, more);
+}
+
 void po_reference_list_close(po_reference_list *list) {
   for (size_t i = 0; i < list->count; ++i)
     free(list->entries[i].name);

@@ -30,4 +30,8 @@ typedef struct {
 po_status po_reference_list_open(const char *data_folder, po_reference_list *list);
 void po_reference_list_close(po_reference_list *list);
 
+/* Status: PO_CANNOT_READ with the message of the first table that is not intact, and how many more.
+ */
+po_status po_reference_list_check(const po_reference_list *list);
+
 #endif
