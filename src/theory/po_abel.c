@@ -118,6 +118,12 @@ double po_abel_fall(const po_scene *scene) {
   return t ? -po_abel_table_least_rate(t) : 0.0;
 }
 
+double po_abel_greatest_drop(const po_scene *scene, double low, double high) {
+  const po_profile_table *t = table_of(scene);
+  return t && !po_scene_is_wavy(scene) ? po_abel_table_greatest_drop(t, high, high - low)
+                                       : INFINITY;
+}
+
 double po_abel_greatest_rate(const po_scene *scene, double x) {
   const po_profile_table *t = table_of(scene);
   double sum = t ? po_abel_table_greatest_rate(t, x) : po_abel_of_profile(scene, x).rate;

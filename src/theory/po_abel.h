@@ -29,6 +29,10 @@ po_abel po_abel_at(const po_scene *scene, double x);
  * PO_NO_MEMORY. Accuracy: 1e-11 relative. */
 po_status po_abel_by_quadrature(const po_scene *scene, double x, po_abel *abel);
 
+/* By how much dg/dx of a table without waves falls at most from its value at `low` up to any radius
+ * in [low, high]; INFINITY for other profiles. */
+double po_abel_greatest_drop(const po_scene *scene, double low, double high);
+
 /* Bounds. `fall`: the transform of the profile without waves falls nowhere faster than this; 0 for
  * profiles that are convex. `po_abel_greatest_rate`: no smaller than dg/dx anywhere up to x, waves
  * included; it grows with x. `po_abel_waves_least_g`, `po_abel_waves_least_press`: no

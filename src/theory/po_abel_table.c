@@ -123,6 +123,27 @@ double po_abel_table_greatest_rate(const po_profile_table *t, double x) {
   return M_PI_2 * most;
 }
 
+/* Radii are collected in bins that are longer than the reach: what is less than it apart is in one
+ * bin or in two neighbours. */
+double po_abel_table_greatest_drop(const po_profile_table *t, double end, double reach) {
+  const size_t last = t->rows - 1;
+  double before = -INFINITY, here = -INFINITY, begin = 0.0, drop = 0.0;
+  for (size_t k = 0; k < last && t->r[k] < end; ++k) {
+    double least = INFINITY, most = -INFINITY;
+    widen(t, k, &least, &most);
+    if (t->r[k] > begin + reach) {
+      before = here;
+      here = -INFINITY;
+      begin = t->r[k];
+    }
+    here = fmax(here, most);
+    drop = fmax(drop, fmax(before, here) - least);
+  }
+  if (end > t->r[last]) /* n f' beyond the last row */
+    drop = t->growth < 1.0 ? INFINITY : fmax(drop, fmax(before, here) - t->growth * t->slope[last]);
+  return M_PI_2 * drop;
+}
+
 size_t po_abel_table_next(const po_profile_table *t, double x) {
   size_t low = 0, high = t->rows;
   while (low < high) {

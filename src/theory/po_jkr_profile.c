@@ -80,6 +80,12 @@ static double below(double low, double high, const void *data) {
   return bound_of(data, low, low, high);
 }
 
+static double slowest(double low, double high, const void *data) {
+  const curve *c = data;
+  const double drop = po_abel_greatest_drop(c->scene, low, high);
+  return isinf(drop) ? -INFINITY : rate_of(c, po_abel_at(c->scene, low).rate - drop, low);
+}
+
 static double detail(double a, const void *data) {
   const curve *c = data;
   return po_abel_detail(c->scene, a);
@@ -165,7 +171,7 @@ static po_status find_edges(const curve *c, double edge[MOST_EDGES], size_t *edg
 }
 
 static po_minima_function function_of(const curve *c, const double *edge, size_t edges) {
-  return (po_minima_function){c, value_at, rate_at, below, detail, edge, edges};
+  return (po_minima_function){c, value_at, rate_at, below, slowest, detail, edge, edges};
 }
 
 po_status po_jkr_profile_pull_off(const po_scene *scene, po_given given, po_contact *least) {

@@ -60,6 +60,8 @@ static void search_in(search *s, double low, double high) {
     return;
   s->intervals += 1;
   s->stopped = po_watch_look();
+  if (s->f->slowest(low, high, s->f->data) > 0.0) /* it rises: no minimum */
+    return;
   const po_minima_function *f = s->f;
   if (high - low <= f->detail(low, f->data)) {
     search_leaf(s, low, high);

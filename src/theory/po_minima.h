@@ -12,8 +12,10 @@ typedef struct {
   const void *data;
   po_function value, rate; /* the function and its derivative; at a corner, where the derivative
                               jumps, that on the left */
-  double (*below)(double low, double high, const void *data); /* no greater than the function
-                                                                 anywhere on [low, high] */
+  double (*below)(double low, double high, const void *data);   /* no greater than the function
+                                                                   anywhere on [low, high] */
+  double (*slowest)(double low, double high, const void *data); /* no greater than the derivative
+                                                                   anywhere on [low, high] */
   double (*detail)(double x, const void *data); /* length of an interval at x in which the
                                                    derivative changes its sign once at most */
   const double *edge; /* edges, ascending and > 0: the ends of the search, and corners between */
