@@ -8,22 +8,6 @@
 #include "po_json_units.h"
 #include "po_result_rows.h"
 
-/* The lengths that can be given in metres, by their JSON keys. */
-static const struct {
-  const char *key;
-  po_length length;
-} LENGTHS[] = {{"radius_m", PO_LENGTH_RADIUS},
-               {"amplitude_m", PO_LENGTH_AMPLITUDE},
-               {"wavelength_m", PO_LENGTH_WAVELENGTH},
-               {"outer_radius_m", PO_LENGTH_OUTER_RADIUS},
-               {"approach_start_m", PO_LENGTH_APPROACH_START},
-               {"approach_end_m", PO_LENGTH_APPROACH_END},
-               {"preload_m", PO_LENGTH_PRELOAD},
-               {"profile_approach_m", PO_LENGTH_PROFILE_APPROACH},
-               {"approach_m", PO_LENGTH_APPROACH},
-               {"contact_radius_m", PO_LENGTH_CONTACT_RADIUS}};
-enum { LENGTH_COUNT = sizeof LENGTHS / sizeof *LENGTHS };
-
 static void set(json_t **object, const char *key, double value) {
   po_json_set(object, key, isinf(value) ? po_json_text("inf") : po_json_number(value));
 }
@@ -48,9 +32,14 @@ json_t *po_json_physical_input(const po_scene_flags *flags) {
     set(&input, "modulus_pa", flags->modulus);
   set(&input, "work_j_per_m2", flags->work);
   set(&input, "distance_m", flags->distance);
-  for (int i = 0; i < LENGTH_COUNT; ++i)
-    if (!isnan(flags->metres[LENGTHS[i].length]))
-      set(&input, LENGTHS[i].key, flags->metres[LENGTHS[i].length]);
+  for (int i = 0; i < PO_LENGTH_COUNT; ++i)
+    if (!isnan(flags->metres[i])) {
+      char key[32]; /* the name of the option with underscores */
+      po_scene_flags_name(flags, (po_length)i, key);
+      for (char *c = key; *c; ++c)
+        *c = *c == '-' ? '_' : *c;
+      set(&input, key, flags->metres[i]);
+    }
   if (flags->profile)
     po_json_set(&input, "profile", po_json_text(flags->shown));
   if (flags->profile_file)
@@ -91,12 +80,11 @@ void po_print_physical_input(const po_scene_flags *flags) {
   if (!isnan(flags->modulus))
     printf(" modulus %g Pa", flags->modulus);
   printf(" work %g J/m^2 distance %g m", flags->work, flags->distance);
-  for (int i = 0; i < LENGTH_COUNT; ++i)
-    if (!isnan(flags->metres[LENGTHS[i].length])) {
+  for (int i = 0; i < PO_LENGTH_COUNT; ++i)
+    if (!isnan(flags->metres[i])) {
       char name[32];
-      po_scene_flags_name(flags, LENGTHS[i].length, name);
-      printf(" %.*s %g m", (int)(snprintf(NULL, 0, "%s", name) - 2), name,
-             flags->metres[LENGTHS[i].length]);
+      po_scene_flags_name(flags, (po_length)i, name);
+      printf(" %.*s %g m", (int)(snprintf(NULL, 0, "%s", name) - 2), name, flags->metres[i]);
     }
   if (flags->profile)
     printf(" profile %s, lengths in m", flags->shown);
