@@ -54,6 +54,22 @@ START_TEST(no_cell_is_empty) {
 }
 END_TEST
 
+/* A key without help has that of the next one, which has the same owner. A key that a series may
+ * vary is a number with a place, or a group of such numbers. */
+START_TEST(no_cell_of_a_key_is_empty) {
+  for (int key = 0; key < PO_KEY_END; ++key) {
+    const po_key_row *row = po_key_row_of(key);
+    ck_assert_msg(*row->name && *row->expected && *row->value, "key %d: an empty cell", key);
+    ck_assert_int_eq(po_key_of_name(row->name), key);
+    ck_assert(*row->help || po_key_row_of(key + 1)->owner == row->owner);
+    ck_assert(!row->varies || row->place != PO_NO_PLACE || po_key_is_group(key));
+    ck_assert(!row->is_length || row->place != PO_NO_PLACE);
+    for (int other = 0; other < key; ++other)
+      ck_assert(row->place == PO_NO_PLACE || row->place != po_key_row_of(other)->place);
+  }
+}
+END_TEST
+
 START_TEST(paths_lead_to_numbers) {
   po_step step = {.preload = {.approach = -1.5}, .pull_off = {.load = -0.75}};
   po_cycle cycle = {.loss = {.energy = 2.385}};
@@ -329,6 +345,7 @@ END_TEST
 
 static void add(TCase *tests) {
   tcase_add_test(tests, no_cell_is_empty);
+  tcase_add_test(tests, no_cell_of_a_key_is_empty);
   tcase_add_test(tests, paths_lead_to_numbers);
   tcase_add_loop_test(tests, every_member_survives_json, 0, 2);
   tcase_add_test(tests, all_loads_have_the_unit_of_the_scene);
