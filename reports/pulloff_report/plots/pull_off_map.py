@@ -91,11 +91,8 @@ def contours(tabors, ratios, force, mark):
 
 def edge(case, name, columns):
     """Rows of a closed-form line of the case, with these columns."""
-    for line in case.record.get("lines", []):
-        if line["name"] == name:
-            table = case._table(line["table"])
-            return list(zip(*(table.numbers(column).tolist() for column in columns)))
-    return []
+    table = case.line(name)
+    return list(zip(*(table.numbers(column).tolist() for column in columns))) if table else []
 
 
 def drawn(case, name, title, force, unknown=()):
