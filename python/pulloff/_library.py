@@ -76,8 +76,9 @@ def candidates():
     if chosen:
         return [chosen]
     above = pathlib.Path(__file__).resolve().parents
-    found = [path for folder in above for pattern in (NAME, "*/" + NAME) if folder.name.startswith("lib")
-             for path in sorted(folder.glob(pattern))]
+    # lib, lib/TRIPLE or, where meson does not find dpkg-architecture, lib64 beside lib
+    found = [path for folder in above for pattern in ("lib*/" + NAME, "lib*/*/" + NAME) if folder.name.startswith("lib")
+             for path in sorted(folder.parent.glob(pattern))]
     return [str(path) for path in found] + [NAME]
 
 

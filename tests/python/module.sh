@@ -15,6 +15,11 @@ check 'its figure is drawn' alone PYTHONPATH="$module" $python -B "$example" tou
 check 'its figure' test -s tour.svg
 check 'the library is that of the installation' alone PYTHONPATH="$module" $python -B -c \
   'import pulloff._library as l, sys; sys.exit(not l.candidates()[0].startswith(sys.argv[1]))' "$work/prefix"
+# On a system without dpkg-architecture meson installs libraries in lib64.
+mkdir -p other/lib/python3/dist-packages other/lib64
+cp -r "$module/pulloff" other/lib/python3/dist-packages/
+cp "$(find "$work/prefix" -name libpulloff.so.0)" other/lib64/
+check 'a library in lib64 is found' alone PYTHONPATH="$work/other/lib/python3/dist-packages" $python -B -c 'import pulloff'
 if $python -c 'import setuptools, wheel, pip' 2>/dev/null; then
   cp -r "$source/python" package
   check 'pip installs the folder' $python -m pip install --quiet --no-build-isolation --no-deps --no-index --target site ./package
