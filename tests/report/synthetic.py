@@ -442,7 +442,9 @@ def make_map(run, outside=False):
         made = check(points[place], "pull_off_force", force, force - error, 1e-6, "traced", "it is made so")
         checks.append(dict(made, reference="traced"))
     made = record("fig14", "Map of the pull-off force", "14", points, checks, ["paper"])
-    save(run, made)
+    os.makedirs(os.path.join(run, "fig14"), exist_ok=True)
+    rigid = write_line(run, "fig14", "rigid", ["amplitude_ratio", "pull_off_force"], [(0.001, 2.0), (0.1, 1.3), (1, 0.4)])
+    save(run, dict(made, lines=[rigid]))
 
 
 def step(force, approach):
