@@ -201,6 +201,9 @@ bool po_key_set(po_request *request, po_key key, const char *text) {
     value = po_scene_tabor_of_coupling(value, request->scene.radius);
   else if (key == PO_KEY_RADIUS)
     request->radius_given = true;
+  /* What a group amounts to has to be a number that is printed and read back. */
+  if (po_key_is_group(key) && !isnormal(value) && (value != 0 || key == PO_KEY_OUTER_RATIO))
+    return false;
   if (key == PO_KEY_TABLE_SCALE)
     return set_scale(request, value);
   if (po_key_is_parameter(key, PO_OWNER_LAW))

@@ -9,6 +9,18 @@
 #include "po_pins.h"
 #include "po_reference.h"
 
+/* Adds a cell in quotes: without them a cell that begins with '#' is a header, and one of blanks no
+ * cell. */
+static void add_cell(po_text *text, size_t column, const char *cell) {
+  po_text_add(text, column ? ",\"" : "\"");
+  for (const char *c = cell; *c; ++c) {
+    if (*c == '"')
+      po_text_add(text, "\"");
+    po_text_add(text, "%c", *c);
+  }
+  po_text_add(text, "\"");
+}
+
 /* A table that was read and written is read again as the same table. */
 static void require_written(const po_csv *csv) {
   po_text text = {0};
@@ -16,11 +28,11 @@ static void require_written(const po_csv *csv) {
   for (size_t i = 0; i < csv->header_count; ++i)
     po_text_add(&text, "# %s: %s\n", csv->headers[i].key, csv->headers[i].value);
   for (size_t c = 0; c < csv->column_count; ++c)
-    po_text_add(&text, "%s%s", c ? "," : "", csv->columns[c]);
+    add_cell(&text, c, csv->columns[c]);
   po_text_add(&text, "\n");
   for (size_t r = 0; r < csv->row_count; ++r) {
     for (size_t c = 0; c < csv->column_count; ++c)
-      po_text_add(&text, "%s%s", c ? "," : "", po_csv_cell(csv, r, c));
+      add_cell(&text, c, po_csv_cell(csv, r, c));
     po_text_add(&text, "\n");
   }
   fuzz_require(!text.failed, "no memory for a table");
