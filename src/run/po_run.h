@@ -20,7 +20,7 @@ typedef struct {
  *
  * If a case repeats its solves, they are timed: one solve at a time, in rounds over all points and
  * all solvers, so that a temporary load of the machine does not slow one more than the others. A
- * point whose solves have taken a quarter of a second of processor time together is not repeated
+ * point whose solves have taken a tenth of a second of processor time together is not repeated
  * again. Such a point is stored after the last round. If only some points of a case are requested,
  * the checks are made on these, and the journal keeps the points for a later run (po_journal.h). A
  * record of them is written only for an external solver, with another name, for the report

@@ -4,10 +4,9 @@
 #include <stdlib.h>
 
 /* Seconds. The time of a long solve is already a mean over disturbances of the machine: in the case
- * precision, beside other work on the same cores, the solves of a point that take more than 0.3 s
- * differ by 0.8 % (median of 39 points; 8 % at most). Half a second in place of a quarter would
- * take a quarter more time. */
-static const double ENOUGH = 0.25;
+ * precision, beside other work on the same cores, the processor times of a point that takes between
+ * a tenth and a quarter of a second differ by 1.6 % (median), those of shorter ones by 3 to 6 %. */
+static const double ENOUGH = 0.1;
 
 static int ascending(const void *a, const void *b) {
   const double x = *(const double *)a, y = *(const double *)b;

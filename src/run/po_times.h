@@ -8,7 +8,7 @@
  */
 double po_times_median(const double *seconds, unsigned count);
 
-/* Returned: whether the solves of a point before a round took a quarter of a second together, so
+/* Returned: whether the solves of a point before a round took a tenth of a second together, so
  * that it is not solved again. Given: the processor time of each round, in seconds; NAN: not
  * solved. */
 bool po_times_are_enough(const double *seconds, unsigned round);

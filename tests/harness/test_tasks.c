@@ -91,7 +91,7 @@ START_TEST(solvers_alternate) {
 END_TEST
 
 START_TEST(points_are_timed_until_enough) {
-  static const double SHORT[] = {0.08, 0.08, 0.08, 0.05}, LONG[] = {0.2, 0.15, NAN, NAN},
+  static const double SHORT[] = {0.03, 0.03, 0.03, 0.02}, LONG[] = {0.08, 0.06, NAN, NAN},
                       NONE[] = {NAN};
   ck_assert(!po_times_are_enough(SHORT, 0));
   ck_assert(!po_times_are_enough(SHORT, 3));
@@ -99,9 +99,9 @@ START_TEST(points_are_timed_until_enough) {
   ck_assert(!po_times_are_enough(LONG, 1));
   ck_assert(po_times_are_enough(LONG, 2));
   ck_assert(po_times_are_enough(LONG, 3));
-  ck_assert_double_eq_tol(po_times_median(SHORT, 4), 0.08, 1e-15);
-  ck_assert_double_eq_tol(po_times_median(SHORT + 2, 2), 0.065, 1e-15);
-  ck_assert_double_eq_tol(po_times_median(LONG, 4), 0.175, 1e-15);
+  ck_assert_double_eq_tol(po_times_median(SHORT, 4), 0.03, 1e-15);
+  ck_assert_double_eq_tol(po_times_median(SHORT + 2, 2), 0.025, 1e-15);
+  ck_assert_double_eq_tol(po_times_median(LONG, 4), 0.07, 1e-15);
   ck_assert(isnan(po_times_median(NONE, 1)));
 }
 END_TEST

@@ -80,7 +80,7 @@ def caption(rows):
     failed = sum(row.failed for row in rows)
     return Markup("{}").format(
         "Relative error of the pull-off force against processor time, the median of "
-        f"{count(rounds, 'round')}, or of fewer if they took more than a quarter of a second, with a bar from the smallest to the largest. The lines join the values of the knob of each "
+        f"{count(rounds, 'round')}, or of fewer if they took more than a tenth of a second, with a bar from the smallest to the largest. The lines join the values of the knob of each "
         "solver, and the tolerances of this program. The processor time of an external solver is that of its process beyond "
         f"its start. {failed or 'None'} of {count(len(rows), 'solve')} gave no result.")
 
