@@ -258,9 +258,11 @@ static void print_diagnostics(const po_result *o) {
   printf("checks   ");
   if (isfinite(d->residual))
     printf("residual of the discrete equations %s; ", error_text(d->residual, text));
-  printf("defect of the energy balance %s; ", error_text(d->energy_defect, text));
-  printf("relative change of the force by the last bit of an input %s\n",
-         error_text(d->moved.change, text));
+  printf("defect of the energy balance %s", error_text(d->energy_defect, text));
+  if (isfinite(d->moved.change))
+    printf("; relative change of the force by the last bit of an input %s",
+           error_text(d->moved.change, text));
+  printf("\n");
   if (d->reverse_trace.made)
     printf("reverse  status %s: the reverse trace found %s special points\n",
            po_status_name(d->reverse_trace.status),

@@ -4,11 +4,13 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "po_watch.h"
 #include "po_widths.h"
 
 /* Strips of tiles and columns of a packed block, 32 kB, which stays in the first cache; columns
- * that are factorised without recursion. */
-enum { STRIPS = 4, DEPTH = 128, PANEL = 16 };
+ * that are factorised without recursion; columns that are changed between two looks at the watch,
+ * some tenths of a second where there are 10,000 rows. */
+enum { STRIPS = 4, DEPTH = 128, PANEL = 16, AT_ONCE = 256 };
 
 /* The columns of the first part of a recursion: a whole number of panels. */
 static size_t half_of(size_t n) {
@@ -43,10 +45,10 @@ PO_FOR_ALL_WIDTHS void po_linear_add(size_t n, double factor, const double *x, d
 }
 
 /* LAPACK counts rows from 1. */
-static po_status end(bool is_singular, size_t n, int *pivots) {
+static po_status end(po_status status, size_t n, int *pivots) {
   for (size_t k = 0; k < n; ++k)
     ++pivots[k];
-  return is_singular ? PO_SINGULAR : PO_OK;
+  return status;
 }
 
 po_status po_linear_factorize(size_t n, double *a, size_t stride, int *pivots) {

@@ -93,21 +93,31 @@ static void NAME(exchange)(size_t columns, REAL *a, size_t stride, const int *pi
 }
 
 /* Recursive by halves of the columns (S. Toledo, SIAM J. Matrix Anal. Appl. 18, 1065 (1997)).
- * Returned: the pivots, from 0, and whether one is zero. */
-static bool NAME(factorize)(size_t rows, size_t columns, REAL *a, size_t stride, int *pivots) {
+ * Returned: the pivots, from 0. Status: as po_linear_factorize. */
+static po_status NAME(factorize)(size_t rows, size_t columns, REAL *a, size_t stride, int *pivots) {
   if (columns <= PANEL)
-    return NAME(po_dense_panel)(rows, columns, a, stride, pivots);
+    return NAME(po_dense_panel)(rows, columns, a, stride, pivots) ? PO_SINGULAR : PO_OK;
   const size_t half = half_of(columns), rest = columns - half;
   REAL *right = a + half * stride;
-  bool is_singular = NAME(factorize)(rows, half, a, stride, pivots);
+  po_status left = NAME(factorize)(rows, half, a, stride, pivots), status = PO_OK;
+  if (left && left != PO_SINGULAR)
+    return left;
   NAME(exchange)(rest, right, stride, pivots, half);
-  NAME(forward)(half, rest, a, right, stride);
-  NAME(chosen)()->subtract(rows - half, rest, half, a + half, right, right + half, stride);
-  is_singular |= NAME(factorize)(rows - half, rest, right + half, stride, pivots + half);
+  for (size_t from = 0; from < rest && !status; from += AT_ONCE) {
+    const size_t width = rest - from < AT_ONCE ? rest - from : AT_ONCE;
+    REAL *part = right + from * stride;
+    NAME(forward)(half, width, a, part, stride);
+    NAME(chosen)()->subtract(rows - half, width, half, a + half, part, part + half, stride);
+    status = columns < AT_ONCE ? PO_OK : po_watch_look();
+  }
+  if (!status)
+    status = NAME(factorize)(rows - half, rest, right + half, stride, pivots + half);
+  if (status && status != PO_SINGULAR)
+    return status;
   NAME(exchange)(half, a + half, stride, pivots + half, rest);
   for (size_t k = half; k < columns; ++k)
     pivots[k] += (int)half;
-  return is_singular;
+  return status ? status : left;
 }
 
 /* x = U^-1 L^-1 P x by columns. Given: the pivots, from 1. */

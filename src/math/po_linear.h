@@ -31,7 +31,8 @@ const char *po_linear_library(void);
 /* LU factorisation in place with partial pivoting, in double or single precision (see
  * po_factors.h). Given: a, n x n with leading dimension `stride`. Returned: the factors in a;
  * pivots, n, from 1 as LAPACK's. Of equal moduli the first is the pivot. Error: as dgetrf, whose
- * factors differ by rounding. Status: PO_SINGULAR if a pivot is exactly zero. */
+ * factors differ by rounding. Status: PO_SINGULAR if a pivot is exactly zero; those of
+ * po_watch_look, with which the factors are unfinished. */
 po_status po_linear_factorize(size_t n, double *a, size_t stride, int *pivots);
 po_status po_linear_factorize_single(size_t n, float *a, size_t stride, int *pivots);
 
