@@ -21,7 +21,7 @@ import table
 
 ORDER = ("fold energy", "extremum energy", "curve energy", "loop energy", "lost in a jump", "lost in a loop", "work")
 STARTS = 8           # places of a segment where the nearest one is looked for
-CANDIDATES = 3       # points of a curve beside which it is looked for
+CANDIDATES = 3       # segments of a curve on which it is looked for
 MISS = 1e-8          # least distance of a curve from its cubics that the program asks for
 GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 
@@ -57,20 +57,26 @@ class Segment:
         return self.energy + sum(c * k * d * t**(j + k) / (j + k) for j, c in enumerate(load)
                                  for k, d in enumerate(approach) if k)
 
+    def distance(self, point, t):
+        """Of a state from a place of the segment, in the plane of approach and load."""
+        approach, load = self.at(t)
+        return math.hypot(approach - point["approach"], load - point["load"])
+
+    def start(self, point):
+        """(distance, place) of the nearest of some places."""
+        return min((self.distance(point, k / STARTS), k / STARTS) for k in range(STARTS + 1))
+
     def nearest(self, point):
-        """The distance of a state in the plane of approach and load, and where on the segment."""
-        def distance(t):
-            approach, load = self.at(t)
-            return math.hypot(approach - point["approach"], load - point["load"])
-        best = min(range(STARTS + 1), key=lambda k: distance(k / STARTS))
-        low, high = max(best - 1, 0) / STARTS, min(best + 1, STARTS) / STARTS
+        """The distance of a state, and where on the segment."""
+        _, best = self.start(point)
+        low, high = max(best - 1.0 / STARTS, 0.0), min(best + 1.0 / STARTS, 1.0)
         while high - low > 1e-9:
             first, second = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-            if distance(first) < distance(second):
+            if self.distance(point, first) < self.distance(point, second):
                 high = second
             else:
                 low = first
-        return distance(low), low
+        return self.distance(point, low), low
 
     @property
     def length(self):
@@ -78,18 +84,14 @@ class Segment:
         return abs(end - begin)
 
 
-def gap(point, other):
-    return math.dist(*([one[name] for name in ("approach", "load", "energy", "contact_radius")] for one in (point, other)))
-
-
 def energy_off(point, curve):
     """The difference of the energy of a state from that of a curve at the same approach, and the error of the latter by
     interpolation. Near the nearest place of the curve the energy changes by load times approach."""
-    near = [i for i, other in enumerate(curve) if abs(other["position"] - point["position"]) < 0.5 + 0.02 * point["position"]]
-    beside = sorted(near, key=lambda i: gap(point, curve[i]))[:CANDIDATES]
-    segments = [Segment(curve[i], curve[i + 1]) for i in {k for j in beside for k in (j - 1, j)} if 0 <= i < len(curve) - 1]
+    reach = 0.5 + 0.02 * point["position"]
+    near = [i for i, other in enumerate(curve[:-1]) if abs(other["position"] - point["position"]) < reach]
+    segments = [Segment(curve[i], curve[i + 1]) for i in near]
     found = []
-    for segment in segments:
+    for segment in sorted(segments, key=lambda one: one.start(point))[:CANDIDATES]:
         distance, t = segment.nearest(point)
         moved = point["approach"] - segment.at(t)[0]
         found.append((distance, abs(point["energy"] - segment.energy_at(t) - point["load"] * moved),

@@ -44,6 +44,15 @@ class Energies(unittest.TestCase):
             moved = dict(state, approach=state["approach"] + 1e-5, energy=state["energy"] + 1e-5 * state["load"])
             self.assertLess(energies.energy_off(moved, tight)[0], 3e-8)
 
+    def test_a_long_segment_is_found_beside_points_of_another_part(self):
+        """A part of the branch at load 0 with few points, and near it one of another energy with many."""
+        flat = {"load": 0.0, "energy": 0.0, "contact_radius": 1.0, "approach_rate": 1.0, "load_rate": 0.0}
+        tight = [dict(flat, position=0.4 * k, approach=0.4 * k) for k in range(2)]
+        tight += [dict(flat, position=0.41 + 0.001 * k, approach=0.39 - 0.001 * k, load=0.01, energy=0.01, approach_rate=-1.0)
+                  for k in range(380)]
+        off, _ = energies.energy_off(dict(flat, position=0.2, approach=0.2), tight)
+        self.assertLess(off, 1e-12)
+
     def test_violations_are_those_beyond_both_errors(self):
         task = energies.Task("made up", {})
         task.add("curve energy", "", 1e-6, 1.5e-6, 1e-6)
