@@ -5,7 +5,6 @@
 
 #include "po_json.h"
 #include "po_json_rows.h"
-#include "po_json_units.h"
 #include "po_result_rows.h"
 
 static void set(json_t **object, const char *key, double value) {

@@ -3,7 +3,10 @@
 #ifndef PO_JSON_H
 #define PO_JSON_H
 
+#include <jansson.h>
+
 #include "po_json_value.h"
+#include "po_physical.h"
 #include "po_request.h"
 #include "po_result.h"
 #include "po_status.h"
@@ -23,5 +26,13 @@ json_t *po_json_document(const po_request *request, const po_result *result);
 /* The inverse of po_json_result, except for `input`; arrays of points stay empty. Status:
  * PO_BAD_INPUT if a member is missing or has the wrong type; PO_NO_MEMORY. */
 po_status po_json_read_result(const json_t *object, po_result *result);
+
+/* The units of dimensionless numbers: {"length_m", "force_n", "traction_pa"}. */
+json_t *po_json_units(const po_units *units);
+
+/* The pull-off: {"force_n", "approach_m", "contact_radius_m", "error_estimate_n",
+ * "approach_error_estimate_m", "contact_radius_error_estimate_m", "contact_radius_other_m"}; null
+ * if there is none. */
+json_t *po_json_units_pull_off(const po_units *units, const po_result *result);
 
 #endif

@@ -1,14 +1,98 @@
 #include "po_diagnose.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "po_clock.h"
 #include "po_diagnosis.h"
-#include "po_elementary.h"
+#include "po_hermite.h"
 #include "po_memory.h"
+#include "po_observe_parts.h"
+
+enum { START, PULL_OFF, END, FIRST_FOLD };
+
+static po_status keep(po_kept_state *state, po_kept_kind kind, const po_branch_point *p) {
+  double *node = po_resize(state->node, p->n, sizeof *node);
+  if (node)
+    state->node = node;
+  double *gap = po_resize(state->gap, p->n, sizeof *gap);
+  if (gap)
+    state->gap = gap;
+  if (!node || !gap)
+    return PO_NO_MEMORY;
+  state->kind = kind;
+  state->approach = p->approach;
+  state->load = p->load;
+  state->n = p->n;
+  memcpy(node, p->node, p->n * sizeof *node);
+  memcpy(gap, p->gap, p->n * sizeof *gap);
+  return PO_OK;
+}
+
+po_status po_kept_note(po_kept *kept, const po_branch_point *p, bool deepest) {
+  if (!p->gap) /* rigid: nothing was solved */
+    return PO_OK;
+  po_status status = keep(&kept->states[END], PO_KEPT_END, p);
+  if (!status && !kept->states[START].n)
+    status = keep(&kept->states[START], PO_KEPT_START, p);
+  if (!status && deepest)
+    status = keep(&kept->states[PULL_OFF], PO_KEPT_PULL_OFF, p);
+  const bool fold = p->kind == PO_POINT_APPROACH_MAX || p->kind == PO_POINT_APPROACH_MIN;
+  if (!status && fold && kept->folds < PO_KEPT_FOLDS)
+    status = keep(&kept->states[FIRST_FOLD + kept->folds++], PO_KEPT_FOLD, p);
+  return status;
+}
+
+void po_kept_clear(po_kept *kept) {
+  for (size_t k = 0; k < PO_MOST_KEPT; ++k) {
+    free(kept->states[k].node);
+    free(kept->states[k].gap);
+  }
+  *kept = (po_kept){0};
+}
+
+/* The energy balance dU = W d(approach) along a branch. It is violated if a state belongs to
+ * another branch, or if load and energy are inconsistent. */
+
+/* Gauss's rule with three points on (0, 1). It is exact for the integrand, a cubic times the
+ * derivative of a cubic. */
+static const double NODE[] = {0.11270166537925831, 0.5, 0.88729833462074169};
+static const double WEIGHT[] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+
+/* The integral of the load over the approach along the cubics with the values and rates at two
+ * points. The parameter of the rates does not change the area to this order. */
+static double work_between(const po_branch_point *a, const po_branch_point *b) {
+  const double h = b->position - a->position;
+  double sum = 0.0;
+  for (int q = 0; q < 3; ++q)
+    sum += WEIGHT[q] * h *
+           po_hermite_value(a->load, a->load_rate, b->load, b->load_rate, NODE[q] * h, h) *
+           po_hermite_rate(a->approach, a->approach_rate, b->approach, b->approach_rate,
+                           NODE[q] * h, h);
+  return sum;
+}
+
+void po_balance_note(po_balance *balance, const po_branch_point *p) {
+  if (balance->begun && p->position > balance->last.position) {
+    balance->gained += p->energy - balance->last.energy;
+    balance->done += work_between(&balance->last, p);
+    const double off = fabs(balance->gained - balance->done);
+    if (!(off <= balance->worst)) {
+      balance->worst = off;
+      balance->at = p->approach;
+    }
+    balance->lowest = fmin(balance->lowest, balance->gained);
+    balance->highest = fmax(balance->highest, balance->gained);
+  }
+  balance->begun = true;
+  balance->last = *p;
+}
+
+double po_balance_defect(const po_balance *balance) {
+  const double range = balance->highest - balance->lowest;
+  return range > 0.0 ? balance->worst / range : (double)NAN;
+}
 
 /* The complete state of a kept one, on its own mesh. Returned: state, with memory for capacity + 1
  * values. */
@@ -83,6 +167,69 @@ po_status po_diagnose_states(const po_request *request, double deadline, const p
     status = made == PO_NO_MEMORY ? made : PO_OK;
   }
   free(state);
+  d->seconds += po_clock_wall() - begin;
+  return status;
+}
+
+/* The largest change of the approach of a fold; NaN if the number of folds differs. */
+static double change_of_folds(const po_result *a, const po_result *b) {
+  double largest = 0.0;
+  for (size_t k = 0; k < a->fold_count && a->fold_count == b->fold_count; ++k)
+    largest = fmax(largest, fabs(a->folds[k].approach - b->folds[k].approach));
+  return a->fold_count == b->fold_count ? largest : (double)NAN;
+}
+
+static po_status move(const po_request *request, const po_result *result, po_moved *moved) {
+  po_result again;
+  const po_status status = po_observe_kept(request, NULL, &again);
+  ++moved->solves;
+  if (status || !again.has_pull_off) {
+    ++moved->failed;
+  } else {
+    const double change = fabs(again.pull_off.force / result->pull_off.force - 1.0);
+    const double excess = fabs(again.pull_off.force - result->pull_off.force) /
+                          (again.pull_off.force_error + result->pull_off.force_error);
+    moved->change = fmax(moved->change, change); /* the first is NaN */
+    moved->excess = fmax(moved->excess, excess);
+    const double folds = change_of_folds(result, &again);
+    if (!(folds <= moved->folds)) /* NaN stays */
+      moved->folds = isnan(moved->folds) ? moved->folds : folds;
+  }
+  po_result_clear(&again);
+  const bool ends = status == PO_NO_MEMORY || status == PO_INTERRUPTED || status == PO_OUT_OF_TIME;
+  return ends ? status : PO_OK;
+}
+
+po_status po_diagnose_moved(const po_request *request, double deadline, po_result *result) {
+  po_diagnostics *d = &result->diagnostics;
+  po_request moving = *request;
+  moving.want &= ~(unsigned)PO_WANT_DIAGNOSTICS; /* the other results may change the steps */
+  const bool wavy = po_scene_is_wavy(&request->scene);
+  const struct {
+    double *value, by;
+  } inputs[] = {{&moving.scene.tabor, d->force.tabor},
+                {&moving.scene.radius, d->force.radius},
+                {&moving.scene.amplitude, d->force.amplitude},
+                {&moving.scene.wavelength, d->force.wavelength}};
+  const double begin = po_clock_wall();
+  double most = 0.0;
+  po_status status = PO_OK;
+  for (size_t k = 0; k < (wavy ? 4 : 2); ++k) {
+    const double is = *inputs[k].value;
+    for (int up = 0; !status && up < 2 && is > 0.0; ++up) {
+      *inputs[k].value = nextafter(is, up ? INFINITY : 0.0);
+      most = fmax(most, fabs(inputs[k].by * (*inputs[k].value / is - 1.0)));
+      if (isfinite(deadline))
+        moving.time_limit = deadline - po_clock_thread();
+      status = moving.time_limit <= 0.0 ? PO_OUT_OF_TIME : move(&moving, result, &d->moved);
+      if (status == PO_OUT_OF_TIME)
+        status =
+            po_diagnose_out_of_time(request, "the solves with changed inputs are not complete");
+    }
+    *inputs[k].value = is;
+  }
+  if (d->has_sensitivity)
+    d->moved.predicted = most + fabs(d->force.residual) + d->force.rounding;
   d->seconds += po_clock_wall() - begin;
   return status;
 }

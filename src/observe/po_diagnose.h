@@ -3,10 +3,35 @@
 #define PO_DIAGNOSE_H
 
 #include "po_adaptive.h"
+#include "po_branch_point.h"
+#include "po_diagnostics.h"
 #include "po_equilibrium.h"
-#include "po_kept.h"
 #include "po_request.h"
 #include "po_result.h"
+
+typedef struct {
+  po_branch_point last; /* its pointers are not used */
+  bool begun;
+  double gained, done; /* since the first point: change of the energy, and work along cubics through
+                          the points */
+  double worst;        /* largest difference of the two so far */
+  double lowest, highest; /* range of the change of the energy */
+  double at;              /* approach at the largest difference, eps */
+} po_balance;
+
+typedef struct {
+  po_kept_kind kind;
+  double approach, load;
+  size_t n;
+  double *node, *gap; /* n: radii, eps; H */
+} po_kept_state;
+
+enum { PO_KEPT_FOLDS = 12, PO_MOST_KEPT = PO_KEPT_FOLDS + 3 };
+
+typedef struct {
+  po_kept_state states[PO_MOST_KEPT]; /* start, pull-off, end, then the folds */
+  size_t folds;
+} po_kept;
 
 /* Diagnoses the states kept of a trace. Given: deadline, the processor time (po_clock_thread) at
  * which the function gives up; the equilibrium of the trace, and its panels (NULL for a fixed
@@ -21,5 +46,16 @@ po_status po_diagnose_moved(const po_request *request, double deadline, po_resul
 
 /* Fails with PO_OUT_OF_TIME and a message that the branch is traced, followed by `what`. */
 po_status po_diagnose_out_of_time(const po_request *request, const char *what);
+
+/* Keeps a visited point if it is one of these. Given: deepest, whether the point is the deepest
+ * minimum of the load so far. Status: PO_NO_MEMORY. */
+po_status po_kept_note(po_kept *kept, const po_branch_point *point, bool deepest);
+void po_kept_clear(po_kept *kept);
+
+/* Adds the next point along the branch. */
+void po_balance_note(po_balance *balance, const po_branch_point *point);
+
+/* The largest difference relative to the range of the energy; NAN for fewer than two points. */
+double po_balance_defect(const po_balance *balance);
 
 #endif

@@ -1,10 +1,17 @@
 #include "po_observe.h"
 
 #include <math.h>
+#include <stdio.h>
 
+#include "po_clock.h"
 #include "po_diagnose.h"
+#include "po_linear.h"
 #include "po_load_unit.h"
 #include "po_observe_parts.h"
+#include "po_rigid.h"
+#include "po_scales.h"
+#include "po_size.h"
+#include "po_trace.h"
 #include "po_watch.h"
 
 /* The preload of the loops of the JKR theory: the approach of the request, otherwise the load at
@@ -42,16 +49,195 @@ static po_status accompany(const po_request *request, po_result *result) {
   return PO_OK;
 }
 
+/* Traces a scene, and repeats the trace if necessary: with a larger core, with smaller allowed
+ * errors, or from a smaller approach. */
+
+/* If the estimated error of the pull-off force exceeds the tolerance, or a fold is not found on a
+ * finer mesh and is therefore probably spurious, the trace is repeated with this part of the
+ * tolerance that would suffice. */
+static const double SHARPER = 0.3;
+
+/* Ratio of error to tolerance that is assumed if the error could not be estimated. */
+static const double UNKNOWN_EXCESS = 3.0;
+
+/* Ratio of error to tolerance above which the solve fails after the last trace. */
+static const double MOST_EXCESS = 10.0;
+
+enum { MOST_TRACES = 3 };
+
+/* If the contact reaches the end of the core of an unbounded surface, the trace is repeated with a
+ * core larger by this factor. */
+static const double CORE_GROWTH = 1.5;
+
+enum { MOST_MESHES = 4 };
+
+/* A trace begins at least this far below approach_end and the approach of the preload, eps. */
+static const double START_MARGIN = 1.0;
+
+/* A trace for hysteresis begins at most at -BEGIN times the sum of the length in which the law
+ * changes and the elastic elongation at pull-off. For a smooth sphere this is -4 (1 + mu) eps; by
+ * JKR theory it jumps out at -1.61 mu. */
+static const double BEGIN = 4.0;
+
+/* Allowed error of the gap, eps, divided by the square root of the relative tolerance of the
+ * pull-off force, and its greatest value at any tolerance. The square root, because the error of
+ * the load goes as the square of the last Legendre coefficients. Chosen for the smooth sphere
+ * (tests/unit/test_panels.c). Where the curve is steeper or the contact edge sharper, the panel
+ * itself asks for less (RIPPLE in po_resolution.c). */
+static const double ERROR_OF_TOLERANCE = 0.3, COARSEST_ERROR = 3e-4;
+
+/* Allowed error of the load of a panel, divided by the tolerance. The estimate of this error is
+ * usually too large. */
+static const double LOAD_OF_TOLERANCE = 30.0;
+
+/* Precision of Newton's method, relative to 1 + H, divided by the tolerance; and its greatest
+ * value, which the location of folds requires. */
+static const double PRECISION_OF_TOLERANCE = 1e-4, COARSEST_PRECISION = 1e-9;
+
+po_allowance po_observe_allowance(double tolerance) {
+  return (po_allowance){fmin(COARSEST_ERROR, ERROR_OF_TOLERANCE * sqrt(tolerance)),
+                        fmin(COARSEST_ERROR, LOAD_OF_TOLERANCE * tolerance)};
+}
+
+double po_observe_precision(double tolerance) {
+  return fmax(PO_FINEST_PRECISION, fmin(COARSEST_PRECISION, PRECISION_OF_TOLERANCE * tolerance));
+}
+
+static void add_work(const po_work *more, po_work *work) {
+  work->points += more->points;
+  work->newton_iterations += more->newton_iterations;
+  work->factorizations += more->factorizations;
+  work->kernel_evaluations += more->kernel_evaluations;
+  work->meshes += more->meshes;
+  work->nodes = work->nodes > more->nodes ? work->nodes : more->nodes;
+  work->factorized_nodes = work->factorized_nodes > more->factorized_nodes ? work->factorized_nodes
+                                                                           : more->factorized_nodes;
+}
+
+/* Whether the scheme estimates errors and did not find that of the pull-off force. */
+static bool is_unsure(const po_request *request, const po_result *result) {
+  return request->mesh.scheme == PO_PANEL && !result->rigid && result->has_pull_off &&
+         isnan(result->pull_off.force_error);
+}
+
+/* The estimated error of the pull-off force relative to the tolerance; 0 if it is within the
+ * tolerance. The part of the far field is not counted: no other mesh would reduce it. */
+static double excess_error(const po_request *request, const po_result *result) {
+  if (is_unsure(request, result))
+    return UNKNOWN_EXCESS;
+  if (!result->has_pull_off)
+    return 0.0;
+  const double force = result->pull_off.force;
+  const double seen = result->pull_off.force_error - result->pull_off.far_force_error;
+  const double excess = seen / (request->mesh.tolerance * force);
+  return excess > 1.0 ? excess : 0.0;
+}
+
+/* If approach_end or the preload is below the approach at which the trace would begin, the trace
+ * begins at a smaller approach. */
+static double farthest_of(const po_request *request) {
+  const double preload = request->preload.approach;
+  return (isfinite(preload) ? fmin(request->approach_end, preload) : request->approach_end) -
+         START_MARGIN;
+}
+
+static double farthest_start(const po_scene *scene) {
+  return BEGIN * (po_law_size(&scene->law, 0.0) + po_scene_scales(scene).wavy_stretch);
+}
+
+static po_status attempt(const po_request *request, const po_keeper *keeper, double deadline,
+                         po_result *result) {
+  po_status status = po_request_check(request);
+  if (!status)
+    status = po_request_size_check(request);
+  if (status)
+    return status;
+  const bool rigid = po_rigid_suffices(&request->scene);
+  po_attempt a = {.core = po_observe_core(request),
+                  .tolerance = request->mesh.tolerance,
+                  .begin = farthest_of(request)};
+  if (request->want & (PO_WANT_HYSTERESIS | PO_WANT_PRELOAD))
+    a.begin = fmin(a.begin, -farthest_start(&request->scene));
+  po_work work = {0};
+  for (int meshes = 0, traces = 1; meshes < MOST_MESHES; ++traces) {
+    po_result_clear(result);
+    status = po_trace(request, rigid, &a, deadline, keeper, result);
+    add_work(&result->work, &work);
+    double excess = status || rigid ? 0.0 : excess_error(request, result);
+    if (!status && a.unmet_folds > 0)
+      excess = fmax(excess, UNKNOWN_EXCESS);
+    if (status == PO_OUT_OF_DOMAIN) {
+      a.core *= CORE_GROWTH;
+      ++meshes;
+    } else if (excess > 0.0 && traces < MOST_TRACES) {
+      a.tolerance *= SHARPER / excess;
+    } else if (!status && request->want & PO_WANT_HYSTERESIS && !result->has_hysteresis) {
+      ++meshes; /* the next trace begins at a smaller approach */
+    } else {
+      break;
+    }
+  }
+  result->work = work;
+  if (!status && is_unsure(request, result))
+    return po_fail(
+        PO_NOT_CONVERGED,
+        "the error of the pull-off force %.6g at approach %.6g could not be estimated: no "
+        "equilibrium was found there on a finer mesh",
+        result->pull_off.force * po_scene_load_unit(&request->scene), result->pull_off.approach);
+  if (!status && !rigid && excess_error(request, result) > MOST_EXCESS)
+    return po_fail(PO_NOT_CONVERGED,
+                   "the error of the pull-off force %.6g is estimated at %.2g, far above the "
+                   "tolerance, also on finer panels",
+                   result->pull_off.force * po_scene_load_unit(&request->scene),
+                   result->pull_off.force_error * po_scene_load_unit(&request->scene));
+  return status;
+}
+
+double po_observe_deadline(const po_request *request) {
+  return isnan(request->time_limit) ? INFINITY : po_clock_thread() + request->time_limit;
+}
+
+/* Traces the branch of a scene, repeatedly if its errors exceed the tolerance. Given: keeper, which
+ * receives minima and folds, or NULL. Returned: the result, except its status and reason. */
+static po_status trace_attempts(const po_request *request, const po_keeper *keeper, double deadline,
+                                po_result *result) {
+  *result = po_result_none();
+  const double begin = po_clock_wall();
+  po_message_clear();
+  po_status status = po_linear_reserve(1);
+  if (!status)
+    status = attempt(request, keeper, deadline, result);
+  result->work.seconds = po_clock_wall() - begin - result->diagnostics.seconds;
+  return status;
+}
+
+/* Writes the status of a solve and the reason into its result. Returned: the status. */
+static po_status finish(po_status status, po_result *result) {
+  result->status = po_no_memory_or(status);
+  if (result->status)
+    snprintf(result->reason, sizeof result->reason, "%s",
+             *po_message() ? po_message() : po_status_text(result->status));
+  return result->status;
+}
+
+po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po_result *result) {
+  const double deadline = po_observe_deadline(request);
+  const po_watch before = po_watch_begin(request->stop, deadline);
+  const po_status status = trace_attempts(request, keeper, deadline, result);
+  po_watch_end(before);
+  return finish(status, result);
+}
+
 po_status po_observe(const po_request *asked, po_result *result) {
   const po_request request = po_load_unit_request(asked);
   const double deadline = po_observe_deadline(&request);
   const po_watch before = po_watch_begin(request.stop, deadline);
-  po_status status = po_observe_attempts(&request, NULL, deadline, result);
+  po_status status = trace_attempts(&request, NULL, deadline, result);
   if (!status && (request.want & PO_WANT_DIAGNOSTICS))
     status = po_diagnose_moved(&request, deadline, result);
   if (!status)
     status = accompany(&request, result);
   po_watch_end(before);
   po_load_unit_result(&request.scene, result);
-  return po_observe_finish(status, result);
+  return finish(status, result);
 }

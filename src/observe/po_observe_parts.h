@@ -10,15 +10,7 @@
  * limit. */
 double po_observe_deadline(const po_request *request);
 
-/* Traces the branch of a scene, repeatedly if its errors exceed the tolerance. Given: keeper, which
- * receives minima and folds, or NULL. Returned: the result, except its status and reason. */
-po_status po_observe_attempts(const po_request *request, const po_keeper *keeper, double deadline,
-                              po_result *result);
-
-/* Writes the status of a solve and the reason into its result. Returned: the status. */
-po_status po_observe_finish(po_status status, po_result *result);
-
-/* Calls po_observe_attempts and po_observe_finish: po_observe without the companion theory and
+/* Calls trace_attempts and finish: po_observe without the companion theory and
  * without the solves with changed inputs (po_diagnose_moved). */
 po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po_result *result);
 

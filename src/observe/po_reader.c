@@ -1,12 +1,16 @@
 #include "po_reader.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "po_contact.h"
-#include "po_contact_profile.h"
+#include "po_diagnosis.h"
 #include "po_energy_error.h"
+#include "po_initial_gap.h"
+#include "po_memory.h"
 #include "po_observe_parts.h"
-#include "po_pull_off_sensitivity.h"
+#include "po_solution.h"
 #include "po_watch.h"
 
 /* The radius of the domain of the panels, eps; without a surface there are none. */
@@ -24,16 +28,149 @@ static void keep_status(po_reader *r, po_status status) {
     r->status = status;
 }
 
+/* Computes gap and traction P = mu p at the nodes of the core, for a rigid scene from the initial
+ * gap at the nodes of the surface (if mu is 0, the traction is P/mu), and the contact annuli.
+ * Returned: in the result, replacing an earlier profile. Status: PO_NO_MEMORY. */
+static po_status take_profile_at(const po_scene *scene, const po_surface *s,
+                                 const po_branch_point *p, po_result *o) {
+  const size_t most = p->gap ? p->n : s->resolved;
+  po_profile_point *profile = po_resize(o->profile, most, sizeof *profile);
+  if (!profile)
+    return PO_NO_MEMORY;
+  const double tabor = scene->tabor > 0.0 ? scene->tabor : 1.0;
+  o->profile = profile;
+  o->profile_count = 0;
+  o->profile_approach = p->approach;
+  for (size_t j = 0; j < most; ++j) {
+    const double radius = p->gap ? p->node[j] : s->node[j];
+    if (radius > s->core_radius)
+      break;
+    const double gap = p->gap ? p->gap[j] : po_initial_gap(scene, radius) - p->approach;
+    profile[o->profile_count++] = (po_profile_point){
+        .radius = radius, .gap = gap, .traction = tabor * po_law_at(&scene->law, gap).traction};
+  }
+  const po_contact_gap field = po_contact_gap_of(scene, s->core_radius, p);
+  return po_contact_annuli_fill(&field, &o->annuli);
+}
+
 static void take_profile(po_reader *r, const po_branch_point *p) {
-  keep_status(r, po_contact_profile_take(&r->request->scene, r->surface, p, r->result));
+  keep_status(r, take_profile_at(&r->request->scene, r->surface, p, r->result));
+}
+
+/* Computes d ln(force) / d ln(parameter) at a minimum of the load; residual and rounding are NAN.
+ *
+ * The adjoint equation needs no solve. With D = diag(dp/dH), the Jacobian at given approach is
+ * J = 1 - coupling G D, the gradient of the load, Eq 17, is g = (2/R) D w, and the integral of Eq
+ * 15 is symmetric: w_i G_ij = w_j G_ji. Then J^T D w v = D w J v, so that the solution of J^T x = g
+ * is x = D w v with J v = 2/R. The tangent t of the branch solves J t = -t_Delta, hence v = -(2/R)
+ * t / t_Delta. Where the approach is not stationary, t_Delta is not 0.
+ *
+ * Given: the surface, on whose mesh the solution is. Returned: false if it is not, or at a fold.
+ * Accuracy: that of the symmetry of the discretised integral; agrees to 1e-6 with the adjoint
+ * solve of po_sensitivity_make at a tolerance of 1e-6 (tests/unit/test_diagnosis.c). */
+static bool sensitivity_of(const po_scene *scene, const po_surface *surface, const po_solution *p,
+                           po_sensitivity *made) {
+  const size_t n = p->n;
+  const double rate = p->tangent[n], averaged = po_initial_gap_amplitude(scene);
+  *made = (po_sensitivity){.residual = NAN, .rounding = NAN};
+  if (surface->n != n || memcmp(surface->node, p->node, n * sizeof *p->node) != 0 || rate == 0.0)
+    return false;
+  for (size_t j = 0; j < n; ++j) {
+    const double gap = p->state[j];
+    const bool resolved = j < surface->resolved;
+    const double slope =
+        (resolved ? po_law_at(&scene->law, gap) : po_law_averaged(&scene->law, gap, averaged))
+            .slope;
+    const double adjoint = -2.0 / scene->radius * surface->weight[j] * slope * p->tangent[j] / rate;
+    const po_sensitivity s =
+        po_sensitivity_sources(scene, p->node[j], resolved, p->deflection[j] + p->state[n]);
+    made->tabor += adjoint * s.tabor;
+    made->amplitude += adjoint * s.amplitude;
+    made->wavelength += adjoint * s.wavelength;
+    made->radius += adjoint * s.radius;
+  }
+  made->radius -= p->load; /* the 1/R of Eq 17 */
+  double *const parts[] = {&made->tabor, &made->amplitude, &made->wavelength, &made->radius};
+  for (size_t k = 0; k < sizeof parts / sizeof *parts; ++k)
+    *parts[k] /= p->load;
+  return true;
+}
+
+static po_special_kind kind_of(po_point_kind kind) {
+  switch (kind) {
+  case PO_POINT_APPROACH_MAX:
+    return PO_JUMP_IN;
+  case PO_POINT_APPROACH_MIN:
+    return PO_JUMP_OUT;
+  case PO_POINT_LOAD_MAX:
+    return PO_MAXIMUM;
+  default:
+    return PO_MINIMUM;
+  }
+}
+
+/* An empty list. */
+static po_special_list no_special_points(void) {
+  return (po_special_list){.greatest = {.traced_approach_error = NAN,
+                                        .traced_load_error = NAN,
+                                        .traced_energy_error = NAN}};
+}
+
+/* fmax ignores NAN. */
+static void note_errors(po_estimate *greatest, const po_estimate *e) {
+  greatest->traced_approach_error = fmax(greatest->traced_approach_error, e->traced_approach_error);
+  greatest->traced_load_error = fmax(greatest->traced_load_error, e->traced_load_error);
+  greatest->traced_energy_error = fmax(greatest->traced_energy_error, e->traced_energy_error);
+}
+
+/* Adds a special point to the folds or the extrema of the result. Status: PO_NO_MEMORY. */
+static po_status add_special_point(po_special_list *l, const po_branch_point *p,
+                                   const po_estimate *e, po_result *o) {
+  const po_special_kind kind = kind_of(p->kind);
+  const bool fold = kind == PO_JUMP_IN || kind == PO_JUMP_OUT;
+  po_special_point **list = fold ? &o->folds : &o->extrema;
+  size_t *count = fold ? &o->fold_count : &o->extremum_count;
+  l->unmet_folds += fold && p->unmet;
+  note_errors(&l->greatest, e);
+  po_special_point *grown =
+      po_grow(*list, *count, fold ? &l->fold_room : &l->extremum_room, sizeof *grown);
+  if (!grown)
+    return PO_NO_MEMORY;
+  *list = grown;
+  grown[(*count)++] = (po_special_point){.kind = kind,
+                                         .approach = e->approach,
+                                         .load = e->load,
+                                         .energy = e->energy,
+                                         .energy_error = e->energy_error,
+                                         .approach_error = e->approach_error,
+                                         .load_error = e->load_error,
+                                         .contact_radius = e->edge.radius,
+                                         .contact_radius_error = e->edge.error,
+                                         .contact_radius_other = e->edge.other,
+                                         .position = p->position,
+                                         .unstable_modes = p->unstable_modes};
+  return PO_OK;
+}
+
+/* Makes a minimum of the load the pull-off of the result. */
+static void set_pull_off(const po_estimate *e, po_result *o) {
+  o->has_pull_off = true;
+  o->pull_off.force = fabs(e->load);
+  o->pull_off.approach = e->approach;
+  o->pull_off.contact_radius = e->edge.radius;
+  o->pull_off.force_error = e->load_error;
+  o->pull_off.far_force_error = e->far_load_error;
+  o->pull_off.approach_error = e->approach_error;
+  o->pull_off.contact_radius_error = e->edge.error;
+  o->pull_off.contact_radius_other = e->edge.other;
 }
 
 static void note_minimum(po_reader *r, const po_branch_point *p, const po_estimate *e) {
   if (!po_stopping_note_minimum(&r->stopping, e->load))
     return;
-  po_special_list_pull_off(e, r->result);
+  set_pull_off(e, r->result);
   if (p->solution)
-    r->result->pull_off.has_sensitivity = po_pull_off_sensitivity(
+    r->result->pull_off.has_sensitivity = sensitivity_of(
         &r->request->scene, r->surface, p->solution, &r->result->pull_off.sensitivity);
   if ((r->request->want & PO_WANT_PROFILE) && isnan(r->request->profile_approach))
     take_profile(r, p);
@@ -48,12 +185,58 @@ po_reader po_reader_begin(const po_request *request, po_result *result, double d
   return (po_reader){.request = request,
                      .result = result,
                      .deadline = deadline,
-                     .special = po_special_list_begin(),
+                     .diagnoses = request->want & PO_WANT_DIAGNOSTICS,
+                     .special = no_special_points(),
                      .stopping = po_stopping_begin(request)};
 }
 
+/* Appends a point to the path, or to the curve of the result. Given: contact radius, eps. Status:
+ * PO_NO_MEMORY. */
+static po_status add_to_path(po_trace_points *points, const po_branch_point *p,
+                             double contact_radius, double energy_error) {
+  po_path_point *path = po_grow(points->path, points->path_count, &points->path_room, sizeof *path);
+  if (!path)
+    return PO_NO_MEMORY;
+  points->path = path;
+  path[points->path_count++] = (po_path_point){.approach = p->approach,
+                                               .load = p->load,
+                                               .energy = p->energy,
+                                               .energy_error = energy_error,
+                                               .approach_rate = p->approach_rate,
+                                               .load_rate = p->load_rate,
+                                               .contact_radius = contact_radius,
+                                               .position = p->position,
+                                               .unstable_modes = p->unstable_modes,
+                                               .minimum = p->kind == PO_POINT_LOAD_MIN};
+  return PO_OK;
+}
+
+static po_status add_to_curve(po_trace_points *points, const po_branch_point *p,
+                              double contact_radius, double energy_error, po_result *result) {
+  po_curve_point *curve =
+      po_grow(result->curve, result->curve_count, &points->curve_room, sizeof *curve);
+  if (!curve)
+    return PO_NO_MEMORY;
+  result->curve = curve;
+  curve[result->curve_count++] = (po_curve_point){.position = p->position,
+                                                  .approach = p->approach,
+                                                  .load = p->load,
+                                                  .energy = p->energy,
+                                                  .energy_error = energy_error,
+                                                  .contact_radius = contact_radius,
+                                                  .approach_rate = p->approach_rate,
+                                                  .load_rate = p->load_rate,
+                                                  .unstable_modes = p->unstable_modes};
+  return PO_OK;
+}
+
 void po_reader_end(po_reader *reader) {
-  po_trace_points_free(&reader->points);
+  reader->result->diagnostics.energy_defect = po_balance_defect(&reader->balance);
+  reader->result->diagnostics.energy_defect_at = reader->balance.at;
+  free(reader->points.path);
+  po_kept_clear(&reader->kept);
+  po_passage_clear(&reader->out);
+  po_passage_clear(&reader->back);
 }
 
 /* Whether the preload is met and a search of limited effort is in progress, which may end at any
@@ -93,7 +276,7 @@ bool po_reader_visit_back(const po_branch_point *p, void *data) {
   po_reader *r = data;
   if (may_go_on(r, p)) {
     const po_estimate e = estimate_of(r, p);
-    r->status = po_passage_note(r->back, p, e.approach_error, e.load_error, true);
+    r->status = po_passage_note(&r->back, p, e.approach_error, e.load_error, true);
   }
   return r->status != PO_OK;
 }
@@ -101,7 +284,7 @@ bool po_reader_visit_back(const po_branch_point *p, void *data) {
 /* Reads a special point. */
 static void read_special_point(po_reader *r, const po_branch_point *p) {
   const po_estimate e = estimate_of(r, p);
-  keep_status(r, po_special_list_add(&r->special, p, &e, r->result));
+  keep_status(r, add_special_point(&r->special, p, &e, r->result));
   if (p->kind == PO_POINT_LOAD_MIN)
     note_minimum(r, p, &e);
   if (r->keeper && is_kept(p->kind) && !r->keeper->special(r->keeper->data, p, r->stopping.margin))
@@ -110,11 +293,11 @@ static void read_special_point(po_reader *r, const po_branch_point *p) {
 
 /* Passes a point to the diagnostics. */
 static void keep_for_diagnosis(po_reader *r, const po_branch_point *p) {
-  po_balance_note(r->balance, p);
+  po_balance_note(&r->balance, p);
   const bool deepest = p->kind == PO_POINT_LOAD_MIN && r->result->has_pull_off &&
                        fabs(p->load + p->load_correction) == r->result->pull_off.force;
   if (!r->status)
-    r->status = po_kept_note(r->kept, p, deepest);
+    r->status = po_kept_note(&r->kept, p, deepest);
 }
 
 /* The contact has reached the end of the meshed surface: a search of limited effort ends here, any
@@ -160,14 +343,14 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
   po_result *o = r->result;
   if (!may_go_on(r, p) || o->ended.cause != PO_END_NONE)
     return true;
-  if (r->out) {
+  if (r->diagnoses) {
     const po_estimate e = estimate_of(r, p);
-    r->status = po_passage_note(r->out, p, e.approach_error, e.load_error, false);
+    r->status = po_passage_note(&r->out, p, e.approach_error, e.load_error, false);
   }
   const po_contact_gap gap = po_contact_gap_of(&r->request->scene, root_of(r), p);
   const double contact_radius = po_contact_radius(&gap);
   const double energy_error = energy_error_of(r, p);
-  keep_status(r, po_trace_points_add_to_path(&r->points, p, contact_radius, energy_error));
+  keep_status(r, add_to_path(&r->points, p, contact_radius, energy_error));
   if (!r->begun && !(p->approach >= r->begin))
     return false;
   if (isnan(o->start))
@@ -178,14 +361,14 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
   if (r->surface && r->surface->n > r->most_nodes)
     r->most_nodes = r->surface->n;
   if (r->request->want & PO_WANT_CURVE)
-    keep_status(r, po_trace_points_add_to_curve(&r->points, p, contact_radius, energy_error, o));
+    keep_status(r, add_to_curve(&r->points, p, contact_radius, energy_error, o));
   if (p->kind == PO_POINT_STATION && !o->profile && (r->request->want & PO_WANT_PROFILE) &&
       po_path_is_at(p->approach, r->request->profile_approach))
     take_profile(r, p);
   po_stopping_note_point(&r->stopping, p, &gap, contact_radius);
   if (p->kind != PO_POINT_STEP && p->kind != PO_POINT_STATION)
     read_special_point(r, p);
-  if (r->balance)
+  if (r->diagnoses)
     keep_for_diagnosis(r, p);
   return ends_at(r, p, contact_radius);
 }

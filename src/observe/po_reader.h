@@ -1,21 +1,32 @@
-/* The visitor of a trace. It passes each point to the parts that read the branch: path and curve
- * (po_trace_points.h), special points and pull-off (po_special_list.h), profile
- * (po_contact_profile.h), diagnostics (po_kept.h, po_balance.h, po_reverse_trace.h) and the
+/* The visitor of a trace. It reads path and curve, special points, pull-off and profile off the
+ * branch, and passes each point to the diagnostics (po_diagnose.h, po_reverse_trace.h) and to the
  * stopping rule (po_stopping.h). It ends the trace if one of these, the user or the time limit
  * requires it. */
 #ifndef PO_READER_H
 #define PO_READER_H
 
-#include "po_balance.h"
 #include "po_branch_point.h"
+#include "po_diagnose.h"
 #include "po_estimate.h"
-#include "po_kept.h"
+#include "po_path.h"
 #include "po_request.h"
 #include "po_result.h"
 #include "po_reverse_trace.h"
-#include "po_special_list.h"
 #include "po_stopping.h"
-#include "po_trace_points.h"
+
+/* The special points of the result, folds and extrema of the load: sizes of their lists. */
+typedef struct {
+  size_t fold_room, extremum_room;
+  size_t unmet_folds;   /* number of folds that were not found on a finer mesh */
+  po_estimate greatest; /* the greatest errors of all special points; NAN: none was estimated */
+} po_special_list;
+
+/* The points of a trace: all of them as the path from which loading, unloading and staircases are
+ * computed, and the size of the curve of the result. */
+typedef struct {
+  po_path_point *path; /* owned */
+  size_t path_count, path_room, curve_room;
+} po_trace_points;
 
 /* A receiver of the minima of the load and of the folds, with their solutions, as needed for
  * parameter continuation. */
@@ -33,11 +44,11 @@ typedef struct {
   const po_surface *surface; /* for a rigid scene, its nodes only */
   po_result *result;
   const po_keeper *keeper; /* NULL: none */
-  po_balance *balance;     /* energy balance; NULL unless diagnostics are wanted */
-  po_kept *kept;           /* states for the diagnosis; NULL as above */
-  po_passage *out,
-      *back;    /* special points of the forward and of the reverse trace; NULL as above */
-  double begin; /* points are recorded from the first one with at least this approach */
+  bool diagnoses;          /* diagnostics are wanted, which the next four need */
+  po_balance balance;      /* energy balance */
+  po_kept kept;            /* states for the diagnosis */
+  po_passage out, back;    /* special points of the forward and of the reverse trace */
+  double begin;            /* points are recorded from the first one with at least this approach */
   bool begun;
   po_stopping stopping;
   po_trace_points points;
@@ -47,7 +58,8 @@ typedef struct {
   po_status status;
 } po_reader;
 
-/* Initialises a reader for a trace; and frees its memory. */
+/* Initialises a reader for a trace; and frees its memory, after storing the energy balance in the
+ * result. */
 po_reader po_reader_begin(const po_request *request, po_result *result, double deadline);
 void po_reader_end(po_reader *reader);
 

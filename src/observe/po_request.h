@@ -28,7 +28,7 @@ typedef enum {
                   */
 } po_search;
 
-/* A closed-form theory that is evaluated for the scene beside the solve, as po_companion_jkr.h. */
+/* A closed-form theory that is evaluated for the scene beside the solve, as po_jkr_path.h. */
 typedef struct {
   /* The contact radius, eps, beyond which no equilibrium has a load below the given one, pi w R;
    * NAN: unknown. */
@@ -54,8 +54,7 @@ typedef struct {
   po_search search;        /* beyond the preload; PO_SEARCH_ALL if PO_WANT_PRELOAD */
   const po_companion *companion; /* NULL: none; a search is then never known to be complete */
   double time_limit;             /* seconds of processor time of the solving thread; NAN: none */
-  const volatile sig_atomic_t
-      *stop; /* nonzero interrupts the solve; see po_watch.h; may be NULL */
+  const volatile sig_atomic_t *stop; /* nonzero interrupts the solve; see po_watch.h; may be NULL */
   /* Told of every point of a trace: approach, eps, and load, pi w R; of a scene of a series that is
    * followed: NAN. NULL: nobody. */
   void (*watch)(void *watcher, double approach, double load);

@@ -6,11 +6,11 @@
 #include "po_clock.h"
 #include "po_continuation.h"
 #include "po_diagnose.h"
-#include "po_hysteresis.h"
 #include "po_initial_gap.h"
-#include "po_pressed.h"
+#include "po_loop.h"
 #include "po_reader.h"
 #include "po_rigid_trace.h"
+#include "po_staircase.h"
 
 /* Greatest allowed distance of a wanted curve from the straight lines between its points, in eps
  * and pi w R. */
@@ -66,7 +66,7 @@ static po_status trace_back(po_continuation *continuation, po_reader *reader) {
   if (reader->status)
     status = reader->status;
   reader->status = PO_OK;
-  d->reverse_trace = po_reverse_trace_compare(reader->out, reader->back, status);
+  d->reverse_trace = po_reverse_trace_compare(&reader->out, &reader->back, status);
   d->seconds += po_clock_wall() - begin;
   if (status == PO_NO_MEMORY || status == PO_INTERRUPTED)
     return status;
@@ -100,11 +100,12 @@ static po_status trace_elastic(const po_request *request, const po_attempt *a, p
     status = unless_stopped(reader, po_continuation_run(continuation));
     note_work(reader, e, panels);
   }
-  if (!status && !reader->status && reader->back && panels)
+  if (!status && !reader->status && reader->diagnoses && panels)
     status = trace_back(continuation, reader);
   po_continuation_destroy(continuation);
-  if (reader->kept && !status)
-    status = po_diagnose_states(request, reader->deadline, reader->kept, e, panels, reader->result);
+  if (reader->diagnoses && !status)
+    status =
+        po_diagnose_states(request, reader->deadline, &reader->kept, e, panels, reader->result);
   po_equilibrium_destroy(e);
   return status;
 }
@@ -156,10 +157,151 @@ static po_status make_surface(const po_request *request, bool rigid, double core
   return po_adaptive_create(scene, domain, level, panels);
 }
 
+/* The preload that belongs to the pull-off of a branch, and the greatest pull-off force of all
+ * preloads. */
+
+/* The special point at a position on the branch; NULL if there is none. */
+static const po_special_point *mark_at(const po_result *o, double position) {
+  for (size_t k = 0; k < o->fold_count; ++k)
+    if (o->folds[k].position == position)
+      return &o->folds[k];
+  for (size_t k = 0; k < o->extremum_count; ++k)
+    if (o->extrema[k].position == position)
+      return &o->extrema[k];
+  return NULL;
+}
+
+/* The greatest errors of the special points; NAN if none was estimated. */
+static po_path_error greatest_error(const po_result *o) {
+  po_path_error e = {NAN, NAN};
+  for (size_t k = 0; k < o->fold_count + o->extremum_count; ++k) {
+    const po_special_point *mark =
+        k < o->fold_count ? &o->folds[k] : &o->extrema[k - o->fold_count];
+    e.approach = fmax(e.approach, mark->approach_error); /* ignores NAN */
+    e.load = fmax(e.load, mark->load_error);
+  }
+  return e;
+}
+
+/* Gives a state at the position of a special point the approach and the load of that point.
+ * Returned: the stated errors of the special point. The error of any other state, and of a special
+ * point without an error, is the greatest error of the special points plus the distance of the
+ * curve from its interpolation. Given: a result with special points. */
+static po_path_error state_of_special_point(const po_request *request, const po_result *o,
+                                            po_path_state *state) {
+  const po_special_point *mark = mark_at(o, state->position);
+  if (mark) {
+    state->approach = mark->approach;
+    state->load = mark->load;
+  }
+  if (mark && !isnan(mark->load_error))
+    return (po_path_error){mark->approach_error, mark->load_error};
+  const po_path_error e = greatest_error(o);
+  const double miss = po_estimate_miss(request);
+  return (po_path_error){e.approach + miss, e.load + miss};
+}
+
+static void state_errors(const po_request *request, const po_result *o, const po_estimate *greatest,
+                         po_staircase *s) {
+  for (size_t k = 0; k < s->count; ++k) {
+    po_step *step = &s->step[k];
+    step->preload_error = state_of_special_point(request, o, &step->preload);
+    step->pull_off_error = state_of_special_point(request, o, &step->pull_off);
+    state_of_special_point(request, o, &step->until);
+    for (size_t c = 0; c < step->cycle_count; ++c) {
+      po_cycle *cycle = &step->cycle[c];
+      state_of_special_point(request, o, &cycle->preload);
+      cycle->energy_error = po_estimate_loss_error(request, greatest, s->control, &cycle->loss);
+    }
+  }
+}
+
+static po_pressed pressed(const po_path_state *state) {
+  return (po_pressed){state->approach, state->load};
+}
+
+static void read_pull_off(const po_staircase *s, double position, po_result *o) {
+  o->pull_off.pressed = o->pull_off.until = (po_pressed){NAN, NAN};
+  for (size_t k = s->count; k-- > 0;)
+    if (s->step[k].pull_off.position == position) {
+      o->pull_off.pressed = pressed(&s->step[k].preload);
+      o->pull_off.until = s->step[k].open ? (po_pressed){NAN, NAN} : pressed(&s->step[k].until);
+    }
+}
+
+static void read_any(const po_staircase *s, po_result *o) {
+  const po_step *step = po_staircase_greatest(s);
+  o->pull_off_any.searched = pressed(&s->reached);
+  if (!step)
+    return;
+  o->pull_off_any.is_known = true;
+  o->pull_off_any.force = fabs(step->pull_off.load);
+  o->pull_off_any.approach = step->pull_off.approach;
+  o->pull_off_any.force_error = step->pull_off_error.load;
+  o->pull_off_any.approach_error = step->pull_off_error.approach;
+  o->pull_off_any.pressed = pressed(&step->preload);
+}
+
+/* The position of the pull-off on the branch. */
+static double pull_off_position(const po_result *o) {
+  for (size_t k = 0; k < o->extremum_count && o->has_pull_off; ++k)
+    if (o->extrema[k].load == -o->pull_off.force && o->extrema[k].approach == o->pull_off.approach)
+      return o->extrema[k].position;
+  return NAN;
+}
+
+/* The load at the stable equilibrium of the branch with the greatest tension, including equilibria
+ * to which only a harder preload may lead. At a special point it is the stated load: that of the
+ * points of the branch has the error of the mesh of the trace, which may exceed the stated one. */
+static double deepest_stable(const po_path *path, const po_result *o) {
+  const po_path_point *deepest = NULL;
+  for (size_t k = 0; k < path->count; ++k)
+    if (po_stable_is(path, PO_DISPLACEMENT_CONTROL, k) &&
+        (!deepest || path->point[k].load < deepest->load))
+      deepest = &path->point[k];
+  const po_special_point *mark = deepest ? mark_at(o, deepest->position) : NULL;
+  return mark ? mark->load : deepest ? deepest->load : INFINITY;
+}
+
+/* Whether no harder preload gives a greater pull-off force. The trace of a rigid wavy sphere is
+ * complete from the approach at which the repulsion of the central crest exceeds all attraction.
+ * The load of a smooth sphere, rigid or not, has no minimum under compression. */
+static bool is_complete(const po_request *request, const po_path *path, const po_stopping *stopping,
+                        const po_result *o) {
+  const double load = -o->pull_off_any.force;
+  if (deepest_stable(path, o) < load - o->pull_off_any.force_error)
+    return false;
+  if (o->rigid && !po_scene_is_simple(&request->scene))
+    return o->ended.approach >= po_observe_rigid_end(&request->scene, 0.0);
+  return po_stopping_is_complete(stopping, load);
+}
+
+/* Given: the path of the branch; the greatest errors of its special points; the state of the
+ * stopping rule at its end; a result with special points, pull-off and the cause of the end of the
+ * trace. Returned: in the result, the preload of the pull-off, the greatest pull-off of all
+ * preloads, and the staircases with their errors if they are wanted. Status: PO_NO_MEMORY. */
+static po_status read_pressed(const po_request *request, const po_path *path,
+                              const po_estimate *greatest, const po_stopping *stopping,
+                              po_result *o) {
+  po_staircase *s = &o->staircase[0];
+  po_status status = po_staircase_read(path, PO_DISPLACEMENT_CONTROL, s);
+  if (!status)
+    status = po_staircase_read(path, PO_LOAD_CONTROL, &o->staircase[1]);
+  if (status)
+    return status;
+  o->has_staircases = request->want & PO_WANT_PRELOAD;
+  state_errors(request, o, greatest, s);
+  state_errors(request, o, greatest, &o->staircase[1]);
+  read_pull_off(s, pull_off_position(o), o);
+  read_any(s, o);
+  o->pull_off_any.complete = o->pull_off_any.is_known && is_complete(request, path, stopping, o);
+  return PO_OK;
+}
+
 /* The errors of a loop, and its pull-off as it was located. */
 static void read_loop(const po_reader *reader, const po_path *path, po_loop *loop) {
   po_estimate_loop(reader->request, path, &reader->special.greatest, loop);
-  loop->pull_off_error = po_pressed_state(reader->request, reader->result, &loop->pull_off);
+  loop->pull_off_error = state_of_special_point(reader->request, reader->result, &loop->pull_off);
 }
 
 /* Computes loading and unloading along the traced branch. If unloading leads to a smaller approach
@@ -212,17 +354,8 @@ po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double 
                    const po_keeper *keeper, po_result *result) {
   po_surface *fixed = NULL;
   po_adaptive *panels = NULL;
-  po_kept kept = {0};
-  po_balance balance = {0};
-  po_passage out = {0}, back = {0};
   po_reader reader = po_reader_begin(request, result, deadline);
   reader.keeper = keeper;
-  if (request->want & PO_WANT_DIAGNOSTICS) {
-    reader.balance = &balance;
-    reader.kept = &kept;
-    reader.out = &out;
-    reader.back = &back;
-  }
   if (keeper)
     keeper->begin(keeper->data, a->tolerance);
   po_status status = PO_OK;
@@ -246,18 +379,13 @@ po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double 
   if (!status && !result->has_pull_off && isnan(request->approach_end))
     status = lacks_minimum(request, &reader);
   if (!status)
-    status = po_pressed_read(request, &(po_path){reader.points.path, reader.points.path_count},
-                             &reader.special.greatest, &reader.stopping, result);
+    status = read_pressed(request, &(po_path){reader.points.path, reader.points.path_count},
+                          &reader.special.greatest, &reader.stopping, result);
   if (!status && (request->want & PO_WANT_HYSTERESIS))
     status = read_hysteresis(&reader, a);
 done:
   a->unmet_folds = reader.special.unmet_folds;
   po_reader_end(&reader);
-  result->diagnostics.energy_defect = po_balance_defect(&balance);
-  result->diagnostics.energy_defect_at = balance.at;
-  po_kept_clear(&kept);
-  po_passage_clear(&out);
-  po_passage_clear(&back);
   po_adaptive_destroy(panels);
   po_surface_destroy(fixed);
   return status;

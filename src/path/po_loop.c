@@ -1,7 +1,6 @@
 #include "po_loop.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "po_memory.h"
 
@@ -161,5 +160,18 @@ po_status po_loop_follow(const po_path *path, po_control control, po_preload pre
     po_loop_clear(loop);
   else if (control == PO_LOAD_CONTROL)
     loop->work = NAN;
+  return status;
+}
+
+po_status po_hysteresis_follow(const po_path *path, po_preload preload, po_hysteresis *hysteresis) {
+  *hysteresis = (po_hysteresis){.load = {.control = PO_LOAD_CONTROL}};
+  po_status status =
+      po_loop_follow(path, PO_DISPLACEMENT_CONTROL, preload, &hysteresis->displacement);
+  if (status)
+    return status;
+  const po_preload load = {(double)NAN, fmax(0.0, hysteresis->displacement.preload.load)};
+  status = po_loop_follow(path, PO_LOAD_CONTROL, load, &hysteresis->load);
+  if (status)
+    po_hysteresis_clear(hysteresis);
   return status;
 }

@@ -1,8 +1,10 @@
 #include "po_run.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "po_clock.h"
 #include "po_environment.h"
@@ -10,9 +12,90 @@
 #include "po_jobs.h"
 #include "po_journal.h"
 #include "po_linear.h"
-#include "po_memory.h"
-#include "po_progress.h"
 #include "po_record.h"
+
+/* Shows the progress of a run on standard error: one line that is updated on a terminal, separate
+ * lines elsewhere. */
+
+typedef struct {
+  bool live;    /* standard error is a terminal */
+  size_t total; /* points to solve */
+  size_t done;
+  double effort, spent; /* of all points and of the solved ones; 1 is the full trace of a point */
+  double begin;         /* seconds of the monotonic clock */
+  double last;          /* time of the last output, by the same clock */
+  size_t width;         /* of the line that is now on the terminal */
+} po_progress;
+
+/* Least time between separate lines in seconds, so that a log does not become long. */
+static const double PLAIN_INTERVAL = 2;
+
+static void clear_line(po_progress *progress) {
+  if (progress->width)
+    fprintf(stderr, "\r%*s\r", (int)progress->width, "");
+  progress->width = 0;
+}
+
+static void span(double seconds, char text[32]) {
+  if (seconds < 90)
+    snprintf(text, 32, "%.0f s", seconds);
+  else
+    snprintf(text, 32, "%.0f min %02d s", (seconds - (double)((int)seconds % 60)) / 60,
+             (int)seconds % 60);
+}
+
+static void show(po_progress *progress, const char *what) {
+  char elapsed[32], remaining[32], line[160];
+  const double seconds = po_clock_wall() - progress->begin;
+  span(seconds, elapsed);
+  span(progress->done ? seconds * (progress->effort / progress->spent - 1) : 0, remaining);
+  const int width =
+      progress->done
+          ? snprintf(line, sizeof line, "%zu/%zu solves, %s elapsed, about %s remaining (%.60s)",
+                     progress->done, progress->total, elapsed, remaining, what)
+          : snprintf(line, sizeof line, "0/%zu solves", progress->total);
+  clear_line(progress);
+  fprintf(stderr, progress->live ? "%s" : "%s\n", line);
+  progress->width = progress->live ? (size_t)width : 0;
+  progress->last = po_clock_wall();
+}
+
+/* Starts a run of `total` points with the given total effort. */
+static void progress_begin(po_progress *progress, size_t total, double effort) {
+  const double now = po_clock_wall();
+  *progress = (po_progress){.live = isatty(STDERR_FILENO) == 1,
+                            .total = total,
+                            .effort = effort,
+                            .begin = now,
+                            .last = now};
+  if (total && progress->live)
+    show(progress, "");
+}
+
+/* Counts a solved point. Given: `what`, its name; `effort`, its share of the total. Only one thread
+ * at a time may call this. */
+static void progress_step(po_progress *progress, const char *what, double effort) {
+  progress->done += 1;
+  progress->spent += effort;
+  if (progress->live || po_clock_wall() - progress->last > PLAIN_INTERVAL)
+    show(progress, what);
+}
+
+/* Prints a line that remains on the terminal, e.g. when a case is finished. */
+static void progress_say(po_progress *progress, const char *format, ...) {
+  clear_line(progress);
+  va_list arguments;
+  va_start(arguments, format);
+  vfprintf(stderr, format, arguments);
+  va_end(arguments);
+  fputc('\n', stderr);
+  progress->last = po_clock_wall();
+}
+
+/* Erases the updated line. */
+static void progress_end(po_progress *progress) {
+  clear_line(progress);
+}
 
 /* The data that the threads of a run share. */
 typedef struct {
@@ -52,8 +135,8 @@ static void report_finished(po_crew *crew, const po_case_run *run) {
     snprintf(kept, sizeof kept, " (%zu points kept)", run->resumed);
   if (!po_case_run_is_whole(run))
     snprintf(part, sizeof part, " of %zu", run->plan->kase->point_count);
-  po_progress_say(&crew->progress, "%s: %zu%s points, %zu checks: %s%s", po_plan_name(run->plan),
-                  run->asked_count, part, run->check_results.count, po_case_run_verdict(run), kept);
+  progress_say(&crew->progress, "%s: %zu%s points, %zu checks: %s%s", po_plan_name(run->plan),
+               run->asked_count, part, run->check_results.count, po_case_run_verdict(run), kept);
 }
 
 /* Makes the checks and writes the record of a case whose points are all solved. */
@@ -97,7 +180,7 @@ static po_status take(void *context, po_case_run *run, size_t point, bool last) 
     char what[128];
     snprintf(what, sizeof what, "%.40s %.60s", po_plan_name(run->plan),
              run->plan->kase->points[point].label);
-    po_progress_step(&crew->progress, what, effort(run));
+    progress_step(&crew->progress, what, effort(run));
   }
   if (!last || is_starved(crew, run, point))
     return PO_OK;
@@ -137,7 +220,7 @@ static void begin_progress(po_crew *crew, size_t count) {
     solves += pending;
     all += (double)pending * effort(run);
   }
-  po_progress_begin(&crew->progress, solves, all);
+  progress_begin(&crew->progress, solves, all);
 }
 
 /* Does the jobs that may run in parallel. With one thread no parallel region is used, because it
@@ -204,7 +287,7 @@ static po_status work_through(po_crew *crew, size_t count) {
   for (size_t i = shared; i < total; ++i)
     if (!must_end(crew))
       do_job(crew, &jobs[i]);
-  po_progress_end(&crew->progress);
+  progress_end(&crew->progress);
   free(jobs);
   if (crew->broken)
     return po_fail(crew->status, "%s", crew->message);
@@ -238,13 +321,12 @@ static void report_altered(po_crew *crew, po_case_run *run) {
   if (run->altered > lacking)
     run->altered = lacking;
   if (run->altered)
-    po_progress_say(&crew->progress, "%s: %zu stored %s altered or damaged and %s solved again",
-                    name, run->altered, run->altered == 1 ? "result was" : "results were",
-                    run->altered == 1 ? "is" : "are");
+    progress_say(&crew->progress, "%s: %zu stored %s altered or damaged and %s solved again", name,
+                 run->altered, run->altered == 1 ? "result was" : "results were",
+                 run->altered == 1 ? "is" : "are");
   else if (run->damaged)
-    po_progress_say(&crew->progress,
-                    "%s: the record was altered; its results have their checksums and are kept",
-                    name);
+    progress_say(&crew->progress,
+                 "%s: the record was altered; its results have their checksums and are kept", name);
 }
 
 /* Reads the results of earlier runs of a case, unless all points are to be solved again, and counts
@@ -295,7 +377,7 @@ po_status po_run(po_case_run *runs, size_t count, const po_run_options *options)
   po_status status = po_no_memory_or(PO_OK);
   if (!status)
     status = po_folder_make(options->output);
-  po_progress_begin(&crew.progress, 0, 0);
+  progress_begin(&crew.progress, 0, 0);
   for (size_t i = 0; !status && i < count; ++i) {
     if (!runs[i].output)
       runs[i].output = options->output;

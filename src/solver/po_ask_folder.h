@@ -3,6 +3,7 @@
 #define PO_ASK_FOLDER_H
 
 #include "po_question.h"
+#include "po_taking.h"
 
 typedef struct {
   char *path, *request, *table, *response; /* absolute paths */
@@ -35,5 +36,11 @@ bool po_ask_folder_is_debris(const char *path);
 
 /* Returned: the path of the response in a folder, to be freed; NULL without memory. */
 char *po_ask_folder_response(const char *path);
+
+/* Takes the successful answers that processes wrote for the same key (see po_ask) while this
+ * program was killed, and removes their folders. A process that is still running, of another run in
+ * the same folder, is left alone. Status: PO_NO_MEMORY, that of `take`. */
+po_status po_recover(const po_question *questions, size_t count, const char *folder,
+                     const char *key, po_answer_taker *take, void *context);
 
 #endif

@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "po_clock.h"
-#include "po_confine.h"
 #include "po_input.h"
+#include "po_process.h"
 #include "po_recognise.h"
 #include "po_reference.h"
 

@@ -48,10 +48,10 @@ USED_BY = {
     **{room: SOLVED for room in ("scene", "bem", "equilibrium", "continuation", "path", "observe", "companion")}, "series": FOLLOW,
     "po_triangle.c": r"--scheme triangle", "po_surface.c": FIXED + "|" + RIGID, "po_rigid.c": RIGID, "po_rigid_trace.c": RIGID,
     "po_wavy_rigid.c": r"^theory rigid", "po_jkr_path.c": r"preload|hysteresis",
-    "po_diagnosis.c": r"diagnostics", "po_kept.h": r"diagnostics", "po_follow.c": FOLLOW,
+    "po_diagnosis.c": r"diagnostics", "po_diagnose.h": r"diagnostics", "po_follow.c": FOLLOW,
     "po_parameter_predictor.h": FOLLOW,
     **{name: PANELS for name in ("po_panel_table.h", "po_panels.h", "po_moving_edges.c", "po_moving_edges.h",
-                                 "po_refine.c", "po_resolution.c", "po_resolution.h", "po_accuracy.c")}}
+                                 "po_refine.c", "po_resolution.c", "po_resolution.h", "po_observe.c")}}
 
 # What is measured first.
 ORDER = ("observe", "continuation", "equilibrium", "bem", "series", "scene", "path", "math", "companion", "theory")
