@@ -14,9 +14,6 @@
  * reference/kernel.csv (tests/theory/test_tables_surface.c). */
 uint64_t po_ring_influence(size_t n, const double *edge, double r, double *row, size_t stride);
 
-/* The load weight of each ring, the integral of r dr: (c2^2 - c1^2)/2. */
-void po_ring_weights(size_t n, const double *edge, double *weight);
-
 typedef struct po_triangle po_triangle;
 
 /* Overlapping triangles (Sec. 3.1, Eq 13): the traction is p_j at node j and decreases linearly to

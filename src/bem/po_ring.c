@@ -12,8 +12,3 @@ uint64_t po_ring_influence(size_t n, const double *edge, double r, double *row, 
   }
   return n + 1;
 }
-
-void po_ring_weights(size_t n, const double *edge, double *weight) {
-  for (size_t j = 0; j < n; ++j)
-    weight[j] = 0.5 * (edge[j + 1] - edge[j]) * (edge[j + 1] + edge[j]);
-}

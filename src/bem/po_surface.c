@@ -14,6 +14,7 @@
 
 /* Nodes of a panel on one wavelength, and of the panel that reaches to infinity. */
 enum { WAVE_ORDER = 12, TAIL_ORDER = 16 };
+
 /* Limits of the number of nodes: the largest core and 64 wavelengths give an influence matrix of 90
  * MB; without a matrix the limit corresponds to about 10 MB. */
 static const double MOST_NODES = 3300, MOST_RIGID_NODES = 3e5;
@@ -113,9 +114,15 @@ static po_panel_span tail_panel(const surface_plan *p) {
   return (po_panel_span){p->core_radius + (double)p->waves * p->wavelength, INFINITY, p->decay};
 }
 
+/* The load weight of each ring, the integral of r dr: (c2^2 - c1^2)/2. */
+static void ring_weights(size_t n, const double *edge, double *weight) {
+  for (size_t j = 0; j < n; ++j)
+    weight[j] = 0.5 * (edge[j + 1] - edge[j]) * (edge[j + 1] + edge[j]);
+}
+
 static void place_core(const surface_plan *p, po_surface *s) {
   if (p->mesh.scheme == PO_RING) {
-    po_ring_weights(p->core, p->edge, s->weight);
+    ring_weights(p->core, p->edge, s->weight);
     for (size_t j = 0; j < p->core; ++j) {
       s->node[j] = 0.5 * (p->edge[j] + p->edge[j + 1]);
       s->length[j] = p->edge[j + 1] - p->edge[j];

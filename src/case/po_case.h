@@ -157,9 +157,6 @@ bool po_case_is_name(const char *text);
 /* Reports whether an item of a sweep contains a key or a group. */
 bool po_sweep_names(const po_sweep *sweep, po_key key);
 
-/* Marks a case as a file outside the folder of cases. Status: PO_NO_MEMORY. */
-po_status po_case_set_own(po_case *kase);
-
 /* Returned: the argument that selects the case on a command line, which is its name, or the path of
  * a file outside the folder of cases as it was given; po_case_word quotes it for a shell, so that a
  * printed command can be pasted. */

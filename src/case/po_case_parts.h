@@ -39,15 +39,8 @@ po_status po_case_traced_draw(po_case *kase, const po_yaml *yaml);
 /* Checks the section `sweep`, if there is one, and fills it. Status: as above. */
 po_status po_case_sweep_check(const po_case *kase, const po_yaml *yaml);
 
-/* Returned: the number of settings of an item of a sweep. */
-unsigned po_sweep_count(const po_sweep *sweep);
-
 /* Reports whether an item of a sweep varies a key, either directly or by a group. */
 bool po_sweep_varies(const po_sweep *sweep, po_key key);
-
-/* Returned: the value of a key or a group in setting number `index` of an item; NULL: the setting
- * does not contain it. */
-const char *po_sweep_value(const po_sweep *sweep, unsigned index, po_key key);
 
 /* Checks the key and the values of an axis and sorts the values; `where` is the path of the axis,
  * e.g. "checks[1].when[2]". Status: as above. */
@@ -72,13 +65,6 @@ po_status po_case_scene_check(const po_case *kase, const po_yaml *yaml);
 /* Replaces the names of tables of profiles, which are relative to the case file, by their paths,
  * and reads the tables. Status: as above; PO_CANNOT_READ. */
 po_status po_case_profile_resolve(po_case *kase, const po_yaml *yaml);
-
-/* Replaces the name of one table by its path. Status: PO_NO_MEMORY. */
-po_status po_case_profile_path(const po_case *kase, char **word);
-
-/* Fails with the present message, preceded by the line and the path of a value in the case.
- * Returned: the status. */
-po_status po_case_refuse_for(const po_yaml *yaml, const char *where, po_status status);
 
 /* Refuses two keys that set the same, as tabor and coupling. Status: as above. */
 po_status po_case_profile_check(const po_case_file *file, const po_yaml *yaml);

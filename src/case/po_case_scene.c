@@ -1,9 +1,302 @@
-/* The section `scene` of a case, and the keys that scene, sweep and sample must give together. */
+/* The scene of a case file: the block `physical` in SI units, the profile, and keys that do not go
+ * together. */
+#include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "po_case_parts.h"
+#include "po_memory.h"
 #include "po_schema.h"
+
+/* Whether a key follows from the block, and therefore may not be given beside it. */
+static bool is_derived(int key) {
+  const po_key_owner owner = po_key_row_of(key)->owner;
+  return (owner == PO_OWNER_SCENE || owner == PO_OWNER_PROFILE) &&
+         (!po_key_is_group(key) || key == PO_KEY_COUPLING);
+}
+
+/* Parses a number of the block. */
+static po_status parse(const char *text, bool may_be_inf, const char *name, double *value,
+                       const po_yaml *yaml) {
+  if (may_be_inf && strcmp(text, "inf") == 0) {
+    *value = (double)INFINITY;
+    return PO_OK;
+  }
+  if (po_number_parse(text, value))
+    return PO_OK;
+  return po_schema_refuse(yaml, may_be_inf ? "a finite number, or inf" : "a finite number",
+                          "scene.physical.%s", name);
+}
+
+static po_status read_words(const po_physical_words *words, po_physical *p, const po_yaml *yaml) {
+  *p = (po_physical){.outer_radius = (double)INFINITY};
+  const struct {
+    const char *name, *text;
+    bool may_be_inf;
+    double *value;
+  } items[] = {{"modulus_pa", words->modulus, true, &p->modulus},
+               {"work_j_per_m2", words->work, false, &p->work},
+               {"distance_m", words->distance, false, &p->distance},
+               {"radius_m", words->radius, false, &p->radius},
+               {"amplitude_m", words->amplitude, false, &p->amplitude},
+               {"wavelength_m", words->wavelength, false, &p->wavelength},
+               {"outer_radius_m", words->outer_radius, true, &p->outer_radius}};
+  po_status status = PO_OK;
+  for (size_t i = 0; !status && i < sizeof items / sizeof *items; ++i)
+    if (items[i].text)
+      status = parse(items[i].text, items[i].may_be_inf, items[i].name, items[i].value, yaml);
+  return status;
+}
+
+static po_status refuse_both(const po_case_file *file, const po_yaml *yaml) {
+  static const char NOT_BOTH[] = "none of tabor, amplitude, wavelength, radius, outer_radius, the "
+                                 "profile and waves, or a group of them, beside scene.physical";
+  for (int key = 0; key < PO_KEY_END; ++key)
+    if (is_derived(key) && file->scene.values[key])
+      return po_schema_refuse(yaml, NOT_BOTH, "scene.%s", po_key_name((po_key)key));
+  for (unsigned k = 0; k < file->sweep_count; ++k) {
+    const char *what = file->sweep[k].together ? "together" : "key";
+    for (int key = 0; key < PO_KEY_END; ++key)
+      if (is_derived(key) && po_sweep_varies(&file->sweep[k], (po_key)key))
+        return po_schema_refuse(yaml, NOT_BOTH, "sweep[%u].%s", k + 1, what);
+  }
+  for (int key = 0; key < PO_KEY_END; ++key)
+    if (is_derived(key) && po_case_draws(file, (po_key)key))
+      return po_schema_refuse(yaml, NOT_BOTH, "scene.physical");
+  return PO_OK;
+}
+
+/* Whether a key has no value in a scene that was given in SI units: a group, a parameter of another
+ * profile, waves that the scene does not have. */
+static bool is_absent(const po_request *request, po_key key) {
+  return po_key_is_idle(request, key) &&
+         (key != PO_KEY_AMPLITUDE || po_scene_waves(&request->scene) > 1);
+}
+
+/* Keys of the scene that name the same thing in two ways, and the files of profiles. */
+
+/* The length of the folder of the case file in its path, with the slash. */
+static size_t folder_length(const po_case *kase) {
+  const char *slash = strrchr(kase->path, '/');
+  return slash ? (size_t)(slash - kase->path) + 1 : 0;
+}
+
+const char *po_case_profile_shown(const po_case *kase, const char *path) {
+  const size_t length = folder_length(kase);
+  return strncmp(path, kase->path, length) == 0 ? path + length : path;
+}
+
+/* Replaces the name of one table by its path. Status: PO_NO_MEMORY. */
+static po_status case_profile_path(const po_case *kase, char **word) {
+  po_text path = {0};
+  if ((*word)[0] == '/')
+    return PO_OK;
+  po_text_add(&path, "%.*s%s", (int)folder_length(kase), kase->path, *word);
+  if (path.failed)
+    return PO_NO_MEMORY;
+  free(*word);
+  *word = path.data;
+  return PO_OK;
+}
+
+/* Fails with the present message, preceded by the line and the path of a value in the case.
+ * Returned: the status. */
+static po_status case_refuse_for(const po_yaml *yaml, const char *where, po_status status) {
+  if (status == PO_NO_MEMORY)
+    return status;
+  char *why = po_copy_text(po_message());
+  const po_status failed = po_fail(status, "%s:%zu: %s: %s", po_yaml_name(yaml),
+                                   po_yaml_line(yaml, where), where, why ? why : "refused");
+  free(why);
+  return failed;
+}
+
+/* Replaces the name of a table, relative to the case file, by its path, and reads it. */
+static po_status resolve(const po_case *kase, const po_yaml *yaml, char **word, const char *format,
+                         ...) __attribute__((format(printf, 4, 5)));
+
+static po_status resolve(const po_case *kase, const po_yaml *yaml, char **word, const char *format,
+                         ...) {
+  char where[2 * PO_CASE_WHERE_LENGTH];
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(where, sizeof where, format, arguments);
+  va_end(arguments);
+  po_profile scratch = po_profile_sphere();
+  po_status status = case_profile_path(kase, word);
+  if (!status)
+    status = po_profile_set_file(&scratch, *word);
+  return status ? case_refuse_for(yaml, where, status) : PO_OK;
+}
+
+static po_status resolve_axes(const po_case *kase, const po_yaml *yaml, po_axis *axes,
+                              unsigned count, const char *list) {
+  po_status status = PO_OK;
+  for (unsigned i = 0; i < count; ++i)
+    if (axes[i].key && po_key_of_name(axes[i].key) == PO_KEY_PROFILE_FILE)
+      for (unsigned k = 0; k < axes[i].values_count && !status; ++k)
+        status = resolve(kase, yaml, &axes[i].values[k], "%s[%u].values[%u]", list, i + 1, k + 1);
+  return status;
+}
+
+static po_status resolve_checks(const po_case *kase, const po_yaml *yaml, po_check *checks,
+                                unsigned count, const char *list) {
+  po_status status = PO_OK;
+  for (unsigned i = 0; i < count && !status; ++i) {
+    char when[PO_CASE_WHERE_LENGTH], as_if[PO_CASE_WHERE_LENGTH];
+    snprintf(when, sizeof when, "%s[%u].when", list, i + 1);
+    snprintf(as_if, sizeof as_if, "%s[%u].as_if", list, i + 1);
+    status = resolve_axes(kase, yaml, checks[i].when, checks[i].when_count, when);
+    if (!status)
+      status = resolve_axes(kase, yaml, checks[i].as_if, checks[i].as_if_count, as_if);
+  }
+  return status;
+}
+
+static po_status resolve_sweep(const po_case *kase, const po_yaml *yaml) {
+  po_case_file *file = kase->file;
+  po_status status = PO_OK;
+  for (unsigned i = 0; i < file->sweep_count && !status; ++i) {
+    po_sweep *sweep = &file->sweep[i];
+    if (sweep->axis.key && po_key_of_name(sweep->axis.key) == PO_KEY_PROFILE_FILE)
+      for (unsigned k = 0; k < sweep->axis.values_count && !status; ++k)
+        status = resolve(kase, yaml, &sweep->axis.values[k], "sweep[%u].values[%u]", i + 1, k + 1);
+    for (unsigned k = 0; k < sweep->together_count && !status; ++k)
+      if (sweep->together[k].values[PO_KEY_PROFILE_FILE])
+        status = resolve(kase, yaml, &sweep->together[k].values[PO_KEY_PROFILE_FILE],
+                         "sweep[%u].together[%u].profile_file", i + 1, k + 1);
+  }
+  return status;
+}
+
+po_status po_case_profile_resolve(po_case *kase, const po_yaml *yaml) {
+  po_case_file *file = kase->file;
+  po_status status = PO_OK;
+  if (file->scene.values[PO_KEY_PROFILE_FILE])
+    status = resolve(kase, yaml, &file->scene.values[PO_KEY_PROFILE_FILE], "scene.profile_file");
+  if (!status)
+    status = resolve_sweep(kase, yaml);
+  if (!status)
+    status = resolve_checks(kase, yaml, file->checks, file->checks_count, "checks");
+  if (!status)
+    status = resolve_checks(kase, yaml, file->measure, file->measure_count, "measure");
+  for (unsigned i = 0; i < file->leave_out_count && !status; ++i) {
+    char list[PO_CASE_WHERE_LENGTH];
+    snprintf(list, sizeof list, "leave_out[%u].when", i + 1);
+    status = resolve_axes(kase, yaml, file->leave_out[i].when, file->leave_out[i].when_count, list);
+  }
+  return status;
+}
+
+/* Keys that set the same. */
+static const struct {
+  po_key key, other;
+  const char *expected;
+} PAIRS[] = {
+    {PO_KEY_PROFILE, PO_KEY_PROFILE_FILE, "only one of profile and profile_file"},
+    {PO_KEY_AMPLITUDE, PO_KEY_WAVES, "only waves, or amplitude and wavelength"},
+    {PO_KEY_WAVELENGTH, PO_KEY_WAVES, "only waves, or amplitude and wavelength"},
+    {PO_KEY_TABOR, PO_KEY_COUPLING, "only one of tabor and coupling"},
+};
+
+po_status po_case_profile_check(const po_case_file *file, const po_yaml *yaml) {
+  const char *const *scene = (const char *const *)file->scene.values;
+  for (size_t i = 0; i < sizeof PAIRS / sizeof *PAIRS; ++i) {
+    const po_key key = PAIRS[i].key, other = PAIRS[i].other;
+    if (scene[other] && (scene[key] || po_case_varies(file, key)))
+      return po_schema_refuse(yaml, PAIRS[i].expected, "scene.%s", po_key_name(other));
+    if (scene[key] && po_case_varies(file, other))
+      return po_schema_refuse(yaml, PAIRS[i].expected, "scene.%s", po_key_name(key));
+    for (unsigned k = 0; k < file->sweep_count; ++k)
+      for (unsigned n = 0; n < file->sweep[k].together_count; ++n)
+        if (file->sweep[k].together[n].values[key] && file->sweep[k].together[n].values[other])
+          return po_schema_refuse(yaml, PAIRS[i].expected, "sweep[%u].together[%u].%s", k + 1,
+                                  n + 1, po_key_name(other));
+  }
+  return PO_OK;
+}
+
+/* Sets the profile of the block. */
+static po_status set_profile(const po_case *kase, po_physical_words *words, double distance,
+                             po_request *request, const po_yaml *yaml) {
+  po_profile *profile = &request->scene.profile;
+  po_status status = PO_OK;
+  if (words->profile && words->profile_file)
+    return po_schema_refuse(yaml, "only one of profile and profile_file",
+                            "scene.physical.profile_file");
+  if (words->waves && words->amplitude)
+    return po_schema_refuse(yaml, "only waves, or amplitude_m and wavelength_m",
+                            "scene.physical.waves");
+  if (words->profile && !po_profile_set(profile, words->profile))
+    return po_schema_refuse(yaml, NULL, "scene.physical.profile");
+  if (words->profile && (status = po_profile_check(profile)))
+    return case_refuse_for(yaml, "scene.physical.profile", status);
+  po_profile_rescale(profile, distance);
+  if (words->profile_file) {
+    status = case_profile_path(kase, &words->profile_file);
+    if (!status)
+      status = po_profile_set_file(profile, words->profile_file);
+    if (status)
+      return case_refuse_for(yaml, "scene.physical.profile_file", status);
+  }
+  if (!words->radius && po_profile_is_sphere(profile))
+    return po_schema_refuse(yaml, NULL, "scene.physical.radius_m");
+  return PO_OK;
+}
+
+/* Sets the waves of the block, in metres. */
+static po_status set_waves(const char *text, double distance, po_scene *scene,
+                           const po_yaml *yaml) {
+  po_scene metres = po_scene_default();
+  if (!po_scene_set_waves(&metres, text))
+    return po_schema_refuse(yaml, NULL, "scene.physical.waves");
+  for (size_t k = 0; k < po_scene_waves(&metres); ++k) {
+    const po_wave wave = po_scene_wave(&metres, k);
+    po_scene_add_wave(scene, (po_wave){wave.amplitude / distance, wave.length / distance});
+  }
+  return PO_OK;
+}
+
+po_status po_case_physical_parse(po_case *kase, const po_yaml *yaml) {
+  po_scene_words *words = &kase->file->scene;
+  if (!words->physical)
+    return PO_OK;
+  po_physical physical;
+  po_request request = po_request_default();
+  po_status status = refuse_both(kase->file, yaml);
+  if (!status)
+    status = read_words(words->physical, &physical, yaml);
+  if (!status && physical.distance > 0.0)
+    status = set_profile(kase, words->physical, physical.distance, &request, yaml);
+  if (status)
+    return status;
+  if (!words->physical->radius)
+    physical.radius = physical.distance;
+  status = po_physical_scene(&physical, &request.scene);
+  if (status) {
+    return case_refuse_for(yaml, "scene.physical", status);
+  }
+  if (words->physical->waves)
+    status = set_waves(words->physical->waves, physical.distance, &request.scene, yaml);
+  if (status)
+    return status;
+  kase->is_physical = true;
+  kase->units = po_physical_units(&physical, &request.scene);
+  for (int key = 0; key < PO_KEY_COUNT; ++key) {
+    char text[PO_KEY_TEXT_LENGTH];
+    if (!is_derived(key) || is_absent(&request, (po_key)key))
+      continue;
+    po_key_print(&request, (po_key)key, text);
+    words->values[key] = po_copy_text(text);
+    if (!words->values[key])
+      return PO_NO_MEMORY;
+  }
+  return PO_OK;
+}
+
+/* The section `scene` of a case, and the keys that scene, sweep and sample must give together. */
 
 bool po_case_varies(const po_case_file *file, po_key key) {
   for (unsigned i = 0; i < file->sweep_count; ++i)
@@ -14,6 +307,7 @@ bool po_case_varies(const po_case_file *file, po_key key) {
 
 static const po_key NEEDED[] = {PO_KEY_TABOR,  PO_KEY_RADIUS, PO_KEY_OUTER_RADIUS,
                                 PO_KEY_SCHEME, PO_KEY_NODES,  PO_KEY_WAVELENGTH};
+
 enum { NEEDED_COUNT = sizeof NEEDED / sizeof *NEEDED };
 
 /* A key that one setting gives must be in all settings. Exceptions are keys that follow from the

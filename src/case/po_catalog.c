@@ -1,5 +1,6 @@
 #include "po_catalog.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -76,6 +77,36 @@ static bool is_in_folder(const char *folder, const char *path) {
   return found;
 }
 
+bool po_case_is_name(const char *text) {
+  for (const char *c = text; *c; ++c)
+    if (!isalnum((unsigned char)*c) && *c != '_' && *c != '-')
+      return false;
+  return *text != '\0' && *text != '-';
+}
+
+bool po_sweep_names(const po_sweep *sweep, po_key key) {
+  return sweep->named >> key & 1U;
+}
+
+const char *po_case_argument(const po_case *kase) {
+  return kase->is_own ? kase->shown : kase->file->name;
+}
+
+const char *po_case_word(const po_case *kase) {
+  return kase->word ? kase->word : kase->file->name;
+}
+
+/* Marks a case as a file outside the folder of cases. Status: PO_NO_MEMORY. */
+static po_status case_set_own(po_case *kase) {
+  po_text word = {0};
+  if (kase->shown[0] == '-') /* which would be an option */
+    po_text_add(&word, "./");
+  po_text_add_word(&word, kase->shown);
+  kase->is_own = true;
+  kase->word = word.data;
+  return word.failed ? PO_NO_MEMORY : PO_OK;
+}
+
 /* Reads the case at a given path. A file outside the folder must have a name that no case of the
  * folder has. */
 static po_status read_given(const char *folder, const po_catalog *all, const char *path,
@@ -90,7 +121,7 @@ static po_status read_given(const char *folder, const po_catalog *all, const cha
   }
   if (is_in_folder(folder, path))
     return add(catalog, NULL, kase);
-  status = po_case_set_own(kase);
+  status = case_set_own(kase);
   if (!status)
     return add(catalog, all, kase);
   po_case_destroy(kase);

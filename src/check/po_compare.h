@@ -18,13 +18,6 @@ po_status po_compare_share(const po_case *kase, const bool *asked, const po_chec
                            const po_reference *reference, const po_result *results,
                            po_check_results *check_results);
 
-/* Compares the pull-off that parameter continuation found with that of the full trace, and adds one
- * result for each requested point that is traced in addition.
- * Given: `results` and `traces`, one each a point. Status: PO_NO_MEMORY. */
-po_status po_compare_traced(const po_case *kase, const bool *asked, const po_check *check,
-                            const po_reference *reference, const po_result *results,
-                            const po_result *traces, po_check_results *check_results);
-
 /* Refuses a tolerance that is smaller than the uncertainty of the reference: an error of the
  * reference could make such a check fail or pass. Status: PO_BAD_INPUT with the line of the
  * tolerance. */

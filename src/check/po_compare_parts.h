@@ -8,12 +8,6 @@
  */
 double po_compare_obtained(po_quantity quantity, const po_result *result);
 
-/* Compares folds or extrema: their number and kinds, and, if these agree, approach and load of
- * each. Status: as po_compare. */
-po_status po_compare_special_points(const po_case *kase, size_t point, const po_check *check,
-                                    const po_reference *reference, const po_result *result,
-                                    po_check_results *check_results);
-
 /* For tables with several rows for a scene.
  * Returned: the row of item number `index` of a scene, or the number of rows of the table if there
  * is none; the number of items. */

@@ -4,11 +4,14 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
+#include "po_environment.h"
+#include "po_file.h"
 #include "po_input.h"
 #include "po_memory.h"
 #include "po_plot.h"
-#include "po_plot_verb.h"
 #include "po_session.h"
 
 /* The least number of values of both keys; a case with fewer values of one is a set of curves. */
@@ -105,6 +108,57 @@ static bool fill(const po_case_run *run, const po_case *kase, const po_key keys[
   return any;
 }
 
+/* What the verbs plot and solve print and draw of a result. */
+
+po_status po_plot_take_file(const char *text, const char **file) {
+  *file = text;
+  return po_plot_is_figure(text)
+             ? PO_OK
+             : po_options_refuse("plot", text,
+                                 "the name of a file that ends in .svg, .png or .pdf");
+}
+
+/* Draws with a script of the data folder. Status: as po_plot_draw. */
+static po_status plot_with(const po_text *script, const char *name, const char *file) {
+  char *figures = po_path_join(po_environment_data(), "reports/figures");
+  const po_status status = figures ? po_plot_draw(script, figures, name, file) : PO_NO_MEMORY;
+  free(figures);
+  return status;
+}
+
+po_status po_plot_to_file(const po_request *request, const po_result *result, const char *file) {
+  po_text script = {0};
+  po_status status = po_plot_solve(request, result, &script);
+  if (!status)
+    status = plot_with(&script, "solve.gp", file);
+  po_text_clear(&script);
+  return status;
+}
+
+/* The size of a plot in characters: that of the terminal, within limits. */
+static void size_of_plot(size_t *columns, size_t *rows) {
+  enum { COLUMNS = 66, ROWS = 21, BESIDE = 14, BELOW = 5, LEAST = 20 };
+  struct winsize window;
+  *columns = COLUMNS;
+  *rows = ROWS;
+  if (isatty(STDOUT_FILENO) && ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0 && window.ws_col &&
+      window.ws_row) {
+    *columns = window.ws_col > LEAST + BESIDE ? window.ws_col - BESIDE : LEAST;
+    *rows = window.ws_row > LEAST + BELOW ? window.ws_row - BELOW : LEAST;
+  }
+}
+
+po_status po_plot_to_terminal(const po_request *request, const po_result *result) {
+  size_t columns, rows;
+  po_text text = {0};
+  size_of_plot(&columns, &rows);
+  const po_status status = po_plot_print(request, result, columns, rows, &text);
+  if (!status)
+    fputs(po_text_string(&text), stdout);
+  po_text_clear(&text);
+  return status;
+}
+
 static po_status draw(const po_case *kase, const po_key keys[2], const po_plot_map *map,
                       const char *file) {
   po_text script = {0};
@@ -114,7 +168,7 @@ static po_status draw(const po_case *kase, const po_key keys[2], const po_plot_m
   po_plot_assign_load_unit(&script, &kase->points[0].request);
   po_status status = po_plot_map_data(map, &script);
   if (!status)
-    status = po_plot_with(&script, "map.gp", file);
+    status = plot_with(&script, "map.gp", file);
   po_text_clear(&script);
   return status;
 }
@@ -122,7 +176,7 @@ static po_status draw(const po_case *kase, const po_key keys[2], const po_plot_m
 static po_status print(const po_case *kase, const po_key keys[2], const po_plot_map *map) {
   size_t columns, rows;
   po_text text = {0};
-  po_plot_size(&columns, &rows);
+  size_of_plot(&columns, &rows);
   po_plot_map_print(map, po_key_name(keys[0]), po_key_name(keys[1]), columns, rows, &text);
   if (!text.failed)
     printf("%s: pull-off force in %s over %s and %s\n%s", kase->file->title,
@@ -243,7 +297,7 @@ static po_status draw_run(const po_case *kase, po_key key, const run_point *poin
   po_plot_assign_load_unit(&script, &kase->points[0].request);
   po_text_add(&script, "curve_count = %zu\nis_log = %d\n", curves, least > 0 && most > 20 * least);
   if (!status)
-    status = curve && !script.failed ? po_plot_with(&script, "run.gp", file) : PO_NO_MEMORY;
+    status = curve && !script.failed ? plot_with(&script, "run.gp", file) : PO_NO_MEMORY;
   free(curve);
   po_text_clear(&script);
   return status;
@@ -252,7 +306,7 @@ static po_status draw_run(const po_case *kase, po_key key, const run_point *poin
 static po_status print_run(const po_case *kase, po_key key, const run_point *points, size_t count) {
   size_t columns, rows, curves = 0;
   po_text text = {0};
-  po_plot_size(&columns, &rows);
+  size_of_plot(&columns, &rows);
   double *x = po_allocate(count, sizeof *x), *y = po_allocate(count, sizeof *y);
   po_plot_series *series = po_allocate(count, sizeof *series);
   const bool whole = x && y && series;

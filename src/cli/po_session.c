@@ -1,7 +1,6 @@
 #include "po_session.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,7 +16,6 @@
 #include "po_verdicts.h"
 
 static const size_t MOST_JOBS = 4096;
-
 static const char OUTPUT[] = "build/run";
 
 /* The value of --knob that means each value of the manifest. */
@@ -297,13 +295,6 @@ size_t po_session_failures(const po_session *session) {
   size_t total = 0;
   for (size_t i = 0; i < session->run_count; ++i)
     total += po_case_run_failures(&session->runs[i]);
-  return total;
-}
-
-size_t po_session_outside(const po_session *session) {
-  size_t total = 0;
-  for (size_t i = 0; i < session->run_count; ++i)
-    total += po_case_run_outside(&session->runs[i]);
   return total;
 }
 

@@ -99,7 +99,6 @@ po_status po_session_solve(po_session *session);
 
 /* The number of solves that failed, and of checks that do not pass, in all cases. */
 size_t po_session_failures(const po_session *session);
-size_t po_session_outside(const po_session *session);
 
 /* Prints on standard output the summary of each case whose scenes are drawn at random.
  * Status: PO_NO_MEMORY. */

@@ -12,7 +12,6 @@
 #include "po_options.h"
 #include "po_plot.h"
 #include "po_plot_case.h"
-#include "po_plot_verb.h"
 #include "po_print.h"
 #include "po_scene_flags.h"
 #include "po_tables.h"

@@ -52,9 +52,9 @@ po_status po_continuation_solve(po_continuation *t, po_prediction *p, double dis
 po_status po_continuation_solve_guessed(po_continuation *t, double distance, double precision,
                                         po_solution *out);
 
-/* Solves the current point again on the present mesh, if its arclength functional differs there from
- * that on its own mesh by more than a step: no shorter step would converge then. The next step is
- * predicted from this solution alone. Returned: whether that was done. */
+/* Solves the current point again on the present mesh, if its arclength functional differs there
+ * from that on its own mesh by more than a step: no shorter step would converge then. The next step
+ * is predicted from this solution alone. Returned: whether that was done. */
 bool po_continuation_settle(po_continuation *t, double step);
 
 /* Precision of the tangents in a step of this length. */
@@ -64,11 +64,6 @@ double po_continuation_tangent_precision(const po_continuation *t, double step);
  * PO_STEP_TOO_SMALL; PO_OUT_OF_NODES. */
 po_status po_continuation_advance(po_continuation *t);
 
-/* Finds the special points and stations between t->current and t->next. */
-po_status po_continuation_find_events(po_continuation *t);
-
-po_branch_point po_continuation_seen(const po_continuation *t, const po_solution *p,
-                                     po_point_kind kind);
 void po_continuation_visit(po_continuation *t, const po_solution *p, po_point_kind kind);
 
 /* Visits the events between t->current and t->next, then t->next. */

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "po_linear.h"
 #include "po_memory.h"
 #include "po_prediction.h"
 #include "po_scaled_tangent.h"
@@ -11,6 +12,7 @@
 /* If the iteration is slow but its last change, relative to 1 + H, is below NEAR, the Jacobian is
  * factorised there, at most MOST_RENEWALS times. */
 enum { MOST_RENEWALS = 2, MOST_FACTORS = 2 };
+
 static const double NEAR = 0.1;
 
 po_status po_corrector_allocate(po_corrector *c, po_equilibrium *e, po_adaptive *adaptive) {
@@ -92,13 +94,71 @@ double po_corrector_place_of_guess(po_corrector *c, const po_solution *from) {
   return functional_progress(c->e, c->guess, &(place){from, c->coordinate});
 }
 
+/* The factors of panels in the direction in which they err most. The error of the compressed
+ * interactions is some 1e-5 of the interactions. Where the Jacobian has a singular value as small
+ * as that, it may be negative in the factors, or so small that no iteration converges: under
+ * coupling * p' * (contact radius) = 10^4, or where a ring of tension moves freely. */
+
+/* Gain above which the direction is examined, and the part by which the factors must miss the
+ * Jacobian there to be corrected. */
+static const double GAIN_OF_EXAMINATION = 3.0, LEAST_MISS = 0.3;
+
+/* The bordered Jacobian of Eq 15 times a change of the state last evaluated. Given: change, n + 1.
+ * Returned: product, n + 1. */
+static void multiply(po_equilibrium *e, const double *change, double *product) {
+  const size_t n = e->n;
+  for (size_t j = 0; j < n; ++j)
+    e->right[j] = e->slope[j] * change[j];
+  po_equilibrium_deflect(e, e->right, product);
+  for (size_t i = 0; i < n; ++i)
+    product[i] = change[i] + change[n] - product[i];
+  product[n] = po_linear_dot(n + 1, e->border, change);
+}
+
+/* Corrects the factors of panels in the direction in which they respond most, by the product of the
+ * Jacobian with it, if they are wrong there. Called after po_equilibrium_measure_noise, which finds
+ * the direction. Returned: whether they were corrected; noise and gain must then be measured
+ * again. */
+/* With M the factors, J the Jacobian and s the direction, M^-1 is corrected to (1 + u v') M^-1 so
+ * that it takes J s to s, as in Broyden's method: v = s / (s . z), u = s - z, z = M^-1 J s. The
+ * determinant of the factors is multiplied by (s . z) / (s . s). The scalar product is that of
+ * changes relative to 1 + H. */
+static bool correct_weak(po_equilibrium *e) {
+  const size_t n = e->n;
+  if (!e->elimination || e->weak_count == PO_MOST_WEAK || !(e->gain > GAIN_OF_EXAMINATION))
+    return false;
+  const size_t at = e->weak_count * (n + 1);
+  double *s = e->weak_functional + at, *z = e->weak + at, *product = e->deflection;
+  const double length = sqrt(po_linear_dot(n + 1, e->scratch, e->scratch));
+  for (size_t j = 0; j <= n; ++j)
+    s[j] = e->scratch[j] / length;
+  multiply(e, s, product);
+  po_equilibrium_precondition(e, product, z);
+  double square = 0.0, along = 0.0;
+  for (size_t j = 0; j <= n; ++j) {
+    const double part = s[j] / (e->secant.scale[j] * e->secant.scale[j]);
+    square += part * s[j];
+    along += part * z[j];
+    z[j] = s[j] - z[j];
+    s[j] = part;
+  }
+  if (!isfinite(along) || along == 0.0 || fabs(along / square - 1.0) < LEAST_MISS)
+    return false;
+  for (size_t j = 0; j <= n; ++j)
+    s[j] /= along;
+  ++e->weak_count;
+  if (along < 0.0)
+    e->orientation = -e->orientation;
+  return true;
+}
+
 static po_status factorize_at(po_corrector *c, const po_solution *from, const double *state) {
   po_equilibrium_evaluate(c->e, state);
   po_arclength_border(from->arclength, c->e, state, from->rate, c->border);
   po_status status = po_equilibrium_factorize(c->e, state, c->border);
   for (int k = 0; k < MOST_FACTORS && !status; ++k) {
     po_equilibrium_measure_noise(c->e, state);
-    while (po_equilibrium_correct_weak(c->e))
+    while (correct_weak(c->e))
       po_equilibrium_measure_noise(c->e, state);
     if (!po_equilibrium_is_coarse(c->e))
       break;
@@ -107,14 +167,6 @@ static po_status factorize_at(po_corrector *c, const po_solution *from, const do
   if (status && status != PO_SINGULAR)
     c->trouble = status;
   return status;
-}
-
-void po_corrector_aim(po_corrector *c, const po_solution *from) {
-  if (!c->e->factorized)
-    return;
-  po_equilibrium_evaluate(c->e, from->state);
-  po_arclength_border(from->arclength, c->e, from->state, from->rate, c->border);
-  po_equilibrium_change_border(c->e, c->border);
 }
 
 /* Newton's method from the state in `out`. If it contracts too slowly near a solution, the Jacobian

@@ -43,9 +43,6 @@ void po_corrector_guess(po_corrector *c, const po_solution *p);
  * at a narrow edge would be wrong as soon as the edge moves by its own width. */
 void po_corrector_guess_near(po_corrector *c, const po_solution *p, double distance);
 
-/* Replaces the border of the present factors, if any, by that of another point. */
-void po_corrector_aim(po_corrector *c, const po_solution *from);
-
 /* Solves for the equilibrium at a distance along the arclength functional of the point `from`,
  * starting at the guess. Given: keep_factors, whether the present factors are tried before new
  * ones; precision of the tangent. Returned: out. Status: PO_NOT_CONVERGED, also if the sign of the

@@ -3,7 +3,6 @@
 #include <limits.h>
 #include <math.h>
 
-#include "po_hermite.h"
 #include "po_initial_gap.h"
 #include "po_profile.h"
 
@@ -24,14 +23,18 @@ static const double TELLING_WAVES = 1.0;
 /* The secant method ends when its next step is shorter than PO_LOCATED, or than this part of its
  * last step. */
 static const double SMALL_STEP = 1e-3;
+
 /* The same for the first step, whose slope may be wrong by some percent. */
 static const double AT_ROOT = 1e-11;
+
 /* First step of the secant method along the arclength functional if the slope is unknown. Narrow
  * minima of the load are a hundred times as wide. */
 static const double TRIAL_STEP = 1e-5;
+
 /* Factors of the stated error of a special point: of the change on a finer mesh, and of the
  * precision of Newton's method. */
 static const double SAFETY = 3.0, FLOOR = 10.0;
+
 /* Part of the change of the other quantity of a fold, approach or load, that is added to the error
  * of one: the change of one may be near zero by chance. In 235 scenes that was so for one fold of
  * 742; the changes of approach and load are usually equal within a factor 50. */
@@ -78,17 +81,6 @@ static bool finer_panels(const po_resolution *r, const po_solution *p, double pa
     halve_excess(r, p, part, panels);
   po_panels_refine(panels, KINK_HALVINGS, has_kink, &all);
   return true;
-}
-
-/* By differences on the cubic of the interval. */
-double po_refine_slope(const po_event *ev, double cosine) {
-  const po_sample *a = &ev->low, *b = &ev->high;
-  const double h = b->at - a->at, x = ev->root - a->at, by = 0.01 * h;
-  double rate[2];
-  for (int k = 0; k < 2; ++k)
-    rate[k] = po_hermite_rate(a->value[ev->of], a->rate[ev->of], b->value[ev->of], b->rate[ev->of],
-                              x + (k ? by : -by), h);
-  return (rate[1] - rate[0]) / (2.0 * by) * cosine * cosine;
 }
 
 /* Where rounding and the ripple of the mesh disturb the rate, the root is extrapolated: if that

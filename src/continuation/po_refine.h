@@ -37,10 +37,6 @@ typedef struct {
 po_status po_refine(po_corrector *c, const po_resolution *resolution, const po_refinement *how,
                     po_refined *r);
 
-/* The slope of po_refinement at an event. Given: cosine of the angle between the direction at the
- * event and the direction of the functional by which its samples are parametrised. */
-double po_refine_slope(const po_event *event, double cosine);
-
 /* Locates the fold or extremum near the guess on the current mesh: Newton's method for the
  * equilibrium, and the secant method along the arclength functional of `from` for the root of the
  * rate. Given: slope, an approximate derivative of that rate; NAN: unknown. Returned: slope; the

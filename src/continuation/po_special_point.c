@@ -17,6 +17,7 @@ static const double ARRIVED = 3e-11;
 /* If the rate of the cubic falls below this part of the greater end value, two special points are
  * suspected in the interval. */
 static const double SUSPECT = 0.4;
+
 /* But not if the rate of the cubic, a parabola, has its vertex farther outside the interval than
  * this, relative to the length of the interval: the rate then falls towards a special point of the
  * next interval. Without this exception intervals are halved down to the distance of that point. */
@@ -27,6 +28,7 @@ static const double VERTEX_OUTSIDE = 0.5;
  * over two extrema of the load 0.07 eps apart, 0.023 along the arclength functional
  * (tests/unit/test_reverse_trace.c). */
 static const double BIRTH_WAY = 0.02;
+
 /* The same for the two adjacent intervals. At mu = 1.57 two extrema of the load 0.053 eps apart,
  * 0.034 along the arclength functional, are just before a contact annulus forms
  * (tests/unit/test_reverse_trace.c). With 0.02 the trace of mu = 5, A = 10 takes 9 % more Newton
@@ -260,23 +262,4 @@ po_status po_events_find(const po_interval *interval, const po_sample *from, con
     status = locate(interval, &found->list[k]);
   qsort(found->list, found->count, sizeof *found->list, by_root);
   return status;
-}
-
-po_point_kind po_event_point(const po_event *ev) {
-  if (ev->of > PO_OF_LOAD)
-    return PO_POINT_STATION;
-  const bool rising = ev->low.rate[ev->of] > 0.0;
-  if (ev->of == PO_OF_APPROACH)
-    return rising ? PO_POINT_APPROACH_MAX : PO_POINT_APPROACH_MIN;
-  return rising ? PO_POINT_LOAD_MAX : PO_POINT_LOAD_MIN;
-}
-
-/* The mode that changes is stable on that side of a fold on which d(load)/d(approach) goes to minus
- * infinity: there the second derivative of the potential along the mode goes to zero from above. */
-int po_change_of_modes(po_point_kind kind, double load_rate) {
-  if (kind == PO_POINT_APPROACH_MAX)
-    return load_rate < 0.0 ? 1 : -1;
-  if (kind == PO_POINT_APPROACH_MIN)
-    return load_rate > 0.0 ? 1 : -1;
-  return 0;
 }

@@ -68,13 +68,4 @@ typedef struct {
 po_status po_events_find(const po_interval *interval, const po_sample *from, const po_sample *to,
                          po_events *found);
 
-/* The kind of the point of an event. */
-po_point_kind po_event_point(const po_event *event);
-
-/* The change of the number of unstable modes at given approach when the trace passes a point.
- * Given: the kind of the point, and the rate of the load along the branch at it. Returned: 1, -1 or
- * 0. Source: doc/method.md, "Stability". Accuracy: compared with the motion of perturbed equilibria
- * in tests/unit/test_relaxation.c. */
-int po_change_of_modes(po_point_kind kind, double load_rate);
-
 #endif

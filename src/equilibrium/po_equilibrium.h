@@ -81,10 +81,9 @@ typedef struct {
   double noise; /* change of a gap, relative to 1 + H, by the rounding of Eq 15: of the state of the
                    last factorisation, po_equilibrium_measure_noise */
   double gain;  /* its ratio to that rounding, relative to 1 + H */
-  double *weak,
-      *weak_functional; /* (n + 1) x PO_MOST_WEAK: u and v of po_equilibrium_correct_weak */
-  size_t weak_count;    /* corrections of the present factors by these */
-  po_secant secant;     /* Broyden's updates since the factorisation */
+  double *weak, *weak_functional; /* (n + 1) x PO_MOST_WEAK: u and v of correct_weak */
+  size_t weak_count;              /* corrections of the present factors by these */
+  po_secant secant;               /* Broyden's updates since the factorisation */
   bool factorized;
   int orientation; /* sign of the determinant of the factors, without Broyden's updates */
   po_solve_work work;
@@ -158,12 +157,6 @@ void po_equilibrium_measure_noise(po_equilibrium *e, const double *state);
 /* Returned: the sign of the determinant of the bordered Jacobian at the factorised state, by the
  * factors and the updates since. */
 int po_equilibrium_orientation(const po_equilibrium *e);
-
-/* Corrects the factors of panels in the direction in which they respond most, by the product of the
- * Jacobian with it, if they are wrong there. Called after po_equilibrium_measure_noise, which finds
- * the direction. Returned: whether they were corrected; noise and gain must then be measured
- * again. */
-bool po_equilibrium_correct_weak(po_equilibrium *e);
 
 /* Whether the gain asks for factors that are more accurate than the present ones. */
 bool po_equilibrium_is_coarse(const po_equilibrium *e);

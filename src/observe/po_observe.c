@@ -7,6 +7,7 @@
 #include "po_diagnose.h"
 #include "po_linear.h"
 #include "po_load_unit.h"
+#include "po_memory.h"
 #include "po_observe_parts.h"
 #include "po_rigid.h"
 #include "po_scales.h"
@@ -145,11 +146,28 @@ static double farthest_start(const po_scene *scene) {
   return BEGIN * (po_law_size(&scene->law, 0.0) + po_scene_scales(scene).wavy_stretch);
 }
 
+/* The least part of the estimate that a solve needs. */
+static const double LEAST_PART = 0.125;
+
+/* Fails with PO_OUT_OF_NODES if also an eighth of that memory is more than the machine has. */
+static po_status request_size_check(const po_request *request) {
+  po_request without_search = *request; /* the bound of a search visits every wave */
+  without_search.companion = NULL;
+  const po_size size = po_request_size(&without_search);
+  const double least = LEAST_PART * size.bytes, memory = po_memory_of_machine();
+  if (!(least > memory))
+    return PO_OK;
+  return po_fail(PO_OUT_OF_NODES,
+                 "the finest mesh needs %.2g nodes or more and %.2g GB of memory, and there are "
+                 "%.2g GB: expected longer waves, a smaller outer radius or a smaller preload",
+                 LEAST_PART * (double)size.nodes, 1e-9 * least, 1e-9 * memory);
+}
+
 static po_status attempt(const po_request *request, const po_keeper *keeper, double deadline,
                          po_result *result) {
   po_status status = po_request_check(request);
   if (!status)
-    status = po_request_size_check(request);
+    status = request_size_check(request);
   if (status)
     return status;
   const bool rigid = po_rigid_suffices(&request->scene);

@@ -4,7 +4,6 @@
 
 #include "po_elementary.h"
 #include "po_initial_gap.h"
-#include "po_memory.h"
 #include "po_observe_parts.h"
 #include "po_panel_table.h"
 #include "po_rigid.h"
@@ -15,11 +14,10 @@
  * towards the edges, and within each wave as far as the amplitude asks for it. */
 static const double PANELS = 4.5, PANELS_A_HALVING = 2.9, PANELS_A_WAVE = 1.0,
                     PANELS_A_HALVING_OF_WAVE = 1.9;
+
 /* The error of a panel of 12 nodes goes as its length to the power 24 (the load). */
 static const double TOLERANCE_POWER = 1.0 / 24.0, USUAL_TOLERANCE = 1e-6;
 static const double PANELS_MARGIN = 2.5;
-/* The least part of the estimate that a solve needs. */
-static const double LEAST_PART = 0.125;
 
 /* Memory: of the program and its libraries; for a node, factors, lists and states; and blocks of
  * influence coefficients of former meshes, which are kept as far as MOST_BLOCKS of po_hierarchy.c.
@@ -74,17 +72,4 @@ po_size po_request_size(const po_request *request) {
   if (request->want & PO_WANT_DIAGNOSTICS) /* a dense matrix and its factors */
     bytes += 2.0 * sizeof(double) * nodes * nodes;
   return (po_size){(size_t)nodes, bytes};
-}
-
-po_status po_request_size_check(const po_request *request) {
-  po_request without_search = *request; /* the bound of a search visits every wave */
-  without_search.companion = NULL;
-  const po_size size = po_request_size(&without_search);
-  const double least = LEAST_PART * size.bytes, memory = po_memory_of_machine();
-  if (!(least > memory))
-    return PO_OK;
-  return po_fail(PO_OUT_OF_NODES,
-                 "the finest mesh needs %.2g nodes or more and %.2g GB of memory, and there are "
-                 "%.2g GB: expected longer waves, a smaller outer radius or a smaller preload",
-                 LEAST_PART * (double)size.nodes, 1e-9 * least, 1e-9 * memory);
 }

@@ -13,7 +13,4 @@ typedef struct {
  * of it (tests/cost/size.py). A search of all preloads may need more than the estimate. */
 po_size po_request_size(const po_request *request);
 
-/* Fails with PO_OUT_OF_NODES if also an eighth of that memory is more than the machine has. */
-po_status po_request_size_check(const po_request *request);
-
 #endif

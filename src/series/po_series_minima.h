@@ -3,7 +3,7 @@
 #ifndef PO_SERIES_MINIMA_H
 #define PO_SERIES_MINIMA_H
 
-#include "po_checkpoint.h"
+#include "po_series.h"
 #include "po_series_scenes.h"
 
 /* Given: two checkpoints with scenes between them. Returned: *settled, whether the followed minima

@@ -1,4 +1,4 @@
-/* Traces that need the factors of panels to be corrected in one direction (po_weak_direction.c). */
+/* Traces that need the factors of panels to be corrected in one direction (po_corrector.c). */
 #include <math.h>
 
 #include "po_continuation.h"
