@@ -13,12 +13,6 @@ po_status po_case_sample_parse(po_case *kase, const po_yaml *yaml);
 /* Reports whether the section `sample` draws a key. */
 bool po_case_draws(const po_case_file *file, po_key key);
 
-/* Draws the values of scene number `index` and stores them in `request`, which already holds the
- * values of scene and sweep; adds them to the label. Returned: false if a drawn value is not
- * possible for its key. */
-bool po_case_sample_draw(const po_case_file *file, size_t index, po_request *request,
-                         po_text *label);
-
 /* Size of a buffer for the path of a value in a case, e.g. checks[2].when[1]. */
 enum { PO_CASE_WHERE_LENGTH = 64 };
 

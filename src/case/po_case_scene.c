@@ -298,13 +298,6 @@ po_status po_case_physical_parse(po_case *kase, const po_yaml *yaml) {
 
 /* The section `scene` of a case, and the keys that scene, sweep and sample must give together. */
 
-bool po_case_varies(const po_case_file *file, po_key key) {
-  for (unsigned i = 0; i < file->sweep_count; ++i)
-    if (po_sweep_varies(&file->sweep[i], key))
-      return true;
-  return po_case_draws(file, key);
-}
-
 static const po_key NEEDED[] = {PO_KEY_TABOR,  PO_KEY_RADIUS, PO_KEY_OUTER_RADIUS,
                                 PO_KEY_SCHEME, PO_KEY_NODES,  PO_KEY_WAVELENGTH};
 

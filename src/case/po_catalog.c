@@ -1,6 +1,5 @@
 #include "po_catalog.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -75,25 +74,6 @@ static bool is_in_folder(const char *folder, const char *path) {
                      strcmp(name + length - tail, ENDING) == 0 && po_path_is_same(path, there);
   free(there);
   return found;
-}
-
-bool po_case_is_name(const char *text) {
-  for (const char *c = text; *c; ++c)
-    if (!isalnum((unsigned char)*c) && *c != '_' && *c != '-')
-      return false;
-  return *text != '\0' && *text != '-';
-}
-
-bool po_sweep_names(const po_sweep *sweep, po_key key) {
-  return sweep->named >> key & 1U;
-}
-
-const char *po_case_argument(const po_case *kase) {
-  return kase->is_own ? kase->shown : kase->file->name;
-}
-
-const char *po_case_word(const po_case *kase) {
-  return kase->word ? kase->word : kase->file->name;
 }
 
 /* Marks a case as a file outside the folder of cases. Status: PO_NO_MEMORY. */

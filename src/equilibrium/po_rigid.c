@@ -6,6 +6,7 @@
 #include "po_initial_gap.h"
 #include "po_integral.h"
 #include "po_law.h"
+#include "po_scales.h"
 #include "po_watch.h"
 
 /* Bound of the change of the load by elasticity, over mu^(3/2): the deflection is at most 2

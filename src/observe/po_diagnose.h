@@ -39,11 +39,6 @@ typedef struct {
 po_status po_diagnose_states(const po_request *request, double deadline, const po_kept *kept,
                              po_equilibrium *e, po_adaptive *panels, po_result *result);
 
-/* Solves the scene again with each parameter changed by one unit in the last place. Given: a
- * request that succeeded, and its result; deadline as above. Status: PO_NO_MEMORY, PO_INTERRUPTED,
- * PO_OUT_OF_TIME. */
-po_status po_diagnose_moved(const po_request *request, double deadline, po_result *result);
-
 /* Fails with PO_OUT_OF_TIME and a message that the branch is traced, followed by `what`. */
 po_status po_diagnose_out_of_time(const po_request *request, const char *what);
 

@@ -1,11 +1,12 @@
 /* The end of a rigid trace, the part of the surface that may come into contact (the core), and the
- * size of the domain of the panels. */
+ * size of the domain of the panels; and the accuracy of the solve. */
 #include <math.h>
 
 #include "po_initial_gap.h"
 #include "po_law.h"
 #include "po_observe_parts.h"
 #include "po_rigid.h"
+#include "po_scales.h"
 
 /* If the repulsion of the central crest is PUSH_PER_LOAD times the load plus PUSH_BEYOND_LOAD, it
  * exceeds the load and all attraction: the attraction is at most the term 8/(3 x^2) of Eq 23, at
@@ -88,4 +89,28 @@ double po_observe_core(const po_request *request) {
     return core;
   const double enough = po_observe_core_of_contact(po_request_bound(request, -SEARCHED_FORCE));
   return enough < LARGEST_CORE * core ? fmax(core, enough) : core;
+}
+
+/* Allowed error of the gap, eps, divided by the square root of the relative tolerance of the
+ * pull-off force, and its greatest value at any tolerance. The square root, because the error of
+ * the load goes as the square of the last Legendre coefficients. Chosen for the smooth sphere
+ * (tests/unit/test_panels.c). Where the curve is steeper or the contact edge sharper, the panel
+ * itself asks for less (RIPPLE in po_resolution.c). */
+static const double ERROR_OF_TOLERANCE = 0.3, COARSEST_ERROR = 3e-4;
+
+/* Allowed error of the load of a panel, divided by the tolerance. The estimate of this error is
+ * usually too large. */
+static const double LOAD_OF_TOLERANCE = 30.0;
+
+/* Precision of Newton's method, relative to 1 + H, divided by the tolerance; and its greatest
+ * value, which the location of folds requires. */
+static const double PRECISION_OF_TOLERANCE = 1e-4, COARSEST_PRECISION = 1e-9;
+
+po_allowance po_observe_allowance(double tolerance) {
+  return (po_allowance){fmin(COARSEST_ERROR, ERROR_OF_TOLERANCE * sqrt(tolerance)),
+                        fmin(COARSEST_ERROR, LOAD_OF_TOLERANCE * tolerance)};
+}
+
+double po_observe_precision(double tolerance) {
+  return fmax(PO_FINEST_PRECISION, fmin(COARSEST_PRECISION, PRECISION_OF_TOLERANCE * tolerance));
 }

@@ -2,6 +2,8 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "po_clock.h"
 #include "po_diagnose.h"
@@ -14,6 +16,69 @@
 #include "po_size.h"
 #include "po_trace.h"
 #include "po_watch.h"
+
+/* The largest change of the approach of a fold; NaN if the number of folds differs. */
+static double change_of_folds(const po_result *a, const po_result *b) {
+  double largest = 0.0;
+  for (size_t k = 0; k < a->fold_count && a->fold_count == b->fold_count; ++k)
+    largest = fmax(largest, fabs(a->folds[k].approach - b->folds[k].approach));
+  return a->fold_count == b->fold_count ? largest : (double)NAN;
+}
+
+static po_status move(const po_request *request, const po_result *result, po_moved *moved) {
+  po_result again;
+  const po_status status = po_observe_kept(request, NULL, &again);
+  ++moved->solves;
+  if (status || !again.has_pull_off) {
+    ++moved->failed;
+  } else {
+    const double change = fabs(again.pull_off.force / result->pull_off.force - 1.0);
+    const double excess = fabs(again.pull_off.force - result->pull_off.force) /
+                          (again.pull_off.force_error + result->pull_off.force_error);
+    moved->change = fmax(moved->change, change); /* the first is NaN */
+    moved->excess = fmax(moved->excess, excess);
+    const double folds = change_of_folds(result, &again);
+    if (!(folds <= moved->folds)) /* NaN stays */
+      moved->folds = isnan(moved->folds) ? moved->folds : folds;
+  }
+  po_result_clear(&again);
+  const bool ends = status == PO_NO_MEMORY || status == PO_INTERRUPTED || status == PO_OUT_OF_TIME;
+  return ends ? status : PO_OK;
+}
+
+po_status po_diagnose_moved(const po_request *request, double deadline, po_result *result) {
+  po_diagnostics *d = &result->diagnostics;
+  po_request moving = *request;
+  moving.want &= ~(unsigned)PO_WANT_DIAGNOSTICS; /* the other results may change the steps */
+  const bool wavy = po_scene_is_wavy(&request->scene);
+  const struct {
+    double *value, by;
+  } inputs[] = {{&moving.scene.tabor, d->force.tabor},
+                {&moving.scene.radius, d->force.radius},
+                {&moving.scene.amplitude, d->force.amplitude},
+                {&moving.scene.wavelength, d->force.wavelength}};
+  const double begin = po_clock_wall();
+  double most = 0.0;
+  po_status status = PO_OK;
+  for (size_t k = 0; k < (wavy ? 4 : 2); ++k) {
+    const double is = *inputs[k].value;
+    for (int up = 0; !status && up < 2 && is > 0.0; ++up) {
+      *inputs[k].value = nextafter(is, up ? INFINITY : 0.0);
+      most = fmax(most, fabs(inputs[k].by * (*inputs[k].value / is - 1.0)));
+      if (isfinite(deadline))
+        moving.time_limit = deadline - po_clock_thread();
+      status = moving.time_limit <= 0.0 ? PO_OUT_OF_TIME : move(&moving, result, &d->moved);
+      if (status == PO_OUT_OF_TIME)
+        status =
+            po_diagnose_out_of_time(request, "the solves with changed inputs are not complete");
+    }
+    *inputs[k].value = is;
+  }
+  if (d->has_sensitivity)
+    d->moved.predicted = most + fabs(d->force.residual) + d->force.rounding;
+  d->seconds += po_clock_wall() - begin;
+  return status;
+}
 
 /* The preload of the loops of the JKR theory: the approach of the request, otherwise the load at
  * which the solve reversed the loading. */
@@ -79,30 +144,6 @@ static const double START_MARGIN = 1.0;
  * changes and the elastic elongation at pull-off. For a smooth sphere this is -4 (1 + mu) eps; by
  * JKR theory it jumps out at -1.61 mu. */
 static const double BEGIN = 4.0;
-
-/* Allowed error of the gap, eps, divided by the square root of the relative tolerance of the
- * pull-off force, and its greatest value at any tolerance. The square root, because the error of
- * the load goes as the square of the last Legendre coefficients. Chosen for the smooth sphere
- * (tests/unit/test_panels.c). Where the curve is steeper or the contact edge sharper, the panel
- * itself asks for less (RIPPLE in po_resolution.c). */
-static const double ERROR_OF_TOLERANCE = 0.3, COARSEST_ERROR = 3e-4;
-
-/* Allowed error of the load of a panel, divided by the tolerance. The estimate of this error is
- * usually too large. */
-static const double LOAD_OF_TOLERANCE = 30.0;
-
-/* Precision of Newton's method, relative to 1 + H, divided by the tolerance; and its greatest
- * value, which the location of folds requires. */
-static const double PRECISION_OF_TOLERANCE = 1e-4, COARSEST_PRECISION = 1e-9;
-
-po_allowance po_observe_allowance(double tolerance) {
-  return (po_allowance){fmin(COARSEST_ERROR, ERROR_OF_TOLERANCE * sqrt(tolerance)),
-                        fmin(COARSEST_ERROR, LOAD_OF_TOLERANCE * tolerance)};
-}
-
-double po_observe_precision(double tolerance) {
-  return fmax(PO_FINEST_PRECISION, fmin(COARSEST_PRECISION, PRECISION_OF_TOLERANCE * tolerance));
-}
 
 static void add_work(const po_work *more, po_work *work) {
   work->points += more->points;

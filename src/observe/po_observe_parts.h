@@ -14,6 +14,11 @@ double po_observe_deadline(const po_request *request);
  * without the solves with changed inputs (po_diagnose_moved). */
 po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po_result *result);
 
+/* Solves the scene again with each parameter changed by one unit in the last place. Given: a
+ * request that succeeded, and its result; deadline, the processor time at which the function gives
+ * up. Status: PO_NO_MEMORY, PO_INTERRUPTED, PO_OUT_OF_TIME. */
+po_status po_diagnose_moved(const po_request *request, double deadline, po_result *result);
+
 /* The allowed errors of the panels, and the precision of Newton's method, for a relative tolerance
  * of the pull-off force. */
 po_allowance po_observe_allowance(double tolerance);

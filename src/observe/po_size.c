@@ -7,6 +7,7 @@
 #include "po_observe_parts.h"
 #include "po_panel_table.h"
 #include "po_rigid.h"
+#include "po_scales.h"
 
 /* Panels of the finest mesh, fitted to 290 random scenes of mu 0.1 to 15, A/lambda up to 1.5,
  * wavelengths of 4 to 60 eps, radii of 20 to 1000 eps and tolerances of 1e-4 to 1e-8; the meshes

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "po_quote.h"
-#include "po_scene_flags.h"
 #include "po_text.h"
 
 enum { DONE = -1, BAD = -2 };
@@ -33,6 +32,155 @@ static int next(const po_options *options, const struct option *table) {
   }
 }
 
+void po_key_flag(int key, char flag[PO_FLAG_LENGTH_OF_NAME]) {
+  snprintf(flag, PO_FLAG_LENGTH_OF_NAME, "%s",
+           key == PO_KEY_WAVES ? "wave" : po_key_name((po_key)key));
+  for (char *c = flag; *c; ++c)
+    if (*c == '_')
+      *c = '-';
+}
+
+const po_length_row PO_LENGTHS[PO_LENGTH_COUNT] = {
+    [PO_LENGTH_RADIUS] = {"radius", PO_KEY_RADIUS},
+    [PO_LENGTH_AMPLITUDE] = {"amplitude", PO_KEY_AMPLITUDE},
+    [PO_LENGTH_WAVELENGTH] = {"wavelength", PO_KEY_WAVELENGTH},
+    [PO_LENGTH_OUTER_RADIUS] = {"outer-radius", PO_KEY_OUTER_RADIUS},
+    [PO_LENGTH_APPROACH_START] = {"approach-start", PO_KEY_APPROACH_START},
+    [PO_LENGTH_APPROACH_END] = {"approach-end", PO_KEY_APPROACH_END},
+    [PO_LENGTH_PROFILE_APPROACH] = {"profile-approach", -1},
+    [PO_LENGTH_PRELOAD] = {"preload", PO_KEY_PRELOAD},
+    [PO_LENGTH_APPROACH] = {"approach", -1},
+    [PO_LENGTH_CONTACT_RADIUS] = {"contact-radius", -1},
+};
+
+/* The length that is a key; -1: none. */
+static int length_of_key(int key) {
+  int length = 0;
+  while (length < PO_LENGTH_COUNT && PO_LENGTHS[length].key != key)
+    ++length;
+  return length < PO_LENGTH_COUNT ? length : -1;
+}
+
+/* The value of the option of a key. */
+static int option_of(int key) {
+  switch (key) {
+  case PO_KEY_TABOR:
+    return PO_FLAG_TABOR;
+  case PO_KEY_COUPLING:
+    return PO_FLAG_COUPLING;
+  case PO_KEY_PROFILE:
+    return PO_FLAG_PROFILE;
+  case PO_KEY_PROFILE_FILE:
+    return PO_FLAG_PROFILE_FILE;
+  case PO_KEY_WAVES:
+    return PO_FLAG_WAVE;
+  default:
+    break;
+  }
+  if (po_key_is_parameter(key, PO_OWNER_PROFILE))
+    return PO_FLAG_PARAMETER + po_key_parameter(key);
+  const int length = length_of_key(key);
+  return length >= 0 ? PO_FLAG_LENGTH + length : PO_OPTION_KEYS + key;
+}
+
+/* Appends the options of a verb (PO_FOR_...) to a table of `count` rows, with the values that
+ * po_scene_flags.h defines, and PO_OPTION_KEYS + key for the others. Returned: the number of rows.
+ */
+static size_t add_key_options(unsigned verb, struct option table[PO_MOST_OPTIONS], size_t count) {
+  static char names[PO_KEY_END][2][PO_FLAG_LENGTH_OF_NAME]; /* the second in metres */
+  for (int key = 0; key < PO_KEY_END; ++key) {
+    if (!(po_key_row_of(key)->verbs & verb))
+      continue;
+    const int value = option_of(key);
+    po_key_flag(key, names[key][0]);
+    table[count++] = (struct option){names[key][0], required_argument, NULL, value};
+    if (!po_key_row_of(key)->is_length)
+      continue;
+    snprintf(names[key][1], sizeof names[key][1], "%.29s-m", names[key][0]);
+    table[count++] = (struct option){names[key][1], required_argument, NULL,
+                                     value - PO_FLAG_LENGTH + PO_FLAG_METRES};
+  }
+  return count;
+}
+
+enum { COLUMN = 26, WIDTH = 93 };
+
+/* Appends words in the right column. Given: used, the characters of the line so far. */
+static void add_words(po_text *help, const char *text, size_t used) {
+  const bool full = used + 2 > COLUMN;
+  po_text_add(help, "%s%*s", full ? "\n" : "", (int)(full ? COLUMN : COLUMN - used), "");
+  for (size_t column = COLUMN; *text;) {
+    const size_t word = strcspn(text, " ");
+    if (column > COLUMN && column + 1 + word > WIDTH) {
+      po_text_add(help, "\n%*s", COLUMN, "");
+      column = COLUMN;
+    }
+    po_text_add(help, "%s%.*s", column > COLUMN ? " " : "", (int)word, text);
+    column += word + (column > COLUMN);
+    text += word + (text[word] == ' ');
+  }
+  po_text_add(help, "\n");
+}
+
+static const char *help_of(const po_key_row *row, unsigned verb) {
+  return verb == PO_FOR_THEORY && *row->help_of_form ? row->help_of_form : row->help;
+}
+
+/* Appends the options of the keys of some owners. Those without help come before the next one. */
+static void add_options_of(unsigned verb, po_key_owner first, po_key_owner last, po_text *help) {
+  size_t used = 0;
+  for (int key = 0; key < PO_KEY_END; ++key) {
+    const po_key_row *row = po_key_row_of(key);
+    if (!(row->verbs & verb) || row->owner < first || row->owner > last)
+      continue;
+    char flag[PO_FLAG_LENGTH_OF_NAME], option[64];
+    po_key_flag(key, flag);
+    const size_t length = (size_t)snprintf(option, sizeof option, "--%s %s", flag, row->value);
+    const bool fits = used && used + 2 + length <= WIDTH;
+    po_text_add(help, "%s%s", fits ? ", " : used ? ",\n  " : "  ", option);
+    used = (fits ? used : 0) + 2 + length;
+    if (!*help_of(row, verb))
+      continue;
+    add_words(help, help_of(row, verb), used);
+    used = 0;
+  }
+}
+
+/* Appends the names of the keys that a series may vary, as the end of the help of an option. */
+static void add_varying(po_text *help) {
+  po_text names = {0};
+  for (int key = 0; key < PO_KEY_END; ++key)
+    if (po_key_is_continuous(key) && po_key_row_of(key)->verbs & PO_FOR_FOLLOW) {
+      char flag[PO_FLAG_LENGTH_OF_NAME];
+      po_key_flag(key, flag);
+      po_text_add(&names, "%s, ", flag);
+    }
+  po_text_add(&names, "or in SI units radius-m, amplitude-m, wavelength-m, outer-radius-m, "
+                      "modulus-pa, work-j-per-m2 or distance-m");
+  add_words(help, po_text_string(&names), 0);
+  po_text_clear(&names);
+}
+
+/* Appends a help text in which lines stand for the options of a verb: @scene for those of what is
+ * pressed, @trace for the preload and the range of the trace, @mesh for the discretisation; and
+ * @varying for the names of the keys that a series may vary. */
+static void add_help(unsigned verb, const char *text, po_text *help) {
+  while (*text) {
+    const int line = (int)strcspn(text, "\n");
+    if (strncmp(text, "@scene", 6) == 0)
+      add_options_of(verb, PO_OWNER_SCENE, PO_OWNER_PROFILE, help);
+    else if (strncmp(text, "@trace", 6) == 0)
+      add_options_of(verb, PO_OWNER_TRACE, PO_OWNER_TRACE, help);
+    else if (strncmp(text, "@mesh", 5) == 0)
+      add_options_of(verb, PO_OWNER_MESH, PO_OWNER_MESH, help);
+    else if (strncmp(text, "@varying", 8) == 0)
+      add_varying(help);
+    else
+      po_text_add(help, "%.*s\n", line, text);
+    text += line + (text[line] == '\n');
+  }
+}
+
 void po_options_table(const po_options *options, struct option table[PO_MOST_OPTIONS]) {
   static const struct option PHYSICAL[] = {PO_PHYSICAL_OPTIONS};
   size_t count = 0;
@@ -40,15 +188,15 @@ void po_options_table(const po_options *options, struct option table[PO_MOST_OPT
     table[count++] = *own;
   for (size_t i = 0; options->keys && i < sizeof PHYSICAL / sizeof *PHYSICAL; ++i)
     table[count++] = PHYSICAL[i];
-  count = po_key_options(options->keys, table, count);
+  count = add_key_options(options->keys, table, count);
   table[count] = (struct option){0};
 }
 
 /* Prints the help of a verb. Status: PO_NO_MEMORY. */
 static po_status print_help(const po_options *options) {
   po_text help = {0};
-  po_key_help(options->keys, options->help, &help);
-  po_key_help(options->keys, options->more_help ? options->more_help : "", &help);
+  add_help(options->keys, options->help, &help);
+  add_help(options->keys, options->more_help ? options->more_help : "", &help);
   fputs(po_text_string(&help), stdout);
   const po_status status = help.failed ? PO_NO_MEMORY : PO_OK;
   po_text_clear(&help);

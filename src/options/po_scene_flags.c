@@ -4,31 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "po_key_options.h"
+#include "po_options.h"
 #include "po_parameters.h"
-
-static const struct {
-  const char *name;
-  int key; /* the po_key with the same domain of values; -1: none */
-} LENGTHS[PO_LENGTH_COUNT] = {
-    [PO_LENGTH_RADIUS] = {"radius", PO_KEY_RADIUS},
-    [PO_LENGTH_AMPLITUDE] = {"amplitude", PO_KEY_AMPLITUDE},
-    [PO_LENGTH_WAVELENGTH] = {"wavelength", PO_KEY_WAVELENGTH},
-    [PO_LENGTH_OUTER_RADIUS] = {"outer-radius", PO_KEY_OUTER_RADIUS},
-    [PO_LENGTH_APPROACH_START] = {"approach-start", PO_KEY_APPROACH_START},
-    [PO_LENGTH_APPROACH_END] = {"approach-end", PO_KEY_APPROACH_END},
-    [PO_LENGTH_PROFILE_APPROACH] = {"profile-approach", -1},
-    [PO_LENGTH_PRELOAD] = {"preload", PO_KEY_PRELOAD},
-    [PO_LENGTH_APPROACH] = {"approach", -1},
-    [PO_LENGTH_CONTACT_RADIUS] = {"contact-radius", -1},
-};
-
-int po_length_of_key(int key) {
-  int length = 0;
-  while (length < PO_LENGTH_COUNT && LENGTHS[length].key != key)
-    ++length;
-  return length < PO_LENGTH_COUNT ? length : -1;
-}
 
 po_scene_flags po_scene_flags_default(void) {
   po_scene_flags flags = {
@@ -51,9 +28,9 @@ static po_status take_key(po_key key, const char *name, double *value) {
 
 static po_status take_length(po_length length, const char *suffix, double *value) {
   char name[32];
-  snprintf(name, sizeof name, "%s%s", LENGTHS[length].name, suffix);
-  if (LENGTHS[length].key >= 0)
-    return take_key((po_key)LENGTHS[length].key, name, value);
+  snprintf(name, sizeof name, "%s%s", PO_LENGTHS[length].name, suffix);
+  if (PO_LENGTHS[length].key >= 0)
+    return take_key((po_key)PO_LENGTHS[length].key, name, value);
   const bool positive = length == PO_LENGTH_CONTACT_RADIUS;
   if (po_number_parse(optarg, value) && !(positive && *value < 0))
     return PO_OK;
@@ -134,7 +111,7 @@ po_status po_scene_flags_take(po_scene_flags *flags, int option) {
 }
 
 void po_scene_flags_name(const po_scene_flags *flags, po_length length, char name[32]) {
-  snprintf(name, 32, "%s%s", LENGTHS[length].name, flags->from_physical ? "-m" : "");
+  snprintf(name, 32, "%s%s", PO_LENGTHS[length].name, flags->from_physical ? "-m" : "");
 }
 
 static po_status refuse_si(const char *name, const char *suffix) {
@@ -221,7 +198,7 @@ static po_status end_dimensionless(po_scene_flags *flags, po_scene *scene) {
     return refuse_si("distance-m", "");
   for (int i = 0; i < PO_LENGTH_COUNT; ++i)
     if (!isnan(flags->metres[i]))
-      return refuse_si(LENGTHS[i].name, "-m");
+      return refuse_si(PO_LENGTHS[i].name, "-m");
   if (!isnan(flags->coupling) && !isnan(flags->tabor))
     return po_fail(PO_BAD_INPUT, "both --coupling and --tabor are given: expected only one");
   const po_status status = set_profile(flags, 1.0, scene);
@@ -271,7 +248,7 @@ static po_status end_physical(po_scene_flags *flags, bool elastic, po_scene *sce
     if (!isnan(flags->length[i]))
       return po_fail(PO_BAD_INPUT,
                      "--%s is in units of epsilon: expected --%s-m with --from-physical",
-                     LENGTHS[i].name, LENGTHS[i].name);
+                     PO_LENGTHS[i].name, PO_LENGTHS[i].name);
   if (!isnan(flags->coupling))
     return po_fail(PO_BAD_INPUT, "--coupling is given with --from-physical: expected --modulus-pa, "
                                  "--work-j-per-m2 and --distance-m, from which it is computed");
@@ -317,7 +294,7 @@ static void warn_of_metres(const po_scene_flags *flags) {
     fprintf(stderr,
             "pulloff: warning: --%s is %g epsilon, which looks like metres: for SI units, use "
             "--from-physical and --%s-m\n",
-            LENGTHS[suspect].name, length[suspect], LENGTHS[suspect].name);
+            PO_LENGTHS[suspect].name, length[suspect], PO_LENGTHS[suspect].name);
 }
 
 po_status po_scene_flags_end(po_scene_flags *flags, bool elastic, po_scene *scene) {

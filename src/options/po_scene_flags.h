@@ -9,51 +9,6 @@
 #include "po_options.h"
 #include "po_physical.h"
 
-/* Lengths that can be given: --NAME is in epsilon, --NAME-m in metres. */
-typedef enum {
-  PO_LENGTH_RADIUS,
-  PO_LENGTH_AMPLITUDE,
-  PO_LENGTH_WAVELENGTH,
-  PO_LENGTH_OUTER_RADIUS,
-  PO_LENGTH_APPROACH_START,
-  PO_LENGTH_APPROACH_END,
-  PO_LENGTH_PRELOAD,
-  PO_LENGTH_PROFILE_APPROACH,
-  PO_LENGTH_APPROACH,
-  PO_LENGTH_CONTACT_RADIUS,
-  PO_LENGTH_COUNT
-} po_length;
-
-/* Values of the options below. Those of the verb's own options begin at PO_FLAG_NEXT. */
-enum {
-  PO_FLAG_FROM_PHYSICAL = 1,
-  PO_FLAG_TABOR,
-  PO_FLAG_MODULUS,
-  PO_FLAG_WORK,
-  PO_FLAG_DISTANCE,
-  PO_FLAG_COUPLING,
-  PO_FLAG_PROFILE,
-  PO_FLAG_PROFILE_FILE,
-  PO_FLAG_WAVE,
-  PO_FLAG_PARAMETER, /* of the profile */
-  PO_FLAG_LENGTH = PO_FLAG_PARAMETER + PO_PROFILE_PARAMETER_COUNT,
-  PO_FLAG_METRES = PO_FLAG_LENGTH + PO_LENGTH_COUNT,
-  PO_FLAG_NEXT = PO_FLAG_METRES + PO_LENGTH_COUNT
-};
-
-// clang-format off
-#define PO_LENGTH_OPTIONS(name, length)                                                            \
-  {name, required_argument, NULL, PO_FLAG_LENGTH + (length)},                                      \
-  {name "-m", required_argument, NULL, PO_FLAG_METRES + (length)}
-
-/* The options that only --from-physical takes. */
-#define PO_PHYSICAL_OPTIONS                                                                        \
-  {"from-physical", no_argument, NULL, PO_FLAG_FROM_PHYSICAL},                                     \
-  {"modulus-pa", required_argument, NULL, PO_FLAG_MODULUS},                                        \
-  {"work-j-per-m2", required_argument, NULL, PO_FLAG_WORK},                                        \
-  {"distance-m", required_argument, NULL, PO_FLAG_DISTANCE}
-// clang-format on
-
 /* The SI options in the help of a verb. The verb documents its other lengths itself. */
 #define PO_SCENE_FLAGS_HELP                                                                        \
   "SI units:\n"                                                                                    \
@@ -103,9 +58,6 @@ po_status po_scene_flags_take_wave(po_wave wave[PO_MOST_WAVES], size_t *count);
 /* Adds waves to those of a scene. Given: the unit of their lengths, in epsilon. Status:
  * PO_BAD_INPUT. */
 po_status po_scene_flags_add_waves(const po_wave *wave, size_t count, double unit, po_scene *scene);
-
-/* The length that is a key; -1: none. */
-int po_length_of_key(int key);
 
 /* The name of the option for a length: "radius", or "radius-m" if the scene is in SI units. */
 void po_scene_flags_name(const po_scene_flags *flags, po_length length, char name[32]);

@@ -33,18 +33,4 @@ double po_initial_gap_radius(const po_scene *scene, double gap);
  * smallest interval of a table; INFINITY if the gap rises everywhere. */
 double po_initial_gap_detail(const po_scene *scene);
 
-/* Returned: the smallest radius >= r (eps) at which averaging over whole wavelengths may begin: a
- * multiple of half the wavelength of the wave of greatest amplitude times wavelength, where the
- * sine of its first harmonic vanishes; r itself without waves. */
-double po_averaging_phase(const po_scene *scene, double r);
-
-/* Returned: the radius (eps), a whole number of wavelengths beyond `from`, beyond which the waves
- * may be replaced by their mean with an error of the load below 1e-9; `from` itself without waves.
- * Integration by parts gives the error as (lambda/2 pi)^2 times the slope, at that radius, of the
- * oscillating part of the integrand of Eq 17, for a wave whose phase is that of
- * po_averaging_phase; for other waves it is lambda/2 pi times the oscillating part. For one wave on
- * the sphere the function uses the smaller of a bound for small and a bound for large amplitudes.
- */
-double po_averaging_radius(const po_scene *scene, double from);
-
 #endif

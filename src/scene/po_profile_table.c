@@ -7,13 +7,10 @@
 #include <string.h>
 
 #include "po_csv.h"
-#include "po_elementary.h"
 #include "po_hermite.h"
 #include "po_memory.h"
 #include "po_profile_kind.h"
-#include "po_root.h"
 #include "po_spline.h"
-#include "po_two_functions.h"
 
 /* A spline of every other row needs four rows. */
 enum { LEAST_ROWS = 8 };
@@ -182,6 +179,7 @@ static double second_derivative(const po_profile_table *t, size_t k, bool at_end
 
 /* Part of the second derivative of a parabola with the same end that counts as rounding. */
 static const double ROUNDED = 1e-6;
+
 /* Part of the last gap that counts as rounding where the gap falls. */
 static const double ROUNDED_GAP = 1e-12;
 
@@ -285,131 +283,3 @@ void po_profile_table_clear(void) {
   }
   pthread_mutex_unlock(&lock);
 }
-
-/* The interval of a radius, by bisection. */
-static size_t interval_of(const po_profile_table *t, double r) {
-  size_t low = 0, high = t->rows - 1;
-  while (high - low > 1) {
-    const size_t middle = (low + high) / 2;
-    if (t->r[middle] <= r)
-      low = middle;
-    else
-      high = middle;
-  }
-  return low;
-}
-
-static double end(const po_profile *profile) {
-  return profile->table->r[profile->table->rows - 1];
-}
-
-static double gap(const po_profile *profile, double radius, double r) {
-  (void)radius;
-  const po_profile_table *t = profile->table;
-  const size_t last = t->rows - 1;
-  if (r > t->r[last])
-    return t->gap[last] * po_pow(r / t->r[last], t->growth);
-  return value_between(t->r, t->gap, t->slope, interval_of(t, r), r);
-}
-
-static double slope(const po_profile *profile, double radius, double r) {
-  const po_profile_table *t = profile->table;
-  if (r > t->r[t->rows - 1])
-    return t->growth * gap(profile, radius, r) / r;
-  const size_t k = interval_of(t, r);
-  return po_hermite_rate(t->gap[k], t->slope[k], t->gap[k + 1], t->slope[k + 1], r - t->r[k],
-                         t->r[k + 1] - t->r[k]);
-}
-
-/* y^2 (gap + x (2 gap + rise)) */
-static po_two part_of(double gap, po_two rise, po_two x, po_two y) {
-  const po_two sum = po_two_multiply(x, po_two_add(po_two_of(2.0 * gap), rise));
-  return po_two_multiply(po_two_multiply(y, y), po_two_add(po_two_of(gap), sum));
-}
-
-/* The rows are doubles; their spline is evaluated in twice the precision. With x + y = 1
- *
- *   gap = y^2 (g0 + x (2 g0 + h s0)) + x^2 (g1 + y (2 g1 - h s1)) */
-static po_two gap_exact(const po_profile *profile, double radius, double r) {
-  (void)radius;
-  const po_profile_table *t = profile->table;
-  const size_t last = t->rows - 1;
-  if (r > t->r[last])
-    return po_two_times(
-        po_two_pow(po_two_divide(po_two_of(r), po_two_of(t->r[last])), po_two_of(t->growth)),
-        t->gap[last]);
-  const size_t k = interval_of(t, r);
-  const po_two h = po_two_sum(t->r[k + 1], -t->r[k]), x = po_two_divide(po_two_sum(r, -t->r[k]), h),
-               y = po_two_subtract(po_two_of(1.0), x);
-  const po_two left = part_of(t->gap[k], po_two_times(h, t->slope[k]), x, y),
-               right = part_of(t->gap[k + 1], po_two_times(h, -t->slope[k + 1]), y, x);
-  return po_two_add(left, right);
-}
-
-static double gap_beyond(const po_profile *profile, double radius, double r) {
-  const po_profile_table *t = profile->table;
-  const size_t last = t->rows - 1;
-  if (r >= t->r[last])
-    return gap(profile, radius, r);
-  const size_t k = interval_of(t, r);
-  return isinf(t->detail) ? gap(profile, radius, r) : fmin(t->beyond[k], t->beyond[k + 1]);
-}
-
-typedef struct {
-  const po_profile *profile;
-  double gap;
-} level;
-
-static double above(double r, const void *data) {
-  const level *l = data;
-  return gap(l->profile, 0.0, r) - l->gap;
-}
-
-/* Found from outside, since a table need not rise everywhere. */
-static double radius_of_gap(const po_profile *profile, double radius, double sought) {
-  (void)radius;
-  const po_profile_table *t = profile->table;
-  size_t k = t->rows - 1;
-  if (t->gap[k] <= sought)
-    return t->r[k] * po_pow(sought / t->gap[k], 1.0 / t->growth);
-  while (k > 0 && t->gap[k - 1] > sought)
-    --k;
-  if (k == 0)
-    return 0.0;
-  const level l = {profile, sought};
-  return po_root(above, &l, t->r[k - 1], t->r[k]);
-}
-
-static double next_joint(const po_profile *profile, double r) {
-  const po_profile_table *t = profile->table;
-  return r < t->r[t->rows - 1] ? t->r[interval_of(t, r) + 1] : INFINITY;
-}
-
-static double growth(const po_profile *profile) {
-  return profile->table->growth;
-}
-static double detail(const po_profile *profile) {
-  return profile->table->detail;
-}
-static bool is_convex(const po_profile *profile) {
-  return profile->table->is_convex;
-}
-
-static po_status check(const po_profile *profile) {
-  return po_profile_require_positive(profile, PO_TABLE_SCALE);
-}
-
-const po_profile_kind PO_TABLE = {.name = "table",
-                                  .parameters = 1,
-                                  .first = PO_TABLE_SCALE,
-                                  .check = check,
-                                  .gap = gap,
-                                  .slope = slope,
-                                  .gap_exact = gap_exact,
-                                  .gap_beyond = gap_beyond,
-                                  .radius_of_gap = radius_of_gap,
-                                  .next_joint = next_joint,
-                                  .growth = growth,
-                                  .end = end,
-                                  .detail = detail,
-                                  .is_convex = is_convex};

@@ -23,24 +23,6 @@
 
 #include "po_request.h"
 #include "po_result.h"
-#include "po_solution.h"
-
-typedef struct {
-  po_solution point;
-  double approach, load;
-  double margin; /* margin of the stopping rule at this point, see po_reader.h */
-} po_checkpoint_minimum;
-
-typedef struct {
-  size_t index;     /* index of its scene in the series */
-  bool usable;      /* whether the minima can be followed: the scene was solved, on panels */
-  double tolerance; /* the tolerance with which the trace met the requested one */
-  double deepest;   /* load of the pull-off, pi w R */
-  po_checkpoint_minimum *minima; /* all minima of the trace, in the order of their depth */
-  size_t count, room;
-  size_t candidates; /* the number of minima, the deepest ones, that may be the pull-off of a scene
-                        before the next checkpoint */
-} po_checkpoint;
 
 /* The default number of scenes from one checkpoint to the next. */
 enum { PO_CHECKPOINT_EVERY = 15 };

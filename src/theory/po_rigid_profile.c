@@ -8,6 +8,7 @@
 #include "po_law_kind.h"
 #include "po_profile_kind.h"
 #include "po_root.h"
+#include "po_scales.h"
 #include "po_special.h"
 
 /* p is a sum of two terms, factor (1 + H)^-exponent or factor exp(-exponent H). */

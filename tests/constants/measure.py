@@ -51,7 +51,7 @@ USED_BY = {
     "po_diagnosis.c": r"diagnostics", "po_diagnose.h": r"diagnostics", "po_follow.c": FOLLOW,
     "po_parameter_predictor.h": FOLLOW,
     **{name: PANELS for name in ("po_panel_table.h", "po_panels.h", "po_moving_edges.c", "po_moving_edges.h",
-                                 "po_refine.c", "po_resolution.c", "po_resolution.h", "po_observe.c")}}
+                                 "po_refine.c", "po_resolution.c", "po_resolution.h", "po_extent.c")}}
 
 # What is measured first.
 ORDER = ("observe", "continuation", "equilibrium", "bem", "series", "scene", "path", "math", "companion", "theory")

@@ -5,6 +5,7 @@
 #include "po_initial_gap.h"
 #include "po_rigid.h"
 #include "po_rigid_trace.h"
+#include "po_scales.h"
 #include "run.h"
 #include "trace.h"
 

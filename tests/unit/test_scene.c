@@ -4,6 +4,7 @@
 
 #include "po_bradley.h"
 #include "po_initial_gap.h"
+#include "po_scales.h"
 #include "po_scene.h"
 #include "run.h"
 

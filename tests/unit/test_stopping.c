@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "po_clock.h"
-#include "po_diagnose.h"
+#include "po_observe_parts.h"
 #include "po_observe.h"
 #include "request.h"
 #include "run.h"

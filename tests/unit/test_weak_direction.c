@@ -6,6 +6,7 @@
 #include "po_input.h"
 #include "po_load_unit.h"
 #include "po_observe_parts.h"
+#include "po_scales.h"
 #include "run.h"
 
 static const double TOLERANCE = 1e-6;
