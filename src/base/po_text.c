@@ -8,7 +8,6 @@
 
 #include "po_memory.h"
 #include "po_quote.h"
-#include "po_utf8.h"
 
 static const char REPLACEMENT[] = "\xEF\xBF\xBD"; /* U+FFFD */
 

@@ -22,4 +22,10 @@ void po_watch_end(po_watch before);
  * ends about as late as the longest time between two looks. */
 po_status po_watch_look(void);
 
+/* Elapsed time, in seconds, on a monotonic clock (CLOCK_MONOTONIC). */
+double po_clock_wall(void);
+
+/* Processor time that the calling thread has used, in seconds. */
+double po_clock_thread(void);
+
 #endif

@@ -1,9 +1,11 @@
 /* The key `traced` of a case: scenes of a series that are traced in addition, for comparison. */
 #include <math.h>
+#include <string.h>
 
 #include "po_case_parts.h"
 #include "po_random.h"
 #include "po_schema.h"
+#include "po_series.h"
 
 /* Reports whether a point lies between two checkpoints. Checkpoints, and the last scene of a
  * series, are always traced. */
@@ -50,6 +52,56 @@ po_status po_case_traced_draw(po_case *kase, const po_yaml *yaml) {
       continue;
     kase->points[i].traced = true;
     count -= 1;
+  }
+  return PO_OK;
+}
+
+/* The keys `follow` and `checkpoint_every` of a case: series of scenes in parameter continuation.
+ */
+
+static const size_t MOST_BETWEEN_CHECKPOINTS = 1000;
+
+static po_status parse_checkpoints(po_case *kase, const po_yaml *yaml) {
+  const po_case_file *file = kase->file;
+  kase->checkpoints = PO_CHECKPOINT_EVERY;
+  if (file->checkpoints_text &&
+      (!file->follow || !po_number_parse_count(file->checkpoints_text, &kase->checkpoints) ||
+       kase->checkpoints < 1 || kase->checkpoints > MOST_BETWEEN_CHECKPOINTS))
+    return po_schema_refuse(yaml, NULL, "checkpoint_every");
+  return PO_OK;
+}
+
+/* Reports whether a name is that of a continuous parameter of the scene, or of a group. */
+static bool can_be_followed(const char *name) {
+  return po_key_is_continuous(po_key_of_name(name));
+}
+
+po_status po_case_follow_parse(po_case *kase, const po_yaml *yaml) {
+  const po_case_file *file = kase->file;
+  kase->series_length = 1;
+  const po_status status = parse_checkpoints(kase, yaml);
+  if (status || !file->follow)
+    return status;
+  const po_axis *last = file->sweep_count ? &file->sweep[file->sweep_count - 1].axis : NULL;
+  if (!last || !last->key || strcmp(last->key, file->follow) != 0 || !can_be_followed(file->follow))
+    return po_schema_refuse(yaml, NULL, "follow");
+  kase->series_length = last->values_count;
+  if (file->leave_out_count)
+    return po_schema_refuse(yaml, "no rules, as a series in follow is solved as a whole",
+                            "leave_out");
+  if (kase->repeats > 1)
+    return po_schema_refuse(yaml, "1, as series in follow are not timed", "repeats");
+  for (unsigned i = 0; i < file->want_names_count; ++i)
+    if (strcmp(file->want_names[i], "pull_off") != 0)
+      return po_schema_refuse(yaml, "pull_off alone, as follow continues only the pull-off",
+                              "want[%u]", i + 1);
+  for (unsigned i = 0; i < file->checks_count; ++i) {
+    const po_quantity quantity = file->checks[i].quantity;
+    if (!po_quantity_is_pull_off(quantity) && quantity != PO_SOLVED_SHARE)
+      return po_schema_refuse(yaml,
+                              "pull_off_force, pull_off_approach, contact_radius or solved_share, "
+                              "as follow continues only the pull-off",
+                              "checks[%u].quantity", i + 1);
   }
   return PO_OK;
 }

@@ -17,7 +17,7 @@ typedef enum {
   PO_MOVED_FORCE,      /* its change with the last bits of the inputs, relative to its errors */
   PO_ENERGY_DEFECT,    /* error of the energy balance dU = W dΔ along the branch */
   PO_REVERSE_TRACE,    /* differences between the folds of the trace and of the reverse trace, see
-                          po_reverse_trace.h */
+                          po_diagnose.h */
   PO_HYSTERESIS_FORCE, /* the greatest tension during unloading at given approach */
   PO_HYSTERESIS_APPROACH, /* the approach of that tension */
   PO_HYSTERESIS_LOSS,     /* energy lost in all jumps of loading and unloading at given approach */

@@ -7,7 +7,7 @@
 
 #include "po_environment.h"
 #include "po_file.h"
-#include "po_interrupt.h"
+#include "po_live.h"
 #include "po_memory.h"
 #include "po_number.h"
 #include "po_print.h"

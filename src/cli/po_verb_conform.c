@@ -6,7 +6,7 @@
 #include "po_conform.h"
 #include "po_environment.h"
 #include "po_file.h"
-#include "po_interrupt.h"
+#include "po_live.h"
 #include "po_memory.h"
 #include "po_options.h"
 #include "po_print.h"

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "po_input.h"
-#include "po_interrupt.h"
 #include "po_linear.h"
 #include "po_live.h"
 #include "po_memory.h"

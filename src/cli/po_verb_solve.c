@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include "po_input.h"
-#include "po_interrupt.h"
 #include "po_linear.h"
 #include "po_live.h"
 #include "po_observe.h"

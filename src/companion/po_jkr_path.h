@@ -5,12 +5,8 @@
 #define PO_JKR_PATH_H
 
 #include "po_loop.h"
-#include "po_request.h"
 #include "po_scene.h"
 #include "po_staircase.h"
-
-/* The companion. For a rigid scene its bound is NAN and it has no loops. */
-extern const po_companion PO_COMPANION_JKR;
 
 /* The JKR curve: the separated bodies at load 0 up to the first contact at approach 0, then every
  * contact radius up to `end` (eps). Folds and extrema of the load are points; the energy is

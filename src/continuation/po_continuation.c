@@ -12,6 +12,7 @@ static const double FIRST_STEP = 0.05;
 
 /* po_equilibrium_feedback of the initial gap below which Newton's method converges from it. */
 static const double SAFE_FEEDBACK = 0.25;
+
 enum { MOST_DOUBLINGS = 40 };
 
 const double PO_STEP_TANGENT = 1e-6;
@@ -26,7 +27,10 @@ po_continuation_options po_continuation_options_default(void) {
                                    .most_points = 30000};
 }
 
-double po_continuation_start(po_equilibrium *e) {
+/* The approach, eps, at which a trace starts: the first of -2, -4, -8, ... at which
+ * po_equilibrium_feedback of the initial gap less the approach is below 1/4, so that the
+ * equilibrium is unique and Newton's method finds it. */
+static double continuation_start(po_equilibrium *e) {
   double approach = -2.0;
   for (int k = 0; k < MOST_DOUBLINGS; ++k, approach *= 2.0) {
     for (size_t j = 0; j < e->n; ++j)
@@ -85,10 +89,10 @@ static po_status mesh_undeformed(po_continuation *t, double approach) {
 /* The approach of the first equilibrium, on a mesh that resolves its undeformed gap. Only such a
  * mesh shows the feedback of a law of short range at a sharp tip. */
 static po_status mesh_start(po_continuation *t, double *approach) {
-  *approach = fmin(po_continuation_start(t->c.e), t->options.begin); /* begin may be NaN */
+  *approach = fmin(continuation_start(t->c.e), t->options.begin); /* begin may be NaN */
   while (po_continuation_moves(t)) {
     const po_status status = mesh_undeformed(t, *approach);
-    const double seen = po_continuation_start(t->c.e);
+    const double seen = continuation_start(t->c.e);
     if (status || !(seen < *approach))
       return status;
     *approach = seen;

@@ -42,11 +42,6 @@ typedef struct {
  * `visit`. */
 po_continuation_options po_continuation_options_default(void);
 
-/* The approach, eps, at which a trace starts: the first of -2, -4, -8, ... at which
- * po_equilibrium_feedback of the initial gap less the approach is below 1/4, so that the
- * equilibrium is unique and Newton's method finds it. */
-double po_continuation_start(po_equilibrium *equilibrium);
-
 typedef struct po_continuation po_continuation;
 
 /* Given: an equilibrium; the panels of its surface, NULL for a fixed mesh, and the errors that

@@ -27,6 +27,7 @@ static double approach_weight(const po_equilibrium *e) {
 
 /* Square of the weight of the approach in the nodal coordinates. */
 static const double APPROACH_WEIGHT = 0.05;
+
 /* In the nodal coordinates, the scale of the law (1 + H for Lennard-Jones) is limited to this
  * value. */
 static const double FAR_GAP = 10.0;
@@ -35,7 +36,8 @@ static double load_weight(const po_equilibrium *e) {
   return e->share * e->load_weight;
 }
 
-double po_arclength_of_load(const po_equilibrium *e, double load) {
+/* The second global coordinate of a load, pi w R. */
+static double arclength_of_load(const po_equilibrium *e, double load) {
   return load_weight(e) * load;
 }
 
@@ -66,7 +68,7 @@ static void global_coordinates(const po_equilibrium *e, const double *state, dou
     closeness += e->surface->length[j] * po_law_closeness_at(law, state[j]).value;
   }
   coordinate[0] = approach_weight(e) * state[e->n];
-  coordinate[1] = po_arclength_of_load(e, po_equilibrium_load(e));
+  coordinate[1] = arclength_of_load(e, po_equilibrium_load(e));
   coordinate[2] = per_length(e) * contact;
   coordinate[3] = NECK_WEIGHT * po_log1p(depth_per_closeness(e) * closeness);
 }
@@ -83,7 +85,7 @@ static void global_rates(const po_equilibrium *e, const double *state, const dou
     closing += e->surface->length[j] * c.rate * change[j];
   }
   rate[0] = approach_weight(e) * change[e->n];
-  rate[1] = po_arclength_of_load(e, po_equilibrium_load_rate(e, change));
+  rate[1] = arclength_of_load(e, po_equilibrium_load_rate(e, change));
   rate[2] = per_length(e) * contact;
   rate[3] = neck_weight(e, depth_per_closeness(e) * closeness) * closing;
 }
@@ -94,7 +96,7 @@ void po_arclength_rates_of_scale(const po_equilibrium *e, const double *coordina
   const double h = po_law_size(law, gap);
   const double depth = po_expm1(coordinate[3] / NECK_WEIGHT);
   rate[0] = 0.0;
-  rate[1] = po_arclength_of_load(e, load);
+  rate[1] = arclength_of_load(e, load);
   rate[2] = coordinate[2] - per_length(e) * end / (h * h);
   rate[3] = neck_weight(e, depth) *
             (depth / depth_per_closeness(e) - end * po_law_closeness_at(law, gap).value);

@@ -33,9 +33,6 @@ enum { PO_ARCLENGTH_GLOBAL_SIZE = 4 };
  * small, the amount of contact alone would not lead along the branch. */
 double po_arclength_share(const po_equilibrium *e, double edge);
 
-/* The second global coordinate of a load, pi w R. */
-double po_arclength_of_load(const po_equilibrium *e, double load);
-
 /* The number of coordinates of a state with n nodes. */
 size_t po_arclength_size(po_arclength a, size_t n);
 

@@ -7,7 +7,7 @@
 #include <threads.h>
 
 #include "po_memory.h"
-#include "po_utf8.h"
+#include "po_quote.h"
 
 /* Reports lack of memory: texts are converted to valid UTF-8 before jansson reads them, so that no
  * other failure is possible. */

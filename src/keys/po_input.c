@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_jkr_path.h"
+#include "po_companion_jkr.h"
 #include "po_text.h"
 
 typedef enum {

@@ -2,12 +2,29 @@
 #ifndef PO_DIAGNOSE_H
 #define PO_DIAGNOSE_H
 
+#include <stdbool.h>
+#include <stddef.h>
+
 #include "po_adaptive.h"
 #include "po_branch_point.h"
 #include "po_diagnostics.h"
 #include "po_equilibrium.h"
 #include "po_request.h"
 #include "po_result.h"
+
+typedef struct {
+  po_point_kind kind;
+  double approach, load, approach_error, load_error;
+  int modes; /* number of unstable modes, on the side that is later on the forward trace */
+} po_passed;
+
+/* The special points of a trace in their order. */
+typedef struct {
+  po_passed *list;
+  size_t count, room;
+  size_t points;
+  int modes; /* number of unstable modes after the last point */
+} po_passage;
 
 typedef struct {
   po_branch_point last; /* its pointers are not used */
@@ -52,5 +69,16 @@ void po_balance_note(po_balance *balance, const po_branch_point *point);
 
 /* The largest difference relative to the range of the energy; NAN for fewer than two points. */
 double po_balance_defect(const po_balance *balance);
+
+/* Adds a point of a trace. Given: bounds of its errors; back, whether the trace is the reverse one.
+ * Status: PO_NO_MEMORY. */
+po_status po_passage_note(po_passage *passage, const po_branch_point *point, double approach_error,
+                          double load_error, bool back);
+
+void po_passage_clear(po_passage *passage);
+
+/* Compares the forward trace with the reverse trace. Given: the status of the reverse trace. */
+po_reverse_trace po_reverse_trace_compare(const po_passage *out, const po_passage *back,
+                                          po_status status);
 
 #endif

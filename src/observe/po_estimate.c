@@ -3,7 +3,6 @@
 #include <math.h>
 
 #include "po_energy_error.h"
-#include "po_far_field.h"
 #include "po_observe_parts.h"
 
 /* Allowed distance between the branch and the cubics through its points: MISS_OF_TOLERANCE times

@@ -5,9 +5,9 @@
 
 #include "po_branch_point.h"
 #include "po_contact.h"
+#include "po_path.h"
 #include "po_request.h"
 #include "po_result.h"
-#include "po_stable.h"
 
 typedef struct {
   double approach, load;             /* eps; pi w R */

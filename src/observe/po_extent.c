@@ -2,7 +2,6 @@
  * size of the domain of the panels; and the accuracy of the solve. */
 #include <math.h>
 
-#include "po_initial_gap.h"
 #include "po_law.h"
 #include "po_observe_parts.h"
 #include "po_rigid.h"
@@ -63,7 +62,8 @@ double po_observe_domain(const po_scene *scene, double core) {
  * the panel to infinity does not represent the far field. */
 static const double GREATEST_CONTACT = 0.9, LARGER_THAN_CONTACT = 1.15;
 
-double po_observe_core_of_contact(double contact_radius) {
+/* The radius of the core, eps, for a contact of the given radius. */
+static double observe_core_of_contact(double contact_radius) {
   return LARGER_THAN_CONTACT * contact_radius;
 }
 
@@ -87,7 +87,7 @@ double po_observe_core(const po_request *request) {
   if (po_request_search(request) == PO_SEARCH_NONE || !request->companion ||
       po_scene_is_simple(scene) || isfinite(scene->outer_radius))
     return core;
-  const double enough = po_observe_core_of_contact(po_request_bound(request, -SEARCHED_FORCE));
+  const double enough = observe_core_of_contact(po_request_bound(request, -SEARCHED_FORCE));
   return enough < LARGEST_CORE * core ? fmax(core, enough) : core;
 }
 

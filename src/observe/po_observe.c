@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_clock.h"
 #include "po_diagnose.h"
 #include "po_linear.h"
 #include "po_load_unit.h"

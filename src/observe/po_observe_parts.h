@@ -37,7 +37,4 @@ double po_observe_domain(const po_scene *scene, double core);
  * surface that may come into contact, that the scene must be solved again with a larger core. */
 bool po_observe_is_cut_off(const po_scene *scene, double contact_radius, double core);
 
-/* The radius of the core, eps, for a contact of the given radius. */
-double po_observe_core_of_contact(double contact_radius);
-
 #endif

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "po_contact.h"
+#include "po_contact_profile.h"
 #include "po_diagnosis.h"
 #include "po_energy_error.h"
 #include "po_initial_gap.h"
@@ -28,33 +29,8 @@ static void keep_status(po_reader *r, po_status status) {
     r->status = status;
 }
 
-/* Computes gap and traction P = mu p at the nodes of the core, for a rigid scene from the initial
- * gap at the nodes of the surface (if mu is 0, the traction is P/mu), and the contact annuli.
- * Returned: in the result, replacing an earlier profile. Status: PO_NO_MEMORY. */
-static po_status take_profile_at(const po_scene *scene, const po_surface *s,
-                                 const po_branch_point *p, po_result *o) {
-  const size_t most = p->gap ? p->n : s->resolved;
-  po_profile_point *profile = po_resize(o->profile, most, sizeof *profile);
-  if (!profile)
-    return PO_NO_MEMORY;
-  const double tabor = scene->tabor > 0.0 ? scene->tabor : 1.0;
-  o->profile = profile;
-  o->profile_count = 0;
-  o->profile_approach = p->approach;
-  for (size_t j = 0; j < most; ++j) {
-    const double radius = p->gap ? p->node[j] : s->node[j];
-    if (radius > s->core_radius)
-      break;
-    const double gap = p->gap ? p->gap[j] : po_initial_gap(scene, radius) - p->approach;
-    profile[o->profile_count++] = (po_profile_point){
-        .radius = radius, .gap = gap, .traction = tabor * po_law_at(&scene->law, gap).traction};
-  }
-  const po_contact_gap field = po_contact_gap_of(scene, s->core_radius, p);
-  return po_contact_annuli_fill(&field, &o->annuli);
-}
-
 static void take_profile(po_reader *r, const po_branch_point *p) {
-  keep_status(r, take_profile_at(&r->request->scene, r->surface, p, r->result));
+  keep_status(r, po_contact_profile_take(&r->request->scene, r->surface, p, r->result));
 }
 
 /* Computes d ln(force) / d ln(parameter) at a minimum of the load; residual and rounding are NAN.

@@ -1,5 +1,5 @@
 /* The visitor of a trace. It reads path and curve, special points, pull-off and profile off the
- * branch, and passes each point to the diagnostics (po_diagnose.h, po_reverse_trace.h) and to the
+ * branch, and passes each point to the diagnostics (po_diagnose.h, po_diagnose.h) and to the
  * stopping rule (po_stopping.h). It ends the trace if one of these, the user or the time limit
  * requires it. */
 #ifndef PO_READER_H
@@ -11,7 +11,6 @@
 #include "po_path.h"
 #include "po_request.h"
 #include "po_result.h"
-#include "po_reverse_trace.h"
 #include "po_stopping.h"
 
 /* The special points of the result, folds and extrema of the load: sizes of their lists. */

@@ -3,7 +3,6 @@
 #include <math.h>
 
 #include "po_adaptive.h"
-#include "po_clock.h"
 #include "po_continuation.h"
 #include "po_diagnose.h"
 #include "po_initial_gap.h"
@@ -11,6 +10,7 @@
 #include "po_reader.h"
 #include "po_rigid_trace.h"
 #include "po_staircase.h"
+#include "po_watch.h"
 
 /* Greatest allowed distance of a wanted curve from the straight lines between its points, in eps
  * and pi w R. */

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
-#include "po_clock.h"
+#include "po_watch.h"
 
 /* Seconds before the first line, and between lines. */
 static const double FIRST = 1, TERMINAL_INTERVAL = 0.2, PLAIN_INTERVAL = 10;
@@ -42,4 +42,22 @@ void po_live_show(po_live *live, const char *format, ...) {
     live->width = width > 0 ? (size_t)width : 0;
   else
     fputc('\n', stderr);
+}
+
+/* Handles Ctrl-C and the signal TERM: the first signal asks the solves to end, the second ends the
+ * program at once. */
+
+static volatile sig_atomic_t interrupted;
+
+static void note_signal(int number) {
+  (void)number;
+  interrupted = 1;
+}
+
+const volatile sig_atomic_t *po_interrupt_listen(void) {
+  struct sigaction action = {.sa_handler = note_signal, .sa_flags = (int)SA_RESETHAND | SA_RESTART};
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGINT, &action, NULL);
+  sigaction(SIGTERM, &action, NULL);
+  return &interrupted;
 }

@@ -3,6 +3,7 @@
 #ifndef PO_LIVE_H
 #define PO_LIVE_H
 
+#include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -23,5 +24,8 @@ void po_live_show(po_live *live, const char *format, ...) __attribute__((format(
 
 /* Erases the updated line. */
 void po_live_end(po_live *live);
+
+/* Installs the handlers. Returned: a flag that becomes nonzero when the first signal arrives. */
+const volatile sig_atomic_t *po_interrupt_listen(void);
 
 #endif

@@ -48,8 +48,10 @@ po_status po_scene_flags_take_wave(po_wave wave[PO_MOST_WAVES], size_t *count) {
   return PO_OK;
 }
 
-po_status po_scene_flags_add_waves(const po_wave *wave, size_t count, double unit,
-                                   po_scene *scene) {
+/* Adds waves to those of a scene. Given: the unit of their lengths, in epsilon. Status:
+ * PO_BAD_INPUT. */
+static po_status scene_flags_add_waves(const po_wave *wave, size_t count, double unit,
+                                       po_scene *scene) {
   for (size_t k = 0; k < count; ++k)
     if (!po_scene_add_wave(scene, (po_wave){wave[k].amplitude * unit, wave[k].length * unit}))
       return po_fail(PO_BAD_INPUT,
@@ -213,7 +215,7 @@ static po_status end_dimensionless(po_scene_flags *flags, po_scene *scene) {
     scene->tabor = flags->tabor;
   if (!isnan(flags->coupling))
     scene->tabor = po_scene_tabor_of_coupling(flags->coupling, scene->radius);
-  return po_scene_flags_add_waves(flags->wave, flags->waves, 1.0, scene);
+  return scene_flags_add_waves(flags->wave, flags->waves, 1.0, scene);
 }
 
 static bool has_sphere(const po_scene_flags *flags) {
@@ -276,7 +278,7 @@ static po_status end_physical(po_scene_flags *flags, bool elastic, po_scene *sce
   if (!isnan(flags->length[PO_LENGTH_AMPLITUDE])) /* also if --alpha replaces the wavelength */
     scene->amplitude = flags->length[PO_LENGTH_AMPLITUDE];
   flags->units = po_physical_units(&physical, scene);
-  return po_scene_flags_add_waves(flags->wave, flags->waves, 1.0 / flags->distance, scene);
+  return scene_flags_add_waves(flags->wave, flags->waves, 1.0 / flags->distance, scene);
 }
 
 /* Warns of lengths in epsilon that only make sense as metres. */

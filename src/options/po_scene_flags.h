@@ -55,10 +55,6 @@ po_status po_scene_flags_check_law(const po_law *law, const bool given[PO_KEY_EN
 /* Stores one more wave, which optarg gives as "A,L". Status: PO_BAD_INPUT. */
 po_status po_scene_flags_take_wave(po_wave wave[PO_MOST_WAVES], size_t *count);
 
-/* Adds waves to those of a scene. Given: the unit of their lengths, in epsilon. Status:
- * PO_BAD_INPUT. */
-po_status po_scene_flags_add_waves(const po_wave *wave, size_t count, double unit, po_scene *scene);
-
 /* The name of the option for a length: "radius", or "radius-m" if the scene is in SI units. */
 void po_scene_flags_name(const po_scene_flags *flags, po_length length, char name[32]);
 

@@ -17,7 +17,7 @@
 
 #include <stdbool.h>
 
-#include "po_stable.h"
+#include "po_path.h"
 
 /* Follows a curve of equilibria from separation to the preload and back. Under load control loading
  * begins at load 0. Returned: loop, to be cleared with po_loop_clear. Status: PO_NOT_FOUND if the

@@ -12,7 +12,7 @@
 #ifndef PO_STAIRCASE_H
 #define PO_STAIRCASE_H
 
-#include "po_stable.h"
+#include "po_path.h"
 
 /* Computes the staircase. Given: a curve that begins far enough out. Under load control loading
  * starts at load 0, and the first step begins there, at approach -INFINITY. Returned: staircase, to

@@ -6,13 +6,13 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "po_clock.h"
 #include "po_environment.h"
 #include "po_file.h"
 #include "po_jobs.h"
 #include "po_journal.h"
 #include "po_linear.h"
 #include "po_record.h"
+#include "po_watch.h"
 
 /* Shows the progress of a run on standard error: one line that is updated on a terminal, separate
  * lines elsewhere. */

@@ -6,13 +6,13 @@
 #include <string.h>
 
 #include "po_ask_folder.h"
-#include "po_clock.h"
 #include "po_file.h"
 #include "po_input.h"
 #include "po_journal.h"
 #include "po_json.h"
 #include "po_memory.h"
 #include "po_times.h"
+#include "po_watch.h"
 
 /* Reports whether an external solver is asked the same for two points: they differ only in the mesh
  * and the time limit of this program. */

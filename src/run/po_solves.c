@@ -3,12 +3,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "po_clock.h"
 #include "po_job.h"
 #include "po_memory.h"
 #include "po_observe.h"
 #include "po_series.h"
 #include "po_times.h"
+#include "po_watch.h"
 
 /* Solves a scene. Returned: in *result, also if the solve failed. */
 static po_status solve(const po_request *request, po_result *result) {

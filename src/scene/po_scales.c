@@ -12,7 +12,9 @@ static const double CONTACT_OF_SPHERE = 2.42;
 /* Points of the rules, of which some percent are asked. */
 enum { ABEL_POINTS = 48, LOAD_POINTS = 200, APPROACHES = 24 };
 
-double po_scales_abel(const po_scene *scene, double a) {
+/* g(a) = a times the integral of f'(a sin t) over t from 0 to pi/2: the Abel transform of the
+ * profile without waves, to some percent. */
+static double scales_abel(const po_scene *scene, double a) {
   double sum = 0.0;
   for (int k = 0; k < ABEL_POINTS; ++k) {
     const double t = (k + 0.5) / ABEL_POINTS * M_PI_2;
@@ -56,12 +58,12 @@ static jkr jkr_of(const po_scene *scene, double adhesion) {
   const double coupling = po_scene_coupling(scene);
   const double end = fmin(scene->outer_radius, po_initial_gap_radius(scene, LARGEST_GAP));
   double a = fmin(end, po_initial_gap_radius(scene, SMALLEST_GAP)), area = 0.0, before = 0.0;
-  double g = po_scales_abel(scene, a);
+  double g = scales_abel(scene, a);
   jkr j = {0.0, a};
   area = 0.5 * a * g;
   for (; a <= end; a *= NEXT_RADIUS) {
     before = g;
-    g = po_scales_abel(scene, a);
+    g = scales_abel(scene, a);
     area += 0.5 * (g + before) * a * (1.0 - 1.0 / NEXT_RADIUS);
     const double load = 2.0 / (M_PI * scene->radius * coupling) *
                         (a * g - area - sqrt(2.0 * M_PI * coupling * adhesion * a * a * a));

@@ -24,10 +24,6 @@ typedef struct {
 
 po_scales po_scene_scales(const po_scene *scene);
 
-/* g(a) = a times the integral of f'(a sin t) over t from 0 to pi/2: the Abel transform of the
- * profile without waves, to some percent. */
-double po_scales_abel(const po_scene *scene, double a);
-
 /* Returned: the smallest radius >= r (eps) at which averaging over whole wavelengths may begin: a
  * multiple of half the wavelength of the wave of greatest amplitude times wavelength, where the
  * sine of its first harmonic vanishes; r itself without waves. */

@@ -4,11 +4,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "po_clock.h"
 #include "po_contact.h"
 #include "po_memory.h"
 #include "po_observe_parts.h"
 #include "po_series_scenes.h"
+#include "po_watch.h"
 
 /* The folds of a trace as points on its panels. */
 typedef struct {

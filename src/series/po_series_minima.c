@@ -3,10 +3,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "po_clock.h"
 #include "po_contact.h"
 #include "po_memory.h"
 #include "po_observe_parts.h"
+#include "po_watch.h"
 
 /* A followed and a traced minimum are the same if their loads differ by at most SAME_LOAD times the
  * relative tolerance, and their approaches by at most AGREEING_APPROACH relative to 1 + |approach|.

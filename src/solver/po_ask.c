@@ -6,11 +6,11 @@
 #include <string.h>
 
 #include "po_ask_folder.h"
-#include "po_clock.h"
 #include "po_memory.h"
 #include "po_process.h"
 #include "po_quote.h"
 #include "po_taking.h"
+#include "po_watch.h"
 
 /* Seconds between two looks at the response, and from TERM to KILL. */
 static const double LOOK = 0.02, GRACE = 2;

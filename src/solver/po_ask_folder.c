@@ -91,7 +91,8 @@ void po_ask_folder_clear(po_ask_folder *f) {
   *f = (po_ask_folder){.lock = -1};
 }
 
-bool po_ask_folder_is_left(const char *folder, const char *key) {
+/* Reports whether a folder was made with the same key by a run that does not live any more. */
+static bool ask_folder_is_left(const char *folder, const char *key) {
   char *path = po_path_join(folder, KEY_FILE), found[PO_DIGEST_LENGTH] = "";
   const int file = path ? open(path, O_RDONLY | O_CLOEXEC) : -1;
   free(path);
@@ -104,7 +105,10 @@ bool po_ask_folder_is_left(const char *folder, const char *key) {
   return left;
 }
 
-bool po_ask_folder_is_debris(const char *folder) {
+/* Reports whether a folder has no key and is ten minutes old: its run was killed before it had
+ * begun.
+ */
+static bool ask_folder_is_debris(const char *folder) {
   struct stat found;
   char *path = po_path_join(folder, KEY_FILE);
   const bool debris = path && !po_path_exists(path) && stat(folder, &found) == 0 &&
@@ -113,7 +117,8 @@ bool po_ask_folder_is_debris(const char *folder) {
   return debris;
 }
 
-char *po_ask_folder_response(const char *folder) {
+/* Returned: the path of the response in a folder, to be freed; NULL without memory. */
+static char *ask_folder_response(const char *folder) {
   return po_path_join(folder, RESPONSE_FILE);
 }
 
@@ -159,10 +164,10 @@ po_status po_recover(const po_question *questions, size_t count, const char *fol
     status = po_folder_list(folder, "", &names, &name_count);
   for (size_t i = 0; !status && i < name_count; ++i) {
     char *path = strncmp(names[i], "ask-", 4) == 0 ? po_path_join(folder, names[i]) : NULL;
-    char *response = path && po_ask_folder_is_left(path, key) ? po_ask_folder_response(path) : NULL;
+    char *response = path && ask_folder_is_left(path, key) ? ask_folder_response(path) : NULL;
     if (response)
       status = take_left(questions, count, done, response, take, context);
-    if ((response && !status) || (path && !status && po_ask_folder_is_debris(path)))
+    if ((response && !status) || (path && !status && ask_folder_is_debris(path)))
       po_ask_folder_remove(path);
     free(response);
     free(path);

@@ -26,17 +26,6 @@ void po_ask_folder_clear(po_ask_folder *folder);
 /* Removes a folder and everything in it. */
 void po_ask_folder_remove(const char *path);
 
-/* Reports whether a folder was made with the same key by a run that does not live any more. */
-bool po_ask_folder_is_left(const char *path, const char *key);
-
-/* Reports whether a folder has no key and is ten minutes old: its run was killed before it had
- * begun.
- */
-bool po_ask_folder_is_debris(const char *path);
-
-/* Returned: the path of the response in a folder, to be freed; NULL without memory. */
-char *po_ask_folder_response(const char *path);
-
 /* Takes the successful answers that processes wrote for the same key (see po_ask) while this
  * program was killed, and removes their folders. A process that is still running, of another run in
  * the same folder, is left alone. Status: PO_NO_MEMORY, that of `take`. */

@@ -6,11 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_clock.h"
 #include "po_input.h"
 #include "po_process.h"
 #include "po_recognise.h"
 #include "po_reference.h"
+#include "po_watch.h"
 
 /* The pull-off of the smooth sphere on the unbounded half-space. */
 static const char TABLE[] = "reference/feng_pull_off.csv";

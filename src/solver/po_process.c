@@ -17,9 +17,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "po_clock.h"
 #include "po_memory.h"
 #include "po_text.h"
+#include "po_watch.h"
 
 /* The greatest size of a file that a solver writes, and of its standard output. */
 static const rlim_t MOST_BYTES = (rlim_t)256 << 20;

@@ -2,8 +2,23 @@
 #ifndef PO_TAKING_H
 #define PO_TAKING_H
 
+#include <stdbool.h>
+#include <stddef.h>
+
 #include "po_answer.h"
-#include "po_response.h"
+#include "po_text.h"
+
+/* A response, and the longest line in it, of more bytes end the process. */
+extern const size_t PO_RESPONSE_BYTES, PO_RESPONSE_LINE;
+
+typedef struct {
+  const char *path;
+  int file;        /* -1: the file does not exist yet */
+  size_t read;     /* bytes read so far */
+  size_t taken;    /* bytes of `pending` that are lines which were taken */
+  po_text pending; /* bytes after the last complete line */
+  char wrong[120]; /* what is wrong with the file; "": nothing */
+} po_response;
 
 /* Takes an answer. It is called for the answers of the solver in the order in which they come, and
  * for the questions that end without one (status PO_TIMED_OUT, PO_CRASHED, PO_NO_ANSWER, or
@@ -36,6 +51,7 @@ typedef struct {
 /* Opens all questions. Returned: to be cleared whatever the status. Status: PO_NO_MEMORY. */
 po_status po_taking_make(const po_question *questions, size_t count, po_answer_taker *take,
                          void *context, po_taking *taking);
+
 void po_taking_clear(po_taking *taking);
 
 /* Begins a process, which is asked all open questions, each from its first repeat on. */
@@ -53,5 +69,14 @@ po_status po_taking_lines(po_taking *taking, po_response *response, bool last,
 /* Ends a question without an answer of the solver. Status: PO_NO_MEMORY, that of `take`. */
 po_status po_taking_give_up(po_taking *taking, size_t question, po_status status,
                             const char *reason);
+
+/* Reads what has been added to the file. The file must be a regular one: a link is not followed.
+ * Returned: false if something is wrong with it, see `wrong`, or without memory. */
+bool po_response_read(po_response *response);
+
+/* Returned: the next complete line, *length bytes that end with a NUL; NULL if there is none.
+ * Given: `last`, whether the rest of the file counts as a line although it has no newline. */
+const char *po_response_line(po_response *response, bool last, size_t *length);
+void po_response_close(po_response *response);
 
 #endif

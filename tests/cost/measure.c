@@ -13,10 +13,10 @@
 
 #include "machine.h"
 #include "one_equilibrium.h"
-#include "po_clock.h"
 #include "po_file.h"
 #include "po_linear.h"
 #include "po_observe.h"
+#include "po_watch.h"
 
 /* The waviness of Figures 4 to 9 of the paper with A = 1. */
 static const double TABOR = 3.0, AMPLITUDE = 1.0, WAVELENGTH = 20.0;

@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "po_json_value.h"
+#include "po_quote.h"
 #include "po_status.h"
-#include "po_utf8.h"
 #include "run.h"
 
 /* The allocations that the program makes for jansson, which the linker brings here; the one

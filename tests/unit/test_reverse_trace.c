@@ -3,8 +3,8 @@
 #include <math.h>
 
 #include "po_branch_point.h"
+#include "po_diagnose.h"
 #include "po_observe.h"
-#include "po_reverse_trace.h"
 #include "run.h"
 
 typedef struct {

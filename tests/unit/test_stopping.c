@@ -3,9 +3,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "po_clock.h"
-#include "po_observe_parts.h"
 #include "po_observe.h"
+#include "po_observe_parts.h"
+#include "po_watch.h"
 #include "request.h"
 #include "run.h"
 
