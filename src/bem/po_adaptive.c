@@ -153,7 +153,7 @@ po_status po_adaptive_mesh(po_adaptive *a, const po_panels *panels) {
   if (status)
     return status;
   fill_reach(&a->surface);
-  a->surface.kernel_evaluations = po_hierarchy_evaluations(a->surface.hierarchy);
+  a->surface.kernel_evaluations = a->surface.hierarchy->evaluations;
   return PO_OK;
 }
 

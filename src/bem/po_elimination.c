@@ -102,10 +102,6 @@ static po_status reserve(po_elimination *e, size_t cells) {
   return PO_NO_MEMORY;
 }
 
-static bool is_panel(const po_cell *cell) {
-  return cell->end - cell->panel == 1;
-}
-
 static double *at(const po_elimination *e, size_t cell, enum part part) {
   return e->matrix + cell * CELL_SIZE + part;
 }
@@ -113,8 +109,8 @@ static double *at(const po_elimination *e, size_t cell, enum part part) {
 /* The relation of a panel, and its parts of a solution. Returned: the sign of the determinant of
  * its own equations; 0 if they are singular. */
 static int factorize_panel(po_elimination *e, size_t c, size_t panel) {
-  const double *own = po_hierarchy_own_block(e->hierarchy, panel);
-  const double *weight = po_hierarchy_weight(e->hierarchy) + panel * N;
+  const double *own = e->hierarchy->own[panel];
+  const double *weight = e->hierarchy->weight + panel * N;
   const double *rule = po_panel_table_get()->rule.weight, *factor = e->factor + panel * N;
   double inverse[N * N], change[K * N], moment[K * N];
   e->state[c].is_quiet = true;
@@ -151,7 +147,7 @@ static int invert_less(const double *a, const double *b, double *result) {
 /* As above, for a cell whose halves are factorised. */
 static int factorize_halves(po_elimination *e, size_t c, size_t right) {
   const bool has_left = !e->state[c + 1].is_quiet, has_right = !e->state[right].is_quiet;
-  const double *forth = po_hierarchy_halves(e->hierarchy, c);
+  const double *forth = e->hierarchy->halves[c];
   const po_skeleton *s = e->skeleton;
   const double *z_1 = at(e, c + 1, RELATION), *z_2 = at(e, right, RELATION);
   const double *start = s->from_parent[0];
@@ -197,16 +193,16 @@ static int factorize_halves(po_elimination *e, size_t c, size_t right) {
 }
 
 po_status po_elimination_factorize(po_elimination *e, const double *factor) {
-  size_t count;
-  const po_cell *cell = po_hierarchy_cells(e->hierarchy, &count);
+  const size_t count = e->hierarchy->cells;
+  const po_cell *cell = e->hierarchy->cell;
   const po_status status = reserve(e, count);
   if (status)
     return status;
   memcpy(e->factor, factor, (size_t)cell[0].end * N * sizeof *factor);
   e->sign = 1;
   for (size_t c = count; c-- > 0;)
-    e->sign *= is_panel(cell + c) ? factorize_panel(e, c, cell[c].panel)
-                                  : factorize_halves(e, c, cell[c].right);
+    e->sign *= po_cell_is_panel(cell + c) ? factorize_panel(e, c, cell[c].panel)
+                                          : factorize_halves(e, c, cell[c].right);
   return e->sign == 0 ? PO_SINGULAR : PO_OK;
 }
 
@@ -217,11 +213,10 @@ int po_elimination_sign(const po_elimination *e) {
 /* Adds to the border of a panel that of the panel to infinity, whose unknowns follow from those of
  * the others, x_i = right_i - d + sum_j G_ij factor_j x_j. */
 static void add_tail_border(const po_elimination *e, size_t panel, double *border) {
-  const double *to_tail = po_hierarchy_to_tail(e->hierarchy, panel);
   double from_tail[N] = {0};
-  if (!to_tail)
+  if (!e->hierarchy->unbounded)
     return;
-  po_block_apply_transposed(N, N, to_tail, e->tail_border, from_tail);
+  po_block_apply_transposed(N, N, e->hierarchy->to_tail[panel], e->tail_border, from_tail);
   for (size_t j = 0; j < N; ++j)
     border[j] += e->factor[panel * N + j] * from_tail[j];
 }
@@ -250,8 +245,8 @@ static void set_border(po_elimination *e, size_t c, size_t right) {
 }
 
 double po_elimination_border(po_elimination *e, const double *border) {
-  size_t count;
-  const po_cell *cell = po_hierarchy_cells(e->hierarchy, &count);
+  const size_t count = e->hierarchy->cells;
+  const po_cell *cell = e->hierarchy->cell;
   const size_t core = (size_t)cell[0].end * N, n = po_hierarchy_nodes(e->hierarchy);
   e->pivot = border[n];
   for (size_t j = core; j < n; ++j) {
@@ -260,7 +255,7 @@ double po_elimination_border(po_elimination *e, const double *border) {
   }
   memcpy(e->border, border, core * sizeof *border);
   for (size_t c = count; c-- > 0;)
-    if (is_panel(cell + c))
+    if (po_cell_is_panel(cell + c))
       set_panel_border(e, c, cell[c].panel);
     else
       set_border(e, c, cell[c].right);
@@ -360,15 +355,15 @@ static void add_to_tail(const po_elimination *e, size_t panel, const double *x, 
   double product[N];
   for (size_t j = 0; j < N; ++j)
     product[j] = e->factor[panel * N + j] * x[j];
-  po_block_apply(N, N, po_hierarchy_to_tail(e->hierarchy, panel), product, tail);
+  po_block_apply(N, N, e->hierarchy->to_tail[panel], product, tail);
 }
 
 void po_elimination_solve(po_elimination *e, double *x) {
-  size_t count;
-  const po_cell *cell = po_hierarchy_cells(e->hierarchy, &count);
+  const size_t count = e->hierarchy->cells;
+  const po_cell *cell = e->hierarchy->cell;
   const size_t core = (size_t)cell[0].end * N, n = po_hierarchy_nodes(e->hierarchy);
   for (size_t c = count; c-- > 0;) /* from the panels up */
-    if (is_panel(cell + c))
+    if (po_cell_is_panel(cell + c))
       begin_panel(e, c, cell[c].panel, x + (size_t)cell[c].panel * N);
     else
       join(e, c, cell[c].right);
@@ -381,7 +376,7 @@ void po_elimination_solve(po_elimination *e, double *x) {
     e->state[0].field[k] = -last;
   for (size_t c = 0; c < count; ++c) { /* from the domain down */
     double *panel = x + (size_t)cell[c].panel * N;
-    if (!is_panel(cell + c)) {
+    if (!po_cell_is_panel(cell + c)) {
       split(e, c, cell[c].right);
       continue;
     }

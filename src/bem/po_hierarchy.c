@@ -2,9 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "po_block_store.h"
 #include "po_kernel.h"
 #include "po_memory.h"
 #include "po_skeleton.h"
@@ -17,40 +15,6 @@ static const double SEPARATION = 2.0;
 /* Blocks above which the store is cleared at a change of the mesh, if most are not of this mesh: 80
  * MB. */
 enum { MOST_BLOCKS = 1 << 16 };
-
-/* Two cells, or panels, that interact: `block` maps the charges of `source` to `target`, its
- * transpose those of `target` to `source`. */
-typedef struct {
-  uint32_t target, source;
-  const double *block;
-} interaction;
-
-typedef struct {
-  size_t count, room;
-  interaction *pair;
-} interactions;
-
-struct po_hierarchy {
-  const po_panel_table *table;
-  bool unbounded;
-  double decay;
-  double from_parent[2][PO_BLOCK_SIZE]; /* interpolation to the left and the right child */
-  po_block_store store;
-  po_panels panels;
-  size_t cells;
-  po_cell *cell;           /* 2 panels - 1 */
-  uint32_t *cell_of_panel; /* panels */
-  const double **own;      /* panels: the block of a panel itself */
-  const double **to_tail;  /* panels: the block that maps a panel to that to infinity */
-  const double **halves;   /* 2 panels - 1: between the skeletons of the halves of a cell */
-  double *weight;          /* nodes of the panels: weights on a domain of radius 1 */
-  double *charge, *field;  /* cells x 12: work */
-  size_t room;             /* panels for which there is memory */
-  interactions kernel;     /* between cells, through the kernel */
-  interactions product;    /* between panels, source to target only, with the traction */
-  po_status trouble;
-  uint64_t evaluations;
-};
 
 po_status po_hierarchy_create(const po_panel_table *table, bool unbounded, double decay,
                               po_hierarchy **hierarchy) {
@@ -82,18 +46,101 @@ static void free_mesh(po_hierarchy *h) {
   free(h->field);
 }
 
+/* Blocks of influence coefficients that are kept from mesh to mesh, found by a key. */
+
+/* Values of one allocation, and places of the first table. */
+enum { CHUNK_VALUES = 1 << 14, FIRST_PLACES = 1024 };
+
+static bool is_key(const po_block_key *a, po_block_key b) {
+  return a->first == b.first && a->second == b.second;
+}
+
+/* Returned: the place of the key, or the empty place where it belongs. */
+static size_t place_of(const po_block_store *s, po_block_key key) {
+  static const uint64_t MIX = 0x9e3779b97f4a7c15U; /* 2^64 over the golden ratio (Knuth) */
+  const uint64_t mixed = (key.first * MIX ^ key.second) * MIX;
+  size_t place = (size_t)(mixed >> 20) & (s->room - 1);
+  while (s->key[place].first != 0 && !is_key(&s->key[place], key))
+    place = (place + 1) & (s->room - 1);
+  return place;
+}
+
+static int enlarge(po_block_store *s) {
+  po_block_store larger = *s;
+  larger.room = s->room ? 2 * s->room : FIRST_PLACES;
+  larger.key = po_allocate(larger.room, sizeof *larger.key);
+  larger.block = po_allocate(larger.room, sizeof *larger.block);
+  if (!larger.key || !larger.block) {
+    free(larger.key);
+    free(larger.block);
+    return 0;
+  }
+  for (size_t k = 0; k < s->room; ++k)
+    if (s->key[k].first != 0) {
+      const size_t place = place_of(&larger, s->key[k]);
+      larger.key[place] = s->key[k];
+      larger.block[place] = s->block[k];
+    }
+  free(s->key);
+  free(s->block);
+  *s = larger;
+  return 1;
+}
+
+static double *new_block(po_block_store *s, size_t size) {
+  if (s->chunks == 0 || s->used + size > CHUNK_VALUES) {
+    double **chunk = po_grow(s->chunk, s->chunks, &s->chunk_room, sizeof *chunk);
+    if (!chunk)
+      return NULL;
+    s->chunk = chunk;
+    s->chunk[s->chunks] = po_reserve(CHUNK_VALUES, sizeof(double));
+    if (!s->chunk[s->chunks])
+      return NULL;
+    ++s->chunks;
+    s->used = 0;
+  }
+  s->used += size;
+  return s->chunk[s->chunks - 1] + s->used - size;
+}
+
+/* Finds the block of a key. Given: key; size, the number of its values, the same at every call
+ * with this key. Returned: the block; *is_new, whether it was added by this call, with undefined
+ * values. NULL if memory runs out. A block stays where it is until the store is cleared. */
+static double *block_store_find(po_block_store *s, po_block_key key, size_t size, int *is_new) {
+  *is_new = 0;
+  if (2 * s->count >= s->room && !enlarge(s))
+    return NULL;
+  const size_t place = place_of(s, key);
+  if (is_key(&s->key[place], key))
+    return s->block[place];
+  double *block = new_block(s, size);
+  if (!block)
+    return NULL;
+  ++s->count;
+  s->key[place] = key;
+  s->block[place] = block;
+  *is_new = 1;
+  return block;
+}
+
+/* Removes all blocks. */
+static void block_store_clear(po_block_store *s) {
+  for (size_t k = 0; k < s->chunks; ++k)
+    free(s->chunk[k]);
+  free(s->chunk);
+  free(s->key);
+  free(s->block);
+  *s = (po_block_store){0};
+}
+
 void po_hierarchy_destroy(po_hierarchy *h) {
   if (!h)
     return;
   free_mesh(h);
   free(h->kernel.pair);
   free(h->product.pair);
-  po_block_store_clear(&h->store);
+  block_store_clear(&h->store);
   free(h);
-}
-
-static bool is_panel(const po_cell *cell) {
-  return cell->end - cell->panel == 1;
 }
 
 /* The length and the ends of a cell on a domain of radius 1. */
@@ -190,7 +237,7 @@ static const double *stored(po_hierarchy *h, enum kind kind, const po_panel *a, 
   const bool with_reach = kind == PRODUCT || kind == TAIL;
   const size_t values = kind == HALVES ? PO_SKELETON_SIZE : PO_BLOCK_SIZE;
   const size_t size = values + (with_reach ? N : 0);
-  double *block = po_block_store_find(&h->store, key_of(kind, a, b), size, &is_new);
+  double *block = block_store_find(&h->store, key_of(kind, a, b), size, &is_new);
   if (!block)
     h->trouble = PO_NO_MEMORY;
   if (!block || !is_new)
@@ -207,15 +254,15 @@ static const double *stored(po_hierarchy *h, enum kind kind, const po_panel *a, 
   return block;
 }
 
-static void add(po_hierarchy *h, interactions *list, uint32_t target, uint32_t source,
+static void add(po_hierarchy *h, po_interactions *list, uint32_t target, uint32_t source,
                 const double *block) {
-  interaction *pair = po_grow(list->pair, list->count, &list->room, sizeof *pair);
+  po_interaction *pair = po_grow(list->pair, list->count, &list->room, sizeof *pair);
   if (!pair) {
     h->trouble = PO_NO_MEMORY;
     return;
   }
   list->pair = pair;
-  list->pair[list->count++] = (interaction){target, source, block};
+  list->pair[list->count++] = (po_interaction){target, source, block};
 }
 
 static const double *add_product(po_hierarchy *h, const po_cell *target, const po_cell *source) {
@@ -229,8 +276,8 @@ static const double *add_product(po_hierarchy *h, const po_cell *target, const p
 static void pair_cells(po_hierarchy *h, uint32_t left, uint32_t right) {
   const po_cell *a = h->cell + left, *b = h->cell + right;
   const double gap = po_panel_begin(b->place) - po_panel_end(a->place);
-  const bool serves_a = is_panel(a) || gap >= SEPARATION * size_of(a);
-  const bool serves_b = is_panel(b) || gap >= SEPARATION * size_of(b);
+  const bool serves_a = po_cell_is_panel(a) || gap >= SEPARATION * size_of(a);
+  const bool serves_b = po_cell_is_panel(b) || gap >= SEPARATION * size_of(b);
   if (serves_a && serves_b) {
     if (gap > 0.0) {
       add(h, &h->kernel, left, right, stored(h, KERNEL, &a->place, &b->place));
@@ -249,7 +296,7 @@ static void pair_cells(po_hierarchy *h, uint32_t left, uint32_t right) {
 
 static void pair_within(po_hierarchy *h, uint32_t at) {
   const po_cell *cell = h->cell + at;
-  if (is_panel(cell)) {
+  if (po_cell_is_panel(cell)) {
     h->own[cell->panel] = add_product(h, cell, cell);
     return;
   }
@@ -314,7 +361,7 @@ po_status po_hierarchy_mesh(po_hierarchy *h, const po_panels *panels) {
     return h->trouble;
   if (h->store.count > MOST_BLOCKS &&
       h->store.count > 4 * (h->kernel.count + h->product.count)) /* blocks of the mesh before */
-    po_block_store_clear(&h->store);
+    block_store_clear(&h->store);
   h->cells = h->kernel.count = h->product.count = 0;
   make_cell(h, (po_panel){0, 0}, PO_NO_CELL, 0);
   double node[N];
@@ -327,77 +374,6 @@ po_status po_hierarchy_mesh(po_hierarchy *h, const po_panels *panels) {
   if (h->unbounded)
     pair_with_tail(h);
   return h->trouble;
-}
-
-const po_cell *po_hierarchy_cells(const po_hierarchy *h, size_t *count) {
-  *count = h->cells;
-  return h->cell;
-}
-
-void po_hierarchy_pairs(const po_hierarchy *h, size_t *kernel, size_t *product) {
-  *kernel = h->kernel.count;
-  *product = h->product.count;
-}
-
-/* The field of the charges of all panels through the kernel. The charges of the panels are set; the
- * fields of the panels are returned. */
-static void apply_kernel(po_hierarchy *h) {
-  memset(h->field, 0, h->cells * N * sizeof *h->field);
-  for (size_t c = h->cells; c-- > 0;) {
-    const po_cell *cell = h->cell + c;
-    if (is_panel(cell))
-      continue;
-    double *charge = h->charge + c * N;
-    memset(charge, 0, N * sizeof *charge);
-    po_block_apply_transposed(N, N, h->from_parent[0], h->charge + (c + 1) * N, charge);
-    po_block_apply_transposed(N, N, h->from_parent[1], h->charge + cell->right * N, charge);
-  }
-  for (size_t k = 0; k < h->kernel.count; ++k) {
-    const interaction *i = h->kernel.pair + k;
-    const size_t a = (size_t)i->target * N, b = (size_t)i->source * N;
-    po_block_apply_both(i->block, h->charge + b, h->field + a, h->charge + a, h->field + b);
-  }
-  for (size_t c = 0; c < h->cells; ++c) {
-    const po_cell *cell = h->cell + c;
-    if (is_panel(cell))
-      continue;
-    po_block_apply(N, N, h->from_parent[0], h->field + c * N, h->field + (c + 1) * N);
-    po_block_apply(N, N, h->from_parent[1], h->field + c * N, h->field + cell->right * N);
-  }
-}
-
-void po_hierarchy_apply(po_hierarchy *h, const double *x, double *y) {
-  for (size_t k = 0; k < h->panels.count; ++k) {
-    double *charge = h->charge + (size_t)h->cell_of_panel[k] * N;
-    for (size_t j = 0; j < N; ++j)
-      charge[j] = h->weight[k * N + j] * x[k * N + j];
-  }
-  apply_kernel(h);
-  for (size_t k = 0; k < h->panels.count; ++k)
-    memcpy(y + k * N, h->field + (size_t)h->cell_of_panel[k] * N, N * sizeof *y);
-  if (h->unbounded)
-    memset(y + h->panels.count * N, 0, N * sizeof *y);
-  for (size_t k = 0; k < h->product.count; ++k) {
-    const interaction *i = h->product.pair + k;
-    po_block_apply(N, N, i->block, x + (size_t)i->source * N, y + (size_t)i->target * N);
-  }
-}
-
-void po_hierarchy_apply_transposed(po_hierarchy *h, const double *x, double *y) {
-  for (size_t k = 0; k < h->panels.count; ++k)
-    memcpy(h->charge + (size_t)h->cell_of_panel[k] * N, x + k * N, N * sizeof *x);
-  apply_kernel(h);
-  for (size_t k = 0; k < h->panels.count; ++k) {
-    const double *field = h->field + (size_t)h->cell_of_panel[k] * N;
-    for (size_t j = 0; j < N; ++j)
-      y[k * N + j] = h->weight[k * N + j] * field[j];
-  }
-  if (h->unbounded)
-    memset(y + h->panels.count * N, 0, N * sizeof *y);
-  for (size_t k = 0; k < h->product.count; ++k) {
-    const interaction *i = h->product.pair + k;
-    po_block_apply_transposed(N, N, i->block, x + (size_t)i->target * N, y + (size_t)i->source * N);
-  }
 }
 
 void po_hierarchy_fill_matrix(const po_hierarchy *h, double radius, double *matrix) {
@@ -417,36 +393,6 @@ void po_hierarchy_fill_matrix(const po_hierarchy *h, double radius, double *matr
     }
 }
 
-const double *po_hierarchy_to_tail(const po_hierarchy *h, size_t panel) {
-  return h->unbounded ? h->to_tail[panel] : NULL;
-}
 size_t po_hierarchy_nodes(const po_hierarchy *h) {
   return (h->panels.count + (h->unbounded ? 1 : 0)) * N;
-}
-
-const double *po_hierarchy_own_block(const po_hierarchy *h, size_t panel) {
-  return h->own[panel];
-}
-const double *po_hierarchy_halves(const po_hierarchy *h, size_t cell) {
-  return h->halves[cell];
-}
-const double *po_hierarchy_weight(const po_hierarchy *h) {
-  return h->weight;
-}
-
-/* The kernel decreases with the distance, so the largest coefficient is in the panel of the node or
- * in a neighbour. */
-void po_hierarchy_reach(const po_hierarchy *h, double *reach) {
-  memset(reach, 0, (h->panels.count + (h->unbounded ? 1 : 0)) * N * sizeof *reach);
-  for (size_t k = 0; k < h->product.count; ++k) {
-    const interaction *pair = h->product.pair + k;
-    const double *of_block = pair->block + PO_BLOCK_SIZE;
-    double *of_source = reach + (size_t)pair->source * N;
-    for (size_t j = 0; j < N; ++j)
-      of_source[j] = of_block[j] > of_source[j] ? of_block[j] : of_source[j];
-  }
-}
-
-uint64_t po_hierarchy_evaluations(const po_hierarchy *h) {
-  return h->evaluations;
 }

@@ -19,10 +19,23 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "po_block_store.h"
+#include "po_block.h"
 #include "po_panel_table.h"
 #include "po_panels.h"
 #include "po_status.h"
+
+typedef struct {
+  uint64_t first, second; /* first: not 0 */
+} po_block_key;
+
+typedef struct {
+  size_t count, room; /* keys stored, and places for keys: a power of 2 */
+  po_block_key *key;  /* room: first is 0 for an empty place */
+  double **block;     /* room */
+  double **chunk;     /* memory of the blocks */
+  size_t chunks, chunk_room;
+  size_t used; /* values of the last chunk that belong to blocks */
+} po_block_store;
 
 /* No cell, or no panel. */
 #define PO_NO_CELL UINT32_MAX
@@ -34,45 +47,63 @@ typedef struct {
   uint32_t panel, end;    /* panels of the cell: panel <= k < end */
 } po_cell;
 
-typedef struct po_hierarchy po_hierarchy;
+static inline bool po_cell_is_panel(const po_cell *cell) {
+  return cell->end - cell->panel == 1;
+}
+
+/* Two cells, or panels, that interact: `block` maps the charges of `source` to `target`, its
+ * transpose those of `target` to `source`. */
+typedef struct {
+  uint32_t target, source;
+  const double *block;
+} po_interaction;
+
+typedef struct {
+  size_t count, room;
+  po_interaction *pair;
+} po_interactions;
+
+/* The matrix of a mesh, on a domain of radius 1. Other files read it, and do not change it; blocks
+ * stay valid until the next mesh. */
+typedef struct {
+  const po_panel_table *table;
+  bool unbounded;
+  double decay;
+  double from_parent[2][PO_BLOCK_SIZE]; /* interpolation to the left and the right child */
+  po_block_store store;
+  po_panels panels;
+  size_t cells;
+  po_cell *cell;           /* 2 panels - 1 */
+  uint32_t *cell_of_panel; /* panels */
+  const double **own;      /* panels: the influence block of a panel on itself */
+  const double **to_tail;  /* panels: the block that maps a panel to that to infinity */
+  const double **halves;   /* 2 panels - 1: between the skeletons of the halves of a cell */
+  double *weight;          /* nodes of the panels: weights on a domain of radius 1 */
+  double *charge, *field;  /* cells x 12: work */
+  size_t room;             /* panels for which there is memory */
+  po_interactions kernel;  /* between cells, through the kernel */
+  po_interactions product; /* between panels, source to target only, with the traction */
+  po_status trouble;
+  uint64_t evaluations;
+} po_hierarchy;
 
 /* Given: table; unbounded, whether one more panel reaches to infinity; decay, of the traction there
  * (po_panel_decay). Status: PO_NO_MEMORY. */
 po_status po_hierarchy_create(const po_panel_table *table, bool unbounded, double decay,
                               po_hierarchy **hierarchy);
+
 void po_hierarchy_destroy(po_hierarchy *hierarchy);
 
 /* Makes the matrix of a mesh. Status: PO_NO_MEMORY; then no other function may be called. */
 po_status po_hierarchy_mesh(po_hierarchy *hierarchy, const po_panels *panels);
-
-/* Returned: the cells of the tree, and their number; cell 0 is the domain. */
-const po_cell *po_hierarchy_cells(const po_hierarchy *hierarchy, size_t *count);
 
 /* The deflections for a domain of radius 1: y = G x, and y = G^T x. Given: x, one value a node.
  * Returned: y. Accuracy: 1e-12 of the largest deflection (tests/unit/test_hierarchy.c). */
 void po_hierarchy_apply(po_hierarchy *hierarchy, const double *x, double *y);
 void po_hierarchy_apply_transposed(po_hierarchy *hierarchy, const double *x, double *y);
 
-/* Returned: the block of coefficients of the tractions of a panel at its own nodes, and the kernel
- * between the skeleton nodes of the left half (rows) and the right half (columns) of a cell, for a
- * domain of radius 1. Given: cell, a panel in the first case, none in the second. They stay valid
- * until the next mesh. */
-const double *po_hierarchy_own_block(const po_hierarchy *hierarchy, size_t panel);
-const double *po_hierarchy_halves(const po_hierarchy *hierarchy, size_t cell);
-
-/* Returned: the numbers of pairs of cells that interact through the kernel, both ways at once, and
- * of panels that interact one way through their influence block. */
-void po_hierarchy_pairs(const po_hierarchy *hierarchy, size_t *kernel, size_t *product);
-
 /* Returned: the number of nodes of the mesh. */
 size_t po_hierarchy_nodes(const po_hierarchy *hierarchy);
-
-/* Returned: the load weights of the nodes of the panels for a domain of radius 1. */
-const double *po_hierarchy_weight(const po_hierarchy *hierarchy);
-
-/* Returned: the coefficients of the tractions of a panel at the nodes of the panel to infinity, for
- * a domain of radius 1; NULL if there is no such panel. */
-const double *po_hierarchy_to_tail(const po_hierarchy *hierarchy, size_t panel);
 
 /* Fills a dense copy of the matrix, computed without the tree. Given: radius of the domain.
  * Returned: matrix, column-major, the square of the number of nodes. */
@@ -81,8 +112,5 @@ void po_hierarchy_fill_matrix(const po_hierarchy *hierarchy, double radius, doub
 /* The largest modulus in each column of the matrix, for a domain of radius 1. Returned: reach, one
  * value a node. */
 void po_hierarchy_reach(const po_hierarchy *hierarchy, double *reach);
-
-/* Evaluations of the kernel so far. */
-uint64_t po_hierarchy_evaluations(const po_hierarchy *hierarchy);
 
 #endif

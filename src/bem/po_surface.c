@@ -7,6 +7,7 @@
 #include "po_element.h"
 #include "po_elementary.h"
 #include "po_initial_gap.h"
+#include "po_kernel.h"
 #include "po_linear.h"
 #include "po_memory.h"
 #include "po_panel.h"
@@ -191,6 +192,16 @@ void po_surface_fill_matrix(const po_surface *s, double *matrix) {
     po_hierarchy_fill_matrix(s->hierarchy, s->core_radius, matrix);
   else
     memcpy(matrix, s->influence, s->n * s->n * sizeof *matrix);
+}
+
+uint64_t po_ring_influence(size_t n, const double *edge, double r, double *row, size_t stride) {
+  double inner = po_disc_deflection(edge[0], r);
+  for (size_t j = 0; j < n; ++j) {
+    const double outer = po_disc_deflection(edge[j + 1], r);
+    row[j * stride] = 4.0 / M_PI * (outer - inner); /* Eq A4 */
+    inner = outer;
+  }
+  return n + 1;
 }
 
 static po_status fill_influence(const surface_plan *p, const po_panel_rule *wave,

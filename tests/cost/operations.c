@@ -14,8 +14,8 @@ typedef struct {
 } active_cells;
 
 static active_cells count_active(const po_equilibrium *e) {
-  size_t count;
-  const po_cell *cell = po_hierarchy_cells(e->surface->hierarchy, &count);
+  const size_t count = e->surface->hierarchy->cells;
+  const po_cell *cell = e->surface->hierarchy->cell;
   bool *active = calloc(count, sizeof *active), *panel = calloc(count, sizeof *panel);
   active_cells found = {0};
   for (size_t k = 0; active && panel && k < e->active / N; ++k)
@@ -39,14 +39,13 @@ static active_cells count_active(const po_equilibrium *e) {
 
 operations operations_of_product(const po_equilibrium *e) {
   const double n = (double)e->n;
-  size_t cells, kernel, product;
-  if (!e->surface->hierarchy)
+  const po_hierarchy *h = e->surface->hierarchy;
+  if (!h)
     return (operations){2.0 * n * n, DOUBLE * n * n};
-  po_hierarchy_cells(e->surface->hierarchy, &cells);
-  po_hierarchy_pairs(e->surface->hierarchy, &kernel, &product);
-  const double block = (double)N * N, inner = 0.5 * (double)(cells - 1);
-  return (operations){(4.0 * (double)kernel + 2.0 * (double)product + 8.0 * inner) * block,
-                      DOUBLE * (double)(kernel + product) * block};
+  const double kernel = (double)h->kernel.count, product = (double)h->product.count;
+  const double block = (double)N * N, inner = 0.5 * (double)(h->cells - 1);
+  return (operations){(4.0 * kernel + 2.0 * product + 8.0 * inner) * block,
+                      DOUBLE * (kernel + product) * block};
 }
 
 /* Products of matrices take 2 operations a coefficient of one and column of the other; the inverse
