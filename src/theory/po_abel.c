@@ -18,7 +18,13 @@ static const po_profile_table *table_of(const po_scene *scene) {
 }
 
 double po_abel_wallis(double n) {
-  return 0.5 * po_beta(0.5 * n, 0.5);
+  static _Thread_local double of,
+      value; /* the last one: a search asks for one thousands of times */
+  if (n != of) {
+    value = 0.5 * po_beta(0.5 * n, 0.5);
+    of = n;
+  }
+  return value;
 }
 
 /* C r^n: g = kappa C x^n, kappa = n times po_abel_wallis(n). */

@@ -73,7 +73,7 @@ static void solve_pull_off(const po_form_input *in, po_given given, po_form_valu
   const double tension = tension_of(in);
   *state = (po_maugis){NO_CONTACT, NAN};
   if (!v->status)
-    note(v, po_maugis_pull_off(&in->scene, tension, given, state));
+    note(v, po_maugis_pull_off(&in->scene, tension, given, false, state));
   if (!v->status)
     note(v, po_maugis_check(&in->scene, tension, state));
 }

@@ -73,6 +73,27 @@ static double width_of(const ring *m, double guess) {
   return k < MOST_STEPS ? po_root(excess_gap, m, low, high) : NAN;
 }
 
+/* Secants from a predicted width: the first one spans this part of it, the last step is no more
+ * than rounding, and there are few if the prediction is good. */
+static const double FIRST_SECANT = 1e-4, LAST_SECANT = 1e-13;
+enum { MOST_SECANTS = 8 };
+
+/* The width of the ring near a prediction > 0. Returned: NaN if the secants do not converge. */
+static double width_near(const ring *m, double predicted) {
+  double x = predicted, y = excess_gap(x, m), step = FIRST_SECANT * x;
+  for (int k = 0; k < MOST_SECANTS; ++k) {
+    const double before = y;
+    x += step;
+    y = excess_gap(x, m);
+    if (y == 0.0 || fabs(step) <= LAST_SECANT * x)
+      return x;
+    step *= y / (before - y);
+    if (!(fabs(step) < 0.5 * x))
+      return NAN;
+  }
+  return NAN;
+}
+
 /* A width well below any: that of a rigid ring, or that of the JKR limit, pi/(8 q^2 k). */
 static double narrow_width(const ring *m) {
   const double rigid = po_initial_gap_radius(m->scene, 1.0 / m->tension),
@@ -100,11 +121,23 @@ static po_status check_input(const po_scene *scene, double tension, double a) {
              : po_fail(PO_BAD_INPUT, "the contact radius is %g: expected a finite number >= 0", a);
 }
 
-/* The state at a contact radius. Given: a guess of the width, or NAN. */
-static po_status solve(const po_scene *scene, double tension, double a, double guess,
+/* The width of a ring at another contact radius, from which it is guessed. */
+typedef struct {
+  double radius, width; /* width NAN: no guess */
+  double slope;         /* of the width by the radius */
+  bool predicts;        /* whether the width is predicted with its slope */
+} guess;
+
+static const guess NO_GUESS = {(double)NAN, (double)NAN, (double)NAN, false};
+
+/* The state at a contact radius. */
+static po_status solve(const po_scene *scene, double tension, double a, const guess *last,
                        po_maugis *state) {
   const ring m = ring_of(scene, tension, a);
-  const double width = width_of(&m, guess > 0.0 ? guess : narrow_width(&m));
+  const double predicted = last->width + last->slope * (a - last->radius);
+  double width = last->predicts && predicted > 0.0 ? width_near(&m, predicted) : NAN;
+  if (!(width > 0.0))
+    width = width_of(&m, last->width > 0.0 ? last->width : narrow_width(&m));
   *state = (po_maugis){{NAN, NAN, NAN}, NAN};
   if (!(width > 0.0))
     return po_fail(PO_NOT_FOUND,
@@ -122,16 +155,16 @@ double po_maugis_matched_tension(const po_scene *scene) {
 po_status po_maugis_at(const po_scene *scene, double tension, double contact_radius,
                        po_maugis *state) {
   const po_status status = check_input(scene, tension, contact_radius);
-  return status ? status : solve(scene, tension, contact_radius, NAN, state);
+  return status ? status : solve(scene, tension, contact_radius, &NO_GUESS, state);
 }
 
 static double rate_by_cosine(double x, po_abel t, const void *data) {
   return t.rate * x / *(const double *)data;
 }
 
-/* By the implicit function of the gap: along the curve dc/da = -gap_a/gap_c. */
-double po_maugis_rate(const po_scene *scene, double tension, po_given given,
-                      const po_maugis *state) {
+/* By the implicit function of the gap: along the curve dc/da = -gap_a/gap_c, *end_rate. */
+static double rates(const po_scene *scene, double tension, po_given given, const po_maugis *state,
+                    double *end_rate) {
   const double a = state->contact.contact_radius, c = state->end;
   const ring m = ring_of(scene, tension, a);
   const lengths l = lengths_of(&m, c - a);
@@ -140,12 +173,18 @@ double po_maugis_rate(const po_scene *scene, double tension, po_given given,
   const double approach_a = m.at.rate + pull * a / l.s, approach_c = -pull * c / l.s;
   const double gap_a = -l.angle * approach_a;
   const double gap_c = slope + pull * (a / c + c * l.angle / l.s - 1.0);
-  const double end_rate = -gap_a / gap_c;
+  *end_rate = -gap_a / gap_c;
   if (given == PO_GIVEN_APPROACH)
-    return approach_a + approach_c * end_rate;
+    return approach_a + approach_c * *end_rate;
   const double load_a = 2.0 * a / m.coupling * (m.at.rate + pull * a / l.s),
                load_c = -4.0 * tension * c * (a / l.s + l.angle);
-  return (load_a + load_c * end_rate) / (M_PI * scene->radius);
+  return (load_a + load_c * *end_rate) / (M_PI * scene->radius);
+}
+
+double po_maugis_rate(const po_scene *scene, double tension, po_given given,
+                      const po_maugis *state) {
+  double end_rate;
+  return rates(scene, tension, given, state, &end_rate);
 }
 
 /* The search for the pull-off. */
@@ -153,7 +192,7 @@ typedef struct {
   const po_scene *scene;
   double tension;
   po_given given;
-  double width; /* a guess */
+  guess last;
 } search;
 
 static double value_of(const search *s, const po_maugis *state) {
@@ -163,7 +202,7 @@ static double value_of(const search *s, const po_maugis *state) {
 static double rate_at(double a, const void *data) {
   const search *s = data;
   po_maugis state;
-  if (solve(s->scene, s->tension, a, s->width, &state))
+  if (solve(s->scene, s->tension, a, &s->last, &state))
     return NAN;
   return po_maugis_rate(s->scene, s->tension, s->given, &state);
 }
@@ -200,7 +239,7 @@ static double next_radius(const search *s, double a) {
 /* Takes the state at a if it is the lowest. */
 static po_status take(search *s, double a, po_maugis *least) {
   po_maugis state;
-  const po_status status = solve(s->scene, s->tension, a, s->width, &state);
+  const po_status status = solve(s->scene, s->tension, a, &s->last, &state);
   if (!status && (isnan(least->end) || value_of(s, &state) < value_of(s, least)))
     *least = state;
   return status;
@@ -208,17 +247,20 @@ static po_status take(search *s, double a, po_maugis *least) {
 
 /* The rate at a contact radius, on the right of a corner, and the guess of the width. */
 static po_status rate_beyond(search *s, double a, po_maugis *state, double *rate) {
-  const po_status status = solve(s->scene, s->tension, a, s->width, state);
+  const po_status status = solve(s->scene, s->tension, a, &s->last, state);
   if (!status) {
-    s->width = state->end - a;
-    *rate = po_maugis_rate(s->scene, s->tension, s->given, state);
+    *rate = rates(s->scene, s->tension, s->given, state, &s->last.slope);
+    s->last.slope -= 1.0;
+    s->last.radius = a;
+    s->last.width = state->end - a;
   }
   return status;
 }
 
-po_status po_maugis_pull_off(const po_scene *scene, double tension, po_given given,
+po_status po_maugis_pull_off(const po_scene *scene, double tension, po_given given, bool predict,
                              po_maugis *state) {
-  search s = {scene, tension, given, NAN};
+  search s = {scene, tension, given, NO_GUESS};
+  s.last.predicts = predict;
   *state = (po_maugis){{NAN, NAN, NAN}, NAN};
   po_status status = check_input(scene, tension, 0.0);
   if (!status)

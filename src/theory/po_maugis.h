@@ -35,9 +35,11 @@ double po_maugis_rate(const po_scene *scene, double tension, po_given given,
                       const po_maugis *state);
 
 /* The pull-off: the lowest of all minima of the load, or of the approach, over the contact radius;
- * the contact radius is 0 if the load rises from there. Status: as above; PO_TOO_MANY_POINTS if the
- * contact has too many waves. */
-po_status po_maugis_pull_off(const po_scene *scene, double tension, po_given given,
+ * the contact radius is 0 if the load rises from there. Given: predict, whether the search predicts
+ * the end of the tension from one contact radius to the next, which takes a quarter of the time.
+ * The result may then differ in its last bits; documents of `pulloff theory` have the bits without
+ * prediction. Status: as above; PO_TOO_MANY_POINTS if the contact has too many waves. */
+po_status po_maugis_pull_off(const po_scene *scene, double tension, po_given given, bool predict,
                              po_maugis *state);
 
 /* Whether the state is what the theory assumes: inside the contact no tension above q, between a

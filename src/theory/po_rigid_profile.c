@@ -159,16 +159,18 @@ static po_status integrate(integrand *q, double *sum) {
              : status;
 }
 
+/* The load by quadrature, or its rate. */
+static po_status quadrature(const po_scene *scene, double approach, bool slope, double *value) {
+  integrand q = {.scene = scene, .approach = approach, .slope = slope};
+  const po_status status = integrate(&q, value);
+  *value *= 2.0 / scene->radius;
+  return status;
+}
+
 po_status po_rigid_profile_quadrature(const po_scene *scene, double approach, double *load,
                                       double *rate) {
-  integrand q = {.scene = scene, .approach = approach};
-  po_status status = integrate(&q, load);
-  q.slope = true;
-  if (!status)
-    status = integrate(&q, rate);
-  *load *= 2.0 / scene->radius;
-  *rate *= 2.0 / scene->radius;
-  return status;
+  const po_status status = quadrature(scene, approach, false, load);
+  return status ? status : quadrature(scene, approach, true, rate);
 }
 
 po_status po_rigid_profile_load(const po_scene *scene, double approach, double *load,
@@ -182,14 +184,23 @@ po_status po_rigid_profile_load(const po_scene *scene, double approach, double *
              : po_rigid_profile_quadrature(scene, approach, load, rate);
 }
 
+static po_status find_rate(const po_scene *scene, double approach, double *rate) {
+  double load;
+  return closed_load(scene, approach, &load, rate) ? PO_OK
+                                                   : quadrature(scene, approach, true, rate);
+}
+
 static double rate_at(double approach, const void *data) {
-  double load, rate = NAN;
-  return po_rigid_profile_load(data, approach, &load, &rate) ? NAN : rate;
+  double rate = NAN;
+  return find_rate(data, approach, &rate) ? NAN : rate;
 }
 
 /* The minimum of the load is looked for at SCAN_POINTS approaches. The gap on the axis goes from
  * SCAN_BEGIN times that of the greatest tension down to the singularity of the law, where even
- * sharp crests repel; of the distance 1 + H from it the part NEAREST is left. */
+ * sharp crests repel; of the distance 1 + H from it the part NEAREST is left. Once the load is
+ * compressive it stays so: of the two terms of a law the repulsion has the greater logarithmic
+ * derivative by the approach at every gap, and more so of the integrals, in which it has more
+ * weight where the gap is small. */
 enum { SCAN_POINTS = 200 };
 static const double NEAREST = 1e-3, SCAN_BEGIN = 1.01;
 
@@ -199,11 +210,11 @@ po_status po_rigid_profile_pull_off(const po_scene *scene, po_rigid_pull_off *pu
   /* the distance from the closest approach, which falls by one factor */
   const double factor = po_pow(NEAREST * closest / begin, 1.0 / SCAN_POINTS);
   *pull_off = (po_rigid_pull_off){NAN, NAN};
-  double x = begin, left = 0.0, left_rate = NAN;
-  for (int k = 0; k <= SCAN_POINTS; ++k, x *= factor) {
+  double x = begin, left = 0.0, left_rate = NAN, load = NAN;
+  for (int k = 0; k <= SCAN_POINTS && !(load > 0.0); ++k, x *= factor) {
     const double right = closest - x;
-    double load, rate;
-    po_status status = po_rigid_profile_load(scene, right, &load, &rate);
+    double rate;
+    po_status status = find_rate(scene, right, &rate);
     if (status)
       return status;
     if (left_rate < 0.0 && rate >= 0.0) {
@@ -214,6 +225,10 @@ po_status po_rigid_profile_pull_off(const po_scene *scene, po_rigid_pull_off *pu
       if (!(-load <= pull_off->force))
         *pull_off = (po_rigid_pull_off){-load, at};
     }
+    if (rate > 0.0)
+      status = po_rigid_profile_load(scene, right, &load, &left_rate);
+    if (status)
+      return status;
     left = right;
     left_rate = rate;
   }

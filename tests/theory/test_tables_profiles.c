@@ -366,7 +366,7 @@ START_TEST(maugis_pull_off_of_the_sphere) {
   for (int k = 0; k < 6; ++k) {
     const double tension = 0.5 * LAMBDAS[k] / cbrt(s.radius / (M_PI * stiffness * stiffness));
     po_maugis got;
-    ck_assert_msg(po_maugis_pull_off(&s, tension, PO_GIVEN_LOAD, &got) == PO_OK, "%s",
+    ck_assert_msg(po_maugis_pull_off(&s, tension, PO_GIVEN_LOAD, true, &got) == PO_OK, "%s",
                   po_message());
     compare("pull-off", &s, tension, -got.contact.load, EXPECTED_FORCE[k], 1e-9);
     ck_assert(po_maugis_check(&s, tension, &got) == PO_OK);
@@ -385,7 +385,7 @@ START_TEST(maugis_tends_to_jkr) {
       for (int k = 0; k < 2; ++k) {
         po_maugis got;
         const double tension = k ? 400.0 : 200.0;
-        ck_assert_msg(po_maugis_pull_off(&s, tension, given, &got) == PO_OK, "%s", po_message());
+        ck_assert_msg(po_maugis_pull_off(&s, tension, given, false, &got) == PO_OK, "%s", po_message());
         far[k] = given == PO_GIVEN_LOAD ? got.contact.load - jkr.load
                                         : got.contact.approach - jkr.approach;
       }
