@@ -141,6 +141,16 @@ static void set_pull_off(const po_estimate *e, po_result *o) {
   o->pull_off.contact_radius_other = e->edge.other;
 }
 
+/* Shows the profile of the last point of the curve. */
+static void show_profile(po_reader *r, const po_branch_point *p) {
+  po_profile_point *profile = NULL;
+  size_t count = 0;
+  keep_status(r, po_contact_profile_fill(&r->request->scene, r->surface, p, &profile, &count));
+  if (!r->status)
+    r->request->show(r->request->watcher, r->result->curve_count - 1, profile, count);
+  free(profile);
+}
+
 static void note_minimum(po_reader *r, const po_branch_point *p, const po_estimate *e) {
   if (!po_stopping_note_minimum(&r->stopping, e->load))
     return;
@@ -338,6 +348,8 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
     r->most_nodes = r->surface->n;
   if (r->request->want & PO_WANT_CURVE)
     keep_status(r, add_to_curve(&r->points, p, contact_radius, energy_error, o));
+  if (r->request->show && o->curve_count && !r->status)
+    show_profile(r, p);
   if (p->kind == PO_POINT_STATION && !o->profile && (r->request->want & PO_WANT_PROFILE) &&
       po_path_is_at(p->approach, r->request->profile_approach))
     take_profile(r, p);

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 
 #include "po_loops.h"
+#include "po_result.h"
 #include "po_scene.h"
 #include "po_status.h"
 #include "po_surface.h"
@@ -58,6 +59,9 @@ typedef struct {
   /* Told of every point of a trace: approach, eps, and load, pi w R; of a scene of a series that is
    * followed: NAN. NULL: nobody. */
   void (*watch)(void *watcher, double approach, double load);
+  /* Given gap and traction at every point of the curve, if the curve is wanted; a number that is
+   * not above the previous one begins the trace again from that point. NULL: nobody. */
+  void (*show)(void *watcher, size_t number, const po_profile_point *profile, size_t count);
   void *watcher;
 } po_request;
 

@@ -359,7 +359,7 @@ po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double 
   if (keeper)
     keeper->begin(keeper->data, a->tolerance);
   po_status status = PO_OK;
-  if (!rigid || (request->want & PO_WANT_PROFILE))
+  if (!rigid || (request->want & PO_WANT_PROFILE) || request->show)
     status = make_surface(request, rigid, a->core, &fixed, &panels);
   if (status)
     goto done;

@@ -50,7 +50,7 @@ static void make_series(const series_words *w, po_request *request) {
 /* The ends of each series are checkpoints. Of the other scenes that were followed, a random
  * selection is compared. */
 START_TEST(followed_pull_off_agrees_with_full_traces) {
-  po_request request[MOST];
+  static po_request request[MOST];
   po_result result[MOST];
   const series_words *w = &SERIES[_i];
   make_series(w, request);
@@ -87,7 +87,7 @@ END_TEST
  * from the deepest at the other: 0.69 of its depth. */
 START_TEST(minimum_that_is_deepest_only_between_checkpoints_is_found) {
   static const series_words WORDS = {'t', 2.5, 5.0, 4, 0, 5.02378, 20.0, 100.0};
-  po_request request[MOST];
+  static po_request request[MOST];
   po_result result[MOST], traced;
   make_series(&WORDS, request);
   ck_assert_int_eq(po_series_observe(request, WORDS.count, MOST, result), PO_OK);
@@ -158,7 +158,7 @@ END_TEST
 /* Series in which no minimum ends: a followed scene needs less than a tenth of the factorisations
  * of a traced one. */
 START_TEST(following_takes_few_factorizations) {
-  po_request request[MOST];
+  static po_request request[MOST];
   po_result result[MOST];
   const series_words *w = &SERIES[_i];
   make_series(w, request);

@@ -126,24 +126,57 @@ START_TEST(curve_turns_at_its_special_points) {
 }
 END_TEST
 
-/* At the pull-off, and at a given approach. */
+/* W/(pi w R) = 2/(R mu) integral of P r dr, by the trapezoidal rule. */
+static double load_of_profile(const po_scene *scene, const po_profile_point *profile,
+                              size_t count) {
+  double load = 0.0;
+  for (size_t k = 1; k < count; ++k) {
+    const po_profile_point *a = &profile[k - 1], *b = &profile[k];
+    load += 0.5 * (b->radius - a->radius) * (a->traction * a->radius + b->traction * b->radius);
+  }
+  return load * 2.0 / (scene->radius * scene->tabor);
+}
+
+typedef struct {
+  const po_scene *scene;
+  double load[1000]; /* of the profile of each point of the curve */
+  size_t count;
+} loads;
+
+static void note_load(void *data, size_t number, const po_profile_point *profile, size_t count) {
+  loads *l = data;
+  ck_assert_uint_lt(number, sizeof l->load / sizeof *l->load);
+  l->load[number] = load_of_profile(l->scene, profile, count);
+  l->count = number + 1;
+}
+
+/* At the pull-off, at a given approach, and at every point of the curve. */
 START_TEST(profile_is_an_equilibrium) {
   po_request request = request_of(1.3, 0.7, 23.85, 100.0);
   request.want = PO_WANT_PROFILE;
   po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_double_eq(o.profile_approach, o.pull_off.approach);
-  double load = 0.0; /* W/(pi w R) = 2/(R mu) integral of P r dr, by the trapezoidal rule */
-  for (size_t k = 1; k < o.profile_count; ++k) {
-    const po_profile_point *a = &o.profile[k - 1], *b = &o.profile[k];
-    load += 0.5 * (b->radius - a->radius) * (a->traction * a->radius + b->traction * b->radius);
-  }
-  load *= 2.0 / (request.scene.radius * request.scene.tabor);
+  const double load = load_of_profile(&request.scene, o.profile, o.profile_count);
   ck_assert_double_eq_tol(-load, o.pull_off.force, 1e-3);
   po_result_clear(&o);
   request.profile_approach = -1.385;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert_double_eq_tol(o.profile_approach, -1.385, 1e-10);
+  po_result_clear(&o);
+  static loads shown;
+  shown.scene = &request.scene;
+  request.want = PO_WANT_CURVE;
+  request.show = note_load;
+  request.watcher = &shown;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_uint_eq(shown.count, o.curve_count);
+  for (size_t k = 0; k < o.curve_count; ++k)
+    ck_assert_double_eq_tol(shown.load[k], o.curve[k].load, 2e-3);
+  po_result_clear(&o);
+  request.scene.tabor = 0.0; /* rigid: without a surface, if nothing is shown */
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_uint_eq(shown.count, o.curve_count);
   po_result_clear(&o);
 }
 END_TEST
