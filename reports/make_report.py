@@ -39,7 +39,7 @@ def arguments(words):
 
 
 def content_key(beside, *folders):
-    """sha256 of all inputs of a report: faults, claims and cost, records, reference data, and the source of this program."""
+    """sha256 of all inputs of a report: faults, claims, cost and tests, records, reference data, and the source of this program."""
     digest = hashlib.sha256((sys.version + json.dumps(beside)).encode())
     for folder in folders + (os.path.dirname(os.path.abspath(__file__)),):
         for place, inner, names in os.walk(folder):
@@ -91,21 +91,22 @@ def write_all(folder, files):
 
 def make(wanted):
     try:
-        from pulloff_report import claims, cost, faults, gnuplot, page, records, references
+        from pulloff_report import claims, cost, faults, gnuplot, page, records, references, tree_tests
         import weasyprint  # noqa: F401
     except ImportError as error:
         raise ReportError(f"Python module {error.name} is missing: install numpy, scipy, "
                           "matplotlib, jinja2 and weasyprint") from error
     gnuplot.require()
     run = records.Run(wanted.run)
-    matrix = faults.read(wanted.faults or faults.beside(wanted.run))
-    judged = claims.read(wanted.claims or claims.beside(wanted.run))
-    measured = cost.read(wanted.cost or cost.beside(wanted.run))
-    key = content_key([matrix, judged, measured], wanted.run, wanted.reference)
+    # What lies beside a run is about the cases of the paper: a run of other cases does not show it.
+    matrix, judged, measured, tested = (
+        module.read(path or (module.beside(wanted.run) if run.is_of_paper else None)) for module, path in (
+            (faults, wanted.faults), (claims, wanted.claims), (cost, wanted.cost), (tree_tests, None)))
+    key = content_key([matrix, judged, measured, tested], wanted.run, wanted.reference)
     if not wanted.fresh and is_current(wanted.output, key):
         print(f"kept: the report in {wanted.output} is up to date")
         return
-    content = page.contents(run, references.References(wanted.reference), matrix, judged, measured)
+    content = page.contents(run, references.References(wanted.reference), matrix, judged, measured, tested)
     html, pdf = page.forms(content)
     write_all(wanted.output, {"report.html": html, "report.pdf": pdf, KEY: key.encode("ascii")})
     print(f"made: {os.path.join(wanted.output, 'report.html')} and report.pdf")

@@ -2,7 +2,7 @@
 
 unset border; unset tics; unset grid; unset key
 set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0
-set xrange [-10:10]; set yrange [-2.6:3.4]; set samples 1000
+set xrange [-10:10]; set yrange [-2.6:3.4]; set samples 500
 A = 0.35; L = 2.5; R = 22.0
 set arrow 1 from -10,0 to 10,0 nohead linewidth 0.7 dashtype 2 linecolor rgb grey back
 set arrow 2 from 0,-2.2 to 0,3.2 head filled size 0.25,15 linewidth 0.8 linecolor rgb grey front

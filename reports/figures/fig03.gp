@@ -40,11 +40,14 @@ decades = log10(high / low)
 set ytics 10.0**ceil(decades / 4.0)
 set ylabel 'distance' rotate by 90 offset 0.5,0
 set key horizontal at graph 0.985, graph 0.95 right top Left reverse
+if (paper_count) { set arrow 9 from graph 0, first cut to graph 1, first cut nohead dashtype 2 linewidth 0.9 linecolor rgb black }
 plot for [i = 1:(panel_count > 0)] 'residual.dat' index 0 using 1:2 with points \
        pointtype 7 pointsize 0.25 linecolor rgb blue title 'panels, unbounded', \
      for [i = 1:(paper_count > 0)] 'residual.dat' index 1 using 1:2 with points \
-       pointtype 6 pointsize 0.3 linecolor rgb vermillion title 'paper’s discretisation', \
+       pointtype 6 pointsize 0.3 linecolor rgb vermillion title 'paper’s, cut at r = R', \
      for [i = 1:(panel_count + paper_count == 0)] 1/0 notitle
+
+unset arrow 9
 
 # A soft sphere: (a) about the pull-off, (b) about the jump out of contact.
 if (soft) {

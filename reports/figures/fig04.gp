@@ -55,12 +55,13 @@ do for [k = 1:2] {
   if (panel_limits[k]) {
     set label 2 'tolerance' at 0.0095, panel_tolerance[k] left offset 0,-0.65 textcolor rgb grey
   }
+  if (k == 1 && paper) { set arrow 9 from graph 0, first cut to graph 1, first cut nohead dashtype 2 linewidth 0.9 linecolor rgb black }
   plot data index 3 using 1:2 with steps dashtype 2 linewidth 1 linecolor rgb grey notitle, \
        data index 2 using 1:2 with linespoints pointtype 7 pointsize 0.35 linewidth 0.7 \
          linecolor rgb vermillion notitle, \
        for [i = 1:paper] data index 5 using 1:2 with linespoints pointtype 6 pointsize 0.45 linewidth 0.7 \
          linecolor rgb blue notitle
-  unset label 2
+  unset label 2; unset arrow 9
 }
 
 # Folds: the scale shows 0, and distinguishes 2 from 4 next to dozens.
@@ -76,6 +77,6 @@ if (fold_points) {
   plot 'folds.dat' index 0 using 1:2 with linespoints pointtype 4 pointsize 0.7 linewidth 0.9 \
          linecolor rgb vermillion title 'panels', \
        for [i = 1:paper] 'folds.dat' index 1 using 1:2 with linespoints pointtype 6 pointsize 0.45 \
-         linewidth 0.9 linecolor rgb blue title 'paper’s discretisation'
+         linewidth 0.9 linecolor rgb blue title 'paper’s discretisation, cut at r = R'
 }
 unset multiplot

@@ -2,7 +2,7 @@
 
 unset border; unset tics; unset grid; unset key
 set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0
-set xrange [-10:10]; set yrange [-1.6:4.4]; set samples 2000
+set xrange [-10:10]; set yrange [-1.6:4.4]; set samples 700
 A = 0.3; L = 1.9; R = 5.5; s = 0.75
 left(x) = x < -0.4 ? (abs(x+5.2) < s ? sqrt(s**2-(x+5.2)**2) : 0) : NaN
 right(x) = x > 0.4 ? s - A*(1-cos(2*pi*(x-5.2)/L)) : NaN

@@ -27,8 +27,9 @@ set logscale y
 set yrange [low:high]; unset mytics; set ytics auto format '10^{%L}'; set ytics 10.0**ceil(log10(high / low) / 4.0)
 set ylabel 'distance' rotate by 90 offset 0.5,0
 set key horizontal at graph 0.985, graph 0.95 right top Left reverse
+set arrow 9 from graph 0, first cut to graph 1, first cut nohead dashtype 2 linewidth 0.9 linecolor rgb black
 plot 'residual.dat' index 0 using 1:2 with points pointtype 7 pointsize 0.25 linecolor rgb blue \
        title 'panels, unbounded', \
      'residual.dat' index 1 using 1:2 with points pointtype 6 pointsize 0.3 linecolor rgb vermillion \
-       title 'paper’s discretisation'
+       title 'paper’s, cut at r = R'
 unset multiplot

@@ -10,7 +10,7 @@ set xtics 10 format ''; set mxtics 10
 
 # the JKR limit above the axis of the paper
 set tmargin at screen 0.985; set bmargin at screen 0.815
-set logscale y; set yrange [top:above]; set ytics (10, 1e3, 1e5) format '10^{%L}'
+set logscale y; set yrange [top:above]; set ytics (1e2, 1e3, 1e4, 1e5) format '10^{%L}'
 unset key
 set label 1 sprintf('JKR, A† = 10: %.1f at μ = 5', last) at last_tabor, last right offset 0.3,1.5 textcolor rgb colour[3]
 plot for [i = 1:guduru_count] 'guduru.dat' index i-1 using 1:2 with lines linecolor rgb colour[i] \
@@ -21,7 +21,7 @@ unset label 1
 
 set tmargin at screen 0.81; set bmargin at screen 0.315
 unset logscale y; set yrange [0:top]
-set ytics 1 format '%g'; set mytics 2
+set ytics 0, 1, top - 1 format '%g'; set mytics 2
 set ylabel '|{/:Italic W̄}| at pull-off' offset 0,0
 set key at graph 0.02, graph 0.955 left top Left reverse
 do for [i = 1:rigid_count] {
@@ -43,6 +43,7 @@ set xtics 10 format '%g'
 set xlabel 'Tabor parameter μ' offset 0,0.4
 set logscale y
 set yrange [low:high]; set ytics auto format '10^{%L}'; set ytics 10.0**ceil(log10(high / low) / 4.0)
+set arrow 9 from graph 0, first cut to graph 1, first cut nohead dashtype 2 linewidth 0.9 linecolor rgb black
 unset mytics
 set ylabel 'difference' rotate by 90 offset 0.5,0
 set key off

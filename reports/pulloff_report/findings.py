@@ -1,63 +1,121 @@
-"""The first page: what was found about the paper, how many checks pass, the largest errors, when and how it was computed."""
+"""The first page: three counts (the paper, the physics, the bookkeeping), the speed, the extreme scenes, when and how it was computed."""
 
 import re
 
 from . import samples
 from .claims import contradicted, of_paper
 from .records import NO_VERDICT, PASSING, VERDICTS
-from .words import CHECK_VERDICTS, VERDICT_WORDS, count, date, listing, lower_first, quantity, sweep_label
+from .words import (CHECK_VERDICTS, VERDICT_WORDS, count, date, listing, lower_first, plain, quantity, ratio, scientific,
+                    sweep_label, value_of)
 
 FAILING = tuple(name for name in VERDICTS if name not in PASSING + NO_VERDICT)
 NOTABLE = ("improved", "slack")   # verdicts that pass and are counted separately
 MOST_FAILURES = 6                 # failing checks named on the first page
+# References that are this program itself: such a check is bookkeeping, as that of a pin.
+OURSELVES = ("traced", "every_scene")
 # Error estimates that a solve states with its pull-off, by the quantity they belong to.
 ESTIMATES = {"pull_off_force": "error_estimate", "pull_off_approach": "approach_error_estimate"}
-FOUND = {"reproduced": "are reproduced", "within_reading": "are reproduced within reading accuracy",
-         "depends": "depend on a choice that the paper leaves open", "contradicted": "are contradicted",
-         "not_testable": "cannot be tested", "no_result": "have no result"}
+HOLDING = ("reproduced", "within_reading")
+FOUND = {"depends": ("depends on a choice that the paper leaves open", "depend on a choice that the paper leaves open"),
+         "contradicted": ("is contradicted", "are contradicted"), "not_testable": ("cannot be tested",) * 2,
+         "no_result": ("has no result", "have no result")}
 PROGRAM = {"pulloff": "pulloff", "compiler": "compiler", "gsl": "GSL", "openblas": "OpenBLAS", "lapacke": "LAPACKE"}
+EXTREMES = ("tabor", "amplitude", "wavelength", "radius")   # parameters whose ranges the first page states
 
 
-def by_verdict(run, names):
-    """"2 outside, 1 regressed": the checks with these verdicts, or an empty string."""
-    counts = ((sum(case.count(name) for case in run.cases), name) for name in names)
-    return ", ".join(f"{number} {VERDICT_WORDS[name]}" for number, name in counts if number)
+def is_physics(check):
+    """Whether a check compares with something that this program did not compute."""
+    return check["ledger"] != "pin" and check.get("reference") not in OURSELVES
 
 
-def status(run):
-    """(kind, headline, explanation) of all checks of the run."""
-    total = len(run.checks())
-    passing = sum(case.count(*PASSING) for case in run.cases)
-    failing = sum(case.count(*FAILING) for case in run.cases)
-    unknown = total - passing - failing
-    failed = sum(len(case.failed_points()) for case in run.cases)
-    notable = by_verdict(run, NOTABLE)
-    among = f" (among them {notable})" if notable else ""
-    if not total:
-        return "open", "No check was made", "The cases of this run define no checks."
-    if failing:
-        only_outside = failing == sum(case.count("outside") for case in run.cases)
-        return ("outside", f"{failing} of {count(total, 'check')} "
-                + ("outside the tolerance" if only_outside else f"failed: {by_verdict(run, FAILING)}"),
-                f"{count(passing, 'check')} pass{among}; {unknown} have no result.")
-    if unknown or failed:
-        parts = [count(unknown, "check") + " without a result"] if unknown else []
-        parts += [count(failed, "solve") + " failed"] if failed else []
-        return "open", " and ".join(parts), f"The other {count(passing, 'check')} pass{among}."
-    return ("within", f"All {count(total, 'check')} of {count(len(run.cases), 'case')} are within their tolerance",
-            f"Each computed number is compared with a reference that was obtained independently{among}."
-            if not any(check["ledger"] == "pin" for check in run.checks()) else
-            "Each computed number is compared with a reference that was obtained independently, or with a pin, "
-            f"the value that was last accepted for a regression test{among}.")
+def paper(judged):
+    """The statements of the paper."""
+    counts, total = judged["counts"], len(of_paper(judged))
+    holding = sum(counts.get(name, 0) for name in HOLDING)
+    others = [f"{counts[name]} {text[counts[name] != 1]}" for name, text in FOUND.items() if counts.get(name)]
+    within = counts.get("within_reading", 0)
+    return {"kind": "paper", "name": "The paper", "good": True, "link": "claims", "link_text": "claims of the paper",
+            "headline": f"{holding} of {count(total, 'statement')} hold" + (f"; {listing(others)}" if others else ""),
+            "text": f"Of those that hold, {within} hold within the accuracy with which the paper can be read." if within else "",
+            "failures": [], "more": 0}
+
+
+def named(run, checks):
+    """(case, words) of the failing checks with the largest errors, and how many more there are."""
+    found = sorted(((check["ratio"] or 0, case, check) for case in run.cases for check in case.checks
+                    if check["verdict"] in FAILING and checks(check)), key=lambda item: -item[0])
+    return [(case, f"{quantity(check['quantity'])}, {sweep_label(case.point(check.get('point')))}")
+            for _, case, check in found[:MOST_FAILURES]], max(0, len(found) - MOST_FAILURES)
+
+
+def physics(run):
+    """The checks against references that were obtained independently, and the solves that failed."""
+    checks = [check for check in run.checks() if is_physics(check)]
+    passing, failing = (sum(check["verdict"] in names for check in checks) for names in (PASSING, FAILING))
+    unknown, failed = len(checks) - passing - failing, sum(len(case.failed_points()) for case in run.cases)
+    named_ones, more = named(run, is_physics)
+    if not checks:
+        headline = "No check against an independent reference was made"
+    elif failing:
+        headline = f"{failing} of {count(len(checks), 'check')} against independent references {'fails' if failing == 1 else 'fail'}"
+    elif unknown or failed:
+        headline = f"{passing} of {count(len(checks), 'check')} against independent references pass, none fails"
+    else:
+        headline = f"All {count(len(checks), 'check')} against independent references pass"
+    lost = [f"{count(unknown, 'check')} without a result"] * bool(unknown) + [count(failed, "failed solve")] * bool(failed)
+    parts = [" and ".join(lost) + "."] if lost else []
+    worst, estimate = worst_check(run), worst_estimate(run)
+    if worst:
+        parts.append(f"The largest error is {ratio(worst['ratio'])} of its tolerance ({worst['quantity']}, {worst['point']}, "
+                     f"case {worst['case'].name}).")
+    if estimate:
+        parts.append(f"Where an independent solution is known ({estimate['count']} forces and approaches), the true error is at most "
+                     f"{ratio(estimate['ratio'])} of the stated one.")
+    return {"kind": "physics", "name": "Physics", "good": not failing and not unknown and not failed, "link": "verdicts",
+            "link_text": "checks by case", "headline": headline, "text": " ".join(parts), "failures": named_ones, "more": more}
+
+
+def bookkeeping(run, same, planted, judged, tests):
+    """Whether a result changed, whether a fault would be noticed, and whether the tests pass: (passing, total, words) of each."""
+    checks = [check for check in run.checks() if not is_physics(check)]
+    found = [(sum(check["verdict"] in PASSING for check in checks), len(checks), "pins, counters of work and repeated traces agree")]
+    if same:
+        found.insert(0, (same["identical"], same["compared"], "results are those of the maintainers to the last bit"
+                         + (f" (the largest difference is {same['largest'][0]:.2g} of the force: {same['largest'][2]}, case "
+                            f"{same['largest'][1]})" if same["different"] else "")))
+    if planted:
+        missed = [fault["name"] for fault in planted["faults"] if not fault["caught"]]
+        found.append((len(planted["faults"]) - len(missed), len(planted["faults"]), "planted faults are detected"
+                      + (f" (not detected: {listing(missed)})" if missed else "")))
+    if tests:
+        found.append((tests["passed"], tests["total"], f"tests passed in the last run of meson here, {tests['date']}"
+                      + (f" (not passed: {listing(tests['failed'])})" if tests["failed"] else "")))
+    if judged:
+        counts = [judged["counts"].get(name, 0) for name in CHECK_VERDICTS]
+        found.append((counts[0], sum(counts), "implementation checks of the claims pass"))
+    found = [entry for entry in found if entry[1]]
+    if not found:
+        return None
+    lost = [entry for entry in found if entry[0] != entry[1]]
+    named_ones, more = named(run, lambda check: not is_physics(check))
+    return {"kind": "books", "name": "Bookkeeping", "good": not lost, "link": "planted-faults", "link_text": "planted faults",
+            "failures": named_ones, "more": more,
+            "headline": in_words(lost or found[:1]), "text": in_words([entry for entry in found if entry not in (lost or found[:1])], ".")}
+
+
+def in_words(entries, end=""):
+    text = "; ".join(f"all {total} {what}" if passing == total else f"{passing} of {total} {what}" for passing, total, what in entries)
+    return text[:1].upper() + text[1:] + (end if text else "")
 
 
 def worst_check(run):
-    """The check with the largest error relative to its tolerance, in words; None if no check has an error."""
-    found = [(check["ratio"], case, check) for case in run.cases for check in case.checks if check["ratio"] is not None]
+    """The independent check with the largest error relative to its tolerance, in words; None if no check has an error."""
+    found = [(check["ratio"], case, check) for case in run.cases for check in case.checks
+             if check["ratio"] is not None and is_physics(check)]
     if not found:
         return None
-    ratio, case, check = max(found, key=lambda item: item[0])
-    return {"ratio": ratio, "quantity": lower_first(quantity(check["quantity"])), "case": case,
+    largest, case, check = max(found, key=lambda item: item[0])
+    return {"ratio": largest, "quantity": lower_first(quantity(check["quantity"])), "case": case,
             "point": sweep_label(case.point(check.get("point")))}
 
 
@@ -76,16 +134,8 @@ def worst_estimate(run):
                 found.append((abs(item["error"]) / bound, item["quantity"], samples.scene_name(samples.scene_of(point))))
     if not found:
         return None
-    ratio, name, scene = max(found)
-    return {"ratio": ratio, "quantity": lower_first(quantity(name)), "scene": scene, "count": len(found)}
-
-
-def failures(run):
-    """The failing checks with the largest errors: (case, words)."""
-    found = [(check["ratio"] or 0, case, check) for case in run.cases for check in case.checks if check["verdict"] in FAILING]
-    found.sort(key=lambda item: -item[0])
-    return [(case, f"{quantity(check['quantity'])}, {sweep_label(case.point(check.get('point')))}")
-            for _, case, check in found[:MOST_FAILURES]], max(0, len(found) - MOST_FAILURES)
+    largest, name, scene = max(found)
+    return {"ratio": largest, "quantity": lower_first(quantity(name)), "scene": scene, "count": len(found)}
 
 
 def rows(run):
@@ -123,25 +173,30 @@ def facts(run):
             "seconds": sum(case.record.get("seconds") or 0 for case in run.cases)}
 
 
-def claims(judged):
-    """What was found about the statements of the paper; None if they were not judged."""
-    if not judged:
-        return None
-    counts, total = judged["counts"], len(of_paper(judged))
-    wrong = contradicted(judged)
-    verb = "is" if len(wrong) == 1 else "are"
-    headline = (f"{len(wrong)} of {count(total, 'statement')} of the paper {verb} contradicted" if wrong
-                else f"None of {count(total, 'statement')} of the paper is contradicted")
-    others = [f"{counts[name]} {text}" for name, text in FOUND.items() if counts.get(name) and name != "contradicted"]
-    checks = [f"{count(counts[name], 'implementation check')} {text.split()[-1]}" for name, text in CHECK_VERDICTS.items()
-              if counts.get(name)]
-    return {"headline": headline, "text": f"{listing(others)}." if others else "",
-            "checks": f"{listing(checks)}." if checks else "", "contradicted": wrong}
+def extremes(data):
+    """What the section on stiff and extreme scenes found: solved scenes, ranges of their parameters, largest stated error."""
+    rows = [row for table in data.get("tables", []) for row in table["rows"]]
+    stated = [(row["pull_off"]["error_estimate"] / row["pull_off"]["force"], row) for row in rows
+              if row["pull_off"].get("error_estimate") and row["pull_off"].get("force")]
+    ranges = []
+    for key in EXTREMES:
+        values = [value_of(row["point"], key) for row in rows]
+        values = [value for value in values if isinstance(value, (int, float)) and (value or key != "wavelength")]
+        if values and min(values) < max(values):
+            ranges.append((key, plain(min(values)), plain(max(values))))
+    worst = max(stated, key=lambda item: item[0], default=None)
+    return {"scenes": len(rows), "solved": data["solved"], "ranges": ranges,
+            "worst": worst and {"relative": worst[0], "label": worst[1]["label"]}} if rows else None
 
 
-def build(run, judged):
-    """All that the first page shows."""
-    kind, headline, text = status(run)
-    named, more = failures(run)
-    return {"claims": claims(judged), "facts": facts(run), "worst": worst_check(run), "estimate": worst_estimate(run),
-            "failures": named, "more_failures": more, "status": {"kind": kind, "headline": headline, "text": text}}
+def own_title(run):
+    """The title of a run without a case of the paper: that of its case, or how many cases it has."""
+    return run.cases[0].title if len(run.cases) == 1 else f"Report of {count(len(run.cases), 'case')}"
+
+
+def build(run, data, judged=None, planted=None, same=None, tests=None):
+    """All that the first page shows; `data`: what the sections show, by the identifier of the section."""
+    counts = [paper(judged) if judged else None, physics(run), bookkeeping(run, same, planted, judged, tests)]
+    return {"counts": [entry for entry in counts if entry], "contradicted": contradicted(judged), "facts": facts(run),
+            "speed": data["precision"].get("front"), "extremes": extremes(data["extreme"]),
+            "solvers": data["solvers"].get("front")}

@@ -1,14 +1,17 @@
 """Builds the two forms of the report from the same sections: one HTML page for the screen, and a short edition on paper."""
 
+import base64
+import itertools
 import logging
 import os
 import re
+import string
+import zlib
 
 import jinja2
 from markupsafe import Markup
 
 from . import beside, findings, fonts, identity, sections, svg, words
-from .sections import planted_faults
 
 FACES = "/* typefaces */"  # the place of the typefaces in a page
 TITLE = "Pull-off of an adhesive sphere"
@@ -20,9 +23,10 @@ def template_text(name):
         return stream.read()
 
 
-def style(name):
-    """A style sheet with its colour variables replaced: WeasyPrint 57 supports no variable in a shorthand property."""
-    colours = dict(re.findall(r"--([\w-]+):\s*(#\w+)", template_text("style.css")))
+def printed_style(name):
+    """A style sheet for paper: with the values of its variables, because WeasyPrint 57 supports no variable in a shorthand property,
+    and those of the light page, which come first."""
+    colours = dict(reversed(re.findall(r"--([\w-]+):\s*(#\w+)", template_text("style.css"))))
     return Markup(re.sub(r"var\(--([\w-]+)\)", lambda found: colours[found.group(1)],
                          template_text(name)))
 
@@ -39,13 +43,22 @@ def with_bars(text):
     return re.sub("(.)" + svg.MACRON, r'<span class="over">\1</span>', text)
 
 
-def contents(run, references, faults=None, claims=None, cost=None):
-    """All that either form of the report shows."""
-    source = sections.Source(run, references, faults, claims, cost)
-    built = sections.build_all(source)
-    beside_ours = next(section.data for section in built if section.id == "solvers").get("front")
-    return {"title": TITLE, "found": dict(findings.build(run, claims), solvers=beside_ours,
-                                         identity=identity.compare(run, references), planted=faults and planted_faults.verdict(faults)), "sections": built}
+def contents(run, references, faults=None, claims=None, cost=None, tests=None):
+    """All that either form of the report shows. What a run of the paper lacks is named on the first page."""
+    built = sections.build_all(sections.Source(run, references, faults, claims, cost))
+    found = findings.build(run, {section.id: section.data for section in built}, claims, faults, identity.compare(run, references), tests)
+    shown = [section for section in built if not section.absent]
+    letter_figures([found["speed"] or {}] + [section.data for section in shown])
+    return {"title": TITLE if run.is_of_paper else findings.own_title(run), "found": found, "sections": shown,
+            "cases": run.cases, "of_paper": run.is_of_paper,
+            "lacking": [section.absent for section in built if section.absent and run.is_of_paper]}
+
+
+def letter_figures(parts):
+    """Gives a letter to every figure that is not one of the paper, in the order of the report."""
+    drawn = [item for data in parts for item in [data.get("figure"), *data.get("figures", [])] if item and not item.number]
+    for item, letter in zip(drawn, itertools.chain(string.ascii_uppercase, itertools.count(27))):
+        item.letter = letter
 
 
 def filled(template, content, **more):
@@ -57,7 +70,21 @@ def filled(template, content, **more):
 
 def screen(content):
     """The complete report as one HTML page without references to other files."""
-    return filled("report.html", content, paper=False, style=style("style.css"), script=Markup(template_text("script.js")))
+    return packed(without_dead_links(filled("report.html", content, paper=False, style=Markup(template_text("style.css")),
+                                            script=Markup(template_text("script.js")))))
+
+
+def packed(page):
+    """The page with its long lists and its drawings compressed: the content of <div class="packed ...">...<!--/packed--></div>.
+    The script of the page unpacks what is opened or scrolled to."""
+    return re.sub(r'(<div class="packed\b[^>]*)>(.*?)<!--/packed--></div>', lambda found: (
+        f'{found[1]} data-packed="{base64.b64encode(zlib.compress(found[2].encode("utf-8"), 9)).decode("ascii")}"></div>'),
+                  page, flags=re.DOTALL)
+
+
+def unpacked(page):
+    """The page as a browser shows it when everything is opened."""
+    return re.sub(r' data-packed="([^"]*)">', lambda found: ">" + zlib.decompress(base64.b64decode(found[1])).decode("utf-8"), page)
 
 
 def paper(content):
@@ -65,7 +92,7 @@ def paper(content):
     printed = [section for section in content["sections"] if section.on_paper]
     omitted = [section for section in content["sections"] if not section.on_paper]
     return filled("paper.html", dict(content, sections=printed), paper=True, omitted=omitted,
-                  style=style("style.css"), print_style=style("print.css"))
+                  style=printed_style("style.css"), print_style=printed_style("print.css"))
 
 
 def pdf(content):
@@ -102,7 +129,11 @@ def forms(content):
 
 
 def without_dead_links(text):
-    """The page with links to omitted parts replaced by their text."""
+    """The page with links to omitted parts replaced by their text; a reference to the page of such a part is left out."""
     there = set(re.findall(r'\bid="([^"]+)"', text))
-    return re.sub(r'<a href="#([^"]*)">(.*?)</a>',
-                  lambda link: link[0] if link[1] in there else link[2], text, flags=re.DOTALL)
+
+    def link(found):
+        if found[2] in there:
+            return found[0]
+        return "" if 'class="page"' in found[1] else found[3]
+    return re.sub(r'<a\b([^>]*?)\bhref="#([^"]*)">(.*?)</a>', link, text, flags=re.DOTALL)

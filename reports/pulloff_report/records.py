@@ -171,6 +171,11 @@ class Run:
                               f"{folder} makes it; records of other solvers are shown beside it)")
         self.cases.sort(key=reading_order)
 
+    @property
+    def is_of_paper(self):
+        """Whether a case belongs to a figure of the paper. A run without such a case is one of the user's own cases."""
+        return any(case.figure for case in self.cases)
+
     def drawing(self, script):
         """The cases that name this figure script.
 

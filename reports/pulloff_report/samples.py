@@ -17,6 +17,7 @@ SERIES = ("ring uniform", "triangle uniform", "ring graded", "triangle graded", 
 KEYS = ("tabor", "amplitude", "wavelength", "outer_radius")
 MARK = "triangle uniform", 501    # the mesh of the paper, with which the speed of panels is compared
 ABOVE_FLOOR = 3                   # errors below this multiple of the reference uncertainty are not used for orders
+FEWEST_MESHES, MOST_SPREAD = 3, 0.5   # meshes of an observed order, and by how much the orders between them may differ
 
 
 def scene_of(point):
@@ -39,6 +40,7 @@ class Sample:
         self.times = [time for time in times if time is not None]
         self.clock = point["work"].get("seconds")
         self.failed = point["status"] != "ok"
+        self.force = (point.get("pull_off") or {}).get("force")
         self.folds = len(point.get("folds") or [])
         self.errors, self.floors, self.notes = {}, {}, {}
         self.misfit = False           # whether its folds differ in number or kind from those of the reference
@@ -63,6 +65,11 @@ class Sample:
     @property
     def seconds(self):
         return statistics.median(self.times) if self.times else None
+
+    @property
+    def relative(self):
+        """The error of the pull-off force relative to the force; None without one."""
+        return self.errors["force"] / abs(self.force) if self.force and "force" in self.errors else None
 
     @property
     def mesh(self):
@@ -111,15 +118,21 @@ def order(samples, field):
     """Observed order of convergence in the number of nodes: (order, first N, last N, number of meshes).
 
     The fit uses consecutive meshes, from the finest one down, that are solved, have the folds of the reference and
-    an error above ABOVE_FLOOR times its uncertainty. None for fewer than two such meshes.
+    an error above ABOVE_FLOOR times its uncertainty, as long as the orders between neighbouring meshes differ by at most
+    MOST_SPREAD. None for fewer than FEWEST_MESHES such meshes: the errors do not yet decrease with one order.
     """
-    fit = []
+    fit, steps = [], []
     for sample in sorted(samples, key=lambda item: item.nodes, reverse=True):
         floor = ABOVE_FLOOR * sample.floors.get(field, 0)
         if sample.failed or sample.misfit or sample.errors.get(field, 0) <= floor:
             break
-        fit.append((sample.nodes, sample.errors[field]))
-    if len(fit) < 2:
+        here = sample.nodes, sample.errors[field]
+        step = [-slope([here, fit[-1]])] if fit else []
+        if steps and max(steps + step) - min(steps + step) > MOST_SPREAD:
+            break
+        fit.append(here)
+        steps += step
+    if len(fit) < FEWEST_MESHES:
         return None
     return -slope(fit), fit[-1][0], fit[0][0], len(fit)
 

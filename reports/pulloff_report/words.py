@@ -161,17 +161,22 @@ def sweep_label(point):
     sweep = point["sweep"]
     if not sweep:
         return point["label"] or "single point"
+    unused = {"nodes", "grading"} if value_of(point, "scheme") == "panel" else {"tolerance"}
+    if sweep.get("amplitude") == 0:
+        unused |= {"wavelength"} | ({"amplitude"} if "wavelength" in sweep else set())
     parts = []
     for key, value in sweep.items():
-        if value is None or key == "tabor" and "coupling" in sweep or value == "table":
+        if value is None or key in unused or key == "tabor" and "coupling" in sweep or value == "table":
             continue   # not used, or said by another key
         if key in SPELLED:
             parts.append(spelled(point, key))
+        elif value == "inf":
+            parts.append(f"{symbol(key)} = ∞")
         elif isinstance(value, str):
             parts.append(value)
         else:
             parts.append(f"{symbol(key)} = {plain(value)}")
-    return ", ".join(parts)
+    return ", ".join(parts) or point["label"]
 
 
 def spelled(point, key):

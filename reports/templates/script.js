@@ -1,4 +1,26 @@
 "use strict";
+// Drawings and long lists are compressed until they are scrolled to, opened, searched, or linked to.
+const opened = new WeakMap();
+async function inflate(part) {
+  if (part.dataset.packed === undefined) return;
+  const bytes = Uint8Array.from(atob(part.dataset.packed), (letter) => letter.charCodeAt(0));
+  part.removeAttribute("data-packed");
+  part.innerHTML = await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).text();
+  part.querySelectorAll("table.sortable").forEach(makeSortable);
+}
+function unpack(part) {
+  if (!opened.has(part)) opened.set(part, inflate(part));
+  return opened.get(part);
+}
+const unpackAll = (parts) => Promise.all([...parts].map(unpack));
+const seen = new IntersectionObserver((entries) => {
+  for (const entry of entries) if (entry.isIntersecting) unpack(entry.target);
+}, { rootMargin: "1200px" });
+document.querySelectorAll(".picture").forEach((picture) => seen.observe(picture));
+document.addEventListener("toggle", (event) => {
+  if (event.target.open) unpackAll(event.target.querySelectorAll(".packed"));
+}, true);
+addEventListener("beforeprint", () => unpackAll(document.querySelectorAll(".picture")));
 // Sorting: a click on a column head sorts the rows within each table body, or the bodies of a table of class by-body.
 function cellKey(row, column) {
   const cell = row.cells[column];
@@ -23,7 +45,7 @@ function sortTable(table, column, down) {
     [...body.rows].filter((row) => !row.classList.contains("group")).sort(order).forEach((row) => body.append(row));
   }
 }
-for (const table of document.querySelectorAll("table.sortable")) {
+function makeSortable(table) {
   const heads = [...table.tHead.rows[table.tHead.rows.length - 1].cells];
   heads.forEach((head, column) => {
     head.tabIndex = 0;
@@ -40,36 +62,50 @@ for (const table of document.querySelectorAll("table.sortable")) {
     });
   });
 }
+document.querySelectorAll("table.sortable").forEach(makeSortable);
 // Filtering of the checks by words and by verdict.
-function applyFilter(name) {
-  const words = document.querySelector(`[data-filter="${name}"]`).value.toLowerCase().split(/\s+/);
-  const only = document.querySelector(`[data-only="${name}"]`).checked;
-  for (const table of document.querySelectorAll(`[data-table="${name}"]`)) {
+async function applyFilter(name) {
+  const section = document.getElementById(name);
+  await unpackAll(section.querySelectorAll(".packed"));
+  const words = section.querySelector("[data-filter]").value.toLowerCase().split(/\s+/).filter(Boolean);
+  const only = section.querySelector("[data-only]").checked;
+  const active = only || words.length > 0;
+  let total = 0;
+  for (const list of section.querySelectorAll("details.list")) {
+    const title = list.querySelector("summary").textContent.toLowerCase();
     let found = 0;
-    for (const body of table.tBodies) {
-      const head = body.rows[0].textContent.toLowerCase();
+    for (const body of list.querySelectorAll("tbody")) {
+      const head = title + " " + body.rows[0].textContent.toLowerCase();
       let shown = 0;
       for (const row of [...body.rows].slice(1)) {
         const text = head + " " + row.textContent.toLowerCase() + " " + row.title.toLowerCase();
-        row.hidden = (only && ["identical", "within"].includes(row.dataset.verdict)) || !words.every((word) => text.includes(word));
+        row.hidden = (only && "passes" in row.dataset) || !words.every((word) => text.includes(word));
         shown += row.hidden ? 0 : 1;
       }
       body.hidden = shown === 0;
       found += shown;
     }
-    const list = table.closest("details");
-    list.hidden = found === 0;
-    list.open = found > 0 && (only || words.some((word) => word !== ""));
+    list.hidden = active && found === 0;
+    list.open = active && found > 0;
+    total += found;
   }
+  section.querySelector("[data-none]").hidden = !active || total > 0;
 }
 for (const input of document.querySelectorAll("[data-filter], [data-only]")) {
   input.addEventListener("input", () => applyFilter(input.dataset.filter || input.dataset.only));
 }
 // A link to something in a folded list unfolds the list.
-function reveal() {
-  const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+async function reveal() {
+  const name = decodeURIComponent(location.hash.slice(1));
+  if (!name) return;
+  for (const part of document.querySelectorAll("details .packed")) {
+    if (document.getElementById(name)) break;
+    await unpack(part);
+  }
+  const target = document.getElementById(name);
   if (!target) return;
   for (let list = target.closest("details"); list; list = list.parentElement.closest("details")) list.open = true;
+  await unpackAll(target.querySelectorAll(".packed"));
   target.scrollIntoView();
 }
 addEventListener("hashchange", reveal);
@@ -94,7 +130,9 @@ function scaleAt(factor, x, y) {
 }
 for (const picture of document.querySelectorAll("figure .picture")) {
   const open = () => {
-    stage.replaceChildren(picture.querySelector("svg").cloneNode(true));
+    const sheet = document.createElement("div");
+    sheet.append(...[...picture.querySelectorAll("svg")].map((drawing) => drawing.cloneNode(true)));
+    stage.replaceChildren(sheet);
     fit();
     zoom.showModal();
   };
@@ -131,6 +169,8 @@ for (const kind of ["pointerup", "pointercancel"]) {
 }
 zoom.querySelector(".close").addEventListener("click", () => zoom.close());
 zoom.addEventListener("close", () => pointers.clear());
+// On a narrow screen the table of contents is folded.
+if (!matchMedia("(min-width: 1240px)").matches) document.querySelector("nav.contents details").open = false;
 // The table of contents marks the section that is being read.
 const links = new Map([...document.querySelectorAll("nav.contents a")].map((a) => [a.hash.slice(1), a]));
 const parts = [...links.keys()].map((id) => document.getElementById(id)).filter(Boolean);

@@ -386,14 +386,11 @@ class Judged(unittest.TestCase):
         path = os.path.join(self.folder, "claims.json")
         run.write(path, made)
         judged = claims.read(path)
-        found = findings.claims(judged)
-        self.assertEqual(found["headline"], "1 of 3 statements of the paper is contradicted")
-        self.assertEqual(found["text"], "2 are reproduced.")
-        self.assertEqual([claim["id"] for claim in found["contradicted"]], ["other"])
+        self.assertEqual(findings.paper(judged)["headline"], "2 of 3 statements hold; 1 is contradicted")
         from pulloff_report.sections import claims as section
         data = section.build(sections.Source(None, None, None, judged)).data
         groups = data["groups"]
-        self.assertEqual((data["figures"], data["decided"], data["preloads"][0]["words"]), (1, [], ["far", "near"]))
+        self.assertEqual((data["unseen"], data["decided"], data["preloads"][0]["words"]), (1, [], ["far", "near"]))
         self.assertEqual(groups[0]["rows"][0]["change"], "half the force: 1.572, does not hold")
         self.assertEqual([[(row["claimed"], row["verdict"]["word"]) for row in group["rows"]] for group in groups],
                          [[("1.60", "contradicted")], [("1.57", "reproduced"), ("≥ 1.5", "reproduced")],

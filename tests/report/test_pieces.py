@@ -18,7 +18,7 @@ import count_tests  # noqa: E402
 
 from pulloff_report import findings, fonts, geometry, gnuplot, identity, page, samples, svg, words  # noqa: E402
 from pulloff_report.errors import ReportError  # noqa: E402
-from pulloff_report.plots import doubling, laws, loading, preload, staircase  # noqa: E402
+from pulloff_report.plots import laws, loading, preload, staircase  # noqa: E402
 from pulloff_report.plots.figure import Figure  # noqa: E402
 from pulloff_report.tables import Table  # noqa: E402
 
@@ -54,6 +54,14 @@ class Samples(unittest.TestCase):
         # the finest lies on the floor: nothing is resolved above it
         meshes[3] = sample(1, 2e-10, "ring", 400)
         self.assertIsNone(samples.order(meshes, "force"))
+
+    def test_no_order_is_read_off_two_meshes_or_errors_that_do_not_decrease_with_one_order(self):
+        def meshes(*errors):
+            return [sample(1, error, "ring", 50 * 2 ** place) for place, error in enumerate(errors)]
+        self.assertIsNone(samples.order(meshes(1.0, 0.25), "force"))
+        self.assertIsNone(samples.order(meshes(1.0, 2.0 ** -5, 2.0 ** -3), "force"))
+        # the coarsest mesh does not belong to the range where the order is 2
+        self.assertEqual(samples.order(meshes(0.3, 0.25, 2.0 ** -4, 2.0 ** -6), "force")[1:], (100, 400, 3))
 
     def test_who_overtakes_whom(self):
         panels = [sample(0.02, 1e-6), sample(0.05, 1e-9)]
@@ -95,6 +103,14 @@ class Words(unittest.TestCase):
     def test_label_of_a_point(self):
         point = {"sweep": {"scheme": "ring", "nodes": 63, "tabor": 2.385}, "label": "-"}
         self.assertEqual(words.sweep_label(point), "ring, N = 63, μ = 2.385")
+
+    def test_a_label_has_only_the_parameters_that_the_solve_uses(self):
+        sweep = {"tabor": 1, "amplitude": 0, "wavelength": 0, "outer_radius": "inf", "scheme": "panel", "grading": "uniform", "nodes": 501,
+                 "tolerance": 1e-6}
+        self.assertEqual(words.sweep_label({"sweep": sweep, "label": ""}), "μ = 1, r†max = ∞, panel, tolerance = 1e−06")
+        self.assertEqual(words.sweep_label({"sweep": dict(sweep, scheme="ring", amplitude=1, wavelength=20), "label": ""}),
+                         "μ = 1, A† = 1, λ† = 20, r†max = ∞, ring, uniform, N = 501")
+        self.assertEqual(words.sweep_label({"sweep": {"amplitude": 0}, "label": ""}), "A† = 0")
 
     def test_laws_and_profiles_have_their_parameters(self):
         point = {"sweep": {"law": "mie:4,10", "profile": "power:0.05,1.5", "waves": None, "tabor": 0.1, "coupling": 0.05}, "label": "-",
@@ -203,28 +219,6 @@ class Preloads(unittest.TestCase):
         approaches = [0.0, -1.0, 2.0, 4.3, 3.0, 4.1, 1.0, 7.5, 6.0]
         self.assertEqual([loading.next_jump(approaches, preload) for preload in (1.0, 4.2, 4.3, 7.5)],
                          [4.3, 4.3, 7.5, None])
-
-    def test_the_least_preload_that_doubles(self):
-        self.assertEqual(doubling.doubling(self.STEPS, "load", 1.8), 3.0)
-        self.assertEqual(doubling.doubling(self.STEPS, "load", 0.4), 0.0)
-        self.assertIsNone(doubling.doubling(self.STEPS, "load", 2.1))
-
-    def test_cells_of_the_preload_that_doubles(self):
-        def point(ratio, steps, complete):
-            return {"sweep": {"tabor": 1.0, "amplitude_ratio": ratio}, "pull_off_any": {"complete": complete},
-                    "staircase": steps and {"load_control": {"steps": steps}}}
-        points = [point(0.01, self.STEPS, True), point(0.1, self.STEPS[:1], True), point(1.0, self.STEPS[:1], False),
-                  point(10.0, None, False)]
-        points += [dict(one, sweep=dict(one["sweep"], tabor=2.0)) for one in points]
-        blocks, frame = doubling.cells(points, "load_control", {1.0: 0.9, 2.0: 0.2})
-        levels = doubling.LEVELS["load_control"]
-        # twice 0.9 takes a load of 3, or is not reached; twice 0.2 takes contact alone
-        self.assertEqual([len(block) for block in blocks], [3, 0, 0, 0, 0, 1, 0, 1, 2 + 1])
-        self.assertEqual(len(blocks), len(levels) + 3)
-        self.assertEqual(len(doubling.names(levels, "load")), len(blocks))
-        self.assertAlmostEqual(frame[1] - frame[0], 2 * math.log(2.0))
-        cell = blocks[5][0]
-        self.assertAlmostEqual(cell[5] - cell[4], math.log(10.0))
 
 
 class Svg(unittest.TestCase):

@@ -174,7 +174,7 @@ def make(case, references):
         "soft": 1 if soft else 0, "soft_text": f"μ = {plain(soft.tabor)}" if soft else "",
         "figure_height": 640 if soft else 480,
         "x_min": WINDOW[0], "x_max": WINDOW[1], "y_min": LOADS[0], "y_max": LOADS[1],
-        "low": low, "high": high}
+        "low": low, "high": high, "cut": twice.CUT}
     drawn = gnuplot.draw("fig03", parameters, {"computed": lines or [[]], "reference": marks or [[]],
                                                "rigid": [dots], "published": [crosses],
                                                "residual": strips,
@@ -196,18 +196,18 @@ def caption(case, marks, dots, crosses, said, soft):
     if crosses:
         text += " Crosses: Feng’s own points, read off his figure."
     if dots:
-        text += " Red dots: Bradley’s rigid solution, to compare with the branch for the smallest μ."
+        text += " Orange dots: Bradley’s rigid solution, to compare with the branch for the smallest μ."
     if said[0]:
         text += Markup(" Middle: distance of the reference points from the computed branch, "
                        "along its normal, in units of the axes; at most {}").format(greatest(said[0]))
         if said[1]:
-            text += Markup(". Red: with the paper’s discretisation ({1}); at most {0}").format(
-                greatest(said[1]), twice.PAPER)
+            text += Markup(". Orange: with the paper’s discretisation ({1}); at most {0}; {2}").format(
+                greatest(said[1]), twice.PAPER, twice.CUT_WORDS)
         text += "."
     if soft:
         text += Markup(
             " Bottom: μ = {}, which this figure of the paper does not show, (a) about the pull-off and (b) about the jump out of "
-            "contact. With panels (black) the branch has {} folds. With the paper’s discretisation (red) the contact edge "
+            "contact. With panels (black) the branch has {} folds. With the paper’s discretisation (orange) the contact edge "
             "advances by one element of {} ε at a time, and the load oscillates. Where the branch is steep, each oscillation "
             "is a pair of folds (dots), and the branch has {} folds. From one pair to the next the contact radius changes by "
             "{} to {} ε, one element. The {} folds that panels do not find are spurious.").format(

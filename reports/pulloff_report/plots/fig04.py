@@ -67,7 +67,7 @@ def make(case, references):
         if found:
             said.append((name, max(found, key=lambda row: row[1]), max(paper, key=lambda row: row[1], default=None)))
     data["folds"] = [folds(case), folds(case.companion)]
-    parameters.update({"paper": 1 if case.companion else 0, "fold_points": len(data["folds"][0]),
+    parameters.update({"cut": twice.CUT, "paper": 1 if case.companion else 0, "fold_points": len(data["folds"][0]),
                        "figure_height": 600 if data["folds"][0] else 480})
     drawn = gnuplot.draw("fig04", parameters, data)
     label = "Pull-off force and minus the approach at pull-off against the Tabor parameter"
@@ -77,7 +77,7 @@ def make(case, references):
 
 def caption(case, data, said):
     text = Markup("(a) Pull-off force |W̄| and (b) approach {}Δ† at pull-off against the Tabor "
-                  "parameter μ. Red squares: computed with {}.").format(MINUS, Markup(twice.how(case)))
+                  "parameter μ. Orange squares: computed with {}.").format(MINUS, Markup(twice.how(case)))
     if data["force"][1]:
         text += Markup(" Blue asterisks: Feng’s problem, solved independently (see the note on "
                        "Feng’s points).")
@@ -86,8 +86,8 @@ def caption(case, data, said):
     if said:
         text += Markup(" Below: magnitude of the difference; at most {}").format(greatest(said, 1))
         if said[0][2]:
-            text += Markup(". Open circles: with the paper’s discretisation ({1}); at most {0}").format(
-                greatest(said, 2), twice.PAPER)
+            text += Markup(". Blue: with the paper’s discretisation ({1}); at most {0}; in (a) {2}").format(
+                greatest(said, 2), twice.PAPER, twice.CUT_WORDS)
         text += "."
     if data["folds"][0]:
         text += " (c) Number of folds of the branch"

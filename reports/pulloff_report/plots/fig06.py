@@ -67,8 +67,8 @@ def make(case, references):
     drawn = gnuplot.draw("fig06", {
         "line_count": len(lines), "mark_count": len(marks), "label_count": len(labels),
         "label_x": [item[0] for item in labels], "label_y": [item[1] for item in labels],
-        "label_text": [item[2] for item in labels], "low": low, "high": high,
-        "x_min": WINDOW[0], "x_max": WINDOW[1], "y_min": LOADS[0], "y_max": LOADS[1]},
+        "label_text": [item[2] for item in labels], "low": low, "high": high, "cut": twice.CUT,
+        "figure_height": 430, "x_min": WINDOW[0], "x_max": WINDOW[1], "y_min": LOADS[0], "y_max": LOADS[1]},
         {"rigid": [lines[key] for key in sorted(lines)], "computed": marks or [[]],
          "residual": strips})
     label = "Load against minus the approach of rigid wavy spheres for five values of alpha"
@@ -78,14 +78,14 @@ def make(case, references):
 
 def caption(case, strips):
     text = Markup("Load W̄ against the approach {}Δ† for A† = 1 and the values of log₁₀ α at the curves. "
-                  "Lines: Eq 22, computed by this program. Red squares: the elastic solver at μ = 10⁻⁴, with {}.").format(
+                  "Lines: Eq 22, computed by this program. Orange squares: the elastic solver at μ = 10⁻⁴, with {}.").format(
                       MINUS, Markup(twice.how(case)))
     worst = [max(row[1] for row in strip) if strip else None for strip in strips]
     if worst[0]:
         text += Markup(" Below: distance of points of Eq 22, computed independently, from the branch, along its "
                        "normal, in units of the axes; at most {}").format(scientific(worst[0]))
         if worst[1]:
-            text += Markup(". Red: with the paper’s discretisation ({1}); at most {0}").format(
-                scientific(worst[1]), twice.PAPER)
+            text += Markup(". Orange: with the paper’s discretisation ({1}); at most {0}; {2}").format(
+                scientific(worst[1]), twice.PAPER, twice.CUT_WORDS)
         text += "."
     return text

@@ -51,6 +51,7 @@ def make(case, references):
     strips = [residuals(case, stored), residuals(case.companion, stored)]
     low, high = log_range([row[1] for strip in strips for row in strip])
     drawn = gnuplot.draw("fig07", {
+        "figure_height": 460,
         "line_count": len(lines), "line_text": [f"{logarithm(key[0])}" for key in sorted(blocks)],
         "line_end": apart([rows[-1][1] for rows in lines], 1.45), "rumpf_count": len(doubled),
         "rumpf_text": [logarithm(key[0]) for key in sorted(doubled)],
@@ -66,7 +67,7 @@ def make(case, references):
 
 def caption(case, strips):
     text = Markup("Pull-off force |W̄| of the rigid wavy sphere against α = A R/λ². Black lines: the minimum of "
-                  "Eq 22, computed independently; log₁₀ A† at the right ends. Red squares: the "
+                  "Eq 22, computed independently; log₁₀ A† at the right ends. Orange squares: the "
                   "elastic solver at μ = 10⁻⁴, with {}. Blue dashed lines: Rumpf and Rabinowicz, Eq 20, multiplied by two, because "
                   "Eq 20 is relative to Bradley’s 2πwR and the axis to πwR; log₁₀ R† at the right ends. "
                   "Thin dotted lines: Eq 20 as printed.").format(Markup(twice.how(case)))
@@ -74,7 +75,7 @@ def caption(case, strips):
         text += Markup(" Below: relative difference from Eq 22; at most {}").format(
             scientific(max(row[1] for row in strips[0])))
         if strips[1]:
-            text += Markup(". Red: with the paper’s discretisation ({}); up to {}, where the "
+            text += Markup(". Orange: with the paper’s discretisation ({}); up to {}, where the "
                            "elements do not resolve the crest at the axis").format(
                                twice.PAPER, scientific(max(row[1] for row in strips[1])))
         text += "."

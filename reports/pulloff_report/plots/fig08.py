@@ -36,7 +36,7 @@ def make(case, references):
         "text": [f"A† = {plain(value)}" for value in amplitudes],
         "rigid": [rigid[key] for key in sorted(rigid)], "top": TOP, "last_tabor": last[0], "last": last[1],
         "above": 2.0 * max((row[1] for rows in guduru.values() for row in rows), default=50.0),
-        "figure_height": 470, "low": low, "high": high},
+        "figure_height": 470, "low": low, "high": high, "cut": twice.CUT},
         {"computed": marks or [[]], "harder": harder or [[]], "guduru": [guduru[key] for key in sorted(guduru)] or [[]],
          "difference": strips or [[]]})
     label = "Pull-off force against the Tabor parameter for three amplitudes"
@@ -53,5 +53,5 @@ def caption(case, amplitudes, strips, last):
     if strips:
         worst = max(row[1] for strip in strips for row in strip)
         text += Markup(" Below: magnitude of the difference from the paper’s discretisation "
-                       "({}); at most {}.").format(twice.PAPER, scientific(worst))
+                       "({}); at most {}; {}.").format(twice.PAPER, scientific(worst), twice.CUT_WORDS)
     return text + preload.caption(case, KEYS, "Filled markers")

@@ -23,13 +23,19 @@ class Figure:
     remarks: list = dataclasses.field(default_factory=list)
     command: str = ""
     followed: list = dataclasses.field(default_factory=list)  # (point, check) of scenes computed in two ways
+    letter: str = ""    # of a figure that the paper does not have
+
+    @property
+    def shape(self):
+        """Height over width of the drawings, which stand one below the other."""
+        boxes = [(float(width), float(height)) for width, height in
+                 re.findall(r'viewBox="\S+ \S+ ([\d.]+) ([\d.]+)"', self.svg)]
+        return sum(height / width for width, height in boxes)
 
     @property
     def is_tall(self):
         """Whether the picture is about as tall as it is wide, so that it fills most of a page."""
-        boxes = [(float(width), float(height)) for width, height in
-                 re.findall(r'viewBox="\S+ \S+ ([\d.]+) ([\d.]+)"', self.svg)]
-        return sum(height / width for width, height in boxes) > TALL
+        return self.shape > TALL
 
 
 def cividis(low, count):

@@ -119,7 +119,7 @@ def caption(panel, loop, apart, wide, theory):
     if wide:
         text += Markup(": (a) with the large oscillations of the JKR theory, (b) the rectangle of (a)")
     text += Markup(
-        ". Thick red lines: equilibria that are stable at fixed approach; thin red lines: unstable equilibria.")
+        ". Thick orange lines: equilibria that are stable at fixed approach; thin orange lines: unstable equilibria.")
     if apart:
         text += Markup(
             " Triangles: with the paper’s 500 equal elements; at most {} from the lines, in units of the axes.").format(

@@ -19,8 +19,8 @@ MARKERS = {"ring": "o", "triangle": "^", "panel": "s"}
 LABELS = {"force": "force", "approach": "approach", "folds": "folds", "curve": "curve"}
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 # Two figures, because one with seven rows would not fit on a page.
-PARTS = (("smooth", "Error against run time, smooth spheres", False),
-         ("wavy", "Error against run time, wavy spheres", True))
+PARTS = (("wavy", "Error against run time, wavy spheres", True),
+         ("smooth", "Error against run time, smooth spheres", False))
 FAILED_AT = 0.945        # height of the markers of failed solves, relative to the panel
 
 
@@ -126,12 +126,11 @@ def draw(chosen):
                     draw_series(axes, field, drawn)
             draw_failures(axes, field, here)
             axes.set_title(LABELS[field], fontsize=7.8, loc="right", pad=3)
-        line[0].set_ylabel("error")
-        line[0].set_title(samples.scene_name(scene), fontsize=7.8, loc="left", pad=3)
+        line[0].set_ylabel(samples.scene_name(scene) + "\nerror")
     for axes in grid[-1]:
         axes.set_xlabel("seconds")
     add_legend(picture, {sample.series for sample in chosen})
-    picture.subplots_adjust(left=0.075, right=0.99, top=1 - 56 / height, bottom=34 / height,
+    picture.subplots_adjust(left=0.095, right=0.99, top=1 - 56 / height, bottom=34 / height,
                             wspace=0.08, hspace=0.2)
     return picture
 

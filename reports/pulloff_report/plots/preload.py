@@ -47,8 +47,9 @@ def caption(case, keys, sign):
         return text + f" This run has no record of {case.name}_any, so other preloads are not drawn."
     known = greatest(case.any_preload, keys)
     open_ends = sum(not complete for _, complete in known.values())
-    text += (f" {sign}: the largest force at any preload, where it is larger by more than {SEEN:.0%} "
-             f"({len(larger(case, keys))} of {len(case.any_preload.points)} scenes computed).")
+    drawn, scenes = len(larger(case, keys)), len(case.any_preload.points)
+    text += (f" {sign}: the largest force at any preload, where it is larger by more than {SEEN:.0%} ({drawn} of {scenes} scenes "
+             "computed)." if drawn else f" No preload gives a force larger by more than {SEEN:.0%} ({scenes} scenes computed).")
     if open_ends:
         text += f" In {open_ends} of these scenes, preloads above 100 πwR may give a larger force."
     return text + " Steep waves on soft spheres were not computed at any preload, because each takes minutes."

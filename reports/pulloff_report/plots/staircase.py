@@ -77,7 +77,7 @@ def title(point):
 def caption(points, title_of, jkr):
     text = Markup("The pull-off force |W̄| that a test measures against the preload. Top: displacement control, against the "
                   "largest approach Δ†; bottom: load control, against the largest load W̄. A step begins where "
-                  "loading jumps at a fold or passes a minimum of the load; the force is constant between two such preloads. Red: computed; "
+                  "loading jumps at a fold or passes a minimum of the load; the force is constant between two such preloads. Orange: computed; "
                   "dashed: the JKR theory{}, whose contacts have no grooves.").format(" (Eq 5)" if "Eq" in jkr else "")
     for number, point in enumerate(points, 1):
         steps = point["staircase"]["displacement_control"]["steps"]

@@ -5,6 +5,10 @@ import math
 from ..words import plain, scientific, value_of
 
 PAPER = "triangles on 501 equally spaced nodes, half-space cut at r = R"
+# The load of Eq 9 between a rigid sphere and the half-space beyond r = R, which the cut leaves out: in πwR, R† = 100, Δ† = 0.
+CUT = 8 / 3 / (1 + 100 / 2) ** 2
+CUT_WORDS = ("dashed: 1.0 × 10⁻³, the traction beyond r = R, which the cut leaves out; the difference at this level is the cut, "
+             "and not the discretisation")
 
 
 def rows(case, keys):

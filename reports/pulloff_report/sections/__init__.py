@@ -31,12 +31,13 @@ class Section:
     entries: list = dataclasses.field(default_factory=list)  # (id, title) of its entries in the table of contents
     on_paper: bool = True     # whether the PDF has the section
     omitted_words: str = ""   # what the PDF says about a section that it does not have
+    absent: str = ""          # why the run has nothing for this section, which is then left out; the first page says so
 
 
 def build_all(source):
     """Every section, in order: those of the PDF first, then the long lists that only the HTML page has."""
     from . import cases, checks, claims, cost, environment, extreme, figures, general, planted_faults, precision, provenance, solvers, verdicts
-    order = (figures, claims, general, precision, solvers, cost, extreme, planted_faults, verdicts, environment, checks, cases, provenance)
+    order = (figures, claims, general, precision, solvers, cost, extreme, verdicts, environment, planted_faults, checks, cases, provenance)
     # Its figures need as long as all the rest.
     drawn = beside.start(lambda: precision.build(source))
     built = {module: module.build(source) for module in order if module is not precision}

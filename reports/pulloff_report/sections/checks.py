@@ -44,7 +44,7 @@ def decimals_of(check):
 def row(case, check, shown_ids):
     point = case.point(check.get("point"))
     return {"check": check, "label": sweep_label(point), "detail": detail(check),
-            "decimals": decimals_of(check), "bar": width_of(check["ratio"]),
+            "decimals": decimals_of(check), "bar": width_of(check["ratio"]), "passes": check["verdict"] in PASSING,
             "point_id": f"point-{case.name}-{point['id']}" if point and point["id"] in shown_ids else None}
 
 

@@ -5,7 +5,7 @@ import math
 from . import Section
 from ..words import CHECK_VERDICTS, CHOICE_WORDS, CLAIM_SIGNS, CLAIM_VERDICTS, MINUS, decimals_for, fixed, plain, scientific
 
-ABSENT = "The claims of the paper were not judged for this run; ./reproduce --only claims judges them."
+ABSENT = "the claims of the paper (./reproduce --only claims)"
 # The groups of the tables, in reading order: (identifier, title, verdicts, whether the HTML page shows it unfolded).
 GROUPS = (("contradicted", "Contradicted statements", ("contradicted", "check_failed"), True),
           ("depends", "Statements that depend on a choice that the paper leaves open", ("depends", "no_result"), True),
@@ -87,31 +87,39 @@ def words_of(entry):
     return "no result" if entry["computed"] is None else f"{entry['computed']:.4g}".replace("-", MINUS)
 
 
+def of_all(choices, name):
+    """A column of a row in which all choices stand together: "1.946", or "3.259 to 3.722"."""
+    by = {"claimed": "low"}.get(name, name)
+    cells = list(dict.fromkeys(choice[name] for choice in sorted(choices, key=lambda choice: choice["sort"](by) or -math.inf)))
+    return cells[0] if len(cells) == 1 else f"{cells[0]} to {cells[-1]}"
+
+
 def row(claim):
     single = len(claim["choices"]) < 2
     first = claim["choices"][0] if claim["choices"] else NOTHING
+    choices = [] if single else [choice_row(choice, claim["reading"]) for choice in claim["choices"]]
     lines = list(dict.fromkeys(line for choice in claim["choices"] for line in choice["commands"]))
     return {"claim": claim, "rank": ORDER.index(claim["verdict"]), "verdict": verdict(claim["verdict"], WORDS),
             "short": verdict(claim["verdict"], {**WORDS, **SHORT_WORDS}),
             "accuracy": first["accuracy"], "commands": lines, "by_solvers": by_solvers(claim), "lead": "Implied by" if claim["implied"] else None,
             "change": change_of(claim),
             **numbers(first if single else NOTHING, claim["reading"] if single else None),
-            "choices": [] if single else [choice_row(choice, claim["reading"]) for choice in claim["choices"]]}
+            "choices": choices, "together": {name: of_all(choices, name) for name in ("claimed", "computed")} if choices else None}
 
 
 def build(source):
     judged = source.claims
-    data, entries = {"absent": ABSENT, "groups": []}, []
+    data, entries = {}, []
     if judged:
         words = {**CLAIM_VERDICTS, **CHECK_VERDICTS}
         counts = [(CLAIM_SIGNS[name], words[name], name, judged["counts"].get(name, 0)) for name in words]
         found = [{"id": f"claims-{name}", "title": title, "is_open": is_open, "detailed": is_open,
                   "rows": [row(claim) for claim in judged["claims"] if claim["verdict"] in verdicts]}
                  for name, title, verdicts, is_open in GROUPS]
-        data = {"absent": None, "groups": [group for group in found if group["rows"]],
+        data = {"groups": [group for group in found if group["rows"]],
                 "counts": [entry for entry in counts if entry[-1]], "readings": judged["readings"], "preloads": judged["preloads"],
-                "figures": sum(claim["figure"] for claim in judged["claims"]),
+                "unseen": sum(claim["figure"] for claim in judged["claims"]),
                 "decided": [claim for claim in judged["claims"] if claim["decided"]],
                 "by_solvers": sum(bool(claim["solvers"]) for claim in judged["claims"]), "number": len(judged["claims"])}
         entries = [(group["id"], f"{group['title']} ({len(group['rows'])})") for group in data["groups"]]
-    return Section("claims", "Claims of the paper", "claims.html", data, entries)
+    return Section("claims", "Claims of the paper", "claims.html", data, entries, absent="" if judged else ABSENT)

@@ -4,7 +4,7 @@ from . import Section
 from ..cost import PARTS
 from ..plots import cost
 
-ABSENT = "The cost of equilibria was not measured for this run (./reproduce --only cost measures it)."
+ABSENT = "the cost of an equilibrium (./reproduce --only cost)"
 
 
 def rate_rows(document):
@@ -32,11 +32,11 @@ def crossover(document):
 
 def build(source):
     document = source.cost
-    data = {"absent": ABSENT}
+    data = {}
     if document:
         both = [mesh for mesh in document["meshes"] if mesh["dense"]]
         rows = rate_rows(document)
-        data = {"absent": None, "document": document, "figures": cost.make(document), "rates": rows, "meshes": mesh_rows(document),
+        data = {"document": document, "figures": cost.make(document), "rates": rows, "meshes": mesh_rows(document),
                 "crossover": crossover(document), "parts": PARTS, "both": max(both, key=lambda mesh: mesh["nodes"], default=None),
                 "factors": {row["way"]: row for row in rows if row["part"] == cost.PART_NAMES["factors"]}}
-    return Section("cost", "Cost of an equilibrium", "cost.html", data)
+    return Section("cost", "Cost of an equilibrium", "cost.html", data, absent="" if document else ABSENT)

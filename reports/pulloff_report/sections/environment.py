@@ -53,5 +53,4 @@ def build(source):
     cases = source.run.cases
     return Section("environment", "Environment", "environment.html",
                    {"program": merged(cases, "versions"), "machine": merged(cases, "environment"),
-                    "tools": tool_versions(),
-                    "seconds": sum(case.record.get("seconds") or 0 for case in cases)})
+                    "tools": tool_versions()})

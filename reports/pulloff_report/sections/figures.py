@@ -33,26 +33,21 @@ def files(names, word="and"):
 
 
 def missing(module, script):
-    which = f"Figure {module.NUMBER}, {module.TITLE[0].lower()}{module.TITLE[1:]}," if module.NUMBER else f"{module.TITLE}"
-    return (f"{which} is omitted: this run has no record of a case that draws it "
-            f"(pulloff run {case_of(module, script)} computes one).")
-
-
-def case_of(module, script):
-    """The case that a figure is drawn from."""
-    return getattr(module, "CASE", script) + ("_any" if getattr(module, "AT_ANY_PRELOAD", False) else "")
+    """A figure that is not drawn, and the case that would draw it."""
+    which = f"Figure {module.NUMBER}, {module.TITLE[0].lower()}{module.TITLE[1:]}" if module.NUMBER else module.TITLE
+    return f"{which} ({getattr(module, 'CASE', script)})"
 
 
 def build(source):
-    figures, absent = [], []
+    figures, absent, run = [], [], source.run
     for script, module in plots.BY_SCRIPT.items():
-        found = [case for case in source.run.drawing(getattr(module, "CASE", script))
-                 if case.any_preload or not getattr(module, "AT_ANY_PRELOAD", False)]
-        if found or getattr(module, "SCHEMATIC", False):
+        found = run.drawing(getattr(module, "CASE", script))
+        if found or getattr(module, "SCHEMATIC", False) and run.is_of_paper:
             figures.append(module.make(found[0] if found else None, source.references))
-        else:
+        elif run.is_of_paper:
             absent.append(missing(module, script))
     entries = [(f"figure-{item.id}", f"Figure {item.number} · {item.title}" if item.number else item.title)
                for item in figures]
-    return Section("figures", "Figures of the paper", "figures.html",
-                   {"figures": figures, "absent": absent, "note": feng_note(source.references)}, entries)
+    return Section("figures", "Figures of the paper" if run.is_of_paper else "Figures", "figures.html",
+                   {"figures": figures, "absent": absent, "note": feng_note(source.references) if run.is_of_paper else None},
+                   entries, absent="" if figures else "figures")

@@ -6,12 +6,7 @@ from ..records import PASSING
 from ..words import count
 
 SUITE = "general"
-ABSENT = ("Other laws and profiles are omitted: this run has no record of the suite general "
-          "(pulloff run --suite general computes them).")
-
-
-def missing(module, script):
-    return f"{module.TITLE} is omitted: this run has no record of a case that draws it with the script {script}."
+ABSENT = "other laws and profiles (pulloff run --suite general)"
 
 
 def row_of(case):
@@ -28,10 +23,10 @@ def build(source):
         if found:
             figures.append(module.make(found[0], source.references))
         elif cases:
-            absent.append(missing(module, script))
+            absent.append(f"{module.TITLE} ({script})")
     rows = [row_of(case) for case in cases]
     total = {name: sum(row[name] for row in rows) for name in ("scenes", "solved", "checks", "passing")}
     words = f"{total['solved']} of {count(total['scenes'], 'scene')} were solved, and {total['passing']} of {count(total['checks'], 'check')} pass."
     return Section("general", "Other laws and profiles", "general.html",
-                   {"figures": figures, "absent": absent if cases else [ABSENT], "rows": rows, "words": words},
-                   [(f"figure-{item.id}", item.title) for item in figures])
+                   {"figures": figures, "absent": absent, "rows": rows, "words": words},
+                   [(f"figure-{item.id}", item.title) for item in figures], absent="" if cases else ABSENT)

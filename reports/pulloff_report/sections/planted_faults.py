@@ -3,8 +3,7 @@
 from . import Section
 from ..words import count
 
-ABSENT = ("No matrix of planted faults is available for this run. meson test -C build --suite mutation plants faults in the "
-          "program, one at a time, and the next report shows which check detects which fault.")
+ABSENT = "planted faults (./reproduce --only faults)"
 
 # Letter of a cell, by the kind of failure; the first that applies.
 SIGNS = {"oracle": "O", "test": "T", "no_result": "N", "refused": "R", "pin": "P", "timeout": "L"}
@@ -60,10 +59,11 @@ def verdict(matrix):
 
 def build(source):
     matrix = source.faults
-    data = {"absent": ABSENT, "matrix": None}
+    data = {}
     if matrix:
         rows = groups(matrix)
         used = {letter for group in rows for row in group["rows"] for letter, _, _ in row["cells"]}
-        data = {"absent": None, "matrix": matrix, "groups": rows, "verdict": verdict(matrix),
+        data = {"matrix": matrix, "groups": rows, "verdict": verdict(matrix),
                 "legend": [(sign, text) for sign, text in MEANINGS.items() if sign in used]}
-    return Section("planted-faults", "Planted faults", "planted_faults.html", data)
+    return Section("planted-faults", "Planted faults", "planted_faults.html", data, absent="" if matrix else ABSENT,
+                   on_paper=False, omitted_words="which case or test detects which planted fault")

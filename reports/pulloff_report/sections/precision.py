@@ -2,14 +2,11 @@
 
 from . import Section
 from .. import samples
-from ..plots import precision
+from ..plots import precision, speed
 from ..plots.figure import failures
 
 SCRIPT = "precision"
-ABSENT = ("Error against run time is omitted: this run has no record of the case precision "
-          "(pulloff run --suite precision computes one).")
-EMPTY = "Error against run time is omitted: no point of the case has both an error and a run time."
-COMPARED = (("ring uniform", 501), samples.MARK, ("panel", 1e-6))  # the meshes of the table of work
+ABSENT = "error against run time (pulloff run --suite precision)"
 
 
 def order_rows(found):
@@ -23,44 +20,44 @@ def order_rows(found):
     return with_first(rows)
 
 
-def crossing_rows(found):
-    rows = []
+def crossings(found):
+    """From which run time on panels are more accurate than every other mesh: the least and the greatest of all scenes and
+    quantities, and where there is no such time."""
+    times, never = [], []
     for scene in samples.scenes(found):
         panels = samples.of(found, scene, "panel")
-        for scheme in ("ring", "triangle"):
-            others = [sample for sample in samples.of(found, scene)
-                      if sample.series.startswith(scheme)]
-            if panels and others:
-                rows.append({"scene": samples.scene_name(scene), "scheme": scheme,
-                             "cells": {field: samples.overtaking(panels, others, field)
-                                       for field in samples.FIELDS}})
-    return with_first(rows)
+        others = [sample for sample in samples.of(found, scene) if sample.series != "panel"]
+        for field in samples.FIELDS if panels and others else []:
+            crossing = samples.overtaking(panels, others, field)
+            if crossing:
+                times.append(crossing[0])
+            elif any(field in sample.errors for sample in panels):
+                never.append(f"{samples.FIELD_NAMES[field]}, {samples.scene_name(scene)}")
+    return {"first": min(times), "last": max(times), "never": never} if times else None
 
 
 def speed_rows(found):
-    """For each scene: the fastest panel solve at least as accurate as 501 triangles, by field and for all fields."""
+    """For each scene: 501 triangles, and the fastest panel solve with an equal or smaller error in every quantity."""
     rows = []
     for scene in samples.scenes(found):
         goal = samples.marked(samples.of(found, scene))
-        panels = samples.of(found, scene, "panel")
-        if goal is None or goal.failed or not panels:
-            rows.append({"scene": samples.scene_name(scene), "goal": None})
+        if goal is None or goal.failed:
             continue
-        known = [field for field in samples.FIELDS if field in goal.errors and not (
-            field == "folds" and goal.misfit)]
-        cells = {field: samples.quickest(panels, [field], goal) for field in known}
-        rows.append({"scene": samples.scene_name(scene), "goal": goal, "cells": cells,
-                     "all": samples.quickest(panels, known, goal)})
+        known = [field for field in samples.FIELDS if field in goal.errors and not (field == "folds" and goal.misfit)]
+        rows.append({"scene": samples.scene_name(scene), "goal": goal,
+                     "all": samples.quickest(samples.of(found, scene, "panel"), known, goal)})
     return rows
 
 
-def work_rows(found):
-    rows = []
-    for scene in samples.scenes(found):
-        for mesh in COMPARED:
-            rows += [{"scene": samples.scene_name(scene), "sample": sample}
-                     for sample in samples.of(found, scene) if sample.mesh == mesh]
-    return with_first(rows)
+def front(rows):
+    """What the first page says: how many times faster the panels are at the error of 501 triangles, and how much more accurate."""
+    known = [(row["goal"].seconds / row["all"].seconds, row) for row in rows if row["all"]]
+    if not known:
+        return None
+    forces = [(row["all"].relative, row["goal"].relative) for _, row in known]
+    return {"least": min(known, key=lambda item: item[0]), "most": max(known, key=lambda item: item[0]), "scenes": len(known),
+            "of": len(rows), "ours": max(ours for ours, _ in forces), "theirs": [min(theirs for _, theirs in forces),
+                                                                                 max(theirs for _, theirs in forces)]}
 
 
 def every_row(found):
@@ -76,16 +73,16 @@ def with_first(rows):
 
 
 def build(source):
-    data = {"figures": [], "absent": ABSENT}
+    data = {}
     cases = [case for case in source.run.cases if case.name == SCRIPT]
-    if cases:
+    figures = precision.make(cases[0]) if cases else []
+    if figures:
         found = [sample for sample in samples.read(cases[0]) if sample.times]
-        data = {"figures": precision.make(cases[0]), "absent": None, "fields": samples.FIELDS,
-                "names": samples.FIELD_NAMES, "orders": order_rows(found),
-                "crossings": crossing_rows(found), "speeds": speed_rows(found),
-                "works": work_rows(found), "everything": every_row(found),
-                "above": samples.ABOVE_FLOOR, "failures": failures(cases[0]),
+        speeds = speed_rows(found)
+        data = {"figures": figures, "fields": samples.FIELDS, "names": samples.FIELD_NAMES, "orders": order_rows(found),
+                "fewest": samples.FEWEST_MESHES, "spread": samples.MOST_SPREAD, "above": samples.ABOVE_FLOOR,
+                "crossings": crossings(found), "speeds": speeds, "everything": every_row(found), "failures": failures(cases[0]),
                 "not_solved": cases[0].record.get("not_solved", [])}
-        if not data["figures"]:
-            data["absent"] = EMPTY
-    return Section("precision", "Error against run time", "precision.html", data)
+        numbers = front(speeds)
+        data["front"] = numbers and dict(numbers, figure=speed.make(found, source.run, cases[0].record["command"]))
+    return Section("precision", "Error against run time", "precision.html", data, absent="" if figures else ABSENT)

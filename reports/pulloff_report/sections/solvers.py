@@ -6,8 +6,7 @@ import statistics
 from . import Section
 from .. import samples, solvers
 
-ABSENT = ("External solvers are omitted: this run has no record of one (./reproduce --only solvers asks the example solvers; "
-          "pulloff run CASE --solver MANIFEST asks any).")
+ABSENT = "external solvers (./reproduce --only solvers, pulloff run CASE --solver MANIFEST)"
 GOALS = (("its error", None), ("1e-6", solvers.GOAL))
 
 
@@ -118,18 +117,18 @@ def front(found, speeds):
 
 def build(source):
     found = solvers.read(source.run)
-    data = {"absent": ABSENT, "figure": None}
+    data = {"figure": None}
     if found:
         names = list(dict.fromkeys(name for solver in found for name in solver.cases))
         titles = {name: next(s.cases[name].title for s in found if name in s.cases) for name in names}
         rows = solvers.timed(source.run, found)
         speeds = speed_rows(rows)
         ours = next((case for case in source.run.cases if case.name == solvers.TIMED), None)
-        data = {"absent": None, "middle": middle, "scene": samples.scene_name, "titles": titles,
+        data = {"middle": middle, "scene": samples.scene_name, "titles": titles,
                 "rows": table(source.run, found, names), "front": front(found, speeds),
                 "figure": figure_of(rows, command(found)) if ours and rows else None,
                 "speeds": speeds, "slower": slower(speeds), "goals": [name for name, _ in GOALS],
                 "timed": [row for row in rows if row.timing],
                 "apart": [row for row in rows if row.timing and row.usable and not row.timing["interleaved"]],
                 "clocks": [row for row in rows if row.clock in ("more", "less")]}
-    return Section("solvers", "External solvers", "solvers.html", data)
+    return Section("solvers", "External solvers", "solvers.html", data, absent="" if found else ABSENT)
