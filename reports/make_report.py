@@ -102,12 +102,13 @@ def make(wanted):
     matrix, judged, measured, tested = (
         module.read(path or (module.beside(wanted.run) if run.is_of_paper else None)) for module, path in (
             (faults, wanted.faults), (claims, wanted.claims), (cost, wanted.cost), (tree_tests, None)))
-    key = content_key([matrix, judged, measured, tested], wanted.run, wanted.reference)
+    live = os.path.isfile(os.path.join(wanted.output, "live.html"))  # the page with the solver (reports/live)
+    key = content_key([matrix, judged, measured, tested, live], wanted.run, wanted.reference)
     if not wanted.fresh and is_current(wanted.output, key):
         print(f"kept: the report in {wanted.output} is up to date")
         return
     content = page.contents(run, references.References(wanted.reference), matrix, judged, measured, tested)
-    html, pdf = page.forms(content)
+    html, pdf = page.forms(dict(content, live=live))
     write_all(wanted.output, {"report.html": html, "report.pdf": pdf, KEY: key.encode("ascii")})
     print(f"made: {os.path.join(wanted.output, 'report.html')} and report.pdf")
 

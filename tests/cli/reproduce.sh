@@ -75,8 +75,8 @@ refused '--jobs is empty: expected a whole number' --jobs ''
 refused '--only needs the name of a part' --only
 refused '--only needs the name of a part' --only ''
 known='fig03, fig05, fig06, fig06_paper, paper, precision, smoke, timing'
-refused "--only is fig99: expected claims, faults, cost, solvers or one of $known" --only fig99
-refused "--only is fig: expected claims, faults, cost, solvers or one of $known" --only fig03,fig
+refused "--only is fig99: expected claims, faults, cost, solvers, live or one of $known" --only fig99
+refused "--only is fig: expected claims, faults, cost, solvers, live or one of $known" --only fig03,fig
 check 'a refused command writes no log' test ! -e "$tree/build/log"
 reproduce 0 --help
 for option in --only --fresh --verbose --jobs --no-install; do
@@ -153,6 +153,19 @@ reproduce 0 --no-install --only cost
 asked 'cost build/cost/cost.json'
 asked 'report .*'
 not_asked '^verify'
+
+# The page with the solver is made if it is asked for; once it exists, with every report, and before it.
+mkdir -p "$tree/reports/live"
+printf '#!/bin/sh\necho "page $*" >>asked\nmkdir -p build/live\necho page >build/live/live.html\n' >"$tree/reports/live/build.sh"
+chmod +x "$tree/reports/live/build.sh"
+not_asked '^page'
+reproduce 0 --no-install --only live
+check 'the page, then the report' test "$(cut -d ' ' -f 1 "$tree/asked" | tr '\n' ' ')" = 'page report '
+asked 'page --no-install'
+check 'the page is beside the report' test -s "$tree/build/report/live.html"
+reproduce 0 --no-install --only cost
+asked 'page --no-install'
+rm "$tree/build/report/live.html"
 
 # Failures are reported, and the exit code states them.
 for code in 1 3; do

@@ -1,0 +1,86 @@
+#!/bin/sh
+# Makes build/live/live.html: the solver, compiled to WebAssembly from the sources in src/, and the page around it, in one
+# file. Installs a compiler for WebAssembly with tools/setup.sh, and downloads the sources of the libraries that the solver
+# uses (of GSL the tables of Gauss's rules, of nettle SHA-256, jansson) as Debian's source packages.
+#
+# Usage: build.sh [--no-install]
+set -u
+cd "$(dirname "$0")/../.." || exit 4
+command_name=live
+. tools/setup.sh
+at=$build/live
+mkdir -p "$at/objects" "$at/include"
+start_log
+[ "${1:-}" = --no-install ] ||
+  install_packages clang lld wasi-libc libclang-rt-dev-wasm32 binaryen libgsl-dev libjansson-dev nettle-dev nodejs
+
+# download_sources: with an apt of its own, whose sources are the source packages of this system's
+download_sources() {
+  apt=$(pwd)/$at/apt
+  mkdir -p "$apt/sources" "$apt/state/lists/partial" "$apt/cache/archives/partial"
+  for list in /etc/apt/sources.list /etc/apt/sources.list.d/*; do
+    [ ! -f "$list" ] || sed 's/^deb /deb-src /; s/^Types:.*/Types: deb-src/' "$list" >"$apt/sources/$(basename "$list")"
+  done
+  apt_of_sources() {
+    apt-get -q -o "Dir::State=$apt/state" -o "Dir::Cache=$apt/cache" -o Dir::Etc::SourceList=/dev/null \
+      -o "Dir::Etc::SourceParts=$apt/sources" -o Dir::State::status=/var/lib/dpkg/status -o APT::Sandbox::User=root "$@"
+  }
+  apt_of_sources update || echo 'some lists of source packages cannot be downloaded'
+  (cd "$apt" && apt_of_sources source --download-only gsl jansson nettle) || return 1
+  for name in gsl jansson nettle; do
+    mkdir -p "$at/sources/$name"
+    tar -x --strip-components 1 -C "$at/sources/$name" -f "$apt/$name"_*.orig.tar.?z || return 1
+  done
+  : >"$at/sources/complete"
+}
+[ -f "$at/sources/complete" ] || step 'Downloading sources' download_sources
+
+# The headers of this system's packages without those of its C library, which stand beside them.
+for header in gsl nettle jansson.h jansson_config.h; do ln -sfn "/usr/include/$header" "$at/include/"; done
+: >"$at/include/config.h"
+: >"$at/include/jansson_private_config.h"
+
+# write_ninja: prints the rules of the module. Every source file of the rooms up to `library` is in it, except for those that
+# use OpenBLAS (machine/machine.c).
+version=$(sed -n "s/^ *version: '\(.*\)',/\1/p" meson.build)
+rooms='base math result scene theory bem equilibrium continuation path observe series companion keys format library'
+write_ninja() {
+  include='-Ireports/live/machine'
+  for room in $rooms; do include="$include -Isrc/$room"; done
+  cat <<NINJA
+builddir = $at
+flags = --target=wasm32-wasi -O3 -msimd128 -DNDEBUG -ffp-contract=off -fno-math-errno -fvisibility=hidden -D_GNU_SOURCE $
+  -D_WASI_EMULATED_SIGNAL -D_WASI_EMULATED_PROCESS_CLOCKS -idirafter $at/include
+rule own
+  command = clang -std=c17 \$flags -Wall -Wextra -Wno-missing-field-initializers -DPULLOFF_VERSION=\"$version\" $include -MMD -MF \$out.d -c \$in -o \$out
+  depfile = \$out.d
+  deps = gcc
+rule other
+  command = clang -std=gnu17 \$flags -w -DHAVE_STDINT_H -DHAVE_UNISTD_H -DHAVE_SYS_TIME_H \$more -c \$in -o \$out
+rule link
+  command = clang --target=wasm32-wasi -mexec-model=reactor \$in -lwasi-emulated-signal -lwasi-emulated-process-clocks $
+    -Wl,--export=malloc,--export=free,--gc-sections,--strip-all,--stack-first,-z,stack-size=1048576,--initial-memory=67108864 -o \$out.linked && $
+    wasm-opt -O3 --enable-simd --enable-bulk-memory --enable-nontrapping-float-to-int --enable-sign-ext \$out.linked -o \$out
+NINJA
+  objects=
+  add() { # RULE SOURCE OPTION
+    object=$at/objects/$(printf '%s' "$2" | tr '/' '-').o
+    objects="$objects $object"
+    printf 'build %s: %s %s\n  more = %s\n' "$object" "$1" "$2" "${3:-}"
+  }
+  for room in $rooms; do
+    for source in src/"$room"/*.c; do
+      case $source in */po_linear.c | */po_linear_start.c) continue ;; esac
+      add own "$source"
+    done
+  done
+  for source in reports/live/machine/*.c; do add own "$source"; done
+  add other "$at/sources/gsl/integration/glfixed.c"
+  for name in error message stream; do add other "$at/sources/gsl/err/$name.c"; done
+  for name in sha256 sha256-compress write-be32; do add other "$at/sources/nettle/$name.c" "-I$at/sources/nettle"; done
+  for source in "$at"/sources/jansson/src/*.c; do add other "$source"; done
+  echo "build $at/pulloff.wasm: link $objects"
+}
+write_ninja >"$at/build.ninja"
+step 'Building for WebAssembly' ninja -f "$at/build.ninja" "$at/pulloff.wasm"
+step 'Writing the page' python3 reports/live/assemble.py "$at/pulloff.wasm" "$version" "$at/live.html"

@@ -1,0 +1,84 @@
+// The form: one row for each field that the scene has, with a slider where the field has a range.
+import {fieldsOf, valueOf} from './scene.js';
+
+const STEPS = 1000; // of a slider
+
+const valueAt = ([from, to], step) => (from > 0 ? from * (to / from) ** (step / STEPS) : to * (step / STEPS) ** 2);
+const stepAt = ([from, to], value) =>
+  Math.round(STEPS * (from > 0 ? Math.log(value / from) / Math.log(to / from) : Math.sqrt(Math.max(0, value) / to)));
+
+// The text of a value in the unit of the form, and back. Numbers keep their digits.
+const shownOf = (field, text) => (field.si && text !== '' && Number.isFinite(Number(text)) ? String(Number((Number(text) / field.si).toPrecision(15))) : text);
+const storedOf = (field, text) => (field.si && text !== '' && Number.isFinite(Number(text)) ? String(Number((Number(text) * field.si).toPrecision(15))) : text);
+
+// Shows a scene in `form`. change(name, text) is called when the reader changes a field.
+export function makeForm(form, change) {
+  const rows = new Map();
+  const boxes = {usual: form.querySelector('.fields'), more: form.querySelector('details .fields')};
+
+  function makeRow(field) {
+    const row = document.createElement('div'), label = document.createElement('label'), id = `field-${field.name}`;
+    row.className = 'field';
+    label.htmlFor = id;
+    label.textContent = field.label;
+    const input = document.createElement(field.choices ? 'select' : 'input');
+    input.id = id;
+    row.append(label, input);
+    if (field.choices) {
+      for (const choice of field.choices) input.append(new Option(choice, choice));
+      input.onchange = () => change(field.name, input.value);
+      return {row, show: (text) => (input.value = text), input};
+    }
+    Object.assign(input, {type: 'text', inputMode: field.name === 'waves' ? 'text' : 'decimal', autocomplete: 'off', spellcheck: false, maxLength: 200});
+    let slider = null;
+    if (field.range) {
+      slider = document.createElement('input');
+      Object.assign(slider, {type: 'range', min: 0, max: STEPS});
+      slider.setAttribute('aria-label', `${field.label}, slider`);
+      slider.oninput = () => {
+        const text = String(Number(valueAt(field.range, Number(slider.value)).toPrecision(3)));
+        input.value = shownOf(field, text);
+        change(field.name, text);
+      };
+      row.append(slider);
+    }
+    const show = (text) => {
+      if (storedOf(field, input.value.trim()) !== text) input.value = shownOf(field, text);
+      if (!slider) return;
+      slider.value = stepAt(field.range, Number(text));
+      slider.setAttribute('aria-valuetext', shownOf(field, text));
+    };
+    input.oninput = () => {
+      const text = storedOf(field, input.value.trim());
+      change(field.name, text);
+    };
+    return {row, show, input};
+  }
+
+  return {
+    show(scene) {
+      const fields = fieldsOf(scene);
+      const shown = new Set(fields.map((field) => field.name));
+      for (const [name, {row}] of rows) if (!shown.has(name)) row.hidden = true;
+      for (const field of fields) {
+        if (!rows.has(field.name)) rows.set(field.name, makeRow(field));
+        const {row, show} = rows.get(field.name), box = boxes[field.part ?? 'usual'];
+        row.hidden = false;
+        if (row.parentNode !== box) box.append(row);
+        show(valueOf(scene, field.name));
+      }
+      // Rows stand in the order of the fields; moving the one that has the focus would end its editing.
+      for (const box of Object.values(boxes)) {
+        const order = fields.map((field) => rows.get(field.name).row).filter((row) => row.parentNode === box);
+        order.forEach((row, k) => row.style.setProperty('order', k));
+      }
+    },
+    // Marks the field that a message names.
+    mark(message) {
+      const named = message.split(/[ :]/, 1)[0].replaceAll('_', '-');
+      for (const [name, {input}] of rows)
+        if (message && (name === named || name.replace(/-(m|pa|j-per-m2)$/, '') === named)) input.setAttribute('aria-invalid', 'true');
+        else input.removeAttribute('aria-invalid');
+    },
+  };
+}

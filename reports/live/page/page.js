@@ -1,0 +1,215 @@
+// The page: the scene of the address is solved, and everything is drawn again when it changes.
+import {commandOf, fragmentOf, requestOf, sceneOf, theoriesOf} from './scene.js';
+import {makeForm} from './form.js';
+import {makeJobs} from './jobs.js';
+import {fillTable, mainRows, specialRows, unitsOf, withError} from './numbers.js';
+import {drawLoad, drawProfile, drawProgress, drawStaircase, rangesOfProfiles} from './views.js';
+
+const WANT = 'curve,hysteresis', WANT_STAIRCASE = 'preload';
+const QUIET = 300; // ms of a solve before its progress is shown
+const JKR_POINTS = {least: 80, perWave: 40, most: 600}; // of the curve of the JKR theory
+const $ = (id) => document.getElementById(id);
+
+// The compiled module, from the base64 of its gzip in the page.
+async function readModule() {
+  const packed = Uint8Array.from(atob($('module').textContent), (c) => c.charCodeAt(0));
+  const plain = new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip')));
+  return WebAssembly.compile(await plain.arrayBuffer());
+}
+const compiled = readModule();
+compiled.catch((error) => report(`This browser cannot run the solver: ${error.message}`));
+const [main, side, stairs] = [0, 1, 2].map(() => makeJobs(compiled, $('worker').textContent));
+
+let {scene, messages} = sceneOf(location.hash);
+let shown = null; // {answer, profiles, ranges, jkr} of the scene that is drawn
+let chosen = 0, hasChosen = false, view = null, turn = 0;
+const control = () => document.querySelector('input[name=control]:checked').value;
+
+function report(...texts) {
+  $('messages').replaceChildren(...texts.filter(Boolean).map((text) => Object.assign(document.createElement('p'), {textContent: text})));
+}
+
+const form = makeForm($('scene'), (name, text) => {
+  scene = {...scene, [name]: text};
+  if (name === 'profile' && text === 'sphere') delete scene.profile;
+  messages = [];
+  changeScene();
+});
+
+function changeScene() {
+  history.replaceState(null, '', fragmentOf(scene));
+  $('si').checked = 'from-physical' in scene;
+  form.show(scene);
+  solve();
+  if ($('stairs').open) solveStaircase();
+}
+
+async function solve() {
+  const mine = ++turn, asked = scene, points = [];
+  $('busy').hidden = true;
+  const timer = setTimeout(() => mine === turn && main.isBusy() && showProgress({points: []}, QUIET / 1000), QUIET);
+  const showProgress = (progress, seconds) => {
+    for (let k = 0; k < progress.points.length; k += 2) points.push({x: progress.points[k], y: progress.points[k + 1]});
+    if (mine !== turn || seconds < QUIET / 1000) return;
+    $('busy').hidden = false;
+    $('busy-text').textContent = `Solving: ${points.length} points, ${seconds.toFixed(1)} s`;
+    if (points.length > 1) drawProgress($('load'), points);
+  };
+  const {answer, profiles, seconds} = await main.ask(requestOf(asked, WANT), showProgress);
+  clearTimeout(timer);
+  if (mine !== turn) return;
+  $('busy').hidden = true;
+  form.mark(answer.error && !answer.stopped ? answer.error : '');
+  document.body.classList.toggle('stale', Boolean(answer.error));
+  if (answer.error) {
+    report(...messages, answer.error === 'stopped' ? 'The solve was stopped. The figures show the previous scene.' : answer.error);
+    if (shown) drawAll();
+    return;
+  }
+  const result = answer.document;
+  report(...messages, result.status === 'ok' ? '' : `The solve ended early: ${result.reason}. What was found until then is shown.`);
+  shown = {answer, profiles: new Map(profiles), jkr: [], ranges: rangesOfProfiles(answer, profiles)};
+  choose(hasChosen ? nearestTo(result.curve, chosenState) : nearestTo(result.curve, result.pull_off && {approach: result.pull_off.approach, load: -result.pull_off.force}));
+  showNumbers(asked, seconds);
+  drawAll();
+  evaluateTheories(mine);
+}
+
+let chosenState = null;
+function nearestTo(curve, state) {
+  let best = 0, least = Infinity;
+  if (state)
+    curve.forEach((p, k) => {
+      const distance = Math.hypot(p.approach - state.approach, 5 * (p.load - state.load));
+      if (distance < least) [best, least] = [k, distance];
+    });
+  return best;
+}
+
+function choose(number) {
+  chosen = number;
+  chosenState = shown.answer.document.curve[number] ?? null;
+}
+
+function showNumbers(asked, seconds) {
+  const {answer} = shown, result = answer.document, u = unitsOf(answer), p = result.pull_off;
+  fillTable($('numbers'), [], mainRows(answer));
+  fillTable($('special'), ['point', `approach (${u.lengthName})`, `load (${u.forceName})`, `contact radius (${u.lengthName})`, 'unstable modes'], specialRows(answer));
+  $('summary').textContent = (p ? `Pull-off force ${withError(p.force * u.force)} ${u.forceName} at approach ${withError(p.approach * u.length)} ${u.lengthName}. ` : 'No pull-off was found. ') +
+    `${result.folds.length} folds, ${result.curve.length} equilibria, solved here in ${seconds.toFixed(2)} s.`;
+  $('command').textContent = commandOf(asked, WANT);
+  $('digest').textContent = result.digest;
+}
+
+function drawAll() {
+  view = drawLoad($('load'), {...shown, jkr: $('jkr').checked ? shown.jkr : [], control: control(), whole: $('whole').checked, chosen});
+  $('point').min = view.first;
+  $('point').max = view.last;
+  drawChosen();
+}
+
+function drawChosen() {
+  const {answer, profiles, ranges} = shown, u = unitsOf(answer), p = answer.document.curve[chosen];
+  if (!p) return;
+  const state = `at approach ${withError(p.approach * u.length)} ${u.lengthName}, load ${withError(p.load * u.force)} ${u.forceName}`;
+  const words = `${state}, contact radius ${withError(p.contact_radius * u.length)} ${u.lengthName}, ${p.unstable_modes ? `unstable (${p.unstable_modes} modes)` : 'stable'} at given approach`;
+  $('point').value = chosen;
+  $('point').setAttribute('aria-valuetext', words);
+  $('state').textContent = `Equilibrium ${words}`;
+  let kept = chosen;
+  while (kept > 0 && !profiles.has(kept)) --kept;
+  if (profiles.has(kept)) drawProfile($('gap'), $('traction'), {answer, rows: profiles.get(kept), ranges, state});
+}
+
+function moveTo(number) {
+  if (!shown) return;
+  hasChosen = true;
+  choose(number);
+  drawAll();
+}
+
+async function evaluateTheories(mine) {
+  const {answer} = shown, result = answer.document, u = unitsOf(answer), force = result.pull_off?.force, rows = [];
+  for (const {label, request} of theoriesOf(result.input)) {
+    const {answer: form} = await side.ask(request);
+    if (mine !== turn) return;
+    const value = form.document;
+    rows.push(value ? [label, withError(value.pull_off_force * u.force), withError(value.pull_off_approach * u.length),
+      force ? withError(value.pull_off_force / force) : '–'] : [label, form.error, '', '']);
+  }
+  rows.unshift(['Computed', withError(force * u.force), withError(result.pull_off?.approach * u.length), '1']);
+  fillTable($('theories'), ['', `pull-off force (${u.forceName})`, `approach (${u.lengthName})`, 'relative'], rows);
+  const jkr = theoriesOf(result.input).find(({label}) => label === 'JKR');
+  const points = [], largest = 1.02 * Math.max(...result.curve.map((p) => p.contact_radius));
+  const waves = result.input.wavelength && result.input.waves ? largest / result.input.wavelength : 0;
+  const count = Math.min(JKR_POINTS.most, Math.max(JKR_POINTS.least, Math.ceil(JKR_POINTS.perWave * waves)));
+  for (let k = 0; jkr && largest > 0 && k <= count; ++k) {
+    const {answer: form} = await side.ask({...jkr.request, at: (largest * k) / count});
+    if (mine !== turn) return;
+    points.push(form.document);
+  }
+  shown.jkr = points;
+  drawAll();
+}
+
+async function solveStaircase() {
+  const asked = scene;
+  const began = performance.now();
+  $('stairs-state').textContent = 'Solving for every preload …';
+  const {answer} = await stairs.ask(requestOf(asked, WANT_STAIRCASE), (progress, seconds) => {
+    $('stairs-state').textContent = `Solving for every preload: ${seconds.toFixed(1)} s`;
+  });
+  if (asked !== scene) return;
+  $('stairs-state').textContent = answer.error ?? `Solved in ${((performance.now() - began) / 1000).toFixed(2)} s. ${answer.document.reason}`;
+  shownStaircase = answer.error ? null : answer;
+  $('stairs-command').textContent = commandOf(asked, WANT_STAIRCASE);
+  $('stairs-digest').textContent = answer.document?.digest ?? '';
+  drawStairs();
+}
+
+let shownStaircase = null;
+function drawStairs() {
+  if (!shownStaircase || !$('stairs').open) return;
+  const u = unitsOf(shownStaircase);
+  fillTable($('steps'), [`from the load (${u.forceName})`, `from the approach (${u.lengthName})`, `pull-off force (${u.forceName})`],
+    drawStaircase($('staircase'), shownStaircase, control()));
+}
+
+// What the reader does.
+$('load').addEventListener('pointerdown', (event) => {
+  $('load').setPointerCapture(event.pointerId);
+  moveTo(view.nearest(event.offsetX, event.offsetY));
+});
+$('load').addEventListener('pointermove', (event) => {
+  if (event.buttons && view) moveTo(view.nearest(event.offsetX, event.offsetY));
+});
+$('point').addEventListener('input', () => moveTo(Number($('point').value)));
+for (const id of ['whole', 'jkr']) $(id).addEventListener('change', () => shown && drawAll());
+for (const choice of document.querySelectorAll('input[name=control]'))
+  choice.addEventListener('change', () => {
+    if (shown) drawAll();
+    drawStairs();
+  });
+$('si').addEventListener('change', () => {
+  scene = $('si').checked ? {'from-physical': ''} : {};
+  messages = [];
+  changeScene();
+});
+$('stop').addEventListener('click', () => main.stop());
+$('stairs').addEventListener('toggle', () => $('stairs').open && solveStaircase());
+for (const button of document.querySelectorAll('button[data-copy]'))
+  button.addEventListener('click', () => navigator.clipboard?.writeText($(button.dataset.copy).textContent));
+addEventListener('hashchange', () => {
+  ({scene, messages} = sceneOf(location.hash));
+  hasChosen = false;
+  changeScene();
+});
+addEventListener('resize', () => {
+  if (shown) drawAll();
+  drawStairs();
+});
+
+// For the console, and for tests: (await pulloff.ask({keys: {tabor: '2'}})).answer.
+const console_ = makeJobs(compiled, $('worker').textContent);
+window.pulloff = {ask: console_.ask, isBusy: main.isBusy};
+changeScene();

@@ -1,0 +1,142 @@
+// The scene: the fields of the form, the fragment of the address, the request to the solver and the command line. All of
+// them use the names of the options of `pulloff solve`.
+
+const isSphere = (scene) => (scene.profile ?? 'sphere') === 'sphere';
+const isSI = (scene) => 'from-physical' in scene;
+const hasWaves = (scene) => 'waves' in scene;
+const isPanel = (scene) => (scene.scheme ?? 'panel') === 'panel';
+const inEpsilon = (scene) => !isSI(scene);
+
+// One row a field: the option; the label; its usual value; `range`, that of the slider (logarithmic unless it begins
+// with 0); `choices`; `of`, whether a scene has the field; `si`, the SI unit in which the form shows it; `part`, where.
+export const FIELDS = [
+  {name: 'tabor', label: 'Tabor parameter μ', usual: '1', range: [0.05, 20], of: (s) => inEpsilon(s) && isSphere(s)},
+  {name: 'coupling', label: 'Coupling w/(E*ε)', usual: '0.1', range: [0.001, 10], of: (s) => inEpsilon(s) && !isSphere(s)},
+  {name: 'amplitude', label: 'Amplitude A of the wave (ε)', usual: '0', range: [0, 8], of: (s) => inEpsilon(s) && !hasWaves(s)},
+  {name: 'wavelength', label: 'Wavelength λ (ε)', usual: '20', range: [2, 100], of: (s) => inEpsilon(s) && !hasWaves(s)},
+  {name: 'radius', label: 'Radius R of the sphere (ε)', usual: '100', range: [10, 2000], of: (s) => inEpsilon(s) && isSphere(s)},
+  {name: 'modulus-pa', label: 'Contact modulus E* (GPa)', usual: '1e10', si: 1e9, range: [1e6, 1e12], of: isSI},
+  {name: 'work-j-per-m2', label: 'Work of adhesion w (mJ/m²)', usual: '0.05', si: 1e-3, range: [1e-3, 1], of: isSI},
+  {name: 'distance-m', label: 'Equilibrium distance ε (nm)', usual: '4e-10', si: 1e-9, range: [1e-10, 2e-9], of: isSI},
+  {name: 'radius-m', label: 'Radius R of the sphere (nm)', usual: '1e-6', si: 1e-9, range: [1e-8, 1e-5], of: isSI},
+  {name: 'amplitude-m', label: 'Amplitude A of the wave (nm)', usual: '0', si: 1e-9, range: [0, 5e-9], of: isSI},
+  {name: 'wavelength-m', label: 'Wavelength λ (nm)', usual: '2e-8', si: 1e-9, range: [1e-9, 1e-7], of: isSI},
+  {name: 'outer-radius-m', label: 'Outer radius of the surface (nm, or inf)', usual: 'inf', si: 1e-9, of: isSI, part: 'more'},
+  {name: 'profile', label: 'Profile of the body', usual: 'sphere', choices: ['sphere', 'cone', 'power', 'punch', 'truncated'], of: inEpsilon},
+  {name: 'cone-t', label: 'Slope T of the cone', usual: '0.3', range: [0.01, 2], of: (s) => s.profile === 'cone'},
+  {name: 'power-c', label: 'Factor C of C rᴺ', usual: '0.01', range: [1e-4, 1], of: (s) => s.profile === 'power'},
+  {name: 'power-n', label: 'Exponent N of C rᴺ', usual: '3', range: [1.1, 8], of: (s) => s.profile === 'power'},
+  {name: 'punch-b', label: 'Radius B of the flat end (ε)', usual: '5', range: [0.5, 50], of: (s) => s.profile === 'punch'},
+  {name: 'punch-r', label: 'Radius R of the rounded edge (ε)', usual: '20', range: [1, 500], of: (s) => s.profile === 'punch'},
+  {name: 'truncated-b', label: 'Radius B of the flat end (ε)', usual: '5', range: [0.5, 50], of: (s) => s.profile === 'truncated'},
+  {name: 'truncated-r', label: 'Radius R of the sphere (ε)', usual: '90', range: [10, 1000], of: (s) => s.profile === 'truncated'},
+  {name: 'law', label: 'Traction–separation law', usual: 'lennard-jones', choices: ['lennard-jones', 'mie', 'morse']},
+  {name: 'mie-m', label: 'Exponent M', usual: '4', range: [1.5, 8], of: (s) => s.law === 'mie'},
+  {name: 'mie-n', label: 'Exponent N', usual: '10', range: [4, 20], of: (s) => s.law === 'mie'},
+  {name: 'morse-a', label: 'Parameter A', usual: '1', range: [0.2, 5], of: (s) => s.law === 'morse'},
+  {name: 'waves', label: 'Several waves: A,λ; A,λ; … (ε)', usual: '', of: inEpsilon, part: 'more'},
+  {name: 'outer-radius', label: 'Outer radius of the surface (ε, or inf)', usual: 'inf', of: inEpsilon, part: 'more'},
+  {name: 'preload', label: 'Preload: approach (ε, or inf)', usual: '', part: 'more', of: inEpsilon},
+  {name: 'preload-load', label: 'Preload: load (πwR)', usual: '', part: 'more'},
+  {name: 'approach-start', label: 'Approach at the beginning (ε)', usual: '', part: 'more', of: inEpsilon},
+  {name: 'approach-end', label: 'Approach at the end (ε)', usual: '', part: 'more', of: inEpsilon},
+  {name: 'scheme', label: 'Elements', usual: 'panel', choices: ['panel', 'ring', 'triangle'], part: 'more'},
+  {name: 'grading', label: 'Spacing of the nodes', usual: 'uniform', choices: ['uniform', 'graded'], of: (s) => !isPanel(s), part: 'more'},
+  {name: 'nodes', label: 'Number of nodes', usual: '501', of: (s) => !isPanel(s), part: 'more'},
+  {name: 'tolerance', label: 'Relative tolerance on the force', usual: '1e-6', of: isPanel, part: 'more'},
+  {name: 'time-limit', label: 'Limit of the processor time (s)', usual: '', part: 'more'},
+];
+
+const FIELD = new Map(FIELDS.map((field) => [field.name, field]));
+const has = (scene, field) => !field.of || field.of(scene);
+export const fieldsOf = (scene) => FIELDS.filter((field) => has(scene, field));
+export const valueOf = (scene, name) => scene[name] ?? FIELD.get(name).usual;
+
+// Options that a profile, a law or SI units need, whether or not the value is the usual one.
+const isNeeded = (field) => /^(coupling|cone|power|punch|truncated|mie|morse)/.test(field.name) || /-(m|pa|m2)$/.test(field.name);
+const isWave = (name) => /^wavelength/.test(name);
+const amplitudeOf = (scene) => valueOf(scene, isSI(scene) ? 'amplitude-m' : 'amplitude');
+
+// The options of a scene in the order of the fields, [name, text] each, without those that change nothing.
+export function optionsOf(scene) {
+  const chosen = fieldsOf(scene).filter(({name, usual}) => {
+    const text = valueOf(scene, name);
+    if (isWave(name)) return Number(amplitudeOf(scene)) !== 0;
+    return text !== '' && (isNeeded(FIELD.get(name)) ? text !== 'inf' : text !== usual);
+  });
+  return [...(isSI(scene) ? [['from-physical', '']] : []), ...chosen.map(({name}) => [name, valueOf(scene, name)])];
+}
+
+const wavesOf = (text) => text.split(';').map((wave) => wave.trim()).filter(Boolean);
+
+// The request to the solver (reports/live/machine/live.c).
+export function requestOf(scene, want) {
+  const keys = {}, physical = {};
+  for (const [name, text] of optionsOf(scene)) {
+    if (name === 'from-physical') continue;
+    if (FIELD.get(name).si) physical[name.replace(/-(m|pa|j-per-m2)$/, '').replace('-', '_')] = Number(text);
+    else keys[name.replaceAll('-', '_')] = name === 'waves' ? wavesOf(text).map((wave) => wave.replace(',', '@')).join(';') : text;
+  }
+  if (want) keys.want = want;
+  return isSI(scene) ? {keys, physical} : {keys};
+}
+
+const quoted = (text) => (/^[\w.,:+-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
+
+// The command that computes the same.
+export function commandOf(scene, want) {
+  const words = optionsOf(scene).flatMap(([name, text]) => {
+    if (name === 'waves') return wavesOf(text).map((wave) => `--wave ${quoted(wave.replaceAll(' ', ''))}`);
+    return [text === '' ? `--${name}` : `--${name} ${quoted(text)}`];
+  });
+  return ['pulloff solve', ...words, ...(want ? [`--want ${want}`] : [])].join(' ');
+}
+
+export const fragmentOf = (scene) => '#' + optionsOf(scene).map(([name, text]) =>
+  (text === '' ? name : `${name}=${encodeURIComponent(text).replace(/%2C/g, ',').replace(/%3B/g, ';')}`)).join('&');
+
+const LONGEST = 200; // characters of a value
+
+// The scene of a fragment, and messages about parts that are left out.
+export function sceneOf(fragment) {
+  const scene = {}, messages = [];
+  for (const part of fragment.replace(/^#/, '').split('&').filter(Boolean)) {
+    const at = part.indexOf('=');
+    const name = at < 0 ? part : part.slice(0, at);
+    let text = at < 0 ? '' : part.slice(at + 1);
+    try {
+      text = decodeURIComponent(text);
+    } catch {
+      messages.push(`The address has a value of ${name.slice(0, 40)} that cannot be read.`);
+      continue;
+    }
+    const field = FIELD.get(name);
+    if (name === 'from-physical') scene[name] = '';
+    else if (!field) messages.push(`The address has an unknown option ${name.slice(0, 40)}.`);
+    else if (text.length > LONGEST) messages.push(`The value of ${name} in the address is longer than ${LONGEST} characters.`);
+    else if (field.choices && !field.choices.includes(text)) messages.push(`${name} is ${text.slice(0, 40)}: expected ${field.choices.join(', ')}.`);
+    else if (text !== '') scene[name] = text;
+  }
+  for (const name of Object.keys(scene))
+    if (name !== 'from-physical' && !has(scene, FIELD.get(name))) {
+      messages.push(`The option ${name} has no effect on this scene.`);
+      delete scene[name];
+    }
+  return {scene, messages};
+}
+
+// Requests for the closed forms of a scene, from the member `input` of its result: a label, and what is asked.
+export function theoriesOf(input) {
+  const pick = (...names) => Object.fromEntries(names.filter((name) => input[name] !== null && input[name] !== undefined)
+    .map((name) => [name, String(input[name])]));
+  const rigid = pick('radius', 'waves', 'profile', 'cone_t', 'power_c', 'power_n', 'punch_b', 'punch_r', 'truncated_b', 'truncated_r');
+  const law = pick('law', 'mie_m', 'mie_n', 'morse_a'), elastic = {...rigid, ...pick('tabor')};
+  const forms = [{label: 'Rigid bodies', request: {theory: 'rigid', keys: {...rigid, ...law}}}];
+  if (input.tabor > 0)
+    forms.push({label: 'Maugis–Dugdale', request: {theory: 'maugis', keys: {...elastic, ...law}}},
+      {label: 'JKR', request: {theory: 'jkr', keys: elastic}});
+  if (input.tabor > 0 && input.profile === 'sphere' && input.waves && !input.waves.includes(';'))
+    forms.push({label: 'Envelope of JKR (Kesari–Lew)',
+      request: {theory: 'kesari-lew', keys: pick('tabor', 'radius', 'amplitude', 'wavelength')}});
+  return forms;
+}

@@ -1,0 +1,13 @@
+#!/bin/sh
+# Builds the page (reports/live) and tests it in Debian's Chromium: the digests of its results are those of the program, and a
+# reader can use it. Arguments are passed to identical.py, e.g. `--random 200`.
+set -u
+cd "$(dirname "$0")/../.." || exit 4
+command_name=live
+reports/live/build.sh || exit 4
+. tools/setup.sh
+mkdir -p "$log_folder"
+start_log
+install_packages chromium
+python3 tests/live/identical.py "$@" build/live/live.html build/src/cli/pulloff &&
+  python3 tests/live/page.py build/live/live.html build/src/cli/pulloff
