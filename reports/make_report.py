@@ -6,6 +6,7 @@ import gc
 import hashlib
 import json
 import os
+import re
 import sys
 import tempfile
 
@@ -89,6 +90,16 @@ def write_all(folder, files):
             os.unlink(path)
 
 
+def live_figures(path):
+    """The names of the figures whose scenes the page with the solver has (reports/live); None without such a page."""
+    try:
+        with open(path, encoding="utf-8") as stream:
+            found = re.search('id="records">(.*?)</script>', stream.read())
+        return list(json.loads(found[1]))
+    except (OSError, ValueError, TypeError):
+        return None
+
+
 def make(wanted):
     try:
         from pulloff_report import claims, cost, faults, gnuplot, page, records, references, tree_tests
@@ -102,7 +113,7 @@ def make(wanted):
     matrix, judged, measured, tested = (
         module.read(path or (module.beside(wanted.run) if run.is_of_paper else None)) for module, path in (
             (faults, wanted.faults), (claims, wanted.claims), (cost, wanted.cost), (tree_tests, None)))
-    live = os.path.isfile(os.path.join(wanted.output, "live.html"))  # the page with the solver (reports/live)
+    live = live_figures(os.path.join(wanted.output, "live.html"))
     key = content_key([matrix, judged, measured, tested, live], wanted.run, wanted.reference)
     if not wanted.fresh and is_current(wanted.output, key):
         print(f"kept: the report in {wanted.output} is up to date")

@@ -83,4 +83,4 @@ NINJA
 }
 write_ninja >"$at/build.ninja"
 step 'Building for WebAssembly' ninja -f "$at/build.ninja" "$at/pulloff.wasm"
-step 'Writing the page' python3 reports/live/assemble.py "$at/pulloff.wasm" "$version" "$at/live.html"
+step 'Writing the page' python3 reports/live/assemble.py "$at/pulloff.wasm" "$version" "$build/run" "$at/live.html"

@@ -13,6 +13,7 @@ import re
 import shlex
 import subprocess
 import sys
+import tempfile
 import time
 import traceback
 
@@ -170,7 +171,7 @@ def a_narrow_screen_does_not_scroll_sideways(reader, _):
     reader.browser.size(1280, 900)
 
 
-def memory_is_bounded(reader, _, solves=200):
+def memory_is_bounded(reader, _, solves):
     reader.open("#tabor=1")
     memory = reader.browser.evaluate(
         "(async () => { const seen = []; for (let k = 0; k < %d; ++k) seen.push((await pulloff.ask({keys: {tabor: String(0.5 + k %% 7 / 4), "
@@ -179,14 +180,42 @@ def memory_is_bounded(reader, _, solves=200):
     print(f"# {solves} solves: {memory[20] >> 20} MB after 21, {memory[-1] >> 20} MB at the end")
 
 
+def a_figure_is_recomputed(reader, _):
+    with tempfile.TemporaryDirectory() as folder:
+        recompute_twice(reader, folder)
+    reader.open("#figure=none")
+    assert "none" in reader.text("messages")
+
+
+def recompute_twice(reader, folder):
+    page = reader.page
+    text = pathlib.Path(page.removeprefix("file://")).read_text(encoding="utf-8")
+    records = json.loads(re.search('id="records">(.*?)</script>', text)[1])
+    for wrong in (0, 1):
+        for name in records:
+            count = len(records[name]["scenes"])
+            reader.open(f"#figure={name}")
+            reader.browser.evaluate("document.querySelector('#figures button').click()")
+            reader.wait("document.querySelector('#figures button').textContent !== 'Stop'", name)
+            words = reader.browser.evaluate("document.querySelector('#figures [role=status]').textContent")
+            assert words == f"{count} of {count} solved, {count - wrong} identical to the last bit with the report", words
+        # once more, with another hash of the first scene of each figure
+        for figure in records.values():
+            text = text.replace(figure["scenes"][0][1], "0123456789abcdef")
+        changed = pathlib.Path(folder) / "changed.html"
+        changed.write_text(text, encoding="utf-8")
+        reader.page = changed.as_uri()
+    reader.page = page
+
+
 TESTS = [command_gives_the_digest, staircase_has_the_digest, wrong_fields_give_a_message, fuzzed_fragments_are_survived,
-         a_long_solve_is_stopped, a_point_is_dragged_along_the_curve, every_field_has_a_name, a_narrow_screen_does_not_scroll_sideways,
+         a_long_solve_is_stopped, a_figure_is_recomputed, a_point_is_dragged_along_the_curve, every_field_has_a_name, a_narrow_screen_does_not_scroll_sideways,
          memory_is_bounded]
 
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("--solves", type=int, default=200)
+    parser.add_argument("--solves", type=int, default=60)
     parser.add_argument("page", type=pathlib.Path)
     parser.add_argument("program")
     chosen = parser.parse_args()

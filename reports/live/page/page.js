@@ -1,5 +1,6 @@
 // The page: the scene of the address is solved, and everything is drawn again when it changes.
 import {commandOf, fragmentOf, requestOf, sceneOf, theoriesOf} from './scene.js';
+import {makeFigures} from './figures.js';
 import {makeForm} from './form.js';
 import {makeJobs} from './jobs.js';
 import {fillTable, mainRows, specialRows, unitsOf, withError} from './numbers.js';
@@ -20,10 +21,20 @@ const compiled = readModule();
 compiled.catch((error) => report(`This browser cannot run the solver: ${error.message}`));
 const [main, side, stairs] = [0, 1, 2].map(() => makeJobs(compiled, $('worker').textContent));
 
-let {scene, messages} = sceneOf(location.hash);
+const figures = makeFigures($('figures'), JSON.parse($('records').textContent), compiled, $('worker').textContent);
+let {scene, messages} = sceneOfAddress();
 let shown = null; // {answer, profiles, ranges, jkr} of the scene that is drawn
 let chosen = 0, hasChosen = false, view = null, turn = 0;
 const control = () => document.querySelector('input[name=control]:checked').value;
+
+// The scene of the address; #figure=NAME shows a figure of the report and its first scene.
+function sceneOfAddress() {
+  const name = /^#figure=(\w{1,40})$/.exec(location.hash)?.[1];
+  if (!name) return sceneOf(location.hash);
+  if (!figures.show(name)) return {scene: {}, messages: [`This page has no scenes of a figure ${name}.`]};
+  $('figures').scrollIntoView();
+  return sceneOf(figures.first());
+}
 
 function report(...texts) {
   $('messages').replaceChildren(...texts.filter(Boolean).map((text) => Object.assign(document.createElement('p'), {textContent: text})));
@@ -200,7 +211,7 @@ $('stairs').addEventListener('toggle', () => $('stairs').open && solveStaircase(
 for (const button of document.querySelectorAll('button[data-copy]'))
   button.addEventListener('click', () => navigator.clipboard?.writeText($(button.dataset.copy).textContent));
 addEventListener('hashchange', () => {
-  ({scene, messages} = sceneOf(location.hash));
+  ({scene, messages} = sceneOfAddress());
   hasChosen = false;
   changeScene();
 });
