@@ -1,5 +1,5 @@
 // The form: one row for each field that the scene has, with a slider where the field has a range.
-import {fieldsOf, valueOf} from './scene.js';
+import {FIELDS, fieldsOf, valueOf} from './scene.js';
 
 const STEPS = 1000; // of a slider
 
@@ -55,22 +55,24 @@ export function makeForm(form, change) {
     return {row, show, input};
   }
 
+  // Makes the row of a field, in the order of the fields; no other row is moved, which could have the focus.
+  function insertRow(field) {
+    const made = makeRow(field), box = boxes[field.part ?? 'usual'], index = FIELDS.indexOf(field);
+    made.row.dataset.index = index;
+    box.insertBefore(made.row, [...box.children].find((row) => Number(row.dataset.index) > index) ?? null);
+    rows.set(field.name, made);
+  }
+
   return {
     show(scene) {
       const fields = fieldsOf(scene);
       const shown = new Set(fields.map((field) => field.name));
       for (const [name, {row}] of rows) if (!shown.has(name)) row.hidden = true;
       for (const field of fields) {
-        if (!rows.has(field.name)) rows.set(field.name, makeRow(field));
-        const {row, show} = rows.get(field.name), box = boxes[field.part ?? 'usual'];
+        if (!rows.has(field.name)) insertRow(field);
+        const {row, show} = rows.get(field.name);
         row.hidden = false;
-        if (row.parentNode !== box) box.append(row);
         show(valueOf(scene, field.name));
-      }
-      // Rows stand in the order of the fields; moving the one that has the focus would end its editing.
-      for (const box of Object.values(boxes)) {
-        const order = fields.map((field) => rows.get(field.name).row).filter((row) => row.parentNode === box);
-        order.forEach((row, k) => row.style.setProperty('order', k));
       }
     },
     // Marks the field that a message names.

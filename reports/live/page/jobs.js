@@ -1,7 +1,7 @@
 // A solver in a worker. One request at a time; a later one takes the place of one that waits. A worker that is stopped, that
 // failed or that holds much memory is replaced by a new one.
 
-const PATIENCE = 400; // ms that a solve is left to run when a later request waits
+const PATIENCE = 1500; // ms that a solve is left to run when a later request waits
 const MOST_MEMORY = 4e8; // bytes, after a solve
 
 // module: a promise of the compiled module; source: the text of the worker.

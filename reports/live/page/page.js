@@ -4,7 +4,7 @@ import {makeFigures} from './figures.js';
 import {makeForm} from './form.js';
 import {makeJobs} from './jobs.js';
 import {fillTable, mainRows, specialRows, unitsOf, withError} from './numbers.js';
-import {drawLoad, drawProfile, drawProgress, drawStaircase, rangesOfProfiles} from './views.js';
+import {drawLoad, drawProfile, drawProgress, drawStaircase, isStable, rangesOfProfiles} from './views.js';
 
 const WANT = 'curve,hysteresis', WANT_STAIRCASE = 'preload';
 const QUIET = 300; // ms of a solve before its progress is shown
@@ -68,8 +68,9 @@ async function solve() {
   };
   const {answer, profiles, seconds} = await main.ask(requestOf(asked, WANT), showProgress);
   clearTimeout(timer);
-  if (mine !== turn) return;
-  $('busy').hidden = true;
+  // While the reader moves a slider, the scenes on the way that are solved are drawn, too.
+  if (mine !== turn && answer.error) return;
+  if (mine === turn) $('busy').hidden = true;
   form.mark(answer.error && !answer.stopped ? answer.error : '');
   document.body.classList.toggle('stale', Boolean(answer.error));
   if (answer.error) {
@@ -83,7 +84,7 @@ async function solve() {
   choose(hasChosen ? nearestTo(result.curve, chosenState) : nearestTo(result.curve, result.pull_off && {approach: result.pull_off.approach, load: -result.pull_off.force}));
   showNumbers(asked, seconds);
   drawAll();
-  evaluateTheories(mine);
+  if (mine === turn) evaluateTheories(mine);
 }
 
 let chosenState = null;
@@ -123,7 +124,7 @@ function drawChosen() {
   const {answer, profiles, ranges} = shown, u = unitsOf(answer), p = answer.document.curve[chosen];
   if (!p) return;
   const state = `at approach ${withError(p.approach * u.length)} ${u.lengthName}, load ${withError(p.load * u.force)} ${u.forceName}`;
-  const words = `${state}, contact radius ${withError(p.contact_radius * u.length)} ${u.lengthName}, ${p.unstable_modes ? `unstable (${p.unstable_modes} modes)` : 'stable'} at given approach`;
+  const words = `${state}, contact radius ${withError(p.contact_radius * u.length)} ${u.lengthName}, ${isStable(p, control()) ? 'stable' : 'unstable'} at given ${control() === 'load_control' ? 'load' : 'approach'}`;
   $('point').value = chosen;
   $('point').setAttribute('aria-valuetext', words);
   $('state').textContent = `Equilibrium ${words}`;

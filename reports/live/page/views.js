@@ -3,7 +3,7 @@ import {draw, rangeOf} from './plot.js';
 import {KINDS, unitsOf, withError} from './numbers.js';
 
 // Whether an equilibrium is stable in a control: at given load the load must also rise with the approach.
-const isStable = (p, control) => p.unstable_modes === 0 && (control === 'displacement_control' || p.load_rate * p.approach_rate > 0);
+export const isStable = (p, control) => p.unstable_modes === 0 && (control === 'displacement_control' || p.load_rate * p.approach_rate > 0);
 
 // The points that the figure of the load must contain.
 function pointsOfInterest({document: result}) {
