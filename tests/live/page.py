@@ -154,6 +154,18 @@ def a_point_is_dragged_along_the_curve(reader, _):
     assert reader.text("state") != states[-1]
 
 
+def units_are_changed_to_and_fro(reader, _):
+    reader.open("#tabor=3&amplitude=1&wavelength=20&law=morse&morse-a=1")
+    force = r"Pull-off force ([\d.]+) πwR"
+    before = float(re.search(force, reader.text("summary"))[1])
+    for _ in range(2):
+        reader.browser.evaluate("document.getElementById('si').click()")
+        reader.settle()
+        assert not reader.text("messages") and reader.digest_of_command() == reader.text("digest")
+    after = float(re.search(force, reader.text("summary"))[1])
+    assert abs(after / before - 1) < 1e-4, (before, after)
+
+
 def every_field_has_a_name(reader, _):
     for fragment in ("#tabor=2", "#from-physical&modulus-pa=1e10&work-j-per-m2=0.05&distance-m=4e-10&radius-m=1e-6", "#coupling=0.1&profile=power&power-c=0.01&power-n=3"):
         reader.open(fragment)
@@ -209,7 +221,7 @@ def recompute_twice(reader, folder):
 
 
 TESTS = [command_gives_the_digest, staircase_has_the_digest, wrong_fields_give_a_message, fuzzed_fragments_are_survived,
-         a_long_solve_is_stopped, a_figure_is_recomputed, a_point_is_dragged_along_the_curve, every_field_has_a_name, a_narrow_screen_does_not_scroll_sideways,
+         a_long_solve_is_stopped, a_figure_is_recomputed, a_point_is_dragged_along_the_curve, units_are_changed_to_and_fro, every_field_has_a_name, a_narrow_screen_does_not_scroll_sideways,
          memory_is_bounded]
 
 

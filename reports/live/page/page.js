@@ -1,5 +1,5 @@
 // The page: the scene of the address is solved, and everything is drawn again when it changes.
-import {commandOf, fragmentOf, requestOf, sceneOf, theoriesOf} from './scene.js';
+import {commandOf, fragmentOf, inOtherUnits, requestOf, sceneOf, theoriesOf} from './scene.js';
 import {makeFigures} from './figures.js';
 import {makeForm} from './form.js';
 import {makeJobs} from './jobs.js';
@@ -203,7 +203,7 @@ for (const choice of document.querySelectorAll('input[name=control]'))
     drawStairs();
   });
 $('si').addEventListener('change', () => {
-  scene = $('si').checked ? {'from-physical': ''} : {};
+  scene = inOtherUnits(scene, shown?.answer.document.input);
   messages = [];
   changeScene();
 });

@@ -125,6 +125,25 @@ export function sceneOf(fragment) {
   return {scene, messages};
 }
 
+const rounded = (value) => String(Number(value.toPrecision(6)));
+
+// The scene of a sphere in the other units: SI units for the usual work of adhesion and distance, to six digits; epsilon for
+// the member `input` of its result.
+export function inOtherUnits(scene, input) {
+  const law = Object.fromEntries(Object.entries(scene).filter(([name]) => !FIELD.get(name) || /^(law|mie|morse|tolerance|scheme|nodes|grading)/.test(name)));
+  if (isSI(scene)) {
+    delete law['from-physical'];
+    for (const name of ['tabor', 'radius', 'amplitude', 'wavelength']) if (input?.[name]) law[name] = rounded(input[name]);
+    return law;
+  }
+  const work = Number(FIELD.get('work-j-per-m2').usual), distance = Number(FIELD.get('distance-m').usual);
+  const number = (name) => Number(valueOf(scene, name));
+  const values = {'radius-m': number('radius') * distance, 'amplitude-m': number('amplitude') * distance, 'wavelength-m': number('wavelength') * distance,
+    'modulus-pa': Math.sqrt(number('radius') / number('tabor')) * work / (number('tabor') * distance)}; // mu^3 = R w^2/(E*^2 epsilon^3)
+  for (const [name, value] of Object.entries(values)) if (Number.isFinite(value)) law[name] = rounded(value);
+  return {...law, 'from-physical': ''};
+}
+
 // Requests for the closed forms of a scene, from the member `input` of its result: a label, and what is asked.
 export function theoriesOf(input) {
   const pick = (...names) => Object.fromEntries(names.filter((name) => input[name] !== null && input[name] !== undefined)
