@@ -47,6 +47,7 @@ first_time() {
   'Running the cases') echo 450 ;;
   'Planting faults') echo 70 ;;
   'Judging the claims') echo 40 ;;
+  'Making the page') echo 60 ;;
   'Writing the report') echo 15 ;;
   *) echo 0 ;;
   esac

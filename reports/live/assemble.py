@@ -15,9 +15,9 @@ import struct
 import sys
 
 PAGE = pathlib.Path(__file__).with_name("page")
-IMPORT = re.compile(r"^import .* from '\./(\w+\.js)';\n", flags=re.M)
+IMPORT = re.compile(r"^import [^;]* from '\./(\w+\.js)';\n", flags=re.M)
 FIGURES = ["fig03", "fig04", "fig06", "fig08", "fig10"]
-FIELDS = re.compile(r"{name: '([\w-]+)', .*?usual: '([^']*)'")
+FIELDS = re.compile(r"name: '([\w-]+)',[^{}]*?usual: '([^']*)'")
 
 
 def bundle(name, taken):

@@ -99,6 +99,12 @@ def wrong_fields_give_a_message(reader, _):
         assert reader.text("messages"), (name, value)
         marked = reader.browser.evaluate(f"document.getElementById('field-{name}').getAttribute('aria-invalid')")
         assert marked == "true" or name == "outer-radius" or name == "waves", (name, value, reader.text("messages"))
+    # several waves hide the fields of one wave, until they are deleted
+    is_hidden = "document.getElementById('field-amplitude').parentNode.hidden"
+    reader.visit("#tabor=1&waves=0.1,20;0.1,9")
+    assert reader.browser.evaluate(is_hidden)
+    reader.enter("waves", "")
+    assert not reader.browser.evaluate(is_hidden) and not reader.text("messages")
     reader.visit("#tabor=1.5")
     assert not reader.text("messages") and reader.digest_of_command() == reader.text("digest")
 

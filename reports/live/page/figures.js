@@ -34,25 +34,32 @@ export function makeFigures(part, figures, compiled, source) {
     choice.value = name;
     button.textContent = 'Recompute this figure';
     state.textContent = `${figures[name].scenes.length} scenes`;
-    list.replaceChildren(...figures[name].scenes.map(([fragment]) => {
-      const item = document.createElement('li'), link = document.createElement('a');
-      link.href = fragment;
-      link.textContent = fragment.slice(1).replaceAll('&', ' ');
-      item.append(link);
-      return item;
-    }));
+    list.replaceChildren(
+      ...figures[name].scenes.map(([fragment]) => {
+        const item = document.createElement('li'),
+          link = document.createElement('a');
+        link.href = fragment;
+        link.textContent = fragment.slice(1).replaceAll('&', ' ');
+        item.append(link);
+        return item;
+      }),
+    );
     return true;
   }
 
   async function recompute() {
-    const name = choice.value, {scenes, want} = figures[name];
+    const name = choice.value,
+      {scenes, want} = figures[name];
     show(name);
     const mine = run;
-    let next = 0, done = 0, same = 0;
+    let next = 0,
+      done = 0,
+      same = 0;
     button.textContent = 'Stop';
     const work = async (job) => {
       while (next < scenes.length && mine === run) {
-        const k = next++, [fragment, hash] = scenes[k];
+        const k = next++,
+          [fragment, hash] = scenes[k];
         const {answer} = await job.ask(requestOf(sceneOf(fragment).scene, want));
         if (mine !== run) return;
         const isSame = Boolean(answer.document) && hashOf(numbersOf(answer.document)) === hash;
@@ -61,7 +68,8 @@ export function makeFigures(part, figures, compiled, source) {
         state.textContent = `${++done} of ${scenes.length} solved, ${same} identical to the last bit with the report`;
       }
     };
-    while (jobs.length < Math.max(1, Math.min(4, (navigator.hardwareConcurrency ?? 2) - 1))) jobs.push(makeJobs(compiled, source));
+    while (jobs.length < Math.max(1, Math.min(4, (navigator.hardwareConcurrency ?? 2) - 1)))
+      jobs.push(makeJobs(compiled, source));
     await Promise.all(jobs.map(work));
     if (mine === run) button.textContent = 'Recompute this figure';
   }

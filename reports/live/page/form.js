@@ -8,8 +8,10 @@ const stepAt = ([from, to], value) =>
   Math.round(STEPS * (from > 0 ? Math.log(value / from) / Math.log(to / from) : Math.sqrt(Math.max(0, value) / to)));
 
 // The text of a value in the unit of the form, and back. Numbers keep their digits.
-const shownOf = (field, text) => (field.si && text !== '' && Number.isFinite(Number(text)) ? String(Number((Number(text) / field.si).toPrecision(15))) : text);
-const storedOf = (field, text) => (field.si && text !== '' && Number.isFinite(Number(text)) ? String(Number((Number(text) * field.si).toPrecision(15))) : text);
+const shownOf = (field, text) =>
+  field.si && text !== '' && Number.isFinite(Number(text)) ? String(Number((Number(text) / field.si).toPrecision(15))) : text;
+const storedOf = (field, text) =>
+  field.si && text !== '' && Number.isFinite(Number(text)) ? String(Number((Number(text) * field.si).toPrecision(15))) : text;
 
 // Shows a scene in `form`. change(name, text) is called when the reader changes a field.
 export function makeForm(form, change) {
@@ -17,7 +19,9 @@ export function makeForm(form, change) {
   const boxes = {usual: form.querySelector('.fields'), more: form.querySelector('details .fields')};
 
   function makeRow(field) {
-    const row = document.createElement('div'), label = document.createElement('label'), id = `field-${field.name}`;
+    const row = document.createElement('div'),
+      label = document.createElement('label'),
+      id = `field-${field.name}`;
     row.className = 'field';
     label.htmlFor = id;
     label.textContent = field.label;
@@ -29,7 +33,13 @@ export function makeForm(form, change) {
       input.onchange = () => change(field.name, input.value);
       return {row, show: (text) => (input.value = text), input};
     }
-    Object.assign(input, {type: 'text', inputMode: field.name === 'waves' ? 'text' : 'decimal', autocomplete: 'off', spellcheck: false, maxLength: 200});
+    Object.assign(input, {
+      type: 'text',
+      inputMode: field.name === 'waves' ? 'text' : 'decimal',
+      autocomplete: 'off',
+      spellcheck: false,
+      maxLength: 200,
+    });
     let slider = null;
     if (field.range) {
       slider = document.createElement('input');
@@ -57,7 +67,9 @@ export function makeForm(form, change) {
 
   // Makes the row of a field, in the order of the fields; no other row is moved, which could have the focus.
   function insertRow(field) {
-    const made = makeRow(field), box = boxes[field.part ?? 'usual'], index = FIELDS.indexOf(field);
+    const made = makeRow(field),
+      box = boxes[field.part ?? 'usual'],
+      index = FIELDS.indexOf(field);
     made.row.dataset.index = index;
     box.insertBefore(made.row, [...box.children].find((row) => Number(row.dataset.index) > index) ?? null);
     rows.set(field.name, made);
@@ -79,7 +91,8 @@ export function makeForm(form, change) {
     mark(message) {
       const named = message.split(/[ :]/, 1)[0].replaceAll('_', '-');
       for (const [name, {input}] of rows)
-        if (message && (name === named || name.replace(/-(m|pa|j-per-m2)$/, '') === named)) input.setAttribute('aria-invalid', 'true');
+        if (message && (name === named || name.replace(/-(m|pa|j-per-m2)$/, '') === named))
+          input.setAttribute('aria-invalid', 'true');
         else input.removeAttribute('aria-invalid');
     },
   };

@@ -6,7 +6,10 @@ const MOST_MEMORY = 4e8; // bytes, after a solve
 
 // module: a promise of the compiled module; source: the text of the worker.
 export function makeJobs(module, source) {
-  let worker = null, running = null, waiting = null, count = 0;
+  let worker = null,
+    running = null,
+    waiting = null,
+    count = 0;
   const address = URL.createObjectURL(new Blob([source], {type: 'text/javascript'}));
 
   const end = () => {
@@ -47,16 +50,17 @@ export function makeJobs(module, source) {
   };
 
   // Returned: a promise of {answer, profiles, seconds}; answer.stopped: it was stopped, or a later request took its place.
-  const ask = (request, progress) => new Promise((resolve) => {
-    const job = {id: ++count, request, progress, resolve};
-    if (!running) {
-      begin(job);
-      return;
-    }
-    waiting?.resolve({answer: {error: 'replaced', stopped: true}});
-    waiting = job;
-    const late = running;
-    setTimeout(() => running === late && waiting && stop(), Math.max(0, PATIENCE - (performance.now() - running.began)));
-  });
+  const ask = (request, progress) =>
+    new Promise((resolve) => {
+      const job = {id: ++count, request, progress, resolve};
+      if (!running) {
+        begin(job);
+        return;
+      }
+      waiting?.resolve({answer: {error: 'replaced', stopped: true}});
+      waiting = job;
+      const late = running;
+      setTimeout(() => running === late && waiting && stop(), Math.max(0, PATIENCE - (performance.now() - running.began)));
+    });
   return {ask, stop, isBusy: () => running !== null};
 }

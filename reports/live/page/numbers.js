@@ -17,11 +17,30 @@ const keep = (value) => value;
 export function unitsOf({document, units}) {
   const load = LOAD_UNITS[document.input.load_unit] ?? document.input.load_unit;
   if (!units)
-    return {length: 1, force: 1, traction: 1, energy: 1, lengthName: 'ε', forceName: load, energyName: `${load}ε`, gap: keep,
-      gapLabel: 'gap h/ε − 1', tractionLabel: `traction p ${document.input.tabor > 0 ? 'μ' : ''}ε/w`};
-  return {length: units.length * 1e9, force: units.force * 1e9, traction: units.traction * 1e-6, energy: units.force * units.length * 1e18,
-    lengthName: 'nm', forceName: 'nN', energyName: 'aJ', gap: (gap) => (1 + gap) * units.length * 1e9, gapLabel: 'gap h (nm)',
-    tractionLabel: 'traction p (MPa)'};
+    return {
+      length: 1,
+      force: 1,
+      traction: 1,
+      energy: 1,
+      lengthName: 'ε',
+      forceName: load,
+      energyName: `${load}ε`,
+      gap: keep,
+      gapLabel: 'gap h/ε − 1',
+      tractionLabel: `traction p ${document.input.tabor > 0 ? 'μ' : ''}ε/w`,
+    };
+  return {
+    length: units.length * 1e9,
+    force: units.force * 1e9,
+    traction: units.traction * 1e-6,
+    energy: units.force * units.length * 1e18,
+    lengthName: 'nm',
+    forceName: 'nN',
+    energyName: 'aJ',
+    gap: (gap) => (1 + gap) * units.length * 1e9,
+    gapLabel: 'gap h (nm)',
+    tractionLabel: 'traction p (MPa)',
+  };
 }
 
 // Fills a table: heads, rows of cells; the first cell of a row is its head.
@@ -42,27 +61,51 @@ export function fillTable(table, heads, rows) {
 
 // The rows of the main numbers of a result.
 export function mainRows(answer) {
-  const {document: result} = answer, u = unitsOf(answer), p = result.pull_off, loop = result.hysteresis?.displacement_control;
+  const {document: result} = answer,
+    u = unitsOf(answer),
+    p = result.pull_off,
+    loop = result.hysteresis?.displacement_control;
   if (!p) return [['Pull-off', 'none was found', '']];
   const rows = [
     ['Pull-off force', withError(p.force * u.force, p.error_estimate * u.force), u.forceName],
     ['Approach at pull-off', withError(p.approach * u.length, p.approach_error_estimate * u.length), u.lengthName],
-    ['Contact radius at pull-off', withError(p.contact_radius === null ? null : p.contact_radius * u.length,
-      p.contact_radius_error_estimate * u.length), u.lengthName],
+    [
+      'Contact radius at pull-off',
+      withError(p.contact_radius === null ? null : p.contact_radius * u.length, p.contact_radius_error_estimate * u.length),
+      u.lengthName,
+    ],
   ];
   if (p.preload?.approach != null)
-    rows.push(['Preload needed: approach', withError(p.preload.approach * u.length), u.lengthName],
-      ['Preload needed: load', withError(p.preload.load * u.force), u.forceName]);
+    rows.push(
+      ['Preload needed: approach', withError(p.preload.approach * u.length), u.lengthName],
+      ['Preload needed: load', withError(p.preload.load * u.force), u.forceName],
+    );
   if (loop?.energy_lost != null)
-    rows.push(['Energy lost in a loop at given approach', withError(loop.energy_lost * u.energy, loop.energy_lost_error_estimate * u.energy), u.energyName]);
+    rows.push([
+      'Energy lost in a loop at given approach',
+      withError(loop.energy_lost * u.energy, loop.energy_lost_error_estimate * u.energy),
+      u.energyName,
+    ]);
   return rows;
 }
 
-export const KINDS = {jump_in: 'jump into contact', jump_out: 'jump out of contact', minimum: 'minimum of the load', maximum: 'maximum of the load'};
+export const KINDS = {
+  jump_in: 'jump into contact',
+  jump_out: 'jump out of contact',
+  minimum: 'minimum of the load',
+  maximum: 'maximum of the load',
+};
 
 export const specialRows = (answer) => {
-  const u = unitsOf(answer), {folds, extrema} = answer.document;
-  return [...folds, ...extrema].sort((a, b) => a.position - b.position).map((s) => [KINDS[s.kind],
-    withError(s.approach * u.length, s.error_estimate * u.length), withError(s.load * u.force, s.load_error_estimate * u.force),
-    withError(s.contact_radius * u.length), String(s.unstable_modes)]);
+  const u = unitsOf(answer),
+    {folds, extrema} = answer.document;
+  return [...folds, ...extrema]
+    .sort((a, b) => a.position - b.position)
+    .map((s) => [
+      KINDS[s.kind],
+      withError(s.approach * u.length, s.error_estimate * u.length),
+      withError(s.load * u.force, s.load_error_estimate * u.force),
+      withError(s.contact_radius * u.length),
+      String(s.unstable_modes),
+    ]);
 };

@@ -1,12 +1,13 @@
 // The page: the scene of the address is solved, and everything is drawn again when it changes.
-import {commandOf, fragmentOf, inOtherUnits, requestOf, sceneOf, theoriesOf} from './scene.js';
+import {commandOf, fragmentOf, inOtherUnits, requestOf, sceneOf, theoriesOf, valueOf} from './scene.js';
 import {makeFigures} from './figures.js';
 import {makeForm} from './form.js';
 import {makeJobs} from './jobs.js';
 import {fillTable, mainRows, specialRows, unitsOf, withError} from './numbers.js';
 import {drawLoad, drawProfile, drawProgress, drawStaircase, isStable, rangesOfProfiles} from './views.js';
 
-const WANT = 'curve,hysteresis', WANT_STAIRCASE = 'preload';
+const WANT = 'curve,hysteresis',
+  WANT_STAIRCASE = 'preload';
 const QUIET = 300; // ms of a solve before its progress is shown
 const JKR_POINTS = {least: 80, perWave: 40, most: 600}; // of the curve of the JKR theory
 const $ = (id) => document.getElementById(id);
@@ -24,7 +25,10 @@ const [main, side, stairs] = [0, 1, 2].map(() => makeJobs(compiled, $('worker').
 const figures = makeFigures($('figures'), JSON.parse($('records').textContent), compiled, $('worker').textContent);
 let {scene, messages} = sceneOfAddress();
 let shown = null; // {answer, profiles, ranges, jkr} of the scene that is drawn
-let chosen = 0, hasChosen = false, view = null, turn = 0;
+let chosen = 0,
+  hasChosen = false,
+  view = null,
+  turn = 0;
 const control = () => document.querySelector('input[name=control]:checked').value;
 
 // The scene of the address; #figure=NAME shows a figure of the report and its first scene.
@@ -37,12 +41,14 @@ function sceneOfAddress() {
 }
 
 function report(...texts) {
-  $('messages').replaceChildren(...texts.filter(Boolean).map((text) => Object.assign(document.createElement('p'), {textContent: text})));
+  $('messages').replaceChildren(
+    ...texts.filter(Boolean).map((text) => Object.assign(document.createElement('p'), {textContent: text})),
+  );
 }
 
 const form = makeForm($('scene'), (name, text) => {
   scene = {...scene, [name]: text};
-  if (name === 'profile' && text === 'sphere') delete scene.profile;
+  if (text === valueOf({}, name) && (text === '' || name === 'profile')) delete scene[name];
   messages = [];
   changeScene();
 });
@@ -56,7 +62,9 @@ function changeScene() {
 }
 
 async function solve() {
-  const mine = ++turn, asked = scene, points = [];
+  const mine = ++turn,
+    asked = scene,
+    points = [];
   $('busy').hidden = true;
   const timer = setTimeout(() => mine === turn && main.isBusy() && showProgress({points: []}, QUIET / 1000), QUIET);
   const showProgress = (progress, seconds) => {
@@ -74,14 +82,24 @@ async function solve() {
   form.mark(answer.error && !answer.stopped ? answer.error : '');
   document.body.classList.toggle('stale', Boolean(answer.error));
   if (answer.error) {
-    report(...messages, answer.error === 'stopped' ? 'The solve was stopped. The figures show the previous scene.' : answer.error);
+    report(
+      ...messages,
+      answer.error === 'stopped' ? 'The solve was stopped. The figures show the previous scene.' : answer.error,
+    );
     if (shown) drawAll();
     return;
   }
   const result = answer.document;
-  report(...messages, result.status === 'ok' ? '' : `The solve ended early: ${result.reason}. What was found until then is shown.`);
+  report(
+    ...messages,
+    result.status === 'ok' ? '' : `The solve ended early: ${result.reason}. What was found until then is shown.`,
+  );
   shown = {answer, profiles: new Map(profiles), jkr: [], ranges: rangesOfProfiles(answer, profiles)};
-  choose(hasChosen ? nearestTo(result.curve, chosenState) : nearestTo(result.curve, result.pull_off && {approach: result.pull_off.approach, load: -result.pull_off.force}));
+  choose(
+    hasChosen
+      ? nearestTo(result.curve, chosenState)
+      : nearestTo(result.curve, result.pull_off && {approach: result.pull_off.approach, load: -result.pull_off.force}),
+  );
   showNumbers(asked, seconds);
   drawAll();
   if (mine === turn) evaluateTheories(mine);
@@ -89,7 +107,8 @@ async function solve() {
 
 let chosenState = null;
 function nearestTo(curve, state) {
-  let best = 0, least = Infinity;
+  let best = 0,
+    least = Infinity;
   if (state)
     curve.forEach((p, k) => {
       const distance = Math.hypot(p.approach - state.approach, 5 * (p.load - state.load));
@@ -104,24 +123,42 @@ function choose(number) {
 }
 
 function showNumbers(asked, seconds) {
-  const {answer} = shown, result = answer.document, u = unitsOf(answer), p = result.pull_off;
+  const {answer} = shown,
+    result = answer.document,
+    u = unitsOf(answer),
+    p = result.pull_off;
   fillTable($('numbers'), [], mainRows(answer));
-  fillTable($('special'), ['point', `approach (${u.lengthName})`, `load (${u.forceName})`, `contact radius (${u.lengthName})`, 'unstable modes'], specialRows(answer));
-  $('summary').textContent = (p ? `Pull-off force ${withError(p.force * u.force)} ${u.forceName} at approach ${withError(p.approach * u.length)} ${u.lengthName}. ` : 'No pull-off was found. ') +
+  fillTable(
+    $('special'),
+    ['point', `approach (${u.lengthName})`, `load (${u.forceName})`, `contact radius (${u.lengthName})`, 'unstable modes'],
+    specialRows(answer),
+  );
+  $('summary').textContent =
+    (p
+      ? `Pull-off force ${withError(p.force * u.force)} ${u.forceName} at approach ${withError(p.approach * u.length)} ${u.lengthName}. `
+      : 'No pull-off was found. ') +
     `${result.folds.length} folds, ${result.curve.length} equilibria, solved here in ${seconds.toFixed(2)} s.`;
   $('command').textContent = commandOf(asked, WANT);
   $('digest').textContent = result.digest;
 }
 
 function drawAll() {
-  view = drawLoad($('load'), {...shown, jkr: $('jkr').checked ? shown.jkr : [], control: control(), whole: $('whole').checked, chosen});
+  view = drawLoad($('load'), {
+    ...shown,
+    jkr: $('jkr').checked ? shown.jkr : [],
+    control: control(),
+    whole: $('whole').checked,
+    chosen,
+  });
   $('point').min = view.first;
   $('point').max = view.last;
   drawChosen();
 }
 
 function drawChosen() {
-  const {answer, profiles, ranges} = shown, u = unitsOf(answer), p = answer.document.curve[chosen];
+  const {answer, profiles, ranges} = shown,
+    u = unitsOf(answer),
+    p = answer.document.curve[chosen];
   if (!p) return;
   const state = `at approach ${withError(p.approach * u.length)} ${u.lengthName}, load ${withError(p.load * u.force)} ${u.forceName}`;
   const words = `${state}, contact radius ${withError(p.contact_radius * u.length)} ${u.lengthName}, ${isStable(p, control()) ? 'stable' : 'unstable'} at given ${control() === 'load_control' ? 'load' : 'approach'}`;
@@ -141,18 +178,31 @@ function moveTo(number) {
 }
 
 async function evaluateTheories(mine) {
-  const {answer} = shown, result = answer.document, u = unitsOf(answer), force = result.pull_off?.force, rows = [];
+  const {answer} = shown,
+    result = answer.document,
+    u = unitsOf(answer),
+    force = result.pull_off?.force,
+    rows = [];
   for (const {label, request} of theoriesOf(result.input)) {
     const {answer: form} = await side.ask(request);
     if (mine !== turn) return;
     const value = form.document;
-    rows.push(value ? [label, withError(value.pull_off_force * u.force), withError(value.pull_off_approach * u.length),
-      force ? withError(value.pull_off_force / force) : '–'] : [label, form.error, '', '']);
+    rows.push(
+      value
+        ? [
+            label,
+            withError(value.pull_off_force * u.force),
+            withError(value.pull_off_approach * u.length),
+            force ? withError(value.pull_off_force / force) : '–',
+          ]
+        : [label, form.error, '', ''],
+    );
   }
   rows.unshift(['Computed', withError(force * u.force), withError(result.pull_off?.approach * u.length), '1']);
   fillTable($('theories'), ['', `pull-off force (${u.forceName})`, `approach (${u.lengthName})`, 'relative'], rows);
   const jkr = theoriesOf(result.input).find(({label}) => label === 'JKR');
-  const points = [], largest = 1.02 * Math.max(...result.curve.map((p) => p.contact_radius));
+  const points = [],
+    largest = 1.02 * Math.max(...result.curve.map((p) => p.contact_radius));
   const waves = result.input.wavelength && result.input.waves ? largest / result.input.wavelength : 0;
   const count = Math.min(JKR_POINTS.most, Math.max(JKR_POINTS.least, Math.ceil(JKR_POINTS.perWave * waves)));
   for (let k = 0; jkr && largest > 0 && k <= count; ++k) {
@@ -172,7 +222,8 @@ async function solveStaircase() {
     $('stairs-state').textContent = `Solving for every preload: ${seconds.toFixed(1)} s`;
   });
   if (asked !== scene) return;
-  $('stairs-state').textContent = answer.error ?? `Solved in ${((performance.now() - began) / 1000).toFixed(2)} s. ${answer.document.reason}`;
+  $('stairs-state').textContent =
+    answer.error ?? `Solved in ${((performance.now() - began) / 1000).toFixed(2)} s. ${answer.document.reason}`;
   shownStaircase = answer.error ? null : answer;
   $('stairs-command').textContent = commandOf(asked, WANT_STAIRCASE);
   $('stairs-digest').textContent = answer.document?.digest ?? '';
@@ -183,8 +234,11 @@ let shownStaircase = null;
 function drawStairs() {
   if (!shownStaircase || !$('stairs').open) return;
   const u = unitsOf(shownStaircase);
-  fillTable($('steps'), [`from the load (${u.forceName})`, `from the approach (${u.lengthName})`, `pull-off force (${u.forceName})`],
-    drawStaircase($('staircase'), shownStaircase, control()));
+  fillTable(
+    $('steps'),
+    [`from the load (${u.forceName})`, `from the approach (${u.lengthName})`, `pull-off force (${u.forceName})`],
+    drawStaircase($('staircase'), shownStaircase, control()),
+  );
 }
 
 // What the reader does.

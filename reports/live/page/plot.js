@@ -12,7 +12,8 @@ export function element(name, attributes = {}, ...children) {
 
 // Ticks at 1, 2 or 5 times a power of ten, about `count` of them.
 export function ticksOf(from, to, count) {
-  const rough = (to - from) / count, power = 10 ** Math.floor(Math.log10(rough));
+  const rough = (to - from) / count,
+    power = 10 ** Math.floor(Math.log10(rough));
   const step = [1, 2, 5, 10].map((factor) => factor * power).find((size) => size >= rough) ?? 10 * power;
   const ticks = [];
   for (let k = Math.ceil(from / step - 1e-9); k * step <= to + 1e-9 * step; ++k) ticks.push(Number((k * step).toPrecision(12)));
@@ -21,7 +22,8 @@ export function ticksOf(from, to, count) {
 
 // The range of values with a margin; that of [0, 1] if there are none.
 export function rangeOf(values, margin = 0.06) {
-  let from = Infinity, to = -Infinity;
+  let from = Infinity,
+    to = -Infinity;
   for (const value of values)
     if (Number.isFinite(value)) {
       from = Math.min(from, value);
@@ -39,12 +41,14 @@ const place = (value) => Math.max(-1e5, Math.min(1e5, value)).toFixed(2);
 export function pathOf(points, X, Y) {
   let path = '';
   points.forEach((p, k) => {
-    const before = points[k - 1], third = before && p.at !== undefined ? (p.at - before.at) / 3 : 0;
+    const before = points[k - 1],
+      third = before && p.at !== undefined ? (p.at - before.at) / 3 : 0;
     const here = `${place(X(p.x))} ${place(Y(p.y))}`;
     if (!before) path += `M${here}`;
     else if (!third) path += `L${here}`;
     else
-      path += `C${place(X(before.x + third * before.dx))} ${place(Y(before.y + third * before.dy))} ` +
+      path +=
+        `C${place(X(before.x + third * before.dx))} ${place(Y(before.y + third * before.dy))} ` +
         `${place(X(p.x - third * p.dx))} ${place(Y(p.y - third * p.dy))} ${here}`;
   });
   return path;
@@ -54,33 +58,78 @@ export function pathOf(points, X, Y) {
 // kind is a class of style.css; markers: {x, y, kind, title}; lines: {points: [[x, y], [x, y]], kind}.
 // Returned: the scales X, Y from values to pixels and their inverses.
 export function draw(svg, {label, x, y, curves = [], markers = [], lines = []}) {
-  const width = svg.clientWidth || 600, height = svg.clientHeight || 360;
-  const right = width - MARGIN.right, bottom = height - MARGIN.bottom;
+  const width = svg.clientWidth || 600,
+    height = svg.clientHeight || 360;
+  const right = width - MARGIN.right,
+    bottom = height - MARGIN.bottom;
   const X = (value) => MARGIN.left + ((value - x.range[0]) / (x.range[1] - x.range[0])) * (right - MARGIN.left);
   const Y = (value) => bottom - ((value - y.range[0]) / (y.range[1] - y.range[0])) * (bottom - MARGIN.top);
   const clip = `${svg.id}-clip`;
   const frame = element('g', {class: 'frame'});
   for (const tick of ticksOf(...x.range, Math.max(3, width / 90)))
-    frame.append(element('line', {x1: X(tick), x2: X(tick), y1: MARGIN.top, y2: bottom}),
-      element('text', {x: X(tick), y: bottom + 16, 'text-anchor': 'middle'}, short(tick)));
+    frame.append(
+      element('line', {x1: X(tick), x2: X(tick), y1: MARGIN.top, y2: bottom}),
+      element('text', {x: X(tick), y: bottom + 16, 'text-anchor': 'middle'}, short(tick)),
+    );
   for (const tick of ticksOf(...y.range, Math.max(3, height / 45)))
-    frame.append(element('line', {x1: MARGIN.left, x2: right, y1: Y(tick), y2: Y(tick)}),
-      element('text', {x: MARGIN.left - 6, y: Y(tick) + 4, 'text-anchor': 'end'}, short(tick)));
-  frame.append(element('text', {class: 'name', x: (MARGIN.left + right) / 2, y: height - 6, 'text-anchor': 'middle'}, x.label),
-    element('text', {class: 'name', x: 12, y: (MARGIN.top + bottom) / 2, 'text-anchor': 'middle',
-      transform: `rotate(-90 12 ${(MARGIN.top + bottom) / 2})`}, y.label));
+    frame.append(
+      element('line', {x1: MARGIN.left, x2: right, y1: Y(tick), y2: Y(tick)}),
+      element('text', {x: MARGIN.left - 6, y: Y(tick) + 4, 'text-anchor': 'end'}, short(tick)),
+    );
+  frame.append(
+    element('text', {class: 'name', x: (MARGIN.left + right) / 2, y: height - 6, 'text-anchor': 'middle'}, x.label),
+    element(
+      'text',
+      {
+        class: 'name',
+        x: 12,
+        y: (MARGIN.top + bottom) / 2,
+        'text-anchor': 'middle',
+        transform: `rotate(-90 12 ${(MARGIN.top + bottom) / 2})`,
+      },
+      y.label,
+    ),
+  );
   const inside = element('g', {'clip-path': `url(#${clip})`});
   for (const {points, kind} of curves) inside.append(element('path', {class: `curve ${kind}`, d: pathOf(points, X, Y)}));
   for (const {points, kind} of lines)
-    inside.append(element('line', {class: kind, x1: place(X(points[0][0])), y1: place(Y(points[0][1])), x2: place(X(points[1][0])),
-      y2: place(Y(points[1][1]))}));
+    inside.append(
+      element('line', {
+        class: kind,
+        x1: place(X(points[0][0])),
+        y1: place(Y(points[0][1])),
+        x2: place(X(points[1][0])),
+        y2: place(Y(points[1][1])),
+      }),
+    );
   for (const {x: at, y: value, kind, title} of markers)
-    inside.append(element('circle', {class: `marker ${kind}`, cx: place(X(at)), cy: place(Y(value)), r: kind === 'chosen' ? 7 : 4.5},
-      ...(title ? [element('title', {}, title)] : [])));
+    inside.append(
+      element(
+        'circle',
+        {class: `marker ${kind}`, cx: place(X(at)), cy: place(Y(value)), r: kind === 'chosen' ? 7 : 4.5},
+        ...(title ? [element('title', {}, title)] : []),
+      ),
+    );
   svg.setAttribute('role', 'img');
   svg.setAttribute('aria-label', label);
   svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
-  svg.replaceChildren(element('defs', {}, element('clipPath', {id: clip}, element('rect', {x: MARGIN.left, y: MARGIN.top,
-    width: Math.max(1, right - MARGIN.left), height: Math.max(1, bottom - MARGIN.top)}))), frame, inside);
+  svg.replaceChildren(
+    element(
+      'defs',
+      {},
+      element(
+        'clipPath',
+        {id: clip},
+        element('rect', {
+          x: MARGIN.left,
+          y: MARGIN.top,
+          width: Math.max(1, right - MARGIN.left),
+          height: Math.max(1, bottom - MARGIN.top),
+        }),
+      ),
+    ),
+    frame,
+    inside,
+  );
   return {X, Y, inside};
 }

@@ -22,14 +22,32 @@ export const FIELDS = [
   {name: 'amplitude-m', label: 'Amplitude A of the wave (nm)', usual: '0', si: 1e-9, range: [0, 5e-9], of: isSI},
   {name: 'wavelength-m', label: 'Wavelength λ (nm)', usual: '2e-8', si: 1e-9, range: [1e-9, 1e-7], of: isSI},
   {name: 'outer-radius-m', label: 'Outer radius of the surface (nm, or inf)', usual: 'inf', si: 1e-9, of: isSI, part: 'more'},
-  {name: 'profile', label: 'Profile of the body', usual: 'sphere', choices: ['sphere', 'cone', 'power', 'punch', 'truncated'], of: inEpsilon},
+  {
+    name: 'profile',
+    label: 'Profile of the body',
+    usual: 'sphere',
+    choices: ['sphere', 'cone', 'power', 'punch', 'truncated'],
+    of: inEpsilon,
+  },
   {name: 'cone-t', label: 'Slope T of the cone', usual: '0.3', range: [0.01, 2], of: (s) => s.profile === 'cone'},
   {name: 'power-c', label: 'Factor C of C rᴺ', usual: '0.01', range: [1e-4, 1], of: (s) => s.profile === 'power'},
   {name: 'power-n', label: 'Exponent N of C rᴺ', usual: '3', range: [1.1, 8], of: (s) => s.profile === 'power'},
   {name: 'punch-b', label: 'Radius B of the flat end (ε)', usual: '5', range: [0.5, 50], of: (s) => s.profile === 'punch'},
   {name: 'punch-r', label: 'Radius R of the rounded edge (ε)', usual: '20', range: [1, 500], of: (s) => s.profile === 'punch'},
-  {name: 'truncated-b', label: 'Radius B of the flat end (ε)', usual: '5', range: [0.5, 50], of: (s) => s.profile === 'truncated'},
-  {name: 'truncated-r', label: 'Radius R of the sphere (ε)', usual: '90', range: [10, 1000], of: (s) => s.profile === 'truncated'},
+  {
+    name: 'truncated-b',
+    label: 'Radius B of the flat end (ε)',
+    usual: '5',
+    range: [0.5, 50],
+    of: (s) => s.profile === 'truncated',
+  },
+  {
+    name: 'truncated-r',
+    label: 'Radius R of the sphere (ε)',
+    usual: '90',
+    range: [10, 1000],
+    of: (s) => s.profile === 'truncated',
+  },
   {name: 'law', label: 'Traction–separation law', usual: 'lennard-jones', choices: ['lennard-jones', 'mie', 'morse']},
   {name: 'mie-m', label: 'Exponent M', usual: '4', range: [1.5, 8], of: (s) => s.law === 'mie'},
   {name: 'mie-n', label: 'Exponent N', usual: '10', range: [4, 20], of: (s) => s.law === 'mie'},
@@ -41,7 +59,14 @@ export const FIELDS = [
   {name: 'approach-start', label: 'Approach at the beginning (ε)', usual: '', part: 'more', of: inEpsilon},
   {name: 'approach-end', label: 'Approach at the end (ε)', usual: '', part: 'more', of: inEpsilon},
   {name: 'scheme', label: 'Elements', usual: 'panel', choices: ['panel', 'ring', 'triangle'], part: 'more'},
-  {name: 'grading', label: 'Spacing of the nodes', usual: 'uniform', choices: ['uniform', 'graded'], of: (s) => !isPanel(s), part: 'more'},
+  {
+    name: 'grading',
+    label: 'Spacing of the nodes',
+    usual: 'uniform',
+    choices: ['uniform', 'graded'],
+    of: (s) => !isPanel(s),
+    part: 'more',
+  },
   {name: 'nodes', label: 'Number of nodes', usual: '501', of: (s) => !isPanel(s), part: 'more'},
   {name: 'tolerance', label: 'Relative tolerance on the force', usual: '1e-6', of: isPanel, part: 'more'},
   {name: 'time-limit', label: 'Limit of the processor time (s)', usual: '', part: 'more'},
@@ -67,15 +92,26 @@ export function optionsOf(scene) {
   return [...(isSI(scene) ? [['from-physical', '']] : []), ...chosen.map(({name}) => [name, valueOf(scene, name)])];
 }
 
-const wavesOf = (text) => text.split(';').map((wave) => wave.trim()).filter(Boolean);
+const wavesOf = (text) =>
+  text
+    .split(';')
+    .map((wave) => wave.trim())
+    .filter(Boolean);
 
 // The request to the solver (reports/live/machine/live.c).
 export function requestOf(scene, want) {
-  const keys = {}, physical = {};
+  const keys = {},
+    physical = {};
   for (const [name, text] of optionsOf(scene)) {
     if (name === 'from-physical') continue;
     if (FIELD.get(name).si) physical[name.replace(/-(m|pa|j-per-m2)$/, '').replace('-', '_')] = Number(text);
-    else keys[name.replaceAll('-', '_')] = name === 'waves' ? wavesOf(text).map((wave) => wave.replace(',', '@')).join(';') : text;
+    else
+      keys[name.replaceAll('-', '_')] =
+        name === 'waves'
+          ? wavesOf(text)
+              .map((wave) => wave.replace(',', '@'))
+              .join(';')
+          : text;
   }
   if (want) keys.want = want;
   return isSI(scene) ? {keys, physical} : {keys};
@@ -92,14 +128,18 @@ export function commandOf(scene, want) {
   return ['pulloff solve', ...words, ...(want ? [`--want ${want}`] : [])].join(' ');
 }
 
-export const fragmentOf = (scene) => '#' + optionsOf(scene).map(([name, text]) =>
-  (text === '' ? name : `${name}=${encodeURIComponent(text).replace(/%2C/g, ',').replace(/%3B/g, ';')}`)).join('&');
+export const fragmentOf = (scene) =>
+  '#' +
+  optionsOf(scene)
+    .map(([name, text]) => (text === '' ? name : `${name}=${encodeURIComponent(text).replace(/%2C/g, ',').replace(/%3B/g, ';')}`))
+    .join('&');
 
 const LONGEST = 200; // characters of a value
 
 // The scene of a fragment, and messages about parts that are left out.
 export function sceneOf(fragment) {
-  const scene = {}, messages = [];
+  const scene = {},
+    messages = [];
   for (const part of fragment.replace(/^#/, '').split('&').filter(Boolean)) {
     const at = part.indexOf('=');
     const name = at < 0 ? part : part.slice(0, at);
@@ -114,7 +154,8 @@ export function sceneOf(fragment) {
     if (name === 'from-physical') scene[name] = '';
     else if (!field) messages.push(`The address has an unknown option ${name.slice(0, 40)}.`);
     else if (text.length > LONGEST) messages.push(`The value of ${name} in the address is longer than ${LONGEST} characters.`);
-    else if (field.choices && !field.choices.includes(text)) messages.push(`${name} is ${text.slice(0, 40)}: expected ${field.choices.join(', ')}.`);
+    else if (field.choices && !field.choices.includes(text))
+      messages.push(`${name} is ${text.slice(0, 40)}: expected ${field.choices.join(', ')}.`);
     else if (text !== '') scene[name] = text;
   }
   for (const name of Object.keys(scene))
@@ -130,32 +171,57 @@ const rounded = (value) => String(Number(value.toPrecision(6)));
 // The scene of a sphere in the other units: SI units for the usual work of adhesion and distance, to six digits; epsilon for
 // the member `input` of its result.
 export function inOtherUnits(scene, input) {
-  const law = Object.fromEntries(Object.entries(scene).filter(([name]) => !FIELD.get(name) || /^(law|mie|morse|tolerance|scheme|nodes|grading)/.test(name)));
+  const law = Object.fromEntries(
+    Object.entries(scene).filter(([name]) => !FIELD.get(name) || /^(law|mie|morse|tolerance|scheme|nodes|grading)/.test(name)),
+  );
   if (isSI(scene)) {
     delete law['from-physical'];
     for (const name of ['tabor', 'radius', 'amplitude', 'wavelength']) if (input?.[name]) law[name] = rounded(input[name]);
     return law;
   }
-  const work = Number(FIELD.get('work-j-per-m2').usual), distance = Number(FIELD.get('distance-m').usual);
+  const work = Number(FIELD.get('work-j-per-m2').usual),
+    distance = Number(FIELD.get('distance-m').usual);
   const number = (name) => Number(valueOf(scene, name));
-  const values = {'radius-m': number('radius') * distance, 'amplitude-m': number('amplitude') * distance, 'wavelength-m': number('wavelength') * distance,
-    'modulus-pa': Math.sqrt(number('radius') / number('tabor')) * work / (number('tabor') * distance)}; // mu^3 = R w^2/(E*^2 epsilon^3)
+  const values = {
+    'radius-m': number('radius') * distance,
+    'amplitude-m': number('amplitude') * distance,
+    'wavelength-m': number('wavelength') * distance,
+    'modulus-pa': (Math.sqrt(number('radius') / number('tabor')) * work) / (number('tabor') * distance),
+  }; // mu^3 = R w^2/(E*^2 epsilon^3)
   for (const [name, value] of Object.entries(values)) if (Number.isFinite(value)) law[name] = rounded(value);
   return {...law, 'from-physical': ''};
 }
 
 // Requests for the closed forms of a scene, from the member `input` of its result: a label, and what is asked.
 export function theoriesOf(input) {
-  const pick = (...names) => Object.fromEntries(names.filter((name) => input[name] !== null && input[name] !== undefined)
-    .map((name) => [name, String(input[name])]));
-  const rigid = pick('radius', 'waves', 'profile', 'cone_t', 'power_c', 'power_n', 'punch_b', 'punch_r', 'truncated_b', 'truncated_r');
-  const law = pick('law', 'mie_m', 'mie_n', 'morse_a'), elastic = {...rigid, ...pick('tabor')};
+  const pick = (...names) =>
+    Object.fromEntries(
+      names.filter((name) => input[name] !== null && input[name] !== undefined).map((name) => [name, String(input[name])]),
+    );
+  const rigid = pick(
+    'radius',
+    'waves',
+    'profile',
+    'cone_t',
+    'power_c',
+    'power_n',
+    'punch_b',
+    'punch_r',
+    'truncated_b',
+    'truncated_r',
+  );
+  const law = pick('law', 'mie_m', 'mie_n', 'morse_a'),
+    elastic = {...rigid, ...pick('tabor')};
   const forms = [{label: 'Rigid bodies', request: {theory: 'rigid', keys: {...rigid, ...law}}}];
   if (input.tabor > 0)
-    forms.push({label: 'Maugis–Dugdale', request: {theory: 'maugis', keys: {...elastic, ...law}}},
-      {label: 'JKR', request: {theory: 'jkr', keys: elastic}});
+    forms.push(
+      {label: 'Maugis–Dugdale', request: {theory: 'maugis', keys: {...elastic, ...law}}},
+      {label: 'JKR', request: {theory: 'jkr', keys: elastic}},
+    );
   if (input.tabor > 0 && input.profile === 'sphere' && input.waves && !input.waves.includes(';'))
-    forms.push({label: 'Envelope of JKR (Kesari–Lew)',
-      request: {theory: 'kesari-lew', keys: pick('tabor', 'radius', 'amplitude', 'wavelength')}});
+    forms.push({
+      label: 'Envelope of JKR (Kesari–Lew)',
+      request: {theory: 'kesari-lew', keys: pick('tabor', 'radius', 'amplitude', 'wavelength')},
+    });
   return forms;
 }

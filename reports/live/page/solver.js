@@ -3,7 +3,8 @@
 // What the module takes from its surroundings: a clock, and neither files nor an environment (WASI preview 1).
 function surroundings(memory) {
   const view = () => new DataView(memory().buffer);
-  const BAD_FILE = 8, NO_FILE = 44;
+  const BAD_FILE = 8,
+    NO_FILE = 44;
   return {
     environ_get: () => 0,
     environ_sizes_get: (count, size) => {

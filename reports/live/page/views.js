@@ -3,7 +3,8 @@ import {draw, rangeOf} from './plot.js';
 import {KINDS, unitsOf, withError} from './numbers.js';
 
 // Whether an equilibrium is stable in a control: at given load the load must also rise with the approach.
-export const isStable = (p, control) => p.unstable_modes === 0 && (control === 'displacement_control' || p.load_rate * p.approach_rate > 0);
+export const isStable = (p, control) =>
+  p.unstable_modes === 0 && (control === 'displacement_control' || p.load_rate * p.approach_rate > 0);
 
 // The points that the figure of the load must contain.
 function pointsOfInterest({document: result}) {
@@ -39,26 +40,59 @@ function fullDiscs(jkr) {
 // number of a point of the curve. Returned: nearest(px, py), the number of the point that is nearest to a place, and the
 // first and the last number that are visible.
 export function drawLoad(svg, {answer, control, jkr, whole, chosen}) {
-  const {document: result} = answer, u = unitsOf(answer), {curve} = result;
+  const {document: result} = answer,
+    u = unitsOf(answer),
+    {curve} = result;
   const shown = whole ? curve : pointsOfInterest(answer);
   const x = {label: `approach (${u.lengthName})`, range: rangeOf(shown.map((p) => p.approach * u.length))};
   const y = {label: `load (${u.forceName})`, range: rangeOf(shown.map((p) => p.load * u.force))};
-  const scaled = (p) => ({x: p.approach * u.length, y: p.load * u.force, at: p.position, dx: p.approach_rate * u.length, dy: p.load_rate * u.force});
-  const curves = fullDiscs(jkr).map((points) => ({kind: 'theory', points: points.map((p) => ({x: p.approach * u.length, y: p.load * u.force}))}));
-  for (const run of runsOf(curve, control)) curves.push({kind: run.stable ? 'stable' : 'unstable', points: run.points.map(scaled)});
+  const scaled = (p) => ({
+    x: p.approach * u.length,
+    y: p.load * u.force,
+    at: p.position,
+    dx: p.approach_rate * u.length,
+    dy: p.load_rate * u.force,
+  });
+  const curves = fullDiscs(jkr).map((points) => ({
+    kind: 'theory',
+    points: points.map((p) => ({x: p.approach * u.length, y: p.load * u.force})),
+  }));
+  for (const run of runsOf(curve, control))
+    curves.push({kind: run.stable ? 'stable' : 'unstable', points: run.points.map(scaled)});
   const end = (state) => [(state.approach ?? x.range[0] / u.length) * u.length, state.load * u.force];
-  const lines = (result.hysteresis?.[control]?.jumps ?? []).map((jump) => ({kind: `jump ${jump.phase}`, points: [end(jump.before), end(jump.after)]}));
-  const markers = [...result.extrema, ...result.folds].map((s) => ({x: s.approach * u.length, y: s.load * u.force, kind: /^jump/.test(s.kind) ? 'fold' : 'extremum',
-    title: `${KINDS[s.kind]}: approach ${withError(s.approach * u.length)}, load ${withError(s.load * u.force)}`}));
+  const lines = (result.hysteresis?.[control]?.jumps ?? []).map((jump) => ({
+    kind: `jump ${jump.phase}`,
+    points: [end(jump.before), end(jump.after)],
+  }));
+  const markers = [...result.extrema, ...result.folds].map((s) => ({
+    x: s.approach * u.length,
+    y: s.load * u.force,
+    kind: /^jump/.test(s.kind) ? 'fold' : 'extremum',
+    title: `${KINDS[s.kind]}: approach ${withError(s.approach * u.length)}, load ${withError(s.load * u.force)}`,
+  }));
   const p = result.pull_off;
-  if (p) markers.push({x: p.approach * u.length, y: -p.force * u.force, kind: 'pulloff', title: `pull-off: ${withError(p.force * u.force)} ${u.forceName}`});
+  if (p)
+    markers.push({
+      x: p.approach * u.length,
+      y: -p.force * u.force,
+      kind: 'pulloff',
+      title: `pull-off: ${withError(p.force * u.force)} ${u.forceName}`,
+    });
   if (curve[chosen]) markers.push({x: curve[chosen].approach * u.length, y: curve[chosen].load * u.force, kind: 'chosen'});
-  const label = `Load against approach: ${curve.length} equilibria, ${result.folds.length} folds, ${lines.length} jumps. ` +
-    (p ? `Pull-off force ${withError(p.force * u.force)} ${u.forceName} at approach ${withError(p.approach * u.length)} ${u.lengthName}.` : '');
+  const label =
+    `Load against approach: ${curve.length} equilibria, ${result.folds.length} folds, ${lines.length} jumps. ` +
+    (p
+      ? `Pull-off force ${withError(p.force * u.force)} ${u.forceName} at approach ${withError(p.approach * u.length)} ${u.lengthName}.`
+      : '');
   const {X, Y} = draw(svg, {label, x, y, curves, lines, markers});
-  const isInside = ({approach, load}) => approach * u.length >= x.range[0] && approach * u.length <= x.range[1] && load * u.force >= y.range[0] && load * u.force <= y.range[1];
+  const isInside = ({approach, load}) =>
+    approach * u.length >= x.range[0] &&
+    approach * u.length <= x.range[1] &&
+    load * u.force >= y.range[0] &&
+    load * u.force <= y.range[1];
   const nearest = (px, py) => {
-    let best = 0, least = Infinity;
+    let best = 0,
+      least = Infinity;
     curve.forEach((q, k) => {
       const distance = Math.hypot(X(q.approach * u.length) - px, Y(q.load * u.force) - py);
       if (isInside(q) && distance < least) [best, least] = [k, distance];
@@ -70,46 +104,90 @@ export function drawLoad(svg, {answer, control, jkr, whole, chosen}) {
 
 // The load against the approach as far as it is computed.
 export function drawProgress(svg, points) {
-  draw(svg, {label: 'Load against approach, as far as it is computed', x: {label: 'approach', range: rangeOf(points.map((p) => p.x))},
-    y: {label: 'load', range: rangeOf(points.map((p) => p.y))}, curves: [{kind: 'stable', points}]});
+  draw(svg, {
+    label: 'Load against approach, as far as it is computed',
+    x: {label: 'approach', range: rangeOf(points.map((p) => p.x))},
+    y: {label: 'load', range: rangeOf(points.map((p) => p.y))},
+    curves: [{kind: 'stable', points}],
+  });
 }
 
 // The ranges of the figures of gap and traction, the same for all points of a curve.
 export function rangesOfProfiles(answer, profiles) {
-  const {curve, input} = answer.document, u = unitsOf(answer);
+  const {curve, input} = answer.document,
+    u = unitsOf(answer);
   const contact = Math.max(...curve.map((p) => p.contact_radius), 0);
   const radius = contact > 0 ? 1.4 * contact : Math.sqrt(8 * input.radius);
   const waves = (input.waves ?? '').split(';').reduce((sum, wave) => sum + 2.2 * Number(wave.split('@')[0] || 0), 0);
   const tractions = [];
   for (const [, rows] of profiles) for (let k = 0; k < rows.length && rows[k] < radius; k += 3) tractions.push(rows[k + 2]);
-  return {radius: [0, radius * u.length], gap: [-0.6, Math.max(4, waves)].map(u.gap), traction: rangeOf(tractions.map((value) => value * u.traction))};
+  return {
+    radius: [0, radius * u.length],
+    gap: [-0.6, Math.max(4, waves)].map(u.gap),
+    traction: rangeOf(tractions.map((value) => value * u.traction)),
+  };
 }
 
 // Draws gap and traction of one equilibrium: rows of radius, gap, traction.
 export function drawProfile(gapPlot, tractionPlot, {answer, rows, ranges, state}) {
-  const u = unitsOf(answer), gaps = [], tractions = [];
+  const u = unitsOf(answer),
+    gaps = [],
+    tractions = [];
   for (let k = 0; k < rows.length; k += 3) {
     gaps.push({x: rows[k] * u.length, y: u.gap(rows[k + 1])});
     tractions.push({x: rows[k] * u.length, y: rows[k + 2] * u.traction});
   }
   const x = {label: `radius (${u.lengthName})`, range: ranges.radius};
-  const zero = (value) => ({kind: 'zero', points: [[ranges.radius[0], value], [ranges.radius[1], value]]});
-  draw(gapPlot, {label: `Gap against radius ${state}`, x, y: {label: u.gapLabel, range: ranges.gap}, curves: [{kind: 'stable', points: gaps}], lines: [zero(u.gap(0))]});
-  draw(tractionPlot, {label: `Traction against radius ${state}, positive in compression`, x, y: {label: u.tractionLabel, range: ranges.traction},
-    curves: [{kind: 'stable', points: tractions}], lines: [zero(0)]});
+  const zero = (value) => ({
+    kind: 'zero',
+    points: [
+      [ranges.radius[0], value],
+      [ranges.radius[1], value],
+    ],
+  });
+  draw(gapPlot, {
+    label: `Gap against radius ${state}`,
+    x,
+    y: {label: u.gapLabel, range: ranges.gap},
+    curves: [{kind: 'stable', points: gaps}],
+    lines: [zero(u.gap(0))],
+  });
+  draw(tractionPlot, {
+    label: `Traction against radius ${state}, positive in compression`,
+    x,
+    y: {label: u.tractionLabel, range: ranges.traction},
+    curves: [{kind: 'stable', points: tractions}],
+    lines: [zero(0)],
+  });
 }
 
 // Draws the pull-off force against the load of the preload.
 export function drawStaircase(svg, answer, control) {
-  const u = unitsOf(answer), {staircase} = answer.document;
+  const u = unitsOf(answer),
+    {staircase} = answer.document;
   const steps = (stairs) => (stairs?.steps ?? []).map((step) => ({...step, last: step.until ?? stairs.reached}));
-  const own = steps(staircase?.[control]), jkr = steps(staircase?.jkr?.[control]);
-  const lineOf = (kind) => (step) => ({kind, points: [[step.preload.load * u.force, step.force * u.force], [step.last.load * u.force, step.force * u.force]]});
+  const own = steps(staircase?.[control]),
+    jkr = steps(staircase?.jkr?.[control]);
+  const lineOf = (kind) => (step) => ({
+    kind,
+    points: [
+      [step.preload.load * u.force, step.force * u.force],
+      [step.last.load * u.force, step.force * u.force],
+    ],
+  });
   const all = [...own, ...jkr];
-  draw(svg, {label: `Pull-off force against the load of the preload: ${own.length} steps`,
-    x: {label: `load of the preload (${u.forceName})`, range: rangeOf(own.flatMap((step) => [step.preload.load * u.force, step.last.load * u.force]))},
+  draw(svg, {
+    label: `Pull-off force against the load of the preload: ${own.length} steps`,
+    x: {
+      label: `load of the preload (${u.forceName})`,
+      range: rangeOf(own.flatMap((step) => [step.preload.load * u.force, step.last.load * u.force])),
+    },
     y: {label: `pull-off force (${u.forceName})`, range: rangeOf([0, ...all.map((step) => step.force * u.force)])},
-    lines: [...jkr.map(lineOf('step theory')), ...own.map(lineOf('step'))]});
-  return own.map((step) => [withError(step.preload.load * u.force, step.preload.load_error_estimate * u.force), withError(step.preload.approach * u.length),
-    withError(step.force * u.force, step.error_estimate * u.force)]);
+    lines: [...jkr.map(lineOf('step theory')), ...own.map(lineOf('step'))],
+  });
+  return own.map((step) => [
+    withError(step.preload.load * u.force, step.preload.load_error_estimate * u.force),
+    withError(step.preload.approach * u.length),
+    withError(step.force * u.force, step.error_estimate * u.force),
+  ]);
 }

@@ -7,7 +7,9 @@ const MOST_NUMBERS = 1.2e7; // of all profiles that are kept: 48 MB
 
 // Keeps gap and traction at the points of the curve; if there are too many, at every second point, every fourth, ...
 function makeKeeper() {
-  let kept = new Map(), stride = 1, numbers = 0;
+  let kept = new Map(),
+    stride = 1,
+    numbers = 0;
   return {
     add(number, rows) {
       if (number === 0) {
@@ -37,7 +39,8 @@ onmessage = ({data}) => {
     return;
   }
   const keeper = makeKeeper();
-  let points = [], last = performance.now();
+  let points = [],
+    last = performance.now();
   const hooks = {
     progress(approach, load) {
       points.push(approach, load);
@@ -56,5 +59,8 @@ onmessage = ({data}) => {
     answer = {error: `the solver stopped: ${error.message}`, stopped: true};
   }
   const profiles = keeper.all();
-  postMessage({id: data.id, answer, profiles, memory: solver.memory()}, profiles.map(([, rows]) => rows.buffer));
+  postMessage(
+    {id: data.id, answer, profiles, memory: solver.memory()},
+    profiles.map(([, rows]) => rows.buffer),
+  );
 };
