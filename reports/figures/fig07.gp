@@ -36,5 +36,5 @@ set key horizontal at graph 0.02, graph 0.95 left top Left reverse
 plot 'residual.dat' index 0 using 1:2 with points pointtype 7 pointsize 0.35 linecolor rgb blue \
        title 'panels, unbounded', \
      'residual.dat' index 1 using 1:2 with points pointtype 6 pointsize 0.45 linecolor rgb vermillion \
-       title 'paper’s discretisation'
+       title 'paper’s, cut at r = R'
 unset multiplot

@@ -38,7 +38,7 @@ plot NaN with lines linecolor rgb black linewidth 1.1 dashtype 2 title 'JKR limi
        pointsize 0.7 linecolor rgb colour[i] notitle
 
 unset arrow
-set tmargin at screen 0.29; set bmargin at screen 0.09
+set tmargin at screen 0.28; set bmargin at screen 0.09
 set xtics 10 format '%g'
 set xlabel 'Tabor parameter μ' offset 0,0.4
 set logscale y

@@ -80,7 +80,7 @@ def bookkeeping(run, same, planted, judged, tests):
     checks = [check for check in run.checks() if not is_physics(check)]
     found = [(sum(check["verdict"] in PASSING for check in checks), len(checks), "pins, counters of work and repeated traces agree")]
     if same:
-        found.insert(0, (same["identical"], same["compared"], "results are those of the maintainers to the last bit"
+        found.insert(0, (same["identical"], same["compared"], "results are identical to the last bit with those of the maintainers"
                          + (f" (the largest difference is {same['largest'][0]:.2g} of the force: {same['largest'][2]}, case "
                             f"{same['largest'][1]})" if same["different"] else "")))
     if planted:

@@ -129,7 +129,8 @@ function scaleAt(factor, x, y) {
   place();
 }
 for (const picture of document.querySelectorAll("figure .picture")) {
-  const open = () => {
+  const open = async () => {
+    await unpack(picture);
     const sheet = document.createElement("div");
     sheet.append(...[...picture.querySelectorAll("svg")].map((drawing) => drawing.cloneNode(true)));
     stage.replaceChildren(sheet);

@@ -75,8 +75,8 @@ def caption(case, strips):
         text += Markup(" Below: relative difference from Eq 22; at most {}").format(
             scientific(max(row[1] for row in strips[0])))
         if strips[1]:
-            text += Markup(". Orange: with the paper’s discretisation ({}); up to {}, where the "
-                           "elements do not resolve the crest at the axis").format(
+            text += Markup(". Orange: with the paper’s discretisation ({}); at small α this is the cut, "
+                           "1.0 × 10⁻³ of a force of 2; it is up to {} where the elements do not resolve the crest at the axis").format(
                                twice.PAPER, scientific(max(row[1] for row in strips[1])))
         text += "."
     return text

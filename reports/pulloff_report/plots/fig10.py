@@ -55,6 +55,6 @@ def caption(case, forces, missing, strips):
     worst = [row[1] for strip in strips for row in strip]
     if worst:
         ratios = sorted({row[0] for strip in strips for row in strip})
-        text += Markup(" (c) Relative difference from the paper’s discretisation ({}) at A/λ = {}; at most {}.").format(
+        text += Markup(" (c) Relative difference from the paper’s discretisation ({}) at A/λ = {}; at most {}; at small A/λ it is the cut, which leaves out (8/3)/(1 + R†/2)² πwR.").format(
                            twice.PAPER, listing([plain(value) for value in ratios]), scientific(max(worst)))
     return text + preload.caption(case, KEYS, "Filled markers in (b)")
