@@ -137,27 +137,6 @@ def order(samples, field):
     return -slope(fit), fit[-1][0], fit[0][0], len(fit)
 
 
-def best(samples, field, seconds):
-    """The sample with the smallest error among those that take at most this time, or None."""
-    known = [sample for sample in samples if not sample.failed and field in sample.errors
-             and sample.seconds <= seconds and not (field == "folds" and sample.misfit)]
-    return min(known, key=lambda sample: sample.errors[field], default=None)
-
-
-def overtaking(panels, others, field):
-    """The run time from which panels have the smaller error at every longer run time: (seconds, panel, other or None).
-
-    None if there is no such time.
-    """
-    found = None
-    for seconds in sorted({sample.seconds for sample in panels + others}, reverse=True):
-        ours, theirs = best(panels, field, seconds), best(others, field, seconds)
-        if ours is None or (theirs and theirs.errors[field] < ours.errors[field]):
-            break
-        found = seconds, ours, theirs
-    return found
-
-
 def quickest(panels, fields, goal):
     """The fastest panel solve whose errors do not exceed those of `goal` in any of the fields, or None."""
     able = [sample for sample in panels

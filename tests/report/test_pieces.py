@@ -63,15 +63,6 @@ class Samples(unittest.TestCase):
         # the coarsest mesh does not belong to the range where the order is 2
         self.assertEqual(samples.order(meshes(0.3, 0.25, 2.0 ** -4, 2.0 ** -6), "force")[1:], (100, 400, 3))
 
-    def test_who_overtakes_whom(self):
-        panels = [sample(0.02, 1e-6), sample(0.05, 1e-9)]
-        rings = [sample(t, e, "ring", 99) for t, e in ((0.01, 1e-2), (0.02, 1e-7), (0.03, 1e-8), (9, 1e-9))]
-        seconds, ours, theirs = samples.overtaking(panels, rings, "force")
-        self.assertEqual((seconds, ours.errors["force"], theirs.errors["force"]), (0.05, 1e-9, 1e-8))
-        self.assertIsNone(samples.overtaking(panels, [sample(0.04, 1e-12, "ring", 9)], "force"))
-        seconds, ours, theirs = samples.overtaking(panels, [sample(7, 1e-3, "ring", 9)], "force")
-        self.assertEqual((seconds, theirs), (0.02, None))
-
     def test_the_quickest_of_those_as_good(self):
         panels = [sample(0.02, 1e-6), sample(0.05, 1e-9), sample(0.09, 1e-10)]
         goal = sample(3.0, 1e-8, "triangle", 501)

@@ -42,6 +42,16 @@ def look():
             "legend.frameon": False, "legend.fontsize": 7.8}
 
 
+def rendered(draw, *given, name, label):
+    """What matplotlib draws, as SVG for embedding."""
+    with matplotlib.rc_context(look()):
+        picture = draw(*given)
+        text = io.StringIO()
+        picture.savefig(text, format="svg", metadata={"Date": None})
+        pyplot.close(picture)
+    return Markup(svg.embeddable(text.getvalue(), name, label))
+
+
 def style(series):
     scheme = series.split()[0]
     dashed = series.endswith("graded")
@@ -158,13 +168,8 @@ def make(case):
         chosen = [sample for sample in found if bool(sample.scene[1]) == wavy]
         if not any(sample.errors and sample.seconds for sample in chosen):
             continue
-        with matplotlib.rc_context(look()):
-            picture = draw(chosen)
-            text = io.StringIO()
-            picture.savefig(text, format="svg", metadata={"Date": None})
-            pyplot.close(picture)
         identifier = f"{SCRIPT}-{name}"
         figures.append(Figure(
-            identifier, "", title, Markup(svg.embeddable(text.getvalue(), identifier, title)),
+            identifier, "", title, rendered(draw, chosen, name=identifier, label=title),
             caption(case, chosen), [], case.record["command"]))
     return figures

@@ -1,17 +1,12 @@
 """Error against run time of this program and of the external solvers of the run."""
 
-import io
+from markupsafe import Markup
+from matplotlib import pyplot, ticker
 
-import matplotlib
-
-matplotlib.use("svg")
-from matplotlib import pyplot, ticker  # noqa: E402
-from markupsafe import Markup  # noqa: E402
-
-from .. import samples, solvers, svg  # noqa: E402
-from ..words import count  # noqa: E402
-from .figure import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILLION, Figure, log_range  # noqa: E402
-from .precision import FAILED_AT, decade, look  # noqa: E402
+from .. import samples, solvers
+from ..words import count
+from .figure import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILLION, Figure, log_range
+from .precision import FAILED_AT, decade, rendered
 
 SCRIPT = "solvers"
 TITLE = "Error against run time of all solvers"
@@ -89,9 +84,4 @@ def make(rows, command):
     """The figure; None if there is nothing to draw."""
     if not any(row.usable for row in rows):
         return None
-    with matplotlib.rc_context(look()):
-        picture = draw(rows)
-        text = io.StringIO()
-        picture.savefig(text, format="svg", metadata={"Date": None})
-        pyplot.close(picture)
-    return Figure(SCRIPT, "", TITLE, Markup(svg.embeddable(text.getvalue(), SCRIPT, TITLE)), caption(rows), [], command)
+    return Figure(SCRIPT, "", TITLE, rendered(draw, rows, name=SCRIPT, label=TITLE), caption(rows), [], command)

@@ -1,20 +1,18 @@
 """The figure of the first page: error of the pull-off force against run time, panels and the discretisation of the paper."""
 
-import io
-
-from matplotlib import pyplot, rc_context, ticker
 from markupsafe import Markup
+from matplotlib import pyplot, ticker
 
-from .. import samples, solvers, svg
-from .figure import BLACK, GREEN, ORANGE, PURPLE, SKY, VERMILLION, Figure
-from .precision import decade, look
+from .. import samples, solvers
+from .figure import BLACK, Figure
+from .precision import decade, rendered, style
+from .solvers import LOOKS
 
 NAME = "speed"
 TITLE = "Error against run time"
 SOFTEST = 5.0        # largest Tabor parameter of the paper
+DRAWN = {"panel": "pulloff, panels", "triangle uniform": "triangles on equal elements"}
 PANELS = 4           # scenes that are drawn: the last ones of the case, which are the wavy and the softest smooth ones
-OTHERS = (PURPLE, SKY, ORANGE, BLACK)   # colours of external solvers
-MARKERS = ("o", "v", "D", "P")
 
 
 def chosen(found):
@@ -30,15 +28,21 @@ def points(rows):
                   if row.seconds and not row.failed and row.relative is not None)
 
 
+def look(name, others=()):
+    """The line or, for an external solver, the markers of a series."""
+    if name in others:
+        colour, marker = LOOKS[others.index(name) % len(LOOKS)]
+        return {"color": colour, "marker": marker, "ls": "", "ms": 4}
+    return {**style(name), "lw": 1.1, "ms": 4}
+
+
 def draw_scene(axes, found, scene, others):
     here = samples.of(found, scene)
     goal = samples.marked(here)
-    for series, colour, marker in (("triangle uniform", VERMILLION, "^"), ("panel", GREEN, "s")):
-        drawn = points(samples.of(here, scene, series))
-        axes.plot([x for x, _ in drawn], [y for _, y in drawn], "-", marker=marker, color=colour, lw=1.1, ms=4)
-    for place, (label, rows) in enumerate(others.items()):
-        axes.plot([row.seconds for row in rows if row.scene == scene], [row.error for row in rows if row.scene == scene],
-                  ls="", marker=MARKERS[place % len(MARKERS)], color=OTHERS[place % len(OTHERS)], ms=4)
+    for series in DRAWN:
+        axes.plot(*zip(*points(samples.of(here, scene, series))), **look(series))
+    for label, rows in others.items():
+        axes.plot([row.seconds for row in rows if row.scene == scene], [row.error for row in rows if row.scene == scene], **look(label, list(others)))
     quick = samples.quickest(samples.of(here, scene, "panel"), ["force"], goal)
     axes.plot([goal.seconds], [goal.relative], marker="o", mfc="none", mec=BLACK, ms=9, mew=1.0)
     if quick:
@@ -62,11 +66,9 @@ def draw(found, scenes, others):
     low, high = panels[0][0].get_ylim()
     panels[0][0].set_ylim(low / 2, high * 3)
     panels[0][0].set_ylabel("relative error of the force")
-    handles = [pyplot.Line2D([], [], color=GREEN, marker="s", ms=4, lw=1.1, label="pulloff, panels"),
-               pyplot.Line2D([], [], color=VERMILLION, marker="^", ms=4, lw=1.1, label="triangles on equal elements"),
-               pyplot.Line2D([], [], ls="", marker="o", mfc="none", mec=BLACK, ms=8, label="as in the paper, 500 elements")]
-    handles += [pyplot.Line2D([], [], ls="", marker=MARKERS[place % len(MARKERS)], color=OTHERS[place % len(OTHERS)], ms=4,
-                              label=label) for place, label in enumerate(others)]
+    handles = [pyplot.Line2D([], [], label=label, **look(series)) for series, label in DRAWN.items()]
+    handles.append(pyplot.Line2D([], [], ls="", marker="o", mfc="none", mec=BLACK, ms=8, label="as in the paper, 500 elements"))
+    handles += [pyplot.Line2D([], [], label=label, **look(label, list(others))) for label in others]
     picture.legend(handles=handles, loc="upper center", ncol=4, bbox_to_anchor=(0.5, 1.02), columnspacing=1.6)
     lines = (len(handles) + 3) // 4
     picture.subplots_adjust(left=0.075, right=0.99, top=0.89 - 0.09 * lines, bottom=0.2, wspace=0.08)
@@ -82,11 +84,6 @@ def make(found, run, command):
     for row in solvers.timed(run, solvers.read(run)):
         if row.name != solvers.OURS and row.usable and row.scene in scenes:
             others.setdefault(row.name, []).append(row)
-    with rc_context(look()):
-        picture = draw(found, scenes, others)
-        text = io.StringIO()
-        picture.savefig(text, format="svg", metadata={"Date": None})
-        pyplot.close(picture)
-    caption = Markup("True relative error of the pull-off force (from an independent solver) against processor time, for several tolerances "
-                     "of the panels and numbers of triangles, on the same scene and half-space. Arrows: at the error of 500 elements.")
-    return Figure(NAME, "", TITLE, Markup(svg.embeddable(text.getvalue(), NAME, TITLE)), caption, [], command)
+    caption = Markup("Relative error of the pull-off force, from an independent solver, against processor time, for several "
+                     "tolerances of the panels and numbers of triangles. Arrows: at the error of 500 elements.")
+    return Figure(NAME, "", TITLE, rendered(draw, found, scenes, others, name=NAME, label=TITLE), caption, [], command)

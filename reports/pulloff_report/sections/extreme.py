@@ -3,7 +3,6 @@
 from markupsafe import Markup
 
 from . import Section
-from ..plots import extreme
 from ..records import PASSING
 from ..words import fixed, scientific, seconds, sweep_label
 
@@ -95,7 +94,5 @@ def build(source):
     tables = [table_of(case) for case in cases]
     rows = [row for table in tables for row in table["rows"]]
     data = {"tables": tables, "summaries": [summary(table) for table in tables], "scenes": len(rows),
-            "solved": sum(not row["failed"] for row in rows), "figure": None, "rates": [], "digits": digits}
-    if cases:
-        data["figure"], data["rates"] = extreme.make(cases)
+            "solved": sum(not row["failed"] for row in rows), "digits": digits}
     return Section("extreme", "Stiff and extreme", "extreme.html", data, absent="" if cases else ABSENT)

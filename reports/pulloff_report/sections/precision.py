@@ -20,22 +20,6 @@ def order_rows(found):
     return with_first(rows)
 
 
-def crossings(found):
-    """From which run time on panels are more accurate than every other mesh: the least and the greatest of all scenes and
-    quantities, and where there is no such time."""
-    times, never = [], []
-    for scene in samples.scenes(found):
-        panels = samples.of(found, scene, "panel")
-        others = [sample for sample in samples.of(found, scene) if sample.series != "panel"]
-        for field in samples.FIELDS if panels and others else []:
-            crossing = samples.overtaking(panels, others, field)
-            if crossing:
-                times.append(crossing[0])
-            elif any(field in sample.errors for sample in panels):
-                never.append(f"{samples.FIELD_NAMES[field]}, {samples.scene_name(scene)}")
-    return {"first": min(times), "last": max(times), "never": never} if times else None
-
-
 def speed_rows(found):
     """For each scene: 501 triangles, and the fastest panel solve with an equal or smaller error in every quantity."""
     rows = []
@@ -81,7 +65,7 @@ def build(source):
         speeds = speed_rows(found)
         data = {"figures": figures, "fields": samples.FIELDS, "names": samples.FIELD_NAMES, "orders": order_rows(found),
                 "fewest": samples.FEWEST_MESHES, "spread": samples.MOST_SPREAD, "above": samples.ABOVE_FLOOR,
-                "crossings": crossings(found), "speeds": speeds, "everything": every_row(found), "failures": failures(cases[0]),
+                "speeds": speeds, "everything": every_row(found), "failures": failures(cases[0]),
                 "not_solved": cases[0].record.get("not_solved", [])}
         numbers = front(speeds)
         data["front"] = numbers and dict(numbers, figure=speed.make(found, source.run, cases[0].record["command"]))

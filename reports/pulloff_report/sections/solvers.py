@@ -6,7 +6,7 @@ import statistics
 from . import Section
 from .. import samples, solvers
 
-ABSENT = "external solvers (./reproduce --only solvers, pulloff run CASE --solver MANIFEST)"
+ABSENT = "external solvers (./reproduce --only solvers)"
 GOALS = (("its error", None), ("1e-6", solvers.GOAL))
 
 
