@@ -1,6 +1,5 @@
 #include "po_panels.h"
 
-#include <math.h>
 #include <string.h>
 
 bool po_panel_equal(po_panel a, po_panel b) {

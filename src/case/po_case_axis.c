@@ -1,13 +1,10 @@
 /* Axes: their values, as written or computed from a range, and the evaluation of conditions. */
 #include <float.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "po_case_parts.h"
 #include "po_memory.h"
-#include "po_order.h"
 #include "po_range.h"
 #include "po_schema.h"
 

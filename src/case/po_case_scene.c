@@ -114,11 +114,8 @@ static po_status case_refuse_for(const po_yaml *yaml, const char *where, po_stat
 }
 
 /* Replaces the name of a table, relative to the case file, by its path, and reads it. */
-static po_status resolve(const po_case *kase, const po_yaml *yaml, char **word, const char *format,
-                         ...) __attribute__((format(printf, 4, 5)));
-
-static po_status resolve(const po_case *kase, const po_yaml *yaml, char **word, const char *format,
-                         ...) {
+static po_status __attribute__((format(printf, 4, 5)))
+resolve(const po_case *kase, const po_yaml *yaml, char **word, const char *format, ...) {
   char where[2 * PO_CASE_WHERE_LENGTH];
   va_list arguments;
   va_start(arguments, format);

@@ -17,10 +17,8 @@ typedef struct {
   char path[PATH_LENGTH];
 } place;
 
-static size_t enter(place *at, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
 /* Extends the path. Returned: its previous length, the argument of `leave`. */
-static size_t enter(place *at, const char *format, ...) {
+static size_t __attribute__((format(printf, 2, 3))) enter(place *at, const char *format, ...) {
   const size_t length = strlen(at->path);
   va_list arguments;
   va_start(arguments, format);

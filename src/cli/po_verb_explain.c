@@ -2,7 +2,6 @@
 #include <stdlib.h>
 
 #include "po_explain.h"
-#include "po_json.h"
 #include "po_memory.h"
 #include "po_print.h"
 #include "po_session.h"

@@ -13,7 +13,6 @@
 #include "po_scene_flags.h"
 #include "po_series.h"
 #include "po_series_folds.h"
-#include "po_text.h"
 #include "po_use.h"
 #include "po_verbs.h"
 

@@ -8,10 +8,8 @@
 #include "po_plan.h"
 #include "po_recognise.h"
 
-static void say(po_blame *blame, const char *side, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-
-static void say(po_blame *blame, const char *side, const char *format, ...) {
+static void __attribute__((format(printf, 3, 4)))
+say(po_blame *blame, const char *side, const char *format, ...) {
   va_list arguments;
   va_start(arguments, format);
   vsnprintf(blame->why, sizeof blame->why, format, arguments);

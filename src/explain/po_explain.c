@@ -1,6 +1,5 @@
 #include "po_explain.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,7 +7,6 @@
 
 #include "po_blame.h"
 #include "po_elementary.h"
-#include "po_json.h"
 
 /* Returned: special point number `index` in the list of all folds followed by all extrema. */
 static const po_special_point *special(const po_result *result, size_t index) {

@@ -3,10 +3,8 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include <threads.h>
 
-#include "po_memory.h"
 #include "po_quote.h"
 
 /* Reports lack of memory: texts are converted to valid UTF-8 before jansson reads them, so that no

@@ -1,12 +1,10 @@
 #include "po_input.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "po_companion_jkr.h"
-#include "po_text.h"
 
 typedef enum {
   ANY_NUMBER_DOMAIN,

@@ -1,7 +1,6 @@
 #include "po_elementary.h"
 
 #include <float.h>
-#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>

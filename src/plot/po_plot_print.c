@@ -1,6 +1,5 @@
 /* The plots of one solve as characters. */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "po_input.h"

@@ -5,7 +5,6 @@
 
 #include "po_hermite.h"
 #include "po_input.h"
-#include "po_json.h"
 #include "po_plot.h"
 
 /* Points drawn on each interval of the branch, from its cubic polynomials. */

@@ -2,12 +2,10 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "po_bradley.h"
-#include "po_elementary.h"
 #include "po_file.h"
 #include "po_law.h"
 #include "po_memory.h"

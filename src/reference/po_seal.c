@@ -1,13 +1,11 @@
 #include "po_seal.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
 
 #include "po_file.h"
-#include "po_memory.h"
 #include "po_quote.h"
 #include "po_reference_table.h"
 #include "po_text.h"

@@ -1,7 +1,6 @@
 #include "po_environment.h"
 
 #include <limits.h>
-#include <math.h>
 #include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,13 +1,11 @@
 #include "po_journal.h"
 
 #include <errno.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "po_file.h"
-#include "po_json.h"
 #include "po_record_point.h"
 
 /* Returned: the folder of the case and the path of the journal, which the caller frees; false

@@ -1,14 +1,10 @@
 #include "po_merge.h"
 
-#include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_environment.h"
 #include "po_file.h"
 #include "po_journal.h"
-#include "po_json.h"
 #include "po_json_digest.h"
 #include "po_memory.h"
 #include "po_order.h"

@@ -10,10 +10,8 @@
 #include "po_quote.h"
 #include "po_rigid.h"
 
-static po_status say(po_plan *plan, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
 /* Adds a line to the description. */
-static po_status say(po_plan *plan, const char *format, ...) {
+static po_status __attribute__((format(printf, 2, 3))) say(po_plan *plan, const char *format, ...) {
   char **lines = po_resize(plan->lines, plan->line_count + 1, sizeof *lines);
   char *printed = NULL;
   if (lines)

@@ -10,7 +10,6 @@
 #include "po_csv.h"
 #include "po_environment.h"
 #include "po_file.h"
-#include "po_json.h"
 #include "po_json_digest.h"
 #include "po_record_point.h"
 

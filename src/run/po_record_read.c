@@ -4,7 +4,6 @@
 
 #include "po_csv.h"
 #include "po_file.h"
-#include "po_json.h"
 #include "po_record.h"
 #include "po_record_point.h"
 

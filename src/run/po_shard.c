@@ -6,7 +6,6 @@
 
 #include "po_environment.h"
 #include "po_file.h"
-#include "po_json.h"
 #include "po_json_digest.h"
 #include "po_memory.h"
 #include "po_random.h"

@@ -1,7 +1,6 @@
 /* Lennard-Jones between half-spaces, Eq 9, in the variables of Eqs 14 and 16. */
 #include <math.h>
 
-#include "po_elementary.h"
 #include "po_law_kind.h"
 
 /* p = -(8/3) [x^3 - x^9], x = 1/(1 + H): Eq 16; dp/dH = 8 [x^4 - 3 x^10] */

@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "po_contact.h"
 #include "po_memory.h"
 #include "po_observe_parts.h"
 #include "po_series_scenes.h"

@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "po_contact.h"
 #include "po_memory.h"
 #include "po_observe_parts.h"
 #include "po_watch.h"

@@ -7,7 +7,6 @@
 #include "po_load_unit.h"
 #include "po_memory.h"
 #include "po_observe_parts.h"
-#include "po_watch.h"
 
 /* Interpolates between two values, logarithmically if both are positive. */
 static double between(double a, double b, double part) {

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "po_elementary.h"
-#include "po_json.h"
+#include "po_json_value.h"
 #include "po_memory.h"
 #include "po_quote.h"
 
@@ -15,10 +15,8 @@
 static const size_t MOST_ITEMS = 1000000;
 
 /* Refuses an answer: the first reason stays. */
-static void refuse(po_answer *answer, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
-
-static void refuse(po_answer *answer, const char *format, ...) {
+static void __attribute__((format(printf, 2, 3)))
+refuse(po_answer *answer, const char *format, ...) {
   char text[sizeof answer->result.reason];
   va_list arguments;
   if (answer->result.status == PO_INVALID)
@@ -394,8 +392,4 @@ void po_answer_check(const po_question *question, po_answer *answer) {
     if (PARTS[i].lacking)
       refuse(answer, "%s is missing or not a finite number, though the point wants it",
              PARTS[i].what);
-}
-
-void po_answer_clear(po_answer *answer) {
-  po_result_clear(&answer->result);
 }

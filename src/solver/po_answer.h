@@ -13,14 +13,12 @@ typedef struct {
 } po_answer;
 
 /* Reads one line. A line that is not an answer, or whose numbers are not those of the protocol,
- * gives the status PO_INVALID with the reason in the result. The answer must be passed to
- * po_answer_clear. Status: PO_NO_MEMORY. */
+ * gives the status PO_INVALID with the reason in the result. The result must be passed to
+ * po_result_clear. Status: PO_NO_MEMORY. */
 po_status po_answer_read(const char *line, size_t length, po_answer *answer);
 
 /* Checks whether a successful answer contains what the question wants; otherwise its status becomes
  * PO_INVALID. */
 void po_answer_check(const po_question *question, po_answer *answer);
-
-void po_answer_clear(po_answer *answer);
 
 #endif

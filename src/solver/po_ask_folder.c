@@ -147,7 +147,7 @@ static po_status take_left(const po_question *questions, size_t count, bool *don
         done[q] = true;
         status = take(context, q, &answer, true);
       }
-      po_answer_clear(&answer);
+      po_result_clear(&answer.result);
     }
   } while (!status && response.read > before);
   po_response_close(&response);

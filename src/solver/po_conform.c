@@ -48,10 +48,8 @@ typedef struct {
   double at;                    /* time of the first of them */
 } conforming;
 
-static void tell(conforming *c, const char *verdict, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-
-static void tell(conforming *c, const char *verdict, const char *format, ...) {
+static void __attribute__((format(printf, 3, 4)))
+tell(conforming *c, const char *verdict, const char *format, ...) {
   char text[600];
   va_list arguments;
   va_start(arguments, format);
@@ -160,7 +158,7 @@ static po_status take(void *context, size_t question, po_answer *answer, bool fi
   scene->answers += answer->result.status == PO_OK;
   scene->final = final;
   if (scene->answers <= 1 || answer->result.status) {
-    po_answer_clear(&scene->answer);
+    po_result_clear(&scene->answer.result);
     scene->answer = *answer;
     answer->result = po_result_none();
   }
@@ -169,7 +167,7 @@ static po_status take(void *context, size_t question, po_answer *answer, bool fi
 
 static void forget_answers(conforming *c) {
   for (size_t i = 0; i < c->count; ++i) {
-    po_answer_clear(&c->scenes[i].answer);
+    po_result_clear(&c->scenes[i].answer.result);
     c->scenes[i].answer = (po_answer){.result = po_result_none()};
     c->scenes[i].answers = 0;
     c->scenes[i].final = false;
@@ -344,9 +342,7 @@ static po_status test_unsupported(conforming *c) {
 /* Notes the first answer, and asks for the end of the process. */
 static po_status take_and_stop(void *context, size_t question, po_answer *answer, bool final) {
   conforming *c = context;
-  (void)question;
-  (void)answer;
-  (void) final;
+  (void)question, (void)answer, (void) final;
   if (!c->taken++)
     c->at = po_clock_wall();
   c->enough = 1;
@@ -357,19 +353,19 @@ static po_status take_and_stop(void *context, size_t question, po_answer *answer
  * at once, fewer answers than questions have arrived then. */
 static po_status test_stop(conforming *c) {
   po_ask_log log;
+  if (c->count == 1)
+    return PO_OK;
   c->enough = 0;
   c->taken = 0;
   po_status status = ask(c, c->count, 1, &c->enough, take_and_stop, &log);
   const double seconds = po_clock_wall() - c->at;
   if (status == PO_INTERRUPTED && !(c->stop && *c->stop))
     status = PO_OK;
-  if (status || !c->taken)
-    ; /* other tests report a solver that gives no answer */
-  else if (c->taken >= c->count)
+  if (!status && c->taken >= c->count)
     tell(c, "note",
          "all answers arrived together: either the scenes take no time, or the lines are "
          "not flushed");
-  else
+  else if (!status && c->taken) /* other tests report a solver that gives no answer */
     tell(c, "ok", "stopped after %zu of %zu answers: these were written at once", c->taken,
          c->count);
   if (!status && c->taken && seconds > 2 && c->taken < c->count)
@@ -393,14 +389,10 @@ po_status po_conform(const po_solver *solver, const char *data_folder, const cha
   status = test_empty(&c);
   if (!status && c.count == 0)
     tell(&c, "note", "no smooth sphere is within the manifest: no scene was asked");
-  if (!status && c.count)
-    status = test_scenes(&c);
-  if (!status && c.count)
-    status = test_repeats(&c);
-  if (!status && c.count)
-    status = test_unsupported(&c);
-  if (!status && c.count > 1)
-    status = test_stop(&c);
+  po_status (*const tests[])(conforming *) = {test_scenes, test_repeats, test_unsupported,
+                                              test_stop};
+  for (size_t i = 0; i < sizeof tests / sizeof *tests && c.count && !status; ++i)
+    status = tests[i](&c);
   forget_answers(&c);
   po_reference_close(&c.table);
   return !status && report->lines.failed ? PO_NO_MEMORY : status;

@@ -1,6 +1,5 @@
 #include "po_solver.h"
 
-#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -27,7 +27,7 @@ po_status po_taking_give_up(po_taking *t, size_t question, po_status status, con
   t->open[question] = false;
   t->spoiled[question] = t->unusual = true;
   const po_status taken = t->take(t->context, question, &answer, true);
-  po_answer_clear(&answer);
+  po_result_clear(&answer.result);
   return taken;
 }
 
@@ -91,7 +91,7 @@ static po_status take_line(po_taking *t, const char *line, size_t length, po_tak
     found->reported += reported_by(&answer);
     status = take_answer(t, q, &answer);
   }
-  po_answer_clear(&answer);
+  po_result_clear(&answer.result);
   return status;
 }
 

@@ -49,7 +49,7 @@ static void read_line(const char *line, size_t length) {
                "an answer is read back differently");
   po_result_clear(&again);
   json_decref(document);
-  po_answer_clear(&answer);
+  po_result_clear(&answer.result);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
