@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "po_input.h"
 #include "po_json.h"
@@ -69,7 +70,7 @@ static json_t *document_of(const po_printed_series *series) {
   return document;
 }
 
-po_status po_print_series(const po_printed_series *series) {
+static po_status print_rows(const po_printed_series *series) {
   print_units(series);
   printf("%15s %14s %8s %16s %8s %14s %-9s %14s\n", series->name, "force", "error", "approach",
          "error", "contact radius", "obtained", "factorisations");
@@ -102,7 +103,7 @@ static void print_fold(const po_printed_series *series, size_t index) {
   }
 }
 
-po_status po_print_series_folds(const po_printed_series *series) {
+static po_status print_folds(const po_printed_series *series) {
   const size_t folds = series->results[0].fold_count;
   print_units(series);
   printf("%-9s %15s %16s %8s %14s %8s %14s\n", "fold", series->name, "approach", "error", "load",
@@ -114,11 +115,7 @@ po_status po_print_series_folds(const po_printed_series *series) {
   return po_print_digest(document_of(series));
 }
 
-po_status po_print_series_json(const po_printed_series *series) {
-  return po_print_document(document_of(series));
-}
-
-po_status po_print_series_curve(const po_printed_series *series, const char *file) {
+static po_status write_curve(const po_printed_series *series, const char *file) {
   po_series_row *rows = po_allocate(series->count, sizeof *rows);
   if (!rows)
     return PO_NO_MEMORY;
@@ -129,4 +126,17 @@ po_status po_print_series_curve(const po_printed_series *series, const char *fil
                                                   &series->requests[0], rows, series->count);
   free(rows);
   return status;
+}
+
+po_status po_print_series(const po_printed_series *series, bool folds, bool json,
+                          const char *curve) {
+  po_status status = PO_OK;
+  if (json)
+    status = po_print_document(document_of(series));
+  else if (folds && !series->results[0].status)
+    status = print_folds(series);
+  else if (!folds && !(curve && strcmp(curve, "-") == 0))
+    status = print_rows(series);
+  fflush(stdout);
+  return status || !curve ? status : write_curve(series, curve);
 }

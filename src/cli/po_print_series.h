@@ -22,16 +22,11 @@ typedef struct {
   const po_result *results;
 } po_printed_series;
 
-/* Prints a row for each pull-off, in the units in which the scenes are given. */
-po_status po_print_series(const po_printed_series *series);
-
-/* Prints a block of rows for each fold of the first scene. */
-po_status po_print_series_folds(const po_printed_series *series);
-
-/* Prints the document pulloff-line/1. */
-po_status po_print_series_json(const po_printed_series *series);
-
-/* Writes the pull-offs as CSV to a file; "-" is standard output. */
-po_status po_print_series_curve(const po_printed_series *series, const char *file);
+/* Prints the document pulloff-line/1 if `json` is set. Otherwise prints a row for each pull-off, in
+ * the units in which the scenes are given, or, with `folds`, a block of rows for each fold of the
+ * first scene. Then writes the pull-offs as CSV to the file `curve`; "-" is standard output, on
+ * which no rows are printed; NULL: none. */
+po_status po_print_series(const po_printed_series *series, bool folds, bool json,
+                          const char *curve);
 
 #endif

@@ -365,15 +365,8 @@ static po_status follow(const follow_line *line, po_request *requests, po_series
     return po_fail(status, "interrupted");
   const po_printed_series series = {line->varied->name, line->range.count, requests, scenes,
                                     results};
-  if (!status && line->json)
-    status = po_print_series_json(&series);
-  else if (!status && line->folds && !results[0].status)
-    status = po_print_series_folds(&series);
-  else if (!status && !line->folds && !(line->curve && strcmp(line->curve, "-") == 0))
-    status = po_print_series(&series);
-  fflush(stdout);
-  if (!status && line->curve)
-    status = po_print_series_curve(&series, line->curve);
+  if (!status)
+    status = po_print_series(&series, line->folds, line->json, line->curve);
   for (size_t k = 0; k < line->range.count && !status; ++k)
     if (results[k].status)
       status = po_fail(results[k].status, "the solve at %s %g failed: %s", line->varied->name,

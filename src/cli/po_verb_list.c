@@ -122,12 +122,10 @@ static void print_table(const po_catalog *catalog) {
 
 static json_t *case_json(const po_case *kase) {
   const po_case_file *file = kase->file;
-  json_t *suites = po_json_empty_array();
-  for (unsigned k = 0; k < file->suite_names_count; ++k)
-    po_json_append(&suites, po_json_text(file->suite_names[k]));
   return PO_JSON_OBJECT({"case", po_json_text(file->name)}, {"title", po_json_text(file->title)},
                         {"file", po_json_text(kase->shown)}, {"figure", po_json_text(file->figure)},
-                        {"equations", po_json_text(file->equations)}, {"suites", suites},
+                        {"equations", po_json_text(file->equations)},
+                        {"suites", po_json_texts(file->suite_names, file->suite_names_count)},
                         {"points", po_json_count(kase->point_count)},
                         {"checks", po_json_count(file->checks_count)});
 }

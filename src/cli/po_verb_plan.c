@@ -138,13 +138,12 @@ static po_status append_plan(const po_case *kase, json_t **plans) {
   const po_status status = describe(kase, &plan);
   if (status)
     return status;
-  json_t *lines = po_json_empty_array(), *points = po_json_empty_array();
-  for (size_t i = 0; i < plan->line_count; ++i)
-    po_json_append(&lines, po_json_text(plan->lines[i]));
+  json_t *points = po_json_empty_array();
   for (size_t i = 0; i < kase->point_count; ++i)
     po_json_append(&points, point_json(plan, i));
   po_json_append(plans, PO_JSON_OBJECT({"case", po_json_text(kase->file->name)},
-                                       {"title", po_json_text(kase->file->title)}, {"plan", lines},
+                                       {"title", po_json_text(kase->file->title)},
+                                       {"plan", po_json_texts(plan->lines, plan->line_count)},
                                        {"points", points}));
   po_plan_destroy(plan);
   return PO_OK;

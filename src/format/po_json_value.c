@@ -56,6 +56,13 @@ json_t *po_json_empty_array(void) {
   return checked(json_array());
 }
 
+json_t *po_json_texts(char *const *texts, size_t count) {
+  json_t *array = po_json_empty_array();
+  for (size_t k = 0; k < count; ++k)
+    po_json_append(&array, po_json_text(texts[k]));
+  return array;
+}
+
 json_t *po_json_object_of(const po_json_member *members, size_t count) {
   json_t *object = po_json_empty_object();
   for (size_t i = 0; i < count; ++i)

@@ -42,6 +42,9 @@ json_t *po_json_object_of(const po_json_member *members, size_t count);
 json_t *po_json_empty_object(void);
 json_t *po_json_empty_array(void);
 
+/* An array of texts. */
+json_t *po_json_texts(char *const *texts, size_t count);
+
 /* Adds a value to an object or an array, and takes ownership of the value. If either is NULL, or
  * memory runs out, the container is released and *object or *array becomes NULL. */
 void po_json_set(json_t **object, const char *key, json_t *value);

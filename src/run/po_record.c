@@ -13,13 +13,6 @@
 #include "po_json_digest.h"
 #include "po_record_point.h"
 
-static json_t *suites(const po_case *kase) {
-  json_t *array = po_json_empty_array();
-  for (unsigned i = 0; i < kase->file->suite_names_count; ++i)
-    po_json_append(&array, po_json_text(kase->file->suite_names[i]));
-  return array;
-}
-
 /* Reports whether a name is a key of the sweep. A value of the form with this name is the same
  * number and gets no second column. */
 static bool is_swept(const po_case_line *line, const char *name) {
@@ -187,11 +180,10 @@ static json_t *measure_json(const po_case_run *run, const po_check_result *item)
 static json_t *conditions(const po_leave_out *rule) {
   json_t *when = po_json_empty_array();
   for (unsigned k = 0; k < rule->when_count; ++k) {
-    json_t *values = po_json_empty_array();
-    for (unsigned v = 0; v < rule->when[k].values_count; ++v)
-      po_json_append(&values, po_json_text(rule->when[k].values[v]));
+    const po_axis *axis = &rule->when[k];
     po_json_append(&when,
-                   PO_JSON_OBJECT({"key", po_json_text(rule->when[k].key)}, {"values", values}));
+                   PO_JSON_OBJECT({"key", po_json_text(axis->key)},
+                                  {"values", po_json_texts(axis->values, axis->values_count)}));
   }
   return when;
 }
@@ -233,13 +225,6 @@ static po_status write_points(const po_case_run *run, const char *folder, json_t
   return status;
 }
 
-static json_t *plan_json(const po_plan *plan) {
-  json_t *lines = po_json_empty_array();
-  for (size_t i = 0; i < plan->line_count; ++i)
-    po_json_append(&lines, po_json_text(plan->lines[i]));
-  return lines;
-}
-
 static json_t *results_json(const po_case_run *run, const po_check_results *check_results,
                             json_t *(*item_json)(const po_case_run *, const po_check_result *)) {
   json_t *items = po_json_empty_array();
@@ -277,16 +262,13 @@ static json_t *solver_json(const po_case_run *run) {
   const po_coverage *c = &run->coverage;
   if (!solver)
     return json_null();
-  json_t *command = po_json_empty_array();
-  for (unsigned i = 0; i < solver->file->command_count; ++i)
-    po_json_append(&command, po_json_text(solver->file->command[i]));
-  json_t *quantities = po_json_empty_array();
-  for (unsigned i = 0; i < solver->file->can.quantities_count; ++i)
-    po_json_append(&quantities, po_json_text(solver->file->can.quantities[i]));
+  const po_solver_file *file = solver->file;
   return PO_JSON_OBJECT(
       {"name", po_json_text(solver->name)}, {"manifest", po_json_text(solver->path)},
-      {"knob", po_json_text(solver->file->knob ? solver->file->knob->name : NULL)},
-      {"knob_value", po_json_text(solver->knob)}, {"command", command}, {"quantities", quantities},
+      {"knob", po_json_text(file->knob ? file->knob->name : NULL)},
+      {"knob_value", po_json_text(solver->knob)},
+      {"command", po_json_texts(file->command, file->command_count)},
+      {"quantities", po_json_texts(file->can.quantities, file->can.quantities_count)},
       {"unstable", po_json_flag(solver->unstable)}, {"sha256", po_json_text(solver->digest)},
       {"coverage",
        PO_JSON_OBJECT({"points", po_json_count(c->points)}, {"asked", po_json_count(c->asked)},
@@ -314,13 +296,15 @@ static json_t *record_json(const po_case_run *run, int jobs, json_t *points, jso
   return PO_JSON_OBJECT(
       {"schema", po_json_text("pulloff-record/1")}, {"case", po_json_text(file->name)},
       {"title", po_json_text(file->title)}, {"figure", po_json_text(file->figure)},
-      {"equations", po_json_text(file->equations)}, {"suites", suites(kase)},
+      {"equations", po_json_text(file->equations)},
+      {"suites", po_json_texts(file->suite_names, file->suite_names_count)},
       {"file", po_json_text(kase->shown)}, {"key", po_json_text(run->plan->key)},
       {"solve_key", po_json_text(run->plan->solve_key)},
       {"figure_script", po_json_text(file->figure_script)},
       {"command", command_json("run", run->plan)}, {"versions", po_environment_versions()},
       {"environment", environment(run, jobs)}, {"verdict", po_json_text(po_case_run_verdict(run))},
-      {"seconds", po_json_number(run->elapsed)}, {"plan", plan_json(run->plan)}, {"points", points},
+      {"seconds", po_json_number(run->elapsed)},
+      {"plan", po_json_texts(run->plan->lines, run->plan->line_count)}, {"points", points},
       {"digest", status ? NULL : po_json_text(digest)},
       {"checks", results_json(run, &run->check_results, check_json)},
       {"measured", results_json(run, &run->measured, measure_json)},
