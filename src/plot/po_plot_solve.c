@@ -1,5 +1,6 @@
 /* The figure of one solve as data of a gnuplot script. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

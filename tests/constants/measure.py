@@ -45,7 +45,7 @@ UNCHANGED = ("-", "-", "", "")
 FIXED, FOLLOW, SOLVED = r"--scheme", r"^follow", r"^(solve|follow)"
 PANELS, RIGID = r"^(solve|follow) (?!.*--scheme)(?!--tabor (0|1e-6) )", r"--tabor (0|1e-6) "
 USED_BY = {
-    **{room: SOLVED for room in ("scene", "bem", "equilibrium", "continuation", "path", "observe", "companion")}, "series": FOLLOW,
+    **{room: SOLVED for room in ("scene", "bem", "equilibrium", "continuation", "path", "request", "observe", "companion")}, "series": FOLLOW,
     "po_triangle.c": r"--scheme triangle", "po_surface.c": FIXED + "|" + RIGID, "po_rigid.c": RIGID, "po_rigid_trace.c": RIGID,
     "po_wavy_rigid.c": r"^theory rigid", "po_jkr_path.c": r"preload|hysteresis",
     "po_diagnosis.c": r"diagnostics", "po_diagnose.h": r"diagnostics", "po_follow.c": FOLLOW,
@@ -54,7 +54,7 @@ USED_BY = {
                                  "po_refine.c", "po_resolution.c", "po_resolution.h", "po_extent.c")}}
 
 # What is measured first.
-ORDER = ("observe", "continuation", "equilibrium", "bem", "series", "scene", "path", "math", "companion", "theory")
+ORDER = ("observe", "request", "continuation", "equilibrium", "bem", "series", "scene", "path", "math", "companion", "theory")
 
 
 def room_of(path):

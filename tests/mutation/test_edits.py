@@ -133,11 +133,11 @@ class Draw(unittest.TestCase):
         self.assertLess(set(self.drawn(1, 50)), set(self.drawn(1, 120)))
 
     def test_no_room_and_no_kind_is_left_out(self):
-        drawn = self.drawn(3, 120)
+        drawn = self.drawn(3, 150)
         rooms = collections.Counter(edit.file.split("/")[1] for edit in drawn)
         self.assertEqual(set(rooms), set(self.rooms))
         self.assertGreaterEqual(min(rooms.values()), 2)
-        self.assertLess(max(rooms.values()), 120 // 2)
+        self.assertLess(max(rooms.values()), 150 // 2)
         kinds = collections.Counter(edit.kind for edit in drawn)
         self.assertGreaterEqual(min(kinds[kind] for kind in tokens.KINDS), 8)
 
