@@ -5,6 +5,8 @@
 #include "po_bradley.h"
 #include "po_estimates.h"
 #include "po_guduru.h"
+#include "po_maugis.h"
+#include "po_transition.h"
 #include "po_wavy_rigid.h"
 #include "table.h"
 
@@ -83,6 +85,29 @@ START_TEST(envelope_agrees_with_the_table) {
 }
 END_TEST
 
+/* Of a smooth sphere the number of Maugis decides alone: any Tabor parameter with the tension that
+ * belongs to it. */
+START_TEST(transition_agrees_with_the_table) {
+  table t = table_open("transition.csv");
+  for (size_t row = 0; row < t.csv.row_count; ++row) {
+    const double lambda = table_number(&t, row, "maugis_parameter");
+    table_compare(&t, row, "alpha", po_transition_alpha(lambda), ESTIMATE_ACCURACY);
+    table_compare(&t, row, "carpick", po_carpick_force(lambda), ESTIMATE_ACCURACY);
+    table_compare(&t, row, "pietrement", po_pietrement_force(lambda), ESTIMATE_ACCURACY);
+    table_compare(&t, row, "schwarz", po_schwarz_force(lambda), ESTIMATE_ACCURACY);
+    po_scene s = po_scene_default();
+    s.tabor = 2.385;
+    const double tension = lambda / po_maugis_parameter(s.tabor, 1.0);
+    po_maugis state;
+    for (int predict = 0; predict < 2; ++predict) {
+      ck_assert_int_eq(po_maugis_pull_off(&s, tension, PO_GIVEN_LOAD, predict, &state), PO_OK);
+      table_compare(&t, row, "maugis", -state.contact.load, PULL_OFF_ACCURACY);
+    }
+  }
+  table_close(&t, "transition from Bradley to JKR", 15, 6);
+}
+END_TEST
+
 START_TEST(edges_agree_with_the_table) {
   table t = table_open("kesari_lew_edges.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
@@ -134,6 +159,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, guduru_agrees_with_the_table);
   tcase_add_test(tests, guduru_pull_off_agrees_with_the_table);
   tcase_add_test(tests, envelope_agrees_with_the_table);
+  tcase_add_test(tests, transition_agrees_with_the_table);
   tcase_add_test(tests, edges_agree_with_the_table);
   tcase_add_test(tests, rigid_load_agrees_with_the_table);
   tcase_add_test(tests, bradley_agrees_with_the_table);
