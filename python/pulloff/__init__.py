@@ -93,7 +93,7 @@ class Scene:
         scene["tabor"]                     # the value, defaults included, as the program prints it
 
     Values are numbers or texts; math.inf is "inf"; None unsets a key. `want` may be a list of names: curve, profile,
-    hysteresis, preload, diagnostics.
+    hysteresis, preload, diagnostics, theories.
     """
 
     def __init__(self, **values):
@@ -172,6 +172,15 @@ class Scene:
         if status:
             raise SolveError(message.text.decode(), status, result)
         return result
+
+
+    def compare(self, **values):
+        """Solves the scene, with further keys, and compares its pull-off force with every theory. Returns {name: row} in
+        the order of `pulloff compare`; a row is a dictionary as in the JSON document: force (pi w R; None: not evaluated,
+        for the `reason`), deviation (relative), deviation_error_estimate, assumptions ("yes", "no", "unknown"),
+        decided_by, number, side, limit, source."""
+        rows = self.solve(**{**values, "want": "theories"}).document["theories"]
+        return {row.pop("theory"): row for row in rows}
 
 
 def _interruptible(scene, call):

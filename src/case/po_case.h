@@ -20,6 +20,7 @@ typedef enum {
   PO_CASE_HYSTERESIS = 32,
   PO_CASE_DIAGNOSTICS = 64,
   PO_CASE_PRELOAD = 128,
+  PO_CASE_THEORIES = 256,
 } po_case_want;
 
 /* A key whose value is drawn at random: as written, and parsed. */

@@ -11,8 +11,8 @@
 #include "po_schema.h"
 
 static po_status parse_names(po_case *kase, const po_yaml *yaml) {
-  static const char *const WANTS[] = {"pull_off", "folds",      "extrema",     "curve",
-                                      "profile",  "hysteresis", "diagnostics", "preload"};
+  static const char *const WANTS[] = {"pull_off",   "folds",       "extrema", "curve",   "profile",
+                                      "hysteresis", "diagnostics", "preload", "theories"};
   const po_case_file *file = kase->file;
   if (!po_case_is_name(file->name) || strlen(file->name) > 64)
     return po_schema_refuse(yaml, NULL, "name");
@@ -31,8 +31,8 @@ static po_status parse_names(po_case *kase, const po_yaml *yaml) {
         want = 1u << k;
     if (!want)
       return po_schema_refuse(yaml,
-                              "pull_off, folds, extrema, curve, profile, hysteresis, diagnostics "
-                              "or preload",
+                              "pull_off, folds, extrema, curve, profile, hysteresis, diagnostics, "
+                              "preload or theories",
                               "want[%u]", i + 1);
     kase->want |= want;
   }

@@ -13,6 +13,7 @@ static const struct {
   const char *summary;
 } VERBS[] = {
     {"solve", po_verb_solve, "solve one scene"},
+    {"compare", po_verb_compare, "compare the pull-off force of one scene with every theory"},
     {"follow", po_verb_follow,
      "compute the pull-off of a series of scenes in which one parameter varies"},
     {"theory", po_verb_theory, "evaluate a closed form, of the paper or of any profile"},
@@ -31,8 +32,9 @@ static const struct {
 };
 
 #define VERB_NAMES                                                                                 \
-  "solve, follow, theory, plot, list, plan, run, merge, verify, explain, bless, conform, seal or " \
-  "report"
+  "solve, compare, follow, theory, plot, list, plan, run, merge, verify, explain, bless, "         \
+  "conform, "                                                                                      \
+  "seal or report"
 
 static void print_help(void) {
   puts("Usage: pulloff VERB [OPTION]...\n"

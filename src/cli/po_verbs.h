@@ -7,6 +7,7 @@
 int po_verbs_run(int argc, char **argv);
 
 int po_verb_solve(int argc, char **argv);
+int po_verb_compare(int argc, char **argv);
 int po_verb_follow(int argc, char **argv);
 int po_verb_theory(int argc, char **argv);
 int po_verb_plot(int argc, char **argv);

@@ -1,6 +1,7 @@
 #include "po_companion_jkr.h"
 
 #include "po_abel.h"
+#include "po_beside.h"
 #include "po_guduru.h"
 #include "po_jkr_path.h"
 #include "po_jkr_profile.h"
@@ -20,4 +21,5 @@ static double bound(const po_scene *scene, double load) {
   return po_guduru_last_minimum(scene, load, EXCESS) + WAVES * scene->wavelength;
 }
 
-const po_companion PO_COMPANION_JKR = {bound, po_jkr_hysteresis, po_jkr_staircases};
+const po_companion PO_COMPANION_JKR = {bound, po_jkr_hysteresis, po_jkr_staircases,
+                                       po_beside_theories};

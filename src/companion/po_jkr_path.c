@@ -274,12 +274,18 @@ po_status po_jkr_staircases(const po_scene *scene, po_staircase staircase[2]) {
 }
 
 po_status po_jkr_hysteresis(const po_scene *scene, po_preload preload, po_hysteresis *hysteresis) {
+  return po_jkr_hysteresis_within(scene, preload, SIZE_MAX, hysteresis);
+}
+
+po_status po_jkr_hysteresis_within(const po_scene *scene, po_preload preload, size_t most,
+                                   po_hysteresis *hysteresis) {
   *hysteresis = (po_hysteresis){.load = {.control = PO_LOAD_CONTROL}};
   jkr_curve curve;
   po_contact least;
   po_status status = curve_of(scene, &curve, &least);
   if (status)
     return status;
+  curve.most = curve.most < most ? curve.most : most;
   double end = 4.0 * curve.size + 2.0 * curve.long_wave;
   if (preload.approach > 0.0)
     end += po_initial_gap_radius(scene, preload.approach);

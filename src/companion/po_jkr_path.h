@@ -26,4 +26,8 @@ po_status po_jkr_staircases(const po_scene *scene, po_staircase staircase[2]);
  * scene is not used. Status: as po_jkr_path and po_hysteresis_follow. */
 po_status po_jkr_hysteresis(const po_scene *scene, po_preload preload, po_hysteresis *hysteresis);
 
+/* The same with a curve of `most` points at most. Status: also PO_TOO_MANY_POINTS. */
+po_status po_jkr_hysteresis_within(const po_scene *scene, po_preload preload, size_t most,
+                                   po_hysteresis *hysteresis);
+
 #endif

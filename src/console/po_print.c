@@ -6,6 +6,7 @@
 #include "po_input.h"
 #include "po_json.h"
 #include "po_print_physical.h"
+#include "po_print_theories.h"
 #include "po_profile_table.h"
 #include "po_result_rows.h"
 #include "po_text.h"
@@ -316,16 +317,21 @@ static void print_input(const po_request *request) {
     print_table(&request->scene.profile);
 }
 
-po_status po_print_text(const po_request *request, const po_scene_flags *flags,
-                        const po_result *result) {
+void po_print_summary(const po_request *request, const po_result *result) {
   print_input(request);
   printf("status   %s%s%s\n", po_status_name(result->status),
          result->rigid ? ", solved as rigid" : "",
          result->has_pull_off ? "" : ", no pull-off found");
   print_pull_off(result);
+}
+
+po_status po_print_text(const po_request *request, const po_scene_flags *flags,
+                        const po_result *result) {
+  po_print_summary(request, result);
   print_sensitivity(request, result);
   print_preload(result);
   print_ended(result);
+  po_print_theories_line(result);
   if (result->fold_count + result->extremum_count) {
     printf("%-9s %16s %8s %16s %8s %14s %14s\n", "point", "approach", "error", "load", "error",
            "contact radius", "unstable modes");
@@ -348,5 +354,8 @@ po_status po_print_text(const po_request *request, const po_scene_flags *flags,
          (unsigned long long)result->work.newton_iterations,
          (unsigned long long)result->work.factorizations,
          (unsigned long long)result->work.factorized_nodes, result->work.seconds);
-  return po_print_digest(po_json_document(request, result));
+  po_result wanted = *result;
+  if (!(request->want & PO_WANT_THEORIES)) /* those of the line are no result */
+    wanted.theory_count = 0;
+  return po_print_digest(po_json_document(request, &wanted));
 }

@@ -30,6 +30,9 @@ void po_print_bless(const po_case *kase);
 /* Prints the name of an external solver, its manifest, the value of its knob, and its command. */
 void po_print_solver(const po_solver *solver, FILE *stream);
 
+/* Prints the scene, the units, the status and the pull-off with its errors. */
+void po_print_summary(const po_request *request, const po_result *result);
+
 /* Prints the result as text for the terminal. */
 po_status po_print_text(const po_request *request, const po_scene_flags *flags,
                         const po_result *result);

@@ -53,6 +53,7 @@ static const char *const SPECIAL[] = {
     "approach", "load", "contact_radius", "kind", "error_estimate", "load_error_estimate", NULL};
 static const char *const CURVE[] = {"approach", "load", "contact_radius", NULL};
 static const char *const PROFILE[] = {"radius", "gap", "traction", NULL};
+static const char *const THEORY[] = {"theory", "force", NULL};
 
 json_t *po_json_physical(const po_scene_flags *flags, const po_request *request,
                          const po_result *o) {
@@ -71,6 +72,9 @@ json_t *po_json_physical(const po_scene_flags *flags, const po_request *request,
     po_json_set(&object, "profile",
                 po_json_si_list(&PO_PROFILE_ROWS, o->profile, o->profile_count, u, PROFILE));
   }
+  if (request->want & PO_WANT_THEORIES)
+    po_json_set(&object, "theories",
+                po_json_si_list(&PO_THEORIES_ROWS, o->theories, o->theory_count, u, THEORY));
   return object;
 }
 

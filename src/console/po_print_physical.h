@@ -12,8 +12,8 @@
  * numbers are multiplied. */
 json_t *po_json_physical_input(const po_scene_flags *flags);
 
-/* The same object with "pull_off", "folds", "extrema" and, if they are wanted, "curve" and
- * "profile". */
+/* The same object with "pull_off", "folds", "extrema" and, if they are wanted, "curve",
+ * "profile" and "theories". */
 json_t *po_json_physical(const po_scene_flags *flags, const po_request *request,
                          const po_result *result);
 

@@ -70,7 +70,7 @@ bool po_key_is_idle(const po_request *request, po_key key) {
 
 /* Returned: whether the command must state the default preload. */
 static bool adds_preload(const po_request *request) {
-  return !po_scene_is_simple(&request->scene) && !request->want &&
+  return !po_scene_is_simple(&request->scene) && !(request->want & ~(unsigned)PO_WANT_THEORIES) &&
          isnan(request->preload.approach) && isnan(request->preload.load) &&
          isnan(request->approach_end);
 }

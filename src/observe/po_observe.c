@@ -92,7 +92,7 @@ static bool ends(po_status status) {
   return status == PO_NO_MEMORY || status == PO_INTERRUPTED || status == PO_OUT_OF_TIME;
 }
 
-/* Evaluates the theory for the results that are wanted. Status: PO_NO_MEMORY, PO_INTERRUPTED,
+/* Evaluates the theories for the results that are wanted. Status: PO_NO_MEMORY, PO_INTERRUPTED,
  * PO_OUT_OF_TIME. A scene to which the theory does not apply is not a failure. */
 static po_status accompany(const po_request *request, po_result *result) {
   const po_companion *theory = request->companion;
@@ -106,8 +106,10 @@ static po_status accompany(const po_request *request, po_result *result) {
     status = theory->staircases(&request->scene, result->theory.staircase);
     result->theory.has_staircases = !status;
   }
+  if (theory && theory->theories && request->want & PO_WANT_THEORIES && !ends(status))
+    status = theory->theories(request, result);
   if (status == PO_OUT_OF_TIME)
-    return po_diagnose_out_of_time(request, "the JKR theory beside it is not evaluated");
+    return po_diagnose_out_of_time(request, "the theories beside it are not evaluated");
   if (ends(status))
     return status;
   po_message_clear();

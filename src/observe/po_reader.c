@@ -158,6 +158,9 @@ static void note_minimum(po_reader *r, const po_branch_point *p, const po_estima
   if (p->solution)
     r->result->pull_off.has_sensitivity = sensitivity_of(
         &r->request->scene, r->surface, p->solution, &r->result->pull_off.sensitivity);
+  const po_contact_gap gap = po_contact_gap_of(&r->request->scene, root_of(r), p);
+  const double edge = po_contact_radius(&gap);
+  r->result->pull_off.full_disc = edge > 0.0 ? po_contact_disc(&gap) / edge : (double)NAN;
   if ((r->request->want & PO_WANT_PROFILE) && isnan(r->request->profile_approach))
     take_profile(r, p);
 }

@@ -101,6 +101,8 @@ static void decide(po_plan *plan) {
     plan->want |= PO_WANT_DIAGNOSTICS;
   if (kase->want & PO_CASE_PRELOAD)
     plan->want |= PO_WANT_PRELOAD;
+  if (kase->want & PO_CASE_THEORIES)
+    plan->want |= PO_WANT_THEORIES;
   for (unsigned i = 0; i < kase->file->checks_count; ++i) {
     const po_quantity quantity = kase->file->checks[i].quantity;
     if (quantity == PO_CURVE && plan->references[i].type != PO_REFERENCE_ABSENT)

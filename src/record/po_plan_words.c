@@ -144,6 +144,8 @@ static po_status tell_wants(po_plan *plan) {
                        "case wants the hysteresis");
   if (!status && plan->want & PO_WANT_PRELOAD)
     status = say(plan, "find the pull-off for every preload: the case wants the staircase");
+  if (!status && plan->want & PO_WANT_THEORIES)
+    status = say(plan, "evaluate the theories: the case wants them");
   if (!status)
     status = plan->want & PO_WANT_DIAGNOSTICS
                  ? say(plan, "diagnose each scene, and solve it again with the last bit of each "

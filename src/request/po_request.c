@@ -14,8 +14,8 @@ po_request po_request_default(void) {
 }
 
 const char *po_want_name(int k) {
-  static const char *const NAMES[PO_WANT_COUNT] = {"curve", "profile", "hysteresis", "diagnostics",
-                                                   "preload"};
+  static const char *const NAMES[PO_WANT_COUNT] = {"curve",       "profile", "hysteresis",
+                                                   "diagnostics", "preload", "theories"};
   return NAMES[k];
 }
 
@@ -49,7 +49,8 @@ po_preload po_request_preload(const po_request *request) {
 }
 
 void po_request_choose_search(po_request *request) {
-  if (!request->want && isnan(request->preload.approach) && isnan(request->preload.load))
+  if (!(request->want & ~(unsigned)PO_WANT_THEORIES) && isnan(request->preload.approach) &&
+      isnan(request->preload.load))
     request->search = PO_SEARCH_SOME;
 }
 

@@ -18,6 +18,7 @@ enum {
   PO_WANT_DIAGNOSTICS = 8, /* residuals, condition numbers, digits left; solves the scene again with
                               changed parameters */
   PO_WANT_PRELOAD = 16,    /* the pull-off after every preload: the staircases */
+  PO_WANT_THEORIES = 32,   /* the theories of the companion; changes nothing else */
 };
 
 /* Whether the trace continues beyond its preload, to find the pull-off after harder preloads. */
@@ -29,7 +30,9 @@ typedef enum {
                   */
 } po_search;
 
-/* A closed-form theory that is evaluated for the scene beside the solve, as po_jkr_path.h. */
+/* The closed-form theories that are evaluated for the scene beside the solve, as
+ * po_companion_jkr.h. */
+struct po_request;
 typedef struct {
   /* The contact radius, eps, beyond which no equilibrium has a load below the given one, pi w R;
    * NAN: unknown. */
@@ -39,9 +42,12 @@ typedef struct {
    * status. Status: PO_NO_MEMORY; another failure if there are none for the scene. */
   po_status (*hysteresis)(const po_scene *scene, po_preload preload, po_hysteresis *hysteresis);
   po_status (*staircases)(const po_scene *scene, po_staircase staircase[2]);
+  /* The theories beside a result, its `theories`. Status: PO_NO_MEMORY, PO_INTERRUPTED,
+   * PO_OUT_OF_TIME. A theory that cannot be evaluated is a row that says why. */
+  po_status (*theories)(const struct po_request *request, po_result *result);
 } po_companion;
 
-typedef struct {
+typedef struct po_request {
   po_scene scene;
   bool radius_given;     /* the radius of the scene stays when a profile is set, see po_input.h */
   po_mesh mesh;          /* scheme, grading, number of nodes */
@@ -65,16 +71,17 @@ typedef struct {
   void *watcher;
 } po_request;
 
-enum { PO_WANT_COUNT = 5 };
+enum { PO_WANT_COUNT = 6 };
 
-/* "curve", "profile", "hysteresis", "diagnostics", "preload": the name of want 1 << k. */
+/* "curve", "profile", "hysteresis", "diagnostics", "preload", "theories": the name of want 1 << k.
+ */
 const char *po_want_name(int k);
 
 /* Adds the results that a list names, with commas between, to *want. Returned: false if a name is
  * unknown; then *want is unchanged. */
 bool po_want_read(const char *list, unsigned *want);
 #define PO_WANT_EXPECTED                                                                           \
-  "any of curve, profile, hysteresis, diagnostics, preload, with commas between"
+  "any of curve, profile, hysteresis, diagnostics, preload, theories, with commas between"
 
 /* A request with every field at its default (po_scene_default, po_mesh_default, the rest NAN or 0).
  */
@@ -88,7 +95,7 @@ extern const double PO_USUAL_PRELOAD;
 po_preload po_request_preload(const po_request *request);
 
 /* The search of a single solve: PO_SEARCH_SOME if neither a preload nor an additional result is
- * wanted. */
+ * wanted but the theories. */
 void po_request_choose_search(po_request *request);
 
 /* Whether the trace continues beyond the preload: PO_SEARCH_ALL for a preload of INFINITY and if

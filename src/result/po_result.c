@@ -9,7 +9,7 @@ po_result po_result_none(void) {
                      .start = NAN,
                      .ended = {.approach = NAN, .load = NAN},
                      .profile_approach = NAN,
-                     .pull_off = {.pressed = unknown, .until = unknown},
+                     .pull_off = {.full_disc = NAN, .pressed = unknown, .until = unknown},
                      .pull_off_any = {.pressed = unknown, .searched = unknown},
                      .diagnostics = {.residual = NAN,
                                      .rounding = NAN,
@@ -37,6 +37,7 @@ void po_result_clear(po_result *result) {
   po_hysteresis_clear(&result->theory.hysteresis);
   po_staircase_clear(&result->theory.staircase[0]);
   po_staircase_clear(&result->theory.staircase[1]);
+  free(result->theories);
   free(result->diagnostics.states);
   *result = po_result_none();
 }

@@ -9,6 +9,7 @@
 #include "po_diagnostics.h"
 #include "po_loops.h"
 #include "po_status.h"
+#include "po_theories.h"
 
 /* Kinds of special point: the folds in approach and the extrema of the load along the branch. */
 typedef enum {
@@ -125,7 +126,9 @@ typedef struct {
     double approach_error;  /* the same of approach */
     double contact_radius_error,
         contact_radius_other; /* see po_contact_edge; NAN: not estimated, none */
-    bool has_sensitivity;     /* whether `sensitivity` is set; on panels only */
+    double full_disc; /* radius of the disc about the axis that is in contact without a groove, over
+                         the contact radius; NAN: unknown, no contact */
+    bool has_sensitivity; /* whether `sensitivity` is set; on panels only */
     po_sensitivity
         sensitivity;    /* d ln(force) / d ln(parameter); its residual and rounding are NAN */
     po_pressed pressed; /* the least preload with this pull-off; NAN: none on the trace */
@@ -159,6 +162,8 @@ typedef struct {
     po_hysteresis hysteresis;
     po_staircase staircase[2];
   } theory;
+  po_theory_row *theories; /* one a theory; NULL unless wanted */
+  size_t theory_count;
   po_diagnostics diagnostics; /* states is NULL unless wanted */
   po_work work;
 } po_result;

@@ -205,6 +205,10 @@ static bool lacks_diagnostics(const void *of) {
   return !((const S *)of)->diagnostics.states && !((const S *)of)->diagnostics.moved.solves;
 }
 
+static bool lacks_theories(const void *of) {
+  return ((const S *)of)->theory_count == 0;
+}
+
 #define UNWANTED "absent unless wanted, or if the solve failed"
 static const po_row RESULT[] = {
   STATUS("status", status,
@@ -237,6 +241,9 @@ static const po_row WANTED[] = {
   {.key = "diagnostics", .type = PO_ROW_PART, .block = &PO_DIAGNOSTICS_ROWS, .omitted = true,
    .offset = offsetof(S, diagnostics), .absent = lacks_diagnostics,
    TEXTS("", "absent unless wanted", "how far the numbers can be relied on")},
+  {.key = "theories", .type = PO_ROW_LIST, .block = &PO_THEORIES_ROWS, .omitted = true,
+   .offset = offsetof(S, theories), .count = AT(size_t, theory_count), .absent = lacks_theories,
+   TEXTS("", UNWANTED, "what the theories say about the pull-off force, one row a theory")},
 };
 const po_block PO_RESULT_ROWS = BLOCK("result", RESULT, NULL);
 const po_block PO_WANTED_ROWS = BLOCK("result", WANTED, NULL);

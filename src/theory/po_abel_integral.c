@@ -4,6 +4,7 @@
 
 #include "po_elementary.h"
 #include "po_quadrature.h"
+#include "po_watch.h"
 
 /* Points of the rule in a piece. */
 enum { POINTS = 16 };
@@ -58,7 +59,7 @@ static double integrate(integral *q, double from) {
   double sum = 0.0, pieces = 0.0;
   for (double x = from; x < q->to;) {
     const double end = piece_end(q, x);
-    if (!(end > x) || ++pieces > MOST_PIECES)
+    if (!(end > x) || ++pieces > MOST_PIECES || po_watch_look())
       return NAN;
     sum += piece(q, x, end);
     x = end;

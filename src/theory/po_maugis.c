@@ -12,7 +12,8 @@
 typedef struct {
   const po_scene *scene;
   double coupling, tension, a;
-  po_abel at; /* the transform at a */
+  po_abel at;   /* the transform at a */
+  double *work; /* pieces of integrals so far; may be NULL */
 } ring;
 
 /* Lengths of a width d = c - a of the ring, without cancellation. */
@@ -30,17 +31,26 @@ static double less(double x, po_abel t, const void *data) {
   return t.g - *(const double *)data;
 }
 
+static double shortest_wave(const po_scene *scene) {
+  double length = INFINITY;
+  for (size_t k = 0; k < po_scene_waves(scene); ++k)
+    length = fmin(length, po_scene_wave(scene, k).length);
+  return length;
+}
+
 /* The gap at the end of a ring of this width, less 1/tension. */
 static double excess_gap(double width, const void *data) {
   const ring *m = data;
   const lengths l = lengths_of(m, width);
   const double profile = po_abel_integral_to_edge(m->scene, m->a, l.c, less, &m->at.g);
+  if (m->work)
+    *m->work += 1.0 + width / shortest_wave(m->scene);
   return M_2_PI * (profile + 2.0 * m->tension * m->coupling * (l.s * l.angle - width)) -
          1.0 / m->tension;
 }
 
 static ring ring_of(const po_scene *scene, double tension, double a) {
-  return (ring){scene, po_scene_coupling(scene), tension, a, po_abel_at(scene, a)};
+  return (ring){scene, po_scene_coupling(scene), tension, a, po_abel_at(scene, a), NULL};
 }
 
 /* The width grows by this factor, and by no more than this part of a wave, until the gap is
@@ -49,13 +59,6 @@ static const double WIDER = 1.5, PART_OF_WAVE = 0.125;
 /* Part of the range of a width at which its search begins; steps of the search. */
 static const double NARROW = 1e-6;
 enum { MOST_STEPS = 4000 };
-
-static double shortest_wave(const po_scene *scene) {
-  double length = INFINITY;
-  for (size_t k = 0; k < po_scene_waves(scene); ++k)
-    length = fmin(length, po_scene_wave(scene, k).length);
-  return length;
-}
 
 /* The width of the ring. Given: a guess > 0. Returned: NaN if none is found. */
 static double width_of(const ring *m, double guess) {
@@ -126,14 +129,16 @@ typedef struct {
   double radius, width; /* width NAN: no guess */
   double slope;         /* of the width by the radius */
   bool predicts;        /* whether the width is predicted with its slope */
+  double *work;
 } guess;
 
-static const guess NO_GUESS = {(double)NAN, (double)NAN, (double)NAN, false};
+static const guess NO_GUESS = {(double)NAN, (double)NAN, (double)NAN, false, NULL};
 
 /* The state at a contact radius. */
 static po_status solve(const po_scene *scene, double tension, double a, const guess *last,
                        po_maugis *state) {
-  const ring m = ring_of(scene, tension, a);
+  ring m = ring_of(scene, tension, a);
+  m.work = last->work;
   const double predicted = last->width + last->slope * (a - last->radius);
   double width = last->predicts && predicted > 0.0 ? width_near(&m, predicted) : NAN;
   if (!(width > 0.0))
@@ -211,6 +216,9 @@ static double rate_at(double a, const void *data) {
  * a ring about the axis and to the radius up to which the JKR curve falls; the most steps. */
 static const double STEP = 0.1, FIRST = 1e-3;
 enum { MOST_RADII = 20000 };
+/* The most work of a search that predicts, in pieces of integrals: some tenths of a second. A
+ * contact of a hundred shallow waves takes as much, one of ten a tenth of it. */
+static const double MOST_WORK = 3e4;
 /* The part of the radius of a corner beside it at which the rate on its right is taken. */
 static const double BESIDE = 1e-12;
 
@@ -260,13 +268,15 @@ static po_status rate_beyond(search *s, double a, po_maugis *state, double *rate
 po_status po_maugis_pull_off(const po_scene *scene, double tension, po_given given, bool predict,
                              po_maugis *state) {
   search s = {scene, tension, given, NO_GUESS};
+  double work = 0.0;
   s.last.predicts = predict;
+  s.last.work = predict ? &work : NULL;
   *state = (po_maugis){{NAN, NAN, NAN}, NAN};
   po_status status = check_input(scene, tension, 0.0);
   if (!status)
     status = take(&s, 0.0, state);
   double a = FIRST * fmin(state->end, po_jkr_profile_first(scene)), left = a, left_rate = 0.0;
-  for (int k = 0; k < MOST_RADII && !status; ++k) {
+  for (int k = 0; k < MOST_RADII && !status && work < MOST_WORK; ++k) {
     po_maugis here;
     double rate;
     status = rate_beyond(&s, a, &here, &rate);
@@ -285,10 +295,12 @@ po_status po_maugis_pull_off(const po_scene *scene, double tension, po_given giv
     }
     a = next_radius(&s, a);
   }
-  return status ? status
-                : po_fail(PO_TOO_MANY_POINTS,
-                          "the pull-off is not found within %d contact radii: expected fewer waves",
-                          MOST_RADII);
+  return status
+             ? status
+             : po_fail(PO_TOO_MANY_POINTS,
+                       "the pull-off of Maugis-Dugdale is not found up to the contact radius %g: "
+                       "expected fewer waves",
+                       a);
 }
 
 /* The part of the gap outside the contact that the tension makes at r, over 2 q k: the integral of

@@ -10,6 +10,7 @@
 #include "po_root.h"
 #include "po_scales.h"
 #include "po_special.h"
+#include "po_watch.h"
 
 /* p is a sum of two terms, factor (1 + H)^-exponent or factor exp(-exponent H). */
 typedef struct {
@@ -152,6 +153,8 @@ static po_status integrate(integrand *q, double *sum) {
       return po_fail(PO_TOO_MANY_POINTS,
                      "the rigid load has more than %d pieces: expected fewer waves", MOST_PIECES);
     status = add(near_axis, q, r, to, first * first, sum);
+    if (!status)
+      status = po_watch_look();
     r = to;
   }
   return !status && has_far_field && isinf(scene->outer_radius)

@@ -19,7 +19,7 @@ limited() { # NAME EXIT ARGUMENTS
 }
 limited 'last minimum of 5e9 waves' 3 --tabor 1e-6 --radius 1e5 --amplitude 1e5 --wavelength 0.01
 limited 'JKR curve of a long wave' 3 --tabor 1e-5 --radius 100 --amplitude 1000 --wavelength 1e5 --outer-radius 1 --want hysteresis
-check 'the JKR theory is named' grep -q 'the branch is traced, but the JKR theory beside it is not evaluated' "$work/stderr"
+check 'the theories are named' grep -q 'the branch is traced, but the theories beside it are not evaluated' "$work/stderr"
 limited 'rigid load with a long sum' 3 --tabor 0 --profile cone:7.06501e-06 --radius 2283.75 --wave 28.0569,31.4525 \
   --law mie:7.35350115,20.5499121 --want preload
 awk 'BEGIN { print "r,gap"; for (k = 0; k < 30000; ++k) printf "%.17g,%.17g\n", k/500, k*k/5e7 }' >rows.csv

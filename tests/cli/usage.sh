@@ -4,8 +4,8 @@
 # shellcheck disable=SC1091,SC2034,SC2154
 . "$(dirname "$0")/lib.sh"
 
-expect 2 'pulloff: no verb is given: expected solve, follow, theory, plot, list, plan, run, merge, verify, explain, *'
-expect 2 'pulloff: unknown verb dance: expected solve, follow, theory, plot, list, *' dance
+expect 2 'pulloff: no verb is given: expected solve, compare, follow, theory, plot, list, plan, run, merge, verify, explain, *'
+expect 2 'pulloff: unknown verb dance: expected solve, compare, follow, theory, plot, list, *' dance
 expect 0 '' --version
 expect 0 '' --help
 cp "$work/stdout" "$work/help"

@@ -187,6 +187,20 @@ static void same_diagnostics(const po_diagnostics *a, const po_diagnostics *b) {
          WITHOUT(po_reverse_trace, reason), WITHOUT(po_reverse_trace, same));
 }
 
+static void same_theories(const po_result *a, const po_result *b) {
+  ck_assert(a->theory_count == PO_THEORY_COUNT && b->theory_count == PO_THEORY_COUNT);
+  for (size_t k = 0; k < PO_THEORY_COUNT; ++k) {
+    const po_theory_row *r = &a->theories[k], *q = &b->theories[k];
+    ck_assert(r->theory == q->theory && r->holds == q->holds && r->decided_by == q->decided_by &&
+              r->at_least == q->at_least);
+    ck_assert_str_eq(r->source, q->source);
+    ck_assert_str_eq(r->reason, q->reason);
+    SAME(po_theory_row, r, q, WITHOUT(po_theory_row, theory), WITHOUT(po_theory_row, source),
+         WITHOUT(po_theory_row, holds), WITHOUT(po_theory_row, decided_by),
+         WITHOUT(po_theory_row, at_least), WITHOUT(po_theory_row, reason));
+  }
+}
+
 /* Given: a result of panels with everything wanted. */
 static void same_result(const po_result *a, const po_result *b) {
   ck_assert(a->status == b->status && a->rigid == b->rigid && a->followed == b->followed);
@@ -199,14 +213,15 @@ static void same_result(const po_result *a, const po_result *b) {
             a->theory.has_staircases == b->theory.has_staircases);
   SAME(po_result, a, b, {0, offsetof(po_result, start)}, WITHOUT(po_result, ended.cause),
        WITHOUT(po_result, has_pull_off), WITHOUT(po_result, pull_off.far_force_error),
-       WITHOUT(po_result, pull_off.has_sensitivity), WITHOUT(po_result, pull_off.sensitivity),
-       WITHOUT(po_result, pull_off_any.is_known), WITHOUT(po_result, pull_off_any.complete),
-       WITHOUT(po_result, folds), WITHOUT(po_result, extrema), WITHOUT(po_result, curve),
-       WITHOUT(po_result, curve_count), WITHOUT(po_result, profile),
-       WITHOUT(po_result, profile_count), WITHOUT(po_result, annuli.compressed),
-       WITHOUT(po_result, annuli.held), WITHOUT(po_result, has_hysteresis),
-       WITHOUT(po_result, hysteresis), WITHOUT(po_result, has_staircases),
-       WITHOUT(po_result, staircase), WITHOUT(po_result, theory), WITHOUT(po_result, diagnostics));
+       WITHOUT(po_result, pull_off.full_disc), WITHOUT(po_result, pull_off.has_sensitivity),
+       WITHOUT(po_result, pull_off.sensitivity), WITHOUT(po_result, pull_off_any.is_known),
+       WITHOUT(po_result, pull_off_any.complete), WITHOUT(po_result, folds),
+       WITHOUT(po_result, extrema), WITHOUT(po_result, curve), WITHOUT(po_result, curve_count),
+       WITHOUT(po_result, profile), WITHOUT(po_result, profile_count),
+       WITHOUT(po_result, annuli.compressed), WITHOUT(po_result, annuli.held),
+       WITHOUT(po_result, has_hysteresis), WITHOUT(po_result, hysteresis),
+       WITHOUT(po_result, has_staircases), WITHOUT(po_result, staircase),
+       WITHOUT(po_result, theory), WITHOUT(po_result, theories), WITHOUT(po_result, diagnostics));
   same_special_points(a->folds, b->folds, a->fold_count);
   same_special_points(a->extrema, b->extrema, a->extremum_count);
   for (size_t k = 0; k < a->annuli.held_count; ++k)
@@ -225,6 +240,7 @@ static void same_result(const po_result *a, const po_result *b) {
       same_stairs(&a->theory.staircase[k], &b->theory.staircase[k]);
   }
   same_diagnostics(&a->diagnostics, &b->diagnostics);
+  same_theories(a, b);
 }
 
 static po_request everything(double tabor, double radius) {
@@ -234,8 +250,7 @@ static po_request everything(double tabor, double radius) {
   request.scene.wavelength = 11.0;
   request.scene.radius = radius;
   request.mesh.tolerance = 1e-4;
-  request.want =
-      PO_WANT_CURVE | PO_WANT_PROFILE | PO_WANT_HYSTERESIS | PO_WANT_DIAGNOSTICS | PO_WANT_PRELOAD;
+  request.want = (1u << PO_WANT_COUNT) - 1u;
   return request;
 }
 

@@ -8,6 +8,7 @@ static const char *const SCENES[] = {
     "tabor 1 preload_load 1",
     "tabor 3 amplitude 1 wavelength 20 outer_radius 100 want curve,profile",
     "tabor 0.5 want hysteresis,preload,curve",
+    "tabor 3 amplitude 1 wavelength 20 preload 1 want theories",
     "tabor 2 scheme triangle nodes 101 outer_radius 100 want curve",
     "tabor 0 amplitude 0.9 wavelength 21 want curve,profile,hysteresis",
     "tabor 1 want diagnostics tolerance 1e-4",

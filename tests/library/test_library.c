@@ -85,7 +85,8 @@ START_TEST(wrong_values_are_refused) {
       {"scheme", "square", "scheme is square: expected ring, triangle or panel"},
       {"taber", "1", "unknown key taber of a scene: expected one that pulloff_key_name names"},
       {"want", "curve,work",
-       "want is curve,work: expected any of curve, profile, hysteresis, diagnostics, preload, with "
+       "want is curve,work: expected any of curve, profile, hysteresis, diagnostics, preload, "
+       "theories, with "
        "commas between"},
       {"profile_approach", "inf", "profile_approach is inf: expected a finite number"},
   };

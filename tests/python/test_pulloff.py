@@ -39,7 +39,7 @@ def column(document, name):
 class SameNumbers(unittest.TestCase):
     def test_documents(self):
         for keys in ({"tabor": 1, "preload_load": 1},
-                     {"tabor": 2.5, "amplitude": 0.9, "wavelength": 21, "want": "curve,profile,hysteresis,preload"},
+                     {"tabor": 2.5, "amplitude": 0.9, "wavelength": 21, "want": "curve,profile,hysteresis,preload,theories"},
                      {"tabor": 0.7, "scheme": "triangle", "nodes": 81, "outer_radius": 100, "want": "curve"},
                      {"tabor": 1, "law": "mie:4,10", "preload": 0.5},
                      {"tabor": 0.1 + 0.2, "want": "profile", "profile_approach": -1.25}):
@@ -71,6 +71,12 @@ class SameNumbers(unittest.TestCase):
                          {key: value for key, value in shown.items() if key not in ("schema", "theory")})
         self.assertEqual(pulloff.theory("bradley")["pull_off_force"], 2)
         self.assertIsNone(pulloff.theory("crest", amplitude=0)["crest_radius"])
+
+    def test_compare(self):
+        rows = pulloff.Scene(tabor=3, amplitude=1, wavelength=20).compare(preload=1)
+        shown = program("compare", "--tabor", "3", "--amplitude", "1", "--wavelength", "20", "--preload", "1")["theories"]
+        self.assertEqual([{"theory": name, **row} for name, row in rows.items()], shown)
+        self.assertEqual(pulloff.Scene().compare()["kesari-lew"]["reason"], "the surface has no waves")
 
     def test_series(self):
         shown = program("follow", "--key", "tabor", "--from", "0.5", "--to", "2", "--points", "7", "--scale", "linear")

@@ -51,7 +51,7 @@ static void make_series(const series_words *w, po_request *request) {
  * selection is compared. */
 START_TEST(followed_pull_off_agrees_with_full_traces) {
   static po_request request[MOST];
-  po_result result[MOST];
+  static po_result result[MOST];
   const series_words *w = &SERIES[_i];
   make_series(w, request);
   ck_assert_int_eq(po_series_observe(request, w->count, 7, result), PO_OK);
@@ -88,7 +88,8 @@ END_TEST
 START_TEST(minimum_that_is_deepest_only_between_checkpoints_is_found) {
   static const series_words WORDS = {'t', 2.5, 5.0, 4, 0, 5.02378, 20.0, 100.0};
   static po_request request[MOST];
-  po_result result[MOST], traced;
+  static po_result result[MOST];
+  po_result traced;
   make_series(&WORDS, request);
   ck_assert_int_eq(po_series_observe(request, WORDS.count, MOST, result), PO_OK);
   ck_assert_int_eq(po_observe(&request[1], &traced), PO_OK);
@@ -159,7 +160,7 @@ END_TEST
  * of a traced one. */
 START_TEST(following_takes_few_factorizations) {
   static po_request request[MOST];
-  po_result result[MOST];
+  static po_result result[MOST];
   const series_words *w = &SERIES[_i];
   make_series(w, request);
   ck_assert_int_eq(po_series_observe(request, w->count, MOST, result), PO_OK);

@@ -17,7 +17,7 @@ _pulloff_values() {
   --profile) echo sphere power: cone: punch: truncated: ;;
   --scale) echo log linear ;;
   --of) echo pull-off folds ;;
-  --want) echo curve profile hysteresis preload diagnostics ;;
+  --want) echo curve profile hysteresis preload diagnostics theories ;;
   --suite) echo smoke paper extreme general precision random solvers ;;
   --key) "$2" follow --help 2>/dev/null | sed -n '/^  --key /,/^  --from /{/--/d; p;}' | grep -o '[a-z][a-z0-9-]*' | grep -vx -e or -e in -e units ;;
   --preload | --outer-radius | --modulus-pa) echo inf ;;

@@ -1,0 +1,105 @@
+#include <math.h>
+#include <stdio.h>
+
+#include "po_json.h"
+#include "po_print.h"
+#include "po_print_theories.h"
+#include "po_quote.h"
+#include "po_solve_line.h"
+#include "po_verbs.h"
+
+static const char HELP[] =
+    "Usage: pulloff compare [OPTION]...\n"
+    "Solves one scene, as pulloff solve does, and prints its pull-off force beside that of every\n"
+    "theory: the force, its deviation from the computed one with the bound that the numerical "
+    "error\n"
+    "gives it, whether the assumptions of the theory hold, and the number that decides it. A "
+    "theory\n"
+    "may be near although its assumptions do not hold. A theory that does not exist for the scene\n"
+    "is a row that says why.\n"
+    "\n"
+    "Scene:\n"
+    "@scene\n"
+    "\n"
+    "Preload and range of the trace:\n"
+    "@trace\n"
+    "\n"
+    "Discretisation:\n"
+    "@mesh\n";
+
+static const char MORE_HELP[] =
+    "\n"
+    "Results:\n"
+    "  --theory NAME           this theory only; it is an error if it cannot be evaluated. NAME "
+    "is\n"
+    "                          rigid, dmt, jkr, maugis, carpick-ogletree-salmeron,\n"
+    "                          pietrement-troyon, schwarz, guduru, kesari-lew, persson-tosatti or\n"
+    "                          rumpf-rabinowicz\n"
+    "  --json                  print the JSON document of pulloff solve --want theories\n"
+    "  -h, --help              print this text\n"
+    "\n" PO_SCENE_FLAGS_HELP "\n"
+    "Example: pulloff compare --tabor 3 --amplitude 1 --wavelength 20 --preload 1\n"
+    "Example: pulloff compare --from-physical --modulus-pa 5e9 --work-j-per-m2 0.08 \\\n"
+    "             --distance-m 3e-10 --radius-m 3e-8\n";
+
+static const struct option OPTIONS[] = {{"theory", required_argument, NULL, PO_LINE_THEORY},
+                                        {"json", no_argument, NULL, PO_LINE_JSON},
+                                        {"help", no_argument, NULL, PO_OPTION_HELP},
+                                        {NULL, 0, NULL, 0}};
+
+/* Refuses a theory that cannot be evaluated for the scene. */
+static po_status check_row(const po_result *result, const po_theory *only) {
+  const po_theory_row *row = only ? &result->theories[*only] : NULL;
+  return row && isnan(row->force) ? po_fail(PO_BAD_INPUT, "theory %s cannot be evaluated: %s",
+                                            po_theory_name(*only), row->reason)
+                                  : PO_OK;
+}
+
+/* Leaves only the row of a theory, if one was named. */
+static void keep(po_result *result, const po_theory *only) {
+  if (!only)
+    return;
+  result->theories[0] = result->theories[*only];
+  result->theory_count = 1;
+}
+
+static po_status print(const po_solve_line *line, const po_theory *only, const po_result *result) {
+  const po_scene_flags *flags = &line->flags;
+  if (line->json)
+    return po_print_json(&line->request, flags, result);
+  po_print_summary(&line->request, result);
+  po_print_theories(result, only, flags->from_physical ? &flags->units : NULL);
+  return po_print_digest(po_json_document(&line->request, result));
+}
+
+static int compare(po_solve_line *line, const po_theory *only) {
+  po_result result = {0};
+  line->request.want |= PO_WANT_THEORIES;
+  const po_status solved = po_solve_line_observe(line, &result);
+  po_status status = solved ? PO_OK : check_row(&result, only);
+  if (!status) {
+    keep(&result, solved ? NULL : only);
+    status = print(line, only, &result);
+  }
+  if (!status && solved)
+    status = po_fail(solved, "the solve failed: %s", result.reason);
+  po_result_clear(&result);
+  return po_options_end(status);
+}
+
+int po_verb_compare(int argc, char **argv) {
+  const po_options options = {"compare", HELP, OPTIONS, argc, argv, MORE_HELP, PO_FOR_SOLVE};
+  po_solve_line line = po_solve_line_begin();
+  po_status status = PO_OK;
+  if (!po_options_read(&options, po_solve_line_take, &line, &status))
+    return po_options_end(status);
+  po_theory theory = PO_THEORY_RIGID;
+  char shown[PO_QUOTE_LENGTH];
+  status = po_options_no_operands(&options);
+  if (!status && line.theory && !po_theory_find(line.theory, &theory))
+    status = po_fail(PO_BAD_INPUT, "no theory is named %s: expected one of %s",
+                     po_quote(line.theory, shown), PO_THEORY_NAMES);
+  if (!status)
+    status = po_solve_line_end(&line);
+  return status ? po_options_end(status) : compare(&line, line.theory ? &theory : NULL);
+}

@@ -1,0 +1,292 @@
+#include "po_beside.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "po_elementary.h"
+#include "po_estimates.h"
+#include "po_jkr_path.h"
+#include "po_jkr_profile.h"
+#include "po_maugis.h"
+#include "po_memory.h"
+#include "po_rigid_profile.h"
+#include "po_scales.h"
+#include "po_transition.h"
+#include "po_watch.h"
+
+/* -- The values -- */
+
+static po_status rigid(const po_request *r, double *force) {
+  po_rigid_pull_off p;
+  const po_status status = po_rigid_profile_pull_off(&r->scene, &p);
+  *force = p.force;
+  return status;
+}
+
+/* At pull-off the bodies of this theory touch at a point, undeformed: on the axis the gap is that
+ * of equilibrium. Of a sphere the force is 2 pi w R under every law. */
+static po_status dmt(const po_request *r, double *force) {
+  double load, rate;
+  const po_status status = po_rigid_profile_load(&r->scene, 0.0, &load, &rate);
+  *force = -load;
+  return status;
+}
+
+static po_status jkr(const po_request *r, double *force) {
+  po_contact least;
+  const po_status status = po_jkr_profile_pull_off(&r->scene, PO_GIVEN_LOAD, &least);
+  *force = -least.load;
+  return status;
+}
+
+static po_status maugis(const po_request *r, double *force) {
+  const double tension = po_maugis_matched_tension(&r->scene);
+  po_maugis state;
+  po_status status = po_maugis_pull_off(&r->scene, tension, PO_GIVEN_LOAD, true, &state);
+  if (!status)
+    status = po_maugis_check(&r->scene, tension, &state);
+  *force = -state.contact.load;
+  return status;
+}
+
+static double parameter_of(const po_request *r) {
+  return po_maugis_parameter(r->scene.tabor, po_maugis_matched_tension(&r->scene));
+}
+
+static po_status carpick(const po_request *r, double *force) {
+  *force = po_carpick_force(parameter_of(r));
+  return PO_OK;
+}
+
+static po_status pietrement(const po_request *r, double *force) {
+  *force = po_pietrement_force(parameter_of(r));
+  return PO_OK;
+}
+
+static po_status schwarz(const po_request *r, double *force) {
+  *force = po_schwarz_force(parameter_of(r));
+  return PO_OK;
+}
+
+/* Points of the curve, which take some tenths of a second: 500 waves. */
+enum { MOST_POINTS = 1 << 16 };
+
+/* After any preload it is the lowest minimum of the curve. */
+static po_status guduru(const po_request *r, double *force) {
+  const po_preload preload = po_request_preload(r);
+  if (isinf(preload.approach))
+    return jkr(r, force);
+  po_hysteresis loops;
+  const po_status status = po_jkr_hysteresis_within(&r->scene, preload, MOST_POINTS, &loops);
+  *force = status ? NAN : fmax(0.0, -loops.displacement.pull_off.load);
+  po_hysteresis_clear(&loops);
+  return status;
+}
+
+/* The pull-off force of JKR with an effective work of adhesion, which may be negative. */
+static double with_work(double work) {
+  return 1.5 * fmax(0.0, work);
+}
+
+static po_status kesari_lew(const po_request *r, double *force) {
+  *force = with_work(po_kesari_lew_work(&r->scene));
+  return PO_OK;
+}
+
+static po_status persson_tosatti(const po_request *r, double *force) {
+  *force = with_work(po_persson_tosatti_work_with_area(&r->scene));
+  return PO_OK;
+}
+
+static po_status rumpf(const po_request *r, double *force) {
+  *force = po_rumpf_rabinowicz_force(po_scene_alpha(&r->scene), r->scene.radius);
+  return PO_OK;
+}
+
+/* -- The theories -- */
+
+/* What a scene must be for a theory to exist. */
+enum {
+  NEEDS_ELASTIC = 1,
+  NEEDS_SPHERE = 2,
+  NEEDS_WAVES = 4,
+  NEEDS_ONE_WAVE = 8,
+  NEEDS_LENNARD_JONES = 16
+};
+
+typedef struct {
+  po_assumption of;
+  bool at_least;
+  double limit;
+} assumption;
+
+/* Limits of the assumptions. Rigid bodies and DMT belong to Tabor parameters below STIFFEST, JKR to
+ * those above SOFTEST (Johnson and Greenwood 1997); of a wavy body the crest decides, whose radius
+ * is smaller. A theory of many waves in the contact needs so MANY_WAVES, and one of the central
+ * crest no more than HALF_WAVE. A theory of a smooth sphere allows for an amplitude that changes
+ * the tension little, SMOOTH eps. */
+static const double STIFFEST = 0.1, SOFTEST = 5.0, MANY_WAVES = 2.0, HALF_WAVE = 0.5, SMOOTH = 0.1;
+
+#define STIFF                                                                                      \
+  { PO_ASSUMES_TABOR, false, STIFFEST }
+#define SHORT_RANGE                                                                                \
+  { PO_ASSUMES_CREST_TABOR, true, SOFTEST }
+#define FULL                                                                                       \
+  { PO_ASSUMES_FULL_DISC, true, 1.0 }
+#define NO_WAVES                                                                                   \
+  { PO_ASSUMES_AMPLITUDE, false, SMOOTH }
+
+enum { MOST_ASSUMPTIONS = 3 };
+
+static const struct {
+  unsigned needs;
+  po_status (*evaluate)(const po_request *request, double *force);
+  assumption assumes[MOST_ASSUMPTIONS]; /* the first one of PO_ASSUMES_NOTHING ends the list */
+} THEORIES[PO_THEORY_COUNT] = {
+    [PO_THEORY_RIGID] = {0, rigid, {STIFF}},
+    [PO_THEORY_DMT] = {0, dmt, {STIFF}},
+    [PO_THEORY_JKR] = {NEEDS_ELASTIC, jkr, {SHORT_RANGE, FULL}},
+    [PO_THEORY_MAUGIS] = {NEEDS_ELASTIC, maugis, {FULL}},
+    [PO_THEORY_CARPICK] = {NEEDS_SPHERE, carpick, {NO_WAVES}},
+    [PO_THEORY_PIETREMENT] = {NEEDS_SPHERE, pietrement, {NO_WAVES}},
+    [PO_THEORY_SCHWARZ] = {NEEDS_SPHERE, schwarz, {NO_WAVES}},
+    [PO_THEORY_GUDURU] = {NEEDS_ELASTIC | NEEDS_WAVES, guduru, {SHORT_RANGE, FULL}},
+    [PO_THEORY_KESARI_LEW] = {NEEDS_ELASTIC | NEEDS_SPHERE | NEEDS_ONE_WAVE,
+                              kesari_lew,
+                              {SHORT_RANGE, FULL, {PO_ASSUMES_WAVES, true, MANY_WAVES}}},
+    [PO_THEORY_PERSSON_TOSATTI] = {NEEDS_ELASTIC | NEEDS_SPHERE | NEEDS_ONE_WAVE,
+                                   persson_tosatti,
+                                   {SHORT_RANGE, FULL, {PO_ASSUMES_WAVES, true, MANY_WAVES}}},
+    [PO_THEORY_RUMPF] = {NEEDS_SPHERE | NEEDS_ONE_WAVE | NEEDS_LENNARD_JONES,
+                         rumpf,
+                         {STIFF, {PO_ASSUMES_WAVES, false, HALF_WAVE}}}};
+
+/* Why a theory does not exist for a scene. Returned: false if it exists. */
+static bool is_refused(unsigned needs, const po_scene *scene, po_theory_row *row) {
+  const size_t waves = po_scene_waves(scene);
+  const struct {
+    bool is_so;
+    const char *before, *what, *after;
+  } reasons[] = {
+      {needs & NEEDS_ELASTIC && !(scene->tabor > 0.0), "the bodies are rigid", "", ""},
+      {needs & NEEDS_SPHERE && !po_profile_is_sphere(&scene->profile), "the profile is ",
+       po_profile_name(&scene->profile), ", not a sphere"},
+      {needs & (NEEDS_WAVES | NEEDS_ONE_WAVE) && waves == 0, "the surface has no waves", "", ""},
+      {needs & NEEDS_ONE_WAVE && waves > 1, "the surface has more than one wave", "", ""},
+      {needs & NEEDS_LENNARD_JONES && po_law_index(&scene->law) != 0, "the law is ",
+       po_law_name(&scene->law), ", not lennard-jones"}};
+  for (size_t k = 0; k < sizeof reasons / sizeof *reasons; ++k)
+    if (reasons[k].is_so) {
+      snprintf(row->reason, sizeof row->reason, "%s%s%s", reasons[k].before, reasons[k].what,
+               reasons[k].after);
+      return true;
+    }
+  return false;
+}
+
+/* -- The assumptions -- */
+
+/* The Tabor parameter of the crest on the axis, (c^2 R_c)^(1/3) with the coupling c: its curvature
+ * is that of the body plus 4 pi^2 A/lambda^2 of each wave (Eq 19). The radius of a body that is no
+ * sphere is that which has its Tabor parameter. */
+static double tabor_of_crest(const po_scene *scene, double tabor) {
+  const double coupling = po_scene_coupling(scene);
+  double curvature = coupling * coupling / (tabor * tabor * tabor);
+  for (size_t k = 0; k < po_scene_waves(scene); ++k) {
+    const po_wave wave = po_scene_wave(scene, k);
+    const double wave_number = 2.0 * M_PI / wave.length;
+    curvature += wave.amplitude * wave_number * wave_number;
+  }
+  return tabor > 0.0 ? po_cbrt(coupling * coupling / curvature) : 0.0;
+}
+
+/* The numbers of all assumptions; NAN: unknown. */
+static void find_numbers(const po_request *request, const po_result *result,
+                         double number[PO_ASSUMPTION_COUNT]) {
+  const po_scene *scene = &request->scene;
+  double amplitude = 0.0, longest = 0.0;
+  for (size_t k = 0; k < po_scene_waves(scene); ++k) {
+    amplitude += po_scene_wave(scene, k).amplitude;
+    longest = fmax(longest, po_scene_wave(scene, k).length);
+  }
+  number[PO_ASSUMES_NOTHING] = NAN;
+  number[PO_ASSUMES_TABOR] = po_scene_scales(scene).stretch;
+  number[PO_ASSUMES_CREST_TABOR] = tabor_of_crest(scene, number[PO_ASSUMES_TABOR]);
+  number[PO_ASSUMES_FULL_DISC] = result->has_pull_off ? result->pull_off.full_disc : (double)NAN;
+  number[PO_ASSUMES_WAVES] =
+      result->has_pull_off ? result->pull_off.contact_radius / longest : (double)NAN;
+  number[PO_ASSUMES_AMPLITUDE] = amplitude;
+}
+
+static po_holds holds(const assumption *a, double number) {
+  if (isnan(number))
+    return PO_HOLDS_UNKNOWN;
+  return (a->at_least ? number >= a->limit : number <= a->limit) ? PO_HOLDS_YES : PO_HOLDS_NO;
+}
+
+static void decide(const assumption *list, const double number[PO_ASSUMPTION_COUNT],
+                   po_theory_row *row) {
+  const assumption *decides = &list[0];
+  row->holds = PO_HOLDS_YES;
+  for (int k = 0; k < MOST_ASSUMPTIONS && list[k].of; ++k) {
+    const po_holds found = holds(&list[k], number[list[k].of]);
+    if (found < row->holds && row->holds != PO_HOLDS_NO) {
+      row->holds = found;
+      decides = &list[k];
+    }
+  }
+  row->decided_by = decides->of;
+  row->number = number[decides->of];
+  row->at_least = decides->at_least;
+  row->limit = decides->limit;
+}
+
+/* -- The rows -- */
+
+static void compare(const po_result *result, po_theory_row *row) {
+  const double force = result->has_pull_off ? result->pull_off.force : (double)NAN,
+               error = result->pull_off.force_error;
+  row->deviation = row->force / force - 1.0;
+  row->deviation_error = row->force / force * error / (force - error);
+}
+
+static po_theory_row row_of(po_theory theory, const po_request *request, const po_result *result,
+                            const double number[PO_ASSUMPTION_COUNT]) {
+  po_theory_row row = {.theory = theory,
+                       .force = NAN,
+                       .deviation = NAN,
+                       .deviation_error = NAN,
+                       .number = NAN,
+                       .limit = NAN};
+  snprintf(row.source, sizeof row.source, "%s", po_theory_source(theory));
+  if (is_refused(THEORIES[theory].needs, &request->scene, &row))
+    return row;
+  const po_status status = THEORIES[theory].evaluate(request, &row.force);
+  if (status || !isfinite(row.force)) {
+    row.force = NAN;
+    snprintf(row.reason, sizeof row.reason, "%.*s", (int)sizeof row.reason - 1,
+             status ? po_message() : "a number exceeds the range of double precision");
+    po_message_clear();
+    return row;
+  }
+  compare(result, &row);
+  decide(THEORIES[theory].assumes, number, &row);
+  return row;
+}
+
+po_status po_beside_theories(const po_request *request, po_result *result) {
+  double number[PO_ASSUMPTION_COUNT];
+  po_theory_row *rows = po_allocate(PO_THEORY_COUNT, sizeof *rows);
+  if (!rows)
+    return PO_NO_MEMORY;
+  result->theories = rows;
+  result->theory_count = 0;
+  find_numbers(request, result, number);
+  po_status status = PO_OK;
+  while (result->theory_count < PO_THEORY_COUNT && !status) {
+    const po_theory theory = (po_theory)result->theory_count;
+    rows[result->theory_count++] = row_of(theory, request, result, number);
+    status = po_watch_look();
+  }
+  return status;
+}

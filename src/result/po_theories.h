@@ -1,0 +1,70 @@
+/* What the theories say about the pull-off force of a solve. One row of PO_THEORY_ROWS a theory:
+ * enumerator, name, words, source. The documents, the JSON Schema, the printed tables and the
+ * messages follow from the rows; how a theory is evaluated is in src/companion. */
+#ifndef PO_THEORIES_H
+#define PO_THEORIES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+// clang-format off
+#define PO_THEORY_ROWS(X) \
+  X(RIGID, "rigid", "rigid bodies", "Bradley 1932, Derjaguin 1934; Eqs 21 and 22") \
+  X(DMT, "dmt", "DMT", "Derjaguin, Muller and Toporov 1975: attraction of undeformed bodies that touch") \
+  X(JKR, "jkr", "JKR", "Johnson, Kendall and Roberts 1971, any profile, any preload") \
+  X(MAUGIS, "maugis", "Maugis-Dugdale", "Maugis 1992, any profile, with the greatest tension of the law") \
+  X(CARPICK, "carpick-ogletree-salmeron", "Carpick-Ogletree-Salmeron", "Carpick, Ogletree and Salmeron 1999") \
+  X(PIETREMENT, "pietrement-troyon", "Pietrement-Troyon", "Pietrement and Troyon 2000") \
+  X(SCHWARZ, "schwarz", "Schwarz", "Schwarz 2003, with the alpha of Carpick, Ogletree and Salmeron") \
+  X(GUDURU, "guduru", "Eq 5 after the preload", "Guduru 2007; Eq 5, other waves as JKR, after the same preload") \
+  X(KESARI_LEW, "kesari-lew", "Kesari-Lew", "Kesari and Lew 2011; Eq 24") \
+  X(PERSSON_TOSATTI, "persson-tosatti", "Persson-Tosatti", "Persson and Tosatti 2001; Eqs 25, 27 and 29") \
+  X(RUMPF, "rumpf-rabinowicz", "Rumpf-Rabinowicz", "Rumpf 1990; Eq 20")
+
+/* The numbers that decide whether the assumptions of a theory hold: enumerator, name, words. */
+#define PO_ASSUMPTION_ROWS(X) \
+  X(NOTHING, "none", "") \
+  X(TABOR, "tabor", "Tabor parameter") \
+  X(CREST_TABOR, "tabor_of_crest", "Tabor parameter of the crest") \
+  X(FULL_DISC, "full_disc", "part of the contact radius without a groove") \
+  X(WAVES, "waves_in_contact", "contact radius over wavelength") \
+  X(AMPLITUDE, "amplitude", "amplitude")
+// clang-format on
+
+#define PO_THEORY_ENUMERATOR(key, ...) PO_THEORY_##key,
+typedef enum { PO_THEORY_ROWS(PO_THEORY_ENUMERATOR) PO_THEORY_COUNT } po_theory;
+
+#define PO_ASSUMPTION_ENUMERATOR(key, ...) PO_ASSUMES_##key,
+typedef enum { PO_ASSUMPTION_ROWS(PO_ASSUMPTION_ENUMERATOR) PO_ASSUMPTION_COUNT } po_assumption;
+
+/* Whether the assumptions of a theory hold. */
+typedef enum { PO_HOLDS_UNKNOWN, PO_HOLDS_NO, PO_HOLDS_YES } po_holds;
+
+typedef struct {
+  po_theory theory;
+  char source[88];
+  double force;           /* pi w R; NAN: the theory cannot be evaluated */
+  double deviation;       /* of the force from the computed one, relative; NAN: one is unknown */
+  double deviation_error; /* bound of its error by that of the computed force; NAN: unknown */
+  po_holds holds;
+  po_assumption decided_by; /* the first assumption that does not hold, otherwise the first one */
+  double number;            /* of that assumption; NAN: unknown */
+  bool at_least;            /* whether `limit` is the least value; otherwise the greatest */
+  double limit;
+  char reason[256]; /* why it cannot be evaluated; "" */
+} po_theory_row;
+
+/* The name, "kesari-lew", the words, "Kesari-Lew", and the source of a theory; the words of a
+ * number. */
+const char *po_theory_name(po_theory theory);
+const char *po_theory_words(po_theory theory);
+const char *po_theory_source(po_theory theory);
+const char *po_assumption_words(po_assumption assumption);
+
+/* Finds the theory with a name. Returned: false if there is none. */
+bool po_theory_find(const char *name, po_theory *theory);
+
+/* The names of all theories as a list for messages. */
+extern const char *const PO_THEORY_NAMES;
+
+#endif
