@@ -34,7 +34,7 @@ def paper(judged):
     holding = sum(counts.get(name, 0) for name in HOLDING)
     others = [f"{counts[name]} {text[counts[name] != 1]}" for name, text in FOUND.items() if counts.get(name)]
     within = counts.get("within_reading", 0)
-    return {"kind": "paper", "name": "The paper", "good": True, "link": "claims", "link_text": "claims of the paper",
+    return {"kind": "paper", "name": "The paper", "link": "claims", "link_text": "claims of the paper",
             "headline": f"{holding} of {count(total, 'statement')} hold" + (f"; {listing(others)}" if others else ""),
             "text": f"Of those that hold, {within} hold within the accuracy with which the paper can be read." if within else "",
             "failures": [], "more": 0}
@@ -71,7 +71,7 @@ def physics(run):
     if estimate:
         parts.append(f"Where an independent solution is known ({estimate['count']} forces and approaches), the true error is at most "
                      f"{ratio(estimate['ratio'])} of the stated one.")
-    return {"kind": "physics", "name": "Physics", "good": not failing and not unknown and not failed, "link": "verdicts",
+    return {"kind": "physics", "name": "Physics", "state": "failing" if failing else "unsure" if unknown or failed else "", "link": "verdicts",
             "link_text": "checks by case", "headline": headline, "text": " ".join(parts), "failures": named_ones, "more": more}
 
 
@@ -98,7 +98,7 @@ def bookkeeping(run, same, planted, judged, tests):
         return None
     lost = [entry for entry in found if entry[0] != entry[1]]
     named_ones, more = named(run, lambda check: not is_physics(check))
-    return {"kind": "books", "name": "Bookkeeping", "good": not lost, "link": "planted-faults", "link_text": "planted faults",
+    return {"kind": "books", "name": "Bookkeeping", "link": "planted-faults", "link_text": "planted faults",
             "failures": named_ones, "more": more,
             "headline": in_words(lost or found[:1]), "text": in_words([entry for entry in found if entry not in (lost or found[:1])], ".")}
 

@@ -12,6 +12,7 @@ NAME = "speed"
 TITLE = "Error against run time"
 SOFTEST = 5.0        # largest Tabor parameter of the paper
 DRAWN = {"panel": "pulloff, panels", "triangle uniform": "triangles on equal elements"}
+OTHERS = LOOKS[:1] + LOOKS[2:]   # without the look of the triangles
 PANELS = 4           # scenes that are drawn: the last ones of the case, which are the wavy and the softest smooth ones
 
 
@@ -31,7 +32,7 @@ def points(rows):
 def look(name, others=()):
     """The line or, for an external solver, the markers of a series."""
     if name in others:
-        colour, marker = LOOKS[others.index(name) % len(LOOKS)]
+        colour, marker = OTHERS[others.index(name) % len(OTHERS)]
         return {"color": colour, "marker": marker, "ls": "", "ms": 4}
     return {**style(name), "lw": 1.1, "ms": 4}
 

@@ -32,6 +32,6 @@ def shown(case):
 def build(source):
     tables = [{"case": case, "rows": [row(case, point) for point in shown(case)]} for case in source.run.cases]
     points = sum(len(case.points) for case in source.run.cases)
-    return Section("cases", "Every case and how to repeat it", "cases.html", {"tables": tables}, on_paper=False,
+    return Section("cases", "Every case and how to repeat it", "cases.html", {"tables": tables}, on_paper=not source.run.is_of_paper,
                    omitted_words=f"the scenes of {count(len(tables), 'case')} with {count(points, 'point')}, their results, and "
                    "the command that repeats each")

@@ -2,6 +2,7 @@
 
 from . import Section
 from ..references import file_name
+from ..words import count
 
 KEYS = ("source", "method", "units", "uncertainty", "generator", "command", "date")
 # References that are keywords and not tables.
@@ -55,5 +56,5 @@ def build(source):
                 used.setdefault(name, set()).add(case.name)
     cards = [card(source, name, cases) for name, cases in sorted(used.items())]
     return Section("references", "Reference data", "provenance.html", {"cards": cards, "absent": absent(source)},
-                   on_paper=False, omitted_words=f"the {len(cards)} references of the checks: source, method, uncertainty, "
+                   on_paper=False, omitted_words=f"{count(len(cards), 'reference')} of the checks: source, method, uncertainty, "
                    "generator and checksum of each")
