@@ -29,7 +29,4 @@ void po_triangle_destroy(po_triangle *triangle);
  * reference/kernel.csv (tests/theory/test_tables_surface.c). */
 uint64_t po_triangle_influence(const po_triangle *triangle, double r, double *row, size_t stride);
 
-/* The load weight of each triangle: the integral of its traction, p_j = 1, times r dr. */
-void po_triangle_weights(size_t n, const double *node, double *weight);
-
 #endif

@@ -121,6 +121,17 @@ static void ring_weights(size_t n, const double *edge, double *weight) {
     weight[j] = 0.5 * (edge[j + 1] - edge[j]) * (edge[j + 1] + edge[j]);
 }
 
+/* The load weight of each triangle: the integral of its traction, p_j = 1, times r dr. */
+static void triangle_weights(size_t n, const double *node, double *weight) {
+  for (size_t j = 0; j < n; ++j)
+    weight[j] = 0.0;
+  for (size_t e = 0; e + 1 < n; ++e) {
+    const double a = node[e], length = node[e + 1] - a;
+    weight[e] += length * (a / 2.0 + length / 6.0);
+    weight[e + 1] += length * (a / 2.0 + length / 3.0);
+  }
+}
+
 static void place_core(const surface_plan *p, po_surface *s) {
   if (p->mesh.scheme == PO_RING) {
     ring_weights(p->core, p->edge, s->weight);
@@ -130,7 +141,7 @@ static void place_core(const surface_plan *p, po_surface *s) {
     }
     return;
   }
-  po_triangle_weights(p->core, p->edge, s->weight);
+  triangle_weights(p->core, p->edge, s->weight);
   for (size_t j = 0; j < p->core; ++j) {
     const double left = j ? p->edge[j - 1] : p->edge[j];
     const double right = j + 1 < p->core ? p->edge[j + 1] : p->edge[j];

@@ -9,6 +9,7 @@
  * FAR_DISTANCE of its lengths; the parameter of the Bernstein ellipse is then above 80, the error
  * 80^-8. MIDDLE_POINTS: points on an element for which po_near_is_far holds. */
 enum { FAR_POINTS = 4, MIDDLE_POINTS = 12 };
+
 static const double FAR_DISTANCE = 20.0;
 
 struct po_triangle {
@@ -143,14 +144,4 @@ uint64_t po_triangle_influence(const po_triangle *triangle, double r, double *ro
                                                      : add_near(triangle, r, e, row, stride);
   }
   return evaluations + add_far(triangle, r, run, e, row, stride);
-}
-
-void po_triangle_weights(size_t n, const double *node, double *weight) {
-  for (size_t j = 0; j < n; ++j)
-    weight[j] = 0.0;
-  for (size_t e = 0; e + 1 < n; ++e) {
-    const double a = node[e], length = node[e + 1] - a;
-    weight[e] += length * (a / 2.0 + length / 6.0);
-    weight[e + 1] += length * (a / 2.0 + length / 3.0);
-  }
 }

@@ -15,10 +15,6 @@ bool po_sweep_names(const po_sweep *sweep, po_key key) {
   return sweep->named >> key & 1U;
 }
 
-const char *po_case_argument(const po_case *kase) {
-  return kase->is_own ? kase->shown : kase->file->name;
-}
-
 const char *po_case_word(const po_case *kase) {
   return kase->word ? kase->word : kase->file->name;
 }

@@ -161,7 +161,6 @@ bool po_sweep_names(const po_sweep *sweep, po_key key);
 /* Returned: the argument that selects the case on a command line, which is its name, or the path of
  * a file outside the folder of cases as it was given; po_case_word quotes it for a shell, so that a
  * printed command can be pasted. */
-const char *po_case_argument(const po_case *kase);
 const char *po_case_word(const po_case *kase);
 
 /* Given: the path of the table of a profile, as it is in the request of a point. Returned: the name

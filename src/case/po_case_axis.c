@@ -64,6 +64,12 @@ static int by_number(const void *a, const void *b) {
   return (x->index > y->index) - (x->index < y->index);
 }
 
+/* Returned: whether two texts are the same value of a key. */
+static bool key_same(po_key key, const char *a, const char *b) {
+  po_request request = po_request_default();
+  return po_key_set(&request, key, a) && po_key_matches(&request, key, b);
+}
+
 /* Returned: the least index of a value that equals an earlier one; `count` if all differ. Different
  * names can have the same number: mie:3,9 and mie:4,10. */
 static unsigned find_same(const po_axis *axis, po_key key) {
@@ -73,7 +79,7 @@ static unsigned find_same(const po_axis *axis, po_key key) {
     for (unsigned m = n; m-- > 0 && is_same(ascending[m].number, ascending[n].number);) {
       const unsigned x = ascending[m].index, y = ascending[n].index, later = x > y ? x : y;
       if (later < found &&
-          (po_key_is_number(key) || po_key_same(key, axis->values[x], axis->values[y])))
+          (po_key_is_number(key) || key_same(key, axis->values[x], axis->values[y])))
         found = later;
     }
   return found;
@@ -148,24 +154,4 @@ bool po_axes_hold(const po_axis *axes, unsigned count, const po_request *request
     if (!axis_holds(&axes[i], request))
       return false;
   return true;
-}
-
-static void clear_axes(po_axis *axes, unsigned count) {
-  for (unsigned i = 0; i < count; ++i)
-    free(axes[i].ascending);
-}
-
-void po_case_axes_clear(po_case_file *file) {
-  if (!file)
-    return;
-  for (unsigned i = 0; i < file->sweep_count; ++i)
-    clear_axes(&file->sweep[i].axis, 1);
-  for (unsigned i = 0; i < file->leave_out_count; ++i)
-    clear_axes(file->leave_out[i].when, file->leave_out[i].when_count);
-  for (unsigned i = 0; i < file->checks_count; ++i) {
-    clear_axes(file->checks[i].when, file->checks[i].when_count);
-    clear_axes(file->checks[i].as_if, file->checks[i].as_if_count);
-  }
-  for (unsigned i = 0; i < file->measure_count; ++i)
-    clear_axes(file->measure[i].when, file->measure[i].when_count);
 }

@@ -1,11 +1,10 @@
-#include "po_case_parts.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "po_case_lines.h"
+#include "po_case_parts.h"
 #include "po_file.h"
 #include "po_memory.h"
 #include "po_schema.h"
@@ -330,13 +329,34 @@ po_status po_case_read(const char *path, const char *shown, po_case **result) {
   return status;
 }
 
+static void clear_axes(po_axis *axes, unsigned count) {
+  for (unsigned i = 0; i < count; ++i)
+    free(axes[i].ascending);
+}
+
+/* Frees the arrays that po_case_axis_check allocated. */
+static void case_axes_clear(po_case_file *file) {
+  if (!file)
+    return;
+  for (unsigned i = 0; i < file->sweep_count; ++i)
+    clear_axes(&file->sweep[i].axis, 1);
+  for (unsigned i = 0; i < file->leave_out_count; ++i)
+    clear_axes(file->leave_out[i].when, file->leave_out[i].when_count);
+  for (unsigned i = 0; i < file->checks_count; ++i) {
+    clear_axes(file->checks[i].when, file->checks[i].when_count);
+    clear_axes(file->checks[i].as_if, file->checks[i].as_if_count);
+  }
+  for (unsigned i = 0; i < file->measure_count; ++i)
+    clear_axes(file->measure[i].when, file->measure[i].when_count);
+}
+
 void po_case_destroy(po_case *kase) {
   if (!kase)
     return;
   for (size_t i = 0; kase->points && i < kase->point_count; ++i)
     free(kase->points[i].label);
   free(kase->points);
-  po_case_axes_clear(kase->file);
+  case_axes_clear(kase->file);
   po_schema_free(kase->file);
   free(kase->source);
   free(kase->word);

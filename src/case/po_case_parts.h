@@ -45,9 +45,6 @@ po_status po_case_axis_check(po_axis *axis, const char *where, const po_yaml *ya
 po_status po_case_refuse_key(const po_yaml *yaml, const char *what, bool (*fits)(po_key key),
                              const char *where);
 
-/* Frees the arrays that po_case_axis_check allocated. */
-void po_case_axes_clear(po_case_file *file);
-
 /* Reports whether the sweep or the sample varies a key. */
 bool po_case_varies(const po_case_file *file, po_key key);
 

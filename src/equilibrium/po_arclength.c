@@ -10,17 +10,6 @@ static double per_length(const po_equilibrium *e) {
   return 1.0 / sqrt(2.0 * e->radius);
 }
 
-/* Width of a contact edge, relative to its radius, below which approach and load have less weight
- * than the amount of contact. With three times the value the work is the same; with a tenth,
- * (20, 0.4, 10) takes 80 % more Newton iterations and two of ninety random wavy scenes up to mu =
- * 30 are lost. */
-static const double NARROW_EDGE = 1e-2;
-
-double po_arclength_share(const po_equilibrium *e, double edge) {
-  const double width = 1.0 / e->coupling;
-  return fmin(1.0, width / (NARROW_EDGE * edge));
-}
-
 static double approach_weight(const po_equilibrium *e) {
   return e->share / e->approach_scale;
 }

@@ -24,15 +24,6 @@ typedef enum { PO_ARCLENGTH_GLOBAL, PO_ARCLENGTH_NODAL } po_arclength;
 
 enum { PO_ARCLENGTH_GLOBAL_SIZE = 4 };
 
-/* The factor of approach and load in the global coordinates, po_equilibrium.share, that suits a
- * contact edge of a radius, eps. An edge is as wide as a traction of w/eps deflects the surface by
- * eps, eps/coupling. If that is little relative to its radius, an error of the gap at the edge
- * changes the approach by many times the error. A functional in which the approach must be balanced
- * by a motion of the edge would then move the edge by many times its width, and Newton's method
- * would converge from the closest predictions only. Before the first contact, and while it is
- * small, the amount of contact alone would not lead along the branch. */
-double po_arclength_share(const po_equilibrium *e, double edge);
-
 /* The number of coordinates of a state with n nodes. */
 size_t po_arclength_size(po_arclength a, size_t n);
 

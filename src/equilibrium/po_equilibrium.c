@@ -17,9 +17,11 @@ const double PO_FINEST_PRECISION = 2e-13;
 /* Sum of the measures of the nodes that are not factorised. It costs about one iteration and saves
  * most of the matrix. */
 static const double NEGLECT = 5e-3;
+
 /* Gain of rounding above which less is neglected, in inverse proportion, and above which the
  * factors of rings and triangles are in double precision. */
 static const double GAIN_OF_NEGLECT = 10.0, GAIN_OF_DOUBLE = 30.0;
+
 /* Factors are coarse if more was neglected than this multiple of what their gain allows. */
 static const double COARSE = 3.0;
 
@@ -169,18 +171,6 @@ double po_equilibrium_load_rate(const po_equilibrium *e, const double *change) {
   return 2.0 / e->radius * sum;
 }
 
-/* The coefficients of the influence matrix are positive, apart from some of neighbouring panels
- * that do not matter for a sum over a row. */
-double po_equilibrium_feedback(po_equilibrium *e) {
-  double largest = 0.0;
-  for (size_t j = 0; j < e->n; ++j)
-    e->scratch[j] = fabs(e->slope[j]);
-  po_surface_apply(e->surface, e->scratch, e->right);
-  for (size_t i = 0; i < e->n; ++i)
-    largest = fmax(largest, e->right[i]);
-  return e->coupling * largest;
-}
-
 static int by_measure(const void *left, const void *right, void *data) {
   const double *measure = data;
   const double a = measure[*(const size_t *)left], b = measure[*(const size_t *)right];
@@ -314,10 +304,6 @@ static po_status factorize_panels(po_equilibrium *e) {
   e->orientation =
       e->pivot < 0.0 ? -po_elimination_sign(e->elimination) : po_elimination_sign(e->elimination);
   return e->pivot != 0.0 ? PO_OK : PO_SINGULAR;
-}
-
-int po_equilibrium_orientation(const po_equilibrium *e) {
-  return e->orientation * e->secant.sign;
 }
 
 static double neglect_of(const po_equilibrium *e) {

@@ -140,10 +140,6 @@ double po_equilibrium_load_rate(const po_equilibrium *e, const double *change);
  * is its deflection. */
 double po_equilibrium_energy(const po_equilibrium *e, const double *state);
 
-/* The largest row sum of coupling |G_ij| |dp/dH_j| at the state last evaluated. If it is below 1,
- * Eq 15 at given approach is a contraction near that state and the equilibrium there is unique. */
-double po_equilibrium_feedback(po_equilibrium *e);
-
 /* Factorises the bordered Jacobian of Eq 15 at a state and sets its orientation. The orientation is
  * constant along a branch as long as the border makes an acute angle with the tangent in the
  * direction of the trace. Given: state, and border, n + 1 each; the border is copied. Status:
@@ -153,10 +149,6 @@ po_status po_equilibrium_factorize(po_equilibrium *e, const double *state, const
 /* Measures noise and gain by solving with the present factors for a residual that consists of
  * rounding. Given: the state of the factorisation. */
 void po_equilibrium_measure_noise(po_equilibrium *e, const double *state);
-
-/* Returned: the sign of the determinant of the bordered Jacobian at the factorised state, by the
- * factors and the updates since. */
-int po_equilibrium_orientation(const po_equilibrium *e);
 
 /* Whether the gain asks for factors that are more accurate than the present ones. */
 bool po_equilibrium_is_coarse(const po_equilibrium *e);
@@ -172,7 +164,7 @@ void po_equilibrium_change_border(po_equilibrium *e, const double *border);
 void po_equilibrium_precondition(po_equilibrium *e, const double *residual, double *change);
 
 /* Whether the contact edge is so narrow that the arclength functional is nearly the amount of
- * contact (po_arclength_share). */
+ * contact (arclength_share). */
 bool po_equilibrium_is_narrow(const po_equilibrium *e);
 
 /* Solves Eq 15 with the condition border . (state - base) = distance by Newton's method with the

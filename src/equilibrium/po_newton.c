@@ -30,7 +30,7 @@ static const double LINEAR = 1e-4;
 /* Mean contraction of an iteration above which a new factorisation is cheaper. */
 static const double SLOWEST = 0.45;
 /* A contact edge is narrow if the arclength functional gives approach and load less than this
- * weight (po_arclength_share). */
+ * weight (arclength_share). */
 static const double NARROW = 0.1;
 /* Iterations before the contraction is judged; and for a narrow contact edge, where the compressed
  * factors leave some directions to Broyden's updates, which need the time to find them, in Newton's

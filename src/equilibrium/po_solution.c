@@ -115,7 +115,9 @@ static void differentiate(const double *value, double *derivative) {
 
 /* Values that are processed together; a panel has a whole number of them. */
 enum { LANES = 4 };
+
 typedef double lanes __attribute__((vector_size(LANES * sizeof(double)), aligned(8), may_alias));
+
 _Static_assert(PO_TABLE_ORDER % LANES == 0, "");
 
 static double sum_of(lanes v) {
@@ -125,6 +127,7 @@ static double sum_of(lanes v) {
 /* The terms of the second barycentric formula (J.-P. Berrut, L.N. Trefethen, SIAM Rev. 46, 501
  * (2004)) at a place on a panel: the weights of its nodes, and their sum. */
 enum { GROUPS = PO_TABLE_ORDER / LANES };
+
 typedef struct {
   lanes weight[GROUPS];
   double sum;
@@ -165,12 +168,23 @@ static barycentric find_place(const po_solution *p, double domain, double r, siz
   return barycentric_at(po_panel_place(p->panels->panel[*panel], x));
 }
 
+static void initial_gap_and_slope(const po_scene *scene, double r, double *gap, double *slope) {
+  *gap = po_profile_gap(&scene->profile, scene->radius, r);
+  *slope = po_profile_slope(&scene->profile, scene->radius, r);
+  for (size_t k = 0; k < po_scene_waves(scene); ++k) {
+    const po_wave wave = po_scene_wave(scene, k);
+    const double x = r / wave.length, s = po_sinpi(x), c = po_cospi(x); /* sin 2x = 2 s c */
+    *gap += 2.0 * wave.amplitude * s * s;
+    *slope += 4.0 * M_PI * wave.amplitude / wave.length * s * c;
+  }
+}
+
 po_solution_value po_solution_value_near(const po_solution *p, const po_scene *scene, double domain,
                                          double r, size_t *panel) {
   size_t first;
   const barycentric at = find_place(p, domain, r, panel, &first);
   po_solution_value v = {0.0, 0.0, interpolate(&at, p->tangent + first)};
-  po_initial_gap_and_slope(scene, r, &v.gap, &v.slope);
+  initial_gap_and_slope(scene, r, &v.gap, &v.slope);
   v.gap += interpolate(&at, p->deflection + first);
   v.slope += interpolate(&at, p->slope + first);
   return v;

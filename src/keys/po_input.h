@@ -101,9 +101,6 @@ bool po_key_matches(const po_request *request, po_key key, const char *text);
  * value, or does not use it. */
 bool po_key_is_idle(const po_request *request, po_key key);
 
-/* Returned: whether two texts are the same value of a key. */
-bool po_key_same(po_key key, const char *a, const char *b);
-
 /* Returned: whether the scheme of the request does not use a key: panels use the tolerance, rings
  * and triangles the nodes and the grading. */
 bool po_key_is_of_other_scheme(const po_request *request, po_key key);

@@ -73,8 +73,3 @@ bool po_key_matches(const po_request *request, po_key key, const char *text) {
     return is_close(po_key_number(request, key), po_key_number(&wanted, key));
   }
 }
-
-bool po_key_same(po_key key, const char *a, const char *b) {
-  po_request request = po_request_default();
-  return po_key_set(&request, key, a) && po_key_matches(&request, key, b);
-}

@@ -64,12 +64,6 @@ po_status po_diagnose_out_of_time(const po_request *request, const char *what);
 po_status po_kept_note(po_kept *kept, const po_branch_point *point, bool deepest);
 void po_kept_clear(po_kept *kept);
 
-/* Adds the next point along the branch. */
-void po_balance_note(po_balance *balance, const po_branch_point *point);
-
-/* The largest difference relative to the range of the energy; NAN for fewer than two points. */
-double po_balance_defect(const po_balance *balance);
-
 /* Adds a point of a trace. Given: bounds of its errors; back, whether the trace is the reverse one.
  * Status: PO_NO_MEMORY. */
 po_status po_passage_note(po_passage *passage, const po_branch_point *point, double approach_error,

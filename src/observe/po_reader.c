@@ -8,6 +8,7 @@
 #include "po_contact_profile.h"
 #include "po_diagnosis.h"
 #include "po_energy_error.h"
+#include "po_hermite.h"
 #include "po_initial_gap.h"
 #include "po_memory.h"
 #include "po_observe_parts.h"
@@ -219,8 +220,14 @@ static po_status add_to_curve(po_trace_points *points, const po_branch_point *p,
   return PO_OK;
 }
 
+/* The largest difference relative to the range of the energy; NAN for fewer than two points. */
+static double balance_defect(const po_balance *balance) {
+  const double range = balance->highest - balance->lowest;
+  return range > 0.0 ? balance->worst / range : (double)NAN;
+}
+
 void po_reader_end(po_reader *reader) {
-  reader->result->diagnostics.energy_defect = po_balance_defect(&reader->balance);
+  reader->result->diagnostics.energy_defect = balance_defect(&reader->balance);
   reader->result->diagnostics.energy_defect_at = reader->balance.at;
   free(reader->points.path);
   po_kept_clear(&reader->kept);
@@ -280,9 +287,44 @@ static void read_special_point(po_reader *r, const po_branch_point *p) {
     r->status = PO_NO_MEMORY;
 }
 
+/* Gauss's rule with three points on (0, 1). It is exact for the integrand, a cubic times the
+ * derivative of a cubic. */
+static const double NODE[] = {0.11270166537925831, 0.5, 0.88729833462074169};
+static const double WEIGHT[] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+
+/* The integral of the load over the approach along the cubics with the values and rates at two
+ * points. The parameter of the rates does not change the area to this order. */
+static double work_between(const po_branch_point *a, const po_branch_point *b) {
+  const double h = b->position - a->position;
+  double sum = 0.0;
+  for (int q = 0; q < 3; ++q)
+    sum += WEIGHT[q] * h *
+           po_hermite_value(a->load, a->load_rate, b->load, b->load_rate, NODE[q] * h, h) *
+           po_hermite_rate(a->approach, a->approach_rate, b->approach, b->approach_rate,
+                           NODE[q] * h, h);
+  return sum;
+}
+
+/* Adds the next point along the branch. */
+static void balance_note(po_balance *balance, const po_branch_point *p) {
+  if (balance->begun && p->position > balance->last.position) {
+    balance->gained += p->energy - balance->last.energy;
+    balance->done += work_between(&balance->last, p);
+    const double off = fabs(balance->gained - balance->done);
+    if (!(off <= balance->worst)) {
+      balance->worst = off;
+      balance->at = p->approach;
+    }
+    balance->lowest = fmin(balance->lowest, balance->gained);
+    balance->highest = fmax(balance->highest, balance->gained);
+  }
+  balance->begun = true;
+  balance->last = *p;
+}
+
 /* Passes a point to the diagnostics. */
 static void keep_for_diagnosis(po_reader *r, const po_branch_point *p) {
-  po_balance_note(&r->balance, p);
+  balance_note(&r->balance, p);
   const bool deepest = p->kind == PO_POINT_LOAD_MIN && r->result->has_pull_off &&
                        fabs(p->load + p->load_correction) == r->result->pull_off.force;
   if (!r->status)

@@ -141,12 +141,39 @@ static char *folder_for(const po_case *kase, const char *data_folder, const char
   return made ? po_copy_text(data_folder) : NULL;
 }
 
+/* Opens the reference of a check like po_reference_open. If the check names a stand-in, the table
+ * need not exist (the type is then PO_REFERENCE_ABSENT); if it exists, its kind must be published.
+ */
+static po_status reference_open_check(const char *data_folder, const po_check *check,
+                                      po_reference *reference) {
+  *reference = (po_reference){.name = check->reference};
+  char *path = check->stand_in ? po_path_join(data_folder, check->reference) : NULL;
+  if (check->stand_in && !path)
+    return PO_NO_MEMORY;
+  const bool absent = path && !po_path_exists(path);
+  free(path);
+  if (absent) {
+    reference->type = PO_REFERENCE_ABSENT;
+    po_digest_bytes("absent", strlen("absent"), reference->digest);
+    return PO_OK;
+  }
+  const po_status status = po_reference_open(data_folder, check->reference, reference);
+  if (status || !check->stand_in || reference->ledger == PO_LEDGER_PUBLISHED)
+    return status;
+  const po_csv_header *kind = po_csv_find_header(&reference->table, "kind");
+  const po_status refused =
+      po_fail(PO_CANNOT_READ, "%s:%zu: kind is %s: expected published, as the table has a stand-in",
+              reference->table.path, kind->line, kind->value);
+  po_reference_close(reference);
+  return refused;
+}
+
 static po_status open_check(const po_plan *plan, const char *data_folder, const po_check *check,
                             bool measure, po_reference *reference) {
   char *folder = folder_for(plan->kase, data_folder, check->reference);
   const po_status status = !folder   ? PO_NO_MEMORY
                            : measure ? po_reference_open(folder, check->reference, reference)
-                                     : po_reference_open_check(folder, check, reference);
+                                     : reference_open_check(folder, check, reference);
   free(folder);
   return status;
 }

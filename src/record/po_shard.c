@@ -53,12 +53,16 @@ po_status po_shard_deal(po_case_run *runs, size_t count, po_shard shard) {
   return PO_OK;
 }
 
+static const char *case_argument(const po_case *kase) {
+  return kase->is_own ? kase->shown : kase->file->name;
+}
+
 static json_t *cases_json(const po_case_run *runs, size_t count) {
   json_t *cases = po_json_empty_array();
   for (size_t r = 0; r < count; ++r) {
     const po_plan *plan = runs[r].plan;
     po_json_append(&cases, PO_JSON_OBJECT({"case", po_json_text(plan->kase->file->name)},
-                                          {"argument", po_json_text(po_case_argument(plan->kase))},
+                                          {"argument", po_json_text(case_argument(plan->kase))},
                                           {"solve_key", po_json_text(plan->solve_key)},
                                           {"points", po_json_count(plan->kase->point_count)},
                                           {"asked", po_json_count(runs[r].asked_count)}));

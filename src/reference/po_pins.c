@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "po_file.h"
-#include "po_memory.h"
 #include "po_quote.h"
 #include "po_text.h"
 
@@ -150,52 +149,6 @@ po_status po_pins_find(const po_reference *pins, po_quantity quantity, const po_
                        po_reference_number *number) {
   number->uncertainty = 0;
   return po_pins_value(pins, po_quantity_name(quantity), request, &number->value);
-}
-
-/* Finds special point number `index`. Its kind is part of the name of the pin and is not known in
- * advance, so all kinds are tried. */
-static po_status find_special_point(const po_reference *pins, po_quantity quantity,
-                                    const po_request *request, size_t index,
-                                    po_reference_point *point) {
-  for (int kind = PO_JUMP_IN; kind <= PO_MAXIMUM; ++kind) {
-    char name[PO_PIN_NAME_LENGTH];
-    *point = (po_reference_point){.kind = (po_special_kind)kind};
-    po_pins_name_special_point(quantity, point->kind, index, false, name);
-    po_status status = po_pins_value(pins, name, request, &point->approach);
-    if (status == PO_NOT_FOUND)
-      continue;
-    po_pins_name_special_point(quantity, point->kind, index, true, name);
-    if (!status)
-      status = po_pins_value(pins, name, request, &point->load);
-    if (status != PO_NOT_FOUND)
-      return status;
-  }
-  return po_fail(PO_CANNOT_READ, "%s: special point %zu of the %s of a scene is missing",
-                 pins->shown, index + 1, po_quantity_name(quantity));
-}
-
-po_status po_pins_points(const po_reference *pins, po_quantity quantity, const po_request *request,
-                         po_reference_point **points, size_t *count) {
-  char name[PO_PIN_NAME_LENGTH];
-  double number = 0;
-  snprintf(name, sizeof name, "%s/count", po_quantity_name(quantity));
-  po_status status = po_pins_value(pins, name, request, &number);
-  if (status)
-    return status;
-  if (!(number >= 0 && number <= (double)pins->table.row_count))
-    return po_fail(PO_CANNOT_READ, "%s: %s is %g: expected a number of special points", pins->shown,
-                   name, number);
-  po_reference_point *list = po_allocate((size_t)number, sizeof *list);
-  status = list ? PO_OK : PO_NO_MEMORY;
-  for (size_t i = 0; !status && i < (size_t)number; ++i)
-    status = find_special_point(pins, quantity, request, i, &list[i]);
-  if (status) {
-    free(list);
-    return status;
-  }
-  *points = list;
-  *count = (size_t)number;
-  return PO_OK;
 }
 
 enum { POINT, DIGEST, FORCE, COLUMNS };

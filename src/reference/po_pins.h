@@ -34,8 +34,6 @@ po_status po_pins_value(const po_reference *pins, const char *name, const po_req
 /* Do for pins what po_reference_find and po_reference_points do for references. */
 po_status po_pins_find(const po_reference *pins, po_quantity quantity, const po_request *request,
                        po_reference_number *number);
-po_status po_pins_points(const po_reference *pins, po_quantity quantity, const po_request *request,
-                         po_reference_point **points, size_t *count);
 
 /* Returned: in `name`, the name of the pin of special point number `index` (from 0) of `quantity`.
  */

@@ -2,6 +2,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -135,30 +136,6 @@ po_status po_reference_open(const char *data_folder, const char *name, po_refere
   return status;
 }
 
-po_status po_reference_open_check(const char *data_folder, const po_check *check,
-                                  po_reference *reference) {
-  *reference = (po_reference){.name = check->reference};
-  char *path = check->stand_in ? po_path_join(data_folder, check->reference) : NULL;
-  if (check->stand_in && !path)
-    return PO_NO_MEMORY;
-  const bool absent = path && !po_path_exists(path);
-  free(path);
-  if (absent) {
-    reference->type = PO_REFERENCE_ABSENT;
-    po_digest_bytes("absent", strlen("absent"), reference->digest);
-    return PO_OK;
-  }
-  const po_status status = po_reference_open(data_folder, check->reference, reference);
-  if (status || !check->stand_in || reference->ledger == PO_LEDGER_PUBLISHED)
-    return status;
-  const po_csv_header *kind = po_csv_find_header(&reference->table, "kind");
-  const po_status refused =
-      po_fail(PO_CANNOT_READ, "%s:%zu: kind is %s: expected published, as the table has a stand-in",
-              reference->table.path, kind->line, kind->value);
-  po_reference_close(reference);
-  return refused;
-}
-
 /* A table without a column contact_radius may have this column instead. The contact radius of a
  * smooth sphere on the unbounded half-space is proportional to the square root of the radius of the
  * sphere. */
@@ -213,6 +190,53 @@ po_status po_reference_find(const po_reference *reference, po_quantity quantity,
   }
 }
 
+/* Finds special point number `index`. Its kind is part of the name of the pin and is not known in
+ * advance, so all kinds are tried. */
+static po_status find_special_point(const po_reference *pins, po_quantity quantity,
+                                    const po_request *request, size_t index,
+                                    po_reference_point *point) {
+  for (int kind = PO_JUMP_IN; kind <= PO_MAXIMUM; ++kind) {
+    char name[PO_PIN_NAME_LENGTH];
+    *point = (po_reference_point){.kind = (po_special_kind)kind};
+    po_pins_name_special_point(quantity, point->kind, index, false, name);
+    po_status status = po_pins_value(pins, name, request, &point->approach);
+    if (status == PO_NOT_FOUND)
+      continue;
+    po_pins_name_special_point(quantity, point->kind, index, true, name);
+    if (!status)
+      status = po_pins_value(pins, name, request, &point->load);
+    if (status != PO_NOT_FOUND)
+      return status;
+  }
+  return po_fail(PO_CANNOT_READ, "%s: special point %zu of the %s of a scene is missing",
+                 pins->shown, index + 1, po_quantity_name(quantity));
+}
+
+static po_status pins_points(const po_reference *pins, po_quantity quantity,
+                             const po_request *request, po_reference_point **points,
+                             size_t *count) {
+  char name[PO_PIN_NAME_LENGTH];
+  double number = 0;
+  snprintf(name, sizeof name, "%s/count", po_quantity_name(quantity));
+  po_status status = po_pins_value(pins, name, request, &number);
+  if (status)
+    return status;
+  if (!(number >= 0 && number <= (double)pins->table.row_count))
+    return po_fail(PO_CANNOT_READ, "%s: %s is %g: expected a number of special points", pins->shown,
+                   name, number);
+  po_reference_point *list = po_allocate((size_t)number, sizeof *list);
+  status = list ? PO_OK : PO_NO_MEMORY;
+  for (size_t i = 0; !status && i < (size_t)number; ++i)
+    status = find_special_point(pins, quantity, request, i, &list[i]);
+  if (status) {
+    free(list);
+    return status;
+  }
+  *points = list;
+  *count = (size_t)number;
+  return PO_OK;
+}
+
 po_status po_reference_points(const po_reference *reference, po_quantity quantity,
                               const po_request *request, const po_result *result,
                               po_reference_point **points, size_t *count) {
@@ -221,7 +245,7 @@ po_status po_reference_points(const po_reference *reference, po_quantity quantit
   if (reference->type == PO_REFERENCE_BRADLEY)
     return bradley_points(quantity, request, result, points, count);
   if (reference->type == PO_REFERENCE_PINS)
-    return po_pins_points(reference, quantity, request, points, count);
+    return pins_points(reference, quantity, request, points, count);
   const size_t row_count = reference->table.row_count;
   if (!po_reference_headers_hold(reference, request))
     return PO_NOT_FOUND;

@@ -24,12 +24,6 @@
  * Status: PO_CANNOT_READ with file and line. */
 po_status po_reference_open(const char *data_folder, const char *name, po_reference *reference);
 
-/* Opens the reference of a check like po_reference_open. If the check names a stand-in, the table
- * need not exist (the type is then PO_REFERENCE_ABSENT); if it exists, its kind must be published.
- */
-po_status po_reference_open_check(const char *data_folder, const po_check *check,
-                                  po_reference *reference);
-
 /* Looks up the value of a quantity that is a single number (e.g. pull_off_force) for a scene.
  * Status: PO_NOT_FOUND (the reference has no value for the scene), PO_CANNOT_READ (a column is
  * missing or does not hold a number). */

@@ -28,17 +28,6 @@ double po_initial_gap_slope(const po_scene *scene, double r) {
   return slope;
 }
 
-void po_initial_gap_and_slope(const po_scene *scene, double r, double *gap, double *slope) {
-  *gap = po_profile_gap(&scene->profile, scene->radius, r);
-  *slope = po_profile_slope(&scene->profile, scene->radius, r);
-  for (size_t k = 0; k < po_scene_waves(scene); ++k) {
-    const po_wave wave = po_scene_wave(scene, k);
-    const double x = r / wave.length, s = po_sinpi(x), c = po_cospi(x); /* sin 2x = 2 s c */
-    *gap += 2.0 * wave.amplitude * s * s;
-    *slope += 4.0 * M_PI * wave.amplitude / wave.length * s * c;
-  }
-}
-
 po_two po_initial_gap_exact(const po_scene *scene, double r) {
   po_two gap = po_profile_gap_exact(&scene->profile, scene->radius, r);
   for (size_t k = 0; k < po_scene_waves(scene); ++k) {

@@ -9,7 +9,6 @@
 /* f, and df/dr; for the paper's scenes df/dr > 0 everywhere when Eq 3 holds. Given: r in eps. */
 double po_initial_gap(const po_scene *scene, double r);
 double po_initial_gap_slope(const po_scene *scene, double r);
-void po_initial_gap_and_slope(const po_scene *scene, double r, double *gap, double *slope);
 
 /* f in twice the precision. */
 po_two po_initial_gap_exact(const po_scene *scene, double r);
