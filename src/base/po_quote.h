@@ -1,5 +1,6 @@
 /* Makes text from outside the program (arguments, file contents, file names) safe to print: control
- * characters, which a terminal would execute, and bytes that JSON cannot represent are escaped. */
+ * characters, which a terminal would execute, and bytes that JSON cannot represent are escaped. And
+ * the characters of UTF-8. */
 #ifndef PO_QUOTE_H
 #define PO_QUOTE_H
 

@@ -1,6 +1,6 @@
 /* What ends a computation before its end: a flag that a signal sets, and a limit of the processor
  * time of its thread. Whoever begins a solve begins a watch; whatever may take long below it, a
- * factorisation as well as a closed form, looks. */
+ * factorisation as well as a closed form, looks. And the clocks. */
 #ifndef PO_WATCH_H
 #define PO_WATCH_H
 

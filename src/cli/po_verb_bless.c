@@ -14,18 +14,14 @@ static const char HELP[] =
     "that have no valid record. Digests are written to pins/CASE.digests.csv and pins to\n"
     "pins/CASE.csv in the folder of the case file, with the date, the author, the version of the\n"
     "program and the reason. Prints by how much each pin moved. Refuses if no reason is given, if\n"
-    "a solve failed (exit code 3), or if a check against an oracle does not pass or a stored result\n"
+    "a solve failed (exit code 3), or if a check against an oracle does not pass or a stored "
+    "result\n"
     "was altered (exit code 1).\n"
     "\n"
     "  --suite S[,S]     take the cases of these suites instead (see pulloff list)\n"
     "  --reason TEXT     why the values are accepted, in one line (required)\n"
-    "  --output DIR      folder of the records (default build/run)\n"
-    "  --jobs N          number of points solved in parallel; 0 means all cores (default 0); the\n"
-    "                    results do not depend on it\n"
-    "  --time-limit S    limit of the processor time of each solve, in seconds (default: the\n"
-    "                    limit in the case file, if any)\n" PO_SESSION_SOLVER_HELP
-    "  --fresh           solve all points again, even those with a valid record\n"
-    "  -h, --help        print this text\n"
+    "  --output DIR      folder of the records (default build/run)\n" PO_SESSION_JOBS_HELP
+        PO_SESSION_SOLVE_HELP "  -h, --help        print this text\n"
     "\n"
     "Example: pulloff bless smoke --reason \"Newton stops two digits later\"\n";
 

@@ -20,13 +20,8 @@ static const char HELP[] =
     "                    its label, such as \"tabor=1\" (default: all points)\n"
     "  --all             explain also the checks whose verdict is within\n"
     "  --json            print one JSON document and nothing else\n"
-    "  --output DIR      folder of the records (default build/run)\n"
-    "  --jobs N          number of points solved in parallel; 0 means all cores (default 0); the\n"
-    "                    results do not depend on it\n"
-    "  --time-limit S    limit of the processor time of each solve, in seconds (default: the\n"
-    "                    limit in the case file, if any)\n" PO_SESSION_SOLVER_HELP
-    "  --fresh           solve all points again, even those with a valid record\n"
-    "  -h, --help        print this text\n"
+    "  --output DIR      folder of the records (default build/run)\n" PO_SESSION_JOBS_HELP
+        PO_SESSION_SOLVE_HELP "  -h, --help        print this text\n"
     "\n"
     "Example: pulloff explain fig03 --point tabor=1 --all\n";
 

@@ -9,16 +9,12 @@ static const char HELP[] =
     "except those of the suite random, which take long.\n"
     "\n"
     "  --suite S[,S]     take the cases of these suites instead (see pulloff list)\n"
-    "  --output DIR      folder to which the records are written (default build/run)\n"
-    "  --jobs N          number of points solved in parallel; 0 means all cores (default 0); the\n"
-    "                    results do not depend on it\n"
+    "  --output DIR      folder to which the records are written (default "
+    "build/run)\n" PO_SESSION_JOBS_HELP
     "  --points A[-B][,C[-D]]...  solve only points A to B, C to D of each case, counted from 0\n"
     "                    (default: all); a later run of all points reuses them\n"
     "  --shard K/N       solve only the K-th of N parts of all points, so that N machines can\n"
-    "                    share a run; pulloff merge combines the parts\n"
-    "  --time-limit S    limit of the processor time of each solve, in seconds (default: the\n"
-    "                    limit in the case file, if any)\n" PO_SESSION_SOLVER_HELP
-    "  --fresh           solve all points again, even those with a valid record\n"
+    "                    share a run; pulloff merge combines the parts\n" PO_SESSION_SOLVE_HELP
     "  -h, --help        print this text\n"
     "\n"
     "For a case whose scenes are drawn at random, a summary is printed: the number of solves with\n"

@@ -26,14 +26,10 @@ static const char HELP[] =
     "--suite, all cases are taken except those of the suite random, which take long.\n"
     "\n"
     "  --suite S[,S]     take the cases of these suites instead (see pulloff list)\n"
-    "  --output DIR      folder of the records (default build/run)\n"
-    "  --jobs N          number of points solved in parallel; 0 means all cores (default 0); the\n"
-    "                    results do not depend on it\n"
+    "  --output DIR      folder of the records (default build/run)\n" PO_SESSION_JOBS_HELP
     "  --points A[-B][,C[-D]]...  solve only points A to B, C to D of each case, counted from 0\n"
-    "                    (default: all); a later run of all points reuses them\n"
-    "  --time-limit S    limit of the processor time of each solve, in seconds (default: the\n"
-    "                    limit in the case file, if any)\n" PO_SESSION_SOLVER_HELP
-    "  --fresh           solve all points again, even those with a valid record\n"
+    "                    (default: all); a later run of all points reuses "
+    "them\n" PO_SESSION_SOLVE_HELP
     "  --identical       exit code 1 also if a result or a pin is not the same to the last bit;\n"
     "                    prints how far each case is off, and which oracles can judge it\n"
     "  --verbose         print a line for every check\n"

@@ -1,4 +1,4 @@
-/* The plot of a case. */
+/* The plots of a case and of a solve. */
 #ifndef PO_PLOT_CASE_H
 #define PO_PLOT_CASE_H
 

@@ -72,13 +72,19 @@ enum {
 /* A session with the defaults. */
 po_session po_session_default(void);
 
-/* The lines of --solver and --knob in the help of a verb. */
-#define PO_SESSION_SOLVER_HELP                                                                     \
+/* The lines in the help of a verb: of --jobs; of --time-limit, --solver, --knob and --fresh. */
+#define PO_SESSION_JOBS_HELP                                                                       \
+  "  --jobs N          number of points solved in parallel; 0 means all cores (default 0); the\n"  \
+  "                    results do not depend on it\n"
+#define PO_SESSION_SOLVE_HELP                                                                      \
+  "  --time-limit S    limit of the processor time of each solve, in seconds (default: the\n"      \
+  "                    limit in the case file, if any)\n"                                          \
   "  --solver MANIFEST ask this external solver (doc/solvers.md) instead; may be given several\n"  \
   "                    times; pulloff is this program. Its records are in DIR/solvers/NAME.\n"     \
   "                    MANIFEST@VALUE names a value of its knob\n"                                 \
   "  --knob VALUE      value of the knob of the external solver (default: the last one of its\n"   \
-  "                    manifest); run and verify: all, each value as a solver\n"
+  "                    manifest); run and verify: all, each value as a solver\n"                   \
+  "  --fresh           solve all points again, even those with a valid record\n"
 
 /* The folder of the records; NULL: it is the default. */
 const char *po_session_output(const po_session *session);

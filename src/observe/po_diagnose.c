@@ -51,9 +51,6 @@ void po_kept_clear(po_kept *kept) {
   *kept = (po_kept){0};
 }
 
-/* The energy balance dU = W d(approach) along a branch. It is violated if a state belongs to
- * another branch, or if load and energy are inconsistent. */
-
 /* The complete state of a kept one, on its own mesh. Returned: state, with memory for capacity + 1
  * values. */
 static po_status restore(const po_kept_state *kept, po_equilibrium *e, po_adaptive *adaptive,

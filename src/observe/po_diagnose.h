@@ -1,4 +1,6 @@
-/* Computes the diagnostics of a result. Private to the room. */
+/* The diagnostics of a result: states that are kept while a branch is traced, the first point, the
+ * first folds, the pull-off and the last point, and diagnosed afterwards; and the reverse trace,
+ * which must find the special points of the forward trace in the opposite order. */
 #ifndef PO_DIAGNOSE_H
 #define PO_DIAGNOSE_H
 
@@ -12,6 +14,7 @@
 #include "po_request.h"
 #include "po_result.h"
 
+/* A special point of a trace. */
 typedef struct {
   po_point_kind kind;
   double approach, load, approach_error, load_error;
@@ -25,16 +28,6 @@ typedef struct {
   size_t points;
   int modes; /* number of unstable modes after the last point */
 } po_passage;
-
-typedef struct {
-  po_branch_point last; /* its pointers are not used */
-  bool begun;
-  double gained, done; /* since the first point: change of the energy, and work along cubics through
-                          the points */
-  double worst;        /* largest difference of the two so far */
-  double lowest, highest; /* range of the change of the energy */
-  double at;              /* approach at the largest difference, eps */
-} po_balance;
 
 typedef struct {
   po_kept_kind kind;
@@ -59,13 +52,13 @@ po_status po_diagnose_states(const po_request *request, double deadline, const p
 /* Fails with PO_OUT_OF_TIME and a message that the branch is traced, followed by `what`. */
 po_status po_diagnose_out_of_time(const po_request *request, const char *what);
 
-/* Keeps a visited point if it is one of these. Given: deepest, whether the point is the deepest
- * minimum of the load so far. Status: PO_NO_MEMORY. */
+/* Keeps a visited point if it is one of those to be diagnosed. Given: deepest, whether the point is
+ * the deepest minimum of the load so far. Status: PO_NO_MEMORY. */
 po_status po_kept_note(po_kept *kept, const po_branch_point *point, bool deepest);
 void po_kept_clear(po_kept *kept);
 
-/* Adds a point of a trace. Given: bounds of its errors; back, whether the trace is the reverse one.
- * Status: PO_NO_MEMORY. */
+/* Adds a point of a trace to its special points if it is one. Given: bounds of its errors; back,
+ * whether the trace is the reverse one. Status: PO_NO_MEMORY. */
 po_status po_passage_note(po_passage *passage, const po_branch_point *point, double approach_error,
                           double load_error, bool back);
 

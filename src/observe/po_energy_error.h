@@ -1,4 +1,5 @@
-/* The error of the energy of a solution on panels, at its approach. See doc/method.md, "Errors". */
+/* The error of the energy of a solution on panels, at its approach; and that of the far field of an
+ * unbounded surface, which a finer mesh does not show. See doc/method.md, "Errors". */
 #ifndef PO_ENERGY_ERROR_H
 #define PO_ENERGY_ERROR_H
 

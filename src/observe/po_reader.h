@@ -1,5 +1,5 @@
 /* The visitor of a trace. It reads path and curve, special points, pull-off and profile off the
- * branch, and passes each point to the diagnostics (po_diagnose.h, po_diagnose.h) and to the
+ * branch, and passes each point to the diagnostics (po_diagnose.h) and to the
  * stopping rule (po_stopping.h). It ends the trace if one of these, the user or the time limit
  * requires it. */
 #ifndef PO_READER_H
@@ -26,6 +26,18 @@ typedef struct {
   po_path_point *path; /* owned */
   size_t path_count, path_room, curve_room;
 } po_trace_points;
+
+/* The energy balance dU = W d(approach) along a branch. It is violated if a state belongs to
+ * another branch, or if load and energy are inconsistent. */
+typedef struct {
+  po_branch_point last; /* its pointers are not used */
+  bool begun;
+  double gained, done; /* since the first point: change of the energy, and work along cubics through
+                          the points */
+  double worst;        /* largest difference of the two so far */
+  double lowest, highest; /* range of the change of the energy */
+  double at;              /* approach at the largest difference, eps */
+} po_balance;
 
 /* A receiver of the minima of the load and of the folds, with their solutions, as needed for
  * parameter continuation. */

@@ -44,9 +44,6 @@ void po_live_show(po_live *live, const char *format, ...) {
     fputc('\n', stderr);
 }
 
-/* Handles Ctrl-C and the signal TERM: the first signal asks the solves to end, the second ends the
- * program at once. */
-
 static volatile sig_atomic_t interrupted;
 
 static void note_signal(int number) {

@@ -1,5 +1,7 @@
 /* The progress of a verb that may take long: a line on standard error that is updated on a
- * terminal, from the second second on; elsewhere, if `plain` is set, a line every ten seconds. */
+ * terminal, from the second second on; elsewhere, if `plain` is set, a line every ten seconds. And
+ * its interruption by Ctrl-C or the signal TERM: the first signal asks the solves to end, the
+ * second ends the program at once. */
 #ifndef PO_LIVE_H
 #define PO_LIVE_H
 

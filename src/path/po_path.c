@@ -85,9 +85,6 @@ double po_path_work(const po_path *path, size_t index, double from, double to) {
   return po_hermite_integral(&load, &approach, from, to);
 }
 
-/* The stable parts of a curve of equilibria at given approach (displacement control) or at given
- * load (load control), and the equilibria at which jumps end (po_loop.h gives the reason). */
-
 double po_stable_controlled(const po_path *path, po_control control, size_t point) {
   const po_path_point *p = &path->point[point];
   return control == PO_LOAD_CONTROL ? p->load : p->approach;

@@ -1,5 +1,7 @@
 /* A curve of equilibria: points from far separation to compression, with interpolation between
- * them. It may be a traced branch or a closed form. */
+ * them. It may be a traced branch or a closed form. And its stable parts, at given approach
+ * (displacement control) or at given load (load control), with the equilibria at which jumps end
+ * (po_loop.h gives the reason). */
 #ifndef PO_PATH_H
 #define PO_PATH_H
 
