@@ -1,7 +1,13 @@
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
 
+#include "po_file.h"
 #include "po_options.h"
-#include "po_seal.h"
+#include "po_quote.h"
+#include "po_reference_table.h"
 #include "po_verbs.h"
 
 static const char HELP[] =
@@ -28,7 +34,7 @@ static const char HELP[] =
     "Example: pulloff seal --what 'pull-off of my tip' --source 'Smith 2024, Fig. 3' \\\n"
     "           --kind published --method digitised --units 'pi w R' --uncertainty 0.01 tip.csv\n";
 
-/* The values are those of PO_SEAL_NAMES, counted from 1. */
+/* The values are those of NAMES, counted from 1. */
 static const struct option OPTIONS[] = {{"what", required_argument, NULL, 1},
                                         {"source", required_argument, NULL, 2},
                                         {"kind", required_argument, NULL, 3},
@@ -41,21 +47,159 @@ static const struct option OPTIONS[] = {{"what", required_argument, NULL, 1},
                                         {"help", no_argument, NULL, PO_OPTION_HELP},
                                         {NULL, 0, NULL, 0}};
 
+/* The headers that a reference table must have, except the checksum. */
+enum { DATE = 6, GENERATOR, COMMAND, HEADERS };
+
+static const char *const NAMES[HEADERS] = {"what",        "source", "kind",      "method", "units",
+                                           "uncertainty", "date",   "generator", "command"};
+
 static po_status take_option(void *to, int option) {
   const char **values = to;
-  return po_options_take_text(PO_SEAL_NAMES[option - 1], "a text", &values[option - 1]);
+  return po_options_take_text(NAMES[option - 1], "a text", &values[option - 1]);
+}
+
+/* Returned: the length of the key of a header line `# key: value`; 0 if the line is no header. */
+static size_t key_of(const char *line, const char **key) {
+  if (line[0] != '#')
+    return 0;
+  *key = line + 1 + strspn(line + 1, " ");
+  const size_t length = strcspn(*key, ":");
+  return (*key)[length] == ':' ? length : 0;
+}
+
+static int find_name(const char *key, size_t length) {
+  for (int i = 0; i < HEADERS; ++i)
+    if (strlen(NAMES[i]) == length && strncmp(NAMES[i], key, length) == 0)
+      return i;
+  return -1;
+}
+
+/* Splits the lines of a file into headers, without those that are replaced and without the
+ * checksum, and all others. Returned: in `had`, the headers that the file keeps. */
+static void split(char *bytes, const char *const values[HEADERS], po_text *header, po_text *rows,
+                  bool had[HEADERS]) {
+  static const char MARK[] = "\xEF\xBB\xBF"; /* the byte order mark in UTF-8 */
+  char *at = bytes + (strncmp(bytes, MARK, strlen(MARK)) == 0 ? strlen(MARK) : 0);
+  while (*at) {
+    const size_t length = strcspn(at, "\r\n");
+    const char end = at[length];
+    at[length] = '\0';
+    const char *key = "";
+    const size_t size = key_of(at, &key);
+    const int name = find_name(key, size);
+    const bool digest = size == strlen("sha256") && strncmp(key, "sha256", size) == 0;
+    if (name >= 0 && !values[name])
+      had[name] = true;
+    if (!length || digest || (size && name >= 0 && values[name]))
+      ; /* left out */
+    else if (at[0] == '#')
+      po_text_add(header, "%s\n", at);
+    else
+      po_text_add(rows, "%s\n", at);
+    at += length + (end != '\0');
+  }
+}
+
+static void today(char date[16]) {
+  const time_t now = time(NULL);
+  struct tm utc;
+  gmtime_r(&now, &utc);
+  strftime(date, 16, "%Y-%m-%d", &utc);
+}
+
+/* Names all headers that neither the file nor the user gives. */
+static po_status refuse_missing(const char *path, const char *const values[HEADERS],
+                                const bool had[HEADERS]) {
+  po_text missing = {0};
+  size_t count = 0;
+  for (int i = 0; i < DATE; ++i)
+    if (!values[i] && !had[i])
+      po_text_add(&missing, "%s--%s", count++ ? ", " : "", NAMES[i]);
+  const po_status status =
+      count ? po_fail(PO_BAD_INPUT, "%s lacks %zu headers: expected the option%s %s", path, count,
+                      count == 1 ? "" : "s", po_text_string(&missing))
+            : PO_OK;
+  po_text_clear(&missing);
+  return status;
+}
+
+static void add_headers(const char *path, const char *const values[HEADERS],
+                        const bool had[HEADERS], po_text *header) {
+  char date[16];
+  today(date);
+  for (int i = 0; i < HEADERS; ++i) {
+    if (had[i])
+      continue;
+    po_text_add(header, "# %s: ", NAMES[i]);
+    if (values[i])
+      po_text_add(header, "%s", values[i]);
+    else if (i == COMMAND) {
+      po_text_add(header, "pulloff seal ");
+      po_text_add_word(header, path);
+    } else
+      po_text_add(header, "%s", i == DATE ? date : "by hand");
+    po_text_add(header, "\n");
+  }
+}
+
+/* Writes the table to a file beside it, reads that as a reference, and takes its place. */
+static po_status replace(const char *path, const po_text *text) {
+  po_text beside = {0};
+  po_reference reference = {0};
+  po_text_add(&beside, "%s.seal-%ld", path, (long)getpid());
+  if (beside.failed)
+    return PO_NO_MEMORY;
+  po_status status = po_file_write(beside.data, text->data, text->length);
+  if (!status)
+    status = po_reference_read(beside.data, path, &reference);
+  po_reference_close(&reference);
+  unlink(beside.data);
+  po_text_clear(&beside);
+  return status ? status : po_file_write(path, text->data, text->length);
+}
+
+/* Writes the table back with complete headers and its checksum. A byte order mark and the line ends
+ * of other systems are removed. Given: `values`, for each header of NAMES its text, or
+ * NULL; a header that the file has is replaced if a text is given. generator, command and date have
+ * defaults. Status: PO_BAD_INPUT if headers are missing, all of which the message names;
+ * PO_CANNOT_READ (the file, or what makes it no table, with its line); PO_CANNOT_WRITE; the file is
+ * then unchanged. */
+static po_status seal(const char *path, const char *const values[HEADERS]) {
+  char *bytes = NULL, digest[PO_DIGEST_LENGTH];
+  size_t size = 0;
+  bool had[HEADERS] = {false};
+  po_text header = {0}, rows = {0}, text = {0};
+  for (int i = 0; i < HEADERS; ++i)
+    if (values[i] && (strchr(values[i], '\n') || po_quote_find(values[i], strlen(values[i]))))
+      return po_fail(PO_BAD_INPUT,
+                     "--%s has several lines or a control character: expected one line", NAMES[i]);
+  po_status status = po_file_read(path, &bytes, &size);
+  if (!status) {
+    split(bytes, values, &header, &rows, had);
+    status = refuse_missing(path, values, had);
+  }
+  if (!status) {
+    add_headers(path, values, had, &header);
+    po_csv_seal(&header, &rows, &text, digest);
+    status = text.failed || header.failed || rows.failed ? PO_NO_MEMORY : replace(path, &text);
+  }
+  free(bytes);
+  po_text_clear(&header);
+  po_text_clear(&rows);
+  po_text_clear(&text);
+  return status;
 }
 
 int po_verb_seal(int argc, char **argv) {
   const po_options options = {"seal", HELP, OPTIONS, argc, argv, NULL};
-  const char *values[PO_SEAL_HEADERS] = {NULL};
+  const char *values[HEADERS] = {NULL};
   po_status status = PO_OK;
   if (!po_options_read(&options, take_option, values, &status))
     return po_options_end(status);
   if (optind == argc)
     status = po_fail(PO_BAD_INPUT, "seal needs the names of tables (see pulloff seal --help)");
   for (int i = optind; !status && i < argc; ++i) {
-    status = po_seal(argv[i], values);
+    status = seal(argv[i], values);
     if (!status)
       printf("%s is sealed\n", argv[i]);
   }
