@@ -3,14 +3,27 @@
 #ifndef PO_OBSERVE_PARTS_H
 #define PO_OBSERVE_PARTS_H
 
-#include "po_reader.h"
+#include "po_branch_point.h"
+#include "po_request.h"
 #include "po_resolution.h"
+#include "po_result.h"
+
+/* A receiver of the minima of the load and of the folds, with their solutions, as needed for
+ * parameter continuation. */
+typedef struct {
+  void (*begin)(void *data,
+                double tolerance); /* a trace begins; those of earlier traces are to be discarded */
+  /* Given: the margin of the stopping rule at the point. Returned: false if there is no memory */
+  bool (*special)(void *data, const po_branch_point *point, double margin);
+  void *data;
+  bool minima_only; /* the errors of folds are not needed */
+} po_keeper;
 
 /* The processor time (po_clock_thread) at which the solve of a request gives up; INFINITY: no
  * limit. */
 double po_observe_deadline(const po_request *request);
 
-/* Calls trace_attempts and finish: po_observe without the companion theory and
+/* po_observe without the companion theory and
  * without the solves with changed inputs (po_diagnose_moved). */
 po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po_result *result);
 

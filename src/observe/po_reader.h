@@ -8,6 +8,7 @@
 #include "po_branch_point.h"
 #include "po_diagnose.h"
 #include "po_estimate.h"
+#include "po_observe_parts.h"
 #include "po_path.h"
 #include "po_request.h"
 #include "po_result.h"
@@ -38,17 +39,6 @@ typedef struct {
   double lowest, highest; /* range of the change of the energy */
   double at;              /* approach at the largest difference, eps */
 } po_balance;
-
-/* A receiver of the minima of the load and of the folds, with their solutions, as needed for
- * parameter continuation. */
-typedef struct {
-  void (*begin)(void *data,
-                double tolerance); /* a trace begins; those of earlier traces are to be discarded */
-  /* Given: the margin of the stopping rule at the point. Returned: false if there is no memory */
-  bool (*special)(void *data, const po_branch_point *point, double margin);
-  void *data;
-  bool minima_only; /* the errors of folds are not needed */
-} po_keeper;
 
 typedef struct {
   const po_request *request;

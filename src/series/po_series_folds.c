@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "po_estimate.h"
 #include "po_memory.h"
 #include "po_observe_parts.h"
 #include "po_series_scenes.h"

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "po_estimate.h"
 #include "po_memory.h"
 #include "po_observe_parts.h"
 #include "po_watch.h"

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "po_contact.h"
 #include "po_elementary.h"
 #include "po_load_unit.h"
 #include "po_memory.h"
