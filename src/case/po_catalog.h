@@ -12,8 +12,8 @@ typedef struct {
 /* The suites whose cases are selected when a command names no case. */
 typedef struct {
   const char *names; /* names of suites, separated by commas; NULL: all suites */
-  bool only_named; /* if `names` is NULL: without cases that belong to the suite random alone; that
-                      suite takes long and runs only when it is named */
+  bool only_named;   /* if `names` is NULL: without cases that belong to random or theories alone;
+                        that   suite takes long and runs only when it is named */
 } po_suites;
 
 /* Reads and checks the requested cases.

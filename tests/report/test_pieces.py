@@ -18,7 +18,7 @@ import count_tests  # noqa: E402
 
 from pulloff_report import findings, fonts, geometry, gnuplot, identity, page, samples, svg, words  # noqa: E402
 from pulloff_report.errors import ReportError  # noqa: E402
-from pulloff_report.plots import laws, loading, preload, staircase  # noqa: E402
+from pulloff_report.plots import laws, loading, preload, staircase, theories  # noqa: E402
 from pulloff_report.plots.figure import Figure  # noqa: E402
 from pulloff_report.tables import Table  # noqa: E402
 
@@ -316,6 +316,32 @@ class Counting(unittest.TestCase):
         results = ("OK", "EXPECTEDFAIL", "SKIP", "FAIL", "UNEXPECTEDPASS")
         self.assertEqual([count_tests.count({"result": result}) for result in results],
                          [(1, 0), (1, 0), (0, 0), (0, 1), (0, 1)])
+
+
+
+class Theories(unittest.TestCase):
+    """Ranges, classes and the rule of the section on theories, for made-up deviations."""
+
+    def test_ranges(self):
+        rows = [(0.01, 0.02), (0.1, 0.08), (1.0, 0.08), (10.0, 0.02), (100.0, 0.08)]
+        self.assertEqual(theories.ranges(rows, 0.05), "μ ≤ 0.032, 3.2 ≤ μ ≤ 32")
+        self.assertEqual([theories.ranges(rows, level) for level in (0.01, 0.2)], ["no μ", "all μ"])
+        self.assertEqual(theories.ranges(rows[1:4], 0.05), "μ ≥ 3.2")
+
+    @staticmethod
+    def scene(tabor, amplitude, **deviations):
+        rows = [{"theory": name.replace("_", "-"), "deviation": value} for name, value in deviations.items()]
+        return {"input": {"tabor": tabor, "amplitude": amplitude}, "theories": rows}
+
+    def test_classes(self):
+        self.assertEqual(theories.class_of(self.scene(1, 1, rigid=0.3, maugis=-0.04)), 2 * 3 + 1)
+        self.assertEqual(theories.class_of(self.scene(1, 1, rigid=-0.005, maugis=-0.04, jkr=None)), 0)
+        self.assertEqual(theories.class_of(self.scene(1, 1, rigid=0.3, maugis=-0.21)), 12)
+
+    def test_the_rule_counts_its_misses(self):
+        points = [self.scene(0.1, 1, rigid=0.01), self.scene(0.1, 1, rigid=0.06), self.scene(1, 1, rigid=0.01),
+                  self.scene(1, 0.05, pietrement_troyon=-0.04), self.scene(3, 1, guduru=0.5), self.scene(1, 1, guduru=0.5)]
+        self.assertEqual(theories.misses(points), {"scenes": 6, "named": 4, "wrong": 2, "silent": 1})
 
 
 if __name__ == "__main__":

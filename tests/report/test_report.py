@@ -131,7 +131,7 @@ class Whole(PageTest):
                                       if getattr(module, "SCHEMATIC", False)}
         self.assertEqual(self.html.count('role="img"'), len(drawn) + 5)   # and three of the errors against time, two of costs
         self.has(self.text, "Not in this run", "the claims of the paper (./reproduce --only claims)",
-                 "other laws and profiles (pulloff run --suite general)", "Figure 7, rigid pull-off against α (fig07)",
+                 "other laws and profiles (pulloff run --suite general)", "which theory holds where (./reproduce --only theories)", "Figure 7, rigid pull-off against α (fig07)",
                  "Figure A. Error against run time.", "Figure B. Error against run time, wavy spheres.")
         self.lacks(self.text, "External solvers", "Claims of the paper")
 
