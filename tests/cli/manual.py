@@ -91,7 +91,7 @@ def check_verb(program, root, pages, verb, helps):
 def check_values(program, root):
     """The values that completion offers are those that the program names in a message or accepts."""
     for option, verb, accepts in (("--scheme", "solve", ()), ("--grading", "solve", ()), ("--scale", "follow", ()), ("--of", "follow", ()),
-                                  ("--want", "solve", ()), ("--key", "follow", ()), ("--suite", "list", ("--suite",))):
+                                  ("--want", "solve", ()), ("--theory", "compare", ()), ("--key", "follow", ()), ("--suite", "list", ("--suite",))):
         message = output(program, verb, option, "sugar").split("expected", 1)[1]
         named = set(re.findall(r"[a-z][a-z0-9-]+", message)) - {"any", "of", "or", "one", "parameter", "the", "law", "profile", "in",
                                                                "units", "separated", "by", "commas", "between", "with"}

@@ -34,7 +34,7 @@ if /usr/bin/python3 -c 'import numpy, scipy, matplotlib, jinja2, weasyprint' 2>/
     --program "$work/prefix/bin/pulloff" --claim eq4-compactness
 fi
 
-check 'the manual pages' test "$(find "$work/prefix/share/man/man1" -name 'pulloff*.1' -size +0 | wc -l)" -eq 15
+check 'the manual pages' test "$(find "$work/prefix/share/man/man1" -name 'pulloff*.1' -size +0 | wc -l)" -eq 16
 if command -v man >/dev/null; then
   for page in "$work/prefix/share/man/man1"/*.1; do
     check "no fault in $(basename "$page")" \

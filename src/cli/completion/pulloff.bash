@@ -18,7 +18,8 @@ _pulloff_values() {
   --scale) echo log linear ;;
   --of) echo pull-off folds ;;
   --want) echo curve profile hysteresis preload diagnostics theories ;;
-  --suite) echo smoke paper extreme general precision random solvers ;;
+  --theory) echo rigid dmt jkr maugis carpick-ogletree-salmeron pietrement-troyon schwarz guduru kesari-lew persson-tosatti rumpf-rabinowicz ;;
+  --suite) echo smoke paper extreme general precision random solvers theories ;;
   --key) "$2" follow --help 2>/dev/null | sed -n '/^  --key /,/^  --from /{/--/d; p;}' | grep -o '[a-z][a-z0-9-]*' | grep -vx -e or -e in -e units ;;
   --preload | --outer-radius | --modulus-pa) echo inf ;;
   esac
