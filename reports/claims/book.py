@@ -146,7 +146,7 @@ def check_change(claim, where):
 
 def check_numbers(choice, claim, where):
     """Checks one choice of a claim: the claimed number, the sources, and the formula."""
-    demand((choice["claimed"] is None) == (claim["reading"] == "large"), where,
+    demand((choice["claimed"] is None) == (claim["reading"] in judge.UNNUMBERED), where,
            "claimed is missing, or stated for a ratio whose bound is a convention")
     got = choice["get"]
     for name, source in got.items():

@@ -14,9 +14,11 @@ READINGS = {"printed": "a number printed in full: half a unit of its last digit"
             "bound": "an order of two numbers, a sign or a count: exact",
             "axis": "a number on a linear axis of a figure: 2 % of the range of its values, by the text or as computed",
             "logarithmic": "a number on a logarithmic axis of a figure: 0.05 decades, 11 %",
-            "about": "about, ≈, ≃, close, slightly, well: 10 %",
+            "about": "about, ≈, ≃, close, slightly, well, or a number said of a marker, curve or contour: 10 %",
             "order": "a power of ten after ≈ or ≃ (≃ 10⁻¹, ≈ 1 on an axis of decades): a factor of 3 in both directions",
-            "large": "large, small, much, very, greatly, strongly, markedly, suddenly: a ratio of at least 2"}
+            "large": "large, small, much, very, greatly, strongly, markedly, suddenly: a ratio of at least 2",
+            "gradual": "no threshold, nothing that is large or sudden: a ratio below 2 in both directions"}
+UNNUMBERED = ("large", "gradual")                  # readings of a ratio without a number of the paper
 EXACT = ("printed", "equation", "bound")
 AXIS, DECADES, ABOUT, ORDER, LARGE = 0.02, 0.05, 0.1, 3.0, 2.0
 
@@ -33,6 +35,8 @@ def reach(claim, claimed, low, high, scale=1.0):
     reading = claim["reading"]
     if reading == "large":
         return LARGE ** scale, math.inf, 0.0
+    if reading == "gradual":
+        return LARGE ** -scale, LARGE ** scale, 0.0
     if reading == "order":
         return low / ORDER ** scale, high * ORDER ** scale, 0.0
     nearest = min((abs(end) for end in (low, high) if math.isfinite(end)), default=0.0)

@@ -3,6 +3,7 @@
 import csv
 import json
 import os
+import re
 import stat
 import sys
 import tempfile
@@ -90,8 +91,12 @@ class Listed(unittest.TestCase):
                      *choice.get("get", {}).values()] if "pulloff" in source]
             if "kind" not in claim and any("preload" in line for line in lines) and "preload" not in claim:
                 self.assertRegex(claim["tests"] + claim.get("note", ""), "pressed|preloads|JKR|Eq 5 gives", claim["id"])
-            if any(source.get("case") == "fig10_paper" for choice in book.choices(claim) for source in choice["get"].values()):
-                self.assertIn("chosen because", claim["tests"], claim["id"])
+            if "kind" not in claim and re.search(r"Figs?\.? ?(8|9|1[0-5])\b", claim["where"]):
+                for line in lines:
+                    self.assertTrue("--amplitude" not in line or not line.startswith("solve") or "preload" in line
+                                    or "--approach-end" in line, f"{claim['id']}: no preload in {line}")
+            cases = {source.get("case") for choice in book.choices(claim) for source in choice["get"].values()}
+            self.assertFalse(cases & {"fig10", "fig10_paper", "fig14", "fig15"}, f"{claim['id']}: the text excludes the preload of the case")
 
     def test_a_check_quotes_nothing(self):
         for claim in self.claims:
@@ -138,7 +143,8 @@ class Refused(unittest.TestCase):
         self.refused("expected for an equation", reading="equation", accuracy=0.1)
         self.refused("range: expected for an axis", reading="axis")
         self.refused("range: expected for an axis", range=[0, 1])
-        self.refused("claimed is missing, or stated for a ratio", reading="large")
+        for reading in ("large", "gradual"):
+            self.refused("claimed is missing, or stated for a ratio", reading=reading)
         self.refused("lower end first", reading="about", claimed=["2", "1"])
         self.refused("not got: froce", value="froce")
         self.refused("got for nothing: force", value="2.385")
@@ -165,6 +171,8 @@ class Rule(unittest.TestCase):
                 ("within_reading", 1.79, 2, 2, "logarithmic"), ("contradicted", 1.78, 2, 2, "logarithmic"),
                 ("within_reading", 0.034, 0.1, 0.1, "order"), ("contradicted", 0.31, 0.1, 0.1, "order"),
                 ("within_reading", 2.01, 1, float("inf"), "large"), ("contradicted", 1.99, 1, float("inf"), "large"),
+                ("within_reading", 1.99, 1, float("inf"), "gradual"), ("contradicted", 0.49, 1, float("inf"), "gradual"),
+                ("contradicted", 2.01, 1, float("inf"), "gradual"),
                 ("reproduced", 3.53, 3, float("inf"), "bound"), ("contradicted", 8, 6, 6, "bound"),
                 ("reproduced", 1.009, 1, 1, "equation"), ("contradicted", 1.011, 1, 1, "equation"),
                 ("no_result", None, 1, 1, "about"), ("no_result", float("nan"), 1, 1, "about")):
@@ -174,7 +182,8 @@ class Rule(unittest.TestCase):
 
     def test_a_scaled_convention(self):
         for reading, low, scale, expected in (("about", 2, 2, (2, 2, 0.4)), ("order", 1, 2, (1 / 9, 9, 0)),
-                                              ("large", 1, 0.5, (2 ** 0.5, float("inf"), 0)), ("bound", 3, 2, (3, 3, 0))):
+                                              ("large", 1, 0.5, (2 ** 0.5, float("inf"), 0)), ("gradual", 1, 2, (0.25, 4, 0)),
+                                              ("bound", 3, 2, (3, 3, 0))):
             for found, wanted in zip(judge.reach({"reading": reading}, None, low, low, scale), expected, strict=True):
                 self.assertAlmostEqual(found, wanted, places=12)
 
