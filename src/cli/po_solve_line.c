@@ -125,6 +125,8 @@ po_status po_solve_line_end(po_solve_line *line) {
     return po_fail(PO_BAD_INPUT, "--preload-load is dimensionless: expected --preload-m with "
                                  "--from-physical");
   request->preload.approach = length[PO_LENGTH_PRELOAD];
+  if (!isnan(request->stiffness))
+    request->want |= PO_WANT_HYSTERESIS;
   if (!isnan(request->profile_approach))
     request->want |= PO_WANT_PROFILE;
   po_request_choose_search(request);

@@ -273,12 +273,13 @@ po_status po_jkr_staircases(const po_scene *scene, po_staircase staircase[2]) {
   return status;
 }
 
-po_status po_jkr_hysteresis(const po_scene *scene, po_preload preload, po_hysteresis *hysteresis) {
-  return po_jkr_hysteresis_within(scene, preload, SIZE_MAX, hysteresis);
+po_status po_jkr_hysteresis(const po_scene *scene, po_preload preload, po_control spring,
+                            po_hysteresis *hysteresis) {
+  return po_jkr_hysteresis_within(scene, preload, spring, SIZE_MAX, hysteresis);
 }
 
-po_status po_jkr_hysteresis_within(const po_scene *scene, po_preload preload, size_t most,
-                                   po_hysteresis *hysteresis) {
+po_status po_jkr_hysteresis_within(const po_scene *scene, po_preload preload, po_control spring,
+                                   size_t most, po_hysteresis *hysteresis) {
   *hysteresis = (po_hysteresis){.load = {.control = PO_LOAD_CONTROL}};
   jkr_curve curve;
   po_contact least;
@@ -296,7 +297,7 @@ po_status po_jkr_hysteresis_within(const po_scene *scene, po_preload preload, si
     status = path_of(&curve, end, &point, &path.count);
     path.point = point;
     if (!status)
-      status = po_hysteresis_follow(&path, preload, hysteresis);
+      status = po_hysteresis_follow(&path, preload, spring, hysteresis);
     free(point);
   }
   return status;

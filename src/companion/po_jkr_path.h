@@ -22,12 +22,13 @@ po_status po_jkr_path(const po_scene *scene, double end, po_path_point **point, 
  * staircase, to be cleared whatever the status. Status: as po_jkr_path. */
 po_status po_jkr_staircases(const po_scene *scene, po_staircase staircase[2]);
 
-/* Both loops of the JKR curve, which is extended until it contains them; the outer radius of the
- * scene is not used. Status: as po_jkr_path and po_hysteresis_follow. */
-po_status po_jkr_hysteresis(const po_scene *scene, po_preload preload, po_hysteresis *hysteresis);
+/* The loops of the JKR curve (see po_hysteresis_follow), which is extended until it contains them;
+ * the outer radius of the scene is not used. Status: as po_jkr_path and po_hysteresis_follow. */
+po_status po_jkr_hysteresis(const po_scene *scene, po_preload preload, po_control spring,
+                            po_hysteresis *hysteresis);
 
 /* The same with a curve of `most` points at most. Status: also PO_TOO_MANY_POINTS. */
-po_status po_jkr_hysteresis_within(const po_scene *scene, po_preload preload, size_t most,
-                                   po_hysteresis *hysteresis);
+po_status po_jkr_hysteresis_within(const po_scene *scene, po_preload preload, po_control spring,
+                                   size_t most, po_hysteresis *hysteresis);
 
 #endif

@@ -210,6 +210,7 @@ static void print_staircases(const po_scene *scene, const po_result *o) {
 /* One cycle of loading and unloading: where loading was reversed, the measured pull-off, and every
  * jump. */
 static void print_loop(const char *control, const po_loop *loop) {
+  const bool spring = loop->control != PO_LOAD_CONTROL && isfinite(loop->control);
   char error[16];
   printf("%s: loading reversed at approach %.6g, load %.6g; measured pull-off force %.8g at "
          "approach %.8g",
@@ -219,15 +220,17 @@ static void print_loop(const char *control, const po_loop *loop) {
     printf("; energy lost %.6g", loop->energy_lost);
   if (isfinite(loop->energy_lost_error))
     printf(", error %s", error_text(loop->energy_lost_error, error));
-  printf("\n%-5s%-10s %14s %14s %14s %14s %12s %8s\n", "jump", "phase", "approach", "to", "load",
-         "to", "energy lost", "error");
+  printf("\n%-5s%-10s %s%14s %14s %14s %14s %12s %8s\n", "jump", "phase",
+         spring ? "          base " : "", "approach", "to", "load", "to", "energy lost", "error");
   for (size_t k = 0; k < loop->jump_count; ++k) {
     const po_jump *jump = &loop->jumps[k];
     po_label label;
     po_jump_label(jump->loading, k + 1 - (jump->loading ? 0 : loop->loading_jumps), label);
     char from[32], to[32], lost[32];
-    printf("%-5s%-10s %14s %14s %14.8g %14.8g %12s", label, jump->loading ? "loading" : "unloading",
-           finite_or(jump->before.approach, "apart", from),
+    printf("%-5s%-10s ", label, jump->loading ? "loading" : "unloading");
+    if (spring)
+      printf("%14.8g ", po_held(loop->control, jump->before.approach, jump->before.load));
+    printf("%14s %14s %14.8g %14.8g %12s", finite_or(jump->before.approach, "apart", from),
            finite_or(jump->after.approach, "apart", to), jump->before.load, jump->after.load,
            finite_or(jump->energy_lost, "boundless", lost));
     if (isfinite(jump->energy_lost_error))
@@ -341,6 +344,11 @@ po_status po_print_text(const po_request *request, const po_scene_flags *flags,
   if (result->has_hysteresis) {
     print_loop("displacement control", &result->hysteresis.displacement);
     print_loop("load control", &result->hysteresis.load);
+    if (result->hysteresis.has_spring) {
+      char held[64];
+      snprintf(held, sizeof held, "spring of stiffness %.6g", result->hysteresis.spring.control);
+      print_loop(held, &result->hysteresis.spring);
+    }
   }
   if (result->has_staircases)
     print_staircases(&request->scene, result);

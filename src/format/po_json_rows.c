@@ -186,16 +186,21 @@ po_status po_json_into(const json_t *object, const po_block *block, void *owner)
 
 /* The value of a number in SI units, and the end of its key. */
 static double in_si(const po_row *row, double value, const po_units *u, const char **end) {
-  static const char *const ENDS[PO_DIMENSION_COUNT] = {
-      [PO_DIMENSION_NONE] = "",       [PO_DIMENSION_TIME] = "",   [PO_DIMENSION_LENGTH] = "_m",
-      [PO_DIMENSION_GAP] = "_m",      [PO_DIMENSION_LOAD] = "_n", [PO_DIMENSION_ENERGY] = "_j",
-      [PO_DIMENSION_TRACTION] = "_pa"};
+  static const char *const ENDS[PO_DIMENSION_COUNT] = {[PO_DIMENSION_NONE] = "",
+                                                       [PO_DIMENSION_TIME] = "",
+                                                       [PO_DIMENSION_LENGTH] = "_m",
+                                                       [PO_DIMENSION_GAP] = "_m",
+                                                       [PO_DIMENSION_LOAD] = "_n",
+                                                       [PO_DIMENSION_ENERGY] = "_j",
+                                                       [PO_DIMENSION_STIFFNESS] = "_n_per_m",
+                                                       [PO_DIMENSION_TRACTION] = "_pa"};
   const double unit[PO_DIMENSION_COUNT] = {[PO_DIMENSION_NONE] = 1,
                                            [PO_DIMENSION_TIME] = 1,
                                            [PO_DIMENSION_LENGTH] = u->length,
                                            [PO_DIMENSION_GAP] = u->length,
                                            [PO_DIMENSION_LOAD] = u->force,
                                            [PO_DIMENSION_ENERGY] = u->force * u->length,
+                                           [PO_DIMENSION_STIFFNESS] = u->force / u->length,
                                            [PO_DIMENSION_TRACTION] = u->traction};
   *end = ENDS[row->dimension];
   return (row->dimension == PO_DIMENSION_GAP ? 1 + value : value) * unit[row->dimension];

@@ -28,8 +28,11 @@ static const double OF_CHANGE = 3.0, OF_INTERPOLATED = 3.0;
 
 double po_estimate_loss_error(const po_request *request, const po_estimate *greatest,
                               po_control control, const po_loss *loss) {
+  /* A spring jumps between the special points, at a place of the cubics. */
+  const bool inside = control != PO_LOAD_CONTROL && isfinite(control);
+  const double miss = inside ? po_estimate_miss(request) : 0.0;
   const double place =
-      control == PO_LOAD_CONTROL ? greatest->traced_load_error : greatest->traced_approach_error;
+      po_held(control, greatest->traced_approach_error + miss, greatest->traced_load_error + miss);
   const double precision = po_observe_precision(request->mesh.tolerance);
   if (isnan(loss->energy)) /* unbounded */
     return NAN;

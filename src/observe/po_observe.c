@@ -98,7 +98,7 @@ static po_status accompany(const po_request *request, po_result *result) {
   const po_companion *theory = request->companion;
   po_status status = PO_OK;
   if (theory && theory->hysteresis && result->has_hysteresis) {
-    status = theory->hysteresis(&request->scene, preload_of(request, result),
+    status = theory->hysteresis(&request->scene, preload_of(request, result), request->stiffness,
                                 &result->theory.hysteresis);
     result->theory.has_hysteresis = !status;
   }

@@ -24,6 +24,9 @@ static const double RIGID_START = 10.0, RIGID_START_GROWTH = 1.5, RIGID_START_LO
 /* If unloading leads to a smaller approach than that at which the trace began, the trace is
  * repeated from this multiple of it. */
 static const double START_GROWTH = 1.5;
+/* Where the trace begins at the farthest for a soft spring, eps. The attraction is then 1e-9 or
+ * less of that at contact. */
+static const double FARTHEST = -1e5;
 
 static po_continuation_options options_of(const po_request *request, double begin,
                                           po_reader *reader) {
@@ -117,7 +120,7 @@ static double rigid_start(const po_law *law) {
   return gap;
 }
 
-static po_status trace_rigid(const po_request *request, po_reader *reader) {
+static po_status trace_rigid(const po_request *request, double farthest, po_reader *reader) {
   po_continuation_options options = options_of(request, NAN, reader);
   const bool searches = po_request_search(request) != PO_SEARCH_NONE;
   if (isnan(options.end))
@@ -135,6 +138,8 @@ static po_status trace_rigid(const po_request *request, po_reader *reader) {
   double begin = request->approach_start;
   if (isnan(begin))
     begin = fmin(0.0, options.end) - rigid_start(&request->scene.law);
+  if (!isnan(request->stiffness))
+    begin = fmin(begin, farthest);
   return unless_stopped(reader, po_rigid_trace(&request->scene, begin, &options));
 }
 
@@ -304,24 +309,42 @@ static void read_loop(const po_reader *reader, const po_path *path, po_loop *loo
   loop->pull_off_error = state_of_special_point(reader->request, reader->result, &loop->pull_off);
 }
 
+/* The least approach that loading and unloading along the branch may reach: that of the branch, and
+ * through a spring the least position of the base, at which the bodies are apart, unless it is
+ * beyond FARTHEST. A spring that is unstable where the branch begins jumps farther out. */
+static double least_approach(const po_path *path, double stiffness) {
+  const po_path_point *p = path->point;
+  double least = INFINITY, base = INFINITY; /* NAN without a spring, which fmin ignores */
+  for (size_t k = 0; k < path->count; ++k) {
+    least = fmin(least, p[k].approach);
+    base = fmin(base, po_held(stiffness, p[k].approach, p[k].load));
+  }
+  if (path->count < 2 || isnan(stiffness))
+    return least;
+  if (po_stable_controlled(path, stiffness, 1) <= po_stable_controlled(path, stiffness, 0))
+    base = fmin(base, 2.0 * least);
+  return base < po_stable_controlled(path, stiffness, 0) ? fmin(least, fmax(base, FARTHEST))
+                                                         : least;
+}
+
 /* Computes loading and unloading along the traced branch. If unloading leads to a smaller approach
  * than the trace began with, only a->begin is set, and the trace must be repeated. */
 static po_status read_hysteresis(const po_reader *reader, po_attempt *a) {
   po_result *o = reader->result;
   const po_path path = {reader->points.path, reader->points.path_count};
-  double least = INFINITY;
-  for (size_t k = 0; k < path.count; ++k)
-    least = fmin(least, path.point[k].approach);
+  const double least = least_approach(&path, reader->request->stiffness);
   if (path.count > 0 && least < path.point[0].approach) {
     a->begin = START_GROWTH * least;
     return PO_OK;
   }
-  const po_status status =
-      po_hysteresis_follow(&path, po_request_preload(reader->request), &o->hysteresis);
+  const po_status status = po_hysteresis_follow(&path, po_request_preload(reader->request),
+                                                reader->request->stiffness, &o->hysteresis);
   o->has_hysteresis = !status;
   if (!status) {
     read_loop(reader, &path, &o->hysteresis.displacement);
     read_loop(reader, &path, &o->hysteresis.load);
+    if (o->hysteresis.has_spring)
+      read_loop(reader, &path, &o->hysteresis.spring);
   }
   return status;
 }
@@ -364,7 +387,8 @@ po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double 
   if (status)
     goto done;
   reader.surface = panels ? po_adaptive_surface(panels) : fixed;
-  status = rigid ? trace_rigid(request, &reader) : trace_elastic(request, a, &reader, panels);
+  status =
+      rigid ? trace_rigid(request, a->begin, &reader) : trace_elastic(request, a, &reader, panels);
   if (!status)
     status = reader.status;
   status = end_search(status, &reader);

@@ -1,6 +1,7 @@
 #include "po_loop.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "po_memory.h"
 
@@ -11,6 +12,11 @@ typedef struct {
   po_loop *loop;
   po_path_place at;
 } loop_state;
+
+/* Whether the body is held by a spring between displacement and load control. */
+static bool has_spring(const loop_state *f) {
+  return f->control != PO_LOAD_CONTROL && f->control != PO_DISPLACEMENT_CONTROL;
+}
 
 static po_path_state state_of(const loop_state *f) {
   return po_path_at(f->path, f->at);
@@ -23,14 +29,17 @@ static po_path_doubt doubt(loop_state *f) {
   return here;
 }
 
-/* Adds a jump that ends at the present place, or, if the bodies separate, at none. */
-static po_status add_jump(loop_state *f, bool loading, po_path_state before, po_path_state after) {
+/* Adds a jump that ends at the present place, or, if the bodies separate, at none. `begin` is the
+ * error of the energy where it begins, beyond that of special points. */
+static po_status add_jump(loop_state *f, bool loading, po_path_state before, double begin,
+                          po_path_state after) {
   po_loop *loop = f->loop;
   po_jump *jumps = po_resize(loop->jumps, loop->jump_count + 1, sizeof *jumps);
   if (!jumps)
     return PO_NO_MEMORY;
   loop->jumps = jumps;
-  const po_path_doubt error = isfinite(after.approach) ? doubt(f) : (po_path_doubt){0.0, 0.0};
+  po_path_doubt error = isfinite(after.position) ? doubt(f) : (po_path_doubt){0.0, 0.0};
+  error.of_points += begin;
   const double lost = po_loss_of_jump(f->control, &before, &after, error).energy;
   jumps[loop->jump_count++] = (po_jump){loading, before, after, lost, error, NAN};
   loop->loading_jumps += loading;
@@ -40,8 +49,13 @@ static po_status add_jump(loop_state *f, bool loading, po_path_state before, po_
 
 /* Moves to a fraction of the current segment and adds the work. */
 static void move(loop_state *f, double fraction) {
+  const double before = state_of(f).load;
   f->loop->work += po_path_work(f->path, f->at.index, f->at.fraction, fraction);
   f->at.fraction = fraction;
+  if (f->control != PO_LOAD_CONTROL) { /* what the spring takes up */
+    const double after = state_of(f).load;
+    f->loop->work += 0.5 * (after - before) * (after + before) / f->control;
+  }
 }
 
 /* Returned: whether the preload is reached on the current segment ahead of the place; then
@@ -52,14 +66,14 @@ static bool meets_preload(const loop_state *f, double *fraction) {
   const po_preload p = f->preload;
   bool met = false;
   *fraction = 1.0;
-  if (f->control == PO_DISPLACEMENT_CONTROL && po_path_reaches(end->approach, p.approach)) {
+  if (f->control != PO_LOAD_CONTROL && po_path_reaches(end->approach, p.approach)) {
     met = true;
-    *fraction = po_path_where(f->path, f->at.index, PO_PATH_APPROACH, p.approach).fraction;
+    *fraction = po_path_where(f->path, f->at.index, PO_DISPLACEMENT_CONTROL, p.approach).fraction;
   }
   if (here.load >= p.load || end->load >= p.load) {
-    const double by_load = here.load >= p.load
-                               ? f->at.fraction
-                               : po_path_where(f->path, f->at.index, PO_PATH_LOAD, p.load).fraction;
+    const double by_load =
+        here.load >= p.load ? f->at.fraction
+                            : po_path_where(f->path, f->at.index, PO_LOAD_CONTROL, p.load).fraction;
     *fraction = fmin(*fraction, by_load);
     met = true;
   }
@@ -67,24 +81,30 @@ static bool meets_preload(const loop_state *f, double *fraction) {
   return met;
 }
 
+/* The error of the energy of the present point, if a spring makes it one at which a jump begins. */
+static double begin_error(const loop_state *f) {
+  return has_spring(f) ? f->path->point[f->at.index].energy_error : 0.0;
+}
+
 static po_status jump_on(loop_state *f, double value) {
   const po_path_state before = state_of(f);
+  const double begin = begin_error(f);
   if (!po_stable_find(f->path, f->control, f->at.index, 1, value, &f->at))
     return po_fail(
         PO_NOT_FOUND,
         "the curve ends at approach %.6g and has no equilibrium after the jump at approach "
         "%.6g: the preload is not reached",
         f->path->point[f->path->count - 1].approach, before.approach);
-  return add_jump(f, true, before, state_of(f));
+  return add_jump(f, true, before, begin, state_of(f));
 }
 
 static po_status start(loop_state *f) {
   f->at = (po_path_place){0, 0.0};
-  if (f->control == PO_DISPLACEMENT_CONTROL)
+  if (f->control != PO_LOAD_CONTROL)
     return PO_OK;
   if (!po_stable_find(f->path, f->control, 0, 1, 0.0, &f->at))
     return po_fail(PO_NOT_FOUND, "the curve has no stable equilibrium at load 0");
-  return add_jump(f, true, po_stable_apart(0.0), state_of(f));
+  return add_jump(f, true, po_stable_apart(PO_LOAD_CONTROL, 0.0), 0.0, state_of(f));
 }
 
 static po_status load(loop_state *f) {
@@ -116,6 +136,21 @@ static void note_tension(loop_state *f) {
     f->loop->pull_off = here;
 }
 
+/* The last jump, to a state before the curve begins. Through a spring the bodies are then as good
+ * as apart: beyond the beginning of the curve the attraction and the energy are smaller than there.
+ */
+static po_status separate(loop_state *f, po_path_state before, double value) {
+  const po_path_point *first = &f->path->point[0];
+  if (f->control == PO_DISPLACEMENT_CONTROL)
+    return po_fail(PO_NOT_FOUND,
+                   "the curve begins at approach %.6g and has no equilibrium after the jump at "
+                   "approach %.6g",
+                   first->approach, value);
+  const double far = fabs(first->energy) + 0.5 * first->load * first->load / f->control;
+  return add_jump(f, false, before, has_spring(f) ? begin_error(f) + far : 0.0,
+                  po_stable_apart(f->control, value));
+}
+
 static po_status unload(loop_state *f) {
   f->loop->pull_off = state_of(f);
   for (;;) {
@@ -129,13 +164,10 @@ static po_status unload(loop_state *f) {
     }
     const po_path_state before = state_of(f);
     const double value = po_stable_controlled(f->path, f->control, f->at.index);
+    const double begin = begin_error(f);
     if (!po_stable_find(f->path, f->control, f->at.index, -1, value, &f->at))
-      return f->control == PO_LOAD_CONTROL ? add_jump(f, false, before, po_stable_apart(value))
-                                           : po_fail(PO_NOT_FOUND,
-                                                     "the curve begins at approach %.6g and has no "
-                                                     "equilibrium after the jump at approach %.6g",
-                                                     f->path->point[0].approach, value);
-    const po_status status = add_jump(f, false, before, state_of(f));
+      return separate(f, before, value);
+    const po_status status = add_jump(f, false, before, begin, state_of(f));
     if (status)
       return status;
     note_tension(f);
@@ -150,8 +182,15 @@ po_status po_loop_follow(const po_path *path, po_control control, po_preload pre
                     .work_error = NAN,
                     .energy_error = NAN};
   loop_state f = {.path = path, .control = control, .preload = preload, .loop = loop};
+  po_path_point *points = NULL;
+  po_path held = {.count = 0};
   po_status status =
       path->count < 2 ? po_fail(PO_NOT_FOUND, "the curve has fewer than two points") : PO_OK;
+  if (!status && has_spring(&f)) {
+    status = po_path_add_extrema(path, control, &points, &held.count);
+    held.point = points;
+    f.path = &held;
+  }
   if (!status)
     status = load(&f);
   if (!status)
@@ -160,10 +199,12 @@ po_status po_loop_follow(const po_path *path, po_control control, po_preload pre
     po_loop_clear(loop);
   else if (control == PO_LOAD_CONTROL)
     loop->work = NAN;
+  free(points);
   return status;
 }
 
-po_status po_hysteresis_follow(const po_path *path, po_preload preload, po_hysteresis *hysteresis) {
+po_status po_hysteresis_follow(const po_path *path, po_preload preload, po_control spring,
+                               po_hysteresis *hysteresis) {
   *hysteresis = (po_hysteresis){.load = {.control = PO_LOAD_CONTROL}};
   po_status status =
       po_loop_follow(path, PO_DISPLACEMENT_CONTROL, preload, &hysteresis->displacement);
@@ -171,6 +212,9 @@ po_status po_hysteresis_follow(const po_path *path, po_preload preload, po_hyste
     return status;
   const po_preload load = {(double)NAN, fmax(0.0, hysteresis->displacement.preload.load)};
   status = po_loop_follow(path, PO_LOAD_CONTROL, load, &hysteresis->load);
+  hysteresis->has_spring = isfinite(spring);
+  if (!status && hysteresis->has_spring)
+    status = po_loop_follow(path, spring, preload, &hysteresis->spring);
   if (status)
     po_hysteresis_clear(hysteresis);
   return status;

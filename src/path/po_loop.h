@@ -25,10 +25,12 @@
 po_status po_loop_follow(const po_path *path, po_control control, po_preload preload,
                          po_loop *loop);
 
-/* Computes both loops along a curve of equilibria. The load-controlled loop is reversed at the load
- * of the displacement-controlled preload, or at load 0 if that load is tensile. Given: a preload
- * with an approach or a load >= 0. Returned: hysteresis, to be cleared with po_hysteresis_clear.
+/* Computes the loops along a curve of equilibria. The load-controlled loop is reversed at the load
+ * of the displacement-controlled preload, or at load 0 if that load is tensile; that through the
+ * spring at the preload. Given: a preload with an approach or a load >= 0; the stiffness of the
+ * spring, INFINITY: none. Returned: hysteresis, to be cleared with po_hysteresis_clear.
  * Status: as po_loop_follow. */
-po_status po_hysteresis_follow(const po_path *path, po_preload preload, po_hysteresis *hysteresis);
+po_status po_hysteresis_follow(const po_path *path, po_preload preload, po_control spring,
+                               po_hysteresis *hysteresis);
 
 #endif

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "po_hermite.h"
+#include "po_memory.h"
 #include "po_root.h"
 
 /* Two approaches (eps) that differ by less are the same: far above the 1e-12 with which a trace
@@ -68,10 +69,17 @@ static bool is_before(double fraction, const void *data) {
   return (value(s->c, fraction) < s->target) == (s->c->f0 < s->target);
 }
 
-po_path_place po_path_where(const po_path *path, size_t index, po_path_axis axis, double target) {
-  cubic approach, load;
-  cubics(path, index, &approach, &load);
-  const search s = {axis == PO_PATH_APPROACH ? &approach : &load, target};
+/* The held quantity on the segment from point `index`. */
+static cubic held_cubic(const po_path *path, size_t index, po_control control) {
+  cubic a, w;
+  cubics(path, index, &a, &w);
+  return (cubic){po_held(control, a.f0, w.f0), po_held(control, a.d0, w.d0),
+                 po_held(control, a.f1, w.f1), po_held(control, a.d1, w.d1)};
+}
+
+po_path_place po_path_where(const po_path *path, size_t index, po_control control, double target) {
+  const cubic held = held_cubic(path, index, control);
+  const search s = {&held, target};
   double low = 0.0, high = 1.0;
   if (target == s.c->f0)
     return (po_path_place){index, 0.0};
@@ -85,13 +93,71 @@ double po_path_work(const po_path *path, size_t index, double from, double to) {
   return po_hermite_integral(&load, &approach, from, to);
 }
 
-double po_stable_controlled(const po_path *path, po_control control, size_t point) {
-  const po_path_point *p = &path->point[point];
-  return control == PO_LOAD_CONTROL ? p->load : p->approach;
+/* An extremum so near an end of a segment, relative to its length, is that of the point there. */
+static const double AT_END = 1e-9;
+
+/* The fractions in (0, 1) at which a cubic has an extremum, ascending. Returned: their number. */
+static size_t extrema_of(const cubic *c, double fraction[2]) {
+  const double rise = c->f1 - c->f0;
+  const double square = 3.0 * (c->d0 + c->d1 - 2.0 * rise), half = 3.0 * rise - 2.0 * c->d0 - c->d1;
+  const double inside = half * half - square * c->d0;
+  size_t count = 0;
+  if (!(inside > 0.0))
+    return 0;
+  /* the derivative is d0 + 2 half t + square t^2 */
+  const double sum = -(half + copysign(sqrt(inside), half));
+  const double root[] = {c->d0 / sum, sum / square};
+  const int first = root[1] < root[0];
+  for (int k = 0; k < 2; ++k) {
+    const double t = root[k ? 1 - first : first];
+    if (t > AT_END && t < 1.0 - AT_END)
+      fraction[count++] = t;
+  }
+  return count;
 }
 
-static po_path_axis stable_axis(po_control control) {
-  return control == PO_LOAD_CONTROL ? PO_PATH_LOAD : PO_PATH_APPROACH;
+/* The point of the curve at a place inside a segment. */
+static po_path_point point_at(const po_path *path, po_path_place place) {
+  const po_path_point *a = &path->point[place.index], *b = a + 1;
+  const double length = b->position - a->position, t = place.fraction;
+  const po_path_state s = po_path_at(path, place);
+  const po_path_doubt doubt = po_path_doubt_at(path, place);
+  cubic approach, load;
+  cubics(path, place.index, &approach, &load);
+  return (po_path_point){
+      s.approach,
+      s.load,
+      s.energy,
+      doubt.interpolated + doubt.of_points,
+      s.contact_radius,
+      s.position,
+      po_hermite_rate(approach.f0, approach.d0, approach.f1, approach.d1, t, 1.0) / length,
+      po_hermite_rate(load.f0, load.d0, load.f1, load.d1, t, 1.0) / length,
+      a->unstable_modes,
+      false};
+}
+
+po_status po_path_add_extrema(const po_path *path, po_control control, po_path_point **point,
+                              size_t *count) {
+  *count = 0;
+  *point = po_allocate(3 * path->count, sizeof **point);
+  if (!*point)
+    return PO_NO_MEMORY;
+  for (size_t k = 0; k < path->count; ++k) {
+    (*point)[(*count)++] = path->point[k];
+    if (k + 1 == path->count)
+      break;
+    double fraction[2];
+    const cubic held = held_cubic(path, k, control);
+    const size_t extrema = extrema_of(&held, fraction);
+    for (size_t i = 0; i < extrema; ++i)
+      (*point)[(*count)++] = point_at(path, (po_path_place){k, fraction[i]});
+  }
+  return PO_OK;
+}
+
+double po_stable_controlled(const po_path *path, po_control control, size_t point) {
+  return po_held(control, path->point[point].approach, path->point[point].load);
 }
 
 bool po_stable_is(const po_path *path, po_control control, size_t point) {
@@ -109,23 +175,25 @@ bool po_stable_find(const po_path *path, po_control control, size_t from, int by
     const double here = po_stable_controlled(path, control, k);
     const double next = po_stable_controlled(path, control, k + 1);
     if (by > 0 ? here <= value && value < next : here < value && value <= next) {
-      *found = po_path_where(path, k, stable_axis(control), value);
+      *found = po_path_where(path, k, control, value);
       return true;
     }
   }
   return false;
 }
 
-po_path_state po_stable_apart(double load) {
-  return (po_path_state){.approach = -INFINITY, .load = load, .position = (double)NAN};
+po_path_state po_stable_apart(po_control control, double held) {
+  const bool far = control == PO_LOAD_CONTROL;
+  return (po_path_state){
+      .approach = far ? -INFINITY : held, .load = far ? held : 0.0, .position = (double)NAN};
 }
 
-/* Returned: the potential whose decrease a jump dissipates: U under displacement control, U - W
- * approach under load control. After complete separation it is 0 at load 0, and NAN under tension,
- * where it decreases without bound. */
+/* Returned: the potential whose decrease a jump dissipates: U and the energy of the spring, under
+ * load control U - W approach. After complete separation it is 0 at load 0, and under load control
+ * NAN under tension, where it decreases without bound. */
 static double stable_potential(po_control control, const po_path_state *s) {
-  if (control == PO_DISPLACEMENT_CONTROL)
-    return s->energy;
+  if (control != PO_LOAD_CONTROL)
+    return s->energy + 0.5 * s->load * s->load / control;
   if (isinf(s->approach))
     return s->load == 0.0 ? 0.0 : (double)NAN;
   return s->energy - s->load * s->approach;

@@ -49,31 +49,37 @@ po_path_state po_path_at(const po_path *path, po_path_place place);
 /* Returned: the doubt at a place. */
 po_path_doubt po_path_doubt_at(const po_path *path, po_path_place place);
 
-/* Finds the place on the segment from point `index` at which the approach or the load has a value
- * between those of the two points. */
-typedef enum { PO_PATH_APPROACH, PO_PATH_LOAD } po_path_axis;
-
-po_path_place po_path_where(const po_path *path, size_t index, po_path_axis axis, double value);
+/* Finds the place on the segment from point `index` at which the held quantity has a value between
+ * those of the two points. */
+po_path_place po_path_where(const po_path *path, size_t index, po_control control, double value);
 
 /* Returned: the integral of the load over the approach between two fractions of the segment from
  * point `index`, exact for the interpolating cubics; the stored energies are not used. */
 double po_path_work(const po_path *path, size_t index, double from, double to);
 
-/* The controlled quantity at a point of the curve: its approach (eps) or its load (pi w R). */
+/* The held quantity at a point of the curve. */
 double po_stable_controlled(const po_path *path, po_control control, size_t point);
 
-/* Returned: whether the segment from a point to the next is stable: there are no unstable modes,
- * and the controlled quantity increases. Under load control the approach must increase too. */
+/* The curve with further points where the position of the base has an extremum between two points:
+ * a spring jumps there. Returned: the points, to be freed with free(), and their number. Status:
+ * PO_NO_MEMORY. */
+po_status po_path_add_extrema(const po_path *path, po_control control, po_path_point **point,
+                              size_t *count);
+
+/* Returned: whether the segment from a point to the next is stable: there are no unstable modes at
+ * fixed approach, and approach and held quantity increase. At a fixed base one more mode is
+ * unstable where k + dW/d(approach) < 0: where approach and held quantity do not change alike. */
 bool po_stable_is(const po_path *path, po_control control, size_t point);
 
 /* Finds the next stable place along the curve, from point `from` upwards (by = 1) or before it
- * downwards (by = -1), at which the controlled quantity has a value. Returned: false if there is
+ * downwards (by = -1), at which the held quantity has a value. Returned: false if there is
  * none. */
 bool po_stable_find(const po_path *path, po_control control, size_t from, int by, double value,
                     po_path_place *found);
 
-/* Returned: the state of complete separation under a load: approach -INFINITY, position NAN. */
-po_path_state po_stable_apart(double load);
+/* Returned: the state of complete separation at a held quantity, without energy, position NAN:
+ * under load control the approach is -INFINITY, otherwise the load is 0. */
+po_path_state po_stable_apart(po_control control, double held);
 
 /* Returned: the loss in one jump. Given: its ends, and the doubt where it ends. */
 po_loss po_loss_of_jump(po_control control, const po_path_state *before, const po_path_state *after,

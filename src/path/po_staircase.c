@@ -68,7 +68,7 @@ static void unload(const walk *w, stretch *s) {
     return;
   const po_path_state before = point(w, s->start);
   const double value = po_stable_controlled(w->path, w->control, s->start);
-  po_path_state after = po_stable_apart(value);
+  po_path_state after = po_stable_apart(w->control, value);
   po_path_place to;
   const bool found = po_stable_find(w->path, w->control, s->start, -1, value, &to);
   if (found) {
@@ -172,7 +172,7 @@ static po_status load_along(walk *w, const stretch *s, po_path_place from) {
                    : p->load_rate < 0.0 && here.load < w->deepest.load) {
       if (!w->decreasing)
         end_step(w, last.load > w->deepest.load
-                        ? state(w, po_path_where(w->path, k - 1, PO_PATH_LOAD, w->deepest.load))
+                        ? state(w, po_path_where(w->path, k - 1, PO_LOAD_CONTROL, w->deepest.load))
                         : last);
       w->decreasing = true;
       w->deepest = here;
@@ -207,7 +207,7 @@ static po_status climb(walk *w) {
   w->decreasing = true;
   w->deepest = state(w, at);
   if (w->control == PO_LOAD_CONTROL)
-    status = arrive(w, s, po_stable_apart(0.0), at);
+    status = arrive(w, s, po_stable_apart(PO_LOAD_CONTROL, 0.0), at);
   while (!status) {
     status = load_along(w, s, at);
     const po_path_state before = point(w, s->end);

@@ -20,6 +20,7 @@ po_request po_load_unit_request(const po_request *request) {
   r.scene.radius *= unit;
   r.scene.tabor *= po_cbrt(unit);
   r.preload.load /= unit;
+  r.stiffness /= unit;
   return r;
 }
 
@@ -34,6 +35,7 @@ static double convert(po_dimension dimension, double value, double unit) {
   switch (dimension) {
   case PO_DIMENSION_LOAD:
   case PO_DIMENSION_ENERGY:
+  case PO_DIMENSION_STIFFNESS:
     return value * unit;
   case PO_DIMENSION_TRACTION: /* in w/(mu eps), mu^3 as R */
     return value / po_cbrt(unit);

@@ -10,6 +10,7 @@ po_request po_request_default(void) {
                       .approach_end = NAN,
                       .profile_approach = NAN,
                       .preload = {NAN, NAN},
+                      .stiffness = NAN,
                       .time_limit = NAN};
 }
 

@@ -40,7 +40,8 @@ typedef struct {
   /* The loops of loading and unloading from a preload, and the staircases in displacement and load
    * control. NULL if the theory does not give them. The results must be cleared whatever the
    * status. Status: PO_NO_MEMORY; another failure if there are none for the scene. */
-  po_status (*hysteresis)(const po_scene *scene, po_preload preload, po_hysteresis *hysteresis);
+  po_status (*hysteresis)(const po_scene *scene, po_preload preload, po_control spring,
+                          po_hysteresis *hysteresis);
   po_status (*staircases)(const po_scene *scene, po_staircase staircase[2]);
   /* The theories beside a result, its `theories`. Status: PO_NO_MEMORY, PO_INTERRUPTED,
    * PO_OUT_OF_TIME. A theory that cannot be evaluated is a row that says why. */
@@ -58,6 +59,7 @@ typedef struct po_request {
                               NAN: at pull-off */
   po_preload preload;      /* see po_request_preload. With the approach INFINITY the pull-off is the
                               greatest of all preloads */
+  double stiffness;        /* of a spring through which the body is moved, pi w R/eps; NAN: none */
   po_search search;        /* beyond the preload; PO_SEARCH_ALL if PO_WANT_PRELOAD */
   const po_companion *companion; /* NULL: none; a search is then never known to be complete */
   double time_limit;             /* seconds of processor time of the solving thread; NAN: none */

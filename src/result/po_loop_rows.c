@@ -94,7 +94,7 @@ static const po_row JUMP[] = {
   PART("before", before, STATE_ROWS, "the state before the jump"),
   PART("after", after, STATE_ROWS, "the state after the jump"),
   NUMBER("energy_lost", energy_lost, ENERGY, "energy_lost_error_estimate", UNBOUNDED,
-         "drop of the energy at given approach; at given load, drop of the energy minus load times approach"),
+         "drop of the energy at given approach; at given load, drop of the energy minus load times approach; through a spring, drop of the energy of surface and spring"),
   NUMBER("energy_lost_error_estimate", energy_lost_error, ENERGY, "",
          "as `energy_lost`; " NO_BOUND, "bound of the error of `energy_lost`"),
 };
@@ -130,13 +130,19 @@ static const po_row LOOP[] = {
          "as `energy_lost`; " NO_BOUND, "bound of the error of `energy_lost`"),
   NUMBER("work", work, ENERGY, "work_error_estimate",
          "if a jump loses without bound, and in load control",
-         "∮ load d(approach) over the closed path; on panels equal to `energy_lost` to about a tenth of the tolerance"),
+         "∮ load d(approach), through a spring ∮ load d(base), over the closed path; on panels equal to `energy_lost` to about a tenth of the tolerance"),
   NUMBER("work_error_estimate", work_error, ENERGY, "", "as `work`; " NO_BOUND, "bound of the error of `work`"),
   NUMBER("energy_error_estimate", energy_error, ENERGY, "", NO_BOUND,
          "bound of the errors of the energies of `preload` and of the ends of all jumps, at their approaches"),
   LIST("jumps", jumps, jump_count, JUMP_ROWS, NULL, "", "the jumps, first those of loading"),
 };
 static const po_block LOOP_ROWS = BLOCK("loop", LOOP, settle_loop);
+
+static const po_row SPRING[] = {
+  NUMBER("stiffness", control, STIFFNESS, "", "", "stiffness of the spring"),
+  {.key = "", .type = PO_ROW_INLINE, .block = &LOOP_ROWS, TEXTS("", "", "")},
+};
+static const po_block SPRING_ROWS = BLOCK("spring_loop", SPRING, NULL);
 #undef S
 
 #define S po_hysteresis
@@ -148,6 +154,9 @@ static void settle_loops(void *of) {
 static const po_row LOOPS[] = {
   PART("displacement_control", displacement, LOOP_ROWS, "loading and unloading at given approach"),
   PART("load_control", load, LOOP_ROWS, "the same at given load"),
+  {.key = "spring", .type = PO_ROW_PART, .offset = offsetof(S, spring), .present = AT(bool, has_spring),
+   .block = &SPRING_ROWS, .omitted = true, TEXTS("", "without a stiffness",
+           "the same through a spring, whose other end, the base, is moved: it is at approach + load/stiffness")},
 };
 static const po_block LOOPS_ROWS = BLOCK("loops", LOOPS, settle_loops);
 #undef S

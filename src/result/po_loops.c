@@ -2,6 +2,10 @@
 
 #include <stdlib.h>
 
+double po_held(po_control control, double approach, double load) {
+  return control == PO_LOAD_CONTROL ? load : approach + load / control;
+}
+
 void po_loop_clear(po_loop *loop) {
   free(loop->jumps);
   *loop = (po_loop){.control = loop->control};
@@ -10,6 +14,7 @@ void po_loop_clear(po_loop *loop) {
 void po_hysteresis_clear(po_hysteresis *hysteresis) {
   po_loop_clear(&hysteresis->displacement);
   po_loop_clear(&hysteresis->load);
+  po_loop_clear(&hysteresis->spring);
 }
 
 void po_staircase_clear(po_staircase *staircase) {

@@ -3,6 +3,7 @@
 #ifndef PO_LOOPS_H
 #define PO_LOOPS_H
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -28,7 +29,16 @@ typedef struct {
   double of_points; /* the greater error of the energies of both points; NAN: unknown */
 } po_path_doubt;
 
-typedef enum { PO_DISPLACEMENT_CONTROL, PO_LOAD_CONTROL } po_control;
+/* How a body is held: the stiffness k of the spring, pi w R/eps, by whose other end, the base, it
+ * is moved. The position of the base is approach + load/k. A stiff spring gives the approach, an
+ * infinitely soft one the load. */
+typedef double po_control;
+#define PO_DISPLACEMENT_CONTROL ((double)INFINITY)
+#define PO_LOAD_CONTROL 0.0
+
+/* What is held: the position of the base (eps), under displacement control the approach; under load
+ * control the load (pi w R). */
+double po_held(po_control control, double approach, double load);
 
 /* The preload: loading is reversed when the approach (eps) or the load (pi w R) reaches this value;
  * NAN: no limit. Under load control only the load counts. */
@@ -36,14 +46,15 @@ typedef struct {
   double approach, load;
 } po_preload;
 
-/* A jump between two equilibria at fixed approach or at fixed load. After complete separation the
- * approach is -INFINITY and the position NAN. */
+/* A jump between two equilibria at a fixed position of the base. After complete separation the
+ * position is NAN, and under load control the approach is -INFINITY. */
 typedef struct {
   bool loading;
   po_path_state before, after;
-  double energy_lost; /* decrease of U at fixed approach, of U - W approach at fixed load, in pi w R
-                         eps; NAN: unbounded, the bodies separate under tension */
-  po_path_doubt doubt;      /* where it ends */
+  double energy_lost;  /* decrease of U at fixed approach, of U - W approach at fixed load, of U +
+                          W^2/(2 k) through a spring, in pi w R eps; NAN: unbounded, the bodies
+                          separate  under tension */
+  po_path_doubt doubt; /* where it ends */
   double energy_lost_error; /* bound of the error of energy_lost; NAN: unknown */
 } po_jump;
 
@@ -55,23 +66,24 @@ typedef struct {
   po_jump *jumps;               /* the jumps of loading, then those of unloading */
   size_t jump_count, loading_jumps;
   double energy_lost; /* the sum over all jumps; NAN if one of them is */
-  double work; /* integral of the load over the approach along the complete loop, by quadrature of
-                  the loads; NAN unless the loop is closed */
+  double work; /* integral of the load over the position of the base along the complete loop, by
+                  quadrature of the loads; NAN unless the loop is closed */
   double energy_lost_error, work_error; /* bounds of their errors; NAN: unknown */
   double interpolated; /* greatest error by interpolation of preload and ends of jumps */
   double energy_error; /* bound of the errors of the energies of all states at their approaches;
                           NAN: unknown */
 } po_loop;
 
-/* The loops in displacement control and in load control. */
+/* The loops in displacement control and in load control, and through the spring if there is one. */
 typedef struct {
-  po_loop displacement, load;
+  po_loop displacement, load, spring;
+  bool has_spring;
 } po_hysteresis;
 
 /* What jumps lose, and what determines the error of that: sums over the jumps. */
 typedef struct {
   double energy;       /* decrease of the potential; NAN: unbounded */
-  double moved;        /* derivative of energy by the controlled quantity at which the jumps begin:
+  double moved;        /* derivative of energy by the held quantity at which the jumps begin:
                           |load before - load after|, at given load |approach before - approach after| */
   double size;         /* 1 + |load before| + |load after| */
   po_path_doubt doubt; /* where the jumps end */

@@ -26,7 +26,7 @@ START_TEST(jkr_in_closed_form) {
   if (_i) /* the same sphere as a power */
     ck_assert(po_profile_set(&scene.profile, "power:0.0060240963855421684,2"));
   po_hysteresis h;
-  ck_assert_int_eq(po_jkr_hysteresis(&scene, PRESSED, &h), PO_OK);
+  ck_assert_int_eq(po_jkr_hysteresis(&scene, PRESSED, NAN, &h), PO_OK);
   const po_loop *d = &h.displacement, *l = &h.load;
   ck_assert_uint_eq(d->jump_count, 2);
   ck_assert_uint_eq(d->loading_jumps, 1);
@@ -58,7 +58,7 @@ START_TEST(cone_in_closed_form) {
   scene.tabor = po_scene_tabor_of_coupling(coupling, 1.0);
   ck_assert(po_profile_set(&scene.profile, "cone:0.3"));
   po_hysteresis h;
-  ck_assert_int_eq(po_jkr_hysteresis(&scene, (po_preload){NAN, 40.0}, &h), PO_OK);
+  ck_assert_int_eq(po_jkr_hysteresis(&scene, (po_preload){NAN, 40.0}, NAN, &h), PO_OK);
   const po_loop *d = &h.displacement, *l = &h.load;
   const double last = 0.5 * M_PI * coupling / (slope * slope);
   ck_assert_uint_eq(d->jump_count, 2);
@@ -80,7 +80,7 @@ START_TEST(truncated_sphere_parts_from_its_corner) {
   scene.tabor = po_scene_tabor_of_coupling(0.05, 1.0);
   ck_assert(po_profile_set(&scene.profile, "truncated:5,20"));
   po_hysteresis h;
-  ck_assert_int_eq(po_jkr_hysteresis(&scene, (po_preload){NAN, 40.0}, &h), PO_OK);
+  ck_assert_int_eq(po_jkr_hysteresis(&scene, (po_preload){NAN, 40.0}, NAN, &h), PO_OK);
   const po_contact corner = po_jkr_profile_at(&scene, 5.0);
   const po_loop *d = &h.displacement, *l = &h.load;
   ck_assert_uint_eq(d->jump_count, 2);
@@ -190,7 +190,7 @@ START_TEST(loop_loses_what_its_jumps_do) {
   const double way = 2.0 * (loop->preload.approach - o.start);
   check_balance(loop, 0.06 * 1e-6 * way / loop->energy_lost);
   po_hysteresis h;
-  ck_assert_int_eq(po_jkr_hysteresis(&request.scene, po_request_preload(&request), &h), PO_OK);
+  ck_assert_int_eq(po_jkr_hysteresis(&request.scene, po_request_preload(&request), NAN, &h), PO_OK);
   check_balance(&h.displacement, 1e-8);
   is_located(loop, &o);
   is_located(&o.hysteresis.load, &o);

@@ -126,7 +126,7 @@ static void same_place(const po_path_state *a, const po_path_state *b) {
 }
 
 static void same_loop(const po_loop *a, const po_loop *b) {
-  ck_assert_int_eq(a->control, b->control);
+  ck_assert(a->control == b->control);
   SAME(po_loop, a, b, WITHOUT(po_loop, control), WITHOUT(po_loop, jumps),
        WITHOUT(po_loop, interpolated), WITHOUT(po_loop, preload), WITHOUT(po_loop, pull_off));
   same_state(&a->preload, &b->preload);
@@ -138,7 +138,7 @@ static void same_loop(const po_loop *a, const po_loop *b) {
 }
 
 static void same_stairs(const po_staircase *a, const po_staircase *b) {
-  ck_assert_int_eq(a->control, b->control);
+  ck_assert(a->control == b->control);
   ck_assert_uint_eq(a->count, b->count);
   same_place(&a->reached, &b->reached);
   for (size_t k = 0; k < a->count; ++k) {

@@ -63,7 +63,7 @@ static double load_where(const po_result *o, double approach) {
                                .approach_rate = o->curve[k + i].approach_rate,
                                .load_rate = o->curve[k + i].load_rate};
     const po_path path = {two, 2};
-    return po_path_at(&path, po_path_where(&path, 0, PO_PATH_APPROACH, approach)).load;
+    return po_path_at(&path, po_path_where(&path, 0, PO_DISPLACEMENT_CONTROL, approach)).load;
   }
   return (double)NAN;
 }
