@@ -6,12 +6,16 @@
 
 #include "po_input.h"
 #include "po_live.h"
+#include "po_number.h"
 #include "po_observe.h"
 #include "po_plot_case.h"
 #include "po_use.h"
 
 po_solve_line po_solve_line_begin(void) {
-  return (po_solve_line){.request = po_input_default(), .flags = po_scene_flags_default()};
+  return (po_solve_line){.request = po_input_default(),
+                         .flags = po_scene_flags_default(),
+                         .preload_n = (double)NAN,
+                         .stiffness_n_per_m = (double)NAN};
 }
 
 /* Sets a key that is not one of po_scene_flags.h. */
@@ -28,6 +32,32 @@ static po_status take_key(po_solve_line *line, po_key key) {
  * and traction if its value is a path with a period or a slash. */
 static bool names_file(const char *text) {
   return !*text || strcspn(text, "./") < strcspn(text, ":");
+}
+
+static po_status take_si(const char *name, double *value) {
+  return po_number_parse(optarg, value) && *value > 0.0
+             ? PO_OK
+             : po_options_refuse(name, optarg, "a finite number > 0");
+}
+
+/* Sets load and stiffness that are given in SI units. */
+static po_status take_units(po_solve_line *line) {
+  po_request *request = &line->request;
+  const bool given = !isnan(line->preload_n) || !isnan(line->stiffness_n_per_m);
+  if (!line->flags.from_physical)
+    return given ? po_fail(PO_BAD_INPUT, "--%s is in SI units: expected --from-physical",
+                           isnan(line->preload_n) ? "stiffness-n-per-m" : "preload-load-n")
+                 : PO_OK;
+  if (!isnan(request->preload.load))
+    return po_fail(PO_BAD_INPUT, "--preload-load is dimensionless: expected --preload-m or "
+                                 "--preload-load-n with --from-physical");
+  if (!isnan(request->stiffness))
+    return po_fail(PO_BAD_INPUT, "--stiffness is dimensionless: expected --stiffness-n-per-m with "
+                                 "--from-physical");
+  const po_units *units = &line->flags.units;
+  request->preload.load = line->preload_n / units->force;
+  request->stiffness = line->stiffness_n_per_m / (units->force / units->length);
+  return PO_OK;
 }
 
 po_status po_solve_line_take(void *to, int option) {
@@ -57,6 +87,10 @@ po_status po_solve_line_take(void *to, int option) {
     return po_plot_take_file(optarg, &line->plot);
   case PO_LINE_RUN:
     return po_options_take_text("run", "the name of a folder", &line->run);
+  case PO_LINE_PRELOAD_LOAD_N:
+    return take_si("preload-load-n", &line->preload_n);
+  case PO_LINE_STIFFNESS_N_PER_M:
+    return take_si("stiffness-n-per-m", &line->stiffness_n_per_m);
   case PO_LINE_THEORY:
     return po_options_take_text("theory", "the name of a theory", &line->theory);
   case PO_LINE_JSON:
@@ -121,9 +155,9 @@ po_status po_solve_line_end(po_solve_line *line) {
   request->approach_start = length[PO_LENGTH_APPROACH_START];
   request->approach_end = length[PO_LENGTH_APPROACH_END];
   request->profile_approach = length[PO_LENGTH_PROFILE_APPROACH];
-  if (line->flags.from_physical && !isnan(request->preload.load))
-    return po_fail(PO_BAD_INPUT, "--preload-load is dimensionless: expected --preload-m with "
-                                 "--from-physical");
+  status = take_units(line);
+  if (status)
+    return status;
   request->preload.approach = length[PO_LENGTH_PRELOAD];
   if (!isnan(request->stiffness))
     request->want |= PO_WANT_HYSTERESIS;

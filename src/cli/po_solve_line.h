@@ -16,6 +16,8 @@ enum {
   PO_LINE_PLOT,
   PO_LINE_RUN,
   PO_LINE_THEORY,
+  PO_LINE_PRELOAD_LOAD_N,
+  PO_LINE_STIFFNESS_N_PER_M,
   PO_LINE_JSON
 };
 
@@ -23,6 +25,8 @@ enum {
 #define PO_SOLVE_LINE_OPTIONS                                                                      \
   {"want", required_argument, NULL, PO_LINE_WANT},                                                 \
       PO_LENGTH_OPTIONS("profile-approach", PO_LENGTH_PROFILE_APPROACH),                           \
+      {"preload-load-n", required_argument, NULL, PO_LINE_PRELOAD_LOAD_N},                         \
+      {"stiffness-n-per-m", required_argument, NULL, PO_LINE_STIFFNESS_N_PER_M},                   \
       {"curve", required_argument, NULL, PO_LINE_CURVE},                                           \
       {"profile-csv", required_argument, NULL, PO_LINE_PROFILE},                                   \
       {"staircase", required_argument, NULL, PO_LINE_STAIRCASE},                                   \
@@ -37,6 +41,7 @@ typedef struct {
   bool given[PO_KEY_END];                  /* which keys beside those of `flags` were given */
   const char *curve, *profile, *staircase; /* files; NULL: none */
   const char *plot, *run;                  /* figure, and folder of records; NULL: none */
+  double preload_n, stiffness_n_per_m;     /* with --from-physical; NAN: not given */
   const char *theory;                      /* the one to be compared; NULL: all */
   bool json;
 } po_solve_line;

@@ -77,7 +77,8 @@ static po_status guduru(const po_request *r, double *force) {
   if (isinf(preload.approach))
     return jkr(r, force);
   po_hysteresis loops;
-  const po_status status = po_jkr_hysteresis_within(&r->scene, preload, (double)NAN, MOST_POINTS, &loops);
+  const po_status status =
+      po_jkr_hysteresis_within(&r->scene, preload, (double)NAN, MOST_POINTS, &loops);
   *force = status ? NAN : fmax(0.0, -loops.displacement.pull_off.load);
   po_hysteresis_clear(&loops);
   return status;

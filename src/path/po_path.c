@@ -188,22 +188,27 @@ po_path_state po_stable_apart(po_control control, double held) {
       .approach = far ? -INFINITY : held, .load = far ? held : 0.0, .position = (double)NAN};
 }
 
-/* Returned: the potential whose decrease a jump dissipates: U and the energy of the spring, under
- * load control U - W approach. After complete separation it is 0 at load 0, and under load control
- * NAN under tension, where it decreases without bound. */
-static double stable_potential(po_control control, const po_path_state *s) {
+/* Returned: the decrease of the potential in a jump: of U and the energy of the spring, under load
+ * control of U - W approach. After complete separation U is 0; under load control it is NAN under
+ * tension, where the potential decreases without bound. */
+static double energy_lost(po_control control, const po_path_state *before,
+                          const po_path_state *after) {
   if (control != PO_LOAD_CONTROL)
-    return s->energy + 0.5 * s->load * s->load / control;
-  if (isinf(s->approach))
-    return s->load == 0.0 ? 0.0 : (double)NAN;
-  return s->energy - s->load * s->approach;
+    return before->energy - after->energy +
+           0.5 * (before->load - after->load) * (before->load + after->load) / control;
+  if ((isinf(before->approach) || isinf(after->approach)) && before->load != 0.0)
+    return (double)NAN;
+  const double first =
+      isinf(before->approach) ? 0.0 : before->energy - before->load * before->approach;
+  const double last = isinf(after->approach) ? 0.0 : after->energy - after->load * after->approach;
+  return first - last;
 }
 
 po_loss po_loss_of_jump(po_control control, const po_path_state *before, const po_path_state *after,
                         po_path_doubt doubt) {
   const double moved =
       control == PO_LOAD_CONTROL ? before->approach - after->approach : before->load - after->load;
-  return (po_loss){.energy = stable_potential(control, before) - stable_potential(control, after),
+  return (po_loss){.energy = energy_lost(control, before, after),
                    .moved = isfinite(moved) ? fabs(moved)
                                             : 0.0, /* separation is at a load that is exact */
                    .size = 1.0 + fabs(before->load) + fabs(after->load),

@@ -6,9 +6,10 @@
 
 #include "po_result_rows.h"
 
-static const char *const TYPES[] = {"number", "count", "integer", "flag",  "text",   "word",
-                                    "status", "label", "labels",  "part",  "inline", "list"};
-static const char *const UNITS[PO_DIMENSION_COUNT] = {"", "", "s", "ε", "", "πwR", "πwRε", "w/(με)"};
+static const char *const TYPES[] = {"number", "count", "integer", "flag", "text",   "word",
+                                    "status", "label", "labels",  "part", "inline", "list"};
+static const char *const UNITS[PO_DIMENSION_COUNT] = {"",    "",     "s",     "ε",     "",
+                                                      "πwR", "πwRε", "πwR/ε", "w/(με)"};
 
 enum { MOST_BLOCKS = 64 };
 static const po_block *seen[MOST_BLOCKS];
@@ -23,8 +24,8 @@ static void print_rows(const char *name, const po_block *block) {
       print_rows(name, row->block);
     if (row->type == PO_ROW_INLINE || row->hidden)
       continue;
-    printf("%s\t%s\t%s\t%s\t%s\t%s\t%d\t", name, row->key, TYPES[row->type],
-           UNITS[row->dimension], row->error, row->null, row->omitted);
+    printf("%s\t%s\t%s\t%s\t%s\t%s\t%d\t", name, row->key, TYPES[row->type], UNITS[row->dimension],
+           row->error, row->null, row->omitted);
     for (const char *const *word = row->names; word && *word; ++word)
       printf("%s%s", word == row->names ? "" : " ", *word);
     printf("%s%s\t%s\n", row->block ? row->block->name : "", row->take ? " status" : "", row->says);

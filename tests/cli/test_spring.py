@@ -1,0 +1,110 @@
+"""Loading and unloading through a spring: its limits, where it jumps, what it loses, and its units."""
+
+import math
+import random
+
+import pytest
+from conftest import document, expect
+
+SCENES = ["--tabor 2", "--tabor 0.3", "--tabor 0", "--tabor 3 --amplitude 1 --wavelength 20",
+          "--profile cone:0.3 --coupling 0.4 --law morse:2"]
+
+
+def loops(words, *more):
+    return document(f"solve {words} --want hysteresis,curve", *more)["hysteresis"]
+
+
+def base(state, stiffness):
+    return state["approach"] + state["load"] / stiffness
+
+
+def jumps(loop):
+    """Those that are seen: near a flat extremum the rounding of the trace makes jumps of some 1e-6."""
+    return [jump for jump in loop["jumps"]
+            if None in (jump["before"]["approach"], jump["after"]["approach"])
+            or abs(jump["before"]["approach"] - jump["after"]["approach"]) > 1e-2]
+
+
+def same(ours, theirs, tolerance):
+    return math.isclose(ours, theirs, rel_tol=tolerance, abs_tol=tolerance)
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_a_stiff_spring_gives_the_approach(scene):
+    found = loops(f"{scene} --stiffness 1e9")
+    spring, held = found["spring"], found["displacement_control"]
+    assert spring["stiffness"] == 1e9
+    assert len(spring["jumps"]) == len(held["jumps"])
+    assert same(spring["energy_lost"], held["energy_lost"], 1e-6)
+    for ours, theirs in zip(spring["jumps"], held["jumps"]):
+        for end in ("before", "after"):
+            assert same(ours[end]["load"], theirs[end]["load"], 1e-4)
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_a_soft_spring_gives_the_load(scene):
+    found = loops(f"{scene} --stiffness 1e-6")
+    spring, loaded = found["spring"], found["load_control"]
+    assert len(jumps(spring)) == len(jumps(loaded))
+    for ours, theirs in zip(jumps(spring), jumps(loaded)):
+        for end in ("before", "after"):
+            if theirs[end]["approach"] is not None:
+                assert same(ours[end]["approach"], theirs[end]["approach"], 1e-3)
+    # the last jump drops W^2/(2 k) and what the separation of the surfaces costs
+    last = spring["jumps"][-1]
+    assert same(last["energy_lost"], last["before"]["load"]**2 / 2e-6 + last["before"]["energy"], 1e-6)
+
+
+@pytest.mark.parametrize("scene", SCENES)
+@pytest.mark.parametrize("stiffness", [0.02, 0.3])
+def test_the_base_turns_where_the_spring_jumps(scene, stiffness):
+    """The points of the curve, from the same document, show where the position of the base has an extremum."""
+    whole = document(f"solve {scene} --want hysteresis,curve --stiffness {stiffness}")
+    curve, spring = whole["curve"], whole["hysteresis"]["spring"]
+    assert spring["jumps"]
+    for jump in spring["jumps"]:
+        assert same(base(jump["before"], stiffness), base(jump["after"], stiffness), 1e-8)
+        near = [point for point in curve if abs(point["position"] - jump["before"]["position"]) < 0.5]
+        bases = [base(point, stiffness) for point in near]
+        here = base(jump["before"], stiffness)
+        # between two points the curve may rise above both by a thousandth of what it rises around them
+        slack = 1e-3 * (max(bases) - min(bases)) + 1e-9
+        assert here >= max(bases) - slack if jump["phase"] == "loading" else here <= min(bases) + slack
+
+
+def test_stated_errors_hold_and_the_energy_balance_closes():
+    """The work done by the base in a cycle is the sum of what the jumps lose; random stiffnesses."""
+    numbers = random.Random(7)
+    for _ in range(8):
+        scene = f"--tabor {10**numbers.uniform(-1, 0.7):.4g} --stiffness {10**numbers.uniform(-4, 1):.4g}"
+        if numbers.random() < 0.5:
+            scene += f" --amplitude {10**numbers.uniform(-1, 0.3):.3g} --wavelength {numbers.uniform(8, 40):.3g}"
+        loose, tight = (loops(f"{scene} --tolerance {tolerance}")["spring"] for tolerance in ("1e-4", "1e-8"))
+        assert len(loose["jumps"]) == len(tight["jumps"]), scene
+        for ours, theirs in [(loose, tight), *zip(loose["jumps"], tight["jumps"])]:
+            bound = ours["energy_lost_error_estimate"] + theirs["energy_lost_error_estimate"]
+            assert theirs["energy_lost"] >= 0, scene
+            assert abs(ours["energy_lost"] - theirs["energy_lost"]) <= bound + 1e-12, scene
+        assert abs(tight["work"] - tight["energy_lost"]) <= 1e-6 * (1 + tight["energy_lost"]), scene
+
+
+def test_units():
+    tip = ("solve --from-physical --modulus-pa 5e9 --work-j-per-m2 0.08 --distance-m 3e-10 --radius-m 3e-8 --amplitude-m 4e-10 "
+           "--wavelength-m 6e-9")
+    found = document(f"{tip} --preload-load-n 2e-9 --stiffness-n-per-m 2")
+    force, length = math.pi * 0.08 * 3e-8, 3e-10
+    assert same(found["input"]["preload_load"], 2e-9 / force, 1e-14)
+    assert same(found["hysteresis"]["spring"]["stiffness"], 2 * length / force, 1e-14)
+    assert same(found["hysteresis"]["spring"]["preload"]["load"], 2e-9 / force, 1e-9)
+    expect(2, "*--preload-load is dimensionless*", f"{tip} --preload-load 1")
+    expect(2, "*--stiffness is dimensionless*", f"{tip} --stiffness 1")
+    expect(2, "*--stiffness-n-per-m is in SI units*", "solve --tabor 1 --stiffness-n-per-m 1")
+    expect(2, "*--preload-load-n is in SI units*", "solve --tabor 1 --preload-load-n 1")
+    # a profile without a radius has another unit of load
+    unit = loops("--profile cone:0.3 --coupling 2 --stiffness 0.5")
+    assert same(unit["spring"]["stiffness"], 0.5, 1e-15)
+
+
+@pytest.mark.parametrize("value", ["0", "-1", "inf", "nan", "1e400", "soft"])
+def test_refused(value):
+    expect(2, f"*--stiffness is {value}: expected a finite number > 0", f"solve --tabor 1 --stiffness {value}")
