@@ -101,8 +101,8 @@ void pulloff_scene_destroy(pulloff_scene *scene);
  * and "a finite number > 0, or inf". They are the options of `pulloff solve` with _ for -, and
  * dimensionless groups such as amplitude_ratio, each of which sets another key when the scene is
  * solved. Two more are of this library: `want`, the additional results, any of curve, profile,
- * hysteresis, diagnostics, preload and theories with commas between; and `profile_approach`, the approach of
- * the profile in epsilon. Returned: NULL if there is no key of this number. */
+ * hysteresis, diagnostics, preload and theories with commas between; and `profile_approach`, the
+ * approach of the profile in epsilon. Returned: NULL if there is no key of this number. */
 size_t pulloff_key_count(void);
 const char *pulloff_key_name(size_t number);
 const char *pulloff_key_expected(size_t number);

@@ -8,7 +8,8 @@
  * they are wanted, and the contact annuli at the profile. */
 extern const po_block PO_ALL_ROWS, PO_RESULT_ROWS, PO_WANTED_ROWS, PO_CONTACT_ROWS;
 
-/* Of the items of its lists; of the pull-off, a block of po_result; of a step of a staircase; and of a theory. */
+/* Of the items of its lists; of the pull-off, a block of po_result; of a step of a staircase; and
+ * of a theory. */
 extern const po_block PO_CURVE_ROWS, PO_PROFILE_ROWS, PO_SPECIAL_POINT_ROWS, PO_PULL_OFF_ROWS,
     PO_STEP_ROWS, PO_THEORIES_ROWS;
 

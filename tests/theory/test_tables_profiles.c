@@ -385,7 +385,8 @@ START_TEST(maugis_tends_to_jkr) {
       for (int k = 0; k < 2; ++k) {
         po_maugis got;
         const double tension = k ? 400.0 : 200.0;
-        ck_assert_msg(po_maugis_pull_off(&s, tension, given, false, &got) == PO_OK, "%s", po_message());
+        ck_assert_msg(po_maugis_pull_off(&s, tension, given, false, &got) == PO_OK, "%s",
+                      po_message());
         far[k] = given == PO_GIVEN_LOAD ? got.contact.load - jkr.load
                                         : got.contact.approach - jkr.approach;
       }
