@@ -6,7 +6,6 @@ from markupsafe import Markup
 
 from .. import gnuplot, svg
 from ..words import count, plain
-from .doubling import middles
 from .figure import Figure, failures
 
 TITLE = "Deviation of the theories, smooth sphere"
@@ -27,6 +26,13 @@ COLOURS = (("#0072B2", "#66AAD1", "#CCE3F0"), ("#009E73", "#66C5AB", "#CCECE3"),
 RULE = (("rigid", "μ", "tabor", 0.2, "at most"), ("pietrement-troyon", "A†", "amplitude", 0.1, "at most"),
         ("guduru", "μ", "tabor", 1.5, "at least"))
 NEAR = 0.05
+
+
+def middles(values):
+    """Edges of the cells around the values, half way between neighbours on a logarithmic scale."""
+    logs = [math.log(value) for value in values]
+    inner = [(a + b) / 2 for a, b in zip(logs, logs[1:])]
+    return [2 * logs[0] - inner[0]] + inner + [2 * logs[-1] - inner[-1]]
 
 
 def deviations(point):
