@@ -20,7 +20,7 @@ import steps
 import table
 
 ORDER = ("fold energy", "extremum energy", "curve energy", "loop energy", "lost in a jump", "lost in a loop", "work")
-STARTS = 8           # places of a segment where the nearest one is looked for
+STARTS = 8           # parts of a segment in which the nearest place is looked for
 CANDIDATES = 3       # segments of a curve on which it is looked for
 MISS = 1e-8          # least distance of a curve from its cubics that the program asks for
 GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
@@ -63,8 +63,18 @@ class Segment:
         return math.hypot(approach - point["approach"], load - point["load"])
 
     def start(self, point):
-        """(distance, place) of the nearest of some places."""
-        return min((self.distance(point, k / STARTS), k / STARTS) for k in range(STARTS + 1))
+        """(distance, place) of the nearest of some chords, which a steep segment leaves by far less than their length."""
+        places = [self.at(k / STARTS) for k in range(STARTS + 1)]
+        return min(self.chord(k, point, *places[k:k + 2]) for k in range(STARTS))
+
+    @staticmethod
+    def chord(k, point, begin, end):
+        along = [b - a for a, b in zip(begin, end)]
+        square = sum(d * d for d in along)
+        offset = (point["approach"] - begin[0]) * along[0] + (point["load"] - begin[1]) * along[1]
+        t = min(1.0, max(0.0, offset / square)) if square else 0.0
+        distance = math.hypot(begin[0] + t * along[0] - point["approach"], begin[1] + t * along[1] - point["load"])
+        return distance, (k + t) / STARTS
 
     def nearest(self, point):
         """The distance of a state, and where on the segment."""

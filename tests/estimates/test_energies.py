@@ -53,6 +53,15 @@ class Energies(unittest.TestCase):
         off, _ = energies.energy_off(dict(flat, position=0.2, approach=0.2), tight)
         self.assertLess(off, 1e-12)
 
+    def test_a_steep_segment_is_found_beside_another_part(self):
+        """The load falls by 40 on one segment; another part of the branch passes within a unit of it."""
+        steep = {"energy": 0.0, "contact_radius": 1.0, "approach_rate": 1.0, "load_rate": -100.0}
+        tight = [dict(steep, position=0.4 * k, approach=0.4 * k, load=-40.0 * k, energy=-8.0 * k) for k in range(2)]
+        tight += [dict(steep, position=0.41 + 0.1 * k, approach=0.9, load=-13.0 + k, energy=5.0, approach_rate=0.0, load_rate=10.0)
+                  for k in range(3)]
+        state = dict(steep, position=0.125, approach=0.125, load=-12.5, energy=-50.0 * 0.125**2)
+        self.assertLess(energies.energy_off(state, tight)[0], 1e-9)
+
     def test_violations_are_those_beyond_both_errors(self):
         task = energies.Task("made up", {})
         task.add("curve energy", "", 1e-6, 1.5e-6, 1e-6)

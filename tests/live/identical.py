@@ -29,6 +29,8 @@ def request_of(words):
     if words[0] == "theory":
         request["theory"] = words[1]
     options = [word for word in words[2 if words[0] == "theory" else 1:] if word != "--from-physical"]
+    if words[0] == "compare":  # as solve with the theories
+        options += ["--want", "theories"]
     for name, value in zip(options[::2], options[1::2]):
         name = name.removeprefix("--").replace("-", "_")
         if name == "wave":
