@@ -33,6 +33,8 @@ static pid_t start(int *to, int *from) {
       close(in[k]);
       close(out[k]);
     }
+    /* In the locale C gnuplot warns of the characters of its own tables. */
+    setenv("LC_ALL", "C.UTF-8", 1);
     execlp("gnuplot", "gnuplot", "-", (char *)NULL);
     _exit(127);
   }

@@ -4,6 +4,8 @@
 . "$(dirname "$0")/lib.sh"
 root=$(cd "$here/../.." && pwd)
 export PULLOFF_DATA="$root"
+# The locale in which gnuplot warns of characters, unless the program gives it another.
+export LC_ALL=C
 
 expect 0 '' plot --tabor 1
 check 'the legend' grep -q '^\* stable, \. unstable, o fold, X pull-off, | jump$' stdout
