@@ -231,7 +231,8 @@ static void decide(const assumption *list, const double number[PO_ASSUMPTION_COU
   row->holds = PO_HOLDS_YES;
   for (int k = 0; k < MOST_ASSUMPTIONS && list[k].of; ++k) {
     const po_holds found = holds(&list[k], number[list[k].of]);
-    if (found < row->holds && row->holds != PO_HOLDS_NO) {
+    if (row->holds == PO_HOLDS_YES ? found != PO_HOLDS_YES
+                                   : row->holds == PO_HOLDS_UNKNOWN && found == PO_HOLDS_NO) {
       row->holds = found;
       decides = &list[k];
     }

@@ -281,6 +281,22 @@ END_TEST
 /* The corner of a truncated sphere does not move with the contact edge: 147 points; moved, it
  * limits the steps, and the trace takes 551. The mesh ends a panel at the corner, but not on a cut
  * surface. The case `general` compares such scenes with the independent solver. */
+/* The part of the contact radius without a groove at pull-off, beside the annuli of the profile. */
+START_TEST(disc_without_a_groove) {
+  po_request request = request_of(4.0, 3.0, 10.0, 100.0);
+  request.mesh.scheme = PO_PANEL;
+  request.mesh.tolerance = 1e-4;
+  request.want = PO_WANT_PROFILE;
+  po_result o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  const size_t last = o.annuli.held_count - 1;
+  ck_assert_uint_gt(last, 0);
+  ck_assert_double_eq_tol(o.pull_off.full_disc, o.annuli.held[0].outer / o.annuli.held[last].outer,
+                          1e-9);
+  po_result_clear(&o);
+}
+END_TEST
+
 START_TEST(corner_of_a_profile_does_not_limit_the_steps) {
   po_request request = po_request_default();
   request.scene.radius = 1.0;
@@ -306,6 +322,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, small_tabor_goes_to_the_rigid_limit);
   tcase_add_test(tests, unbounded_and_bounded_surfaces_differ_by_the_tail);
   tcase_add_test(tests, a_profile_does_not_move_the_preload);
+  tcase_add_test(tests, disc_without_a_groove);
   tcase_add_loop_test(tests, corner_of_a_profile_does_not_limit_the_steps, 0, 2);
   tcase_add_test(tests, cleared_result_is_empty);
   tcase_add_test(tests, bad_requests_are_refused);
