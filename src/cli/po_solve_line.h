@@ -21,12 +21,20 @@ enum {
   PO_LINE_JSON
 };
 
+/* The options of the preload and the range of the trace in SI units, and their help. */
+#define PO_SOLVE_LINE_SI_OPTIONS                                                                   \
+  {"preload-load-n", required_argument, NULL, PO_LINE_PRELOAD_LOAD_N}, {                           \
+    "stiffness-n-per-m", required_argument, NULL, PO_LINE_STIFFNESS_N_PER_M                        \
+  }
+#define PO_SOLVE_LINE_SI_HELP                                                                      \
+  "  --preload-load-n F      with --from-physical, in place of --preload-load: the load in N\n"    \
+  "  --stiffness-n-per-m K   with --from-physical, in place of --stiffness: the stiffness in "     \
+  "N/m\n"
+
 /* Rows of the options of solve and plot beside those of keys, and the end of the table. */
 #define PO_SOLVE_LINE_OPTIONS                                                                      \
   {"want", required_argument, NULL, PO_LINE_WANT},                                                 \
-      PO_LENGTH_OPTIONS("profile-approach", PO_LENGTH_PROFILE_APPROACH),                           \
-      {"preload-load-n", required_argument, NULL, PO_LINE_PRELOAD_LOAD_N},                         \
-      {"stiffness-n-per-m", required_argument, NULL, PO_LINE_STIFFNESS_N_PER_M},                   \
+      PO_LENGTH_OPTIONS("profile-approach", PO_LENGTH_PROFILE_APPROACH), PO_SOLVE_LINE_SI_OPTIONS, \
       {"curve", required_argument, NULL, PO_LINE_CURVE},                                           \
       {"profile-csv", required_argument, NULL, PO_LINE_PROFILE},                                   \
       {"staircase", required_argument, NULL, PO_LINE_STAIRCASE},                                   \

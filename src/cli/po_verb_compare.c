@@ -22,8 +22,7 @@ static const char HELP[] =
     "@scene\n"
     "\n"
     "Preload and range of the trace:\n"
-    "@trace\n"
-    "\n"
+    "@trace\n" PO_SOLVE_LINE_SI_HELP "\n"
     "Discretisation:\n"
     "@mesh\n";
 
@@ -43,6 +42,7 @@ static const char MORE_HELP[] =
     "             --distance-m 3e-10 --radius-m 3e-8\n";
 
 static const struct option OPTIONS[] = {{"theory", required_argument, NULL, PO_LINE_THEORY},
+                                        PO_SOLVE_LINE_SI_OPTIONS,
                                         {"json", no_argument, NULL, PO_LINE_JSON},
                                         {"help", no_argument, NULL, PO_OPTION_HELP},
                                         {NULL, 0, NULL, 0}};

@@ -21,7 +21,7 @@ static const char HELP[] =
     "@scene\n"
     "\n"
     "Preload and range of the trace:\n"
-    "@trace\n"
+    "@trace\n" PO_SOLVE_LINE_SI_HELP
     "Without --preload, --preload-load, --approach-end and --want, the trace continues beyond the\n"
     "preload to find out whether a harder preload gives a greater pull-off force. It stops when\n"
     "this is certain, or after as much work as it took to reach the preload and some tenths of a\n"
@@ -44,9 +44,6 @@ static const char MORE_HELP[] =
     "                                         compare\n"
     "  --profile-approach D    approach at which the profile is taken, in epsilon (default: that\n"
     "                          of the pull-off)\n"
-    "  --preload-load-n F      with --from-physical: load up to which the bodies are loaded, in N\n"
-    "  --stiffness-n-per-m K   with --from-physical: stiffness of a spring through which the body is\n"
-    "                          moved, in N/m\n"
     "  --curve FILE            write the points of the branch to FILE, as dimensionless CSV; for\n"
     "                          this and the other files, - is standard output, and the result is\n"
     "                          printed on standard error\n"

@@ -155,7 +155,7 @@ static const po_row LOOPS[] = {
   PART("displacement_control", displacement, LOOP_ROWS, "loading and unloading at given approach"),
   PART("load_control", load, LOOP_ROWS, "the same at given load"),
   {.key = "spring", .type = PO_ROW_PART, .offset = offsetof(S, spring), .present = AT(bool, has_spring),
-   .block = &SPRING_ROWS, .omitted = true, TEXTS("", "without a stiffness",
+   .block = &SPRING_ROWS, .omitted = true, TEXTS("", "absent without a stiffness",
            "the same through a spring, whose other end, the base, is moved: it is at approach + load/stiffness")},
 };
 static const po_block LOOPS_ROWS = BLOCK("loops", LOOPS, settle_loops);

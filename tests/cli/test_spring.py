@@ -38,6 +38,7 @@ def test_a_stiff_spring_gives_the_approach(scene):
     assert same(spring["energy_lost"], held["energy_lost"], 1e-6)
     for ours, theirs in zip(spring["jumps"], held["jumps"]):
         for end in ("before", "after"):
+            # the base moves by W/1e9, and near a fold the load goes as the root of that, 3e-5
             assert same(ours[end]["load"], theirs[end]["load"], 1e-4)
 
 
@@ -49,6 +50,7 @@ def test_a_soft_spring_gives_the_load(scene):
     for ours, theirs in zip(jumps(spring), jumps(loaded)):
         for end in ("before", "after"):
             if theirs[end]["approach"] is not None:
+                # the load changes by 1e-6 for a unit of approach, and near its minimum the approach goes as the root
                 assert same(ours[end]["approach"], theirs[end]["approach"], 1e-3)
     # the last jump drops W^2/(2 k) and what the separation of the surfaces costs
     last = spring["jumps"][-1]
