@@ -24,8 +24,9 @@ static const double RIGID_START = 10.0, RIGID_START_GROWTH = 1.5, RIGID_START_LO
 /* If unloading leads to a smaller approach than that at which the trace began, the trace is
  * repeated from this multiple of it. */
 static const double START_GROWTH = 1.5;
-/* Where the trace begins at the farthest for a soft spring, eps. A sphere under Lennard-Jones forces
- * is attracted by 2e-10 pi w R there; what other laws and profiles leave is in the stated error. */
+/* Where the trace begins at the farthest for a soft spring, eps. A sphere under Lennard-Jones
+ * forces is attracted by 2e-10 pi w R there; what other laws and profiles leave is in the stated
+ * error. */
 static const double FARTHEST = -1e5;
 
 static po_continuation_options options_of(const po_request *request, double begin,

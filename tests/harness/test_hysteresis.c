@@ -48,6 +48,47 @@ START_TEST(jkr_in_closed_form) {
 }
 END_TEST
 
+/* The position of the base of a spring at a contact radius of the JKR sphere. */
+static double base_of(const po_scene *scene, double stiffness, double a) {
+  const po_contact at = po_jkr_profile_at(scene, a);
+  return at.approach + at.load / stiffness;
+}
+
+/* The JKR sphere through a spring: it jumps in at first touch, where the base is at 0, and out
+ * where the position of the base is least, which is found here by halving an interval about it. */
+START_TEST(spring_in_closed_form) {
+  static const double STIFFNESS[] = {0.03, 0.3, 3.0, 300.0};
+  const double stiffness = STIFFNESS[_i], tiny = 1e-4;
+  po_scene scene = {2.385, 0.0, 0.0, 83.0, INFINITY};
+  po_hysteresis h;
+  ck_assert_int_eq(po_jkr_hysteresis(&scene, PRESSED, stiffness, &h), PO_OK);
+  ck_assert(h.has_spring);
+  const po_loop *s = &h.spring;
+  ck_assert_uint_eq(s->jump_count, 2);
+  ck_assert_double_eq_tol(s->jumps[0].before.approach, 0.0, 1e-12);
+  ck_assert_double_eq_tol(base_of(&scene, stiffness, s->jumps[0].after.contact_radius), 0.0, 1e-2);
+  double low = 1.0, high = s->preload.contact_radius;
+  while (high - low > 1e-9) {
+    const double a = 0.5 * (low + high);
+    if (base_of(&scene, stiffness, a + tiny) > base_of(&scene, stiffness, a - tiny))
+      high = a;
+    else
+      low = a;
+  }
+  const po_path_state *out = &s->jumps[1].before;
+  const po_contact at = po_jkr_profile_at(&scene, low);
+  ck_assert_double_eq_tol(out->approach + out->load / stiffness, base_of(&scene, stiffness, low),
+                          1e-8 * (1.0 + 1.0 / stiffness));
+  ck_assert_double_eq_tol(out->load, at.load, 1e-4);
+  /* at the end of the jump the bodies are apart, and the base has not moved */
+  ck_assert_double_eq_tol(s->jumps[1].after.load, 0.0, 1e-15);
+  ck_assert_double_eq_tol(s->jumps[1].energy_lost,
+                          out->energy + 0.5 * out->load * out->load / stiffness, 1e-9);
+  ck_assert_double_eq_tol(s->work, s->energy_lost, 1e-6 * s->work);
+  po_hysteresis_clear(&h);
+}
+END_TEST
+
 /* The cone t r by JKR: at approach a it is g = (pi/2) t a. It jumps in at first touch to the radius
  * of approach 0, parts at given approach where g' = sqrt(pi c/(2a)), and pulls off at given load
  * under 54 c/(pi^2 t^3). */
@@ -290,6 +331,7 @@ START_TEST(a_preload_beyond_the_trace_is_refused) {
 END_TEST
 
 static void add(TCase *tests) {
+  tcase_add_loop_test(tests, spring_in_closed_form, 0, 4);
   tcase_add_loop_test(tests, jkr_in_closed_form, 0, 2);
   tcase_add_test(tests, cone_in_closed_form);
   tcase_add_test(tests, truncated_sphere_parts_from_its_corner);
