@@ -7,6 +7,7 @@
 #include "po_json_value.h"
 #include "po_memory.h"
 #include "po_quote.h"
+#include "po_si.h"
 
 /* The list of which a structure is an item. */
 typedef struct {
@@ -184,42 +185,19 @@ po_status po_json_into(const json_t *object, const po_block *block, void *owner)
   return status;
 }
 
-/* The value of a number in SI units, and the end of its key. */
-static double in_si(const po_row *row, double value, const po_units *u, const char **end) {
-  static const char *const ENDS[PO_DIMENSION_COUNT] = {[PO_DIMENSION_NONE] = "",
-                                                       [PO_DIMENSION_TIME] = "",
-                                                       [PO_DIMENSION_LENGTH] = "_m",
-                                                       [PO_DIMENSION_GAP] = "_m",
-                                                       [PO_DIMENSION_LOAD] = "_n",
-                                                       [PO_DIMENSION_ENERGY] = "_j",
-                                                       [PO_DIMENSION_STIFFNESS] = "_n_per_m",
-                                                       [PO_DIMENSION_TRACTION] = "_pa"};
-  const double unit[PO_DIMENSION_COUNT] = {[PO_DIMENSION_NONE] = 1,
-                                           [PO_DIMENSION_TIME] = 1,
-                                           [PO_DIMENSION_LENGTH] = u->length,
-                                           [PO_DIMENSION_GAP] = u->length,
-                                           [PO_DIMENSION_LOAD] = u->force,
-                                           [PO_DIMENSION_ENERGY] = u->force * u->length,
-                                           [PO_DIMENSION_STIFFNESS] = u->force / u->length,
-                                           [PO_DIMENSION_TRACTION] = u->traction};
-  *end = ENDS[row->dimension];
-  return (row->dimension == PO_DIMENSION_GAP ? 1 + value : value) * unit[row->dimension];
-}
-
 json_t *po_json_si(const po_block *block, const void *owner, const po_units *units,
                    const char *const *keys) {
   json_t *object = po_json_empty_object();
   for (; *keys; ++keys) {
     const po_row *row = po_block_find(block, NULL, *keys).row;
     char key[64];
-    const char *end = "";
     if (row->type != PO_ROW_NUMBER) {
       po_json_set(&object, row->key, value_of(row, owner, (place){NULL, 0}));
       continue;
     }
-    const double value = in_si(row, po_row_number(row, owner), units, &end);
-    snprintf(key, sizeof key, "%s%s", row->key, end);
-    po_json_set(&object, key, po_json_number(value));
+    const po_si_unit unit = po_si_unit_of(units, row->dimension);
+    snprintf(key, sizeof key, "%s%s%s", row->key, *unit.name ? "_" : "", unit.name);
+    po_json_set(&object, key, po_json_number(po_si_value(&unit, po_row_number(row, owner))));
   }
   return object;
 }

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "po_physical.h"
+#include "po_si.h"
 #include "run.h"
 
 /* modulus, work, distance, radius, amplitude, wavelength, outer radius */
@@ -118,7 +118,65 @@ START_TEST(refusals_name_the_bad_value) {
 }
 END_TEST
 
+/* R, w, E*, epsilon, and the units that a person who has this scene would write, by hand: a tip (pi
+ * w R = 7.5 nN, w/epsilon = 267 MPa, mu = 0.19), a lens on gelatin (3.1 mN, 100 MPa, mu = 2.2e4, so
+ * that epsilon mu = 22 um), and a number of which no prefix is left. */
+static const struct {
+  double modulus, work, distance, radius;
+  const char *text[PO_DIMENSION_COUNT], *name;
+  double load, length;
+} PREFIXED[] = {
+    {5e9,
+     0.08,
+     3e-10,
+     3e-8,
+     {"", "", "", "nm", "nm", "nN", "aJ", "N/m", "MPa"},
+     "N_per_m",
+     7.5398223686155035,
+     0.3},
+    {1e5,
+     0.1,
+     1e-9,
+     1e-2,
+     {"", "", "", "µm", "µm", "mN", "nJ", "N/m", "MPa"},
+     "N_per_m",
+     3.1415926535897931,
+     1e-3},
+    {INFINITY,
+     1e-30,
+     1e-30,
+     1e-10,
+     {"", "", "", "ym", "ym", "yN", "yJ", "pN/m", "Pa"},
+     "pN_per_m",
+     3.1415926535897931e-16,
+     1e-6},
+};
+
+START_TEST(units_have_the_prefix_of_the_scene) {
+  const po_physical p = {.modulus = PREFIXED[_i].modulus,
+                         .work = PREFIXED[_i].work,
+                         .distance = PREFIXED[_i].distance,
+                         .radius = PREFIXED[_i].radius,
+                         .outer_radius = INFINITY};
+  po_scene s;
+  ck_assert_int_eq(po_physical_scene(&p, &s), PO_OK);
+  const po_units u = po_physical_units(&p, &s);
+  for (int d = PO_DIMENSION_NONE; d < PO_DIMENSION_COUNT; ++d) {
+    const po_si_unit unit = po_si_prefixed(&u, (po_dimension)d);
+    ck_assert_str_eq(unit.text, PREFIXED[_i].text[d]);
+    ck_assert(d != PO_DIMENSION_STIFFNESS || strcmp(unit.name, PREFIXED[_i].name) == 0);
+  }
+  const po_si_unit load = po_si_prefixed(&u, PO_DIMENSION_LOAD);
+  const po_si_unit gap = po_si_prefixed(&u, PO_DIMENSION_GAP);
+  is_near(po_si_value(&load, -1.5), -1.5 * PREFIXED[_i].load);
+  is_near(po_si_value(&gap, 0.25), 1.25 * PREFIXED[_i].length); /* H = h/eps - 1 */
+  is_near(po_si_unit_of(&u, PO_DIMENSION_ENERGY).factor, u.force * u.length);
+}
+END_TEST
+
 static void add(TCase *tests) {
+  tcase_add_loop_test(tests, units_have_the_prefix_of_the_scene, 0,
+                      sizeof PREFIXED / sizeof *PREFIXED);
   tcase_add_loop_test(tests, groups_are_those_of_the_paper, 0, BODY_COUNT);
   tcase_add_loop_test(tests, conversion_and_back_gives_the_same_values, 0, BODY_COUNT);
   tcase_add_test(tests, units_are_those_of_the_paper);

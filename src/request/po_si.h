@@ -1,0 +1,30 @@
+/* Dimensionless numbers in SI units: the unit of each dimension, with a prefix that fits the scene.
+ */
+#ifndef PO_SI_H
+#define PO_SI_H
+
+#include "po_physical.h"
+#include "po_rows.h"
+
+/* The unit in which the numbers of a dimension are written. */
+typedef struct {
+  double factor; /* (number + shift) factor is the value in this unit */
+  double shift;  /* 1 for a gap, whose number is H = h/epsilon - 1; otherwise 0 */
+  char text[8];  /* for people, in UTF-8: "nm", "µN", "N/m"; "" for numbers without unit */
+  char name[12]; /* at the end of names of columns: "nm", "uN", "N_per_m"; "" for such numbers */
+} po_si_unit;
+
+/* The unit without a prefix; its name is in lower case, as in the keys of options, case files and
+ * documents: "n_per_m". The factor of the traction of a rigid scene is INFINITY. */
+po_si_unit po_si_unit_of(const po_units *units, po_dimension dimension);
+
+/* The unit with the prefix for tables, figures and the terminal. It depends on the scene alone, so
+ * that all numbers of a dimension, in all tables of a scene, have the same one: the size of
+ * pi w R, of epsilon max(1, mu), or of what follows from them, lies between 1 and 1000, that of
+ * lengths between 0.1 and 100, because contact radii are greater. */
+po_si_unit po_si_prefixed(const po_units *units, po_dimension dimension);
+
+/* Returned: the value of a dimensionless number in a unit. */
+double po_si_value(const po_si_unit *unit, double number);
+
+#endif
