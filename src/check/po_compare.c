@@ -152,7 +152,7 @@ static void explain_no_reverse_trace(po_check_result *item, const po_result *res
 
 /* Writes the reason into the note if nothing was compared. */
 static void explain_no_comparison(po_check_result *item, const po_reference *reference,
-                                  const po_result *result) {
+                                  const po_request *request, const po_result *result) {
   const size_t size = sizeof item->note;
   if (item->verdict == PO_NO_RESULT && result->status)
     snprintf(item->note, size, "%.190s", result->reason);
@@ -163,8 +163,14 @@ static void explain_no_comparison(po_check_result *item, const po_reference *ref
   else if (item->verdict == PO_MISSING_REFERENCE && reference->type == PO_REFERENCE_PINS)
     snprintf(item->note, size, "%s %.150s",
              po_pins_exist(reference) ? "not pinned in" : "there is no file", reference->shown);
-  else if (item->verdict == PO_MISSING_REFERENCE)
-    snprintf(item->note, size, "the reference does not contain this scene");
+  else if (item->verdict == PO_MISSING_REFERENCE) {
+    po_text nearest = {0};
+    const bool found =
+        reference->type == PO_REFERENCE_TABLE && po_reference_nearest(reference, request, &nearest);
+    snprintf(item->note, size, "the reference does not contain this scene%s%.150s",
+             found ? "; " : "", po_text_string(&nearest));
+    po_text_clear(&nearest);
+  }
 }
 
 /* Compares each counter of work with its pin. */
@@ -360,6 +366,7 @@ po_status po_compare(const po_case *kase, size_t point, const po_check *check,
       !po_check_concerns(check, &kase->points[point].request))
     return PO_OK;
   const size_t before = check_results->count;
+  const po_request request = po_check_request(check, &kase->points[point].request);
   po_status status = PO_OK;
   if (is_single(check->quantity, reference))
     status = compare_single(kase, point, check, reference, result, check_results);
@@ -375,7 +382,7 @@ po_status po_compare(const po_case *kase, size_t point, const po_check *check,
     status = compare_special_points(kase, point, check, reference, result, check_results);
   for (size_t i = before; i < check_results->count; ++i) {
     check_results->items[i].ledger = reference->ledger;
-    explain_no_comparison(&check_results->items[i], reference, result);
+    explain_no_comparison(&check_results->items[i], reference, &request, result);
   }
   return status;
 }

@@ -176,6 +176,57 @@ bool po_reference_row_is_of(const po_reference *reference, size_t row, const po_
          po_reference_headers_hold(reference, request);
 }
 
+/* Adds by how much a cell or a header that is a key of the scene differs from a scene, 1 to 2, and
+ * names it in `words` if that is not NULL. */
+static void add_difference(const po_csv *table, const po_request *request, const char *name,
+                           const char *text, double *difference, po_text *words) {
+  const int key = po_key_of_name(name);
+  if (key < 0 || cell_holds(table, request, (po_key)key, text))
+    return;
+  const double own = po_key_number(request, (po_key)key);
+  double there = 0;
+  const bool is_number = po_key_is_number((po_key)key) && po_number_parse(text, &there) &&
+                         isfinite(own) && own != there;
+  *difference += 1 + (is_number ? fabs(own - there) / (fabs(own) + fabs(there)) : 1);
+  char asked[PO_KEY_TEXT_LENGTH];
+  po_key_print(request, (po_key)key, asked);
+  if (words)
+    po_text_add(words, "%s %s %s instead of %s", *difference > 2 ? "," : "", name, text, asked);
+}
+
+static double difference_of(const po_csv *table, size_t row, const po_request *request,
+                            po_text *words) {
+  double difference = 0;
+  for (size_t c = 0; c < table->column_count; ++c)
+    add_difference(table, request, table->columns[c], po_csv_cell(table, row, c), &difference,
+                   words);
+  for (size_t i = 0; i < table->header_count; ++i)
+    add_difference(table, request, table->headers[i].key, table->headers[i].value, &difference,
+                   words);
+  return difference;
+}
+
+bool po_reference_nearest(const po_reference *reference, const po_request *request,
+                          po_text *words) {
+  const po_csv *table = &reference->table;
+  size_t nearest = 0;
+  double least = (double)INFINITY;
+  for (size_t row = 0; row < table->row_count; ++row) {
+    const double difference = difference_of(table, row, request, NULL);
+    if (difference < least) {
+      nearest = row;
+      least = difference;
+    }
+  }
+  if (!table->row_count)
+    return false;
+  po_text_add(words, "nearest is line %zu:", table->lines[nearest]);
+  difference_of(table, nearest, request, words);
+  if (least == 0)
+    po_text_add(words, " the table names no law, profile or waves");
+  return true;
+}
+
 po_status po_reference_cell(const po_reference *reference, size_t row, const char *name,
                             po_reference_number *number) {
   char uncertainty[64];

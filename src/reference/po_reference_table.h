@@ -9,6 +9,7 @@
 #include "po_request.h"
 #include "po_result.h"
 #include "po_status.h"
+#include "po_text.h"
 
 typedef enum { PO_LEDGER_ORACLE, PO_LEDGER_PUBLISHED, PO_LEDGER_PIN } po_ledger;
 
@@ -57,6 +58,10 @@ bool po_reference_headers_hold(const po_reference *reference, const po_request *
 /* Reports whether a row belongs to a scene: all columns and headers that are keys of the scene have
  * its values. */
 bool po_reference_row_is_of(const po_reference *reference, size_t row, const po_request *request);
+
+/* Says which row is nearest to a scene that the table does not contain, and by what they differ:
+ * "nearest is line 7: tabor 0.5 instead of 0.51". Returned: false for a table without rows. */
+bool po_reference_nearest(const po_reference *reference, const po_request *request, po_text *words);
 
 /* Reads a number of a row with its uncertainty. The uncertainty is in the column NAME_uncertainty,
  * else in the column or the header `uncertainty`. Status: PO_CANNOT_READ (the column is missing or

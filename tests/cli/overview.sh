@@ -46,7 +46,7 @@ line 3 'good pull_off_force, radius=200: outside, 5 times the tolerance (referen
 line 4 '    pulloff explain good --point 1'
 write_table "$PULLOFF_DATA/reference/table.csv" radius,force,approach 100,2.000000003,0 200,2.000000005,0
 expect 1 '*' verify
-line 3 'good pull_off_force, radius=300: missing_reference (reference/table.csv): the reference does not contain this scene; 3 results of this check do not pass, this is the worst'
+line 3 'good pull_off_force, radius=300: missing_reference (reference/table.csv): the reference does not contain this scene; nearest is line 13: radius 200 instead of 300; 3 results of this check do not pass, this is the worst'
 
 # Solves that failed: the first, and its command.
 restore
