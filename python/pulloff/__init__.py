@@ -57,6 +57,9 @@ def version():
     return C.pulloff_version().decode()
 
 
+__version__ = version()
+
+
 def keys():
     """The keys of a scene: {name: the values that it accepts, in words}."""
     return {C.pulloff_key_name(k).decode(): C.pulloff_key_expected(k).decode() for k in range(C.pulloff_key_count())}

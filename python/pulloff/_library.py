@@ -3,6 +3,8 @@
 import ctypes
 import os
 import pathlib
+import shutil
+import subprocess
 
 NAME = "libpulloff.so.0"
 
@@ -71,15 +73,23 @@ FUNCTIONS = {
 
 def candidates():
     """The files that may be the library, in order: that of PULLOFF_LIBRARY; below the prefix in which this module is
-    installed; what the dynamic linker finds."""
+    installed, and that of the program pulloff in PATH; what the dynamic linker finds; what pkg-config names."""
     chosen = os.environ.get("PULLOFF_LIBRARY")
     if chosen:
-        return [chosen]
-    above = pathlib.Path(__file__).resolve().parents
-    # lib, lib/TRIPLE or, where meson does not find dpkg-architecture, lib64 beside lib
-    found = [path for folder in above for pattern in ("lib*/" + NAME, "lib*/*/" + NAME) if folder.name.startswith("lib")
-             for path in sorted(folder.parent.glob(pattern))]
-    return [str(path) for path in found] + [NAME]
+        yield chosen
+        return
+    prefixes = [folder.parent for folder in pathlib.Path(__file__).resolve().parents if folder.name.startswith("lib")]
+    program = shutil.which("pulloff")
+    if program:
+        prefixes.append(pathlib.Path(program).resolve().parents[1])
+    for prefix in prefixes:  # lib, lib/TRIPLE or, where meson does not find dpkg-architecture, lib64 beside lib
+        for pattern in ("lib*/" + NAME, "lib*/*/" + NAME):
+            yield from map(str, sorted(prefix.glob(pattern)))
+    yield NAME
+    if shutil.which("pkg-config"):
+        said = subprocess.run(["pkg-config", "--variable=libdir", "pulloff"], capture_output=True, text=True)
+        if said.stdout.strip():
+            yield os.path.join(said.stdout.strip(), NAME)
 
 
 def load():

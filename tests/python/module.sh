@@ -14,7 +14,7 @@ check 'its numbers' grep -q '^pull-off force 2.651192. +- ' tour.txt
 check 'its figure is drawn' alone PYTHONPATH="$module" $python -B "$example" tour.svg
 check 'its figure' test -s tour.svg
 check 'the library is that of the installation' alone PYTHONPATH="$module" $python -B -c \
-  'import pulloff._library as l, sys; sys.exit(not l.candidates()[0].startswith(sys.argv[1]))' "$work/prefix"
+  'import pulloff._library as l, sys; sys.exit(not next(l.candidates()).startswith(sys.argv[1]))' "$work/prefix"
 # On a system without dpkg-architecture meson installs libraries in lib64.
 mkdir -p other/lib/python3/dist-packages other/lib64
 cp -r "$module/pulloff" other/lib/python3/dist-packages/
@@ -24,7 +24,15 @@ if $python -c 'import setuptools, wheel, pip' 2>/dev/null; then
   cp -r "$source/python" package
   check 'pip installs the folder' $python -m pip install --quiet --no-build-isolation --no-deps --no-index --target site ./package
   folder=$(dirname "$(find "$work/prefix" -name libpulloff.so)")
-  check 'the example with the module of pip' alone PYTHONPATH="$work/site" LD_LIBRARY_PATH="$folder" $python -W error -B "$example"
+  # In a virtual environment the module finds the library of the program in PATH, or that which pkg-config names.
+  $python -m venv --without-pip --system-site-packages env
+  cp -r site/pulloff env/lib/python3*/site-packages/
+  check 'the example in a virtual environment' alone env/bin/python -W error -B "$example"
+  check 'the version of module and program' alone env/bin/python -B -c \
+    'import pulloff, subprocess, sys; sys.exit("pulloff " + pulloff.__version__ != subprocess.getoutput("pulloff --version"))'
+  check 'without the program in PATH' fails alone PATH=/usr/bin:/bin env/bin/python -B -c 'import pulloff'
+  sed -i "s,^libdir=.*,libdir=$folder," "$folder/pkgconfig/pulloff.pc"
+  check 'with pkg-config' alone PATH=/usr/bin:/bin PKG_CONFIG_PATH="$folder/pkgconfig" env/bin/python -B -c 'import pulloff'
   check 'without a library' fails alone PYTHONPATH="$work/site" PULLOFF_LIBRARY=/nowhere $python -B -c 'import pulloff'
   alone PYTHONPATH="$work/site" PULLOFF_LIBRARY=/nowhere $python -B -c 'import pulloff' >said.txt 2>&1
   check 'says what to do' grep -q 'ImportError: the C library of pulloff cannot be loaded .* set PULLOFF_LIBRARY' said.txt
