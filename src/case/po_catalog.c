@@ -7,6 +7,7 @@
 #include "po_file.h"
 #include "po_memory.h"
 #include "po_quote.h"
+#include "po_suggest.h"
 #include "po_text.h"
 
 /* The ending of the name of a case file. */
@@ -119,6 +120,8 @@ static po_status refuse_name(const po_catalog *all, const char *name) {
     po_text_add(&known, "%s%s", i ? ", " : "", all->cases[i]->file->name);
   const po_status status = po_fail(PO_BAD_INPUT, "no case is named %s: expected one of %s", name,
                                    po_text_string(&known));
+  if (!known.failed)
+    po_suggest(status, name, po_text_string(&known));
   po_text_clear(&known);
   return status;
 }
@@ -189,6 +192,8 @@ static po_status refuse_suite(const po_catalog *all, const char *name, size_t le
   const po_status status =
       po_fail(PO_BAD_INPUT, "no case belongs to the suite %s: expected one of %s",
               po_quote(given, shown), po_text_string(&known));
+  if (!known.failed)
+    po_suggest(status, given, po_text_string(&known));
   po_text_clear(&known);
   free(names);
   return status;

@@ -6,6 +6,7 @@
 #include "po_print_theories.h"
 #include "po_quote.h"
 #include "po_solve_line.h"
+#include "po_suggest.h"
 #include "po_verbs.h"
 
 static const char HELP[] =
@@ -97,8 +98,9 @@ int po_verb_compare(int argc, char **argv) {
   char shown[PO_QUOTE_LENGTH];
   status = po_options_no_operands(&options);
   if (!status && line.theory && !po_theory_find(line.theory, &theory))
-    status = po_fail(PO_BAD_INPUT, "no theory is named %s: expected one of %s",
-                     po_quote(line.theory, shown), PO_THEORY_NAMES);
+    status = po_suggest(po_fail(PO_BAD_INPUT, "no theory is named %s: expected one of %s",
+                                po_quote(line.theory, shown), PO_THEORY_NAMES),
+                        line.theory, PO_THEORY_NAMES);
   if (!status)
     status = po_solve_line_end(&line);
   return status ? po_options_end(status) : compare(&line, line.theory ? &theory : NULL);

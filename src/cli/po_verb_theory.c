@@ -7,7 +7,6 @@
 #include "po_json_digest.h"
 #include "po_print.h"
 #include "po_print_physical.h"
-#include "po_quote.h"
 #include "po_scene_flags.h"
 #include "po_use.h"
 #include "po_verbs.h"
@@ -19,6 +18,7 @@ static const char HELP[] =
     "  rigid               pull-off of a rigid wavy sphere (Eqs 21, 22), or of any rigid\n"
     "                      profile, waves and law\n"
     "  jkr                 JKR theory of a smooth sphere (Eqs 7, 8), or of any profile and waves\n"
+    "  dmt                 DMT theory of a smooth sphere\n"
     "  maugis              Maugis-Dugdale theory of any profile and waves\n"
     "  guduru              JKR theory of a wavy sphere (Eq 5)\n"
     "  kesari-lew          envelope of Eq 5 (Eq 24)\n"
@@ -136,8 +136,9 @@ static po_status check_use(const po_theory_line *l, const po_form *form) {
 }
 
 /* Whether profile, waves or law are given: the forms of any profile apply. */
-static bool is_general(const po_theory_line *l) {
-  return l->flags.profile || l->flags.profile_file || l->flags.waves > 0 || l->has_law;
+static bool is_general(const po_theory_line *l, const po_form *form) {
+  return l->flags.profile || l->flags.profile_file || l->flags.waves > 0 || l->has_law ||
+         po_form_is_general(form, &l->scene);
 }
 
 static po_status check_elastic(const po_theory_line *l, const po_form *form) {
@@ -175,7 +176,7 @@ static po_status complete(po_theory_line *l, const po_form *form) {
   if (idle)
     return idle;
   l->scene.law = l->law;
-  if (is_general(l)) {
+  if (is_general(l, form)) {
     const po_status wrong = po_scene_check(&l->scene);
     return wrong ? wrong : check_elastic(l, form);
   }
@@ -272,7 +273,7 @@ static po_status print(const po_theory_line *l, const po_form *form) {
   const double variables[] = {(double)NAN, l->flags.length[PO_LENGTH_APPROACH],
                               l->flags.length[PO_LENGTH_CONTACT_RADIUS], l->gap};
   const po_form_input input = {l->scene, l->alpha, variables[form->variable], l->tension,
-                               is_general(l)};
+                               is_general(l, form)};
   po_form_values values = {.count = 0};
   const po_status status = po_form_evaluate(form, &input, &values);
   if (status)
@@ -299,14 +300,12 @@ int po_verb_theory(int argc, char **argv) {
   if (!po_options_read(&options, take_option, &line, &status))
     return po_options_end(status);
   const char *name = optind < argc ? argv[optind++] : "";
-  char shown[PO_QUOTE_LENGTH];
   const po_form *form = po_form_find(name);
   if (!form && !*name)
     return po_options_end(po_fail(
         PO_BAD_INPUT, "theory needs the name of a closed form: expected %s", PO_FORM_NAMES));
   if (!form)
-    return po_options_end(po_fail(PO_BAD_INPUT, "no closed form is named %s: expected %s",
-                                  po_quote(name, shown), PO_FORM_NAMES));
+    return po_options_end(po_form_refuse(name));
   status = po_options_no_operands(&options);
   if (!status)
     status = complete(&line, form);

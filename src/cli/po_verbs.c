@@ -6,6 +6,7 @@
 #include "po_options.h"
 #include "po_quadrature.h"
 #include "po_quote.h"
+#include "po_suggest.h"
 
 static const struct {
   const char *name;
@@ -69,6 +70,7 @@ int po_verbs_run(int argc, char **argv) {
     if (strcmp(argv[1], VERBS[i].name) == 0)
       return VERBS[i].run(argc - 1, argv + 1);
   char shown[PO_QUOTE_LENGTH];
-  po_fail(PO_BAD_INPUT, "unknown verb %s: expected " VERB_NAMES, po_quote(argv[1], shown));
-  return po_options_end(PO_BAD_INPUT);
+  const po_status status =
+      po_fail(PO_BAD_INPUT, "unknown verb %s: expected " VERB_NAMES, po_quote(argv[1], shown));
+  return po_options_end(po_suggest(status, argv[1], VERB_NAMES));
 }

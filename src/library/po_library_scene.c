@@ -9,6 +9,8 @@
 #include "po_memory.h"
 #include "po_physical.h"
 #include "po_quote.h"
+#include "po_suggest.h"
+#include "po_text.h"
 
 /* The keys that are not in the table of src/keys. */
 enum { WANT = PO_KEY_END, PROFILE_APPROACH, KEY_COUNT };
@@ -85,8 +87,14 @@ static int find_key(const char *name) {
   for (size_t k = 0; k < KEY_COUNT; ++k)
     if (strcmp(pulloff_key_name(k), name) == 0)
       return (int)k;
+  po_text known = {0};
+  for (size_t k = 0; k < KEY_COUNT; ++k)
+    po_text_add(&known, "%s ", pulloff_key_name(k));
   po_fail(PO_BAD_INPUT, "unknown key %s of a scene: expected one that pulloff_key_name names",
           po_quote(name, shown));
+  if (!known.failed)
+    po_suggest(PO_BAD_INPUT, name, po_text_string(&known));
+  po_text_clear(&known);
   return -1;
 }
 
@@ -95,8 +103,10 @@ static po_status refuse(int key, const char *value) {
   char shown[PO_QUOTE_LENGTH];
   if (*po_message())
     return key == PO_KEY_PROFILE_FILE ? PO_CANNOT_READ : PO_BAD_INPUT;
-  return po_fail(PO_BAD_INPUT, "%s is %s: expected %s", pulloff_key_name((size_t)key),
-                 po_quote(value, shown), pulloff_key_expected((size_t)key));
+  const char *expected = pulloff_key_expected((size_t)key);
+  return po_suggest(po_fail(PO_BAD_INPUT, "%s is %s: expected %s", pulloff_key_name((size_t)key),
+                            po_quote(value, shown), expected),
+                    value, expected);
 }
 
 /* Sets a key that the table does not have; NULL: to its default. */

@@ -188,18 +188,17 @@ static po_status check_form(const po_form *form, const pulloff_scene *scene,
 
 static po_status evaluate(const char *name, const pulloff_scene *scene, double alpha, double at,
                           pulloff_result **result) {
-  char shown[PO_QUOTE_LENGTH];
   const po_form *form = po_form_find(name);
   if (!form)
-    return po_fail(PO_BAD_INPUT, "no closed form is named %s: expected %s", po_quote(name, shown),
-                   PO_FORM_NAMES);
+    return po_form_refuse(name);
   po_request request;
   po_status status = po_library_request(scene, -1, NULL, &request);
   if (status)
     return status;
   po_form_input input = {request.scene, alpha, at};
   input.general = scene->text[PO_KEY_LAW] || scene->text[PO_KEY_PROFILE] ||
-                  scene->text[PO_KEY_PROFILE_FILE] || scene->text[PO_KEY_WAVES];
+                  scene->text[PO_KEY_PROFILE_FILE] || scene->text[PO_KEY_WAVES] ||
+                  po_form_is_general(form, &request.scene);
   if (isnan(alpha) && (scene->text[PO_KEY_AMPLITUDE] || po_scene_is_wavy(&request.scene)))
     input.alpha = po_scene_alpha(&request.scene);
   status = check_use(form, scene, &request.scene, alpha);

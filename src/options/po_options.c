@@ -4,9 +4,22 @@
 #include <string.h>
 
 #include "po_quote.h"
+#include "po_suggest.h"
 #include "po_text.h"
 
 enum { DONE = -1, BAD = -2 };
+
+/* Refuses an option that a table does not have. */
+static void refuse(const po_options *options, const struct option *table, const char *given) {
+  po_text names = {0};
+  for (; table->name; ++table)
+    po_text_add(&names, "--%s ", table->name);
+  const po_status status = po_fail(PO_BAD_INPUT, "unknown option %s of %s (see pulloff %s --help)",
+                                   given, options->verb, options->verb);
+  if (!names.failed)
+    po_suggest(status, given, po_text_string(&names));
+  po_text_clear(&names);
+}
 
 /* The `val` of the next option; DONE if only operands are left; BAD, with the message of po_fail,
  * if the option is unknown or lacks its value. */
@@ -22,8 +35,7 @@ static int next(const po_options *options, const struct option *table) {
             options->verb, options->verb);
     return BAD;
   case '?':
-    po_fail(PO_BAD_INPUT, "unknown option %s of %s (see pulloff %s --help)", given, options->verb,
-            options->verb);
+    refuse(options, table, given);
     return BAD;
   case 'h':
     return PO_OPTION_HELP;
@@ -221,7 +233,9 @@ bool po_options_read(const po_options *options, po_option_taker *take, void *lin
 
 po_status po_options_refuse(const char *option, const char *value, const char *expected) {
   char shown[PO_QUOTE_LENGTH];
-  return po_fail(PO_BAD_INPUT, "--%s is %s: expected %s", option, po_quote(value, shown), expected);
+  return po_suggest(
+      po_fail(PO_BAD_INPUT, "--%s is %s: expected %s", option, po_quote(value, shown), expected),
+      value, expected);
 }
 
 po_status po_options_take_text(const char *option, const char *expected, const char **text) {

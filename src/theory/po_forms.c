@@ -7,6 +7,8 @@
 #include "po_estimates.h"
 #include "po_forms_profile.h"
 #include "po_guduru.h"
+#include "po_quote.h"
+#include "po_suggest.h"
 #include "po_wavy_rigid.h"
 
 static void put(po_form_values *values, po_form_unit unit, const char *name, double value) {
@@ -89,6 +91,14 @@ static void jkr_along(const po_form_input *in, po_form_values *v) {
   put_contact(v, HERE, po_jkr_at(&in->scene, in->at));
 }
 
+static void dmt(const po_form_input *in, po_form_values *v) {
+  put_pull_off_contact(v, po_dmt_at(&in->scene, 0.0));
+}
+
+static void dmt_along(const po_form_input *in, po_form_values *v) {
+  put_contact(v, HERE, po_dmt_at(&in->scene, in->at));
+}
+
 static void guduru(const po_form_input *in, po_form_values *v) {
   put_pull_off_contact(v, po_guduru_pull_off(&in->scene));
 }
@@ -152,8 +162,9 @@ static const po_form FORMS[] = {
     {"bradley", bradley, bradley_along, PO_FORM_AT_APPROACH, 0, 0},
     {"rigid", rigid, rigid_along, PO_FORM_AT_APPROACH, PO_NEEDS_ALPHA | PO_NEEDS_AMPLITUDE,
      WAVES | PO_TAKES_ALPHA | PO_TAKES_PROFILE | PO_TAKES_LAW},
-    {"jkr", jkr, jkr_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_ELASTIC,
-     PO_TAKES_TABOR | PO_TAKES_RADIUS | PO_TAKES_PROFILE},
+    {"jkr", jkr, jkr_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_ELASTIC, ALL | PO_TAKES_PROFILE},
+    {"dmt", dmt, dmt_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_ELASTIC,
+     PO_TAKES_TABOR | PO_TAKES_RADIUS},
     {"maugis", po_form_maugis, po_form_maugis_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_ELASTIC,
      ALL | PO_TAKES_PROFILE | PO_TAKES_LAW | PO_TAKES_TENSION},
     {"guduru", guduru, guduru_along, PO_FORM_AT_CONTACT_RADIUS, PO_NEEDS_WAVES | PO_NEEDS_ELASTIC,
@@ -169,7 +180,7 @@ static const po_form FORMS[] = {
     {"lennard-jones", lennard_jones, lennard_jones_along, PO_FORM_AT_GAP, 0, 0}};
 
 const char *const PO_FORM_NAMES =
-    "bradley, rigid, jkr, maugis, guduru, kesari-lew, persson-tosatti, "
+    "bradley, rigid, jkr, dmt, maugis, guduru, kesari-lew, persson-tosatti, "
     "rumpf-rabinowicz, compactness, crest or lennard-jones";
 
 const po_form *po_form_find(const char *name) {
@@ -177,6 +188,18 @@ const po_form *po_form_find(const char *name) {
     if (strcmp(name, FORMS[i].name) == 0)
       return &FORMS[i];
   return NULL;
+}
+
+bool po_form_is_general(const po_form *form, const po_scene *scene) {
+  return form->takes & PO_TAKES_PROFILE && !(form->needs & PO_NEEDS_AMPLITUDE) &&
+         po_scene_is_wavy(scene);
+}
+
+po_status po_form_refuse(const char *name) {
+  char shown[PO_QUOTE_LENGTH];
+  return po_suggest(po_fail(PO_BAD_INPUT, "no closed form is named %s: expected %s",
+                            po_quote(name, shown), PO_FORM_NAMES),
+                    name, PO_FORM_NAMES);
 }
 
 unsigned po_form_takes(const po_form *form, bool alpha_is_given) {

@@ -14,6 +14,15 @@ po_contact po_jkr_at(const po_scene *scene, double contact_radius) {
                       .contact_radius = contact_radius};
 }
 
+po_contact po_dmt_at(const po_scene *scene, double contact_radius) {
+  if (!(scene->tabor > 0.0 && scene->radius > 0.0 && contact_radius >= 0.0))
+    return (po_contact){NAN, NAN, NAN};
+  const double a = contact_radius / po_scene_gamma(scene);
+  return (po_contact){.load = 4.0 / (3.0 * M_PI) * (a * a * a) - 2.0,
+                      .approach = scene->tabor * (a * a),
+                      .contact_radius = contact_radius};
+}
+
 /* dW/da = 0 at (a/Gamma)^3 = 9 pi/8; dDelta/da = 0 at (a/Gamma)^3 = pi/8. */
 po_contact po_jkr_pull_off(const po_scene *scene) {
   return po_jkr_at(scene, po_cbrt(9.0 * M_PI / 8.0) * po_scene_gamma(scene));

@@ -1,4 +1,5 @@
-/* The JKR theory of the smooth sphere: short-range adhesion (Johnson, Kendall, Roberts). */
+/* The theories of JKR and DMT of the smooth sphere: short-range adhesion (Johnson, Kendall and
+ * Roberts 1971), and attraction that does not deform (Derjaguin, Muller and Toporov 1975). */
 #ifndef PO_JKR_H
 #define PO_JKR_H
 
@@ -15,6 +16,9 @@ typedef struct {
  * contact_radius/eps >= 0. Returned: NaN in all members outside the domain. Accuracy: 4 ulp of the
  * larger term (tests/unit/test_theory.c). */
 po_contact po_jkr_at(const po_scene *scene, double contact_radius);
+
+/* The same of DMT: the contact of Hertz under the load, and 2 pi w R of attraction. */
+po_contact po_dmt_at(const po_scene *scene, double contact_radius);
 
 /* The pull-off under load control: the minimum of the load, -3/2, at approach -0.77341693157
  * tabor. */

@@ -7,6 +7,7 @@
 #include "po_memory.h"
 #include "po_order.h"
 #include "po_quote.h"
+#include "po_suggest.h"
 
 struct po_yaml {
   char *name;
@@ -236,6 +237,7 @@ po_status po_yaml_refuse(const po_yaml *yaml, const char *path, const char *expe
     return po_fail(PO_BAD_INPUT, "%s:%zu: %s is missing: expected %s", yaml->name, line, path,
                    expected);
   char shown[PO_QUOTE_LENGTH];
-  return po_fail(PO_BAD_INPUT, "%s:%zu: %s is %s: expected %s", yaml->name, line, path,
-                 po_quote(value, shown), expected);
+  return po_suggest(po_fail(PO_BAD_INPUT, "%s:%zu: %s is %s: expected %s", yaml->name, line, path,
+                            po_quote(value, shown), expected),
+                    value, expected);
 }

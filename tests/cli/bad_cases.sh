@@ -38,7 +38,7 @@ spoilt 's/nodes: 101/nodes: 3.5/' '10: scene.nodes is 3.5: expected a whole numb
 spoilt 's/nodes: 101/nodes: -5/' '10: scene.nodes is -5: expected a whole number > 0'
 spoilt 's/scheme: triangle/scheme: cube/' '9: scene.scheme is cube: expected ring, triangle or panel'
 spoilt 's/  radius: 100/  radios: 100/' \
-  '7: scene.radios is unknown: expected one of tabor, amplitude, wavelength, radius, *'
+  '7: scene.radios is unknown: expected one of tabor, amplitude, wavelength, radius, *; did you mean radius[?]'
 spoilt '/  radius/d' '4: scene.radius is missing: expected a finite number > 0, here, in the sweep or in the sample'
 spoilt 's/amplitude: 0/amplitude: 1/' \
   '4: scene.wavelength is missing: expected a finite number > 0, here, in the sweep or in the sample'

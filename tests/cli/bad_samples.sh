@@ -47,7 +47,7 @@ spoilt 's/seed: 17/seed: -1/' '8: sample.seed is -1: expected a whole number of 
 spoilt 's/count: 3/count: 0/' '9: sample.count is 0: expected a whole number from 1 to 100000'
 spoilt 's/count: 3/count: 100001/' \
   '9: sample.count is 100001: expected a whole number from 1 to 100000'
-spoilt 's/count: 3/counts: 3/' '9: sample.counts is unknown: expected one of seed, count, keys'
+spoilt 's/count: 3/counts: 3/' '9: sample.counts is unknown: expected one of seed, count, keys; did you mean count[?]'
 spoilt 's/^sample:/sample: 5\nsimple:/' '7: sample is 5: expected a mapping of seed, count, keys'
 spoilt 's/key: tabor/key: scheme/' \
   '11: sample.keys[[]1[]].key is scheme: expected a key of the scene whose value is a number*'

@@ -20,6 +20,7 @@ has '^tips +6 +0 +0'
 has '^wrong +repeats: 1 answers to a request of 2 repeats'
 has '^rigid:tips .*coverage 1/2 points, 2/6 checks'
 has 'rigid:tips pull_off_force, tabor=0.1: outside'
+check 'verdicts for continuous integration' test "$(grep -c '<testcase ' empty/verdicts.xml)" = 6
 check 'pins are beside the case' test -s empty/my/pins/tips.csv
 
 # A table of one's own: what other programs write, and what is wrong.

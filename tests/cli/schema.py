@@ -56,7 +56,7 @@ SOLVES = [
     (f"{SI} --profile power:5e6,2 --tolerance 1e-4", 0),
 ]
 THEORIES = [
-    "bradley --approach -0.5", f"rigid {WAVES} --approach -0.5", "jkr --tabor 3 --contact-radius 20",
+    "bradley --approach -0.5", f"rigid {WAVES} --approach -0.5", "jkr --tabor 3 --contact-radius 20", "dmt --tabor 3 --contact-radius 20",
     f"guduru --tabor 3 {WAVES} --contact-radius 20", f"kesari-lew --tabor 3 {WAVES} --contact-radius 20",
     f"persson-tosatti --tabor 3 {WAVES}", "rumpf-rabinowicz --alpha 1", f"compactness {WAVES}", f"crest {WAVES}",
     "lennard-jones --gap 0.2", "kesari-lew --tabor 3 --amplitude 0", "crest --amplitude 0",

@@ -1,5 +1,7 @@
 """pulloff theory: the closed forms by name, as JSON and as text; the message for missing or wrong options is one line."""
 
+import math
+
 import pytest
 from conftest import document, expect
 
@@ -15,6 +17,11 @@ def near(key, value, tolerance, words):
     ("pull_off_force", 1.992148, 1e-6, "rigid --alpha 1e-4 --amplitude 1"),
     ("pull_off_force", 1.5, 1e-14, "jkr --tabor 2.385"),
     ("last_load", -0.83333333333333, 1e-13, "jkr --tabor 2.385"),
+    ("pull_off_force", 2, 0, "dmt --tabor 2.385"),
+    ("load", 4 / 3 * 12.5**0.5 * 125 / (math.pi * 100**2) - 2, 1e-15, "dmt --tabor 2 --contact-radius 5"),  # 4 E* a^3/(3 R)
+    ("approach", 0.25, 1e-16, "dmt --tabor 2 --contact-radius 5"),
+    ("pull_off_force", 2.38264112209, 1e-11, "jkr --tabor 5 --amplitude 1 --wavelength 20"),  # as guduru
+    ("pull_off_least_gap", 0, 0, "jkr --tabor 5 --amplitude 1 --wavelength 20"),
     ("bound", 8.57604, 1e-6, "compactness --amplitude 1 --wavelength 20"),
     ("area_ratio", 1.0986960440, 1e-9, "persson-tosatti --amplitude 2 --wavelength 20"),
     ("area_ratio_printed", 1.0314159265, 1e-9, "persson-tosatti --amplitude 2 --wavelength 20"),
@@ -90,8 +97,8 @@ def test_forms_of_waves_alone(form):
 
 ELASTIC = "only --tabor, --coupling, --amplitude, --wavelength, --radius or --contact-radius"
 IDLE = (  # name, flags, expected, the other options
-    ("jkr", "--amplitude --wavelength --alpha --approach --gap",
-     "only --tabor, --coupling, --radius, --contact-radius, --profile, --profile-file or --wave", ""),
+    ("jkr", "--alpha --approach --gap", ELASTIC.replace(" or", ",") + ", --profile, --profile-file or --wave", ""),
+    ("dmt", "--amplitude --wavelength --alpha --approach --gap", "only --tabor, --coupling, --radius or --contact-radius", ""),
     ("lennard-jones", "--tabor --amplitude --wavelength --radius --alpha --approach --contact-radius", "only --gap", ""),
     ("bradley", "--tabor --amplitude --wavelength --radius --alpha --contact-radius --gap", "only --approach", ""),
     ("guduru", "--alpha --approach --gap", ELASTIC, "--amplitude 1 --wavelength 9"),

@@ -21,6 +21,13 @@ for verb in solve follow theory plot list plan run merge verify explain bless co
     "$verb" --frobnicate
 done
 
+# A word that is close to a known one: the message ends with the known one.
+for slip in 'slove;solve' 'solve --amplitud 3;--amplitude' 'solve --outer_radius 3;--outer-radius' 'solve --pre 3;--preload' \
+  'solve --want curve,histeresis;hysteresis' 'solve --law morze:2;morse' 'solve --scheme pannel;panel' 'theory jrk;jkr' \
+  'theory DMT;dmt' 'compare --theory mauguis;maugis' 'run fig4;fig04' 'run --suite papr;paper' 'follow --key tabr;tabor'; do
+  # shellcheck disable=SC2086
+  expect 2 "pulloff: *; did you mean ${slip#*;}[?]" ${slip%;*}
+done
 expect 2 'pulloff: --tabor is abc: expected a finite number >= 0' solve --tabor abc
 expect 2 'pulloff: --tabor is nan: expected a finite number >= 0' solve --tabor nan
 expect 2 'pulloff: --tabor is inf: expected a finite number >= 0' solve --tabor inf
