@@ -40,14 +40,17 @@ size_t po_utf8_present(const char *text, size_t *length) {
   return count;
 }
 
-size_t po_utf8_character(const char *text) {
+/* Returned: the length in bytes, 1 to 4, of the UTF-8 character at `text`; 0 if the bytes are not a
+ * character (a stray byte, an overlong form, a surrogate, above U+10FFFF). Source: the table of
+ * well-formed byte sequences of the Unicode Standard (Table 3-7). */
+static size_t utf8_character(const char *text) {
   size_t length = 0;
   return po_utf8_present(text, &length) == length ? length : 0;
 }
 
 bool po_utf8_is_valid(const char *text) {
   while (*text) {
-    const size_t length = po_utf8_character(text);
+    const size_t length = utf8_character(text);
     if (length == 0)
       return false;
     text += length;
@@ -57,7 +60,7 @@ bool po_utf8_is_valid(const char *text) {
 
 const char *po_quote_find(const char *text, size_t length) {
   for (size_t i = 0; i < length;) {
-    const size_t count = po_utf8_character(text + i);
+    const size_t count = utf8_character(text + i);
     const bool blank = text[i] == '\t' || text[i] == '\n' || text[i] == '\r';
     if (count == 0 || (is_control(text + i, count) && !blank))
       return text + i;
@@ -70,7 +73,7 @@ const char *po_quote_find(const char *text, size_t length) {
 static char *quote(const char *text, size_t length, char *shown, size_t size) {
   size_t used = 0;
   for (size_t i = 0; i < length;) {
-    const size_t found = po_utf8_character(text + i), count = found ? found : 1;
+    const size_t found = utf8_character(text + i), count = found ? found : 1;
     const bool hidden = found == 0 || is_control(text + i, count);
     if (used + (hidden ? 4 * count : count) + 1 > size)
       break;
@@ -94,7 +97,7 @@ char *po_quote(const char *value, char shown[PO_QUOTE_LENGTH]) {
     return strcpy(shown, "empty");
   size_t length = 0;
   while (value[length]) { /* up to the last character that ends within the limit */
-    const size_t found = po_utf8_character(value + length);
+    const size_t found = utf8_character(value + length);
     if (length + (found ? found : 1) > PO_QUOTE_BYTES)
       break;
     length += found ? found : 1;

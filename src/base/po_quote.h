@@ -22,11 +22,6 @@ enum { PO_QUOTE_BYTES = 80, PO_QUOTE_LENGTH = 4 * PO_QUOTE_BYTES + 1 };
 /* As po_quote_text, for a value in a message: its first 80 bytes; "empty" for an empty string. */
 char *po_quote(const char *value, char shown[PO_QUOTE_LENGTH]);
 
-/* Returned: the length in bytes, 1 to 4, of the UTF-8 character at `text`; 0 if the bytes are not a
- * character (a stray byte, an overlong form, a surrogate, above U+10FFFF). Source: the table of
- * well-formed byte sequences of the Unicode Standard (Table 3-7). */
-size_t po_utf8_character(const char *text);
-
 /* Returned: whether the complete text is valid UTF-8. */
 bool po_utf8_is_valid(const char *text);
 

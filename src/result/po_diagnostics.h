@@ -10,9 +10,6 @@
 
 typedef enum { PO_KEPT_START, PO_KEPT_FOLD, PO_KEPT_PULL_OFF, PO_KEPT_END } po_kept_kind;
 
-/* "start", "fold", "pull_off", "end". */
-const char *po_kept_name(po_kept_kind kind);
-
 /* Condition numbers are in the 1-norm. The Jacobian is scaled: equations and unknowns are relative
  * to 1 + H. */
 typedef struct {

@@ -7,10 +7,6 @@
 static const char *const KEPT[] = {[PO_KEPT_START] = "start", [PO_KEPT_FOLD] = "fold",
                                    [PO_KEPT_PULL_OFF] = "pull_off", [PO_KEPT_END] = "end", NULL};
 
-const char *po_kept_name(po_kept_kind kind) {
-  return KEPT[kind];
-}
-
 #define S po_diagnosed_state
 static const po_row STATE[] = {
   WORD("at", at, KEPT, "which state it is"),

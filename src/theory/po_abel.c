@@ -17,7 +17,8 @@ static const po_profile_table *table_of(const po_scene *scene) {
   return scene->profile.kind == &PO_TABLE ? scene->profile.table : NULL;
 }
 
-double po_abel_wallis(double n) {
+/* The integral of sin^(n - 1) from 0 to pi/2, n > 0: B(n/2, 1/2)/2. */
+static double wallis(double n) {
   static _Thread_local double of,
       value; /* the last one: a search asks for one thousands of times */
   if (n != of) {
@@ -27,9 +28,9 @@ double po_abel_wallis(double n) {
   return value;
 }
 
-/* C r^n: g = kappa C x^n, kappa = n times po_abel_wallis(n). */
+/* C r^n: g = kappa C x^n, kappa = n times wallis(n). */
 static po_abel of_power(double factor, double n, double x) {
-  const double slope = n * po_abel_wallis(n) * factor * po_pow(x, n - 1.0);
+  const double slope = n * wallis(n) * factor * po_pow(x, n - 1.0);
   return (po_abel){slope * x, n * slope, n / (n + 1.0) * slope * x * x};
 }
 

@@ -5,9 +5,6 @@
 #include "po_abel.h"
 #include "po_profile_table.h"
 
-/* The integral of sin^(n - 1) from 0 to pi/2, n > 0: B(n/2, 1/2)/2. */
-double po_abel_wallis(double n);
-
 /* The transform of a table, and the extrema over all radii up to x of (pi/2) (r f')', which bound
  * its rate. */
 po_abel po_abel_of_table(const po_profile_table *table, double x);
