@@ -160,7 +160,7 @@ po_status po_compare_steps(const po_case *kase, size_t point, const po_check *ch
                            const po_reference *reference, const po_result *result,
                            po_check_results *check_results) {
   const po_request request = po_check_request(check, &kase->points[point].request);
-  const po_staircase *ours = &result->staircase[check->quantity == PO_LOAD_STEPS];
+  const po_staircase *ours = &result->staircase.of[check->quantity == PO_LOAD_STEPS];
   const bool solved = result->status == PO_OK && result->has_staircases;
   const bool known = row_count_of(reference, &request) > 0;
   po_status status = PO_OK;

@@ -244,30 +244,32 @@ po_status po_jkr_path(const po_scene *scene, double end, po_path_point **point, 
   return status ? status : path_of(&curve, end, point, count);
 }
 
-/* Returned: whether some preload gives the lowest load of the curve. */
-static bool reaches_load(const po_staircase *staircase, double load) {
-  const po_step *step = po_staircase_greatest(staircase);
-  return step && step->pull_off.load <= load * (1.0 - SAME);
+/* Returned: whether in every staircase some preload gives the lowest load of the curve. */
+static bool reach_load(const po_staircases *staircases, double load) {
+  bool reached = true;
+  for (int k = 0; k < 2 + staircases->has_spring; ++k) {
+    const po_step *step = po_staircase_greatest(&staircases->of[k]);
+    reached = reached && step && step->pull_off.load <= load * (1.0 - SAME);
+  }
+  return reached;
 }
 
-po_status po_jkr_staircases(const po_scene *scene, po_staircase staircase[2]) {
+po_status po_jkr_staircases(const po_scene *scene, po_control spring, po_staircases *staircases) {
   po_path_point *point = NULL;
   po_path path = {NULL, 0};
-  staircase[0] = (po_staircase){.control = PO_DISPLACEMENT_CONTROL};
-  staircase[1] = (po_staircase){.control = PO_LOAD_CONTROL};
+  *staircases = (po_staircases){.has_spring = false};
   jkr_curve curve;
   po_contact least;
   po_status status = curve_of(scene, &curve, &least);
   double end = 2.0 * fmax(least.contact_radius, curve.size);
   for (int k = 0; k < MOST_LENGTHS && !status; ++k, end *= LONGER) {
-    po_staircase_clear(&staircase[0]);
-    po_staircase_clear(&staircase[1]);
+    po_staircases_clear(staircases);
     status = path_of(&curve, end, &point, &path.count);
     path.point = point;
-    for (int c = 0; c < 2 && !status; ++c)
-      status = po_staircase_read(&path, staircase[c].control, &staircase[c]);
+    if (!status)
+      status = po_staircases_read(&path, spring, staircases);
     free(point);
-    if (reaches_load(&staircase[0], least.load) && reaches_load(&staircase[1], least.load))
+    if (reach_load(staircases, least.load))
       break;
   }
   return status;

@@ -17,10 +17,10 @@
  * Accuracy: special points to rounding, energies to 1e-12. */
 po_status po_jkr_path(const po_scene *scene, double end, po_path_point **point, size_t *count);
 
-/* The staircases of the JKR curve under displacement control and under load control. The curve is
- * extended until some preload gives the lowest load of the whole curve in both. Returned:
- * staircase, to be cleared whatever the status. Status: as po_jkr_path. */
-po_status po_jkr_staircases(const po_scene *scene, po_staircase staircase[2]);
+/* The staircases of the JKR curve (see po_staircases_read). The curve is extended until some
+ * preload gives the lowest load of the whole curve in all. Returned: staircase, to be cleared
+ * whatever the status. Status: as po_jkr_path. */
+po_status po_jkr_staircases(const po_scene *scene, po_control spring, po_staircases *staircases);
 
 /* The loops of the JKR curve (see po_hysteresis_follow), which is extended until it contains them;
  * the outer radius of the scene is not used. Status: as po_jkr_path and po_hysteresis_follow. */

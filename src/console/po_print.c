@@ -173,15 +173,18 @@ static const char *finite_or(double value, const char *word, char text[32]) {
   return text;
 }
 
-static void print_staircase(const char *control, const po_staircase *s) {
-  printf("%s: pull-off force against preload\n%14s %14s %-9s %14s %16s %8s %16s %14s %8s\n",
-         control, "from approach", "load", "begins at", "until", "force", "error", "at approach",
+static void print_staircase(const char *theory, const char *control, const po_staircase *s) {
+  char held[64];
+  if (po_is_spring(s->control))
+    snprintf(held, sizeof held, "spring of stiffness %.6g", s->control);
+  printf("%s%s: pull-off force against preload\n%14s %14s %-9s %14s %16s %8s %16s %14s %8s\n",
+         theory, po_is_spring(s->control) ? held : control, "from approach", "load", "begins at",
+         po_is_spring(s->control) ? "until base" : "until", "force", "error", "at approach",
          "energy lost", "error");
-  const bool loads = s->control == PO_LOAD_CONTROL;
   for (size_t k = 0; k < s->count; ++k) {
     const po_step *step = &s->step[k];
     const po_cycle *cycle = &step->cycle[0];
-    const double end = loads ? step->until.load : step->until.approach;
+    const double end = po_held(s->control, step->until.approach, step->until.load);
     char from[32], until[32], error[16], lost[32], lost_error[16];
     printf("%14s %14.8g %-9s %14s %16.10g %8s %16.10g %14s %8s\n",
            finite_or(step->preload.approach, "contact", from), step->preload.load,
@@ -196,21 +199,18 @@ static void print_staircase(const char *control, const po_staircase *s) {
 /* The staircases of the solve, and those of the JKR theory if the scene has one: Eq 5 for the
  * scenes of the paper, the Abel transform of the profile for others. */
 static void print_staircases(const po_scene *scene, const po_result *o) {
-  static const char *const JKR[2][2] = {
-      {"JKR theory, displacement control", "JKR theory, load control"},
-      {"JKR theory (Eq 5), displacement control", "JKR theory (Eq 5), load control"}};
-  print_staircase("displacement control", &o->staircase[0]);
-  print_staircase("load control", &o->staircase[1]);
-  if (!o->theory.has_staircases)
-    return;
-  for (int control = 0; control < 2; ++control)
-    print_staircase(JKR[po_scene_is_of_paper(scene)][control], &o->theory.staircase[control]);
+  static const char *const CONTROL[] = {"displacement control", "load control", ""};
+  const char *jkr = po_scene_is_of_paper(scene) ? "JKR theory (Eq 5), " : "JKR theory, ";
+  for (int k = 0; k < 2 + o->staircase.has_spring; ++k)
+    print_staircase("", CONTROL[k], &o->staircase.of[k]);
+  for (int k = 0; o->theory.has_staircases && k < 2 + o->theory.staircase.has_spring; ++k)
+    print_staircase(jkr, CONTROL[k], &o->theory.staircase.of[k]);
 }
 
 /* One cycle of loading and unloading: where loading was reversed, the measured pull-off, and every
  * jump. */
 static void print_loop(const char *control, const po_loop *loop) {
-  const bool spring = loop->control != PO_LOAD_CONTROL && isfinite(loop->control);
+  const bool spring = po_is_spring(loop->control);
   char error[16];
   printf("%s: loading reversed at approach %.6g, load %.6g; measured pull-off force %.8g at "
          "approach %.8g",

@@ -129,16 +129,18 @@ po_status po_tables_write_profile(const char *path, const po_request *request,
 po_status po_tables_write_staircase(const char *path, const po_request *request,
                                     const po_result *result, char *digest) {
   po_text rows = {0};
-  const po_staircase *s = result->staircase;
+  const po_staircase *s = result->staircase.of;
   po_text_add(&rows, "control");
   add_names(&rows, ",", STEP, LENGTH(STEP));
   add_items(&rows, "displacement,", STEP, LENGTH(STEP), &PO_STEP_ROWS, s[0].step, s[0].count);
   add_items(&rows, "load,", STEP, LENGTH(STEP), &PO_STEP_ROWS, s[1].step, s[1].count);
+  add_items(&rows, "spring,", STEP, LENGTH(STEP), &PO_STEP_ROWS, s[2].step, s[2].count);
   return write_table(
       path, request,
       "pull-off force and dissipated energy as functions of the preload: each row is "
-      "a step, the range of greatest approaches (control displacement) or loads "
-      "(control load) with the same pull-off; open: the curve ends before the step",
+      "a step, the range of greatest approaches (control displacement), loads "
+      "(control load) or positions of the base approach + load/stiffness (control spring) "
+      "with the same pull-off; open: the curve ends before the step",
       "approaches in epsilon, -inf for separated bodies; loads and force in pi w R; "
       "energy in pi w R epsilon, nan: unbounded",
       &rows, digest);

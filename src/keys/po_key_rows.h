@@ -73,8 +73,8 @@
     HELP("load up to which the bodies are loaded, in pi w R; with --preload, loading ends at whichever is reached " \
          "first (default 1, unless a preload or the end of the trace is given as an approach)")) \
   X(STIFFNESS, "stiffness", POSITIVE, NUMBER, TRACE, PLACE(stiffness), CONSTANT, SOLVE, "K", \
-    HELP("stiffness of a spring through which the body is moved, in pi w R/epsilon: --want hysteresis then has the " \
-         "loop through the spring, too (default: none)")) \
+    HELP("stiffness of a spring through which the body is moved, in pi w R/epsilon: --want hysteresis and preload " \
+         "then have the loop and the staircase through the spring, too (default: none)")) \
   X(TIME_LIMIT, "time_limit", POSITIVE, NUMBER, TRACE, PLACE(time_limit), CONSTANT, SERIES, "S", \
     HELP("processor time after which a solve is stopped, in seconds (default: no limit)"))
 

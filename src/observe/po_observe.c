@@ -103,7 +103,7 @@ static po_status accompany(const po_request *request, po_result *result) {
     result->theory.has_hysteresis = !status;
   }
   if (theory && theory->staircases && result->has_staircases && !ends(status)) {
-    status = theory->staircases(&request->scene, result->theory.staircase);
+    status = theory->staircases(&request->scene, request->stiffness, &result->theory.staircase);
     result->theory.has_staircases = !status;
   }
   if (theory && theory->theories && request->want & PO_WANT_THEORIES && !ends(status))

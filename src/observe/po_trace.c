@@ -212,6 +212,8 @@ static void state_errors(const po_request *request, const po_result *o, const po
   for (size_t k = 0; k < s->count; ++k) {
     po_step *step = &s->step[k];
     step->preload_error = state_of_special_point(request, o, &step->preload);
+    if (po_is_spring(s->control) && !mark_at(o, step->preload.position))
+      step->preload_error = (po_path_error){NAN, NAN};
     step->pull_off_error = state_of_special_point(request, o, &step->pull_off);
     state_of_special_point(request, o, &step->until);
     for (size_t c = 0; c < step->cycle_count; ++c) {
@@ -289,15 +291,14 @@ static bool is_complete(const po_request *request, const po_path *path, const po
 static po_status read_pressed(const po_request *request, const po_path *path,
                               const po_estimate *greatest, const po_stopping *stopping,
                               po_result *o) {
-  po_staircase *s = &o->staircase[0];
-  po_status status = po_staircase_read(path, PO_DISPLACEMENT_CONTROL, s);
-  if (!status)
-    status = po_staircase_read(path, PO_LOAD_CONTROL, &o->staircase[1]);
+  const po_staircase *s = &o->staircase.of[0];
+  o->has_staircases = request->want & PO_WANT_PRELOAD;
+  const po_status status =
+      po_staircases_read(path, o->has_staircases ? request->stiffness : (double)NAN, &o->staircase);
   if (status)
     return status;
-  o->has_staircases = request->want & PO_WANT_PRELOAD;
-  state_errors(request, o, greatest, s);
-  state_errors(request, o, greatest, &o->staircase[1]);
+  for (size_t k = 0; k < sizeof o->staircase.of / sizeof *o->staircase.of; ++k)
+    state_errors(request, o, greatest, &o->staircase.of[k]);
   read_pull_off(s, pull_off_position(o), o);
   read_any(s, o);
   o->pull_off_any.complete = o->pull_off_any.is_known && is_complete(request, path, stopping, o);
@@ -328,24 +329,28 @@ static double least_approach(const po_path *path, double stiffness) {
                                                          : least;
 }
 
-/* Computes loading and unloading along the traced branch. If unloading leads to a smaller approach
- * than the trace began with, only a->begin is set, and the trace must be repeated. */
-static po_status read_hysteresis(const po_reader *reader, po_attempt *a) {
+/* Whether unloading leads to a smaller approach than the trace began with. Then a->begin is set,
+ * and the trace must be repeated. */
+static bool begins_late(const po_request *request, const po_path *path, po_attempt *a) {
+  const unsigned paths = PO_WANT_HYSTERESIS | (isnan(request->stiffness) ? 0 : PO_WANT_PRELOAD);
+  const double least = least_approach(path, request->stiffness);
+  if (!(request->want & paths) || path->count == 0 || least >= path->point[0].approach)
+    return false;
+  a->begin = START_GROWTH * least;
+  return true;
+}
+
+/* Computes loading and unloading along the traced branch. */
+static po_status read_hysteresis(const po_reader *reader, const po_path *path) {
   po_result *o = reader->result;
-  const po_path path = {reader->points.path, reader->points.path_count};
-  const double least = least_approach(&path, reader->request->stiffness);
-  if (path.count > 0 && least < path.point[0].approach) {
-    a->begin = START_GROWTH * least;
-    return PO_OK;
-  }
-  const po_status status = po_hysteresis_follow(&path, po_request_preload(reader->request),
+  const po_status status = po_hysteresis_follow(path, po_request_preload(reader->request),
                                                 reader->request->stiffness, &o->hysteresis);
   o->has_hysteresis = !status;
   if (!status) {
-    read_loop(reader, &path, &o->hysteresis.displacement);
-    read_loop(reader, &path, &o->hysteresis.load);
+    read_loop(reader, path, &o->hysteresis.displacement);
+    read_loop(reader, path, &o->hysteresis.load);
     if (o->hysteresis.has_spring)
-      read_loop(reader, &path, &o->hysteresis.spring);
+      read_loop(reader, path, &o->hysteresis.spring);
   }
   return status;
 }
@@ -403,11 +408,11 @@ po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double 
         request->preload.load * po_scene_load_unit(&request->scene));
   if (!status && !result->has_pull_off && isnan(request->approach_end))
     status = lacks_minimum(request, &reader);
+  const po_path path = {reader.points.path, reader.points.path_count};
   if (!status)
-    status = read_pressed(request, &(po_path){reader.points.path, reader.points.path_count},
-                          &reader.special.greatest, &reader.stopping, result);
-  if (!status && (request->want & PO_WANT_HYSTERESIS))
-    status = read_hysteresis(&reader, a);
+    status = read_pressed(request, &path, &reader.special.greatest, &reader.stopping, result);
+  if (!status && !begins_late(request, &path, a) && (request->want & PO_WANT_HYSTERESIS))
+    status = read_hysteresis(&reader, &path);
 done:
   a->unmet_folds = reader.special.unmet_folds;
   po_reader_end(&reader);

@@ -13,33 +13,26 @@ typedef struct {
   po_path_place at;
 } loop_state;
 
-/* Whether the body is held by a spring between displacement and load control. */
-static bool has_spring(const loop_state *f) {
-  return f->control != PO_LOAD_CONTROL && f->control != PO_DISPLACEMENT_CONTROL;
-}
-
 static po_path_state state_of(const loop_state *f) {
   return po_path_at(f->path, f->at);
 }
 
-/* The doubt at the present place. */
-static po_path_doubt doubt(loop_state *f) {
-  const po_path_doubt here = po_path_doubt_at(f->path, f->at);
-  f->loop->interpolated = fmax(f->loop->interpolated, here.interpolated);
-  return here;
+/* Notes the error by interpolation of a state of the loop. */
+static void note_doubt(loop_state *f, po_path_doubt doubt) {
+  f->loop->interpolated = fmax(f->loop->interpolated, doubt.interpolated);
 }
 
-/* Adds a jump that ends at the present place, or, if the bodies separate, at none. `begin` is the
- * error of the energy where it begins, beyond that of special points. */
-static po_status add_jump(loop_state *f, bool loading, po_path_state before, double begin,
+/* Adds a jump from a point that ends at the present place, or, if the bodies separate, at none. */
+static po_status add_jump(loop_state *f, bool loading, po_path_state before, size_t from,
                           po_path_state after) {
   po_loop *loop = f->loop;
   po_jump *jumps = po_resize(loop->jumps, loop->jump_count + 1, sizeof *jumps);
   if (!jumps)
     return PO_NO_MEMORY;
   loop->jumps = jumps;
-  po_path_doubt error = isfinite(after.position) ? doubt(f) : (po_path_doubt){0.0, 0.0};
-  error.of_points += begin;
+  const po_path_doubt error =
+      po_doubt_of_jump(f->path, f->control, from, isfinite(after.position) ? &f->at : NULL);
+  note_doubt(f, error);
   const double lost = po_loss_of_jump(f->control, &before, &after, error).energy;
   jumps[loop->jump_count++] = (po_jump){loading, before, after, lost, error, NAN};
   loop->loading_jumps += loading;
@@ -81,21 +74,16 @@ static bool meets_preload(const loop_state *f, double *fraction) {
   return met;
 }
 
-/* The error of the energy of the present point, if a spring makes it one at which a jump begins. */
-static double begin_error(const loop_state *f) {
-  return has_spring(f) ? f->path->point[f->at.index].energy_error : 0.0;
-}
-
 static po_status jump_on(loop_state *f, double value) {
   const po_path_state before = state_of(f);
-  const double begin = begin_error(f);
-  if (!po_stable_find(f->path, f->control, f->at.index, 1, value, &f->at))
+  const size_t from = f->at.index;
+  if (!po_stable_find(f->path, f->control, from, 1, value, &f->at))
     return po_fail(
         PO_NOT_FOUND,
         "the curve ends at approach %.6g and has no equilibrium after the jump at approach "
         "%.6g: the preload is not reached",
         f->path->point[f->path->count - 1].approach, before.approach);
-  return add_jump(f, true, before, begin, state_of(f));
+  return add_jump(f, true, before, from, state_of(f));
 }
 
 static po_status start(loop_state *f) {
@@ -104,7 +92,7 @@ static po_status start(loop_state *f) {
     return PO_OK;
   if (!po_stable_find(f->path, f->control, 0, 1, 0.0, &f->at))
     return po_fail(PO_NOT_FOUND, "the curve has no stable equilibrium at load 0");
-  return add_jump(f, true, po_stable_apart(PO_LOAD_CONTROL, 0.0), 0.0, state_of(f));
+  return add_jump(f, true, po_stable_apart(PO_LOAD_CONTROL, 0.0), 0, state_of(f));
 }
 
 static po_status load(loop_state *f) {
@@ -118,7 +106,7 @@ static po_status load(loop_state *f) {
     if (meets_preload(f, &fraction)) {
       move(f, fraction);
       f->loop->preload = state_of(f);
-      doubt(f);
+      note_doubt(f, po_path_doubt_at(f->path, f->at));
       return PO_OK;
     }
     move(f, 1.0);
@@ -137,8 +125,7 @@ static void note_tension(loop_state *f) {
 }
 
 /* The last jump, to a state before the curve begins. Through a spring the bodies are then as good
- * as apart: beyond the beginning of the curve the attraction and the energy are smaller than there.
- */
+ * as apart. */
 static po_status separate(loop_state *f, po_path_state before, double value) {
   const po_path_point *first = &f->path->point[0];
   if (f->control == PO_DISPLACEMENT_CONTROL)
@@ -146,9 +133,7 @@ static po_status separate(loop_state *f, po_path_state before, double value) {
                    "the curve begins at approach %.6g and has no equilibrium after the jump at "
                    "approach %.6g",
                    first->approach, value);
-  const double far = fabs(first->energy) + 0.5 * first->load * first->load / f->control;
-  return add_jump(f, false, before, has_spring(f) ? begin_error(f) + far : 0.0,
-                  po_stable_apart(f->control, value));
+  return add_jump(f, false, before, f->at.index, po_stable_apart(f->control, value));
 }
 
 static po_status unload(loop_state *f) {
@@ -164,10 +149,10 @@ static po_status unload(loop_state *f) {
     }
     const po_path_state before = state_of(f);
     const double value = po_stable_controlled(f->path, f->control, f->at.index);
-    const double begin = begin_error(f);
-    if (!po_stable_find(f->path, f->control, f->at.index, -1, value, &f->at))
+    const size_t from = f->at.index;
+    if (!po_stable_find(f->path, f->control, from, -1, value, &f->at))
       return separate(f, before, value);
-    const po_status status = add_jump(f, false, before, begin, state_of(f));
+    const po_status status = add_jump(f, false, before, from, state_of(f));
     if (status)
       return status;
     note_tension(f);
@@ -183,14 +168,12 @@ po_status po_loop_follow(const po_path *path, po_control control, po_preload pre
                     .energy_error = NAN};
   loop_state f = {.path = path, .control = control, .preload = preload, .loop = loop};
   po_path_point *points = NULL;
-  po_path held = {.count = 0};
+  po_path held = *path;
+  f.path = &held;
   po_status status =
       path->count < 2 ? po_fail(PO_NOT_FOUND, "the curve has fewer than two points") : PO_OK;
-  if (!status && has_spring(&f)) {
-    status = po_path_add_extrema(path, control, &points, &held.count);
-    held.point = points;
-    f.path = &held;
-  }
+  if (!status)
+    status = po_path_add_extrema(&held, control, &points);
   if (!status)
     status = load(&f);
   if (!status)

@@ -137,22 +137,25 @@ static po_path_point point_at(const po_path *path, po_path_place place) {
       false};
 }
 
-po_status po_path_add_extrema(const po_path *path, po_control control, po_path_point **point,
-                              size_t *count) {
-  *count = 0;
+po_status po_path_add_extrema(po_path *path, po_control control, po_path_point **point) {
+  size_t count = 0;
+  *point = NULL;
+  if (!po_is_spring(control))
+    return PO_OK;
   *point = po_allocate(3 * path->count, sizeof **point);
   if (!*point)
     return PO_NO_MEMORY;
   for (size_t k = 0; k < path->count; ++k) {
-    (*point)[(*count)++] = path->point[k];
+    (*point)[count++] = path->point[k];
     if (k + 1 == path->count)
       break;
     double fraction[2];
     const cubic held = held_cubic(path, k, control);
     const size_t extrema = extrema_of(&held, fraction);
     for (size_t i = 0; i < extrema; ++i)
-      (*point)[(*count)++] = point_at(path, (po_path_place){k, fraction[i]});
+      (*point)[count++] = point_at(path, (po_path_place){k, fraction[i]});
   }
+  *path = (po_path){*point, count};
   return PO_OK;
 }
 
@@ -214,6 +217,18 @@ po_loss po_loss_of_jump(po_control control, const po_path_state *before, const p
                    .size = 1.0 + fabs(before->load) + fabs(after->load),
                    .doubt = doubt,
                    .jumps = 1};
+}
+
+po_path_doubt po_doubt_of_jump(const po_path *path, po_control control, size_t from,
+                               const po_path_place *to) {
+  po_path_doubt doubt = to ? po_path_doubt_at(path, *to) : (po_path_doubt){0.0, 0.0};
+  const po_path_point *first = &path->point[0];
+  if (!po_is_spring(control))
+    return doubt;
+  doubt.of_points += path->point[from].energy_error;
+  if (!to)
+    doubt.of_points += fabs(first->energy) + 0.5 * first->load * first->load / control;
+  return doubt;
 }
 
 po_loss po_loss_sum(po_loss a, po_loss b) {

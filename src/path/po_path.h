@@ -60,11 +60,10 @@ double po_path_work(const po_path *path, size_t index, double from, double to);
 /* The held quantity at a point of the curve. */
 double po_stable_controlled(const po_path *path, po_control control, size_t point);
 
-/* The curve with further points where the position of the base has an extremum between two points:
- * a spring jumps there. Returned: the points, to be freed with free(), and their number. Status:
- * PO_NO_MEMORY. */
-po_status po_path_add_extrema(const po_path *path, po_control control, po_path_point **point,
-                              size_t *count);
+/* Gives a curve further points where the position of the base has an extremum between two points:
+ * a spring jumps there. Returned: all points, to be freed with free(); NULL: there is no spring,
+ * and the curve stays. Status: PO_NO_MEMORY. */
+po_status po_path_add_extrema(po_path *path, po_control control, po_path_point **point);
 
 /* Returned: whether the segment from a point to the next is stable: there are no unstable modes at
  * fixed approach, and approach and held quantity increase. At a fixed base one more mode is
@@ -84,6 +83,12 @@ po_path_state po_stable_apart(po_control control, double held);
 /* Returned: the loss in one jump. Given: its ends, and the doubt where it ends. */
 po_loss po_loss_of_jump(po_control control, const po_path_state *before, const po_path_state *after,
                         po_path_doubt doubt);
+
+/* Returned: the doubt in a jump from a point of the curve to a place on it, NULL: the bodies
+ * separate. A spring jumps between special points, and beyond the beginning of the curve the
+ * attraction and the energy are smaller than there. */
+po_path_doubt po_doubt_of_jump(const po_path *path, po_control control, size_t from,
+                               const po_path_place *to);
 
 /* Returned: the loss in the jumps of both. */
 po_loss po_loss_sum(po_loss a, po_loss b);

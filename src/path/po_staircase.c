@@ -53,10 +53,11 @@ static po_path_state deepest_from(const walk *w, const stretch *s, po_path_place
   return deepest;
 }
 
-/* Adds a jump. Given: the place on the curve where it ends; NULL: none. */
-static void add_jump(const walk *w, const po_path_state *before, const po_path_state *after,
-                     const po_path_place *end, po_loss *to) {
-  const po_path_doubt doubt = end ? po_path_doubt_at(w->path, *end) : (po_path_doubt){0.0, 0.0};
+/* Adds a jump. Given: the point where it begins, and the place on the curve where it ends; NULL:
+ * none. */
+static void add_jump(const walk *w, size_t from, const po_path_state *before,
+                     const po_path_state *after, const po_path_place *end, po_loss *to) {
+  const po_path_doubt doubt = po_doubt_of_jump(w->path, w->control, from, end);
   *to = po_loss_sum(*to, po_loss_of_jump(w->control, before, after, doubt));
 }
 
@@ -79,7 +80,7 @@ static void unload(const walk *w, stretch *s) {
   } else if (w->control == PO_DISPLACEMENT_CONTROL) {
     after.energy = NAN; /* the jump ends farther out than the curve begins */
   }
-  add_jump(w, &before, &after, found ? &to : NULL, &s->unloading);
+  add_jump(w, s->start, &before, &after, found ? &to : NULL, &s->unloading);
 }
 
 static po_status find_stretches(walk *w) {
@@ -146,10 +147,12 @@ static po_status add_cycle(walk *w, const stretch *s, po_path_state preload) {
   return PO_OK;
 }
 
-/* Processes a jump of loading from `before` to a place on a stretch. */
-static po_status arrive(walk *w, const stretch *s, po_path_state before, po_path_place place) {
+/* Processes a jump of loading from a point, at which the state is `before`, to a place on a
+ * stretch. */
+static po_status arrive(walk *w, const stretch *s, size_t from, po_path_state before,
+                        po_path_place place) {
   const po_path_state after = state(w, place);
-  add_jump(w, &before, &after, &place, &w->loading);
+  add_jump(w, from, &before, &after, &place, &w->loading);
   const double position = w->deepest.position;
   w->deepest = deepest_from(w, s, place);
   if (!w->decreasing && w->deepest.position == position)
@@ -207,16 +210,19 @@ static po_status climb(walk *w) {
   w->decreasing = true;
   w->deepest = state(w, at);
   if (w->control == PO_LOAD_CONTROL)
-    status = arrive(w, s, po_stable_apart(PO_LOAD_CONTROL, 0.0), at);
+    status = arrive(w, s, 0, po_stable_apart(PO_LOAD_CONTROL, 0.0), at);
+  else if (po_is_spring(w->control) && at.index > 0)
+    status = arrive(w, s, 0, point(w, 0), at);
   while (!status) {
     status = load_along(w, s, at);
-    const po_path_state before = point(w, s->end);
+    const size_t from = s->end;
+    const po_path_state before = point(w, from);
     if (status || s->end + 1 >= w->path->count ||
         !po_stable_find(w->path, w->control, s->end, 1,
                         po_stable_controlled(w->path, w->control, s->end), &at))
       break;
     s = &w->all[w->stretch_of[at.index]];
-    status = arrive(w, s, before, at);
+    status = arrive(w, s, from, before, at);
   }
   if (last_step(w) && last_step(w)->open)
     last_step(w)->until = w->staircase->reached;
@@ -227,14 +233,29 @@ po_status po_staircase_read(const po_path *path, po_control control, po_staircas
   *staircase = (po_staircase){.control = control, .reached = NOTHING};
   if (path->count < 2)
     return PO_OK;
-  walk w = {.path = path, .control = control, .staircase = staircase};
-  po_status status = find_stretches(&w);
+  po_path held = *path;
+  po_path_point *points;
+  walk w = {.path = &held, .control = control, .staircase = staircase};
+  po_status status = po_path_add_extrema(&held, control, &points);
+  if (!status)
+    status = find_stretches(&w);
   if (!status)
     status = climb(&w);
   free(w.all);
   free(w.stretch_of);
+  free(points);
   if (status)
     po_staircase_clear(staircase);
+  return status;
+}
+
+po_status po_staircases_read(const po_path *path, po_control spring, po_staircases *staircases) {
+  po_status status = po_staircase_read(path, PO_DISPLACEMENT_CONTROL, &staircases->of[0]);
+  if (!status)
+    status = po_staircase_read(path, PO_LOAD_CONTROL, &staircases->of[1]);
+  staircases->has_spring = !status && po_is_spring(spring);
+  if (staircases->has_spring)
+    status = po_staircase_read(path, spring, &staircases->of[2]);
   return status;
 }
 

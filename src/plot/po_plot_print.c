@@ -113,11 +113,11 @@ static void add_steps(const po_staircase *s, points *p) {
 static void print_staircase(const po_request *request, const po_result *o, size_t columns,
                             size_t rows, po_text *text) {
   points p[2] = {{0}};
-  const bool reserved =
-      reserve(&p[0], 3 * o->theory.staircase[0].count) && reserve(&p[1], 3 * o->staircase[0].count);
+  const bool reserved = reserve(&p[0], 3 * o->theory.staircase.of[0].count) &&
+                        reserve(&p[1], 3 * o->staircase.of[0].count);
   if (reserved) {
-    add_steps(&o->theory.staircase[0], &p[0]);
-    add_steps(&o->staircase[0], &p[1]);
+    add_steps(&o->theory.staircase.of[0], &p[0]);
+    add_steps(&o->staircase.of[0], &p[1]);
     const po_plot_series series[] = {{p[0].x, p[0].y, p[0].count, '.', true},
                                      {p[1].x, p[1].y, p[1].count, '*', true}};
     po_text_add(text, "pull-off force in %s against preload in epsilon: * computed%s\n",
@@ -135,7 +135,7 @@ po_status po_plot_print(const po_request *request, const po_result *o, size_t co
     print_curve(request, o, columns, rows, text);
   if (o->profile_count > 1)
     print_profile(o, columns, rows, text);
-  if (o->has_staircases && o->staircase[0].count)
+  if (o->has_staircases && o->staircase.of[0].count)
     print_staircase(request, o, columns, rows, text);
   if (text->failed)
     return PO_NO_MEMORY;

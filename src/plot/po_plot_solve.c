@@ -111,7 +111,7 @@ static void add_staircase(const char *name, const po_staircase *s, po_text *scri
 po_status po_plot_solve(const po_request *request, const po_result *o, po_text *script) {
   enum { WIDTH = 680, ONE_ROW = 400, TWO_ROWS = 660 };
   const bool curve = o->curve_count > 1, profile = o->profile_count > 1;
-  const bool staircase = o->has_staircases && o->staircase[0].count > 0;
+  const bool staircase = o->has_staircases && o->staircase.of[0].count > 0;
   const int panels = curve + profile + staircase;
   if (!panels)
     return po_fail(PO_BAD_INPUT, "the result has no curve, profile or staircase to plot: %s",
@@ -129,9 +129,10 @@ po_status po_plot_solve(const po_request *request, const po_result *o, po_text *
   add_curve(o, script);
   add_jumps(o, script);
   add_profile(o, script);
-  add_staircase("staircase", &o->staircase[0], script);
-  add_staircase("jkr", &o->theory.staircase[0], script);
-  po_text_add(script, "has_jkr = %d\n", o->theory.has_staircases && o->theory.staircase[0].count);
+  add_staircase("staircase", &o->staircase.of[0], script);
+  add_staircase("jkr", &o->theory.staircase.of[0], script);
+  po_text_add(script, "has_jkr = %d\n",
+              o->theory.has_staircases && o->theory.staircase.of[0].count);
   return script->failed ? PO_NO_MEMORY : PO_OK;
 }
 

@@ -37,12 +37,12 @@ typedef struct {
   /* The contact radius, eps, beyond which no equilibrium has a load below the given one, pi w R;
    * NAN: unknown. */
   double (*bound)(const po_scene *scene, double load);
-  /* The loops of loading and unloading from a preload, and the staircases in displacement and load
-   * control. NULL if the theory does not give them. The results must be cleared whatever the
-   * status. Status: PO_NO_MEMORY; another failure if there are none for the scene. */
+  /* The loops of loading and unloading from a preload, and the staircases. NULL if the theory does
+   * not give them. The results must be cleared whatever the status. Status: PO_NO_MEMORY; another
+   * failure if there are none for the scene. */
   po_status (*hysteresis)(const po_scene *scene, po_preload preload, po_control spring,
                           po_hysteresis *hysteresis);
-  po_status (*staircases)(const po_scene *scene, po_staircase staircase[2]);
+  po_status (*staircases)(const po_scene *scene, po_control spring, po_staircases *staircases);
   /* The theories beside a result, its `theories`. Status: PO_NO_MEMORY, PO_INTERRUPTED,
    * PO_OUT_OF_TIME. A theory that cannot be evaluated is a row that says why. */
   po_status (*theories)(const struct po_request *request, po_result *result);

@@ -216,13 +216,15 @@ static const po_row STAIRS[] = {
   PART("reached", reached, PLACE_ROWS, "the last state of loading that was traced"),
 };
 static const po_block STAIRS_ROWS = BLOCK("stairs", STAIRS, NULL);
+
+static const po_row SPRING_STAIRS[] = {
+  NUMBER("stiffness", control, STIFFNESS, "", "", "stiffness of the spring"),
+  {.key = "", .type = PO_ROW_INLINE, .block = &STAIRS_ROWS, TEXTS("", "", "")},
+};
+static const po_block SPRING_STAIRS_ROWS = BLOCK("spring_stairs", SPRING_STAIRS, NULL);
 #undef S
 
-typedef struct {
-  po_staircase of[2];
-} staircases;
-
-#define S staircases
+#define S po_staircases
 static void settle_staircases(void *of) {
   ((S *)of)->of[0].control = PO_DISPLACEMENT_CONTROL;
   ((S *)of)->of[1].control = PO_LOAD_CONTROL;
@@ -231,6 +233,8 @@ static void settle_staircases(void *of) {
 static const po_row STAIRCASES[] = {
   PART("displacement_control", of[0], STAIRS_ROWS, "the staircase at given approach"),
   PART("load_control", of[1], STAIRS_ROWS, "the staircase at given load"),
+  {.key = "spring", .type = PO_ROW_PART, .offset = offsetof(S, of[2]), .present = AT(bool, has_spring),
+   .block = &SPRING_STAIRS_ROWS, .omitted = true, TEXTS("", "absent without a stiffness", "the staircase through the spring")},
 };
 static const po_block STAIRCASES_ROWS = BLOCK("staircases", STAIRCASES, settle_staircases);
 #undef S

@@ -2,6 +2,10 @@
 
 #include <stdlib.h>
 
+bool po_is_spring(po_control control) {
+  return control > PO_LOAD_CONTROL && control < PO_DISPLACEMENT_CONTROL;
+}
+
 double po_held(po_control control, double approach, double load) {
   return control == PO_LOAD_CONTROL ? load : approach + load / control;
 }
@@ -22,4 +26,10 @@ void po_staircase_clear(po_staircase *staircase) {
     free(staircase->step[k].cycle);
   free(staircase->step);
   *staircase = (po_staircase){.control = staircase->control};
+}
+
+void po_staircases_clear(po_staircases *staircases) {
+  for (size_t k = 0; k < sizeof staircases->of / sizeof *staircases->of; ++k)
+    po_staircase_clear(&staircases->of[k]);
+  staircases->has_spring = false;
 }

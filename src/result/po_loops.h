@@ -36,6 +36,9 @@ typedef double po_control;
 #define PO_DISPLACEMENT_CONTROL ((double)INFINITY)
 #define PO_LOAD_CONTROL 0.0
 
+/* Whether it is a spring between displacement and load control. */
+bool po_is_spring(po_control control);
+
 /* What is held: the position of the base (eps), under displacement control the approach; under load
  * control the load (pi w R). */
 double po_held(po_control control, double approach, double load);
@@ -118,9 +121,16 @@ typedef struct {
   po_path_state reached; /* the last state of loading on the curve */
 } po_staircase;
 
+/* The staircases at given approach, at given load, and through the spring if there is one. */
+typedef struct {
+  po_staircase of[3];
+  bool has_spring;
+} po_staircases;
+
 /* Free the lists; the control stays. */
 void po_loop_clear(po_loop *loop);
 void po_hysteresis_clear(po_hysteresis *hysteresis);
 void po_staircase_clear(po_staircase *staircase);
+void po_staircases_clear(po_staircases *staircases);
 
 #endif

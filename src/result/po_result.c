@@ -32,11 +32,9 @@ void po_result_clear(po_result *result) {
   free(result->profile);
   po_contact_annuli_clear(&result->annuli);
   po_hysteresis_clear(&result->hysteresis);
-  po_staircase_clear(&result->staircase[0]);
-  po_staircase_clear(&result->staircase[1]);
+  po_staircases_clear(&result->staircase);
   po_hysteresis_clear(&result->theory.hysteresis);
-  po_staircase_clear(&result->theory.staircase[0]);
-  po_staircase_clear(&result->theory.staircase[1]);
+  po_staircases_clear(&result->theory.staircase);
   free(result->theories);
   free(result->diagnostics.states);
   *result = po_result_none();

@@ -155,12 +155,12 @@ typedef struct {
   po_contact_annuli annuli; /* at the same approach; none unless the profile is wanted */
   bool has_hysteresis;      /* whether `hysteresis` is set */
   po_hysteresis hysteresis;
-  bool has_staircases;       /* whether `staircase` is set */
-  po_staircase staircase[2]; /* in displacement and in load control */
-  struct {                   /* of the companion of the request, if it gives them */
+  bool has_staircases; /* whether `staircase` is set */
+  po_staircases staircase;
+  struct { /* of the companion of the request, if it gives them */
     bool has_hysteresis, has_staircases;
     po_hysteresis hysteresis;
-    po_staircase staircase[2];
+    po_staircases staircase;
   } theory;
   po_theory_row *theories; /* one a theory; NULL unless wanted */
   size_t theory_count;

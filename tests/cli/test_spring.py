@@ -90,6 +90,42 @@ def test_stated_errors_hold_and_the_energy_balance_closes():
         assert abs(tight["work"] - tight["energy_lost"]) <= 1e-6 * (1 + tight["energy_lost"]), scene
 
 
+def staircases(words):
+    return document(f"solve {words} --want preload")["staircase"]
+
+
+def test_the_limits_of_staircases():
+    scene = "--tabor 3 --amplitude 1 --wavelength 20"
+    for stiffness, control, tolerance in ("1e9", "displacement_control", 1e-4), ("1e-5", "load_control", 1e-3):
+        found = staircases(f"{scene} --stiffness {stiffness}")
+        for of in found, found["jkr"]:
+            assert of["spring"]["stiffness"] == float(stiffness)
+            assert [step["force"] for step in of["spring"]["steps"]] == [step["force"] for step in of[control]["steps"]]
+            for ours, theirs in zip(of["spring"]["steps"], of[control]["steps"]):
+                assert theirs["preload"]["approach"] is None or same(ours["preload"]["load"], theirs["preload"]["load"], tolerance)
+    assert "spring" not in staircases(scene)
+
+
+@pytest.mark.parametrize("scene, stiffness", [("--tabor 3 --amplitude 1 --wavelength 20", 0.3),
+                                              ("--tabor 1.6 --amplitude 0.6 --wavelength 9", 0.05),
+                                              ("--tabor 4 --amplitude 0.4 --wavelength 10 --outer-radius 100", 0.7)])
+def test_a_staircase_is_what_single_tests_through_the_spring_measure(scene, stiffness):
+    """Before and after every step and every cycle, one test to that approach."""
+    stairs = staircases(f"{scene} --stiffness {stiffness}")["spring"]
+    reached = stairs["reached"]["approach"]
+    cycles = [(cycle["preload"]["approach"], step, cycle) for step in stairs["steps"] for cycle in step["cycles"]]
+    assert len(cycles) >= 2
+    for (begin, step, cycle), end in zip(cycles, [after[0] for after in cycles[1:]] + [stairs["reached"]["approach"]]):
+        if step["until"]["approach"] < end:  # then the tension is greatest where loading is reversed
+            end = step["until"]["approach"]
+        for approach in (begin + 1e-3 * (end - begin), end - 1e-3 * (end - begin)):
+            spring = loops(f"{scene} --stiffness {stiffness} --preload={approach!r} --approach-end {reached}")["spring"]
+            assert same(spring["pull_off"]["force"], step["force"], 2 * step["error_estimate"]), (approach, step)
+            assert len(spring["jumps"]) == cycle["jumps"]
+            bound = spring["energy_lost_error_estimate"] + cycle["energy_lost_error_estimate"]
+            assert abs(spring["energy_lost"] - cycle["energy_lost"]) <= bound, (approach, cycle)
+
+
 def test_units():
     tip = ("solve --from-physical --modulus-pa 5e9 --work-j-per-m2 0.08 --distance-m 3e-10 --radius-m 3e-8 --amplitude-m 4e-10 "
            "--wavelength-m 6e-9")

@@ -235,9 +235,9 @@ static void same_result(const po_result *a, const po_result *b) {
     same_loop(&a->theory.hysteresis.load, &b->theory.hysteresis.load);
   }
   for (int k = 0; k < 2; ++k) {
-    same_stairs(&a->staircase[k], &b->staircase[k]);
+    same_stairs(&a->staircase.of[k], &b->staircase.of[k]);
     if (a->theory.has_staircases)
-      same_stairs(&a->theory.staircase[k], &b->theory.staircase[k]);
+      same_stairs(&a->theory.staircase.of[k], &b->theory.staircase.of[k]);
   }
   same_diagnostics(&a->diagnostics, &b->diagnostics);
   same_theories(a, b);
@@ -347,10 +347,10 @@ START_TEST(all_loads_have_the_unit_of_the_scene) {
   json_t *a = document_of(&sphere, &in_r), *b = document_of(&other, &in_epsilon);
   compare_units(a, b, 64.0);
   for (int k = 0; k < 2; ++k) /* documents do not have these */
-    ck_assert_double_eq(in_r.staircase[k].reached.energy * 64.0,
-                        in_epsilon.staircase[k].reached.energy);
-  ck_assert_double_eq(in_r.staircase[0].step[0].pull_off.energy * 64.0,
-                      in_epsilon.staircase[0].step[0].pull_off.energy);
+    ck_assert_double_eq(in_r.staircase.of[k].reached.energy * 64.0,
+                        in_epsilon.staircase.of[k].reached.energy);
+  ck_assert_double_eq(in_r.staircase.of[0].step[0].pull_off.energy * 64.0,
+                      in_epsilon.staircase.of[0].step[0].pull_off.energy);
   json_decref(a);
   json_decref(b);
   po_result_clear(&in_r);

@@ -171,7 +171,7 @@ START_TEST(steps_agree_with_separate_loops) {
   po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   ck_assert(o.has_staircases);
-  const po_staircase *s = &o.staircase[0];
+  const po_staircase *s = &o.staircase.of[0];
   ck_assert_uint_ge(s->count, 1);
   for (size_t k = 0; k < s->count; ++k) {
     const po_step *step = &s->step[k];
@@ -201,7 +201,7 @@ START_TEST(steps_of_a_scene_are_accurate) {
   request.preload.load = 5.0;
   po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
-  const po_staircase *s = &o.staircase[0];
+  const po_staircase *s = &o.staircase.of[0];
   static const double STEPS[][3] = {
       {-1.1110996, -0.1978146, 0.19781}, {20.5358, 1.5231, 4.10804}, {26.5580, 3.0095, 14.40819}};
   ck_assert_uint_eq(s->count, 3);
