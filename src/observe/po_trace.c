@@ -6,10 +6,9 @@
 #include "po_continuation.h"
 #include "po_diagnose.h"
 #include "po_initial_gap.h"
-#include "po_loop.h"
 #include "po_reader.h"
 #include "po_rigid_trace.h"
-#include "po_staircase.h"
+#include "po_test_results.h"
 #include "po_watch.h"
 
 /* Greatest allowed distance of a wanted curve from the straight lines between its points, in eps
@@ -20,14 +19,6 @@ static const double CURVE_SAGITTA = 5e-4;
  * below a given part of the pull-off force. By Derjaguin's approximation the load is 2 phi/w, in pi
  * w R. */
 static const double RIGID_START = 10.0, RIGID_START_GROWTH = 1.5, RIGID_START_LOAD = 0.02;
-
-/* If unloading leads to a smaller approach than that at which the trace began, the trace is
- * repeated from this multiple of it. */
-static const double START_GROWTH = 1.5;
-/* Where the trace begins at the farthest for a soft spring, eps. A sphere under Lennard-Jones
- * forces is attracted by 2e-10 pi w R there; what other laws and profiles leave is in the stated
- * error. */
-static const double FARTHEST = -1e5;
 
 static po_continuation_options options_of(const po_request *request, double begin,
                                           po_reader *reader) {
@@ -163,198 +154,6 @@ static po_status make_surface(const po_request *request, bool rigid, double core
   return po_adaptive_create(scene, domain, level, panels);
 }
 
-/* The preload that belongs to the pull-off of a branch, and the greatest pull-off force of all
- * preloads. */
-
-/* The special point at a position on the branch; NULL if there is none. */
-static const po_special_point *mark_at(const po_result *o, double position) {
-  for (size_t k = 0; k < o->fold_count; ++k)
-    if (o->folds[k].position == position)
-      return &o->folds[k];
-  for (size_t k = 0; k < o->extremum_count; ++k)
-    if (o->extrema[k].position == position)
-      return &o->extrema[k];
-  return NULL;
-}
-
-/* The greatest errors of the special points; NAN if none was estimated. */
-static po_path_error greatest_error(const po_result *o) {
-  po_path_error e = {NAN, NAN};
-  for (size_t k = 0; k < o->fold_count + o->extremum_count; ++k) {
-    const po_special_point *mark =
-        k < o->fold_count ? &o->folds[k] : &o->extrema[k - o->fold_count];
-    e.approach = fmax(e.approach, mark->approach_error); /* ignores NAN */
-    e.load = fmax(e.load, mark->load_error);
-  }
-  return e;
-}
-
-/* Gives a state at the position of a special point the approach and the load of that point.
- * Returned: the stated errors of the special point. The error of any other state, and of a special
- * point without an error, is the greatest error of the special points plus the distance of the
- * curve from its interpolation. Given: a result with special points. */
-static po_path_error state_of_special_point(const po_request *request, const po_result *o,
-                                            po_path_state *state) {
-  const po_special_point *mark = mark_at(o, state->position);
-  if (mark) {
-    state->approach = mark->approach;
-    state->load = mark->load;
-  }
-  if (mark && !isnan(mark->load_error))
-    return (po_path_error){mark->approach_error, mark->load_error};
-  const po_path_error e = greatest_error(o);
-  const double miss = po_estimate_miss(request);
-  return (po_path_error){e.approach + miss, e.load + miss};
-}
-
-static void state_errors(const po_request *request, const po_result *o, const po_estimate *greatest,
-                         po_staircase *s) {
-  for (size_t k = 0; k < s->count; ++k) {
-    po_step *step = &s->step[k];
-    step->preload_error = state_of_special_point(request, o, &step->preload);
-    if (po_is_spring(s->control) && !mark_at(o, step->preload.position))
-      step->preload_error = (po_path_error){NAN, NAN};
-    step->pull_off_error = state_of_special_point(request, o, &step->pull_off);
-    state_of_special_point(request, o, &step->until);
-    for (size_t c = 0; c < step->cycle_count; ++c) {
-      po_cycle *cycle = &step->cycle[c];
-      state_of_special_point(request, o, &cycle->preload);
-      cycle->energy_error = po_estimate_loss_error(request, greatest, s->control, &cycle->loss);
-    }
-  }
-}
-
-static po_pressed pressed(const po_path_state *state) {
-  return (po_pressed){state->approach, state->load};
-}
-
-static void read_pull_off(const po_staircase *s, double position, po_result *o) {
-  o->pull_off.pressed = o->pull_off.until = (po_pressed){NAN, NAN};
-  for (size_t k = s->count; k-- > 0;)
-    if (s->step[k].pull_off.position == position) {
-      o->pull_off.pressed = pressed(&s->step[k].preload);
-      o->pull_off.until = s->step[k].open ? (po_pressed){NAN, NAN} : pressed(&s->step[k].until);
-    }
-}
-
-static void read_any(const po_staircase *s, po_result *o) {
-  const po_step *step = po_staircase_greatest(s);
-  o->pull_off_any.searched = pressed(&s->reached);
-  if (!step)
-    return;
-  o->pull_off_any.is_known = true;
-  o->pull_off_any.force = fabs(step->pull_off.load);
-  o->pull_off_any.approach = step->pull_off.approach;
-  o->pull_off_any.force_error = step->pull_off_error.load;
-  o->pull_off_any.approach_error = step->pull_off_error.approach;
-  o->pull_off_any.pressed = pressed(&step->preload);
-}
-
-/* The position of the pull-off on the branch. */
-static double pull_off_position(const po_result *o) {
-  for (size_t k = 0; k < o->extremum_count && o->has_pull_off; ++k)
-    if (o->extrema[k].load == -o->pull_off.force && o->extrema[k].approach == o->pull_off.approach)
-      return o->extrema[k].position;
-  return NAN;
-}
-
-/* The load at the stable equilibrium of the branch with the greatest tension, including equilibria
- * to which only a harder preload may lead. At a special point it is the stated load: that of the
- * points of the branch has the error of the mesh of the trace, which may exceed the stated one. */
-static double deepest_stable(const po_path *path, const po_result *o) {
-  const po_path_point *deepest = NULL;
-  for (size_t k = 0; k < path->count; ++k)
-    if (po_stable_is(path, PO_DISPLACEMENT_CONTROL, k) &&
-        (!deepest || path->point[k].load < deepest->load))
-      deepest = &path->point[k];
-  const po_special_point *mark = deepest ? mark_at(o, deepest->position) : NULL;
-  return mark ? mark->load : deepest ? deepest->load : INFINITY;
-}
-
-/* Whether no harder preload gives a greater pull-off force. The trace of a rigid wavy sphere is
- * complete from the approach at which the repulsion of the central crest exceeds all attraction.
- * The load of a smooth sphere, rigid or not, has no minimum under compression. */
-static bool is_complete(const po_request *request, const po_path *path, const po_stopping *stopping,
-                        const po_result *o) {
-  const double load = -o->pull_off_any.force;
-  if (deepest_stable(path, o) < load - o->pull_off_any.force_error)
-    return false;
-  if (o->rigid && !po_scene_is_simple(&request->scene))
-    return o->ended.approach >= po_observe_rigid_end(&request->scene, 0.0);
-  return po_stopping_is_complete(stopping, load);
-}
-
-/* Given: the path of the branch; the greatest errors of its special points; the state of the
- * stopping rule at its end; a result with special points, pull-off and the cause of the end of the
- * trace. Returned: in the result, the preload of the pull-off, the greatest pull-off of all
- * preloads, and the staircases with their errors if they are wanted. Status: PO_NO_MEMORY. */
-static po_status read_pressed(const po_request *request, const po_path *path,
-                              const po_estimate *greatest, const po_stopping *stopping,
-                              po_result *o) {
-  const po_staircase *s = &o->staircase.of[0];
-  o->has_staircases = request->want & PO_WANT_PRELOAD;
-  const po_status status =
-      po_staircases_read(path, o->has_staircases ? request->stiffness : (double)NAN, &o->staircase);
-  if (status)
-    return status;
-  for (size_t k = 0; k < sizeof o->staircase.of / sizeof *o->staircase.of; ++k)
-    state_errors(request, o, greatest, &o->staircase.of[k]);
-  read_pull_off(s, pull_off_position(o), o);
-  read_any(s, o);
-  o->pull_off_any.complete = o->pull_off_any.is_known && is_complete(request, path, stopping, o);
-  return PO_OK;
-}
-
-/* The errors of a loop, and its pull-off as it was located. */
-static void read_loop(const po_reader *reader, const po_path *path, po_loop *loop) {
-  po_estimate_loop(reader->request, path, &reader->special.greatest, loop);
-  loop->pull_off_error = state_of_special_point(reader->request, reader->result, &loop->pull_off);
-}
-
-/* The least approach that loading and unloading along the branch may reach: that of the branch, and
- * through a spring the least position of the base, at which the bodies are apart, unless it is
- * beyond FARTHEST. A spring that is unstable where the branch begins jumps farther out. */
-static double least_approach(const po_path *path, double stiffness) {
-  const po_path_point *p = path->point;
-  double least = INFINITY, base = INFINITY; /* NAN without a spring, which fmin ignores */
-  for (size_t k = 0; k < path->count; ++k) {
-    least = fmin(least, p[k].approach);
-    base = fmin(base, po_held(stiffness, p[k].approach, p[k].load));
-  }
-  if (path->count < 2 || isnan(stiffness))
-    return least;
-  if (po_stable_controlled(path, stiffness, 1) <= po_stable_controlled(path, stiffness, 0))
-    base = fmin(base, 2.0 * least);
-  return base < po_stable_controlled(path, stiffness, 0) ? fmin(least, fmax(base, FARTHEST))
-                                                         : least;
-}
-
-/* Whether unloading leads to a smaller approach than the trace began with. Then a->begin is set,
- * and the trace must be repeated. */
-static bool begins_late(const po_request *request, const po_path *path, po_attempt *a) {
-  const unsigned paths = PO_WANT_HYSTERESIS | (isnan(request->stiffness) ? 0 : PO_WANT_PRELOAD);
-  const double least = least_approach(path, request->stiffness);
-  if (!(request->want & paths) || path->count == 0 || least >= path->point[0].approach)
-    return false;
-  a->begin = START_GROWTH * least;
-  return true;
-}
-
-/* Computes loading and unloading along the traced branch. */
-static po_status read_hysteresis(const po_reader *reader, const po_path *path) {
-  po_result *o = reader->result;
-  const po_status status = po_hysteresis_follow(path, po_request_preload(reader->request),
-                                                reader->request->stiffness, &o->hysteresis);
-  o->has_hysteresis = !status;
-  if (!status) {
-    read_loop(reader, path, &o->hysteresis.displacement);
-    read_loop(reader, path, &o->hysteresis.load);
-    if (o->hysteresis.has_spring)
-      read_loop(reader, path, &o->hysteresis.spring);
-  }
-  return status;
-}
-
 /* Fails because the preload is so small that the trace passed no minimum of the load. */
 static po_status lacks_minimum(const po_request *request, const po_reader *reader) {
   const po_preload preload = po_request_preload(request);
@@ -410,9 +209,7 @@ po_status po_trace(const po_request *request, bool rigid, po_attempt *a, double 
     status = lacks_minimum(request, &reader);
   const po_path path = {reader.points.path, reader.points.path_count};
   if (!status)
-    status = read_pressed(request, &path, &reader.special.greatest, &reader.stopping, result);
-  if (!status && !begins_late(request, &path, a) && (request->want & PO_WANT_HYSTERESIS))
-    status = read_hysteresis(&reader, &path);
+    status = po_test_results(&reader, &path, a);
 done:
   a->unmet_folds = reader.special.unmet_folds;
   po_reader_end(&reader);
