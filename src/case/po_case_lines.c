@@ -26,7 +26,7 @@ static bool is_of_form(const po_form *form, int key) {
     return form->takes & PO_TAKES_LAW;
   case PO_OWNER_PROFILE:
     return form->takes & PO_TAKES_PROFILE && key != PO_KEY_TABLE_SCALE &&
-           key != PO_KEY_PROFILE_FILE;
+           key != PO_KEY_SMOOTH && key != PO_KEY_PROFILE_FILE;
   default: /* the closed forms are for the unbounded half-space */
     return po_key_row_of(key)->owner == PO_OWNER_SCENE &&
            po_key_target((po_key)key) != PO_KEY_OUTER_RADIUS;

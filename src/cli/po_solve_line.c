@@ -82,6 +82,8 @@ po_status po_solve_line_take(void *to, int option) {
   case PO_LINE_STAIRCASE:
     line->request.want |= PO_WANT_PRELOAD;
     return po_options_take_text("staircase", "the name of a file", &line->staircase);
+  case PO_LINE_SMOOTHED:
+    return po_options_take_text("smoothed", "the name of a file", &line->smoothed);
   case PO_LINE_PLOT:
     line->request.want |= PO_WANT_CURVE;
     return po_plot_take_file(optarg, &line->plot);
@@ -127,7 +129,8 @@ static bool is_output(const char *file) {
 }
 
 int po_solve_line_tables(const po_solve_line *line) {
-  return is_output(line->curve) + is_output(line->profile) + is_output(line->staircase);
+  return is_output(line->curve) + is_output(line->profile) + is_output(line->staircase) +
+         is_output(line->smoothed);
 }
 
 po_status po_solve_line_end(po_solve_line *line) {
@@ -152,6 +155,8 @@ po_status po_solve_line_end(po_solve_line *line) {
   if (po_solve_line_tables(line) + line->json > 1)
     return po_fail(PO_BAD_INPUT, "standard output is asked for twice: expected only one of --json "
                                  "and the file -");
+  if (line->smoothed && isnan(request->scene.profile.parameter[PO_TABLE_SMOOTH]))
+    return po_fail(PO_BAD_INPUT, "--smoothed is given without --smooth: expected both");
   request->approach_start = length[PO_LENGTH_APPROACH_START];
   request->approach_end = length[PO_LENGTH_APPROACH_END];
   request->profile_approach = length[PO_LENGTH_PROFILE_APPROACH];

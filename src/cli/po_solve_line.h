@@ -13,6 +13,7 @@ enum {
   PO_LINE_CURVE,
   PO_LINE_PROFILE,
   PO_LINE_STAIRCASE,
+  PO_LINE_SMOOTHED,
   PO_LINE_PLOT,
   PO_LINE_RUN,
   PO_LINE_THEORY,
@@ -38,6 +39,7 @@ enum {
       {"curve", required_argument, NULL, PO_LINE_CURVE},                                           \
       {"profile-csv", required_argument, NULL, PO_LINE_PROFILE},                                   \
       {"staircase", required_argument, NULL, PO_LINE_STAIRCASE},                                   \
+      {"smoothed", required_argument, NULL, PO_LINE_SMOOTHED},                                     \
       {"plot", required_argument, NULL, PO_LINE_PLOT}, {"json", no_argument, NULL, PO_LINE_JSON},  \
       {"help", no_argument, NULL, PO_OPTION_HELP}, {                                               \
     NULL, 0, NULL, 0                                                                               \
@@ -48,6 +50,7 @@ typedef struct {
   po_scene_flags flags;
   bool given[PO_KEY_END];                  /* which keys beside those of `flags` were given */
   const char *curve, *profile, *staircase; /* files; NULL: none */
+  const char *smoothed;                    /* file of the smoothed profile; NULL: none */
   const char *plot, *run;                  /* figure, and folder of records; NULL: none */
   double preload_n, stiffness_n_per_m;     /* with --from-physical; NAN: not given */
   const char *theory;                      /* the one to be compared; NULL: all */

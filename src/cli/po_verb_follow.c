@@ -115,7 +115,8 @@ static bool is_of_scene(int option) {
     if (option >= KEY)
       return option < OPTION_COUNT && po_key_is_continuous(option - KEY);
     if (option >= PO_FLAG_PARAMETER && option < PO_FLAG_LENGTH)
-      return option - PO_FLAG_PARAMETER != PO_TABLE_SCALE;
+      return po_key_is_continuous(po_key_of_name(
+          po_profile_parameter_name((po_profile_parameter)(option - PO_FLAG_PARAMETER))));
     if (option >= PO_FLAG_METRES)
       option -= PO_FLAG_METRES - PO_FLAG_LENGTH;
     return option >= PO_FLAG_LENGTH && option <= PO_FLAG_LENGTH + PO_LENGTH_OUTER_RADIUS;

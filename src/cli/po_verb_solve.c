@@ -4,8 +4,8 @@
 #include "po_plot_case.h"
 #include "po_print.h"
 #include "po_print_theories.h"
-#include "po_solve_line.h"
 #include "po_tables.h"
+#include "po_uncertain_line.h"
 #include "po_verbs.h"
 #include "po_watch.h"
 
@@ -32,6 +32,15 @@ static const char HELP[] =
 
 static const char MORE_HELP[] =
     "\n"
+    "Uncertain inputs:\n"
+    "  A number of the scene, its SI units and the preload may be followed by +- and its standard\n"
+    "  uncertainty: --work-j-per-m2 0.08+-0.01. The scene is then solved again with the number "
+    "less\n"
+    "  and more by its uncertainty, and the standard uncertainty of the pull-off force is printed\n"
+    "  beside its numerical error: to first order, for each such input, for the noise of "
+    "--smooth,\n"
+    "  and for all of them if they are independent.\n"
+    "\n"
     "Results:\n"
     "  --want LIST             additional results, separated by commas (default: none):\n"
     "                            curve        points of the branch\n"
@@ -52,6 +61,8 @@ static const char MORE_HELP[] =
     "                          does the same if FILE has a period or a slash\n"
     "  --staircase FILE        write the pull-off force for every preload to FILE, as\n"
     "                          dimensionless CSV\n"
+    "  --smoothed FILE         write the smoothed profile of --smooth to FILE, as CSV: r, gap and\n"
+    "                          what was removed from each row, in the unit of --profile-file\n"
     "  --plot FILE             draw the branch, and the additional results that are wanted, in "
     "FILE,\n"
     "                          which ends in .svg, .png or .pdf (needs gnuplot)\n"
@@ -94,8 +105,10 @@ static po_status write_files(const po_solve_line *line, const po_result *result)
   const po_status staircase =
       line->staircase ? po_tables_write_staircase(line->staircase, &line->request, result, NULL)
                       : PO_OK;
+  const po_status smoothed =
+      line->smoothed ? po_tables_write_smoothed(line->smoothed, &line->request) : PO_OK;
   const po_status plot = line->plot ? po_plot_to_file(&line->request, result, line->plot) : PO_OK;
-  return curve ? curve : staircase ? staircase : plot ? plot : status;
+  return curve ? curve : staircase ? staircase : smoothed ? smoothed : plot ? plot : status;
 }
 
 /* Processor time after which the line of the theories is left out, s. They take some hundredths. */
@@ -128,12 +141,16 @@ static int solve(po_solve_line *line) {
 
 int po_verb_solve(int argc, char **argv) {
   const po_options options = {"solve", HELP, OPTIONS, argc, argv, MORE_HELP, PO_FOR_SOLVE};
-  po_solve_line line = po_solve_line_begin();
+  po_uncertain_line uncertain = po_uncertain_line_begin(&options);
   po_status status = PO_OK;
-  if (!po_options_read(&options, po_solve_line_take, &line, &status))
+  if (!po_options_read(&options, po_uncertain_line_take, &uncertain, &status)) {
+    po_uncertain_line_clear(&uncertain);
     return po_options_end(status);
+  }
   status = po_options_no_operands(&options);
   if (!status)
-    status = po_solve_line_end(&line);
-  return status ? po_options_end(status) : solve(&line);
+    status = po_uncertain_line_end(&uncertain);
+  const int code = status ? po_options_end(status) : solve(&uncertain.line);
+  po_uncertain_line_clear(&uncertain);
+  return code;
 }

@@ -7,6 +7,7 @@
 #include "po_json.h"
 #include "po_print_physical.h"
 #include "po_print_theories.h"
+#include "po_print_uncertain.h"
 #include "po_profile_table.h"
 #include "po_result_rows.h"
 #include "po_text.h"
@@ -285,6 +286,7 @@ static bool is_printed(const po_request *request, po_key key) {
   case PO_KEY_PROFILE:
   case PO_KEY_PROFILE_FILE:
   case PO_KEY_TABLE_SCALE:
+  case PO_KEY_SMOOTH:
     return !po_key_is_idle(request, key);
   default:
     return !isnan(po_key_number(request, key)) && !po_key_is_of_other_scheme(request, key);
@@ -296,7 +298,9 @@ static void print_table(const po_profile *profile) {
   printf(
       "table    %zu rows to radius %.6g, beyond which the gap is continued as r^%.4g; its spline "
       "is uncertain by %.1e epsilon\n",
-      table->rows, po_profile_end(profile), po_profile_growth(profile), table->uncertainty);
+      po_profile_table_points(table), po_profile_end(profile), po_profile_growth(profile),
+      table->uncertainty);
+  po_print_smoothing(profile);
 }
 
 /* The scene, defaults included, and the units of all numbers below. */
@@ -331,6 +335,7 @@ void po_print_summary(const po_request *request, const po_result *result) {
 po_status po_print_text(const po_request *request, const po_scene_flags *flags,
                         const po_result *result) {
   po_print_summary(request, result);
+  po_print_uncertain(result, 1.0, po_input_load_unit(request));
   print_sensitivity(request, result);
   print_preload(result);
   print_ended(result);

@@ -5,6 +5,7 @@
 
 #include "po_json.h"
 #include "po_json_rows.h"
+#include "po_print_uncertain.h"
 #include "po_result_rows.h"
 
 static void set(json_t **object, const char *key, double value) {
@@ -53,6 +54,8 @@ static const char *const SPECIAL[] = {
     "approach", "load", "contact_radius", "kind", "error_estimate", "load_error_estimate", NULL};
 static const char *const CURVE[] = {"approach", "load", "contact_radius", NULL};
 static const char *const PROFILE[] = {"radius", "gap", "traction", NULL};
+static const char *const UNCERTAIN[] = {"source", "value", "deviation", "below",
+                                        "above",  "force", NULL};
 static const char *const THEORY[] = {"theory", "force", NULL};
 
 json_t *po_json_physical(const po_scene_flags *flags, const po_request *request,
@@ -60,6 +63,11 @@ json_t *po_json_physical(const po_scene_flags *flags, const po_request *request,
   const po_units *u = &flags->units;
   json_t *object = po_json_physical_input(flags);
   po_json_set(&object, "pull_off", po_json_units_pull_off(u, o));
+  if (o->uncertain_count)
+    po_json_set(&object, "uncertainty",
+                PO_JSON_OBJECT({"force_n", po_json_number(o->uncertainty * u->force)},
+                               {"sources", po_json_si_list(&PO_UNCERTAIN_ROWS, o->uncertain,
+                                                           o->uncertain_count, u, UNCERTAIN)}));
   po_json_set(&object, "folds",
               po_json_si_list(&PO_SPECIAL_POINT_ROWS, o->folds, o->fold_count, u, SPECIAL));
   po_json_set(&object, "extrema",
@@ -151,6 +159,7 @@ void po_print_physical(const po_scene_flags *flags, const po_request *request,
     printf("errors   force %.1e N, approach %.1e m, contact radius %.1e m\n",
            result->pull_off.force_error * u->force, result->pull_off.approach_error * u->length,
            result->pull_off.contact_radius_error * u->length);
+  po_print_uncertain(result, u->force, "N");
   print_sensitivity(request, result);
   print_preload(u, result);
   if (result->fold_count + result->extremum_count) {

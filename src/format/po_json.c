@@ -32,10 +32,21 @@ json_t *po_json_input(const po_request *request) {
 /* The table of the profile of a scene, which must have one. */
 static json_t *table_of(const po_profile *profile) {
   const po_profile_table *table = profile->table;
-  return PO_JSON_OBJECT(
-      {"rows", po_json_count(table->rows)}, {"end_radius", po_json_number(po_profile_end(profile))},
+  json_t *object = PO_JSON_OBJECT(
+      {"rows", po_json_count(po_profile_table_points(table))}, {"end_radius", po_json_number(po_profile_end(profile))},
       {"exponent", po_json_number(table->growth)},
       {"uncertainty", po_json_number(table->uncertainty)}, {"sha256", po_json_text(table->digest)});
+  const po_smoothing *s = &table->smoothing;
+  const double unit = 1.0 / table->scale;
+  if (s->knots)
+    po_json_set(&object, "smoothing",
+                PO_JSON_OBJECT({"deviation", po_json_number(s->deviation * unit)},
+                               {"residual", po_json_number(s->residual * unit)},
+                               {"removed_rms", po_json_number(s->rms * unit)},
+                               {"removed_greatest", po_json_number(s->greatest * unit)},
+                               {"parameters", po_json_number(s->parameters)},
+                               {"knots", po_json_count(s->knots)}));
+  return object;
 }
 
 json_t *po_json_result(const po_request *request, const po_result *result) {

@@ -11,6 +11,7 @@
 #include "po_file.h"
 #include "po_input.h"
 #include "po_memory.h"
+#include "po_profile_table.h"
 #include "po_result_rows.h"
 
 /* A column of a table, and the path of its number in the items of a list. */
@@ -124,6 +125,21 @@ po_status po_tables_write_profile(const char *path, const po_request *request,
                      "radius and approach in epsilon; gap H = h/epsilon - 1; traction P = p mu "
                      "epsilon/w, compressive > 0",
                      &rows, digest);
+}
+
+po_status po_tables_write_smoothed(const char *path, const po_request *request) {
+  const po_profile *profile = &request->scene.profile;
+  const po_profile_table *t = profile->table;
+  po_text rows = {0};
+  po_text_add(&rows, "r,gap,removed\n");
+  for (size_t k = 0; k < t->smoothing.points; ++k) {
+    const double r = t->measured[k];
+    const double row[] = {r / t->scale, po_profile_gap(profile, NAN, r) / t->scale,
+                          t->smoothing.removed[k] / t->scale};
+    po_csv_add_row(&rows, row, LENGTH(row));
+  }
+  return write_table(path, request, "smoothed profile, and what was removed from each row",
+                     "those of the measured table", &rows, NULL);
 }
 
 po_status po_tables_write_staircase(const char *path, const po_request *request,

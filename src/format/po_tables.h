@@ -24,6 +24,10 @@ po_status po_tables_write_profile(const char *path, const po_request *request,
 po_status po_tables_write_staircase(const char *path, const po_request *request,
                                     const po_result *result, char *digest);
 
+/* Writes the smoothed table of the profile at its rows, in the unit of the file, with the columns r,
+ * gap and removed: what the row had more. Otherwise as po_tables_write_curve. */
+po_status po_tables_write_smoothed(const char *path, const po_request *request);
+
 /* One scene of a series in which one parameter varies. */
 typedef struct {
   double value;            /* of the parameter */

@@ -11,6 +11,7 @@ typedef enum {
   NOT_NEGATIVE_DOMAIN,
   POSITIVE_DOMAIN,
   POSITIVE_OR_INFINITE_DOMAIN,
+  POSITIVE_OR_AUTO_DOMAIN,
   FINITE_OR_INFINITE_DOMAIN,
   COUNT_DOMAIN,
   NAME_DOMAIN
@@ -148,10 +149,10 @@ static bool set_name(po_request *request, po_key key, const char *text) {
   return true;
 }
 
-/* A table that was read before is read again in the new unit. */
-static bool set_scale(po_request *request, double scale) {
+/* A table that was read before is read again in the new unit, or is smoothed. */
+static bool set_of_table(po_request *request, po_profile_parameter parameter, double value) {
   po_profile profile = request->scene.profile;
-  po_profile_set_parameter(&profile, PO_TABLE_SCALE, scale);
+  po_profile_set_parameter(&profile, parameter, value);
   const bool set = !po_profile_is_table(&profile) ||
                    po_profile_set_file(&profile, po_profile_file(&profile)) == PO_OK;
   if (set)
@@ -169,6 +170,9 @@ static bool parse_value(value_type type, const char *text, double *value) {
     return po_number_parse(text, value) && *value > 0;
   case POSITIVE_OR_INFINITE_DOMAIN:
     return po_number_parse_or_infinity(text, value) && *value > 0;
+  case POSITIVE_OR_AUTO_DOMAIN:
+    *value = INFINITY;
+    return strcmp(text, "auto") == 0 || (po_number_parse(text, value) && *value > 0);
   case FINITE_OR_INFINITE_DOMAIN:
     return po_number_parse_or_infinity(text, value) && *value > -INFINITY;
   default:
@@ -202,8 +206,8 @@ bool po_key_set(po_request *request, po_key key, const char *text) {
   /* What a group amounts to has to be a number that is printed and read back. */
   if (po_key_is_group(key) && !isnormal(value) && (value != 0 || key == PO_KEY_OUTER_RATIO))
     return false;
-  if (key == PO_KEY_TABLE_SCALE)
-    return set_scale(request, value);
+  if (key == PO_KEY_TABLE_SCALE || key == PO_KEY_SMOOTH)
+    return set_of_table(request, (po_profile_parameter)po_key_parameter((int)key), value);
   if (po_key_is_parameter(key, PO_OWNER_LAW))
     po_law_set_parameter(&request->scene.law, (po_law_parameter)po_key_parameter((int)key), value);
   else

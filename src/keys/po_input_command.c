@@ -42,6 +42,8 @@ void po_key_print(const po_request *request, po_key key, char text[PO_KEY_TEXT_L
     snprintf(text, PO_KEY_TEXT_LENGTH, "%zu", request->mesh.nodes);
   else if (isnan(po_key_number(request, key)))
     snprintf(text, PO_KEY_TEXT_LENGTH, key == PO_KEY_TIME_LIMIT ? "none" : "auto");
+  else if (key == PO_KEY_SMOOTH && isinf(po_key_number(request, key)))
+    snprintf(text, PO_KEY_TEXT_LENGTH, "auto");
   else
     po_number_print(po_key_number(request, key), text);
 }

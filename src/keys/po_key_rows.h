@@ -48,6 +48,10 @@
     HELP("parameters, for --profile with the name alone")) \
   X(TABLE_SCALE, "table_scale", POSITIVE, NUMBER, PROFILE, OF_PROFILE(PO_TABLE_SCALE), CONSTANT, EVERY, "S", \
     HELP("unit of the numbers of --profile-file, in epsilon (default 1)")) \
+  X(SMOOTH, "smooth", OTHER(POSITIVE_OR_AUTO, "a finite number > 0, or auto"), NUMBER, PROFILE, \
+    OF_PROFILE(PO_TABLE_SMOOTH), CONSTANT, EVERY, "SIGMA", \
+    HELP("standard deviation of the noise of --profile-file, in the unit of the file; auto estimates it. The profile " \
+         "is then a smoothing spline (default: no noise)")) \
   X(PROFILE_FILE, "profile_file", WORDS("a CSV file with the columns r and gap"), \
     NUMBER, PROFILE, NO_PLACE, CONSTANT, EVERY, "FILE", HELP("profile from a CSV file with the columns r and gap, in epsilon")) \
   X(WAVES, "waves", WORDS("A@L;A@L;..., amplitude and wavelength of at most 8 waves, all > 0, or -"), \

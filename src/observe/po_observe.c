@@ -295,6 +295,8 @@ po_status po_observe(const po_request *asked, po_result *result) {
   po_status status = trace_attempts(&request, NULL, deadline, result);
   if (!status && (request.want & PO_WANT_DIAGNOSTICS))
     status = po_diagnose_moved(&request, deadline, result);
+  if (!status && result->has_pull_off)
+    status = po_uncertainty_solve(&request, deadline, result);
   if (!status)
     status = accompany(&request, result);
   po_watch_end(before);

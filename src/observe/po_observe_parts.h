@@ -27,6 +27,12 @@ double po_observe_deadline(const po_request *request);
  * without the solves with changed inputs (po_diagnose_moved). */
 po_status po_observe_kept(const po_request *request, const po_keeper *keeper, po_result *result);
 
+/* Solves the scene again with each uncertain input, and with the profile changed by its noise, both
+ * ways (doc/method.md, "Uncertain inputs"). Given: a request with a pull-off in its result;
+ * deadline. Returned: the uncertainties of the result. A solve that fails is not a failure. Status:
+ * as po_diagnose_moved. */
+po_status po_uncertainty_solve(const po_request *request, double deadline, po_result *result);
+
 /* Solves the scene again with each parameter changed by one unit in the last place. Given: a
  * request that succeeded, and its result; deadline, the processor time at which the function gives
  * up. Status: PO_NO_MEMORY, PO_INTERRUPTED, PO_OUT_OF_TIME. */

@@ -4,12 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "po_adjoint.h"
 #include "po_contact.h"
 #include "po_contact_profile.h"
-#include "po_diagnosis.h"
 #include "po_energy_error.h"
 #include "po_hermite.h"
-#include "po_initial_gap.h"
 #include "po_memory.h"
 #include "po_observe_parts.h"
 #include "po_solution.h"
@@ -32,45 +31,6 @@ static void keep_status(po_reader *r, po_status status) {
 
 static void take_profile(po_reader *r, const po_branch_point *p) {
   keep_status(r, po_contact_profile_take(&r->request->scene, r->surface, p, r->result));
-}
-
-/* Computes d ln(force) / d ln(parameter) at a minimum of the load; residual and rounding are NAN.
- *
- * The adjoint equation needs no solve. With D = diag(dp/dH), the Jacobian at given approach is
- * J = 1 - coupling G D, the gradient of the load, Eq 17, is g = (2/R) D w, and the integral of Eq
- * 15 is symmetric: w_i G_ij = w_j G_ji. Then J^T D w v = D w J v, so that the solution of J^T x = g
- * is x = D w v with J v = 2/R. The tangent t of the branch solves J t = -t_Delta, hence v = -(2/R)
- * t / t_Delta. Where the approach is not stationary, t_Delta is not 0.
- *
- * Given: the surface, on whose mesh the solution is. Returned: false if it is not, or at a fold.
- * Accuracy: that of the symmetry of the discretised integral; agrees to 1e-6 with the adjoint
- * solve of po_sensitivity_make at a tolerance of 1e-6 (tests/unit/test_diagnosis.c). */
-static bool sensitivity_of(const po_scene *scene, const po_surface *surface, const po_solution *p,
-                           po_sensitivity *made) {
-  const size_t n = p->n;
-  const double rate = p->tangent[n], averaged = po_initial_gap_amplitude(scene);
-  *made = (po_sensitivity){.residual = NAN, .rounding = NAN};
-  if (surface->n != n || memcmp(surface->node, p->node, n * sizeof *p->node) != 0 || rate == 0.0)
-    return false;
-  for (size_t j = 0; j < n; ++j) {
-    const double gap = p->state[j];
-    const bool resolved = j < surface->resolved;
-    const double slope =
-        (resolved ? po_law_at(&scene->law, gap) : po_law_averaged(&scene->law, gap, averaged))
-            .slope;
-    const double adjoint = -2.0 / scene->radius * surface->weight[j] * slope * p->tangent[j] / rate;
-    const po_sensitivity s =
-        po_sensitivity_sources(scene, p->node[j], resolved, p->deflection[j] + p->state[n]);
-    made->tabor += adjoint * s.tabor;
-    made->amplitude += adjoint * s.amplitude;
-    made->wavelength += adjoint * s.wavelength;
-    made->radius += adjoint * s.radius;
-  }
-  made->radius -= p->load; /* the 1/R of Eq 17 */
-  double *const parts[] = {&made->tabor, &made->amplitude, &made->wavelength, &made->radius};
-  for (size_t k = 0; k < sizeof parts / sizeof *parts; ++k)
-    *parts[k] /= p->load;
-  return true;
 }
 
 static po_special_kind kind_of(po_point_kind kind) {
@@ -157,8 +117,9 @@ static void note_minimum(po_reader *r, const po_branch_point *p, const po_estima
     return;
   set_pull_off(e, r->result);
   if (p->solution)
-    r->result->pull_off.has_sensitivity = sensitivity_of(
+    r->result->pull_off.has_sensitivity = po_adjoint_sensitivity(
         &r->request->scene, r->surface, p->solution, &r->result->pull_off.sensitivity);
+  keep_status(r, po_adjoint_noise(&r->request->scene, r->surface, p, r->result));
   const po_contact_gap gap = po_contact_gap_of(&r->request->scene, root_of(r), p);
   const double edge = po_contact_radius(&gap);
   r->result->pull_off.full_disc = edge > 0.0 ? po_contact_disc(&gap) / edge : (double)NAN;

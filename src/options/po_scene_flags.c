@@ -72,6 +72,10 @@ static po_status take_parameter(po_profile_parameter parameter, double *value) {
   char name[PO_FLAG_LENGTH_OF_NAME];
   const int key = po_key_of_name(po_profile_parameter_name(parameter));
   po_key_flag(key, name);
+  if (parameter == PO_TABLE_SMOOTH && strcmp(optarg, "auto") == 0) {
+    *value = INFINITY;
+    return PO_OK;
+  }
   return po_number_parse(optarg, value) && *value > 0.0
              ? PO_OK
              : po_options_refuse(name, optarg, po_key_expected((po_key)key));
@@ -138,7 +142,7 @@ static po_status refuse_parameter(const char *what, const char *name, int key) {
   char flag[PO_FLAG_LENGTH_OF_NAME];
   po_key_flag(key, flag);
   const int length = (int)strcspn(flag, "-");
-  if (strncmp(flag, "table", (size_t)length) == 0)
+  if (key == PO_KEY_TABLE_SCALE || key == PO_KEY_SMOOTH)
     return po_fail(PO_BAD_INPUT, "--%s has no effect on the %s %s: expected --profile-file", flag,
                    what, name);
   return po_fail(PO_BAD_INPUT, "--%s has no effect on the %s %s: expected --%s %.*s", flag, what,

@@ -48,6 +48,14 @@ typedef struct {
   po_status (*theories)(const struct po_request *request, po_result *result);
 } po_companion;
 
+/* An uncertain input: the request with the input less and more by its standard uncertainty. */
+typedef struct {
+  char source[40];                   /* the name of its option */
+  double value, deviation;           /* as they were given */
+  const struct po_request *moved[2]; /* less, more */
+  double unit[2]; /* pi w R of these requests in that of the request that has this variation */
+} po_variation;
+
 typedef struct po_request {
   po_scene scene;
   bool radius_given;     /* the radius of the scene stays when a profile is set, see po_input.h */
@@ -62,7 +70,9 @@ typedef struct po_request {
   double stiffness;        /* of a spring through which the body is moved, pi w R/eps; NAN: none */
   po_search search;        /* beyond the preload; PO_SEARCH_ALL if PO_WANT_PRELOAD */
   const po_companion *companion; /* NULL: none; a search is then never known to be complete */
-  double time_limit;             /* seconds of processor time of the solving thread; NAN: none */
+  const po_variation *variation; /* of uncertain inputs; NULL: none */
+  size_t variations;
+  double time_limit; /* seconds of processor time of the solving thread; NAN: none */
   const volatile sig_atomic_t *stop; /* nonzero interrupts the solve; see po_watch.h; may be NULL */
   /* Told of every point of a trace: approach, eps, and load, pi w R; of a scene of a series that is
    * followed: NAN. NULL: nobody. */

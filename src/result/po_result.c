@@ -9,6 +9,7 @@ po_result po_result_none(void) {
                      .start = NAN,
                      .ended = {.approach = NAN, .load = NAN},
                      .profile_approach = NAN,
+                     .uncertainty = NAN,
                      .pull_off = {.full_disc = NAN, .pressed = unknown, .until = unknown},
                      .pull_off_any = {.pressed = unknown, .searched = unknown},
                      .diagnostics = {.residual = NAN,
@@ -35,6 +36,8 @@ void po_result_clear(po_result *result) {
   po_staircases_clear(&result->staircase);
   po_hysteresis_clear(&result->theory.hysteresis);
   po_staircases_clear(&result->theory.staircase);
+  free(result->noise.change);
+  free(result->uncertain);
   free(result->theories);
   free(result->diagnostics.states);
   *result = po_result_none();

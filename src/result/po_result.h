@@ -89,6 +89,16 @@ typedef struct {
   double approach, load;
 } po_pressed;
 
+/* What the uncertainty of one input, or the noise of a profile, does to the pull-off force. */
+typedef struct {
+  char source[40];         /* the name of the option, or "noise" */
+  double value, deviation; /* of the input; of noise: NAN, and that of the rows in their unit */
+  double below, above;     /* changes of the force, pi w R, when the input is less and more by its
+                              deviation; NAN: that solve failed */
+  double force; /* standard uncertainty of the force, to first order, pi w R; NAN: the force is not
+                   linear over these inputs */
+} po_uncertain;
+
 /* Why the trace of a branch ended; see po_stopping.h. */
 typedef enum {
   PO_END_NONE,       /* nothing was traced, or the status gives the reason */
@@ -130,7 +140,9 @@ typedef struct {
                          the contact radius; NAN: unknown, no contact */
     bool has_sensitivity; /* whether `sensitivity` is set; on panels only */
     po_sensitivity
-        sensitivity;    /* d ln(force) / d ln(parameter); its residual and rounding are NAN */
+        sensitivity; /* d ln(force) / d ln(parameter); its residual and rounding are NAN */
+    double noise;    /* standard deviation of the force by the noise of a smoothed table, to first
+                        order; NAN: none, or not on panels */
     po_pressed pressed; /* the least preload with this pull-off; NAN: none on the trace */
     po_pressed
         until; /* the hardest preload with this pull-off; NAN: the trace ended before it changed */
@@ -162,6 +174,14 @@ typedef struct {
     po_hysteresis hysteresis;
     po_staircases staircase;
   } theory;
+  struct {
+    double deviation; /* of the force by the noise of a smoothed table, pi w R of the solve */
+    double *change;   /* of the table that belongs to it (po_profile_table_noise); NULL: none */
+  } noise;
+  po_uncertain *uncertain; /* one a source; NULL: there is none */
+  size_t uncertain_count;
+  double
+      uncertainty; /* of the force by all of them: the root of the sum of squares; NAN: unknown */
   po_theory_row *theories; /* one a theory; NULL unless wanted */
   size_t theory_count;
   po_diagnostics diagnostics; /* states is NULL unless wanted */

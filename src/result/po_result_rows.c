@@ -147,6 +147,30 @@ static const po_row ANY[] = {
 };
 static const po_block ANY_ROWS = BLOCK("pull_off_any", ANY, NULL);
 
+#define NOT_LINEAR "if a solve failed, or if the force is not linear over the uncertainty of a source"
+#undef S
+#define S po_uncertain
+static const po_row UNCERTAIN[] = {
+  TEXT("source", source, "the option of an uncertain input, or `noise` of the profile"),
+  NUMBER("value", value, NONE, "", "of noise", "the input as it was given"),
+  NUMBER("deviation", deviation, NONE, "", "", "its standard uncertainty; of noise, in the unit of the file"),
+  NUMBER("below", below, LOAD, "", "if that solve failed", "change of the pull-off force when the input is less by `deviation`"),
+  NUMBER("above", above, LOAD, "", "if that solve failed", "the same when it is more"),
+  NUMBER("force", force, LOAD, "", NOT_LINEAR, "standard uncertainty of the pull-off force"),
+};
+const po_block PO_UNCERTAIN_ROWS = BLOCK("uncertain", UNCERTAIN, NULL);
+#undef S
+#define S po_result
+static const po_row UNCERTAINTY[] = {
+  NUMBER("force", uncertainty, LOAD, "", NOT_LINEAR, "root of the sum of squares of the sources"),
+  LIST("sources", uncertain, uncertain_count, PO_UNCERTAIN_ROWS, NULL, "", "one row an uncertain input"),
+};
+static const po_block UNCERTAINTY_ROWS = BLOCK("uncertainty", UNCERTAINTY, NULL);
+
+static bool lacks_uncertainty(const void *of) {
+  return ((const S *)of)->uncertain_count == 0;
+}
+
 static const char *const CAUSES[] = {
   [PO_END_NONE] = "none", [PO_END_COMPRESSED] = "compressed", [PO_END_PRELOAD] = "preload",
   [PO_END_COMPLETE] = "complete", [PO_END_SEARCHED] = "searched", [PO_END_ASKED] = "approach_end",
@@ -234,6 +258,8 @@ static const po_row RESULT[] = {
 };
 
 static const po_row WANTED[] = {
+  {.key = "uncertainty", .type = PO_ROW_PART, .block = &UNCERTAINTY_ROWS, .omitted = true, .absent = lacks_uncertainty,
+   TEXTS("", "absent without uncertain inputs", "standard uncertainty of the pull-off force by that of the inputs; it has no part in `error_estimate`")},
   {.key = "hysteresis", .type = PO_ROW_PART, .block = &PO_HYSTERESIS_ROWS, .omitted = true,
    .present = AT(bool, has_hysteresis), TEXTS("", UNWANTED, "loading and unloading")},
   {.key = "staircase", .type = PO_ROW_PART, .block = &PO_STAIRCASE_ROWS, .omitted = true,

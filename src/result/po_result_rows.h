@@ -11,7 +11,7 @@ extern const po_block PO_ALL_ROWS, PO_RESULT_ROWS, PO_WANTED_ROWS, PO_CONTACT_RO
 /* Of the items of its lists; of the pull-off, a block of po_result; of a step of a staircase; and
  * of a theory. */
 extern const po_block PO_CURVE_ROWS, PO_PROFILE_ROWS, PO_SPECIAL_POINT_ROWS, PO_PULL_OFF_ROWS,
-    PO_STEP_ROWS, PO_THEORIES_ROWS;
+    PO_STEP_ROWS, PO_THEORIES_ROWS, PO_UNCERTAIN_ROWS;
 
 /* The label of a jump, or of one of its ends. Labels are numbered from 1: "1", "2", ... in loading;
  * "a", "b", ... "z", "aa", ... in unloading. */

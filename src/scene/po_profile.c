@@ -17,6 +17,7 @@ static const char *const PARAMETERS[PO_PROFILE_PARAMETER_COUNT] = {
     [PO_CONE_T] = "cone_t",           [PO_PUNCH_B] = "punch_b",
     [PO_PUNCH_R] = "punch_r",         [PO_TRUNCATED_B] = "truncated_b",
     [PO_TRUNCATED_R] = "truncated_r", [PO_TABLE_SCALE] = "table_scale",
+    [PO_TABLE_SMOOTH] = "smooth",
 };
 
 static const po_profile_kind *kind_of(const po_profile *profile) {
@@ -58,7 +59,8 @@ po_status po_profile_set_file(po_profile *profile, const char *path) {
                    strlen(path), PO_PROFILE_PATH_LENGTH);
   const po_profile_table *table;
   const double given = profile->parameter[PO_TABLE_SCALE], scale = isnan(given) ? 1.0 : given;
-  const po_status status = po_profile_table_read(path, scale, &table);
+  const po_status status =
+      po_profile_table_read(path, scale, profile->parameter[PO_TABLE_SMOOTH], &table);
   if (status)
     return status;
   profile->kind = &PO_TABLE;
@@ -103,9 +105,11 @@ const char *po_profile_digest(const po_profile *profile) {
 bool po_profile_equal(const po_profile *a, const po_profile *b) {
   if (kind_of(a) != kind_of(b) || a->table != b->table)
     return false;
-  for (int k = 0; k < PO_PROFILE_PARAMETER_COUNT; ++k)
-    if (po_profile_has(a, (po_profile_parameter)k) && a->parameter[k] != b->parameter[k])
+  for (int k = 0; k < PO_PROFILE_PARAMETER_COUNT; ++k) {
+    const double x = a->parameter[k], y = b->parameter[k];
+    if (po_profile_has(a, (po_profile_parameter)k) && x != y && !(isnan(x) && isnan(y)))
       return false;
+  }
   return true;
 }
 

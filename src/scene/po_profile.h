@@ -23,7 +23,9 @@ typedef enum {
   PO_PUNCH_R,
   PO_TRUNCATED_B, /* flat to b, then (r^2 - b^2)/(2R): a sphere that is cut flat */
   PO_TRUNCATED_R,
-  PO_TABLE_SCALE, /* the unit of the numbers of a table, in epsilon */
+  PO_TABLE_SCALE,  /* the unit of the numbers of a table, in epsilon */
+  PO_TABLE_SMOOTH, /* standard deviation of their noise, in this unit; INFINITY: it is estimated;
+                      NAN: the spline passes through all rows */
   PO_PROFILE_PARAMETER_COUNT
 } po_profile_parameter;
 

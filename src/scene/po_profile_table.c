@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "po_csv.h"
+#include "po_elementary.h"
 #include "po_hermite.h"
 #include "po_memory.h"
 #include "po_profile_kind.h"
@@ -46,23 +47,27 @@ static po_status check_distances(const po_csv *csv, const po_profile_table *t, d
   return PO_OK;
 }
 
+static po_status allocate_rows(po_profile_table *t, size_t rows) {
+  t->rows = rows;
+  t->r = po_allocate(rows, sizeof *t->r);
+  t->gap = po_allocate(rows, sizeof *t->gap);
+  t->slope = po_allocate(rows, sizeof *t->slope);
+  t->beyond = po_allocate(rows, sizeof *t->beyond);
+  return t->r && t->gap && t->slope && t->beyond ? PO_OK : PO_NO_MEMORY;
+}
+
 static po_status read_rows(const po_csv *csv, po_profile_table *t) {
   const int r = po_csv_find_column(csv, "r"), gap = po_csv_find_column(csv, "gap");
   if (r < 0 || gap < 0)
     return po_fail(PO_CANNOT_READ, "%s:%zu: expected the columns r and gap, separated by a comma",
                    csv->path, csv->column_line);
-  if (csv->row_count < LEAST_ROWS)
-    return po_fail(PO_CANNOT_READ, "%s: %zu rows are too few for a profile: expected at least %d",
-                   csv->path, csv->row_count, LEAST_ROWS);
-  t->rows = csv->row_count;
-  t->r = po_allocate(t->rows, sizeof *t->r);
-  t->gap = po_allocate(t->rows, sizeof *t->gap);
-  t->slope = po_allocate(t->rows, sizeof *t->slope);
-  t->beyond = po_allocate(t->rows, sizeof *t->beyond);
-  if (!t->r || !t->gap || !t->slope || !t->beyond)
-    return PO_NO_MEMORY;
-  for (size_t k = 0; k < t->rows; ++k) {
-    po_status status = po_csv_number(csv, k, (size_t)r, &t->r[k]);
+  const int least = isnan(t->smooth) ? LEAST_ROWS : PO_SMOOTHING_LEAST;
+  if (csv->row_count < (size_t)least)
+    return po_fail(PO_CANNOT_READ, "%s: %zu rows are too few for a %sprofile: expected at least %d",
+                   csv->path, csv->row_count, isnan(t->smooth) ? "" : "smoothed ", least);
+  po_status status = allocate_rows(t, csv->row_count);
+  for (size_t k = 0; k < t->rows && !status; ++k) {
+    status = po_csv_number(csv, k, (size_t)r, &t->r[k]);
     if (!status)
       status = po_csv_number(csv, k, (size_t)gap, &t->gap[k]);
     if (status)
@@ -76,15 +81,19 @@ static po_status read_rows(const po_csv *csv, po_profile_table *t) {
       return refuse(csv, k, "the first r", given, "0");
     if (k > 0 && !(t->r[k] > t->r[k - 1]))
       return refuse(csv, k, "r", given, "more than in the row before");
-    if (k > 0)
-      t->gap[k] -= t->gap[0];
   }
+  return status;
+}
+
+/* Makes the gaps relative to that on the axis. */
+static po_status begin_on_axis(const po_csv *csv, po_profile_table *t) {
   const double axis = t->gap[0];
-  t->gap[0] = 0.0;
   const size_t last = t->rows - 1;
+  for (size_t k = 0; k <= last; ++k)
+    t->gap[k] -= axis;
   if (!(t->gap[last] > 0.0 && t->gap[last] > t->gap[last - 1]))
-    return refuse(csv, last, "the last gap, less that on the axis,", t->gap[last] / t->scale,
-                  "more than in the row before, and more than 0");
+    return refuse(csv, csv->row_count - 1, "the last gap, less that on the axis,",
+                  t->gap[last] / t->scale, "more than in the row before, and more than 0");
   return check_distances(csv, t, axis);
 }
 
@@ -136,9 +145,11 @@ static po_status compare_without(const po_csv *csv, po_profile_table *t, size_t 
       ++c;
     t->uncertainty = fmax(t->uncertainty, difference);
     if (difference > COARSEST * (1.0 + fabs(t->gap[k + 1])))
-      status = refuse(csv, is_left_out(t, k, odd) ? k : k + 1,
-                      "without this row the gap changes; the change, in epsilon,", difference,
-                      "less than a tenth of 1 + gap: rows at more equal distances, or less noise");
+      status =
+          refuse(csv, is_left_out(t, k, odd) ? k : k + 1,
+                 "without this row the gap changes; the change, in epsilon,", difference,
+                 "less than a tenth of 1 + gap: rows at more equal distances, or, if the rows have "
+                 "noise, smooth with its standard deviation or auto");
   }
   free(room);
   return status;
@@ -149,7 +160,7 @@ static po_status check_end(const po_csv *csv, const po_profile_table *t) {
   const size_t last = t->rows - 1;
   if (t->slope[last] > 0.0)
     return PO_OK;
-  return refuse(csv, last, "the slope of the spline at the last r", t->slope[last],
+  return refuse(csv, csv->row_count - 1, "the slope of the spline at the last r", t->slope[last],
                 "more than 0, by rows nearer to each other at the end");
 }
 
@@ -206,58 +217,161 @@ static void derive(po_profile_table *t) {
     t->detail = narrowest;
 }
 
-static void destroy(po_profile_table *t) {
+void po_profile_table_free(po_profile_table *t) {
+  if (!t)
+    return;
   free(t->path);
   free(t->r);
   free(t->gap);
   free(t->slope);
   free(t->beyond);
+  free(t->measured);
+  po_smoothing_free(&t->smoothing);
   free(t);
 }
 
-static po_status make(const char *path, double scale, const po_csv *csv, po_profile_table **table) {
+/* Puts the smoothing spline in the place of the rows. */
+static po_status smooth_rows(po_profile_table *t) {
+  po_smoothing *s = &t->smoothing;
+  const double deviation = isinf(t->smooth) ? (double)NAN : t->smooth * t->scale;
+  po_status status = po_smoothing_make(t->rows, t->r, t->gap, deviation, s);
+  if (!status)
+    status = po_smoothing_uncertainty(s, &t->uncertainty);
+  if (status)
+    return status;
+  t->measured = t->r;
+  free(t->gap);
+  free(t->slope);
+  free(t->beyond);
+  t->gap = t->slope = t->beyond = NULL;
+  status = allocate_rows(t, s->knots);
+  if (status)
+    return status;
+  memcpy(t->r, s->knot, s->knots * sizeof *t->r);
+  memcpy(t->gap, s->value, s->knots * sizeof *t->gap);
+  memcpy(t->slope, s->slope, s->knots * sizeof *t->slope);
+  return PO_OK;
+}
+
+/* The spline through all rows. */
+static po_status join_rows(const po_csv *csv, po_profile_table *t) {
+  po_status status = slopes_of(t->rows, t->r, t->gap, t->slope);
+  if (!status)
+    status = compare_without(csv, t, 1);
+  return status ? status : compare_without(csv, t, 0);
+}
+
+static po_status make(const char *path, double scale, double smooth, const po_csv *csv,
+                      po_profile_table **table) {
   po_profile_table *t = *table = po_allocate(1, sizeof *t);
   if (!t)
     return PO_NO_MEMORY;
   t->scale = scale;
+  t->smooth = smooth;
   memcpy(t->digest, csv->digest, sizeof t->digest);
   t->path = po_copy_text(path);
   po_status status = t->path ? read_rows(csv, t) : PO_NO_MEMORY;
+  if (!status && !isnan(smooth))
+    status = smooth_rows(t);
   if (!status)
-    status = slopes_of(t->rows, t->r, t->gap, t->slope);
-  if (!status)
-    status = compare_without(csv, t, 1);
-  if (!status)
-    status = compare_without(csv, t, 0);
+    status = begin_on_axis(csv, t);
+  if (!status && isnan(smooth))
+    status = join_rows(csv, t);
   if (!status)
     status = check_end(csv, t);
   if (!status) {
     derive(t);
     return PO_OK;
   }
-  destroy(t);
+  po_profile_table_free(t);
   *table = NULL;
   return status;
+}
+
+size_t po_profile_table_points(const po_profile_table *t) {
+  return t->smoothing.knots ? t->smoothing.points : t->rows;
+}
+
+size_t po_profile_table_interval(const po_profile_table *t, double r) {
+  size_t low = 0, high = t->rows - 1;
+  while (high - low > 1) {
+    const size_t middle = (low + high) / 2;
+    if (t->r[middle] <= r)
+      low = middle;
+    else
+      high = middle;
+  }
+  return low;
+}
+
+po_status po_profile_table_noise(const po_profile_table *t, size_t count, const double *r,
+                                 const double *weight, double *deviation, double *change) {
+  double *const by_gap = change, *const by_slope = change + t->rows;
+  const size_t last = t->rows - 1;
+  memset(change, 0, 2 * t->rows * sizeof *change);
+  for (size_t i = 0; i < count; ++i) {
+    const double ratio = r[i] / t->r[last];
+    if (ratio >= 1.0) { /* gap (r/end)^(end slope/gap) */
+      const double power = weight[i] * po_pow(ratio, t->growth), log = po_log(ratio);
+      by_gap[last] += power * (1.0 - t->growth * log);
+      by_gap[0] -= power * (1.0 - t->growth * log);
+      by_slope[last] += power * t->r[last] * log;
+      continue;
+    }
+    const size_t k = po_profile_table_interval(t, r[i]);
+    const po_hermite w = po_hermite_at(r[i] - t->r[k], t->r[k + 1] - t->r[k]);
+    by_gap[k] += weight[i] * w.f0;
+    by_gap[k + 1] += weight[i] * w.f1;
+    by_slope[k] += weight[i] * w.d0;
+    by_slope[k + 1] += weight[i] * w.d1;
+    by_gap[0] -= weight[i];
+  }
+  return po_smoothing_deviation(&t->smoothing, by_gap, by_slope, deviation);
+}
+
+po_status po_profile_table_displace(const po_profile_table *t, const double *change,
+                                    double multiple, po_profile_table **displaced) {
+  po_profile_table *d = *displaced = po_allocate(1, sizeof *d);
+  if (!d)
+    return PO_NO_MEMORY;
+  *d = (po_profile_table){.scale = t->scale, .smooth = t->smooth, .uncertainty = t->uncertainty};
+  memcpy(d->digest, t->digest, sizeof d->digest);
+  d->path = po_copy_text(t->path);
+  const po_status status = d->path ? allocate_rows(d, t->rows) : PO_NO_MEMORY;
+  if (status) {
+    po_profile_table_free(d);
+    *displaced = NULL;
+    return status;
+  }
+  for (size_t k = 0; k < t->rows; ++k) {
+    d->r[k] = t->r[k];
+    d->gap[k] = t->gap[k] + multiple * (change[k] - change[0]);
+    d->slope[k] = t->slope[k] + multiple * change[t->rows + k];
+  }
+  derive(d);
+  return PO_OK;
 }
 
 /* All tables that were read. */
 static po_profile_table *tables;
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 
-static const po_profile_table *find(const char *path, double scale) {
+static const po_profile_table *find(const char *path, double scale, double smooth) {
   const po_profile_table *t = tables;
-  while (t && (strcmp(t->path, path) != 0 || t->scale != scale))
+  while (t && (strcmp(t->path, path) != 0 || t->scale != scale ||
+               !(t->smooth == smooth || (isnan(t->smooth) && isnan(smooth)))))
     t = t->next;
   return t;
 }
 
-static po_status read_new(const char *path, double scale, const po_profile_table **table) {
+static po_status read_new(const char *path, double scale, double smooth,
+                          const po_profile_table **table) {
   po_csv csv;
   po_profile_table *made;
   po_status status = po_csv_read(path, path, &csv);
   if (status)
     return status;
-  status = make(path, scale, &csv, &made);
+  status = make(path, scale, smooth, &csv, &made);
   po_csv_clear(&csv);
   if (!status) {
     made->next = tables;
@@ -266,10 +380,11 @@ static po_status read_new(const char *path, double scale, const po_profile_table
   return status;
 }
 
-po_status po_profile_table_read(const char *path, double scale, const po_profile_table **table) {
+po_status po_profile_table_read(const char *path, double scale, double smooth,
+                                const po_profile_table **table) {
   pthread_mutex_lock(&lock);
-  *table = find(path, scale);
-  const po_status status = *table ? PO_OK : read_new(path, scale, table);
+  *table = find(path, scale, smooth);
+  const po_status status = *table ? PO_OK : read_new(path, scale, smooth, table);
   pthread_mutex_unlock(&lock);
   return status;
 }
@@ -279,7 +394,7 @@ void po_profile_table_clear(void) {
   while (tables) {
     po_profile_table *t = tables;
     tables = t->next;
-    destroy(t);
+    po_profile_table_free(t);
   }
   pthread_mutex_unlock(&lock);
 }

@@ -8,19 +8,6 @@
 #include "po_root.h"
 #include "po_two_functions.h"
 
-/* The interval of a radius, by bisection. */
-static size_t interval_of(const po_profile_table *t, double r) {
-  size_t low = 0, high = t->rows - 1;
-  while (high - low > 1) {
-    const size_t middle = (low + high) / 2;
-    if (t->r[middle] <= r)
-      low = middle;
-    else
-      high = middle;
-  }
-  return low;
-}
-
 static double end(const po_profile *profile) {
   return profile->table->r[profile->table->rows - 1];
 }
@@ -31,7 +18,7 @@ static double gap(const po_profile *profile, double radius, double r) {
   const size_t last = t->rows - 1;
   if (r > t->r[last])
     return t->gap[last] * po_pow(r / t->r[last], t->growth);
-  const size_t k = interval_of(t, r);
+  const size_t k = po_profile_table_interval(t, r);
   return po_hermite_value(t->gap[k], t->slope[k], t->gap[k + 1], t->slope[k + 1], r - t->r[k],
                           t->r[k + 1] - t->r[k]);
 }
@@ -40,7 +27,7 @@ static double slope(const po_profile *profile, double radius, double r) {
   const po_profile_table *t = profile->table;
   if (r > t->r[t->rows - 1])
     return t->growth * gap(profile, radius, r) / r;
-  const size_t k = interval_of(t, r);
+  const size_t k = po_profile_table_interval(t, r);
   return po_hermite_rate(t->gap[k], t->slope[k], t->gap[k + 1], t->slope[k + 1], r - t->r[k],
                          t->r[k + 1] - t->r[k]);
 }
@@ -62,7 +49,7 @@ static po_two gap_exact(const po_profile *profile, double radius, double r) {
     return po_two_times(
         po_two_pow(po_two_divide(po_two_of(r), po_two_of(t->r[last])), po_two_of(t->growth)),
         t->gap[last]);
-  const size_t k = interval_of(t, r);
+  const size_t k = po_profile_table_interval(t, r);
   const po_two h = po_two_sum(t->r[k + 1], -t->r[k]), x = po_two_divide(po_two_sum(r, -t->r[k]), h),
                y = po_two_subtract(po_two_of(1.0), x);
   const po_two left = part_of(t->gap[k], po_two_times(h, t->slope[k]), x, y),
@@ -75,7 +62,7 @@ static double gap_beyond(const po_profile *profile, double radius, double r) {
   const size_t last = t->rows - 1;
   if (r >= t->r[last])
     return gap(profile, radius, r);
-  const size_t k = interval_of(t, r);
+  const size_t k = po_profile_table_interval(t, r);
   return isinf(t->detail) ? gap(profile, radius, r) : fmin(t->beyond[k], t->beyond[k + 1]);
 }
 
@@ -106,7 +93,7 @@ static double radius_of_gap(const po_profile *profile, double radius, double sou
 
 static double next_joint(const po_profile *profile, double r) {
   const po_profile_table *t = profile->table;
-  return r < t->r[t->rows - 1] ? t->r[interval_of(t, r) + 1] : INFINITY;
+  return r < t->r[t->rows - 1] ? t->r[po_profile_table_interval(t, r) + 1] : INFINITY;
 }
 
 static double growth(const po_profile *profile) {
@@ -126,7 +113,7 @@ static po_status check(const po_profile *profile) {
 }
 
 const po_profile_kind PO_TABLE = {.name = "table",
-                                  .parameters = 1,
+                                  .parameters = 2,
                                   .first = PO_TABLE_SCALE,
                                   .check = check,
                                   .gap = gap,

@@ -36,8 +36,11 @@ static po_status check_far_field(const po_scene *scene) {
   if (!(far.exponent * growth >= SLOWEST_DECAY))
     return po_fail(PO_BAD_INPUT,
                    "the profile grows as r^%g far out, and the law falls as gap^-%g: the far field "
-                   "of an unbounded surface falls too slowly; expected an outer radius",
-                   growth, far.exponent);
+                   "of an unbounded surface falls too slowly; expected an outer radius%s",
+                   growth, far.exponent,
+                   po_profile_is_table(&scene->profile)
+                       ? ", or smooth if the rows of the table have noise"
+                       : "");
   return PO_OK;
 }
 

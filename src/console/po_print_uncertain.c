@@ -1,0 +1,42 @@
+#include "po_print_uncertain.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "po_profile_table.h"
+
+void po_print_smoothing(const po_profile *profile) {
+  const po_smoothing *s = &profile->table->smoothing;
+  if (!s->knots)
+    return;
+  const double unit = profile->table->scale;
+  printf("smoothed noise %.4g of the rows %s, residuals %.4g; removed: rms %.4g, greatest %.4g, in "
+         "the unit of the file; %.1f of %zu parameters are left\n",
+         s->deviation / unit, isinf(profile->table->smooth) ? "estimated" : "stated",
+         s->residual / unit, s->rms / unit, s->greatest / unit, s->parameters, s->points);
+}
+
+static void print_source(const po_uncertain *u, double unit, const char *name) {
+  if (strcmp(u->source, "noise") == 0)
+    printf("uncertain noise of the profile: ");
+  else
+    printf("uncertain %s %.6g+-%.2g: ", u->source, u->value, u->deviation);
+  if (!isnan(u->force))
+    printf("force +-%.2g %s\n", u->force * unit, name);
+  else if (isnan(u->below) || isnan(u->above))
+    printf("unknown, because the solve with the input %s by its uncertainty failed\n",
+           isnan(u->below) ? "less" : "more");
+  else
+    printf("no number, because the force is not linear there: it changes by %.2g %s with the input "
+           "less by its uncertainty, by %.2g with the input more\n",
+           u->below * unit, name, u->above * unit);
+}
+
+void po_print_uncertain(const po_result *result, double unit, const char *name) {
+  for (size_t k = 0; k < result->uncertain_count; ++k)
+    print_source(&result->uncertain[k], unit, name);
+  if (result->uncertain_count > 1 && !isnan(result->uncertainty))
+    printf("uncertain all together: force +-%.2g %s, the root of the sum of squares\n",
+           result->uncertainty * unit, name);
+}

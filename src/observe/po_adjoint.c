@@ -1,0 +1,133 @@
+#include "po_adjoint.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_diagnosis.h"
+#include "po_initial_gap.h"
+#include "po_memory.h"
+#include "po_profile_table.h"
+
+static double slope_at(const po_scene *scene, const po_surface *surface, size_t j, double gap) {
+  return (j < surface->resolved
+              ? po_law_at(&scene->law, gap)
+              : po_law_averaged(&scene->law, gap, po_initial_gap_amplitude(scene)))
+      .slope;
+}
+
+/* x at node j. */
+static double adjoint_at(const po_scene *scene, const po_surface *surface, const po_solution *p,
+                         size_t j) {
+  return -2.0 / scene->radius * surface->weight[j] * slope_at(scene, surface, j, p->state[j]) *
+         p->tangent[j] / p->tangent[p->n];
+}
+
+/* Whether a solution is on the mesh of the surface, and not at a fold. */
+static bool has_adjoint(const po_surface *surface, const po_solution *p) {
+  return surface->n == p->n && memcmp(surface->node, p->node, p->n * sizeof *p->node) == 0 &&
+         p->tangent[p->n] != 0.0;
+}
+
+bool po_adjoint_sensitivity(const po_scene *scene, const po_surface *surface, const po_solution *p,
+                            po_sensitivity *made) {
+  *made = (po_sensitivity){.residual = NAN, .rounding = NAN};
+  if (!has_adjoint(surface, p))
+    return false;
+  for (size_t j = 0; j < p->n; ++j) {
+    const double adjoint = adjoint_at(scene, surface, p, j);
+    const po_sensitivity s = po_sensitivity_sources(scene, p->node[j], j < surface->resolved,
+                                                    p->deflection[j] + p->state[p->n]);
+    made->tabor += adjoint * s.tabor;
+    made->amplitude += adjoint * s.amplitude;
+    made->wavelength += adjoint * s.wavelength;
+    made->radius += adjoint * s.radius;
+  }
+  made->radius -= p->load; /* the 1/R of Eq 17 */
+  double *const parts[] = {&made->tabor, &made->amplitude, &made->wavelength, &made->radius};
+  for (size_t k = 0; k < sizeof parts / sizeof *parts; ++k)
+    *parts[k] /= p->load;
+  return true;
+}
+
+/* Radii with weights, whose sum with a change of the gap is the change of the load. */
+typedef struct {
+  double *r, *weight;
+  size_t count, r_room, weight_room;
+} weights;
+
+static po_status add_weight(weights *w, double r, double weight) {
+  double *radii = po_grow(w->r, w->count, &w->r_room, sizeof *radii);
+  if (radii)
+    w->r = radii;
+  double *values = po_grow(w->weight, w->count, &w->weight_room, sizeof *values);
+  if (values)
+    w->weight = values;
+  if (!radii || !values)
+    return PO_NO_MEMORY;
+  w->r[w->count] = r;
+  w->weight[w->count++] = weight;
+  return PO_OK;
+}
+
+static po_status weigh_elastic(const po_scene *scene, const po_surface *surface,
+                               const po_solution *p, weights *w) {
+  po_status status = PO_OK;
+  for (size_t j = 0; j < p->n && !status; ++j)
+    status = add_weight(w, p->node[j], adjoint_at(scene, surface, p, j));
+  return status;
+}
+
+/* Gauss's rule with three points on (0, 1). */
+static const double NODE[] = {0.11270166537925831, 0.5, 0.88729833462074169};
+static const double WEIGHT[] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+
+/* The intervals of this rule: their gap changes by at most this part of the length of the law, or
+ * by less if they are that much smaller than a wave or the interval before. They end at a gap of so
+ * many such lengths, from which on the rest is less than 1e-6. */
+static const double CHANGE = 0.1, PART_OF_WAVE = 0.125, GROWTH = 0.25, FARTHEST = 1e3;
+
+static po_status weigh_rigid(const po_scene *scene, double approach, weights *w) {
+  const double far = FARTHEST * po_law_size(&scene->law, 0.0);
+  const double detail = PART_OF_WAVE * po_initial_gap_detail(scene);
+  po_status status = PO_OK;
+  double begin = 0.0, h = po_profile_next_joint(&scene->profile, 0.0);
+  while (!status && po_initial_gap_beyond(scene, begin) - approach < far) {
+    const double size = po_law_size(&scene->law, po_initial_gap(scene, begin) - approach);
+    double length = fmin(h, detail);
+    while (fabs(po_initial_gap(scene, begin + length) - po_initial_gap(scene, begin)) >
+           CHANGE * size)
+      length *= 0.5;
+    h = (1.0 + GROWTH) * length;
+    length = fmin(length, po_profile_next_joint(&scene->profile, begin) - begin);
+    for (int q = 0; q < 3 && !status; ++q) {
+      const double r = begin + NODE[q] * length;
+      const double slope = po_law_at(&scene->law, po_initial_gap(scene, r) - approach).slope;
+      status = add_weight(w, r, 2.0 / scene->radius * slope * r * WEIGHT[q] * length);
+    }
+    begin += length;
+  }
+  return status;
+}
+
+po_status po_adjoint_noise(const po_scene *scene, const po_surface *surface,
+                           const po_branch_point *p, po_result *o) {
+  const po_profile_table *table = scene->profile.table;
+  free(o->noise.change);
+  o->noise.change = NULL;
+  if (!po_profile_is_table(&scene->profile) || !table->smoothing.knots ||
+      (p->solution ? !has_adjoint(surface, p->solution) : p->gap != NULL))
+    return PO_OK;
+  weights w = {0};
+  po_status status = p->solution ? weigh_elastic(scene, surface, p->solution, &w)
+                                 : weigh_rigid(scene, p->approach, &w);
+  o->noise.change = po_allocate(2 * table->rows, sizeof *o->noise.change);
+  if (!o->noise.change)
+    status = PO_NO_MEMORY;
+  if (!status)
+    status =
+        po_profile_table_noise(table, w.count, w.r, w.weight, &o->noise.deviation, o->noise.change);
+  free(w.r);
+  free(w.weight);
+  return status;
+}
