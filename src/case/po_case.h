@@ -63,17 +63,11 @@ typedef struct {
   bool traced; /* the scene belongs to a series and is traced in addition, see po_traced_words */
 } po_point;
 
-/* The scene in SI units as written. Keys that are not given are NULL. */
-typedef struct {
-  char *modulus, *work, *distance, *radius, *amplitude, *wavelength, *outer_radius;
-  char *profile, *profile_file, *waves;
-} po_physical_words;
-
 /* The scene as written. Keys that are not given are NULL; the parser fills in those that follow
- * from a block `physical`. */
-typedef struct {
-  char *values[PO_KEY_END]; /* of groups only the coupling can be given */
-  po_physical_words *physical;
+ * from a block `physical`, which is the scene in SI units. */
+typedef struct po_scene_words {
+  char *values[PO_KEY_ALL]; /* of groups only the coupling can be given */
+  struct po_scene_words *physical;
 } po_scene_words;
 
 /* A closed form evaluated along a sweep, to be drawn beside the computed results. */

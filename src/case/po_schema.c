@@ -82,24 +82,18 @@ static const po_field CHECK[] = {
     {0},
 };
 
+#define SCENE_KEY(key, name, ...) OPTIONAL_TEXT(name, po_scene_words, values[PO_KEY_##key], NULL),
+#define SCENE_KEYS PO_KEY_ROWS(SCENE_KEY) SCENE_KEY(COUPLING, "coupling", )
+
+/* With lengths in m. */
 static const po_field PHYSICAL[] = {
-    TEXT("modulus_pa", po_physical_words, modulus, "a number > 0 in Pa, or inf"),
-    TEXT("work_j_per_m2", po_physical_words, work, "a finite number > 0 in J/m^2"),
-    TEXT("distance_m", po_physical_words, distance, "a finite number > 0 in m"),
-    OPTIONAL_TEXT("radius_m", po_physical_words, radius, "a finite number > 0 in m"),
-    OPTIONAL_TEXT("amplitude_m", po_physical_words, amplitude, "a finite number >= 0 in m"),
-    OPTIONAL_TEXT("wavelength_m", po_physical_words, wavelength, "a finite number > 0 in m"),
-    OPTIONAL_TEXT("outer_radius_m", po_physical_words, outer_radius,
-                  "a finite number > 0 in m, or inf"),
-    OPTIONAL_TEXT("profile", po_physical_words, profile, PO_PROFILE_EXPECTED ", with lengths in m"),
-    OPTIONAL_TEXT("profile_file", po_physical_words, profile_file,
-                  "a CSV file with the columns r and gap in m"),
-    OPTIONAL_TEXT("waves", po_physical_words, waves, "A@L;A@L;..., at most 8 waves in m"),
+    PO_SI_ROWS(SCENE_KEY)
+    SCENE_KEY(PROFILE, "profile", )
+    SCENE_KEY(PROFILE_FILE, "profile_file", )
+    SCENE_KEY(WAVES, "waves", )
     {0},
 };
 
-#define SCENE_KEY(key, name, ...) OPTIONAL_TEXT(name, po_scene_words, values[PO_KEY_##key], NULL),
-#define SCENE_KEYS PO_KEY_ROWS(SCENE_KEY) SCENE_KEY(COUPLING, "coupling", )
 static const po_field SCENE[] = {
     SCENE_KEYS
     OPTIONAL_PART("physical", po_scene_words, physical, PHYSICAL,

@@ -5,11 +5,11 @@
 #include "po_options.h"
 #include "po_request.h"
 #include "po_result.h"
-#include "po_scene_flags.h"
+#include "po_scene_options.h"
 
 /* The options beside those of keys. */
 enum {
-  PO_LINE_WANT = PO_FLAG_NEXT,
+  PO_LINE_WANT = PO_OPTION_NEXT,
   PO_LINE_CURVE,
   PO_LINE_PROFILE,
   PO_LINE_STAIRCASE,
@@ -17,25 +17,14 @@ enum {
   PO_LINE_PLOT,
   PO_LINE_RUN,
   PO_LINE_THEORY,
-  PO_LINE_PRELOAD_LOAD_N,
-  PO_LINE_STIFFNESS_N_PER_M,
   PO_LINE_JSON
 };
-
-/* The options of the preload and the range of the trace in SI units, and their help. */
-#define PO_SOLVE_LINE_SI_OPTIONS                                                                   \
-  {"preload-load-n", required_argument, NULL, PO_LINE_PRELOAD_LOAD_N}, {                           \
-    "stiffness-n-per-m", required_argument, NULL, PO_LINE_STIFFNESS_N_PER_M                        \
-  }
-#define PO_SOLVE_LINE_SI_HELP                                                                      \
-  "  --preload-load-n F      with --from-physical, in place of --preload-load: the load in N\n"    \
-  "  --stiffness-n-per-m K   with --from-physical, in place of --stiffness: the stiffness in "     \
-  "N/m\n"
 
 /* Rows of the options of solve and plot beside those of keys, and the end of the table. */
 #define PO_SOLVE_LINE_OPTIONS                                                                      \
   {"want", required_argument, NULL, PO_LINE_WANT},                                                 \
-      PO_LENGTH_OPTIONS("profile-approach", PO_LENGTH_PROFILE_APPROACH), PO_SOLVE_LINE_SI_OPTIONS, \
+      {"profile-approach", required_argument, NULL, PO_OPTION_KEYS + PO_KEY_PROFILE_APPROACH},     \
+      {"profile-approach-m", required_argument, NULL, PO_OPTION_KEYS + PO_KEY_PROFILE_APPROACH_M}, \
       {"curve", required_argument, NULL, PO_LINE_CURVE},                                           \
       {"profile-csv", required_argument, NULL, PO_LINE_PROFILE},                                   \
       {"staircase", required_argument, NULL, PO_LINE_STAIRCASE},                                   \
@@ -47,14 +36,12 @@ enum {
 
 typedef struct {
   po_request request;
-  po_scene_flags flags;
-  bool given[PO_KEY_END];                  /* which keys beside those of `flags` were given */
+  po_scene_options scene;
   const char *curve, *profile, *staircase; /* files; NULL: none */
   const char *smoothed;                    /* file of the smoothed profile; NULL: none */
   const char *plot, *run;                  /* figure, and folder of records; NULL: none */
-  double preload_n, stiffness_n_per_m;     /* with --from-physical; NAN: not given */
   const char *theory;                      /* the one to be compared; NULL: all */
-  bool json;
+  bool json, warned; /* the latter: whether _end need not warn of lengths that look like metres */
 } po_solve_line;
 
 po_solve_line po_solve_line_begin(void);

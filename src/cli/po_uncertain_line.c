@@ -33,10 +33,12 @@ static void name_of(const po_uncertain_line *u, int option, char name[40]) {
 
 /* Whether a number may be uncertain: one of the scene, in SI units or not, or of the preload. */
 static bool may_vary(int option) {
-  if (option >= PO_OPTION_KEYS)
-    return po_key_is_continuous(option - PO_OPTION_KEYS) ||
-           option - PO_OPTION_KEYS == PO_KEY_PRELOAD_LOAD;
-  return option < PO_FLAG_NEXT || option == PO_LINE_PRELOAD_LOAD_N;
+  const int key = option - PO_OPTION_KEYS;
+  if (key < 0)
+    return false;
+  const po_key target = po_key_target((po_key)key);
+  return po_key_is_continuous(key) || key == PO_KEY_TABLE_SCALE || target == PO_KEY_PRELOAD ||
+         target == PO_KEY_PRELOAD_LOAD;
 }
 
 static po_status read_uncertain(const po_uncertain_line *u, po_given_option *given) {
@@ -79,7 +81,7 @@ static po_status read_moved(const po_uncertain_line *u, const po_given_option *w
   char text[PO_NUMBER_LENGTH];
   po_status status = PO_OK;
   *moved = po_solve_line_begin();
-  moved->flags.warned = true;
+  moved->warned = true;
   po_number_print(which->value + by, text);
   for (size_t k = 0; k < u->count && !status; ++k) {
     optarg = &u->given[k] == which ? text : u->given[k].text;
@@ -98,7 +100,7 @@ static po_status vary(po_uncertain_line *u, const po_given_option *given, size_t
     status = read_moved(u, given, more ? given->deviation : -given->deviation, moved);
     v->moved[more] = &moved->request;
     v->unit[more] =
-        moved->flags.from_physical ? moved->flags.units.force / u->line.flags.units.force : 1.0;
+        moved->request.in_si ? moved->request.units.force / u->line.request.units.force : 1.0;
   }
   return status;
 }

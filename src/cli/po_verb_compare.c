@@ -23,7 +23,8 @@ static const char HELP[] =
     "@scene\n"
     "\n"
     "Preload and range of the trace:\n"
-    "@trace\n" PO_SOLVE_LINE_SI_HELP "\n"
+    "@trace\n"
+    "\n"
     "Discretisation:\n"
     "@mesh\n";
 
@@ -37,13 +38,12 @@ static const char MORE_HELP[] =
     "                          rumpf-rabinowicz\n"
     "  --json                  print the JSON document of pulloff solve --want theories\n"
     "  -h, --help              print this text\n"
-    "\n" PO_SCENE_FLAGS_HELP "\n"
+    "\n" PO_SCENE_OPTIONS_HELP "\n"
     "Example: pulloff compare --tabor 3 --amplitude 1 --wavelength 20 --preload 1\n"
     "Example: pulloff compare --from-physical --modulus-pa 5e9 --work-j-per-m2 0.08 \\\n"
     "             --distance-m 3e-10 --radius-m 3e-8\n";
 
 static const struct option OPTIONS[] = {{"theory", required_argument, NULL, PO_LINE_THEORY},
-                                        PO_SOLVE_LINE_SI_OPTIONS,
                                         {"json", no_argument, NULL, PO_LINE_JSON},
                                         {"help", no_argument, NULL, PO_OPTION_HELP},
                                         {NULL, 0, NULL, 0}};
@@ -65,11 +65,10 @@ static void keep(po_result *result, const po_theory *only) {
 }
 
 static po_status print(const po_solve_line *line, const po_theory *only, const po_result *result) {
-  const po_scene_flags *flags = &line->flags;
   if (line->json)
-    return po_print_json(&line->request, flags, result);
+    return po_print_json(&line->request, &line->scene.given, result);
   po_print_summary(&line->request, result);
-  po_print_theories(result, only, flags->from_physical ? &flags->units : NULL);
+  po_print_theories(result, only, line->request.in_si ? &line->request.units : NULL);
   return po_print_digest(po_json_document(&line->request, result));
 }
 

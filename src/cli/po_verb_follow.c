@@ -3,14 +3,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_input.h"
 #include "po_linear.h"
 #include "po_live.h"
 #include "po_memory.h"
 #include "po_options.h"
 #include "po_print_series.h"
 #include "po_range.h"
-#include "po_scene_flags.h"
+#include "po_scene_options.h"
 #include "po_series.h"
 #include "po_series_folds.h"
 #include "po_use.h"
@@ -56,28 +55,16 @@ static const char MORE_HELP[] =
     "                          then printed\n"
     "  --json                  print one JSON document and nothing else\n"
     "  -h, --help              print this text\n"
-    "\n" PO_SCENE_FLAGS_HELP "\n"
+    "\n" PO_SCENE_OPTIONS_HELP "\n"
     "Example: pulloff follow --key tabor --from 0.1 --to 5 --points 60 --amplitude 1 \\\n"
     "             --wavelength 20 --outer-radius 100\n"
     "Example: pulloff follow --from-physical --key radius-m --from 1e-7 --to 1e-6 --points 10 \\\n"
     "             --modulus-pa 2e9 --work-j-per-m2 0.05 --distance-m 3e-10\n";
 
-enum {
-  VARIED = PO_FLAG_NEXT,
-  FROM,
-  TO,
-  POINTS,
-  SCALE,
-  OF,
-  CHECKPOINTS,
-  CURVE,
-  JSON,
-  KEY = PO_OPTION_KEYS,
-  OPTION_COUNT = KEY + PO_KEY_END
-};
+enum { VARIED = PO_OPTION_NEXT, FROM, TO, POINTS, SCALE, OF, CHECKPOINTS, CURVE, JSON };
 enum { DEFAULT_POINTS = 60 };
 
-/* Beside the options of keys, whose values are KEY + po_key or those of po_scene_flags.h. */
+/* Beside the options of keys. */
 static const struct option OPTIONS[] = {{"key", required_argument, NULL, VARIED},
                                         {"from", required_argument, NULL, FROM},
                                         {"to", required_argument, NULL, TO},
@@ -91,49 +78,29 @@ static const struct option OPTIONS[] = {{"key", required_argument, NULL, VARIED}
                                         {NULL, 0, NULL, 0}};
 
 typedef struct {
-  const char *given[OPTION_COUNT]; /* the text of each option of the scene; NULL: not given */
-  po_wave wave[PO_MOST_WAVES];     /* of --wave, which may be repeated */
-  size_t waves;
-  struct option table[PO_MOST_OPTIONS]; /* all options */
-  const struct option *varied;          /* the option whose value varies */
+  po_scene_options scene;
+  int varied; /* the key whose value varies; -1: not given */
   po_range range;
   size_t checkpoints; /* 0: not given */
   const char *curve;  /* a file; NULL: none */
-  bool from_physical, folds, json;
+  bool folds, json;
 } follow_line;
 
-/* Whether an option sets a number of the scene that may vary along a series. */
-static bool is_of_scene(int option) {
-  switch (option) {
-  case PO_FLAG_TABOR:
-  case PO_FLAG_COUPLING:
-  case PO_FLAG_MODULUS:
-  case PO_FLAG_WORK:
-  case PO_FLAG_DISTANCE:
-    return true;
-  default:
-    if (option >= KEY)
-      return option < OPTION_COUNT && po_key_is_continuous(option - KEY);
-    if (option >= PO_FLAG_PARAMETER && option < PO_FLAG_LENGTH)
-      return po_key_is_continuous(po_key_of_name(
-          po_profile_parameter_name((po_profile_parameter)(option - PO_FLAG_PARAMETER))));
-    if (option >= PO_FLAG_METRES)
-      option -= PO_FLAG_METRES - PO_FLAG_LENGTH;
-    return option >= PO_FLAG_LENGTH && option <= PO_FLAG_LENGTH + PO_LENGTH_OUTER_RADIUS;
-  }
-}
-
 static po_status take_varied(follow_line *line) {
-  for (const struct option *option = line->table; option->name; ++option)
-    if (is_of_scene(option->val) && strcmp(option->name, optarg) == 0) {
-      line->varied = option;
-      return PO_OK;
-    }
-  return po_options_refuse("key", optarg,
-                           "tabor, coupling, amplitude, wavelength, radius, outer-radius, "
-                           "amplitude-ratio, a parameter of the law or the profile, or in SI "
-                           "units radius-m, amplitude-m, wavelength-m, outer-radius-m, "
-                           "modulus-pa, work-j-per-m2 or distance-m");
+  char flag[PO_FLAG_LENGTH_OF_NAME];
+  for (int key = 0; key < PO_KEY_ALL; ++key) {
+    po_key_flag(key, flag);
+    if (!po_key_is_continuous(key) || !(po_key_row_of(key)->verbs & PO_FOR_FOLLOW) ||
+        strcmp(flag, optarg) != 0)
+      continue;
+    line->varied = key;
+    return PO_OK;
+  }
+  po_text names = {0};
+  po_options_add_varying(&names);
+  const po_status status = po_options_refuse("key", optarg, po_text_string(&names));
+  po_text_clear(&names);
+  return status;
 }
 
 static po_status take_count(const char *option, size_t least, size_t *count) {
@@ -148,11 +115,6 @@ static po_status take_count(const char *option, size_t least, size_t *count) {
 static po_status take_option(void *to, int option) {
   follow_line *line = to;
   switch (option) {
-  case PO_FLAG_WAVE:
-    return po_scene_flags_take_wave(line->wave, &line->waves);
-  case PO_FLAG_FROM_PHYSICAL:
-    line->from_physical = true;
-    return PO_OK;
   case VARIED:
     return take_varied(line);
   case FROM:
@@ -179,132 +141,51 @@ static po_status take_option(void *to, int option) {
     line->json = true;
     return PO_OK;
   default:
-    line->given[option] = optarg;
-    return PO_OK;
+    return po_scene_options_take(&line->scene, option);
   }
-}
-
-/* Whether an option is given or varies. */
-static bool is_given(const follow_line *line, int option) {
-  return line->given[option] || line->varied->val == option;
-}
-
-/* Whether a length is given or varies, in epsilon or in metres. */
-static bool has_length(const follow_line *line, po_length length) {
-  return is_given(line, PO_FLAG_LENGTH + (int)length) ||
-         is_given(line, PO_FLAG_METRES + (int)length);
-}
-
-static po_status check_waviness(const follow_line *line) {
-  const bool amplitude = has_length(line, PO_LENGTH_AMPLITUDE);
-  const bool ratio = is_given(line, KEY + PO_KEY_AMPLITUDE_RATIO);
-  const bool wavelength = has_length(line, PO_LENGTH_WAVELENGTH);
-  if (amplitude && ratio)
-    return po_fail(PO_BAD_INPUT,
-                   "both amplitude and amplitude-ratio are given: expected only one of the two");
-  if ((amplitude || ratio) && !wavelength)
-    return po_fail(PO_BAD_INPUT, "a waviness is given without --wavelength%s: expected both",
-                   line->from_physical ? "-m" : "");
-  if (amplitude || ratio || !wavelength)
-    return PO_OK;
-  const po_length length = PO_LENGTH_WAVELENGTH;
-  if (line->varied->val == PO_FLAG_LENGTH + (int)length ||
-      line->varied->val == PO_FLAG_METRES + (int)length)
-    return po_fail(PO_BAD_INPUT,
-                   "the wavelength varies, but the scenes have no amplitude: "
-                   "expected --amplitude%s or --amplitude-ratio",
-                   line->from_physical ? "-m" : "");
-  po_use idle = {.given = true};
-  snprintf(idle.name, sizeof idle.name, "wavelength%s", line->from_physical ? "-m" : "");
-  return po_use_check("--", "scenes without amplitude", &idle, 1);
 }
 
 static po_status check_line(const follow_line *line) {
   const po_range *range = &line->range;
-  if (!line->varied || isnan(range->from) || isnan(range->to))
+  if (line->varied < 0 || isnan(range->from) || isnan(range->to))
     return po_fail(PO_BAD_INPUT, "--%s is not given: expected --key, --from and --to",
-                   !line->varied        ? "key"
+                   line->varied < 0     ? "key"
                    : isnan(range->from) ? "from"
                                         : "to");
-  if (line->given[line->varied->val])
+  if (line->scene.given.text[line->varied]) {
+    char flag[PO_FLAG_LENGTH_OF_NAME];
+    po_key_flag(line->varied, flag);
     return po_fail(PO_BAD_INPUT,
                    "--%s is given, but its value varies (--key): expected only one of the two",
-                   line->varied->name);
+                   flag);
+  }
   if (range->from == range->to || (range->log && !(range->from > 0.0 && range->to > 0.0)))
     return po_fail(PO_BAD_INPUT, "--from is %g and --to is %g: expected two different values%s",
                    range->from, range->to, range->log ? " > 0, or --scale linear" : "");
-  if (is_given(line, PO_FLAG_COUPLING) && is_given(line, PO_FLAG_TABOR))
-    return po_fail(PO_BAD_INPUT, "both coupling and tabor are given: expected only one of the two");
-  const po_status status = check_waviness(line);
-  if (status)
-    return status;
-  const po_use checkpoints = {"checkpoint-every", line->checkpoints > 0, !line->folds};
+  const po_use checkpoints = {"--checkpoint-every", line->checkpoints > 0, !line->folds};
   if (line->curve && line->folds)
     return po_fail(PO_BAD_INPUT, "--curve has no effect on --of folds: expected it to be left out");
   if (line->curve && line->json && strcmp(line->curve, "-") == 0)
     return po_fail(PO_BAD_INPUT, "standard output is asked for twice: expected only one of --json "
                                  "and the file -");
-  if (line->from_physical && line->given[KEY + PO_KEY_PRELOAD_LOAD])
-    return po_fail(PO_BAD_INPUT, "--preload-load is dimensionless: expected --preload-m with "
-                                 "--from-physical");
-  return po_use_check("--", "--of folds", &checkpoints, 1);
-}
-
-static po_status set_key(po_request *request, int key, const char *text) {
-  if (po_key_set(request, (po_key)key, text))
-    return PO_OK;
-  char flag[PO_FLAG_LENGTH_OF_NAME];
-  po_key_flag(key, flag);
-  return po_options_refuse(flag, text, po_key_expected((po_key)key));
-}
-
-/* Sets the amplitude A = (A/lambda) lambda of flags whose lengths have been taken. */
-static po_status set_amplitude_ratio(const char *text, po_scene_flags *flags) {
-  po_request scratch = po_request_default();
-  double *const lengths = flags->from_physical ? flags->metres : flags->length;
-  scratch.scene.wavelength = lengths[PO_LENGTH_WAVELENGTH];
-  const po_status status = set_key(&scratch, PO_KEY_AMPLITUDE_RATIO, text);
-  lengths[PO_LENGTH_AMPLITUDE] = scratch.scene.amplitude;
-  return status;
+  return po_use_check("--of folds", &checkpoints, 1);
 }
 
 /* Makes the request of one scene, as if its options had been given to `pulloff solve`. */
 static po_status make_request(const follow_line *line, size_t point, po_request *request,
                               po_series_scene *scene) {
-  char value[PO_NUMBER_LENGTH];
-  po_range_print(&line->range, point, value);
-  *scene = (po_series_scene){po_scene_flags_default(), strtod(value, NULL)};
-  po_scene_flags *flags = &scene->flags;
-  flags->from_physical = line->from_physical;
-  flags->warned = point > 0; /* one warning for the series */
-  memcpy(flags->wave, line->wave, sizeof flags->wave);
-  flags->waves = line->waves;
+  scene->given = line->scene.given;
+  po_range_print(&line->range, point, scene->text);
+  scene->value = strtod(scene->text, NULL);
+  scene->given.text[line->varied] = scene->text;
   *request = po_input_default();
   request->mesh.scheme = PO_PANEL;
-  po_status status = PO_OK;
-  bool of_law[PO_KEY_END] = {false};
-  const char *ratio = NULL;
-  for (int option = 0; option < OPTION_COUNT && !status; ++option) {
-    const char *text = option == line->varied->val ? value : line->given[option];
-    if (text && option < KEY) {
-      optarg = (char *)text;
-      status = po_scene_flags_take(flags, option);
-    } else if (text && option == KEY + PO_KEY_AMPLITUDE_RATIO) {
-      ratio = text;
-    } else if (text) {
-      status = set_key(request, option - KEY, text);
-    }
-  }
-  if (!status && ratio)
-    status = set_amplitude_ratio(ratio, flags);
-  if (!status)
-    status = po_scene_flags_end(flags, true, &request->scene);
-  for (int key = 0; key < PO_KEY_END; ++key)
-    of_law[key] = is_given(line, KEY + key);
-  if (!status)
-    status = po_scene_flags_check_law(&request->scene.law, of_law);
-  request->preload.approach = flags->length[PO_LENGTH_PRELOAD];
   request->stop = po_interrupt_listen();
+  po_status status = po_given_read(&scene->given, request);
+  if (!status)
+    status = po_given_check_waves(&scene->given);
+  if (!status && point == 0)
+    po_scene_options_warn(&scene->given);
   return status ? status : po_request_check(request);
 }
 
@@ -364,22 +245,23 @@ static po_status follow(const follow_line *line, po_request *requests, po_series
   status = po_no_memory_or(status);
   if (status == PO_INTERRUPTED)
     return po_fail(status, "interrupted");
-  const po_printed_series series = {line->varied->name, line->range.count, requests, scenes,
-                                    results};
+  char name[PO_FLAG_LENGTH_OF_NAME];
+  po_key_flag(line->varied, name);
+  const po_printed_series series = {name, line->range.count, requests, scenes, results};
   if (!status)
     status = po_print_series(&series, line->folds, line->json, line->curve);
   for (size_t k = 0; k < line->range.count && !status; ++k)
     if (results[k].status)
-      status = po_fail(results[k].status, "the solve at %s %g failed: %s", line->varied->name,
-                       scenes[k].value, results[k].reason);
+      status = po_fail(results[k].status, "the solve at %s %g failed: %s", name, scenes[k].value,
+                       results[k].reason);
   return status;
 }
 
 int po_verb_follow(int argc, char **argv) {
   const po_options options = {"follow", HELP, OPTIONS, argc, argv, MORE_HELP, PO_FOR_FOLLOW};
-  follow_line line = {.range = {NAN, NAN, DEFAULT_POINTS, true}};
+  follow_line line = {
+      .scene = po_scene_options_begin(), .varied = -1, .range = {NAN, NAN, DEFAULT_POINTS, true}};
   po_status status = PO_OK;
-  po_options_table(&options, line.table);
   if (!po_options_read(&options, take_option, &line, &status))
     return po_options_end(status);
   status = po_options_no_operands(&options);

@@ -1,4 +1,4 @@
-#include <math.h>
+#include <string.h>
 
 #include "po_plot.h"
 #include "po_plot_case.h"
@@ -61,6 +61,12 @@ static po_status plot(po_solve_line *line) {
   return status;
 }
 
+/* Whether the preload is inf, for which there is no hysteresis. */
+static bool seeks_all(const po_given *given) {
+  const char *preload = given->text[given->si ? PO_KEY_PRELOAD_M : PO_KEY_PRELOAD];
+  return preload && strcmp(preload, "inf") == 0;
+}
+
 int po_verb_plot(int argc, char **argv) {
   const po_options options = {"plot", PLOT_HELP, OPTIONS, argc, argv, NULL, PO_FOR_SOLVE};
   po_solve_line line = po_solve_line_begin();
@@ -77,9 +83,8 @@ int po_verb_plot(int argc, char **argv) {
   if (!status && name)
     return po_options_end(po_plot_case(name, line.run, line.plot));
   if (!(line.request.want & PO_PLOT_WANTS))
-    line.request.want |= isinf(line.flags.length[PO_LENGTH_PRELOAD])
-                             ? PO_WANT_CURVE
-                             : PO_WANT_CURVE | PO_WANT_HYSTERESIS;
+    line.request.want |=
+        seeks_all(&line.scene.given) ? PO_WANT_CURVE : PO_WANT_CURVE | PO_WANT_HYSTERESIS;
   else if (line.request.want & PO_WANT_HYSTERESIS)
     line.request.want |= PO_WANT_CURVE;
   if (!status)

@@ -21,7 +21,7 @@ static const char HELP[] =
     "@scene\n"
     "\n"
     "Preload and range of the trace:\n"
-    "@trace\n" PO_SOLVE_LINE_SI_HELP
+    "@trace\n"
     "Without --preload, --preload-load, --approach-end and --want, the trace continues beyond the\n"
     "preload to find out whether a harder preload gives a greater pull-off force. It stops when\n"
     "this is certain, or after as much work as it took to reach the preload and some tenths of a\n"
@@ -68,7 +68,7 @@ static const char MORE_HELP[] =
     "                          which ends in .svg, .png or .pdf (needs gnuplot)\n"
     "  --json                  print one JSON document and nothing else\n"
     "  -h, --help              print this text\n"
-    "\n" PO_SCENE_FLAGS_HELP "\n"
+    "\n" PO_SCENE_OPTIONS_HELP "\n"
     "Example: pulloff solve --tabor 3 --amplitude 1 --wavelength 20 --outer-radius 100 --json\n"
     "Example: pulloff solve --profile punch:5,20 --coupling 0.05 --wave 0.2,3 --outer-radius 60\n"
     "Example: pulloff solve --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 \\\n"
@@ -80,12 +80,12 @@ static const struct option OPTIONS[] = {PO_SOLVE_LINE_OPTIONS};
 /* Prints the result; on standard error if standard output is for a table. */
 static po_status print_result(const po_solve_line *line, const po_result *result) {
   if (line->json)
-    return po_print_json(&line->request, &line->flags, result);
+    return po_print_json(&line->request, &line->scene.given, result);
   fflush(stdout);
   const int output = po_solve_line_tables(line) ? dup(STDOUT_FILENO) : -1;
   if (output >= 0)
     dup2(STDERR_FILENO, STDOUT_FILENO);
-  const po_status status = po_print_text(&line->request, &line->flags, result);
+  const po_status status = po_print_text(&line->request, &line->scene.given, result);
   fflush(stdout);
   if (output >= 0) {
     dup2(output, STDOUT_FILENO);

@@ -7,7 +7,7 @@
 #include "po_json_digest.h"
 #include "po_print.h"
 #include "po_print_physical.h"
-#include "po_scene_flags.h"
+#include "po_scene_options.h"
 #include "po_use.h"
 #include "po_verbs.h"
 
@@ -48,155 +48,123 @@ static const char HELP[] =
     "  -h, --help              print this text\n"
     "\n";
 
-static const char MORE_HELP[] = PO_SCENE_FLAGS_HELP
+static const char MORE_HELP[] = PO_SCENE_OPTIONS_HELP
     "\n"
     "Example: pulloff theory guduru --tabor 5 --amplitude 10 --wavelength 20 --radius 100 --json\n"
     "Example: pulloff theory jkr --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 \\\n"
     "             --distance-m 3e-10 --radius-m 1e-7\n";
 
-enum { ALPHA = PO_FLAG_NEXT, GAP, TENSION, JSON, LAW = PO_OPTION_KEYS + PO_KEY_LAW };
+enum { ALPHA = PO_OPTION_NEXT, GAP, TENSION, JSON };
 
-/* The options of one command line. */
+/* The options of one command line. A number that is not given is NAN. */
 typedef struct {
-  po_scene_flags flags;
-  po_scene scene;
-  double alpha;   /* A R/lambda^2, given or of the scene; NAN: neither */
-  double gap;     /* NAN: not given */
-  double tension; /* NAN: not given */
-  po_law law;
-  bool has_law;
+  po_scene_options options;
+  po_request request;
+  double alpha; /* A R/lambda^2, given or of the scene */
+  double gap, tension, approach, contact_radius;
   bool json;
 } po_theory_line;
 
 /* Beside the options of keys. */
 static const struct option OPTIONS[] = {
-    {"alpha", required_argument, NULL, ALPHA},
-    PO_LENGTH_OPTIONS("approach", PO_LENGTH_APPROACH),
-    PO_LENGTH_OPTIONS("contact-radius", PO_LENGTH_CONTACT_RADIUS),
-    {"gap", required_argument, NULL, GAP},
-    {"tension", required_argument, NULL, TENSION},
-    {"json", no_argument, NULL, JSON},
-    {"help", no_argument, NULL, PO_OPTION_HELP},
-    {NULL, 0, NULL, 0}};
+    {"alpha", required_argument, NULL, ALPHA},     {"gap", required_argument, NULL, GAP},
+    {"tension", required_argument, NULL, TENSION}, {"json", no_argument, NULL, JSON},
+    {"help", no_argument, NULL, PO_OPTION_HELP},   {NULL, 0, NULL, 0}};
+
+/* Takes a number that is more than `least`. */
+static po_status take_number(const char *name, double least, const char *expected, double *value) {
+  return po_number_parse(optarg, value) && *value > least
+             ? PO_OK
+             : po_options_refuse(name, optarg, expected);
+}
 
 static po_status take_option(void *to, int option) {
   po_theory_line *l = to;
-  if (option < PO_FLAG_NEXT)
-    return po_scene_flags_take(&l->flags, option);
-  if (option == JSON) {
+  switch (option) {
+  case JSON:
     l->json = true;
     return PO_OK;
+  case GAP:
+    return take_number("gap", -1.0, "a finite number > -1", &l->gap);
+  case TENSION:
+    return take_number("tension", 0.0, "a finite number > 0", &l->tension);
+  case ALPHA:
+    return take_number("alpha", 0.0, "a finite number > 0", &l->alpha);
+  default:
+    return po_scene_options_take(&l->options, option);
   }
-  if (option == GAP)
-    return po_number_parse(optarg, &l->gap) && l->gap > -1.0
-               ? PO_OK
-               : po_options_refuse("gap", optarg, "a finite number > -1");
-  if (option == LAW) {
-    l->has_law = true;
-    return po_law_set(&l->law, optarg) ? PO_OK : po_options_refuse("law", optarg, PO_LAW_EXPECTED);
-  }
-  if (option == TENSION)
-    return po_number_parse(optarg, &l->tension) && l->tension > 0.0
-               ? PO_OK
-               : po_options_refuse("tension", optarg, "a finite number > 0");
-  if (!po_number_parse(optarg, &l->alpha) || !(l->alpha > 0.0))
-    return po_options_refuse("alpha", optarg, "a finite number > 0");
-  return PO_OK;
-}
-
-static po_use use_of(const po_theory_line *l, po_length length, bool taken) {
-  po_use use = {.given = !isnan(l->flags.length[length]), .taken = taken};
-  po_scene_flags_name(&l->flags, length, use.name);
-  return use;
 }
 
 /* Refuses options that have no effect on the form. */
 static po_status check_use(const po_theory_line *l, const po_form *form) {
   const unsigned takes = po_form_takes(form, !isnan(l->alpha));
-  char what[80];
-  snprintf(what, sizeof what, "theory %s%s", form->name,
-           takes != form->takes ? " with --alpha" : "");
-  const po_use flags[] = {
-      {"tabor", !isnan(l->flags.tabor), takes & PO_TAKES_TABOR && !l->flags.from_physical},
-      {"coupling", !isnan(l->flags.coupling), takes & PO_TAKES_TABOR && !l->flags.from_physical},
-      use_of(l, PO_LENGTH_AMPLITUDE, takes & PO_TAKES_AMPLITUDE),
-      use_of(l, PO_LENGTH_WAVELENGTH, takes & PO_TAKES_WAVELENGTH),
-      /* in SI units, the unit of force contains the radius */
-      use_of(l, PO_LENGTH_RADIUS, takes & PO_TAKES_RADIUS || l->flags.from_physical),
-      {"alpha", !isnan(l->alpha), takes & PO_TAKES_ALPHA},
-      use_of(l, PO_LENGTH_APPROACH, form->variable == PO_FORM_AT_APPROACH),
-      use_of(l, PO_LENGTH_CONTACT_RADIUS, form->variable == PO_FORM_AT_CONTACT_RADIUS),
-      {"gap", !isnan(l->gap), form->variable == PO_FORM_AT_GAP},
-      {"law", l->has_law, takes & PO_TAKES_LAW},
-      {"tension", !isnan(l->tension), takes & PO_TAKES_TENSION},
-      {"profile", l->flags.profile != NULL, takes & PO_TAKES_PROFILE},
-      {"profile-file", l->flags.profile_file != NULL, takes & PO_TAKES_PROFILE},
-      {"wave", l->flags.waves > 0, takes & PO_TAKES_PROFILE}};
-  return po_use_check("--", what, flags, sizeof flags / sizeof *flags);
-}
-
-/* Whether profile, waves or law are given: the forms of any profile apply. */
-static bool is_general(const po_theory_line *l, const po_form *form) {
-  return l->flags.profile || l->flags.profile_file || l->flags.waves > 0 || l->has_law ||
-         po_form_is_general(form, &l->scene);
+  po_use others[] = {{"--approach", po_given_has(&l->options.given, PO_KEY_APPROACH),
+                      form->variable == PO_FORM_AT_APPROACH},
+                     {"--contact-radius", po_given_has(&l->options.given, PO_KEY_CONTACT_RADIUS),
+                      form->variable == PO_FORM_AT_CONTACT_RADIUS},
+                     {"--alpha", !isnan(l->alpha), takes & PO_TAKES_ALPHA},
+                     {"--gap", !isnan(l->gap), form->variable == PO_FORM_AT_GAP},
+                     {"--tension", !isnan(l->tension), takes & PO_TAKES_TENSION}};
+  for (size_t i = 0; i < 2 && l->request.in_si; ++i)
+    strcat(others[i].name, "-m");
+  return po_given_check_form(&l->options.given, form, !isnan(l->alpha), others,
+                             sizeof others / sizeof *others);
 }
 
 static po_status check_elastic(const po_theory_line *l, const po_form *form) {
-  if (!(form->needs & PO_NEEDS_ELASTIC) || l->scene.tabor > 0.0)
+  if (!(form->needs & PO_NEEDS_ELASTIC) || l->request.scene.tabor > 0.0)
     return PO_OK;
-  return l->flags.from_physical
+  return l->request.in_si
              ? po_fail(PO_BAD_INPUT, "--modulus-pa is inf: expected a finite number > 0")
              : po_fail(PO_BAD_INPUT, "--%s is 0: expected a finite number > 0",
-                       isnan(l->flags.coupling) ? "tabor" : "coupling");
+                       l->options.given.text[PO_KEY_COUPLING] ? "coupling" : "tabor");
 }
 
 /* Refuses values outside the domain of the form. */
 static po_status check_values(const po_theory_line *l, const po_form *form) {
-  const double approach = l->flags.length[PO_LENGTH_APPROACH];
   const po_status status = check_elastic(l, form);
-  if (status)
+  if (status || !(l->approach >= 1.0))
     return status;
-  if (approach >= 1.0 && l->flags.from_physical)
-    return po_fail(PO_BAD_INPUT, "--approach-m is %g: expected less than --distance-m, %g",
-                   l->flags.metres[PO_LENGTH_APPROACH], l->flags.distance);
-  if (approach >= 1.0)
-    return po_fail(PO_BAD_INPUT, "--approach is %g: expected a finite number < 1", approach);
-  return PO_OK;
+  return l->request.in_si
+             ? po_fail(PO_BAD_INPUT, "--approach-m is %s: expected less than --distance-m, %s",
+                       l->options.given.text[PO_KEY_APPROACH_M],
+                       l->options.given.text[PO_KEY_DISTANCE_M])
+             : po_fail(PO_BAD_INPUT, "--approach is %g: expected a finite number < 1", l->approach);
 }
 
 /* Computes the scene and alpha from the options, and refuses options that are missing. */
 static po_status complete(po_theory_line *l, const po_form *form) {
-  const bool given = !isnan(l->alpha);
-  l->scene = po_scene_default();
-  const po_status status =
-      po_scene_flags_end(&l->flags, (form->needs & PO_NEEDS_ELASTIC) != 0, &l->scene);
+  po_given *given = &l->options.given;
+  const po_scene *scene = &l->request.scene;
+  const bool has_alpha = !isnan(l->alpha);
+  given->any_modulus = !(form->needs & PO_NEEDS_ELASTIC);
+  po_status status = po_given_read(given, &l->request);
+  if (!status)
+    status = check_use(l, form);
   if (status)
     return status;
-  const po_status idle = check_use(l, form);
-  if (idle)
-    return idle;
-  l->scene.law = l->law;
-  if (is_general(l, form)) {
-    const po_status wrong = po_scene_check(&l->scene);
+  l->approach = po_given_number(given, PO_KEY_APPROACH, &l->request.units);
+  l->contact_radius = po_given_number(given, PO_KEY_CONTACT_RADIUS, &l->request.units);
+  po_scene_options_warn(given);
+  if (po_given_is_general(given, form, scene)) {
+    const po_status wrong = po_scene_check(scene);
     return wrong ? wrong : check_elastic(l, form);
   }
-  const double *length = l->flags.length;
-  const bool smooth = length[PO_LENGTH_AMPLITUDE] == 0.0;
+  const bool has_amplitude = po_given_has(given, PO_KEY_AMPLITUDE);
   const bool waves =
-      smooth || (!isnan(length[PO_LENGTH_AMPLITUDE]) && !isnan(length[PO_LENGTH_WAVELENGTH]));
-  char amplitude[32], wavelength[32];
-  po_scene_flags_name(&l->flags, PO_LENGTH_AMPLITUDE, amplitude);
-  po_scene_flags_name(&l->flags, PO_LENGTH_WAVELENGTH, wavelength);
+      has_amplitude && (scene->amplitude == 0.0 || po_given_has(given, PO_KEY_WAVELENGTH));
+  char amplitude[PO_KEY_NAME_LENGTH], wavelength[PO_KEY_NAME_LENGTH];
+  po_given_name(given, PO_KEY_AMPLITUDE, amplitude);
+  po_given_name(given, PO_KEY_WAVELENGTH, wavelength);
   if (form->needs & PO_NEEDS_WAVES && !waves)
-    return po_fail(PO_BAD_INPUT, "theory %s needs --%s and --%s", form->name, amplitude,
+    return po_fail(PO_BAD_INPUT, "theory %s needs %s and %s", form->name, amplitude, wavelength);
+  if (form->needs & PO_NEEDS_AMPLITUDE && !has_amplitude)
+    return po_fail(PO_BAD_INPUT, "theory %s needs %s", form->name, amplitude);
+  if (form->needs & PO_NEEDS_ALPHA && !has_alpha && !waves)
+    return po_fail(PO_BAD_INPUT, "theory %s needs --alpha, or %s and %s", form->name, amplitude,
                    wavelength);
-  if (form->needs & PO_NEEDS_AMPLITUDE && isnan(length[PO_LENGTH_AMPLITUDE]))
-    return po_fail(PO_BAD_INPUT, "theory %s needs --%s", form->name, amplitude);
-  if (form->needs & PO_NEEDS_ALPHA && !given && !waves)
-    return po_fail(PO_BAD_INPUT, "theory %s needs --alpha, or --%s and --%s", form->name, amplitude,
-                   wavelength);
-  if (!given && waves)
-    l->alpha = po_scene_alpha(&l->scene);
+  if (!has_alpha && waves)
+    l->alpha = po_scene_alpha(scene);
   return check_values(l, form);
 }
 
@@ -233,7 +201,7 @@ static po_status print_text(const po_theory_line *l, const char *name, json_t *o
   const char *key;
   json_t *value;
   if (si)
-    po_print_physical_input(&l->flags);
+    po_print_physical_input(&l->options.given);
   json_object_foreach(out, key, value) {
     print_number(key, value, "");
   }
@@ -245,8 +213,8 @@ static po_status print_text(const po_theory_line *l, const char *name, json_t *o
 
 static po_status print_json(const po_theory_line *l, const char *name, json_t *out, json_t *si) {
   json_t *document = document_of(name, out);
-  if (l->flags.from_physical) {
-    json_t *physical = po_json_physical_input(&l->flags);
+  if (l->request.in_si) {
+    json_t *physical = po_json_physical_input(&l->options.given, &l->request.units);
     po_json_set_all(&physical, json_incref(si));
     po_json_set(&document, "physical", physical);
   }
@@ -256,12 +224,12 @@ static po_status print_json(const po_theory_line *l, const char *name, json_t *o
 /* The results by name, and those that have a unit also in SI units. */
 static void fill(const po_theory_line *l, const po_form_values *values, json_t **out, json_t **si) {
   static const char *const SUFFIXES[] = {"", "m", "n", "j_per_m2", "pa"};
-  const po_units *u = &l->flags.units;
+  const po_units *u = &l->request.units;
   const double size[] = {1, u->length, u->force, u->work, u->tension};
   for (size_t i = 0; i < values->count; ++i) {
     const po_form_value *item = &values->items[i];
     po_json_set(out, item->name, po_json_number(item->value));
-    if (!l->flags.from_physical || item->unit == PO_FORM_PURE)
+    if (!l->request.in_si || item->unit == PO_FORM_PURE)
       continue;
     char name[80];
     snprintf(name, sizeof name, "%s_%s", item->name, SUFFIXES[item->unit]);
@@ -270,19 +238,18 @@ static void fill(const po_theory_line *l, const po_form_values *values, json_t *
 }
 
 static po_status print(const po_theory_line *l, const po_form *form) {
-  const double variables[] = {(double)NAN, l->flags.length[PO_LENGTH_APPROACH],
-                              l->flags.length[PO_LENGTH_CONTACT_RADIUS], l->gap};
-  const po_form_input input = {l->scene, l->alpha, variables[form->variable], l->tension,
-                               is_general(l, form)};
+  const double variables[] = {(double)NAN, l->approach, l->contact_radius, l->gap};
+  const po_form_input input = {l->request.scene, l->alpha, variables[form->variable], l->tension,
+                               po_given_is_general(&l->options.given, form, &l->request.scene)};
   po_form_values values = {.count = 0};
   const po_status status = po_form_evaluate(form, &input, &values);
   if (status)
     return status;
   json_t *out = po_json_empty_object();
-  json_t *si = l->flags.from_physical ? po_json_empty_object() : NULL;
+  json_t *si = l->request.in_si ? po_json_empty_object() : NULL;
   fill(l, &values, &out, &si);
   po_status printed = PO_NO_MEMORY;
-  if (out && (si || !l->flags.from_physical))
+  if (out && (si || !l->request.in_si))
     printed = l->json ? print_json(l, form->name, out, si) : print_text(l, form->name, out, si);
   json_decref(out);
   json_decref(si);
@@ -291,11 +258,13 @@ static po_status print(const po_theory_line *l, const po_form *form) {
 
 int po_verb_theory(int argc, char **argv) {
   const po_options options = {"theory", HELP, OPTIONS, argc, argv, MORE_HELP, PO_FOR_THEORY};
-  po_theory_line line = {.flags = po_scene_flags_default(),
+  po_theory_line line = {.options = po_scene_options_begin(),
+                         .request = po_input_default(),
                          .alpha = NAN,
                          .gap = NAN,
                          .tension = NAN,
-                         .law = po_law_lennard_jones()};
+                         .approach = NAN,
+                         .contact_radius = NAN};
   po_status status = PO_OK;
   if (!po_options_read(&options, take_option, &line, &status))
     return po_options_end(status);

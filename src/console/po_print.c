@@ -47,11 +47,10 @@ po_status po_print_digest(json_t *document) {
   return PO_OK;
 }
 
-po_status po_print_json(const po_request *request, const po_scene_flags *flags,
-                        const po_result *result) {
+po_status po_print_json(const po_request *request, const po_given *given, const po_result *result) {
   json_t *document = po_json_document(request, result);
-  if (flags->from_physical)
-    po_json_set(&document, "physical", po_json_physical(flags, request, result));
+  if (request->in_si)
+    po_json_set(&document, "physical", po_json_physical(given, request, result));
   return po_print_document(document);
 }
 
@@ -332,8 +331,7 @@ void po_print_summary(const po_request *request, const po_result *result) {
   print_pull_off(result);
 }
 
-po_status po_print_text(const po_request *request, const po_scene_flags *flags,
-                        const po_result *result) {
+po_status po_print_text(const po_request *request, const po_given *given, const po_result *result) {
   po_print_summary(request, result);
   po_print_uncertain(result, 1.0, po_input_load_unit(request));
   print_sensitivity(request, result);
@@ -359,8 +357,8 @@ po_status po_print_text(const po_request *request, const po_scene_flags *flags,
     print_staircases(&request->scene, result);
   print_wanted(request, result);
   print_diagnostics(result);
-  if (flags->from_physical)
-    po_print_physical(flags, request, result);
+  if (request->in_si)
+    po_print_physical(given, request, result);
   printf("work     %llu points, %llu Newton iterations, %llu factorisations of at most %llu "
          "nodes, %.3g s\n",
          (unsigned long long)result->work.points,

@@ -5,10 +5,10 @@
 #include <stdio.h>
 
 #include "po_case.h"
+#include "po_given.h"
 #include "po_json_value.h"
 #include "po_request.h"
 #include "po_result.h"
-#include "po_scene_flags.h"
 #include "po_solver.h"
 
 /* Prints a document and releases it. A document is NULL if memory ran out while it was built; the
@@ -21,8 +21,7 @@ po_status po_print_digest(json_t *document);
 
 /* Prints the document of schema "pulloff/1". It has the block `physical` if the scene was given in
  * SI units. */
-po_status po_print_json(const po_request *request, const po_scene_flags *flags,
-                        const po_result *result);
+po_status po_print_json(const po_request *request, const po_given *given, const po_result *result);
 
 /* Prints the command that writes the pins of a case. */
 void po_print_bless(const po_case *kase);
@@ -34,7 +33,6 @@ void po_print_solver(const po_solver *solver, FILE *stream);
 void po_print_summary(const po_request *request, const po_result *result);
 
 /* Prints the result as text for the terminal. */
-po_status po_print_text(const po_request *request, const po_scene_flags *flags,
-                        const po_result *result);
+po_status po_print_text(const po_request *request, const po_given *given, const po_result *result);
 
 #endif

@@ -2,51 +2,46 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "po_json.h"
 #include "po_json_rows.h"
 #include "po_print_uncertain.h"
 #include "po_result_rows.h"
 
-static void set(json_t **object, const char *key, double value) {
-  po_json_set(object, key, isinf(value) ? po_json_text("inf") : po_json_number(value));
+/* The text of a key as it was given; NULL: it is not printed. A profile has its parameters. */
+static const char *shown(const po_given *given, int key, char text[PO_KEY_TEXT_LENGTH]) {
+  const bool one = key == PO_KEY_PROFILE || key == PO_KEY_PROFILE_FILE || key == PO_KEY_WAVES;
+  if (!one && po_key_row_of(key)->owner != PO_OWNER_SI)
+    return NULL;
+  if (key != PO_KEY_PROFILE || !given->text[key] || strchr(given->text[key], ':'))
+    return given->text[key];
+  int length = snprintf(text, PO_KEY_TEXT_LENGTH, "%s", given->text[key]);
+  const int name = length;
+  for (int other = 0; other < PO_KEY_COUNT && length < PO_KEY_TEXT_LENGTH; ++other)
+    if (po_key_is_parameter(other, PO_OWNER_PROFILE) && given->text[other])
+      length += snprintf(text + length, PO_KEY_TEXT_LENGTH - (size_t)length, "%c%s",
+                         length == name ? ':' : ',', given->text[other]);
+  return text;
 }
 
-/* The waves in metres, as the key `waves` has them in epsilon. */
-static json_t *waves_of(const po_scene_flags *flags) {
-  po_text text = {0};
-  for (size_t k = 0; k < flags->waves; ++k) {
-    char amplitude[PO_NUMBER_LENGTH], length[PO_NUMBER_LENGTH];
-    po_number_print(flags->wave[k].amplitude, amplitude);
-    po_number_print(flags->wave[k].length, length);
-    po_text_add(&text, "%s%s@%s", k ? ";" : "", amplitude, length);
-  }
-  if (text.failed)
-    po_text_clear(&text);
-  return po_json_take_text(text.data);
+/* The keys of a scene in SI units in the order in which they are printed: those in SI units first.
+ */
+static int key_at(int index) {
+  return (index + PO_KEY_END) % PO_KEY_ALL;
 }
 
-json_t *po_json_physical_input(const po_scene_flags *flags) {
+json_t *po_json_physical_input(const po_given *given, const po_units *units) {
   json_t *input = po_json_empty_object();
-  if (!isnan(flags->modulus))
-    set(&input, "modulus_pa", flags->modulus);
-  set(&input, "work_j_per_m2", flags->work);
-  set(&input, "distance_m", flags->distance);
-  for (int i = 0; i < PO_LENGTH_COUNT; ++i)
-    if (!isnan(flags->metres[i])) {
-      char key[32]; /* the name of the option with underscores */
-      po_scene_flags_name(flags, (po_length)i, key);
-      for (char *c = key; *c; ++c)
-        *c = *c == '-' ? '_' : *c;
-      set(&input, key, flags->metres[i]);
-    }
-  if (flags->profile)
-    po_json_set(&input, "profile", po_json_text(flags->shown));
-  if (flags->profile_file)
-    po_json_set(&input, "profile_file", po_json_text(flags->profile_file));
-  if (flags->waves)
-    po_json_set(&input, "waves", waves_of(flags));
-  return PO_JSON_OBJECT({"input", input}, {"units", po_json_units(&flags->units)});
+  for (int i = 0; i < PO_KEY_ALL; ++i) {
+    double value = 0;
+    char buffer[PO_KEY_TEXT_LENGTH];
+    const char *text = shown(given, key_at(i), buffer);
+    if (text)
+      po_json_set(&input, po_key_name((po_key)key_at(i)),
+                  po_number_parse(text, &value) ? po_json_number(value) : po_json_text(text));
+  }
+  return PO_JSON_OBJECT({"input", input}, {"units", po_json_units(units)});
 }
 
 /* The members in SI units. */
@@ -58,10 +53,9 @@ static const char *const UNCERTAIN[] = {"source", "value", "deviation", "below",
                                         "above",  "force", NULL};
 static const char *const THEORY[] = {"theory", "force", NULL};
 
-json_t *po_json_physical(const po_scene_flags *flags, const po_request *request,
-                         const po_result *o) {
-  const po_units *u = &flags->units;
-  json_t *object = po_json_physical_input(flags);
+json_t *po_json_physical(const po_given *given, const po_request *request, const po_result *o) {
+  const po_units *u = &request->units;
+  json_t *object = po_json_physical_input(given, u);
   po_json_set(&object, "pull_off", po_json_units_pull_off(u, o));
   if (o->uncertain_count)
     po_json_set(&object, "uncertainty",
@@ -86,23 +80,14 @@ json_t *po_json_physical(const po_scene_flags *flags, const po_request *request,
   return object;
 }
 
-void po_print_physical_input(const po_scene_flags *flags) {
+void po_print_physical_input(const po_given *given) {
   printf("physical");
-  if (!isnan(flags->modulus))
-    printf(" modulus %g Pa", flags->modulus);
-  printf(" work %g J/m^2 distance %g m", flags->work, flags->distance);
-  for (int i = 0; i < PO_LENGTH_COUNT; ++i)
-    if (!isnan(flags->metres[i])) {
-      char name[32];
-      po_scene_flags_name(flags, (po_length)i, name);
-      printf(" %.*s %g m", (int)(snprintf(NULL, 0, "%s", name) - 2), name, flags->metres[i]);
-    }
-  if (flags->profile)
-    printf(" profile %s, lengths in m", flags->shown);
-  if (flags->profile_file)
-    printf(" profile of %s, lengths in m", flags->profile_file);
-  for (size_t k = 0; k < flags->waves; ++k)
-    printf(" wave %g,%g m", flags->wave[k].amplitude, flags->wave[k].length);
+  for (int i = 0; i < PO_KEY_ALL; ++i) {
+    char buffer[PO_KEY_TEXT_LENGTH];
+    const char *text = shown(given, key_at(i), buffer);
+    if (text)
+      printf(" %s %s", po_key_name((po_key)key_at(i)), text);
+  }
   printf("\n");
 }
 
@@ -147,10 +132,9 @@ static void print_preload(const po_units *u, const po_result *o) {
            until->load * u->force);
 }
 
-void po_print_physical(const po_scene_flags *flags, const po_request *request,
-                       const po_result *result) {
-  const po_units *u = &flags->units;
-  po_print_physical_input(flags);
+void po_print_physical(const po_given *given, const po_request *request, const po_result *result) {
+  const po_units *u = &request->units;
+  po_print_physical_input(given);
   if (result->has_pull_off)
     printf("pull-off force %.10g N at approach %.10g m, contact radius %.8g m\n",
            result->pull_off.force * u->force, result->pull_off.approach * u->length,

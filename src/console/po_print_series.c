@@ -14,12 +14,12 @@
 #include "po_tables.h"
 
 static bool is_physical(const po_printed_series *series) {
-  return series->scenes[0].flags.from_physical;
+  return series->requests[0].in_si;
 }
 
 /* The factors from epsilon and the unit of the load to the units that are printed. */
-static po_units shown_units(const po_series_scene *scene) {
-  return scene->flags.from_physical ? scene->flags.units : (po_units){.length = 1, .force = 1};
+static po_units shown_units(const po_request *request) {
+  return request->in_si ? request->units : (po_units){.length = 1, .force = 1};
 }
 
 static void print_units(const po_printed_series *series) {
@@ -32,7 +32,7 @@ static void print_units(const po_printed_series *series) {
 
 static void print_row(const po_printed_series *series, size_t k) {
   const po_result *result = &series->results[k];
-  const po_units unit = shown_units(&series->scenes[k]);
+  const po_units unit = shown_units(&series->requests[k]);
   const char *numbers = is_physical(series) ? "%14.8e %8.1e %16.8e %8.1e %14.6g "
                                             : "%14.9f %8.1e %16.9f %8.1e %14.6g ";
   printf("%15g ", series->scenes[k].value);
@@ -62,7 +62,7 @@ static json_t *document_of(const po_printed_series *series) {
     const po_result *result = &series->results[k];
     json_t *point = po_json_result(request, result);
     if (is_physical(series))
-      po_json_set(&point, "physical", po_json_physical(&series->scenes[k].flags, request, result));
+      po_json_set(&point, "physical", po_json_physical(&series->scenes[k].given, request, result));
     po_json_append(&points, point);
   }
   json_t *document = PO_JSON_OBJECT({"schema", po_json_text("pulloff-line/1")}, {"points", points});
@@ -91,7 +91,7 @@ static void print_fold(const po_printed_series *series, size_t index) {
   bool there = true;
   for (size_t k = 0; k < series->count && there; ++k) {
     const po_special_point *fold = &series->results[k].folds[index];
-    const po_units unit = shown_units(&series->scenes[k]);
+    const po_units unit = shown_units(&series->requests[k]);
     there = !isnan(fold->approach);
     printf("%-9s %15g ", po_special_kind_name(fold->kind), series->scenes[k].value);
     if (there)
@@ -120,7 +120,7 @@ static po_status write_curve(const po_printed_series *series, const char *file) 
   if (!rows)
     return PO_NO_MEMORY;
   for (size_t k = 0; k < series->count; ++k)
-    rows[k] = (po_series_row){series->scenes[k].value, shown_units(&series->scenes[k]),
+    rows[k] = (po_series_row){series->scenes[k].value, shown_units(&series->requests[k]),
                               &series->results[k]};
   const po_status status = po_tables_write_series(file, series->name, is_physical(series),
                                                   &series->requests[0], rows, series->count);

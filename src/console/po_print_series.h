@@ -4,14 +4,15 @@
 
 #include <stddef.h>
 
+#include "po_given.h"
 #include "po_request.h"
 #include "po_result.h"
-#include "po_scene_flags.h"
 #include "po_status.h"
 
 typedef struct {
-  po_scene_flags flags; /* with the units, if the scene is given in SI units */
-  double value;         /* of the parameter that varies */
+  po_given given;
+  char text[PO_NUMBER_LENGTH]; /* the value of the parameter that varies */
+  double value;
 } po_series_scene;
 
 typedef struct {

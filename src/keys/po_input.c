@@ -26,11 +26,16 @@ typedef enum {
 #define ANY_NUMBER OTHER(ANY_NUMBER, "a finite number")
 #define FINITE_OR_INFINITE OTHER(FINITE_OR_INFINITE, "a finite number, or inf")
 #define COUNT OTHER(COUNT, "a whole number > 0")
-enum { NUMBER = false, LENGTH = true, CONSTANT = false, VARIES = true };
-#define PLACE(member) offsetof(po_request, member)
+#define NUMBER PO_DIMENSION_NONE
+#define LENGTH PO_DIMENSION_LENGTH
+#define LOAD PO_DIMENSION_LOAD
+#define STIFFNESS PO_DIMENSION_STIFFNESS
+enum { CONSTANT = false, VARIES = true };
+#define PLACE(member) offsetof(po_request, member), -1
+#define SETS(key) PO_NO_PLACE, PO_KEY_##key
 #define OF_LAW(number) PLACE(scene.law.parameter[number])
 #define OF_PROFILE(number) PLACE(scene.profile.parameter[number])
-#define NO_PLACE PO_NO_PLACE
+#define NO_PLACE PO_NO_PLACE, -1
 #define NO_VERB 0
 #define SOLVE PO_FOR_SOLVE
 #define FOLLOW PO_FOR_FOLLOW
@@ -40,9 +45,10 @@ enum { NUMBER = false, LENGTH = true, CONSTANT = false, VARIES = true };
 #define HELPS(text, theory) text, theory
 #define NO_HELP HELP("")
 
-#define ROW(key, name, domain, length, owner, place, varies, verbs, value, help)                   \
-  [PO_KEY_##key] = {name, domain, length, varies, PO_OWNER_##owner, place, verbs, value, help},
-static const po_key_row KEYS[PO_KEY_END] = {PO_KEY_ROWS(ROW) PO_GROUP_ROWS(ROW)};
+#define ROW(key, name, domain, dimension, owner, place, varies, verbs, value, help)                \
+  [PO_KEY_##key] = {name, domain, dimension, varies, PO_OWNER_##owner, place, verbs, value, help},
+static const po_key_row KEYS[PO_KEY_ALL] = {PO_KEY_ROWS(ROW) PO_GROUP_ROWS(ROW) PO_GIVEN_ROWS(ROW)
+                                                PO_VARIABLE_ROWS(ROW)};
 
 const po_key_row *po_key_row_of(int key) {
   return &KEYS[key];
@@ -55,7 +61,12 @@ po_request po_input_default(void) {
 }
 
 int po_key_of_name(const char *name) {
-  for (int key = 0; key < PO_KEY_END; ++key)
+  const int key = po_given_key(name);
+  return key < PO_KEY_END ? key : -1;
+}
+
+int po_given_key(const char *name) {
+  for (int key = 0; key < PO_KEY_ALL; ++key)
     if (strcmp(KEYS[key].name, name) == 0)
       return key;
   return -1;
@@ -74,7 +85,7 @@ bool po_key_is_number(po_key key) {
 }
 
 bool po_key_is_group(int key) {
-  return key >= PO_KEY_COUNT;
+  return key >= PO_KEY_COUNT && key < PO_KEY_END;
 }
 
 bool po_key_is_parameter(int key, po_key_owner owner) {
@@ -86,32 +97,26 @@ bool po_key_is_continuous(int key) {
 }
 
 po_key po_key_target(po_key key) {
-  switch (key) {
-  case PO_KEY_ALPHA:
-    return PO_KEY_WAVELENGTH;
-  case PO_KEY_OUTER_RATIO:
-    return PO_KEY_OUTER_RADIUS;
-  case PO_KEY_AMPLITUDE_RATIO:
-  case PO_KEY_WAVES:
-    return PO_KEY_AMPLITUDE;
-  case PO_KEY_COUPLING:
-    return PO_KEY_TABOR;
-  case PO_KEY_PROFILE_FILE:
-    return PO_KEY_PROFILE;
-  default:
-    return key;
-  }
+  return KEYS[key].target < 0 ? key : (po_key)KEYS[key].target;
+}
+
+int po_key_in_si(int key) {
+  for (int si = PO_KEY_END; si < PO_KEY_ALL; ++si)
+    if (KEYS[si].target == key)
+      return si;
+  return -1;
 }
 
 /* Returned: the place of the value of a key in a request; NULL for names, counts and groups. */
 static double *key_place(po_request *request, po_key key) {
   const size_t place = KEYS[key].place;
-  return place == NO_PLACE ? NULL : (double *)(void *)((char *)request + place);
+  return place == PO_NO_PLACE ? NULL : (double *)(void *)((char *)request + place);
 }
 
 int po_key_parameter(int key) {
-  const size_t first =
-      KEYS[key].owner == PO_OWNER_LAW ? PLACE(scene.law.parameter) : PLACE(scene.profile.parameter);
+  const size_t first = KEYS[key].owner == PO_OWNER_LAW
+                           ? offsetof(po_request, scene.law.parameter)
+                           : offsetof(po_request, scene.profile.parameter);
   return (int)((KEYS[key].place - first) / sizeof(double));
 }
 
@@ -160,8 +165,8 @@ static bool set_of_table(po_request *request, po_profile_parameter parameter, do
   return set;
 }
 
-static bool parse_value(value_type type, const char *text, double *value) {
-  switch (type) {
+bool po_key_parse(int key, const char *text, double *value) {
+  switch ((value_type)KEYS[key].domain) {
   case ANY_NUMBER_DOMAIN:
     return po_number_parse(text, value);
   case NOT_NEGATIVE_DOMAIN:
@@ -191,8 +196,10 @@ bool po_key_set(po_request *request, po_key key, const char *text) {
     return true;
   }
   double value = 0;
-  if (!parse_value((value_type)KEYS[key].domain, text, &value))
+  if (!po_key_parse(key, text, &value))
     return false;
+  if (KEYS[key].owner == PO_OWNER_SI)
+    return true;
   if (key == PO_KEY_ALPHA)
     value = sqrt(request->scene.amplitude * request->scene.radius / value);
   else if (key == PO_KEY_AMPLITUDE_RATIO)

@@ -8,6 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "po_dimension.h"
 #include "po_key_rows.h"
 #include "po_number.h"
 #include "po_request.h"
@@ -16,7 +17,11 @@
 typedef enum {
   PO_KEY_ROWS(PO_KEY_ENUMERATOR) PO_KEY_COUNT,
   PO_KEY_BEFORE_GROUPS = PO_KEY_COUNT - 1,
-  PO_GROUP_ROWS(PO_KEY_ENUMERATOR) PO_KEY_END
+  PO_GROUP_ROWS(PO_KEY_ENUMERATOR) PO_KEY_END,
+  PO_KEY_BEFORE_GIVEN = PO_KEY_END - 1,
+  PO_GIVEN_ROWS(PO_KEY_ENUMERATOR) PO_KEY_VARIABLES,
+  PO_KEY_BEFORE_VARIABLES = PO_KEY_VARIABLES - 1,
+  PO_VARIABLE_ROWS(PO_KEY_ENUMERATOR) PO_KEY_ALL
 } po_key;
 
 /* What a key belongs to. A law or a profile may have a parameter or not. */
@@ -25,7 +30,8 @@ typedef enum {
   PO_OWNER_LAW,
   PO_OWNER_PROFILE,
   PO_OWNER_MESH,
-  PO_OWNER_TRACE
+  PO_OWNER_TRACE,
+  PO_OWNER_SI /* the scene in SI units; what the key sets belongs to another owner */
 } po_key_owner;
 
 /* The verbs that have an option for a key; plot has those of solve. */
@@ -36,9 +42,11 @@ typedef struct {
   const char *name;
   int domain; /* private to po_input.c */
   const char *expected;
-  bool is_length, varies;
+  po_dimension dimension;
+  bool varies;
   po_key_owner owner;
   size_t place; /* offset of its number in a po_request; PO_NO_PLACE: it is kept otherwise */
+  int target;   /* the key that it sets; -1: itself */
   unsigned verbs;
   const char *value, *help, *help_of_form; /* the latter of theory; "": the same */
 } po_key_row;
@@ -51,8 +59,10 @@ enum { PO_KEY_TEXT_LENGTH = 1024 };
 /* Returned: a request with every field at its default, and the JKR theory as its companion. */
 po_request po_input_default(void);
 
-/* Returned: the key or group with this name, or -1. */
+/* Returned: the key or group with this name, or -1; po_given_key also finds the keys that only
+ * readers take (PO_GIVEN_ROWS, PO_VARIABLE_ROWS). */
 int po_key_of_name(const char *name);
+int po_given_key(const char *name);
 
 /* Returned: the name of a key, e.g. "tabor" or "outer_radius". */
 const char *po_key_name(po_key key);
@@ -73,14 +83,21 @@ bool po_key_is_parameter(int key, po_key_owner owner);
 /* Returned: the number of a parameter among those of all laws, or of all profiles. */
 int po_key_parameter(int key);
 
-/* Returned: whether a key is a group; and the key that a group, `profile_file` or `waves` sets
- * (otherwise the key itself). A group must be set after all other keys. */
+/* Returned: whether a key is a group; and the key that a group, `profile_file`, `waves` or a key in
+ * SI units sets (otherwise the key itself). A group must be set after all other keys. */
 bool po_key_is_group(int key);
 po_key po_key_target(po_key key);
 
-/* Sets a key to the value in `text`. Returned: false if the key does not accept the value; then the
- * request is unchanged. A profile sets the radius to its default, unless the radius was given. A
- * table that cannot be used has its own message (po_message). */
+/* Returned: the key that gives the same in SI units: PO_KEY_RADIUS_M of PO_KEY_RADIUS; -1: none. */
+int po_key_in_si(int key);
+
+/* Parses the number of a key. Returned: false if the key does not accept the text. */
+bool po_key_parse(int key, const char *text, double *value);
+
+/* Sets a key to the value in `text`; a key of po_given.h that a request cannot hold is only
+ * checked. Returned: false if the key does not accept the value; then the request is unchanged. A
+ * profile sets the radius to its default, unless the radius was given. A table that cannot be used
+ * has its own message (po_message). */
 bool po_key_set(po_request *request, po_key key, const char *text);
 
 /* Prints the value of a key; "auto" for an approach that the solver chooses, "none" for no time

@@ -1,10 +1,10 @@
 /* One row a key: all that readers, writers, options and help need.
  *
  * Each list calls X for its rows, with the cells: enumerator, name, domain, dimension, owner, place
- * in a po_request, whether a series may vary it, the verbs that have an option for it, the name of
- * its value, and help: of all verbs, or of the others and of theory. A row without help has that of
- * the next row. po_input.c defines the words of the cells. A new parameter of a law is one row after
- * those of the other laws. */
+ * in a po_request (SETS: of the key that it sets), whether a series may vary it, the verbs that
+ * have an option for it, the name of its value, and help: of all verbs, or of the others and of
+ * theory. A row without help has that of the next row. po_input.c defines the words of the cells. A
+ * new parameter of a law is one row after those of the other laws. */
 #ifndef PO_KEY_ROWS_H
 #define PO_KEY_ROWS_H
 
@@ -53,9 +53,9 @@
     HELP("standard deviation of the noise of --profile-file, in the unit of the file; auto estimates it. The profile " \
          "is then a smoothing spline (default: no noise)")) \
   X(PROFILE_FILE, "profile_file", WORDS("a CSV file with the columns r and gap"), \
-    NUMBER, PROFILE, NO_PLACE, CONSTANT, EVERY, "FILE", HELP("profile from a CSV file with the columns r and gap, in epsilon")) \
+    NUMBER, PROFILE, SETS(PROFILE), CONSTANT, EVERY, "FILE", HELP("profile from a CSV file with the columns r and gap, in epsilon")) \
   X(WAVES, "waves", WORDS("A@L;A@L;..., amplitude and wavelength of at most 8 waves, all > 0, or -"), \
-    NUMBER, PROFILE, NO_PLACE, CONSTANT, EVERY, "A,L", HELP("add a wave of amplitude A and wavelength L, in epsilon; up to 8")) \
+    NUMBER, PROFILE, SETS(AMPLITUDE), CONSTANT, EVERY, "A,L", HELP("add a wave of amplitude A and wavelength L, in epsilon; up to 8")) \
   X(SCHEME, "scheme", WORDS("ring, triangle or panel"), NUMBER, MESH, NO_PLACE, CONSTANT, SOLVE, "NAME", \
     HELP("elements that discretise the surface: ring, triangle or panel (default panel)")) \
   X(GRADING, "grading", WORDS("uniform or graded"), NUMBER, MESH, NO_PLACE, CONSTANT, SOLVE, "NAME", \
@@ -73,26 +73,65 @@
   X(PRELOAD, "preload", FINITE_OR_INFINITE, LENGTH, TRACE, PLACE(preload.approach), CONSTANT, SERIES, "D", \
     HELP("approach up to which the bodies are loaded before they are pulled off, in epsilon; inf searches all " \
          "preloads for the greatest pull-off force")) \
-  X(PRELOAD_LOAD, "preload_load", NOT_NEGATIVE, NUMBER, TRACE, PLACE(preload.load), CONSTANT, SERIES, "W", \
+  X(PRELOAD_LOAD, "preload_load", NOT_NEGATIVE, LOAD, TRACE, PLACE(preload.load), CONSTANT, SERIES, "W", \
     HELP("load up to which the bodies are loaded, in pi w R; with --preload, loading ends at whichever is reached " \
          "first (default 1, unless a preload or the end of the trace is given as an approach)")) \
-  X(STIFFNESS, "stiffness", POSITIVE, NUMBER, TRACE, PLACE(stiffness), CONSTANT, SOLVE, "K", \
+  X(STIFFNESS, "stiffness", POSITIVE, STIFFNESS, TRACE, PLACE(stiffness), CONSTANT, SOLVE, "K", \
     HELP("stiffness of a spring through which the body is moved, in pi w R/epsilon: --want hysteresis and preload " \
          "then have the loop and the staircase through the spring, too (default: none)")) \
   X(TIME_LIMIT, "time_limit", POSITIVE, NUMBER, TRACE, PLACE(time_limit), CONSTANT, SERIES, "S", \
     HELP("processor time after which a solve is stopped, in seconds (default: no limit)"))
 
 /* Dimensionless groups of these keys, for sweeps, conditions and reference tables. Each sets one
- * key (po_key_target): the wavelength by A R/lambda^2, Eq 6; the amplitude by A/lambda; the outer
+ * key: the wavelength by A R/lambda^2, Eq 6; the amplitude by A/lambda; the outer
  * radius by r_max/R; tabor by w/(E* epsilon). */
 #define PO_GROUP_ROWS(X) \
-  X(ALPHA, "alpha", POSITIVE, NUMBER, SCENE, NO_PLACE, VARIES, NO_VERB, "ALPHA", HELP("A R/L^2")) \
-  X(AMPLITUDE_RATIO, "amplitude_ratio", NOT_NEGATIVE, NUMBER, SCENE, NO_PLACE, VARIES, FOLLOW, "Q", \
+  X(ALPHA, "alpha", POSITIVE, NUMBER, SCENE, SETS(WAVELENGTH), VARIES, NO_VERB, "ALPHA", HELP("A R/L^2")) \
+  X(AMPLITUDE_RATIO, "amplitude_ratio", NOT_NEGATIVE, NUMBER, SCENE, SETS(AMPLITUDE), VARIES, FOLLOW, "Q", \
     HELP("amplitude divided by wavelength, instead of --amplitude; constant if the wavelength varies")) \
-  X(OUTER_RATIO, "outer_ratio", POSITIVE, NUMBER, SCENE, NO_PLACE, VARIES, NO_VERB, "Q", \
+  X(OUTER_RATIO, "outer_ratio", POSITIVE, NUMBER, SCENE, SETS(OUTER_RADIUS), VARIES, NO_VERB, "Q", \
     HELP("outer radius divided by radius")) \
-  X(COUPLING, "coupling", NOT_NEGATIVE, NUMBER, SCENE, NO_PLACE, VARIES, EVERY, "C", \
+  X(COUPLING, "coupling", NOT_NEGATIVE, NUMBER, SCENE, SETS(TABOR), VARIES, EVERY, "C", \
     HELP("w/(E* epsilon), >= 0, instead of --tabor"))
+
+/* Keys that readers take beside these, and no document states: the scene in SI units (po_given.h), and
+ * the approach of the profile, which no case has. */
+#define PO_SI_ROWS(X) \
+  X(MODULUS_PA, "modulus_pa", POSITIVE_OR_INFINITE, NUMBER, SI, NO_PLACE, VARIES, EVERY, "E", \
+    HELP("contact modulus E* of the two bodies, in Pa; inf is a rigid sphere")) \
+  X(WORK_J_PER_M2, "work_j_per_m2", POSITIVE, NUMBER, SI, NO_PLACE, VARIES, EVERY, "W", HELP("work of adhesion, in J/m^2")) \
+  X(DISTANCE_M, "distance_m", POSITIVE, LENGTH, SI, NO_PLACE, VARIES, EVERY, "EPSILON", HELP("equilibrium distance, in m")) \
+  X(RADIUS_M, "radius_m", POSITIVE, LENGTH, SI, SETS(RADIUS), VARIES, EVERY, "R", \
+    HELP("radius of the sphere, in m; may be missing for other profiles")) \
+  X(AMPLITUDE_M, "amplitude_m", NOT_NEGATIVE, LENGTH, SI, SETS(AMPLITUDE), VARIES, EVERY, "A", NO_HELP) \
+  X(WAVELENGTH_M, "wavelength_m", POSITIVE, LENGTH, SI, SETS(WAVELENGTH), VARIES, EVERY, "L", \
+    HELP("amplitude and wavelength of the waviness, in m")) \
+  X(OUTER_RADIUS_M, "outer_radius_m", POSITIVE_OR_INFINITE, LENGTH, SI, SETS(OUTER_RADIUS), VARIES, SERIES, "R", \
+    HELP("radius at which the elastic surface is cut, in m")) \
+  X(APPROACH_START_M, "approach_start_m", ANY_NUMBER, LENGTH, SI, SETS(APPROACH_START), CONSTANT, SOLVE, "D", NO_HELP) \
+  X(APPROACH_END_M, "approach_end_m", ANY_NUMBER, LENGTH, SI, SETS(APPROACH_END), CONSTANT, SOLVE, "D", \
+    HELP("approaches at which the trace begins and ends, in m")) \
+  X(PRELOAD_M, "preload_m", FINITE_OR_INFINITE, LENGTH, SI, SETS(PRELOAD), CONSTANT, SERIES, "D", NO_HELP) \
+  X(PRELOAD_LOAD_N, "preload_load_n", NOT_NEGATIVE, LOAD, SI, SETS(PRELOAD_LOAD), CONSTANT, SERIES, "F", \
+    HELP("approach, in m, and load, in N, up to which the bodies are loaded")) \
+  X(STIFFNESS_N_PER_M, "stiffness_n_per_m", POSITIVE, STIFFNESS, SI, SETS(STIFFNESS), CONSTANT, SOLVE, "K", \
+    HELP("stiffness of the spring through which the body is moved, in N/m"))
+
+#define PO_GIVEN_ROWS(X) PO_SI_ROWS(X) \
+  X(PROFILE_APPROACH, "profile_approach", ANY_NUMBER, LENGTH, TRACE, PLACE(profile_approach), CONSTANT, NO_VERB, "D", \
+    HELP("approach at which the profile is taken, in epsilon (default: that of the pull-off)")) \
+  X(PROFILE_APPROACH_M, "profile_approach_m", ANY_NUMBER, LENGTH, SI, SETS(PROFILE_APPROACH), CONSTANT, NO_VERB, "D", \
+    HELP("approach at which the profile is taken, in m"))
+
+/* The variables of closed forms. */
+#define PO_VARIABLE_ROWS(X) \
+  X(APPROACH, "approach", ANY_NUMBER, LENGTH, TRACE, NO_PLACE, CONSTANT, PO_FOR_THEORY, "D", \
+    HELP("the load at this approach, in epsilon, < 1 (bradley, rigid)")) \
+  X(CONTACT_RADIUS, "contact_radius", NOT_NEGATIVE, LENGTH, TRACE, NO_PLACE, CONSTANT, PO_FOR_THEORY, "A", \
+    HELP("load and approach at this contact radius, in epsilon (jkr, maugis, guduru, kesari-lew)")) \
+  X(APPROACH_M, "approach_m", ANY_NUMBER, LENGTH, SI, SETS(APPROACH), CONSTANT, PO_FOR_THEORY, "D", NO_HELP) \
+  X(CONTACT_RADIUS_M, "contact_radius_m", NOT_NEGATIVE, LENGTH, SI, SETS(CONTACT_RADIUS), CONSTANT, PO_FOR_THEORY, "A", \
+    HELP("approach and contact radius, in m"))
 // clang-format on
 
 #endif

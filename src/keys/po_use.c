@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-po_status po_use_check(const char *dashes, const char *what, const po_use *uses, size_t count) {
+po_status po_use_check(const char *what, const po_use *uses, size_t count) {
   const po_use *idle = NULL;
   size_t taken = 0, named = 0;
   for (size_t i = 0; i < count; ++i) {
@@ -11,15 +11,14 @@ po_status po_use_check(const char *dashes, const char *what, const po_use *uses,
       idle = &uses[i];
     taken += uses[i].taken;
   }
-  char names[400] = "";
+  char names[1000] = "";
   for (size_t i = 0; idle && i < count; ++i)
     if (uses[i].taken) {
       const char *before = named == 0 ? "only " : named + 1 < taken ? ", " : " or ";
-      snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s%s", before, dashes,
-               uses[i].name);
+      snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", before, uses[i].name);
       ++named;
     }
-  return idle ? po_fail(PO_BAD_INPUT, "%s%s has no effect on %s: expected %s", dashes, idle->name,
-                        what, *names ? names : "it to be left out")
+  return idle ? po_fail(PO_BAD_INPUT, "%s has no effect on %s: expected %s", idle->name, what,
+                        *names ? names : "it to be left out")
               : PO_OK;
 }

@@ -10,13 +10,12 @@
 
 /* An option or a key, whether it was given, and whether it has an effect in the present use. */
 typedef struct {
-  char name[32]; /* without dashes */
+  char name[48]; /* with the dashes of an option */
   bool given, taken;
 } po_use;
 
 /* Refuses the first one that was given although it has no effect on `what`, and names those that
- * have an effect. Given: `dashes`, what messages print before each name, "--" or "". Status:
- * PO_BAD_INPUT, PO_OK. */
-po_status po_use_check(const char *dashes, const char *what, const po_use *uses, size_t count);
+ * have an effect. Status: PO_BAD_INPUT, PO_OK. */
+po_status po_use_check(const char *what, const po_use *uses, size_t count);
 
 #endif

@@ -4,16 +4,14 @@
 
 #include "pulloff.h"
 
-#include "po_input.h"
+#include "po_given.h"
 #include "po_json_value.h"
 #include "po_process.h"
 #include "po_result.h"
 
 struct pulloff_scene {
-  char *text[PO_KEY_END]; /* the value of each key; NULL: not set */
-  double profile_approach;
+  char *text[PO_KEY_ALL]; /* the value of each key; NULL: not set */
   unsigned want;
-  bool is_physical; /* keys were set from SI units */
   const volatile sig_atomic_t *stop;
 };
 
@@ -29,6 +27,10 @@ struct pulloff_result {
 /* Ends a function: copies the message of a failure, or of another thread-local cause, to `message`.
  * Returned: the status for the caller of the library. */
 pulloff_status po_library_end(po_status status, pulloff_message *message);
+
+/* The texts of a scene, which stay those of the scene. It is in SI units if one of these is given.
+ */
+po_given po_library_given(const pulloff_scene *scene);
 
 /* The request of a scene, with a further value for one key; key -1: none. Status: PO_BAD_INPUT,
  * PO_CANNOT_READ, PO_NO_MEMORY. */

@@ -7,13 +7,12 @@
 
 #include "po_library.h"
 #include "po_memory.h"
-#include "po_physical.h"
 #include "po_quote.h"
 #include "po_suggest.h"
 #include "po_text.h"
 
-/* The keys that are not in the table of src/keys. */
-enum { WANT = PO_KEY_END, PROFILE_APPROACH, KEY_COUNT };
+/* The key that is not in the table of src/keys. */
+enum { WANT = PO_KEY_VARIABLES, KEY_COUNT };
 
 const char *pulloff_version(void) {
   return PULLOFF_VERSION;
@@ -35,14 +34,11 @@ pulloff_status po_library_end(po_status status, pulloff_message *message) {
 pulloff_status pulloff_scene_create(pulloff_scene **scene, pulloff_message *message) {
   po_message_clear();
   *scene = po_allocate(1, sizeof **scene);
-  if (!*scene)
-    return po_library_end(PO_NO_MEMORY, message);
-  (*scene)->profile_approach = NAN;
-  return po_library_end(PO_OK, message);
+  return po_library_end(*scene ? PO_OK : PO_NO_MEMORY, message);
 }
 
 void pulloff_scene_destroy(pulloff_scene *scene) {
-  for (int key = 0; scene && key < PO_KEY_END; ++key)
+  for (int key = 0; scene && key < PO_KEY_ALL; ++key)
     free(scene->text[key]);
   free(scene);
 }
@@ -54,7 +50,7 @@ pulloff_status pulloff_scene_copy(const pulloff_scene *scene, pulloff_scene **co
     return status;
   **copy = *scene;
   bool whole = true;
-  for (int key = 0; key < PO_KEY_END; ++key) {
+  for (int key = 0; key < PO_KEY_ALL; ++key) {
     (*copy)->text[key] = scene->text[key] ? po_copy_text(scene->text[key]) : NULL;
     whole = whole && !(*copy)->text[key] == !scene->text[key];
   }
@@ -70,15 +66,11 @@ size_t pulloff_key_count(void) {
 }
 
 const char *pulloff_key_name(size_t number) {
-  if (number < PO_KEY_END)
-    return po_key_name((po_key)number);
-  return number == WANT ? "want" : number == PROFILE_APPROACH ? "profile_approach" : NULL;
+  return number < WANT ? po_key_name((po_key)number) : number == WANT ? "want" : NULL;
 }
 
 const char *pulloff_key_expected(size_t number) {
-  if (number < PO_KEY_END)
-    return po_key_expected((po_key)number);
-  return number == WANT ? PO_WANT_EXPECTED : number == PROFILE_APPROACH ? "a finite number" : NULL;
+  return number < WANT ? po_key_expected((po_key)number) : number == WANT ? PO_WANT_EXPECTED : NULL;
 }
 
 /* The number of a key, or -1 with a message. */
@@ -109,27 +101,16 @@ static po_status refuse(int key, const char *value) {
                     value, expected);
 }
 
-/* Sets a key that the table does not have; NULL: to its default. */
-static po_status set_other(pulloff_scene *scene, int key, const char *value) {
+static po_status set(pulloff_scene *scene, int key, const char *value) {
+  if (key < 0)
+    return PO_BAD_INPUT;
+  unsigned want = 0;
   if (key == WANT) {
-    unsigned want = 0;
     if (value && *value && !po_want_read(value, &want))
       return refuse(key, value);
     scene->want = want;
     return PO_OK;
   }
-  double number = NAN;
-  if (value && !po_number_parse(value, &number))
-    return refuse(key, value);
-  scene->profile_approach = number;
-  return PO_OK;
-}
-
-static po_status set(pulloff_scene *scene, int key, const char *value) {
-  if (key < 0)
-    return PO_BAD_INPUT;
-  if (key >= PO_KEY_END)
-    return set_other(scene, key, value);
   po_request scratch = po_input_default();
   if (value && !po_key_set(&scratch, (po_key)key, value))
     return po_no_memory_or(refuse(key, value));
@@ -173,39 +154,30 @@ pulloff_status pulloff_scene_set_number(pulloff_scene *scene, const char *key, d
   return po_library_end(status, message);
 }
 
-/* Refuses keys that have no effect on the request, and two keys that set the same. */
-static po_status refuse_idle(const pulloff_scene *scene, const po_request *request) {
-  for (int k = 0; k < PO_KEY_END; ++k) {
-    const po_key key = (po_key)k, target = po_key_target(key);
-    if (!scene->text[k])
-      continue;
-    if (target != key && scene->text[target])
-      return po_fail(PO_BAD_INPUT, "both %s and %s are set: expected only one of the two",
-                     po_key_name(key), po_key_name(target));
-    if (k < PO_KEY_COUNT &&
-        (po_key_is_of_other_scheme(request, key) || isnan(po_key_number(request, key))))
-      return po_fail(PO_BAD_INPUT, "%s has no effect on this scene: expected it to be unset",
-                     po_key_name(key));
+po_given po_library_given(const pulloff_scene *scene) {
+  po_given given = {.prefix = "", .mixed = true};
+  for (int key = 0; key < PO_KEY_ALL; ++key) {
+    given.text[key] = scene->text[key];
+    given.si = given.si || (scene->text[key] && po_key_row_of(key)->owner == PO_OWNER_SI);
   }
-  return PO_OK;
+  return given;
 }
 
 po_status po_library_request(const pulloff_scene *scene, int key, const char *value,
                              po_request *request) {
+  po_given given = po_library_given(scene);
+  if (key >= 0)
+    given.text[key] = value;
   *request = po_input_default();
-  for (int k = 0; k < PO_KEY_END; ++k) {
-    const char *text = k == key ? value : scene->text[k];
-    if (text && !po_key_set(request, (po_key)k, text))
-      return po_no_memory_or(refuse(k, text));
-  }
-  request->profile_approach = scene->profile_approach;
+  const po_status status = po_given_read(&given, request);
+  if (status)
+    return status;
   request->want = scene->want;
   if (!isnan(request->profile_approach))
     request->want |= PO_WANT_PROFILE;
   request->stop = scene->stop;
   po_request_choose_search(request);
-  const po_status status = refuse_idle(scene, request);
-  return status ? status : po_request_check(request);
+  return po_request_check(request);
 }
 
 static po_status get(const pulloff_scene *scene, int key, char *text, size_t size) {
@@ -218,8 +190,8 @@ static po_status get(const pulloff_scene *scene, int key, char *text, size_t siz
     po_key_print(&request, (po_key)key, value);
   else if (key < PO_KEY_END)
     print_number(po_key_number(&request, (po_key)key), value);
-  else if (key == PROFILE_APPROACH && !isnan(request.profile_approach))
-    print_number(request.profile_approach, value);
+  else if (key < WANT && scene->text[key])
+    snprintf(value, sizeof value, "%s", scene->text[key]);
   if (key != WANT) {
     snprintf(text, size, "%s", value);
     return PO_OK;
@@ -245,49 +217,46 @@ pulloff_status pulloff_scene_get(const pulloff_scene *scene, const char *key, ch
   return po_library_end(status, message);
 }
 
+static pulloff_units units_of(const po_request *request) {
+  const po_units *u = &request->units;
+  return (pulloff_units){u->length, u->force, u->work, u->traction};
+}
+
 static po_status set_physical(pulloff_scene *scene, const pulloff_physical *given,
                               pulloff_units *units) {
-  const po_physical physical = {.modulus = given->modulus,
-                                .work = given->work,
-                                .distance = given->distance,
-                                .radius = given->radius,
-                                .amplitude = given->amplitude,
-                                .wavelength = given->wavelength,
-                                .outer_radius = given->outer_radius};
-  po_scene converted = po_scene_default();
-  po_status status = po_physical_scene(&physical, &converted);
-  if (status)
-    return status;
   const struct {
     po_key key;
-    double value;
-  } values[] = {{PO_KEY_TABOR, converted.tabor},
-                {PO_KEY_RADIUS, converted.radius},
-                {PO_KEY_AMPLITUDE, converted.amplitude},
-                {PO_KEY_WAVELENGTH, converted.wavelength},
-                {PO_KEY_OUTER_RADIUS, converted.outer_radius}};
+    double value, idle; /* the latter is the default */
+  } values[] = {{PO_KEY_MODULUS_PA, given->modulus, NAN},
+                {PO_KEY_WORK_J_PER_M2, given->work, NAN},
+                {PO_KEY_DISTANCE_M, given->distance, NAN},
+                {PO_KEY_RADIUS_M, given->radius, NAN},
+                {PO_KEY_AMPLITUDE_M, given->amplitude, 0.0},
+                {PO_KEY_WAVELENGTH_M, given->amplitude > 0.0 ? given->wavelength : 0.0, 0.0},
+                {PO_KEY_OUTER_RADIUS_M, given->outer_radius, INFINITY}};
+  po_request request;
   pulloff_scene *changed = NULL;
-  status = (po_status)pulloff_scene_copy(scene, &changed, NULL);
+  po_status status = (po_status)pulloff_scene_copy(scene, &changed, NULL);
   for (size_t i = 0; i < sizeof values / sizeof *values && !status; ++i) {
     char text[PO_NUMBER_LENGTH];
     print_number(values[i].value, text);
-    const bool idle = values[i].key == PO_KEY_WAVELENGTH && converted.amplitude == 0.0;
-    status = set(changed, (int)values[i].key, idle ? NULL : text);
+    set(changed,
+        po_key_target(values[i].key) == values[i].key ? PO_KEY_TABOR
+                                                      : (int)po_key_target(values[i].key),
+        NULL);
+    status = set(changed, (int)values[i].key, values[i].value == values[i].idle ? NULL : text);
   }
-  if (status) {
-    pulloff_scene_destroy(changed);
-    return status;
+  if (!status)
+    status = po_library_request(changed, -1, NULL, &request);
+  if (!status) {
+    const pulloff_scene before = *scene;
+    *scene = *changed;
+    *changed = before;
+    if (units)
+      *units = units_of(&request);
   }
-  changed->is_physical = true;
-  const pulloff_scene before = *scene;
-  *scene = *changed;
-  *changed = before;
   pulloff_scene_destroy(changed);
-  if (units) {
-    const po_units u = po_physical_units(&physical, &converted);
-    *units = (pulloff_units){u.length, u.force, u.work, u.traction};
-  }
-  return PO_OK;
+  return status;
 }
 
 pulloff_status pulloff_scene_set_physical(pulloff_scene *scene, const pulloff_physical *physical,

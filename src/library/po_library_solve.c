@@ -11,7 +11,6 @@
 #include "po_observe.h"
 #include "po_quote.h"
 #include "po_series.h"
-#include "po_use.h"
 
 /* Whether a solve gave a result, complete or not. */
 static bool has_result(po_status status) {
@@ -52,7 +51,7 @@ pulloff_status pulloff_solve(const pulloff_scene *scene, pulloff_result **result
 static po_status make_requests(const pulloff_scene *scene, const char *name, const double *values,
                                size_t count, po_request *requests) {
   char shown[PO_QUOTE_LENGTH];
-  const int key = po_key_of_name(name);
+  const int key = po_given_key(name);
   if (key < 0 || !po_key_is_number((po_key)key))
     return po_fail(PO_BAD_INPUT, "the key of a series is %s: expected a number of the scene",
                    po_quote(name, shown));
@@ -104,60 +103,10 @@ pulloff_status pulloff_follow(const pulloff_scene *scene, const char *key, const
   return po_library_end(status, message);
 }
 
-/* The part of a scene to which keys belong, as in po_form.takes, in the order of the messages of
- * the command line; 0: no form depends on it. Messages name keys that are texts or `is_named`, and
- * of the other ones, groups and parameters, those that were set. */
-static const struct {
-  po_key first, last;
-  unsigned part;
-  bool is_named;
-} PARTS[] = {{PO_KEY_TABOR, PO_KEY_TABOR, PO_TAKES_TABOR, true},
-             {PO_KEY_COUPLING, PO_KEY_COUPLING, PO_TAKES_TABOR, true},
-             {PO_KEY_AMPLITUDE, PO_KEY_AMPLITUDE, PO_TAKES_AMPLITUDE, true},
-             {PO_KEY_AMPLITUDE_RATIO, PO_KEY_AMPLITUDE_RATIO, PO_TAKES_AMPLITUDE, false},
-             {PO_KEY_WAVELENGTH, PO_KEY_WAVELENGTH, PO_TAKES_WAVELENGTH, true},
-             {PO_KEY_ALPHA, PO_KEY_ALPHA, PO_TAKES_WAVELENGTH, false},
-             {PO_KEY_RADIUS, PO_KEY_RADIUS, PO_TAKES_RADIUS, true},
-             {PO_KEY_LAW, PO_KEY_MORSE_A, PO_TAKES_LAW, false},
-             {PO_KEY_PROFILE, PO_KEY_WAVES, PO_TAKES_PROFILE, false},
-             {PO_KEY_OUTER_RADIUS, PO_KEY_OUTER_RADIUS, 0, false},
-             {PO_KEY_OUTER_RATIO, PO_KEY_OUTER_RATIO, 0, false},
-             {PO_KEY_SCHEME, PO_KEY_TIME_LIMIT, 0, false}};
-
-/* Whether a key was set because of SI units, which need it or cannot leave it out. */
-static bool is_implied(const pulloff_scene *scene, const po_scene *values, po_key key) {
-  return scene->is_physical && (key == PO_KEY_TABOR || key == PO_KEY_RADIUS ||
-                                (key == PO_KEY_AMPLITUDE && values->amplitude == 0.0) ||
-                                (key == PO_KEY_OUTER_RADIUS && isinf(values->outer_radius)));
-}
-
-/* Refuses keys on which a form does not depend, in the words of the command line. */
-static po_status check_use(const po_form *form, const pulloff_scene *scene, const po_scene *values,
-                           double alpha) {
-  const unsigned takes = po_form_takes(form, !isnan(alpha));
-  po_use uses[PO_KEY_END + 1];
-  size_t count = 0;
-  char what[80];
-  snprintf(what, sizeof what, "theory %s%s", form->name, takes != form->takes ? " with alpha" : "");
-  for (size_t i = 0; i < sizeof PARTS / sizeof *PARTS; ++i) {
-    if (PARTS[i].first == PO_KEY_LAW)
-      uses[count++] = (po_use){"alpha", !isnan(alpha), form->takes & PO_TAKES_ALPHA};
-    for (int k = PARTS[i].first; k <= (int)PARTS[i].last; ++k) {
-      const po_key key = (po_key)k;
-      po_use *use = &uses[count++];
-      snprintf(use->name, sizeof use->name, "%s", po_key_name(key));
-      use->given = scene->text[k] && !is_implied(scene, values, key);
-      use->taken =
-          takes & PARTS[i].part && (PARTS[i].is_named || !po_key_is_number(key) || use->given);
-    }
-  }
-  return po_use_check("", what, uses, count);
-}
-
 /* Refuses an input outside the domain of a form. */
-static po_status check_form(const po_form *form, const pulloff_scene *scene,
+static po_status check_form(const po_form *form, const po_given *given,
                             const po_form_input *input) {
-  const bool waves = scene->text[PO_KEY_AMPLITUDE] || po_scene_is_wavy(&input->scene);
+  const bool waves = po_given_has(given, PO_KEY_AMPLITUDE) || po_scene_is_wavy(&input->scene);
   const bool general = input->general || !po_scene_is_of_paper(&input->scene);
   if ((form->needs & (PO_NEEDS_WAVES | PO_NEEDS_AMPLITUDE)) && !waves && !general)
     return po_fail(PO_BAD_INPUT, "theory %s needs the key amplitude", form->name);
@@ -196,14 +145,14 @@ static po_status evaluate(const char *name, const pulloff_scene *scene, double a
   if (status)
     return status;
   po_form_input input = {request.scene, alpha, at};
-  input.general = scene->text[PO_KEY_LAW] || scene->text[PO_KEY_PROFILE] ||
-                  scene->text[PO_KEY_PROFILE_FILE] || scene->text[PO_KEY_WAVES] ||
-                  po_form_is_general(form, &request.scene);
-  if (isnan(alpha) && (scene->text[PO_KEY_AMPLITUDE] || po_scene_is_wavy(&request.scene)))
+  const po_given given = po_library_given(scene);
+  const po_use other = {"alpha", !isnan(alpha), form->takes & PO_TAKES_ALPHA};
+  input.general = po_given_is_general(&given, form, &request.scene);
+  if (isnan(alpha) && (po_given_has(&given, PO_KEY_AMPLITUDE) || po_scene_is_wavy(&request.scene)))
     input.alpha = po_scene_alpha(&request.scene);
-  status = check_use(form, scene, &request.scene, alpha);
+  status = po_given_check_form(&given, form, !isnan(alpha), &other, 1);
   if (!status)
-    status = check_form(form, scene, &input);
+    status = check_form(form, &given, &input);
   po_form_values values = {.count = 0};
   if (!status)
     status = po_form_evaluate(form, &input, &values);

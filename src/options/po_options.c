@@ -52,65 +52,15 @@ void po_key_flag(int key, char flag[PO_FLAG_LENGTH_OF_NAME]) {
       *c = '-';
 }
 
-const po_length_row PO_LENGTHS[PO_LENGTH_COUNT] = {
-    [PO_LENGTH_RADIUS] = {"radius", PO_KEY_RADIUS},
-    [PO_LENGTH_AMPLITUDE] = {"amplitude", PO_KEY_AMPLITUDE},
-    [PO_LENGTH_WAVELENGTH] = {"wavelength", PO_KEY_WAVELENGTH},
-    [PO_LENGTH_OUTER_RADIUS] = {"outer-radius", PO_KEY_OUTER_RADIUS},
-    [PO_LENGTH_APPROACH_START] = {"approach-start", PO_KEY_APPROACH_START},
-    [PO_LENGTH_APPROACH_END] = {"approach-end", PO_KEY_APPROACH_END},
-    [PO_LENGTH_PROFILE_APPROACH] = {"profile-approach", -1},
-    [PO_LENGTH_PRELOAD] = {"preload", PO_KEY_PRELOAD},
-    [PO_LENGTH_APPROACH] = {"approach", -1},
-    [PO_LENGTH_CONTACT_RADIUS] = {"contact-radius", -1},
-};
-
-/* The length that is a key; -1: none. */
-static int length_of_key(int key) {
-  int length = 0;
-  while (length < PO_LENGTH_COUNT && PO_LENGTHS[length].key != key)
-    ++length;
-  return length < PO_LENGTH_COUNT ? length : -1;
-}
-
-/* The value of the option of a key. */
-static int option_of(int key) {
-  switch (key) {
-  case PO_KEY_TABOR:
-    return PO_FLAG_TABOR;
-  case PO_KEY_COUPLING:
-    return PO_FLAG_COUPLING;
-  case PO_KEY_PROFILE:
-    return PO_FLAG_PROFILE;
-  case PO_KEY_PROFILE_FILE:
-    return PO_FLAG_PROFILE_FILE;
-  case PO_KEY_WAVES:
-    return PO_FLAG_WAVE;
-  default:
-    break;
-  }
-  if (po_key_is_parameter(key, PO_OWNER_PROFILE))
-    return PO_FLAG_PARAMETER + po_key_parameter(key);
-  const int length = length_of_key(key);
-  return length >= 0 ? PO_FLAG_LENGTH + length : PO_OPTION_KEYS + key;
-}
-
-/* Appends the options of a verb (PO_FOR_...) to a table of `count` rows, with the values that
- * po_scene_flags.h defines, and PO_OPTION_KEYS + key for the others. Returned: the number of rows.
- */
+/* Appends the options of the keys of a verb (PO_FOR_...) to a table of `count` rows. Returned: the
+ * number of rows. */
 static size_t add_key_options(unsigned verb, struct option table[PO_MOST_OPTIONS], size_t count) {
-  static char names[PO_KEY_END][2][PO_FLAG_LENGTH_OF_NAME]; /* the second in metres */
-  for (int key = 0; key < PO_KEY_END; ++key) {
+  static char names[PO_KEY_ALL][PO_FLAG_LENGTH_OF_NAME];
+  for (int key = 0; key < PO_KEY_ALL; ++key) {
     if (!(po_key_row_of(key)->verbs & verb))
       continue;
-    const int value = option_of(key);
-    po_key_flag(key, names[key][0]);
-    table[count++] = (struct option){names[key][0], required_argument, NULL, value};
-    if (!po_key_row_of(key)->is_length)
-      continue;
-    snprintf(names[key][1], sizeof names[key][1], "%.29s-m", names[key][0]);
-    table[count++] = (struct option){names[key][1], required_argument, NULL,
-                                     value - PO_FLAG_LENGTH + PO_FLAG_METRES};
+    po_key_flag(key, names[key]);
+    table[count++] = (struct option){names[key], required_argument, NULL, PO_OPTION_KEYS + key};
   }
   return count;
 }
@@ -141,7 +91,7 @@ static const char *help_of(const po_key_row *row, unsigned verb) {
 /* Appends the options of the keys of some owners. Those without help come before the next one. */
 static void add_options_of(unsigned verb, po_key_owner first, po_key_owner last, po_text *help) {
   size_t used = 0;
-  for (int key = 0; key < PO_KEY_END; ++key) {
+  for (int key = 0; key < PO_KEY_ALL; ++key) {
     const po_key_row *row = po_key_row_of(key);
     if (!(row->verbs & verb) || row->owner < first || row->owner > last)
       continue;
@@ -158,24 +108,27 @@ static void add_options_of(unsigned verb, po_key_owner first, po_key_owner last,
   }
 }
 
-/* Appends the names of the keys that a series may vary, as the end of the help of an option. */
-static void add_varying(po_text *help) {
-  po_text names = {0};
-  for (int key = 0; key < PO_KEY_END; ++key)
+void po_options_add_varying(po_text *names) {
+  for (int key = 0, named = 0; key < PO_KEY_ALL; ++key)
     if (po_key_is_continuous(key) && po_key_row_of(key)->verbs & PO_FOR_FOLLOW) {
       char flag[PO_FLAG_LENGTH_OF_NAME];
       po_key_flag(key, flag);
-      po_text_add(&names, "%s, ", flag);
+      po_text_add(names, "%s%s%s", named++ ? ", " : "",
+                  key == PO_KEY_MODULUS_PA ? "or in SI units " : "", flag);
     }
-  po_text_add(&names, "or in SI units radius-m, amplitude-m, wavelength-m, outer-radius-m, "
-                      "modulus-pa, work-j-per-m2 or distance-m");
+}
+
+/* Appends the names of the keys that a series may vary, as the end of the help of an option. */
+static void add_varying(po_text *help) {
+  po_text names = {0};
+  po_options_add_varying(&names);
   add_words(help, po_text_string(&names), 0);
   po_text_clear(&names);
 }
 
 /* Appends a help text in which lines stand for the options of a verb: @scene for those of what is
- * pressed, @trace for the preload and the range of the trace, @mesh for the discretisation; and
- * @varying for the names of the keys that a series may vary. */
+ * pressed, @trace for the preload and the range of the trace, @mesh for the discretisation, @si for
+ * those in SI units; and @varying for the names of the keys that a series may vary. */
 static void add_help(unsigned verb, const char *text, po_text *help) {
   while (*text) {
     const int line = (int)strcspn(text, "\n");
@@ -185,6 +138,8 @@ static void add_help(unsigned verb, const char *text, po_text *help) {
       add_options_of(verb, PO_OWNER_TRACE, PO_OWNER_TRACE, help);
     else if (strncmp(text, "@mesh", 5) == 0)
       add_options_of(verb, PO_OWNER_MESH, PO_OWNER_MESH, help);
+    else if (strncmp(text, "@si", 3) == 0)
+      add_options_of(verb, PO_OWNER_SI, PO_OWNER_SI, help);
     else if (strncmp(text, "@varying", 8) == 0)
       add_varying(help);
     else
@@ -194,12 +149,11 @@ static void add_help(unsigned verb, const char *text, po_text *help) {
 }
 
 void po_options_table(const po_options *options, struct option table[PO_MOST_OPTIONS]) {
-  static const struct option PHYSICAL[] = {PO_PHYSICAL_OPTIONS};
   size_t count = 0;
   for (const struct option *own = options->options; own->name; ++own)
     table[count++] = *own;
-  for (size_t i = 0; options->keys && i < sizeof PHYSICAL / sizeof *PHYSICAL; ++i)
-    table[count++] = PHYSICAL[i];
+  if (options->keys)
+    table[count++] = (struct option){"from-physical", no_argument, NULL, PO_OPTION_PHYSICAL};
   count = add_key_options(options->keys, table, count);
   table[count] = (struct option){0};
 }

@@ -23,62 +23,9 @@ enum {
   PO_EXIT_INTERRUPTED = 130 /* 128 + SIGINT, the convention of shells */
 };
 
-/* The value of --help in every table of options. A verb's own are > 0 and smaller, and none of the
- * characters ':', '?' and 'h', which getopt returns: either smaller than ':', or from
- * PO_OPTION_KEYS on. */
-enum { PO_OPTION_KEYS = 200, PO_OPTION_HELP = 1000 };
-
-/* Lengths that can be given: --NAME is in epsilon, --NAME-m in metres. */
-typedef enum {
-  PO_LENGTH_RADIUS,
-  PO_LENGTH_AMPLITUDE,
-  PO_LENGTH_WAVELENGTH,
-  PO_LENGTH_OUTER_RADIUS,
-  PO_LENGTH_APPROACH_START,
-  PO_LENGTH_APPROACH_END,
-  PO_LENGTH_PRELOAD,
-  PO_LENGTH_PROFILE_APPROACH,
-  PO_LENGTH_APPROACH,
-  PO_LENGTH_CONTACT_RADIUS,
-  PO_LENGTH_COUNT
-} po_length;
-
-/* The names of these lengths. */
-typedef struct {
-  const char *name;
-  int key; /* the po_key with the same domain of values; -1: none */
-} po_length_row;
-extern const po_length_row PO_LENGTHS[PO_LENGTH_COUNT];
-
-/* Values of the options below. Those of the verb's own options begin at PO_FLAG_NEXT. */
-enum {
-  PO_FLAG_FROM_PHYSICAL = 1,
-  PO_FLAG_TABOR,
-  PO_FLAG_MODULUS,
-  PO_FLAG_WORK,
-  PO_FLAG_DISTANCE,
-  PO_FLAG_COUPLING,
-  PO_FLAG_PROFILE,
-  PO_FLAG_PROFILE_FILE,
-  PO_FLAG_WAVE,
-  PO_FLAG_PARAMETER, /* of the profile */
-  PO_FLAG_LENGTH = PO_FLAG_PARAMETER + PO_PROFILE_PARAMETER_COUNT,
-  PO_FLAG_METRES = PO_FLAG_LENGTH + PO_LENGTH_COUNT,
-  PO_FLAG_NEXT = PO_FLAG_METRES + PO_LENGTH_COUNT
-};
-
-// clang-format off
-#define PO_LENGTH_OPTIONS(name, length)                                                            \
-  {name, required_argument, NULL, PO_FLAG_LENGTH + (length)},                                      \
-  {name "-m", required_argument, NULL, PO_FLAG_METRES + (length)}
-
-/* The options that only --from-physical takes. */
-#define PO_PHYSICAL_OPTIONS                                                                        \
-  {"from-physical", no_argument, NULL, PO_FLAG_FROM_PHYSICAL},                                     \
-  {"modulus-pa", required_argument, NULL, PO_FLAG_MODULUS},                                        \
-  {"work-j-per-m2", required_argument, NULL, PO_FLAG_WORK},                                        \
-  {"distance-m", required_argument, NULL, PO_FLAG_DISTANCE}
-// clang-format on
+/* The values of options in every table: of --from-physical, of the keys, and of --help. A verb's
+ * own begin at PO_OPTION_NEXT and are smaller than ':', which getopt returns, as '?' and 'h'. */
+enum { PO_OPTION_PHYSICAL = 1, PO_OPTION_NEXT, PO_OPTION_KEYS = 200, PO_OPTION_HELP = 1000 };
 
 /* The command line of one verb, and the options it may have. */
 typedef struct {
@@ -118,6 +65,9 @@ po_status po_options_no_operands(const po_options *options);
 /* Prints the message of a failed status as `pulloff: ...` on standard error. Returned: the exit
  * code of the status. */
 int po_options_end(po_status status);
+
+/* Appends the names of the options of the keys that a series may vary, with commas between. */
+void po_options_add_varying(po_text *names);
 
 /* The name of the option of a key: its name with dashes, in the singular for the waves. */
 void po_key_flag(int key, char flag[PO_FLAG_LENGTH_OF_NAME]);

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 
 #include "po_loops.h"
+#include "po_physical.h"
 #include "po_result.h"
 #include "po_scene.h"
 #include "po_status.h"
@@ -58,6 +59,8 @@ typedef struct {
 
 typedef struct po_request {
   po_scene scene;
+  bool in_si;            /* the scene was given in SI units; results are written in them, too */
+  po_units units;        /* if in_si */
   bool radius_given;     /* the radius of the scene stays when a profile is set, see po_input.h */
   po_mesh mesh;          /* scheme, grading, number of nodes */
   double approach_start; /* approach at which the trace begins, eps; NAN: chosen by the solver */

@@ -1,6 +1,7 @@
 #include "po_si.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 

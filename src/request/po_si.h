@@ -3,8 +3,8 @@
 #ifndef PO_SI_H
 #define PO_SI_H
 
+#include "po_dimension.h"
 #include "po_physical.h"
-#include "po_rows.h"
 
 /* The unit in which the numbers of a dimension are written. */
 typedef struct {

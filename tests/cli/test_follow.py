@@ -37,12 +37,12 @@ def tip(*without):
     ("standard output is asked for twice: *", "--key tabor --from 1 --to 2 --curve - --json"),
     ("--curve has no effect on --of folds: *", "--key tabor --from 1 --to 2 --of folds --curve a.csv"),
     ("--key is time-limit: *", "--key time-limit --from 1 --to 2"),
-    ("--radius-m is in SI units: expected --from-physical, too", "--key radius-m --from 1e-7 --to 2e-7"),
-    ("--radius is in units of epsilon: expected --radius-m with --from-physical", "--key radius --from 1 --to 2" + tip()),
-    ("--tabor is given with --from-physical: expected --modulus-pa, *", "--key tabor --from 1 --to 2" + tip()),
-    ("--from-physical is given without --work-j-per-m2, --distance-m: expected these, too",
+    ("--radius-m is 1e-07: expected it with --from-physical, *", "--key radius-m --from 1e-7 --to 2e-7"),
+    ("--radius is 1: expected --radius-m, as the scene is in SI units", "--key radius --from 1 --to 2" + tip()),
+    ("--tabor is 1: expected it to be left out, *", "--key tabor --from 1 --to 2" + tip()),
+    ("--work-j-per-m2 is missing: expected *",
      "--from-physical --key modulus-pa --from 1e9 --to 2e9 --radius-m 1e-7"),
-    ("--preload-load is dimensionless: expected --preload-m with --from-physical",
+    ("--preload-load is 2: expected --preload-load-n, as the scene is in SI units",
      "--key radius-m --from 1e-7 --to 2e-7 --preload-load 2" + tip()),
     ("--modulus-pa is -1: expected *", "--from-physical --key radius-m --from 1e-7 --to 2e-7 --modulus-pa -1")])
 def test_wrong_command_lines(message, words):

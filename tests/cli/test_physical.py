@@ -66,9 +66,9 @@ def test_errors_of_panels_in_si_units():
 def test_the_printed_result():
     printed = expect(0, "", "solve --scheme triangle --nodes 101" + BODY)
     assert printed.count("^pull-off force [0-9.e-]* N at approach [0-9.e-]* m")
-    assert "physical modulus 1.3385e+09 Pa work 0.0537 J/m^2 distance 3.1e-10 m radius 2.7e-08 m" in printed.out.splitlines()
+    assert "physical modulus_pa 1.3385e+09 work_j_per_m2 0.0537 distance_m 3.1e-10 radius_m 2.7e-08" in printed.out.splitlines()
     printed = expect(0, "", "solve --preload-m 4e-10 --scheme triangle --nodes 101" + BODY)
-    assert printed.count("^physical .* preload 4e-10 m$")
+    assert printed.count("^physical .* preload_m 4e-10$")
     assert printed.count("^preload  loading to approach [0-9.e-]+ m, load [0-9.e-]+ N, or more gives this pull-off$")
 
 
@@ -95,14 +95,16 @@ def test_the_printed_closed_form_has_units():
 
 @pytest.mark.parametrize("verb", ["solve", "theory jkr"])
 @pytest.mark.parametrize("message, words", [
-    ("--tabor is given with --from-physical: *", "--tabor 1" + BODY),
-    ("--radius is in units of epsilon: expected --radius-m with --from-physical", "--radius 3" + BODY),
-    ("--radius-m is in SI units: expected --from-physical, too", "--radius-m 3"),
-    ("--modulus-pa is in SI units: *", "--modulus-pa 3"),
-    ("--from-physical is given without --modulus-pa, --work-j-per-m2, --distance-m, --radius-m: *", "--from-physical"),
-    ("--from-physical is given without --work-j-per-m2, --radius-m: *", "--from-physical --modulus-pa 1e9 --distance-m 1e-9"),
-    ("--distance-m is 0: expected a finite number > 0", "--distance-m 0"),
-    ("--modulus-pa is -1: expected a finite number > 0, or inf", "--modulus-pa -1"),
+    ("--tabor is 1: expected it to be left out, as it follows from the values in SI units", "--tabor 1" + BODY),
+    ("--radius-m is 2.7e-08: expected only one of --radius and --radius-m", "--radius 3" + BODY),
+    ("--amplitude is 3: expected --amplitude-m, as the scene is in SI units", "--amplitude 3" + BODY),
+    ("--radius-m is 3: expected it with --from-physical, as it is in SI units", "--radius-m 3"),
+    ("--modulus-pa is 3: expected it with --from-physical, *", "--modulus-pa 3"),
+    ("--modulus-pa is missing: expected a finite number > 0, or inf; a scene in SI units has --modulus-pa, --work-j-per-m2, "
+     "--distance-m and, of a sphere, --radius-m", "--from-physical"),
+    ("--work-j-per-m2 is missing: expected a finite number > 0; *", "--from-physical --modulus-pa 1e9 --distance-m 1e-9"),
+    ("--distance-m is 0: expected a finite number > 0", "--distance-m 0 --from-physical --modulus-pa 1 --work-j-per-m2 1"),
+    ("--modulus-pa is -1: expected a finite number > 0, or inf", "--from-physical --modulus-pa -1"),
     ("the Tabor parameter is inf: expected a number within the range of doubles; *",
      "--from-physical --modulus-pa 1e-300 --work-j-per-m2 1e300 --distance-m 1e-300 --radius-m 1e300")])
 def test_mixed_and_incomplete_options(verb, message, words):
@@ -110,9 +112,9 @@ def test_mixed_and_incomplete_options(verb, message, words):
 
 
 @pytest.mark.parametrize("message, words", [
-    ("--amplitude-m is given without --wavelength-m: expected both", "solve --amplitude-m 1e-9" + BODY),
-    ("--approach-end is in units of epsilon: *", "solve --approach-end 0" + BODY),
-    ("--profile-approach is in units of epsilon: *", "solve --profile-approach 0" + BODY),
+    ("--wavelength-m is missing: expected it beside --amplitude-m", "solve --amplitude-m 1e-9" + BODY),
+    ("--approach-end is 0: expected --approach-end-m, as the scene is in SI units", "solve --approach-end 0" + BODY),
+    ("--profile-approach is 0: expected --profile-approach-m, *", "solve --profile-approach 0" + BODY),
     ("--modulus-pa is inf: expected a finite number > 0", "theory jkr --modulus-pa inf " + TIP),
     ("--approach-m is 3e-10: expected less than --distance-m, 3e-10", "theory bradley --approach-m 3e-10 " + TIP),
     ("theory guduru needs --amplitude-m and --wavelength-m", "theory guduru" + BODY)])

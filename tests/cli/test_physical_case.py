@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from conftest import expect, load
+from conftest import document, expect, load
 
 CASE = """
 name: si
@@ -75,6 +75,22 @@ def test_profile_and_waves_in_metres(data):
     assert abs(p["physical"]["units"]["force_n"] / (math.pi * 0.05 * 3e-10) - 1) < 1e-14
 
 
+def test_load_end_and_spring_in_si_units(data):
+    """The same keys as the options of solve give the same scene: digest of the case, digest of the command line."""
+    keys = {"preload_m": "3e-10", "preload_load_n": "2e-9", "stiffness_n_per_m": "2", "approach_start_m": "-3e-9"}
+    write(data, TIP + ", radius_m: 3e-8, " + ", ".join(f"{key}: {value}" for key, value in keys.items()), tolerance="10")
+    expect(0, "*", "run si --output run")
+    i = point()["input"]
+    force, length = math.pi * 0.05 * 3e-8, 3e-10
+    assert i["preload"] == 1 and abs(i["preload_load"] / (2e-9 / force) - 1) < 4e-15
+    assert abs(i["stiffness"] / (2 / (force / length)) - 1) < 4e-15 and abs(i["approach_start"] + 10) < 4e-14
+    options = " ".join(f"--{key.replace('_', '-')} {value}" for key, value in keys.items())
+    tip = " ".join(f"--{key.replace('_', '-')} {value}" for key, value in (item.split(": ") for item in TIP.split(", ")))
+    solved = document(f"solve --from-physical --radius-m 3e-8 --tolerance 1e-7 {tip} {options}")
+    assert {key: solved["input"][key] for key in i if key in solved["input"] and key != "load_unit"} == \
+        {key: i[key] for key in i if key in solved["input"] and key != "load_unit"}
+
+
 # A length that is given in metres cannot also be given in epsilon.
 BOTH = ("expected none of tabor, amplitude, wavelength, radius, outer_radius, the profile and waves, or a group of them, beside "
         "scene.physical")
@@ -83,15 +99,18 @@ BOTH = ("expected none of tabor, amplitude, wavelength, radius, outer_radius, th
 @pytest.mark.parametrize("code, message, physical, more", [
     (2, "5: scene.physical.profile is power:1e9: expected sphere, *", TIP + ', profile: "power:1e9"', {}),
     (4, "5: scene.physical.profile_file: */cases/none.csv cannot be opened: *", TIP + ", radius_m: 3e-8, profile_file: none.csv", {}),
-    (2, "5: scene.physical.waves is *: expected only waves, or amplitude_m and wavelength_m",
+    (2, "5: scene.physical.waves is *: expected only one of scene.physical.amplitude_m and scene.physical.waves",
      TIP + ', profile: "cone:0.3", amplitude_m: 1e-9, wavelength_m: 1e-8, waves: "1e-9@1e-8"', {}),
     (2, "8: scene.tabor is 1: " + BOTH, "modulus_pa: 1e9, " + BODY, {"scene": "  tabor: 1"}),
     (2, "9: sweep[[]1].key is radius: " + BOTH, "modulus_pa: 1e9, " + BODY, {"sweep": "sweep: [{key: radius, values: [50, 100]}]"}),
     (2, "9: sweep[[]1].key is alpha: " + BOTH, "modulus_pa: 1e9, " + BODY, {"sweep": "sweep: [{key: alpha, values: [1]}]"}),
-    (2, "5: scene.physical: the modulus is -1: expected a number > 0, or inf", "modulus_pa: -1, " + BODY, {}),
-    (2, "5: scene.physical.modulus_pa is 1 GPa: expected a finite number, or inf", "modulus_pa: 1 GPa, " + BODY, {}),
-    (2, "5: scene.physical.radius_m is missing: expected a finite number > 0 in m",
+    (2, "5: scene.physical.modulus_pa is -1: expected a finite number > 0, or inf", "modulus_pa: -1, " + BODY, {}),
+    (2, "5: scene.physical.modulus_pa is 1 GPa: expected a finite number > 0, or inf", "modulus_pa: 1 GPa, " + BODY, {}),
+    (2, "5: scene.physical.radius_m is missing: expected a finite number > 0; a scene in SI units has *",
      "modulus_pa: 1e9, work_j_per_m2: 0.05, distance_m: 3e-10", {}),
+    (2, "8: scene.preload_load is 1: expected only this key, or that of scene.physical",
+     TIP + ", radius_m: 3e-8, preload_load_n: 1e-9", {"scene": "  preload_load: 1"}),
+    (2, "5: scene.physical.preload_load_n is -1: expected a finite number >= 0", TIP + ", radius_m: 3e-8, preload_load_n: -1", {}),
     (2, "5: scene.physical.radius is unknown: expected one of modulus_pa, work_j_per_m2, *", f"modulus_pa: 1e9, {BODY}, radius: 3", {})])
 def test_wrong_scenes(data, code, message, physical, more):
     write(data, physical, **more)

@@ -26,26 +26,26 @@ def waves(first, last):
     (2, "power_n is 0.5: expected a number from 1 to 40", "solve --profile power:1,0.5"),
     (2, "punch_b is -1: expected a finite number > 0", "solve --profile punch:-1,3"),
     (2, "--cone-t is 0: expected a finite number > 0", "solve --profile cone --cone-t 0"),
-    (2, "--power-c has no effect on the profile cone: expected --profile power", "solve --profile cone:1 --power-c 3"),
-    (2, "--punch-b has no effect on the profile sphere: expected --profile punch", "solve --punch-b 3"),
-    (2, "--table-scale has no effect on the profile sphere: expected --profile-file", "solve --table-scale 2"),
+    (2, "--power-c is 3: expected it with the profile power, not cone", "solve --profile cone:1 --power-c 3"),
+    (2, "--punch-b is 3: expected it with the profile punch, not sphere", "solve --punch-b 3"),
+    (2, "--table-scale is 2: expected it beside the file of a profile", "solve --table-scale 2"),
     (2, "--wave is 1: " + WAVE, "solve --wave 1"),
     (2, "--wave is -1,20: " + WAVE, "solve --wave -1,20"),
     (2, "--wave is 1,0: " + WAVE, "solve --wave 1,0"),
-    (2, "--wave is given more than 8 times: expected at most 8 waves", "solve" + waves(2, 10)),
-    (2, "--wave is given 8 times beside --amplitude: expected at most 8 waves", "solve --amplitude 1 --wavelength 9" + waves(3, 10)),
-    (2, "both --coupling and --tabor are given: expected only one", "solve --coupling 1 --tabor 1"),
+    (2, "--wave is 1,10: expected at most 8 waves", "solve" + waves(2, 10)),
+    (2, "--wave is *;1@10: expected at most 8 waves, with that of the amplitude", "solve --amplitude 1 --wavelength 9" + waves(3, 10)),
+    (2, "--coupling is 1: expected only one of --tabor and --coupling", "solve --coupling 1 --tabor 1"),
     (2, "--coupling is -1: expected a finite number >= 0", "solve --coupling -1"),
     (2, "*profile*", "theory guduru --profile cone:0.3 --amplitude 1 --wavelength 9"),
     # waves finer than the memory of any machine carries are refused at once
     (3, "the solve failed: the finest mesh needs * nodes or more and * GB of memory, and there are * GB: expected longer waves, *",
      "solve --wave 0.1,1e-7"),
-    (2, "both coupling and tabor are given: *", "follow --key coupling --from 0.1 --to 1 --tabor 1"),
-    (2, "--cone-t has no effect on the profile power: *", "follow --key cone-t --from 1 --to 2 --profile power:1,2"),
+    (2, "--coupling is 0.1: expected only one of --tabor and --coupling", "follow --key coupling --from 0.1 --to 1 --tabor 1"),
+    (2, "--cone-t is 1: expected it with the profile cone, not power", "follow --key cone-t --from 1 --to 2 --profile power:1,2"),
     (2, "--key is profile: *", "follow --key profile --from 1 --to 2"),
     (2, "--profile-file is empty: expected the name of a file", "solve --profile-file ''"),
-    (2, "*--from-physical is given without --radius-m*", "solve --from-physical --modulus-pa 1e9 --work-j-per-m2 0.05 --distance-m 3e-10"),
-    (2, "*--coupling is given with --from-physical*", "solve --from-physical --coupling 1"),
+    (2, "*--radius-m is missing: expected *", "solve --from-physical --modulus-pa 1e9 --work-j-per-m2 0.05 --distance-m 3e-10"),
+    (2, "*--coupling is 1: expected it to be left out, *", "solve --from-physical --coupling 1"),
     (4, "nowhere.csv*", "solve --profile-file nowhere.csv"),
     (4, "nowhere.csv*", "follow --key tabor --from 1 --to 2 --profile-file nowhere.csv")])
 def test_wrong_command_lines(code, message, words):
@@ -91,7 +91,7 @@ def test_tables_that_are_not_numbers():
         spoilt("1.0," + bad)
         expect(4, f"pulloff: wrong.csv:6: *{bad}*", "solve --profile-file wrong.csv")
     table("sphere.csv", SPHERE)
-    expect(2, "pulloff: both --profile and --profile-file are given: expected only one",
+    expect(2, "pulloff: --profile-file is sphere.csv: expected only one of --profile and --profile-file",
            "solve --profile cone:1 --profile-file sphere.csv")
 
 
@@ -197,7 +197,7 @@ def test_si_units():
     i = punch["input"]
     assert abs(i["punch_b"] - 5) < 1e-12 and abs(i["punch_r"] - 20) < 1e-12 and i["radius"] == 1
     assert abs(i["amplitude"] - 0.1) < 1e-12 and abs(i["wavelength"] - 10) < 1e-12
-    assert punch["physical"]["input"]["profile"] == "punch:1.5e-09,6e-09"
+    assert punch["physical"]["input"]["profile"] == "punch:1.5e-9,6e-9"
     assert abs(punch["physical"]["units"]["force_n"] - math.pi * 0.05 * 3e-10) < 1e-25
 
 

@@ -83,7 +83,7 @@ def test_the_preload_decides_whatever_the_option(preload, force):
     (2, "preload is inf beside preload_load: expected one of both", "solve --preload inf --preload-load 3"),
     (2, "preload is inf: expected a finite number for the hysteresis*", "solve --preload inf --want hysteresis"),
     (2, "--preload is -inf: expected a finite number, or inf", "solve --preload -inf"),
-    (2, "--key is preload: expected tabor, coupling, amplitude, *", "follow --key preload --from 1 --to 2")])
+    (2, "--key is preload: expected tabor, amplitude, *", "follow --key preload --from 1 --to 2")])
 def test_wrong_preloads(code, message, words):
     expect(code, "pulloff: " + message, words)
 

@@ -97,7 +97,8 @@ def test_forms_of_waves_alone(form):
 
 ELASTIC = "only --tabor, --coupling, --amplitude, --wavelength, --radius or --contact-radius"
 IDLE = (  # name, flags, expected, the other options
-    ("jkr", "--alpha --approach --gap", ELASTIC.replace(" or", ",") + ", --profile, --profile-file or --wave", ""),
+    ("jkr", "--alpha --approach --gap", "only --tabor, --coupling, --amplitude, --wavelength, --radius, --profile, --profile-file, --wave or "
+     "--contact-radius", ""),
     ("dmt", "--amplitude --wavelength --alpha --approach --gap", "only --tabor, --coupling, --radius or --contact-radius", ""),
     ("lennard-jones", "--tabor --amplitude --wavelength --radius --alpha --approach --contact-radius", "only --gap", ""),
     ("bradley", "--tabor --amplitude --wavelength --radius --alpha --contact-radius --gap", "only --approach", ""),
@@ -107,7 +108,7 @@ IDLE = (  # name, flags, expected, the other options
     ("crest", "--tabor", "only --amplitude, --wavelength or --radius", "--amplitude 1 --wavelength 9"),
     ("persson-tosatti", "--contact-radius", "only --tabor, --coupling, --amplitude, --wavelength or --radius",
      "--amplitude 1 --wavelength 9"),
-    ("rigid", "--radius --wavelength", "only --amplitude, --alpha or --approach", "--alpha 1 --amplitude 1"),
+    ("rigid", "--radius --wavelength", "only --amplitude, --approach or --alpha", "--alpha 1 --amplitude 1"),
     ("rumpf-rabinowicz", "--amplitude --approach", "only --radius or --alpha", "--alpha 1"))
 
 
@@ -118,9 +119,9 @@ def test_an_option_that_has_no_effect_is_refused(name, flag, expected, more):
 
 
 @pytest.mark.parametrize("code, message, words", [
-    (2, "--wavelength has no effect on a scene without amplitude: expected *", "solve --wavelength 9"),
-    (2, "--wavelength has no effect on scenes without amplitude: expected *", "follow --key tabor --from 1 --to 2 --wavelength 9"),
-    (2, "the wavelength varies, but the scenes have no amplitude: expected *", "follow --key wavelength --from 1 --to 2"),
+    (2, "--amplitude is missing: expected it beside --wavelength", "solve --wavelength 9"),
+    (2, "--amplitude is missing: expected it beside --wavelength", "follow --key tabor --from 1 --to 2 --wavelength 9"),
+    (2, "--amplitude is missing: expected it beside --wavelength", "follow --key wavelength --from 1 --to 2"),
     (2, "--checkpoint-every has no effect on --of folds: expected *",
      "follow --key tabor --from 1 --to 2 --of folds --checkpoint-every 3"),
     (3, "the solve failed: the rigid load would be the sum of 2e+10 half waves up to radius 100, *",

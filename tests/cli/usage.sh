@@ -46,10 +46,10 @@ expect 2 'pulloff: --grading is steep: expected uniform or graded' solve --gradi
 expect 2 'pulloff: --nodes is 2.5: expected a whole number > 0' solve --nodes 2.5
 expect 2 'pulloff: --nodes is -7: expected a whole number > 0' solve --nodes -7
 expect 2 'pulloff: *nodes*expected*' solve --scheme ring --nodes 999999999999
-expect 2 'pulloff: --nodes is given for scheme panel: expected it with --scheme ring or triangle' solve --nodes 101
-expect 2 'pulloff: --grading is given for scheme panel: expected it with --scheme ring or triangle' \
+expect 2 'pulloff: --nodes is 101: expected it with the scheme ring or triangle, not panel' solve --nodes 101
+expect 2 'pulloff: --grading is graded: expected it with the scheme ring or triangle, not panel' \
   solve --grading graded
-expect 2 'pulloff: --tolerance is given for scheme ring: expected it with --scheme panel' \
+expect 2 'pulloff: --tolerance is 1e-5: expected it with the scheme panel, not ring' \
   solve --tolerance 1e-5 --scheme ring
 expect 2 'pulloff: tolerance is 1e-11: expected 1e-10 to 0.01' solve --tolerance 1e-11
 expect 2 'pulloff: tolerance is 0.02: expected 1e-10 to 0.01' solve --tolerance 0.02
@@ -57,7 +57,7 @@ expect 2 'pulloff: nodes is 7: expected 8 to 2500' solve --scheme ring --nodes 7
 expect 2 'pulloff: nodes is 2501: expected 8 to 2500' solve --scheme triangle --nodes 2501
 expect 2 'pulloff: --want is sugar: expected any of curve, profile, hysteresis*' solve --want sugar
 expect 2 'pulloff: --want is curve,: expected any of curve, profile, hysteresis*' solve --want curve,
-expect 2 'pulloff: --amplitude is given without --wavelength: expected both' solve --amplitude 1
+expect 2 'pulloff: --wavelength is missing: expected it beside --amplitude' solve --amplitude 1
 expect 2 'pulloff: *approach_end*' solve --approach-start 1 --approach-end 0
 expect 2 'pulloff: unexpected argument leftover of solve (see pulloff solve --help)' solve --tabor 0 leftover
 expect 2 'pulloff: plan needs the name of a case*' plan

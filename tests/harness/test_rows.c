@@ -1,13 +1,15 @@
 /* Tests of the rows of a result: that no cell is empty, that every member of a result survives
  * JSON, and that the units of all loads are converted. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_input.h"
+#include "po_given.h"
 #include "po_json.h"
 #include "po_observe.h"
 #include "po_result_rows.h"
+#include "po_si.h"
 #include "run.h"
 
 static void check_block(const po_block *block);
@@ -55,17 +57,40 @@ START_TEST(no_cell_is_empty) {
 END_TEST
 
 /* A key without help has that of the next one, which has the same owner. A key that a series may
- * vary is a number with a place, or a group of such numbers. */
+ * vary is a number with a place, or sets one. */
 START_TEST(no_cell_of_a_key_is_empty) {
-  for (int key = 0; key < PO_KEY_END; ++key) {
+  for (int key = 0; key < PO_KEY_ALL; ++key) {
     const po_key_row *row = po_key_row_of(key);
     ck_assert_msg(*row->name && *row->expected && *row->value, "key %d: an empty cell", key);
-    ck_assert_int_eq(po_key_of_name(row->name), key);
+    ck_assert_int_eq(po_given_key(row->name), key);
+    ck_assert_int_eq(po_key_of_name(row->name), key < PO_KEY_END ? key : -1);
     ck_assert(*row->help || po_key_row_of(key + 1)->owner == row->owner);
-    ck_assert(!row->varies || row->place != PO_NO_PLACE || po_key_is_group(key));
-    ck_assert(!row->is_length || row->place != PO_NO_PLACE);
+    ck_assert(!row->varies || row->place != PO_NO_PLACE || row->target >= 0 ||
+              row->owner == PO_OWNER_SI);
     for (int other = 0; other < key; ++other)
       ck_assert(row->place == PO_NO_PLACE || row->place != po_key_row_of(other)->place);
+  }
+}
+END_TEST
+
+/* A number that has a unit can be given in SI units. */
+START_TEST(keys_with_a_dimension_have_one_in_si_units) {
+  const po_units units = {.length = 1, .force = 1};
+  for (int key = 0; key < PO_KEY_ALL; ++key) {
+    const po_key_row *row = po_key_row_of(key);
+    const int si = po_key_in_si(key);
+    ck_assert_msg((row->owner != PO_OWNER_SI && row->dimension != PO_DIMENSION_NONE) == (si >= 0),
+                  "%s", row->name);
+    if (si < 0)
+      continue;
+    const po_key_row *twin = po_key_row_of(si);
+    char name[64];
+    snprintf(name, sizeof name, "%s_%s", row->name, po_si_unit_of(&units, row->dimension).name);
+    ck_assert_str_eq(twin->name, name);
+    ck_assert_int_eq((int)twin->dimension, (int)row->dimension);
+    ck_assert_int_eq(twin->domain, row->domain);
+    ck_assert_uint_eq(twin->verbs, row->verbs);
+    ck_assert(twin->varies == row->varies && twin->owner == PO_OWNER_SI);
   }
 }
 END_TEST
@@ -361,6 +386,7 @@ END_TEST
 static void add(TCase *tests) {
   tcase_add_test(tests, no_cell_is_empty);
   tcase_add_test(tests, no_cell_of_a_key_is_empty);
+  tcase_add_test(tests, keys_with_a_dimension_have_one_in_si_units);
   tcase_add_test(tests, paths_lead_to_numbers);
   tcase_add_loop_test(tests, every_member_survives_json, 0, 2);
   tcase_add_test(tests, all_loads_have_the_unit_of_the_scene);

@@ -21,7 +21,7 @@ verbs=$(alone pulloff --help | sed -n 's/^  \([a-z]*\)  *[a-z].*/\1/p' | sort | 
 check 'there are verbs' test "$(echo "$verbs" | wc -w)" -ge 11
 offers 'verbs' "--help --version $verbs" pulloff ''
 offers 'a verb' solve pulloff so
-offers 'options' '--preload --preload-load --preload-load-n' pulloff solve --prel
+offers 'options' '--preload --preload-load --preload-load-n --preload-m' pulloff solve --prel
 offers 'the second option of a line' --mie-n pulloff solve --mie-n
 offers 'lengths in metres' '--radius --radius-m' pulloff solve --from-physical --rad
 offers 'the values of an option' 'panel ring triangle' pulloff solve --scheme ''

@@ -113,10 +113,10 @@ START_TEST(wrong_scenes_are_refused) {
   const struct {
     const char *words, *message;
   } wrong[] = {
-      {"nodes 101", "nodes has no effect on this scene: expected it to be unset"},
-      {"mie_m 4", "mie_m has no effect on this scene: expected it to be unset"},
-      {"power_n 2", "power_n has no effect on this scene: expected it to be unset"},
-      {"tabor 1 coupling 0.1", "both coupling and tabor are set: expected only one of the two"},
+      {"nodes 101", "nodes is 101: expected it with the scheme ring or triangle, not panel"},
+      {"mie_m 4", "mie_m is 4: expected it with the law mie, not lennard-jones"},
+      {"power_n 2", "power_n is 2: expected it with the profile power, not sphere"},
+      {"tabor 1 coupling 0.1", "coupling is 0.1: expected only one of tabor and coupling"},
       {"approach_start 3 approach_end 2",
        "approach_end is 2: expected more than approach_start, 3"},
   };
@@ -330,6 +330,32 @@ START_TEST(scenes_in_si_units) {
   wrong.work = -1;
   ck_assert_int_eq(pulloff_scene_set_physical(scene, &wrong, NULL, &message), PULLOFF_BAD_INPUT);
   ck_assert_str_ne(message.text, "");
+  /* the same scene by its keys, beside a preload and a spring */
+  pulloff_scene *same;
+  double number = 0;
+  ck_assert_int_eq(pulloff_scene_create(&same, &message), PULLOFF_OK);
+  const char *const keys[][2] = {{"modulus_pa", "2e9"},      {"work_j_per_m2", "0.05"},
+                                 {"distance_m", "3e-10"},    {"radius_m", "1e-7"},
+                                 {"preload_load_n", "3e-9"}, {"stiffness_n_per_m", "2"}};
+  for (size_t i = 0; i < sizeof keys / sizeof *keys; ++i)
+    ck_assert_int_eq(pulloff_scene_set(same, keys[i][0], keys[i][1], &message), PULLOFF_OK);
+  char other[40];
+  ck_assert_int_eq(pulloff_scene_get(same, "tabor", other, sizeof other, &message), PULLOFF_OK);
+  ck_assert_str_eq(other, text);
+  ck_assert_int_eq(pulloff_scene_get(same, "preload_load", other, sizeof other, &message),
+                   PULLOFF_OK);
+  number = strtod(other, NULL);
+  ck_assert_double_eq_tol(number * units.force, 3e-9, 1e-23);
+  ck_assert_int_eq(pulloff_scene_get(same, "stiffness_n_per_m", other, sizeof other, &message),
+                   PULLOFF_OK);
+  ck_assert_str_eq(other, "2");
+  ck_assert_int_eq(pulloff_scene_set(same, "preload_load", "1", &message), PULLOFF_OK);
+  ck_assert_int_eq(pulloff_solve(same, &result, &message), PULLOFF_BAD_INPUT);
+  ck_assert_str_eq(message.text,
+                   "preload_load_n is 3e-9: expected only one of preload_load and preload_load_n");
+  ck_assert_int_eq(pulloff_scene_set(same, "preload_load_n", "x", &message), PULLOFF_BAD_INPUT);
+  ck_assert_str_eq(message.text, "preload_load_n is x: expected a finite number >= 0");
+  pulloff_scene_destroy(same);
   wrong = tip;
   wrong.modulus = INFINITY;
   ck_assert_int_eq(pulloff_scene_set_physical(scene, &wrong, NULL, &message), PULLOFF_OK);

@@ -125,7 +125,7 @@ class Scenes(unittest.TestCase):
                              ({"nodes": 3.5}, "nodes is 3.5: expected a whole number > 0"),
                              ({"taber": 1}, "unknown key taber of a scene: .*"),
                              ({"want": "all"}, "want is all: expected any of curve, .*"),
-                             ({"nodes": 101}, "nodes has no effect on this scene: .*")):
+                             ({"nodes": 101}, "nodes is 101: expected it with the scheme ring or triangle, not panel")):
             with self.assertRaises(pulloff.Error) as caught:
                 pulloff.solve(**wrong)
             self.assertTrue(re.fullmatch(words, str(caught.exception)), str(caught.exception))

@@ -26,7 +26,7 @@ _pulloff_values() {
 }
 
 # The lengths that --from-physical takes in metres, as --NAME-m.
-_pulloff_lengths=' --radius --amplitude --wavelength --outer-radius --approach-start --approach-end --profile-approach --preload --approach --contact-radius '
+_pulloff_lengths=' --profile-approach --approach --contact-radius '
 
 _pulloff() {
   local program=${COMP_WORDS[0]} word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} verb=${COMP_WORDS[1]}

@@ -1,0 +1,340 @@
+#include "po_given.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "po_physical.h"
+#include "po_quote.h"
+#include "po_si.h"
+#include "po_suggest.h"
+
+static bool are_options(const po_given *given) {
+  return *given->prefix == '-';
+}
+
+static void write_name(const po_given *given, int key, char name[PO_KEY_NAME_LENGTH]) {
+  const bool wave = are_options(given) && key == PO_KEY_WAVES;
+  snprintf(name, PO_KEY_NAME_LENGTH, "%s%s", given->prefix,
+           wave ? "wave" : po_key_name((po_key)key));
+  for (char *c = name; are_options(given) && *c; ++c)
+    if (*c == '_')
+      *c = '-';
+}
+
+void po_given_name(const po_given *given, po_key key, char name[PO_KEY_NAME_LENGTH]) {
+  const int si = po_key_in_si(key);
+  write_name(given, given->si && si >= 0 ? si : (int)key, name);
+}
+
+/* Refuses a key with its value, or because it is missing. */
+static po_status __attribute__((format(printf, 3, 4)))
+refuse(po_given *given, int key, const char *format, ...) {
+  char name[PO_KEY_NAME_LENGTH], shown[PO_QUOTE_LENGTH], expected[300];
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(expected, sizeof expected, format, arguments);
+  va_end(arguments);
+  given->wrong = key;
+  write_name(given, key, name);
+  if (!given->text[key])
+    return po_fail(PO_BAD_INPUT, "%s is missing: expected %s", name, expected);
+  return po_suggest(po_fail(PO_BAD_INPUT, "%s is %s: expected %s", name,
+                            po_quote(given->text[key], shown), expected),
+                    given->text[key], expected);
+}
+
+static po_status set_key(po_given *given, int key, po_request *request) {
+  const char *text = given->text[key];
+  if (!text)
+    return PO_OK;
+  if (key != PO_KEY_PROFILE_FILE)
+    return po_key_set(request, (po_key)key, text)
+               ? PO_OK
+               : refuse(given, key, "%s", po_key_expected((po_key)key));
+  given->wrong = key; /* the message states what is wrong with the file */
+  const po_status status = po_profile_set_file(&request->scene.profile, text);
+  if (!status && !request->radius_given)
+    request->scene.radius = po_profile_default_radius(&request->scene.profile);
+  return status;
+}
+
+bool po_given_has(const po_given *given, po_key key) {
+  const int si = po_key_in_si(key);
+  return given->text[key] || (si >= 0 && given->text[si]);
+}
+
+/* The value of a key in SI units in that of the key that it sets. */
+static double without_unit(int key, double value, const po_units *units) {
+  return value / po_si_unit_of(units, po_key_row_of(key)->dimension).factor;
+}
+
+double po_given_number(const po_given *given, po_key key, const po_units *units) {
+  const int si = po_key_in_si(key);
+  double value = (double)NAN;
+  if (given->text[key] && po_key_parse(key, given->text[key], &value))
+    return value;
+  return si >= 0 && given->text[si] && po_key_parse(si, given->text[si], &value)
+             ? without_unit(si, value, units)
+             : (double)NAN;
+}
+
+/* Refuses two keys that set the same. */
+static po_status check_pairs(po_given *given) {
+  for (int key = 0; key < PO_KEY_ALL; ++key) {
+    const po_key target = po_key_target((po_key)key);
+    const bool further = are_options(given) && key == PO_KEY_WAVES;
+    if (!given->text[key] || (int)target == key || further || !po_given_has(given, target) ||
+        (po_key_row_of(key)->owner == PO_OWNER_SI && !given->text[target]))
+      continue;
+    char name[PO_KEY_NAME_LENGTH], other[PO_KEY_NAME_LENGTH];
+    write_name(given, key, name);
+    write_name(given, given->text[target] ? (int)target : po_key_in_si((int)target), other);
+    return refuse(given, key, "only one of %s and %s", other, name);
+  }
+  return PO_OK;
+}
+
+/* Refuses keys in the units of the other kind of scene. */
+static po_status check_units(po_given *given) {
+  for (int key = 0; key < PO_KEY_ALL; ++key) {
+    const po_key_row *row = po_key_row_of(key);
+    const int si = po_key_in_si(key);
+    const bool of_scene = row->owner == PO_OWNER_SCENE && key != PO_KEY_AMPLITUDE_RATIO;
+    if (!given->text[key])
+      continue;
+    if (row->owner == PO_OWNER_SI && !given->si)
+      return refuse(given, key, "it with --from-physical, as it is in SI units");
+    if (!given->si || (si < 0 ? !of_scene : !of_scene && given->mixed))
+      continue;
+    if (si < 0)
+      return refuse(given, key, "it to be left out, as it follows from the values in SI units");
+    char name[PO_KEY_NAME_LENGTH];
+    write_name(given, si, name);
+    return refuse(given, key, "%s, as the scene is in SI units", name);
+  }
+  return PO_OK;
+}
+
+/* Reads the numbers in SI units of which the groups are computed. */
+static po_status read_physical(po_given *given, po_physical *p) {
+  const bool profile =
+      given->text[PO_KEY_PROFILE_FILE] ||
+      (given->text[PO_KEY_PROFILE] && strcmp(given->text[PO_KEY_PROFILE], "sphere") != 0);
+  *p = (po_physical){.modulus = (double)INFINITY, .outer_radius = (double)INFINITY};
+  const struct {
+    po_key key;
+    double *value;
+    bool needed;
+  } items[] = {{PO_KEY_MODULUS_PA, &p->modulus, !given->any_modulus},
+               {PO_KEY_WORK_J_PER_M2, &p->work, true},
+               {PO_KEY_DISTANCE_M, &p->distance, true},
+               {PO_KEY_RADIUS_M, &p->radius, !profile},
+               {PO_KEY_AMPLITUDE_M, &p->amplitude, false},
+               {PO_KEY_WAVELENGTH_M, &p->wavelength, false},
+               {PO_KEY_OUTER_RADIUS_M, &p->outer_radius, false}};
+  for (size_t i = 0; i < sizeof items / sizeof *items; ++i) {
+    const char *text = given->text[items[i].key];
+    if (text && !po_key_parse(items[i].key, text, items[i].value))
+      return refuse(given, items[i].key, "%s", po_key_expected(items[i].key));
+    if (text || !items[i].needed)
+      continue;
+    char name[4][PO_KEY_NAME_LENGTH];
+    for (size_t k = 0; k < 4; ++k)
+      write_name(given, items[k].key, name[k]);
+    return refuse(given, items[i].key,
+                  "%s; a scene in SI units has %s%s%s, %s and, of a sphere, %s",
+                  po_key_expected(items[i].key), name[0],
+                  given->any_modulus ? " (if elastic), " : ", ", name[1], name[2], name[3]);
+  }
+  if (!given->text[PO_KEY_RADIUS_M])
+    p->radius = p->distance;
+  return PO_OK;
+}
+
+/* Sets the profile, without waves, whose lengths are in m. */
+static po_status set_profile(po_given *given, double distance, po_request *request) {
+  po_status status = PO_OK;
+  for (int key = 0; key < PO_KEY_COUNT && !status; ++key)
+    if (po_key_row_of(key)->owner == PO_OWNER_PROFILE && po_key_target((po_key)key) == (po_key)key)
+      status = set_key(given, key, request);
+  given->wrong = status ? given->wrong : PO_KEY_PROFILE;
+  if (!status && !given->text[PO_KEY_PROFILE_FILE])
+    status = po_profile_check(&request->scene.profile);
+  if (status)
+    return status;
+  po_profile_rescale(&request->scene.profile, distance);
+  return set_key(given, PO_KEY_PROFILE_FILE, request);
+}
+
+/* Adds the waves to those of the scene. Given: the unit of their lengths, in epsilon or 1 over it.
+ */
+static po_status add_waves(po_given *given, double distance, po_scene *scene) {
+  po_scene waves = po_scene_default();
+  if (!given->text[PO_KEY_WAVES])
+    return PO_OK;
+  if (!po_scene_set_waves(&waves, given->text[PO_KEY_WAVES]))
+    return refuse(given, PO_KEY_WAVES, "%s", po_key_expected(PO_KEY_WAVES));
+  for (size_t k = 0; k < po_scene_waves(&waves); ++k) {
+    const po_wave wave = po_scene_wave(&waves, k);
+    if (!po_scene_add_wave(scene, (po_wave){wave.amplitude / distance, wave.length / distance}))
+      return refuse(given, PO_KEY_WAVES, "at most %d waves, with that of the amplitude",
+                    PO_MOST_WAVES);
+  }
+  return PO_OK;
+}
+
+/* Computes the scene from values in SI units, but for its law. */
+static po_status set_physical(po_given *given, po_request *request) {
+  po_physical physical;
+  po_status status = read_physical(given, &physical);
+  if (!status)
+    status = set_profile(given, physical.distance, request);
+  if (status)
+    return status;
+  double ratio = 0;
+  if (given->text[PO_KEY_AMPLITUDE_RATIO] &&
+      po_key_parse(PO_KEY_AMPLITUDE_RATIO, given->text[PO_KEY_AMPLITUDE_RATIO], &ratio))
+    physical.amplitude = ratio * physical.wavelength;
+  const double amplitude = physical.amplitude / physical.distance;
+  if (!(physical.wavelength > 0.0)) /* a closed form may have another key in place of it */
+    physical.amplitude = 0.0;
+  given->wrong = PO_KEY_DISTANCE_M;
+  status = po_physical_scene(&physical, &request->scene);
+  if (status)
+    return status;
+  request->scene.amplitude = amplitude;
+  request->units = po_physical_units(&physical, &request->scene);
+  request->in_si = true;
+  return add_waves(given, physical.distance, &request->scene);
+}
+
+/* Sets the keys in SI units that do not belong to the scene. */
+static po_status set_in_si(po_given *given, po_request *request) {
+  for (int key = PO_KEY_END; key < PO_KEY_ALL; ++key) {
+    const po_key_row *target = po_key_row_of((int)po_key_target((po_key)key));
+    double value = 0;
+    if (!given->text[key] || target->owner != PO_OWNER_TRACE)
+      continue;
+    if (!po_key_parse(key, given->text[key], &value))
+      return refuse(given, key, "%s", po_key_expected((po_key)key));
+    if (po_key_row_of(key)->owner == PO_OWNER_SI)
+      value = without_unit(key, value, &request->units);
+    if (target->place != PO_NO_PLACE)
+      *(double *)(void *)((char *)request + target->place) = value;
+  }
+  return PO_OK;
+}
+
+/* Refuses keys that the mesh, the law or the profile of a request does not have. */
+static po_status check_idle(po_given *given, const po_request *request) {
+  for (int key = 0; key < PO_KEY_COUNT; ++key) {
+    if (!given->text[key])
+      continue;
+    if (po_key_is_of_other_scheme(request, (po_key)key))
+      return refuse(given, key, "it with the scheme %s, not %s",
+                    key == PO_KEY_TOLERANCE ? "panel" : "ring or triangle",
+                    po_scheme_name(request->mesh.scheme));
+    if (!isnan(po_key_number(request, (po_key)key)))
+      continue;
+    if (key == PO_KEY_TABLE_SCALE || key == PO_KEY_SMOOTH)
+      return refuse(given, key, "it beside the file of a profile");
+    const bool law = po_key_row_of(key)->owner == PO_OWNER_LAW;
+    const char *name = po_key_name((po_key)key); /* begins with that of its law or profile */
+    return refuse(
+        given, key, "it with the %s %.*s, not %s", law ? "law" : "profile", (int)strcspn(name, "_"),
+        name, law ? po_law_name(&request->scene.law) : po_profile_name(&request->scene.profile));
+  }
+  return PO_OK;
+}
+
+po_status po_given_read(po_given *given, po_request *request) {
+  po_status status = check_pairs(given);
+  if (!status)
+    status = check_units(given);
+  if (!status && given->si)
+    status = set_physical(given, request);
+  const bool further = are_options(given) && given->text[PO_KEY_AMPLITUDE];
+  for (int key = 0; key < PO_KEY_END && !status; ++key) {
+    const po_key_owner owner = po_key_row_of(key)->owner;
+    if (given->si ? owner == PO_OWNER_SCENE || owner == PO_OWNER_PROFILE
+                  : further && key == PO_KEY_WAVES)
+      continue;
+    status = set_key(given, key, request);
+  }
+  if (!status && !given->si && further)
+    status = add_waves(given, 1.0, &request->scene);
+  if (!status)
+    status = set_in_si(given, request);
+  return status ? status : check_idle(given, request);
+}
+
+po_status po_given_check_waves(po_given *given) {
+  const bool amplitude =
+      po_given_has(given, PO_KEY_AMPLITUDE) || given->text[PO_KEY_AMPLITUDE_RATIO];
+  const bool wavelength = po_given_has(given, PO_KEY_WAVELENGTH);
+  if (amplitude == wavelength)
+    return PO_OK;
+  const po_key key = amplitude ? PO_KEY_WAVELENGTH : PO_KEY_AMPLITUDE;
+  char name[PO_KEY_NAME_LENGTH];
+  po_given_name(given, amplitude ? PO_KEY_AMPLITUDE : PO_KEY_WAVELENGTH, name);
+  return refuse(given, given->si ? po_key_in_si(key) : (int)key, "it beside %s", name);
+}
+
+bool po_given_is_general(const po_given *given, const po_form *form, const po_scene *scene) {
+  return given->text[PO_KEY_LAW] || given->text[PO_KEY_PROFILE] ||
+         given->text[PO_KEY_PROFILE_FILE] || given->text[PO_KEY_WAVES] ||
+         po_form_is_general(form, scene);
+}
+
+/* The part of a scene to which a key belongs, as in po_form.takes; 0: no form depends on it. */
+static unsigned part_of(po_key key) {
+  const po_key_owner owner = po_key_row_of((int)key)->owner;
+  if (owner == PO_OWNER_LAW || owner == PO_OWNER_PROFILE)
+    return owner == PO_OWNER_LAW ? PO_TAKES_LAW : PO_TAKES_PROFILE;
+  switch (po_key_target(key)) {
+  case PO_KEY_TABOR:
+    return PO_TAKES_TABOR;
+  case PO_KEY_AMPLITUDE:
+    return PO_TAKES_AMPLITUDE;
+  case PO_KEY_WAVELENGTH:
+    return PO_TAKES_WAVELENGTH;
+  case PO_KEY_RADIUS:
+    return PO_TAKES_RADIUS;
+  default:
+    return 0;
+  }
+}
+
+po_status po_given_check_form(const po_given *given, const po_form *form, bool alpha,
+                              const po_use *others, size_t count) {
+  enum { MOST_OTHERS = 8 };
+  const unsigned takes = po_form_takes(form, alpha);
+  po_use uses[PO_KEY_END + MOST_OTHERS];
+  size_t used = 0;
+  char what[80];
+  snprintf(what, sizeof what, "theory %s%s%s", form->name,
+           takes == form->takes ? ""
+           : are_options(given) ? " with --"
+                                : " with ",
+           takes == form->takes ? "" : "alpha");
+  for (int other = 0; other < 2; ++other) /* tabor and coupling first */
+    for (int k = 0; k < PO_KEY_END; ++k) {
+      const po_key key = (po_key)k;
+      if ((po_key_target(key) != PO_KEY_TABOR) != (other != 0))
+        continue;
+      const bool named = !po_key_is_number(key) || key == PO_KEY_COUPLING ||
+                         (po_key_is_of_scene(key) && po_key_row_of(k)->owner == PO_OWNER_SCENE);
+      po_use *use = &uses[used++];
+      po_given_name(given, key, use->name);
+      use->given = po_given_has(given, key);
+      use->taken = takes & part_of(key) && (named || use->given);
+      if (given->si && !other) /* follows from the units */
+        use->taken = false;
+      if (given->si && key == PO_KEY_RADIUS) /* the unit of force contains it */
+        use->taken = true;
+    }
+  memcpy(uses + used, others, count * sizeof *others);
+  return po_use_check(what, uses, used + count);
+}
