@@ -1,0 +1,41 @@
+#!/usr/bin/python3
+"""Makes a notebook of a script that consists of cells, and runs the cells of a notebook.
+
+    notebook.py SCRIPT.py            writes SCRIPT.ipynb beside it, without output
+    notebook.py --run NOTEBOOK       executes its code cells one after the other, as Jupyter would
+
+A cell begins with a line `# %% heading`; the lines of a cell `# %% [markdown]` are text behind "# "."""
+
+import json
+import pathlib
+import re
+import sys
+
+
+def notebook_of(script):
+    cells = []
+    for number, part in enumerate(re.split(r"^# %% ", script, flags=re.M)[1:]):
+        heading, _, body = part.partition("\n")
+        text = heading == "[markdown]"
+        lines = re.sub(r"^# ?", "", body, flags=re.M) if text else f"# {heading}\n{body}"
+        cells.append({"cell_type": "markdown" if text else "code", "id": f"cell-{number}", "metadata": {},
+                      "source": lines.strip().splitlines(keepends=True),
+                      **({} if text else {"execution_count": None, "outputs": []})})
+    kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
+    return json.dumps({"cells": cells, "metadata": {"kernelspec": kernel}, "nbformat": 4, "nbformat_minor": 5},
+                      ensure_ascii=False, indent=1) + "\n"
+
+
+def main():
+    if sys.argv[1] == "--run":
+        space = {"__name__": "__main__"}
+        for cell in json.loads(pathlib.Path(sys.argv[2]).read_text(encoding="utf-8"))["cells"]:
+            if cell["cell_type"] == "code":
+                exec(compile("".join(cell["source"]), f"{sys.argv[2]}, {cell['id']}", "exec"), space)
+        return
+    script = pathlib.Path(sys.argv[1])
+    script.with_suffix(".ipynb").write_text(notebook_of(script.read_text(encoding="utf-8")), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
