@@ -54,7 +54,7 @@ USED_BY = {
                                  "po_refine.c", "po_resolution.c", "po_resolution.h", "po_extent.c")}}
 
 # What is measured first.
-ORDER = ("observe", "request", "continuation", "equilibrium", "bem", "series", "scene", "path", "math", "companion", "theory")
+ORDER = ("observe", "request", "continuation", "equilibrium", "bem", "series", "scene", "path", "linear", "math", "companion", "theory")
 
 
 def room_of(path):
