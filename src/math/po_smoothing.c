@@ -277,10 +277,9 @@ static po_status take(problem *p, const fit *best, po_smoothing *s) {
     return PO_NO_MEMORY;
   take_spline(p, s);
   s->knot = p->knot;
-  s->gram = p->gram[0];
   s->factor = p->factor[0];
   p->knot = NULL;
-  p->gram = p->factor = NULL;
+  p->factor = NULL;
   return PO_OK;
 }
 
@@ -310,25 +309,10 @@ void po_smoothing_free(po_smoothing *s) {
   free(s->value);
   free(s->slope);
   free(s->removed);
-  free(s->gram);
   free(s->factor);
   *s = (po_smoothing){0};
 }
 
-/* y = A x with a symmetric band. */
-static void apply(size_t size, const double *matrix, const double *x, double *y) {
-  const band *const a = (const band *)matrix;
-  memset(y, 0, size * sizeof *y);
-  for (size_t j = 0; j < size; ++j)
-    for (size_t m = 0; m < ORDER && j + m < size; ++m) {
-      y[j] += a[j][m] * x[j + m];
-      if (m)
-        y[j + m] += a[j][m] * x[j];
-    }
-}
-
-/* With the matrix S = (G + roughness P)^-1 the coefficients are S times the right side, whose
- * covariance is the variance of the noise times G: that of the coefficients is S G S. */
 po_status po_smoothing_deviation(const po_smoothing *s, double *by_value, double *by_slope,
                                  double *deviation) {
   const size_t size = s->knots + ORDER - 2;
@@ -342,12 +326,11 @@ po_status po_smoothing_deviation(const po_smoothing *s, double *by_value, double
     for (size_t j = 0; j < ORDER; ++j)
       w[j] += by_value[k] * f[j] + by_slope[k] * d[j];
   }
-  solve(size, s->factor, weight);
-  apply(size, s->gram, weight, covariance);
+  memcpy(covariance, weight, size * sizeof *weight);
+  solve(size, s->factor, covariance);
   double variance = 0.0;
   for (size_t j = 0; j < size; ++j)
     variance += weight[j] * covariance[j];
-  solve(size, s->factor, covariance);
   for (size_t j = 0; j < size; ++j)
     covariance[j] *= variance > 0.0 ? s->deviation / sqrt(variance) : 0.0;
   evaluate(s->knots, s->knot, covariance, by_value, by_slope);

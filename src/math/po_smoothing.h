@@ -29,10 +29,9 @@ typedef struct {
   double deviation;             /* standard deviation of the noise: as given, or as estimated */
   double residual; /* estimate of the same by the removed part: its sum of squares over points less
                       parameters, and the root */
-  double parameters;     /* effective number: trace of the matrix from y to f(x) */
-  double rms, greatest;  /* of the removed part */
-  double *gram, *factor; /* 4 (knots + 2): bands of the matrix of the sum, and of the factors of
-                            that with the roughness */
+  double parameters;    /* effective number: trace of the matrix from y to f(x) */
+  double rms, greatest; /* of the removed part */
+  double *factor;       /* 4 (knots + 2): bands of the factors of the matrix of both sums */
 } po_smoothing;
 
 /* Smooths points. Given: at least PO_SMOOTHING_LEAST points, x ascending; deviation, > 0, or NAN:
@@ -42,16 +41,18 @@ po_status po_smoothing_make(size_t points, const double *x, const double *y, dou
                             po_smoothing *smoothing);
 void po_smoothing_free(po_smoothing *smoothing);
 
-/* The standard deviation of a linear function of the spline, the sum of by_value * value + by_slope
- * * slope over the knots, that the noise causes. Given: both weights, knots. Returned: deviation;
- * in the place of the weights the most probable change of value and slope that belongs to a
- * function greater by this deviation. Status: PO_NO_MEMORY. */
+/* The standard uncertainty of a linear function of the spline, the sum of by_value * value +
+ * by_slope
+ * * slope over the knots. The covariance of the coefficients is the variance of the noise times the
+ * inverse of the matrix of both sums: it has the error by smoothing in it, in the mean over the
+ * curves for which the roughness is the right one. Source: G. Wahba, J. R. Stat. Soc. B 45 (1983)
+ * 133. Given: both weights, knots. Returned: deviation; in the place of the weights the most
+ * probable change of value and slope by which the function is greater by this deviation. Status:
+ * PO_NO_MEMORY. */
 po_status po_smoothing_deviation(const po_smoothing *smoothing, double *by_value, double *by_slope,
                                  double *deviation);
 
-/* The greatest standard uncertainty of the spline at a knot. It includes the error by smoothing, in
- * the mean over all curves for which the roughness is the right one. Source: G. Wahba, J. R. Stat.
- * Soc. B 45 (1983) 133. Status: PO_NO_MEMORY. */
+/* The greatest standard uncertainty of the spline at a knot. Status: PO_NO_MEMORY. */
 po_status po_smoothing_uncertainty(const po_smoothing *smoothing, double *greatest);
 
 #endif

@@ -78,34 +78,27 @@ static po_status weigh_elastic(const po_scene *scene, const po_surface *surface,
   return status;
 }
 
-/* Gauss's rule with three points on (0, 1). */
-static const double NODE[] = {0.11270166537925831, 0.5, 0.88729833462074169};
-static const double WEIGHT[] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
-
-/* The intervals of this rule: their gap changes by at most this part of the length of the law, or
- * by less if they are that much smaller than a wave or the interval before. They end at a gap of so
- * many such lengths, from which on the rest is less than 1e-6. */
-static const double CHANGE = 0.1, PART_OF_WAVE = 0.125, GROWTH = 0.25, FARTHEST = 1e3;
+/* Midpoints of intervals over which the gap changes by at most this part of the length of the law,
+ * which are at most this part of a wave and longer than the interval before by this part of it.
+ * They end at a gap of so many such lengths, from which on the rest is less than 1e-6. */
+static const double CHANGE = 0.03, PART_OF_WAVE = 0.0625, GROWTH = 0.25, FARTHEST = 1e3;
 
 static po_status weigh_rigid(const po_scene *scene, double approach, weights *w) {
   const double far = FARTHEST * po_law_size(&scene->law, 0.0);
-  const double detail = PART_OF_WAVE * po_initial_gap_detail(scene);
+  const double wave = PART_OF_WAVE * po_initial_gap_detail(scene);
   po_status status = PO_OK;
-  double begin = 0.0, h = po_profile_next_joint(&scene->profile, 0.0);
-  while (!status && po_initial_gap_beyond(scene, begin) - approach < far) {
-    const double size = po_law_size(&scene->law, po_initial_gap(scene, begin) - approach);
-    double length = fmin(h, detail);
-    while (fabs(po_initial_gap(scene, begin + length) - po_initial_gap(scene, begin)) >
-           CHANGE * size)
+  double r = 0.0, next = po_profile_next_joint(&scene->profile, 0.0);
+  while (!status && po_initial_gap_beyond(scene, r) - approach < far) {
+    const double gap = po_initial_gap(scene, r);
+    const double most = CHANGE * po_law_size(&scene->law, gap - approach);
+    double length = fmin(next, wave);
+    while (fabs(po_initial_gap(scene, r + length) - gap) > most)
       length *= 0.5;
-    h = (1.0 + GROWTH) * length;
-    length = fmin(length, po_profile_next_joint(&scene->profile, begin) - begin);
-    for (int q = 0; q < 3 && !status; ++q) {
-      const double r = begin + NODE[q] * length;
-      const double slope = po_law_at(&scene->law, po_initial_gap(scene, r) - approach).slope;
-      status = add_weight(w, r, 2.0 / scene->radius * slope * r * WEIGHT[q] * length);
-    }
-    begin += length;
+    next = (1.0 + GROWTH) * length;
+    const double middle = r + 0.5 * length;
+    const double slope = po_law_at(&scene->law, po_initial_gap(scene, middle) - approach).slope;
+    status = add_weight(w, middle, 2.0 / scene->radius * slope * middle * length);
+    r += length;
   }
   return status;
 }

@@ -9,7 +9,7 @@ from conftest import document, expect, run
 
 TRIANGLES = "solve --tabor 1 --scheme triangle --nodes 101"
 INPUT = """tabor amplitude wavelength radius outer_radius law mie_m mie_n morse_a profile power_c power_n cone_t punch_b punch_r
-    truncated_b truncated_r table_scale profile_file waves scheme grading nodes tolerance approach_start approach_end preload
+    truncated_b truncated_r table_scale smooth profile_file waves scheme grading nodes tolerance approach_start approach_end preload
     preload_load stiffness time_limit load_unit"""
 CURVE = "position approach load energy energy_error_estimate contact_radius approach_rate load_rate unstable_modes"
 

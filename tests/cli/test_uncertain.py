@@ -1,0 +1,157 @@
+"""Noise of measured profiles and uncertain inputs: what they do to the pull-off force, and what is said where that is no number."""
+
+import csv
+import math
+import pathlib
+import random
+
+import pytest
+from conftest import document, expect, load
+
+TABLE = "solve --coupling 0.05 --table-scale 3 --profile-file"
+JUMP = "solve --tabor 3 --amplitude 1 --wavelength 20 --preload"  # another minimum is measured from the approach 2.616 on
+
+
+def tip(r):
+    return 30.0 - math.sqrt(900.0 - r * r) + 0.05 * (1.0 - math.cos(r))
+
+
+def write(name, noise, rows=201, seed=7):
+    draw = random.Random(seed)
+    lines = [f"{0.1 * k!r},{tip(0.1 * k) + noise * draw.gauss(0, 1)!r}\n" for k in range(rows)]
+    pathlib.Path(name).write_text("r,gap\n" + "".join(lines))
+    return name
+
+
+def uncertain(words):
+    found = document(words)
+    return found, found["uncertainty"], found["uncertainty"]["sources"]
+
+
+@pytest.mark.parametrize("code, message, words", [
+    (2, "--tabor is 1+-0: expected a number, or with +- a number and its uncertainty > 0", "solve --tabor 1+-0"),
+    (2, "--tabor is 1+-x: expected a number, or*", "solve --tabor 1+-x"),
+    (2, "--tabor is +-1: expected a number, or*", "solve --tabor +-1"),
+    (2, "--nodes is 100+-1: expected a value without uncertainty", "solve --scheme ring --nodes 100+-1"),
+    (2, "--tabor is -1: expected a finite number >= 0", "solve --tabor 1+-2"),
+    (2, "--smooth is 0: expected a finite number > 0, or auto", "solve --smooth 0"),
+    (2, "--smooth is no: expected a finite number > 0, or auto", "solve --smooth no"),
+    (2, "--smooth is auto: expected it beside the file of a profile", "solve --smooth auto"),
+    (2, "--smoothed is given without --smooth: expected both", "solve --smoothed tip.csv"),
+])
+def test_refused(code, message, words):
+    expect(code, "pulloff: " + message, words)
+
+
+def test_table_with_noise_is_told_to_smooth():
+    expect(4, "pulloff: noisy.csv:*if the rows have noise, smooth with its standard deviation or auto", TABLE, write("noisy.csv", 0.1))
+    expect(4, "pulloff: short.csv: 15 rows are too few for a smoothed profile: expected at least 16", TABLE, write("short.csv", 0.01, 15),
+           "--smooth", "auto")
+
+
+@pytest.mark.parametrize("coupling, noise", [(0.005, 0.01), (0.05, 0.03), (1, 0.03), (0, 0.03)])
+def test_noise_of_a_profile(coupling, noise):
+    """The deviation by the adjoint is the change of the force with the profile that belongs to it. The force of the table without
+    noise is within three deviations."""
+    name = write("tip.csv", noise)
+    found, total, sources = uncertain(f"solve --coupling {coupling} --table-scale 3 --profile-file {name} --smooth auto --preload-load 1")
+    [source] = sources
+    assert source["source"] == "noise" and total["force"] == source["force"]
+    assert abs(source["deviation"] / noise - 1) < 0.2
+    assert abs((source["above"] - source["below"]) / (2 * source["force"]) - 1) < 3e-3
+    assert found["pull_off"]["error_estimate"] is None or found["pull_off"]["error_estimate"] < 1e-3 * source["force"]
+    true = document(f"solve --coupling {coupling} --table-scale 3 --profile-file {write('true.csv', 0)} --preload-load 1")
+    assert "uncertainty" not in true
+    assert abs(true["pull_off"]["force"] - found["pull_off"]["force"]) < 3 * source["force"]
+    assert found["profile_table"]["smoothing"]["parameters"] < 40
+
+
+def test_deviation_that_is_stated():
+    """It takes the place of the estimate, and the command that repeats the solve has it."""
+    name = write("tip.csv", 0.03)
+    found, _, [source] = uncertain(f"{TABLE} {name} --smooth 0.03")
+    assert source["deviation"] == pytest.approx(0.03, rel=1e-12) and found["input"]["smooth"] == 0.03
+    assert abs(found["profile_table"]["smoothing"]["residual"] / 0.03 - 1) < 0.2
+    printed = expect(0, "", f"{TABLE} {name} --smooth 0.03").out
+    assert printed.count("\nuncertain noise of the profile: force +-") == 1 and "smooth 0.03 profile_file tip.csv" in printed
+
+
+def test_smoothed_table():
+    """Gap and removed part together are the rows, relative to one on the axis; the table is one of the same profile."""
+    name = write("tip.csv", 0.03)
+    found = document(f"{TABLE} {name} --smooth auto --smoothed smoothed.csv")
+    rows = [[{key: float(x) for key, x in row.items()} for row in csv.DictReader(line for line in open(file) if line[0] != "#")]
+            for file in (name, "smoothed.csv")]
+    axis = rows[0][0]["gap"] - rows[1][0]["removed"]
+    for measured, smooth in zip(*rows, strict=True):
+        assert measured["r"] == pytest.approx(smooth["r"], rel=1e-14)
+        assert measured["gap"] - axis == pytest.approx(smooth["gap"] + smooth["removed"], abs=1e-12)
+    rms = math.sqrt(sum(row["removed"] ** 2 for row in rows[1]) / len(rows[1]))
+    assert rms == pytest.approx(found["profile_table"]["smoothing"]["removed_rms"], rel=1e-9)
+    again = document(f"{TABLE} smoothed.csv")
+    assert again["pull_off"]["force"] == pytest.approx(found["pull_off"]["force"], rel=1e-3)
+
+
+CASE = """
+name: noisy
+title: A tip with noise
+suites: [smoke]
+scene: {{coupling: 0.05, amplitude: 0, outer_radius: inf, scheme: panel, tolerance: 1e-6, table_scale: 3, {}profile_file: {}}}
+want: [pull_off]
+"""
+
+
+def test_smooth_in_a_case(data):
+    """Case files have the key; there is no noise without it."""
+    name = pathlib.Path(write("tip.csv", 0.03)).resolve()
+    data.case("noisy", CASE.format("smooth: auto, ", name))
+    expect(0, "*", "run noisy --output run")
+    [point] = load("run/noisy/record.json")["points"]
+    found, total, _ = uncertain(f"{TABLE} {name} --smooth auto --preload-load 65.95850597062925")
+    assert point["input"]["smooth"] == "auto" and " --smooth auto " in point["command"]
+    assert point["uncertainty"]["force"] == pytest.approx(total["force"], rel=1e-3)
+    assert point["pull_off"]["force"] == pytest.approx(found["pull_off"]["force"], rel=1e-6)
+    data.case("noisy", CASE.format("", name))
+    expect(2, "*scene.profile_file is *tip.csv: expected *", "run noisy --output run")
+
+
+def test_inputs_agree_with_their_sensitivities():
+    """Differences of solves agree with the adjoint of the diagnostics; all together is the root of the sum of squares."""
+    _, total, sources = uncertain("solve --tabor 2.385+-0.05 --amplitude 0.3+-0.01 --wavelength 17 --radius 93+-2")
+    force = document("solve --tabor 2.385 --amplitude 0.3 --wavelength 17 --radius 93 --want diagnostics")
+    by = force["diagnostics"]["sensitivity"]
+    assert [s["source"] for s in sources] == ["tabor", "amplitude", "radius"]
+    for source in sources:
+        expected = force["pull_off"]["force"] * abs(by[source["source"]]) * source["deviation"] / source["value"]
+        assert source["force"] == pytest.approx(expected, rel=2e-2)
+    assert total["force"] == pytest.approx(math.hypot(*(s["force"] for s in sources)), rel=1e-12)
+
+
+def test_si_units():
+    """The force in N goes as the work of adhesion and the radius of a stiff sphere, and hardly with the modulus."""
+    found = document("solve --from-physical --modulus-pa 5e12+-5e11 --work-j-per-m2 0.08+-0.008 --distance-m 3e-10 --radius-m 3e-8+-3e-9")
+    si = found["physical"]["uncertainty"]
+    force = found["physical"]["pull_off"]["force_n"]
+    modulus, work, radius = si["sources"]
+    assert work["force_n"] == pytest.approx(0.1 * force, rel=1e-2) and radius["force_n"] == pytest.approx(0.1 * force, rel=1e-2)
+    assert work["value"] == 0.08 and work["deviation"] == 0.008 and modulus["force_n"] < 1e-2 * force
+    assert si["force_n"] == pytest.approx(found["uncertainty"]["force"] * found["physical"]["units"]["force_n"], rel=1e-12)
+
+
+def test_preload_that_decides_between_two_minima():
+    """The jump of the force is no standard uncertainty. Farther away the force does not depend on the preload at all."""
+    found, total, [source] = uncertain(JUMP + " 2.6+-0.05")
+    assert source["force"] is None and total["force"] is None
+    assert source["below"] == pytest.approx(0, abs=1e-5) and source["above"] == pytest.approx(0.785524, abs=1e-4)
+    printed = expect(0, "", JUMP + " 2.6+-0.05").out
+    assert "uncertain preload 2.6+-0.05: no number, because the force is not linear there" in printed
+    assert uncertain(JUMP + " 1.6+-0.05")[1]["force"] == pytest.approx(0, abs=1e-6)
+
+
+def test_nothing_else_changes():
+    """The results without uncertainties are those of the same input without +-, to the last bit."""
+    plain, with_uncertainty = document("solve --tabor 1.385"), document("solve --tabor 1.385+-0.1")
+    for found in (plain, with_uncertainty):
+        for key in ("digest", "work", "uncertainty"):
+            found.pop(key, None)
+    assert plain == with_uncertainty
