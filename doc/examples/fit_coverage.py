@@ -1,6 +1,6 @@
 """How good the standard errors of fit.py are: many measurements with other noise, other samples and other guesses, each up to
 30 % off, are fitted, and the differences from the true values are divided by the stated errors. Before that, the jumps of
-the model are compared with those of the program's own loop through a spring.
+the model are compared with those of the program's own loop through a spring, and the theories with its closed forms.
 
     python3 fit_coverage.py [COUNT]
 """
@@ -20,6 +20,8 @@ jumps = [jump["before"]["approach"] * distance + jump["before"]["load"] * unit /
 ends = [part[0][end] for part, end in zip(fit.parts("truth", fit.TRUE), (-1, 0))]
 print(f"\njumps at {ends[0]:.5f} and {ends[1]:.5f} nm; the loop of the program: {jumps[0]:.5f} and {jumps[1]:.5f} nm")
 assert np.allclose(jumps, ends, rtol=0, atol=2e-4)
+for model in ("JKR", "DMT", "Maugis"):
+    assert abs(fit.branch(model, 0.66)[1].min() + pulloff.theory(model.lower(), tabor=0.66)["pull_off_force"]) < 1e-4
 
 count = int(sys.argv[1]) if len(sys.argv) > 1 else 200
 ratios, squares = [], []

@@ -120,8 +120,7 @@ static po_status refuse_name(const po_catalog *all, const char *name) {
     po_text_add(&known, "%s%s", i ? ", " : "", all->cases[i]->file->name);
   const po_status status = po_fail(PO_BAD_INPUT, "no case is named %s: expected one of %s", name,
                                    po_text_string(&known));
-  if (!known.failed)
-    po_suggest(status, name, po_text_string(&known));
+  po_suggest(status, name, po_text_string(&known));
   po_text_clear(&known);
   return status;
 }
@@ -192,8 +191,7 @@ static po_status refuse_suite(const po_catalog *all, const char *name, size_t le
   const po_status status =
       po_fail(PO_BAD_INPUT, "no case belongs to the suite %s: expected one of %s",
               po_quote(given, shown), po_text_string(&known));
-  if (!known.failed)
-    po_suggest(status, given, po_text_string(&known));
+  po_suggest(status, given, po_text_string(&known));
   po_text_clear(&known);
   free(names);
   return status;

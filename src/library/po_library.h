@@ -24,6 +24,9 @@ struct pulloff_result {
   json_t *document;
 };
 
+/* Appends the key that is close to an unknown one to the message. Returned: PO_BAD_INPUT. */
+po_status po_library_suggest(const char *key);
+
 /* Ends a function: copies the message of a failure, or of another thread-local cause, to `message`.
  * Returned: the status for the caller of the library. */
 pulloff_status po_library_end(po_status status, pulloff_message *message);

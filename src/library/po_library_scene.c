@@ -73,20 +73,24 @@ const char *pulloff_key_expected(size_t number) {
   return number < WANT ? po_key_expected((po_key)number) : number == WANT ? PO_WANT_EXPECTED : NULL;
 }
 
+po_status po_library_suggest(const char *key) {
+  po_text known = {0};
+  for (size_t k = 0; k < KEY_COUNT; ++k)
+    po_text_add(&known, "%s ", pulloff_key_name(k));
+  po_suggest(PO_BAD_INPUT, key, po_text_string(&known));
+  po_text_clear(&known);
+  return PO_BAD_INPUT;
+}
+
 /* The number of a key, or -1 with a message. */
 static int find_key(const char *name) {
   char shown[PO_QUOTE_LENGTH];
   for (size_t k = 0; k < KEY_COUNT; ++k)
     if (strcmp(pulloff_key_name(k), name) == 0)
       return (int)k;
-  po_text known = {0};
-  for (size_t k = 0; k < KEY_COUNT; ++k)
-    po_text_add(&known, "%s ", pulloff_key_name(k));
   po_fail(PO_BAD_INPUT, "unknown key %s of a scene: expected one that pulloff_key_name names",
           po_quote(name, shown));
-  if (!known.failed)
-    po_suggest(PO_BAD_INPUT, name, po_text_string(&known));
-  po_text_clear(&known);
+  po_library_suggest(name);
   return -1;
 }
 

@@ -52,9 +52,11 @@ static po_status make_requests(const pulloff_scene *scene, const char *name, con
                                size_t count, po_request *requests) {
   char shown[PO_QUOTE_LENGTH];
   const int key = po_given_key(name);
-  if (key < 0 || !po_key_is_number((po_key)key))
-    return po_fail(PO_BAD_INPUT, "the key of a series is %s: expected a number of the scene",
-                   po_quote(name, shown));
+  if (key < 0 || !po_key_is_number((po_key)key)) {
+    po_fail(PO_BAD_INPUT, "the key of a series is %s: expected a number of the scene",
+            po_quote(name, shown));
+    return po_library_suggest(name);
+  }
   po_status status = PO_OK;
   for (size_t k = 0; k < count && !status; ++k) {
     char text[PO_NUMBER_LENGTH];

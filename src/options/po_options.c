@@ -16,8 +16,7 @@ static void refuse(const po_options *options, const struct option *table, const 
     po_text_add(&names, "--%s ", table->name);
   const po_status status = po_fail(PO_BAD_INPUT, "unknown option %s of %s (see pulloff %s --help)",
                                    given, options->verb, options->verb);
-  if (!names.failed)
-    po_suggest(status, given, po_text_string(&names));
+  po_suggest(status, given, po_text_string(&names));
   po_text_clear(&names);
 }
 

@@ -61,8 +61,7 @@ static po_status refuse_key(const place *at, const yaml_node_t *key, const po_fi
   const po_status status = po_fail(PO_BAD_INPUT, "%s:%zu: %s%s%s is unknown: expected one of %s",
                                    po_yaml_name(at->yaml), key->start_mark.line + 1, at->path,
                                    *at->path ? "." : "", name, po_text_string(&known));
-  if (!known.failed)
-    po_suggest(status, name, po_text_string(&known));
+  po_suggest(status, name, po_text_string(&known));
   po_text_clear(&known);
   return status;
 }

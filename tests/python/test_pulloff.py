@@ -134,6 +134,8 @@ class Scenes(unittest.TestCase):
             pulloff.theory("nobody")
         with self.assertRaises(pulloff.Error):
             pulloff.follow("tabor", [])
+        with self.assertRaisesRegex(pulloff.Error, "the key of a series is tabur: .*; did you mean tabor[?]"):
+            pulloff.follow("tabur", [1, 2])
 
     def test_a_solve_that_ends_early(self):
         with self.assertRaises(pulloff.SolveError) as caught:
