@@ -43,7 +43,7 @@ for header in gsl nettle jansson.h jansson_config.h; do ln -sfn "/usr/include/$h
 # write_ninja: prints the rules of the module. Every source file of the rooms up to `library` is in it, except for those that
 # use OpenBLAS (machine/machine.c).
 version=$(sed -n "s/^ *version: '\(.*\)',/\1/p" meson.build)
-rooms='base math linear result scene theory bem equilibrium continuation path request observe series companion keys format library'
+rooms='base math linear result scene theory bem equilibrium continuation contact path request observe series companion keys format library'
 write_ninja() {
   include='-Ireports/live/machine'
   for room in $rooms; do include="$include -Isrc/$room"; done

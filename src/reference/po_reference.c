@@ -6,11 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "po_bradley.h"
 #include "po_file.h"
 #include "po_law.h"
 #include "po_memory.h"
 #include "po_pins.h"
+#include "po_wavy_rigid.h"
 
 /* The closed form of the rigid smooth sphere as a reference. It applies to smooth scenes with the
  * law of the paper and an unbounded surface, whatever their Tabor parameter; the tolerance of the

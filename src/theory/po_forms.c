@@ -3,7 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "po_bradley.h"
 #include "po_estimates.h"
 #include "po_forms_profile.h"
 #include "po_guduru.h"

@@ -3,10 +3,16 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "po_bradley.h"
 #include "po_elementary.h"
 #include "po_quadrature.h"
 #include "po_root.h"
+
+double po_bradley_load(double approach) {
+  if (!(approach < 1.0))
+    return NAN;
+  const double x = 1.0 / (1.0 - approach), x2 = x * x;
+  return -2.0 / 3.0 * x2 * (4.0 - x2 * x2 * x2);
+}
 
 /* POINTS: points of the Gauss rule on a panel, whose length in t is at most 1. DIRECT_WAVES:
  * wavelengths that are integrated one by one; the first neglected term of the Euler-Maclaurin

@@ -1,6 +1,11 @@
-/* The rigid wavy sphere, Eq 21 and Eq 22. */
+/* Rigid spheres: the smooth one of Bradley, Eq 23, and the wavy one, Eqs 21 and 22. */
 #ifndef PO_WAVY_RIGID_H
 #define PO_WAVY_RIGID_H
+
+/* The load W/(pi w R) = -2 (4 x^6 - 1)/(3 x^8), x = 1 - approach: Eq 23 (Bradley 1932). Given:
+ * approach/eps < 1. Returned: the load, > 0 compressive, with the minimum -2 at approach 0; NaN
+ * outside the domain. Accuracy: 4 ulp of the larger term (tests/theory/test_tables_theory.c). */
+double po_bradley_load(double approach);
 
 /* The load of Eq 22 with the gap of Eq 21 on the unbounded half-space. The wavelengths near the
  * axis are integrated one by one, on panels that shrink towards each crest; the sum over the others

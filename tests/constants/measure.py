@@ -54,7 +54,7 @@ USED_BY = {
                                  "po_refine.c", "po_resolution.c", "po_resolution.h", "po_extent.c")}}
 
 # What is measured first.
-ORDER = ("observe", "request", "continuation", "equilibrium", "bem", "series", "scene", "path", "linear", "math", "companion", "theory")
+ORDER = ("observe", "request", "contact", "continuation", "equilibrium", "bem", "series", "scene", "path", "linear", "math", "companion", "theory")
 
 
 def room_of(path):

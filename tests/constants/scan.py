@@ -4,7 +4,7 @@ import glob
 import os
 import re
 
-ROOMS = ("math", "linear", "scene", "theory", "bem", "equilibrium", "continuation", "path", "request", "observe", "series",
+ROOMS = ("math", "linear", "scene", "theory", "bem", "equilibrium", "continuation", "contact", "path", "request", "observe", "series",
          "companion")
 NAME = r"\b(?P<name>[A-Z][A-Z0-9_]+)\s*=\s*"
 DECLARATION = re.compile(r"\b(?:static\s+)?const\s+(?:long\s+)?(?:double|float|size_t|int|u?int\d+_t)\s+"

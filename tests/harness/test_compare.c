@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "made_case.h"
-#include "po_bradley.h"
+#include "po_wavy_rigid.h"
 #include "run.h"
 
 static const struct {

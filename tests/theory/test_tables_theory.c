@@ -2,7 +2,6 @@
 #include <gsl/gsl_errno.h>
 
 #include "../unit/run.h"
-#include "po_bradley.h"
 #include "po_estimates.h"
 #include "po_guduru.h"
 #include "po_maugis.h"

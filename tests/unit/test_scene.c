@@ -2,10 +2,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "po_bradley.h"
 #include "po_initial_gap.h"
 #include "po_scales.h"
 #include "po_scene.h"
+#include "po_wavy_rigid.h"
 #include "run.h"
 
 START_TEST(dimensionless_groups_are_those_of_the_paper) {

@@ -6,7 +6,6 @@
 #include <string.h>
 #include <sys/resource.h>
 
-#include "po_bradley.h"
 #include "po_estimates.h"
 #include "po_forms.h"
 #include "po_guduru.h"

@@ -3,7 +3,6 @@
 #include <gsl/gsl_errno.h>
 #include <math.h>
 
-#include "po_bradley.h"
 #include "po_estimates.h"
 #include "po_guduru.h"
 #include "po_law.h"
