@@ -8,7 +8,8 @@
 A scene is described by the keys that the command `pulloff solve` has as options, with _ for -; `pulloff.keys()` lists
 them. Lengths are in units of epsilon, the equilibrium distance of the traction-separation law; loads and forces in
 pi w R, with the work of adhesion w and the radius R; energies in pi w R epsilon. The approach is positive when the bodies
-are pressed together, the load when it is compressive. `Scene.physical` makes a scene of SI units.
+are pressed together, the load when it is compressive. A scene may be given in SI units, by modulus_pa, work_j_per_m2,
+distance_m and radius_m, beside others such as preload_load_n; `units` of a scene and of a result then has the units.
 
 The numbers are those of the program `pulloff` to the last bit. Several threads may solve at the same time.
 """
@@ -87,6 +88,10 @@ class Units:
     traction: float  #: w/(mu epsilon), Pa: unit of tractions; inf if rigid
 
 
+def _units(units):
+    return Units(units.length, units.force, units.work, units.traction)
+
+
 class Scene:
     """What is solved. Keys are set by arguments or as items; a key that is not set has its default.
 
@@ -101,7 +106,6 @@ class Scene:
 
     def __init__(self, **values):
         self._handle = ctypes.c_void_p()
-        self.units = None  #: the Units of a scene that was made by Scene.physical
         message = Message()
         _check(C.pulloff_scene_create(self._handle, message), message)
         self.update(**values)
@@ -140,13 +144,19 @@ class Scene:
         _check(C.pulloff_scene_get(self._handle, key.encode(), text, len(text), message), message)
         return text.value.decode()
 
+    @property
+    def units(self):
+        """The Units of a scene in SI units; None of others."""
+        units = UnitsOfScene()
+        return _units(units) if not C.pulloff_scene_units(self._handle, units, Message()) else None
+
     def copy(self):
         """A scene with the same keys."""
         other = Scene()
         message, handle = Message(), ctypes.c_void_p()
         _check(C.pulloff_scene_copy(self._handle, handle, message), message)
         C.pulloff_scene_destroy(other._handle)
-        other._handle, other.units = handle, self.units
+        other._handle = handle
         return other
 
     @classmethod
@@ -155,12 +165,11 @@ class Scene:
 
         modulus: E* = E/(1 - nu^2) of both bodies together, Pa; math.inf is a rigid sphere.
         work: work of adhesion w, J/m^2.  distance: equilibrium distance epsilon of the law, m.
-        radius, amplitude, wavelength, outer_radius: m.  Other keys are dimensionless.
+        radius, amplitude, wavelength, outer_radius: m.  Other keys are dimensionless, unless their name ends in a unit.
         """
-        scene, message, units = cls(), Message(), UnitsOfScene()
+        scene, message = cls(), Message()
         given = PhysicalScene(modulus, work, distance, radius, amplitude, wavelength, outer_radius)
-        _check(C.pulloff_scene_set_physical(scene._handle, given, units, message), message)
-        scene.units = Units(units.length, units.force, units.work, units.traction)
+        _check(C.pulloff_scene_set_physical(scene._handle, given, None, message), message)
         scene.update(**values)
         return scene
 
@@ -171,7 +180,7 @@ class Scene:
         scene.update(**values)
         message, handle = Message(), ctypes.c_void_p()
         status = _check(_interruptible(scene, lambda: C.pulloff_solve(scene._handle, handle, message)), message)
-        result = Result(handle, self.units)
+        result = Result(handle)
         if status:
             raise SolveError(message.text.decode(), status, result)
         return result
@@ -239,13 +248,14 @@ class Result:
         > 0 compressive); empty unless wanted.
     document: the JSON document of `pulloff solve --json` as dictionaries and lists. Its numbers are those above to the
         last bit; result["hysteresis"] is result.document["hysteresis"].
-    units: the Units of the scene, if it was made by Scene.physical.
+    units: the Units of its scene, if that is in SI units; in a series each result has its own.
     """
 
-    def __init__(self, handle, units=None):
+    def __init__(self, handle):
+        units = UnitsOfScene()
         try:
             self.document = _document(handle)
-            self.units = units
+            self.units = _units(units) if C.pulloff_result_units(handle, units) else None
             self.folds = _special_points(C.pulloff_result_folds, handle)
             self.extrema = _special_points(C.pulloff_result_extrema, handle)
             self.curve = _array(C.pulloff_result_curve, handle, CurvePoint)
@@ -283,7 +293,7 @@ def solve(**values):
 
 
 def follow(key, values, scene=None, **others):
-    """Solves scenes that differ in one key, by parameter continuation, which takes a fraction of the time of single
+    """Solves scenes that differ in one key, which may be in SI units, by parameter continuation, which takes a fraction of the time of single
     solves. values: ascending or descending. scene: a Scene; others: further keys. Returns a list of Results, whose
     arrays of points are empty where the pull-off was followed. A solve that fails does not raise: see `status` of each.
     """
@@ -294,7 +304,7 @@ def follow(key, values, scene=None, **others):
     first = numbers.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
     _check(_interruptible(scene, lambda: C.pulloff_follow(scene._handle, key.encode(), first, len(numbers), handles,
                                                           message)), message)
-    return [Result(ctypes.c_void_p(handle), scene.units) for handle in handles]
+    return [Result(ctypes.c_void_p(handle)) for handle in handles]
 
 
 def theory(form, *, at=math.nan, alpha=math.nan, scene=None, **values):

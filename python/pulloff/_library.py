@@ -55,6 +55,7 @@ FUNCTIONS = {
     "scene_set_number": (STATUS, SCENE, TEXT, NUMBER, MESSAGE),
     "scene_get": (STATUS, SCENE, TEXT, ctypes.c_char_p, SIZE, MESSAGE),
     "scene_set_physical": (STATUS, SCENE, TO(PhysicalScene), TO(UnitsOfScene), MESSAGE),
+    "scene_units": (STATUS, SCENE, TO(UnitsOfScene), MESSAGE),
     "scene_set_stop": (None, SCENE, TO(ctypes.c_int)),
     "solve": (STATUS, SCENE, TO(RESULT), MESSAGE),
     "follow": (STATUS, SCENE, TEXT, TO(NUMBER), SIZE, TO(RESULT), MESSAGE),
@@ -66,6 +67,7 @@ FUNCTIONS = {
     "result_extrema": (TO(SpecialPoint), RESULT, TO(SIZE)),
     "result_curve": (TO(CurvePoint), RESULT, TO(SIZE)),
     "result_profile": (TO(ProfilePoint), RESULT, TO(SIZE)),
+    "result_units": (ctypes.c_bool, RESULT, TO(UnitsOfScene)),
     "result_json": (STATUS, RESULT, TO(ctypes.c_void_p), MESSAGE),
     "free": (None, ctypes.c_void_p),
 }

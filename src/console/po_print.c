@@ -6,6 +6,7 @@
 #include "po_input.h"
 #include "po_json.h"
 #include "po_print_physical.h"
+#include "po_print_test.h"
 #include "po_print_theories.h"
 #include "po_print_uncertain.h"
 #include "po_profile_table.h"
@@ -54,18 +55,13 @@ po_status po_print_json(const po_request *request, const po_given *given, const 
   return po_print_document(document);
 }
 
-/* An error with two digits; empty if none was estimated. */
-static const char *error_text(double error, char text[16]) {
-  snprintf(text, 16, isfinite(error) ? "%.1e" : "", error);
-  return text;
-}
-
 static void print_special_points(const po_special_point *list, size_t count) {
   for (size_t i = 0; i < count; ++i) {
     char of_approach[16], of_load[16];
     printf("%-9s %16.10f %8s %16.10f %8s %14.8g %14d\n", po_special_kind_name(list[i].kind),
-           list[i].approach, error_text(list[i].approach_error, of_approach), list[i].load,
-           error_text(list[i].load_error, of_load), list[i].contact_radius, list[i].unstable_modes);
+           list[i].approach, po_print_error(list[i].approach_error, of_approach), list[i].load,
+           po_print_error(list[i].load_error, of_load), list[i].contact_radius,
+           list[i].unstable_modes);
   }
 }
 
@@ -164,96 +160,6 @@ static void print_preload(const po_result *o) {
   print_harder(o);
 }
 
-/* A finite number, or `word`. */
-static const char *finite_or(double value, const char *word, char text[32]) {
-  if (isfinite(value))
-    snprintf(text, 32, "%.8g", value);
-  else
-    snprintf(text, 32, "%s", word);
-  return text;
-}
-
-static void print_staircase(const char *theory, const char *control, const po_staircase *s) {
-  char held[64];
-  if (po_is_spring(s->control))
-    snprintf(held, sizeof held, "spring of stiffness %.6g", s->control);
-  printf("%s%s: pull-off force against preload\n%14s %14s %-9s %14s %16s %8s %16s %14s %8s\n",
-         theory, po_is_spring(s->control) ? held : control, "from approach", "load", "begins at",
-         po_is_spring(s->control) ? "until base" : "until", "force", "error", "at approach",
-         "energy lost", "error");
-  for (size_t k = 0; k < s->count; ++k) {
-    const po_step *step = &s->step[k];
-    const po_cycle *cycle = &step->cycle[0];
-    const double end = po_held(s->control, step->until.approach, step->until.load);
-    char from[32], until[32], error[16], lost[32], lost_error[16];
-    printf("%14s %14.8g %-9s %14s %16.10g %8s %16.10g %14s %8s\n",
-           finite_or(step->preload.approach, "contact", from), step->preload.load,
-           step->jumped ? "jump" : "minimum",
-           finite_or(step->open ? (double)NAN : end, "open", until), -step->pull_off.load,
-           error_text(step->pull_off_error.load, error), step->pull_off.approach,
-           finite_or(cycle->loss.energy, "boundless", lost),
-           error_text(cycle->energy_error, lost_error));
-  }
-}
-
-/* The staircases of the solve, and those of the JKR theory if the scene has one: Eq 5 for the
- * scenes of the paper, the Abel transform of the profile for others. */
-static void print_staircases(const po_scene *scene, const po_result *o) {
-  static const char *const CONTROL[] = {"displacement control", "load control", ""};
-  const char *jkr = po_scene_is_of_paper(scene) ? "JKR theory (Eq 5), " : "JKR theory, ";
-  for (int k = 0; k < 2 + o->staircase.has_spring; ++k)
-    print_staircase("", CONTROL[k], &o->staircase.of[k]);
-  for (int k = 0; o->theory.has_staircases && k < 2 + o->theory.staircase.has_spring; ++k)
-    print_staircase(jkr, CONTROL[k], &o->theory.staircase.of[k]);
-}
-
-/* One cycle of loading and unloading: where loading was reversed, the measured pull-off, and every
- * jump. */
-static void print_loop(const char *control, const po_loop *loop) {
-  const bool spring = po_is_spring(loop->control);
-  char error[16];
-  printf("%s: loading reversed at approach %.6g, load %.6g; measured pull-off force %.8g at "
-         "approach %.8g",
-         control, loop->preload.approach, loop->preload.load, fmax(0.0, -loop->pull_off.load),
-         loop->pull_off.approach);
-  if (isfinite(loop->energy_lost))
-    printf("; energy lost %.6g", loop->energy_lost);
-  if (isfinite(loop->energy_lost_error))
-    printf(", error %s", error_text(loop->energy_lost_error, error));
-  printf("\n%-5s%-10s %s%14s %14s %14s %14s %12s %8s\n", "jump", "phase",
-         spring ? "          base " : "", "approach", "to", "load", "to", "energy lost", "error");
-  for (size_t k = 0; k < loop->jump_count; ++k) {
-    const po_jump *jump = &loop->jumps[k];
-    po_label label;
-    po_jump_label(jump->loading, k + 1 - (jump->loading ? 0 : loop->loading_jumps), label);
-    char from[32], to[32], lost[32];
-    printf("%-5s%-10s ", label, jump->loading ? "loading" : "unloading");
-    if (spring)
-      printf("%14.8g ", po_held(loop->control, jump->before.approach, jump->before.load));
-    printf("%14s %14s %14.8g %14.8g %12s", finite_or(jump->before.approach, "apart", from),
-           finite_or(jump->after.approach, "apart", to), jump->before.load, jump->after.load,
-           finite_or(jump->energy_lost, "boundless", lost));
-    if (isfinite(jump->energy_lost_error))
-      printf(" %8s", error_text(jump->energy_lost_error, error));
-    printf("\n");
-  }
-}
-
-/* The results of --want that are too long for the terminal: their size, and which option writes
- * them. */
-static void print_wanted(const po_request *request, const po_result *o) {
-  if (request->want & PO_WANT_CURVE)
-    printf("curve    %zu points; --curve FILE or --json writes them\n", o->curve_count);
-  if (!(request->want & PO_WANT_PROFILE) || o->profile_count == 0)
-    return;
-  printf("profile  %zu radii at approach %.8g; --profile FILE or --json writes them\n",
-         o->profile_count, o->profile_approach);
-  printf("annuli   in contact: ");
-  for (size_t k = 0; k < o->annuli.held_count; ++k)
-    printf("%s%.6g to %.6g", k ? ", " : "", o->annuli.held[k].inner, o->annuli.held[k].outer);
-  printf("%s\n", o->annuli.held_count ? "" : "none");
-}
-
 static void print_diagnostics(const po_result *o) {
   const po_diagnostics *d = &o->diagnostics;
   if (!d->states && !d->moved.solves)
@@ -261,11 +167,11 @@ static void print_diagnostics(const po_result *o) {
   char text[16];
   printf("checks   ");
   if (isfinite(d->residual))
-    printf("residual of the discrete equations %s; ", error_text(d->residual, text));
-  printf("defect of the energy balance %s", error_text(d->energy_defect, text));
+    printf("residual of the discrete equations %s; ", po_print_error(d->residual, text));
+  printf("defect of the energy balance %s", po_print_error(d->energy_defect, text));
   if (isfinite(d->moved.change))
     printf("; relative change of the force by the last bit of an input %s",
-           error_text(d->moved.change, text));
+           po_print_error(d->moved.change, text));
   printf("\n");
   if (d->reverse_trace.made)
     printf("reverse  status %s: the reverse trace found %s special points\n",
@@ -302,6 +208,19 @@ static void print_table(const po_profile *profile) {
   po_print_smoothing(profile);
 }
 
+/* Prints the value of a key. Numbers of a scene in SI units have a rounding error: one that is the
+ * number that its first 15 digits state, but for that error, is shown by these, and the same number
+ * in the JSON document is exact. */
+static void print_key(const po_request *request, po_key key, char text[PO_KEY_TEXT_LENGTH]) {
+  char rounded[PO_NUMBER_LENGTH];
+  po_key_print(request, key, text);
+  if (!request->in_si || !po_key_is_number(key))
+    return;
+  snprintf(rounded, sizeof rounded, "%.15g", po_key_number(request, key));
+  if (po_key_matches(request, key, rounded))
+    snprintf(text, PO_KEY_TEXT_LENGTH, "%s", rounded);
+}
+
 /* The scene, defaults included, and the units of all numbers below. */
 static void print_input(const po_request *request) {
   printf("scene   ");
@@ -314,7 +233,7 @@ static void print_input(const po_request *request) {
     if (coupling)
       snprintf(text, sizeof text, "%.15g", po_key_number(request, shown));
     else
-      po_key_print(request, shown, text);
+      print_key(request, shown, text);
     printf(" %s %s", po_key_name(shown), text);
   }
   printf("\nunits    lengths in epsilon, load and force in %s; the load is > 0 in compression\n",
@@ -344,21 +263,13 @@ po_status po_print_text(const po_request *request, const po_given *given, const 
     print_special_points(result->folds, result->fold_count);
     print_special_points(result->extrema, result->extremum_count);
   }
-  if (result->has_hysteresis) {
-    print_loop("displacement control", &result->hysteresis.displacement);
-    print_loop("load control", &result->hysteresis.load);
-    if (result->hysteresis.has_spring) {
-      char held[64];
-      snprintf(held, sizeof held, "spring of stiffness %.6g", result->hysteresis.spring.control);
-      print_loop(held, &result->hysteresis.spring);
-    }
-  }
-  if (result->has_staircases)
-    print_staircases(&request->scene, result);
-  print_wanted(request, result);
+  if (!request->in_si)
+    po_print_test(request, result);
   print_diagnostics(result);
-  if (request->in_si)
+  if (request->in_si) {
     po_print_physical(given, request, result);
+    po_print_test(request, result);
+  }
   printf("work     %llu points, %llu Newton iterations, %llu factorisations of at most %llu "
          "nodes, %.3g s\n",
          (unsigned long long)result->work.points,

@@ -8,12 +8,22 @@
 #include "po_json_rows.h"
 #include "po_print_uncertain.h"
 #include "po_result_rows.h"
+#include "po_si.h"
 
-/* The text of a key as it was given; NULL: it is not printed. A profile has its parameters. */
+/* The text of a key as it was given; NULL: it is not printed. A profile has its parameters, and
+ * a ratio of amplitude and wavelength is an amplitude. */
 static const char *shown(const po_given *given, int key, char text[PO_KEY_TEXT_LENGTH]) {
   const bool one = key == PO_KEY_PROFILE || key == PO_KEY_PROFILE_FILE || key == PO_KEY_WAVES;
   if (!one && po_key_row_of(key)->owner != PO_OWNER_SI)
     return NULL;
+  const char *ratio = given->text[PO_KEY_AMPLITUDE_RATIO],
+             *wavelength = given->text[PO_KEY_WAVELENGTH_M];
+  double a = 0, b = 0;
+  if (key == PO_KEY_AMPLITUDE_M && ratio && wavelength && po_number_parse(ratio, &a) &&
+      po_number_parse(wavelength, &b)) {
+    po_number_print(a * b, text);
+    return text;
+  }
   if (key != PO_KEY_PROFILE || !given->text[key] || strchr(given->text[key], ':'))
     return given->text[key];
   int length = snprintf(text, PO_KEY_TEXT_LENGTH, "%s", given->text[key]);
@@ -91,11 +101,11 @@ void po_print_physical_input(const po_given *given) {
   printf("\n");
 }
 
-static void print_special_points(const po_units *u, const po_special_point *list, size_t count) {
+static void print_special_points(double length, double force, const po_special_point *list,
+                                 size_t count) {
   for (size_t i = 0; i < count; ++i)
-    printf("%-9s %16.9e %16.9e %16.6g\n", po_special_kind_name(list[i].kind),
-           list[i].approach * u->length, list[i].load * u->force,
-           list[i].contact_radius * u->length);
+    printf("%-9s %16.10g %16.10g %17.6g\n", po_special_kind_name(list[i].kind),
+           list[i].approach * length, list[i].load * force, list[i].contact_radius * length);
 }
 
 double po_print_percent(double change) {
@@ -119,36 +129,40 @@ static void print_sensitivity(const po_request *request, const po_result *o) {
 }
 
 /* Which preloads give the pull-off, with the loads of a test at these approaches. */
-static void print_preload(const po_units *u, const po_result *o) {
+static void print_preload(const po_si_unit *length, const po_si_unit *force, const po_result *o) {
   const po_pressed *from = &o->pull_off.pressed, *until = &o->pull_off.until;
   if (!o->has_pull_off || o->status || isnan(from->approach))
     return;
-  printf("preload  loading to approach %.6g m, load %.6g N,", from->approach * u->length,
-         from->load * u->force);
+  printf("preload  loading to approach %.6g %s, load %.6g %s,", from->approach * length->factor,
+         length->text, from->load * force->factor, force->text);
   if (isnan(until->approach))
     printf(" or more gives this pull-off\n");
   else
-    printf(" to approach %.4g m, load %.4g N, gives this pull-off\n", until->approach * u->length,
-           until->load * u->force);
+    printf(" to approach %.4g %s, load %.4g %s, gives this pull-off\n",
+           until->approach * length->factor, length->text, until->load * force->factor,
+           force->text);
 }
 
-void po_print_physical(const po_given *given, const po_request *request, const po_result *result) {
-  const po_units *u = &request->units;
+void po_print_physical(const po_given *given, const po_request *request, const po_result *o) {
+  const po_si_unit length = po_si_prefixed(&request->units, PO_DIMENSION_LENGTH);
+  const po_si_unit force = po_si_prefixed(&request->units, PO_DIMENSION_LOAD);
+  const double l = length.factor, f = force.factor;
   po_print_physical_input(given);
-  if (result->has_pull_off)
-    printf("pull-off force %.10g N at approach %.10g m, contact radius %.8g m\n",
-           result->pull_off.force * u->force, result->pull_off.approach * u->length,
-           result->pull_off.contact_radius * u->length);
-  if (result->has_pull_off && isfinite(result->pull_off.force_error))
-    printf("errors   force %.1e N, approach %.1e m, contact radius %.1e m\n",
-           result->pull_off.force_error * u->force, result->pull_off.approach_error * u->length,
-           result->pull_off.contact_radius_error * u->length);
-  po_print_uncertain(result, u->force, "N");
-  print_sensitivity(request, result);
-  print_preload(u, result);
-  if (result->fold_count + result->extremum_count) {
-    printf("%-9s %16s %16s %16s\n", "point", "approach/m", "load/N", "contact radius/m");
-    print_special_points(u, result->folds, result->fold_count);
-    print_special_points(u, result->extrema, result->extremum_count);
+  if (o->has_pull_off)
+    printf("pull-off force %.10g %s at approach %.10g %s, contact radius %.8g %s\n",
+           o->pull_off.force * f, force.text, o->pull_off.approach * l, length.text,
+           o->pull_off.contact_radius * l, length.text);
+  if (o->has_pull_off && isfinite(o->pull_off.force_error))
+    printf("errors   force %.1e %s, approach %.1e %s, contact radius %.1e %s\n",
+           o->pull_off.force_error * f, force.text, o->pull_off.approach_error * l, length.text,
+           o->pull_off.contact_radius_error * l, length.text);
+  po_print_uncertain(o, f, force.text);
+  print_sensitivity(request, o);
+  print_preload(&length, &force, o);
+  if (o->fold_count + o->extremum_count) {
+    printf("%-9s %13s/%s %13s/%s %14s/%s\n", "point", "approach", length.text, "load", force.text,
+           "contact radius", length.text);
+    print_special_points(l, f, o->folds, o->fold_count);
+    print_special_points(l, f, o->extrema, o->extremum_count);
   }
 }

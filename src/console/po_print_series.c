@@ -11,20 +11,34 @@
 #include "po_memory.h"
 #include "po_print.h"
 #include "po_print_physical.h"
+#include "po_si.h"
 #include "po_tables.h"
 
 static bool is_physical(const po_printed_series *series) {
   return series->requests[0].in_si;
 }
 
-/* The factors from epsilon and the unit of the load to the units that are printed. */
+/* The factors from epsilon and the unit of the load to the units of a table. */
 static po_units shown_units(const po_request *request) {
   return request->in_si ? request->units : (po_units){.length = 1, .force = 1};
 }
 
+/* The same to the units that are printed, which have the prefixes of the first scene. */
+static po_units printed_units(const po_printed_series *series, size_t k) {
+  po_units u = shown_units(&series->requests[k]);
+  if (is_physical(series)) {
+    const po_units *first = &series->requests[0].units;
+    u.length *= po_si_prefixed(first, PO_DIMENSION_LENGTH).factor / first->length;
+    u.force *= po_si_prefixed(first, PO_DIMENSION_LOAD).factor / first->force;
+  }
+  return u;
+}
+
 static void print_units(const po_printed_series *series) {
   if (is_physical(series))
-    printf("units    lengths in m, loads and forces in N\n");
+    printf("units    lengths in %s, loads and forces in %s\n",
+           po_si_prefixed(&series->requests[0].units, PO_DIMENSION_LENGTH).text,
+           po_si_prefixed(&series->requests[0].units, PO_DIMENSION_LOAD).text);
   else
     printf("units    lengths in epsilon, loads and forces in %s\n",
            po_input_load_unit(&series->requests[0]));
@@ -32,8 +46,8 @@ static void print_units(const po_printed_series *series) {
 
 static void print_row(const po_printed_series *series, size_t k) {
   const po_result *result = &series->results[k];
-  const po_units unit = shown_units(&series->requests[k]);
-  const char *numbers = is_physical(series) ? "%14.8e %8.1e %16.8e %8.1e %14.6g "
+  const po_units unit = printed_units(series, k);
+  const char *numbers = is_physical(series) ? "%14.10g %8.1e %16.10g %8.1e %14.6g "
                                             : "%14.9f %8.1e %16.9f %8.1e %14.6g ";
   printf("%15g ", series->scenes[k].value);
   if (result->has_pull_off)
@@ -86,12 +100,12 @@ static po_status print_rows(const po_printed_series *series) {
 
 /* Prints the rows of one fold, up to that in which it has ended. */
 static void print_fold(const po_printed_series *series, size_t index) {
-  const char *numbers = is_physical(series) ? "%16.9e %8.1e %14.8e %8.1e %14.6g\n"
+  const char *numbers = is_physical(series) ? "%16.10g %8.1e %14.10g %8.1e %14.6g\n"
                                             : "%16.10f %8.1e %14.10f %8.1e %14.6g\n";
   bool there = true;
   for (size_t k = 0; k < series->count && there; ++k) {
     const po_special_point *fold = &series->results[k].folds[index];
-    const po_units unit = shown_units(&series->requests[k]);
+    const po_units unit = printed_units(series, k);
     there = !isnan(fold->approach);
     printf("%-9s %15g ", po_special_kind_name(fold->kind), series->scenes[k].value);
     if (there)
@@ -122,8 +136,8 @@ static po_status write_curve(const po_printed_series *series, const char *file) 
   for (size_t k = 0; k < series->count; ++k)
     rows[k] = (po_series_row){series->scenes[k].value, shown_units(&series->requests[k]),
                               &series->results[k]};
-  const po_status status = po_tables_write_series(file, series->name, is_physical(series),
-                                                  &series->requests[0], rows, series->count);
+  const po_status status =
+      po_tables_write_series(file, series->name, &series->requests[0], rows, series->count);
   free(rows);
   return status;
 }

@@ -2,6 +2,9 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
+
+#include "po_si.h"
 
 /* The theories of the line, at most so many, the nearest one first. Of two with the same force the
  * first one is named. */
@@ -42,7 +45,7 @@ static const char *number_or_dash(const char *format, double value, char text[32
   return text;
 }
 
-static void print_row(const po_theory_row *row, const po_units *units) {
+static void print_row(const po_theory_row *row, const po_si_unit *force) {
   static const char *const HOLDS[] = {"unknown", "no", "yes"};
   char deviation[32], error[32];
   printf("%-26s ", po_theory_words(row->theory));
@@ -51,8 +54,8 @@ static void print_row(const po_theory_row *row, const po_units *units) {
     return;
   }
   printf("%12.7g ", row->force);
-  if (units)
-    printf("%13.6e ", row->force * units->force);
+  if (force)
+    printf("%12.7g ", row->force * force->factor);
   printf("%11s %9s %-7s ", number_or_dash("%+.2f %%", 100.0 * row->deviation, deviation),
          number_or_dash("%.1e %%", 100.0 * row->deviation_error, error), HOLDS[row->holds]);
   char number[32];
@@ -62,11 +65,15 @@ static void print_row(const po_theory_row *row, const po_units *units) {
 }
 
 void po_print_theories(const po_result *result, const po_theory *only, const po_units *units) {
-  printf("%-26s %12s %s%11s %9s %-7s %s\n", "theory", "force", units ? "      force/N " : "",
-         "deviation", "error", "holds", "because of");
+  const po_si_unit unit = units ? po_si_prefixed(units, PO_DIMENSION_LOAD) : (po_si_unit){0};
+  char head[32] = "";
+  if (units)
+    snprintf(head, sizeof head, "%*s%s ", 12 - (int)strlen(unit.name), "force/", unit.text);
+  printf("%-26s %12s %s%11s %9s %-7s %s\n", "theory", "force", head, "deviation", "error", "holds",
+         "because of");
   for (size_t k = 0; k < result->theory_count; ++k)
     if (!only || result->theories[k].theory == *only)
-      print_row(&result->theories[k], units);
+      print_row(&result->theories[k], units ? &unit : NULL);
   printf("%-26s %s\n", "theory", "source");
   for (size_t k = 0; k < result->theory_count; ++k)
     if (!only || result->theories[k].theory == *only)

@@ -13,21 +13,23 @@
 #include "po_memory.h"
 #include "po_profile_table.h"
 #include "po_result_rows.h"
+#include "po_si.h"
 
 /* A column of a table, and the path of its number in the items of a list. */
 typedef struct {
   const char *name, *path;
   bool optional; /* the curve of an external solver does not have it: nan */
+  bool metric;   /* in the metric of the solver, which has no SI unit: not in tables in SI units */
 } column;
 #define LENGTH(list) (sizeof(list) / sizeof *(list))
 
-static const column CURVE[] = {{"position", "position", false},
+static const column CURVE[] = {{"position", "position", false, true},
                                {"approach", "approach", false},
                                {"load", "load", false},
                                {"energy", "energy", true},
                                {"contact_radius", "contact_radius", true},
-                               {"approach_rate", "approach_rate", true},
-                               {"load_rate", "load_rate", true},
+                               {"approach_rate", "approach_rate", true, true},
+                               {"load_rate", "load_rate", true, true},
                                {"unstable_modes", "unstable_modes", false},
                                {"energy_error", "energy_error_estimate", true}};
 
@@ -50,21 +52,50 @@ static const column STEP[] = {{"from_approach", "preload.approach", false},
 
 enum { MOST_COLUMNS = LENGTH(STEP) };
 
-static void add_names(po_text *rows, const char *before, const column *columns, size_t count) {
-  for (size_t c = 0; c < count; ++c)
-    po_text_add(rows, "%s%s", c ? "," : before, columns[c].name);
+/* The columns of a table of a request, and their block. */
+typedef struct {
+  const column *column;
+  size_t count;
+  const po_block *block;
+  const po_request *request;
+} layout;
+#define LAYOUT(columns, block, request) ((layout){columns, LENGTH(columns), &(block), request})
+
+/* Whether a table has a column. In SI units, *unit is that of its numbers. */
+static bool has_column(const layout *l, size_t c, po_si_unit *unit) {
+  const po_row *row = po_block_find(l->block, NULL, l->column[c].path).row;
+  *unit = (po_si_unit){.factor = 1};
+  if (!l->request->in_si)
+    return true;
+  if (row->type == PO_ROW_NUMBER)
+    *unit = po_si_prefixed(&l->request->units, row->dimension);
+  return !l->column[c].metric;
+}
+
+static void add_names(po_text *rows, const char *before, const layout *l) {
+  po_si_unit unit;
+  for (size_t c = 0; c < l->count; ++c)
+    if (has_column(l, c, &unit)) {
+      po_text_add(rows, "%s%s%s%s", before, l->column[c].name, *unit.name ? "_" : "", unit.name);
+      before = ",";
+    }
   po_text_add(rows, "\n");
 }
 
 /* Adds a row for each item of a list, which begins with a text. */
-static void add_items(po_text *rows, const char *before, const column *columns, size_t count,
-                      const po_block *block, const void *list, size_t items) {
+static void add_items(po_text *rows, const char *before, const layout *l, const void *list,
+                      size_t items) {
   double row[MOST_COLUMNS];
   for (size_t i = 0; i < items; ++i) {
-    for (size_t c = 0; c < count; ++c)
-      row[c] = po_block_number(block, (const char *)list + i * block->size, columns[c].path);
+    size_t used = 0;
+    po_si_unit unit;
+    for (size_t c = 0; c < l->count; ++c)
+      if (has_column(l, c, &unit))
+        row[used++] =
+            po_si_value(&unit, po_block_number(l->block, (const char *)list + i * l->block->size,
+                                               l->column[c].path));
     po_text_add(rows, "%s", before);
-    po_csv_add_row(rows, row, count);
+    po_csv_add_row(rows, row, used);
   }
 }
 
@@ -101,30 +132,41 @@ static po_status write_table(const char *path, const po_request *request, const 
 po_status po_tables_write_curve(const char *path, const po_request *request,
                                 const po_result *result, char *digest) {
   po_text rows = {0};
-  add_names(&rows, "", CURVE, LENGTH(CURVE));
-  add_items(&rows, "", CURVE, LENGTH(CURVE), &PO_CURVE_ROWS, result->curve, result->curve_count);
-  return write_table(path, request, "load against approach along the branch",
-                     "approach and contact_radius in epsilon; load in pi w R, compressive > 0; "
-                     "energy in pi w R epsilon, its derivative by the approach is the load; "
-                     "energy_error: bound of its error at this approach, nan: not estimated; "
-                     "position: arclength along the branch in the metric of the solver; "
-                     "approach_rate and load_rate: derivatives by the position",
-                     &rows, digest);
+  const layout l = LAYOUT(CURVE, PO_CURVE_ROWS, request);
+  add_names(&rows, "", &l);
+  add_items(&rows, "", &l, result->curve, result->curve_count);
+  return write_table(
+      path, request, "load against approach along the branch",
+      request->in_si ? "SI, at the end of the name of each column; load compressive > 0; the "
+                       "derivative of the energy by the approach is the load; energy_error: "
+                       "bound of its error at this approach, nan: not estimated"
+                     : "approach and contact_radius in epsilon; load in pi w R, compressive > 0; "
+                       "energy in pi w R epsilon, its derivative by the approach is the load; "
+                       "energy_error: bound of its error at this approach, nan: not estimated; "
+                       "position: arclength along the branch in the metric of the solver; "
+                       "approach_rate and load_rate: derivatives by the position",
+      &rows, digest);
 }
 
 po_status po_tables_write_profile(const char *path, const po_request *request,
                                   const po_result *result, char *digest) {
   po_text rows = {0};
   char approach[PO_NUMBER_LENGTH], what[100];
-  po_number_print(result->profile_approach, approach);
-  snprintf(what, sizeof what, "gap and traction over the radius at approach %s", approach);
-  add_names(&rows, "", PROFILE, LENGTH(PROFILE));
-  add_items(&rows, "", PROFILE, LENGTH(PROFILE), &PO_PROFILE_ROWS, result->profile,
-            result->profile_count);
-  return write_table(path, request, what,
-                     "radius and approach in epsilon; gap H = h/epsilon - 1; traction P = p mu "
-                     "epsilon/w, compressive > 0",
-                     &rows, digest);
+  const layout l = LAYOUT(PROFILE, PO_PROFILE_ROWS, request);
+  const po_si_unit length = request->in_si ? po_si_prefixed(&request->units, PO_DIMENSION_LENGTH)
+                                           : (po_si_unit){.factor = 1};
+  po_number_print(result->profile_approach * length.factor, approach);
+  snprintf(what, sizeof what, "gap and traction over the radius at approach %s%s%s", approach,
+           request->in_si ? " " : "", length.text);
+  add_names(&rows, "", &l);
+  add_items(&rows, "", &l, result->profile, result->profile_count);
+  return write_table(
+      path, request, what,
+      request->in_si ? "SI, at the end of the name of each column; gap: distance of the "
+                       "surfaces; traction compressive > 0"
+                     : "radius and approach in epsilon; gap H = h/epsilon - 1; traction P = p mu "
+                       "epsilon/w, compressive > 0",
+      &rows, digest);
 }
 
 po_status po_tables_write_smoothed(const char *path, const po_request *request) {
@@ -146,49 +188,67 @@ po_status po_tables_write_staircase(const char *path, const po_request *request,
                                     const po_result *result, char *digest) {
   po_text rows = {0};
   const po_staircase *s = result->staircase.of;
+  const layout l = LAYOUT(STEP, PO_STEP_ROWS, request);
   po_text_add(&rows, "control");
-  add_names(&rows, ",", STEP, LENGTH(STEP));
-  add_items(&rows, "displacement,", STEP, LENGTH(STEP), &PO_STEP_ROWS, s[0].step, s[0].count);
-  add_items(&rows, "load,", STEP, LENGTH(STEP), &PO_STEP_ROWS, s[1].step, s[1].count);
-  add_items(&rows, "spring,", STEP, LENGTH(STEP), &PO_STEP_ROWS, s[2].step, s[2].count);
+  add_names(&rows, ",", &l);
+  add_items(&rows, "displacement,", &l, s[0].step, s[0].count);
+  add_items(&rows, "load,", &l, s[1].step, s[1].count);
+  add_items(&rows, "spring,", &l, s[2].step, s[2].count);
   return write_table(
       path, request,
       "pull-off force and dissipated energy as functions of the preload: each row is "
       "a step, the range of greatest approaches (control displacement), loads "
       "(control load) or positions of the base approach + load/stiffness (control spring) "
       "with the same pull-off; open: the curve ends before the step",
-      "approaches in epsilon, -inf for separated bodies; loads and force in pi w R; "
-      "energy in pi w R epsilon, nan: unbounded",
+      request->in_si
+          ? "SI, at the end of the name of each column; approaches -inf for separated bodies; "
+            "energy "
+            "nan: unbounded"
+          : "approaches in epsilon, -inf for separated bodies; loads and force in pi w R; "
+            "energy in pi w R epsilon, nan: unbounded",
       &rows, digest);
 }
 
-po_status po_tables_write_series(const char *path, const char *key, bool si,
-                                 const po_request *first, const po_series_row *row, size_t count) {
+po_status po_tables_write_series(const char *path, const char *key, const po_request *first,
+                                 const po_series_row *row, size_t count) {
+  static const char *const COLUMNS[] = {"force", "approach", "contact_radius"};
+  static const po_dimension DIMENSIONS[] = {PO_DIMENSION_LOAD, PO_DIMENSION_LENGTH,
+                                            PO_DIMENSION_LENGTH};
   po_text rows = {0};
-  char units[120] = "SI units: lengths in m, force in N; errors are estimated bounds";
-  if (!si)
+  char units[120] = "SI, at the end of the name of each column; errors are estimated bounds";
+  double factor[LENGTH(COLUMNS)] = {1, 1, 1}; /* from SI units to those of the columns */
+  if (!first->in_si)
     snprintf(units, sizeof units,
              "approach and contact_radius in epsilon; force in %s; errors are estimated bounds",
              po_input_load_unit(first));
   for (const char *c = key; *c; ++c)
     po_text_add(&rows, "%c", *c == '-' ? '_' : *c);
-  po_text_add(&rows, si ? ",force_n,force_error_n,approach_m,approach_error_m,contact_radius_m,"
-                          "contact_radius_error_m,followed\n"
-                        : ",force,force_error,approach,approach_error,contact_radius,"
-                          "contact_radius_error,followed\n");
+  for (size_t c = 0; c < LENGTH(COLUMNS); ++c) {
+    po_si_unit unit = {.factor = 1};
+    if (first->in_si) {
+      unit = po_si_prefixed(&first->units, DIMENSIONS[c]);
+      factor[c] = unit.factor / po_si_unit_of(&first->units, DIMENSIONS[c]).factor;
+    }
+    const char *between = first->in_si ? "_" : "";
+    po_text_add(&rows, ",%s%s%s,%s_error%s%s", COLUMNS[c], between, unit.name, COLUMNS[c], between,
+                unit.name);
+  }
+  po_text_add(&rows, ",followed\n");
   for (size_t k = 0; k < count; ++k) {
     const po_result *o = row[k].result;
-    const double force = o->has_pull_off ? row[k].unit.force : (double)NAN;
-    const double length = o->has_pull_off ? row[k].unit.length : (double)NAN;
+    const double none = o->has_pull_off ? 1.0 : (double)NAN;
+    const double force = row[k].unit.force * factor[0] * none;
+    const double approach = row[k].unit.length * factor[1] * none;
+    const double radius = row[k].unit.length * factor[2] * none;
     const double values[] = {row[k].value,
                              o->pull_off.force * force,
                              o->pull_off.force_error * force,
-                             o->pull_off.approach * length,
-                             o->pull_off.approach_error * length,
-                             o->pull_off.contact_radius * length,
-                             o->pull_off.contact_radius_error * length,
+                             o->pull_off.approach * approach,
+                             o->pull_off.approach_error * approach,
+                             o->pull_off.contact_radius * radius,
+                             o->pull_off.contact_radius_error * radius,
                              o->followed};
-    po_csv_add_row(&rows, values, sizeof values / sizeof *values);
+    po_csv_add_row(&rows, values, LENGTH(values));
   }
   return write_table(
       path, first, "pull-off of scenes in which one parameter varies; the command solves the first",

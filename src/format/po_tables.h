@@ -9,9 +9,10 @@
 #include "po_status.h"
 
 /* Writes the branch with the columns position, approach, load, energy, contact_radius,
- * approach_rate, load_rate and unstable_modes. The headers state the scene, the units and the
- * checksum of all other lines. The path "-" is standard output. Returned: digest, that checksum,
- * unless it is NULL. Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
+ * approach_rate, load_rate and unstable_modes; of a request in SI units without those in the metric
+ * of the solver, and with the unit at the end of each name: approach_nm. The headers state the
+ * scene, the units and the checksum of all other lines. The path "-" is standard output. Returned:
+ * digest, that checksum, unless it is NULL. Status: PO_CANNOT_WRITE, PO_NO_MEMORY. */
 po_status po_tables_write_curve(const char *path, const po_request *request,
                                 const po_result *result, char *digest);
 
@@ -24,8 +25,8 @@ po_status po_tables_write_profile(const char *path, const po_request *request,
 po_status po_tables_write_staircase(const char *path, const po_request *request,
                                     const po_result *result, char *digest);
 
-/* Writes the smoothed table of the profile at its rows, in the unit of the file, with the columns r,
- * gap and removed: what the row had more. Otherwise as po_tables_write_curve. */
+/* Writes the smoothed table of the profile at its rows, in the unit of the file, with the columns
+ * r, gap and removed: what the row had more. Otherwise as po_tables_write_curve. */
 po_status po_tables_write_smoothed(const char *path, const po_request *request);
 
 /* One scene of a series in which one parameter varies. */
@@ -37,11 +38,10 @@ typedef struct {
 
 /* Writes the pull-offs of a series, one scene in each row, with the columns KEY, force,
  * force_error, approach, approach_error, contact_radius, contact_radius_error and followed (0:
- * traced); nan where a scene has no pull-off. Given: the name of the parameter; si, whether the
- * units are SI units, which the names of the columns then state (force_n, approach_m); the request
- * of the first scene. Otherwise as po_tables_write_curve. */
-po_status po_tables_write_series(const char *path, const char *key, bool si,
-                                 const po_request *first, const po_series_row *row, size_t count);
+ * traced); nan where a scene has no pull-off. Given: the name of the parameter; the request of the
+ * first scene, whose prefixes all rows have. Otherwise as po_tables_write_curve. */
+po_status po_tables_write_series(const char *path, const char *key, const po_request *first,
+                                 const po_series_row *row, size_t count);
 
 /* Read a table of po_tables_write_curve or po_tables_write_profile into result->curve or
  * result->profile. Status: PO_CANNOT_READ, also if the checksum of the table is not `digest`;

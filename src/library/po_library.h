@@ -35,6 +35,9 @@ pulloff_status po_library_end(po_status status, pulloff_message *message);
  */
 po_given po_library_given(const pulloff_scene *scene);
 
+/* The units of a request in SI units. */
+pulloff_units po_library_units(const po_request *request);
+
 /* The request of a scene, with a further value for one key; key -1: none. Status: PO_BAD_INPUT,
  * PO_CANNOT_READ, PO_NO_MEMORY. */
 po_status po_library_request(const pulloff_scene *scene, int key, const char *value,

@@ -220,3 +220,9 @@ pulloff_status pulloff_result_json(const pulloff_result *result, char **text,
 void pulloff_free(char *text) {
   free(text);
 }
+
+bool pulloff_result_units(const pulloff_result *result, pulloff_units *units) {
+  if (result->request.in_si)
+    *units = po_library_units(&result->request);
+  return result->request.in_si;
+}

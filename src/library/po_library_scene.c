@@ -221,7 +221,7 @@ pulloff_status pulloff_scene_get(const pulloff_scene *scene, const char *key, ch
   return po_library_end(status, message);
 }
 
-static pulloff_units units_of(const po_request *request) {
+pulloff_units po_library_units(const po_request *request) {
   const po_units *u = &request->units;
   return (pulloff_units){u->length, u->force, u->work, u->traction};
 }
@@ -257,7 +257,7 @@ static po_status set_physical(pulloff_scene *scene, const pulloff_physical *give
     *scene = *changed;
     *changed = before;
     if (units)
-      *units = units_of(&request);
+      *units = po_library_units(&request);
   }
   pulloff_scene_destroy(changed);
   return status;
@@ -270,6 +270,29 @@ pulloff_status pulloff_scene_set_physical(pulloff_scene *scene, const pulloff_ph
   if (status)
     return po_library_end(status, message);
   status = set_physical(scene, physical, units);
+  po_process_leave(&state);
+  return po_library_end(status, message);
+}
+
+static po_status get_units(const pulloff_scene *scene, pulloff_units *units) {
+  po_request request;
+  const po_status status = po_library_request(scene, -1, NULL, &request);
+  if (status)
+    return status;
+  if (!request.in_si)
+    return po_fail(PO_BAD_INPUT, "the scene is not in SI units: expected modulus_pa, "
+                                 "work_j_per_m2, distance_m and radius_m");
+  *units = po_library_units(&request);
+  return PO_OK;
+}
+
+pulloff_status pulloff_scene_units(const pulloff_scene *scene, pulloff_units *units,
+                                   pulloff_message *message) {
+  po_process_state state;
+  po_status status = po_process_enter(&state);
+  if (status)
+    return po_library_end(status, message);
+  status = get_units(scene, units);
   po_process_leave(&state);
   return po_library_end(status, message);
 }

@@ -24,7 +24,8 @@
  * Units. Lengths are in epsilon, the equilibrium distance of the traction-separation law; loads and
  * forces in pi w R, with the work of adhesion w and the radius R; energies in pi w R epsilon. The
  * approach is positive when the bodies are pressed together, the load when it is compressive.
- * pulloff_scene_set_physical converts a scene from SI units and gives the units of its results.
+ * A scene is in SI units if one of its keys is, such as radius_m; pulloff_scene_units and
+ * pulloff_result_units then give the units of its results.
  *
  * Failures. A function that can fail returns a status and writes one line that says what happened,
  * to which value, and what was expected, to `message`, which may be NULL. On success the message is
@@ -142,11 +143,17 @@ typedef struct {
   double traction; /* w/(mu epsilon), Pa: unit of tractions; INFINITY if rigid */
 } pulloff_units;
 
-/* Sets tabor, radius, amplitude, wavelength and outer_radius from SI units. Given: `units`, may be
- * NULL. Returned: the units of the results in *units. Status: PULLOFF_BAD_INPUT, with the quantity
- * that is out of range; the scene is then unchanged. */
+/* Sets modulus_pa, work_j_per_m2, distance_m, radius_m, amplitude_m, wavelength_m and
+ * outer_radius_m, in place of tabor, radius, amplitude, wavelength and outer_radius. Given:
+ * `units`, may be NULL. Returned: the units of the results in *units. Status: PULLOFF_BAD_INPUT,
+ * with the quantity that is out of range; the scene is then unchanged. */
 pulloff_status pulloff_scene_set_physical(pulloff_scene *scene, const pulloff_physical *physical,
                                           pulloff_units *units, pulloff_message *message);
+
+/* The units of the results of a scene in SI units, as its keys are now. Status: PULLOFF_BAD_INPUT,
+ * also if the scene is not in SI units; *units is then unchanged. */
+pulloff_status pulloff_scene_units(const pulloff_scene *scene, pulloff_units *units,
+                                   pulloff_message *message);
 
 /* Sets a flag that ends solves of the scene soon after it becomes nonzero, with the status
  * PULLOFF_INTERRUPTED; NULL: none. A handler of a signal may set it. It must exist while the scene
@@ -257,6 +264,10 @@ pulloff_status pulloff_result_count(const pulloff_result *result, const char *pa
 pulloff_status pulloff_result_column(const pulloff_result *result, const char *path,
                                      const char *name, double *values, size_t count,
                                      pulloff_message *message);
+
+/* The units of a result, for each of a series its own. Returned: false if its scene was not in SI
+ * units; *units is then unchanged. */
+bool pulloff_result_units(const pulloff_result *result, pulloff_units *units);
 
 /* The JSON document, as the program prints it. Returned: *text, to be released with pulloff_free.
  * Status: PULLOFF_NO_MEMORY. */

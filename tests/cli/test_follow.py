@@ -27,11 +27,11 @@ def tip(*without):
     ("--key is scheme: expected *", "--key scheme --from 1 --to 2"),
     ("--tabor is given, but its value varies (--key): *", "--key tabor --from 1 --to 2 --tabor 1"),
     ("--from is 0 and --to is 2: expected two different values > 0, or --scale linear", "--key tabor --from 0 --to 2"),
-    ("a waviness is given without --wavelength*", "--key tabor --from 1 --to 2 --amplitude 1"),
-    ("both amplitude and amplitude-ratio are given*", "--key amplitude --from 1 --to 2 --amplitude-ratio 0.1 --wavelength 20"),
+    ("--wavelength is missing: expected it beside --amplitude", "--key tabor --from 1 --to 2 --amplitude 1"),
+    ("--amplitude-ratio is 0.1: expected only one of --amplitude and --amplitude-ratio", "--key amplitude --from 1 --to 2 --amplitude-ratio 0.1 --wavelength 20"),
     ("--radius is -3: *", "--key tabor --from 1 --to 2 --radius -3"),
     ("--points is 1: *", "--key tabor --from 1 --to 2 --points 1"),
-    ("--of is fold: expected pull-off or folds", "--key tabor --from 1 --to 2 --of fold"),
+    ("--of is fold: expected pull-off or folds*", "--key tabor --from 1 --to 2 --of fold"),
     ("folds are not followed from scene 1 to the next: *",
      "--key amplitude --from 0 --to 1 --scale linear --points 3 --wavelength 20 --of folds"),
     ("standard output is asked for twice: *", "--key tabor --from 1 --to 2 --curve - --json"),
@@ -224,17 +224,19 @@ def test_modulus_work_and_distance_vary_with_the_tip_at_one_end(key):
 def test_printed_si_units():
     ended = expect(0, "", "follow --key radius-m --from 1e-7 --to 3e-7 --points 3 --curve si.csv" + tip())
     table = pathlib.Path("si.csv").read_text().splitlines()
-    assert "units    lengths in m, loads and forces in N" in ended.out.splitlines()
-    assert any(line.startswith("# units: SI units: lengths in m, force in N") for line in table)
-    assert "radius_m,force_n,force_error_n,approach_m,approach_error_m,contact_radius_m,contact_radius_error_m,followed" in table
+    assert "units    lengths in nm, loads and forces in nN" in ended.out.splitlines()
+    assert any(line.startswith("# units: SI, at the end of the name of each column; ") for line in table)
+    assert "radius_m,force_nN,force_error_nN,approach_nm,approach_error_nm,contact_radius_nm,contact_radius_error_nm,followed" in table
+    points = document("follow --key radius-m --from 1e-7 --to 3e-7 --points 3" + tip())["points"]
     printed = [line.split() for line in ended.out.splitlines() if line[:1] == " "][1:]
     rows = [line.split(",") for line in table if line[0].isdigit()]
     assert len(printed) == len(rows) == 3
-    for a, b in zip(printed, rows):
-        assert a[0] == "%g" % float(b[0]) and a[1] == "%.8e" % float(b[1]) and a[3] == "%.8e" % float(b[3])
+    for a, b, point in zip(printed, rows, points):
+        assert a[0] == "%g" % float(b[0]) and a[1] == "%.10g" % float(b[1]) and a[3] == "%.10g" % float(b[3])
+        assert abs(float(b[1]) / point["physical"]["pull_off"]["force_n"] / 1e9 - 1) < 1e-14
     ended = expect(0, "", "follow --of folds --key distance-m --from 3e-10 --to 4e-10 --points 2 --radius-m 1e-7" + tip("distance-m"))
-    assert ended.count(r"^jump_in +3e-10 +-[0-9.]*e-10 .* -[0-9.]*e-09 ")
-    assert "units    lengths in m, loads and forces in N" in ended.out.splitlines()
+    assert ended.count(r"^jump_in +3e-10 +-0[.][0-9]* .* -[0-9.]* ")
+    assert "units    lengths in nm, loads and forces in nN" in ended.out.splitlines()
 
 
 def test_one_warning_for_a_series_that_looks_like_metres():

@@ -5,7 +5,7 @@ import math
 import re
 
 import pytest
-from conftest import document, expect
+from conftest import document, expect, run
 
 E, W, EPS, R = 1.3385e9, 0.0537, 3.1e-10, 2.7e-8
 BODY = f" --from-physical --modulus-pa {E:g} --work-j-per-m2 {W} --distance-m {EPS} --radius-m {R}"
@@ -65,11 +65,67 @@ def test_errors_of_panels_in_si_units():
 
 def test_the_printed_result():
     printed = expect(0, "", "solve --scheme triangle --nodes 101" + BODY)
-    assert printed.count("^pull-off force [0-9.e-]* N at approach [0-9.e-]* m")
+    d = document("solve --scheme triangle --nodes 101" + BODY)
+    found = d["physical"]["pull_off"]
+    assert (f"pull-off force {found['force_n'] * 1e9:.10g} nN at approach {found['approach_m'] * 1e9:.10g} nm, contact radius "
+            f"{found['contact_radius_m'] * 1e9:.8g} nm") in printed.out.splitlines()
+    assert printed.count("^point +approach/nm +load/nN +contact radius/nm$")
     assert "physical modulus_pa 1.3385e+09 work_j_per_m2 0.0537 distance_m 3.1e-10 radius_m 2.7e-08" in printed.out.splitlines()
     printed = expect(0, "", "solve --preload-m 4e-10 --scheme triangle --nodes 101" + BODY)
     assert printed.count("^physical .* preload_m 4e-10$")
-    assert printed.count("^preload  loading to approach [0-9.e-]+ m, load [0-9.e-]+ N, or more gives this pull-off$")
+    assert printed.count("^preload  loading to approach [0-9.e-]+ nm, load [0-9.e-]+ nN, or more gives this pull-off$")
+
+
+def test_numbers_that_have_a_rounding_error_are_printed_as_they_were_given():
+    """3e-8/3e-10 is 99.99999999999999 in doubles, and the scene keeps that. A number that is no other with 15 digits but for
+    rounding stays, and so does every number of a dimensionless scene."""
+    tip = " --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 --distance-m 3e-10 --radius-m 3e-8"
+    line = expect(0, "", "solve --scheme ring --nodes 51 --amplitude-m 4e-10 --wavelength-m 6e-9" + tip).out.splitlines()[0]
+    assert " radius 100 " in line and " wavelength 20 " in line and " amplitude 1.3333333333333335 " in line
+    assert document("solve --scheme ring --nodes 51" + tip)["input"]["radius"] == 3e-8 / 3e-10 != 100
+    assert " radius 99.99999999999999 " in expect(0, "", "solve --scheme ring --nodes 51 --radius 99.99999999999999").out
+
+
+def columns(words):
+    """The columns of a table on standard output, and what the name of each says after its last underline."""
+    lines = [line for line in run(words).out.splitlines() if not line.startswith("#")]
+    return {name: [float(x) if x[-1].isdigit() else x for x in column]
+            for name, *column in zip(*(line.split(",") for line in lines))}
+
+
+def test_tables_in_si_units():
+    """A table of a scene in SI units has the numbers of the dimensionless one in the units that its names state."""
+    tip = " --from-physical --modulus-pa 5e9 --work-j-per-m2 0.08 --distance-m 3e-10 --radius-m 3e-8"
+    i = document("solve --tolerance 1e-4" + tip)["input"]
+    same = f" --tabor {i['tabor']!r} --radius {i['radius']!r}"
+    force, length = math.pi * 0.08 * 3e-8 * 1e9, 0.3
+    size = {"nm": length, "nN": force, "aJ": force * length, "MPa": 0.08 / 3e-10 / i["tabor"] / 1e6}
+    for option in "curve", "profile-csv", "staircase":
+        words = f"solve --tolerance 1e-4 --{option} -"
+        plain, si = columns(words + same), columns(words + tip)
+        assert len(si) > 2 and not {name for name in si if "position" in name or "rate" in name}
+        for name, values in si.items():
+            key, _, unit = name.rpartition("_")
+            key, factor = (key, size[unit]) if unit in size else (name, 1)
+            for a, b in zip(values, plain[key], strict=True):
+                b = 1 + b if key == "gap" else b
+                assert a == b or near(a, b * factor, 4e-14), name
+
+
+def test_printed_loops_and_staircases_in_si_units():
+    tip = " --from-physical --modulus-pa 5e9 --work-j-per-m2 0.08 --distance-m 3e-10 --radius-m 3e-8 --amplitude-m 4e-10 --wavelength-m 6e-9"
+    words = "solve --tolerance 1e-4 --want hysteresis,preload --preload-load-n 2e-9 --stiffness-n-per-m 2" + tip
+    printed, d = expect(0, "", words), document(words)
+    force, length = math.pi * 0.08 * 3e-8 * 1e9, 0.3
+    loop = d["hysteresis"]["spring"]
+    assert printed.count(rf"^spring of stiffness 2 N/m: loading reversed at approach {loop['preload']['approach'] * length:.6g} nm, "
+                         rf"load 2 nN; measured pull-off force {loop['pull_off']['force'] * force:.8g} nN at approach .* nm; "
+                         rf"energy lost {loop['energy_lost'] * force * length:.6g} aJ, error ")
+    jump = loop["jumps"][0]
+    assert printed.count(rf"^1 +loading .* {jump['before']['load'] * force:.8g} +{jump['after']['load'] * force:.8g} ")
+    assert printed.count("^load control: pull-off force against preload, in nm, nN and aJ$") == 1
+    step = d["staircase"]["displacement_control"]["steps"][0]
+    assert printed.count(f" {step['force'] * force:.10g} +[0-9.e-]+ +{step['approach'] * length:.10g} ")
 
 
 def test_the_rigid_sphere_has_the_force_of_bradley():

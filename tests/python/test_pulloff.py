@@ -98,6 +98,27 @@ class SameNumbers(unittest.TestCase):
         self.assertEqual(result.pull_off.force * result.units.force, physical["pull_off"]["force_n"])
         self.assertEqual(scene.units.length, physical["units"]["length_m"])
         self.assertEqual(scene.units.traction, physical["units"]["traction_pa"])
+        self.assertIsNone(pulloff.Scene(tabor=2).units)
+
+    def test_keys_in_si_units(self):
+        tip = {"modulus_pa": 2e9, "work_j_per_m2": 0.05, "distance_m": 3e-10, "radius_m": 1e-7}
+        options = ["--from-physical"] + [word for key, value in {**tip, "preload_load_n": 2e-9, "stiffness_n_per_m": 2.0}.items()
+                                         for word in ("--" + key.replace("_", "-"), repr(value))]
+        shown = program("solve", *options)
+        shown.pop("physical")
+        result = pulloff.solve(**tip, preload_load_n=2e-9, stiffness_n_per_m=2.0, want="hysteresis")
+        self.assertEqual(timeless(shown), timeless(result.document))
+        del tip["radius_m"]
+        values = [1e-7, 2e-7, 3e-7]
+        results = pulloff.follow("radius_m", values, **tip)
+        for radius, one in zip(values, results):
+            self.assertEqual(one.units.force, math.pi * 0.05 * radius)
+            alone = pulloff.solve(radius_m=radius, **tip)
+            self.assertAlmostEqual(one.pull_off.force / alone.pull_off.force, 1, 6)
+        with self.assertRaisesRegex(pulloff.Error, "radius_m is missing: expected a finite number > 0; .*"):
+            pulloff.solve(**tip)
+        with self.assertRaisesRegex(pulloff.Error, "expected only one of preload_load and preload_load_n"):
+            pulloff.solve(**tip, radius_m=1e-7, preload_load=1, preload_load_n=1e-9)
 
 
 class Scenes(unittest.TestCase):

@@ -1,0 +1,156 @@
+#include "po_print_test.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "po_path.h"
+#include "po_result_rows.h"
+
+/* The factors of printed numbers, and what follows them: 1 and nothing, or SI units. */
+typedef struct {
+  double length, load, energy, stiffness;
+  char of_length[12], of_load[12], of_energy[12], of_stiffness[12];
+  char words[48]; /* all of them */
+} units;
+
+static units units_of(const po_request *request) {
+  units u = {.length = 1, .load = 1, .energy = 1, .stiffness = 1};
+  const struct {
+    po_dimension dimension;
+    double *factor;
+    char *text;
+  } items[] = {{PO_DIMENSION_LENGTH, &u.length, u.of_length},
+               {PO_DIMENSION_LOAD, &u.load, u.of_load},
+               {PO_DIMENSION_ENERGY, &u.energy, u.of_energy},
+               {PO_DIMENSION_STIFFNESS, &u.stiffness, u.of_stiffness}};
+  if (!request->in_si)
+    return u;
+  for (size_t i = 0; i < sizeof items / sizeof *items; ++i) {
+    const po_si_unit unit = po_si_prefixed(&request->units, items[i].dimension);
+    *items[i].factor = unit.factor;
+    snprintf(items[i].text, sizeof u.of_load, " %s", unit.text);
+  }
+  snprintf(u.words, sizeof u.words, ", in%s,%s and%s", u.of_length, u.of_load, u.of_energy);
+  return u;
+}
+
+const char *po_print_error(double error, char text[16]) {
+  snprintf(text, 16, isfinite(error) ? "%.1e" : "", error);
+  return text;
+}
+
+static void name_spring(po_control control, const units *u, char held[64]) {
+  snprintf(held, 64, "spring of stiffness %.6g%s", control * u->stiffness, u->of_stiffness);
+}
+
+/* A finite number, or `word`. */
+static const char *finite_or(double value, const char *word, char text[32]) {
+  if (isfinite(value))
+    snprintf(text, 32, "%.8g", value);
+  else
+    snprintf(text, 32, "%s", word);
+  return text;
+}
+
+static void print_staircase(const char *theory, const char *control, const po_staircase *s,
+                            const units *u) {
+  char held[64];
+  if (po_is_spring(s->control))
+    name_spring(s->control, u, held);
+  printf("%s%s: pull-off force against preload%s\n%14s %14s %-9s %14s %16s %8s %16s %14s %8s\n",
+         theory, po_is_spring(s->control) ? held : control, u->words, "from approach", "load",
+         "begins at", po_is_spring(s->control) ? "until base" : "until", "force", "error",
+         "at approach", "energy lost", "error");
+  for (size_t k = 0; k < s->count; ++k) {
+    const po_step *step = &s->step[k];
+    const po_cycle *cycle = &step->cycle[0];
+    const double end = po_held(s->control, step->until.approach, step->until.load) *
+                       (s->control == PO_LOAD_CONTROL ? u->load : u->length);
+    char from[32], until[32], error[16], lost[32], lost_error[16];
+    printf("%14s %14.8g %-9s %14s %16.10g %8s %16.10g %14s %8s\n",
+           finite_or(step->preload.approach * u->length, "contact", from),
+           step->preload.load * u->load, step->jumped ? "jump" : "minimum",
+           finite_or(step->open ? (double)NAN : end, "open", until), -step->pull_off.load * u->load,
+           po_print_error(step->pull_off_error.load * u->load, error),
+           step->pull_off.approach * u->length,
+           finite_or(cycle->loss.energy * u->energy, "boundless", lost),
+           po_print_error(cycle->energy_error * u->energy, lost_error));
+  }
+}
+
+/* The staircases of the solve, and those of the JKR theory if the scene has one: Eq 5 for the
+ * scenes of the paper, the Abel transform of the profile for others. */
+static void print_staircases(const po_scene *scene, const po_result *o, const units *u) {
+  static const char *const CONTROL[] = {"displacement control", "load control", ""};
+  const char *jkr = po_scene_is_of_paper(scene) ? "JKR theory (Eq 5), " : "JKR theory, ";
+  for (int k = 0; k < 2 + o->staircase.has_spring; ++k)
+    print_staircase("", CONTROL[k], &o->staircase.of[k], u);
+  for (int k = 0; o->theory.has_staircases && k < 2 + o->theory.staircase.has_spring; ++k)
+    print_staircase(jkr, CONTROL[k], &o->theory.staircase.of[k], u);
+}
+
+/* One cycle of loading and unloading: where loading was reversed, the measured pull-off, and every
+ * jump. */
+static void print_loop(const char *control, const po_loop *loop, const units *u) {
+  const bool spring = po_is_spring(loop->control);
+  char error[16];
+  const double length = u->length, load = u->load;
+  printf("%s: loading reversed at approach %.6g%s, load %.6g%s; measured pull-off force %.8g%s at "
+         "approach %.8g%s",
+         control, loop->preload.approach * length, u->of_length, loop->preload.load * load,
+         u->of_load, fmax(0.0, -loop->pull_off.load) * load, u->of_load,
+         loop->pull_off.approach * length, u->of_length);
+  if (isfinite(loop->energy_lost))
+    printf("; energy lost %.6g%s", loop->energy_lost * u->energy, u->of_energy);
+  if (isfinite(loop->energy_lost_error))
+    printf(", error %s", po_print_error(loop->energy_lost_error * u->energy, error));
+  printf("\n%-5s%-10s %s%14s %14s %14s %14s %12s %8s\n", "jump", "phase",
+         spring ? "          base " : "", "approach", "to", "load", "to", "energy lost", "error");
+  for (size_t k = 0; k < loop->jump_count; ++k) {
+    const po_jump *jump = &loop->jumps[k];
+    po_label label;
+    po_jump_label(jump->loading, k + 1 - (jump->loading ? 0 : loop->loading_jumps), label);
+    char from[32], to[32], lost[32];
+    printf("%-5s%-10s ", label, jump->loading ? "loading" : "unloading");
+    if (spring)
+      printf("%14.8g ", po_held(loop->control, jump->before.approach, jump->before.load) * length);
+    printf("%14s %14s %14.8g %14.8g %12s", finite_or(jump->before.approach * length, "apart", from),
+           finite_or(jump->after.approach * length, "apart", to), jump->before.load * load,
+           jump->after.load * load, finite_or(jump->energy_lost * u->energy, "boundless", lost));
+    if (isfinite(jump->energy_lost_error))
+      printf(" %8s", po_print_error(jump->energy_lost_error * u->energy, error));
+    printf("\n");
+  }
+}
+
+/* The results of --want that are too long for the terminal: their size, and which option writes
+ * them. */
+static void print_wanted(const po_request *request, const po_result *o, const units *u) {
+  if (request->want & PO_WANT_CURVE)
+    printf("curve    %zu points; --curve FILE or --json writes them\n", o->curve_count);
+  if (!(request->want & PO_WANT_PROFILE) || o->profile_count == 0)
+    return;
+  printf("profile  %zu radii at approach %.8g%s; --profile FILE or --json writes them\n",
+         o->profile_count, o->profile_approach * u->length, u->of_length);
+  printf("annuli   in contact: ");
+  for (size_t k = 0; k < o->annuli.held_count; ++k)
+    printf("%s%.6g to %.6g%s", k ? ", " : "", o->annuli.held[k].inner * u->length,
+           o->annuli.held[k].outer * u->length, u->of_length);
+  printf("%s\n", o->annuli.held_count ? "" : "none");
+}
+
+void po_print_test(const po_request *request, const po_result *result) {
+  const units u = units_of(request);
+  if (result->has_hysteresis) {
+    print_loop("displacement control", &result->hysteresis.displacement, &u);
+    print_loop("load control", &result->hysteresis.load, &u);
+    if (result->hysteresis.has_spring) {
+      char held[64];
+      name_spring(result->hysteresis.spring.control, &u, held);
+      print_loop(held, &result->hysteresis.spring, &u);
+    }
+  }
+  if (result->has_staircases)
+    print_staircases(&request->scene, result, &u);
+  print_wanted(request, result, &u);
+}
