@@ -130,7 +130,7 @@ double po_jkr_profile_first(const po_scene *scene) {
  * faster. */
 static double last_radius(const curve *c, double from) {
   double a = fmax(from, po_abel_longest_wave(c->scene));
-  while (a < LARGEST && !(bound_of(c, a, 0.0, a) > 0.0))
+  while (a > 0.0 && a < LARGEST && !(bound_of(c, a, 0.0, a) > 0.0))
     a *= 2.0;
   return a;
 }

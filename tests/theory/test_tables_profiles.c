@@ -328,6 +328,16 @@ START_TEST(unusable_profiles_are_refused) {
 }
 END_TEST
 
+/* The search for the last minimum began at the radius 0 and did not end. */
+START_TEST(a_sphere_beyond_the_range_of_numbers_is_refused) {
+  po_scene scene = po_scene_default();
+  scene.tabor = 7.3e-102;
+  scene.radius = 2.5e-300;
+  po_contact least;
+  ck_assert_int_eq(po_jkr_profile_pull_off(&scene, PO_GIVEN_LOAD, &least), PO_BAD_INPUT);
+}
+END_TEST
+
 START_TEST(maugis_agrees_with_the_table) {
   table t = table_open("maugis_profiles.csv");
   for (size_t row = 0; row < t.csv.row_count; ++row) {
@@ -474,6 +484,7 @@ static void add(TCase *tests) {
   tcase_add_test(tests, rigid_agrees_with_the_table);
   tcase_add_test(tests, rigid_waves_and_tables);
   tcase_add_test(tests, unusable_profiles_are_refused);
+  tcase_add_test(tests, a_sphere_beyond_the_range_of_numbers_is_refused);
 }
 
 int main(void) {
