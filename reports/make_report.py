@@ -2,7 +2,9 @@
 """Writes the report of a run, report.html and report.pdf, from its records. It computes no physics."""
 
 import argparse
+import base64
 import gc
+import gzip
 import hashlib
 import json
 import os
@@ -95,7 +97,7 @@ def live_figures(path):
     try:
         with open(path, encoding="utf-8") as stream:
             found = re.search('id="records">(.*?)</script>', stream.read())
-        return list(json.loads(found[1]))
+        return list(json.loads(gzip.decompress(base64.b64decode(found[1]))))
     except (OSError, ValueError, TypeError):
         return None
 

@@ -26,7 +26,8 @@ plot for [i = 1:curve_count] 'computed.dat' index i-1 using 1:2 with lines \
      for [i = 1:(cross_count > 0)] 'published.dat' using 1:2 with points \
        pointtype 1 pointsize 0.8 linewidth 1.25 linecolor rgb black title 'Feng, read off his figure', \
      for [i = 1:(dot_count > 0)] 'rigid.dat' using 1:2 with points \
-       pointtype 7 pointsize 0.5 linecolor rgb vermillion title 'Bradley, rigid'
+       pointtype 7 pointsize 0.5 linecolor rgb vermillion title 'Bradley, rigid', \
+     'links.dat' index 0 @link
 
 unset label
 
@@ -71,6 +72,7 @@ if (soft) {
   plot 'nose.dat' index 0 using 1:2 with lines linecolor rgb black linewidth 1.3, \
        'nose.dat' index 1 using 1:2 with lines linecolor rgb vermillion linewidth 0.7, \
        'folds.dat' index 1 using 1:2 with points pointtype 7 pointsize 0.3 linecolor rgb vermillion, \
-       'folds.dat' index 0 using 1:2 with points pointtype 6 pointsize 0.8 linecolor rgb black
+       'folds.dat' index 0 using 1:2 with points pointtype 6 pointsize 0.8 linecolor rgb black, \
+       'links.dat' index 1 @link
 }
 unset multiplot

@@ -42,7 +42,8 @@ do for [k = 1:2] {
        data index 0 using 1:2 with points pointtype 4 pointsize 0.85 linewidth 1.2 \
          linecolor rgb vermillion title 'computed', \
        for [i = 1:(panel_crosses[k] > 0)] data index 4 using 1:2 with points pointtype 1 \
-         pointsize 0.9 linewidth 1.25 linecolor rgb black title 'Feng, read off a figure'
+         pointsize 0.9 linewidth 1.25 linecolor rgb black title 'Feng, read off a figure', \
+       'links.dat' index k-1 @link
 
   set tmargin at screen high(0.365); set bmargin at screen high(0.115)
   set key off
@@ -77,6 +78,7 @@ if (fold_points) {
   plot 'folds.dat' index 0 using 1:2 with linespoints pointtype 4 pointsize 0.7 linewidth 0.9 \
          linecolor rgb vermillion title 'panels', \
        for [i = 1:paper] 'folds.dat' index 1 using 1:2 with linespoints pointtype 6 pointsize 0.45 \
-         linewidth 0.9 linecolor rgb blue title 'paper’s discretisation, cut at r = R'
+         linewidth 0.9 linecolor rgb blue title 'paper’s discretisation, cut at r = R', \
+       'links.dat' index 2 @link
 }
 unset multiplot

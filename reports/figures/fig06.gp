@@ -17,7 +17,8 @@ plot for [i = 1:line_count] 'rigid.dat' index i-1 using 1:2 with lines \
        linecolor rgb black linewidth 1.2 title (i == 1 ? 'Eq 22' : ''), \
      for [i = 1:mark_count] 'computed.dat' index i-1 using 1:2 with points \
        pointtype 4 pointsize 0.7 linewidth 1.2 linecolor rgb vermillion \
-       title (i == 1 ? 'BEM, μ = 10^{−4}' : '')
+       title (i == 1 ? 'BEM, μ = 10^{−4}' : ''), \
+     'links.dat' index 0 @link
 
 unset label
 set tmargin at screen 0.335; set bmargin at screen 0.105

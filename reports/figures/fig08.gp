@@ -35,7 +35,8 @@ plot NaN with lines linecolor rgb black linewidth 1.1 dashtype 2 title 'JKR limi
      for [i = 1:count] 'computed.dat' index i-1 using 1:2 with points pointtype shape[i] \
        pointsize 0.85 linewidth 1.3 linecolor rgb colour[i] title text[i], \
      for [i = 1:count] 'harder.dat' index i-1 using 1:2 with points pointtype shape[i] + 1 \
-       pointsize 0.7 linecolor rgb colour[i] notitle
+       pointsize 0.7 linecolor rgb colour[i] notitle, \
+     'links.dat' index 0 @link
 
 unset arrow
 set tmargin at screen 0.28; set bmargin at screen 0.09

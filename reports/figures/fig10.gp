@@ -22,7 +22,8 @@ plot for [i = 1:panel_count] NaN with points pointtype form[i] pointsize 0.7 lin
      for [k = 0:groups-1] 'guduru.dat' index k using 1:2 with lines linewidth 0.9 \
        dashtype 2 linecolor rgb colour[k % radius_count + 1] notitle, \
      for [k = 0:groups-1] 'computed.dat' index k using 1:2 with linespoints pointtype form[k / radius_count + 1] \
-       pointsize 0.5 linewidth 0.6 dashtype 4 linecolor rgb colour[k % radius_count + 1] notitle
+       pointsize 0.5 linewidth 0.6 dashtype 4 linecolor rgb colour[k % radius_count + 1] notitle, \
+     'links.dat' index 0 @link
 
 array left[2] = [0.075, 0.555]; array right[2] = [0.505, 0.985]
 array top[2] = [0.555, 0.36]; array bottom[2] = [0.37, 0.175]
@@ -43,7 +44,8 @@ do for [p = 1:panel_count] {
        for [i = 1:radius_count] 'harder.dat' index b+i-1 using 1:2 with points \
          pointtype form[p] + 1 pointsize 0.6 linecolor rgb colour[i] notitle, \
        for [i = 1:(missing ? radius_count : 0)] 'missing.dat' index b+i-1 using 1:2 with points \
-         pointtype 2 pointsize 0.8 linewidth 1.3 linecolor rgb colour[i] notitle
+         pointtype 2 pointsize 0.8 linewidth 1.3 linecolor rgb colour[i] notitle, \
+       'links.dat' index p @link
 }
 unset label
 set lmargin at screen left[1]; set rmargin at screen right[2]

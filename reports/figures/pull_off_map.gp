@@ -41,7 +41,8 @@ plot for [k = 0:level_count] 'regions.dat' index k using 1:2 with filledcurves c
        fillcolor rgb colours[k + 1] fillstyle solid noborder notitle, \
      'lines.dat' using 1:2 with lines linewidth 0.8 linecolor rgb black notitle, \
      for [k = 1:(unknown_count > 0)] 'unknown.dat' using 1:2 with points pointtype 7 pointsize 0.25 \
-       linecolor rgb 'white' notitle
+       linecolor rgb 'white' notitle, \
+     'links.dat' index 0 @link
 unset label 99
 unset arrow 1
 do for [k = 1:label_count] { unset label k; unset object 100 + k }

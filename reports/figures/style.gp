@@ -4,6 +4,9 @@
 if (!exists("figure_height")) figure_height = 480
 if (!exists("figure_width")) figure_width = 680
 
+# The places of links to scenes, 'links.dat' index N @link: the report replaces these marks by links (pulloff_report/live.py).
+link = "using 1:2:(sprintf('link %d', $3)) with labels hypertext point pointtype 7 pointsize 1 notitle"
+
 set encoding utf8
 # The report embeds SVG; `pulloff plot` also draws PNG and PDF, to standard output.
 if (!exists("figure_terminal")) figure_terminal = 'svg'

@@ -136,6 +136,7 @@ class Flattener:
 
     def __init__(self, root, prefix):
         self.prefix = prefix
+        self.places = []   # (number, x, y) of links, see live.py
         self.targets = {node.get("id"): node for node in root.iter() if node.get("id")}
         self.needed = set(re.findall(r"url\(#([^)]+)\)",
                                      ElementTree.tostring(root, encoding="unicode")))
@@ -159,6 +160,10 @@ class Flattener:
             return None
         if kind == "text":
             return set_text(element, dict(look, fill=look.get("fill", colour)))
+        if kind == "g" and "showHypertext" in element.get("onmousemove", ""):
+            place = re.search(r"translate\(([\d.]+),([\d.]+)\)", ElementTree.tostring(element, encoding="unicode"))
+            self.places.append((int(re.search(r"'link (\d+)'", element.get("onmousemove"))[1]), place[1], place[2]))
+            return None
         if kind == "use":
             return self.draw_out(element, colour)
         node = ElementTree.Element(f"{{{SVG}}}{kind}", self.attributes(element, colour))
@@ -188,18 +193,27 @@ class Flattener:
         return group
 
 
-def embeddable(text, prefix, label):
+def embeddable(text, prefix, label, links=None):
     """SVG source as a self-contained HTML element, scaled by its view box.
 
-    prefix makes its identifiers unique in the page; label is the text for readers who cannot see the figure.
+    prefix makes its identifiers unique in the page; label is the text for readers who cannot see the figure; links are
+    those of live.py, see without_links.
     """
     root = ElementTree.fromstring(text)
-    made = Flattener(root, prefix).copy(root)
+    flattener = Flattener(root, prefix)
+    made = flattener.copy(root)
     width, height = number(root.get("width")), number(root.get("height"))
     box = root.get("viewBox") or f"0 0 {width:g} {height:g}"
     made.attrib.clear()
     made.set("viewBox", box)
-    made.set("role", "img")
+    made.set("role", "group" if flattener.places else "img")
     made.set("aria-label", label)
     made.set("font-family", FAMILY)
+    if flattener.places:
+        ElementTree.SubElement(made, f"{{{SVG}}}g", {"class": "scenes"}).extend(links.elements(flattener.places))
     return ElementTree.tostring(made, encoding="unicode")
+
+
+def without_links(drawing):
+    """A drawing as it is without the page to which its scenes are linked."""
+    return re.sub(r'<g class="scenes">.*?</g>', "", str(drawing).replace('role="group"', 'role="img"'), flags=re.DOTALL)

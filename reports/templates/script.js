@@ -110,11 +110,26 @@ async function reveal() {
 }
 addEventListener("hashchange", reveal);
 reveal();
+// The link that covers a map leads to the scene under the pointer; both axes are logarithmic.
+addEventListener("pointermove", (event) => {
+  const link = event.target.closest?.("a[data-tabor]");
+  if (!link) return;
+  const box = link.querySelector("rect").getBoundingClientRect();
+  const nearest = (texts, part) => {
+    const values = texts.split(" ");
+    const wanted = Math.log(values[0]) + part * Math.log(values[values.length - 1] / values[0]);
+    return values.reduce((a, b) => (Math.abs(Math.log(b) - wanted) < Math.abs(Math.log(a) - wanted) ? b : a));
+  };
+  const tabor = nearest(link.dataset.tabor, (event.clientX - box.left) / box.width);
+  const amplitude = nearest(link.dataset.amplitude, (box.bottom - event.clientY) / box.height);
+  link.setAttribute("href", link.getAttribute("href").replace(/tabor=[^&]*/, `tabor=${tabor}`).replace(/amplitude=[^&]*/, `amplitude=${amplitude}`));
+  link.querySelector("title").textContent = `Solve in the browser: tabor=${tabor} amplitude=${amplitude}`;
+});
 // A figure enlarges to the window, where it can be zoomed and moved.
 const zoom = document.getElementById("zoom");
 const stage = zoom.querySelector(".stage");
 let view = { x: 0, y: 0, scale: 1 };
-const pointers = new Map();
+const pointers = new Map(), downs = new Map();  // the last events of the pointers that are down, and the first ones
 function place() {
   stage.firstChild.style.transform = `translate(${view.x}px, ${view.y}px) scale(${view.scale})`;
 }
@@ -137,8 +152,9 @@ for (const picture of document.querySelectorAll("figure .picture")) {
     fit();
     zoom.showModal();
   };
-  picture.addEventListener("click", open);
+  picture.addEventListener("click", (event) => event.target.closest("a") || open());
   picture.addEventListener("keydown", (event) => {
+    if (event.target.closest("a")) return;
     if (event.key === "Enter" || event.key === " ") { event.preventDefault(); open(); }
   });
 }
@@ -150,6 +166,7 @@ stage.addEventListener("dblclick", fit);
 stage.addEventListener("pointerdown", (event) => {
   stage.setPointerCapture(event.pointerId);
   pointers.set(event.pointerId, event);
+  downs.set(event.pointerId, event);
 });
 stage.addEventListener("pointermove", (event) => {
   const before = pointers.get(event.pointerId);
@@ -164,6 +181,11 @@ stage.addEventListener("pointermove", (event) => {
     place();
   }
   pointers.set(event.pointerId, event);
+});
+stage.addEventListener("pointerup", (event) => {  // a click, although the stage has captured the pointer
+  const pressed = downs.get(event.pointerId);
+  const link = document.elementsFromPoint(event.clientX, event.clientY).find((part) => part.closest("a.scene"));
+  if (link && pressed && Math.hypot(event.clientX - pressed.clientX, event.clientY - pressed.clientY) < 4) location = link.closest("a").href.baseVal;
 });
 for (const kind of ["pointerup", "pointercancel"]) {
   stage.addEventListener(kind, (event) => pointers.delete(event.pointerId));

@@ -16,7 +16,7 @@ for folder in ("reports", "tools"):
 
 import count_tests  # noqa: E402
 
-from pulloff_report import findings, fonts, geometry, gnuplot, identity, page, samples, svg, words  # noqa: E402
+from pulloff_report import findings, fonts, geometry, gnuplot, identity, live, page, samples, svg, words  # noqa: E402
 from pulloff_report.errors import ReportError  # noqa: E402
 from pulloff_report.plots import laws, loading, preload, staircase, theories  # noqa: E402
 from pulloff_report.plots.figure import Figure  # noqa: E402
@@ -237,6 +237,47 @@ class Svg(unittest.TestCase):
     def test_the_bar_over_a_letter_is_drawn(self):
         self.assertNotIn("\u0304", self.text)
         self.assertEqual(self.text.count("<path"), 1)
+
+
+class Links(unittest.TestCase):
+    """Links from a drawing to the page with the solver, drawn by gnuplot on logarithmic axes."""
+    MARKER = r'translate\(([\d.]+),([\d.]+)\) scale'
+    POINTS = [{"label": f"tabor={tabor} & more", "command": f"pulloff solve --tabor {tabor} --amplitude {amplitude} --wavelength 20"}
+              for tabor in (0.1, 1, 10) for amplitude in (0.02, 0.2, 2.0)]
+
+    def drawn(self, links, rows):
+        with tempfile.TemporaryDirectory() as folder:
+            script = os.path.join(folder, "one")
+            with open(script + ".gp", "w", encoding="utf-8") as stream:
+                stream.write("set logscale xy\nset xrange [0.1:10]; set yrange [0.02:2]\nplot 'rows.dat' using 1:2 with points notitle, "
+                             "'links.dat' index 0 @link\nunset output\n")
+            return svg.embeddable(gnuplot.draw(script, {}, {"rows": [rows], "links": links.blocks}), "one", "a test", links)
+
+    def test_each_marker_is_a_link_to_its_scene(self):
+        links, rows = live.Links(), []
+        for point in self.POINTS:
+            scene = live.options(point["command"])
+            rows.append((float(scene["tabor"]), float(scene["amplitude"])))
+            links.add(0, rows[-1:], point)
+        text = self.drawn(links, rows)
+        found = re.findall(r'<a class="scene" href="live.html#([^"]*)" tabindex="-1"><title>([^<]*)</title><circle cx="([\d.]+)" cy="([\d.]+)"', text)
+        self.assertEqual([(address, title) for address, title, *_ in found], [
+            (f"tabor={tabor}&amp;amplitude={amplitude}&amp;wavelength=20", f"Solve in the browser: tabor={tabor} &amp; more")
+            for tabor in (0.1, 1, 10) for amplitude in (0.02, 0.2, 2.0)])
+        markers = re.findall(self.MARKER, text)
+        self.assertEqual([place[2:] for place in found], markers)
+        plain = svg.without_links(text)
+        self.assertEqual((plain.count("<a"), plain.count('role="img"'), len(re.findall(self.MARKER, plain))), (0, 1, len(markers)))
+
+    def test_a_map_is_one_link_that_has_its_corners_and_the_values_of_its_scenes(self):
+        cells = live.Cells(self.POINTS)
+        cells.blocks = [[(0.1, 0.02, 0), (10, 2.0, 1)]]
+        text = self.drawn(cells, [(0.1, 0.02), (10, 2.0)])
+        (left, bottom), (right, top) = [[float(value) for value in place] for place in re.findall(self.MARKER, text)]
+        x, y, width, height = (float(value) for value in re.search(r'</title><rect x="(.*?)" y="(.*?)" width="(.*?)" height="(.*?)"', text).groups())
+        for found, wanted in ((x, left), (y, top), (x + width, right), (y + height, bottom)):
+            self.assertAlmostEqual(found, wanted, delta=0.02)
+        self.assertIn('data-tabor="0.1 1 10" data-amplitude="0.02 0.2 2.0"', text)
 
 
 class Laws(unittest.TestCase):

@@ -1,6 +1,8 @@
 """The report as a whole, from made-up records: what stands in it, and that it stands by itself."""
 
+import base64
 import contextlib
+import gzip
 import json
 import os
 import re
@@ -9,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from html import unescape
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 REPORTS = os.path.join(HERE, "..", "..", "reports")
@@ -134,6 +137,23 @@ class Whole(PageTest):
                  "other laws and profiles (pulloff run --suite general)", "which theory holds where (./reproduce --only theories)", "Figure 7, rigid pull-off against α (fig07)",
                  "Figure A. Error against run time.", "Figure B. Error against run time, wavy spheres.")
         self.lacks(self.text, "External solvers", "Claims of the paper")
+
+    def test_markers_link_to_the_page_with_the_solver_if_it_is_there(self):
+        self.lacks(self.html, "live.html", 'class="scene"')
+        beside = tempfile.mkdtemp(dir=self.folder)
+        with open(os.path.join(beside, "live.html"), "w", encoding="utf-8") as stream:
+            stream.write('<script id="records">' + base64.b64encode(gzip.compress(b'{"fig03": {}}')).decode() + "</script>")
+        self.assertEqual(self.make("--output", beside).returncode, 0)
+        with open(os.path.join(beside, "report.html"), encoding="utf-8") as stream:
+            linked = page.unpacked(stream.read())
+        run = records.Run(os.path.join(self.folder, "run"))
+        for name, least in (("fig03", 20), ("fig04", 6)):
+            scenes = {point["command"].removeprefix("pulloff solve ") for case in run.cases if case.name == name for point in case.points}
+            drawing = re.search(f'<figure id="figure-{name}".*?</figure>', linked, re.S)[0]
+            found = [re.sub(r"&?([\w-]+)=", r" --\1 ", unescape(address)).strip() for address in re.findall('href="live.html#([^"]+)" tabindex', drawing)]
+            self.assertGreater(len(found), least)
+            self.assertLessEqual(set(found), scenes)
+            self.assertEqual("Recompute this figure" in drawing, name == "fig03")
 
     def test_what_is_large_is_packed(self):
         self.assertLess(len(self.packed), 0.6 * len(self.html))

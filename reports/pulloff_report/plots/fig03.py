@@ -5,7 +5,7 @@ import dataclasses
 import numpy
 from markupsafe import Markup
 
-from .. import geometry, gnuplot, svg
+from .. import geometry, gnuplot, live, svg
 from ..references import file_name
 from ..words import MINUS, listing, plain, scientific, value_of
 from . import twice
@@ -88,6 +88,7 @@ class Soft:
     minimum: list            # for each: rows (−Δ†, W̄) about the pull-off
     nose: list               # for each: rows about the last jump out of contact
     at_folds: list           # for each: the folds in that range
+    point: dict              # of the record, with panels
     element: float           # element length of the paper's discretisation, in ε
     hop: tuple               # smallest and largest change of the contact radius between successive folds, in ε
 
@@ -119,7 +120,7 @@ def softest(case, points):
                 [[(x, y) for x, y in rows if abs(x - middle) <= NEAR and y < -1] for rows in dense],
                 [[(x, y) for x, y in rows if abs(x + last) <= NOSE and y < other["folds"][0]["load"]] for rows in dense],
                 [[(-fold["approach"], fold["load"]) for fold in folds] for folds in found],
-                other["input"]["radius"] / (other["input"]["nodes"] - 1), hops(inner))
+                point, other["input"]["radius"] / (other["input"]["nodes"] - 1), hops(inner))
     return None
 
 
@@ -133,8 +134,9 @@ def make(case, references):
         order = numpy.argsort(-bradley.numbers("approach"))
         rigid = (-bradley.numbers("approach")[order], bradley.numbers("load")[order])
 
+    dots = thinned(*rigid) if rigid is not None else []
     lines, marks, labels, colours, shapes = [], [], [], [], []
-    strips, said = [[], []], [[], []]
+    strips, said, links = [[], []], [[], []], live.Links(2)
     elastic = 0
     for point in points:
         tabor = value_of(point, "tabor")
@@ -148,6 +150,9 @@ def make(case, references):
         if point.get("pull_off"):
             labels.append((-point["pull_off"]["approach"], -point["pull_off"]["force"],
                            f"μ = {plain(tabor)}", colour))
+            links.add(0, [labels[-1][:2]], point)
+        if near_rigid and dots:
+            links.add(0, dots, point)
         stored = reference_branch(references, tabor)
         if stored is not None:
             for which, one in enumerate((computed, branch(case.companion, beside(case, tabor)))):
@@ -157,11 +162,13 @@ def make(case, references):
                     said[which].append((tabor, max(row[1] for row in rows)))
             if not near_rigid:
                 marks.append(thinned(*stored))
+                links.add(0, marks[-1], point)
                 colours.append(colour)
                 shapes.append(shape)
-    dots = thinned(*rigid) if rigid is not None else []
     crosses = published_points(references)
 
+    if soft:
+        links.add(1, soft.at_folds[0], soft.point)
     low, high = log_range([row[1] for strip in strips for row in strip])
     high *= 100   # room for the key
     parameters = {
@@ -177,12 +184,12 @@ def make(case, references):
         "low": low, "high": high, "cut": twice.CUT}
     drawn = gnuplot.draw("fig03", parameters, {"computed": lines or [[]], "reference": marks or [[]],
                                                "rigid": [dots], "published": [crosses],
-                                               "residual": strips,
+                                               "residual": strips, "links": links.blocks,
                                                "minimum": soft.minimum if soft else [[]],
                                                "nose": soft.nose if soft else [[]],
                                                "folds": soft.at_folds if soft else [[]]})
     label = "Load against minus the approach for several Tabor parameters, with reference markers"
-    return Figure("fig03", NUMBER, TITLE, Markup(svg.embeddable(drawn, "fig03", label)),
+    return Figure("fig03", NUMBER, TITLE, Markup(svg.embeddable(drawn, "fig03", label, links)),
                   caption(case, marks, dots, crosses, said, soft),
                   remarks(case, points, lines, marks, dots), case.record["command"])
 

@@ -4,7 +4,7 @@ import math
 
 from markupsafe import Markup
 
-from .. import gnuplot, svg
+from .. import gnuplot, live, svg
 from ..words import MINUS, plain, scientific, value_of
 from . import twice
 from .figure import Figure, checks_of, failures, log_range, tolerance_of
@@ -51,10 +51,12 @@ def folds(case):
 
 
 def make(case, references):
-    data, parameters, said = {}, {}, []
-    for quantity, field, sign, name in PANELS:
-        computed = [(tabor, sign * point["pull_off"][field]) for tabor, point in by_tabor(case)
-                    if point.get("pull_off")]
+    data, parameters, said, links = {}, {}, [], live.Links(3)
+    for panel, (quantity, field, sign, name) in enumerate(PANELS):
+        solved = [(tabor, sign * point["pull_off"][field], point) for tabor, point in by_tabor(case) if point.get("pull_off")]
+        computed = [row[:2] for row in solved]
+        for *place, point in solved:
+            links.add(panel, [place], point)
         reference, crosses = (rows_of(references, table, field, sign) for table in (PULL_OFF, PUBLISHED))
         found, limit = residuals(case, quantity)
         paper = residuals(case.companion, quantity)[0]
@@ -67,11 +69,15 @@ def make(case, references):
         if found:
             said.append((name, max(found, key=lambda row: row[1]), max(paper, key=lambda row: row[1], default=None)))
     data["folds"] = [folds(case), folds(case.companion)]
+    for tabor, point in by_tabor(case):
+        if point.get("folds") is not None:
+            links.add(2, [(tabor, len(point["folds"]))], point)
+    data["links"] = links.blocks
     parameters.update({"cut": twice.CUT, "paper": 1 if case.companion else 0, "fold_points": len(data["folds"][0]),
                        "figure_height": 600 if data["folds"][0] else 480})
     drawn = gnuplot.draw("fig04", parameters, data)
     label = "Pull-off force and minus the approach at pull-off against the Tabor parameter"
-    return Figure("fig04", NUMBER, TITLE, Markup(svg.embeddable(drawn, "fig04", label)),
+    return Figure("fig04", NUMBER, TITLE, Markup(svg.embeddable(drawn, "fig04", label, links)),
                   caption(case, data, said), remarks(case, references), case.record["command"])
 
 

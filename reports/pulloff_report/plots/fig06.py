@@ -3,7 +3,7 @@
 import numpy
 from markupsafe import Markup
 
-from .. import geometry, gnuplot, svg
+from .. import geometry, gnuplot, live, svg
 from ..words import MINUS, plain, scientific, value_of
 from . import twice
 from .figure import Figure, log_range
@@ -17,11 +17,11 @@ APART = 0.22              # distance between markers, see geometry.thinned
 
 
 def branch(case, alpha):
-    """(−Δ†, W̄, position) of the computed branch of this α, or None."""
+    """(−Δ†, W̄, position) of the computed branch of this α, and its point of the record; or None."""
     for point in case.points if case else []:
         if numpy.isclose(value_of(point, "alpha"), alpha, rtol=1e-9) and point.get("curve"):
             table = case.curve(point)
-            return -table.numbers("approach"), table.numbers("load"), table.numbers("position")
+            return (-table.numbers("approach"), table.numbers("load"), table.numbers("position")), point
     return None
 
 
@@ -49,15 +49,16 @@ def residual(computed, stored):
 def make(case, references):
     lines = {key[0]: [(-a, b) for a, b in block] for key, block in
              twice.table_blocks(case.line("rigid"), ["alpha"], "approach", "load").items()}
-    marks, strips, labels = [], [[], []], []
+    marks, strips, labels, links = [], [[], []], [], live.Links()
     for alpha in sorted(lines):
         stored = reference(references, alpha)
         for which, one in enumerate((case, case.companion)):
-            computed = branch(one, alpha)
+            computed, point = branch(one, alpha) or (None, None)
             if computed is None:
                 continue
             if which == 0:
                 marks.append(markers(computed))
+                links.add(0, marks[-1], point)
             if stored is not None:
                 strips[which] += residual(computed, stored)
         x, y = min(lines[alpha], key=lambda row: row[1])
@@ -70,9 +71,9 @@ def make(case, references):
         "label_text": [item[2] for item in labels], "low": low, "high": high, "cut": twice.CUT,
         "figure_height": 430, "x_min": WINDOW[0], "x_max": WINDOW[1], "y_min": LOADS[0], "y_max": LOADS[1]},
         {"rigid": [lines[key] for key in sorted(lines)], "computed": marks or [[]],
-         "residual": strips})
+         "residual": strips, "links": links.blocks})
     label = "Load against minus the approach of rigid wavy spheres for five values of alpha"
-    return Figure("fig06", NUMBER, TITLE, Markup(svg.embeddable(drawn, "fig06", label)),
+    return Figure("fig06", NUMBER, TITLE, Markup(svg.embeddable(drawn, "fig06", label, links)),
                   caption(case, strips), twice.remarks(case), case.record["command"])
 
 

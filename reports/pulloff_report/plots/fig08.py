@@ -2,7 +2,7 @@
 
 from markupsafe import Markup
 
-from .. import gnuplot, svg
+from .. import gnuplot, live, svg
 from ..words import listing, plain, scientific
 from . import preload, twice
 from .figure import BLUE, GREEN, VERMILLION, Figure, log_range
@@ -24,6 +24,9 @@ def by_amplitude(found, amplitudes=None):
 def make(case, references):
     amplitudes, marks = by_amplitude({key: value[0] for key, value in twice.rows(case, KEYS).items()})
     _, harder = by_amplitude(preload.larger(case, KEYS), amplitudes)
+    links = live.Links()
+    for (_, tabor), point in twice.solved(case, KEYS):
+        links.add(0, [(tabor, point["pull_off"]["force"])], point)
     _, strips = by_amplitude(twice.differences(case, KEYS) if case.companion else {})
     guduru = twice.table_blocks(case.line("guduru"), ["amplitude"], "tabor", "pull_off_force")
     rigid = {key: rows[0][1] for key, rows in
@@ -38,9 +41,9 @@ def make(case, references):
         "above": 2.0 * max((row[1] for rows in guduru.values() for row in rows), default=50.0),
         "figure_height": 470, "low": low, "high": high, "cut": twice.CUT},
         {"computed": marks or [[]], "harder": harder or [[]], "guduru": [guduru[key] for key in sorted(guduru)] or [[]],
-         "difference": strips or [[]]})
+         "difference": strips or [[]], "links": links.blocks})
     label = "Pull-off force against the Tabor parameter for three amplitudes"
-    return Figure("fig08", NUMBER, TITLE, Markup(svg.embeddable(drawn, "fig08", label)),
+    return Figure("fig08", NUMBER, TITLE, Markup(svg.embeddable(drawn, "fig08", label, links)),
                   caption(case, amplitudes, strips, last), twice.remarks(case), case.record["command"])
 
 

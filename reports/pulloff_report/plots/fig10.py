@@ -2,7 +2,7 @@
 
 from markupsafe import Markup
 
-from .. import gnuplot, svg
+from .. import gnuplot, live, svg
 from ..words import count, listing, plain, scientific, value_of
 from . import preload, twice
 from .figure import BLUE, GREEN, VERMILLION, Figure, log_range
@@ -27,6 +27,10 @@ def make(case, references):
     radii = sorted({group[1] for group in groups})
     missing = {tuple(value_of(point, key) for key in KEYS): FLOOR for point in case.unsolved_points()}
     guduru = twice.table_blocks(case.line("guduru"), KEYS[:2], KEYS[2], "pull_off_force")
+    links = live.Links(1 + len(wavelengths))   # of (a), then of each panel of (b)
+    for (wavelength, _, ratio), point in twice.solved(case, KEYS):
+        for block in (0, 1 + wavelengths.index(wavelength)):
+            links.add(block, [(ratio, point["pull_off"]["force"])], point)
     strips = blocks_of(twice.differences(case, KEYS, relative=True) if case.companion else {}, groups)
     low, high = log_range([row[1] for strip in strips for row in strip])
     drawn = gnuplot.draw("fig10", {
@@ -37,9 +41,9 @@ def make(case, references):
         "low": low, "high": high, "floor": FLOOR},
         {"computed": blocks_of(forces, groups), "harder": blocks_of(preload.larger(case, KEYS), groups),
          "missing": blocks_of(missing, groups),
-         "guduru": [guduru.get(group, []) for group in groups], "difference": strips})
+         "guduru": [guduru.get(group, []) for group in groups], "difference": strips, "links": links.blocks})
     label = "Pull-off force against amplitude over wavelength, one panel for each wavelength"
-    return Figure("fig10", NUMBER, TITLE, Markup(svg.embeddable(drawn, "fig10", label)),
+    return Figure("fig10", NUMBER, TITLE, Markup(svg.embeddable(drawn, "fig10", label, links)),
                   caption(case, forces, missing, strips), twice.remarks(case), case.record["command"])
 
 

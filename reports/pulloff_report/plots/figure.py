@@ -6,6 +6,8 @@ import re
 
 from markupsafe import Markup
 
+from .. import svg as drawings
+
 # The palette of Okabe and Ito, which colour-blind readers can distinguish.
 BLUE, GREEN, VERMILLION, ORANGE = "#0072B2", "#009E73", "#D55E00", "#E69F00"
 TALL = 0.9  # height of a figure over its width from which it has a page for itself
@@ -31,6 +33,11 @@ class Figure:
         boxes = [(float(width), float(height)) for width, height in
                  re.findall(r'viewBox="\S+ \S+ ([\d.]+) ([\d.]+)"', self.svg)]
         return sum(height / width for width, height in boxes)
+
+    @property
+    def unlinked(self):
+        """The drawings without links to scenes."""
+        return Markup(drawings.without_links(self.svg))
 
     @property
     def is_tall(self):

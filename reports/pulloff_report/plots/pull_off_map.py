@@ -7,7 +7,7 @@ import contourpy
 import numpy
 from markupsafe import Markup
 
-from .. import gnuplot, svg
+from .. import gnuplot, live, svg
 from ..words import count, plain, ratio, scientific, value_of
 from . import preload
 from .figure import Figure, cividis, failures
@@ -95,8 +95,8 @@ def edge(case, name, columns):
     return list(zip(*(table.numbers(column).tolist() for column in columns))) if table else []
 
 
-def drawn(case, name, title, force, unknown=()):
-    """One map; `unknown` are the scenes where the largest force is not known."""
+def drawn(case, scenes, name, title, force, unknown=()):
+    """One map of the scenes of a case; `unknown` are the scenes where the largest force is not known."""
     tabors, ratios = sorted({t for t, _ in force}), sorted({r for _, r in force})
 
     def height(ratio):
@@ -122,17 +122,17 @@ def drawn(case, name, title, force, unknown=()):
         "mark": height(MARKED), "greatest": GREATEST,
         "left_tabor": plain(tabors[0]), "right_tabor": plain(tabors[-1])}
     data = {"regions": regions, "lines": [lines], "left": [rigid, left], "right": [guduru, right],
-            "unknown": [[(width(t), height(r)) for t, r in unknown]]}
+            "unknown": [[(width(t), height(r)) for t, r in unknown]], "links": live.Cells.blocks}
     label = f"Pull-off force over the Tabor parameter and A/λ, {title}"
-    return Markup(svg.embeddable(gnuplot.draw("pull_off_map", parameters, data), name, label))
+    return Markup(svg.embeddable(gnuplot.draw("pull_off_map", parameters, data), name, label, live.Cells([point for point in scenes.points if place(point) in force])))
 
 
 def make(case, references):
     force = forces(case)
     wavelength = case.points[0]["input"]["wavelength"]
-    pictures = drawn(case, case.name, f"(a) {preload.declared(case)}", force)
+    pictures = drawn(case, case, case.name, f"(a) {preload.declared(case)}", force)
     if case.any_preload:
-        pictures += drawn(case, case.name + "-any", "(b) at any preload", *forces_at_any_preload(case.any_preload))
+        pictures += drawn(case, case.any_preload, case.name + "-any", "(b) at any preload", *forces_at_any_preload(case.any_preload))
     return Figure(case.name, case.figure, f"Map of the pull-off force, λ† = {plain(wavelength)}",
                   pictures, caption(case, wavelength, force), failures(case), case.record["command"], spots(case))
 

@@ -13,12 +13,14 @@ CUT_WORDS = ("dashed: 1.0 × 10⁻³, the traction beyond r = R, which the cut l
 
 def rows(case, keys):
     """Key values -> (force, approach) of the solved points of a case; empty without a case."""
-    found = {}
+    return {key: (point["pull_off"]["force"], point["pull_off"]["approach"]) for key, point in solved(case, keys)}
+
+
+def solved(case, keys):
+    """(key values, point) of the solved points of a case."""
     for point in case.points if case else []:
         if point["status"] == "ok" and point.get("pull_off"):
-            found[tuple(value_of(point, key) for key in keys)] = (point["pull_off"]["force"],
-                                                                  point["pull_off"]["approach"])
-    return found
+            yield tuple(value_of(point, key) for key in keys), point
 
 
 def match(found, key):
