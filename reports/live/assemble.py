@@ -10,14 +10,15 @@ import gzip
 import json
 import pathlib
 import re
-import shlex
 import struct
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1]))
+from pulloff_report import live  # noqa: E402
 
 PAGE = pathlib.Path(__file__).with_name("page")
 IMPORT = re.compile(r"^import [^;]* from '\./(\w+\.js)';\n", flags=re.M)
 FIGURES = ["fig03", "fig04", "fig06", "fig08", "fig10"]
-FIELDS = re.compile(r"name: '([\w-]+)',[^{}]*?usual: '([^']*)'")
 
 
 def bundle(name, taken):
@@ -46,38 +47,30 @@ def hash_of(numbers):
     return f"{value:016x}"
 
 
-def fragment_of(command, usual):
-    """The address of a scene for the command that solves it: its options without those that have their usual value."""
-    words = shlex.split(command)[2:]
-    given = {name[2:]: value for name, value in zip(words[::2], words[1::2])}
-
-    def is_usual(name, value):
-        return value == usual[name] or (usual[name] and re.match(r"[\d.]", value) and float(value) == float(usual[name]))
-    return "#" + "&".join(f"{name}={value}" for name, value in given.items() if not is_usual(name, value))
-
-
 def figures_of(run):
     """{NAME: {title, want, scenes: [[fragment, hash]]}} of the figures of which the run has records. Where a curve is wanted,
     the solver takes other steps, so that its numbers differ within their errors."""
-    usual = dict(FIELDS.findall((PAGE / "scene.js").read_text(encoding="utf-8")))
     found = {}
     for name in FIGURES:
         path = run / name / "record.json"
         if not path.is_file():
             continue
         record = json.loads(path.read_text(encoding="utf-8"))
-        scenes = [[fragment_of(point["command"], usual), hash_of(numbers_of(point))] for point in record["points"]
+        scenes = [[live.fragment(point["command"]), hash_of(numbers_of(point))] for point in record["points"]
                   if point["status"] == "ok" and not point["followed"]]
         want = "curve" if any(point["curve"] for point in record["points"]) else ""
         found[name] = {"title": f"Figure {record['figure']}: {record['title']}", "want": want, "scenes": scenes}
     return found
 
 
+def packed(data):
+    return base64.b64encode(gzip.compress(data, 9, mtime=0)).decode()
+
+
 def main():
     wasm, version, run, output = sys.argv[1:]
-    packed = gzip.compress(pathlib.Path(wasm).read_bytes(), 9, mtime=0)
-    parts = {"MODULE": base64.b64encode(packed).decode(), "WORKER": bundle("worker.js", set()), "PAGE": bundle("page.js", set()),
-             "RECORDS": json.dumps(figures_of(pathlib.Path(run)), ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c"),
+    records = json.dumps(figures_of(pathlib.Path(run)), ensure_ascii=False, separators=(",", ":"))
+    parts = {"MODULE": packed(pathlib.Path(wasm).read_bytes()), "RECORDS": packed(records.encode("utf-8")), "WORKER": bundle("worker.js", set()), "PAGE": bundle("page.js", set()),
              "VERSION": version, "/* style.css */": (PAGE / "style.css").read_text(encoding="utf-8")}
     page = (PAGE / "live.html").read_text(encoding="utf-8")
     assert all(page.count(mark) == 1 for mark in parts) and not any("</script" in text for text in parts.values())

@@ -40,10 +40,18 @@ for header in gsl nettle jansson.h jansson_config.h; do ln -sfn "/usr/include/$h
 : >"$at/include/config.h"
 : >"$at/include/jansson_private_config.h"
 
-# write_ninja: prints the rules of the module. Every source file of the rooms up to `library` is in it, except for those that
-# use OpenBLAS (machine/machine.c).
+# write_ninja: prints the rules of the module. Every source file of the rooms of libpulloff is in it, except for those that
+# use OpenBLAS or a file system (machine/machine.c).
 version=$(sed -n "s/^ *version: '\(.*\)',/\1/p" meson.build)
-rooms='base math linear result scene theory bem equilibrium continuation contact path request observe series companion keys format library'
+rooms=library
+found=
+while [ "$rooms" != "$found" ]; do # with the rooms on which these depend
+  found=$rooms
+  rooms=$(for room in $found; do
+    echo "$room"
+    sed -n 's/.*dependencies: //p' "src/$room/meson.build" | grep -o '[a-z]*_dep' | sed 's/_dep$//'
+  done | sort -u | while read -r room; do [ ! -d "src/$room" ] || echo "$room"; done)
+done
 write_ninja() {
   include='-Ireports/live/machine'
   for room in $rooms; do include="$include -Isrc/$room"; done
@@ -70,7 +78,7 @@ NINJA
   }
   for room in $rooms; do
     for source in src/"$room"/*.c; do
-      case $source in */po_linear.c | */po_linear_start.c) continue ;; esac
+      case $source in */po_linear.c | */po_linear_start.c | */po_file.c) continue ;; esac
       add own "$source"
     done
   done

@@ -1,11 +1,15 @@
 """Uses the page as a reader does, in a headless Chromium.
 
-Usage: page.py [--solves N] PAGE PROGRAM
+Usage: page.py [--solves N] PAGE PROGRAM REPORT
+
+REPORT: a report with the page beside it, as live.html.
 
 Prints a line for each test in the format TAP. Exit status: 0 all tests pass, 1 some do not.
 """
 
 import argparse
+import base64
+import gzip
 import json
 import pathlib
 import random
@@ -26,8 +30,8 @@ WAIT = 60  # s for a solve
 class Reader:
     """A reader of the page."""
 
-    def __init__(self, browser, page, program):
-        self.browser, self.page, self.program = browser, page.resolve().as_uri(), program
+    def __init__(self, browser, page, program, report):
+        self.browser, self.page, self.program, self.report = browser, page.resolve().as_uri(), pathlib.Path(program).resolve(), report
 
     def text(self, name):
         return self.browser.evaluate(TEXT.format(json.dumps(name)))
@@ -43,7 +47,7 @@ class Reader:
         end = time.monotonic() + WAIT
         while True:
             begin = time.monotonic()
-            idle = self.browser.evaluate("!pulloff.isBusy()")
+            idle = self.browser.evaluate("window.pulloff?.isBusy() === false")
             assert time.monotonic() - begin < 2, "the page does not answer"
             if idle:
                 return
@@ -64,11 +68,21 @@ class Reader:
                               "field.dispatchEvent(new Event('input')); })(); 0")
         self.settle()
 
-    def digest_of_command(self, name="command"):
-        words = shlex.split(self.text(name))
+    def printed(self, line, *more, folder=None):
+        words = shlex.split(line)
         assert words[0] == "pulloff", words
-        printed = subprocess.run([self.program, *words[1:]], capture_output=True, text=True, check=True).stdout
-        return re.search(r"^digest +(\w+)$", printed, flags=re.M).group(1)
+        return subprocess.run([self.program, *words[1:], *more], capture_output=True, text=True, check=True, cwd=folder).stdout
+
+    def digest_of_command(self, name="command", folder=None):
+        return re.search(r"^digest +(\w+)$", self.printed(self.text(name), folder=folder), flags=re.M).group(1)
+
+    def rows(self, name):
+        """The cells of the body of a table."""
+        return self.browser.evaluate(f"[...document.querySelector('{name}').tBodies[0].rows].map((row) => [...row.cells].map((cell) => cell.textContent))")
+
+    def click(self, selector):
+        self.browser.evaluate(f"document.querySelector({json.dumps(selector)}).click()")
+        self.settle()
 
 
 def command_gives_the_digest(reader, _):
@@ -88,6 +102,99 @@ def staircase_has_the_digest(reader, _):
     reader.browser.evaluate("document.getElementById('stairs').open = true")
     reader.wait(f"{TEXT.format(repr('stairs-digest'))} !== ''", "the staircase")
     assert reader.digest_of_command("stairs-command") == reader.text("stairs-digest")
+
+
+def a_spring_has_its_loop(reader, _):
+    for fragment in ("#tabor=3&amplitude=1&wavelength=20", "#from-physical&modulus-pa=1e10&work-j-per-m2=0.05&distance-m=4e-10&radius-m=1e-6&preload-load-n=1e-7"):
+        reader.open(fragment)
+        reader.click("#spring")
+        name = "stiffness-n-per-m" if "physical" in fragment else "stiffness"
+        reader.enter(name, "30" if "physical" in fragment else "0.04")
+        assert not reader.text("messages") and f"--{name} " in reader.text("command"), reader.text("messages")
+        assert reader.digest_of_command() == reader.text("digest")
+        loop = json.loads(reader.printed(reader.text("command"), "--json"))["hysteresis"]["spring"]
+        energy = [row[1] for row in reader.rows("#numbers") if "spring" in row[0]]
+        assert len(energy) == 1 and ("physical" in fragment or abs(float(energy[0].split()[0]) / loop["energy_lost"] - 1) < 1e-3), energy
+        # at a jump the far end of the spring, which the figure has as its abscissa, stays where it is
+        jumps = reader.browser.evaluate("[...document.querySelectorAll('#load line.jump')].map((line) => ['x1', 'x2', 'y1', 'y2'].map((end) => Number(line.getAttribute(end))))")
+        assert len(jumps) == len(loop["jumps"]) and all(abs(a - b) < 0.05 and abs(c - d) > 1 for a, b, c, d in jumps), jumps
+        reader.visit(reader.browser.evaluate("location.hash"))
+        assert reader.browser.evaluate("document.getElementById('spring').checked")
+        reader.click("input[name=control]")
+        assert name not in reader.text("command") and reader.digest_of_command() == reader.text("digest")
+
+
+def a_table_is_a_profile(reader, source):
+    reader.open("#profile=table&coupling=0.2")
+    table = "r,gap\n" + "".join(f"{r},{r * r * (1 + 0.1 * source.random() / (1 + r)) / 60:.3f}\n" for r in range(0, 40, 2))
+    for text, is_good in (("", False), ("r,gap\n0,0\n1,x\n", False), ("x" * 5000, False), (table.replace(",", ";"), False), (table, True), (table[:-1], True)):
+        reader.enter("table", text)
+        marked = reader.browser.evaluate("document.getElementById('field-table').getAttribute('aria-invalid')")
+        assert bool(reader.text("messages")) != is_good and marked == (None if is_good else "true"), (text, reader.text("messages"))
+    with tempfile.TemporaryDirectory() as folder:
+        name, saved = reader.browser.evaluate("(() => { const link = document.getElementById('save'); return [link.download, decodeURIComponent(link.href.replace(/^[^,]*,/, ''))]; })()")
+        pathlib.Path(folder, name).write_text(saved, encoding="utf-8")
+        assert reader.digest_of_command(folder=folder) == reader.text("digest")
+    # the address holds the table
+    before = reader.text("digest")
+    reader.open(reader.browser.evaluate("location.hash"))
+    assert reader.text("digest") == before
+    # a file that is dropped on the field
+    reader.browser.evaluate("(() => { const files = new DataTransfer(); files.items.add(new File(['r,gap\\n0,0\\n'], 'tip.csv'));"
+                            "document.getElementById('field-table').dispatchEvent(new DragEvent('drop', {dataTransfer: files, cancelable: true})); })(); 0")
+    reader.wait("document.getElementById('messages').textContent.includes('profile.csv')", "the message about the file")
+
+
+def theories_are_those_of_compare(reader, _):
+    for fragment in ("#tabor=3&amplitude=1&wavelength=20", "#tabor=0.05", "#coupling=0.05&profile=cone&cone-t=0.3", "#tabor=4&amplitude=3&wavelength=10&outer-radius=100"):
+        reader.open(fragment)
+        wanted = json.loads(reader.printed(reader.text("command"), "--json"))["theories"]
+        printed = reader.printed(reader.text("command").replace(" solve ", " compare ").split(" --want ")[0])
+        rows = reader.rows("#theories")
+        assert len(rows) == len(wanted)
+        for row, theory in zip(rows, wanted):
+            assert row[5] == theory["source"] and f"\n{row[0]} " in printed, row
+            if theory["force"] is None:
+                assert row[1] == "–" and row[4] == theory["reason"], row
+            else:
+                assert abs(float(row[1]) / theory["force"] - 1) < 1e-5 and row[3] == theory["assumptions"], row
+                line = next(line for line in printed.splitlines() if line.startswith(row[0] + " "))
+                assert line.endswith(row[4].replace("−", "-")), (line, row)
+
+
+def a_series_is_followed(reader, _):
+    reader.open("#tabor=3&amplitude=0.3&wavelength=20&preload-load=1")
+    reader.browser.evaluate("document.getElementById('series').open = true")
+    state = "document.querySelector('#series [role=status]').textContent"
+
+    def compute(*values):
+        for name, value in zip(("from", "to", "points"), values):
+            reader.browser.evaluate(f"document.querySelector('#series [name={name}]').value = {json.dumps(value)}; 0")
+        reader.browser.evaluate("document.querySelector('#series button').click()")
+
+    for values in (("", "3", "5"), ("2", "1", "5"), ("0", "1", "5"), ("1", "2", "1"), ("1", "2", "x"), ("1", "x", "5"), ("-1", "2", "-5")):
+        compute(*values)
+        reader.wait(f"/expected/.test({state})", values)
+    compute("0.5", "5", "20")
+    reader.wait(f"/^20 scenes/.test({state})", "the series")
+    wanted = json.loads(reader.printed(reader.browser.evaluate("document.querySelector('#series pre').textContent"), "--json"))["points"]
+    assert any(point["followed"] for point in wanted) and not all(point["followed"] for point in wanted)
+    rows = reader.rows("#series table")
+    assert len(rows) == 20
+    for row, point in zip(rows, wanted):
+        bound = point["pull_off"]["error_estimate"]
+        assert abs(float(row[0]) / point["input"]["tabor"] - 1) < 1e-5 and row[3] == "ok", row
+        assert abs(float(row[1].split()[0]) - point["pull_off"]["force"]) < bound, row
+    # a click on a point opens its scene
+    reader.browser.evaluate("document.querySelector('#series .scene:last-child').dispatchEvent(new MouseEvent('click')); 0")
+    reader.settle()
+    assert "tabor=5" in reader.browser.evaluate("location.hash") and reader.digest_of_command() == reader.text("digest")
+    # a long one is stopped
+    reader.browser.evaluate("location.hash = '#tabor=8&amplitude=3&wavelength=6&radius=400'; new Promise((done) => setTimeout(done, 50))")
+    compute("5", "20", "200")
+    reader.wait(f"/begun/.test({state})", "progress")
+    reader.browser.evaluate("document.querySelector('#series button').click()")
+    reader.wait(f"{state} === 'Stopped.'", "the end", 2)
 
 
 def wrong_fields_give_a_message(reader, _):
@@ -123,6 +230,25 @@ def fuzzed_fragments_are_survived(reader, source):
         assert reader.text("messages") or reader.text("digest"), text
     reader.visit("#tabor=2")
     assert not reader.text("messages") and reader.digest_of_command() == reader.text("digest")
+
+
+def fuzzed_fields_are_survived(reader, source):
+    values = ["", "-", "1e", "1e999", "-1e999", "nan", "Infinity", "0x10", "1,2", "1;2", "é", "\u202e1", "<svg onload=alert(1)>", "9" * 190, "1e-300", "-0", " 3 ", "'; --"]
+    for start in ("#tabor=1&amplitude=0.5&wavelength=20&time-limit=1", "#from-physical&modulus-pa=1e10&work-j-per-m2=0.05&distance-m=4e-10&radius-m=1e-6&time-limit=1",
+                  "#coupling=0.1&profile=punch&punch-b=5&punch-r=20&law=mie&mie-m=4&mie-n=10&time-limit=1", "#tabor=1&stiffness=0.05&scheme=ring&nodes=50&time-limit=1"):
+        reader.open(start)
+        names = reader.browser.evaluate("[...document.querySelectorAll('.field input[type=text]')].map((field) => field.id.slice(6)).filter((name) => name !== 'time-limit')")
+        for _ in range(25):
+            name, value = source.choice(names), source.choice(values)
+            try:
+                reader.enter(name, value)
+            except AssertionError as error:
+                raise AssertionError(f"{name}: {value!r}") from error
+            assert reader.text("messages") or reader.text("digest"), (name, value)
+            if source.random() < 0.5:
+                reader.visit(start)
+        reader.visit(start)
+        assert not reader.text("messages") and reader.digest_of_command() == reader.text("digest")
 
 
 def a_long_solve_is_stopped(reader, _):
@@ -189,6 +315,24 @@ def a_narrow_screen_does_not_scroll_sideways(reader, _):
     reader.browser.size(1280, 900)
 
 
+def a_marker_of_the_report_opens_its_scene(reader, source):
+    page = reader.report.resolve().as_uri()
+    for name in ("fig03", "fig04"):
+        reader.browser.open(page)
+        count = reader.browser.evaluate(f"(async () => {{ const figure = document.getElementById('figure-{name}'); await unpackAll(figure.querySelectorAll('.packed')); return figure.querySelectorAll('a.scene').length; }})()")
+        assert count > 20, (name, count)
+        x, y, address = reader.browser.evaluate(
+            f"(() => {{ const link = document.querySelectorAll('#figure-{name} a.scene')[{source.randrange(count)}]; link.scrollIntoView({{block: 'center', behavior: 'instant'}});"
+            "const box = link.querySelector('circle').getBoundingClientRect(), x = box.x + box.width / 2, y = box.y + box.height / 2;"
+            "return [x, y, document.elementFromPoint(x, y).closest('a').href.baseVal]; })()")
+        for kind in ("mousePressed", "mouseReleased"):
+            reader.browser.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
+        reader.wait("location.pathname.endsWith('live.html') && document.getElementById('digest')?.textContent", "the scene")
+        tabor = re.search("tabor=([^&]+)", address)[1]
+        assert f"tabor={tabor}" in reader.browser.evaluate("location.hash"), address
+        assert not reader.text("messages") and reader.digest_of_command() == reader.text("digest")
+
+
 def memory_is_bounded(reader, _, solves):
     reader.open("#tabor=1")
     memory = reader.browser.evaluate(
@@ -208,7 +352,8 @@ def a_figure_is_recomputed(reader, _):
 def recompute_twice(reader, folder):
     page = reader.page
     text = pathlib.Path(page.removeprefix("file://")).read_text(encoding="utf-8")
-    records = json.loads(re.search('id="records">(.*?)</script>', text)[1])
+    kept = re.search('id="records">(.*?)</script>', text)[1]
+    records = json.loads(gzip.decompress(base64.b64decode(kept)))
     for wrong in (0, 1):
         for name in records:
             count = len(records[name]["scenes"])
@@ -219,15 +364,16 @@ def recompute_twice(reader, folder):
             assert words == f"{count} of {count} solved, {count - wrong} identical to the last bit with the report", words
         # once more, with another hash of the first scene of each figure
         for figure in records.values():
-            text = text.replace(figure["scenes"][0][1], "0123456789abcdef")
+            figure["scenes"][0][1] = "0123456789abcdef"
         changed = pathlib.Path(folder) / "changed.html"
-        changed.write_text(text, encoding="utf-8")
+        changed.write_text(text.replace(kept, base64.b64encode(gzip.compress(json.dumps(records).encode())).decode()), encoding="utf-8")
         reader.page = changed.as_uri()
     reader.page = page
 
 
-TESTS = [command_gives_the_digest, staircase_has_the_digest, wrong_fields_give_a_message, fuzzed_fragments_are_survived,
-         a_long_solve_is_stopped, a_figure_is_recomputed, a_point_is_dragged_along_the_curve, units_are_changed_to_and_fro, every_field_has_a_name, a_narrow_screen_does_not_scroll_sideways,
+TESTS = [command_gives_the_digest, staircase_has_the_digest, a_spring_has_its_loop, a_table_is_a_profile, theories_are_those_of_compare,
+         a_series_is_followed, wrong_fields_give_a_message, fuzzed_fragments_are_survived, fuzzed_fields_are_survived,
+         a_long_solve_is_stopped, a_figure_is_recomputed, a_marker_of_the_report_opens_its_scene, a_point_is_dragged_along_the_curve, units_are_changed_to_and_fro, every_field_has_a_name, a_narrow_screen_does_not_scroll_sideways,
          memory_is_bounded]
 
 
@@ -236,11 +382,12 @@ def main():
     parser.add_argument("--solves", type=int, default=60)
     parser.add_argument("page", type=pathlib.Path)
     parser.add_argument("program")
+    parser.add_argument("report", type=pathlib.Path)
     chosen = parser.parse_args()
     failed = False
     print(f"1..{len(TESTS)}")
     with Browser() as browser:
-        reader = Reader(browser, chosen.page, chosen.program)
+        reader = Reader(browser, chosen.page, chosen.program, chosen.report)
         for number, test in enumerate(TESTS, 1):
             more = [chosen.solves] if test is memory_is_bounded else []
             begin, problem = time.monotonic(), ""

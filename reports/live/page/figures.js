@@ -1,5 +1,5 @@
 // The figures of the report: their scenes, and whether this page computes the same numbers to the last bit.
-import {requestOf, sceneOf} from './scene.js';
+import {fragmentOf, requestOf, sceneOf} from './scene.js';
 import {makeJobs} from './jobs.js';
 
 // The numbers of a result that are compared, in an order that assemble.py has, too.
@@ -35,9 +35,10 @@ export function makeFigures(part, figures, compiled, source) {
     button.textContent = 'Recompute this figure';
     state.textContent = `${figures[name].scenes.length} scenes`;
     list.replaceChildren(
-      ...figures[name].scenes.map(([fragment]) => {
+      ...figures[name].scenes.map(([given]) => {
         const item = document.createElement('li'),
-          link = document.createElement('a');
+          link = document.createElement('a'),
+          fragment = fragmentOf(sceneOf(given).scene);
         link.href = fragment;
         link.textContent = fragment.slice(1).replaceAll('&', ' ');
         item.append(link);

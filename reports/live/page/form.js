@@ -1,7 +1,8 @@
 // The form: one row for each field that the scene has, with a slider where the field has a range.
-import {FIELDS, fieldsOf, valueOf} from './scene.js';
+import {FIELDS, fieldsOf, SI_ENDING, TABLE_NAME, valueOf} from './scene.js';
 
-const STEPS = 1000; // of a slider
+const STEPS = 1000, // of a slider
+  MOST_BYTES = 5e5; // of a table
 
 const valueAt = ([from, to], step) => (from > 0 ? from * (to / from) ** (step / STEPS) : to * (step / STEPS) ** 2);
 const stepAt = ([from, to], value) =>
@@ -16,7 +17,11 @@ const storedOf = (field, text) =>
 // Shows a scene in `form`. change(name, text) is called when the reader changes a field.
 export function makeForm(form, change) {
   const rows = new Map();
-  const boxes = {usual: form.querySelector('.fields'), more: form.querySelector('details .fields')};
+  const boxes = {
+    usual: form.querySelector('.fields'),
+    more: form.querySelector('details .fields'),
+    control: document.querySelector('.fields.control'),
+  };
 
   function makeRow(field) {
     const row = document.createElement('div'),
@@ -25,7 +30,7 @@ export function makeForm(form, change) {
     row.className = 'field';
     label.htmlFor = id;
     label.textContent = field.label;
-    const input = document.createElement(field.choices ? 'select' : 'input');
+    const input = document.createElement(field.choices ? 'select' : field.isTable ? 'textarea' : 'input');
     input.id = id;
     row.append(label, input);
     if (field.choices) {
@@ -33,6 +38,7 @@ export function makeForm(form, change) {
       input.onchange = () => change(field.name, input.value);
       return {row, show: (text) => (input.value = text), input};
     }
+    if (field.isTable) return makeTable(field, row, input);
     Object.assign(input, {
       type: 'text',
       inputMode: field.name === 'waves' ? 'text' : 'decimal',
@@ -44,13 +50,16 @@ export function makeForm(form, change) {
     if (field.range) {
       slider = document.createElement('input');
       Object.assign(slider, {type: 'range', min: 0, max: STEPS});
-      slider.setAttribute('aria-label', `${field.label}, slider`);
+      const ends = field.range.map((end) => shownOf(field, String(end)));
+      slider.setAttribute('aria-label', `${field.label}, slider from ${ends[0]} to ${ends[1]}`);
+      input.title = `The slider goes from ${ends[0]} to ${ends[1]}; the field takes other values, too.`;
       slider.oninput = () => {
         const text = String(Number(valueAt(field.range, Number(slider.value)).toPrecision(3)));
         input.value = shownOf(field, text);
         change(field.name, text);
       };
-      row.append(slider);
+      row.append(...ends.map((text) => Object.assign(document.createElement('small'), {textContent: text})));
+      row.insertBefore(slider, row.lastChild);
     }
     const show = (text) => {
       if (storedOf(field, input.value.trim()) !== text) input.value = shownOf(field, text);
@@ -63,6 +72,29 @@ export function makeForm(form, change) {
       change(field.name, text);
     };
     return {row, show, input};
+  }
+
+  // The row of a table: its text, which can be typed, or be that of a file that is chosen or dropped on it.
+  function makeTable(field, row, input) {
+    Object.assign(input, {rows: 6, spellcheck: false});
+    const file = Object.assign(document.createElement('input'), {type: 'file', accept: '.csv,.txt,text/*'});
+    file.setAttribute('aria-label', 'File with the table');
+    row.classList.add('table');
+    row.append(file);
+    const take = async (given) => {
+      if (!given) return;
+      input.value = given.size > MOST_BYTES ? `${given.name} has ${given.size} bytes: expected at most ${MOST_BYTES}` : await given.text();
+      change(field.name, input.value);
+    };
+    input.oninput = () => change(field.name, input.value);
+    input.ondragover = (event) => event.preventDefault();
+    input.ondrop = (event) => {
+      if (!event.dataTransfer.files.length) return;
+      event.preventDefault();
+      take(event.dataTransfer.files[0]);
+    };
+    file.onchange = () => take(file.files[0]);
+    return {row, input, show: (text) => input.value !== text && (input.value = text)};
   }
 
   // Makes the row of a field, in the order of the fields; no other row is moved, which could have the focus.
@@ -89,9 +121,10 @@ export function makeForm(form, change) {
     },
     // Marks the field that a message names.
     mark(message) {
-      const named = message.split(/[ :]/, 1)[0].replaceAll('_', '-');
+      const first = message.split(/[ :]/, 1)[0].replaceAll('_', '-'),
+        named = first === TABLE_NAME ? 'table' : first;
       for (const [name, {input}] of rows)
-        if (message && (name === named || name.replace(/-(m|pa|j-per-m2)$/, '') === named))
+        if (message && (name === named || name.replace(SI_ENDING, '') === named))
           input.setAttribute('aria-invalid', 'true');
         else input.removeAttribute('aria-invalid');
     },

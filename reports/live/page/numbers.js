@@ -10,7 +10,7 @@ export function withError(value, error) {
   return sign(`${value.toFixed(digits)} ± ${error.toExponential(1)}`);
 }
 
-const LOAD_UNITS = {'pi w R': 'πwR', 'pi w epsilon': 'πwε'};
+export const LOAD_UNITS = {'pi w R': 'πwR', 'pi w epsilon': 'πwε'};
 const keep = (value) => value;
 
 // The units in which an answer is shown: the factor of each dimension, and its name.
@@ -64,7 +64,7 @@ export function mainRows(answer) {
   const {document: result} = answer,
     u = unitsOf(answer),
     p = result.pull_off,
-    loop = result.hysteresis?.displacement_control;
+    loops = result.hysteresis;
   if (!p) return [['Pull-off', 'none was found', '']];
   const rows = [
     ['Pull-off force', withError(p.force * u.force, p.error_estimate * u.force), u.forceName],
@@ -80,12 +80,18 @@ export function mainRows(answer) {
       ['Preload needed: approach', withError(p.preload.approach * u.length), u.lengthName],
       ['Preload needed: load', withError(p.preload.load * u.force), u.forceName],
     );
-  if (loop?.energy_lost != null)
-    rows.push([
-      'Energy lost in a loop at given approach',
-      withError(loop.energy_lost * u.energy, loop.energy_lost_error_estimate * u.energy),
-      u.energyName,
-    ]);
+  for (const [name, how] of [
+    ['displacement_control', 'at given approach'],
+    ['spring', 'through the spring'],
+  ]) {
+    const loop = loops?.[name];
+    if (loop?.energy_lost != null)
+      rows.push([
+        `Energy lost in a loop ${how}`,
+        withError(loop.energy_lost * u.energy, loop.energy_lost_error_estimate * u.energy),
+        u.energyName,
+      ]);
+  }
   return rows;
 }
 
@@ -108,4 +114,22 @@ export const specialRows = (answer) => {
       withError(s.contact_radius * u.length),
       String(s.unstable_modes),
     ]);
+};
+
+// The theories beside a solve: what each says, and whether its assumptions hold in the computed state.
+export const theoryRows = ({document: result, words, units}) => {
+  const u = unitsOf({document: result, units});
+  return (result.theories ?? []).map((row, k) => {
+    const limit = `${row.side === 'at_least' ? 'at least' : 'at most'} ${row.limit}`;
+    return row.force === null
+      ? [words[k].theory, '–', '–', '–', row.reason, row.source]
+      : [
+          words[k].theory,
+          withError(row.force * u.force),
+          row.deviation === null ? '–' : sign(`${row.deviation > 0 ? '+' : ''}${(100 * row.deviation).toFixed(2)} %`),
+          row.assumptions,
+          `${words[k].decided_by} ${row.number === null ? 'unknown' : withError(Number(row.number.toPrecision(4)))}, expected ${limit}`,
+          row.source,
+        ];
+  });
 };

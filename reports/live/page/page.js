@@ -1,28 +1,33 @@
 // The page: the scene of the address is solved, and everything is drawn again when it changes.
-import {commandOf, fragmentOf, inOtherUnits, requestOf, sceneOf, theoriesOf, valueOf} from './scene.js';
+import {commandOf, fragmentOf, hasSpring, inOtherUnits, requestOf, requestOfJkr, sceneOf, tableOf, withSpring, TABLE_NAME} from './scene.js';
 import {makeFigures} from './figures.js';
 import {makeForm} from './form.js';
 import {makeJobs} from './jobs.js';
-import {fillTable, mainRows, specialRows, unitsOf, withError} from './numbers.js';
+import {fillTable, mainRows, specialRows, theoryRows, unitsOf, withError} from './numbers.js';
+import {makeSeries} from './series.js';
 import {drawLoad, drawProfile, drawProgress, drawStaircase, isStable, rangesOfProfiles} from './views.js';
 
-const WANT = 'curve,hysteresis',
+const START = '#tabor=3&amplitude=1&wavelength=20', // the scene of a page without a scene in its address
+  WANT = 'curve,hysteresis,theories',
   WANT_STAIRCASE = 'preload';
 const QUIET = 300; // ms of a solve before its progress is shown
 const JKR_POINTS = {least: 80, perWave: 40, most: 600}; // of the curve of the JKR theory
 const $ = (id) => document.getElementById(id);
 
-// The compiled module, from the base64 of its gzip in the page.
-async function readModule() {
-  const packed = Uint8Array.from(atob($('module').textContent), (c) => c.charCodeAt(0));
-  const plain = new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip')));
-  return WebAssembly.compile(await plain.arrayBuffer());
+// A part of the page that is the base64 of a gzip.
+function unpack(id) {
+  const packed = Uint8Array.from(atob($(id).textContent), (c) => c.charCodeAt(0));
+  return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip')));
 }
-const compiled = readModule();
+const compiled = unpack('module').arrayBuffer().then((bytes) => WebAssembly.compile(bytes));
 compiled.catch((error) => report(`This browser cannot run the solver: ${error.message}`));
-const [main, side, stairs] = [0, 1, 2].map(() => makeJobs(compiled, $('worker').textContent));
+const [main, side, stairs, follower] = [0, 1, 2, 3].map(() => makeJobs(compiled, $('worker').textContent));
 
-const figures = makeFigures($('figures'), JSON.parse($('records').textContent), compiled, $('worker').textContent);
+const figures = makeFigures($('figures'), await unpack('records').json(), compiled, $('worker').textContent);
+const series = makeSeries($('series'), follower, (name, text) => {
+  scene = {...scene, [name]: text};
+  changeScene();
+});
 let {scene, messages} = sceneOfAddress();
 let shown = null; // {answer, profiles, ranges, jkr} of the scene that is drawn
 let chosen = 0,
@@ -34,7 +39,7 @@ const control = () => document.querySelector('input[name=control]:checked').valu
 // The scene of the address; #figure=NAME shows a figure of the report and its first scene.
 function sceneOfAddress() {
   const name = /^#figure=(\w{1,40})$/.exec(location.hash)?.[1];
-  if (!name) return sceneOf(location.hash);
+  if (!name) return sceneOf(location.hash || START);
   if (!figures.show(name)) return {scene: {}, messages: [`This page has no scenes of a figure ${name}.`]};
   $('figures').scrollIntoView();
   return sceneOf(figures.first());
@@ -48,7 +53,7 @@ function report(...texts) {
 
 const form = makeForm($('scene'), (name, text) => {
   scene = {...scene, [name]: text};
-  if (text === valueOf({}, name) && (text === '' || name === 'profile')) delete scene[name];
+  if (name === 'waves' && text === '') delete scene.waves;
   messages = [];
   changeScene();
 });
@@ -56,7 +61,10 @@ const form = makeForm($('scene'), (name, text) => {
 function changeScene() {
   history.replaceState(null, '', fragmentOf(scene));
   $('si').checked = 'from-physical' in scene;
+  if (hasSpring(scene)) $('spring').checked = true;
+  else if ($('spring').checked) document.querySelector('input[name=control]').checked = true;
   form.show(scene);
+  series.show(scene);
   solve();
   if ($('stairs').open) solveStaircase();
 }
@@ -102,7 +110,7 @@ async function solve() {
   );
   showNumbers(asked, seconds);
   drawAll();
-  if (mine === turn) evaluateTheories(mine);
+  if (mine === turn) evaluateJkr(mine, asked);
 }
 
 let chosenState = null;
@@ -133,12 +141,20 @@ function showNumbers(asked, seconds) {
     ['point', `approach (${u.lengthName})`, `load (${u.forceName})`, `contact radius (${u.lengthName})`, 'unstable modes'],
     specialRows(answer),
   );
+  fillTable(
+    $('theories'),
+    ['theory', `pull-off force (${u.forceName})`, 'deviation', 'assumptions hold', 'because of', 'source'],
+    theoryRows(answer),
+  );
   $('summary').textContent =
     (p
       ? `Pull-off force ${withError(p.force * u.force)} ${u.forceName} at approach ${withError(p.approach * u.length)} ${u.lengthName}. `
       : 'No pull-off was found. ') +
     `${result.folds.length} folds, ${result.curve.length} equilibria, solved here in ${seconds.toFixed(2)} s.`;
   $('command').textContent = commandOf(asked, WANT);
+  $('save').hidden = asked.profile !== 'table';
+  $('save').download = TABLE_NAME;
+  $('save').href = `data:text/csv;charset=utf-8,${encodeURIComponent(tableOf(asked))}`;
   $('digest').textContent = result.digest;
 }
 
@@ -155,13 +171,14 @@ function drawAll() {
   drawChosen();
 }
 
+const HELD = {displacement_control: 'at given approach', load_control: 'at given load', spring: 'through the spring'};
 function drawChosen() {
   const {answer, profiles, ranges} = shown,
     u = unitsOf(answer),
     p = answer.document.curve[chosen];
   if (!p) return;
   const state = `at approach ${withError(p.approach * u.length)} ${u.lengthName}, load ${withError(p.load * u.force)} ${u.forceName}`;
-  const words = `${state}, contact radius ${withError(p.contact_radius * u.length)} ${u.lengthName}, ${isStable(p, control()) ? 'stable' : 'unstable'} at given ${control() === 'load_control' ? 'load' : 'approach'}`;
+  const words = `${state}, contact radius ${withError(p.contact_radius * u.length)} ${u.lengthName}, ${isStable(answer, p, control()) ? 'stable' : 'unstable'} ${HELD[control()]}`;
   $('point').value = chosen;
   $('point').setAttribute('aria-valuetext', words);
   $('state').textContent = `Equilibrium ${words}`;
@@ -177,36 +194,14 @@ function moveTo(number) {
   drawAll();
 }
 
-async function evaluateTheories(mine) {
-  const {answer} = shown,
-    result = answer.document,
-    u = unitsOf(answer),
-    force = result.pull_off?.force,
-    rows = [];
-  for (const {label, request} of theoriesOf(result.input)) {
-    const {answer: form} = await side.ask(request);
-    if (mine !== turn) return;
-    const value = form.document;
-    rows.push(
-      value
-        ? [
-            label,
-            withError(value.pull_off_force * u.force),
-            withError(value.pull_off_approach * u.length),
-            force ? withError(value.pull_off_force / force) : '–',
-          ]
-        : [label, form.error, '', ''],
-    );
-  }
-  rows.unshift(['Computed', withError(force * u.force), withError(result.pull_off?.approach * u.length), '1']);
-  fillTable($('theories'), ['', `pull-off force (${u.forceName})`, `approach (${u.lengthName})`, 'relative'], rows);
-  const jkr = theoriesOf(result.input).find(({label}) => label === 'JKR');
-  const points = [],
+async function evaluateJkr(mine, asked) {
+  const {document: result} = shown.answer,
+    points = [],
     largest = 1.02 * Math.max(...result.curve.map((p) => p.contact_radius));
   const waves = result.input.wavelength && result.input.waves ? largest / result.input.wavelength : 0;
   const count = Math.min(JKR_POINTS.most, Math.max(JKR_POINTS.least, Math.ceil(JKR_POINTS.perWave * waves)));
-  for (let k = 0; jkr && largest > 0 && k <= count; ++k) {
-    const {answer: form} = await side.ask({...jkr.request, at: (largest * k) / count});
+  for (let k = 0; result.input.tabor > 0 && largest > 0 && k <= count; ++k) {
+    const {answer: form} = await side.ask(requestOfJkr(asked, result.input, (largest * k) / count));
     if (mine !== turn) return;
     points.push(form.document);
   }
@@ -253,7 +248,11 @@ $('point').addEventListener('input', () => moveTo(Number($('point').value)));
 for (const id of ['whole', 'jkr']) $(id).addEventListener('change', () => shown && drawAll());
 for (const choice of document.querySelectorAll('input[name=control]'))
   choice.addEventListener('change', () => {
-    if (shown) drawAll();
+    const wanted = control() === 'spring';
+    if (wanted !== hasSpring(scene)) {
+      scene = withSpring(scene, wanted);
+      changeScene();
+    } else if (shown) drawAll();
     drawStairs();
   });
 $('si').addEventListener('change', () => {

@@ -20,6 +20,14 @@ export function ticksOf(from, to, count) {
   return ticks;
 }
 
+// Ticks at 1, 2 and 5 times the powers of ten of a logarithmic axis.
+const logTicksOf = (from, to) => {
+  const ticks = [];
+  for (let power = Math.floor(Math.log10(from)); 10 ** power <= to; ++power)
+    for (const digit of [1, 2, 5]) ticks.push(Number(`${digit}e${power}`));
+  return ticks.filter((tick) => tick >= from * (1 - 1e-9) && tick <= to * (1 + 1e-9));
+};
+
 // The range of values with a margin; that of [0, 1] if there are none.
 export function rangeOf(values, margin = 0.06) {
   let from = Infinity,
@@ -54,19 +62,21 @@ export function pathOf(points, X, Y) {
   return path;
 }
 
-// Draws into an <svg>. Given: label of the whole for screen readers; x and y: {label, range}; curves: {points, kind}, where
-// kind is a class of style.css; markers: {x, y, kind, title}; lines: {points: [[x, y], [x, y]], kind}.
+// Draws into an <svg>. Given: label of the whole for screen readers; x and y: {label, range}, x with `log`; curves: {points,
+// kind}, where kind is a class of style.css; markers: {x, y, kind, title, text}; lines: {points: [[x, y], [x, y]], kind, arrow}.
 // Returned: the scales X, Y from values to pixels and their inverses.
 export function draw(svg, {label, x, y, curves = [], markers = [], lines = []}) {
   const width = svg.clientWidth || 600,
     height = svg.clientHeight || 360;
   const right = width - MARGIN.right,
     bottom = height - MARGIN.bottom;
-  const X = (value) => MARGIN.left + ((value - x.range[0]) / (x.range[1] - x.range[0])) * (right - MARGIN.left);
+  const scale = x.log ? Math.log : (value) => value;
+  const [from, to] = x.range.map(scale);
+  const X = (value) => MARGIN.left + ((scale(value) - from) / (to - from)) * (right - MARGIN.left);
   const Y = (value) => bottom - ((value - y.range[0]) / (y.range[1] - y.range[0])) * (bottom - MARGIN.top);
   const clip = `${svg.id}-clip`;
   const frame = element('g', {class: 'frame'});
-  for (const tick of ticksOf(...x.range, Math.max(3, width / 90)))
+  for (const tick of x.log ? logTicksOf(...x.range) : ticksOf(...x.range, Math.max(3, width / 90)))
     frame.append(
       element('line', {x1: X(tick), x2: X(tick), y1: MARGIN.top, y2: bottom}),
       element('text', {x: X(tick), y: bottom + 16, 'text-anchor': 'middle'}, short(tick)),
@@ -92,24 +102,30 @@ export function draw(svg, {label, x, y, curves = [], markers = [], lines = []}) 
   );
   const inside = element('g', {'clip-path': `url(#${clip})`});
   for (const {points, kind} of curves) inside.append(element('path', {class: `curve ${kind}`, d: pathOf(points, X, Y)}));
-  for (const {points, kind} of lines)
-    inside.append(
-      element('line', {
-        class: kind,
-        x1: place(X(points[0][0])),
-        y1: place(Y(points[0][1])),
-        x2: place(X(points[1][0])),
-        y2: place(Y(points[1][1])),
-      }),
-    );
-  for (const {x: at, y: value, kind, title} of markers)
+  for (const {points, kind, arrow} of lines) {
+    const [[x1, y1], [x2, y2]] = points.map(([at, value]) => [Number(place(X(at))), Number(place(Y(value)))]);
+    inside.append(element('line', {class: kind, x1, y1, x2, y2}));
+    const angle = (Math.atan2(y2 - y1, x2 - x1) * 180) / Math.PI;
+    if (arrow && Math.hypot(x2 - x1, y2 - y1) > 9)
+      inside.append(
+        element('path', {class: `head ${kind}`, d: 'M0 0L-9 3.5L-9 -3.5Z', transform: `translate(${x2} ${y2}) rotate(${angle})`}),
+      );
+  }
+  for (const {x: at, y: value, kind, title, text} of markers) {
+    const [cx, cy] = [place(X(at)), place(Y(value))];
     inside.append(
       element(
         'circle',
-        {class: `marker ${kind}`, cx: place(X(at)), cy: place(Y(value)), r: kind === 'chosen' ? 7 : 4.5},
+        {class: `marker ${kind}`, cx, cy, r: kind === 'chosen' ? 8 : 4.5},
         ...(title ? [element('title', {}, title)] : []),
       ),
     );
+    const isLeft = cx > (MARGIN.left + right) / 2;
+    if (text)
+      inside.append(
+        element('text', {class: 'note', x: isLeft ? cx - 12 : Number(cx) + 12, y: Number(cy) + 4, 'text-anchor': isLeft ? 'end' : 'start'}, text),
+      );
+  }
   svg.setAttribute('role', 'img');
   svg.setAttribute('aria-label', label);
   svg.setAttribute('viewBox', `0 0 ${width} ${height}`);

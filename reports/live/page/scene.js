@@ -6,9 +6,15 @@ const isSI = (scene) => 'from-physical' in scene;
 const hasWaves = (scene) => 'waves' in scene;
 const isPanel = (scene) => (scene.scheme ?? 'panel') === 'panel';
 const inEpsilon = (scene) => !isSI(scene);
+const isTable = (scene) => scene.profile === 'table' && inEpsilon(scene);
+
+// The table that the form begins with: a sphere of radius 80 with a worn end.
+const WORN = 'r,gap\n' + Array.from({length: 41}, (_, r) => `${r},${Number((r ** 4 / (160 * (r ** 2 + 60))).toPrecision(6))}\n`).join('');
+export const TABLE_NAME = 'profile.csv';
 
 // One row a field: the option; the label; its usual value; `range`, that of the slider (logarithmic unless it begins
-// with 0); `choices`; `of`, whether a scene has the field; `si`, the SI unit in which the form shows it; `part`, where.
+// with 0); `choices`; `isTable`, whether it is the text of a table; `of`, whether a scene has the field; `si`, the SI unit in
+// which the form shows it; `part`, where; `varies`, whether a series can vary it.
 export const FIELDS = [
   {name: 'tabor', label: 'Tabor parameter μ', usual: '1', range: [0.05, 20], of: (s) => inEpsilon(s) && isSphere(s)},
   {name: 'coupling', label: 'Coupling w/(E*ε)', usual: '0.1', range: [0.001, 10], of: (s) => inEpsilon(s) && !isSphere(s)},
@@ -26,7 +32,7 @@ export const FIELDS = [
     name: 'profile',
     label: 'Profile of the body',
     usual: 'sphere',
-    choices: ['sphere', 'cone', 'power', 'punch', 'truncated'],
+    choices: ['sphere', 'cone', 'power', 'punch', 'truncated', 'table'],
     of: inEpsilon,
   },
   {name: 'cone-t', label: 'Slope T of the cone', usual: '0.3', range: [0.01, 2], of: (s) => s.profile === 'cone'},
@@ -48,6 +54,8 @@ export const FIELDS = [
     range: [10, 1000],
     of: (s) => s.profile === 'truncated',
   },
+  {name: 'table', label: 'Table: columns r and gap', usual: WORN, isTable: true, of: isTable},
+  {name: 'table-scale', label: 'Unit of the table (ε)', usual: '1', range: [0.01, 100], of: isTable},
   {name: 'law', label: 'Traction–separation law', usual: 'lennard-jones', choices: ['lennard-jones', 'mie', 'morse']},
   {name: 'mie-m', label: 'Exponent M', usual: '4', range: [1.5, 8], of: (s) => s.law === 'mie'},
   {name: 'mie-n', label: 'Exponent N', usual: '10', range: [4, 20], of: (s) => s.law === 'mie'},
@@ -55,7 +63,25 @@ export const FIELDS = [
   {name: 'waves', label: 'Several waves: A,λ; A,λ; … (ε)', usual: '', of: inEpsilon, part: 'more'},
   {name: 'outer-radius', label: 'Outer radius of the surface (ε, or inf)', usual: 'inf', of: inEpsilon, part: 'more'},
   {name: 'preload', label: 'Preload: approach (ε, or inf)', usual: '', part: 'more', of: inEpsilon},
-  {name: 'preload-load', label: 'Preload: load (πwR)', usual: '', part: 'more'},
+  {name: 'preload-load', label: 'Preload: load (πwR)', usual: '', part: 'more', of: inEpsilon},
+  {name: 'preload-load-n', label: 'Preload: load (nN)', usual: '', si: 1e-9, of: isSI, part: 'more'},
+  {
+    name: 'stiffness',
+    label: 'Stiffness k of the spring (πwR/ε)',
+    usual: '',
+    range: [1e-3, 10],
+    of: (s) => inEpsilon(s) && 'stiffness' in s,
+    part: 'control',
+  },
+  {
+    name: 'stiffness-n-per-m',
+    label: 'Stiffness k of the spring (N/m)',
+    usual: '',
+    si: 1,
+    range: [0.01, 1000],
+    of: (s) => isSI(s) && 'stiffness-n-per-m' in s,
+    part: 'control',
+  },
   {name: 'approach-start', label: 'Approach at the beginning (ε)', usual: '', part: 'more', of: inEpsilon},
   {name: 'approach-end', label: 'Approach at the end (ε)', usual: '', part: 'more', of: inEpsilon},
   {name: 'scheme', label: 'Elements', usual: 'panel', choices: ['panel', 'ring', 'triangle'], part: 'more'},
@@ -78,16 +104,28 @@ export const fieldsOf = (scene) => FIELDS.filter((field) => has(scene, field));
 export const valueOf = (scene, name) => scene[name] ?? FIELD.get(name).usual;
 
 // Options that a profile, a law or SI units need, whether or not the value is the usual one.
-const isNeeded = (field) => /^(coupling|cone|power|punch|truncated|mie|morse)/.test(field.name) || /-(m|pa|m2)$/.test(field.name);
+const isNeeded = (field) => /^(coupling|cone|power|punch|truncated|table$|mie|morse)/.test(field.name) || /-(m|pa|m2)$/.test(field.name);
+export const SI_ENDING = /-(n-per-m|j-per-m2|pa|m|n)$/;
 const isWave = (name) => /^wavelength/.test(name);
+
+// The option of the stiffness; and a scene with a spring, or without.
+const stiffnessName = (scene) => (isSI(scene) ? 'stiffness-n-per-m' : 'stiffness');
+const SOFT = {stiffness: '0.05', 'stiffness-n-per-m': '20'};
+export const hasSpring = (scene) => stiffnessName(scene) in scene;
+export function withSpring(scene, wanted) {
+  const {[stiffnessName(scene)]: before, ...without} = scene;
+  return wanted ? {...without, [stiffnessName(scene)]: before || SOFT[stiffnessName(scene)]} : without;
+}
 const amplitudeOf = (scene) => valueOf(scene, isSI(scene) ? 'amplitude-m' : 'amplitude');
+
+const isSame = (a, b) => a === b || (a !== '' && b !== '' && Number(a) === Number(b));
 
 // The options of a scene in the order of the fields, [name, text] each, without those that change nothing.
 export function optionsOf(scene) {
   const chosen = fieldsOf(scene).filter(({name, usual}) => {
     const text = valueOf(scene, name);
     if (isWave(name)) return Number(amplitudeOf(scene)) !== 0;
-    return text !== '' && (isNeeded(FIELD.get(name)) ? text !== 'inf' : text !== usual);
+    return text !== '' && (isNeeded(FIELD.get(name)) ? text !== 'inf' : !isSame(text, usual));
   });
   return [...(isSI(scene) ? [['from-physical', '']] : []), ...chosen.map(({name}) => [name, valueOf(scene, name)])];
 }
@@ -103,8 +141,9 @@ export function requestOf(scene, want) {
   const keys = {},
     physical = {};
   for (const [name, text] of optionsOf(scene)) {
-    if (name === 'from-physical') continue;
-    if (FIELD.get(name).si) physical[name.replace(/-(m|pa|j-per-m2)$/, '').replace('-', '_')] = Number(text);
+    if (name === 'from-physical' || name === 'table') continue;
+    if (text === 'table') keys.profile_file = TABLE_NAME;
+    else if (FIELD.get(name).si) physical[name.replace(SI_ENDING, '').replace('-', '_')] = Number(text);
     else
       keys[name.replaceAll('-', '_')] =
         name === 'waves'
@@ -114,19 +153,50 @@ export function requestOf(scene, want) {
           : text;
   }
   if (want) keys.want = want;
-  return isSI(scene) ? {keys, physical} : {keys};
+  const files = isTable(scene) ? {[TABLE_NAME]: tableOf(scene)} : undefined;
+  return isSI(scene) ? {keys, physical} : {keys, files};
 }
+
+// The text of the table of a scene, whose last line ends.
+export const tableOf = (scene) => valueOf(scene, 'table').replace(/\n?$/, '\n');
 
 const quoted = (text) => (/^[\w.,:+-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
 
 // The command that computes the same.
-export function commandOf(scene, want) {
+const commandLine = (verb, scene, more, without) => {
   const words = optionsOf(scene).flatMap(([name, text]) => {
+    if (name === without) return [];
     if (name === 'waves') return wavesOf(text).map((wave) => `--wave ${quoted(wave.replaceAll(' ', ''))}`);
+    if (name === 'table') return [];
+    if (text === 'table') return [`--profile-file ${TABLE_NAME}`];
     return [text === '' ? `--${name}` : `--${name} ${quoted(text)}`];
   });
-  return ['pulloff solve', ...words, ...(want ? [`--want ${want}`] : [])].join(' ');
+  return ['pulloff', verb, ...words, ...more].join(' ');
+};
+export const commandOf = (scene, want) => commandLine('solve', scene, want ? [`--want ${want}`] : []);
+
+// A series of scenes, {key, from, to, points, log}: the scene without what `pulloff follow` does not have.
+const NOT_FOLLOWED = ['scheme', 'grading', 'nodes', 'approach-start', 'approach-end', 'stiffness'];
+function followedScene(scene, {key, to}) {
+  const followed = Object.fromEntries(Object.entries(scene).filter(([name]) => !NOT_FOLLOWED.includes(name)));
+  return {...followed, [key]: String(to)}; // a wave that the series has needs its wavelength
 }
+export function requestOfSeries(scene, series) {
+  const request = requestOf(followedScene(scene, series));
+  const key = series.key.replaceAll('-', '_');
+  delete request.keys[key];
+  return {...request, series: {...series, key}};
+}
+export const commandOfSeries = (scene, {key, from, to, points, log}) =>
+  commandLine(
+    'follow',
+    followedScene(scene, {key, to}),
+    [`--key ${key} --from ${from} --to ${to} --points ${points}${log ? '' : ' --scale linear'}`],
+    key,
+  );
+
+// The fields that a series can vary.
+export const variedFields = (scene) => fieldsOf(scene).filter(({range, part, name}) => range && !part && !isSI(scene) && name !== 'table-scale');
 
 export const fragmentOf = (scene) =>
   '#' +
@@ -134,7 +204,8 @@ export const fragmentOf = (scene) =>
     .map(([name, text]) => (text === '' ? name : `${name}=${encodeURIComponent(text).replace(/%2C/g, ',').replace(/%3B/g, ';')}`))
     .join('&');
 
-const LONGEST = 200; // characters of a value
+const LONGEST = 200, // characters of a value
+  LONGEST_TABLE = 1e6;
 
 // The scene of a fragment, and messages about parts that are left out.
 export function sceneOf(fragment) {
@@ -153,7 +224,8 @@ export function sceneOf(fragment) {
     const field = FIELD.get(name);
     if (name === 'from-physical') scene[name] = '';
     else if (!field) messages.push(`The address has an unknown option ${name.slice(0, 40)}.`);
-    else if (text.length > LONGEST) messages.push(`The value of ${name} in the address is longer than ${LONGEST} characters.`);
+    else if (text.length > (field.isTable ? LONGEST_TABLE : LONGEST))
+      messages.push(`The value of ${name} in the address is longer than ${field.isTable ? LONGEST_TABLE : LONGEST} characters.`);
     else if (field.choices && !field.choices.includes(text))
       messages.push(`${name} is ${text.slice(0, 40)}: expected ${field.choices.join(', ')}.`);
     else if (text !== '') scene[name] = text;
@@ -176,52 +248,32 @@ export function inOtherUnits(scene, input) {
   );
   if (isSI(scene)) {
     delete law['from-physical'];
-    for (const name of ['tabor', 'radius', 'amplitude', 'wavelength']) if (input?.[name]) law[name] = rounded(input[name]);
+    for (const name of ['tabor', 'radius', 'amplitude', 'wavelength', 'stiffness', 'preload_load'])
+      if (input?.[name]) law[name.replace('_', '-')] = rounded(input[name]);
     return law;
   }
   const work = Number(FIELD.get('work-j-per-m2').usual),
     distance = Number(FIELD.get('distance-m').usual);
-  const number = (name) => Number(valueOf(scene, name));
+  const number = (name) => Number(valueOf(scene, name) || NaN);
+  const stiffness = Math.PI * work * number('radius'); // pi w R/epsilon, N/m
   const values = {
     'radius-m': number('radius') * distance,
     'amplitude-m': number('amplitude') * distance,
     'wavelength-m': number('wavelength') * distance,
+    'stiffness-n-per-m': number('stiffness') * stiffness,
+    'preload-load-n': number('preload-load') * stiffness * distance,
     'modulus-pa': (Math.sqrt(number('radius') / number('tabor')) * work) / (number('tabor') * distance),
   }; // mu^3 = R w^2/(E*^2 epsilon^3)
   for (const [name, value] of Object.entries(values)) if (Number.isFinite(value)) law[name] = rounded(value);
   return {...law, 'from-physical': ''};
 }
 
-// Requests for the closed forms of a scene, from the member `input` of its result: a label, and what is asked.
-export function theoriesOf(input) {
-  const pick = (...names) =>
-    Object.fromEntries(
-      names.filter((name) => input[name] !== null && input[name] !== undefined).map((name) => [name, String(input[name])]),
-    );
-  const rigid = pick(
-    'radius',
-    'waves',
-    'profile',
-    'cone_t',
-    'power_c',
-    'power_n',
-    'punch_b',
-    'punch_r',
-    'truncated_b',
-    'truncated_r',
+// The request for a point of the JKR curve of a scene at a contact radius: what that theory takes of the member `input` of the
+// result of the scene.
+export function requestOfJkr(scene, input, at) {
+  const taken = Object.entries(input).filter(
+    ([name, value]) => value !== null && value !== 'table' && /^(tabor|radius|waves|profile|table|cone|power|punch|truncated)/.test(name),
   );
-  const law = pick('law', 'mie_m', 'mie_n', 'morse_a'),
-    elastic = {...rigid, ...pick('tabor')};
-  const forms = [{label: 'Rigid bodies', request: {theory: 'rigid', keys: {...rigid, ...law}}}];
-  if (input.tabor > 0)
-    forms.push(
-      {label: 'Maugis–Dugdale', request: {theory: 'maugis', keys: {...elastic, ...law}}},
-      {label: 'JKR', request: {theory: 'jkr', keys: elastic}},
-    );
-  if (input.tabor > 0 && input.profile === 'sphere' && input.waves && !input.waves.includes(';'))
-    forms.push({
-      label: 'Envelope of JKR (Kesari–Lew)',
-      request: {theory: 'kesari-lew', keys: pick('tabor', 'radius', 'amplitude', 'wavelength')},
-    });
-  return forms;
+  const keys = Object.fromEntries(taken.map(([name, value]) => [name, String(value)]));
+  return {keys, files: requestOf(scene).files, theory: 'jkr', at};
 }

@@ -2,13 +2,20 @@
 import {draw, rangeOf} from './plot.js';
 import {KINDS, unitsOf, withError} from './numbers.js';
 
-// Whether an equilibrium is stable in a control: at given load the load must also rise with the approach.
-export const isStable = (p, control) =>
-  p.unstable_modes === 0 && (control === 'displacement_control' || p.load_rate * p.approach_rate > 0);
+// The stiffness of the control: infinite at given approach, 0 at given load.
+const stiffnessOf = ({document: result}, control) =>
+  control === 'load_control' ? 0 : control === 'spring' ? (result.hysteresis?.spring?.stiffness ?? Infinity) : Infinity;
+
+// Whether an equilibrium is stable in a control: the load of the spring must not fall faster than that of the contact.
+export const isStable = (answer, p, control) => {
+  const stiffness = stiffnessOf(answer, control);
+  return p.unstable_modes === 0 && (stiffness === Infinity || (p.load_rate + stiffness * p.approach_rate) * p.approach_rate > 0);
+};
 
 // The points that the figure of the load must contain.
-function pointsOfInterest({document: result}) {
-  const loops = [result.hysteresis?.displacement_control, result.hysteresis?.load_control].filter((loop) => loop?.preload);
+function pointsOfInterest({document: result}, control) {
+  const {displacement_control: own, load_control: load, spring} = result.hysteresis ?? {};
+  const loops = (control === 'spring' ? [spring ?? own] : [own, load]).filter((loop) => loop?.preload);
   const states = loops.flatMap((loop) => [loop.preload, ...loop.jumps.flatMap((jump) => [jump.before, jump.after])]);
   const force = result.pull_off?.force ?? 0;
   const first = result.curve.find((p) => Math.abs(p.load) >= 0.05 * force);
@@ -17,10 +24,11 @@ function pointsOfInterest({document: result}) {
 }
 
 // Runs of points of equal stability; each begins with the last point of the one before.
-function runsOf(curve, control) {
-  const runs = [];
+function runsOf(answer, control) {
+  const runs = [],
+    {curve} = answer.document;
   curve.forEach((p, k) => {
-    const stable = isStable(p, control);
+    const stable = isStable(answer, p, control);
     if (!runs.length || runs.at(-1).stable !== stable) runs.push({stable, points: k ? [curve[k - 1]] : []});
     runs.at(-1).points.push(p);
   });
@@ -36,36 +44,41 @@ function fullDiscs(jkr) {
   return runs;
 }
 
-// Draws the load against the approach. Given: answer; control; jkr: points of the JKR curve; whole: all points; chosen: the
-// number of a point of the curve. Returned: nearest(px, py), the number of the point that is nearest to a place, and the
+// Draws the load against the approach, or against the position of the base of the spring, approach + load/k. Given:
+// answer; control; jkr: points of the JKR curve; whole: all points; chosen: the number of a point of the curve. Returned: nearest(px, py), the number of the point that is nearest to a place, and the
 // first and the last number that are visible.
 export function drawLoad(svg, {answer, control, jkr, whole, chosen}) {
   const {document: result} = answer,
     u = unitsOf(answer),
     {curve} = result;
-  const shown = whole ? curve : pointsOfInterest(answer);
-  const x = {label: `approach (${u.lengthName})`, range: rangeOf(shown.map((p) => p.approach * u.length))};
+  const shown = whole ? curve : pointsOfInterest(answer, control);
+  const stiffness = stiffnessOf(answer, control),
+    give = 0 < stiffness && stiffness < Infinity ? 1 / stiffness : 0;
+  const at = (p) => (p.approach + give * p.load) * u.length;
+  const what = give ? 'base of the spring: approach + load/k' : 'approach';
+  const x = {label: `${what} (${u.lengthName})`, range: rangeOf(shown.map(at))};
   const y = {label: `load (${u.forceName})`, range: rangeOf(shown.map((p) => p.load * u.force))};
   const scaled = (p) => ({
-    x: p.approach * u.length,
+    x: at(p),
     y: p.load * u.force,
     at: p.position,
-    dx: p.approach_rate * u.length,
+    dx: (p.approach_rate + give * p.load_rate) * u.length,
     dy: p.load_rate * u.force,
   });
   const curves = fullDiscs(jkr).map((points) => ({
     kind: 'theory',
-    points: points.map((p) => ({x: p.approach * u.length, y: p.load * u.force})),
+    points: points.map((p) => ({x: at(p), y: p.load * u.force})),
   }));
-  for (const run of runsOf(curve, control))
+  for (const run of runsOf(answer, control))
     curves.push({kind: run.stable ? 'stable' : 'unstable', points: run.points.map(scaled)});
-  const end = (state) => [(state.approach ?? x.range[0] / u.length) * u.length, state.load * u.force];
+  const end = (state) => [state.approach === null ? x.range[0] : at(state), state.load * u.force];
   const lines = (result.hysteresis?.[control]?.jumps ?? []).map((jump) => ({
     kind: `jump ${jump.phase}`,
+    arrow: true,
     points: [end(jump.before), end(jump.after)],
   }));
   const markers = [...result.extrema, ...result.folds].map((s) => ({
-    x: s.approach * u.length,
+    x: at(s),
     y: s.load * u.force,
     kind: /^jump/.test(s.kind) ? 'fold' : 'extremum',
     title: `${KINDS[s.kind]}: approach ${withError(s.approach * u.length)}, load ${withError(s.load * u.force)}`,
@@ -73,28 +86,26 @@ export function drawLoad(svg, {answer, control, jkr, whole, chosen}) {
   const p = result.pull_off;
   if (p)
     markers.push({
-      x: p.approach * u.length,
+      x: at({approach: p.approach, load: -p.force}),
       y: -p.force * u.force,
       kind: 'pulloff',
+      text: 'pull-off',
       title: `pull-off: ${withError(p.force * u.force)} ${u.forceName}`,
     });
-  if (curve[chosen]) markers.push({x: curve[chosen].approach * u.length, y: curve[chosen].load * u.force, kind: 'chosen'});
+  if (curve[chosen]) markers.push({x: at(curve[chosen]), y: curve[chosen].load * u.force, kind: 'chosen'});
   const label =
-    `Load against approach: ${curve.length} equilibria, ${result.folds.length} folds, ${lines.length} jumps. ` +
+    `Load against ${what}: ${curve.length} equilibria, ${result.folds.length} folds, ${lines.length} jumps. ` +
     (p
       ? `Pull-off force ${withError(p.force * u.force)} ${u.forceName} at approach ${withError(p.approach * u.length)} ${u.lengthName}.`
       : '');
   const {X, Y} = draw(svg, {label, x, y, curves, lines, markers});
-  const isInside = ({approach, load}) =>
-    approach * u.length >= x.range[0] &&
-    approach * u.length <= x.range[1] &&
-    load * u.force >= y.range[0] &&
-    load * u.force <= y.range[1];
+  const isInside = (q) =>
+    at(q) >= x.range[0] && at(q) <= x.range[1] && q.load * u.force >= y.range[0] && q.load * u.force <= y.range[1];
   const nearest = (px, py) => {
     let best = 0,
       least = Infinity;
     curve.forEach((q, k) => {
-      const distance = Math.hypot(X(q.approach * u.length) - px, Y(q.load * u.force) - py);
+      const distance = Math.hypot(X(at(q)) - px, Y(q.load * u.force) - py);
       if (isInside(q) && distance < least) [best, least] = [k, distance];
     });
     return best;
@@ -161,8 +172,24 @@ export function drawProfile(gapPlot, tractionPlot, {answer, rows, ranges, state}
   });
 }
 
+// Draws the pull-off force of a series of scenes against the parameter that varies. Given: series, the rows of the answer;
+// label and log of the axis; choose(value): called for the scene that the reader chooses.
+export function drawSeries(svg, {series, unit, label, log}, choose) {
+  const found = series.filter((row) => row.force !== null);
+  const points = found.map((row) => ({x: row.value, y: row.force}));
+  const {inside} = draw(svg, {
+    label: `Pull-off force against ${label}: ${found.length} scenes`,
+    x: {label, log, range: rangeOf(series.map((row) => row.value), log ? 0 : undefined)},
+    y: {label: `pull-off force (${unit})`, range: rangeOf([0, ...points.map((p) => p.y)])},
+    curves: [{kind: 'stable', points}],
+    markers: points.map(({x, y}) => ({x, y, kind: 'scene', title: `${label} ${withError(x)}: pull-off force ${withError(y)} ${unit}`})),
+  });
+  inside.querySelectorAll('.scene').forEach((marker, k) => marker.addEventListener('click', () => choose(found[k].value)));
+}
+
 // Draws the pull-off force against the load of the preload.
-export function drawStaircase(svg, answer, control) {
+export function drawStaircase(svg, answer, chosen) {
+  const control = chosen === 'load_control' ? chosen : 'displacement_control'; // a spring has no staircase of its own
   const u = unitsOf(answer),
     {staircase} = answer.document;
   const steps = (stairs) => (stairs?.steps ?? []).map((step) => ({...step, last: step.until ?? stairs.reached}));
