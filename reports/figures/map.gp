@@ -8,19 +8,6 @@ set label 1 caption at screen 0.015, screen 0.965 left noenhanced font ',8' text
 set label 2 'pull-off force/'.load_unit at graph 1.02, screen 0.945 left font ',9'
 set xlabel x_name noenhanced offset 0,0.4
 set ylabel y_name noenhanced offset 1,0
-if (x_is_log) { set logscale x }
-if (y_is_log) { set logscale y }
-set xrange [x_low:x_high]; set yrange [y_low:y_high]
-if (x_is_log) { set xtics () }
-if (y_is_log) { set ytics () }
-do for [k = -6:6] {
-  do for [d = 1:9] {
-    v = d * 10.0**k
-    named = d == 1 || d == 2 || d == 5
-    if (x_is_log && v >= x_low && v <= x_high) { if (named) { set xtics add (sprintf('%g', v) v) } else { set xtics add ('' v 1) } }
-    if (y_is_log && v >= y_low && v <= y_high) { if (named) { set ytics add (sprintf('%g', v) v) } else { set ytics add ('' v 1) } }
-  }
-}
 set tics out
 unset grid
 unset key

@@ -6,7 +6,7 @@
 
 #include "po_live.h"
 #include "po_observe.h"
-#include "po_plot_case.h"
+#include "po_plot_scene.h"
 
 po_solve_line po_solve_line_begin(void) {
   return (po_solve_line){.request = po_input_default(), .scene = po_scene_options_begin()};
@@ -41,7 +41,6 @@ po_status po_solve_line_take(void *to, int option) {
   case PO_LINE_SMOOTHED:
     return po_options_take_text("smoothed", "the name of a file", &line->smoothed);
   case PO_LINE_PLOT:
-    line->request.want |= PO_WANT_CURVE;
     return po_plot_take_file(optarg, &line->plot);
   case PO_LINE_RUN:
     return po_options_take_text("run", "the name of a folder", &line->run);

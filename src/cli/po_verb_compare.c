@@ -2,6 +2,7 @@
 #include <stdio.h>
 
 #include "po_json.h"
+#include "po_plot_scene.h"
 #include "po_print.h"
 #include "po_print_theories.h"
 #include "po_quote.h"
@@ -36,6 +37,9 @@ static const char MORE_HELP[] =
     "                          rigid, dmt, jkr, maugis, carpick-ogletree-salmeron,\n"
     "                          pietrement-troyon, schwarz, guduru, kesari-lew, persson-tosatti or\n"
     "                          rumpf-rabinowicz\n"
+    "  --plot FILE             draw the forces of the theories beside the computed one in FILE, "
+    "which\n"
+    "                          ends in .svg, .png or .pdf (needs gnuplot)\n"
     "  --json                  print the JSON document of pulloff solve --want theories\n"
     "  -h, --help              print this text\n"
     "\n" PO_SCENE_OPTIONS_HELP "\n"
@@ -44,6 +48,7 @@ static const char MORE_HELP[] =
     "             --distance-m 3e-10 --radius-m 3e-8\n";
 
 static const struct option OPTIONS[] = {{"theory", required_argument, NULL, PO_LINE_THEORY},
+                                        {"plot", required_argument, NULL, PO_LINE_PLOT},
                                         {"json", no_argument, NULL, PO_LINE_JSON},
                                         {"help", no_argument, NULL, PO_OPTION_HELP},
                                         {NULL, 0, NULL, 0}};
@@ -81,6 +86,8 @@ static int compare(po_solve_line *line, const po_theory *only) {
     keep(&result, solved ? NULL : only);
     status = print(line, only, &result);
   }
+  if (!status && !solved && line->plot)
+    status = po_plot_of_theories(&line->request, &result, line->plot);
   if (!status && solved)
     status = po_fail(solved, "the solve failed: %s", result.reason);
   po_result_clear(&result);

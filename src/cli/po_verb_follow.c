@@ -7,6 +7,7 @@
 #include "po_live.h"
 #include "po_memory.h"
 #include "po_options.h"
+#include "po_plot_scene.h"
 #include "po_print_series.h"
 #include "po_range.h"
 #include "po_scene_options.h"
@@ -53,6 +54,10 @@ static const char MORE_HELP[] =
     "  --curve FILE            write the pull-offs to FILE, as CSV, in SI units after\n"
     "                          --from-physical; - is standard output, on which nothing else is\n"
     "                          then printed\n"
+    "  --plot FILE             draw the pull-off force, or the approaches of the folds, against "
+    "the\n"
+    "                          parameter in FILE, which ends in .svg, .png or .pdf (needs "
+    "gnuplot)\n"
     "  --json                  print one JSON document and nothing else\n"
     "  -h, --help              print this text\n"
     "\n" PO_SCENE_OPTIONS_HELP "\n"
@@ -61,7 +66,7 @@ static const char MORE_HELP[] =
     "Example: pulloff follow --from-physical --key radius-m --from 1e-7 --to 1e-6 --points 10 \\\n"
     "             --modulus-pa 2e9 --work-j-per-m2 0.05 --distance-m 3e-10\n";
 
-enum { VARIED = PO_OPTION_NEXT, FROM, TO, POINTS, SCALE, OF, CHECKPOINTS, CURVE, JSON };
+enum { VARIED = PO_OPTION_NEXT, FROM, TO, POINTS, SCALE, OF, CHECKPOINTS, CURVE, PLOT, JSON };
 enum { DEFAULT_POINTS = 60 };
 
 /* Beside the options of keys. */
@@ -73,6 +78,7 @@ static const struct option OPTIONS[] = {{"key", required_argument, NULL, VARIED}
                                         {"of", required_argument, NULL, OF},
                                         {"checkpoint-every", required_argument, NULL, CHECKPOINTS},
                                         {"curve", required_argument, NULL, CURVE},
+                                        {"plot", required_argument, NULL, PLOT},
                                         {"json", no_argument, NULL, JSON},
                                         {"help", no_argument, NULL, PO_OPTION_HELP},
                                         {NULL, 0, NULL, 0}};
@@ -81,8 +87,8 @@ typedef struct {
   po_scene_options scene;
   int varied; /* the key whose value varies; -1: not given */
   po_range range;
-  size_t checkpoints; /* 0: not given */
-  const char *curve;  /* a file; NULL: none */
+  size_t checkpoints;       /* 0: not given */
+  const char *curve, *plot; /* files; NULL: none */
   bool folds, json;
 } follow_line;
 
@@ -137,6 +143,8 @@ static po_status take_option(void *to, int option) {
     return po_options_refuse("of", optarg, "pull-off or folds");
   case CURVE:
     return po_options_take_text("curve", "the name of a file", &line->curve);
+  case PLOT:
+    return po_plot_take_file(optarg, &line->plot);
   case JSON:
     line->json = true;
     return PO_OK;
@@ -250,6 +258,8 @@ static po_status follow(const follow_line *line, po_request *requests, po_series
   const po_printed_series series = {name, line->range.count, requests, scenes, results};
   if (!status)
     status = po_print_series(&series, line->folds, line->json, line->curve);
+  if (!status && line->plot)
+    status = po_plot_of_series(&series, line->folds, line->plot);
   for (size_t k = 0; k < line->range.count && !status; ++k)
     if (results[k].status)
       status = po_fail(results[k].status, "the solve at %s %g failed: %s", name, scenes[k].value,

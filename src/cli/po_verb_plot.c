@@ -2,6 +2,7 @@
 
 #include "po_plot.h"
 #include "po_plot_case.h"
+#include "po_plot_scene.h"
 #include "po_solve_line.h"
 #include "po_verbs.h"
 
@@ -11,12 +12,13 @@ static const char PLOT_HELP[] =
     "Plots one scene, which is given by the options of pulloff solve, or the pull-off forces of a\n"
     "case against the number that varies in it, or as a map if two numbers vary. FILE ends in\n"
     ".svg, .png or .pdf and is drawn with gnuplot; without FILE, the plot is printed as\n"
-    "characters.\n"
+    "characters. Axes are in SI units after --from-physical.\n"
     "\n"
     "  --want LIST       what is plotted, separated by commas (default: curve,hysteresis):\n"
     "                      curve        load against approach: the branch, its folds, the "
     "pull-off\n"
-    "                      hysteresis   the jumps of loading and unloading\n"
+    "                      hysteresis   the paths of loading and unloading with their jumps; with\n"
+    "                                   --stiffness also over the position of the base\n"
     "                      profile      gap and traction against radius at pull-off\n"
     "                      preload      the pull-off force for every preload\n"
     "  --run DIR         folder of the records of CASE (default build/run); points without a\n"
@@ -26,6 +28,7 @@ static const char PLOT_HELP[] =
     "The options of the scene, the preload and the discretisation are those of pulloff solve.\n"
     "\n"
     "Example: pulloff plot --tabor 3 --amplitude 1 --wavelength 20 wavy.svg\n"
+    "         pulloff plot --tabor 3 --amplitude 1 --wavelength 20 --stiffness 0.3 spring.pdf\n"
     "         pulloff plot fig15\n";
 
 /* Beside the options of keys. */
@@ -55,8 +58,7 @@ static po_status plot(po_solve_line *line) {
   po_result result = {0};
   po_status status = po_solve_line_observe(line, &result);
   if (!status)
-    status = line->plot ? po_plot_to_file(&line->request, &result, line->plot)
-                        : po_plot_to_terminal(&line->request, &result);
+    status = po_plot_of_solve(&line->request, &result, line->plot);
   po_result_clear(&result);
   return status;
 }

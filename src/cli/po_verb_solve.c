@@ -1,7 +1,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
-#include "po_plot_case.h"
+#include "po_plot_scene.h"
 #include "po_print.h"
 #include "po_print_theories.h"
 #include "po_tables.h"
@@ -63,7 +63,8 @@ static const char MORE_HELP[] =
     "                          what was removed from each row, in the unit of --profile-file\n"
     "  --plot FILE             draw the branch, and the additional results that are wanted, in "
     "FILE,\n"
-    "                          which ends in .svg, .png or .pdf (needs gnuplot)\n"
+    "                          which ends in .svg, .png or .pdf (needs gnuplot); it changes no\n"
+    "                          result\n"
     "  --json                  print one JSON document and nothing else\n"
     "  -h, --help              print this text\n"
     "\n" PO_SCENE_OPTIONS_HELP "\n"
@@ -92,6 +93,22 @@ static po_status print_result(const po_solve_line *line, const po_result *result
   return status;
 }
 
+/* Draws the figure. A result without the points of the branch is solved once more with them: what a
+ * figure needs changes the steps of a trace and ends its search beyond the preload. */
+static po_status draw(const po_solve_line *line, const po_result *result) {
+  if (line->request.want & PO_WANT_CURVE)
+    return po_plot_of_solve(&line->request, result, line->plot);
+  po_solve_line again = *line;
+  again.request.want = (line->request.want & PO_PLOT_WANTS) | PO_WANT_CURVE;
+  again.request.search = PO_SEARCH_NONE;
+  po_result drawn = {0};
+  po_status status = po_solve_line_observe(&again, &drawn);
+  if (!status)
+    status = po_plot_of_solve(&again.request, &drawn, line->plot);
+  po_result_clear(&drawn);
+  return status;
+}
+
 /* Writes all files, even if one of them cannot be written. */
 static po_status write_files(const po_solve_line *line, const po_result *result) {
   po_status status = PO_OK;
@@ -105,7 +122,7 @@ static po_status write_files(const po_solve_line *line, const po_result *result)
                       : PO_OK;
   const po_status smoothed =
       line->smoothed ? po_tables_write_smoothed(line->smoothed, &line->request) : PO_OK;
-  const po_status plot = line->plot ? po_plot_to_file(&line->request, result, line->plot) : PO_OK;
+  const po_status plot = line->plot ? draw(line, result) : PO_OK;
   return curve ? curve : staircase ? staircase : smoothed ? smoothed : plot ? plot : status;
 }
 

@@ -4,14 +4,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
-#include "po_environment.h"
-#include "po_file.h"
 #include "po_input.h"
 #include "po_memory.h"
 #include "po_plot.h"
+#include "po_plot_scene.h"
 #include "po_session.h"
 
 /* The least number of values of both keys; a case with fewer values of one is a set of curves. */
@@ -108,67 +105,17 @@ static bool fill(const po_case_run *run, const po_case *kase, const po_key keys[
   return any;
 }
 
-/* What the verbs plot and solve print and draw of a result. */
-
-po_status po_plot_take_file(const char *text, const char **file) {
-  *file = text;
-  return po_plot_is_figure(text)
-             ? PO_OK
-             : po_options_refuse("plot", text,
-                                 "the name of a file that ends in .svg, .png or .pdf");
-}
-
-/* Draws with a script of the data folder. Status: as po_plot_draw. */
-static po_status plot_with(const po_text *script, const char *name, const char *file) {
-  char *figures = po_path_join(po_environment_data(), "reports/figures");
-  const po_status status = figures ? po_plot_draw(script, figures, name, file) : PO_NO_MEMORY;
-  free(figures);
-  return status;
-}
-
-po_status po_plot_to_file(const po_request *request, const po_result *result, const char *file) {
-  po_text script = {0};
-  po_status status = po_plot_solve(request, result, &script);
-  if (!status)
-    status = plot_with(&script, "solve.gp", file);
-  po_text_clear(&script);
-  return status;
-}
-
-/* The size of a plot in characters: that of the terminal, within limits. */
-static void size_of_plot(size_t *columns, size_t *rows) {
-  enum { COLUMNS = 66, ROWS = 21, BESIDE = 14, BELOW = 5, LEAST = 20 };
-  struct winsize window;
-  *columns = COLUMNS;
-  *rows = ROWS;
-  if (isatty(STDOUT_FILENO) && ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0 && window.ws_col &&
-      window.ws_row) {
-    *columns = window.ws_col > LEAST + BESIDE ? window.ws_col - BESIDE : LEAST;
-    *rows = window.ws_row > LEAST + BELOW ? window.ws_row - BELOW : LEAST;
-  }
-}
-
-po_status po_plot_to_terminal(const po_request *request, const po_result *result) {
-  size_t columns, rows;
-  po_text text = {0};
-  size_of_plot(&columns, &rows);
-  const po_status status = po_plot_print(request, result, columns, rows, &text);
-  if (!status)
-    fputs(po_text_string(&text), stdout);
-  po_text_clear(&text);
-  return status;
-}
-
 static po_status draw(const po_case *kase, const po_key keys[2], const po_plot_map *map,
                       const char *file) {
   po_text script = {0};
   po_plot_assign(&script, "caption", kase->file->title);
   po_plot_assign(&script, "x_name", po_key_name(keys[0]));
   po_plot_assign(&script, "y_name", po_key_name(keys[1]));
-  po_plot_assign_load_unit(&script, &kase->points[0].request);
+  po_plot_assign(&script, "load_unit",
+                 po_plot_load_unit(po_input_load_unit(&kase->points[0].request)));
   po_status status = po_plot_map_data(map, &script);
   if (!status)
-    status = plot_with(&script, "map.gp", file);
+    status = po_plot_map_draw(&script, file);
   po_text_clear(&script);
   return status;
 }
@@ -176,7 +123,7 @@ static po_status draw(const po_case *kase, const po_key keys[2], const po_plot_m
 static po_status print(const po_case *kase, const po_key keys[2], const po_plot_map *map) {
   size_t columns, rows;
   po_text text = {0};
-  size_of_plot(&columns, &rows);
+  po_plot_size(&columns, &rows);
   po_plot_map_print(map, po_key_name(keys[0]), po_key_name(keys[1]), columns, rows, &text);
   if (!text.failed)
     printf("%s: pull-off force in %s over %s and %s\n%s", kase->file->title,
@@ -213,7 +160,7 @@ static po_status plot_map(const po_case_run *run, const po_case *kase, const po_
 
 /* One point of a run: the value of the key on the x axis, and the values of the other keys. */
 typedef struct {
-  po_plot_pull_off at;
+  po_plot_point at;
   char others[160];
 } run_point;
 
@@ -260,7 +207,7 @@ static size_t collect(const po_case_run *run, const po_case *kase, po_key key, r
     const double x = po_key_number(&kase->points[i].request, key);
     if (!o->has_pull_off || !isfinite(x))
       continue;
-    points[count].at = (po_plot_pull_off){
+    points[count].at = (po_plot_point){
         x, o->pull_off.force, isfinite(o->pull_off.force_error) ? o->pull_off.force_error : 0};
     other_words(kase->points[i].label, key, points[count++].others);
   }
@@ -275,63 +222,25 @@ static size_t end_of_curve(const run_point *points, size_t count, size_t begin) 
   return end;
 }
 
+/* Draws the curves, or prints them if `file` is NULL. */
 static po_status draw_run(const po_case *kase, po_key key, const run_point *points, size_t count,
                           const char *file) {
-  po_text script = {0};
-  size_t curves = 0;
-  po_status status = PO_OK;
-  po_plot_pull_off *curve = po_allocate(count, sizeof *curve);
-  for (size_t begin = 0, end; begin < count && curve; begin = end) {
+  po_plot_picture picture =
+      po_plot_begin(po_copy_text(kase->file->title), &kase->points[0].request);
+  po_plot_panel *panel = po_plot_add_panel(&picture);
+  panel->x = po_plot_axis_of(&picture, po_key_name(key), "", PO_DIMENSION_NONE);
+  panel->y = po_plot_axis_of(&picture, "pull-off force", "", PO_DIMENSION_LOAD);
+  double least = INFINITY, most = 0.0;
+  for (size_t begin = 0, end; begin < count; begin = end) {
     end = end_of_curve(points, count, begin);
+    po_plot_series *s = po_plot_add_series(&picture, panel, PO_PLOT_CURVE, points[begin].others);
     for (size_t i = begin; i < end; ++i)
-      curve[i - begin] = points[i].at;
-    status = po_plot_pull_offs(++curves, points[begin].others, curve, end - begin, &script);
+      po_plot_add_point(&picture, s, points[i].at);
+    least = fmin(least, points[begin].at.x);
+    most = fmax(most, points[end - 1].at.x);
   }
-  double least = INFINITY, most = 0;
-  for (size_t i = 0; i < count; ++i) {
-    least = fmin(least, points[i].at.x);
-    most = fmax(most, points[i].at.x);
-  }
-  po_plot_assign(&script, "caption", kase->file->title);
-  po_plot_assign(&script, "key_name", po_key_name(key));
-  po_plot_assign_load_unit(&script, &kase->points[0].request);
-  po_text_add(&script, "curve_count = %zu\nis_log = %d\n", curves, least > 0 && most > 20 * least);
-  if (!status)
-    status = curve && !script.failed ? plot_with(&script, "run.gp", file) : PO_NO_MEMORY;
-  free(curve);
-  po_text_clear(&script);
-  return status;
-}
-
-static po_status print_run(const po_case *kase, po_key key, const run_point *points, size_t count) {
-  size_t columns, rows, curves = 0;
-  po_text text = {0};
-  size_of_plot(&columns, &rows);
-  double *x = po_allocate(count, sizeof *x), *y = po_allocate(count, sizeof *y);
-  po_plot_series *series = po_allocate(count, sizeof *series);
-  const bool whole = x && y && series;
-  for (size_t begin = 0, end; begin < count && whole; begin = end) {
-    end = end_of_curve(points, count, begin);
-    for (size_t i = begin; i < end; ++i) {
-      x[i] = points[i].at.x;
-      y[i] = points[i].at.force;
-    }
-    series[curves] =
-        (po_plot_series){x + begin, y + begin, end - begin, "*o+x#@%&"[curves % 8], true};
-    po_text_add(&text, "%c %s\n", series[curves].mark, points[begin].others);
-    ++curves;
-  }
-  if (whole)
-    po_plot_characters(series, curves, po_key_name(key), "force", columns, rows, &text);
-  const po_status status = whole && !text.failed ? PO_OK : PO_NO_MEMORY;
-  if (!status)
-    printf("%s: pull-off force against %s\n%s", kase->file->title, po_key_name(key),
-           po_text_string(&text));
-  po_text_clear(&text);
-  free(x);
-  free(y);
-  free(series);
-  return status;
+  panel->x.log = po_plot_is_log(least, most);
+  return po_plot_show(&picture, file);
 }
 
 static po_status plot_run(const po_case_run *run, const po_case *kase, const char *file) {
@@ -349,8 +258,7 @@ static po_status plot_run(const po_case_run *run, const po_case *kase, const cha
   const size_t count = collect(run, kase, (po_key)key, points);
   const po_status status =
       !count ? po_fail(PO_BAD_INPUT, "no point of the case %s has a pull-off", kase->file->name)
-      : file ? draw_run(kase, (po_key)key, points, count, file)
-             : print_run(kase, (po_key)key, points, count);
+             : draw_run(kase, (po_key)key, points, count, file);
   free(points);
   return status;
 }

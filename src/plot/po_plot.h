@@ -1,33 +1,132 @@
-/* Figures of one solve and of a run: gnuplot scripts with their data, drawn in the style of the
- * report, and plots of characters for a terminal. */
+/* Figures: one description of a picture, drawn by gnuplot in the style of the report, or printed as
+ * characters for a terminal; and maps. */
 #ifndef PO_PLOT_H
 #define PO_PLOT_H
 
 #include "po_request.h"
 #include "po_result.h"
+#include "po_si.h"
 #include "po_text.h"
 
-/* The additional results that a figure shows if they are there: the branch with its special points,
- * the jumps of loading and unloading, the profile, the staircase of displacement control. */
+/* The additional results that a figure of a solve shows if they are there. */
 enum {
   PO_PLOT_WANTS = PO_WANT_CURVE | PO_WANT_PROFILE | PO_WANT_HYSTERESIS | PO_WANT_PRELOAD,
 };
 
+/* How the points of a series are drawn. The same names are those of macros in
+ * reports/figures/picture.gp. NAN in a coordinate interrupts a line. */
+typedef enum {
+  PO_PLOT_EQUILIBRIA, /* all, beside a loop */
+  PO_PLOT_UNSTABLE,
+  PO_PLOT_STABLE,
+  PO_PLOT_LOADING,
+  PO_PLOT_UNLOADING,
+  PO_PLOT_JUMP_LOADING, /* arrows, each from a point to the next one */
+  PO_PLOT_JUMP_UNLOADING,
+  PO_PLOT_THEORY,
+  PO_PLOT_STEPS,
+  PO_PLOT_CURVE, /* one of several, with points and error bars */
+  PO_PLOT_TRACTION,
+  PO_PLOT_GAP, /* on the second axis of a figure; no characters */
+  PO_PLOT_LEVEL,
+  PO_PLOT_HOLDS, /* theories by whether their assumptions hold */
+  PO_PLOT_FAILS,
+  PO_PLOT_UNKNOWN,
+  PO_PLOT_FOLD,
+  PO_PLOT_PULL_OFF,
+  PO_PLOT_STYLE_COUNT
+} po_plot_style;
+
+typedef struct {
+  double x, y, error;
+} po_plot_point;
+
+typedef struct {
+  po_plot_style style;
+  char title[96]; /* in the legend; "": none */
+  po_plot_point *point;
+  size_t count, room;
+} po_plot_series;
+
+typedef struct {
+  char words[64];     /* "" : no such axis */
+  const char *symbol; /* for gnuplot */
+  bool si, log;
+  double factor, shift;               /* (value + shift) factor is the number shown */
+  char in_figure[16], in_letters[16]; /* the unit of this number; "": none */
+  double low, high;                   /* the range, as the points; NAN: that of the points */
+  po_text tics;                       /* names of values, for gnuplot; empty: numbers */
+} po_plot_axis;
+
+typedef struct {
+  po_plot_axis x, y, second;
+  po_plot_series *series; /* later ones cover earlier ones */
+  size_t count, room;
+} po_plot_panel;
+
+enum { PO_PLOT_MOST_PANELS = 6 };
+
+typedef struct {
+  char *caption;
+  const char *load_unit; /* of the scene, po_input_load_unit */
+  const po_units *units; /* of a scene in SI units; NULL: dimensionless */
+  po_plot_panel panel[PO_PLOT_MOST_PANELS];
+  size_t count;
+  bool failed; /* memory ran out */
+} po_plot_picture;
+
+/* Returned: the caption of a scene, to be freed: its command, or its input in SI units. NULL:
+ * memory ran out. */
+char *po_plot_caption(const po_request *request);
+
+/* A picture without panels. Given: caption, which it owns. Cleared with po_plot_clear. */
+po_plot_picture po_plot_begin(char *caption, const po_request *request);
+void po_plot_clear(po_plot_picture *picture);
+
+/* Add parts. The series is valid until the next one is added to the panel. */
+po_plot_panel *po_plot_add_panel(po_plot_picture *picture);
+po_plot_series *po_plot_add_series(po_plot_picture *picture, po_plot_panel *panel,
+                                   po_plot_style style, const char *title);
+void po_plot_add_point(po_plot_picture *picture, po_plot_series *series, po_plot_point point);
+
+/* The axis of a dimension, in SI units with the prefix that fits the scene if the picture is in SI
+ * units. */
+po_plot_axis po_plot_axis_of(const po_plot_picture *picture, const char *words, const char *symbol,
+                             po_dimension dimension);
+
+/* Whether the values of an axis, ascending, the first one and the last one given, span so much that
+ * its scale is logarithmic. */
+bool po_plot_is_log(double first, double last);
+
+/* Appends the tics of a logarithmic axis, 'x' or 'y', to a script. */
+void po_plot_add_log_tics(po_text *script, char axis, double low, double high);
+
+/* Returned: the value of a coordinate of a point as it is shown. */
+double po_plot_shown(const po_plot_axis *axis, double value);
+
+/* Sets the ranges that are NAN to those of the points. A range without extent becomes one of length
+ * 1 about its value. */
+void po_plot_set_ranges(po_plot_panel *panel);
+
+/* Builds the picture of a solve, of one result: load over approach, through a spring also over the
+ * position of its base, with the paths of loading and unloading if there are loops; the profile;
+ * the staircase. Status: PO_NO_MEMORY; PO_BAD_INPUT if the result has nothing to plot. */
+po_status po_plot_solve(const po_request *request, const po_result *result,
+                        po_plot_picture *picture);
+
+/* Builds that of the theories beside a solve. */
+void po_plot_theories(const po_result *result, po_plot_picture *picture);
+
+/* Draws a picture with gnuplot in a file, po_plot_is_figure; its ending selects the format. Given:
+ * the folder of the scripts. Status: PO_MISSING_TOOL if gnuplot cannot be started or fails,
+ * PO_CANNOT_READ, PO_CANNOT_WRITE, PO_NO_MEMORY. */
+po_status po_plot_draw(po_plot_picture *picture, const char *figures, const char *file);
+
+/* Appends a picture as plots of `columns` x `rows` characters. Status: PO_NO_MEMORY. */
+po_status po_plot_print(po_plot_picture *picture, size_t columns, size_t rows, po_text *text);
+
 /* Returned: whether the name of a file ends in .svg, .png or .pdf, the formats of figures. */
 bool po_plot_is_figure(const char *file);
-
-/* Appends the data of a result to a script, for reports/figures/solve.gp. Status: PO_NO_MEMORY;
- * PO_BAD_INPUT if the result has nothing to plot. */
-po_status po_plot_solve(const po_request *request, const po_result *result, po_text *script);
-
-/* Appends one curve of pull-offs to a script, for reports/figures/run.gp: rows of the value of the
- * varied key, the force and its error. The caller numbers the curves from 1. Status:
- * PO_NO_MEMORY. */
-typedef struct {
-  double x, force, error;
-} po_plot_pull_off;
-po_status po_plot_pull_offs(size_t number, const char *name, const po_plot_pull_off *point,
-                            size_t count, po_text *script);
 
 /* A map: a value for each pair of an x and a y; both ascend. */
 typedef struct {
@@ -46,30 +145,12 @@ void po_plot_map_print(const po_plot_map *map, const char *x_name, const char *y
 /* Appends an assignment of a text to a variable of a script. */
 void po_plot_assign(po_text *script, const char *variable, const char *value);
 
-/* The same of the unit of the loads of a request, load_unit. */
-void po_plot_assign_load_unit(po_text *script, const po_request *request);
+/* The unit of loads in a figure, for that of po_input_load_unit. */
+const char *po_plot_load_unit(const char *load_unit);
 
-/* Runs gnuplot with a script and then with the file `name` of the folder `figures`, and writes the
- * figure. Given: `file`, po_plot_is_figure; its ending selects the format. Status: PO_MISSING_TOOL
- * if gnuplot cannot be started or fails, PO_CANNOT_READ, PO_CANNOT_WRITE, PO_NO_MEMORY. */
-po_status po_plot_draw(const po_text *script, const char *figures, const char *name,
-                       const char *file);
-
-/* Curves of a plot of characters. NAN in a coordinate interrupts a line. */
-typedef struct {
-  const double *x, *y;
-  size_t count;
-  char mark;
-  bool is_line; /* otherwise single points */
-} po_plot_series;
-
-/* Appends a plot of `columns` x `rows` characters with the ranges on both axes. Later series cover
- * earlier ones. */
-void po_plot_characters(const po_plot_series *series, size_t count, const char *x_name,
-                        const char *y_name, size_t columns, size_t rows, po_text *text);
-
-/* Appends the plots of a result. Status: as po_plot_solve. */
-po_status po_plot_print(const po_request *request, const po_result *result, size_t columns,
-                        size_t rows, po_text *text);
+/* Runs gnuplot with a script, the file `name` of the folder `figures`, and a second script, which
+ * may be NULL. Status: as po_plot_draw. */
+po_status po_plot_run(const po_text *script, const char *figures, const char *name,
+                      const po_text *then, const char *file);
 
 #endif

@@ -4,66 +4,89 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "po_elementary.h"
 #include "po_memory.h"
 #include "po_plot.h"
 
+enum { MOST_STEPS = 10000 }; /* of a line that leaves the plot */
+enum { LEGEND = 76 };        /* characters of a line of the legend, at most */
+
+/* The characters of the styles; 0: not drawn, and those that are lines. Several curves have
+ * different characters. */
+static const char MARK[PO_PLOT_STYLE_COUNT] = {
+    [PO_PLOT_EQUILIBRIA] = '.',     [PO_PLOT_UNSTABLE] = '.',  [PO_PLOT_STABLE] = '*',
+    [PO_PLOT_LOADING] = '+',        [PO_PLOT_UNLOADING] = '*', [PO_PLOT_JUMP_LOADING] = '|',
+    [PO_PLOT_JUMP_UNLOADING] = '|', [PO_PLOT_THEORY] = '.',    [PO_PLOT_STEPS] = '*',
+    [PO_PLOT_CURVE] = '*',          [PO_PLOT_TRACTION] = '*',  [PO_PLOT_LEVEL] = '|',
+    [PO_PLOT_HOLDS] = 'o',          [PO_PLOT_FAILS] = 'x',     [PO_PLOT_UNKNOWN] = '?',
+    [PO_PLOT_FOLD] = 'o',           [PO_PLOT_PULL_OFF] = 'X'};
+static const char CURVES[] = "*o+x#@%&";
+
+static char mark_of(const po_plot_series *s, size_t index) {
+  return s->style == PO_PLOT_CURVE ? CURVES[index % (sizeof CURVES - 1)] : MARK[s->style];
+}
+
+static bool is_line(po_plot_style style) {
+  return style < PO_PLOT_HOLDS;
+}
+
 typedef struct {
+  const po_plot_panel *panel;
   double x[2], y[2]; /* ranges */
   size_t columns, rows;
   char *cell;
 } canvas;
 
-static void widen(double range[2], double value) {
-  if (!isfinite(value))
-    return;
-  range[0] = fmin(range[0], value);
-  range[1] = fmax(range[1], value);
+/* The part of a range at which a value is. */
+static double part(const po_plot_axis *axis, const double range[2], double value) {
+  return axis->log ? po_log(value / range[0]) / po_log(range[1] / range[0])
+                   : (value - range[0]) / (range[1] - range[0]);
 }
 
-/* A range without extent becomes one of length 1 about its value. */
-static void open_range(double range[2]) {
-  if (range[0] > range[1])
-    range[0] = range[1] = 0;
-  if (range[0] == range[1]) {
-    range[0] -= 0.5;
-    range[1] += 0.5;
+static void put(canvas *c, double column, double row, char mark) {
+  if (column >= -0.5 && row >= -0.5 && column < (double)c->columns - 0.5 &&
+      row < (double)c->rows - 0.5)
+    c->cell[lround(row) * (long)c->columns + lround(column)] = mark;
+}
+
+/* Draws the line from a point to the next, in steps of less than a character, or the point. */
+static void draw(canvas *c, const po_plot_point *p, bool line, char mark) {
+  double at[2][2];
+  for (int k = 0; k <= line; ++k) {
+    if (!isfinite(p[k].x) || !isfinite(p[k].y))
+      return;
+    at[k][0] =
+        part(&c->panel->x, c->x, po_plot_shown(&c->panel->x, p[k].x)) * (double)(c->columns - 1);
+    at[k][1] = (1.0 - part(&c->panel->y, c->y, po_plot_shown(&c->panel->y, p[k].y))) *
+               (double)(c->rows - 1);
   }
-}
-
-static void put(canvas *c, double x, double y, char mark) {
-  if (!isfinite(x) || !isfinite(y))
+  if (!line) {
+    put(c, at[0][0], at[0][1], mark);
     return;
-  const double column = (x - c->x[0]) / (c->x[1] - c->x[0]) * (double)(c->columns - 1);
-  const double row = (c->y[1] - y) / (c->y[1] - c->y[0]) * (double)(c->rows - 1);
-  c->cell[lround(row) * (long)c->columns + lround(column)] = mark;
-}
-
-/* A line in steps of less than a character. */
-static void draw_line(canvas *c, const po_plot_series *s, size_t i) {
-  if (!isfinite(s->x[i] + s->y[i] + s->x[i + 1] + s->y[i + 1]))
-    return;
-  const double across = fabs(s->x[i + 1] - s->x[i]) / (c->x[1] - c->x[0]) * (double)c->columns;
-  const double along = fabs(s->y[i + 1] - s->y[i]) / (c->y[1] - c->y[0]) * (double)c->rows;
-  const int steps = 2 * (int)fmax(across, along) + 1;
+  }
+  const double across = fabs(at[1][0] - at[0][0]), along = fabs(at[1][1] - at[0][1]);
+  const int steps = 2 * (int)fmin(fmax(across, along), MOST_STEPS) + 1;
   for (int k = 0; k <= steps; ++k)
-    put(c, s->x[i] + (s->x[i + 1] - s->x[i]) * k / steps,
-        s->y[i] + (s->y[i + 1] - s->y[i]) * k / steps, s->mark);
+    put(c, at[0][0] + (at[1][0] - at[0][0]) * k / steps,
+        at[0][1] + (at[1][1] - at[0][1]) * k / steps, mark);
 }
 
-static void draw(canvas *c, const po_plot_series *s) {
-  for (size_t i = 0; i < s->count; ++i) {
-    if (!s->is_line)
-      put(c, s->x[i], s->y[i], s->mark);
-    else if (i + 1 < s->count)
-      draw_line(c, s, i);
-  }
+static void draw_series(canvas *c, const po_plot_series *s, char mark) {
+  const bool arrow = s->style == PO_PLOT_JUMP_LOADING || s->style == PO_PLOT_JUMP_UNLOADING;
+  const bool line = is_line(s->style);
+  if (line && s->count == 1)
+    draw(c, s->point, false, mark);
+  for (size_t i = 0; i + line < s->count; i += 1 + arrow)
+    draw(c, &s->point[i], line, mark);
 }
 
-static void add_rows(const canvas *c, const char *y_name, po_text *text) {
+static void add_rows(const canvas *c, po_text *text) {
   enum { LABEL = 10 };
   for (size_t row = 0; row < c->rows; ++row) {
     char label[32] = "";
-    const double y = c->y[1] - (c->y[1] - c->y[0]) * (double)row / (double)(c->rows - 1);
+    const double at = 1.0 - (double)row / (double)(c->rows - 1);
+    const double y = c->panel->y.log ? c->y[0] * po_pow(c->y[1] / c->y[0], at)
+                                     : c->y[0] + (c->y[1] - c->y[0]) * at;
     if (row % 5 == 0 || row + 1 == c->rows)
       snprintf(label, sizeof label, "%.4g", y);
     size_t length = c->columns;
@@ -78,30 +101,53 @@ static void add_rows(const canvas *c, const char *y_name, po_text *text) {
   snprintf(from, sizeof from, "%.4g", c->x[0]);
   snprintf(to, sizeof to, "%.4g", c->x[1]);
   const int gap = (int)c->columns - (int)strlen(from);
-  po_text_add(text, "\n%*s  %s%*s\n", LABEL, y_name, from, gap > 1 ? gap : 1, to);
+  po_text_add(text, "\n%*s  %s%*s\n", LABEL, "", from, gap > 1 ? gap : 1, to);
 }
 
-void po_plot_characters(const po_plot_series *series, size_t count, const char *x_name,
-                        const char *y_name, size_t columns, size_t rows, po_text *text) {
-  canvas c = {{INFINITY, -INFINITY}, {INFINITY, -INFINITY}, columns, rows, NULL};
-  for (size_t k = 0; k < count; ++k)
-    for (size_t i = 0; i < series[k].count; ++i)
-      if (isfinite(series[k].x[i]) && isfinite(series[k].y[i])) {
-        widen(c.x, series[k].x[i]);
-        widen(c.y, series[k].y[i]);
-      }
-  open_range(c.x);
-  open_range(c.y);
-  c.cell = po_reserve(columns * rows, 1);
-  if (!c.cell) {
-    text->failed = true;
-    return;
+/* The title of each mark, once. */
+static void add_legend(const po_plot_panel *panel, po_text *text) {
+  size_t used = 0;
+  for (size_t k = 0; k < panel->count; ++k) {
+    const po_plot_series *s = &panel->series[k];
+    const size_t length = strlen(s->title) + 4;
+    if (!s->count || !*s->title || !mark_of(s, k))
+      continue;
+    po_text_add(text, "%s%c %s",
+                !used                    ? ""
+                : used + length > LEGEND ? ",\n"
+                                         : ", ",
+                mark_of(s, k), s->title);
+    used = used + length > LEGEND ? length : used + length;
   }
+  po_text_add(text, "\n");
+}
+
+static po_status print_panel(po_plot_panel *panel, size_t columns, size_t rows, po_text *text) {
+  po_plot_set_ranges(panel);
+  const po_plot_axis *x = &panel->x, *y = &panel->y;
+  canvas c = {panel,
+              {po_plot_shown(x, x->low), po_plot_shown(x, x->high)},
+              {po_plot_shown(y, y->low), po_plot_shown(y, y->high)},
+              columns,
+              rows,
+              po_reserve(columns * rows, 1)};
+  if (!c.cell)
+    return PO_NO_MEMORY;
   memset(c.cell, ' ', columns * rows);
-  for (size_t k = 0; k < count; ++k)
-    draw(&c, &series[k]);
-  add_rows(&c, y_name, text);
-  po_text_add(text, "%*s%s\n", 12 + (int)(columns > strlen(x_name) ? columns - strlen(x_name) : 0),
-              "", x_name);
+  for (size_t k = 0; k < panel->count; ++k)
+    if (mark_of(&panel->series[k], k))
+      draw_series(&c, &panel->series[k], mark_of(&panel->series[k], k));
+  po_text_add(text, "%s%s%s against %s%s%s\n", y->words, *y->in_letters ? " in " : "",
+              y->in_letters, x->words, *x->in_letters ? " in " : "", x->in_letters);
+  add_legend(panel, text);
+  add_rows(&c, text);
   free(c.cell);
+  return PO_OK;
+}
+
+po_status po_plot_print(po_plot_picture *picture, size_t columns, size_t rows, po_text *text) {
+  po_status status = PO_OK;
+  for (size_t k = 0; k < picture->count && !status; ++k)
+    status = print_panel(&picture->panel[k], columns, rows, text);
+  return status ? status : text->failed ? PO_NO_MEMORY : PO_OK;
 }

@@ -104,8 +104,8 @@ static po_status add_file(po_text *script, const char *folder, const char *name)
   return status;
 }
 
-po_status po_plot_draw(const po_text *script, const char *figures, const char *name,
-                       const char *file) {
+po_status po_plot_run(const po_text *script, const char *figures, const char *name,
+                      const po_text *then, const char *file) {
   po_text whole = {0}, figure = {0};
   po_plot_assign(&whole, "figure_terminal", ending_of(file));
   po_plot_assign(&whole, "figure_output", "");
@@ -113,7 +113,9 @@ po_status po_plot_draw(const po_text *script, const char *figures, const char *n
   po_status status = add_file(&whole, figures, "style.gp");
   if (!status)
     status = add_file(&whole, figures, name);
-  if (!status && whole.failed)
+  if (then)
+    po_text_add_bytes(&whole, po_text_string(then), then->length);
+  if (!status && (whole.failed || script->failed || (then && then->failed)))
     status = PO_NO_MEMORY;
   if (!status)
     status = run(&whole, &figure);

@@ -9,13 +9,6 @@
 static const char SHADES[] = ".:-=+*#%@";
 enum { SHADE_COUNT = sizeof SHADES - 1 };
 
-/* Returned: whether the values of an axis span so much that its scale is logarithmic. Given: at
- * least one value, ascending. */
-static bool axis_is_log(const double *value, size_t count) {
-  const double most = 20.0; /* ratio of the ends of a linear axis */
-  return value[0] > 0.0 && value[count - 1] > most * value[0];
-}
-
 /* Part of a step by which a cell is larger on the right and above: a drawing program leaves a pale
  * line between two cells that only touch. */
 static const double OVERLAP = 0.1;
@@ -23,7 +16,7 @@ static const double OVERLAP = 0.1;
 /* The border between two values of an axis, or beyond an end of it: half a step away. Given:
  * `more`, steps farther. */
 static double border(const double *value, size_t count, size_t index, double more) {
-  const bool log_scale = axis_is_log(value, count);
+  const bool log_scale = po_plot_is_log(value[0], value[count - 1]);
   const size_t inner = index == 0 ? 1 : index == count ? count - 1 : index;
   const double a = value[inner - 1], b = value[inner];
   const double part = (index == 0 ? -0.5 : index == count ? 1.5 : 0.5) + more;
@@ -40,6 +33,13 @@ static void find_range(const po_plot_map *map, double range[2]) {
     }
 }
 
+static void add_axis(po_text *script, char axis, const double *value, size_t count) {
+  const double low = border(value, count, 0, 0.0), high = border(value, count, count, 0.0);
+  po_text_add(script, "set %crange [%.9g:%.9g]\n", axis, low, high);
+  if (po_plot_is_log(value[0], value[count - 1]))
+    po_plot_add_log_tics(script, axis, low, high);
+}
+
 po_status po_plot_map_data(const po_plot_map *map, po_text *script) {
   po_text_add(script, "$map << EOD\n");
   for (size_t j = 0; j < map->rows; ++j)
@@ -49,11 +49,9 @@ po_status po_plot_map_data(const po_plot_map *map, po_text *script) {
                     border(map->x, map->columns, i, 0.0),
                     border(map->x, map->columns, i + 1, OVERLAP), border(map->y, map->rows, j, 0.0),
                     border(map->y, map->rows, j + 1, OVERLAP), map->value[j * map->columns + i]);
-  po_text_add(script, "EOD\nx_is_log = %d\ny_is_log = %d\n", axis_is_log(map->x, map->columns),
-              axis_is_log(map->y, map->rows));
-  po_text_add(script, "x_low = %.9g\nx_high = %.9g\ny_low = %.9g\ny_high = %.9g\n",
-              border(map->x, map->columns, 0, 0.0), border(map->x, map->columns, map->columns, 0.0),
-              border(map->y, map->rows, 0, 0.0), border(map->y, map->rows, map->rows, 0.0));
+  po_text_add(script, "EOD\n");
+  add_axis(script, 'x', map->x, map->columns);
+  add_axis(script, 'y', map->y, map->rows);
   return script->failed ? PO_NO_MEMORY : PO_OK;
 }
 

@@ -1,149 +1,231 @@
-/* The figure of one solve as data of a gnuplot script. */
+/* The picture of one solve. */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "po_hermite.h"
-#include "po_input.h"
 #include "po_plot.h"
 
 /* Points drawn on each interval of the branch, from its cubic polynomials. */
 enum { POINTS_PER_INTERVAL = 6 };
+/* The picture of a branch begins where the load, and the profile ends where the traction, is this
+ * part of the greatest tension. */
+static const double SEEN_LOAD = 0.02, SEEN_TRACTION = 0.01;
+/* The part of the extent of a loop that stays free at its ends. */
+static const double FREE = 0.05;
+/* The branch is drawn up to a load of so many pull-off forces, unless a loop reaches beyond. */
+static const double MOST_LOAD = 2.0;
 
-void po_plot_assign(po_text *script, const char *variable, const char *value) {
-  po_text_add(script, "%s = '", variable);
-  for (const char *c = value; *c; ++c)
-    po_text_add(script, *c == '\'' ? "''" : "%c", *c);
-  po_text_add(script, "'\n");
+static const po_plot_point GAP = {(double)NAN, (double)NAN, 0.0};
+
+/* What is drawn: a branch over the approach, or over the position of the base of a spring. */
+typedef struct {
+  po_plot_picture *picture;
+  const po_curve_point *p;
+  size_t count;
+  po_control control;
+} branch;
+
+static double over(const branch *b, double approach, double load) {
+  return po_held(b->control, approach, load);
 }
 
-void po_plot_assign_load_unit(po_text *script, const po_request *request) {
-  po_plot_assign(script, "load_unit",
-                 strcmp(po_input_load_unit(request), "pi w R") == 0 ? "πwR" : "πwε");
+static void add(const branch *b, po_plot_series *to, double approach, double load) {
+  po_plot_add_point(b->picture, to, (po_plot_point){over(b, approach, load), load, 0.0});
 }
 
-/* The points of the branch from `begin` to `end` - 1. */
-static void add_stretch(po_text *script, const po_curve_point *p, size_t begin, size_t end) {
-  for (size_t i = begin; i + 1 < end; ++i) {
-    const double h = p[i + 1].position - p[i].position;
-    for (int k = 0; k < POINTS_PER_INTERVAL; ++k) {
-      const double x = h * k / POINTS_PER_INTERVAL;
-      po_text_add(
-          script, "%.9g %.9g\n",
-          po_hermite_value(p[i].approach, p[i].approach_rate, p[i + 1].approach,
-                           p[i + 1].approach_rate, x, h),
-          po_hermite_value(p[i].load, p[i].load_rate, p[i + 1].load, p[i + 1].load_rate, x, h));
+/* Adds the branch between two positions on it. */
+static void add_between(const branch *b, po_plot_series *to, double one, double other) {
+  const double from = fmin(one, other), until = fmax(one, other);
+  for (size_t i = 0; i + 1 < b->count; ++i) {
+    const po_curve_point *p = &b->p[i], *q = p + 1;
+    const double h = q->position - p->position;
+    const double begin = fmax(0.0, from - p->position), end = fmin(h, until - p->position);
+    for (int k = 0; end > begin && k <= POINTS_PER_INTERVAL; ++k) {
+      const double x = begin + (end - begin) * k / POINTS_PER_INTERVAL;
+      add(b, to,
+          po_hermite_value(p->approach, p->approach_rate, q->approach, q->approach_rate, x, h),
+          po_hermite_value(p->load, p->load_rate, q->load, q->load_rate, x, h));
     }
   }
-  po_text_add(script, "%.9g %.9g\n\n\n", p[end - 1].approach, p[end - 1].load);
+  po_plot_add_point(b->picture, to, GAP);
 }
 
-/* A block for each part of the branch that is stable, or unstable; neighbours share a point.
- * Returned: the number of blocks. */
-static size_t add_stretches(po_text *script, const po_result *o, bool stable) {
-  size_t blocks = 0;
-  po_text_add(script, "$%s << EOD\n", stable ? "stable" : "unstable");
-  for (size_t begin = 0, end; begin + 1 < o->curve_count; begin = end) {
-    const bool is_stable = o->curve[begin].unstable_modes == 0;
-    end = begin + 1;
-    while (end < o->curve_count && (o->curve[end].unstable_modes == 0) == is_stable)
+/* Adds the parts of the branch that are stable at given approach, or unstable. */
+static void add_parts(const branch *b, bool stable, po_plot_series *to) {
+  for (size_t begin = 0, end; begin + 1 < b->count; begin = end) {
+    const bool is_stable = b->p[begin].unstable_modes == 0;
+    for (end = begin + 1; end + 1 < b->count && (b->p[end].unstable_modes == 0) == is_stable;)
       ++end;
-    if (is_stable != stable)
-      continue;
-    add_stretch(script, o->curve, begin, end < o->curve_count ? end + 1 : end);
-    ++blocks;
+    if (is_stable == stable)
+      add_between(b, to, b->p[begin].position, b->p[end].position);
   }
-  po_text_add(script, "NaN NaN\nEOD\n");
-  return blocks;
 }
 
-static void add_curve(const po_result *o, po_text *script) {
-  const size_t stable = add_stretches(script, o, true), unstable = add_stretches(script, o, false);
-  po_text_add(script, "stable_count = %zu\nunstable_count = %zu\n$folds << EOD\n", stable,
-              unstable);
-  for (size_t i = 0; i < o->fold_count; ++i)
-    po_text_add(script, "%.9g %.9g\n", o->folds[i].approach, o->folds[i].load);
-  po_text_add(script, "NaN NaN\nEOD\n$pull_off << EOD\n");
-  if (o->has_pull_off)
-    po_text_add(script, "%.9g %.9g\n", o->pull_off.approach, -o->pull_off.force);
-  po_text_add(script, "NaN NaN\nEOD\n");
-}
-
-/* The jumps at given approach: rows of approach, load before and after, loading (1) or unloading. A
- * jump to infinite separation ends at load 0. */
-static void add_jumps(const po_result *o, po_text *script) {
-  const po_loop *loop = &o->hysteresis.displacement;
-  size_t count = 0;
-  po_text_add(script, "$jumps << EOD\n");
-  for (size_t k = 0; o->has_hysteresis && k < loop->jump_count; ++k, ++count) {
+/* Adds the path of loading or unloading between its jumps. */
+static void add_path(const branch *b, const po_loop *loop, bool loading, po_plot_series *to) {
+  double at = loading ? b->p[0].position : loop->preload.position;
+  for (size_t k = 0; k < loop->jump_count; ++k) {
     const po_jump *jump = &loop->jumps[k];
-    const double after = isfinite(jump->after.load) ? jump->after.load : 0.0;
-    const double approach =
-        isfinite(jump->before.approach) ? jump->before.approach : jump->after.approach;
-    po_text_add(script, "%.9g %.9g %.9g %d\n", approach, jump->before.load, after, jump->loading);
+    if (jump->loading != loading)
+      continue;
+    add_between(b, to, at, jump->before.position);
+    at = jump->after.position;
   }
-  po_text_add(script, "NaN NaN NaN 0\nEOD\njump_count = %zu\n", count);
+  if (isfinite(at))
+    add_between(b, to, at, loading ? loop->preload.position : b->p[0].position);
 }
 
-static void add_profile(const po_result *o, po_text *script) {
-  po_text_add(script, "$profile << EOD\n");
+static void add_jumps(const branch *b, const po_loop *loop, bool loading, po_plot_series *to) {
+  for (size_t k = 0; k < loop->jump_count; ++k) {
+    const po_jump *jump = &loop->jumps[k];
+    if (jump->loading != loading)
+      continue;
+    add(b, to, jump->before.approach, jump->before.load);
+    add(b, to, jump->after.approach, jump->after.load);
+  }
+}
+
+/* The range of the branch that shows its attraction, all jumps of a loop, and its preload. */
+static void set_range(const branch *b, const po_result *o, const po_loop *loop, po_plot_axis *x) {
+  const double force = o->has_pull_off ? o->pull_off.force : 0.0;
+  double low = INFINITY;
+  size_t last = b->count - 1;
+  for (size_t i = 0; i < b->count; ++i)
+    if (fabs(b->p[i].load) >= SEEN_LOAD * force)
+      low = fmin(low, over(b, b->p[i].approach, b->p[i].load));
+  while (last > 1 && force > 0.0 && b->p[last].load > MOST_LOAD * force)
+    --last;
+  double high = over(b, b->p[last].approach, b->p[last].load);
+  for (size_t k = 0; loop && k < loop->jump_count; ++k) {
+    const po_path_state *before = &loop->jumps[k].before;
+    low = fmin(low, over(b, before->approach, before->load));
+  }
+  if (loop)
+    high = over(b, loop->preload.approach, loop->preload.load);
+  x->low = low - FREE * (high - low);
+  x->high = high + FREE * (high - low);
+}
+
+/* Load over approach, or over the position of the base if the branch is held by a spring. Given:
+ * the loop that is drawn, NULL: the stability at given approach. */
+static void add_loads(const branch *b, const po_result *o, const po_loop *loop) {
+  po_plot_picture *picture = b->picture;
+  po_plot_panel *panel = po_plot_add_panel(picture);
+  const bool base = po_is_spring(b->control);
+  panel->x = po_plot_axis_of(picture, base ? "position of the base" : "approach",
+                             base ? "{/:Italic z}" : "Δ", PO_DIMENSION_LENGTH);
+  panel->y = po_plot_axis_of(picture, "load", "{/:Italic W}", PO_DIMENSION_LOAD);
+  set_range(b, o, loop, &panel->x);
+  po_plot_series *s;
+  if (!loop) {
+    add_parts(b, false, po_plot_add_series(picture, panel, PO_PLOT_UNSTABLE, "unstable"));
+    add_parts(b, true, po_plot_add_series(picture, panel, PO_PLOT_STABLE, "stable"));
+    s = po_plot_add_series(picture, panel, PO_PLOT_FOLD, "fold");
+    for (size_t i = 0; i < o->fold_count; ++i)
+      add(b, s, o->folds[i].approach, o->folds[i].load);
+    s = po_plot_add_series(picture, panel, PO_PLOT_PULL_OFF, "pull-off");
+    if (o->has_pull_off)
+      add(b, s, o->pull_off.approach, -o->pull_off.force);
+    return;
+  }
+  add_between(b, po_plot_add_series(picture, panel, PO_PLOT_EQUILIBRIA, "equilibria"), -INFINITY,
+              INFINITY);
+  for (int loading = 1; loading >= 0; --loading) {
+    s = po_plot_add_series(picture, panel, loading ? PO_PLOT_LOADING : PO_PLOT_UNLOADING,
+                           loading ? "loading" : "unloading");
+    add_path(b, loop, loading, s);
+  }
+  for (int loading = 1; loading >= 0 && loop->jump_count; --loading)
+    add_jumps(b, loop, loading,
+              po_plot_add_series(picture, panel,
+                                 loading ? PO_PLOT_JUMP_LOADING : PO_PLOT_JUMP_UNLOADING,
+                                 loading ? "" : "jump"));
+  s = po_plot_add_series(picture, panel, PO_PLOT_PULL_OFF, "pull-off");
+  if (loop->pull_off.load < 0.0)
+    add(b, s, loop->pull_off.approach, loop->pull_off.load);
+}
+
+static void add_profile(po_plot_picture *picture, const po_result *o) {
+  char title[64];
+  po_plot_panel *panel = po_plot_add_panel(picture);
+  panel->x = po_plot_axis_of(picture, "radius", "{/:Italic r}", PO_DIMENSION_LENGTH);
+  snprintf(title, sizeof title, "traction at approach %.4g %s",
+           po_plot_shown(&panel->x, o->profile_approach), panel->x.in_figure);
+  panel->y = po_plot_axis_of(picture, "traction", "", PO_DIMENSION_TRACTION);
+  panel->second = po_plot_axis_of(picture, "gap", "", PO_DIMENSION_GAP);
+  double least = 0.0, reach = 0.0;
   for (size_t i = 0; i < o->profile_count; ++i)
-    po_text_add(script, "%.9g %.9g %.9g\n", o->profile[i].radius, o->profile[i].gap,
-                o->profile[i].traction);
-  po_text_add(script, "NaN NaN NaN\nEOD\n");
-  if (o->profile_count)
-    po_text_add(script, "profile_approach = %.9g\n", o->profile_approach);
+    least = fmax(least, SEEN_TRACTION * fabs(o->profile[i].traction));
+  for (size_t i = 0; i < o->profile_count; ++i)
+    if (fabs(o->profile[i].traction) > least)
+      reach = o->profile[i].radius;
+  panel->x.low = 0.0;
+  panel->x.high = (1.0 + 3.0 * FREE) * reach;
+  for (int gap = 0; gap < 2; ++gap) {
+    po_plot_series *s = po_plot_add_series(picture, panel, gap ? PO_PLOT_GAP : PO_PLOT_TRACTION,
+                                           gap ? "gap (right)" : title);
+    for (size_t i = 0; i < o->profile_count && o->profile[i].radius <= panel->x.high; ++i)
+      po_plot_add_point(picture, s,
+                        (po_plot_point){o->profile[i].radius,
+                                        gap ? o->profile[i].gap : o->profile[i].traction, 0.0});
+  }
 }
 
-static void add_staircase(const char *name, const po_staircase *s, po_text *script) {
-  po_text_add(script, "$%s << EOD\n", name);
+static void add_steps(po_plot_picture *picture, const po_staircase *s, po_plot_series *to) {
   for (size_t k = 0; k < s->count; ++k) {
     const po_step *step = &s->step[k];
-    const double from =
-        isfinite(step->preload.approach) ? step->preload.approach : step->until.approach;
-    po_text_add(script, "%.9g %.9g\n%.9g %.9g\n\n", from, -step->pull_off.load,
-                step->until.approach, -step->pull_off.load);
+    const po_path_state *from = isfinite(step->preload.approach) ? &step->preload : &step->until;
+    const double force = -step->pull_off.load;
+    po_plot_add_point(picture, to,
+                      (po_plot_point){po_held(s->control, from->approach, from->load), force, 0.0});
+    po_plot_add_point(
+        picture, to,
+        (po_plot_point){po_held(s->control, step->until.approach, step->until.load), force, 0.0});
+    po_plot_add_point(picture, to, GAP);
   }
-  po_text_add(script, "NaN NaN\nEOD\n");
 }
 
-po_status po_plot_solve(const po_request *request, const po_result *o, po_text *script) {
-  enum { WIDTH = 680, ONE_ROW = 400, TWO_ROWS = 660 };
-  const bool curve = o->curve_count > 1, profile = o->profile_count > 1;
-  const bool staircase = o->has_staircases && o->staircase.of[0].count > 0;
-  const int panels = curve + profile + staircase;
-  if (!panels)
-    return po_fail(PO_BAD_INPUT, "the result has no curve, profile or staircase to plot: %s",
-                   *o->reason ? o->reason : po_status_text(o->status));
-  char *command = po_input_command(request);
-  if (!command)
+/* The pull-off force over the preload. */
+static void add_staircase(po_plot_picture *picture, const po_staircase *ours,
+                          const po_staircase *jkr) {
+  po_plot_panel *panel = po_plot_add_panel(picture);
+  const bool base = po_is_spring(ours->control);
+  panel->x = po_plot_axis_of(
+      picture, base ? "preload, farthest position of the base" : "preload, largest approach",
+      base ? "{/:Italic z}" : "Δ", PO_DIMENSION_LENGTH);
+  panel->y = po_plot_axis_of(picture, "pull-off force", "", PO_DIMENSION_LOAD);
+  panel->y.low = 0.0;
+  if (jkr)
+    add_steps(picture, jkr, po_plot_add_series(picture, panel, PO_PLOT_THEORY, "JKR theory"));
+  po_plot_series *s = po_plot_add_series(picture, panel, PO_PLOT_STEPS, "computed");
+  add_steps(picture, ours, s);
+  if (picture->failed)
+    return;
+  /* The JKR theory knows steps at preloads far beyond those that were traced. */
+  const double first = s->point[0].x, extent = s->point[s->count - 2].x - first;
+  panel->x.low = first - FREE * extent;
+  panel->x.high = first + (1.0 + FREE) * extent;
+}
+
+po_status po_plot_solve(const po_request *request, const po_result *o, po_plot_picture *picture) {
+  branch b = {picture, o->curve, o->curve_count, request->stiffness};
+  const po_hysteresis *h = o->has_hysteresis ? &o->hysteresis : NULL;
+  const po_loop *spring = h && h->has_spring ? &h->spring : NULL;
+  if (b.count > 1 && spring)
+    add_loads(&b, o, spring);
+  b.control = PO_DISPLACEMENT_CONTROL;
+  if (b.count > 1)
+    add_loads(&b, o, spring ? spring : h ? &h->displacement : NULL);
+  if (o->profile_count > 1)
+    add_profile(picture, o);
+  for (int k = o->staircase.has_spring ? 2 : 0; o->has_staircases && k >= 0; k -= 2)
+    if (o->staircase.of[k].count)
+      add_staircase(picture, &o->staircase.of[k],
+                    o->theory.has_staircases ? &o->theory.staircase.of[k] : NULL);
+  if (picture->failed)
     return PO_NO_MEMORY;
-  po_text_add(script, "figure_width = %d\nfigure_height = %d\npanel_count = %d\n", WIDTH,
-              panels > 2 ? TWO_ROWS : ONE_ROW, panels);
-  po_text_add(script, "has_curve = %d\nhas_profile = %d\nhas_staircase = %d\n", curve, profile,
-              staircase);
-  po_plot_assign(script, "caption", command);
-  po_plot_assign_load_unit(script, request);
-  free(command);
-  add_curve(o, script);
-  add_jumps(o, script);
-  add_profile(o, script);
-  add_staircase("staircase", &o->staircase.of[0], script);
-  add_staircase("jkr", &o->theory.staircase.of[0], script);
-  po_text_add(script, "has_jkr = %d\n",
-              o->theory.has_staircases && o->theory.staircase.of[0].count);
-  return script->failed ? PO_NO_MEMORY : PO_OK;
-}
-
-po_status po_plot_pull_offs(size_t number, const char *name, const po_plot_pull_off *point,
-                            size_t count, po_text *script) {
-  char variable[40];
-  po_text_add(script, "$curve%zu << EOD\n", number);
-  for (size_t i = 0; i < count; ++i)
-    po_text_add(script, "%.9g %.9g %.9g\n", point[i].x, point[i].force, point[i].error);
-  po_text_add(script, "NaN NaN NaN\nEOD\n");
-  snprintf(variable, sizeof variable, "name%zu", number);
-  po_plot_assign(script, variable, name);
-  return script->failed ? PO_NO_MEMORY : PO_OK;
+  return picture->count
+             ? PO_OK
+             : po_fail(PO_BAD_INPUT, "the result has no curve, profile or staircase to plot: %s",
+                       *o->reason ? o->reason : po_status_text(o->status));
 }

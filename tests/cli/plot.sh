@@ -8,13 +8,19 @@ export PULLOFF_DATA="$root"
 export LC_ALL=C
 
 expect 0 '' plot --tabor 1
-check 'the legend' grep -q '^\* stable, \. unstable, o fold, X pull-off, | jump$' stdout
-check 'the least load is on the axis' grep -q '^ *-1.671 |' stdout
-check 'one pull-off' test "$(tail -n +3 stdout | grep -o X | wc -l)" = 1
-check 'two folds' test "$(tail -n +3 stdout | grep -o o | wc -l)" -ge 2
-check 'no line is too long' awk 'length($0) > 80 { exit 1 }' stdout
+check 'the legend' grep -q '^\. equilibria, + loading, \* unloading, | jump, X pull-off$' stdout
+check 'one pull-off' test "$(tail -n +5 stdout | grep -o X | wc -l)" = 1
+check 'no line is too long' awk 'NR > 1 && length($0) > 80 { exit 1 }' stdout
+expect 0 '' plot --tabor 1 --want curve
+check 'the legend of a branch' grep -q '^\. unstable, \* stable, o fold, X pull-off$' stdout
+check 'two folds' test "$(tail -n +4 stdout | grep -o o | wc -l)" -ge 2
+expect 0 '' plot --tabor 3 --amplitude 1 --wavelength 20 --stiffness 0.3
+check 'through a spring over the base and over the approach' test "$(grep -c -e 'against position of the base in epsilon$' \
+  -e 'against approach in epsilon$' stdout)" = 2
+# The spring jumps at -3.11 and 0.75 in loading, at -9.06 and -12.4 in unloading: the range of the base shows all.
+check 'the range shows all jumps' awk '/^ +-[0-9.]+ +[0-9.]+$/ && !n++ { exit !($1 < -12.4 && $1 > -15 && $2 > 12) }' stdout
 expect 0 '' plot --tabor 1 --want profile,preload
-check 'the profile and the staircase' test "$(grep -c -e '^traction P' -e '^pull-off force in' stdout)" = 2
+check 'the profile and the staircase' test "$(grep -c -e '^traction in' -e '^pull-off force in' stdout)" = 2
 check 'and no curve' fails grep -q '^load in' stdout
 expect 0 '' plot --tabor 0.5 --profile cone:0.5 --preload inf
 check 'the unit of the load' grep -q '^load in pi w epsilon against' stdout
@@ -39,6 +45,27 @@ if command -v gnuplot >/dev/null; then
   expect 0 '' solve --tabor 1 --want profile,hysteresis,preload --plot all.svg
   check 'the result is printed' grep -q '^pull-off force 1.67066' stdout
   check 'all panels' test "$(grep -c -e 'approach Δ†/ε' -e 'radius' -e 'preload, largest' all.svg)" -ge 3
+  # What a figure needs ended the search beyond the preload, and changed the steps of the trace: another result.
+  for words in '' '--want hysteresis' '--stiffness 0.1' '--json'; do
+    expect 0 '' solve --tabor 1.7 $words
+    grep -v -e '^work' -e '"seconds"' stdout >alone
+    expect 0 '' solve --tabor 1.7 $words --plot beside.svg
+    grep -v -e '^work' -e '"seconds"' stdout >with_plot
+    check "the result of solve $words does not depend on --plot" cmp alone with_plot
+    check 'and the figure is drawn' drawn beside.svg
+  done
+  # shellcheck disable=SC2086
+  tip='--from-physical --modulus-pa 5e9 --work-j-per-m2 0.08 --distance-m 3e-10 --radius-m 3e-8'
+  expect 0 '' plot $tip --amplitude-m 4e-10 --wavelength-m 6e-9 --preload-load-n 2e-9 --stiffness-n-per-m 2 tip.svg
+  check 'axes in SI units' test "$(grep -c -e 'position of the base' -e '(nm)' -e '(nN)' tip.svg)" -ge 3
+  check 'the caption in SI units' grep -q 'R = 30 nm, w = 80 mJ/m², E\* = 5 GPa, ε = 0.3 nm, A = 0.4 nm, λ = 6 nm, preload = 2 nN, spring = 2 N/m' tip.svg
+  expect 0 '' compare $tip --plot theories.svg
+  check 'a row for each theory' test "$(grep -c -e 'JKR' -e 'DMT' -e 'Maugis-Dugdale' theories.svg)" -ge 3
+  expect 0 '' follow --key tabor --from 0.5 --to 1 --points 4 --plot series.svg
+  check 'a series' drawn series.svg
+  check 'its axes' test "$(grep -c -e '>tabor<' -e 'pull-off force/πwR' series.svg)" -ge 2
+  expect 0 '' follow --of folds --key tabor --from 1.2 --to 1 --points 4 --plot folds.svg
+  check 'folds' test "$(grep -c -e '>jump_in<' -e '>jump_out<' folds.svg)" -ge 2
   expect 0 '' solve --tabor 0 --plot rigid.svg
   check 'a rigid sphere' drawn rigid.svg
   expect 4 'pulloff: nowhere/a.svg cannot be written: *' solve --tabor 1 --plot nowhere/a.svg
@@ -46,7 +73,7 @@ if command -v gnuplot >/dev/null; then
   expect 0 '*' plot fig04 --run run fig04.svg
   check 'a run' drawn fig04.svg
   expect 0 '*' plot fig04 --run run
-  check 'a run as characters' grep -q 'pull-off force against tabor$' stdout
+  check 'a run as characters' grep -q '^pull-off force in pi w R against tabor$' stdout
   check 'no file is left' test "$(find . -name 'figure*' | wc -l)" = 0
   mkdir empty
   program_path=$work/empty
@@ -112,7 +139,7 @@ if command -v gnuplot >/dev/null; then
 fi
 write_map 0.001 0.03 3
 expect 0 '*' plot good --run curves
-check 'few values of one number are curves' grep -q '^A map: pull-off force against tabor$' stdout
+check 'few values of one number are curves' grep -q '^pull-off force in pi w R against tabor$' stdout
 write_case "$PULLOFF_DATA/cases/good.yaml"
 "$program" plot good --run own >out 2>err
 check 'a case without a sweep' test $? -eq 2

@@ -1,0 +1,141 @@
+#include "po_plot_scene.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "po_environment.h"
+#include "po_file.h"
+#include "po_options.h"
+
+po_status po_plot_take_file(const char *text, const char **file) {
+  *file = text;
+  return po_plot_is_figure(text)
+             ? PO_OK
+             : po_options_refuse("plot", text,
+                                 "the name of a file that ends in .svg, .png or .pdf");
+}
+
+void po_plot_size(size_t *columns, size_t *rows) {
+  enum { COLUMNS = 66, ROWS = 21, BESIDE = 14, BELOW = 5, LEAST = 20 };
+  struct winsize window;
+  *columns = COLUMNS;
+  *rows = ROWS;
+  if (isatty(STDOUT_FILENO) && ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0 && window.ws_col &&
+      window.ws_row) {
+    *columns = window.ws_col > LEAST + BESIDE ? window.ws_col - BESIDE : LEAST;
+    *rows = window.ws_row > LEAST + BELOW ? window.ws_row - BELOW : LEAST;
+  }
+}
+
+/* The folder of the scripts, to be freed. */
+static char *figures(void) {
+  return po_path_join(po_environment_data(), "reports/figures");
+}
+
+po_status po_plot_map_draw(const po_text *script, const char *file) {
+  char *folder = figures();
+  const po_status status =
+      folder ? po_plot_run(script, folder, "map.gp", NULL, file) : PO_NO_MEMORY;
+  free(folder);
+  return status;
+}
+
+static po_status print(po_plot_picture *picture) {
+  size_t columns, rows;
+  po_text text = {0};
+  po_plot_size(&columns, &rows);
+  const po_status status = po_plot_print(picture, columns, rows, &text);
+  enum { LINE = 80 }; /* the command of a scene is longer, and known to who gave it */
+  if (!status && strlen(picture->caption) < LINE)
+    puts(picture->caption);
+  if (!status)
+    fputs(po_text_string(&text), stdout);
+  po_text_clear(&text);
+  return status;
+}
+
+po_status po_plot_show(po_plot_picture *picture, const char *file) {
+  char *folder = figures();
+  const po_status status = picture->failed || !folder ? PO_NO_MEMORY
+                           : file                     ? po_plot_draw(picture, folder, file)
+                                                      : print(picture);
+  free(folder);
+  po_plot_clear(picture);
+  return status;
+}
+
+static po_plot_picture begin(const po_request *request) {
+  return po_plot_begin(po_plot_caption(request), request);
+}
+
+po_status po_plot_of_solve(const po_request *request, const po_result *result, const char *file) {
+  po_plot_picture picture = begin(request);
+  const po_status status = po_plot_solve(request, result, &picture);
+  if (!status)
+    return po_plot_show(&picture, file);
+  po_plot_clear(&picture);
+  return status;
+}
+
+po_status po_plot_of_theories(const po_request *request, const po_result *result,
+                              const char *file) {
+  po_plot_picture picture = begin(request);
+  po_plot_theories(result, &picture);
+  return po_plot_show(&picture, file);
+}
+
+/* The axis of the parameter that varies; lengths in SI units with a prefix. */
+static po_plot_axis varied_axis(const po_plot_picture *picture, const po_printed_series *series) {
+  const size_t length = strlen(series->name);
+  const bool metres = length > 2 && strcmp(series->name + length - 2, "-m") == 0;
+  po_plot_axis axis =
+      po_plot_axis_of(picture, series->name, "", metres ? PO_DIMENSION_LENGTH : PO_DIMENSION_NONE);
+  if (metres) {
+    axis.factor /= picture->units->length;
+    axis.words[length - 2] = '\0';
+  }
+  axis.log = po_plot_is_log(fmin(series->scenes[0].value, series->scenes[series->count - 1].value),
+                            fmax(series->scenes[0].value, series->scenes[series->count - 1].value));
+  return axis;
+}
+
+/* The points of one curve: the pull-off forces, or the approaches of a fold. Units may differ from
+ * scene to scene: the numbers are in those of the first one. */
+static void add_curve(po_plot_picture *picture, po_plot_series *to, const po_printed_series *series,
+                      const size_t *fold) {
+  for (size_t k = 0; k < series->count; ++k) {
+    const po_result *o = &series->results[k];
+    const po_units *u = &series->requests[k].units, *first = picture->units;
+    const double ratio = !first ? 1.0 : fold ? u->length / first->length : u->force / first->force;
+    const double value = fold && *fold < o->fold_count ? o->folds[*fold].approach
+                         : !fold && o->has_pull_off    ? o->pull_off.force
+                                                       : (double)NAN;
+    const double error = fold ? 0.0 : fmax(0.0, o->pull_off.force_error);
+    po_plot_add_point(picture, to,
+                      (po_plot_point){series->scenes[k].value, value * ratio, error * ratio});
+  }
+}
+
+po_status po_plot_of_series(const po_printed_series *series, bool folds, const char *file) {
+  po_text caption = {0};
+  char *first = po_plot_caption(&series->requests[0]);
+  po_text_add(&caption, "%s varies; the first scene: %s", series->name, first ? first : "");
+  free(first);
+  po_plot_picture picture = po_plot_begin(caption.data, &series->requests[0]);
+  po_plot_panel *panel = po_plot_add_panel(&picture);
+  panel->x = varied_axis(&picture, series);
+  panel->y = folds ? po_plot_axis_of(&picture, "approach", "Δ", PO_DIMENSION_LENGTH)
+                   : po_plot_axis_of(&picture, "pull-off force", "", PO_DIMENSION_LOAD);
+  for (size_t k = 0; folds && k < series->results[0].fold_count; ++k)
+    add_curve(&picture,
+              po_plot_add_series(&picture, panel, PO_PLOT_CURVE,
+                                 po_special_kind_name(series->results[0].folds[k].kind)),
+              series, &k);
+  if (!folds)
+    add_curve(&picture, po_plot_add_series(&picture, panel, PO_PLOT_CURVE, ""), series, NULL);
+  return po_plot_show(&picture, file);
+}

@@ -1,0 +1,27 @@
+/* The pictures of one scene and of a series of scenes: a figure in a file, or characters. */
+#ifndef PO_PLOT_SCENE_H
+#define PO_PLOT_SCENE_H
+
+#include "po_plot.h"
+#include "po_print_series.h"
+
+/* Takes the name of a figure. Status: PO_BAD_INPUT unless it ends in .svg, .png or .pdf. */
+po_status po_plot_take_file(const char *text, const char **file);
+
+/* Draws a picture in a file, or prints it as characters if it is NULL, as large as the terminal,
+ * and clears it. Status: as po_plot_draw. */
+po_status po_plot_show(po_plot_picture *picture, const char *file);
+
+/* The same of a solve of the theories beside it, and of the
+ * pull-off, or the folds, along a series. */
+po_status po_plot_of_solve(const po_request *request, const po_result *result, const char *file);
+po_status po_plot_of_theories(const po_request *request, const po_result *result, const char *file);
+po_status po_plot_of_series(const po_printed_series *series, bool folds, const char *file);
+
+/* Draws a map with the script of its data. */
+po_status po_plot_map_draw(const po_text *script, const char *file);
+
+/* The size of a plot in characters: that of the terminal, within limits. */
+void po_plot_size(size_t *columns, size_t *rows);
+
+#endif

@@ -1,0 +1,144 @@
+/* A picture as commands for gnuplot. Its styles are macros of reports/figures/picture.gp. */
+#include <math.h>
+
+#include "po_plot.h"
+
+/* The names of the styles, and what is drawn of a point. */
+static const struct {
+  const char *macro;
+  bool is_arrow, has_error;
+} STYLES[PO_PLOT_STYLE_COUNT] = {[PO_PLOT_EQUILIBRIA] = {.macro = "equilibria"},
+                                 [PO_PLOT_UNSTABLE] = {.macro = "unstable"},
+                                 [PO_PLOT_STABLE] = {.macro = "stable"},
+                                 [PO_PLOT_LOADING] = {.macro = "loading"},
+                                 [PO_PLOT_UNLOADING] = {.macro = "unloading"},
+                                 [PO_PLOT_JUMP_LOADING] = {"jump_loading", .is_arrow = true},
+                                 [PO_PLOT_JUMP_UNLOADING] = {"jump_unloading", .is_arrow = true},
+                                 [PO_PLOT_THEORY] = {.macro = "theory"},
+                                 [PO_PLOT_STEPS] = {.macro = "steps"},
+                                 [PO_PLOT_CURVE] = {"curve", .has_error = true},
+                                 [PO_PLOT_TRACTION] = {.macro = "traction"},
+                                 [PO_PLOT_GAP] = {.macro = "gap"},
+                                 [PO_PLOT_LEVEL] = {.macro = "level"},
+                                 [PO_PLOT_HOLDS] = {.macro = "holds"},
+                                 [PO_PLOT_FAILS] = {.macro = "fails"},
+                                 [PO_PLOT_UNKNOWN] = {.macro = "unknown"},
+                                 [PO_PLOT_FOLD] = {.macro = "fold"},
+                                 [PO_PLOT_PULL_OFF] = {.macro = "pull_off"}};
+/* More titles are beside the panel in place of above it. */
+enum { MOST_ABOVE = 8 };
+/* The height of a picture with one row of panels, and that of each of several, pixels. */
+enum { ONE_ROW = 400, ROW = 340 };
+
+void po_plot_assign(po_text *script, const char *variable, const char *value) {
+  po_text_add(script, "%s = '", variable);
+  for (const char *c = value; *c; ++c)
+    po_text_add(script, *c == '\'' ? "''" : "%c", *c);
+  po_text_add(script, "'\n");
+}
+
+static void add_label(po_text *script, const char *which, const po_plot_axis *axis,
+                      const char *more) {
+  const char *unit = axis->in_figure;
+  po_text_add(script, "set %slabel '%s%s%s%s%s%s'%s%s\n", which, axis->words,
+              *axis->symbol ? " " : "", axis->symbol,
+              !*unit     ? ""
+              : axis->si ? " ("
+                         : "/",
+              unit, *unit && axis->si ? ")" : "", *unit ? " " : " noenhanced ", more);
+}
+
+static void add_range(po_text *script, char which, const po_plot_axis *axis) {
+  const double low = po_plot_shown(axis, axis->low), high = po_plot_shown(axis, axis->high);
+  po_text_add(script, "unset logscale %c; set %ctics autofreq\nset %crange [%.9g:%.9g]\n", which,
+              which, which, low, high);
+  if (axis->log)
+    po_plot_add_log_tics(script, which, low, high);
+  if (axis->tics.length)
+    po_text_add(script, "set %ctics (%s)\n", which, axis->tics.data);
+}
+
+/* The points of a series: their coordinates, and the error or where the arrow leads. */
+static void add_points(po_text *script, const po_plot_panel *panel, const po_plot_series *s) {
+  const po_plot_axis *x = &panel->x, *y = s->style == PO_PLOT_GAP ? &panel->second : &panel->y;
+  const size_t step = STYLES[s->style].is_arrow ? 2 : 1;
+  for (size_t i = 0; i + step <= s->count; i += step) {
+    const po_plot_point *p = &s->point[i], *q = p + step - 1;
+    const double at[2] = {po_plot_shown(x, p->x), po_plot_shown(y, p->y)};
+    if (!isfinite(p->x) || !isfinite(p->y))
+      po_text_add(script, "\n");
+    else if (step == 2)
+      po_text_add(script, "%.9g %.9g %.9g %.9g\n", at[0], at[1], po_plot_shown(x, q->x) - at[0],
+                  po_plot_shown(y, q->y) - at[1]);
+    else
+      po_text_add(script, "%.9g %.9g %.9g\n", at[0], at[1], p->error * y->factor);
+  }
+}
+
+/* Appends the part of the plot command of a series. */
+static void add_series(po_text *plot, const po_plot_series *s, size_t number, double shade) {
+  const char *macro = STYLES[s->style].macro;
+  if (STYLES[s->style].has_error)
+    po_text_add(plot,
+                "$series%zu using 1:2:3 @%s_error palette frac %.3f notitle, "
+                "$series%zu using 1:2 @%s palette frac %.3f ",
+                number, macro, shade, number, macro, shade);
+  else
+    po_text_add(plot, "$series%zu using %s @%s ", number,
+                STYLES[s->style].is_arrow ? "1:2:3:4" : "1:2", macro);
+  if (!*s->title)
+    po_text_add(plot, "notitle");
+  else
+    po_text_add(plot, "title '");
+  for (const char *c = s->title; *c; ++c)
+    po_text_add(plot, *c == '\'' ? "''" : "%c", *c);
+  po_text_add(plot, *s->title ? "'" : "");
+}
+
+static void add_panel(po_text *script, po_plot_panel *panel) {
+  size_t titles = 0, drawn = 0;
+  po_text plot = {0};
+  po_plot_set_ranges(panel);
+  for (size_t k = 0; k < panel->count; ++k) {
+    const po_plot_series *s = &panel->series[k];
+    if (!s->count)
+      continue;
+    titles += *s->title != '\0';
+    po_text_add(script, "$series%zu << EOD\n", drawn);
+    add_points(script, panel, s);
+    po_text_add(script, "EOD\n");
+    po_text_add(&plot, drawn ? ", \\\n  " : "plot ");
+    add_series(&plot, s, drawn++, panel->count > 1 ? (double)k / (double)(panel->count - 1) : 0.0);
+  }
+  add_label(script, "x", &panel->x, "offset 0,0.4");
+  if (panel->y.tics.length)
+    po_text_add(script, "unset ylabel\n");
+  else
+    add_label(script, "y", &panel->y, "offset 1,0");
+  add_range(script, 'x', &panel->x);
+  add_range(script, 'y', &panel->y);
+  if (*panel->second.words)
+    add_label(script, "y2", &panel->second, "offset -1,0");
+  po_text_add(script, "has_second = %d; has_names = %d; titles = %s\n@place\n%s\n@after\n",
+              *panel->second.words != '\0', panel->y.tics.length > 0,
+              titles < 2            ? "'none'"
+              : titles > MOST_ABOVE ? "'beside'"
+                                    : "'above'",
+              po_text_string(&plot));
+  script->failed = script->failed || plot.failed;
+  po_text_clear(&plot);
+}
+
+po_status po_plot_draw(po_plot_picture *picture, const char *figures, const char *file) {
+  po_text head = {0}, body = {0};
+  po_text_add(&head, "panel_count = %zu\nfigure_height = %d\n", picture->count,
+              picture->count > 2 ? ROW * (int)((picture->count + 1) / 2) : ONE_ROW);
+  po_plot_assign(&head, "caption", picture->caption);
+  for (size_t k = 0; k < picture->count; ++k)
+    add_panel(&body, &picture->panel[k]);
+  po_text_add(&body, "unset multiplot\nunset output\n");
+  const po_status status = po_plot_run(&head, figures, "picture.gp", &body, file);
+  po_text_clear(&head);
+  po_text_clear(&body);
+  return status;
+}

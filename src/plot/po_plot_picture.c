@@ -1,0 +1,157 @@
+/* Pictures: their parts, axes and ranges. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "po_elementary.h"
+#include "po_input.h"
+#include "po_memory.h"
+#include "po_plot.h"
+
+/* Ratio of the ends of a linear axis, at most. */
+static const double MOST_LINEAR = 20.0;
+/* Part of the extent of an axis that stays free at each end. */
+static const double MARGIN = 0.05;
+
+const char *po_plot_load_unit(const char *load_unit) {
+  return strcmp(load_unit, "pi w R") == 0 ? "πwR" : "πwε";
+}
+
+po_plot_picture po_plot_begin(char *caption, const po_request *request) {
+  return (po_plot_picture){.caption = caption,
+                           .load_unit = po_input_load_unit(request),
+                           .units = request->in_si ? &request->units : NULL,
+                           .failed = !caption};
+}
+
+void po_plot_clear(po_plot_picture *picture) {
+  for (size_t k = 0; k < picture->count; ++k) {
+    po_plot_panel *panel = &picture->panel[k];
+    for (size_t i = 0; i < panel->count; ++i)
+      free(panel->series[i].point);
+    free(panel->series);
+    po_text_clear(&panel->y.tics);
+  }
+  free(picture->caption);
+  *picture = (po_plot_picture){0};
+}
+
+po_plot_panel *po_plot_add_panel(po_plot_picture *picture) {
+  return &picture->panel[picture->count++];
+}
+
+po_plot_series *po_plot_add_series(po_plot_picture *picture, po_plot_panel *panel,
+                                   po_plot_style style, const char *title) {
+  static po_plot_series none; /* takes no points */
+  po_plot_series *grown = po_grow(panel->series, panel->count, &panel->room, sizeof *grown);
+  if (!grown) {
+    picture->failed = true;
+    return &none;
+  }
+  panel->series = grown;
+  po_plot_series *series = &grown[panel->count++];
+  *series = (po_plot_series){.style = style};
+  snprintf(series->title, sizeof series->title, "%s", title);
+  return series;
+}
+
+void po_plot_add_point(po_plot_picture *picture, po_plot_series *series, po_plot_point point) {
+  if (picture->failed)
+    return;
+  po_plot_point *grown = po_grow(series->point, series->count, &series->room, sizeof *grown);
+  picture->failed = !grown;
+  if (!grown)
+    return;
+  series->point = grown;
+  grown[series->count++] = point;
+}
+
+po_plot_axis po_plot_axis_of(const po_plot_picture *picture, const char *words, const char *symbol,
+                             po_dimension dimension) {
+  po_plot_axis axis = {.symbol = symbol, .si = picture->units, .low = NAN, .high = NAN};
+  snprintf(axis.words, sizeof axis.words, "%s", words);
+  const bool length = dimension == PO_DIMENSION_LENGTH || dimension == PO_DIMENSION_GAP;
+  const bool load = dimension == PO_DIMENSION_LOAD, traction = dimension == PO_DIMENSION_TRACTION;
+  const char *text = length     ? "ε"
+                     : load     ? po_plot_load_unit(picture->load_unit)
+                     : traction ? "(w/με)"
+                                : "";
+  const char *letters = length     ? "epsilon"
+                        : load     ? picture->load_unit
+                        : traction ? "w/(mu epsilon)"
+                                   : "";
+  po_si_unit unit = {.factor = 1.0, .shift = dimension == PO_DIMENSION_GAP};
+  if (axis.si) {
+    unit = po_si_prefixed(picture->units, dimension);
+    text = letters = unit.text;
+  }
+  axis.factor = unit.factor;
+  axis.shift = unit.shift;
+  snprintf(axis.in_figure, sizeof axis.in_figure, "%s", text);
+  snprintf(axis.in_letters, sizeof axis.in_letters, "%s", letters);
+  return axis;
+}
+
+double po_plot_shown(const po_plot_axis *axis, double value) {
+  return (value + axis->shift) * axis->factor;
+}
+
+bool po_plot_is_log(double first, double last) {
+  return first > 0.0 && last > MOST_LINEAR * first;
+}
+
+void po_plot_add_log_tics(po_text *script, char axis, double low, double high) {
+  const char *comma = "";
+  po_text_add(script, "set logscale %c\nset %ctics (", axis, axis);
+  for (double power = po_pow(10.0, floor(po_log(low) / po_log(10.0))); power <= high; power *= 10.0)
+    for (int digit = 1; digit < 10; ++digit) {
+      const double value = digit * power;
+      if (value < low || value > high)
+        continue;
+      if (digit == 1 || digit == 2 || digit == 5)
+        po_text_add(script, "%s'%g' %.9g", comma, value, value);
+      else
+        po_text_add(script, "%s'' %.9g 1", comma, value);
+      comma = ", ";
+    }
+  po_text_add(script, ")\n");
+}
+
+static void widen(double range[2], double value) {
+  range[0] = fmin(range[0], value);
+  range[1] = fmax(range[1], value);
+}
+
+/* Sets an end of the range of an axis that is NAN to that of the points, with a margin. */
+static void set_range(po_plot_axis *axis, const double found[2]) {
+  double low = isnan(axis->low) ? found[0] : axis->low;
+  double high = isnan(axis->high) ? found[1] : axis->high;
+  if (low > high)
+    low = high = 0.0;
+  if (axis->log) {
+    const double factor = po_pow(high / low, MARGIN);
+    axis->low = isnan(axis->low) ? low / factor : low;
+    axis->high = isnan(axis->high) ? high * factor : high;
+    return;
+  }
+  const double margin = high > low ? MARGIN * (high - low) : 0.5;
+  const double free =
+      low >= 0.0 && low < margin ? 0.0 : low - margin; /* not below 0 for a margin */
+  axis->low = isnan(axis->low) ? free : low;
+  axis->high = isnan(axis->high) ? high + margin : high;
+}
+
+void po_plot_set_ranges(po_plot_panel *panel) {
+  for (int of_y = 0; of_y < 2; ++of_y) {
+    double found[2] = {INFINITY, -INFINITY};
+    for (size_t k = 0; k < panel->count; ++k)
+      for (size_t i = 0; i < panel->series[k].count; ++i) {
+        const po_plot_point *p = &panel->series[k].point[i];
+        const bool outside = of_y && (p->x < panel->x.low || p->x > panel->x.high);
+        if (isfinite(p->x) && isfinite(p->y) && !outside && panel->series[k].style != PO_PLOT_GAP)
+          widen(found, of_y ? p->y : p->x);
+      }
+    set_range(of_y ? &panel->y : &panel->x, found);
+  }
+}
