@@ -171,10 +171,12 @@ static po_status reference_open_check(const char *data_folder, const po_check *c
 static po_status open_check(const po_plan *plan, const char *data_folder, const po_check *check,
                             bool measure, po_reference *reference) {
   char *folder = folder_for(plan->kase, data_folder, check->reference);
-  const po_status status = !folder   ? PO_NO_MEMORY
-                           : measure ? po_reference_open(folder, check->reference, reference)
-                                     : reference_open_check(folder, check, reference);
+  po_status status = !folder   ? PO_NO_MEMORY
+                     : measure ? po_reference_open(folder, check->reference, reference)
+                               : reference_open_check(folder, check, reference);
   free(folder);
+  if (!status && plan->kase->is_physical && reference->type == PO_REFERENCE_TABLE)
+    status = po_reference_use_units(reference, &plan->kase->units);
   return status;
 }
 

@@ -7,6 +7,7 @@
 
 #include "po_file.h"
 #include "po_number.h"
+#include "po_si.h"
 #include "po_text.h"
 
 static const char *const LEDGERS[] = {"oracle", "published", "pin"};
@@ -86,6 +87,7 @@ po_status po_reference_read(const char *path, const char *shown, po_reference *r
 
 void po_reference_close(po_reference *reference) {
   po_csv_clear(&reference->table);
+  free(reference->converted);
   free(reference->path);
   free(reference->shown);
   *reference = (po_reference){0};
@@ -143,6 +145,17 @@ static bool row_holds(const po_csv *table, size_t row, const po_request *request
 
 static po_status need_column(const po_csv *table, const char *name, size_t *column) {
   const int found = po_csv_find_column(table, name);
+  for (size_t c = 0; found < 0 && c < table->column_count; ++c) {
+    size_t stem = 0;
+    po_dimension dimension;
+    double size = 0;
+    if (po_si_parse(table->columns[c], &stem, &dimension, &size) && strlen(name) == stem &&
+        strncmp(name, table->columns[c], stem) == 0)
+      return po_fail(PO_CANNOT_READ,
+                     "%s:%zu: the column %s is in SI units: expected %s, or a case whose scene is "
+                     "in SI units (scene.physical)",
+                     table->path, table->column_line, table->columns[c], name);
+  }
   if (found < 0)
     return po_fail(PO_CANNOT_READ, "%s:%zu: the column %s is missing", table->path,
                    table->column_line, name);

@@ -21,6 +21,7 @@ typedef struct {
   char *shown;                   /* name of that file in messages and records */
   po_csv table;                  /* if the reference is a table or pins; empty without pins */
   char digest[PO_DIGEST_LENGTH]; /* of the whole file; of the name if there is no file */
+  char *converted;               /* cells of the table that were in SI units; NULL: none */
 } po_reference;
 
 /* A number of a reference. */
@@ -51,6 +52,12 @@ const char *po_ledger_name(po_ledger ledger);
  * Status: PO_CANNOT_READ with file and line. */
 po_status po_reference_read(const char *path, const char *shown, po_reference *reference);
 void po_reference_close(po_reference *reference);
+
+/* Converts the columns and the headers whose names end in an SI unit, such as force_nN, radius_m or
+ * load_uncertainty_nN, to the dimensionless ones without it. An uncertainty without a unit has that
+ * of all such columns. Given: the units of the scene that is compared. Status: PO_CANNOT_READ with
+ * file and line; PO_NO_MEMORY. */
+po_status po_reference_use_units(po_reference *reference, const po_units *units);
 
 /* Reports whether all headers that are keys of the scene have the values of a scene. */
 bool po_reference_headers_hold(const po_reference *reference, const po_request *request);

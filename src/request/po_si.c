@@ -4,6 +4,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const struct {
   const char *text, *name, *key;
@@ -85,4 +86,24 @@ po_si_unit po_si_prefixed(const po_units *units, po_dimension dimension) {
 
 double po_si_value(const po_si_unit *unit, double number) {
   return (unit->shift != 0.0 ? number + unit->shift : number) * unit->factor; /* -0 stays -0 */
+}
+
+bool po_si_parse(const char *name, size_t *stem, po_dimension *dimension, double *size) {
+  const size_t length = strlen(name);
+  size_t longest = 0;
+  for (int d = PO_DIMENSION_LENGTH; d < PO_DIMENSION_COUNT; ++d)
+    for (int prefix = -1; prefix < PREFIX_COUNT;
+         ++prefix) { /* -1: as keys have it, in lower case */
+      char end[16];
+      snprintf(end, sizeof end, "_%s%s", prefix < 0 ? "" : PREFIX[prefix].name,
+               prefix < 0 ? BASE[d].key : BASE[d].name);
+      const size_t of_end = strlen(end);
+      if (of_end <= longest || of_end >= length || strcmp(name + length - of_end, end) != 0)
+        continue;
+      longest = of_end;
+      *stem = length - of_end;
+      *dimension = (po_dimension)d;
+      *size = prefix < 0 ? 1.0 : thousands(prefix - NO_PREFIX);
+    }
+  return longest > 0;
 }

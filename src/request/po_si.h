@@ -3,6 +3,9 @@
 #ifndef PO_SI_H
 #define PO_SI_H
 
+#include <stdbool.h>
+#include <stddef.h>
+
 #include "po_dimension.h"
 #include "po_physical.h"
 
@@ -26,5 +29,10 @@ po_si_unit po_si_prefixed(const po_units *units, po_dimension dimension);
 
 /* Returned: the value of a dimensionless number in a unit. */
 double po_si_value(const po_si_unit *unit, double number);
+
+/* Finds the unit at the end of the name of a column: "force_nN", or in lower case as in keys:
+ * "force_n". Returned: whether there is one; *stem, the length of the rest of the name; the
+ * dimension; *size, the unit in SI units: 1e-9. */
+bool po_si_parse(const char *name, size_t *stem, po_dimension *dimension, double *size);
 
 #endif

@@ -108,10 +108,10 @@ class Data:
         path.write_text(text.lstrip("\n"))
         return path
 
-    def table(self, name, *rows):
+    def table(self, name, *rows, uncertainty="0"):
         """A table with a correct header. rows: that of the column names, and the others."""
         path = self.folder / name
-        path.write_text(HEADER + "".join(row + "\n" for row in rows))
+        path.write_text(HEADER.replace("uncertainty: 0", f"uncertainty: {uncertainty}") + "".join(row + "\n" for row in rows))
         seal(path)
         return path
 

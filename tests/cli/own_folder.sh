@@ -17,6 +17,7 @@ has 'my/data/tip.csv lacks 6 headers: expected the options --what, --source, --k
 has '^my/data/tip.csv is sealed'
 has '^tips +4 +0 +0'
 has '^tips +6 +0 +0'
+has '^measured +1 +0 +0'
 has '^wrong +repeats: 1 answers to a request of 2 repeats'
 has '^rigid:tips .*coverage 1/2 points, 2/6 checks'
 has 'rigid:tips pull_off_force, tabor=0.1: outside'

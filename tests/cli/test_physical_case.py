@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from conftest import document, expect, load
+from conftest import document, expect, load, run
 
 CASE = """
 name: si
@@ -115,3 +115,70 @@ BOTH = ("expected none of tabor, amplitude, wavelength, radius, outer_radius, th
 def test_wrong_scenes(data, code, message, physical, more):
     write(data, physical, **more)
     expect(code, "pulloff: cases/si.yaml:" + message, "plan si")
+
+
+# -- Tables in SI units --
+
+TABLE = """
+name: si
+title: A tip, and a table in nN and nm
+suites: [smoke]
+scene:
+  physical: {{{}, radius_m: 3e-8}}
+  scheme: panel
+  tolerance: 1e-7
+want: [{}]
+checks:
+  - {{quantity: {}, reference: reference/table.csv, tolerance: {}, kind: {}, because: it is so good}}
+"""
+
+
+def judge(data, code, columns, rows, quantity="pull_off_force", tolerance="1e-6", kind="rel", want="pull_off",
+          uncertainty="0"):
+    data.table("reference/table.csv", columns, *rows, uncertainty=uncertainty)
+    data.case("si", TABLE.format(TIP, want, quantity, tolerance, kind))
+    return expect(code, "*" if code < 2 else f"pulloff: {data.message}", "verify --verbose si --output run")
+
+
+@pytest.mark.parametrize("column, factor", [("force_nN", 1e9), ("force_n", 1), ("force_uN", 1e6), ("force_mN", 1e3)])
+def test_a_table_in_newtons(data, column, factor):
+    force = 7.8728223e-9 * factor
+    for code, word, value in ((0, "within", force), (1, "outside", 1.01 * force)):
+        assert judge(data, code, f"radius_m,{column},approach_nm", [f"3e-8,{value!r},0"]).count(rf"^si +pull_off_force .*oracle *{word}")
+
+
+def test_the_uncertainty_of_a_table_in_newtons(data):
+    """An uncertainty is stated in a column, in another unit, or in the header; it is 0.16 nN/(pi w R) = 0.034."""
+    for columns, row, header in (("force_nN,force_uncertainty_nN", "7.87,0.16", "0"), ("force_nN,uncertainty", "7.87,0.16", "0"),
+                                 ("force_nN,force_uncertainty_pN", "7.87,160", "0"), ("force_nN", "7.87", "0.16")):
+        judge(data, 0, columns, [row], uncertainty=header, tolerance="0.0340", kind="abs")
+        data.message = ("cases/si.yaml:10: checks[[]1].tolerance is 0.0339: expected at least 0.0339530545262710*, the uncertainty of "
+                        "reference/table.csv")
+        judge(data, 2, columns, [row], uncertainty=header, tolerance="0.0339", kind="abs")
+
+
+def test_a_curve_in_nanometres(data):
+    """The table that solve writes, as a reference of the same scene."""
+    tip = " ".join(f"--{key.replace('_', '-')} {value}" for key, value in (item.split(": ") for item in TIP.split(", ")))
+    lines = run(f"solve --from-physical --radius-m 3e-8 --tolerance 1e-7 {tip} --curve -").out.splitlines()
+    names, *rows = [line for line in lines if not line.startswith("#")]
+    assert names.startswith("approach_nm,load_nN,")
+    assert judge(data, 0, names, rows, "curve", "1e-9", "abs", "curve").count(r"^si +curve .*oracle *(within|slack)")
+    rows = [",".join([cells[0], repr(1.001 * float(cells[1]))] + cells[2:]) for cells in (row.split(",") for row in rows)]
+    assert judge(data, 1, names, rows, "curve", "1e-9", "abs", "curve").count(r"^si +curve .*oracle *outside")
+
+
+def test_tables_whose_units_cannot_be_used(data):
+    data.message = ("reference/table.csv:*: uncertainty has no unit, and the columns have several: expected columns such as "
+                    "force_uncertainty_nN")
+    judge(data, 4, "force_nN,approach_nm,uncertainty", ["7.87,-0.26,0.1"])
+    data.message = "reference/table.csv:*: the column force is given twice, in two units"
+    judge(data, 4, "force_nN,force_n", ["7.87,7.87e-9"])
+    data.message = "reference/table.csv:*: force is nan: expected a finite number"
+    judge(data, 4, "force_nN", ["nan"])
+    data.message = ("reference/table.csv:*: the column force_nN is in SI units: expected force, or a case whose scene is in SI "
+                    "units (scene.physical)")
+    data.table("reference/table.csv", "tabor,force_nN", "1,7.87")
+    data.case("si", TABLE.format(TIP, "pull_off", "pull_off_force", "1", "abs").replace(
+        "physical: {" + TIP + ", radius_m: 3e-8}", "tabor: 1\n  radius: 100\n  outer_radius: inf"))
+    expect(4, "pulloff: " + data.message, "verify si --output run")

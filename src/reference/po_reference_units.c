@@ -1,0 +1,90 @@
+/* Reference tables whose columns are in SI units. */
+#include <math.h>
+#include <string.h>
+
+#include "po_memory.h"
+#include "po_number.h"
+#include "po_reference_table.h"
+#include "po_si.h"
+
+/* Whether a name ends in a unit. Keys of the scene such as mie_m do not. Returned: *factor, by
+ * which its numbers are divided. */
+static bool has_unit(const char *name, const po_units *units, size_t *stem, double *factor) {
+  po_dimension dimension = PO_DIMENSION_NONE;
+  double size = 0;
+  if (po_key_of_name(name) >= 0 || !po_si_parse(name, stem, &dimension, &size))
+    return false;
+  *factor = po_si_unit_of(units, dimension).factor / size;
+  return true;
+}
+
+/* The texts of the converted cells, one after the other. */
+typedef struct {
+  char *next;
+} store;
+
+/* Divides the number in a text, unless it is another one, as -. */
+static void convert(char **text, double factor, store *to) {
+  double value = 0;
+  if (!po_number_parse(*text, &value))
+    return;
+  po_number_print(value / factor, to->next);
+  *text = to->next;
+  to->next += PO_NUMBER_LENGTH;
+}
+
+static void convert_column(po_csv *table, size_t column, double factor, store *to) {
+  for (size_t r = 0; r < table->row_count; ++r)
+    convert(&table->cells[r * table->column_count + column], factor, to);
+}
+
+static const char UNCERTAINTY[] = "uncertainty";
+
+/* Converts an uncertainty without a unit. Given: its column, -1: none; the one factor of all
+ * columns, NAN: they differ. */
+static po_status convert_uncertainty(po_csv *table, int column, double factor, store *to) {
+  po_csv_header *header = (po_csv_header *)po_csv_find_header(table, UNCERTAINTY);
+  double value = 0;
+  const bool number = header && po_number_parse(header->value, &value) && value != 0.0;
+  if (isnan(factor) && (column >= 0 || number))
+    return po_fail(PO_CANNOT_READ,
+                   "%s:%zu: %s has no unit, and the columns have several: expected columns such as "
+                   "force_uncertainty_nN",
+                   table->path, column >= 0 ? table->column_line : header->line, UNCERTAINTY);
+  if (column >= 0)
+    convert_column(table, (size_t)column, factor, to);
+  if (number)
+    convert(&header->value, factor, to);
+  return PO_OK;
+}
+
+po_status po_reference_use_units(po_reference *reference, const po_units *units) {
+  po_csv *table = &reference->table;
+  size_t stem = 0, cells = table->header_count + table->row_count; /* with an uncertainty */
+  double factor = 0, only = 0;                                     /* 0: none yet; NAN: several */
+  for (size_t c = 0; c < table->column_count; ++c)
+    if (has_unit(table->columns[c], units, &stem, &factor))
+      cells += table->row_count;
+  reference->converted = po_allocate(cells, PO_NUMBER_LENGTH);
+  if (!reference->converted)
+    return PO_NO_MEMORY;
+  store to = {reference->converted};
+  const int uncertainty = po_csv_find_column(table, UNCERTAINTY);
+  for (size_t c = 0; c < table->column_count; ++c) {
+    if (!has_unit(table->columns[c], units, &stem, &factor))
+      continue;
+    table->columns[c][stem] = '\0';
+    if (po_csv_find_column(table, table->columns[c]) != (int)c)
+      return po_fail(PO_CANNOT_READ, "%s:%zu: the column %s is given twice, in two units",
+                     table->path, table->column_line, table->columns[c]);
+    if (po_key_of_name(table->columns[c]) < 0) /* not of a key, which has no uncertainty */
+      only = only == 0 || only == factor ? factor : (double)NAN;
+    convert_column(table, c, factor, &to);
+  }
+  for (size_t i = 0; i < table->header_count; ++i)
+    if (has_unit(table->headers[i].key, units, &stem, &factor)) {
+      table->headers[i].key[stem] = '\0';
+      convert(&table->headers[i].value, factor, &to);
+    }
+  return only == 0 ? PO_OK : convert_uncertainty(table, uncertainty, only, &to);
+}
