@@ -58,10 +58,13 @@ po_status po_print_json(const po_request *request, const po_given *given, const 
 static void print_special_points(const po_special_point *list, size_t count) {
   for (size_t i = 0; i < count; ++i) {
     char of_approach[16], of_load[16];
-    printf("%-9s %16.10f %8s %16.10f %8s %14.8g %14d\n", po_special_kind_name(list[i].kind),
+    printf("%-9s %16.10f %8s %16.10f %8s %14.8g %14d", po_special_kind_name(list[i].kind),
            list[i].approach, po_print_error(list[i].approach_error, of_approach), list[i].load,
            po_print_error(list[i].load_error, of_load), list[i].contact_radius,
            list[i].unstable_modes);
+    if (list[i].has_base)
+      printf(" %8d", list[i].base_modes);
+    printf("\n");
   }
 }
 
@@ -258,8 +261,8 @@ po_status po_print_text(const po_request *request, const po_given *given, const 
   print_ended(result);
   po_print_theories_line(result);
   if (result->fold_count + result->extremum_count) {
-    printf("%-9s %16s %8s %16s %8s %14s %14s\n", "point", "approach", "error", "load", "error",
-           "contact radius", "unstable modes");
+    printf("%-9s %16s %8s %16s %8s %14s %14s%s\n", "point", "approach", "error", "load", "error",
+           "contact radius", "unstable modes", isnan(request->stiffness) ? "" : "  at base");
     print_special_points(result->folds, result->fold_count);
     print_special_points(result->extrema, result->extremum_count);
   }

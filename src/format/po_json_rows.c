@@ -140,7 +140,7 @@ static po_status read(const json_t *object, const po_row *row, void *owner) {
   char *member = (char *)owner + row->offset;
   const char *text = json_string_value(item);
   if (row->present)
-    *(bool *)((char *)owner + row->present) = json_is_object(item);
+    *(bool *)((char *)owner + row->present) = item && !json_is_null(item);
   if (row->type == PO_ROW_NUMBER)
     po_row_put(row, owner, po_json_read_number(object, row->key));
   if (row->type == PO_ROW_PART)
@@ -153,7 +153,7 @@ static po_status read(const json_t *object, const po_row *row, void *owner) {
       po_row_put_bits(row, owner, po_json_count_of(object, row->key));
     return PO_OK;
   case PO_ROW_INTEGER:
-    return read_integer(item, row->key, (int *)(void *)member);
+    return row->omitted && !item ? PO_OK : read_integer(item, row->key, (int *)(void *)member);
   case PO_ROW_FLAG:
     po_row_put_bits(row, owner, json_is_true(item));
     return PO_OK;

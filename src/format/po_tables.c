@@ -31,7 +31,8 @@ static const column CURVE[] = {{"position", "position", false, true},
                                {"approach_rate", "approach_rate", true, true},
                                {"load_rate", "load_rate", true, true},
                                {"unstable_modes", "unstable_modes", false},
-                               {"energy_error", "energy_error_estimate", true}};
+                               {"energy_error", "energy_error_estimate", true},
+                               {"unstable_modes_at_base", "unstable_modes_at_base", true}};
 
 static const column PROFILE[] = {
     {"radius", "radius", false}, {"gap", "gap", false}, {"traction", "traction", false}};
@@ -132,7 +133,8 @@ static po_status write_table(const char *path, const po_request *request, const 
 po_status po_tables_write_curve(const char *path, const po_request *request,
                                 const po_result *result, char *digest) {
   po_text rows = {0};
-  const layout l = LAYOUT(CURVE, PO_CURVE_ROWS, request);
+  layout l = LAYOUT(CURVE, PO_CURVE_ROWS, request);
+  l.count -= isnan(request->stiffness) ? 1 : 0; /* the last column is of a spring */
   add_names(&rows, "", &l);
   add_items(&rows, "", &l, result->curve, result->curve_count);
   return write_table(
@@ -306,7 +308,7 @@ static po_status read_list(const char *path, const char *digest, const column *c
 }
 
 po_status po_tables_read_curve(const char *path, const char *digest, po_result *result) {
-  return read_list(path, digest, CURVE, LENGTH(CURVE), &PO_CURVE_ROWS, &result->curve,
+  return read_list(path, digest, CURVE, LENGTH(CURVE) - 1, &PO_CURVE_ROWS, &result->curve,
                    &result->curve_count);
 }
 

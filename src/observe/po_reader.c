@@ -60,8 +60,18 @@ static void note_errors(po_estimate *greatest, const po_estimate *e) {
   greatest->traced_energy_error = fmax(greatest->traced_energy_error, e->traced_energy_error);
 }
 
+/* The unstable modes at a given base of the spring, if there is one, of the equilibria just after a
+ * point. After a fold the approach turns. */
+static int modes_at_base(double stiffness, const po_branch_point *p) {
+  if (isnan(stiffness))
+    return 0;
+  if (p->kind == PO_POINT_APPROACH_MAX || p->kind == PO_POINT_APPROACH_MIN)
+    return p->unstable_modes + ((p->kind == PO_POINT_APPROACH_MAX) == (p->load_rate > 0.0));
+  return po_modes_held(stiffness, p->unstable_modes, p->approach_rate, p->load_rate);
+}
+
 /* Adds a special point to the folds or the extrema of the result. Status: PO_NO_MEMORY. */
-static po_status add_special_point(po_special_list *l, const po_branch_point *p,
+static po_status add_special_point(po_special_list *l, const po_branch_point *p, double stiffness,
                                    const po_estimate *e, po_result *o) {
   const po_special_kind kind = kind_of(p->kind);
   const bool fold = kind == PO_JUMP_IN || kind == PO_JUMP_OUT;
@@ -85,7 +95,9 @@ static po_status add_special_point(po_special_list *l, const po_branch_point *p,
                                          .contact_radius_error = e->edge.error,
                                          .contact_radius_other = e->edge.other,
                                          .position = p->position,
-                                         .unstable_modes = p->unstable_modes};
+                                         .unstable_modes = p->unstable_modes,
+                                         .has_base = !isnan(stiffness),
+                                         .base_modes = modes_at_base(stiffness, p)};
   return PO_OK;
 }
 
@@ -162,7 +174,7 @@ static po_status add_to_path(po_trace_points *points, const po_branch_point *p,
   return PO_OK;
 }
 
-static po_status add_to_curve(po_trace_points *points, const po_branch_point *p,
+static po_status add_to_curve(po_trace_points *points, const po_branch_point *p, double stiffness,
                               double contact_radius, double energy_error, po_result *result) {
   po_curve_point *curve =
       po_grow(result->curve, result->curve_count, &points->curve_room, sizeof *curve);
@@ -177,7 +189,9 @@ static po_status add_to_curve(po_trace_points *points, const po_branch_point *p,
                                                   .contact_radius = contact_radius,
                                                   .approach_rate = p->approach_rate,
                                                   .load_rate = p->load_rate,
-                                                  .unstable_modes = p->unstable_modes};
+                                                  .unstable_modes = p->unstable_modes,
+                                                  .has_base = !isnan(stiffness),
+                                                  .base_modes = modes_at_base(stiffness, p)};
   return PO_OK;
 }
 
@@ -241,7 +255,7 @@ bool po_reader_visit_back(const po_branch_point *p, void *data) {
 /* Reads a special point. */
 static void read_special_point(po_reader *r, const po_branch_point *p) {
   const po_estimate e = estimate_of(r, p);
-  keep_status(r, add_special_point(&r->special, p, &e, r->result));
+  keep_status(r, add_special_point(&r->special, p, r->request->stiffness, &e, r->result));
   if (p->kind == PO_POINT_LOAD_MIN)
     note_minimum(r, p, &e);
   if (r->keeper && is_kept(p->kind) && !r->keeper->special(r->keeper->data, p, r->stopping.margin))
@@ -353,7 +367,8 @@ bool po_reader_visit(const po_branch_point *p, void *data) {
   if (r->surface && r->surface->n > r->most_nodes)
     r->most_nodes = r->surface->n;
   if (r->request->want & PO_WANT_CURVE)
-    keep_status(r, add_to_curve(&r->points, p, contact_radius, energy_error, o));
+    keep_status(
+        r, add_to_curve(&r->points, p, r->request->stiffness, contact_radius, energy_error, o));
   if (r->request->show && o->curve_count && !r->status)
     show_profile(r, p);
   if (p->kind == PO_POINT_STATION && !o->profile && (r->request->want & PO_WANT_PROFILE) &&

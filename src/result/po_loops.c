@@ -10,6 +10,10 @@ double po_held(po_control control, double approach, double load) {
   return control == PO_LOAD_CONTROL ? load : approach + load / control;
 }
 
+int po_modes_held(po_control control, int unstable_modes, double approach_rate, double load_rate) {
+  return unstable_modes + (po_held(control, approach_rate, load_rate) * approach_rate < 0.0);
+}
+
 void po_loop_clear(po_loop *loop) {
   free(loop->jumps);
   *loop = (po_loop){.control = loop->control};

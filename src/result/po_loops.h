@@ -43,6 +43,12 @@ bool po_is_spring(po_control control);
  * control the load (pi w R). */
 double po_held(po_control control, double approach, double load);
 
+/* Returned: the number of unstable modes of an equilibrium at given held quantity, from that at
+ * given approach: the second derivative of the energy of surface and spring by the approach is k +
+ * dW/d(approach), and where it is negative one more mode is unstable. Given: the derivatives of
+ * approach and load along the branch. */
+int po_modes_held(po_control control, int unstable_modes, double approach_rate, double load_rate);
+
 /* The preload: loading is reversed when the approach (eps) or the load (pi w R) reaches this value;
  * NAN: no limit. Under load control only the load counts. */
 typedef struct {

@@ -36,6 +36,8 @@ typedef struct {
       contact_radius_other; /* see po_contact_edge; NAN: not estimated, none */
   double position;    /* arclength along the branch, which orders special points and other points */
   int unstable_modes; /* of the equilibria just after it, at given approach */
+  bool has_base;      /* whether there is a spring */
+  int base_modes;     /* the same at a given base of the spring */
 } po_special_point;
 
 typedef struct {
@@ -49,6 +51,8 @@ typedef struct {
   double approach_rate, load_rate; /* derivatives by the position. approach_rate is 0 at a fold,
                                       load_rate at an extremum of the load */
   int unstable_modes;              /* 0: stable at given approach */
+  bool has_base;                   /* whether there is a spring */
+  int base_modes;                  /* the same at a given base of the spring */
 } po_curve_point;
 
 typedef struct {

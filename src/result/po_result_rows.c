@@ -38,6 +38,7 @@ static const po_row SPECIAL_POINT[] = {
   NUMBER("position", position, NONE, "", "if followed",
          "arclength along the branch, in a measure of the solver; it orders special points among the points of the curve"),
   INTEGER("unstable_modes", unstable_modes, "number of unstable modes, at given approach, of the equilibria just after this point"),
+  OPTIONAL_INTEGER("unstable_modes_at_base", base_modes, has_base, "absent without a stiffness", "the same at a given base of the spring"),
 };
 const po_block PO_SPECIAL_POINT_ROWS = BLOCK("special_point", SPECIAL_POINT, NULL);
 #undef S
@@ -56,6 +57,7 @@ static const po_row CURVE[] = {
   NUMBER("approach_rate", approach_rate, NONE, "", "if not known", "derivative of the approach by `position`; 0 at a fold"),
   NUMBER("load_rate", load_rate, LOAD, "", "if not known", "derivative of the load by `position`; 0 at an extremum of the load"),
   INTEGER("unstable_modes", unstable_modes, "number of unstable modes at given approach; 0: stable"),
+  OPTIONAL_INTEGER("unstable_modes_at_base", base_modes, has_base, "absent without a stiffness", "the same at a given base of the spring"),
 };
 const po_block PO_CURVE_ROWS = BLOCK("curve_point", CURVE, NULL);
 #undef S

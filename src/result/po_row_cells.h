@@ -40,6 +40,9 @@
 #define DERIVED_COUNT(name, getter, text) {.key = name, .type = PO_ROW_COUNT, .get = getter, TEXTS("", "", text)}
 #define INTEGER(name, member, text) \
   {.key = name, .type = PO_ROW_INTEGER, .offset = AT(int, member), .size = sizeof(int), TEXTS("", "", text)}
+#define OPTIONAL_INTEGER(name, member, flag, absence, text) \
+  {.key = name, .type = PO_ROW_INTEGER, .offset = AT(int, member), .size = sizeof(int), .present = AT(bool, flag), \
+   .omitted = true, TEXTS("", absence, text)}
 #define FLAG(name, member, text) \
   {.key = name, .type = PO_ROW_FLAG, .offset = AT(bool, member), .size = sizeof(bool), TEXTS("", "", text)}
 #define TEXT(name, member, text) \

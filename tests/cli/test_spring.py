@@ -4,7 +4,7 @@ import math
 import random
 
 import pytest
-from conftest import document, expect
+from conftest import document, expect, run
 
 SCENES = ["--tabor 2", "--tabor 0.3", "--tabor 0", "--tabor 3 --amplitude 1 --wavelength 20",
           "--profile cone:0.3 --coupling 0.4 --law morse:2"]
@@ -88,6 +88,32 @@ def test_stated_errors_hold_and_the_energy_balance_closes():
             assert theirs["energy_lost"] >= 0, scene
             assert abs(ours["energy_lost"] - theirs["energy_lost"]) <= bound + 1e-12, scene
         assert abs(tight["work"] - tight["energy_lost"]) <= 1e-6 * (1 + tight["energy_lost"]), scene
+
+
+@pytest.mark.parametrize("stiffness", [0.02, 0.3, 1e9])
+def test_stability_at_a_given_base(stiffness):
+    """One more mode is unstable where base and approach move against each other along the branch."""
+    scene = "--tabor 3 --amplitude 1 --wavelength 20"
+    whole = document(f"solve {scene} --want hysteresis,curve --stiffness {stiffness}")
+    curve = whole["curve"]
+    wrong = 0
+    for point, following in zip(curve, curve[1:]):
+        against = (base(following, stiffness) - base(point, stiffness)) * (following["approach"] - point["approach"]) < 0
+        wrong += point["unstable_modes_at_base"] != point["unstable_modes"] + against
+    turns = sum((b["approach_rate"] + b["load_rate"] / stiffness) * (a["approach_rate"] + a["load_rate"] / stiffness) < 0
+                for a, b in zip(curve, curve[1:]))
+    assert wrong <= turns, "only where the base turns between two points"
+    for jump in jumps(whole["hysteresis"]["spring"]):
+        ahead = [p for p in curve if p["position"] > jump["before"]["position"] + 1e-3]
+        behind = [p for p in curve if p["position"] < jump["before"]["position"] - 1e-3]
+        stable, unstable = (behind[-1], ahead[0]) if jump["phase"] == "loading" else (ahead[0], behind[-1])
+        assert stable["unstable_modes_at_base"] == 0 < unstable["unstable_modes_at_base"]
+    for fold in whole["folds"] if stiffness < 1 else []:  # just after a fold; a stiff base turns at once
+        near = next(p for p in curve if p["position"] > fold["position"])
+        assert fold["unstable_modes_at_base"] == near["unstable_modes_at_base"]
+    assert "unstable_modes_at_base" not in document(f"solve {scene} --want curve")["curve"][0]
+    table = run(f"solve {scene} --stiffness {stiffness} --curve -").out
+    assert "energy_error,unstable_modes_at_base\n" in table
 
 
 def staircases(words):

@@ -160,6 +160,45 @@ START_TEST(staircases_of_two_waves) {
 }
 END_TEST
 
+/* Every step and every cycle of the staircase through a spring is what one loop to just beyond it
+ * gives, and differs from that at given approach. */
+START_TEST(staircase_through_a_spring) {
+  const double stiffness = 0.3, beyond = 1e-3;
+  po_scene scene = {3.0, 1.0, 20.0, 100.0, INFINITY};
+  po_staircases s;
+  ck_assert_int_eq(po_jkr_staircases(&scene, stiffness, &s), PO_OK);
+  ck_assert(s.has_spring);
+  ck_assert_double_eq(s.of[2].control, stiffness);
+  ck_assert_uint_ge(s.of[2].count, 2);
+  for (size_t k = 0; k < 2; ++k) {
+    const po_step *step = &s.of[2].step[k], *held = &s.of[0].step[k];
+    const po_cycle *cycle = &step->cycle[0];
+    po_hysteresis h;
+    const po_preload preload = {cycle->preload.approach + beyond, NAN};
+    ck_assert_int_eq(po_jkr_hysteresis(&scene, preload, stiffness, &h), PO_OK);
+    ck_assert_double_eq_tol(h.spring.pull_off.load, step->pull_off.load, 1e-12);
+    ck_assert_uint_eq(h.spring.jump_count, cycle->loss.jumps);
+    ck_assert_double_eq_tol(h.spring.energy_lost, cycle->loss.energy, 1e-9);
+    ck_assert_double_gt(cycle->loss.energy, 1.5 * held->cycle[0].loss.energy);
+    po_hysteresis_clear(&h);
+  }
+  po_staircases_clear(&s);
+}
+END_TEST
+
+/* JKR: with the load as a function of the approach the slope dW/d(approach) decides at a base, the
+ * sign of both rates under either control. */
+START_TEST(modes_at_a_base) {
+  ck_assert_int_eq(po_modes_held(PO_DISPLACEMENT_CONTROL, 0, 1.0, -5.0), 0);
+  ck_assert_int_eq(po_modes_held(2.0, 0, 1.0, -1.9), 0);
+  ck_assert_int_eq(po_modes_held(2.0, 0, 1.0, -2.1), 1);
+  ck_assert_int_eq(po_modes_held(2.0, 1, -1.0, 2.1), 2);
+  ck_assert_int_eq(po_modes_held(2.0, 1, -1.0, -2.1), 1);
+  ck_assert_int_eq(po_modes_held(PO_LOAD_CONTROL, 0, 1.0, -1e-9), 1);
+  ck_assert_int_eq(po_modes_held(PO_LOAD_CONTROL, 0, 1.0, 1e-9), 0);
+}
+END_TEST
+
 /* Bradley's spheres never jump at fixed approach; under a load they come together where Eq 23
  * vanishes, x = 4^(-1/6), and part at 2. */
 START_TEST(bradley_in_closed_form) {
@@ -333,6 +372,8 @@ END_TEST
 
 static void add(TCase *tests) {
   tcase_add_loop_test(tests, spring_in_closed_form, 0, 4);
+  tcase_add_test(tests, staircase_through_a_spring);
+  tcase_add_test(tests, modes_at_a_base);
   tcase_add_loop_test(tests, jkr_in_closed_form, 0, 2);
   tcase_add_test(tests, cone_in_closed_form);
   tcase_add_test(tests, truncated_sphere_parts_from_its_corner);

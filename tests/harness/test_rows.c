@@ -188,8 +188,10 @@ static void same_special_points(const po_special_point *a, const po_special_poin
                                 size_t count) {
   for (size_t k = 0; k < count; ++k) {
     ck_assert(a[k].kind == b[k].kind && a[k].unstable_modes == b[k].unstable_modes);
+    ck_assert(a[k].has_base == b[k].has_base && a[k].base_modes == b[k].base_modes);
     SAME(po_special_point, &a[k], &b[k], WITHOUT(po_special_point, kind),
-         WITHOUT(po_special_point, unstable_modes));
+         WITHOUT(po_special_point, unstable_modes), WITHOUT(po_special_point, has_base),
+         WITHOUT(po_special_point, base_modes));
   }
 }
 
@@ -259,7 +261,11 @@ static void same_result(const po_result *a, const po_result *b) {
     same_loop(&a->theory.hysteresis.displacement, &b->theory.hysteresis.displacement);
     same_loop(&a->theory.hysteresis.load, &b->theory.hysteresis.load);
   }
-  for (int k = 0; k < 2; ++k) {
+  ck_assert(a->hysteresis.has_spring == b->hysteresis.has_spring &&
+            a->staircase.has_spring == b->staircase.has_spring);
+  if (a->hysteresis.has_spring)
+    same_loop(&a->hysteresis.spring, &b->hysteresis.spring);
+  for (int k = 0; k < 2 + a->staircase.has_spring; ++k) {
     same_stairs(&a->staircase.of[k], &b->staircase.of[k]);
     if (a->theory.has_staircases)
       same_stairs(&a->theory.staircase.of[k], &b->theory.staircase.of[k]);
@@ -295,10 +301,12 @@ static json_t *document_of(const po_request *request, po_result *result) {
 /* -INFINITY (separated) and NAN (unknown) are both null in JSON, so that documents alone do not
  * show whether they are read back right. A member of a result without a row is found, too. */
 START_TEST(every_member_survives_json) {
-  const po_request request = everything(_i ? 0.0 : 2.385, 57.0);
+  po_request request = everything(_i ? 0.0 : 2.385, 57.0);
+  request.stiffness = _i ? NAN : 0.4;
   po_result solved, again;
   json_t *document = document_of(&request, &solved);
   ck_assert(_i || solved.hysteresis.displacement.jump_count > 1);
+  ck_assert(_i || (solved.hysteresis.has_spring && solved.staircase.has_spring));
   ck_assert_int_eq(po_json_read_result(document, &again), PO_OK);
   same_result(&solved, &again);
   json_decref(document);
