@@ -24,7 +24,8 @@ static const char HELP[] =
     "halfway between them is traced, too. The discretisation is always panel. Lengths are in\n"
     "units of the equilibrium distance epsilon, loads in pi w R (w: work of adhesion), or in\n"
     "pi w epsilon for a profile without a radius. The approach is positive when the bodies are\n"
-    "pressed together, the load when it is compressive.\n"
+    "pressed together, the load when it is compressive. The minimum of the load that is followed is\n"
+    "the same through every spring: --stiffness and --stiffness-n-per-m are refused.\n"
     "\n"
     "Series:\n"
     "  --key KEY               parameter that varies:\n"
@@ -66,7 +67,7 @@ static const char MORE_HELP[] =
     "Example: pulloff follow --from-physical --key radius-m --from 1e-7 --to 1e-6 --points 10 \\\n"
     "             --modulus-pa 2e9 --work-j-per-m2 0.05 --distance-m 3e-10\n";
 
-enum { VARIED = PO_OPTION_NEXT, FROM, TO, POINTS, SCALE, OF, CHECKPOINTS, CURVE, PLOT, JSON };
+enum { VARIED = PO_OPTION_NEXT, FROM, TO, POINTS, SCALE, OF, CHECKPOINTS, CURVE, PLOT, JSON, STIFFNESS };
 enum { DEFAULT_POINTS = 60 };
 
 /* Beside the options of keys. */
@@ -79,6 +80,8 @@ static const struct option OPTIONS[] = {{"key", required_argument, NULL, VARIED}
                                         {"checkpoint-every", required_argument, NULL, CHECKPOINTS},
                                         {"curve", required_argument, NULL, CURVE},
                                         {"plot", required_argument, NULL, PLOT},
+                                        {"stiffness", required_argument, NULL, STIFFNESS},
+                                        {"stiffness-n-per-m", required_argument, NULL, STIFFNESS},
                                         {"json", no_argument, NULL, JSON},
                                         {"help", no_argument, NULL, PO_OPTION_HELP},
                                         {NULL, 0, NULL, 0}};
@@ -143,6 +146,11 @@ static po_status take_option(void *to, int option) {
     return po_options_refuse("of", optarg, "pull-off or folds");
   case CURVE:
     return po_options_take_text("curve", "the name of a file", &line->curve);
+  case STIFFNESS:
+    return po_fail(PO_BAD_INPUT,
+                   "a stiffness has no effect on follow: the minimum of the load that is followed is "
+                   "the same through every spring, and a spring decides only which preload leads to "
+                   "it; expected pulloff solve --want preload with the stiffness");
   case PLOT:
     return po_plot_take_file(optarg, &line->plot);
   case JSON:

@@ -10,7 +10,10 @@ static void add(po_text *text, const char *symbol, double value, const char *uni
   static const char *const PREFIX[] = {"a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T"};
   enum { NONE = 6, LAST = sizeof PREFIX / sizeof *PREFIX - 1 };
   int k = NONE;
-  const double least = strcmp(unit, "m") == 0 ? 0.099999 : 0.99999; /* 0.3 nm */
+  /* 0.3 nm and 0.2 N/m, but 80 mJ/m² */
+  const double least = strcmp(unit, "m") == 0     ? 0.099999
+                       : strcmp(unit, "N/m") == 0 ? 0.0099999
+                                                  : 0.99999;
   for (; k > 0 && fabs(value) < least; --k)
     value *= 1e3;
   for (; k < LAST && fabs(value) >= 999.99; ++k)
