@@ -97,7 +97,12 @@ static po_status vary(po_uncertain_line *u, const po_given_option *given, size_t
   name_of(u, given->option, v->source);
   for (int more = 0; more < 2 && !status; ++more) {
     po_solve_line *moved = &u->moved[2 * number + (size_t)more];
-    status = read_moved(u, given, more ? given->deviation : -given->deviation, moved);
+    const double by = PO_VARIATION_REACH * given->deviation;
+    status = read_moved(u, given, more ? by : -by, moved);
+    if (status == PO_BAD_INPUT)
+      status =
+          po_fail(status, "--%s is %s+-%g, and moved by twice its uncertainty it is refused: %s",
+                  v->source, given->text, given->deviation, po_message());
     v->moved[more] = &moved->request;
     v->unit[more] =
         moved->request.in_si ? moved->request.units.force / u->line.request.units.force : 1.0;

@@ -25,11 +25,11 @@ static void print_source(const po_uncertain *u, double unit, const char *name) {
   if (!isnan(u->force))
     printf("force +-%.2g %s\n", u->force * unit, name);
   else if (isnan(u->below) || isnan(u->above))
-    printf("unknown, because the solve with the input %s by its uncertainty failed\n",
+    printf("unknown, because the solve with the input %s by twice its uncertainty failed\n",
            isnan(u->below) ? "less" : "more");
   else
     printf("no number, because the force is not linear there: it changes by %.2g %s with the input "
-           "less by its uncertainty, by %.2g with the input more\n",
+           "less by twice its uncertainty, by %.2g with the input more\n",
            u->below * unit, name, u->above * unit);
 }
 

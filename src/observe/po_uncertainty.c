@@ -11,10 +11,14 @@
 #include "po_watch.h"
 
 /* The force is linear if its changes to both sides, and that of the adjoint, differ from their mean
- * by at most this part of it. With the change a s + b s^2/2 by an input s of deviation 1 the part
- * is b/(2a), and the true standard deviation, sqrt(a^2 + b^2/2), exceeds a by the square of the
- * part: at most 9 %. */
-static const double LINEAR = 0.3;
+ * by at most this part of it. With the change a s + b s^2/2 by an input s of deviation 1, at s = 2,
+ * the part is b/a, and the true standard deviation, sqrt(a^2 + b^2/2), exceeds a by 1 % at most; a
+ * jump on one side is seen from half of a on. */
+static const double LINEAR = 0.2;
+
+/* A source that is not linear and changes the force by at most this part of the uncertainty by the
+ * others has the greater of its changes: it changes that of all by 0.5 % at most. */
+static const double SMALL = 0.1;
 
 /* The force with an input moved. Returned: its change; NAN if the solve failed. */
 static double change_of(const po_request *moved, double unit, const po_result *result,
@@ -30,11 +34,11 @@ static double change_of(const po_request *moved, double unit, const po_result *r
   return change;
 }
 
-/* Given: the changes, and the standard uncertainty by the adjoint, NAN: not known. Changes as small
- * as the error of the force are not compared. */
+/* The standard uncertainty. Given: the changes, and the standard uncertainty by the adjoint, NAN:
+ * not known. Changes as small as the error of the force are not compared. */
 static double force_of(const po_uncertain *u, double adjoint, double error) {
-  const double mean = 0.5 * fabs(u->above - u->below);
-  const double bend = 0.5 * fabs(u->above + u->below);
+  const double mean = 0.5 * fabs(u->above - u->below) / PO_VARIATION_REACH;
+  const double bend = 0.5 * fabs(u->above + u->below) / PO_VARIATION_REACH;
   const double off = isnan(adjoint) ? 0.0 : fabs(adjoint - mean);
   if (fmax(bend, off) <= fmax(LINEAR * mean, error))
     return isnan(adjoint) ? mean : adjoint;
@@ -99,7 +103,8 @@ static po_status vary_profile(const work *w) {
   for (int k = 0; k < 2 && !status; ++k) {
     po_profile_table *displaced;
     po_request moved = *w->request;
-    status = po_profile_table_displace(table, o->noise.change, k ? -1.0 : 1.0, &displaced);
+    status = po_profile_table_displace(table, o->noise.change,
+                                       k ? -PO_VARIATION_REACH : PO_VARIATION_REACH, &displaced);
     moved.scene.profile.table = displaced;
     if (!status)
       status = solve(w, &moved, 1.0, &change[k]); /* the load falls, the force grows */
@@ -109,6 +114,22 @@ static po_status vary_profile(const work *w) {
   u->above = change[1];
   u->force = force_of(u, o->noise.deviation, o->pull_off.force_error);
   return status;
+}
+
+static void add_squares(po_result *o) {
+  double linear = 0.0, squares = 0.0;
+  for (size_t k = 0; k < o->uncertain_count; ++k)
+    if (!isnan(o->uncertain[k].force))
+      linear += o->uncertain[k].force * o->uncertain[k].force;
+  for (size_t k = 0; k < o->uncertain_count; ++k) {
+    po_uncertain *u = &o->uncertain[k];
+    const double most =
+        0.5 * (fabs(u->above + u->below) + fabs(u->above - u->below)) / PO_VARIATION_REACH;
+    if (isnan(u->force) && most <= SMALL * sqrt(linear))
+      u->force = most;
+    squares += u->force * u->force;
+  }
+  o->uncertainty = sqrt(squares);
 }
 
 po_status po_uncertainty_solve(const po_request *request, double deadline, po_result *o) {
@@ -122,10 +143,7 @@ po_status po_uncertainty_solve(const po_request *request, double deadline, po_re
     status = vary_input(&w, &request->variation[k]);
   if (o->noise.change && !status)
     status = vary_profile(&w);
-  double squares = 0.0;
-  for (size_t k = 0; k < o->uncertain_count; ++k)
-    squares += o->uncertain[k].force * o->uncertain[k].force;
-  o->uncertainty = sqrt(squares);
+  add_squares(o);
   if (!status)
     po_message_clear();
   return status;

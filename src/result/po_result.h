@@ -97,10 +97,10 @@ typedef struct {
 typedef struct {
   char source[40];         /* the name of the option, or "noise" */
   double value, deviation; /* of the input; of noise: NAN, and that of the rows in their unit */
-  double below, above;     /* changes of the force, pi w R, when the input is less and more by its
-                              deviation; NAN: that solve failed */
-  double force; /* standard uncertainty of the force, to first order, pi w R; NAN: the force is not
-                   linear over these inputs */
+  double below, above; /* changes of the force, pi w R, when the input is less and more by twice its
+                          deviation; NAN: that solve failed */
+  double force; /* standard uncertainty of the force, to first order, pi w R; NAN: the force is
+                   not linear over these inputs, and the changes are not small beside others */
 } po_uncertain;
 
 /* Why the trace of a branch ended; see po_stopping.h. */

@@ -156,7 +156,7 @@ static const po_row UNCERTAIN[] = {
   TEXT("source", source, "the option of an uncertain input, or `noise` of the profile"),
   NUMBER("value", value, NONE, "", "of noise", "the input as it was given"),
   NUMBER("deviation", deviation, NONE, "", "", "its standard uncertainty; of noise, in the unit of the file"),
-  NUMBER("below", below, LOAD, "", "if that solve failed", "change of the pull-off force when the input is less by `deviation`"),
+  NUMBER("below", below, LOAD, "", "if that solve failed", "change of the pull-off force when the input is less by twice `deviation`"),
   NUMBER("above", above, LOAD, "", "if that solve failed", "the same when it is more"),
   NUMBER("force", force, LOAD, "", NOT_LINEAR, "standard uncertainty of the pull-off force"),
 };

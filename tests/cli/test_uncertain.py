@@ -33,7 +33,7 @@ def uncertain(words):
     (2, "--tabor is 1+-x: expected a number, or*", "solve --tabor 1+-x"),
     (2, "--tabor is +-1: expected a number, or*", "solve --tabor +-1"),
     (2, "--nodes is 100+-1: expected a value without uncertainty", "solve --scheme ring --nodes 100+-1"),
-    (2, "--tabor is -1: expected a finite number >= 0", "solve --tabor 1+-2"),
+    (2, "--tabor is 1+-2, and moved by twice its uncertainty it is refused: --tabor is -3: expected a finite number >= 0", "solve --tabor 1+-2"),
     (2, "--smooth is 0: expected a finite number > 0, or auto", "solve --smooth 0"),
     (2, "--smooth is no: expected a finite number > 0, or auto", "solve --smooth no"),
     (2, "--smooth is auto: expected it beside the file of a profile", "solve --smooth auto"),
@@ -58,7 +58,7 @@ def test_noise_of_a_profile(coupling, noise):
     [source] = sources
     assert source["source"] == "noise" and total["force"] == source["force"]
     assert abs(source["deviation"] / noise - 1) < 0.2
-    assert abs((source["above"] - source["below"]) / (2 * source["force"]) - 1) < 3e-3
+    assert abs((source["above"] - source["below"]) / (4 * source["force"]) - 1) < 1e-2
     assert found["pull_off"]["error_estimate"] is None or found["pull_off"]["error_estimate"] < 1e-3 * source["force"]
     true = document(f"solve --coupling {coupling} --table-scale 3 --profile-file {write('true.csv', 0)} --preload-load 1")
     assert "uncertainty" not in true
@@ -117,7 +117,7 @@ def test_smooth_in_a_case(data):
 
 def test_inputs_agree_with_their_sensitivities():
     """Differences of solves agree with the adjoint of the diagnostics; all together is the root of the sum of squares."""
-    _, total, sources = uncertain("solve --tabor 2.385+-0.05 --amplitude 0.3+-0.01 --wavelength 17 --radius 93+-2")
+    _, total, sources = uncertain("solve --tabor 2.385+-0.01 --amplitude 0.3+-0.002 --wavelength 17 --radius 93+-0.5")
     force = document("solve --tabor 2.385 --amplitude 0.3 --wavelength 17 --radius 93 --want diagnostics")
     by = force["diagnostics"]["sensitivity"]
     assert [s["source"] for s in sources] == ["tabor", "amplitude", "radius"]
@@ -140,11 +140,11 @@ def test_si_units():
 
 def test_preload_that_decides_between_two_minima():
     """The jump of the force is no standard uncertainty. Farther away the force does not depend on the preload at all."""
-    found, total, [source] = uncertain(JUMP + " 2.6+-0.05")
+    found, total, [source] = uncertain(JUMP + " 2.6+-0.025")
     assert source["force"] is None and total["force"] is None
     assert source["below"] == pytest.approx(0, abs=1e-5) and source["above"] == pytest.approx(0.785524, abs=1e-4)
-    printed = expect(0, "", JUMP + " 2.6+-0.05").out
-    assert "uncertain preload 2.6+-0.05: no number, because the force is not linear there" in printed
+    printed = expect(0, "", JUMP + " 2.6+-0.025").out
+    assert "uncertain preload 2.6+-0.025: no number, because the force is not linear there" in printed
     assert uncertain(JUMP + " 1.6+-0.05")[1]["force"] == pytest.approx(0, abs=1e-6)
 
 

@@ -43,7 +43,7 @@ START_TEST(adjoint_agrees_with_solves) {
   const po_uncertain *u = o.uncertain;
   ck_assert_double_gt(u->force, 1e-4 * o.pull_off.force);
   ck_assert_double_lt(u->force, 0.1 * o.pull_off.force);
-  ck_assert_double_eq_tol(0.5 * (u->above - u->below), u->force, 2e-3 * u->force);
+  ck_assert_double_eq_tol(0.25 * (u->above - u->below), u->force, 1e-2 * u->force);
   ck_assert_double_eq_tol(u->deviation, 0.03, 1e-15);
   ck_assert_double_eq(o.uncertainty, u->force);
   po_result_clear(&o);
@@ -67,16 +67,16 @@ START_TEST(inputs_agree_with_their_derivatives) {
   po_variation variation[2];
   vary(&variation[0], tabor);
   vary(&variation[1], amplitude);
-  variation[1].unit[1] = 1.001; /* the unit of its force */
+  variation[1].unit[1] = 1.0001; /* the unit of its force */
   request.variation = variation;
   request.variations = 2;
   po_result o;
   ck_assert_int_eq(po_observe(&request, &o), PO_OK);
   const po_sensitivity *by = &o.pull_off.sensitivity;
-  const double force = o.pull_off.force, a = 0.02 * by->tabor * force,
+  const double force = o.pull_off.force, a = 0.01 * by->tabor * force,
                b = 0.005 * by->amplitude * force;
   ck_assert_double_eq_tol(o.uncertain[0].force, fabs(a), 2e-2 * fabs(a));
-  ck_assert_double_eq_tol(o.uncertain[1].above, b + 0.001 * force, 2e-2 * fabs(b));
+  ck_assert_double_eq_tol(o.uncertain[1].above, b + 0.0001 * force, 2e-2 * fabs(b));
   ck_assert_double_eq_tol(o.uncertainty, hypot(o.uncertain[0].force, o.uncertain[1].force), 1e-15);
   po_result_clear(&o);
 }
@@ -109,6 +109,27 @@ START_TEST(jumps_are_no_uncertainty) {
 }
 END_TEST
 
+/* A jump that is small beside the uncertainty by another input counts in full. */
+START_TEST(small_jumps_are_their_size) {
+  po_request request = po_request_default(), tabor[2], same[2];
+  for (int k = 0; k < 2; ++k) {
+    tabor[k] = same[k] = request;
+    tabor[k].scene.tabor *= k ? 1.05 : 0.95;
+  }
+  po_variation variation[2];
+  vary(&variation[0], same);
+  vary(&variation[1], tabor);
+  variation[0].unit[1] = 1.0002; /* as if the force jumped */
+  request.variation = variation;
+  request.variations = 2;
+  po_result o;
+  ck_assert_int_eq(po_observe(&request, &o), PO_OK);
+  ck_assert_double_eq_tol(o.uncertain[0].force, 0.0001 * o.pull_off.force, 1e-9);
+  ck_assert_double_eq_tol(o.uncertainty, hypot(o.uncertain[0].force, o.uncertain[1].force), 1e-15);
+  po_result_clear(&o);
+}
+END_TEST
+
 /* A force that cannot be solved is unknown. */
 START_TEST(failures_are_unknown) {
   po_request request = po_request_default(), moved[2];
@@ -130,6 +151,7 @@ static void add(TCase *tests) {
   tcase_add_loop_test(tests, adjoint_agrees_with_solves, 0, sizeof SCENES / sizeof *SCENES);
   tcase_add_test(tests, inputs_agree_with_their_derivatives);
   tcase_add_loop_test(tests, jumps_are_no_uncertainty, 0, 2);
+  tcase_add_test(tests, small_jumps_are_their_size);
   tcase_add_test(tests, failures_are_unknown);
 }
 
