@@ -114,15 +114,21 @@ static bool is_path(const char *name) {
   return strchr(name, '/') || (length > tail && strcmp(name + length - tail, ENDING) == 0);
 }
 
+/* Refuses a name that is not among the known ones, which are cleared. */
+static po_status refuse_unknown(const char *what, const char *name, po_text *known) {
+  char shown[PO_QUOTE_LENGTH];
+  const po_status status = po_suggest(po_fail(PO_BAD_INPUT, "no case %s %s: expected one of %s",
+                                              what, po_quote(name, shown), po_text_string(known)),
+                                      name, po_text_string(known));
+  po_text_clear(known);
+  return status;
+}
+
 static po_status refuse_name(const po_catalog *all, const char *name) {
   po_text known = {0};
   for (size_t i = 0; i < all->count; ++i)
     po_text_add(&known, "%s%s", i ? ", " : "", all->cases[i]->file->name);
-  const po_status status = po_fail(PO_BAD_INPUT, "no case is named %s: expected one of %s", name,
-                                   po_text_string(&known));
-  po_suggest(status, name, po_text_string(&known));
-  po_text_clear(&known);
-  return status;
+  return refuse_unknown("is named", name, &known);
 }
 
 /* Moves the case with a name from one catalog to another. */
@@ -164,37 +170,26 @@ static bool is_of_suites(const po_case *kase, po_suites suites) {
   return false;
 }
 
-static int by_name(const void *a, const void *b) {
-  return strcmp(*(char *const *)a, *(char *const *)b);
+/* Returned: the first suite after a name in the order of the alphabet; NULL if there is none. */
+static const char *next_suite(const po_catalog *all, const char *after) {
+  const char *next = NULL;
+  for (size_t i = 0; i < all->count; ++i)
+    for (unsigned k = 0; k < all->cases[i]->file->suite_names_count; ++k) {
+      const char *name = all->cases[i]->file->suite_names[k];
+      if (strcmp(name, after) > 0 && (!next || strcmp(name, next) < 0))
+        next = name;
+    }
+  return next;
 }
 
-/* Refuses a suite to which no case belongs; the message lists all suites. */
+/* Refuses a suite to which no case belongs. */
 static po_status refuse_suite(const po_catalog *all, const char *name, size_t length) {
-  size_t count = 0;
-  for (size_t i = 0; i < all->count; ++i)
-    count += all->cases[i]->file->suite_names_count;
-  const char **names = po_allocate(count, sizeof *names);
-  if (!names)
-    return PO_NO_MEMORY;
-  count = 0;
-  for (size_t i = 0; i < all->count; ++i)
-    for (unsigned k = 0; k < all->cases[i]->file->suite_names_count; ++k)
-      names[count++] = all->cases[i]->file->suite_names[k];
-  if (count)
-    qsort(names, count, sizeof *names, by_name);
-  char given[64], shown[PO_QUOTE_LENGTH];
-  snprintf(given, sizeof given, "%.*s", (int)length, name);
   po_text known = {0};
-  for (size_t i = 0; i < count; ++i)
-    if (i == 0 || strcmp(names[i], names[i - 1]) != 0)
-      po_text_add(&known, "%s%s", i ? ", " : "", names[i]);
-  const po_status status =
-      po_fail(PO_BAD_INPUT, "no case belongs to the suite %s: expected one of %s",
-              po_quote(given, shown), po_text_string(&known));
-  po_suggest(status, given, po_text_string(&known));
-  po_text_clear(&known);
-  free(names);
-  return status;
+  for (const char *suite = ""; (suite = next_suite(all, suite)) != NULL;)
+    po_text_add(&known, "%s%s", known.length ? ", " : "", suite);
+  char given[64];
+  snprintf(given, sizeof given, "%.*s", (int)length, name);
+  return refuse_unknown("belongs to the suite", given, &known);
 }
 
 static po_status check_suites(const po_catalog *all, const char *names) {
