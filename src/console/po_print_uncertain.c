@@ -6,8 +6,14 @@
 
 #include "po_profile_table.h"
 
+/* Uncertainty of a table, eps, from which on it may move a force by a percent. */
+static const double NOISY = 0.02;
+
 void po_print_smoothing(const po_profile *profile) {
   const po_smoothing *s = &profile->table->smoothing;
+  if (!s->knots && profile->table->uncertainty > NOISY)
+    printf("         rows with noise are smoothed with its standard deviation, --smooth SIGMA or "
+           "auto\n");
   if (!s->knots)
     return;
   const double unit = profile->table->scale;

@@ -5,7 +5,8 @@
 #include "po_profile.h"
 #include "po_result.h"
 
-/* A line for the noise of a smoothed table; nothing for other profiles. */
+/* A line for the noise of a smoothed table, or one that recommends to smooth it; nothing if the
+ * rows determine the table well. Given: a table. */
 void po_print_smoothing(const po_profile *profile);
 
 /* A line for each source, and one for all. Given: the unit of the force, as a factor and by name.

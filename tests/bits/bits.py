@@ -43,7 +43,8 @@ def read_scenes():
 
 
 def digest_of(command, scene, variables):
-    ended = subprocess.run([*command, *shlex.split(scene)], env={**os.environ, **variables}, capture_output=True, text=True)
+    words = shlex.split(scene.replace("HERE", str(SCENES.parent)))
+    ended = subprocess.run([*command, *words], env={**os.environ, **variables}, capture_output=True, text=True)
     found = re.findall(r"^digest +([0-9a-f]{16})$", ended.stdout, flags=re.M)
     if ended.returncode == 0 and len(found) == 1:
         return found[0]

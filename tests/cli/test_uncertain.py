@@ -76,6 +76,15 @@ def test_deviation_that_is_stated():
     assert printed.count("\nuncertain noise of the profile: force +-") == 1 and "smooth 0.03 profile_file tip.csv" in printed
 
 
+def test_noise_that_is_not_refused():
+    """It moved the force without a word."""
+    words = "solve --coupling 0.05 --profile-file"
+    advice = "rows with noise are smoothed with its standard deviation, --smooth SIGMA or auto"
+    assert advice in expect(0, "", words, write("noisy.csv", 0.02)).out
+    assert advice not in expect(0, "", words, write("true.csv", 0)).out
+    assert advice not in expect(0, "", words, write("noisy.csv", 0.02), "--smooth", "auto").out
+
+
 def test_smoothed_table():
     """Gap and removed part together are the rows, relative to one on the axis; the table is one of the same profile."""
     name = write("tip.csv", 0.03)
