@@ -19,8 +19,6 @@ import time
 from browser import Browser
 
 SCENES = pathlib.Path(__file__).parents[1] / "bits" / "scenes.txt"
-SI = {"radius_m": "radius", "modulus_pa": "modulus", "work_j_per_m2": "work", "distance_m": "distance",
-      "amplitude_m": "amplitude", "wavelength_m": "wavelength", "outer_radius_m": "outer_radius"}
 
 
 def request_of(words):
@@ -35,8 +33,6 @@ def request_of(words):
         name = name.removeprefix("--").replace("-", "_")
         if name == "wave":
             waves.append(value.replace(",", "@"))
-        elif name in SI:
-            request.setdefault("physical", {})[SI[name]] = float(value)
         else:
             request["keys"][name] = value
     if waves:

@@ -13,6 +13,6 @@ install_packages chromium
 build/src/cli/pulloff run fig03 fig04 --output build/live/run >>"$log" 2>&1 &&
   python3 reports/live/assemble.py build/live/pulloff.wasm tested build/live/run build/live/tested.html &&
   mkdir -p build/live/report && cp build/live/tested.html build/live/report/live.html &&
-  python3 reports/make_report.py --run build/live/run --output build/live/report >>"$log" 2>&1 &&
+  /usr/bin/python3 reports/make_report.py --run build/live/run --output build/live/report >>"$log" 2>&1 &&
   python3 tests/live/identical.py "$@" build/live/tested.html build/src/cli/pulloff &&
   python3 tests/live/page.py build/live/tested.html build/src/cli/pulloff build/live/report/report.html

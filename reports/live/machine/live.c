@@ -86,33 +86,15 @@ static pulloff_status set_keys(pulloff_scene *scene, json_t *keys, pulloff_messa
   return status;
 }
 
-/* Sets a scene in SI units; load and stiffness are converted as the program does. Returned: the
- * units of its results, for the answer. */
-static pulloff_status set_physical(pulloff_scene *scene, const json_t *si, json_t **answer,
-                                   pulloff_message *message) {
-  const pulloff_physical physical = {.modulus = number_of(si, "modulus", INFINITY),
-                                     .work = number_of(si, "work", NAN),
-                                     .distance = number_of(si, "distance", NAN),
-                                     .radius = number_of(si, "radius", NAN),
-                                     .amplitude = number_of(si, "amplitude", 0.0),
-                                     .wavelength = number_of(si, "wavelength", NAN),
-                                     .outer_radius = number_of(si, "outer_radius", INFINITY)};
-  const double load = number_of(si, "preload_load", NAN),
-               stiffness = number_of(si, "stiffness", NAN);
+/* The units of the results of a scene in SI units, for the answer. */
+static void add_units(const pulloff_scene *scene, json_t **answer) {
   pulloff_units units;
-  pulloff_status status = pulloff_scene_set_physical(scene, &physical, &units, message);
-  if (!status && !isnan(load))
-    status = pulloff_scene_set_number(scene, "preload_load", load / units.force, message);
-  if (!status && !isnan(stiffness))
-    status = pulloff_scene_set_number(scene, "stiffness", stiffness / (units.force / units.length),
-                                      message);
-  if (!status)
+  if (!pulloff_scene_units(scene, &units, NULL))
     po_json_set(answer, "units",
                 PO_JSON_OBJECT({"length", po_json_number(units.length)},
                                {"force", po_json_number(units.force)},
                                {"work", po_json_number(units.work)},
                                {"traction", po_json_number(units.traction)}));
-  return status;
 }
 
 /* For each theory of a result, its words and those of the assumption that decides. */
@@ -217,21 +199,19 @@ static pulloff_status answer_to_scene(const json_t *request, const pulloff_scene
   return status;
 }
 
-/* Answers a request {"keys": {NAME: TEXT}, "physical": {NAME: NUMBER}, "files": {NAME: TEXT},
+/* Answers a request {"keys": {NAME: TEXT}, "files": {NAME: TEXT},
  * "theory": NAME, "alpha": NUMBER, "at": NUMBER, "series": {"key": NAME, "from": NUMBER, "to":
  * NUMBER, "points": NUMBER, "log": BOOLEAN}}, all optional: with neither `theory` nor `series`, the
  * scene is solved. */
 static pulloff_status answer_to(const json_t *request, pulloff_scene *scene, json_t **answer,
                                 pulloff_message *message) {
-  const json_t *physical = json_object_get(request, "physical");
   const json_t *series = json_object_get(request, "series");
   files = json_object_get(request, "files");
   po_profile_table_clear(); /* a file may have another content than in the last request */
-  pulloff_status status = set_keys(scene, json_object_get(request, "keys"), message);
-  if (!status && physical)
-    status = set_physical(scene, physical, answer, message);
+  const pulloff_status status = set_keys(scene, json_object_get(request, "keys"), message);
   if (status)
     return status;
+  add_units(scene, answer);
   return series ? follow(series, scene, answer, message)
                 : answer_to_scene(request, scene, answer, message);
 }

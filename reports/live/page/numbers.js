@@ -126,7 +126,7 @@ export const theoryRows = ({document: result, words, units}) => {
       : [
           words[k].theory,
           withError(row.force * u.force),
-          row.deviation === null ? '–' : sign(`${row.deviation > 0 ? '+' : ''}${(100 * row.deviation).toFixed(2)} %`),
+          row.deviation === null ? '–' : sign(`${row.deviation > 0 ? '+' : ''}${(100 * row.deviation).toFixed(2)}\u00a0%`),
           row.assumptions,
           `${words[k].decided_by} ${row.number === null ? 'unknown' : withError(Number(row.number.toPrecision(4)))}, expected ${limit}`,
           row.source,

@@ -61,6 +61,7 @@ const form = makeForm($('scene'), (name, text) => {
 function changeScene() {
   history.replaceState(null, '', fragmentOf(scene));
   $('si').checked = 'from-physical' in scene;
+  $('hint').hidden = $('si').checked;
   if (hasSpring(scene)) $('spring').checked = true;
   else if ($('spring').checked) document.querySelector('input[name=control]').checked = true;
   form.show(scene);

@@ -125,6 +125,7 @@ export function optionsOf(scene) {
   const chosen = fieldsOf(scene).filter(({name, usual}) => {
     const text = valueOf(scene, name);
     if (isWave(name)) return Number(amplitudeOf(scene)) !== 0;
+    if (name === 'amplitude-m') return Number(text) !== 0;
     return text !== '' && (isNeeded(FIELD.get(name)) ? text !== 'inf' : !isSame(text, usual));
   });
   return [...(isSI(scene) ? [['from-physical', '']] : []), ...chosen.map(({name}) => [name, valueOf(scene, name)])];
@@ -138,12 +139,10 @@ const wavesOf = (text) =>
 
 // The request to the solver (reports/live/machine/live.c).
 export function requestOf(scene, want) {
-  const keys = {},
-    physical = {};
+  const keys = {};
   for (const [name, text] of optionsOf(scene)) {
     if (name === 'from-physical' || name === 'table') continue;
     if (text === 'table') keys.profile_file = TABLE_NAME;
-    else if (FIELD.get(name).si) physical[name.replace(SI_ENDING, '').replace('-', '_')] = Number(text);
     else
       keys[name.replaceAll('-', '_')] =
         name === 'waves'
@@ -154,7 +153,7 @@ export function requestOf(scene, want) {
   }
   if (want) keys.want = want;
   const files = isTable(scene) ? {[TABLE_NAME]: tableOf(scene)} : undefined;
-  return isSI(scene) ? {keys, physical} : {keys, files};
+  return {keys, files};
 }
 
 // The text of the table of a scene, whose last line ends.

@@ -5,11 +5,10 @@ import {drawSeries} from './views.js';
 
 const MOST_POINTS = 200;
 
-// The range that is proposed for a field: about its value, within its slider.
-function rangeAbout({range: [from, to]}, value) {
-  const middle = value > 0 ? value : to / 10;
-  const clipped = (end) => Number(Math.min(to, Math.max(from || to / 1000, end)).toPrecision(3));
-  return [clipped(middle / 3), clipped(middle * 3)];
+// The range that is proposed for a field: about its value, or within its slider.
+function rangeAbout({range}, value) {
+  const middle = value > 0 ? value : range[1] / 10;
+  return [middle / 3, middle * 3].map((end) => Number(end.toPrecision(3)));
 }
 
 // Fills the part of the page. jobs: a solver; open(name, text): shows the scene with this value. Returned: show(scene).
@@ -27,6 +26,7 @@ export function makeSeries(part, jobs, open) {
   }
 
   function draw() {
+    plot.toggleAttribute('hidden', !shown);
     if (shown && part.open) drawSeries(plot, shown, (value) => open(shown.name, String(value)));
   }
 
