@@ -11,6 +11,8 @@ bool po_case_is_name(const char *text) {
   return *text != '\0' && *text != '-';
 }
 
+_Static_assert(PO_KEY_END <= 64, "the keys of a sweep are bits of po_sweep.named");
+
 bool po_sweep_names(const po_sweep *sweep, po_key key) {
   return sweep->named >> key & 1U;
 }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "po_load_unit.h"
 #include "po_physical.h"
 #include "po_quote.h"
 #include "po_si.h"
@@ -267,6 +268,8 @@ po_status po_given_read(po_given *given, po_request *request) {
     status = add_waves(given, 1.0, &request->scene);
   if (!status)
     status = set_in_si(given, request);
+  if (!status && request->in_si)
+    po_load_unit_usual(request);
   return status ? status : check_idle(given, request);
 }
 

@@ -17,13 +17,16 @@ static const struct {
                               [PO_DIMENSION_TRACTION] = {"Pa", "Pa", "pa"},
                               [PO_DIMENSION_STIFFNESS] = {"N/m", "N_per_m", "n_per_m"}};
 
-/* Every third power of ten, from 1e-24. */
-static const struct {
+typedef struct {
   const char *text, *name;
-} PREFIX[] = {{"y", "y"}, {"z", "z"}, {"a", "a"}, {"f", "f"}, {"p", "p"},
-              {"n", "n"}, {"µ", "u"}, {"m", "m"}, {"", ""},   {"k", "k"},
-              {"M", "M"}, {"G", "G"}, {"T", "T"}, {"P", "P"}, {"E", "E"}};
-enum { NO_PREFIX = 8, PREFIX_COUNT = sizeof PREFIX / sizeof *PREFIX };
+  int thousands; /* 1000 to this power */
+} prefix;
+static const prefix PREFIXES[] = {{"y", "y", -8}, {"z", "z", -7}, {"a", "a", -6}, {"f", "f", -5},
+                                  {"p", "p", -4}, {"n", "n", -3}, {"µ", "u", -2}, {"m", "m", -1},
+                                  {"", "", 0},    {"k", "k", 1},  {"M", "M", 2},  {"G", "G", 3},
+                                  {"T", "T", 4},  {"P", "P", 5},  {"E", "E", 6}},
+                    NONE = {"", "", 0};
+enum { PREFIX_COUNT = sizeof PREFIXES / sizeof *PREFIXES };
 
 static bool is_length(po_dimension dimension) {
   return dimension == PO_DIMENSION_LENGTH || dimension == PO_DIMENSION_GAP;
@@ -56,32 +59,34 @@ static double thousands(int count) {
   return count < 0 ? 1.0 / power : power;
 }
 
-static po_si_unit unit_with(const po_units *u, po_dimension dimension, int prefix) {
+static po_si_unit unit_with(const po_units *u, po_dimension dimension, const prefix *with) {
   const double factor = size_of(dimension, u->length, u->force, u->traction);
-  const double power = thousands(abs(prefix - NO_PREFIX));
-  po_si_unit unit = {.factor = prefix < NO_PREFIX ? factor * power : factor / power,
+  const double power = thousands(abs(with->thousands));
+  po_si_unit unit = {.factor = with->thousands < 0 ? factor * power : factor / power,
                      .shift = dimension == PO_DIMENSION_GAP};
-  snprintf(unit.text, sizeof unit.text, "%s%s", PREFIX[prefix].text, BASE[dimension].text);
-  snprintf(unit.name, sizeof unit.name, "%s%s", PREFIX[prefix].name, BASE[dimension].name);
+  snprintf(unit.text, sizeof unit.text, "%s%s", with->text, BASE[dimension].text);
+  snprintf(unit.name, sizeof unit.name, "%s%s", with->name, BASE[dimension].name);
   return unit;
 }
 
 po_si_unit po_si_unit_of(const po_units *units, po_dimension dimension) {
-  po_si_unit unit = unit_with(units, dimension, NO_PREFIX);
+  po_si_unit unit = unit_with(units, dimension, &NONE);
   snprintf(unit.name, sizeof unit.name, "%s", BASE[dimension].key);
   return unit;
 }
 
 po_si_unit po_si_prefixed(const po_units *units, po_dimension dimension) {
   const double tabor = units->tension / units->traction; /* 0 for a rigid scene */
-  const double size =
-      size_of(dimension, units->length * fmax(1.0, tabor), units->force, units->tension);
+  const double length =
+      units->usual_length > 0 ? units->usual_length : units->length * fmax(1.0, tabor);
+  const double force = units->usual_force > 0 ? units->usual_force : units->force;
+  const double size = size_of(dimension, length, force, units->tension);
   const double least = is_length(dimension) ? 0.1 : 1.0;
-  int prefix = *BASE[dimension].text ? 0 : NO_PREFIX;
-  while (prefix + 1 < PREFIX_COUNT && *BASE[dimension].text &&
-         size >= least * thousands(prefix + 1 - NO_PREFIX))
-    ++prefix;
-  return unit_with(units, dimension, prefix);
+  const prefix *with = *BASE[dimension].text ? PREFIXES : &NONE;
+  for (int k = 0; k < PREFIX_COUNT && with != &NONE; ++k)
+    if (size >= least * thousands(PREFIXES[k].thousands))
+      with = &PREFIXES[k];
+  return unit_with(units, dimension, with);
 }
 
 double po_si_value(const po_si_unit *unit, double number) {
@@ -92,18 +97,17 @@ bool po_si_parse(const char *name, size_t *stem, po_dimension *dimension, double
   const size_t length = strlen(name);
   size_t longest = 0;
   for (int d = PO_DIMENSION_LENGTH; d < PO_DIMENSION_COUNT; ++d)
-    for (int prefix = -1; prefix < PREFIX_COUNT;
-         ++prefix) { /* -1: as keys have it, in lower case */
+    for (int k = -1; k < PREFIX_COUNT; ++k) { /* -1: as keys have it, in lower case */
+      const prefix *with = k < 0 ? &NONE : &PREFIXES[k];
       char end[16];
-      snprintf(end, sizeof end, "_%s%s", prefix < 0 ? "" : PREFIX[prefix].name,
-               prefix < 0 ? BASE[d].key : BASE[d].name);
+      snprintf(end, sizeof end, "_%s%s", with->name, k < 0 ? BASE[d].key : BASE[d].name);
       const size_t of_end = strlen(end);
       if (of_end <= longest || of_end >= length || strcmp(name + length - of_end, end) != 0)
         continue;
       longest = of_end;
       *stem = length - of_end;
       *dimension = (po_dimension)d;
-      *size = prefix < 0 ? 1.0 : thousands(prefix - NO_PREFIX);
+      *size = thousands(with->thousands);
     }
   return longest > 0;
 }

@@ -23,8 +23,9 @@ po_si_unit po_si_unit_of(const po_units *units, po_dimension dimension);
 
 /* The unit with the prefix for tables, figures and the terminal. It depends on the scene alone, so
  * that all numbers of a dimension, in all tables of a scene, have the same one: the size of
- * pi w R, of epsilon max(1, mu), or of what follows from them, lies between 1 and 1000, that of
- * lengths between 0.1 and 100, because contact radii are greater. */
+ * pi w R (the usual force of other profiles), of epsilon max(1, mu), or of what follows from them,
+ * lies between 1 and 1000, that of lengths between 0.1 and 100, because contact radii are greater.
+ */
 po_si_unit po_si_prefixed(const po_units *units, po_dimension dimension);
 
 /* Returned: the value of a dimensionless number in a unit. */

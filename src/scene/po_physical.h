@@ -21,6 +21,8 @@ typedef struct {
   double work;     /* w, J/m^2: unit of the work of adhesion */
   double tension;  /* w/epsilon, Pa: unit of the tension of the law */
   double traction; /* w/(mu epsilon), Pa: unit of P = p mu epsilon/w, Eq 14; INFINITY when rigid */
+  double usual_length, usual_force; /* of the size of the approaches, m, and loads, N, of the scene,
+                                       for the prefix of units; 0: those of a sphere */
 } po_units;
 
 /* Computes the dimensionless scene but for its law and its profile, which stay: mu = (R w^2/(E*^2

@@ -13,10 +13,10 @@ from conftest import agree, document, expect
     ("morse_a is not given: expected it with the law morse", "solve --law morse"),
     ("morse_a is 60: expected a number from 0.05 to 50", "solve --law morse:60"),
     ("mie_m is 1.5: *unbounded surface*expected more than 2, or an outer radius", "solve --law mie:1.5,9"),
-    ("--morse-a has no effect on the law mie: expected --law morse", "solve --law mie:4,10 --morse-a 3"),
-    ("--mie-m has no effect on the law lennard-jones: expected --law mie", "solve --mie-m 3"),
+    ("--morse-a is 3: expected it with the law morse, not mie", "solve --law mie:4,10 --morse-a 3"),
+    ("--mie-m is 3: expected it with the law mie, not lennard-jones", "solve --mie-m 3"),
     ("--key is law: *", "follow --key law --from 1 --to 2"),
-    ("--mie-n has no effect on the law morse: expected --law mie", "follow --key mie-n --from 4 --to 5 --law morse:1"),
+    ("--mie-n is 4: expected it with the law mie, not morse", "follow --key mie-n --from 4 --to 5 --law morse:1"),
     # without a singularity the load of a rigid sphere grows without bound: the trace to an approach of 30 never ended
     ("*preload is 30: expected less than 3, the greatest approach of rigid bodies", "solve --tabor 0 --law morse:2 --preload 30")])
 def test_wrong_laws(message, words):

@@ -128,6 +128,15 @@ def test_printed_loops_and_staircases_in_si_units():
     assert printed.count(f" {step['force'] * force:.10g} +[0-9.e-]+ +{step['approach'] * length:.10g} ")
 
 
+def test_the_prefix_of_a_profile_without_a_radius():
+    """Its unit of load, pi w epsilon = 0.05 nN, says nothing about its loads, which are those of the sphere that it is."""
+    tip = "solve --from-physical --modulus-pa 2e9 --work-j-per-m2 0.05 --distance-m 3e-10 --tolerance 1e-4"
+    sphere = expect(0, "", tip + " --radius-m 3e-8")
+    same = expect(0, "", tip + " --profile power:1.6666666666666666e7,2")
+    for printed in sphere, same:
+        assert printed.count(r"^pull-off force 7\.962[0-9]* nN at approach -0\.2339[0-9]* nm, ")
+
+
 def test_the_rigid_sphere_has_the_force_of_bradley():
     d = document("solve --modulus-pa inf " + TIP)
     assert d["rigid"] and abs(d["physical"]["pull_off"]["force_n"] / (2 * math.pi * 0.05e-7) - 1) < 1e-9
